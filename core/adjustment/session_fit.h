@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/adjustment/acceptance.h"
+#include "core/adjustment/arc_fit.h"
+#include "core/adjustment/intersection.h"
+#include "core/adjustment/published_fit.h"
+#include "core/base/finding.h"
+#include "core/session/measurement.h"
+
+namespace alidade {
+
+/// Both arcs fitted rigorously, their intersection, and what the data say about themselves. A plain value: computed from a
+/// measurement, shown by console, window and report alike.
+struct SessionFit {
+  std::vector<ArcFit> arcs;      ///< those that could be fitted, in session order
+  std::vector<ArcSigma> sigmas;  ///< of each arc, scaled by the residuals of both
+  double noiseScale = 1;         ///< s0
+  std::optional<Intersection> intersection;
+  std::optional<Verdict> verdict;  ///< with an intersection and a tolerance
+  std::vector<Finding> findings;   ///< of the arcs and of the whole; an Error says why something is absent
+
+  const ArcFit* arcAt(int axisDeg) const;          ///< null where there is none
+  const ArcFit* arcOfPosition(std::size_t position) const;  ///< null where there is none
+};
+
+SessionFit fitSession(const Measurement& measurement);
+
+/// The published method on both arcs, for comparison.
+struct PublishedSessionFit {
+  std::vector<PublishedFit> arcs;
+  std::optional<double> intersection;           ///< Δd, y up, mm
+  std::optional<double> intersectionAsPrinted;  ///< (Δy − Δy′)/2 in the paper's signs
+  double inPlane = 0;                           ///< |O1 − O2|/2, mm; with an intersection
+  std::vector<Finding> findings;
+};
+
+PublishedSessionFit fitSessionAsPublished(const Measurement& measurement);
+
+}  // namespace alidade

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <compare>
+#include <numbers>
+
+namespace alidade {
+
+/// A plane angle. Stored in radians, never wrapped on its own: 370° stays 370° until `wrapped` is asked.
+/// Named factories and readers keep the unit visible where a number enters or leaves.
+class Angle {
+ public:
+  constexpr Angle() = default;
+
+  static constexpr Angle fromRadians(double radians) { return Angle(radians); }
+  static constexpr Angle fromDegrees(double degrees) { return Angle(degrees * (std::numbers::pi / 180)); }
+  static constexpr Angle fromArcseconds(double arcseconds) { return fromDegrees(arcseconds / 3600); }
+  static constexpr Angle fromGon(double gon) { return fromDegrees(gon * 0.9); }
+
+  constexpr double radians() const { return m_radians; }
+  constexpr double degrees() const { return m_radians * (180 / std::numbers::pi); }
+  constexpr double arcseconds() const { return degrees() * 3600; }
+
+  constexpr Angle operator-() const { return Angle(-m_radians); }
+  constexpr Angle operator+(Angle other) const { return Angle(m_radians + other.m_radians); }
+  constexpr Angle operator-(Angle other) const { return Angle(m_radians - other.m_radians); }
+  constexpr Angle operator*(double factor) const { return Angle(m_radians * factor); }
+  constexpr auto operator<=>(const Angle&) const = default;
+
+ private:
+  explicit constexpr Angle(double radians) : m_radians(radians) {}
+
+  double m_radians = 0;
+};
+
+/// The angle that differs from `angle` by whole turns and lies in [centre − 180°, centre + 180°).
+/// The program's only wrap-around: centre 0° gives differences, centre 180° gives circle readings.
+Angle wrapped(Angle angle, Angle centre = {});
+
+}  // namespace alidade

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "core/base/place.h"
+
+namespace alidade {
+
+/// Why an input cannot be used: one sentence saying what is wrong and what to do, and the place in the session.
+struct Problem {
+  std::string what;  ///< e.g. `“88°71'49"” has 71 minutes; minutes go from 0 to 59`
+  Place where = {};
+
+  /// `positions[1].readings[3].vertical: …`, or just the sentence where there is no place.
+  std::string text() const;
+
+  bool operator==(const Problem&) const = default;
+};
+
+}  // namespace alidade

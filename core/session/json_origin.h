@@ -1,0 +1,24 @@
+#pragma once
+
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+
+namespace alidade {
+
+/// The JSON object a part of a session was read from. The writer starts from it, so unknown keys, the order of the
+/// keys, absent optional keys and the exact spelling of untouched values survive a load and save.
+/// Carries no meaning of its own: two parts that differ only in their origin are equal.
+class JsonOrigin {
+ public:
+  JsonOrigin() = default;
+  explicit JsonOrigin(const nlohmann::ordered_json& object);
+
+  const nlohmann::ordered_json& object() const;  ///< an empty object where the part was not read from a file
+
+  bool operator==(const JsonOrigin&) const { return true; }
+
+ private:
+  std::shared_ptr<const nlohmann::ordered_json> m_object;
+};
+
+}  // namespace alidade

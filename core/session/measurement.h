@@ -1,0 +1,72 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/angle.h"
+#include "core/base/problem.h"
+#include "core/session/session.h"
+
+namespace alidade {
+
+enum class VerticalCircle { Zenith, Elevation };
+
+/// How a vertical circle reading follows from the target (x, y, −L).
+enum class VerticalAngleRelation {
+  Exact,   ///< tan e = y/√(x² + L²): what a theodolite reads
+  Planar,  ///< tan e = y/L: the published relation
+};
+
+/// One row of readings, reduced: face 1 equivalent, from the pointing zero, right and up positive, |a|, |e| < 90°.
+struct Sighting {
+  std::size_t row = 0;  ///< index into the position's readings
+  int point = 0;
+  int round = 1;
+  int face = 1;
+  Angle a;  ///< horizontal, right positive
+  Angle e;  ///< vertical, up positive
+  std::optional<Angle> slider;
+};
+
+/// What was read in one position of the axis, excluded and unusable rows left out.
+struct ArcMeasurement {
+  std::size_t position = 0;  ///< index into the session's positions
+  int axisDeg = 0;           ///< 0 or 180
+  std::vector<Sighting> sightings;
+};
+
+/// What a session means: every value present, in range and in the reference frame o0. Lengths in mm.
+struct Measurement {
+  double distance = 0;       ///< L > 0
+  double sigmaDistance = 0;  ///< ≥ 0
+  double nominalRadius = 0;  ///< R0 > 0
+  Angle sigmaHorizontal, sigmaVertical, sigmaZero, sigmaSlider;  ///< > 0, the zero's ≥ 0
+  VerticalCircle verticalCircle = VerticalCircle::Zenith;
+  VerticalAngleRelation relation = VerticalAngleRelation::Exact;
+  std::optional<double> tolerance;              ///< mm, > 0
+  double coverage = 0.95;                       ///< in (0, 1)
+  std::optional<double> referenceIntersection;  ///< mm
+  std::vector<ArcMeasurement> arcs;             ///< at most one per axis position, in session order
+  bool hasUnestimatedEffects = false;           ///< model.effects names effects, which these fits do not estimate
+};
+
+/// A session examined: what can be used, and a sentence for everything that cannot, in the order of the file.
+struct Examined {
+  std::optional<Measurement> measurement;  ///< absent where L, R0, a σ or the model itself is unusable
+  std::vector<Problem> problems;           ///< empty: the whole session is sound
+};
+
+/// Works out what the texts of a session mean. Rows with an unusable entry, and positions with an unusable pointing
+/// zero, are left out of the measurement and reported. Rows without any entry are incomplete, so reported too.
+Examined examine(const Session& session);
+
+/// Is `text` usable as the value of the field at `where`? The sentence where it is not. For marking entries in place:
+/// the same rules as `examine`, without the checks that need other entries.
+/// `field` is a name of the session file without indices: `geometry.distance_mm`, `pointing_zero.vertical`,
+/// `readings.horizontal`, `readings.face`, `acceptance.coverage`, `axis_deg`, `measured_on`, …
+std::optional<std::string> entryProblem(const Session& session, const std::string& field, const std::string& text);
+
+}  // namespace alidade

@@ -1,0 +1,116 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "core/session/json_origin.h"
+
+namespace alidade {
+
+// The plain data of one measurement, as typed. Every number and angle is kept as its text, so nothing the user
+// typed is lost or rounded, bad entries included; empty text means "not given". What the texts mean is worked out by
+// `examine` (measurement.h), which is the only road from here to a fit.
+// Names and units are those of the session file. A JSON number of decimal degrees appears here as `341.873333°`.
+
+/// One row of readings: the slider at one place, sighted in one face.
+struct Reading {
+  std::string point;       ///< whole number; names the slider place within position and round
+  std::string round;       ///< whole number ≥ 1; empty: 1
+  std::string face;        ///< 1 or 2; empty: 1
+  std::string horizontal;  ///< circle reading α
+  std::string vertical;    ///< circle reading β
+  std::string slider;      ///< slider coordinate; may be empty
+  bool excluded = false;   ///< kept and shown, but no part of any fit
+  std::string note;
+  JsonOrigin origin;
+
+  bool operator==(const Reading&) const = default;
+};
+
+struct PointingZero {
+  std::string horizontal;  ///< α0: circle reading of the direction perpendicular to the arc plane
+  std::string vertical;    ///< β0
+  JsonOrigin origin;
+
+  bool operator==(const PointingZero&) const = default;
+};
+
+struct Position {
+  std::string axisDeg;  ///< rotation of the axis: 0 or 180
+  PointingZero zero;
+  std::vector<Reading> readings;  ///< in the order in which they were taken
+  JsonOrigin origin;
+
+  bool operator==(const Position&) const = default;
+};
+
+struct Device {
+  std::string name, serial;
+  JsonOrigin origin;
+
+  bool operator==(const Device&) const = default;
+};
+
+struct Instrument {
+  std::string name, serial;
+  std::string sigmaHorizontalArcsec;  ///< empty: 2
+  std::string sigmaVerticalArcsec;    ///< empty: 2
+  std::string sigmaZeroArcsec;        ///< empty: as the circles'
+  std::string sigmaSliderArcsec;      ///< empty: 5
+  JsonOrigin origin;
+
+  bool operator==(const Instrument&) const = default;
+};
+
+struct Environment {
+  std::string temperatureC;
+  JsonOrigin origin;
+
+  bool operator==(const Environment&) const = default;
+};
+
+struct Geometry {
+  std::string distanceMm;       ///< L, theodolite to arc plane; required
+  std::string sigmaDistanceMm;  ///< empty: 0, taken as exact
+  std::string radiusMm;         ///< nominal R0; required
+  std::string verticalCircle;   ///< "zenith" or "elevation"; empty: zenith
+  JsonOrigin origin;
+
+  bool operator==(const Geometry&) const = default;
+};
+
+struct Acceptance {
+  std::string toleranceMm;              ///< empty: no verdict
+  std::string coverage;                 ///< in (0, 1); empty: 0.95
+  std::string referenceIntersectionMm;  ///< what the device was set to, where known; never enters a fit
+  JsonOrigin origin;
+
+  bool operator==(const Acceptance&) const = default;
+};
+
+struct Model {
+  std::string verticalAngle;  ///< "exact" or "planar"; empty: exact
+  JsonOrigin origin;          ///< also holds `effects`
+
+  bool operator==(const Model&) const = default;
+};
+
+struct Session {
+  std::string title, notes, operatorName, place, measuredOn;
+  Device device;
+  Instrument instrument;
+  Environment environment;
+  Geometry geometry;
+  Acceptance acceptance;
+  Model model;
+  std::vector<Position> positions;
+  JsonOrigin origin;
+
+  bool operator==(const Session&) const = default;
+};
+
+/// A new session: two positions, 0° and 180°, without readings, and the usual σ filled in.
+Session blankSession();
+
+}  // namespace alidade
