@@ -1,0 +1,18 @@
+#include "ui/jobs/evaluation.h"
+
+#include <utility>
+
+namespace alidade::ui {
+
+Evaluation evaluate(Session session) {
+  Evaluation evaluation;
+  evaluation.session = std::move(session);
+  evaluation.examined = examine(evaluation.session);
+  if (const auto& measurement = evaluation.examined.measurement) {
+    evaluation.fit = fitSession(*measurement);
+    evaluation.published = fitSessionAsPublished(*measurement);
+  }
+  return evaluation;
+}
+
+}  // namespace alidade::ui

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "core/adjustment/session_fit.h"
+#include "core/session/measurement.h"
+#include "core/session/session.h"
+
+namespace alidade::ui {
+
+/// Everything computed from one copy of the session. A plain value that charts, panels and the report show
+/// alike.
+struct Evaluation {
+  Session session;
+  Examined examined;
+  SessionFit fit;                 ///< as made where `examined.measurement` is absent
+  PublishedSessionFit published;  ///< likewise
+};
+
+Evaluation evaluate(Session session);
+
+}  // namespace alidade::ui
