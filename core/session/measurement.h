@@ -43,7 +43,9 @@ struct Measurement {
   double distance = 0;       ///< L > 0
   double sigmaDistance = 0;  ///< ≥ 0
   double nominalRadius = 0;  ///< R0 > 0
-  Angle sigmaHorizontal, sigmaVertical, sigmaZero, sigmaSlider;  ///< > 0, the zero's ≥ 0
+  Angle sigmaHorizontal, sigmaVertical;          ///< of a circle reading, > 0
+  Angle sigmaZeroHorizontal, sigmaZeroVertical;  ///< of the pointing zero, ≥ 0
+  Angle sigmaSlider;                             ///< > 0
   VerticalCircle verticalCircle = VerticalCircle::Zenith;
   VerticalAngleRelation relation = VerticalAngleRelation::Exact;
   std::optional<double> tolerance;              ///< mm, > 0
