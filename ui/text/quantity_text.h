@@ -1,0 +1,46 @@
+#pragma once
+
+#include <QString>
+
+#include "core/base/angle.h"
+
+namespace alidade::ui {
+
+// Numbers as people read them, on screen and on paper alike: a decimal point, a real minus sign (−), a blank
+// before letters of a unit and none before ° ′ ″. What is not known or not finite is an em dash.
+
+/// "—": stands where a number is not known and where a form was not filled in.
+QString notStated();
+
+/// `text`, or "—" where there is none.
+QString orNotStated(const QString& text);
+
+/// Fixed decimals (0…9): "−0.835", never "−0.000".
+QString numberText(double value, int decimals);
+
+/// As `numberText`, with the sign written even where it is plus: "+1.3", "−1.3", "0.0".
+QString signedNumberText(double value, int decimals);
+
+/// The shortest text that says the same number: "2405", "0.95".
+QString plainNumberText(double value);
+
+/// "401.9543 mm".
+QString lengthText(double millimetres, int decimals = 4);
+
+/// "9.4″".
+QString arcsecText(double arcseconds, int decimals = 1);
+
+/// "341°52′24″"; not wrapped.
+QString dmsText(Angle angle, int decimals = 0);
+
+/// The decimals that show `uncertainty` (> 0) with two significant digits: 3 for 0.0147, 2 for 0.0996, 0 for
+/// 12 and more. `fallback` where the uncertainty is zero or not finite.
+int decimalsFor(double uncertainty, int fallback = 4);
+
+/// "1.308 ± 0.022 mm": the uncertainty with two significant digits, the value to the same decimals.
+QString valueWithUncertainty(double value, double uncertainty, const QString& unit);
+
+/// "× 500".
+QString exaggerationText(double factor);
+
+}  // namespace alidade::ui
