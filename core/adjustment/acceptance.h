@@ -6,8 +6,8 @@ namespace alidade {
 
 enum class Verdict { Accept, Reject, Undecided };
 
-/// Guard-banded decision: accept only if |Δd| + U ≤ tolerance, reject only if |Δd| − U > tolerance. All in mm,
-/// U ≥ 0, tolerance > 0. Undecided where value or U is not finite.
+/// Guard-banded decision: accept only if |Δd| + U ≤ tolerance, reject only if |Δd| − U > tolerance. All in
+/// mm, U ≥ 0, tolerance > 0. Undecided where value or U is not finite.
 Verdict decide(double value, double expanded, double tolerance);
 
 /// "accept", "reject", "undecided".

@@ -17,10 +17,10 @@ using Covariance3 = std::array<std::array<double, 3>, 3>;
 
 /// What one sighting leaves over: observed minus adjusted.
 struct SightingResidual {
-  std::size_t row = 0;     ///< index into the position's readings
-  double arcAngle = 0;     ///< φ of the adjusted target, radians in (−π, π]
-  Angle horizontal;        ///< v_a
-  Angle vertical;          ///< v_e, up positive for either kind of vertical circle
+  std::size_t row = 0;  ///< index into the position's readings
+  double arcAngle = 0;  ///< φ of the adjusted target, radians in (−π, π]
+  Angle horizontal;     ///< v_a
+  Angle vertical;       ///< v_e, up positive for either kind of vertical circle
 };
 
 /// One fitted arc. Published and rigorous fit both answer with it.
@@ -34,8 +34,8 @@ struct ArcFit {
   double residualRms = 0;    ///< arcseconds, over all angle readings of the arc
   Covariance3 cofactor{};    ///< covariance of (Δx, Δy, R) from the stated σ of the readings alone
   std::array<double, 3> perHorizontalZero{};  ///< ∂(Δx, Δy, R)/∂α0, mm per radian
-  std::array<double, 3> perVerticalZero{};    ///< ∂(Δx, Δy, R)/∂(up-positive shift of β0), mm per radian
-  std::array<double, 3> perDistance{};        ///< ∂(Δx, Δy, R)/∂L, mm per mm
+  std::array<double, 3> perVerticalZero{};  ///< ∂(Δx, Δy, R)/∂(up-positive shift of β0), mm per radian
+  std::array<double, 3> perDistance{};      ///< ∂(Δx, Δy, R)/∂L, mm per mm
   int iterations = 0;
   bool converged = false;
   std::vector<Finding> findings;
@@ -44,21 +44,28 @@ struct ArcFit {
 };
 
 struct ArcFitOptions {
-  std::optional<Circle> start = {};  ///< empty: an algebraic fit to the sighted points, which needs no nominal radius
-  int maximumIterations = 200;       ///< of the damped Gauss-Newton iteration
-  double tolerance = 1e-10;          ///< mm; converged when the step of (Δx, Δy, R) is shorter
+  std::optional<Circle> start =
+      {};  ///< empty: an algebraic fit to the sighted points, which needs no nominal radius
+  int maximumIterations = 200;  ///< of Levenberg-Marquardt, rejected steps counted
+  /// Converged when the next step of (Δx, Δy, R) is shorter than this many standard deviations of the result.
+  /// 1e-9 is some 10⁻¹¹ mm on the usual arc, and a hundred times what rounding does to the step.
+  double tolerance = 1e-9;
 };
 
 /// The rigorous fit of one arc: weighted orthogonal least squares on the angles.
 ///
-/// Minimises Σ (a_i − a(P(φ_v)))²/σ_h² + (e_i − e(P(φ_v)))²/σ_v² over Δx, Δy, R and one arc angle φ_v for each visit; the
-/// rows of one visit (same round and point) share it. Levenberg-Marquardt with the arc angles eliminated visit by
-/// visit; derivatives by automatic differentiation. Errors in both circles are allowed for: the residuals are those of
-/// readings, not of plane coordinates.
+/// Minimises Σ (a_i − a(P(φ_v)))²/σ_h² + (e_i − e(P(φ_v)))²/σ_v² over Δx, Δy, R and one arc angle φ_v for
+/// each visit; the rows of one visit (same round and point) share it. Levenberg-Marquardt with the arc angles
+/// eliminated visit by visit; derivatives by automatic differentiation. Errors in both circles are allowed
+/// for: the residuals are those of readings, not of plane coordinates.
 ///
-/// Fails in words where the readings fix no circle: fewer than three different places, places on a straight line, or an
-/// arc so short that its sagitta drowns in the stated noise. A fit that merely is poor (no redundancy, a radius known to
-/// 1 % only, the same reading twice) comes with findings.
-Result<ArcFit> fitArc(const Measurement& measurement, const ArcMeasurement& arc, const ArcFitOptions& options = {});
+/// Fails in words where the readings fix no circle: fewer than three different places, places on a straight
+/// line, or an arc so short that its sagitta drowns in the stated noise. A fit that merely is poor (no
+/// redundancy, a radius known to 1 % only, the same reading twice) comes with findings.
+Result<ArcFit> fitArc(const Measurement& measurement, const ArcMeasurement& arc,
+                      const ArcFitOptions& options = {});
+
+/// Fills residuals, their rms and χ² of `fit` from its circle and the measurement's relation.
+void fillResiduals(ArcFit& fit, const Measurement& measurement, const ArcMeasurement& arc);
 
 }  // namespace alidade

@@ -31,15 +31,23 @@ struct ArcSigma {
   double x = 0, y = 0, radius = 0;
 };
 
-/// How much larger than stated the readings scatter: s0 = √(Σχ²/Σf) over the arcs, the factor by which what comes from
-/// the readings is scaled. 1 where no arc has redundancy.
-double noiseScale(const std::vector<ArcFit>& arcs);
+/// How the readings scatter against what is stated.
+struct NoiseScale {
+  double factor = 1;  ///< s0 = √(Σχ²/Σf) over the arcs: what comes from the readings is scaled by it
+  double degreesOfFreedom = 0;  ///< Σf behind the factor; infinite where the stated noise is taken as known
+};
+
+/// The stated noise is taken as known, factor 1, where no arc has redundancy, and where the scatter is so
+/// small (below its 0.1 % point) that it speaks against the readings' independence rather than for their
+/// precision.
+NoiseScale noiseScale(const std::vector<ArcFit>& arcs);
 
 /// Readings scaled by `scale`, pointing zero and distance as stated.
 ArcSigma arcSigma(const Measurement& measurement, const ArcFit& arc, double scale);
 
-/// From the arcs at 0° and 180°. The readings' share is scaled by the residuals of both arcs (s0); the pointing zeros, one
-/// for each position and independent, and the distance, common to both, enter as stated. Absent unless both arcs are there.
+/// From the arcs at 0° and 180°. The readings' share is scaled by the residuals of both arcs (s0); the
+/// pointing zeros, one for each position and independent, and the distance, common to both, enter as stated.
+/// Absent unless both arcs are there.
 std::optional<Intersection> intersect(const Measurement& measurement, const std::vector<ArcFit>& arcs);
 
 }  // namespace alidade

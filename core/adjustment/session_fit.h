@@ -12,17 +12,17 @@
 
 namespace alidade {
 
-/// Both arcs fitted rigorously, their intersection, and what the data say about themselves. A plain value: computed from a
-/// measurement, shown by console, window and report alike.
+/// Both arcs fitted rigorously, their intersection, and what the data say about themselves. A plain value:
+/// computed from a measurement, shown by console, window and report alike.
 struct SessionFit {
   std::vector<ArcFit> arcs;      ///< those that could be fitted, in session order
   std::vector<ArcSigma> sigmas;  ///< of each arc, scaled by the residuals of both
-  double noiseScale = 1;         ///< s0
+  NoiseScale noise;              ///< s0, common to both arcs
   std::optional<Intersection> intersection;
   std::optional<Verdict> verdict;  ///< with an intersection and a tolerance
   std::vector<Finding> findings;   ///< of the arcs and of the whole; an Error says why something is absent
 
-  const ArcFit* arcAt(int axisDeg) const;          ///< null where there is none
+  const ArcFit* arcAt(int axisDeg) const;                   ///< null where there is none
   const ArcFit* arcOfPosition(std::size_t position) const;  ///< null where there is none
 };
 

@@ -6,16 +6,18 @@
 
 namespace alidade {
 
-// The situation: a theodolite without errors stands at the origin of o0 (x right, y up, z towards the observer) and sights
-// a target in the arc plane z = −L. It reads, from the direction perpendicular to the plane,
+// The situation: a theodolite without errors stands at the origin of o0 (x right, y up, z towards the
+// observer) and sights a target in the arc plane z = −L. It reads, from the direction perpendicular to the
+// plane,
 //
 //   a = atan2(x, L)              right positive
 //   e = atan2(y, √(x² + L²))     up positive
 //
-// The published method takes tan e = y/L instead (`Planar`). Both maps are one-to-one between the plane and the open
-// quadrants |a|, |e| < 90°. Templated on the scalar, so that derivatives come from automatic differentiation.
-// Source of the exact relation: the geometry of a theodolite with perpendicular axes; of the planar one: equation (3) of
-// Cui, Ren, Yuan, Liu, "Intersection Measurement for Rotatable Arc Guideway System".
+// The published method takes tan e = y/L instead (`Planar`). Both maps are one-to-one between the plane and
+// the open quadrants |a|, |e| < 90°. Templated on the scalar, so that derivatives come from automatic
+// differentiation. Source of the exact relation: the geometry of a theodolite with perpendicular axes; of the
+// planar one: equation (3) of Cui, Ren, Yuan, Liu, "Intersection Measurement for Rotatable Arc Guideway
+// System".
 
 /// Reduced readings in radians.
 template <typename T>
@@ -31,19 +33,20 @@ struct PlanePoint {
 
 /// What is read when the target stands at `target`; `distance` is L > 0 in mm. Always finite.
 template <typename T>
-Direction<T> observe(const PlanePoint<T>& target, double distance, VerticalAngleRelation relation) {
+Direction<T> observe(const PlanePoint<T>& target, const T& distance, VerticalAngleRelation relation) {
   using std::atan2, std::sqrt;
-  const T l(distance);
-  const T horizontalDistance =
-      relation == VerticalAngleRelation::Exact ? T(sqrt(target.x * target.x + l * l)) : l;
-  return {atan2(target.x, l), atan2(target.y, horizontalDistance)};
+  const T horizontalDistance = relation == VerticalAngleRelation::Exact
+                                   ? T(sqrt(target.x * target.x + distance * distance))
+                                   : distance;
+  return {atan2(target.x, distance), atan2(target.y, horizontalDistance)};
 }
 
 /// Where the line of sight meets the arc plane: the inverse of `observe`. Needs |a|, |e| < 90°.
 inline PlanePoint<double> sightedPoint(const Direction<double>& direction, double distance,
                                        VerticalAngleRelation relation) {
   const double x = distance * std::tan(direction.a);
-  const double horizontalDistance = relation == VerticalAngleRelation::Exact ? std::hypot(x, distance) : distance;
+  const double horizontalDistance =
+      relation == VerticalAngleRelation::Exact ? std::hypot(x, distance) : distance;
   return {x, horizontalDistance * std::tan(direction.e)};
 }
 

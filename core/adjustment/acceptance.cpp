@@ -1,0 +1,57 @@
+#include "core/adjustment/acceptance.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/number_text.h"
+
+namespace alidade {
+
+namespace {
+
+/// Decimals that show U to two significant digits.
+int decimalsFor(double expanded) {
+  if (!(expanded > 0) || !std::isfinite(expanded)) return 4;
+  return std::clamp(1 - static_cast<int>(std::floor(std::log10(expanded))), 0, 9);
+}
+
+}  // namespace
+
+Verdict decide(double value, double expanded, double tolerance) {
+  const double size = std::abs(value);
+  if (!std::isfinite(size) || !std::isfinite(expanded)) return Verdict::Undecided;
+  if (size + expanded <= tolerance) return Verdict::Accept;
+  if (size - expanded > tolerance) return Verdict::Reject;
+  return Verdict::Undecided;
+}
+
+std::string verdictName(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::Accept:
+      return "accept";
+    case Verdict::Reject:
+      return "reject";
+    case Verdict::Undecided:
+      break;
+  }
+  return "undecided";
+}
+
+std::string verdictSentence(double value, double expanded, double tolerance, double coverage) {
+  const int decimals = decimalsFor(expanded);
+  const std::string measured = "The intersection was measured as " + fixedText(value, decimals) + " mm ± " +
+                               fixedText(expanded, decimals) + " mm (" + shortestText(coverage * 100) +
+                               " % coverage)";
+  const std::string limit = "the tolerance of ± " + shortestText(tolerance) + " mm";
+  switch (decide(value, expanded, tolerance)) {
+    case Verdict::Accept:
+      return measured + "; it lies within " + limit + ", its uncertainty included.";
+    case Verdict::Reject:
+      return measured + "; it lies outside " + limit + ", its uncertainty included.";
+    case Verdict::Undecided:
+      break;
+  }
+  return measured + "; with this uncertainty it cannot be said whether it lies within " + limit + ".";
+}
+
+}  // namespace alidade

@@ -1,0 +1,180 @@
+#include "core/adjustment/arc_fit.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+#include "core/adjustment/algebraic_circle.h"
+#include "core/adjustment/arc_findings.h"
+#include "core/adjustment/foot_point.h"
+#include "core/adjustment/visits.h"
+
+namespace alidade {
+
+namespace {
+
+using Eigen::Matrix3d, Eigen::Vector3d;
+
+struct NormalEquations {
+  Matrix3d matrix = Matrix3d::Zero();
+  Vector3d rightSide = Vector3d::Zero();
+  Vector3d horizontalZero = Vector3d::Zero();  // right side of α0 + 1 rad
+  Vector3d verticalZero = Vector3d::Zero();    // right side of every e + 1 rad
+  Vector3d distance = Vector3d::Zero();        // right side of L + 1 mm
+  double chiSquare = 0;                        // of the visit means
+};
+
+class ArcProblem {
+ public:
+  ArcProblem(const Measurement& measurement, const ArcMeasurement& arc)
+      : m_distance(measurement.distance),
+        m_relation(measurement.relation),
+        m_whitening{1 / measurement.sigmaHorizontal.radians(), 1 / measurement.sigmaVertical.radians()},
+        m_visits(visitsOf(arc)) {}
+
+  const std::vector<Visit>& visits() const { return m_visits; }
+  const Whitening& whitening() const { return m_whitening; }
+
+  FootPoint foot(const Circle& circle, const Visit& visit) const {
+    return footPoint(circle, m_distance, m_relation, m_whitening, visit.mean.direction);
+  }
+
+  std::vector<PlanePoint<double>> sightedPoints() const {
+    std::vector<PlanePoint<double>> points;
+    for (const Visit& visit : m_visits)
+      points.push_back(sightedPoint(visit.mean.direction, m_distance, m_relation));
+    return points;
+  }
+
+  NormalEquations normalEquations(const Circle& circle) const {
+    NormalEquations equations;
+    for (const Visit& visit : m_visits) {
+      const FootPoint f = foot(circle, visit);
+      const double rows = visit.mean.rows;
+      const Vector3d gradient(f.gradient[0], f.gradient[1], f.gradient[2]);
+      const Vector3d weighted = rows * gradient;
+      equations.matrix += weighted * gradient.transpose();
+      equations.rightSide += weighted * f.distance;
+      equations.horizontalZero -= weighted * (f.normal[0] * m_whitening.horizontal);
+      equations.verticalZero += weighted * (f.normal[1] * m_whitening.vertical);
+      equations.distance -= weighted * f.perDistance;
+      equations.chiSquare += rows * f.distance * f.distance;
+    }
+    return equations;
+  }
+
+ private:
+  double m_distance;
+  VerticalAngleRelation m_relation;
+  Whitening m_whitening;
+  std::vector<Visit> m_visits;
+};
+
+struct Solution {
+  Circle circle;
+  NormalEquations equations;
+  int iterations = 0;
+  bool converged = false;
+};
+
+Circle moved(const Circle& circle, const Vector3d& step) {
+  return {circle.x + step[0], circle.y + step[1], circle.radius + step[2]};
+}
+
+/// Levenberg-Marquardt; the damping is relative to the diagonal, so it does not depend on units.
+Solution minimise(const ArcProblem& problem, const Circle& start, const ArcFitOptions& options) {
+  Solution best{start, problem.normalEquations(start), 0, false};
+  constexpr double largestDamping = 1e12;
+  double damping = 1e-6;
+  while (best.iterations < options.maximumIterations && damping < largestDamping) {
+    const Matrix3d& matrix = best.equations.matrix;
+    Matrix3d damped = matrix;
+    damped.diagonal() *= 1 + damping;
+    const Vector3d step = damped.ldlt().solve(best.equations.rightSide);
+    if (!step.allFinite()) break;
+    ++best.iterations;
+    if (std::sqrt(step.dot(matrix * step)) < options.tolerance && damping <= 1e-6) {
+      best.converged = true;
+      break;
+    }
+    const Circle trial = moved(best.circle, step);
+    if (trial.radius > 0) {
+      NormalEquations equations = problem.normalEquations(trial);
+      // Near the minimum χ² no longer resolves the step, so a rise within rounding is no failure.
+      if (equations.chiSquare <= best.equations.chiSquare * (1 + 1e-12) + 1e-18) {
+        best.circle = trial;
+        best.equations = equations;
+        damping = std::max(damping / 10, 1e-12);
+        continue;
+      }
+    }
+    damping *= 10;
+  }
+  return best;
+}
+
+std::array<double, 3> toArray(const Vector3d& v) {
+  return {v[0], v[1], v[2]};
+}
+
+void fillCovariance(ArcFit& fit, const NormalEquations& equations) {
+  const Matrix3d cofactor = equations.matrix.inverse();
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) fit.cofactor[i][j] = (cofactor(i, j) + cofactor(j, i)) / 2;
+  fit.perHorizontalZero = toArray(cofactor * equations.horizontalZero);
+  fit.perVerticalZero = toArray(cofactor * equations.verticalZero);
+  fit.perDistance = toArray(cofactor * equations.distance);
+}
+
+Problem unfit(const ArcMeasurement& arc, std::string sentence) {
+  return {std::move(sentence), Place{.position = arc.position, .reading = {}, .field = "readings"}};
+}
+
+}  // namespace
+
+void fillResiduals(ArcFit& fit, const Measurement& measurement, const ArcMeasurement& arc) {
+  const ArcProblem problem(measurement, arc);
+  fit.residuals.resize(arc.sightings.size());
+  double sumOfSquares = 0;
+  for (const Visit& visit : problem.visits()) {
+    const FootPoint foot = problem.foot(fit.circle, visit);
+    for (const std::size_t i : visit.sightings) {
+      const Sighting& sighting = arc.sightings[i];
+      const Angle horizontal = sighting.a - Angle::fromRadians(foot.adjusted.a);
+      const Angle vertical = sighting.e - Angle::fromRadians(foot.adjusted.e);
+      fit.residuals[i] = {sighting.row, wrapped(Angle::fromRadians(foot.phi)).radians(), horizontal,
+                          vertical};
+      sumOfSquares += std::pow(horizontal.arcseconds(), 2) + std::pow(vertical.arcseconds(), 2);
+      fit.chiSquare += std::pow(horizontal.radians() * problem.whitening().horizontal, 2) +
+                       std::pow(vertical.radians() * problem.whitening().vertical, 2);
+    }
+  }
+  const auto readings = static_cast<int>(2 * arc.sightings.size());
+  fit.residualRms = readings > 0 ? std::sqrt(sumOfSquares / readings) : 0;
+}
+
+Result<ArcFit> fitArc(const Measurement& measurement, const ArcMeasurement& arc,
+                      const ArcFitOptions& options) {
+  const ArcProblem problem(measurement, arc);
+  if (auto sentence = tooFewPlaces(measurement, problem.sightedPoints())) return unfit(arc, *sentence);
+  const std::optional<Circle> start =
+      options.start ? options.start : algebraicCircle(problem.sightedPoints());
+  if (!start) return unfit(arc, straightLineSentence());
+
+  const Solution solution = minimise(problem, *start, options);
+  ArcFit fit;
+  fit.position = arc.position;
+  fit.axisDeg = arc.axisDeg;
+  fit.circle = solution.circle;
+  fit.iterations = solution.iterations;
+  fit.converged = solution.converged;
+  fit.degreesOfFreedom = static_cast<int>(2 * arc.sightings.size() - problem.visits().size()) - 3;
+  fillCovariance(fit, solution.equations);
+  fillResiduals(fit, measurement, arc);
+  if (auto sentence = radiusUndetermined(fit)) return unfit(arc, *sentence);
+  fit.findings = arcFindings(measurement, arc, fit);
+  return fit;
+}
+
+}  // namespace alidade

@@ -1,0 +1,95 @@
+#include "core/adjustment/session_findings.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/number_text.h"
+#include "core/base/statistics.h"
+
+namespace alidade {
+
+namespace {
+
+bool holdsAxis(const Measurement& measurement, int axisDeg) {
+  return std::ranges::any_of(measurement.arcs,
+                             [&](const ArcMeasurement& arc) { return arc.axisDeg == axisDeg; });
+}
+
+void judgePositions(std::vector<Finding>& findings, const Measurement& measurement) {
+  for (const int axisDeg : {0, 180})
+    if (!holdsAxis(measurement, axisDeg))
+      findings.push_back(
+          {Severity::Warning,
+           "There is no usable position at " + std::to_string(axisDeg) + "°, so no intersection.",
+           "The intersection is half the distance of the arc centres at 0° and 180°: measure both.",
+           {}});
+}
+
+/// One rigid guideway has one radius; L and its error are common to both arcs.
+void judgeRadii(std::vector<Finding>& findings, const Measurement& measurement, const SessionFit& fit) {
+  const ArcFit *upper = fit.arcAt(0), *lower = fit.arcAt(180);
+  if (!upper || !lower) return;
+  constexpr std::size_t radius = 2;
+  const double difference = upper->circle.radius - lower->circle.radius;
+  const double sigma = std::hypot(
+      fit.noise.factor * std::sqrt(upper->cofactor[radius][radius] + lower->cofactor[radius][radius]),
+      std::hypot(upper->perVerticalZero[radius], lower->perVerticalZero[radius]) *
+          measurement.sigmaZeroVertical.radians(),
+      std::hypot(upper->perHorizontalZero[radius], lower->perHorizontalZero[radius]) *
+          measurement.sigmaZeroHorizontal.radians());
+  constexpr double risk = 0.001;
+  const double bound = coverageFactor(1 - risk, fit.noise.degreesOfFreedom) * sigma;
+  if (std::abs(difference) <= bound) return;
+  findings.push_back({Severity::Warning,
+                      "The radii at 0° and 180° differ by " + fixedText(std::abs(difference), 3) +
+                          " mm, more than their noise allows (" + fixedText(bound, 3) +
+                          " mm at 0.1 % risk), though the guideway is one rigid arc.",
+                      "Look for a cause outside the model, such as a plane off the rotation axis, before "
+                      "trusting the intersection.",
+                      {}});
+}
+
+void judgeReference(std::vector<Finding>& findings, const Measurement& measurement, const SessionFit& fit) {
+  if (!fit.intersection || !measurement.referenceIntersection) return;
+  const double difference = fit.intersection->value - *measurement.referenceIntersection;
+  if (std::abs(difference) <= fit.intersection->expanded) return;
+  findings.push_back({Severity::Warning,
+                      "The intersection differs from the reference " +
+                          shortestText(*measurement.referenceIntersection) + " mm by " +
+                          fixedText(difference, 3) + " mm, more than its expanded uncertainty of " +
+                          fixedText(fit.intersection->expanded, 3) + " mm.",
+                      "Nothing was fitted to the reference; find what separates the two.",
+                      Place{.position = {}, .reading = {}, .field = "acceptance.reference_intersection_mm"}});
+}
+
+void judgeUnused(std::vector<Finding>& findings, const Measurement& measurement) {
+  const bool hasSlider = std::ranges::any_of(measurement.arcs, [](const ArcMeasurement& arc) {
+    return std::ranges::any_of(arc.sightings, [](const Sighting& s) { return s.slider.has_value(); });
+  });
+  if (hasSlider)
+    findings.push_back(
+        {Severity::Note, "Slider readings are kept with the session but take no part in the fit.", {}, {}});
+  if (measurement.hasUnestimatedEffects)
+    findings.push_back({Severity::Warning,
+                        "The session's model names effects, which this fit does not estimate.",
+                        "Read the result as that of a perfect instrument and guideway.",
+                        Place{.position = {}, .reading = {}, .field = "model.effects"}});
+  if (measurement.relation == VerticalAngleRelation::Planar)
+    findings.push_back({Severity::Warning,
+                        "The model takes the vertical circle to read y/L, which no theodolite does.",
+                        "Set the vertical angle to exact, unless the planar relation is to be studied.",
+                        Place{.position = {}, .reading = {}, .field = "model.vertical_angle"}});
+}
+
+}  // namespace
+
+std::vector<Finding> sessionFindings(const Measurement& measurement, const SessionFit& fit) {
+  std::vector<Finding> findings;
+  judgePositions(findings, measurement);
+  judgeRadii(findings, measurement, fit);
+  judgeReference(findings, measurement, fit);
+  judgeUnused(findings, measurement);
+  return findings;
+}
+
+}  // namespace alidade

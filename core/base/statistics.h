@@ -1,0 +1,12 @@
+#pragma once
+
+namespace alidade {
+
+/// Probability that χ² with `degreesOfFreedom` > 0 exceeds `chiSquare` ≥ 0.
+double chiSquareUpperTail(double chiSquare, double degreesOfFreedom);
+
+/// k such that a Student variable with `degreesOfFreedom` (> 0, may be infinite: normal) lies within ±k with
+/// probability `coverage` in (0, 1).
+double coverageFactor(double coverage, double degreesOfFreedom);
+
+}  // namespace alidade
