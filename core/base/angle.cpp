@@ -1,0 +1,19 @@
+#include "core/base/angle.h"
+
+#include <cmath>
+
+namespace alidade {
+
+Angle wrapped(Angle angle, Angle centre) {
+  constexpr double pi = std::numbers::pi;
+  const double low = centre.radians() - pi;
+  const double high = centre.radians() + pi;
+  if (angle.radians() >= low && angle.radians() < high) return angle;
+
+  const double offset = std::remainder(angle.radians() - centre.radians(), 2 * pi);
+  const double value = centre.radians() + offset;
+  if (value >= high || value < low) return Angle::fromRadians(low);
+  return Angle::fromRadians(value);
+}
+
+}  // namespace alidade

@@ -1,0 +1,228 @@
+#include "core/base/angle_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "core/base/number_text.h"
+#include "core/base/typed_text.h"
+#include "core/base/utf8.h"
+
+namespace alidade {
+
+namespace {
+
+constexpr std::string_view kDegreeSign = "°";
+constexpr const char* kExample = "type an angle such as 341°52'24\"";
+
+/// Degrees, minutes and seconds as typed: one to three unsigned decimal numbers, the missing ones taken as
+/// zero.
+using Parts = std::vector<std::string>;
+
+std::string trimmed(std::string_view text) {
+  return plainSigns(text);
+}
+
+bool isWhole(std::string_view text) {
+  return !text.empty() && std::all_of(text.begin(), text.end(), isDigit);
+}
+
+/// Digits with at most one decimal sign, which stands between digits.
+bool isDecimal(std::string_view text) {
+  const auto sign = text.find_first_of(".,");
+  if (sign == std::string_view::npos) return isWhole(text);
+  return isWhole(text.substr(0, sign)) && isWhole(text.substr(sign + 1));
+}
+
+bool endsWithLetters(std::string_view text, std::string_view lowercase) {
+  if (text.size() < lowercase.size()) return false;
+  const std::string_view end = text.substr(text.size() - lowercase.size());
+  return std::equal(end.begin(), end.end(), lowercase.begin(),
+                    [](char typed, char wanted) { return (typed | 0x20) == wanted; });
+}
+
+Parts split(std::string_view text, char separator) {
+  Parts parts;
+  while (true) {
+    const auto at = text.find(separator);
+    parts.push_back(trimmed(text.substr(0, at)));
+    if (at == std::string_view::npos) return parts;
+    text.remove_prefix(at + 1);
+  }
+}
+
+/// One typed angle on its way to a value. `typed` is for the sentences, `body` what follows the sign.
+class AngleReader {
+ public:
+  explicit AngleReader(std::string_view typed) : m_typed(typed), m_body(plainSigns(typed)) {
+    if (!m_body.empty() && (m_body[0] == '-' || m_body[0] == '+')) {
+      m_negative = m_body[0] == '-';
+      m_body = trimmed(std::string_view(m_body).substr(1));
+    }
+  }
+
+  Result<Angle> read() const {
+    if (plainSigns(m_typed).empty()) return Problem{std::string("is empty: ") + kExample};
+    if (endsWithLetters(m_body, "gon")) return readUnit(3, &Angle::fromGon);
+    if (endsWithLetters(m_body, "deg")) return readUnit(3, &Angle::fromDegrees);
+    if (endsWithLetters(m_body, "g")) return readUnit(1, &Angle::fromGon);
+    if (m_body.find(kDegreeSign) != std::string::npos) return readSigned();
+    if (m_body.find_first_of("'\"") != std::string::npos) {
+      return refuse("has no degrees: type them too, such as 0°52'24\"");
+    }
+    if (isDecimal(m_body)) return readBare();
+    return readSeparated();
+  }
+
+ private:
+  Problem refuse(const std::string& why) const { return {quotation(m_typed) + " " + why}; }
+  Problem notAnAngle() const { return refuse(std::string("is not an angle: ") + kExample); }
+
+  Result<Angle> readUnit(std::size_t unitLength, Angle (*make)(double)) const {
+    const std::string number = trimmed(std::string_view(m_body).substr(0, m_body.size() - unitLength));
+    if (!isDecimal(number)) return notAnAngle();
+    const Result<double> value = parseNumber(number);
+    if (!value) return refuse("is too large for an angle: check the digits");
+    return make(m_negative ? -*value : *value);
+  }
+
+  /// 341°52'24", each mark behind its number; the last mark may be missing.
+  Result<Angle> readSigned() const {
+    std::string_view rest = m_body;
+    Parts parts;
+    for (const std::string_view mark : {kDegreeSign, std::string_view("'"), std::string_view("\"")}) {
+      if (rest.empty()) break;
+      const auto end = markAt(rest, mark);
+      parts.push_back(trimmed(rest.substr(0, end.first)));
+      rest = end.second >= rest.size() ? std::string_view() : rest.substr(end.second);
+      rest.remove_prefix(std::min(rest.find_first_not_of(' '), rest.size()));
+    }
+    if (!rest.empty()) return notAnAngle();
+    return fromParts(parts);
+  }
+
+  /// Where `mark` begins and ends in `rest`; both the end of `rest` where there is none. Two primes are a
+  /// second mark, never a minute mark.
+  static std::pair<std::size_t, std::size_t> markAt(std::string_view rest, std::string_view mark) {
+    const auto at = rest.find(mark);
+    if (mark == "\"" && at == std::string_view::npos) {
+      const auto primes = rest.find("''");
+      if (primes != std::string_view::npos) return {primes, primes + 2};
+    }
+    if (at == std::string_view::npos) return {rest.size(), rest.size()};
+    return {at, at + mark.size()};
+  }
+
+  /// A number without any mark: whole degrees, digits run together, or nothing certain.
+  Result<Angle> readBare() const {
+    const auto sign = m_body.find_first_of(".,");
+    const std::string digits = m_body.substr(0, sign);
+    const bool runTogether = digits.size() >= 5 && digits.size() <= 7;
+    if (runTogether) {
+      const std::size_t degrees = digits.size() - 4;
+      return fromParts({m_body.substr(0, degrees), m_body.substr(degrees, 2), m_body.substr(degrees + 2)});
+    }
+    if (sign != std::string::npos) return refuse(ambiguousDecimal(digits, m_body.substr(sign + 1)));
+    if (digits.size() <= 3) return fromParts({digits});
+    if (digits.size() == 4) {
+      const std::string degrees = minus() + digits.substr(0, 2), minutes = digits.substr(2);
+      return refuse("is ambiguous: type " + degrees + " " + minutes + " 00 or " + degrees + "°" + minutes +
+                    "'");
+    }
+    return refuse(
+        "has too many digits: type degrees, minutes and seconds as DDDMMSS or with blanks between them");
+  }
+
+  std::string minus() const { return m_negative ? "-" : ""; }
+
+  /// Names both meanings where both are angles: 341.5224 is 341.5224° or 341 52 24.
+  std::string ambiguousDecimal(const std::string& degrees, std::string decimals) const {
+    if (degrees.size() > 3 || decimals.size() > 12) {
+      return "may mean decimal degrees or degrees, minutes and seconds: put a degree sign behind decimal "
+             "degrees, "
+             "or blanks between degrees, minutes and seconds";
+    }
+    const std::string asDegrees = minus() + degrees + "." + decimals + "°";
+    decimals.resize(std::max<std::size_t>(decimals.size(), 4), '0');
+    std::string seconds = decimals.substr(2, 2);
+    if (decimals.size() > 4) seconds += "." + decimals.substr(4);
+    const std::string asParts = minus() + degrees + " " + decimals.substr(0, 2) + " " + seconds;
+    const bool bothAngles = decimals[0] < '6' && decimals[2] < '6';
+    return "may mean decimal degrees or degrees, minutes and seconds: type " + asDegrees +
+           (bothAngles ? " or " + asParts : " or put blanks between degrees, minutes and seconds");
+  }
+
+  /// Parts parted by one kind of separator.
+  Result<Angle> readSeparated() const {
+    std::string separators;
+    for (const char c : std::string_view("-:/")) {
+      if (m_body.find(c) != std::string::npos) separators += c;
+    }
+    if (separators.size() > 1) return refuse("mixes separators: use one kind, such as 341 52 24");
+    if (separators.size() == 1) return fromParts(split(m_body, separators[0]));
+    if (m_body.find(' ') != std::string::npos) {
+      Parts parts = split(m_body, ' ');
+      std::erase(parts, std::string());
+      return fromParts(parts);
+    }
+    for (const char c : std::string_view(".,")) {
+      if (std::count(m_body.begin(), m_body.end(), c) == 2) return fromParts(split(m_body, c));
+    }
+    return notAnAngle();
+  }
+
+  Result<Angle> fromParts(const Parts& parts) const {
+    if (parts.size() > 3) return refuse("has more than three parts: type degrees, minutes and seconds");
+    double values[3] = {0, 0, 0};
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      if (!isDecimal(parts[i])) return notAnAngle();
+      if (i + 1 < parts.size() && !isWhole(parts[i])) {
+        return refuse("has decimals before its last part: only the last part may have decimals");
+      }
+      const Result<double> value = parseNumber(parts[i]);
+      if (!value) return refuse("is too large for an angle: check the digits");
+      values[i] = *value;
+    }
+    if (values[1] >= 60) return refuse("has " + parts[1] + " minutes: minutes go from 0 to 59");
+    if (values[2] >= 60) return refuse("has " + parts[2] + " seconds: seconds stay below 60");
+    const double degrees = values[0] + values[1] / 60 + values[2] / 3600;
+    return Angle::fromDegrees(m_negative ? -degrees : degrees);
+  }
+
+  std::string_view m_typed;
+  std::string m_body;
+  bool m_negative = false;
+};
+
+std::string padded(long long number, std::size_t width) {
+  const std::string digits = std::to_string(number);
+  return std::string(width > digits.size() ? width - digits.size() : 0, '0') + digits;
+}
+
+}  // namespace
+
+Result<Angle> parseAngle(std::string_view text) {
+  return AngleReader(text).read();
+}
+
+std::string formatDms(Angle angle, int decimals, AngleSigns signs) {
+  constexpr double mostUnits = 9e18;
+  long long perSecond = 1;
+  for (int i = 0; i < std::clamp(decimals, 0, 9); ++i) perSecond *= 10;
+  const double exactUnits = std::abs(angle.arcseconds()) * static_cast<double>(perSecond);
+  if (!(exactUnits < mostUnits)) return shortestText(angle.degrees()) + "°";
+
+  const long long units = std::llround(exactUnits);
+  const long long seconds = units / perSecond;
+  const bool typewriter = signs == AngleSigns::Typewriter;
+  std::string text;
+  if (angle.radians() < 0 && units > 0) text = typewriter ? "-" : "−";
+  text += std::to_string(seconds / 3600) + "°" + padded(seconds / 60 % 60, 2) + (typewriter ? "'" : "′") +
+          padded(seconds % 60, 2);
+  if (perSecond > 1)
+    text += "." + padded(units % perSecond, static_cast<std::size_t>(std::clamp(decimals, 0, 9)));
+  return text + (typewriter ? "\"" : "″");
+}
+
+}  // namespace alidade

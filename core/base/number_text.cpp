@@ -1,0 +1,109 @@
+#include "core/base/number_text.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "core/base/typed_text.h"
+#include "core/base/utf8.h"
+
+namespace alidade {
+
+namespace {
+
+constexpr std::size_t kMostWholeDigits = 9;
+
+std::size_t skipDigits(std::string_view text, std::size_t at) {
+  while (at < text.size() && isDigit(text[at])) ++at;
+  return at;
+}
+
+std::size_t skipSign(std::string_view text, std::size_t at) {
+  return at < text.size() && (text[at] == '+' || text[at] == '-') ? at + 1 : at;
+}
+
+/// Where the number at the start of `text` ends; 0 where there is none.
+std::size_t numberEnd(std::string_view text) {
+  const std::size_t whole = skipSign(text, 0);
+  std::size_t end = skipDigits(text, whole);
+  std::size_t digits = end - whole;
+  if (end < text.size() && (text[end] == '.' || text[end] == ',')) {
+    const std::size_t decimals = end + 1;
+    end = skipDigits(text, decimals);
+    digits += end - decimals;
+  }
+  if (digits == 0) return 0;
+  if (end < text.size() && (text[end] == 'e' || text[end] == 'E')) {
+    const std::size_t exponent = skipSign(text, end + 1);
+    if (const std::size_t last = skipDigits(text, exponent); last > exponent) return last;
+  }
+  return end;
+}
+
+std::string whyNoNumber(std::string_view typed, std::string_view plain, std::size_t end) {
+  if (end == 0) return quotation(typed) + " is not a number: type one such as 2405 or 2405.5";
+  const std::string_view rest = plain.substr(end);
+  if (rest.find_first_of("0123456789") != std::string_view::npos) {
+    return quotation(typed) +
+           " is not one number: type digits with one decimal sign and nothing between them";
+  }
+  return quotation(typed) + " has more than a number: leave out " +
+         quotation(rest.substr(rest.find_first_not_of(' '))) + " (the unit is fixed)";
+}
+
+}  // namespace
+
+Result<double> parseNumber(std::string_view text) {
+  std::string plain = plainSigns(text);
+  if (plain.empty()) return Problem{"is empty: type a number"};
+  const std::size_t end = numberEnd(plain);
+  if (end < plain.size()) return Problem{whyNoNumber(text, plain, end)};
+
+  std::replace(plain.begin(), plain.end(), ',', '.');
+  const char* first = plain.data() + (plain[0] == '+' ? 1 : 0);
+  double value = 0;
+  const auto [last, error] = std::from_chars(first, plain.data() + plain.size(), value);
+  if (error != std::errc{} || !std::isfinite(value)) {
+    return Problem{quotation(text) + " is too large or too small to be worked with: check the exponent"};
+  }
+  return value;
+}
+
+Result<int> parseWhole(std::string_view text) {
+  const std::string plain = plainSigns(text);
+  if (plain.empty()) return Problem{"is empty: type a whole number"};
+  const std::size_t first = skipSign(plain, 0);
+  const std::size_t last = skipDigits(plain, first);
+  if (last < plain.size() || last == first) {
+    return Problem{quotation(text) + " is not a whole number: type digits alone"};
+  }
+  if (last - first > kMostWholeDigits) {
+    return Problem{quotation(text) + " has more than nine digits: type a smaller number"};
+  }
+  int value = 0;
+  std::from_chars(plain.data() + first, plain.data() + last, value);
+  return plain[0] == '-' ? -value : value;
+}
+
+std::string shortestText(double value) {
+  constexpr double smallestPlain = 1e-5, largestPlain = 1e15;
+  const double size = std::abs(value);
+  const bool plain = size == 0 || (size >= smallestPlain && size < largestPlain);
+  char text[64];
+  const auto result = plain ? std::to_chars(text, text + sizeof text, value, std::chars_format::fixed)
+                            : std::to_chars(text, text + sizeof text, value);
+  return {text, result.ptr};
+}
+
+std::string fixedText(double value, int decimals) {
+  constexpr std::size_t mostDigits = 320;  // of the largest double, with sign and point
+  std::string text(mostDigits + static_cast<std::size_t>(std::max(decimals, 0)), '\0');
+  const auto result = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed,
+                                    std::max(decimals, 0));
+  text.resize(static_cast<std::size_t>(result.ptr - text.data()));
+  const bool zero = text.find_first_not_of("-0.") == std::string::npos;
+  if (zero && text[0] == '-') text.erase(0, 1);
+  return text;
+}
+
+}  // namespace alidade

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace alidade {
+
+/// The first character of a text. An ill-formed byte counts as one character, U+FFFD.
+struct Utf8Character {
+  char32_t code = 0;
+  std::size_t length = 0;  ///< bytes; 0 only where the text is empty
+  bool wellFormed = true;
+};
+
+Utf8Character firstCharacter(std::string_view text);
+
+/// The offset of the first byte that is not UTF-8; empty where all is well.
+std::optional<std::size_t> firstIllFormedByte(std::string_view text);
+
+/// What somebody typed, for a sentence: in “ ”, cut to 40 characters with an ellipsis, with control
+/// characters and ill-formed bytes shown as �.
+std::string quotation(std::string_view text);
+
+}  // namespace alidade

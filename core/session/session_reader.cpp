@@ -1,0 +1,269 @@
+#include "core/session/session_reader.h"
+
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "core/base/utf8.h"
+#include "core/session/value_text.h"
+
+namespace alidade {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kVersion = 1;
+
+std::string typeOf(const Json& value) {
+  switch (value.type()) {
+    case Json::value_t::null:
+      return "null";
+    case Json::value_t::boolean:
+      return value.get<bool>() ? "true" : "false";
+    case Json::value_t::object:
+      return "an object";
+    case Json::value_t::array:
+      return "a list";
+    case Json::value_t::string:
+      return "a text";
+    default:
+      return "a number";
+  }
+}
+
+/// Takes values out of one object. The first thing that is wrong is kept; what follows then has no effect.
+class ObjectReader {
+ public:
+  ObjectReader(const Json& json, Place where, std::optional<Problem>& problem)
+      : m_json(json), m_where(std::move(where)), m_problem(problem) {
+    if (!json.is_object()) report("must be an object in braces, not " + typeOf(json), m_where);
+  }
+
+  std::string text(const char* key) const { return value(key, ValueKind::Text); }
+  std::string number(const char* key) const { return value(key, ValueKind::Number); }
+  std::string angle(const char* key) const { return value(key, ValueKind::Angle); }
+
+  std::string requiredNumber(const char* key, const char* remedy) const {
+    return require(key, remedy) ? number(key) : std::string();
+  }
+  std::string requiredAngle(const char* key, const char* remedy) const {
+    return require(key, remedy) ? angle(key) : std::string();
+  }
+
+  bool flag(const char* key) const {
+    const Json* found = find(key);
+    if (!found) return false;
+    if (!found->is_boolean()) report("must be true or false, not " + typeOf(*found), placeOf(key));
+    return found->is_boolean() && found->get<bool>();
+  }
+
+  ObjectReader object(const char* key) const {
+    static const Json none = Json::object();
+    const Json* found = find(key);
+    return {found ? *found : none, placeOf(key), m_problem};
+  }
+
+  /// The members of a list; none where the key is absent or no list.
+  const Json& list(const char* key) const {
+    static const Json none = Json::array();
+    const Json* found = find(key);
+    if (!found) return none;
+    if (found->is_array()) return *found;
+    report("must be a list in square brackets, not " + typeOf(*found), placeOf(key));
+    return none;
+  }
+
+  bool require(const char* key, const char* remedy) const {
+    if (find(key)) return true;
+    if (m_json.is_object()) report(std::string("is missing: ") + remedy, placeOf(key));
+    return false;
+  }
+
+  void report(const std::string& what, const Place& where) const {
+    if (!m_problem) m_problem = Problem{what, where};
+  }
+
+  const Json* find(const char* key) const {
+    if (!m_json.is_object()) return nullptr;
+    const auto found = m_json.find(key);
+    return found == m_json.end() ? nullptr : &*found;
+  }
+
+  Place placeOf(const char* key) const {
+    Place place = m_where;
+    place.field += (place.field.empty() ? "" : ".") + std::string(key);
+    return place;
+  }
+
+  /// The origin without the values of `parts`, which have origins of their own.
+  JsonOrigin origin(std::initializer_list<const char*> parts = {}) const {
+    if (!m_json.is_object()) return {};
+    Json kept = Json::object();
+    auto& members = kept.get_ref<Json::object_t&>();
+    for (const auto& [key, value] : m_json.get_ref<const Json::object_t&>()) {
+      const bool part = std::find(parts.begin(), parts.end(), key) != parts.end();
+      static_cast<std::vector<Json::object_t::value_type>&>(members).emplace_back(key, part ? Json() : value);
+    }
+    return JsonOrigin(std::move(kept));
+  }
+
+ private:
+  std::string value(const char* key, ValueKind kind) const {
+    const Json* found = find(key);
+    if (!found) return {};
+    auto text = textOf(*found, kind);
+    if (!text) report("must be " + wantedType(kind) + ", not " + typeOf(*found), placeOf(key));
+    return text.value_or("");
+  }
+
+  const Json& m_json;
+  Place m_where;
+  std::optional<Problem>& m_problem;
+};
+
+void checkFormat(const ObjectReader& reader) {
+  const Json* format = reader.find("format");
+  if (!format || *format != "alidade-session") {
+    const std::string found =
+        format && format->is_string() ? quotation(format->get_ref<const std::string&>()) + " is" : "is";
+    reader.report(format ? found + " not \"alidade-session\": choose a session file"
+                         : "is missing: this is no session file, which says \"format\": \"alidade-session\"",
+                  reader.placeOf("format"));
+  }
+}
+
+void checkVersion(const ObjectReader& reader) {
+  if (!reader.require("version", "add \"version\": 1")) return;
+  const Json& version = *reader.find("version");
+  const std::string known = std::to_string(kVersion);
+  if (!version.is_number_integer()) {
+    reader.report("must be the whole number " + known + ", not " + typeOf(version),
+                  reader.placeOf("version"));
+  } else if (version > kVersion) {
+    reader.report(
+        version.dump() + " is newer than this program reads (" + known + "): open it with a newer Alidade",
+        reader.placeOf("version"));
+  } else if (version != kVersion) {
+    reader.report(version.dump() + " is no version of a session file: it must be " + known,
+                  reader.placeOf("version"));
+  }
+}
+
+Device readDevice(const ObjectReader& reader) {
+  return {.name = reader.text("name"), .serial = reader.text("serial"), .origin = reader.origin()};
+}
+
+Instrument readInstrument(const ObjectReader& reader) {
+  return {.name = reader.text("name"),
+          .serial = reader.text("serial"),
+          .sigmaHorizontalArcsec = reader.number("sigma_horizontal_arcsec"),
+          .sigmaVerticalArcsec = reader.number("sigma_vertical_arcsec"),
+          .sigmaZeroArcsec = reader.number("sigma_zero_arcsec"),
+          .sigmaSliderArcsec = reader.number("sigma_slider_arcsec"),
+          .origin = reader.origin()};
+}
+
+Environment readEnvironment(const ObjectReader& reader) {
+  return {.temperatureC = reader.number("temperature_c"), .origin = reader.origin()};
+}
+
+Geometry readGeometry(const ObjectReader& reader) {
+  return {.distanceMm = reader.requiredNumber("distance_mm",
+                                              "add the distance from the theodolite to the arc plane in mm"),
+          .sigmaDistanceMm = reader.number("sigma_distance_mm"),
+          .radiusMm = reader.requiredNumber("radius_mm", "add the nominal radius of the arc in mm"),
+          .verticalCircle = reader.text("vertical_circle"),
+          .origin = reader.origin()};
+}
+
+Acceptance readAcceptance(const ObjectReader& reader) {
+  return {.toleranceMm = reader.number("tolerance_mm"),
+          .coverage = reader.number("coverage"),
+          .referenceIntersectionMm = reader.number("reference_intersection_mm"),
+          .origin = reader.origin()};
+}
+
+Model readModel(const ObjectReader& reader) {
+  reader.list("effects");
+  return {.verticalAngle = reader.text("vertical_angle"), .origin = reader.origin()};
+}
+
+PointingZero readPointingZero(const ObjectReader& reader) {
+  constexpr const char* remedy = "add the reading of the direction perpendicular to the arc plane";
+  return {.horizontal = reader.requiredAngle("horizontal", remedy),
+          .vertical = reader.requiredAngle("vertical", remedy),
+          .origin = reader.origin()};
+}
+
+Reading readReading(const ObjectReader& reader) {
+  return {.point = reader.number("point"),
+          .round = reader.number("round"),
+          .face = reader.number("face"),
+          .horizontal = reader.requiredAngle("horizontal", "add the reading of the horizontal circle"),
+          .vertical = reader.requiredAngle("vertical", "add the reading of the vertical circle"),
+          .slider = reader.angle("slider"),
+          .excluded = reader.flag("excluded"),
+          .note = reader.text("note"),
+          .origin = reader.origin()};
+}
+
+Position readPosition(const Json& json, std::size_t index, std::optional<Problem>& problem) {
+  const ObjectReader reader(json, {.position = index}, problem);
+  Position position;
+  position.axisDeg = reader.requiredNumber("axis_deg", "add the rotation of the axis, 0 or 180");
+  reader.require("pointing_zero", "add the circle readings of the direction perpendicular to the arc plane");
+  if (problem) return position;
+  position.zero = readPointingZero(reader.object("pointing_zero"));
+  const Json& readings = reader.list("readings");
+  position.readings.reserve(readings.size());
+  for (const Json& reading : readings) {
+    const Place where{.position = index, .reading = position.readings.size()};
+    position.readings.push_back(readReading(ObjectReader(reading, where, problem)));
+    if (problem) break;
+  }
+  position.origin = reader.origin({"pointing_zero", "readings"});
+  return position;
+}
+
+Session readDocument(const ObjectReader& reader, std::optional<Problem>& problem) {
+  Session session;
+  session.title = reader.text("title");
+  session.notes = reader.text("notes");
+  session.operatorName = reader.text("operator");
+  session.place = reader.text("place");
+  session.measuredOn = reader.text("measured_on");
+  session.device = readDevice(reader.object("device"));
+  session.instrument = readInstrument(reader.object("instrument"));
+  session.environment = readEnvironment(reader.object("environment"));
+  if (reader.require("geometry", "add the distance and the nominal radius")) {
+    session.geometry = readGeometry(reader.object("geometry"));
+  }
+  session.acceptance = readAcceptance(reader.object("acceptance"));
+  session.model = readModel(reader.object("model"));
+  reader.require("positions", "add the list of the positions of the axis, which may be empty");
+  for (const Json& position : reader.list("positions")) {
+    if (problem) break;
+    session.positions.push_back(readPosition(position, session.positions.size(), problem));
+  }
+  session.origin =
+      reader.origin({"device", "instrument", "environment", "geometry", "acceptance", "model", "positions"});
+  return session;
+}
+
+}  // namespace
+
+Result<Session> sessionFromJson(const Json& document) {
+  std::optional<Problem> problem;
+  if (!document.is_object()) {
+    return Problem{"is " + typeOf(document) + ", not an object in braces: this is no session file"};
+  }
+  const ObjectReader reader(document, {}, problem);
+  checkFormat(reader);
+  checkVersion(reader);
+  if (problem) return *problem;
+  Session session = readDocument(reader, problem);
+  if (problem) return *problem;
+  return session;
+}
+
+}  // namespace alidade

@@ -1,0 +1,168 @@
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "core/session/json_text.h"
+#include "core/session/session_file.h"
+#include "core/session/value_text.h"
+
+namespace alidade {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+enum class Presence {
+  Optional,  ///< left out where there is nothing to say
+  Required,  ///< written even where empty
+};
+
+/// Brings the object a part was read from up to date, and touches nothing that did not change.
+class ObjectWriter {
+ public:
+  explicit ObjectWriter(const JsonOrigin& origin) : m_json(origin.object()) {}
+
+  void text(const char* key, const std::string& current) {
+    set(key, current, ValueKind::Text, Presence::Optional);
+  }
+  void number(const char* key, const std::string& current, Presence presence = Presence::Optional) {
+    set(key, current, ValueKind::Number, presence);
+  }
+  void angle(const char* key, const std::string& current, Presence presence = Presence::Optional) {
+    set(key, current, ValueKind::Angle, presence);
+  }
+
+  void flag(const char* key, bool current) {
+    const auto found = m_json.find(key);
+    const bool before = found != m_json.end() && *found == true;
+    if (before != current) m_json[key] = current;
+  }
+
+  /// Written where it has content or was there before.
+  void part(const char* key, Json value, Presence presence = Presence::Optional) {
+    const bool wanted = presence == Presence::Required || !value.empty();
+    if (wanted || m_json.contains(key)) m_json[key] = std::move(value);
+  }
+
+  void constant(const char* key, Json value) {
+    if (!m_json.contains(key)) m_json[key] = std::move(value);
+  }
+
+  Json take() { return std::move(m_json); }
+
+ private:
+  void set(const char* key, const std::string& current, ValueKind kind, Presence presence) {
+    const auto found = m_json.find(key);
+    const bool present = found != m_json.end();
+    if (present && textOf(*found, kind) == current) return;
+    if (!current.empty() || presence == Presence::Required) {
+      m_json[key] = valueOf(current, kind);
+    } else if (present) {
+      m_json.erase(key);
+    }
+  }
+
+  Json m_json;
+};
+
+Json deviceJson(const Device& device) {
+  ObjectWriter writer(device.origin);
+  writer.text("name", device.name);
+  writer.text("serial", device.serial);
+  return writer.take();
+}
+
+Json instrumentJson(const Instrument& instrument) {
+  ObjectWriter writer(instrument.origin);
+  writer.text("name", instrument.name);
+  writer.text("serial", instrument.serial);
+  writer.number("sigma_horizontal_arcsec", instrument.sigmaHorizontalArcsec);
+  writer.number("sigma_vertical_arcsec", instrument.sigmaVerticalArcsec);
+  writer.number("sigma_zero_arcsec", instrument.sigmaZeroArcsec);
+  writer.number("sigma_slider_arcsec", instrument.sigmaSliderArcsec);
+  return writer.take();
+}
+
+Json environmentJson(const Environment& environment) {
+  ObjectWriter writer(environment.origin);
+  writer.number("temperature_c", environment.temperatureC);
+  return writer.take();
+}
+
+Json geometryJson(const Geometry& geometry) {
+  ObjectWriter writer(geometry.origin);
+  writer.number("distance_mm", geometry.distanceMm, Presence::Required);
+  writer.number("sigma_distance_mm", geometry.sigmaDistanceMm);
+  writer.number("radius_mm", geometry.radiusMm, Presence::Required);
+  writer.text("vertical_circle", geometry.verticalCircle);
+  return writer.take();
+}
+
+Json acceptanceJson(const Acceptance& acceptance) {
+  ObjectWriter writer(acceptance.origin);
+  writer.number("tolerance_mm", acceptance.toleranceMm);
+  writer.number("coverage", acceptance.coverage);
+  writer.number("reference_intersection_mm", acceptance.referenceIntersectionMm);
+  return writer.take();
+}
+
+Json modelJson(const Model& model) {
+  ObjectWriter writer(model.origin);
+  writer.text("vertical_angle", model.verticalAngle);
+  return writer.take();
+}
+
+Json pointingZeroJson(const PointingZero& zero) {
+  ObjectWriter writer(zero.origin);
+  writer.angle("horizontal", zero.horizontal, Presence::Required);
+  writer.angle("vertical", zero.vertical, Presence::Required);
+  return writer.take();
+}
+
+Json readingJson(const Reading& reading) {
+  ObjectWriter writer(reading.origin);
+  writer.number("point", reading.point);
+  writer.number("round", reading.round);
+  writer.number("face", reading.face);
+  writer.angle("horizontal", reading.horizontal, Presence::Required);
+  writer.angle("vertical", reading.vertical, Presence::Required);
+  writer.angle("slider", reading.slider);
+  writer.flag("excluded", reading.excluded);
+  writer.text("note", reading.note);
+  return writer.take();
+}
+
+Json positionJson(const Position& position) {
+  ObjectWriter writer(position.origin);
+  writer.number("axis_deg", position.axisDeg, Presence::Required);
+  writer.part("pointing_zero", pointingZeroJson(position.zero), Presence::Required);
+  Json readings = Json::array();
+  for (const Reading& reading : position.readings) readings.push_back(readingJson(reading));
+  const bool isNew = position.origin.object().empty();
+  writer.part("readings", std::move(readings), isNew ? Presence::Required : Presence::Optional);
+  return writer.take();
+}
+
+}  // namespace
+
+std::string writeSession(const Session& session) {
+  ObjectWriter writer(session.origin);
+  writer.constant("format", "alidade-session");
+  writer.constant("version", 1);
+  writer.text("title", session.title);
+  writer.text("notes", session.notes);
+  writer.text("operator", session.operatorName);
+  writer.text("place", session.place);
+  writer.text("measured_on", session.measuredOn);
+  writer.part("device", deviceJson(session.device));
+  writer.part("instrument", instrumentJson(session.instrument));
+  writer.part("environment", environmentJson(session.environment));
+  writer.part("geometry", geometryJson(session.geometry), Presence::Required);
+  writer.part("acceptance", acceptanceJson(session.acceptance));
+  writer.part("model", modelJson(session.model));
+  Json positions = Json::array();
+  for (const Position& position : session.positions) positions.push_back(positionJson(position));
+  writer.part("positions", std::move(positions), Presence::Required);
+  return layoutJson(writer.take());
+}
+
+}  // namespace alidade

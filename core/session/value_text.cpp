@@ -1,0 +1,55 @@
+#include "core/session/value_text.h"
+
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+
+#include "core/base/number_text.h"
+
+namespace alidade {
+
+namespace {
+
+/// Without an exponent, which angles do not have; reads back as the same double.
+std::string plainDecimal(double value) {
+  char text[1100];  // room for the smallest and the largest double
+  const auto result = std::to_chars(text, text + sizeof text, value, std::chars_format::fixed);
+  return {text, result.ptr};
+}
+
+}  // namespace
+
+std::optional<std::string> textOf(const nlohmann::ordered_json& value, ValueKind kind) {
+  if (value.is_string()) return value.get_ref<const std::string&>();
+  if (!value.is_number() || kind == ValueKind::Text) return std::nullopt;
+  const bool angle = kind == ValueKind::Angle;
+  const std::string unit = angle ? "°" : "";
+  if (value.is_number_integer()) return value.dump() + unit;
+  const double number = value.get<double>();
+  return (angle ? plainDecimal(number) : shortestText(number)) + unit;
+}
+
+nlohmann::ordered_json valueOf(const std::string& text, ValueKind kind) {
+  if (kind != ValueKind::Number) return text;
+  const Result<double> number = parseNumber(text);
+  if (!number) return text;
+  constexpr double largestExactInteger = 9007199254740992.0;
+  const bool integer = std::trunc(*number) == *number && std::abs(*number) <= largestExactInteger;
+  if (integer) return static_cast<std::int64_t>(*number);
+  return *number;
+}
+
+std::string wantedType(ValueKind kind) {
+  switch (kind) {
+    case ValueKind::Text:
+      return "a text in quotation marks";
+    case ValueKind::Number:
+      return "a number";
+    case ValueKind::Angle:
+      return "an angle, a text such as \"341 52 24\" or a number of degrees";
+  }
+  return {};
+}
+
+}  // namespace alidade
