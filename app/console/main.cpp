@@ -1,1 +1,45 @@
-int main() { return 0; }
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <string>
+
+#include "app/console/channels.h"
+#include "app/console/fit_command.h"
+
+namespace {
+
+using namespace alidade::console;
+
+int run(int argc, char** argv) {
+  CLI::App app("Intersection of rotatable arc guideways from theodolite readings.", "alidade-cli");
+  app.set_version_flag("--version", "alidade-cli " ALIDADE_VERSION);
+  app.require_subcommand(1);
+  FitRequest fitRequest;
+  addFitCommand(app, fitRequest);
+  app.footer("Exit codes: 0 done, 2 bad input or call, 1 anything else.");
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    return writeResult(app.help());
+  } catch (const CLI::CallForVersion& version) {
+    return writeResult(std::string(version.what()) + "\n");
+  } catch (const CLI::ParseError& error) {
+    return refuse("alidade-cli",
+                  std::string(error.what()) + ". `alidade-cli --help` lists what can be asked.");
+  }
+
+  const alidade::Result<std::string> answer = runFit(fitRequest);
+  return answer ? writeResult(*answer) : refuse(inputName(fitRequest.file), answer.problem().text());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "alidade-cli: %s\n", error.what());
+    return Failed;
+  }
+}

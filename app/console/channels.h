@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace alidade::console {
+
+/// Exit codes of the program; the only ones it ends with.
+enum ExitCode { Done = 0, Failed = 1, BadInput = 2 };
+
+/// Writes the whole result to stdout. `Done`, or `Failed` with a line on stderr where it could not be
+/// written.
+int writeResult(std::string_view text);
+
+/// Writes `subject: reason` as one line to stderr, line breaks and other control characters as blanks.
+/// `BadInput`.
+int refuse(std::string_view subject, std::string_view reason);
+
+/// How messages call the input: the file as it was given, or “standard input” for `-`.
+std::string inputName(const std::string& file);
+
+}  // namespace alidade::console

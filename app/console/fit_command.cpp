@@ -1,0 +1,75 @@
+#include "app/console/fit_command.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <iterator>
+
+#include "app/console/channels.h"
+#include "app/console/fit_json.h"
+#include "app/console/fit_text.h"
+#include "core/adjustment/session_fit.h"
+#include "core/session/measurement.h"
+#include "core/session/session_file.h"
+
+namespace alidade::console {
+
+namespace {
+
+Result<Session> readInput(const std::string& file) {
+  if (file != "-") return loadSession(file);
+  return readSession(std::string(std::istreambuf_iterator<char>(std::cin), {}));
+}
+
+std::string sessionName(const Session& session, const std::string& file) {
+  return session.title.empty() ? std::filesystem::path(inputName(file)).filename().string() : session.title;
+}
+
+Problem firstOf(const std::vector<Problem>& problems) {
+  Problem first = problems.front();
+  if (problems.size() > 1) first.what += " (and " + std::to_string(problems.size() - 1) + " more)";
+  return first;
+}
+
+/// Why not every arc of the measurement was fitted: the first error found.
+Problem absence(const std::vector<Finding>& findings) {
+  const auto error = std::find_if(findings.begin(), findings.end(),
+                                  [](const Finding& finding) { return finding.severity == Severity::Error; });
+  if (error == findings.end()) return {"there are no readings to fit; enter those of the axis positions"};
+  return {error->remedy.empty() ? error->text : error->text + " " + error->remedy, error->where};
+}
+
+template <typename Fit>
+Result<std::string> answer(const FitRequest& request, const std::string& name, const Measurement& measurement,
+                           const Fit& fit) {
+  if (fit.arcs.empty() || fit.arcs.size() < measurement.arcs.size()) return absence(fit.findings);
+  return request.json ? fitJson(name, measurement, fit) : fitText(name, measurement, fit);
+}
+
+}  // namespace
+
+void addFitCommand(CLI::App& app, FitRequest& request) {
+  CLI::App* fit = app.add_subcommand("fit", "Arc centres O1 and O2, intersection, uncertainty and verdict.");
+  fit->add_option("FILE", request.file, "Session to fit (*.alidade); - reads standard input")->required();
+  fit->add_option("--method", request.method, "rigorous, or published for comparison with the paper")
+      ->check(CLI::IsMember({"rigorous", "published"}))
+      ->capture_default_str();
+  fit->add_flag("--json", request.json, "Print one JSON document");
+}
+
+Result<std::string> runFit(const FitRequest& request) {
+  const Result<Session> session = readInput(request.file);
+  if (!session) return session.problem();
+  const Examined examined = examine(*session);
+  if (!examined.problems.empty()) return firstOf(examined.problems);
+
+  const Measurement& measurement = examined.measurement.value();
+  const std::string name = sessionName(*session, request.file);
+  if (request.method == "published") {
+    return answer(request, name, measurement, fitSessionAsPublished(measurement));
+  }
+  return answer(request, name, measurement, fitSession(measurement));
+}
+
+}  // namespace alidade::console

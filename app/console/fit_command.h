@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+
+#include "core/base/result.h"
+
+namespace CLI {
+class App;
+}
+
+namespace alidade::console {
+
+/// What `alidade-cli fit` was asked.
+struct FitRequest {
+  std::string file;                 ///< `-`: standard input
+  std::string method = "rigorous";  ///< or "published"
+  bool json = false;                ///< one JSON document instead of text for people
+};
+
+/// Adds `fit FILE [--method rigorous|published] [--json]`, which fills in `request`.
+void addFitCommand(CLI::App& app, FitRequest& request);
+
+/// The fit as text or JSON. Fails where the session cannot be read, where any entry of it is unusable (the
+/// first by its place, the others counted), or where an arc cannot be fitted. A missing position is no
+/// failure but a finding.
+Result<std::string> runFit(const FitRequest& request);
+
+}  // namespace alidade::console

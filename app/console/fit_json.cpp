@@ -1,0 +1,123 @@
+#include "app/console/fit_json.h"
+
+#include <limits>
+#include <nlohmann/json.hpp>
+
+namespace alidade::console {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double undefined = std::numeric_limits<double>::quiet_NaN();  // written as null
+
+Json arcJson(const ArcFit& arc, const ArcSigma& sigma) {
+  return {{"axis_deg", arc.axisDeg},
+          {"center_mm", {{"x", arc.circle.x}, {"y", arc.circle.y}}},
+          {"radius_mm", arc.circle.radius},
+          {"sigma_mm", {{"x", sigma.x}, {"y", sigma.y}, {"radius", sigma.radius}}},
+          {"readings", arc.residuals.size()},
+          {"degrees_of_freedom", arc.degreesOfFreedom},
+          {"residual_rms_arcsec", arc.residualRms},
+          {"reduced_chi2", arc.degreesOfFreedom > 0 ? arc.reducedChiSquare() : undefined},
+          {"iterations", arc.iterations},
+          {"converged", arc.converged}};
+}
+
+Json asPrintedJson(const AsPrinted& printed) {
+  return {{"delta_radius_mm", printed.deltaRadius},
+          {"x_mm", printed.x},
+          {"y_mm", printed.y},
+          {"theta_x_rad", printed.thetaX},
+          {"theta_y_rad", printed.thetaY}};
+}
+
+Json intersectionJson(const Intersection& intersection) {
+  return {{"value_mm", intersection.value},
+          {"sigma_mm", intersection.sigma},
+          {"expanded_mm", intersection.expanded},
+          {"coverage", intersection.coverage},
+          {"coverage_factor", intersection.coverageFactor},
+          {"effective_degrees_of_freedom", intersection.effectiveDegreesOfFreedom},
+          {"in_plane_mm", intersection.inPlane}};
+}
+
+Json budgetJson(const std::optional<Intersection>& intersection) {
+  Json budget = Json::array();
+  if (!intersection) return budget;
+  for (const BudgetEntry& entry : intersection->budget) {
+    budget.push_back({{"source", entry.source}, {"sigma_mm", entry.sigma}});
+  }
+  return budget;
+}
+
+std::string severityName(Severity severity) {
+  switch (severity) {
+    case Severity::Note:
+      return "note";
+    case Severity::Warning:
+      return "warning";
+    case Severity::Error:
+      return "error";
+  }
+  return "";
+}
+
+Json findingsJson(const std::vector<Finding>& findings) {
+  Json list = Json::array();
+  for (const Finding& finding : findings) {
+    list.push_back({{"severity", severityName(finding.severity)},
+                    {"text", finding.text},
+                    {"remedy", finding.remedy},
+                    {"where", finding.where.path()}});
+  }
+  return list;
+}
+
+std::string documentText(const Json& document) {
+  return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+std::string fitJson(const std::string& name, const Measurement& measurement, const SessionFit& fit) {
+  Json document = {{"session", name}, {"method", "rigorous"}, {"arcs", Json::array()}};
+  for (std::size_t i = 0; i < fit.arcs.size(); ++i) {
+    document["arcs"].push_back(arcJson(fit.arcs[i], fit.sigmas[i]));
+  }
+  document["noise_scale"] = fit.noiseScale;
+  if (fit.intersection) document["intersection"] = intersectionJson(*fit.intersection);
+  if (fit.verdict) {
+    document["decision"] = {{"tolerance_mm", measurement.tolerance.value()},
+                            {"verdict", verdictName(*fit.verdict)}};
+  }
+  document["budget"] = budgetJson(fit.intersection);
+  document["suspects"] = Json::array();
+  document["findings"] = findingsJson(fit.findings);
+  return documentText(document);
+}
+
+std::string fitJson(const std::string& name, const Measurement& measurement, const PublishedSessionFit& fit) {
+  Json document = {{"session", name}, {"method", "published"}, {"arcs", Json::array()}};
+  for (const PublishedFit& published : fit.arcs) {
+    Json arc = arcJson(published.arc, {undefined, undefined, undefined});
+    arc["as_printed"] = asPrintedJson(published.asPrinted);
+    document["arcs"].push_back(std::move(arc));
+  }
+  if (fit.intersection) {
+    document["intersection"] = {
+        {"value_mm", *fit.intersection}, {"sigma_mm", undefined},
+        {"expanded_mm", undefined},      {"coverage", measurement.coverage},
+        {"in_plane_mm", fit.inPlane},    {"as_printed_mm", fit.intersectionAsPrinted.value_or(undefined)}};
+    if (measurement.tolerance) {
+      const Verdict verdict = decide(*fit.intersection, undefined, *measurement.tolerance);
+      document["decision"] = {{"tolerance_mm", *measurement.tolerance}, {"verdict", verdictName(verdict)}};
+    }
+  }
+  document["budget"] = Json::array();
+  document["suspects"] = Json::array();
+  document["findings"] = findingsJson(fit.findings);
+  return documentText(document);
+}
+
+}  // namespace alidade::console

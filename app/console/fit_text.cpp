@@ -1,0 +1,150 @@
+#include "app/console/fit_text.h"
+
+#include <cmath>
+#include <vector>
+
+#include "app/console/text_layout.h"
+#include "core/base/number_text.h"
+
+namespace alidade::console {
+
+namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
+
+std::string arcName(const ArcFit& arc) {
+  return (arc.axisDeg == 0 ? "O1, axis " : "O2, axis ") + std::to_string(arc.axisDeg) + "°";
+}
+
+std::vector<std::string> arcRow(const ArcFit& arc) {
+  return {arcName(arc),
+          fixedText(arc.circle.x, 6),
+          fixedText(arc.circle.y, 6),
+          fixedText(arc.circle.radius, 6),
+          std::to_string(arc.residuals.size()),
+          std::to_string(arc.degreesOfFreedom),
+          fixedText(arc.residualRms, 2),
+          arc.degreesOfFreedom > 0 ? fixedText(arc.reducedChiSquare(), 2) : "none"};
+}
+
+const std::vector<std::string> arcHeading = {"",         "x (mm)",     "y (mm)",  "radius (mm)",
+                                             "readings", "redundancy", "rms (″)", "reduced χ²"};
+
+std::string percent(double share) {
+  return shortestText(std::round(share * 1e6) / 1e4) + " %";
+}
+
+std::string referenceLine(const Measurement& measurement, double value) {
+  if (!measurement.referenceIntersection) return "";
+  return "The device was set to " + shortestText(*measurement.referenceIntersection) + " mm; Δd differs by " +
+         fixedText(value - *measurement.referenceIntersection, 4) + " mm.\n";
+}
+
+std::string coverageText(const Intersection& intersection) {
+  const std::string freedom =
+      std::isfinite(intersection.effectiveDegreesOfFreedom)
+          ? ", " + fixedText(intersection.effectiveDegreesOfFreedom, 1) + " degrees of freedom"
+          : "";
+  return "(" + percent(intersection.coverage) +
+         " coverage, k = " + fixedText(intersection.coverageFactor, 3) + freedom + ")";
+}
+
+std::string intersectionText(const Measurement& measurement, const Intersection& intersection) {
+  return "\nIntersection Δd = " + fixedText(intersection.value, 6) + " mm ± " +
+         fixedText(intersection.expanded, 4) + " mm " + coverageText(intersection) +
+         "\nCentres apart in the plane: |O1 - O2|/2 = " + fixedText(intersection.inPlane, 6) + " mm\n" +
+         referenceLine(measurement, intersection.value);
+}
+
+std::string verdictText(const Measurement& measurement, const SessionFit& fit) {
+  if (!fit.verdict) return fit.intersection ? "\nVerdict: none, the session states no tolerance.\n" : "";
+  return "\n" + paragraph("Verdict: " + verdictName(*fit.verdict) + ". " +
+                          verdictSentence(fit.intersection->value, fit.intersection->expanded,
+                                          measurement.tolerance.value(), measurement.coverage));
+}
+
+std::string budgetText(const Intersection& intersection) {
+  Rows rows;
+  for (const BudgetEntry& entry : intersection.budget) {
+    rows.push_back({"  " + entry.source, fixedText(entry.sigma, 4) + " mm"});
+  }
+  rows.push_back({"  together", fixedText(intersection.sigma, 4) + " mm"});
+  return "\nStandard uncertainty of Δd\n" + alignedColumns(rows);
+}
+
+std::string findingText(const Finding& finding) {
+  std::string text = finding.severity == Severity::Note      ? "Note: "
+                     : finding.severity == Severity::Warning ? "Warning: "
+                                                             : "Error: ";
+  const std::string place = finding.where.path();
+  if (!place.empty()) text += place + ": ";
+  text += finding.text;
+  return "  " + paragraph(finding.remedy.empty() ? text : text + " " + finding.remedy, 4);
+}
+
+std::string findingsText(const std::vector<Finding>& findings) {
+  if (findings.empty()) return "";
+  std::string text = "\nFindings\n";
+  for (const Finding& finding : findings) text += findingText(finding);
+  return text;
+}
+
+std::string arcsText(const SessionFit& fit) {
+  Rows rows = {arcHeading};
+  for (std::size_t i = 0; i < fit.arcs.size(); ++i) {
+    const ArcSigma& sigma = fit.sigmas[i];
+    rows.push_back(arcRow(fit.arcs[i]));
+    rows.push_back({"  σ", fixedText(sigma.x, 4), fixedText(sigma.y, 4), fixedText(sigma.radius, 4)});
+  }
+  return alignedColumns(rows) + "Readings scatter " + fixedText(fit.noiseScale, 2) +
+         " times as much as stated; σ of the readings is scaled by that.\n";
+}
+
+std::string arcsText(const PublishedSessionFit& fit) {
+  Rows rows = {arcHeading};
+  for (const PublishedFit& published : fit.arcs) rows.push_back(arcRow(published.arc));
+  return alignedColumns(rows);
+}
+
+std::string asPrintedText(const PublishedSessionFit& fit) {
+  Rows rows = {{"", "ΔR (mm)", "Δx (mm)", "Δy (mm)", "Δθx (rad)", "Δθy (rad)"}};
+  for (const PublishedFit& published : fit.arcs) {
+    const AsPrinted& printed = published.asPrinted;
+    rows.push_back({arcName(published.arc), fixedText(printed.deltaRadius, 4), fixedText(printed.x, 4),
+                    fixedText(printed.y, 4), fixedText(printed.thetaX, 6), fixedText(printed.thetaY, 6)});
+  }
+  return "\nAs printed: ΔR of the second iteration alone, y in the sense of the vertical circle\n" +
+         alignedColumns(rows);
+}
+
+std::string intersectionText(const Measurement& measurement, const PublishedSessionFit& fit) {
+  if (!fit.intersection) return "";
+  std::string text = "\nIntersection Δd = " + fixedText(*fit.intersection, 6) + " mm";
+  if (fit.intersectionAsPrinted)
+    text += "; in the paper's signs " + fixedText(*fit.intersectionAsPrinted, 4) + " mm";
+  return text + "\nCentres apart in the plane: |O1 - O2|/2 = " + fixedText(fit.inPlane, 6) + " mm\n" +
+         referenceLine(measurement, *fit.intersection);
+}
+
+}  // namespace
+
+std::string fitText(const std::string& name, const Measurement& measurement, const SessionFit& fit) {
+  std::string text =
+      name + "\nRigorous fit: orthogonal least squares on the readings of both circles; x right, y up\n\n" +
+      arcsText(fit);
+  if (fit.intersection) text += intersectionText(measurement, *fit.intersection);
+  text += verdictText(measurement, fit);
+  if (fit.intersection) text += budgetText(*fit.intersection);
+  return text + findingsText(fit.findings);
+}
+
+std::string fitText(const std::string& name, const Measurement& measurement, const PublishedSessionFit& fit) {
+  return name + "\nPublished method, two iterations, for comparison with the paper; x right, y up\n\n" +
+         arcsText(fit) + asPrintedText(fit) + intersectionText(measurement, fit) +
+         "\nThe method states no uncertainty and takes the vertical circle to read y/L, which no theodolite "
+         "does:\n"
+         "no verdict is drawn from it.\n" +
+         findingsText(fit.findings);
+}
+
+}  // namespace alidade::console

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "core/adjustment/session_fit.h"
+#include "core/session/measurement.h"
+
+namespace alidade::console {
+
+// A fit as text for people, UTF-8, ending in a newline. Lengths in mm, y up. The published method is shown in
+// the form it was published in beside the circle it means in this program's frame.
+
+std::string fitText(const std::string& name, const Measurement& measurement, const SessionFit& fit);
+std::string fitText(const std::string& name, const Measurement& measurement, const PublishedSessionFit& fit);
+
+}  // namespace alidade::console

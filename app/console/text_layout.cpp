@@ -1,0 +1,60 @@
+#include "app/console/text_layout.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace alidade::console {
+
+namespace {
+
+/// Code points of UTF-8 text: every byte but the continuation bytes begins one.
+std::size_t displayWidth(std::string_view text) {
+  return static_cast<std::size_t>(std::count_if(
+      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+std::vector<std::size_t> columnWidths(const std::vector<std::vector<std::string>>& rows) {
+  std::vector<std::size_t> widths;
+  for (const auto& row : rows) {
+    widths.resize(std::max(widths.size(), row.size()));
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], displayWidth(row[i]));
+  }
+  return widths;
+}
+
+}  // namespace
+
+std::string alignedColumns(const std::vector<std::vector<std::string>>& rows) {
+  const std::vector<std::size_t> widths = columnWidths(rows);
+  std::string text;
+  for (const auto& row : rows) {
+    std::string line;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const std::string blanks(widths[i] - displayWidth(row[i]), ' ');
+      line += i == 0 ? row[i] + blanks : "  " + blanks + row[i];
+    }
+    line.erase(line.find_last_not_of(' ') + 1);
+    text += line + "\n";
+  }
+  return text;
+}
+
+std::string paragraph(std::string_view text, std::size_t indent, std::size_t width) {
+  std::istringstream words{std::string(text)};
+  std::string lines, word;
+  std::size_t column = 0;
+  while (words >> word) {
+    if (column > 0 && column + 1 + displayWidth(word) > width) {
+      lines += "\n" + std::string(indent, ' ');
+      column = indent;
+    } else if (column > 0) {
+      lines += " ";
+      ++column;
+    }
+    lines += word;
+    column += displayWidth(word);
+  }
+  return lines + "\n";
+}
+
+}  // namespace alidade::console
