@@ -85,7 +85,7 @@ std::string fitJson(const std::string& name, const Measurement& measurement, con
   for (std::size_t i = 0; i < fit.arcs.size(); ++i) {
     document["arcs"].push_back(arcJson(fit.arcs[i], fit.sigmas[i]));
   }
-  document["noise_scale"] = fit.noiseScale;
+  document["noise_scale"] = fit.noise.factor;
   if (fit.intersection) document["intersection"] = intersectionJson(*fit.intersection);
   if (fit.verdict) {
     document["decision"] = {{"tolerance_mm", measurement.tolerance.value()},

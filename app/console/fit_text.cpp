@@ -96,7 +96,7 @@ std::string arcsText(const SessionFit& fit) {
     rows.push_back(arcRow(fit.arcs[i]));
     rows.push_back({"  σ", fixedText(sigma.x, 4), fixedText(sigma.y, 4), fixedText(sigma.radius, 4)});
   }
-  return alignedColumns(rows) + "Readings scatter " + fixedText(fit.noiseScale, 2) +
+  return alignedColumns(rows) + "Readings scatter " + fixedText(fit.noise.factor, 2) +
          " times as much as stated; σ of the readings is scaled by that.\n";
 }
 
