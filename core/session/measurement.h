@@ -20,7 +20,8 @@ enum class VerticalAngleRelation {
   Planar,  ///< tan e = y/L: the published relation
 };
 
-/// One row of readings, reduced: face 1 equivalent, from the pointing zero, right and up positive, |a|, |e| < 90°.
+/// One row of readings, reduced: face 1 equivalent, from the pointing zero, right and up positive, |a|, |e| <
+/// 90°.
 struct Sighting {
   std::size_t row = 0;  ///< index into the position's readings
   int point = 0;
@@ -40,9 +41,9 @@ struct ArcMeasurement {
 
 /// What a session means: every value present, in range and in the reference frame o0. Lengths in mm.
 struct Measurement {
-  double distance = 0;       ///< L > 0
-  double sigmaDistance = 0;  ///< ≥ 0
-  double nominalRadius = 0;  ///< R0 > 0
+  double distance = 0;                           ///< L > 0
+  double sigmaDistance = 0;                      ///< ≥ 0
+  double nominalRadius = 0;                      ///< R0 > 0
   Angle sigmaHorizontal, sigmaVertical;          ///< of a circle reading, > 0
   Angle sigmaZeroHorizontal, sigmaZeroVertical;  ///< of the pointing zero, ≥ 0
   Angle sigmaSlider;                             ///< > 0
@@ -52,7 +53,7 @@ struct Measurement {
   double coverage = 0.95;                       ///< in (0, 1)
   std::optional<double> referenceIntersection;  ///< mm
   std::vector<ArcMeasurement> arcs;             ///< at most one per axis position, in session order
-  bool hasUnestimatedEffects = false;           ///< model.effects names effects, which these fits do not estimate
+  bool hasUnestimatedEffects = false;  ///< model.effects names effects, which these fits do not estimate
 };
 
 /// A session examined: what can be used, and a sentence for everything that cannot, in the order of the file.
@@ -61,14 +62,19 @@ struct Examined {
   std::vector<Problem> problems;           ///< empty: the whole session is sound
 };
 
-/// Works out what the texts of a session mean. Rows with an unusable entry, and positions with an unusable pointing
-/// zero, are left out of the measurement and reported. Rows without any entry are incomplete, so reported too.
+/// Works out what the texts of a session mean. Rows with an unusable entry, and positions with an unusable
+/// pointing zero, are left out of the measurement and reported. Rows without any entry are incomplete, so
+/// reported too. Excluded rows are not examined: they were excluded because they are of no use. Of two rows
+/// with the same point, round and face in one position, and of two positions with the same axis, the second
+/// is reported and left out. Where the coverage is unusable there is no tolerance either: no verdict rests on
+/// a level nobody chose.
 Examined examine(const Session& session);
 
-/// Is `text` usable as the value of the field at `where`? The sentence where it is not. For marking entries in place:
-/// the same rules as `examine`, without the checks that need other entries.
-/// `field` is a name of the session file without indices: `geometry.distance_mm`, `pointing_zero.vertical`,
-/// `readings.horizontal`, `readings.face`, `acceptance.coverage`, `axis_deg`, `measured_on`, …
-std::optional<std::string> entryProblem(const Session& session, const std::string& field, const std::string& text);
+/// Is `text` usable as the value of the field at `where`? The sentence where it is not. For marking entries
+/// in place: the same rules as `examine`, without the checks that need other entries. `field` is a name of
+/// the session file without indices: `geometry.distance_mm`, `pointing_zero.vertical`, `readings.horizontal`,
+/// `readings.face`, `acceptance.coverage`, `axis_deg`, `measured_on`, …
+std::optional<std::string> entryProblem(const Session& session, const std::string& field,
+                                        const std::string& text);
 
 }  // namespace alidade

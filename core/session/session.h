@@ -8,16 +8,17 @@
 
 namespace alidade {
 
-// The plain data of one measurement, as typed. Every number and angle is kept as its text, so nothing the user
-// typed is lost or rounded, bad entries included; empty text means "not given". What the texts mean is worked out by
-// `examine` (measurement.h), which is the only road from here to a fit.
-// Names and units are those of the session file. A JSON number of decimal degrees appears here as `341.873333°`.
+// The plain data of one measurement, as typed. Every number and angle is kept as its text, so nothing the
+// user typed is lost or rounded, bad entries included; empty text means "not given". What the texts mean is
+// worked out by `examine` (measurement.h), which is the only road from here to a fit. Names and units are
+// those of the session file. A JSON number of decimal degrees appears here as `341.873333°`.
 
 /// One row of readings: the slider at one place, sighted in one face.
 struct Reading {
-  std::string point;       ///< whole number; names the slider place within position and round
-  std::string round;       ///< whole number ≥ 1; empty: 1
-  std::string face;        ///< 1 or 2; empty: 1
+  std::string point;  ///< whole number; names the slider place within position and round; empty: the row's
+                      ///< number from 1
+  std::string round;  ///< whole number ≥ 1; empty: 1
+  std::string face;   ///< 1 or 2; empty: 1
   std::string horizontal;  ///< circle reading α
   std::string vertical;    ///< circle reading β
   std::string slider;      ///< slider coordinate; may be empty

@@ -1,0 +1,213 @@
+#include "core/session/entry.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <chrono>
+#include <limits>
+
+#include "core/base/angle_text.h"
+#include "core/base/number_text.h"
+#include "core/base/typed_text.h"
+#include "core/base/utf8.h"
+
+namespace alidade {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kLongestMm = 1e6;
+constexpr double kLargestSigmaArcsec = 3600;
+
+enum class Bound { Included, Excluded };
+
+struct NumberRule {
+  std::string_view field;
+  double low;
+  Bound lowBound;
+  double high;  ///< always excluded
+  std::optional<double> fallback;
+  const char* range;          ///< what the value must be, behind "must be "
+  const char* ask = nullptr;  ///< what to type, where the field may not be empty
+};
+
+constexpr const char* kLengthRange = "above 0 and below 1000000 mm";
+constexpr const char* kSigmaRange = "above 0 and below 3600 arcseconds";
+
+constexpr std::array kNumberRules = {
+    NumberRule{"instrument.sigma_horizontal_arcsec", 0, Bound::Excluded, kLargestSigmaArcsec, 2, kSigmaRange},
+    NumberRule{"instrument.sigma_vertical_arcsec", 0, Bound::Excluded, kLargestSigmaArcsec, 2, kSigmaRange},
+    NumberRule{"instrument.sigma_zero_arcsec",
+               0,
+               Bound::Included,
+               kLargestSigmaArcsec,
+               {},
+               "0 or more and below 3600 arcseconds"},
+    NumberRule{"instrument.sigma_slider_arcsec", 0, Bound::Excluded, kLargestSigmaArcsec, 5, kSigmaRange},
+    NumberRule{"environment.temperature_c", -273.15, Bound::Included, 1000, {}, "a temperature in °C"},
+    NumberRule{"geometry.distance_mm",
+               0,
+               Bound::Excluded,
+               kLongestMm,
+               {},
+               kLengthRange,
+               "type the distance from the theodolite to the arc plane in mm"},
+    NumberRule{"geometry.sigma_distance_mm", 0, Bound::Included, kLongestMm, 0,
+               "0 or more and below 1000000 mm"},
+    NumberRule{"geometry.radius_mm",
+               0,
+               Bound::Excluded,
+               kLongestMm,
+               {},
+               kLengthRange,
+               "type the nominal radius of the arc in mm"},
+    NumberRule{"acceptance.tolerance_mm", 0, Bound::Excluded, kLongestMm, {}, kLengthRange},
+    NumberRule{"acceptance.coverage", 0, Bound::Excluded, 1, 0.95, "between 0 and 1, such as 0.95"},
+    NumberRule{
+        "acceptance.reference_intersection_mm", -kInfinity, Bound::Excluded, kInfinity, {}, "a length in mm"},
+};
+
+struct WholeRule {
+  std::string_view field;
+  int low, high;
+  std::optional<int> fallback;
+  const char* range;
+};
+
+constexpr std::array kWholeRules = {
+    WholeRule{"readings.point", 0, std::numeric_limits<int>::max(), {}, "is no point: points count from 0"},
+    WholeRule{"readings.round", 1, std::numeric_limits<int>::max(), 1, "is no round: rounds count from 1"},
+    WholeRule{"readings.face", 1, 2, 1, "is no face: type 1 or 2"},
+};
+
+constexpr std::array<std::string_view, 5> kAngleFields = {"pointing_zero.horizontal",
+                                                          "pointing_zero.vertical", "readings.horizontal",
+                                                          "readings.vertical", "readings.slider"};
+
+template <typename Rules>
+auto ruleFor(const Rules& rules, std::string_view field) {
+  return std::find_if(rules.begin(), rules.end(), [field](const auto& rule) { return rule.field == field; });
+}
+
+bool isBlank(const std::string& text) {
+  return plainSigns(text).empty();
+}
+
+/// The range of a circle in degrees; `high` is excluded except for the slider, which turns both ways.
+struct AngleRange {
+  double low, high;
+  bool highIncluded;
+};
+
+AngleRange rangeOf(std::string_view field, VerticalCircle circle) {
+  if (field == "readings.slider") return {-360, 360, true};
+  const bool vertical = field.ends_with(".vertical");
+  return {vertical && circle == VerticalCircle::Elevation ? -90.0 : 0.0, 360, false};
+}
+
+bool contains(const AngleRange& range, Angle angle) {
+  const Angle low = Angle::fromDegrees(range.low), high = Angle::fromDegrees(range.high);
+  return angle >= low && (angle < high || (range.highIncluded && angle == high));
+}
+
+template <typename Value>
+std::optional<std::string> sentence(const Result<Value>& result) {
+  if (result) return std::nullopt;
+  return result.problem().what;
+}
+
+}  // namespace
+
+Result<std::optional<double>> numberEntry(std::string_view field, const std::string& text) {
+  const auto rule = ruleFor(kNumberRules, field);
+  assert(rule != kNumberRules.end());
+  if (isBlank(text)) {
+    if (rule->ask) return Problem{std::string("is empty: ") + rule->ask};
+    return rule->fallback;
+  }
+  const Result<double> value = parseNumber(text);
+  if (!value) return value.problem();
+  const bool aboveLow = rule->lowBound == Bound::Included ? *value >= rule->low : *value > rule->low;
+  if (!aboveLow || !(*value < rule->high)) {
+    return Problem{quotation(text) + " is out of range: it must be " + rule->range};
+  }
+  return std::optional(*value);
+}
+
+Result<std::optional<int>> wholeEntry(std::string_view field, const std::string& text) {
+  const auto rule = ruleFor(kWholeRules, field);
+  assert(rule != kWholeRules.end());
+  if (isBlank(text)) return rule->fallback;
+  const Result<int> value = parseWhole(text);
+  if (!value) return value.problem();
+  if (*value < rule->low || *value > rule->high) return Problem{quotation(text) + " " + rule->range};
+  return std::optional(*value);
+}
+
+Result<std::optional<Angle>> angleEntry(std::string_view field, const std::string& text,
+                                        VerticalCircle circle) {
+  if (field == "readings.slider" && isBlank(text)) return std::optional<Angle>();
+  const Result<Angle> angle = parseAngle(text);
+  if (!angle) return angle.problem();
+  const AngleRange range = rangeOf(field, circle);
+  if (contains(range, *angle)) return std::optional(*angle);
+  const std::string low = range.low < 0 ? "−" + fixedText(-range.low, 0) : "0";
+  return Problem{quotation(text) + " lies outside " + low + "°…" + fixedText(range.high, 0) +
+                 "°: check the degrees"};
+}
+
+Result<int> axisEntry(const std::string& text) {
+  if (isBlank(text)) return Problem{"is empty: type the rotation of the axis, 0 or 180"};
+  const Result<double> value = parseNumber(text);
+  if (value && (*value == 0 || *value == 180)) return static_cast<int>(*value);
+  return Problem{quotation(text) + " is no position of the axis: type 0 or 180"};
+}
+
+Result<VerticalCircle> verticalCircleEntry(const std::string& text) {
+  if (text.empty() || text == "zenith") return VerticalCircle::Zenith;
+  if (text == "elevation") return VerticalCircle::Elevation;
+  return Problem{quotation(text) + " is no kind of vertical circle: choose zenith or elevation"};
+}
+
+Result<VerticalAngleRelation> verticalAngleEntry(const std::string& text) {
+  if (text.empty() || text == "exact") return VerticalAngleRelation::Exact;
+  if (text == "planar") return VerticalAngleRelation::Planar;
+  return Problem{quotation(text) + " is no relation for the vertical angle: choose exact or planar"};
+}
+
+std::optional<Problem> dateProblem(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  const Problem problem{quotation(text) + " is no date: type year-month-day, such as 2018-01-31"};
+  if (text.size() != 10 || text[4] != '-' || text[7] != '-') return problem;
+  const auto part = [&text](std::size_t at, std::size_t length) -> std::optional<int> {
+    const std::string digits = text.substr(at, length);
+    if (!std::all_of(digits.begin(), digits.end(), isDigit)) return std::nullopt;
+    return std::stoi(digits);
+  };
+  const auto year = part(0, 4), month = part(5, 2), day = part(8, 2);
+  if (!year || !month || !day) return problem;
+  const std::chrono::year_month_day date{std::chrono::year(*year),
+                                         std::chrono::month(static_cast<unsigned>(*month)),
+                                         std::chrono::day(static_cast<unsigned>(*day))};
+  return date.ok() ? std::nullopt : std::optional(problem);
+}
+
+std::optional<std::string> entryProblem(const Session& session, const std::string& field,
+                                        const std::string& text) {
+  if (ruleFor(kNumberRules, field) != kNumberRules.end()) return sentence(numberEntry(field, text));
+  if (ruleFor(kWholeRules, field) != kWholeRules.end()) return sentence(wholeEntry(field, text));
+  if (std::find(kAngleFields.begin(), kAngleFields.end(), field) != kAngleFields.end()) {
+    const auto circle = verticalCircleEntry(session.geometry.verticalCircle);
+    return sentence(angleEntry(field, text, circle ? *circle : VerticalCircle::Elevation));
+  }
+  if (field == "axis_deg") return sentence(axisEntry(text));
+  if (field == "geometry.vertical_circle") return sentence(verticalCircleEntry(text));
+  if (field == "model.vertical_angle") return sentence(verticalAngleEntry(text));
+  if (field == "measured_on") {
+    const auto problem = dateProblem(text);
+    return problem ? std::optional(problem->what) : std::nullopt;
+  }
+  return std::nullopt;
+}
+
+}  // namespace alidade
