@@ -1,0 +1,86 @@
+#include "core/adjustment/session_fit.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/paper_table.h"
+#include "tests/support/perfect_session.h"
+
+namespace alidade {
+namespace {
+
+using testing::HasSubstr, testing::Not;
+
+std::string textOf(const std::vector<Finding>& findings) {
+  std::string all;
+  for (const Finding& finding : findings) all += finding.text + "\n";
+  return all;
+}
+
+TEST(SessionFit, OfTableIAcceptsWithinItsTolerance) {
+  const SessionFit fit = fitSession(test::paperMeasurement());
+  ASSERT_EQ(fit.arcs.size(), 2u);
+  ASSERT_EQ(fit.sigmas.size(), 2u);
+  EXPECT_EQ(fit.verdict, Verdict::Accept);
+  EXPECT_EQ(fit.arcAt(180), &fit.arcs[1]);
+  EXPECT_EQ(fit.arcAt(90), nullptr);
+}
+
+// 1.96 mm between the radii of one rigid guideway, and 0.69 mm to the 2 mm setting: neither may pass in
+// silence.
+TEST(SessionFit, OfTableIDoesNotHideWhatItsReadingsLeaveOpen) {
+  Measurement measurement = test::paperMeasurement();
+  measurement.referenceIntersection = 2;
+  const std::string findings = textOf(fitSession(measurement).findings);
+  EXPECT_THAT(findings, HasSubstr("radii at 0° and 180° differ by 1.959 mm"));
+  EXPECT_THAT(findings, HasSubstr("differs from the reference 2 mm by -0.692 mm"));
+  EXPECT_THAT(findings, HasSubstr("0°: the readings scatter 7.3 times"));
+  EXPECT_THAT(findings, HasSubstr("180°: the readings scatter 6.5 times"));
+}
+
+TEST(SessionFit, HasNoVerdictWithoutTolerance) {
+  Measurement measurement = test::paperMeasurement();
+  measurement.tolerance.reset();
+  const SessionFit fit = fitSession(measurement);
+  EXPECT_TRUE(fit.intersection);
+  EXPECT_FALSE(fit.verdict);
+}
+
+TEST(SessionFit, ReportsAMissingPosition) {
+  Measurement measurement = test::paperMeasurement();
+  measurement.arcs.pop_back();
+  const SessionFit fit = fitSession(measurement);
+  EXPECT_EQ(fit.arcs.size(), 1u);
+  EXPECT_FALSE(fit.intersection);
+  EXPECT_THAT(textOf(fit.findings), HasSubstr("no usable position at 180°"));
+}
+
+TEST(SessionFit, FitsTheArcThatCanBeFitted) {
+  Measurement measurement = test::paperMeasurement();
+  measurement.arcs[0].sightings.resize(2);
+  const SessionFit fit = fitSession(measurement);
+  ASSERT_EQ(fit.arcs.size(), 1u);
+  EXPECT_EQ(fit.arcs[0].axisDeg, 180);
+  EXPECT_THAT(textOf(fit.findings), HasSubstr("The arc at 0° has readings of 2 places"));
+  EXPECT_EQ(fit.findings.front().severity, Severity::Error);
+}
+
+TEST(SessionFit, NamesWhatItDoesNotUse) {
+  Measurement measurement = test::paperMeasurement();
+  EXPECT_THAT(textOf(fitSession(measurement).findings), Not(HasSubstr("Slider")));
+  measurement.arcs[0].sightings[0].slider = Angle::fromDegrees(10);
+  measurement.hasUnestimatedEffects = true;
+  const std::string findings = textOf(fitSession(measurement).findings);
+  EXPECT_THAT(findings, HasSubstr("Slider readings"));
+  EXPECT_THAT(findings, HasSubstr("names effects"));
+}
+
+TEST(SessionFit, ExchangingThePositionsChangesTheSignOnly) {
+  Measurement measurement = test::paperMeasurement();
+  const double value = fitSession(measurement).intersection->value;
+  std::swap(measurement.arcs[0].axisDeg, measurement.arcs[1].axisDeg);
+  EXPECT_DOUBLE_EQ(fitSession(measurement).intersection->value, -value);
+}
+
+}  // namespace
+}  // namespace alidade
