@@ -1,21 +1,10 @@
 #include "core/adjustment/acceptance.h"
 
-#include <algorithm>
 #include <cmath>
 
-#include "core/base/number_text.h"
+#include "core/base/quantity_text.h"
 
 namespace alidade {
-
-namespace {
-
-/// Decimals that show U to two significant digits.
-int decimalsFor(double expanded) {
-  if (!(expanded > 0) || !std::isfinite(expanded)) return 4;
-  return std::clamp(1 - static_cast<int>(std::floor(std::log10(expanded))), 0, 9);
-}
-
-}  // namespace
 
 Verdict decide(double value, double expanded, double tolerance) {
   const double size = std::abs(value);
@@ -39,10 +28,10 @@ std::string verdictName(Verdict verdict) {
 
 std::string verdictSentence(double value, double expanded, double tolerance, double coverage) {
   const int decimals = decimalsFor(expanded);
-  const std::string measured = "The intersection was measured as " + fixedText(value, decimals) + " mm ± " +
-                               fixedText(expanded, decimals) + " mm (" + shortestText(coverage * 100) +
+  const std::string measured = "The intersection was measured as " + displayText(value, decimals) + " mm ± " +
+                               displayText(expanded, decimals) + " mm (" + displayShortest(coverage * 100) +
                                " % coverage)";
-  const std::string limit = "the tolerance of ± " + shortestText(tolerance) + " mm";
+  const std::string limit = "the tolerance of ± " + displayShortest(tolerance) + " mm";
   switch (decide(value, expanded, tolerance)) {
     case Verdict::Accept:
       return measured + "; it lies within " + limit + ", its uncertainty included.";

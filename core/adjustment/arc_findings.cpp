@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-#include "core/base/number_text.h"
+#include "core/base/quantity_text.h"
 #include "core/base/statistics.h"
 
 namespace alidade {
@@ -48,11 +48,11 @@ void judgeRedundancyAndNoise(std::vector<Finding>& findings, const ArcFit& fit) 
     return;
   }
   const double upper = chiSquareUpperTail(fit.chiSquare, fit.degreesOfFreedom);
-  const std::string numbers = "(reduced χ² " + fixedText(fit.reducedChiSquare(), 2) + " with " +
+  const std::string numbers = "(reduced χ² " + displayText(fit.reducedChiSquare(), 2) + " with " +
                               std::to_string(fit.degreesOfFreedom) + " degrees of freedom)";
   if (upper < surprise)
     add(findings, fit, Severity::Warning,
-        "the readings scatter " + fixedText(std::sqrt(fit.reducedChiSquare()), 1) +
+        "the readings scatter " + displayText(std::sqrt(fit.reducedChiSquare()), 1) +
             " times their stated noise " + numbers + ".",
         "Look for misread values or an effect that the model does not hold; the uncertainty of the readings "
         "is "
@@ -68,14 +68,14 @@ void judgeRadius(std::vector<Finding>& findings, const Measurement& measurement,
   const double sigma = scale * std::sqrt(fit.cofactor[2][2]);
   if (sigma > poorRadiusUncertainty * fit.circle.radius)
     add(findings, fit, Severity::Warning,
-        "an arc of " + fixedText(arcSpan(fit).degrees(), 1) + "° fixes the radius to ± " +
-            fixedText(sigma, 1) + " mm only (1σ), and the centre hardly better.",
+        "an arc of " + displayText(arcSpan(fit).degrees(), 1) + "° fixes the radius to ± " +
+            displayText(sigma, 1) + " mm only (1σ), and the centre hardly better.",
         "Sight places over a longer arc.");
   const double difference = fit.circle.radius - measurement.nominalRadius;
   if (std::abs(difference) > farFromNominal * measurement.nominalRadius + 3 * sigma)
     add(findings, fit, Severity::Warning,
-        "the fitted radius " + fixedText(fit.circle.radius, 1) + " mm is far from the nominal " +
-            fixedText(measurement.nominalRadius, 1) + " mm.",
+        "the fitted radius " + displayText(fit.circle.radius, 1) + " mm is far from the nominal " +
+            displayText(measurement.nominalRadius, 1) + " mm.",
         "Check the distance L and the nominal radius R0: the fitted lengths are proportional to L.");
 }
 
@@ -131,7 +131,7 @@ std::string straightLineSentence() {
 std::optional<std::string> radiusUndetermined(const ArcFit& fit) {
   const double sigma = std::sqrt(fit.cofactor[2][2]);
   if (std::isfinite(sigma) && sigma <= largestRadiusUncertainty * fit.circle.radius) return std::nullopt;
-  return "spans only " + fixedText(arcSpan(fit).degrees(), 2) +
+  return "spans only " + displayText(arcSpan(fit).degrees(), 2) +
          "° of arc: its sagitta drowns in the reading noise, so neither radius nor centre can be told: sight "
          "places over "
          "a longer arc";

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/number_text.h"
+#include "core/base/quantity_text.h"
 #include "core/base/statistics.h"
 
 namespace alidade {
@@ -41,8 +41,8 @@ void judgeRadii(std::vector<Finding>& findings, const Measurement& measurement, 
   const double bound = coverageFactor(1 - risk, fit.noise.degreesOfFreedom) * sigma;
   if (std::abs(difference) <= bound) return;
   findings.push_back({Severity::Warning,
-                      "The radii at 0° and 180° differ by " + fixedText(std::abs(difference), 3) +
-                          " mm, more than their noise allows (" + fixedText(bound, 3) +
+                      "The radii at 0° and 180° differ by " + displayText(std::abs(difference), 3) +
+                          " mm, more than their noise allows (" + displayText(bound, 3) +
                           " mm at 0.1 % risk), though the guideway is one rigid arc.",
                       "Look for a cause outside the model, such as a plane off the rotation axis, before "
                       "trusting the intersection.",
@@ -55,9 +55,9 @@ void judgeReference(std::vector<Finding>& findings, const Measurement& measureme
   if (std::abs(difference) <= fit.intersection->expanded) return;
   findings.push_back({Severity::Warning,
                       "The intersection differs from the reference " +
-                          shortestText(*measurement.referenceIntersection) + " mm by " +
-                          fixedText(difference, 3) + " mm, more than its expanded uncertainty of " +
-                          fixedText(fit.intersection->expanded, 3) + " mm.",
+                          displayShortest(*measurement.referenceIntersection) + " mm by " +
+                          displayText(difference, 3) + " mm, more than its expanded uncertainty of " +
+                          displayText(fit.intersection->expanded, 3) + " mm.",
                       "Nothing was fitted to the reference; find what separates the two.",
                       Place{.position = {}, .reading = {}, .field = "acceptance.reference_intersection_mm"}});
 }

@@ -4,17 +4,10 @@
 #include <cmath>
 
 #include "core/base/angle_text.h"
-#include "core/base/number_text.h"
+#include "core/base/quantity_text.h"
 
 namespace alidade::ui {
 namespace {
-
-constexpr int mostDecimals = 9;
-
-QString withRealMinus(const std::string& ascii) {
-  QString text = QString::fromStdString(ascii);
-  return text.replace(u'-', QChar(0x2212));
-}
 
 bool isZero(const QString& text) {
   return std::all_of(text.begin(), text.end(), [](QChar c) { return c == u'0' || c == u'.'; });
@@ -31,7 +24,7 @@ QString orNotStated(const QString& text) {
 }
 
 QString numberText(double value, int decimals) {
-  return std::isfinite(value) ? withRealMinus(fixedText(value, decimals)) : notStated();
+  return QString::fromStdString(displayText(value, decimals));
 }
 
 QString signedNumberText(double value, int decimals) {
@@ -41,7 +34,7 @@ QString signedNumberText(double value, int decimals) {
 }
 
 QString plainNumberText(double value) {
-  return std::isfinite(value) ? withRealMinus(shortestText(value)) : notStated();
+  return QString::fromStdString(displayShortest(value));
 }
 
 QString lengthText(double millimetres, int decimals) {
@@ -54,13 +47,6 @@ QString arcsecText(double arcseconds, int decimals) {
 
 QString dmsText(Angle angle, int decimals) {
   return std::isfinite(angle.radians()) ? QString::fromStdString(formatDms(angle, decimals)) : notStated();
-}
-
-int decimalsFor(double uncertainty, int fallback) {
-  if (!std::isfinite(uncertainty) || uncertainty <= 0) return fallback;
-  // 0.0996 rounds up to 0.10: judge the size after rounding to two digits.
-  const double rounded = uncertainty / 0.995;
-  return std::clamp(1 - static_cast<int>(std::floor(std::log10(rounded))), 0, mostDecimals);
 }
 
 QString valueWithUncertainty(double value, double uncertainty, const QString& unit) {

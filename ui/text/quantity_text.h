@@ -3,6 +3,7 @@
 #include <QString>
 
 #include "core/base/angle.h"
+#include "core/base/quantity_text.h"
 
 namespace alidade::ui {
 
@@ -32,10 +33,6 @@ QString arcsecText(double arcseconds, int decimals = 1);
 
 /// "341°52′24″"; not wrapped.
 QString dmsText(Angle angle, int decimals = 0);
-
-/// The decimals that show `uncertainty` (> 0) with two significant digits: 3 for 0.0147, 2 for 0.0996, 0 for
-/// 12 and more. `fallback` where the uncertainty is zero or not finite.
-int decimalsFor(double uncertainty, int fallback = 4);
 
 /// "1.308 ± 0.022 mm": the uncertainty with two significant digits, the value to the same decimals.
 QString valueWithUncertainty(double value, double uncertainty, const QString& unit);

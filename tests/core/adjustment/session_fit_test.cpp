@@ -33,7 +33,7 @@ TEST(SessionFit, OfTableIDoesNotHideWhatItsReadingsLeaveOpen) {
   measurement.referenceIntersection = 2;
   const std::string findings = textOf(fitSession(measurement).findings);
   EXPECT_THAT(findings, HasSubstr("radii at 0° and 180° differ by 1.959 mm"));
-  EXPECT_THAT(findings, HasSubstr("differs from the reference 2 mm by -0.692 mm"));
+  EXPECT_THAT(findings, HasSubstr("differs from the reference 2 mm by −0.692 mm"));
   EXPECT_THAT(findings, HasSubstr("0°: the readings scatter 7.3 times"));
   EXPECT_THAT(findings, HasSubstr("180°: the readings scatter 6.5 times"));
 }
