@@ -2,8 +2,9 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
-#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <cmath>
+#include <limits>
 
 #include "core/adjustment/algebraic_circle.h"
 #include "core/adjustment/arc_findings.h"
@@ -82,30 +83,31 @@ Circle moved(const Circle& circle, const Vector3d& step) {
   return {circle.x + step[0], circle.y + step[1], circle.radius + step[2]};
 }
 
+/// The length of the undamped step in standard deviations of the result.
+double remainingStep(const NormalEquations& equations) {
+  const double squared = equations.rightSide.dot(equations.matrix.ldlt().solve(equations.rightSide));
+  return squared >= 0 ? std::sqrt(squared) : std::numeric_limits<double>::infinity();
+}
+
 /// Levenberg-Marquardt; the damping is relative to the diagonal, so it does not depend on units.
 Solution minimise(const ArcProblem& problem, const Circle& start, const ArcFitOptions& options) {
   Solution best{start, problem.normalEquations(start), 0, false};
-  constexpr double largestDamping = 1e12;
+  constexpr double largestDamping = 1e12, smallestDamping = 1e-12;
+  // Readings are rounded to 1e-16 rad, some 1e-11 of their σ: a rise of χ² by less is none.
+  constexpr double rounding = 1e-9;
   double damping = 1e-6;
-  while (best.iterations < options.maximumIterations && damping < largestDamping) {
-    const Matrix3d& matrix = best.equations.matrix;
-    Matrix3d damped = matrix;
-    damped.diagonal() *= 1 + damping;
-    const Vector3d step = damped.ldlt().solve(best.equations.rightSide);
-    if (!step.allFinite()) break;
+  while (!(best.converged = remainingStep(best.equations) < options.tolerance) &&
+         best.iterations < options.maximumIterations && damping < largestDamping) {
     ++best.iterations;
-    if (std::sqrt(step.dot(matrix * step)) < options.tolerance && damping <= 1e-6) {
-      best.converged = true;
-      break;
-    }
-    const Circle trial = moved(best.circle, step);
+    Matrix3d damped = best.equations.matrix;
+    damped.diagonal() *= 1 + damping;
+    const Circle trial = moved(best.circle, damped.ldlt().solve(best.equations.rightSide));
     if (trial.radius > 0) {
       NormalEquations equations = problem.normalEquations(trial);
-      // Near the minimum χ² no longer resolves the step, so a rise within rounding is no failure.
-      if (equations.chiSquare <= best.equations.chiSquare * (1 + 1e-12) + 1e-18) {
+      if (equations.chiSquare <= best.equations.chiSquare + rounding * (1 + best.equations.chiSquare)) {
         best.circle = trial;
         best.equations = equations;
-        damping = std::max(damping / 10, 1e-12);
+        damping = std::max(damping / 10, smallestDamping);
         continue;
       }
     }
