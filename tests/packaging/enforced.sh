@@ -1,0 +1,61 @@
+#!/usr/bin/env bash
+# Each rule finds its offender: a small tree per rule, sound but for one thing.
+set -euo pipefail
+rules=$(cd -- "${1:?the folder of the rules}" && pwd)
+compiler=${2:?the compiler}
+trees=$(mktemp -d)
+trap 'rm -rf -- "$trees"' EXIT
+failed=0
+
+sound_tree() {
+  rm -rf -- "${trees:?}/tree"
+  mkdir -p "$trees/tree/core/base" "$trees/tree/core/session" "$trees/tree/app/console" "$trees/tree/ui"
+  cd "$trees/tree"
+  cp "$rules/../../LICENSE" "$rules/../../.clang-format" .
+  echo 'A picture: shown.png' >README.md
+  printf '#pragma once\n\nint one();\n' >core/base/one.h
+  printf '#include "core/base/one.h"\n\nint one() {\n  return 1;\n}\n' >core/base/one.cpp
+  printf '#pragma once\n\n#include "core/base/one.h"\n' >core/session/two.h
+  printf '#include <cstdio>\n\n#include "core/session/two.h"\n\nint main() {\n  return one();\n}\n' >app/console/main.cpp
+  printf '#!/usr/bin/env bash\necho sound\n' >sound.sh
+}
+
+# must pass|fail RULE: what the rule has to say about the tree.
+must() {
+  local expected=$1 outcome=pass
+  bash "$rules/$2.sh" "$trees/tree" "$compiler" >"$trees/log" 2>&1 || outcome=fail
+  [[ $outcome == "$expected" ]] || { echo "$2.sh should $expected: $3" && cat "$trees/log" && failed=1; }
+}
+
+# offence RULE FILE TEXT: the rule refuses the sound tree once TEXT stands at the end of FILE.
+offence() {
+  sound_tree
+  printf '%b' "$3" >>"$2"
+  must fail "$1" "$2 with $3"
+}
+
+sound_tree
+for rule in format includes headers repository scripts; do must pass "$rule" "the sound tree"; done
+
+offence format core/base/one.cpp 'int  two( ) {return 2;}\n'
+offence includes core/base/one.h '#include "core/session/two.h"\n'
+offence includes core/base/one.h '#include <QString>\n'
+offence includes core/base/one.h '#include "one.h"\n'
+offence includes core/base/one.h '#include <Eigen/Core>\n'
+offence includes core/session/two.h '#include "ui/window.h"\n'
+offence includes app/console/main.cpp '#include <QString>\n'
+offence includes ui/window.h '#include "app/console/main.cpp"\n'
+offence headers core/session/two.h 'std::string text();\n'
+offence repository README.md 'See /ho''me/someone/notes.\n'
+offence repository core/base/one.o 'code'
+offence repository hidden.png 'picture'
+sound_tree
+echo 'All rights reserved.' >LICENSE
+must fail repository 'another licence'
+sound_tree
+printf '#include <cstdio>\n#include "core/base/one.h"\n' >core/base/one.cpp
+must fail includes 'own header second'
+offence scripts broken.sh 'if true\n'
+# shellcheck disable=SC2016
+offence scripts unquoted.sh '#!/usr/bin/env bash\nrm $1\n'
+exit "$failed"

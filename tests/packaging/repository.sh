@@ -1,0 +1,18 @@
+#!/usr/bin/env bash
+# The repository stands alone: no path of one machine, nothing outside it referred to, its licence with it, no product
+# of a build in it.
+set -euo pipefail
+# shellcheck source=tests/packaging/lib.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/lib.sh"
+
+text_files() { sources . -- '*.h' '*.cpp' '*.sh' '*.md' '*.txt' '*.json' '*.alidade' '*.cmake' '*.qrc' '*.svg' '*.csv' run; }
+
+foreign='(^|[^[:alnum:]_.])/(work|root|(home|tmp)/[a-z]+)/|[.][.]/shared'
+text_files | { xargs -r -d '\n' grep -nE -e "$foreign" -- /dev/null || true; } | sed 's/$/   (a path of one machine)/' | report
+
+[[ $(head -n 2 LICENSE) == *'GNU GENERAL PUBLIC LICENSE'*'Version 3, 29 June 2007'* ]] ||
+  { echo "LICENSE is not the GPL, version 3" && exit 1; }
+
+sources . -- '*.o' '*.a' '*.so' '*.pdf' '*.png' '*.jpg' '*.gz' '*.orig' '*.rej' '*~' | while read -r file; do
+  grep -q "$(basename -- "$file")" README.md || echo "$file: neither a source nor shown by the README"
+done | report
