@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <exception>
 #include <string>
+#include <vector>
 
 #include "app/console/channels.h"
 #include "app/console/fit_command.h"
@@ -9,6 +10,12 @@
 namespace {
 
 using namespace alidade::console;
+
+std::string callProblem(const CLI::App& app, const CLI::ParseError& error) {
+  const std::vector<std::string> unknown = app.remaining();
+  if (!app.get_subcommands().empty() || unknown.empty()) return error.what();
+  return "there is no subcommand or option “" + unknown.front() + "”";
+}
 
 int run(int argc, char** argv) {
   CLI::App app("Intersection of rotatable arc guideways from theodolite readings.", "alidade-cli");
@@ -21,12 +28,11 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
-    return writeResult(app.help());
+    return writeResult(app.help() + "\n");
   } catch (const CLI::CallForVersion& version) {
     return writeResult(std::string(version.what()) + "\n");
   } catch (const CLI::ParseError& error) {
-    return refuse("alidade-cli",
-                  std::string(error.what()) + ". `alidade-cli --help` lists what can be asked.");
+    return refuse("alidade-cli", callProblem(app, error) + ". `alidade-cli --help` lists what can be asked.");
   }
 
   const alidade::Result<std::string> answer = runFit(fitRequest);

@@ -22,6 +22,15 @@ std::vector<std::size_t> columnWidths(const std::vector<std::vector<std::string>
   return widths;
 }
 
+/// Takes the next word where it is a unit, which stays on the line of its number.
+bool peekUnit(std::istringstream& words, std::string& unit) {
+  const std::istringstream::pos_type before = words.tellg();
+  if (words >> unit && (unit.starts_with("mm") || unit.starts_with("%"))) return true;
+  words.clear();
+  words.seekg(before);
+  return false;
+}
+
 }  // namespace
 
 std::string alignedColumns(const std::vector<std::vector<std::string>>& rows) {
@@ -44,6 +53,7 @@ std::string paragraph(std::string_view text, std::size_t indent, std::size_t wid
   std::string lines, word;
   std::size_t column = 0;
   while (words >> word) {
+    for (std::string unit; peekUnit(words, unit);) word += " " + unit;
     if (column > 0 && column + 1 + displayWidth(word) > width) {
       lines += "\n" + std::string(indent, ' ');
       column = indent;
