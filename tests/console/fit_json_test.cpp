@@ -1,0 +1,192 @@
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <set>
+
+#include "tests/console/console.h"
+
+namespace alidade::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using Json = nlohmann::ordered_json;
+
+constexpr double printedFigures = 1e-6;  // mm; the tables that are checked against have six decimals
+
+Json fitOf(const std::string& file, const std::string& method = "rigorous") {
+  const ProgramRun run = alidadeCli({"fit", file, "--method", method, "--json"});
+  EXPECT_EQ(run.exitCode, 0) << run.err;
+  EXPECT_EQ(run.err, "");
+  return Json::parse(run.out);  // throws on anything behind the document
+}
+
+std::set<std::string> keysOf(const Json& object) {
+  std::set<std::string> keys;
+  for (const auto& [key, value] : object.items()) keys.insert(key);
+  return keys;
+}
+
+TEST(FitJson, MeetsTheExactFitOfThePapersReadings) {
+  const Json fit = fitOf(paperSession);
+  const Json &upper = fit["arcs"][0], &lower = fit["arcs"][1];
+  EXPECT_NEAR(upper["radius_mm"], 401.954264, printedFigures);
+  EXPECT_NEAR(upper["center_mm"]["x"], -0.834463, printedFigures);
+  EXPECT_NEAR(upper["center_mm"]["y"], 1.034902, printedFigures);
+  EXPECT_NEAR(lower["radius_mm"], 403.913696, printedFigures);
+  EXPECT_NEAR(lower["center_mm"]["x"], -1.482783, printedFigures);
+  EXPECT_NEAR(lower["center_mm"]["y"], -1.580378, printedFigures);
+  EXPECT_NEAR(upper["residual_rms_arcsec"], 9.3749973, 1e-6);
+  EXPECT_NEAR(lower["residual_rms_arcsec"], 8.3357359, 1e-6);
+  EXPECT_NEAR(upper["reduced_chi2"], 53.4, 0.05);
+  EXPECT_NEAR(lower["reduced_chi2"], 42.2, 0.05);
+  EXPECT_NEAR(fit["intersection"]["value_mm"], 1.307640, printedFigures);
+  EXPECT_NEAR(fit["intersection"]["in_plane_mm"], 1.34722, 1e-5);
+}
+
+// The expected values are those of the same least squares solved with 40 digits.
+TEST(FitJson, MeetsThePlanarFitOfThePapersReadings) {
+  const TemporaryFolder folder;
+  const Json fit = fitOf(folder.file("planar.alidade", changedPaperSession([](Json& session) {
+                                       session["model"]["vertical_angle"] = "planar";
+                                     })));
+  EXPECT_NEAR(fit["arcs"][0]["radius_mm"], 401.265280, printedFigures);
+  EXPECT_NEAR(fit["arcs"][1]["center_mm"]["y"], -1.501559, printedFigures);
+  EXPECT_NEAR(fit["intersection"]["value_mm"], 1.230201, printedFigures);
+}
+
+TEST(FitJson, MeetsEveryPrintedDigitThatCanBeReproduced) {
+  const Json fit = fitOf(paperSession, "published");
+  const Json upper = fit["arcs"][0]["as_printed"], lower = fit["arcs"][1]["as_printed"];
+  EXPECT_NEAR(upper["delta_radius_mm"], -0.0091, 0.00005);
+  EXPECT_NEAR(upper["x_mm"], -0.972, 0.0005);
+  EXPECT_NEAR(upper["y_mm"], 1.8143, 0.00005);
+  EXPECT_NEAR(lower["delta_radius_mm"], -0.0318, 0.00005);
+  EXPECT_NEAR(lower["x_mm"], -1.492, 0.0005);
+  EXPECT_NEAR(lower["y_mm"], -2.0538, 0.00005);
+  EXPECT_NEAR(fit["intersection"]["as_printed_mm"], 1.934, 0.0005);
+  EXPECT_NEAR(fit["intersection"]["value_mm"], -1.934, 0.0005) << "y up";
+}
+
+// The printed tilts have the digits of the solution for θx at 0° with a thousandth of its size, and match
+// nothing else.
+TEST(FitJson, ShowsTheTiltsThatThePublishedSystemReallyHas) {
+  const Json fit = fitOf(paperSession, "published");
+  const Json upper = fit["arcs"][0]["as_printed"], lower = fit["arcs"][1]["as_printed"];
+  EXPECT_NEAR(upper["theta_x_rad"], 0.02835, 0.000005);
+  EXPECT_NEAR(lower["theta_x_rad"], -0.03602, 0.000005);
+  EXPECT_NEAR(upper["theta_y_rad"], -0.00491, 0.000005);
+  EXPECT_NEAR(lower["theta_y_rad"], -0.00018, 0.000005);
+}
+
+TEST(FitJson, KeepsTheCircleYUpAndMakesTwoIterationsAsPublished) {
+  const Json fit = fitOf(paperSession, "published");
+  EXPECT_NEAR(fit["arcs"][0]["center_mm"]["y"], -1.8143, 0.00005);
+  EXPECT_NEAR(fit["arcs"][0]["radius_mm"], 402.697, 0.0005);
+  EXPECT_NEAR(fit["arcs"][1]["radius_mm"], 405.044, 0.0005);
+  EXPECT_EQ(fit["arcs"][0]["iterations"], 2);
+}
+
+TEST(FitJson, HasTheKeysOfTheContract) {
+  const Json fit = fitOf(paperSession);
+  EXPECT_EQ(fit["method"], "rigorous");
+  EXPECT_THAT(fit["session"].get<std::string>(), Not(::testing::IsEmpty()));
+  EXPECT_EQ(keysOf(fit["arcs"][0]),
+            (std::set<std::string>{"axis_deg", "center_mm", "radius_mm", "sigma_mm", "readings",
+                                   "degrees_of_freedom", "residual_rms_arcsec", "reduced_chi2", "iterations",
+                                   "converged"}));
+  EXPECT_EQ(keysOf(fit["arcs"][0]["sigma_mm"]), (std::set<std::string>{"x", "y", "radius"}));
+  for (const char* key : {"value_mm", "sigma_mm", "expanded_mm", "coverage", "in_plane_mm"}) {
+    EXPECT_TRUE(fit["intersection"][key].is_number()) << key;
+  }
+  EXPECT_EQ(keysOf(fit["decision"]), (std::set<std::string>{"tolerance_mm", "verdict"}));
+  EXPECT_TRUE(fit["suspects"].is_array());
+  EXPECT_EQ(fit["arcs"][0]["readings"], 17);
+  EXPECT_EQ(fit["arcs"][0]["degrees_of_freedom"], 14);
+  EXPECT_EQ(fit["arcs"][0]["converged"], true);
+}
+
+TEST(FitJson, SumsTheSquaresOfTheBudgetToTheStandardUncertainty) {
+  const Json fit = fitOf(paperSession);
+  double sum = 0;
+  for (const Json& entry : fit["budget"]) sum += std::pow(entry["sigma_mm"].get<double>(), 2);
+  EXPECT_NEAR(std::sqrt(sum), fit["intersection"]["sigma_mm"], 1e-12);
+  EXPECT_NEAR(
+      fit["intersection"]["expanded_mm"].get<double>(),
+      fit["intersection"]["coverage_factor"].get<double>() * fit["intersection"]["sigma_mm"].get<double>(),
+      1e-12);
+}
+
+TEST(FitJson, ScalesTheReadingsBySoMuchAsTheyScatter) {
+  const Json fit = fitOf(paperSession);
+  EXPECT_NEAR(fit["noise_scale"], 6.91, 0.005);
+  EXPECT_EQ(fit["budget"][0]["source"], "readings");
+  EXPECT_NEAR(fit["budget"][0]["sigma_mm"], 0.102, 0.0005);
+}
+
+TEST(FitJson, DecidesByTheGuardBand) {
+  const TemporaryFolder folder;
+  const auto verdictAt = [&](double tolerance) {
+    const std::string file = folder.file("s.alidade", changedPaperSession([&](Json& session) {
+                                           session["acceptance"]["tolerance_mm"] = tolerance;
+                                         }));
+    return fitOf(file)["decision"]["verdict"].get<std::string>();
+  };
+  const Json intersection = fitOf(paperSession)["intersection"];
+  const double value = intersection["value_mm"], expanded = intersection["expanded_mm"];
+  EXPECT_EQ(verdictAt(value + expanded + 0.001), "accept");
+  EXPECT_EQ(verdictAt(value + expanded - 0.001), "undecided");
+  EXPECT_EQ(verdictAt(value - expanded + 0.001), "undecided");
+  EXPECT_EQ(verdictAt(value - expanded - 0.001), "reject");
+}
+
+TEST(FitJson, HasNoDecisionWithoutATolerance) {
+  const TemporaryFolder folder;
+  const Json fit = fitOf(folder.file(
+      "s.alidade", changedPaperSession([](Json& session) { session["acceptance"].erase("tolerance_mm"); })));
+  EXPECT_FALSE(fit.contains("decision"));
+  EXPECT_TRUE(fit.contains("intersection"));
+}
+
+TEST(FitJson, HasNoIntersectionFromOnePositionAndSaysWhy) {
+  const TemporaryFolder folder;
+  const Json fit = fitOf(
+      folder.file("s.alidade", changedPaperSession([](Json& session) { session["positions"].erase(1); })));
+  EXPECT_FALSE(fit.contains("intersection"));
+  EXPECT_FALSE(fit.contains("decision"));
+  EXPECT_EQ(fit["arcs"].size(), 1u);
+  EXPECT_NEAR(fit["arcs"][0]["radius_mm"], 401.954264, printedFigures);
+  EXPECT_EQ(fit["budget"], Json::array());
+  EXPECT_THAT(fit["findings"].dump(), HasSubstr("180°"));
+}
+
+TEST(FitJson, WritesNullWhereNothingIsDefined) {
+  const TemporaryFolder folder;
+  const Json fit = fitOf(folder.file("three.alidade", changedPaperSession([](Json& session) {
+                                       for (Json& position : session["positions"]) {
+                                         Json& readings = position["readings"];
+                                         readings = Json::array({readings[0], readings[8], readings[16]});
+                                       }
+                                     })));
+  EXPECT_EQ(fit["arcs"][0]["degrees_of_freedom"], 0);
+  EXPECT_TRUE(fit["arcs"][0]["reduced_chi2"].is_null());
+  EXPECT_TRUE(fit["intersection"]["effective_degrees_of_freedom"].is_null());
+  EXPECT_GT(fit["intersection"]["expanded_mm"], 0);
+}
+
+TEST(FitJson, LeavesExcludedReadingsOut) {
+  const TemporaryFolder folder;
+  const Json fit = fitOf(folder.file("s.alidade", changedPaperSession([](Json& session) {
+                                       session["positions"][0]["readings"][3]["excluded"] = true;
+                                     })));
+  EXPECT_EQ(fit["arcs"][0]["readings"], 16);
+  EXPECT_EQ(fit["arcs"][1]["readings"], 17);
+}
+
+TEST(FitJson, FallsBackToTheFilesNameWithoutATitle) {
+  const TemporaryFolder folder;
+  const auto untitled = changedPaperSession([](Json& session) { session.erase("title"); });
+  EXPECT_EQ(fitOf(folder.file("bench 7.alidade", untitled))["session"], "bench 7.alidade");
+}
+
+}  // namespace
+}  // namespace alidade::testing

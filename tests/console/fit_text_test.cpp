@@ -1,0 +1,80 @@
+#include <gmock/gmock.h>
+
+#include <regex>
+
+#include "tests/console/console.h"
+
+namespace alidade::testing {
+namespace {
+
+using ::testing::ContainsRegex;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+std::string textOf(const std::string& file, const std::string& method = "rigorous") {
+  const ProgramRun run = alidadeCli({"fit", file, "--method", method});
+  EXPECT_EQ(run.exitCode, 0) << run.err;
+  EXPECT_EQ(run.err, "");
+  return run.out;
+}
+
+TEST(FitText, TellsCentresRadiiAndIntersectionOfThePapersReadings) {
+  const std::string text = textOf(paperSession);
+  EXPECT_THAT(text, ContainsRegex("O1, axis 0° +-0\\.834463 +1\\.034903 +401\\.954263 +17 +14"));
+  EXPECT_THAT(text, ContainsRegex("O2, axis 180° +-1\\.482783 +-1\\.580378 +403\\.913696 +17 +14"));
+  EXPECT_THAT(text, ContainsRegex("Intersection Δd = 1\\.307640 mm ± 0\\.2[0-9]+ mm \\(95 % coverage"));
+  EXPECT_THAT(text, HasSubstr("Verdict: accept. "));
+  EXPECT_THAT(text, HasSubstr("set to 2 mm; Δd differs by -0.6924 mm"));
+}
+
+TEST(FitText, GivesTheBudgetAndTheFindings) {
+  const std::string text = textOf(paperSession);
+  EXPECT_THAT(text, ContainsRegex("  readings +0\\.1018 mm"));
+  EXPECT_THAT(text, ContainsRegex("  pointing zeros +0\\.0"));
+  EXPECT_THAT(text, ContainsRegex("  distance +0\\.0"));
+  EXPECT_THAT(text, HasSubstr("\nFindings\n"));
+  EXPECT_THAT(text, HasSubstr("Readings scatter 6.91 times as much as stated"));
+}
+
+TEST(FitText, ShowsThePublishedMethodAsItWasPrinted) {
+  const std::string text = textOf(paperSession, "published");
+  EXPECT_THAT(text, ContainsRegex("O1, axis 0° +-0\\.0091 +-0\\.97[12][0-9] +1\\.8143 +0\\.0283"));
+  EXPECT_THAT(text, ContainsRegex("O2, axis 180° +-0\\.0318 +-1\\.49[12][0-9] +-2\\.0538 +-0\\.0360"));
+  EXPECT_THAT(text, HasSubstr("in the paper's signs 1.934"));
+  EXPECT_THAT(text, HasSubstr("states no uncertainty"));
+  EXPECT_THAT(text, Not(HasSubstr("Verdict")));
+}
+
+TEST(FitText, LinesUpItsColumns) {
+  const std::string text = textOf(paperSession);
+  const std::regex decimals("(O[12], axis.*)\\.[0-9]{6} ");
+  std::vector<std::size_t> ends;
+  for (std::sregex_iterator row(text.begin(), text.end(), decimals), none; row != none; ++row) {
+    ends.push_back(static_cast<std::size_t>(row->length()));
+  }
+  ASSERT_EQ(ends.size(), 2u);
+  EXPECT_EQ(ends[0], ends[1]);
+}
+
+TEST(FitText, SaysThatNoVerdictIsDrawnWithoutATolerance) {
+  const TemporaryFolder folder;
+  const std::string text = textOf(
+      folder.file("s.alidade",
+                  changedPaperSession([](nlohmann::ordered_json& session) { session.erase("acceptance"); })));
+  EXPECT_THAT(text, HasSubstr("Verdict: none, the session states no tolerance."));
+  EXPECT_THAT(text, Not(HasSubstr("was set to")));
+}
+
+TEST(FitText, TellsOneArcWithoutAnIntersection) {
+  const TemporaryFolder folder;
+  const std::string text = textOf(folder.file(
+      "s.alidade",
+      changedPaperSession([](nlohmann::ordered_json& session) { session["positions"].erase(0); })));
+  EXPECT_THAT(text, HasSubstr("O2, axis 180°"));
+  EXPECT_THAT(text, Not(HasSubstr("O1, axis")));
+  EXPECT_THAT(text, Not(HasSubstr("Intersection Δd")));
+  EXPECT_THAT(text, HasSubstr("0°, so no intersection."));
+}
+
+}  // namespace
+}  // namespace alidade::testing
