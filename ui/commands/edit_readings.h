@@ -1,0 +1,53 @@
+#pragma once
+
+#include <QCoreApplication>
+#include <cstddef>
+#include <vector>
+
+#include "ui/commands/reading_block.h"
+#include "ui/document/reading_column.h"
+
+namespace alidade::ui {
+
+class SessionDocument;
+
+/// A cell of the table of one position; `row` may be the one after the last reading, where a reading is
+/// appended.
+struct ReadingCell {
+  std::size_t row = 0;
+  ReadingColumn column = ReadingColumn::Horizontal;
+};
+
+/// The edits of the readings of one position, each a single undo step. Rows beyond the readings are passed
+/// over unless said otherwise; what would change nothing leaves no undo step.
+class ReadingsEditor {
+  Q_DECLARE_TR_FUNCTIONS(ReadingsEditor)
+
+ public:
+  ReadingsEditor(SessionDocument& document, std::size_t position)
+      : m_document(document), m_position(position) {}
+
+  /// In the row after the last, appends a reading unless `text` is empty.
+  void setCell(const ReadingCell& cell, const std::string& text);
+  void insertBlank(std::size_t row);
+  void remove(const std::vector<std::size_t>& rows);
+  void setExcluded(const std::vector<std::size_t>& rows, bool excluded);
+  void clear(const std::vector<ReadingCell>& cells, bool cut = false);
+
+  /// Puts `block` over the cells from `row` on, its columns into `columns` in turn; rows beyond the end are
+  /// appended, with point numbers where the block has none. Answers with the number of block columns that
+  /// found no room.
+  std::size_t paste(const ReadingBlock& block, std::size_t row, const std::vector<ReadingColumn>& columns);
+
+  /// The reading that would follow `rows`: the next point, in the same round and face.
+  static Reading following(const std::vector<Reading>& rows);
+
+ private:
+  const std::vector<Reading>& readings() const;
+  void replaceWith(const std::vector<Reading>& rows, const QString& undoText);
+
+  SessionDocument& m_document;
+  std::size_t m_position;
+};
+
+}  // namespace alidade::ui

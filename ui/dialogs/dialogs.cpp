@@ -1,0 +1,108 @@
+#include "ui/dialogs/dialogs.h"
+
+#include <QApplication>
+#include <QCoreApplication>
+#include <QFileDialog>
+#include <QMessageBox>
+
+#include "ui/settings/theme.h"
+
+namespace alidade::ui {
+
+namespace {
+
+struct Text {
+  Q_DECLARE_TR_FUNCTIONS(Dialogs)
+};
+
+QString sessionFilter() {
+  return Text::tr("Sessions (*.alidade);;All files (*)");
+}
+
+QString withSuffix(const QString& path, const QString& suffix) {
+  return path.isEmpty() || path.endsWith(suffix) ? path : path + suffix;
+}
+
+/// Asks for a file to write; the suffix is added before the question about overwriting.
+QString saveFile(QWidget* parent, const QString& title, const QString& suggestion, const QString& filter,
+                 const QString& suffix) {
+  QFileDialog dialog(parent, title, suggestion, filter);
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  dialog.setDefaultSuffix(suffix);
+  dialog.selectFile(withSuffix(suggestion, QLatin1Char('.') + suffix));
+  return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+}
+
+}  // namespace
+
+Dialogs::SaveAnswer Dialogs::askSaveChanges(const QString& name) {
+  QMessageBox box(QMessageBox::Warning, Text::tr("Unsaved changes"),
+                  Text::tr("“%1” has unsaved changes.").arg(name),
+                  QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, m_parent);
+  box.setInformativeText(Text::tr("Discarded changes cannot be brought back."));
+  box.setDefaultButton(QMessageBox::Save);
+  switch (box.exec()) {
+    case QMessageBox::Save:
+      return SaveAnswer::Save;
+    case QMessageBox::Discard:
+      return SaveAnswer::Discard;
+    default:
+      return SaveAnswer::Cancel;
+  }
+}
+
+QString Dialogs::askOpenPath(const QString& folder) {
+  return QFileDialog::getOpenFileName(m_parent, Text::tr("Open session"), folder, sessionFilter());
+}
+
+QString Dialogs::askSavePath(const QString& suggestion) {
+  return saveFile(m_parent, Text::tr("Save session as"), suggestion, sessionFilter(),
+                  QStringLiteral("alidade"));
+}
+
+QString Dialogs::askReportPath(const QString& suggestion) {
+  return saveFile(m_parent, Text::tr("Export acceptance report"), suggestion, Text::tr("PDF (*.pdf)"),
+                  QStringLiteral("pdf"));
+}
+
+void Dialogs::showProblem(const QString& title, const QString& text) {
+  QMessageBox box(QMessageBox::Warning, title, text, QMessageBox::Ok, m_parent);
+  box.setTextInteractionFlags(Qt::TextSelectableByMouse);
+  box.exec();
+}
+
+void Dialogs::showAbout() {
+  QMessageBox box(QMessageBox::NoIcon, Text::tr("About Alidade"),
+                  Text::tr("<h3>Alidade %1</h3><p>A measurement workstation for rotatable arc guideways: "
+                           "sightings in, intersection and verdict out.</p>"
+                           "<p>Licence: GNU General Public License, version 3 or later. It comes without any "
+                           "warranty.</p><p>Built with Qt %2.</p>")
+                      .arg(QCoreApplication::applicationVersion(), QString::fromLatin1(qVersion())),
+                  QMessageBox::Close, m_parent);
+  box.setIconPixmap(themeIcon(QStringLiteral("alidade")).pixmap(64, 64));
+  box.exec();
+}
+
+void Dialogs::showShortcuts() {
+  const QString rows[][2] = {
+      {Text::tr("Type"), Text::tr("overwrites the cell")},
+      {Text::tr("Enter"), Text::tr("hands in; on to vertical, then to the next row")},
+      {Text::tr("Tab, Shift+Tab"), Text::tr("the same, through all shown columns; back")},
+      {Text::tr("F2"), Text::tr("edits what was typed")},
+      {Text::tr("Esc"), Text::tr("takes back what is half typed")},
+      {Text::tr("Space"), Text::tr("excludes or uses the selected rows")},
+      {Text::tr("Delete"), Text::tr("clears the selected cells")},
+      {Text::tr("Ctrl+I, Ctrl+−"), Text::tr("inserts a row above; deletes the selected rows")},
+      {Text::tr("Ctrl+C, Ctrl+X, Ctrl+V"), Text::tr("copies, cuts, pastes blocks, also with spreadsheets")},
+      {Text::tr("Ctrl+Z, Ctrl+Shift+Z"), Text::tr("undo, redo")},
+      {Text::tr("3415224"), Text::tr("is 341°52′24″ on the number pad")},
+  };
+  QString html = QStringLiteral("<table cellpadding='3'>");
+  for (const auto& row : rows)
+    html += QStringLiteral("<tr><td><b>%1</b></td><td>%2</td></tr>").arg(row[0], row[1]);
+  QMessageBox box(QMessageBox::NoIcon, Text::tr("Keys of the table"), html + QStringLiteral("</table>"),
+                  QMessageBox::Close, m_parent);
+  box.exec();
+}
+
+}  // namespace alidade::ui

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <QPointer>
+#include <QString>
+#include <QWidget>
+
+namespace alidade::ui {
+
+/// The questions the program asks. Virtual, so that tests can answer.
+class Dialogs {
+ public:
+  enum class SaveAnswer { Save, Discard, Cancel };
+
+  explicit Dialogs(QWidget* parent = nullptr) : m_parent(parent) {}
+  virtual ~Dialogs() = default;
+
+  virtual SaveAnswer askSaveChanges(const QString& name);
+  /// Empty: cancelled.
+  virtual QString askOpenPath(const QString& folder);
+  virtual QString askSavePath(const QString& suggestion);
+  virtual QString askReportPath(const QString& suggestion);
+  virtual void showProblem(const QString& title, const QString& text);
+  virtual void showAbout();
+  virtual void showShortcuts();
+
+ private:
+  QPointer<QWidget> m_parent;
+};
+
+}  // namespace alidade::ui

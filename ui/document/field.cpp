@@ -1,0 +1,89 @@
+#include "ui/document/field.h"
+
+#include <QtGlobal>
+#include <algorithm>
+#include <iterator>
+
+namespace alidade::ui {
+
+namespace {
+
+template <auto... members>
+constexpr Field ofSession(std::string_view name, const char* noun) {
+  return {name, noun,
+          [](const Session& session, std::size_t) -> const std::string& { return (session.*....*members); },
+          [](Session& session, std::size_t) -> std::string& { return (session.*....*members); }};
+}
+
+template <auto... members>
+constexpr Field ofPosition(std::string_view name, const char* noun) {
+  return {name, noun,
+          [](const Session& session, std::size_t position) -> const std::string& {
+            return (session.positions.at(position).*....*members);
+          },
+          [](Session& session, std::size_t position) -> std::string& {
+            return (session.positions.at(position).*....*members);
+          }};
+}
+
+constexpr Field fields[] = {
+    ofSession<&Session::title>("title", QT_TRANSLATE_NOOP("Field", "title")),
+    ofSession<&Session::notes>("notes", QT_TRANSLATE_NOOP("Field", "notes")),
+    ofSession<&Session::operatorName>("operator", QT_TRANSLATE_NOOP("Field", "operator")),
+    ofSession<&Session::place>("place", QT_TRANSLATE_NOOP("Field", "place")),
+    ofSession<&Session::measuredOn>("measured_on", QT_TRANSLATE_NOOP("Field", "date")),
+    ofSession<&Session::device, &Device::name>("device.name", QT_TRANSLATE_NOOP("Field", "device")),
+    ofSession<&Session::device, &Device::serial>("device.serial",
+                                                 QT_TRANSLATE_NOOP("Field", "device serial number")),
+    ofSession<&Session::instrument, &Instrument::name>("instrument.name",
+                                                       QT_TRANSLATE_NOOP("Field", "instrument")),
+    ofSession<&Session::instrument, &Instrument::serial>(
+        "instrument.serial", QT_TRANSLATE_NOOP("Field", "instrument serial number")),
+    ofSession<&Session::instrument, &Instrument::sigmaHorizontalArcsec>(
+        "instrument.sigma_horizontal_arcsec", QT_TRANSLATE_NOOP("Field", "σ of the horizontal circle")),
+    ofSession<&Session::instrument, &Instrument::sigmaVerticalArcsec>(
+        "instrument.sigma_vertical_arcsec", QT_TRANSLATE_NOOP("Field", "σ of the vertical circle")),
+    ofSession<&Session::instrument, &Instrument::sigmaZeroArcsec>(
+        "instrument.sigma_zero_arcsec", QT_TRANSLATE_NOOP("Field", "σ of the pointing zero")),
+    ofSession<&Session::instrument, &Instrument::sigmaSliderArcsec>(
+        "instrument.sigma_slider_arcsec", QT_TRANSLATE_NOOP("Field", "σ of the slider")),
+    ofSession<&Session::environment, &Environment::temperatureC>("environment.temperature_c",
+                                                                 QT_TRANSLATE_NOOP("Field", "temperature")),
+    ofSession<&Session::geometry, &Geometry::distanceMm>("geometry.distance_mm",
+                                                         QT_TRANSLATE_NOOP("Field", "distance L")),
+    ofSession<&Session::geometry, &Geometry::sigmaDistanceMm>(
+        "geometry.sigma_distance_mm", QT_TRANSLATE_NOOP("Field", "σ of the distance")),
+    ofSession<&Session::geometry, &Geometry::radiusMm>("geometry.radius_mm",
+                                                       QT_TRANSLATE_NOOP("Field", "nominal radius")),
+    ofSession<&Session::geometry, &Geometry::verticalCircle>("geometry.vertical_circle",
+                                                             QT_TRANSLATE_NOOP("Field", "vertical circle")),
+    ofSession<&Session::acceptance, &Acceptance::toleranceMm>("acceptance.tolerance_mm",
+                                                              QT_TRANSLATE_NOOP("Field", "tolerance")),
+    ofSession<&Session::acceptance, &Acceptance::coverage>("acceptance.coverage",
+                                                           QT_TRANSLATE_NOOP("Field", "coverage")),
+    ofSession<&Session::acceptance, &Acceptance::referenceIntersectionMm>(
+        "acceptance.reference_intersection_mm", QT_TRANSLATE_NOOP("Field", "reference intersection")),
+    ofSession<&Session::model, &Model::verticalAngle>("model.vertical_angle",
+                                                      QT_TRANSLATE_NOOP("Field", "vertical angle relation")),
+    ofPosition<&Position::axisDeg>("axis_deg", QT_TRANSLATE_NOOP("Field", "axis position")),
+    ofPosition<&Position::zero, &PointingZero::horizontal>("pointing_zero.horizontal",
+                                                           QT_TRANSLATE_NOOP("Field", "pointing zero α0")),
+    ofPosition<&Position::zero, &PointingZero::vertical>("pointing_zero.vertical",
+                                                         QT_TRANSLATE_NOOP("Field", "pointing zero β0")),
+};
+
+}  // namespace
+
+const Field* fieldNamed(std::string_view name) {
+  const auto found = std::find_if(std::begin(fields), std::end(fields),
+                                  [name](const Field& field) { return field.name == name; });
+  return found == std::end(fields) ? nullptr : found;
+}
+
+std::string fieldText(const Session& session, const Place& place) {
+  const Field* field = fieldNamed(place.field);
+  if (!field || (place.position && *place.position >= session.positions.size())) return {};
+  return field->get(session, place.position.value_or(0));
+}
+
+}  // namespace alidade::ui

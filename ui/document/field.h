@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "core/base/place.h"
+#include "core/session/session.h"
+
+namespace alidade::ui {
+
+/// A single text of the session that can be edited: its name in the session file, the noun undo texts use,
+/// and how to reach it. `position` is ignored by fields that belong to the whole session.
+struct Field {
+  std::string_view name;
+  const char* noun;
+  const std::string& (*get)(const Session& session, std::size_t position);
+  std::string& (*at)(Session& session, std::size_t position);
+};
+
+/// The field called `name`, without indices: `geometry.distance_mm`, `pointing_zero.vertical`. Null where
+/// there is none. Cells of readings are not fields.
+const Field* fieldNamed(std::string_view name);
+
+/// The text of the field at `place`; empty where the session has no such place.
+std::string fieldText(const Session& session, const Place& place);
+
+}  // namespace alidade::ui

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+
+#include "core/base/place.h"
+
+namespace alidade::ui {
+
+/// What became different in the session, told to every view.
+struct SessionChange {
+  enum class Kind {
+    Everything,  ///< another session: new or loaded
+    Field,       ///< the single text at `place`
+    Readings,    ///< rows of `place.position` from `place.reading` on: `removed` gone, `inserted` new
+  };
+
+  Kind kind = Kind::Everything;
+  Place place = {};
+  std::size_t removed = 0;
+  std::size_t inserted = 0;
+};
+
+}  // namespace alidade::ui

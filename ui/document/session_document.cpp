@@ -1,0 +1,87 @@
+#include "ui/document/session_document.h"
+
+#include <QFile>
+#include <QFileInfo>
+#include <QSaveFile>
+#include <iterator>
+#include <utility>
+
+#include "core/session/session_file.h"
+#include "ui/document/field.h"
+
+namespace alidade::ui {
+
+SessionDocument::SessionDocument(QObject* parent) : QObject(parent), m_session(blankSession()) {
+  connect(&m_undoStack, &QUndoStack::cleanChanged, this, &SessionDocument::identityChanged);
+}
+
+QString SessionDocument::displayName() const {
+  return m_path.isEmpty() ? tr("Untitled") : QFileInfo(m_path).fileName();
+}
+
+void SessionDocument::startNew() {
+  replaceAll(blankSession(), {});
+}
+
+std::optional<Problem> SessionDocument::load(const QString& path) {
+  QFile file(path);
+  if (!file.open(QIODevice::ReadOnly)) {
+    return Problem{tr("“%1” cannot be opened: %2").arg(path, file.errorString()).toStdString()};
+  }
+  const QByteArray bytes = file.readAll();
+  if (file.error() != QFileDevice::NoError) {
+    return Problem{tr("“%1” cannot be read: %2").arg(path, file.errorString()).toStdString()};
+  }
+  Result<Session> session = readSession({bytes.constData(), static_cast<std::size_t>(bytes.size())});
+  if (!session) return session.problem();
+  replaceAll(*std::move(session), QFileInfo(path).absoluteFilePath());
+  return {};
+}
+
+std::optional<Problem> SessionDocument::save(const QString& path) {
+  const std::string text = writeSession(m_session);
+  QSaveFile file(path);
+  const auto size = static_cast<qint64>(text.size());
+  if (!file.open(QIODevice::WriteOnly) || file.write(text.data(), size) != size || !file.commit()) {
+    return Problem{tr("“%1” cannot be saved: %2").arg(path, file.errorString()).toStdString()};
+  }
+  m_path = QFileInfo(path).absoluteFilePath();
+  m_undoStack.setClean();
+  emit identityChanged();
+  return {};
+}
+
+void SessionDocument::putField(const Place& place, const std::string& text) {
+  const Field* field = fieldNamed(place.field);
+  Q_ASSERT(field);
+  const SessionChange change{.kind = SessionChange::Kind::Field, .place = place};
+  emit aboutToChange(change);
+  field->at(m_session, place.position.value_or(0)) = text;
+  emit changed(change);
+}
+
+void SessionDocument::putReadings(std::size_t position, std::size_t first, std::size_t removed,
+                                  const std::vector<Reading>& inserted) {
+  const SessionChange change{.kind = SessionChange::Kind::Readings,
+                             .place = {.position = position, .reading = first},
+                             .removed = removed,
+                             .inserted = inserted.size()};
+  emit aboutToChange(change);
+  std::vector<Reading>& readings = m_session.positions.at(position).readings;
+  const auto from = std::next(readings.begin(), static_cast<std::ptrdiff_t>(first));
+  const auto next = readings.erase(from, std::next(from, static_cast<std::ptrdiff_t>(removed)));
+  readings.insert(next, inserted.begin(), inserted.end());
+  emit changed(change);
+}
+
+void SessionDocument::replaceAll(Session session, const QString& path) {
+  emit aboutToChange({});
+  m_session = std::move(session);
+  m_path = path;
+  m_undoStack.clear();
+  m_undoStack.setClean();
+  emit changed({});
+  emit identityChanged();
+}
+
+}  // namespace alidade::ui

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QUndoStack>
+#include <optional>
+#include <vector>
+
+#include "core/base/problem.h"
+#include "core/session/session.h"
+#include "ui/document/session_change.h"
+
+namespace alidade::ui {
+
+/// The one session at work: its data, its undo stack and its file. Views read `session()` and listen to
+/// `changed`; only commands write. Modified means: the undo stack is not where it was at the last save.
+class SessionDocument : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit SessionDocument(QObject* parent = nullptr);
+
+  const Session& session() const { return m_session; }
+  QUndoStack& undoStack() { return m_undoStack; }
+  const QString& path() const { return m_path; }  ///< empty for a session never saved
+  QString displayName() const;                    ///< the file's name, or "Untitled"
+  bool isModified() const { return !m_undoStack.isClean(); }
+
+  void startNew();
+  /// Absent: loaded. A session with entries that mean nothing loads; one that is no session does not, and the
+  /// document stays as it was.
+  [[nodiscard]] std::optional<Problem> load(const QString& path);
+  /// Absent: saved, all of it or nothing (the old file stays where writing fails).
+  [[nodiscard]] std::optional<Problem> save(const QString& path);
+
+ signals:
+  void aboutToChange(const alidade::ui::SessionChange& change);
+  void changed(const alidade::ui::SessionChange& change);
+  void identityChanged();  ///< path or modified state
+
+ private:
+  friend class ChangeField;
+  friend class ReplaceReadings;
+
+  void putField(const Place& place, const std::string& text);
+  void putReadings(std::size_t position, std::size_t first, std::size_t removed,
+                   const std::vector<Reading>& inserted);
+  void replaceAll(Session session, const QString& path);
+
+  Session m_session;
+  QUndoStack m_undoStack;
+  QString m_path;
+};
+
+}  // namespace alidade::ui

@@ -1,0 +1,41 @@
+#include "ui/forms/field_binding.h"
+
+#include <QWidget>
+#include <utility>
+
+#include "core/session/measurement.h"
+#include "ui/commands/change_field.h"
+#include "ui/document/field.h"
+#include "ui/document/session_document.h"
+#include "ui/text/entry_text.h"
+
+namespace alidade::ui {
+
+FieldBinding::FieldBinding(SessionDocument& document, Place place, QWidget* widget)
+    : QObject(widget), m_document(document), m_place(std::move(place)) {
+  connect(&document, &SessionDocument::changed, this, [this](const SessionChange& change) {
+    const bool mine = change.kind == SessionChange::Kind::Field && change.place == m_place;
+    if (mine || change.kind == SessionChange::Kind::Everything) emit refreshed();
+  });
+}
+
+QWidget* FieldBinding::widget() const {
+  return qobject_cast<QWidget*>(parent());
+}
+
+QString FieldBinding::text() const {
+  return qText(fieldText(m_document.session(), m_place));
+}
+
+QString FieldBinding::problem() const {
+  const std::string typed = fieldText(m_document.session(), m_place);
+  if (typed.empty()) return {};
+  const auto sentence = entryProblem(m_document.session(), m_place.field, typed);
+  return sentence ? qText(*sentence) : QString();
+}
+
+void FieldBinding::enter(const QString& text) {
+  changeField(m_document, m_place, text.toStdString());
+}
+
+}  // namespace alidade::ui

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <QComboBox>
+#include <QVector>
+
+#include "core/base/place.h"
+
+namespace alidade::ui {
+
+class FieldBinding;
+class SessionDocument;
+
+/// One of a field's possible texts and what the user reads for it. The first choice is also what an empty
+/// text means.
+struct Choice {
+  QString text, caption;
+};
+
+/// A list that edits one field. A text of the file that is none of the choices is listed and shown as it is,
+/// with its problem as tool tip.
+class FieldChoice : public QComboBox {
+  Q_OBJECT
+
+ public:
+  FieldChoice(SessionDocument& document, const Place& place, const QVector<Choice>& choices,
+              QWidget* parent = nullptr);
+
+  void setHint(const QString& hint);
+
+ protected:
+  void wheelEvent(QWheelEvent* event) override;  ///< scrolls the form, never the choice
+
+ private:
+  void refresh();
+
+  FieldBinding* m_binding;
+  int m_choices;
+  QString m_hint;
+};
+
+}  // namespace alidade::ui

@@ -1,0 +1,95 @@
+#include "ui/forms/field_edit.h"
+
+#include <QAction>
+#include <QKeyEvent>
+#include <QPainter>
+
+#include "ui/forms/field_binding.h"
+#include "ui/settings/theme.h"
+#include "ui/text/entry_text.h"
+
+namespace alidade::ui {
+
+FieldEdit::FieldEdit(SessionDocument& document, const Place& place, Shows shows, QWidget* parent)
+    : QLineEdit(parent), m_binding(new FieldBinding(document, place, this)), m_shows(shows) {
+  m_mark = addAction(themeIcon(QStringLiteral("problem")), QLineEdit::TrailingPosition);
+  m_mark->setVisible(false);
+  connect(m_binding, &FieldBinding::refreshed, this, &FieldEdit::refresh);
+  connect(m_binding, &FieldBinding::commitWanted, this, &FieldEdit::commit);
+  connect(this, &QLineEdit::returnPressed, this, &FieldEdit::commit);
+  refresh();
+}
+
+void FieldEdit::setHint(const QString& hint) {
+  m_hint = hint;
+  refresh();
+}
+
+void FieldEdit::commit() {
+  if (!isModified()) return;
+  setModified(false);
+  m_binding->enter(text().trimmed());
+  refresh();
+}
+
+void FieldEdit::refresh() {
+  if (isModified()) return;
+  const QString typed = m_binding->text();
+  const bool asAngle = m_shows == Shows::Angle && !hasFocus();
+  const QString shown = asAngle ? shownAngle(typed.toStdString()) : typed;
+  if (text() != shown) {
+    setText(shown);
+    setCursorPosition(0);
+  }
+  m_problem = m_binding->problem();
+  m_mark->setVisible(hasProblem());
+  m_mark->setToolTip(m_problem);
+  setToolTip(hasProblem() ? m_problem : m_hint);
+  setAccessibleDescription(toolTip());
+  update();
+}
+
+/// Undo and redo belong to the session unless something is half typed here.
+bool FieldEdit::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride && !isModified()) {
+    const auto* key = static_cast<QKeyEvent*>(event);
+    if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
+      event->ignore();
+      return false;
+    }
+  }
+  return QLineEdit::event(event);
+}
+
+void FieldEdit::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape && isModified()) {
+    setModified(false);
+    refresh();
+    return;
+  }
+  QLineEdit::keyPressEvent(event);
+}
+
+void FieldEdit::focusInEvent(QFocusEvent* event) {
+  QLineEdit::focusInEvent(event);
+  const bool byKey = event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason;
+  refresh();
+  if (byKey) selectAll();
+}
+
+void FieldEdit::focusOutEvent(QFocusEvent* event) {
+  commit();
+  QLineEdit::focusOutEvent(event);
+  refresh();
+}
+
+void FieldEdit::paintEvent(QPaintEvent* event) {
+  QLineEdit::paintEvent(event);
+  if (!hasProblem()) return;
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(stateColor(palette(), State::Bad), 2));
+  painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 2, 2);
+}
+
+}  // namespace alidade::ui

@@ -1,0 +1,53 @@
+#include "ui/forms/field_form.h"
+
+#include <QGridLayout>
+#include <QLabel>
+
+#include "ui/forms/field_edit.h"
+
+namespace alidade::ui {
+
+FieldForm::FieldForm(SessionDocument& document, const QVector<FormField>& fields, int columns,
+                     QWidget* parent)
+    : QWidget(parent) {
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setHorizontalSpacing(6);
+  grid->setVerticalSpacing(5);
+  for (int i = 0; i < fields.size(); ++i) {
+    const FormField& field = fields[i];
+    const int row = i / columns, column = 4 * (i % columns);
+    QWidget* entry = addEntry(document, field);
+    auto* label = new QLabel(field.caption);
+    label->setBuddy(entry);
+    auto* unit = new QLabel(field.unit);
+    grid->addWidget(label, row, column);
+    grid->addWidget(entry, row, column + 1);
+    grid->addWidget(unit, row, column + 2);
+    grid->setColumnStretch(column + 1, 1);
+    if (column > 0) grid->setColumnMinimumWidth(column - 1, 8);
+  }
+}
+
+QWidget* FieldForm::addEntry(SessionDocument& document, const FormField& field) {
+  const Place place{.field = field.name};
+  const QString spoken = QString(field.caption).remove(QLatin1Char('&'));
+  QWidget* entry = nullptr;
+  if (field.choices.isEmpty()) {
+    auto* line = new FieldEdit(document, place);
+    line->setPlaceholderText(field.placeholder);
+    line->setHint(field.hint);
+    entry = line;
+  } else {
+    auto* choice = new FieldChoice(document, place, field.choices);
+    choice->setHint(field.hint);
+    choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    entry = choice;
+  }
+  entry->setObjectName(QString::fromLatin1(field.name));
+  entry->setAccessibleName(field.unit.isEmpty() ? spoken : QStringLiteral("%1 (%2)").arg(spoken, field.unit));
+  entry->setMinimumWidth(72);
+  return entry;
+}
+
+}  // namespace alidade::ui

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <QVector>
+#include <QWidget>
+
+#include "ui/forms/field_choice.h"
+
+class QGridLayout;
+class QLabel;
+
+namespace alidade::ui {
+
+/// One field of a form as the user sees it.
+struct FormField {
+  const char* name;              ///< in the session file
+  QString caption;               ///< with a mnemonic
+  QString unit;                  ///< shown behind the entry
+  QString placeholder;           ///< what an empty entry means
+  QString hint;                  ///< tool tip
+  QVector<Choice> choices = {};  ///< a list instead of a line
+};
+
+/// Labelled entries, one or two to a row.
+class FieldForm : public QWidget {
+  Q_OBJECT
+
+ public:
+  FieldForm(SessionDocument& document, const QVector<FormField>& fields, int columns,
+            QWidget* parent = nullptr);
+
+ private:
+  QWidget* addEntry(SessionDocument& document, const FormField& field);
+};
+
+/// The forms of the window, each for a part of the session.
+QWidget* createMeasurementForm(SessionDocument& document);
+QWidget* createInstrumentForm(SessionDocument& document);
+QWidget* createSessionForm(SessionDocument& document);
+
+}  // namespace alidade::ui

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <QPlainTextEdit>
+
+#include "core/base/place.h"
+
+namespace alidade::ui {
+
+class FieldBinding;
+class SessionDocument;
+
+/// Several lines of free text for one field, handed in when the focus leaves.
+class FieldNotes : public QPlainTextEdit {
+  Q_OBJECT
+
+ public:
+  FieldNotes(SessionDocument& document, const Place& place, QWidget* parent = nullptr);
+
+ protected:
+  bool event(QEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+
+ private:
+  void commit();
+  void refresh();
+
+  FieldBinding* m_binding;
+};
+
+}  // namespace alidade::ui

@@ -1,0 +1,115 @@
+#include <QCoreApplication>
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include "ui/forms/field_form.h"
+#include "ui/forms/field_notes.h"
+
+namespace alidade::ui {
+
+namespace {
+
+struct Forms {
+  Q_DECLARE_TR_FUNCTIONS(Forms)
+};
+
+QWidget* stacked(std::initializer_list<QWidget*> parts) {
+  auto* page = new QWidget;
+  auto* layout = new QVBoxLayout(page);
+  layout->setContentsMargins(8, 8, 8, 8);
+  layout->setSpacing(5);
+  for (QWidget* part : parts) layout->addWidget(part);
+  layout->addStretch();
+  return page;
+}
+
+}  // namespace
+
+QWidget* createMeasurementForm(SessionDocument& document) {
+  const QString mm = Forms::tr("mm");
+  const QVector<Choice> circles = {{QStringLiteral("zenith"), Forms::tr("Zenith")},
+                                   {QStringLiteral("elevation"), Forms::tr("Elevation")}};
+  const QVector<Choice> relations = {{QStringLiteral("exact"), Forms::tr("Exact")},
+                                     {QStringLiteral("planar"), Forms::tr("Planar")}};
+  return stacked({new FieldForm(
+      document,
+      {
+          {"geometry.distance_mm", Forms::tr("Distance &L"), mm, Forms::tr("required"),
+           Forms::tr("From the theodolite's centre to the plane of the arc")},
+          {"geometry.sigma_distance_mm", Forms::tr("σ of L"), mm, Forms::tr("0 (exact)"),
+           Forms::tr("Standard uncertainty of the distance; empty means exact")},
+          {"geometry.radius_mm", Forms::tr("Nominal &radius R0"), mm, Forms::tr("required"),
+           Forms::tr("Nominal radius of the arc; the fitted radius is free")},
+          {"acceptance.tolerance_mm", Forms::tr("&Tolerance |Δd|"), mm, Forms::tr("none"),
+           Forms::tr("Largest acceptable intersection; without it there is no verdict")},
+          {"geometry.vertical_circle",
+           Forms::tr("&Vertical circle"),
+           {},
+           {},
+           Forms::tr(
+               "What the vertical circle reads: zenith angles grow downwards, elevation angles upwards"),
+           circles},
+          {"acceptance.coverage",
+           Forms::tr("C&overage"),
+           {},
+           Forms::tr("0.95"),
+           Forms::tr("Coverage probability of the expanded uncertainty U, between 0 and 1")},
+          {"model.vertical_angle",
+           Forms::tr("Vertical relation"),
+           {},
+           {},
+           Forms::tr("Exact: tan e = y/√(x²+L²), what a theodolite reads. Planar: tan e = y/L, as in the "
+                     "published method"),
+           relations},
+          {"acceptance.reference_intersection_mm", Forms::tr("Reference Δd"), mm, Forms::tr("unknown"),
+           Forms::tr(
+               "What the device was set to, where known; shown beside the result, never part of a fit")},
+      },
+      2)});
+}
+
+QWidget* createInstrumentForm(SessionDocument& document) {
+  const QString seconds = Forms::tr("″");
+  return stacked({new FieldForm(
+      document,
+      {
+          {"instrument.name", Forms::tr("Instr&ument"), {}, Forms::tr("make and model"), {}},
+          {"instrument.serial", Forms::tr("Serial no."), {}, {}, {}},
+          {"instrument.sigma_horizontal_arcsec", Forms::tr("σ &horizontal circle"), seconds, Forms::tr("2"),
+           Forms::tr("Stated standard deviation of one horizontal reading")},
+          {"instrument.sigma_vertical_arcsec", Forms::tr("σ vertical circle"), seconds, Forms::tr("2"),
+           Forms::tr("Stated standard deviation of one vertical reading")},
+          {"instrument.sigma_zero_arcsec", Forms::tr("σ pointing &zero"), seconds,
+           Forms::tr("as the circles"), Forms::tr("Standard uncertainty of the pointing zeros α0 and β0")},
+          {"instrument.sigma_slider_arcsec", Forms::tr("σ slider"), seconds, Forms::tr("5"),
+           Forms::tr("Standard deviation of one slider reading")},
+          {"device.name", Forms::tr("&Device"), {}, Forms::tr("simulator measured"), {}},
+          {"device.serial", Forms::tr("Serial no."), {}, {}, {}},
+      },
+      2)});
+}
+
+QWidget* createSessionForm(SessionDocument& document) {
+  auto* form =
+      new FieldForm(document,
+                    {
+                        {"title", Forms::tr("T&itle"), {}, {}, {}},
+                        {"operator", Forms::tr("Operator"), {}, {}, {}},
+                        {"place", Forms::tr("&Place"), {}, {}, {}},
+                        {"measured_on",
+                         Forms::tr("D&ate"),
+                         {},
+                         Forms::tr("YYYY-MM-DD"),
+                         Forms::tr("Day of the measurement")},
+                        {"environment.temperature_c", Forms::tr("Te&mperature"), Forms::tr("°C"), {}, {}},
+                    },
+                    2);
+  auto* notes = new FieldNotes(document, {.field = "notes"});
+  notes->setObjectName(QStringLiteral("notes"));
+  notes->setAccessibleName(Forms::tr("Notes"));
+  notes->setPlaceholderText(Forms::tr("Notes"));
+  notes->setFixedHeight(notes->fontMetrics().lineSpacing() * 2 + 14);
+  return stacked({form, notes});
+}
+
+}  // namespace alidade::ui

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <QFutureWatcher>
+#include <QObject>
+#include <memory>
+#include <optional>
+
+#include "ui/jobs/evaluation.h"
+
+namespace alidade::ui {
+
+/// Evaluates copies of the session in the background. While one is at work, only the newest request is kept;
+/// an evaluation that a newer request has overtaken is not delivered.
+class FitJob : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit FitJob(QObject* parent = nullptr);
+  ~FitJob() override;
+
+  void request(const Session& session);
+  bool isIdle() const { return !m_running; }
+
+ signals:
+  void evaluated(const alidade::ui::Evaluation& evaluation);
+
+ private:
+  using Shared = std::shared_ptr<const Evaluation>;
+
+  void start(const Session& session);
+  void finish();
+
+  QFutureWatcher<Shared> m_watcher;
+  std::optional<Session> m_next;
+  bool m_running = false;
+};
+
+}  // namespace alidade::ui

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <QAbstractTableModel>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "ui/document/reading_column.h"
+#include "ui/jobs/evaluation.h"
+
+namespace alidade::ui {
+
+class SessionDocument;
+struct SessionChange;
+
+/// The readings of one position as a table, with one empty row more than there are readings: typing in it
+/// appends a reading. Cells show angles normalised and edit what was typed; every edit goes through the undo
+/// stack. Residuals and problems come from the newest evaluation and are never read back.
+class ReadingsModel : public QAbstractTableModel {
+  Q_OBJECT
+
+ public:
+  enum Role {
+    ProblemRole = Qt::UserRole + 1,  ///< QString: why the entry cannot be used
+    IncompleteRole,                  ///< bool: an entry still to be made
+    ExcludedRole,                    ///< bool: the row is kept out of the fit
+    PendingRowRole,                  ///< bool: the empty row at the end
+  };
+
+  ReadingsModel(SessionDocument& document, std::size_t position, QObject* parent = nullptr);
+
+  std::size_t position() const { return m_position; }
+  int readingCount() const;  ///< rows without the empty one at the end
+
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+  Qt::ItemFlags flags(const QModelIndex& index) const override;
+  bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+
+  void setEvaluation(const Evaluation& evaluation);
+
+  /// Says the column anything that is not understood without it? A round or face 1 does not.
+  bool isUsed(ReadingColumn column) const;
+
+ private:
+  /// What the newest evaluation says about a row.
+  struct RowNotes {
+    std::optional<SightingResidual> residual;
+    std::map<ReadingColumn, QString> problems;
+  };
+
+  const std::vector<Reading>& readings() const;
+  const Reading& reading(int row) const { return readings()[static_cast<std::size_t>(row)]; }
+  QString cellText(int row, ReadingColumn column) const;
+  QString problem(int row, ReadingColumn column) const;
+  bool isIncomplete(int row, ReadingColumn column) const;
+  QString toolTip(int row, ReadingColumn column) const;
+  QVariant pendingRowData(ReadingColumn column, int role) const;
+  QString columnTitle(ReadingColumn column) const;
+  QString columnToolTip(ReadingColumn column) const;
+  bool isMine(const SessionChange& change) const;
+  void beginChange(const SessionChange& change);
+  void endChange(const SessionChange& change);
+
+  SessionDocument& m_document;
+  std::size_t m_position;
+  std::vector<RowNotes> m_notes;
+};
+
+}  // namespace alidade::ui

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <QStringList>
+#include <QVector>
+#include <QWidget>
+
+class QGridLayout;
+class QLabel;
+
+namespace alidade::ui {
+
+/// A small grid of named figures: a caption at the left of each row, figures flush right under the column
+/// titles. The labels are kept from one set of rows to the next, so that a change of figures is no more than
+/// a change of texts.
+class FigureGrid : public QWidget {
+  Q_OBJECT
+
+ public:
+  struct Row {
+    QString caption;
+    QStringList figures;
+    QString toolTip = {};
+  };
+
+  explicit FigureGrid(QWidget* parent = nullptr);
+
+  void setRows(const QStringList& titles, const QVector<Row>& rows);
+
+ private:
+  QLabel* label(int row, int column);
+
+  QGridLayout* m_grid;
+};
+
+}  // namespace alidade::ui

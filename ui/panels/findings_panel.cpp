@@ -1,0 +1,85 @@
+#include "ui/panels/findings_panel.h"
+
+#include <QKeyEvent>
+
+#include "ui/document/field.h"
+#include "ui/document/reading_column.h"
+#include "ui/settings/theme.h"
+#include "ui/text/entry_text.h"
+
+namespace alidade::ui {
+
+namespace {
+
+/// An entry still to be made, as opposed to one that is wrong.
+bool isMissing(const Session& session, const Place& place) {
+  if (!place.position || !place.reading) return fieldNamed(place.field) && fieldText(session, place).empty();
+  const Reading& reading = session.positions.at(*place.position).readings.at(*place.reading);
+  const auto text = readingText(readingColumn(place.field));
+  return text && (reading.*text).empty();
+}
+
+}  // namespace
+
+QString placeText(const Session& session, const Place& place) {
+  QStringList parts;
+  if (place.position && *place.position < session.positions.size()) {
+    parts.append(FindingsPanel::tr("%1°").arg(qText(session.positions[*place.position].axisDeg)));
+  }
+  if (place.reading) parts.append(FindingsPanel::tr("row %1").arg(*place.reading + 1));
+  return parts.join(QStringLiteral(", "));
+}
+
+FindingsPanel::FindingsPanel(QWidget* parent) : QListWidget(parent) {
+  setAccessibleName(tr("Problems and findings"));
+  setWordWrap(true);
+  setTextElideMode(Qt::ElideNone);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setVerticalScrollMode(ScrollPerPixel);
+  setIconSize({16, 16});
+  setResizeMode(Adjust);
+  connect(this, &QListWidget::itemClicked, this, [this](QListWidgetItem* item) {
+    emit placeActivated(m_places[static_cast<std::size_t>(row(item))]);
+  });
+}
+
+void FindingsPanel::setEvaluation(const Evaluation& evaluation) {
+  clear();
+  m_places.clear();
+  const Session& session = evaluation.session;
+  for (const Problem& problem : evaluation.examined.problems) {
+    const bool missing = isMissing(session, problem.where);
+    const QString place = placeText(session, problem.where);
+    const QString text = qText(problem.what);
+    add(missing ? QStringLiteral("incomplete") : QStringLiteral("problem"),
+        missing ? tr("Missing") : tr("Problem"),
+        place.isEmpty() ? text : QStringLiteral("%1: %2").arg(place, text), problem.where);
+  }
+  for (const Finding& finding : evaluation.fit.findings) {
+    const QString icons[] = {QStringLiteral("note"), QStringLiteral("warning"), QStringLiteral("problem")};
+    const QString spoken[] = {tr("Note"), tr("Warning"), tr("Error")};
+    QString text = qText(finding.text);
+    if (!finding.remedy.empty()) text += QLatin1Char(' ') + qText(finding.remedy);
+    const auto severity = static_cast<std::size_t>(finding.severity);
+    add(icons[severity], spoken[severity], text, finding.where);
+  }
+  if (count() == 0) add(QStringLiteral("accept"), tr("Sound"), tr("No problems."), {});
+}
+
+void FindingsPanel::add(const QString& icon, const QString& spoken, const QString& text, const Place& place) {
+  auto* item = new QListWidgetItem(themeIcon(icon), text, this);
+  item->setToolTip(text);
+  item->setData(Qt::AccessibleTextRole, QStringLiteral("%1: %2").arg(spoken, text));
+  m_places.push_back(place);
+}
+
+void FindingsPanel::keyPressEvent(QKeyEvent* event) {
+  const bool isReturn = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+  if (isReturn && currentRow() >= 0) {
+    emit placeActivated(m_places[static_cast<std::size_t>(currentRow())]);
+  } else {
+    QListWidget::keyPressEvent(event);
+  }
+}
+
+}  // namespace alidade::ui

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <QListWidget>
+#include <vector>
+
+#include "ui/jobs/evaluation.h"
+
+namespace alidade::ui {
+
+/// Everything that stands against the session or its result: entries that cannot be used, and what the data
+/// say about themselves. A click or Enter leads to the place.
+class FindingsPanel : public QListWidget {
+  Q_OBJECT
+
+ public:
+  explicit FindingsPanel(QWidget* parent = nullptr);
+
+  void setEvaluation(const Evaluation& evaluation);
+
+ signals:
+  void placeActivated(const alidade::Place& place);
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  void add(const QString& icon, const QString& spoken, const QString& text, const Place& place);
+
+  std::vector<Place> m_places;
+};
+
+/// The place as the user knows it: "0°, row 4". Empty for the session as a whole.
+QString placeText(const Session& session, const Place& place);
+
+}  // namespace alidade::ui

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <QTabWidget>
+#include <map>
+#include <vector>
+
+#include "core/base/place.h"
+#include "ui/document/reading_column.h"
+#include "ui/jobs/evaluation.h"
+
+namespace alidade::ui {
+
+class ReadingsTable;
+class SessionDocument;
+
+/// A tab for each position of the axis: its pointing zero above its readings.
+class PositionTabs : public QTabWidget {
+  Q_OBJECT
+
+ public:
+  explicit PositionTabs(SessionDocument& document, QWidget* parent = nullptr);
+
+  ReadingsTable* table(std::size_t position) const;
+  ReadingsTable* currentTable() const;  ///< null where the session has no positions
+  void setEvaluation(const Evaluation& evaluation);
+  void setColumnShown(ReadingColumn column, bool shown);
+  void selectCell(std::size_t position, std::size_t row, ReadingColumn column);
+
+ signals:
+  void rowEntered(std::size_t position, std::size_t row);
+  void remark(const QString& text);
+  void tableCreated(alidade::ui::ReadingsTable* table);
+
+ private:
+  void rebuild();
+  QWidget* createPage(std::size_t position);
+  QWidget* createZeroEntries(std::size_t position);
+  void nameTabs();
+
+  SessionDocument& m_document;
+  std::vector<ReadingsTable*> m_tables;
+  std::map<ReadingColumn, bool> m_shown;
+};
+
+}  // namespace alidade::ui

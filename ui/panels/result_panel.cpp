@@ -1,0 +1,252 @@
+#include "ui/panels/result_panel.h"
+
+#include <QCheckBox>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include "ui/panels/figure_grid.h"
+#include "ui/settings/theme.h"
+#include "ui/text/entry_text.h"
+#include "ui/text/quantity_text.h"
+
+namespace alidade::ui {
+
+namespace {
+
+QLabel* wrappedLabel() {
+  auto* label = new QLabel;
+  label->setWordWrap(true);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  return label;
+}
+
+QLabel* heading(const QString& text) {
+  auto* label = new QLabel(text);
+  QFont font = label->font();
+  font.setBold(true);
+  label->setFont(font);
+  label->setContentsMargins(0, 8, 0, 0);
+  return label;
+}
+
+QString figureWithSigma(double value, double sigma) {
+  return valueWithUncertainty(value, sigma, {}).trimmed();
+}
+
+State stateOf(const std::optional<Verdict>& verdict) {
+  if (!verdict) return State::Quiet;
+  return *verdict == Verdict::Accept ? State::Good : *verdict == Verdict::Reject ? State::Bad : State::Open;
+}
+
+QString iconOf(const std::optional<Verdict>& verdict) {
+  return verdict ? qText(verdictName(*verdict)) : QStringLiteral("none");
+}
+
+}  // namespace
+
+ResultPanel::ResultPanel(QWidget* parent)
+    : QScrollArea(parent),
+      m_value(new QLabel),
+      m_valueNote(wrappedLabel()),
+      m_badgeIcon(new QLabel),
+      m_badge(new QLabel),
+      m_sentence(wrappedLabel()),
+      m_arcs(new FigureGrid),
+      m_budget(new FigureGrid),
+      m_compare(new QCheckBox(tr("&Compare with published method"))),
+      m_comparison(new QWidget),
+      m_published(new FigureGrid) {
+  setAccessibleName(tr("Result"));
+  setWidgetResizable(true);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  QFont large = font();
+  large.setPointSizeF(large.pointSizeF() * 1.75);
+  large.setBold(true);
+  m_value->setFont(large);
+  m_value->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  QFont badge = font();
+  badge.setPointSizeF(badge.pointSizeF() * 1.25);
+  badge.setBold(true);
+  m_badge->setFont(badge);
+
+  auto* content = new QWidget;
+  auto* layout = new QVBoxLayout(content);
+  layout->setContentsMargins(10, 8, 10, 8);
+  layout->setSpacing(5);
+  layout->addWidget(m_value);
+  layout->addWidget(m_valueNote);
+  auto* badgeRow = new QHBoxLayout;
+  badgeRow->addWidget(m_badgeIcon);
+  badgeRow->addWidget(m_badge, 1);
+  layout->addLayout(badgeRow);
+  layout->addWidget(m_sentence);
+  layout->addWidget(heading(tr("Arcs")));
+  layout->addWidget(m_arcs);
+  layout->addWidget(heading(tr("Standard uncertainty of Δd  mm")));
+  layout->addWidget(m_budget);
+  layout->addSpacing(8);
+  layout->addWidget(m_compare);
+  auto* comparison = new QVBoxLayout(m_comparison);
+  comparison->setContentsMargins(0, 0, 0, 0);
+  auto* caution = wrappedLabel();
+  caution->setText(
+      tr("As printed: y points down for zenith angles, ΔR is the last increment, θ are no tilts. "
+         "The method takes tan e = y/L, which no theodolite reads; do not accept by it."));
+  caution->setForegroundRole(QPalette::PlaceholderText);
+  comparison->addWidget(m_published);
+  comparison->addWidget(caution);
+  layout->addWidget(m_comparison);
+  layout->addStretch();
+  setWidget(content);
+  m_comparison->hide();
+  connect(m_compare, &QCheckBox::toggled, m_comparison, &QWidget::setVisible);
+  setEvaluation({});
+}
+
+void ResultPanel::setComparisonShown(bool shown) {
+  m_compare->setChecked(shown);
+}
+
+void ResultPanel::setEvaluation(const Evaluation& evaluation) {
+  m_evaluation = evaluation;
+  showHeadline();
+  showVerdict();
+  showArcs();
+  showBudget();
+  showComparison();
+}
+
+void ResultPanel::showHeadline() {
+  const auto& intersection = m_evaluation.fit.intersection;
+  if (!intersection) {
+    m_value->setText(QStringLiteral("Δd = —"));
+    m_valueNote->setText(
+        tr("Type the distance L, the nominal radius R0, the pointing zeros and at least three "
+           "readings of the arc at 0° and at 180°."));
+    return;
+  }
+  m_value->setText(QStringLiteral("Δd = %1").arg(
+      valueWithUncertainty(intersection->value, intersection->expanded, tr("mm"))));
+  m_value->setToolTip(tr("Δd = %1 mm, U = %2 mm")
+                          .arg(numberText(intersection->value, 6), numberText(intersection->expanded, 6)));
+  QString note =
+      tr("U at %1 % coverage (k = %2); σ = %3")
+          .arg(plainNumberText(intersection->coverage * 100), numberText(intersection->coverageFactor, 2),
+               lengthText(intersection->sigma, decimalsFor(intersection->sigma)));
+  const auto& measurement = m_evaluation.examined.measurement;
+  if (measurement && measurement->referenceIntersection) {
+    note += tr("\nReference %1, difference %2")
+                .arg(lengthText(*measurement->referenceIntersection, 3),
+                     lengthText(intersection->value - *measurement->referenceIntersection, 3));
+  }
+  m_valueNote->setText(note);
+}
+
+void ResultPanel::showVerdict() {
+  const SessionFit& fit = m_evaluation.fit;
+  const auto& measurement = m_evaluation.examined.measurement;
+  const bool decided = fit.verdict && fit.intersection && measurement && measurement->tolerance;
+  if (decided) {
+    const QString words[] = {tr("ACCEPT"), tr("REJECT"), tr("UNDECIDED")};
+    m_badge->setText(words[static_cast<int>(*fit.verdict)]);
+    m_sentence->setText(qText(verdictSentence(fit.intersection->value, fit.intersection->expanded,
+                                              *measurement->tolerance, fit.intersection->coverage)));
+  } else {
+    const bool noTolerance = fit.intersection && measurement && !measurement->tolerance;
+    m_badge->setText(noTolerance ? tr("No tolerance set") : tr("No result"));
+    m_sentence->setText(noTolerance ? tr("Type a tolerance for a verdict.") : QString());
+  }
+  m_sentence->setVisible(!m_sentence->text().isEmpty());
+  m_badgeIcon->setPixmap(themeIcon(iconOf(fit.verdict)).pixmap(24, 24));
+  colorVerdict();
+}
+
+void ResultPanel::colorVerdict() {
+  QPalette colored = palette();
+  colored.setColor(QPalette::WindowText, stateColor(palette(), stateOf(m_evaluation.fit.verdict)));
+  m_badge->setPalette(colored);
+}
+
+void ResultPanel::showArcs() {
+  const SessionFit& fit = m_evaluation.fit;
+  const ArcFit* arcs[] = {fit.arcAt(0), fit.arcAt(180)};
+  const auto figures = [&](auto&& figure) {
+    QStringList texts;
+    for (const ArcFit* arc : arcs) {
+      const auto i = static_cast<std::size_t>(arc ? arc - fit.arcs.data() : 0);
+      texts.append(arc ? figure(*arc, i < fit.sigmas.size() ? fit.sigmas[i] : ArcSigma{}) : notStated());
+    }
+    return texts;
+  };
+  const QVector<FigureGrid::Row> rows = {
+      {tr("Δx  mm"),
+       figures([](const ArcFit& a, const ArcSigma& s) { return figureWithSigma(a.circle.x, s.x); }),
+       tr("Centre of the arc, right positive, with its standard uncertainty")},
+      {tr("Δy  mm"),
+       figures([](const ArcFit& a, const ArcSigma& s) { return figureWithSigma(a.circle.y, s.y); }),
+       tr("Centre of the arc, up positive, with its standard uncertainty")},
+      {tr("R  mm"),
+       figures([](const ArcFit& a, const ArcSigma& s) { return figureWithSigma(a.circle.radius, s.radius); }),
+       tr("Fitted radius with its standard uncertainty")},
+      {tr("Residual rms  ″"),
+       figures([](const ArcFit& a, const ArcSigma&) { return numberText(a.residualRms, 2); }),
+       tr("Root mean square of the residuals of all readings of the arc")},
+      {tr("Reduced χ²"), figures([](const ArcFit& a, const ArcSigma&) {
+         return a.degreesOfFreedom > 0 ? numberText(a.reducedChiSquare(), 2) : notStated();
+       }),
+       tr("About 1 where the readings scatter as stated")},
+      {tr("Sightings used"),
+       figures([](const ArcFit& a, const ArcSigma&) { return QString::number(a.residuals.size()); }),
+       {}},
+      {tr("Redundancy"),
+       figures([](const ArcFit& a, const ArcSigma&) { return QString::number(a.degreesOfFreedom); }),
+       {}},
+  };
+  m_arcs->setRows({tr("0°"), tr("180°")}, rows);
+}
+
+void ResultPanel::showBudget() {
+  QVector<FigureGrid::Row> rows;
+  if (const auto& intersection = m_evaluation.fit.intersection) {
+    for (const BudgetEntry& entry : intersection->budget) {
+      rows.append({qText(entry.source), {numberText(entry.sigma, 4)}});
+    }
+    rows.append({tr("combined"), {numberText(intersection->sigma, 4)}});
+    rows.append({tr("|O1 − O2|/2  mm"),
+                 {numberText(intersection->inPlane, 4)},
+                 tr("Half the distance of the centres, across and along the axis")});
+  }
+  m_budget->setRows({QString()}, rows);
+}
+
+void ResultPanel::showComparison() {
+  const PublishedSessionFit& published = m_evaluation.published;
+  const PublishedFit* arcs[] = {nullptr, nullptr};
+  for (const PublishedFit& arc : published.arcs) arcs[arc.arc.axisDeg == 180 ? 1 : 0] = &arc;
+  const auto figures = [&](double AsPrinted::*figure, int decimals) {
+    QStringList texts;
+    for (const PublishedFit* arc : arcs) {
+      texts.append(arc ? numberText(arc->asPrinted.*figure, decimals) : notStated());
+    }
+    return texts;
+  };
+  const QString printed =
+      published.intersectionAsPrinted ? numberText(*published.intersectionAsPrinted, 3) : notStated();
+  const QString yUp = published.intersection ? numberText(*published.intersection, 3) : notStated();
+  m_published->setRows({tr("0°"), tr("180°")}, {{tr("Δx  mm"), figures(&AsPrinted::x, 4)},
+                                                {tr("Δy  mm"), figures(&AsPrinted::y, 4)},
+                                                {tr("ΔR  mm"), figures(&AsPrinted::deltaRadius, 4)},
+                                                {tr("Δθx  rad"), figures(&AsPrinted::thetaX, 5)},
+                                                {tr("Δθy  rad"), figures(&AsPrinted::thetaY, 5)},
+                                                {tr("Δd as printed  mm"), {{}, printed}},
+                                                {tr("Δd with y up  mm"), {{}, yUp}}});
+}
+
+void ResultPanel::changeEvent(QEvent* event) {
+  QScrollArea::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) colorVerdict();
+}
+
+}  // namespace alidade::ui

@@ -1,0 +1,114 @@
+#include "ui/settings/theme.h"
+
+#include <QApplication>
+#include <QFont>
+#include <QSettings>
+#include <QStyleFactory>
+#include <QToolTip>
+
+void initializeAlidadeResources() {
+  Q_INIT_RESOURCE(alidade);
+}
+
+namespace alidade::ui {
+
+namespace {
+
+const QString themeKey = QStringLiteral("theme");
+
+QPalette& desktopPalette() {
+  static QPalette palette;
+  return palette;
+}
+
+QPalette paletteOf(const char* window, const char* base, const char* alternate, const char* button,
+                   const char* text, const char* dim, const char* highlight, const char* highlightedText,
+                   const char* link) {
+  const auto color = [](const char* name) { return QColor(QString::fromLatin1(name)); };
+  QPalette palette(color(button), color(window));
+  palette.setColor(QPalette::Base, color(base));
+  palette.setColor(QPalette::AlternateBase, color(alternate));
+  palette.setColor(QPalette::ToolTipBase, color(base));
+  for (const auto role :
+       {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::ToolTipText}) {
+    palette.setColor(role, color(text));
+    palette.setColor(QPalette::Disabled, role, color(dim));
+  }
+  palette.setColor(QPalette::BrightText, Qt::white);
+  palette.setColor(QPalette::PlaceholderText, color(dim));
+  palette.setColor(QPalette::Highlight, color(highlight));
+  palette.setColor(QPalette::HighlightedText, color(highlightedText));
+  palette.setColor(QPalette::Disabled, QPalette::Highlight, color(dim));
+  palette.setColor(QPalette::Link, color(link));
+  return palette;
+}
+
+QPalette lightPalette() {
+  return paletteOf("#f0f1f3", "#ffffff", "#f6f7f9", "#e9ebee", "#1d2329", "#6b7480", "#2f6db3", "#ffffff",
+                   "#1f5fa8");
+}
+
+QPalette darkPalette() {
+  return paletteOf("#24282d", "#1b1e22", "#20242a", "#30353c", "#e4e7eb", "#98a1ac", "#3a76b8", "#ffffff",
+                   "#7fb2ec");
+}
+
+}  // namespace
+
+void setUpApplication(QApplication& application) {
+  initializeAlidadeResources();
+  QApplication::setOrganizationName(QStringLiteral("Alidade"));
+  QApplication::setApplicationName(QStringLiteral("alidade"));
+  QApplication::setApplicationDisplayName(QStringLiteral("Alidade"));
+  QApplication::setApplicationVersion(QStringLiteral(ALIDADE_VERSION));
+  QApplication::setWindowIcon(themeIcon(QStringLiteral("alidade")));
+  desktopPalette() = application.palette();
+  QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  QFont font(QStringLiteral("DejaVu Sans"));
+  font.setPointSizeF(9.5);
+  QApplication::setFont(font);
+}
+
+void applyTheme(Theme theme) {
+  const bool dark = theme == Theme::Dark || (theme == Theme::System && isDark(desktopPalette()));
+  const QPalette palette = dark ? darkPalette() : lightPalette();
+  QApplication::setPalette(palette);
+  QToolTip::setPalette(palette);
+  QSettings().setValue(themeKey, static_cast<int>(theme));
+}
+
+Theme rememberedTheme() {
+  const int stored = QSettings().value(themeKey, 0).toInt();
+  return stored == 1 ? Theme::Light : stored == 2 ? Theme::Dark : Theme::System;
+}
+
+bool isDark(const QPalette& palette) {
+  return palette.color(QPalette::Window).lightness() < 128;
+}
+
+QColor stateColor(const QPalette& palette, State state) {
+  const bool dark = isDark(palette);
+  switch (state) {
+    case State::Good:
+      return dark ? QColor(0x6f, 0xcf, 0x8b) : QColor(0x1b, 0x74, 0x3a);
+    case State::Bad:
+      return dark ? QColor(0xff, 0x8a, 0x80) : QColor(0xb8, 0x26, 0x1c);
+    case State::Open:
+      return dark ? QColor(0xf0, 0xb8, 0x5a) : QColor(0x8a, 0x5a, 0x00);
+    case State::Quiet:
+      break;
+  }
+  return palette.color(QPalette::PlaceholderText);
+}
+
+QColor stateTint(const QPalette& palette, State state) {
+  const QColor base = palette.color(QPalette::Base), color = stateColor(palette, state);
+  const auto mix = [](int a, int b) { return (a * 21 + b * 4) / 25; };
+  return {mix(base.red(), color.red()), mix(base.green(), color.green()), mix(base.blue(), color.blue())};
+}
+
+QIcon themeIcon(const QString& name) {
+  return QIcon(QStringLiteral(":/icons/%1.svg").arg(name));
+}
+
+}  // namespace alidade::ui
