@@ -111,7 +111,8 @@ class DocumentBuilder : public Json::json_sax_t {
     Place place;
     for (const Level& level : m_levels) {
       const bool inArray = level.value->is_array();
-      const std::size_t index = inArray ? level.value->size() : 0;
+      const bool innermost = &level == &m_levels.back();
+      const std::size_t index = inArray ? level.value->size() - (innermost ? 0 : 1) : 0;
       if (inArray && !place.position && place.field == "positions") {
         place = {.position = index};
       } else if (inArray && place.position && !place.reading && place.field == "readings") {

@@ -1,5 +1,7 @@
 #include "core/session/session_reader.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -12,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kVersion = 1;
+constexpr std::uint64_t kVersion = 1;
 
 std::string typeOf(const Json& value) {
   switch (value.type()) {
@@ -139,7 +141,7 @@ void checkVersion(const ObjectReader& reader) {
   if (!version.is_number_integer()) {
     reader.report("must be the whole number " + known + ", not " + typeOf(version),
                   reader.placeOf("version"));
-  } else if (version > kVersion) {
+  } else if (version.is_number_unsigned() && version.get<std::uint64_t>() > kVersion) {
     reader.report(
         version.dump() + " is newer than this program reads (" + known + "): open it with a newer Alidade",
         reader.placeOf("version"));

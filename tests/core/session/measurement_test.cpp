@@ -1,0 +1,355 @@
+#include "core/session/measurement.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+#include "core/session/session_file.h"
+
+namespace alidade {
+namespace {
+
+using testing::HasSubstr;
+
+Reading row(const char* point, const char* horizontal, const char* vertical, const char* face = "") {
+  Reading reading;
+  reading.point = point;
+  reading.horizontal = horizontal;
+  reading.vertical = vertical;
+  reading.face = face;
+  return reading;
+}
+
+Session soundSession() {
+  Session session = blankSession();
+  session.geometry.distanceMm = "2405";
+  session.geometry.radiusMm = "400";
+  for (Position& position : session.positions) {
+    position.zero = {.horizontal = "332°32'54\"", .vertical = "89°59'57\"", .origin = {}};
+    position.readings = {row("1", "341°52'24\"", "88°16'49\""), row("2", "332°27'38\"", "80°29'30\""),
+                         row("3", "323°10'29\"", "88°25'21\"")};
+  }
+  return session;
+}
+
+/// The only problem of a session.
+Problem soleProblem(const Session& session) {
+  const Examined examined = examine(session);
+  if (examined.problems.size() == 1) return examined.problems[0];
+  std::string all;
+  for (const Problem& problem : examined.problems) all += problem.text() + "\n";
+  return {"not one problem but " + std::to_string(examined.problems.size()) + ":\n" + all};
+}
+
+const Sighting& firstSighting(const Examined& examined) {
+  return examined.measurement->arcs.at(0).sightings.at(0);
+}
+
+TEST(Measurement, OfASoundSessionHasEveryValue) {
+  Session session = soundSession();
+  session.instrument.sigmaHorizontalArcsec = "1,5";
+  session.instrument.sigmaVerticalArcsec = "3";
+  session.geometry.sigmaDistanceMm = "1.0";
+  session.acceptance.toleranceMm = "2.5";
+  session.acceptance.coverage = "0.99";
+  session.acceptance.referenceIntersectionMm = "-2";
+  session.positions[1].readings[2].slider = "-170 00 00";
+  const Examined examined = examine(session);
+  ASSERT_TRUE(examined.problems.empty()) << examined.problems[0].text();
+  const Measurement& m = *examined.measurement;
+  EXPECT_EQ(m.distance, 2405);
+  EXPECT_EQ(m.sigmaDistance, 1);
+  EXPECT_EQ(m.nominalRadius, 400);
+  EXPECT_DOUBLE_EQ(m.sigmaHorizontal.arcseconds(), 1.5);
+  EXPECT_DOUBLE_EQ(m.sigmaVertical.arcseconds(), 3);
+  EXPECT_DOUBLE_EQ(m.sigmaZeroHorizontal.arcseconds(), 2);
+  EXPECT_DOUBLE_EQ(m.sigmaZeroVertical.arcseconds(), 2);
+  EXPECT_DOUBLE_EQ(m.sigmaSlider.arcseconds(), 5);
+  EXPECT_EQ(m.tolerance, 2.5);
+  EXPECT_EQ(m.coverage, 0.99);
+  EXPECT_EQ(m.referenceIntersection, -2);
+  ASSERT_EQ(m.arcs.size(), 2u);
+  EXPECT_EQ(m.arcs[1].axisDeg, 180);
+  ASSERT_EQ(m.arcs[1].sightings.size(), 3u);
+  EXPECT_EQ(m.arcs[1].sightings[2].point, 3);
+  EXPECT_DOUBLE_EQ(m.arcs[1].sightings[2].slider->degrees(), -170);
+  EXPECT_FALSE(m.arcs[0].sightings[0].slider);
+}
+
+TEST(Measurement, DefaultsAreThoseOfTheFormat) {
+  Session session = soundSession();
+  session.instrument = {};
+  session.acceptance = {};
+  session.model = {};
+  session.geometry.verticalCircle = "";
+  const Measurement m = *examine(session).measurement;
+  EXPECT_DOUBLE_EQ(m.sigmaHorizontal.arcseconds(), 2);
+  EXPECT_DOUBLE_EQ(m.sigmaVertical.arcseconds(), 2);
+  EXPECT_DOUBLE_EQ(m.sigmaSlider.arcseconds(), 5);
+  EXPECT_EQ(m.sigmaDistance, 0);
+  EXPECT_EQ(m.coverage, 0.95);
+  EXPECT_FALSE(m.tolerance);
+  EXPECT_FALSE(m.referenceIntersection);
+  EXPECT_EQ(m.verticalCircle, VerticalCircle::Zenith);
+  EXPECT_EQ(m.relation, VerticalAngleRelation::Exact);
+}
+
+TEST(Measurement, SigmaOfTheZeroIsByDefaultThatOfEachCircle) {
+  Session session = soundSession();
+  session.instrument.sigmaHorizontalArcsec = "1";
+  session.instrument.sigmaVerticalArcsec = "3";
+  session.instrument.sigmaZeroArcsec = "";
+  EXPECT_DOUBLE_EQ(examine(session).measurement->sigmaZeroHorizontal.arcseconds(), 1);
+  EXPECT_DOUBLE_EQ(examine(session).measurement->sigmaZeroVertical.arcseconds(), 3);
+  session.instrument.sigmaZeroArcsec = "0";
+  EXPECT_EQ(examine(session).measurement->sigmaZeroHorizontal.radians(), 0);
+  EXPECT_EQ(examine(session).measurement->sigmaZeroVertical.radians(), 0);
+}
+
+struct Reduction {
+  const char* circle;
+  const char *zeroHorizontal, *zeroVertical;
+  const char *horizontal, *vertical, *face;
+  double a, e;  ///< degrees
+};
+
+class Reduced : public testing::TestWithParam<Reduction> {};
+
+TEST_P(Reduced, IsRightAndUpPositive) {
+  const Reduction& given = GetParam();
+  Session session = soundSession();
+  session.geometry.verticalCircle = given.circle;
+  session.positions.resize(1);
+  session.positions[0].zero = {
+      .horizontal = given.zeroHorizontal, .vertical = given.zeroVertical, .origin = {}};
+  session.positions[0].readings = {row("1", given.horizontal, given.vertical, given.face)};
+  const Examined examined = examine(session);
+  ASSERT_TRUE(examined.problems.empty()) << examined.problems[0].text();
+  EXPECT_NEAR(firstSighting(examined).a.degrees(), given.a, 1e-12);
+  EXPECT_NEAR(firstSighting(examined).e.degrees(), given.e, 1e-12);
+}
+
+INSTANTIATE_TEST_SUITE_P(Zenith, Reduced,
+                         testing::Values(Reduction{"zenith", "10°", "90°", "15°", "88°", "1", 5, 2},
+                                         Reduction{"zenith", "10°", "90°", "5°", "93°", "1", -5, -3},
+                                         Reduction{"zenith", "2°", "90°", "357°", "88°", "1", -5, 2},
+                                         Reduction{"zenith", "357°", "89°30'", "2°", "90°", "1", 5, -0.5},
+                                         Reduction{"zenith", "10°", "90°", "195°", "272°", "2", 5, 2},
+                                         Reduction{"zenith", "355°", "90°", "180°", "267°", "2", 5, -3},
+                                         Reduction{"zenith", "10°", "91°", "195°", "271°", "2", 5, 2}));
+
+INSTANTIATE_TEST_SUITE_P(Elevation, Reduced,
+                         testing::Values(Reduction{"elevation", "10°", "0°", "15°", "2°", "1", 5, 2},
+                                         Reduction{"elevation", "10°", "0°", "15°", "358°", "1", 5, -2},
+                                         Reduction{"elevation", "10°", "359°59'", "15°", "-2°", "1", 5,
+                                                   -2 + 1. / 60},
+                                         Reduction{"elevation", "10°", "0°", "195°", "178°", "2", 5, 2},
+                                         Reduction{"elevation", "10°", "1°", "195°", "182°", "2", 5, -3}));
+
+TEST(Measurement, BothFacesOfOnePlaceReduceToTheSameDirection) {
+  const auto session = loadSession(ALIDADE_REFERENCE_DIR "/trials/505499.alidade");
+  ASSERT_TRUE(session) << session.problem().text();
+  const Examined examined = examine(*session);
+  ASSERT_TRUE(examined.problems.empty()) << examined.problems[0].text();
+  int pairs = 0;
+  for (const ArcMeasurement& arc : examined.measurement->arcs) {
+    for (const Sighting& one : arc.sightings) {
+      for (const Sighting& two : arc.sightings) {
+        if (one.face != 1 || two.face != 2 || one.point != two.point || one.round != two.round) continue;
+        ++pairs;
+        const double sixSigma =
+            6 * std::sqrt(2.0) * 2;  // arcseconds; a clean session with σ = 2″ in both faces
+        EXPECT_NEAR(one.a.arcseconds(), two.a.arcseconds(), sixSigma);
+        EXPECT_NEAR(one.e.arcseconds(), two.e.arcseconds(), sixSigma);
+      }
+    }
+  }
+  EXPECT_EQ(pairs, 68);
+}
+
+TEST(Measurement, LeavesOutRowsWithAnUnusableEntryAndNamesThem) {
+  Session session = soundSession();
+  session.positions[1].readings[1].vertical = "88°71'49\"";
+  const Examined examined = examine(session);
+  ASSERT_EQ(examined.problems.size(), 1u);
+  EXPECT_EQ(examined.problems[0].text(),
+            "positions[1].readings[1].vertical: “88°71'49\"” has 71 minutes: minutes go from 0 to 59");
+  ASSERT_EQ(examined.measurement->arcs[1].sightings.size(), 2u);
+  EXPECT_EQ(examined.measurement->arcs[1].sightings[1].row, 2u);
+}
+
+TEST(Measurement, NamesReadingsOutsideTheirCircle) {
+  Session session = soundSession();
+  session.positions[0].readings[0].horizontal = "361°";
+  EXPECT_EQ(soleProblem(session).what, "“361°” lies outside 0°…360°: check the degrees");
+  session.positions[0].readings[0].horizontal = "360";
+  EXPECT_THAT(soleProblem(session).what, HasSubstr("lies outside"));
+  session = soundSession();
+  session.positions[0].readings[0].vertical = "-1°";
+  EXPECT_THAT(soleProblem(session).what, HasSubstr("lies outside 0°…360°"));
+  session = soundSession();
+  session.positions[0].readings[0].slider = "-361°";
+  EXPECT_THAT(soleProblem(session).what, HasSubstr("lies outside −360°…360°"));
+}
+
+TEST(Measurement, NamesReadingsFarFromThePointingZero) {
+  Session session = soundSession();
+  session.positions[0].readings[0].horizontal = "161°52'24\"";
+  EXPECT_THAT(
+      soleProblem(session).text(),
+      HasSubstr("positions[0].readings[0].horizontal: “161°52'24\"” lies 171° from the pointing zero"));
+  session = soundSession();
+  session.positions[0].readings[1].face = "2";
+  const Examined examined = examine(session);
+  ASSERT_EQ(examined.problems.size(), 2u) << "face 1 readings marked as face 2 are off in both circles";
+  EXPECT_THAT(examined.problems[0].what, HasSubstr("check the degrees and the face"));
+}
+
+TEST(Measurement, LeavesOutAPositionWithoutUsableZero) {
+  Session session = soundSession();
+  session.positions[0].zero.vertical = "";
+  const Examined examined = examine(session);
+  ASSERT_EQ(examined.problems.size(), 1u);
+  EXPECT_THAT(examined.problems[0].text(),
+              HasSubstr("positions[0].pointing_zero.vertical: is empty: type an angle"));
+  ASSERT_EQ(examined.measurement->arcs.size(), 1u);
+  EXPECT_EQ(examined.measurement->arcs[0].position, 1u);
+}
+
+TEST(Measurement, KeepsTheFirstOfTwoPositionsWithOneAxis) {
+  Session session = soundSession();
+  session.positions[1].axisDeg = "0";
+  EXPECT_THAT(soleProblem(session).text(),
+              HasSubstr("positions[1].axis_deg: 0° is already the axis of position 1: change one"));
+  ASSERT_EQ(examine(session).measurement->arcs.size(), 1u);
+  EXPECT_EQ(examine(session).measurement->arcs[0].position, 0u);
+  session.positions[1].axisDeg = "90";
+  EXPECT_THAT(soleProblem(session).what, HasSubstr("“90” is no position of the axis: type 0 or 180"));
+}
+
+TEST(Measurement, KeepsTheFirstOfTwoRowsWithOnePointRoundAndFace) {
+  Session session = soundSession();
+  session.positions[0].readings[2].point = "1";
+  EXPECT_EQ(soleProblem(session).text(),
+            "positions[0].readings[2].point: point 1, round 1, face 1 is already in row 1: give it another "
+            "point or "
+            "round, or exclude one");
+  EXPECT_EQ(examine(session).measurement->arcs[0].sightings.size(), 2u);
+  session.positions[0].readings[2].round = "2";
+  EXPECT_TRUE(examine(session).problems.empty());
+  session.positions[0].readings[2].round = "";
+  session.positions[0].readings[0].excluded = true;
+  EXPECT_TRUE(examine(session).problems.empty());
+}
+
+TEST(Measurement, TakesTheRowNumberWhereThePointIsLeftOut) {
+  Session session = soundSession();
+  for (Reading& reading : session.positions[0].readings) reading.point = "";
+  const Examined examined = examine(session);
+  ASSERT_TRUE(examined.problems.empty()) << examined.problems[0].text();
+  EXPECT_EQ(examined.measurement->arcs[0].sightings[0].point, 1);
+  EXPECT_EQ(examined.measurement->arcs[0].sightings[2].point, 3);
+}
+
+TEST(Measurement, DoesNotExamineExcludedRows) {
+  Session session = soundSession();
+  session.positions[0].readings[1].vertical = "lost";
+  session.positions[0].readings[1].excluded = true;
+  const Examined examined = examine(session);
+  EXPECT_TRUE(examined.problems.empty());
+  EXPECT_EQ(examined.measurement->arcs[0].sightings.size(), 2u);
+}
+
+TEST(Measurement, NamesIncompleteRows) {
+  Session session = soundSession();
+  session.positions[0].readings.push_back({});
+  EXPECT_THAT(soleProblem(session).text(),
+              HasSubstr("positions[0].readings[3].horizontal: is empty, as is the whole row"));
+  session.positions[0].readings[3].horizontal = "332°";
+  EXPECT_THAT(soleProblem(session).text(), HasSubstr("positions[0].readings[3].vertical: is empty"));
+}
+
+TEST(Measurement, IsAbsentWithoutDistanceRadiusSigmaOrModel) {
+  const auto broken = [](auto change) {
+    Session session = soundSession();
+    change(session);
+    const Examined examined = examine(session);
+    return !examined.measurement && examined.problems.size() == 1;
+  };
+  EXPECT_TRUE(broken([](Session& s) { s.geometry.distanceMm = ""; }));
+  EXPECT_TRUE(broken([](Session& s) { s.geometry.distanceMm = "0"; }));
+  EXPECT_TRUE(broken([](Session& s) { s.geometry.radiusMm = "-400"; }));
+  EXPECT_TRUE(broken([](Session& s) { s.geometry.sigmaDistanceMm = "-1"; }));
+  EXPECT_TRUE(broken([](Session& s) { s.instrument.sigmaHorizontalArcsec = "0"; }));
+  EXPECT_TRUE(broken([](Session& s) { s.instrument.sigmaVerticalArcsec = "3600"; }));
+  EXPECT_TRUE(broken([](Session& s) { s.instrument.sigmaZeroArcsec = "-1"; }));
+  EXPECT_TRUE(broken([](Session& s) { s.instrument.sigmaSliderArcsec = "x"; }));
+  EXPECT_TRUE(broken([](Session& s) { s.geometry.verticalCircle = "nadir"; }));
+  EXPECT_TRUE(broken([](Session& s) { s.model.verticalAngle = "round"; }));
+}
+
+TEST(Measurement, StandsWithoutVerdictWhereToleranceOrCoverageIsUnusable) {
+  Session session = soundSession();
+  session.acceptance.toleranceMm = "0";
+  EXPECT_THAT(soleProblem(session).text(), HasSubstr("acceptance.tolerance_mm: “0” is out of range"));
+  EXPECT_FALSE(examine(session).measurement->tolerance);
+  session.acceptance.toleranceMm = "1";
+  session.acceptance.coverage = "95";
+  EXPECT_THAT(soleProblem(session).what, HasSubstr("it must be between 0 and 1, such as 0.95"));
+  EXPECT_FALSE(examine(session).measurement->tolerance);
+}
+
+TEST(Measurement, ReportsProblemsInTheOrderOfTheFile) {
+  Session session = soundSession();
+  session.measuredOn = "yesterday";
+  session.instrument.sigmaHorizontalArcsec = "x";
+  session.environment.temperatureC = "warm";
+  session.geometry.radiusMm = "x";
+  session.acceptance.coverage = "2";
+  session.model.verticalAngle = "x";
+  session.positions[0].zero.horizontal = "x";
+  session.positions[0].readings[0].face = "3";
+  session.positions[1].axisDeg = "";
+  std::vector<std::string> places;
+  for (const Problem& problem : examine(session).problems) places.push_back(problem.where.path());
+  EXPECT_THAT(places,
+              testing::ElementsAre("measured_on", "instrument.sigma_horizontal_arcsec",
+                                   "environment.temperature_c", "geometry.radius_mm", "acceptance.coverage",
+                                   "model.vertical_angle", "positions[0].pointing_zero.horizontal",
+                                   "positions[0].readings[0].face", "positions[1].axis_deg"));
+}
+
+TEST(Measurement, NoticesEffectsThatTheFitsDoNotEstimate) {
+  std::string text = writeSession(soundSession());
+  EXPECT_FALSE(examine(*readSession(text)).measurement->hasUnestimatedEffects);
+  const std::string relation = "\"vertical_angle\": \"exact\"";
+  text.replace(text.find(relation), relation.size(), relation + ", \"effects\": [\"trunnion_tilt\"]");
+  EXPECT_TRUE(examine(*readSession(text)).measurement->hasUnestimatedEffects);
+}
+
+TEST(Measurement, EverySampleAndReferenceSessionIsSound) {
+  for (const char* file :
+       {ALIDADE_SAMPLES_DIR "/paper-table-1.alidade", ALIDADE_SAMPLES_DIR "/clean-session.alidade",
+        ALIDADE_REFERENCE_DIR "/trials/566796.alidade", ALIDADE_REFERENCE_DIR "/trials/827247.alidade"}) {
+    const auto session = loadSession(file);
+    ASSERT_TRUE(session) << session.problem().text();
+    const Examined examined = examine(*session);
+    EXPECT_TRUE(examined.problems.empty()) << examined.problems[0].text();
+    EXPECT_EQ(examined.measurement->arcs.size(), 2u);
+  }
+}
+
+TEST(Measurement, OfManyRowsTakesTimeInProportion) {
+  Session session = soundSession();
+  for (int i = 4; i < 100000; ++i) {
+    session.positions[0].readings.push_back(row(std::to_string(i).c_str(), "332°27'38\"", "80°29'30\""));
+  }
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_TRUE(examine(session).problems.empty());
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  EXPECT_LT(elapsed.count(), 30) << "a fraction of a second in a release build; minutes if it were quadratic";
+}
+
+}  // namespace
+}  // namespace alidade
