@@ -1,0 +1,28 @@
+#pragma once
+
+#include <QColor>
+#include <QPainterPath>
+
+class QPainter;
+
+namespace alidade::ui {
+
+enum class MarkerShape { Circle, Diamond, Cross, Plus };
+
+/// How a kind of point is drawn. Filled and hollow markers and the shapes stay apart in grey.
+struct Marker {
+  MarkerShape shape = MarkerShape::Circle;
+  QColor colour;  ///< of the outline, and of the inside where `filled`
+  QColor inside;  ///< of a hollow marker; the plot's background
+  bool filled = true;
+  double size = 7;  ///< across, in scene units
+
+  bool operator==(const Marker&) const = default;
+};
+
+/// The marker's outline around the origin.
+QPainterPath markerPath(MarkerShape shape, double size);
+
+void drawMarker(QPainter* painter, const Marker& marker, const QPointF& at);
+
+}  // namespace alidade::ui
