@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "ui/charts/round_numbers.h"
@@ -10,9 +9,8 @@
 namespace alidade::ui {
 namespace {
 
-constexpr double largestShareOfRadius = 0.15;
+constexpr double largestShareOfRadius = 0.16;
 constexpr double largestExaggeration = 1e6;
-constexpr double pi = std::numbers::pi;
 
 DrawnSighting drawnSighting(const Measurement& measurement, const ArcMeasurement& arc,
                             const Sighting& sighting) {
@@ -44,9 +42,6 @@ DrawnArc drawnArc(const ArcFit& fit) {
     arc.firstAngle = std::min(arc.firstAngle, angle);
     arc.lastAngle = std::max(arc.lastAngle, angle);
   }
-  constexpr double overhang = 3 * pi / 180;
-  arc.firstAngle = std::max(arc.firstAngle - overhang, middle.radians() - pi);
-  arc.lastAngle = std::min(arc.lastAngle + overhang, middle.radians() + pi);
   return arc;
 }
 

@@ -39,7 +39,7 @@ struct ArcPicture {
   std::vector<DrawnSighting> excluded;  ///< rows left out by the user whose readings can be understood
   std::optional<DrawnIntersection> intersection;
   double exaggeration =
-      1;  ///< of the residuals: 1, 2, 5, 10, … so that the largest is at most 15 % of the radius
+      1;  ///< of the residuals: 1, 2, 5, 10, … so that the largest is at most 16 % of the radius
 
   bool isEmpty() const { return arcs.empty() && sightings.empty() && excluded.empty(); }
   /// Where the exaggerated residual of a sighting ends.

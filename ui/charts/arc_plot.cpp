@@ -74,8 +74,8 @@ void ArcPlot::showLegend() {
     return std::any_of(m_picture.sightings.begin(), m_picture.sightings.end(),
                        [axisDeg](const DrawnSighting& sighting) { return sighting.axisDeg == axisDeg; });
   };
-  if (has(0)) entries.push_back({style().marker(0, MarkerShape::Circle), QStringLiteral("axis at 0°")});
-  if (has(180)) entries.push_back({style().marker(180, MarkerShape::Circle), QStringLiteral("axis at 180°")});
+  if (has(0)) entries.push_back({style().marker(0, MarkerShape::Circle), QStringLiteral("arc at 0°")});
+  if (has(180)) entries.push_back({style().marker(180, MarkerShape::Circle), QStringLiteral("arc at 180°")});
   if (!m_picture.excluded.empty()) entries.push_back({style().excludedMarker(), QStringLiteral("excluded")});
   if (!m_picture.arcs.empty()) {
     entries.push_back({QPen(style().text, 1.4 * style().unit()),

@@ -27,6 +27,7 @@ class ArcPlot : public Plot {
  protected:
   void applyStyle() override;
   QRectF axisRange(const QSizeF& plotArea) const override;
+  bool hasEqualScales() const override { return true; }
   void placeExtras() override;
 
  private:

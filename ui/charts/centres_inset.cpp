@@ -3,6 +3,7 @@
 #include <QFontMetricsF>
 #include <QPainter>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "ui/charts/round_numbers.h"
@@ -75,6 +76,12 @@ void CentresInset::paintAxis(QPainter* painter) const {
   painter->setPen(QPen(m_style.mutedText, m_style.unit(), Qt::DashDotLine));
   const double y = m_picture.center().y();
   painter->drawLine(QPointF(m_square.left(), y), QPointF(m_square.right(), y));
+  const QFontMetricsF metrics(m_style.font);
+  const QString name = QStringLiteral("axis");
+  painter->setPen(m_style.mutedText);
+  painter->drawText(QPointF(m_square.right() - metrics.horizontalAdvance(name) - 0.4 * metrics.height(),
+                            y - 0.25 * metrics.height()),
+                    name);
 }
 
 void CentresInset::paintCentres(QPainter* painter) const {
@@ -126,16 +133,24 @@ void CentresInset::paintScaleBar(QPainter* painter) const {
 void CentresInset::paintTitle(QPainter* painter) const {
   const QFontMetricsF metrics(m_style.font);
   const double room = m_square.width() - 0.8 * metrics.height();
-  const double left = m_square.left() + 0.4 * metrics.height();
-  const QString value =
-      QStringLiteral("Δd = ") +
-      valueWithUncertainty(m_intersection->value, m_intersection->expanded, QStringLiteral("mm"));
-  double y = m_square.top() + metrics.ascent() + 0.2 * metrics.height();
-  for (const QString& text : {QStringLiteral("Centres, enlarged"), value}) {
-    if (metrics.horizontalAdvance(text) > room) continue;
-    painter->setPen(m_style.text);
-    painter->drawText(QPointF(left, y), text);
-    y += metrics.height();
+  QPointF at(m_square.left() + 0.4 * metrics.height(),
+             m_square.top() + metrics.ascent() + 0.2 * metrics.height());
+  painter->setPen(m_style.text);
+  // Of each line the longest wording that fits.
+  const DrawnIntersection& i = *m_intersection;
+  const QString value = valueWithUncertainty(i.value, i.expanded, QStringLiteral("mm"));
+  const QString coverage = QStringLiteral(" (%1 %)").arg(plainNumberText(i.coverage * 100));
+  const std::array<QStringList, 2> lines{
+      QStringList{QStringLiteral("Centres and axis, enlarged"), QStringLiteral("Centres, enlarged"),
+                  QStringLiteral("Centres")},
+      QStringList{QStringLiteral("Δd = ") + value + coverage, QStringLiteral("Δd = ") + value, value}};
+  for (const QStringList& wordings : lines) {
+    const auto fits = std::find_if(wordings.begin(), wordings.end(), [&](const QString& text) {
+      return metrics.horizontalAdvance(text) <= room;
+    });
+    if (fits == wordings.end()) continue;
+    painter->drawText(at, *fits);
+    at.ry() += metrics.height();
   }
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "ui/charts/round_numbers.h"
+#include "ui/text/quantity_text.h"
 
 namespace alidade::ui {
 namespace {
@@ -97,27 +98,30 @@ void Plot::arrange(const QSizeF& size) {
   rearrange();
 }
 
-double Plot::leftMargin() const {
-  const QFontMetricsF metrics(m_style.font);
-  return metrics.height() * 1.9 + metrics.horizontalAdvance(QStringLiteral("−0000"));
-}
-
 void Plot::rearrange() {
   if (m_size.isEmpty() || m_style.font.pixelSize() <= 0) return;
-  const QFontMetricsF metrics(m_style.font);
-  const double pad = metrics.height() * 0.5;
+  const double pad = QFontMetricsF(m_style.font).height() * 0.5;
   m_scene.setSceneRect(QRectF({}, m_size));
-  m_chart->resize(m_size);
   m_legend->setPos(pad, pad);
   const double legendHeight = m_legend->layOut(m_size.width() - 2 * pad);
-  const double top = legendHeight > 0 ? legendHeight + 1.6 * pad : pad;
-  m_plotArea = QRectF(QPointF(leftMargin(), top),
-                      QPointF(m_size.width() - 2 * pad, m_size.height() - metrics.height() * 2.9));
-  if (m_plotArea.width() < 10 || m_plotArea.height() < 10) return;
-  m_chart->setPlotArea(m_plotArea);
-  applyRange(axisRange(m_plotArea.size()));
+  m_chart->setMargins(QMarginsF(pad, pad + legendHeight, pad, pad).toMargins());
+  m_chart->resize(m_size);
+  fitRangeToPlotArea();
   m_messageItem->setPos(m_plotArea.center() - m_messageItem->boundingRect().center());
   placeExtras();
+}
+
+void Plot::fitRangeToPlotArea() {
+  // The range follows from the plot area, the widths of the labels from the range, and the plot area from
+  // these.
+  constexpr int passes = 4;
+  for (int pass = 0; pass < passes; ++pass) {
+    m_chart->layout()->activate();
+    const QRectF area = m_chart->plotArea();
+    if (area.width() < 1 || area.height() < 1 || (pass > 0 && area == m_plotArea)) return;
+    m_plotArea = area;
+    applyRange(axisRange(area.size()));
+  }
 }
 
 void Plot::applyRange(const QRectF& range) {
@@ -127,18 +131,22 @@ void Plot::applyRange(const QRectF& range) {
   transform.translate(-range.left(), -range.top());
   m_sceneFromAxes = transform;
   const QFontMetricsF metrics(m_style.font);
-  applyTicks(m_x, range.width(), m_plotArea.width(),
-             metrics.horizontalAdvance(QStringLiteral("−00000")) * 1.3);
-  applyTicks(m_y, range.height(), m_plotArea.height(), metrics.height() * 2.2);
+  const double furthest = std::max({std::abs(range.left()), std::abs(range.right()), 1.0});
+  const double xSpacing = metrics.horizontalAdvance(numberText(-furthest, 0)) * 1.35;
+  const double ySpacing = metrics.height() * 2.6;
+  double xStep = roundUp125(range.width() * xSpacing / m_plotArea.width());
+  double yStep = roundUp125(range.height() * ySpacing / m_plotArea.height());
+  if (hasEqualScales()) xStep = yStep = std::max(xStep, yStep);
+  applyTicks(m_x, xStep);
+  applyTicks(m_y, yStep);
   m_x->setRange(range.left(), range.right());
   m_y->setRange(range.top(), range.bottom());
   m_markers->setFrame(m_plotArea, m_sceneFromAxes);
 }
 
-void Plot::applyTicks(QValueAxis* axis, double span, double pixels, double spacing) const {
-  const double step = roundUp125(span * spacing / pixels);
+void Plot::applyTicks(QValueAxis* axis, double step) const {
   axis->setLabelFormat(QStringLiteral("%.%1f").arg(decimalsOfStep(step)));
-  // Widen first: an old range over a fine new step would be thousands of ticks.
+  // Narrow first: the old range over a much finer step would be thousands of ticks.
   if (step < axis->tickInterval()) axis->setRange(-step, step);
   axis->setTickInterval(step);
 }

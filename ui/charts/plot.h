@@ -50,6 +50,8 @@ class Plot : public QObject {
   virtual void applyStyle() = 0;
   /// The ranges for a plot area of this size, in scene units: what must be visible, in axis units.
   virtual QRectF axisRange(const QSizeF& plotArea) const = 0;
+  /// A millimetre is as long in x as in y, and so are the ticks.
+  virtual bool hasEqualScales() const { return false; }
   /// Called when the frame is known: place what follows it.
   virtual void placeExtras() {}
 
@@ -65,8 +67,8 @@ class Plot : public QObject {
  private:
   void styleAxis(QValueAxis* axis) const;
   void applyRange(const QRectF& range);
-  void applyTicks(QValueAxis* axis, double span, double pixels, double spacing) const;
-  double leftMargin() const;
+  void applyTicks(QValueAxis* axis, double step) const;
+  void fitRangeToPlotArea();
 
   PlotStyle m_style;
   QGraphicsScene m_scene;

@@ -62,7 +62,7 @@ void ResidualPlot::showLegend() {
                       [&](const DrawnResidual& r) { return r.axisDeg == axisDeg && r.circle == circle; });
       if (!any) continue;
       entries.push_back({style().marker(axisDeg, shapeOf(circle)),
-                         QStringLiteral("%1, axis at %2°").arg(circleName(circle)).arg(axisDeg)});
+                         QStringLiteral("%1° %2").arg(axisDeg).arg(circleName(circle))});
     }
   }
   if (!m_picture.isEmpty()) {
