@@ -107,17 +107,18 @@ QRectF ArcPlot::axisRange(const QSizeF& plotArea) const {
 
 void ArcPlot::placeExtras() {
   if (!m_picture.intersection) return;
-  // The largest square about the centres that leaves the inward residuals free.
-  double inner = m_picture.arcs.front().circle.radius;
+  // The largest square about the centres that leaves the points and their residuals free.
   const PlanePoint<double> a = m_picture.intersection->upperCentre, b = m_picture.intersection->lowerCentre;
-  const QPointF centre((a.x + b.x) / 2, (a.y + b.y) / 2);
+  const PlanePoint<double> centre{(a.x + b.x) / 2, (a.y + b.y) / 2};
+  double reach = m_picture.arcs.front().circle.radius;
   for (const DrawnSighting& sighting : m_picture.sightings) {
-    const PlanePoint<double> end = m_picture.residualEnd(sighting);
-    inner = std::min(inner, std::hypot(end.x - centre.x(), end.y - centre.y()));
+    for (const PlanePoint<double>& point : {sighting.sighted, m_picture.residualEnd(sighting)}) {
+      reach = std::min(reach, std::max(std::abs(point.x - centre.x), std::abs(point.y - centre.y)));
+    }
   }
-  const double side = inner * std::sqrt(2.0) * 0.92 * sceneFromAxes().m11();
+  const double side = 2 * 0.92 * reach * sceneFromAxes().m11();
   QRectF square(0, 0, side, side);
-  square.moveCenter(sceneFromAxes().map(centre));
+  square.moveCenter(sceneFromAxes().map(QPointF(centre.x, centre.y)));
   m_inset->setSquare(square);
 }
 

@@ -56,8 +56,11 @@ QPointF CentresInset::place(const PlanePoint<double>& point) const {
 }
 
 void CentresInset::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
-  if (m_scale <= 0) return;
   painter->setRenderHint(QPainter::Antialiasing);
+  if (m_scale <= 0) {
+    paintBare(painter);
+    return;
+  }
   painter->setFont(m_style.font);
   painter->setPen(QPen(m_style.frame, 0.8 * m_style.unit()));
   painter->setBrush(m_style.background);
@@ -70,6 +73,17 @@ void CentresInset::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWi
   painter->restore();
   paintScaleBar(painter);
   paintTitle(painter);
+}
+
+void CentresInset::paintBare(QPainter* painter) const {
+  if (!m_intersection) return;
+  const QFontMetricsF metrics(m_style.font);
+  drawMarker(painter,
+             {.shape = MarkerShape::Plus, .colour = m_style.text, .inside = {}, .size = 8 * m_style.unit()},
+             m_square.center());
+  painter->setFont(m_style.font);
+  painter->drawText(m_square.center() + QPointF(0.6 * metrics.height(), -0.2 * metrics.height()),
+                    QStringLiteral("O1, O2"));
 }
 
 void CentresInset::paintAxis(QPainter* painter) const {

@@ -29,6 +29,7 @@ class CentresInset : public QGraphicsItem {
 
  private:
   void updateScale();
+  void paintBare(QPainter* painter) const;  // too small to enlarge anything: a plus where both centres are
   void paintAxis(QPainter* painter) const;
   void paintCentres(QPainter* painter) const;
   void paintDistance(QPainter* painter) const;

@@ -24,7 +24,7 @@ class PlotWidget : public QWidget {
   void setHighlighted(std::size_t position, std::size_t row);
   void clearHighlight();
 
-  QSize minimumSizeHint() const override { return {320, 260}; }
+  QSize minimumSizeHint() const override { return {340, 280}; }
   QSize sizeHint() const override { return {640, 480}; }
 
  signals:

@@ -1,5 +1,6 @@
 #include "ui/text/quantity_text.h"
 
+#include <QRegularExpression>
 #include <algorithm>
 #include <cmath>
 
@@ -53,6 +54,11 @@ QString valueWithUncertainty(double value, double uncertainty, const QString& un
   const int decimals = decimalsFor(uncertainty);
   const QString tail = unit.isEmpty() ? QString() : u' ' + unit;
   return numberText(value, decimals) + QStringLiteral(" ± ") + numberText(uncertainty, decimals) + tail;
+}
+
+QString sentenceText(const std::string& sentence) {
+  static const QRegularExpression minus(QStringLiteral("(?<![\\w)])-(?=[\\d.])"));
+  return QString::fromStdString(sentence).replace(minus, QString(QChar(0x2212)));
 }
 
 QString exaggerationText(double factor) {

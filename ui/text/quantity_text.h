@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QString>
+#include <string>
 
 #include "core/base/angle.h"
 #include "core/base/quantity_text.h"
@@ -36,6 +37,9 @@ QString dmsText(Angle angle, int decimals = 0);
 
 /// "1.308 ± 0.022 mm": the uncertainty with two significant digits, the value to the same decimals.
 QString valueWithUncertainty(double value, double uncertainty, const QString& unit);
+
+/// A sentence of the core, which writes ASCII, with real minus signs before its numbers.
+QString sentenceText(const std::string& sentence);
 
 /// "× 500".
 QString exaggerationText(double factor);

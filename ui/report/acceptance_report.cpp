@@ -1,0 +1,83 @@
+#include "ui/report/acceptance_report.h"
+
+#include <QBuffer>
+#include <QCryptographicHash>
+#include <QPageLayout>
+#include <QPainter>
+#include <QPdfWriter>
+#include <QSaveFile>
+
+#include "core/session/session_file.h"
+#include "ui/report/report_plots.h"
+#include "ui/report/report_readings.h"
+#include "ui/report/report_sheet.h"
+#include "ui/report/report_summary.h"
+
+namespace alidade::ui {
+namespace {
+
+QString sessionName(const Evaluation& evaluation, const ReportSource& source) {
+  const QString title = QString::fromStdString(evaluation.session.title).trimmed();
+  if (!title.isEmpty()) return title;
+  return source.fileName.isEmpty() ? QStringLiteral("untitled session") : source.fileName;
+}
+
+QString fingerprint(const Evaluation& evaluation, const ReportSource& source) {
+  if (source.saved && !source.sha256.isEmpty()) {
+    return QStringLiteral("SHA-256 ") + QString::fromLatin1(source.sha256.toHex());
+  }
+  const QByteArray content = QByteArray::fromStdString(writeSession(evaluation.session));
+  const QByteArray digest = QCryptographicHash::hash(content, QCryptographicHash::Sha256);
+  return QStringLiteral("unsaved changes: SHA-256 of the session's content ") +
+         QString::fromLatin1(digest.toHex());
+}
+
+ReportFrame frameFor(const Evaluation& evaluation, const ReportSource& source, const ReportOptions& options) {
+  return {
+      .product = QStringLiteral("Alidade · Acceptance report"),
+      .session = sessionName(evaluation, source),
+      .fileName = source.fileName.isEmpty() ? QStringLiteral("session not saved to a file") : source.fileName,
+      .fingerprint = fingerprint(evaluation, source),
+      .date = options.date.toString(QStringLiteral("yyyy-MM-dd HH:mm"))};
+}
+
+bool paintReport(QBuffer& buffer, const Evaluation& evaluation, const ReportSource& source,
+                 const ReportOptions& options) {
+  QPdfWriter writer(&buffer);
+  writer.setPdfVersion(QPagedPaintDevice::PdfVersion_A1b);
+  writer.setResolution(1200);
+  writer.setPageLayout(QPageLayout(QPageSize(QPageSize::A4), QPageLayout::Portrait, QMarginsF(0, 0, 0, 0)));
+  writer.setTitle(QStringLiteral("Acceptance report: ") + sessionName(evaluation, source));
+  writer.setCreator(QStringLiteral("Alidade " ALIDADE_VERSION));
+  ReportSheet sheet(writer, frameFor(evaluation, source, options));
+  addSummary(sheet, evaluation, options.date);
+  addPlots(sheet, evaluation);
+  addReadings(sheet, evaluation);
+  QPainter painter;
+  if (!painter.begin(&writer)) return false;
+  sheet.paint(painter);
+  return painter.end();
+}
+
+}  // namespace
+
+Result<QString> writeAcceptanceReport(const Evaluation& evaluation, const ReportSource& source,
+                                      const QString& outPath, const ReportOptions& options) {
+  QBuffer buffer;
+  buffer.open(QIODevice::WriteOnly);
+  const auto failed = [&](const QString& reason) {
+    return Problem{
+        .what = QStringLiteral("The report could not be written to “%1”: %2. Choose another place.")
+                    .arg(outPath, reason)
+                    .toStdString(),
+        .where = {}};
+  };
+  if (!paintReport(buffer, evaluation, source, options)) return failed(QStringLiteral("painting failed"));
+  QSaveFile file(outPath);
+  if (!file.open(QIODevice::WriteOnly)) return failed(file.errorString());
+  file.write(buffer.data());
+  if (!file.commit()) return failed(file.errorString());
+  return outPath;
+}
+
+}  // namespace alidade::ui

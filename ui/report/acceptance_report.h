@@ -1,0 +1,31 @@
+#pragma once
+
+#include <QByteArray>
+#include <QDateTime>
+#include <QString>
+
+#include "core/base/result.h"
+#include "ui/jobs/evaluation.h"
+
+namespace alidade::ui {
+
+/// The session file a report speaks of.
+struct ReportSource {
+  QString fileName;   ///< as shown at the foot of each page; empty: never saved
+  QByteArray sha256;  ///< the digest of the file's bytes, 32 bytes as QCryptographicHash gives them
+  bool saved = true;  ///< false: the session has changes the file lacks; `sha256` is then not used, and the
+                      ///< digest of the session as it would be written is printed and called so
+};
+
+struct ReportOptions {
+  QDateTime date = QDateTime::currentDateTime();  ///< printed on each page
+};
+
+/// Writes the acceptance report, an A4 PDF of vectors and embedded fonts (PDF/A-1b): result and verdict, both
+/// plots, every reading. It is also written where there is no result; then it says why and carries no
+/// verdict. The file is replaced only when all is written. Answers with the path, or says why it could not be
+/// written. Needs a QApplication, on any platform plugin, and its thread.
+Result<QString> writeAcceptanceReport(const Evaluation& evaluation, const ReportSource& source,
+                                      const QString& outPath, const ReportOptions& options = {});
+
+}  // namespace alidade::ui

@@ -1,0 +1,69 @@
+#include "ui/report/report_plots.h"
+
+#include <QPainter>
+#include <memory>
+
+#include "ui/charts/arc_plot.h"
+#include "ui/charts/residual_plot.h"
+#include "ui/text/quantity_text.h"
+
+namespace alidade::ui {
+namespace {
+
+constexpr double sceneUnitsPerMillimetre = 96 / 25.4;
+
+void addPlot(ReportSheet& sheet, const std::shared_ptr<Plot>& plot, const Evaluation& evaluation,
+             double height) {
+  const QRectF area(0, sheet.y(), ReportSheet::width, height);
+  plot->setStyle(printStyle(reportFontFamily()));
+  plot->setEvaluation(evaluation);
+  plot->arrange(area.size() * sceneUnitsPerMillimetre);
+  sheet.draw([plot, target = sheet.inDeviceUnits(area)](QPainter& painter) {
+    painter.setRenderHint(QPainter::Antialiasing);
+    plot->scene()->render(&painter, target, plot->scene()->sceneRect());
+  });
+  sheet.skip(height + 1.5);
+}
+
+QString arcCaption(const ArcPicture& picture) {
+  if (picture.arcs.empty())
+    return QStringLiteral("Figure 1. Sighted points in the arc plane; no arc was fitted.");
+  QString text =
+      QStringLiteral(
+          "Figure 1. Fitted arcs and sighted points in true proportion, frame at the theodolite, x "
+          "right, y up. Filled points and full line: axis at 0°; hollow points and broken line: "
+          "180°. The strokes are the residuals, from the adjusted point on the arc, drawn %1.")
+          .arg(exaggerationText(picture.exaggeration));
+  if (picture.intersection) {
+    text += QStringLiteral(
+        " Inset: the arc centres O1 and O2 with the axis midway between them; the heavy line is Δd, "
+        "the bar at its end its expanded uncertainty U.");
+  }
+  return text;
+}
+
+QString residualCaption(const ResidualPicture& picture) {
+  if (picture.isEmpty()) return QStringLiteral("Figure 2. No residuals, since no arc was fitted.");
+  const auto sigma = [](double arcsec) { return plainNumberText(arcsec) + QChar(0x2033); };
+  return QStringLiteral(
+             "Figure 2. Residuals of the readings, observed minus adjusted, right and up positive, along the "
+             "slider coordinate. Circles: horizontal, diamonds: vertical; filled: axis at 0°, hollow: 180°. "
+             "Grey band: ±1σ, broken lines: ±3σ of the stated noise (σ = %1 horizontal, %2 vertical).")
+      .arg(sigma(picture.sigmaHorizontal), sigma(picture.sigmaVertical));
+}
+
+}  // namespace
+
+void addPlots(ReportSheet& sheet, const Evaluation& evaluation) {
+  const auto arcs = std::make_shared<ArcPlot>();
+  const auto residuals = std::make_shared<ResidualPlot>();
+  sheet.newPage();
+  sheet.heading(QStringLiteral("Arcs and residuals"));
+  addPlot(sheet, arcs, evaluation, 126);
+  sheet.paragraph(arcCaption(arcs->picture()), type::small);
+  sheet.skip(3);
+  addPlot(sheet, residuals, evaluation, 86);
+  sheet.paragraph(residualCaption(residuals->picture()), type::small);
+}
+
+}  // namespace alidade::ui

@@ -1,0 +1,175 @@
+#include "ui/report/report_readings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "core/base/angle_text.h"
+#include "ui/report/report_table.h"
+#include "ui/text/quantity_text.h"
+
+namespace alidade::ui {
+namespace {
+
+constexpr double largeResidual = 3;  // times s0 σ
+
+/// The limits beyond which a residual is marked, arcseconds; infinite where nothing was fitted.
+struct Limits {
+  double horizontal = INFINITY, vertical = INFINITY;
+};
+
+Limits limitsOf(const Evaluation& evaluation) {
+  if (!evaluation.examined.measurement) return {};
+  const double factor = largeResidual * evaluation.fit.noise.factor;
+  return {factor * evaluation.examined.measurement->sigmaHorizontal.arcseconds(),
+          factor * evaluation.examined.measurement->sigmaVertical.arcseconds()};
+}
+
+/// The fewest decimals of a second that lose nothing that was typed, up to thousandths.
+int secondDecimals(Angle angle) {
+  for (int decimals = 0; decimals < 3; ++decimals) {
+    const double unit = std::pow(10.0, -decimals);
+    const double seconds = angle.arcseconds();
+    if (std::abs(seconds - std::round(seconds / unit) * unit) < 5e-4) return decimals;
+  }
+  return 3;
+}
+
+/// As typed, and below it in degrees, minutes and seconds where it was typed in another way.
+QString angleCell(const std::string& typed) {
+  const QString text = QString::fromStdString(typed).trimmed();
+  const Result<Angle> angle = parseAngle(typed);
+  if (!angle) return orNotStated(text);
+  QString primes = text;
+  primes.replace(u'\'', QChar(0x2032)).replace(u'"', QChar(0x2033));
+  const QString normal = dmsText(*angle, secondDecimals(*angle));
+  return primes == normal ? text : text + QStringLiteral("\n= ") + normal;
+}
+
+std::vector<ReportColumn> columns() {
+  constexpr auto right = Qt::AlignRight;
+  return {{QStringLiteral("Point"), 12, right},
+          {QStringLiteral("Round"), 12, right},
+          {QStringLiteral("Face"), 10, right},
+          {QStringLiteral("Horizontal\nas read"), 28, right},
+          {QStringLiteral("Vertical\nas read"), 28, right},
+          {QStringLiteral("Arc angle\nφ (°)"), 20, right},
+          {QStringLiteral("v horiz.\n(″)"), 17, right},
+          {QString(), 4},
+          {QStringLiteral("v vert.\n(″)"), 15, right},
+          {QString(), 4},
+          {QStringLiteral("Remark"), 20}};
+}
+
+/// Rows of one position that `examine` refused.
+std::set<std::size_t> unusableRows(const Evaluation& evaluation, std::size_t position) {
+  std::set<std::size_t> rows;
+  for (const Problem& problem : evaluation.examined.problems) {
+    if (problem.where.position == position && problem.where.reading) rows.insert(*problem.where.reading);
+  }
+  return rows;
+}
+
+QString remark(const Reading& reading, bool unusable) {
+  QStringList parts;
+  if (reading.excluded) parts.append(QStringLiteral("excluded"));
+  if (unusable) parts.append(QStringLiteral("could not be used"));
+  if (!reading.note.empty()) parts.append(QString::fromStdString(reading.note));
+  return parts.join(QStringLiteral(": "));
+}
+
+QString orDefault(const std::string& text, const QString& usual) {
+  const QString typed = QString::fromStdString(text).trimmed();
+  return typed.isEmpty() ? usual : typed;
+}
+
+class PositionTable {
+ public:
+  PositionTable(ReportSheet& sheet, const Evaluation& evaluation, std::size_t position)
+      : m_table(sheet, columns()),
+        m_position(evaluation.session.positions[position]),
+        m_limits(limitsOf(evaluation)),
+        m_unusable(unusableRows(evaluation, position)),
+        m_residuals(m_position.readings.size(), nullptr) {
+    const ArcFit* fit = evaluation.fit.arcOfPosition(position);
+    if (!fit) return;
+    for (const SightingResidual& residual : fit->residuals) m_residuals[residual.row] = &residual;
+  }
+
+  void add() {
+    m_table.head();
+    for (std::size_t row = 0; row < m_position.readings.size(); ++row) addRow(row);
+    m_table.finish();
+  }
+
+ private:
+  void addRow(std::size_t row) {
+    const Reading& reading = m_position.readings[row];
+    const SightingResidual* residual = m_residuals[row];
+    const bool unusable = m_unusable.contains(row);
+    const TextStyle style = reading.excluded ? type::label : unusable ? type::body.inBold() : type::body;
+    const QString one = QStringLiteral("1");
+    std::vector<ReportCell> cells{{orNotStated(QString::fromStdString(reading.point)), style},
+                                  {orDefault(reading.round, one), style},
+                                  {orDefault(reading.face, one), style},
+                                  {angleCell(reading.horizontal), style},
+                                  {angleCell(reading.vertical), style}};
+    if (residual) {
+      const double horizontal = residual->horizontal.arcseconds(), vertical = residual->vertical.arcseconds();
+      cells.emplace_back(numberText(Angle::fromRadians(residual->arcAngle).degrees(), 3));
+      cells.emplace_back(signedNumberText(horizontal, 1));
+      cells.emplace_back(std::abs(horizontal) > m_limits.horizontal ? QStringLiteral("*") : QString());
+      cells.emplace_back(signedNumberText(vertical, 1));
+      cells.emplace_back(std::abs(vertical) > m_limits.vertical ? QStringLiteral("*") : QString());
+    } else {
+      for (const QString& text : {notStated(), notStated(), QString(), notStated(), QString()}) {
+        cells.emplace_back(text, style);
+      }
+    }
+    cells.emplace_back(remark(reading, unusable), style);
+    m_table.row(cells);
+  }
+
+  ReportTable m_table;
+  const Position& m_position;
+  Limits m_limits;
+  std::set<std::size_t> m_unusable;
+  std::vector<const SightingResidual*> m_residuals;
+};
+
+void addPosition(ReportSheet& sheet, const Evaluation& evaluation, std::size_t index) {
+  const Position& position = evaluation.session.positions[index];
+  const auto zero = [](const std::string& text) { return orNotStated(QString::fromStdString(text)); };
+  sheet.keepTogether(35);
+  sheet.heading(QStringLiteral("Readings with the axis at %1°").arg(zero(position.axisDeg)));
+  sheet.paragraph(QStringLiteral("Pointing zero: horizontal α0 = %1, vertical β0 = %2")
+                      .arg(zero(position.zero.horizontal), zero(position.zero.vertical)));
+  if (position.readings.empty()) {
+    sheet.paragraph(QStringLiteral("No readings."));
+    return;
+  }
+  PositionTable(sheet, evaluation, index).add();
+}
+
+QString footnote(const Evaluation& evaluation) {
+  QString text = QStringLiteral(
+      "v: residual, observed minus adjusted, right and up positive. φ: from +x, "
+      "counter-clockwise as the observer sees it.");
+  if (evaluation.fit.arcs.empty()) return text;
+  const Limits limits = limitsOf(evaluation);
+  return text + QStringLiteral(
+                    " * marks residuals larger than 3 s0 σ (%1 horizontal, %2 vertical; s0 = %3), for "
+                    "information: no reading is left out because of its residual.")
+                    .arg(arcsecText(limits.horizontal), arcsecText(limits.vertical),
+                         numberText(evaluation.fit.noise.factor, 2));
+}
+
+}  // namespace
+
+void addReadings(ReportSheet& sheet, const Evaluation& evaluation) {
+  sheet.newPage();
+  for (std::size_t i = 0; i < evaluation.session.positions.size(); ++i) addPosition(sheet, evaluation, i);
+  sheet.paragraph(footnote(evaluation), type::small);
+}
+
+}  // namespace alidade::ui

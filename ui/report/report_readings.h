@@ -1,0 +1,11 @@
+#pragma once
+
+#include "ui/jobs/evaluation.h"
+#include "ui/report/report_sheet.h"
+
+namespace alidade::ui {
+
+/// Every reading as typed, position by position, with the adjusted arc angle and the residuals.
+void addReadings(ReportSheet& sheet, const Evaluation& evaluation);
+
+}  // namespace alidade::ui

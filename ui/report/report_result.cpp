@@ -1,0 +1,181 @@
+#include "ui/report/report_result.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/report/report_table.h"
+#include "ui/report/report_verdict.h"
+#include "ui/text/quantity_text.h"
+
+namespace alidade::ui {
+namespace {
+
+const QColor red(0xb0, 0x00, 0x20);
+const QColor pale(0xf2, 0xf2, 0xf2);
+const TextStyle wordStyle{.points = 15, .bold = true};
+const TextStyle valueStyle{.points = 11, .bold = true};
+
+QString percent(double share) {
+  return plainNumberText(std::round(share * 1e6) / 1e4) + QStringLiteral(" %");
+}
+
+QString degreesOfFreedomText(double degrees) {
+  return std::isfinite(degrees) ? numberText(degrees, degrees < 10 ? 1 : 0) : QStringLiteral("∞");
+}
+
+QString intersectionLine(const Evaluation& evaluation) {
+  if (!evaluation.fit.intersection) return {};
+  const Intersection& found = *evaluation.fit.intersection;
+  const std::optional<double> tolerance = evaluation.examined.measurement->tolerance;
+  return QStringLiteral("Δd = %1     tolerance %2")
+      .arg(valueWithUncertainty(found.value, found.expanded, QStringLiteral("mm")),
+           tolerance ? QStringLiteral("± ") + plainNumberText(*tolerance) + QStringLiteral(" mm")
+                     : notStated() + QStringLiteral(" (no tolerance stated)"));
+}
+
+QString coverageLine(const Intersection& found) {
+  return QStringLiteral("U = k·u with k = %1, coverage %2, %3 effective degrees of freedom; u = %4")
+      .arg(numberText(found.coverageFactor, 2), percent(found.coverage),
+           degreesOfFreedomText(found.effectiveDegreesOfFreedom),
+           lengthText(found.sigma, decimalsFor(found.sigma)));
+}
+
+void addArcs(ReportSheet& sheet, const SessionFit& fit) {
+  constexpr auto right = Qt::AlignRight;
+  ReportTable table(sheet, {{QStringLiteral("Arc"), 21},
+                            {QStringLiteral("x (mm)"), 20, right},
+                            {QStringLiteral("u(x)"), 14, right},
+                            {QStringLiteral("y (mm)"), 20, right},
+                            {QStringLiteral("u(y)"), 14, right},
+                            {QStringLiteral("R (mm)"), 22, right},
+                            {QStringLiteral("u(R)"), 14, right},
+                            {QStringLiteral("rms"), 15, right},
+                            {QStringLiteral("χ²/f"), 15, right},
+                            {QStringLiteral("f"), 15, right}});
+  table.head();
+  for (std::size_t i = 0; i < fit.arcs.size(); ++i) {
+    const ArcFit& arc = fit.arcs[i];
+    const ArcSigma& sigma = fit.sigmas[i];
+    const int decimals = std::max({decimalsFor(sigma.x), decimalsFor(sigma.y), decimalsFor(sigma.radius)});
+    const auto length = [decimals](double value) { return numberText(value, decimals); };
+    table.row({QStringLiteral("%1 at %2°")
+                   .arg(arc.axisDeg == 0 ? QStringLiteral("O1") : QStringLiteral("O2"))
+                   .arg(arc.axisDeg),
+               length(arc.circle.x), length(sigma.x), length(arc.circle.y), length(sigma.y),
+               length(arc.circle.radius), length(sigma.radius), arcsecText(arc.residualRms, 2),
+               arc.degreesOfFreedom > 0 ? numberText(arc.reducedChiSquare(), 2) : notStated(),
+               QString::number(arc.degreesOfFreedom)});
+  }
+  table.finish();
+}
+
+void addBudget(ReportSheet& sheet, const Intersection& found) {
+  constexpr auto right = Qt::AlignRight;
+  sheet.keepTogether((found.budget.size() + 4) * 4.5);
+  sheet.heading(QStringLiteral("Uncertainty of the intersection"));
+  ReportTable table(sheet, {{QStringLiteral("Source"), 62},
+                            {QStringLiteral("u (mm)"), 26, right},
+                            {QStringLiteral("share of variance"), 34, right}});
+  table.head();
+  const int decimals = decimalsFor(found.sigma) + 1;
+  const double variance = found.sigma * found.sigma;
+  for (const BudgetEntry& entry : found.budget) {
+    const double share = variance > 0 ? entry.sigma * entry.sigma / variance : 0;
+    table.row({QString::fromStdString(entry.source), numberText(entry.sigma, decimals),
+               numberText(100 * share, 1) + QStringLiteral(" %")});
+  }
+  const TextStyle bold = type::body.inBold();
+  table.row({{QStringLiteral("combined standard uncertainty u"), bold},
+             {numberText(found.sigma, decimals), bold},
+             {QStringLiteral("100.0 %"), bold}});
+  table.row({{QStringLiteral("expanded uncertainty U (%1)").arg(percent(found.coverage)), bold},
+             {numberText(found.expanded, decimals), bold},
+             {}});
+  table.finish();
+}
+
+void addReference(ReportSheet& sheet, const Evaluation& evaluation, const Intersection& found) {
+  const std::optional<double> reference = evaluation.examined.measurement->referenceIntersection;
+  const QString difference =
+      reference ? QStringLiteral("; difference Δd − reference = ") +
+                      valueWithUncertainty(found.value - *reference, found.expanded, QStringLiteral("mm"))
+                : QString();
+  sheet.paragraph(QStringLiteral("Reference intersection (never enters the fit): ") +
+                  (reference ? plainNumberText(*reference) + QStringLiteral(" mm") : notStated()) +
+                  difference);
+}
+
+}  // namespace
+
+void addVerdict(ReportSheet& sheet, const Evaluation& evaluation) {
+  constexpr double inset = 3;
+  const ReportVerdict verdict = reportVerdict(evaluation);
+  const double inner = ReportSheet::width - 2 * inset;
+  struct Part {
+    QStringList lines;
+    TextStyle style;
+  };
+  std::vector<Part> parts{{sheet.lines(verdict.word, wordStyle, inner), wordStyle}};
+  const QString value = intersectionLine(evaluation);
+  if (!value.isEmpty()) parts.push_back({sheet.lines(value, valueStyle, inner), valueStyle});
+  parts.push_back({sheet.lines(verdict.sentence, type::body, inner), type::body});
+  if (const auto& found = evaluation.fit.intersection) {
+    parts.push_back({sheet.lines(coverageLine(*found), type::label, inner), type::label});
+  }
+  double height = inset;
+  for (const Part& part : parts) height += part.lines.size() * sheet.lineHeight(part.style) + 0.4;
+  sheet.skip(3.5);
+  sheet.keepTogether(height + 2);
+  const QRectF box(0, sheet.y(), ReportSheet::width, height);
+  sheet.fill(box, pale);
+  sheet.outline(box, verdict.isAccepted ? 0.4 : 0.8);
+  double top = sheet.y() + inset / 2;
+  for (const Part& part : parts) {
+    for (const QString& line : part.lines) {
+      sheet.text(line, part.style, inset, top, inner);
+      top += sheet.lineHeight(part.style);
+    }
+    top += 0.4;
+  }
+  sheet.skip(height + 1.5);
+}
+
+void addProblems(ReportSheet& sheet, const std::vector<Problem>& problems) {
+  if (problems.empty()) return;
+  const TextStyle style = type::body.inBold().inColour(red);
+  sheet.heading(QStringLiteral("Entries that could not be used"));
+  const auto bar = [&](double top, double bottom) { sheet.rule(0.5, top, 0.5, bottom, 1, red); };
+  for (const Problem& problem : problems) {
+    const QStringList lines = sheet.lines(sentenceText(problem.text()), style, ReportSheet::width - 4);
+    const double height = lines.size() * sheet.lineHeight(style);
+    sheet.keepTogether(height);
+    bar(sheet.y(), sheet.y() + height);
+    for (const QString& line : lines) {
+      sheet.text(line, style, 4, sheet.y(), ReportSheet::width - 4);
+      sheet.skip(sheet.lineHeight(style));
+    }
+  }
+}
+
+void addResult(ReportSheet& sheet, const Evaluation& evaluation) {
+  const SessionFit& fit = evaluation.fit;
+  sheet.heading(QStringLiteral("Arc centres and radii"));
+  if (fit.arcs.empty()) {
+    sheet.paragraph(QStringLiteral("No arc could be fitted."));
+    return;
+  }
+  addArcs(sheet, fit);
+  sheet.paragraph(
+      QStringLiteral("u: standard uncertainty, scaled by the scatter of both arcs (s0 = %1); rms: of the "
+                     "residuals of all angles; χ²/f: reduced χ² with the stated σ; f: degrees of freedom.")
+          .arg(numberText(fit.noise.factor, 2)),
+      type::small);
+  if (!fit.intersection) return;
+  sheet.skip(1);
+  sheet.paragraph(QStringLiteral("Half the distance of the centres in the plane, |O1 − O2|/2 = ") +
+                  lengthText(fit.intersection->inPlane, decimalsFor(fit.intersection->sigma)));
+  addReference(sheet, evaluation, *fit.intersection);
+  addBudget(sheet, *fit.intersection);
+}
+
+}  // namespace alidade::ui

@@ -1,0 +1,73 @@
+#include "ui/report/report_table.h"
+
+#include <algorithm>
+
+namespace alidade::ui {
+namespace {
+
+constexpr double gap =
+    1.2;  // mm between the text of neighbouring columns and above and below a row's text / 2
+constexpr double above = 0.35;
+
+const TextStyle headStyle = type::label.inBold();
+
+}  // namespace
+
+ReportTable::ReportTable(ReportSheet& sheet, std::vector<ReportColumn> columns)
+    : m_sheet(sheet), m_columns(std::move(columns)) {
+  for (const ReportColumn& column : m_columns) m_width += column.width;
+}
+
+void ReportTable::head() {
+  std::vector<ReportCell> cells;
+  for (const ReportColumn& column : m_columns) cells.emplace_back(column.title, headStyle);
+  std::vector<QStringList> lines;
+  const double height = rowHeight(cells, lines);
+  m_sheet.keepTogether(height + 10);
+  place(cells, lines);
+  m_sheet.skip(height);
+  m_sheet.rule(0, m_sheet.y(), m_width, m_sheet.y(), 0.25);
+  m_sheet.skip(0.5);
+}
+
+void ReportTable::row(const std::vector<ReportCell>& cells) {
+  std::vector<QStringList> lines;
+  const double height = rowHeight(cells, lines);
+  if (m_sheet.room() < height) {
+    m_sheet.newPage();
+    head();
+  }
+  place(cells, lines);
+  m_sheet.skip(height);
+}
+
+void ReportTable::finish() {
+  m_sheet.skip(0.3);
+  m_sheet.rule(0, m_sheet.y(), m_width, m_sheet.y(), 0.15);
+  m_sheet.skip(1.5);
+}
+
+double ReportTable::rowHeight(const std::vector<ReportCell>& cells, std::vector<QStringList>& lines) const {
+  double height = 0;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    lines.push_back(m_sheet.lines(cells[i].text, cells[i].style, m_columns[i].width - gap));
+    height = std::max(height, lines.back().size() * m_sheet.lineHeight(cells[i].style));
+  }
+  return height + 2 * above;
+}
+
+void ReportTable::place(const std::vector<ReportCell>& cells, const std::vector<QStringList>& lines) {
+  double left = 0;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const bool right = m_columns[i].alignment & Qt::AlignRight;
+    double top = m_sheet.y() + above;
+    for (const QString& line : lines[i]) {
+      m_sheet.text(line, cells[i].style, left + (right ? gap : 0), top, m_columns[i].width - gap,
+                   m_columns[i].alignment);
+      top += m_sheet.lineHeight(cells[i].style);
+    }
+    left += m_columns[i].width;
+  }
+}
+
+}  // namespace alidade::ui

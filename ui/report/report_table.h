@@ -1,0 +1,45 @@
+#pragma once
+
+#include <QString>
+#include <vector>
+
+#include "ui/report/report_sheet.h"
+
+namespace alidade::ui {
+
+struct ReportColumn {
+  QString title;      ///< may have several lines
+  double width = 20;  ///< mm
+  Qt::Alignment alignment = Qt::AlignLeft;
+};
+
+struct ReportCell {
+  QString text;
+  TextStyle style = type::body;
+
+  ReportCell(QString content = {}, TextStyle look = type::body)
+      : text(std::move(content)), style(std::move(look)) {}
+};
+
+/// Rows under a head that is repeated on every page. Cells wrap; a row stays on one page. Columns of numbers
+/// are aligned to the right and carry equal decimals, which aligns the decimal points.
+class ReportTable {
+ public:
+  ReportTable(ReportSheet& sheet, std::vector<ReportColumn> columns);
+
+  /// To be called once before the first row; again by itself on every new page.
+  void head();
+  void row(const std::vector<ReportCell>& cells);
+  /// A line under the last row; the cursor stands below it.
+  void finish();
+
+ private:
+  double rowHeight(const std::vector<ReportCell>& cells, std::vector<QStringList>& lines) const;
+  void place(const std::vector<ReportCell>& cells, const std::vector<QStringList>& lines);
+
+  ReportSheet& m_sheet;
+  std::vector<ReportColumn> m_columns;
+  double m_width = 0;
+};
+
+}  // namespace alidade::ui
