@@ -1,1 +1,67 @@
-int main() { return 0; }
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QLoggingCategory>
+#include <QTextStream>
+#include <algorithm>
+
+#include "app/workstation/report_command.h"
+#include "ui/main_window.h"
+#include "ui/settings/theme.h"
+
+namespace {
+
+using namespace alidade;
+
+/// Calls with an option of ours never open a window, so they must not need a display either.
+bool needsNoDisplay(int argc, char** argv) {
+  return std::any_of(argv + 1, argv + argc, [](const char* argument) {
+    const QByteArray text(argument);
+    return (text.startsWith("--") && text != "--platform") || text == "-h" || text == "-v";
+  });
+}
+
+int badCall(const QString& sentence) {
+  QTextStream(stderr) << "alidade: " << sentence << '\n';
+  return 2;
+}
+
+int openWindow(QApplication& application, const QString& path) {
+  ui::applyTheme(ui::rememberedTheme());
+  ui::MainWindow window;
+  window.show();
+  if (!path.isEmpty()) window.files().open(path);
+  return application.exec();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc > 1 && needsNoDisplay(argc, argv)) {
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    QLoggingCategory::setFilterRules(
+        QStringLiteral("*.warning=false"));  // stderr is for the one line of ours
+  }
+  QApplication application(argc, argv);
+  ui::setUpApplication(application);
+
+  QCommandLineParser parser;
+  parser.setApplicationDescription(QStringLiteral("Measurement workstation for rotatable arc guideways."));
+  const QCommandLineOption help = parser.addHelpOption();
+  const QCommandLineOption version = parser.addVersionOption();
+  const QCommandLineOption report(QStringLiteral("report"),
+                                  QStringLiteral("Write the acceptance report of FILE and open no window."),
+                                  QStringLiteral("OUT.pdf"));
+  parser.addOption(report);
+  parser.addPositionalArgument(QStringLiteral("FILE"), QStringLiteral("Session to open."),
+                               QStringLiteral("[FILE]"));
+  if (!parser.parse(QApplication::arguments())) return badCall(parser.errorText());
+  if (parser.isSet(help)) parser.showHelp();
+  if (parser.isSet(version)) parser.showVersion();
+
+  const QStringList files = parser.positionalArguments();
+  if (files.size() > 1)
+    return badCall(QStringLiteral("one FILE at most, but %1 are given").arg(files.size()));
+  if (!parser.isSet(report)) return openWindow(application, files.value(0));
+  if (files.isEmpty()) return badCall(QStringLiteral("--report needs the FILE of a session"));
+  return writeReport(files.first(), parser.value(report));
+}

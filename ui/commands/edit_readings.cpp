@@ -120,6 +120,7 @@ std::size_t ReadingsEditor::paste(const ReadingBlock& block, std::size_t row,
                                   const std::vector<ReadingColumn>& columns) {
   std::vector<Reading> changed = readings();
   std::size_t widest = 0;
+  row = std::min(row, changed.size());
   for (const QStringList& cells : block) {
     const auto width = static_cast<std::size_t>(cells.size());
     widest = std::max(widest, width);

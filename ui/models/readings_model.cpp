@@ -45,6 +45,7 @@ int ReadingsModel::columnCount(const QModelIndex& parent) const {
 }
 
 QVariant ReadingsModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid()) return {};
   const auto column = static_cast<ReadingColumn>(index.column());
   const int row = index.row();
   if (role == Qt::TextAlignmentRole) {
@@ -155,6 +156,7 @@ QString ReadingsModel::columnToolTip(ReadingColumn column) const {
 }
 
 Qt::ItemFlags ReadingsModel::flags(const QModelIndex& index) const {
+  if (!index.isValid()) return {};
   const auto column = static_cast<ReadingColumn>(index.column());
   const Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemNeverHasChildren;
   if (column == ReadingColumn::Used) {

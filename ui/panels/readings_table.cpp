@@ -34,7 +34,7 @@ ReadingsTable::ReadingsTable(SessionDocument& document, std::size_t position, QW
   setSelectionMode(ExtendedSelection);
   setAlternatingRowColors(true);
   setWordWrap(false);
-  setTabKeyNavigation(true);
+  setTabKeyNavigation(false);
   setAccessibleName(tr("Readings"));
   connect(m_delegate, &ReadingDelegate::keyOnward, this, &ReadingsTable::goOnward);
   connect(&document, &SessionDocument::changed, this, &ReadingsTable::showUsedColumns);
@@ -76,7 +76,12 @@ void ReadingsTable::showUsedColumns() {
 void ReadingsTable::selectCell(int row, ReadingColumn column) {
   const QModelIndex cell = m_model.index(std::min(row, m_model.readingCount()), static_cast<int>(column));
   if (isColumnHidden(cell.column())) setColumnShown(column, true);
-  setCurrentIndex(cell);
+  goTo(cell);
+}
+
+/// Selects the cell alone, whichever modifier keys are held.
+void ReadingsTable::goTo(const QModelIndex& cell) {
+  selectionModel()->setCurrentIndex(cell, QItemSelectionModel::ClearAndSelect);
   scrollTo(cell);
 }
 
@@ -101,17 +106,18 @@ void ReadingsTable::keyPressEvent(QKeyEvent* event) {
     event->accept();
   } else if (key == Qt::Key_Return || key == Qt::Key_Enter) {
     goOnward(Qt::Key_Return);
-  } else if ((key == Qt::Key_Tab || key == Qt::Key_Backtab) && !(event->modifiers() & Qt::ControlModifier)) {
-    const QModelIndex current = currentIndex();
-    const bool leaving = !onward(current, key).isValid();
-    if (leaving) {
-      focusNextPrevChild(key == Qt::Key_Tab);
-    } else {
-      goOnward(key);
-    }
   } else {
     QTableView::keyPressEvent(event);
   }
+}
+
+/// Tab and Shift+Tab go from cell to cell and out of the table at its ends.
+bool ReadingsTable::focusNextPrevChild(bool next) {
+  const int key = next ? Qt::Key_Tab : Qt::Key_Backtab;
+  if (state() == EditingState || !onward(currentIndex(), key).isValid())
+    return QTableView::focusNextPrevChild(next);
+  goOnward(key);
+  return true;
 }
 
 bool ReadingsTable::handleEditKey(const QKeyEvent* event) {
@@ -137,9 +143,7 @@ bool ReadingsTable::handleEditKey(const QKeyEvent* event) {
 
 void ReadingsTable::goOnward(int key) {
   const QModelIndex next = onward(currentIndex(), key);
-  if (!next.isValid()) return;
-  setCurrentIndex(next);
-  scrollTo(next);
+  if (next.isValid()) goTo(next);
 }
 
 /// Where a key that ends an entry leads. Return: from horizontal to vertical to the next row's horizontal,

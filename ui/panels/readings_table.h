@@ -39,10 +39,12 @@ class ReadingsTable : public QTableView {
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;
+  bool focusNextPrevChild(bool next) override;
   void currentChanged(const QModelIndex& current, const QModelIndex& previous) override;
 
  private:
   bool handleEditKey(const QKeyEvent* event);
+  void goTo(const QModelIndex& cell);
   void goOnward(int key);
   QModelIndex onward(const QModelIndex& from, int key) const;
   QModelIndex neighbour(const QModelIndex& from, int step) const;

@@ -235,7 +235,7 @@ void ResultPanel::showComparison() {
   const QString printed =
       published.intersectionAsPrinted ? numberText(*published.intersectionAsPrinted, 3) : notStated();
   const QString yUp = published.intersection ? numberText(*published.intersection, 3) : notStated();
-  m_published->setRows({tr("0°"), tr("180°")}, {{tr("Δx  mm"), figures(&AsPrinted::x, 4)},
+  m_published->setRows({tr("0°"), tr("180°")}, {{tr("Δx  mm"), figures(&AsPrinted::x, 3)},
                                                 {tr("Δy  mm"), figures(&AsPrinted::y, 4)},
                                                 {tr("ΔR  mm"), figures(&AsPrinted::deltaRadius, 4)},
                                                 {tr("Δθx  rad"), figures(&AsPrinted::thetaX, 5)},

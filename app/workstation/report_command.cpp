@@ -1,0 +1,30 @@
+#include "app/workstation/report_command.h"
+
+#include <QTextStream>
+
+#include "ui/dialogs/report_source.h"
+#include "ui/document/session_document.h"
+#include "ui/jobs/evaluation.h"
+
+namespace alidade {
+
+namespace {
+
+int refuse(const QString& path, const Problem& problem) {
+  QTextStream(stderr) << path << ": " << QString::fromStdString(problem.text()) << '\n';
+  return 2;
+}
+
+}  // namespace
+
+int writeReport(const QString& path, const QString& reportPath) {
+  ui::SessionDocument document;
+  if (const auto problem = document.load(path)) return refuse(path, *problem);
+  const ui::Evaluation evaluation = ui::evaluate(document.session());
+  if (!evaluation.examined.problems.empty()) return refuse(path, evaluation.examined.problems.front());
+  const auto written = ui::writeAcceptanceReport(evaluation, ui::reportSource(document), reportPath);
+  if (!written) return refuse(path, written.problem());
+  return 0;
+}
+
+}  // namespace alidade

@@ -1,0 +1,319 @@
+#include "ui/main_window.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QClipboard>
+#include <QFile>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+#include <nlohmann/json.hpp>
+
+#include "core/session/session_file.h"
+#include "tests/ui/support.h"
+#include "ui/commands/change_field.h"
+#include "ui/commands/edit_readings.h"
+#include "ui/panels/findings_panel.h"
+#include "ui/panels/position_tabs.h"
+#include "ui/panels/readings_table.h"
+#include "ui/panels/result_panel.h"
+#include "ui/settings/recent_files.h"
+
+namespace alidade::ui {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+const QString paper = QStringLiteral("paper-table-1.alidade");
+
+QLineEdit& field(OpenWindow& open, const char* name) {
+  auto* line = open->findChild<QLineEdit*>(QString::fromLatin1(name));
+  EXPECT_TRUE(line) << name;
+  return *line;
+}
+
+/// All texts the widget's labels show.
+std::string shownBy(const QWidget* widget) {
+  QString texts;
+  for (const QLabel* label : widget->findChildren<QLabel*>()) {
+    if (label->isVisibleTo(widget)) texts += label->text() + QLatin1Char('\n');
+  }
+  return texts.toStdString();
+}
+
+std::string resultOf(OpenWindow& open) {
+  return shownBy(open->findChild<ResultPanel*>());
+}
+
+void loadPaper(OpenWindow& open) {
+  ASSERT_TRUE(open->files().open(samplePath(paper)));
+  open.settle();
+}
+
+TEST(MainWindow, FitsAMeasurementTypedByKeyboardAlone) {
+  const Session wanted = paperSession();
+  OpenWindow open;
+  EXPECT_THAT(resultOf(open), HasSubstr("No result"));
+  typeInto(field(open, "geometry.distance_mm"), QStringLiteral("2405"));
+  typeInto(field(open, "geometry.radius_mm"), QStringLiteral("400"));
+  auto* tabs = open->findChild<PositionTabs*>();
+  for (std::size_t position = 0; position < 2; ++position) {
+    tabs->setCurrentIndex(static_cast<int>(position));
+    const Position& source = wanted.positions[position];
+    const QByteArray suffix = QByteArray(" ") + QByteArray::number(static_cast<int>(position));
+    typeInto(field(open, "pointing_zero.horizontal" + suffix),
+             QString::fromStdString(source.zero.horizontal));
+    typeInto(field(open, "pointing_zero.vertical" + suffix), QString::fromStdString(source.zero.vertical));
+    ReadingsTable& table = *tabs->table(position);
+    table.selectCell(0, ReadingColumn::Horizontal);
+    for (const Reading& reading : source.readings) {
+      typeInto(table, QString::fromStdString(reading.horizontal));
+      typeInto(table, QString::fromStdString(reading.vertical));
+    }
+  }
+  open.settle();
+  const Session& typed = open->document().session();
+  for (std::size_t position = 0; position < 2; ++position) {
+    const auto& readings = typed.positions[position].readings;
+    ASSERT_EQ(readings.size(), 17u);
+    for (std::size_t row = 0; row < readings.size(); ++row) {
+      EXPECT_EQ(readings[row].horizontal, wanted.positions[position].readings[row].horizontal);
+      EXPECT_EQ(readings[row].vertical, wanted.positions[position].readings[row].vertical);
+      EXPECT_EQ(readings[row].point, std::to_string(row + 1));
+    }
+  }
+  EXPECT_THAT(resultOf(open), HasSubstr("Δd = 1.31 ± 0.2"));
+  EXPECT_THAT(resultOf(open), HasSubstr("No tolerance set"));
+  typeInto(field(open, "acceptance.tolerance_mm"), QStringLiteral("2.5"));
+  open.settle();
+  EXPECT_THAT(resultOf(open), HasSubstr("ACCEPT"));
+}
+
+TEST(MainWindow, KeepsAWrongAngleOutOfTheFitAndFindsItBack) {
+  OpenWindow open;
+  loadPaper(open);
+  ReadingsTable& table = *open->currentTable();
+  table.selectCell(4, ReadingColumn::Vertical);
+  typeInto(table, QStringLiteral("82 99 39"));
+  open.settle();
+  EXPECT_EQ(open->document().session().positions[0].readings[4].vertical, "82 99 39");
+  EXPECT_THAT(resultOf(open), HasSubstr("16"));
+  const QModelIndex residual = table.model()->index(4, static_cast<int>(ReadingColumn::VerticalResidual));
+  EXPECT_TRUE(residual.data().toString().isEmpty());
+  auto* findings = open->findChild<FindingsPanel*>();
+  EXPECT_THAT(findings->item(0)->text().toStdString(), HasSubstr("0°, row 5"));
+  table.selectCell(0, ReadingColumn::Horizontal);
+  emit findings->itemClicked(findings->item(0));
+  EXPECT_EQ(table.currentIndex().row(), 4);
+  EXPECT_EQ(table.currentIndex().column(), static_cast<int>(ReadingColumn::Vertical));
+  open->undo();
+  open.settle();
+  EXPECT_FALSE(residual.data().toString().isEmpty());
+  EXPECT_FALSE(open->isWindowModified());
+}
+
+TEST(MainWindow, LeadsFromAFindingToItsField) {
+  OpenWindow open;
+  open->reveal({.position = 1, .field = "pointing_zero.vertical"});
+  EXPECT_EQ(open->findChild<PositionTabs*>()->currentIndex(), 1);
+  EXPECT_TRUE(field(open, "pointing_zero.vertical 1").hasFocus());
+  open->reveal({.field = "instrument.sigma_zero_arcsec"});
+  EXPECT_TRUE(field(open, "instrument.sigma_zero_arcsec").hasFocus());
+}
+
+TEST(MainWindow, TellsThePublishedFiguresOnRequest) {
+  OpenWindow open;
+  loadPaper(open);
+  EXPECT_THAT(resultOf(open), Not(HasSubstr("1.934")));
+  open->findChild<ResultPanel*>()->setComparisonShown(true);
+  const std::string shown = resultOf(open);
+  for (const char* printed : {"−0.0091", "−0.0318", "−0.972", "−1.492", "1.8143", "−2.0538", "1.934"}) {
+    EXPECT_THAT(shown, HasSubstr(printed));
+  }
+}
+
+TEST(MainWindow, CarriesNameAndModifiedMarkInTheTitle) {
+  OpenWindow open;
+  EXPECT_EQ(open->windowTitle(), QStringLiteral("Untitled[*] — Alidade"));
+  loadPaper(open);
+  EXPECT_EQ(open->windowTitle(), QStringLiteral("paper-table-1.alidade[*] — Alidade"));
+  EXPECT_FALSE(open->isWindowModified());
+  typeInto(field(open, "acceptance.tolerance_mm"), QStringLiteral("3"));
+  EXPECT_TRUE(open->isWindowModified());
+  open->undo();
+  EXPECT_FALSE(open->isWindowModified());
+}
+
+TEST(MainWindow, AsksBeforeUnsavedChangesAreLeft) {
+  OpenWindow open;
+  loadPaper(open);
+  EXPECT_TRUE(open->files().mayLeave());
+  EXPECT_EQ(open.dialogs->saveQuestions, 0);
+  changeField(open->document(), {.field = "title"}, "changed");
+  EXPECT_FALSE(open->close());
+  EXPECT_EQ(open.dialogs->saveQuestions, 1);
+  EXPECT_FALSE(open->files().startNew());
+  EXPECT_EQ(open->document().session().title, "changed");
+  open.dialogs->saveAnswer = Dialogs::SaveAnswer::Discard;
+  EXPECT_TRUE(open->files().startNew());
+  EXPECT_EQ(open->document().session(), blankSession());
+  EXPECT_FALSE(open->isWindowModified());
+}
+
+TEST(MainWindow, SavesBeforeLeavingWhereWanted) {
+  const QTemporaryDir folder;
+  OpenWindow open;
+  changeField(open->document(), {.field = "title"}, "kept");
+  open.dialogs->saveAnswer = Dialogs::SaveAnswer::Save;
+  EXPECT_FALSE(open->close()) << "no file was chosen";
+  open.dialogs->savePath = folder.filePath(QStringLiteral("kept.alidade"));
+  EXPECT_TRUE(open->close());
+  const Result<Session> saved = loadSession(open.dialogs->savePath.toStdString());
+  ASSERT_TRUE(saved);
+  EXPECT_EQ(saved->title, "kept");
+}
+
+TEST(MainWindow, HandsInWhatIsHalfTypedBeforeSaving) {
+  const QTemporaryDir folder;
+  OpenWindow open;
+  open.dialogs->savePath = folder.filePath(QStringLiteral("half.alidade"));
+  ReadingsTable& table = *open->currentTable();
+  table.selectCell(0, ReadingColumn::Horizontal);
+  table.setFocus();
+  QTest::keyClicks(&table, QStringLiteral("3"));
+  QTest::keyClicks(QApplication::focusWidget(), QStringLiteral("415224"));
+  EXPECT_TRUE(open->document().session().positions[0].readings.empty());
+  ASSERT_TRUE(open->files().save());
+  EXPECT_EQ(loadSession(open.dialogs->savePath.toStdString())->positions[0].readings.at(0).horizontal,
+            "3415224");
+  field(open, "title").setFocus();
+  QTest::keyClicks(&field(open, "title"), QStringLiteral("half"));
+  ASSERT_TRUE(open->files().save());
+  EXPECT_EQ(loadSession(open.dialogs->savePath.toStdString())->title, "half");
+  EXPECT_FALSE(open->isWindowModified());
+}
+
+TEST(MainWindow, KeepsUnknownKeysThroughEditAndSave) {
+  const QTemporaryDir folder;
+  const QString path = folder.filePath(QStringLiteral("more.alidade"));
+  QFile sample(samplePath(paper));
+  ASSERT_TRUE(sample.open(QIODevice::ReadOnly));
+  auto json = nlohmann::ordered_json::parse(sample.readAll().toStdString());
+  json["weather"] = "fog";
+  json["positions"][0]["readings"][3]["clock"] = "10:04";
+  QFile file(path);
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write(QByteArray::fromStdString(json.dump()));
+  file.close();
+
+  OpenWindow open;
+  ASSERT_TRUE(open->files().open(path));
+  ReadingsEditor(open->document(), 0).setCell({3, ReadingColumn::Vertical}, "83 50 35");
+  ASSERT_TRUE(open->files().save());
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  json["positions"][0]["readings"][3]["vertical"] = "83 50 35";
+  EXPECT_EQ(nlohmann::ordered_json::parse(file.readAll().toStdString()), json);
+}
+
+TEST(MainWindow, SaysWhyAFileDoesNotOpenAndStaysAsItWas) {
+  const QTemporaryDir folder;
+  const QString path = folder.filePath(QStringLiteral("broken.alidade"));
+  QFile file(path);
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("{\"format\": \"alidade-session\", \"version\": 99}");
+  file.close();
+  OpenWindow open;
+  loadPaper(open);
+  EXPECT_FALSE(open->files().open(path));
+  EXPECT_FALSE(open->files().open(folder.filePath(QStringLiteral("absent.alidade"))));
+  ASSERT_EQ(open.dialogs->problems.size(), 2);
+  EXPECT_THAT(open.dialogs->problems[0].toStdString(), HasSubstr("version"));
+  EXPECT_EQ(open->document().session(), paperSession());
+}
+
+TEST(MainWindow, SaysWhyASessionCannotBeSaved) {
+  OpenWindow open;
+  open.dialogs->savePath = QStringLiteral("/nowhere/at/all.alidade");
+  changeField(open->document(), {.field = "title"}, "kept");
+  EXPECT_FALSE(open->files().save());
+  EXPECT_EQ(open.dialogs->problems.size(), 1);
+  EXPECT_TRUE(open->isWindowModified());
+}
+
+TEST(MainWindow, FollowsAnExclusion) {
+  OpenWindow open;
+  loadPaper(open);
+  const std::string before = resultOf(open);
+  open->currentTable()->selectCell(0, ReadingColumn::Horizontal);
+  open->currentTable()->toggleExcluded();
+  open.settle();
+  EXPECT_NE(resultOf(open), before);
+  open->undo();
+  open.settle();
+  EXPECT_EQ(resultOf(open), before);
+}
+
+TEST(MainWindow, WritesTheAcceptanceReport) {
+  const QTemporaryDir folder;
+  OpenWindow open;
+  loadPaper(open);
+  open.dialogs->reportPath = folder.filePath(QStringLiteral("report.pdf"));
+  ASSERT_TRUE(open->files().exportReport());
+  QFile report(open.dialogs->reportPath);
+  ASSERT_TRUE(report.open(QIODevice::ReadOnly));
+  EXPECT_TRUE(report.readAll().startsWith("%PDF-1."));
+  ReadingsEditor(open->document(), 0).setCell({3, ReadingColumn::Vertical}, "x");
+  EXPECT_FALSE(open->files().exportReport());
+  EXPECT_EQ(open.dialogs->problems.size(), 1);
+}
+
+TEST(RecentFiles, ListsTheNewestFirstAndLeavesOutWhatIsNotThere) {
+  const QTemporaryDir folder;
+  RecentFiles::clear();
+  QStringList paths;
+  for (int i = 0; i < 12; ++i) {
+    paths.prepend(folder.filePath(QStringLiteral("%1.alidade").arg(i)));
+    QFile(paths.first()).open(QIODevice::WriteOnly);
+    RecentFiles::add(paths.first());
+  }
+  EXPECT_EQ(RecentFiles::existing(), paths.mid(0, 10));
+  RecentFiles::add(paths[5]);
+  EXPECT_EQ(RecentFiles::existing().first(), paths[5]);
+  QFile::rename(paths[5], paths[5] + QLatin1Char('x'));
+  EXPECT_FALSE(RecentFiles::existing().contains(paths[5]));
+  QFile::rename(paths[5] + QLatin1Char('x'), paths[5]);
+  EXPECT_EQ(RecentFiles::existing().first(), paths[5]) << "left out, but not forgotten";
+}
+
+TEST(Workstation, WritesAReportWithoutADisplay) {
+  const QTemporaryDir folder;
+  const QString out = folder.filePath(QStringLiteral("report.pdf"));
+  QProcess program;
+  QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+  for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}) {
+    environment.remove(QString::fromLatin1(name));
+  }
+  program.setProcessEnvironment(environment);
+  const auto run = [&](const QStringList& arguments) {
+    program.start(QStringLiteral(ALIDADE_PROGRAM), arguments);
+    EXPECT_TRUE(program.waitForFinished());
+    return program.exitCode();
+  };
+  EXPECT_EQ(run({QStringLiteral("--report"), out, samplePath(paper)}), 0);
+  EXPECT_GT(QFile(out).size(), 10000);
+  EXPECT_EQ(run({QStringLiteral("--report"), out, QStringLiteral("/absent.alidade")}), 2);
+  EXPECT_EQ(program.readAllStandardError().count('\n'), 1);
+  EXPECT_EQ(run({QStringLiteral("--report"), out}), 2);
+  EXPECT_EQ(run({QStringLiteral("--unknown")}), 2);
+  EXPECT_EQ(run({QStringLiteral("--help")}), 0);
+  EXPECT_THAT(program.readAllStandardOutput().toStdString(), HasSubstr("--report"));
+}
+
+}  // namespace
+}  // namespace alidade::ui

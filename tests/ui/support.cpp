@@ -1,0 +1,63 @@
+#include "tests/ui/support.h"
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QTest>
+#include <stdexcept>
+
+#include "core/session/session_file.h"
+#include "ui/main_window.h"
+
+namespace alidade::ui {
+
+OpenWindow::OpenWindow() {
+  auto scripted = std::make_unique<ScriptedDialogs>();
+  dialogs = scripted.get();
+  window = std::make_unique<MainWindow>(std::move(scripted));
+  window->show();
+  QApplication::setActiveWindow(window.get());
+  settle();
+}
+
+OpenWindow::~OpenWindow() {
+  window.reset();
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+}
+
+void OpenWindow::settle() {
+  if (!waitFor([this] { return window->job().isIdle(); })) throw std::runtime_error("the fit does not end");
+  QCoreApplication::processEvents();
+}
+
+QString samplePath(const QString& name) {
+  return QStringLiteral(ALIDADE_SAMPLES_DIR "/") + name;
+}
+
+Session paperSession() {
+  const Result<Session> session =
+      loadSession(samplePath(QStringLiteral("paper-table-1.alidade")).toStdString());
+  if (!session) throw std::runtime_error(session.problem().text());
+  return *session;
+}
+
+void typeInto(QWidget& widget, const QString& text, Qt::Key key) {
+  widget.setFocus();
+  for (const QChar character : text) {
+    QWidget* focus = QApplication::focusWidget();
+    QTest::keyClicks(focus ? focus : &widget, QString(character));
+  }
+  QWidget* focus = QApplication::focusWidget();
+  QTest::keyClick(focus ? focus : &widget, key);
+}
+
+bool waitFor(const std::function<bool()>& done) {
+  QElapsedTimer clock;
+  clock.start();
+  while (!done()) {
+    if (clock.elapsed() > 5000) return false;
+    QCoreApplication::processEvents(QEventLoop::AllEvents, 10);
+  }
+  return true;
+}
+
+}  // namespace alidade::ui

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <QKeySequence>
+#include <QString>
+#include <functional>
+#include <memory>
+
+#include "core/session/session.h"
+#include "ui/dialogs/dialogs.h"
+
+class QWidget;
+
+namespace alidade::ui {
+
+class MainWindow;
+class ReadingsTable;
+
+/// Answers as told instead of asking, and keeps what was shown.
+class ScriptedDialogs : public Dialogs {
+ public:
+  SaveAnswer saveAnswer = SaveAnswer::Cancel;
+  QString openPath, savePath, reportPath;
+  int saveQuestions = 0;
+  QStringList problems;
+
+  SaveAnswer askSaveChanges(const QString&) override {
+    ++saveQuestions;
+    return saveAnswer;
+  }
+  QString askOpenPath(const QString&) override { return openPath; }
+  QString askSavePath(const QString&) override { return savePath; }
+  QString askReportPath(const QString&) override { return reportPath; }
+  void showProblem(const QString&, const QString& text) override { problems.append(text); }
+};
+
+/// A shown window whose dialogs are scripted. Leaves nothing behind.
+struct OpenWindow {
+  OpenWindow();
+  ~OpenWindow();
+
+  ScriptedDialogs* dialogs;  ///< the window's
+  std::unique_ptr<MainWindow> window;
+
+  MainWindow* operator->() { return window.get(); }
+  /// Waits until the newest session is evaluated and shown.
+  void settle();
+};
+
+/// The paper's table, and the file it is in.
+Session paperSession();
+QString samplePath(const QString& name);
+
+/// Types `text` and ends it with `key`, wherever the keyboard is, the editor of a cell included.
+void typeInto(QWidget& widget, const QString& text, Qt::Key key = Qt::Key_Return);
+
+/// Processes events until `done`, at most five seconds. False: it was not.
+bool waitFor(const std::function<bool()>& done);
+
+}  // namespace alidade::ui

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+
+namespace alidade::ui {
+
+class Dialogs;
+class SessionDocument;
+
+/// New, open, save, export and leaving, with the questions that belong to them.
+class FileFlow : public QObject {
+  Q_OBJECT
+
+ public:
+  FileFlow(SessionDocument& document, Dialogs& dialogs, QObject* parent = nullptr);
+
+  /// Each is true where it was done, false where it failed (the user was told why) or was cancelled.
+  bool startNew();
+  bool open();
+  bool open(const QString& path);
+  bool save();
+  bool saveAs();
+  bool exportReport();
+  /// May the session be left? Saves first where the user wants it.
+  bool mayLeave();
+
+ signals:
+  void commitWanted();  ///< what is half typed belongs into the session before it is used
+  void recentFilesChanged();
+  void remark(const QString& text);  ///< for the status line
+
+ private:
+  bool load(const QString& path);
+  bool saveTo(const QString& path);
+  QString suggestedPath(const QString& suffix) const;
+
+  SessionDocument& m_document;
+  Dialogs& m_dialogs;
+};
+
+}  // namespace alidade::ui

@@ -1,0 +1,223 @@
+#include "ui/main_window.h"
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QMimeData>
+#include <QSettings>
+#include <QSplitter>
+#include <QStatusBar>
+#include <QTabWidget>
+#include <QUrl>
+#include <QVBoxLayout>
+
+#include "ui/charts/arc_chart.h"
+#include "ui/charts/residual_chart.h"
+#include "ui/forms/field_binding.h"
+#include "ui/forms/field_form.h"
+#include "ui/main_window_actions.h"
+#include "ui/panels/findings_panel.h"
+#include "ui/panels/position_tabs.h"
+#include "ui/panels/readings_table.h"
+#include "ui/panels/result_panel.h"
+
+namespace alidade::ui {
+
+namespace {
+
+QSplitter* split(Qt::Orientation orientation, const char* name, std::initializer_list<QWidget*> parts,
+                 const QList<int>& sizes) {
+  auto* splitter = new QSplitter(orientation);
+  splitter->setObjectName(QString::fromLatin1(name));
+  splitter->setChildrenCollapsible(false);
+  for (QWidget* part : parts) splitter->addWidget(part);
+  splitter->setSizes(sizes);
+  return splitter;
+}
+
+}  // namespace
+
+MainWindow::MainWindow(std::unique_ptr<Dialogs> dialogs)
+    : m_dialogs(dialogs ? std::move(dialogs) : std::make_unique<Dialogs>(this)),
+      m_files(m_document, *m_dialogs) {
+  QWidget* entries = createEntryColumn();
+  QWidget* results = createResultColumn();
+  QSplitter* columns = split(Qt::Horizontal, "columns", {entries, results}, {500, 780});
+  columns->setStretchFactor(1, 1);
+  setCentralWidget(columns);
+  m_actions = new WindowActions(*this, *m_dialogs);
+  statusBar();
+  setAcceptDrops(true);
+  resize(1280, 800);
+  connectParts();
+  restoreLayout();
+  showTitle();
+  m_job.request(m_document.session());
+}
+
+MainWindow::~MainWindow() {
+  m_document.disconnect(this);
+  m_document.undoStack().disconnect();
+  m_job.disconnect(this);
+  delete takeCentralWidget();
+}
+
+QWidget* MainWindow::createEntryColumn() {
+  m_forms = new QTabWidget;
+  m_forms->addTab(createMeasurementForm(m_document), tr("&Measurement"));
+  m_forms->addTab(createInstrumentForm(m_document), tr("I&nstrument"));
+  m_forms->addTab(createSessionForm(m_document), tr("Se&ssion"));
+  m_forms->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+  m_positions = new PositionTabs(m_document);
+  m_findings = new FindingsPanel;
+
+  auto* top = new QWidget;
+  auto* layout = new QVBoxLayout(top);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(m_forms);
+  layout->addWidget(m_positions, 1);
+  QSplitter* column = split(Qt::Vertical, "entries", {top, m_findings}, {620, 90});
+  column->setStretchFactor(0, 1);
+  column->setContentsMargins(6, 6, 0, 6);
+  return column;
+}
+
+QWidget* MainWindow::createResultColumn() {
+  m_arcChart = new ArcChart;
+  m_residualChart = new ResidualChart;
+  m_result = new ResultPanel;
+  m_result->setMinimumWidth(290);
+  QSplitter* top = split(Qt::Horizontal, "arcs", {m_arcChart, m_result}, {450, 330});
+  top->setStretchFactor(0, 1);
+  QSplitter* column = split(Qt::Vertical, "results", {top, m_residualChart}, {460, 280});
+  column->setStretchFactor(0, 1);
+  column->setContentsMargins(0, 6, 6, 6);
+  return column;
+}
+
+void MainWindow::connectParts() {
+  connect(&m_document, &SessionDocument::changed, this, [this](const SessionChange& change) {
+    m_lastChange = change.place;
+    m_job.request(m_document.session());
+  });
+  connect(&m_document, &SessionDocument::identityChanged, this, &MainWindow::showTitle);
+  connect(&m_job, &FitJob::evaluated, this, &MainWindow::showEvaluation);
+  connect(&m_files, &FileFlow::commitWanted, this, &MainWindow::commitPending);
+  connect(m_findings, &FindingsPanel::placeActivated, this, [this](const Place& place) { reveal(place); });
+  const auto say = [this](const QString& text) { statusBar()->showMessage(text, 8000); };
+  connect(&m_files, &FileFlow::remark, this, say);
+  connect(m_positions, &PositionTabs::remark, this, say);
+  connect(m_positions, &PositionTabs::tableCreated, m_actions, &WindowActions::attachTo);
+  for (std::size_t i = 0; m_positions->table(i); ++i) m_actions->attachTo(m_positions->table(i));
+  connect(m_positions, &PositionTabs::rowEntered, m_arcChart, &ArcChart::setHighlighted);
+  connect(m_positions, &PositionTabs::rowEntered, m_residualChart, &ResidualChart::setHighlighted);
+  const auto select = [this](std::size_t position, std::size_t row) {
+    reveal({.position = position, .reading = row, .field = "horizontal"});
+  };
+  connect(m_arcChart, &ArcChart::sightingActivated, this, select);
+  connect(m_residualChart, &ResidualChart::sightingActivated, this, select);
+}
+
+ReadingsTable* MainWindow::currentTable() const {
+  return m_positions->currentTable();
+}
+
+void MainWindow::setColumnShown(ReadingColumn column, bool shown) {
+  m_positions->setColumnShown(column, shown);
+}
+
+void MainWindow::showTitle() {
+  setWindowTitle(tr("%1[*] — Alidade").arg(m_document.displayName()));
+  setWindowModified(m_document.isModified());
+}
+
+void MainWindow::showEvaluation(const Evaluation& evaluation) {
+  m_positions->setEvaluation(evaluation);
+  m_findings->setEvaluation(evaluation);
+  m_result->setEvaluation(evaluation);
+  m_arcChart->setEvaluation(evaluation);
+  m_residualChart->setEvaluation(evaluation);
+}
+
+void MainWindow::reveal(const Place& place, bool takeFocus) {
+  if (!place.position || !place.reading) {
+    revealField(place, takeFocus);
+    return;
+  }
+  const ReadingsTable* table = m_positions->table(*place.position);
+  if (!table) return;
+  const bool keepColumn = place.field.empty() && table->currentIndex().isValid();
+  m_positions->selectCell(
+      *place.position, *place.reading,
+      keepColumn ? static_cast<ReadingColumn>(table->currentIndex().column()) : readingColumn(place.field));
+  if (takeFocus) currentTable()->setFocus();
+}
+
+void MainWindow::revealField(const Place& place, bool takeFocus) {
+  for (const FieldBinding* binding : findChildren<FieldBinding*>()) {
+    if (binding->place() != place) continue;
+    for (QWidget* page = binding->widget(); page; page = page->parentWidget()) {
+      for (QTabWidget* tabs : {m_forms, static_cast<QTabWidget*>(m_positions)}) {
+        if (tabs->indexOf(page) >= 0) tabs->setCurrentWidget(page);
+      }
+    }
+    if (takeFocus) binding->widget()->setFocus(Qt::TabFocusReason);
+    return;
+  }
+  if (place.position) m_positions->setCurrentIndex(static_cast<int>(*place.position));
+}
+
+void MainWindow::commitPending() {
+  if (ReadingsTable* table = currentTable()) table->commitOpenEditor();
+  for (FieldBinding* binding : findChildren<FieldBinding*>()) emit binding->commitWanted();
+}
+
+void MainWindow::undo() {
+  commitPending();
+  m_document.undoStack().undo();
+  reveal(m_lastChange, false);
+}
+
+void MainWindow::redo() {
+  commitPending();
+  m_document.undoStack().redo();
+  reveal(m_lastChange, false);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!m_files.mayLeave()) {
+    event->ignore();
+    return;
+  }
+  saveLayout();
+  event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  const QList<QUrl> urls = event->mimeData()->urls();
+  if (urls.size() == 1 && urls.first().isLocalFile()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  event->acceptProposedAction();
+  m_files.open(event->mimeData()->urls().value(0).toLocalFile());
+}
+
+void MainWindow::restoreLayout() {
+  const QSettings settings;
+  restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
+  restoreState(settings.value(QStringLiteral("window/state")).toByteArray());
+  for (QSplitter* splitter : findChildren<QSplitter*>()) {
+    splitter->restoreState(settings.value(QStringLiteral("window/") + splitter->objectName()).toByteArray());
+  }
+}
+
+void MainWindow::saveLayout() const {
+  QSettings settings;
+  settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
+  settings.setValue(QStringLiteral("window/state"), saveState());
+  for (const QSplitter* splitter : findChildren<QSplitter*>()) {
+    settings.setValue(QStringLiteral("window/") + splitter->objectName(), splitter->saveState());
+  }
+}
+
+}  // namespace alidade::ui

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <QMainWindow>
+#include <memory>
+
+#include "ui/dialogs/dialogs.h"
+#include "ui/dialogs/file_flow.h"
+#include "ui/document/reading_column.h"
+#include "ui/document/session_document.h"
+#include "ui/jobs/fit_job.h"
+
+class QTabWidget;
+
+namespace alidade::ui {
+
+class ArcChart;
+class FindingsPanel;
+class PositionTabs;
+class ReadingsTable;
+class ResidualChart;
+class ResultPanel;
+class WindowActions;
+
+/// The workstation's window: puts the parts together and leads from one to the other. What the parts do is
+/// theirs.
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  explicit MainWindow(std::unique_ptr<Dialogs> dialogs = nullptr);
+  ~MainWindow() override;
+
+  SessionDocument& document() { return m_document; }
+  FileFlow& files() { return m_files; }
+  FitJob& job() { return m_job; }
+  ReadingsTable* currentTable() const;
+
+  /// Leads to an entry: its tab, its row, and the keyboard where `takeFocus`.
+  void reveal(const Place& place, bool takeFocus = true);
+  /// Hands in what is half typed.
+  void commitPending();
+  void undo();
+  void redo();
+  void setColumnShown(ReadingColumn column, bool shown);
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+ private:
+  QWidget* createEntryColumn();
+  QWidget* createResultColumn();
+  void connectParts();
+  void showTitle();
+  void showEvaluation(const Evaluation& evaluation);
+  void revealField(const Place& place, bool takeFocus);
+  void restoreLayout();
+  void saveLayout() const;
+
+  std::unique_ptr<Dialogs> m_dialogs;
+  SessionDocument m_document;
+  FileFlow m_files;
+  FitJob m_job;
+  Place m_lastChange;
+  WindowActions* m_actions = nullptr;
+  QTabWidget* m_forms = nullptr;
+  PositionTabs* m_positions = nullptr;
+  FindingsPanel* m_findings = nullptr;
+  ArcChart* m_arcChart = nullptr;
+  ResidualChart* m_residualChart = nullptr;
+  ResultPanel* m_result = nullptr;
+};
+
+}  // namespace alidade::ui

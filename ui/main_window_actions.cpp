@@ -1,0 +1,183 @@
+#include "ui/main_window_actions.h"
+
+#include <QActionGroup>
+#include <QApplication>
+#include <QClipboard>
+#include <QDir>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenuBar>
+#include <QPlainTextEdit>
+#include <QToolBar>
+
+#include "ui/main_window.h"
+#include "ui/panels/position_tabs.h"
+#include "ui/panels/readings_table.h"
+#include "ui/settings/recent_files.h"
+#include "ui/settings/theme.h"
+
+namespace alidade::ui {
+
+namespace {
+
+template <typename Call>
+QAction* addTo(QMenu& menu, const char* icon, const QString& text, const QKeySequence& keys, QObject* context,
+               Call call) {
+  QAction* action = menu.addAction(text);
+  if (icon) action->setIcon(themeIcon(QString::fromLatin1(icon)));
+  action->setShortcut(keys);
+  action->setIconVisibleInMenu(icon != nullptr);
+  QObject::connect(action, &QAction::triggered, context, call);
+  return action;
+}
+
+}  // namespace
+
+WindowActions::WindowActions(MainWindow& window, Dialogs& dialogs) : QObject(&window), m_window(window) {
+  auto* bar = new QToolBar(tr("Tools"));
+  bar->setObjectName(QStringLiteral("tools"));
+  bar->setIconSize({20, 20});
+  bar->setMovable(false);
+  window.addToolBar(bar);
+  createFileMenu(*bar);
+  bar->addSeparator();
+  createEditMenu(*bar);
+  createViewMenu();
+  createHelpMenu(dialogs);
+}
+
+void WindowActions::createFileMenu(QToolBar& bar) {
+  FileFlow& files = m_window.files();
+  QMenu& menu = *m_window.menuBar()->addMenu(tr("&File"));
+  bar.addAction(addTo(menu, "new", tr("&New"), QKeySequence::New, this, [&files] { files.startNew(); }));
+  bar.addAction(addTo(menu, "open", tr("&Open…"), QKeySequence::Open, this, [&files] { files.open(); }));
+  QMenu* recent = menu.addMenu(tr("Open &Recent"));
+  connect(recent, &QMenu::aboutToShow, this, [this, recent] { fillRecentMenu(*recent); });
+  fillRecentMenu(*recent);
+  menu.addSeparator();
+  bar.addAction(addTo(menu, "save", tr("&Save"), QKeySequence::Save, this, [&files] { files.save(); }));
+  addTo(menu, nullptr, tr("Save &As…"), QKeySequence::SaveAs, this, [&files] { files.saveAs(); });
+  menu.addSeparator();
+  bar.addAction(addTo(menu, "report", tr("&Export Acceptance Report…"), QKeySequence(tr("Ctrl+E")), this,
+                      [&files] { files.exportReport(); }));
+  menu.addSeparator();
+  addTo(menu, nullptr, tr("&Quit"), QKeySequence(tr("Ctrl+Q")), this, [this] { m_window.close(); });
+}
+
+void WindowActions::fillRecentMenu(QMenu& menu) {
+  menu.clear();
+  int number = 0;
+  for (const QString& path : RecentFiles::existing()) {
+    QString shown = QDir::toNativeSeparators(path);
+    shown.replace(QLatin1Char('&'), QStringLiteral("&&"));
+    QAction* action = menu.addAction(QStringLiteral("&%1  %2").arg(++number % 10).arg(shown));
+    connect(action, &QAction::triggered, this, [this, path] { m_window.files().open(path); });
+  }
+  if (number == 0) menu.addAction(tr("No files yet"))->setEnabled(false);
+  menu.addSeparator();
+  QAction* forget = menu.addAction(tr("&Forget These"));
+  forget->setEnabled(number > 0);
+  connect(forget, &QAction::triggered, this, [] { RecentFiles::clear(); });
+}
+
+void WindowActions::createEditMenu(QToolBar& bar) {
+  QMenu& menu = *m_window.menuBar()->addMenu(tr("&Edit"));
+  QUndoStack& stack = m_window.document().undoStack();
+  QAction* undo = addTo(menu, "undo", tr("&Undo"), QKeySequence::Undo, this, [this] { m_window.undo(); });
+  QAction* redo = addTo(menu, "redo", tr("&Redo"), QKeySequence::Redo, this, [this] { m_window.redo(); });
+  undo->setEnabled(false);
+  redo->setEnabled(false);
+  connect(&stack, &QUndoStack::canUndoChanged, undo, &QAction::setEnabled);
+  connect(&stack, &QUndoStack::canRedoChanged, redo, &QAction::setEnabled);
+  connect(&stack, &QUndoStack::undoTextChanged, undo, [undo](const QString& text) {
+    undo->setText(text.isEmpty() ? tr("&Undo") : tr("&Undo: %1").arg(text));
+  });
+  connect(&stack, &QUndoStack::redoTextChanged, redo, [redo](const QString& text) {
+    redo->setText(text.isEmpty() ? tr("&Redo") : tr("&Redo: %1").arg(text));
+  });
+  menu.addSeparator();
+  QAction* cut =
+      addTo(menu, nullptr, tr("Cu&t"), QKeySequence::Cut, this, [this] { useClipboard(Clipboard::Cut); });
+  QAction* copy =
+      addTo(menu, nullptr, tr("&Copy"), QKeySequence::Copy, this, [this] { useClipboard(Clipboard::Copy); });
+  QAction* paste = addTo(menu, nullptr, tr("&Paste"), QKeySequence::Paste, this,
+                         [this] { useClipboard(Clipboard::Paste); });
+  menu.addSeparator();
+  const auto onTable = [this](void (ReadingsTable::*call)()) {
+    return [this, call] {
+      m_window.commitPending();
+      if (ReadingsTable* table = m_window.currentTable()) (table->*call)();
+    };
+  };
+  QAction* insert = addTo(menu, "insert", tr("&Insert Reading Above"), QKeySequence(tr("Ctrl+I")), this,
+                          onTable(&ReadingsTable::insertAbove));
+  QAction* remove = addTo(menu, "delete", tr("&Delete Readings"), QKeySequence(tr("Ctrl+-")), this,
+                          onTable(&ReadingsTable::deleteSelected));
+  QAction* exclude =
+      addTo(menu, "exclude", tr("E&xclude or Use\tSpace"), {}, this, onTable(&ReadingsTable::toggleExcluded));
+  QAction* clear =
+      addTo(menu, nullptr, tr("C&lear Cells\tDel"), {}, this, onTable(&ReadingsTable::clearCells));
+  exclude->setToolTip(tr("Exclude or use the selected readings (Space)"));
+  m_tableActions = {cut, copy, paste, insert, remove, exclude, clear};
+  bar.addActions({undo, redo});
+  bar.addSeparator();
+  bar.addActions({insert, remove, exclude});
+}
+
+void WindowActions::attachTo(ReadingsTable* table) const {
+  table->addActions(m_tableActions);
+  table->setContextMenuPolicy(Qt::ActionsContextMenu);
+}
+
+/// The clipboard belongs to the text that has the focus, otherwise to the table.
+void WindowActions::useClipboard(Clipboard way) {
+  QWidget* focus = QApplication::focusWidget();
+  const auto apply = [way](auto& target) {
+    if (way == Clipboard::Cut) target.cut();
+    if (way == Clipboard::Copy) target.copy();
+    if (way == Clipboard::Paste) target.paste();
+  };
+  if (auto* line = qobject_cast<QLineEdit*>(focus)) {
+    apply(*line);
+  } else if (auto* text = qobject_cast<QPlainTextEdit*>(focus)) {
+    apply(*text);
+  } else if (auto* label = qobject_cast<QLabel*>(focus); label && label->hasSelectedText()) {
+    if (way == Clipboard::Copy) QApplication::clipboard()->setText(label->selectedText());
+  } else if (ReadingsTable* table = m_window.currentTable()) {
+    apply(*table);
+  }
+}
+
+void WindowActions::createViewMenu() {
+  QMenu& menu = *m_window.menuBar()->addMenu(tr("&View"));
+  const std::pair<QString, ReadingColumn> columns[] = {{tr("&Round Column"), ReadingColumn::Round},
+                                                       {tr("&Face Column"), ReadingColumn::Face},
+                                                       {tr("&Slider Column"), ReadingColumn::Slider}};
+  for (const auto& [text, column] : columns) {
+    QAction* action = menu.addAction(text);
+    action->setCheckable(true);
+    action->setStatusTip(tr("A column that the session uses is always shown"));
+    connect(action, &QAction::toggled, this,
+            [this, which = column](bool shown) { m_window.setColumnShown(which, shown); });
+  }
+  menu.addSeparator();
+  auto* themes = new QActionGroup(this);
+  const std::pair<QString, Theme> choices[] = {
+      {tr("S&ystem Colours"), Theme::System}, {tr("&Light"), Theme::Light}, {tr("&Dark"), Theme::Dark}};
+  for (const auto& [text, theme] : choices) {
+    QAction* action = themes->addAction(text);
+    action->setCheckable(true);
+    action->setChecked(theme == rememberedTheme());
+    connect(action, &QAction::triggered, this, [which = theme] { applyTheme(which); });
+  }
+  menu.addActions(themes->actions());
+}
+
+void WindowActions::createHelpMenu(Dialogs& dialogs) {
+  QMenu& menu = *m_window.menuBar()->addMenu(tr("&Help"));
+  addTo(menu, nullptr, tr("&Keys of the Table"), QKeySequence::HelpContents, this,
+        [&dialogs] { dialogs.showShortcuts(); });
+  addTo(menu, nullptr, tr("&About Alidade"), {}, this, [&dialogs] { dialogs.showAbout(); });
+}
+
+}  // namespace alidade::ui

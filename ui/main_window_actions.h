@@ -1,0 +1,39 @@
+#pragma once
+
+#include <QObject>
+
+class QAction;
+class QMenu;
+class QToolBar;
+
+namespace alidade::ui {
+
+class Dialogs;
+class MainWindow;
+class ReadingsTable;
+
+/// The window's menus, tool bar and shortcuts, and what they call.
+class WindowActions : public QObject {
+  Q_OBJECT
+
+ public:
+  WindowActions(MainWindow& window, Dialogs& dialogs);
+
+  /// Gives a table the menu of its edits.
+  void attachTo(ReadingsTable* table) const;
+
+ private:
+  enum class Clipboard { Cut, Copy, Paste };
+
+  void createFileMenu(QToolBar& bar);
+  void createEditMenu(QToolBar& bar);
+  void createViewMenu();
+  void createHelpMenu(Dialogs& dialogs);
+  void fillRecentMenu(QMenu& menu);
+  void useClipboard(Clipboard way);
+
+  MainWindow& m_window;
+  QList<QAction*> m_tableActions;
+};
+
+}  // namespace alidade::ui
