@@ -36,7 +36,7 @@ ArcPlot::ArcPlot(QObject* parent)
 
 void ArcPlot::setEvaluation(const Evaluation& evaluation) {
   m_picture = arcPicture(evaluation);
-  setMessage(m_picture.isEmpty() ? QStringLiteral("No readings yet.") : QString());
+  setMessage(m_picture.isEmpty() ? QStringLiteral("No usable readings yet.") : QString());
   m_inset->setIntersection(m_picture.intersection);
   showArcs();
   showMarks();

@@ -91,6 +91,7 @@ void Plot::setMessage(const QString& message) {
   m_message = message;
   m_messageItem->setText(message);
   m_messageItem->setVisible(!message.isEmpty());
+  for (QValueAxis* axis : {m_x, m_y}) axis->setGridLineVisible(message.isEmpty());
 }
 
 void Plot::arrange(const QSizeF& size) {

@@ -53,6 +53,10 @@ ResidualPicture residualPicture(const Evaluation& evaluation) {
   return picture;
 }
 
+bool ResidualPicture::oneSigma() const {
+  return std::abs(sigmaHorizontal - sigmaVertical) <= 1e-9 * largestSigma();
+}
+
 double ResidualPicture::largestResidual() const {
   double largest = 0;
   for (const DrawnResidual& residual : residuals) largest = std::max(largest, std::abs(residual.arcsec));

@@ -26,7 +26,7 @@ struct ResidualPicture {
   double sigmaVertical = 0;
 
   bool isEmpty() const { return residuals.empty(); }
-  bool oneSigma() const { return sigmaHorizontal == sigmaVertical; }
+  bool oneSigma() const;  ///< both circles have the same
   double largestSigma() const { return sigmaHorizontal > sigmaVertical ? sigmaHorizontal : sigmaVertical; }
   double largestResidual() const;  ///< of the absolute values, arcseconds
 };

@@ -130,6 +130,7 @@ void ResidualPlot::placeExtras() {
   showNoise(m_bands[0], m_picture.oneSigma() ? 0 : larger, range.left(), range.right());
   showNoise(m_bands[1], smaller, range.left(), range.right());
   m_zero->replace(QList<QPointF>{{range.left(), 0}, {range.right(), 0}});
+  m_zero->setVisible(!m_picture.isEmpty());
 }
 
 void ResidualPlot::showNoise(const NoiseBand& band, double sigma, double left, double right) {

@@ -17,6 +17,7 @@ QString stated(const std::string& text, const QString& unit = {}) {
   return value.isEmpty() ? notStated() : value + unit;
 }
 
+/// A dash and what the fit takes instead where nothing is stated.
 QString withUsual(const std::string& text, const QString& unit, const QString& usual) {
   return QString::fromStdString(text).trimmed().isEmpty()
              ? notStated() + QStringLiteral(" (taken as ") + usual + u')'
@@ -38,22 +39,21 @@ std::vector<Fact> objectFacts(const Session& session, const QDateTime& date) {
 
 std::vector<Fact> instrumentFacts(const Session& session) {
   const Instrument& instrument = session.instrument;
-  const QString arcsec(QChar(0x2033));
-  const QString usual = QStringLiteral("2″");
-  return {{QStringLiteral("Instrument"), nameAndSerial(instrument.name, instrument.serial)},
-          {QStringLiteral("σ horizontal circle"), withUsual(instrument.sigmaHorizontalArcsec, arcsec, usual)},
-          {QStringLiteral("σ vertical circle"), withUsual(instrument.sigmaVerticalArcsec, arcsec, usual)},
-          {QStringLiteral("σ pointing zero"),
-           withUsual(instrument.sigmaZeroArcsec, arcsec, QStringLiteral("the circles'"))}};
-}
-
-std::vector<Fact> geometryFacts(const Session& session) {
   const Geometry& geometry = session.geometry;
-  const QString mm = QStringLiteral(" mm");
+  const QString arcsec(QChar(0x2033)), mm = QStringLiteral(" mm"), usual = QStringLiteral("2″");
   const QString planar =
       session.model.verticalAngle == "planar" ? QStringLiteral(", planar relation") : QString();
-  return {{QStringLiteral("Distance L"), stated(geometry.distanceMm, mm)},
-          {QStringLiteral("σ distance"), withUsual(geometry.sigmaDistanceMm, mm, QStringLiteral("exact"))},
+  return {{QStringLiteral("Instrument"), nameAndSerial(instrument.name, instrument.serial)},
+          {QStringLiteral("σ of the circles"),
+           QStringLiteral("horizontal %1, vertical %2")
+               .arg(withUsual(instrument.sigmaHorizontalArcsec, arcsec, usual),
+                    withUsual(instrument.sigmaVerticalArcsec, arcsec, usual))},
+          {QStringLiteral("σ pointing zero"),
+           withUsual(instrument.sigmaZeroArcsec, arcsec, QStringLiteral("that of the circles"))},
+          {QStringLiteral("Distance L"),
+           QStringLiteral("%1, σ %2")
+               .arg(stated(geometry.distanceMm, mm),
+                    withUsual(geometry.sigmaDistanceMm, mm, QStringLiteral("exact")))},
           {QStringLiteral("Nominal radius R0"), stated(geometry.radiusMm, mm)},
           {QStringLiteral("Vertical circle"),
            withUsual(geometry.verticalCircle, {}, QStringLiteral("zenith")) + planar}};
@@ -77,9 +77,7 @@ double addColumn(ReportSheet& sheet, const std::vector<Fact>& facts, double left
 void addFacts(ReportSheet& sheet, const Evaluation& evaluation, const QDateTime& date) {
   constexpr double column = 83;
   const Session& session = evaluation.session;
-  std::vector<Fact> right = instrumentFacts(session);
-  const std::vector<Fact> geometry = geometryFacts(session);
-  right.insert(right.end(), geometry.begin(), geometry.end());
+  const std::vector<Fact> right = instrumentFacts(session);
   sheet.skip(2.5);
   const double top = sheet.y();
   const double leftEnd = addColumn(sheet, objectFacts(session, date), 0, top, column);

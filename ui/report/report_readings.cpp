@@ -4,8 +4,8 @@
 #include <cmath>
 #include <set>
 
-#include "core/base/angle_text.h"
 #include "ui/report/report_table.h"
+#include "ui/text/entry_text.h"
 #include "ui/text/quantity_text.h"
 
 namespace alidade::ui {
@@ -25,40 +25,29 @@ Limits limitsOf(const Evaluation& evaluation) {
           factor * evaluation.examined.measurement->sigmaVertical.arcseconds()};
 }
 
-/// The fewest decimals of a second that lose nothing that was typed, up to thousandths.
-int secondDecimals(Angle angle) {
-  for (int decimals = 0; decimals < 3; ++decimals) {
-    const double unit = std::pow(10.0, -decimals);
-    const double seconds = angle.arcseconds();
-    if (std::abs(seconds - std::round(seconds / unit) * unit) < 5e-4) return decimals;
-  }
-  return 3;
-}
-
 /// As typed, and below it in degrees, minutes and seconds where it was typed in another way.
 QString angleCell(const std::string& typed) {
-  const QString text = QString::fromStdString(typed).trimmed();
-  const Result<Angle> angle = parseAngle(typed);
-  if (!angle) return orNotStated(text);
+  const QString text = qText(typed).trimmed();
   QString primes = text;
   primes.replace(u'\'', QChar(0x2032)).replace(u'"', QChar(0x2033));
-  const QString normal = dmsText(*angle, secondDecimals(*angle));
-  return primes == normal ? text : text + QStringLiteral("\n= ") + normal;
+  const QString normal = shownAngle(typed).trimmed();
+  if (normal == primes || normal == text) return orNotStated(text);
+  return text + QStringLiteral("\n= ") + normal;
 }
 
 std::vector<ReportColumn> columns() {
   constexpr auto right = Qt::AlignRight;
   return {{QStringLiteral("Point"), 12, right},
-          {QStringLiteral("Round"), 12, right},
+          {QStringLiteral("Round"), 13, right},
           {QStringLiteral("Face"), 10, right},
           {QStringLiteral("Horizontal\nas read"), 28, right},
           {QStringLiteral("Vertical\nas read"), 28, right},
-          {QStringLiteral("Arc angle\nφ (°)"), 20, right},
+          {QStringLiteral("Arc angle\nφ (°)"), 18, right},
           {QStringLiteral("v horiz.\n(″)"), 17, right},
           {QString(), 4},
           {QStringLiteral("v vert.\n(″)"), 15, right},
           {QString(), 4},
-          {QStringLiteral("Remark"), 20}};
+          {QStringLiteral("Remark"), 21}};
 }
 
 /// Rows of one position that `examine` refused.
@@ -71,15 +60,12 @@ std::set<std::size_t> unusableRows(const Evaluation& evaluation, std::size_t pos
 }
 
 QString remark(const Reading& reading, bool unusable) {
-  QStringList parts;
-  if (reading.excluded) parts.append(QStringLiteral("excluded"));
-  if (unusable) parts.append(QStringLiteral("could not be used"));
-  if (!reading.note.empty()) parts.append(QString::fromStdString(reading.note));
-  return parts.join(QStringLiteral(": "));
+  if (reading.excluded) return QStringLiteral("excluded");
+  return unusable ? QStringLiteral("unusable") : QString();
 }
 
 QString orDefault(const std::string& text, const QString& usual) {
-  const QString typed = QString::fromStdString(text).trimmed();
+  const QString typed = qText(text).trimmed();
   return typed.isEmpty() ? usual : typed;
 }
 
@@ -109,7 +95,7 @@ class PositionTable {
     const bool unusable = m_unusable.contains(row);
     const TextStyle style = reading.excluded ? type::label : unusable ? type::body.inBold() : type::body;
     const QString one = QStringLiteral("1");
-    std::vector<ReportCell> cells{{orNotStated(QString::fromStdString(reading.point)), style},
+    std::vector<ReportCell> cells{{orNotStated(qText(reading.point)), style},
                                   {orDefault(reading.round, one), style},
                                   {orDefault(reading.face, one), style},
                                   {angleCell(reading.horizontal), style},
@@ -127,7 +113,7 @@ class PositionTable {
       }
     }
     cells.emplace_back(remark(reading, unusable), style);
-    m_table.row(cells);
+    m_table.row(cells, qText(reading.note).simplified());
   }
 
   ReportTable m_table;
@@ -139,7 +125,7 @@ class PositionTable {
 
 void addPosition(ReportSheet& sheet, const Evaluation& evaluation, std::size_t index) {
   const Position& position = evaluation.session.positions[index];
-  const auto zero = [](const std::string& text) { return orNotStated(QString::fromStdString(text)); };
+  const auto zero = [](const std::string& text) { return orNotStated(qText(text)); };
   sheet.keepTogether(35);
   sheet.heading(QStringLiteral("Readings with the axis at %1°").arg(zero(position.axisDeg)));
   sheet.paragraph(QStringLiteral("Pointing zero: horizontal α0 = %1, vertical β0 = %2")

@@ -5,7 +5,9 @@
 
 #include "ui/report/report_table.h"
 #include "ui/report/report_verdict.h"
+#include "ui/text/entry_text.h"
 #include "ui/text/quantity_text.h"
+#include "ui/text/spoken_place.h"
 
 namespace alidade::ui {
 namespace {
@@ -38,6 +40,21 @@ QString coverageLine(const Intersection& found) {
       .arg(numberText(found.coverageFactor, 2), percent(found.coverage),
            degreesOfFreedomText(found.effectiveDegreesOfFreedom),
            lengthText(found.sigma, decimalsFor(found.sigma)));
+}
+
+QString problemText(const Session& session, const Problem& problem) {
+  const QString place = spokenPlace(session, problem.where);
+  return (place.isEmpty() ? QString() : place + QStringLiteral(": ")) + qText(problem.what);
+}
+
+/// Points to the findings, so that a verdict is never read without them.
+QString findingsLine(const SessionFit& fit) {
+  const auto serious = std::count_if(fit.findings.begin(), fit.findings.end(), [](const Finding& finding) {
+    return finding.severity != Severity::Note;
+  });
+  if (serious == 0) return {};
+  return serious == 1 ? QStringLiteral("1 finding: see below.")
+                      : QStringLiteral("%1 findings: see below.").arg(serious);
 }
 
 void addArcs(ReportSheet& sheet, const SessionFit& fit) {
@@ -122,6 +139,8 @@ void addVerdict(ReportSheet& sheet, const Evaluation& evaluation) {
   if (const auto& found = evaluation.fit.intersection) {
     parts.push_back({sheet.lines(coverageLine(*found), type::label, inner), type::label});
   }
+  const QString findings = findingsLine(evaluation.fit);
+  if (!findings.isEmpty()) parts.push_back({{findings}, type::body.inBold()});
   double height = inset;
   for (const Part& part : parts) height += part.lines.size() * sheet.lineHeight(part.style) + 0.4;
   sheet.skip(3.5);
@@ -140,13 +159,14 @@ void addVerdict(ReportSheet& sheet, const Evaluation& evaluation) {
   sheet.skip(height + 1.5);
 }
 
-void addProblems(ReportSheet& sheet, const std::vector<Problem>& problems) {
-  if (problems.empty()) return;
+void addProblems(ReportSheet& sheet, const Evaluation& evaluation) {
+  if (evaluation.examined.problems.empty()) return;
   const TextStyle style = type::body.inBold().inColour(red);
   sheet.heading(QStringLiteral("Entries that could not be used"));
   const auto bar = [&](double top, double bottom) { sheet.rule(0.5, top, 0.5, bottom, 1, red); };
-  for (const Problem& problem : problems) {
-    const QStringList lines = sheet.lines(sentenceText(problem.text()), style, ReportSheet::width - 4);
+  for (const Problem& problem : evaluation.examined.problems) {
+    const QStringList lines =
+        sheet.lines(problemText(evaluation.session, problem), style, ReportSheet::width - 4);
     const double height = lines.size() * sheet.lineHeight(style);
     sheet.keepTogether(height);
     bar(sheet.y(), sheet.y() + height);
@@ -166,8 +186,8 @@ void addResult(ReportSheet& sheet, const Evaluation& evaluation) {
   }
   addArcs(sheet, fit);
   sheet.paragraph(
-      QStringLiteral("u: standard uncertainty, scaled by the scatter of both arcs (s0 = %1); rms: of the "
-                     "residuals of all angles; χ²/f: reduced χ² with the stated σ; f: degrees of freedom.")
+      QStringLiteral("u: standard uncertainty, scaled by s0 = %1; rms: of the residuals of all angles; "
+                     "χ²/f: with the stated σ; f: degrees of freedom.")
           .arg(numberText(fit.noise.factor, 2)),
       type::small);
   if (!fit.intersection) return;

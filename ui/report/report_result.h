@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "ui/jobs/evaluation.h"
 #include "ui/report/report_sheet.h"
 
@@ -10,8 +8,8 @@ namespace alidade::ui {
 /// The verdict in a frame: the word, the intersection, the sentence.
 void addVerdict(ReportSheet& sheet, const Evaluation& evaluation);
 
-/// Every entry that could not be used, in a frame of its own; nothing where all could.
-void addProblems(ReportSheet& sheet, const std::vector<Problem>& problems);
+/// Every entry that could not be used, beside a red bar; nothing where all could.
+void addProblems(ReportSheet& sheet, const Evaluation& evaluation);
 
 /// Both arcs with standard uncertainties, the intersection, the budget, and the reference where one is given.
 void addResult(ReportSheet& sheet, const Evaluation& evaluation);

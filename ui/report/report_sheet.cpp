@@ -3,6 +3,7 @@
 #include <QFontMetricsF>
 #include <QPagedPaintDevice>
 #include <QPainter>
+#include <QRegularExpression>
 #include <QTextLayout>
 
 namespace alidade::ui {
@@ -10,7 +11,13 @@ namespace {
 
 constexpr double margin = 20;
 constexpr double headerTop = -9;  // mm above the text area
-constexpr double footerTop = 254;
+constexpr double footerTop = 255;
+
+/// The same text of the same length that may not be broken between a number and its sign or unit.
+QString keptTogether(QString text) {
+  static const QRegularExpression gap(QStringLiteral("(?<=±) (?=\\d)|(?<=\\d) (?=mm|%|°)"));
+  return text.replace(gap, QString(QChar::Nbsp));
+}
 
 }  // namespace
 
@@ -33,7 +40,7 @@ QStringList ReportSheet::lines(const QString& text, const TextStyle& style, doub
       result.append(part);
       continue;
     }
-    QTextLayout layout(part, style.font(), &m_device);
+    QTextLayout layout(keptTogether(part), style.font(), &m_device);
     QTextOption option;
     option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
     layout.setTextOption(option);
@@ -103,7 +110,7 @@ void ReportSheet::outline(const QRectF& area, double thickness, const QColor& co
 
 void ReportSheet::heading(const QString& text) {
   keepTogether(20);  // never alone at the foot of a page
-  if (m_y > 0) skip(3.5);
+  if (m_y > 0) skip(2.8);
   this->text(text, type::heading, 0, m_y, width);
   skip(lineHeight(type::heading) + 0.8);
 }
@@ -147,12 +154,12 @@ void ReportSheet::paintFrame(QPainter& painter, int page) {
   rule(headerTop + step + 0.6);
   rule(footerTop);
   const double first = footerTop + 1;
-  paintLine(painter, elided(m_frame.fileName, width * 0.8, Qt::ElideMiddle), type::small, 0, first, width,
+  paintLine(painter, elided(m_frame.fileName, width * 0.68, Qt::ElideMiddle), type::small, 0, first, width,
             Qt::AlignLeft);
-  paintLine(painter, QStringLiteral("page %1 of %2").arg(page + 1).arg(pageCount()), type::small, 0, first,
-            width, Qt::AlignRight);
+  const QString pages = QStringLiteral("page %1 of %2").arg(page + 1).arg(pageCount());
+  paintLine(painter, m_frame.date + QStringLiteral("   ") + pages, type::small, 0, first, width,
+            Qt::AlignRight);
   paintLine(painter, m_frame.fingerprint, type::fine, 0, first + step, width, Qt::AlignLeft);
-  paintLine(painter, m_frame.date, type::small, 0, first + step, width, Qt::AlignRight);
 }
 
 }  // namespace alidade::ui

@@ -17,9 +17,9 @@ namespace alidade::ui {
 struct ReportFrame {
   QString product;      ///< top left
   QString session;      ///< top right; shortened where it is too long
-  QString fileName;     ///< foot, left
-  QString fingerprint;  ///< foot, second line; small and monospaced
-  QString date;         ///< foot, second line, right
+  QString fileName;     ///< foot, left; shortened where it is too long
+  QString fingerprint;  ///< foot, second line; monospaced
+  QString date;         ///< foot, right, before the page number
 };
 
 /// An A4 report laid out from top to bottom, page after page, and painted when all is known: only then is the
@@ -32,7 +32,7 @@ class ReportSheet {
   ReportSheet(QPagedPaintDevice& device, ReportFrame frame);
 
   static constexpr double width = 170;
-  static constexpr double height = 250;
+  static constexpr double height = 252;
 
   double y() const { return m_y; }
   double room() const { return height - m_y; }

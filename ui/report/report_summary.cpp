@@ -1,19 +1,19 @@
 #include "ui/report/report_summary.h"
 
-#include <algorithm>
-
 #include "ui/report/report_facts.h"
 #include "ui/report/report_result.h"
+#include "ui/text/entry_text.h"
 #include "ui/text/quantity_text.h"
 
 namespace alidade::ui {
 namespace {
 
 void addTitle(ReportSheet& sheet, const Session& session) {
+  const double title = sheet.lineHeight(type::title);
   sheet.text(QStringLiteral("Acceptance report"), type::title, 0, sheet.y(), ReportSheet::width);
-  sheet.skip(sheet.lineHeight(type::title));
-  sheet.paragraph(QStringLiteral("Intersection of a rotatable arc guideway"), type::label);
-  sheet.skip(1);
+  sheet.text(QStringLiteral("Intersection of a rotatable arc guideway"), type::label, 0,
+             sheet.y() + title - sheet.lineHeight(type::label) - 1, ReportSheet::width, Qt::AlignRight);
+  sheet.skip(title + 0.5);
   sheet.paragraph(orNotStated(QString::fromStdString(session.title)), type::subtitle);
 }
 
@@ -29,16 +29,19 @@ QString severityName(Severity severity) {
   return QStringLiteral("Error");
 }
 
-void addFindings(ReportSheet& sheet, const std::vector<Finding>& findings) {
+void addFindings(ReportSheet& sheet, const SessionFit& fit) {
   sheet.heading(QStringLiteral("Findings"));
-  if (findings.empty())
-    sheet.paragraph(QStringLiteral("None: nothing in the data speaks against the result."));
+  if (fit.findings.empty()) {
+    sheet.paragraph(fit.intersection ? QStringLiteral("None: nothing in the data speaks against the result.")
+                                     : notStated());
+  }
+  const TextStyle findingStyle{.points = 8};
   constexpr double indent = 17;
-  for (const Finding& finding : findings) {
-    sheet.keepTogether(sheet.lineHeight(type::body));
-    sheet.text(severityName(finding.severity), type::body.inBold(), 0, sheet.y(), indent);
-    const QString remedy = sentenceText(finding.remedy);
-    sheet.paragraph(sentenceText(finding.text) + (remedy.isEmpty() ? QString() : u' ' + remedy), type::body,
+  for (const Finding& finding : fit.findings) {
+    sheet.keepTogether(sheet.lineHeight(findingStyle));
+    sheet.text(severityName(finding.severity), findingStyle.inBold(), 0, sheet.y(), indent);
+    const QString remedy = qText(finding.remedy);
+    sheet.paragraph(qText(finding.text) + (remedy.isEmpty() ? QString() : u' ' + remedy), findingStyle,
                     indent);
   }
 }
@@ -59,11 +62,12 @@ void addMethod(ReportSheet& sheet, const Evaluation& evaluation) {
           "their scatter (s0), pointing zeros and distance enter as stated; the expanded uncertainty U is "
           "k times the combined standard uncertainty, k from Student's distribution. Accepted: |Δd| + U ≤ "
           "tolerance; rejected: |Δd| − U > tolerance; otherwise undecided.")
-          .arg(relation));
+          .arg(relation),
+      type::small);
 }
 
 void addSignatures(ReportSheet& sheet) {
-  constexpr double line = 78, space = 17;
+  constexpr double line = 78, space = 13;
   sheet.keepTogether(space + 6);
   sheet.skip(space);
   const double y = sheet.y();
@@ -82,9 +86,9 @@ void addSummary(ReportSheet& sheet, const Evaluation& evaluation, const QDateTim
   addTitle(sheet, evaluation.session);
   addFacts(sheet, evaluation, date);
   addVerdict(sheet, evaluation);
-  addProblems(sheet, evaluation.examined.problems);
+  addProblems(sheet, evaluation);
   addResult(sheet, evaluation);
-  addFindings(sheet, evaluation.fit.findings);
+  addFindings(sheet, evaluation.fit);
   if (!evaluation.session.notes.empty()) {
     sheet.heading(QStringLiteral("Notes"));
     sheet.paragraph(QString::fromStdString(evaluation.session.notes));

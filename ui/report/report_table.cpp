@@ -9,8 +9,6 @@ constexpr double gap =
     1.2;  // mm between the text of neighbouring columns and above and below a row's text / 2
 constexpr double above = 0.35;
 
-const TextStyle headStyle = type::label.inBold();
-
 }  // namespace
 
 ReportTable::ReportTable(ReportSheet& sheet, std::vector<ReportColumn> columns)
@@ -20,7 +18,7 @@ ReportTable::ReportTable(ReportSheet& sheet, std::vector<ReportColumn> columns)
 
 void ReportTable::head() {
   std::vector<ReportCell> cells;
-  for (const ReportColumn& column : m_columns) cells.emplace_back(column.title, headStyle);
+  for (const ReportColumn& column : m_columns) cells.emplace_back(column.title, type::tableHead);
   std::vector<QStringList> lines;
   const double height = rowHeight(cells, lines);
   m_sheet.keepTogether(height + 10);
@@ -30,15 +28,23 @@ void ReportTable::head() {
   m_sheet.skip(0.5);
 }
 
-void ReportTable::row(const std::vector<ReportCell>& cells) {
+void ReportTable::row(const std::vector<ReportCell>& cells, const QString& note) {
   std::vector<QStringList> lines;
   const double height = rowHeight(cells, lines);
-  if (m_sheet.room() < height) {
+  const double indent = m_columns.front().width;
+  const QStringList noteLines =
+      note.isEmpty() ? QStringList() : m_sheet.lines(note, type::small, m_width - indent);
+  const double noteLine = m_sheet.lineHeight(type::small);
+  if (m_sheet.room() < height + noteLines.size() * noteLine) {
     m_sheet.newPage();
     head();
   }
   place(cells, lines);
   m_sheet.skip(height);
+  for (const QString& line : noteLines) {
+    m_sheet.text(line, type::small, indent, m_sheet.y() - above, m_width - indent);
+    m_sheet.skip(noteLine);
+  }
 }
 
 void ReportTable::finish() {

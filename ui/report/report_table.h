@@ -29,7 +29,8 @@ class ReportTable {
 
   /// To be called once before the first row; again by itself on every new page.
   void head();
-  void row(const std::vector<ReportCell>& cells);
+  /// `note`, if any, stands in small type across the columns below the row.
+  void row(const std::vector<ReportCell>& cells, const QString& note = {});
   /// A line under the last row; the cursor stands below it.
   void finish();
 

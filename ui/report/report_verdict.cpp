@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ui/text/entry_text.h"
 #include "ui/text/quantity_text.h"
 
 namespace alidade::ui {
@@ -22,7 +23,7 @@ QString wordOf(Verdict verdict) {
 QString reasonForNoResult(const SessionFit& fit) {
   const auto error = std::find_if(fit.findings.begin(), fit.findings.end(),
                                   [](const Finding& finding) { return finding.severity == Severity::Error; });
-  if (error != fit.findings.end()) return sentenceText(error->text);
+  if (error != fit.findings.end()) return qText(error->text);
   return QStringLiteral("The intersection needs an arc at 0° and an arc at 180°; not both are there.");
 }
 
@@ -47,7 +48,7 @@ ReportVerdict reportVerdict(const Evaluation& evaluation) {
   }
   const Intersection& found = *fit.intersection;
   return {.word = wordOf(*fit.verdict),
-          .sentence = sentenceText(verdictSentence(found.value, found.expanded, *tolerance, found.coverage)),
+          .sentence = qText(verdictSentence(found.value, found.expanded, *tolerance, found.coverage)),
           .isAccepted = *fit.verdict == Verdict::Accept};
 }
 

@@ -27,6 +27,7 @@ inline const TextStyle subtitle{.points = 11};
 inline const TextStyle heading{.points = 10, .bold = true};
 inline const TextStyle body{};
 inline const TextStyle label{.colour = QColor(0x50, 0x50, 0x50)};
+inline const TextStyle tableHead{.points = 7.5, .bold = true, .colour = QColor(0x50, 0x50, 0x50)};
 inline const TextStyle small{.points = 7};
 inline const TextStyle fine{.points = 6.5, .monospaced = true};
 }  // namespace type

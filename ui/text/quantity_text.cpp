@@ -1,6 +1,5 @@
 #include "ui/text/quantity_text.h"
 
-#include <QRegularExpression>
 #include <algorithm>
 #include <cmath>
 
@@ -35,7 +34,10 @@ QString signedNumberText(double value, int decimals) {
 }
 
 QString plainNumberText(double value) {
-  return QString::fromStdString(displayShortest(value));
+  if (!std::isfinite(value)) return notStated();
+  // Ten digits hide what turning degrees into radians and back does to a typed number.
+  const QString rounded = QString::number(value, 'g', 10);
+  return QString::fromStdString(displayShortest(rounded.toDouble()));
 }
 
 QString lengthText(double millimetres, int decimals) {
@@ -54,11 +56,6 @@ QString valueWithUncertainty(double value, double uncertainty, const QString& un
   const int decimals = decimalsFor(uncertainty);
   const QString tail = unit.isEmpty() ? QString() : u' ' + unit;
   return numberText(value, decimals) + QStringLiteral(" ± ") + numberText(uncertainty, decimals) + tail;
-}
-
-QString sentenceText(const std::string& sentence) {
-  static const QRegularExpression minus(QStringLiteral("(?<![\\w)])-(?=[\\d.])"));
-  return QString::fromStdString(sentence).replace(minus, QString(QChar(0x2212)));
 }
 
 QString exaggerationText(double factor) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QString>
-#include <string>
 
 #include "core/base/angle.h"
 #include "core/base/quantity_text.h"
@@ -23,7 +22,7 @@ QString numberText(double value, int decimals);
 /// As `numberText`, with the sign written even where it is plus: "+1.3", "−1.3", "0.0".
 QString signedNumberText(double value, int decimals);
 
-/// The shortest text that says the same number: "2405", "0.95".
+/// The shortest text that says the same number to ten digits: "2405", "0.95", and 5 for 4.999 999 999 99.
 QString plainNumberText(double value);
 
 /// "401.9543 mm".
@@ -37,9 +36,6 @@ QString dmsText(Angle angle, int decimals = 0);
 
 /// "1.308 ± 0.022 mm": the uncertainty with two significant digits, the value to the same decimals.
 QString valueWithUncertainty(double value, double uncertainty, const QString& unit);
-
-/// A sentence of the core, which writes ASCII, with real minus signs before its numbers.
-QString sentenceText(const std::string& sentence);
 
 /// "× 500".
 QString exaggerationText(double factor);

@@ -1,0 +1,28 @@
+#include "ui/text/spoken_place.h"
+
+#include <QStringList>
+
+#include "ui/document/field.h"
+#include "ui/text/entry_text.h"
+
+namespace alidade::ui {
+
+QString spokenPlace(const Session& session, const Place& place) {
+  QStringList parts;
+  if (place.position && *place.position < session.positions.size()) {
+    const Position& position = session.positions[*place.position];
+    parts.append(qText(position.axisDeg) + QChar(0x00b0));
+    if (place.reading && *place.reading < position.readings.size()) {
+      const QString point = qText(position.readings[*place.reading].point).trimmed();
+      const QString row = QStringLiteral("row %1").arg(*place.reading + 1);
+      parts.append(point.isEmpty() ? row : row + QStringLiteral(" (point %1)").arg(point));
+    }
+  }
+  if (!place.field.empty()) {
+    const Field* field = place.reading ? nullptr : fieldNamed(place.field);
+    parts.append(field ? QString::fromUtf8(field->noun) : qText(place.field));
+  }
+  return parts.join(QStringLiteral(", "));
+}
+
+}  // namespace alidade::ui

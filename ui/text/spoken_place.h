@@ -1,0 +1,14 @@
+#pragma once
+
+#include <QString>
+
+#include "core/base/place.h"
+#include "core/session/session.h"
+
+namespace alidade::ui {
+
+/// A place in a session as people call it: "0°, row 3 (point 7), vertical", "180°, pointing zero β0",
+/// "distance L". Rows count from 1. Empty for the session as a whole.
+QString spokenPlace(const Session& session, const Place& place);
+
+}  // namespace alidade::ui
