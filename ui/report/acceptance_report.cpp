@@ -50,9 +50,10 @@ bool paintReport(QBuffer& buffer, const Evaluation& evaluation, const ReportSour
   writer.setTitle(QStringLiteral("Acceptance report: ") + sessionName(evaluation, source));
   writer.setCreator(QStringLiteral("Alidade " ALIDADE_VERSION));
   ReportSheet sheet(writer, frameFor(evaluation, source, options));
-  addSummary(sheet, evaluation, options.date);
+  const bool methodIsInFront = addSummary(sheet, evaluation, options.date);
   addPlots(sheet, evaluation);
   addReadings(sheet, evaluation);
+  if (!methodIsInFront) addMethod(sheet, evaluation);
   QPainter painter;
   if (!painter.begin(&writer)) return false;
   sheet.paint(painter);

@@ -46,30 +46,29 @@ void addFindings(ReportSheet& sheet, const SessionFit& fit) {
   }
 }
 
-void addMethod(ReportSheet& sheet, const Evaluation& evaluation) {
+QString methodText(const Evaluation& evaluation) {
   const auto& measurement = evaluation.examined.measurement;
   const bool planar = measurement && measurement->relation == VerticalAngleRelation::Planar;
   const QString relation = planar ? QStringLiteral("tan e = y/L (planar, as published)")
                                   : QStringLiteral("tan e = y/√(x² + L²) (exact)");
-  sheet.heading(QStringLiteral("Method"));
-  sheet.paragraph(
-      QStringLiteral(
-          "Each arc is fitted by rigorous orthogonal least squares on the angles read: the centre, the "
-          "radius and the slider's place at each sighting are free, both circles carry errors of the "
-          "stated σ. Horizontal angle tan a = x/L, vertical angle %1; frame at the theodolite, x right, "
-          "y up. The intersection Δd = (y(O1) − y(O2))/2 is half the distance of the arc centres at 0° "
-          "(O1) and 180° (O2) across the axis. The share of the readings in its uncertainty is scaled by "
-          "their scatter (s0), pointing zeros and distance enter as stated; the expanded uncertainty U is "
-          "k times the combined standard uncertainty, k from Student's distribution. Accepted: |Δd| + U ≤ "
-          "tolerance; rejected: |Δd| − U > tolerance; otherwise undecided.")
-          .arg(relation),
-      type::small);
+  return QStringLiteral(
+             "Each arc is fitted by rigorous orthogonal least squares on the angles read: the centre, the "
+             "radius and the slider's place at each sighting are free, both circles carry errors of the "
+             "stated σ. Horizontal angle tan a = x/L, vertical angle %1; frame at the theodolite, x right, "
+             "y up. The intersection Δd = (y(O1) − y(O2))/2 is half the distance of the arc centres at 0° "
+             "(O1) and 180° (O2) across the axis. The share of the readings in its uncertainty is scaled by "
+             "their scatter (s0), pointing zeros and distance enter as stated; the expanded uncertainty U is "
+             "k times the combined standard uncertainty, k from Student's distribution. Accepted: |Δd| + U ≤ "
+             "tolerance; rejected: |Δd| − U > tolerance; otherwise undecided.")
+      .arg(relation);
 }
 
+constexpr double signatureSpace = 13, signatureHeight = signatureSpace + 6;
+
 void addSignatures(ReportSheet& sheet) {
-  constexpr double line = 78, space = 13;
-  sheet.keepTogether(space + 6);
-  sheet.skip(space);
+  constexpr double line = 78;
+  sheet.keepTogether(signatureHeight);
+  sheet.skip(signatureSpace);
   const double y = sheet.y();
   for (const auto& [left, text] :
        {std::pair(0.0, QStringLiteral("Operator, date")),
@@ -77,12 +76,17 @@ void addSignatures(ReportSheet& sheet) {
     sheet.rule(left, y, left + line, y, 0.2);
     sheet.text(text, type::label, left, y + 0.8, line);
   }
-  sheet.skip(6);
+  sheet.skip(signatureHeight - signatureSpace);
+}
+
+double methodHeight(const ReportSheet& sheet, const Evaluation& evaluation) {
+  const auto lines = sheet.lines(methodText(evaluation), type::small, ReportSheet::width).size();
+  return 10 + static_cast<double>(lines) * sheet.lineHeight(type::small);
 }
 
 }  // namespace
 
-void addSummary(ReportSheet& sheet, const Evaluation& evaluation, const QDateTime& date) {
+bool addSummary(ReportSheet& sheet, const Evaluation& evaluation, const QDateTime& date) {
   addTitle(sheet, evaluation.session);
   addFacts(sheet, evaluation, date);
   addVerdict(sheet, evaluation);
@@ -93,8 +97,16 @@ void addSummary(ReportSheet& sheet, const Evaluation& evaluation, const QDateTim
     sheet.heading(QStringLiteral("Notes"));
     sheet.paragraph(QString::fromStdString(evaluation.session.notes));
   }
-  addMethod(sheet, evaluation);
+  const bool hasRoom = sheet.room() >= methodHeight(sheet, evaluation) + signatureHeight;
+  if (hasRoom) addMethod(sheet, evaluation);
   addSignatures(sheet);
+  return hasRoom;
+}
+
+void addMethod(ReportSheet& sheet, const Evaluation& evaluation) {
+  sheet.keepTogether(methodHeight(sheet, evaluation));
+  sheet.heading(QStringLiteral("Method"));
+  sheet.paragraph(methodText(evaluation), type::small);
 }
 
 }  // namespace alidade::ui

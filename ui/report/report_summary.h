@@ -7,8 +7,11 @@
 
 namespace alidade::ui {
 
-/// The front page: who, what, when and with what; the result with its verdict; how the numbers were made;
-/// signatures. What the session does not state is printed as a dash.
-void addSummary(ReportSheet& sheet, const Evaluation& evaluation, const QDateTime& date);
+/// The front page: who, what, when and with what; the result with its verdict; signatures; and the method
+/// where there is room for it, which is answered. What the session does not state is printed as a dash.
+bool addSummary(ReportSheet& sheet, const Evaluation& evaluation, const QDateTime& date);
+
+/// How the numbers were made.
+void addMethod(ReportSheet& sheet, const Evaluation& evaluation);
 
 }  // namespace alidade::ui
