@@ -12,8 +12,8 @@ enum class Severity {
   Error,    ///< there is no result because of this
 };
 
-/// What the data say about themselves: an arc too short to fix a radius, readings that scatter more than stated.
-/// For people: whole sentences.
+/// What the data say about themselves: an arc too short to fix a radius, readings that scatter more than
+/// stated. For people: whole sentences.
 struct Finding {
   Severity severity = Severity::Note;
   std::string text;         ///< what was found
