@@ -6,7 +6,7 @@
 namespace alidade {
 
 /// The JSON object a part of a session was read from. The writer starts from it, so unknown keys, the order
-/// of the keys, absent optional keys and the exact spelling of untouched values survive a load and save.
+/// of the keys, absent optional keys and the values of untouched keys survive a load and save.
 /// Carries no meaning of its own: two parts that differ only in their origin are equal.
 class JsonOrigin {
  public:

@@ -106,7 +106,7 @@ class ObjectReader {
       const bool part = std::find(parts.begin(), parts.end(), key) != parts.end();
       static_cast<std::vector<Json::object_t::value_type>&>(members).emplace_back(key, part ? Json() : value);
     }
-    return JsonOrigin(std::move(kept));
+    return JsonOrigin(kept);
   }
 
  private:
