@@ -14,9 +14,10 @@ namespace alidade {
 ///   341°52'24"  341°52′24.5″  341°52'  341°         with signs: ° or º; ' ′ ’; " ″ ” or two primes
 ///   341 52 24   341-52-24.5   341:52:24   341/52/24  341.52.24  parts parted by one kind of separator
 ///   341 52                                            degrees and minutes
-///   3415224   3415224.5   881649                      5 to 7 digits run together, (D)DDMMSS, as on a number
-///   pad 341                                               whole degrees, at most three digits 341.873333°
-///   341.873333deg                       decimal degrees, marked as such 379.859gon   379.859g gon
+///   3415224   3415224.5   881649                      5 to 7 digits run together, as on a number pad
+///   341                                               whole degrees, at most three digits
+///   341.873333°   341.873333deg                       decimal degrees, marked as such
+///   379.859gon   379.859g                             gon
 ///
 /// Minutes and seconds lie in [0, 60); only the last part may have decimals. A bare decimal such as
 /// `341.5224` is refused: it may mean degrees or degrees.minutes-seconds. The value is not wrapped and its
