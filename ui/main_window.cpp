@@ -9,6 +9,7 @@
 #include <QTabWidget>
 #include <QUrl>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "ui/charts/arc_chart.h"
 #include "ui/charts/residual_chart.h"
@@ -19,6 +20,7 @@
 #include "ui/panels/position_tabs.h"
 #include "ui/panels/readings_table.h"
 #include "ui/panels/result_panel.h"
+#include "ui/settings/theme.h"
 
 namespace alidade::ui {
 
@@ -85,7 +87,7 @@ QWidget* MainWindow::createResultColumn() {
   m_arcChart = new ArcChart;
   m_residualChart = new ResidualChart;
   m_result = new ResultPanel;
-  m_result->setMinimumWidth(290);
+  m_arcChart->setMinimumWidth(230);
   QSplitter* top = split(Qt::Horizontal, "arcs", {m_arcChart, m_result}, {450, 330});
   top->setStretchFactor(0, 1);
   QSplitter* column = split(Qt::Vertical, "results", {top, m_residualChart}, {460, 280});
@@ -136,6 +138,16 @@ void MainWindow::showEvaluation(const Evaluation& evaluation) {
   m_result->setEvaluation(evaluation);
   m_arcChart->setEvaluation(evaluation);
   m_residualChart->setEvaluation(evaluation);
+  markForms();
+}
+
+void MainWindow::markForms() {
+  for (int tab = 0; tab < m_forms->count(); ++tab) {
+    const auto bindings = m_forms->widget(tab)->findChildren<FieldBinding*>();
+    const bool wrong = std::any_of(bindings.begin(), bindings.end(),
+                                   [](const FieldBinding* binding) { return !binding->problem().isEmpty(); });
+    m_forms->setTabIcon(tab, wrong ? themeIcon(QStringLiteral("problem")) : QIcon());
+  }
 }
 
 void MainWindow::reveal(const Place& place, bool takeFocus) {

@@ -54,6 +54,7 @@ class MainWindow : public QMainWindow {
   void connectParts();
   void showTitle();
   void showEvaluation(const Evaluation& evaluation);
+  void markForms();
   void revealField(const Place& place, bool takeFocus);
   void restoreLayout();
   void saveLayout() const;

@@ -32,6 +32,20 @@ const std::vector<Reading>& ReadingsEditor::readings() const {
   return m_document.session().positions.at(m_position).readings;
 }
 
+QString ReadingsEditor::noun(ReadingColumn column) {
+  const QString nouns[] = {tr("use"),
+                           tr("point number"),
+                           tr("round"),
+                           tr("face"),
+                           tr("horizontal reading"),
+                           tr("vertical reading"),
+                           tr("slider reading"),
+                           QString(),
+                           QString(),
+                           tr("note")};
+  return nouns[static_cast<int>(column)];
+}
+
 Reading ReadingsEditor::following(const std::vector<Reading>& rows) {
   Reading reading;
   int point = static_cast<int>(rows.size()) + 1;
@@ -54,22 +68,12 @@ void ReadingsEditor::setCell(const ReadingCell& cell, const std::string& text) {
                     tr("Add point %1").arg(qText(reading.point)));
     return;
   }
-  const QString nouns[] = {QString(),
-                           tr("point number"),
-                           tr("round"),
-                           tr("face"),
-                           tr("horizontal reading"),
-                           tr("vertical reading"),
-                           tr("slider reading"),
-                           QString(),
-                           QString(),
-                           tr("note")};
   Reading reading = readings()[cell.row];
   const QString point = qText(reading.point);
   reading.*readingText(cell.column) = text;
-  const QString noun = nouns[static_cast<int>(cell.column)];
   replaceReadings(m_document, m_position, cell.row, 1, {reading},
-                  point.isEmpty() ? tr("Change %1").arg(noun) : tr("Change %1 of point %2").arg(noun, point));
+                  point.isEmpty() ? tr("Change %1").arg(noun(cell.column))
+                                  : tr("Change %1 of point %2").arg(noun(cell.column), point));
 }
 
 void ReadingsEditor::insertBlank(std::size_t row) {

@@ -39,6 +39,9 @@ class ReadingsEditor {
   /// found no room.
   std::size_t paste(const ReadingBlock& block, std::size_t row, const std::vector<ReadingColumn>& columns);
 
+  /// What undo texts and messages call a cell of this column; empty for the residuals.
+  static QString noun(ReadingColumn column);
+
   /// The reading that would follow `rows`: the next point, in the same round and face.
   static Reading following(const std::vector<Reading>& rows);
 

@@ -38,7 +38,7 @@ QWidget* createMeasurementForm(SessionDocument& document) {
            Forms::tr("From the theodolite's centre to the plane of the arc")},
           {"geometry.sigma_distance_mm", Forms::tr("σ of L"), mm, Forms::tr("0 (exact)"),
            Forms::tr("Standard uncertainty of the distance; empty means exact")},
-          {"geometry.radius_mm", Forms::tr("Nominal &radius R0"), mm, Forms::tr("required"),
+          {"geometry.radius_mm", Forms::tr("&Radius R0"), mm, Forms::tr("required"),
            Forms::tr("Nominal radius of the arc; the fitted radius is free")},
           {"acceptance.tolerance_mm", Forms::tr("&Tolerance |Δd|"), mm, Forms::tr("none"),
            Forms::tr("Largest acceptable intersection; without it there is no verdict")},

@@ -134,8 +134,8 @@ QString ReadingsModel::columnTitle(ReadingColumn column) const {
   const QString titles[] = {tr("Use"),          tr("Point"),
                             tr("Round"),        tr("Face"),
                             tr("Horizontal α"), elevation ? tr("Elevation β") : tr("Zenith β"),
-                            tr("Slider s"),     tr("v horiz. ″"),
-                            tr("v vert. ″"),    tr("Note")};
+                            tr("Slider s"),     tr("vα ″"),
+                            tr("vβ ″"),         tr("Note")};
   return titles[static_cast<int>(column)];
 }
 

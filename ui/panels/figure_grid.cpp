@@ -11,6 +11,9 @@ FigureGrid::FigureGrid(QWidget* parent) : QWidget(parent), m_grid(new QGridLayou
   m_grid->setHorizontalSpacing(8);
   m_grid->setVerticalSpacing(3);
   m_grid->setColumnStretch(0, 1);
+  QFont small = font();
+  small.setPointSizeF(small.pointSizeF() * 0.95);
+  setFont(small);
 }
 
 void FigureGrid::setRows(const QStringList& titles, const QVector<Row>& rows) {

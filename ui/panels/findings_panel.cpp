@@ -1,7 +1,9 @@
 #include "ui/panels/findings_panel.h"
 
+#include <QCoreApplication>
 #include <QKeyEvent>
 
+#include "ui/commands/edit_readings.h"
 #include "ui/document/field.h"
 #include "ui/document/reading_column.h"
 #include "ui/settings/theme.h"
@@ -11,7 +13,23 @@ namespace alidade::ui {
 
 namespace {
 
-/// An entry still to be made, as opposed to one that is wrong.
+QString nounOf(const Place& place) {
+  if (place.reading) return ReadingsEditor::noun(readingColumn(place.field));
+  const Field* field = fieldNamed(place.field);
+  return field ? QCoreApplication::translate("Field", field->noun) : QString();
+}
+
+/// "Distance L is empty: …", "0°, row 4, vertical reading: “83 99 34” has …".
+QString problemText(const Session& session, const Problem& problem) {
+  QString place = placeText(session, problem.where);
+  const QString what = qText(problem.what);
+  if (place.isEmpty()) return what;
+  place.replace(0, 1, place.at(0).toUpper());
+  return place + (what.startsWith(QStringLiteral("is ")) ? QStringLiteral(" ") : QStringLiteral(": ")) + what;
+}
+
+}  // namespace
+
 bool isMissing(const Session& session, const Place& place) {
   if (!place.position || !place.reading) return fieldNamed(place.field) && fieldText(session, place).empty();
   const Reading& reading = session.positions.at(*place.position).readings.at(*place.reading);
@@ -19,14 +37,14 @@ bool isMissing(const Session& session, const Place& place) {
   return text && (reading.*text).empty();
 }
 
-}  // namespace
-
 QString placeText(const Session& session, const Place& place) {
   QStringList parts;
   if (place.position && *place.position < session.positions.size()) {
     parts.append(FindingsPanel::tr("%1°").arg(qText(session.positions[*place.position].axisDeg)));
   }
   if (place.reading) parts.append(FindingsPanel::tr("row %1").arg(*place.reading + 1));
+  const QString noun = nounOf(place);
+  if (!noun.isEmpty()) parts.append(noun);
   return parts.join(QStringLiteral(", "));
 }
 
@@ -49,11 +67,8 @@ void FindingsPanel::setEvaluation(const Evaluation& evaluation) {
   const Session& session = evaluation.session;
   for (const Problem& problem : evaluation.examined.problems) {
     const bool missing = isMissing(session, problem.where);
-    const QString place = placeText(session, problem.where);
-    const QString text = qText(problem.what);
     add(missing ? QStringLiteral("incomplete") : QStringLiteral("problem"),
-        missing ? tr("Missing") : tr("Problem"),
-        place.isEmpty() ? text : QStringLiteral("%1: %2").arg(place, text), problem.where);
+        missing ? tr("Missing") : tr("Problem"), problemText(session, problem), problem.where);
   }
   for (const Finding& finding : evaluation.fit.findings) {
     const QString icons[] = {QStringLiteral("note"), QStringLiteral("warning"), QStringLiteral("problem")};

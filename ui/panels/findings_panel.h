@@ -29,7 +29,10 @@ class FindingsPanel : public QListWidget {
   std::vector<Place> m_places;
 };
 
-/// The place as the user knows it: "0°, row 4". Empty for the session as a whole.
+/// The place as the user knows it: "0°, row 4, vertical reading". Empty for the session as a whole.
 QString placeText(const Session& session, const Place& place);
+
+/// An entry still to be made, as opposed to one that cannot be used.
+bool isMissing(const Session& session, const Place& place);
 
 }  // namespace alidade::ui

@@ -3,10 +3,13 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "ui/document/session_document.h"
 #include "ui/forms/field_edit.h"
+#include "ui/panels/findings_panel.h"
 #include "ui/panels/readings_table.h"
+#include "ui/settings/theme.h"
 #include "ui/text/entry_text.h"
 
 namespace alidade::ui {
@@ -67,7 +70,7 @@ QWidget* PositionTabs::createZeroEntries(std::size_t position) {
     layout->addWidget(entry, shows == FieldEdit::Shows::Angle ? 1 : 0);
     return entry;
   };
-  add("pointing_zero.horizontal", tr("Zero &α0"), tr("Pointing zero, horizontal"),
+  add("pointing_zero.horizontal", tr("&α0"), tr("Pointing zero, horizontal"),
       tr("Horizontal circle reading of the direction perpendicular to the plane of the arc"),
       FieldEdit::Shows::Angle)
       ->setPlaceholderText(tr("required"));
@@ -104,6 +107,14 @@ ReadingsTable* PositionTabs::currentTable() const {
 
 void PositionTabs::setEvaluation(const Evaluation& evaluation) {
   for (ReadingsTable* table : m_tables) table->readings().setEvaluation(evaluation);
+  for (int tab = 0; tab < count(); ++tab) {
+    const auto& problems = evaluation.examined.problems;
+    const bool wrong = std::any_of(problems.begin(), problems.end(), [&](const Problem& problem) {
+      return problem.where.position == static_cast<std::size_t>(tab) &&
+             !isMissing(evaluation.session, problem.where);
+    });
+    setTabIcon(tab, wrong ? themeIcon(QStringLiteral("problem")) : QIcon());
+  }
 }
 
 void PositionTabs::setColumnShown(ReadingColumn column, bool shown) {

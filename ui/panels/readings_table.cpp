@@ -50,12 +50,11 @@ void ReadingsTable::layOutColumns() {
   header->setHighlightSections(false);
   header->setMinimumSectionSize(36);
   const auto width = [this](const char* sample) {
-    return fontMetrics().horizontalAdvance(QString::fromUtf8(sample)) + 14;
+    return fontMetrics().horizontalAdvance(QString::fromUtf8(sample)) + 12;
   };
-  const int widths[] = {width("Use"),          width("Point"),        width("Round"),
-                        width("Face"),         width("Horizontal α"), width("341°52′24.5″"),
-                        width("341°52′24.5″"), width("v horiz. ″"),   width("v horiz. ″"),
-                        width("Note")};
+  const int widths[] = {width("Use"),          width("Point"),        width("Round"),        width("Face"),
+                        width("Horizontal α"), width("341°52′24.5″"), width("341°52′24.5″"), width("−188.8"),
+                        width("−188.8"),       width("Note")};
   for (int column = 0; column < readingColumnCount; ++column) setColumnWidth(column, widths[column]);
   header->setStretchLastSection(true);
 }

@@ -4,9 +4,12 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QScrollBar>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "ui/panels/figure_grid.h"
+#include "ui/panels/findings_panel.h"
 #include "ui/settings/theme.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/quantity_text.h"
@@ -53,6 +56,7 @@ ResultPanel::ResultPanel(QWidget* parent)
       m_badgeIcon(new QLabel),
       m_badge(new QLabel),
       m_sentence(wrappedLabel()),
+      m_budgetTitle(heading(tr("Standard uncertainty of Δd  mm"))),
       m_arcs(new FigureGrid),
       m_budget(new FigureGrid),
       m_compare(new QCheckBox(tr("&Compare with published method"))),
@@ -84,7 +88,7 @@ ResultPanel::ResultPanel(QWidget* parent)
   layout->addWidget(m_sentence);
   layout->addWidget(heading(tr("Arcs")));
   layout->addWidget(m_arcs);
-  layout->addWidget(heading(tr("Standard uncertainty of Δd  mm")));
+  layout->addWidget(m_budgetTitle);
   layout->addWidget(m_budget);
   layout->addSpacing(8);
   layout->addWidget(m_compare);
@@ -116,15 +120,21 @@ void ResultPanel::setEvaluation(const Evaluation& evaluation) {
   showArcs();
   showBudget();
   showComparison();
+  keepWideEnough();
+}
+
+/// Grows with the figures and never shrinks again, so that the window does not breathe with every edit.
+void ResultPanel::keepWideEnough() {
+  const int bar = verticalScrollBar()->sizeHint().width();
+  const int needed = widget()->minimumSizeHint().width() + bar + 2 * frameWidth();
+  if (needed > minimumWidth()) setMinimumWidth(needed);
 }
 
 void ResultPanel::showHeadline() {
   const auto& intersection = m_evaluation.fit.intersection;
   if (!intersection) {
     m_value->setText(QStringLiteral("Δd = —"));
-    m_valueNote->setText(
-        tr("Type the distance L, the nominal radius R0, the pointing zeros and at least three "
-           "readings of the arc at 0° and at 180°."));
+    m_valueNote->setText(whatIsMissing());
     return;
   }
   m_value->setText(QStringLiteral("Δd = %1").arg(
@@ -142,6 +152,17 @@ void ResultPanel::showHeadline() {
                      lengthText(intersection->value - *measurement->referenceIntersection, 3));
   }
   m_valueNote->setText(note);
+}
+
+QString ResultPanel::whatIsMissing() const {
+  const auto& problems = m_evaluation.examined.problems;
+  const bool wrong = std::any_of(problems.begin(), problems.end(), [this](const Problem& problem) {
+    return !isMissing(m_evaluation.session, problem.where);
+  });
+  if (wrong) return tr("Some entries cannot be used. They are marked and listed with the reason.");
+  return tr(
+      "Type the distance L, the nominal radius R0, the pointing zeros and at least three readings of the arc "
+      "at 0° and at 180°.");
 }
 
 void ResultPanel::showVerdict() {
@@ -218,6 +239,7 @@ void ResultPanel::showBudget() {
                  {numberText(intersection->inPlane, 4)},
                  tr("Half the distance of the centres, across and along the axis")});
   }
+  m_budgetTitle->setVisible(!rows.isEmpty());
   m_budget->setRows({QString()}, rows);
 }
 

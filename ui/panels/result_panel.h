@@ -32,6 +32,8 @@ class ResultPanel : public QScrollArea {
   void showBudget();
   void showComparison();
   void colorVerdict();
+  void keepWideEnough();
+  QString whatIsMissing() const;
 
   Evaluation m_evaluation;
   QLabel* m_value;
@@ -39,6 +41,7 @@ class ResultPanel : public QScrollArea {
   QLabel* m_badgeIcon;
   QLabel* m_badge;
   QLabel* m_sentence;
+  QLabel* m_budgetTitle;
   class FigureGrid* m_arcs;
   class FigureGrid* m_budget;
   QCheckBox* m_compare;
