@@ -1,0 +1,270 @@
+#include "ui/report/acceptance_report.h"
+
+#include <gtest/gtest.h>
+
+#include <QCryptographicHash>
+#include <QDir>
+#include <QFile>
+#include <QRegularExpression>
+#include <algorithm>
+
+#include "core/session/session_file.h"
+#include "tests/ui/report/printed.h"
+#include "tests/ui/support.h"
+#include "ui/text/quantity_text.h"
+
+namespace alidade::ui {
+namespace {
+
+TEST(AcceptanceReport, PrintsTheResultWithItsUncertaintyAndVerdict) {
+  const Printed report(paperSession());
+  const Evaluation evaluation = evaluate(paperSession());
+  const Intersection& found = *evaluation.fit.intersection;
+  const QString front = report.page(0);
+  EXPECT_TRUE(front.contains(QStringLiteral("Acceptance report")));
+  EXPECT_TRUE(front.contains(QString::fromStdString(evaluation.session.title)));
+  EXPECT_TRUE(front.contains(QStringLiteral("Accepted")));
+  EXPECT_TRUE(front.contains(QStringLiteral("Δd = ") +
+                             valueWithUncertainty(found.value, found.expanded, QStringLiteral("mm"))));
+  for (const char* value : {"tolerance ± 2.5 mm", "2405 mm", "400 mm", "O1 at 0° −0.834", "401.954",
+                            "O2 at 180°", "403.914", "53.36", "42.19", "9.37″", "8.34″", "1.35 mm", "zenith",
+                            "readings", "pointing zeros", "distance", "95 %", "Warning", "Operator, date"}) {
+    EXPECT_TRUE(front.contains(QString::fromUtf8(value))) << value << "\n" << front.toStdString();
+  }
+}
+
+TEST(AcceptanceReport, PrintsADashForWhatWasNotStated) {
+  Session session = paperSession();
+  session.operatorName.clear();
+  session.place.clear();
+  session.device = {};
+  session.instrument.sigmaHorizontalArcsec.clear();
+  session.geometry.sigmaDistanceMm.clear();
+  session.environment.temperatureC.clear();
+  const QString front = Printed(session).page(0);
+  for (const char* line : {"Operator —", "Place —", "Device —, serial —", "Temperature —",
+                           "horizontal — (taken as 2″)", "σ — (taken as exact)"}) {
+    EXPECT_TRUE(front.contains(QString::fromUtf8(line))) << line << "\n" << front.toStdString();
+  }
+}
+
+TEST(AcceptanceReport, CarriesNameFingerprintAndNumberOnEveryPage) {
+  Session session = paperSession();
+  session.title = "Guideway 7, spring";
+  const Printed report(session);
+  ASSERT_EQ(report.pageCount(), 3);
+  for (int page = 0; page < report.pageCount(); ++page) {
+    const QString text = report.page(page);
+    EXPECT_TRUE(text.contains(QStringLiteral("Alidade"))) << page;
+    EXPECT_TRUE(text.contains(QStringLiteral("Guideway 7, spring"))) << page;
+    EXPECT_TRUE(text.contains(QStringLiteral("paper-table-1.alidade"))) << page;
+    EXPECT_TRUE(text.contains(
+        QStringLiteral("SHA-256 00112233445566778899aabbccddeeff0123456789abcdeffedcba9876543210")))
+        << page;
+    EXPECT_TRUE(text.contains(QStringLiteral("page %1 of 3").arg(page + 1))) << page;
+    EXPECT_TRUE(text.contains(QStringLiteral("2026-03-14 15:09"))) << page;
+  }
+}
+
+TEST(AcceptanceReport, ListsEveryReadingWithItsResiduals) {
+  const Session session = paperSession();
+  const QString text = Printed(session).text();
+  const Evaluation evaluation = evaluate(session);
+  for (std::size_t position = 0; position < 2; ++position) {
+    for (const SightingResidual& residual : evaluation.fit.arcOfPosition(position)->residuals) {
+      const Reading& reading = session.positions[position].readings[residual.row];
+      const QString row =
+          QStringLiteral("%1 1 1 %2 %3 %4 %5 %6")
+              .arg(QString::fromStdString(reading.point), QString::fromStdString(reading.horizontal),
+                   QString::fromStdString(reading.vertical),
+                   numberText(Angle::fromRadians(residual.arcAngle).degrees(), 3),
+                   signedNumberText(residual.horizontal.arcseconds(), 1),
+                   signedNumberText(residual.vertical.arcseconds(), 1));
+      EXPECT_TRUE(text.contains(row)) << row.toStdString();
+    }
+  }
+}
+
+TEST(AcceptanceReport, IsVectorsWithEmbeddedFontsOnA4) {
+  const Printed report(paperSession());
+  EXPECT_TRUE(report.tool(QStringLiteral("pdfinfo")).contains(QStringLiteral("(A4)")));
+  EXPECT_TRUE(report.tool(QStringLiteral("pdfinfo")).contains(QStringLiteral("Acceptance report")));
+  const QStringList images =
+      report.tool(QStringLiteral("pdfimages"), {QStringLiteral("-list"), report.path()})
+          .split(u'\n', Qt::SkipEmptyParts);
+  EXPECT_EQ(images.size(), 2) << "only the two lines of the head";
+  const QStringList fonts = report.tool(QStringLiteral("pdffonts")).split(u'\n', Qt::SkipEmptyParts);
+  ASSERT_GT(fonts.size(), 2);
+  for (const QString& font : fonts.mid(2)) {
+    static const QRegularExpression embedded(
+        QStringLiteral(R"(\s(yes|no)\s+(yes|no)\s+(yes|no)\s+\d+\s+\d+\s*$)"));
+    EXPECT_EQ(embedded.match(font).captured(1), QStringLiteral("yes")) << font.toStdString();
+  }
+}
+
+TEST(AcceptanceReport, ExplainsTheMethodWhereverThereIsRoom) {
+  Session session = paperSession();
+  EXPECT_TRUE(Printed(session).contains("orthogonal least squares"));
+  session.notes.clear();
+  EXPECT_TRUE(Printed(session).page(0).contains(QStringLiteral("tan e = y/√(x² + L²) (exact)")));
+  session.notes = std::string(4000, 'n');
+  session.model.verticalAngle = "planar";
+  const Printed report(session);
+  EXPECT_TRUE(report.contains("tan e = y/L (planar, as published)"));
+}
+
+TEST(AcceptanceReport, PlotsStateExaggerationAndNoise) {
+  const QString plots = Printed(paperSession()).page(1);
+  for (const char* text : {"residuals × 200", "drawn × 200", "x (mm)", "y (mm)", "O1", "O2", "−400",
+                           "residual (″)", "±1σ, stated σ = 2″", "σ = 2″ horizontal, 2″ vertical"}) {
+    EXPECT_TRUE(plots.contains(QString::fromUtf8(text))) << text << "\n" << plots.toStdString();
+  }
+}
+
+TEST(AcceptanceReport, MarksLargeResidualsAndSaysWhatTheMarkMeans) {
+  Session session = paperSession();
+  session.positions[0].readings[8].vertical = "80°39'30\"";  // 10′ off
+  const Printed report(session);
+  static const QRegularExpression marked(QStringLiteral("\\n *9 1 1 332°27'38\" 80°39'30\" .*\\*"));
+  EXPECT_TRUE(report.text().contains(marked)) << report.text().toStdString();
+  EXPECT_TRUE(report.contains("* marks residuals"));
+  static const QRegularExpression other(QStringLiteral("\\n *2 1 1 341°26'01\" 86°41'24\" .*\\*"));
+  EXPECT_FALSE(report.text().contains(other));
+}
+
+TEST(AcceptanceReport, ShowsOtherSpellingsOfAnAngleInDegreesToo) {
+  Session session = paperSession();
+  session.positions[0].readings[0].horizontal = "379.859gon";
+  session.positions[0].readings[1].vertical = "864124";
+  const Printed report(session);
+  EXPECT_TRUE(report.contains("379.859gon"));
+  EXPECT_TRUE(report.contains("= 341°52′23.16″"));
+  EXPECT_TRUE(report.contains("= 86°41′24″"));
+}
+
+TEST(AcceptanceReport, MarksExcludedRowsAndPrintsTheirNotes) {
+  Session session = paperSession();
+  session.positions[1].readings[4].excluded = true;
+  session.positions[1].readings[4].note = "tripod was touched";
+  const Printed report(session);
+  EXPECT_TRUE(report.contains("5 1 1 338°44'15\" 97°16'03\" — — — excluded"));
+  EXPECT_TRUE(report.contains("tripod was touched"));
+}
+
+TEST(AcceptanceReport, SaysWhenTheFileLacksChanges) {
+  ReportSource source = Printed::savedSource();
+  source.saved = false;
+  const Session session = paperSession();
+  const Printed report(session, source);
+  const QByteArray digest =
+      QCryptographicHash::hash(QByteArray::fromStdString(writeSession(session)), QCryptographicHash::Sha256);
+  for (int page = 0; page < report.pageCount(); ++page) {
+    EXPECT_TRUE(
+        report.page(page).contains(QStringLiteral("unsaved changes: SHA-256 of the session's content ") +
+                                   QString::fromLatin1(digest.toHex())));
+    EXPECT_FALSE(report.page(page).contains(QStringLiteral("00112233")));
+  }
+}
+
+TEST(AcceptanceReport, DecidesNothingWithoutATolerance) {
+  Session session = paperSession();
+  session.acceptance.toleranceMm.clear();
+  const Printed report(session);
+  EXPECT_TRUE(report.contains("No tolerance stated"));
+  for (const char* word : {"Accepted\n", "Rejected\n", "Undecided\n"})
+    EXPECT_FALSE(report.contains(word)) << word;
+}
+
+TEST(AcceptanceReport, NeverLooksAcceptedWithUnusableEntries) {
+  Session session = paperSession();
+  session.positions[0].readings[2].vertical = "88°71'49\"";
+  session.positions[1].readings[5].horizontal = "abc";
+  const Printed report(session);
+  EXPECT_TRUE(report.page(0).contains(QStringLiteral("No verdict: 2 entries could not be used")));
+  EXPECT_FALSE(report.contains("Accepted\n"));
+  EXPECT_TRUE(report.contains("0°, row 3 (point 3), vertical: "));
+  EXPECT_TRUE(report.contains("71 minutes"));
+  EXPECT_TRUE(report.contains("180°, row 6 (point 6), horizontal: "));
+  EXPECT_TRUE(report.contains("abc 98°14'26\" — — — unusable"));
+  session.positions[1].readings[5].excluded = true;
+  EXPECT_TRUE(Printed(session).contains("No verdict: 1 entry could not be used"));
+}
+
+TEST(AcceptanceReport, SaysWhyThereIsNoResult) {
+  Session session = paperSession();
+  session.positions[1].readings.resize(2);
+  const Printed report(session);
+  EXPECT_TRUE(report.contains("No result"));
+  EXPECT_TRUE(report.contains("180°"));
+  EXPECT_TRUE(report.contains("a circle needs three"));
+  EXPECT_FALSE(report.contains("Δd = 1"));
+  EXPECT_TRUE(report.contains("401.954"));  // the arc that is there
+}
+
+TEST(AcceptanceReport, PrintsAnEmptySession) {
+  const Printed report(blankSession(), {.fileName = {}, .sha256 = {}, .saved = false});
+  EXPECT_TRUE(report.contains("No verdict: 6 entries could not be used"));
+  EXPECT_TRUE(report.contains("session not saved to a file"));
+  EXPECT_TRUE(report.contains("No readings."));
+}
+
+TEST(AcceptanceReport, WrapsLongTextsInsteadOfOverprinting) {
+  const QString word = QStringLiteral("Oberfinanzdirektionsvermessungsgeraeteverwaltung");
+  Session session = paperSession();
+  session.title = (word + u' ').repeated(6).toStdString();
+  session.operatorName = word.repeated(4).toStdString();
+  session.device.name = (word + u' ').repeated(3).toStdString();
+  session.notes = (word + u' ').repeated(40).toStdString();
+  session.positions[0].readings[3].note = (word + u' ').repeated(8).toStdString();
+  const Printed report(session);
+  // Every copy can be read: none is overprinted or lost, whatever the line it was moved to.
+  QString text = report.text();
+  text.remove(QRegularExpression(QStringLiteral("\\s")));
+  EXPECT_GE(text.count(word), 6 + 3 + 40 + 8);
+  EXPECT_TRUE(report.contains("Instrument"));
+}
+
+TEST(AcceptanceReport, RepeatsTheTablesHeadOnEveryPage) {
+  Session session = paperSession();
+  for (Position& position : session.positions) {
+    const std::vector<Reading> base = position.readings;
+    for (int round = 2; round <= 12; ++round) {
+      for (Reading reading : base) {
+        reading.round = std::to_string(round);
+        position.readings.push_back(reading);
+      }
+    }
+  }
+  const Printed report(session);
+  ASSERT_GT(report.pageCount(), 8);
+  static const QRegularExpression row(QStringLiteral("\\d+ 1 \\d+°"));
+  for (int page = 2; page < report.pageCount(); ++page) {
+    EXPECT_EQ(report.page(page).contains(QStringLiteral("Point Round Face")),
+              report.page(page).contains(row));
+    EXPECT_TRUE(
+        report.page(page).contains(QStringLiteral("page %1 of %2").arg(page + 1).arg(report.pageCount())));
+  }
+  EXPECT_TRUE(report.contains("17 12 1 323°07'41\""));
+}
+
+TEST(AcceptanceReport, SaysWhereItCouldNotBeWritten) {
+  const QString path = QStringLiteral("/no/such/folder/report.pdf");
+  const Result<QString> written =
+      writeAcceptanceReport(evaluate(paperSession()), Printed::savedSource(), path);
+  ASSERT_FALSE(written);
+  EXPECT_NE(written.problem().text().find(path.toStdString()), std::string::npos);
+}
+
+TEST(AcceptanceReport, LeavesAnOldReportAloneUntilTheNewOneIsWhole) {
+  QTemporaryDir folder;
+  const QString path = folder.filePath(QStringLiteral("report.pdf"));
+  for (int i = 0; i < 2; ++i) {
+    const auto written = writeAcceptanceReport(evaluate(paperSession()), Printed::savedSource(), path);
+    ASSERT_TRUE(written);
+    EXPECT_EQ(*written, path);
+  }
+  EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files).size(), 1);
+}
+
+}  // namespace
+}  // namespace alidade::ui

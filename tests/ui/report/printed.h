@@ -1,0 +1,35 @@
+#pragma once
+
+#include <QDateTime>
+#include <QString>
+#include <QTemporaryDir>
+
+#include "ui/jobs/evaluation.h"
+#include "ui/report/acceptance_report.h"
+
+namespace alidade::ui {
+
+/// A report as it lies on the table: written, and read back by poppler's programs.
+class Printed {
+ public:
+  explicit Printed(const Session& session, const ReportSource& source = savedSource());
+
+  QString path() const { return m_folder.filePath(QStringLiteral("report.pdf")); }
+  int pageCount() const { return static_cast<int>(m_pages.size()); }
+  /// The text of one page, counted from 0, lines as they stand; blanks in rows are squeezed to one.
+  const QString& page(int index) const { return m_pages.at(index); }
+  QString text() const { return m_pages.join(u'\n'); }
+  bool contains(const char* text) const;
+
+  /// What a program of poppler prints about the file.
+  QString tool(const QString& program, const QStringList& arguments = {}) const;
+
+  static ReportSource savedSource();
+  static QDateTime date() { return QDateTime(QDate(2026, 3, 14), QTime(15, 9)); }
+
+ private:
+  QTemporaryDir m_folder;
+  QStringList m_pages;
+};
+
+}  // namespace alidade::ui

@@ -1,0 +1,27 @@
+#include "ui/text/spoken_place.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/ui/support.h"
+
+namespace alidade::ui {
+namespace {
+
+TEST(SpokenPlace, NamesPlacesAsPeopleDo) {
+  const Session session = paperSession();
+  EXPECT_EQ(spokenPlace(session, {.position = 1, .reading = 3, .field = "vertical"}),
+            QStringLiteral("180°, row 4 (point 4), vertical"));
+  EXPECT_EQ(spokenPlace(session, {.position = 0, .reading = {}, .field = "pointing_zero.vertical"}),
+            QStringLiteral("0°, pointing zero β0"));
+  EXPECT_EQ(spokenPlace(session, {.position = {}, .reading = {}, .field = "geometry.distance_mm"}),
+            QStringLiteral("distance L"));
+  EXPECT_EQ(spokenPlace(session, {}), QString());
+}
+
+TEST(SpokenPlace, SurvivesPlacesThatAreGone) {
+  EXPECT_EQ(spokenPlace(blankSession(), {.position = 7, .reading = 3, .field = "vertical"}),
+            QStringLiteral("vertical"));
+}
+
+}  // namespace
+}  // namespace alidade::ui
