@@ -119,7 +119,7 @@ void CentresInset::paintDistance(QPainter* painter) const {
   const QPointF centre = place(m_intersection->upperCentre);
   const double axis = m_picture.center().y();
   const double reach = std::isfinite(m_intersection->expanded) ? m_intersection->expanded * m_scale : 0;
-  painter->setPen(QPen(m_style.text, 1.6 * unit));
+  painter->setPen(QPen(m_style.text, 2.4 * unit, Qt::SolidLine, Qt::FlatCap));
   painter->drawLine(QPointF(centre.x(), axis), centre);
   // U as an error bar about the end of Δd.
   painter->setPen(QPen(m_style.text, unit));

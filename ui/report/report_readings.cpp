@@ -130,6 +130,7 @@ void addPosition(ReportSheet& sheet, const Evaluation& evaluation, std::size_t i
   sheet.heading(QStringLiteral("Readings with the axis at %1°").arg(zero(position.axisDeg)));
   sheet.paragraph(QStringLiteral("Pointing zero: horizontal α0 = %1, vertical β0 = %2")
                       .arg(zero(position.zero.horizontal), zero(position.zero.vertical)));
+  sheet.skip(0.8);
   if (position.readings.empty()) {
     sheet.paragraph(QStringLiteral("No readings."));
     return;

@@ -186,8 +186,9 @@ void addResult(ReportSheet& sheet, const Evaluation& evaluation) {
   }
   addArcs(sheet, fit);
   sheet.paragraph(
-      QStringLiteral("u: standard uncertainty, scaled by s0 = %1; rms: of the residuals of all angles; "
-                     "χ²/f: with the stated σ; f: degrees of freedom.")
+      QStringLiteral(
+          "Lengths in mm; u: standard uncertainty, scaled by s0 = %1; rms: of the residuals of all angles; "
+          "χ²/f: with the stated σ; f: degrees of freedom.")
           .arg(numberText(fit.noise.factor, 2)),
       type::small);
   if (!fit.intersection) return;
