@@ -146,7 +146,7 @@ void MainWindow::markForms() {
     const auto bindings = m_forms->widget(tab)->findChildren<FieldBinding*>();
     const bool wrong = std::any_of(bindings.begin(), bindings.end(),
                                    [](const FieldBinding* binding) { return !binding->problem().isEmpty(); });
-    m_forms->setTabIcon(tab, wrong ? themeIcon(QStringLiteral("problem")) : QIcon());
+    markTab(*m_forms, tab, wrong);
   }
 }
 

@@ -73,7 +73,7 @@ QWidget* createInstrumentForm(SessionDocument& document) {
   return stacked({new FieldForm(
       document,
       {
-          {"instrument.name", Forms::tr("Instr&ument"), {}, Forms::tr("make and model"), {}},
+          {"instrument.name", Forms::tr("Instr&ument"), {}, Forms::tr("model"), {}},
           {"instrument.serial", Forms::tr("Serial no."), {}, {}, {}},
           {"instrument.sigma_horizontal_arcsec", Forms::tr("σ &horizontal circle"), seconds, Forms::tr("2"),
            Forms::tr("Stated standard deviation of one horizontal reading")},

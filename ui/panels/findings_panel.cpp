@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <QKeyEvent>
+#include <utility>
 
 #include "ui/commands/edit_readings.h"
 #include "ui/document/field.h"
@@ -57,41 +58,49 @@ FindingsPanel::FindingsPanel(QWidget* parent) : QListWidget(parent) {
   setIconSize({16, 16});
   setResizeMode(Adjust);
   connect(this, &QListWidget::itemClicked, this, [this](QListWidgetItem* item) {
-    emit placeActivated(m_places[static_cast<std::size_t>(row(item))]);
+    emit placeActivated(m_entries[static_cast<std::size_t>(row(item))].place);
   });
 }
 
+/// Leaves the list alone where it says the same as before: scroll position and current line stay.
 void FindingsPanel::setEvaluation(const Evaluation& evaluation) {
+  std::vector<Entry> entries = entriesOf(evaluation);
+  if (entries == m_entries) return;
   clear();
-  m_places.clear();
+  m_entries = std::move(entries);
+  for (const Entry& entry : m_entries) add(entry);
+}
+
+std::vector<FindingsPanel::Entry> FindingsPanel::entriesOf(const Evaluation& evaluation) {
+  std::vector<Entry> entries;
   const Session& session = evaluation.session;
   for (const Problem& problem : evaluation.examined.problems) {
     const bool missing = isMissing(session, problem.where);
-    add(missing ? QStringLiteral("incomplete") : QStringLiteral("problem"),
-        missing ? tr("Missing") : tr("Problem"), problemText(session, problem), problem.where);
+    entries.push_back({missing ? QStringLiteral("incomplete") : QStringLiteral("problem"),
+                       missing ? tr("Missing") : tr("Problem"), problemText(session, problem),
+                       problem.where});
   }
   for (const Finding& finding : evaluation.fit.findings) {
     const QString icons[] = {QStringLiteral("note"), QStringLiteral("warning"), QStringLiteral("problem")};
     const QString spoken[] = {tr("Note"), tr("Warning"), tr("Error")};
-    QString text = qText(finding.text);
-    if (!finding.remedy.empty()) text += QLatin1Char(' ') + qText(finding.remedy);
     const auto severity = static_cast<std::size_t>(finding.severity);
-    add(icons[severity], spoken[severity], text, finding.where);
+    const QString remedy = finding.remedy.empty() ? QString() : QLatin1Char(' ') + qText(finding.remedy);
+    entries.push_back({icons[severity], spoken[severity], qText(finding.text) + remedy, finding.where});
   }
-  if (count() == 0) add(QStringLiteral("accept"), tr("Sound"), tr("No problems."), {});
+  if (entries.empty()) entries.push_back({QStringLiteral("accept"), tr("Sound"), tr("No problems."), {}});
+  return entries;
 }
 
-void FindingsPanel::add(const QString& icon, const QString& spoken, const QString& text, const Place& place) {
-  auto* item = new QListWidgetItem(themeIcon(icon), text, this);
-  item->setToolTip(text);
-  item->setData(Qt::AccessibleTextRole, QStringLiteral("%1: %2").arg(spoken, text));
-  m_places.push_back(place);
+void FindingsPanel::add(const Entry& entry) {
+  auto* item = new QListWidgetItem(themeIcon(entry.icon), entry.text, this);
+  item->setToolTip(entry.text);
+  item->setData(Qt::AccessibleTextRole, QStringLiteral("%1: %2").arg(entry.spoken, entry.text));
 }
 
 void FindingsPanel::keyPressEvent(QKeyEvent* event) {
   const bool isReturn = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
   if (isReturn && currentRow() >= 0) {
-    emit placeActivated(m_places[static_cast<std::size_t>(currentRow())]);
+    emit placeActivated(m_entries[static_cast<std::size_t>(currentRow())].place);
   } else {
     QListWidget::keyPressEvent(event);
   }

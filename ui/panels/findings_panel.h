@@ -24,9 +24,17 @@ class FindingsPanel : public QListWidget {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
-  void add(const QString& icon, const QString& spoken, const QString& text, const Place& place);
+  struct Entry {
+    QString icon, spoken, text;
+    Place place;
 
-  std::vector<Place> m_places;
+    bool operator==(const Entry&) const = default;
+  };
+
+  static std::vector<Entry> entriesOf(const Evaluation& evaluation);
+  void add(const Entry& entry);
+
+  std::vector<Entry> m_entries;
 };
 
 /// The place as the user knows it: "0°, row 4, vertical reading". Empty for the session as a whole.

@@ -91,9 +91,10 @@ void PositionTabs::nameTabs() {
   const auto& positions = m_document.session().positions;
   for (int tab = 0; tab < count(); ++tab) {
     const std::string& axis = positions.at(static_cast<std::size_t>(tab)).axisDeg;
-    setTabText(tab, axis == "0"     ? tr("Axis at &0°")
-                    : axis == "180" ? tr("Axis at &180°")
-                                    : tr("Axis at %1°").arg(qText(axis)));
+    const QString name = axis == "0"     ? tr("Axis at &0°")
+                         : axis == "180" ? tr("Axis at &180°")
+                                         : tr("Axis at %1°").arg(qText(axis));
+    if (tabText(tab) != name) setTabText(tab, name);
   }
 }
 
@@ -113,7 +114,7 @@ void PositionTabs::setEvaluation(const Evaluation& evaluation) {
       return problem.where.position == static_cast<std::size_t>(tab) &&
              !isMissing(evaluation.session, problem.where);
     });
-    setTabIcon(tab, wrong ? themeIcon(QStringLiteral("problem")) : QIcon());
+    markTab(*this, tab, wrong);
   }
 }
 

@@ -97,6 +97,9 @@ void ReadingDelegate::paint(QPainter* painter, const QStyleOptionViewItem& optio
   box.rect = style->subElementRect(QStyle::SE_CheckBoxIndicator, &box, cell.widget);
   box.rect.moveCenter(option.rect.center());
   box.palette = option.palette;
+  if (isDark(option.palette)) {  // Fusion draws the frame from the window colour, unseen on a dark base
+    box.palette.setColor(QPalette::Window, option.palette.color(QPalette::PlaceholderText));
+  }
   box.state = QStyle::State_Enabled | (checked.toInt() == Qt::Checked ? QStyle::State_On : QStyle::State_Off);
   style->drawPrimitive(QStyle::PE_IndicatorCheckBox, &box, painter, cell.widget);
 }

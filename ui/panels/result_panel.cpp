@@ -106,6 +106,7 @@ ResultPanel::ResultPanel(QWidget* parent)
   setWidget(content);
   m_comparison->hide();
   connect(m_compare, &QCheckBox::toggled, m_comparison, &QWidget::setVisible);
+  settleWidth();
   setEvaluation({});
 }
 
@@ -120,14 +121,14 @@ void ResultPanel::setEvaluation(const Evaluation& evaluation) {
   showArcs();
   showBudget();
   showComparison();
-  keepWideEnough();
 }
 
-/// Grows with the figures and never shrinks again, so that the window does not breathe with every edit.
-void ResultPanel::keepWideEnough() {
+/// Wide enough for figures of the usual size, settled once: the window does not breathe with every edit.
+void ResultPanel::settleWidth() {
+  const QString figure = QStringLiteral("−400.123 ± 0.123");
+  m_arcs->setRows({tr("0°"), tr("180°")}, {{tr("Sightings used"), {figure, figure}}});
   const int bar = verticalScrollBar()->sizeHint().width();
-  const int needed = widget()->minimumSizeHint().width() + bar + 2 * frameWidth();
-  if (needed > minimumWidth()) setMinimumWidth(needed);
+  setMinimumWidth(widget()->minimumSizeHint().width() + bar + 2 * frameWidth());
 }
 
 void ResultPanel::showHeadline() {
@@ -160,6 +161,9 @@ QString ResultPanel::whatIsMissing() const {
     return !isMissing(m_evaluation.session, problem.where);
   });
   if (wrong) return tr("Some entries cannot be used. They are marked and listed with the reason.");
+  if (!m_evaluation.fit.arcs.empty()) {
+    return tr("Δd needs both arcs: type the pointing zero and at least three readings at 0° and at 180°.");
+  }
   return tr(
       "Type the distance L, the nominal radius R0, the pointing zeros and at least three readings of the arc "
       "at 0° and at 180°.");
@@ -180,8 +184,11 @@ void ResultPanel::showVerdict() {
     m_sentence->setText(noTolerance ? tr("Type a tolerance for a verdict.") : QString());
   }
   m_sentence->setVisible(!m_sentence->text().isEmpty());
-  m_badgeIcon->setPixmap(themeIcon(iconOf(fit.verdict)).pixmap(24, 24));
-  colorVerdict();
+  if (m_iconName != iconOf(fit.verdict)) {
+    m_iconName = iconOf(fit.verdict);
+    m_badgeIcon->setPixmap(themeIcon(m_iconName).pixmap(24, 24));
+    colorVerdict();
+  }
 }
 
 void ResultPanel::colorVerdict() {

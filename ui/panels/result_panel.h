@@ -32,10 +32,11 @@ class ResultPanel : public QScrollArea {
   void showBudget();
   void showComparison();
   void colorVerdict();
-  void keepWideEnough();
+  void settleWidth();
   QString whatIsMissing() const;
 
   Evaluation m_evaluation;
+  QString m_iconName;
   QLabel* m_value;
   QLabel* m_valueNote;
   QLabel* m_badgeIcon;

@@ -4,6 +4,7 @@
 #include <QFont>
 #include <QSettings>
 #include <QStyleFactory>
+#include <QTabWidget>
 #include <QToolTip>
 
 void initializeAlidadeResources() {
@@ -35,6 +36,8 @@ QPalette paletteOf(const char* window, const char* base, const char* alternate, 
     palette.setColor(QPalette::Disabled, role, color(dim));
   }
   palette.setColor(QPalette::BrightText, Qt::white);
+  palette.setColor(QPalette::Light, color(button).lighter(112));
+  palette.setColor(QPalette::Midlight, color(button).lighter(106));
   palette.setColor(QPalette::PlaceholderText, color(dim));
   palette.setColor(QPalette::Highlight, color(highlight));
   palette.setColor(QPalette::HighlightedText, color(highlightedText));
@@ -109,6 +112,11 @@ QColor stateTint(const QPalette& palette, State state) {
 
 QIcon themeIcon(const QString& name) {
   return QIcon(QStringLiteral(":/icons/%1.svg").arg(name));
+}
+
+void markTab(QTabWidget& tabs, int tab, bool wrong) {
+  const bool marked = !tabs.tabIcon(tab).isNull();
+  if (marked != wrong) tabs.setTabIcon(tab, wrong ? themeIcon(QStringLiteral("problem")) : QIcon());
 }
 
 }  // namespace alidade::ui

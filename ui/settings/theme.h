@@ -4,6 +4,7 @@
 #include <QPalette>
 
 class QApplication;
+class QTabWidget;
 
 namespace alidade::ui {
 
@@ -31,5 +32,8 @@ QColor stateTint(const QPalette& palette, State state);
 
 /// One of the program's own icons, legible on light and dark.
 QIcon themeIcon(const QString& name);
+
+/// Marks a tab behind which something is wrong; leaves it alone where it is marked so already.
+void markTab(QTabWidget& tabs, int tab, bool wrong);
 
 }  // namespace alidade::ui
