@@ -36,6 +36,15 @@ QSplitter* split(Qt::Orientation orientation, const char* name, std::initializer
   return splitter;
 }
 
+/// A splitter's own margins do not count in its minimum size; a layout's do.
+QWidget* padded(QWidget* content, const QMargins& margins) {
+  auto* frame = new QWidget;
+  auto* layout = new QVBoxLayout(frame);
+  layout->setContentsMargins(margins);
+  layout->addWidget(content);
+  return frame;
+}
+
 }  // namespace
 
 MainWindow::MainWindow(std::unique_ptr<Dialogs> dialogs)
@@ -79,21 +88,19 @@ QWidget* MainWindow::createEntryColumn() {
   layout->addWidget(m_positions, 1);
   QSplitter* column = split(Qt::Vertical, "entries", {top, m_findings}, {620, 90});
   column->setStretchFactor(0, 1);
-  column->setContentsMargins(6, 6, 0, 6);
-  return column;
+  return padded(column, {6, 6, 0, 6});
 }
 
 QWidget* MainWindow::createResultColumn() {
   m_arcChart = new ArcChart;
   m_residualChart = new ResidualChart;
   m_result = new ResultPanel;
-  m_arcChart->setMinimumWidth(230);
+  m_arcChart->setMinimumWidth(210);
   QSplitter* top = split(Qt::Horizontal, "arcs", {m_arcChart, m_result}, {450, 330});
   top->setStretchFactor(0, 1);
   QSplitter* column = split(Qt::Vertical, "results", {top, m_residualChart}, {460, 280});
   column->setStretchFactor(0, 1);
-  column->setContentsMargins(0, 6, 6, 6);
-  return column;
+  return padded(column, {0, 6, 6, 6});
 }
 
 void MainWindow::connectParts() {

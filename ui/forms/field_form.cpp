@@ -46,7 +46,7 @@ QWidget* FieldForm::addEntry(SessionDocument& document, const FormField& field) 
   }
   entry->setObjectName(QString::fromLatin1(field.name));
   entry->setAccessibleName(field.unit.isEmpty() ? spoken : QStringLiteral("%1 (%2)").arg(spoken, field.unit));
-  entry->setMinimumWidth(60);
+  entry->setMinimumWidth(field.choices.isEmpty() ? 60 : 84);
   return entry;
 }
 

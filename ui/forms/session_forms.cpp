@@ -40,7 +40,7 @@ QWidget* createMeasurementForm(SessionDocument& document) {
            Forms::tr("Standard uncertainty of the distance; empty means exact")},
           {"geometry.radius_mm", Forms::tr("&Radius R0"), mm, Forms::tr("required"),
            Forms::tr("Nominal radius of the arc; the fitted radius is free")},
-          {"acceptance.tolerance_mm", Forms::tr("&Tolerance |Δd|"), mm, Forms::tr("none"),
+          {"acceptance.tolerance_mm", Forms::tr("&Tolerance"), mm, Forms::tr("none"),
            Forms::tr("Largest acceptable intersection; without it there is no verdict")},
           {"geometry.vertical_circle",
            Forms::tr("&Vertical circle"),
@@ -55,7 +55,7 @@ QWidget* createMeasurementForm(SessionDocument& document) {
            Forms::tr("0.95"),
            Forms::tr("Coverage probability of the expanded uncertainty U, between 0 and 1")},
           {"model.vertical_angle",
-           Forms::tr("Vertical relation"),
+           Forms::tr("Relation"),
            {},
            {},
            Forms::tr("Exact: tan e = y/√(x²+L²), what a theodolite reads. Planar: tan e = y/L, as in the "

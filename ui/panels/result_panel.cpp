@@ -125,10 +125,12 @@ void ResultPanel::setEvaluation(const Evaluation& evaluation) {
 
 /// Wide enough for figures of the usual size, settled once: the window does not breathe with every edit.
 void ResultPanel::settleWidth() {
-  const QString figure = QStringLiteral("−400.123 ± 0.123");
+  const QString figure = QStringLiteral("400.123 ± 0.123");
   m_arcs->setRows({tr("0°"), tr("180°")}, {{tr("Sightings used"), {figure, figure}}});
+  const QMargins margins = widget()->layout()->contentsMargins();
   const int bar = verticalScrollBar()->sizeHint().width();
-  setMinimumWidth(widget()->minimumSizeHint().width() + bar + 2 * frameWidth());
+  setMinimumWidth(m_arcs->minimumSizeHint().width() + margins.left() + margins.right() + bar +
+                  2 * frameWidth());
 }
 
 void ResultPanel::showHeadline() {
