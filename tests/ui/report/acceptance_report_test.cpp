@@ -20,7 +20,7 @@ TEST(AcceptanceReport, PrintsTheResultWithItsUncertaintyAndVerdict) {
   const Printed report(paperSession());
   const Evaluation evaluation = evaluate(paperSession());
   const Intersection& found = *evaluation.fit.intersection;
-  const QString front = report.page(0);
+  const QString& front = report.page(0);
   EXPECT_TRUE(front.contains(QStringLiteral("Acceptance report")));
   EXPECT_TRUE(front.contains(QString::fromStdString(evaluation.session.title)));
   EXPECT_TRUE(front.contains(QStringLiteral("Accepted")));
@@ -54,7 +54,7 @@ TEST(AcceptanceReport, CarriesNameFingerprintAndNumberOnEveryPage) {
   const Printed report(session);
   ASSERT_EQ(report.pageCount(), 3);
   for (int page = 0; page < report.pageCount(); ++page) {
-    const QString text = report.page(page);
+    const QString& text = report.page(page);
     EXPECT_TRUE(text.contains(QStringLiteral("Alidade"))) << page;
     EXPECT_TRUE(text.contains(QStringLiteral("Guideway 7, spring"))) << page;
     EXPECT_TRUE(text.contains(QStringLiteral("paper-table-1.alidade"))) << page;
