@@ -31,6 +31,7 @@ PlotWidget::PlotWidget(std::unique_ptr<Plot> plot, QWidget* parent)
 }
 
 PlotWidget::~PlotWidget() {
+  m_view->viewport()->removeEventFilter(this);  // a view half gone has no viewport to compare with
   delete m_view;
 }
 
