@@ -5,35 +5,37 @@
 
 namespace alidade {
 
-/// What keeps instrument and guideway from being perfect: the numbers of the forward model that are zero in a perfect
-/// one. Angles in radians, lengths in mm. `s` is the slider coordinate, α and β are circle readings of face 1.
+/// What keeps instrument and guideway from being perfect: the numbers of the forward model that are zero in a
+/// perfect one. Angles in radians, lengths in mm. `s` is the slider coordinate, α and β are circle readings
+/// of face 1.
 enum class ErrorTerm : std::size_t {
-  VerticalAngleRelation,  ///< 0: the session's own relation between y and e; 1: the other one (exact ↔ planar)
-  Collimation,            ///< c: line of sight against the perpendicular of the trunnion axis; δα = ±c/cos e
-  TrunnionTilt,           ///< i: trunnion axis against the perpendicular of the vertical axis; δα = ±i tan e
-  VerticalIndex,          ///< j: added to the vertical circle's reading in both faces
-  VerticalAxisTiltX,      ///< the vertical axis leans towards the observer (turned about +x)
-  VerticalAxisTiltZ,      ///< the vertical axis leans to the left (turned about +z)
-  HorizontalCircleSine,   ///< δα = A sin α + B cos α of the circle reading of either face: A
-  HorizontalCircleCosine, ///< B
-  VerticalCircleSine,     ///< δβ = A sin β + B cos β of the circle reading of either face: A
-  VerticalCircleCosine,   ///< B
-  HorizontalDrift,        ///< turn of the orientation from the first reading of the session to the last
-  VerticalDrift,          ///< the same for the vertical circle; zenith readings grow with positive drift
-  HorizontalJump,         ///< step of the orientation at the moment of the jump
+  VerticalAngleRelation,  ///< 0: the session's own relation between y and e; 1: the other one (exact ↔
+                          ///< planar)
+  Collimation,        ///< c: line of sight against the perpendicular of the trunnion axis; δα = ±c/cos e
+  TrunnionTilt,       ///< i: trunnion axis against the perpendicular of the vertical axis; δα = ±i tan e
+  VerticalIndex,      ///< j: added to the vertical circle's reading in both faces
+  VerticalAxisTiltX,  ///< the vertical axis leans towards the observer (turned about +x)
+  VerticalAxisTiltZ,  ///< the vertical axis leans to the left (turned about +z)
+  HorizontalCircleSine,    ///< δα = A sin α + B cos α of the circle reading of either face: A
+  HorizontalCircleCosine,  ///< B
+  VerticalCircleSine,      ///< δβ = A sin β + B cos β of the circle reading of either face: A
+  VerticalCircleCosine,    ///< B
+  HorizontalDrift,         ///< turn of the orientation from the first reading of the session to the last
+  VerticalDrift,           ///< the same for the vertical circle; zenith readings grow with positive drift
+  HorizontalJump,          ///< step of the orientation at the moment of the jump
   VerticalJump,
-  PlaneTiltX,             ///< the arc plane turned about +x through the arc centre
-  PlaneTiltY,             ///< about +y
-  PlaneOffset,            ///< the arc plane off the rotation axis: nearer by this at 0°, farther at 180°
-  EllipticityCosine,      ///< radius + A cos 2s + B sin 2s: A
-  EllipticitySine,        ///< B
-  LobingCosine,           ///< radius + A cos 3s + B sin 3s: A
-  LobingSine,             ///< B
-  GravitySag,             ///< y − g sin s, downwards however the guideway is turned
-  WarpCosine,             ///< target off the plane by A cos 2s + B sin 2s, turning with the guideway: A
-  WarpSine,               ///< B
-  SliderScale,            ///< slider reading = s (1 + k) + …
-  SliderSine,             ///< … + A sin s + B cos s
+  PlaneTiltX,         ///< the arc plane turned about +x through the arc centre
+  PlaneTiltY,         ///< about +y
+  PlaneOffset,        ///< the arc plane off the rotation axis: nearer by this at 0°, farther at 180°
+  EllipticityCosine,  ///< radius + A cos 2s + B sin 2s: A
+  EllipticitySine,    ///< B
+  LobingCosine,       ///< radius + A cos 3s + B sin 3s: A
+  LobingSine,         ///< B
+  GravitySag,         ///< y − g sin s, downwards however the guideway is turned
+  WarpCosine,         ///< target off the plane by A cos 2s + B sin 2s, turning with the guideway: A
+  WarpSine,           ///< B
+  SliderScale,        ///< slider reading = s (1 + k) + …
+  SliderSine,         ///< … + A sin s + B cos s
   SliderCosine,
   Count,
 };
@@ -42,11 +44,23 @@ inline constexpr std::size_t errorTermCount = static_cast<std::size_t>(ErrorTerm
 
 /// The sizes of all error terms; zero unless set.
 template <typename T>
-struct ErrorTerms {
-  std::array<T, errorTermCount> sizes{};
+class ErrorTerms {
+ public:
+  /// `zero` where T has no zero of its own, such as a jet of dynamic size.
+  explicit ErrorTerms(const T& zero = T(0)) { m_sizes.fill(zero); }
 
-  T& operator[](ErrorTerm term) { return sizes[static_cast<std::size_t>(term)]; }
-  const T& operator[](ErrorTerm term) const { return sizes[static_cast<std::size_t>(term)]; }
+  void set(ErrorTerm term, const T& size) {
+    m_sizes[static_cast<std::size_t>(term)] = size;
+    m_isPerfect = false;
+  }
+  const T& operator[](ErrorTerm term) const { return m_sizes[static_cast<std::size_t>(term)]; }
+
+  /// No term was set, so the perfect model's short formulas hold.
+  bool isPerfect() const { return m_isPerfect; }
+
+ private:
+  std::array<T, errorTermCount> m_sizes;
+  bool m_isPerfect = true;
 };
 
 }  // namespace alidade

@@ -4,43 +4,48 @@
 #include <numbers>
 
 #include "core/observation/error_term.h"
+#include "core/observation/guideway.h"
 #include "core/observation/perfect_theodolite.h"
 #include "core/session/measurement.h"
 
 namespace alidade {
 
-// The one forward model: what a theodolite with errors reads when the slider of a guideway with errors stands at s. Exact:
-// the theodolite is turned until it sights the target, and where rotations are meant they are rotations.
+// The one forward model: what a theodolite with errors reads when the slider of a guideway with errors stands
+// at s. Exact: the theodolite is turned until it sights the target, and where rotations are meant they are
+// rotations.
 //
-// The situation in o0 (origin at the theodolite's centre, x right, y up, z towards the observer): the arc of position p has
-// centre (x, y, −L) and radius R; the slider stands at φ, counter-clockwise from +x; s = φ at axis 0°, s = −φ at 180°, where the
-// guideway is turned half round about the x direction.
+// The situation in o0 (origin at the theodolite's centre, x right, y up, z towards the observer): the arc of
+// position p has centre (x, y, −L) and radius R; the slider stands at φ, counter-clockwise from +x; s = φ at
+// axis 0°, s = −φ at 180°, where the guideway is turned half round about the x direction.
 //
-// The theodolite: its vertical axis leans by the two axis tilts; the alidade turns about it to α; the trunnion axis is
-// tilted by i against the perpendicular; the telescope turns about that to e; the line of sight deviates by c. A target in the
-// direction (r, u, f) (right, up, forward) of the leaning instrument is sighted where
+// The theodolite: its vertical axis leans by the two axis tilts; the alidade turns about it to α; the
+// trunnion axis is tilted by i against the perpendicular; the telescope turns about that to e; the line of
+// sight deviates by c. A target in the direction (r, u, f) (right, up, forward) of the leaning instrument is
+// sighted where
 //
-//   sin e = (u + sin c sin i)/(cos c cos i),    a = atan2(r, f) ± atan2(sin c cos i + cos c sin e sin i, cos c cos e)
+//   sin e = (u + sin c sin i)/(cos c cos i),    a = atan2(r, f) ± atan2(sin c cos i + cos c sin e sin i, cos
+//   c cos e)
 //
-// with + in face 1. The circles read α0 + a and β0 − e of face 1, 180° and 360° away in face 2, each with its eccentricity. Source: the
-// geometry of the instrument; to first order the formulas of any textbook (δα = ±c/cos e, ±i tan e).
+// with + in face 1. The circles read α0 + a and β0 − e of face 1, 180° and 360° away in face 2, each with its
+// eccentricity. Source: the geometry of the instrument; to first order the formulas of any textbook (δα =
+// ±c/cos e, ±i tan e).
 
 /// Where the arc of one position lies and how its readings are oriented.
 template <typename T>
 struct ArcPose {
-  T x, y, radius;        ///< mm
-  T horizontalZero;      ///< error of α0 as read, rad: readings come out smaller by it
-  T verticalZero;        ///< error of β0 as read, up positive: e comes out greater by it
-  T sliderZero;          ///< slider reading at s = 0, rad
+  T x, y, radius;    ///< mm
+  T horizontalZero;  ///< error of α0 as read, rad: readings come out smaller by it
+  T verticalZero;    ///< error of β0 as read, up positive: e comes out greater by it
+  T sliderZero;      ///< slider reading at s = 0, rad
 };
 
 /// What is known beforehand about one pointing: everything but the unknowns of the fit.
 struct Pointing {
   int axisDeg = 0;
   int face = 1;
-  double elapsed = 0;        ///< share of the session gone by when it was taken, 0…1
-  bool afterJump = false;    ///< taken after the orientation stepped
-  double horizontalZero = 0; ///< α0 and β0 as read, rad: the circle positions at which eccentricity acts
+  double elapsed = 0;         ///< share of the session gone by when it was taken, 0…1
+  bool afterJump = false;     ///< taken after the orientation stepped
+  double horizontalZero = 0;  ///< α0 and β0 as read, rad: the circle positions at which eccentricity acts
   double verticalZero = 0;
   VerticalCircle circle = VerticalCircle::Zenith;
   VerticalAngleRelation relation = VerticalAngleRelation::Exact;
@@ -53,29 +58,38 @@ struct SpacePoint {
 
 /// Where the target stands, mm in o0, for the slider at arc angle φ (rad).
 template <typename T>
-SpacePoint<T> targetAt(const ErrorTerms<T>& errors, const ArcPose<T>& arc, const T& distance, const T& phi, int axisDeg) {
+SpacePoint<T> targetAt(const ErrorTerms<T>& errors, const ArcPose<T>& arc, const T& distance, const T& phi,
+                       int axisDeg) {
   using std::cos, std::sin;
   using enum ErrorTerm;
+  if (errors.isPerfect()) {
+    const PlanePoint<T> target = targetOnArc(arc.x, arc.y, arc.radius, phi);
+    return {target.x, target.y, -distance};
+  }
   const double turn = axisDeg == 0 ? 1 : -1;
   const T s = turn * phi;
   const T cos2 = cos(2 * s), sin2 = sin(2 * s), cos3 = cos(3 * s), sin3 = sin(3 * s);
   const T radius = arc.radius + errors[EllipticityCosine] * cos2 + errors[EllipticitySine] * sin2 +
                    errors[LobingCosine] * cos3 + errors[LobingSine] * sin3;
-  // In the guideway's plane, then off it; the plane's tilt turns about the arc centre and, like the warp, with the guideway.
+  // In the guideway's plane, then off it; the plane's tilt turns about the arc centre and, like the warp,
+  // with the guideway.
   const T x = radius * cos(phi), y = radius * sin(phi);
   const T off = turn * (errors[WarpCosine] * cos2 + errors[WarpSine] * sin2);
   const T tiltX = errors[PlaneTiltX], tiltY = errors[PlaneTiltY];
   const T yTilted = y * cos(tiltX) - off * sin(tiltX), zTilted = y * sin(tiltX) + off * cos(tiltX);
   const T xTurned = x * cos(tiltY) + zTilted * sin(tiltY), zTurned = zTilted * cos(tiltY) - x * sin(tiltY);
-  return {arc.x + xTurned, arc.y + yTilted - errors[GravitySag] * sin(s), zTurned + turn * errors[PlaneOffset] - distance};
+  return {arc.x + xTurned, arc.y + yTilted - errors[GravitySag] * sin(s),
+          zTurned + turn * errors[PlaneOffset] - distance};
 }
 
-/// The direction to `target` as read on the circles in `pointing`'s face, as its face 1 equivalent before the zero is taken off:
-/// azimuth a from the perpendicular of the arc plane and elevation e, rad.
+/// The direction to `target` as read on the circles in `pointing`'s face, as its face 1 equivalent before the
+/// zero is taken off: azimuth a from the perpendicular of the arc plane and elevation e, rad.
 template <typename T>
-Direction<T> circleDirection(const ErrorTerms<T>& errors, const SpacePoint<T>& target, const Pointing& pointing) {
+Direction<T> circleDirection(const ErrorTerms<T>& errors, const SpacePoint<T>& target,
+                             const Pointing& pointing) {
   using std::asin, std::atan2, std::cos, std::sin, std::sqrt;
   using enum ErrorTerm;
+  if (errors.isPerfect()) return observe(PlanePoint<T>{target.x, target.y}, T(-target.z), pointing.relation);
   const double side = pointing.face == 1 ? 1 : -1;
 
   // Into the leaning instrument: turned back about z, then about x.
@@ -105,8 +119,9 @@ Direction<T> circleDirection(const ErrorTerms<T>& errors, const SpacePoint<T>& t
   const T beta1 = pointing.verticalZero - down * e;
   const double fullTurn = pointing.circle == VerticalCircle::Zenith ? 2 * std::numbers::pi : std::numbers::pi;
   const T beta = side > 0 ? beta1 : T(fullTurn - beta1);
-  e -= down * side * (errors[VerticalIndex] + errors[VerticalCircleSine] * sin(beta) +
-                      errors[VerticalCircleCosine] * cos(beta));
+  e -= down * side *
+       (errors[VerticalIndex] + errors[VerticalCircleSine] * sin(beta) +
+        errors[VerticalCircleCosine] * cos(beta));
 
   a += errors[HorizontalDrift] * pointing.elapsed;
   e -= down * errors[VerticalDrift] * pointing.elapsed;
@@ -117,12 +132,14 @@ Direction<T> circleDirection(const ErrorTerms<T>& errors, const SpacePoint<T>& t
   return {a, e};
 }
 
-/// The reading of a pointing, reduced as in a session: face 1 equivalent, from the pointing zero, right and up positive.
-/// The zero was read in face 1 with the same instrument, so what it shares with the readings cancels.
+/// The reading of a pointing, reduced as in a session: face 1 equivalent, from the pointing zero, right and
+/// up positive. The zero was read in face 1 with the same instrument, so what it shares with the readings
+/// cancels.
 template <typename T>
 Direction<T> observe(const ErrorTerms<T>& errors, const ArcPose<T>& arc, const T& distance, const T& phi,
                      const Pointing& pointing, const Pointing& zeroPointing) {
-  const Direction<T> sighted = circleDirection(errors, targetAt(errors, arc, distance, phi, pointing.axisDeg), pointing);
+  const Direction<T> sighted =
+      circleDirection(errors, targetAt(errors, arc, distance, phi, pointing.axisDeg), pointing);
   const Direction<T> zero = circleDirection(errors, SpacePoint<T>{T(0), T(0), T(-distance)}, zeroPointing);
   return {sighted.a - zero.a - arc.horizontalZero, sighted.e - zero.e + arc.verticalZero};
 }
@@ -133,7 +150,9 @@ T observeSlider(const ErrorTerms<T>& errors, const ArcPose<T>& arc, const T& phi
   using std::cos, std::sin;
   using enum ErrorTerm;
   const T s = axisDeg == 0 ? phi : T(-phi);
-  return arc.sliderZero + s + errors[SliderScale] * s + errors[SliderSine] * sin(s) + errors[SliderCosine] * cos(s);
+  if (errors.isPerfect()) return arc.sliderZero + s;
+  return arc.sliderZero + s + errors[SliderScale] * s + errors[SliderSine] * sin(s) +
+         errors[SliderCosine] * cos(s);
 }
 
 }  // namespace alidade

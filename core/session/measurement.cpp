@@ -149,7 +149,9 @@ class Examiner {
       }
       const auto zero = examineZero(position.zero, index);
       std::vector<Sighting> sightings = examineReadings(position, index, zero);
-      if (axis && zero && m_circle) m_measurement.arcs.push_back({index, *axis, std::move(sightings)});
+      if (axis && zero && m_circle)
+        m_measurement.arcs.push_back({index, *axis, zero->horizontal, zero->vertical, std::move(sightings)});
+      m_measurement.rows += position.readings.size();
     }
   }
 
@@ -198,6 +200,7 @@ class Examiner {
     const std::size_t before = m_problems.size();
     Sighting sighting;
     sighting.row = *row.reading;
+    sighting.sequence = m_measurement.rows + sighting.row;
     examineVisit(reading, row, sighting);
     const auto horizontal = angle("readings.horizontal", reading.horizontal, at(row, "horizontal"));
     const auto vertical = angle("readings.vertical", reading.vertical, at(row, "vertical"));

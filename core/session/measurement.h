@@ -23,7 +23,8 @@ enum class VerticalAngleRelation {
 /// One row of readings, reduced: face 1 equivalent, from the pointing zero, right and up positive, |a|, |e| <
 /// 90°.
 struct Sighting {
-  std::size_t row = 0;  ///< index into the position's readings
+  std::size_t row = 0;       ///< index into the position's readings
+  std::size_t sequence = 0;  ///< index into all rows of the session, excluded ones too, in the order taken
   int point = 0;
   int round = 1;
   int face = 1;
@@ -34,8 +35,9 @@ struct Sighting {
 
 /// What was read in one position of the axis, excluded and unusable rows left out.
 struct ArcMeasurement {
-  std::size_t position = 0;  ///< index into the session's positions
-  int axisDeg = 0;           ///< 0 or 180
+  std::size_t position = 0;            ///< index into the session's positions
+  int axisDeg = 0;                     ///< 0 or 180
+  Angle zeroHorizontal, zeroVertical;  ///< α0 and β0 as read
   std::vector<Sighting> sightings;
 };
 
@@ -53,6 +55,7 @@ struct Measurement {
   double coverage = 0.95;                       ///< in (0, 1)
   std::optional<double> referenceIntersection;  ///< mm
   std::vector<ArcMeasurement> arcs;             ///< at most one per axis position, in session order
+  std::size_t rows = 0;                         ///< of the whole session, excluded ones too
   bool hasUnestimatedEffects = false;  ///< model.effects names effects, which these fits do not estimate
 };
 

@@ -1,0 +1,180 @@
+#include "core/adjustment/joint_fit.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "core/adjustment/joint_problem.h"
+
+namespace alidade {
+
+namespace {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+/// Scaled to a unit diagonal before it is factored: millimetres and radians differ by 1e6 in size.
+VectorXd solveScaled(const MatrixXd& matrix, const VectorXd& rightSide) {
+  const VectorXd scale = matrix.diagonal().cwiseSqrt().cwiseInverse();
+  const MatrixXd scaled = scale.asDiagonal() * matrix * scale.asDiagonal();
+  return scale.cwiseProduct(scaled.ldlt().solve(scale.cwiseProduct(rightSide)));
+}
+
+MatrixXd inverseScaled(const MatrixXd& matrix) {
+  const VectorXd scale = matrix.diagonal().cwiseSqrt().cwiseInverse();
+  const MatrixXd scaled = scale.asDiagonal() * matrix * scale.asDiagonal();
+  const MatrixXd inverse = scaled.ldlt().solve(MatrixXd::Identity(matrix.rows(), matrix.cols()));
+  return scale.asDiagonal() * inverse * scale.asDiagonal();
+}
+
+struct Minimum {
+  JointState state;
+  JointSystem system;
+  int iterations = 0;
+  bool converged = false;
+};
+
+double remainingStep(const JointSystem& system, Index estimated) {
+  const VectorXd rightSide = system.rightSide.head(estimated);
+  const double squared =
+      rightSide.dot(solveScaled(system.matrix.topLeftCorner(estimated, estimated), rightSide));
+  return squared >= 0 ? std::sqrt(squared) : std::numeric_limits<double>::infinity();
+}
+
+Minimum minimise(const JointProblem& problem, JointState start, const JointFitOptions& options) {
+  Minimum best{std::move(start), {}, 0, false};
+  best.system = problem.system(best.state);
+  const auto estimated = static_cast<Index>(problem.estimated().size());
+  constexpr double largestDamping = 1e9, smallestDamping = 1e-12;
+  constexpr double rounding = 1e-9;  // readings are rounded to some 1e-11 of their σ
+  double damping = 1e-9;
+  double previousStep = std::numeric_limits<double>::infinity();
+  while (best.iterations < options.maximumIterations && damping < largestDamping) {
+    ++best.iterations;
+    MatrixXd damped = best.system.matrix.topLeftCorner(estimated, estimated);
+    damped.diagonal() *= 1 + damping;
+    JointState trial = problem.moved(best.state, solveScaled(damped, best.system.rightSide.head(estimated)));
+    JointSystem system = problem.system(trial);
+    if (system.chiSquare <= best.system.chiSquare + rounding * (1 + best.system.chiSquare)) {
+      best.state = std::move(trial);
+      best.system = std::move(system);
+      damping = std::max(damping / 10, smallestDamping);
+      const double remaining = remainingStep(best.system, estimated);
+      best.converged = remaining < options.tolerance && previousStep < 1e-4;
+      if (best.converged) break;
+      previousStep = remaining;
+    } else {
+      damping *= 10;
+    }
+  }
+  return best;
+}
+
+SquareMatrix plain(const MatrixXd& matrix) {
+  SquareMatrix result{static_cast<std::size_t>(matrix.rows()), {}};
+  for (Index i = 0; i < matrix.rows(); ++i)
+    for (Index j = 0; j < matrix.cols(); ++j) result.values.push_back((matrix(i, j) + matrix(j, i)) / 2);
+  return result;
+}
+
+/// ∂Δd/∂unknowns: half the difference of the heights of the centres at 0° and 180°.
+VectorXd intersectionGradient(const Measurement& measurement, const std::vector<Unknown>& unknowns) {
+  VectorXd gradient = VectorXd::Zero(static_cast<Index>(unknowns.size()));
+  if (measurement.arcs.size() != 2) return gradient;
+  for (std::size_t i = 0; i < unknowns.size(); ++i)
+    if (unknowns[i].kind == Unknown::Kind::CentreY)
+      gradient[static_cast<Index>(i)] = measurement.arcs[unknowns[i].arc].axisDeg == 0 ? 0.5 : -0.5;
+  return gradient;
+}
+
+/// A reading of the visit without what the adjustment says of it.
+AdjustedReading readingAt(const Measurement& measurement, const VisitOfArc& visitOfArc, Index row) {
+  const auto& [arc, visit, slider] = visitOfArc;
+  const std::size_t pair = static_cast<std::size_t>(row) / 2;
+  if (pair >= visit.sightings.size()) {
+    const auto index = static_cast<std::size_t>(slider - measurement.arcs[arc].sightings.data());
+    return {.arc = arc,
+            .sighting = index,
+            .kind = ReadingKind::Slider,
+            .sigma = measurement.sigmaSlider.radians()};
+  }
+  if (row % 2 == 0)
+    return {.arc = arc,
+            .sighting = visit.sightings[pair],
+            .kind = ReadingKind::Horizontal,
+            .sigma = measurement.sigmaHorizontal.radians()};
+  return {.arc = arc,
+          .sighting = visit.sightings[pair],
+          .kind = ReadingKind::Vertical,
+          .sigma = measurement.sigmaVertical.radians()};
+}
+
+void fillReadings(JointFit& fit, const Measurement& measurement, const JointProblem& problem,
+                  const JointState& state, const MatrixXd& cofactor) {
+  const VectorXd gradient = cofactor * intersectionGradient(measurement, fit.unknowns);
+  for (std::size_t v = 0; v < problem.visits().size(); ++v) {
+    const VisitEquations equations = problem.equationsOf(state, v);
+    ArcMisfit& misfit = fit.misfits[problem.visits()[v].arc];
+    misfit.chiSquare += equations.residual.squaredNorm();
+    misfit.degreesOfFreedom += static_cast<int>(equations.residual.size()) - 1;
+    for (Index row = 0; row < equations.residual.size(); ++row) {
+      const VectorXd reduced = problem.spread(JointProblem::reduced(equations, row), problem.visits()[v].arc)
+                                   .head(cofactor.rows());
+      AdjustedReading reading = readingAt(measurement, problem.visits()[v], row);
+      reading.residual = equations.residual[row] * reading.sigma;
+      reading.redundancy = 1 - equations.along[row] * equations.along[row] - reduced.dot(cofactor * reduced);
+      reading.perReading = gradient.dot(reduced) / reading.sigma;
+      fit.readings.push_back(reading);
+    }
+  }
+}
+
+/// What is counted in χ² less what is estimated; an unknown with a prior is observed, too, and counts on both
+/// sides.
+void countDegreesOfFreedom(JointFit& fit, const JointProblem& problem) {
+  for (std::size_t i = 0; i < fit.unknowns.size(); ++i) {
+    if (fit.unknowns[i].kind != Unknown::Kind::Error)
+      --fit.misfits[fit.unknowns[i].arc].degreesOfFreedom;
+    else if (std::isinf(problem.priorSigma(i)))
+      --fit.degreesOfFreedom;
+  }
+  for (const ArcMisfit& misfit : fit.misfits) fit.degreesOfFreedom += misfit.degreesOfFreedom;
+}
+
+}  // namespace
+
+std::size_t JointFit::indexOf(const Unknown& unknown) const {
+  return static_cast<std::size_t>(std::ranges::find(unknowns, unknown) - unknowns.begin());
+}
+
+JointFit fitJointly(const Measurement& measurement, const std::vector<Circle>& starts,
+                    const JointFitOptions& options) {
+  assert(starts.size() == measurement.arcs.size() && options.terms.size() <= mostTerms);
+  const JointProblem problem(measurement, options);
+  const Minimum minimum = minimise(problem, problem.start(starts), options);
+  const auto estimated = static_cast<Index>(problem.estimated().size());
+  const auto considered = static_cast<Index>(problem.considered().size());
+  const MatrixXd cofactor = inverseScaled(minimum.system.matrix.topLeftCorner(estimated, estimated));
+  const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> perConsidered =
+      -cofactor * minimum.system.matrix.topRightCorner(estimated, considered);
+
+  JointFit fit;
+  fit.unknowns = problem.estimated();
+  fit.values.assign(minimum.state.unknowns.begin(), minimum.state.unknowns.begin() + estimated);
+  fit.cofactor = plain(cofactor);
+  fit.considered = problem.considered();
+  for (std::size_t i = 0; i < fit.considered.size(); ++i)
+    fit.consideredSigmas.push_back(problem.consideredSigma(i));
+  fit.perConsidered.assign(perConsidered.data(), perConsidered.data() + perConsidered.size());
+  fit.arcAngles.assign(minimum.state.arcAngles.begin(), minimum.state.arcAngles.end());
+  fit.iterations = minimum.iterations;
+  fit.converged = minimum.converged && cofactor.allFinite();
+  fit.chiSquare = minimum.system.chiSquare;
+  fit.misfits.resize(measurement.arcs.size());
+  fillReadings(fit, measurement, problem, minimum.state, cofactor);
+  countDegreesOfFreedom(fit, problem);
+  return fit;
+}
+
+}  // namespace alidade

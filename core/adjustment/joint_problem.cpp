@@ -1,0 +1,228 @@
+#include "core/adjustment/joint_problem.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace alidade {
+
+namespace {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+using Jet = Eigen::AutoDiffScalar<Slots>;
+
+constexpr double largestTurn =
+    0.3;  // rad of arc angle in one step; keeps a poor start on its side of the circle
+
+Jet constant(double value) {
+  return Jet(value, Slots::Zero());
+}
+
+const Sighting* sliderOf(const ArcMeasurement& arc, const Visit& visit) {
+  for (const std::size_t i : visit.sightings)
+    if (arc.sightings[i].slider) return &arc.sightings[i];
+  return nullptr;
+}
+
+}  // namespace
+
+JointProblem::JointProblem(const Measurement& measurement, const JointFitOptions& options)
+    : m_measurement(measurement), m_terms(options.terms) {
+  for (std::size_t arc = 0; arc < measurement.arcs.size(); ++arc) {
+    addArc(arc);
+    for (Visit& visit : visitsOf(measurement.arcs[arc])) {
+      const Sighting* slider = sliderOf(measurement.arcs[arc], visit);
+      m_visits.push_back({arc, std::move(visit), slider});
+    }
+  }
+  for (const EstimatedTerm& term : m_terms) {
+    m_estimated.push_back({.kind = Unknown::Kind::Error, .arc = 0, .term = term.term});
+    m_priorSigmas.push_back(term.priorSigma);
+  }
+  consider({.kind = Unknown::Kind::Distance}, measurement.sigmaDistance);
+  buildSlotMaps();
+}
+
+void JointProblem::addArc(std::size_t arc) {
+  using enum Unknown::Kind;
+  std::vector kinds{CentreX, CentreY, Radius};
+  const auto& sightings = m_measurement.arcs[arc].sightings;
+  if (std::ranges::any_of(sightings, [](const Sighting& s) { return s.slider.has_value(); }))
+    kinds.push_back(SliderZero);
+  for (const auto kind : kinds) {
+    m_estimated.push_back({.kind = kind, .arc = arc});
+    m_priorSigmas.push_back(std::numeric_limits<double>::infinity());
+  }
+  consider({.kind = HorizontalZero, .arc = arc}, m_measurement.sigmaZeroHorizontal.radians());
+  consider({.kind = VerticalZero, .arc = arc}, m_measurement.sigmaZeroVertical.radians());
+}
+
+void JointProblem::consider(const Unknown& unknown, double sigma) {
+  m_considered.push_back(unknown);
+  m_consideredSigmas.push_back(sigma);
+}
+
+void JointProblem::buildSlotMaps() {
+  m_slotMaps.resize(m_measurement.arcs.size());
+  for (std::size_t arc = 0; arc < m_slotMaps.size(); ++arc) {
+    m_slotMaps[arc].fill(-1);
+    std::size_t term = firstTermSlot;
+    Index index = 0;
+    for (const auto* unknowns : {&m_estimated, &m_considered})
+      for (const Unknown& unknown : *unknowns) {
+        if (unknown.kind == Unknown::Kind::Error)
+          m_slotMaps[arc][term++] = index;
+        else if (unknown.kind == Unknown::Kind::Distance)
+          m_slotMaps[arc][distanceSlot] = index;
+        else if (unknown.arc == arc)
+          m_slotMaps[arc][static_cast<std::size_t>(unknown.kind)] = index;
+        ++index;
+      }
+  }
+}
+
+JointState JointProblem::start(const std::vector<Circle>& circles) const {
+  JointState state{VectorXd::Zero(count()), VectorXd::Zero(static_cast<Index>(m_visits.size()))};
+  for (std::size_t i = 0; i < m_estimated.size(); ++i) {
+    using enum Unknown::Kind;
+    const Circle& circle = circles[m_estimated[i].arc];
+    double& value = state.unknowns[static_cast<Index>(i)];
+    if (m_estimated[i].kind == CentreX) value = circle.x;
+    if (m_estimated[i].kind == CentreY) value = circle.y;
+    if (m_estimated[i].kind == Radius) value = circle.radius;
+  }
+  for (std::size_t v = 0; v < m_visits.size(); ++v) {
+    const PlanePoint<double> place =
+        sightedPoint(m_visits[v].visit.mean.direction, m_measurement.distance, m_measurement.relation);
+    state.arcAngles[static_cast<Index>(v)] = nearestArcAngle(circles[m_visits[v].arc], place);
+  }
+  return state;
+}
+
+JointProblem::JetState JointProblem::jetsOf(const JointState& state, std::size_t visit) const {
+  const auto& map = m_slotMaps[m_visits[visit].arc];
+  const auto jet = [&](std::size_t slot, double base) {
+    return map[slot] < 0 ? constant(base)
+                         : Jet(base + state.unknowns[map[slot]], slotCount, static_cast<int>(slot));
+  };
+  JetState jets{ErrorTerms<Jet>(constant(0)),
+                {jet(0, 0), jet(1, 0), jet(2, 0), jet(3, 0), jet(4, 0), jet(5, 0)},
+                jet(distanceSlot, m_measurement.distance),
+                Jet(state.arcAngles[static_cast<Index>(visit)], slotCount, phiSlot)};
+  for (std::size_t t = 0; t < m_terms.size(); ++t)
+    jets.errors.set(m_terms[t].term, jet(firstTermSlot + t, 0));
+  return jets;
+}
+
+Pointing JointProblem::zeroPointing(const ArcMeasurement& arc) const {
+  Pointing pointing;
+  pointing.axisDeg = arc.axisDeg;
+  pointing.horizontalZero = arc.zeroHorizontal.radians();
+  pointing.verticalZero = arc.zeroVertical.radians();
+  pointing.circle = m_measurement.verticalCircle;
+  pointing.relation = m_measurement.relation;
+  return pointing;
+}
+
+Pointing JointProblem::pointingOf(const ArcMeasurement& arc, const Sighting& sighting) const {
+  Pointing pointing = zeroPointing(arc);
+  pointing.face = sighting.face;
+  if (m_measurement.rows > 1)
+    pointing.elapsed = static_cast<double>(sighting.sequence) / static_cast<double>(m_measurement.rows - 1);
+  return pointing;
+}
+
+VisitEquations JointProblem::equationsOf(const JointState& state, std::size_t visitIndex) const {
+  const auto& [arcIndex, visit, slider] = m_visits[visitIndex];
+  const ArcMeasurement& arc = m_measurement.arcs[arcIndex];
+  const JetState jets = jetsOf(state, visitIndex);
+  const SpacePoint<Jet> zeroTarget{constant(0), constant(0), Jet(-jets.distance)};
+  const Direction<Jet> zero = circleDirection(jets.errors, zeroTarget, zeroPointing(arc));
+  const SpacePoint<Jet> target = targetAt(jets.errors, jets.pose, jets.distance, jets.phi, arc.axisDeg);
+
+  VisitEquations equations;
+  const auto rows = static_cast<Index>(2 * visit.sightings.size() + (slider ? 1 : 0));
+  equations.residual.resize(rows);
+  equations.jacobian.resize(rows, slotCount);
+  Index row = 0;
+  const auto put = [&](double difference, const Jet& model, double sigma) {
+    equations.residual[row] = difference / sigma;
+    equations.jacobian.row(row++) = model.derivatives().transpose() / sigma;
+  };
+  for (const std::size_t i : visit.sightings) {
+    const Sighting& sighting = arc.sightings[i];
+    const Direction<Jet> sighted = circleDirection(jets.errors, target, pointingOf(arc, sighting));
+    const Jet a = sighted.a - zero.a - jets.pose.horizontalZero,
+              e = sighted.e - zero.e + jets.pose.verticalZero;
+    put(sighting.a.radians() - a.value(), a, m_measurement.sigmaHorizontal.radians());
+    put(sighting.e.radians() - e.value(), e, m_measurement.sigmaVertical.radians());
+  }
+  if (slider) {
+    const Jet s = observeSlider(jets.errors, jets.pose, jets.phi, arc.axisDeg);
+    put(wrapped(*slider->slider - Angle::fromRadians(s.value())).radians(), s,
+        m_measurement.sigmaSlider.radians());
+  }
+  equations.along = equations.jacobian.col(phiSlot).normalized();
+  return equations;
+}
+
+Slots JointProblem::reduced(const VisitEquations& equations, Index row) {
+  return equations.jacobian.row(row).transpose() -
+         equations.along[row] * (equations.jacobian.transpose() * equations.along);
+}
+
+VectorXd JointProblem::spread(const Slots& values, std::size_t arc) const {
+  VectorXd all = VectorXd::Zero(count());
+  for (std::size_t slot = 0; slot < slotCount; ++slot)
+    if (m_slotMaps[arc][slot] >= 0) all[m_slotMaps[arc][slot]] = values[static_cast<Index>(slot)];
+  return all;
+}
+
+JointSystem JointProblem::system(const JointState& state) const {
+  JointSystem system{MatrixXd::Zero(count(), count()), VectorXd::Zero(count()), 0};
+  for (std::size_t v = 0; v < m_visits.size(); ++v) {
+    VisitEquations equations = equationsOf(state, v);
+    system.chiSquare += equations.residual.squaredNorm();
+    // The arc angle eliminated: what lies along ∂/∂φ is taken off every column and off the residual.
+    const Slots share = equations.jacobian.transpose() * equations.along;
+    const double along = equations.along.dot(equations.residual);
+    const Eigen::Matrix<double, slotCount, slotCount> normal =
+        equations.jacobian.transpose() * equations.jacobian - share * share.transpose();
+    const Slots right = equations.jacobian.transpose() * equations.residual - share * along;
+    const auto& map = m_slotMaps[m_visits[v].arc];
+    for (std::size_t i = 0; i < slotCount; ++i) {
+      if (map[i] < 0) continue;
+      system.rightSide[map[i]] += right[static_cast<Index>(i)];
+      for (std::size_t j = 0; j < slotCount; ++j)
+        if (map[j] >= 0)
+          system.matrix(map[i], map[j]) += normal(static_cast<Index>(i), static_cast<Index>(j));
+    }
+  }
+  for (std::size_t i = 0; i < m_estimated.size(); ++i) {
+    if (std::isinf(m_priorSigmas[i])) continue;
+    const double weight = 1 / (m_priorSigmas[i] * m_priorSigmas[i]);
+    const auto index = static_cast<Index>(i);
+    system.matrix(index, index) += weight;
+    system.rightSide[index] -= weight * state.unknowns[index];
+    system.chiSquare += weight * state.unknowns[index] * state.unknowns[index];
+  }
+  return system;
+}
+
+JointState JointProblem::moved(const JointState& state, const VectorXd& step) const {
+  JointState result = state;
+  result.unknowns.head(step.size()) += step;
+  for (std::size_t v = 0; v < m_visits.size(); ++v) {
+    const VisitEquations equations = equationsOf(state, v);
+    VectorXd residual = equations.residual;
+    const auto& map = m_slotMaps[m_visits[v].arc];
+    for (std::size_t slot = 0; slot < slotCount; ++slot)
+      if (map[slot] >= 0 && map[slot] < step.size())
+        residual -= equations.jacobian.col(static_cast<Index>(slot)) * step[map[slot]];
+    const double turn = equations.along.dot(residual) / equations.jacobian.col(phiSlot).norm();
+    result.arcAngles[static_cast<Index>(v)] += std::clamp(turn, -largestTurn, largestTurn);
+  }
+  return result;
+}
+
+}  // namespace alidade

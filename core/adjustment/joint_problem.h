@@ -1,0 +1,101 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <unsupported/Eigen/AutoDiff>
+#include <vector>
+
+#include "core/adjustment/joint_fit.h"
+#include "core/adjustment/visits.h"
+#include "core/observation/observe.h"
+
+namespace alidade {
+
+// The equations behind `fitJointly`, visit by visit. Holds linear algebra types, so it is for the .cpp files
+// of this room only.
+
+/// The most error terms that one adjustment takes.
+inline constexpr int mostTerms = 8;
+
+/// x, y, R, errors of both zeros, zero of the slider, L, then φ, then the error terms: what one visit's
+/// readings hang on.
+inline constexpr int distanceSlot = 6, phiSlot = 7, firstTermSlot = 8, slotCount = firstTermSlot + mostTerms;
+
+using Slots = Eigen::Matrix<double, slotCount, 1>;
+
+/// Everything that is read while the slider stands at one place, whitened: rows horizontal, vertical for each
+/// row of the session, then the slider reading if there is one.
+struct VisitEquations {
+  static constexpr int mostRows = 64;
+  Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, mostRows, 1> residual;
+  Eigen::Matrix<double, Eigen::Dynamic, slotCount, Eigen::RowMajor, mostRows, slotCount> jacobian;
+  Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, mostRows, 1> along;  ///< unit direction of ∂/∂φ
+};
+
+struct VisitOfArc {
+  std::size_t arc = 0;
+  Visit visit;
+  const Sighting* slider = nullptr;  ///< the row whose slider reading stands for all of the visit
+};
+
+struct JointState {
+  Eigen::VectorXd unknowns;   ///< estimated first, then the considered ones, which stay zero
+  Eigen::VectorXd arcAngles;  ///< of each visit
+};
+
+/// Normal equations with the arc angles eliminated, over all unknowns.
+struct JointSystem {
+  Eigen::MatrixXd matrix;
+  Eigen::VectorXd rightSide;
+  double chiSquare = 0;
+};
+
+class JointProblem {
+ public:
+  JointProblem(const Measurement& measurement, const JointFitOptions& options);
+
+  const std::vector<Unknown>& estimated() const { return m_estimated; }
+  const std::vector<Unknown>& considered() const { return m_considered; }
+  double consideredSigma(std::size_t i) const { return m_consideredSigmas[i]; }
+  /// The prior σ of an estimated unknown; infinite where there is none.
+  double priorSigma(std::size_t i) const { return m_priorSigmas[i]; }
+  const std::vector<VisitOfArc>& visits() const { return m_visits; }
+
+  JointState start(const std::vector<Circle>& circles) const;
+  VisitEquations equationsOf(const JointState& state, std::size_t visit) const;
+  JointSystem system(const JointState& state) const;
+  /// The state after a step of the estimated unknowns, each arc angle following by its own equation.
+  JointState moved(const JointState& state, const Eigen::VectorXd& step) const;
+
+  /// A vector over an arc's slots spread over all unknowns.
+  Eigen::VectorXd spread(const Slots& values, std::size_t arc) const;
+  /// The equations' derivatives with the arc angle eliminated, row by row.
+  static Slots reduced(const VisitEquations& equations, Eigen::Index row);
+
+ private:
+  using Jet = Eigen::AutoDiffScalar<Slots>;
+
+  struct JetState {
+    ErrorTerms<Jet> errors;
+    ArcPose<Jet> pose;
+    Jet distance, phi;
+  };
+
+  Eigen::Index count() const { return static_cast<Eigen::Index>(m_estimated.size() + m_considered.size()); }
+  void addArc(std::size_t arc);
+  void consider(const Unknown& unknown, double sigma);
+  void buildSlotMaps();
+  JetState jetsOf(const JointState& state, std::size_t visit) const;
+  Pointing zeroPointing(const ArcMeasurement& arc) const;
+  Pointing pointingOf(const ArcMeasurement& arc, const Sighting& sighting) const;
+
+  const Measurement& m_measurement;
+  std::vector<EstimatedTerm> m_terms;
+  std::vector<Unknown> m_estimated, m_considered;
+  std::vector<double> m_priorSigmas, m_consideredSigmas;
+  std::vector<VisitOfArc> m_visits;
+  std::vector<std::array<Eigen::Index, slotCount>>
+      m_slotMaps;  ///< of each arc: the unknown behind a slot, −1 for none
+};
+
+}  // namespace alidade

@@ -1,0 +1,109 @@
+#include "core/effects/catalogue.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "core/base/angle.h"
+
+namespace alidade {
+
+namespace {
+
+std::vector<Effect> makeCatalogue() {
+  using enum ErrorTerm;
+  return {
+      {"vertical_angle_relation",
+       "the vertical circle follows the other relation between height and angle (y/L instead of y/√(x²+L²), or the reverse)",
+       "set the session's vertical angle relation right",
+       {{"share", VerticalAngleRelation, "-", 1}}},
+      {"collimation",
+       "the line of sight is not perpendicular to the trunnion axis",
+       "observe in both faces, or adjust the reticle",
+       {{"collimation", Collimation, "arcsec", 30}}},
+      {"trunnion_tilt",
+       "the trunnion axis is not perpendicular to the vertical axis",
+       "observe in both faces",
+       {{"tilt", TrunnionTilt, "arcsec", 30}}},
+      {"vertical_index",
+       "the vertical circle's index is off",
+       "observe in both faces",
+       {{"index", VerticalIndex, "arcsec", 30}}},
+      {"vertical_axis_tilt",
+       "the vertical axis is not plumb",
+       "level the instrument, or switch its compensator on",
+       {{"tilt about x", VerticalAxisTiltX, "arcsec", 60}, {"tilt about z", VerticalAxisTiltZ, "arcsec", 60}}},
+      {"horizontal_circle_eccentricity",
+       "the horizontal circle is not centred on its axis",
+       "observe in both faces, or repeat with a shifted circle",
+       {{"sine", HorizontalCircleSine, "arcsec", 10}, {"cosine", HorizontalCircleCosine, "arcsec", 10}}},
+      {"vertical_circle_eccentricity",
+       "the vertical circle is not centred on its axis",
+       "observe in both faces",
+       {{"sine", VerticalCircleSine, "arcsec", 10}, {"cosine", VerticalCircleCosine, "arcsec", 10}}},
+      {"horizontal_drift",
+       "the horizontal orientation turns steadily during the session",
+       "observe there and back, and let the instrument settle",
+       {{"drift", HorizontalDrift, "arcsec", 15}}},
+      {"vertical_drift",
+       "the vertical orientation turns steadily during the session",
+       "observe there and back, and let the instrument settle",
+       {{"drift", VerticalDrift, "arcsec", 15}}},
+      {"plane_tilt",
+       "the arc plane is not perpendicular to the zero direction",
+       "read the slider, and determine the pointing zero anew",
+       {{"tilt about x", PlaneTiltX, "deg", 0.3}, {"tilt about y", PlaneTiltY, "deg", 0.3}}},
+      {"plane_offset",
+       "the arc plane lies off the rotation axis, so the distance differs between the positions",
+       "measure the distance in both positions",
+       {{"offset", PlaneOffset, "mm", 1}}},
+      {"arc_ellipticity",
+       "the guideway is elliptic",
+       "read the slider to map its form",
+       {{"cosine", EllipticityCosine, "mm", 0.05}, {"sine", EllipticitySine, "mm", 0.05}}},
+      {"arc_lobing",
+       "the guideway has three lobes",
+       "read the slider to map its form",
+       {{"cosine", LobingCosine, "mm", 0.05}, {"sine", LobingSine, "mm", 0.05}}},
+      {"gravity_sag",
+       "the slider sags under its weight, whichever way the guideway is turned",
+       "read the slider, and stiffen the guideway",
+       {{"sag", GravitySag, "mm", 0.05}}},
+      {"plane_warp",
+       "the guideway is warped out of its plane",
+       "observe from a second stand-off",
+       {{"cosine", WarpCosine, "mm", 0.2}, {"sine", WarpSine, "mm", 0.2}}},
+      {"slider_scale",
+       "the slider's scale is stretched",
+       "calibrate the slider",
+       {{"scale", SliderScale, "1", 5e-4}}},
+      {"slider_eccentricity",
+       "the slider's scale is not centred on the arc",
+       "calibrate the slider",
+       {{"sine", SliderSine, "arcsec", 60}, {"cosine", SliderCosine, "arcsec", 60}}},
+  };
+}
+
+const std::vector<Effect>& catalogue() {
+  static const std::vector<Effect> effects = makeCatalogue();
+  return effects;
+}
+
+}  // namespace
+
+std::span<const Effect> effectCatalogue() {
+  return catalogue();
+}
+
+const Effect* effectById(std::string_view id) {
+  const auto found = std::ranges::find(catalogue(), id, &Effect::id);
+  return found == catalogue().end() ? nullptr : &*found;
+}
+
+double modelUnitsPer(std::string_view unit) {
+  if (unit == "arcsec") return Angle::fromArcseconds(1).radians();
+  if (unit == "deg") return Angle::fromDegrees(1).radians();
+  assert(unit == "mm" || unit == "1" || unit == "-");
+  return 1;
+}
+
+}  // namespace alidade

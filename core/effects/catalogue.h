@@ -1,0 +1,36 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "core/observation/error_term.h"
+
+namespace alidade {
+
+/// One number of an effect.
+struct EffectParameter {
+  std::string_view name;       ///< "tilt about x"
+  ErrorTerm term;
+  std::string_view unit;       ///< "arcsec", "deg", "mm", "1" or "-"
+  double plausible;            ///< 1σ, in that unit
+};
+
+/// A physical effect of the catalogue: a few error terms of the forward model that belong together.
+struct Effect {
+  std::string_view id;           ///< part of the file format
+  std::string_view description;  ///< what it is, in a phrase
+  std::string_view remedy;       ///< what to do about it at the machine, in a phrase
+  std::vector<EffectParameter> parameters;
+};
+
+/// Every effect that is a linear combination of error terms, in the order of the catalogue.
+std::span<const Effect> effectCatalogue();
+
+/// Null where no effect has this id.
+const Effect* effectById(std::string_view id);
+
+/// Radians, mm or 1 per `unit`: the factor from the unit to the model's own.
+double modelUnitsPer(std::string_view unit);
+
+}  // namespace alidade
