@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/adjustment/arc_fit.h"
+#include "core/base/finding.h"
 
 namespace alidade {
 

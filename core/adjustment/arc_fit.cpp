@@ -20,10 +20,7 @@ using Eigen::Matrix3d, Eigen::Vector3d;
 struct NormalEquations {
   Matrix3d matrix = Matrix3d::Zero();
   Vector3d rightSide = Vector3d::Zero();
-  Vector3d horizontalZero = Vector3d::Zero();  // right side of α0 + 1 rad
-  Vector3d verticalZero = Vector3d::Zero();    // right side of every e + 1 rad
-  Vector3d distance = Vector3d::Zero();        // right side of L + 1 mm
-  double chiSquare = 0;                        // of the visit means
+  double chiSquare = 0;  // of the visit means
 };
 
 class ArcProblem {
@@ -57,9 +54,6 @@ class ArcProblem {
       const Vector3d weighted = rows * gradient;
       equations.matrix += weighted * gradient.transpose();
       equations.rightSide += weighted * f.distance;
-      equations.horizontalZero -= weighted * (f.normal[0] * m_whitening.horizontal);
-      equations.verticalZero += weighted * (f.normal[1] * m_whitening.vertical);
-      equations.distance -= weighted * f.perDistance;
       equations.chiSquare += rows * f.distance * f.distance;
     }
     return equations;
@@ -116,17 +110,10 @@ Solution minimise(const ArcProblem& problem, const Circle& start, const ArcFitOp
   return best;
 }
 
-std::array<double, 3> toArray(const Vector3d& v) {
-  return {v[0], v[1], v[2]};
-}
-
 void fillCovariance(ArcFit& fit, const NormalEquations& equations) {
   const Matrix3d cofactor = equations.matrix.inverse();
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) fit.cofactor[i][j] = (cofactor(i, j) + cofactor(j, i)) / 2;
-  fit.perHorizontalZero = toArray(cofactor * equations.horizontalZero);
-  fit.perVerticalZero = toArray(cofactor * equations.verticalZero);
-  fit.perDistance = toArray(cofactor * equations.distance);
 }
 
 Problem unfit(const ArcMeasurement& arc, std::string sentence) {
@@ -175,7 +162,6 @@ Result<ArcFit> fitArc(const Measurement& measurement, const ArcMeasurement& arc,
   fillCovariance(fit, solution.equations);
   fillResiduals(fit, measurement, arc);
   if (auto sentence = radiusUndetermined(fit)) return unfit(arc, *sentence);
-  fit.findings = arcFindings(measurement, arc, fit);
   return fit;
 }
 

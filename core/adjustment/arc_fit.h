@@ -5,7 +5,6 @@
 #include <optional>
 #include <vector>
 
-#include "core/base/finding.h"
 #include "core/base/result.h"
 #include "core/observation/guideway.h"
 #include "core/session/measurement.h"
@@ -33,12 +32,8 @@ struct ArcFit {
   double chiSquare = 0;      ///< Σ (v/σ)² with the stated σ
   double residualRms = 0;    ///< arcseconds, over all angle readings of the arc
   Covariance3 cofactor{};    ///< covariance of (Δx, Δy, R) from the stated σ of the readings alone
-  std::array<double, 3> perHorizontalZero{};  ///< ∂(Δx, Δy, R)/∂α0, mm per radian
-  std::array<double, 3> perVerticalZero{};  ///< ∂(Δx, Δy, R)/∂(up-positive shift of β0), mm per radian
-  std::array<double, 3> perDistance{};      ///< ∂(Δx, Δy, R)/∂L, mm per mm
   int iterations = 0;
   bool converged = false;
-  std::vector<Finding> findings;
 
   double reducedChiSquare() const { return degreesOfFreedom > 0 ? chiSquare / degreesOfFreedom : 0; }
 };
@@ -60,8 +55,7 @@ struct ArcFitOptions {
 /// for: the residuals are those of readings, not of plane coordinates.
 ///
 /// Fails in words where the readings fix no circle: fewer than three different places, places on a straight
-/// line, or an arc so short that its sagitta drowns in the stated noise. A fit that merely is poor (no
-/// redundancy, a radius known to 1 % only, the same reading twice) comes with findings.
+/// line, or an arc so short that its sagitta drowns in the stated noise.
 Result<ArcFit> fitArc(const Measurement& measurement, const ArcMeasurement& arc,
                       const ArcFitOptions& options = {});
 

@@ -8,18 +8,18 @@ namespace alidade {
 
 namespace {
 
-using Jet = Eigen::AutoDiffScalar<Eigen::Matrix<double, 5, 1>>;  // Δx, Δy, R, φ, L
+using Jet = Eigen::AutoDiffScalar<Eigen::Matrix<double, 4, 1>>;  // Δx, Δy, R, φ
 using Eigen::Vector2d;
 
 struct WhitenedModel {
   Direction<double> reading;
-  Eigen::Matrix<double, 2, 5> jacobian;
+  Eigen::Matrix<double, 2, 4> jacobian;
 };
 
 WhitenedModel modelAt(const Circle& circle, double distance, VerticalAngleRelation relation,
                       const Whitening& whitening, double phi) {
-  const Jet x(circle.x, 5, 0), y(circle.y, 5, 1), radius(circle.radius, 5, 2), angle(phi, 5, 3),
-      l(distance, 5, 4);
+  const Jet x(circle.x, 4, 0), y(circle.y, 4, 1), radius(circle.radius, 4, 2), angle(phi, 4, 3);
+  const Jet l(distance, Jet::DerType::Zero());
   const Direction<Jet> reading = observe(targetOnArc(x, y, radius, angle), l, relation);
   WhitenedModel model{{reading.a.value(), reading.e.value()}, {}};
   model.jacobian.row(0) = whitening.horizontal * reading.a.derivatives().transpose();
@@ -57,8 +57,6 @@ FootPoint footPoint(const Circle& circle, double distance, VerticalAngleRelation
   foot.adjusted = model.reading;
   foot.distance = normal.dot(whitenedResidual(sighted, model.reading, whitening));
   for (int i = 0; i < 3; ++i) foot.gradient[i] = normal.dot(model.jacobian.col(i));
-  foot.perDistance = normal.dot(model.jacobian.col(4));
-  foot.normal = {normal.x(), normal.y()};
   return foot;
 }
 

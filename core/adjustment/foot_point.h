@@ -32,8 +32,6 @@ struct FootPoint {
   Direction<double> adjusted;      ///< what a perfect instrument reads there, radians
   double distance = 0;             ///< d in σ
   std::array<double, 3> gradient;  ///< ∂(n · whitened model reading)/∂(Δx, Δy, R), 1/mm
-  double perDistance = 0;          ///< the same for L, 1/mm
-  std::array<double, 2> normal;    ///< n, over (horizontal, vertical)
 };
 
 /// Needs R > 0. Iterates to rounding error from the nearest point in the plane; always finite.

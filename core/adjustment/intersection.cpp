@@ -17,66 +17,97 @@ double square(double value) {
   return value * value;
 }
 
-const ArcFit* arcAt(const std::vector<ArcFit>& arcs, int axisDeg) {
-  const auto found = std::ranges::find(arcs, axisDeg, &ArcFit::axisDeg);
-  return found == arcs.end() ? nullptr : &*found;
+/// wᵀ Q w.
+double quadraticForm(const SquareMatrix& matrix, const std::vector<double>& weights) {
+  double sum = 0;
+  for (std::size_t i = 0; i < weights.size(); ++i)
+    for (std::size_t j = 0; j < weights.size(); ++j) sum += weights[i] * matrix(i, j) * weights[j];
+  return sum;
 }
 
-double component(const Measurement& measurement, const ArcFit& arc, double scale, std::size_t i) {
-  return std::sqrt(square(scale) * arc.cofactor[i][i] +
-                   square(arc.perHorizontalZero[i] * measurement.sigmaZeroHorizontal.radians()) +
-                   square(arc.perVerticalZero[i] * measurement.sigmaZeroVertical.radians()) +
-                   square(arc.perDistance[i] * measurement.sigmaDistance));
+bool isTerm(const Unknown& unknown) {
+  return unknown.kind == Unknown::Kind::Error;
 }
 
-std::vector<BudgetEntry> budgetOf(const Measurement& measurement, const ArcFit& upper, const ArcFit& lower,
-                                  double scale) {
-  constexpr std::size_t y = 1;
-  const double zeros = std::hypot(std::hypot(upper.perVerticalZero[y], lower.perVerticalZero[y]) *
-                                      measurement.sigmaZeroVertical.radians(),
-                                  std::hypot(upper.perHorizontalZero[y], lower.perHorizontalZero[y]) *
-                                      measurement.sigmaZeroHorizontal.radians());
-  const double distance = (upper.perDistance[y] - lower.perDistance[y]) * measurement.sigmaDistance;
-  return {{"readings", scale * std::sqrt(upper.cofactor[y][y] + lower.cofactor[y][y]) / 2},
-          {"pointing zeros", zeros / 2},
-          {"distance", std::abs(distance) / 2}};
+/// The root of the variance that one kind of considered quantity brings.
+double consideredShare(const JointFit& fit, const std::vector<double>& weights, bool distance) {
+  double variance = 0;
+  for (std::size_t c = 0; c < fit.considered.size(); ++c) {
+    if ((fit.considered[c].kind == Unknown::Kind::Distance) != distance) continue;
+    double rate = 0;
+    for (std::size_t i = 0; i < weights.size(); ++i)
+      rate += weights[i] * fit.perConsidered[i * fit.considered.size() + c];
+    variance += square(rate * fit.consideredSigmas[c]);
+  }
+  return std::sqrt(variance);
+}
+
+std::vector<double> unit(const JointFit& fit, const Unknown& unknown) {
+  std::vector<double> weights(fit.unknowns.size());
+  weights.at(fit.indexOf(unknown)) = 1;
+  return weights;
+}
+
+std::optional<std::size_t> arcAt(const Measurement& measurement, int axisDeg) {
+  const auto found = std::ranges::find(measurement.arcs, axisDeg, &ArcMeasurement::axisDeg);
+  if (found == measurement.arcs.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - measurement.arcs.begin());
 }
 
 }  // namespace
 
-NoiseScale noiseScale(const std::vector<ArcFit>& arcs) {
-  double chiSquare = 0;
-  int degreesOfFreedom = 0;
-  for (const ArcFit& arc : arcs) {
-    if (arc.degreesOfFreedom <= 0) continue;
-    chiSquare += arc.chiSquare;
-    degreesOfFreedom += arc.degreesOfFreedom;
-  }
+NoiseScale noiseScale(const JointFit& fit) {
   constexpr double known = std::numeric_limits<double>::infinity();
-  if (degreesOfFreedom == 0) return {1, known};
-  if (1 - chiSquareUpperTail(chiSquare, degreesOfFreedom) < improbablySmall) return {1, known};
-  return {std::sqrt(chiSquare / degreesOfFreedom), static_cast<double>(degreesOfFreedom)};
+  if (fit.degreesOfFreedom <= 0) return {1, known};
+  if (1 - chiSquareUpperTail(fit.chiSquare, fit.degreesOfFreedom) < improbablySmall) return {1, known};
+  return {std::sqrt(fit.chiSquare / fit.degreesOfFreedom), static_cast<double>(fit.degreesOfFreedom)};
 }
 
-ArcSigma arcSigma(const Measurement& measurement, const ArcFit& arc, double scale) {
-  return {component(measurement, arc, scale, 0), component(measurement, arc, scale, 1),
-          component(measurement, arc, scale, 2)};
+std::vector<BudgetEntry> budgetOf(const JointFit& fit, const std::vector<double>& weights, double scale) {
+  const double together = quadraticForm(fit.cofactor, weights);
+  const double withTermsKnown = quadraticForm(fit.cofactorWithoutTerms, weights);
+  std::vector<BudgetEntry> budget{{"readings", scale * std::sqrt(withTermsKnown)}};
+  if (std::ranges::any_of(fit.unknowns, isTerm))
+    budget.push_back({"model effects", scale * std::sqrt(std::max(0.0, together - withTermsKnown))});
+  budget.push_back({"pointing zeros", consideredShare(fit, weights, false)});
+  budget.push_back({"distance", consideredShare(fit, weights, true)});
+  return budget;
 }
 
-std::optional<Intersection> intersect(const Measurement& measurement, const std::vector<ArcFit>& arcs) {
-  const ArcFit *upper = arcAt(arcs, 0), *lower = arcAt(arcs, 180);
-  if (!upper || !lower) return std::nullopt;
-
-  const NoiseScale noise = noiseScale(arcs);
-  Intersection result;
-  result.value = (upper->circle.y - lower->circle.y) / 2;
-  result.inPlane = std::hypot(upper->circle.x - lower->circle.x, upper->circle.y - lower->circle.y) / 2;
-  result.budget = budgetOf(measurement, *upper, *lower, noise.factor);
+double combined(const std::vector<BudgetEntry>& budget) {
   double variance = 0;
-  for (const BudgetEntry& entry : result.budget) variance += square(entry.sigma);
-  result.sigma = std::sqrt(variance);
-  const double readings = result.budget.front().sigma;
-  result.effectiveDegreesOfFreedom = noise.degreesOfFreedom * square(variance / square(readings));
+  for (const BudgetEntry& entry : budget) variance += square(entry.sigma);
+  return std::sqrt(variance);
+}
+
+ArcSigma arcSigma(const JointFit& fit, std::size_t arc, double scale) {
+  const auto sigma = [&](Unknown::Kind kind) {
+    return combined(budgetOf(fit, unit(fit, {.kind = kind, .arc = arc}), scale));
+  };
+  return {sigma(Unknown::Kind::CentreX), sigma(Unknown::Kind::CentreY), sigma(Unknown::Kind::Radius)};
+}
+
+std::optional<Intersection> intersect(const Measurement& measurement, const JointFit& fit) {
+  const auto upper = arcAt(measurement, 0), lower = arcAt(measurement, 180);
+  if (!upper || !lower) return std::nullopt;
+  const auto index = [&](Unknown::Kind kind, std::size_t arc) {
+    return fit.indexOf({.kind = kind, .arc = arc});
+  };
+  const auto difference = [&](Unknown::Kind kind) {
+    return fit.values[index(kind, *upper)] - fit.values[index(kind, *lower)];
+  };
+  std::vector<double> weights(fit.unknowns.size());
+  weights[index(Unknown::Kind::CentreY, *upper)] = 0.5;
+  weights[index(Unknown::Kind::CentreY, *lower)] = -0.5;
+
+  const NoiseScale noise = noiseScale(fit);
+  Intersection result;
+  result.value = difference(Unknown::Kind::CentreY) / 2;
+  result.inPlane = std::hypot(difference(Unknown::Kind::CentreX), difference(Unknown::Kind::CentreY)) / 2;
+  result.budget = budgetOf(fit, weights, noise.factor);
+  result.sigma = combined(result.budget);
+  const double scaled = noise.factor * std::sqrt(quadraticForm(fit.cofactor, weights));
+  result.effectiveDegreesOfFreedom = noise.degreesOfFreedom * std::pow(result.sigma / scaled, 4);
   result.coverage = measurement.coverage;
   result.coverageFactor = coverageFactor(result.coverage, result.effectiveDegreesOfFreedom);
   result.expanded = result.coverageFactor * result.sigma;

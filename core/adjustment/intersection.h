@@ -4,50 +4,57 @@
 #include <string>
 #include <vector>
 
-#include "core/adjustment/arc_fit.h"
+#include "core/adjustment/joint_fit.h"
+#include "core/session/measurement.h"
 
 namespace alidade {
 
-/// A share of the standard uncertainty of the intersection.
+/// How the readings scatter against what is stated.
+struct NoiseScale {
+  double factor = 1;            ///< s0 = √(χ²/f): what comes from the readings is scaled by it
+  double degreesOfFreedom = 0;  ///< f behind the factor; infinite where the stated noise is taken as known
+};
+
+/// The stated noise is taken as known, factor 1, where there is no redundancy, and where the scatter is so
+/// small (below its 0.1 % point) that it speaks against the readings' independence rather than for their
+/// precision.
+NoiseScale noiseScale(const JointFit& fit);
+
+/// A share of the standard uncertainty of a result.
 struct BudgetEntry {
-  std::string source;  ///< "readings", "pointing zeros", "distance"
+  std::string source;  ///< "readings", "model effects", "pointing zeros", "distance"
   double sigma = 0;    ///< mm
 };
 
-/// The intersection Δd = (Δy(0°) − Δy(180°))/2, y up, mm.
-struct Intersection {
-  double value = 0;
-  double sigma = 0;           ///< combined standard uncertainty: the root of the sum of squares of the budget
-  double expanded = 0;        ///< U = k σ at `coverage`
-  double coverage = 0.95;     ///< in (0, 1)
-  double coverageFactor = 0;  ///< k: Student's quantile at the effective degrees of freedom
-  double effectiveDegreesOfFreedom = 0;  ///< Welch-Satterthwaite; infinite where nothing was estimated
-  double inPlane = 0;                    ///< |O1 − O2|/2
-  std::vector<BudgetEntry> budget;
-};
+/// The budget of a linear combination of the unknowns (`weights`, one for each): the readings, and what
+/// estimating error terms along costs on top (listed only if there are any), scaled by `scale`; the pointing
+/// zeros, one for each position and independent, and the distance, common to both, as stated.
+std::vector<BudgetEntry> budgetOf(const JointFit& fit, const std::vector<double>& weights, double scale);
+
+/// The root of the sum of squares.
+double combined(const std::vector<BudgetEntry>& budget);
 
 /// Standard uncertainties of one arc's quantities, mm.
 struct ArcSigma {
   double x = 0, y = 0, radius = 0;
 };
 
-/// How the readings scatter against what is stated.
-struct NoiseScale {
-  double factor = 1;  ///< s0 = √(Σχ²/Σf) over the arcs: what comes from the readings is scaled by it
-  double degreesOfFreedom = 0;  ///< Σf behind the factor; infinite where the stated noise is taken as known
+/// Of arc `arc` of the fitted measurement.
+ArcSigma arcSigma(const JointFit& fit, std::size_t arc, double scale);
+
+/// The intersection Δd = (Δy(0°) − Δy(180°))/2, y up, mm.
+struct Intersection {
+  double value = 0;
+  double sigma = 0;                      ///< combined standard uncertainty
+  double expanded = 0;                   ///< U = k σ at `coverage`
+  double coverage = 0.95;                ///< in (0, 1)
+  double coverageFactor = 0;             ///< k: Student's quantile at the effective degrees of freedom
+  double effectiveDegreesOfFreedom = 0;  ///< Welch-Satterthwaite; infinite where nothing was estimated
+  double inPlane = 0;                    ///< |O1 − O2|/2
+  std::vector<BudgetEntry> budget;
 };
 
-/// The stated noise is taken as known, factor 1, where no arc has redundancy, and where the scatter is so
-/// small (below its 0.1 % point) that it speaks against the readings' independence rather than for their
-/// precision.
-NoiseScale noiseScale(const std::vector<ArcFit>& arcs);
-
-/// Readings scaled by `scale`, pointing zero and distance as stated.
-ArcSigma arcSigma(const Measurement& measurement, const ArcFit& arc, double scale);
-
-/// From the arcs at 0° and 180°. The readings' share is scaled by the residuals of both arcs (s0); the
-/// pointing zeros, one for each position and independent, and the distance, common to both, enter as stated.
-/// Absent unless both arcs are there.
-std::optional<Intersection> intersect(const Measurement& measurement, const std::vector<ArcFit>& arcs);
+/// Absent unless `measurement`, which was fitted, holds arcs at 0° and at 180°.
+std::optional<Intersection> intersect(const Measurement& measurement, const JointFit& fit);
 
 }  // namespace alidade

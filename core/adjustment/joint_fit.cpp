@@ -88,6 +88,28 @@ VectorXd intersectionGradient(const Measurement& measurement, const std::vector<
   return gradient;
 }
 
+/// The error terms come last among the estimated unknowns; theirs are zeros.
+MatrixXd withoutTerms(const MatrixXd& normalMatrix, const JointProblem& problem) {
+  const auto isTerm = [](const Unknown& unknown) { return unknown.kind == Unknown::Kind::Error; };
+  const auto estimated = static_cast<Index>(problem.estimated().size());
+  const Index others = estimated - std::ranges::count_if(problem.estimated(), isTerm);
+  MatrixXd cofactor = MatrixXd::Zero(estimated, estimated);
+  cofactor.topLeftCorner(others, others) = inverseScaled(normalMatrix.topLeftCorner(others, others));
+  return cofactor;
+}
+
+std::vector<std::vector<double>> anglesOfSightings(const Measurement& measurement,
+                                                   const JointProblem& problem, const JointState& state) {
+  std::vector<std::vector<double>> angles;
+  for (const ArcMeasurement& arc : measurement.arcs) angles.emplace_back(arc.sightings.size());
+  for (std::size_t v = 0; v < problem.visits().size(); ++v) {
+    const Angle phi = wrapped(Angle::fromRadians(state.arcAngles[static_cast<Index>(v)]));
+    for (const std::size_t i : problem.visits()[v].visit.sightings)
+      angles[problem.visits()[v].arc][i] = phi.radians();
+  }
+  return angles;
+}
+
 /// A reading of the visit without what the adjustment says of it.
 AdjustedReading readingAt(const Measurement& measurement, const VisitOfArc& visitOfArc, Index row) {
   const auto& [arc, visit, slider] = visitOfArc;
@@ -163,11 +185,12 @@ JointFit fitJointly(const Measurement& measurement, const std::vector<Circle>& s
   fit.unknowns = problem.estimated();
   fit.values.assign(minimum.state.unknowns.begin(), minimum.state.unknowns.begin() + estimated);
   fit.cofactor = plain(cofactor);
+  fit.cofactorWithoutTerms = plain(withoutTerms(minimum.system.matrix, problem));
   fit.considered = problem.considered();
   for (std::size_t i = 0; i < fit.considered.size(); ++i)
     fit.consideredSigmas.push_back(problem.consideredSigma(i));
   fit.perConsidered.assign(perConsidered.data(), perConsidered.data() + perConsidered.size());
-  fit.arcAngles.assign(minimum.state.arcAngles.begin(), minimum.state.arcAngles.end());
+  fit.arcAngles = anglesOfSightings(measurement, problem, minimum.state);
   fit.iterations = minimum.iterations;
   fit.converged = minimum.converged && cofactor.allFinite();
   fit.chiSquare = minimum.system.chiSquare;

@@ -73,16 +73,18 @@ struct JointFit {
   std::vector<double> values;     ///< of the unknowns: mm, rad, or the unit of the term
   SquareMatrix
       cofactor;  ///< covariance of the unknowns from the stated σ of circles and slider (and priors) alone
+  /// The same with the error terms taken as known; equal where there are none.
+  SquareMatrix cofactorWithoutTerms;
 
   std::vector<Unknown> considered;       ///< zeros and distance
   std::vector<double> consideredSigmas;  ///< rad, mm; may be 0
   /// ∂unknown/∂considered, unknowns × considered, row by row.
   std::vector<double> perConsidered;
 
-  std::vector<double> arcAngles;          ///< φ of each visit, rad
-  std::vector<AdjustedReading> readings;  ///< in the order of arcs and sightings
-  std::vector<ArcMisfit> misfits;         ///< of each arc of the measurement
-  double chiSquare = 0;                   ///< of circles, slider and priors
+  std::vector<std::vector<double>> arcAngles;  ///< φ of each sighting of each arc, rad in (−π, π]
+  std::vector<AdjustedReading> readings;       ///< in the order of arcs and sightings
+  std::vector<ArcMisfit> misfits;              ///< of each arc of the measurement
+  double chiSquare = 0;                        ///< of circles, slider and priors
   int degreesOfFreedom = 0;
   int iterations = 0;
   bool converged = false;

@@ -5,6 +5,7 @@
 
 #include "core/base/quantity_text.h"
 #include "core/base/statistics.h"
+#include "core/effects/catalogue.h"
 
 namespace alidade {
 
@@ -26,17 +27,15 @@ void judgePositions(std::vector<Finding>& findings, const Measurement& measureme
 }
 
 /// One rigid guideway has one radius; L and its error are common to both arcs.
-void judgeRadii(std::vector<Finding>& findings, const Measurement& measurement, const SessionFit& fit) {
+void judgeRadii(std::vector<Finding>& findings, const SessionFit& fit) {
   const ArcFit *upper = fit.arcAt(0), *lower = fit.arcAt(180);
   if (!upper || !lower) return;
-  constexpr std::size_t radius = 2;
   const double difference = upper->circle.radius - lower->circle.radius;
-  const double sigma = std::hypot(
-      fit.noise.factor * std::sqrt(upper->cofactor[radius][radius] + lower->cofactor[radius][radius]),
-      std::hypot(upper->perVerticalZero[radius], lower->perVerticalZero[radius]) *
-          measurement.sigmaZeroVertical.radians(),
-      std::hypot(upper->perHorizontalZero[radius], lower->perHorizontalZero[radius]) *
-          measurement.sigmaZeroHorizontal.radians());
+  std::vector<double> weights(fit.joint.unknowns.size());
+  for (std::size_t arc = 0; arc < fit.arcs.size(); ++arc)
+    weights[fit.joint.indexOf({.kind = Unknown::Kind::Radius, .arc = arc})] =
+        &fit.arcs[arc] == upper ? 1 : -1;
+  const double sigma = combined(budgetOf(fit.joint, weights, fit.noise.factor));
   constexpr double risk = 0.001;
   const double bound = coverageFactor(1 - risk, fit.noise.degreesOfFreedom) * sigma;
   if (std::abs(difference) <= bound) return;
@@ -62,18 +61,13 @@ void judgeReference(std::vector<Finding>& findings, const Measurement& measureme
                       Place{.position = {}, .reading = {}, .field = "acceptance.reference_intersection_mm"}});
 }
 
-void judgeUnused(std::vector<Finding>& findings, const Measurement& measurement) {
-  const bool hasSlider = std::ranges::any_of(measurement.arcs, [](const ArcMeasurement& arc) {
-    return std::ranges::any_of(arc.sightings, [](const Sighting& s) { return s.slider.has_value(); });
-  });
-  if (hasSlider)
-    findings.push_back(
-        {Severity::Note, "Slider readings are kept with the session but take no part in the fit.", {}, {}});
-  if (measurement.hasUnestimatedEffects)
-    findings.push_back({Severity::Warning,
-                        "The session's model names effects, which this fit does not estimate.",
-                        "Read the result as that of a perfect instrument and guideway.",
-                        Place{.position = {}, .reading = {}, .field = "model.effects"}});
+void judgeModel(std::vector<Finding>& findings, const Measurement& measurement) {
+  for (const std::string& id : measurement.effects)
+    if (!effectById(id))
+      findings.push_back({Severity::Warning,
+                          "The session's model names “" + id + "”, which is no effect that can be estimated.",
+                          "Read the result as one without it, or correct the name.",
+                          Place{.position = {}, .reading = {}, .field = "model.effects"}});
   if (measurement.relation == VerticalAngleRelation::Planar)
     findings.push_back({Severity::Warning,
                         "The model takes the vertical circle to read y/L, which no theodolite does.",
@@ -86,9 +80,9 @@ void judgeUnused(std::vector<Finding>& findings, const Measurement& measurement)
 std::vector<Finding> sessionFindings(const Measurement& measurement, const SessionFit& fit) {
   std::vector<Finding> findings;
   judgePositions(findings, measurement);
-  judgeRadii(findings, measurement, fit);
+  judgeRadii(findings, fit);
   judgeReference(findings, measurement, fit);
-  judgeUnused(findings, measurement);
+  judgeModel(findings, measurement);
   return findings;
 }
 

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
+#include "core/adjustment/arc_findings.h"
 #include "core/adjustment/session_findings.h"
+#include "core/effects/catalogue.h"
 
 namespace alidade {
 
@@ -14,6 +17,82 @@ Finding failure(const ArcMeasurement& arc, const Problem& problem) {
           "The arc at " + std::to_string(arc.axisDeg) + "° " + problem.what + ".",
           {},
           problem.where};
+}
+
+std::vector<EstimatedTerm> termsOf(const std::vector<std::string>& effects) {
+  std::vector<EstimatedTerm> terms;
+  for (const std::string& id : effects)
+    if (const Effect* effect = effectById(id))
+      for (const EffectParameter& parameter : effect->parameters)
+        terms.push_back({parameter.term, parameter.plausible * modelUnitsPer(parameter.unit)});
+  return terms;
+}
+
+/// Circle, residuals and misfit of every arc as the joint adjustment leaves them.
+void takeOver(std::vector<ArcFit>& arcs, const JointFit& joint) {
+  std::vector<double> squares(arcs.size());
+  for (const AdjustedReading& reading : joint.readings) {
+    SightingResidual& residual = arcs[reading.arc].residuals[reading.sighting];
+    residual.arcAngle = joint.arcAngles[reading.arc][reading.sighting];
+    if (reading.kind == ReadingKind::Slider) continue;
+    const Angle left = Angle::fromRadians(reading.residual);
+    (reading.kind == ReadingKind::Horizontal ? residual.horizontal : residual.vertical) = left;
+    squares[reading.arc] += std::pow(left.arcseconds(), 2);
+  }
+  for (std::size_t i = 0; i < arcs.size(); ++i) {
+    ArcFit& arc = arcs[i];
+    const auto value = [&](Unknown::Kind kind) {
+      return joint.values[joint.indexOf({.kind = kind, .arc = i})];
+    };
+    arc.circle = {value(Unknown::Kind::CentreX), value(Unknown::Kind::CentreY), value(Unknown::Kind::Radius)};
+    const auto kinds = {Unknown::Kind::CentreX, Unknown::Kind::CentreY, Unknown::Kind::Radius};
+    for (const auto row : kinds)
+      for (const auto column : kinds)
+        arc.cofactor[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] =
+            joint.cofactor(joint.indexOf({.kind = row, .arc = i}), joint.indexOf({.kind = column, .arc = i}));
+    arc.chiSquare = joint.misfits[i].chiSquare;
+    arc.degreesOfFreedom = joint.misfits[i].degreesOfFreedom;
+    arc.residualRms = std::sqrt(squares[i] / static_cast<double>(2 * arc.residuals.size()));
+    arc.iterations = joint.iterations;
+    arc.converged = joint.converged;
+  }
+}
+
+std::vector<EffectEstimate> estimatesOf(const JointFit& joint, const std::vector<std::string>& effects,
+                                        double scale) {
+  std::vector<EffectEstimate> estimates;
+  for (const std::string& id : effects) {
+    const Effect* effect = effectById(id);
+    if (!effect) continue;
+    for (const EffectParameter& parameter : effect->parameters) {
+      const std::size_t i = joint.indexOf({.kind = Unknown::Kind::Error, .arc = 0, .term = parameter.term});
+      const double factor = modelUnitsPer(parameter.unit);
+      estimates.push_back({id, std::string(parameter.name), std::string(parameter.unit),
+                           joint.values[i] / factor, scale * std::sqrt(joint.cofactor(i, i)) / factor});
+    }
+  }
+  return estimates;
+}
+
+/// The measurement with only those arcs that were fitted.
+Measurement fittedPart(const Measurement& measurement, const SessionFit& fit) {
+  Measurement part = measurement;
+  std::erase_if(part.arcs, [&](const ArcMeasurement& arc) { return !fit.arcOfPosition(arc.position); });
+  return part;
+}
+
+void adjust(SessionFit& fit, const Measurement& fitted) {
+  std::vector<Circle> starts;
+  for (const ArcFit& arc : fit.arcs) starts.push_back(arc.circle);
+  fit.joint = fitJointly(fitted, starts, {.terms = termsOf(fitted.effects)});
+  takeOver(fit.arcs, fit.joint);
+  fit.noise = noiseScale(fit.joint);
+  for (std::size_t i = 0; i < fit.arcs.size(); ++i)
+    fit.sigmas.push_back(arcSigma(fit.joint, i, fit.noise.factor));
+  fit.intersection = intersect(fitted, fit.joint);
+  fit.effects = estimatesOf(fit.joint, fitted.effects, fit.noise.factor);
+  if (fit.intersection && fitted.tolerance)
+    fit.verdict = decide(fit.intersection->value, fit.intersection->expanded, *fitted.tolerance);
 }
 
 }  // namespace
@@ -32,18 +111,16 @@ SessionFit fitSession(const Measurement& measurement) {
   SessionFit fit;
   for (const ArcMeasurement& arc : measurement.arcs) {
     Result<ArcFit> fitted = fitArc(measurement, arc);
-    if (fitted) {
+    if (fitted)
       fit.arcs.push_back(*std::move(fitted));
-      std::ranges::copy(fit.arcs.back().findings, std::back_inserter(fit.findings));
-    } else {
+    else
       fit.findings.push_back(failure(arc, fitted.problem()));
-    }
   }
-  fit.noise = noiseScale(fit.arcs);
-  for (const ArcFit& arc : fit.arcs) fit.sigmas.push_back(arcSigma(measurement, arc, fit.noise.factor));
-  fit.intersection = intersect(measurement, fit.arcs);
-  if (fit.intersection && measurement.tolerance)
-    fit.verdict = decide(fit.intersection->value, fit.intersection->expanded, *measurement.tolerance);
+  const Measurement fitted = fittedPart(measurement, fit);
+  if (!fit.arcs.empty()) adjust(fit, fitted);
+  for (std::size_t i = 0; i < fit.arcs.size(); ++i)
+    std::ranges::move(arcFindings(measurement, fitted.arcs[i], fit.arcs[i]),
+                      std::back_inserter(fit.findings));
   std::ranges::move(sessionFindings(measurement, fit), std::back_inserter(fit.findings));
   return fit;
 }

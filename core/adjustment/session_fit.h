@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/adjustment/acceptance.h"
@@ -12,13 +13,21 @@
 
 namespace alidade {
 
+/// A number of an effect that was estimated along, in the unit of the catalogue.
+struct EffectEstimate {
+  std::string effect, name, unit;
+  double value = 0, sigma = 0;
+};
+
 /// Both arcs fitted rigorously, their intersection, and what the data say about themselves. A plain value:
 /// computed from a measurement, shown by console, window and report alike.
 struct SessionFit {
   std::vector<ArcFit> arcs;      ///< those that could be fitted, in session order
+  JointFit joint;                ///< of these arcs together; empty where there are none
   std::vector<ArcSigma> sigmas;  ///< of each arc, scaled by the residuals of both
   NoiseScale noise;              ///< s0, common to both arcs
   std::optional<Intersection> intersection;
+  std::vector<EffectEstimate> effects;
   std::optional<Verdict> verdict;  ///< with an intersection and a tolerance
   std::vector<Finding> findings;   ///< of the arcs and of the whole; an Error says why something is absent
 
@@ -26,6 +35,8 @@ struct SessionFit {
   const ArcFit* arcOfPosition(std::size_t position) const;  ///< null where there is none
 };
 
+/// Every arc that its readings fix is found by `fitArc`, then all of them together by `fitJointly`, with the
+/// slider readings and the effects that the session's model names.
 SessionFit fitSession(const Measurement& measurement);
 
 /// The published method on both arcs, for comparison.

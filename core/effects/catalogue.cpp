@@ -13,7 +13,8 @@ std::vector<Effect> makeCatalogue() {
   using enum ErrorTerm;
   return {
       {"vertical_angle_relation",
-       "the vertical circle follows the other relation between height and angle (y/L instead of y/√(x²+L²), or the reverse)",
+       "the vertical circle follows the other relation between height and angle (y/L instead of y/√(x²+L²), "
+       "or the reverse)",
        "set the session's vertical angle relation right",
        {{"share", VerticalAngleRelation, "-", 1}}},
       {"collimation",
@@ -31,7 +32,8 @@ std::vector<Effect> makeCatalogue() {
       {"vertical_axis_tilt",
        "the vertical axis is not plumb",
        "level the instrument, or switch its compensator on",
-       {{"tilt about x", VerticalAxisTiltX, "arcsec", 60}, {"tilt about z", VerticalAxisTiltZ, "arcsec", 60}}},
+       {{"tilt about x", VerticalAxisTiltX, "arcsec", 60},
+        {"tilt about z", VerticalAxisTiltZ, "arcsec", 60}}},
       {"horizontal_circle_eccentricity",
        "the horizontal circle is not centred on its axis",
        "observe in both faces, or repeat with a shifted circle",

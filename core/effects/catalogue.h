@@ -10,10 +10,10 @@ namespace alidade {
 
 /// One number of an effect.
 struct EffectParameter {
-  std::string_view name;       ///< "tilt about x"
+  std::string_view name;  ///< "tilt about x"
   ErrorTerm term;
-  std::string_view unit;       ///< "arcsec", "deg", "mm", "1" or "-"
-  double plausible;            ///< 1σ, in that unit
+  std::string_view unit;  ///< "arcsec", "deg", "mm", "1" or "-"
+  double plausible;       ///< 1σ, in that unit
 };
 
 /// A physical effect of the catalogue: a few error terms of the forward model that belong together.

@@ -47,7 +47,8 @@ template <typename T>
 class ErrorTerms {
  public:
   /// `zero` where T has no zero of its own, such as a jet of dynamic size.
-  explicit ErrorTerms(const T& zero = T(0)) { m_sizes.fill(zero); }
+  ErrorTerms() : ErrorTerms(T(0)) {}
+  explicit ErrorTerms(const T& zero) { m_sizes.fill(zero); }
 
   void set(ErrorTerm term, const T& size) {
     m_sizes[static_cast<std::size_t>(term)] = size;

@@ -40,10 +40,14 @@ bool isUntouched(const Reading& reading) {
          reading.note.empty();
 }
 
-bool namesEffects(const Model& model) {
+std::vector<std::string> effectsOf(const Model& model) {
+  std::vector<std::string> ids;
   const auto& object = model.origin.object();
   const auto effects = object.find("effects");
-  return effects != object.end() && effects->is_array() && !effects->empty();
+  if (effects == object.end() || !effects->is_array()) return ids;
+  for (const auto& effect : *effects)
+    ids.push_back(effect.is_string() ? effect.get<std::string>() : effect.dump());
+  return ids;
 }
 
 /// Goes through a session in the order of its file.
@@ -63,7 +67,7 @@ class Examiner {
     } else {
       m_usable = false;
     }
-    m_measurement.hasUnestimatedEffects = namesEffects(m_session.model);
+    m_measurement.effects = effectsOf(m_session.model);
     examinePositions();
 
     Examined examined;

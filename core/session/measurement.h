@@ -56,7 +56,7 @@ struct Measurement {
   std::optional<double> referenceIntersection;  ///< mm
   std::vector<ArcMeasurement> arcs;             ///< at most one per axis position, in session order
   std::size_t rows = 0;                         ///< of the whole session, excluded ones too
-  bool hasUnestimatedEffects = false;  ///< model.effects names effects, which these fits do not estimate
+  std::vector<std::string> effects;             ///< ids of model.effects, to be estimated along
 };
 
 /// A session examined: what can be used, and a sentence for everything that cannot, in the order of the file.

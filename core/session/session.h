@@ -92,7 +92,7 @@ struct Acceptance {
 
 struct Model {
   std::string verticalAngle;  ///< "exact" or "planar"; empty: exact
-  JsonOrigin origin;          ///< also holds `effects`
+  JsonOrigin origin;          ///< also holds `effects`, a list of effect ids
 
   bool operator==(const Model&) const = default;
 };

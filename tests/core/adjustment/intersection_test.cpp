@@ -4,16 +4,17 @@
 
 #include <cmath>
 
+#include "core/adjustment/arc_fit.h"
 #include "tests/support/paper_table.h"
 #include "tests/support/perfect_session.h"
 
 namespace alidade {
 namespace {
 
-std::vector<ArcFit> fitted(const Measurement& measurement) {
-  std::vector<ArcFit> arcs;
-  for (const ArcMeasurement& arc : measurement.arcs) arcs.push_back(*fitArc(measurement, arc));
-  return arcs;
+JointFit fitted(const Measurement& measurement) {
+  std::vector<Circle> starts;
+  for (const ArcMeasurement& arc : measurement.arcs) starts.push_back(fitArc(measurement, arc)->circle);
+  return fitJointly(measurement, starts);
 }
 
 double share(const Intersection& intersection, const std::string& source) {
@@ -26,14 +27,14 @@ double share(const Intersection& intersection, const std::string& source) {
 // Figures of independent solvers; half a unit of their last digit.
 TEST(Intersection, OfTableIMeetsTheIndependentSolution) {
   const Measurement measurement = test::paperMeasurement();
-  const auto arcs = fitted(measurement);
-  const auto intersection = intersect(measurement, arcs);
+  const JointFit fit = fitted(measurement);
+  const auto intersection = intersect(measurement, fit);
   ASSERT_TRUE(intersection);
   EXPECT_NEAR(intersection->value, 1.307640, 1e-6);
   EXPECT_NEAR(intersection->inPlane, 1.34722, 0.5e-5);
-  EXPECT_NEAR(noiseScale(arcs).factor, 6.91, 0.005);
+  EXPECT_NEAR(noiseScale(fit).factor, 6.91, 0.005);
   EXPECT_NEAR(share(*intersection, "readings"), 0.1018, 0.5e-4);
-  EXPECT_NEAR(share(*intersection, "readings") / noiseScale(arcs).factor, 0.0147, 0.5e-4);
+  EXPECT_NEAR(share(*intersection, "readings") / noiseScale(fit).factor, 0.0147, 0.5e-4);
 }
 
 TEST(Intersection, PlanarRelationGivesItsOwnValue) {
@@ -81,11 +82,9 @@ TEST(Intersection, CombinesItsBudget) {
 }
 
 TEST(Intersection, NeedsBothPositions) {
-  const Measurement measurement = test::paperMeasurement();
-  auto arcs = fitted(measurement);
-  arcs.pop_back();
-  EXPECT_FALSE(intersect(measurement, arcs));
-  EXPECT_FALSE(intersect(measurement, {}));
+  Measurement measurement = test::paperMeasurement();
+  measurement.arcs.pop_back();
+  EXPECT_FALSE(intersect(measurement, fitted(measurement)));
 }
 
 Measurement simulated(std::mt19937_64& generator, int places, double noiseFactor) {

@@ -9,7 +9,7 @@
 namespace alidade {
 namespace {
 
-using testing::HasSubstr, testing::Not;
+using testing::HasSubstr;
 
 std::string textOf(const std::vector<Finding>& findings) {
   std::string all;
@@ -65,14 +65,13 @@ TEST(SessionFit, FitsTheArcThatCanBeFitted) {
   EXPECT_EQ(fit.findings.front().severity, Severity::Error);
 }
 
-TEST(SessionFit, NamesWhatItDoesNotUse) {
+TEST(SessionFit, NamesWhatItCannotEstimate) {
   Measurement measurement = test::paperMeasurement();
-  EXPECT_THAT(textOf(fitSession(measurement).findings), Not(HasSubstr("Slider")));
-  measurement.arcs[0].sightings[0].slider = Angle::fromDegrees(10);
-  measurement.hasUnestimatedEffects = true;
-  const std::string findings = textOf(fitSession(measurement).findings);
-  EXPECT_THAT(findings, HasSubstr("Slider readings"));
-  EXPECT_THAT(findings, HasSubstr("names effects"));
+  measurement.effects = {"trunnion_tilt", "moonlight"};
+  const SessionFit fit = fitSession(measurement);
+  EXPECT_THAT(textOf(fit.findings), HasSubstr("“moonlight”, which is no effect"));
+  ASSERT_EQ(fit.effects.size(), 1u);
+  EXPECT_EQ(fit.effects[0].effect, "trunnion_tilt");
 }
 
 TEST(SessionFit, ExchangingThePositionsChangesTheSignOnly) {

@@ -322,10 +322,10 @@ TEST(Measurement, ReportsProblemsInTheOrderOfTheFile) {
 
 TEST(Measurement, NoticesEffectsThatTheFitsDoNotEstimate) {
   std::string text = writeSession(soundSession());
-  EXPECT_FALSE(examine(*readSession(text)).measurement->hasUnestimatedEffects);
+  EXPECT_TRUE(examine(*readSession(text)).measurement->effects.empty());
   const std::string relation = "\"vertical_angle\": \"exact\"";
   text.replace(text.find(relation), relation.size(), relation + ", \"effects\": [\"trunnion_tilt\"]");
-  EXPECT_TRUE(examine(*readSession(text)).measurement->hasUnestimatedEffects);
+  EXPECT_EQ(examine(*readSession(text)).measurement->effects, std::vector<std::string>{"trunnion_tilt"});
 }
 
 TEST(Measurement, EverySampleAndReferenceSessionIsSound) {

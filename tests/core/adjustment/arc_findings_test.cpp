@@ -1,0 +1,63 @@
+#include "core/adjustment/arc_findings.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/paper_table.h"
+#include "tests/support/perfect_session.h"
+
+namespace alidade {
+namespace {
+
+using testing::ContainsRegex, testing::HasSubstr;
+
+std::string findingsOf(const Measurement& measurement, const ArcMeasurement& arc) {
+  std::string all;
+  for (const Finding& finding : arcFindings(measurement, arc, *fitArc(measurement, arc)))
+    all += finding.text + "\n";
+  return all;
+}
+
+TEST(ArcFindings, SaysWhatAFitThatStandsCannotCarry) {
+  const Measurement measurement = test::usualMeasurement();
+  const Circle circle{0, 0, 400};
+  std::mt19937_64 generator(3);
+  ArcMeasurement usual = test::perfectArc(measurement, circle, test::spread(17, 160));
+  test::addNoise(usual, measurement, generator);
+  EXPECT_EQ(findingsOf(measurement, usual), "");
+
+  EXPECT_THAT(findingsOf(measurement, test::perfectArc(measurement, circle, test::spread(3, 160))),
+              HasSubstr("nothing checks them"));
+  EXPECT_THAT(findingsOf(measurement, test::perfectArc(measurement, circle, test::spread(17, 160))),
+              HasSubstr("far better than their stated noise"));
+
+  ArcMeasurement shortArc = test::perfectArc(measurement, circle, test::spread(17, 5));
+  test::addNoise(shortArc, measurement, generator);
+  EXPECT_THAT(findingsOf(measurement, shortArc),
+              ContainsRegex("an arc of [45]\\.[0-9]° fixes the radius to"));
+
+  ArcMeasurement copied = usual;
+  copied.sightings[4].a = copied.sightings[3].a;
+  copied.sightings[4].e = copied.sightings[3].e;
+  EXPECT_THAT(findingsOf(measurement, copied), HasSubstr("in rows 4 and 5"));
+
+  Measurement otherRadius = measurement;
+  otherRadius.nominalRadius = 300;
+  EXPECT_THAT(findingsOf(otherRadius, usual), HasSubstr("far from the nominal 300.0 mm"));
+
+  const Measurement paper = test::paperMeasurement();
+  EXPECT_THAT(findingsOf(paper, paper.arcs[0]), HasSubstr("scatter 7.3 times their stated noise"));
+}
+
+// The part of the circle that was not sighted is the widest gap, wherever φ = ±180° lies.
+TEST(ArcFindings, SpanIsWhatTheWidestGapLeaves) {
+  const Measurement measurement = test::usualMeasurement();
+  for (const double middle : {90.0, 180.0, 270.0}) {
+    const ArcFit fit =
+        *fitArc(measurement, test::perfectArc(measurement, {0, 0, 400}, test::spread(9, 160, middle)));
+    EXPECT_NEAR(arcSpan(fit).degrees(), 160, 1e-6) << middle;
+  }
+}
+
+}  // namespace
+}  // namespace alidade

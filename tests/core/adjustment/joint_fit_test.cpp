@@ -1,0 +1,143 @@
+#include "core/adjustment/joint_fit.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/adjustment/arc_fit.h"
+#include "core/base/statistics.h"
+#include "core/effects/catalogue.h"
+#include "core/session/session_file.h"
+#include "tests/support/paper_table.h"
+#include "tests/support/perfect_session.h"
+#include "tests/support/trials.h"
+
+namespace alidade {
+namespace {
+
+std::vector<Circle> startsOf(const Measurement& measurement) {
+  std::vector<Circle> starts;
+  for (const ArcMeasurement& arc : measurement.arcs) starts.push_back(fitArc(measurement, arc)->circle);
+  return starts;
+}
+
+JointFit fitted(const Measurement& measurement, const JointFitOptions& options = {}) {
+  return fitJointly(measurement, startsOf(measurement), options);
+}
+
+double valueOf(const JointFit& fit, const Unknown& unknown) {
+  return fit.values.at(fit.indexOf(unknown));
+}
+
+// Two formulations of the same problem, one arc at a time with the nearest points projected out, and all at
+// once with the arc angles as unknowns, have to end at the same minimum.
+TEST(JointFit, AgreesWithTheFitsOfSingleArcs) {
+  const Measurement measurement = test::paperMeasurement();
+  const JointFit fit = fitted(measurement);
+  ASSERT_TRUE(fit.converged);
+  for (std::size_t arc = 0; arc < 2; ++arc) {
+    const ArcFit alone = *fitArc(measurement, measurement.arcs[arc]);
+    EXPECT_NEAR(valueOf(fit, {.kind = Unknown::Kind::CentreX, .arc = arc}), alone.circle.x, 1e-9);
+    EXPECT_NEAR(valueOf(fit, {.kind = Unknown::Kind::CentreY, .arc = arc}), alone.circle.y, 1e-9);
+    EXPECT_NEAR(valueOf(fit, {.kind = Unknown::Kind::Radius, .arc = arc}), alone.circle.radius, 1e-9);
+    EXPECT_NEAR(fit.misfits[arc].chiSquare, alone.chiSquare, 1e-9 * alone.chiSquare);
+    EXPECT_EQ(fit.misfits[arc].degreesOfFreedom, alone.degreesOfFreedom);
+    const std::size_t y = fit.indexOf({.kind = Unknown::Kind::CentreY, .arc = arc});
+    EXPECT_NEAR(fit.cofactor(y, y), alone.cofactor[1][1], 1e-9 * alone.cofactor[1][1]);
+  }
+}
+
+TEST(JointFit, ConvergesFromPoorStarts) {
+  const Measurement measurement = test::paperMeasurement();
+  const JointFit reference = fitted(measurement);
+  for (const double radius : {280.0, 520.0})
+    for (const double away : {-100.0, 100.0}) {
+      const JointFit fit = fitJointly(measurement, {Circle{away, away, radius}, Circle{-away, away, radius}});
+      ASSERT_TRUE(fit.converged);
+      for (std::size_t i = 0; i < fit.values.size(); ++i)
+        EXPECT_NEAR(fit.values[i], reference.values[i], 1e-9);
+    }
+}
+
+// Moving every reading, or L, by a little and fitting again is what the sensitivities promise to first order.
+// Their dependence on the residuals, which linear theory leaves out, is some 1e-4 of them at the residuals of
+// Table I.
+TEST(JointFit, SensitivitiesToWhatIsConsideredMeetRefits) {
+  const Measurement measurement = test::paperMeasurement();
+  const JointFit fit = fitted(measurement);
+  const auto expectChange = [&](const Measurement& moved, const Unknown& considered, double by) {
+    const JointFit refit = fitted(moved);
+    const auto c =
+        static_cast<std::size_t>(std::ranges::find(fit.considered, considered) - fit.considered.begin());
+    ASSERT_LT(c, fit.considered.size());
+    double scale = 0;
+    for (std::size_t i = 0; i < fit.values.size(); ++i)
+      scale = std::max(scale, std::abs(fit.perConsidered[i * fit.considered.size() + c]));
+    for (std::size_t i = 0; i < fit.values.size(); ++i)
+      EXPECT_NEAR((refit.values[i] - fit.values[i]) / by, fit.perConsidered[i * fit.considered.size() + c],
+                  2e-3 * scale);
+  };
+  const Angle shift = Angle::fromArcseconds(1);
+
+  // Readings come out smaller by the horizontal zero's error and greater by the vertical one's: removing such
+  // an error is adding and taking off the shift.
+  Measurement horizontal = measurement, vertical = measurement, farther = measurement;
+  for (Sighting& s : horizontal.arcs[0].sightings) s.a = s.a + shift;
+  for (Sighting& s : vertical.arcs[0].sightings) s.e = s.e - shift;
+  farther.distance += 0.1;
+  expectChange(horizontal, {.kind = Unknown::Kind::HorizontalZero, .arc = 0}, shift.radians());
+  expectChange(vertical, {.kind = Unknown::Kind::VerticalZero, .arc = 0}, shift.radians());
+  expectChange(farther, {.kind = Unknown::Kind::Distance}, 0.1);
+}
+
+// Each reading's redundancy and its pull on Δd against a refit with that reading moved by 1″.
+TEST(JointFit, RedundancyAndInfluenceMeetRefits) {
+  const Measurement measurement = test::trialMeasurement("full");
+  const JointFit fit = fitted(measurement);
+  const auto intersectionOf = [](const JointFit& f) {
+    return (valueOf(f, {.kind = Unknown::Kind::CentreY, .arc = 0}) -
+            valueOf(f, {.kind = Unknown::Kind::CentreY, .arc = 1})) /
+           2;
+  };
+  const Angle shift = Angle::fromArcseconds(1);
+  for (std::size_t i = 0; i < fit.readings.size(); i += 7) {
+    const AdjustedReading& reading = fit.readings[i];
+    Measurement moved = measurement;
+    Sighting& sighting = moved.arcs[reading.arc].sightings[reading.sighting];
+    if (reading.kind == ReadingKind::Horizontal) sighting.a = sighting.a + shift;
+    if (reading.kind == ReadingKind::Vertical) sighting.e = sighting.e + shift;
+    if (reading.kind == ReadingKind::Slider) sighting.slider = *sighting.slider + shift;
+    const JointFit refit = fitJointly(moved, startsOf(measurement));
+    EXPECT_NEAR((refit.readings[i].residual - reading.residual) / shift.radians(), reading.redundancy, 1e-3)
+        << i;
+    EXPECT_NEAR((intersectionOf(refit) - intersectionOf(fit)) / shift.radians(), reading.perReading,
+                1e-3 * 2405)
+        << i;
+  }
+}
+
+// The redundancies of all readings add up to the degrees of freedom: the trace of a projector.
+TEST(JointFit, RedundanciesAddUpToTheDegreesOfFreedom) {
+  for (const char* protocol : {"paper", "paper-slider", "two-face", "full"}) {
+    const JointFit fit = fitted(test::trialMeasurement(protocol));
+    double sum = 0;
+    for (const AdjustedReading& reading : fit.readings) sum += reading.redundancy;
+    EXPECT_NEAR(sum, fit.degreesOfFreedom, 1e-6) << protocol;
+  }
+}
+
+TEST(JointFit, SliderReadingsFixPlacesAlongTheArc) {
+  Measurement measurement = test::trialMeasurement("paper-slider");
+  const JointFit with = fitted(measurement);
+  for (ArcMeasurement& arc : measurement.arcs)
+    for (Sighting& sighting : arc.sightings) sighting.slider.reset();
+  const JointFit without = fitted(measurement);
+  const Unknown height{.kind = Unknown::Kind::CentreY, .arc = 0};
+  EXPECT_LT(with.cofactor(with.indexOf(height), with.indexOf(height)),
+            without.cofactor(without.indexOf(height), without.indexOf(height)) / 2);
+  // 17 more readings and one more unknown in each position.
+  EXPECT_EQ(with.degreesOfFreedom - without.degreesOfFreedom, 2 * (17 - 1));
+}
+
+}  // namespace
+}  // namespace alidade
