@@ -75,7 +75,7 @@ SpacePoint<T> targetAt(const ErrorTerms<T>& errors, const ArcPose<T>& arc, const
   // with the guideway.
   const T x = radius * cos(phi), y = radius * sin(phi);
   const T off = turn * (errors[WarpCosine] * cos2 + errors[WarpSine] * sin2);
-  const T tiltX = errors[PlaneTiltX], tiltY = errors[PlaneTiltY];
+  const T &tiltX = errors[PlaneTiltX], &tiltY = errors[PlaneTiltY];
   const T yTilted = y * cos(tiltX) - off * sin(tiltX), zTilted = y * sin(tiltX) + off * cos(tiltX);
   const T xTurned = x * cos(tiltY) + zTilted * sin(tiltY), zTurned = zTilted * cos(tiltY) - x * sin(tiltY);
   return {arc.x + xTurned, arc.y + yTilted - errors[GravitySag] * sin(s),
