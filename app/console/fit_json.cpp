@@ -1,7 +1,10 @@
 #include "app/console/fit_json.h"
 
+#include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
+
+#include "core/adjustment/reliability.h"
 
 namespace alidade::console {
 
@@ -51,6 +54,46 @@ Json budgetJson(const std::optional<Intersection>& intersection) {
   return budget;
 }
 
+Json effectJson(const EffectEstimate& estimate) {
+  return {{"effect", estimate.effect},
+          {"name", estimate.name},
+          {"value", estimate.value},
+          {"sigma", estimate.sigma},
+          {"unit", estimate.unit}};
+}
+
+std::string circleName(ReadingKind kind) {
+  switch (kind) {
+    case ReadingKind::Horizontal:
+      return "horizontal";
+    case ReadingKind::Vertical:
+      return "vertical";
+    case ReadingKind::Slider:
+      break;
+  }
+  return "slider";
+}
+
+Json reliabilityJson(const Measurement& measurement, const SessionFit& fit) {
+  Json list = Json::array();
+  for (const AdjustedReading& reading : fit.joint.readings) {
+    const ArcFit& arc = fit.arcs[reading.arc];
+    const auto measured = std::ranges::find(measurement.arcs, arc.position, &ArcMeasurement::position);
+    const Sighting& sighting = measured->sightings[reading.sighting];
+    const Reliability reliability = reliabilityOf(reading);
+    list.push_back({{"axis_deg", arc.axisDeg},
+                    {"round", sighting.round},
+                    {"point", sighting.point},
+                    {"face", sighting.face},
+                    {"circle", circleName(reading.kind)},
+                    {"residual_arcsec", Angle::fromRadians(reading.residual).arcseconds()},
+                    {"redundancy", reading.redundancy},
+                    {"minimal_detectable_bias_arcsec", reliability.minimalDetectableBias.arcseconds()},
+                    {"influence_mm", reliability.influence}});
+  }
+  return list;
+}
+
 std::string severityName(Severity severity) {
   switch (severity) {
     case Severity::Note:
@@ -92,6 +135,9 @@ std::string fitJson(const std::string& name, const Measurement& measurement, con
                             {"verdict", verdictName(*fit.verdict)}};
   }
   document["budget"] = budgetJson(fit.intersection);
+  document["effects"] = Json::array();
+  for (const EffectEstimate& estimate : fit.effects) document["effects"].push_back(effectJson(estimate));
+  document["reliability"] = reliabilityJson(measurement, fit);
   document["suspects"] = Json::array();
   document["findings"] = findingsJson(fit.findings);
   return documentText(document);

@@ -5,6 +5,7 @@
 
 #include "app/console/text_layout.h"
 #include "core/base/number_text.h"
+#include "core/base/quantity_text.h"
 
 namespace alidade::console {
 
@@ -89,6 +90,22 @@ std::string findingsText(const std::vector<Finding>& findings) {
   return text;
 }
 
+std::string noiseText(const NoiseScale& noise) {
+  if (std::isinf(noise.degreesOfFreedom)) return "σ rests on the stated noise of the readings alone.\n";
+  return "Readings scatter " + fixedText(noise.factor, 2) +
+         " times as much as stated; σ of the readings is scaled by that.\n";
+}
+
+std::string effectsText(const std::vector<EffectEstimate>& effects) {
+  if (effects.empty()) return "";
+  Rows rows = {{"Effects estimated along", "value", "σ", "unit"}};
+  for (const EffectEstimate& estimate : effects)
+    rows.push_back({"  " + estimate.effect + ", " + estimate.name,
+                    fixedText(estimate.value, decimalsFor(estimate.sigma)),
+                    fixedText(estimate.sigma, decimalsFor(estimate.sigma)), estimate.unit});
+  return "\n" + alignedColumns(rows);
+}
+
 std::string arcsText(const SessionFit& fit) {
   Rows rows = {arcHeading};
   for (std::size_t i = 0; i < fit.arcs.size(); ++i) {
@@ -96,8 +113,7 @@ std::string arcsText(const SessionFit& fit) {
     rows.push_back(arcRow(fit.arcs[i]));
     rows.push_back({"  σ", fixedText(sigma.x, 4), fixedText(sigma.y, 4), fixedText(sigma.radius, 4)});
   }
-  return alignedColumns(rows) + "Readings scatter " + fixedText(fit.noise.factor, 2) +
-         " times as much as stated; σ of the readings is scaled by that.\n";
+  return alignedColumns(rows) + noiseText(fit.noise);
 }
 
 std::string arcsText(const PublishedSessionFit& fit) {
@@ -135,6 +151,7 @@ std::string fitText(const std::string& name, const Measurement& measurement, con
   if (fit.intersection) text += intersectionText(measurement, *fit.intersection);
   text += verdictText(measurement, fit);
   if (fit.intersection) text += budgetText(*fit.intersection);
+  text += effectsText(fit.effects);
   return text + findingsText(fit.findings);
 }
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <fstream>
 
-namespace alidade::testing {
+namespace alidade::test {
 
 std::string changedPaperSession(const std::function<void(nlohmann::ordered_json&)>& change) {
   std::ifstream file(paperSession);
@@ -21,4 +21,4 @@ void expectRefusal(const ProgramRun& run) {
   EXPECT_THAT(run.err, ::testing::EndsWith("\n"));
 }
 
-}  // namespace alidade::testing
+}  // namespace alidade::test

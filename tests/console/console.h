@@ -8,7 +8,7 @@
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 
-namespace alidade::testing {
+namespace alidade::test {
 
 /// The sample every figure of the paper is checked on.
 inline const std::string paperSession = ALIDADE_SAMPLES_DIR "/paper-table-1.alidade";
@@ -23,4 +23,4 @@ std::string changedPaperSession(const std::function<void(nlohmann::ordered_json&
 /// Exit code 2, nothing on stdout and exactly one line on stderr.
 void expectRefusal(const ProgramRun& run);
 
-}  // namespace alidade::testing
+}  // namespace alidade::test

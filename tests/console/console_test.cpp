@@ -8,7 +8,7 @@
 
 // What holds for every call of the program: help, version, where it stands, where it writes.
 
-namespace alidade::testing {
+namespace alidade::test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -69,4 +69,4 @@ TEST(Console, FailsWhereTheResultCannotBeWritten) {
 }
 
 }  // namespace
-}  // namespace alidade::testing
+}  // namespace alidade::test

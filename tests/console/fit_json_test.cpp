@@ -1,11 +1,12 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <fstream>
 #include <set>
 
 #include "tests/console/console.h"
 
-namespace alidade::testing {
+namespace alidade::test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -188,5 +189,40 @@ TEST(FitJson, FallsBackToTheFilesNameWithoutATitle) {
   EXPECT_EQ(fitOf(folder.file("bench 7.alidade", untitled))["session"], "bench 7.alidade");
 }
 
+// The redundancies are the diagonal of a projector, so they add up to the degrees of freedom of both arcs.
+TEST(FitJson, ListsTheReliabilityOfEveryReading) {
+  const Json fit = fitOf(paperSession);
+  ASSERT_EQ(fit["reliability"].size(), 68u);
+  double redundancy = 0;
+  for (const Json& reading : fit["reliability"]) redundancy += reading["redundancy"].get<double>();
+  EXPECT_NEAR(redundancy, 28, 1e-9);
+  EXPECT_EQ(keysOf(fit["reliability"][0]),
+            (std::set<std::string>{"axis_deg", "round", "point", "face", "circle", "residual_arcsec",
+                                   "redundancy", "minimal_detectable_bias_arcsec", "influence_mm"}));
+  // At the top of the arc an error of the horizontal circle runs along the arc: the vertical circle is
+  // checked far better.
+  const Json &horizontal = fit["reliability"][16], &vertical = fit["reliability"][17];
+  EXPECT_EQ(horizontal["point"], 9);
+  EXPECT_EQ(horizontal["circle"], "horizontal");
+  EXPECT_GT(horizontal["minimal_detectable_bias_arcsec"].get<double>(),
+            10 * vertical["minimal_detectable_bias_arcsec"].get<double>());
+}
+
+// A session of an independent ray tracer, whose trunnion axis is tilted by −143.457″.
+TEST(FitJson, EstimatesTheEffectsThatTheModelNames) {
+  std::ifstream file(std::string(ALIDADE_REFERENCE_DIR) + "/trials/290231.alidade");
+  Json session = Json::parse(file);
+  session["model"] = {{"effects", {"trunnion_tilt"}}};
+  const TemporaryFolder folder;
+  const Json fit = fitOf(folder.file("tilted.alidade", session.dump()));
+  ASSERT_EQ(fit["effects"].size(), 1u);
+  EXPECT_EQ(fit["effects"][0]["effect"], "trunnion_tilt");
+  EXPECT_EQ(fit["effects"][0]["unit"], "arcsec");
+  const double sigma = fit["effects"][0]["sigma"];
+  EXPECT_LT(sigma, 10);
+  EXPECT_NEAR(fit["effects"][0]["value"].get<double>(), -143.457, 4 * sigma);
+  EXPECT_EQ(fit["budget"][1]["source"], "model effects");
+}
+
 }  // namespace
-}  // namespace alidade::testing
+}  // namespace alidade::test

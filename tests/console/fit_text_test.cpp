@@ -4,7 +4,7 @@
 
 #include "tests/console/console.h"
 
-namespace alidade::testing {
+namespace alidade::test {
 namespace {
 
 using ::testing::ContainsRegex;
@@ -77,4 +77,4 @@ TEST(FitText, TellsOneArcWithoutAnIntersection) {
 }
 
 }  // namespace
-}  // namespace alidade::testing
+}  // namespace alidade::test

@@ -4,7 +4,7 @@
 
 // Bad input and bad calls: one line that says what, where and what to do; exit code 2; nothing on stdout.
 
-namespace alidade::testing {
+namespace alidade::test {
 namespace {
 
 using ::testing::EndsWith;
@@ -98,4 +98,4 @@ TEST(Refusal, OfACallNamesWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace alidade::testing
+}  // namespace alidade::test

@@ -10,7 +10,7 @@
 #include <memory>
 #include <system_error>
 
-namespace alidade::testing {
+namespace alidade::test {
 
 namespace {
 
@@ -60,4 +60,4 @@ ProgramRun runProgram(const ProgramCall& call) {
           contentOf(errors.get())};
 }
 
-}  // namespace alidade::testing
+}  // namespace alidade::test

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace alidade::testing {
+namespace alidade::test {
 
 /// A program as a user calls it.
 struct ProgramCall {
@@ -24,4 +24,4 @@ struct ProgramRun {
 /// Runs the program to its end. Throws std::system_error where it could not be started.
 ProgramRun runProgram(const ProgramCall& call);
 
-}  // namespace alidade::testing
+}  // namespace alidade::test

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <system_error>
 
-namespace alidade::testing {
+namespace alidade::test {
 
 TemporaryFolder::TemporaryFolder() {
   std::string name = (std::filesystem::temp_directory_path() / "alidade-test-XXXXXX").string();
@@ -24,4 +24,4 @@ std::string TemporaryFolder::file(const std::string& name, const std::string& co
   return path.string();
 }
 
-}  // namespace alidade::testing
+}  // namespace alidade::test

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-namespace alidade::testing {
+namespace alidade::test {
 
 /// A folder of its own for one test, gone with it.
 class TemporaryFolder {
@@ -22,4 +22,4 @@ class TemporaryFolder {
   std::filesystem::path m_path;
 };
 
-}  // namespace alidade::testing
+}  // namespace alidade::test
