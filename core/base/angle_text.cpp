@@ -13,8 +13,8 @@ namespace alidade {
 
 namespace {
 
-constexpr std::string_view kDegreeSign = "°";
-constexpr const char* kExample = "type an angle such as 341°52'24\"";
+constexpr std::string_view degreeSign = "°";
+constexpr const char* exampleOfAnAngle = "type an angle such as 341°52'24\"";
 
 /// Degrees, minutes and seconds as typed: one to three unsigned decimal numbers, the missing ones taken as
 /// zero.
@@ -63,11 +63,11 @@ class AngleReader {
   }
 
   Result<Angle> read() const {
-    if (plainSigns(m_typed).empty()) return Problem{std::string("is empty: ") + kExample};
+    if (plainSigns(m_typed).empty()) return Problem{std::string("is empty: ") + exampleOfAnAngle};
     if (endsWithLetters(m_body, "gon")) return readUnit(3, &Angle::fromGon);
     if (endsWithLetters(m_body, "deg")) return readUnit(3, &Angle::fromDegrees);
     if (endsWithLetters(m_body, "g")) return readUnit(1, &Angle::fromGon);
-    if (m_body.find(kDegreeSign) != std::string::npos) return readSigned();
+    if (m_body.find(degreeSign) != std::string::npos) return readSigned();
     if (m_body.find_first_of("'\"") != std::string::npos) {
       return refuse("has no degrees: type them too, such as 0°52'24\"");
     }
@@ -77,7 +77,7 @@ class AngleReader {
 
  private:
   Problem refuse(const std::string& why) const { return {quotation(m_typed) + " " + why}; }
-  Problem notAnAngle() const { return refuse(std::string("is not an angle: ") + kExample); }
+  Problem notAnAngle() const { return refuse(std::string("is not an angle: ") + exampleOfAnAngle); }
 
   Result<Angle> readUnit(std::size_t unitLength, Angle (*make)(double)) const {
     const std::string number = trimmed(std::string_view(m_body).substr(0, m_body.size() - unitLength));
@@ -91,7 +91,7 @@ class AngleReader {
   Result<Angle> readSigned() const {
     std::string_view rest = m_body;
     Parts parts;
-    for (const std::string_view mark : {kDegreeSign, std::string_view("'"), std::string_view("\"")}) {
+    for (const std::string_view mark : {degreeSign, std::string_view("'"), std::string_view("\"")}) {
       if (rest.empty()) break;
       const auto end = markAt(rest, mark);
       parts.push_back(trimmed(rest.substr(0, end.first)));

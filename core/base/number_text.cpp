@@ -11,7 +11,7 @@ namespace alidade {
 
 namespace {
 
-constexpr std::size_t kMostWholeDigits = 9;
+constexpr std::size_t mostWholeDigits = 9;
 
 std::size_t skipDigits(std::string_view text, std::size_t at) {
   while (at < text.size() && isDigit(text[at])) ++at;
@@ -77,7 +77,7 @@ Result<int> parseWhole(std::string_view text) {
   if (last < plain.size() || last == first) {
     return Problem{quotation(text) + " is not a whole number: type digits alone"};
   }
-  if (last - first > kMostWholeDigits) {
+  if (last - first > mostWholeDigits) {
     return Problem{quotation(text) + " has more than nine digits: type a smaller number"};
   }
   int value = 0;

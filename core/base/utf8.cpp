@@ -6,8 +6,8 @@ namespace alidade {
 
 namespace {
 
-constexpr char32_t kReplacement = 0xFFFD;
-constexpr std::size_t kLongestQuote = 40;
+constexpr char32_t replacementCharacter = 0xFFFD;
+constexpr std::size_t longestQuote = 40;
 
 std::size_t lengthByLead(unsigned char lead) {
   if (lead < 0x80) return 1;
@@ -27,7 +27,7 @@ bool isOverlongOrOutside(char32_t code, std::size_t length) {
 
 Utf8Character firstCharacter(std::string_view text) {
   if (text.empty()) return {};
-  constexpr Utf8Character illFormed = {kReplacement, 1, false};
+  constexpr Utf8Character illFormed = {replacementCharacter, 1, false};
   const auto lead = static_cast<unsigned char>(text[0]);
   const std::size_t length = lengthByLead(lead);
   if (length == 1) return {lead, 1, true};
@@ -56,7 +56,7 @@ std::string quotation(std::string_view text) {
   std::string inside;
   std::size_t count = 0;
   while (!text.empty()) {
-    if (++count > kLongestQuote) {
+    if (++count > longestQuote) {
       inside += "…";
       break;
     }

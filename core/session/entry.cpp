@@ -15,9 +15,9 @@ namespace alidade {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kLongestMm = 1e6;
-constexpr double kLargestSigmaArcsec = 3600;
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double longestMm = 1e6;
+constexpr double largestSigmaArcsec = 3600;
 
 enum class Bound { Included, Excluded };
 
@@ -31,40 +31,40 @@ struct NumberRule {
   const char* ask = nullptr;  ///< what to type, where the field may not be empty
 };
 
-constexpr const char* kLengthRange = "above 0 and below 1000000 mm";
-constexpr const char* kSigmaRange = "above 0 and below 3600 arcseconds";
+constexpr const char* lengthRange = "above 0 and below 1000000 mm";
+constexpr const char* sigmaRange = "above 0 and below 3600 arcseconds";
 
-constexpr std::array kNumberRules = {
-    NumberRule{"instrument.sigma_horizontal_arcsec", 0, Bound::Excluded, kLargestSigmaArcsec, 2, kSigmaRange},
-    NumberRule{"instrument.sigma_vertical_arcsec", 0, Bound::Excluded, kLargestSigmaArcsec, 2, kSigmaRange},
+constexpr std::array numberRules = {
+    NumberRule{"instrument.sigma_horizontal_arcsec", 0, Bound::Excluded, largestSigmaArcsec, 2, sigmaRange},
+    NumberRule{"instrument.sigma_vertical_arcsec", 0, Bound::Excluded, largestSigmaArcsec, 2, sigmaRange},
     NumberRule{"instrument.sigma_zero_arcsec",
                0,
                Bound::Included,
-               kLargestSigmaArcsec,
+               largestSigmaArcsec,
                {},
                "0 or more and below 3600 arcseconds"},
-    NumberRule{"instrument.sigma_slider_arcsec", 0, Bound::Excluded, kLargestSigmaArcsec, 5, kSigmaRange},
+    NumberRule{"instrument.sigma_slider_arcsec", 0, Bound::Excluded, largestSigmaArcsec, 5, sigmaRange},
     NumberRule{"environment.temperature_c", -273.15, Bound::Included, 1000, {}, "a temperature in °C"},
     NumberRule{"geometry.distance_mm",
                0,
                Bound::Excluded,
-               kLongestMm,
+               longestMm,
                {},
-               kLengthRange,
+               lengthRange,
                "type the distance from the theodolite to the arc plane in mm"},
-    NumberRule{"geometry.sigma_distance_mm", 0, Bound::Included, kLongestMm, 0,
+    NumberRule{"geometry.sigma_distance_mm", 0, Bound::Included, longestMm, 0,
                "0 or more and below 1000000 mm"},
     NumberRule{"geometry.radius_mm",
                0,
                Bound::Excluded,
-               kLongestMm,
+               longestMm,
                {},
-               kLengthRange,
+               lengthRange,
                "type the nominal radius of the arc in mm"},
-    NumberRule{"acceptance.tolerance_mm", 0, Bound::Excluded, kLongestMm, {}, kLengthRange},
+    NumberRule{"acceptance.tolerance_mm", 0, Bound::Excluded, longestMm, {}, lengthRange},
     NumberRule{"acceptance.coverage", 0, Bound::Excluded, 1, 0.95, "between 0 and 1, such as 0.95"},
     NumberRule{
-        "acceptance.reference_intersection_mm", -kInfinity, Bound::Excluded, kInfinity, {}, "a length in mm"},
+        "acceptance.reference_intersection_mm", -infinite, Bound::Excluded, infinite, {}, "a length in mm"},
 };
 
 struct WholeRule {
@@ -74,15 +74,15 @@ struct WholeRule {
   const char* range;
 };
 
-constexpr std::array kWholeRules = {
+constexpr std::array wholeRules = {
     WholeRule{"readings.point", 0, std::numeric_limits<int>::max(), {}, "is no point: points count from 0"},
     WholeRule{"readings.round", 1, std::numeric_limits<int>::max(), 1, "is no round: rounds count from 1"},
     WholeRule{"readings.face", 1, 2, 1, "is no face: type 1 or 2"},
 };
 
-constexpr std::array<std::string_view, 5> kAngleFields = {"pointing_zero.horizontal",
-                                                          "pointing_zero.vertical", "readings.horizontal",
-                                                          "readings.vertical", "readings.slider"};
+constexpr std::array<std::string_view, 5> angleFields = {"pointing_zero.horizontal", "pointing_zero.vertical",
+                                                         "readings.horizontal", "readings.vertical",
+                                                         "readings.slider"};
 
 template <typename Rules>
 auto ruleFor(const Rules& rules, std::string_view field) {
@@ -119,8 +119,8 @@ std::optional<std::string> sentence(const Result<Value>& result) {
 }  // namespace
 
 Result<std::optional<double>> numberEntry(std::string_view field, const std::string& text) {
-  const auto rule = ruleFor(kNumberRules, field);
-  assert(rule != kNumberRules.end());
+  const auto rule = ruleFor(numberRules, field);
+  assert(rule != numberRules.end());
   if (isBlank(text)) {
     if (rule->ask) return Problem{std::string("is empty: ") + rule->ask};
     return rule->fallback;
@@ -135,8 +135,8 @@ Result<std::optional<double>> numberEntry(std::string_view field, const std::str
 }
 
 Result<std::optional<int>> wholeEntry(std::string_view field, const std::string& text) {
-  const auto rule = ruleFor(kWholeRules, field);
-  assert(rule != kWholeRules.end());
+  const auto rule = ruleFor(wholeRules, field);
+  assert(rule != wholeRules.end());
   if (isBlank(text)) return rule->fallback;
   const Result<int> value = parseWhole(text);
   if (!value) return value.problem();
@@ -194,9 +194,9 @@ std::optional<Problem> dateProblem(const std::string& text) {
 
 std::optional<std::string> entryProblem(const Session& session, const std::string& field,
                                         const std::string& text) {
-  if (ruleFor(kNumberRules, field) != kNumberRules.end()) return sentence(numberEntry(field, text));
-  if (ruleFor(kWholeRules, field) != kWholeRules.end()) return sentence(wholeEntry(field, text));
-  if (std::find(kAngleFields.begin(), kAngleFields.end(), field) != kAngleFields.end()) {
+  if (ruleFor(numberRules, field) != numberRules.end()) return sentence(numberEntry(field, text));
+  if (ruleFor(wholeRules, field) != wholeRules.end()) return sentence(wholeEntry(field, text));
+  if (std::find(angleFields.begin(), angleFields.end(), field) != angleFields.end()) {
     const auto circle = verticalCircleEntry(session.geometry.verticalCircle);
     return sentence(angleEntry(field, text, circle ? *circle : VerticalCircle::Elevation));
   }

@@ -13,8 +13,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kDeepest = 100;
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+constexpr std::size_t deepestNesting = 100;
+constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
 
 /// "line 3, column 7" of a byte; columns count characters.
 std::string lineAndColumn(std::string_view text, std::size_t byte) {
@@ -90,10 +90,10 @@ class DocumentBuilder : public Json::json_sax_t {
   }
 
   bool open(Json empty) {
-    if (m_levels.size() >= kDeepest) {
-      problem =
-          Problem{"is nested more than " + std::to_string(kDeepest) + " levels deep: this is no session file",
-                  place()};
+    if (m_levels.size() >= deepestNesting) {
+      problem = Problem{
+          "is nested more than " + std::to_string(deepestNesting) + " levels deep: this is no session file",
+          place()};
       return false;
     }
     Json* opened = place(std::move(empty));
@@ -220,7 +220,7 @@ class Layout {
 }  // namespace
 
 std::optional<Problem> parseJson(std::string_view text, Json& json) {
-  if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark) text.remove_prefix(kByteOrderMark.size());
+  if (text.substr(0, byteOrderMark.size()) == byteOrderMark) text.remove_prefix(byteOrderMark.size());
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
     return Problem{"is empty: choose a session file"};
   }

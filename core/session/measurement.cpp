@@ -15,7 +15,7 @@ namespace alidade {
 namespace {
 
 /// Further from the pointing zero than this nothing on the arc is sighted: the tangents grow beyond sense.
-constexpr double kWidestDeg = 80;
+constexpr double widestDegrees = 80;
 
 /// The pointing zero of one position, α0 and β0 of face 1.
 struct ZeroDirection {
@@ -245,7 +245,7 @@ class Examiner {
 
   void checkWidth(Angle reduced, const std::string& text, const Place& where) {
     const double degrees = std::abs(reduced.degrees());
-    if (degrees < kWidestDeg) return;
+    if (degrees < widestDegrees) return;
     report({quotation(text) + " lies " + fixedText(degrees, 0) +
             "° from the pointing zero, beyond the edge of the arc plane: check the degrees and the face"},
            where);

@@ -13,13 +13,13 @@ namespace alidade {
 
 namespace {
 
-constexpr std::size_t kLargestFile = std::size_t{512} << 20;
+constexpr std::size_t largestFile = std::size_t{512} << 20;
 
 /// Reads up to the largest file and one byte more, whatever kind of file it is.
 std::string readBounded(std::ifstream& file) {
   constexpr std::size_t chunk = std::size_t{1} << 16;
   std::string text;
-  while (file && text.size() <= kLargestFile) {
+  while (file && text.size() <= largestFile) {
     const std::size_t size = text.size();
     text.resize(size + chunk);
     file.read(text.data() + size, chunk);
@@ -47,7 +47,7 @@ Result<Session> loadSession(const std::string& path) {
                    "): check its name and your rights"};
   const std::string text = readBounded(file);
   if (file.bad()) return Problem{"cannot be read to its end: check the medium it is on"};
-  if (text.size() > kLargestFile) return Problem{"is larger than 512 MiB: this is no session file"};
+  if (text.size() > largestFile) return Problem{"is larger than 512 MiB: this is no session file"};
   return readSession(text);
 }
 

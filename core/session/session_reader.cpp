@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::uint64_t kVersion = 1;
+constexpr std::uint64_t newestVersion = 1;
 
 std::string typeOf(const Json& value) {
   switch (value.type()) {
@@ -137,15 +137,15 @@ void checkFormat(const ObjectReader& reader) {
 void checkVersion(const ObjectReader& reader) {
   if (!reader.require("version", "add \"version\": 1")) return;
   const Json& version = *reader.find("version");
-  const std::string known = std::to_string(kVersion);
+  const std::string known = std::to_string(newestVersion);
   if (!version.is_number_integer()) {
     reader.report("must be the whole number " + known + ", not " + typeOf(version),
                   reader.placeOf("version"));
-  } else if (version.is_number_unsigned() && version.get<std::uint64_t>() > kVersion) {
+  } else if (version.is_number_unsigned() && version.get<std::uint64_t>() > newestVersion) {
     reader.report(
         version.dump() + " is newer than this program reads (" + known + "): open it with a newer Alidade",
         reader.placeOf("version"));
-  } else if (version != kVersion) {
+  } else if (version != newestVersion) {
     reader.report(version.dump() + " is no version of a session file: it must be " + known,
                   reader.placeOf("version"));
   }
