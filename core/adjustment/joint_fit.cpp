@@ -172,7 +172,7 @@ std::size_t JointFit::indexOf(const Unknown& unknown) const {
 
 JointFit fitJointly(const Measurement& measurement, const std::vector<Circle>& starts,
                     const JointFitOptions& options) {
-  assert(starts.size() == measurement.arcs.size() && options.terms.size() <= mostTerms);
+  assert(starts.size() == measurement.arcs.size());
   const JointProblem problem(measurement, options);
   const Minimum minimum = minimise(problem, problem.start(starts), options);
   const auto estimated = static_cast<Index>(problem.estimated().size());

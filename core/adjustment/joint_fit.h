@@ -62,6 +62,7 @@ struct ArcMisfit {
 };
 
 struct JointFitOptions {
+  /// Each term at most once.
   std::vector<EstimatedTerm> terms = {};
   int maximumIterations = 60;
   /// Converged when the next step is shorter than this many standard deviations of the result.

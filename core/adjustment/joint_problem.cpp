@@ -1,6 +1,7 @@
 #include "core/adjustment/joint_problem.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -13,10 +14,6 @@ using Jet = Eigen::AutoDiffScalar<Slots>;
 
 constexpr double largestTurn =
     0.3;  // rad of arc angle in one step; keeps a poor start on its side of the circle
-
-Jet constant(double value) {
-  return Jet(value, Slots::Zero());
-}
 
 const Sighting* sliderOf(const ArcMeasurement& arc, const Visit& visit) {
   for (const std::size_t i : visit.sightings)
@@ -103,12 +100,12 @@ JointProblem::JetState JointProblem::jetsOf(const JointState& state, std::size_t
   const auto& map = m_slotMaps[m_visits[visit].arc];
   const auto jet = [&](std::size_t slot, double base) {
     return map[slot] < 0 ? constant(base)
-                         : Jet(base + state.unknowns[map[slot]], slotCount, static_cast<int>(slot));
+                         : variable(base + state.unknowns[map[slot]], static_cast<int>(slot));
   };
   JetState jets{ErrorTerms<Jet>(constant(0)),
                 {jet(0, 0), jet(1, 0), jet(2, 0), jet(3, 0), jet(4, 0), jet(5, 0)},
                 jet(distanceSlot, m_measurement.distance),
-                Jet(state.arcAngles[static_cast<Index>(visit)], slotCount, phiSlot)};
+                variable(state.arcAngles[static_cast<Index>(visit)], phiSlot)};
   for (std::size_t t = 0; t < m_terms.size(); ++t)
     jets.errors.set(m_terms[t].term, jet(firstTermSlot + t, 0));
   return jets;
@@ -141,9 +138,10 @@ VisitEquations JointProblem::equationsOf(const JointState& state, std::size_t vi
   const SpacePoint<Jet> target = targetAt(jets.errors, jets.pose, jets.distance, jets.phi, arc.axisDeg);
 
   VisitEquations equations;
+  assert(visit.sightings.size() <= 2);
   const auto rows = static_cast<Index>(2 * visit.sightings.size() + (slider ? 1 : 0));
   equations.residual.resize(rows);
-  equations.jacobian.resize(rows, slotCount);
+  equations.jacobian.resize(rows, slots());
   Index row = 0;
   const auto put = [&](double difference, const Jet& model, double sigma) {
     equations.residual[row] = difference / sigma;
@@ -173,7 +171,7 @@ Slots JointProblem::reduced(const VisitEquations& equations, Index row) {
 
 VectorXd JointProblem::spread(const Slots& values, std::size_t arc) const {
   VectorXd all = VectorXd::Zero(count());
-  for (std::size_t slot = 0; slot < slotCount; ++slot)
+  for (std::size_t slot = 0; slot < static_cast<std::size_t>(slots()); ++slot)
     if (m_slotMaps[arc][slot] >= 0) all[m_slotMaps[arc][slot]] = values[static_cast<Index>(slot)];
   return all;
 }
@@ -186,14 +184,14 @@ JointSystem JointProblem::system(const JointState& state) const {
     // The arc angle eliminated: what lies along ∂/∂φ is taken off every column and off the residual.
     const Slots share = equations.jacobian.transpose() * equations.along;
     const double along = equations.along.dot(equations.residual);
-    const Eigen::Matrix<double, slotCount, slotCount> normal =
-        equations.jacobian.transpose() * equations.jacobian - share * share.transpose();
+    const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, mostSlots, mostSlots>
+        normal = equations.jacobian.transpose() * equations.jacobian - share * share.transpose();
     const Slots right = equations.jacobian.transpose() * equations.residual - share * along;
     const auto& map = m_slotMaps[m_visits[v].arc];
-    for (std::size_t i = 0; i < slotCount; ++i) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(slots()); ++i) {
       if (map[i] < 0) continue;
       system.rightSide[map[i]] += right[static_cast<Index>(i)];
-      for (std::size_t j = 0; j < slotCount; ++j)
+      for (std::size_t j = 0; j < static_cast<std::size_t>(slots()); ++j)
         if (map[j] >= 0)
           system.matrix(map[i], map[j]) += normal(static_cast<Index>(i), static_cast<Index>(j));
     }
@@ -216,7 +214,7 @@ JointState JointProblem::moved(const JointState& state, const VectorXd& step) co
     const VisitEquations equations = equationsOf(state, v);
     VectorXd residual = equations.residual;
     const auto& map = m_slotMaps[m_visits[v].arc];
-    for (std::size_t slot = 0; slot < slotCount; ++slot)
+    for (std::size_t slot = 0; slot < static_cast<std::size_t>(slots()); ++slot)
       if (map[slot] >= 0 && map[slot] < step.size())
         residual -= equations.jacobian.col(static_cast<Index>(slot)) * step[map[slot]];
     const double turn = equations.along.dot(residual) / equations.jacobian.col(phiSlot).norm();

@@ -14,21 +14,20 @@ namespace alidade {
 // The equations behind `fitJointly`, visit by visit. Holds linear algebra types, so it is for the .cpp files
 // of this room only.
 
-/// The most error terms that one adjustment takes.
-inline constexpr int mostTerms = 8;
-
 /// x, y, R, errors of both zeros, zero of the slider, L, then φ, then the error terms: what one visit's
 /// readings hang on.
-inline constexpr int distanceSlot = 6, phiSlot = 7, firstTermSlot = 8, slotCount = firstTermSlot + mostTerms;
+inline constexpr int distanceSlot = 6, phiSlot = 7, firstTermSlot = 8;
+inline constexpr int mostSlots = firstTermSlot + static_cast<int>(errorTermCount);
 
-using Slots = Eigen::Matrix<double, slotCount, 1>;
+/// As many as there are terms in the fit, without touching the heap.
+using Slots = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, mostSlots, 1>;
 
 /// Everything that is read while the slider stands at one place, whitened: rows horizontal, vertical for each
 /// row of the session, then the slider reading if there is one.
 struct VisitEquations {
-  static constexpr int mostRows = 64;
+  static constexpr int mostRows = 5;  // two circles in two faces, and the slider
   Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, mostRows, 1> residual;
-  Eigen::Matrix<double, Eigen::Dynamic, slotCount, Eigen::RowMajor, mostRows, slotCount> jacobian;
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, mostRows, mostSlots> jacobian;
   Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, mostRows, 1> along;  ///< unit direction of ∂/∂φ
 };
 
@@ -81,6 +80,9 @@ class JointProblem {
     Jet distance, phi;
   };
 
+  int slots() const { return firstTermSlot + static_cast<int>(m_terms.size()); }
+  Jet constant(double value) const { return Jet(value, Slots::Zero(slots())); }
+  Jet variable(double value, int slot) const { return Jet(value, slots(), slot); }
   Eigen::Index count() const { return static_cast<Eigen::Index>(m_estimated.size() + m_considered.size()); }
   void addArc(std::size_t arc);
   void consider(const Unknown& unknown, double sigma);
@@ -94,7 +96,7 @@ class JointProblem {
   std::vector<Unknown> m_estimated, m_considered;
   std::vector<double> m_priorSigmas, m_consideredSigmas;
   std::vector<VisitOfArc> m_visits;
-  std::vector<std::array<Eigen::Index, slotCount>>
+  std::vector<std::array<Eigen::Index, mostSlots>>
       m_slotMaps;  ///< of each arc: the unknown behind a slot, −1 for none
 };
 

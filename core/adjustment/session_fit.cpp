@@ -19,12 +19,21 @@ Finding failure(const ArcMeasurement& arc, const Problem& problem) {
           problem.where};
 }
 
-std::vector<EstimatedTerm> termsOf(const std::vector<std::string>& effects) {
+/// The effects that the catalogue knows, each once.
+std::vector<const Effect*> knownEffects(const std::vector<std::string>& ids) {
+  std::vector<const Effect*> effects;
+  for (const std::string& id : ids) {
+    const Effect* effect = effectById(id);
+    if (effect && std::ranges::find(effects, effect) == effects.end()) effects.push_back(effect);
+  }
+  return effects;
+}
+
+std::vector<EstimatedTerm> termsOf(const std::vector<const Effect*>& effects) {
   std::vector<EstimatedTerm> terms;
-  for (const std::string& id : effects)
-    if (const Effect* effect = effectById(id))
-      for (const EffectParameter& parameter : effect->parameters)
-        terms.push_back({parameter.term, parameter.plausible * modelUnitsPer(parameter.unit)});
+  for (const Effect* effect : effects)
+    for (const EffectParameter& parameter : effect->parameters)
+      terms.push_back({parameter.term, parameter.plausible * modelUnitsPer(parameter.unit)});
   return terms;
 }
 
@@ -58,16 +67,14 @@ void takeOver(std::vector<ArcFit>& arcs, const JointFit& joint) {
   }
 }
 
-std::vector<EffectEstimate> estimatesOf(const JointFit& joint, const std::vector<std::string>& effects,
+std::vector<EffectEstimate> estimatesOf(const JointFit& joint, const std::vector<const Effect*>& effects,
                                         double scale) {
   std::vector<EffectEstimate> estimates;
-  for (const std::string& id : effects) {
-    const Effect* effect = effectById(id);
-    if (!effect) continue;
+  for (const Effect* effect : effects) {
     for (const EffectParameter& parameter : effect->parameters) {
       const std::size_t i = joint.indexOf({.kind = Unknown::Kind::Error, .arc = 0, .term = parameter.term});
       const double factor = modelUnitsPer(parameter.unit);
-      estimates.push_back({id, std::string(parameter.name), std::string(parameter.unit),
+      estimates.push_back({std::string(effect->id), std::string(parameter.name), std::string(parameter.unit),
                            joint.values[i] / factor, scale * std::sqrt(joint.cofactor(i, i)) / factor});
     }
   }
@@ -84,13 +91,14 @@ Measurement fittedPart(const Measurement& measurement, const SessionFit& fit) {
 void adjust(SessionFit& fit, const Measurement& fitted) {
   std::vector<Circle> starts;
   for (const ArcFit& arc : fit.arcs) starts.push_back(arc.circle);
-  fit.joint = fitJointly(fitted, starts, {.terms = termsOf(fitted.effects)});
+  const std::vector<const Effect*> effects = knownEffects(fitted.effects);
+  fit.joint = fitJointly(fitted, starts, {.terms = termsOf(effects)});
   takeOver(fit.arcs, fit.joint);
   fit.noise = noiseScale(fit.joint);
   for (std::size_t i = 0; i < fit.arcs.size(); ++i)
     fit.sigmas.push_back(arcSigma(fit.joint, i, fit.noise.factor));
   fit.intersection = intersect(fitted, fit.joint);
-  fit.effects = estimatesOf(fit.joint, fitted.effects, fit.noise.factor);
+  fit.effects = estimatesOf(fit.joint, effects, fit.noise.factor);
   if (fit.intersection && fitted.tolerance)
     fit.verdict = decide(fit.intersection->value, fit.intersection->expanded, *fitted.tolerance);
 }

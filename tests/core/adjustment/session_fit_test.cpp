@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "core/effects/catalogue.h"
 #include "tests/support/paper_table.h"
 #include "tests/support/perfect_session.h"
 
@@ -72,6 +75,21 @@ TEST(SessionFit, NamesWhatItCannotEstimate) {
   EXPECT_THAT(textOf(fit.findings), HasSubstr("“moonlight”, which is no effect"));
   ASSERT_EQ(fit.effects.size(), 1u);
   EXPECT_EQ(fit.effects[0].effect, "trunnion_tilt");
+}
+
+// Far more unknowns than these readings tell: priors hold them, and an answer comes with its larger
+// uncertainty.
+TEST(SessionFit, EstimatesTheWholeCatalogueAtOnce) {
+  Measurement measurement = test::paperMeasurement();
+  const double alone = fitSession(measurement).joint.degreesOfFreedom;
+  for (const Effect& effect : effectCatalogue()) measurement.effects.emplace_back(effect.id);
+  measurement.effects.emplace_back("collimation");  // named twice, estimated once
+  const SessionFit fit = fitSession(measurement);
+  EXPECT_EQ(fit.effects.size(), errorTermCount - 2);
+  EXPECT_TRUE(fit.joint.converged);
+  EXPECT_EQ(fit.joint.degreesOfFreedom, alone);
+  ASSERT_TRUE(fit.intersection);
+  EXPECT_TRUE(std::isfinite(fit.intersection->expanded));
 }
 
 TEST(SessionFit, ExchangingThePositionsChangesTheSignOnly) {
