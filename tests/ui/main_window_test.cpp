@@ -51,6 +51,14 @@ std::string resultOf(OpenWindow& open) {
   return shownBy(open->findChild<ResultPanel*>());
 }
 
+/// The words of a PDF, as poppler reads them.
+std::string printedText(const QString& path) {
+  QProcess reader;
+  reader.start(QStringLiteral("pdftotext"), {QStringLiteral("-layout"), path, QStringLiteral("-")});
+  EXPECT_TRUE(reader.waitForFinished());
+  return reader.readAllStandardOutput().toStdString();
+}
+
 void loadPaper(OpenWindow& open) {
   ASSERT_TRUE(open->files().open(samplePath(paper)));
   open.settle();
@@ -268,9 +276,27 @@ TEST(MainWindow, WritesTheAcceptanceReport) {
   QFile report(open.dialogs->reportPath);
   ASSERT_TRUE(report.open(QIODevice::ReadOnly));
   EXPECT_TRUE(report.readAll().startsWith("%PDF-1."));
+  EXPECT_TRUE(open.dialogs->unusableEntries.isEmpty()) << "nothing to ask about";
+}
+
+TEST(MainWindow, AsksBeforeAReportWithoutVerdict) {
+  const QTemporaryDir folder;
+  OpenWindow open;
+  loadPaper(open);
+  open.dialogs->reportPath = folder.filePath(QStringLiteral("report.pdf"));
   ReadingsEditor(open->document(), 0).setCell({3, ReadingColumn::Vertical}, "x");
+  ReadingsEditor(open->document(), 1).setCell({5, ReadingColumn::Horizontal}, "y");
   EXPECT_FALSE(open->files().exportReport());
-  EXPECT_EQ(open.dialogs->problems.size(), 1);
+  EXPECT_FALSE(QFile::exists(open.dialogs->reportPath));
+  open.dialogs->exportAnyway = true;
+  ASSERT_TRUE(open->files().exportReport());
+  EXPECT_EQ(open.dialogs->unusableEntries, QList<int>({2, 2}));
+  EXPECT_TRUE(open.dialogs->problems.isEmpty());
+  const std::string printed = printedText(open.dialogs->reportPath);
+  EXPECT_THAT(printed, HasSubstr("No verdict: 2 entries could not be used"));
+  EXPECT_THAT(printed, HasSubstr("row 4 (point 4)"));
+  for (const char* word : {"Accepted\n", "Rejected\n", "Undecided\n"})
+    EXPECT_THAT(printed, Not(HasSubstr(word)));
 }
 
 TEST(RecentFiles, ListsTheNewestFirstAndLeavesOutWhatIsNotThere) {

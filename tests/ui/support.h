@@ -21,6 +21,8 @@ class ScriptedDialogs : public Dialogs {
   SaveAnswer saveAnswer = SaveAnswer::Cancel;
   QString openPath, savePath, reportPath;
   int saveQuestions = 0;
+  bool exportAnyway = false;
+  QList<int> unusableEntries;  ///< as told by each question whether to export anyway
   QStringList problems;
 
   SaveAnswer askSaveChanges(const QString&) override {
@@ -30,6 +32,10 @@ class ScriptedDialogs : public Dialogs {
   QString askOpenPath(const QString&) override { return openPath; }
   QString askSavePath(const QString&) override { return savePath; }
   QString askReportPath(const QString&) override { return reportPath; }
+  bool askReportWithoutVerdict(int entries) override {
+    unusableEntries.append(entries);
+    return exportAnyway;
+  }
   void showProblem(const QString&, const QString& text) override { problems.append(text); }
 };
 

@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <QFileDialog>
 #include <QMessageBox>
+#include <QPushButton>
 
 #include "ui/settings/theme.h"
 
@@ -63,6 +64,20 @@ QString Dialogs::askSavePath(const QString& suggestion) {
 QString Dialogs::askReportPath(const QString& suggestion) {
   return saveFile(m_parent, Text::tr("Export acceptance report"), suggestion, Text::tr("PDF (*.pdf)"),
                   QStringLiteral("pdf"));
+}
+
+bool Dialogs::askReportWithoutVerdict(int entries) {
+  const QString count = entries == 1 ? Text::tr("1 entry cannot be used.")
+                                     : Text::tr("%1 entries cannot be used.").arg(entries);
+  const QString report = entries == 1 ? Text::tr("The report will list it and give no verdict.")
+                                      : Text::tr("The report will list them and give no verdict.");
+  QMessageBox box(QMessageBox::Warning, Text::tr("Export acceptance report"), count, QMessageBox::Cancel,
+                  m_parent);
+  box.setInformativeText(report + QLatin1Char(' ') + Text::tr("Export it anyway?"));
+  const QAbstractButton* anyway = box.addButton(Text::tr("&Export"), QMessageBox::AcceptRole);
+  box.setDefaultButton(QMessageBox::Cancel);
+  box.exec();
+  return box.clickedButton() == anyway;
 }
 
 void Dialogs::showProblem(const QString& title, const QString& text) {

@@ -19,6 +19,8 @@ class Dialogs {
   virtual QString askOpenPath(const QString& folder);
   virtual QString askSavePath(const QString& suggestion);
   virtual QString askReportPath(const QString& suggestion);
+  /// Shall a report be written although `entries` > 0 entries cannot be used?
+  virtual bool askReportWithoutVerdict(int entries);
   virtual void showProblem(const QString& title, const QString& text);
   virtual void showAbout();
   virtual void showShortcuts();

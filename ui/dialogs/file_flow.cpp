@@ -68,12 +68,8 @@ bool FileFlow::saveTo(const QString& path) {
 bool FileFlow::exportReport() {
   emit commitWanted();
   const Evaluation evaluation = evaluate(m_document.session());
-  if (!evaluation.examined.problems.empty()) {
-    m_dialogs.showProblem(tr("Export acceptance report"),
-                          tr("A report needs a session without problems. The first one is:\n\n%1")
-                              .arg(qText(evaluation.examined.problems.front().text())));
-    return false;
-  }
+  const auto unusable = static_cast<int>(evaluation.examined.problems.size());
+  if (unusable > 0 && !m_dialogs.askReportWithoutVerdict(unusable)) return false;
   const QString path = m_dialogs.askReportPath(suggestedPath(QStringLiteral("pdf")));
   if (path.isEmpty()) return false;
   const Result<QString> written = writeAcceptanceReport(evaluation, reportSource(m_document), path);
