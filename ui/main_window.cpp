@@ -13,6 +13,7 @@
 
 #include "ui/charts/arc_chart.h"
 #include "ui/charts/residual_chart.h"
+#include "ui/commands/add_position.h"
 #include "ui/forms/field_binding.h"
 #include "ui/forms/field_form.h"
 #include "ui/main_window_actions.h"
@@ -115,6 +116,7 @@ void MainWindow::connectParts() {
   const auto say = [this](const QString& text) { statusBar()->showMessage(text, 8000); };
   connect(&m_files, &FileFlow::remark, this, say);
   connect(m_positions, &PositionTabs::remark, this, say);
+  connect(m_positions, &PositionTabs::positionWanted, this, &MainWindow::addPosition);
   connect(m_positions, &PositionTabs::tableCreated, m_actions, &WindowActions::attachTo);
   for (std::size_t i = 0; m_positions->table(i); ++i) m_actions->attachTo(m_positions->table(i));
   connect(m_positions, &PositionTabs::rowEntered, m_arcChart, &ArcChart::setHighlighted);
@@ -182,7 +184,7 @@ void MainWindow::revealField(const Place& place, bool takeFocus) {
     if (takeFocus) binding->widget()->setFocus(Qt::TabFocusReason);
     return;
   }
-  if (place.position) m_positions->setCurrentIndex(static_cast<int>(*place.position));
+  if (place.position) m_positions->showPosition(*place.position);
 }
 
 void MainWindow::commitPending() {
@@ -200,6 +202,13 @@ void MainWindow::redo() {
   commitPending();
   m_document.undoStack().redo();
   reveal(m_lastChange, false);
+}
+
+void MainWindow::addPosition(int axisDeg) {
+  commitPending();
+  if (hasPosition(m_document.session(), axisDeg)) return;
+  ui::addPosition(m_document, axisDeg);
+  reveal({.position = m_lastChange.position, .field = "pointing_zero.horizontal"});
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

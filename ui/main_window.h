@@ -41,6 +41,8 @@ class MainWindow : public QMainWindow {
   void commitPending();
   void undo();
   void redo();
+  /// Adds the position at `axisDeg` (0 or 180) where it is missing, and leads to its pointing zero.
+  void addPosition(int axisDeg);
   void setColumnShown(ReadingColumn column, bool shown);
 
  protected:

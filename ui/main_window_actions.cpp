@@ -10,6 +10,7 @@
 #include <QPlainTextEdit>
 #include <QToolBar>
 
+#include "ui/commands/add_position.h"
 #include "ui/main_window.h"
 #include "ui/panels/position_tabs.h"
 #include "ui/panels/readings_table.h"
@@ -118,10 +119,26 @@ void WindowActions::createEditMenu(QToolBar& bar) {
   QAction* clear =
       addTo(menu, nullptr, tr("C&lear Cells\tDel"), {}, this, onTable(&ReadingsTable::clearCells));
   exclude->setToolTip(tr("Exclude or use the selected readings (Space)"));
+  addPositionActions(menu);
   m_tableActions = {cut, copy, paste, insert, remove, exclude, clear};
   bar.addActions({undo, redo});
   bar.addSeparator();
   bar.addActions({insert, remove, exclude});
+}
+
+/// Enabled where the position is missing.
+void WindowActions::addPositionActions(QMenu& menu) {
+  menu.addSeparator();
+  const SessionDocument& document = m_window.document();
+  for (const int axisDeg : {0, 180}) {
+    QAction* action = addTo(menu, nullptr, tr("Add Position at %1°").arg(axisDeg), {}, this,
+                            [this, axisDeg] { m_window.addPosition(axisDeg); });
+    const auto enable = [&document, action, axisDeg] {
+      action->setEnabled(!hasPosition(document.session(), axisDeg));
+    };
+    connect(&document, &SessionDocument::changed, action, enable);
+    enable();
+  }
 }
 
 void WindowActions::attachTo(ReadingsTable* table) const {

@@ -27,6 +27,7 @@ class WindowActions : public QObject {
 
   void createFileMenu(QToolBar& bar);
   void createEditMenu(QToolBar& bar);
+  void addPositionActions(QMenu& menu);
   void createViewMenu();
   void createHelpMenu(Dialogs& dialogs);
   void fillRecentMenu(QMenu& menu);

@@ -12,6 +12,7 @@ struct SessionChange {
     Everything,  ///< another session: new or loaded
     Field,       ///< the single text at `place`
     Readings,    ///< rows of `place.position` from `place.reading` on: `removed` gone, `inserted` new
+    Positions,   ///< from `place.position` on: `removed` gone, `inserted` new
   };
 
   Kind kind = Kind::Everything;

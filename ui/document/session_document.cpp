@@ -74,6 +74,23 @@ void SessionDocument::putReadings(std::size_t position, std::size_t first, std::
   emit changed(change);
 }
 
+void SessionDocument::insertPosition(std::size_t index, const Position& position) {
+  const SessionChange change{
+      .kind = SessionChange::Kind::Positions, .place = {.position = index}, .inserted = 1};
+  emit aboutToChange(change);
+  m_session.positions.insert(std::next(m_session.positions.begin(), static_cast<std::ptrdiff_t>(index)),
+                             position);
+  emit changed(change);
+}
+
+void SessionDocument::removePosition(std::size_t index) {
+  const SessionChange change{
+      .kind = SessionChange::Kind::Positions, .place = {.position = index}, .removed = 1};
+  emit aboutToChange(change);
+  m_session.positions.erase(std::next(m_session.positions.begin(), static_cast<std::ptrdiff_t>(index)));
+  emit changed(change);
+}
+
 void SessionDocument::replaceAll(Session session, const QString& path) {
   emit aboutToChange({});
   m_session = std::move(session);

@@ -39,12 +39,15 @@ class SessionDocument : public QObject {
   void identityChanged();  ///< path or modified state
 
  private:
+  friend class AddPosition;
   friend class ChangeField;
   friend class ReplaceReadings;
 
   void putField(const Place& place, const std::string& text);
   void putReadings(std::size_t position, std::size_t first, std::size_t removed,
                    const std::vector<Reading>& inserted);
+  void insertPosition(std::size_t index, const Position& position);
+  void removePosition(std::size_t index);
   void replaceAll(Session session, const QString& path);
 
   Session m_session;

@@ -2,9 +2,11 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "ui/commands/add_position.h"
 #include "ui/document/session_document.h"
 #include "ui/forms/field_edit.h"
 #include "ui/panels/findings_panel.h"
@@ -14,27 +16,74 @@
 
 namespace alidade::ui {
 
+namespace {
+
+constexpr int axes[] = {0, 180};
+
+bool changesTabs(const SessionChange& change) {
+  return change.kind == SessionChange::Kind::Everything || change.kind == SessionChange::Kind::Positions;
+}
+
+}  // namespace
+
 PositionTabs::PositionTabs(SessionDocument& document, QWidget* parent)
     : QTabWidget(parent), m_document(document) {
   setDocumentMode(false);
   connect(&document, &SessionDocument::aboutToChange, this, [this](const SessionChange& change) {
-    if (change.kind != SessionChange::Kind::Everything) return;
-    m_tables.clear();
-    while (count() > 0) delete widget(0);
+    if (changesTabs(change)) clearPositions();
   });
   connect(&document, &SessionDocument::changed, this, [this](const SessionChange& change) {
-    if (change.kind == SessionChange::Kind::Everything) rebuild();
+    if (changesTabs(change)) rebuild();
     if (change.kind == SessionChange::Kind::Field) nameTabs();
   });
+  // Later, since a field is also handed in while the current tab changes.
+  connect(&document, &SessionDocument::changed, this, &PositionTabs::showMissing, Qt::QueuedConnection);
+  for (const int axisDeg : axes) createMissingPage(axisDeg);
   rebuild();
+}
+
+void PositionTabs::clearPositions() {
+  const std::size_t positions = m_tables.size();
+  m_tables.clear();
+  for (std::size_t i = 0; i < positions; ++i) delete widget(0);
 }
 
 void PositionTabs::rebuild() {
   for (std::size_t position = 0; position < m_document.session().positions.size(); ++position) {
-    addTab(createPage(position), QString());
+    insertTab(static_cast<int>(position), createPage(position), QString());
   }
   nameTabs();
+  showMissing();
+  showPosition(0);
   for (ReadingsTable* table : m_tables) emit tableCreated(table);
+}
+
+void PositionTabs::createMissingPage(int axisDeg) {
+  auto* page = new QWidget;
+  auto* text = new QLabel(tr("The session has no position with the axis at %1°.\n"
+                             "Δd needs the arc at 0° and at 180°.")
+                              .arg(axisDeg));
+  text->setAlignment(Qt::AlignCenter);
+  text->setWordWrap(true);
+  auto* button = new QPushButton(themeIcon(QStringLiteral("insert")), tr("Add position at %1°").arg(axisDeg));
+  button->setObjectName(QStringLiteral("add position %1").arg(axisDeg));
+  connect(button, &QPushButton::clicked, this, [this, axisDeg] { emit positionWanted(axisDeg); });
+  auto* layout = new QVBoxLayout(page);
+  layout->addStretch();
+  layout->addWidget(text);
+  layout->addSpacing(8);
+  layout->addWidget(button, 0, Qt::AlignHCenter);
+  layout->addStretch();
+  addTab(page, tr("%1° missing").arg(axisDeg));
+}
+
+/// Their tabs stand behind those of the positions.
+void PositionTabs::showMissing() {
+  for (int i = 0; i < 2; ++i) {
+    const int tab = static_cast<int>(m_tables.size()) + i;
+    const bool missing = !hasPosition(m_document.session(), axes[i]);
+    if (isTabVisible(tab) != missing) setTabVisible(tab, missing);
+  }
 }
 
 QWidget* PositionTabs::createPage(std::size_t position) {
@@ -89,7 +138,7 @@ QWidget* PositionTabs::createZeroEntries(std::size_t position) {
 
 void PositionTabs::nameTabs() {
   const auto& positions = m_document.session().positions;
-  for (int tab = 0; tab < count(); ++tab) {
+  for (int tab = 0; tab < static_cast<int>(positions.size()); ++tab) {
     const std::string& axis = positions.at(static_cast<std::size_t>(tab)).axisDeg;
     const QString name = axis == "0"     ? tr("Axis at &0°")
                          : axis == "180" ? tr("Axis at &180°")
@@ -108,7 +157,7 @@ ReadingsTable* PositionTabs::currentTable() const {
 
 void PositionTabs::setEvaluation(const Evaluation& evaluation) {
   for (ReadingsTable* table : m_tables) table->readings().setEvaluation(evaluation);
-  for (int tab = 0; tab < count(); ++tab) {
+  for (int tab = 0; tab < static_cast<int>(m_tables.size()); ++tab) {
     const auto& problems = evaluation.examined.problems;
     const bool wrong = std::any_of(problems.begin(), problems.end(), [&](const Problem& problem) {
       return problem.where.position == static_cast<std::size_t>(tab) &&
@@ -121,6 +170,12 @@ void PositionTabs::setEvaluation(const Evaluation& evaluation) {
 void PositionTabs::setColumnShown(ReadingColumn column, bool shown) {
   m_shown[column] = shown;
   for (ReadingsTable* table : m_tables) table->setColumnShown(column, shown);
+}
+
+void PositionTabs::showPosition(std::size_t position) {
+  for (int tab = static_cast<int>(position); tab < count(); ++tab) {
+    if (isTabVisible(tab)) return setCurrentIndex(tab);
+  }
 }
 
 void PositionTabs::selectCell(std::size_t position, std::size_t row, ReadingColumn column) {

@@ -1,0 +1,37 @@
+#include "ui/commands/add_position.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <string>
+
+#include "core/session/entry.h"
+#include "ui/document/session_document.h"
+
+namespace alidade::ui {
+
+AddPosition::AddPosition(SessionDocument& document, int axisDeg)
+    : m_document(document), m_index(axisDeg == 0 ? 0 : document.session().positions.size()) {
+  m_position.axisDeg = std::to_string(axisDeg);
+  setText(QCoreApplication::translate("AddPosition", "Add position at %1°").arg(axisDeg));
+}
+
+void AddPosition::undo() {
+  m_document.removePosition(m_index);
+}
+void AddPosition::redo() {
+  m_document.insertPosition(m_index, m_position);
+}
+
+bool hasPosition(const Session& session, int axisDeg) {
+  return std::any_of(session.positions.begin(), session.positions.end(), [axisDeg](const Position& position) {
+    const Result<int> axis = axisEntry(position.axisDeg);
+    return axis && *axis == axisDeg;
+  });
+}
+
+void addPosition(SessionDocument& document, int axisDeg) {
+  if (hasPosition(document.session(), axisDeg)) return;
+  document.undoStack().push(new AddPosition(document, axisDeg));
+}
+
+}  // namespace alidade::ui
