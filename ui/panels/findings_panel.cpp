@@ -1,28 +1,21 @@
 #include "ui/panels/findings_panel.h"
 
-#include <QCoreApplication>
 #include <QKeyEvent>
 #include <utility>
 
-#include "ui/commands/edit_readings.h"
 #include "ui/document/field.h"
 #include "ui/document/reading_column.h"
 #include "ui/settings/theme.h"
 #include "ui/text/entry_text.h"
+#include "ui/text/spoken_place.h"
 
 namespace alidade::ui {
 
 namespace {
 
-QString nounOf(const Place& place) {
-  if (place.reading) return ReadingsEditor::noun(readingColumn(place.field));
-  const Field* field = fieldNamed(place.field);
-  return field ? QCoreApplication::translate("Field", field->noun) : QString();
-}
-
-/// "Distance L is empty: …", "0°, row 4, vertical reading: “83 99 34” has …".
+/// "Distance L is empty: …", "0°, row 4 (point 4), vertical: “83 99 34” has …".
 QString problemText(const Session& session, const Problem& problem) {
-  QString place = placeText(session, problem.where);
+  QString place = spokenPlace(session, problem.where);
   const QString what = qText(problem.what);
   if (place.isEmpty()) return what;
   place.replace(0, 1, place.at(0).toUpper());
@@ -36,17 +29,6 @@ bool isMissing(const Session& session, const Place& place) {
   const Reading& reading = session.positions.at(*place.position).readings.at(*place.reading);
   const auto text = readingText(readingColumn(place.field));
   return text && (reading.*text).empty();
-}
-
-QString placeText(const Session& session, const Place& place) {
-  QStringList parts;
-  if (place.position && *place.position < session.positions.size()) {
-    parts.append(FindingsPanel::tr("%1°").arg(qText(session.positions[*place.position].axisDeg)));
-  }
-  if (place.reading) parts.append(FindingsPanel::tr("row %1").arg(*place.reading + 1));
-  const QString noun = nounOf(place);
-  if (!noun.isEmpty()) parts.append(noun);
-  return parts.join(QStringLiteral(", "));
 }
 
 FindingsPanel::FindingsPanel(QWidget* parent) : QListWidget(parent) {

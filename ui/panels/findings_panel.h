@@ -37,9 +37,6 @@ class FindingsPanel : public QListWidget {
   std::vector<Entry> m_entries;
 };
 
-/// The place as the user knows it: "0°, row 4, vertical reading". Empty for the session as a whole.
-QString placeText(const Session& session, const Place& place);
-
 /// An entry still to be made, as opposed to one that cannot be used.
 bool isMissing(const Session& session, const Place& place);
 

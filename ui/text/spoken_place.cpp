@@ -1,5 +1,6 @@
 #include "ui/text/spoken_place.h"
 
+#include <QCoreApplication>
 #include <QStringList>
 
 #include "ui/document/field.h"
@@ -20,7 +21,7 @@ QString spokenPlace(const Session& session, const Place& place) {
   }
   if (!place.field.empty()) {
     const Field* field = place.reading ? nullptr : fieldNamed(place.field);
-    parts.append(field ? QString::fromUtf8(field->noun) : qText(place.field));
+    parts.append(field ? QCoreApplication::translate("Field", field->noun) : qText(place.field));
   }
   return parts.join(QStringLiteral(", "));
 }
