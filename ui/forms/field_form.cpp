@@ -14,18 +14,23 @@ FieldForm::FieldForm(SessionDocument& document, const QVector<FormField>& fields
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setHorizontalSpacing(6);
   grid->setVerticalSpacing(5);
-  for (int i = 0; i < fields.size(); ++i) {
-    const FormField& field = fields[i];
-    const int row = i / columns, column = 4 * (i % columns);
+  int cell = 0;
+  const auto toNextRow = [&] { cell = (cell + columns - 1) / columns * columns; };
+  for (const FormField& field : fields) {
+    if (field.fillsRow) toNextRow();
+    const int row = cell / columns, column = 4 * (cell % columns);
     QWidget* entry = addEntry(document, field);
     auto* label = new QLabel(field.caption);
     label->setBuddy(entry);
-    auto* unit = new QLabel(field.unit);
     grid->addWidget(label, row, column);
-    grid->addWidget(entry, row, column + 1);
-    grid->addWidget(unit, row, column + 2);
-    grid->setColumnStretch(column + 1, 1);
-    if (column > 0) grid->setColumnMinimumWidth(column - 1, 8);
+    grid->addWidget(entry, row, column + 1, 1, field.fillsRow ? 4 * columns - 2 : 1);
+    if (!field.unit.isEmpty()) grid->addWidget(new QLabel(field.unit), row, column + 2);
+    ++cell;
+    if (field.fillsRow) toNextRow();
+  }
+  for (int column = 0; column < columns; ++column) {
+    grid->setColumnStretch(4 * column + 1, 1);
+    if (column > 0) grid->setColumnMinimumWidth(4 * column - 1, 8);
   }
 }
 

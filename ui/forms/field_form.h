@@ -18,9 +18,10 @@ struct FormField {
   QString placeholder;           ///< what an empty entry means
   QString hint;                  ///< tool tip
   QVector<Choice> choices = {};  ///< a list instead of a line
+  bool fillsRow = false;         ///< for long texts: a row of its own
 };
 
-/// Labelled entries, one or two to a row.
+/// Labelled entries, `columns` to a row, those that fill a row alone in theirs.
 class FieldForm : public QWidget {
   Q_OBJECT
 

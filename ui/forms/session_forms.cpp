@@ -73,18 +73,18 @@ QWidget* createInstrumentForm(SessionDocument& document) {
   return stacked({new FieldForm(
       document,
       {
-          {"instrument.name", Forms::tr("Instr&ument"), {}, Forms::tr("model"), {}},
+          {"instrument.name", Forms::tr("Instr&ument"), {}, Forms::tr("model"), {}, {}, true},
           {"instrument.serial", Forms::tr("Serial no."), {}, {}, {}},
+          {"instrument.sigma_zero_arcsec", Forms::tr("σ pointing &zero"), seconds,
+           Forms::tr("as the circles"), Forms::tr("Standard uncertainty of the pointing zeros α0 and β0")},
           {"instrument.sigma_horizontal_arcsec", Forms::tr("σ &horizontal circle"), seconds, Forms::tr("2"),
            Forms::tr("Stated standard deviation of one horizontal reading")},
           {"instrument.sigma_vertical_arcsec", Forms::tr("σ vertical circle"), seconds, Forms::tr("2"),
            Forms::tr("Stated standard deviation of one vertical reading")},
-          {"instrument.sigma_zero_arcsec", Forms::tr("σ pointing &zero"), seconds,
-           Forms::tr("as the circles"), Forms::tr("Standard uncertainty of the pointing zeros α0 and β0")},
+          {"device.name", Forms::tr("&Device"), {}, Forms::tr("simulator measured"), {}, {}, true},
+          {"device.serial", Forms::tr("Serial no."), {}, {}, {}},
           {"instrument.sigma_slider_arcsec", Forms::tr("σ slider"), seconds, Forms::tr("5"),
            Forms::tr("Standard deviation of one slider reading")},
-          {"device.name", Forms::tr("&Device"), {}, Forms::tr("simulator measured"), {}},
-          {"device.serial", Forms::tr("Serial no."), {}, {}, {}},
       },
       2)});
 }
@@ -93,7 +93,7 @@ QWidget* createSessionForm(SessionDocument& document) {
   auto* form =
       new FieldForm(document,
                     {
-                        {"title", Forms::tr("T&itle"), {}, {}, {}},
+                        {"title", Forms::tr("T&itle"), {}, {}, {}, {}, true},
                         {"operator", Forms::tr("Operator"), {}, {}, {}},
                         {"place", Forms::tr("&Place"), {}, {}, {}},
                         {"measured_on",

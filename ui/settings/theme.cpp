@@ -2,8 +2,10 @@
 
 #include <QApplication>
 #include <QFont>
+#include <QPainter>
+#include <QProxyStyle>
 #include <QSettings>
-#include <QStyleFactory>
+#include <QStyleOption>
 #include <QTabWidget>
 #include <QToolTip>
 
@@ -56,6 +58,20 @@ QPalette darkPalette() {
                    "#7fb2ec");
 }
 
+/// Fusion without the light line it draws above a tool bar, which glares on dark colours.
+class WorkstationStyle : public QProxyStyle {
+ public:
+  WorkstationStyle() : QProxyStyle(QStringLiteral("Fusion")) {}
+
+  void drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
+                   const QWidget* widget) const override {
+    if (element != CE_ToolBar) return QProxyStyle::drawControl(element, option, painter, widget);
+    const QRect& bar = option->rect;
+    painter->fillRect(bar, option->palette.window());
+    painter->fillRect(bar.left(), bar.bottom(), bar.width(), 1, option->palette.mid());
+  }
+};
+
 }  // namespace
 
 void setUpApplication(QApplication& application) {
@@ -66,7 +82,7 @@ void setUpApplication(QApplication& application) {
   QApplication::setApplicationVersion(QStringLiteral(ALIDADE_VERSION));
   QApplication::setWindowIcon(themeIcon(QStringLiteral("alidade")));
   desktopPalette() = application.palette();
-  QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  QApplication::setStyle(new WorkstationStyle);
   QFont font(QStringLiteral("DejaVu Sans"));
   font.setPointSizeF(9.5);
   QApplication::setFont(font);
