@@ -23,6 +23,7 @@
 #include "ui/panels/readings_table.h"
 #include "ui/panels/result_panel.h"
 #include "ui/settings/recent_files.h"
+#include "ui/text/quantity_text.h"
 
 namespace alidade::ui {
 namespace {
@@ -144,6 +145,31 @@ TEST(MainWindow, TellsThePublishedFiguresOnRequest) {
   for (const char* printed : {"−0.0091", "−0.0318", "−0.972", "−1.492", "1.8143", "−2.0538", "1.934"}) {
     EXPECT_THAT(shown, HasSubstr(printed));
   }
+}
+
+TEST(MainWindow, ShowsTheModelEffectsThatWereEstimatedAlong) {
+  const QTemporaryDir folder;
+  const std::string text = paperTextWithEffects({"trunnion_tilt", "vertical_axis_tilt"});
+  QFile file(folder.filePath(QStringLiteral("effects.alidade")));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write(QByteArray::fromStdString(text));
+  file.close();
+  OpenWindow open;
+  loadPaper(open);
+  EXPECT_THAT(resultOf(open), Not(HasSubstr("Model effects")));
+  ASSERT_TRUE(open->files().open(file.fileName()));
+  open.settle();
+  const SessionFit fit = evaluate(*readSession(text)).fit;
+  ASSERT_EQ(fit.effects.size(), 3u);
+  const std::string shown = resultOf(open);
+  for (const char* name :
+       {"Model effects\n", "trunnion tilt\n", "vertical axis tilt,\ntilt about x\n", "″\n"})
+    EXPECT_THAT(shown, HasSubstr(name));
+  for (const EffectEstimate& effect : fit.effects)
+    EXPECT_THAT(shown,
+                HasSubstr(valueWithUncertainty(effect.value, effect.sigma, {}).trimmed().toStdString()));
+  loadPaper(open);
+  EXPECT_THAT(resultOf(open), Not(HasSubstr("trunnion tilt")));
 }
 
 TEST(MainWindow, CarriesNameAndModifiedMarkInTheTitle) {

@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QTest>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "core/session/session_file.h"
@@ -38,6 +39,12 @@ Session paperSession() {
       loadSession(samplePath(QStringLiteral("paper-table-1.alidade")).toStdString());
   if (!session) throw std::runtime_error(session.problem().text());
   return *session;
+}
+
+std::string paperTextWithEffects(const std::vector<std::string>& effects) {
+  auto json = nlohmann::ordered_json::parse(writeSession(paperSession()));
+  json["model"]["effects"] = effects;
+  return json.dump();
 }
 
 void typeInto(QWidget& widget, const QString& text, Qt::Key key) {

@@ -4,6 +4,8 @@
 #include <QString>
 #include <functional>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "core/session/session.h"
 #include "ui/dialogs/dialogs.h"
@@ -54,6 +56,8 @@ struct OpenWindow {
 
 /// The paper's table, and the file it is in.
 Session paperSession();
+/// The same with these effects of the model estimated along, as a file's text.
+std::string paperTextWithEffects(const std::vector<std::string>& effects);
 QString samplePath(const QString& name);
 
 /// Types `text` and ends it with `key`, wherever the keyboard is, the editor of a cell included.

@@ -11,6 +11,7 @@
 #include "ui/panels/figure_grid.h"
 #include "ui/panels/findings_panel.h"
 #include "ui/settings/theme.h"
+#include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/quantity_text.h"
 
@@ -59,6 +60,8 @@ ResultPanel::ResultPanel(QWidget* parent)
       m_budgetTitle(heading(tr("Standard uncertainty of Δd  mm"))),
       m_arcs(new FigureGrid),
       m_budget(new FigureGrid),
+      m_effectsTitle(heading(tr("Model effects"))),
+      m_effects(new FigureGrid),
       m_compare(new QCheckBox(tr("&Compare with published method"))),
       m_comparison(new QWidget),
       m_published(new FigureGrid) {
@@ -90,6 +93,8 @@ ResultPanel::ResultPanel(QWidget* parent)
   layout->addWidget(m_arcs);
   layout->addWidget(m_budgetTitle);
   layout->addWidget(m_budget);
+  layout->addWidget(m_effectsTitle);
+  layout->addWidget(m_effects);
   layout->addSpacing(8);
   layout->addWidget(m_compare);
   auto* comparison = new QVBoxLayout(m_comparison);
@@ -120,6 +125,7 @@ void ResultPanel::setEvaluation(const Evaluation& evaluation) {
   showVerdict();
   showArcs();
   showBudget();
+  showEffects();
   showComparison();
 }
 
@@ -250,6 +256,20 @@ void ResultPanel::showBudget() {
   }
   m_budgetTitle->setVisible(!rows.isEmpty());
   m_budget->setRows({QString()}, rows);
+}
+
+/// What was estimated along; a number of several of an effect stands on a second line, to keep the panel
+/// narrow.
+void ResultPanel::showEffects() {
+  QVector<FigureGrid::Row> rows;
+  for (const EffectEstimate& estimate : m_evaluation.fit.effects) {
+    rows.append({effectText(estimate, QStringLiteral(",\n")),
+                 {figureWithSigma(estimate.value, estimate.sigma), effectUnitText(estimate)},
+                 tr("Estimated along with the arcs, with its standard uncertainty")});
+  }
+  m_effectsTitle->setVisible(!rows.isEmpty());
+  m_effects->setVisible(!rows.isEmpty());
+  m_effects->setRows({QString(), QString()}, rows);
 }
 
 void ResultPanel::showComparison() {

@@ -30,6 +30,7 @@ class ResultPanel : public QScrollArea {
   void showVerdict();
   void showArcs();
   void showBudget();
+  void showEffects();
   void showComparison();
   void colorVerdict();
   void settleWidth();
@@ -45,6 +46,8 @@ class ResultPanel : public QScrollArea {
   QLabel* m_budgetTitle;
   class FigureGrid* m_arcs;
   class FigureGrid* m_budget;
+  QLabel* m_effectsTitle;
+  class FigureGrid* m_effects;
   QCheckBox* m_compare;
   QWidget* m_comparison;
   class FigureGrid* m_published;

@@ -5,6 +5,7 @@
 
 #include "ui/report/report_table.h"
 #include "ui/report/report_verdict.h"
+#include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/spoken_place.h"
@@ -111,6 +112,24 @@ void addBudget(ReportSheet& sheet, const Intersection& found) {
   table.finish();
 }
 
+void addEffects(ReportSheet& sheet, const std::vector<EffectEstimate>& effects) {
+  if (effects.empty()) return;
+  constexpr auto right = Qt::AlignRight;
+  sheet.keepTogether((static_cast<double>(effects.size()) + 3) * 4.5);
+  sheet.heading(QStringLiteral("Model effects"));
+  ReportTable table(sheet, {{QStringLiteral("Estimated along with the arcs"), 80},
+                            {QStringLiteral("value"), 30, right},
+                            {QStringLiteral("u"), 30, right},
+                            {QStringLiteral("unit"), 16, right}});
+  table.head();
+  for (const EffectEstimate& estimate : effects) {
+    const int decimals = decimalsFor(estimate.sigma);
+    table.row({effectText(estimate), numberText(estimate.value, decimals),
+               numberText(estimate.sigma, decimals), effectUnitText(estimate)});
+  }
+  table.finish();
+}
+
 void addReference(ReportSheet& sheet, const Evaluation& evaluation, const Intersection& found) {
   const std::optional<double> reference = evaluation.examined.measurement->referenceIntersection;
   const QString difference =
@@ -191,6 +210,7 @@ void addResult(ReportSheet& sheet, const Evaluation& evaluation) {
           "χ²/f: with the stated σ; f: degrees of freedom.")
           .arg(numberText(fit.noise.factor, 2)),
       type::small);
+  addEffects(sheet, fit.effects);
   if (!fit.intersection) return;
   sheet.skip(1);
   sheet.paragraph(QStringLiteral("Half the distance of the centres in the plane, |O1 − O2|/2 = ") +

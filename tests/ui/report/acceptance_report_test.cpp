@@ -33,6 +33,18 @@ TEST(AcceptanceReport, PrintsTheResultWithItsUncertaintyAndVerdict) {
   }
 }
 
+TEST(AcceptanceReport, PrintsTheModelEffectsThatWereEstimatedAlong) {
+  const Session session = *readSession(paperTextWithEffects({"trunnion_tilt"}));
+  const EffectEstimate effect = evaluate(session).fit.effects.at(0);
+  const int decimals = decimalsFor(effect.sigma);
+  const QString row = QStringLiteral("trunnion tilt %1 %2 ″")
+                          .arg(numberText(effect.value, decimals), numberText(effect.sigma, decimals));
+  const Printed report(session);
+  EXPECT_TRUE(report.contains("Model effects"));
+  EXPECT_TRUE(report.text().contains(row)) << row.toStdString() << report.text().toStdString();
+  EXPECT_FALSE(Printed(paperSession()).contains("Model effects"));
+}
+
 TEST(AcceptanceReport, PrintsADashForWhatWasNotStated) {
   Session session = paperSession();
   session.operatorName.clear();

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <QString>
+
+#include "core/adjustment/session_fit.h"
+
+namespace alidade::ui {
+
+/// An estimated number of an effect as people call it: "trunnion tilt", "plane tilt, tilt about x".
+/// `separator` stands before the number's own name where the effect has several.
+QString effectText(const EffectEstimate& estimate, const QString& separator = QStringLiteral(", "));
+
+/// The unit of the catalogue as it is written: "″" for "arcsec", "°" for "deg", empty for a bare number.
+QString effectUnitText(const EffectEstimate& estimate);
+
+}  // namespace alidade::ui
