@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
 # tidy.sh TREE BUILD quick|all FOLDER...: clang-tidy 14 over the sources of the folders that the build compiles, a process
 # per processor. `quick` leaves out what costs most for what it finds. A source that passed is looked at again when it, a
-# header or the rules changed.
+# header it includes or the rules changed.
 set -euo pipefail
+self=$(realpath -- "${BASH_SOURCE[0]}")
 # shellcheck source=tests/packaging/lib.sh
-source "$(dirname -- "${BASH_SOURCE[0]}")/lib.sh"
+source "$(dirname -- "$self")/lib.sh"
 build=${2:?the build directory}
 extent=${3:?quick or all}
 shift 3
@@ -17,14 +18,29 @@ checks=()
 
 passed=$build/tidy/$extent
 mkdir -p -- "$passed"
-mapfile -t shared < <(sources app core ui tests -- '*.h' tidy.sh && echo .clang-tidy)
+# What each source was compiled from within the tree, as the build knows it: lines of source, tab, file.
+compiled_from() {
+  ninja -C "$build" -t deps | awk -v root="$PWD/" '
+    /#deps/ || !NF { source = ""; next }
+    {
+      file = substr($0, 5)
+      if (index(file, root) == 1) file = substr(file, length(root) + 1)
+      sub(/^(\.\.\/)+/, "", file)
+      if (file ~ /^\//) next
+      if (source == "") source = file
+      print source "\t" file
+    }'
+}
 
-# Whether a file passed since it, every header and the rules last changed.
+declare -A needs=()
+while IFS=$'\t' read -r source file; do needs[$source]+=$file$'\n'; done < <(compiled_from)
+
+# Whether a file passed since it, a header it includes and the rules last changed.
 still_passes() {
-  local stamp=$passed/${1//\//_} changed
-  [[ -e $stamp ]] || return 1
-  changed=$(find "$1" "${shared[@]}" -newer "$stamp" -print -quit)
-  [[ -z $changed ]]
+  local stamp=$passed/${1//\//_} files
+  [[ -e $stamp && -n ${needs[$1]:-} ]] || return 1
+  mapfile -t files <<<"${needs[$1]%$'\n'}"
+  [[ -z $(find "${files[@]}" .clang-tidy "$self" -newer "$stamp" -print -quit) ]]
 }
 
 look_at() {
