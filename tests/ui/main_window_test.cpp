@@ -127,6 +127,17 @@ TEST(MainWindow, KeepsAWrongAngleOutOfTheFitAndFindsItBack) {
   EXPECT_FALSE(open->isWindowModified());
 }
 
+TEST(MainWindow, ListsWhatIsWrongBeforeWhatIsMissing) {
+  OpenWindow open;  // a new session: L, R0 and the zeros are missing
+  ReadingsTable& table = *open->currentTable();
+  table.selectCell(0, ReadingColumn::Horizontal);
+  typeInto(table, QStringLiteral("341 99 24"));
+  open.settle();
+  const auto* findings = open->findChild<FindingsPanel*>();
+  ASSERT_GT(findings->count(), 1);
+  EXPECT_THAT(findings->item(0)->text().toStdString(), HasSubstr("99 minutes"));
+}
+
 TEST(MainWindow, LeadsFromAFindingToItsField) {
   OpenWindow open;
   open->reveal({.position = 1, .field = "pointing_zero.vertical"});

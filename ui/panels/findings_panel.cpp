@@ -1,6 +1,7 @@
 #include "ui/panels/findings_panel.h"
 
 #include <QKeyEvent>
+#include <algorithm>
 #include <utility>
 
 #include "ui/document/field.h"
@@ -62,6 +63,9 @@ std::vector<FindingsPanel::Entry> FindingsPanel::entriesOf(const Evaluation& eva
                        missing ? tr("Missing") : tr("Problem"), problemText(session, problem),
                        problem.where});
   }
+  // What is wrong comes before what is only not there yet.
+  std::stable_partition(entries.begin(), entries.end(),
+                        [](const Entry& entry) { return entry.icon == QStringLiteral("problem"); });
   for (const Finding& finding : evaluation.fit.findings) {
     const QString icons[] = {QStringLiteral("note"), QStringLiteral("warning"), QStringLiteral("problem")};
     const QString spoken[] = {tr("Note"), tr("Warning"), tr("Error")};
