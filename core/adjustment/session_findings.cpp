@@ -16,16 +16,6 @@ bool holdsAxis(const Measurement& measurement, int axisDeg) {
                              [&](const ArcMeasurement& arc) { return arc.axisDeg == axisDeg; });
 }
 
-void judgePositions(std::vector<Finding>& findings, const Measurement& measurement) {
-  for (const int axisDeg : {0, 180})
-    if (!holdsAxis(measurement, axisDeg))
-      findings.push_back(
-          {Severity::Warning,
-           "There is no usable position at " + std::to_string(axisDeg) + "°, so no intersection.",
-           "The intersection is half the distance of the arc centres at 0° and 180°: measure both.",
-           {}});
-}
-
 /// One rigid guideway has one radius; L and its error are common to both arcs.
 void judgeRadii(std::vector<Finding>& findings, const SessionFit& fit) {
   const ArcFit *upper = fit.arcAt(0), *lower = fit.arcAt(180);
@@ -77,9 +67,20 @@ void judgeModel(std::vector<Finding>& findings, const Measurement& measurement) 
 
 }  // namespace
 
-std::vector<Finding> sessionFindings(const Measurement& measurement, const SessionFit& fit) {
+std::vector<Finding> missingPositions(const Measurement& measurement) {
   std::vector<Finding> findings;
-  judgePositions(findings, measurement);
+  for (const int axisDeg : {0, 180})
+    if (!holdsAxis(measurement, axisDeg))
+      findings.push_back(
+          {Severity::Warning,
+           "There is no usable position at " + std::to_string(axisDeg) + "°, so no intersection.",
+           "The intersection is half the distance of the arc centres at 0° and 180°: measure both.",
+           {}});
+  return findings;
+}
+
+std::vector<Finding> sessionFindings(const Measurement& measurement, const SessionFit& fit) {
+  std::vector<Finding> findings = missingPositions(measurement);
   judgeRadii(findings, fit);
   judgeReference(findings, measurement, fit);
   judgeModel(findings, measurement);

@@ -6,8 +6,11 @@
 
 namespace alidade {
 
+/// A finding for each of the two positions that the intersection needs and the measurement does not hold.
+std::vector<Finding> missingPositions(const Measurement& measurement);
+
 /// What the session as a whole says about itself, beyond its single arcs: a missing position, radii of one
-/// rigid guideway that differ, a result away from the reference, entries that these fits do not use.
+/// rigid guideway that differ, a result away from the reference, a model that needs care.
 std::vector<Finding> sessionFindings(const Measurement& measurement, const SessionFit& fit);
 
 }  // namespace alidade

@@ -146,6 +146,7 @@ PublishedSessionFit fitSessionAsPublished(const Measurement& measurement) {
     return std::ranges::find_if(fit.arcs, [&](const PublishedFit& f) { return f.arc.axisDeg == axisDeg; });
   };
   const auto upper = at(0), lower = at(180);
+  std::ranges::move(missingPositions(measurement), std::back_inserter(fit.findings));
   if (upper == fit.arcs.end() || lower == fit.arcs.end()) return fit;
   fit.intersection = (upper->arc.circle.y - lower->arc.circle.y) / 2;
   fit.intersectionAsPrinted = (upper->asPrinted.y - lower->asPrinted.y) / 2;

@@ -56,6 +56,7 @@ TEST(SessionFit, ReportsAMissingPosition) {
   EXPECT_EQ(fit.arcs.size(), 1u);
   EXPECT_FALSE(fit.intersection);
   EXPECT_THAT(textOf(fit.findings), HasSubstr("no usable position at 180°"));
+  EXPECT_THAT(textOf(fitSessionAsPublished(measurement).findings), HasSubstr("no usable position at 180°"));
 }
 
 TEST(SessionFit, FitsTheArcThatCanBeFitted) {
