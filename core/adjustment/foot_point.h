@@ -8,7 +8,7 @@
 namespace alidade {
 
 // The situation: a circle is given and one visit was sighted. Which point of the circle did the slider most
-// likely stand at, and how do what is left over and its size hang on the circle and on L? In units of the
+// likely stand at, and how does what is left over hang on the circle? In units of the
 // stated σ ("whitened"):
 //
 //   minimise |r(φ)|²,  r = ((a − a(P(φ)))/σ_h, (e − e(P(φ)))/σ_v)

@@ -15,7 +15,7 @@ namespace alidade {
 // readings and missing points. Both circles and the slider of each row are observations of the one forward
 // model (observe.h), and one least squares adjustment of all of them,
 //
-//   minimise Σ (reading − observe(unknowns))²/σ²,
+//   minimise Σ (reading − model(unknowns))²/σ²,
 //
 // finds centre and radius of each arc, the zero of its slider, the error terms asked for, and one arc angle
 // for each visit, which its faces share. Gauss-Newton with Levenberg's damping; the arc angles are eliminated
@@ -72,8 +72,8 @@ struct JointFitOptions {
 struct JointFit {
   std::vector<Unknown> unknowns;  ///< estimated
   std::vector<double> values;     ///< of the unknowns: mm, rad, or the unit of the term
-  SquareMatrix
-      cofactor;  ///< covariance of the unknowns from the stated σ of circles and slider (and priors) alone
+  /// Covariance of the unknowns from the stated σ of circles and slider, and the priors, alone.
+  SquareMatrix cofactor;
   /// The same with the error terms taken as known; equal where there are none.
   SquareMatrix cofactorWithoutTerms;
 

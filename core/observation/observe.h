@@ -23,12 +23,12 @@ namespace alidade {
 // sight deviates by c. A target in the direction (r, u, f) (right, up, forward) of the leaning instrument is
 // sighted where
 //
-//   sin e = (u + sin c sin i)/(cos c cos i),    a = atan2(r, f) ± atan2(sin c cos i + cos c sin e sin i, cos
-//   c cos e)
+//   sin e = (u + sin c sin i)/(cos c cos i)
+//   a = atan2(r, f) ± atan2(sin c cos i + cos c sin e sin i, cos c cos e)
 //
-// with + in face 1. The circles read α0 + a and β0 − e of face 1, 180° and 360° away in face 2, each with its
-// eccentricity. Source: the geometry of the instrument; to first order the formulas of any textbook (δα =
-// ±c/cos e, ±i tan e).
+// with + in face 1, (r, u, f) of unit length. The circles read α0 + a and β0 − e of face 1, 180° and 360°
+// away in face 2, each with its eccentricity. Source: the geometry of the instrument; to first order the
+// formulas of any textbook (δα = ±c/cos e, ±i tan e).
 
 /// Where the arc of one position lies and how its readings are oriented.
 template <typename T>
@@ -130,18 +130,6 @@ Direction<T> circleDirection(const ErrorTerms<T>& errors, const SpacePoint<T>& t
     e -= down * errors[VerticalJump];
   }
   return {a, e};
-}
-
-/// The reading of a pointing, reduced as in a session: face 1 equivalent, from the pointing zero, right and
-/// up positive. The zero was read in face 1 with the same instrument, so what it shares with the readings
-/// cancels.
-template <typename T>
-Direction<T> observe(const ErrorTerms<T>& errors, const ArcPose<T>& arc, const T& distance, const T& phi,
-                     const Pointing& pointing, const Pointing& zeroPointing) {
-  const Direction<T> sighted =
-      circleDirection(errors, targetAt(errors, arc, distance, phi, pointing.axisDeg), pointing);
-  const Direction<T> zero = circleDirection(errors, SpacePoint<T>{T(0), T(0), T(-distance)}, zeroPointing);
-  return {sighted.a - zero.a - arc.horizontalZero, sighted.e - zero.e + arc.verticalZero};
 }
 
 /// The slider reading at arc angle φ, rad.
