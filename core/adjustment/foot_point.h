@@ -21,12 +21,6 @@ struct Whitening {
   double horizontal = 0, vertical = 0;
 };
 
-/// One visit as the fit sees it: the mean of its rows, |a|, |e| < 90°, radians.
-struct VisitMean {
-  Direction<double> direction;
-  int rows = 1;
-};
-
 struct FootPoint {
   double phi = 0;                  ///< radians
   Direction<double> adjusted;      ///< what a perfect instrument reads there, radians

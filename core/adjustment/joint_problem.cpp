@@ -113,7 +113,6 @@ JointProblem::JetState JointProblem::jetsOf(const JointState& state, std::size_t
 
 Pointing JointProblem::zeroPointing(const ArcMeasurement& arc) const {
   Pointing pointing;
-  pointing.axisDeg = arc.axisDeg;
   pointing.horizontalZero = arc.zeroHorizontal.radians();
   pointing.verticalZero = arc.zeroVertical.radians();
   pointing.circle = m_measurement.verticalCircle;

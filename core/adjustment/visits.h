@@ -3,9 +3,16 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/adjustment/foot_point.h"
+#include "core/observation/perfect_theodolite.h"
+#include "core/session/measurement.h"
 
 namespace alidade {
+
+/// The mean of a visit's rows, |a|, |e| < 90°, radians.
+struct VisitMean {
+  Direction<double> direction;
+  int rows = 1;
+};
 
 /// The rows of one visit (same round and point): the slider stood still, so they share one arc angle.
 struct Visit {

@@ -41,7 +41,6 @@ struct ArcPose {
 
 /// What is known beforehand about one pointing: everything but the unknowns of the fit.
 struct Pointing {
-  int axisDeg = 0;
   int face = 1;
   double elapsed = 0;         ///< share of the session gone by when it was taken, 0…1
   bool afterJump = false;     ///< taken after the orientation stepped

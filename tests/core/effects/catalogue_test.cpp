@@ -22,19 +22,19 @@ ErrorTerms<double> with(ErrorTerm term, double size) {
   return errors;
 }
 
-Pointing pointing(int face, int axisDeg = 0) {
+Pointing pointing(int face) {
   Pointing p;
   p.face = face;
-  p.axisDeg = axisDeg;
   p.elapsed = 0.7;
   p.horizontalZero = 0.4;
   p.verticalZero = std::numbers::pi / 2 + 1e-5;
   return p;
 }
 
-Direction<double> readAt(const ErrorTerms<double>& errors, const Pointing& p, double phi = 1.1) {
+Direction<double> readAt(const ErrorTerms<double>& errors, const Pointing& p, double phi = 1.1,
+                         int axisDeg = 0) {
   const ArcPose<double> arc{1, -2, 400, 0, 0, 0};
-  return circleDirection(errors, targetAt(errors, arc, 2405.0, phi, p.axisDeg), p);
+  return circleDirection(errors, targetAt(errors, arc, 2405.0, phi, axisDeg), p);
 }
 
 class EffectTest : public testing::TestWithParam<EffectParameter> {};
@@ -54,9 +54,9 @@ TEST_P(EffectTest, ChangesSignWithItsSize) {
   const double size = 1e-3 * GetParam().plausible * modelUnitsPer(GetParam().unit);
   for (const int axisDeg : {0, 180}) {
     const double phi = axisDeg == 0 ? 1.1 : -1.1;
-    const auto none = readAt({}, pointing(2, axisDeg), phi);
-    const auto plus = readAt(with(GetParam().term, size), pointing(2, axisDeg), phi);
-    const auto minus = readAt(with(GetParam().term, -size), pointing(2, axisDeg), phi);
+    const auto none = readAt({}, pointing(2), phi, axisDeg);
+    const auto plus = readAt(with(GetParam().term, size), pointing(2), phi, axisDeg);
+    const auto minus = readAt(with(GetParam().term, -size), pointing(2), phi, axisDeg);
     const double change = std::hypot(plus.a - minus.a, plus.e - minus.e);
     EXPECT_NEAR(plus.a + minus.a - 2 * none.a, 0, 1e-3 * change + 1e-15);
     EXPECT_NEAR(plus.e + minus.e - 2 * none.e, 0, 1e-3 * change + 1e-15);
