@@ -139,13 +139,16 @@ void fillReadings(JointFit& fit, const Measurement& measurement, const JointProb
     const VisitEquations equations = problem.equationsOf(state, v);
     ArcMisfit& misfit = fit.misfits[problem.visits()[v].arc];
     misfit.chiSquare += equations.residual.squaredNorm();
-    misfit.degreesOfFreedom += static_cast<int>(equations.residual.size()) - 1;
+    misfit.degreesOfFreedom -= equations.along.isZero(0) ? 0 : 1;
     for (Index row = 0; row < equations.residual.size(); ++row) {
       const VectorXd reduced = problem.spread(JointProblem::reduced(equations, row), problem.visits()[v].arc)
                                    .head(cofactor.rows());
       AdjustedReading reading = readingAt(measurement, problem.visits()[v], row);
       reading.residual = equations.residual[row] * reading.sigma;
-      reading.redundancy = 1 - equations.along[row] * equations.along[row] - reduced.dot(cofactor * reduced);
+      const bool takesPart = !equations.jacobian.row(row).isZero(0);
+      misfit.degreesOfFreedom += takesPart ? 1 : 0;
+      reading.redundancy =
+          (takesPart ? 1 : 0) - equations.along[row] * equations.along[row] - reduced.dot(cofactor * reduced);
       reading.perReading = gradient.dot(reduced) / reading.sigma;
       fit.readings.push_back(reading);
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "core/adjustment/square_matrix.h"
@@ -44,6 +45,15 @@ struct EstimatedTerm {
 
 enum class ReadingKind { Horizontal, Vertical, Slider };
 
+/// Which reading of a measurement is meant.
+struct ReadingRef {
+  std::size_t arc = 0;       ///< index into the measurement's arcs
+  std::size_t sighting = 0;  ///< index into the arc's sightings
+  ReadingKind kind = ReadingKind::Horizontal;
+
+  bool operator==(const ReadingRef&) const = default;
+};
+
 /// One reading after the adjustment.
 struct AdjustedReading {
   std::size_t arc = 0;       ///< index into the measurement's arcs
@@ -64,6 +74,11 @@ struct ArcMisfit {
 struct JointFitOptions {
   /// Each term at most once.
   std::vector<EstimatedTerm> terms = {};
+  /// `Sighting::sequence` of the first row after the orientation stepped; the terms of a jump act from there.
+  std::optional<std::size_t> jumpBefore = {};
+  /// Readings that take no part: they get no weight, a residual of 0 and a redundancy of 0. The slider
+  /// reading of a visit is that of its first row which has one.
+  std::vector<ReadingRef> without = {};
   int maximumIterations = 60;
   /// Converged when the next step is shorter than this many standard deviations of the result.
   double tolerance = 1e-9;

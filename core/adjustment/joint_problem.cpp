@@ -24,7 +24,10 @@ const Sighting* sliderOf(const ArcMeasurement& arc, const Visit& visit) {
 }  // namespace
 
 JointProblem::JointProblem(const Measurement& measurement, const JointFitOptions& options)
-    : m_measurement(measurement), m_terms(options.terms) {
+    : m_measurement(measurement),
+      m_terms(options.terms),
+      m_jumpBefore(options.jumpBefore),
+      m_without(options.without) {
   for (std::size_t arc = 0; arc < measurement.arcs.size(); ++arc) {
     addArc(arc);
     for (Visit& visit : visitsOf(measurement.arcs[arc])) {
@@ -125,7 +128,12 @@ Pointing JointProblem::pointingOf(const ArcMeasurement& arc, const Sighting& sig
   pointing.face = sighting.face;
   if (m_measurement.rows > 1)
     pointing.elapsed = static_cast<double>(sighting.sequence) / static_cast<double>(m_measurement.rows - 1);
+  pointing.afterJump = m_jumpBefore && sighting.sequence >= *m_jumpBefore;
   return pointing;
+}
+
+bool JointProblem::takesPart(std::size_t arc, std::size_t sighting, ReadingKind kind) const {
+  return std::ranges::find(m_without, ReadingRef{arc, sighting, kind}) == m_without.end();
 }
 
 VisitEquations JointProblem::equationsOf(const JointState& state, std::size_t visitIndex) const {
@@ -142,22 +150,26 @@ VisitEquations JointProblem::equationsOf(const JointState& state, std::size_t vi
   equations.residual.resize(rows);
   equations.jacobian.resize(rows, slots());
   Index row = 0;
-  const auto put = [&](double difference, const Jet& model, double sigma) {
-    equations.residual[row] = difference / sigma;
-    equations.jacobian.row(row++) = model.derivatives().transpose() / sigma;
+  const auto put = [&](double difference, const Jet& model, double sigma, bool takesPart) {
+    const double weight = takesPart ? 1 / sigma : 0;
+    equations.residual[row] = difference * weight;
+    equations.jacobian.row(row++) = model.derivatives().transpose() * weight;
   };
   for (const std::size_t i : visit.sightings) {
     const Sighting& sighting = arc.sightings[i];
     const Direction<Jet> sighted = circleDirection(jets.errors, target, pointingOf(arc, sighting));
     const Jet a = sighted.a - zero.a - jets.pose.horizontalZero,
               e = sighted.e - zero.e + jets.pose.verticalZero;
-    put(sighting.a.radians() - a.value(), a, m_measurement.sigmaHorizontal.radians());
-    put(sighting.e.radians() - e.value(), e, m_measurement.sigmaVertical.radians());
+    put(sighting.a.radians() - a.value(), a, m_measurement.sigmaHorizontal.radians(),
+        takesPart(arcIndex, i, ReadingKind::Horizontal));
+    put(sighting.e.radians() - e.value(), e, m_measurement.sigmaVertical.radians(),
+        takesPart(arcIndex, i, ReadingKind::Vertical));
   }
   if (slider) {
     const Jet s = observeSlider(jets.errors, jets.pose, jets.phi, arc.axisDeg);
     put(wrapped(*slider->slider - Angle::fromRadians(s.value())).radians(), s,
-        m_measurement.sigmaSlider.radians());
+        m_measurement.sigmaSlider.radians(),
+        takesPart(arcIndex, static_cast<std::size_t>(slider - arc.sightings.data()), ReadingKind::Slider));
   }
   equations.along = equations.jacobian.col(phiSlot).normalized();
   return equations;
@@ -216,7 +228,9 @@ JointState JointProblem::moved(const JointState& state, const VectorXd& step) co
     for (std::size_t slot = 0; slot < static_cast<std::size_t>(slots()); ++slot)
       if (map[slot] >= 0 && map[slot] < step.size())
         residual -= equations.jacobian.col(static_cast<Index>(slot)) * step[map[slot]];
-    const double turn = equations.along.dot(residual) / equations.jacobian.col(phiSlot).norm();
+    const double length = equations.jacobian.col(phiSlot).norm();
+    if (length == 0) continue;  // nothing of this visit takes part
+    const double turn = equations.along.dot(residual) / length;
     result.arcAngles[static_cast<Index>(v)] += std::clamp(turn, -largestTurn, largestTurn);
   }
   return result;

@@ -90,9 +90,12 @@ class JointProblem {
   JetState jetsOf(const JointState& state, std::size_t visit) const;
   Pointing zeroPointing(const ArcMeasurement& arc) const;
   Pointing pointingOf(const ArcMeasurement& arc, const Sighting& sighting) const;
+  bool takesPart(std::size_t arc, std::size_t sighting, ReadingKind kind) const;
 
   const Measurement& m_measurement;
   std::vector<EstimatedTerm> m_terms;
+  std::optional<std::size_t> m_jumpBefore;
+  std::vector<ReadingRef> m_without;
   std::vector<Unknown> m_estimated, m_considered;
   std::vector<double> m_priorSigmas, m_consideredSigmas;
   std::vector<VisitOfArc> m_visits;

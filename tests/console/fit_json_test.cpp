@@ -210,7 +210,7 @@ TEST(FitJson, ListsTheReliabilityOfEveryReading) {
 
 // A session of an independent ray tracer, whose trunnion axis is tilted by −143.457″.
 TEST(FitJson, EstimatesTheEffectsThatTheModelNames) {
-  std::ifstream file(std::string(ALIDADE_REFERENCE_DIR) + "/trials/290231.alidade");
+  std::ifstream file(std::string(ALIDADE_REFERENCE_DIR) + "/trials/sessions/290231.alidade");
   Json session = Json::parse(file);
   session["model"] = {{"effects", {"trunnion_tilt"}}};
   const TemporaryFolder folder;

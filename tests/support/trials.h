@@ -26,7 +26,7 @@ inline std::vector<Trial> trials() {
   std::vector<Trial> all;
   const nlohmann::json truths = nlohmann::json::parse(file);
   for (const auto& [id, truth] : truths.items()) {
-    const Result<Session> session = loadSession(folder + id + ".alidade");
+    const Result<Session> session = loadSession(folder + "sessions/" + id + ".alidade");
     if (!session) throw std::runtime_error(session.problem().text());
     all.push_back({id, truth.at("kind"), truth.at("protocol"), truth.at("intersection_mm"),
                    truth.at("effects"), measurementOf(*session)});

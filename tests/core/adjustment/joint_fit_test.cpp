@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "core/adjustment/arc_fit.h"
 #include "core/base/statistics.h"
@@ -137,6 +138,42 @@ TEST(JointFit, SliderReadingsFixPlacesAlongTheArc) {
             without.cofactor(without.indexOf(height), without.indexOf(height)) / 2);
   // 17 more readings and one more unknown in each position.
   EXPECT_EQ(with.degreesOfFreedom - without.degreesOfFreedom, 2 * (17 - 1));
+}
+
+// A reading that takes no part can be off by any amount, and is no longer counted.
+TEST(JointFit, LeavesReadingsOutThatTakeNoPart) {
+  const Measurement good = test::trialMeasurement("full");
+  Measurement bad = good;
+  Angle& reading = bad.arcs[1].sightings[9].e;
+  reading = reading + Angle::fromDegrees(1);
+  const JointFitOptions options{.without = {{1, 9, ReadingKind::Vertical}}};
+  const JointFit fromGood = fitted(good, options), fromBad = fitJointly(bad, startsOf(good), options);
+  ASSERT_TRUE(fromGood.converged && fromBad.converged);
+  EXPECT_EQ(fromGood.degreesOfFreedom, fitted(good).degreesOfFreedom - 1);
+  for (std::size_t i = 0; i < fromGood.values.size(); ++i)
+    EXPECT_NEAR(fromBad.values[i], fromGood.values[i], 1e-9);  // mm, rad: both converged that far
+}
+
+// The ray tracer knocked the tripod at a moment it tells; with the step put there, noise is left over.
+TEST(JointFit, FindsTheStepOfAKnockedTripod) {
+  for (const test::Trial& trial : test::trials()) {
+    if (trial.kind != "orientation_jump") continue;
+    const double infinite = std::numeric_limits<double>::infinity();
+    const auto moment = static_cast<std::size_t>(std::ceil(trial.effects.at("jump")[0].get<double>() *
+                                                           static_cast<double>(trial.measurement.rows - 1)));
+    const JointFit fit =
+        fitted(trial.measurement,
+               {.terms = {{ErrorTerm::HorizontalJump, infinite}, {ErrorTerm::VerticalJump, infinite}},
+                .jumpBefore = moment});
+    ASSERT_TRUE(fit.converged);
+    EXPECT_GT(chiSquareUpperTail(fit.chiSquare, fit.degreesOfFreedom), 0.001) << trial.id;
+    for (const auto& [term, size] : {std::pair{ErrorTerm::HorizontalJump, 1}, {ErrorTerm::VerticalJump, 2}}) {
+      const std::size_t i = fit.indexOf({.kind = Unknown::Kind::Error, .arc = 0, .term = term});
+      const double arcsec = Angle::fromRadians(fit.values[i]).arcseconds();
+      const double sigma = Angle::fromRadians(std::sqrt(fit.cofactor(i, i))).arcseconds();
+      EXPECT_NEAR(arcsec, trial.effects.at("jump")[size].get<double>(), 4 * sigma) << trial.id;
+    }
+  }
 }
 
 }  // namespace

@@ -148,7 +148,7 @@ INSTANTIATE_TEST_SUITE_P(Elevation, Reduced,
                                          Reduction{"elevation", "10°", "1°", "195°", "182°", "2", 5, -3}));
 
 TEST(Measurement, BothFacesOfOnePlaceReduceToTheSameDirection) {
-  const auto session = loadSession(ALIDADE_REFERENCE_DIR "/trials/505499.alidade");
+  const auto session = loadSession(ALIDADE_REFERENCE_DIR "/trials/sessions/505499.alidade");
   ASSERT_TRUE(session) << session.problem().text();
   const Examined examined = examine(*session);
   ASSERT_TRUE(examined.problems.empty()) << examined.problems[0].text();
@@ -331,7 +331,8 @@ TEST(Measurement, NoticesEffectsThatTheFitsDoNotEstimate) {
 TEST(Measurement, EverySampleAndReferenceSessionIsSound) {
   for (const char* file :
        {ALIDADE_SAMPLES_DIR "/paper-table-1.alidade", ALIDADE_SAMPLES_DIR "/clean-session.alidade",
-        ALIDADE_REFERENCE_DIR "/trials/566796.alidade", ALIDADE_REFERENCE_DIR "/trials/827247.alidade"}) {
+        ALIDADE_REFERENCE_DIR "/trials/sessions/566796.alidade",
+        ALIDADE_REFERENCE_DIR "/trials/sessions/827247.alidade"}) {
     const auto session = loadSession(file);
     ASSERT_TRUE(session) << session.problem().text();
     const Examined examined = examine(*session);

@@ -97,7 +97,7 @@ TEST(SessionFile, ReadsEveryKey) {
 
 TEST(SessionFile, LosesNothingOnEverySampleAndReferenceSession) {
   int count = 0;
-  for (const char* folder : {ALIDADE_SAMPLES_DIR, ALIDADE_REFERENCE_DIR "/trials"}) {
+  for (const char* folder : {ALIDADE_SAMPLES_DIR, ALIDADE_REFERENCE_DIR "/trials/sessions"}) {
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
       if (entry.path().extension() != ".alidade") continue;
       SCOPED_TRACE(entry.path().string());

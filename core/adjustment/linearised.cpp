@@ -1,0 +1,96 @@
+#include "core/adjustment/linearised.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "core/adjustment/joint_problem.h"
+
+namespace alidade {
+
+namespace {
+
+using Eigen::Index;
+
+/// Every term of the model: those of the fit as it found them, all others at zero.
+JointFitOptions withEveryTerm(JointFitOptions options) {
+  for (std::size_t t = 0; t < errorTermCount; ++t) {
+    const auto term = static_cast<ErrorTerm>(t);
+    if (std::ranges::find(options.terms, term, &EstimatedTerm::term) == options.terms.end())
+      options.terms.push_back({term, std::numeric_limits<double>::infinity()});
+  }
+  if (!options.jumpBefore) options.jumpBefore = 0;
+  return options;
+}
+
+JointState stateOf(const JointFit& fit, const JointProblem& problem) {
+  const auto unknowns = static_cast<Index>(problem.estimated().size() + problem.considered().size());
+  JointState state{Eigen::VectorXd::Zero(unknowns),
+                   Eigen::VectorXd::Zero(static_cast<Index>(problem.visits().size()))};
+  for (std::size_t i = 0; i < problem.estimated().size(); ++i) {
+    const std::size_t found = fit.indexOf(problem.estimated()[i]);
+    if (found < fit.values.size()) state.unknowns[static_cast<Index>(i)] = fit.values[found];
+  }
+  for (std::size_t v = 0; v < problem.visits().size(); ++v) {
+    const VisitOfArc& visit = problem.visits()[v];
+    state.arcAngles[static_cast<Index>(v)] = fit.arcAngles[visit.arc][visit.visit.sightings.front()];
+  }
+  return state;
+}
+
+/// The unknown behind each slot that is no error term, by index into `unknowns`; −1 for none.
+std::array<int, firstTermSlot> unknownsOfSlots(const std::vector<Unknown>& unknowns, std::size_t arc) {
+  std::array<int, firstTermSlot> slots;
+  slots.fill(-1);
+  for (std::size_t i = 0; i < unknowns.size(); ++i) {
+    const Unknown& unknown = unknowns[i];
+    if (unknown.kind == Unknown::Kind::Distance)
+      slots[distanceSlot] = static_cast<int>(i);
+    else if (unknown.arc == arc)
+      slots[static_cast<std::size_t>(unknown.kind)] = static_cast<int>(i);
+  }
+  return slots;
+}
+
+}  // namespace
+
+Linearised linearise(const Measurement& measurement, const JointFit& fit, const JointFitOptions& options) {
+  const JointFitOptions everyTerm = withEveryTerm(options);
+  const JointProblem problem(measurement, everyTerm);
+  const JointState state = stateOf(fit, problem);
+  Linearised result;
+  result.visits = problem.visits().size();
+  for (const Unknown& unknown : problem.estimated()) {
+    if (unknown.kind == Unknown::Kind::Error) continue;
+    result.unknowns.push_back(unknown);
+    result.priorSigmas.push_back(std::numeric_limits<double>::infinity());
+  }
+  for (std::size_t i = 0; i < problem.considered().size(); ++i) {
+    result.unknowns.push_back(problem.considered()[i]);
+    result.priorSigmas.push_back(problem.consideredSigma(i));
+  }
+  std::vector<std::array<int, firstTermSlot>> slots;
+  for (std::size_t arc = 0; arc < measurement.arcs.size(); ++arc)
+    slots.push_back(unknownsOfSlots(result.unknowns, arc));
+  result.perUnknown.assign(fit.readings.size() * result.unknowns.size(), 0);
+  result.perTerm.assign(fit.readings.size() * errorTermCount, 0);
+  for (std::size_t v = 0; v < result.visits; ++v) {
+    const VisitEquations equations = problem.equationsOf(state, v);
+    const std::size_t arc = problem.visits()[v].arc;
+    for (Index row = 0; row < equations.residual.size(); ++row) {
+      const std::size_t i = result.readings.size();
+      const AdjustedReading& reading = fit.readings[i];
+      result.readings.push_back({arc, reading.sighting, v, reading.kind, reading.sigma,
+                                 equations.residual[row], equations.along[row]});
+      for (std::size_t slot = 0; slot < firstTermSlot; ++slot)
+        if (slots[arc][slot] >= 0)
+          result.perUnknown[i * result.unknowns.size() + static_cast<std::size_t>(slots[arc][slot])] =
+              equations.jacobian(row, static_cast<Index>(slot));
+      for (std::size_t t = 0; t < everyTerm.terms.size(); ++t)
+        result.perTerm[i * errorTermCount + static_cast<std::size_t>(everyTerm.terms[t].term)] =
+            equations.jacobian(row, static_cast<Index>(firstTermSlot + t));
+    }
+  }
+  return result;
+}
+
+}  // namespace alidade

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/adjustment/joint_fit.h"
+#include "core/session/measurement.h"
+
+namespace alidade {
+
+// The equations of a finished adjustment at its solution, for everything that asks "what would the readings
+// look like if …" without fitting anew: small changes of the unknowns, of the pointing zeros, and of every
+// error term of the forward model, whether or not the fit estimated it.
+
+/// One circle or slider reading, as in `JointFit::readings`.
+struct LinearReading {
+  std::size_t arc = 0;       ///< index into the measurement's arcs
+  std::size_t sighting = 0;  ///< index into the arc's sightings
+  std::size_t visit = 0;     ///< readings of one visit share their arc angle
+  ReadingKind kind = ReadingKind::Horizontal;
+  double sigma = 0;     ///< stated, rad
+  double residual = 0;  ///< (observed − adjusted)/σ
+  double along = 0;     ///< (∂reading/∂φ)/σ, scaled to unit length over the visit
+};
+
+/// Whitened: everything is in units of the stated σ of the reading.
+struct Linearised {
+  std::vector<LinearReading> readings;  ///< visit after visit
+  std::size_t visits = 0;
+  std::vector<Unknown> unknowns;  ///< circles, slider zeros, pointing zeros and distance; no error terms
+  /// Of each unknown before the readings: infinite for those the fit estimates freely, the stated σ of the
+  /// considered ones. mm or rad.
+  std::vector<double> priorSigmas;
+  /// (∂reading/∂unknown)/σ, readings × unknowns, row by row.
+  std::vector<double> perUnknown;
+  /// (∂reading/∂term)/σ, readings × errorTermCount, row by row: rad, mm or 1 per unit of the term. The terms
+  /// of a jump as if it had come before every reading.
+  std::vector<double> perTerm;
+
+  double ofUnknown(std::size_t reading, std::size_t unknown) const {
+    return perUnknown[reading * unknowns.size() + unknown];
+  }
+  double ofTerm(std::size_t reading, ErrorTerm term) const {
+    return perTerm[reading * errorTermCount + static_cast<std::size_t>(term)];
+  }
+};
+
+/// `fit` is what `fitJointly` made of `measurement` with `options`.
+Linearised linearise(const Measurement& measurement, const JointFit& fit,
+                     const JointFitOptions& options = {});
+
+}  // namespace alidade
