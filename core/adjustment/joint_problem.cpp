@@ -120,14 +120,16 @@ Pointing JointProblem::zeroPointing(const ArcMeasurement& arc) const {
   pointing.verticalZero = arc.zeroVertical.radians();
   pointing.circle = m_measurement.verticalCircle;
   pointing.relation = m_measurement.relation;
+  pointing.elapsed = midSession;
   return pointing;
 }
 
 Pointing JointProblem::pointingOf(const ArcMeasurement& arc, const Sighting& sighting) const {
   Pointing pointing = zeroPointing(arc);
   pointing.face = sighting.face;
-  if (m_measurement.rows > 1)
-    pointing.elapsed = static_cast<double>(sighting.sequence) / static_cast<double>(m_measurement.rows - 1);
+  pointing.elapsed = m_measurement.rows > 1 ? static_cast<double>(sighting.sequence) /
+                                                  static_cast<double>(m_measurement.rows - 1)
+                                            : 0;
   pointing.afterJump = m_jumpBefore && sighting.sequence >= *m_jumpBefore;
   return pointing;
 }

@@ -39,6 +39,9 @@ struct ArcPose {
   T sliderZero;      ///< slider reading at s = 0, rad
 };
 
+/// When a pointing zero counts as taken, as far as drift goes: the middle of the session, in both positions.
+inline constexpr double midSession = 0.5;
+
 /// What is known beforehand about one pointing: everything but the unknowns of the fit.
 struct Pointing {
   int face = 1;
