@@ -1,0 +1,30 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace alidade {
+
+/// Random numbers that are the same on every machine and however the work is shared out: every piece of work
+/// takes a stream of its own, named by a seed and a number. xoshiro256++ (Blackman and Vigna, "Scrambled
+/// linear pseudorandom number generators", 2021), seeded through SplitMix64. A normal number is the normal
+/// quantile of a uniform one (Wichura, algorithm AS 241, 1988), not std::normal_distribution, whose
+/// algorithm every library chooses for itself.
+class RandomSource {
+ public:
+  explicit RandomSource(std::uint64_t seed, std::uint64_t stream = 0);
+
+  std::uint64_t bits();
+  double uniform();                         ///< in (0, 1), a multiple of 2⁻⁵³ plus 2⁻⁵⁴
+  double uniform(double low, double high);  ///< in (low, high)
+  double normal();                          ///< mean 0, standard deviation 1
+  int whole(int low, int high);             ///< low…high, both included, each as likely
+
+ private:
+  std::array<std::uint64_t, 4> m_state;
+};
+
+/// z with Φ(z) = `probability` in (0, 1); relative error about 1e-16.
+double normalQuantile(double probability);
+
+}  // namespace alidade
