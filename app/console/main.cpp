@@ -6,6 +6,7 @@
 
 #include "app/console/channels.h"
 #include "app/console/fit_command.h"
+#include "app/console/simulate_command.h"
 
 namespace {
 
@@ -17,12 +18,18 @@ std::string callProblem(const CLI::App& app, const CLI::ParseError& error) {
   return "there is no subcommand or option “" + unknown.front() + "”";
 }
 
+int give(const alidade::Result<std::string>& answer, const std::string& subject) {
+  return answer ? writeResult(*answer) : refuse(subject, answer.problem().text());
+}
+
 int run(int argc, char** argv) {
   CLI::App app("Intersection of rotatable arc guideways from theodolite readings.", "alidade-cli");
   app.set_version_flag("--version", "alidade-cli " ALIDADE_VERSION);
   app.require_subcommand(1);
   FitRequest fitRequest;
   addFitCommand(app, fitRequest);
+  SimulateRequest simulateRequest;
+  addSimulateCommand(app, simulateRequest);
   app.footer("Exit codes: 0 done, 2 bad input or call, 1 anything else.");
 
   try {
@@ -35,8 +42,8 @@ int run(int argc, char** argv) {
     return refuse("alidade-cli", callProblem(app, error) + ". `alidade-cli --help` lists what can be asked.");
   }
 
-  const alidade::Result<std::string> answer = runFit(fitRequest);
-  return answer ? writeResult(*answer) : refuse(inputName(fitRequest.file), answer.problem().text());
+  if (app.got_subcommand("simulate")) return give(runSimulate(simulateRequest), "alidade-cli");
+  return give(runFit(fitRequest), inputName(fitRequest.file));
 }
 
 }  // namespace

@@ -16,6 +16,7 @@ struct Trial {
   std::string id, kind, protocol;
   double intersection = 0;  ///< true Δd, mm
   nlohmann::json effects;   ///< true sizes: arcsec, mm, deg
+  nlohmann::json truth;     ///< all that is known of it
   Measurement measurement;
 };
 
@@ -29,7 +30,7 @@ inline std::vector<Trial> trials() {
     const Result<Session> session = loadSession(folder + "sessions/" + id + ".alidade");
     if (!session) throw std::runtime_error(session.problem().text());
     all.push_back({id, truth.at("kind"), truth.at("protocol"), truth.at("intersection_mm"),
-                   truth.at("effects"), measurementOf(*session)});
+                   truth.at("effects"), truth, measurementOf(*session)});
   }
   return all;
 }

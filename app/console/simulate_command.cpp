@@ -1,0 +1,147 @@
+#include "app/console/simulate_command.h"
+
+#include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+#include "core/session/session_file.h"
+#include "core/simulation/protocol.h"
+#include "core/simulation/simulate.h"
+#include "core/simulation/truth_text.h"
+
+namespace alidade::console {
+
+namespace {
+
+constexpr double longestMm = 1e6, largestArcsec = 3600;
+constexpr int mostPoints = 100000, mostRounds = 1000;
+
+std::optional<Problem> writeFile(const std::string& path, const std::string& text) {
+  errno = 0;
+  std::ofstream file(path, std::ios::binary);
+  file << text;
+  file.close();
+  if (file) return std::nullopt;
+  return Problem{path + " cannot be written (" + std::strerror(errno) + "): choose another name or folder"};
+}
+
+std::vector<std::string> protocolNames() {
+  std::vector<std::string> names;
+  for (const Protocol& protocol : namedProtocols()) names.push_back(protocol.name);
+  return names;
+}
+
+std::string footer() {
+  std::string text = "Protocols:\n";
+  for (const Protocol& protocol : namedProtocols())
+    text += "  " + protocol.name + ": " + protocol.description + "\n";
+  return text + "Effects:\n" + effectNames() +
+         "Where an effect has several sizes, one can be given by the last word of its name: "
+         "plane_tilt.x=0.3.";
+}
+
+void setIf(double& value, const std::optional<double>& asked) {
+  if (asked) value = *asked;
+}
+
+void setIf(Angle& value, const std::optional<double>& arcseconds) {
+  if (arcseconds) value = Angle::fromArcseconds(*arcseconds);
+}
+
+Truth truthOf(const SimulateRequest& request) {
+  Truth truth = drawTruth(request.seed);
+  truth.protocol = request.protocol;
+  setIf(truth.intersection, request.intersection);
+  setIf(truth.centreX, request.centreX);
+  setIf(truth.axisHeight, request.axisHeight);
+  setIf(truth.radius, request.radius);
+  setIf(truth.distance, request.distance);
+  setIf(truth.nominalRadius, request.nominalRadius);
+  setIf(truth.sigmaDistance, request.sigmaDistance);
+  setIf(truth.sigmaHorizontal, request.sigma);
+  setIf(truth.sigmaVertical, request.sigma);
+  setIf(truth.sigmaZero, request.sigmaZero ? request.sigmaZero : request.sigma);
+  setIf(truth.sigmaSlider, request.sigmaSlider);
+  setIf(truth.typingStep, request.typingStep);
+  if (request.verticalCircle == "elevation") {
+    truth.verticalCircle = VerticalCircle::Elevation;
+    truth.verticalZero = Angle();
+  }
+  return truth;
+}
+
+/// Places spread over the same range where their number is given.
+Protocol protocolOf(const SimulateRequest& request) {
+  Protocol protocol = *protocolByName(request.protocol);
+  if (request.rounds) protocol.rounds = *request.rounds;
+  if (!request.points) return protocol;
+  const Angle range = protocol.step * (protocol.points - 1);
+  protocol.points = *request.points;
+  protocol.step = range * (1.0 / std::max(1, protocol.points - 1));
+  return protocol;
+}
+
+}  // namespace
+
+void addSimulateCommand(CLI::App& app, SimulateRequest& request) {
+  CLI::App* simulate =
+      app.add_subcommand("simulate", "A session from a known truth; the truth is kept in its own file.");
+  const CLI::Range length(1e-6, longestMm), coordinate(-longestMm, longestMm), step(1e-6, largestArcsec);
+  const CLI::Range sigma(1e-6, largestArcsec - 1), sigmaOrZero(0.0, largestArcsec - 1);
+  simulate->add_option("--out", request.out, "Session file to write (*.alidade)")->required();
+  simulate->add_option("--truth", request.truth, "Truth file to write (JSON)")->required();
+  simulate->add_option("--seed", request.seed, "Whole number that fixes everything drawn")
+      ->capture_default_str();
+  simulate->add_option("--protocol", request.protocol, "Plan of readings")
+      ->check(CLI::IsMember(protocolNames()))
+      ->capture_default_str();
+  simulate->add_option("--effect", request.effects, "NAME=VALUE of an effect to put in; may be repeated")
+      ->take_all()
+      ->expected(1);
+  simulate->add_option("--points", request.points, "Places of the slider over the protocol's range")
+      ->check(CLI::Range(1, mostPoints));
+  simulate->add_option("--rounds", request.rounds, "Rounds, there and back in turn")
+      ->check(CLI::Range(1, mostRounds));
+  simulate->add_option("--intersection", request.intersection, "True Δd, mm; drawn if not given")
+      ->check(coordinate);
+  simulate->add_option("--centre-x", request.centreX, "True Δx of both positions, mm")->check(coordinate);
+  simulate->add_option("--axis-height", request.axisHeight, "True height of the axis, mm")->check(coordinate);
+  simulate->add_option("--radius", request.radius, "True radius, mm")->check(length);
+  simulate->add_option("--nominal-radius", request.nominalRadius, "Nominal radius, mm; 400 if not given")
+      ->check(length);
+  simulate->add_option("--distance", request.distance, "True distance to the arc plane, mm; else 2405")
+      ->check(length);
+  simulate->add_option("--sigma-distance", request.sigmaDistance, "σ of the distance stated, mm; else 0")
+      ->check(CLI::Range(0.0, longestMm - 1));
+  simulate->add_option("--sigma", request.sigma, "Stated σ of both circles, arcsec; else 2")->check(sigma);
+  simulate->add_option("--sigma-zero", request.sigmaZero, "σ of the pointing zeros, arcsec; else as --sigma")
+      ->check(sigmaOrZero);
+  simulate->add_option("--sigma-slider", request.sigmaSlider, "σ of the slider, arcsec; else 5")
+      ->check(sigma);
+  simulate->add_option("--typing-step", request.typingStep, "Readings are rounded to this, arcsec; else 0.1")
+      ->check(step);
+  simulate->add_option("--vertical-circle", request.verticalCircle, "zenith or elevation")
+      ->check(CLI::IsMember({"zenith", "elevation"}))
+      ->capture_default_str();
+  simulate->footer(footer());
+}
+
+Result<std::string> runSimulate(const SimulateRequest& request) {
+  if (request.out == request.truth) return Problem{"--out and --truth name the same file: give each its own"};
+  Truth truth = truthOf(request);
+  for (const std::string& effect : request.effects)
+    if (auto problem = addEffect(truth, effect)) return *std::move(problem);
+  Result<Session> session = simulate(protocolOf(request), truth, request.seed);
+  if (!session) return session.problem();
+  const std::string id = std::filesystem::path(request.out).stem().string();
+  if (auto problem = writeFile(request.out, writeSession(*session))) return *std::move(problem);
+  if (auto problem = writeFile(request.truth, truthJson(id, truth))) return *std::move(problem);
+  std::size_t rows = 0;
+  for (const Position& position : session->positions) rows += position.readings.size();
+  return request.out + ": " + std::to_string(rows) + " rows by protocol " + request.protocol +
+         "; the truth is in " + request.truth + "\n";
+}
+
+}  // namespace alidade::console

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/angle.h"
+
+namespace alidade {
+
+/// Which faces are read.
+enum class FacePlan {
+  FaceOne,
+  BothAtEachPlace,  ///< face 1, then face 2, while the slider stands still
+  Alternating,      ///< odd rounds in face 1, even rounds in face 2
+};
+
+/// A plan of readings: what is read, how often and in which order.
+///
+/// In each position the slider runs through its places there in odd rounds and back in even ones. The
+/// position at 0° is taken first.
+struct Protocol {
+  std::string name;
+  std::string description;
+  int points = 17;                       ///< places of the slider in a round, ≥ 1
+  Angle first = Angle::fromDegrees(10);  ///< slider coordinate of the first place
+  Angle step = Angle::fromDegrees(10);   ///< from place to place
+  int rounds = 1;                        ///< ≥ 1
+  FacePlan faces = FacePlan::FaceOne;
+  bool slider = false;               ///< the slider is read, once at each place
+  std::vector<int> axes = {0, 180};  ///< positions of the axis, each 0 or 180
+  Angle circleShift = {};            ///< turn of the horizontal circle between the positions
+};
+
+/// One pointing of a protocol.
+struct PlannedRow {
+  int round = 1, point = 1, face = 1;
+
+  bool operator==(const PlannedRow&) const = default;
+};
+
+/// The rows of one position in the order in which they are taken; point 1 stands at `first`.
+std::vector<PlannedRow> plannedRows(const Protocol& protocol);
+
+/// The slider coordinate planned for a point, counted from 1.
+Angle plannedPlace(const Protocol& protocol, int point);
+
+/// The protocols known by name.
+std::span<const Protocol> namedProtocols();
+
+/// Null where no protocol has this name.
+const Protocol* protocolByName(std::string_view name);
+
+}  // namespace alidade

@@ -1,0 +1,209 @@
+#include "core/simulation/simulate.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/angle_text.h"
+#include "core/base/number_text.h"
+#include "core/base/random_source.h"
+
+namespace alidade {
+
+namespace {
+
+Angle fullTurn() {
+  return Angle::fromDegrees(360);
+}
+
+/// Decimals that show multiples of `step`: 1 for 0.1″, 0 for 5″.
+int decimalsOf(double step) {
+  int decimals = 0;
+  for (double scaled = step; decimals < 9 && std::abs(scaled - std::round(scaled)) > 1e-6; scaled *= 10)
+    ++decimals;
+  return decimals;
+}
+
+/// As an observer writes a reading down: rounded to the step.
+std::string typed(Angle angle, const Angle& step) {
+  const double steps = std::round(angle.radians() / step.radians());
+  return formatDms(step * steps, decimalsOf(step.arcseconds()), AngleSigns::Typewriter);
+}
+
+/// A circle reading: rounded, then from 0° to below 360°.
+std::string typedOnCircle(Angle angle, const Angle& step) {
+  const double steps = std::round(wrapped(angle, Angle::fromDegrees(180)).radians() / step.radians());
+  const double stepsOfTurn = std::round(fullTurn().radians() / step.radians());
+  return typed(step * (steps < stepsOfTurn ? steps : 0), step);
+}
+
+std::string rowName(const Misreading& m) {
+  return "axis " + std::to_string(m.axisDeg) + "°, round " + std::to_string(m.round) + ", point " +
+         std::to_string(m.point) + ", face " + std::to_string(m.face);
+}
+
+/// Takes the rows of a session one after the other.
+class Simulator {
+ public:
+  Simulator(const Protocol& protocol, const Truth& truth, std::uint64_t seed)
+      : m_protocol(protocol), m_truth(truth), m_random(seed), m_plan(plannedRows(protocol)) {
+    m_rows = m_plan.size() * protocol.axes.size();
+  }
+
+  Result<Session> simulate() {
+    for (const Misreading& misreading : m_truth.misreadings)
+      if (!plans(misreading))
+        return Problem{"the protocol has no row at " + rowName(misreading) + " to misread"};
+    Session session;
+    state(session);
+    for (std::size_t i = 0; i < m_protocol.axes.size(); ++i)
+      session.positions.push_back(position(m_protocol.axes[i], i));
+    const Examined examined = examine(session);
+    if (!examined.problems.empty())
+      return Problem{"these readings cannot be taken: " + examined.problems.front().text()};
+    return session;
+  }
+
+ private:
+  bool plans(const Misreading& misreading) const {
+    return std::ranges::find(m_protocol.axes, misreading.axisDeg) != m_protocol.axes.end() &&
+           std::ranges::find(m_plan, PlannedRow{misreading.round, misreading.point, misreading.face}) !=
+               m_plan.end();
+  }
+
+  void state(Session& session) {
+    const double distance = m_truth.distance + m_truth.sigmaDistance * m_random.normal();
+    const auto arcseconds = [](Angle angle) {
+      return shortestText(std::round(angle.arcseconds() * 1e6) / 1e6);
+    };
+    session.title = "Simulated session " + std::to_string(m_truth.seed);
+    session.instrument.sigmaHorizontalArcsec = arcseconds(m_truth.sigmaHorizontal);
+    session.instrument.sigmaVerticalArcsec = arcseconds(m_truth.sigmaVertical);
+    session.instrument.sigmaZeroArcsec = arcseconds(m_truth.sigmaZero);
+    if (m_protocol.slider) session.instrument.sigmaSliderArcsec = arcseconds(m_truth.sigmaSlider);
+    session.geometry.distanceMm = shortestText(std::round(distance * 1e4) / 1e4);
+    if (m_truth.sigmaDistance > 0) session.geometry.sigmaDistanceMm = shortestText(m_truth.sigmaDistance);
+    session.geometry.radiusMm = shortestText(m_truth.nominalRadius);
+    session.geometry.verticalCircle =
+        m_truth.verticalCircle == VerticalCircle::Zenith ? "zenith" : "elevation";
+  }
+
+  Position position(int axisDeg, std::size_t index) {
+    const PerfectReadings perfect(
+        m_truth, axisDeg, m_truth.horizontalZero + m_protocol.circleShift * static_cast<double>(index));
+    Position position;
+    position.axisDeg = std::to_string(axisDeg);
+    const CircleReadings zero = perfect.zero();
+    position.zero.horizontal =
+        typedOnCircle(zero.horizontal + m_truth.sigmaZero * m_random.normal(), m_truth.typingStep);
+    position.zero.vertical =
+        typedOnCircle(zero.vertical + m_truth.sigmaZero * m_random.normal(), m_truth.typingStep);
+    for (std::size_t i = 0; i < m_plan.size(); ++i) {
+      if (i == 0 || m_plan[i].point != m_plan[i - 1].point || m_plan[i].round != m_plan[i - 1].round)
+        moveSlider(perfect, m_plan[i].point);
+      position.readings.push_back(reading(perfect, axisDeg, m_plan[i]));
+    }
+    return position;
+  }
+
+  void moveSlider(const PerfectReadings& perfect, int point) {
+    m_place = plannedPlace(m_protocol, point) + m_truth.placeSpread * m_random.normal();
+    m_slider = typed(perfect.slider(m_place) + m_truth.sigmaSlider * m_random.normal(), m_truth.typingStep);
+  }
+
+  Reading reading(const PerfectReadings& perfect, int axisDeg, const PlannedRow& row) {
+    CircleReadings circles = perfect.target(m_place, row.face, moment());
+    ++m_taken;
+    const double factor = m_truth.noiseFactor;
+    circles.horizontal = circles.horizontal + m_truth.sigmaHorizontal * (factor * m_random.normal());
+    circles.vertical = circles.vertical + m_truth.sigmaVertical * (factor * m_random.normal());
+    for (const Misreading& m : m_truth.misreadings) {
+      if (m.axisDeg != axisDeg || PlannedRow{m.round, m.point, m.face} != row) continue;
+      circles.horizontal = circles.horizontal + m.horizontal;
+      circles.vertical = circles.vertical + m.vertical;
+    }
+    Reading reading;
+    reading.point = std::to_string(row.point);
+    reading.round = std::to_string(row.round);
+    reading.face = std::to_string(row.face);
+    reading.horizontal = typedOnCircle(circles.horizontal, m_truth.typingStep);
+    reading.vertical = typedOnCircle(circles.vertical, m_truth.typingStep);
+    if (m_protocol.slider) reading.slider = m_slider;
+    return reading;
+  }
+
+  Moment moment() const {
+    const double elapsed = m_rows > 1 ? static_cast<double>(m_taken) / static_cast<double>(m_rows - 1) : 0;
+    return {elapsed, m_truth.jump && elapsed >= m_truth.jump->moment};
+  }
+
+  const Protocol& m_protocol;
+  const Truth& m_truth;
+  RandomSource m_random;
+  std::vector<PlannedRow> m_plan;
+  std::size_t m_rows = 0, m_taken = 0;
+  Angle m_place;
+  std::string m_slider;
+};
+
+}  // namespace
+
+PerfectReadings::PerfectReadings(const Truth& truth, int axisDeg, Angle horizontalZero)
+    : m_truth(truth), m_errors(errorsOf(truth)), m_axisDeg(axisDeg), m_horizontalZero(horizontalZero) {
+  if (!truth.jump) return;
+  m_errors.set(ErrorTerm::HorizontalJump, truth.jump->horizontal.radians());
+  m_errors.set(ErrorTerm::VerticalJump, truth.jump->vertical.radians());
+}
+
+Pointing PerfectReadings::pointing(int face, const Moment& moment) const {
+  Pointing pointing;
+  pointing.face = face;
+  pointing.elapsed = moment.elapsed;
+  pointing.afterJump = moment.afterJump;
+  pointing.horizontalZero = m_horizontalZero.radians();
+  pointing.verticalZero = m_truth.verticalZero.radians();
+  pointing.circle = m_truth.verticalCircle;
+  return pointing;
+}
+
+ArcPose<double> PerfectReadings::poseAt(Angle s) const {
+  const double y = m_truth.axisHeight + (m_axisDeg == 0 ? 1 : -1) * m_truth.intersection;
+  double radius = m_truth.radius;
+  if (const auto& harmonic = m_truth.harmonic)
+    radius += harmonic->cosine * std::cos(harmonic->order * s.radians()) +
+              harmonic->sine * std::sin(harmonic->order * s.radians());
+  return {m_truth.centreX, y, radius, 0, 0, m_truth.sliderZero.radians()};
+}
+
+double PerfectReadings::arcAngle(Angle s) const {
+  return m_axisDeg == 0 ? s.radians() : -s.radians();
+}
+
+CircleReadings PerfectReadings::onCircles(const Direction<double>& direction, int face) const {
+  const bool zenith = m_truth.verticalCircle == VerticalCircle::Zenith;
+  const Angle e = Angle::fromRadians(direction.e);
+  const CircleReadings faceOne{m_horizontalZero + Angle::fromRadians(direction.a),
+                               zenith ? m_truth.verticalZero - e : m_truth.verticalZero + e};
+  if (face == 1) return faceOne;
+  return {faceOne.horizontal + Angle::fromDegrees(180),
+          Angle::fromDegrees(zenith ? 360 : 180) - faceOne.vertical};
+}
+
+CircleReadings PerfectReadings::zero() const {
+  const SpacePoint<double> straightAhead{0, 0, -m_truth.distance};
+  return onCircles(circleDirection(m_errors, straightAhead, pointing(1, {.elapsed = midSession})), 1);
+}
+
+CircleReadings PerfectReadings::target(Angle s, int face, const Moment& moment) const {
+  const SpacePoint<double> target = targetAt(m_errors, poseAt(s), m_truth.distance, arcAngle(s), m_axisDeg);
+  return onCircles(circleDirection(m_errors, target, pointing(face, moment)), face);
+}
+
+Angle PerfectReadings::slider(Angle s) const {
+  return Angle::fromRadians(observeSlider(m_errors, poseAt(s), arcAngle(s), m_axisDeg));
+}
+
+Result<Session> simulate(const Protocol& protocol, const Truth& truth, std::uint64_t seed) {
+  return Simulator(protocol, truth, seed).simulate();
+}
+
+}  // namespace alidade

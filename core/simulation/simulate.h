@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/base/result.h"
+#include "core/observation/observe.h"
+#include "core/session/session.h"
+#include "core/simulation/protocol.h"
+#include "core/simulation/truth.h"
+
+namespace alidade {
+
+// The situation: a theodolite and a guideway with known errors (the truth) are read by a plan (the protocol).
+// What would be read comes from the one forward model (observe.h), with white normal noise of the stated σ on
+// every reading, and is typed rounded to the truth's step. The pointing zero of each position is read before
+// its rows, in face 1, at the start of the session as far as drift and jump go: the fit takes it so, too.
+
+/// Circle readings of face `face`, unrounded, and not wrapped.
+struct CircleReadings {
+  Angle horizontal, vertical;
+};
+
+/// When a row is taken.
+struct Moment {
+  double elapsed = 0;      ///< share of the session's rows gone by, 0…1
+  bool afterJump = false;  ///< after the truth's jump
+};
+
+/// The readings of a truth without noise and misreadings, one position at a time.
+class PerfectReadings {
+ public:
+  /// `horizontalZero`: the circle's reading in the direction perpendicular to the arc plane.
+  PerfectReadings(const Truth& truth, int axisDeg, Angle horizontalZero);
+
+  CircleReadings zero() const;
+  /// With the slider at coordinate `s` (equal to φ at 0°, to −φ at 180°).
+  CircleReadings target(Angle s, int face, const Moment& moment) const;
+  Angle slider(Angle s) const;
+
+ private:
+  Pointing pointing(int face, const Moment& moment) const;
+  ArcPose<double> poseAt(Angle s) const;
+  double arcAngle(Angle s) const;
+  CircleReadings onCircles(const Direction<double>& direction, int face) const;
+
+  const Truth& m_truth;
+  ErrorTerms<double> m_errors;
+  int m_axisDeg;
+  Angle m_horizontalZero;
+};
+
+/// The session of a truth, by a protocol, with the noise of `seed`. The same seed gives the same places and
+/// the same noise whatever the truth and whether or not the slider is read. Fails, with the row, where a
+/// misreading names a row that the protocol does not have, or where a target cannot be sighted.
+Result<Session> simulate(const Protocol& protocol, const Truth& truth, std::uint64_t seed);
+
+}  // namespace alidade

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/angle.h"
+#include "core/observation/error_term.h"
+#include "core/session/measurement.h"
+
+namespace alidade {
+
+/// The size of one error term, in the unit of the catalogue.
+struct TrueSize {
+  ErrorTerm term = ErrorTerm::Collimation;
+  double value = 0;
+};
+
+/// A knock that turns the instrument at one moment.
+struct OrientationJump {
+  double moment = 0.5;         ///< share of the session's rows taken before it, in (0, 1)
+  Angle horizontal, vertical;  ///< steps of the circle readings, of their face 1 equivalents
+};
+
+/// A radial form error of any order, which no effect of the catalogue describes: A cos ns + B sin ns.
+struct FormHarmonic {
+  int order = 7;
+  double cosine = 0, sine = 0;  ///< A and B, mm
+};
+
+/// One row whose circles were read or written down wrongly.
+struct Misreading {
+  int axisDeg = 0, round = 1, point = 1, face = 1;
+  Angle horizontal, vertical;  ///< added to the circle readings
+};
+
+/// Everything a simulated session hangs on and that its fit does not know. Lengths in mm, o0.
+///
+/// The guideway turns about an axis at (y = axisHeight); its centre lies off that axis by the intersection,
+/// so y(0°) = axisHeight + Δd and y(180°) = axisHeight − Δd.
+struct Truth {
+  std::uint64_t seed = 0;
+  std::string protocol;
+
+  double distance = 2405;  ///< L; the session states it with the error of `sigmaDistance`
+  double radius = 400;
+  double centreX = 0, axisHeight = 0, intersection = 0;
+  Angle horizontalZero = Angle::fromDegrees(332);  ///< α0 in the first position
+  Angle verticalZero = Angle::fromDegrees(90);  ///< β0: 90° on a zenith circle, 0° on an elevation circle
+  Angle sliderZero;                             ///< slider reading at s = 0
+
+  std::vector<TrueSize> effects;  ///< each term at most once
+  std::optional<OrientationJump> jump = {};
+  std::optional<FormHarmonic> harmonic = {};
+  std::vector<Misreading> misreadings = {};
+  /// True noise of the circle readings over the stated one. Zeros and slider are as stated.
+  double noiseFactor = 1;
+
+  // What the session states.
+  double nominalRadius = 400, sigmaDistance = 0;
+  Angle sigmaHorizontal = Angle::fromArcseconds(2), sigmaVertical = Angle::fromArcseconds(2);
+  Angle sigmaZero = Angle::fromArcseconds(2), sigmaSlider = Angle::fromArcseconds(5);
+  VerticalCircle verticalCircle = VerticalCircle::Zenith;
+
+  Angle placeSpread = Angle::fromArcseconds(60);  ///< 1σ of the slider's places about the planned ones
+  Angle typingStep = Angle::fromArcseconds(0.1);  ///< readings are rounded to this
+};
+
+/// A guideway as they come, without any effect: Δx and axis height within ±2 mm, Δd within ±3 mm, the radius
+/// spread by 0.15 mm (1σ) about 400 mm, the horizontal circle anywhere.
+Truth drawTruth(std::uint64_t seed);
+
+/// The error terms in the model's own units.
+ErrorTerms<double> errorsOf(const Truth& truth);
+
+}  // namespace alidade

@@ -1,0 +1,216 @@
+#include "core/simulation/truth_text.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "core/base/number_text.h"
+#include "core/base/utf8.h"
+#include "core/effects/catalogue.h"
+
+namespace alidade {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Numbers = std::vector<double>;
+
+constexpr const char* jumpId = "orientation_jump";
+constexpr const char* noiseId = "underestimated_noise";
+constexpr const char* grossId = "gross_error";
+constexpr const char* harmonicId = "form_harmonic";
+
+/// "tilt about x" of plane_tilt is plane_tilt.x; an only parameter goes by its effect's id.
+std::string nameOf(const Effect& effect, const EffectParameter& parameter) {
+  const std::string id(effect.id);
+  if (effect.parameters.size() == 1) return id;
+  return id + "." + std::string(parameter.name.substr(parameter.name.rfind(' ') + 1));
+}
+
+std::vector<const EffectParameter*> parametersNamed(const std::string& name) {
+  std::vector<const EffectParameter*> found;
+  for (const Effect& effect : effectCatalogue())
+    for (const EffectParameter& parameter : effect.parameters)
+      if (name == effect.id || name == nameOf(effect, parameter)) found.push_back(&parameter);
+  return found;
+}
+
+Result<Numbers> numbersIn(const std::string& name, std::string text) {
+  Numbers numbers;
+  while (true) {
+    const auto comma = text.find(',');
+    const Result<double> number = parseNumber(text.substr(0, comma));
+    if (!number) return Problem{"effect " + quotation(name) + ": " + number.problem().what};
+    numbers.push_back(*number);
+    if (comma == std::string::npos) return numbers;
+    text.erase(0, comma + 1);
+  }
+}
+
+Problem wantsNumbers(const std::string& name, const std::string& what) {
+  return {"effect " + quotation(name) + " wants " + what + ", with commas between them"};
+}
+
+std::optional<Problem> addJump(Truth& truth, const Numbers& numbers) {
+  if (numbers.size() != 3 || !(numbers[0] > 0 && numbers[0] < 1))
+    return wantsNumbers(jumpId,
+                        "the moment (between 0 and 1), the horizontal and the vertical step (arcsec)");
+  truth.jump = {numbers[0], Angle::fromArcseconds(numbers[1]), Angle::fromArcseconds(numbers[2])};
+  return std::nullopt;
+}
+
+std::optional<Problem> addNoise(Truth& truth, const Numbers& numbers) {
+  if (numbers.size() != 1 || !(numbers[0] >= 0))
+    return Problem{
+        "effect “underestimated_noise” wants one number, 0 or more: the true noise over the stated"};
+  truth.noiseFactor = numbers[0];
+  return std::nullopt;
+}
+
+bool isWhole(double number, double least) {
+  return number >= least && number == std::floor(number) && number < 1e9;
+}
+
+std::optional<Problem> addMisreading(Truth& truth, const Numbers& n) {
+  if (n.size() != 6 || (n[0] != 0 && n[0] != 180) || !isWhole(n[1], 1) || !isWhole(n[2], 0) ||
+      (n[3] != 1 && n[3] != 2))
+    return wantsNumbers(grossId,
+                        "axis (0 or 180), round, point, face and the horizontal and vertical error (arcsec)");
+  truth.misreadings.push_back({static_cast<int>(n[0]), static_cast<int>(n[1]), static_cast<int>(n[2]),
+                               static_cast<int>(n[3]), Angle::fromArcseconds(n[4]),
+                               Angle::fromArcseconds(n[5])});
+  return std::nullopt;
+}
+
+std::optional<Problem> addHarmonic(Truth& truth, const Numbers& numbers) {
+  if (numbers.size() != 3 || !isWhole(numbers[0], 1))
+    return wantsNumbers(harmonicId, "the order (a whole number), cosine and sine (mm)");
+  truth.harmonic = {static_cast<int>(numbers[0]), numbers[1], numbers[2]};
+  return std::nullopt;
+}
+
+struct OtherEffect {
+  const char* name;
+  const char* usage;
+  std::optional<Problem> (*add)(Truth&, const Numbers&);
+};
+
+constexpr std::array otherEffects = {
+    OtherEffect{jumpId, "moment (0…1),horizontal,vertical (arcsec)", &addJump},
+    OtherEffect{grossId, "axis,round,point,face,horizontal,vertical (arcsec); may be repeated",
+                &addMisreading},
+    OtherEffect{noiseId, "true noise over the stated", &addNoise},
+    OtherEffect{harmonicId, "order,cosine,sine (mm): a form error outside the catalogue", &addHarmonic},
+};
+
+void setSize(Truth& truth, ErrorTerm term, double value) {
+  const auto known = std::ranges::find(truth.effects, term, &TrueSize::term);
+  if (known != truth.effects.end())
+    known->value = value;
+  else
+    truth.effects.push_back({term, value});
+}
+
+Json effectsJson(const Truth& truth) {
+  Json effects = Json::object();
+  for (const Effect& effect : effectCatalogue())
+    for (const EffectParameter& parameter : effect.parameters) {
+      const auto size = std::ranges::find(truth.effects, parameter.term, &TrueSize::term);
+      if (size != truth.effects.end()) effects[nameOf(effect, parameter)] = size->value;
+    }
+  if (truth.jump)
+    effects[jumpId] = {truth.jump->moment, truth.jump->horizontal.arcseconds(),
+                       truth.jump->vertical.arcseconds()};
+  if (truth.harmonic)
+    effects[harmonicId] = {truth.harmonic->order, truth.harmonic->cosine, truth.harmonic->sine};
+  return effects;
+}
+
+/// What a diagnosis should name, each once.
+std::vector<std::string> causesOf(const Truth& truth) {
+  std::vector<std::string> causes;
+  for (const Effect& effect : effectCatalogue())
+    if (std::ranges::any_of(effect.parameters, [&](const EffectParameter& parameter) {
+          const auto size = std::ranges::find(truth.effects, parameter.term, &TrueSize::term);
+          return size != truth.effects.end() && size->value != 0;
+        }))
+      causes.emplace_back(effect.id);
+  if (truth.jump) causes.emplace_back(jumpId);
+  if (!truth.misreadings.empty()) causes.emplace_back(grossId);
+  if (truth.noiseFactor > 1) causes.emplace_back(noiseId);
+  if (truth.harmonic) causes.emplace_back("unknown_harmonic");
+  return causes;
+}
+
+std::string kindOf(const std::vector<std::string>& causes) {
+  if (causes.empty()) return "none";
+  if (causes.size() == 1) return causes.front();
+  return causes.size() == 2 ? "two_causes" : "several_causes";
+}
+
+Json blundersJson(const Truth& truth) {
+  Json blunders = Json::array();
+  for (const Misreading& m : truth.misreadings)
+    blunders.push_back({m.axisDeg == 0 ? 0 : 1, m.round, m.point, m.face, m.horizontal.arcseconds(),
+                        m.vertical.arcseconds()});
+  return blunders;
+}
+
+}  // namespace
+
+std::optional<Problem> addEffect(Truth& truth, const std::string& text) {
+  const auto equals = text.find('=');
+  if (equals == std::string::npos)
+    return Problem{"effect " + quotation(text) + " has no size: type it as NAME=VALUE"};
+  const std::string name = text.substr(0, equals);
+  const Result<Numbers> numbers = numbersIn(name, text.substr(equals + 1));
+  const auto other = std::ranges::find_if(otherEffects, [&](const OtherEffect& o) { return name == o.name; });
+  const std::vector<const EffectParameter*> parameters = parametersNamed(name);
+  if (other == otherEffects.end() && parameters.empty())
+    return Problem{quotation(name) + " is no effect: `alidade-cli simulate --help` lists them"};
+  if (!numbers) return numbers.problem();
+  if (other != otherEffects.end()) return other->add(truth, *numbers);
+  if (numbers->size() != parameters.size())
+    return Problem{"effect " + quotation(name) + " has " + std::to_string(parameters.size()) +
+                   (parameters.size() == 1 ? " size" : " sizes") + ", not " +
+                   std::to_string(numbers->size())};
+  for (std::size_t i = 0; i < parameters.size(); ++i) setSize(truth, parameters[i]->term, (*numbers)[i]);
+  return std::nullopt;
+}
+
+std::string effectNames() {
+  std::string lines;
+  for (const Effect& effect : effectCatalogue()) {
+    std::string values;
+    for (const EffectParameter& parameter : effect.parameters)
+      values += (values.empty() ? "" : ",") + std::string(parameter.name);
+    const std::string unit(effect.parameters.front().unit);
+    const bool counted = unit != "-" && unit != "1";
+    lines += "  " + std::string(effect.id) + "=" + values + (counted ? " (" + unit + ")" : "") + "\n";
+  }
+  for (const OtherEffect& other : otherEffects)
+    lines += std::string("  ") + other.name + "=" + other.usage + "\n";
+  return lines;
+}
+
+std::string truthJson(const std::string& id, const Truth& truth) {
+  const std::vector<std::string> causes = causesOf(truth);
+  Json json = {{"seed", truth.seed},
+               {"effects", effectsJson(truth)},
+               {"intersection_mm", truth.intersection},
+               {"radius_mm", truth.radius},
+               {"centre_x_mm", truth.centreX},
+               {"axis_height_mm", truth.axisHeight},
+               {"distance_mm", truth.distance},
+               {"blunders", blundersJson(truth)},
+               {"kind", kindOf(causes)},
+               {"protocol", truth.protocol}};
+  if (causes.size() > 1) json["causes"] = causes;
+  if (truth.noiseFactor != 1)
+    json["true_sigma_arcsec"] = truth.noiseFactor * truth.sigmaHorizontal.arcseconds();
+  return Json{{id, std::move(json)}}.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace alidade

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/base/problem.h"
+#include "core/simulation/truth.h"
+
+namespace alidade {
+
+/// Puts an effect into the truth. `text` is what the command line takes:
+///
+///   collimation=20            an effect of the catalogue with one parameter, in the catalogue's unit
+///   plane_tilt=0.3,0.1        with several, in their order
+///   plane_tilt.x=0.3          one of several, by the last word of its name; the others stay as they are
+///   orientation_jump=0.4,30,-20             moment (share of the rows), horizontal and vertical, arcsec
+///   underestimated_noise=2.5                true noise over the stated
+///   gross_error=180,1,11,1,60,0             axis, round, point, face, horizontal and vertical, arcsec
+///   form_harmonic=7,0.1,0.1                 order, cosine and sine, mm; not in the catalogue
+///
+/// The sentence where it cannot be read.
+std::optional<Problem> addEffect(Truth& truth, const std::string& text);
+
+/// Every name that `addEffect` takes, with its unit, a line each, for help texts.
+std::string effectNames();
+
+/// The truth as a JSON document, {id: {…}}: seed, effects by name, intersection_mm, radius_mm, centre_x_mm,
+/// axis_height_mm, blunders ([position, round, point, face, horizontal, vertical], arcsec), kind (the only
+/// effect, none, gross_error, two_causes, …) and protocol.
+std::string truthJson(const std::string& id, const Truth& truth);
+
+}  // namespace alidade

@@ -1,0 +1,113 @@
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "tests/console/console.h"
+
+// `alidade-cli simulate`: a session that `fit` takes, and its truth in a file of its own.
+
+namespace alidade::test {
+namespace {
+
+using ::testing::HasSubstr;
+using Json = nlohmann::ordered_json;
+
+std::string contentOf(const std::filesystem::path& path) {
+  std::ostringstream content;
+  content << std::ifstream(path).rdbuf();
+  return content.str();
+}
+
+class SimulateTest : public ::testing::Test {
+ protected:
+  ProgramRun simulate(std::vector<std::string> more) const {
+    more.insert(more.begin(), {"simulate", "--out", session, "--truth", truth});
+    return alidadeCli(std::move(more));
+  }
+
+  TemporaryFolder folder;
+  std::string session = (folder.path() / "s1.alidade").string(), truth = (folder.path() / "t.json").string();
+};
+
+// Δd of the file's fit within 5 σ of the truth's, at 2″ some 0.1 mm, of a drawn Δd of up to 3 mm.
+TEST_F(SimulateTest, WritesASessionAndItsTruth) {
+  const ProgramRun run = simulate({"--seed", "12", "--protocol", "full"});
+  EXPECT_EQ(run.exitCode, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("136 rows by protocol full"));
+  const Json truthOfSession = Json::parse(contentOf(truth)).at("s1");
+  EXPECT_EQ(truthOfSession.at("seed"), 12);
+  EXPECT_EQ(truthOfSession.at("kind"), "none");
+  EXPECT_EQ(truthOfSession.at("protocol"), "full");
+  const Json fit = Json::parse(alidadeCli({"fit", session, "--json"}).out);
+  const double sigma = fit["intersection"]["sigma_mm"];
+  EXPECT_LT(sigma, 0.03);
+  EXPECT_NEAR(fit["intersection"]["value_mm"].get<double>(),
+              truthOfSession.at("intersection_mm").get<double>(), 5 * sigma);
+}
+
+TEST_F(SimulateTest, RepeatsItselfForASeed) {
+  simulate({"--seed", "3", "--effect", "collimation=20"});
+  const std::string first = contentOf(session), firstTruth = contentOf(truth);
+  simulate({"--seed", "3", "--effect", "collimation=20"});
+  EXPECT_EQ(contentOf(session), first);
+  EXPECT_EQ(contentOf(truth), firstTruth);
+  simulate({"--seed", "4", "--effect", "collimation=20"});
+  EXPECT_NE(contentOf(session), first);
+}
+
+TEST_F(SimulateTest, PutsInWhatIsAsked) {
+  const ProgramRun run = simulate({"--effect",          "plane_tilt=0.3,0.1",
+                                   "--effect",          "gross_error=180,1,3,1,60,0",
+                                   "--intersection",    "-1.5",
+                                   "--radius",          "399.5",
+                                   "--points",          "9",
+                                   "--rounds",          "2",
+                                   "--sigma",           "1",
+                                   "--sigma-distance",  "0.5",
+                                   "--typing-step",     "1",
+                                   "--vertical-circle", "elevation"});
+  EXPECT_EQ(run.exitCode, 0) << run.err;
+  const Json known = Json::parse(contentOf(truth)).at("s1");
+  EXPECT_EQ(known.at("effects"), Json({{"plane_tilt.x", 0.3}, {"plane_tilt.y", 0.1}}));
+  EXPECT_EQ(known.at("intersection_mm"), -1.5);
+  EXPECT_EQ(known.at("radius_mm"), 399.5);
+  EXPECT_EQ(known.at("causes"), Json({"plane_tilt", "gross_error"}));
+  const Json written = Json::parse(contentOf(session));
+  EXPECT_EQ(written["positions"][0]["readings"].size(), 18u);
+  EXPECT_EQ(written["instrument"]["sigma_horizontal_arcsec"], 1);
+  EXPECT_EQ(written["geometry"]["sigma_distance_mm"], 0.5);
+  EXPECT_EQ(written["geometry"]["vertical_circle"], "elevation");
+  EXPECT_THAT(written["positions"][0]["readings"][0]["horizontal"].get<std::string>(),
+              ::testing::Not(HasSubstr(".")));
+}
+
+TEST_F(SimulateTest, RefusesWhatCannotBeDone) {
+  const auto refusal = [&](std::vector<std::string> more) {
+    const ProgramRun run = simulate(std::move(more));
+    expectRefusal(run);
+    EXPECT_FALSE(std::filesystem::exists(session));
+    return run.err;
+  };
+  EXPECT_THAT(refusal({"--effect", "moonlight=1"}), HasSubstr("moonlight"));
+  EXPECT_THAT(refusal({"--effect", "plane_tilt=1"}), HasSubstr("2 sizes"));
+  EXPECT_THAT(refusal({"--protocol", "by-ear"}), HasSubstr("by-ear"));
+  EXPECT_THAT(refusal({"--effect", "gross_error=0,1,1,2,60,0"}), HasSubstr("face 2"));
+  EXPECT_THAT(refusal({"--distance", "20"}), HasSubstr("cannot be taken"));
+  EXPECT_THAT(refusal({"--points", "0"}), HasSubstr("--points"));
+  EXPECT_THAT(refusal({"--out", truth}), HasSubstr("--out"));
+  expectRefusal(alidadeCli({"simulate", "--out", session}));
+  expectRefusal(alidadeCli({"simulate", "--out", "/no/such/folder/s.alidade", "--truth", truth}));
+  expectRefusal(alidadeCli({"simulate", "--out", truth, "--truth", truth}));
+}
+
+TEST_F(SimulateTest, ListsEffectsAndProtocols) {
+  const ProgramRun run = alidadeCli({"simulate", "--help"});
+  EXPECT_EQ(run.exitCode, 0);
+  for (const char* name : {"--effect", "two-face", "trunnion_tilt", "plane_tilt.x=0.3", "orientation_jump"})
+    EXPECT_THAT(run.out, HasSubstr(name));
+}
+
+}  // namespace
+}  // namespace alidade::test
