@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/adjustment/reliability.h"
+#include "core/adjustment/two_faces.h"
 
 namespace alidade::console {
 
@@ -94,6 +95,37 @@ Json reliabilityJson(const Measurement& measurement, const SessionFit& fit) {
   return list;
 }
 
+Json instrumentErrorJson(const InstrumentError& error) {
+  return {{"value_arcsec", error.value.arcseconds()}, {"sigma_arcsec", error.sigma.arcseconds()}};
+}
+
+Json faceScatterJson(const FaceScatter& scatter) {
+  return {{"of_stated", scatter.degreesOfFreedom > 0 ? scatter.ratio() : undefined},
+          {"degrees_of_freedom", scatter.degreesOfFreedom}};
+}
+
+Json twoFacesJson(const Measurement& measurement, const TwoFaces& faces) {
+  Json visits = Json::array();
+  for (const FaceDifference& visit : faces.visits) {
+    const ArcMeasurement& arc = measurement.arcs[visit.arc];
+    const Sighting& sighting = arc.sightings[visit.faceOne];
+    visits.push_back({{"axis_deg", arc.axisDeg},
+                      {"round", sighting.round},
+                      {"point", sighting.point},
+                      {"elevation_deg", visit.elevation.degrees()},
+                      {"double_collimation_arcsec", visit.doubleCollimation.arcseconds()},
+                      {"from_course_arcsec", visit.fromCourse.arcseconds()},
+                      {"index_arcsec", visit.index.arcseconds()}});
+  }
+  Json document = {{"collimation", instrumentErrorJson(faces.collimation)}};
+  if (faces.trunnionTilt) document["trunnion_tilt"] = instrumentErrorJson(*faces.trunnionTilt);
+  document["vertical_index"] = instrumentErrorJson(faces.index);
+  document["scatter"] = {{"horizontal", faceScatterJson(faces.horizontal)},
+                         {"vertical", faceScatterJson(faces.vertical)}};
+  document["visits"] = std::move(visits);
+  return document;
+}
+
 std::string severityName(Severity severity) {
   switch (severity) {
     case Severity::Note:
@@ -138,6 +170,7 @@ std::string fitJson(const std::string& name, const Measurement& measurement, con
   document["effects"] = Json::array();
   for (const EffectEstimate& estimate : fit.effects) document["effects"].push_back(effectJson(estimate));
   document["reliability"] = reliabilityJson(measurement, fit);
+  if (const auto faces = compareFaces(measurement)) document["two_faces"] = twoFacesJson(measurement, *faces);
   document["suspects"] = Json::array();
   document["findings"] = findingsJson(fit.findings);
   return documentText(document);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/console/text_layout.h"
+#include "app/console/two_faces_text.h"
 #include "core/base/number_text.h"
 #include "core/base/quantity_text.h"
 
@@ -152,6 +153,7 @@ std::string fitText(const std::string& name, const Measurement& measurement, con
   text += verdictText(measurement, fit);
   if (fit.intersection) text += budgetText(*fit.intersection);
   text += effectsText(fit.effects);
+  if (const auto faces = compareFaces(measurement)) text += twoFacesText(measurement, *faces);
   return text + findingsText(fit.findings);
 }
 

@@ -56,11 +56,15 @@ std::optional<std::size_t> arcAt(const Measurement& measurement, int axisDeg) {
 
 }  // namespace
 
-NoiseScale noiseScale(const JointFit& fit) {
+NoiseScale noiseScale(double chiSquare, int degreesOfFreedom) {
   constexpr double known = std::numeric_limits<double>::infinity();
-  if (fit.degreesOfFreedom <= 0) return {1, known};
-  if (1 - chiSquareUpperTail(fit.chiSquare, fit.degreesOfFreedom) < improbablySmall) return {1, known};
-  return {std::sqrt(fit.chiSquare / fit.degreesOfFreedom), static_cast<double>(fit.degreesOfFreedom)};
+  if (degreesOfFreedom <= 0) return {1, known};
+  if (1 - chiSquareUpperTail(chiSquare, degreesOfFreedom) < improbablySmall) return {1, known};
+  return {std::sqrt(chiSquare / degreesOfFreedom), static_cast<double>(degreesOfFreedom)};
+}
+
+NoiseScale noiseScale(const JointFit& fit) {
+  return noiseScale(fit.chiSquare, fit.degreesOfFreedom);
 }
 
 std::vector<BudgetEntry> budgetOf(const JointFit& fit, const std::vector<double>& weights, double scale) {

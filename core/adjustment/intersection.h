@@ -19,6 +19,7 @@ struct NoiseScale {
 /// small (below its 0.1 % point) that it speaks against the readings' independence rather than for their
 /// precision.
 NoiseScale noiseScale(const JointFit& fit);
+NoiseScale noiseScale(double chiSquare, int degreesOfFreedom);
 
 /// A share of the standard uncertainty of a result.
 struct BudgetEntry {

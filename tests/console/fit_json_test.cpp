@@ -224,5 +224,21 @@ TEST(FitJson, EstimatesTheEffectsThatTheModelNames) {
   EXPECT_EQ(fit["budget"][1]["source"], "model effects");
 }
 
+TEST(FitJson, ComparesTheFacesWhereThereAreTwo) {
+  EXPECT_FALSE(fitOf(paperSession).contains("two_faces"));
+  // A session of the ray tracer in both faces, its collimation 3.672″ in the opposite sign.
+  const Json faces = fitOf(std::string(ALIDADE_REFERENCE_DIR) + "/trials/241926.alidade")["two_faces"];
+  EXPECT_EQ(keysOf(faces),
+            (std::set<std::string>{"collimation", "trunnion_tilt", "vertical_index", "scatter", "visits"}));
+  const double sigma = faces["collimation"]["sigma_arcsec"];
+  EXPECT_LT(sigma, 1);
+  EXPECT_NEAR(faces["collimation"]["value_arcsec"].get<double>(), -3.672, 4 * sigma);
+  const Json& visit = faces["visits"][0];
+  EXPECT_EQ(keysOf(visit),
+            (std::set<std::string>{"axis_deg", "round", "point", "elevation_deg", "double_collimation_arcsec",
+                                   "from_course_arcsec", "index_arcsec"}));
+  EXPECT_EQ(visit["axis_deg"], 0);
+}
+
 }  // namespace
 }  // namespace alidade::test

@@ -76,5 +76,13 @@ TEST(FitText, TellsOneArcWithoutAnIntersection) {
   EXPECT_THAT(text, HasSubstr("0°, so no intersection."));
 }
 
+TEST(FitText, GivesTheTwoFaceTableWhereThereAreTwoFaces) {
+  EXPECT_THAT(textOf(paperSession), Not(HasSubstr("Both faces")));
+  const std::string text = textOf(std::string(ALIDADE_REFERENCE_DIR) + "/trials/241926.alidade");
+  EXPECT_THAT(text, ContainsRegex("Both faces +round +point +elevation"));
+  EXPECT_THAT(text, ContainsRegex("collimation c +-[0-9.]+ +0\\.[0-9]+"));
+  EXPECT_THAT(text, ContainsRegex("2c scatters [0-9.]+ times as much as stated"));
+}
+
 }  // namespace
 }  // namespace alidade::test
