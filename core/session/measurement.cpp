@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <tuple>
 #include <utility>
 
@@ -40,16 +39,6 @@ bool isUntouched(const Reading& reading) {
          reading.note.empty();
 }
 
-std::vector<std::string> effectsOf(const Model& model) {
-  std::vector<std::string> ids;
-  const auto& object = model.origin.object();
-  const auto effects = object.find("effects");
-  if (effects == object.end() || !effects->is_array()) return ids;
-  for (const auto& effect : *effects)
-    ids.push_back(effect.is_string() ? effect.get<std::string>() : effect.dump());
-  return ids;
-}
-
 /// Goes through a session in the order of its file.
 class Examiner {
  public:
@@ -67,7 +56,7 @@ class Examiner {
     } else {
       m_usable = false;
     }
-    m_measurement.effects = effectsOf(m_session.model);
+    m_measurement.effects = m_session.model.effects;
     examinePositions();
 
     Examined examined;

@@ -91,8 +91,9 @@ struct Acceptance {
 };
 
 struct Model {
-  std::string verticalAngle;  ///< "exact" or "planar"; empty: exact
-  JsonOrigin origin;          ///< also holds `effects`, a list of effect ids
+  std::string verticalAngle;         ///< "exact" or "planar"; empty: exact
+  std::vector<std::string> effects;  ///< ids of the effects to be estimated along; unknown ones stay
+  JsonOrigin origin;
 
   bool operator==(const Model&) const = default;
 };

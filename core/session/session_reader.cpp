@@ -186,8 +186,9 @@ Acceptance readAcceptance(const ObjectReader& reader) {
 }
 
 Model readModel(const ObjectReader& reader) {
-  reader.list("effects");
-  return {.verticalAngle = reader.text("vertical_angle"), .origin = reader.origin()};
+  return {.verticalAngle = reader.text("vertical_angle"),
+          .effects = entriesOf(reader.list("effects")),
+          .origin = reader.origin()};
 }
 
 PointingZero readPointingZero(const ObjectReader& reader) {

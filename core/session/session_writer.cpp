@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -41,6 +42,21 @@ class ObjectWriter {
   void part(const char* key, Json value, Presence presence = Presence::Optional) {
     const bool wanted = presence == Presence::Required || !value.empty();
     if (wanted || m_json.contains(key)) m_json[key] = std::move(value);
+  }
+
+  /// A member that was there before keeps its JSON type.
+  void list(const char* key, const std::vector<std::string>& current) {
+    const auto found = m_json.find(key);
+    const Json before = found == m_json.end() ? Json::array() : *found;
+    const std::vector<std::string> texts = entriesOf(before);
+    if (texts == current) return;
+    Json members = Json::array();
+    for (const std::string& text : current) {
+      const auto same = std::find(texts.begin(), texts.end(), text);
+      const auto index = static_cast<std::size_t>(same - texts.begin());
+      members.push_back(same == texts.end() ? Json(text) : before[index]);
+    }
+    m_json[key] = std::move(members);
   }
 
   void constant(const char* key, Json value) {
@@ -108,6 +124,7 @@ Json acceptanceJson(const Acceptance& acceptance) {
 Json modelJson(const Model& model) {
   ObjectWriter writer(model.origin);
   writer.text("vertical_angle", model.verticalAngle);
+  writer.list("effects", model.effects);
   return writer.take();
 }
 

@@ -40,6 +40,13 @@ nlohmann::ordered_json valueOf(const std::string& text, ValueKind kind) {
   return *number;
 }
 
+std::vector<std::string> entriesOf(const nlohmann::ordered_json& list) {
+  std::vector<std::string> texts;
+  for (const auto& member : list)
+    texts.push_back(member.is_string() ? member.get<std::string>() : member.dump());
+  return texts;
+}
+
 std::string wantedType(ValueKind kind) {
   switch (kind) {
     case ValueKind::Text:

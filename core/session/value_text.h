@@ -3,6 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace alidade {
 
@@ -18,6 +19,9 @@ std::optional<std::string> textOf(const nlohmann::ordered_json& value, ValueKind
 
 /// The JSON value a typed text is written as.
 nlohmann::ordered_json valueOf(const std::string& text, ValueKind kind);
+
+/// The members of a JSON list as texts; one that is no JSON string as its JSON.
+std::vector<std::string> entriesOf(const nlohmann::ordered_json& list);
 
 /// What a value of this kind must be, for sentences: "a number", …
 std::string wantedType(ValueKind kind);

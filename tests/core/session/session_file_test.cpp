@@ -29,7 +29,7 @@ Json completeSession() {
     "environment": {"temperature_c": 20.0},
     "geometry": {"distance_mm": 2405, "sigma_distance_mm": 1.0, "radius_mm": 400, "vertical_circle": "zenith"},
     "acceptance": {"tolerance_mm": 2.5, "coverage": 0.95, "reference_intersection_mm": 2.0},
-    "model": {"vertical_angle": "exact", "effects": []},
+    "model": {"vertical_angle": "exact", "effects": ["trunnion_tilt"]},
     "positions": [
       {"axis_deg": 0, "pointing_zero": {"horizontal": "332°32'54\"", "vertical": 89.99916},
        "readings": [{"point": 1, "round": 1, "face": 1, "horizontal": "341°52'24\"", "vertical": "88°16'49\"",
@@ -84,7 +84,7 @@ TEST(SessionFile, ReadsEveryKey) {
   EXPECT_EQ(s.environment, (Environment{"20", {}}));
   EXPECT_EQ(s.geometry, (Geometry{"2405", "1", "400", "zenith", {}}));
   EXPECT_EQ(s.acceptance, (Acceptance{"2.5", "0.95", "2", {}}));
-  EXPECT_EQ(s.model, (Model{"exact", {}}));
+  EXPECT_EQ(s.model, (Model{"exact", {"trunnion_tilt"}, {}}));
   ASSERT_EQ(s.positions.size(), 2u);
   EXPECT_EQ(s.positions[0].axisDeg, "0");
   EXPECT_EQ(s.positions[0].zero, (PointingZero{"332°32'54\"", "89.99916°", {}}));
@@ -277,6 +277,23 @@ TEST(SessionFile, WritesEditsAndLeavesTheRestUntouched) {
   expected["positions"][0]["readings"][1]["point"] = "x";
   expected["positions"][0]["pointing_zero"]["vertical"] = "89.999°";
   EXPECT_EQ(Json::parse(writeSession(session)).dump(), expected.dump());
+}
+
+TEST(SessionFile, KeepsWhatItDoesNotKnowAmongTheEffects) {
+  Json json = completeSession();
+  json["model"]["effects"] = {"moonlight", 7, "trunnion_tilt"};
+  Session session = *readSession(json.dump());
+  EXPECT_EQ(session.model.effects, (std::vector<std::string>{"moonlight", "7", "trunnion_tilt"}));
+  session.model.effects = {"moonlight", "7", "collimation"};
+  json["model"]["effects"] = {"moonlight", 7, "collimation"};
+  EXPECT_EQ(Json::parse(writeSession(session)), json);
+}
+
+TEST(SessionFile, WritesNoListOfEffectsUntilThereIsOne) {
+  Session session = blankSession();
+  EXPECT_FALSE(Json::parse(writeSession(session))["model"].contains("effects"));
+  session.model.effects = {"collimation"};
+  EXPECT_EQ(readSession(writeSession(session))->model.effects, session.model.effects);
 }
 
 TEST(SessionFile, RowsKeepTheirUnknownKeysWhenTheyMove) {
