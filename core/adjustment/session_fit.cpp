@@ -133,6 +133,10 @@ SessionFit fitSession(const Measurement& measurement) {
   return fit;
 }
 
+std::vector<EstimatedTerm> estimatedTerms(const Measurement& measurement) {
+  return termsOf(knownEffects(measurement.effects));
+}
+
 PublishedSessionFit fitSessionAsPublished(const Measurement& measurement) {
   PublishedSessionFit fit;
   for (const ArcMeasurement& arc : measurement.arcs) {

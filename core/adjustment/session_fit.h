@@ -39,6 +39,9 @@ struct SessionFit {
 /// slider readings and the effects that the session's model names.
 SessionFit fitSession(const Measurement& measurement);
 
+/// The error terms of the effects that the measurement's model names, each with its plausible size as prior.
+std::vector<EstimatedTerm> estimatedTerms(const Measurement& measurement);
+
 /// The published method on both arcs, for comparison.
 struct PublishedSessionFit {
   std::vector<PublishedFit> arcs;

@@ -11,6 +11,9 @@ Evaluation evaluate(Session session) {
   if (const auto& measurement = evaluation.examined.measurement) {
     evaluation.fit = fitSession(*measurement);
     evaluation.published = fitSessionAsPublished(*measurement);
+    evaluation.suspects = findSuspects(evaluation.session, *measurement, evaluation.fit);
+    if (auto finding = suspectsFinding(evaluation.suspects))
+      evaluation.fit.findings.insert(evaluation.fit.findings.begin(), *std::move(finding));
   }
   return evaluation;
 }

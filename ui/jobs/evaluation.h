@@ -1,6 +1,9 @@
 #pragma once
 
+#include <vector>
+
 #include "core/adjustment/session_fit.h"
+#include "core/adjustment/suspects.h"
 #include "core/session/measurement.h"
 #include "core/session/session.h"
 
@@ -13,6 +16,7 @@ struct Evaluation {
   Examined examined;
   SessionFit fit;                 ///< as made where `examined.measurement` is absent
   PublishedSessionFit published;  ///< likewise
+  std::vector<Suspect> suspects;  ///< readings that look misread, the most certain first
 };
 
 Evaluation evaluate(Session session);

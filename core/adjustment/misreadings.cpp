@@ -1,0 +1,344 @@
+#include "core/adjustment/misreadings.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/adjustment/joint_problem.h"
+#include "core/adjustment/robust_start.h"
+#include "core/base/statistics.h"
+
+namespace alidade {
+
+namespace {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+/// Below this share of its error showing a reading is not tested: its shift could be anything.
+constexpr double leastRedundancy = 1e-4;
+
+/// A reading in the linear theory of the joint fit, whitened.
+struct TestedReading {
+  ReadingRef cell;
+  double sigma = 0;  ///< rad
+  std::size_t visit = 0;
+  double along = 0;     ///< its share of the unit direction of ∂/∂φ
+  double residual = 0;  ///< in σ
+  VectorXd reduced;     ///< derivatives by the unknowns, the arc angle eliminated
+};
+
+double sigmaOf(const Measurement& measurement, ReadingKind kind) {
+  if (kind == ReadingKind::Horizontal) return measurement.sigmaHorizontal.radians();
+  return (kind == ReadingKind::Vertical ? measurement.sigmaVertical : measurement.sigmaSlider).radians();
+}
+
+JointState stateOf(const JointProblem& problem, const JointFit& fit) {
+  JointState state;
+  const auto estimated = static_cast<Index>(fit.values.size());
+  state.unknowns = VectorXd::Zero(estimated + static_cast<Index>(problem.considered().size()));
+  for (Index i = 0; i < estimated; ++i) state.unknowns[i] = fit.values[static_cast<std::size_t>(i)];
+  state.arcAngles.resize(static_cast<Index>(problem.visits().size()));
+  for (std::size_t v = 0; v < problem.visits().size(); ++v)
+    state.arcAngles[static_cast<Index>(v)] =
+        fit.arcAngles[problem.visits()[v].arc][problem.visits()[v].visit.sightings.front()];
+  return state;
+}
+
+MatrixXd matrixOf(const SquareMatrix& square) {
+  const auto size = static_cast<Index>(square.size);
+  return Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
+      square.values.data(), size, size);
+}
+
+/// The projector onto the residuals, entry by entry.
+class Projector {
+ public:
+  Projector(const Measurement& measurement, const JointFitOptions& options, const JointFit& fit)
+      : m_cofactor(matrixOf(fit.cofactor)) {
+    const JointProblem problem(measurement, options);
+    const JointState state = stateOf(problem, fit);
+    for (std::size_t v = 0; v < problem.visits().size(); ++v) {
+      const VisitOfArc& visit = problem.visits()[v];
+      const VisitEquations equations = problem.equationsOf(state, v);
+      for (Index row = 0; row < equations.residual.size(); ++row) {
+        if (equations.jacobian.row(row).isZero(0)) continue;  // takes no part
+        const VectorXd reduced = problem.spread(JointProblem::reduced(equations, row), visit.arc);
+        TestedReading reading{
+            cellAt(measurement, visit, row), 0, v, equations.along[row], equations.residual[row],
+            reduced.head(m_cofactor.rows())};
+        reading.sigma = sigmaOf(measurement, reading.cell.kind);
+        m_readings.push_back(std::move(reading));
+      }
+    }
+  }
+
+  const std::vector<TestedReading>& readings() const { return m_readings; }
+
+  double operator()(std::size_t i, std::size_t j) const {
+    const TestedReading &a = m_readings[i], &b = m_readings[j];
+    double value = (i == j ? 1 : 0) - a.reduced.dot(m_cofactor * b.reduced);
+    if (a.visit == b.visit) value -= a.along * b.along;
+    return value;
+  }
+
+  std::size_t indexOf(const ReadingRef& cell) const {
+    const auto found = std::ranges::find(m_readings, cell, &TestedReading::cell);
+    return static_cast<std::size_t>(found - m_readings.begin());
+  }
+
+ private:
+  static ReadingRef cellAt(const Measurement& measurement, const VisitOfArc& visit, Index row) {
+    const auto pair = static_cast<std::size_t>(row) / 2;
+    if (pair >= visit.visit.sightings.size())
+      return {visit.arc,
+              static_cast<std::size_t>(visit.slider - measurement.arcs[visit.arc].sightings.data()),
+              ReadingKind::Slider};
+    return {visit.arc, visit.visit.sightings[pair],
+            row % 2 == 0 ? ReadingKind::Horizontal : ReadingKind::Vertical};
+  }
+
+  MatrixXd m_cofactor;
+  std::vector<TestedReading> m_readings;
+};
+
+class Search {
+ public:
+  Search(const Measurement& measurement, const MisreadingOptions& options)
+      : m_measurement(measurement), m_options(options), m_fitOptions(options.fit) {}
+
+  MisreadingSearch run() {
+    start();
+    for (std::size_t step = 0; step < 3 * m_options.most + 3; ++step) {
+      takeBackInsignificant();
+      if (m_shifts.size() >= m_options.most || !addMostSignificant()) break;
+    }
+    return result();
+  }
+
+ private:
+  struct Shift {
+    ReadingRef cell;
+    double size = 0;  ///< rad
+  };
+
+  void start() {
+    for (std::size_t arc = 0; arc < m_measurement.arcs.size(); ++arc) {
+      const RobustStart robust = robustStart(m_measurement, m_measurement.arcs[arc]);
+      m_circles.push_back(robust.circle);
+      for (const std::size_t row : robust.apart) m_apart.push_back({arc, row, ReadingKind::Horizontal});
+      for (const std::size_t row : robust.sliderApart) m_apart.push_back({arc, row, ReadingKind::Slider});
+    }
+    fitWithoutApart();
+    for (const ReadingRef& cell : m_apart) {
+      addIfTestable(cell);
+      if (cell.kind == ReadingKind::Horizontal)
+        addIfTestable({cell.arc, cell.sighting, ReadingKind::Vertical});
+    }
+    adjust();
+  }
+
+  /// A first fit that those apart have no part in: the rows are put on the circle of the others.
+  void fitWithoutApart() {
+    m_shifted = m_measurement;
+    for (const ReadingRef& cell : m_apart) {
+      Sighting& sighting = m_shifted.arcs[cell.arc].sightings[cell.sighting];
+      if (cell.kind == ReadingKind::Slider) continue;
+      const Circle& circle = m_circles[cell.arc];
+      const PlanePoint<double> place =
+          sightedPoint({sighting.a.radians(), sighting.e.radians()}, m_shifted.distance, m_shifted.relation);
+      const double phi = nearestArcAngle(circle, place);
+      const Direction<double> near = observe(targetOnArc(circle.x, circle.y, circle.radius, phi),
+                                             m_shifted.distance, m_shifted.relation);
+      sighting.a = Angle::fromRadians(near.a);
+      sighting.e = Angle::fromRadians(near.e);
+    }
+    m_fit = fitJointly(m_shifted, m_circles, m_fitOptions);
+    m_projector.emplace(m_shifted, m_fitOptions, m_fit);
+  }
+
+  std::vector<std::size_t> called() const {
+    std::vector<std::size_t> indices;
+    for (const Shift& shift : m_shifts) indices.push_back(m_projector->indexOf(shift.cell));
+    return indices;
+  }
+
+  MatrixXd calledProjector(const std::vector<std::size_t>& cells) const {
+    MatrixXd matrix(static_cast<Index>(cells.size()), static_cast<Index>(cells.size()));
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      for (std::size_t j = 0; j < cells.size(); ++j)
+        matrix(static_cast<Index>(i), static_cast<Index>(j)) = (*m_projector)(cells[i], cells[j]);
+    return matrix;
+  }
+
+  /// What of an error of reading `k` still shows beside free shifts of `cells`.
+  double remainingRedundancy(const std::vector<std::size_t>& cells, const MatrixXd& inverse,
+                             std::size_t k) const {
+    VectorXd cross(static_cast<Index>(cells.size()));
+    for (std::size_t i = 0; i < cells.size(); ++i) cross[static_cast<Index>(i)] = (*m_projector)(cells[i], k);
+    return (*m_projector)(k, k) - cross.dot(inverse * cross);
+  }
+
+  void addIfTestable(const ReadingRef& cell) {
+    const std::size_t k = m_projector->indexOf(cell);
+    if (k == m_projector->readings().size()) return;
+    if (static_cast<int>(m_shifts.size()) + 2 > m_fit.degreesOfFreedom || m_shifts.size() >= m_options.most)
+      return;
+    const std::vector<std::size_t> cells = called();
+    if (remainingRedundancy(cells, calledProjector(cells).inverse(), k) < leastRedundancy) return;
+    m_shifts.push_back({cell, 0});
+  }
+
+  /// Fit and shifts together: Gauss-Newton on the shifts with the fit made anew for each step.
+  void adjust() {
+    for (int iteration = 0; iteration < 8; ++iteration) {
+      m_shifted = m_measurement;
+      for (const Shift& shift : m_shifts) shiftReading(m_shifted, shift.cell, Angle::fromRadians(shift.size));
+      m_fit = fitJointly(m_shifted, m_circles, m_fitOptions);
+      m_projector.emplace(m_shifted, m_fitOptions, m_fit);
+      const std::vector<std::size_t> cells = called();
+      m_inverse = calledProjector(cells).inverse();
+      VectorXd residual(static_cast<Index>(cells.size()));
+      for (std::size_t i = 0; i < cells.size(); ++i)
+        residual[static_cast<Index>(i)] = m_projector->readings()[cells[i]].residual;
+      const VectorXd step = m_inverse * residual;
+      if (!(step.dot(residual) > 1e-6)) break;
+      for (std::size_t i = 0; i < cells.size(); ++i)
+        m_shifts[i].size += step[static_cast<Index>(i)] * m_projector->readings()[cells[i]].sigma;
+    }
+  }
+
+  int freedom() const { return m_fit.degreesOfFreedom - static_cast<int>(m_shifts.size()); }
+
+  /// How many different tests there are: both circles of a visit of one row tell the same.
+  double tests() const {
+    double count = 0;
+    const auto& readings = m_projector->readings();
+    for (std::size_t i = 0; i < readings.size();) {
+      std::size_t end = i, testable = 0;
+      for (; end < readings.size() && readings[end].visit == readings[i].visit; ++end)
+        if ((*m_projector)(end, end) > leastRedundancy) ++testable;
+      count += static_cast<double>(std::min(testable, end - i == 2 ? std::size_t{1} : testable));
+      i = end;
+    }
+    return std::max(count, 1.0);
+  }
+
+  /// Šidák's bound for |t| with `freedom` degrees.
+  double critical(int freedom) const {
+    const double outside = -std::expm1(std::log1p(-m_options.risk) / tests());
+    return coverageFactor(1 - outside, freedom);
+  }
+
+  void takeBackInsignificant() {
+    while (!m_shifts.empty()) {
+      std::size_t weakest = 0;
+      for (std::size_t i = 1; i < m_shifts.size(); ++i)
+        if (std::abs(studentised(i)) < std::abs(studentised(weakest))) weakest = i;
+      if (freedom() >= 1 && std::abs(studentised(weakest)) >= critical(freedom())) return;
+      m_shifts.erase(m_shifts.begin() + static_cast<std::ptrdiff_t>(weakest));
+      adjust();
+    }
+  }
+
+  double scale() const { return freedom() > 0 ? std::sqrt(m_fit.chiSquare / freedom()) : 1; }
+
+  double sigmaOfShift(std::size_t i) const {
+    return scale() * std::sqrt(m_inverse(static_cast<Index>(i), static_cast<Index>(i))) *
+           sigmaOf(m_measurement, m_shifts[i].cell.kind);
+  }
+
+  double studentised(std::size_t i) const { return m_shifts[i].size / sigmaOfShift(i); }
+
+  bool addMostSignificant() {
+    const int left = freedom() - 1;
+    if (left < 1) return false;
+    const std::vector<std::size_t> cells = called();
+    const auto& readings = m_projector->readings();
+    double most = 0;
+    std::size_t best = readings.size();
+    for (std::size_t k = 0; k < readings.size(); ++k) {
+      if (std::ranges::find(cells, k) != cells.end()) continue;
+      const double redundancy = remainingRedundancy(cells, m_inverse, k);
+      if (redundancy < leastRedundancy) continue;
+      const double drop = readings[k].residual * readings[k].residual / redundancy;
+      if (drop <= most) continue;
+      most = drop;
+      best = k;
+    }
+    if (best == readings.size()) return false;
+    const double others = std::max(m_fit.chiSquare - most, 1e-12 * m_fit.chiSquare) / left;
+    if (most < others * std::pow(critical(left), 2)) return false;
+    m_shifts.push_back({readings[best].cell, 0});
+    adjust();
+    return true;
+  }
+
+  /// Readings of the visit whose shift instead of shift `i` lowers χ² nearly as much.
+  std::vector<ReadingRef> rivalsOf(std::size_t i) const {
+    std::vector<std::size_t> others = called();
+    const std::size_t self = others[i];
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+    const MatrixXd inverse = calledProjector(others).inverse();
+    const auto& readings = m_projector->readings();
+    const double own = remainingRedundancy(others, inverse, self);
+    const double size = m_shifts[i].size / readings[self].sigma;
+    std::vector<ReadingRef> rivals;
+    for (std::size_t k = 0; k < readings.size(); ++k) {
+      if (k == self || readings[k].visit != readings[self].visit ||
+          std::ranges::find(others, k) != others.end())
+        continue;
+      const double redundancy = remainingRedundancy(others, inverse, k);
+      if (redundancy < leastRedundancy) continue;
+      VectorXd a(inverse.rows()), b(inverse.rows());
+      for (std::size_t j = 0; j < others.size(); ++j) {
+        a[static_cast<Index>(j)] = (*m_projector)(others[j], self);
+        b[static_cast<Index>(j)] = (*m_projector)(others[j], k);
+      }
+      const double cross = (*m_projector)(self, k) - a.dot(inverse * b);
+      const double lost = size * size * (own - cross * cross / redundancy);
+      if (lost < 9 * scale() * scale()) rivals.push_back(readings[k].cell);
+    }
+    return rivals;
+  }
+
+  MisreadingSearch result() const {
+    MisreadingSearch search;
+    for (std::size_t i = 0; i < m_shifts.size(); ++i)
+      search.misread.push_back({m_shifts[i].cell, Angle::fromRadians(m_shifts[i].size),
+                                Angle::fromRadians(sigmaOfShift(i)), studentised(i), rivalsOf(i)});
+    std::ranges::sort(search.misread, std::ranges::greater(),
+                      [](const Misreading& m) { return std::abs(m.studentised); });
+    search.fit = m_fit;
+    search.noiseFactor = scale();
+    search.degreesOfFreedom = freedom();
+    if (freedom() > 1) search.criticalValue = critical(freedom());
+    return search;
+  }
+
+  const Measurement& m_measurement;
+  const MisreadingOptions& m_options;
+  JointFitOptions m_fitOptions;
+  std::vector<Circle> m_circles;
+  std::vector<ReadingRef> m_apart;
+  std::vector<Shift> m_shifts;
+  Measurement m_shifted;
+  JointFit m_fit;
+  std::optional<Projector> m_projector;
+  MatrixXd m_inverse;
+};
+
+}  // namespace
+
+MisreadingSearch searchMisreadings(const Measurement& measurement, const MisreadingOptions& options) {
+  return Search(measurement, options).run();
+}
+
+void shiftReading(Measurement& measurement, const ReadingRef& cell, Angle size) {
+  Sighting& sighting = measurement.arcs[cell.arc].sightings[cell.sighting];
+  if (cell.kind == ReadingKind::Horizontal) sighting.a = sighting.a - size;
+  if (cell.kind == ReadingKind::Vertical) sighting.e = sighting.e - size;
+  if (cell.kind == ReadingKind::Slider) sighting.slider = *sighting.slider - size;
+}
+
+}  // namespace alidade

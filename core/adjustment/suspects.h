@@ -1,0 +1,60 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/adjustment/joint_fit.h"
+#include "core/adjustment/session_fit.h"
+#include "core/base/angle.h"
+#include "core/base/finding.h"
+#include "core/base/place.h"
+#include "core/session/measurement.h"
+#include "core/session/session.h"
+
+namespace alidade {
+
+/// A new text for one cell of the table of readings.
+struct CellChange {
+  Place where;  ///< position, reading and field: "horizontal", "vertical", "slider" or "face"
+  std::string text;
+
+  bool operator==(const CellChange&) const = default;
+};
+
+/// What was probably meant: changes to what was typed that make the reading agree with all others.
+struct Proposal {
+  std::vector<CellChange> changes;  ///< all of them together; never empty
+  Angle residual;                   ///< what the suspect reading leaves over afterwards, as read
+  double share = 0;                 ///< probability among the corrections tried, 0…1
+  std::string sentence;             ///< for people: old and new text, the slip, the residual
+};
+
+/// A reading that does not go with the others: misread, mistyped, or its target not where it should be.
+struct Suspect {
+  Place where;  ///< position, reading and field of the cell
+  int axisDeg = 0, point = 0, round = 1, face = 1;
+  ReadingKind kind = ReadingKind::Horizontal;
+  /// As typed minus what the other readings say it should be, as read on the circle.
+  Angle size;
+  double studentised = 0;           ///< t of the size
+  std::vector<Place> rivals;        ///< cells that could be at fault instead
+  std::vector<Proposal> proposals;  ///< the most probable first; may be empty
+  std::string sentence;             ///< for people: which reading, by how much, and what was probably meant
+};
+
+struct SuspectOptions {
+  double risk = 0.01;  ///< of naming any reading of a sound session, in (0, 1)
+};
+
+/// The readings of a fitted session that look misread, the most certain first; nothing is changed or left out
+/// because of it. `measurement` is what `session` means, `fit` its fit. Which readings these are says
+/// `searchMisreadings`; where it cannot tell which reading of a visit is at fault, the slip that makes the
+/// visit agree decides.
+std::vector<Suspect> findSuspects(const Session& session, const Measurement& measurement,
+                                  const SessionFit& fit, const SuspectOptions& options = {});
+
+/// One warning that names them; absent where there are none.
+std::optional<Finding> suspectsFinding(const std::vector<Suspect>& suspects);
+
+}  // namespace alidade
