@@ -10,6 +10,7 @@
 #include "app/console/fit_json.h"
 #include "app/console/fit_text.h"
 #include "core/adjustment/session_fit.h"
+#include "core/adjustment/suspects.h"
 #include "core/session/measurement.h"
 #include "core/session/session_file.h"
 
@@ -40,9 +41,19 @@ Problem absence(const std::vector<Finding>& findings) {
   return {error->remedy.empty() ? error->text : error->text + " " + error->remedy, error->where};
 }
 
-template <typename Fit>
-Result<std::string> answer(const FitRequest& request, const std::string& name, const Measurement& measurement,
-                           const Fit& fit) {
+Result<std::string> rigorousAnswer(const FitRequest& request, const std::string& name, const Session& session,
+                                   const Measurement& measurement) {
+  SessionFit fit = fitSession(measurement);
+  if (fit.arcs.empty() || fit.arcs.size() < measurement.arcs.size()) return absence(fit.findings);
+  const std::vector<Suspect> suspects = findSuspects(session, measurement, fit, {.risk = request.risk});
+  if (auto finding = suspectsFinding(suspects))
+    fit.findings.insert(fit.findings.begin(), *std::move(finding));
+  return request.json ? fitJson(name, measurement, fit, suspects) : fitText(name, measurement, fit, suspects);
+}
+
+Result<std::string> publishedAnswer(const FitRequest& request, const std::string& name,
+                                    const Measurement& measurement) {
+  const PublishedSessionFit fit = fitSessionAsPublished(measurement);
   if (fit.arcs.empty() || fit.arcs.size() < measurement.arcs.size()) return absence(fit.findings);
   return request.json ? fitJson(name, measurement, fit) : fitText(name, measurement, fit);
 }
@@ -55,6 +66,9 @@ void addFitCommand(CLI::App& app, FitRequest& request) {
   fit->add_option("--method", request.method, "rigorous, or published for comparison with the paper")
       ->check(CLI::IsMember({"rigorous", "published"}))
       ->capture_default_str();
+  fit->add_option("--risk", request.risk, "Of naming a suspect in a session without misreadings")
+      ->check(CLI::Range(1e-9, 0.5))
+      ->capture_default_str();
   fit->add_flag("--json", request.json, "Print one JSON document");
 }
 
@@ -66,10 +80,8 @@ Result<std::string> runFit(const FitRequest& request) {
 
   const Measurement& measurement = examined.measurement.value();
   const std::string name = sessionName(*session, request.file);
-  if (request.method == "published") {
-    return answer(request, name, measurement, fitSessionAsPublished(measurement));
-  }
-  return answer(request, name, measurement, fitSession(measurement));
+  return request.method == "published" ? publishedAnswer(request, name, measurement)
+                                       : rigorousAnswer(request, name, *session, measurement);
 }
 
 }  // namespace alidade::console

@@ -14,10 +14,11 @@ namespace alidade::console {
 struct FitRequest {
   std::string file;                 ///< `-`: standard input
   std::string method = "rigorous";  ///< or "published"
+  double risk = 0.01;               ///< of naming a suspect in a sound session
   bool json = false;                ///< one JSON document instead of text for people
 };
 
-/// Adds `fit FILE [--method rigorous|published] [--json]`, which fills in `request`.
+/// Adds `fit FILE [--method rigorous|published] [--risk P] [--json]`, which fills in `request`.
 void addFitCommand(CLI::App& app, FitRequest& request);
 
 /// The fit as text or JSON. Fails where the session cannot be read, where any entry of it is unusable (the

@@ -126,6 +126,33 @@ Json twoFacesJson(const Measurement& measurement, const TwoFaces& faces) {
   return document;
 }
 
+Json proposalJson(const Proposal& proposal) {
+  Json changes = Json::array();
+  for (const CellChange& change : proposal.changes)
+    changes.push_back({{"where", change.where.path()}, {"text", change.text}});
+  return {{"changes", std::move(changes)},
+          {"residual_after_arcsec", proposal.residual.arcseconds()},
+          {"share", proposal.share},
+          {"sentence", proposal.sentence}};
+}
+
+Json suspectJson(const Suspect& suspect) {
+  Json rivals = Json::array(), proposals = Json::array();
+  for (const Place& rival : suspect.rivals) rivals.push_back(rival.path());
+  for (const Proposal& proposal : suspect.proposals) proposals.push_back(proposalJson(proposal));
+  return {{"axis_deg", suspect.axisDeg},
+          {"point", suspect.point},
+          {"round", suspect.round},
+          {"face", suspect.face},
+          {"circle", circleName(suspect.kind)},
+          {"size_arcsec", suspect.size.arcseconds()},
+          {"studentised", suspect.studentised},
+          {"suggestion", suspect.sentence},
+          {"where", suspect.where.path()},
+          {"rivals", std::move(rivals)},
+          {"proposals", std::move(proposals)}};
+}
+
 std::string severityName(Severity severity) {
   switch (severity) {
     case Severity::Note:
@@ -155,7 +182,8 @@ std::string documentText(const Json& document) {
 
 }  // namespace
 
-std::string fitJson(const std::string& name, const Measurement& measurement, const SessionFit& fit) {
+std::string fitJson(const std::string& name, const Measurement& measurement, const SessionFit& fit,
+                    const std::vector<Suspect>& suspects) {
   Json document = {{"session", name}, {"method", "rigorous"}, {"arcs", Json::array()}};
   for (std::size_t i = 0; i < fit.arcs.size(); ++i) {
     document["arcs"].push_back(arcJson(fit.arcs[i], fit.sigmas[i]));
@@ -172,6 +200,7 @@ std::string fitJson(const std::string& name, const Measurement& measurement, con
   document["reliability"] = reliabilityJson(measurement, fit);
   if (const auto faces = compareFaces(measurement)) document["two_faces"] = twoFacesJson(measurement, *faces);
   document["suspects"] = Json::array();
+  for (const Suspect& suspect : suspects) document["suspects"].push_back(suspectJson(suspect));
   document["findings"] = findingsJson(fit.findings);
   return documentText(document);
 }

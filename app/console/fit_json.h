@@ -1,8 +1,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "core/adjustment/session_fit.h"
+#include "core/adjustment/suspects.h"
 #include "core/session/measurement.h"
 
 namespace alidade::console {
@@ -12,7 +14,8 @@ namespace alidade::console {
 // intersection. What has no finite value is null: reduced χ² without redundancy, and every uncertainty of the
 // published method, which states none.
 
-std::string fitJson(const std::string& name, const Measurement& measurement, const SessionFit& fit);
+std::string fitJson(const std::string& name, const Measurement& measurement, const SessionFit& fit,
+                    const std::vector<Suspect>& suspects);
 std::string fitJson(const std::string& name, const Measurement& measurement, const PublishedSessionFit& fit);
 
 }  // namespace alidade::console

@@ -91,6 +91,17 @@ std::string findingsText(const std::vector<Finding>& findings) {
   return text;
 }
 
+std::string suspectsText(const std::vector<Suspect>& suspects) {
+  if (suspects.empty()) return "";
+  std::string text = "\nReadings that look misread\n";
+  for (const Suspect& suspect : suspects) {
+    text += "  " + paragraph(suspect.sentence, 4);
+    for (std::size_t i = 1; i < suspect.proposals.size(); ++i)
+      text += "    " + paragraph("Or: " + suspect.proposals[i].sentence, 6);
+  }
+  return text;
+}
+
 std::string noiseText(const NoiseScale& noise) {
   if (std::isinf(noise.degreesOfFreedom)) return "σ rests on the stated noise of the readings alone.\n";
   return "Readings scatter " + fixedText(noise.factor, 2) +
@@ -145,7 +156,8 @@ std::string intersectionText(const Measurement& measurement, const PublishedSess
 
 }  // namespace
 
-std::string fitText(const std::string& name, const Measurement& measurement, const SessionFit& fit) {
+std::string fitText(const std::string& name, const Measurement& measurement, const SessionFit& fit,
+                    const std::vector<Suspect>& suspects) {
   std::string text =
       name + "\nRigorous fit: orthogonal least squares on the readings of both circles; x right, y up\n\n" +
       arcsText(fit);
@@ -154,6 +166,7 @@ std::string fitText(const std::string& name, const Measurement& measurement, con
   if (fit.intersection) text += budgetText(*fit.intersection);
   text += effectsText(fit.effects);
   if (const auto faces = compareFaces(measurement)) text += twoFacesText(measurement, *faces);
+  text += suspectsText(suspects);
   return text + findingsText(fit.findings);
 }
 

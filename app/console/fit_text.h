@@ -1,8 +1,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "core/adjustment/session_fit.h"
+#include "core/adjustment/suspects.h"
 #include "core/session/measurement.h"
 
 namespace alidade::console {
@@ -10,7 +12,8 @@ namespace alidade::console {
 // A fit as text for people, UTF-8, ending in a newline. Lengths in mm, y up. The published method is shown in
 // the form it was published in beside the circle it means in this program's frame.
 
-std::string fitText(const std::string& name, const Measurement& measurement, const SessionFit& fit);
+std::string fitText(const std::string& name, const Measurement& measurement, const SessionFit& fit,
+                    const std::vector<Suspect>& suspects);
 std::string fitText(const std::string& name, const Measurement& measurement, const PublishedSessionFit& fit);
 
 }  // namespace alidade::console
