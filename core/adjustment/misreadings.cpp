@@ -308,7 +308,7 @@ class Search {
       search.misread.push_back({m_shifts[i].cell, Angle::fromRadians(m_shifts[i].size),
                                 Angle::fromRadians(sigmaOfShift(i)), studentised(i), rivalsOf(i)});
     std::ranges::sort(search.misread, std::ranges::greater(),
-                      [](const Misreading& m) { return std::abs(m.studentised); });
+                      [](const MisreadReading& m) { return std::abs(m.studentised); });
     search.fit = m_fit;
     search.noiseFactor = scale();
     search.degreesOfFreedom = freedom();

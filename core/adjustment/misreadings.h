@@ -24,7 +24,7 @@ namespace alidade {
 // the slider could have stood there. And in such a visit both circles' errors leave the same residual, so the
 // circle cannot be told; it is then named among `rivals`.
 
-struct Misreading {
+struct MisreadReading {
   ReadingRef cell;
   /// Read minus what all sound readings say, as reduced: right and up positive, the slider as read.
   Angle size;
@@ -42,11 +42,11 @@ struct MisreadingOptions {
 };
 
 struct MisreadingSearch {
-  std::vector<Misreading> misread;  ///< the most certain first
-  JointFit fit;                     ///< of all readings, the shifts taken off those misread
-  double noiseFactor = 1;           ///< scatter of the sound readings over the stated one
-  int degreesOfFreedom = 0;         ///< behind it; 0 or less: nothing could be tested
-  double criticalValue = 0;         ///< |t| from which a reading is called; 0 where nothing was tested
+  std::vector<MisreadReading> misread;  ///< the most certain first
+  JointFit fit;                         ///< of all readings, the shifts taken off those misread
+  double noiseFactor = 1;               ///< scatter of the sound readings over the stated one
+  int degreesOfFreedom = 0;             ///< behind it; 0 or less: nothing could be tested
+  double criticalValue = 0;             ///< |t| from which a reading is called; 0 where nothing was tested
 };
 
 /// Every arc must fix a circle (`fitArc` succeeds).

@@ -50,7 +50,7 @@ std::string nameOf(const Suspect& suspect) {
   return name + ", " + fieldOf(suspect.kind);
 }
 
-Suspect suspectOf(const Measurement& measurement, const Misreading& misreading) {
+Suspect suspectOf(const Measurement& measurement, const MisreadReading& misreading) {
   const ArcMeasurement& arc = measurement.arcs[misreading.cell.arc];
   const Sighting& sighting = arc.sightings[misreading.cell.sighting];
   const ReadingKind kind = misreading.cell.kind;
@@ -77,7 +77,7 @@ std::vector<Suspect> findSuspects(const Session&, const Measurement& measurement
   const MisreadingSearch search =
       searchMisreadings(fitted, {.risk = options.risk, .fit = {.terms = estimatedTerms(fitted)}});
   std::vector<Suspect> suspects;
-  for (const Misreading& misreading : search.misread) suspects.push_back(suspectOf(fitted, misreading));
+  for (const MisreadReading& misreading : search.misread) suspects.push_back(suspectOf(fitted, misreading));
   return suspects;
 }
 

@@ -17,7 +17,7 @@ using enum ReadingKind;
 
 std::vector<ReadingRef> cellsOf(const MisreadingSearch& search) {
   std::vector<ReadingRef> cells;
-  for (const Misreading& misreading : search.misread) cells.push_back(misreading.cell);
+  for (const MisreadReading& misreading : search.misread) cells.push_back(misreading.cell);
   return cells;
 }
 
@@ -38,7 +38,7 @@ TEST(Misreadings, FindsTheGrossErrorsOfTheRayTracer) {
     SCOPED_TRACE(trial.id);
     const MisreadingSearch search = searchMisreadings(trial.measurement);
     ASSERT_EQ(search.misread.size(), 1u);
-    const Misreading& found = search.misread[0];
+    const MisreadReading& found = search.misread[0];
     const Sighting& sighting = trial.measurement.arcs[found.cell.arc].sightings[found.cell.sighting];
     const auto& blunder = trial.truth.at("blunders").at(0);
     EXPECT_EQ(blunder.at(0), found.cell.arc);
@@ -76,7 +76,7 @@ TEST(Misreadings, FindsSeveralThatWouldMaskEachOther) {
   shiftReading(measurement, {1, 0, Horizontal}, Angle::fromArcseconds(60));
   const MisreadingSearch search = searchMisreadings(measurement);
   std::vector<std::pair<std::size_t, std::size_t>> rows;
-  for (const Misreading& misreading : search.misread)
+  for (const MisreadReading& misreading : search.misread)
     rows.emplace_back(misreading.cell.arc, misreading.cell.sighting);
   EXPECT_THAT(rows, ::testing::UnorderedElementsAre(std::pair(0, 7), std::pair(0, 8), std::pair(0, 9),
                                                     std::pair(1, 0)));
