@@ -20,6 +20,7 @@ Json arcJson(const ArcFit& arc, const ArcSigma& sigma) {
           {"center_mm", {{"x", arc.circle.x}, {"y", arc.circle.y}}},
           {"radius_mm", arc.circle.radius},
           {"sigma_mm", {{"x", sigma.x}, {"y", sigma.y}, {"radius", sigma.radius}}},
+          {"correlation", {{"radius_x", sigma.radiusX}, {"radius_y", sigma.radiusY}}},
           {"readings", arc.residuals.size()},
           {"degrees_of_freedom", arc.degreesOfFreedom},
           {"residual_rms_arcsec", arc.residualRms},
@@ -208,7 +209,7 @@ std::string fitJson(const std::string& name, const Measurement& measurement, con
 std::string fitJson(const std::string& name, const Measurement& measurement, const PublishedSessionFit& fit) {
   Json document = {{"session", name}, {"method", "published"}, {"arcs", Json::array()}};
   for (const PublishedFit& published : fit.arcs) {
-    Json arc = arcJson(published.arc, {undefined, undefined, undefined});
+    Json arc = arcJson(published.arc, {undefined, undefined, undefined, undefined, undefined});
     arc["as_printed"] = asPrintedJson(published.asPrinted);
     document["arcs"].push_back(std::move(arc));
   }

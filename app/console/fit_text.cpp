@@ -118,6 +118,14 @@ std::string effectsText(const std::vector<EffectEstimate>& effects) {
   return "\n" + alignedColumns(rows);
 }
 
+std::string correlationText(const SessionFit& fit) {
+  std::string text;
+  for (std::size_t i = 0; i < fit.arcs.size(); ++i)
+    text += (text.empty() ? "" : "; ") + ("at " + std::to_string(fit.arcs[i].axisDeg)) + "° " +
+            fixedText(fit.sigmas[i].radiusX, 2) + " and " + fixedText(fit.sigmas[i].radiusY, 2);
+  return "Correlation of the radius with x and y: " + text + "\n";
+}
+
 std::string arcsText(const SessionFit& fit) {
   Rows rows = {arcHeading};
   for (std::size_t i = 0; i < fit.arcs.size(); ++i) {
@@ -125,7 +133,7 @@ std::string arcsText(const SessionFit& fit) {
     rows.push_back(arcRow(fit.arcs[i]));
     rows.push_back({"  σ", fixedText(sigma.x, 4), fixedText(sigma.y, 4), fixedText(sigma.radius, 4)});
   }
-  return alignedColumns(rows) + noiseText(fit.noise);
+  return alignedColumns(rows) + correlationText(fit) + noiseText(fit.noise);
 }
 
 std::string arcsText(const PublishedSessionFit& fit) {

@@ -42,6 +42,22 @@ double consideredShare(const JointFit& fit, const std::vector<double>& weights, 
   return std::sqrt(variance);
 }
 
+/// The root of the variance that a known radius brings: the gain of the adjustment on R0 times its σ.
+double knownRadiusShare(const JointFit& fit, const SquareMatrix& cofactor,
+                        const std::vector<double>& weights) {
+  if (std::isinf(fit.radiusPriorSigma)) return 0;
+  const std::size_t radius = fit.indexOf({.kind = Unknown::Kind::Radius});
+  double sum = 0;
+  for (std::size_t i = 0; i < weights.size(); ++i) sum += weights[i] * cofactor(i, radius);
+  return std::abs(sum) / fit.radiusPriorSigma;
+}
+
+/// The variance from readings, and priors of error terms, at their stated σ.
+double scalableVariance(const JointFit& fit, const SquareMatrix& cofactor,
+                        const std::vector<double>& weights) {
+  return std::max(0.0, quadraticForm(cofactor, weights) - square(knownRadiusShare(fit, cofactor, weights)));
+}
+
 std::vector<double> unit(const JointFit& fit, const Unknown& unknown) {
   std::vector<double> weights(fit.unknowns.size());
   weights.at(fit.indexOf(unknown)) = 1;
@@ -68,11 +84,13 @@ NoiseScale noiseScale(const JointFit& fit) {
 }
 
 std::vector<BudgetEntry> budgetOf(const JointFit& fit, const std::vector<double>& weights, double scale) {
-  const double together = quadraticForm(fit.cofactor, weights);
-  const double withTermsKnown = quadraticForm(fit.cofactorWithoutTerms, weights);
+  const double together = scalableVariance(fit, fit.cofactor, weights);
+  const double withTermsKnown = std::min(together, scalableVariance(fit, fit.cofactorWithoutTerms, weights));
   std::vector<BudgetEntry> budget{{"readings", scale * std::sqrt(withTermsKnown)}};
   if (std::ranges::any_of(fit.unknowns, isTerm))
-    budget.push_back({"model effects", scale * std::sqrt(std::max(0.0, together - withTermsKnown))});
+    budget.push_back({"model effects", scale * std::sqrt(together - withTermsKnown)});
+  if (!std::isinf(fit.radiusPriorSigma))
+    budget.push_back({"known radius", knownRadiusShare(fit, fit.cofactor, weights)});
   budget.push_back({"pointing zeros", consideredShare(fit, weights, false)});
   budget.push_back({"distance", consideredShare(fit, weights, true)});
   return budget;
@@ -88,7 +106,21 @@ ArcSigma arcSigma(const JointFit& fit, std::size_t arc, double scale) {
   const auto sigma = [&](Unknown::Kind kind) {
     return combined(budgetOf(fit, unit(fit, {.kind = kind, .arc = arc}), scale));
   };
-  return {sigma(Unknown::Kind::CentreX), sigma(Unknown::Kind::CentreY), sigma(Unknown::Kind::Radius)};
+  ArcSigma result{sigma(Unknown::Kind::CentreX), sigma(Unknown::Kind::CentreY), sigma(Unknown::Kind::Radius)};
+  // cov(a, b) = (var(a + b) − var(a − b))/4, source by source as in the budget.
+  const auto correlation = [&](Unknown::Kind kind, double sigmaOfKind) {
+    double covariance = 0;
+    for (const double sign : {1.0, -1.0}) {
+      std::vector<double> weights = unit(fit, {.kind = Unknown::Kind::Radius, .arc = arc});
+      weights[fit.indexOf({.kind = kind, .arc = arc})] = sign;
+      covariance += sign * square(combined(budgetOf(fit, weights, scale))) / 4;
+    }
+    const double product = sigmaOfKind * result.radius;
+    return product > 0 ? std::clamp(covariance / product, -1.0, 1.0) : 0;
+  };
+  result.radiusX = correlation(Unknown::Kind::CentreX, result.x);
+  result.radiusY = correlation(Unknown::Kind::CentreY, result.y);
+  return result;
 }
 
 std::optional<Intersection> intersect(const Measurement& measurement, const JointFit& fit) {
@@ -110,7 +142,7 @@ std::optional<Intersection> intersect(const Measurement& measurement, const Join
   result.inPlane = std::hypot(difference(Unknown::Kind::CentreX), difference(Unknown::Kind::CentreY)) / 2;
   result.budget = budgetOf(fit, weights, noise.factor);
   result.sigma = combined(result.budget);
-  const double scaled = noise.factor * std::sqrt(quadraticForm(fit.cofactor, weights));
+  const double scaled = noise.factor * std::sqrt(scalableVariance(fit, fit.cofactor, weights));
   result.effectiveDegreesOfFreedom = noise.degreesOfFreedom * std::pow(result.sigma / scaled, 4);
   result.coverage = measurement.coverage;
   result.coverageFactor = coverageFactor(result.coverage, result.effectiveDegreesOfFreedom);

@@ -23,21 +23,25 @@ NoiseScale noiseScale(double chiSquare, int degreesOfFreedom);
 
 /// A share of the standard uncertainty of a result.
 struct BudgetEntry {
-  std::string source;  ///< "readings", "model effects", "pointing zeros", "distance"
+  std::string source;  ///< "readings", "model effects", "known radius", "pointing zeros", "distance"
   double sigma = 0;    ///< mm
 };
 
 /// The budget of a linear combination of the unknowns (`weights`, one for each): the readings, and what
-/// estimating error terms along costs on top (listed only if there are any), scaled by `scale`; the pointing
-/// zeros, one for each position and independent, and the distance, common to both, as stated.
+/// estimating error terms along costs on top (listed only if there are any), scaled by `scale`; the radius
+/// where it is known, the pointing zeros, one for each position and independent, and the distance, common to
+/// both, as stated.
 std::vector<BudgetEntry> budgetOf(const JointFit& fit, const std::vector<double>& weights, double scale);
 
 /// The root of the sum of squares.
 double combined(const std::vector<BudgetEntry>& budget);
 
-/// Standard uncertainties of one arc's quantities, mm.
+/// Standard uncertainties of one arc's quantities, mm, and how the centre hangs on the radius.
 struct ArcSigma {
   double x = 0, y = 0, radius = 0;
+  /// Correlation of R with x and with y, −1…1. On half an arc a radius wrong by its σ takes the centre's
+  /// height along by this share of that height's σ. 0 where R is exact.
+  double radiusX = 0, radiusY = 0;
 };
 
 /// Of arc `arc` of the fitted measurement.

@@ -159,10 +159,10 @@ void fillReadings(JointFit& fit, const Measurement& measurement, const JointProb
 /// sides.
 void countDegreesOfFreedom(JointFit& fit, const JointProblem& problem) {
   for (std::size_t i = 0; i < fit.unknowns.size(); ++i) {
-    if (fit.unknowns[i].kind != Unknown::Kind::Error)
-      --fit.misfits[fit.unknowns[i].arc].degreesOfFreedom;
-    else if (std::isinf(problem.priorSigma(i)))
-      --fit.degreesOfFreedom;
+    if (!std::isinf(problem.priorSigma(i))) continue;
+    const bool ofOneArc =
+        fit.unknowns[i].arc < fit.misfits.size() && fit.unknowns[i].kind != Unknown::Kind::Error;
+    --(ofOneArc ? fit.misfits[fit.unknowns[i].arc].degreesOfFreedom : fit.degreesOfFreedom);
   }
   for (const ArcMisfit& misfit : fit.misfits) fit.degreesOfFreedom += misfit.degreesOfFreedom;
 }
@@ -170,7 +170,10 @@ void countDegreesOfFreedom(JointFit& fit, const JointProblem& problem) {
 }  // namespace
 
 std::size_t JointFit::indexOf(const Unknown& unknown) const {
-  return static_cast<std::size_t>(std::ranges::find(unknowns, unknown) - unknowns.begin());
+  auto found = std::ranges::find(unknowns, unknown);
+  if (found == unknowns.end() && unknown.kind == Unknown::Kind::Radius)
+    found = std::ranges::find(unknowns, Unknown{.kind = unknown.kind, .arc = Unknown::everyArc});
+  return static_cast<std::size_t>(found - unknowns.begin());
 }
 
 JointFit fitJointly(const Measurement& measurement, const std::vector<Circle>& starts,
@@ -186,7 +189,11 @@ JointFit fitJointly(const Measurement& measurement, const std::vector<Circle>& s
 
   JointFit fit;
   fit.unknowns = problem.estimated();
-  fit.values.assign(minimum.state.unknowns.begin(), minimum.state.unknowns.begin() + estimated);
+  for (std::size_t i = 0; i < fit.unknowns.size(); ++i)
+    fit.values.push_back(problem.priorValue(i) + minimum.state.unknowns[static_cast<Index>(i)]);
+  if (measurement.radiusModel == RadiusModel::Known)
+    fit.radiusPriorSigma =
+        problem.priorSigma(fit.indexOf({.kind = Unknown::Kind::Radius, .arc = Unknown::everyArc}));
   fit.cofactor = plain(cofactor);
   fit.cofactorWithoutTerms = plain(withoutTerms(minimum.system.matrix, problem));
   fit.considered = problem.considered();

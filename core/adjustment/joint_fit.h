@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -30,9 +31,17 @@ namespace alidade {
 struct Unknown {
   enum class Kind { CentreX, CentreY, Radius, HorizontalZero, VerticalZero, SliderZero, Distance, Error };
 
+  /// `arc` of a radius that both arcs share.
+  static constexpr std::size_t everyArc = static_cast<std::size_t>(-1);
+
   Kind kind = Kind::CentreX;
   std::size_t arc = 0;                      ///< index into the measurement's arcs; 0 for Distance and Error
   ErrorTerm term = ErrorTerm::Collimation;  ///< of an Error
+
+  /// One of the readings of arc `index` hangs on it.
+  bool concerns(std::size_t index) const {
+    return kind == Kind::Distance || kind == Kind::Error || arc == index || arc == everyArc;
+  }
 
   bool operator==(const Unknown&) const = default;
 };
@@ -68,7 +77,7 @@ struct AdjustedReading {
 /// What the readings of one arc leave over.
 struct ArcMisfit {
   double chiSquare = 0;      ///< Σ (v/σ)² over circles and slider
-  int degreesOfFreedom = 0;  ///< readings − visits − unknowns of the arc; error terms are not counted
+  int degreesOfFreedom = 0;  ///< readings − visits − unknowns of the arc alone
 };
 
 struct JointFitOptions {
@@ -105,7 +114,11 @@ struct JointFit {
   int iterations = 0;
   bool converged = false;
 
-  /// Index of an unknown; `unknowns.size()` where it is not one of this fit.
+  /// σ of R0 behind a radius that is known; infinite where it is free.
+  double radiusPriorSigma = std::numeric_limits<double>::infinity();
+
+  /// Index of an unknown; `unknowns.size()` where it is not one of this fit. The radius of any arc is the
+  /// shared one where there is one.
   std::size_t indexOf(const Unknown& unknown) const;
 };
 

@@ -35,26 +35,37 @@ JointProblem::JointProblem(const Measurement& measurement, const JointFitOptions
       m_visits.push_back({arc, std::move(visit), slider});
     }
   }
-  for (const EstimatedTerm& term : m_terms) {
-    m_estimated.push_back({.kind = Unknown::Kind::Error, .arc = 0, .term = term.term});
-    m_priorSigmas.push_back(term.priorSigma);
-  }
+  if (measurement.radiusModel != RadiusModel::Free) addSharedRadius();
+  for (const EstimatedTerm& term : m_terms)
+    estimate({.kind = Unknown::Kind::Error, .arc = 0, .term = term.term}, {0, term.priorSigma});
   consider({.kind = Unknown::Kind::Distance}, measurement.sigmaDistance);
   buildSlotMaps();
 }
 
 void JointProblem::addArc(std::size_t arc) {
   using enum Unknown::Kind;
-  std::vector kinds{CentreX, CentreY, Radius};
+  std::vector kinds{CentreX, CentreY};
+  if (m_measurement.radiusModel == RadiusModel::Free) kinds.push_back(Radius);
   const auto& sightings = m_measurement.arcs[arc].sightings;
   if (std::ranges::any_of(sightings, [](const Sighting& s) { return s.slider.has_value(); }))
     kinds.push_back(SliderZero);
-  for (const auto kind : kinds) {
-    m_estimated.push_back({.kind = kind, .arc = arc});
-    m_priorSigmas.push_back(std::numeric_limits<double>::infinity());
-  }
+  for (const auto kind : kinds) estimate({.kind = kind, .arc = arc}, {});
   consider({.kind = HorizontalZero, .arc = arc}, m_measurement.sigmaZeroHorizontal.radians());
   consider({.kind = VerticalZero, .arc = arc}, m_measurement.sigmaZeroVertical.radians());
+}
+
+void JointProblem::addSharedRadius() {
+  // A radius taken as exact gets a nanometre: far below what any reading tells, far above rounding.
+  constexpr double exact = 1e-6;
+  Prior prior;
+  if (m_measurement.radiusModel == RadiusModel::Known)
+    prior = {m_measurement.nominalRadius, std::max(m_measurement.sigmaRadius, exact)};
+  estimate({.kind = Unknown::Kind::Radius, .arc = Unknown::everyArc}, prior);
+}
+
+void JointProblem::estimate(const Unknown& unknown, const Prior& prior) {
+  m_estimated.push_back(unknown);
+  m_priors.push_back(prior);
 }
 
 void JointProblem::consider(const Unknown& unknown, double sigma) {
@@ -74,7 +85,7 @@ void JointProblem::buildSlotMaps() {
           m_slotMaps[arc][term++] = index;
         else if (unknown.kind == Unknown::Kind::Distance)
           m_slotMaps[arc][distanceSlot] = index;
-        else if (unknown.arc == arc)
+        else if (unknown.concerns(arc))
           m_slotMaps[arc][static_cast<std::size_t>(unknown.kind)] = index;
         ++index;
       }
@@ -85,11 +96,17 @@ JointState JointProblem::start(const std::vector<Circle>& circles) const {
   JointState state{VectorXd::Zero(count()), VectorXd::Zero(static_cast<Index>(m_visits.size()))};
   for (std::size_t i = 0; i < m_estimated.size(); ++i) {
     using enum Unknown::Kind;
+    if (m_estimated[i].arc == Unknown::everyArc) {
+      for (const Circle& c : circles)
+        state.unknowns[static_cast<Index>(i)] +=
+            (c.radius - m_priors[i].value) / static_cast<double>(circles.size());
+      continue;
+    }
     const Circle& circle = circles[m_estimated[i].arc];
     double& value = state.unknowns[static_cast<Index>(i)];
     if (m_estimated[i].kind == CentreX) value = circle.x;
     if (m_estimated[i].kind == CentreY) value = circle.y;
-    if (m_estimated[i].kind == Radius) value = circle.radius;
+    if (m_estimated[i].kind == Radius) value = circle.radius - m_priors[i].value;
   }
   for (std::size_t v = 0; v < m_visits.size(); ++v) {
     const PlanePoint<double> place =
@@ -105,8 +122,9 @@ JointProblem::JetState JointProblem::jetsOf(const JointState& state, std::size_t
     return map[slot] < 0 ? constant(base)
                          : variable(base + state.unknowns[map[slot]], static_cast<int>(slot));
   };
+  const double radiusBase = m_measurement.radiusModel == RadiusModel::Known ? m_measurement.nominalRadius : 0;
   JetState jets{ErrorTerms<Jet>(constant(0)),
-                {jet(0, 0), jet(1, 0), jet(2, 0), jet(3, 0), jet(4, 0), jet(5, 0)},
+                {jet(0, 0), jet(1, 0), jet(2, radiusBase), jet(3, 0), jet(4, 0), jet(5, 0)},
                 jet(distanceSlot, m_measurement.distance),
                 variable(state.arcAngles[static_cast<Index>(visit)], phiSlot)};
   for (std::size_t t = 0; t < m_terms.size(); ++t)
@@ -210,12 +228,13 @@ JointSystem JointProblem::system(const JointState& state) const {
     }
   }
   for (std::size_t i = 0; i < m_estimated.size(); ++i) {
-    if (std::isinf(m_priorSigmas[i])) continue;
-    const double weight = 1 / (m_priorSigmas[i] * m_priorSigmas[i]);
+    if (std::isinf(m_priors[i].sigma)) continue;
+    const double weight = 1 / (m_priors[i].sigma * m_priors[i].sigma);
     const auto index = static_cast<Index>(i);
+    const double away = state.unknowns[index];
     system.matrix(index, index) += weight;
-    system.rightSide[index] -= weight * state.unknowns[index];
-    system.chiSquare += weight * state.unknowns[index] * state.unknowns[index];
+    system.rightSide[index] -= weight * away;
+    system.chiSquare += weight * away * away;
   }
   return system;
 }

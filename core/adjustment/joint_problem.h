@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <limits>
 #include <unsupported/Eigen/AutoDiff>
 #include <vector>
 
@@ -38,7 +39,9 @@ struct VisitOfArc {
 };
 
 struct JointState {
-  Eigen::VectorXd unknowns;   ///< estimated first, then the considered ones, which stay zero
+  /// Less what is known beforehand (`priorValue`): estimated first, then the considered ones, which stay
+  /// zero.
+  Eigen::VectorXd unknowns;
   Eigen::VectorXd arcAngles;  ///< of each visit
 };
 
@@ -57,7 +60,9 @@ class JointProblem {
   const std::vector<Unknown>& considered() const { return m_considered; }
   double consideredSigma(std::size_t i) const { return m_consideredSigmas[i]; }
   /// The prior σ of an estimated unknown; infinite where there is none.
-  double priorSigma(std::size_t i) const { return m_priorSigmas[i]; }
+  double priorSigma(std::size_t i) const { return m_priors[i].sigma; }
+  /// The state counts from here, so that even a radius known to a nanometre is not lost in rounding.
+  double priorValue(std::size_t i) const { return m_priors[i].value; }
   const std::vector<VisitOfArc>& visits() const { return m_visits; }
 
   JointState start(const std::vector<Circle>& circles) const;
@@ -84,7 +89,15 @@ class JointProblem {
   Jet constant(double value) const { return Jet(value, Slots::Zero(slots())); }
   Jet variable(double value, int slot) const { return Jet(value, slots(), slot); }
   Eigen::Index count() const { return static_cast<Eigen::Index>(m_estimated.size() + m_considered.size()); }
+  /// What is known of an estimated unknown beforehand.
+  struct Prior {
+    double value = 0;
+    double sigma = std::numeric_limits<double>::infinity();
+  };
+
   void addArc(std::size_t arc);
+  void addSharedRadius();
+  void estimate(const Unknown& unknown, const Prior& prior);
   void consider(const Unknown& unknown, double sigma);
   void buildSlotMaps();
   JetState jetsOf(const JointState& state, std::size_t visit) const;
@@ -97,7 +110,8 @@ class JointProblem {
   std::optional<std::size_t> m_jumpBefore;
   std::vector<ReadingRef> m_without;
   std::vector<Unknown> m_estimated, m_considered;
-  std::vector<double> m_priorSigmas, m_consideredSigmas;
+  std::vector<Prior> m_priors;
+  std::vector<double> m_consideredSigmas;
   std::vector<VisitOfArc> m_visits;
   std::vector<std::array<Eigen::Index, mostSlots>>
       m_slotMaps;  ///< of each arc: the unknown behind a slot, −1 for none

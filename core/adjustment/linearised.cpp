@@ -28,7 +28,8 @@ JointState stateOf(const JointFit& fit, const JointProblem& problem) {
                    Eigen::VectorXd::Zero(static_cast<Index>(problem.visits().size()))};
   for (std::size_t i = 0; i < problem.estimated().size(); ++i) {
     const std::size_t found = fit.indexOf(problem.estimated()[i]);
-    if (found < fit.values.size()) state.unknowns[static_cast<Index>(i)] = fit.values[found];
+    if (found < fit.values.size())
+      state.unknowns[static_cast<Index>(i)] = fit.values[found] - problem.priorValue(i);
   }
   for (std::size_t v = 0; v < problem.visits().size(); ++v) {
     const VisitOfArc& visit = problem.visits()[v];
@@ -45,7 +46,7 @@ std::array<int, firstTermSlot> unknownsOfSlots(const std::vector<Unknown>& unkno
     const Unknown& unknown = unknowns[i];
     if (unknown.kind == Unknown::Kind::Distance)
       slots[distanceSlot] = static_cast<int>(i);
-    else if (unknown.arc == arc)
+    else if (unknown.concerns(arc))
       slots[static_cast<std::size_t>(unknown.kind)] = static_cast<int>(i);
   }
   return slots;
@@ -59,10 +60,10 @@ Linearised linearise(const Measurement& measurement, const JointFit& fit, const 
   const JointState state = stateOf(fit, problem);
   Linearised result;
   result.visits = problem.visits().size();
-  for (const Unknown& unknown : problem.estimated()) {
-    if (unknown.kind == Unknown::Kind::Error) continue;
-    result.unknowns.push_back(unknown);
-    result.priorSigmas.push_back(std::numeric_limits<double>::infinity());
+  for (std::size_t i = 0; i < problem.estimated().size(); ++i) {
+    if (problem.estimated()[i].kind == Unknown::Kind::Error) continue;
+    result.unknowns.push_back(problem.estimated()[i]);
+    result.priorSigmas.push_back(problem.priorSigma(i));
   }
   for (std::size_t i = 0; i < problem.considered().size(); ++i) {
     result.unknowns.push_back(problem.considered()[i]);

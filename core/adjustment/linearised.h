@@ -28,8 +28,8 @@ struct Linearised {
   std::vector<LinearReading> readings;  ///< visit after visit
   std::size_t visits = 0;
   std::vector<Unknown> unknowns;  ///< circles, slider zeros, pointing zeros and distance; no error terms
-  /// Of each unknown before the readings: infinite for those the fit estimates freely, the stated σ of the
-  /// considered ones. mm or rad.
+  /// Of each unknown before the readings: infinite for those the fit estimates freely, the stated σ of a
+  /// known radius and of the considered ones. mm or rad.
   std::vector<double> priorSigmas;
   /// (∂reading/∂unknown)/σ, readings × unknowns, row by row.
   std::vector<double> perUnknown;

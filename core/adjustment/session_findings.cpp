@@ -17,9 +17,9 @@ bool holdsAxis(const Measurement& measurement, int axisDeg) {
 }
 
 /// One rigid guideway has one radius; L and its error are common to both arcs.
-void judgeRadii(std::vector<Finding>& findings, const SessionFit& fit) {
+void judgeRadii(std::vector<Finding>& findings, const Measurement& measurement, const SessionFit& fit) {
   const ArcFit *upper = fit.arcAt(0), *lower = fit.arcAt(180);
-  if (!upper || !lower) return;
+  if (!upper || !lower || measurement.radiusModel != RadiusModel::Free) return;
   const double difference = upper->circle.radius - lower->circle.radius;
   std::vector<double> weights(fit.joint.unknowns.size());
   for (std::size_t arc = 0; arc < fit.arcs.size(); ++arc)
@@ -36,6 +36,36 @@ void judgeRadii(std::vector<Finding>& findings, const SessionFit& fit) {
                       "Look for a cause outside the model, such as a plane off the rotation axis, before "
                       "trusting the intersection.",
                       {}});
+}
+
+/// The readings tell the radius, too. What they say apart from R0 differs from the fitted radius as R0 does,
+/// in proportion to the weights: R0 − R has the variance σ0² − σ_R² where both agree with their σ.
+void judgeKnownRadius(std::vector<Finding>& findings, const Measurement& measurement, const SessionFit& fit) {
+  if (measurement.radiusModel != RadiusModel::Known || fit.arcs.empty()) return;
+  const double prior = fit.joint.radiusPriorSigma;
+  const std::size_t radius = fit.joint.indexOf({.kind = Unknown::Kind::Radius});
+  std::vector<double> weights(fit.joint.unknowns.size());
+  weights[radius] = 1;
+  const double variance = fit.joint.cofactor(radius, radius);
+  const double ofReadings =
+      std::pow(fit.noise.factor, 2) * (variance - variance * variance / (prior * prior));
+  const double ofRadius = std::pow(prior - variance / prior, 2);
+  double ofConsidered = 0;
+  for (const BudgetEntry& entry : budgetOf(fit.joint, weights, fit.noise.factor))
+    if (entry.source == "pointing zeros" || entry.source == "distance")
+      ofConsidered += std::pow(entry.sigma, 2);
+  const double away = fit.joint.values[radius] - measurement.nominalRadius;
+  constexpr double risk = 0.001;
+  const double bound = coverageFactor(1 - risk, fit.noise.degreesOfFreedom) *
+                       std::sqrt(std::max(0.0, ofReadings + ofRadius + ofConsidered));
+  if (std::abs(away) <= bound) return;
+  findings.push_back({Severity::Warning,
+                      "The readings do not agree with the known radius of " +
+                          displayShortest(measurement.nominalRadius) + " mm: they pull it by " +
+                          displayText(away, 4) + " mm, where " + displayText(bound, 4) +
+                          " mm is the most that their noise and its σ allow at 0.1 % risk.",
+                      "Check R0, its σ and the distance, or let the radius be free.",
+                      Place{.position = {}, .reading = {}, .field = "geometry.radius_mm"}});
 }
 
 void judgeReference(std::vector<Finding>& findings, const Measurement& measurement, const SessionFit& fit) {
@@ -81,7 +111,8 @@ std::vector<Finding> missingPositions(const Measurement& measurement) {
 
 std::vector<Finding> sessionFindings(const Measurement& measurement, const SessionFit& fit) {
   std::vector<Finding> findings = missingPositions(measurement);
-  judgeRadii(findings, fit);
+  judgeRadii(findings, measurement, fit);
+  judgeKnownRadius(findings, measurement, fit);
   judgeReference(findings, measurement, fit);
   judgeModel(findings, measurement);
   return findings;

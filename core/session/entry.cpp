@@ -61,6 +61,8 @@ constexpr std::array numberRules = {
                {},
                lengthRange,
                "type the nominal radius of the arc in mm"},
+    NumberRule{"geometry.sigma_radius_mm", 0, Bound::Included, longestMm, 0,
+               "0 or more and below 1000000 mm"},
     NumberRule{"acceptance.tolerance_mm", 0, Bound::Excluded, longestMm, {}, lengthRange},
     NumberRule{"acceptance.coverage", 0, Bound::Excluded, 1, 0.95, "between 0 and 1, such as 0.95"},
     NumberRule{
@@ -175,6 +177,13 @@ Result<VerticalAngleRelation> verticalAngleEntry(const std::string& text) {
   return Problem{quotation(text) + " is no relation for the vertical angle: choose exact or planar"};
 }
 
+Result<RadiusModel> radiusModelEntry(const std::string& text) {
+  if (text.empty() || text == "free") return RadiusModel::Free;
+  if (text == "common") return RadiusModel::Common;
+  if (text == "known") return RadiusModel::Known;
+  return Problem{quotation(text) + " is no way to take the radius: choose free, common or known"};
+}
+
 std::optional<Problem> dateProblem(const std::string& text) {
   if (text.empty()) return std::nullopt;
   const Problem problem{quotation(text) + " is no date: type year-month-day, such as 2018-01-31"};
@@ -203,6 +212,7 @@ std::optional<std::string> entryProblem(const Session& session, const std::strin
   if (field == "axis_deg") return sentence(axisEntry(text));
   if (field == "geometry.vertical_circle") return sentence(verticalCircleEntry(text));
   if (field == "model.vertical_angle") return sentence(verticalAngleEntry(text));
+  if (field == "model.radius") return sentence(radiusModelEntry(text));
   if (field == "measured_on") {
     const auto problem = dateProblem(text);
     return problem ? std::optional(problem->what) : std::nullopt;

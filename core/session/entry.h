@@ -29,6 +29,7 @@ Result<int> axisEntry(const std::string& text);
 
 Result<VerticalCircle> verticalCircleEntry(const std::string& text);
 Result<VerticalAngleRelation> verticalAngleEntry(const std::string& text);
+Result<RadiusModel> radiusModelEntry(const std::string& text);
 
 /// Why `text` is no date; an empty one is allowed.
 std::optional<Problem> dateProblem(const std::string& text);

@@ -56,6 +56,11 @@ class Examiner {
     } else {
       m_usable = false;
     }
+    if (auto radius = take(radiusModelEntry(m_session.model.radius), {.field = "model.radius"})) {
+      m_measurement.radiusModel = *radius;
+    } else {
+      m_usable = false;
+    }
     m_measurement.effects = m_session.model.effects;
     examinePositions();
 
@@ -110,6 +115,7 @@ class Examiner {
     m_measurement.distance = vitalNumber("geometry.distance_mm", geometry.distanceMm);
     m_measurement.sigmaDistance = vitalNumber("geometry.sigma_distance_mm", geometry.sigmaDistanceMm);
     m_measurement.nominalRadius = vitalNumber("geometry.radius_mm", geometry.radiusMm);
+    m_measurement.sigmaRadius = vitalNumber("geometry.sigma_radius_mm", geometry.sigmaRadiusMm);
     m_circle = take(verticalCircleEntry(geometry.verticalCircle), {.field = "geometry.vertical_circle"});
     if (m_circle) m_measurement.verticalCircle = *m_circle;
     m_usable = m_usable && m_circle;

@@ -20,6 +20,13 @@ enum class VerticalAngleRelation {
   Planar,  ///< tan e = y/L: the published relation
 };
 
+/// What the fit takes the radius for.
+enum class RadiusModel {
+  Free,    ///< each position has its own
+  Common,  ///< one for both positions, as of one rigid guideway
+  Known,   ///< one for both, observed beforehand: R0 with its σ
+};
+
 /// One row of readings, reduced: face 1 equivalent, from the pointing zero, right and up positive, |a|, |e| <
 /// 90°.
 struct Sighting {
@@ -43,9 +50,11 @@ struct ArcMeasurement {
 
 /// What a session means: every value present, in range and in the reference frame o0. Lengths in mm.
 struct Measurement {
-  double distance = 0;                           ///< L > 0
-  double sigmaDistance = 0;                      ///< ≥ 0
-  double nominalRadius = 0;                      ///< R0 > 0
+  double distance = 0;       ///< L > 0
+  double sigmaDistance = 0;  ///< ≥ 0
+  double nominalRadius = 0;  ///< R0 > 0
+  double sigmaRadius = 0;    ///< of R0, ≥ 0; of use where the radius is known
+  RadiusModel radiusModel = RadiusModel::Free;
   Angle sigmaHorizontal, sigmaVertical;          ///< of a circle reading, > 0
   Angle sigmaZeroHorizontal, sigmaZeroVertical;  ///< of the pointing zero, ≥ 0
   Angle sigmaSlider;                             ///< > 0

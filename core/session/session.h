@@ -75,6 +75,7 @@ struct Geometry {
   std::string distanceMm;       ///< L, theodolite to arc plane; required
   std::string sigmaDistanceMm;  ///< empty: 0, taken as exact
   std::string radiusMm;         ///< nominal R0; required
+  std::string sigmaRadiusMm;    ///< of R0 where the model takes it as known; empty: 0, taken as exact
   std::string verticalCircle;   ///< "zenith" or "elevation"; empty: zenith
   JsonOrigin origin;
 
@@ -92,6 +93,7 @@ struct Acceptance {
 
 struct Model {
   std::string verticalAngle;         ///< "exact" or "planar"; empty: exact
+  std::string radius;                ///< "free", "common" or "known"; empty: free
   std::vector<std::string> effects;  ///< ids of the effects to be estimated along; unknown ones stay
   JsonOrigin origin;
 

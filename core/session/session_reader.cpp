@@ -174,6 +174,7 @@ Geometry readGeometry(const ObjectReader& reader) {
                                               "add the distance from the theodolite to the arc plane in mm"),
           .sigmaDistanceMm = reader.number("sigma_distance_mm"),
           .radiusMm = reader.requiredNumber("radius_mm", "add the nominal radius of the arc in mm"),
+          .sigmaRadiusMm = reader.number("sigma_radius_mm"),
           .verticalCircle = reader.text("vertical_circle"),
           .origin = reader.origin()};
 }
@@ -187,6 +188,7 @@ Acceptance readAcceptance(const ObjectReader& reader) {
 
 Model readModel(const ObjectReader& reader) {
   return {.verticalAngle = reader.text("vertical_angle"),
+          .radius = reader.text("radius"),
           .effects = entriesOf(reader.list("effects")),
           .origin = reader.origin()};
 }

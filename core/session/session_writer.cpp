@@ -109,6 +109,7 @@ Json geometryJson(const Geometry& geometry) {
   writer.number("distance_mm", geometry.distanceMm, Presence::Required);
   writer.number("sigma_distance_mm", geometry.sigmaDistanceMm);
   writer.number("radius_mm", geometry.radiusMm, Presence::Required);
+  writer.number("sigma_radius_mm", geometry.sigmaRadiusMm);
   writer.text("vertical_circle", geometry.verticalCircle);
   return writer.take();
 }
@@ -124,6 +125,7 @@ Json acceptanceJson(const Acceptance& acceptance) {
 Json modelJson(const Model& model) {
   ObjectWriter writer(model.origin);
   writer.text("vertical_angle", model.verticalAngle);
+  writer.text("radius", model.radius);
   writer.list("effects", model.effects);
   return writer.take();
 }

@@ -30,6 +30,9 @@ TEST(Entry, UsableTextsHaveNoProblem) {
            {"axis_deg", "180"},
            {"geometry.vertical_circle", "elevation"},
            {"model.vertical_angle", ""},
+           {"model.radius", ""},
+           {"model.radius", "common"},
+           {"geometry.sigma_radius_mm", "0"},
            {"measured_on", ""},
            {"measured_on", "2020-02-29"},
            {"title", "anything at all"}}) {
@@ -54,6 +57,8 @@ TEST(Entry, UnusableTextsAreExplained) {
   EXPECT_THAT(sentence("axis_deg", ""), HasSubstr("is empty: type the rotation of the axis, 0 or 180"));
   EXPECT_THAT(sentence("geometry.vertical_circle", "Zenith"), HasSubstr("choose zenith or elevation"));
   EXPECT_THAT(sentence("model.vertical_angle", "x"), HasSubstr("choose exact or planar"));
+  EXPECT_THAT(sentence("model.radius", "fixed"), HasSubstr("choose free, common or known"));
+  EXPECT_THAT(sentence("geometry.sigma_radius_mm", "-1"), HasSubstr("must be 0 or more"));
 }
 
 TEST(Entry, DatesMustExist) {

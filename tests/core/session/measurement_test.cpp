@@ -308,16 +308,17 @@ TEST(Measurement, ReportsProblemsInTheOrderOfTheFile) {
   session.geometry.radiusMm = "x";
   session.acceptance.coverage = "2";
   session.model.verticalAngle = "x";
+  session.model.radius = "x";
   session.positions[0].zero.horizontal = "x";
   session.positions[0].readings[0].face = "3";
   session.positions[1].axisDeg = "";
   std::vector<std::string> places;
   for (const Problem& problem : examine(session).problems) places.push_back(problem.where.path());
-  EXPECT_THAT(places,
-              testing::ElementsAre("measured_on", "instrument.sigma_horizontal_arcsec",
-                                   "environment.temperature_c", "geometry.radius_mm", "acceptance.coverage",
-                                   "model.vertical_angle", "positions[0].pointing_zero.horizontal",
-                                   "positions[0].readings[0].face", "positions[1].axis_deg"));
+  EXPECT_THAT(places, testing::ElementsAre("measured_on", "instrument.sigma_horizontal_arcsec",
+                                           "environment.temperature_c", "geometry.radius_mm",
+                                           "acceptance.coverage", "model.vertical_angle", "model.radius",
+                                           "positions[0].pointing_zero.horizontal",
+                                           "positions[0].readings[0].face", "positions[1].axis_deg"));
 }
 
 TEST(Measurement, NoticesEffectsThatTheFitsDoNotEstimate) {

@@ -27,9 +27,10 @@ Json completeSession() {
     "instrument": {"name": "i", "serial": "2", "sigma_horizontal_arcsec": 2, "sigma_vertical_arcsec": 2.5,
                    "sigma_zero_arcsec": 1, "sigma_slider_arcsec": 5},
     "environment": {"temperature_c": 20.0},
-    "geometry": {"distance_mm": 2405, "sigma_distance_mm": 1.0, "radius_mm": 400, "vertical_circle": "zenith"},
+    "geometry": {"distance_mm": 2405, "sigma_distance_mm": 1.0, "radius_mm": 400, "sigma_radius_mm": 0.1,
+                 "vertical_circle": "zenith"},
     "acceptance": {"tolerance_mm": 2.5, "coverage": 0.95, "reference_intersection_mm": 2.0},
-    "model": {"vertical_angle": "exact", "effects": ["trunnion_tilt"]},
+    "model": {"vertical_angle": "exact", "radius": "known", "effects": ["trunnion_tilt"]},
     "positions": [
       {"axis_deg": 0, "pointing_zero": {"horizontal": "332°32'54\"", "vertical": 89.99916},
        "readings": [{"point": 1, "round": 1, "face": 1, "horizontal": "341°52'24\"", "vertical": "88°16'49\"",
@@ -82,9 +83,9 @@ TEST(SessionFile, ReadsEveryKey) {
   EXPECT_EQ(s.device, (Device{"d", "1", {}}));
   EXPECT_EQ(s.instrument, (Instrument{"i", "2", "2", "2.5", "1", "5", {}}));
   EXPECT_EQ(s.environment, (Environment{"20", {}}));
-  EXPECT_EQ(s.geometry, (Geometry{"2405", "1", "400", "zenith", {}}));
+  EXPECT_EQ(s.geometry, (Geometry{"2405", "1", "400", "0.1", "zenith", {}}));
   EXPECT_EQ(s.acceptance, (Acceptance{"2.5", "0.95", "2", {}}));
-  EXPECT_EQ(s.model, (Model{"exact", {"trunnion_tilt"}, {}}));
+  EXPECT_EQ(s.model, (Model{"exact", "known", {"trunnion_tilt"}, {}}));
   ASSERT_EQ(s.positions.size(), 2u);
   EXPECT_EQ(s.positions[0].axisDeg, "0");
   EXPECT_EQ(s.positions[0].zero, (PointingZero{"332°32'54\"", "89.99916°", {}}));
