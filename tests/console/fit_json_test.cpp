@@ -92,9 +92,9 @@ TEST(FitJson, HasTheKeysOfTheContract) {
   EXPECT_EQ(fit["method"], "rigorous");
   EXPECT_THAT(fit["session"].get<std::string>(), Not(::testing::IsEmpty()));
   EXPECT_EQ(keysOf(fit["arcs"][0]),
-            (std::set<std::string>{"axis_deg", "center_mm", "radius_mm", "sigma_mm", "readings",
-                                   "degrees_of_freedom", "residual_rms_arcsec", "reduced_chi2", "iterations",
-                                   "converged"}));
+            (std::set<std::string>{"axis_deg", "center_mm", "radius_mm", "sigma_mm", "correlation",
+                                   "readings", "degrees_of_freedom", "residual_rms_arcsec", "reduced_chi2",
+                                   "iterations", "converged"}));
   EXPECT_EQ(keysOf(fit["arcs"][0]["sigma_mm"]), (std::set<std::string>{"x", "y", "radius"}));
   for (const char* key : {"value_mm", "sigma_mm", "expanded_mm", "coverage", "in_plane_mm"}) {
     EXPECT_TRUE(fit["intersection"][key].is_number()) << key;
@@ -227,7 +227,8 @@ TEST(FitJson, EstimatesTheEffectsThatTheModelNames) {
 TEST(FitJson, ComparesTheFacesWhereThereAreTwo) {
   EXPECT_FALSE(fitOf(paperSession).contains("two_faces"));
   // A session of the ray tracer in both faces, its collimation 3.672″ in the opposite sign.
-  const Json faces = fitOf(std::string(ALIDADE_REFERENCE_DIR) + "/trials/241926.alidade")["two_faces"];
+  const Json faces =
+      fitOf(std::string(ALIDADE_REFERENCE_DIR) + "/trials/sessions/241926.alidade")["two_faces"];
   EXPECT_EQ(keysOf(faces),
             (std::set<std::string>{"collimation", "trunnion_tilt", "vertical_index", "scatter", "visits"}));
   const double sigma = faces["collimation"]["sigma_arcsec"];

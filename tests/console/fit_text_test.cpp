@@ -80,7 +80,7 @@ TEST(FitText, TellsOneArcWithoutAnIntersection) {
 
 TEST(FitText, GivesTheTwoFaceTableWhereThereAreTwoFaces) {
   EXPECT_THAT(textOf(paperSession), Not(HasSubstr("Both faces")));
-  const std::string text = textOf(std::string(ALIDADE_REFERENCE_DIR) + "/trials/241926.alidade");
+  const std::string text = textOf(std::string(ALIDADE_REFERENCE_DIR) + "/trials/sessions/241926.alidade");
   EXPECT_THAT(text, ContainsRegex("Both faces +round +point +elevation"));
   EXPECT_THAT(text, ContainsRegex("collimation c +-[0-9.]+ +0\\.[0-9]+"));
   EXPECT_THAT(text, ContainsRegex("2c scatters [0-9.]+ times as much as stated"));
