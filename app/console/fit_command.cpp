@@ -5,10 +5,12 @@
 #include <filesystem>
 #include <iostream>
 #include <iterator>
+#include <optional>
 
 #include "app/console/channels.h"
 #include "app/console/fit_json.h"
 #include "app/console/fit_text.h"
+#include "core/adjustment/monte_carlo.h"
 #include "core/adjustment/session_fit.h"
 #include "core/adjustment/suspects.h"
 #include "core/session/measurement.h"
@@ -48,7 +50,14 @@ Result<std::string> rigorousAnswer(const FitRequest& request, const std::string&
   const std::vector<Suspect> suspects = findSuspects(session, measurement, fit, {.risk = request.risk});
   if (auto finding = suspectsFinding(suspects))
     fit.findings.insert(fit.findings.begin(), *std::move(finding));
-  return request.json ? fitJson(name, measurement, fit, suspects) : fitText(name, measurement, fit, suspects);
+  std::optional<MonteCarlo> check;
+  if (request.monteCarlo > 0) {
+    check = propagateDistributions(measurement, fit, {.draws = request.monteCarlo, .seed = request.seed});
+    if (!check)
+      return Problem{"so few draws of these readings fix a circle that nothing can be said of them"};
+  }
+  return request.json ? fitJson(name, measurement, fit, suspects, check)
+                      : fitText(name, measurement, fit, suspects, check);
 }
 
 Result<std::string> publishedAnswer(const FitRequest& request, const std::string& name,
@@ -69,6 +78,11 @@ void addFitCommand(CLI::App& app, FitRequest& request) {
   fit->add_option("--risk", request.risk, "Of naming a suspect in a session without misreadings")
       ->check(CLI::Range(1e-9, 0.5))
       ->capture_default_str();
+  constexpr std::size_t fewestDraws = 1000, mostDraws = 10000000;
+  CLI::Option* draws = fit->add_option("--monte-carlo", request.monteCarlo,
+                                       "Check the uncertainty by this many draws of all readings (JCGM 101)")
+                           ->check(CLI::Range(fewestDraws, mostDraws));
+  fit->add_option("--seed", request.seed, "Of the draws; 1 if not given")->needs(draws);
   fit->add_flag("--json", request.json, "Print one JSON document");
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 
 #include "core/base/result.h"
@@ -15,10 +17,13 @@ struct FitRequest {
   std::string file;                 ///< `-`: standard input
   std::string method = "rigorous";  ///< or "published"
   double risk = 0.01;               ///< of naming a suspect in a sound session
+  std::size_t monteCarlo = 0;       ///< draws to check the uncertainty with; 0: none
+  std::uint64_t seed = 1;           ///< of the draws
   bool json = false;                ///< one JSON document instead of text for people
 };
 
-/// Adds `fit FILE [--method rigorous|published] [--risk P] [--json]`, which fills in `request`.
+/// Adds `fit FILE [--method rigorous|published] [--risk P] [--monte-carlo N [--seed S]] [--json]`, which
+/// fills in `request`.
 void addFitCommand(CLI::App& app, FitRequest& request);
 
 /// The fit as text or JSON. Fails where the session cannot be read, where any entry of it is unusable (the

@@ -177,6 +177,42 @@ Json findingsJson(const std::vector<Finding>& findings) {
   return list;
 }
 
+Json spreadJson(const Spread& spread) {
+  return {
+      {"mean_mm", spread.mean}, {"sigma_mm", spread.sigma}, {"low_mm", spread.low}, {"high_mm", spread.high}};
+}
+
+std::string linearName(LinearPropagation linear) {
+  switch (linear) {
+    case LinearPropagation::Validated:
+      return "validated";
+    case LinearPropagation::Refuted:
+      return "refuted";
+    case LinearPropagation::Undecided:
+      break;
+  }
+  return "undecided";
+}
+
+Json monteCarloJson(const MonteCarlo& check) {
+  Json json = {{"draws", check.draws},
+               {"failed", check.failed},
+               {"seed", check.seed},
+               {"coverage", check.coverage},
+               {"arcs", Json::array()}};
+  for (const CentreSpread& centre : check.centres)
+    json["arcs"].push_back(
+        {{"axis_deg", centre.axisDeg}, {"x", spreadJson(centre.x)}, {"y", spreadJson(centre.y)}});
+  if (!check.intersection) return json;
+  json["intersection"] = spreadJson(*check.intersection);
+  json["numerical_tolerance_mm"] = check.tolerance;
+  json["low_difference_mm"] = check.lowDifference;
+  json["high_difference_mm"] = check.highDifference;
+  json["endpoint_sigma_mm"] = check.endpointSigma;
+  json["linear_propagation"] = linearName(check.linear);
+  return json;
+}
+
 std::string documentText(const Json& document) {
   return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -184,7 +220,7 @@ std::string documentText(const Json& document) {
 }  // namespace
 
 std::string fitJson(const std::string& name, const Measurement& measurement, const SessionFit& fit,
-                    const std::vector<Suspect>& suspects) {
+                    const std::vector<Suspect>& suspects, const std::optional<MonteCarlo>& check) {
   Json document = {{"session", name}, {"method", "rigorous"}, {"arcs", Json::array()}};
   for (std::size_t i = 0; i < fit.arcs.size(); ++i) {
     document["arcs"].push_back(arcJson(fit.arcs[i], fit.sigmas[i]));
@@ -196,6 +232,7 @@ std::string fitJson(const std::string& name, const Measurement& measurement, con
                             {"verdict", verdictName(*fit.verdict)}};
   }
   document["budget"] = budgetJson(fit.intersection);
+  if (check) document["monte_carlo"] = monteCarloJson(*check);
   document["effects"] = Json::array();
   for (const EffectEstimate& estimate : fit.effects) document["effects"].push_back(effectJson(estimate));
   document["reliability"] = reliabilityJson(measurement, fit);

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "core/adjustment/monte_carlo.h"
 #include "core/adjustment/session_fit.h"
 #include "core/adjustment/suspects.h"
 #include "core/session/measurement.h"
@@ -15,7 +17,7 @@ namespace alidade::console {
 // published method, which states none.
 
 std::string fitJson(const std::string& name, const Measurement& measurement, const SessionFit& fit,
-                    const std::vector<Suspect>& suspects);
+                    const std::vector<Suspect>& suspects, const std::optional<MonteCarlo>& check = {});
 std::string fitJson(const std::string& name, const Measurement& measurement, const PublishedSessionFit& fit);
 
 }  // namespace alidade::console

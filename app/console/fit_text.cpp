@@ -74,6 +74,43 @@ std::string budgetText(const Intersection& intersection) {
   return "\nStandard uncertainty of Δd\n" + alignedColumns(rows);
 }
 
+std::vector<std::string> spreadRow(const std::string& name, const Spread& spread) {
+  return {"  " + name, fixedText(spread.mean, 5), fixedText(spread.sigma, 5), fixedText(spread.low, 5),
+          fixedText(spread.high, 5)};
+}
+
+std::string linearSentence(const MonteCarlo& check) {
+  const std::string ends = "the ends of Δd ± U differ from the interval's by " +
+                           fixedText(check.lowDifference, 5) + " mm and " +
+                           fixedText(check.highDifference, 5) + " mm, the numerical tolerance is " +
+                           fixedText(check.tolerance, 5) + " mm.";
+  switch (check.linear) {
+    case LinearPropagation::Validated:
+      return "The linear budget is validated: " + ends;
+    case LinearPropagation::Refuted:
+      return "The linear budget is not validated: " + ends + " Rely on the interval of the draws.";
+    case LinearPropagation::Undecided:
+      break;
+  }
+  return "Too few draws to validate the linear budget (an end is uncertain by " +
+         fixedText(check.endpointSigma, 5) + " mm): " + ends;
+}
+
+std::string monteCarloText(const MonteCarlo& check) {
+  Rows rows = {{"Monte Carlo (mm)", "mean", "σ", percent(check.coverage) + " from", "to"}};
+  if (check.intersection) rows.push_back(spreadRow("Δd", *check.intersection));
+  for (const CentreSpread& centre : check.centres) {
+    const std::string at = " at " + std::to_string(centre.axisDeg) + "°";
+    rows.push_back(spreadRow("x" + at, centre.x));
+    rows.push_back(spreadRow("y" + at, centre.y));
+  }
+  const std::string failed =
+      check.failed > 0 ? std::to_string(check.failed) + " draws fixed no circle and are left out. " : "";
+  return "\n" + alignedColumns(rows) +
+         paragraph(std::to_string(check.draws) + " draws, seed " + std::to_string(check.seed) + ". " +
+                   failed + (check.intersection ? linearSentence(check) : ""));
+}
+
 std::string findingText(const Finding& finding) {
   std::string text = finding.severity == Severity::Note      ? "Note: "
                      : finding.severity == Severity::Warning ? "Warning: "
@@ -165,13 +202,14 @@ std::string intersectionText(const Measurement& measurement, const PublishedSess
 }  // namespace
 
 std::string fitText(const std::string& name, const Measurement& measurement, const SessionFit& fit,
-                    const std::vector<Suspect>& suspects) {
+                    const std::vector<Suspect>& suspects, const std::optional<MonteCarlo>& check) {
   std::string text =
       name + "\nRigorous fit: orthogonal least squares on the readings of both circles; x right, y up\n\n" +
       arcsText(fit);
   if (fit.intersection) text += intersectionText(measurement, *fit.intersection);
   text += verdictText(measurement, fit);
   if (fit.intersection) text += budgetText(*fit.intersection);
+  if (check) text += monteCarloText(*check);
   text += effectsText(fit.effects);
   if (const auto faces = compareFaces(measurement)) text += twoFacesText(measurement, *faces);
   text += suspectsText(suspects);

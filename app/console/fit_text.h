@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "core/adjustment/monte_carlo.h"
 #include "core/adjustment/session_fit.h"
 #include "core/adjustment/suspects.h"
 #include "core/session/measurement.h"
@@ -13,7 +15,7 @@ namespace alidade::console {
 // the form it was published in beside the circle it means in this program's frame.
 
 std::string fitText(const std::string& name, const Measurement& measurement, const SessionFit& fit,
-                    const std::vector<Suspect>& suspects);
+                    const std::vector<Suspect>& suspects, const std::optional<MonteCarlo>& check = {});
 std::string fitText(const std::string& name, const Measurement& measurement, const PublishedSessionFit& fit);
 
 }  // namespace alidade::console

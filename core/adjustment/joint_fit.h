@@ -50,6 +50,7 @@ struct Unknown {
 struct EstimatedTerm {
   ErrorTerm term;
   double priorSigma;  ///< plausible size; infinite: nothing is known beforehand
+  double priorValue = 0;
 };
 
 enum class ReadingKind { Horizontal, Vertical, Slider };

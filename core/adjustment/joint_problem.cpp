@@ -37,7 +37,7 @@ JointProblem::JointProblem(const Measurement& measurement, const JointFitOptions
   }
   if (measurement.radiusModel != RadiusModel::Free) addSharedRadius();
   for (const EstimatedTerm& term : m_terms)
-    estimate({.kind = Unknown::Kind::Error, .arc = 0, .term = term.term}, {0, term.priorSigma});
+    estimate({.kind = Unknown::Kind::Error, .arc = 0, .term = term.term}, {term.priorValue, term.priorSigma});
   consider({.kind = Unknown::Kind::Distance}, measurement.sigmaDistance);
   buildSlotMaps();
 }
@@ -128,7 +128,7 @@ JointProblem::JetState JointProblem::jetsOf(const JointState& state, std::size_t
                 jet(distanceSlot, m_measurement.distance),
                 variable(state.arcAngles[static_cast<Index>(visit)], phiSlot)};
   for (std::size_t t = 0; t < m_terms.size(); ++t)
-    jets.errors.set(m_terms[t].term, jet(firstTermSlot + t, 0));
+    jets.errors.set(m_terms[t].term, jet(firstTermSlot + t, m_terms[t].priorValue));
   return jets;
 }
 

@@ -241,5 +241,26 @@ TEST(FitJson, ComparesTheFacesWhereThereAreTwo) {
   EXPECT_EQ(visit["axis_deg"], 0);
 }
 
+TEST(FitJson, ChecksTheUncertaintyByDraws) {
+  const auto outOf = [](std::vector<std::string> more) {
+    more.insert(more.begin(), {"fit", paperSession, "--json"});
+    const ProgramRun run = alidadeCli(std::move(more));
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    return run.out;
+  };
+  const std::string first = outOf({"--monte-carlo", "1000", "--seed", "4"});
+  EXPECT_EQ(outOf({"--monte-carlo", "1000", "--seed", "4"}), first);
+  const Json check = Json::parse(first).at("monte_carlo");
+  EXPECT_EQ(check.at("draws"), 1000);
+  EXPECT_EQ(check.at("seed"), 4);
+  EXPECT_EQ(check.at("arcs").size(), 2u);
+  EXPECT_EQ(check.at("linear_propagation"), "undecided");  // an end is uncertain by 0.009 mm, δ is 0.005 mm
+  EXPECT_NEAR(check.at("intersection").at("sigma_mm").get<double>(), 0.105, 0.01);
+  EXPECT_LT(check.at("intersection").at("low_mm"), 1.2);
+  EXPECT_FALSE(Json::parse(outOf({})).contains("monte_carlo"));
+  expectRefusal(alidadeCli({"fit", paperSession, "--monte-carlo", "5"}));
+  expectRefusal(alidadeCli({"fit", paperSession, "--seed", "5"}));
+}
+
 }  // namespace
 }  // namespace alidade::test
