@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/adjustment/session_fit.h"
+#include "core/effects/catalogue.h"
 #include "core/simulation/simulate.h"
 
 // How often Δd ± U covers the true Δd: simulated sessions of several protocols, each with a truth and noise
@@ -19,7 +20,9 @@ namespace {
 using namespace alidade;
 
 struct Setting {
-  std::string name, protocol, effect = {};
+  std::string name, protocol;
+  std::string effect = {};  ///< put in at its plausible size and estimated along
+  int points = 17;
   double noiseFactor = 1, sigmaDistance = 0, sigmaZero = 2;
   RadiusModel radius = RadiusModel::Free;
 };
@@ -33,19 +36,22 @@ Truth truthOf(const Setting& setting, std::uint64_t seed) {
   truth.noiseFactor = setting.noiseFactor;
   truth.sigmaDistance = setting.sigmaDistance;
   truth.sigmaZero = Angle::fromArcseconds(setting.sigmaZero);
+  if (!setting.effect.empty())
+    for (const EffectParameter& parameter : effectById(setting.effect)->parameters)
+      truth.effects.push_back({parameter.term, parameter.plausible});
   return truth;
 }
 
 void take(const Setting& setting, std::uint64_t seed, Tally& tally) {
   const Truth truth = truthOf(setting, seed);
-  const Result<Session> session = simulate(*protocolByName(setting.protocol), truth, seed);
+  Protocol protocol = *protocolByName(setting.protocol);
+  protocol.step = protocol.step * ((protocol.points - 1.0) / (setting.points - 1.0));
+  protocol.points = setting.points;
+  const Result<Session> session = simulate(protocol, truth, seed);
   if (!session) return;
   Measurement measurement = examine(*session).measurement.value();
   measurement.radiusModel = setting.radius;
-  if (setting.radius == RadiusModel::Known) {
-    // The radius drawn is known with the spread it was drawn with.
-    measurement.sigmaRadius = 0.15;
-  }
+  measurement.sigmaRadius = 0.15;  // the spread that the truth was drawn with
   if (!setting.effect.empty()) measurement.effects = {setting.effect};
   const SessionFit fit = fitSession(measurement);
   if (!fit.intersection) return;
@@ -80,6 +86,9 @@ int main(int argc, char** argv) {
   const std::vector<Setting> settings = {
       {.name = "paper", .protocol = "paper"},
       {.name = "paper, zeros exact", .protocol = "paper", .sigmaZero = 1e-6},
+      {.name = "paper, 5 places", .protocol = "paper", .points = 5},
+      {.name = "paper, 5 places, zeros exact", .protocol = "paper", .points = 5, .sigmaZero = 1e-6},
+      {.name = "paper, 4 places, zeros exact", .protocol = "paper", .points = 4, .sigmaZero = 1e-6},
       {.name = "paper, noise 3 times the stated", .protocol = "paper", .noiseFactor = 3},
       {.name = "paper, L known to 2 mm", .protocol = "paper", .sigmaDistance = 2},
       {.name = "paper, common radius", .protocol = "paper", .radius = RadiusModel::Common},
@@ -89,6 +98,8 @@ int main(int argc, char** argv) {
       {.name = "two-face", .protocol = "two-face"},
       {.name = "full", .protocol = "full"},
       {.name = "full, trunnion tilt estimated along", .protocol = "full", .effect = "trunnion_tilt"},
+      {.name = "paper-slider, drift estimated along", .protocol = "paper-slider", .effect = "vertical_drift"},
+      {.name = "paper, ellipticity estimated along", .protocol = "paper", .effect = "arc_ellipticity"},
   };
   for (const Setting& setting : settings) run(setting, sessions, std::max(1u, threads));
   return 0;
