@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/adjustment/corrections.h"
 #include "core/adjustment/joint_fit.h"
 #include "core/adjustment/session_fit.h"
 #include "core/base/angle.h"
@@ -13,14 +14,6 @@
 #include "core/session/session.h"
 
 namespace alidade {
-
-/// A new text for one cell of the table of readings.
-struct CellChange {
-  Place where;  ///< position, reading and field: "horizontal", "vertical", "slider" or "face"
-  std::string text;
-
-  bool operator==(const CellChange&) const = default;
-};
 
 /// What was probably meant: changes to what was typed that make the reading agree with all others.
 struct Proposal {
@@ -35,9 +28,10 @@ struct Suspect {
   Place where;  ///< position, reading and field of the cell
   int axisDeg = 0, point = 0, round = 1, face = 1;
   ReadingKind kind = ReadingKind::Horizontal;
-  /// As typed minus what the other readings say it should be, as read on the circle.
+  /// As typed minus what the other readings say it should be, as read on the circle; half a turn for a wrong
+  /// face, NaN where what was typed is no angle.
   Angle size;
-  double studentised = 0;           ///< t of the size
+  double studentised = 0;  ///< t of the misfit; 0 where the row could not be used and took no part in the fit
   std::vector<Place> rivals;        ///< cells that could be at fault instead
   std::vector<Proposal> proposals;  ///< the most probable first; may be empty
   std::string sentence;             ///< for people: which reading, by how much, and what was probably meant
@@ -48,9 +42,10 @@ struct SuspectOptions {
 };
 
 /// The readings of a fitted session that look misread, the most certain first; nothing is changed or left out
-/// because of it. `measurement` is what `session` means, `fit` its fit. Which readings these are says
-/// `searchMisreadings`; where it cannot tell which reading of a visit is at fault, the slip that makes the
-/// visit agree decides.
+/// because of it. Rows that could not be used are looked at, too, and named where a slip explains them.
+/// `measurement` is what `session` means, `fit` its fit. Which readings these are says
+/// `searchMisreadings`; the slip that makes its visit agree with all others decides which cell is at
+/// fault, where one does.
 std::vector<Suspect> findSuspects(const Session& session, const Measurement& measurement,
                                   const SessionFit& fit, const SuspectOptions& options = {});
 

@@ -1,6 +1,7 @@
 #include "core/base/statistics.h"
 
 #include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/fisher_f.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <cassert>
@@ -11,6 +12,12 @@ namespace alidade {
 double chiSquareUpperTail(double chiSquare, double degreesOfFreedom) {
   assert(degreesOfFreedom > 0 && chiSquare >= 0);
   return boost::math::cdf(complement(boost::math::chi_squared(degreesOfFreedom), chiSquare));
+}
+
+double fUpperTail(double ratio, double numerator, double denominator) {
+  assert(ratio >= 0 && numerator > 0 && denominator > 0);
+  if (std::isinf(denominator)) return chiSquareUpperTail(ratio * numerator, numerator);
+  return boost::math::cdf(complement(boost::math::fisher_f(numerator, denominator), ratio));
 }
 
 double coverageFactor(double coverage, double degreesOfFreedom) {

@@ -1,0 +1,92 @@
+// How often slips of the pen are found and corrected: simulated sessions with one slip that shows by more
+// than ten sigma, kind by kind and plan by plan, and how often a sound session names a suspect. Arguments:
+// sessions for each plan (2000), step in arcseconds to which readings are typed (0.1).
+
+#include "tests/support/typed_slips.h"
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+
+namespace {
+
+using namespace alidade;
+using namespace alidade::test;
+
+const char* const names[] = {
+    "none",       "digits swapped",  "digit wrong",     "degree off", "ten minutes off",
+    "minute off", "ten seconds off", "circles swapped", "wrong face", "neighbouring row"};
+
+struct Rates {
+  int sessions = 0, cells = 0, corrections = 0, others = 0;
+
+  void count(const Found& found) {
+    ++sessions;
+    cells += found.rightCell;
+    corrections += found.rightCorrection;
+    others += found.others > 0;
+  }
+  void print(const char* name) const {
+    const double percent = 100.0 / std::max(sessions, 1);
+    std::printf(
+        "  %-18s %5d sessions, right cell %6.2f %%, right correction first %6.2f %%, sound cells named %5.2f "
+        "%%\n",
+        name, sessions, cells * percent, corrections * percent, others * percent);
+  }
+};
+
+void runPlan(const char* name, int sessions, double step, bool verbose) {
+  const Protocol& protocol = *protocolByName(name);
+  Rates all, kinds[slipKinds + 1];
+  double milliseconds = 0;
+  for (int i = 0; i < sessions; ++i) {
+    const auto slip = static_cast<Slip>(1 + i % slipKinds);
+    const SlippedSession slipped = slippedSession(protocol, slip, static_cast<std::uint64_t>(i) + 1, step);
+    if (slipped.visibleSigma <= 10) continue;
+    const auto begin = std::chrono::steady_clock::now();
+    const auto suspects = suspectsOf(slipped.session);
+    milliseconds +=
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+    const Found found = judge(slipped, suspects);
+    all.count(found);
+    kinds[static_cast<int>(slip)].count(found);
+    if (verbose && !(found.rightCell && found.rightCorrection)) {
+      Session copy = slipped.session;
+      std::printf("    seed %d %s:", i + 1, names[static_cast<int>(slip)]);
+      for (const CellChange& change : slipped.cure)
+        std::printf(" %s %s for %s", change.where.path().c_str(), cell(copy, change.where).c_str(),
+                    change.text.c_str());
+      std::printf(" (%.0f sigma)\n", slipped.visibleSigma);
+      for (const Suspect& suspect : suspects) {
+        std::printf("      %s t %.1f %s\n", suspect.where.path().c_str(), suspect.studentised,
+                    suspect.sentence.c_str());
+        for (const Proposal& proposal : suspect.proposals)
+          std::printf("        %.3f %s\n", proposal.share, proposal.sentence.c_str());
+      }
+    }
+  }
+  int alarms = 0;
+  double quiet = 0;
+  for (int i = 0; i < sessions; ++i) {
+    const Session sound =
+        slippedSession(protocol, Slip::None, static_cast<std::uint64_t>(i) + 1, step).session;
+    const Measurement measurement = *examine(sound).measurement;
+    const SessionFit fit = fitSession(measurement);
+    const auto begin = std::chrono::steady_clock::now();
+    alarms += findSuspects(sound, measurement, fit).empty() ? 0 : 1;
+    quiet += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+  }
+  std::printf("%s, %.2f ms with a slip, %.2f ms without; suspects named in %.2f %% of sound sessions\n", name,
+              milliseconds / sessions, quiet / sessions, 100.0 * alarms / sessions);
+  for (int kind = 1; kind <= slipKinds; ++kind) kinds[kind].print(names[kind]);
+  all.print("all");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const int sessions = argc > 1 ? std::atoi(argv[1]) : 2000;
+  const double step = argc > 2 ? std::atof(argv[2]) : 0.1;
+  for (const char* plan : {"paper", "paper-slider", "two-face", "full"})
+    if (argc <= 3 || std::string(argv[3]) == plan) runPlan(plan, sessions, step, argc > 4);
+}

@@ -1,0 +1,185 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "core/adjustment/suspects.h"
+#include "core/base/angle_text.h"
+#include "core/simulation/simulate.h"
+
+namespace alidade::test {
+
+// Simulated sessions with one slip of the pen of known kind, and whether the suspects found are right.
+// Written apart from the program's own list of slips.
+
+enum class Slip {
+  None,
+  DigitsSwapped,
+  DigitWrong,
+  DegreeOff,
+  TenMinutesOff,
+  MinuteOff,
+  TenSecondsOff,
+  CirclesSwapped,
+  WrongFace,
+  NeighbouringRow,  ///< one circle's readings of two consecutive rows in each other's place
+};
+
+inline constexpr int slipKinds = 9;
+
+struct SlippedSession {
+  Session session;
+  std::vector<CellChange> cure;  ///< the cells at fault, with what was to be typed
+  double visibleSigma = 0;  ///< the largest of error times √redundancy over σ; infinite where unusable
+};
+
+inline std::string& cell(Session& session, const Place& where) {
+  Reading& reading = session.positions[*where.position].readings[*where.reading];
+  if (where.field == "face") return reading.face;
+  if (where.field == "slider") return reading.slider;
+  return where.field == "horizontal" ? reading.horizontal : reading.vertical;
+}
+
+inline std::string typedWrongly(const std::string& text, Slip slip, std::mt19937_64& random) {
+  const auto pick = [&](std::size_t count) {
+    return std::uniform_int_distribution<std::size_t>(0, count - 1)(random);
+  };
+  std::vector<std::size_t> digits;
+  for (std::size_t i = 0; i < text.size(); ++i)
+    if (text[i] >= '0' && text[i] <= '9') digits.push_back(i);
+  std::string wrong = text;
+  if (slip == Slip::DigitsSwapped) {
+    const std::size_t at = pick(digits.size() - 1);
+    std::swap(wrong[digits[at]], wrong[digits[at + 1]]);
+    return wrong;
+  }
+  if (slip == Slip::DigitWrong) {
+    wrong[digits[pick(digits.size())]] = static_cast<char>('0' + pick(10));
+    return wrong;
+  }
+  const double seconds = slip == Slip::DegreeOff       ? 3600
+                         : slip == Slip::TenMinutesOff ? 600
+                         : slip == Slip::MinuteOff     ? 60
+                                                       : 10;
+  const double sign = pick(2) == 0 ? 1 : -1;
+  const Angle meant = *parseAngle(text);
+  const int decimals = text.find('.') == std::string::npos ? 0 : 1;
+  return formatDms(wrapped(meant + Angle::fromArcseconds(sign * seconds), Angle::fromDegrees(180)), decimals,
+                   AngleSigns::Typewriter);
+}
+
+/// The error of the slip in the clean fit, where both are usable.
+inline double visibleSigma(const Session& clean, const SlippedSession& slipped, const JointFit& fit,
+                           const Measurement& measurement) {
+  double most = 0;
+  for (const CellChange& change : slipped.cure) {
+    Session copy = slipped.session;
+    const auto wrong = parseAngle(cell(copy, change.where)), right = parseAngle(change.text);
+    if (change.where.field == "face" || !wrong) return std::numeric_limits<double>::infinity();
+    for (const AdjustedReading& reading : fit.readings) {
+      const ArcMeasurement& arc = measurement.arcs[reading.arc];
+      const char* field = reading.kind == ReadingKind::Horizontal ? "horizontal"
+                          : reading.kind == ReadingKind::Vertical ? "vertical"
+                                                                  : "slider";
+      if (arc.position != change.where.position ||
+          arc.sightings[reading.sighting].row != change.where.reading || change.where.field != field)
+        continue;
+      const double error = wrapped(*wrong - *right).radians();
+      most = std::max(most, std::abs(error) * std::sqrt(reading.redundancy) / reading.sigma);
+    }
+  }
+  (void)clean;
+  return most;
+}
+
+/// A session by the protocol whose slip shows by more than ten sigma; the truth, place and slip follow from
+/// the seed. Kinds that the protocol cannot have, or that happen to change nothing, are drawn anew.
+inline SlippedSession slippedSession(const Protocol& protocol, Slip slip, std::uint64_t seed,
+                                     double step = 0.1) {
+  std::mt19937_64 random(seed * 7919 + static_cast<std::uint64_t>(slip));
+  Truth truth = drawTruth(seed);
+  truth.typingStep = Angle::fromArcseconds(step);
+  const Session clean = *simulate(protocol, truth, seed);
+  const Measurement measurement = *examine(clean).measurement;
+  const JointFit fit = fitSession(measurement).joint;
+  SlippedSession result{clean, {}, 0};
+  if (slip == Slip::None) return result;
+  for (int attempt = 0; attempt < 5000; ++attempt) {
+    const auto pick = [&](std::size_t count) {
+      return std::uniform_int_distribution<std::size_t>(0, count - 1)(random);
+    };
+    const std::size_t position = pick(clean.positions.size());
+    const auto& readings = clean.positions[position].readings;
+    const std::size_t row = pick(readings.size());
+    const std::size_t column = pick(readings[row].slider.empty() || slip == Slip::NeighbouringRow ? 2 : 3);
+    const Place where{.position = position,
+                      .reading = row,
+                      .field = column == 0   ? "horizontal"
+                               : column == 1 ? "vertical"
+                                             : "slider"};
+    Session session = clean;
+    result = {clean, {}, 0};
+    const auto type = [&](const Place& place, const std::string& text) {
+      result.cure.push_back({place, cell(session, place)});
+      cell(result.session, place) = text;
+    };
+    if (slip == Slip::CirclesSwapped) {
+      type({.position = position, .reading = row, .field = "horizontal"}, readings[row].vertical);
+      type({.position = position, .reading = row, .field = "vertical"}, readings[row].horizontal);
+    } else if (slip == Slip::WrongFace) {
+      const std::string face = readings[row].face.empty() ? "1" : readings[row].face;
+      type({.position = position, .reading = row, .field = "face"}, face == "1" ? "2" : "1");
+    } else if (slip == Slip::NeighbouringRow) {
+      if (row + 1 >= readings.size()) continue;
+      Place next = where;
+      next.reading = row + 1;
+      const std::string own = cell(session, where), other = cell(session, next);
+      type(where, other);
+      type(next, own);
+    } else {
+      const std::string wrong = typedWrongly(cell(session, where), slip, random);
+      if (wrong == cell(session, where)) continue;
+      type(where, wrong);
+    }
+    result.visibleSigma = visibleSigma(clean, result, fit, measurement);
+    if (result.visibleSigma > 10) return result;
+  }
+  return result;
+}
+
+struct Found {
+  bool rightCell = false;        ///< every cell at fault is named
+  bool rightCorrection = false;  ///< and the first proposal restores what was to be typed
+  std::size_t others = 0;        ///< cells named that are sound
+};
+
+inline Found judge(const SlippedSession& slipped, const std::vector<Suspect>& suspects) {
+  Found found{true, true, 0};
+  const auto isCured = [&](const Place& where) {
+    return std::ranges::any_of(slipped.cure, [&](const CellChange& change) { return change.where == where; });
+  };
+  for (const CellChange& change : slipped.cure) {
+    const auto suspect = std::ranges::find(suspects, change.where, &Suspect::where);
+    found.rightCell = found.rightCell && suspect != suspects.end();
+    Session cured = slipped.session;
+    if (suspect != suspects.end() && !suspect->proposals.empty())
+      for (const CellChange& proposed : suspect->proposals.front().changes)
+        cell(cured, proposed.where) = proposed.text;
+    const std::string &is = cell(cured, change.where), &meant = change.text;
+    found.rightCorrection = found.rightCorrection &&
+                            (is == meant || (change.where.field == "face" && meant.empty() && is == "1"));
+  }
+  for (const Suspect& suspect : suspects) found.others += isCured(suspect.where) ? 0 : 1;
+  return found;
+}
+
+inline std::vector<Suspect> suspectsOf(const Session& session) {
+  const Measurement measurement = *examine(session).measurement;
+  return findSuspects(session, measurement, fitSession(measurement));
+}
+
+}  // namespace alidade::test
