@@ -83,8 +83,17 @@ std::string moved(std::string_view typed, const Parts& parts, int seconds) {
   };
   put(parts.seconds, after % 60);  // from the back, so that the places in front stay
   put(parts.minutes, after / 60 % 60);
-  put(parts.degrees, after / 3600);
+  // Zeros stand in front of the degrees only where they were typed.
+  if (typed[parts.degrees.at] == '0')
+    put(parts.degrees, after / 3600);
+  else
+    text.replace(parts.degrees.at, parts.degrees.length, std::to_string(after / 3600));
   return text;
+}
+
+/// A zero in front of other digits: a style of its own.
+bool startsWithZero(std::string_view text) {
+  return text.size() > 1 && text[0] == '0' && isDigit(text[1]);
 }
 
 class Collector {
@@ -93,7 +102,7 @@ class Collector {
 
   void add(EntrySlip slip, const std::vector<std::string>& texts) {
     for (const std::string& text : texts) {
-      if (text == m_typed) continue;
+      if (text == m_typed || (startsWithZero(text) && !startsWithZero(m_typed))) continue;
       const double prior = slipShare(slip) / static_cast<double>(texts.size());
       const auto found = std::ranges::find(m_meant, text, &MeantText::text);
       if (found == m_meant.end()) {

@@ -37,7 +37,8 @@ JointState stateOf(const JointProblem& problem, const JointFit& fit) {
   JointState state;
   const auto estimated = static_cast<Index>(fit.values.size());
   state.unknowns = VectorXd::Zero(estimated + static_cast<Index>(problem.considered().size()));
-  for (Index i = 0; i < estimated; ++i) state.unknowns[i] = fit.values[static_cast<std::size_t>(i)];
+  for (std::size_t i = 0; i < fit.values.size(); ++i)
+    state.unknowns[static_cast<Index>(i)] = fit.values[i] - problem.priorValue(i);
   state.arcAngles.resize(static_cast<Index>(problem.visits().size()));
   for (std::size_t v = 0; v < problem.visits().size(); ++v)
     state.arcAngles[static_cast<Index>(v)] =
@@ -111,7 +112,7 @@ class Search {
     start();
     for (std::size_t step = 0; step < 3 * m_options.most + 3; ++step) {
       takeBackInsignificant();
-      if (m_shifts.size() >= m_options.most || !addMostSignificant()) break;
+      if (calls() >= m_options.most || !addMostSignificant()) break;
     }
     return result();
   }
@@ -120,6 +121,13 @@ class Search {
   struct Shift {
     ReadingRef cell;
     double size = 0;  ///< rad
+  };
+
+  /// A sighting that is all there is of its visit. Both its circles tell one thing, how far off the arc it
+  /// is, so it is left out as a whole; the circle whose error would be the smaller one is named.
+  struct LeftOut {
+    ReadingRef cell, other;
+    double size = 0, sigma = 0;  ///< rad; σ scaled as the others scatter
   };
 
   void start() {
@@ -157,6 +165,60 @@ class Search {
     m_projector.emplace(m_shifted, m_fitOptions, m_fit);
   }
 
+  bool isAlone(const ReadingRef& cell) const {
+    const auto& sightings = m_measurement.arcs[cell.arc].sightings;
+    const Sighting& own = sightings[cell.sighting];
+    return !own.slider && std::ranges::count_if(sightings, [&](const Sighting& other) {
+                            return other.round == own.round && other.point == own.point;
+                          }) == 1;
+  }
+
+  bool isLeftOut(const ReadingRef& cell) const {
+    return std::ranges::any_of(m_leftOut, [&](const LeftOut& out) {
+      return out.cell.arc == cell.arc && out.cell.sighting == cell.sighting;
+    });
+  }
+
+  void take(const ReadingRef& cell) {
+    if (!isAlone(cell))
+      m_shifts.push_back({cell, 0});
+    else if (!isLeftOut(cell))
+      m_leftOut.push_back({{cell.arc, cell.sighting, ReadingKind::Horizontal},
+                           {cell.arc, cell.sighting, ReadingKind::Vertical}});
+  }
+
+  std::size_t calls() const { return m_shifts.size() + m_leftOut.size(); }
+
+  /// How far each sighting left out is off the arc that the others fix, and which circle is named for it.
+  void measureLeftOut() {
+    const JointProblem problem(m_shifted, m_options.fit);
+    JointState state = stateOf(problem, m_fit);
+    const MatrixXd cofactor = matrixOf(m_fit.cofactor);
+    for (LeftOut& out : m_leftOut) {
+      const auto visit = std::ranges::find_if(problem.visits(), [&](const VisitOfArc& v) {
+        return v.arc == out.cell.arc && v.visit.sightings.front() == out.cell.sighting;
+      });
+      const auto index = static_cast<std::size_t>(visit - problem.visits().begin());
+      VisitEquations equations = problem.equationsOf(state, index);
+      for (int iteration = 0; iteration < 30; ++iteration) {
+        const double turn = equations.along.dot(equations.residual) / equations.jacobian.col(phiSlot).norm();
+        state.arcAngles[static_cast<Index>(index)] += std::clamp(turn, -0.3, 0.3);
+        equations = problem.equationsOf(state, index);
+        if (std::abs(turn) < 1e-10) break;
+      }
+      const Eigen::Vector2d across(-equations.along[1], equations.along[0]);
+      const VectorXd reduced =
+          (problem.spread(JointProblem::reduced(equations, 0), out.cell.arc) * across[0] +
+           problem.spread(JointProblem::reduced(equations, 1), out.cell.arc) * across[1])
+              .head(cofactor.rows());
+      const Index larger = std::abs(across[0]) >= std::abs(across[1]) ? 0 : 1;
+      if ((larger == 0) != (out.cell.kind == ReadingKind::Horizontal)) std::swap(out.cell, out.other);
+      const double unit = sigmaOf(m_measurement, out.cell.kind) / across[larger];
+      out.size = (across[0] * equations.residual[0] + across[1] * equations.residual[1]) * unit;
+      out.sigma = scale() * std::sqrt(1 + reduced.dot(cofactor * reduced)) * std::abs(unit);
+    }
+  }
+
   std::vector<std::size_t> called() const {
     std::vector<std::size_t> indices;
     for (const Shift& shift : m_shifts) indices.push_back(m_projector->indexOf(shift.cell));
@@ -182,15 +244,24 @@ class Search {
   void addIfTestable(const ReadingRef& cell) {
     const std::size_t k = m_projector->indexOf(cell);
     if (k == m_projector->readings().size()) return;
-    if (static_cast<int>(m_shifts.size()) + 2 > m_fit.degreesOfFreedom || m_shifts.size() >= m_options.most)
-      return;
+    if (static_cast<int>(calls()) + 2 > m_fit.degreesOfFreedom || calls() >= m_options.most) return;
     const std::vector<std::size_t> cells = called();
     if (remainingRedundancy(cells, calledProjector(cells).inverse(), k) < leastRedundancy) return;
-    m_shifts.push_back({cell, 0});
+    take(cell);
   }
 
   /// Fit and shifts together: Gauss-Newton on the shifts with the fit made anew for each step.
   void adjust() {
+    m_fitOptions.without = m_options.fit.without;
+    for (const LeftOut& out : m_leftOut) {
+      m_fitOptions.without.push_back(out.cell);
+      m_fitOptions.without.push_back(out.other);
+    }
+    adjustShifts();
+    measureLeftOut();
+  }
+
+  void adjustShifts() {
     for (int iteration = 0; iteration < 8; ++iteration) {
       m_shifted = m_measurement;
       for (const Shift& shift : m_shifts) shiftReading(m_shifted, shift.cell, Angle::fromRadians(shift.size));
@@ -221,7 +292,7 @@ class Search {
       count += static_cast<double>(std::min(testable, end - i == 2 ? std::size_t{1} : testable));
       i = end;
     }
-    return std::max(count, 1.0);
+    return std::max(count + static_cast<double>(m_leftOut.size()), 1.0);
   }
 
   /// Šidák's bound for |t| with `freedom` degrees.
@@ -231,12 +302,15 @@ class Search {
   }
 
   void takeBackInsignificant() {
-    while (!m_shifts.empty()) {
+    while (calls() > 0) {
       std::size_t weakest = 0;
-      for (std::size_t i = 1; i < m_shifts.size(); ++i)
+      for (std::size_t i = 1; i < calls(); ++i)
         if (std::abs(studentised(i)) < std::abs(studentised(weakest))) weakest = i;
       if (freedom() >= 1 && std::abs(studentised(weakest)) >= critical(freedom())) return;
-      m_shifts.erase(m_shifts.begin() + static_cast<std::ptrdiff_t>(weakest));
+      if (weakest < m_shifts.size())
+        m_shifts.erase(m_shifts.begin() + static_cast<std::ptrdiff_t>(weakest));
+      else
+        m_leftOut.erase(m_leftOut.begin() + static_cast<std::ptrdiff_t>(weakest - m_shifts.size()));
       adjust();
     }
   }
@@ -248,7 +322,12 @@ class Search {
            sigmaOf(m_measurement, m_shifts[i].cell.kind);
   }
 
-  double studentised(std::size_t i) const { return m_shifts[i].size / sigmaOfShift(i); }
+  /// Of the shifts, then of the sightings left out.
+  double studentised(std::size_t i) const {
+    if (i < m_shifts.size()) return m_shifts[i].size / sigmaOfShift(i);
+    const LeftOut& out = m_leftOut[i - m_shifts.size()];
+    return out.size / out.sigma;
+  }
 
   bool addMostSignificant() {
     const int left = freedom() - 1;
@@ -269,7 +348,7 @@ class Search {
     if (best == readings.size()) return false;
     const double others = std::max(m_fit.chiSquare - most, 1e-12 * m_fit.chiSquare) / left;
     if (most < others * std::pow(critical(left), 2)) return false;
-    m_shifts.push_back({readings[best].cell, 0});
+    take(readings[best].cell);
     adjust();
     return true;
   }
@@ -307,6 +386,14 @@ class Search {
     for (std::size_t i = 0; i < m_shifts.size(); ++i)
       search.misread.push_back({m_shifts[i].cell, Angle::fromRadians(m_shifts[i].size),
                                 Angle::fromRadians(sigmaOfShift(i)), studentised(i), rivalsOf(i)});
+    for (std::size_t i = 0; i < m_leftOut.size(); ++i) {
+      const LeftOut& out = m_leftOut[i];
+      search.misread.push_back({out.cell,
+                                Angle::fromRadians(out.size),
+                                Angle::fromRadians(out.sigma),
+                                studentised(m_shifts.size() + i),
+                                {out.other}});
+    }
     std::ranges::sort(search.misread, std::ranges::greater(),
                       [](const MisreadReading& m) { return std::abs(m.studentised); });
     search.fit = m_fit;
@@ -322,6 +409,7 @@ class Search {
   std::vector<Circle> m_circles;
   std::vector<ReadingRef> m_apart;
   std::vector<Shift> m_shifts;
+  std::vector<LeftOut> m_leftOut;
   Measurement m_shifted;
   JointFit m_fit;
   std::optional<Projector> m_projector;

@@ -29,9 +29,9 @@ double distanceTo(const Circle& circle, const PlanePoint<double>& point) {
   return std::abs(std::hypot(point.x - circle.x, point.y - circle.y) - circle.radius);
 }
 
-/// The value that a majority does not exceed: with three numbers fitted, the median of what can still differ.
+/// The value that ⌊n/2⌋ + 2 of them do not exceed: with three numbers fitted, the most robust choice.
 double majorityBound(std::vector<double> sizes) {
-  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>((sizes.size() + 3) / 2);
+  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2 + 1);
   std::nth_element(sizes.begin(), middle, sizes.end());
   return *middle;
 }

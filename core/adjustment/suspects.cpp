@@ -16,8 +16,10 @@ namespace alidade {
 
 namespace {
 
-constexpr double leastProbability = 0.001;  ///< of the misfit of a row that agrees
-constexpr double leastShare = 0.01;         ///< of a proposal worth showing
+/// Of the misfit of a row that agrees: no stricter than what it takes to call a reading misread.
+constexpr double leastProbability = 1e-4;
+constexpr double leastShare = 0.01;  ///< of a proposal worth showing
+constexpr double mostSliderDisagreement = 5;
 constexpr std::size_t mostProposals = 5, mostUnusableRows = 12;
 
 const char* fieldOf(ReadingKind kind) {
@@ -139,6 +141,12 @@ class SuspectSearch {
     return visit;
   }
 
+  static Visited withRow(Visited visit, std::size_t row) {
+    if (std::ranges::find(visit.rows, row) == visit.rows.end()) visit.rows.push_back(row);
+    std::ranges::sort(visit.rows);
+    return visit;
+  }
+
   /// A row of the visit is among the suspects already: the slip that explains them both was found.
   bool isNamed(const Visited& visit) const {
     return std::ranges::any_of(m_suspects, [&](const Suspect& suspect) {
@@ -197,18 +205,25 @@ class SuspectSearch {
     double gain = 0;
     for (const auto& [row, reading] : correction.rows) {
       if (std::ranges::find(visit.rows, row) != visit.rows.end()) continue;
-      const auto other = std::ranges::find(arc.sightings, row, &Sighting::row);
-      if (other == arc.sightings.end()) return std::nullopt;
-      const Visited otherVisit = visitOf(visit.arc, other->round, other->point);
+      const auto other = m_reader.read(arc.position, row, reading);
+      if (!other) return std::nullopt;
+      const Visited otherVisit = withRow(visitOf(visit.arc, other->round, other->point), row);
       const auto as = rowsWith(otherVisit, {}, {}), corrected = rowsWith(otherVisit, correction, {});
-      if (as.empty() || corrected.empty()) return std::nullopt;
+      if (corrected.empty()) return std::nullopt;
       const VisitCheck check = checkOf(visit, &otherVisit);
       if (!check.canCheck()) return std::nullopt;
       const VisitAgreement after = check.agreement(corrected);
       if (after.probability < leastProbability) return std::nullopt;
-      gain += after.logLikelihood - check.agreement(as).logLikelihood;
+      constexpr double unusable = -50;  // as typed it cannot have been meant
+      gain += after.logLikelihood - (as.empty() ? unusable : check.agreement(as).logLikelihood);
     }
     return gain;
+  }
+
+  /// Of slider readings typed in both rows of a visit, where one reading was made, in σ.
+  double sliderDisagreement(const std::vector<Sighting>& rows) const {
+    if (rows.size() < 2 || !rows[0].slider || !rows[1].slider) return 0;
+    return std::abs(wrapped(*rows[0].slider - *rows[1].slider).radians()) / m_fitted.sigmaSlider.radians();
   }
 
   std::optional<Tried> tryOut(const Visited& visit, const VisitCheck& check, const Correction& correction,
@@ -216,7 +231,8 @@ class SuspectSearch {
     const std::vector<Sighting> rows = rowsWith(visit, correction, keptOff);
     if (rows.empty()) return std::nullopt;
     const VisitAgreement agreement = check.agreement(rows);
-    if (agreement.probability < leastProbability) return std::nullopt;
+    const double slider = sliderDisagreement(rows);
+    if (agreement.probability < leastProbability || slider > mostSliderDisagreement) return std::nullopt;
     const auto elsewhere = gainElsewhere(visit, correction);
     if (!elsewhere) return std::nullopt;
     const Place& first = correction.changes.front().where;
@@ -225,7 +241,8 @@ class SuspectSearch {
     const std::size_t index = kind == ReadingKind::Slider ? agreement.residuals.size() - 1
                                                           : 2 * static_cast<std::size_t>(row - rows.begin()) +
                                                                 (kind == ReadingKind::Vertical ? 1 : 0);
-    return Tried{correction, *row, std::log(correction.prior) + agreement.logLikelihood + *elsewhere,
+    return Tried{correction, *row,
+                 std::log(correction.prior) + agreement.logLikelihood + *elsewhere - slider * slider / 2,
                  Angle::fromRadians(agreement.residuals[index] * sideOf(m_fitted, row->face, kind))};
   }
 
@@ -365,6 +382,7 @@ class SuspectSearch {
             std::ranges::find(m_fitted.arcs[arc].sightings, row, &Sighting::row) !=
                 m_fitted.arcs[arc].sightings.end())
           continue;
+        if (isNamed({arc, 0, 0, {row}})) continue;
         ++looked;
         lookAtUnusable(arc, row);
       }
@@ -372,24 +390,27 @@ class SuspectSearch {
   }
 
   void lookAtUnusable(std::size_t arc, std::size_t row) {
-    const std::size_t position = m_fitted.arcs[arc].position;
-    const auto point = wholeOr(m_session.positions[position].readings[row].point, static_cast<int>(row) + 1);
-    const auto round = wholeOr(m_session.positions[position].readings[row].round, 1);
-    Visited visit = visitOf(arc, round, point);
-    visit.rows.push_back(row);
-    const VisitCheck check = checkOf(visit);
+    const auto& readings = m_session.positions[m_fitted.arcs[arc].position].readings;
+    const auto pointOf = [&](std::size_t r) { return wholeOr(readings[r].point, static_cast<int>(r) + 1); };
+    const auto roundOf = [&](std::size_t r) { return wholeOr(readings[r].round, 1); };
+    const Visited usable = visitOf(arc, roundOf(row), pointOf(row));
+    const VisitCheck check = checkOf(usable);
     if (!check.canCheck()) return;
-    // Nothing is wrong with the row itself where it agrees alone; its place is taken by another row.
-    const Visited alone{arc, round, point, {row}};
+    // The row may have nothing wrong with it: its face or point is taken by another.
+    const Visited alone{arc, usable.round, usable.point, {row}};
     const auto asTyped = rowsWith(alone, {}, {});
-    if (!asTyped.empty() && check.agreement(asTyped).probability >= leastProbability) {
-      const auto together = rowsWith(visit, {}, {});
-      if (visit.rows.size() == 1 || !together.empty()) return;
+    if (!asTyped.empty() && check.agreement(asTyped).probability >= leastProbability) return;
+    Visited all = withRow(usable, row);
+    for (std::size_t r = 0; r < readings.size(); ++r)
+      if (!readings[r].excluded && roundOf(r) == usable.round && pointOf(r) == usable.point)
+        all = withRow(all, r);
+    for (const Visited& visit : {all, withRow(usable, row)}) {
+      std::vector<Tried> tried = agreeing(visit, check, {});
+      std::erase_if(tried, [&](const Tried& one) { return !one.correction.rows.contains(row); });
+      if (tried.empty()) continue;
+      nameCells(visit, tried, 0);
+      return;
     }
-    std::vector<Tried> tried = agreeing(visit, check, {});
-    std::erase_if(tried,
-                  [&](const Tried& one) { return *one.correction.changes.front().where.reading != row; });
-    if (!tried.empty()) nameCells(visit, tried, 0);
   }
 
   static int wholeOr(const std::string& text, int fallback) {

@@ -88,9 +88,9 @@ struct VisitCheck::Content {
   void takeOver(const JointFit& fit, std::size_t arc) {
     std::vector<std::size_t> indices;
     for (Unknown unknown : fit.unknowns) {
-      if (unknown.kind != Unknown::Kind::Error && unknown.arc != arc) continue;
+      if (!unknown.concerns(arc)) continue;
       indices.push_back(fit.indexOf(unknown));
-      if (unknown.kind != Unknown::Kind::Error) unknown.arc = 0;
+      if (unknown.arc != Unknown::everyArc) unknown.arc = 0;
       unknowns.push_back(unknown);
     }
     const auto count = static_cast<Index>(indices.size());
@@ -157,7 +157,7 @@ VisitAgreement VisitCheck::agreement(const std::vector<Sighting>& rows) const {
     if (indices.back() < 0)
       cofactor(i, i) = unknownZero;
     else
-      state.unknowns[i] = m_content->values[indices.back()];
+      state.unknowns[i] = m_content->values[indices.back()] - problem.priorValue(static_cast<std::size_t>(i));
     for (Index j = 0; j <= i; ++j)
       if (indices[static_cast<std::size_t>(i)] >= 0 && indices[static_cast<std::size_t>(j)] >= 0)
         cofactor(i, j) = cofactor(j, i) =

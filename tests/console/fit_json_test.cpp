@@ -262,5 +262,36 @@ TEST(FitJson, ChecksTheUncertaintyByDraws) {
   expectRefusal(alidadeCli({"fit", paperSession, "--seed", "5"}));
 }
 
+// Point 5 at 0° reads 82°48'…: typed with the minutes' digits swapped.
+TEST(FitJson, NamesSuspectsWithWhatWasProbablyMeant) {
+  const TemporaryFolder folder;
+  std::string meant, typed;
+  const std::string file = folder.file("slip.alidade", changedPaperSession([&](Json& session) {
+                                         Json& vertical = session["positions"][0]["readings"][4]["vertical"];
+                                         meant = typed = vertical.get<std::string>();
+                                         const std::size_t minutes = typed.find("°") + 2;
+                                         std::swap(typed[minutes], typed[minutes + 1]);
+                                         vertical = typed;
+                                       }));
+  const Json fit = fitOf(file);
+  ASSERT_EQ(fit["suspects"].size(), 1u);
+  const Json suspect = fit["suspects"][0];
+  EXPECT_EQ(keysOf(suspect),
+            (std::set<std::string>{"axis_deg", "point", "round", "face", "circle", "size_arcsec",
+                                   "studentised", "suggestion", "where", "rivals", "proposals"}));
+  EXPECT_EQ(suspect["axis_deg"], 0);
+  EXPECT_EQ(suspect["point"], 5);
+  EXPECT_EQ(suspect["circle"], "vertical");
+  EXPECT_EQ(suspect["where"], "positions[0].readings[4].vertical");
+  EXPECT_EQ(suspect["proposals"][0]["changes"][0]["text"], meant);
+  EXPECT_THAT(suspect["suggestion"].get<std::string>(), HasSubstr(typed + " → " + meant));
+  EXPECT_EQ(fit["findings"][0]["severity"], "warning");
+  EXPECT_THAT(fit["findings"][0]["text"].get<std::string>(), HasSubstr("misread"));
+}
+
+TEST(FitJson, NamesNoSuspectInThePapersReadings) {
+  EXPECT_EQ(fitOf(paperSession)["suspects"], Json::array());
+}
+
 }  // namespace
 }  // namespace alidade::test
