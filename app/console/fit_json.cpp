@@ -47,13 +47,15 @@ Json intersectionJson(const Intersection& intersection) {
           {"in_plane_mm", intersection.inPlane}};
 }
 
-Json budgetJson(const std::optional<Intersection>& intersection) {
+Json budgetJson(const std::vector<BudgetEntry>& entries) {
   Json budget = Json::array();
-  if (!intersection) return budget;
-  for (const BudgetEntry& entry : intersection->budget) {
+  for (const BudgetEntry& entry : entries)
     budget.push_back({{"source", entry.source}, {"sigma_mm", entry.sigma}});
-  }
   return budget;
+}
+
+Json arcBudgetJson(const ArcBudget& budget) {
+  return {{"x", budgetJson(budget.x)}, {"y", budgetJson(budget.y)}, {"radius", budgetJson(budget.radius)}};
 }
 
 Json effectJson(const EffectEstimate& estimate) {
@@ -224,6 +226,7 @@ std::string fitJson(const std::string& name, const Measurement& measurement, con
   Json document = {{"session", name}, {"method", "rigorous"}, {"arcs", Json::array()}};
   for (std::size_t i = 0; i < fit.arcs.size(); ++i) {
     document["arcs"].push_back(arcJson(fit.arcs[i], fit.sigmas[i]));
+    document["arcs"].back()["budget"] = arcBudgetJson(fit.budgets[i]);
   }
   document["noise_scale"] = fit.noise.factor;
   if (fit.intersection) document["intersection"] = intersectionJson(*fit.intersection);
@@ -231,7 +234,7 @@ std::string fitJson(const std::string& name, const Measurement& measurement, con
     document["decision"] = {{"tolerance_mm", measurement.tolerance.value()},
                             {"verdict", verdictName(*fit.verdict)}};
   }
-  document["budget"] = budgetJson(fit.intersection);
+  document["budget"] = fit.intersection ? budgetJson(fit.intersection->budget) : Json::array();
   if (check) document["monte_carlo"] = monteCarloJson(*check);
   document["effects"] = Json::array();
   for (const EffectEstimate& estimate : fit.effects) document["effects"].push_back(effectJson(estimate));

@@ -43,8 +43,9 @@ std::string referenceLine(const Measurement& measurement, double value) {
 }
 
 std::string coverageText(const Intersection& intersection) {
+  constexpr double nearlyNormal = 1000;  // from here on k is that of known noise to 0.1 %
   const std::string freedom =
-      std::isfinite(intersection.effectiveDegreesOfFreedom)
+      intersection.effectiveDegreesOfFreedom < nearlyNormal
           ? ", " + fixedText(intersection.effectiveDegreesOfFreedom, 1) + " degrees of freedom"
           : "";
   return "(" + percent(intersection.coverage) +

@@ -102,11 +102,16 @@ double combined(const std::vector<BudgetEntry>& budget) {
   return std::sqrt(variance);
 }
 
-ArcSigma arcSigma(const JointFit& fit, std::size_t arc, double scale) {
-  const auto sigma = [&](Unknown::Kind kind) {
-    return combined(budgetOf(fit, unit(fit, {.kind = kind, .arc = arc}), scale));
+ArcBudget arcBudget(const JointFit& fit, std::size_t arc, double scale) {
+  const auto budget = [&](Unknown::Kind kind) {
+    return budgetOf(fit, unit(fit, {.kind = kind, .arc = arc}), scale);
   };
-  ArcSigma result{sigma(Unknown::Kind::CentreX), sigma(Unknown::Kind::CentreY), sigma(Unknown::Kind::Radius)};
+  return {budget(Unknown::Kind::CentreX), budget(Unknown::Kind::CentreY), budget(Unknown::Kind::Radius)};
+}
+
+ArcSigma arcSigma(const JointFit& fit, std::size_t arc, double scale) {
+  const ArcBudget budget = arcBudget(fit, arc, scale);
+  ArcSigma result{combined(budget.x), combined(budget.y), combined(budget.radius)};
   // cov(a, b) = (var(a + b) − var(a − b))/4, source by source as in the budget.
   const auto correlation = [&](Unknown::Kind kind, double sigmaOfKind) {
     double covariance = 0;

@@ -44,7 +44,13 @@ struct ArcSigma {
   double radiusX = 0, radiusY = 0;
 };
 
+/// The budgets behind them, in the order of the sources of Δd's.
+struct ArcBudget {
+  std::vector<BudgetEntry> x, y, radius;
+};
+
 /// Of arc `arc` of the fitted measurement.
+ArcBudget arcBudget(const JointFit& fit, std::size_t arc, double scale);
 ArcSigma arcSigma(const JointFit& fit, std::size_t arc, double scale);
 
 /// The intersection Δd = (Δy(0°) − Δy(180°))/2, y up, mm.

@@ -95,8 +95,10 @@ void adjust(SessionFit& fit, const Measurement& fitted) {
   fit.joint = fitJointly(fitted, starts, {.terms = termsOf(effects)});
   takeOver(fit.arcs, fit.joint);
   fit.noise = noiseScale(fit.joint);
-  for (std::size_t i = 0; i < fit.arcs.size(); ++i)
+  for (std::size_t i = 0; i < fit.arcs.size(); ++i) {
     fit.sigmas.push_back(arcSigma(fit.joint, i, fit.noise.factor));
+    fit.budgets.push_back(arcBudget(fit.joint, i, fit.noise.factor));
+  }
   fit.intersection = intersect(fitted, fit.joint);
   fit.effects = estimatesOf(fit.joint, effects, fit.noise.factor);
   if (fit.intersection && fitted.tolerance)

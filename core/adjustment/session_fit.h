@@ -22,10 +22,11 @@ struct EffectEstimate {
 /// Both arcs fitted rigorously, their intersection, and what the data say about themselves. A plain value:
 /// computed from a measurement, shown by console, window and report alike.
 struct SessionFit {
-  std::vector<ArcFit> arcs;      ///< those that could be fitted, in session order
-  JointFit joint;                ///< of these arcs together; empty where there are none
-  std::vector<ArcSigma> sigmas;  ///< of each arc, scaled by the residuals of both
-  NoiseScale noise;              ///< s0, common to both arcs
+  std::vector<ArcFit> arcs;        ///< those that could be fitted, in session order
+  JointFit joint;                  ///< of these arcs together; empty where there are none
+  std::vector<ArcSigma> sigmas;    ///< of each arc, scaled by the residuals of both
+  std::vector<ArcBudget> budgets;  ///< of each arc, behind `sigmas`
+  NoiseScale noise;                ///< s0, common to both arcs
   std::optional<Intersection> intersection;
   std::vector<EffectEstimate> effects;
   std::optional<Verdict> verdict;  ///< with an intersection and a tolerance

@@ -92,7 +92,7 @@ TEST(FitJson, HasTheKeysOfTheContract) {
   EXPECT_EQ(fit["method"], "rigorous");
   EXPECT_THAT(fit["session"].get<std::string>(), Not(::testing::IsEmpty()));
   EXPECT_EQ(keysOf(fit["arcs"][0]),
-            (std::set<std::string>{"axis_deg", "center_mm", "radius_mm", "sigma_mm", "correlation",
+            (std::set<std::string>{"axis_deg", "center_mm", "radius_mm", "sigma_mm", "correlation", "budget",
                                    "readings", "degrees_of_freedom", "residual_rms_arcsec", "reduced_chi2",
                                    "iterations", "converged"}));
   EXPECT_EQ(keysOf(fit["arcs"][0]["sigma_mm"]), (std::set<std::string>{"x", "y", "radius"}));

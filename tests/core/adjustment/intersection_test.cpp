@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/adjustment/arc_fit.h"
+#include "core/adjustment/session_fit.h"
 #include "tests/support/paper_table.h"
 #include "tests/support/perfect_session.h"
 
@@ -132,6 +133,27 @@ TEST(Intersection, TakesTheStatedNoiseWhereNothingChecksIt) {
   EXPECT_EQ(noiseScale(fitted(measurement)).factor, 1);
   EXPECT_NEAR(intersection.coverageFactor, 1.960, 0.0005);
   EXPECT_GT(intersection.sigma, 0);
+}
+
+// The budget of Δd follows from those of the heights: readings and zeros of the two arcs are independent, so
+// their variances add up to four times Δd's. A wrong distance takes heights on either side of the zero
+// direction apart, and half of that is what it does to Δd.
+TEST(ArcBudget, OfTheHeightsAddsUpToThatOfTheIntersection) {
+  Measurement measurement = test::paperMeasurement();
+  measurement.sigmaDistance = 1;
+  const SessionFit fit = fitSession(measurement);
+  ASSERT_EQ(fit.budgets.size(), 2u);
+  const std::vector<BudgetEntry>&upper = fit.budgets[0].y, &lower = fit.budgets[1].y;
+  const std::vector<BudgetEntry>& difference = fit.intersection->budget;
+  ASSERT_EQ(upper.size(), difference.size());
+  for (std::size_t i = 0; i < difference.size(); ++i) {
+    EXPECT_EQ(upper[i].source, difference[i].source);
+    const bool distance = difference[i].source == "distance";
+    const double expected =
+        distance ? (upper[i].sigma + lower[i].sigma) / 2 : std::hypot(upper[i].sigma, lower[i].sigma) / 2;
+    EXPECT_NEAR(difference[i].sigma, expected, 1e-9 * expected) << difference[i].source;
+  }
+  EXPECT_NEAR(combined(fit.budgets[0].radius), fit.sigmas[0].radius, 1e-15);
 }
 
 }  // namespace
