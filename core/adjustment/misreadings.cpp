@@ -138,6 +138,7 @@ class Search {
       for (const std::size_t row : robust.sliderApart) m_apart.push_back({arc, row, ReadingKind::Slider});
     }
     fitWithoutApart();
+    if (m_apart.empty()) return;
     for (const ReadingRef& cell : m_apart) {
       addIfTestable(cell);
       if (cell.kind == ReadingKind::Horizontal)
@@ -244,7 +245,7 @@ class Search {
   void addIfTestable(const ReadingRef& cell) {
     const std::size_t k = m_projector->indexOf(cell);
     if (k == m_projector->readings().size()) return;
-    if (static_cast<int>(calls()) + 2 > m_fit.degreesOfFreedom || calls() >= m_options.most) return;
+    if (static_cast<int>(calls()) + 2 > m_fit.degreesOfFreedom || m_shifts.size() >= m_options.most) return;
     const std::vector<std::size_t> cells = called();
     if (remainingRedundancy(cells, calledProjector(cells).inverse(), k) < leastRedundancy) return;
     take(cell);
@@ -266,6 +267,7 @@ class Search {
       m_shifted = m_measurement;
       for (const Shift& shift : m_shifts) shiftReading(m_shifted, shift.cell, Angle::fromRadians(shift.size));
       m_fit = fitJointly(m_shifted, m_circles, m_fitOptions);
+      startFromFit();
       m_projector.emplace(m_shifted, m_fitOptions, m_fit);
       const std::vector<std::size_t> cells = called();
       m_inverse = calledProjector(cells).inverse();
@@ -276,6 +278,18 @@ class Search {
       if (!(step.dot(residual) > 1e-6)) break;
       for (std::size_t i = 0; i < cells.size(); ++i)
         m_shifts[i].size += step[static_cast<Index>(i)] * m_projector->readings()[cells[i]].sigma;
+    }
+  }
+
+  /// The next fit starts where this one ended.
+  void startFromFit() {
+    if (!m_fit.converged) return;
+    using enum Unknown::Kind;
+    for (std::size_t arc = 0; arc < m_circles.size(); ++arc) {
+      const auto value = [&](Unknown::Kind kind) {
+        return m_fit.values[m_fit.indexOf({.kind = kind, .arc = arc})];
+      };
+      m_circles[arc] = {value(CentreX), value(CentreY), value(Radius)};
     }
   }
 
@@ -396,6 +410,11 @@ class Search {
     }
     std::ranges::sort(search.misread, std::ranges::greater(),
                       [](const MisreadReading& m) { return std::abs(m.studentised); });
+    if (search.misread.size() > m_options.most) search.misread.resize(m_options.most);
+    for (const LeftOut& out : m_leftOut) {
+      search.leftOut.push_back(out.cell);
+      search.leftOut.push_back(out.other);
+    }
     search.fit = m_fit;
     search.noiseFactor = scale();
     search.degreesOfFreedom = freedom();

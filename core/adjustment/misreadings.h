@@ -44,6 +44,7 @@ struct MisreadingOptions {
 struct MisreadingSearch {
   std::vector<MisreadReading> misread;  ///< the most certain first
   JointFit fit;                         ///< of all readings, the shifts taken off those misread
+  std::vector<ReadingRef> leftOut;      ///< both circles of the sightings left out, named or not
   double noiseFactor = 1;               ///< scatter of the sound readings over the stated one
   int degreesOfFreedom = 0;             ///< behind it; 0 or less: nothing could be tested
   double criticalValue = 0;             ///< |t| from which a reading is called; 0 where nothing was tested

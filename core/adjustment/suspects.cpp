@@ -164,12 +164,19 @@ class SuspectSearch {
     return misread;
   }
 
+  /// Against a fit without the visits in question. Among very many rows two visits weigh nothing.
   VisitCheck checkOf(const Visited& visit, const Visited* other = nullptr) const {
+    constexpr std::size_t veryMany = 2000;
     auto inQuestion = readingsOf(m_sound, visit.arc, visit.round, visit.point);
     if (other)
       std::ranges::copy(readingsOf(m_sound, other->arc, other->round, other->point),
                         std::back_inserter(inQuestion));
-    return VisitCheck(m_sound, visit.arc, inQuestion, m_starts, m_fitOptions);
+    JointFitOptions options = m_fitOptions;
+    options.without = m_search.leftOut;
+    options.without.insert(options.without.end(), inQuestion.begin(), inQuestion.end());
+    if (m_fitted.rows > veryMany)
+      return VisitCheck(m_sound, visit.arc, options.without, m_search.fit, options);
+    return VisitCheck(m_sound, visit.arc, options.without, fitJointly(m_sound, m_starts, options), options);
   }
 
   /// The rows of the visit with a correction, less the shifts of misread cells that it leaves alone; empty

@@ -106,12 +106,9 @@ struct VisitCheck::Content {
 };
 
 VisitCheck::VisitCheck(const Measurement& measurement, std::size_t arc,
-                       const std::vector<ReadingRef>& inQuestion, const std::vector<Circle>& starts,
+                       const std::vector<ReadingRef>& inQuestion, const JointFit& fit,
                        const JointFitOptions& options)
     : m_content(std::make_unique<Content>()) {
-  JointFitOptions without = options;
-  without.without.insert(without.without.end(), inQuestion.begin(), inQuestion.end());
-  const JointFit fit = fitJointly(measurement, starts, without);
   Content& content = *m_content;
   content.freedom = fit.converged ? fit.degreesOfFreedom : 0;
   if (content.freedom < 1) return;

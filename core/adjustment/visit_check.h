@@ -25,10 +25,10 @@ struct VisitAgreement {
 /// distribution with 3 degrees of freedom).
 class VisitCheck {
  public:
-  /// Checks visits of arc `arc`; `inQuestion` are the sightings that take no part in the fit, those of the
-  /// visit and any others not to be relied on.
+  /// Checks visits of arc `arc` against `fit`, in which the sightings `inQuestion` have no part; they tell
+  /// nothing of the spacing either. `options` are those of the fit.
   VisitCheck(const Measurement& measurement, std::size_t arc, const std::vector<ReadingRef>& inQuestion,
-             const std::vector<Circle>& starts, const JointFitOptions& options);
+             const JointFit& fit, const JointFitOptions& options);
   ~VisitCheck();
   VisitCheck(VisitCheck&&) noexcept;
   VisitCheck& operator=(VisitCheck&&) noexcept;

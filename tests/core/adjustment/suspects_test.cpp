@@ -40,13 +40,13 @@ TEST(Suspects, AreTheSlipsOfSingleSightings) {
 }
 
 TEST(Suspects, AreTheSlipsOfSightingsWithASlider) {
-  const Score score = scoreOf("paper-slider", 72);
+  const Score score = scoreOf("paper-slider", 63);
   EXPECT_LE(score.wrongCell, 5);
   EXPECT_LE(score.wrongCorrection, 11);
 }
 
 TEST(Suspects, AreTheSlipsOfSightingsInTwoFaces) {
-  const Score score = scoreOf("two-face", 36);
+  const Score score = scoreOf("two-face", 27);
   EXPECT_LE(score.wrongCell, 3);
   EXPECT_LE(score.wrongCorrection, 8);
 }

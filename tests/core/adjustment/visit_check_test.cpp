@@ -21,9 +21,14 @@ Measurement noisyMeasurement(unsigned seed) {
   return measurement;
 }
 
+VisitCheck checkOf(const Measurement& measurement, std::size_t arc, int point,
+                   const std::vector<Circle>& starts) {
+  const JointFitOptions options{.without = readingsOf(measurement, arc, 1, point)};
+  return VisitCheck(measurement, arc, options.without, fitJointly(measurement, starts, options), options);
+}
+
 VisitAgreement agreementOf(const Measurement& measurement, std::size_t arc, const Sighting& sighting) {
-  const VisitCheck check(measurement, arc, readingsOf(measurement, arc, sighting.round, sighting.point),
-                         circles, {});
+  const VisitCheck check = checkOf(measurement, arc, sighting.point, circles);
   EXPECT_TRUE(check.canCheck());
   return check.agreement({sighting});
 }
@@ -69,7 +74,7 @@ TEST(VisitCheck, PrefersThePlaceThatKeepsTheSpacing) {
 TEST(VisitCheck, CannotCheckWithoutOtherReadings) {
   Measurement measurement = usualMeasurement();
   measurement.arcs = {perfectArc(measurement, circles[0], spread(4, 120))};
-  EXPECT_FALSE(VisitCheck(measurement, 0, readingsOf(measurement, 0, 1, 2), {circles[0]}, {}).canCheck());
+  EXPECT_FALSE(checkOf(measurement, 0, 2, {circles[0]}).canCheck());
 }
 
 }  // namespace
