@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 #include "tests/support/paper_table.h"
@@ -103,6 +104,20 @@ TEST(Misreadings, TestsNothingWithoutRedundancy) {
   const MisreadingSearch search = searchMisreadings(measurement);
   EXPECT_THAT(search.misread, IsEmpty());
   EXPECT_EQ(search.criticalValue, 0);
+}
+
+// Rows far off the circle are left out from the start, however many; only as many as asked for are named.
+TEST(Misreadings, AreManagedInThousandsOfReadings) {
+  std::mt19937_64 generator(9);
+  Measurement measurement = usualMeasurement();
+  measurement.arcs = {perfectArc(measurement, {0.4, 1.2, 400.3}, spread(1500, 160), 0)};
+  addNoise(measurement.arcs[0], measurement, generator);
+  for (std::size_t i = 0; i < 30; ++i)
+    shiftReading(measurement, {0, 600 + 10 * i, Vertical}, Angle::fromDegrees(3));
+  const MisreadingSearch search = searchMisreadings(measurement);
+  EXPECT_EQ(search.misread.size(), 12u);
+  EXPECT_EQ(search.leftOut.size(), 60u);
+  EXPECT_NEAR(search.noiseFactor, 1, 4 / std::sqrt(2 * 1500.0));
 }
 
 }  // namespace

@@ -25,5 +25,15 @@ TEST(Statistics, ChiSquareTailMeetsItsClosedForm) {
     EXPECT_NEAR(chiSquareUpperTail(chiSquare, 2) / std::exp(-chiSquare / 2), 1, 1e-12) << chiSquare;
 }
 
+// F with two numerator degrees has the closed form (1 + 2F/n)^(−n/2); with infinitely many in the
+// denominator it is χ²/2.
+TEST(Statistics, GivesTheUpperTailOfF) {
+  for (const double ratio : {0.0, 0.3, 1.0, 4.0, 20.0}) {
+    for (const double n : {1.0, 5.0, 28.0})
+      EXPECT_NEAR(fUpperTail(ratio, 2, n) / std::pow(1 + 2 * ratio / n, -n / 2), 1, 1e-12);
+    EXPECT_NEAR(fUpperTail(ratio, 2, std::numeric_limits<double>::infinity()) / std::exp(-ratio), 1, 1e-12);
+  }
+}
+
 }  // namespace
 }  // namespace alidade
