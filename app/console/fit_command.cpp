@@ -87,6 +87,8 @@ void addFitCommand(CLI::App& app, FitRequest& request) {
 }
 
 Result<std::string> runFit(const FitRequest& request) {
+  if (request.method == "published" && request.monteCarlo > 0)
+    return Problem{"the published method states no uncertainty to check: leave out --monte-carlo"};
   const Result<Session> session = readInput(request.file);
   if (!session) return session.problem();
   const Examined examined = examine(*session);

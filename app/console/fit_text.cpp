@@ -106,7 +106,7 @@ std::string monteCarloText(const MonteCarlo& check) {
     rows.push_back(spreadRow("y" + at, centre.y));
   }
   const std::string failed =
-      check.failed > 0 ? std::to_string(check.failed) + " draws fixed no circle and are left out. " : "";
+      check.failed > 0 ? std::to_string(check.failed) + " draws gave no result and are left out. " : "";
   return "\n" + alignedColumns(rows) +
          paragraph(std::to_string(check.draws) + " draws, seed " + std::to_string(check.seed) + ". " +
                    failed + (check.intersection ? linearSentence(check) : ""));

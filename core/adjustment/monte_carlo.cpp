@@ -14,6 +14,7 @@ namespace alidade {
 namespace {
 
 constexpr std::size_t fewestDraws = 100;
+constexpr double farBelowScatter = 1e-6;  // of the draws, which is some 1 σ
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
 /// χ² with `freedom` ≥ 1 degrees of freedom: twice a Gamma variable (Marsaglia and Tsang, "A simple method
@@ -34,7 +35,10 @@ double drawChiSquare(RandomSource& random, double freedom) {
 class Drawing {
  public:
   Drawing(const Measurement& fitted, const SessionFit& fit)
-      : m_read(fitted), m_drawn(fitted), m_fit(fit), m_options{.terms = estimatedTerms(fitted)} {
+      : m_read(fitted),
+        m_drawn(fitted),
+        m_fit(fit),
+        m_options{.terms = estimatedTerms(fitted), .maximumIterations = 300, .tolerance = farBelowScatter} {
     for (const ArcFit& arc : fit.arcs) m_starts.push_back(arc.circle);
     m_terms = m_options.terms;
     const auto hasSlider = [](const ArcMeasurement& arc) {
@@ -77,8 +81,8 @@ class Drawing {
 
   void fitApart(double* centres) const {
     for (std::size_t i = 0; i < m_drawn.arcs.size(); ++i) {
-      // A millionth of σ is far below what the draws scatter.
-      const Result<ArcFit> fit = fitArc(m_drawn, m_drawn.arcs[i], {.start = m_starts[i], .tolerance = 1e-6});
+      const Result<ArcFit> fit =
+          fitArc(m_drawn, m_drawn.arcs[i], {.start = m_starts[i], .tolerance = farBelowScatter});
       const bool found = fit && fit->converged;
       centres[2 * i] = found ? fit->circle.x : missing;
       centres[2 * i + 1] = found ? fit->circle.y : missing;

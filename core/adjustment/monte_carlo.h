@@ -46,7 +46,7 @@ struct CentreSpread {
 
 struct MonteCarlo {
   std::size_t draws = 0;   ///< that gave a result
-  std::size_t failed = 0;  ///< whose readings fixed no circle; left out
+  std::size_t failed = 0;  ///< whose fit did not settle or whose readings fixed no circle; left out
   std::uint64_t seed = 0;
   double coverage = 0.95;  ///< of the intervals
   std::vector<CentreSpread> centres;

@@ -259,6 +259,7 @@ TEST(FitJson, ChecksTheUncertaintyByDraws) {
   EXPECT_LT(check.at("intersection").at("low_mm"), 1.2);
   EXPECT_FALSE(Json::parse(outOf({})).contains("monte_carlo"));
   expectRefusal(alidadeCli({"fit", paperSession, "--monte-carlo", "5"}));
+  expectRefusal(alidadeCli({"fit", paperSession, "--monte-carlo", "1000", "--method", "published"}));
   expectRefusal(alidadeCli({"fit", paperSession, "--seed", "5"}));
 }
 
