@@ -8,6 +8,7 @@
 
 #include "core/adjustment/algebraic_circle.h"
 #include "core/adjustment/arc_findings.h"
+#include "core/adjustment/fast_arc_fit.h"
 #include "core/adjustment/foot_point.h"
 #include "core/adjustment/visits.h"
 
@@ -65,6 +66,20 @@ class ArcProblem {
   Whitening m_whitening;
   std::vector<Visit> m_visits;
 };
+
+/// The minimum itself where the fast fit accepts the arc, to be confirmed by the general equations.
+std::optional<Circle> fastCircle(const Measurement& measurement, const std::vector<Visit>& visits) {
+  std::vector<double> a, e, rows;
+  for (const Visit& visit : visits) {
+    a.push_back(visit.mean.direction.a);
+    e.push_back(visit.mean.direction.e);
+    rows.push_back(visit.mean.rows);
+  }
+  const ArcSetup setup{measurement.distance, measurement.sigmaHorizontal.radians(),
+                       measurement.sigmaVertical.radians(), measurement.relation};
+  const auto fit = fitArcFast(setup, a, e, rows);
+  return fit ? std::optional(fit->circle) : std::nullopt;
+}
 
 struct Solution {
   Circle circle;
@@ -147,8 +162,9 @@ Result<ArcFit> fitArc(const Measurement& measurement, const ArcMeasurement& arc,
                       const ArcFitOptions& options) {
   const ArcProblem problem(measurement, arc);
   if (auto sentence = tooFewPlaces(measurement, problem.sightedPoints())) return unfit(arc, *sentence);
-  const std::optional<Circle> start =
-      options.start ? options.start : algebraicCircle(problem.sightedPoints());
+  std::optional<Circle> start = options.start;
+  if (!start) start = fastCircle(measurement, problem.visits());
+  if (!start) start = algebraicCircle(problem.sightedPoints());
   if (!start) return unfit(arc, straightLineSentence());
 
   const Solution solution = minimise(problem, *start, options);

@@ -40,7 +40,7 @@ struct ArcFit {
 
 struct ArcFitOptions {
   std::optional<Circle> start =
-      {};  ///< empty: an algebraic fit to the sighted points, which needs no nominal radius
+      {};  ///< empty: the fast fit, or an algebraic one where that is refused; neither needs a nominal radius
   int maximumIterations = 200;  ///< of Levenberg-Marquardt, rejected steps counted
   /// Converged when the next step of (Δx, Δy, R) is shorter than this many standard deviations of the result.
   /// 1e-9 is some 10⁻¹¹ mm on the usual arc, and a hundred times what rounding does to the step.
