@@ -17,10 +17,15 @@
 #include "ui/forms/field_binding.h"
 #include "ui/forms/field_form.h"
 #include "ui/main_window_actions.h"
+#include "ui/panels/budget_panel.h"
+#include "ui/panels/effects_panel.h"
 #include "ui/panels/findings_panel.h"
+#include "ui/panels/page_tabs.h"
 #include "ui/panels/position_tabs.h"
 #include "ui/panels/readings_table.h"
+#include "ui/panels/reliability_panel.h"
 #include "ui/panels/result_panel.h"
+#include "ui/panels/two_faces_panel.h"
 #include "ui/settings/theme.h"
 
 namespace alidade::ui {
@@ -94,14 +99,41 @@ QWidget* MainWindow::createEntryColumn() {
 
 QWidget* MainWindow::createResultColumn() {
   m_arcChart = new ArcChart;
-  m_residualChart = new ResidualChart;
-  m_result = new ResultPanel;
   m_arcChart->setMinimumWidth(210);
-  QSplitter* top = split(Qt::Horizontal, "arcs", {m_arcChart, m_result}, {450, 330});
+  m_figures = createFigures();
+  m_details = createDetails();
+  QSplitter* top = split(Qt::Horizontal, "arcs", {m_arcChart, m_figures}, {450, 330});
   top->setStretchFactor(0, 1);
-  QSplitter* column = split(Qt::Vertical, "results", {top, m_residualChart}, {460, 280});
+  QSplitter* column = split(Qt::Vertical, "results", {top, m_details}, {460, 280});
   column->setStretchFactor(0, 1);
   return padded(column, {0, 6, 6, 6});
+}
+
+PageTabs* MainWindow::createFigures() {
+  auto* pages = new PageTabs;
+  m_effects = new EffectsPanel(m_document);
+  pages->addPage(new ResultPanel, tr("Result"));
+  pages->addPage(new BudgetPanel, tr("Budget"));
+  pages->addPage(m_effects, tr("Effects"));
+  return pages;
+}
+
+PageTabs* MainWindow::createDetails() {
+  auto* pages = new PageTabs;
+  auto* residuals = new ResidualChart;
+  auto* reliability = new ReliabilityPanel;
+  auto* faces = new TwoFacesPanel;
+  pages->addPage(residuals, tr("Residuals"));
+  pages->addPage(reliability, tr("Reliability"));
+  pages->addPage(faces, tr("Two Faces"),
+                 [](const Evaluation& evaluation) { return evaluation.twoFaces.has_value(); });
+  connect(m_positions, &PositionTabs::rowEntered, residuals, &ResidualChart::setHighlighted);
+  connect(m_positions, &PositionTabs::rowEntered, reliability, &ReliabilityPanel::setCurrentReading);
+  const auto select = [this](std::size_t position, std::size_t row) { selectReading(position, row); };
+  connect(residuals, &ResidualChart::sightingActivated, this, select);
+  connect(reliability, &ReliabilityPanel::sightingActivated, this, select);
+  connect(faces, &TwoFacesPanel::sightingActivated, this, select);
+  return pages;
 }
 
 void MainWindow::connectParts() {
@@ -120,12 +152,11 @@ void MainWindow::connectParts() {
   connect(m_positions, &PositionTabs::tableCreated, m_actions, &WindowActions::attachTo);
   for (std::size_t i = 0; m_positions->table(i); ++i) m_actions->attachTo(m_positions->table(i));
   connect(m_positions, &PositionTabs::rowEntered, m_arcChart, &ArcChart::setHighlighted);
-  connect(m_positions, &PositionTabs::rowEntered, m_residualChart, &ResidualChart::setHighlighted);
-  const auto select = [this](std::size_t position, std::size_t row) {
-    reveal({.position = position, .reading = row, .field = "horizontal"});
-  };
-  connect(m_arcChart, &ArcChart::sightingActivated, this, select);
-  connect(m_residualChart, &ResidualChart::sightingActivated, this, select);
+  connect(m_arcChart, &ArcChart::sightingActivated, this, &MainWindow::selectReading);
+}
+
+void MainWindow::selectReading(std::size_t position, std::size_t row) {
+  reveal({.position = position, .reading = row, .field = "horizontal"});
 }
 
 ReadingsTable* MainWindow::currentTable() const {
@@ -141,12 +172,12 @@ void MainWindow::showTitle() {
   setWindowModified(m_document.isModified());
 }
 
-void MainWindow::showEvaluation(const Evaluation& evaluation) {
-  m_positions->setEvaluation(evaluation);
-  m_findings->setEvaluation(evaluation);
-  m_result->setEvaluation(evaluation);
-  m_arcChart->setEvaluation(evaluation);
-  m_residualChart->setEvaluation(evaluation);
+void MainWindow::showEvaluation(const SharedEvaluation& evaluation) {
+  m_positions->setEvaluation(*evaluation);
+  m_findings->setEvaluation(*evaluation);
+  m_arcChart->setEvaluation(*evaluation);
+  m_figures->setEvaluation(evaluation);
+  m_details->setEvaluation(evaluation);
   markForms();
 }
 
@@ -174,6 +205,7 @@ void MainWindow::reveal(const Place& place, bool takeFocus) {
 }
 
 void MainWindow::revealField(const Place& place, bool takeFocus) {
+  if (place.field == "model.effects") return m_figures->setCurrentWidget(m_effects);
   for (const FieldBinding* binding : findChildren<FieldBinding*>()) {
     if (binding->place() != place) continue;
     for (QWidget* page = binding->widget(); page; page = page->parentWidget()) {

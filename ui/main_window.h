@@ -14,11 +14,11 @@ class QTabWidget;
 namespace alidade::ui {
 
 class ArcChart;
+class EffectsPanel;
 class FindingsPanel;
+class PageTabs;
 class PositionTabs;
 class ReadingsTable;
-class ResidualChart;
-class ResultPanel;
 class WindowActions;
 
 /// The workstation's window: puts the parts together and leads from one to the other. What the parts do is
@@ -44,6 +44,8 @@ class MainWindow : public QMainWindow {
   /// Adds the position at `axisDeg` (0 or 180) where it is missing, and leads to its pointing zero.
   void addPosition(int axisDeg);
   void setColumnShown(ReadingColumn column, bool shown);
+  /// The tabs beside and below the picture of the arcs.
+  QList<PageTabs*> pageTabs() const { return {m_figures, m_details}; }
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -53,9 +55,12 @@ class MainWindow : public QMainWindow {
  private:
   QWidget* createEntryColumn();
   QWidget* createResultColumn();
+  PageTabs* createFigures();
+  PageTabs* createDetails();
   void connectParts();
+  void selectReading(std::size_t position, std::size_t row);
   void showTitle();
-  void showEvaluation(const Evaluation& evaluation);
+  void showEvaluation(const SharedEvaluation& evaluation);
   void markForms();
   void revealField(const Place& place, bool takeFocus);
   void restoreLayout();
@@ -71,8 +76,9 @@ class MainWindow : public QMainWindow {
   PositionTabs* m_positions = nullptr;
   FindingsPanel* m_findings = nullptr;
   ArcChart* m_arcChart = nullptr;
-  ResidualChart* m_residualChart = nullptr;
-  ResultPanel* m_result = nullptr;
+  PageTabs* m_figures = nullptr;  ///< beside the picture: narrow pages of figures
+  PageTabs* m_details = nullptr;  ///< below it: charts and tables of single readings
+  EffectsPanel* m_effects = nullptr;
 };
 
 }  // namespace alidade::ui

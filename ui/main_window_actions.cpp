@@ -12,6 +12,7 @@
 
 #include "ui/commands/add_position.h"
 #include "ui/main_window.h"
+#include "ui/panels/page_tabs.h"
 #include "ui/panels/position_tabs.h"
 #include "ui/panels/readings_table.h"
 #include "ui/settings/recent_files.h"
@@ -177,6 +178,7 @@ void WindowActions::createViewMenu() {
     connect(action, &QAction::toggled, this,
             [this, which = column](bool shown) { m_window.setColumnShown(which, shown); });
   }
+  addPageActions(menu);
   menu.addSeparator();
   auto* themes = new QActionGroup(this);
   const std::pair<QString, Theme> choices[] = {
@@ -188,6 +190,22 @@ void WindowActions::createViewMenu() {
     connect(action, &QAction::triggered, this, [which = theme] { applyTheme(which); });
   }
   menu.addActions(themes->actions());
+}
+
+/// Every page by its number, Ctrl+1 and so on; those that have nothing to show are disabled.
+void WindowActions::addPageActions(QMenu& menu) {
+  menu.addSeparator();
+  int number = 0;
+  for (PageTabs* tabs : m_window.pageTabs()) {
+    for (int page = 0; page < tabs->count(); ++page) {
+      QAction* action =
+          addTo(menu, nullptr, tabs->tabText(page), QKeySequence(Qt::CTRL | (Qt::Key_1 + number++)), this,
+                [tabs, page] { tabs->showPage(page); });
+      connect(&menu, &QMenu::aboutToShow, action,
+              [tabs, page, action] { action->setEnabled(tabs->isTabVisible(page)); });
+      connect(&menu, &QMenu::aboutToHide, action, [action] { action->setEnabled(true); });
+    }
+  }
 }
 
 void WindowActions::createHelpMenu(Dialogs& dialogs) {

@@ -29,6 +29,7 @@ class WindowActions : public QObject {
   void createEditMenu(QToolBar& bar);
   void addPositionActions(QMenu& menu);
   void createViewMenu();
+  void addPageActions(QMenu& menu);
   void createHelpMenu(Dialogs& dialogs);
   void fillRecentMenu(QMenu& menu);
   void useClipboard(Clipboard way);

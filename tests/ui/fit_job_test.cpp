@@ -10,9 +10,9 @@ namespace {
 TEST(FitJob, DeliversTheNewestRequestAndNoneThatItOvertook) {
   FitJob job;
   std::vector<std::string> titles;
-  QObject::connect(&job, &FitJob::evaluated, [&](const Evaluation& evaluation) {
-    titles.push_back(evaluation.session.title);
-    EXPECT_TRUE(evaluation.fit.intersection);
+  QObject::connect(&job, &FitJob::evaluated, [&](const SharedEvaluation& evaluation) {
+    titles.push_back(evaluation->session.title);
+    EXPECT_TRUE(evaluation->fit.intersection);
   });
   Session session = paperSession();
   for (int i = 0; i < 50; ++i) {

@@ -158,31 +158,6 @@ TEST(MainWindow, TellsThePublishedFiguresOnRequest) {
   }
 }
 
-TEST(MainWindow, ShowsTheModelEffectsThatWereEstimatedAlong) {
-  const QTemporaryDir folder;
-  const std::string text = paperTextWithEffects({"trunnion_tilt", "vertical_axis_tilt"});
-  QFile file(folder.filePath(QStringLiteral("effects.alidade")));
-  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
-  file.write(QByteArray::fromStdString(text));
-  file.close();
-  OpenWindow open;
-  loadPaper(open);
-  EXPECT_THAT(resultOf(open), Not(HasSubstr("Model effects")));
-  ASSERT_TRUE(open->files().open(file.fileName()));
-  open.settle();
-  const SessionFit fit = evaluate(*readSession(text)).fit;
-  ASSERT_EQ(fit.effects.size(), 3u);
-  const std::string shown = resultOf(open);
-  for (const char* name :
-       {"Model effects\n", "trunnion tilt\n", "vertical axis tilt,\ntilt about x\n", "″\n"})
-    EXPECT_THAT(shown, HasSubstr(name));
-  for (const EffectEstimate& effect : fit.effects)
-    EXPECT_THAT(shown,
-                HasSubstr(valueWithUncertainty(effect.value, effect.sigma, {}).trimmed().toStdString()));
-  loadPaper(open);
-  EXPECT_THAT(resultOf(open), Not(HasSubstr("trunnion tilt")));
-}
-
 TEST(MainWindow, CarriesNameAndModifiedMarkInTheTitle) {
   OpenWindow open;
   EXPECT_EQ(open->windowTitle(), QStringLiteral("Untitled[*] — Alidade"));

@@ -60,6 +60,13 @@ void SessionDocument::putField(const Place& place, const std::string& text) {
   emit changed(change);
 }
 
+void SessionDocument::putEffects(const std::vector<std::string>& effects) {
+  const SessionChange change{.kind = SessionChange::Kind::Field, .place = {.field = "model.effects"}};
+  emit aboutToChange(change);
+  m_session.model.effects = effects;
+  emit changed(change);
+}
+
 void SessionDocument::putReadings(std::size_t position, std::size_t first, std::size_t removed,
                                   const std::vector<Reading>& inserted) {
   const SessionChange change{.kind = SessionChange::Kind::Readings,

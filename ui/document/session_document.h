@@ -40,10 +40,12 @@ class SessionDocument : public QObject {
 
  private:
   friend class AddPosition;
+  friend class ChangeEffects;
   friend class ChangeField;
   friend class ReplaceReadings;
 
   void putField(const Place& place, const std::string& text);
+  void putEffects(const std::vector<std::string>& effects);
   void putReadings(std::size_t position, std::size_t first, std::size_t removed,
                    const std::vector<Reading>& inserted);
   void insertPosition(std::size_t index, const Position& position);

@@ -14,6 +14,7 @@ Evaluation evaluate(Session session) {
     evaluation.suspects = findSuspects(evaluation.session, *measurement, evaluation.fit);
     if (auto finding = suspectsFinding(evaluation.suspects))
       evaluation.fit.findings.insert(evaluation.fit.findings.begin(), *std::move(finding));
+    evaluation.twoFaces = compareFaces(*measurement);
   }
   return evaluation;
 }

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/adjustment/session_fit.h"
 #include "core/adjustment/suspects.h"
+#include "core/adjustment/two_faces.h"
 #include "core/session/measurement.h"
 #include "core/session/session.h"
 
@@ -17,6 +19,7 @@ struct Evaluation {
   SessionFit fit;                 ///< as made where `examined.measurement` is absent
   PublishedSessionFit published;  ///< likewise
   std::vector<Suspect> suspects;  ///< readings that look misread, the most certain first
+  std::optional<TwoFaces> twoFaces;  ///< where visits were read in both faces
 };
 
 Evaluation evaluate(Session session);

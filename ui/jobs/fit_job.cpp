@@ -25,7 +25,7 @@ void FitJob::request(const Session& session) {
 void FitJob::start(const Session& session) {
   m_running = true;
   m_watcher.setFuture(QtConcurrent::run(
-      [session]() -> Shared { return std::make_shared<const Evaluation>(evaluate(session)); }));
+      [session]() -> SharedEvaluation { return std::make_shared<const Evaluation>(evaluate(session)); }));
 }
 
 void FitJob::finish() {
@@ -34,7 +34,7 @@ void FitJob::finish() {
     return;
   }
   m_running = false;
-  emit evaluated(*m_watcher.result());
+  emit evaluated(m_watcher.result());
 }
 
 }  // namespace alidade::ui

@@ -9,6 +9,9 @@
 
 namespace alidade::ui {
 
+/// Views may keep it as long as they like.
+using SharedEvaluation = std::shared_ptr<const Evaluation>;
+
 /// Evaluates copies of the session in the background. While one is at work, only the newest request is kept;
 /// an evaluation that a newer request has overtaken is not delivered.
 class FitJob : public QObject {
@@ -22,15 +25,13 @@ class FitJob : public QObject {
   bool isIdle() const { return !m_running; }
 
  signals:
-  void evaluated(const alidade::ui::Evaluation& evaluation);
+  void evaluated(const alidade::ui::SharedEvaluation& evaluation);
 
  private:
-  using Shared = std::shared_ptr<const Evaluation>;
-
   void start(const Session& session);
   void finish();
 
-  QFutureWatcher<Shared> m_watcher;
+  QFutureWatcher<SharedEvaluation> m_watcher;
   std::optional<Session> m_next;
   bool m_running = false;
 };

@@ -51,4 +51,13 @@ QLabel* FigureGrid::label(int row, int column) {
   return label;
 }
 
+QLabel* panelHeading(const QString& text) {
+  auto* label = new QLabel(text);
+  QFont font = label->font();
+  font.setBold(true);
+  label->setFont(font);
+  label->setContentsMargins(0, 8, 0, 0);
+  return label;
+}
+
 }  // namespace alidade::ui

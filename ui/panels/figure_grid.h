@@ -32,4 +32,7 @@ class FigureGrid : public QWidget {
   QGridLayout* m_grid;
 };
 
+/// The bold line above a grid.
+QLabel* panelHeading(const QString& text);
+
 }  // namespace alidade::ui

@@ -11,7 +11,6 @@
 #include "ui/panels/figure_grid.h"
 #include "ui/panels/findings_panel.h"
 #include "ui/settings/theme.h"
-#include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/quantity_text.h"
 
@@ -23,15 +22,6 @@ QLabel* wrappedLabel() {
   auto* label = new QLabel;
   label->setWordWrap(true);
   label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  return label;
-}
-
-QLabel* heading(const QString& text) {
-  auto* label = new QLabel(text);
-  QFont font = label->font();
-  font.setBold(true);
-  label->setFont(font);
-  label->setContentsMargins(0, 8, 0, 0);
   return label;
 }
 
@@ -57,11 +47,7 @@ ResultPanel::ResultPanel(QWidget* parent)
       m_badgeIcon(new QLabel),
       m_badge(new QLabel),
       m_sentence(wrappedLabel()),
-      m_budgetTitle(heading(tr("Standard uncertainty of Δd  mm"))),
       m_arcs(new FigureGrid),
-      m_budget(new FigureGrid),
-      m_effectsTitle(heading(tr("Model effects"))),
-      m_effects(new FigureGrid),
       m_compare(new QCheckBox(tr("&Compare with published method"))),
       m_comparison(new QWidget),
       m_published(new FigureGrid) {
@@ -89,12 +75,8 @@ ResultPanel::ResultPanel(QWidget* parent)
   badgeRow->addWidget(m_badge, 1);
   layout->addLayout(badgeRow);
   layout->addWidget(m_sentence);
-  layout->addWidget(heading(tr("Arcs")));
+  layout->addWidget(panelHeading(tr("Arcs")));
   layout->addWidget(m_arcs);
-  layout->addWidget(m_budgetTitle);
-  layout->addWidget(m_budget);
-  layout->addWidget(m_effectsTitle);
-  layout->addWidget(m_effects);
   layout->addSpacing(8);
   layout->addWidget(m_compare);
   auto* comparison = new QVBoxLayout(m_comparison);
@@ -120,13 +102,11 @@ void ResultPanel::setComparisonShown(bool shown) {
 }
 
 void ResultPanel::setEvaluation(const Evaluation& evaluation) {
-  m_evaluation = evaluation;
-  showHeadline();
-  showVerdict();
-  showArcs();
-  showBudget();
-  showEffects();
-  showComparison();
+  m_verdict = evaluation.fit.verdict;
+  showHeadline(evaluation);
+  showVerdict(evaluation);
+  showArcs(evaluation.fit);
+  showComparison(evaluation.published);
 }
 
 /// Wide enough for figures of the usual size, settled once: the window does not breathe with every edit.
@@ -139,11 +119,11 @@ void ResultPanel::settleWidth() {
                   2 * frameWidth());
 }
 
-void ResultPanel::showHeadline() {
-  const auto& intersection = m_evaluation.fit.intersection;
+void ResultPanel::showHeadline(const Evaluation& evaluation) {
+  const auto& intersection = evaluation.fit.intersection;
   if (!intersection) {
     m_value->setText(QStringLiteral("Δd = —"));
-    m_valueNote->setText(whatIsMissing());
+    m_valueNote->setText(whatIsMissing(evaluation));
     return;
   }
   m_value->setText(QStringLiteral("Δd = %1").arg(
@@ -154,7 +134,7 @@ void ResultPanel::showHeadline() {
       tr("U at %1 % coverage (k = %2); σ = %3")
           .arg(plainNumberText(intersection->coverage * 100), numberText(intersection->coverageFactor, 2),
                lengthText(intersection->sigma, decimalsFor(intersection->sigma)));
-  const auto& measurement = m_evaluation.examined.measurement;
+  const auto& measurement = evaluation.examined.measurement;
   if (measurement && measurement->referenceIntersection) {
     note += tr("\nReference %1, difference %2")
                 .arg(lengthText(*measurement->referenceIntersection, 3),
@@ -163,13 +143,13 @@ void ResultPanel::showHeadline() {
   m_valueNote->setText(note);
 }
 
-QString ResultPanel::whatIsMissing() const {
-  const auto& problems = m_evaluation.examined.problems;
-  const bool wrong = std::any_of(problems.begin(), problems.end(), [this](const Problem& problem) {
-    return !isMissing(m_evaluation.session, problem.where);
+QString ResultPanel::whatIsMissing(const Evaluation& evaluation) {
+  const auto& problems = evaluation.examined.problems;
+  const bool wrong = std::any_of(problems.begin(), problems.end(), [&](const Problem& problem) {
+    return !isMissing(evaluation.session, problem.where);
   });
   if (wrong) return tr("Some entries cannot be used. They are marked and listed with the reason.");
-  if (!m_evaluation.fit.arcs.empty()) {
+  if (!evaluation.fit.arcs.empty()) {
     return tr("Δd needs both arcs: type the pointing zero and at least three readings at 0° and at 180°.");
   }
   return tr(
@@ -177,9 +157,9 @@ QString ResultPanel::whatIsMissing() const {
       "at 0° and at 180°.");
 }
 
-void ResultPanel::showVerdict() {
-  const SessionFit& fit = m_evaluation.fit;
-  const auto& measurement = m_evaluation.examined.measurement;
+void ResultPanel::showVerdict(const Evaluation& evaluation) {
+  const SessionFit& fit = evaluation.fit;
+  const auto& measurement = evaluation.examined.measurement;
   const bool decided = fit.verdict && fit.intersection && measurement && measurement->tolerance;
   if (decided) {
     const QString words[] = {tr("ACCEPT"), tr("REJECT"), tr("UNDECIDED")};
@@ -201,12 +181,11 @@ void ResultPanel::showVerdict() {
 
 void ResultPanel::colorVerdict() {
   QPalette colored = palette();
-  colored.setColor(QPalette::WindowText, stateColor(palette(), stateOf(m_evaluation.fit.verdict)));
+  colored.setColor(QPalette::WindowText, stateColor(palette(), stateOf(m_verdict)));
   m_badge->setPalette(colored);
 }
 
-void ResultPanel::showArcs() {
-  const SessionFit& fit = m_evaluation.fit;
+void ResultPanel::showArcs(const SessionFit& fit) {
   const ArcFit* arcs[] = {fit.arcAt(0), fit.arcAt(180)};
   const auto figures = [&](auto&& figure) {
     QStringList texts;
@@ -239,41 +218,14 @@ void ResultPanel::showArcs() {
       {tr("Redundancy"),
        figures([](const ArcFit& a, const ArcSigma&) { return QString::number(a.degreesOfFreedom); }),
        {}},
+      {tr("|O1 − O2|/2  mm"),
+       {{}, fit.intersection ? numberText(fit.intersection->inPlane, 4) : notStated()},
+       tr("Half the distance of the centres, across and along the axis")},
   };
   m_arcs->setRows({tr("0°"), tr("180°")}, rows);
 }
 
-void ResultPanel::showBudget() {
-  QVector<FigureGrid::Row> rows;
-  if (const auto& intersection = m_evaluation.fit.intersection) {
-    for (const BudgetEntry& entry : intersection->budget) {
-      rows.append({qText(entry.source), {numberText(entry.sigma, 4)}});
-    }
-    rows.append({tr("combined"), {numberText(intersection->sigma, 4)}});
-    rows.append({tr("|O1 − O2|/2  mm"),
-                 {numberText(intersection->inPlane, 4)},
-                 tr("Half the distance of the centres, across and along the axis")});
-  }
-  m_budgetTitle->setVisible(!rows.isEmpty());
-  m_budget->setRows({QString()}, rows);
-}
-
-/// What was estimated along; a number of several of an effect stands on a second line, to keep the panel
-/// narrow.
-void ResultPanel::showEffects() {
-  QVector<FigureGrid::Row> rows;
-  for (const EffectEstimate& estimate : m_evaluation.fit.effects) {
-    rows.append({effectText(estimate, QStringLiteral(",\n")),
-                 {figureWithSigma(estimate.value, estimate.sigma), effectUnitText(estimate)},
-                 tr("Estimated along with the arcs, with its standard uncertainty")});
-  }
-  m_effectsTitle->setVisible(!rows.isEmpty());
-  m_effects->setVisible(!rows.isEmpty());
-  m_effects->setRows({QString(), QString()}, rows);
-}
-
-void ResultPanel::showComparison() {
-  const PublishedSessionFit& published = m_evaluation.published;
+void ResultPanel::showComparison(const PublishedSessionFit& published) {
   const PublishedFit* arcs[] = {nullptr, nullptr};
   for (const PublishedFit& arc : published.arcs) arcs[arc.arc.axisDeg == 180 ? 1 : 0] = &arc;
   const auto figures = [&](double AsPrinted::*figure, int decimals) {

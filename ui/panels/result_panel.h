@@ -1,7 +1,7 @@
 #pragma once
 
 #include <QScrollArea>
-#include <vector>
+#include <optional>
 
 #include "ui/jobs/evaluation.h"
 
@@ -11,8 +11,8 @@ class QLabel;
 
 namespace alidade::ui {
 
-/// The result at a glance: Δd ± U and the verdict, then both arcs, the budget and, on request, the published
-/// method's figures. Says what is missing where there is no result. All figures can be selected and copied.
+/// The result at a glance: Δd ± U and the verdict, then both arcs and, on request, the published method's
+/// figures. Says what is missing where there is no result. All figures can be selected and copied.
 class ResultPanel : public QScrollArea {
   Q_OBJECT
 
@@ -26,28 +26,22 @@ class ResultPanel : public QScrollArea {
   void changeEvent(QEvent* event) override;
 
  private:
-  void showHeadline();
-  void showVerdict();
-  void showArcs();
-  void showBudget();
-  void showEffects();
-  void showComparison();
+  void showHeadline(const Evaluation& evaluation);
+  void showVerdict(const Evaluation& evaluation);
+  void showArcs(const SessionFit& fit);
+  void showComparison(const PublishedSessionFit& published);
   void colorVerdict();
   void settleWidth();
-  QString whatIsMissing() const;
+  static QString whatIsMissing(const Evaluation& evaluation);
 
-  Evaluation m_evaluation;
+  std::optional<Verdict> m_verdict;
   QString m_iconName;
   QLabel* m_value;
   QLabel* m_valueNote;
   QLabel* m_badgeIcon;
   QLabel* m_badge;
   QLabel* m_sentence;
-  QLabel* m_budgetTitle;
   class FigureGrid* m_arcs;
-  class FigureGrid* m_budget;
-  QLabel* m_effectsTitle;
-  class FigureGrid* m_effects;
   QCheckBox* m_compare;
   QWidget* m_comparison;
   class FigureGrid* m_published;

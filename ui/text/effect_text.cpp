@@ -4,16 +4,24 @@
 
 namespace alidade::ui {
 
+QString effectName(const std::string& id) {
+  return qText(id).replace(QLatin1Char('_'), QLatin1Char(' '));
+}
+
 QString effectText(const EffectEstimate& estimate, const QString& separator) {
-  const QString effect = qText(estimate.effect).replace(QLatin1Char('_'), QLatin1Char(' '));
+  const QString effect = effectName(estimate.effect);
   const QString name = qText(estimate.name);
   return effect.endsWith(name) ? effect : effect + separator + name;
 }
 
+QString unitText(const std::string& unit) {
+  if (unit == "arcsec") return QStringLiteral("″");
+  if (unit == "deg") return QStringLiteral("°");
+  return unit == "mm" ? QStringLiteral("mm") : QString();
+}
+
 QString effectUnitText(const EffectEstimate& estimate) {
-  if (estimate.unit == "arcsec") return QStringLiteral("″");
-  if (estimate.unit == "deg") return QStringLiteral("°");
-  return estimate.unit == "mm" ? QStringLiteral("mm") : QString();
+  return unitText(estimate.unit);
 }
 
 }  // namespace alidade::ui

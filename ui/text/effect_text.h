@@ -6,11 +6,15 @@
 
 namespace alidade::ui {
 
+/// An effect of the catalogue as people call it: "trunnion tilt".
+QString effectName(const std::string& id);
+
 /// An estimated number of an effect as people call it: "trunnion tilt", "plane tilt, tilt about x".
 /// `separator` stands before the number's own name where the effect has several.
 QString effectText(const EffectEstimate& estimate, const QString& separator = QStringLiteral(", "));
 
 /// The unit of the catalogue as it is written: "″" for "arcsec", "°" for "deg", empty for a bare number.
+QString unitText(const std::string& unit);
 QString effectUnitText(const EffectEstimate& estimate);
 
 }  // namespace alidade::ui

@@ -1,0 +1,38 @@
+#include "ui/commands/change_effects.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <utility>
+
+#include "ui/document/session_document.h"
+#include "ui/text/effect_text.h"
+
+namespace alidade::ui {
+
+ChangeEffects::ChangeEffects(SessionDocument& document, std::vector<std::string> effects, const QString& text)
+    : m_document(document), m_before(document.session().model.effects), m_after(std::move(effects)) {
+  setText(text);
+}
+
+void ChangeEffects::undo() {
+  m_document.putEffects(m_before);
+}
+void ChangeEffects::redo() {
+  m_document.putEffects(m_after);
+}
+
+void setEffect(SessionDocument& document, const std::string& id, bool isEstimated) {
+  std::vector<std::string> effects = document.session().model.effects;
+  const bool wasEstimated = std::find(effects.begin(), effects.end(), id) != effects.end();
+  if (wasEstimated == isEstimated) return;
+  if (isEstimated) {
+    effects.push_back(id);
+  } else {
+    effects.erase(std::remove(effects.begin(), effects.end(), id), effects.end());
+  }
+  const QString text = isEstimated ? QCoreApplication::translate("ChangeEffects", "Estimate %1")
+                                   : QCoreApplication::translate("ChangeEffects", "Leave out %1");
+  document.undoStack().push(new ChangeEffects(document, std::move(effects), text.arg(effectName(id))));
+}
+
+}  // namespace alidade::ui

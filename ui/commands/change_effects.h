@@ -1,0 +1,28 @@
+#pragma once
+
+#include <QUndoCommand>
+#include <string>
+#include <vector>
+
+namespace alidade::ui {
+
+class SessionDocument;
+
+/// Sets the list of the model's effects that are estimated along.
+class ChangeEffects : public QUndoCommand {
+ public:
+  ChangeEffects(SessionDocument& document, std::vector<std::string> effects, const QString& text);
+
+  void undo() override;
+  void redo() override;
+
+ private:
+  SessionDocument& m_document;
+  std::vector<std::string> m_before, m_after;
+};
+
+/// Adds the effect `id` to those estimated along, or takes it away; nothing where it is so already. The
+/// others stay, unknown ones included.
+void setEffect(SessionDocument& document, const std::string& id, bool isEstimated);
+
+}  // namespace alidade::ui

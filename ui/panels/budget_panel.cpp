@@ -1,0 +1,99 @@
+#include "ui/panels/budget_panel.h"
+
+#include <QLabel>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/panels/figure_grid.h"
+#include "ui/text/entry_text.h"
+#include "ui/text/quantity_text.h"
+
+namespace alidade::ui {
+
+namespace {
+
+QString shareText(double part, double whole) {
+  return whole > 0 ? numberText(100 * part * part / (whole * whole), 1) + QStringLiteral(" %") : notStated();
+}
+
+}  // namespace
+
+BudgetPanel::BudgetPanel(QWidget* parent)
+    : QScrollArea(parent),
+      m_intersectionTitle(panelHeading(tr("Standard uncertainty of Δd"))),
+      m_intersection(new FigureGrid),
+      m_centresTitle(panelHeading(tr("Standard uncertainty of the centres  mm"))),
+      m_centres(new FigureGrid),
+      m_note(new QLabel) {
+  setAccessibleName(tr("Budget"));
+  setWidgetResizable(true);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  m_note->setWordWrap(true);
+  m_note->setForegroundRole(QPalette::PlaceholderText);
+  auto* content = new QWidget;
+  auto* layout = new QVBoxLayout(content);
+  layout->setContentsMargins(10, 8, 10, 8);
+  layout->setSpacing(5);
+  layout->addWidget(m_intersectionTitle);
+  layout->addWidget(m_intersection);
+  layout->addWidget(m_centresTitle);
+  layout->addWidget(m_centres);
+  layout->addSpacing(6);
+  layout->addWidget(m_note);
+  layout->addStretch();
+  setWidget(content);
+}
+
+void BudgetPanel::setEvaluation(const Evaluation& evaluation) {
+  const SessionFit& fit = evaluation.fit;
+  showIntersection(fit);
+  showCentres(fit);
+  const QString scale =
+      std::isfinite(fit.noise.degreesOfFreedom)
+          ? tr("What comes from the readings is scaled by their scatter, %1 times the stated noise. Pointing "
+               "zeros and distance enter as stated.")
+                .arg(numberText(fit.noise.factor, 2))
+          : tr("All parts rest on the stated noise.");
+  m_note->setText(fit.arcs.empty() ? tr("No arc is fitted yet, so there is nothing to account for.") : scale);
+}
+
+void BudgetPanel::showIntersection(const SessionFit& fit) {
+  QVector<FigureGrid::Row> rows;
+  if (fit.intersection) {
+    for (const BudgetEntry& entry : fit.intersection->budget)
+      rows.append({qText(entry.source),
+                   {numberText(entry.sigma, 4), shareText(entry.sigma, fit.intersection->sigma)}});
+    rows.append({tr("combined, σ"), {numberText(fit.intersection->sigma, 4), {}}});
+    rows.append({tr("expanded, U"),
+                 {numberText(fit.intersection->expanded, 4), {}},
+                 tr("k σ with k = %1").arg(numberText(fit.intersection->coverageFactor, 2))});
+  }
+  m_intersectionTitle->setVisible(!rows.isEmpty());
+  m_intersection->setVisible(!rows.isEmpty());
+  m_intersection->setRows({tr("mm"), tr("of variance")}, rows);
+}
+
+void BudgetPanel::showCentres(const SessionFit& fit) {
+  QVector<FigureGrid::Row> rows;
+  QStringList titles;
+  for (std::size_t arc = 0; arc < fit.arcs.size(); ++arc) {
+    for (const auto kind : {Unknown::Kind::CentreX, Unknown::Kind::CentreY}) {
+      titles.append((kind == Unknown::Kind::CentreX ? QStringLiteral("Δx %1°") : QStringLiteral("Δy %1°"))
+                        .arg(fit.arcs[arc].axisDeg));
+      const auto budget = budgetOf(fit.joint, Unknown{.kind = kind, .arc = arc}, fit.noise.factor);
+      rows.resize(static_cast<int>(budget.size()) + 1);
+      for (std::size_t i = 0; i < budget.size(); ++i) {
+        rows[static_cast<int>(i)].caption = qText(budget[i].source);
+        rows[static_cast<int>(i)].figures.append(numberText(budget[i].sigma, 4));
+      }
+      rows.back().caption = tr("combined, σ");
+      rows.back().figures.append(numberText(combined(budget), 4));
+    }
+  }
+  m_centresTitle->setVisible(!rows.isEmpty());
+  m_centres->setVisible(!rows.isEmpty());
+  m_centres->setRows(titles, rows);
+}
+
+}  // namespace alidade::ui

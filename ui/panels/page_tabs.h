@@ -1,0 +1,49 @@
+#pragma once
+
+#include <QTabWidget>
+#include <functional>
+#include <vector>
+
+#include "ui/jobs/fit_job.h"
+
+namespace alidade::ui {
+
+/// Pages that show an evaluation, of which only the one in front is fed: a hidden page costs nothing per
+/// edit, and is brought up to date when it comes to the front.
+class PageTabs : public QTabWidget {
+  Q_OBJECT
+
+ public:
+  using Show = std::function<void(const Evaluation&)>;
+  using Wanted = std::function<bool(const Evaluation&)>;
+
+  using QTabWidget::QTabWidget;
+
+  /// Without `wanted` the page is always there; with it, its tab is shown only where it says so.
+  void addPage(QWidget* page, const QString& title, Show show, Wanted wanted = {});
+
+  template <typename Page>
+  void addPage(Page* page, const QString& title, Wanted wanted = {}) {
+    addPage(
+        page, title, [page](const Evaluation& evaluation) { page->setEvaluation(evaluation); },
+        std::move(wanted));
+  }
+
+  void setEvaluation(SharedEvaluation evaluation);
+  /// Brings the page to the front and gives it the keyboard; does nothing where it is hidden.
+  void showPage(int index);
+
+ private:
+  struct Page {
+    Show show;
+    Wanted wanted;
+    bool isStale = true;
+  };
+
+  void feedCurrent();
+
+  std::vector<Page> m_pages;  ///< in the order of the tabs
+  SharedEvaluation m_evaluation;
+};
+
+}  // namespace alidade::ui

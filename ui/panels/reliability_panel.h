@@ -1,0 +1,52 @@
+#pragma once
+
+#include <QWidget>
+#include <optional>
+#include <vector>
+
+#include "core/adjustment/reliability.h"
+#include "ui/jobs/evaluation.h"
+
+class QLabel;
+
+namespace alidade::ui {
+
+class DataTable;
+
+/// How well every reading is checked by the others: redundancy, the smallest error that would be found, and
+/// what such an error, unfound, does to Δd. Follows the row that is selected among the readings, and leads to
+/// it.
+class ReliabilityPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ReliabilityPanel(QWidget* parent = nullptr);
+
+  void setEvaluation(const Evaluation& evaluation);
+  /// Selects what belongs to a row of readings: indices into the session's positions and their readings.
+  void setCurrentReading(std::size_t position, std::size_t row);
+
+ signals:
+  void sightingActivated(std::size_t position, std::size_t row);
+
+ private:
+  struct Row {
+    std::size_t position = 0, reading = 0;
+    int axisDeg = 0, round = 1, point = 0, face = 1;
+    AdjustedReading adjusted;
+    Reliability reliability;
+  };
+
+  std::vector<Row> rowsOf(const Evaluation& evaluation) const;
+  const Row& row(int index) const { return m_rows[static_cast<std::size_t>(index)]; }
+  DataTable* createTable();
+  void showCurrent();
+  QString summary() const;
+
+  std::vector<Row> m_rows;
+  std::optional<std::pair<std::size_t, std::size_t>> m_current;
+  QLabel* m_summary;
+  DataTable* m_table;
+};
+
+}  // namespace alidade::ui

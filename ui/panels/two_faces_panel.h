@@ -1,0 +1,42 @@
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+#include "ui/jobs/evaluation.h"
+
+namespace alidade::ui {
+
+class DataTable;
+class FigureGrid;
+
+/// The two-face table: collimation, trunnion tilt and index from the differences of the faces, and below them
+/// every visit that was read in both.
+class TwoFacesPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit TwoFacesPanel(QWidget* parent = nullptr);
+
+  void setEvaluation(const Evaluation& evaluation);
+
+ signals:
+  void sightingActivated(std::size_t position, std::size_t row);
+
+ private:
+  struct Row {
+    std::size_t position = 0, reading = 0;
+    int axisDeg = 0, round = 1, point = 0;
+    FaceDifference difference;
+  };
+
+  const Row& row(int index) const { return m_rows[static_cast<std::size_t>(index)]; }
+  DataTable* createTable();
+  void showErrors(const TwoFaces& faces);
+
+  std::vector<Row> m_rows;
+  FigureGrid* m_errors;
+  DataTable* m_table;
+};
+
+}  // namespace alidade::ui
