@@ -14,6 +14,8 @@
 #include "ui/charts/arc_chart.h"
 #include "ui/charts/residual_chart.h"
 #include "ui/commands/add_position.h"
+#include "ui/commands/apply_changes.h"
+#include "ui/commands/edit_readings.h"
 #include "ui/forms/field_binding.h"
 #include "ui/forms/field_form.h"
 #include "ui/main_window_actions.h"
@@ -25,6 +27,7 @@
 #include "ui/panels/readings_table.h"
 #include "ui/panels/reliability_panel.h"
 #include "ui/panels/result_panel.h"
+#include "ui/panels/suspect_bar.h"
 #include "ui/panels/two_faces_panel.h"
 #include "ui/settings/theme.h"
 
@@ -92,7 +95,13 @@ QWidget* MainWindow::createEntryColumn() {
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(m_forms);
   layout->addWidget(m_positions, 1);
-  QSplitter* column = split(Qt::Vertical, "entries", {top, m_findings}, {620, 90});
+  m_suspects = new SuspectBar;
+  auto* bottom = new QWidget;
+  auto* stack = new QVBoxLayout(bottom);
+  stack->setContentsMargins(0, 0, 0, 0);
+  stack->addWidget(m_suspects);
+  stack->addWidget(m_findings, 1);
+  QSplitter* column = split(Qt::Vertical, "entries", {top, bottom}, {620, 90});
   column->setStretchFactor(0, 1);
   return padded(column, {6, 6, 0, 6});
 }
@@ -139,6 +148,7 @@ PageTabs* MainWindow::createDetails() {
 void MainWindow::connectParts() {
   connect(&m_document, &SessionDocument::changed, this, [this](const SessionChange& change) {
     m_lastChange = change.place;
+    m_suspects->setStale();
     m_job.request(m_document.session());
   });
   connect(&m_document, &SessionDocument::identityChanged, this, &MainWindow::showTitle);
@@ -153,6 +163,23 @@ void MainWindow::connectParts() {
   for (std::size_t i = 0; m_positions->table(i); ++i) m_actions->attachTo(m_positions->table(i));
   connect(m_positions, &PositionTabs::rowEntered, m_arcChart, &ArcChart::setHighlighted);
   connect(m_arcChart, &ArcChart::sightingActivated, this, &MainWindow::selectReading);
+  connectSuspects();
+}
+
+void MainWindow::connectSuspects() {
+  connect(m_positions, &PositionTabs::rowEntered, m_suspects, &SuspectBar::showReading);
+  connect(m_suspects, &SuspectBar::placeActivated, this, [this](const Place& place) { reveal(place); });
+  connect(m_suspects, &SuspectBar::changesWanted, this,
+          [this](const std::vector<CellChange>& changes, const QString& undoText) {
+            commitPending();
+            applyChanges(m_document, changes, undoText);
+            reveal(changes.front().where);
+          });
+  connect(m_suspects, &SuspectBar::exclusionWanted, this, [this](const Place& place) {
+    commitPending();
+    ReadingsEditor(m_document, *place.position).setExcluded({*place.reading}, true);
+    reveal(place);
+  });
 }
 
 void MainWindow::selectReading(std::size_t position, std::size_t row) {
@@ -174,6 +201,7 @@ void MainWindow::showTitle() {
 
 void MainWindow::showEvaluation(const SharedEvaluation& evaluation) {
   m_positions->setEvaluation(*evaluation);
+  m_suspects->setEvaluation(*evaluation);
   m_findings->setEvaluation(*evaluation);
   m_arcChart->setEvaluation(*evaluation);
   m_figures->setEvaluation(evaluation);

@@ -19,6 +19,7 @@ class FindingsPanel;
 class PageTabs;
 class PositionTabs;
 class ReadingsTable;
+class SuspectBar;
 class WindowActions;
 
 /// The workstation's window: puts the parts together and leads from one to the other. What the parts do is
@@ -44,6 +45,7 @@ class MainWindow : public QMainWindow {
   /// Adds the position at `axisDeg` (0 or 180) where it is missing, and leads to its pointing zero.
   void addPosition(int axisDeg);
   void setColumnShown(ReadingColumn column, bool shown);
+  SuspectBar* suspects() const { return m_suspects; }
   /// The tabs beside and below the picture of the arcs.
   QList<PageTabs*> pageTabs() const { return {m_figures, m_details}; }
 
@@ -58,6 +60,7 @@ class MainWindow : public QMainWindow {
   PageTabs* createFigures();
   PageTabs* createDetails();
   void connectParts();
+  void connectSuspects();
   void selectReading(std::size_t position, std::size_t row);
   void showTitle();
   void showEvaluation(const SharedEvaluation& evaluation);
@@ -74,6 +77,7 @@ class MainWindow : public QMainWindow {
   WindowActions* m_actions = nullptr;
   QTabWidget* m_forms = nullptr;
   PositionTabs* m_positions = nullptr;
+  SuspectBar* m_suspects = nullptr;
   FindingsPanel* m_findings = nullptr;
   ArcChart* m_arcChart = nullptr;
   PageTabs* m_figures = nullptr;  ///< beside the picture: narrow pages of figures

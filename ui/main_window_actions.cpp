@@ -15,6 +15,7 @@
 #include "ui/panels/page_tabs.h"
 #include "ui/panels/position_tabs.h"
 #include "ui/panels/readings_table.h"
+#include "ui/panels/suspect_bar.h"
 #include "ui/settings/recent_files.h"
 #include "ui/settings/theme.h"
 
@@ -120,11 +121,29 @@ void WindowActions::createEditMenu(QToolBar& bar) {
   QAction* clear =
       addTo(menu, nullptr, tr("C&lear Cells\tDel"), {}, this, onTable(&ReadingsTable::clearCells));
   exclude->setToolTip(tr("Exclude or use the selected readings (Space)"));
-  addPositionActions(menu);
   m_tableActions = {cut, copy, paste, insert, remove, exclude, clear};
+  addSuspectActions(menu);
+  addPositionActions(menu);
   bar.addActions({undo, redo});
   bar.addSeparator();
   bar.addActions({insert, remove, exclude});
+}
+
+/// Enabled where a reading looks misread, the second where a correction is known.
+void WindowActions::addSuspectActions(QMenu& menu) {
+  menu.addSeparator();
+  SuspectBar* suspects = m_window.suspects();
+  QAction* next = addTo(menu, nullptr, tr("&Next Misread Reading"), QKeySequence(Qt::Key_F7), this,
+                        [suspects] { suspects->goToNext(); });
+  QAction* use = addTo(menu, nullptr, tr("Use Proposed Readin&g"), QKeySequence(Qt::Key_F8), this,
+                       [suspects] { suspects->useProposal(); });
+  const auto enable = [suspects, next, use] {
+    next->setEnabled(suspects->current());
+    use->setEnabled(suspects->hasProposal());
+  };
+  connect(suspects, &SuspectBar::suspectsChanged, next, enable);
+  enable();
+  m_tableActions << next << use;
 }
 
 /// Enabled where the position is missing.

@@ -28,6 +28,7 @@ class WindowActions : public QObject {
   void createFileMenu(QToolBar& bar);
   void createEditMenu(QToolBar& bar);
   void addPositionActions(QMenu& menu);
+  void addSuspectActions(QMenu& menu);
   void createViewMenu();
   void addPageActions(QMenu& menu);
   void createHelpMenu(Dialogs& dialogs);

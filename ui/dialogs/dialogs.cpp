@@ -106,6 +106,8 @@ void Dialogs::showShortcuts() {
       {Text::tr("F2"), Text::tr("edits what was typed")},
       {Text::tr("Esc"), Text::tr("takes back what is half typed")},
       {Text::tr("Space"), Text::tr("excludes or uses the selected rows")},
+      {Text::tr("F7"), Text::tr("leads to the next reading that looks misread")},
+      {Text::tr("F8"), Text::tr("puts in the reading that was probably meant")},
       {Text::tr("Delete"), Text::tr("clears the selected cells")},
       {Text::tr("Ctrl+I, Ctrl+−"), Text::tr("inserts a row above; deletes the selected rows")},
       {Text::tr("Ctrl+C, Ctrl+X, Ctrl+V"), Text::tr("copies, cuts, pastes blocks, also with spreadsheets")},

@@ -65,6 +65,8 @@ QVariant ReadingsModel::data(const QModelIndex& index, int role) const {
       return toolTip(row, column);
     case ProblemRole:
       return problem(row, column);
+    case SuspectRole:
+      return suspicion(row, column);
     case IncompleteRole:
       return isIncomplete(row, column);
     case ExcludedRole:
@@ -106,6 +108,12 @@ QString ReadingsModel::problem(int row, ReadingColumn column) const {
   return found == problems.end() ? QString() : found->second;
 }
 
+QString ReadingsModel::suspicion(int row, ReadingColumn column) const {
+  const auto& suspicions = m_notes[static_cast<std::size_t>(row)].suspicions;
+  const auto found = suspicions.find(column);
+  return found == suspicions.end() ? QString() : found->second;
+}
+
 bool ReadingsModel::isIncomplete(int row, ReadingColumn column) const {
   return isRequired(column) && (reading(row).*readingText(column)).empty();
 }
@@ -114,6 +122,8 @@ QString ReadingsModel::toolTip(int row, ReadingColumn column) const {
   const QString trouble = problem(row, column);
   if (!trouble.isEmpty()) return trouble;
   if (isIncomplete(row, column)) return tr("Still to be read; until then the row is no part of the fit");
+  const QString doubt = suspicion(row, column);
+  if (!doubt.isEmpty()) return tr("Looks misread: %1").arg(doubt);
   if (reading(row).excluded) return tr("Excluded: kept, but no part of the fit");
   return isAngle(column) ? tr("As typed: %1").arg(qText(reading(row).*readingText(column))) : QString();
 }
@@ -190,6 +200,11 @@ void ReadingsModel::setEvaluation(const Evaluation& evaluation) {
     if (where.position != m_position || !where.reading || *where.reading >= m_notes.size()) continue;
     m_notes[*where.reading].problems.emplace(readingColumn(where.field), qText(problem.what));
   }
+  for (const Suspect& suspect : evaluation.suspects) {
+    const Place& where = suspect.where;
+    if (where.position != m_position || !where.reading || *where.reading >= m_notes.size()) continue;
+    m_notes[*where.reading].suspicions.emplace(readingColumn(where.field), qText(suspect.sentence));
+  }
   emit dataChanged(index(0, 0), index(rowCount() - 1, readingColumnCount - 1));
 }
 
@@ -228,7 +243,10 @@ void ReadingsModel::endChange(const SessionChange& change) {
   if (!isMine(change)) return;
   const auto first = static_cast<std::ptrdiff_t>(*change.place.reading);
   if (change.removed == change.inserted) {
-    for (std::size_t i = 0; i < change.inserted; ++i) m_notes[*change.place.reading + i].problems.clear();
+    for (std::size_t i = 0; i < change.inserted; ++i) {
+      m_notes[*change.place.reading + i].problems.clear();
+      m_notes[*change.place.reading + i].suspicions.clear();
+    }
   } else {
     const auto from = m_notes.erase(m_notes.begin() + first,
                                     m_notes.begin() + first + static_cast<std::ptrdiff_t>(change.removed));

@@ -22,6 +22,7 @@ class ReadingsModel : public QAbstractTableModel {
  public:
   enum Role {
     ProblemRole = Qt::UserRole + 1,  ///< QString: why the entry cannot be used
+    SuspectRole,                     ///< QString: why the reading looks misread
     IncompleteRole,                  ///< bool: an entry still to be made
     ExcludedRole,                    ///< bool: the row is kept out of the fit
     PendingRowRole,                  ///< bool: the empty row at the end
@@ -48,13 +49,14 @@ class ReadingsModel : public QAbstractTableModel {
   /// What the newest evaluation says about a row.
   struct RowNotes {
     std::optional<SightingResidual> residual;
-    std::map<ReadingColumn, QString> problems;
+    std::map<ReadingColumn, QString> problems, suspicions;
   };
 
   const std::vector<Reading>& readings() const;
   const Reading& reading(int row) const { return readings()[static_cast<std::size_t>(row)]; }
   QString cellText(int row, ReadingColumn column) const;
   QString problem(int row, ReadingColumn column) const;
+  QString suspicion(int row, ReadingColumn column) const;
   bool isIncomplete(int row, ReadingColumn column) const;
   QString toolTip(int row, ReadingColumn column) const;
   QVariant pendingRowData(ReadingColumn column, int role) const;

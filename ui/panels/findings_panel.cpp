@@ -66,14 +66,17 @@ std::vector<FindingsPanel::Entry> FindingsPanel::entriesOf(const Evaluation& eva
   // What is wrong comes before what is only not there yet.
   std::stable_partition(entries.begin(), entries.end(),
                         [](const Entry& entry) { return entry.icon == QStringLiteral("problem"); });
+  const auto misread = suspectsFinding(evaluation.suspects);
   for (const Finding& finding : evaluation.fit.findings) {
+    if (finding == misread) continue;  // told by the suspect bar, with what to do
     const QString icons[] = {QStringLiteral("note"), QStringLiteral("warning"), QStringLiteral("problem")};
     const QString spoken[] = {tr("Note"), tr("Warning"), tr("Error")};
     const auto severity = static_cast<std::size_t>(finding.severity);
     const QString remedy = finding.remedy.empty() ? QString() : QLatin1Char(' ') + qText(finding.remedy);
     entries.push_back({icons[severity], spoken[severity], qText(finding.text) + remedy, finding.where});
   }
-  if (entries.empty()) entries.push_back({QStringLiteral("accept"), tr("Sound"), tr("No problems."), {}});
+  if (entries.empty() && !misread)
+    entries.push_back({QStringLiteral("accept"), tr("Sound"), tr("No problems."), {}});
   return entries;
 }
 

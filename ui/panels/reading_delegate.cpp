@@ -64,11 +64,12 @@ bool ReadingDelegate::eventFilter(QObject* watched, QEvent* event) {
 void ReadingDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const {
   QStyledItemDelegate::initStyleOption(option, index);
   const bool wrong = !index.data(ReadingsModel::ProblemRole).toString().isEmpty();
-  if (wrong) {
-    option->icon = themeIcon(QStringLiteral("problem"));
+  const bool doubtful = !wrong && !index.data(ReadingsModel::SuspectRole).toString().isEmpty();
+  if (wrong || doubtful) {
+    option->icon = themeIcon(wrong ? QStringLiteral("problem") : QStringLiteral("warning"));
     option->features |= QStyleOptionViewItem::HasDecoration;
     option->decorationSize = {14, 14};
-    option->backgroundBrush = stateTint(option->palette, State::Bad);
+    option->backgroundBrush = stateTint(option->palette, wrong ? State::Bad : State::Open);
   } else if (index.data(ReadingsModel::IncompleteRole).toBool()) {
     option->backgroundBrush = stateTint(option->palette, State::Open);
   }

@@ -6,8 +6,8 @@
 
 namespace alidade::ui {
 
-/// Edits cells of readings in a line and marks what is wrong, incomplete or excluded. Enter and Tab hand the
-/// entry in at once and ask to go onward.
+/// Edits cells of readings in a line and marks what is wrong, looks misread, is incomplete or excluded. Enter
+/// and Tab hand the entry in at once and ask to go onward.
 class ReadingDelegate : public QStyledItemDelegate {
   Q_OBJECT
 

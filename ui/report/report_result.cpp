@@ -130,6 +130,25 @@ void addEffects(ReportSheet& sheet, const std::vector<EffectEstimate>& effects) 
   table.finish();
 }
 
+QString errorText(const QString& name, const InstrumentError& error) {
+  const QString size = valueWithUncertainty(error.value.arcseconds(), error.sigma.arcseconds(), {}).trimmed();
+  return name + QStringLiteral(" = (") + size + QStringLiteral(")″");
+}
+
+/// What the differences of the faces say about the instrument, in a sentence.
+void addTwoFaces(ReportSheet& sheet, const TwoFaces& faces) {
+  QStringList parts{errorText(QStringLiteral("collimation c"), faces.collimation)};
+  if (faces.trunnionTilt) parts << errorText(QStringLiteral("trunnion tilt i"), *faces.trunnionTilt);
+  parts << errorText(QStringLiteral("vertical index j"), faces.index);
+  QString text =
+      QStringLiteral("Both faces, %1 visits: ").arg(faces.visits.size()) + parts.join(QStringLiteral(", "));
+  if (faces.horizontal.degreesOfFreedom > 0 && faces.vertical.degreesOfFreedom > 0)
+    text += QStringLiteral("; scatter against the stated σ: horizontal × %1, vertical × %2")
+                .arg(numberText(faces.horizontal.ratio(), 2), numberText(faces.vertical.ratio(), 2));
+  sheet.skip(1);
+  sheet.paragraph(text + u'.');
+}
+
 void addReference(ReportSheet& sheet, const Evaluation& evaluation, const Intersection& found) {
   const std::optional<double> reference = evaluation.examined.measurement->referenceIntersection;
   const QString difference =
@@ -211,6 +230,7 @@ void addResult(ReportSheet& sheet, const Evaluation& evaluation) {
           .arg(numberText(fit.noise.factor, 2)),
       type::small);
   addEffects(sheet, fit.effects);
+  if (evaluation.twoFaces) addTwoFaces(sheet, *evaluation.twoFaces);
   if (!fit.intersection) return;
   sheet.skip(1);
   sheet.paragraph(QStringLiteral("Half the distance of the centres in the plane, |O1 − O2|/2 = ") +

@@ -1,5 +1,7 @@
 #include "ui/report/report_summary.h"
 
+#include <algorithm>
+
 #include "ui/report/report_facts.h"
 #include "ui/report/report_result.h"
 #include "ui/text/entry_text.h"
@@ -29,7 +31,20 @@ QString severityName(Severity severity) {
   return QStringLiteral("Error");
 }
 
-void addFindings(ReportSheet& sheet, const SessionFit& fit) {
+constexpr std::size_t mostSuspects = 10;
+
+/// Which readings look misread, and what was probably meant.
+void addSuspects(ReportSheet& sheet, const std::vector<Suspect>& suspects, const TextStyle& style,
+                 double indent) {
+  for (std::size_t i = 0; i < std::min(suspects.size(), mostSuspects); ++i)
+    sheet.paragraph(QStringLiteral("– ") + qText(suspects[i].sentence), style, indent);
+  if (suspects.size() > mostSuspects)
+    sheet.paragraph(QStringLiteral("– and %1 more.").arg(suspects.size() - mostSuspects), style, indent);
+}
+
+void addFindings(ReportSheet& sheet, const Evaluation& evaluation) {
+  const SessionFit& fit = evaluation.fit;
+  const auto misread = suspectsFinding(evaluation.suspects);
   sheet.heading(QStringLiteral("Findings"));
   if (fit.findings.empty()) {
     sheet.paragraph(fit.intersection ? QStringLiteral("None: nothing in the data speaks against the result.")
@@ -43,6 +58,7 @@ void addFindings(ReportSheet& sheet, const SessionFit& fit) {
     const QString remedy = qText(finding.remedy);
     sheet.paragraph(qText(finding.text) + (remedy.isEmpty() ? QString() : u' ' + remedy), findingStyle,
                     indent);
+    if (finding == misread) addSuspects(sheet, evaluation.suspects, findingStyle, indent);
   }
 }
 
@@ -92,7 +108,7 @@ bool addSummary(ReportSheet& sheet, const Evaluation& evaluation, const QDateTim
   addVerdict(sheet, evaluation);
   addProblems(sheet, evaluation);
   addResult(sheet, evaluation);
-  addFindings(sheet, evaluation.fit);
+  addFindings(sheet, evaluation);
   if (!evaluation.session.notes.empty()) {
     sheet.heading(QStringLiteral("Notes"));
     sheet.paragraph(QString::fromStdString(evaluation.session.notes));

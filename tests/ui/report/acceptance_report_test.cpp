@@ -45,6 +45,29 @@ TEST(AcceptanceReport, PrintsTheModelEffectsThatWereEstimatedAlong) {
   EXPECT_FALSE(Printed(paperSession()).contains("Model effects"));
 }
 
+TEST(AcceptanceReport, NamesTheReadingsThatLookMisread) {
+  Session session = *loadSession(samplePath(QStringLiteral("clean-session.alidade")).toStdString());
+  EXPECT_FALSE(Printed(session).contains("misread"));
+  session.positions[0].readings[3].vertical = "80°43'00\"";  // instead of 53 minutes
+  const Evaluation evaluation = evaluate(session);
+  ASSERT_EQ(evaluation.suspects.size(), 1u);
+  const Printed report(session);
+  EXPECT_TRUE(report.contains("A reading looks misread: 0°, point 4, vertical"));
+  EXPECT_TRUE(report.text().contains(QString::fromStdString(evaluation.suspects[0].sentence).left(40)));
+}
+
+TEST(AcceptanceReport, SumsUpBothFacesWhereThereAreTwo) {
+  const QString trial = QStringLiteral(ALIDADE_REFERENCE_DIR "/trials/sessions/241926.alidade");
+  const Session session = *loadSession(trial.toStdString());
+  const TwoFaces faces = *evaluate(session).twoFaces;
+  const Printed report(session);
+  const QString c =
+      valueWithUncertainty(faces.collimation.value.arcseconds(), faces.collimation.sigma.arcseconds(), {});
+  EXPECT_TRUE(report.text().contains(QStringLiteral("collimation c = (") + c.trimmed()))
+      << report.text().toStdString();
+  EXPECT_FALSE(Printed(paperSession()).contains("Both faces"));
+}
+
 TEST(AcceptanceReport, PrintsADashForWhatWasNotStated) {
   Session session = paperSession();
   session.operatorName.clear();

@@ -1,0 +1,19 @@
+#include "ui/text/proposal_text.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+#include "ui/text/entry_text.h"
+
+namespace alidade::ui {
+
+QString proposalText(const Proposal& proposal) {
+  QStringList texts;
+  for (const CellChange& change : proposal.changes)
+    texts.append(change.where.field == "face"
+                     ? QCoreApplication::translate("Proposal", "face %1").arg(qText(change.text))
+                     : shownAngle(change.text));
+  return texts.join(QCoreApplication::translate("Proposal", " and "));
+}
+
+}  // namespace alidade::ui

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <QString>
+
+#include "core/adjustment/suspects.h"
+
+namespace alidade::ui {
+
+/// What a proposal would put in: "341°25′24″", "face 2", "341°25′24″ and 88°16′49″".
+QString proposalText(const Proposal& proposal);
+
+}  // namespace alidade::ui
