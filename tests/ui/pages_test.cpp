@@ -104,6 +104,9 @@ TEST(Budget, AccountsForTheIntersectionAndEveryCoordinate) {
   for (const ArcSigma& sigma : fit.sigmas)
     for (const double figure : {sigma.x, sigma.y})
       EXPECT_THAT(shown, HasSubstr(numberText(figure, 4).toStdString()));
+  EXPECT_THAT(shown,
+              HasSubstr("correlation with R\n" + signedNumberText(fit.sigmas[0].radiusX, 2).toStdString() +
+                        "\n" + signedNumberText(fit.sigmas[0].radiusY, 2).toStdString()));
 }
 
 TEST(Budget, SaysSoWhereThereIsNoFit) {
@@ -162,6 +165,7 @@ TEST(TwoFacesPage, IsThereWhereThereAreTwoFaces) {
     EXPECT_THAT(errors, HasSubstr(valueWithUncertainty(error.value.arcseconds(), error.sigma.arcseconds(), {})
                                       .trimmed()
                                       .toStdString()));
+  EXPECT_THAT(errors, HasSubstr("× " + numberText(faces->vertical.ratio(), 2).toStdString() + "\n"));
   const auto* table = page->findChild<DataTable*>();
   ASSERT_EQ(table->model()->rowCount(), static_cast<int>(faces->visits.size()));
   EXPECT_EQ(cell(table, 0, 4), signedNumberText(faces->visits[0].doubleCollimation.arcseconds(), 1));

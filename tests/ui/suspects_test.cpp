@@ -100,6 +100,16 @@ TEST(Suspects, OfferTheReadingAndItsExclusionOneClickAway) {
   EXPECT_EQ(bench.open->document().undoStack().count(), 1);
 }
 
+TEST(Suspects, AreReadInFullAtAnyWidth) {
+  SuspectBench bench;
+  for (const int width : {1280, 1024}) {
+    bench.open->resize(width, 800);
+    QCoreApplication::processEvents();
+    for (const QLabel* label : bench.bar().findChildren<QLabel*>())
+      EXPECT_TRUE(!label->wordWrap() || label->height() >= label->heightForWidth(label->width())) << width;
+  }
+}
+
 TEST(Suspects, AreNotUsedOnceTheSessionHasChanged) {
   SuspectBench bench;
   ASSERT_TRUE(bench.bar().current());

@@ -16,9 +16,9 @@ namespace alidade::ui {
 struct Evaluation {
   Session session;
   Examined examined;
-  SessionFit fit;                 ///< as made where `examined.measurement` is absent
-  PublishedSessionFit published;  ///< likewise
-  std::vector<Suspect> suspects;  ///< readings that look misread, the most certain first
+  SessionFit fit;                    ///< as made where `examined.measurement` is absent
+  PublishedSessionFit published;     ///< likewise
+  std::vector<Suspect> suspects;     ///< readings that look misread, the most certain first
   std::optional<TwoFaces> twoFaces;  ///< where visits were read in both faces
 };
 

@@ -77,19 +77,27 @@ void BudgetPanel::showIntersection(const SessionFit& fit) {
 void BudgetPanel::showCentres(const SessionFit& fit) {
   QVector<FigureGrid::Row> rows;
   QStringList titles;
-  for (std::size_t arc = 0; arc < fit.arcs.size(); ++arc) {
-    for (const auto kind : {Unknown::Kind::CentreX, Unknown::Kind::CentreY}) {
-      titles.append((kind == Unknown::Kind::CentreX ? QStringLiteral("Δx %1°") : QStringLiteral("Δy %1°"))
-                        .arg(fit.arcs[arc].axisDeg));
-      const auto budget = budgetOf(fit.joint, Unknown{.kind = kind, .arc = arc}, fit.noise.factor);
-      rows.resize(static_cast<int>(budget.size()) + 1);
-      for (std::size_t i = 0; i < budget.size(); ++i) {
-        rows[static_cast<int>(i)].caption = qText(budget[i].source);
-        rows[static_cast<int>(i)].figures.append(numberText(budget[i].sigma, 4));
-      }
-      rows.back().caption = tr("combined, σ");
-      rows.back().figures.append(numberText(combined(budget), 4));
+  const auto addColumn = [&](const QString& title, const std::vector<BudgetEntry>& budget,
+                             double withRadius) {
+    titles.append(title);
+    rows.resize(static_cast<int>(budget.size()) + 2);
+    for (std::size_t i = 0; i < budget.size(); ++i) {
+      rows[static_cast<int>(i)].caption = qText(budget[i].source);
+      rows[static_cast<int>(i)].figures.append(numberText(budget[i].sigma, 4));
     }
+    rows[static_cast<int>(budget.size())].figures.append(numberText(combined(budget), 4));
+    rows.back().figures.append(signedNumberText(withRadius, 2));
+  };
+  for (std::size_t arc = 0; arc < fit.budgets.size(); ++arc) {
+    const int axis = fit.arcs[arc].axisDeg;
+    addColumn(QStringLiteral("Δx %1°").arg(axis), fit.budgets[arc].x, fit.sigmas[arc].radiusX);
+    addColumn(QStringLiteral("Δy %1°").arg(axis), fit.budgets[arc].y, fit.sigmas[arc].radiusY);
+  }
+  if (!rows.isEmpty()) {
+    rows[rows.size() - 2].caption = tr("combined, σ");
+    rows.back().caption = tr("correlation with R");
+    rows.back().toolTip =
+        tr("How far a wrong radius takes the centre along, −1 to 1: on half an arc it decides the height");
   }
   m_centresTitle->setVisible(!rows.isEmpty());
   m_centres->setVisible(!rows.isEmpty());

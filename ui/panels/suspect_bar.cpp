@@ -102,8 +102,19 @@ void SuspectBar::showCurrent() {
     m_use->setText(tr("Use %1 (F8)").arg(proposalText(suspect->proposals.front())));
     m_use->setToolTip(qText(suspect->proposals.front().sentence));
   }
+  fitText();
   fillOthers(*suspect);
   m_count->setText(tr("%1 of %2").arg(m_index + 1).arg(m_suspects.size()));
+}
+
+void SuspectBar::resizeEvent(QResizeEvent* event) {
+  QFrame::resizeEvent(event);
+  fitText();
+}
+
+/// A splitter does not ask how high a wrapped text is at its width.
+void SuspectBar::fitText() {
+  m_text->setMinimumHeight(m_text->heightForWidth(width() - 60));
 }
 
 void SuspectBar::fillOthers(const Suspect& suspect) {

@@ -39,7 +39,11 @@ class SuspectBar : public QFrame {
   void exclusionWanted(const alidade::Place& place);
   void suspectsChanged();
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
+  void fitText();
   void createButtons();
   void showCurrent();
   void fillOthers(const Suspect& suspect);

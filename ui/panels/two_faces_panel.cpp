@@ -16,7 +16,7 @@ QString errorText(const InstrumentError& error) {
 }
 
 QString scatterText(const FaceScatter& scatter) {
-  return scatter.degreesOfFreedom > 0 ? exaggerationText(scatter.ratio()) : notStated();
+  return scatter.degreesOfFreedom > 0 ? QStringLiteral("× ") + numberText(scatter.ratio(), 2) : notStated();
 }
 
 }  // namespace
