@@ -153,6 +153,7 @@ void MainWindow::connectParts() {
   });
   connect(&m_document, &SessionDocument::identityChanged, this, &MainWindow::showTitle);
   connect(&m_job, &FitJob::evaluated, this, &MainWindow::showEvaluation);
+  connect(&m_job, &FitJob::searched, this, &MainWindow::showSuspects);
   connect(&m_files, &FileFlow::commitWanted, this, &MainWindow::commitPending);
   connect(m_findings, &FindingsPanel::placeActivated, this, [this](const Place& place) { reveal(place); });
   const auto say = [this](const QString& text) { statusBar()->showMessage(text, 8000); };
@@ -200,13 +201,18 @@ void MainWindow::showTitle() {
 }
 
 void MainWindow::showEvaluation(const SharedEvaluation& evaluation) {
-  m_positions->setEvaluation(*evaluation);
-  m_suspects->setEvaluation(*evaluation);
-  m_findings->setEvaluation(*evaluation);
+  showSuspects(evaluation);
   m_arcChart->setEvaluation(*evaluation);
   m_figures->setEvaluation(evaluation);
   m_details->setEvaluation(evaluation);
   markForms();
+}
+
+/// Only what tells of suspects: the figures have not changed.
+void MainWindow::showSuspects(const SharedEvaluation& evaluation) {
+  m_positions->setEvaluation(*evaluation);
+  m_suspects->setEvaluation(*evaluation);
+  m_findings->setEvaluation(*evaluation);
 }
 
 void MainWindow::markForms() {

@@ -64,6 +64,7 @@ class MainWindow : public QMainWindow {
   void selectReading(std::size_t position, std::size_t row);
   void showTitle();
   void showEvaluation(const SharedEvaluation& evaluation);
+  void showSuspects(const SharedEvaluation& evaluation);
   void markForms();
   void revealField(const Place& place, bool takeFocus);
   void restoreLayout();

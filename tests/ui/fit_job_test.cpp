@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/session/session_file.h"
 #include "tests/ui/support.h"
 
 namespace alidade::ui {
@@ -21,6 +22,89 @@ TEST(FitJob, DeliversTheNewestRequestAndNoneThatItOvertook) {
   }
   ASSERT_TRUE(waitFor([&] { return job.isIdle(); }));
   EXPECT_EQ(titles, std::vector<std::string>{"49"});
+}
+
+/// Twenty degrees wrong in one reading of a sound session.
+Session slippedSession() {
+  Session session = *loadSession(samplePath(QStringLiteral("clean-session.alidade")).toStdString());
+  session.positions[0].readings[3].vertical = "60 00 00";
+  return session;
+}
+
+TEST(FitJob, DeliversTheFitAtOnceAndTheSuspectsAfterIt) {
+  FitJob job;
+  std::vector<std::string> stages;
+  SharedEvaluation fitted;
+  QObject::connect(&job, &FitJob::evaluated, [&](const SharedEvaluation& evaluation) {
+    stages.push_back("fit");
+    fitted = evaluation;
+  });
+  QObject::connect(&job, &FitJob::searched, [&](const SharedEvaluation& evaluation) {
+    stages.push_back("suspects");
+    EXPECT_TRUE(fitted->fit.intersection);
+    EXPECT_FALSE(fitted->isSearched);
+    EXPECT_TRUE(fitted->suspects.empty());
+    EXPECT_TRUE(evaluation->isSearched);
+    ASSERT_EQ(evaluation->suspects.size(), 1u);
+    EXPECT_EQ(evaluation->suspects.front().where.reading, 3u);
+    EXPECT_EQ(evaluation->fit.findings.size(), fitted->fit.findings.size() + 1) << "the one that names it";
+    EXPECT_EQ(evaluation->session, fitted->session);
+  });
+  job.request(slippedSession());
+  ASSERT_TRUE(waitFor([&] { return job.isIdle(); }));
+  EXPECT_EQ(stages, (std::vector<std::string>{"fit", "suspects"}));
+}
+
+TEST(FitJob, DiscardsTheSuspectsOfASessionThatWasEdited) {
+  FitJob job;
+  std::vector<std::string> fitted, searched;
+  Session edited = slippedSession();
+  edited.title = "edited";
+  QObject::connect(&job, &FitJob::evaluated, [&](const SharedEvaluation& evaluation) {
+    fitted.push_back(evaluation->session.title);
+    if (fitted.size() == 1) job.request(edited);  // the edit comes while the suspects are still wanted
+  });
+  QObject::connect(&job, &FitJob::searched, [&](const SharedEvaluation& evaluation) {
+    searched.push_back(evaluation->session.title);
+  });
+  Session session = slippedSession();
+  session.title = "first";
+  job.request(session);
+  ASSERT_TRUE(waitFor([&] { return job.isIdle(); }));
+  EXPECT_EQ(fitted, (std::vector<std::string>{"first", "edited"}));
+  EXPECT_EQ(searched, std::vector<std::string>{"edited"});
+}
+
+/// The search for the first session is at work when the edit comes: it is let run out and thrown away.
+TEST(FitJob, DiscardsASearchThatIsAtWork) {
+  FitJob job;
+  std::vector<std::string> fitted, searched;
+  QObject::connect(&job, &FitJob::evaluated,
+                   [&](const SharedEvaluation& evaluation) { fitted.push_back(evaluation->session.title); });
+  QObject::connect(&job, &FitJob::searched, [&](const SharedEvaluation& evaluation) {
+    searched.push_back(evaluation->session.title);
+  });
+  Session session = slippedSession();
+  session.title = "first";
+  job.request(session);
+  ASSERT_TRUE(waitFor([&] { return fitted.size() == 1; }));
+  session.title = "edited";
+  job.request(session);
+  ASSERT_TRUE(waitFor([&] { return job.isIdle(); }));
+  EXPECT_EQ(fitted, (std::vector<std::string>{"first", "edited"}));
+  EXPECT_EQ(searched, std::vector<std::string>{"edited"});
+}
+
+TEST(FitJob, HasNothingToSearchWithoutAFit) {
+  FitJob job;
+  int searches = 0;
+  SharedEvaluation last;
+  QObject::connect(&job, &FitJob::evaluated, [&](const SharedEvaluation& evaluation) { last = evaluation; });
+  QObject::connect(&job, &FitJob::searched, [&] { ++searches; });
+  job.request(blankSession());
+  ASSERT_TRUE(waitFor([&] { return job.isIdle(); }));
+  EXPECT_TRUE(last->isSearched);
+  EXPECT_EQ(searches, 0);
 }
 
 TEST(FitJob, MayGoWhileItIsAtWork) {

@@ -2,9 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <QLabel>
+#include <QLayout>
 #include <QListWidget>
 #include <QPushButton>
 #include <QTest>
+#include <algorithm>
 
 #include "tests/ui/support.h"
 #include "ui/commands/apply_changes.h"
@@ -119,6 +121,41 @@ TEST(Suspects, AreNotUsedOnceTheSessionHasChanged) {
   EXPECT_EQ(bench.readings()[slippedRow].vertical, bench.slipped());
   bench.open.settle();
   EXPECT_TRUE(bench.bar().current());
+}
+
+TEST(Suspects, AreNeverShownAgainstANewerSession) {
+  SuspectBench bench;
+  const auto* use = bench.bar().findChild<QPushButton*>(QStringLiteral("use proposal"));
+  const auto shows = [&](const std::string& what) {
+    const auto labels = bench.bar().findChildren<QLabel*>();
+    return std::any_of(labels.begin(), labels.end(),
+                       [&](const QLabel* label) { return label->text().contains(qText(what)); });
+  };
+  ASSERT_TRUE(shows("point 4"));
+  bool isFitted = false;
+  QObject::connect(&bench.open->job(), &FitJob::evaluated, [&] { isFitted = true; });
+  ReadingsEditor(bench.open->document(), 0).setCell({slippedRow, ReadingColumn::Vertical}, bench.typed);
+  const auto showsNone = [&] { return !shows("point 4") && !use->isVisible() && !bench.bar().current(); };
+  EXPECT_TRUE(showsNone()) << "from the edit on";
+  ASSERT_TRUE(waitFor([&] { return isFitted; }));
+  EXPECT_TRUE(showsNone() || !bench.bar().isVisible()) << "with the new fit";
+  EXPECT_TRUE(
+      bench.cell(slippedRow, ReadingColumn::Vertical, ReadingsModel::SuspectRole).toString().isEmpty());
+  bench.open.settle();
+  EXPECT_FALSE(bench.bar().isVisible());
+  bench.open->undo();
+  bench.open.settle();
+  EXPECT_TRUE(use->isVisible());
+}
+
+TEST(Suspects, LeaveTheBarItsPlaceWhileTheyAreSought) {
+  SuspectBench bench;
+  const int height = bench.bar().height();
+  changeField(bench.open->document(), {.field = "title"}, "edited");
+  QCoreApplication::sendPostedEvents();
+  EXPECT_TRUE(bench.bar().isVisible());
+  bench.open->findChild<FindingsPanel*>()->parentWidget()->layout()->activate();
+  EXPECT_EQ(bench.bar().height(), height) << "the table above must not jump at every edit";
 }
 
 TEST(Suspects, AreGoneWithASoundSession) {

@@ -4,19 +4,29 @@
 
 namespace alidade::ui {
 
-Evaluation evaluate(Session session) {
+Evaluation evaluateFit(Session session) {
   Evaluation evaluation;
   evaluation.session = std::move(session);
   evaluation.examined = examine(evaluation.session);
   if (const auto& measurement = evaluation.examined.measurement) {
     evaluation.fit = fitSession(*measurement);
     evaluation.published = fitSessionAsPublished(*measurement);
-    evaluation.suspects = findSuspects(evaluation.session, *measurement, evaluation.fit);
-    if (auto finding = suspectsFinding(evaluation.suspects))
-      evaluation.fit.findings.insert(evaluation.fit.findings.begin(), *std::move(finding));
     evaluation.twoFaces = compareFaces(*measurement);
+    evaluation.isSearched = evaluation.fit.arcs.empty();
   }
   return evaluation;
+}
+
+Evaluation withSuspects(Evaluation evaluation) {
+  if (std::exchange(evaluation.isSearched, true)) return evaluation;
+  evaluation.suspects = findSuspects(evaluation.session, *evaluation.examined.measurement, evaluation.fit);
+  if (auto finding = suspectsFinding(evaluation.suspects))
+    evaluation.fit.findings.insert(evaluation.fit.findings.begin(), *std::move(finding));
+  return evaluation;
+}
+
+Evaluation evaluate(Session session) {
+  return withSuspects(evaluateFit(std::move(session)));
 }
 
 }  // namespace alidade::ui

@@ -18,10 +18,16 @@ struct Evaluation {
   Examined examined;
   SessionFit fit;                    ///< as made where `examined.measurement` is absent
   PublishedSessionFit published;     ///< likewise
-  std::vector<Suspect> suspects;     ///< readings that look misread, the most certain first
   std::optional<TwoFaces> twoFaces;  ///< where visits were read in both faces
+  std::vector<Suspect> suspects;     ///< readings that look misread, the most certain first
+  bool isSearched = true;            ///< false: `suspects` are still to be found
 };
 
+/// All but the suspects, whose search takes several times as long.
+Evaluation evaluateFit(Session session);
+/// The same with the suspects, and with the finding that names them.
+Evaluation withSuspects(Evaluation evaluation);
+/// Both in one.
 Evaluation evaluate(Session session);
 
 }  // namespace alidade::ui

@@ -6,35 +6,61 @@
 namespace alidade::ui {
 
 FitJob::FitJob(QObject* parent) : QObject(parent) {
-  connect(&m_watcher, &QFutureWatcherBase::finished, this, &FitJob::finish);
+  m_threads.setMaxThreadCount(2);  // one for fits, one for searches
+  connect(&m_fit, &QFutureWatcherBase::finished, this, &FitJob::finishFit);
+  connect(&m_search, &QFutureWatcherBase::finished, this, &FitJob::finishSearch);
 }
 
 FitJob::~FitJob() {
-  m_watcher.disconnect(this);
-  m_watcher.waitForFinished();
+  m_fit.disconnect(this);
+  m_search.disconnect(this);
+  m_threads.waitForDone();
 }
 
 void FitJob::request(const Session& session) {
-  if (m_running) {
+  m_fitted.reset();
+  if (m_fitting) {
     m_next = session;
   } else {
-    start(session);
+    fit(session);
   }
 }
 
-void FitJob::start(const Session& session) {
-  m_running = true;
-  m_watcher.setFuture(QtConcurrent::run(
-      [session]() -> SharedEvaluation { return std::make_shared<const Evaluation>(evaluate(session)); }));
+void FitJob::fit(const Session& session) {
+  m_fitting = true;
+  m_fit.setFuture(QtConcurrent::run(&m_threads, [session]() -> SharedEvaluation {
+    return std::make_shared<const Evaluation>(evaluateFit(session));
+  }));
 }
 
-void FitJob::finish() {
+void FitJob::finishFit() {
   if (m_next) {
-    start(*std::exchange(m_next, std::nullopt));
+    fit(*std::exchange(m_next, std::nullopt));
     return;
   }
-  m_running = false;
-  emit evaluated(m_watcher.result());
+  m_fitting = false;
+  const SharedEvaluation fitted = m_fit.result();
+  if (!fitted->isSearched) m_fitted = fitted;
+  emit evaluated(fitted);
+  search();
+}
+
+void FitJob::search() {
+  if (m_searching || !m_fitted) return;
+  m_searching = true;
+  m_search.setFuture(QtConcurrent::run(&m_threads, [fitted = m_fitted]() -> Search {
+    return {fitted, std::make_shared<const Evaluation>(withSuspects(*fitted))};
+  }));
+}
+
+void FitJob::finishSearch() {
+  m_searching = false;
+  const Search done = m_search.result();
+  if (done.fitted == m_fitted) {
+    m_fitted.reset();
+    emit searched(done.found);
+  }
+  search();
 }
 
 }  // namespace alidade::ui

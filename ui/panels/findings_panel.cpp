@@ -48,7 +48,7 @@ FindingsPanel::FindingsPanel(QWidget* parent) : QListWidget(parent) {
 /// Leaves the list alone where it says the same as before: scroll position and current line stay.
 void FindingsPanel::setEvaluation(const Evaluation& evaluation) {
   std::vector<Entry> entries = entriesOf(evaluation);
-  if (entries == m_entries) return;
+  if (entries == m_entries || (entries.empty() && saysSound())) return;
   clear();
   m_entries = std::move(entries);
   for (const Entry& entry : m_entries) add(entry);
@@ -75,9 +75,13 @@ std::vector<FindingsPanel::Entry> FindingsPanel::entriesOf(const Evaluation& eva
     const QString remedy = finding.remedy.empty() ? QString() : QLatin1Char(' ') + qText(finding.remedy);
     entries.push_back({icons[severity], spoken[severity], qText(finding.text) + remedy, finding.where});
   }
-  if (entries.empty() && !misread)
+  if (entries.empty() && !misread && evaluation.isSearched)
     entries.push_back({QStringLiteral("accept"), tr("Sound"), tr("No problems."), {}});
   return entries;
+}
+
+bool FindingsPanel::saysSound() const {
+  return m_entries.size() == 1 && m_entries.front().icon == QStringLiteral("accept");
 }
 
 void FindingsPanel::add(const Entry& entry) {

@@ -32,6 +32,7 @@ class FindingsPanel : public QListWidget {
   };
 
   static std::vector<Entry> entriesOf(const Evaluation& evaluation);
+  bool saysSound() const;
   void add(const Entry& entry);
 
   std::vector<Entry> m_entries;

@@ -7,6 +7,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "ui/settings/theme.h"
 #include "ui/text/entry_text.h"
@@ -17,6 +18,7 @@ namespace alidade::ui {
 SuspectBar::SuspectBar(QWidget* parent)
     : QFrame(parent),
       m_text(new QLabel),
+      m_buttons(new QWidget),
       m_use(new QPushButton),
       m_others(new QToolButton),
       m_exclude(new QPushButton(tr("Exclude row"))),
@@ -31,7 +33,8 @@ SuspectBar::SuspectBar(QWidget* parent)
   auto* says = new QHBoxLayout;
   says->addWidget(icon, 0, Qt::AlignTop);
   says->addWidget(m_text, 1);
-  auto* does = new QHBoxLayout;
+  auto* does = new QHBoxLayout(m_buttons);
+  does->setContentsMargins(0, 0, 0, 0);
   for (QWidget* part : std::initializer_list<QWidget*>{m_use, m_others, m_exclude}) does->addWidget(part);
   does->addStretch();
   does->addWidget(m_count);
@@ -40,7 +43,7 @@ SuspectBar::SuspectBar(QWidget* parent)
   layout->setContentsMargins(8, 6, 8, 6);
   layout->setSpacing(5);
   layout->addLayout(says);
-  layout->addLayout(does);
+  layout->addWidget(m_buttons);
   createButtons();
   hide();
 }
@@ -64,8 +67,17 @@ void SuspectBar::createButtons() {
   connect(m_next, &QToolButton::clicked, this, &SuspectBar::goToNext);
 }
 
-/// The suspect shown stays shown where it is still one.
+void SuspectBar::setStale() {
+  if (std::exchange(m_isStale, true)) return;
+  m_text->setText(tr("Looking for misread readings…"));
+  m_buttons->hide();
+  if (isVisible()) setFixedHeight(height());
+  emit suspectsChanged();
+}
+
+/// The suspect shown before is shown again where it is still one.
 void SuspectBar::setEvaluation(const Evaluation& evaluation) {
+  if (!evaluation.isSearched) return setStale();
   const Place before = m_index < m_suspects.size() ? m_suspects[m_index].where : Place{};
   m_suspects = evaluation.suspects;
   m_isStale = false;
@@ -78,6 +90,7 @@ void SuspectBar::setEvaluation(const Evaluation& evaluation) {
 }
 
 void SuspectBar::showReading(std::size_t position, std::size_t row) {
+  if (m_isStale) return;
   for (std::size_t i = 0; i < m_suspects.size(); ++i) {
     const Place& where = m_suspects[i].where;
     if (where.position != position || where.reading != row) continue;
@@ -93,8 +106,11 @@ void SuspectBar::showReading(std::size_t position, std::size_t row) {
 
 void SuspectBar::showCurrent() {
   const Suspect* suspect = m_index < m_suspects.size() ? &m_suspects[m_index] : nullptr;
+  setMinimumHeight(0);
+  setMaximumHeight(QWIDGETSIZE_MAX);
   setVisible(suspect != nullptr);
   if (!suspect) return;
+  m_buttons->show();
   m_text->setText(qText(suspect->sentence));
   const bool hasMeaning = !suspect->proposals.empty();
   m_use->setVisible(hasMeaning);
@@ -133,7 +149,7 @@ const Suspect* SuspectBar::current() const {
 }
 
 bool SuspectBar::hasProposal() const {
-  return m_index < m_suspects.size() && !m_suspects[m_index].proposals.empty();
+  return current() && !current()->proposals.empty();
 }
 
 void SuspectBar::goToNext() {

@@ -21,8 +21,8 @@ class SuspectBar : public QFrame {
   explicit SuspectBar(QWidget* parent = nullptr);
 
   void setEvaluation(const Evaluation& evaluation);
-  /// The session changed: until the next evaluation nothing shown may be used.
-  void setStale() { m_isStale = true; }
+  /// The session changed: until its suspects are found nothing is shown or used; the bar keeps its place.
+  void setStale();
   /// Shows the suspect of this row of readings, where it has one.
   void showReading(std::size_t position, std::size_t row);
 
@@ -52,6 +52,7 @@ class SuspectBar : public QFrame {
   std::size_t m_index = 0;
   bool m_isStale = true, m_isVisited = false;
   QLabel* m_text;
+  QWidget* m_buttons;
   QPushButton* m_use;
   QToolButton* m_others;
   QPushButton* m_exclude;
