@@ -2,6 +2,8 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
+#include "ui/document/session_document.h"
+#include "ui/forms/field_edit.h"
 #include "ui/forms/field_form.h"
 #include "ui/forms/field_notes.h"
 
@@ -23,6 +25,15 @@ QWidget* stacked(std::initializer_list<QWidget*> parts) {
   return page;
 }
 
+/// Of use with a known radius only; what was typed stays, and stays within reach where it cannot be used.
+void enableRadiusSigma(const SessionDocument& document, FieldEdit& sigma) {
+  const auto enable = [&document, &sigma] {
+    sigma.setEnabled(document.session().model.radius == "known" || sigma.hasProblem());
+  };
+  QObject::connect(&document, &SessionDocument::changed, &sigma, enable);
+  enable();
+}
+
 }  // namespace
 
 QWidget* createMeasurementForm(SessionDocument& document) {
@@ -31,7 +42,10 @@ QWidget* createMeasurementForm(SessionDocument& document) {
                                    {QStringLiteral("elevation"), Forms::tr("Elevation")}};
   const QVector<Choice> relations = {{QStringLiteral("exact"), Forms::tr("Exact")},
                                      {QStringLiteral("planar"), Forms::tr("Planar")}};
-  return stacked({new FieldForm(
+  const QVector<Choice> radii = {{QStringLiteral("free"), Forms::tr("Free")},
+                                 {QStringLiteral("common"), Forms::tr("Common")},
+                                 {QStringLiteral("known"), Forms::tr("Known")}};
+  auto* form = new FieldForm(
       document,
       {
           {"geometry.distance_mm", Forms::tr("Distance &L"), mm, Forms::tr("required"),
@@ -39,7 +53,17 @@ QWidget* createMeasurementForm(SessionDocument& document) {
           {"geometry.sigma_distance_mm", Forms::tr("σ of L"), mm, Forms::tr("0 (exact)"),
            Forms::tr("Standard uncertainty of the distance; empty means exact")},
           {"geometry.radius_mm", Forms::tr("&Radius R0"), mm, Forms::tr("required"),
-           Forms::tr("Nominal radius of the arc; the fitted radius is free")},
+           Forms::tr("Nominal radius of the arc")},
+          {"geometry.sigma_radius_mm", Forms::tr("σ of R0"), mm, Forms::tr("0 (exact)"),
+           Forms::tr("Standard uncertainty of the nominal radius, of use where it is taken as known; empty "
+                     "means exact")},
+          {"model.radius",
+           Forms::tr("R&adius is"),
+           {},
+           {},
+           Forms::tr("Free: each arc has its own. Common: one for both arcs. Known: R0 with its σ takes part "
+                     "as one more observation"),
+           radii},
           {"acceptance.tolerance_mm", Forms::tr("&Tolerance"), mm, Forms::tr("none"),
            Forms::tr("Largest acceptable intersection; without it there is no verdict")},
           {"geometry.vertical_circle",
@@ -65,7 +89,9 @@ QWidget* createMeasurementForm(SessionDocument& document) {
            Forms::tr(
                "What the device was set to, where known; shown beside the result, never part of a fit")},
       },
-      2)});
+      2);
+  enableRadiusSigma(document, *form->findChild<FieldEdit*>(QStringLiteral("geometry.sigma_radius_mm")));
+  return stacked({form});
 }
 
 QWidget* createInstrumentForm(SessionDocument& document) {
