@@ -54,7 +54,8 @@ Minimum minimise(const JointProblem& problem, JointState start, const JointFitOp
     ++best.iterations;
     MatrixXd damped = best.system.matrix.topLeftCorner(estimated, estimated);
     damped.diagonal() *= 1 + damping;
-    JointState trial = problem.moved(best.state, solveScaled(damped, best.system.rightSide.head(estimated)));
+    JointState trial = problem.moved(best.state, best.system.equations,
+                                     solveScaled(damped, best.system.rightSide.head(estimated)));
     JointSystem system = problem.system(trial);
     if (system.chiSquare <= best.system.chiSquare + rounding * (1 + best.system.chiSquare)) {
       best.state = std::move(trial);
@@ -133,23 +134,31 @@ AdjustedReading readingAt(const Measurement& measurement, const VisitOfArc& visi
 }
 
 void fillReadings(JointFit& fit, const Measurement& measurement, const JointProblem& problem,
-                  const JointState& state, const MatrixXd& cofactor) {
+                  const std::vector<VisitEquations>& all, const MatrixXd& cofactor) {
   const VectorXd gradient = cofactor * intersectionGradient(measurement, fit.unknowns);
+  std::vector<SlotMatrix> cofactors;
+  std::vector<Slots> gradients;
+  for (std::size_t arc = 0; arc < measurement.arcs.size(); ++arc) {
+    cofactors.push_back(problem.gathered(cofactor, arc));
+    gradients.push_back(problem.gathered(gradient, arc));
+  }
   for (std::size_t v = 0; v < problem.visits().size(); ++v) {
-    const VisitEquations equations = problem.equationsOf(state, v);
-    ArcMisfit& misfit = fit.misfits[problem.visits()[v].arc];
+    const VisitEquations& equations = all[v];
+    const std::size_t arc = problem.visits()[v].arc;
+    ArcMisfit& misfit = fit.misfits[arc];
     misfit.chiSquare += equations.residual.squaredNorm();
+    const VisitEquations::Jacobian columns = JointProblem::reduced(equations);
     misfit.degreesOfFreedom -= equations.along.isZero(0) ? 0 : 1;
     for (Index row = 0; row < equations.residual.size(); ++row) {
-      const VectorXd reduced = problem.spread(JointProblem::reduced(equations, row), problem.visits()[v].arc)
-                                   .head(cofactor.rows());
+      const Slots reduced = columns.row(row).transpose();
+      const Slots turned = cofactors[arc].lazyProduct(reduced);
       AdjustedReading reading = readingAt(measurement, problem.visits()[v], row);
       reading.residual = equations.residual[row] * reading.sigma;
       const bool takesPart = !equations.jacobian.row(row).isZero(0);
       misfit.degreesOfFreedom += takesPart ? 1 : 0;
       reading.redundancy =
-          (takesPart ? 1 : 0) - equations.along[row] * equations.along[row] - reduced.dot(cofactor * reduced);
-      reading.perReading = gradient.dot(reduced) / reading.sigma;
+          (takesPart ? 1 : 0) - equations.along[row] * equations.along[row] - reduced.dot(turned);
+      reading.perReading = gradients[arc].dot(reduced) / reading.sigma;
       fit.readings.push_back(reading);
     }
   }
@@ -205,7 +214,7 @@ JointFit fitJointly(const Measurement& measurement, const std::vector<Circle>& s
   fit.converged = minimum.converged && cofactor.allFinite();
   fit.chiSquare = minimum.system.chiSquare;
   fit.misfits.resize(measurement.arcs.size());
-  fillReadings(fit, measurement, problem, minimum.state, cofactor);
+  fillReadings(fit, measurement, problem, minimum.system.equations, cofactor);
   countDegreesOfFreedom(fit, problem);
   return fit;
 }

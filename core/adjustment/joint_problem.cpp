@@ -10,7 +10,8 @@ namespace alidade {
 namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
-using Jet = Eigen::AutoDiffScalar<Slots>;
+using PerfectJet = Eigen::AutoDiffScalar<Eigen::Matrix<double, firstTermSlot, 1>>;  // without error terms
+using AnyJet = Eigen::AutoDiffScalar<Slots>;
 
 constexpr double largestTurn =
     0.3;  // rad of arc angle in one step; keeps a poor start on its side of the circle
@@ -116,17 +117,20 @@ JointState JointProblem::start(const std::vector<Circle>& circles) const {
   return state;
 }
 
-JointProblem::JetState JointProblem::jetsOf(const JointState& state, std::size_t visit) const {
+template <typename Jet>
+JointProblem::JetState<Jet> JointProblem::jetsOf(const JointState& state, std::size_t visit) const {
   const auto& map = m_slotMaps[m_visits[visit].arc];
+  const auto constant = [&](double value) { return Jet(value, Jet::DerType::Zero(slots())); };
+  const auto variable = [&](double value, int slot) { return Jet(value, slots(), slot); };
   const auto jet = [&](std::size_t slot, double base) {
     return map[slot] < 0 ? constant(base)
                          : variable(base + state.unknowns[map[slot]], static_cast<int>(slot));
   };
   const double radiusBase = m_measurement.radiusModel == RadiusModel::Known ? m_measurement.nominalRadius : 0;
-  JetState jets{ErrorTerms<Jet>(constant(0)),
-                {jet(0, 0), jet(1, 0), jet(2, radiusBase), jet(3, 0), jet(4, 0), jet(5, 0)},
-                jet(distanceSlot, m_measurement.distance),
-                variable(state.arcAngles[static_cast<Index>(visit)], phiSlot)};
+  JetState<Jet> jets{ErrorTerms<Jet>(constant(0)),
+                     {jet(0, 0), jet(1, 0), jet(2, radiusBase), jet(3, 0), jet(4, 0), jet(5, 0)},
+                     jet(distanceSlot, m_measurement.distance),
+                     variable(state.arcAngles[static_cast<Index>(visit)], phiSlot)};
   for (std::size_t t = 0; t < m_terms.size(); ++t)
     jets.errors.set(m_terms[t].term, jet(firstTermSlot + t, m_terms[t].priorValue));
   return jets;
@@ -156,11 +160,17 @@ bool JointProblem::takesPart(std::size_t arc, std::size_t sighting, ReadingKind 
   return std::ranges::find(m_without, ReadingRef{arc, sighting, kind}) == m_without.end();
 }
 
-VisitEquations JointProblem::equationsOf(const JointState& state, std::size_t visitIndex) const {
+VisitEquations JointProblem::equationsOf(const JointState& state, std::size_t visit) const {
+  return m_terms.empty() ? equationsWith<PerfectJet>(state, visit) : equationsWith<AnyJet>(state, visit);
+}
+
+template <typename Jet>
+VisitEquations JointProblem::equationsWith(const JointState& state, std::size_t visitIndex) const {
   const auto& [arcIndex, visit, slider] = m_visits[visitIndex];
   const ArcMeasurement& arc = m_measurement.arcs[arcIndex];
-  const JetState jets = jetsOf(state, visitIndex);
-  const SpacePoint<Jet> zeroTarget{constant(0), constant(0), Jet(-jets.distance)};
+  const JetState<Jet> jets = jetsOf<Jet>(state, visitIndex);
+  const Jet nothing(0, Jet::DerType::Zero(slots()));
+  const SpacePoint<Jet> zeroTarget{nothing, nothing, Jet(-jets.distance)};
   const Direction<Jet> zero = circleDirection(jets.errors, zeroTarget, zeroPointing(arc));
   const SpacePoint<Jet> target = targetAt(jets.errors, jets.pose, jets.distance, jets.phi, arc.axisDeg);
 
@@ -195,9 +205,14 @@ VisitEquations JointProblem::equationsOf(const JointState& state, std::size_t vi
   return equations;
 }
 
+// `lazyProduct`: these matrices are so small that blocking them costs more than multiplying.
+VisitEquations::Jacobian JointProblem::reduced(const VisitEquations& equations) {
+  const Slots share = equations.jacobian.transpose().lazyProduct(equations.along);
+  return equations.jacobian - equations.along.lazyProduct(share.transpose());
+}
+
 Slots JointProblem::reduced(const VisitEquations& equations, Index row) {
-  return equations.jacobian.row(row).transpose() -
-         equations.along[row] * (equations.jacobian.transpose() * equations.along);
+  return reduced(equations).row(row).transpose();
 }
 
 VectorXd JointProblem::spread(const Slots& values, std::size_t arc) const {
@@ -207,17 +222,33 @@ VectorXd JointProblem::spread(const Slots& values, std::size_t arc) const {
   return all;
 }
 
+Slots JointProblem::gathered(const VectorXd& values, std::size_t arc) const {
+  Slots result = Slots::Zero(slots());
+  for (Index slot = 0; slot < slots(); ++slot)
+    if (const Index i = m_slotMaps[arc][static_cast<std::size_t>(slot)]; i >= 0 && i < values.size())
+      result[slot] = values[i];
+  return result;
+}
+
+SlotMatrix JointProblem::gathered(const MatrixXd& values, std::size_t arc) const {
+  SlotMatrix result(slots(), slots());
+  const Slots nothing = Slots::Zero(slots());
+  for (Index slot = 0; slot < slots(); ++slot) {
+    const Index i = m_slotMaps[arc][static_cast<std::size_t>(slot)];
+    result.col(slot) = i >= 0 && i < values.cols() ? gathered(VectorXd(values.col(i)), arc) : nothing;
+  }
+  return result;
+}
+
 JointSystem JointProblem::system(const JointState& state) const {
-  JointSystem system{MatrixXd::Zero(count(), count()), VectorXd::Zero(count()), 0};
+  JointSystem system{{}, MatrixXd::Zero(count(), count()), VectorXd::Zero(count()), 0};
+  system.equations.reserve(m_visits.size());
   for (std::size_t v = 0; v < m_visits.size(); ++v) {
-    VisitEquations equations = equationsOf(state, v);
+    const VisitEquations& equations = system.equations.emplace_back(equationsOf(state, v));
     system.chiSquare += equations.residual.squaredNorm();
-    // The arc angle eliminated: what lies along ∂/∂φ is taken off every column and off the residual.
-    const Slots share = equations.jacobian.transpose() * equations.along;
-    const double along = equations.along.dot(equations.residual);
-    const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, mostSlots, mostSlots>
-        normal = equations.jacobian.transpose() * equations.jacobian - share * share.transpose();
-    const Slots right = equations.jacobian.transpose() * equations.residual - share * along;
+    const VisitEquations::Jacobian columns = reduced(equations);
+    const SlotMatrix normal = columns.transpose().lazyProduct(columns);
+    const Slots right = columns.transpose().lazyProduct(equations.residual);
     const auto& map = m_slotMaps[m_visits[v].arc];
     for (std::size_t i = 0; i < static_cast<std::size_t>(slots()); ++i) {
       if (map[i] < 0) continue;
@@ -239,12 +270,13 @@ JointSystem JointProblem::system(const JointState& state) const {
   return system;
 }
 
-JointState JointProblem::moved(const JointState& state, const VectorXd& step) const {
+JointState JointProblem::moved(const JointState& state, const std::vector<VisitEquations>& all,
+                               const VectorXd& step) const {
   JointState result = state;
   result.unknowns.head(step.size()) += step;
   for (std::size_t v = 0; v < m_visits.size(); ++v) {
-    const VisitEquations equations = equationsOf(state, v);
-    VectorXd residual = equations.residual;
+    const VisitEquations& equations = all[v];
+    auto residual = equations.residual;
     const auto& map = m_slotMaps[m_visits[v].arc];
     for (std::size_t slot = 0; slot < static_cast<std::size_t>(slots()); ++slot)
       if (map[slot] >= 0 && map[slot] < step.size())

@@ -23,12 +23,18 @@ inline constexpr int mostSlots = firstTermSlot + static_cast<int>(errorTermCount
 /// As many as there are terms in the fit, without touching the heap.
 using Slots = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, mostSlots, 1>;
 
+/// A matrix over the slots of one arc.
+using SlotMatrix =
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, mostSlots, mostSlots>;
+
 /// Everything that is read while the slider stands at one place, whitened: rows horizontal, vertical for each
 /// row of the session, then the slider reading if there is one.
 struct VisitEquations {
   static constexpr int mostRows = 5;  // two circles in two faces, and the slider
+  using Jacobian =
+      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, mostRows, mostSlots>;
   Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, mostRows, 1> residual;
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, mostRows, mostSlots> jacobian;
+  Jacobian jacobian;
   Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, mostRows, 1> along;  ///< unit direction of ∂/∂φ
 };
 
@@ -45,8 +51,9 @@ struct JointState {
   Eigen::VectorXd arcAngles;  ///< of each visit
 };
 
-/// Normal equations with the arc angles eliminated, over all unknowns.
+/// Normal equations with the arc angles eliminated, over all unknowns, and the equations they come from.
 struct JointSystem {
+  std::vector<VisitEquations> equations;  ///< of each visit
   Eigen::MatrixXd matrix;
   Eigen::VectorXd rightSide;
   double chiSquare = 0;
@@ -69,16 +76,26 @@ class JointProblem {
   VisitEquations equationsOf(const JointState& state, std::size_t visit) const;
   JointSystem system(const JointState& state) const;
   /// The state after a step of the estimated unknowns, each arc angle following by its own equation.
-  JointState moved(const JointState& state, const Eigen::VectorXd& step) const;
+  /// `equations`: those of `state`, of each visit.
+  JointState moved(const JointState& state, const std::vector<VisitEquations>& equations,
+                   const Eigen::VectorXd& step) const;
 
   /// A vector over an arc's slots spread over all unknowns.
   Eigen::VectorXd spread(const Slots& values, std::size_t arc) const;
-  /// The equations' derivatives with the arc angle eliminated, row by row.
+  /// The part of a vector or matrix over the estimated unknowns that belongs to an arc's slots; 0 for the
+  /// other slots.
+  Slots gathered(const Eigen::VectorXd& values, std::size_t arc) const;
+  SlotMatrix gathered(const Eigen::MatrixXd& values, std::size_t arc) const;
+  /// The equations' derivatives with the arc angle eliminated: what lies along ∂/∂φ is taken off every
+  /// column.
+  static VisitEquations::Jacobian reduced(const VisitEquations& equations);
+  /// The same of one row.
   static Slots reduced(const VisitEquations& equations, Eigen::Index row);
 
  private:
-  using Jet = Eigen::AutoDiffScalar<Slots>;
-
+  /// What a visit's readings hang on, each with its derivatives. Without error terms the jets are of a fixed
+  /// size, which the compiler unrolls.
+  template <typename Jet>
   struct JetState {
     ErrorTerms<Jet> errors;
     ArcPose<Jet> pose;
@@ -86,8 +103,6 @@ class JointProblem {
   };
 
   int slots() const { return firstTermSlot + static_cast<int>(m_terms.size()); }
-  Jet constant(double value) const { return Jet(value, Slots::Zero(slots())); }
-  Jet variable(double value, int slot) const { return Jet(value, slots(), slot); }
   Eigen::Index count() const { return static_cast<Eigen::Index>(m_estimated.size() + m_considered.size()); }
   /// What is known of an estimated unknown beforehand.
   struct Prior {
@@ -100,7 +115,10 @@ class JointProblem {
   void estimate(const Unknown& unknown, const Prior& prior);
   void consider(const Unknown& unknown, double sigma);
   void buildSlotMaps();
-  JetState jetsOf(const JointState& state, std::size_t visit) const;
+  template <typename Jet>
+  JetState<Jet> jetsOf(const JointState& state, std::size_t visit) const;
+  template <typename Jet>
+  VisitEquations equationsWith(const JointState& state, std::size_t visit) const;
   Pointing zeroPointing(const ArcMeasurement& arc) const;
   Pointing pointingOf(const ArcMeasurement& arc, const Sighting& sighting) const;
   bool takesPart(std::size_t arc, std::size_t sighting, ReadingKind kind) const;

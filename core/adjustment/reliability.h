@@ -9,6 +9,8 @@ namespace alidade {
 struct DetectionLevel {
   double risk = 0.001;  ///< two-sided, in (0, 1)
   double power = 0.80;  ///< in (0, 1)
+
+  bool operator==(const DetectionLevel&) const = default;
 };
 
 /// How well one reading is checked by the others, after Baarda, "A testing procedure for use in geodetic

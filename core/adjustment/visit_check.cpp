@@ -163,7 +163,7 @@ VisitAgreement VisitCheck::agreement(const std::vector<Sighting>& rows) const {
   const VectorXd noStep = VectorXd::Zero(count);
   for (int iteration = 0; iteration < 12; ++iteration) {
     const double before = state.arcAngles[0];
-    state = problem.moved(state, noStep);
+    state = problem.moved(state, {problem.equationsOf(state, 0)}, noStep);
     if (std::abs(state.arcAngles[0] - before) < 1e-10) break;
   }
   const VisitEquations equations = problem.equationsOf(state, 0);
