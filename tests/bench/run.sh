@@ -25,6 +25,7 @@ speed="$root/tests/bench/speed"
 "$build/bin/alidade_speed" --benchmark_repetitions=5 --benchmark_min_time=0.2 --benchmark_enable_random_interleaving=true \
   --benchmark_report_aggregates_only=true --benchmark_out="$results/speed.json" --benchmark_out_format=json "$@" >&2
 "$build/bin/alidade_speed" --readings "$results"
-python3 "$speed/peer_scipy.py" "$results" >"$results/scipy.json"
-python3 "$speed/table.py" "$results/speed.json" "$results/scipy.json" "$build/bin/alidade-cli" \
+python=/usr/bin/python3  # the one that Debian's scipy belongs to, whatever comes first in the path
+"$python" "$speed/peer_scipy.py" "$results" >"$results/scipy.json"
+"$python" "$speed/table.py" "$results/speed.json" "$results/scipy.json" "$build/bin/alidade-cli" \
   "$root/samples/paper-table-1.alidade" "$speed/peer_scipy.py"

@@ -114,7 +114,7 @@ CeresFit fitWithCeres(const Arc& arc) {
   ceres::Solver::Summary summary;
   ceres::Solve(options, &problem, &summary);
   ceres::Covariance::Options covarianceOptions;
-  covarianceOptions.algorithm_type = ceres::SPARSE_QR;
+  covarianceOptions.algorithm_type = ceres::DENSE_SVD;
   ceres::Covariance covariance(covarianceOptions);
   const std::vector<std::pair<const double*, const double*>> blocks{{fit.circle.data(), fit.circle.data()}};
   if (covariance.Compute(blocks, &problem))
