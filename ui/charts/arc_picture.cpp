@@ -24,10 +24,6 @@ DrawnSighting drawnSighting(const Measurement& measurement, const ArcMeasurement
           .adjusted = {}};
 }
 
-double distanceOf(const PlanePoint<double>& a, const PlanePoint<double>& b) {
-  return std::hypot(a.x - b.x, a.y - b.y);
-}
-
 /// The run of angles that covers all residuals, around their mean direction.
 DrawnArc drawnArc(const ArcFit& fit) {
   double sumCos = 0, sumSin = 0;
@@ -45,14 +41,28 @@ DrawnArc drawnArc(const ArcFit& fit) {
   return arc;
 }
 
-/// Adds the adjusted targets to the sightings of one position, which start at `first`.
-void addAdjusted(ArcPicture& picture, std::size_t first, const ArcFit& fit) {
+/// Where the sighting would have met the arc plane without its residual, to where it did meet it.
+PlanePoint<double> residualInPlane(const Measurement& measurement, const Sighting& sighting,
+                                   const SightingResidual& residual) {
+  const auto meets = [&](Angle a, Angle e) {
+    return sightedPoint(Direction<double>{a.radians(), e.radians()}, measurement.distance,
+                        measurement.relation);
+  };
+  const PlanePoint<double> to = meets(sighting.a, sighting.e);
+  const PlanePoint<double> from = meets(sighting.a - residual.horizontal, sighting.e - residual.vertical);
+  return {to.x - from.x, to.y - from.y};
+}
+
+/// Adds the adjusted targets and the residuals to the sightings of one position, which start at `first`.
+void addAdjusted(ArcPicture& picture, std::size_t first, const Measurement& measurement,
+                 const ArcMeasurement& arc, const ArcFit& fit) {
   std::size_t next = first;
   for (const SightingResidual& residual : fit.residuals) {
     while (next < picture.sightings.size() && picture.sightings[next].ref.row != residual.row) ++next;
     if (next == picture.sightings.size()) return;
     picture.sightings[next].adjusted =
         targetOnArc(fit.circle.x, fit.circle.y, fit.circle.radius, residual.arcAngle);
+    picture.sightings[next].residual = residualInPlane(measurement, arc.sightings[next - first], residual);
   }
 }
 
@@ -60,7 +70,7 @@ double pickExaggeration(const ArcPicture& picture) {
   double largest = 0, radius = 0;
   for (const DrawnArc& arc : picture.arcs) radius = std::max(radius, arc.circle.radius);
   for (const DrawnSighting& sighting : picture.sightings) {
-    if (sighting.adjusted) largest = std::max(largest, distanceOf(sighting.sighted, *sighting.adjusted));
+    largest = std::max(largest, std::hypot(sighting.residual.x, sighting.residual.y));
   }
   if (largest <= 0 || !std::isfinite(largest)) return 1;
   return std::clamp(roundDown125(largestShareOfRadius * radius / largest), 1.0, largestExaggeration);
@@ -110,7 +120,7 @@ ArcPicture arcPicture(const Evaluation& evaluation) {
       picture.sightings.push_back(drawnSighting(measurement, arc, sighting));
     }
     if (const ArcFit* fit = evaluation.fit.arcOfPosition(arc.position)) {
-      addAdjusted(picture, first, *fit);
+      addAdjusted(picture, first, measurement, arc, *fit);
       picture.arcs.push_back(drawnArc(*fit));
     }
   }
@@ -123,8 +133,7 @@ ArcPicture arcPicture(const Evaluation& evaluation) {
 PlanePoint<double> ArcPicture::residualEnd(const DrawnSighting& sighting) const {
   if (!sighting.adjusted) return sighting.sighted;
   const PlanePoint<double>& foot = *sighting.adjusted;
-  return {foot.x + exaggeration * (sighting.sighted.x - foot.x),
-          foot.y + exaggeration * (sighting.sighted.y - foot.y)};
+  return {foot.x + exaggeration * sighting.residual.x, foot.y + exaggeration * sighting.residual.y};
 }
 
 QRectF ArcPicture::extent() const {

@@ -17,6 +17,9 @@ struct DrawnSighting {
   int point = 0, round = 1, face = 1;
   PlanePoint<double> sighted;                  ///< where the line of sight meets the arc plane
   std::optional<PlanePoint<double>> adjusted;  ///< the adjusted target on the arc; absent without a fit
+  /// What the sighting leaves over, in the arc plane: sighted minus adjusted, less the effects estimated
+  /// along.
+  PlanePoint<double> residual{};
 };
 
 /// A fitted arc over the angles it was sighted at, φ in radians, first < last, one run of at most a turn.
