@@ -68,9 +68,12 @@ void CentresInset::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWi
   painter->save();
   painter->setClipRect(m_square, Qt::IntersectClip);
   paintAxis(painter);
+  // A bar longer than the picture is cut off: title and scale stay readable.
+  painter->setClipRect(QRectF(m_square.left(), m_picture.top(), m_square.width(), m_picture.height()),
+                       Qt::IntersectClip);
   paintDistance(painter);
-  paintCentres(painter);
   painter->restore();
+  paintCentres(painter);
   paintScaleBar(painter);
   paintTitle(painter);
 }
