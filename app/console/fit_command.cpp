@@ -2,38 +2,18 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <filesystem>
-#include <iostream>
-#include <iterator>
 #include <optional>
 
-#include "app/console/channels.h"
 #include "app/console/fit_json.h"
 #include "app/console/fit_text.h"
+#include "app/console/session_input.h"
 #include "core/adjustment/monte_carlo.h"
 #include "core/adjustment/session_fit.h"
 #include "core/adjustment/suspects.h"
-#include "core/session/measurement.h"
-#include "core/session/session_file.h"
 
 namespace alidade::console {
 
 namespace {
-
-Result<Session> readInput(const std::string& file) {
-  if (file != "-") return loadSession(file);
-  return readSession(std::string(std::istreambuf_iterator<char>(std::cin), {}));
-}
-
-std::string sessionName(const Session& session, const std::string& file) {
-  return session.title.empty() ? std::filesystem::path(inputName(file)).filename().string() : session.title;
-}
-
-Problem firstOf(const std::vector<Problem>& problems) {
-  Problem first = problems.front();
-  if (problems.size() > 1) first.what += " (and " + std::to_string(problems.size() - 1) + " more)";
-  return first;
-}
 
 /// Why not every arc of the measurement was fitted: the first error found.
 Problem absence(const std::vector<Finding>& findings) {
@@ -89,15 +69,11 @@ void addFitCommand(CLI::App& app, FitRequest& request) {
 Result<std::string> runFit(const FitRequest& request) {
   if (request.method == "published" && request.monteCarlo > 0)
     return Problem{"the published method states no uncertainty to check: leave out --monte-carlo"};
-  const Result<Session> session = readInput(request.file);
-  if (!session) return session.problem();
-  const Examined examined = examine(*session);
-  if (!examined.problems.empty()) return firstOf(examined.problems);
-
-  const Measurement& measurement = examined.measurement.value();
-  const std::string name = sessionName(*session, request.file);
-  return request.method == "published" ? publishedAnswer(request, name, measurement)
-                                       : rigorousAnswer(request, name, *session, measurement);
+  const Result<SessionInput> input = readSessionInput(request.file);
+  if (!input) return input.problem();
+  return request.method == "published"
+             ? publishedAnswer(request, input->name, input->measurement)
+             : rigorousAnswer(request, input->name, input->session, input->measurement);
 }
 
 }  // namespace alidade::console

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/console/channels.h"
+#include "app/console/diagnose_command.h"
 #include "app/console/fit_command.h"
 #include "app/console/simulate_command.h"
 
@@ -28,6 +29,8 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   FitRequest fitRequest;
   addFitCommand(app, fitRequest);
+  DiagnoseRequest diagnoseRequest;
+  addDiagnoseCommand(app, diagnoseRequest);
   SimulateRequest simulateRequest;
   addSimulateCommand(app, simulateRequest);
   app.footer("Exit codes: 0 done, 2 bad input or call, 1 anything else.");
@@ -43,6 +46,8 @@ int run(int argc, char** argv) {
   }
 
   if (app.got_subcommand("simulate")) return give(runSimulate(simulateRequest), "alidade-cli");
+  if (app.got_subcommand("diagnose"))
+    return give(runDiagnose(diagnoseRequest), inputName(diagnoseRequest.file));
   return give(runFit(fitRequest), inputName(fitRequest.file));
 }
 

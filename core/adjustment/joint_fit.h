@@ -51,6 +51,7 @@ struct EstimatedTerm {
   ErrorTerm term;
   double priorSigma;  ///< plausible size; infinite: nothing is known beforehand
   double priorValue = 0;
+  double start = 0;  ///< where the fit begins
 };
 
 enum class ReadingKind { Horizontal, Vertical, Slider };

@@ -108,6 +108,9 @@ JointState JointProblem::start(const std::vector<Circle>& circles) const {
     if (m_estimated[i].kind == CentreX) value = circle.x;
     if (m_estimated[i].kind == CentreY) value = circle.y;
     if (m_estimated[i].kind == Radius) value = circle.radius - m_priors[i].value;
+    for (const EstimatedTerm& term : m_terms)
+      if (m_estimated[i].kind == Error && m_estimated[i].term == term.term)
+        value = term.start - term.priorValue;
   }
   for (std::size_t v = 0; v < m_visits.size(); ++v) {
     const PlanePoint<double> place =

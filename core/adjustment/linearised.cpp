@@ -1,6 +1,7 @@
 #include "core/adjustment/linearised.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "core/adjustment/joint_problem.h"
@@ -61,13 +62,20 @@ Linearised linearise(const Measurement& measurement, const JointFit& fit, const 
   Linearised result;
   result.visits = problem.visits().size();
   for (std::size_t i = 0; i < problem.estimated().size(); ++i) {
-    if (problem.estimated()[i].kind == Unknown::Kind::Error) continue;
-    result.unknowns.push_back(problem.estimated()[i]);
-    result.priorSigmas.push_back(problem.priorSigma(i));
+    const Unknown& unknown = problem.estimated()[i];
+    const double beyondPrior = state.unknowns[static_cast<Index>(i)], sigma = problem.priorSigma(i);
+    if (unknown.kind == Unknown::Kind::Error) {
+      result.termValues[static_cast<std::size_t>(unknown.term)] = beyondPrior + problem.priorValue(i);
+      continue;
+    }
+    result.unknowns.push_back(unknown);
+    result.priorSigmas.push_back(sigma);
+    result.priorResiduals.push_back(std::isinf(sigma) || sigma == 0 ? 0 : -beyondPrior / sigma);
   }
   for (std::size_t i = 0; i < problem.considered().size(); ++i) {
     result.unknowns.push_back(problem.considered()[i]);
     result.priorSigmas.push_back(problem.consideredSigma(i));
+    result.priorResiduals.push_back(0);
   }
   std::vector<std::array<int, firstTermSlot>> slots;
   for (std::size_t arc = 0; arc < measurement.arcs.size(); ++arc)
@@ -81,7 +89,8 @@ Linearised linearise(const Measurement& measurement, const JointFit& fit, const 
       const std::size_t i = result.readings.size();
       const AdjustedReading& reading = fit.readings[i];
       result.readings.push_back({arc, reading.sighting, v, reading.kind, reading.sigma,
-                                 equations.residual[row], equations.along[row]});
+                                 equations.residual[row], !equations.jacobian.row(row).isZero(0),
+                                 equations.along[row]});
       for (std::size_t slot = 0; slot < firstTermSlot; ++slot)
         if (slots[arc][slot] >= 0)
           result.perUnknown[i * result.unknowns.size() + static_cast<std::size_t>(slots[arc][slot])] =

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -20,7 +21,8 @@ struct LinearReading {
   ReadingKind kind = ReadingKind::Horizontal;
   double sigma = 0;     ///< stated, rad
   double residual = 0;  ///< (observed − adjusted)/σ
-  double along = 0;     ///< (∂reading/∂φ)/σ, scaled to unit length over the visit
+  bool takesPart = true;
+  double along = 0;  ///< (∂reading/∂φ)/σ, scaled to unit length over the visit
 };
 
 /// Whitened: everything is in units of the stated σ of the reading.
@@ -31,6 +33,9 @@ struct Linearised {
   /// Of each unknown before the readings: infinite for those the fit estimates freely, the stated σ of a
   /// known radius and of the considered ones. mm or rad.
   std::vector<double> priorSigmas;
+  /// (what is known beforehand − value)/σ of each unknown, 0 where nothing is; and the values of the terms.
+  std::vector<double> priorResiduals;
+  std::array<double, errorTermCount> termValues{};
   /// (∂reading/∂unknown)/σ, readings × unknowns, row by row.
   std::vector<double> perUnknown;
   /// (∂reading/∂term)/σ, readings × errorTermCount, row by row: rad, mm or 1 per unit of the term. The terms

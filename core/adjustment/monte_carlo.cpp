@@ -142,7 +142,7 @@ Spread spreadOf(std::vector<double>& values, double coverage) {
   for (const double value : values) squares += (value - spread.mean) * (value - spread.mean);
   spread.sigma = std::sqrt(squares / (count - 1));
   std::ranges::sort(values);
-  const auto inside = static_cast<std::size_t>(coverage * count + 0.5);
+  const auto inside = static_cast<std::size_t>(std::llround(coverage * count));
   const std::size_t below = (values.size() - inside) / 2;
   spread.low = values[below];
   spread.high = values[std::min(below + inside, values.size() - 1)];

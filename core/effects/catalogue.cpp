@@ -81,7 +81,7 @@ std::vector<Effect> makeCatalogue() {
       {"slider_eccentricity",
        "the slider's scale is not centred on the arc",
        "calibrate the slider",
-       {{"sine", SliderSine, "arcsec", 60}, {"cosine", SliderCosine, "arcsec", 60}}},
+       {{"sine", SliderSine, "arcsec", 60}}},
   };
 }
 

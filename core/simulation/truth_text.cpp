@@ -24,9 +24,8 @@ constexpr const char* harmonicId = "form_harmonic";
 
 /// "tilt about x" of plane_tilt is plane_tilt.x; an only parameter goes by its effect's id.
 std::string nameOf(const Effect& effect, const EffectParameter& parameter) {
-  const std::string id(effect.id);
-  if (effect.parameters.size() == 1) return id;
-  return id + "." + std::string(parameter.name.substr(parameter.name.rfind(' ') + 1));
+  if (effect.parameters.size() == 1) return std::string(effect.id);
+  return std::string(effect.id) + "." + std::string(parameter.name.substr(parameter.name.rfind(' ') + 1));
 }
 
 std::vector<const EffectParameter*> parametersNamed(const std::string& name) {

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -16,9 +18,17 @@ struct Trial {
   std::string id, kind, protocol;
   double intersection = 0;  ///< true Δd, mm
   nlohmann::json effects;   ///< true sizes: arcsec, mm, deg
-  nlohmann::json truth;     ///< all that is known of it
+  double visibleSigma = 0;  ///< of the effect in the readings; infinite where it was not worked out
+  std::set<std::string> lookAlikes;
+  nlohmann::json truth;  ///< all that is known of it
   Measurement measurement;
 };
+
+inline std::set<std::string> lookAlikesOf(const nlohmann::json& truth) {
+  std::set<std::string> ids;
+  for (const auto& entry : truth.value("look_alikes", nlohmann::json::array())) ids.insert(entry.at(0));
+  return ids;
+}
 
 inline std::vector<Trial> trials() {
   const std::string folder = std::string(ALIDADE_REFERENCE_DIR) + "/trials/";
@@ -30,7 +40,8 @@ inline std::vector<Trial> trials() {
     const Result<Session> session = loadSession(folder + "sessions/" + id + ".alidade");
     if (!session) throw std::runtime_error(session.problem().text());
     all.push_back({id, truth.at("kind"), truth.at("protocol"), truth.at("intersection_mm"),
-                   truth.at("effects"), truth, measurementOf(*session)});
+                   truth.at("effects"), truth.value("visible_sigma", std::numeric_limits<double>::infinity()),
+                   lookAlikesOf(truth), truth, measurementOf(*session)});
   }
   return all;
 }

@@ -1,0 +1,39 @@
+#include "app/console/diagnose_command.h"
+
+#include <CLI/CLI.hpp>
+
+#include "app/console/diagnosis_json.h"
+#include "app/console/diagnosis_text.h"
+#include "app/console/session_input.h"
+#include "core/diagnosis/diagnosis.h"
+
+namespace alidade::console {
+
+void addDiagnoseCommand(CLI::App& app, DiagnoseRequest& request) {
+  CLI::App* diagnose = app.add_subcommand(
+      "diagnose", "Where model and readings disagree, what causes it, and how far the gap shrinks.");
+  diagnose->add_option("FILE", request.file, "Session to diagnose (*.alidade); - reads standard input")
+      ->required();
+  diagnose
+      ->add_option("--vertical-angle", request.verticalAngle,
+                   "Take this relation of the vertical circle for the model, whatever the session says")
+      ->check(CLI::IsMember({"exact", "planar"}));
+  diagnose
+      ->add_option("--without", request.without, "An effect not to be considered; may be given several times")
+      ->check(CLI::IsMember(diagnosableEffects()));
+  diagnose->add_flag("--json", request.json, "Print one JSON document");
+}
+
+Result<std::string> runDiagnose(const DiagnoseRequest& request) {
+  Result<SessionInput> input = readSessionInput(request.file);
+  if (!input) return input.problem();
+  Measurement measurement = input->measurement;
+  if (!request.verticalAngle.empty())
+    measurement.relation =
+        request.verticalAngle == "planar" ? VerticalAngleRelation::Planar : VerticalAngleRelation::Exact;
+  const Result<Diagnosis> diagnosis = diagnose(measurement, {.without = request.without});
+  if (!diagnosis) return diagnosis.problem();
+  return request.json ? diagnosisJson(input->name, *diagnosis) : diagnosisText(input->name, *diagnosis);
+}
+
+}  // namespace alidade::console

@@ -1,0 +1,95 @@
+#include "app/console/diagnosis_json.h"
+
+#include <array>
+#include <nlohmann/json.hpp>
+
+namespace alidade::console {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json sizeJson(const GapSize& size) {
+  return {{"rms_arcsec", size.rms}, {"reduced_chi2", size.reducedChiSquare}, {"p_value", size.pValue}};
+}
+
+Json readingJson(const BlamedReading& reading) {
+  static constexpr std::array<const char*, 3> circles{"horizontal", "vertical", "slider"};
+  return {{"axis_deg", reading.axisDeg},
+          {"round", reading.round},
+          {"point", reading.point},
+          {"face", reading.face},
+          {"circle", circles[static_cast<std::size_t>(reading.kind)]},
+          {"size_arcsec", reading.size}};
+}
+
+Json causeJson(const Cause& cause) {
+  Json parameters = Json::array(), readings = Json::array();
+  for (const CauseParameter& parameter : cause.parameters)
+    parameters.push_back({{"name", parameter.name},
+                          {"value", parameter.value},
+                          {"sigma", parameter.sigma},
+                          {"unit", parameter.unit}});
+  for (const BlamedReading& reading : cause.readings) readings.push_back(readingJson(reading));
+  return {{"effect", cause.effect},
+          {"probability", cause.probability},
+          {"parameters", parameters},
+          {"indistinguishable_from", cause.indistinguishableFrom},
+          {"readings", readings}};
+}
+
+Json estimateJson(const std::optional<IntersectionEstimate>& estimate) {
+  if (!estimate) return nullptr;
+  return {{"value_mm", estimate->value}, {"sigma_mm", estimate->sigma}, {"expanded_mm", estimate->expanded}};
+}
+
+template <typename List, typename Make>
+Json listJson(const List& list, const Make& make) {
+  Json json = Json::array();
+  for (const auto& entry : list) json.push_back(make(entry));
+  return json;
+}
+
+}  // namespace
+
+std::string diagnosisJson(const std::string& session, const Diagnosis& diagnosis) {
+  Json json;
+  json["session"] = session;
+  json["verdict"] = nameOf(diagnosis.verdict);
+  json["sentence"] = diagnosis.sentence;
+  json["gap"] = sizeJson(diagnosis.gap);
+  json["after"] = sizeJson(diagnosis.after);
+  json["shrink"] = {{"in_sample", diagnosis.shrink.inSample},
+                    {"of_excess", diagnosis.shrink.ofExcess},
+                    {"held_out", diagnosis.shrink.heldOut}};
+  json["causes"] = listJson(diagnosis.causes, causeJson);
+  json["candidates"] = listJson(diagnosis.candidates, [](const Candidate& candidate) -> Json {
+    return {{"effect", candidate.effect},
+            {"log_bayes_factor", candidate.logBayesFactor},
+            {"visible_sigma", candidate.visibleSigma}};
+  });
+  json["where"] = listJson(diagnosis.where, [](const GapShare& share) -> Json {
+    return {{"by", share.by}, {"of", share.of}, {"share", share.share}};
+  });
+  json["steps"] = listJson(diagnosis.steps, [](const GapStep& step) -> Json {
+    Json entry = sizeJson(step.size);
+    entry["effect"] = step.effect;
+    entry["intersection"] = estimateJson(step.intersection);
+    return entry;
+  });
+  json["intersection"] = {{"before", estimateJson(diagnosis.before)},
+                          {"after", estimateJson(diagnosis.afterwards)}};
+  json["unseen"] = listJson(diagnosis.unseen, [](const UnseenEffect& effect) -> Json {
+    return {{"effect", effect.effect},
+            {"influence_mm", effect.influence},
+            {"visible_sigma", effect.visibleSigma}};
+  });
+  json["advice"] = listJson(diagnosis.advice, [](const Advice& advice) -> Json {
+    return {{"measure", advice.measure}, {"separates", advice.separates}, {"by_sigma", advice.bySigma}};
+  });
+  if (diagnosis.shape)
+    json["shape"] = {{"follows", diagnosis.shape->follows}, {"share", diagnosis.shape->share}};
+  return json.dump(2) + "\n";
+}
+
+}  // namespace alidade::console

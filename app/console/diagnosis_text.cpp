@@ -1,0 +1,112 @@
+#include "app/console/diagnosis_text.h"
+
+#include <algorithm>
+
+#include "app/console/text_layout.h"
+#include "core/base/number_text.h"
+#include "core/base/quantity_text.h"
+
+namespace alidade::console {
+
+namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
+
+std::string listed(const std::vector<std::string>& ids) {
+  std::string text;
+  for (const std::string& id : ids) text += (text.empty() ? "" : ", ") + id;
+  return text;
+}
+
+std::string gapText(const Diagnosis& diagnosis) {
+  const auto row = [](const std::string& name, const GapSize& size,
+                      const std::optional<IntersectionEstimate>& estimate) {
+    return std::vector<std::string>{name, fixedText(size.rms, 2), fixedText(size.reducedChiSquare, 2),
+                                    estimate ? fixedText(estimate->value, 4) : "none",
+                                    estimate ? fixedText(estimate->expanded, 4) : "none"};
+  };
+  Rows rows{{"", "rms (″)", "reduced χ²", "Δd (mm)", "U (mm)"},
+            row("as modelled", diagnosis.gap, diagnosis.before)};
+  for (const GapStep& step : diagnosis.steps)
+    rows.push_back(row("with " + step.effect, step.size, step.intersection));
+  if (!diagnosis.steps.empty() && !diagnosis.causes.front().indistinguishableFrom.empty())
+    rows.push_back(row("averaged over its look-alikes", diagnosis.after, diagnosis.afterwards));
+  return "\n" + alignedColumns(rows);
+}
+
+std::string readingText(const BlamedReading& reading) {
+  const char* circle = reading.kind == ReadingKind::Horizontal ? "horizontal"
+                       : reading.kind == ReadingKind::Vertical ? "vertical"
+                                                               : "slider";
+  return std::string(circle) + " reading of point " + std::to_string(reading.point) + ", round " +
+         std::to_string(reading.round) + ", face " + std::to_string(reading.face) + " at " +
+         std::to_string(reading.axisDeg) + "°, off by " + fixedText(reading.size, 1) + "″";
+}
+
+/// With two digits of its σ.
+std::string sizeText(double value, double sigma) {
+  return fixedText(value, decimalsFor(sigma, 0));
+}
+
+std::string causeText(const Cause& cause) {
+  std::string text = "\nCause: " + cause.effect + ", probability " + fixedText(cause.probability, 3) + "\n";
+  for (const CauseParameter& parameter : cause.parameters)
+    text += "  " + parameter.name + " " + sizeText(parameter.value, parameter.sigma) +
+            (parameter.sigma > 0 ? " ± " + sizeText(parameter.sigma, parameter.sigma) : "") +
+            (parameter.unit.size() > 1 ? " " + parameter.unit : "") + "\n";
+  for (const BlamedReading& reading : cause.readings) text += "  " + readingText(reading) + "\n";
+  if (!cause.indistinguishableFrom.empty())
+    text +=
+        paragraph("  These readings cannot tell it from: " + listed(cause.indistinguishableFrom) + ".", 2);
+  return text;
+}
+
+/// The shares of one division of the readings, largest first, those of less than a percent left out.
+std::string whereText(const Diagnosis& diagnosis) {
+  std::string text = "\nWhere it lies\n";
+  std::string by;
+  std::string line;
+  for (const GapShare& share : diagnosis.where) {
+    if (share.by != by) {
+      if (!line.empty()) text += paragraph(line, 4);
+      by = share.by;
+      line = "  by " + by + ":";
+    }
+    if (share.share >= 0.01) line += " " + share.of + " " + fixedText(100 * share.share, 0) + " %;";
+  }
+  return text + paragraph(line, 4);
+}
+
+std::string adviceText(const Diagnosis& diagnosis) {
+  if (diagnosis.advice.empty()) return "";
+  const bool separates = std::ranges::any_of(
+      diagnosis.causes, [](const Cause& cause) { return !cause.indistinguishableFrom.empty(); });
+  std::string text = separates ? "\nWhat further readings would tell apart\n"
+                               : "\nWhat further readings would show of the effects unseen\n";
+  for (const Advice& advice : diagnosis.advice)
+    text += paragraph("  " + advice.measure + ": " + listed(advice.separates) + ", by " +
+                          fixedText(advice.bySigma, 1) + " σ or more",
+                      4);
+  return text;
+}
+
+std::string unseenText(const Diagnosis& diagnosis) {
+  if (diagnosis.unseen.empty()) return "";
+  Rows rows{{"  effect", "moves Δd by (mm)", "leaves (σ)"}};
+  for (const UnseenEffect& effect : diagnosis.unseen)
+    rows.push_back({"  " + effect.effect, fixedText(effect.influence, 4), fixedText(effect.visibleSigma, 1)});
+  return "\nUnseen: what a plausible size of these would do without leaving a clear trace\n" +
+         alignedColumns(rows);
+}
+
+}  // namespace
+
+std::string diagnosisText(const std::string& session, const Diagnosis& diagnosis) {
+  std::string text = session + "\n\nVerdict: " + std::string(nameOf(diagnosis.verdict)) + "\n" +
+                     paragraph(diagnosis.sentence) + gapText(diagnosis);
+  for (const Cause& cause : diagnosis.causes) text += causeText(cause);
+  if (diagnosis.verdict != DiagnosisVerdict::WithinNoise) text += whereText(diagnosis);
+  return text + adviceText(diagnosis) + unseenText(diagnosis);
+}
+
+}  // namespace alidade::console

@@ -1,0 +1,37 @@
+#include "app/console/session_input.h"
+
+#include <filesystem>
+#include <iostream>
+#include <iterator>
+
+#include "app/console/channels.h"
+#include "core/session/session_file.h"
+
+namespace alidade::console {
+
+namespace {
+
+Result<Session> readInput(const std::string& file) {
+  if (file != "-") return loadSession(file);
+  return readSession(std::string(std::istreambuf_iterator<char>(std::cin), {}));
+}
+
+Problem firstOf(const std::vector<Problem>& problems) {
+  Problem first = problems.front();
+  if (problems.size() > 1) first.what += " (and " + std::to_string(problems.size() - 1) + " more)";
+  return first;
+}
+
+}  // namespace
+
+Result<SessionInput> readSessionInput(const std::string& file) {
+  Result<Session> session = readInput(file);
+  if (!session) return session.problem();
+  Examined examined = examine(*session);
+  if (!examined.problems.empty()) return firstOf(examined.problems);
+  const std::string name =
+      session->title.empty() ? std::filesystem::path(inputName(file)).filename().string() : session->title;
+  return SessionInput{name, *std::move(session), std::move(examined.measurement).value()};
+}
+
+}  // namespace alidade::console

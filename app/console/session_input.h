@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+#include "core/base/result.h"
+#include "core/session/measurement.h"
+#include "core/session/session.h"
+
+namespace alidade::console {
+
+/// A session and what it means.
+struct SessionInput {
+  std::string name;  ///< its title, or its file's name
+  Session session;
+  Measurement measurement;
+};
+
+/// `file` is a path, or - for standard input. Fails with the first thing that is wrong in the session.
+Result<SessionInput> readSessionInput(const std::string& file);
+
+}  // namespace alidade::console

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <vector>
+
+#include "core/diagnosis/diagnosis.h"
+#include "core/diagnosis/gap_model.h"
+
+namespace alidade {
+
+/// For the .cpp files of this room only. Each further reading that would help, tried out on the model: the
+/// same session with the other face, the way back, the slider, a shifted circle, a second stand-off or more
+/// of the arc read along. Where the cause has look-alikes: how far they would then be apart; else, how well
+/// the most dangerous of the unseen effects would then be seen.
+std::vector<Advice> adviceFor(const GapModel& model, const Diagnosis& diagnosis);
+
+}  // namespace alidade

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "core/diagnosis/leftover.h"
+#include "core/effects/catalogue.h"
+
+namespace alidade {
+
+// What a gap can be made of, for the .cpp files of this room only. Every component is a few columns over the
+// readings, scaled so that a weight of 1 is the plausible size (1σ) of the effect; its weights are normal
+// around zero with a width that is itself uncertain.
+
+/// How wide the weights of a component may be, and how likely.
+struct Width {
+  double sigma;      ///< in plausible sizes
+  double logChance;  ///< natural
+};
+
+struct Component {
+  enum class Kind {
+    Effect,      ///< of the catalogue
+    Jump,        ///< the orientation steps before a row
+    Misreading,  ///< one reading is off; no columns, since they would be those of a unit matrix
+    Shape,       ///< a pattern of no named cause
+  };
+
+  Kind kind = Kind::Effect;
+  std::string id;                  ///< of the effect, or what the pattern follows
+  const Effect* effect = nullptr;  ///< of an Effect
+  std::size_t moment = 0;          ///< of a Jump: sequence of the first row after it
+  Eigen::Index reading = 0;        ///< of a Misreading: index into the leftover's readings
+  Eigen::MatrixXd columns = {};    ///< visible part, rows × weights
+  /// Of an effect of two weights that bends: visible second derivatives, columns 11, 12, 22. Else empty.
+  Eigen::MatrixXd curvature = {};
+  bool allOrNothing = false;  ///< its one weight is 1
+  double logPrior = 0;        ///< natural, odds against nothing at all
+};
+
+/// What is believed before the readings are seen, in odds against "no gap at all". Broad on purpose: a factor
+/// of two in any of them moves no clear answer.
+struct PriorOdds {
+  double effect = 0.04;      ///< each
+  double jump = 0.04;        ///< shared by all moments
+  double misreading = 0.08;  ///< shared by all readings
+  double noise = 0.04;       ///< larger than stated
+  double shape = 0.04;       ///< shared by all patterns
+};
+
+/// Plausible size (1σ) of a step of the orientation, rad: 60″.
+inline constexpr double plausibleJump = 60.0 / 3600 * std::numbers::pi / 180;
+
+/// Effects small and large beside their plausible size: 0.1, 0.3, 1 and 3 times.
+const std::vector<Width>& widthsOf(Component::Kind kind);
+
+/// The effects of the catalogue but those in `leftOut`. `curved` is the equations at slightly tilted planes,
+/// as `tiltedSets` makes them.
+std::vector<Component> effectComponents(const Leftover& leftover, const std::vector<std::string>& leftOut,
+                                        const PriorOdds& odds);
+/// Second derivatives of the effect of a plane tilt, which shows to second order where the slider is not
+/// read: from the equations with the plane tilted by one plausible size about x and about y.
+void bendPlaneTilt(std::vector<Component>& components, const Leftover& leftover, const Linearised& tiltedX,
+                   const Linearised& tiltedY);
+/// A step before any row; of long sessions before every so manieth.
+std::vector<Component> jumpComponents(const Leftover& leftover, const Measurement& measurement,
+                                      const PriorOdds& odds);
+/// Smooth and periodic patterns along the guideway, with the instrument's circles, with time, and between the
+/// positions, that no effect of the catalogue makes, or only one that is left out.
+std::vector<Component> shapeComponents(const Leftover& leftover, const Measurement& measurement,
+                                       const JointFit& fit, const std::vector<std::string>& leftOut,
+                                       const PriorOdds& odds);
+
+}  // namespace alidade

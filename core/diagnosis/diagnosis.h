@@ -1,0 +1,141 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/adjustment/joint_fit.h"
+#include "core/base/result.h"
+#include "core/session/measurement.h"
+
+namespace alidade {
+
+// Sim is what the model says an instrument would read, real is what was read; the gap is what the fitted
+// model leaves over beyond the stated noise. The diagnosis says where it lies, which effect of the catalogue
+// causes it, how far it shrinks once the effect is added to the model, what these readings could not show,
+// and which further readings would tell apart what they cannot.
+
+enum class DiagnosisVerdict {
+  WithinNoise,     ///< nothing to explain
+  SingleCause,     ///< one cause, and no other looks like it in these readings
+  Ambiguous,       ///< one cause out of a group that these readings cannot tell apart
+  SeveralCauses,   ///< each in `causes`
+  NotInCatalogue,  ///< the gap is real, and no effect explains it, alone or together
+};
+
+/// "within-noise", "single-cause", …
+std::string_view nameOf(DiagnosisVerdict verdict);
+
+/// What a fit leaves over.
+struct GapSize {
+  double rms = 0;               ///< of the circle readings' residuals, arcseconds
+  double reducedChiSquare = 0;  ///< with the noise stated; after larger noise was found, with that
+  double pValue = 1;            ///< chance of so much by noise alone
+};
+
+/// How far the gap shrinks, each within 0…1 unless it grows.
+struct Shrinkage {
+  double inSample = 0;  ///< 1 − rms after/rms before
+  double ofExcess = 0;  ///< 1 − (χ² − f after)/(χ² − f before)
+  double heldOut = 0;   ///< 1 − rms after/rms before on readings that took no part in fitting the cause
+};
+
+struct CauseParameter {
+  std::string name;
+  double value = 0, sigma = 0;
+  std::string unit;  ///< as in the catalogue
+};
+
+/// A reading that is blamed.
+struct BlamedReading {
+  std::size_t position = 0, row = 0;  ///< of the session
+  int axisDeg = 0, round = 1, point = 0, face = 1;
+  ReadingKind kind = ReadingKind::Horizontal;
+  double size = 0;  ///< how far it is off, arcseconds, as `AdjustedReading::residual`
+};
+
+struct Cause {
+  std::string effect;      ///< id of the catalogue
+  double probability = 0;  ///< that it is among the causes, 0…1
+  std::vector<CauseParameter> parameters;
+  std::vector<std::string> indistinguishableFrom;  ///< ids
+  std::vector<BlamedReading> readings;             ///< of a gross_error
+};
+
+/// How well one effect alone explains the readings.
+struct Candidate {
+  std::string effect;
+  double logBayesFactor = 0;  ///< natural, against no effect
+  double visibleSigma = 0;    ///< length of what it explains, in σ of the readings
+};
+
+/// A part of the gap. The shares of one `by` add up to 1.
+struct GapShare {
+  std::string by;  ///< "frame", "position", "circle", "face", "round", "sector", "time"
+  std::string of;
+  double share = 0;  ///< of the leftover beyond the noise, 0…1
+};
+
+/// Δd, y up, mm.
+struct IntersectionEstimate {
+  double value = 0, sigma = 0, expanded = 0;
+};
+
+/// The gap as it shrinks, cause by cause.
+struct GapStep {
+  std::string effect;  ///< added in this step
+  GapSize size;        ///< after it
+  std::optional<IntersectionEstimate> intersection;
+};
+
+/// An effect that these readings would not show.
+struct UnseenEffect {
+  std::string effect;
+  double influence = 0;     ///< on Δd of its plausible size, mm, ≥ 0
+  double visibleSigma = 0;  ///< what it would leave in the readings, σ
+};
+
+/// Further readings and what they would tell apart.
+struct Advice {
+  std::string measure;                 ///< "both faces", …
+  std::vector<std::string> separates;  ///< ids
+  double bySigma = 0;                  ///< difference of the least different two of them, σ
+};
+
+/// A gap that fits no effect, by its shape.
+struct GapShape {
+  std::string follows;  ///< "radius along the guideway", …
+  double share = 0;     ///< of the gap that the pattern takes up, 0…1
+};
+
+struct Diagnosis {
+  DiagnosisVerdict verdict = DiagnosisVerdict::WithinNoise;
+  std::string sentence;  ///< the verdict in words
+  GapSize gap, after;
+  Shrinkage shrink;
+  std::vector<Cause> causes;          ///< the most certain first
+  std::vector<Candidate> candidates;  ///< the best first
+  std::vector<GapShare> where;
+  std::vector<GapStep> steps;  ///< one for each cause
+  std::optional<IntersectionEstimate> before, afterwards;
+  std::vector<UnseenEffect> unseen;           ///< the most dangerous first
+  std::vector<Advice> advice;                 ///< the most telling first
+  std::optional<GapShape> shape;              ///< with NotInCatalogue
+  std::vector<double> leftBefore, leftAfter;  ///< residuals/σ before and after, in the order of `readings`
+  std::vector<BlamedReading> readings;        ///< all that took part, `size` their residual before
+};
+
+struct DiagnosisOptions {
+  /// Ids of effects that are not considered.
+  std::vector<std::string> without = {};
+};
+
+/// Fails in words where no arc can be fitted or an id is unknown. Effects of the measurement's own model are
+/// part of the model, not of the gap.
+Result<Diagnosis> diagnose(const Measurement& measurement, const DiagnosisOptions& options = {});
+
+/// Every id a diagnosis may name: the effects of the catalogue, a jump, misread values, larger noise.
+const std::vector<std::string>& diagnosableEffects();
+
+}  // namespace alidade

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/diagnosis/component.h"
+
+namespace alidade {
+
+// Which components explain a leftover, for the .cpp files of this room only. In the linear model with normal
+// weights the evidence of a set of components has a closed form; sets are grown one component at a time, the
+// best few are kept, and each is weighed with the noise as stated (give or take a tenth) and with noise
+// larger than stated.
+//
+// Source: MacKay, "Bayesian interpolation", Neural Computation 4 (1992); the marginal likelihood of the
+// Bayesian linear model.
+
+/// One component of an explanation with the weights it takes.
+struct Part {
+  std::size_t component = 0;  ///< index into the candidates
+  double width = 1;           ///< most likely, in plausible sizes
+  Eigen::VectorXd weights;    ///< in plausible sizes
+  double logGain = 0;         ///< evidence it adds to the parts before it, natural
+};
+
+struct Explanation {
+  std::vector<Part> parts;
+  bool noisy = false;      ///< with noise larger than stated
+  double noise = 1;        ///< most likely scale of the noise
+  double logOdds = 0;      ///< prior and evidence, against nothing at all, natural
+  double logEvidence = 0;  ///< without the prior
+  double chiSquare = 0;    ///< of what is left, stated σ
+};
+
+struct SearchOptions {
+  PriorOdds odds = {};
+  bool misreadings = true;  ///< readings may be off
+  bool noise = true;        ///< noise may be larger than stated
+  std::size_t beam = 6;
+  std::size_t mostParts = 3;  ///< but more where they are misreadings
+  std::size_t mostMisreadings = 6;
+};
+
+/// The best first. Always holds the explanation of no part without and with larger noise.
+std::vector<Explanation> explain(const Leftover& leftover, const std::vector<Component>& candidates,
+                                 const SearchOptions& options = {});
+
+/// Evidence of one component alone, noise as stated, natural, without its prior.
+double logBayesFactor(const Leftover& leftover, const Component& component);
+
+/// What the weights leave in the readings, visible part: linear, and bent where the component bends.
+Eigen::VectorXd signature(const Component& component, const Eigen::VectorXd& weights);
+
+}  // namespace alidade

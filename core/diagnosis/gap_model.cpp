@@ -1,0 +1,79 @@
+#include "core/diagnosis/gap_model.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/adjustment/session_fit.h"
+
+namespace alidade {
+
+Result<GapModel> modelOf(const Measurement& measurement) {
+  const SessionFit fit = fitSession(measurement);
+  if (fit.arcs.empty()) {
+    for (const Finding& finding : fit.findings)
+      if (finding.severity == Severity::Error) return Problem{finding.text, finding.where};
+    return Problem{"there are no readings to diagnose; enter those of the axis positions"};
+  }
+  GapModel model{.measurement = measurement, .starts = {}, .options = {}, .fit = fit.joint};
+  std::erase_if(model.measurement.arcs,
+                [&](const ArcMeasurement& arc) { return !fit.arcOfPosition(arc.position); });
+  for (const ArcFit& arc : fit.arcs) model.starts.push_back(arc.circle);
+  for (const std::string& id : measurement.effects)
+    if (const Effect* effect = effectById(id))
+      for (const EffectParameter& parameter : effect->parameters)
+        model.options.terms.push_back({parameter.term, parameter.plausible * modelUnitsPer(parameter.unit)});
+  return model;
+}
+
+ReadingRef readingOf(const Leftover& leftover, std::size_t component, std::size_t candidates) {
+  const LinearReading& reading = leftover.reading(static_cast<Eigen::Index>(component - candidates));
+  return {reading.arc, reading.sighting, reading.kind};
+}
+
+GapModel modelWith(const GapModel& base, const Explanation& explanation,
+                   const std::vector<Component>& candidates, const Leftover& leftover) {
+  GapModel model = base;
+  for (const Part& part : explanation.parts) {
+    if (part.component >= candidates.size()) {
+      model.options.without.push_back(readingOf(leftover, part.component, candidates.size()));
+      continue;
+    }
+    const Component& component = candidates[part.component];
+    const double width = std::max(1.0, part.width);
+    if (component.kind == Component::Kind::Jump) {
+      const double sigma = width * plausibleJump;
+      model.options.jumpBefore = component.moment;
+      model.options.terms.push_back({ErrorTerm::HorizontalJump, sigma});
+      model.options.terms.push_back({ErrorTerm::VerticalJump, sigma});
+    } else if (component.allOrNothing) {
+      constexpr double whole = 1, exactly = 1e-6;
+      model.options.terms.push_back({component.effect->parameters[0].term, exactly, whole, whole});
+    } else if (component.kind == Component::Kind::Effect) {
+      for (std::size_t p = 0; p < component.effect->parameters.size(); ++p) {
+        const EffectParameter& parameter = component.effect->parameters[p];
+        const double unit = parameter.plausible * modelUnitsPer(parameter.unit);
+        model.options.terms.push_back(
+            {parameter.term, width * unit, 0, part.weights[static_cast<Eigen::Index>(p)] * unit});
+      }
+    }
+  }
+  model.fit = fitJointly(model.measurement, model.starts, model.options);
+  if (explanation.noisy && model.fit.degreesOfFreedom > 0)
+    model.noise = std::sqrt(model.fit.chiSquare / model.fit.degreesOfFreedom);
+  return model;
+}
+
+Linearised linearisedAt(const GapModel& model, ErrorTerm term, double size) {
+  JointFit shifted = model.fit;
+  const Unknown unknown{.kind = Unknown::Kind::Error, .arc = 0, .term = term};
+  const std::size_t index = shifted.indexOf(unknown);
+  if (index < shifted.values.size()) {
+    shifted.values[index] = size;
+  } else {
+    shifted.unknowns.push_back(unknown);
+    shifted.values.push_back(size);
+  }
+  return linearise(model.measurement, shifted, model.options);
+}
+
+}  // namespace alidade

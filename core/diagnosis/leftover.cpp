@@ -1,0 +1,128 @@
+#include "core/diagnosis/leftover.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace alidade {
+
+namespace {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+}  // namespace
+
+Leftover::Leftover(const std::vector<Linearised>& sets, const std::vector<EstimatedTerm>& inModel)
+    : m_sets(sets) {
+  std::size_t visits = 0;
+  for (const Linearised& set : m_sets) {
+    for (LinearReading reading : set.readings) {
+      reading.visit += visits;
+      m_readings.push_back(reading);
+    }
+    visits += set.visits;
+  }
+  m_visits.resize(visits);
+  for (std::size_t i = 0; i < m_readings.size(); ++i)
+    m_visits[m_readings[i].visit].push_back(static_cast<Index>(i));
+
+  layOutUnknowns(inModel, m_observed);
+  eliminateArcAngles(m_base);
+  const VectorXd scale = m_base.colwise().norm().cwiseMax(1e-300).cwiseInverse();
+  m_base *= scale.asDiagonal();
+  const Eigen::ColPivHouseholderQR<MatrixXd> qr(m_base);
+  m_basis = qr.householderQ() * MatrixXd::Identity(m_base.rows(), qr.rank());
+  m_observed = outsideArcAngles(m_observed);
+  m_residual = visible(m_observed);
+  m_redundancy = VectorXd::Ones(readings());
+  for (Index i = 0; i < readings(); ++i)
+    m_redundancy[i] =
+        !reading(i).takesPart ? 0 : 1 - reading(i).along * reading(i).along - m_basis.row(i).squaredNorm();
+  Index counted = rows() - m_basis.cols();
+  for (const auto& visit : m_visits) {
+    const auto taking = std::ranges::count_if(visit, [&](Index i) { return reading(i).takesPart; });
+    counted -= static_cast<Index>(visit.size()) - taking + (taking > 0 ? 1 : 0);
+  }
+  m_degreesOfFreedom = static_cast<int>(counted);
+}
+
+void Leftover::layOutUnknowns(const std::vector<EstimatedTerm>& inModel, VectorXd& observed) {
+  Index columns = static_cast<Index>(inModel.size()), priors = 0;
+  for (const EstimatedTerm& term : inModel) priors += std::isinf(term.priorSigma) ? 0 : 1;
+  for (const Linearised& set : m_sets)
+    for (const double sigma : set.priorSigmas) {
+      columns += sigma > 0 ? 1 : 0;
+      priors += sigma > 0 && !std::isinf(sigma) ? 1 : 0;
+    }
+  m_base = MatrixXd::Zero(readings() + priors, columns);
+  observed = VectorXd::Zero(readings() + priors);
+  Index column = 0, prior = readings(), first = 0;
+  const auto known = [&](double sigma, double residual) {
+    if (!std::isinf(sigma)) {
+      observed[prior] = residual;
+      m_base(prior++, column) = 1 / sigma;
+    }
+    ++column;
+  };
+  for (const Linearised& set : m_sets) {
+    for (std::size_t i = 0; i < set.readings.size(); ++i)
+      observed[first + static_cast<Index>(i)] = set.readings[i].residual;
+    for (std::size_t u = 0; u < set.unknowns.size(); ++u) {
+      if (set.priorSigmas[u] <= 0) continue;
+      for (std::size_t i = 0; i < set.readings.size(); ++i)
+        m_base(first + static_cast<Index>(i), column) = set.ofUnknown(i, u);
+      known(set.priorSigmas[u], set.priorResiduals[u]);
+    }
+    first += static_cast<Index>(set.readings.size());
+  }
+  for (const EstimatedTerm& term : inModel) {
+    m_base.col(column).head(readings()) = this->column(term.term);
+    const double value = m_sets.front().termValues[static_cast<std::size_t>(term.term)];
+    known(term.priorSigma, (term.priorValue - value) / term.priorSigma);
+  }
+}
+
+void Leftover::eliminateArcAngles(MatrixXd& columns) const {
+  for (const auto& visit : m_visits)
+    for (Index c = 0; c < columns.cols(); ++c) {
+      double share = 0;
+      for (const Index i : visit) share += reading(i).along * columns(i, c);
+      for (const Index i : visit) columns(i, c) -= share * reading(i).along;
+    }
+}
+
+MatrixXd Leftover::outsideArcAngles(const MatrixXd& columns) const {
+  MatrixXd result = MatrixXd::Zero(m_base.rows(), columns.cols());
+  result.topRows(columns.rows()) = columns;
+  eliminateArcAngles(result);
+  return result;
+}
+
+MatrixXd Leftover::visible(const MatrixXd& columns) const {
+  MatrixXd result = outsideArcAngles(columns);
+  result -= m_basis * (m_basis.transpose() * result);
+  return result;
+}
+
+VectorXd Leftover::column(ErrorTerm term) const {
+  VectorXd result(readings());
+  Index row = 0;
+  for (const Linearised& set : m_sets)
+    for (std::size_t i = 0; i < set.readings.size(); ++i) result[row++] = set.ofTerm(i, term);
+  return result;
+}
+
+VectorXd Leftover::column(Unknown::Kind kind) const {
+  VectorXd result = VectorXd::Zero(readings());
+  Index row = 0;
+  for (const Linearised& set : m_sets)
+    for (std::size_t i = 0; i < set.readings.size(); ++i, ++row)
+      for (std::size_t u = 0; u < set.unknowns.size(); ++u) {
+        const Unknown& unknown = set.unknowns[u];
+        if (unknown.kind == kind && unknown.concerns(set.readings[i].arc)) result[row] = set.ofUnknown(i, u);
+      }
+  return result;
+}
+
+}  // namespace alidade

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/adjustment/linearised.h"
+
+namespace alidade {
+
+// What a fit leaves over, and what any further effect would leave over, for the .cpp files of this room only.
+//
+// Readings are whitened by their stated σ. Of every vector over the readings only the part counts that the
+// fit cannot take up: outside the arc angle of each visit and the span of the circles, slider zeros, pointing
+// zeros and distance (the last two at their stated σ, as observations of zero). With P the projector on it,
+//
+//   leftover  r = P (observed − model),        visible part of an effect with column c: P c.
+//
+// Source: elimination of nuisance parameters in the linear model, e.g. Koch, "Parameter estimation and
+// hypothesis testing in linear models" (1999).
+class Leftover {
+ public:
+  /// One set of readings, or several taken from different set-ups: they share the error terms only. `inModel`
+  /// are terms the fit estimates already.
+  explicit Leftover(const std::vector<Linearised>& sets, const std::vector<EstimatedTerm>& inModel = {});
+
+  /// Readings of all sets, then an entry for each observation of a prior.
+  Eigen::Index rows() const { return m_residual.size(); }
+  Eigen::Index readings() const { return static_cast<Eigen::Index>(m_readings.size()); }
+  const LinearReading& reading(Eigen::Index i) const { return m_readings[static_cast<std::size_t>(i)]; }
+  const Eigen::VectorXd& residual() const { return m_residual; }
+  double chiSquare() const { return m_residual.squaredNorm(); }
+  int degreesOfFreedom() const { return m_degreesOfFreedom; }
+
+  /// The part of `columns` (rows() or readings() long) that the fit cannot take up.
+  Eigen::MatrixXd visible(const Eigen::MatrixXd& columns) const;
+  /// What the fit takes up, what was observed, and `columns`: rows() long, outside the arc angles only.
+  const Eigen::MatrixXd& base() const { return m_base; }
+  const Eigen::VectorXd& observed() const { return m_observed; }
+  Eigen::MatrixXd outsideArcAngles(const Eigen::MatrixXd& columns) const;
+  /// |P e|² for an error e of one reading, 1σ: its redundancy.
+  double redundancy(Eigen::Index reading) const { return m_redundancy[reading]; }
+  /// ∂reading/∂term, whitened, not projected, readings() long.
+  Eigen::VectorXd column(ErrorTerm term) const;
+  /// ∂reading/∂unknown of the readings' own arc; 0 where the arc has no such unknown.
+  Eigen::VectorXd column(Unknown::Kind kind) const;
+
+ private:
+  std::vector<LinearReading> m_readings;
+  std::vector<Linearised> m_sets;
+  std::vector<std::vector<Eigen::Index>> m_visits;  ///< readings of each visit, by index
+  Eigen::VectorXd m_observed, m_residual, m_redundancy;
+  Eigen::MatrixXd m_base;
+  Eigen::MatrixXd m_basis;  ///< orthonormal, of what the fit takes up, at right angles to the arc angles
+  int m_degreesOfFreedom = 0;
+
+  void eliminateArcAngles(Eigen::MatrixXd& columns) const;
+  /// Fills m_base, and the priors' entries of `observed`.
+  void layOutUnknowns(const std::vector<EstimatedTerm>& inModel, Eigen::VectorXd& observed);
+};
+
+}  // namespace alidade

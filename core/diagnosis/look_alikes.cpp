@@ -1,0 +1,57 @@
+#include "core/diagnosis/look_alikes.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+
+#include "core/diagnosis/explanation.h"
+
+namespace alidade {
+
+using Eigen::MatrixXd, Eigen::VectorXd;
+
+namespace {
+
+/// A bending effect leaves its second derivatives only together; the nearest is sought by Gauss-Newton from
+/// several sides.
+double differenceFromBent(const VectorXd& trace, const Component& component) {
+  constexpr double sides[][2] = {{3, 0}, {0, 3}, {2, 2}, {2, -2}, {0.1, 0.1}};
+  double least = trace.norm();
+  for (const auto& side : sides) {
+    VectorXd weights = Eigen::Vector2d(side[0], side[1]);
+    for (int i = 0; i < 12; ++i) {
+      MatrixXd columns = component.columns;
+      const auto& second = component.curvature;
+      columns.col(0) += second.col(0) * weights[0] + second.col(1) * weights[1];
+      columns.col(1) += second.col(1) * weights[0] + second.col(2) * weights[1];
+      const VectorXd left = trace - signature(component, weights);
+      least = std::min(least, left.norm());
+      MatrixXd normal = columns.transpose() * columns;
+      normal.diagonal().array() += 1e-6 * normal.trace() + 1e-12;
+      weights += normal.ldlt().solve(columns.transpose() * left);
+      weights = weights.cwiseMax(-20).cwiseMin(20);
+    }
+  }
+  return least;
+}
+
+}  // namespace
+
+double differenceFrom(const VectorXd& trace, const Component& component) {
+  if (component.allOrNothing) {
+    const double size = component.columns.squaredNorm();
+    return size == 0 ? trace.norm() : std::min(trace.norm(), (trace - component.columns.col(0)).norm());
+  }
+  if (component.curvature.cols() > 0) return differenceFromBent(trace, component);
+  MatrixXd columns(component.columns.rows(), 0);
+  for (Eigen::Index c = 0; c < component.columns.cols(); ++c) {
+    const double norm = component.columns.col(c).norm();
+    if (norm < 1e-9) continue;
+    columns.conservativeResize(Eigen::NoChange, columns.cols() + 1);
+    columns.rightCols(1) = component.columns.col(c) / norm;
+  }
+  if (columns.cols() == 0) return trace.norm();
+  const Eigen::ColPivHouseholderQR<MatrixXd> qr(columns);
+  return (trace - columns * qr.solve(trace)).norm();
+}
+
+}  // namespace alidade

@@ -1,0 +1,63 @@
+#include "core/diagnosis/sentence.h"
+
+#include "core/base/quantity_text.h"
+
+namespace alidade {
+
+namespace {
+
+std::string listed(const std::vector<std::string>& ids) {
+  std::string text;
+  for (std::size_t i = 0; i < ids.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == ids.size() ? " or " : ", ") + ids[i];
+  return text;
+}
+
+/// Larger noise explains residuals, it does not shrink them.
+bool shrinks(const Diagnosis& diagnosis) {
+  return diagnosis.causes.front().effect != "underestimated_noise";
+}
+
+std::string shrunk(const Diagnosis& diagnosis) {
+  const std::string& first = diagnosis.causes.front().effect;
+  if (!shrinks(diagnosis))
+    return " The readings scatter " + displayText(diagnosis.causes.front().parameters.front().value, 1) +
+           " times as much as stated, without a pattern.";
+  const std::string with = first == "gross_error" && diagnosis.causes.size() == 1
+                               ? " Without the readings blamed"
+                           : diagnosis.causes.size() == 1 ? " With it in the model"
+                                                          : " With them in the model";
+  return with + " the residuals shrink from " + displayText(diagnosis.gap.rms, 1) + "″ to " +
+         displayText(diagnosis.after.rms, 1) + "″.";
+}
+
+std::string causesNamed(const Diagnosis& diagnosis) {
+  std::string text;
+  for (std::size_t i = 0; i < diagnosis.causes.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == diagnosis.causes.size() ? " and " : ", ") + diagnosis.causes[i].effect;
+  return text;
+}
+
+}  // namespace
+
+std::string sentenceFor(const Diagnosis& diagnosis) {
+  switch (diagnosis.verdict) {
+    case DiagnosisVerdict::WithinNoise:
+      return "The readings agree with the model within their stated noise: there is no gap to explain.";
+    case DiagnosisVerdict::SingleCause:
+      return "The gap is caused by " + causesNamed(diagnosis) + "." + shrunk(diagnosis);
+    case DiagnosisVerdict::Ambiguous:
+      return "The gap is caused by " + causesNamed(diagnosis) +
+             " or by what these readings cannot tell from it: " +
+             listed(diagnosis.causes.front().indistinguishableFrom) + "." + shrunk(diagnosis);
+    case DiagnosisVerdict::SeveralCauses:
+      return "The gap has several causes: " + causesNamed(diagnosis) + "." + shrunk(diagnosis);
+    case DiagnosisVerdict::NotInCatalogue:
+      return "The gap is real, and no effect of the catalogue explains it" +
+             (diagnosis.shape ? "; it follows the pattern “" + diagnosis.shape->follows + "”."
+                              : std::string("."));
+  }
+  return {};
+}
+
+}  // namespace alidade

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "core/diagnosis/component.h"
+#include "core/diagnosis/diagnosis.h"
+
+namespace alidade {
+
+/// For the .cpp files of this room only. Effects that would leave less than `clearlyDifferent` σ at their
+/// plausible size, by what that does to Δd; of an effect with two numbers in the direction that moves Δd
+/// most, of a jump at the moment that does. `perReading` is ∂Δd/∂reading, mm per σ of the reading.
+std::vector<UnseenEffect> unseenEffects(const Leftover& leftover, const std::vector<Component>& candidates,
+                                        const Measurement& measurement, const Eigen::VectorXd& perReading);
+
+/// The columns of a component over the readings, of which `columns` is the visible part.
+Eigen::MatrixXd wholeColumns(const Leftover& leftover, const Measurement& measurement,
+                             const Component& component);
+
+}  // namespace alidade

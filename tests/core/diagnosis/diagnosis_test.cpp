@@ -1,0 +1,196 @@
+#include "core/diagnosis/diagnosis.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "core/adjustment/session_fit.h"
+#include "core/diagnosis/leftover.h"
+#include "tests/support/paper_table.h"
+#include "tests/support/trials.h"
+
+namespace alidade {
+namespace {
+
+using testing::Contains;
+using testing::IsEmpty;
+
+Diagnosis diagnosed(const Measurement& measurement, const DiagnosisOptions& options = {}) {
+  return *diagnose(measurement, options);
+}
+
+/// The ray tracer's sessions of one kind, with the effect withheld.
+std::vector<test::Trial> trialsOf(const std::string& kind) {
+  std::vector<test::Trial> chosen;
+  for (test::Trial& trial : test::trials())
+    if (trial.kind == kind) chosen.push_back(std::move(trial));
+  EXPECT_FALSE(chosen.empty()) << kind;
+  return chosen;
+}
+
+TEST(Diagnosis, FindsNothingWhereThereIsNothing) {
+  for (const test::Trial& trial : trialsOf("none")) {
+    const Diagnosis diagnosis = diagnosed(trial.measurement);
+    EXPECT_EQ(diagnosis.verdict, DiagnosisVerdict::WithinNoise) << trial.id;
+    EXPECT_THAT(diagnosis.causes, IsEmpty()) << trial.id;
+    EXPECT_EQ(diagnosis.shrink.inSample, 0) << trial.id;
+    EXPECT_EQ(diagnosis.afterwards->value, diagnosis.before->value) << trial.id;
+  }
+}
+
+class WithheldEffect : public testing::TestWithParam<const char*> {};
+
+// The truth is the first cause, or the first cause says that it cannot be told from the truth; with the cause
+// in the model noise is left over (0.1 % point), and Δd is right to three expanded uncertainties of 95 % (of
+// some thirty sessions one may well lie outside one).
+TEST_P(WithheldEffect, IsNamedAndRemoved) {
+  constexpr double enough = 6;  // σ in the readings: less may be missed
+  for (const test::Trial& trial : trialsOf(GetParam())) {
+    if (trial.visibleSigma < enough) continue;
+    SCOPED_TRACE(trial.id + " " + trial.protocol);
+    const Diagnosis diagnosis = diagnosed(trial.measurement);
+    ASSERT_FALSE(diagnosis.causes.empty());
+    const Cause& first = diagnosis.causes.front();
+    std::vector<std::string> named = first.indistinguishableFrom;
+    named.push_back(first.effect);
+    EXPECT_THAT(named, Contains(trial.kind));
+    EXPECT_GT(diagnosis.after.pValue, 0.001);
+    EXPECT_LT(diagnosis.after.rms, diagnosis.gap.rms);
+    EXPECT_GT(diagnosis.shrink.ofExcess, 0.5);
+    EXPECT_NEAR(diagnosis.afterwards->value, trial.intersection, 3 * diagnosis.afterwards->expanded);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Catalogue, WithheldEffect,
+                         testing::Values("collimation", "trunnion_tilt", "vertical_index",
+                                         "vertical_axis_tilt", "horizontal_circle_eccentricity",
+                                         "vertical_circle_eccentricity", "horizontal_drift", "vertical_drift",
+                                         "plane_tilt", "arc_ellipticity", "arc_lobing", "gravity_sag",
+                                         "plane_warp", "slider_scale", "slider_eccentricity",
+                                         "vertical_angle_relation", "orientation_jump"));
+
+TEST(Diagnosis, NamesTheVeryReadingsThatAreMisread) {
+  for (const test::Trial& trial : trialsOf("gross_error")) {
+    const Diagnosis diagnosis = diagnosed(trial.measurement);
+    ASSERT_EQ(diagnosis.causes.size(), 1u) << trial.id;
+    EXPECT_EQ(diagnosis.causes[0].effect, "gross_error");
+    std::set<std::tuple<int, int, int, int, bool>> truth, named;
+    for (const auto& blunder : trial.truth.at("blunders"))
+      truth.emplace(blunder[0] == 0 ? 0 : 180, blunder[1], blunder[2], blunder[3], blunder[4] != 0);
+    for (const BlamedReading& reading : diagnosis.causes[0].readings)
+      named.emplace(reading.axisDeg, reading.round, reading.point, reading.face,
+                    reading.kind == ReadingKind::Horizontal);
+    EXPECT_EQ(named, truth) << trial.id;
+  }
+}
+
+TEST(Diagnosis, PinsNoUnknownPatternOnTheCatalogue) {
+  for (const test::Trial& trial : trialsOf("unknown_harmonic")) {
+    const Diagnosis diagnosis = diagnosed(trial.measurement);
+    EXPECT_EQ(diagnosis.verdict, DiagnosisVerdict::NotInCatalogue) << trial.id;
+    EXPECT_THAT(diagnosis.causes, IsEmpty()) << trial.id;
+    ASSERT_TRUE(diagnosis.shape) << trial.id;
+    EXPECT_THAT(diagnosis.shape->follows, testing::HasSubstr("radius")) << trial.id;
+  }
+}
+
+TEST(Diagnosis, SeesNoiseThatIsLargerThanStated) {
+  for (const test::Trial& trial : trialsOf("underestimated_noise")) {
+    const Diagnosis diagnosis = diagnosed(trial.measurement);
+    ASSERT_EQ(diagnosis.causes.size(), 1u) << trial.id;
+    EXPECT_EQ(diagnosis.causes[0].effect, "underestimated_noise") << trial.id;
+    EXPECT_NEAR(diagnosis.after.reducedChiSquare, 1, 1e-9) << trial.id;  // by definition of the ratio
+  }
+}
+
+// The paper's own gap: the published relation read as if it were what a theodolite reads. PAPER.md's exact
+// fit, Δd = 1.307640 mm with a residual rms of 8.87″, has to come back; what is then left is scatter seven
+// times as large as stated, and nothing more can be said of 34 readings.
+TEST(Diagnosis, FindsTheGapOfThePaper) {
+  Measurement measurement = test::paperMeasurement();
+  measurement.relation = VerticalAngleRelation::Planar;
+  const Diagnosis diagnosis = diagnosed(measurement);
+  ASSERT_EQ(diagnosis.causes.size(), 2u);
+  EXPECT_EQ(diagnosis.causes[0].effect, "vertical_angle_relation");
+  EXPECT_EQ(diagnosis.causes[1].effect, "underestimated_noise");
+  measurement.relation = VerticalAngleRelation::Exact;
+  const SessionFit exact = fitSession(measurement);
+  EXPECT_NEAR(diagnosis.afterwards->value, exact.intersection->value, 1e-5);  // the share is held to 1e-6
+  const Diagnosis left = diagnosed(measurement);
+  ASSERT_EQ(left.causes.size(), 1u);
+  EXPECT_EQ(left.causes[0].effect, "underestimated_noise");
+  EXPECT_NEAR(diagnosis.after.rms, left.gap.rms, 1e-3);
+}
+
+// With the right answer taken away the verdict must not turn to a wrong single cause.
+TEST(Diagnosis, NamesNoWrongCauseWithoutTheRightOne) {
+  int wrong = 0, count = 0;
+  for (const test::Trial& trial : test::trials()) {
+    constexpr double enough = 6;
+    if (std::isinf(trial.visibleSigma) || trial.visibleSigma < enough) continue;
+    const Diagnosis diagnosis = diagnosed(trial.measurement, {.without = {trial.kind}});
+    const bool single = diagnosis.causes.size() == 1;
+    if (single && !trial.lookAlikes.contains(diagnosis.causes[0].effect)) ++wrong;
+    ++count;
+  }
+  EXPECT_GE(count, 15);
+  EXPECT_LE(wrong, 1);  // 3 % of some twenty sessions, and one more
+}
+
+TEST(Diagnosis, SharesAddUpToOne) {
+  for (const test::Trial& trial : trialsOf("vertical_drift")) {
+    std::map<std::string, double> sums;
+    for (const GapShare& share : diagnosed(trial.measurement).where) sums[share.by] += share.share;
+    EXPECT_EQ(sums.size(), 7u);
+    for (const auto& [by, sum] : sums) EXPECT_NEAR(sum, 1, 1e-12) << by;
+  }
+}
+
+TEST(Diagnosis, TellsWhatWouldSeparateLookAlikes) {
+  for (const test::Trial& trial : trialsOf("plane_tilt")) {
+    if (trial.protocol != "paper") continue;
+    const Diagnosis diagnosis = diagnosed(trial.measurement);
+    ASSERT_FALSE(diagnosis.advice.empty());
+    for (const Advice& advice : diagnosis.advice) {
+      EXPECT_GE(advice.separates.size(), 2u);
+      EXPECT_GT(advice.bySigma, 4);  // what counts as told apart
+    }
+  }
+}
+
+TEST(Diagnosis, FailsInWords) {
+  const Measurement measurement = test::paperMeasurement();
+  EXPECT_THAT(diagnose(measurement, {.without = {"gremlins"}}).problem().text(),
+              testing::HasSubstr("gremlins"));
+  Measurement empty = measurement;
+  empty.arcs.clear();
+  EXPECT_FALSE(diagnose(empty));
+}
+
+// How many σ of an effect a fit leaves in the readings, worked out by the ray tracer's own tools. Of effects
+// that our fit takes up less of, since it holds the distance fixed in both positions, no comparison is made.
+TEST(Leftover, SeesAsMuchOfAnEffectAsTheRayTracer) {
+  const std::map<std::string, std::pair<const char*, ErrorTerm>> terms{
+      {"collimation", {"collimation", ErrorTerm::Collimation}},
+      {"vertical_index", {"index", ErrorTerm::VerticalIndex}},
+      {"vertical_drift", {"drift_v", ErrorTerm::VerticalDrift}},
+      {"slider_eccentricity", {"slider_ecc", ErrorTerm::SliderSine}}};
+  int count = 0;
+  for (const test::Trial& trial : test::trials()) {
+    if (!terms.contains(trial.kind)) continue;
+    const auto& [name, term] = terms.at(trial.kind);
+    const Leftover leftover({linearise(trial.measurement, fitSession(trial.measurement).joint)});
+    const double size = Angle::fromArcseconds(trial.effects.at(name).get<double>()).radians();
+    const double visible = leftover.visible(leftover.column(term) * size).norm();
+    EXPECT_NEAR(visible, trial.visibleSigma, 0.01 * trial.visibleSigma)
+        << trial.id;  // its figures are rounded
+    ++count;
+  }
+  EXPECT_GE(count, 4);
+}
+
+}  // namespace
+}  // namespace alidade
