@@ -33,7 +33,7 @@ std::vector<EstimatedTerm> termsOf(const std::vector<const Effect*>& effects) {
   std::vector<EstimatedTerm> terms;
   for (const Effect* effect : effects)
     for (const EffectParameter& parameter : effect->parameters)
-      terms.push_back({parameter.term, parameter.plausible * modelUnitsPer(parameter.unit)});
+      terms.push_back({parameter.term, plausibleSize(parameter)});
   return terms;
 }
 

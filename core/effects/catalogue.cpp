@@ -108,4 +108,8 @@ double modelUnitsPer(std::string_view unit) {
   return 1;
 }
 
+double plausibleSize(const EffectParameter& parameter) {
+  return parameter.plausible * modelUnitsPer(parameter.unit);
+}
+
 }  // namespace alidade

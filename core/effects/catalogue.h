@@ -33,4 +33,7 @@ const Effect* effectById(std::string_view id);
 /// Radians, mm or 1 per `unit`: the factor from the unit to the model's own.
 double modelUnitsPer(std::string_view unit);
 
+/// 1σ of what is plausible, in the unit of the term: rad, mm or 1.
+double plausibleSize(const EffectParameter& parameter);
+
 }  // namespace alidade

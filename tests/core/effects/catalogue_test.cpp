@@ -51,7 +51,7 @@ TEST_P(EffectTest, IsNothingAtZero) {
 
 // Reversed, a small effect is reversed: what is left is second order, (30″)² and the like.
 TEST_P(EffectTest, ChangesSignWithItsSize) {
-  const double size = 1e-3 * GetParam().plausible * modelUnitsPer(GetParam().unit);
+  const double size = 1e-3 * plausibleSize(GetParam());
   for (const int axisDeg : {0, 180}) {
     const double phi = axisDeg == 0 ? 1.1 : -1.1;
     const auto none = readAt({}, pointing(2), phi, axisDeg);
@@ -64,8 +64,7 @@ TEST_P(EffectTest, ChangesSignWithItsSize) {
 }
 
 TEST_P(EffectTest, ShowsInSomeReadingAtItsPlausibleSize) {
-  const ErrorTerms<double> errors =
-      with(GetParam().term, GetParam().plausible * modelUnitsPer(GetParam().unit));
+  const ErrorTerms<double> errors = with(GetParam().term, plausibleSize(GetParam()));
   const auto none = readAt({}, pointing(1)), some = readAt(errors, pointing(1));
   const ArcPose<double> arc{1, -2, 400, 0, 0, 0};
   const double slider = observeSlider(errors, arc, 1.1, 0) - observeSlider(ErrorTerms<double>(), arc, 1.1, 0);
