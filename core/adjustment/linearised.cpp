@@ -88,7 +88,8 @@ Linearised linearise(const Measurement& measurement, const JointFit& fit, const 
     for (Index row = 0; row < equations.residual.size(); ++row) {
       const std::size_t i = result.readings.size();
       const AdjustedReading& reading = fit.readings[i];
-      result.readings.push_back({arc, reading.sighting, v, reading.kind, reading.sigma,
+      const std::size_t sequence = measurement.arcs[arc].sightings[reading.sighting].sequence;
+      result.readings.push_back({arc, reading.sighting, v, sequence, reading.kind, reading.sigma,
                                  equations.residual[row], !equations.jacobian.row(row).isZero(0),
                                  equations.along[row]});
       for (std::size_t slot = 0; slot < firstTermSlot; ++slot)

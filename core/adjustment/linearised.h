@@ -18,6 +18,7 @@ struct LinearReading {
   std::size_t arc = 0;       ///< index into the measurement's arcs
   std::size_t sighting = 0;  ///< index into the arc's sightings
   std::size_t visit = 0;     ///< readings of one visit share their arc angle
+  std::size_t sequence = 0;  ///< of its row in the session, in the order taken
   ReadingKind kind = ReadingKind::Horizontal;
   double sigma = 0;     ///< stated, rad
   double residual = 0;  ///< (observed − adjusted)/σ

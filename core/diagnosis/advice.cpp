@@ -5,6 +5,7 @@
 #include <functional>
 #include <numbers>
 
+#include "core/diagnosis/known_components.h"
 #include "core/diagnosis/look_alikes.h"
 #include "core/observation/observe.h"
 

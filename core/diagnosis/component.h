@@ -56,21 +56,10 @@ inline constexpr double plausibleJump = 60.0 / 3600 * std::numbers::pi / 180;
 /// Effects small and large beside their plausible size: 0.1, 0.3, 1 and 3 times.
 const std::vector<Width>& widthsOf(Component::Kind kind);
 
-/// The effects of the catalogue but those in `leftOut`. `curved` is the equations at slightly tilted planes,
-/// as `tiltedSets` makes them.
-std::vector<Component> effectComponents(const Leftover& leftover, const std::vector<std::string>& leftOut,
-                                        const PriorOdds& odds);
-/// Second derivatives of the effect of a plane tilt, which shows to second order where the slider is not
-/// read: from the equations with the plane tilted by one plausible size about x and about y.
-void bendPlaneTilt(std::vector<Component>& components, const Leftover& leftover, const Linearised& tiltedX,
-                   const Linearised& tiltedY);
-/// A step before any row; of long sessions before every so manieth.
-std::vector<Component> jumpComponents(const Leftover& leftover, const Measurement& measurement,
-                                      const PriorOdds& odds);
-/// Smooth and periodic patterns along the guideway, with the instrument's circles, with time, and between the
-/// positions, that no effect of the catalogue makes, or only one that is left out.
-std::vector<Component> shapeComponents(const Leftover& leftover, const Measurement& measurement,
-                                       const JointFit& fit, const std::vector<std::string>& leftOut,
-                                       const PriorOdds& odds);
+/// The columns of an effect or a jump over the readings, of which `columns` is the visible part.
+Eigen::MatrixXd wholeColumns(const Leftover& leftover, const Component& component);
+
+/// What the weights leave in the readings, visible part: linear, and bent where the component bends.
+Eigen::VectorXd signature(const Component& component, const Eigen::VectorXd& weights);
 
 }  // namespace alidade

@@ -30,6 +30,8 @@ struct Explanation {
   double logOdds = 0;      ///< prior and evidence, against nothing at all, natural
   double logEvidence = 0;  ///< without the prior
   double chiSquare = 0;    ///< of what is left, stated σ
+  double chance = 0;       ///< 0…1, that it is the right one of those found
+  bool shaped = false;     ///< holds a pattern of no named cause
 };
 
 struct SearchOptions {
@@ -47,8 +49,5 @@ std::vector<Explanation> explain(const Leftover& leftover, const std::vector<Com
 
 /// Evidence of one component alone, noise as stated, natural, without its prior.
 double logBayesFactor(const Leftover& leftover, const Component& component);
-
-/// What the weights leave in the readings, visible part: linear, and bent where the component bends.
-Eigen::VectorXd signature(const Component& component, const Eigen::VectorXd& weights);
 
 }  // namespace alidade

@@ -18,15 +18,12 @@ Result<GapModel> modelOf(const Measurement& measurement) {
   std::erase_if(model.measurement.arcs,
                 [&](const ArcMeasurement& arc) { return !fit.arcOfPosition(arc.position); });
   for (const ArcFit& arc : fit.arcs) model.starts.push_back(arc.circle);
-  for (const std::string& id : measurement.effects)
-    if (const Effect* effect = effectById(id))
-      for (const EffectParameter& parameter : effect->parameters)
-        model.options.terms.push_back({parameter.term, parameter.plausible * modelUnitsPer(parameter.unit)});
+  model.options.terms = estimatedTerms(measurement);
   return model;
 }
 
-ReadingRef readingOf(const Leftover& leftover, std::size_t component, std::size_t candidates) {
-  const LinearReading& reading = leftover.reading(static_cast<Eigen::Index>(component - candidates));
+ReadingRef readingRef(const Leftover& leftover, Eigen::Index index) {
+  const LinearReading& reading = leftover.reading(index);
   return {reading.arc, reading.sighting, reading.kind};
 }
 
@@ -35,7 +32,8 @@ GapModel modelWith(const GapModel& base, const Explanation& explanation,
   GapModel model = base;
   for (const Part& part : explanation.parts) {
     if (part.component >= candidates.size()) {
-      model.options.without.push_back(readingOf(leftover, part.component, candidates.size()));
+      model.options.without.push_back(
+          readingRef(leftover, static_cast<Eigen::Index>(part.component - candidates.size())));
       continue;
     }
     const Component& component = candidates[part.component];
@@ -51,7 +49,7 @@ GapModel modelWith(const GapModel& base, const Explanation& explanation,
     } else if (component.kind == Component::Kind::Effect) {
       for (std::size_t p = 0; p < component.effect->parameters.size(); ++p) {
         const EffectParameter& parameter = component.effect->parameters[p];
-        const double unit = parameter.plausible * modelUnitsPer(parameter.unit);
+        const double unit = plausibleSize(parameter);
         model.options.terms.push_back(
             {parameter.term, width * unit, 0, part.weights[static_cast<Eigen::Index>(p)] * unit});
       }

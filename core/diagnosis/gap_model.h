@@ -34,7 +34,6 @@ GapModel modelWith(const GapModel& base, const Explanation& explanation,
 /// The equations of the model with one error term held at a size.
 Linearised linearisedAt(const GapModel& model, ErrorTerm term, double size);
 
-/// The reading of a component index beyond the candidates.
-ReadingRef readingOf(const Leftover& leftover, std::size_t component, std::size_t candidates);
+ReadingRef readingRef(const Leftover& leftover, Eigen::Index reading);
 
 }  // namespace alidade

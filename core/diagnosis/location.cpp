@@ -101,7 +101,7 @@ std::vector<GapShare> sharesOfFrames(const Leftover& leftover, const std::vector
   std::map<std::string, double> energies{
       {"guideway", 0}, {"instrument", 0}, {"time", 0}, {"readings", 0}, {"noise", 0}};
   for (const Explanation& explanation : explanations) {
-    const double chance = std::exp(explanation.logOdds - explanations.front().logOdds);
+    const double chance = explanation.chance;
     if (chance < 1e-6) continue;
     for (const Part& part : explanation.parts) {
       const bool isReading = part.component >= candidates.size();

@@ -22,31 +22,12 @@ UnseenEffect worstOf(const Component& component, const MatrixXd& whole, const Ve
 
 }  // namespace
 
-MatrixXd wholeColumns(const Leftover& leftover, const Measurement& measurement, const Component& component) {
-  MatrixXd whole(leftover.readings(), component.columns.cols());
-  if (component.kind == Component::Kind::Effect) {
-    for (Index p = 0; p < whole.cols(); ++p) {
-      const EffectParameter& parameter = component.effect->parameters[static_cast<std::size_t>(p)];
-      whole.col(p) = leftover.column(parameter.term) * parameter.plausible * modelUnitsPer(parameter.unit);
-    }
-    return whole;
-  }
-  whole.col(0) = leftover.column(ErrorTerm::HorizontalJump) * plausibleJump;
-  whole.col(1) = leftover.column(ErrorTerm::VerticalJump) * plausibleJump;
-  for (Index i = 0; i < whole.rows(); ++i) {
-    const LinearReading& reading = leftover.reading(i);
-    if (measurement.arcs[reading.arc].sightings[reading.sighting].sequence < component.moment)
-      whole.row(i).setZero();
-  }
-  return whole;
-}
-
 std::vector<UnseenEffect> unseenEffects(const Leftover& leftover, const std::vector<Component>& candidates,
-                                        const Measurement& measurement, const VectorXd& perReading) {
+                                        const VectorXd& perReading) {
   std::vector<UnseenEffect> unseen;
   for (const Component& component : candidates) {
     if (component.kind == Component::Kind::Shape || component.allOrNothing) continue;
-    const UnseenEffect worst = worstOf(component, wholeColumns(leftover, measurement, component), perReading);
+    const UnseenEffect worst = worstOf(component, wholeColumns(leftover, component), perReading);
     if (worst.influence < negligible || worst.visibleSigma > clearlyDifferent) continue;
     const auto same = std::ranges::find(unseen, worst.effect, &UnseenEffect::effect);
     if (same == unseen.end())

@@ -11,10 +11,6 @@ namespace alidade {
 /// plausible size, by what that does to Δd; of an effect with two numbers in the direction that moves Δd
 /// most, of a jump at the moment that does. `perReading` is ∂Δd/∂reading, mm per σ of the reading.
 std::vector<UnseenEffect> unseenEffects(const Leftover& leftover, const std::vector<Component>& candidates,
-                                        const Measurement& measurement, const Eigen::VectorXd& perReading);
-
-/// The columns of a component over the readings, of which `columns` is the visible part.
-Eigen::MatrixXd wholeColumns(const Leftover& leftover, const Measurement& measurement,
-                             const Component& component);
+                                        const Eigen::VectorXd& perReading);
 
 }  // namespace alidade

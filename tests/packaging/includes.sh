@@ -12,7 +12,8 @@ awk '
     for (i in order) level[order[i]] = i
     # Equations shared by the sources of one folder, and by nobody else.
     inner["core/adjustment/joint_problem.h"]
-    split("advice component explanation gap_model held_out leftover location look_alikes unseen", diagnosis)
+    split("advice answer causes component explanation gain gap_model gap_size held_out inquiry known_components " \
+          "leftover location look_alikes search shape_components unseen", diagnosis)
     for (i in diagnosis) inner["core/diagnosis/" diagnosis[i] ".h"]
   }
   function complain(why) { print FILENAME ":" FNR ": " why ": " $0 }

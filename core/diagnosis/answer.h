@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/diagnosis/inquiry.h"
+
+namespace alidade {
+
+// What the explanations of an inquiry come to, for the .cpp files of this room only.
+
+struct Answer {
+  enum class Kind { Nothing, Known, Unknown };
+
+  Kind kind = Kind::Nothing;
+  Explanation explanation;  ///< of a Known; else empty
+  /// Of each part of the explanation, the effects that these readings cannot tell from it: indices of
+  /// candidates.
+  std::vector<std::vector<std::size_t>> lookAlikes;
+  GapModel after;  ///< with the explanation in the model
+};
+
+/// Whichever of nothing, known causes and a pattern of no known cause is the most likely as a whole.
+Answer conclude(const Inquiry& inquiry);
+
+/// Δd afterwards; where others look like the cause, averaged over all of them, each as likely as it is, with
+/// what they differ by in σ.
+std::optional<IntersectionEstimate> afterwardsOf(const Inquiry& inquiry, const Answer& answer);
+
+/// The gap after each part of the explanation.
+std::vector<GapStep> stepsOf(const Inquiry& inquiry, const Answer& answer);
+
+}  // namespace alidade

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <limits>
+#include <vector>
+
+#include "core/diagnosis/component.h"
+
+namespace alidade {
+
+// What one more component adds to the evidence, for the .cpp files of this room only. A component of the
+// linear model whose visible columns have the Gram matrix G and the inner products c with what is left, at
+// weights normal around zero with width w and readings of variance v, multiplies the evidence by
+//
+//   |1 + w² G/v|^(−1/2) exp(½ cᵀ (v/w² + G)⁻¹ c/v),        averaged over the widths.
+
+inline constexpr double impossible = -std::numeric_limits<double>::infinity();
+
+/// ln(exp a + exp b).
+double logSum(double a, double b);
+
+/// `width`: the most likely one, in plausible sizes.
+struct Gain {
+  double log = impossible;
+  double width = 1;
+};
+
+Gain gainOf(const std::vector<Width>& widths, const Eigen::MatrixXd& gram, const Eigen::VectorXd& right,
+            double variance);
+/// Of a single column.
+Gain gainOf(const std::vector<Width>& widths, double gram, double right, double variance);
+
+/// Of a bending component with its most likely weights: on a grid over what is plausible, then closing in on
+/// the best. `gram` and `right` are of its two columns and three second derivatives. Widths too narrow for
+/// the grid are taken as if it did not bend.
+struct BentFit {
+  Gain gain;
+  Eigen::VectorXd weights;
+};
+BentFit fitBent(const std::vector<Width>& widths, const Eigen::MatrixXd& gram, const Eigen::VectorXd& right,
+                double variance);
+
+}  // namespace alidade

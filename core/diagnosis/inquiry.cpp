@@ -1,0 +1,124 @@
+#include "core/diagnosis/inquiry.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/diagnosis/known_components.h"
+#include "core/diagnosis/shape_components.h"
+
+namespace alidade {
+
+namespace {
+
+bool considered(const DiagnosisOptions& options, std::string_view id) {
+  return std::ranges::find(options.without, id) == options.without.end();
+}
+
+std::vector<Component> candidatesFor(const GapModel& base, const Leftover& leftover,
+                                     const DiagnosisOptions& options, const PriorOdds& odds) {
+  std::vector<std::string> leftOut = options.without;
+  leftOut.insert(leftOut.end(), base.measurement.effects.begin(), base.measurement.effects.end());
+  std::vector<Component> candidates = effectComponents(leftover, leftOut, odds);
+  if (const Effect* tilt = effectById("plane_tilt"); considered(options, tilt->id)) {
+    const auto tilted = [&](const EffectParameter& parameter) {
+      return linearisedAt(base, parameter.term, plausibleSize(parameter));
+    };
+    bendPlaneTilt(candidates, leftover, tilted(tilt->parameters[0]), tilted(tilt->parameters[1]));
+  }
+  const auto append = [&](std::vector<Component> more) {
+    std::ranges::move(more, std::back_inserter(candidates));
+  };
+  if (considered(options, jumpId)) append(jumpComponents(leftover, odds));
+  append(shapeComponents(leftover, base.measurement, base.fit, options.without, odds));
+  return candidates;
+}
+
+Inquiry inquireOnce(GapModel base, const DiagnosisOptions& options) {
+  Leftover leftover({linearise(base.measurement, base.fit, base.options)}, base.options.terms);
+  SearchOptions search;
+  search.misreadings = considered(options, misreadingId);
+  search.noise = considered(options, noiseId);
+  std::vector<Component> candidates = candidatesFor(base, leftover, options, search.odds);
+  std::vector<Explanation> explanations = explain(leftover, candidates, search);
+  return {std::move(base), std::move(leftover), std::move(candidates), std::move(explanations), {}};
+}
+
+/// Readings so far off that the equations at the fit they have spoiled say little.
+std::vector<Part> farOff(const Inquiry& inquiry) {
+  constexpr double farOffSigma = 300;
+  std::vector<Part> found;
+  for (const Part& part : inquiry.explanations.front().parts)
+    if (inquiry.isMisreading(part) && std::abs(part.weights[0]) > farOffSigma) found.push_back(part);
+  return found;
+}
+
+double sigmaArcseconds(const Measurement& measurement, ReadingKind kind) {
+  const Angle sigma = kind == ReadingKind::Horizontal ? measurement.sigmaHorizontal
+                      : kind == ReadingKind::Vertical ? measurement.sigmaVertical
+                                                      : measurement.sigmaSlider;
+  return sigma.arcseconds();
+}
+
+}  // namespace
+
+const std::string& Inquiry::idOf(const Part& part) const {
+  static const std::string misreading = misreadingId;
+  return isMisreading(part) ? misreading : candidates[part.component].id;
+}
+
+double Inquiry::probabilityOf(std::string_view id) const {
+  double sum = 0;
+  for (const Explanation& explanation : explanations)
+    if ((id == noiseId && explanation.noisy) ||
+        std::ranges::any_of(explanation.parts, [&](const Part& part) { return idOf(part) == id; }))
+      sum += explanation.chance;
+  return sum;
+}
+
+const Explanation* Inquiry::alone(std::size_t component, bool noisy) const {
+  const auto found = std::ranges::find_if(explanations, [&](const Explanation& explanation) {
+    return explanation.parts.size() == 1 && explanation.parts[0].component == component &&
+           explanation.noisy == noisy;
+  });
+  return found == explanations.end() ? nullptr : &*found;
+}
+
+Inquiry inquire(const GapModel& model, const DiagnosisOptions& options) {
+  constexpr int mostRounds = 4;
+  Inquiry inquiry = inquireOnce(model, options);
+  for (int round = 0; round < mostRounds; ++round) {
+    const std::vector<Part> parts = farOff(inquiry);
+    if (parts.empty()) break;
+    std::vector<BlamedReading> readings = inquiry.farOff;
+    GapModel next = inquiry.base;
+    for (const Part& part : parts) {
+      readings.push_back(blamed(inquiry, part));
+      next.options.without.push_back(readingRef(inquiry.leftover, inquiry.readingOf(part)));
+    }
+    next.fit = fitJointly(next.measurement, next.starts, next.options);
+    inquiry = inquireOnce(std::move(next), options);
+    inquiry.farOff = std::move(readings);
+  }
+  return inquiry;
+}
+
+BlamedReading blamed(const Measurement& measurement, const ReadingRef& ref, double size) {
+  const ArcMeasurement& arc = measurement.arcs[ref.arc];
+  const Sighting& sighting = arc.sightings[ref.sighting];
+  return {.position = arc.position,
+          .row = sighting.row,
+          .axisDeg = arc.axisDeg,
+          .round = sighting.round,
+          .point = sighting.point,
+          .face = sighting.face,
+          .kind = ref.kind,
+          .size = size};
+}
+
+BlamedReading blamed(const Inquiry& inquiry, const Part& part) {
+  const ReadingRef ref = readingRef(inquiry.leftover, inquiry.readingOf(part));
+  return blamed(inquiry.base.measurement, ref,
+                part.weights[0] * sigmaArcseconds(inquiry.base.measurement, ref.kind));
+}
+
+}  // namespace alidade

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/diagnosis/diagnosis.h"
+#include "core/diagnosis/gap_model.h"
+
+namespace alidade {
+
+// The search for what explains a gap, for the .cpp files of this room only.
+
+inline constexpr const char *jumpId = "orientation_jump", *misreadingId = "gross_error",
+                            *noiseId = "underestimated_noise";
+
+/// The model it starts from, what it leaves over, and what explains that.
+struct Inquiry {
+  GapModel base;
+  Leftover leftover;
+  std::vector<Component> candidates;
+  std::vector<Explanation> explanations;  ///< the likeliest first
+  std::vector<BlamedReading> farOff;      ///< misread so far that `base` does without them
+
+  bool isMisreading(const Part& part) const { return part.component >= candidates.size(); }
+  /// The index into the leftover's readings of a misreading.
+  Eigen::Index readingOf(const Part& part) const {
+    return static_cast<Eigen::Index>(part.component - candidates.size());
+  }
+  const std::string& idOf(const Part& part) const;
+  /// Probability that the id is among the causes.
+  double probabilityOf(std::string_view id) const;
+  /// The explanation of one component alone, with the same noise; null where the search did not meet it.
+  const Explanation* alone(std::size_t component, bool noisy) const;
+};
+
+Inquiry inquire(const GapModel& model, const DiagnosisOptions& options);
+
+/// A reading of the model, `size` in arcseconds.
+BlamedReading blamed(const Measurement& measurement, const ReadingRef& ref, double size);
+/// The reading that the part, a misreading, blames.
+BlamedReading blamed(const Inquiry& inquiry, const Part& part);
+
+}  // namespace alidade

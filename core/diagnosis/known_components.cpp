@@ -1,0 +1,61 @@
+#include "core/diagnosis/known_components.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace alidade {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+std::vector<Component> effectComponents(const Leftover& leftover, const std::vector<std::string>& leftOut,
+                                        const PriorOdds& odds) {
+  std::vector<Component> components;
+  for (const Effect& effect : effectCatalogue()) {
+    if (std::ranges::find(leftOut, effect.id) != leftOut.end()) continue;
+    Component component{.kind = Component::Kind::Effect, .id = std::string(effect.id), .effect = &effect};
+    component.columns = leftover.visible(wholeColumns(leftover, component));
+    component.logPrior = std::log(odds.effect);
+    component.allOrNothing = effect.id == "vertical_angle_relation";
+    components.push_back(std::move(component));
+  }
+  return components;
+}
+
+void bendPlaneTilt(std::vector<Component>& components, const Leftover& leftover, const Linearised& tiltedX,
+                   const Linearised& tiltedY) {
+  const auto tilt = std::ranges::find(components, "plane_tilt", &Component::id);
+  if (tilt == components.end()) return;
+  const Effect& effect = *tilt->effect;
+  const auto change = [&](const Linearised& tilted, std::size_t p) {
+    VectorXd column(leftover.readings());
+    for (Index i = 0; i < column.size(); ++i)
+      column[i] = tilted.ofTerm(static_cast<std::size_t>(i), effect.parameters[p].term);
+    return VectorXd((column - leftover.column(effect.parameters[p].term)) *
+                    plausibleSize(effect.parameters[p]));
+  };
+  MatrixXd second(leftover.readings(), 3);
+  second << change(tiltedX, 0), change(tiltedY, 0), change(tiltedY, 1);
+  tilt->curvature = leftover.visible(second);
+}
+
+std::vector<Component> jumpComponents(const Leftover& leftover, const PriorOdds& odds) {
+  constexpr std::size_t mostMoments = 400;
+  std::set<std::size_t> rows;
+  for (Index i = 0; i < leftover.readings(); ++i) rows.insert(leftover.reading(i).sequence);
+  std::vector<std::size_t> moments(rows.begin(), rows.end());
+  if (moments.size() < 3) return {};
+  moments.erase(moments.begin());  // before the first row there is no step
+  const std::size_t stride = moments.size() / mostMoments + 1;
+  std::vector<Component> components;
+  for (std::size_t m = 0; m < moments.size(); m += stride) {
+    Component jump{.kind = Component::Kind::Jump, .id = "orientation_jump", .moment = moments[m]};
+    jump.columns = leftover.visible(wholeColumns(leftover, jump));
+    components.push_back(std::move(jump));
+  }
+  for (Component& component : components)
+    component.logPrior = std::log(odds.jump / static_cast<double>(components.size()));
+  return components;
+}
+
+}  // namespace alidade

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/diagnosis/component.h"
+
+namespace alidade {
+
+// The causes that have a name. For the .cpp files of this room only.
+
+/// The effects of the catalogue but those in `leftOut`.
+std::vector<Component> effectComponents(const Leftover& leftover, const std::vector<std::string>& leftOut,
+                                        const PriorOdds& odds);
+/// Second derivatives of the effect of a plane tilt, which shows to second order where the slider is not
+/// read: from the equations with the plane tilted by one plausible size about x and about y.
+void bendPlaneTilt(std::vector<Component>& components, const Leftover& leftover, const Linearised& tiltedX,
+                   const Linearised& tiltedY);
+/// A step before any row; of long sessions before every so manieth.
+std::vector<Component> jumpComponents(const Leftover& leftover, const PriorOdds& odds);
+
+}  // namespace alidade

@@ -1,0 +1,160 @@
+#include "core/diagnosis/shape_components.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+namespace alidade {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+namespace {
+
+constexpr double invisible = 1e-6;  // σ over all readings: rounding
+
+/// What a pattern may follow, reading by reading.
+struct Surroundings {
+  VectorXd radial, offPlane, slider, horizontal, vertical;  ///< effect of 1 unit on each reading
+  VectorXd s, elapsed, a, e, side;
+  std::vector<int> arc, round, face;
+  std::vector<std::pair<std::size_t, int>> place;  ///< arc and point
+};
+
+Surroundings surroundingsOf(const Leftover& leftover, const Measurement& measurement, const JointFit& fit) {
+  const Index n = leftover.readings();
+  Surroundings all{leftover.column(Unknown::Kind::Radius),
+                   leftover.column(ErrorTerm::PlaneOffset),
+                   leftover.column(Unknown::Kind::SliderZero),
+                   leftover.column(ErrorTerm::HorizontalJump),
+                   leftover.column(ErrorTerm::VerticalJump),
+                   VectorXd(n),
+                   VectorXd(n),
+                   VectorXd(n),
+                   VectorXd(n),
+                   VectorXd(n),
+                   {},
+                   {},
+                   {},
+                   {}};
+  for (Index i = 0; i < n; ++i) {
+    const LinearReading& reading = leftover.reading(i);
+    const ArcMeasurement& arc = measurement.arcs[reading.arc];
+    const Sighting& sighting = arc.sightings[reading.sighting];
+    all.s[i] = (arc.axisDeg == 0 ? 1 : -1) * fit.arcAngles[reading.arc][reading.sighting];
+    all.elapsed[i] = static_cast<double>(sighting.sequence) /
+                     static_cast<double>(std::max<std::size_t>(measurement.rows, 2) - 1);
+    all.a[i] = sighting.a.radians();
+    all.e[i] = sighting.e.radians();
+    all.side[i] = sighting.face == 1 ? 1 : -1;
+    all.arc.push_back(static_cast<int>(reading.arc));
+    all.round.push_back(sighting.round);
+    all.face.push_back(sighting.face);
+    all.place.emplace_back(reading.arc, sighting.point);
+  }
+  return all;
+}
+
+class ShapeMaker {
+ public:
+  explicit ShapeMaker(const Leftover& leftover) : m_leftover(leftover) {}
+
+  /// Scaled so that a weight of 1 moves the readings it moves by 1σ in the mean.
+  void add(const std::string& id, MatrixXd columns) {
+    const double touched = static_cast<double>((columns.rowwise().squaredNorm().array() > 0).count());
+    if (touched == 0) return;
+    columns *= std::sqrt(touched / columns.squaredNorm());
+    MatrixXd visible = m_leftover.visible(columns);
+    if (visible.norm() < invisible) return;
+    m_components.push_back({.kind = Component::Kind::Shape, .id = id, .columns = std::move(visible)});
+  }
+
+  /// `carrier` times a function that differs from group to group.
+  template <typename Group>
+  void addGroups(const std::string& id, const VectorXd& carrier, const Group& groupOf) {
+    std::map<std::decay_t<decltype(groupOf(0))>, Index> groups;
+    for (Index i = 0; i < carrier.size(); ++i)
+      if (carrier[i] != 0) groups.emplace(groupOf(i), static_cast<Index>(groups.size()));
+    if (groups.size() < 2 || groups.size() > mostGroups) return;
+    MatrixXd columns = MatrixXd::Zero(carrier.size(), static_cast<Index>(groups.size()));
+    for (Index i = 0; i < carrier.size(); ++i)
+      if (carrier[i] != 0) columns(i, groups.at(groupOf(i))) = carrier[i];
+    add(id, std::move(columns));
+  }
+
+  void addHarmonic(const std::string& id, const VectorXd& carrier, const VectorXd& s, int order) {
+    MatrixXd columns(carrier.size(), 2);
+    columns.col(0) = carrier.array() * (order * s.array()).cos();
+    columns.col(1) = carrier.array() * (order * s.array()).sin();
+    add(id, std::move(columns));
+  }
+
+  /// Cosines of 1 to `count` half waves over 0…1, the shorter the weaker.
+  void addSmooth(const std::string& id, const VectorXd& carrier, const VectorXd& where, int count) {
+    MatrixXd columns(carrier.size(), count);
+    for (int k = 1; k <= count; ++k)
+      columns.col(k - 1) = carrier.array() * (k * std::numbers::pi * where.array()).cos() / k;
+    add(id, std::move(columns));
+  }
+
+  std::vector<Component> take(double odds) {
+    for (Component& component : m_components)
+      component.logPrior = std::log(odds / static_cast<double>(m_components.size()));
+    return std::move(m_components);
+  }
+
+ private:
+  static constexpr std::size_t mostGroups = 80;
+  const Leftover& m_leftover;
+  std::vector<Component> m_components;
+};
+
+VectorXd toUnit(const VectorXd& values) {
+  const double least = values.minCoeff(), range = values.maxCoeff() - least;
+  return range > 0 ? VectorXd((values.array() - least) / range) : VectorXd::Zero(values.size());
+}
+
+}  // namespace
+
+std::vector<Component> shapeComponents(const Leftover& leftover, const Measurement& measurement,
+                                       const JointFit& fit, const std::vector<std::string>& leftOut,
+                                       const PriorOdds& odds) {
+  const Surroundings all = surroundingsOf(leftover, measurement, fit);
+  ShapeMaker maker(leftover);
+  const auto left = [&](const char* id) { return std::ranges::find(leftOut, id) != leftOut.end(); };
+  for (int order = 2; order <= 12; ++order)
+    if (order > 3 || left(order == 2 ? "arc_ellipticity" : "arc_lobing"))
+      maker.addHarmonic("radius along the guideway", all.radial, all.s, order);
+  for (int order = 1; order <= 8; ++order)
+    if (order != 2 || left("plane_warp"))
+      maker.addHarmonic("guideway out of its plane", all.offPlane, all.s, order);
+  for (int order = 2; order <= 8; ++order)
+    maker.addHarmonic("slider readings along the scale", all.slider, all.s, order);
+  const auto point = [&](Index i) { return all.place[static_cast<std::size_t>(i)].second; };
+  maker.addGroups("radius from place to place, turning with the guideway", all.radial, point);
+  maker.addGroups("guideway out of its plane from place to place", all.offPlane, point);
+  maker.addGroups("slider readings from place to place", all.slider, point);
+  const auto place = [&](Index i) { return all.place[static_cast<std::size_t>(i)]; };
+  maker.addGroups("radius from place to place in each position", all.radial, place);
+  maker.addSmooth("horizontal orientation with time", all.horizontal, all.elapsed, 10);
+  maker.addSmooth("vertical orientation with time", all.vertical, all.elapsed, 10);
+  maker.addSmooth("slider readings along the scale", all.slider, toUnit(all.s), 6);
+  const VectorXd alpha = toUnit(all.a), epsilon = toUnit(all.e);
+  maker.addSmooth("horizontal readings with azimuth", all.horizontal, alpha, 6);
+  maker.addSmooth("vertical readings with elevation", all.vertical, epsilon, 6);
+  maker.addSmooth("horizontal readings with elevation", all.horizontal, epsilon, 6);
+  maker.addSmooth("vertical readings with azimuth", all.vertical, alpha, 6);
+  const VectorXd oddHorizontal = all.horizontal.cwiseProduct(all.side),
+                 oddVertical = all.vertical.cwiseProduct(all.side);
+  maker.addSmooth("difference of the faces, horizontal", oddHorizontal, epsilon, 6);
+  maker.addSmooth("difference of the faces, vertical", oddVertical, epsilon, 6);
+  const auto block = [&](Index i) {
+    const auto k = static_cast<std::size_t>(i);
+    return std::tuple(all.arc[k], all.round[k], all.face[k]);
+  };
+  maker.addGroups("horizontal orientation from round to round", all.horizontal, block);
+  maker.addGroups("vertical orientation from round to round", all.vertical, block);
+  return maker.take(odds.shape);
+}
+
+}  // namespace alidade
