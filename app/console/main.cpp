@@ -8,6 +8,7 @@
 #include "app/console/diagnose_command.h"
 #include "app/console/fit_command.h"
 #include "app/console/simulate_command.h"
+#include "app/console/trial_command.h"
 
 namespace {
 
@@ -33,6 +34,8 @@ int run(int argc, char** argv) {
   addDiagnoseCommand(app, diagnoseRequest);
   SimulateRequest simulateRequest;
   addSimulateCommand(app, simulateRequest);
+  TrialRequest trialRequest;
+  addTrialCommand(app, trialRequest);
   app.footer("Exit codes: 0 done, 2 bad input or call, 1 anything else.");
 
   try {
@@ -46,6 +49,7 @@ int run(int argc, char** argv) {
   }
 
   if (app.got_subcommand("simulate")) return give(runSimulate(simulateRequest), "alidade-cli");
+  if (app.got_subcommand("trial")) return give(runTrial(trialRequest), "alidade-cli");
   if (app.got_subcommand("diagnose"))
     return give(runDiagnose(diagnoseRequest), inputName(diagnoseRequest.file));
   return give(runFit(fitRequest), inputName(fitRequest.file));

@@ -18,13 +18,7 @@ std::vector<Component> candidatesFor(const GapModel& base, const Leftover& lefto
                                      const DiagnosisOptions& options, const PriorOdds& odds) {
   std::vector<std::string> leftOut = options.without;
   leftOut.insert(leftOut.end(), base.measurement.effects.begin(), base.measurement.effects.end());
-  std::vector<Component> candidates = effectComponents(leftover, leftOut, odds);
-  if (const Effect* tilt = effectById("plane_tilt"); considered(options, tilt->id)) {
-    const auto tilted = [&](const EffectParameter& parameter) {
-      return linearisedAt(base, parameter.term, plausibleSize(parameter));
-    };
-    bendPlaneTilt(candidates, leftover, tilted(tilt->parameters[0]), tilted(tilt->parameters[1]));
-  }
+  std::vector<Component> candidates = effectsBeyond(base, leftover, leftOut, odds);
   const auto append = [&](std::vector<Component> more) {
     std::ranges::move(more, std::back_inserter(candidates));
   };
@@ -81,6 +75,18 @@ const Explanation* Inquiry::alone(std::size_t component, bool noisy) const {
            explanation.noisy == noisy;
   });
   return found == explanations.end() ? nullptr : &*found;
+}
+
+std::vector<Component> effectsBeyond(const GapModel& model, const Leftover& leftover,
+                                     const std::vector<std::string>& leftOut, const PriorOdds& odds) {
+  std::vector<Component> components = effectComponents(leftover, leftOut, odds);
+  const Effect* tilt = effectById("plane_tilt");
+  if (std::ranges::find(components, tilt->id, &Component::id) == components.end()) return components;
+  const auto tilted = [&](const EffectParameter& parameter) {
+    return linearisedAt(model, parameter.term, plausibleSize(parameter));
+  };
+  bendPlaneTilt(components, leftover, tilted(tilt->parameters[0]), tilted(tilt->parameters[1]));
+  return components;
 }
 
 Inquiry inquire(const GapModel& model, const DiagnosisOptions& options) {

@@ -34,6 +34,11 @@ struct Inquiry {
   const Explanation* alone(std::size_t component, bool noisy) const;
 };
 
+/// The effects of the catalogue but those in `leftOut`, a plane tilt with its second derivatives. `leftover`
+/// is that of the model.
+std::vector<Component> effectsBeyond(const GapModel& model, const Leftover& leftover,
+                                     const std::vector<std::string>& leftOut, const PriorOdds& odds);
+
 Inquiry inquire(const GapModel& model, const DiagnosisOptions& options);
 
 /// A reading of the model, `size` in arcseconds.

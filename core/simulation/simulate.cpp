@@ -18,7 +18,8 @@ Angle fullTurn() {
 /// Decimals that show multiples of `step`: 1 for 0.1″, 0 for 5″.
 int decimalsOf(double step) {
   int decimals = 0;
-  for (double scaled = step; decimals < 9 && std::abs(scaled - std::round(scaled)) > 1e-6; scaled *= 10)
+  for (double scaled = step; decimals < 9 && std::abs(scaled - std::round(scaled)) > 1e-6 * scaled;
+       scaled *= 10)
     ++decimals;
   return decimals;
 }
@@ -44,8 +45,15 @@ std::string rowName(const Misreading& m) {
 /// Takes the rows of a session one after the other.
 class Simulator {
  public:
-  Simulator(const Protocol& protocol, const Truth& truth, std::uint64_t seed)
-      : m_protocol(protocol), m_truth(truth), m_random(seed), m_plan(plannedRows(protocol)) {
+  enum class Noise { AsInTruth, None };
+
+  Simulator(const Protocol& protocol, const Truth& truth, std::uint64_t seed, Noise noise)
+      : m_protocol(protocol),
+        m_truth(truth),
+        m_random(seed),
+        m_share(noise == Noise::None ? 0 : 1),
+        m_step(noise == Noise::None ? Angle::fromArcseconds(1e-6) : truth.typingStep),
+        m_plan(plannedRows(protocol)) {
     m_rows = m_plan.size() * protocol.axes.size();
   }
 
@@ -70,8 +78,11 @@ class Simulator {
                m_plan.end();
   }
 
+  /// Error of a reading with this σ. Draws whether or not there is noise.
+  Angle noise(Angle sigma) { return sigma * (m_share * m_random.normal()); }
+
   void state(Session& session) {
-    const double distance = m_truth.distance + m_truth.sigmaDistance * m_random.normal();
+    const double distance = m_truth.distance + m_truth.sigmaDistance * m_share * m_random.normal();
     const auto arcseconds = [](Angle angle) {
       return shortestText(std::round(angle.arcseconds() * 1e6) / 1e6);
     };
@@ -93,10 +104,8 @@ class Simulator {
     Position position;
     position.axisDeg = std::to_string(axisDeg);
     const CircleReadings zero = perfect.zero();
-    position.zero.horizontal =
-        typedOnCircle(zero.horizontal + m_truth.sigmaZero * m_random.normal(), m_truth.typingStep);
-    position.zero.vertical =
-        typedOnCircle(zero.vertical + m_truth.sigmaZero * m_random.normal(), m_truth.typingStep);
+    position.zero.horizontal = typedOnCircle(zero.horizontal + noise(m_truth.sigmaZero), m_step);
+    position.zero.vertical = typedOnCircle(zero.vertical + noise(m_truth.sigmaZero), m_step);
     for (std::size_t i = 0; i < m_plan.size(); ++i) {
       if (i == 0 || m_plan[i].point != m_plan[i - 1].point || m_plan[i].round != m_plan[i - 1].round)
         moveSlider(perfect, m_plan[i].point);
@@ -107,15 +116,15 @@ class Simulator {
 
   void moveSlider(const PerfectReadings& perfect, int point) {
     m_place = plannedPlace(m_protocol, point) + m_truth.placeSpread * m_random.normal();
-    m_slider = typed(perfect.slider(m_place) + m_truth.sigmaSlider * m_random.normal(), m_truth.typingStep);
+    m_slider = typed(perfect.slider(m_place) + noise(m_truth.sigmaSlider), m_step);
   }
 
   Reading reading(const PerfectReadings& perfect, int axisDeg, const PlannedRow& row) {
     CircleReadings circles = perfect.target(m_place, row.face, moment());
     ++m_taken;
     const double factor = m_truth.noiseFactor;
-    circles.horizontal = circles.horizontal + m_truth.sigmaHorizontal * (factor * m_random.normal());
-    circles.vertical = circles.vertical + m_truth.sigmaVertical * (factor * m_random.normal());
+    circles.horizontal = circles.horizontal + noise(m_truth.sigmaHorizontal * factor);
+    circles.vertical = circles.vertical + noise(m_truth.sigmaVertical * factor);
     for (const Misreading& m : m_truth.misreadings) {
       if (m.axisDeg != axisDeg || PlannedRow{m.round, m.point, m.face} != row) continue;
       circles.horizontal = circles.horizontal + m.horizontal;
@@ -125,8 +134,8 @@ class Simulator {
     reading.point = std::to_string(row.point);
     reading.round = std::to_string(row.round);
     reading.face = std::to_string(row.face);
-    reading.horizontal = typedOnCircle(circles.horizontal, m_truth.typingStep);
-    reading.vertical = typedOnCircle(circles.vertical, m_truth.typingStep);
+    reading.horizontal = typedOnCircle(circles.horizontal, m_step);
+    reading.vertical = typedOnCircle(circles.vertical, m_step);
     if (m_protocol.slider) reading.slider = m_slider;
     return reading;
   }
@@ -139,6 +148,8 @@ class Simulator {
   const Protocol& m_protocol;
   const Truth& m_truth;
   RandomSource m_random;
+  double m_share;  ///< of the noise that is put in
+  Angle m_step;
   std::vector<PlannedRow> m_plan;
   std::size_t m_rows = 0, m_taken = 0;
   Angle m_place;
@@ -203,7 +214,11 @@ Angle PerfectReadings::slider(Angle s) const {
 }
 
 Result<Session> simulate(const Protocol& protocol, const Truth& truth, std::uint64_t seed) {
-  return Simulator(protocol, truth, seed).simulate();
+  return Simulator(protocol, truth, seed, Simulator::Noise::AsInTruth).simulate();
+}
+
+Result<Session> simulateWithoutNoise(const Protocol& protocol, const Truth& truth, std::uint64_t seed) {
+  return Simulator(protocol, truth, seed, Simulator::Noise::None).simulate();
 }
 
 }  // namespace alidade

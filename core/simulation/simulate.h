@@ -54,4 +54,7 @@ class PerfectReadings {
 /// misreading names a row that the protocol does not have, or where a target cannot be sighted.
 Result<Session> simulate(const Protocol& protocol, const Truth& truth, std::uint64_t seed);
 
+/// The same places and rows, read without noise and without rounding to the truth's step.
+Result<Session> simulateWithoutNoise(const Protocol& protocol, const Truth& truth, std::uint64_t seed);
+
 }  // namespace alidade

@@ -127,28 +127,6 @@ Json effectsJson(const Truth& truth) {
   return effects;
 }
 
-/// What a diagnosis should name, each once.
-std::vector<std::string> causesOf(const Truth& truth) {
-  std::vector<std::string> causes;
-  for (const Effect& effect : effectCatalogue())
-    if (std::ranges::any_of(effect.parameters, [&](const EffectParameter& parameter) {
-          const auto size = std::ranges::find(truth.effects, parameter.term, &TrueSize::term);
-          return size != truth.effects.end() && size->value != 0;
-        }))
-      causes.emplace_back(effect.id);
-  if (truth.jump) causes.emplace_back(jumpId);
-  if (!truth.misreadings.empty()) causes.emplace_back(grossId);
-  if (truth.noiseFactor > 1) causes.emplace_back(noiseId);
-  if (truth.harmonic) causes.emplace_back("unknown_harmonic");
-  return causes;
-}
-
-std::string kindOf(const std::vector<std::string>& causes) {
-  if (causes.empty()) return "none";
-  if (causes.size() == 1) return causes.front();
-  return causes.size() == 2 ? "two_causes" : "several_causes";
-}
-
 Json blundersJson(const Truth& truth) {
   Json blunders = Json::array();
   for (const Misreading& m : truth.misreadings)
@@ -194,8 +172,30 @@ std::string effectNames() {
   return lines;
 }
 
+std::vector<std::string> trueCauses(const Truth& truth) {
+  std::vector<std::string> causes;
+  for (const Effect& effect : effectCatalogue())
+    if (std::ranges::any_of(effect.parameters, [&](const EffectParameter& parameter) {
+          const auto size = std::ranges::find(truth.effects, parameter.term, &TrueSize::term);
+          return size != truth.effects.end() && size->value != 0;
+        }))
+      causes.emplace_back(effect.id);
+  if (truth.jump) causes.emplace_back(jumpId);
+  if (!truth.misreadings.empty()) causes.emplace_back(grossId);
+  if (truth.noiseFactor > 1) causes.emplace_back(noiseId);
+  if (truth.harmonic) causes.emplace_back("unknown_harmonic");
+  return causes;
+}
+
+std::string kindOf(const Truth& truth) {
+  const std::vector<std::string> causes = trueCauses(truth);
+  if (causes.empty()) return "none";
+  if (causes.size() == 1) return causes.front();
+  return causes.size() == 2 ? "two_causes" : "several_causes";
+}
+
 std::string truthJson(const std::string& id, const Truth& truth) {
-  const std::vector<std::string> causes = causesOf(truth);
+  const std::vector<std::string> causes = trueCauses(truth);
   Json json = {{"seed", truth.seed},
                {"effects", effectsJson(truth)},
                {"intersection_mm", truth.intersection},
@@ -204,7 +204,7 @@ std::string truthJson(const std::string& id, const Truth& truth) {
                {"axis_height_mm", truth.axisHeight},
                {"distance_mm", truth.distance},
                {"blunders", blundersJson(truth)},
-               {"kind", kindOf(causes)},
+               {"kind", kindOf(truth)},
                {"protocol", truth.protocol}};
   if (causes.size() > 1) json["causes"] = causes;
   if (truth.noiseFactor != 1)

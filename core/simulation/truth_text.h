@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/base/problem.h"
 #include "core/simulation/truth.h"
@@ -23,6 +24,13 @@ std::optional<Problem> addEffect(Truth& truth, const std::string& text);
 
 /// Every name that `addEffect` takes, with its unit, a line each, for help texts.
 std::string effectNames();
+
+/// Ids of what a diagnosis should name, each once, in the order of the catalogue; what is in no catalogue
+/// begins with `unknown_`.
+std::vector<std::string> trueCauses(const Truth& truth);
+
+/// `none`, the only cause, `two_causes` or `several_causes`.
+std::string kindOf(const Truth& truth);
 
 /// The truth as a JSON document, {id: {…}}: seed, effects by name, intersection_mm, radius_mm, centre_x_mm,
 /// axis_height_mm, blunders ([position, round, point, face, horizontal, vertical], arcsec), kind (the only

@@ -268,5 +268,19 @@ TEST(Simulate, IsReadBackByTheFit) {
   }
 }
 
+// Rounded to 1e-6″, and read in the same places.
+TEST(Simulate, ReadsWithoutNoiseWhatIsThere) {
+  const Truth truth = drawTruth(9);
+  const Protocol& protocol = *protocolByName("full");
+  const Measurement perfect = *examine(*simulateWithoutNoise(protocol, truth, 9)).measurement;
+  const Measurement read = *examine(*simulate(protocol, truth, 9)).measurement;
+  const SessionFit fit = fitSession(perfect);
+  EXPECT_LT(fit.joint.chiSquare, 1e-6);
+  EXPECT_NEAR(fit.intersection->value, truth.intersection, 1e-6);
+  for (std::size_t i = 0; i < read.arcs[1].sightings.size(); ++i)  // 5 σ of 2″
+    EXPECT_NEAR(perfect.arcs[1].sightings[i].a.arcseconds(), read.arcs[1].sightings[i].a.arcseconds(),
+                5 * 2 * 1.5);
+}
+
 }  // namespace
 }  // namespace alidade

@@ -1,0 +1,66 @@
+#include "app/console/trial_command.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "app/console/trial_text.h"
+#include "core/simulation/protocol.h"
+
+namespace alidade::console {
+
+namespace {
+
+/// A line on stderr now and then, so that a long series is seen to move.
+void report(std::size_t done) {
+  constexpr std::size_t every = 100;
+  if (done % every == 0) std::fprintf(stderr, "alidade-cli: %zu trials done\n", done);
+}
+
+}  // namespace
+
+void addTrialCommand(CLI::App& app, TrialRequest& request) {
+  constexpr std::size_t mostTrials = 1000000;
+  constexpr unsigned mostThreads = 1024;
+  CLI::App* trial = app.add_subcommand(
+      "trial", "Blind trials: draw a sealed truth, simulate, diagnose, and compare when the seal is opened.");
+  CLI::Option* count = trial->add_option("--count", request.count, "Number of trials")
+                           ->check(CLI::Range(std::size_t{1}, mostTrials))
+                           ->capture_default_str();
+  CLI::Option* seed = trial
+                          ->add_option("--seed", request.seed,
+                                       "Whole number that fixes everything drawn; trial i has seed + i")
+                          ->capture_default_str();
+  std::vector<std::string> names;
+  for (const Protocol& protocol : namedProtocols()) names.push_back(protocol.name);
+  CLI::Option* protocol =
+      trial->add_option("--protocol", request.protocol, "Plan of readings; drawn if not given")
+          ->check(CLI::IsMember(names));
+  trial
+      ->add_option("--score", request.folder,
+                   "Score trials made elsewhere: a folder with truth.json and sessions/*.alidade")
+      ->excludes(count)
+      ->excludes(seed)
+      ->excludes(protocol);
+  trial->add_flag(
+      "--withheld", request.withheld,
+      "Diagnose each effect a second time with itself taken from the catalogue: no wrong cause may "
+      "be blamed");
+  trial->add_option("--threads", request.threads, "Threads to use; 0: all. The result does not depend on it")
+      ->check(CLI::Range(0u, mostThreads))
+      ->capture_default_str();
+  trial->add_flag("--json", request.json, "Print one JSON document");
+}
+
+Result<std::string> runTrial(const TrialRequest& request) {
+  const TrialSeriesOptions options{
+      .count = request.count, .withheld = request.withheld, .threads = request.threads, .progress = report};
+  const BlindTrialOptions draw{.protocol = request.protocol};
+  const Result<std::vector<ScoredTrial>> trials = request.folder.empty()
+                                                      ? scoreDrawnTrials(options, draw, request.seed)
+                                                      : scoreStoredTrials(options, request.folder);
+  if (!trials) return trials.problem();
+  const TrialSummary summary = summarise(*trials);
+  return request.json ? trialJson(*trials, summary) : trialText(*trials, summary);
+}
+
+}  // namespace alidade::console

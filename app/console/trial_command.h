@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "core/base/result.h"
+
+namespace CLI {
+class App;
+}
+
+namespace alidade::console {
+
+/// What `alidade-cli trial` was asked.
+struct TrialRequest {
+  std::size_t count = 100;
+  std::uint64_t seed = 1;
+  std::string protocol;  ///< empty: drawn
+  std::string folder;    ///< trials made elsewhere; empty: drawn here
+  bool withheld = false;
+  unsigned threads = 0;
+  bool json = false;
+};
+
+/// Adds `trial [--count N] [--seed N] [--protocol NAME] [--score DIR] [--withheld] [--threads N] [--json]`,
+/// which fills in `request`.
+void addTrialCommand(CLI::App& app, TrialRequest& request);
+
+/// The scores in text or JSON. Fails where a trial cannot be read or diagnosed.
+Result<std::string> runTrial(const TrialRequest& request);
+
+}  // namespace alidade::console

@@ -1,0 +1,27 @@
+#include "core/diagnosis/visibility.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/diagnosis/inquiry.h"
+#include "core/diagnosis/look_alikes.h"
+
+namespace alidade {
+
+Result<Visibility> visibilityOf(const Measurement& noiseless, const std::string& held) {
+  const Result<GapModel> model = modelOf(noiseless);
+  if (!model) return model.problem();
+  const Leftover leftover({linearise(model->measurement, model->fit, model->options)}, model->options.terms);
+  const Eigen::VectorXd& trace = leftover.residual();
+  Visibility visibility{.sigma = trace.norm(), .lookAlikes = {}};
+  for (const Component& other : effectsBeyond(*model, leftover, {held}, {})) {
+    const double difference = differenceFrom(trace, other);
+    if (difference > clearlyDifferent) continue;
+    const double share = visibility.sigma > 0 ? difference / visibility.sigma : 1;
+    visibility.lookAlikes.push_back({other.id, std::sqrt(std::max(0.0, 1 - share * share)), difference});
+  }
+  std::ranges::sort(visibility.lookAlikes, {}, &LookAlike::difference);
+  return visibility;
+}
+
+}  // namespace alidade

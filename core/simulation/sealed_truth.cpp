@@ -1,0 +1,99 @@
+#include "core/simulation/sealed_truth.h"
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "core/base/utf8.h"
+#include "core/simulation/truth_text.h"
+
+namespace alidade {
+
+namespace {
+
+using Json = nlohmann::json;
+
+void addMisread(SealedTruth& truth, MisreadCell cell, double horizontal, double vertical) {
+  if (horizontal != 0) {
+    cell.circle = ReadingKind::Horizontal;
+    truth.misread.push_back(cell);
+  }
+  if (vertical != 0) {
+    cell.circle = ReadingKind::Vertical;
+    truth.misread.push_back(cell);
+  }
+}
+
+void readMisread(const Json& list, SealedTruth& truth) {
+  for (const Json& blunder : list) {
+    const MisreadCell cell{.axisDeg = blunder.at(0).get<int>() == 0 ? 0 : 180,
+                           .round = blunder.at(1),
+                           .point = blunder.at(2),
+                           .face = blunder.at(3)};
+    addMisread(truth, cell, blunder.at(4), blunder.at(5));
+  }
+  std::ranges::sort(truth.misread);
+}
+
+bool isSingle(const std::string& kind) {
+  static constexpr std::array<std::string_view, 3> others{"none", "two_causes", "several_causes"};
+  return std::ranges::find(others, kind) == others.end();
+}
+
+/// Reads one key, and remembers it in `key` for the sentence where it is wrong.
+SealedTruth readTruth(const std::string& id, const Json& json, std::string& key) {
+  SealedTruth truth{.id = id};
+  const auto at = [&](const char* name) -> const Json& { return json.at(key = name); };
+  const auto given = [&](const char* name) {
+    key = name;
+    return json.contains(name) && !json.at(name).is_null();
+  };
+  truth.kind = at("kind").get<std::string>();
+  truth.intersection = at("intersection_mm").get<double>();
+  if (given("protocol")) truth.protocol = json.at(key).get<std::string>();
+  if (given("causes")) truth.causes = json.at(key).get<std::vector<std::string>>();
+  if (truth.causes.empty() && isSingle(truth.kind)) truth.causes = {truth.kind};
+  if (given("visible_sigma")) truth.visible = json.at(key).get<double>();
+  if (given("look_alikes"))
+    for (const Json& entry : json.at(key)) truth.lookAlikes.push_back(entry.at(0).get<std::string>());
+  if (given("blunders")) readMisread(json.at(key), truth);
+  return truth;
+}
+
+}  // namespace
+
+SealedTruth sealed(const std::string& id, const Truth& truth, const std::optional<Visibility>& visibility) {
+  SealedTruth seal{.id = id,
+                   .kind = kindOf(truth),
+                   .causes = trueCauses(truth),
+                   .protocol = truth.protocol,
+                   .intersection = truth.intersection};
+  if (visibility) {
+    seal.visible = visibility->sigma;
+    for (const LookAlike& other : visibility->lookAlikes) seal.lookAlikes.push_back(other.effect);
+  }
+  for (const Misreading& m : truth.misreadings)
+    addMisread(seal, {.axisDeg = m.axisDeg, .round = m.round, .point = m.point, .face = m.face},
+               m.horizontal.radians(), m.vertical.radians());
+  std::ranges::sort(seal.misread);
+  return seal;
+}
+
+Result<std::vector<SealedTruth>> readSealedTruths(const std::string& text) {
+  const Json json = Json::parse(text, nullptr, false);
+  if (json.is_discarded() || !json.is_object())
+    return Problem{
+        "it is no JSON object of truths by session id: take the truth.json that belongs to the sessions"};
+  std::vector<SealedTruth> truths;
+  for (const auto& [id, entry] : json.items()) {
+    std::string key;
+    try {
+      truths.push_back(readTruth(id, entry, key));
+    } catch (const Json::exception&) {
+      return Problem{"truth of " + quotation(id) + ": " + key + " is missing or of the wrong type"};
+    }
+  }
+  return truths;
+}
+
+}  // namespace alidade

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <compare>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/adjustment/joint_fit.h"
+#include "core/base/result.h"
+#include "core/diagnosis/visibility.h"
+#include "core/simulation/truth.h"
+
+namespace alidade {
+
+/// One reading that was read or written down wrongly.
+struct MisreadCell {
+  int axisDeg = 0, round = 1, point = 1, face = 1;
+  ReadingKind circle = ReadingKind::Horizontal;
+
+  auto operator<=>(const MisreadCell&) const = default;
+};
+
+/// What has to be known of a session to score its diagnosis. Kept from the diagnosis until it is done.
+struct SealedTruth {
+  std::string id = {};
+  std::string kind = {};                 ///< the only cause; or none, two_causes, several_causes, unknown_…
+  std::vector<std::string> causes = {};  ///< ids of what was put in
+  std::string protocol = {};             ///< plan of readings, as it was called
+  double intersection = 0;               ///< true Δd, mm
+  std::optional<double> visible = {};    ///< of the one effect of the catalogue, σ of the readings
+  std::vector<std::string> lookAlikes = {};  ///< ids that these readings do not tell from it
+  std::vector<MisreadCell> misread = {};     ///< in order
+};
+
+/// `visibility` of the truth's only effect, where there is one.
+SealedTruth sealed(const std::string& id, const Truth& truth, const std::optional<Visibility>& visibility);
+
+/// The truth file of a set of trials: a JSON object {id: {kind, intersection_mm, protocol, causes, blunders:
+/// [[position, round, point, face, horizontal, vertical], …], visible_sigma, look_alikes: [[id, cosine, σ],
+/// …]}, …}; kind and intersection_mm are required, other keys are passed over. In the order of the ids. Fails
+/// with the id and the key that are wrong.
+Result<std::vector<SealedTruth>> readSealedTruths(const std::string& text);
+
+}  // namespace alidade

@@ -1,0 +1,128 @@
+#include "core/simulation/trial_score.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace alidade {
+
+namespace {
+
+bool holds(const std::vector<std::string>& ids, const std::string& id) {
+  return std::ranges::find(ids, id) != ids.end();
+}
+
+bool isUnknown(const std::string& kind) {
+  return kind.starts_with("unknown");
+}
+
+bool names(const Diagnosis& diagnosis, const std::string& id) {
+  return std::ranges::find(diagnosis.causes, id, &Cause::effect) != diagnosis.causes.end();
+}
+
+/// The first cause, or one that it says cannot be told from it.
+bool isFirst(const Diagnosis& diagnosis, const std::string& id) {
+  if (diagnosis.causes.empty()) return false;
+  const Cause& first = diagnosis.causes.front();
+  return first.effect == id || holds(first.indistinguishableFrom, id);
+}
+
+/// Named and not in the truth's own group, of the group of the first cause.
+std::ptrdiff_t strangersIn(const Diagnosis& diagnosis, const SealedTruth& truth) {
+  return std::ranges::count_if(diagnosis.causes.front().indistinguishableFrom, [&](const std::string& id) {
+    return id != truth.kind && !holds(truth.lookAlikes, id);
+  });
+}
+
+std::vector<MisreadCell> cellsOf(const Diagnosis& diagnosis) {
+  std::vector<MisreadCell> cells;
+  for (const Cause& cause : diagnosis.causes)
+    for (const BlamedReading& reading : cause.readings)
+      cells.push_back({reading.axisDeg, reading.round, reading.point, reading.face, reading.kind});
+  std::ranges::sort(cells);
+  return cells;
+}
+
+bool isRight(TrialClass trialClass, const SealedTruth& truth, const Diagnosis& diagnosis) {
+  const bool named = !diagnosis.causes.empty();
+  const auto isCause = [&](const std::string& id) { return names(diagnosis, id); };
+  switch (trialClass) {
+    case TrialClass::None:
+      return diagnosis.verdict == DiagnosisVerdict::WithinNoise;
+    case TrialClass::Faint:
+      return diagnosis.verdict == DiagnosisVerdict::WithinNoise ||
+             (named && (diagnosis.causes.front().effect == truth.kind ||
+                        holds(truth.lookAlikes, diagnosis.causes.front().effect)));
+    case TrialClass::Unique:
+    case TrialClass::Other:
+      return named && diagnosis.causes.front().effect == truth.kind;
+    case TrialClass::LookAlikes:
+      return isFirst(diagnosis, truth.kind) && strangersIn(diagnosis, truth) <= 1;
+    case TrialClass::GrossError:
+      return diagnosis.causes.size() == 1 && isCause(truth.kind) && cellsOf(diagnosis) == truth.misread;
+    case TrialClass::SeveralCauses:
+      return std::ranges::all_of(truth.causes, isCause);
+    case TrialClass::Unknown:
+      return diagnosis.verdict == DiagnosisVerdict::NotInCatalogue;
+  }
+  return false;
+}
+
+std::string answerOf(const Diagnosis& diagnosis) {
+  if (diagnosis.causes.empty()) return std::string(nameOf(diagnosis.verdict));
+  return diagnosis.causes.size() == 1 ? diagnosis.causes.front().effect : "several-causes";
+}
+
+}  // namespace
+
+std::string_view nameOf(TrialClass trialClass) {
+  switch (trialClass) {
+    case TrialClass::None:
+      return "none";
+    case TrialClass::Faint:
+      return "faint";
+    case TrialClass::Unique:
+      return "unique";
+    case TrialClass::LookAlikes:
+      return "look-alikes";
+    case TrialClass::GrossError:
+      return "gross_error";
+    case TrialClass::SeveralCauses:
+      return "several causes";
+    case TrialClass::Unknown:
+      return "unknown";
+    case TrialClass::Other:
+      return "others";
+  }
+  return "";
+}
+
+TrialClass classOf(const SealedTruth& truth) {
+  if (truth.kind == "none") return TrialClass::None;
+  if (truth.kind == "gross_error") return TrialClass::GrossError;
+  if (truth.kind == "two_causes" || truth.kind == "several_causes") return TrialClass::SeveralCauses;
+  if (isUnknown(truth.kind)) return TrialClass::Unknown;
+  if (!truth.visible) return TrialClass::Other;
+  if (*truth.visible < clearVisibility) return TrialClass::Faint;
+  return truth.lookAlikes.empty() ? TrialClass::Unique : TrialClass::LookAlikes;
+}
+
+TrialScore scoreTrial(const SealedTruth& truth, const Diagnosis& diagnosis) {
+  constexpr double leastChance = 0.001;
+  TrialScore score{.trialClass = classOf(truth), .answer = answerOf(diagnosis)};
+  score.right = isRight(score.trialClass, truth, diagnosis);
+  score.detected = diagnosis.verdict != DiagnosisVerdict::WithinNoise;
+  score.named = isFirst(diagnosis, truth.kind);
+  if (diagnosis.causes.empty()) return score;
+  score.backToNoise = diagnosis.after.pValue > leastChance;
+  if (const auto& estimate = diagnosis.afterwards)
+    score.covered = std::abs(estimate->value - truth.intersection) <= estimate->expanded;
+  return score;
+}
+
+bool blamesWrongCause(const SealedTruth& truth, const Diagnosis& diagnosis) {
+  const bool single =
+      diagnosis.verdict == DiagnosisVerdict::SingleCause || diagnosis.verdict == DiagnosisVerdict::Ambiguous;
+  return single && !holds(truth.lookAlikes, diagnosis.causes.front().effect);
+}
+
+}  // namespace alidade

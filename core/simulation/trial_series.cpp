@@ -1,0 +1,114 @@
+#include "core/simulation/trial_series.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <mutex>
+#include <sstream>
+#include <thread>
+
+#include "core/effects/catalogue.h"
+#include "core/session/session_file.h"
+
+namespace alidade {
+
+namespace {
+
+Problem about(const std::string& id, const Problem& problem) {
+  return {"session " + id + ": " + problem.text()};
+}
+
+bool canBeWithheld(const SealedTruth& truth) {
+  return truth.visible && *truth.visible >= clearVisibility && effectById(truth.kind);
+}
+
+Result<ScoredTrial> scored(const TrialCase& trial, bool withheld) {
+  const Examined examined = examine(trial.session);
+  if (!examined.problems.empty()) return about(trial.seal.id, examined.problems.front());
+  const Result<Diagnosis> diagnosis = diagnose(*examined.measurement);
+  if (!diagnosis) return about(trial.seal.id, diagnosis.problem());
+  ScoredTrial result{trial.seal, scoreTrial(trial.seal, *diagnosis), std::nullopt};
+  if (withheld && canBeWithheld(trial.seal)) {
+    const Result<Diagnosis> without = diagnose(*examined.measurement, {.without = {trial.seal.kind}});
+    if (!without) return about(trial.seal.id, without.problem());
+    result.wrongWithout = blamesWrongCause(trial.seal, *without);
+  }
+  return result;
+}
+
+Result<std::string> contentOf(const std::filesystem::path& path) {
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream content;
+  if (file) content << file.rdbuf();
+  if (file && content) return content.str();
+  const std::string reason = errno != 0 ? std::strerror(errno) : "it cannot be read";
+  return Problem{path.string() + ": " + reason +
+                 "; a folder of trials holds truth.json and sessions/*.alidade"};
+}
+
+}  // namespace
+
+Result<std::vector<ScoredTrial>> scoreTrials(const TrialSeriesOptions& options,
+                                             const std::function<Result<TrialCase>(std::size_t)>& trialAt) {
+  std::vector<std::optional<Result<ScoredTrial>>> results(options.count);
+  std::atomic<std::size_t> next = 0;
+  std::atomic<bool> failed = false;
+  std::mutex reporting;
+  std::size_t done = 0;
+  const auto work = [&] {
+    for (std::size_t i; !failed && (i = next.fetch_add(1)) < options.count;) {
+      const Result<TrialCase> trial = trialAt(i);
+      results[i] = trial ? scored(*trial, options.withheld) : Result<ScoredTrial>(trial.problem());
+      if (!*results[i]) failed = true;
+      if (!options.progress) continue;
+      const std::scoped_lock lock(reporting);
+      options.progress(++done);
+    }
+  };
+  const std::size_t threads =
+      options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
+  {
+    std::vector<std::jthread> others;
+    for (std::size_t i = 1; i < std::min(threads, options.count); ++i) others.emplace_back(work);
+    work();
+  }
+  std::vector<ScoredTrial> trials;
+  for (auto& result : results) {
+    if (result && !*result) return result->problem();
+    if (result) trials.push_back(**std::move(result));
+  }
+  return trials;
+}
+
+Result<std::vector<ScoredTrial>> scoreDrawnTrials(const TrialSeriesOptions& options,
+                                                  const BlindTrialOptions& draw, std::uint64_t seed) {
+  return scoreTrials(options, [&](std::size_t i) -> Result<TrialCase> {
+    Result<BlindTrial> trial = drawBlindTrial(draw, seed + i);
+    if (!trial) return trial.problem();
+    return TrialCase{trial->session, trial->seal};
+  });
+}
+
+Result<std::vector<ScoredTrial>> scoreStoredTrials(const TrialSeriesOptions& options,
+                                                   const std::string& folder) {
+  const std::filesystem::path root(folder), truthFile = root / "truth.json";
+  const Result<std::string> text = contentOf(truthFile);
+  if (!text) return text.problem();
+  const Result<std::vector<SealedTruth>> truths = readSealedTruths(*text);
+  if (!truths) return Problem{truthFile.string() + ": " + truths.problem().text()};
+  TrialSeriesOptions all = options;
+  all.count = truths->size();
+  return scoreTrials(all, [&](std::size_t i) -> Result<TrialCase> {
+    const SealedTruth& truth = (*truths)[i];
+    const std::filesystem::path file = root / "sessions" / (truth.id + ".alidade");
+    const Result<Session> session = loadSession(file.string());
+    if (!session) return Problem{file.string() + ": " + session.problem().text()};
+    return TrialCase{*session, truth};
+  });
+}
+
+}  // namespace alidade

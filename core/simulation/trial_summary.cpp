@@ -1,0 +1,41 @@
+#include "core/simulation/trial_summary.h"
+
+#include <limits>
+
+namespace alidade {
+
+namespace {
+
+/// Finer where detection begins; 6 is where it is asked for, 25 as far as trials are drawn.
+std::vector<DetectionBin> emptyBins() {
+  constexpr double edges[] = {0, 2, 3, 4, 5, 6, 8, 10, 15, 25, std::numeric_limits<double>::infinity()};
+  std::vector<DetectionBin> bins;
+  for (std::size_t i = 0; i + 1 < std::size(edges); ++i)
+    bins.push_back({.from = edges[i], .to = edges[i + 1], .detected = {}, .named = {}});
+  return bins;
+}
+
+}  // namespace
+
+TrialSummary summarise(const std::vector<ScoredTrial>& trials) {
+  TrialSummary summary{.count = trials.size(), .detection = emptyBins()};
+  for (const ScoredTrial& trial : trials) {
+    const TrialScore& score = trial.score;
+    summary.right[score.trialClass].add(score.right);
+    ++summary.confusion[trial.truth.kind][score.answer];
+    if (score.trialClass == TrialClass::None) summary.falseAlarms.add(score.detected);
+    if (score.covered) summary.covered.add(*score.covered);
+    if (score.backToNoise) summary.backToNoise.add(*score.backToNoise);
+    if (trial.wrongWithout) summary.wrongWithout.add(*trial.wrongWithout);
+    if (!trial.truth.visible) continue;
+    for (DetectionBin& bin : summary.detection) {
+      if (*trial.truth.visible < bin.from || *trial.truth.visible >= bin.to) continue;
+      bin.detected.add(score.detected);
+      bin.named.add(score.named);
+    }
+  }
+  std::erase_if(summary.detection, [](const DetectionBin& bin) { return bin.detected.count == 0; });
+  return summary;
+}
+
+}  // namespace alidade

@@ -1,0 +1,84 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "tests/console/console.h"
+
+// `alidade-cli trial`: blind trials drawn here, or scored as they were made elsewhere.
+
+namespace alidade::test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+const std::string stored = ALIDADE_REFERENCE_DIR "/trials";
+
+TEST(Trial, ScoresDrawnTrials) {
+  const std::vector<std::string> call{"trial", "--count",    "8",     "--seed",
+                                      "3",     "--protocol", "paper", "--json"};
+  const ProgramRun run = alidadeCli(call);
+  ASSERT_EQ(run.exitCode, 0) << run.err;
+  const json answer = json::parse(run.out);
+  EXPECT_EQ(answer.at("count"), 8);
+  ASSERT_EQ(answer.at("trials").size(), 8u);
+  EXPECT_EQ(answer.at("trials").at(0).at("id"), "3");
+  for (const char* key : {"right", "false_alarms", "covered", "back_to_noise", "detection", "confusion"})
+    EXPECT_TRUE(answer.contains(key)) << key;
+  for (const json& trial : answer.at("trials")) EXPECT_EQ(trial.at("protocol"), "paper");
+  std::vector<std::string> serial = call;
+  serial.insert(serial.end(), {"--threads", "1"});
+  EXPECT_EQ(alidadeCli(serial).out, run.out);
+}
+
+/// Some of the stored trials as a set of their own.
+void keep(const std::filesystem::path& folder, const std::vector<std::string>& ids) {
+  std::ifstream file(stored + "/truth.json");
+  const json all = json::parse(file);
+  json some;
+  std::filesystem::create_directories(folder / "sessions");
+  for (const std::string& id : ids) {
+    some[id] = all.at(id);
+    std::filesystem::copy(stored + "/sessions/" + id + ".alidade", folder / "sessions" / (id + ".alidade"));
+  }
+  std::ofstream(folder / "truth.json") << some;
+}
+
+TEST(Trial, ScoresTrialsMadeElsewhere) {
+  const TemporaryFolder folder;
+  keep(folder.path(), {"241926", "827247", "825912"});  // collimation, none, gross_error
+  const ProgramRun run = alidadeCli({"trial", "--score", folder.path().string(), "--withheld", "--json"});
+  ASSERT_EQ(run.exitCode, 0) << run.err;
+  const json answer = json::parse(run.out);
+  EXPECT_EQ(answer.at("right").at("look-alikes"), json({{"hits", 1}, {"count", 1}}));
+  EXPECT_EQ(answer.at("right").at("none"), json({{"hits", 1}, {"count", 1}}));
+  EXPECT_EQ(answer.at("right").at("gross_error"), json({{"hits", 1}, {"count", 1}}));
+  EXPECT_EQ(answer.at("wrong_without"), json({{"hits", 0}, {"count", 1}}));
+  const ProgramRun text = alidadeCli({"trial", "--score", folder.path().string()});
+  EXPECT_THAT(text.out, HasSubstr("3 blind trials"));
+  EXPECT_THAT(text.out, HasSubstr("look-alikes"));
+}
+
+TEST(Trial, RefusesInOneLine) {
+  const auto refusal = [](std::vector<std::string> call) {
+    call.insert(call.begin(), "trial");
+    const ProgramRun run = alidadeCli(call);
+    expectRefusal(run);
+    return run.err;
+  };
+  EXPECT_THAT(refusal({"--score", "/no/such/folder"}), HasSubstr("/no/such/folder/truth.json"));
+  EXPECT_THAT(refusal({"--protocol", "by-ear"}), HasSubstr("by-ear"));
+  EXPECT_THAT(refusal({"--count", "0"}), HasSubstr("--count"));
+  EXPECT_THAT(refusal({"--score", stored, "--count", "5"}), HasSubstr("--count"));
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "truth.json") << R"({"nobody": {"kind": "none", "intersection_mm": 0}})";
+  EXPECT_THAT(refusal({"--score", folder.path().string()}), HasSubstr("nobody.alidade"));
+  std::ofstream(folder.path() / "truth.json") << R"({"nobody": {"kind": "none"}})";
+  EXPECT_THAT(refusal({"--score", folder.path().string()}), HasSubstr("intersection_mm"));
+}
+
+}  // namespace
+}  // namespace alidade::test

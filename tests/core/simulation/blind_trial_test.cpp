@@ -1,0 +1,93 @@
+#include "core/simulation/blind_trial.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "core/effects/catalogue.h"
+#include "core/session/session_file.h"
+
+namespace alidade {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(BlindTrial, RepeatsItselfForASeed) {
+  const BlindTrial first = *drawBlindTrial({}, 7), again = *drawBlindTrial({}, 7),
+                   other = *drawBlindTrial({}, 8);
+  EXPECT_EQ(writeSession(first.session), writeSession(again.session));
+  EXPECT_EQ(first.seal.kind, again.seal.kind);
+  EXPECT_NE(writeSession(first.session), writeSession(other.session));
+}
+
+TEST(BlindTrial, ShowsAsFarAsAskedOrIsAsLargeAsItMayBe) {
+  const BlindTrialOptions options{
+      .protocol = "full", .leastVisible = 9, .mostVisible = 12, .mostPlausible = 4};
+  for (const char* kind :
+       {"collimation", "plane_tilt", "arc_ellipticity", "slider_scale", "vertical_axis_tilt"})
+    for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+      BlindTrialOptions one = options;
+      one.kinds = {kind};
+      const BlindTrial trial = *drawBlindTrial(one, seed);
+      SCOPED_TRACE(kind);
+      EXPECT_EQ(trial.seal.kind, kind);
+      double square = 0;
+      for (const TrueSize& size : trial.truth.effects)
+        for (const EffectParameter& parameter : effectById(kind)->parameters)
+          if (parameter.term == size.term) square += std::pow(size.value / parameter.plausible, 2);
+      EXPECT_LE(std::sqrt(square), 4 * (1 + 1e-12));
+      EXPECT_LT(*trial.seal.visible, 12.1);  // to 0.2 %, as the sizes are sought
+      if (std::sqrt(square) < 3.99) {
+        EXPECT_GT(*trial.seal.visible, 8.9);
+      }
+    }
+}
+
+TEST(BlindTrial, GivesNothingAwayInTheSession) {
+  for (std::uint64_t seed = 1; seed <= 15; ++seed) {
+    const BlindTrial trial = *drawBlindTrial({}, seed);
+    const std::string text = writeSession(trial.session);
+    for (const TrialKind& kind : trialKinds())
+      EXPECT_EQ(text.find(kind.name), std::string::npos) << kind.name;
+    EXPECT_TRUE(examine(trial.session).problems.empty());
+  }
+}
+
+// Every kind turns up as often as stated: a share p of n draws has σ = √(p(1 − p)/n); 4.5 σ for each of some
+// 24 kinds. The slider's effects are drawn only where the slider is read.
+TEST(BlindTrial, DrawsEveryKindAsOftenAsStated) {
+  constexpr int count = 250;
+  std::map<std::string, int> drawn;
+  for (int seed = 1; seed <= count; ++seed) {
+    const SealedTruth seal =
+        drawBlindTrial({.protocol = "paper-slider"}, static_cast<std::uint64_t>(seed))->seal;
+    ++drawn[seal.kind.starts_with("unknown") ? "unknown" : seal.kind];
+  }
+  double sum = 0;
+  for (const TrialKind& kind : trialKinds()) {
+    sum += kind.weight;
+    EXPECT_NEAR(drawn[kind.name], count * kind.weight, 4.5 * std::sqrt(count * kind.weight)) << kind.name;
+  }
+  EXPECT_NEAR(sum, 1, 1e-12);
+  EXPECT_EQ(drawn.size(), trialKinds().size());
+}
+
+TEST(BlindTrial, DrawsNoSliderEffectWithoutSlider) {
+  const BlindTrialOptions options{.protocol = "paper", .kinds = {"slider_scale", "collimation"}};
+  for (std::uint64_t seed = 1; seed <= 5; ++seed)
+    EXPECT_EQ(drawBlindTrial(options, seed)->seal.kind, "collimation");
+  EXPECT_THAT(drawBlindTrial({.protocol = "paper", .kinds = {"slider_scale"}}, 1).problem().text(),
+              HasSubstr("shows none"));
+}
+
+TEST(BlindTrial, RefusesWhatItDoesNotKnow) {
+  EXPECT_THAT(drawBlindTrial({.protocol = "by-ear"}, 1).problem().text(), HasSubstr("by-ear"));
+  EXPECT_THAT(drawBlindTrial({.protocol = "paper", .kinds = {"moonlight"}}, 1).problem().text(),
+              HasSubstr("moonlight"));
+}
+
+}  // namespace
+}  // namespace alidade

@@ -1,0 +1,79 @@
+#include "core/simulation/sealed_truth.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/simulation/truth_text.h"
+
+namespace alidade {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+std::string problemOf(const std::string& text) {
+  const auto truths = readSealedTruths(text);
+  EXPECT_FALSE(truths) << text;
+  return truths ? "" : truths.problem().text();
+}
+
+TEST(SealedTruth, ReadsWhatScoringNeeds) {
+  const auto truths = *readSealedTruths(R"({
+    "007": {"kind": "arc_lobing", "intersection_mm": -1.5, "protocol": "full", "visible_sigma": 9.5,
+            "look_alikes": [["arc_ellipticity", 0.98, 2.1], ["gravity_sag", 0.9, 4.0]], "surplus": 1},
+    "008": {"kind": "gross_error", "intersection_mm": 0, "visible_sigma": null,
+            "blunders": [[1, 2, 13, 2, -60, 0], [0, 1, 6, 1, 0, 30]]},
+    "009": {"kind": "two_causes", "intersection_mm": 2, "causes": ["collimation", "arc_lobing"]}})");
+  ASSERT_EQ(truths.size(), 3u);
+  EXPECT_EQ(truths[0].id, "007");
+  EXPECT_EQ(truths[0].protocol, "full");
+  EXPECT_THAT(truths[0].causes, ElementsAre("arc_lobing"));
+  EXPECT_EQ(truths[0].visible, 9.5);
+  EXPECT_THAT(truths[0].lookAlikes, ElementsAre("arc_ellipticity", "gravity_sag"));
+  EXPECT_FALSE(truths[1].visible);
+  EXPECT_THAT(truths[1].misread, ElementsAre(MisreadCell{0, 1, 6, 1, ReadingKind::Vertical},
+                                             MisreadCell{180, 2, 13, 2, ReadingKind::Horizontal}));
+  EXPECT_THAT(truths[2].causes, ElementsAre("collimation", "arc_lobing"));
+  EXPECT_EQ(truths[2].intersection, 2);
+}
+
+TEST(SealedTruth, NamesTheTruthAndTheKeyThatAreWrong) {
+  EXPECT_THAT(problemOf("[1, 2]"), HasSubstr("no JSON object"));
+  EXPECT_THAT(problemOf("{"), HasSubstr("no JSON object"));
+  EXPECT_THAT(problemOf(R"({"a1": {"kind": "none"}})"), HasSubstr("“a1”: intersection_mm"));
+  EXPECT_THAT(problemOf(R"({"a1": {"kind": 3, "intersection_mm": 0}})"), HasSubstr("“a1”: kind"));
+  EXPECT_THAT(problemOf(R"({"a1": 5})"), HasSubstr("“a1”"));
+  EXPECT_THAT(problemOf(R"({"a1": {"kind": "none", "intersection_mm": 0, "blunders": [[0]]}})"),
+              HasSubstr("blunders"));
+}
+
+TEST(SealedTruth, IsMadeOfASimulatedTruth) {
+  Truth truth = drawTruth(4);
+  truth.protocol = "full";
+  addEffect(truth, "arc_lobing=0.1,0.02");
+  const SealedTruth seal =
+      sealed("4", truth, Visibility{.sigma = 8, .lookAlikes = {{"gravity_sag", 0.9, 3}}});
+  EXPECT_EQ(seal.kind, "arc_lobing");
+  EXPECT_EQ(seal.intersection, truth.intersection);
+  EXPECT_EQ(seal.visible, 8);
+  EXPECT_THAT(seal.lookAlikes, ElementsAre("gravity_sag"));
+  EXPECT_THAT(seal.misread, IsEmpty());
+}
+
+// The same truth by way of its file.
+TEST(SealedTruth, IsTheSameByWayOfAFile) {
+  Truth truth = drawTruth(4);
+  truth.protocol = "full";
+  addEffect(truth, "gross_error=180,2,3,1,60,0");
+  addEffect(truth, "gross_error=0,1,5,2,0,-30");
+  const SealedTruth seal = sealed("4", truth, std::nullopt);
+  const SealedTruth read = readSealedTruths(truthJson("4", truth))->front();
+  EXPECT_EQ(read.kind, "gross_error");
+  EXPECT_EQ(read.misread, seal.misread);
+  EXPECT_EQ(read.causes, seal.causes);
+  EXPECT_EQ(read.intersection, seal.intersection);
+}
+
+}  // namespace
+}  // namespace alidade
