@@ -15,6 +15,8 @@
 #include "ui/charts/residual_chart.h"
 #include "ui/commands/add_position.h"
 #include "ui/commands/apply_changes.h"
+#include "ui/commands/change_effects.h"
+#include "ui/commands/change_field.h"
 #include "ui/commands/edit_readings.h"
 #include "ui/forms/field_binding.h"
 #include "ui/forms/field_form.h"
@@ -22,6 +24,7 @@
 #include "ui/panels/budget_panel.h"
 #include "ui/panels/effects_panel.h"
 #include "ui/panels/findings_panel.h"
+#include "ui/panels/gap_panel.h"
 #include "ui/panels/page_tabs.h"
 #include "ui/panels/position_tabs.h"
 #include "ui/panels/readings_table.h"
@@ -30,6 +33,7 @@
 #include "ui/panels/suspect_bar.h"
 #include "ui/panels/two_faces_panel.h"
 #include "ui/settings/theme.h"
+#include "ui/text/cause_text.h"
 
 namespace alidade::ui {
 
@@ -78,6 +82,7 @@ MainWindow::~MainWindow() {
   m_document.disconnect(this);
   m_document.undoStack().disconnect();
   m_job.disconnect(this);
+  m_gapJob.disconnect(this);
   delete takeCentralWidget();
 }
 
@@ -121,7 +126,8 @@ QWidget* MainWindow::createResultColumn() {
 PageTabs* MainWindow::createFigures() {
   auto* pages = new PageTabs;
   m_effects = new EffectsPanel(m_document);
-  pages->addPage(new ResultPanel, tr("Result"));
+  m_result = new ResultPanel;
+  pages->addPage(m_result, tr("Result"));
   pages->addPage(new BudgetPanel, tr("Budget"));
   pages->addPage(m_effects, tr("Effects"));
   return pages;
@@ -133,6 +139,8 @@ PageTabs* MainWindow::createDetails() {
   auto* reliability = new ReliabilityPanel;
   auto* faces = new TwoFacesPanel;
   pages->addPage(residuals, tr("Residuals"));
+  m_gap = new GapPanel;
+  pages->addPage(m_gap, tr("Gap"), [](const Evaluation&) {});
   pages->addPage(reliability, tr("Reliability"));
   pages->addPage(faces, tr("Two Faces"),
                  [](const Evaluation& evaluation) { return evaluation.twoFaces.has_value(); });
@@ -149,6 +157,8 @@ void MainWindow::connectParts() {
   connect(&m_document, &SessionDocument::changed, this, [this](const SessionChange& change) {
     m_lastChange = change.place;
     m_suspects->setStale();
+    m_gap->setStale();
+    m_gapJob.cancel();
     m_job.request(m_document.session());
   });
   connect(&m_document, &SessionDocument::identityChanged, this, &MainWindow::showTitle);
@@ -165,6 +175,7 @@ void MainWindow::connectParts() {
   connect(m_positions, &PositionTabs::rowEntered, m_arcChart, &ArcChart::setHighlighted);
   connect(m_arcChart, &ArcChart::sightingActivated, this, &MainWindow::selectReading);
   connectSuspects();
+  connectGap();
 }
 
 void MainWindow::connectSuspects() {
@@ -176,11 +187,40 @@ void MainWindow::connectSuspects() {
             applyChanges(m_document, changes, undoText);
             reveal(changes.front().where);
           });
-  connect(m_suspects, &SuspectBar::exclusionWanted, this, [this](const Place& place) {
+  connect(m_suspects, &SuspectBar::exclusionWanted, this, &MainWindow::excludeRow);
+}
+
+void MainWindow::connectGap() {
+  connect(&m_job, &FitJob::evaluated, &m_gapJob, &GapJob::request);
+  connect(&m_gapJob, &GapJob::assessed, this, &MainWindow::showGap);
+  connect(m_gap, &GapPanel::watched, &m_gapJob, &GapJob::setWatched);
+  connect(m_gap, &GapPanel::placeActivated, this, [this](const Place& place) { reveal(place); });
+  connect(m_gap, &GapPanel::exclusionWanted, this, &MainWindow::excludeRow);
+  connect(m_gap, &GapPanel::effectsWanted, this, [this](const QStringList& ids) {
     commitPending();
-    ReadingsEditor(m_document, *place.position).setExcluded({*place.reading}, true);
-    reveal(place);
+    std::vector<std::string> effects;
+    for (const QString& id : ids) effects.push_back(id.toStdString());
+    addEffects(m_document, effects);
+    m_gap->setFocus();
   });
+  connect(m_gap, &GapPanel::effectUnwanted, this, [this](const QString& id) {
+    commitPending();
+    setEffect(m_document, id.toStdString(), false);
+    m_gap->setFocus();
+  });
+  connect(m_gap, &GapPanel::relationWanted, this, [this](const QString& text) {
+    commitPending();
+    changeField(m_document, {.field = "model.vertical_angle"}, text.toStdString());
+    m_gap->setFocus();
+  });
+  connect(m_result, &ResultPanel::gapActivated, this,
+          [this] { m_details->showPage(m_details->indexOf(m_gap)); });
+}
+
+void MainWindow::excludeRow(const Place& place) {
+  commitPending();
+  ReadingsEditor(m_document, *place.position).setExcluded({*place.reading}, true);
+  reveal(place);
 }
 
 void MainWindow::selectReading(std::size_t position, std::size_t row) {
@@ -213,6 +253,13 @@ void MainWindow::showSuspects(const SharedEvaluation& evaluation) {
   m_positions->setEvaluation(*evaluation);
   m_suspects->setEvaluation(*evaluation);
   m_findings->setEvaluation(*evaluation);
+}
+
+void MainWindow::showGap(const SharedGap& gap) {
+  m_gap->setGap(gap);
+  m_details->setTabIcon(m_details->indexOf(m_gap),
+                        gap->isOpen() ? themeIcon(QStringLiteral("warning")) : QIcon());
+  m_result->setGapHint(gap->isOpen() ? gapHeadline(*gap->diagnosis) : QString());
 }
 
 void MainWindow::markForms() {

@@ -8,6 +8,7 @@
 #include "ui/document/reading_column.h"
 #include "ui/document/session_document.h"
 #include "ui/jobs/fit_job.h"
+#include "ui/jobs/gap_job.h"
 
 class QTabWidget;
 
@@ -16,9 +17,11 @@ namespace alidade::ui {
 class ArcChart;
 class EffectsPanel;
 class FindingsPanel;
+class GapPanel;
 class PageTabs;
 class PositionTabs;
 class ReadingsTable;
+class ResultPanel;
 class SuspectBar;
 class WindowActions;
 
@@ -34,6 +37,7 @@ class MainWindow : public QMainWindow {
   SessionDocument& document() { return m_document; }
   FileFlow& files() { return m_files; }
   FitJob& job() { return m_job; }
+  GapJob& gapJob() { return m_gapJob; }
   ReadingsTable* currentTable() const;
 
   /// Leads to an entry: its tab, its row, and the keyboard where `takeFocus`.
@@ -61,10 +65,13 @@ class MainWindow : public QMainWindow {
   PageTabs* createDetails();
   void connectParts();
   void connectSuspects();
+  void connectGap();
+  void excludeRow(const Place& place);
   void selectReading(std::size_t position, std::size_t row);
   void showTitle();
   void showEvaluation(const SharedEvaluation& evaluation);
   void showSuspects(const SharedEvaluation& evaluation);
+  void showGap(const SharedGap& gap);
   void markForms();
   void revealField(const Place& place, bool takeFocus);
   void restoreLayout();
@@ -74,6 +81,7 @@ class MainWindow : public QMainWindow {
   SessionDocument m_document;
   FileFlow m_files;
   FitJob m_job;
+  GapJob m_gapJob;
   Place m_lastChange;
   WindowActions* m_actions = nullptr;
   QTabWidget* m_forms = nullptr;
@@ -84,6 +92,8 @@ class MainWindow : public QMainWindow {
   PageTabs* m_figures = nullptr;  ///< beside the picture: narrow pages of figures
   PageTabs* m_details = nullptr;  ///< below it: charts and tables of single readings
   EffectsPanel* m_effects = nullptr;
+  ResultPanel* m_result = nullptr;
+  GapPanel* m_gap = nullptr;
 };
 
 }  // namespace alidade::ui

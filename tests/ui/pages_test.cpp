@@ -178,8 +178,8 @@ TEST(Pages, AreReachedByTheKeyboard) {
   const QList<PageTabs*> tabs = open->pageTabs();
   QTest::keyClick(open.window.get(), Qt::Key_2, Qt::ControlModifier);
   EXPECT_EQ(tabs[0]->currentIndex(), 1);
-  QTest::keyClick(open.window.get(), Qt::Key_5, Qt::ControlModifier);
-  EXPECT_EQ(tabs[1]->currentIndex(), 1);
+  QTest::keyClick(open.window.get(), Qt::Key_6, Qt::ControlModifier);
+  EXPECT_EQ(tabs[1]->currentIndex(), 2);
   EXPECT_TRUE(qobject_cast<DataTable*>(QApplication::focusWidget()));
 }
 

@@ -35,4 +35,18 @@ void setEffect(SessionDocument& document, const std::string& id, bool isEstimate
   document.undoStack().push(new ChangeEffects(document, std::move(effects), text.arg(effectName(id))));
 }
 
+void addEffects(SessionDocument& document, const std::vector<std::string>& ids) {
+  std::vector<std::string> effects = document.session().model.effects;
+  QStringList names;
+  for (const std::string& id : ids) {
+    if (std::find(effects.begin(), effects.end(), id) != effects.end()) continue;
+    effects.push_back(id);
+    names.append(effectName(id));
+  }
+  if (names.isEmpty()) return;
+  const QString text = QCoreApplication::translate("ChangeEffects", "Estimate %1");
+  document.undoStack().push(
+      new ChangeEffects(document, std::move(effects), text.arg(names.join(QStringLiteral(", ")))));
+}
+
 }  // namespace alidade::ui

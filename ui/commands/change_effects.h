@@ -25,4 +25,7 @@ class ChangeEffects : public QUndoCommand {
 /// others stay, unknown ones included.
 void setEffect(SessionDocument& document, const std::string& id, bool isEstimated);
 
+/// Adds those of `ids` that are not estimated yet, in one step.
+void addEffects(SessionDocument& document, const std::vector<std::string>& ids);
+
 }  // namespace alidade::ui

@@ -35,9 +35,9 @@ int DataModel::columnCount(const QModelIndex& parent) const {
 
 QVariant DataModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
-  if (role == Qt::TextAlignmentRole) return QVariant(Qt::AlignRight | Qt::AlignVCenter);
-  if (role != Qt::DisplayRole) return {};
-  return m_columns[static_cast<std::size_t>(index.column())].text(index.row());
+  const DataColumn& column = m_columns[static_cast<std::size_t>(index.column())];
+  if (role == Qt::TextAlignmentRole) return QVariant(column.alignment | Qt::AlignVCenter);
+  return role == Qt::DisplayRole ? column.text(index.row()) : QVariant();
 }
 
 QVariant DataModel::headerData(int section, Qt::Orientation orientation, int role) const {

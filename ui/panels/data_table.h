@@ -13,6 +13,7 @@ struct DataColumn {
   QString title, toolTip;
   QString sample;  ///< a wide text, for the width
   std::function<QString(int row)> text;
+  Qt::Alignment alignment = Qt::AlignRight;  ///< words are better to the left
 };
 
 class DataModel : public QAbstractTableModel {

@@ -47,6 +47,7 @@ ResultPanel::ResultPanel(QWidget* parent)
       m_badgeIcon(new QLabel),
       m_badge(new QLabel),
       m_sentence(wrappedLabel()),
+      m_gapHint(wrappedLabel()),
       m_arcs(new FigureGrid),
       m_compare(new QCheckBox(tr("&Compare with published method"))),
       m_comparison(new QWidget),
@@ -75,6 +76,7 @@ ResultPanel::ResultPanel(QWidget* parent)
   badgeRow->addWidget(m_badge, 1);
   layout->addLayout(badgeRow);
   layout->addWidget(m_sentence);
+  layout->addWidget(m_gapHint);
   layout->addWidget(panelHeading(tr("Arcs")));
   layout->addWidget(m_arcs);
   layout->addSpacing(8);
@@ -92,6 +94,10 @@ ResultPanel::ResultPanel(QWidget* parent)
   layout->addStretch();
   setWidget(content);
   m_comparison->hide();
+  m_gapHint->setObjectName(QStringLiteral("gap hint"));
+  m_gapHint->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
+  connect(m_gapHint, &QLabel::linkActivated, this, &ResultPanel::gapActivated);
+  setGapHint({});
   connect(m_compare, &QCheckBox::toggled, m_comparison, &QWidget::setVisible);
   settleWidth();
   setEvaluation({});
@@ -99,6 +105,11 @@ ResultPanel::ResultPanel(QWidget* parent)
 
 void ResultPanel::setComparisonShown(bool shown) {
   m_compare->setChecked(shown);
+}
+
+void ResultPanel::setGapHint(const QString& headline) {
+  m_gapHint->setVisible(!headline.isEmpty());
+  m_gapHint->setText(tr("Model and readings disagree: <a href=\"gap\">%1</a>").arg(headline.toHtmlEscaped()));
 }
 
 void ResultPanel::setEvaluation(const Evaluation& evaluation) {
@@ -115,8 +126,10 @@ void ResultPanel::settleWidth() {
   m_arcs->setRows({tr("0°"), tr("180°")}, {{tr("Sightings used"), {figure, figure}}});
   const QMargins margins = widget()->layout()->contentsMargins();
   const int bar = verticalScrollBar()->sizeHint().width();
-  setMinimumWidth(m_arcs->minimumSizeHint().width() + margins.left() + margins.right() + bar +
-                  2 * frameWidth());
+  const int value =
+      QFontMetrics(m_value->font()).horizontalAdvance(QStringLiteral("Δd = −2.167 ± 0.042 mm")) + 4;
+  setMinimumWidth(std::max(value, m_arcs->minimumSizeHint().width()) + margins.left() + margins.right() +
+                  bar + 2 * frameWidth());
 }
 
 void ResultPanel::showHeadline(const Evaluation& evaluation) {

@@ -21,6 +21,11 @@ class ResultPanel : public QScrollArea {
 
   void setEvaluation(const Evaluation& evaluation);
   void setComparisonShown(bool shown);
+  /// Says that model and readings disagree, with a link; empty: says nothing.
+  void setGapHint(const QString& headline);
+
+ signals:
+  void gapActivated();
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -41,6 +46,7 @@ class ResultPanel : public QScrollArea {
   QLabel* m_badgeIcon;
   QLabel* m_badge;
   QLabel* m_sentence;
+  QLabel* m_gapHint;
   class FigureGrid* m_arcs;
   QCheckBox* m_compare;
   QWidget* m_comparison;

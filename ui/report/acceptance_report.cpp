@@ -6,8 +6,10 @@
 #include <QPainter>
 #include <QPdfWriter>
 #include <QSaveFile>
+#include <memory>
 
 #include "core/session/session_file.h"
+#include "ui/report/report_gap.h"
 #include "ui/report/report_plots.h"
 #include "ui/report/report_readings.h"
 #include "ui/report/report_sheet.h"
@@ -50,9 +52,11 @@ bool paintReport(QBuffer& buffer, const Evaluation& evaluation, const ReportSour
   writer.setTitle(QStringLiteral("Acceptance report: ") + sessionName(evaluation, source));
   writer.setCreator(QStringLiteral("Alidade " ALIDADE_VERSION));
   ReportSheet sheet(writer, frameFor(evaluation, source, options));
-  const bool methodIsInFront = addSummary(sheet, evaluation, options.date);
+  const Gap gap = assessGap(std::make_shared<const Evaluation>(evaluation));
+  const bool methodIsInFront = addSummary(sheet, gap, options.date);
   addPlots(sheet, evaluation);
   addReadings(sheet, evaluation);
+  addGap(sheet, gap);
   if (!methodIsInFront) addMethod(sheet, evaluation);
   QPainter painter;
   if (!painter.begin(&writer)) return false;

@@ -21,10 +21,10 @@ struct ReportOptions {
   QDateTime date = QDateTime::currentDateTime();  ///< printed on each page
 };
 
-/// Writes the acceptance report, an A4 PDF of vectors and embedded fonts (PDF/A-1b): result and verdict, both
-/// plots, every reading. It is also written where there is no result; then it says why and carries no
-/// verdict. The file is replaced only when all is written. Answers with the path, or says why it could not be
-/// written. Needs a QApplication, on any platform plugin, and its thread.
+/// Writes the acceptance report, an A4 PDF of vectors and embedded fonts (PDF/A-1b): result and verdict, what
+/// the diagnosis of the gap says, both plots, every reading. It is also written where there is no result;
+/// then it says why and carries no verdict. The file is replaced only when all is written. Answers with the
+/// path, or says why it could not be written. Needs a QApplication, on any platform plugin, and its thread.
 Result<QString> writeAcceptanceReport(const Evaluation& evaluation, const ReportSource& source,
                                       const QString& outPath, const ReportOptions& options = {});
 

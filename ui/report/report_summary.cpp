@@ -4,6 +4,7 @@
 
 #include "ui/report/report_facts.h"
 #include "ui/report/report_result.h"
+#include "ui/text/cause_text.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/quantity_text.h"
 
@@ -42,11 +43,12 @@ void addSuspects(ReportSheet& sheet, const std::vector<Suspect>& suspects, const
     sheet.paragraph(QStringLiteral("– and %1 more.").arg(suspects.size() - mostSuspects), style, indent);
 }
 
-void addFindings(ReportSheet& sheet, const Evaluation& evaluation) {
+void addFindings(ReportSheet& sheet, const Gap& gap) {
+  const Evaluation& evaluation = *gap.evaluation;
   const SessionFit& fit = evaluation.fit;
   const auto misread = suspectsFinding(evaluation.suspects);
   sheet.heading(QStringLiteral("Findings"));
-  if (fit.findings.empty()) {
+  if (fit.findings.empty() && !gap.isOpen()) {
     sheet.paragraph(fit.intersection ? QStringLiteral("None: nothing in the data speaks against the result.")
                                      : notStated());
   }
@@ -60,6 +62,15 @@ void addFindings(ReportSheet& sheet, const Evaluation& evaluation) {
                     indent);
     if (finding == misread) addSuspects(sheet, evaluation.suspects, findingStyle, indent);
   }
+  if (!gap.isOpen()) return;
+  const QString says =
+      gap.isNoiseAlone()
+          ? gapSentence(gap)
+          : QStringLiteral("Model and readings disagree. %1: see “Gap between model and readings”.")
+                .arg(gapHeadline(*gap.diagnosis));
+  sheet.keepTogether(sheet.lineHeight(findingStyle));
+  sheet.text(severityName(Severity::Warning), findingStyle.inBold(), 0, sheet.y(), indent);
+  sheet.paragraph(says, findingStyle, indent);
 }
 
 QString methodText(const Evaluation& evaluation) {
@@ -102,13 +113,14 @@ double methodHeight(const ReportSheet& sheet, const Evaluation& evaluation) {
 
 }  // namespace
 
-bool addSummary(ReportSheet& sheet, const Evaluation& evaluation, const QDateTime& date) {
+bool addSummary(ReportSheet& sheet, const Gap& gap, const QDateTime& date) {
+  const Evaluation& evaluation = *gap.evaluation;
   addTitle(sheet, evaluation.session);
   addFacts(sheet, evaluation, date);
   addVerdict(sheet, evaluation);
   addProblems(sheet, evaluation);
   addResult(sheet, evaluation);
-  addFindings(sheet, evaluation);
+  addFindings(sheet, gap);
   if (!evaluation.session.notes.empty()) {
     sheet.heading(QStringLiteral("Notes"));
     sheet.paragraph(QString::fromStdString(evaluation.session.notes));

@@ -11,6 +11,7 @@
 #include "core/session/session_file.h"
 #include "tests/ui/report/printed.h"
 #include "tests/ui/support.h"
+#include "ui/text/cause_text.h"
 #include "ui/text/quantity_text.h"
 
 namespace alidade::ui {
@@ -43,6 +44,26 @@ TEST(AcceptanceReport, PrintsTheModelEffectsThatWereEstimatedAlong) {
   EXPECT_TRUE(report.contains("Model effects"));
   EXPECT_TRUE(report.text().contains(row)) << row.toStdString() << report.text().toStdString();
   EXPECT_FALSE(Printed(paperSession()).contains("Model effects"));
+}
+
+TEST(AcceptanceReport, TellsTheGapAndItsCause) {
+  const QString folder = QStringLiteral(ALIDADE_REFERENCE_DIR "/trials/sessions/");
+  Session session = *loadSession((folder + QStringLiteral("117223.alidade")).toStdString());  // gravity sag
+  const Diagnosis diagnosis = *diagnose(*examine(session).measurement);
+  const Printed report(session);
+  EXPECT_TRUE(report.contains("Gap between model and readings"));
+  EXPECT_TRUE(report.contains("One cause: gravity sag."));
+  for (const QString& text :
+       {parameterText(diagnosis.causes[0], diagnosis.causes[0].parameters[0]),
+        QStringLiteral("as modelled ") + arcsecText(diagnosis.gap.rms, 2), estimateText(diagnosis.before),
+        QStringLiteral("with gravity sag, if added ") + arcsecText(diagnosis.after.rms, 2),
+        estimateText(diagnosis.afterwards)})
+    EXPECT_TRUE(report.text().contains(text)) << text.toStdString() << report.text().toStdString();
+  EXPECT_TRUE(Printed(paperSession()).page(0).contains(QStringLiteral("caused by noise larger than stated")));
+  session.model.effects = {"gravity_sag"};
+  EXPECT_TRUE(Printed(session).contains("with gravity sag, in the model"));
+  const Session clean = *loadSession((folder + QStringLiteral("827247.alidade")).toStdString());
+  EXPECT_FALSE(Printed(clean).contains("Gap between")) << "there is none";
 }
 
 TEST(AcceptanceReport, NamesTheReadingsThatLookMisread) {
@@ -141,6 +162,7 @@ TEST(AcceptanceReport, ExplainsTheMethodWhereverThereIsRoom) {
   Session session = paperSession();
   EXPECT_TRUE(Printed(session).contains("orthogonal least squares"));
   session.notes.clear();
+  session.acceptance.referenceIntersectionMm.clear();  // and with it a finding
   EXPECT_TRUE(Printed(session).page(0).contains(QStringLiteral("tan e = y/√(x² + L²) (exact)")));
   session.notes = std::string(4000, 'n');
   session.model.verticalAngle = "planar";

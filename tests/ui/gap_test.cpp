@@ -1,0 +1,329 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTest>
+#include <map>
+#include <stdexcept>
+
+#include "core/session/session_file.h"
+#include "tests/ui/support.h"
+#include "ui/charts/gap_map.h"
+#include "ui/charts/gap_waterfall.h"
+#include "ui/main_window.h"
+#include "ui/panels/data_table.h"
+#include "ui/panels/gap_panel.h"
+#include "ui/panels/page_tabs.h"
+#include "ui/panels/readings_table.h"
+#include "ui/text/cause_text.h"
+#include "ui/text/quantity_text.h"
+
+namespace alidade::ui {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using Ids = std::vector<std::string>;
+
+// Sessions of an independent ray tracer; what was put in is in its truth.json.
+const char *collimationTrial = "241926", *slipTrial = "251468", *jumpTrial = "358092", *noiseTrial = "573871",
+           *harmonicTrial = "159128", *lobingAndDriftTrial = "629105", *cleanTrial = "827247",
+           *relationTrial = "987447", *sagTrial = "117223", *tiltTrial = "878035";
+
+QString trialPath(const char* name) {
+  return QStringLiteral(ALIDADE_REFERENCE_DIR "/trials/sessions/%1.alidade").arg(QString::fromLatin1(name));
+}
+
+/// The window on a session with the page of the gap in front.
+struct GapBench {
+  explicit GapBench(const QString& path) {
+    if (!open->files().open(path)) throw std::runtime_error("cannot open " + path.toStdString());
+    QTest::keyClick(open.window.get(), Qt::Key_5, Qt::ControlModifier);
+    settle();
+  }
+  explicit GapBench(const char* trial) : GapBench(trialPath(trial)) {}
+
+  void settle() {
+    open.settle();
+    if (!waitFor([this] { return open->gapJob().isIdle(); })) throw std::runtime_error("no diagnosis");
+    QCoreApplication::processEvents();
+  }
+  GapPanel* page() { return open->findChild<GapPanel*>(); }
+  const Ids& effects() { return open->document().session().model.effects; }
+  QPushButton* button(const char* name) {
+    auto* found = page()->findChild<QPushButton*>(QString::fromLatin1(name));
+    return found && found->isVisibleTo(page()) ? found : nullptr;
+  }
+  void press(const char* name) {
+    QPushButton* found = button(name);
+    ASSERT_TRUE(found) << name;
+    ASSERT_TRUE(found->isEnabled()) << name;
+    found->setFocus();
+    QTest::keyClick(found, Qt::Key_Space);
+    settle();
+  }
+  std::string shown() {
+    QString texts;
+    for (const QLabel* label : page()->findChildren<QLabel*>())
+      if (label->isVisibleTo(page())) texts += label->text() + QLatin1Char('\n');
+    return texts.toStdString();
+  }
+  std::string bars() { return page()->findChild<GapWaterfall*>()->accessibleDescription().toStdString(); }
+  std::string map() { return page()->findChild<GapMap*>()->accessibleDescription().toStdString(); }
+  DataTable* candidates() { return page()->findChild<DataTable*>(); }
+  QString candidate(int row, int column) {
+    return candidates()->model()->index(row, column).data().toString();
+  }
+  QLabel* hint() { return open->findChild<QLabel*>(QStringLiteral("gap hint")); }
+
+  OpenWindow open;
+};
+
+struct Told {
+  const char* trial;
+  const char* headline;
+};
+
+class GapVerdict : public testing::TestWithParam<Told> {};
+
+TEST_P(GapVerdict, IsTheTruthOfTheTrial) {
+  GapBench bench(GetParam().trial);
+  EXPECT_THAT(bench.shown(), HasSubstr(std::string(GetParam().headline) + "\n"));
+  EXPECT_THAT(bench.shown(), Not(HasSubstr("_"))) << "names, not ids";
+}
+
+INSTANTIATE_TEST_SUITE_P(Trials, GapVerdict,
+                         testing::Values(Told{sagTrial, "One cause: gravity sag"},
+                                         Told{collimationTrial, "One of 2 causes that look alike here"},
+                                         Told{slipTrial, "One cause: misread values"},
+                                         Told{jumpTrial, "One cause: a jump of the orientation"},
+                                         Told{noiseTrial, "One cause: noise larger than stated"},
+                                         Told{harmonicTrial, "A gap of no known cause"},
+                                         Told{lobingAndDriftTrial, "2 causes"},
+                                         Told{cleanTrial, "No gap: within the noise"},
+                                         Told{relationTrial, "One cause: the vertical angle relation"}),
+                         [](const auto& told) { return "Of" + std::string(told.param.trial); });
+
+TEST(Gap, ShowsWhatTheDiagnosisSays) {
+  GapBench bench(lobingAndDriftTrial);
+  const Diagnosis diagnosis = *diagnose(*examine(bench.open->document().session()).measurement);
+  ASSERT_EQ(diagnosis.causes.size(), 2u);
+  for (const Cause& cause : diagnosis.causes)
+    for (const CauseParameter& parameter : cause.parameters)
+      EXPECT_THAT(bench.shown(), HasSubstr(parameterText(cause, parameter).toStdString()));
+  EXPECT_THAT(bench.shown(), HasSubstr(estimateText(diagnosis.before).toStdString() + "\n" +
+                                       estimateText(diagnosis.afterwards).toStdString() + "\n"));
+  for (const GapStep& step : diagnosis.steps)
+    EXPECT_THAT(bench.bars(), HasSubstr("rms " + numberText(step.size.rms, 2).toStdString() + "″, χ²/f " +
+                                        numberText(step.size.reducedChiSquare, 2).toStdString()));
+  for (const Advice& advice : diagnosis.advice) EXPECT_THAT(bench.shown(), HasSubstr(advice.measure));
+  ASSERT_EQ(bench.candidates()->model()->rowCount(), static_cast<int>(diagnosis.candidates.size()));
+  EXPECT_EQ(bench.candidate(0, 0), causeTitle(diagnosis.candidates[0].effect));
+  EXPECT_EQ(bench.candidate(0, 1), numberText(diagnosis.candidates[0].logBayesFactor, 1));
+  EXPECT_THAT(bench.map(), HasSubstr("stays with: "));
+  EXPECT_THAT(bench.map(), HasSubstr("along the arc: 0…30° "));
+}
+
+TEST(Gap, AddsACauseToTheModelWithOneKeyAndShowsBeforeAndAfter) {
+  GapBench bench(sagTrial);
+  const std::string before =
+      estimateText(diagnose(*examine(bench.open->document().session()).measurement)->before).toStdString();
+  bench.press("add gravity_sag");
+  EXPECT_THAT(bench.effects(), ElementsAre("gravity_sag"));
+  EXPECT_THAT(bench.shown(), HasSubstr("No gap: within the noise\n"));
+  EXPECT_THAT(bench.bars(), testing::StartsWith("without model effects: "));
+  EXPECT_THAT(bench.bars(), HasSubstr("in the model: gravity sag: "));
+  const Intersection after = evaluate(bench.open->document().session()).fit.intersection.value();
+  EXPECT_THAT(bench.shown(),
+              HasSubstr("before\nas modelled\nΔd ± U  mm\n" + before + "\n" +
+                        valueWithUncertainty(after.value, after.expanded, {}).trimmed().toStdString()));
+  EXPECT_FALSE(bench.button("add gravity_sag"));
+  EXPECT_TRUE(bench.page()->hasFocus()) << "the keyboard stays on the page";
+}
+
+TEST(Gap, WhatWasAddedIsUndoneRedoneAndSaved) {
+  GapBench bench(sagTrial);
+  const Session original = bench.open->document().session();
+  bench.press("add gravity_sag");
+  EXPECT_EQ(bench.open->document().undoStack().undoText(), QStringLiteral("Estimate gravity sag"));
+  QTemporaryDir folder;
+  const QString path = folder.filePath(QStringLiteral("added.alidade"));
+  ASSERT_FALSE(bench.open->document().save(path));
+  EXPECT_THAT(loadSession(path.toStdString())->model.effects, ElementsAre("gravity_sag"));
+  bench.open->undo();
+  bench.settle();
+  EXPECT_EQ(bench.open->document().session(), original);
+  EXPECT_THAT(bench.shown(), HasSubstr("One cause: gravity sag\n"));
+  bench.open->redo();
+  bench.settle();
+  bench.press("remove gravity_sag");
+  EXPECT_THAT(bench.effects(), IsEmpty());
+}
+
+TEST(Gap, AddsAllThatLookAlikeInOneStep) {
+  GapBench bench(tiltTrial);
+  const Diagnosis diagnosis = *diagnose(*examine(bench.open->document().session()).measurement);
+  const Cause& cause = diagnosis.causes.front();
+  ASSERT_EQ(cause.indistinguishableFrom.size(), 3u);
+  bench.press("add group");
+  Ids group{cause.effect};
+  group.insert(group.end(), cause.indistinguishableFrom.begin(), cause.indistinguishableFrom.end());
+  EXPECT_EQ(bench.effects(), group);
+  EXPECT_EQ(bench.open->document().undoStack().count(), 1);
+  EXPECT_GT(evaluate(bench.open->document().session()).fit.intersection->expanded,
+            2 * diagnosis.steps[0].intersection->expanded)
+      << "what they differ by is in U";
+}
+
+TEST(Gap, AddsACandidateFromTheTable) {
+  GapBench bench(collimationTrial);
+  EXPECT_TRUE(bench.button("add candidate")->text().contains(bench.candidate(0, 0).toLower()));
+  bench.candidates()->setFocus();
+  QTest::keyClick(bench.candidates(), Qt::Key_Down);
+  const QString second = bench.candidate(1, 0);
+  EXPECT_EQ(bench.candidate(1, 3), QStringLiteral("look-alike"));
+  bench.press("add candidate");
+  ASSERT_EQ(bench.effects().size(), 1u);
+  EXPECT_EQ(causeTitle(bench.effects()[0]), second);
+}
+
+TEST(Gap, SetsTheVerticalAngleRelationRight) {
+  GapBench bench(relationTrial);
+  bench.press("relation");
+  EXPECT_EQ(bench.open->document().session().model.verticalAngle, "planar");
+  EXPECT_THAT(bench.shown(), HasSubstr("No gap: within the noise\n"));
+  bench.open->undo();
+  bench.settle();
+  bench.press("add vertical_angle_relation");
+  EXPECT_THAT(bench.shown(), HasSubstr("No gap: within the noise\n"));
+}
+
+TEST(Gap, LeadsToAMisreadValueAndExcludesItsRow) {
+  GapBench bench(slipTrial);
+  EXPECT_THAT(bench.shown(), HasSubstr("0°, point 11, horizontal: off by +29.0″\n"));
+  EXPECT_FALSE(bench.button("add gross_error"));
+  bench.press("go to reading");
+  EXPECT_EQ(bench.open->currentTable()->currentIndex().row(), 10);
+  bench.press("exclude row");
+  EXPECT_TRUE(bench.open->document().session().positions[0].readings[10].excluded);
+  EXPECT_EQ(bench.open->document().undoStack().count(), 1);
+  EXPECT_THAT(bench.shown(), HasSubstr("No gap: within the noise\n"));
+}
+
+TEST(Gap, SaysWhatToDoWhereNothingCanBeAdded) {
+  {
+    GapBench bench(jumpTrial);
+    EXPECT_THAT(bench.shown(), HasSubstr("It happened before 0°, row 35"));
+    bench.press("go to jump");
+    EXPECT_EQ(bench.open->currentTable()->currentIndex().row(), 34);
+  }
+  {
+    GapBench bench(noiseTrial);
+    EXPECT_THAT(bench.shown(), HasSubstr("Nothing to add to the model"));
+  }
+  GapBench bench(harmonicTrial);
+  EXPECT_THAT(bench.shown(), HasSubstr("“radius along the guideway”"));
+}
+
+TEST(Gap, SaysWhatIsMissingWhereThereIsNothingToDiagnose) {
+  OpenWindow open;
+  QTest::keyClick(open.window.get(), Qt::Key_5, Qt::ControlModifier);
+  ASSERT_TRUE(waitFor([&] { return open->gapJob().isIdle(); }));
+  const auto* page = open->findChild<GapPanel*>();
+  const auto says = [page](const char* text) {
+    for (const QLabel* label : page->findChildren<QLabel*>())
+      if (label->isVisibleTo(page) && label->text().contains(QString::fromUtf8(text))) return true;
+    return false;
+  };
+  EXPECT_TRUE(says("There is nothing to compare yet"));
+  EXPECT_FALSE(page->findChild<GapWaterfall*>()->isVisibleTo(page));
+}
+
+TEST(Gap, OfThreeReadingsIsNone) {
+  Session session = paperSession();
+  for (Position& position : session.positions) position.readings.resize(3);
+  const Gap gap = assessGap(std::make_shared<const Evaluation>(evaluateFit(session)));
+  EXPECT_FALSE(gap.diagnosis);
+  EXPECT_THAT(gap.reason, HasSubstr("leave nothing over"));
+}
+
+TEST(Gap, IsToldWhileThePageIsHidden) {
+  OpenWindow open;
+  ASSERT_TRUE(open->files().open(trialPath(sagTrial)));
+  open.settle();
+  ASSERT_TRUE(waitFor([&] { return open->gapJob().isIdle(); }));
+  auto* hint = open->findChild<QLabel*>(QStringLiteral("gap hint"));
+  EXPECT_FALSE(hint->isHidden());
+  EXPECT_TRUE(hint->text().contains(QStringLiteral("One cause: gravity sag")));
+  auto* page = open->findChild<GapPanel*>();
+  PageTabs* tabs = open->pageTabs()[1];
+  EXPECT_FALSE(tabs->tabIcon(tabs->indexOf(page)).isNull());
+  emit hint->linkActivated(QStringLiteral("gap"));
+  EXPECT_EQ(tabs->currentWidget(), page);
+
+  ASSERT_TRUE(open->files().open(trialPath(cleanTrial)));
+  open.settle();
+  ASSERT_TRUE(waitFor([&] { return open->gapJob().isIdle(); }));
+  EXPECT_TRUE(hint->isHidden());
+  EXPECT_TRUE(tabs->tabIcon(tabs->indexOf(page)).isNull());
+}
+
+TEST(Gap, PartsAddUpToOne) {
+  for (const char* trial : {collimationTrial, slipTrial, harmonicTrial}) {
+    const auto session = loadSession(trialPath(trial).toStdString());
+    const Gap gap = assessGap(std::make_shared<const Evaluation>(evaluateFit(*session)));
+    std::map<std::string, double> sums;
+    for (const GapShare& share : gap.diagnosis->where) sums[share.by] += share.share;
+    for (const auto& [by, sum] : sums) EXPECT_NEAR(sum, 1, 1e-9) << by;  // rounding of a few dozen terms
+  }
+}
+
+TEST(GapJob, DeliversTheNewestAndForgetsWhatWasCancelled) {
+  GapJob job;
+  job.setWatched(true);
+  std::vector<std::string> titles;
+  QObject::connect(&job, &GapJob::assessed, [&](const SharedGap& gap) {
+    titles.push_back(gap->evaluation->session.title);
+    EXPECT_TRUE(gap->diagnosis);
+  });
+  Session session = paperSession();
+  for (int i = 0; i < 20; ++i) {
+    session.title = std::to_string(i);
+    job.request(std::make_shared<const Evaluation>(evaluateFit(session)));
+    QCoreApplication::processEvents();
+  }
+  ASSERT_TRUE(waitFor([&] { return job.isIdle(); }));
+  EXPECT_EQ(titles.back(), "19");
+  const std::size_t delivered = titles.size();
+  job.request(std::make_shared<const Evaluation>(evaluateFit(session)));
+  job.cancel();
+  QTest::qWait(50);
+  EXPECT_EQ(titles.size(), delivered);
+}
+
+TEST(GapJob, WaitsForRestUnlessWatched) {
+  GapJob job;
+  int delivered = 0;
+  QObject::connect(&job, &GapJob::assessed, [&] { ++delivered; });
+  job.request(std::make_shared<const Evaluation>(evaluateFit(blankSession())));
+  QTest::qWait(GapJob::restMilliseconds / 5);
+  EXPECT_EQ(delivered, 0);
+  job.setWatched(true);
+  ASSERT_TRUE(waitFor([&] { return delivered == 1; }));
+  EXPECT_TRUE(job.isIdle());
+}
+
+TEST(CauseText, NamesEverythingADiagnosisMayName) {
+  for (const std::string& id : diagnosableEffects()) {
+    EXPECT_FALSE(causeName(id).contains(u'_')) << id;
+    EXPECT_TRUE(causeTitle(id).at(0).isUpper()) << id;
+    EXPECT_EQ(inWords("by " + id + "."), QStringLiteral("by ") + causeName(id) + u'.');
+  }
+}
+
+}  // namespace
+}  // namespace alidade::ui

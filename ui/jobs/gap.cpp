@@ -1,0 +1,106 @@
+#include "ui/jobs/gap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/effects/catalogue.h"
+
+namespace alidade::ui {
+
+namespace {
+
+/// Root mean square of a figure of the circle readings, arcseconds.
+template <typename Square>
+double rmsOf(const JointFit& fit, Square square) {
+  double sum = 0;
+  int count = 0;
+  for (const AdjustedReading& reading : fit.readings) {
+    if (reading.kind == ReadingKind::Slider) continue;
+    sum += square(reading);
+    ++count;
+  }
+  return count > 0 ? Angle::fromRadians(std::sqrt(sum / count)).arcseconds() : 0;
+}
+
+GapStage stageOf(const SessionFit& fit) {
+  const auto square = [](const AdjustedReading& reading) { return reading.residual * reading.residual; };
+  const double f = fit.joint.degreesOfFreedom;
+  GapStage stage{.rms = rmsOf(fit.joint, square),
+                 .reducedChiSquare = f > 0 ? fit.joint.chiSquare / f : 0,
+                 .intersection = {}};
+  if (const auto& found = fit.intersection)
+    stage.intersection = IntersectionEstimate{found->value, found->sigma, found->expanded};
+  return stage;
+}
+
+/// Empty: there is something to diagnose.
+std::string reasonForNone(const Evaluation& evaluation) {
+  const SessionFit& fit = evaluation.fit;
+  if (fit.arcs.empty())
+    return "There is nothing to compare yet: type the distance L, the radius R0, a pointing zero and at "
+           "least "
+           "four readings of its arc.";
+  if (fit.joint.degreesOfFreedom <= 0)
+    return "These readings fix the arc and leave nothing over. Type further readings: each of them shows how "
+           "far "
+           "the model holds.";
+  return {};
+}
+
+/// The bare model, then one more effect of the session's at a time.
+std::vector<GapStage> modelledStages(const Evaluation& evaluation) {
+  std::vector<GapStage> stages;
+  Measurement measurement = *evaluation.examined.measurement;
+  const std::vector<std::string> effects = std::exchange(measurement.effects, {});
+  const auto isKnown = [](const std::string& id) { return effectById(id) != nullptr; };
+  const auto known = std::count_if(effects.begin(), effects.end(), isKnown);
+  if (known > 0) stages.push_back(stageOf(fitSession(measurement)));
+  for (const std::string& id : effects) {
+    if (!isKnown(id)) continue;
+    measurement.effects.push_back(id);
+    const bool isLast = static_cast<std::ptrdiff_t>(measurement.effects.size()) == known;
+    stages.push_back(stageOf(isLast ? evaluation.fit : fitSession(measurement)));
+    stages.back().kind = GapStage::Kind::InModel;
+    stages.back().effect = id;
+  }
+  if (known == 0) stages.push_back(stageOf(evaluation.fit));
+  return stages;
+}
+
+}  // namespace
+
+const GapStage& Gap::asModelled() const {
+  const auto isModelled = [](const GapStage& stage) { return stage.kind != GapStage::Kind::Proposed; };
+  return *std::find_if(stages.rbegin(), stages.rend(), isModelled);
+}
+
+bool Gap::isNoiseAlone() const {
+  return isOpen() && diagnosis->causes.size() == 1 &&
+         diagnosis->causes.front().effect == "underestimated_noise";
+}
+
+Gap assessGap(SharedEvaluation evaluation) {
+  Gap gap{.evaluation = std::move(evaluation), .diagnosis = {}, .reason = {}, .stages = {}};
+  gap.reason = reasonForNone(*gap.evaluation);
+  if (!gap.reason.empty()) return gap;
+  Result<Diagnosis> diagnosis = diagnose(*gap.evaluation->examined.measurement);
+  if (!diagnosis) {
+    gap.reason = diagnosis.problem().what;
+    return gap;
+  }
+  gap.stages = modelledStages(*gap.evaluation);
+  for (const GapStep& step : diagnosis->steps)
+    gap.stages.push_back({.kind = GapStage::Kind::Proposed,
+                          .effect = step.effect,
+                          .rms = step.size.rms,
+                          .reducedChiSquare = step.size.reducedChiSquare,
+                          .intersection = step.intersection});
+  gap.noiseRms = rmsOf(gap.evaluation->fit.joint, [](const AdjustedReading& reading) {
+    return reading.redundancy * reading.sigma * reading.sigma;
+  });
+  gap.diagnosis = *std::move(diagnosis);
+  return gap;
+}
+
+}  // namespace alidade::ui

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/diagnosis/diagnosis.h"
+#include "ui/jobs/fit_job.h"
+
+namespace alidade::ui {
+
+/// What a fit leaves over with one more effect in the model than in the stage before.
+struct GapStage {
+  enum class Kind {
+    Bare,      ///< without the effects of the session's model
+    InModel,   ///< an effect of the session's model
+    Proposed,  ///< a cause that was found
+  };
+
+  Kind kind = Kind::Bare;
+  std::string effect = {};  ///< id; empty for Bare
+  double rms = 0;           ///< of the circle readings, arcseconds
+  double reducedChiSquare = 0;
+  std::optional<IntersectionEstimate> intersection;
+};
+
+/// The gap between model and readings of one evaluation: a plain value that page and report show alike.
+struct Gap {
+  SharedEvaluation evaluation;
+  std::optional<Diagnosis> diagnosis;
+  std::string reason;            ///< why there is no diagnosis: a sentence
+  std::vector<GapStage> stages;  ///< with a diagnosis: from the bare model to that with the causes
+  double noiseRms = 0;           ///< rms that the stated noise leaves, arcseconds
+
+  /// The stage of the session as it is: the last that is not proposed.
+  const GapStage& asModelled() const;
+  /// A gap that the session's model does not account for.
+  bool isOpen() const { return diagnosis && diagnosis->verdict != DiagnosisVerdict::WithinNoise; }
+  /// Nothing but noise larger than stated.
+  bool isNoiseAlone() const;
+};
+
+/// Diagnoses the evaluation. Takes many times as long as a fit.
+Gap assessGap(SharedEvaluation evaluation);
+
+}  // namespace alidade::ui

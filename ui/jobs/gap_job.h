@@ -1,0 +1,47 @@
+#pragma once
+
+#include <QFutureWatcher>
+#include <QObject>
+#include <QThreadPool>
+#include <QTimer>
+#include <memory>
+
+#include "ui/jobs/gap.h"
+
+namespace alidade::ui {
+
+/// Views may keep it as long as they like.
+using SharedGap = std::shared_ptr<const Gap>;
+
+/// Diagnoses evaluations in the background, one at a time; the newest wins, and what a newer request has
+/// overtaken is not delivered. At once while somebody watches, otherwise when the session has come to rest.
+class GapJob : public QObject {
+  Q_OBJECT
+
+ public:
+  static constexpr int restMilliseconds = 500;
+
+  explicit GapJob(QObject* parent = nullptr);
+  ~GapJob() override;
+
+  void request(SharedEvaluation evaluation);
+  /// Forgets what was requested: the session has changed.
+  void cancel();
+  void setWatched(bool watched);
+  bool isIdle() const { return !m_wanted; }  ///< nothing is still to be delivered
+
+ signals:
+  void assessed(const alidade::ui::SharedGap& gap);
+
+ private:
+  void start();
+  void finish();
+
+  QThreadPool m_threads;
+  QFutureWatcher<SharedGap> m_work;
+  QTimer m_rest;
+  SharedEvaluation m_wanted;  ///< null where nothing is
+  bool m_isWatched = false, m_isAtWork = false;
+};
+
+}  // namespace alidade::ui

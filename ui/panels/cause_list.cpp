@@ -1,0 +1,190 @@
+#include "ui/panels/cause_list.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <algorithm>
+
+#include "core/effects/catalogue.h"
+#include "ui/settings/theme.h"
+#include "ui/text/cause_text.h"
+#include "ui/text/effect_text.h"
+#include "ui/text/entry_text.h"
+#include "ui/text/quantity_text.h"
+#include "ui/text/spoken_place.h"
+
+namespace alidade::ui {
+
+namespace {
+
+QString probabilityText(double probability) {
+  if (probability > 0.9995) return CauseList::tr("certain");
+  return numberText(100 * probability, probability > 0.99 ? 1 : 0) + QStringLiteral(" %");
+}
+
+QString capitalised(QString text) {
+  text.replace(0, 1, text.at(0).toUpper());
+  return text;
+}
+
+QString parametersText(const Cause& cause) {
+  QStringList texts;
+  for (const CauseParameter& parameter : cause.parameters)
+    if (parameter.sigma > 0) texts.append(parameterText(cause, parameter));
+  return texts.join(QStringLiteral(", "));
+}
+
+}  // namespace
+
+CauseList::CauseList(QWidget* parent) : QWidget(parent), m_layout(new QVBoxLayout(this)) {
+  m_layout->setContentsMargins(0, 0, 0, 0);
+  m_layout->setSpacing(3);
+}
+
+void CauseList::setGap(const Gap& gap) {
+  while (QLayoutItem* item = m_layout->takeAt(0)) {
+    delete item->widget();
+    delete item;
+  }
+  m_buttons = nullptr;
+  if (!gap.diagnosis) return;
+  for (const Cause& cause : gap.diagnosis->causes) addCause(gap, cause);
+  if (gap.diagnosis->shape) addShape(*gap.diagnosis->shape);
+  for (const GapStage& stage : gap.stages)
+    if (stage.kind == GapStage::Kind::InModel) addEffectOfModel(gap, stage.effect);
+}
+
+void CauseList::addTitle(const QString& text, const QString& figure) {
+  m_buttons = nullptr;
+  auto* row = new QWidget;
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(0, m_layout->isEmpty() ? 0 : 8, 0, 0);
+  auto* title = new QLabel(text);
+  QFont bold = title->font();
+  bold.setBold(true);
+  title->setFont(bold);
+  auto* beside = new QLabel(figure);
+  beside->setToolTip(tr("Probability that it is among the causes"));
+  beside->setForegroundRole(QPalette::PlaceholderText);
+  layout->addWidget(title);
+  layout->addStretch();
+  layout->addWidget(beside);
+  m_layout->addWidget(row);
+}
+
+void CauseList::addText(const QString& text, bool isQuiet) {
+  if (text.isEmpty()) return;
+  auto* label = new QLabel(text);
+  label->setWordWrap(true);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  if (isQuiet) label->setForegroundRole(QPalette::PlaceholderText);
+  m_layout->addWidget(label);
+}
+
+QPushButton* CauseList::addButton(const QString& text, const QString& name) {
+  if (!m_buttons) {
+    auto* row = new QWidget;
+    m_buttons = new QHBoxLayout(row);
+    m_buttons->setContentsMargins(0, 2, 0, 0);
+    m_buttons->addStretch();
+    m_layout->addWidget(row);
+  }
+  auto* button = new QPushButton(text);
+  button->setObjectName(name);
+  button->setAutoDefault(true);
+  m_buttons->insertWidget(m_buttons->count() - 1, button);
+  return button;
+}
+
+void CauseList::addCause(const Gap& gap, const Cause& cause) {
+  addTitle(causeTitle(cause.effect), probabilityText(cause.probability));
+  addText(parametersText(cause));
+  if (const Effect* effect = effectById(cause.effect))
+    addText(capitalised(qText(std::string(effect->description))) + u'.', true);
+  if (!cause.indistinguishableFrom.empty() && gap.diagnosis->causes.size() > 1)
+    addText(
+        tr("These readings cannot tell it from %1.").arg(causeNames(cause.indistinguishableFrom, tr("or"))));
+  if (cause.effect == "gross_error") return addMisreadings(cause);
+  if (cause.effect == "orientation_jump") return addJump(gap, cause);
+  if (cause.effect == "underestimated_noise")
+    return addText(
+        tr("Nothing to add to the model: U rests on the scatter of the readings already. If the "
+           "instrument and the place are no better than this, state the larger σ."));
+  addCatalogueButtons(gap, cause);
+}
+
+void CauseList::addCatalogueButtons(const Gap& gap, const Cause& cause) {
+  const QString id = qText(cause.effect);
+  if (cause.effect == "vertical_angle_relation") {
+    const bool isPlanar = gap.evaluation->examined.measurement->relation == VerticalAngleRelation::Planar;
+    QPushButton* relation =
+        addButton(isPlanar ? tr("Take &exact vertical angles") : tr("Take planar v&ertical angles"),
+                  QStringLiteral("relation"));
+    relation->setToolTip(
+        tr("Sets the relation of the vertical angle in the form of the measurement: no "
+           "effect has to be estimated then"));
+    connect(relation, &QPushButton::clicked, this, [this, isPlanar] {
+      emit relationWanted(isPlanar ? QStringLiteral("exact") : QStringLiteral("planar"));
+    });
+  }
+  QPushButton* add = addButton(tr("&Add to the model"), QStringLiteral("add ") + id);
+  add->setToolTip(tr("Estimates %1 along with the arcs; undone by Ctrl+Z").arg(causeName(cause.effect)));
+  add->setAccessibleName(tr("Add %1 to the model").arg(causeName(cause.effect)));
+  connect(add, &QPushButton::clicked, this, [this, id] { emit effectsWanted({id}); });
+  if (cause.indistinguishableFrom.empty()) return;
+  QStringList all{id};
+  for (const std::string& other : cause.indistinguishableFrom) all.append(qText(other));
+  QPushButton* group = addButton(tr("Add a&ll %1").arg(all.size()), QStringLiteral("add group"));
+  group->setToolTip(
+      tr("Estimates all that look alike here, each within its plausible size: U then covers "
+         "whichever it is"));
+  connect(group, &QPushButton::clicked, this, [this, all] { emit effectsWanted(all); });
+}
+
+void CauseList::addMisreadings(const Cause& cause) {
+  for (const BlamedReading& reading : cause.readings) {
+    m_buttons = nullptr;
+    addText(blamedText(reading));
+    const Place place = placeOf(reading);
+    connect(addButton(tr("&Go to the reading"), QStringLiteral("go to reading")), &QPushButton::clicked, this,
+            [this, place] { emit placeActivated(place); });
+    QPushButton* exclude = addButton(tr("E&xclude the row"), QStringLiteral("exclude row"));
+    exclude->setToolTip(tr("Leaves the row out of the fit; what was typed stays"));
+    connect(exclude, &QPushButton::clicked, this, [this, place] { emit exclusionWanted(place); });
+  }
+}
+
+/// No model of a session holds a jump.
+void CauseList::addJump(const Gap& gap, const Cause& cause) {
+  const std::optional<Place> place = jumpPlace(gap, cause);
+  if (!place) return;
+  const Session& session = gap.evaluation->session;
+  const QString row = spokenPlace(session, {.position = place->position, .reading = place->reading});
+  addText(tr("It happened before %1. The model of a session holds no jump: sight the pointing zero again and "
+             "measure again from there, as a new session if more than this position is touched.")
+              .arg(row));
+  connect(addButton(tr("&Go to the reading"), QStringLiteral("go to jump")), &QPushButton::clicked, this,
+          [this, place = *place] { emit placeActivated(place); });
+}
+
+void CauseList::addShape(const GapShape& shape) {
+  addTitle(tr("Shape of the gap"), numberText(100 * shape.share, 0) + QStringLiteral(" %"));
+  addText(tr("It follows the pattern “%1”, which takes up %2 % of the gap. No effect of the catalogue makes "
+             "it, so nothing can be added to the model: look at what in the set-up has this shape.")
+              .arg(qText(shape.follows), numberText(100 * shape.share, 0)));
+}
+
+void CauseList::addEffectOfModel(const Gap& gap, const std::string& id) {
+  addTitle(causeTitle(id), tr("in the model"));
+  const auto& estimates = gap.evaluation->fit.effects;
+  Cause cause{.effect = id, .parameters = {}, .indistinguishableFrom = {}, .readings = {}};
+  for (const EffectEstimate& estimate : estimates)
+    if (estimate.effect == id)
+      cause.parameters.push_back({estimate.name, estimate.value, estimate.sigma, estimate.unit});
+  addText(parametersText(cause));
+  QPushButton* remove = addButton(tr("&Take out of the model"), QStringLiteral("remove ") + qText(id));
+  remove->setAccessibleName(tr("Take %1 out of the model").arg(causeName(id)));
+  connect(remove, &QPushButton::clicked, this, [this, id] { emit effectUnwanted(qText(id)); });
+}
+
+}  // namespace alidade::ui

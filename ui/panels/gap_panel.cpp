@@ -1,0 +1,340 @@
+#include "ui/panels/gap_panel.h"
+
+#include <QEvent>
+#include <QGridLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "core/effects/catalogue.h"
+#include "ui/charts/gap_map.h"
+#include "ui/charts/gap_waterfall.h"
+#include "ui/panels/cause_list.h"
+#include "ui/panels/data_table.h"
+#include "ui/panels/figure_grid.h"
+#include "ui/settings/theme.h"
+#include "ui/text/cause_text.h"
+#include "ui/text/entry_text.h"
+#include "ui/text/quantity_text.h"
+
+namespace alidade::ui {
+
+namespace {
+
+constexpr int twoColumnsFrom = 620;
+
+QLabel* wrappedLabel() {
+  auto* label = new QLabel;
+  label->setWordWrap(true);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  return label;
+}
+
+/// Widgets under a heading, as one block of the page.
+QWidget* block(const QString& heading, std::initializer_list<QWidget*> parts) {
+  auto* frame = new QWidget;
+  auto* layout = new QVBoxLayout(frame);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(4);
+  layout->addWidget(panelHeading(heading));
+  for (QWidget* part : parts) layout->addWidget(part);
+  layout->addStretch();
+  return frame;
+}
+
+State stateOf(const Gap* gap) {
+  if (!gap || !gap->diagnosis) return State::Quiet;
+  if (gap->diagnosis->verdict == DiagnosisVerdict::WithinNoise) return State::Good;
+  return gap->diagnosis->verdict == DiagnosisVerdict::NotInCatalogue ? State::Bad : State::Open;
+}
+
+QString iconOf(const Gap* gap) {
+  switch (stateOf(gap)) {
+    case State::Good:
+      return QStringLiteral("accept");
+    case State::Bad:
+      return QStringLiteral("problem");
+    case State::Open:
+      return QStringLiteral("warning");
+    case State::Quiet:
+      break;
+  }
+  return QStringLiteral("none");
+}
+
+}  // namespace
+
+GapPanel::GapPanel(QWidget* parent)
+    : QScrollArea(parent),
+      m_grid(nullptr),
+      m_icon(new QLabel),
+      m_headline(wrappedLabel()),
+      m_sentence(wrappedLabel()),
+      m_causes(new CauseList),
+      m_waterfall(new GapWaterfall),
+      m_result(new FigureGrid),
+      m_shrinkage(wrappedLabel()),
+      m_map(new GapMap),
+      m_candidates(nullptr),
+      m_add(nullptr),
+      m_next(wrappedLabel()),
+      m_unseen(new FigureGrid),
+      m_unseenNote(wrappedLabel()) {
+  setAccessibleName(tr("Gap between model and readings"));
+  setWidgetResizable(true);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setFocusPolicy(Qt::StrongFocus);
+  auto* content = new QWidget;
+  m_grid = new QGridLayout(content);
+  m_grid->setContentsMargins(10, 8, 10, 8);
+  m_grid->setHorizontalSpacing(22);
+  m_grid->setVerticalSpacing(6);
+  m_shrinkage->setForegroundRole(QPalette::PlaceholderText);
+  m_unseenNote->setForegroundRole(QPalette::PlaceholderText);
+  m_blocks = {createHeadline(),
+              block(tr("Causes"), {m_causes}),
+              block(tr("Before and after"), {m_waterfall, m_result, m_shrinkage}),
+              block(tr("Where it lies"), {m_map}),
+              createCandidates(),
+              block(tr("What to measure next"), {m_next}),
+              block(tr("What would go unseen"), {m_unseen, m_unseenNote})};
+  setWidget(content);
+  arrange(true);
+  connect(m_causes, &CauseList::effectsWanted, this, &GapPanel::effectsWanted);
+  connect(m_causes, &CauseList::effectUnwanted, this, &GapPanel::effectUnwanted);
+  connect(m_causes, &CauseList::relationWanted, this, &GapPanel::relationWanted);
+  connect(m_causes, &CauseList::placeActivated, this, &GapPanel::placeActivated);
+  connect(m_causes, &CauseList::exclusionWanted, this, &GapPanel::exclusionWanted);
+  showVerdict();
+}
+
+QWidget* GapPanel::createHeadline() {
+  QFont large = font();
+  large.setPointSizeF(large.pointSizeF() * 1.25);
+  large.setBold(true);
+  m_headline->setFont(large);
+  auto* frame = new QWidget;
+  auto* layout = new QGridLayout(frame);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setVerticalSpacing(3);
+  layout->addWidget(m_icon, 0, 0);
+  layout->addWidget(m_headline, 0, 1);
+  layout->addWidget(m_sentence, 1, 0, 1, 2);
+  layout->setColumnStretch(1, 1);
+  return frame;
+}
+
+QWidget* GapPanel::createCandidates() {
+  const auto of = [this](auto text) {
+    return [this, text](int row) { return candidate(row) ? text(*candidate(row)) : QString(); };
+  };
+  m_candidates = new DataTable({
+      {tr("Effect"), tr("What may cause the gap"), tr("Vertical angle relation"),
+       of([](const Candidate& c) { return causeTitle(c.effect); }), Qt::AlignLeft},
+      {tr("ln B"),
+       tr("Natural logarithm of the Bayes factor against no effect at all: above 0 it explains the readings "
+          "better, above 5 far better, below 0 worse"),
+       QStringLiteral("−8888.8"), of([](const Candidate& c) { return numberText(c.logBayesFactor, 1); })},
+      {tr("Visible σ"), tr("How much of the readings it explains, in σ of one reading"),
+       QStringLiteral("888.8"), of([](const Candidate& c) { return numberText(c.visibleSigma, 1); })},
+      {tr("Role"), tr("What the diagnosis makes of it"), tr("look-alike"), of([this](const Candidate& c) {
+         for (const Cause& cause : m_gap->diagnosis->causes) {
+           if (cause.effect == c.effect) return tr("cause");
+           const auto& alike = cause.indistinguishableFrom;
+           if (std::find(alike.begin(), alike.end(), c.effect) != alike.end()) return tr("look-alike");
+         }
+         return isInModel(c.effect) ? tr("in the model") : QString();
+       }),
+       Qt::AlignLeft},
+  });
+  m_candidates->setAccessibleName(tr("Candidates"));
+  m_candidates->setSelectionMode(QAbstractItemView::SingleSelection);
+  m_candidates->horizontalHeader()->setStretchLastSection(true);
+  m_candidates->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  m_candidates->setMinimumHeight(9 * (fontMetrics().height() + 5));
+  m_candidates->setPlaceholder(tr("No candidates."));
+  m_add = new QPushButton;
+  m_add->setObjectName(QStringLiteral("add candidate"));
+  connect(m_candidates->selectionModel(), &QItemSelectionModel::currentChanged, this,
+          &GapPanel::showCandidate);
+  connect(m_add, &QPushButton::clicked, this, &GapPanel::addCandidate);
+  return block(tr("Candidates, each by itself"), {m_candidates, m_add});
+}
+
+/// Two columns where there is room for them, else one below the other.
+void GapPanel::arrange(bool inTwoColumns) {
+  m_grid->setColumnStretch(0, inTwoColumns ? 5 : 1);
+  m_grid->setColumnStretch(1, inTwoColumns ? 6 : 0);
+  for (int i = 0; i < m_blocks.size(); ++i) {
+    if (i == 0) {
+      m_grid->addWidget(m_blocks[i], 0, 0, 1, inTwoColumns ? 2 : 1);
+    } else if (inTwoColumns) {
+      m_grid->addWidget(m_blocks[i], 1 + (i - 1) / 2, (i - 1) % 2);
+    } else {
+      m_grid->addWidget(m_blocks[i], i, 0);
+    }
+  }
+}
+
+void GapPanel::setGap(const SharedGap& gap) {
+  m_gap = gap;
+  widget()->setEnabled(true);
+  showVerdict();
+  if (!gap->diagnosis) return;
+  m_causes->setGap(*gap);
+  m_waterfall->setGap(*gap);
+  m_map->setShares(gap->diagnosis->where);
+  showEffectOnResult();
+  showShrinkage();
+  m_candidates->setRows(static_cast<int>(gap->diagnosis->candidates.size()));
+  if (!m_candidates->currentIndex().isValid()) m_candidates->selectDataRows({0});
+  showCandidate();
+  showNext();
+  showUnseen();
+}
+
+void GapPanel::setStale() {
+  m_causes->setEnabled(false);
+  m_add->setEnabled(false);
+}
+
+void GapPanel::showVerdict() {
+  const Gap* gap = m_gap.get();
+  const bool says = gap && gap->diagnosis;
+  m_icon->setPixmap(themeIcon(iconOf(gap)).pixmap(22, 22));
+  m_headline->setText(says ? gapHeadline(*gap->diagnosis) : tr("No diagnosis"));
+  m_sentence->setText(says  ? gapSentence(*gap)
+                      : gap ? qText(gap->reason)
+                            : tr("The readings are compared with the model as soon as there are any."));
+  colorVerdict();
+  for (int i = 1; i < m_blocks.size(); ++i) m_blocks[i]->setVisible(says);
+  if (!says) return;
+  m_causes->setEnabled(true);
+  const bool hasCauses = !gap->diagnosis->causes.empty() || gap->diagnosis->shape || gap->stages.size() > 1;
+  m_blocks[1]->setVisible(hasCauses);
+  m_blocks[3]->setVisible(gap->isOpen());
+}
+
+void GapPanel::colorVerdict() {
+  QPalette colored = palette();
+  colored.setColor(QPalette::WindowText, stateColor(palette(), stateOf(m_gap.get())));
+  m_headline->setPalette(colored);
+}
+
+/// Δd side by side: without the effects of the model, as modelled, with the causes.
+void GapPanel::showEffectOnResult() {
+  const Diagnosis& diagnosis = *m_gap->diagnosis;
+  const GapStage &bare = m_gap->stages.front(), &modelled = m_gap->asModelled();
+  QStringList titles, values;
+  const auto add = [&](const QString& title, const std::optional<IntersectionEstimate>& estimate) {
+    titles.append(title);
+    values.append(estimateText(estimate));
+  };
+  if (&bare != &modelled) add(tr("before"), bare.intersection);
+  add(tr("as modelled"), modelled.intersection);
+  if (!diagnosis.steps.empty()) add(tr("with the causes"), diagnosis.afterwards);
+  m_result->setRows(titles, {{tr("Δd ± U  mm"), values,
+                              tr("Before: without the effects of the model. With the causes: averaged over "
+                                 "what looks alike, each as likely as it is")}});
+}
+
+void GapPanel::showShrinkage() {
+  const Diagnosis& diagnosis = *m_gap->diagnosis;
+  QStringList says;
+  if (!diagnosis.steps.empty() && diagnosis.shrink.inSample > 0.005)
+    says.append(tr("The residuals shrink by %1 %, by %2 % on readings held out of the fit.")
+                    .arg(numberText(100 * diagnosis.shrink.inSample, 0),
+                         numberText(100 * diagnosis.shrink.heldOut, 0)));
+  const bool isAmbiguous = diagnosis.verdict == DiagnosisVerdict::Ambiguous;
+  if (isAmbiguous)
+    says.append(
+        tr("Δd with the causes is averaged over all that look alike, each as likely as it is; the "
+           "first alone would state a U that is too small."));
+  m_shrinkage->setText(says.join(u' '));
+  m_shrinkage->setVisible(!says.isEmpty());
+}
+
+void GapPanel::showNext() {
+  const Diagnosis& diagnosis = *m_gap->diagnosis;
+  const bool separates = diagnosis.verdict == DiagnosisVerdict::Ambiguous;
+  QStringList lines;
+  for (const Advice& advice : diagnosis.advice) {
+    const QString figure = numberText(advice.bySigma, 1);
+    const QString what = causeNames(advice.separates, tr("and"));
+    lines.append(QStringLiteral("• <b>%1</b>: ").arg(qText(advice.measure).toHtmlEscaped()) +
+                 (separates ? tr("separates %1 by %2 σ or more").arg(what, figure)
+                            : tr("would show %1 by %2 σ or more").arg(what, figure)));
+  }
+  m_next->setTextFormat(Qt::RichText);
+  m_next->setText(lines.isEmpty() ? tr("No further reading of the usual kinds would tell more.")
+                                  : lines.join(QStringLiteral("<br>")));
+}
+
+/// What a plausible size would do to Δd; what is nothing beside U is left out.
+void GapPanel::showUnseen() {
+  const Diagnosis& diagnosis = *m_gap->diagnosis;
+  const double expanded = diagnosis.before ? diagnosis.before->expanded : 0;
+  QVector<FigureGrid::Row> rows;
+  for (const UnseenEffect& effect : diagnosis.unseen) {
+    if (effect.influence < 0.02 * expanded || rows.size() == 8) continue;
+    rows.append({causeTitle(effect.effect),
+                 {QStringLiteral("± ") + numberText(effect.influence, decimalsFor(effect.influence)),
+                  numberText(effect.visibleSigma, 1)}});
+  }
+  m_unseen->setVisible(!rows.isEmpty());
+  m_unseen->setRows({tr("moves Δd  mm"), tr("leaves  σ")}, rows);
+  m_unseenNote->setText(
+      rows.isEmpty() ? tr("No effect of plausible size could move Δd noticeably without leaving a trace.")
+                     : tr("At their plausible size, without a clear trace in these readings."));
+}
+
+const Candidate* GapPanel::candidate(int row) const {
+  if (!m_gap || !m_gap->diagnosis || row < 0) return nullptr;
+  const auto& list = m_gap->diagnosis->candidates;
+  return static_cast<std::size_t>(row) < list.size() ? &list[static_cast<std::size_t>(row)] : nullptr;
+}
+
+bool GapPanel::isInModel(const std::string& id) const {
+  const auto& effects = m_gap->evaluation->session.model.effects;
+  return std::find(effects.begin(), effects.end(), id) != effects.end();
+}
+
+/// The button follows the current row.
+void GapPanel::showCandidate() {
+  const Candidate* current = candidate(m_candidates->currentIndex().row());
+  const bool isEffect = current && effectById(current->effect);
+  m_add->setEnabled(isEffect && !isInModel(current->effect));
+  m_add->setText(!current   ? tr("A&dd to the model")
+                 : isEffect ? tr("A&dd %1 to the model").arg(causeName(current->effect))
+                            : tr("%1: nothing to add to the model").arg(causeTitle(current->effect)));
+}
+
+void GapPanel::addCandidate() {
+  if (const Candidate* current = candidate(m_candidates->currentIndex().row()))
+    emit effectsWanted({qText(current->effect)});
+}
+
+void GapPanel::changeEvent(QEvent* event) {
+  QScrollArea::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) colorVerdict();
+}
+
+void GapPanel::resizeEvent(QResizeEvent* event) {
+  QScrollArea::resizeEvent(event);
+  arrange(viewport()->width() >= twoColumnsFrom);
+}
+
+void GapPanel::showEvent(QShowEvent* event) {
+  QScrollArea::showEvent(event);
+  emit watched(true);
+}
+
+void GapPanel::hideEvent(QHideEvent* event) {
+  QScrollArea::hideEvent(event);
+  emit watched(false);
+}
+
+}  // namespace alidade::ui

@@ -1,0 +1,69 @@
+#include "ui/report/report_gap.h"
+
+#include "ui/report/report_table.h"
+#include "ui/text/cause_text.h"
+#include "ui/text/entry_text.h"
+#include "ui/text/quantity_text.h"
+
+namespace alidade::ui {
+
+namespace {
+
+QString stageName(const GapStage& stage, bool isBareModel) {
+  if (stage.kind == GapStage::Kind::Bare)
+    return isBareModel ? QStringLiteral("as modelled") : QStringLiteral("without model effects");
+  if (stage.effect == "gross_error") return QStringLiteral("without the misread values");
+  return (stage.kind == GapStage::Kind::InModel    ? QStringLiteral("with %1, in the model")
+          : stage.effect == "underestimated_noise" ? QStringLiteral("with %1")
+                                                   : QStringLiteral("with %1, if added"))
+      .arg(causeName(stage.effect));
+}
+
+void addStages(ReportSheet& sheet, const Gap& gap) {
+  constexpr auto right = Qt::AlignRight;
+  ReportTable table(sheet, {{QStringLiteral("Model"), 78},
+                            {QStringLiteral("rms"), 20, right},
+                            {QStringLiteral("χ²/f"), 20, right},
+                            {QStringLiteral("Δd ± U (mm)"), 38, right}});
+  table.head();
+  const bool isBareModel = &gap.asModelled() == &gap.stages.front();
+  for (const GapStage& stage : gap.stages)
+    table.row({stageName(stage, isBareModel), arcsecText(stage.rms, 2), numberText(stage.reducedChiSquare, 2),
+               estimateText(stage.intersection)});
+  if (gap.diagnosis->verdict == DiagnosisVerdict::Ambiguous)
+    table.row({QStringLiteral("averaged over the look-alikes"), arcsecText(gap.diagnosis->after.rms, 2),
+               numberText(gap.diagnosis->after.reducedChiSquare, 2),
+               estimateText(gap.diagnosis->afterwards)});
+  table.finish();
+}
+
+/// "Collimation, −3.53 ± 0.17″; probability 79 %."
+QString causeLine(const Cause& cause) {
+  QStringList parts{causeTitle(cause.effect)};
+  for (const CauseParameter& parameter : cause.parameters)
+    if (parameter.sigma > 0) parts.append(parameterText(cause, parameter));
+  for (const BlamedReading& reading : cause.readings) parts.append(blamedText(reading));
+  return parts.join(QStringLiteral("; ")) +
+         QStringLiteral("; probability %1 %.").arg(numberText(100 * cause.probability, 1));
+}
+
+}  // namespace
+
+void addGap(ReportSheet& sheet, const Gap& gap) {
+  if (!gap.diagnosis || gap.isNoiseAlone() || (!gap.isOpen() && gap.stages.size() < 2)) return;
+  sheet.keepTogether(30 + 4.5 * static_cast<double>(gap.stages.size()));
+  sheet.heading(QStringLiteral("Gap between model and readings"));
+  sheet.paragraph(gapHeadline(*gap.diagnosis) + u'.', type::body.inBold());
+  sheet.paragraph(gapSentence(gap));
+  for (const Cause& cause : gap.diagnosis->causes)
+    sheet.paragraph(QStringLiteral("– ") + causeLine(cause), type::body, 3);
+  sheet.skip(1);
+  addStages(sheet, gap);
+  if (gap.isOpen())
+    sheet.paragraph(
+        QStringLiteral("The result of this report is that of the model as it is; nothing was added "
+                       "or left out because of the diagnosis."),
+        type::small);
+}
+
+}  // namespace alidade::ui

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "ui/jobs/gap.h"
+#include "ui/report/report_sheet.h"
+
+namespace alidade::ui {
+
+/// What the diagnosis says: the verdict, each stage of the gap with Δd, and the causes with their numbers.
+/// Nothing where model and readings agree and the model holds no effects, and where there is but noise: that
+/// is told among the findings.
+void addGap(ReportSheet& sheet, const Gap& gap);
+
+}  // namespace alidade::ui

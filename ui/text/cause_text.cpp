@@ -1,0 +1,135 @@
+#include "ui/text/cause_text.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+
+#include "core/effects/catalogue.h"
+#include "ui/text/effect_text.h"
+#include "ui/text/entry_text.h"
+#include "ui/text/quantity_text.h"
+
+namespace alidade::ui {
+
+namespace {
+
+QString translated(const char* text) {
+  return QCoreApplication::translate("Gap", text);
+}
+
+QString circleName(ReadingKind kind) {
+  switch (kind) {
+    case ReadingKind::Horizontal:
+      return translated("horizontal");
+    case ReadingKind::Vertical:
+      return translated("vertical");
+    case ReadingKind::Slider:
+      break;
+  }
+  return translated("slider");
+}
+
+}  // namespace
+
+QString causeName(const std::string& id) {
+  if (id == "orientation_jump") return translated("a jump of the orientation");
+  if (id == "gross_error") return translated("misread values");
+  if (id == "underestimated_noise") return translated("noise larger than stated");
+  if (id == "vertical_angle_relation") return translated("the vertical angle relation");
+  return effectName(id);
+}
+
+QString causeTitle(const std::string& id) {
+  QString name = causeName(id);
+  for (const QString& article : {QStringLiteral("a "), QStringLiteral("the ")})
+    if (name.startsWith(article)) name.remove(0, article.size());
+  name.replace(0, 1, name.at(0).toUpper());
+  return name;
+}
+
+QString causeNames(const std::vector<std::string>& ids, const QString& last) {
+  QString text;
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    if (i > 0) text += i + 1 == ids.size() ? u' ' + last + u' ' : QStringLiteral(", ");
+    text += causeName(ids[i]);
+  }
+  return text;
+}
+
+QString inWords(const std::string& sentence) {
+  QString text = qText(sentence);
+  for (const std::string& id : diagnosableEffects()) text.replace(qText(id), causeName(id));
+  return text;
+}
+
+QString parameterText(const Cause& cause, const CauseParameter& parameter) {
+  const QString unit = unitText(parameter.unit);
+  const QString size = valueWithUncertainty(parameter.value, parameter.sigma, {}).trimmed();
+  const bool isSign = unit == QStringLiteral("″") || unit == QStringLiteral("°");
+  const QString figure = unit.isEmpty() ? size
+                         : isSign       ? QStringLiteral("(%1)%2").arg(size, unit)
+                                        : size + u' ' + unit;
+  const QString name = qText(parameter.name);
+  return effectName(cause.effect).endsWith(name) ? figure : name + u' ' + figure;
+}
+
+QString blamedText(const BlamedReading& reading) {
+  QString text =
+      translated("%1°, point %2, %3").arg(reading.axisDeg).arg(reading.point).arg(circleName(reading.kind));
+  if (reading.round != 1) text += translated(", round %1").arg(reading.round);
+  if (reading.face != 1) text += translated(", face %1").arg(reading.face);
+  return text + translated(": off by %1").arg(signedNumberText(reading.size, 1) + QChar(0x2033));
+}
+
+Place placeOf(const BlamedReading& reading) {
+  const char* field = reading.kind == ReadingKind::Horizontal ? "horizontal"
+                      : reading.kind == ReadingKind::Vertical ? "vertical"
+                                                              : "slider";
+  return {.position = reading.position, .reading = reading.row, .field = field};
+}
+
+std::optional<Place> jumpPlace(const Gap& gap, const Cause& cause) {
+  if (cause.effect != "orientation_jump" || cause.parameters.empty()) return std::nullopt;
+  const auto sequence = static_cast<std::size_t>(cause.parameters.back().value) - 1;
+  for (const ArcMeasurement& arc : gap.evaluation->examined.measurement->arcs)
+    for (const Sighting& sighting : arc.sightings)
+      if (sighting.sequence == sequence)
+        return Place{.position = arc.position, .reading = sighting.row, .field = "horizontal"};
+  return std::nullopt;
+}
+
+QString gapHeadline(const Diagnosis& diagnosis) {
+  switch (diagnosis.verdict) {
+    case DiagnosisVerdict::WithinNoise:
+      return translated("No gap: within the noise");
+    case DiagnosisVerdict::SingleCause:
+      return translated("One cause: %1").arg(causeName(diagnosis.causes.front().effect));
+    case DiagnosisVerdict::Ambiguous:
+      return translated("One of %1 causes that look alike here")
+          .arg(diagnosis.causes.front().indistinguishableFrom.size() + 1);
+    case DiagnosisVerdict::SeveralCauses:
+      return translated("%1 causes").arg(diagnosis.causes.size());
+    case DiagnosisVerdict::NotInCatalogue:
+      break;
+  }
+  return translated("A gap of no known cause");
+}
+
+QString gapSentence(const Gap& gap) {
+  QString text = inWords(gap.diagnosis->sentence);
+  const GapStage& bare = gap.stages.front();
+  if (bare.kind == GapStage::Kind::Bare && &bare != &gap.asModelled()) {
+    std::vector<std::string> effects;
+    for (const GapStage& stage : gap.stages)
+      if (stage.kind == GapStage::Kind::InModel) effects.push_back(stage.effect);
+    text += translated(" The model holds %1; without, the residuals are %2 instead of %3.")
+                .arg(causeNames(effects, translated("and")), arcsecText(bare.rms),
+                     arcsecText(gap.asModelled().rms));
+  }
+  return text;
+}
+
+QString estimateText(const std::optional<IntersectionEstimate>& estimate) {
+  return estimate ? valueWithUncertainty(estimate->value, estimate->expanded, {}).trimmed() : notStated();
+}
+
+}  // namespace alidade::ui

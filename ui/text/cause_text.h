@@ -1,0 +1,38 @@
+#pragma once
+
+#include <QString>
+
+#include "ui/jobs/gap.h"
+
+namespace alidade::ui {
+
+/// Anything a diagnosis may name, as it stands within a sentence: "trunnion tilt", "a jump of the
+/// orientation", "misread values", "noise larger than stated".
+QString causeName(const std::string& id);
+/// With a capital.
+QString causeTitle(const std::string& id);
+/// "a, b or c"; `last` stands before the last one.
+QString causeNames(const std::vector<std::string>& ids, const QString& last);
+
+/// A sentence of the diagnosis with names in the place of ids.
+QString inWords(const std::string& sentence);
+
+/// "sag −0.298 ± 0.009 mm"; just the number where the name says no more than the effect's.
+QString parameterText(const Cause& cause, const CauseParameter& parameter);
+
+/// "0°, point 11, horizontal, off by 29.0″", with round and face where they are not 1.
+QString blamedText(const BlamedReading& reading);
+Place placeOf(const BlamedReading& reading);
+
+/// The row before which the orientation stepped; empty where the cause is no jump.
+std::optional<Place> jumpPlace(const Gap& gap, const Cause& cause);
+
+/// The verdict in a few words: "One cause: collimation".
+QString gapHeadline(const Diagnosis& diagnosis);
+/// The verdict in whole sentences, with what the session's model accounts for already.
+QString gapSentence(const Gap& gap);
+
+/// "−2.1675 ± 0.0421 mm", "—" where there is none.
+QString estimateText(const std::optional<IntersectionEstimate>& estimate);
+
+}  // namespace alidade::ui
