@@ -58,6 +58,16 @@ QWidget* padded(QWidget* content, const QMargins& margins) {
   return frame;
 }
 
+/// The lower one takes all the room that is left.
+QWidget* stacked(QWidget* upper, QWidget* lower) {
+  auto* stack = new QWidget;
+  auto* layout = new QVBoxLayout(stack);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(upper);
+  layout->addWidget(lower, 1);
+  return stack;
+}
+
 }  // namespace
 
 MainWindow::MainWindow(std::unique_ptr<Dialogs> dialogs)
@@ -95,17 +105,10 @@ QWidget* MainWindow::createEntryColumn() {
   m_positions = new PositionTabs(m_document);
   m_findings = new FindingsPanel;
 
-  auto* top = new QWidget;
-  auto* layout = new QVBoxLayout(top);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(m_forms);
-  layout->addWidget(m_positions, 1);
   m_suspects = new SuspectBar;
-  auto* bottom = new QWidget;
-  auto* stack = new QVBoxLayout(bottom);
-  stack->setContentsMargins(0, 0, 0, 0);
-  stack->addWidget(m_suspects);
-  stack->addWidget(m_findings, 1);
+
+  QWidget* top = stacked(m_forms, m_positions);
+  QWidget* bottom = stacked(m_suspects, m_findings);
   QSplitter* column = split(Qt::Vertical, "entries", {top, bottom}, {620, 90});
   column->setStretchFactor(0, 1);
   return padded(column, {6, 6, 0, 6});

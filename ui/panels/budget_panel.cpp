@@ -20,21 +20,15 @@ QString shareText(double part, double whole) {
 }  // namespace
 
 BudgetPanel::BudgetPanel(QWidget* parent)
-    : QScrollArea(parent),
+    : ScrollPage(tr("Budget"), parent),
       m_intersectionTitle(panelHeading(tr("Standard uncertainty of Δd"))),
       m_intersection(new FigureGrid),
       m_centresTitle(panelHeading(tr("Standard uncertainty of the centres  mm"))),
       m_centres(new FigureGrid),
       m_note(new QLabel) {
-  setAccessibleName(tr("Budget"));
-  setWidgetResizable(true);
-  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   m_note->setWordWrap(true);
   m_note->setForegroundRole(QPalette::PlaceholderText);
-  auto* content = new QWidget;
-  auto* layout = new QVBoxLayout(content);
-  layout->setContentsMargins(10, 8, 10, 8);
-  layout->setSpacing(5);
+  QVBoxLayout* layout = column();
   layout->addWidget(m_intersectionTitle);
   layout->addWidget(m_intersection);
   layout->addWidget(m_centresTitle);
@@ -42,7 +36,6 @@ BudgetPanel::BudgetPanel(QWidget* parent)
   layout->addSpacing(6);
   layout->addWidget(m_note);
   layout->addStretch();
-  setWidget(content);
 }
 
 void BudgetPanel::setEvaluation(const Evaluation& evaluation) {

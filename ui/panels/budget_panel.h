@@ -1,8 +1,7 @@
 #pragma once
 
-#include <QScrollArea>
-
 #include "ui/jobs/evaluation.h"
+#include "ui/panels/scroll_page.h"
 
 class QLabel;
 
@@ -12,7 +11,7 @@ class FigureGrid;
 
 /// Where the uncertainty comes from: readings, model effects, pointing zeros and distance, for Δd and for
 /// each coordinate of the centres.
-class BudgetPanel : public QScrollArea {
+class BudgetPanel : public ScrollPage {
   Q_OBJECT
 
  public:

@@ -41,7 +41,7 @@ QString iconOf(const std::optional<Verdict>& verdict) {
 }  // namespace
 
 ResultPanel::ResultPanel(QWidget* parent)
-    : QScrollArea(parent),
+    : ScrollPage(tr("Result"), parent),
       m_value(new QLabel),
       m_valueNote(wrappedLabel()),
       m_badgeIcon(new QLabel),
@@ -52,9 +52,6 @@ ResultPanel::ResultPanel(QWidget* parent)
       m_compare(new QCheckBox(tr("&Compare with published method"))),
       m_comparison(new QWidget),
       m_published(new FigureGrid) {
-  setAccessibleName(tr("Result"));
-  setWidgetResizable(true);
-  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   QFont large = font();
   large.setPointSizeF(large.pointSizeF() * 1.75);
   large.setBold(true);
@@ -65,10 +62,7 @@ ResultPanel::ResultPanel(QWidget* parent)
   badge.setBold(true);
   m_badge->setFont(badge);
 
-  auto* content = new QWidget;
-  auto* layout = new QVBoxLayout(content);
-  layout->setContentsMargins(10, 8, 10, 8);
-  layout->setSpacing(5);
+  QVBoxLayout* layout = column();
   layout->addWidget(m_value);
   layout->addWidget(m_valueNote);
   auto* badgeRow = new QHBoxLayout;
@@ -92,7 +86,6 @@ ResultPanel::ResultPanel(QWidget* parent)
   comparison->addWidget(caution);
   layout->addWidget(m_comparison);
   layout->addStretch();
-  setWidget(content);
   m_comparison->hide();
   m_gapHint->setObjectName(QStringLiteral("gap hint"));
   m_gapHint->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
@@ -261,7 +254,7 @@ void ResultPanel::showComparison(const PublishedSessionFit& published) {
 }
 
 void ResultPanel::changeEvent(QEvent* event) {
-  QScrollArea::changeEvent(event);
+  ScrollPage::changeEvent(event);
   if (event->type() == QEvent::PaletteChange) colorVerdict();
 }
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <QScrollArea>
 #include <optional>
 
 #include "ui/jobs/evaluation.h"
+#include "ui/panels/scroll_page.h"
 
 class QCheckBox;
 class QGridLayout;
@@ -13,7 +13,7 @@ namespace alidade::ui {
 
 /// The result at a glance: Δd ± U and the verdict, then both arcs and, on request, the published method's
 /// figures. Says what is missing where there is no result. All figures can be selected and copied.
-class ResultPanel : public QScrollArea {
+class ResultPanel : public ScrollPage {
   Q_OBJECT
 
  public:
