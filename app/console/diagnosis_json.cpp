@@ -1,6 +1,5 @@
 #include "app/console/diagnosis_json.h"
 
-#include <array>
 #include <nlohmann/json.hpp>
 
 namespace alidade::console {
@@ -14,13 +13,8 @@ Json sizeJson(const GapSize& size) {
 }
 
 Json readingJson(const BlamedReading& reading) {
-  static constexpr std::array<const char*, 3> circles{"horizontal", "vertical", "slider"};
-  return {{"axis_deg", reading.axisDeg},
-          {"round", reading.round},
-          {"point", reading.point},
-          {"face", reading.face},
-          {"circle", circles[static_cast<std::size_t>(reading.kind)]},
-          {"size_arcsec", reading.size}};
+  return {{"axis_deg", reading.axisDeg}, {"round", reading.round},         {"point", reading.point},
+          {"face", reading.face},        {"circle", nameOf(reading.kind)}, {"size_arcsec", reading.size}};
 }
 
 Json causeJson(const Cause& cause) {

@@ -35,11 +35,8 @@ std::string gapText(const Diagnosis& diagnosis) {
 }
 
 std::string readingText(const BlamedReading& reading) {
-  const char* circle = reading.kind == ReadingKind::Horizontal ? "horizontal"
-                       : reading.kind == ReadingKind::Vertical ? "vertical"
-                                                               : "slider";
-  return std::string(circle) + " reading of point " + std::to_string(reading.point) + ", round " +
-         std::to_string(reading.round) + ", face " + std::to_string(reading.face) + " at " +
+  return std::string(nameOf(reading.kind)) + " reading of point " + std::to_string(reading.point) +
+         ", round " + std::to_string(reading.round) + ", face " + std::to_string(reading.face) + " at " +
          std::to_string(reading.axisDeg) + "°, off by " + fixedText(reading.size, 1) + "″";
 }
 

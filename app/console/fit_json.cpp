@@ -66,18 +66,6 @@ Json effectJson(const EffectEstimate& estimate) {
           {"unit", estimate.unit}};
 }
 
-std::string circleName(ReadingKind kind) {
-  switch (kind) {
-    case ReadingKind::Horizontal:
-      return "horizontal";
-    case ReadingKind::Vertical:
-      return "vertical";
-    case ReadingKind::Slider:
-      break;
-  }
-  return "slider";
-}
-
 Json reliabilityJson(const Measurement& measurement, const SessionFit& fit) {
   Json list = Json::array();
   for (const AdjustedReading& reading : fit.joint.readings) {
@@ -89,7 +77,7 @@ Json reliabilityJson(const Measurement& measurement, const SessionFit& fit) {
                     {"round", sighting.round},
                     {"point", sighting.point},
                     {"face", sighting.face},
-                    {"circle", circleName(reading.kind)},
+                    {"circle", nameOf(reading.kind)},
                     {"residual_arcsec", Angle::fromRadians(reading.residual).arcseconds()},
                     {"redundancy", reading.redundancy},
                     {"minimal_detectable_bias_arcsec", reliability.minimalDetectableBias.arcseconds()},
@@ -147,7 +135,7 @@ Json suspectJson(const Suspect& suspect) {
           {"point", suspect.point},
           {"round", suspect.round},
           {"face", suspect.face},
-          {"circle", circleName(suspect.kind)},
+          {"circle", nameOf(suspect.kind)},
           {"size_arcsec", suspect.size.arcseconds()},
           {"studentised", suspect.studentised},
           {"suggestion", suspect.sentence},

@@ -111,28 +111,6 @@ std::vector<std::vector<double>> anglesOfSightings(const Measurement& measuremen
   return angles;
 }
 
-/// A reading of the visit without what the adjustment says of it.
-AdjustedReading readingAt(const Measurement& measurement, const VisitOfArc& visitOfArc, Index row) {
-  const auto& [arc, visit, slider] = visitOfArc;
-  const std::size_t pair = static_cast<std::size_t>(row) / 2;
-  if (pair >= visit.sightings.size()) {
-    const auto index = static_cast<std::size_t>(slider - measurement.arcs[arc].sightings.data());
-    return {.arc = arc,
-            .sighting = index,
-            .kind = ReadingKind::Slider,
-            .sigma = measurement.sigmaSlider.radians()};
-  }
-  if (row % 2 == 0)
-    return {.arc = arc,
-            .sighting = visit.sightings[pair],
-            .kind = ReadingKind::Horizontal,
-            .sigma = measurement.sigmaHorizontal.radians()};
-  return {.arc = arc,
-          .sighting = visit.sightings[pair],
-          .kind = ReadingKind::Vertical,
-          .sigma = measurement.sigmaVertical.radians()};
-}
-
 void fillReadings(JointFit& fit, const Measurement& measurement, const JointProblem& problem,
                   const std::vector<VisitEquations>& all, const MatrixXd& cofactor) {
   const VectorXd gradient = cofactor * intersectionGradient(measurement, fit.unknowns);
@@ -152,7 +130,9 @@ void fillReadings(JointFit& fit, const Measurement& measurement, const JointProb
     for (Index row = 0; row < equations.residual.size(); ++row) {
       const Slots reduced = columns.row(row).transpose();
       const Slots turned = cofactors[arc].lazyProduct(reduced);
-      AdjustedReading reading = readingAt(measurement, problem.visits()[v], row);
+      const ReadingRef cell = problem.cellOf(v, row);
+      AdjustedReading reading{.arc = cell.arc, .sighting = cell.sighting, .kind = cell.kind};
+      reading.sigma = statedSigma(measurement, cell.kind).radians();
       reading.residual = equations.residual[row] * reading.sigma;
       const bool takesPart = !equations.jacobian.row(row).isZero(0);
       misfit.degreesOfFreedom += takesPart ? 1 : 0;
@@ -183,6 +163,11 @@ std::size_t JointFit::indexOf(const Unknown& unknown) const {
   if (found == unknowns.end() && unknown.kind == Unknown::Kind::Radius)
     found = std::ranges::find(unknowns, Unknown{.kind = unknown.kind, .arc = Unknown::everyArc});
   return static_cast<std::size_t>(found - unknowns.begin());
+}
+
+Circle JointFit::circleOf(std::size_t arc) const {
+  const auto value = [&](Unknown::Kind kind) { return values[indexOf({.kind = kind, .arc = arc})]; };
+  return {value(Unknown::Kind::CentreX), value(Unknown::Kind::CentreY), value(Unknown::Kind::Radius)};
 }
 
 JointFit fitJointly(const Measurement& measurement, const std::vector<Circle>& starts,

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "core/adjustment/reading_ref.h"
 #include "core/adjustment/square_matrix.h"
-#include "core/base/angle.h"
 #include "core/observation/error_term.h"
 #include "core/observation/guideway.h"
 #include "core/session/measurement.h"
@@ -52,17 +52,6 @@ struct EstimatedTerm {
   double priorSigma;  ///< plausible size; infinite: nothing is known beforehand
   double priorValue = 0;
   double start = 0;  ///< where the fit begins
-};
-
-enum class ReadingKind { Horizontal, Vertical, Slider };
-
-/// Which reading of a measurement is meant.
-struct ReadingRef {
-  std::size_t arc = 0;       ///< index into the measurement's arcs
-  std::size_t sighting = 0;  ///< index into the arc's sightings
-  ReadingKind kind = ReadingKind::Horizontal;
-
-  bool operator==(const ReadingRef&) const = default;
 };
 
 /// One reading after the adjustment.
@@ -122,6 +111,8 @@ struct JointFit {
   /// Index of an unknown; `unknowns.size()` where it is not one of this fit. The radius of any arc is the
   /// shared one where there is one.
   std::size_t indexOf(const Unknown& unknown) const;
+  /// Of an arc of the measurement.
+  Circle circleOf(std::size_t arc) const;
 };
 
 /// Starts from `starts`, one circle for each arc of the measurement. Outcomes, not errors: a fit that did not

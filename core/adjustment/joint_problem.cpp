@@ -120,6 +120,28 @@ JointState JointProblem::start(const std::vector<Circle>& circles) const {
   return state;
 }
 
+JointState JointProblem::stateOf(const JointFit& fit) const {
+  JointState state{VectorXd::Zero(count()), VectorXd::Zero(static_cast<Index>(m_visits.size()))};
+  for (std::size_t i = 0; i < m_estimated.size(); ++i) {
+    const std::size_t found = fit.indexOf(m_estimated[i]);
+    if (found < fit.values.size())
+      state.unknowns[static_cast<Index>(i)] = fit.values[found] - m_priors[i].value;
+  }
+  for (std::size_t v = 0; v < m_visits.size(); ++v)
+    state.arcAngles[static_cast<Index>(v)] =
+        fit.arcAngles[m_visits[v].arc][m_visits[v].visit.sightings.front()];
+  return state;
+}
+
+ReadingRef JointProblem::cellOf(std::size_t visitIndex, Index row) const {
+  const auto& [arc, visit, slider] = m_visits[visitIndex];
+  const auto pair = static_cast<std::size_t>(row) / 2;
+  if (pair < visit.sightings.size())
+    return {arc, visit.sightings[pair], row % 2 == 0 ? ReadingKind::Horizontal : ReadingKind::Vertical};
+  const auto sighting = static_cast<std::size_t>(slider - m_measurement.arcs[arc].sightings.data());
+  return {arc, sighting, ReadingKind::Slider};
+}
+
 template <typename Jet>
 JointProblem::JetState<Jet> JointProblem::jetsOf(const JointState& state, std::size_t visit) const {
   const auto& map = m_slotMaps[m_visits[visit].arc];

@@ -73,6 +73,10 @@ class JointProblem {
   const std::vector<VisitOfArc>& visits() const { return m_visits; }
 
   JointState start(const std::vector<Circle>& circles) const;
+  /// Where a fit of the same measurement ended; error terms that were not part of it are zero.
+  JointState stateOf(const JointFit& fit) const;
+  /// The reading behind a row of a visit's equations.
+  ReadingRef cellOf(std::size_t visit, Eigen::Index row) const;
   VisitEquations equationsOf(const JointState& state, std::size_t visit) const;
   JointSystem system(const JointState& state) const;
   /// The state after a step of the estimated unknowns, each arc angle following by its own equation.

@@ -23,22 +23,6 @@ JointFitOptions withEveryTerm(JointFitOptions options) {
   return options;
 }
 
-JointState stateOf(const JointFit& fit, const JointProblem& problem) {
-  const auto unknowns = static_cast<Index>(problem.estimated().size() + problem.considered().size());
-  JointState state{Eigen::VectorXd::Zero(unknowns),
-                   Eigen::VectorXd::Zero(static_cast<Index>(problem.visits().size()))};
-  for (std::size_t i = 0; i < problem.estimated().size(); ++i) {
-    const std::size_t found = fit.indexOf(problem.estimated()[i]);
-    if (found < fit.values.size())
-      state.unknowns[static_cast<Index>(i)] = fit.values[found] - problem.priorValue(i);
-  }
-  for (std::size_t v = 0; v < problem.visits().size(); ++v) {
-    const VisitOfArc& visit = problem.visits()[v];
-    state.arcAngles[static_cast<Index>(v)] = fit.arcAngles[visit.arc][visit.visit.sightings.front()];
-  }
-  return state;
-}
-
 /// The unknown behind each slot that is no error term, by index into `unknowns`; −1 for none.
 std::array<int, firstTermSlot> unknownsOfSlots(const std::vector<Unknown>& unknowns, std::size_t arc) {
   std::array<int, firstTermSlot> slots;
@@ -58,7 +42,7 @@ std::array<int, firstTermSlot> unknownsOfSlots(const std::vector<Unknown>& unkno
 Linearised linearise(const Measurement& measurement, const JointFit& fit, const JointFitOptions& options) {
   const JointFitOptions everyTerm = withEveryTerm(options);
   const JointProblem problem(measurement, everyTerm);
-  const JointState state = stateOf(fit, problem);
+  const JointState state = problem.stateOf(fit);
   Linearised result;
   result.visits = problem.visits().size();
   for (std::size_t i = 0; i < problem.estimated().size(); ++i) {

@@ -28,24 +28,6 @@ struct TestedReading {
   VectorXd reduced;     ///< derivatives by the unknowns, the arc angle eliminated
 };
 
-double sigmaOf(const Measurement& measurement, ReadingKind kind) {
-  if (kind == ReadingKind::Horizontal) return measurement.sigmaHorizontal.radians();
-  return (kind == ReadingKind::Vertical ? measurement.sigmaVertical : measurement.sigmaSlider).radians();
-}
-
-JointState stateOf(const JointProblem& problem, const JointFit& fit) {
-  JointState state;
-  const auto estimated = static_cast<Index>(fit.values.size());
-  state.unknowns = VectorXd::Zero(estimated + static_cast<Index>(problem.considered().size()));
-  for (std::size_t i = 0; i < fit.values.size(); ++i)
-    state.unknowns[static_cast<Index>(i)] = fit.values[i] - problem.priorValue(i);
-  state.arcAngles.resize(static_cast<Index>(problem.visits().size()));
-  for (std::size_t v = 0; v < problem.visits().size(); ++v)
-    state.arcAngles[static_cast<Index>(v)] =
-        fit.arcAngles[problem.visits()[v].arc][problem.visits()[v].visit.sightings.front()];
-  return state;
-}
-
 MatrixXd matrixOf(const SquareMatrix& square) {
   const auto size = static_cast<Index>(square.size);
   return Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
@@ -58,18 +40,16 @@ class Projector {
   Projector(const Measurement& measurement, const JointFitOptions& options, const JointFit& fit)
       : m_cofactor(matrixOf(fit.cofactor)) {
     const JointProblem problem(measurement, options);
-    const JointState state = stateOf(problem, fit);
+    const JointState state = problem.stateOf(fit);
     for (std::size_t v = 0; v < problem.visits().size(); ++v) {
       const VisitOfArc& visit = problem.visits()[v];
       const VisitEquations equations = problem.equationsOf(state, v);
       for (Index row = 0; row < equations.residual.size(); ++row) {
         if (equations.jacobian.row(row).isZero(0)) continue;  // takes no part
         const VectorXd reduced = problem.spread(JointProblem::reduced(equations, row), visit.arc);
-        TestedReading reading{
-            cellAt(measurement, visit, row), 0, v, equations.along[row], equations.residual[row],
-            reduced.head(m_cofactor.rows())};
-        reading.sigma = sigmaOf(measurement, reading.cell.kind);
-        m_readings.push_back(std::move(reading));
+        const ReadingRef cell = problem.cellOf(v, row);
+        m_readings.push_back({cell, statedSigma(measurement, cell.kind).radians(), v, equations.along[row],
+                              equations.residual[row], reduced.head(m_cofactor.rows())});
       }
     }
   }
@@ -89,16 +69,6 @@ class Projector {
   }
 
  private:
-  static ReadingRef cellAt(const Measurement& measurement, const VisitOfArc& visit, Index row) {
-    const auto pair = static_cast<std::size_t>(row) / 2;
-    if (pair >= visit.visit.sightings.size())
-      return {visit.arc,
-              static_cast<std::size_t>(visit.slider - measurement.arcs[visit.arc].sightings.data()),
-              ReadingKind::Slider};
-    return {visit.arc, visit.visit.sightings[pair],
-            row % 2 == 0 ? ReadingKind::Horizontal : ReadingKind::Vertical};
-  }
-
   MatrixXd m_cofactor;
   std::vector<TestedReading> m_readings;
 };
@@ -193,7 +163,7 @@ class Search {
   /// How far each sighting left out is off the arc that the others fix, and which circle is named for it.
   void measureLeftOut() {
     const JointProblem problem(m_shifted, m_options.fit);
-    JointState state = stateOf(problem, m_fit);
+    JointState state = problem.stateOf(m_fit);
     const MatrixXd cofactor = matrixOf(m_fit.cofactor);
     for (LeftOut& out : m_leftOut) {
       const auto visit = std::ranges::find_if(problem.visits(), [&](const VisitOfArc& v) {
@@ -214,7 +184,7 @@ class Search {
               .head(cofactor.rows());
       const Index larger = std::abs(across[0]) >= std::abs(across[1]) ? 0 : 1;
       if ((larger == 0) != (out.cell.kind == ReadingKind::Horizontal)) std::swap(out.cell, out.other);
-      const double unit = sigmaOf(m_measurement, out.cell.kind) / across[larger];
+      const double unit = statedSigma(m_measurement, out.cell.kind).radians() / across[larger];
       out.size = (across[0] * equations.residual[0] + across[1] * equations.residual[1]) * unit;
       out.sigma = scale() * std::sqrt(1 + reduced.dot(cofactor * reduced)) * std::abs(unit);
     }
@@ -284,13 +254,7 @@ class Search {
   /// The next fit starts where this one ended.
   void startFromFit() {
     if (!m_fit.converged) return;
-    using enum Unknown::Kind;
-    for (std::size_t arc = 0; arc < m_circles.size(); ++arc) {
-      const auto value = [&](Unknown::Kind kind) {
-        return m_fit.values[m_fit.indexOf({.kind = kind, .arc = arc})];
-      };
-      m_circles[arc] = {value(CentreX), value(CentreY), value(Radius)};
-    }
+    for (std::size_t arc = 0; arc < m_circles.size(); ++arc) m_circles[arc] = m_fit.circleOf(arc);
   }
 
   int freedom() const { return m_fit.degreesOfFreedom - static_cast<int>(m_shifts.size()); }
@@ -333,7 +297,7 @@ class Search {
 
   double sigmaOfShift(std::size_t i) const {
     return scale() * std::sqrt(m_inverse(static_cast<Index>(i), static_cast<Index>(i))) *
-           sigmaOf(m_measurement, m_shifts[i].cell.kind);
+           statedSigma(m_measurement, m_shifts[i].cell.kind).radians();
   }
 
   /// Of the shifts, then of the sightings left out.

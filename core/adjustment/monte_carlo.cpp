@@ -196,8 +196,7 @@ std::vector<std::vector<double>> columnsOf(const std::vector<double>& centres, s
 std::optional<MonteCarlo> propagateDistributions(const Measurement& measurement, const SessionFit& fit,
                                                  const MonteCarloOptions& options,
                                                  const std::stop_token& stop) {
-  Measurement fitted = measurement;
-  std::erase_if(fitted.arcs, [&](const ArcMeasurement& arc) { return !fit.arcOfPosition(arc.position); });
+  const Measurement fitted = fittedPart(measurement, fit);
   if (fitted.arcs.empty()) return std::nullopt;
   const std::size_t width = 2 * fitted.arcs.size();
   std::vector<double> centres(options.draws * width, missing);

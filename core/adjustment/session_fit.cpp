@@ -50,10 +50,7 @@ void takeOver(std::vector<ArcFit>& arcs, const JointFit& joint) {
   }
   for (std::size_t i = 0; i < arcs.size(); ++i) {
     ArcFit& arc = arcs[i];
-    const auto value = [&](Unknown::Kind kind) {
-      return joint.values[joint.indexOf({.kind = kind, .arc = i})];
-    };
-    arc.circle = {value(Unknown::Kind::CentreX), value(Unknown::Kind::CentreY), value(Unknown::Kind::Radius)};
+    arc.circle = joint.circleOf(i);
     const auto kinds = {Unknown::Kind::CentreX, Unknown::Kind::CentreY, Unknown::Kind::Radius};
     for (const auto row : kinds)
       for (const auto column : kinds)
@@ -79,13 +76,6 @@ std::vector<EffectEstimate> estimatesOf(const JointFit& joint, const std::vector
     }
   }
   return estimates;
-}
-
-/// The measurement with only those arcs that were fitted.
-Measurement fittedPart(const Measurement& measurement, const SessionFit& fit) {
-  Measurement part = measurement;
-  std::erase_if(part.arcs, [&](const ArcMeasurement& arc) { return !fit.arcOfPosition(arc.position); });
-  return part;
 }
 
 void adjust(SessionFit& fit, const Measurement& fitted) {
@@ -133,6 +123,12 @@ SessionFit fitSession(const Measurement& measurement) {
                       std::back_inserter(fit.findings));
   std::ranges::move(sessionFindings(measurement, fit), std::back_inserter(fit.findings));
   return fit;
+}
+
+Measurement fittedPart(const Measurement& measurement, const SessionFit& fit) {
+  Measurement part = measurement;
+  std::erase_if(part.arcs, [&](const ArcMeasurement& arc) { return !fit.arcOfPosition(arc.position); });
+  return part;
 }
 
 std::vector<EstimatedTerm> estimatedTerms(const Measurement& measurement) {

@@ -40,6 +40,9 @@ struct SessionFit {
 /// slider readings and the effects that the session's model names.
 SessionFit fitSession(const Measurement& measurement);
 
+/// The measurement with only those arcs that were fitted: what `SessionFit::joint` counts its arcs in.
+Measurement fittedPart(const Measurement& measurement, const SessionFit& fit);
+
 /// The error terms of the effects that the measurement's model names, each with its plausible size as prior.
 std::vector<EstimatedTerm> estimatedTerms(const Measurement& measurement);
 

@@ -3,119 +3,29 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <utility>
 
-#include "core/adjustment/misreadings.h"
-#include "core/adjustment/visit_check.h"
+#include "core/adjustment/correction_trials.h"
+#include "core/adjustment/suspect_text.h"
 #include "core/base/angle_text.h"
 #include "core/base/number_text.h"
-#include "core/base/quantity_text.h"
 
 namespace alidade {
 
 namespace {
 
-/// Of the misfit of a row that agrees: no stricter than what it takes to call a reading misread.
-constexpr double leastProbability = 1e-4;
 constexpr double leastShare = 0.01;  ///< of a proposal worth showing
-constexpr double mostSliderDisagreement = 5;
 constexpr std::size_t mostProposals = 5, mostUnusableRows = 12;
-
-const char* fieldOf(ReadingKind kind) {
-  if (kind == ReadingKind::Horizontal) return "horizontal";
-  return kind == ReadingKind::Vertical ? "vertical" : "slider";
-}
-
-/// A changed face turns both circles; it is named by the horizontal one.
-ReadingKind kindOf(const std::string& field) {
-  if (field == "vertical") return ReadingKind::Vertical;
-  return field == "slider" ? ReadingKind::Slider : ReadingKind::Horizontal;
-}
-
-/// The measurement with only those arcs that were fitted.
-Measurement fittedPart(const Measurement& measurement, const SessionFit& fit) {
-  Measurement part = measurement;
-  std::erase_if(part.arcs, [&](const ArcMeasurement& arc) { return !fit.arcOfPosition(arc.position); });
-  return part;
-}
-
-/// Reduced angles count face 2 and zenith circles the other way round than their circles.
-double sideOf(const Measurement& measurement, int face, ReadingKind kind) {
-  if (kind != ReadingKind::Vertical) return 1;
-  const double down = measurement.verticalCircle == VerticalCircle::Zenith ? -1 : 1;
-  return face == 1 ? down : -down;
-}
-
-/// In arcseconds up to two minutes, then in degrees, minutes and seconds; with its sign.
-std::string signedSize(Angle size) {
-  const double seconds = size.arcseconds();
-  const std::string sign = seconds < 0 ? "" : "+";
-  return sign + (std::abs(seconds) < 120 ? displayText(seconds, 1) + "″" : formatDms(size));
-}
-
-std::string nameOf(const Suspect& suspect) {
-  std::string name = std::to_string(suspect.axisDeg) + "°, point " + std::to_string(suspect.point);
-  if (suspect.round != 1) name += ", round " + std::to_string(suspect.round);
-  if (suspect.face != 1) name += ", face " + std::to_string(suspect.face);
-  return name + ", " + suspect.where.field;
-}
-
-const std::string& textAt(const Session& session, const Place& where) {
-  const Reading& reading = session.positions[*where.position].readings[*where.reading];
-  if (where.field == "face") return reading.face;
-  if (where.field == "horizontal") return reading.horizontal;
-  return where.field == "vertical" ? reading.vertical : reading.slider;
-}
-
-std::string capitalised(std::string text) {
-  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
-  return text;
-}
-
-/// Horizontal 341°52'24" → 341°25'24": two digits swapped; residual then +1.2″.
-std::string sentenceOf(const Session& session, const Correction& correction, Angle residual) {
-  std::string sentence;
-  for (const CellChange& change : correction.changes) {
-    const std::string& typed = textAt(session, change.where);
-    const bool otherRow = change.where.reading != correction.changes.front().where.reading;
-    sentence += (sentence.empty() ? "" : ", ") +
-                (sentence.empty() ? capitalised(change.where.field) : change.where.field) +
-                (otherRow ? " of row " + std::to_string(*change.where.reading + 1) : "") + " " +
-                (typed.empty() ? "(empty)" : typed) + " → " + change.text;
-  }
-  return sentence + ": " + slipName(correction.slip) + "; residual then " + signedSize(residual) + ".";
-}
-
-/// A visit in question, with the rows that belong to it as typed.
-struct Visited {
-  std::size_t arc = 0;
-  int round = 1, point = 0;
-  std::vector<std::size_t> rows;  ///< of the position
-};
-
-struct Tried {
-  Correction correction;
-  Sighting sighting;  ///< of the row in question, corrected
-  double score = 0;   ///< logarithm of prior times likelihood
-  Angle residual;     ///< of the first changed cell, as read
-};
 
 class SuspectSearch {
  public:
   SuspectSearch(const Session& session, Measurement fitted, const SuspectOptions& options)
-      : m_session(session), m_fitted(std::move(fitted)), m_reader(session) {
-    m_fitOptions.terms = estimatedTerms(m_fitted);
-    m_search = searchMisreadings(m_fitted, {.risk = options.risk, .fit = m_fitOptions});
-    m_sound = m_fitted;
-    for (const MisreadReading& misread : m_search.misread) shiftReading(m_sound, misread.cell, misread.size);
-    for (std::size_t arc = 0; arc < m_fitted.arcs.size(); ++arc) m_starts.push_back(circleOf(arc));
-  }
+      : m_session(session), m_reader(session), m_trials(session, std::move(fitted), options.risk) {}
 
   std::vector<Suspect> run() {
-    for (const MisreadReading& misread : m_search.misread) {
-      const Sighting& sighting = sightingOf(misread.cell);
-      const Visited visit = visitOf(misread.cell.arc, sighting.round, sighting.point);
+    for (const MisreadReading& misread : m_trials.misread()) {
+      const Sighting& sighting = m_trials.sightingOf(misread.cell);
+      const Visited visit = m_trials.visitOf(misread.cell.arc, sighting.round, sighting.point);
       if (!isNamed(visit)) lookAt(visit);
     }
     lookAtUnusableRows();
@@ -123,160 +33,19 @@ class SuspectSearch {
   }
 
  private:
-  const Sighting& sightingOf(const ReadingRef& cell) const {
-    return m_fitted.arcs[cell.arc].sightings[cell.sighting];
-  }
-
-  Circle circleOf(std::size_t arc) const {
-    const auto value = [&](Unknown::Kind kind) {
-      return m_search.fit.values[m_search.fit.indexOf({.kind = kind, .arc = arc})];
-    };
-    return {value(Unknown::Kind::CentreX), value(Unknown::Kind::CentreY), value(Unknown::Kind::Radius)};
-  }
-
-  Visited visitOf(std::size_t arc, int round, int point) const {
-    Visited visit{arc, round, point, {}};
-    for (const Sighting& sighting : m_fitted.arcs[arc].sightings)
-      if (sighting.round == round && sighting.point == point) visit.rows.push_back(sighting.row);
-    return visit;
-  }
-
-  static Visited withRow(Visited visit, std::size_t row) {
-    if (std::ranges::find(visit.rows, row) == visit.rows.end()) visit.rows.push_back(row);
-    std::ranges::sort(visit.rows);
-    return visit;
-  }
-
   /// A row of the visit is among the suspects already: the slip that explains them both was found.
   bool isNamed(const Visited& visit) const {
     return std::ranges::any_of(m_suspects, [&](const Suspect& suspect) {
-      return suspect.where.position == m_fitted.arcs[visit.arc].position &&
+      return suspect.where.position == m_trials.measurement().arcs[visit.arc].position &&
              std::ranges::find(visit.rows, *suspect.where.reading) != visit.rows.end();
     });
   }
 
-  std::vector<MisreadReading> misreadIn(const Visited& visit) const {
-    std::vector<MisreadReading> misread;
-    std::ranges::copy_if(m_search.misread, std::back_inserter(misread), [&](const MisreadReading& m) {
-      const Sighting& sighting = sightingOf(m.cell);
-      return m.cell.arc == visit.arc && sighting.round == visit.round && sighting.point == visit.point;
-    });
-    return misread;
-  }
-
-  /// Against a fit without the visits in question. Among very many rows two visits weigh nothing.
-  VisitCheck checkOf(const Visited& visit, const Visited* other = nullptr) const {
-    constexpr std::size_t veryMany = 2000;
-    auto inQuestion = readingsOf(m_sound, visit.arc, visit.round, visit.point);
-    if (other)
-      std::ranges::copy(readingsOf(m_sound, other->arc, other->round, other->point),
-                        std::back_inserter(inQuestion));
-    JointFitOptions options = m_fitOptions;
-    options.without = m_search.leftOut;
-    options.without.insert(options.without.end(), inQuestion.begin(), inQuestion.end());
-    if (m_fitted.rows > veryMany)
-      return VisitCheck(m_sound, visit.arc, options.without, m_search.fit, options);
-    return VisitCheck(m_sound, visit.arc, options.without, fitJointly(m_sound, m_starts, options), options);
-  }
-
-  /// The rows of the visit with a correction, less the shifts of misread cells that it leaves alone; empty
-  /// where they cannot be used.
-  std::vector<Sighting> rowsWith(const Visited& visit, const Correction& correction,
-                                 const std::vector<MisreadReading>& keptOff) {
-    const std::size_t position = m_fitted.arcs[visit.arc].position;
-    std::vector<Sighting> rows;
-    for (const std::size_t row : visit.rows) {
-      const auto changed = correction.rows.find(row);
-      const Reading& reading =
-          changed == correction.rows.end() ? m_session.positions[position].readings[row] : changed->second;
-      const auto sighting = m_reader.read(position, row, reading);
-      if (!sighting) return {};
-      if (std::ranges::find(rows, sighting->face, &Sighting::face) != rows.end()) return {};
-      rows.push_back(*sighting);
-      for (const MisreadReading& misread : keptOff) {
-        if (sightingOf(misread.cell).row != row) continue;
-        Measurement alone;
-        alone.arcs.resize(1);
-        alone.arcs[0].sightings = {rows.back()};
-        shiftReading(alone, {0, 0, misread.cell.kind}, misread.size);
-        rows.back() = alone.arcs[0].sightings[0];
-      }
-    }
-    return rows;
-  }
-
-  /// What the correction does to the visits of other rows it changes: the gain in likelihood; empty where
-  /// they do not agree then.
-  std::optional<double> gainElsewhere(const Visited& visit, const Correction& correction) {
-    const ArcMeasurement& arc = m_fitted.arcs[visit.arc];
-    double gain = 0;
-    for (const auto& [row, reading] : correction.rows) {
-      if (std::ranges::find(visit.rows, row) != visit.rows.end()) continue;
-      const auto other = m_reader.read(arc.position, row, reading);
-      if (!other) return std::nullopt;
-      const Visited otherVisit = withRow(visitOf(visit.arc, other->round, other->point), row);
-      const auto as = rowsWith(otherVisit, {}, {}), corrected = rowsWith(otherVisit, correction, {});
-      if (corrected.empty()) return std::nullopt;
-      const VisitCheck check = checkOf(visit, &otherVisit);
-      if (!check.canCheck()) return std::nullopt;
-      const VisitAgreement after = check.agreement(corrected);
-      if (after.probability < leastProbability) return std::nullopt;
-      constexpr double unusable = -50;  // as typed it cannot have been meant
-      gain += after.logLikelihood - (as.empty() ? unusable : check.agreement(as).logLikelihood);
-    }
-    return gain;
-  }
-
-  /// Of slider readings typed in both rows of a visit, where one reading was made, in σ.
-  double sliderDisagreement(const std::vector<Sighting>& rows) const {
-    if (rows.size() < 2 || !rows[0].slider || !rows[1].slider) return 0;
-    return std::abs(wrapped(*rows[0].slider - *rows[1].slider).radians()) / m_fitted.sigmaSlider.radians();
-  }
-
-  std::optional<Tried> tryOut(const Visited& visit, const VisitCheck& check, const Correction& correction,
-                              const std::vector<MisreadReading>& keptOff) {
-    const std::vector<Sighting> rows = rowsWith(visit, correction, keptOff);
-    if (rows.empty()) return std::nullopt;
-    const VisitAgreement agreement = check.agreement(rows);
-    const double slider = sliderDisagreement(rows);
-    if (agreement.probability < leastProbability || slider > mostSliderDisagreement) return std::nullopt;
-    const auto elsewhere = gainElsewhere(visit, correction);
-    if (!elsewhere) return std::nullopt;
-    const Place& first = correction.changes.front().where;
-    const auto row = std::ranges::find(rows, *first.reading, &Sighting::row);
-    const ReadingKind kind = kindOf(first.field);
-    const std::size_t index = kind == ReadingKind::Slider ? agreement.residuals.size() - 1
-                                                          : 2 * static_cast<std::size_t>(row - rows.begin()) +
-                                                                (kind == ReadingKind::Vertical ? 1 : 0);
-    return Tried{correction, *row,
-                 std::log(correction.prior) + agreement.logLikelihood + *elsewhere - slider * slider / 2,
-                 Angle::fromRadians(agreement.residuals[index] * sideOf(m_fitted, row->face, kind))};
-  }
-
-  /// The corrections that make the visit agree, the most probable first. With `only`, of that cell alone.
-  std::vector<Tried> agreeing(const Visited& visit, const VisitCheck& check,
-                              const std::vector<MisreadReading>& keptOff, const ReadingRef* only = nullptr) {
-    std::vector<Tried> tried;
-    if (!check.canCheck()) return tried;
-    const std::size_t position = m_fitted.arcs[visit.arc].position;
-    for (const std::size_t row : visit.rows) {
-      if (only && sightingOf(*only).row != row) continue;
-      for (const Correction& correction : correctionsOf(m_session, position, row)) {
-        if (only &&
-            (correction.changes.size() > 1 || correction.changes.front().where.field != fieldOf(only->kind)))
-          continue;
-        if (auto one = tryOut(visit, check, correction, keptOff)) tried.push_back(*std::move(one));
-      }
-    }
-    std::ranges::stable_sort(tried, std::ranges::greater(), &Tried::score);
-    return tried;
-  }
-
-  std::vector<Proposal> proposalsOf(const std::vector<Tried>& tried) const {
+  std::vector<Proposal> proposalsOf(const std::vector<AgreeingCorrection>& tried) const {
     double sum = 0;
-    for (const Tried& one : tried) sum += std::exp(one.score - tried.front().score);
+    for (const AgreeingCorrection& one : tried) sum += std::exp(one.score - tried.front().score);
     std::vector<Proposal> proposals;
-    for (const Tried& one : tried) {
+    for (const AgreeingCorrection& one : tried) {
       const double share = std::exp(one.score - tried.front().score) / sum;
       if (share < leastShare || proposals.size() >= mostProposals) break;
       proposals.push_back(
@@ -286,9 +55,9 @@ class SuspectSearch {
   }
 
   void lookAt(const Visited& visit) {
-    const std::vector<MisreadReading> misread = misreadIn(visit);
-    const VisitCheck check = checkOf(visit);
-    const std::vector<Tried> tried = agreeing(visit, check, {});
+    const std::vector<MisreadReading> misread = m_trials.misreadIn(visit);
+    const VisitCheck check = m_trials.checkOf(visit);
+    const std::vector<AgreeingCorrection> tried = m_trials.agreeing(visit, check);
     if (!tried.empty()) {
       nameCells(visit, tried, misread.front().studentised);
       return;
@@ -297,14 +66,15 @@ class SuspectSearch {
     for (const MisreadReading& one : misread) {
       std::vector<MisreadReading> others = misread;
       std::erase_if(others, [&](const MisreadReading& m) { return m.cell == one.cell; });
-      name(one, others.empty() ? std::vector<Tried>{} : agreeing(visit, check, others, &one.cell));
+      name(one, others.empty() ? std::vector<AgreeingCorrection>{}
+                               : m_trials.agreeing(visit, check, others, &one.cell));
     }
   }
 
   Suspect suspectAt(const Visited& visit, const Sighting& sighting, const Place& where) const {
     Suspect suspect;
     suspect.where = where;
-    suspect.axisDeg = m_fitted.arcs[visit.arc].axisDeg;
+    suspect.axisDeg = m_trials.measurement().arcs[visit.arc].axisDeg;
     suspect.point = sighting.point;
     suspect.round = sighting.round;
     suspect.face = sighting.face;
@@ -313,20 +83,14 @@ class SuspectSearch {
   }
 
   void finish(Suspect suspect) {
-    suspect.sentence = nameOf(suspect) + ": " +
-                       (suspect.where.field == "face"           ? "the other face"
-                        : std::isfinite(suspect.size.radians()) ? "off by " + signedSize(suspect.size)
-                                                                : "no angle") +
-                       ". " +
-                       (suspect.proposals.empty() ? "No single slip explains it: read it again."
-                                                  : "Probably meant: " + suspect.proposals.front().sentence);
+    suspect.sentence = sentenceOf(suspect);
     m_suspects.push_back(std::move(suspect));
   }
 
   /// The cells that the most probable correction changes.
-  void nameCells(const Visited& visit, const std::vector<Tried>& tried, double studentised) {
-    const Tried& best = tried.front();
-    const std::size_t position = m_fitted.arcs[visit.arc].position;
+  void nameCells(const Visited& visit, const std::vector<AgreeingCorrection>& tried, double studentised) {
+    const AgreeingCorrection& best = tried.front();
+    const std::size_t position = m_trials.measurement().arcs[visit.arc].position;
     for (const CellChange& change : best.correction.changes) {
       Sighting sighting = best.sighting;
       if (change.where.reading != sighting.row) {
@@ -344,7 +108,7 @@ class SuspectSearch {
     }
   }
 
-  static void addRivals(Suspect& suspect, const Proposal& proposal, const Tried& best) {
+  static void addRivals(Suspect& suspect, const Proposal& proposal, const AgreeingCorrection& best) {
     for (const CellChange& change : proposal.changes) {
       const bool isBest = std::ranges::any_of(
           best.correction.changes, [&](const CellChange& own) { return own.where == change.where; });
@@ -353,7 +117,7 @@ class SuspectSearch {
     }
   }
 
-  Angle sizeOf(const CellChange& change, const Tried& best) const {
+  Angle sizeOf(const CellChange& change, const AgreeingCorrection& best) const {
     if (change.where.field == "face") return Angle::fromDegrees(180);
     const auto typed = parseAngle(textAt(m_session, change.where)), meant = parseAngle(change.text);
     if (!typed || !meant) return Angle::fromRadians(std::numeric_limits<double>::quiet_NaN());
@@ -362,16 +126,16 @@ class SuspectSearch {
   }
 
   /// The cell that the search blames.
-  void name(const MisreadReading& misread, const std::vector<Tried>& tried) {
-    const Sighting& sighting = sightingOf(misread.cell);
-    const Visited visit = visitOf(misread.cell.arc, sighting.round, sighting.point);
+  void name(const MisreadReading& misread, const std::vector<AgreeingCorrection>& tried) {
+    const Sighting& sighting = m_trials.sightingOf(misread.cell);
+    const Visited visit = m_trials.visitOf(misread.cell.arc, sighting.round, sighting.point);
     const auto placeOf = [&](const ReadingRef& cell) {
-      return Place{.position = m_fitted.arcs[cell.arc].position,
-                   .reading = sightingOf(cell).row,
-                   .field = fieldOf(cell.kind)};
+      return Place{.position = m_trials.measurement().arcs[cell.arc].position,
+                   .reading = m_trials.sightingOf(cell).row,
+                   .field = std::string(nameOf(cell.kind))};
     };
     Suspect suspect = suspectAt(visit, sighting, placeOf(misread.cell));
-    suspect.size = misread.size * sideOf(m_fitted, sighting.face, misread.cell.kind);
+    suspect.size = misread.size * sideOf(m_trials.measurement(), sighting.face, misread.cell.kind);
     suspect.studentised = misread.studentised;
     for (const ReadingRef& rival : misread.rivals) suspect.rivals.push_back(placeOf(rival));
     if (!tried.empty()) suspect.proposals = proposalsOf(tried);
@@ -381,13 +145,13 @@ class SuspectSearch {
   /// Rows that `examine` had to leave out, where a slip explains why.
   void lookAtUnusableRows() {
     std::size_t looked = 0;
-    for (std::size_t arc = 0; arc < m_fitted.arcs.size(); ++arc) {
-      const std::size_t position = m_fitted.arcs[arc].position;
+    for (std::size_t arc = 0; arc < m_trials.measurement().arcs.size(); ++arc) {
+      const std::size_t position = m_trials.measurement().arcs[arc].position;
       const auto& readings = m_session.positions[position].readings;
       for (std::size_t row = 0; row < readings.size() && looked < mostUnusableRows; ++row) {
         if (readings[row].excluded || readings[row].horizontal.empty() || readings[row].vertical.empty() ||
-            std::ranges::find(m_fitted.arcs[arc].sightings, row, &Sighting::row) !=
-                m_fitted.arcs[arc].sightings.end())
+            std::ranges::find(m_trials.measurement().arcs[arc].sightings, row, &Sighting::row) !=
+                m_trials.measurement().arcs[arc].sightings.end())
           continue;
         if (isNamed({arc, 0, 0, {row}})) continue;
         ++looked;
@@ -397,23 +161,22 @@ class SuspectSearch {
   }
 
   void lookAtUnusable(std::size_t arc, std::size_t row) {
-    const auto& readings = m_session.positions[m_fitted.arcs[arc].position].readings;
+    const auto& readings = m_session.positions[m_trials.measurement().arcs[arc].position].readings;
     const auto pointOf = [&](std::size_t r) { return wholeOr(readings[r].point, static_cast<int>(r) + 1); };
     const auto roundOf = [&](std::size_t r) { return wholeOr(readings[r].round, 1); };
-    const Visited usable = visitOf(arc, roundOf(row), pointOf(row));
-    const VisitCheck check = checkOf(usable);
+    const Visited usable = m_trials.visitOf(arc, roundOf(row), pointOf(row));
+    const VisitCheck check = m_trials.checkOf(usable);
     if (!check.canCheck()) return;
     // The row may have nothing wrong with it: its face or point is taken by another.
     const Visited alone{arc, usable.round, usable.point, {row}};
-    const auto asTyped = rowsWith(alone, {}, {});
-    if (!asTyped.empty() && check.agreement(asTyped).probability >= leastProbability) return;
-    Visited all = withRow(usable, row);
+    if (m_trials.agreesAsTyped(alone, check)) return;
+    Visited all = usable.with(row);
     for (std::size_t r = 0; r < readings.size(); ++r)
       if (!readings[r].excluded && roundOf(r) == usable.round && pointOf(r) == usable.point)
-        all = withRow(all, r);
-    for (const Visited& visit : {all, withRow(usable, row)}) {
-      std::vector<Tried> tried = agreeing(visit, check, {});
-      std::erase_if(tried, [&](const Tried& one) { return !one.correction.rows.contains(row); });
+        all = all.with(r);
+    for (const Visited& visit : {all, usable.with(row)}) {
+      std::vector<AgreeingCorrection> tried = m_trials.agreeing(visit, check);
+      std::erase_if(tried, [&](const AgreeingCorrection& one) { return !one.correction.rows.contains(row); });
       if (tried.empty()) continue;
       nameCells(visit, tried, 0);
       return;
@@ -426,12 +189,8 @@ class SuspectSearch {
   }
 
   const Session& m_session;
-  Measurement m_fitted;
   RowReader m_reader;
-  JointFitOptions m_fitOptions;
-  MisreadingSearch m_search;
-  Measurement m_sound;  ///< the shifts taken off all misread readings
-  std::vector<Circle> m_starts;
+  CorrectionTrials m_trials;
   std::vector<Suspect> m_suspects;
 };
 

@@ -25,13 +25,6 @@ double arcAngle(const GapModel& model, std::size_t arc, std::size_t sighting) {
   return model.fit.arcAngles[arc][sighting];
 }
 
-Circle circleOf(const GapModel& model, std::size_t arc) {
-  const auto value = [&](Unknown::Kind kind) {
-    return model.fit.values[model.fit.indexOf({.kind = kind, .arc = arc})];
-  };
-  return {value(Unknown::Kind::CentreX), value(Unknown::Kind::CentreY), value(Unknown::Kind::Radius)};
-}
-
 void sightPerfectly(Sighting& sighting, const Measurement& measurement, const Circle& circle, double phi) {
   const Direction<double> seen = observe(targetOnArc(circle.x, circle.y, circle.radius, phi),
                                          measurement.distance, measurement.relation);
@@ -46,7 +39,7 @@ Measurement planned(const GapModel& model) {
     for (std::size_t i = 0; i < plan.arcs[arc].sightings.size(); ++i) {
       Sighting& sighting = plan.arcs[arc].sightings[i];
       const double phi = arcAngle(model, arc, i);
-      sightPerfectly(sighting, plan, circleOf(model, arc), phi);
+      sightPerfectly(sighting, plan, model.fit.circleOf(arc), phi);
       if (sighting.slider) sighting.slider = Angle::fromRadians(plan.arcs[arc].axisDeg == 0 ? phi : -phi);
     }
   return plan;
@@ -122,7 +115,7 @@ std::optional<Plan> withSecondStandOff(const GapModel& model, const Measurement&
   more.distance *= farther;
   for (std::size_t arc = 0; arc < more.arcs.size(); ++arc)
     for (std::size_t i = 0; i < more.arcs[arc].sightings.size(); ++i)
-      sightPerfectly(more.arcs[arc].sightings[i], more, circleOf(model, arc), arcAngle(model, arc, i));
+      sightPerfectly(more.arcs[arc].sightings[i], more, model.fit.circleOf(arc), arcAngle(model, arc, i));
   return Plan{"a second set from half as far again", {plan, more}};
 }
 
@@ -143,7 +136,7 @@ std::optional<Plan> withMoreArc(const GapModel& model, const Measurement& plan) 
       if (phi >= least && phi <= most) continue;
       Sighting sighting;
       sighting.point = ++point;
-      sightPerfectly(sighting, more, circleOf(model, arc), phi);
+      sightPerfectly(sighting, more, model.fit.circleOf(arc), phi);
       more.arcs[arc].sightings.push_back(sighting);
       added = true;
     }
@@ -166,7 +159,7 @@ std::vector<Plan> plansFor(const GapModel& model) {
 Leftover leftoverOf(const GapModel& model, const Plan& plan) {
   std::vector<Circle> starts;
   for (std::size_t arc = 0; arc < model.measurement.arcs.size(); ++arc)
-    starts.push_back(circleOf(model, arc));
+    starts.push_back(model.fit.circleOf(arc));
   JointFitOptions options;
   options.terms = model.options.terms;
   for (EstimatedTerm& term : options.terms) term.start = 0;

@@ -14,11 +14,11 @@ Result<GapModel> modelOf(const Measurement& measurement) {
       if (finding.severity == Severity::Error) return Problem{finding.text, finding.where};
     return Problem{"there are no readings to diagnose; enter those of the axis positions"};
   }
-  GapModel model{.measurement = measurement, .starts = {}, .options = {}, .fit = fit.joint};
-  std::erase_if(model.measurement.arcs,
-                [&](const ArcMeasurement& arc) { return !fit.arcOfPosition(arc.position); });
+  GapModel model{.measurement = fittedPart(measurement, fit),
+                 .starts = {},
+                 .options = {.terms = estimatedTerms(measurement)},
+                 .fit = fit.joint};
   for (const ArcFit& arc : fit.arcs) model.starts.push_back(arc.circle);
-  model.options.terms = estimatedTerms(measurement);
   return model;
 }
 

@@ -46,13 +46,6 @@ std::vector<Part> farOff(const Inquiry& inquiry) {
   return found;
 }
 
-double sigmaArcseconds(const Measurement& measurement, ReadingKind kind) {
-  const Angle sigma = kind == ReadingKind::Horizontal ? measurement.sigmaHorizontal
-                      : kind == ReadingKind::Vertical ? measurement.sigmaVertical
-                                                      : measurement.sigmaSlider;
-  return sigma.arcseconds();
-}
-
 }  // namespace
 
 const std::string& Inquiry::idOf(const Part& part) const {
@@ -124,7 +117,7 @@ BlamedReading blamed(const Measurement& measurement, const ReadingRef& ref, doub
 BlamedReading blamed(const Inquiry& inquiry, const Part& part) {
   const ReadingRef ref = readingRef(inquiry.leftover, inquiry.readingOf(part));
   return blamed(inquiry.base.measurement, ref,
-                part.weights[0] * sigmaArcseconds(inquiry.base.measurement, ref.kind));
+                part.weights[0] * statedSigma(inquiry.base.measurement, ref.kind).arcseconds());
 }
 
 }  // namespace alidade

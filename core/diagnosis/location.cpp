@@ -1,7 +1,6 @@
 #include "core/diagnosis/location.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -76,7 +75,6 @@ std::string sectorOf(double s) {
 
 std::vector<GapShare> sharesOfReadings(const Leftover& leftover, const Measurement& measurement,
                                        const JointFit& fit) {
-  static constexpr std::array<const char*, 3> circles{"horizontal", "vertical", "slider"};
   Tally tally;
   for (Index i = 0; i < leftover.readings(); ++i) {
     const LinearReading& reading = leftover.reading(i);
@@ -87,7 +85,7 @@ std::vector<GapShare> sharesOfReadings(const Leftover& leftover, const Measureme
     const auto quarter = 4 * sighting.sequence / std::max<std::size_t>(measurement.rows, 1);
     const double s = (arc.axisDeg == 0 ? 1 : -1) * fit.arcAngles[reading.arc][reading.sighting];
     tally.add("position", std::to_string(arc.axisDeg), square, expected);
-    tally.add("circle", circles[static_cast<std::size_t>(reading.kind)], square, expected);
+    tally.add("circle", std::string(nameOf(reading.kind)), square, expected);
     tally.add("face", std::to_string(sighting.face), square, expected);
     tally.add("round", std::to_string(sighting.round), square, expected);
     tally.add("sector", sectorOf(s), square, expected);

@@ -1,0 +1,22 @@
+#include "core/adjustment/reading_ref.h"
+
+namespace alidade {
+
+std::string_view nameOf(ReadingKind kind) {
+  switch (kind) {
+    case ReadingKind::Horizontal:
+      return "horizontal";
+    case ReadingKind::Vertical:
+      return "vertical";
+    case ReadingKind::Slider:
+      break;
+  }
+  return "slider";
+}
+
+Angle statedSigma(const Measurement& measurement, ReadingKind kind) {
+  if (kind == ReadingKind::Horizontal) return measurement.sigmaHorizontal;
+  return kind == ReadingKind::Vertical ? measurement.sigmaVertical : measurement.sigmaSlider;
+}
+
+}  // namespace alidade

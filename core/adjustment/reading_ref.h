@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+#include "core/base/angle.h"
+#include "core/session/measurement.h"
+
+namespace alidade {
+
+enum class ReadingKind { Horizontal, Vertical, Slider };
+
+/// "horizontal", "vertical" or "slider": as in files and results.
+std::string_view nameOf(ReadingKind kind);
+
+/// Which reading of a measurement is meant.
+struct ReadingRef {
+  std::size_t arc = 0;       ///< index into the measurement's arcs
+  std::size_t sighting = 0;  ///< index into the arc's sightings; of a slider reading the row it stands in
+  ReadingKind kind = ReadingKind::Horizontal;
+
+  bool operator==(const ReadingRef&) const = default;
+};
+
+/// σ stated for readings of a kind.
+Angle statedSigma(const Measurement& measurement, ReadingKind kind);
+
+}  // namespace alidade
