@@ -54,7 +54,7 @@ std::vector<std::size_t> lookAlikesOf(const Inquiry& inquiry, const Explanation&
   constexpr double closeOdds = 3.5;  // natural logarithm: odds of 33
   std::vector<std::size_t> found;
   if (!isEffect(inquiry, part)) return found;
-  const Eigen::VectorXd trace = signature(inquiry.candidates[part.component], part.weights);
+  const Eigen::VectorXd trace = signature(inquiry.leftover, inquiry.candidates[part.component], part.weights);
   for (std::size_t i = 0; i < inquiry.candidates.size(); ++i) {
     const Component& other = inquiry.candidates[i];
     if (other.kind != Component::Kind::Effect || i == part.component) continue;

@@ -86,7 +86,7 @@ std::vector<Candidate> candidatesOf(const Inquiry& inquiry) {
     const double visible =
         inquiry.isMisreading(part)
             ? std::abs(part.weights[0]) * std::sqrt(inquiry.leftover.redundancy(inquiry.readingOf(part)))
-            : signature(inquiry.candidates[part.component], part.weights).norm();
+            : signature(inquiry.leftover, inquiry.candidates[part.component], part.weights).norm();
     offer(inquiry.idOf(part), part.logGain, visible);
   }
   for (const Component& component : inquiry.candidates)

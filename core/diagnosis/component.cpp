@@ -49,12 +49,31 @@ MatrixXd wholeColumns(const Leftover& leftover, const Component& component) {
   return columns;
 }
 
-VectorXd signature(const Component& component, const VectorXd& weights) {
-  VectorXd result = component.columns * weights;
-  if (component.curvature.cols() == 0) return result;
-  const Eigen::Vector3d second(weights[0] * weights[0] / 2, weights[0] * weights[1],
-                               weights[1] * weights[1] / 2);
-  return result + component.curvature * second;
+MatrixXd bentColumns(const Component& component) {
+  MatrixXd columns(component.columns.rows(), 5);
+  columns << component.columns, component.curvature;
+  return columns;
+}
+
+Eigen::Vector<double, 5> bentWeights(const VectorXd& weights) {
+  const double x = weights[0], y = weights[1];
+  return {x, y, x * x / 2, x * y, y * y / 2};
+}
+
+Eigen::Matrix<double, 5, 2> bentDerivatives(const VectorXd& weights) {
+  const double x = weights[0], y = weights[1];
+  Eigen::Matrix<double, 5, 2> derivatives;
+  derivatives << 1, 0, 0, 1, x, 0, y, x, 0, y;
+  return derivatives;
+}
+
+VectorXd signature(const Leftover& leftover, const Component& component, const VectorXd& weights) {
+  if (component.kind == Component::Kind::Shape)
+    return leftover.visible(component.pattern.times(weights, leftover.readings()));
+  if (component.kind == Component::Kind::Jump)
+    return leftover.visible(wholeColumns(leftover, component) * weights);
+  if (component.curvature.cols() > 0) return bentColumns(component) * bentWeights(weights);
+  return component.columns * weights;
 }
 
 }  // namespace alidade

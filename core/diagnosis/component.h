@@ -23,7 +23,7 @@ struct Width {
 struct Component {
   enum class Kind {
     Effect,      ///< of the catalogue
-    Jump,        ///< the orientation steps before a row
+    Jump,        ///< the orientation steps before a row; its columns are not kept
     Misreading,  ///< one reading is off; no columns, since they would be those of a unit matrix
     Shape,       ///< a pattern of no named cause
   };
@@ -33,7 +33,9 @@ struct Component {
   const Effect* effect = nullptr;  ///< of an Effect
   std::size_t moment = 0;          ///< of a Jump: sequence of the first row after it
   Eigen::Index reading = 0;        ///< of a Misreading: index into the leftover's readings
-  Eigen::MatrixXd columns = {};    ///< visible part, rows × weights
+  Eigen::MatrixXd columns = {};    ///< of an Effect: visible part, rows × weights
+  SparseColumns pattern = {};      ///< of a Shape: over the readings
+  Eigen::MatrixXd gram = {};       ///< inner products of the visible columns with one another
   /// Of an effect of two weights that bends: visible second derivatives, columns 11, 12, 22. Else empty.
   Eigen::MatrixXd curvature = {};
   bool allOrNothing = false;  ///< its one weight is 1
@@ -56,10 +58,17 @@ inline constexpr double plausibleJump = 60.0 / 3600 * std::numbers::pi / 180;
 /// Effects small and large beside their plausible size: 0.1, 0.3, 1 and 3 times.
 const std::vector<Width>& widthsOf(Component::Kind kind);
 
-/// The columns of an effect or a jump over the readings, of which `columns` is the visible part.
+/// The columns of an effect or a jump over the readings, visible or not.
 Eigen::MatrixXd wholeColumns(const Leftover& leftover, const Component& component);
 
+/// Of a bending component: its columns and curvature side by side, the five weights (x, y, ½x², xy, ½y²) they
+/// take, and their derivatives by x and y.
+Eigen::MatrixXd bentColumns(const Component& component);
+Eigen::Vector<double, 5> bentWeights(const Eigen::VectorXd& weights);
+Eigen::Matrix<double, 5, 2> bentDerivatives(const Eigen::VectorXd& weights);
+
 /// What the weights leave in the readings, visible part: linear, and bent where the component bends.
-Eigen::VectorXd signature(const Component& component, const Eigen::VectorXd& weights);
+Eigen::VectorXd signature(const Leftover& leftover, const Component& component,
+                          const Eigen::VectorXd& weights);
 
 }  // namespace alidade

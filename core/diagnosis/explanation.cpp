@@ -85,7 +85,8 @@ void normalise(std::vector<Explanation>& sets) {
 std::vector<Explanation> explain(const Leftover& leftover, const std::vector<Component>& candidates,
                                  const SearchOptions& options) {
   const double f = leftover.degreesOfFreedom(), chiSquare = leftover.chiSquare();
-  std::vector<Explanation> all = grownSets(leftover, candidates, options, 1);
+  Search search(leftover, candidates, options);
+  std::vector<Explanation> all = search.grown(1);
   for (Explanation& set : all) weighNominal(set, f);
   std::vector<double> references;
   for (const double left : {chiSquare, bestNamed(all).chiSquare}) {
@@ -94,7 +95,7 @@ std::vector<Explanation> explain(const Leftover& leftover, const std::vector<Com
   }
   if (!options.noise) references.clear();
   for (const double reference : references)
-    for (Explanation& set : grownSets(leftover, candidates, options, reference * reference)) {
+    for (Explanation& set : search.grown(reference * reference)) {
       set.logOdds += std::log(options.odds.noise);
       weighNoisy(set, f, reference, chiSquare);
       all.push_back(std::move(set));
@@ -104,18 +105,15 @@ std::vector<Explanation> explain(const Leftover& leftover, const std::vector<Com
 }
 
 double logBayesFactor(const Leftover& leftover, const Component& component) {
-  if (component.allOrNothing)
-    return component.columns.col(0).dot(leftover.residual()) - component.columns.squaredNorm() / 2;
+  const std::vector<Width>& widths = widthsOf(component.kind);
   if (component.curvature.cols() > 0) {
-    MatrixXd columns(component.columns.rows(), 5);
-    columns << component.columns, component.curvature;
-    return fitBent(widthsOf(component.kind), columns.transpose() * columns,
-                   columns.transpose() * leftover.residual(), 1)
+    const MatrixXd columns = bentColumns(component);
+    return fitBent(widths, columns.transpose() * columns, columns.transpose() * leftover.residual(), 1)
         .gain.log;
   }
-  return gainOf(widthsOf(component.kind), component.columns.transpose() * component.columns,
-                component.columns.transpose() * leftover.residual(), 1)
-      .log;
+  const VectorXd right = component.columns.transpose() * leftover.residual();
+  if (component.allOrNothing) return right[0] - component.gram(0, 0) / 2;
+  return gainOf(widths, component.gram, right, 1).log;
 }
 
 }  // namespace alidade

@@ -25,19 +25,28 @@ struct Gain {
   double width = 1;
 };
 
+/// `gram` G and `right` c of a component after nothing else.
 Gain gainOf(const std::vector<Width>& widths, const Eigen::MatrixXd& gram, const Eigen::VectorXd& right,
             double variance);
-/// Of a single column.
-Gain gainOf(const std::vector<Width>& widths, double gram, double right, double variance);
+
+/// The columns of a component turned so that they are at right angles to one another.
+struct TurnedColumns {
+  Eigen::Ref<const Eigen::VectorXd> squares;  ///< their squared lengths
+  Eigen::Ref<const Eigen::VectorXd> right;    ///< inner products with what is left
+  /// Their inner products with what was taken off before: G = squares − sharedᵀ shared, so that determinant
+  /// and inverse of v/w² + G follow from a matrix as small as what was taken (Woodbury).
+  Eigen::Ref<const Eigen::MatrixXd> shared;
+};
+Gain gainOf(const std::vector<Width>& widths, const TurnedColumns& columns, double variance);
 
 /// Of a bending component with its most likely weights: on a grid over what is plausible, then closing in on
 /// the best. `gram` and `right` are of its two columns and three second derivatives. Widths too narrow for
 /// the grid are taken as if it did not bend.
 struct BentFit {
   Gain gain;
-  Eigen::VectorXd weights;
+  Eigen::Vector2d weights;
 };
-BentFit fitBent(const std::vector<Width>& widths, const Eigen::MatrixXd& gram, const Eigen::VectorXd& right,
-                double variance);
+BentFit fitBent(const std::vector<Width>& widths, const Eigen::Matrix<double, 5, 5>& gram,
+                const Eigen::Vector<double, 5>& right, double variance);
 
 }  // namespace alidade

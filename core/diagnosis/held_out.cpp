@@ -34,7 +34,7 @@ Equations equationsOf(const Leftover& leftover, const Explanation* explanation,
     const Component& component = candidates[part.component];
     // One column: the cause as found, its size left free. Visible parts serve, since what they lack is
     // what the fit takes up.
-    const VectorXd trace = signature(component, part.weights);
+    const VectorXd trace = signature(leftover, component, part.weights);
     const Index last = equations.columns.cols();
     equations.columns.conservativeResize(Eigen::NoChange, last + 1);
     equations.columns.col(last) = trace;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <set>
 
+#include "core/diagnosis/steps_in_time.h"
+
 namespace alidade {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
@@ -15,6 +17,7 @@ std::vector<Component> effectComponents(const Leftover& leftover, const std::vec
     if (std::ranges::find(leftOut, effect.id) != leftOut.end()) continue;
     Component component{.kind = Component::Kind::Effect, .id = std::string(effect.id), .effect = &effect};
     component.columns = leftover.visible(wholeColumns(leftover, component));
+    component.gram = component.columns.transpose() * component.columns;
     component.logPrior = std::log(odds.effect);
     component.allOrNothing = effect.id == "vertical_angle_relation";
     components.push_back(std::move(component));
@@ -48,14 +51,20 @@ std::vector<Component> jumpComponents(const Leftover& leftover, const PriorOdds&
   moments.erase(moments.begin());  // before the first row there is no step
   const std::size_t stride = moments.size() / mostMoments + 1;
   std::vector<Component> components;
-  for (std::size_t m = 0; m < moments.size(); m += stride) {
-    Component jump{.kind = Component::Kind::Jump, .id = "orientation_jump", .moment = moments[m]};
-    jump.columns = leftover.visible(wholeColumns(leftover, jump));
-    components.push_back(std::move(jump));
-  }
+  for (std::size_t m = 0; m < moments.size(); m += stride)
+    components.push_back({.kind = Component::Kind::Jump, .id = "orientation_jump", .moment = moments[m]});
+  const StepsInTime steps(leftover, momentsOf(components), plausibleJump);
+  for (std::size_t m = 0; m < components.size(); ++m) components[m].gram = steps.gram(m);
   for (Component& component : components)
     component.logPrior = std::log(odds.jump / static_cast<double>(components.size()));
   return components;
+}
+
+std::vector<std::size_t> momentsOf(const std::vector<Component>& components) {
+  std::vector<std::size_t> moments;
+  for (const Component& component : components)
+    if (component.kind == Component::Kind::Jump) moments.push_back(component.moment);
+  return moments;
 }
 
 }  // namespace alidade

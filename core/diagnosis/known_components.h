@@ -18,5 +18,7 @@ void bendPlaneTilt(std::vector<Component>& components, const Leftover& leftover,
                    const Linearised& tiltedY);
 /// A step before any row; of long sessions before every so manieth.
 std::vector<Component> jumpComponents(const Leftover& leftover, const PriorOdds& odds);
+/// Of the jumps among the components, in their order.
+std::vector<std::size_t> momentsOf(const std::vector<Component>& components);
 
 }  // namespace alidade

@@ -84,8 +84,8 @@ void Leftover::layOutUnknowns(const std::vector<EstimatedTerm>& inModel, VectorX
 }
 
 void Leftover::eliminateArcAngles(MatrixXd& columns) const {
-  for (const auto& visit : m_visits)
-    for (Index c = 0; c < columns.cols(); ++c) {
+  for (Index c = 0; c < columns.cols(); ++c)
+    for (const auto& visit : m_visits) {
       double share = 0;
       for (const Index i : visit) share += reading(i).along * columns(i, c);
       for (const Index i : visit) columns(i, c) -= share * reading(i).along;
@@ -103,6 +103,31 @@ MatrixXd Leftover::visible(const MatrixXd& columns) const {
   MatrixXd result = outsideArcAngles(columns);
   result -= m_basis * (m_basis.transpose() * result);
   return result;
+}
+
+/// Columnsᵀ columns less what lies along the arc angle of each visit and in the span of the unknowns.
+MatrixXd Leftover::visibleGram(const SparseColumns& columns) const {
+  const Index count = columns.columns();
+  MatrixXd gram = MatrixXd::Zero(count, count), taken = MatrixXd::Zero(m_basis.cols(), count);
+  const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> basis = m_basis;
+  VectorXd share = VectorXd::Zero(count);
+  for (std::size_t i = 0; i < columns.runs();) {
+    const std::size_t visit = reading(columns.run(i).row).visit;
+    Index from = count, to = 0;
+    for (; i < columns.runs() && reading(columns.run(i).row).visit == visit; ++i) {
+      const auto [row, first, values] = columns.run(i);
+      const Index length = values.size();
+      gram.block(first, first, length, length) += values.transpose().lazyProduct(values);
+      taken.middleCols(first, length) += basis.row(row).transpose().lazyProduct(values);
+      share.segment(first, length) += reading(row).along * values.transpose();
+      from = std::min(from, first);
+      to = std::max(to, first + length);
+    }
+    auto touched = share.segment(from, to - from);
+    gram.block(from, from, to - from, to - from) -= touched.lazyProduct(touched.transpose());
+    touched.setZero();
+  }
+  return gram - taken.transpose() * taken;
 }
 
 VectorXd Leftover::column(ErrorTerm term) const {

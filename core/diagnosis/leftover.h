@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/adjustment/linearised.h"
+#include "core/diagnosis/sparse_columns.h"
 
 namespace alidade {
 
@@ -37,6 +38,12 @@ class Leftover {
   const Eigen::MatrixXd& base() const { return m_base; }
   const Eigen::VectorXd& observed() const { return m_observed; }
   Eigen::MatrixXd outsideArcAngles(const Eigen::MatrixXd& columns) const;
+  /// Orthonormal, of what the fit takes up, at right angles to the arc angles.
+  const Eigen::MatrixXd& basis() const { return m_basis; }
+  /// The readings of each visit.
+  const std::vector<std::vector<Eigen::Index>>& visits() const { return m_visits; }
+  /// The inner products of the visible parts of the columns with one another.
+  Eigen::MatrixXd visibleGram(const SparseColumns& columns) const;
   /// |P e|² for an error e of one reading, 1σ: its redundancy.
   double redundancy(Eigen::Index reading) const { return m_redundancy[reading]; }
   /// ∂reading/∂term, whitened, not projected, readings() long.
@@ -47,10 +54,10 @@ class Leftover {
  private:
   std::vector<LinearReading> m_readings;
   std::vector<Linearised> m_sets;
-  std::vector<std::vector<Eigen::Index>> m_visits;  ///< readings of each visit, by index
+  std::vector<std::vector<Eigen::Index>> m_visits;
   Eigen::VectorXd m_observed, m_residual, m_redundancy;
   Eigen::MatrixXd m_base;
-  Eigen::MatrixXd m_basis;  ///< orthonormal, of what the fit takes up, at right angles to the arc angles
+  Eigen::MatrixXd m_basis;
   int m_degreesOfFreedom = 0;
 
   void eliminateArcAngles(Eigen::MatrixXd& columns) const;

@@ -106,7 +106,7 @@ std::vector<GapShare> sharesOfFrames(const Leftover& leftover, const std::vector
       const double energy =
           isReading ? std::pow(part.weights[0], 2) *
                           leftover.redundancy(static_cast<Index>(part.component - candidates.size()))
-                    : signature(candidates[part.component], part.weights).squaredNorm();
+                    : signature(leftover, candidates[part.component], part.weights).squaredNorm();
       energies[isReading ? "readings" : frameOf(candidates[part.component])] += chance * energy;
     }
     energies["noise"] += chance * std::max(0.0, explanation.chiSquare - leftover.degreesOfFreedom());

@@ -2,6 +2,7 @@
 
 #include <Eigen/QR>
 #include <algorithm>
+#include <cmath>
 
 #include "core/diagnosis/explanation.h"
 
@@ -15,23 +16,23 @@ namespace {
 /// several sides.
 double differenceFromBent(const VectorXd& trace, const Component& component) {
   constexpr double sides[][2] = {{3, 0}, {0, 3}, {2, 2}, {2, -2}, {0.1, 0.1}};
-  double least = trace.norm();
+  const MatrixXd columns = bentColumns(component);
+  const MatrixXd gram = columns.transpose() * columns;
+  const VectorXd right = columns.transpose() * trace;
+  double least = trace.squaredNorm();
   for (const auto& side : sides) {
     VectorXd weights = Eigen::Vector2d(side[0], side[1]);
     for (int i = 0; i < 12; ++i) {
-      MatrixXd columns = component.columns;
-      const auto& second = component.curvature;
-      columns.col(0) += second.col(0) * weights[0] + second.col(1) * weights[1];
-      columns.col(1) += second.col(1) * weights[0] + second.col(2) * weights[1];
-      const VectorXd left = trace - signature(component, weights);
-      least = std::min(least, left.norm());
-      MatrixXd normal = columns.transpose() * columns;
+      const VectorXd bent = bentWeights(weights), left = right - gram * bent;
+      least = std::min(least, trace.squaredNorm() - bent.dot(right + left));
+      const auto derivatives = bentDerivatives(weights);
+      MatrixXd normal = derivatives.transpose() * gram * derivatives;
       normal.diagonal().array() += 1e-6 * normal.trace() + 1e-12;
-      weights += normal.ldlt().solve(columns.transpose() * left);
+      weights += normal.ldlt().solve(derivatives.transpose() * left);
       weights = weights.cwiseMax(-20).cwiseMin(20);
     }
   }
-  return least;
+  return std::sqrt(std::max(least, 0.0));
 }
 
 }  // namespace

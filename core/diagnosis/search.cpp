@@ -2,226 +2,234 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
-#include <set>
-
-#include "core/diagnosis/gain.h"
+#include <cmath>
+#include <span>
 
 namespace alidade {
 
-namespace {
-
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
-/// A set of components, eliminated from the leftover at one scale of the noise.
-struct State {
-  Explanation found;
-  double variance = 1;  ///< of the readings, in units of the stated one
-  VectorXd observed;    ///< the leftover less what does not depend on weights
-  VectorXd residual;    ///< what is left of it, columns taken off at their weights
-  MatrixXd taken;       ///< V with leftover metric P − V Vᵀ
-  int misreadings = 0;
-};
+namespace {
 
-class Search {
- public:
-  Search(const Leftover& leftover, const std::vector<Component>& candidates, const SearchOptions& options)
-      : m_leftover(leftover), m_candidates(candidates), m_options(options) {
-    Index columns = 0;
-    for (const Component& candidate : candidates) {
-      m_first.push_back(columns);
-      columns += candidate.columns.cols();
-    }
-    m_columns.resize(leftover.rows(), columns);
-    for (std::size_t i = 0; i < candidates.size(); ++i)
-      m_columns.middleCols(m_first[i], candidates[i].columns.cols()) = candidates[i].columns;
-    m_redundancy.resize(leftover.readings());
-    for (Index i = 0; i < leftover.readings(); ++i) m_redundancy[i] = leftover.redundancy(i);
-  }
+constexpr std::size_t jumpsOffered = 2, misreadingsOffered = 4;
 
-  State nothing(double variance) const {
-    State state;
-    state.variance = variance;
-    state.observed = state.residual = m_leftover.residual();
-    state.taken.resize(m_leftover.rows(), 0);
-    state.found.chiSquare = m_leftover.chiSquare();
-    return state;
-  }
+/// A number that tells sets apart when added up (splitmix64).
+std::uint64_t keyOf(std::size_t component) {
+  std::uint64_t key = (component + 1) * 0x9e3779b97f4a7c15U;
+  key = (key ^ (key >> 30)) * 0xbf58476d1ce4e5b9U;
+  key = (key ^ (key >> 27)) * 0x94d049bb133111ebU;
+  return key ^ (key >> 31);
+}
 
-  /// Grows `start` step by step; every state met goes to `all`.
-  void grow(State start, std::vector<State>& all) const {
-    std::vector<State> level{std::move(start)};
-    all.push_back(level.front());
-    std::set<std::vector<std::size_t>> seen;
-    while (!level.empty()) {
-      std::vector<State> next;
-      for (const State& state : level)
-        for (auto& [component, gain] : best(state))
-          if (seen.insert(idsWith(state, component)).second) next.push_back(with(state, component, gain));
-      std::ranges::sort(next, std::greater{}, [](const State& s) { return s.found.logOdds; });
-      if (next.size() > m_options.beam) next.resize(m_options.beam);
-      // A step that costs more than it gains is kept once, never grown further.
-      for (const State& state : next) all.push_back(state);
-      std::erase_if(next, [&](const State& s) { return !mayGrow(s) || s.found.parts.back().logGain < 0; });
-      level = std::move(next);
-    }
-  }
+/// The `count` with the greatest gain.
+template <typename Growths>
+void keepBest(Growths& growths, std::size_t count) {
+  std::ranges::sort(growths, std::greater{}, [](const auto& growth) { return growth.gain.log; });
+  if (growths.size() > count) growths.resize(count);
+}
 
- private:
-  const Leftover& m_leftover;
-  const std::vector<Component>& m_candidates;
-  const SearchOptions& m_options;
-  std::vector<Index> m_first;
-  MatrixXd m_columns;
-  VectorXd m_redundancy;
-
-  bool mayGrow(const State& state) const {
-    const auto parts = state.found.parts.size();
-    if (state.found.shaped) return false;
-    if (parts < m_options.mostParts) return true;
-    return state.misreadings == static_cast<int>(parts) && parts < m_options.mostMisreadings;
-  }
-
-  double misreadingPrior() const {
-    return std::log(m_options.odds.misreading /
-                    static_cast<double>(std::max<Index>(m_leftover.readings(), 1)));
-  }
-
-  std::size_t misreadingOf(Index reading) const {
-    return m_candidates.size() + static_cast<std::size_t>(reading);
-  }
-
-  static std::vector<std::size_t> idsWith(const State& state, std::size_t component) {
-    std::vector<std::size_t> ids{component};
-    for (const Part& part : state.found.parts) ids.push_back(part.component);
-    std::ranges::sort(ids);
-    return ids;
-  }
-
-  /// The most promising components to add: (index, gain). Of jumps and of misreadings the best few each.
-  std::vector<std::pair<std::size_t, Gain>> best(const State& state) const {
-    const VectorXd right = m_columns.transpose() * state.residual;
-    const MatrixXd shared = state.taken.transpose() * m_columns;
-    std::vector<std::pair<std::size_t, Gain>> effects, jumps, misreadings;
-    for (std::size_t i = 0; i < m_candidates.size(); ++i) {
-      const Component& candidate = m_candidates[i];
-      if (std::ranges::find(state.found.parts, i, &Part::component) != state.found.parts.end()) continue;
-      const bool isJump = candidate.kind == Component::Kind::Jump;
-      if (isJump && hasJump(state)) continue;
-      const Index first = m_first[i], count = candidate.columns.cols();
-      if (candidate.allOrNothing) {
-        const double size = candidate.columns.squaredNorm() - shared.col(first).squaredNorm();
-        effects.emplace_back(i, Gain{(right[first] - size / 2) / state.variance, 1});
-        continue;
-      }
-      if (candidate.curvature.cols() > 0) {
-        effects.emplace_back(i, fitBent(state, candidate).gain);
-        continue;
-      }
-      const auto share = shared.middleCols(first, count);
-      const MatrixXd gram = candidate.columns.transpose() * candidate.columns - share.transpose() * share;
-      const Gain gain = gainOf(widthsOf(candidate.kind), gram, right.segment(first, count), state.variance);
-      (isJump ? jumps : effects).emplace_back(i, gain);
-    }
-    for (Index i = 0; m_options.misreadings && i < m_leftover.readings(); ++i) {
-      if (std::ranges::find(state.found.parts, misreadingOf(i), &Part::component) != state.found.parts.end())
-        continue;
-      const double left = m_redundancy[i] - state.taken.row(i).squaredNorm();
-      if (left < 1e-6) continue;
-      const Gain gain =
-          gainOf(widthsOf(Component::Kind::Misreading), left, state.residual[i], state.variance);
-      misreadings.emplace_back(misreadingOf(i), gain);
-    }
-    const auto keep = [](auto& list, std::size_t count) {
-      std::ranges::sort(list, std::greater{}, [](const auto& entry) { return entry.second.log; });
-      if (list.size() > count) list.resize(count);
-    };
-    keep(jumps, 2);
-    keep(misreadings, 4);
-    effects.insert(effects.end(), jumps.begin(), jumps.end());
-    effects.insert(effects.end(), misreadings.begin(), misreadings.end());
-    return effects;
-  }
-
-  static BentFit fitBent(const State& state, const Component& candidate) {
-    MatrixXd columns(candidate.columns.rows(), 5);
-    columns << candidate.columns, candidate.curvature;
-    const MatrixXd shared = state.taken.transpose() * columns;
-    return alidade::fitBent(widthsOf(candidate.kind),
-                            columns.transpose() * columns - shared.transpose() * shared,
-                            columns.transpose() * state.residual, state.variance);
-  }
-
-  bool hasJump(const State& state) const {
-    return std::ranges::any_of(state.found.parts, [&](const Part& part) {
-      return part.component < m_candidates.size() &&
-             m_candidates[part.component].kind == Component::Kind::Jump;
-    });
-  }
-
-  State with(const State& state, std::size_t component, const Gain& gain) const {
-    State next = state;
-    const bool isReading = component >= m_candidates.size();
-    MatrixXd columns;
-    if (isReading) {
-      VectorXd unit = VectorXd::Zero(m_leftover.readings());
-      unit[static_cast<Index>(component - m_candidates.size())] = 1;
-      columns = m_leftover.visible(unit);
-    } else {
-      const Component& candidate = m_candidates[component];
-      columns = candidate.columns;
-      if (candidate.allOrNothing) return withWhole(std::move(next), component, gain);
-      if (candidate.curvature.cols() > 0) {
-        const VectorXd at = fitBent(state, candidate).weights;
-        const auto& second = candidate.curvature;
-        columns.col(0) += second.col(0) * at[0] + second.col(1) * at[1];
-        columns.col(1) += second.col(1) * at[0] + second.col(2) * at[1];
-        next.observed -= signature(candidate, at) - columns * at;
-        next.residual = next.observed - state.taken * (state.taken.transpose() * next.observed);
-      }
-    }
-    const MatrixXd free = columns - state.taken * (state.taken.transpose() * columns);
-    MatrixXd matrix = columns.transpose() * free;
-    matrix.diagonal().array() += state.variance / (gain.width * gain.width);
-    const Eigen::LLT<MatrixXd> factor(matrix);
-    const VectorXd weights = factor.solve(columns.transpose() * next.residual);
-    const MatrixXd added = factor.matrixL().solve(free.transpose()).transpose();
-    next.taken.conservativeResize(Eigen::NoChange, state.taken.cols() + added.cols());
-    next.taken.rightCols(added.cols()) = added;
-    next.residual -= added * (added.transpose() * next.observed);
-    next.found.shaped = !isReading && m_candidates[component].kind == Component::Kind::Shape;
-    next.misreadings += isReading ? 1 : 0;
-    return noted(std::move(next), {component, gain.width, weights, gain.log});
-  }
-
-  /// With all of a component or nothing of it.
-  State withWhole(State next, std::size_t component, const Gain& gain) const {
-    next.observed -= m_candidates[component].columns.col(0);
-    next.residual = next.observed - next.taken * (next.taken.transpose() * next.observed);
-    return noted(std::move(next), {component, 1, VectorXd::Ones(1), gain.log});
-  }
-
-  State noted(State next, Part part) const {
-    const bool isReading = part.component >= m_candidates.size();
-    next.found.chiSquare = next.observed.dot(next.residual);
-    next.found.logEvidence += part.logGain;
-    next.found.logOdds +=
-        part.logGain + (isReading ? misreadingPrior() : m_candidates[part.component].logPrior);
-    next.found.parts.push_back(std::move(part));
-    return next;
-  }
-};
+/// No width makes a single column gain more, by its squared product with what is left over its own square.
+double mostGain(double score) {
+  return score > 1 ? 0.5 * (score - 1 - std::log(score)) : 0;
+}
 
 }  // namespace
 
-std::vector<Explanation> grownSets(const Leftover& leftover, const std::vector<Component>& candidates,
-                                   const SearchOptions& options, double variance) {
-  const Search search(leftover, candidates, options);
+Search::Search(const Leftover& leftover, const std::vector<Component>& candidates,
+               const SearchOptions& options)
+    : m_leftover(leftover), m_candidates(candidates), m_options(options), m_table(leftover, candidates) {}
+
+std::vector<Explanation> Search::grown(double variance) {
+  m_variance = variance;
+  State nothing;
+  nothing.found.chiSquare = m_leftover.chiSquare();
+  nothing.right = m_table.products(m_leftover.residual());
+  nothing.shared.resize(0, m_table.size());
+  std::vector<Explanation> found{nothing.found};
+  for (std::vector<State> level{std::move(nothing)}; !level.empty();) {
+    level = next(level);
+    for (const State& state : level) found.push_back(state.found);
+    // A step that costs more than it gains is kept once, never grown further.
+    std::erase_if(level, [&](const State& s) { return !mayGrow(s) || s.found.parts.back().logGain < 0; });
+  }
+  return found;
+}
+
+std::vector<Search::State> Search::next(const std::vector<State>& level) {
+  std::vector<Growth> growths;
+  for (std::size_t i = 0; i < level.size(); ++i) offer(level[i], i, growths);
+  // The same set may grow in several ways; the one from the best state counts.
+  std::vector<std::size_t> order(growths.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::ranges::sort(order, std::greater{}, [&](std::size_t i) { return growths[i].logOdds; });
   std::vector<State> states;
-  search.grow(search.nothing(variance), states);
-  std::vector<Explanation> sets;
-  sets.reserve(states.size());
-  for (State& state : states) sets.push_back(std::move(state.found));
-  return sets;
+  for (const std::size_t i : order) {
+    if (states.size() == m_options.beam) break;
+    const auto upToHere = std::span(growths).first(i);
+    if (std::ranges::find(upToHere, growths[i].key, &Growth::key) == upToHere.end())
+      states.push_back(with(level[growths[i].state], growths[i]));
+  }
+  return states;
+}
+
+bool Search::mayGrow(const State& state) const {
+  const auto parts = state.found.parts.size();
+  if (state.found.shaped) return false;
+  if (parts < m_options.mostParts) return true;
+  return state.misreadings == static_cast<int>(parts) && parts < m_options.mostMisreadings;
+}
+
+double Search::priorOf(std::size_t component) const {
+  if (component < m_candidates.size()) return m_candidates[component].logPrior;
+  return std::log(m_options.odds.misreading / static_cast<double>(std::max<Index>(m_leftover.readings(), 1)));
+}
+
+/// The most promising components to add: of jumps and of misreadings the best few.
+void Search::offer(const State& state, std::size_t index, std::vector<Growth>& growths) const {
+  const auto taken = [&](std::size_t component) {
+    return std::ranges::find(state.found.parts, component, &Part::component) != state.found.parts.end();
+  };
+  const bool hasJump = std::ranges::any_of(state.found.parts, [&](const Part& part) {
+    return part.component < m_candidates.size() && m_candidates[part.component].kind == Component::Kind::Jump;
+  });
+  std::vector<Growth> offered, jumps;
+  for (std::size_t i = 0; i < m_candidates.size(); ++i) {
+    const bool isJump = m_candidates[i].kind == Component::Kind::Jump;
+    if (taken(i) || (isJump && hasJump)) continue;
+    (isJump ? jumps : offered).push_back({.component = i, .gain = gainFor(state, i)});
+  }
+  keepBest(jumps, jumpsOffered);
+  offered.insert(offered.end(), jumps.begin(), jumps.end());
+  if (m_options.misreadings)
+    for (const Growth& growth : misreadingsFor(state))
+      if (!taken(growth.component)) offered.push_back(growth);
+  for (Growth& growth : offered) {
+    growth.state = index;
+    growth.logOdds = state.found.logOdds + growth.gain.log + priorOf(growth.component);
+    growth.key = state.key + keyOf(growth.component);
+    growths.push_back(growth);
+  }
+}
+
+/// The best few: those with the highest scores, and whatever else could do better.
+std::vector<Search::Growth> Search::misreadingsFor(const State& state) const {
+  constexpr double determined = 1e-6;  // redundancy below which a reading can be anything
+  std::vector<std::pair<double, std::size_t>> scores;
+  for (Index i = 0; i < m_leftover.readings(); ++i) {
+    const std::size_t component = m_candidates.size() + static_cast<std::size_t>(i);
+    const Index column = m_table.first(component);
+    const double left = m_table.squares()[column] - state.shared.col(column).squaredNorm();
+    if (left >= determined)
+      scores.emplace_back(state.right[column] * state.right[column] / (left * m_variance), component);
+  }
+  const std::size_t count = std::min(misreadingsOffered, scores.size());
+  std::ranges::partial_sort(scores, scores.begin() + static_cast<std::ptrdiff_t>(count), std::greater{});
+  std::vector<Growth> best;
+  for (std::size_t i = 0; i < scores.size(); ++i)
+    if (best.size() < misreadingsOffered || mostGain(scores[i].first) > best.back().gain.log) {
+      best.push_back({.component = scores[i].second, .gain = gainFor(state, scores[i].second)});
+      if (best.size() >= misreadingsOffered) keepBest(best, misreadingsOffered);
+    }
+  keepBest(best, misreadingsOffered);
+  return best;
+}
+
+Gain Search::gainFor(const State& state, std::size_t component) const {
+  const Index first = m_table.first(component), count = m_table.count(component);
+  auto kind = Component::Kind::Misreading;
+  if (component < m_candidates.size()) {
+    const Component& candidate = m_candidates[component];
+    kind = candidate.kind;
+    if (candidate.allOrNothing) {
+      const double square = m_table.squares()[first] - state.shared.col(first).squaredNorm();
+      return {(state.right[first] - square / 2) / m_variance, 1};
+    }
+    if (candidate.curvature.cols() > 0) return bentFor(state, component).gain;
+  }
+  return gainOf(widthsOf(kind),
+                TurnedColumns{m_table.squares().segment(first, count), state.right.segment(first, count),
+                              state.shared.middleCols(first, count)},
+                m_variance);
+}
+
+BentFit Search::bentFor(const State& state, std::size_t component) const {
+  const Index first = m_table.first(component), count = m_table.count(component);
+  const MatrixXd columns = bentColumns(m_candidates[component]);
+  const auto shared = state.shared.middleCols(first, count);
+  return fitBent(widthsOf(Component::Kind::Effect),
+                 columns.transpose() * columns - shared.transpose() * shared,
+                 state.right.segment(first, count), m_variance);
+}
+
+const MatrixXd& Search::productsOf(std::size_t component) {
+  const auto [entry, isNew] = m_products.try_emplace(component);
+  if (isNew) entry->second = m_table.productsOf(component);
+  return entry->second;
+}
+
+/// With weights normal around zero, of variance `m_variance/prior`.
+void Search::takeOff(State& state, const MatrixXd& products, MatrixXd gram, const VectorXd& right,
+                     double prior) const {
+  gram.diagonal().array() += prior;
+  const Eigen::LLT<MatrixXd> factor(gram);
+  const VectorXd along = factor.matrixL().solve(right);
+  const MatrixXd added = factor.matrixL().solve(products);
+  const Index before = state.shared.rows();
+  state.shared.conservativeResize(before + added.rows(), Eigen::NoChange);
+  state.shared.bottomRows(added.rows()) = added;
+  state.right -= added.transpose() * along;
+  state.found.chiSquare -= along.squaredNorm();
+  Part& part = state.found.parts.back();
+  part.weights = m_table.weights(part.component, factor.matrixU().solve(along));
+}
+
+/// A pattern never grows: what it shares with others is of no interest.
+void Search::takePattern(State& state, Index first, Index count, double prior) const {
+  const auto before = state.shared.middleCols(first, count);
+  MatrixXd gram = -before.transpose() * before;
+  gram.diagonal() += m_table.squares().segment(first, count);
+  gram.diagonal().array() += prior;
+  const VectorXd right = state.right.segment(first, count), turned = gram.llt().solve(right);
+  state.found.shaped = true;
+  state.found.chiSquare -= right.dot(turned);
+  Part& part = state.found.parts.back();
+  part.weights = m_table.weights(part.component, turned);
+}
+
+Search::State Search::with(const State& state, const Growth& growth) {
+  const std::size_t component = growth.component;
+  const Index first = m_table.first(component), count = m_table.count(component);
+  const Component* candidate = component < m_candidates.size() ? &m_candidates[component] : nullptr;
+  State next = state;
+  next.misreadings += candidate ? 0 : 1;
+  next.key = growth.key;
+  next.found.logOdds = growth.logOdds;
+  next.found.logEvidence += growth.gain.log;
+  next.found.parts.push_back({component, growth.gain.width, VectorXd::Ones(1), growth.gain.log});
+  const double prior = m_variance / (growth.gain.width * growth.gain.width);
+  if (candidate && candidate->kind == Component::Kind::Shape) {
+    takePattern(next, first, count, prior);
+    return next;
+  }
+  const MatrixXd products =
+      productsOf(component) - state.shared.middleCols(first, count).transpose() * state.shared;
+  const MatrixXd gram = products.middleCols(first, count);
+  const VectorXd right = state.right.segment(first, count);
+  if (candidate && candidate->allOrNothing) {
+    next.found.chiSquare += gram(0, 0) - 2 * right[0];
+    next.right -= products.transpose();
+  } else if (candidate && candidate->curvature.cols() > 0) {
+    const VectorXd at = bentFor(state, component).weights;
+    const auto slope = bentDerivatives(at);
+    const VectorXd beside = bentWeights(at) - slope * at;  // what is not linear there
+    next.found.chiSquare += beside.dot(gram * beside - 2 * right);
+    next.right -= products.transpose() * beside;
+    takeOff(next, slope.transpose() * products, slope.transpose() * gram * slope,
+            slope.transpose() * (right - gram * beside), prior);
+  } else {
+    takeOff(next, products, gram, right, prior);
+  }
+  return next;
 }
 
 }  // namespace alidade

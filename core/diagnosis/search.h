@@ -1,15 +1,62 @@
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <vector>
 
+#include "core/diagnosis/column_table.h"
 #include "core/diagnosis/explanation.h"
+#include "core/diagnosis/gain.h"
 
 namespace alidade {
 
 /// For the .cpp files of this room only. Sets of components, grown one component at a time with the noise
-/// held at `variance` times the stated one; the best few of each size are kept. Their `logOdds` and
-/// `logEvidence` are against nothing at the same noise. The first is the empty set.
-std::vector<Explanation> grownSets(const Leftover& leftover, const std::vector<Component>& candidates,
-                                   const SearchOptions& options, double variance);
+/// held at some variance; the best few of each size are kept. Works on the inner products of the columns
+/// alone: what is taken off is noted by its products with every column.
+class Search {
+ public:
+  Search(const Leftover& leftover, const std::vector<Component>& candidates, const SearchOptions& options);
+
+  /// `variance`: of the readings, in units of the stated one. `logOdds` and `logEvidence` are against nothing
+  /// with the same noise. The first is the empty set.
+  std::vector<Explanation> grown(double variance);
+
+ private:
+  /// A set of components, taken off the leftover.
+  struct State {
+    Explanation found;
+    Eigen::VectorXd right;   ///< products of all columns with what is left
+    Eigen::MatrixXd shared;  ///< with what was taken: columns have the Gram matrix CᵀC − sharedᵀ shared
+    int misreadings = 0;
+    std::uint64_t key = 0;  ///< of the set, whatever the order
+  };
+  /// A component that a state may take next.
+  struct Growth {
+    std::size_t state = 0, component = 0;
+    Gain gain;
+    double logOdds = 0;
+    std::uint64_t key = 0;
+  };
+
+  const Leftover& m_leftover;
+  const std::vector<Component>& m_candidates;
+  const SearchOptions& m_options;
+  ColumnTable m_table;
+  std::map<std::size_t, Eigen::MatrixXd> m_products;  ///< of components that were taken
+  double m_variance = 1;
+
+  std::vector<State> next(const std::vector<State>& level);
+  void offer(const State& state, std::size_t index, std::vector<Growth>& growths) const;
+  std::vector<Growth> misreadingsFor(const State& state) const;
+  Gain gainFor(const State& state, std::size_t component) const;
+  BentFit bentFor(const State& state, std::size_t component) const;
+  State with(const State& state, const Growth& growth);
+  void takeOff(State& state, const Eigen::MatrixXd& products, Eigen::MatrixXd gram,
+               const Eigen::VectorXd& right, double prior) const;
+  void takePattern(State& state, Eigen::Index first, Eigen::Index count, double prior) const;
+  const Eigen::MatrixXd& productsOf(std::size_t component);
+  bool mayGrow(const State& state) const;
+  double priorOf(std::size_t component) const;
+};
 
 }  // namespace alidade

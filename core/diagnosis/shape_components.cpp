@@ -7,11 +7,11 @@
 
 namespace alidade {
 
-using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+using Eigen::Index, Eigen::MatrixXd, Eigen::RowVectorXd, Eigen::VectorXd;
 
 namespace {
 
-constexpr double invisible = 1e-6;  // σ over all readings: rounding
+constexpr double invisible = 1e-5;  // σ over all readings: rounding
 
 /// What a pattern may follow, reading by reading.
 struct Surroundings {
@@ -59,16 +59,6 @@ class ShapeMaker {
  public:
   explicit ShapeMaker(const Leftover& leftover) : m_leftover(leftover) {}
 
-  /// Scaled so that a weight of 1 moves the readings it moves by 1σ in the mean.
-  void add(const std::string& id, MatrixXd columns) {
-    const double touched = static_cast<double>((columns.rowwise().squaredNorm().array() > 0).count());
-    if (touched == 0) return;
-    columns *= std::sqrt(touched / columns.squaredNorm());
-    MatrixXd visible = m_leftover.visible(columns);
-    if (visible.norm() < invisible) return;
-    m_components.push_back({.kind = Component::Kind::Shape, .id = id, .columns = std::move(visible)});
-  }
-
   /// `carrier` times a function that differs from group to group.
   template <typename Group>
   void addGroups(const std::string& id, const VectorXd& carrier, const Group& groupOf) {
@@ -76,25 +66,24 @@ class ShapeMaker {
     for (Index i = 0; i < carrier.size(); ++i)
       if (carrier[i] != 0) groups.emplace(groupOf(i), static_cast<Index>(groups.size()));
     if (groups.size() < 2 || groups.size() > mostGroups) return;
-    MatrixXd columns = MatrixXd::Zero(carrier.size(), static_cast<Index>(groups.size()));
+    SparseColumns columns(static_cast<Index>(groups.size()));
     for (Index i = 0; i < carrier.size(); ++i)
-      if (carrier[i] != 0) columns(i, groups.at(groupOf(i))) = carrier[i];
+      if (carrier[i] != 0) columns.add(i, groups.at(groupOf(i)), RowVectorXd::Constant(1, carrier[i]));
     add(id, std::move(columns));
   }
 
   void addHarmonic(const std::string& id, const VectorXd& carrier, const VectorXd& s, int order) {
-    MatrixXd columns(carrier.size(), 2);
-    columns.col(0) = carrier.array() * (order * s.array()).cos();
-    columns.col(1) = carrier.array() * (order * s.array()).sin();
-    add(id, std::move(columns));
+    addFunctions(id, carrier, 2,
+                 [&](Index i) { return Eigen::RowVector2d(std::cos(order * s[i]), std::sin(order * s[i])); });
   }
 
   /// Cosines of 1 to `count` half waves over 0…1, the shorter the weaker.
   void addSmooth(const std::string& id, const VectorXd& carrier, const VectorXd& where, int count) {
-    MatrixXd columns(carrier.size(), count);
-    for (int k = 1; k <= count; ++k)
-      columns.col(k - 1) = carrier.array() * (k * std::numbers::pi * where.array()).cos() / k;
-    add(id, std::move(columns));
+    addFunctions(id, carrier, count, [&](Index i) {
+      RowVectorXd values(count);
+      for (int k = 1; k <= count; ++k) values[k - 1] = std::cos(k * std::numbers::pi * where[i]) / k;
+      return values;
+    });
   }
 
   std::vector<Component> take(double odds) {
@@ -107,6 +96,24 @@ class ShapeMaker {
   static constexpr std::size_t mostGroups = 80;
   const Leftover& m_leftover;
   std::vector<Component> m_components;
+
+  template <typename Functions>
+  void addFunctions(const std::string& id, const VectorXd& carrier, Index count, const Functions& functions) {
+    SparseColumns columns(count);
+    for (Index i = 0; i < carrier.size(); ++i)
+      if (carrier[i] != 0) columns.add(i, 0, carrier[i] * functions(i));
+    add(id, std::move(columns));
+  }
+
+  /// Scaled so that a weight of 1 moves the readings it moves by 1σ in the mean.
+  void add(const std::string& id, SparseColumns columns) {
+    if (columns.runs() == 0) return;
+    columns.scale(std::sqrt(static_cast<double>(columns.runs()) / columns.squaredNorm()));
+    MatrixXd gram = m_leftover.visibleGram(columns);
+    if (gram.trace() < invisible * invisible) return;
+    m_components.push_back(
+        {.kind = Component::Kind::Shape, .id = id, .pattern = std::move(columns), .gram = std::move(gram)});
+  }
 };
 
 VectorXd toUnit(const VectorXd& values) {

@@ -1,23 +1,26 @@
 #include "core/diagnosis/unseen.h"
 
 #include <algorithm>
-#include <numbers>
+#include <cmath>
 
+#include "core/diagnosis/known_components.h"
 #include "core/diagnosis/look_alikes.h"
+#include "core/diagnosis/steps_in_time.h"
 
 namespace alidade {
 
-using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 
 namespace {
 
 constexpr double negligible = 1e-5;  // mm
 
-UnseenEffect worstOf(const Component& component, const MatrixXd& whole, const VectorXd& perReading) {
-  const VectorXd influence = whole.transpose() * perReading;
+/// In the direction of the weights that moves Δd most.
+UnseenEffect worstOf(const Component& component, const VectorXd& influence) {
   const double size = influence.norm();
-  if (size < negligible) return {component.id, 0, component.columns.norm()};
-  return {component.id, size, (component.columns * (influence / size)).norm()};
+  if (size < negligible) return {component.id, 0, std::sqrt(component.gram.trace())};
+  const VectorXd direction = influence / size;
+  return {component.id, size, std::sqrt(std::max(0.0, direction.dot(component.gram * direction)))};
 }
 
 }  // namespace
@@ -25,9 +28,15 @@ UnseenEffect worstOf(const Component& component, const MatrixXd& whole, const Ve
 std::vector<UnseenEffect> unseenEffects(const Leftover& leftover, const std::vector<Component>& candidates,
                                         const VectorXd& perReading) {
   std::vector<UnseenEffect> unseen;
+  const Eigen::Matrix2Xd ofJumps =
+      StepsInTime(leftover, momentsOf(candidates), plausibleJump).products(perReading);
+  Index jump = 0;
   for (const Component& component : candidates) {
     if (component.kind == Component::Kind::Shape || component.allOrNothing) continue;
-    const UnseenEffect worst = worstOf(component, wholeColumns(leftover, component), perReading);
+    const VectorXd influence = component.kind == Component::Kind::Jump
+                                   ? VectorXd(ofJumps.col(jump++))
+                                   : wholeColumns(leftover, component).transpose() * perReading;
+    const UnseenEffect worst = worstOf(component, influence);
     if (worst.influence < negligible || worst.visibleSigma > clearlyDifferent) continue;
     const auto same = std::ranges::find(unseen, worst.effect, &UnseenEffect::effect);
     if (same == unseen.end())

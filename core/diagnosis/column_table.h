@@ -1,0 +1,44 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/diagnosis/component.h"
+#include "core/diagnosis/steps_in_time.h"
+
+namespace alidade {
+
+// The visible columns of every component that may explain a leftover, seen through their inner products, for
+// the .cpp files of this room only. Columns of one component are turned so that they are at right angles to
+// one another; weights normal around zero look the same in any direction. Behind the candidates' columns
+// comes one for each reading, 1σ off. A bending component has its columns and curvature, not turned.
+class ColumnTable {
+ public:
+  ColumnTable(const Leftover& leftover, const std::vector<Component>& candidates);
+
+  Eigen::Index size() const { return m_size; }
+  /// Of a candidate, or of a misreading numbered behind them.
+  Eigen::Index first(std::size_t component) const;
+  Eigen::Index count(std::size_t component) const;
+  /// The squared length of every column.
+  const Eigen::VectorXd& squares() const { return m_squares; }
+  /// The inner products of all columns with a vector that is visible, rows() long.
+  Eigen::VectorXd products(const Eigen::VectorXd& visible) const;
+  /// The same with each column of a component: count × size().
+  Eigen::MatrixXd productsOf(std::size_t component) const;
+  /// Weights of turned columns as weights of the component.
+  Eigen::VectorXd weights(std::size_t component, const Eigen::VectorXd& turned) const;
+
+ private:
+  const Leftover& m_leftover;
+  const std::vector<Component>& m_candidates;
+  std::vector<Eigen::Index> m_first;     ///< of each candidate, and of the readings
+  std::vector<Eigen::MatrixXd> m_turns;  ///< empty: not turned
+  Eigen::Index m_size = 0;
+  Eigen::VectorXd m_squares;
+  StepsInTime m_steps;
+
+  Eigen::MatrixXd visibleColumns(std::size_t component) const;
+};
+
+}  // namespace alidade

@@ -1,0 +1,55 @@
+#include "core/diagnosis/steps_in_time.h"
+
+#include <algorithm>
+
+namespace alidade {
+
+using Eigen::Index, Eigen::Matrix2d, Eigen::Matrix2Xd, Eigen::Vector2d, Eigen::VectorXd;
+
+StepsInTime::StepsInTime(const Leftover& leftover, std::vector<std::size_t> moments, double size)
+    : m_horizontal(leftover.column(ErrorTerm::HorizontalJump) * size),
+      m_vertical(leftover.column(ErrorTerm::VerticalJump) * size),
+      m_moments(moments.size()) {
+  for (Index i = 0; i < leftover.readings(); ++i)
+    m_last.push_back(std::ranges::upper_bound(moments, leftover.reading(i).sequence) - moments.begin() - 1);
+  addGrams(leftover);
+}
+
+Matrix2Xd StepsInTime::products(const VectorXd& overReadings) const {
+  Matrix2Xd sums = Matrix2Xd::Zero(2, static_cast<Index>(m_moments));
+  for (Index i = 0; i < m_horizontal.size(); ++i) {
+    const Index last = m_last[static_cast<std::size_t>(i)];
+    if (last < 0) continue;
+    sums(0, last) += m_horizontal[i] * overReadings[i];
+    sums(1, last) += m_vertical[i] * overReadings[i];
+  }
+  for (Index m = sums.cols() - 1; m > 0; --m) sums.col(m - 1) += sums.col(m);
+  return sums;
+}
+
+/// Columnsᵀ columns less what lies along the arc angle of each visit and in the span of the unknowns.
+void StepsInTime::addGrams(const Leftover& leftover) {
+  m_grams.assign(m_moments, Matrix2d::Zero());
+  if (m_moments == 0) return;
+  const auto gramAt = [&](Index moment) -> Matrix2d& { return m_grams[static_cast<std::size_t>(moment)]; };
+  for (const std::vector<Index>& visit : leftover.visits()) {
+    std::vector<Index> latestFirst = visit;
+    std::ranges::stable_sort(latestFirst, std::greater{},
+                             [&](Index i) { return m_last[static_cast<std::size_t>(i)]; });
+    Vector2d share = Vector2d::Zero();
+    for (const Index i : latestFirst) {
+      const Index last = m_last[static_cast<std::size_t>(i)];
+      if (last < 0) break;
+      const Vector2d both(m_horizontal[i], m_vertical[i]), before = share;
+      share += leftover.reading(i).along * both;
+      gramAt(last) += both * both.transpose() - share * share.transpose() + before * before.transpose();
+    }
+  }
+  for (std::size_t m = m_moments; m-- > 1;) m_grams[m - 1] += m_grams[m];
+  for (Index c = 0; c < leftover.basis().cols(); ++c) {
+    const Matrix2Xd along = products(leftover.basis().col(c).head(leftover.readings()));
+    for (Index m = 0; m < along.cols(); ++m) gramAt(m) -= along.col(m) * along.col(m).transpose();
+  }
+}
+
+}  // namespace alidade
