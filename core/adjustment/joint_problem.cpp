@@ -22,6 +22,30 @@ const Sighting* sliderOf(const ArcMeasurement& arc, const Visit& visit) {
   return nullptr;
 }
 
+/// Normal equations over the slots of one arc.
+struct SlotSystem {
+  SlotMatrix matrix;
+  Slots rightSide;
+};
+
+/// With the arc angle eliminated. `Columns`: the number of slots where it is known beforehand, which the
+/// compiler unrolls. `lazyProduct`: these matrices are so small that blocking them costs more than
+/// multiplying.
+template <int Columns>
+void addNormalEquations(SlotSystem& sum, const VisitEquations& equations) {
+  constexpr int most = VisitEquations::mostRows,
+                mostColumns = Columns == Eigen::Dynamic ? mostSlots : Columns;
+  using Jacobian = Eigen::Matrix<double, Eigen::Dynamic, Columns, Eigen::RowMajor, most, mostColumns>;
+  using Square = Eigen::Matrix<double, Columns, Columns, Eigen::ColMajor, mostColumns, mostColumns>;
+  using Vector = Eigen::Matrix<double, Columns, 1, Eigen::ColMajor, mostColumns, 1>;
+  const Index rows = equations.jacobian.rows(), columns = equations.jacobian.cols();
+  const Eigen::Map<const Jacobian> jacobian(equations.jacobian.data(), rows, columns);
+  const Vector share = jacobian.transpose().lazyProduct(equations.along);
+  const Jacobian reduced = jacobian - equations.along.lazyProduct(share.transpose());
+  Eigen::Map<Square>(sum.matrix.data(), columns, columns) += reduced.transpose().lazyProduct(reduced);
+  Eigen::Map<Vector>(sum.rightSide.data(), columns) += reduced.transpose().lazyProduct(equations.residual);
+}
+
 }  // namespace
 
 JointProblem::JointProblem(const Measurement& measurement, const JointFitOptions& options)
@@ -195,9 +219,14 @@ VisitEquations JointProblem::equationsWith(const JointState& state, std::size_t 
   const ArcMeasurement& arc = m_measurement.arcs[arcIndex];
   const JetState<Jet> jets = jetsOf<Jet>(state, visitIndex);
   const Jet nothing(0, Jet::DerType::Zero(slots()));
-  const SpacePoint<Jet> zeroTarget{nothing, nothing, Jet(-jets.distance)};
-  const Direction<Jet> zero = circleDirection(jets.errors, zeroTarget, zeroPointing(arc));
   const SpacePoint<Jet> target = targetAt(jets.errors, jets.pose, jets.distance, jets.phi, arc.axisDeg);
+  // A perfect theodolite reads its zero straight ahead, and every sighting of the visit alike.
+  const bool isPerfect = jets.errors.isPerfect();
+  Direction<Jet> zero{nothing, nothing}, sighted{nothing, nothing};
+  if (isPerfect)
+    sighted = circleDirection(jets.errors, target, zeroPointing(arc));
+  else
+    zero = circleDirection(jets.errors, {nothing, nothing, Jet(-jets.distance)}, zeroPointing(arc));
 
   VisitEquations equations;
   assert(visit.sightings.size() <= 2);
@@ -212,7 +241,7 @@ VisitEquations JointProblem::equationsWith(const JointState& state, std::size_t 
   };
   for (const std::size_t i : visit.sightings) {
     const Sighting& sighting = arc.sightings[i];
-    const Direction<Jet> sighted = circleDirection(jets.errors, target, pointingOf(arc, sighting));
+    if (!isPerfect) sighted = circleDirection(jets.errors, target, pointingOf(arc, sighting));
     const Jet a = sighted.a - zero.a - jets.pose.horizontalZero,
               e = sighted.e - zero.e + jets.pose.verticalZero;
     put(sighting.a.radians() - a.value(), a, m_measurement.sigmaHorizontal.radians(),
@@ -268,19 +297,25 @@ SlotMatrix JointProblem::gathered(const MatrixXd& values, std::size_t arc) const
 JointSystem JointProblem::system(const JointState& state) const {
   JointSystem system{{}, MatrixXd::Zero(count(), count()), VectorXd::Zero(count()), 0};
   system.equations.reserve(m_visits.size());
+  const SlotSystem nothing{SlotMatrix::Zero(slots(), slots()), Slots::Zero(slots())};
+  std::vector<SlotSystem> ofArcs(m_measurement.arcs.size(), nothing);
   for (std::size_t v = 0; v < m_visits.size(); ++v) {
     const VisitEquations& equations = system.equations.emplace_back(equationsOf(state, v));
     system.chiSquare += equations.residual.squaredNorm();
-    const VisitEquations::Jacobian columns = reduced(equations);
-    const SlotMatrix normal = columns.transpose().lazyProduct(columns);
-    const Slots right = columns.transpose().lazyProduct(equations.residual);
-    const auto& map = m_slotMaps[m_visits[v].arc];
+    SlotSystem& ofArc = ofArcs[m_visits[v].arc];
+    if (m_terms.empty())
+      addNormalEquations<firstTermSlot>(ofArc, equations);
+    else
+      addNormalEquations<Eigen::Dynamic>(ofArc, equations);
+  }
+  for (std::size_t arc = 0; arc < ofArcs.size(); ++arc) {
+    const auto& map = m_slotMaps[arc];
     for (std::size_t i = 0; i < static_cast<std::size_t>(slots()); ++i) {
       if (map[i] < 0) continue;
-      system.rightSide[map[i]] += right[static_cast<Index>(i)];
+      system.rightSide[map[i]] += ofArcs[arc].rightSide[static_cast<Index>(i)];
       for (std::size_t j = 0; j < static_cast<std::size_t>(slots()); ++j)
         if (map[j] >= 0)
-          system.matrix(map[i], map[j]) += normal(static_cast<Index>(i), static_cast<Index>(j));
+          system.matrix(map[i], map[j]) += ofArcs[arc].matrix(static_cast<Index>(i), static_cast<Index>(j));
     }
   }
   for (std::size_t i = 0; i < m_estimated.size(); ++i) {

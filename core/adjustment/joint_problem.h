@@ -31,8 +31,8 @@ using SlotMatrix =
 /// row of the session, then the slider reading if there is one.
 struct VisitEquations {
   static constexpr int mostRows = 5;  // two circles in two faces, and the slider
-  using Jacobian =
-      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, mostRows, mostSlots>;
+  /// On the heap: with room for every slot a session's equations would fill memory that few terms use.
+  using Jacobian = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, mostRows, 1> residual;
   Jacobian jacobian;
   Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, mostRows, 1> along;  ///< unit direction of ∂/∂φ
