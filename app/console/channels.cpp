@@ -26,9 +26,13 @@ int writeResult(std::string_view text) {
   return Failed;
 }
 
-int refuse(std::string_view subject, std::string_view reason) {
-  const std::string line = oneLine(subject) + ": " + oneLine(reason) + "\n";
+void notify(std::string_view subject, std::string_view message) {
+  const std::string line = oneLine(subject) + ": " + oneLine(message) + "\n";
   std::fwrite(line.data(), 1, line.size(), stderr);
+}
+
+int refuse(std::string_view subject, std::string_view reason) {
+  notify(subject, reason);
   return BadInput;
 }
 

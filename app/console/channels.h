@@ -12,8 +12,10 @@ enum ExitCode { Done = 0, Failed = 1, BadInput = 2 };
 /// written.
 int writeResult(std::string_view text);
 
-/// Writes `subject: reason` as one line to stderr, line breaks and other control characters as blanks.
-/// `BadInput`.
+/// Writes `subject: message` as one line to stderr, line breaks and other control characters as blanks.
+void notify(std::string_view subject, std::string_view message);
+
+/// The same, for what cannot be used. `BadInput`.
 int refuse(std::string_view subject, std::string_view reason);
 
 /// How messages call the input: the file as it was given, or “standard input” for `-`.

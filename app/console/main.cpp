@@ -7,6 +7,7 @@
 #include "app/console/channels.h"
 #include "app/console/diagnose_command.h"
 #include "app/console/fit_command.h"
+#include "app/console/import_command.h"
 #include "app/console/simulate_command.h"
 #include "app/console/trial_command.h"
 
@@ -24,6 +25,16 @@ int give(const alidade::Result<std::string>& answer, const std::string& subject)
   return answer ? writeResult(*answer) : refuse(subject, answer.problem().text());
 }
 
+int giveImport(const ImportRequest& request) {
+  const auto options = importOptions(request);
+  if (!options) return refuse("alidade-cli", options.problem().text());
+  const std::string subject = inputName(request.file);
+  const alidade::Result<ImportAnswer> answer = runImport(request, *options);
+  if (!answer) return refuse(subject, answer.problem().text());
+  for (const std::string& remark : answer->remarks) notify(subject, remark);
+  return writeResult(answer->result);
+}
+
 int run(int argc, char** argv) {
   CLI::App app("Intersection of rotatable arc guideways from theodolite readings.", "alidade-cli");
   app.set_version_flag("--version", "alidade-cli " ALIDADE_VERSION);
@@ -36,6 +47,8 @@ int run(int argc, char** argv) {
   addSimulateCommand(app, simulateRequest);
   TrialRequest trialRequest;
   addTrialCommand(app, trialRequest);
+  ImportRequest importRequest;
+  addImportCommand(app, importRequest);
   app.footer("Exit codes: 0 done, 2 bad input or call, 1 anything else.");
 
   try {
@@ -50,6 +63,7 @@ int run(int argc, char** argv) {
 
   if (app.got_subcommand("simulate")) return give(runSimulate(simulateRequest), "alidade-cli");
   if (app.got_subcommand("trial")) return give(runTrial(trialRequest), "alidade-cli");
+  if (app.got_subcommand("import")) return giveImport(importRequest);
   if (app.got_subcommand("diagnose"))
     return give(runDiagnose(diagnoseRequest), inputName(diagnoseRequest.file));
   return give(runFit(fitRequest), inputName(fitRequest.file));

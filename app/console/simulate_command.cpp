@@ -1,11 +1,9 @@
 #include "app/console/simulate_command.h"
 
 #include <CLI/CLI.hpp>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 
+#include "app/console/output_file.h"
 #include "core/session/session_file.h"
 #include "core/simulation/protocol.h"
 #include "core/simulation/simulate.h"
@@ -17,15 +15,6 @@ namespace {
 
 constexpr double longestMm = 1e6, largestArcsec = 3600;
 constexpr int mostPoints = 100000, mostRounds = 1000;
-
-std::optional<Problem> writeFile(const std::string& path, const std::string& text) {
-  errno = 0;
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  file.close();
-  if (file) return std::nullopt;
-  return Problem{path + " cannot be written (" + std::strerror(errno) + "): choose another name or folder"};
-}
 
 std::vector<std::string> protocolNames() {
   std::vector<std::string> names;

@@ -8,6 +8,7 @@
 #include "core/base/number_text.h"
 #include "core/base/utf8.h"
 #include "core/session/entry.h"
+#include "core/session/face.h"
 
 namespace alidade {
 
@@ -20,18 +21,6 @@ constexpr double widestDegrees = 80;
 struct ZeroDirection {
   Angle horizontal, vertical;
 };
-
-struct FaceOneReading {
-  Angle horizontal, vertical;
-};
-
-/// A face-2 reading as its face-1 equivalent: α − 180°; 360° − β on a zenith circle, 180° − β on an elevation
-/// circle, whose readings go on from the zenith at 90° when the telescope is turned through.
-FaceOneReading inFaceOne(Angle horizontal, Angle vertical, int face, VerticalCircle circle) {
-  if (face == 1) return {horizontal, vertical};
-  const Angle turn = Angle::fromDegrees(circle == VerticalCircle::Zenith ? 360 : 180);
-  return {horizontal - Angle::fromDegrees(180), turn - vertical};
-}
 
 bool isUntouched(const Reading& reading) {
   return reading.point.empty() && reading.round.empty() && reading.face.empty() &&

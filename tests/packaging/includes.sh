@@ -8,7 +8,7 @@ source "$(dirname -- "${BASH_SOURCE[0]}")/lib.sh"
 mapfile -t files < <(sources app core ui -- '*.h' '*.cpp')
 awk '
   BEGIN {
-    split("base session observation effects adjustment diagnosis simulation", order)
+    split("base session exchange observation effects adjustment diagnosis simulation", order)
     for (i in order) level[order[i]] = i
     # Equations shared by the sources of one folder, and by nobody else.
     inner["core/adjustment/joint_problem.h"]

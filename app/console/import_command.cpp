@@ -1,0 +1,171 @@
+#include "app/console/import_command.h"
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <iostream>
+#include <iterator>
+#include <optional>
+#include <utility>
+
+#include "app/console/channels.h"
+#include "app/console/output_file.h"
+#include "core/base/file_bytes.h"
+#include "core/exchange/import.h"
+#include "core/session/entry.h"
+#include "core/session/measurement.h"
+#include "core/session/session_file.h"
+
+namespace alidade::console {
+
+namespace {
+
+constexpr const char* about =
+    "How a GSI file tells more than angles: code block 0 or 180 (or AXIS0, AXIS180) names the position of "
+    "the\n"
+    "axis for what follows, ROUND2 the round; point 0 or ZERO, or what follows code block ZERO, is the "
+    "pointing\n"
+    "zero. A CSV table begins with the names of its columns: axis, point, round, face, horizontal, "
+    "vertical,\n"
+    "slider, note, excluded; horizontal and vertical are needed, point ZERO is the pointing zero. A unit in "
+    "a\n"
+    "name, such as Hz [gon], holds for the plain numbers below it. What the session then still lacks is "
+    "told\n"
+    "on stderr and can be typed in the window.";
+
+/// The entry of an option in the field of the session it is for.
+std::optional<Problem> setNumber(const char* option, const char* field, const std::string& given,
+                                 std::string& text) {
+  if (given.empty()) return std::nullopt;
+  if (const auto value = numberEntry(field, given); !value)
+    return Problem{std::string(option) + ": " + value.problem().what};
+  text = given;
+  return std::nullopt;
+}
+
+std::optional<Problem> setZero(const char* option, const std::vector<std::string>& given, AngleUnit unit,
+                               VerticalCircle circle, PointingZero& zero) {
+  if (given.empty()) return std::nullopt;
+  const std::pair<const char*, std::string*> entries[] = {{"pointing_zero.horizontal", &zero.horizontal},
+                                                          {"pointing_zero.vertical", &zero.vertical}};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::string text = withUnit(given.at(i), unit);
+    if (const auto angle = angleEntry(entries[i].first, text, circle); !angle)
+      return Problem{std::string(option) + ": " + angle.problem().what};
+    *entries[i].second = text;
+  }
+  return std::nullopt;
+}
+
+AngleUnit unitOf(const std::string& name) {
+  if (name == "gon") return AngleUnit::Gon;
+  if (name == "deg") return AngleUnit::Degrees;
+  return name == "dms" ? AngleUnit::Dms : AngleUnit::Unstated;
+}
+
+Result<std::string> readBytes(const std::string& file) {
+  if (file != "-") return readFile(file);
+  return std::string(std::istreambuf_iterator<char>(std::cin), {});
+}
+
+bool isSameFile(const std::string& a, const std::string& b) {
+  std::error_code ignored;
+  return a == b || std::filesystem::equivalent(a, b, ignored);
+}
+
+std::string listOf(const Session& session) {
+  std::string list;
+  for (const Position& position : session.positions)
+    list += (list.empty() ? "" : ", ") + std::to_string(position.readings.size()) + " at " +
+            position.axisDeg + "°";
+  return list;
+}
+
+}  // namespace
+
+void addImportCommand(CLI::App& app, ImportRequest& request) {
+  CLI::App* import = app.add_subcommand(
+      "import", "A session from a file of readings: Leica GSI-8, GSI-16, or a table (CSV).");
+  import->add_option("FILE", request.file, "File to read; - reads standard input")->required();
+  import->add_option("--out", request.out, "Session file to write (*.alidade)")->required();
+  import->add_option("--title", request.title, "Title of the session; else the file's name");
+  import->add_option("--distance", request.distance, "Theodolite to arc plane, mm");
+  import->add_option("--sigma-distance", request.sigmaDistance, "Its σ, mm");
+  import->add_option("--radius", request.radius, "Nominal radius of the arc, mm");
+  import->add_option("--tolerance", request.tolerance, "Of the intersection, mm");
+  import->add_option("--sigma", request.sigma, "σ of both circles and of the zeros, arcsec; else 2");
+  import->add_option("--zero-0", request.zero0, "Pointing zero at 0°: horizontal and vertical reading")
+      ->expected(2)
+      ->type_name("H V");
+  import->add_option("--zero-180", request.zero180, "Pointing zero at 180°")->expected(2)->type_name("H V");
+  import->add_option("--zero-point", request.zeroPoint, "Name of the point that is the pointing zero");
+  import
+      ->add_option("--turned-at", request.turnedAtLine,
+                   "Line from which on the axis stood at 180°, where the file does not say")
+      ->check(CLI::Range(1, 1'000'000'000));
+  import
+      ->add_option("--unit", request.unit,
+                   "Unit of plain numbers in a table: deg, gon, or dms (341.5224 is 341°52'24\")")
+      ->check(CLI::IsMember({"deg", "gon", "dms"}));
+  import->add_option("--vertical-circle", request.verticalCircle, "zenith or elevation; else zenith")
+      ->check(CLI::IsMember({"zenith", "elevation"}));
+  import->footer(about);
+}
+
+Result<ImportOptions> importOptions(const ImportRequest& request) {
+  if (isSameFile(request.file, request.out))
+    return Problem{"--out names the file that is read: give the session a file of its own"};
+  ImportOptions options;
+  options.unit = unitOf(request.unit);
+  options.zeroPoint = request.zeroPoint;
+  if (request.turnedAtLine > 0) options.turnedAtLine = request.turnedAtLine;
+  Session& base = options.base;
+  base.title = request.title;
+  if (!request.verticalCircle.empty()) base.geometry.verticalCircle = request.verticalCircle;
+  const VerticalCircle circle =
+      request.verticalCircle == "elevation" ? VerticalCircle::Elevation : VerticalCircle::Zenith;
+  Geometry& geometry = base.geometry;
+  Instrument& instrument = base.instrument;
+  for (const auto& problem : {
+           setNumber("--distance", "geometry.distance_mm", request.distance, geometry.distanceMm),
+           setNumber("--sigma-distance", "geometry.sigma_distance_mm", request.sigmaDistance,
+                     geometry.sigmaDistanceMm),
+           setNumber("--radius", "geometry.radius_mm", request.radius, geometry.radiusMm),
+           setNumber("--tolerance", "acceptance.tolerance_mm", request.tolerance,
+                     base.acceptance.toleranceMm),
+           setNumber("--sigma", "instrument.sigma_horizontal_arcsec", request.sigma,
+                     instrument.sigmaHorizontalArcsec),
+           setNumber("--sigma", "instrument.sigma_vertical_arcsec", request.sigma,
+                     instrument.sigmaVerticalArcsec),
+           setNumber("--sigma", "instrument.sigma_zero_arcsec", request.sigma, instrument.sigmaZeroArcsec),
+           setZero("--zero-0", request.zero0, options.unit, circle, base.positions.at(0).zero),
+           setZero("--zero-180", request.zero180, options.unit, circle, base.positions.at(1).zero),
+       })
+    if (problem) return *problem;
+  return options;
+}
+
+Result<ImportAnswer> runImport(const ImportRequest& request, const ImportOptions& options) {
+  const Result<std::string> bytes = readBytes(request.file);
+  if (!bytes) return bytes.problem();
+  const Result<Import> import = importReadings(*bytes, options);
+  if (!import) return import.problem();
+  if (const auto& problems = import->problems; !problems.empty()) {
+    const std::string more =
+        problems.size() > 1 ? " (and " + std::to_string(problems.size() - 1) + " more)" : "";
+    return Problem{problems.front().text() + more};
+  }
+  Session session = import->session;
+  if (session.title.empty() && request.file != "-")
+    session.title = std::filesystem::path(request.file).stem().string();
+  if (auto problem = writeFile(request.out, writeSession(session))) return *std::move(problem);
+
+  ImportAnswer answer;
+  answer.result = request.out + ": " + std::to_string(import->readings) + " readings from " + import->format +
+                  " (" + listOf(session) + ")\n";
+  answer.remarks = import->remarks;
+  for (const Problem& problem : examine(session).problems)
+    answer.remarks.push_back("still to be typed or mended: " + problem.text());
+  return answer;
+}
+
+}  // namespace alidade::console

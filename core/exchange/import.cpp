@@ -1,0 +1,319 @@
+#include "core/exchange/import.h"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include "core/base/angle_text.h"
+#include "core/base/number_text.h"
+#include "core/base/utf8.h"
+#include "core/exchange/csv_reader.h"
+#include "core/exchange/gsi_reader.h"
+#include "core/exchange/gsi_word.h"
+#include "core/exchange/point_numbers.h"
+#include "core/exchange/text_lines.h"
+#include "core/session/entry.h"
+#include "core/session/face.h"
+
+namespace alidade {
+
+namespace {
+
+/// Decimals of arcseconds a mean of several sightings is written with: beyond any circle's last digit.
+constexpr int meanDecimals = 2;
+
+/// The first line with any content decides.
+Result<Recording> readRecording(std::string_view text, const ImportOptions& options) {
+  for (const TextLine& line : linesOf(text)) {
+    const std::size_t first = line.text.find_first_not_of(" \t");
+    if (first == std::string_view::npos ||
+        std::string_view("#@?%").find(line.text[first]) != std::string_view::npos)
+      continue;
+    if (line.text[first] == '{') return Problem{"is no file of readings but JSON: open it as a session"};
+    return looksLikeGsi(line.text) ? readGsi(text, options.zeroPoint)
+                                   : readCsv(text, options.unit, options.zeroPoint);
+  }
+  return Problem{"holds no readings: choose a GSI file or a CSV table"};
+}
+
+std::string positionName(const std::string& axis) {
+  return axis + "°";
+}
+
+/// Puts the sightings of a recording into a session.
+class Assembly {
+ public:
+  Assembly(Recording recording, const ImportOptions& options)
+      : m_recording(std::move(recording)), m_options(options) {
+    m_import.session = options.base;
+    m_import.format = m_recording.format;
+    m_import.problems = std::move(m_recording.problems);
+    m_import.remarks = std::move(m_recording.unused);
+  }
+
+  Import assemble() {
+    takeHeadings();
+    takeAxes();
+    takeFaces();
+    takeRounds();
+    numberPoints();
+    for (const RecordedSighting& sighting : m_recording.sightings) {
+      check(sighting);
+      if (!sighting.isZero) addReading(sighting);
+    }
+    takeZeros();
+    dropEmptyPositions();
+    orderPositions();
+    std::stable_sort(m_import.problems.begin(), m_import.problems.end(),
+                     [](const LineProblem& a, const LineProblem& b) {
+                       return std::tie(a.line, a.column) < std::tie(b.line, b.column);
+                     });
+    return std::move(m_import);
+  }
+
+ private:
+  void remark(const std::string& sentence) { m_import.remarks.push_back(sentence); }
+
+  static void fill(std::string& text, const std::string& value) {
+    if (text.empty()) text = value;
+  }
+
+  void takeHeadings() {
+    Session& session = m_import.session;
+    fill(session.instrument.name, m_recording.instrumentName);
+    fill(session.instrument.serial, m_recording.instrumentSerial);
+    fill(session.measuredOn, m_recording.measuredOn);
+    if (!m_recording.verticalCircle.empty()) session.geometry.verticalCircle = m_recording.verticalCircle;
+    const Result<VerticalCircle> circle = verticalCircleEntry(session.geometry.verticalCircle);
+    if (circle) m_circle = *circle;
+  }
+
+  void takeAxes() {
+    std::vector<RecordedSighting>& sightings = m_recording.sightings;
+    const bool told = std::any_of(sightings.begin(), sightings.end(), [](const RecordedSighting& sighting) {
+      return !sighting.axis.text.empty();
+    });
+    std::string last = "0";
+    for (RecordedSighting& sighting : sightings) {
+      if (!told && m_options.turnedAtLine) last = sighting.line < *m_options.turnedAtLine ? "0" : "180";
+      if (sighting.axis.text.empty()) sighting.axis.text = last;
+      last = sighting.axis.text;
+    }
+    if (!told && !m_options.turnedAtLine)
+      remark("nothing in the file says how the axis stood: all its readings are put at 0°");
+    if (told && m_options.turnedAtLine)
+      remark("the file itself says how the axis stood: that is what counts");
+  }
+
+  /// Where the file says no face, face 2 is where the telescope is turned through.
+  void takeFaces() {
+    bool second = false;
+    for (RecordedSighting& sighting : m_recording.sightings) {
+      const Result<Angle> vertical = parseAngle(sighting.vertical.text);
+      if (sighting.face.text.empty() && vertical && isFaceTwo(*vertical, m_circle)) sighting.face.text = "2";
+      second = second || sighting.face.text == "2";
+    }
+    if (!second) return;
+    for (RecordedSighting& sighting : m_recording.sightings)
+      if (sighting.face.text.empty()) sighting.face.text = "1";
+  }
+
+  void takeRounds() {
+    std::map<std::tuple<std::string, std::string, std::string>, int> seen;
+    bool second = false;
+    for (RecordedSighting& sighting : m_recording.sightings) {
+      if (sighting.isZero || !sighting.round.text.empty() || sighting.point.text.empty()) continue;
+      const int round = ++seen[{sighting.axis.text, sighting.point.text, sighting.face.text}];
+      second = second || round > 1;
+      if (round > 1) sighting.round.text = std::to_string(round);
+    }
+    if (second) remark("points that come again in the same position and face are put into further rounds");
+    const bool any =
+        std::any_of(m_recording.sightings.begin(), m_recording.sightings.end(),
+                    [](const RecordedSighting& sighting) { return !sighting.round.text.empty(); });
+    for (RecordedSighting& sighting : m_recording.sightings)
+      if (any && !sighting.isZero && sighting.round.text.empty()) sighting.round.text = "1";
+  }
+
+  /// In each position by itself.
+  void numberPoints() {
+    std::map<std::string, std::vector<std::string>> names;
+    for (const RecordedSighting& sighting : m_recording.sightings)
+      if (!sighting.isZero) names[sighting.axis.text].push_back(sighting.point.text);
+    std::map<std::string, std::map<std::string, std::string>> numbers;
+    for (const auto& [axis, namesAtAxis] : names) numbers[axis] = pointNumbers(namesAtAxis);
+    bool renamed = false;
+    for (RecordedSighting& sighting : m_recording.sightings) {
+      if (sighting.isZero || sighting.point.text.empty()) continue;
+      const std::string& number = numbers.at(sighting.axis.text).at(sighting.point.text);
+      if (number == sighting.point.text) continue;
+      renamed = true;
+      sighting.note = sighting.point.text + (sighting.note.empty() ? "" : ": " + sighting.note);
+      sighting.point.text = number;
+    }
+    if (renamed) remark("points with names are numbered; their names stand in the notes");
+  }
+
+  void report(const RecordedSighting& sighting, const RecordedEntry& entry, const char* name,
+              const Problem& problem) {
+    m_import.problems.push_back({sighting.line, entry.column, std::string(name) + " " + problem.what});
+  }
+
+  /// The rules of the session file, told by line and column.
+  void check(const RecordedSighting& sighting) {
+    const auto angle = [&](const RecordedEntry& entry, const char* name, const char* field) {
+      if (const auto value = angleEntry(field, entry.text, m_circle); !value)
+        report(sighting, entry, name, value.problem());
+    };
+    const auto whole = [&](const RecordedEntry& entry, const char* name, const char* field) {
+      if (const auto value = wholeEntry(field, entry.text); !value)
+        report(sighting, entry, name, value.problem());
+    };
+    if (const auto axis = axisEntry(sighting.axis.text); !axis)
+      report(sighting, sighting.axis, "axis", axis.problem());
+    if (sighting.excluded) return;
+    if (!sighting.isZero) whole(sighting.point, "point", "readings.point");
+    whole(sighting.round, "round", "readings.round");
+    whole(sighting.face, "face", "readings.face");
+    angle(sighting.horizontal, "horizontal", "readings.horizontal");
+    angle(sighting.vertical, "vertical", "readings.vertical");
+    angle(sighting.slider, "slider", "readings.slider");
+  }
+
+  /// The position of that axis, made where there is none.
+  Position& positionAt(const std::string& axis) {
+    std::vector<Position>& positions = m_import.session.positions;
+    const Result<int> wanted = axisEntry(axis);
+    const auto found = std::find_if(positions.begin(), positions.end(), [&](const Position& position) {
+      const Result<int> has = axisEntry(position.axisDeg);
+      return wanted && has ? *has == *wanted : position.axisDeg == axis;
+    });
+    if (found != positions.end()) return *found;
+    positions.push_back({.axisDeg = axis, .zero = {}, .readings = {}, .origin = {}});
+    return positions.back();
+  }
+
+  void addReading(const RecordedSighting& sighting) {
+    Reading reading;
+    reading.point = sighting.point.text;
+    reading.round = sighting.round.text;
+    reading.face = sighting.face.text;
+    reading.horizontal = sighting.horizontal.text;
+    reading.vertical = sighting.vertical.text;
+    reading.slider = sighting.slider.text;
+    reading.excluded = sighting.excluded;
+    reading.note = sighting.note;
+    positionAt(sighting.axis.text).readings.push_back(std::move(reading));
+    ++m_import.readings;
+  }
+
+  void takeZeros() {
+    std::map<std::string, std::vector<const RecordedSighting*>> zeros;
+    for (const RecordedSighting& sighting : m_recording.sightings) {
+      if (!sighting.isZero) continue;
+      const std::string where = " of the pointing zero in line " + std::to_string(sighting.line);
+      if (!sighting.note.empty()) remark("the note " + quotation(sighting.note) + where + " is not used");
+      if (!sighting.slider.text.empty())
+        remark("the slider " + quotation(sighting.slider.text) + where + " is not used");
+      if (sighting.excluded) {
+        remark("the excluded sighting" + where + " is not used");
+      } else {
+        zeros[sighting.axis.text].push_back(&sighting);
+      }
+    }
+    for (const auto& [axis, sightings] : zeros) takeZero(axis, sightings);
+  }
+
+  void takeZero(const std::string& axis, const std::vector<const RecordedSighting*>& sightings) {
+    PointingZero& zero = positionAt(axis).zero;
+    std::string lines;
+    for (const RecordedSighting* sighting : sightings) {
+      lines += lines.empty() ? (sightings.size() == 1 ? "line " : "lines ") : ", ";
+      lines += std::to_string(sighting->line);
+    }
+    if (!zero.horizontal.empty() || !zero.vertical.empty())
+      return remark("the pointing zero at " + positionName(axis) + " stays as it was given; that of " +
+                    lines + " is not used");
+    const RecordedSighting& first = *sightings.front();
+    const auto mean = sightings.size() > 1 || first.face.text == "2" ? meanOf(sightings) : std::nullopt;
+    if (!mean) {
+      zero.horizontal = first.horizontal.text;
+      zero.vertical = first.vertical.text;
+      return;
+    }
+    const auto written = [](Angle angle) { return formatDms(angle, meanDecimals, AngleSigns::Typewriter); };
+    zero.horizontal = written(wrapped(mean->horizontal, Angle::fromDegrees(180)));
+    zero.vertical = written(mean->vertical);
+    remark("the pointing zero at " + positionName(axis) + " is the face 1 mean of " + lines);
+  }
+
+  /// In face 1; absent where one of the angles cannot be read, which `check` has said.
+  std::optional<FaceOneReading> meanOf(const std::vector<const RecordedSighting*>& sightings) const {
+    std::vector<FaceOneReading> readings;
+    for (const RecordedSighting* sighting : sightings) {
+      const Result<Angle> horizontal = parseAngle(sighting->horizontal.text);
+      const Result<Angle> vertical = parseAngle(sighting->vertical.text);
+      if (!horizontal || !vertical) return std::nullopt;
+      readings.push_back(inFaceOne(*horizontal, *vertical, sighting->face.text == "2" ? 2 : 1, m_circle));
+    }
+    const FaceOneReading first = readings.front();
+    FaceOneReading sum{};
+    for (const FaceOneReading& reading : readings) {
+      sum.horizontal = sum.horizontal + wrapped(reading.horizontal, first.horizontal);
+      sum.vertical = sum.vertical + wrapped(reading.vertical, first.vertical);
+    }
+    const double share = 1 / static_cast<double>(readings.size());
+    return FaceOneReading{sum.horizontal * share, sum.vertical * share};
+  }
+
+  /// A position the file says nothing of, and nothing was typed for, was not measured.
+  void dropEmptyPositions() {
+    std::erase_if(m_import.session.positions, [](const Position& position) {
+      return position.readings.empty() && position.zero.horizontal.empty() && position.zero.vertical.empty();
+    });
+  }
+
+  /// As taken; a session cannot say more of the order between positions.
+  void orderPositions() {
+    std::vector<int> order;
+    bool alternating = false;
+    for (const RecordedSighting& sighting : m_recording.sightings) {
+      const Result<int> axis = axisEntry(sighting.axis.text);
+      if (!axis || sighting.isZero) continue;
+      const bool known = std::find(order.begin(), order.end(), *axis) != order.end();
+      alternating = alternating || (known && order.back() != *axis);
+      if (!known) order.push_back(*axis);
+    }
+    const auto rank = [&order](const Position& position) {
+      const Result<int> axis = axisEntry(position.axisDeg);
+      return std::find(order.begin(), order.end(), axis ? *axis : -1) - order.begin();
+    };
+    std::vector<Position>& positions = m_import.session.positions;
+    std::stable_sort(positions.begin(), positions.end(),
+                     [&rank](const Position& a, const Position& b) { return rank(a) < rank(b); });
+    if (alternating)
+      remark("the positions of the axis alternate in the file; a session keeps the order within each only");
+  }
+
+  Recording m_recording;
+  const ImportOptions& m_options;
+  VerticalCircle m_circle = VerticalCircle::Zenith;
+  Import m_import;
+};
+
+}  // namespace
+
+Result<Import> importReadings(std::string_view bytes, const ImportOptions& options) {
+  const Result<std::string> text = utf8Text(bytes);
+  if (!text) return text.problem();
+  Result<Recording> recording = readRecording(*text, options);
+  if (!recording) return recording.problem();
+  if (recording->sightings.empty()) {
+    if (!recording->problems.empty()) return Problem{recording->problems.front().text()};
+    return Problem{"holds no readings with a horizontal and a vertical circle: choose another file"};
+  }
+  return Assembly(*std::move(recording), options).assemble();
+}
+
+}  // namespace alidade

@@ -1,0 +1,44 @@
+#include "core/exchange/recording.h"
+
+#include <algorithm>
+
+#include "core/base/typed_text.h"
+
+namespace alidade {
+
+namespace {
+
+bool isPlainNumber(const std::string& text) {
+  const std::size_t start = !text.empty() && (text[0] == '-' || text[0] == '+') ? 1 : 0;
+  const auto digits = std::count_if(text.begin(), text.end(), isDigit);
+  const auto signs = std::count_if(text.begin(), text.end(), [](char c) { return c == '.' || c == ','; });
+  return digits > 0 && signs <= 1 && start + static_cast<std::size_t>(digits + signs) == text.size();
+}
+
+/// 341.5224 as 341 52 24.
+std::string inParts(const std::string& number) {
+  const std::size_t sign = std::min(number.find_first_of(".,"), number.size());
+  std::string decimals = sign < number.size() ? number.substr(sign + 1) : std::string();
+  decimals.resize(std::max<std::size_t>(decimals.size(), 4), '0');
+  std::string parts = number.substr(0, sign) + " " + decimals.substr(0, 2) + " " + decimals.substr(2, 2);
+  if (decimals.size() > 4) parts += "." + decimals.substr(4);
+  return parts;
+}
+
+}  // namespace
+
+std::string LineProblem::text() const {
+  std::string place = "line " + std::to_string(line);
+  if (column > 0) place += ", column " + std::to_string(column);
+  return place + ": " + what;
+}
+
+std::string withUnit(const std::string& text, AngleUnit unit) {
+  const std::string plain = plainSigns(text);
+  if (unit == AngleUnit::Unstated || !isPlainNumber(plain)) return text;
+  if (unit == AngleUnit::Degrees) return plain + "°";
+  if (unit == AngleUnit::Gon) return plain + "gon";
+  return inParts(plain);
+}
+
+}  // namespace alidade

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace alidade {
+
+/// Why a line of a file of readings cannot be used, and what to do.
+struct LineProblem {
+  std::size_t line = 0;    ///< from 1
+  std::size_t column = 0;  ///< character of the line, from 1; 0: the line as a whole
+  std::string what;
+
+  std::string text() const;  ///< `line 3, column 12: …`
+
+  bool operator==(const LineProblem&) const = default;
+};
+
+/// One entry as the file has it. Empty text: the file does not say.
+struct RecordedEntry {
+  std::string text;
+  std::size_t column = 0;  ///< as in LineProblem
+
+  bool operator==(const RecordedEntry&) const = default;
+};
+
+/// One sighting as the file has it, angles in a notation of `parseAngle`.
+struct RecordedSighting {
+  std::size_t line = 0;
+  RecordedEntry axis, point, round, face, horizontal, vertical, slider;
+  std::string note;
+  bool excluded = false;
+  bool isZero = false;  ///< of the pointing zero, not of the slider
+
+  bool operator==(const RecordedSighting&) const = default;
+};
+
+/// What a file of readings says, in its order.
+struct Recording {
+  std::string format;  ///< for people: "GSI-8"
+  std::vector<RecordedSighting> sightings;
+  std::string instrumentName, instrumentSerial;
+  std::string measuredOn;             ///< year-month-day
+  std::string verticalCircle;         ///< "zenith", "elevation", or empty where the file does not say
+  std::vector<LineProblem> problems;  ///< lines that cannot be read; nothing of them is in `sightings`
+  std::vector<std::string> unused;    ///< a sentence for each kind of thing a session has no place for
+};
+
+/// The unit of plain numbers where an angle is wanted.
+enum class AngleUnit {
+  Unstated,
+  Degrees,  ///< 341.873333
+  Gon,      ///< 379.859259
+  Dms,      ///< 341.5224: degrees, then two digits of minutes, two of seconds, and their decimals
+};
+
+/// `text` with its unit, where it is a plain number: `379.859` as `379.859gon`. Everything else stays.
+std::string withUnit(const std::string& text, AngleUnit unit);
+
+}  // namespace alidade

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "core/base/angle.h"
+#include "core/session/measurement.h"
+
+namespace alidade {
+
+/// Both circles as face 1 reads them; not wrapped.
+struct FaceOneReading {
+  Angle horizontal, vertical;
+};
+
+/// A reading of `face` 1 or 2 as its face 1 equivalent. Face 2: α − 180°; 360° − β on a zenith circle, 180° −
+/// β on an elevation circle, whose readings go on from the zenith at 90° when the telescope is turned
+/// through.
+FaceOneReading inFaceOne(Angle horizontal, Angle vertical, int face, VerticalCircle circle);
+
+/// Was this vertical circle reading taken with the telescope turned through? Beyond 180° on a zenith circle,
+/// between 90° and 270° on an elevation circle.
+bool isFaceTwo(Angle vertical, VerticalCircle circle);
+
+}  // namespace alidade

@@ -1,0 +1,118 @@
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "tests/console/console.h"
+
+// `alidade-cli import`: a session from a file of readings, with what is missing said on stderr.
+
+namespace alidade::test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using ::testing::StartsWith;
+using Json = nlohmann::ordered_json;
+
+const std::string paperTable = ALIDADE_REFERENCE_DIR "/paper-table-1.csv";
+
+std::string contentOf(const std::string& path) {
+  std::ostringstream content;
+  content << std::ifstream(path).rdbuf();
+  return content.str();
+}
+
+class ImportTest : public ::testing::Test {
+ protected:
+  ProgramRun import(const std::string& file, std::vector<std::string> more = {}) const {
+    more.insert(more.begin(), {"import", file, "--out", session});
+    return alidadeCli(std::move(more));
+  }
+  Json fit() const { return Json::parse(alidadeCli({"fit", session, "--json"}).out); }
+
+  TemporaryFolder folder;
+  std::string session = (folder.path() / "s.alidade").string();
+};
+
+TEST_F(ImportTest, PapersTableFitsAsTheSampleDoes) {
+  const ProgramRun run = import(paperTable, {"--distance", "2405", "--sigma-distance", "1.0", "--radius",
+                                             "400", "--tolerance", "2.5", "--zero-0", "332-32-54", "89-59-57",
+                                             "--zero-180", "332-32-50", "89-59-58", "--title", "Table I"});
+  EXPECT_EQ(run.exitCode, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("34 readings from CSV (17 at 0°, 17 at 180°)"));
+  EXPECT_THAT(run.err, IsEmpty());
+  const Json result = fit(), sample = Json::parse(alidadeCli({"fit", paperSession, "--json"}).out);
+  for (const char* part : {"session", "arcs", "intersection", "decision", "budget", "suspects"})
+    EXPECT_EQ(result.at(part).dump(), sample.at(part).dump());
+}
+
+TEST_F(ImportTest, SaysWhatIsStillToBeTyped) {
+  const std::string gsi =
+      folder.file("arc.gsi", "110001+00000001 21.322+37985926 22.322+09808000 31..00+00002405\n");
+  const ProgramRun run = import(gsi);
+  EXPECT_EQ(run.exitCode, 0);
+  EXPECT_THAT(run.out, HasSubstr("1 readings from GSI-8"));
+  for (const char* part : {"slope distance", "geometry.distance_mm", "geometry.radius_mm", "pointing_zero"})
+    EXPECT_THAT(run.err, HasSubstr(part));
+  const Json written = Json::parse(contentOf(session));
+  EXPECT_EQ(written["title"], "arc");
+  EXPECT_EQ(written["positions"][0]["readings"][0]["horizontal"], "379.85926gon");
+}
+
+TEST_F(ImportTest, TakesUnitsAndCircleFromTheOptions) {
+  const std::string csv = folder.file("a.csv", "axis;Hz;V\n0;379,8;2,5\n0;380,1;3,5\n0;380,2;-2,5\n");
+  const ProgramRun run = import(csv, {"--unit", "gon", "--vertical-circle", "elevation", "--distance", "2405",
+                                      "--radius", "400", "--zero-0", "379,5", "0", "--sigma", "1.5"});
+  EXPECT_EQ(run.exitCode, 0) << run.err;
+  EXPECT_THAT(run.err, IsEmpty());
+  const Json written = Json::parse(contentOf(session));
+  EXPECT_EQ(written["positions"][0]["readings"][0]["horizontal"], "379,8gon");
+  EXPECT_EQ(written["positions"][0]["pointing_zero"]["horizontal"], "379,5gon");
+  EXPECT_EQ(written["geometry"]["vertical_circle"], "elevation");
+  EXPECT_EQ(written["instrument"]["sigma_vertical_arcsec"], 1.5);
+}
+
+TEST_F(ImportTest, NamesFileLineAndColumn) {
+  const std::string csv =
+      folder.file("bad.csv", "Hz,V\n341°52'24\",88°16'49\"\n341°52'24\",88°71'49\"\n1,2\n");
+  const ProgramRun run = import(csv);
+  expectRefusal(run);
+  EXPECT_THAT(run.err, StartsWith(csv + ": line 3, column 12: vertical “88°71'49\"” has 71 minutes"));
+  EXPECT_FALSE(std::filesystem::exists(session));
+}
+
+TEST_F(ImportTest, RefusesWhatCannotBeDone) {
+  const auto refusal = [](const ProgramRun& run) {
+    expectRefusal(run);
+    return run.err;
+  };
+  EXPECT_THAT(refusal(import("nothing.gsi")), StartsWith("nothing.gsi: cannot be opened"));
+  EXPECT_THAT(refusal(import(paperTable, {"--distance", "far"})),
+              HasSubstr("--distance: “far” is not a number"));
+  EXPECT_THAT(refusal(import(paperTable, {"--zero-0", "332-32-54", "89-71-57"})), HasSubstr("--zero-0"));
+  EXPECT_THAT(refusal(import(paperSession)), HasSubstr("open it as a session"));
+  EXPECT_THAT(refusal(alidadeCli({"import", paperTable})), HasSubstr("--out"));
+  EXPECT_THAT(refusal(alidadeCli({"import", paperTable, "--out", "/no/such/folder/s.alidade"})),
+              HasSubstr("cannot be written"));
+}
+
+TEST_F(ImportTest, NeverWritesOverTheFileItReads) {
+  const std::string csv = folder.file("a.csv", "Hz,V\n341°,88°\n");
+  const std::string sameFile = (folder.path() / "." / "a.csv").string();
+  expectRefusal(alidadeCli({"import", csv, "--out", sameFile}));
+  EXPECT_THAT(contentOf(csv), StartsWith("Hz,V"));
+}
+
+TEST_F(ImportTest, ReadsStandardInput) {
+  const ProgramRun run = runProgram({.program = ALIDADE_CLI,
+                                     .arguments = {"import", "-", "--out", session},
+                                     .input = "axis,Hz,V\n0,341°,88°\n"});
+  EXPECT_EQ(run.exitCode, 0);
+  EXPECT_THAT(run.err, Not(HasSubstr("put at 0°")));
+}
+
+}  // namespace
+}  // namespace alidade::test

@@ -1,0 +1,77 @@
+#include "core/exchange/csv_reader.h"
+
+#include <gmock/gmock.h>
+
+namespace alidade::test {
+namespace {
+
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+TEST(CsvReader, ReadsEveryColumn) {
+  const Recording recording = readCsv(
+      "axis_deg;Point No;round;Face;Horizontal circle;V angle;slider;remark;excluded\n"
+      "180°;4;2;II;341°52'24\";88,16°;10 00 00;wind;yes\n");
+  EXPECT_THAT(recording.problems, IsEmpty());
+  ASSERT_EQ(recording.sightings.size(), 1u);
+  const RecordedSighting& sighting = recording.sightings[0];
+  EXPECT_EQ(sighting.line, 2u);
+  EXPECT_EQ(sighting.axis.text, "180");
+  EXPECT_EQ(sighting.point.text, "4");
+  EXPECT_EQ(sighting.round.text, "2");
+  EXPECT_EQ(sighting.face.text, "2");
+  EXPECT_EQ(sighting.horizontal, (RecordedEntry{"341°52'24\"", 13}));
+  EXPECT_EQ(sighting.vertical.text, "88,16°");
+  EXPECT_EQ(sighting.slider.text, "10 00 00");
+  EXPECT_EQ(sighting.note, "wind");
+  EXPECT_TRUE(sighting.excluded);
+}
+
+TEST(CsvReader, KnowsOtherNamesOfTheColumns) {
+  for (const char* names : {"Hz,V", "H,V", "α,β", "alpha;beta", "Direction\tZenith", "hz_reading,va",
+                            "HORIZONTAL ANGLE,VERTICAL ANGLE", "Hz [gon],V [gon]", "Elevation,Hz"}) {
+    const Recording recording = readCsv(std::string(names) + "\n");
+    EXPECT_THAT(recording.problems, IsEmpty()) << names;
+  }
+  EXPECT_EQ(readCsv("Elevation,Hz\n").verticalCircle, "elevation");
+  EXPECT_EQ(readCsv("Hz,V\n").verticalCircle, "");
+}
+
+TEST(CsvReader, TakesTheUnitFromTheNameFirst) {
+  const auto first = [](const std::string& text, AngleUnit unit) {
+    return readCsv(text, unit).sightings.at(0).horizontal.text;
+  };
+  EXPECT_EQ(first("Hz [gon];V\n379,859;1", AngleUnit::Degrees), "379,859gon");
+  EXPECT_EQ(first("hz_deg,v_deg\n341.5,1", AngleUnit::Unstated), "341.5°");
+  EXPECT_EQ(first("Hz (DMS),V\n341.5224,1", AngleUnit::Unstated), "341 52 24");
+  EXPECT_EQ(first("Hz,V\n341.5,1", AngleUnit::Gon), "341.5gon");
+  EXPECT_EQ(first("Hz,V\n341.5,1", AngleUnit::Unstated), "341.5");
+}
+
+TEST(CsvReader, KnowsThePointingZero) {
+  EXPECT_TRUE(readCsv("point,Hz,V\nZero,1°,2°").sightings.at(0).isZero);
+  EXPECT_FALSE(readCsv("point,Hz,V\n0,1°,2°").sightings.at(0).isZero) << "points may count from 0";
+  EXPECT_TRUE(readCsv("point,Hz,V\nRef,1°,2°", AngleUnit::Unstated, "REF").sightings.at(0).isZero);
+}
+
+TEST(CsvReader, ListsColumnsItDoesNotUse) {
+  const Recording recording = readCsv("Hz,V,temperature,distance\n1°,2°,20.5,\n1°,2°,20.5,\n");
+  EXPECT_THAT(recording.unused, testing::ElementsAre("the column “temperature” is not used: 2 entries"));
+}
+
+TEST(CsvReader, NamesWhatIsWrong) {
+  const auto problem = [](const std::string& text) {
+    const Recording recording = readCsv(text);
+    return recording.problems.empty() ? std::string() : recording.problems.front().text();
+  };
+  EXPECT_THAT(problem("1,2,3\n4,5,6"), HasSubstr("line 1: no column is named “horizontal”"));
+  EXPECT_THAT(problem("Hz,point\n"), HasSubstr("“vertical”"));
+  EXPECT_THAT(problem("Hz,V,hz\n"), HasSubstr("line 1, column 6: “hz” is a second column"));
+  EXPECT_THAT(problem("Hz,V\n379,85,93,12\n"), HasSubstr("line 2, column 8: “93” stands beyond"));
+  EXPECT_THAT(problem("Hz,V,skip\n1°,2°,perhaps\n"), HasSubstr("neither yes nor no"));
+  EXPECT_THAT(problem("Hz,V\n\"1°,2°\n"), HasSubstr("line 2, column 1"));
+}
+
+}  // namespace
+}  // namespace alidade::test

@@ -1,0 +1,242 @@
+#include "core/exchange/import.h"
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <iterator>
+#include <random>
+
+#include "core/adjustment/session_fit.h"
+#include "core/session/session_file.h"
+#include "tests/support/paper_table.h"
+
+namespace alidade::test {
+namespace {
+
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+std::string gsiOf(const std::string& name, const std::string& horizontal, const std::string& vertical) {
+  return "110001+" + std::string(8 - name.size(), '0') + name + " 21.324+" + horizontal + " 22.324+" +
+         vertical + "\n";
+}
+
+Import imported(const std::string& text, const ImportOptions& options = {}) {
+  const Result<Import> import = importReadings(text, options);
+  EXPECT_TRUE(import) << import.problem().text();
+  return import ? *import : Import{};
+}
+
+std::string paperCsv() {
+  std::ifstream file(std::string(ALIDADE_REFERENCE_DIR) + "/paper-table-1.csv");
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// What the paper states beside its table.
+ImportOptions paperOptions() {
+  const Session paper = paperSession();
+  ImportOptions options;
+  options.base.geometry = paper.geometry;
+  for (std::size_t i = 0; i < 2; ++i) options.base.positions[i].zero = paper.positions[i].zero;
+  return options;
+}
+
+// The same texts give the same fit, to the last digit.
+TEST(Import, PapersTableAsCsvFitsAsTheSampleDoes) {
+  const Import import = imported(paperCsv(), paperOptions());
+  EXPECT_EQ(import.readings, 34u);
+  EXPECT_THAT(import.problems, IsEmpty());
+  EXPECT_THAT(import.remarks, IsEmpty());
+  const auto fit = fitSession(measurementOf(import.session));
+  const auto sample = loadSession(ALIDADE_SAMPLES_DIR "/paper-table-1.alidade");
+  ASSERT_TRUE(sample);
+  const auto wanted = fitSession(measurementOf(*sample));
+  ASSERT_TRUE(fit.intersection && wanted.intersection);
+  EXPECT_EQ(fit.intersection->value, wanted.intersection->value);
+}
+
+TEST(Import, PapersTableAsGsiFitsTheSame) {
+  const Session paper = paperSession();
+  std::string gsi;
+  const auto digits = [](std::string angle) {  // 341°52'24" as 34152240
+    std::erase_if(angle, [](char c) { return c < '0' || c > '9'; });
+    return std::string(7 - angle.size(), '0') + angle + "0";
+  };
+  for (const Position& position : paper.positions) {
+    gsi += "41....+" + std::string(8 - position.axisDeg.size(), '0') + position.axisDeg + "\n";
+    gsi += gsiOf("ZERO", digits(position.zero.horizontal), digits(position.zero.vertical));
+    for (const Reading& reading : position.readings)
+      gsi += gsiOf(reading.point, digits(reading.horizontal), digits(reading.vertical));
+  }
+  ImportOptions options;
+  options.base.geometry = paper.geometry;
+  const Import import = imported(gsi, options);
+  EXPECT_THAT(import.remarks, IsEmpty());
+  const auto fit = fitSession(measurementOf(import.session));
+  const auto wanted = fitSession(measurementOf(paper));
+  ASSERT_TRUE(fit.intersection && wanted.intersection);
+  EXPECT_EQ(fit.intersection->value, wanted.intersection->value);
+}
+
+TEST(Import, TakesFacesAndRoundsFromWhatWasRead) {
+  const Import import = imported(gsiOf("1", "34152240", "08816490") + gsiOf("1", "16152240", "27143110") +
+                                 gsiOf("1", "34152240", "08816490"));
+  ASSERT_EQ(import.session.positions.size(), 1u);
+  const auto& readings = import.session.positions[0].readings;
+  EXPECT_EQ(readings[0].face + readings[1].face + readings[2].face, "121");
+  EXPECT_EQ(readings[0].round + readings[1].round + readings[2].round, "112");
+  EXPECT_THAT(import.remarks, Contains(HasSubstr("further rounds")));
+  EXPECT_THAT(import.remarks, Contains(HasSubstr("put at 0°")));
+}
+
+TEST(Import, LeavesFaceAndRoundEmptyWhereThereIsOne) {
+  const Import import = imported(gsiOf("1", "34152240", "08816490") + gsiOf("2", "34152240", "08816490"));
+  EXPECT_EQ(import.session.positions.at(0).readings.at(0).face, "");
+  EXPECT_EQ(import.session.positions.at(0).readings.at(0).round, "");
+}
+
+TEST(Import, TellsPositionsByTheLineWhereTheFileDoesNot) {
+  ImportOptions options;
+  options.turnedAtLine = 2;
+  const Import import =
+      imported(gsiOf("1", "34152240", "08816490") + gsiOf("1", "34152240", "08816490"), options);
+  ASSERT_EQ(import.session.positions.size(), 2u);
+  EXPECT_EQ(import.session.positions[1].axisDeg, "180");
+  EXPECT_EQ(import.session.positions[1].readings.size(), 1u);
+  EXPECT_THAT(import.remarks, IsEmpty());
+}
+
+TEST(Import, KeepsTheOrderOfThePositions) {
+  const Import import = imported("axis,Hz,V\n180,341°,88°\n0,341°,88°\n");
+  EXPECT_EQ(import.session.positions.at(0).axisDeg, "180");
+  EXPECT_THAT(import.remarks, IsEmpty());
+  EXPECT_THAT(imported("axis,Hz,V\n0,341°,88°\n180,341°,88°\n0,341°,87°\n").remarks,
+              Contains(HasSubstr("alternate")));
+}
+
+// 332°32'50" and 152°32'54" − 180° have the mean 332°32'52", 89°59'58" and 360° − 270°00'06" the mean
+// 89°59'56".
+TEST(Import, AveragesThePointingZeroOverTheFaces) {
+  const Import import = imported(gsiOf("0", "33232500", "08959580") + gsiOf("1", "34152240", "08816490") +
+                                 gsiOf("0", "15232540", "27000060"));
+  const PointingZero& zero = import.session.positions.at(0).zero;
+  EXPECT_EQ(zero.horizontal, "332°32'52.00\"");
+  EXPECT_EQ(zero.vertical, "89°59'56.00\"");
+  EXPECT_THAT(import.remarks, Contains("the pointing zero at 0° is the face 1 mean of lines 1, 3"));
+  EXPECT_EQ(import.readings, 1u);
+}
+
+// 359°59'59" and 0°00'01" are 2″ apart, not 360°.
+TEST(Import, AveragesAcrossTheZeroOfTheCircle) {
+  const Import import = imported(gsiOf("0", "35959590", "09000000") + gsiOf("0", "00000030", "09000000") +
+                                 gsiOf("1", "00852240", "08816490"));
+  EXPECT_EQ(import.session.positions.at(0).zero.horizontal, "0°00'01.00\"");
+}
+
+TEST(Import, KeepsAZeroThatWasGiven) {
+  ImportOptions options;
+  options.base.positions[0].zero = {"332°", "90°", {}};
+  const Import import =
+      imported(gsiOf("0", "33232500", "08959580") + gsiOf("1", "34152240", "08816490"), options);
+  EXPECT_EQ(import.session.positions.at(0).zero.horizontal, "332°");
+  EXPECT_THAT(import.remarks, Contains(HasSubstr("that of line 1 is not used")));
+}
+
+TEST(Import, NumbersPointsWithNamesInEachPosition) {
+  const Import import =
+      imported("axis,point,Hz,V,note\n0,top,341°,88°,wind\n0,end,341°,87°,\n180,end,341°,88°,\n");
+  const Reading& top = import.session.positions.at(0).readings.at(0);
+  EXPECT_EQ(top.point, "1");
+  EXPECT_EQ(top.note, "top: wind");
+  EXPECT_EQ(import.session.positions.at(1).readings.at(0).point, "1");
+}
+
+TEST(Import, NamesEntriesByLineAndColumnAndKeepsThem) {
+  const Import import = imported("axis,point,Hz,V,face\n0,1,341.5224,88°71'49\",3\n90,2,341°,88°,1\n");
+  ASSERT_EQ(import.problems.size(), 4u);
+  EXPECT_THAT(import.problems[0].text(), HasSubstr("line 2, column 5: horizontal “341.5224” may mean"));
+  EXPECT_THAT(import.problems[1].text(),
+              HasSubstr("line 2, column 14: vertical “88°71'49\"” has 71 minutes"));
+  EXPECT_THAT(import.problems[2].text(), HasSubstr("line 2, column 24: face “3”"));
+  EXPECT_THAT(import.problems[3].text(), HasSubstr("line 3, column 1: axis “90”"));
+  EXPECT_EQ(import.session.positions.at(0).readings.at(0).vertical, "88°71'49\"");
+}
+
+TEST(Import, RefusesWhatHoldsNoReadings) {
+  const auto refusal = [](const std::string& text) {
+    const Result<Import> import = importReadings(text);
+    EXPECT_FALSE(import) << text;
+    return import ? std::string() : import.problem().what;
+  };
+  EXPECT_THAT(refusal(""), HasSubstr("holds no readings"));
+  EXPECT_THAT(refusal("# nothing\n"), HasSubstr("holds no readings"));
+  EXPECT_THAT(refusal("{\"format\": \"alidade-session\"}"), HasSubstr("session"));
+  EXPECT_THAT(refusal("Hz,V\n"), HasSubstr("holds no readings"));
+  EXPECT_THAT(refusal("41....+00000180\n"), HasSubstr("holds no readings"));
+  EXPECT_THAT(refusal("a,b\n1,2\n"), HasSubstr("line 1"));
+}
+
+/// What every import must keep: a session that can be written and read, a sentence and a line for every
+/// problem.
+void expectSound(const std::string& text) {
+  const Result<Import> import = importReadings(text);
+  if (!import) {
+    EXPECT_FALSE(import.problem().what.empty());
+    return;
+  }
+  for (const LineProblem& problem : import->problems) {
+    EXPECT_GT(problem.line, 0u);
+    EXPECT_FALSE(problem.what.empty());
+  }
+  const Result<Session> again = readSession(writeSession(import->session));
+  ASSERT_TRUE(again) << again.problem().text() << "\n" << text;
+  EXPECT_EQ(writeSession(*again), writeSession(import->session)) << text;
+}
+
+// 3000 files, each with up to eight bytes of a sound one changed, dropped or doubled.
+TEST(Import, SurvivesDamagedFiles) {
+  std::mt19937 random(20180101);
+  const auto below = [&random](std::size_t count) { return random() % count; };
+  const std::string signs = "0179+-*.,;\t\n\r\"' °#@\x80\xFF\xC2ZA";
+  const std::string gsi = gsiOf("0", "33232500", "08959580") + "41....+00000180\n" +
+                          gsiOf("A1", "34152240", "08816490") +
+                          "*110001+0000000000000001 31..00+0000000000002405\n";
+  for (const std::string& whole : {gsi, paperCsv().substr(0, 300)}) {
+    for (int i = 0; i < 1500; ++i) {
+      std::string text = whole;
+      for (std::size_t change = 1 + below(8); change > 0 && !text.empty(); --change) {
+        const std::size_t at = below(text.size());
+        switch (below(4)) {
+          case 0:
+            text.erase(at, 1 + below(4));
+            break;
+          case 1:
+            text.insert(at, 1, signs[below(signs.size())]);
+            break;
+          case 2:
+            text.insert(at, text.substr(at, below(20)));
+            break;
+          default:
+            text[at] = signs[below(signs.size())];
+        }
+      }
+      expectSound(text);
+    }
+  }
+}
+
+TEST(Import, ReadsLongFilesAndLongLines) {
+  std::string text = "point,Hz,V\n";
+  for (int i = 0; i < 20000; ++i) text += std::to_string(i) + ",341°52'24\",88°16'49\"\n";
+  EXPECT_EQ(imported(text).readings, 20000u);
+  expectSound("Hz,V\n" + std::string(200000, ','));
+  expectSound("Hz,V\n" + std::string(200000, '"'));
+  std::string block = "110001+00000001";
+  for (int i = 0; i < 10000; ++i) block += " 31..00+00002405";
+  expectSound(block);
+}
+
+}  // namespace
+}  // namespace alidade::test
