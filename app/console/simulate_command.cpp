@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "app/console/output_file.h"
+#include "core/base/number_text.h"
 #include "core/session/session_file.h"
 #include "core/simulation/protocol.h"
 #include "core/simulation/simulate.h"
@@ -104,6 +105,10 @@ void addSimulateCommand(CLI::App& app, SimulateRequest& request) {
       ->check(length);
   simulate->add_option("--sigma-distance", request.sigmaDistance, "σ of the distance stated, mm; else 0")
       ->check(CLI::Range(0.0, longestMm - 1));
+  simulate->add_option("--tolerance", request.tolerance, "Tolerance of the intersection stated, mm")
+      ->check(length);
+  simulate->add_option("--title", request.title, "Title of the session");
+  simulate->add_option("--notes", request.notes, "Notes of the session");
   simulate->add_option("--sigma", request.sigma, "Stated σ of both circles, arcsec; else 2")->check(sigma);
   simulate->add_option("--sigma-zero", request.sigmaZero, "σ of the pointing zeros, arcsec; else as --sigma")
       ->check(sigmaOrZero);
@@ -122,13 +127,17 @@ Result<std::string> runSimulate(const SimulateRequest& request) {
   Truth truth = truthOf(request);
   for (const std::string& effect : request.effects)
     if (auto problem = addEffect(truth, effect)) return *std::move(problem);
-  Result<Session> session = simulate(protocolOf(request), truth, request.seed);
-  if (!session) return session.problem();
+  Result<Session> simulated = simulate(protocolOf(request), truth, request.seed);
+  if (!simulated) return simulated.problem();
+  Session session = *std::move(simulated);
+  if (!request.title.empty()) session.title = request.title;
+  session.notes = request.notes;
+  if (request.tolerance) session.acceptance.toleranceMm = shortestText(*request.tolerance);
   const std::string id = std::filesystem::path(request.out).stem().string();
-  if (auto problem = writeFile(request.out, writeSession(*session))) return *std::move(problem);
+  if (auto problem = writeFile(request.out, writeSession(session))) return *std::move(problem);
   if (auto problem = writeFile(request.truth, truthJson(id, truth))) return *std::move(problem);
   std::size_t rows = 0;
-  for (const Position& position : session->positions) rows += position.readings.size();
+  for (const Position& position : session.positions) rows += position.readings.size();
   return request.out + ": " + std::to_string(rows) + " rows by protocol " + request.protocol +
          "; the truth is in " + request.truth + "\n";
 }

@@ -15,12 +15,14 @@ namespace alidade::console {
 
 /// What `alidade-cli simulate` was asked. What is not given of the truth is drawn from the seed.
 struct SimulateRequest {
-  std::string out, truth;  ///< files to write
+  std::string out, truth;    ///< files to write
+  std::string title, notes;  ///< of the session; empty: named after the seed, and none
   std::uint64_t seed = 1;
   std::string protocol = "paper";
   std::vector<std::string> effects;
   std::optional<int> points, rounds;
   std::optional<double> intersection, centreX, axisHeight, radius, distance, nominalRadius;  ///< mm
+  std::optional<double> tolerance;                                                           ///< mm
   std::optional<double> sigmaDistance;                                                       ///< mm
   std::optional<double> sigma, sigmaZero, sigmaSlider, typingStep;                           ///< arcseconds
   std::string verticalCircle = "zenith";  ///< or "elevation"

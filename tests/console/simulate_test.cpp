@@ -67,6 +67,9 @@ TEST_F(SimulateTest, PutsInWhatIsAsked) {
                                    "--sigma",           "1",
                                    "--sigma-distance",  "0.5",
                                    "--typing-step",     "1",
+                                   "--tolerance",       "2.5",
+                                   "--title",           "Hall 3",
+                                   "--notes",           "Cold.",
                                    "--vertical-circle", "elevation"});
   EXPECT_EQ(run.exitCode, 0) << run.err;
   const Json known = Json::parse(contentOf(truth)).at("s1");
@@ -78,6 +81,9 @@ TEST_F(SimulateTest, PutsInWhatIsAsked) {
   EXPECT_EQ(written["positions"][0]["readings"].size(), 18u);
   EXPECT_EQ(written["instrument"]["sigma_horizontal_arcsec"], 1);
   EXPECT_EQ(written["geometry"]["sigma_distance_mm"], 0.5);
+  EXPECT_EQ(written["acceptance"]["tolerance_mm"], 2.5);
+  EXPECT_EQ(written["title"], "Hall 3");
+  EXPECT_EQ(written["notes"], "Cold.");
   EXPECT_EQ(written["geometry"]["vertical_circle"], "elevation");
   EXPECT_THAT(written["positions"][0]["readings"][0]["horizontal"].get<std::string>(),
               ::testing::Not(HasSubstr(".")));

@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# Makes the simulated samples anew: samples/make.sh ALIDADE-CLI FOLDER. Every reading follows from the seed, so the files
+# are the same each time; a test compares them with those kept here.
+set -euo pipefail
+
+cli=$1
+folder=$2
+truth=$(mktemp)
+trap 'rm -f -- "$truth"' EXIT
+
+sample() {
+  local name=$1
+  shift
+  "$cli" simulate --out "$folder/$name.alidade" --truth "$truth" --typing-step 1 --tolerance 0.5 "$@"
+}
+
+sample trunnion-tilt --seed 1 --protocol two-face --points 9 --rounds 1 --intersection 0.4 \
+  --effect trunnion_tilt=25 --title "A tilted trunnion axis" \
+  --notes "Simulated: the trunnion axis is tilted by 25 arcseconds. Both faces were read, so nothing else looks like it."
+sample look-alikes --seed 2 --protocol paper --points 17 --intersection 0.4 \
+  --effect trunnion_tilt=60 --title "The same fault, one face" \
+  --notes "Simulated: the trunnion axis is tilted by 60 arcseconds, but only one face was read. A drift of the vertical circle or a warped arc plane would leave the same trace."
+sample two-causes --seed 3 --protocol full --points 9 --rounds 2 --intersection 0.4 \
+  --effect trunnion_tilt=40 --effect vertical_drift=25 --title "Two causes at once" \
+  --notes "Simulated: a trunnion axis tilted by 40 arcseconds, and a vertical circle that drifts by 25 arcseconds over the session."
+sample unknown-form --seed 4 --protocol paper --points 17 --intersection 0.4 \
+  --effect form_harmonic=5,0.3,0.2 --title "A guideway out of shape" \
+  --notes "Simulated: the radius changes by 0.36 mm, five times in a full turn. No effect of the catalogue does that."
+sample knocked-tripod --seed 5 --protocol there-and-back --points 9 --intersection 0.4 \
+  --effect orientation_jump=0.7,60,-40 --title "A knocked tripod" \
+  --notes "Simulated: after seven tenths of the readings somebody hit the tripod; both circles read differently from then on."
+sample noisy-readings --seed 6 --protocol two-face --points 9 --rounds 1 --intersection 0.4 \
+  --effect underestimated_noise=3 --title "Noise larger than stated" \
+  --notes "Simulated: the readings scatter by 6 arcseconds where 2 are stated, and nothing else is wrong."
