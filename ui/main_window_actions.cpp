@@ -57,6 +57,8 @@ void WindowActions::createFileMenu(QToolBar& bar) {
   QMenu* recent = menu.addMenu(tr("Open &Recent"));
   connect(recent, &QMenu::aboutToShow, this, [this, recent] { fillRecentMenu(*recent); });
   fillRecentMenu(*recent);
+  addTo(menu, nullptr, tr("&Import Readings…"), QKeySequence(tr("Ctrl+Shift+I")), this,
+        [&files] { files.importReadings(); });
   menu.addSeparator();
   bar.addAction(addTo(menu, "save", tr("&Save"), QKeySequence::Save, this, [&files] { files.save(); }));
   addTo(menu, nullptr, tr("Save &As…"), QKeySequence::SaveAs, this, [&files] { files.saveAs(); });

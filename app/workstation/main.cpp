@@ -52,7 +52,8 @@ int main(int argc, char** argv) {
                                   QStringLiteral("Write the acceptance report of FILE and open no window."),
                                   QStringLiteral("OUT.pdf"));
   parser.addOption(report);
-  parser.addPositionalArgument(QStringLiteral("FILE"), QStringLiteral("Session to open."),
+  parser.addPositionalArgument(QStringLiteral("FILE"),
+                               QStringLiteral("Session to open, or GSI or CSV file to import."),
                                QStringLiteral("[FILE]"));
   if (!parser.parse(QApplication::arguments())) return badCall(parser.errorText());
   if (parser.isSet(help)) parser.showHelp();

@@ -21,7 +21,7 @@ class ReadingsTable;
 class ScriptedDialogs : public Dialogs {
  public:
   SaveAnswer saveAnswer = SaveAnswer::Cancel;
-  QString openPath, savePath, reportPath;
+  QString openPath, importPath, savePath, reportPath;
   int saveQuestions = 0;
   bool exportAnyway = false;
   QList<int> unusableEntries;  ///< as told by each question whether to export anyway
@@ -32,6 +32,7 @@ class ScriptedDialogs : public Dialogs {
     return saveAnswer;
   }
   QString askOpenPath(const QString&) override { return openPath; }
+  QString askImportPath(const QString&) override { return importPath; }
   QString askSavePath(const QString&) override { return savePath; }
   QString askReportPath(const QString&) override { return reportPath; }
   bool askReportWithoutVerdict(int entries) override {

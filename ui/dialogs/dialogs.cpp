@@ -56,6 +56,12 @@ QString Dialogs::askOpenPath(const QString& folder) {
   return QFileDialog::getOpenFileName(m_parent, Text::tr("Open session"), folder, sessionFilter());
 }
 
+QString Dialogs::askImportPath(const QString& folder) {
+  return QFileDialog::getOpenFileName(
+      m_parent, Text::tr("Import readings"), folder,
+      Text::tr("Readings (*.gsi *.GSI *.csv *.CSV *.tsv *.txt);;All files (*)"));
+}
+
 QString Dialogs::askSavePath(const QString& suggestion) {
   return saveFile(m_parent, Text::tr("Save session as"), suggestion, sessionFilter(),
                   QStringLiteral("alidade"));

@@ -17,6 +17,7 @@ class Dialogs {
   virtual SaveAnswer askSaveChanges(const QString& name);
   /// Empty: cancelled.
   virtual QString askOpenPath(const QString& folder);
+  virtual QString askImportPath(const QString& folder);
   virtual QString askSavePath(const QString& suggestion);
   virtual QString askReportPath(const QString& suggestion);
   /// Shall a report be written although `entries` > 0 entries cannot be used?

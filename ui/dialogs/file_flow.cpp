@@ -1,9 +1,15 @@
 #include "ui/dialogs/file_flow.h"
 
 #include <QDir>
+#include <QFile>
 #include <QFileInfo>
+#include <algorithm>
 
+#include "core/base/file_bytes.h"
+#include "core/exchange/import.h"
+#include "ui/commands/replace_session.h"
 #include "ui/dialogs/dialogs.h"
+#include "ui/dialogs/import_notes.h"
 #include "ui/dialogs/report_source.h"
 #include "ui/document/session_document.h"
 #include "ui/jobs/evaluation.h"
@@ -11,6 +17,40 @@
 #include "ui/text/entry_text.h"
 
 namespace alidade::ui {
+
+namespace {
+
+bool isBlank(const Reading& reading) {
+  Reading blank;
+  blank.excluded = reading.excluded;
+  return reading == blank;
+}
+
+/// Rows that somebody began count too: what was typed is not put aside.
+bool hasReadings(const Session& session) {
+  return std::any_of(session.positions.begin(), session.positions.end(), [](const Position& position) {
+    return !std::all_of(position.readings.begin(), position.readings.end(), isBlank);
+  });
+}
+
+Session withoutRows(Session session) {
+  for (Position& position : session.positions) position.readings.clear();
+  return session;
+}
+
+Result<Import> readImport(const QString& path, const ImportOptions& options) {
+  const Result<std::string> bytes = readFile(QFile::encodeName(path).toStdString());
+  if (!bytes) return bytes.problem();
+  Result<Import> import = alidade::importReadings(*bytes, options);
+  if (import && import->session.title.empty()) {
+    Import titled = *std::move(import);
+    titled.session.title = QFileInfo(path).completeBaseName().toStdString();
+    return titled;
+  }
+  return import;
+}
+
+}  // namespace
 
 FileFlow::FileFlow(SessionDocument& document, Dialogs& dialogs, QObject* parent)
     : QObject(parent), m_document(document), m_dialogs(dialogs) {}
@@ -28,7 +68,41 @@ bool FileFlow::open() {
 }
 
 bool FileFlow::open(const QString& path) {
+  if (isReadingsFile(path)) return importReadings(path);
   return mayLeave() && load(path);
+}
+
+bool FileFlow::importReadings() {
+  const QString path = m_dialogs.askImportPath(QFileInfo(m_document.path()).absolutePath());
+  return !path.isEmpty() && importReadings(path);
+}
+
+bool FileFlow::importReadings(const QString& path) {
+  emit commitWanted();
+  const bool intoPresent = !hasReadings(m_document.session());
+  ImportOptions options;
+  if (intoPresent) options.base = withoutRows(m_document.session());
+  const QString name = QFileInfo(path).fileName();
+  const Result<Import> import = readImport(path, options);
+  if (!import) {
+    m_dialogs.showProblem(tr("Import readings"),
+                          tr("“%1” cannot be imported.\n\n%2").arg(name, qText(import.problem().text())));
+    return false;
+  }
+  if (!intoPresent) {
+    if (!mayLeave()) return false;
+    m_document.startNew();
+  }
+  putIn(*import, name);
+  return true;
+}
+
+void FileFlow::putIn(const Import& import, const QString& name) {
+  m_document.undoStack().push(new ReplaceSession(m_document, import.session, tr("Import %1").arg(name)));
+  const QString done = tr("%1 readings imported from %2").arg(import.readings).arg(name);
+  emit remark(done);
+  const QString notes = importNotes(import);
+  if (!notes.isEmpty()) m_dialogs.showProblem(tr("Import readings"), done + QStringLiteral(".\n\n") + notes);
 }
 
 bool FileFlow::load(const QString& path) {

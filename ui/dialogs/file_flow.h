@@ -3,12 +3,16 @@
 #include <QObject>
 #include <QString>
 
+namespace alidade {
+struct Import;
+}
+
 namespace alidade::ui {
 
 class Dialogs;
 class SessionDocument;
 
-/// New, open, save, export and leaving, with the questions that belong to them.
+/// New, open, import, save, export and leaving, with the questions that belong to them.
 class FileFlow : public QObject {
   Q_OBJECT
 
@@ -18,7 +22,11 @@ class FileFlow : public QObject {
   /// Each is true where it was done, false where it failed (the user was told why) or was cancelled.
   bool startNew();
   bool open();
-  bool open(const QString& path);
+  bool open(const QString& path);  ///< a session, or a file of readings to import
+  bool importReadings();
+  /// The readings of a GSI or CSV file, undoable: put into the session at work where this has none yet,
+  /// otherwise into a new one.
+  bool importReadings(const QString& path);
   bool save();
   bool saveAs();
   bool exportReport();
@@ -32,6 +40,7 @@ class FileFlow : public QObject {
 
  private:
   bool load(const QString& path);
+  void putIn(const Import& import, const QString& name);
   bool saveTo(const QString& path);
   QString suggestedPath(const QString& suffix) const;
 

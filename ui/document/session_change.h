@@ -9,7 +9,7 @@ namespace alidade::ui {
 /// What became different in the session, told to every view.
 struct SessionChange {
   enum class Kind {
-    Everything,  ///< another session: new or loaded
+    Everything,  ///< another session: new, loaded or imported
     Field,       ///< the single text at `place`
     Readings,    ///< rows of `place.position` from `place.reading` on: `removed` gone, `inserted` new
     Positions,   ///< from `place.position` on: `removed` gone, `inserted` new

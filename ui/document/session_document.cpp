@@ -98,6 +98,12 @@ void SessionDocument::removePosition(std::size_t index) {
   emit changed(change);
 }
 
+void SessionDocument::putSession(const Session& session) {
+  emit aboutToChange({});
+  m_session = session;
+  emit changed({});
+}
+
 void SessionDocument::replaceAll(Session session, const QString& path) {
   emit aboutToChange({});
   m_session = std::move(session);

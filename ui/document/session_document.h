@@ -43,6 +43,7 @@ class SessionDocument : public QObject {
   friend class ChangeEffects;
   friend class ChangeField;
   friend class ReplaceReadings;
+  friend class ReplaceSession;
 
   void putField(const Place& place, const std::string& text);
   void putEffects(const std::vector<std::string>& effects);
@@ -50,6 +51,7 @@ class SessionDocument : public QObject {
                    const std::vector<Reading>& inserted);
   void insertPosition(std::size_t index, const Position& position);
   void removePosition(std::size_t index);
+  void putSession(const Session& session);
   void replaceAll(Session session, const QString& path);
 
   Session m_session;

@@ -1,0 +1,107 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <QDir>
+#include <QFile>
+#include <QLineEdit>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "core/session/session.h"
+#include "tests/ui/support.h"
+#include "ui/dialogs/import_notes.h"
+#include "ui/main_window.h"
+
+// File ▸ Import Readings: undoable, into the session at work where this has none yet, otherwise into a new
+// one.
+
+namespace alidade::ui {
+namespace {
+
+using testing::HasSubstr;
+
+class ImportFlow : public ::testing::Test {
+ protected:
+  QString file(const QString& name, const QByteArray& content) const {
+    const QString path = folder.filePath(name);
+    QFile out(path);
+    EXPECT_TRUE(out.open(QIODevice::WriteOnly));
+    out.write(content);
+    return path;
+  }
+  std::string notes() const { return open.dialogs->problems.join(QLatin1Char('\n')).toStdString(); }
+
+  QTemporaryDir folder;
+  OpenWindow open;
+};
+
+const QByteArray table =
+    "axis,point,Hz,V\n0,zero,332°32'54\",89°59'57\"\n0,1,341°52'24\",88°16'49\"\n0,2,341°26'01\",86°41'"
+    "24\"\n";
+
+TEST_F(ImportFlow, PutsReadingsIntoASessionWithoutAny) {
+  typeInto(*open->findChild<QLineEdit*>(QStringLiteral("geometry.distance_mm")), QStringLiteral("2405"));
+  open.dialogs->importPath = file(QStringLiteral("arc.csv"), table);
+  EXPECT_TRUE(open->files().importReadings());
+  open.settle();
+  const Session& session = open->document().session();
+  EXPECT_EQ(session.geometry.distanceMm, "2405") << "what was typed stays";
+  ASSERT_EQ(session.positions.size(), 1u);
+  EXPECT_EQ(session.positions[0].readings.size(), 2u);
+  EXPECT_EQ(session.positions[0].zero.horizontal, "332°32'54\"");
+  EXPECT_EQ(session.title, "arc");
+  EXPECT_TRUE(open->document().isModified());
+  EXPECT_TRUE(open.dialogs->problems.isEmpty()) << notes();
+  open->undo();
+  EXPECT_EQ(session.positions.size(), 2u);
+  EXPECT_TRUE(session.positions[0].readings.empty());
+  EXPECT_EQ(session.geometry.distanceMm, "2405");
+  open->redo();
+  EXPECT_EQ(session.positions[0].readings.size(), 2u);
+}
+
+TEST_F(ImportFlow, BeginsANewSessionBesideReadings) {
+  ASSERT_TRUE(open->files().open(samplePath(QStringLiteral("paper-table-1.alidade"))));
+  EXPECT_TRUE(open->files().open(file(QStringLiteral("ARC.CSV"), table)));
+  EXPECT_EQ(open->document().path(), QString());
+  EXPECT_EQ(open->document().session().geometry.distanceMm, "");
+  EXPECT_TRUE(open->document().isModified());
+  EXPECT_EQ(open.dialogs->saveQuestions, 0);
+
+  open.dialogs->saveAnswer = Dialogs::SaveAnswer::Cancel;
+  EXPECT_FALSE(open->files().open(file(QStringLiteral("next.csv"), table))) << "the import is not saved yet";
+  EXPECT_EQ(open.dialogs->saveQuestions, 1);
+  EXPECT_EQ(open->document().session().title, "ARC");
+}
+
+TEST_F(ImportFlow, SaysWhatCouldNotBeRead) {
+  EXPECT_TRUE(open->files().open(file(QStringLiteral("arc.gsi"),
+                                      "110001+00000001 21.322+37985926 22.322+09808000 31..00+00002405\n"
+                                      "110002+00000002 21.324+34171260 22.324+08641240\nbroken\n")));
+  EXPECT_THAT(notes(), HasSubstr("2 readings imported from arc.gsi."));
+  EXPECT_THAT(notes(), HasSubstr("Line 3, column 1: “broken” is no GSI word"));
+  EXPECT_THAT(notes(), HasSubstr("has 71 minutes"));
+  EXPECT_THAT(notes(), HasSubstr("Slope distance is not used"));
+  EXPECT_EQ(open->document().session().positions.at(0).readings.at(1).horizontal, "341°71'26.0\"");
+}
+
+TEST_F(ImportFlow, LeavesTheSessionWhereNothingCanBeRead) {
+  ASSERT_TRUE(open->files().open(samplePath(QStringLiteral("paper-table-1.alidade"))));
+  EXPECT_FALSE(open->files().open(file(QStringLiteral("empty.csv"), "Hz,V\n")));
+  EXPECT_FALSE(open->files().open(folder.filePath(QStringLiteral("missing.gsi"))));
+  EXPECT_THAT(notes(), HasSubstr("“empty.csv” cannot be imported."));
+  EXPECT_THAT(notes(), HasSubstr("cannot be opened"));
+  EXPECT_EQ(open->document().session().title, "Table I");
+}
+
+TEST(ImportNotes, AreADozenAtMost) {
+  Import import;
+  for (std::size_t line = 1; line <= 20; ++line) import.problems.push_back({line, 0, "is odd"});
+  const QString notes = importNotes(import);
+  EXPECT_EQ(notes.count(QLatin1Char('\n')), 12);
+  EXPECT_TRUE(notes.endsWith(QStringLiteral("And 8 more."))) << notes.toStdString();
+  EXPECT_EQ(importNotes({}), QString());
+}
+
+}  // namespace
+}  // namespace alidade::ui

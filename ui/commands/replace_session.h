@@ -1,0 +1,24 @@
+#pragma once
+
+#include <QUndoCommand>
+
+#include "core/session/session.h"
+
+namespace alidade::ui {
+
+class SessionDocument;
+
+/// Puts another session in place of the present one, all of it at once; the file stays what it was.
+class ReplaceSession : public QUndoCommand {
+ public:
+  ReplaceSession(SessionDocument& document, Session session, const QString& text);
+
+  void undo() override;
+  void redo() override;
+
+ private:
+  SessionDocument& m_document;
+  Session m_before, m_after;
+};
+
+}  // namespace alidade::ui

@@ -1,0 +1,45 @@
+#include "ui/dialogs/import_notes.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QStringList>
+
+#include "ui/text/entry_text.h"
+
+namespace alidade::ui {
+
+namespace {
+
+constexpr qsizetype mostNotes = 12;
+
+struct Text {
+  Q_DECLARE_TR_FUNCTIONS(ImportNotes)
+};
+
+QString sentence(QString text) {
+  if (!text.isEmpty()) text[0] = text[0].toUpper();
+  return text + QLatin1Char('.');
+}
+
+}  // namespace
+
+bool isReadingsFile(const QString& path) {
+  const QStringList suffixes = {QStringLiteral("gsi"), QStringLiteral("csv"), QStringLiteral("tsv"),
+                                QStringLiteral("txt")};
+  return suffixes.contains(QFileInfo(path).suffix(), Qt::CaseInsensitive);
+}
+
+QString importNotes(const Import& import) {
+  QStringList notes;
+  for (const LineProblem& problem : import.problems) notes.append(sentence(qText(problem.text())));
+  for (const std::string& remark : import.remarks) notes.append(sentence(qText(remark)));
+  if (notes.isEmpty()) return {};
+  const qsizetype more = notes.size() - mostNotes;
+  if (more > 0) {
+    notes = notes.mid(0, mostNotes);
+    notes.append(Text::tr("And %1 more.").arg(more));
+  }
+  return notes.join(QLatin1Char('\n'));
+}
+
+}  // namespace alidade::ui
