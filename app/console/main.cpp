@@ -8,6 +8,7 @@
 #include "app/console/diagnose_command.h"
 #include "app/console/fit_command.h"
 #include "app/console/import_command.h"
+#include "app/console/plan_command.h"
 #include "app/console/simulate_command.h"
 #include "app/console/trial_command.h"
 
@@ -45,6 +46,8 @@ int run(int argc, char** argv) {
   addDiagnoseCommand(app, diagnoseRequest);
   SimulateRequest simulateRequest;
   addSimulateCommand(app, simulateRequest);
+  PlanRequest planRequest;
+  addPlanCommand(app, planRequest);
   TrialRequest trialRequest;
   addTrialCommand(app, trialRequest);
   ImportRequest importRequest;
@@ -64,6 +67,7 @@ int run(int argc, char** argv) {
   if (app.got_subcommand("simulate")) return give(runSimulate(simulateRequest), "alidade-cli");
   if (app.got_subcommand("trial")) return give(runTrial(trialRequest), "alidade-cli");
   if (app.got_subcommand("import")) return giveImport(importRequest);
+  if (app.got_subcommand("plan")) return give(runPlan(planRequest), inputName(planRequest.file));
   if (app.got_subcommand("diagnose"))
     return give(runDiagnose(diagnoseRequest), inputName(diagnoseRequest.file));
   return give(runFit(fitRequest), inputName(fitRequest.file));

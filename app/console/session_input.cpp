@@ -24,9 +24,10 @@ Problem firstOf(const std::vector<Problem>& problems) {
 
 }  // namespace
 
-Result<SessionInput> readSessionInput(const std::string& file) {
+Result<SessionInput> readSessionInput(const std::string& file, Session (*prepare)(Session)) {
   Result<Session> session = readInput(file);
   if (!session) return session.problem();
+  if (prepare) session = prepare(*std::move(session));
   Examined examined = examine(*session);
   if (!examined.problems.empty()) return firstOf(examined.problems);
   const std::string name =

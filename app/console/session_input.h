@@ -15,7 +15,8 @@ struct SessionInput {
   Measurement measurement;
 };
 
-/// `file` is a path, or - for standard input. Fails with the first thing that is wrong in the session.
-Result<SessionInput> readSessionInput(const std::string& file);
+/// `file` is a path, or - for standard input. `prepare` is done to the session before it is examined. Fails
+/// with the first thing that is wrong in the session.
+Result<SessionInput> readSessionInput(const std::string& file, Session (*prepare)(Session) = nullptr);
 
 }  // namespace alidade::console

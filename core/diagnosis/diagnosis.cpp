@@ -14,8 +14,6 @@ namespace alidade {
 
 namespace {
 
-using Eigen::Index, Eigen::VectorXd;
-
 DiagnosisVerdict verdictOf(const Answer& answer, const std::vector<Cause>& causes) {
   if (answer.kind == Answer::Kind::Unknown) return DiagnosisVerdict::NotInCatalogue;
   if (causes.empty()) return DiagnosisVerdict::WithinNoise;
@@ -39,16 +37,6 @@ std::vector<GapShare> whereOf(const Inquiry& inquiry) {
   std::ranges::move(sharesOfReadings(inquiry.leftover, inquiry.base.measurement, inquiry.base.fit),
                     std::back_inserter(shares));
   return shares;
-}
-
-std::vector<UnseenEffect> unseenOf(const Inquiry& inquiry) {
-  const std::vector<AdjustedReading>& readings = inquiry.base.fit.readings;
-  VectorXd perSigma(static_cast<Index>(readings.size()));
-  for (Index i = 0; i < perSigma.size(); ++i) {
-    const AdjustedReading& reading = readings[static_cast<std::size_t>(i)];
-    perSigma[i] = reading.perReading * reading.sigma;
-  }
-  return unseenEffects(inquiry.leftover, inquiry.candidates, perSigma);
 }
 
 /// The likeliest pattern.
@@ -117,7 +105,7 @@ Result<Diagnosis> diagnose(const Measurement& measurement, const DiagnosisOption
   diagnosis.steps = stepsOf(inquiry, answer);
   diagnosis.before = estimateOf(*model);
   diagnosis.afterwards = afterwardsOf(inquiry, answer);
-  diagnosis.unseen = unseenOf(inquiry);
+  diagnosis.unseen = unseenEffects(inquiry.leftover, inquiry.candidates, influencePerSigma(inquiry.base));
   if (answer.kind == Answer::Kind::Unknown) diagnosis.shape = shapeOf(inquiry);
   diagnosis.leftBefore = inSigma(*model);
   diagnosis.leftAfter = inSigma(answer.after);

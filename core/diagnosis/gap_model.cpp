@@ -22,6 +22,16 @@ Result<GapModel> modelOf(const Measurement& measurement) {
   return model;
 }
 
+Eigen::VectorXd influencePerSigma(const GapModel& model) {
+  const std::vector<AdjustedReading>& readings = model.fit.readings;
+  Eigen::VectorXd influence(static_cast<Eigen::Index>(readings.size()));
+  for (Eigen::Index i = 0; i < influence.size(); ++i) {
+    const AdjustedReading& reading = readings[static_cast<std::size_t>(i)];
+    influence[i] = reading.perReading * reading.sigma;
+  }
+  return influence;
+}
+
 ReadingRef readingRef(const Leftover& leftover, Eigen::Index index) {
   const LinearReading& reading = leftover.reading(index);
   return {reading.arc, reading.sighting, reading.kind};

@@ -34,6 +34,9 @@ GapModel modelWith(const GapModel& base, const Explanation& explanation,
 /// The equations of the model with one error term held at a size.
 Linearised linearisedAt(const GapModel& model, ErrorTerm term, double size);
 
+/// ∂Δd/∂reading of the model's fit, mm per σ of the reading, in the order of `JointFit::readings`.
+Eigen::VectorXd influencePerSigma(const GapModel& model);
+
 ReadingRef readingRef(const Leftover& leftover, Eigen::Index reading);
 
 }  // namespace alidade

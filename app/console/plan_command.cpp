@@ -1,0 +1,30 @@
+#include "app/console/plan_command.h"
+
+#include <CLI/CLI.hpp>
+
+#include "app/console/plan_text.h"
+#include "app/console/session_input.h"
+#include "core/simulation/planned_session.h"
+
+namespace alidade::console {
+
+void addPlanCommand(CLI::App& app, PlanRequest& request) {
+  CLI::App* plan =
+      app.add_subcommand("plan", "What a plan of readings can and cannot see, and what to add to it.");
+  plan->add_option(
+          "FILE", request.file,
+          "Session with the rows to be read (*.alidade); - reads standard input. Rows without readings "
+          "are thought to be read at their slider coordinate, else evenly spread")
+      ->required();
+  plan->add_flag("--json", request.json, "Print one JSON document");
+}
+
+Result<std::string> runPlan(const PlanRequest& request) {
+  const Result<SessionInput> input = readSessionInput(request.file, &withPlannedReadings);
+  if (!input) return input.problem();
+  const Result<PlanReview> review = reviewPlan(input->measurement);
+  if (!review) return review.problem();
+  return request.json ? planJson(input->name, *review) : planText(input->name, *review);
+}
+
+}  // namespace alidade::console

@@ -1,0 +1,112 @@
+#include "app/console/plan_text.h"
+
+#include <nlohmann/json.hpp>
+
+#include "app/console/text_layout.h"
+#include "core/base/number_text.h"
+#include "core/base/quantity_text.h"
+#include "core/effects/catalogue.h"
+
+namespace alidade::console {
+
+namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
+using Json = nlohmann::ordered_json;
+
+std::string listed(const std::vector<std::string>& ids) {
+  std::string text;
+  for (const std::string& id : ids) text += (text.empty() ? "" : ", ") + id;
+  return text;
+}
+
+/// "30 arcsec"; the unit of a pure number is left out.
+std::string plausibleText(const std::string& id) {
+  const EffectParameter& parameter = effectById(id)->parameters.front();
+  return shortestText(parameter.plausible) +
+         (parameter.unit.size() > 1 ? " " + std::string(parameter.unit) : "");
+}
+
+std::string visibleText(const PlannedEffect& effect) {
+  const std::string most = fixedText(effect.mostVisible, 1);
+  if (effect.mostVisible - effect.leastVisible < 0.05) return most;
+  return fixedText(effect.leastVisible, 1) + "…" + most;
+}
+
+std::string effectsText(const PlanReview& review) {
+  Rows rows{{"  effect", "plausible", "shows by (σ)", "moves Δd by (mm)", ""}};
+  for (const PlannedEffect& effect : review.effects)
+    rows.push_back({"  " + effect.effect, plausibleText(effect.effect), visibleText(effect),
+                    fixedText(effect.influence, 4), effect.unseen ? "unseen" : ""});
+  return "\nEffects of plausible size\n" + alignedColumns(rows);
+}
+
+std::string lookAlikesText(const PlanReview& review) {
+  std::string text;
+  for (const PlannedEffect& effect : review.effects) {
+    if (effect.lookAlikes.empty()) continue;
+    std::vector<std::string> ids;
+    for (const LookAlike& other : effect.lookAlikes) ids.push_back(other.effect);
+    text += paragraph("  " + effect.effect + ": " + listed(ids), 4);
+  }
+  return text.empty() ? "\nWhat shows can be told apart.\n"
+                      : "\nWhat shows but could not be told from others\n" + text;
+}
+
+std::string adviceText(const PlanReview& review) {
+  if (review.advice.empty()) return "\nNo further readings would show more.\n";
+  std::string text = "\nWhat to add\n";
+  for (const PlanAdvice& advice : review.advice) {
+    std::string line = "  " + advice.measure + ":";
+    if (!advice.reveals.empty()) line += " shows " + listed(advice.reveals) + ";";
+    if (!advice.separates.empty()) {
+      line += " tells";
+      for (std::size_t i = 0; i < advice.separates.size(); ++i)
+        line += (i == 0 ? " " : ", ") + advice.separates[i].first + " from " + advice.separates[i].second;
+      line += ";";
+    }
+    line.back() = '.';
+    text += paragraph(line, 4);
+  }
+  return text;
+}
+
+Json effectJson(const PlannedEffect& effect) {
+  Json sizes = Json::array(), alike = Json::array();
+  for (const EffectParameter& parameter : effectById(effect.effect)->parameters)
+    sizes.push_back({{"name", parameter.name}, {"value", parameter.plausible}, {"unit", parameter.unit}});
+  for (const LookAlike& other : effect.lookAlikes)
+    alike.push_back(
+        {{"effect", other.effect}, {"cosine", other.cosine}, {"difference_sigma", other.difference}});
+  return {{"effect", effect.effect},
+          {"plausible", sizes},
+          {"visible_sigma", {{"least", effect.leastVisible}, {"most", effect.mostVisible}}},
+          {"look_alikes", alike},
+          {"influence_mm", effect.influence},
+          {"visible_sigma_there", effect.visibleThere},
+          {"unseen", effect.unseen}};
+}
+
+}  // namespace
+
+std::string planText(const std::string& session, const PlanReview& review) {
+  std::string text = session + "\n\n" + std::to_string(review.readings) + " readings";
+  if (const auto& estimate = review.intersection)
+    text += "; with the noise stated Δd would be known to " + fixedText(estimate->sigma, 4) + " mm (1σ)";
+  return text + "\n" + effectsText(review) + lookAlikesText(review) + adviceText(review);
+}
+
+std::string planJson(const std::string& session, const PlanReview& review) {
+  Json effects = Json::array(), advice = Json::array();
+  for (const PlannedEffect& effect : review.effects) effects.push_back(effectJson(effect));
+  for (const PlanAdvice& entry : review.advice)
+    advice.push_back(
+        {{"measure", entry.measure}, {"reveals", entry.reveals}, {"separates", entry.separates}});
+  Json json = {{"session", session}, {"readings", review.readings}};
+  json["sigma_mm"] = review.intersection ? Json(review.intersection->sigma) : Json();
+  json["effects"] = std::move(effects);
+  json["advice"] = std::move(advice);
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace alidade::console

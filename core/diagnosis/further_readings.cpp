@@ -1,0 +1,162 @@
+#include "core/diagnosis/further_readings.h"
+
+#include <algorithm>
+#include <numbers>
+#include <optional>
+
+#include "core/observation/observe.h"
+
+namespace alidade {
+
+namespace {
+
+double arcAngle(const GapModel& model, std::size_t arc, std::size_t sighting) {
+  return model.fit.arcAngles[arc][sighting];
+}
+
+void sightPerfectly(Sighting& sighting, const Measurement& measurement, const Circle& circle, double phi) {
+  const Direction<double> seen = observe(targetOnArc(circle.x, circle.y, circle.radius, phi),
+                                         measurement.distance, measurement.relation);
+  sighting.a = Angle::fromRadians(seen.a);
+  sighting.e = Angle::fromRadians(seen.e);
+}
+
+/// Rows numbered anew in the order they stand in.
+void renumber(Measurement& plan) {
+  plan.rows = 0;
+  for (ArcMeasurement& arc : plan.arcs)
+    for (Sighting& sighting : arc.sightings) sighting.sequence = plan.rows++;
+}
+
+std::optional<FurtherReadings> withBothFaces(const Measurement& plan) {
+  Measurement more = plan;
+  bool added = false;
+  for (ArcMeasurement& arc : more.arcs) {
+    std::vector<Sighting> rows;
+    for (const Sighting& sighting : arc.sightings) {
+      rows.push_back(sighting);
+      const auto twin = std::ranges::find_if(arc.sightings, [&](const Sighting& other) {
+        return other.point == sighting.point && other.round == sighting.round && other.face != sighting.face;
+      });
+      if (twin != arc.sightings.end()) continue;
+      rows.push_back(sighting);
+      rows.back().face = 3 - sighting.face;
+      added = true;
+    }
+    arc.sightings = std::move(rows);
+  }
+  if (!added) return std::nullopt;
+  renumber(more);
+  return FurtherReadings{"both faces", {more}};
+}
+
+std::optional<FurtherReadings> withWayBack(const Measurement& plan) {
+  Measurement more = plan;
+  for (ArcMeasurement& arc : more.arcs) {
+    int rounds = 1;
+    for (const Sighting& sighting : arc.sightings) rounds = std::max(rounds, sighting.round);
+    if (rounds > 1) return std::nullopt;
+    std::vector<Sighting> back(arc.sightings.rbegin(), arc.sightings.rend());
+    for (Sighting& sighting : back) sighting.round = rounds + 1;
+    arc.sightings.insert(arc.sightings.end(), back.begin(), back.end());
+  }
+  renumber(more);
+  return FurtherReadings{"the way back", {more}};
+}
+
+std::optional<FurtherReadings> withSlider(const GapModel& model, const Measurement& plan) {
+  Measurement more = plan;
+  bool added = false;
+  for (std::size_t arc = 0; arc < more.arcs.size(); ++arc)
+    for (std::size_t i = 0; i < more.arcs[arc].sightings.size(); ++i) {
+      Sighting& sighting = more.arcs[arc].sightings[i];
+      if (sighting.slider) continue;
+      const double phi = arcAngle(model, arc, i);
+      sighting.slider = Angle::fromRadians(more.arcs[arc].axisDeg == 0 ? phi : -phi);
+      added = true;
+    }
+  if (!added) return std::nullopt;
+  return FurtherReadings{"slider readings", {more}};
+}
+
+std::optional<FurtherReadings> withShiftedCircle(const Measurement& plan) {
+  Measurement more = plan;
+  for (ArcMeasurement& arc : more.arcs) arc.zeroHorizontal = arc.zeroHorizontal + Angle::fromDegrees(60);
+  return FurtherReadings{"a second set with the horizontal circle shifted by 60°", {plan, more}};
+}
+
+std::optional<FurtherReadings> withSecondStandOff(const GapModel& model, const Measurement& plan) {
+  constexpr double farther = 1.5;
+  Measurement more = plan;
+  more.distance *= farther;
+  for (std::size_t arc = 0; arc < more.arcs.size(); ++arc)
+    for (std::size_t i = 0; i < more.arcs[arc].sightings.size(); ++i)
+      sightPerfectly(more.arcs[arc].sightings[i], more, model.fit.circleOf(arc), arcAngle(model, arc, i));
+  return FurtherReadings{"a second set from half as far again", {plan, more}};
+}
+
+std::optional<FurtherReadings> withMoreArc(const GapModel& model, const Measurement& plan) {
+  constexpr double enough = 150, whole = 160;  // degrees
+  constexpr int points = 17;
+  Measurement more = plan;
+  bool added = false;
+  for (std::size_t arc = 0; arc < more.arcs.size(); ++arc) {
+    const int side = more.arcs[arc].axisDeg == 0 ? 1 : -1;
+    const auto& angles = model.fit.arcAngles[arc];
+    const auto [least, most] = std::ranges::minmax(angles);
+    if ((most - least) * 180 / std::numbers::pi > enough) continue;
+    int point = 0;
+    for (const Sighting& sighting : more.arcs[arc].sightings) point = std::max(point, sighting.point);
+    for (int k = 0; k < points; ++k) {
+      const double phi = side * (90 - whole / 2 + whole * k / (points - 1)) * std::numbers::pi / 180;
+      if (phi >= least && phi <= most) continue;
+      Sighting sighting;
+      sighting.point = ++point;
+      sightPerfectly(sighting, more, model.fit.circleOf(arc), phi);
+      more.arcs[arc].sightings.push_back(sighting);
+      added = true;
+    }
+  }
+  if (!added) return std::nullopt;
+  renumber(more);
+  return FurtherReadings{"more of the arc", {more}};
+}
+
+}  // namespace
+
+Measurement readWithoutError(const GapModel& model) {
+  Measurement plan = model.measurement;
+  for (std::size_t arc = 0; arc < plan.arcs.size(); ++arc)
+    for (std::size_t i = 0; i < plan.arcs[arc].sightings.size(); ++i) {
+      Sighting& sighting = plan.arcs[arc].sightings[i];
+      const double phi = arcAngle(model, arc, i);
+      sightPerfectly(sighting, plan, model.fit.circleOf(arc), phi);
+      if (sighting.slider) sighting.slider = Angle::fromRadians(plan.arcs[arc].axisDeg == 0 ? phi : -phi);
+    }
+  return plan;
+}
+
+std::vector<FurtherReadings> furtherReadings(const GapModel& model) {
+  const Measurement plan = readWithoutError(model);
+  std::vector<FurtherReadings> plans;
+  for (std::optional<FurtherReadings> more :
+       {withBothFaces(plan), withWayBack(plan), withSlider(model, plan), withShiftedCircle(plan),
+        withSecondStandOff(model, plan), withMoreArc(model, plan)})
+    if (more) plans.push_back(*std::move(more));
+  return plans;
+}
+
+Leftover leftoverWith(const GapModel& model, const FurtherReadings& plan) {
+  std::vector<Circle> starts;
+  for (std::size_t arc = 0; arc < model.measurement.arcs.size(); ++arc)
+    starts.push_back(model.fit.circleOf(arc));
+  JointFitOptions options;
+  options.terms = model.options.terms;
+  for (EstimatedTerm& term : options.terms) term.start = 0;
+  std::vector<Linearised> sets;
+  for (const Measurement& set : plan.sets)
+    sets.push_back(linearise(set, fitJointly(set, starts, options), options));
+  return Leftover(sets, options.terms);
+}
+
+}  // namespace alidade

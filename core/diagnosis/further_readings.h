@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/diagnosis/gap_model.h"
+
+namespace alidade {
+
+// Readings that could be taken besides those of a session, for the .cpp files of this room only.
+
+/// A way to read more, and what would then have been read: one set-up or several.
+struct FurtherReadings {
+  std::string measure;
+  std::vector<Measurement> sets;
+};
+
+/// The session as it was planned: every reading without error.
+Measurement readWithoutError(const GapModel& model);
+
+/// The same session with the other face, the way back, the slider, a shifted circle, a second stand-off or
+/// more of the arc read along; what it has already is not offered.
+std::vector<FurtherReadings> furtherReadings(const GapModel& model);
+
+/// What a fit of them would leave over; effects of the model are estimated along.
+Leftover leftoverWith(const GapModel& model, const FurtherReadings& plan);
+
+}  // namespace alidade

@@ -1,0 +1,134 @@
+#include "core/diagnosis/plan_review.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/diagnosis/further_readings.h"
+#include "core/diagnosis/gap_size.h"
+#include "core/diagnosis/inquiry.h"
+#include "core/diagnosis/known_components.h"
+#include "core/diagnosis/look_alikes.h"
+
+namespace alidade {
+
+namespace {
+
+using Eigen::Index, Eigen::VectorXd;
+
+constexpr double negligible = 1e-5;  // mm
+
+/// An effect with the directions of its numbers that matter, each of plausible size.
+struct Planned {
+  PlannedEffect summary;
+  const Component* component = nullptr;
+  VectorXd plainest, mostDangerous;
+};
+
+/// Directions of plausible size, a full turn of them where there are two numbers: a bending effect is not the
+/// same on both sides.
+std::vector<VectorXd> directionsOf(const Component& component) {
+  constexpr int steps = 48;
+  if (component.columns.cols() == 1) return {VectorXd::Ones(1)};
+  std::vector<VectorXd> directions;
+  for (int i = 0; i < steps; ++i) {
+    const double angle = 2 * std::numbers::pi * i / steps;
+    directions.emplace_back(Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+  }
+  return directions;
+}
+
+void seeVisibility(Planned& planned, const Leftover& leftover, const std::vector<Component>& components) {
+  PlannedEffect& summary = planned.summary;
+  bool first = true;
+  for (const VectorXd& direction : directionsOf(*planned.component)) {
+    const double visible = signature(leftover, *planned.component, direction).norm();
+    if (first || visible < summary.leastVisible) summary.leastVisible = visible;
+    if (first || visible > summary.mostVisible) {
+      summary.mostVisible = visible;
+      planned.plainest = direction;
+    }
+    first = false;
+  }
+  if (summary.mostVisible < clearlyDifferent) return;
+  const VectorXd trace = signature(leftover, *planned.component, planned.plainest);
+  for (const Component& other : components) {
+    if (other.id == planned.component->id) continue;
+    const double difference = differenceFrom(trace, other);
+    if (difference > clearlyDifferent) continue;
+    const double share = difference / summary.mostVisible;
+    summary.lookAlikes.push_back({other.id, std::sqrt(std::max(0.0, 1 - share * share)), difference});
+  }
+  std::ranges::sort(summary.lookAlikes, {}, &LookAlike::difference);
+}
+
+void seeInfluence(Planned& planned, const Leftover& leftover, const VectorXd& perSigma) {
+  const VectorXd influence = wholeColumns(leftover, *planned.component).transpose() * perSigma;
+  PlannedEffect& summary = planned.summary;
+  summary.influence = influence.norm();
+  planned.mostDangerous = summary.influence > 0 ? VectorXd(influence / summary.influence) : planned.plainest;
+  summary.visibleThere = signature(leftover, *planned.component, planned.mostDangerous).norm();
+  summary.unseen = summary.influence > negligible && summary.visibleThere < clearlyDifferent;
+}
+
+PlanAdvice adviceOf(const FurtherReadings& further, const GapModel& model,
+                    const std::vector<Planned>& effects) {
+  const Leftover leftover = leftoverWith(model, further);
+  const std::vector<Component> components = effectComponents(leftover, {}, {});
+  const auto find = [&](const std::string& id) -> const Component& {
+    return *std::ranges::find(components, id, &Component::id);
+  };
+  PlanAdvice advice{further.measure, {}, {}};
+  for (const Planned& planned : effects) {
+    const Component& component = find(planned.summary.effect);
+    if (planned.summary.unseen && (component.columns * planned.mostDangerous).norm() > clearlyDifferent)
+      advice.reveals.push_back(planned.summary.effect);
+    const VectorXd trace = component.columns * planned.plainest;
+    for (const LookAlike& other : planned.summary.lookAlikes) {
+      const std::pair pair(other.effect, planned.summary.effect);
+      if (std::ranges::find(advice.separates, pair) == advice.separates.end() &&
+          differenceFrom(trace, find(other.effect)) > clearlyDifferent)
+        advice.separates.emplace_back(planned.summary.effect, other.effect);
+    }
+  }
+  std::ranges::sort(advice.reveals, std::greater{}, [&](const std::string& id) {
+    return std::ranges::find(effects, id, [](const Planned& p) { return p.summary.effect; })
+        ->summary.influence;
+  });
+  return advice;
+}
+
+}  // namespace
+
+Result<PlanReview> reviewPlan(const Measurement& measurement) {
+  const Result<GapModel> read = modelOf(measurement);
+  if (!read) return read.problem();
+  const Result<GapModel> model = modelOf(readWithoutError(*read));
+  if (!model) return model.problem();
+  const Leftover leftover({linearise(model->measurement, model->fit, model->options)}, model->options.terms);
+  const std::vector<Component> components =
+      effectsBeyond(*model, leftover, model->measurement.effects, PriorOdds());
+  const VectorXd perSigma = influencePerSigma(*model);
+  std::vector<Planned> effects;
+  for (const Component& component : components) {
+    Planned planned;
+    planned.summary.effect = component.id;
+    planned.component = &component;
+    seeVisibility(planned, leftover, components);
+    seeInfluence(planned, leftover, perSigma);
+    effects.push_back(std::move(planned));
+  }
+  PlanReview review{.effects = {}, .advice = {}, .intersection = estimateOf(*model)};
+  review.readings = model->fit.readings.size();
+  for (const Planned& planned : effects) review.effects.push_back(planned.summary);
+  for (const FurtherReadings& further : furtherReadings(*model)) {
+    PlanAdvice advice = adviceOf(further, *model, effects);
+    if (!advice.reveals.empty() || !advice.separates.empty()) review.advice.push_back(std::move(advice));
+  }
+  std::ranges::stable_sort(review.advice, std::greater{}, [](const PlanAdvice& advice) {
+    return std::pair(advice.reveals.size(), advice.separates.size());
+  });
+  return review;
+}
+
+}  // namespace alidade

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/diagnosis/diagnosis.h"
+#include "core/diagnosis/visibility.h"
+#include "core/session/measurement.h"
+
+namespace alidade {
+
+// What a plan of readings can and cannot see, before anything is read: the places, faces, rounds and slider
+// readings of a session count, not what was read there.
+
+/// How an effect of its plausible size would show.
+struct PlannedEffect {
+  std::string effect;
+  /// Length of its trace, σ of the readings, in the direction of its numbers that shows least and most; the
+  /// same where it has one number.
+  double leastVisible = 0, mostVisible = 0;
+  /// What could not be told from it where it shows most.
+  std::vector<LookAlike> lookAlikes;
+  /// On Δd, mm, ≥ 0, in the direction that moves it most; what it leaves there, σ.
+  double influence = 0, visibleThere = 0;
+  bool unseen = false;  ///< moves Δd and leaves less than `clearlyDifferent` σ there
+};
+
+/// Readings to add, and what they would be good for.
+struct PlanAdvice {
+  std::string measure;
+  std::vector<std::string> reveals;                            ///< unseen so far, the most dangerous first
+  std::vector<std::pair<std::string, std::string>> separates;  ///< look-alikes so far
+};
+
+struct PlanReview {
+  std::vector<PlannedEffect> effects;                ///< in the order of the catalogue
+  std::vector<PlanAdvice> advice;                    ///< the most useful first
+  std::optional<IntersectionEstimate> intersection;  ///< Δd of the plan with the noise as stated
+  std::size_t readings = 0;                          ///< circle and slider readings
+};
+
+/// Fails where no arc can be fitted to places like these.
+Result<PlanReview> reviewPlan(const Measurement& measurement);
+
+}  // namespace alidade

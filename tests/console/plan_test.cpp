@@ -1,0 +1,66 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "tests/console/console.h"
+
+// `alidade-cli plan`: what a plan of readings can and cannot see, whether or not it has been read.
+
+namespace alidade::test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+json reviewOf(const std::string& file) {
+  const ProgramRun run = alidadeCli({"plan", file, "--json"});
+  EXPECT_EQ(run.exitCode, 0) << run.err;
+  return json::parse(run.out);
+}
+
+TEST(Plan, ReviewsAPlanThatHasBeenRead) {
+  const json review = reviewOf(paperSession);
+  EXPECT_EQ(review.at("session"), "Table I");
+  EXPECT_EQ(review.at("readings"), 68);
+  EXPECT_EQ(review.at("effects").size(), 17u);
+  for (const json& effect : review.at("effects"))
+    for (const char* key : {"effect", "plausible", "visible_sigma", "look_alikes", "influence_mm", "unseen"})
+      EXPECT_TRUE(effect.contains(key)) << key;
+  EXPECT_FALSE(review.at("advice").empty());
+}
+
+// Unread rows are spread over the same range as the paper's, so about the same shows: 10 %, and 0.1 σ.
+TEST(Plan, ReviewsAPlanThatHasNotBeenRead) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "plan.alidade").string();
+  std::ofstream(file) << changedPaperSession([](nlohmann::ordered_json& session) {
+    for (auto& position : session["positions"])
+      for (auto& reading : position["readings"]) reading["horizontal"] = reading["vertical"] = "";
+  });
+  const json unread = reviewOf(file), read = reviewOf(paperSession);
+  for (std::size_t i = 0; i < read.at("effects").size(); ++i) {
+    const double expected = read["effects"][i]["visible_sigma"]["most"];
+    EXPECT_NEAR(unread["effects"][i]["visible_sigma"]["most"].get<double>(), expected, 0.1 * expected + 0.1)
+        << read["effects"][i]["effect"];
+  }
+}
+
+TEST(Plan, SaysItInWordsToo) {
+  const ProgramRun run = alidadeCli({"plan", paperSession});
+  EXPECT_EQ(run.exitCode, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("vertical_drift"));
+  EXPECT_THAT(run.out, HasSubstr("unseen"));
+  EXPECT_THAT(run.out, HasSubstr("the way back: shows"));
+}
+
+TEST(Plan, RefusesInOneLine) {
+  const ProgramRun missing = alidadeCli({"plan", "/no/such/file.alidade"});
+  expectRefusal(missing);
+  EXPECT_THAT(missing.err, HasSubstr("/no/such/file.alidade"));
+  expectRefusal(alidadeCli({"plan"}));
+}
+
+}  // namespace
+}  // namespace alidade::test

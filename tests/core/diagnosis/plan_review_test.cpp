@@ -1,0 +1,109 @@
+#include "core/diagnosis/plan_review.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/adjustment/session_fit.h"
+#include "core/effects/catalogue.h"
+#include "core/simulation/simulate.h"
+#include "tests/support/paper_table.h"
+
+namespace alidade {
+namespace {
+
+using testing::Contains;
+using testing::Each;
+using testing::Field;
+using testing::IsEmpty;
+using testing::Not;
+
+Measurement measurementBy(const std::string& protocol, const Truth& truth) {
+  return *examine(*simulateWithoutNoise(*protocolByName(protocol), truth, 11)).measurement;
+}
+
+PlanReview reviewOf(const std::string& protocol) {
+  return *reviewPlan(*examine(*simulate(*protocolByName(protocol), drawTruth(11), 11)).measurement);
+}
+
+const PlannedEffect& of(const PlanReview& review, const std::string& id) {
+  return *std::ranges::find(review.effects, id, &PlannedEffect::effect);
+}
+
+/// A truth with the plausible size of one effect.
+Truth withPlausible(const std::string& id) {
+  Truth truth = drawTruth(11);
+  for (const EffectParameter& parameter : effectById(id)->parameters)
+    truth.effects.push_back({parameter.term, parameter.plausible});
+  return truth;
+}
+
+// Against sessions that hold the effect at its plausible size: how far it shows, and where Δd goes. The
+// review is linear in the effect, so 2 %; and 0.01 σ and 0.2 µm, where there is next to nothing.
+TEST(PlanReview, SeesWhatAnEffectDoes) {
+  for (const char* protocol : {"paper", "full"}) {
+    const PlanReview review = reviewOf(protocol);
+    for (const char* id : {"collimation", "trunnion_tilt", "vertical_index", "horizontal_drift",
+                           "vertical_drift", "gravity_sag", "plane_offset"}) {
+      SCOPED_TRACE(std::string(protocol) + " " + id);
+      const Measurement measurement = measurementBy(protocol, withPlausible(id));
+      const PlannedEffect& effect = of(review, id);
+      const double visible = visibilityOf(measurement, id)->sigma;
+      EXPECT_NEAR(effect.mostVisible, visible, 0.02 * visible + 0.01);
+      EXPECT_EQ(effect.leastVisible, effect.mostVisible);
+      const double moved = std::abs(fitSession(measurement).intersection->value -
+                                    fitSession(measurementBy(protocol, drawTruth(11))).intersection->value);
+      EXPECT_NEAR(effect.influence, moved, 0.02 * moved + 2e-4);
+    }
+  }
+}
+
+TEST(PlanReview, FindsWhatMovesTheIntersectionUnseen) {
+  const PlanReview paper = reviewOf("paper"), full = reviewOf("full");
+  for (const char* id : {"horizontal_drift", "vertical_drift", "horizontal_circle_eccentricity"}) {
+    EXPECT_TRUE(of(paper, id).unseen) << id;
+    EXPECT_FALSE(of(full, id).unseen) << id;
+  }
+  EXPECT_GT(paper.intersection->sigma, full.intersection->sigma);
+  EXPECT_GT(full.readings, paper.readings);
+}
+
+// DIAGNOSIS.md's physics: a way back shows the drifts, both faces and the slider what one face alone cannot
+// tell apart.
+TEST(PlanReview, SaysWhatToAdd) {
+  const PlanReview paper = reviewOf("paper");
+  const auto advice = [&](const std::string& measure) -> const PlanAdvice& {
+    return *std::ranges::find(paper.advice, measure, &PlanAdvice::measure);
+  };
+  EXPECT_THAT(advice("the way back").reveals, Contains("vertical_drift"));
+  EXPECT_THAT(advice("the way back").reveals, Contains("horizontal_drift"));
+  EXPECT_THAT(advice("slider readings").reveals, Contains("plane_tilt"));
+  EXPECT_THAT(advice("slider readings").separates, Contains(testing::Pair("arc_lobing", "arc_ellipticity")));
+  const PlanReview full = reviewOf("full");
+  EXPECT_THAT(full.advice,
+              Each(Field(&PlanAdvice::measure,
+                         testing::AllOf(Not("both faces"), Not("the way back"), Not("slider readings")))));
+}
+
+// The readings of the paper are off by what no effect explains; the plan is the same with any readings.
+TEST(PlanReview, HangsOnThePlanAndNotOnTheReadings) {
+  Measurement spoiled = test::paperMeasurement();
+  const PlanReview clean = *reviewPlan(spoiled);
+  for (ArcMeasurement& arc : spoiled.arcs)
+    for (Sighting& sighting : arc.sightings)
+      sighting.e = sighting.e + Angle::fromArcseconds(sighting.point % 2 ? 20 : -20);
+  const PlanReview review = *reviewPlan(spoiled);
+  for (std::size_t i = 0; i < clean.effects.size(); ++i)
+    EXPECT_NEAR(review.effects[i].mostVisible, clean.effects[i].mostVisible,
+                0.01 * clean.effects[i].mostVisible + 0.01);
+}
+
+TEST(PlanReview, FailsInWords) {
+  Measurement empty = test::paperMeasurement();
+  empty.arcs.clear();
+  EXPECT_THAT(reviewPlan(empty).problem().text(), Not(IsEmpty()));
+}
+
+}  // namespace
+}  // namespace alidade
