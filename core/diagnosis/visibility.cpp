@@ -13,9 +13,10 @@ Result<Visibility> visibilityOf(const Measurement& noiseless, const std::string&
   if (!model) return model.problem();
   const Leftover leftover({linearise(model->measurement, model->fit, model->options)}, model->options.terms);
   const Eigen::VectorXd& trace = leftover.residual();
-  Visibility visibility{.sigma = trace.norm(), .lookAlikes = {}};
+  Visibility visibility{.sigma = trace.norm(), .lookAlikes = {}, .nearest = trace.norm()};
   for (const Component& other : effectsBeyond(*model, leftover, {held}, {})) {
     const double difference = differenceFrom(trace, other);
+    visibility.nearest = std::min(visibility.nearest, difference);
     if (difference > clearlyDifferent) continue;
     const double share = visibility.sigma > 0 ? difference / visibility.sigma : 1;
     visibility.lookAlikes.push_back({other.id, std::sqrt(std::max(0.0, 1 - share * share)), difference});

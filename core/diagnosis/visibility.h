@@ -23,6 +23,7 @@ struct Visibility {
   double sigma = 0;  ///< length of the trace: √χ² of what the fit leaves over, stated σ
   /// Effects that these readings do not tell apart from the one they hold: closer than `clearlyDifferent` σ.
   std::vector<LookAlike> lookAlikes;
+  double nearest = 0;  ///< the least distance to what any other effect leaves, look-alike or not, σ
 };
 
 /// `noiseless` holds the effect `held` and nothing else; look-alikes are the other effects of the catalogue.

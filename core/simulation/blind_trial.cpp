@@ -10,6 +10,7 @@
 #include "core/effects/catalogue.h"
 #include "core/simulation/protocol.h"
 #include "core/simulation/simulate.h"
+#include "core/simulation/trial_score.h"
 
 namespace alidade {
 
@@ -96,20 +97,70 @@ class Draw {
     m_truth.jump = {.moment = m_random.uniform(0.15, 0.85), .horizontal = step(), .vertical = step()};
   }
 
+  /// Of no catalogue, and far from all that a catalogued effect could leave: a radius harmonic as often as
+  /// any other kind.
   void putUnknown() {
-    const auto amplitude = [&] { return m_random.uniform(0.1, 0.2); };  // mm
-    m_truth.harmonic = {.order = m_random.whole(6, 8), .cosine = amplitude(), .sine = amplitude()};
+    constexpr int tries = 30;
+    constexpr double mostSize = 300;  // mm or arcsec: never needed where it shows at all
+    constexpr double farther = 1.6;
+    for (int i = 0; i < tries; ++i) {
+      drawForeign();
+      const double target = farther * m_random.uniform(m_options.leastVisible, m_options.mostVisible);
+      const double sign = this->sign();
+      scale(target, mostSize, [&](double size) {
+        if (m_truth.harmonic) {
+          const double phase = std::atan2(m_truth.harmonic->sine, m_truth.harmonic->cosine);
+          m_truth.harmonic = {m_truth.harmonic->order, size * std::cos(phase), size * std::sin(phase)};
+        } else {
+          m_truth.foreign->size = sign * size;
+        }
+      });
+      const std::optional<Visibility> shown = shownAs({});
+      if (shown && shown->sigma > 0.9 * target && shown->nearest > clearVisibility) return;
+    }
   }
 
+  /// Of size 1.
+  void drawForeign() {
+    using Kind = ForeignEffect::Kind;
+    m_truth.harmonic.reset();
+    m_truth.foreign.reset();
+    const auto kinds = foreignEffectNames();
+    const auto kind = static_cast<std::size_t>(m_random.whole(0, static_cast<int>(kinds.size())));
+    const double phase = m_random.uniform(0, 360);
+    if (kind == kinds.size()) {
+      const double angle = Angle::fromDegrees(phase).radians();
+      m_truth.harmonic = {.order = m_random.whole(4, 9), .cosine = std::cos(angle), .sine = std::sin(angle)};
+      return;
+    }
+    ForeignEffect foreign{.kind = kinds[kind].kind, .size = 1, .first = 0, .second = phase};
+    if (foreign.kind == Kind::LocalDent) {
+      foreign.first = m_random.uniform(20, 160);
+      foreign.second = m_random.uniform(6, 20);
+    }
+    if (foreign.kind == Kind::CirclePeriods) foreign.first = 2 * m_random.whole(4, 12);
+    if (foreign.kind == Kind::Settling) foreign.first = m_random.uniform(0.05, 0.3);
+    if (foreign.kind == Kind::HighWarp) foreign.first = m_random.whole(3, 7);
+    m_truth.foreign = foreign;
+  }
+
+  /// Two that tell themselves apart from everything else, where the protocol allows it.
   void putTwo() {
-    const Effect& first = anyEffect();
-    putEffect(first);
-    std::vector<TrueSize> sizes = std::move(m_truth.effects);
-    const Effect* second = &anyEffect();
-    while (second == &first) second = &anyEffect();
-    m_truth.effects.clear();
-    putEffect(*second);
-    m_truth.effects.insert(m_truth.effects.begin(), sizes.begin(), sizes.end());
+    constexpr int tries = 30;
+    std::vector<TrueSize> sizes;
+    const Effect* first = nullptr;
+    for (int i = 0; i < tries && sizes.size() < 4; ++i) {
+      const Effect& effect = anyEffect();
+      if (&effect == first) continue;
+      putEffect(effect);
+      const std::optional<Visibility> shown = shownAs(std::string(effect.id));
+      const bool last = i + 3 >= tries;  // any two will do
+      if (!last && (!shown || shown->sigma < clearVisibility || !shown->lookAlikes.empty())) continue;
+      sizes.insert(sizes.end(), m_truth.effects.begin(), m_truth.effects.end());
+      if (first) break;
+      first = &effect;
+    }
+    m_truth.effects = std::move(sizes);
   }
 
   /// Of the catalogue, that the protocol can show at all.
@@ -130,23 +181,28 @@ class Draw {
     }
     const double angle = m_random.uniform(0, 2 * std::numbers::pi);
     const double target = m_random.uniform(m_options.leastVisible, m_options.mostVisible);
-    double size = std::min(1.0, m_options.mostPlausible);  // plausible sizes
-    double lastSize = 0, lastShown = 0;
+    scale(target, m_options.mostPlausible, [&](double size) { setSize(effect, angle, size); });
+  }
+
+  /// Calls `set` with sizes up to `most` until the truth shows by `target` σ.
+  template <typename Set>
+  void scale(double target, double most, const Set& set) {
+    double size = std::min(1.0, most), lastSize = 0, lastShown = 0;
     for (int step = 0; step < 6; ++step) {
-      setSize(effect, angle, size);
-      const std::optional<Visibility> visible = visibility(std::string(effect.id));
+      set(size);
+      const std::optional<Visibility> visible = shownAs({});
       if (!visible) return;
       const double shown = std::max(visible->sigma, 1e-9);
-      if (std::abs(shown / target - 1) < 0.002) break;
+      if (std::abs(shown / target - 1) < 0.002) return;
       // What shows grows with the size, that of a plane tilt with up to its square.
       const double power = step > 0 && size != lastSize
                                ? std::clamp(std::log(shown / lastShown) / std::log(size / lastSize), 1.0, 2.0)
                                : 1;
       lastSize = size;
       lastShown = shown;
-      size = std::min(m_options.mostPlausible, size * std::pow(target / shown, 1 / power));
+      size = std::min(most, size * std::pow(target / shown, 1 / power));
     }
-    setSize(effect, angle, size);
+    set(size);
   }
 
   void setSize(const Effect& effect, double angle, double size) {
@@ -161,13 +217,17 @@ class Draw {
                        {parameters[1].term, size * std::sin(angle) * parameters[1].plausible}};
   }
 
-  /// Of an effect of the catalogue that is alone.
-  std::optional<Visibility> visibility(const std::string& kind) const {
-    if (!effectById(kind) || kind == relationId) return std::nullopt;
+  /// How far the truth as it is shows, and what looks like it besides the effect it holds.
+  std::optional<Visibility> shownAs(const std::string& held) const {
     const Result<Session> perfect = simulateWithoutNoise(m_protocol, m_truth, m_seed);
     if (!perfect) return std::nullopt;
-    const Result<Visibility> found = visibilityOf(*examine(*perfect).measurement, kind);
+    const Result<Visibility> found = visibilityOf(*examine(*perfect).measurement, held);
     return found ? std::optional(*found) : std::nullopt;
+  }
+
+  /// Of an effect of the catalogue that is alone.
+  std::optional<Visibility> visibility(const std::string& kind) const {
+    return effectById(kind) && kind != relationId ? shownAs(kind) : std::nullopt;
   }
 };
 

@@ -120,7 +120,7 @@ class Simulator {
   }
 
   Reading reading(const PerfectReadings& perfect, int axisDeg, const PlannedRow& row) {
-    CircleReadings circles = perfect.target(m_place, row.face, moment());
+    CircleReadings circles = perfect.target(m_place, row.face, moment(row));
     ++m_taken;
     const double factor = m_truth.noiseFactor;
     circles.horizontal = circles.horizontal + noise(m_truth.sigmaHorizontal * factor);
@@ -140,9 +140,9 @@ class Simulator {
     return reading;
   }
 
-  Moment moment() const {
+  Moment moment(const PlannedRow& row) const {
     const double elapsed = m_rows > 1 ? static_cast<double>(m_taken) / static_cast<double>(m_rows - 1) : 0;
-    return {elapsed, m_truth.jump && elapsed >= m_truth.jump->moment};
+    return {elapsed, m_truth.jump && elapsed >= m_truth.jump->moment, row.round % 2 == 0};
   }
 
   const Protocol& m_protocol;
@@ -182,6 +182,7 @@ ArcPose<double> PerfectReadings::poseAt(Angle s) const {
   if (const auto& harmonic = m_truth.harmonic)
     radius += harmonic->cosine * std::cos(harmonic->order * s.radians()) +
               harmonic->sine * std::sin(harmonic->order * s.radians());
+  if (m_truth.foreign) radius += radiusBy(*m_truth.foreign, s);
   return {m_truth.centreX, y, radius, 0, 0, m_truth.sliderZero.radians()};
 }
 
@@ -205,8 +206,15 @@ CircleReadings PerfectReadings::zero() const {
 }
 
 CircleReadings PerfectReadings::target(Angle s, int face, const Moment& moment) const {
-  const SpacePoint<double> target = targetAt(m_errors, poseAt(s), m_truth.distance, arcAngle(s), m_axisDeg);
-  return onCircles(circleDirection(m_errors, target, pointing(face, moment)), face);
+  SpacePoint<double> target = targetAt(m_errors, poseAt(s), m_truth.distance, arcAngle(s), m_axisDeg);
+  if (!m_truth.foreign) return onCircles(circleDirection(m_errors, target, pointing(face, moment)), face);
+  const ForeignEffect& foreign = *m_truth.foreign;
+  target.z += (m_axisDeg == 0 ? 1 : -1) * offPlaneBy(foreign, s) - distanceBy(foreign, moment.elapsed);
+  Direction<double> direction = circleDirection(m_errors, target, pointing(face, moment));
+  const Angle circle = onCircles(direction, face).horizontal;
+  direction.a += azimuthBy(foreign, circle, moment.elapsed, moment.wayBack).radians();
+  direction.e += elevationBy(foreign, Angle::fromRadians(direction.e), moment.elapsed).radians();
+  return onCircles(direction, face);
 }
 
 Angle PerfectReadings::slider(Angle s) const {

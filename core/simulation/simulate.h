@@ -24,6 +24,7 @@ struct CircleReadings {
 struct Moment {
   double elapsed = 0;      ///< share of the session's rows gone by, 0…1
   bool afterJump = false;  ///< after the truth's jump
+  bool wayBack = false;    ///< in an even round
 };
 
 /// The readings of a truth without noise and misreadings, one position at a time.

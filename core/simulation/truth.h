@@ -8,6 +8,7 @@
 #include "core/base/angle.h"
 #include "core/observation/error_term.h"
 #include "core/session/measurement.h"
+#include "core/simulation/foreign_effect.h"
 
 namespace alidade {
 
@@ -53,6 +54,7 @@ struct Truth {
   std::vector<TrueSize> effects;  ///< each term at most once
   std::optional<OrientationJump> jump = {};
   std::optional<FormHarmonic> harmonic = {};
+  std::optional<ForeignEffect> foreign = {};
   std::vector<Misreading> misreadings = {};
   /// True noise of the circle readings over the stated one. Zeros and slider are as stated.
   double noiseFactor = 1;

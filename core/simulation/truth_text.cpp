@@ -90,6 +90,14 @@ std::optional<Problem> addHarmonic(Truth& truth, const Numbers& numbers) {
   return std::nullopt;
 }
 
+std::optional<Problem> addForeign(Truth& truth, const ForeignEffectName& name, const Numbers& numbers) {
+  if (static_cast<int>(numbers.size()) != name.numbers)
+    return wantsNumbers(std::string(name.name), std::string(name.usage));
+  const auto number = [&](std::size_t i) { return i < numbers.size() ? numbers[i] : 0; };
+  truth.foreign = {name.kind, number(0), number(1), number(2)};
+  return std::nullopt;
+}
+
 struct OtherEffect {
   const char* name;
   const char* usage;
@@ -124,6 +132,9 @@ Json effectsJson(const Truth& truth) {
                        truth.jump->vertical.arcseconds()};
   if (truth.harmonic)
     effects[harmonicId] = {truth.harmonic->order, truth.harmonic->cosine, truth.harmonic->sine};
+  if (truth.foreign)
+    effects[std::string(nameOf(truth.foreign->kind))] = {truth.foreign->size, truth.foreign->first,
+                                                         truth.foreign->second};
   return effects;
 }
 
@@ -144,11 +155,13 @@ std::optional<Problem> addEffect(Truth& truth, const std::string& text) {
   const std::string name = text.substr(0, equals);
   const Result<Numbers> numbers = numbersIn(name, text.substr(equals + 1));
   const auto other = std::ranges::find_if(otherEffects, [&](const OtherEffect& o) { return name == o.name; });
+  const auto foreign = std::ranges::find(foreignEffectNames(), name, &ForeignEffectName::name);
   const std::vector<const EffectParameter*> parameters = parametersNamed(name);
-  if (other == otherEffects.end() && parameters.empty())
+  if (other == otherEffects.end() && foreign == foreignEffectNames().end() && parameters.empty())
     return Problem{quotation(name) + " is no effect: `alidade-cli simulate --help` lists them"};
   if (!numbers) return numbers.problem();
   if (other != otherEffects.end()) return other->add(truth, *numbers);
+  if (foreign != foreignEffectNames().end()) return addForeign(truth, *foreign, *numbers);
   if (numbers->size() != parameters.size())
     return Problem{"effect " + quotation(name) + " has " + std::to_string(parameters.size()) +
                    (parameters.size() == 1 ? " size" : " sizes") + ", not " +
@@ -169,6 +182,9 @@ std::string effectNames() {
   }
   for (const OtherEffect& other : otherEffects)
     lines += std::string("  ") + other.name + "=" + other.usage + "\n";
+  for (const ForeignEffectName& foreign : foreignEffectNames())
+    lines +=
+        "  " + std::string(foreign.name) + "=" + std::string(foreign.usage) + ": outside the catalogue\n";
   return lines;
 }
 
@@ -184,6 +200,7 @@ std::vector<std::string> trueCauses(const Truth& truth) {
   if (!truth.misreadings.empty()) causes.emplace_back(grossId);
   if (truth.noiseFactor > 1) causes.emplace_back(noiseId);
   if (truth.harmonic) causes.emplace_back("unknown_harmonic");
+  if (truth.foreign) causes.push_back("unknown_" + std::string(nameOf(truth.foreign->kind)));
   return causes;
 }
 

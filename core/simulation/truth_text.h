@@ -18,6 +18,7 @@ namespace alidade {
 ///   underestimated_noise=2.5                true noise over the stated
 ///   gross_error=180,1,11,1,60,0             axis, round, point, face, horizontal and vertical, arcsec
 ///   form_harmonic=7,0.1,0.1                 order, cosine and sine, mm; not in the catalogue
+///   local_dent=0.1,60,8, settling=20,0.2, …  others that are in no catalogue (foreign_effect.h)
 ///
 /// The sentence where it cannot be read.
 std::optional<Problem> addEffect(Truth& truth, const std::string& text);

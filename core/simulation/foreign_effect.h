@@ -1,0 +1,48 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "core/base/angle.h"
+
+namespace alidade {
+
+/// A disturbance that is in no catalogue and that no fit knows: what the diagnosis must leave unexplained.
+struct ForeignEffect {
+  enum class Kind {
+    LocalDent,  ///< radius + size·exp(−½((s − first)/second)²): size mm, place and width in degrees of s
+    CirclePeriods,  ///< δα = size·sin(first·α + second): size arcsec, periods a turn, phase in degrees
+    Settling,      ///< both orientations are off by size·exp(−t/first), t the share of the session gone by
+    DistanceRamp,  ///< the distance grows by size, mm, over the session
+    Refraction,    ///< δe = size·sin 2e, arcsec: of the lower and the upper half alike
+    Backlash,      ///< on the way back (even rounds) the horizontal circle reads size, arcsec, more
+    HighWarp,      ///< off the plane by size·sin(first·s + second), mm, turning with the guideway
+  };
+
+  Kind kind = Kind::LocalDent;
+  double size = 0, first = 0, second = 0;
+};
+
+/// What the command line and truth files call it, and what its numbers are.
+struct ForeignEffectName {
+  ForeignEffect::Kind kind;
+  std::string_view name;
+  std::string_view usage;
+  int numbers;  ///< 1 to 3
+};
+
+std::span<const ForeignEffectName> foreignEffectNames();
+std::string_view nameOf(ForeignEffect::Kind kind);
+
+/// Added to the radius with the slider at `s`, mm.
+double radiusBy(const ForeignEffect& effect, Angle s);
+/// The target off the plane in the guideway's own frame with the slider at `s`, mm.
+double offPlaneBy(const ForeignEffect& effect, Angle s);
+/// Added to the distance when a share `elapsed` of the session has gone by, mm.
+double distanceBy(const ForeignEffect& effect, double elapsed);
+/// Added to the azimuth, face 1 equivalent; `circle` is the horizontal reading of the face.
+Angle azimuthBy(const ForeignEffect& effect, Angle circle, double elapsed, bool wayBack);
+/// Added to the elevation, face 1 equivalent.
+Angle elevationBy(const ForeignEffect& effect, Angle elevation, double elapsed);
+
+}  // namespace alidade

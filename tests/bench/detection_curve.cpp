@@ -1,0 +1,179 @@
+#include <Eigen/Core>
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <numbers>
+#include <thread>
+#include <vector>
+
+#include "core/diagnosis/inquiry.h"
+#include "core/simulation/protocol.h"
+#include "core/simulation/trial_series.h"
+
+// Right answers against how far an effect shows, beside those of the ideal observer: one who knows what no
+// user can, the very chances and sizes that the simulator draws from, and who weighs the kinds by their exact
+// evidence. Half of the sessions hold nothing, the others one effect of the catalogue. Right is: the effect
+// itself, or one that these readings do not tell from it; and silence where there is nothing.
+//
+//   alidade_detection_curve [SESSIONS [SEED [THREADS]]]
+
+namespace {
+
+using namespace alidade;
+using Eigen::VectorXd;
+
+constexpr double least = 2, most = 25, mostPlausible = 6;
+
+bool isHeld(const std::string& kind) {
+  return effectById(kind) && kind != "vertical_angle_relation";
+}
+
+std::vector<std::string> heldKinds() {
+  std::vector<std::string> kinds;
+  for (const TrialKind& kind : trialKinds())
+    if (isHeld(kind.name)) kinds.push_back(kind.name);
+  return kinds;
+}
+
+BlindTrial trialOf(std::uint64_t seed) {
+  BlindTrialOptions options{.protocol = namedProtocols()[seed / 2 % namedProtocols().size()].name,
+                            .leastVisible = least,
+                            .mostVisible = most,
+                            .mostPlausible = mostPlausible};
+  options.kinds = seed % 2 == 0 ? std::vector<std::string>{"none"} : heldKinds();
+  return *drawBlindTrial(options, seed);
+}
+
+/// ln of the evidence of a trace of this shape, averaged over the lengths that the simulator draws: `unit` is
+/// what one plausible size leaves in the direction.
+void addEvidence(std::vector<double>& logs, const Component& component, const VectorXd& direction,
+                 const Leftover& leftover) {
+  constexpr int steps = 60;
+  // How far each size shows, for a plane tilt not in proportion to it.
+  constexpr int sizes = 60;
+  std::vector<double> shown(sizes + 1, 0);
+  for (int i = 1; i <= sizes; ++i)
+    shown[static_cast<std::size_t>(i)] =
+        signature(leftover, component, direction * (mostPlausible * i / sizes)).norm();
+  for (int i = 0; i < steps; ++i) {
+    const double target = least + (most - least) * (i + 0.5) / steps;
+    const auto above = std::ranges::lower_bound(shown, target) - shown.begin();
+    double size = mostPlausible;
+    if (above <= sizes) {
+      const double low = shown[static_cast<std::size_t>(above - 1)],
+                   high = shown[static_cast<std::size_t>(above)];
+      size *= (static_cast<double>(above) - 1 + (target - low) / (high - low)) / sizes;
+    }
+    const VectorXd trace = signature(leftover, component, direction * size);
+    logs.push_back(trace.dot(leftover.residual()) - trace.squaredNorm() / 2);
+  }
+}
+
+double meanOf(const std::vector<double>& logs) {
+  const double largest = std::ranges::max(logs);
+  double sum = 0;
+  for (const double log : logs) sum += std::exp(log - largest);
+  return largest + std::log(sum / static_cast<double>(logs.size()));
+}
+
+double evidenceOf(const Component& component, const Leftover& leftover) {
+  constexpr int directions = 72;
+  const bool two = component.effect->parameters.size() == 2;
+  std::vector<double> logs;
+  for (int i = 0; i < (two ? directions : 2); ++i) {
+    const double angle = 2 * std::numbers::pi * i / directions;
+    const VectorXd direction = two ? VectorXd(Eigen::Vector2d(std::cos(angle), std::sin(angle)))
+                                   : VectorXd(VectorXd::Constant(1, i == 0 ? 1 : -1));
+    addEvidence(logs, component, direction, leftover);
+  }
+  return meanOf(logs);
+}
+
+std::string idealAnswer(const Measurement& measurement, bool hasSlider) {
+  const GapModel model = *modelOf(measurement);
+  const Leftover leftover({linearise(model.measurement, model.fit, model.options)}, {});
+  std::vector<Component> components = effectsBeyond(model, leftover, {}, {});
+  std::erase_if(components, [&](const Component& component) {
+    return !isHeld(component.id) || (!hasSlider && component.id.starts_with("slider"));
+  });
+  const double chance = 1 / static_cast<double>(components.size());
+  std::string best = "none";
+  double highest = 0;
+  for (const Component& component : components) {
+    const double log = evidenceOf(component, leftover) + std::log(chance);
+    if (log <= highest) continue;
+    highest = log;
+    best = component.id;
+  }
+  return best;
+}
+
+struct Row {
+  double from, to;
+  std::atomic<int> count = 0, product = 0, ideal = 0, worse = 0, better = 0;
+};
+
+void take(std::uint64_t seed, std::vector<Row>& rows, Row& silent) {
+  const BlindTrial trial = trialOf(seed);
+  const Measurement measurement = *examine(trial.session).measurement;
+  const bool hasSlider = protocolByName(trial.seal.protocol)->slider;
+  const TrialScore score = scoreTrial(trial.seal, *diagnose(measurement));
+  const std::string ideal = idealAnswer(measurement, hasSlider);
+  const auto isRight = [&](const std::string& answer) {
+    return answer == trial.seal.kind ||
+           std::ranges::find(trial.seal.lookAlikes, answer) != trial.seal.lookAlikes.end();
+  };
+  const bool none = trial.seal.kind == "none";
+  const bool right = none ? score.right : isRight(score.answer), idealRight = isRight(ideal);
+  for (Row& row : rows)
+    if (none ? &row == &silent
+             : &row != &silent && *trial.seal.visible >= row.from && *trial.seal.visible < row.to) {
+      ++row.count;
+      row.product += right;
+      row.ideal += idealRight;
+      row.worse += idealRight && !right;
+      row.better += right && !idealRight;
+    }
+}
+
+void print(const char* name, const Row& row) {
+  const double count = std::max(1, row.count.load());
+  const double difference = 100 * (row.product - row.ideal) / count;
+  const double sigma = 100 * std::sqrt(static_cast<double>(row.worse + row.better)) / count;
+  std::printf("%-14s %6d   %6.1f %%   %6.1f %%   %+5.1f +- %.1f\n", name, row.count.load(),
+              100 * row.product / count, 100 * row.ideal / count, difference, sigma);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const int sessions = argc > 1 ? std::atoi(argv[1]) : 2000;
+  const auto first = argc > 2 ? static_cast<std::uint64_t>(std::atoll(argv[2])) : 1;
+  const unsigned threads = argc > 3 ? static_cast<unsigned>(std::atoi(argv[3]))
+                                    : std::max(1u, std::thread::hardware_concurrency());
+  constexpr double edges[] = {0, 2, 3, 4, 5, 6, 8, 10, 15, 26};
+  std::vector<Row> rows(std::size(edges));
+  for (std::size_t i = 0; i + 1 < std::size(edges); ++i) {
+    rows[i].from = edges[i];
+    rows[i].to = edges[i + 1];
+  }
+  Row& silent = rows.back();
+  std::atomic<int> next = 0;
+  {
+    std::vector<std::jthread> workers;
+    for (unsigned t = 0; t < std::max(1u, threads); ++t)
+      workers.emplace_back([&] {
+        for (int i; (i = next++) < sessions;) take(first + static_cast<std::uint64_t>(i), rows, silent);
+      });
+  }
+  std::printf("%-14s %6s   %8s   %8s   %s\n", "shows by", "trials", "diagnosis", "ideal", "points apart");
+  print("nothing there", silent);
+  for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
+    char name[32];
+    std::snprintf(name, sizeof name, "%g to %g σ", rows[i].from, rows[i].to);
+    print(name, rows[i]);
+  }
+  return 0;
+}
