@@ -62,14 +62,22 @@ std::vector<Search::State> Search::next(const std::vector<State>& level) {
   std::vector<std::size_t> order(growths.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::ranges::sort(order, std::greater{}, [&](std::size_t i) { return growths[i].logOdds; });
+  // Patterns never grow, so they take no place from what may.
   std::vector<State> states;
+  std::size_t shaped = 0;
   for (const std::size_t i : order) {
-    if (states.size() == m_options.beam) break;
+    const bool isShape = isPattern(growths[i].component);
+    if ((isShape ? shaped : states.size() - shaped) == m_options.beam) continue;
     const auto upToHere = std::span(growths).first(i);
-    if (std::ranges::find(upToHere, growths[i].key, &Growth::key) == upToHere.end())
-      states.push_back(with(level[growths[i].state], growths[i]));
+    if (std::ranges::find(upToHere, growths[i].key, &Growth::key) != upToHere.end()) continue;
+    states.push_back(with(level[growths[i].state], growths[i]));
+    shaped += isShape ? 1 : 0;
   }
   return states;
+}
+
+bool Search::isPattern(std::size_t component) const {
+  return component < m_candidates.size() && m_candidates[component].kind == Component::Kind::Shape;
 }
 
 bool Search::mayGrow(const State& state) const {

@@ -55,6 +55,7 @@ class Search {
                const Eigen::VectorXd& right, double prior) const;
   void takePattern(State& state, Eigen::Index first, Eigen::Index count, double prior) const;
   const Eigen::MatrixXd& productsOf(std::size_t component);
+  bool isPattern(std::size_t component) const;
   bool mayGrow(const State& state) const;
   double priorOf(std::size_t component) const;
 };
