@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/diagnosis/misread_circle.h"
+
 namespace alidade {
 
 namespace {
@@ -63,7 +65,7 @@ std::vector<Cause> causesOf(const Inquiry& inquiry, const Answer& answer) {
   if (!misread.empty()) {
     Cause cause = named(inquiry, misreadingId);
     if (!inquiry.farOff.empty()) cause.probability = 1;
-    cause.readings = std::move(misread);
+    cause.readings = withLikelierCircles(answer.after, std::move(misread));
     causes.push_back(std::move(cause));
   }
   if (explanation.noisy) causes.push_back(largerNoise(inquiry, answer.after));
