@@ -17,6 +17,7 @@ constexpr double invisible = 1e-5;  // σ over all readings: rounding
 struct Surroundings {
   VectorXd radial, offPlane, slider, horizontal, vertical;  ///< effect of 1 unit on each reading
   VectorXd s, elapsed, a, e, side;
+  VectorXd towards;  ///< effect of the target 1 mm nearer
   std::vector<int> arc, round, face;
   std::vector<std::pair<std::size_t, int>> place;  ///< arc and point
 };
@@ -33,6 +34,7 @@ Surroundings surroundingsOf(const Leftover& leftover, const Measurement& measure
                    VectorXd(n),
                    VectorXd(n),
                    VectorXd(n),
+                   leftover.column(ErrorTerm::PlaneOffset),
                    {},
                    {},
                    {},
@@ -44,6 +46,7 @@ Surroundings surroundingsOf(const Leftover& leftover, const Measurement& measure
     all.s[i] = (arc.axisDeg == 0 ? 1 : -1) * fit.arcAngles[reading.arc][reading.sighting];
     all.elapsed[i] = static_cast<double>(sighting.sequence) /
                      static_cast<double>(std::max<std::size_t>(measurement.rows, 2) - 1);
+    if (arc.axisDeg != 0) all.towards[i] = -all.towards[i];  // the plane's offset turns with the guideway
     all.a[i] = sighting.a.radians();
     all.e[i] = sighting.e.radians();
     all.side[i] = sighting.face == 1 ? 1 : -1;
@@ -53,6 +56,17 @@ Surroundings surroundingsOf(const Leftover& leftover, const Measurement& measure
     all.place.emplace_back(reading.arc, sighting.point);
   }
   return all;
+}
+
+RowVectorXd smooth(double where, int count) {
+  RowVectorXd values(count);
+  for (int k = 1; k <= count; ++k) values[k - 1] = std::cos(k * std::numbers::pi * where) / k;
+  return values;
+}
+
+/// What dies away after the start of the session, quickly, in between and slowly.
+RowVectorXd settling(double elapsed) {
+  return Eigen::RowVector3d(std::exp(-elapsed / 0.05), std::exp(-elapsed / 0.15), std::exp(-elapsed / 0.4));
 }
 
 class ShapeMaker {
@@ -79,11 +93,19 @@ class ShapeMaker {
 
   /// Cosines of 1 to `count` half waves over 0…1, the shorter the weaker.
   void addSmooth(const std::string& id, const VectorXd& carrier, const VectorXd& where, int count) {
-    addFunctions(id, carrier, count, [&](Index i) {
-      RowVectorXd values(count);
-      for (int k = 1; k <= count; ++k) values[k - 1] = std::cos(k * std::numbers::pi * where[i]) / k;
-      return values;
-    });
+    addFunctions(id, carrier, count, [&](Index i) { return smooth(where[i], count); });
+  }
+
+  /// `count` functions of the reading, each with weights of its own for the two circles.
+  template <typename Functions>
+  void addOrientation(const std::string& id, const VectorXd& horizontal, const VectorXd& vertical,
+                      Index count, const Functions& functions) {
+    SparseColumns columns(2 * count);
+    for (Index i = 0; i < horizontal.size(); ++i) {
+      if (horizontal[i] != 0) columns.add(i, 0, horizontal[i] * functions(i));
+      if (vertical[i] != 0) columns.add(i, count, vertical[i] * functions(i));
+    }
+    add(id, std::move(columns));
   }
 
   std::vector<Component> take(double odds) {
@@ -145,6 +167,12 @@ std::vector<Component> shapeComponents(const Leftover& leftover, const Measureme
   maker.addGroups("radius from place to place in each position", all.radial, place);
   maker.addSmooth("horizontal orientation with time", all.horizontal, all.elapsed, 10);
   maker.addSmooth("vertical orientation with time", all.vertical, all.elapsed, 10);
+  constexpr int waves = 10;
+  maker.addOrientation("orientation with time", all.horizontal, all.vertical, waves,
+                       [&](Index i) { return smooth(all.elapsed[i], waves); });
+  maker.addOrientation("orientation settling with time", all.horizontal, all.vertical, 3,
+                       [&](Index i) { return settling(all.elapsed[i]); });
+  maker.addSmooth("distance with time", all.towards, all.elapsed, 4);
   maker.addSmooth("slider readings along the scale", all.slider, toUnit(all.s), 6);
   const VectorXd alpha = toUnit(all.a), epsilon = toUnit(all.e);
   maker.addSmooth("horizontal readings with azimuth", all.horizontal, alpha, 6);
