@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <tuple>
 
 #include "core/base/random_source.h"
 #include "core/base/utf8.h"
@@ -68,28 +69,37 @@ class Draw {
     return rows[static_cast<std::size_t>(m_random.whole(0, static_cast<int>(rows.size()) - 1))];
   }
 
-  /// One or two readings, off by a slip of the tens or the minutes.
+  /// One or two readings, off by a slip of the tens or the minutes that shows: one along the arc may not.
   void putMisreadings() {
-    constexpr double slips[] = {30, 60, 120, 300};  // arcseconds
+    constexpr int tries = 200;
     const std::vector<PlannedRow> rows = plannedRows(m_protocol);
-    const int count = m_random.whole(1, 2);
-    while (static_cast<int>(m_truth.misreadings.size()) < count) {
-      const PlannedRow row = anyRow(rows);
-      const int axis = m_protocol.axes[static_cast<std::size_t>(
-          m_random.whole(0, static_cast<int>(m_protocol.axes.size()) - 1))];
-      const Angle slip = Angle::fromArcseconds(sign() * slips[m_random.whole(0, 3)]);
-      const bool horizontal = m_random.uniform() < 0.5;
-      const bool again = std::ranges::any_of(m_truth.misreadings, [&](const Misreading& m) {
-        return m.axisDeg == axis && PlannedRow{m.round, m.point, m.face} == row;
+    const auto count = static_cast<std::size_t>(m_random.whole(1, 2));
+    std::vector<Misreading> misread;
+    for (int i = 0; i < tries && misread.size() < count; ++i) {
+      m_truth.misreadings = {anyMisreading(rows)};
+      const Misreading& one = m_truth.misreadings.front();
+      const bool again = std::ranges::any_of(misread, [&](const Misreading& m) {
+        return std::tie(m.axisDeg, m.round, m.point) == std::tie(one.axisDeg, one.round, one.point);
       });
-      if (again) continue;
-      m_truth.misreadings.push_back({.axisDeg = axis,
-                                     .round = row.round,
-                                     .point = row.point,
-                                     .face = row.face,
-                                     .horizontal = horizontal ? slip : Angle(),
-                                     .vertical = horizontal ? Angle() : slip});
+      const std::optional<Visibility> shown = shownAs({});
+      if (!again && shown && shown->sigma > clearVisibility) misread.push_back(one);
     }
+    m_truth.misreadings = std::move(misread);
+  }
+
+  Misreading anyMisreading(const std::vector<PlannedRow>& rows) {
+    constexpr double slips[] = {30, 60, 120, 300};  // arcseconds
+    const PlannedRow& row = anyRow(rows);
+    const int last = static_cast<int>(m_protocol.axes.size()) - 1;
+    const int axis = m_protocol.axes[static_cast<std::size_t>(m_random.whole(0, last))];
+    const Angle slip = Angle::fromArcseconds(sign() * slips[m_random.whole(0, 3)]);
+    const bool horizontal = m_random.uniform() < 0.5;
+    return {.axisDeg = axis,
+            .round = row.round,
+            .point = row.point,
+            .face = row.face,
+            .horizontal = horizontal ? slip : Angle(),
+            .vertical = horizontal ? Angle() : slip};
   }
 
   void putJump() {
@@ -252,12 +262,18 @@ const std::string& anyKind(const std::vector<TrialKind>& kinds, double share) {
   return kinds.back().name;
 }
 
+/// In one face and without slider hardly any two effects can be told from one another.
+bool separatesCauses(const Protocol& protocol) {
+  return protocol.slider || protocol.faces != FacePlan::FaceOne;
+}
+
 /// Those asked for, without what the protocol cannot show.
 std::vector<TrialKind> kindsOf(const BlindTrialOptions& options, const Protocol& protocol) {
   std::vector<TrialKind> kinds;
   for (const TrialKind& kind : trialKinds()) {
     const Effect* effect = effectById(kind.name);
     if (effect && isOfSlider(*effect) && !protocol.slider) continue;
+    if (kind.name == "two_causes" && !separatesCauses(protocol)) continue;
     if (options.kinds.empty())
       kinds.push_back(kind);
     else if (std::ranges::find(options.kinds, kind.name) != options.kinds.end())

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 
 #include "core/simulation/trial_summary.h"
@@ -57,6 +58,18 @@ TEST(TrialSeries, ScoresTrialsMadeElsewhere) {
   const TrialSummary summary = summarise(*trials);
   EXPECT_EQ(summary.falseAlarms.hits, 0u);
   EXPECT_EQ(summary.backToNoise.hits, summary.backToNoise.count);
+}
+
+// In one face and without slider the spacing of the places tells which circle was misread, where they keep
+// it: 84 of 100 drawn sessions, and without it the circle is a coin toss. Disturbances of no catalogue stay
+// unexplained in 95 of 100.
+TEST(TrialSeries, IsRightWhereOnlyTheSurroundingsTell) {
+  const auto rightOf = [](const char* protocol, const char* kind) {
+    const auto trials = scoreDrawnTrials({.count = 10}, {.protocol = protocol, .kinds = {kind}}, 20);
+    return std::ranges::count_if(*trials, [](const ScoredTrial& trial) { return trial.score.right; });
+  };
+  EXPECT_GE(rightOf("paper", "gross_error"), 8);
+  EXPECT_GE(rightOf("paper-slider", "unknown"), 8);
 }
 
 TEST(TrialSeries, NamesTheFileThatIsWrong) {
