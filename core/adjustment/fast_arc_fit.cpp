@@ -8,11 +8,14 @@
 #include <thread>
 #include <type_traits>
 
+#include "core/base/random_source.h"
+
 namespace alidade {
 
 namespace {
 
 constexpr std::size_t width = 4;
+constexpr std::size_t sideBySide = 2;  // sets of lanes
 using Lanes = double __attribute__((vector_size(width * sizeof(double))));
 
 constexpr double largestAngle = std::numbers::pi / 4;
@@ -20,51 +23,81 @@ constexpr double largestResidual = 0.002;  // rad; the series below are exact to
 constexpr double tolerance = 1.5e-12;      // of R: what may be left of the way to the minimum
 constexpr double untold = 0.1;             // of what a step leaves, beside the turn of the normals
 constexpr double straight = 1e-10;         // variance across times along the chord, of R⁴; some 6° of arc
+constexpr double unlike = 0.01;            // how a part and all places differ in what a step leaves
 constexpr int mostIterations = 12;
-constexpr std::size_t pilotPlaces = 32768;
+constexpr int mostSurveys = 2;  // before residuals are too large for them
+constexpr std::size_t pilotPlaces = 16384;
+constexpr std::size_t share = 16;  // blocks of a sweep that are worked on at once
 
 /// A pair of readings, and what the last iteration found for it.
 struct alignas(sizeof(Lanes)) PlaceEquation {
-  Lanes tanA, tanE, secA;  ///< secA: 1 for the planar relation
-  Lanes weight;            ///< rows of the visit, 0 for lanes that hold none
+  Lanes tanA, tanE, secA;  ///< secA: with the exact relation only
+  Lanes y, perRise;        ///< of the plane point, and its derivative by e
+  Lanes weight;            ///< rows of the visit, 0 for lanes that hold none; where all are of one arc
   Lanes w, perA, perE;     ///< misclosure, and the residuals of a and e per unit of it
-  Lanes cosPhi, sinPhi;
+  Lanes ux, uy;            ///< from the centre
 };
 
+/// A circle in units of L.
 template <typename T>
 struct Disc {
-  T x, y, radius;  // in units of L
+  T x, y, square;  ///< R²
 };
 
+/// Of the centre, and h.
 template <typename T>
 struct Step {
-  T x, y, rho;
+  T x, y, half;
 };
 
-/// Σ weight · (products), weight 1/(f_a² σ_h² + f_e² σ_v²).
+/// Σ weight · (products of ux, uy and 1).
 template <typename T>
-struct Sums {
-  T one{}, c{}, s{}, cc{}, cs{}, ss{}, w{}, cw{}, sw{}, ww{}, ccw{}, csw{};
+struct Information {
+  T one{}, x{}, y{}, xx{}, xy{}, yy{};
+};
+
+/// And with the misclosure.
+template <typename T>
+struct Normals : Information<T> {
+  T w{}, xw{}, yw{}, ww{};
+};
+
+/// Linearised at adjusted readings.
+template <typename T>
+struct Sums : Normals<T> {
+  T xxw{}, xyw{};
+};
+
+/// From the series about the readings; `third` measures its terms of third order.
+template <typename T>
+struct CloseSums : Normals<T> {
+  T third{};
 };
 
 struct Variances {
   double horizontal, vertical;  // rad²
-  double exact;                 // 1 or 0
 };
 
-/// Inverse of the normal equations over (x, y, R), and whether they can be told from singular ones.
+struct Setup {
+  Variances variances;
+  double distance;
+  bool exact;
+};
+
+/// Inverse of the normal equations, and whether they can be told from singular ones.
 template <typename T>
 struct Inverse {
-  T xx, xy, yy, xr, yr, rr;
+  T xx, xy, yy, xh, yh, hh;
   T determinacy;
 };
 
-/// How far the iteration has come; `remaining` bounds the rest of the way, in units of R.
+/// How far the iteration has come; `remaining` bounds the rest of the way, in units of R; `chance` the part
+/// of it that residuals bring about; `lag`: how far from where they belong places are linearised.
 template <typename T>
 struct Progress {
   Disc<T> disc;
   Step<T> step{};
-  T places{}, lag{}, remaining{}, chiSquare{};
+  T perRootPlaces{}, lag{}, chance{}, remaining = T{} + 1, chiSquare{};
   Inverse<T> inverse;
 };
 
@@ -83,15 +116,27 @@ struct Readings {
 };
 
 /// What a sweep over places found.
-struct Sweep {
-  Sums<double> sums;
+template <typename S>
+struct Found {
+  S sums;
   double largestReading = 0, largestResidual = 0;
+};
+
+using Sweep = Found<Sums<double>>;
+using Survey = Found<CloseSums<double>>;
+
+/// What is reported: mm, mm².
+template <typename T>
+struct Conclusion {
+  T x, y, radius, xx, xy, yy, xr, yr, rr, chiSquare;
+  T sound;  ///< 0 where the fit is refused
+  int iterations;
 };
 
 template <typename T>
 struct alignas(sizeof(Lanes)) Outcome {
   Progress<T> progress;
-  T largestReading, largestResidual;
+  T largestReading{}, largestResidual{};
   int iterations = 0;
 };
 
@@ -111,14 +156,15 @@ namespace wide {
 
 struct Kernel {
   decltype(&plain::solveOne) solveOne = plain::solveOne;
-  decltype(&plain::solveFour) solveFour = plain::solveFour;
+  decltype(&plain::solveMany) solveMany = plain::solveMany;
   decltype(&plain::sweep) sweep = plain::sweep;
+  decltype(&plain::survey) survey = plain::survey;
 };
 
 const Kernel& kernel() {
 #ifdef ALIDADE_HAS_WIDE_KERNEL
   static const Kernel chosen = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")
-                                   ? Kernel{wide::solveOne, wide::solveFour, wide::sweep}
+                                   ? Kernel{wide::solveOne, wide::solveMany, wide::sweep, wide::survey}
                                    : Kernel{};
 #else
   static const Kernel chosen;
@@ -126,42 +172,30 @@ const Kernel& kernel() {
   return chosen;
 }
 
-Variances variancesOf(const ArcSetup& setup) {
-  return {setup.sigmaHorizontal * setup.sigmaHorizontal, setup.sigmaVertical * setup.sigmaVertical,
-          setup.relation == VerticalAngleRelation::Exact ? 1.0 : 0.0};
+Setup inside(const ArcSetup& setup) {
+  return {{setup.sigmaHorizontal * setup.sigmaHorizontal, setup.sigmaVertical * setup.sigmaVertical},
+          setup.distance,
+          setup.relation == VerticalAngleRelation::Exact};
 }
 
-/// One fit as a plain value.
-struct Candidate {
-  double largestReading, largestResidual;
-  Progress<double> progress;
-};
+double lane(double value, std::size_t /*lane*/) {
+  return value;
+}
 
-Candidate candidate(const Outcome<Lanes>& outcome, std::size_t lane) {
-  const Progress<Lanes>& p = outcome.progress;
-  const auto at = [lane](const Lanes& lanes) { return lanes[lane]; };
-  Candidate result{at(outcome.largestReading), at(outcome.largestResidual), {}};
-  result.progress.disc = {at(p.disc.x), at(p.disc.y), at(p.disc.radius)};
-  result.progress.remaining = at(p.remaining);
-  result.progress.chiSquare = at(p.chiSquare);
-  const Inverse<Lanes>& q = p.inverse;
-  result.progress.inverse = {at(q.xx), at(q.xy), at(q.yy), at(q.xr), at(q.yr), at(q.rr), at(q.determinacy)};
-  return result;
+double lane(const Lanes& values, std::size_t index) {
+  return values[index];
 }
 
 /// Absent where the fit is refused.
-std::optional<FastArcFit> judged(const Candidate& fit, int iterations, double distance) {
-  const auto& [disc, step, places, lag, remaining, chiSquare, q] = fit.progress;
-  const bool isSound = fit.largestReading <= largestAngle && fit.largestResidual <= largestResidual &&
-                       remaining < tolerance && q.determinacy > straight && disc.radius > 0;
-  if (!isSound) return std::nullopt;
-  const double unit = distance * distance;
-  return FastArcFit{{disc.x * distance, disc.y * distance, disc.radius * distance},
-                    {{{q.xx * unit, q.xy * unit, q.xr * unit},
-                      {q.xy * unit, q.yy * unit, q.yr * unit},
-                      {q.xr * unit, q.yr * unit, q.rr * unit}}},
-                    chiSquare,
-                    iterations};
+template <typename T>
+std::optional<FastArcFit> fitIn(const Conclusion<T>& c, std::size_t i = 0) {
+  if (lane(c.sound, i) == 0) return std::nullopt;
+  const auto at = [i](const T& values) { return lane(values, i); };
+  return FastArcFit{
+      {at(c.x), at(c.y), at(c.radius)},
+      {{{at(c.xx), at(c.xy), at(c.xr)}, {at(c.xy), at(c.yy), at(c.yr)}, {at(c.xr), at(c.yr), at(c.rr)}}},
+      at(c.chiSquare),
+      c.iterations};
 }
 
 /// All places at once, each kept from one iteration to the next.
@@ -176,41 +210,108 @@ std::optional<FastArcFit> fitKept(const ArcSetup& setup, const Readings& reading
     places = many.data();
   }
   Outcome<double> outcome;
-  kernel().solveOne(places, readings, variancesOf(setup), residuals, outcome);
-  return judged({outcome.largestReading, outcome.largestResidual, outcome.progress}, outcome.iterations,
-                setup.distance);
+  kernel().solveOne(places, readings, inside(setup), residuals, outcome);
+  return fitIn(plain::conclude(outcome, setup.distance));
 }
 
-/// An evenly taken part of the places first, then all of them, kept nowhere.
+/// Blocks of places taken at random, one out of each of as many equal stretches.
+struct Part {
+  std::vector<double> a, e, rows;
+
+  explicit Part(const Readings& readings) : a(pilotPlaces), e(pilotPlaces), rows(pilotPlaces, 1) {
+    constexpr std::size_t blocks = pilotPlaces / width;
+    RandomSource random(1, readings.count);
+    const double stretch = static_cast<double>(readings.count - width) / static_cast<double>(blocks);
+    for (std::size_t i = 0; i < blocks; ++i) {
+      const auto from = static_cast<std::size_t>((static_cast<double>(i) + random.uniform()) * stretch);
+      std::copy_n(readings.a + from, width, &a[i * width]);
+      std::copy_n(readings.e + from, width, &e[i * width]);
+      if (readings.rows) std::copy_n(readings.rows + from, width, &rows[i * width]);
+    }
+  }
+
+  Readings readings() const { return {a.data(), e.data(), rows.data(), pilotPlaces}; }
+};
+
+using Vector = std::array<double, 3>;  // over (x, y, half)
+
+Vector gradient(const CloseSums<double>& sums) {
+  return {sums.xw, sums.yw, sums.w};
+}
+
+Vector times(const Normals<double>& n, const Step<double>& q) {
+  return {n.xx * q.x + n.xy * q.y + n.x * q.half, n.xy * q.x + n.yy * q.y + n.y * q.half,
+          n.x * q.x + n.y * q.y + n.one * q.half};
+}
+
+/// Of all places after the step.
+Information<double> atEnd(const Information<double>& all, const Information<double>& before,
+                          const Information<double>& after) {
+  const double ratio = all.one / before.one;
+  const auto moved = [&](double Information<double>::*sum) {
+    return all.*sum + ratio * (after.*sum - before.*sum);
+  };
+  using I = Information<double>;
+  return {moved(&I::one), moved(&I::x), moved(&I::y), moved(&I::xx), moved(&I::xy), moved(&I::yy)};
+}
+
+/// The step of `progress` from `all` overshot by the square of its length, and how far the part tells: its
+/// gradients `before` and `after` the step show what the second derivatives do not.
+void mend(Progress<double>& progress, const CloseSums<double>& all, const CloseSums<double>& before,
+          const CloseSums<double>& after) {
+  const Step<double> step = progress.step;
+  const Vector whole = gradient(all), wholeChange = times(all, step);
+  const Vector first = gradient(before), partChange = times(before, step);
+  Vector second = gradient(after);  // by (x, y, half) from the circle after the step
+  second[0] += step.x * second[2];
+  second[1] += step.y * second[2];
+  Vector left;
+  for (std::size_t i = 0; i < 3; ++i)
+    left[i] = whole[i] - wholeChange[i] + all.one / before.one * (second[i] - first[i] + partChange[i]);
+  Step<double> rest = plain::times(progress.inverse, left[0], left[1], left[2]);
+  rest.half += step.x * rest.x + step.y * rest.y;  // from the circle after the step
+  const double perSquare = 1 / progress.disc.square;
+  progress.disc = plain::moved(progress.disc, rest);
+  progress.inverse = plain::invert(atEnd(all, before, after), progress.disc.square);
+  progress.remaining = progress.chance + unlike * plain::extent(rest, std::sqrt(perSquare), perSquare);
+}
+
+bool isSettled(const Progress<double>& progress) {
+  return progress.remaining < tolerance;
+}
+
+/// A part of the places first, then all of them, kept nowhere.
 std::optional<FastArcFit> fitStreamed(const ArcSetup& setup, const Readings& readings,
                                       const ReadingResiduals& residuals) {
-  std::vector<double> a(pilotPlaces), e(pilotPlaces), rows(pilotPlaces, 1);
-  for (std::size_t i = 0; i < pilotPlaces; ++i) {
-    const std::size_t from = i * readings.count / pilotPlaces;
-    a[i] = readings.a[from];
-    e[i] = readings.e[from];
-    if (readings.rows) rows[i] = readings.rows[from];
-  }
-  const Readings part{a.data(), e.data(), rows.data(), pilotPlaces};
-  const auto pilot = fitKept(setup, part, {});
+  const Part part(readings);
+  const auto pilot = fitKept(setup, part.readings(), {});
   if (!pilot) return std::nullopt;
 
-  const Variances variances = variancesOf(setup);
-  const double l = setup.distance;
-  Progress<double> progress;
-  progress.places = static_cast<double>(readings.count);
-  progress.disc = {pilot->circle.x / l, pilot->circle.y / l, pilot->circle.radius / l};
-  Sweep whole;
-  int sweeps = 0;
-  do {
-    kernel().sweep(readings, variances, progress.disc, {}, whole);
-    progress.lag = whole.sums.ww / whole.sums.one / (2 * progress.disc.radius);
-    plain::advance(progress, whole.sums);
-  } while (!plain::settled(progress) && ++sweeps < mostIterations);
-  const auto fit =
-      judged({whole.largestReading, whole.largestResidual, progress}, pilot->iterations + sweeps + 1, l);
-  if (fit && !residuals.horizontal.empty())
-    kernel().sweep(readings, variances, progress.disc, residuals, whole);
+  const Setup inner = inside(setup);
+  const double l = setup.distance, pilotRadius = pilot->circle.radius / l;
+  Outcome<double> outcome;
+  Progress<double>& progress = outcome.progress;
+  progress.perRootPlaces = 1 / std::sqrt(static_cast<double>(readings.count));
+  progress.disc = {pilot->circle.x / l, pilot->circle.y / l, pilotRadius * pilotRadius};
+  outcome.iterations = pilot->iterations;
+  for (int surveys = 0; surveys < mostSurveys && !isSettled(progress); ++surveys, ++outcome.iterations) {
+    Survey all, before, after;
+    kernel().survey(readings, inner, progress.disc, all);
+    kernel().survey(part.readings(), inner, progress.disc, before);
+    plain::advance(progress, all.sums);
+    kernel().survey(part.readings(), inner, progress.disc, after);
+    mend(progress, all.sums, before.sums, after.sums);
+    outcome.largestReading = all.largestReading;
+    outcome.largestResidual = all.largestResidual;
+  }
+  for (Sweep sweep; !isSettled(progress) && outcome.iterations < mostIterations; ++outcome.iterations) {
+    kernel().sweep(readings, inner, progress.disc, {}, sweep);
+    progress.lag = sweep.sums.ww / sweep.sums.one / (2 * progress.disc.square * progress.disc.square);
+    plain::advance(progress, sweep.sums);
+  }
+  const auto fit = fitIn(plain::conclude(outcome, l));
+  Sweep last;
+  if (fit && !residuals.horizontal.empty()) kernel().sweep(readings, inner, progress.disc, residuals, last);
   return fit;
 }
 
@@ -227,31 +328,29 @@ std::optional<FastArcFit> fitArcFast(const ArcSetup& setup, std::span<const doub
                                     : fitKept(setup, readings, residuals);
 }
 
-std::vector<std::optional<FastArcFit>> fitArcsFast(const ArcSetup& setup, std::size_t fits,
-                                                   std::span<const double> a, std::span<const double> e,
-                                                   int threads) {
-  std::vector<std::optional<FastArcFit>> result(fits);
-  if (fits == 0 || a.size() < 3 * fits) return result;
-  assert(a.size() == e.size() && a.size() % fits == 0);
-  const std::size_t count = a.size() / fits, groups = (fits + width - 1) / width;
-  const Variances variances = variancesOf(setup);
+void fitArcsFast(const ArcSetup& setup, std::span<const double> a, std::span<const double> e,
+                 std::span<std::optional<FastArcFit>> fits, int threads) {
+  assert(a.size() == e.size() && (fits.empty() || a.size() % fits.size() == 0));
+  if (a.size() < 3 * fits.size()) std::ranges::fill(fits, std::nullopt);
+  if (fits.empty() || a.size() < 3 * fits.size()) return;
+  constexpr std::size_t batch = width * sideBySide;
+  const std::size_t count = a.size() / fits.size(), batches = (fits.size() + batch - 1) / batch;
+  const Setup inner = inside(setup);
   const auto work = [&](std::size_t begin, std::size_t end) {
-    std::vector<PlaceEquation> places(count);
-    for (std::size_t group = begin; group < end; ++group) {
-      Outcome<Lanes> outcome;
-      const std::size_t first = group * width, held = std::min(width, fits - first);
-      kernel().solveFour(places.data(), a.data() + first * count, e.data() + first * count, count, held,
-                         variances, outcome);
-      for (std::size_t lane = 0; lane < held; ++lane)
-        result[first + lane] = judged(candidate(outcome, lane), outcome.iterations, setup.distance);
+    std::vector<PlaceEquation> places(count * sideBySide);
+    std::array<Conclusion<Lanes>, sideBySide> conclusions;
+    for (std::size_t first = begin * batch; first < std::min(end * batch, fits.size()); first += batch) {
+      const std::size_t held = std::min(batch, fits.size() - first);
+      kernel().solveMany(places.data(), a.data() + first * count, e.data() + first * count, count, held,
+                         inner, conclusions.data());
+      for (std::size_t i = 0; i < held; ++i) fits[first + i] = fitIn(conclusions[i / width], i % width);
     }
   };
   const auto shares = static_cast<std::size_t>(std::max(threads, 1));
   std::vector<std::jthread> others;
   for (std::size_t i = 1; i < shares; ++i)
-    others.emplace_back(work, groups * i / shares, groups * (i + 1) / shares);
-  work(0, groups / shares);
-  return result;
+    others.emplace_back(work, batches * i / shares, batches * (i + 1) / shares);
+  work(0, batches / shares);
 }
 
 }  // namespace alidade

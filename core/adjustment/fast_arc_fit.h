@@ -14,19 +14,26 @@ namespace alidade {
 // The fit of `fitArc` for the usual case, fast: a pair of readings of a perfect theodolite for each place.
 //
 // Such a pair maps one-to-one onto the arc plane, X = L tan a, Y = L tan e sec a (planar: L tan e), so each
-// place gives one condition without a latent arc angle. With the distance of the plane point from the
-// current centre (ux, uy),
+// place gives one condition without a latent arc angle. With the distance (ux, uy) of the plane point from
+// the current centre,
 //
-//   f = (ux² + uy² − R²)/(2R) = 0,   f − (ux δx + uy δy)/R − ρ = 0 after a step,   ρ = (R'² − R² −
-//   |δ|²)/(2R),
+//   f = (ux² + uy² − R²)/2 = 0,   f − ux δx − uy δy − h = 0 after a step,   h = (R'² − R² − |δ|²)/2,
 //
-// linear in the unknowns (δx, δy, ρ). Its weight is 1/(f_a² σ_h² + f_e² σ_v²), and it is linearised at the
-// adjusted readings of the iteration before (errors in both circles, Pope 1972, "Some pitfalls to be avoided
-// in the iterative adjustment of nonlinear problems"), so that the minimum is that of `fitArc`, not an
-// algebraic one. Start: Kåsa's circle. Lengths are in units of L on the way.
+// linear in the unknowns (δx, δy, h). Its weight is 1/(f_a² σ_h² + f_e² σ_v²). Lengths are in units of L on
+// the way.
+//
+// Start: Kåsa's circle. One step with the true first and second derivatives of Σ (v/σ)², got from a series
+// about the readings whose terms grow with residual/R, leads to the minimum of `fitArc` where residuals are a
+// few times 2″; what it leaves is bounded from the step and from the terms not taken along. Where that is not
+// little enough the condition is linearised at the adjusted readings of the iteration before (errors in both
+// circles, Pope 1972, "Some pitfalls to be avoided in the iterative adjustment of nonlinear problems") until
+// it is.
 //
 // Refused, and left to the general fit: |a| or |e| above 45°, a residual above 0.002 rad (5 mm at 2.4 m),
 // places that hardly fix a circle, no convergence in a few iterations.
+//
+// Of many places a part is fitted so, then all take one such step from there. It overshoots by the square of
+// its length; the part, which takes the same step, shows by how much.
 //
 // Four places, or four fits, go side by side through the processor's vector units where it has them. Sums are
 // taken in one order whatever the processor and the number of threads.
@@ -40,7 +47,7 @@ struct ArcSetup {
 
 struct FastArcFit {
   Circle circle;           ///< mm, y up
-  Covariance3 cofactor{};  ///< of (Δx, Δy, R) from the stated σ, mm²
+  Covariance3 cofactor{};  ///< of (Δx, Δy, R) from the stated σ, to some 1e-6 of it, mm²
   double chiSquare = 0;    ///< Σ (v/σ)²; with n − 3 degrees of freedom
   int iterations = 0;
 };
@@ -51,16 +58,14 @@ struct ReadingResiduals {
 };
 
 /// Fits one arc to n places, `a[i]`, `e[i]` in rad, each the mean of `rows[i]` rows of one visit; no `rows`:
-/// of one. Absent where refused. Above some thousand places an evenly taken part of them is fitted first and
-/// all of them in one or two passes from there, without memory for each of them.
+/// of one. Absent where refused. Above some ten thousand places nothing is kept of each of them.
 std::optional<FastArcFit> fitArcFast(const ArcSetup& setup, std::span<const double> a,
                                      std::span<const double> e, std::span<const double> rows = {},
                                      const ReadingResiduals& residuals = {});
 
-/// Fits `fits` arcs of the same number of places n each: reading `i` of fit `j` is `a[j * n + i]`. Entry `j`
-/// of the result is absent where fit `j` is refused. The result does not depend on `threads`.
-std::vector<std::optional<FastArcFit>> fitArcsFast(const ArcSetup& setup, std::size_t fits,
-                                                   std::span<const double> a, std::span<const double> e,
-                                                   int threads = 1);
+/// Fits as many arcs of the same number of places n as `fits` has entries: reading `i` of fit `j` is
+/// `a[j * n + i]`. Entry `j` is left empty where fit `j` is refused. The result does not depend on `threads`.
+void fitArcsFast(const ArcSetup& setup, std::span<const double> a, std::span<const double> e,
+                 std::span<std::optional<FastArcFit>> fits, int threads = 1);
 
 }  // namespace alidade

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -69,7 +70,8 @@ TEST(FastArcFit, MeetsTheHighPrecisionSolutions) {
       EXPECT_NEAR(fit->circle.x, reference.arcs[i].x, smallLength);
       EXPECT_NEAR(fit->circle.y, reference.arcs[i].y, smallLength);
       EXPECT_NEAR(fit->circle.radius, reference.arcs[i].radius, smallLength);
-      EXPECT_NEAR(std::sqrt(fit->cofactor[1][1]), reference.arcs[i].sigmaY, 1e-7 * reference.arcs[i].sigmaY);
+      // Worked out at the circle before the last step, some micrometres away.
+      EXPECT_NEAR(std::sqrt(fit->cofactor[1][1]), reference.arcs[i].sigmaY, 2e-6 * reference.arcs[i].sigmaY);
       EXPECT_NEAR(fit->chiSquare, reference.arcs[i].chiSquare, 1e-8 * (1 + reference.arcs[i].chiSquare));
       ++met;
     }
@@ -83,7 +85,7 @@ TEST(FastArcFit, IsTheGeneralFitOnWhateverItAccepts) {
   std::mt19937_64 generator(20261121);
   std::uniform_real_distribution<double> uniform;
   int accepted = 0;
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < 1000; ++i) {
     Measurement measurement = test::usualMeasurement();
     measurement.distance = std::exp(std::log(600) + uniform(generator) * std::log(40));
     measurement.relation = i % 3 ? VerticalAngleRelation::Exact : VerticalAngleRelation::Planar;
@@ -103,7 +105,7 @@ TEST(FastArcFit, IsTheGeneralFitOnWhateverItAccepts) {
     expectSame(*fast, fitGenerally(measurement, arc, fast->circle));
     ++accepted;
   }
-  EXPECT_GE(accepted, 280);  // the rest: angles above 45°, noise beyond the arc's sagitta
+  EXPECT_GE(accepted, 935);  // the rest: angles above 45°, noise beyond the arc's sagitta
 }
 
 TEST(FastArcFit, ManyAtOnceAreTheSingleOnes) {
@@ -122,8 +124,8 @@ TEST(FastArcFit, ManyAtOnceAreTheSingleOnes) {
     all.a.insert(all.a.end(), columns.a.begin(), columns.a.end());
     all.e.insert(all.e.end(), columns.e.begin(), columns.e.end());
   }
-  const auto result = fitArcsFast(setupOf(measurement), fits, all.a, all.e);
-  ASSERT_EQ(result.size(), fits);
+  std::vector<std::optional<FastArcFit>> result(fits);
+  fitArcsFast(setupOf(measurement), all.a, all.e, result);
   for (std::size_t j = 0; j < fits; ++j) {
     ASSERT_EQ(result[j].has_value(), j != bad) << j;
     if (j == bad) continue;
@@ -131,10 +133,11 @@ TEST(FastArcFit, ManyAtOnceAreTheSingleOnes) {
     EXPECT_NEAR(result[j]->circle.x, alone->circle.x, smallLength);
     EXPECT_NEAR(result[j]->circle.y, alone->circle.y, smallLength);
     EXPECT_NEAR(result[j]->circle.radius, alone->circle.radius, smallLength);
-    EXPECT_NEAR(result[j]->cofactor[1][1], alone->cofactor[1][1], 1e-7 * alone->cofactor[1][1]);
+    EXPECT_NEAR(result[j]->cofactor[1][1], alone->cofactor[1][1], 2e-6 * alone->cofactor[1][1]);
   }
   for (const int threads : {2, 3, 16}) {
-    const auto parallel = fitArcsFast(setupOf(measurement), fits, all.a, all.e, threads);
+    std::vector<std::optional<FastArcFit>> parallel(fits);
+    fitArcsFast(setupOf(measurement), all.a, all.e, parallel, threads);
     for (std::size_t j = 0; j < fits; ++j) {
       ASSERT_EQ(parallel[j].has_value(), result[j].has_value());
       const auto circleOf = [](const auto& fit) { return fit ? fit->circle : Circle{}; };
@@ -161,6 +164,39 @@ TEST(FastArcFit, ManyPlacesMeetTheGeneralFit) {
     EXPECT_NEAR(horizontal[i], general.residuals[i].horizontal.radians(), 1e-7 * unit);
     EXPECT_NEAR(vertical[i], general.residuals[i].vertical.radians(), 1e-7 * unit);
   }
+}
+
+// The part that is fitted first is taken block by block: the order of the places must not matter, nor a
+// pattern in it.
+TEST(FastArcFit, ManyPlacesInAnyOrder) {
+  const Measurement measurement = test::usualMeasurement();
+  std::mt19937_64 generator(4);
+  ArcMeasurement arc = test::perfectArc(measurement, {-2, 1, 400}, test::spread(70003, 120));
+  test::addNoise(arc, measurement, generator);
+  const Columns inOrder = columnsOf(arc);
+  const auto ordered = fitArcFast(setupOf(measurement), inOrder.a, inOrder.e);
+  std::ranges::shuffle(arc.sightings, generator);
+  const Columns columns = columnsOf(arc);
+  const auto shuffled = fitArcFast(setupOf(measurement), columns.a, columns.e);
+  ASSERT_TRUE(ordered && shuffled);
+  EXPECT_NEAR(shuffled->circle.x, ordered->circle.x, smallLength);
+  EXPECT_NEAR(shuffled->circle.y, ordered->circle.y, smallLength);
+  EXPECT_NEAR(shuffled->circle.radius, ordered->circle.radius, smallLength);
+  EXPECT_NEAR(shuffled->cofactor[1][1], ordered->cofactor[1][1], 2e-6 * ordered->cofactor[1][1]);
+}
+
+// Errors that no chance evens out: each place 6″ off, as an unmodelled effect leaves them.
+TEST(FastArcFit, ManyPlacesWithSystematicErrorsMeetTheGeneralFit) {
+  const Measurement measurement = test::usualMeasurement();
+  ArcMeasurement arc = test::perfectArc(measurement, {-2, 1, 400}, test::spread(70003, 120));
+  for (std::size_t i = 0; i < arc.sightings.size(); ++i) {
+    const double turn = 9e-5 * static_cast<double>(i);
+    arc.sightings[i].a = arc.sightings[i].a + Angle::fromArcseconds(6 * std::sin(3 * turn));
+    arc.sightings[i].e = arc.sightings[i].e + Angle::fromArcseconds(6 * std::cos(2 * turn + 1));
+  }
+  const auto fast = fitFast(measurement, arc);
+  ASSERT_TRUE(fast);
+  expectSame(*fast, fitGenerally(measurement, arc, fast->circle));
 }
 
 TEST(FastArcFit, ResidualsAreThoseOfTheGeneralFit) {
