@@ -17,39 +17,48 @@ SIGMA = np.radians(2 / 3600)
 POINTS = 17
 
 
-def plane(readings):
-    a, e = readings
-    return DISTANCE * np.tan(a), DISTANCE * np.tan(e) / np.cos(a)
+def branch(circle, a):
+    """The point of the upper half of the circle that is sighted at a: x, y, and x and y from the centre."""
+    x = DISTANCE * np.tan(a)
+    across = x - circle[0]
+    up = np.sqrt(np.maximum(circle[2] ** 2 - across**2, 1e-9))
+    return x, circle[1] + up, across, up
 
 
-def condition(circle, readings):
-    x, y = plane(readings)
-    return (x - circle[0]) ** 2 + (y - circle[1]) ** 2 - circle[2] ** 2
+def elevation(circle, a):
+    x, y, _, _ = branch(circle, a)
+    return np.arctan(y / np.hypot(x, DISTANCE))
 
 
-def per_circle(circle, readings):
-    x, y = plane(readings)
-    return -2 * np.vstack([x - circle[0], y - circle[1], np.full_like(x, circle[2])])
+def slopes(circle, a):
+    """Of the elevation, by x at a given y and by y; and the point."""
+    x, y, across, up = branch(circle, a)
+    ground = np.hypot(x, DISTANCE)
+    slant = ground**2 + y**2
+    return -y * x / (ground * slant), ground / slant, across, up, x
 
 
-def per_reading(circle, readings):
-    a, e = readings
-    x, y = plane(readings)
-    x_a, y_a = DISTANCE / np.cos(a) ** 2, y * np.tan(a)
-    y_e = DISTANCE / np.cos(e) ** 2 / np.cos(a)
-    return 2 * np.vstack([(x - circle[0]) * x_a + (y - circle[1]) * y_a, (y - circle[1]) * y_e])
+def per_circle(circle, a):
+    _, by_y, across, up, _ = slopes(circle, a)
+    return by_y * np.vstack([across / up, np.ones_like(a), circle[2] / up])
 
 
-MODEL = odr.Model(condition, fjacb=per_circle, fjacd=per_reading, implicit=True)
+def per_reading(circle, a):
+    by_x, by_y, across, up, x = slopes(circle, a)
+    return (by_x - by_y * across / up) * (DISTANCE + x * x / DISTANCE)
+
+
+MODEL = odr.Model(elevation, fjacb=per_circle, fjacd=per_reading)
 
 
 def fit(readings):
-    """An implicit fit with errors in both circles, from Kåsa's circle; with covariance."""
-    x, y = plane(readings)
+    """Errors in both circles; e as a function of a, from Kåsa's circle; with covariance."""
+    a, e = readings
+    x, y = DISTANCE * np.tan(a), DISTANCE * np.tan(e) / np.cos(a)
     kasa = np.linalg.lstsq(np.column_stack([2 * x, 2 * y, np.ones_like(x)]), x * x + y * y, rcond=None)[0]
     start = [kasa[0], kasa[1], np.sqrt(kasa[2] + kasa[0] ** 2 + kasa[1] ** 2)]
-    job = odr.ODR(odr.Data(readings, 1, wd=1 / SIGMA**2), MODEL, beta0=start)
-    job.set_job(fit_type=1, deriv=2)
+    job = odr.ODR(odr.Data(a, e, wd=1 / SIGMA**2, we=1 / SIGMA**2), MODEL, beta0=start)
+    job.set_job(fit_type=0, deriv=3)  # derivatives given and not checked again
     return job.run().beta
 
 

@@ -85,7 +85,7 @@ TEST(FastArcFit, IsTheGeneralFitOnWhateverItAccepts) {
   std::mt19937_64 generator(20261121);
   std::uniform_real_distribution<double> uniform;
   int accepted = 0;
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < 500; ++i) {
     Measurement measurement = test::usualMeasurement();
     measurement.distance = std::exp(std::log(600) + uniform(generator) * std::log(40));
     measurement.relation = i % 3 ? VerticalAngleRelation::Exact : VerticalAngleRelation::Planar;
@@ -105,7 +105,7 @@ TEST(FastArcFit, IsTheGeneralFitOnWhateverItAccepts) {
     expectSame(*fast, fitGenerally(measurement, arc, fast->circle));
     ++accepted;
   }
-  EXPECT_GE(accepted, 935);  // the rest: angles above 45°, noise beyond the arc's sagitta
+  EXPECT_GE(accepted, 467);  // the rest: angles above 45°, noise beyond the arc's sagitta
 }
 
 TEST(FastArcFit, ManyAtOnceAreTheSingleOnes) {
