@@ -5,13 +5,13 @@
 #include <cmath>
 #include <limits>
 
+#include "core/adjustment/arc_jets.h"
+
 namespace alidade {
 
 namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
-using PerfectJet = Eigen::AutoDiffScalar<Eigen::Matrix<double, firstTermSlot, 1>>;  // without error terms
-using AnyJet = Eigen::AutoDiffScalar<Slots>;
 
 constexpr double largestTurn =
     0.3;  // rad of arc angle in one step; keeps a poor start on its side of the circle
@@ -166,22 +166,31 @@ ReadingRef JointProblem::cellOf(std::size_t visitIndex, Index row) const {
   return {arc, sighting, ReadingKind::Slider};
 }
 
-template <typename Jet>
-JointProblem::JetState<Jet> JointProblem::jetsOf(const JointState& state, std::size_t visit) const {
-  const auto& map = m_slotMaps[m_visits[visit].arc];
-  const auto constant = [&](double value) { return Jet(value, Jet::DerType::Zero(slots())); };
-  const auto variable = [&](double value, int slot) { return Jet(value, slots(), slot); };
-  const auto jet = [&](std::size_t slot, double base) {
-    return map[slot] < 0 ? constant(base)
-                         : variable(base + state.unknowns[map[slot]], static_cast<int>(slot));
+template <typename Jets>
+Jets JointProblem::jetsOf(const JointState& state, std::size_t arc) const {
+  using GuidewayJet = typename Jets::GuidewayJet;
+  const auto value = [&](std::size_t slot, double base) {
+    const Index unknown = m_slotMaps[arc][slot];
+    return unknown < 0 ? base : base + state.unknowns[unknown];
   };
+  const auto guideway = [&](int slot, Unknown::Kind kind, double base) {
+    return Jets::template variable<GuidewayJet>(value(static_cast<std::size_t>(kind), base), slot);
+  };
+  using enum Unknown::Kind;
+  Jets jets;
+  jets.pose.x = guideway(Jets::xSlot, CentreX, 0);
+  jets.pose.y = guideway(Jets::ySlot, CentreY, 0);
   const double radiusBase = m_measurement.radiusModel == RadiusModel::Known ? m_measurement.nominalRadius : 0;
-  JetState<Jet> jets{ErrorTerms<Jet>(constant(0)),
-                     {jet(0, 0), jet(1, 0), jet(2, radiusBase), jet(3, 0), jet(4, 0), jet(5, 0)},
-                     jet(distanceSlot, m_measurement.distance),
-                     variable(state.arcAngles[static_cast<Index>(visit)], phiSlot)};
+  jets.pose.radius = guideway(Jets::radiusSlot, Radius, radiusBase);
+  jets.pose.sliderZero = guideway(Jets::sliderSlot, SliderZero, 0);
+  jets.distance =
+      Jets::template variable<GuidewayJet>(value(distanceSlot, m_measurement.distance), Jets::farSlot);
+  jets.horizontalZero = value(static_cast<std::size_t>(HorizontalZero), 0);
+  jets.verticalZero = value(static_cast<std::size_t>(VerticalZero), 0);
   for (std::size_t t = 0; t < m_terms.size(); ++t)
-    jets.errors.set(m_terms[t].term, jet(firstTermSlot + t, m_terms[t].priorValue));
+    jets.set(m_terms[t].term, value(firstTermSlot + t, m_terms[t].priorValue));
+  jets.zero = circleDirection(jets.instrumentErrors, Jets::asTarget(0, 0, -jets.distance.value()),
+                              zeroPointing(m_measurement.arcs[arc]));
   return jets;
 }
 
@@ -210,23 +219,86 @@ bool JointProblem::takesPart(std::size_t arc, std::size_t sighting, ReadingKind 
 }
 
 VisitEquations JointProblem::equationsOf(const JointState& state, std::size_t visit) const {
-  return m_terms.empty() ? equationsWith<PerfectJet>(state, visit) : equationsWith<AnyJet>(state, visit);
+  const std::size_t arc = m_visits[visit].arc;
+  return m_terms.empty() ? equationsWith(jetsOf<ArcJets<false>>(state, arc), state, visit)
+                         : equationsWith(jetsOf<ArcJets<true>>(state, arc), state, visit);
 }
 
-template <typename Jet>
-VisitEquations JointProblem::equationsWith(const JointState& state, std::size_t visitIndex) const {
+std::vector<VisitEquations> JointProblem::equationsOf(const JointState& state) const {
+  return m_terms.empty() ? equationsWith<ArcJets<false>>(state) : equationsWith<ArcJets<true>>(state);
+}
+
+template <typename Jets>
+std::vector<VisitEquations> JointProblem::equationsWith(const JointState& state) const {
+  std::vector<Jets> jets;
+  for (std::size_t arc = 0; arc < m_measurement.arcs.size(); ++arc) jets.push_back(jetsOf<Jets>(state, arc));
+  std::vector<VisitEquations> equations;
+  equations.reserve(m_visits.size());
+  for (std::size_t v = 0; v < m_visits.size(); ++v)
+    equations.push_back(equationsWith(jets[m_visits[v].arc], state, v));
+  return equations;
+}
+
+namespace {
+
+/// The row of a circle reading: by the target's place and the instrument's terms, both less those of the
+/// zero.
+template <typename Jets>
+void fillRow(VisitEquations::Jacobian::RowXpr row, const typename Jets::InstrumentJet& sighted,
+             const typename Jets::InstrumentJet& zero, const SpacePoint<typename Jets::GuidewayJet>& target,
+             const std::vector<EstimatedTerm>& terms) {
+  const auto& by = sighted.derivatives();
+  const typename Jets::GuidewayJet::DerType place =
+      by[0] * target.x.derivatives() + by[1] * target.y.derivatives() + by[2] * target.z.derivatives();
+  row.setZero();
+  row[static_cast<int>(Unknown::Kind::CentreX)] = place[Jets::xSlot];
+  row[static_cast<int>(Unknown::Kind::CentreY)] = place[Jets::ySlot];
+  row[static_cast<int>(Unknown::Kind::Radius)] = place[Jets::radiusSlot];
+  row[distanceSlot] = place[Jets::farSlot] + zero.derivatives()[2];  // the zero's target stands at −L
+  row[phiSlot] = place[Jets::angleSlot];
+  for (std::size_t t = 0; t < terms.size(); ++t) {
+    const auto term = static_cast<std::size_t>(terms[t].term);
+    const auto slot = static_cast<Index>(firstTermSlot + t);
+    if (term >= firstGuidewayTerm) {
+      row[slot] = place[static_cast<Index>(Jets::guidewayTermSlot + term - firstGuidewayTerm)];
+    } else {
+      const auto own = static_cast<Index>(Jets::instrumentTermSlot + term);
+      row[slot] = by[own] - zero.derivatives()[own];
+    }
+  }
+}
+
+template <typename Jets>
+void fillSliderRow(VisitEquations::Jacobian::RowXpr row, const typename Jets::GuidewayJet& reading,
+                   const std::vector<EstimatedTerm>& terms) {
+  const auto& by = reading.derivatives();
+  row.setZero();
+  row[static_cast<int>(Unknown::Kind::SliderZero)] = by[Jets::sliderSlot];
+  row[phiSlot] = by[Jets::angleSlot];
+  for (std::size_t t = 0; t < terms.size(); ++t)
+    if (const auto term = static_cast<std::size_t>(terms[t].term); term >= firstGuidewayTerm)
+      row[static_cast<Index>(firstTermSlot + t)] =
+          by[static_cast<Index>(Jets::guidewayTermSlot + term - firstGuidewayTerm)];
+}
+
+}  // namespace
+
+template <typename Jets>
+VisitEquations JointProblem::equationsWith(const Jets& jets, const JointState& state,
+                                           std::size_t visitIndex) const {
   const auto& [arcIndex, visit, slider] = m_visits[visitIndex];
   const ArcMeasurement& arc = m_measurement.arcs[arcIndex];
-  const JetState<Jet> jets = jetsOf<Jet>(state, visitIndex);
-  const Jet nothing(0, Jet::DerType::Zero(slots()));
-  const SpacePoint<Jet> target = targetAt(jets.errors, jets.pose, jets.distance, jets.phi, arc.axisDeg);
-  // A perfect theodolite reads its zero straight ahead, and every sighting of the visit alike.
-  const bool isPerfect = jets.errors.isPerfect();
-  Direction<Jet> zero{nothing, nothing}, sighted{nothing, nothing};
-  if (isPerfect)
-    sighted = circleDirection(jets.errors, target, zeroPointing(arc));
-  else
-    zero = circleDirection(jets.errors, {nothing, nothing, Jet(-jets.distance)}, zeroPointing(arc));
+  using GuidewayJet = typename Jets::GuidewayJet;
+  using InstrumentJet = typename Jets::InstrumentJet;
+  const GuidewayJet phi =
+      Jets::template variable<GuidewayJet>(state.arcAngles[static_cast<Index>(visitIndex)], Jets::angleSlot);
+  const SpacePoint<GuidewayJet> place =
+      targetAt(jets.guidewayErrors, jets.pose, jets.distance, phi, arc.axisDeg);
+  const SpacePoint<InstrumentJet> target = Jets::asTarget(place.x.value(), place.y.value(), place.z.value());
+  // A perfect instrument reads alike whatever the face.
+  const bool isPerfect = jets.instrumentErrors.isPerfect();
+  Direction<InstrumentJet> sighted = jets.zero;
+  if (isPerfect) sighted = circleDirection(jets.instrumentErrors, target, zeroPointing(arc));
 
   VisitEquations equations;
   assert(visit.sightings.size() <= 2);
@@ -234,26 +306,29 @@ VisitEquations JointProblem::equationsWith(const JointState& state, std::size_t 
   equations.residual.resize(rows);
   equations.jacobian.resize(rows, slots());
   Index row = 0;
-  const auto put = [&](double difference, const Jet& model, double sigma, bool takesPart) {
+  const auto weigh = [&](double difference, double sigma, bool takesPart) {
     const double weight = takesPart ? 1 / sigma : 0;
     equations.residual[row] = difference * weight;
-    equations.jacobian.row(row++) = model.derivatives().transpose() * weight;
+    equations.jacobian.row(row++) *= weight;
   };
   for (const std::size_t i : visit.sightings) {
     const Sighting& sighting = arc.sightings[i];
-    if (!isPerfect) sighted = circleDirection(jets.errors, target, pointingOf(arc, sighting));
-    const Jet a = sighted.a - zero.a - jets.pose.horizontalZero,
-              e = sighted.e - zero.e + jets.pose.verticalZero;
-    put(sighting.a.radians() - a.value(), a, m_measurement.sigmaHorizontal.radians(),
-        takesPart(arcIndex, i, ReadingKind::Horizontal));
-    put(sighting.e.radians() - e.value(), e, m_measurement.sigmaVertical.radians(),
-        takesPart(arcIndex, i, ReadingKind::Vertical));
+    if (!isPerfect) sighted = circleDirection(jets.instrumentErrors, target, pointingOf(arc, sighting));
+    fillRow<Jets>(equations.jacobian.row(row), sighted.a, jets.zero.a, place, m_terms);
+    equations.jacobian(row, static_cast<int>(Unknown::Kind::HorizontalZero)) = -1;
+    weigh(sighting.a.radians() - (sighted.a.value() - jets.zero.a.value() - jets.horizontalZero),
+          m_measurement.sigmaHorizontal.radians(), takesPart(arcIndex, i, ReadingKind::Horizontal));
+    fillRow<Jets>(equations.jacobian.row(row), sighted.e, jets.zero.e, place, m_terms);
+    equations.jacobian(row, static_cast<int>(Unknown::Kind::VerticalZero)) = 1;
+    weigh(sighting.e.radians() - (sighted.e.value() - jets.zero.e.value() + jets.verticalZero),
+          m_measurement.sigmaVertical.radians(), takesPart(arcIndex, i, ReadingKind::Vertical));
   }
   if (slider) {
-    const Jet s = observeSlider(jets.errors, jets.pose, jets.phi, arc.axisDeg);
-    put(wrapped(*slider->slider - Angle::fromRadians(s.value())).radians(), s,
-        m_measurement.sigmaSlider.radians(),
-        takesPart(arcIndex, static_cast<std::size_t>(slider - arc.sightings.data()), ReadingKind::Slider));
+    const GuidewayJet s = observeSlider(jets.guidewayErrors, jets.pose, phi, arc.axisDeg);
+    fillSliderRow<Jets>(equations.jacobian.row(row), s, m_terms);
+    weigh(wrapped(*slider->slider - Angle::fromRadians(s.value())).radians(),
+          m_measurement.sigmaSlider.radians(),
+          takesPart(arcIndex, static_cast<std::size_t>(slider - arc.sightings.data()), ReadingKind::Slider));
   }
   equations.along = equations.jacobian.col(phiSlot).normalized();
   return equations;
@@ -295,12 +370,11 @@ SlotMatrix JointProblem::gathered(const MatrixXd& values, std::size_t arc) const
 }
 
 JointSystem JointProblem::system(const JointState& state) const {
-  JointSystem system{{}, MatrixXd::Zero(count(), count()), VectorXd::Zero(count()), 0};
-  system.equations.reserve(m_visits.size());
+  JointSystem system{equationsOf(state), MatrixXd::Zero(count(), count()), VectorXd::Zero(count()), 0};
   const SlotSystem nothing{SlotMatrix::Zero(slots(), slots()), Slots::Zero(slots())};
   std::vector<SlotSystem> ofArcs(m_measurement.arcs.size(), nothing);
   for (std::size_t v = 0; v < m_visits.size(); ++v) {
-    const VisitEquations& equations = system.equations.emplace_back(equationsOf(state, v));
+    const VisitEquations& equations = system.equations[v];
     system.chiSquare += equations.residual.squaredNorm();
     SlotSystem& ofArc = ofArcs[m_visits[v].arc];
     if (m_terms.empty())

@@ -3,7 +3,6 @@
 #include <Eigen/Core>
 #include <array>
 #include <limits>
-#include <unsupported/Eigen/AutoDiff>
 #include <vector>
 
 #include "core/adjustment/joint_fit.h"
@@ -78,6 +77,8 @@ class JointProblem {
   /// The reading behind a row of a visit's equations.
   ReadingRef cellOf(std::size_t visit, Eigen::Index row) const;
   VisitEquations equationsOf(const JointState& state, std::size_t visit) const;
+  /// Of every visit.
+  std::vector<VisitEquations> equationsOf(const JointState& state) const;
   JointSystem system(const JointState& state) const;
   /// The state after a step of the estimated unknowns, each arc angle following by its own equation.
   /// `equations`: those of `state`, of each visit.
@@ -97,15 +98,6 @@ class JointProblem {
   static Slots reduced(const VisitEquations& equations, Eigen::Index row);
 
  private:
-  /// What a visit's readings hang on, each with its derivatives. Without error terms the jets are of a fixed
-  /// size, which the compiler unrolls.
-  template <typename Jet>
-  struct JetState {
-    ErrorTerms<Jet> errors;
-    ArcPose<Jet> pose;
-    Jet distance, phi;
-  };
-
   int slots() const { return firstTermSlot + static_cast<int>(m_terms.size()); }
   Eigen::Index count() const { return static_cast<Eigen::Index>(m_estimated.size() + m_considered.size()); }
   /// What is known of an estimated unknown beforehand.
@@ -119,10 +111,12 @@ class JointProblem {
   void estimate(const Unknown& unknown, const Prior& prior);
   void consider(const Unknown& unknown, double sigma);
   void buildSlotMaps();
-  template <typename Jet>
-  JetState<Jet> jetsOf(const JointState& state, std::size_t visit) const;
-  template <typename Jet>
-  VisitEquations equationsWith(const JointState& state, std::size_t visit) const;
+  template <typename Jets>
+  Jets jetsOf(const JointState& state, std::size_t arc) const;
+  template <typename Jets>
+  VisitEquations equationsWith(const Jets& jets, const JointState& state, std::size_t visit) const;
+  template <typename Jets>
+  std::vector<VisitEquations> equationsWith(const JointState& state) const;
   Pointing zeroPointing(const ArcMeasurement& arc) const;
   Pointing pointingOf(const ArcMeasurement& arc, const Sighting& sighting) const;
   bool takesPart(std::size_t arc, std::size_t sighting, ReadingKind kind) const;

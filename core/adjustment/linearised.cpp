@@ -37,12 +37,8 @@ std::array<int, firstTermSlot> unknownsOfSlots(const std::vector<Unknown>& unkno
   return slots;
 }
 
-}  // namespace
-
-Linearised linearise(const Measurement& measurement, const JointFit& fit, const JointFitOptions& options) {
-  const JointFitOptions everyTerm = withEveryTerm(options);
-  const JointProblem problem(measurement, everyTerm);
-  const JointState state = problem.stateOf(fit);
+Linearised linearisedAt(const Measurement& measurement, const JointProblem& problem, const JointState& state,
+                        const std::vector<EstimatedTerm>& terms) {
   Linearised result;
   result.visits = problem.visits().size();
   for (std::size_t i = 0; i < problem.estimated().size(); ++i) {
@@ -64,28 +60,47 @@ Linearised linearise(const Measurement& measurement, const JointFit& fit, const 
   std::vector<std::array<int, firstTermSlot>> slots;
   for (std::size_t arc = 0; arc < measurement.arcs.size(); ++arc)
     slots.push_back(unknownsOfSlots(result.unknowns, arc));
-  result.perUnknown.assign(fit.readings.size() * result.unknowns.size(), 0);
-  result.perTerm.assign(fit.readings.size() * errorTermCount, 0);
+  const std::vector<VisitEquations> all = problem.equationsOf(state);
+  std::size_t readings = 0;
+  for (const VisitEquations& equations : all) readings += static_cast<std::size_t>(equations.residual.size());
+  result.readings.reserve(readings);
+  result.perUnknown.assign(readings * result.unknowns.size(), 0);
+  result.perTerm.assign(readings * errorTermCount, 0);
   for (std::size_t v = 0; v < result.visits; ++v) {
-    const VisitEquations equations = problem.equationsOf(state, v);
+    const VisitEquations& equations = all[v];
     const std::size_t arc = problem.visits()[v].arc;
     for (Index row = 0; row < equations.residual.size(); ++row) {
       const std::size_t i = result.readings.size();
-      const AdjustedReading& reading = fit.readings[i];
-      const std::size_t sequence = measurement.arcs[arc].sightings[reading.sighting].sequence;
-      result.readings.push_back({arc, reading.sighting, v, sequence, reading.kind, reading.sigma,
-                                 equations.residual[row], !equations.jacobian.row(row).isZero(0),
-                                 equations.along[row]});
+      const ReadingRef cell = problem.cellOf(v, row);
+      result.readings.push_back({arc, cell.sighting, v,
+                                 measurement.arcs[arc].sightings[cell.sighting].sequence, cell.kind,
+                                 statedSigma(measurement, cell.kind).radians(), equations.residual[row],
+                                 !equations.jacobian.row(row).isZero(0), equations.along[row]});
       for (std::size_t slot = 0; slot < firstTermSlot; ++slot)
         if (slots[arc][slot] >= 0)
           result.perUnknown[i * result.unknowns.size() + static_cast<std::size_t>(slots[arc][slot])] =
               equations.jacobian(row, static_cast<Index>(slot));
-      for (std::size_t t = 0; t < everyTerm.terms.size(); ++t)
-        result.perTerm[i * errorTermCount + static_cast<std::size_t>(everyTerm.terms[t].term)] =
+      for (std::size_t t = 0; t < terms.size(); ++t)
+        result.perTerm[i * errorTermCount + static_cast<std::size_t>(terms[t].term)] =
             equations.jacobian(row, static_cast<Index>(firstTermSlot + t));
     }
   }
   return result;
+}
+
+}  // namespace
+
+Linearised linearise(const Measurement& measurement, const JointFit& fit, const JointFitOptions& options) {
+  const JointFitOptions everyTerm = withEveryTerm(options);
+  const JointProblem problem(measurement, everyTerm);
+  return linearisedAt(measurement, problem, problem.stateOf(fit), everyTerm.terms);
+}
+
+Linearised linearise(const Measurement& measurement, const std::vector<Circle>& circles,
+                     const JointFitOptions& options) {
+  const JointFitOptions everyTerm = withEveryTerm(options);
+  const JointProblem problem(measurement, everyTerm);
+  return linearisedAt(measurement, problem, problem.start(circles), everyTerm.terms);
 }
 
 }  // namespace alidade

@@ -55,4 +55,8 @@ struct Linearised {
 Linearised linearise(const Measurement& measurement, const JointFit& fit,
                      const JointFitOptions& options = {});
 
+/// Where no fit is needed, since the readings lie on these circles, one for each arc: planned ones, say.
+Linearised linearise(const Measurement& measurement, const std::vector<Circle>& circles,
+                     const JointFitOptions& options = {});
+
 }  // namespace alidade

@@ -147,15 +147,15 @@ std::vector<FurtherReadings> furtherReadings(const GapModel& model) {
 }
 
 Leftover leftoverWith(const GapModel& model, const FurtherReadings& plan) {
-  std::vector<Circle> starts;
+  std::vector<Circle> circles;
   for (std::size_t arc = 0; arc < model.measurement.arcs.size(); ++arc)
-    starts.push_back(model.fit.circleOf(arc));
+    circles.push_back(model.fit.circleOf(arc));
   JointFitOptions options;
   options.terms = model.options.terms;
   for (EstimatedTerm& term : options.terms) term.start = 0;
   std::vector<Linearised> sets;
   for (const Measurement& set : plan.sets)
-    sets.push_back(linearise(set, fitJointly(set, starts, options), options));
+    sets.push_back(linearise(set, circles, options));
   return Leftover(sets, options.terms);
 }
 

@@ -11,6 +11,7 @@ awk '
     split("base session exchange observation effects adjustment diagnosis simulation", order)
     for (i in order) level[order[i]] = i
     # Equations shared by the sources of one folder, and by nobody else.
+    inner["core/adjustment/arc_jets.h"]
     inner["core/adjustment/joint_problem.h"]
     split("advice answer causes column_table component explanation further_readings gain gap_model gap_size " \
           "held_out inquiry known_components leftover location look_alikes misread_circle search " \

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <unsupported/Eigen/AutoDiff>
+
+#include "core/observation/observe.h"
+
+namespace alidade {
+
+// What all readings of one arc hang on, each with its derivatives, for joint_problem.cpp. A reading is made
+// in two stages, and so are its derivatives: the guideway says where the target stands, the instrument what
+// it reads there. Either stage knows the derivatives by its own quantities only; the chain rule joins them.
+// Jets are of a fixed size, which the compiler unrolls.
+
+inline constexpr auto firstGuidewayTerm = static_cast<std::size_t>(ErrorTerm::PlaneTiltX);
+
+template <bool withErrors>
+struct ArcJets {
+  /// x, y, R, zero of the slider, L, φ, then the terms from `firstGuidewayTerm` on.
+  static constexpr int xSlot = 0, ySlot = 1, radiusSlot = 2, sliderSlot = 3, farSlot = 4, angleSlot = 5,
+                       guidewayTermSlot = 6;
+  /// The target's x, y, z, then the terms before `firstGuidewayTerm`. Even sizes are quicker.
+  static constexpr int instrumentTermSlot = 3;
+  using GuidewayJet = Eigen::AutoDiffScalar<Eigen::Vector<double, withErrors ? 20 : 6>>;
+  using InstrumentJet = Eigen::AutoDiffScalar<Eigen::Vector<double, withErrors ? 18 : 4>>;
+
+  ErrorTerms<GuidewayJet> guidewayErrors{constant<GuidewayJet>(0)};
+  ErrorTerms<InstrumentJet> instrumentErrors{constant<InstrumentJet>(0)};
+  ArcPose<GuidewayJet> pose{constant<GuidewayJet>(0), constant<GuidewayJet>(0), constant<GuidewayJet>(0),
+                            constant<GuidewayJet>(0), constant<GuidewayJet>(0), constant<GuidewayJet>(0)};
+  GuidewayJet distance = constant<GuidewayJet>(0);
+  Direction<InstrumentJet> zero{constant<InstrumentJet>(0),
+                                constant<InstrumentJet>(0)};  ///< to the pointing zero
+  double horizontalZero = 0, verticalZero = 0;                ///< their errors
+
+  template <typename Jet>
+  static Jet constant(double value) {
+    return Jet(value, Jet::DerType::Zero());
+  }
+  template <typename Jet>
+  static Jet variable(double value, int slot) {
+    return Jet(value, static_cast<int>(Jet::DerType::SizeAtCompileTime), slot);
+  }
+
+  void set(ErrorTerm term, double size) {
+    const auto index = static_cast<std::size_t>(term);
+    if (index < firstGuidewayTerm)
+      instrumentErrors.set(term, variable<InstrumentJet>(size, instrumentTermSlot + static_cast<int>(index)));
+    else
+      guidewayErrors.set(
+          term, variable<GuidewayJet>(size, guidewayTermSlot + static_cast<int>(index - firstGuidewayTerm)));
+  }
+
+  /// As the instrument's stage sees it.
+  static SpacePoint<InstrumentJet> asTarget(double x, double y, double z) {
+    return {variable<InstrumentJet>(x, 0), variable<InstrumentJet>(y, 1), variable<InstrumentJet>(z, 2)};
+  }
+};
+
+}  // namespace alidade

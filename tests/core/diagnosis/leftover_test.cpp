@@ -1,0 +1,68 @@
+#include "core/diagnosis/leftover.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/adjustment/session_fit.h"
+#include "core/diagnosis/steps_in_time.h"
+#include "tests/support/trials.h"
+
+namespace alidade {
+namespace {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+/// Two faces, two rounds, slider readings.
+const Leftover& leftover() {
+  static const Leftover instance = [] {
+    const Measurement measurement = test::trialMeasurement("full");
+    return Leftover({linearise(measurement, fitSession(measurement).joint)});
+  }();
+  return instance;
+}
+
+double greatest(const MatrixXd& matrix) {
+  return matrix.cwiseAbs().maxCoeff();
+}
+
+TEST(Leftover, KnowsTheGramMatrixOfSparseColumns) {
+  SparseColumns sparse(5);
+  MatrixXd dense = MatrixXd::Zero(leftover().readings(), 5);
+  for (Index i = 0; i < leftover().readings(); ++i) {
+    if (i % 3 == 1) continue;
+    const Index first = i % 4, length = first == 0 ? 5 : 1;
+    const Eigen::RowVectorXd values = Eigen::RowVectorXd::LinSpaced(length, 1, std::cos(double(i)));
+    sparse.add(i, first, values);
+    dense.row(i).segment(first, length) = values;
+  }
+  const MatrixXd visible = leftover().visible(dense);
+  const MatrixXd gram = visible.transpose() * visible;
+  EXPECT_LT(greatest(leftover().visibleGram(sparse) - gram), 1e-11 * greatest(gram));
+  const VectorXd any = leftover().observed().head(leftover().readings());
+  EXPECT_LT(greatest(sparse.transposeTimes(any) - dense.transpose() * any), 1e-10);
+  const VectorXd weights = VectorXd::LinSpaced(5, -1, 2);
+  EXPECT_LT(greatest(sparse.times(weights, dense.rows()) - dense * weights), 1e-12);
+}
+
+TEST(StepsInTime, AreTheSumsOverEveryReadingFromTheMomentOn) {
+  constexpr double size = 1e-4;
+  const std::vector<std::size_t> moments{1, 7, 40, 41, 135};
+  const StepsInTime steps(leftover(), moments, size);
+  const VectorXd any = leftover().residual().head(leftover().readings());
+  const Eigen::Matrix2Xd products = steps.products(any);
+  for (std::size_t m = 0; m < moments.size(); ++m) {
+    MatrixXd columns(leftover().readings(), 2);
+    columns << leftover().column(ErrorTerm::HorizontalJump), leftover().column(ErrorTerm::VerticalJump);
+    for (Index i = 0; i < columns.rows(); ++i)
+      if (leftover().reading(i).sequence < moments[m]) columns.row(i).setZero();
+    columns *= size;
+    const MatrixXd visible = leftover().visible(columns), gram = visible.transpose() * visible;
+    const double scale = columns.squaredNorm();
+    EXPECT_LT(greatest(products.col(static_cast<Index>(m)) - columns.transpose() * any), 1e-13 * scale);
+    EXPECT_LT(greatest(steps.gram(m) - gram), 1e-12 * scale);
+  }
+}
+
+}  // namespace
+}  // namespace alidade
