@@ -23,7 +23,9 @@ ColumnTable::ColumnTable(const Leftover& leftover, const std::vector<Component>&
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     auto squares = m_squares.segment(first(i), count(i));
     if (candidates[i].curvature.cols() > 0) {
-      squares = bentColumns(candidates[i]).colwise().squaredNorm();
+      const MatrixXd columns = bentColumns(candidates[i]);
+      m_bentGram = columns.transpose() * columns;
+      squares = m_bentGram.diagonal();
     } else if (candidates[i].gram.cols() == 1) {
       squares = candidates[i].gram.col(0);
     } else {
@@ -43,6 +45,11 @@ Index ColumnTable::first(std::size_t component) const {
 
 Index ColumnTable::count(std::size_t component) const {
   return component < m_candidates.size() ? m_first[component + 1] - m_first[component] : 1;
+}
+
+MatrixXd ColumnTable::gram(std::size_t component) const {
+  if (component < m_candidates.size() && m_candidates[component].curvature.cols() > 0) return m_bentGram;
+  return m_squares.segment(first(component), count(component)).asDiagonal();
 }
 
 VectorXd ColumnTable::products(const VectorXd& visible) const {

@@ -22,6 +22,8 @@ class ColumnTable {
   Eigen::Index count(std::size_t component) const;
   /// The squared length of every column.
   const Eigen::VectorXd& squares() const { return m_squares; }
+  /// The inner products of a component's columns with one another.
+  Eigen::MatrixXd gram(std::size_t component) const;
   /// The inner products of all columns with a vector that is visible, rows() long.
   Eigen::VectorXd products(const Eigen::VectorXd& visible) const;
   /// The same with each column of a component: count × size().
@@ -36,6 +38,7 @@ class ColumnTable {
   std::vector<Eigen::MatrixXd> m_turns;  ///< empty: not turned
   Eigen::Index m_size = 0;
   Eigen::VectorXd m_squares;
+  Eigen::MatrixXd m_bentGram;  ///< of the one component that bends
   StepsInTime m_steps;
 
   Eigen::MatrixXd visibleColumns(std::size_t component) const;

@@ -1,6 +1,7 @@
 #include "core/diagnosis/explanation.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/diagnosis/gain.h"
@@ -18,19 +19,21 @@ template <typename Density>
 double logOverScales(double chiSquare, double f, double reference, double from, double to,
                      const Density& logDensity, double& likeliest) {
   constexpr int steps = 60;
-  const double step = (to - from) / steps;
-  double sum = impossible, best = impossible;
+  const double step = (to - from) / steps, logReference = std::log(reference);
+  std::array<double, steps + 1> values;
+  int best = 0;
   for (int i = 0; i <= steps; ++i) {
-    const double log = from + step * i, scale = std::exp(log);
-    const double value = logDensity(log) - f * (log - std::log(reference)) -
-                         0.5 * chiSquare * (1 / (scale * scale) - 1 / (reference * reference));
-    sum = logSum(sum, value);
-    if (value > best) {
-      best = value;
-      likeliest = scale;
-    }
+    const double log = from + step * i;
+    values[static_cast<std::size_t>(i)] =
+        logDensity(log) - f * (log - logReference) -
+        0.5 * chiSquare * (std::exp(-2 * log) - 1 / (reference * reference));
+    if (values[static_cast<std::size_t>(i)] > values[static_cast<std::size_t>(best)]) best = i;
   }
-  return sum + std::log(step);
+  likeliest = std::exp(from + step * best);
+  const double highest = values[static_cast<std::size_t>(best)];
+  double sum = 0;
+  for (const double value : values) sum += std::exp(value - highest);
+  return highest + std::log(sum * step);
 }
 
 constexpr double knownTo = 0.1;  // the stated σ holds to a tenth

@@ -154,8 +154,7 @@ Leftover leftoverWith(const GapModel& model, const FurtherReadings& plan) {
   options.terms = model.options.terms;
   for (EstimatedTerm& term : options.terms) term.start = 0;
   std::vector<Linearised> sets;
-  for (const Measurement& set : plan.sets)
-    sets.push_back(linearise(set, circles, options));
+  for (const Measurement& set : plan.sets) sets.push_back(linearise(set, circles, options));
   return Leftover(sets, options.terms);
 }
 

@@ -33,6 +33,7 @@ Leftover::Leftover(const std::vector<Linearised>& sets, const std::vector<Estima
   m_base *= scale.asDiagonal();
   const Eigen::ColPivHouseholderQR<MatrixXd> qr(m_base);
   m_basis = qr.householderQ() * MatrixXd::Identity(m_base.rows(), qr.rank());
+  m_basisOfRows = m_basis.transpose();
   m_observed = outsideArcAngles(m_observed);
   m_residual = visible(m_observed);
   m_redundancy = VectorXd::Ones(readings());
@@ -109,7 +110,6 @@ MatrixXd Leftover::visible(const MatrixXd& columns) const {
 MatrixXd Leftover::visibleGram(const SparseColumns& columns) const {
   const Index count = columns.columns();
   MatrixXd gram = MatrixXd::Zero(count, count), taken = MatrixXd::Zero(m_basis.cols(), count);
-  const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> basis = m_basis;
   VectorXd share = VectorXd::Zero(count);
   for (std::size_t i = 0; i < columns.runs();) {
     const std::size_t visit = reading(columns.run(i).row).visit;
@@ -118,7 +118,7 @@ MatrixXd Leftover::visibleGram(const SparseColumns& columns) const {
       const auto [row, first, values] = columns.run(i);
       const Index length = values.size();
       gram.block(first, first, length, length) += values.transpose().lazyProduct(values);
-      taken.middleCols(first, length) += basis.row(row).transpose().lazyProduct(values);
+      taken.middleCols(first, length) += m_basisOfRows.col(row).lazyProduct(values);
       share.segment(first, length) += reading(row).along * values.transpose();
       from = std::min(from, first);
       to = std::max(to, first + length);

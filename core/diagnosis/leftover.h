@@ -57,7 +57,7 @@ class Leftover {
   std::vector<std::vector<Eigen::Index>> m_visits;
   Eigen::VectorXd m_observed, m_residual, m_redundancy;
   Eigen::MatrixXd m_base;
-  Eigen::MatrixXd m_basis;
+  Eigen::MatrixXd m_basis, m_basisOfRows;  ///< the latter transposed
   int m_degreesOfFreedom = 0;
 
   void eliminateArcAngles(Eigen::MatrixXd& columns) const;

@@ -49,8 +49,7 @@ std::vector<Explanation> Search::grown(double variance) {
   for (std::vector<State> level{std::move(nothing)}; !level.empty();) {
     level = next(level);
     for (const State& state : level) found.push_back(state.found);
-    // A step that costs more than it gains is kept once, never grown further.
-    std::erase_if(level, [&](const State& s) { return !mayGrow(s) || s.found.parts.back().logGain < 0; });
+    std::erase_if(level, [&](const State& s) { return !mayGrow(s); });
   }
   return found;
 }
@@ -80,9 +79,10 @@ bool Search::isPattern(std::size_t component) const {
   return component < m_candidates.size() && m_candidates[component].kind == Component::Kind::Shape;
 }
 
+/// A step that costs more than it gains is kept once, never grown further.
 bool Search::mayGrow(const State& state) const {
   const auto parts = state.found.parts.size();
-  if (state.found.shaped) return false;
+  if (state.found.shaped || state.found.parts.back().logGain < 0) return false;
   if (parts < m_options.mostParts) return true;
   return state.misreadings == static_cast<int>(parts) && parts < m_options.mostMisreadings;
 }
@@ -162,10 +162,8 @@ Gain Search::gainFor(const State& state, std::size_t component) const {
 
 BentFit Search::bentFor(const State& state, std::size_t component) const {
   const Index first = m_table.first(component), count = m_table.count(component);
-  const MatrixXd columns = bentColumns(m_candidates[component]);
   const auto shared = state.shared.middleCols(first, count);
-  return fitBent(widthsOf(Component::Kind::Effect),
-                 columns.transpose() * columns - shared.transpose() * shared,
+  return fitBent(widthsOf(Component::Kind::Effect), m_table.gram(component) - shared.transpose() * shared,
                  state.right.segment(first, count), m_variance);
 }
 
@@ -175,69 +173,51 @@ const MatrixXd& Search::productsOf(std::size_t component) {
   return entry->second;
 }
 
-/// With weights normal around zero, of variance `m_variance/prior`.
-void Search::takeOff(State& state, const MatrixXd& products, MatrixXd gram, const VectorXd& right,
-                     double prior) const {
-  gram.diagonal().array() += prior;
-  const Eigen::LLT<MatrixXd> factor(gram);
-  const VectorXd along = factor.matrixL().solve(right);
-  const MatrixXd added = factor.matrixL().solve(products);
-  const Index before = state.shared.rows();
-  state.shared.conservativeResize(before + added.rows(), Eigen::NoChange);
-  state.shared.bottomRows(added.rows()) = added;
-  state.right -= added.transpose() * along;
-  state.found.chiSquare -= along.squaredNorm();
-  Part& part = state.found.parts.back();
-  part.weights = m_table.weights(part.component, factor.matrixU().solve(along));
-}
-
-/// A pattern never grows: what it shares with others is of no interest.
-void Search::takePattern(State& state, Index first, Index count, double prior) const {
-  const auto before = state.shared.middleCols(first, count);
-  MatrixXd gram = -before.transpose() * before;
-  gram.diagonal() += m_table.squares().segment(first, count);
-  gram.diagonal().array() += prior;
-  const VectorXd right = state.right.segment(first, count), turned = gram.llt().solve(right);
-  state.found.shaped = true;
-  state.found.chiSquare -= right.dot(turned);
-  Part& part = state.found.parts.back();
-  part.weights = m_table.weights(part.component, turned);
-}
-
 Search::State Search::with(const State& state, const Growth& growth) {
   const std::size_t component = growth.component;
   const Index first = m_table.first(component), count = m_table.count(component);
-  const Component* candidate = component < m_candidates.size() ? &m_candidates[component] : nullptr;
-  State next = state;
-  next.misreadings += candidate ? 0 : 1;
-  next.key = growth.key;
+  State next;
+  next.found = state.found;
   next.found.logOdds = growth.logOdds;
   next.found.logEvidence += growth.gain.log;
   next.found.parts.push_back({component, growth.gain.width, VectorXd::Ones(1), growth.gain.log});
-  const double prior = m_variance / (growth.gain.width * growth.gain.width);
-  if (candidate && candidate->kind == Component::Kind::Shape) {
-    takePattern(next, first, count, prior);
-    return next;
-  }
-  const MatrixXd products =
-      productsOf(component) - state.shared.middleCols(first, count).transpose() * state.shared;
-  const MatrixXd gram = products.middleCols(first, count);
+  next.found.shaped = isPattern(component);
+  next.misreadings = state.misreadings + (component < m_candidates.size() ? 0 : 1);
+  next.key = growth.key;
+
+  const MatrixXd before = state.shared.middleCols(first, count);
+  const MatrixXd gram = m_table.gram(component) - before.transpose() * before;
   const VectorXd right = state.right.segment(first, count);
-  if (candidate && candidate->allOrNothing) {
-    next.found.chiSquare += gram(0, 0) - 2 * right[0];
-    next.right -= products.transpose();
-  } else if (candidate && candidate->curvature.cols() > 0) {
+  const Linear linear = linearFor(state, component);
+  const VectorXd left = linear.slope.transpose() * (right - gram * linear.fixed);
+  MatrixXd matrix = linear.slope.transpose() * gram * linear.slope;
+  matrix.diagonal().array() += m_variance / (growth.gain.width * growth.gain.width);
+  const Eigen::LLT<MatrixXd> factor(matrix);
+  const VectorXd along = factor.matrixL().solve(left);
+  next.found.chiSquare += linear.fixed.dot(gram * linear.fixed - 2 * right) - along.squaredNorm();
+  if (along.size() > 0)
+    next.found.parts.back().weights = m_table.weights(component, factor.matrixU().solve(along));
+  if (!mayGrow(next)) return next;
+
+  const MatrixXd products = productsOf(component) - before.transpose() * state.shared;
+  const MatrixXd added = factor.matrixL().solve(linear.slope.transpose() * products);
+  next.shared.resize(state.shared.rows() + added.rows(), m_table.size());
+  next.shared.topRows(state.shared.rows()) = state.shared;
+  next.shared.bottomRows(added.rows()) = added;
+  next.right = state.right - products.transpose() * linear.fixed - added.transpose() * along;
+  return next;
+}
+
+Search::Linear Search::linearFor(const State& state, std::size_t component) const {
+  const Index count = m_table.count(component);
+  if (component < m_candidates.size() && m_candidates[component].allOrNothing)
+    return {VectorXd::Ones(1), MatrixXd(1, 0)};
+  if (component < m_candidates.size() && m_candidates[component].curvature.cols() > 0) {
     const VectorXd at = bentFor(state, component).weights;
     const auto slope = bentDerivatives(at);
-    const VectorXd beside = bentWeights(at) - slope * at;  // what is not linear there
-    next.found.chiSquare += beside.dot(gram * beside - 2 * right);
-    next.right -= products.transpose() * beside;
-    takeOff(next, slope.transpose() * products, slope.transpose() * gram * slope,
-            slope.transpose() * (right - gram * beside), prior);
-  } else {
-    takeOff(next, products, gram, right, prior);
+    return {bentWeights(at) - slope * at, slope};
   }
-  return next;
+  return {VectorXd::Zero(count), MatrixXd::Identity(count, count)};
 }
 
 }  // namespace alidade

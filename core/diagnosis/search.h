@@ -25,7 +25,8 @@ class Search {
   /// A set of components, taken off the leftover.
   struct State {
     Explanation found;
-    Eigen::VectorXd right;   ///< products of all columns with what is left
+    /// Products of all columns with what is left. Empty, like `shared`, where the set does not grow.
+    Eigen::VectorXd right;
     Eigen::MatrixXd shared;  ///< with what was taken: columns have the Gram matrix CᵀC − sharedᵀ shared
     int misreadings = 0;
     std::uint64_t key = 0;  ///< of the set, whatever the order
@@ -36,6 +37,12 @@ class Search {
     Gain gain;
     double logOdds = 0;
     std::uint64_t key = 0;
+  };
+
+  /// How a component takes part: its columns with the weights `fixed` + `slope` times what is estimated.
+  struct Linear {
+    Eigen::VectorXd fixed;
+    Eigen::MatrixXd slope;
   };
 
   const Leftover& m_leftover;
@@ -51,9 +58,7 @@ class Search {
   Gain gainFor(const State& state, std::size_t component) const;
   BentFit bentFor(const State& state, std::size_t component) const;
   State with(const State& state, const Growth& growth);
-  void takeOff(State& state, const Eigen::MatrixXd& products, Eigen::MatrixXd gram,
-               const Eigen::VectorXd& right, double prior) const;
-  void takePattern(State& state, Eigen::Index first, Eigen::Index count, double prior) const;
+  Linear linearFor(const State& state, std::size_t component) const;
   const Eigen::MatrixXd& productsOf(std::size_t component);
   bool isPattern(std::size_t component) const;
   bool mayGrow(const State& state) const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <map>
 #include <numbers>
 
@@ -69,6 +70,24 @@ RowVectorXd settling(double elapsed) {
   return Eigen::RowVector3d(std::exp(-elapsed / 0.05), std::exp(-elapsed / 0.15), std::exp(-elapsed / 0.4));
 }
 
+/// Cosine and sine of 0 to `count` times each angle: orders × angles.
+struct Harmonics {
+  MatrixXd cosines, sines;
+};
+
+Harmonics harmonicsOf(const VectorXd& angles, int count) {
+  Harmonics harmonics{MatrixXd(count + 1, angles.size()), MatrixXd(count + 1, angles.size())};
+  for (Index i = 0; i < angles.size(); ++i) {
+    const std::complex<double> turn = std::polar(1.0, angles[i]);
+    std::complex<double> wave = 1;
+    for (int order = 0; order <= count; ++order, wave *= turn) {
+      harmonics.cosines(order, i) = wave.real();
+      harmonics.sines(order, i) = wave.imag();
+    }
+  }
+  return harmonics;
+}
+
 class ShapeMaker {
  public:
   explicit ShapeMaker(const Leftover& leftover) : m_leftover(leftover) {}
@@ -86,9 +105,10 @@ class ShapeMaker {
     add(id, std::move(columns));
   }
 
-  void addHarmonic(const std::string& id, const VectorXd& carrier, const VectorXd& s, int order) {
-    addFunctions(id, carrier, 2,
-                 [&](Index i) { return Eigen::RowVector2d(std::cos(order * s[i]), std::sin(order * s[i])); });
+  void addHarmonic(const std::string& id, const VectorXd& carrier, const Harmonics& harmonics, int order) {
+    addFunctions(id, carrier, 2, [&](Index i) {
+      return Eigen::RowVector2d(harmonics.cosines(order, i), harmonics.sines(order, i));
+    });
   }
 
   /// Cosines of 1 to `count` half waves over 0…1, the shorter the weaker.
@@ -150,15 +170,16 @@ std::vector<Component> shapeComponents(const Leftover& leftover, const Measureme
                                        const PriorOdds& odds) {
   const Surroundings all = surroundingsOf(leftover, measurement, fit);
   ShapeMaker maker(leftover);
+  const Harmonics harmonics = harmonicsOf(all.s, 12);
   const auto left = [&](const char* id) { return std::ranges::find(leftOut, id) != leftOut.end(); };
   for (int order = 2; order <= 12; ++order)
     if (order > 3 || left(order == 2 ? "arc_ellipticity" : "arc_lobing"))
-      maker.addHarmonic("radius along the guideway", all.radial, all.s, order);
+      maker.addHarmonic("radius along the guideway", all.radial, harmonics, order);
   for (int order = 1; order <= 8; ++order)
     if (order != 2 || left("plane_warp"))
-      maker.addHarmonic("guideway out of its plane", all.offPlane, all.s, order);
+      maker.addHarmonic("guideway out of its plane", all.offPlane, harmonics, order);
   for (int order = 2; order <= 8; ++order)
-    maker.addHarmonic("slider readings along the scale", all.slider, all.s, order);
+    maker.addHarmonic("slider readings along the scale", all.slider, harmonics, order);
   const auto point = [&](Index i) { return all.place[static_cast<std::size_t>(i)].second; };
   maker.addGroups("radius from place to place, turning with the guideway", all.radial, point);
   maker.addGroups("guideway out of its plane from place to place", all.offPlane, point);
