@@ -20,10 +20,12 @@ ROWS = [  # workload, its name in words, seconds aimed at, ours, peers
     ("W3 100 000 arcs, each, 1 thread", 0.15e-6, "W3/alidade/1/real_time", ["W3/scipy.odr", "W3/Ceres", "W3/TinySolver"]),
     ("W3 the same, 2 threads", 0.15e-6 / 1.9, "W3/alidade/2/real_time", ["W3/scipy.odr", "W3/Ceres", "W3/TinySolver"]),
     ("W4 10⁶ points, each", 5e-9, "W4/alidade", ["W4/scipy.odr", "W4/Ceres", None]),
-    ("W5 20 candidate effects", 0.03e-3, "W5/alidade", [None, None, None]),
+    ("W5 catalogue on 34 points", 0.03e-3, "W5/alidade", [None, None, None]),
+    ("W5 with the derivatives", None, "W5/alidade with derivatives", [None, None, None]),
     ("W6 general fit, 136 rows", 0.2e-3, "W6/alidade", [None, None, None]),
     ("W6 the same through fitSession", None, "W6/alidade fitSession", [None, None, None]),
     ("W7 diagnosis, 136 rows", 2e-3, "W7/alidade", [None, None, None]),
+    ("W7 of two causes", None, "W7/alidade two causes", [None, None, None]),
     ("W8 alidade-cli fit, process", 10e-3, "W8/alidade", ["W8/scipy.odr", None, None]),
 ]
 

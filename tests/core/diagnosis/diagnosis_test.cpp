@@ -2,13 +2,16 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <cmath>
+#include <ctime>
 #include <map>
 #include <set>
 
 #include "core/adjustment/session_fit.h"
 #include "core/diagnosis/leftover.h"
+#include "core/simulation/simulate.h"
 #include "tests/support/paper_table.h"
 #include "tests/support/trials.h"
 
@@ -159,6 +162,32 @@ TEST(Diagnosis, TellsWhatWouldSeparateLookAlikes) {
       EXPECT_GT(advice.bySigma, 4);  // what counts as told apart
     }
   }
+}
+
+double memory() {  // most that was ever held, MB
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+// Jumps before any of the rows and patterns over all readings as plain columns would fill half a gigabyte;
+// each set that is looked at would take a second.
+TEST(Diagnosis, TakesTenThousandRows) {
+  Protocol protocol = *protocolByName("full");
+  protocol.rounds = 150;
+  Truth truth = drawTruth(3);
+  truth.effects = {{ErrorTerm::TrunnionTilt, 20}};
+  const Measurement measurement = test::measurementOf(*simulate(protocol, truth, 3));
+  ASSERT_GE(measurement.rows, 10000u);
+  const double before = memory();
+  const std::clock_t start = std::clock();
+  const Diagnosis diagnosis = diagnosed(measurement);
+  EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC,
+            5);  // takes a tenth; sanitizers the rest
+  EXPECT_LT(memory() - before, 400);
+  ASSERT_EQ(diagnosis.causes.size(), 1u);
+  EXPECT_EQ(diagnosis.causes[0].effect, "trunnion_tilt");
+  EXPECT_NEAR(diagnosis.causes[0].parameters[0].value, 20, 4 * diagnosis.causes[0].parameters[0].sigma);
 }
 
 TEST(Diagnosis, FailsInWords) {

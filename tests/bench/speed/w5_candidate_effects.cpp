@@ -1,0 +1,39 @@
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+
+#include "core/adjustment/session_fit.h"
+#include "core/diagnosis/explanation.h"
+#include "core/diagnosis/known_components.h"
+#include "tests/bench/speed/measurements.h"
+
+// W5: every effect of the catalogue (17, of 29 numbers) on 34 points: from the finished fit to the evidence
+// of each. A candidate is one or two columns projected off the base fit, not a fit of its own.
+
+namespace alidade::bench {
+namespace {
+
+double bestEvidence(const Leftover& leftover) {
+  double best = 0;
+  for (const Component& effect : effectComponents(leftover, {}, {}))
+    best = std::max(best, logBayesFactor(leftover, effect));
+  return best;
+}
+
+void candidateEffects(benchmark::State& state) {
+  const Measurement measurement = usualMeasurement(2);
+  const Linearised equations = linearise(measurement, fitSession(measurement).joint);
+  for (auto _ : state) benchmark::DoNotOptimize(bestEvidence(Leftover({equations})));
+}
+BENCHMARK(candidateEffects)->Name("W5/alidade")->Unit(benchmark::kMicrosecond);
+
+/// The derivatives by all error terms included.
+void fromTheFit(benchmark::State& state) {
+  const Measurement measurement = usualMeasurement(2);
+  const JointFit fit = fitSession(measurement).joint;
+  for (auto _ : state) benchmark::DoNotOptimize(bestEvidence(Leftover({linearise(measurement, fit)})));
+}
+BENCHMARK(fromTheFit)->Name("W5/alidade with derivatives")->Unit(benchmark::kMicrosecond);
+
+}  // namespace
+}  // namespace alidade::bench

@@ -1,0 +1,31 @@
+#include <benchmark/benchmark.h>
+
+#include "core/diagnosis/diagnosis.h"
+#include "core/simulation/simulate.h"
+#include "tests/bench/speed/measurements.h"
+
+// W7: a whole diagnosis of the protocol `full`: 136 rows, 340 readings. Catalogue, jumps, misreadings,
+// patterns, where, look-alikes, held-out, advice.
+
+namespace alidade::bench {
+namespace {
+
+void diagnosis(benchmark::State& state, const Measurement& measurement) {
+  for (auto _ : state) benchmark::DoNotOptimize(diagnose(measurement));
+}
+
+void withinNoise(benchmark::State& state) {
+  diagnosis(state, fullMeasurement());
+}
+BENCHMARK(withinNoise)->Name("W7/alidade")->Unit(benchmark::kMillisecond);
+
+/// Search, fits with the causes, held-out readings and steps are added.
+void twoCauses(benchmark::State& state) {
+  Truth truth = drawTruth(1);
+  truth.effects = {{ErrorTerm::HorizontalDrift, 30}, {ErrorTerm::LobingCosine, 0.1}};
+  diagnosis(state, examine(*simulate(*protocolByName("full"), truth, 1)).measurement.value());
+}
+BENCHMARK(twoCauses)->Name("W7/alidade two causes")->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace alidade::bench
