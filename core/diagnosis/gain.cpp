@@ -1,9 +1,10 @@
 #include "core/diagnosis/gain.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 namespace alidade {
 
@@ -16,18 +17,49 @@ double logSum(double a, double b) {
 
 namespace {
 
-/// What was taken off before is a few columns; on the stack up to here.
-constexpr int mostTaken = 16;
-using SmallMatrix =
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, mostTaken, mostTaken>;
-using SmallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, mostTaken, 1>;
+/// What was taken off before is a few columns: sums over what a component shares with them, row by row of a
+/// symmetric matrix, and its Cholesky factor.
+class SharedPart {
+ public:
+  explicit SharedPart(Index taken)
+      : m_taken(taken), m_matrix(MatrixXd::Identity(taken, taken)), m_along(VectorXd::Zero(taken)) {}
+
+  void add(const double* shared, double inverse, double scaled) {
+    for (Index a = 0; a < m_taken; ++a) {
+      m_along[a] += shared[a] * scaled;
+      for (Index b = 0; b <= a; ++b) m_matrix(a, b) -= inverse * shared[a] * shared[b];
+    }
+  }
+
+  /// Determinant of the matrix, and the sums' quadratic form with its inverse.
+  std::pair<double, double> solve() {
+    double determinant = 1, quadratic = 0;
+    for (Index a = 0; a < m_taken; ++a) {
+      for (Index b = 0; b <= a; ++b) {
+        for (Index c = 0; c < b; ++c) m_matrix(a, b) -= m_matrix(a, c) * m_matrix(b, c);
+        if (b < a) m_matrix(a, b) /= m_matrix(b, b);
+      }
+      determinant *= m_matrix(a, a);
+      m_matrix(a, a) = std::sqrt(m_matrix(a, a));
+      for (Index b = 0; b < a; ++b) m_along[a] -= m_matrix(a, b) * m_along[b];
+      m_along[a] /= m_matrix(a, a);
+      quadratic += m_along[a] * m_along[a];
+    }
+    return {determinant, quadratic};
+  }
+
+ private:
+  static constexpr int most = 16;  // on the stack: six misreadings, or three components of two columns
+  Index m_taken;
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most, most> m_matrix;
+  Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most, 1> m_along;
+};
 
 /// Determinant and quadratic form of v/w² + squares − sharedᵀ shared.
 double logGainAt(double w2, const TurnedColumns& columns, double variance) {
   const Index count = columns.squares.size(), taken = columns.shared.rows();
   double grown = 1, logGrown = 0, quadratic = 0;
-  SmallMatrix inner = SmallMatrix::Identity(taken, taken);
-  SmallVector along = SmallVector::Zero(taken);
+  SharedPart part(taken);
   for (Index i = 0; i < count; ++i) {
     const double square = std::max(columns.squares[i], 0.0), inverse = 1 / (1 / w2 + square);
     grown *= 1 + w2 * square;
@@ -37,16 +69,12 @@ double logGainAt(double w2, const TurnedColumns& columns, double variance) {
     }
     const double scaled = inverse * columns.right[i];
     quadratic += scaled * columns.right[i];
-    for (Index a = 0; a < taken; ++a) {
-      const double share = columns.shared(a, i);
-      along[a] += share * scaled;
-      for (Index b = 0; b <= a; ++b) inner(a, b) -= inverse * share * columns.shared(b, i);
-    }
+    if (taken > 0) part.add(columns.shared.data() + i * columns.shared.outerStride(), inverse, scaled);
   }
   if (taken > 0) {
-    const Eigen::LLT<SmallMatrix> factor(inner);
-    grown *= factor.matrixLLT().diagonal().prod() * factor.matrixLLT().diagonal().prod();
-    quadratic += factor.matrixL().solve(along).squaredNorm();
+    const auto [determinant, along] = part.solve();
+    grown *= determinant;
+    quadratic += along;
   }
   return -0.5 * (logGrown + std::log(grown)) + 0.5 * quadratic / variance;
 }
@@ -79,29 +107,28 @@ namespace {
 class BentGrid {
  public:
   BentGrid(const Eigen::Matrix<double, 5, 5>& gram, const Eigen::Vector<double, 5>& right, double variance)
-      : m_gram(gram / variance), m_right(right / variance) {}
-
-  double logEvidence(double x, double y) const {
-    const Eigen::Vector<double, 5> z{x, y, x * x / 2, x * y, y * y / 2};
-    return (m_right - 0.5 * m_gram.lazyProduct(z)).dot(z);
+      : m_gram(gram / variance), m_right(right / variance), m_values(places * places) {
+    for (int i = 0; i < places; ++i) {
+      const Quartic along = quarticAt(placeOf(i));
+      for (int j = 0; j < places; ++j) m_values[i * places + j] = along(placeOf(j));
+    }
   }
 
   /// ln of the integral with weights normal of this width; `highest` and `at`: of the integrand.
-  double integral(double width, double& highest, Vector2d& at) {
-    if (m_values.empty()) fill();
+  double integral(double width, double& highest, Vector2d& at) const {
     const double perSquare = -1 / (2 * width * width), norm = -std::log(2 * M_PI * width * width);
-    std::vector<double> logs(m_values.size());
-    std::size_t best = 0;
-    for (std::size_t i = 0; i < logs.size(); ++i) {
-      logs[i] = m_values[i] + perSquare * m_squares[i];
-      if (logs[i] > logs[best]) best = i;
-    }
+    VectorXd logs = m_values;
+    for (int i = 0; i < places; ++i)
+      for (int j = 0; j < places; ++j)
+        logs[i * places + j] += perSquare * (placeOf(i) * placeOf(i) + placeOf(j) * placeOf(j));
+    Index best = 0;
+    const double most = logs.maxCoeff(&best);
     double sum = 0;
     constexpr double lost = 40;  // e⁻⁴⁰ is rounding
     for (const double log : logs)
-      if (log > logs[best] - lost) sum += std::exp(log - logs[best]);
-    highest = logs[best] + norm;
-    at = m_places[best];
+      if (log > most - lost) sum += std::exp(log - most);
+    highest = most + norm;
+    at = {placeOf(static_cast<int>(best) / places), placeOf(static_cast<int>(best) % places)};
     return highest + std::log(sum) + 2 * std::log(step);
   }
 
@@ -110,32 +137,42 @@ class BentGrid {
     for (double size = step / 2; size > 1e-4; size /= 2) {
       const Vector2d centre = at;
       double highest = impossible;
-      for (const double dx : {-size, 0.0, size})
+      for (const double dx : {-size, 0.0, size}) {
+        const Quartic along = quarticAt(centre[0] + dx);
         for (const double dy : {-size, 0.0, size}) {
           const Vector2d place = centre + Vector2d(dx, dy);
-          const double value = logEvidence(place[0], place[1]) - place.squaredNorm() / (2 * width * width);
+          const double value = along(place[1]) - place.squaredNorm() / (2 * width * width);
           if (value <= highest) continue;
           highest = value;
           at = place;
         }
+      }
     }
     return at;
   }
 
  private:
   static constexpr double reach = 9, step = 0.4;
+  static constexpr int places = static_cast<int>(2 * reach / step) + 1;
   Eigen::Matrix<double, 5, 5> m_gram;
   Eigen::Vector<double, 5> m_right;
-  std::vector<Vector2d> m_places;
-  std::vector<double> m_squares, m_values;
+  VectorXd m_values;  ///< by the first weight, then by the second
 
-  void fill() {
-    for (double x = -reach; x <= reach; x += step)
-      for (double y = -reach; y <= reach; y += step) {
-        m_places.emplace_back(x, y);
-        m_squares.push_back(x * x + y * y);
-        m_values.push_back(logEvidence(x, y));
-      }
+  static double placeOf(int i) { return -reach + i * step; }
+
+  /// A polynomial of the second weight.
+  struct Quartic {
+    std::array<double, 5> c;
+    double operator()(double y) const { return c[0] + y * (c[1] + y * (c[2] + y * (c[3] + y * c[4]))); }
+  };
+
+  /// right·z − ½ zᵀ gram z at the weights z = (x, y, ½x², xy, ½y²) = a + b y + c y².
+  Quartic quarticAt(double x) const {
+    const Eigen::Vector<double, 5> a{x, 0, x * x / 2, 0, 0}, b{0, 1, 0, x, 0}, c{0, 0, 0, 0, 0.5};
+    const Eigen::Vector<double, 5> ga = m_gram.lazyProduct(a), gb = m_gram.lazyProduct(b),
+                                   gc = m_gram.lazyProduct(c);
+    return {{m_right.dot(a) - 0.5 * a.dot(ga), m_right.dot(b) - a.dot(gb),
+             m_right.dot(c) - 0.5 * b.dot(gb) - a.dot(gc), -b.dot(gc), -0.5 * c.dot(gc)}};
   }
 };
 
@@ -147,7 +184,7 @@ BentFit fitBent(const std::vector<Width>& widths, const Eigen::Matrix<double, 5,
   std::vector<Width> linear, bent;
   for (const Width& width : widths) (width.sigma < narrow ? linear : bent).push_back(width);
   BentFit fit{gainOf(linear, gram.topLeftCorner(2, 2), right.head(2), variance), Vector2d::Zero()};
-  BentGrid grid(gram, right, variance);
+  const BentGrid grid(gram, right, variance);
   double best = fit.gain.log;
   for (const Width& width : bent) {
     double highest = impossible;
