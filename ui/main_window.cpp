@@ -18,6 +18,7 @@
 #include "ui/commands/change_effects.h"
 #include "ui/commands/change_field.h"
 #include "ui/commands/edit_readings.h"
+#include "ui/dialogs/blind_trial_dialog.h"
 #include "ui/forms/field_binding.h"
 #include "ui/forms/field_form.h"
 #include "ui/main_window_actions.h"
@@ -119,9 +120,9 @@ QWidget* MainWindow::createResultColumn() {
   m_arcChart->setMinimumWidth(210);
   m_figures = createFigures();
   m_details = createDetails();
-  QSplitter* top = split(Qt::Horizontal, "arcs", {m_arcChart, m_figures}, {450, 330});
-  top->setStretchFactor(0, 1);
-  QSplitter* column = split(Qt::Vertical, "results", {top, m_details}, {460, 280});
+  m_top = split(Qt::Horizontal, "arcs", {m_arcChart, m_figures}, {450, 330});
+  m_top->setStretchFactor(0, 1);
+  QSplitter* column = split(Qt::Vertical, "results", {m_top, m_details}, {460, 280});
   column->setStretchFactor(0, 1);
   return padded(column, {0, 6, 6, 6});
 }
@@ -238,6 +239,22 @@ void MainWindow::setColumnShown(ReadingColumn column, bool shown) {
   m_positions->setColumnShown(column, shown);
 }
 
+void MainWindow::setDetailsEnlarged(bool enlarged) {
+  m_top->setVisible(!enlarged);
+}
+
+void MainWindow::showBlindTrials() {
+  if (!m_blindTrials) {
+    m_blindTrials = new BlindTrialDialog(this);
+    connect(m_blindTrials, &BlindTrialDialog::sessionWanted, this, [this](const Session& session) {
+      if (m_files.startWith(session)) m_details->showPage(m_details->indexOf(m_gap));
+    });
+  }
+  m_blindTrials->show();
+  m_blindTrials->raise();
+  m_blindTrials->activateWindow();
+}
+
 void MainWindow::showTitle() {
   setWindowTitle(tr("%1[*] — Alidade").arg(m_document.displayName()));
   setWindowModified(m_document.isModified());
@@ -332,6 +349,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     event->ignore();
     return;
   }
+  setDetailsEnlarged(false);
   saveLayout();
   event->accept();
 }

@@ -10,11 +10,13 @@
 #include "ui/jobs/fit_job.h"
 #include "ui/jobs/gap_job.h"
 
+class QSplitter;
 class QTabWidget;
 
 namespace alidade::ui {
 
 class ArcChart;
+class BlindTrialDialog;
 class EffectsPanel;
 class FindingsPanel;
 class GapPanel;
@@ -49,6 +51,10 @@ class MainWindow : public QMainWindow {
   /// Adds the position at `axisDeg` (0 or 180) where it is missing, and leads to its pointing zero.
   void addPosition(int axisDeg);
   void setColumnShown(ReadingColumn column, bool shown);
+  /// Gives the pages below the picture its room, too.
+  void setDetailsEnlarged(bool enlarged);
+  /// Opens the dialog of blind trials, which stays open beside the window.
+  void showBlindTrials();
   SuspectBar* suspects() const { return m_suspects; }
   /// The tabs beside and below the picture of the arcs.
   QList<PageTabs*> pageTabs() const { return {m_figures, m_details}; }
@@ -89,11 +95,13 @@ class MainWindow : public QMainWindow {
   SuspectBar* m_suspects = nullptr;
   FindingsPanel* m_findings = nullptr;
   ArcChart* m_arcChart = nullptr;
+  QSplitter* m_top = nullptr;     ///< the picture and the pages beside it
   PageTabs* m_figures = nullptr;  ///< beside the picture: narrow pages of figures
   PageTabs* m_details = nullptr;  ///< below it: charts and tables of single readings
   EffectsPanel* m_effects = nullptr;
   ResultPanel* m_result = nullptr;
   GapPanel* m_gap = nullptr;
+  BlindTrialDialog* m_blindTrials = nullptr;  ///< null until it is wanted
 };
 
 }  // namespace alidade::ui

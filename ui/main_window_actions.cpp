@@ -9,6 +9,7 @@
 #include <QMenuBar>
 #include <QPlainTextEdit>
 #include <QToolBar>
+#include <QToolButton>
 
 #include "ui/commands/add_position.h"
 #include "ui/main_window.h"
@@ -46,6 +47,7 @@ WindowActions::WindowActions(MainWindow& window, Dialogs& dialogs) : QObject(&wi
   bar->addSeparator();
   createEditMenu(*bar);
   createViewMenu();
+  createToolsMenu();
   createHelpMenu(dialogs);
 }
 
@@ -200,6 +202,7 @@ void WindowActions::createViewMenu() {
             [this, which = column](bool shown) { m_window.setColumnShown(which, shown); });
   }
   addPageActions(menu);
+  addEnlargeAction(menu);
   menu.addSeparator();
   auto* themes = new QActionGroup(this);
   const std::pair<QString, Theme> choices[] = {
@@ -227,6 +230,32 @@ void WindowActions::addPageActions(QMenu& menu) {
       connect(&menu, &QMenu::aboutToHide, action, [action] { action->setEnabled(true); });
     }
   }
+}
+
+/// Also a button at the end of the tabs.
+void WindowActions::addEnlargeAction(QMenu& menu) {
+  QAction* enlarge =
+      addTo(menu, nullptr, tr("&Enlarge Lower Pages"), QKeySequence(tr("Ctrl+0")), this, [] {});
+  enlarge->setCheckable(true);
+  auto* button = new QToolButton;
+  button->setAutoRaise(true);
+  button->setArrowType(Qt::UpArrow);
+  button->setCheckable(true);
+  button->setToolTip(tr("Enlarge over the picture, or back (Ctrl+0)"));
+  button->setAccessibleName(tr("Enlarge lower pages"));
+  m_window.pageTabs().last()->setCornerWidget(button);
+  connect(button, &QToolButton::toggled, enlarge, &QAction::setChecked);
+  connect(enlarge, &QAction::toggled, this, [this, button](bool enlarged) {
+    m_window.setDetailsEnlarged(enlarged);
+    button->setChecked(enlarged);
+    button->setArrowType(enlarged ? Qt::DownArrow : Qt::UpArrow);
+  });
+}
+
+void WindowActions::createToolsMenu() {
+  QMenu& menu = *m_window.menuBar()->addMenu(tr("&Tools"));
+  addTo(menu, nullptr, tr("&Blind Trial…"), QKeySequence(tr("Ctrl+B")), this,
+        [this] { m_window.showBlindTrials(); });
 }
 
 void WindowActions::createHelpMenu(Dialogs& dialogs) {

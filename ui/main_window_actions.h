@@ -31,6 +31,8 @@ class WindowActions : public QObject {
   void addSuspectActions(QMenu& menu);
   void createViewMenu();
   void addPageActions(QMenu& menu);
+  void addEnlargeAction(QMenu& menu);
+  void createToolsMenu();
   void createHelpMenu(Dialogs& dialogs);
   void fillRecentMenu(QMenu& menu);
   void useClipboard(Clipboard way);

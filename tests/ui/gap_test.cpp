@@ -179,6 +179,14 @@ TEST(Gap, AddsAllThatLookAlikeInOneStep) {
       << "what they differ by is in U";
 }
 
+TEST(Gap, AddsSeveralCausesInOneStep) {
+  GapBench bench(lobingAndDriftTrial);
+  bench.press("add all");
+  EXPECT_EQ(bench.effects().size(), 2u);
+  EXPECT_EQ(bench.open->document().undoStack().count(), 1);
+  EXPECT_THAT(bench.shown(), HasSubstr("No gap: within the noise\n"));
+}
+
 TEST(Gap, AddsACandidateFromTheTable) {
   GapBench bench(collimationTrial);
   EXPECT_TRUE(bench.button("add candidate")->text().contains(bench.candidate(0, 0).toLower()));

@@ -183,5 +183,17 @@ TEST(Pages, AreReachedByTheKeyboard) {
   EXPECT_TRUE(qobject_cast<DataTable*>(QApplication::focusWidget()));
 }
 
+TEST(Pages, BelowThePictureTakeItsRoom) {
+  OpenWindow open;
+  const auto* result = open->pageTabs()[0];
+  const int before = open->pageTabs()[1]->height();
+  QTest::keyClick(open.window.get(), Qt::Key_0, Qt::ControlModifier);
+  QCoreApplication::processEvents();
+  EXPECT_FALSE(result->isVisible());
+  EXPECT_GT(open->pageTabs()[1]->height(), before + 100);
+  QTest::keyClick(open.window.get(), Qt::Key_0, Qt::ControlModifier);
+  EXPECT_TRUE(result->isVisible());
+}
+
 }  // namespace
 }  // namespace alidade::ui

@@ -28,8 +28,12 @@ QString divisionName(const std::string& by) {
 
 QString partName(const GapShare& share) {
   if (share.by == "position") return qText(share.of) + QChar(0x00b0);
-  if (share.by == "time")
-    return qText(share.of).replace(QStringLiteral("quarter "), QStringLiteral("¼ no. "));
+  if (share.by == "time") {
+    const QString quarters[] = {GapMap::tr("1st quarter"), GapMap::tr("2nd quarter"),
+                                GapMap::tr("3rd quarter"), GapMap::tr("4th quarter")};
+    const int quarter = qText(share.of).right(1).toInt();
+    if (quarter >= 1 && quarter <= 4) return quarters[quarter - 1];
+  }
   return qText(share.of);
 }
 
@@ -116,7 +120,7 @@ void GapMap::paintEvent(QPaintEvent*) {
   }
 }
 
-/// Named where there is room for it: with its share, or else by itself.
+/// With its name and share, or what of them there is room for.
 void GapMap::paintPart(QPainter& painter, const QRect& area, const Part& part) const {
   if (area.width() < 1) return;
   const PlotStyle style = screenStyle(palette(), font());
@@ -124,8 +128,9 @@ void GapMap::paintPart(QPainter& painter, const QRect& area, const Part& part) c
   painter.fillRect(area.adjusted(0, 0, area.width() > 2 ? -1 : 0, 0), colour);
   const bool isLight = colour.lightnessF() > 0.5;
   painter.setPen(isLight ? Qt::black : Qt::white);
-  for (const QString& text : {part.name + QStringLiteral("  ") + percentText(part.share), part.name}) {
-    if (fontMetrics().horizontalAdvance(text) > area.width() - 8) continue;
+  const QString share = percentText(part.share);
+  for (const QString& text : {part.name + QStringLiteral("  ") + share, part.name, share}) {
+    if (fontMetrics().horizontalAdvance(text) > area.width() - 4) continue;
     painter.drawText(area, Qt::AlignCenter, text);
     return;
   }

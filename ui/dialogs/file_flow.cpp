@@ -61,6 +61,12 @@ bool FileFlow::startNew() {
   return true;
 }
 
+bool FileFlow::startWith(const Session& session) {
+  if (!mayLeave()) return false;
+  m_document.startWith(session);
+  return true;
+}
+
 bool FileFlow::open() {
   if (!mayLeave()) return false;
   const QString path = m_dialogs.askOpenPath(QFileInfo(m_document.path()).absolutePath());

@@ -5,7 +5,8 @@
 
 namespace alidade {
 struct Import;
-}
+struct Session;
+}  // namespace alidade
 
 namespace alidade::ui {
 
@@ -21,6 +22,7 @@ class FileFlow : public QObject {
 
   /// Each is true where it was done, false where it failed (the user was told why) or was cancelled.
   bool startNew();
+  bool startWith(const Session& session);  ///< as a new session, in no file yet
   bool open();
   bool open(const QString& path);  ///< a session, or a file of readings to import
   bool importReadings();

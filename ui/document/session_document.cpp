@@ -23,6 +23,10 @@ void SessionDocument::startNew() {
   replaceAll(blankSession(), {});
 }
 
+void SessionDocument::startWith(Session session) {
+  replaceAll(std::move(session), {});
+}
+
 std::optional<Problem> SessionDocument::load(const QString& path) {
   QFile file(path);
   if (!file.open(QIODevice::ReadOnly)) {

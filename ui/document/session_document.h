@@ -27,6 +27,8 @@ class SessionDocument : public QObject {
   bool isModified() const { return !m_undoStack.isClean(); }
 
   void startNew();
+  /// A session that is in no file yet.
+  void startWith(Session session);
   /// Absent: loaded. A session with entries that mean nothing loads; one that is no session does not, and the
   /// document stays as it was.
   [[nodiscard]] std::optional<Problem> load(const QString& path);

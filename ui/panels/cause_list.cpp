@@ -22,11 +22,6 @@ QString probabilityText(double probability) {
   return numberText(100 * probability, probability > 0.99 ? 1 : 0) + QStringLiteral(" %");
 }
 
-QString capitalised(QString text) {
-  text.replace(0, 1, text.at(0).toUpper());
-  return text;
-}
-
 QString parametersText(const Cause& cause) {
   QStringList texts;
   for (const CauseParameter& parameter : cause.parameters)
@@ -49,6 +44,7 @@ void CauseList::setGap(const Gap& gap) {
   m_buttons = nullptr;
   if (!gap.diagnosis) return;
   for (const Cause& cause : gap.diagnosis->causes) addCause(gap, cause);
+  addAllCauses(gap.diagnosis->causes);
   if (gap.diagnosis->shape) addShape(*gap.diagnosis->shape);
   for (const GapStage& stage : gap.stages)
     if (stage.kind == GapStage::Kind::InModel) addEffectOfModel(gap, stage.effect);
@@ -139,6 +135,17 @@ void CauseList::addCatalogueButtons(const Gap& gap, const Cause& cause) {
       tr("Estimates all that look alike here, each within its plausible size: U then covers "
          "whichever it is"));
   connect(group, &QPushButton::clicked, this, [this, all] { emit effectsWanted(all); });
+}
+
+/// Where there are several that the model can hold.
+void CauseList::addAllCauses(const std::vector<Cause>& causes) {
+  QStringList all;
+  for (const Cause& cause : causes)
+    if (effectById(cause.effect)) all.append(qText(cause.effect));
+  if (all.size() < 2) return;
+  m_buttons = nullptr;
+  connect(addButton(tr("Add a&ll %1 to the model").arg(all.size()), QStringLiteral("add all")),
+          &QPushButton::clicked, this, [this, all] { emit effectsWanted(all); });
 }
 
 void CauseList::addMisreadings(const Cause& cause) {

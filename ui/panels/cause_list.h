@@ -41,6 +41,7 @@ class CauseList : public QWidget {
   /// A button in the row of the cause at work.
   QPushButton* addButton(const QString& text, const QString& name);
   void addCatalogueButtons(const Gap& gap, const Cause& cause);
+  void addAllCauses(const std::vector<Cause>& causes);
   void addMisreadings(const Cause& cause);
   void addJump(const Gap& gap, const Cause& cause);
 

@@ -26,11 +26,6 @@ std::string idOf(const QTreeWidgetItem& item) {
   return item.data(0, idRole).toString().toStdString();
 }
 
-QString capitalised(QString text) {
-  text.replace(0, 1, text.at(0).toUpper());
-  return text;
-}
-
 QString aboutText(const Effect& effect) {
   QStringList sizes;
   for (const EffectParameter& parameter : effect.parameters) {

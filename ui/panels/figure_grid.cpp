@@ -60,4 +60,11 @@ QLabel* panelHeading(const QString& text) {
   return label;
 }
 
+QLabel* wrappedLabel() {
+  auto* label = new QLabel;
+  label->setWordWrap(true);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  return label;
+}
+
 }  // namespace alidade::ui

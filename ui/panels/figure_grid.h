@@ -35,4 +35,7 @@ class FigureGrid : public QWidget {
 /// The bold line above a grid.
 QLabel* panelHeading(const QString& text);
 
+/// A text of several lines that can be selected.
+QLabel* wrappedLabel();
+
 }  // namespace alidade::ui

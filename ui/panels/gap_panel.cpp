@@ -1,6 +1,5 @@
 #include "ui/panels/gap_panel.h"
 
-#include <QEvent>
 #include <QGridLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -15,7 +14,7 @@
 #include "ui/panels/cause_list.h"
 #include "ui/panels/data_table.h"
 #include "ui/panels/figure_grid.h"
-#include "ui/settings/theme.h"
+#include "ui/panels/gap_headline.h"
 #include "ui/text/cause_text.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/quantity_text.h"
@@ -25,13 +24,6 @@ namespace alidade::ui {
 namespace {
 
 constexpr int twoColumnsFrom = 620;
-
-QLabel* wrappedLabel() {
-  auto* label = new QLabel;
-  label->setWordWrap(true);
-  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  return label;
-}
 
 /// Widgets under a heading, as one block of the page.
 QWidget* block(const QString& heading, std::initializer_list<QWidget*> parts) {
@@ -45,34 +37,12 @@ QWidget* block(const QString& heading, std::initializer_list<QWidget*> parts) {
   return frame;
 }
 
-State stateOf(const Gap* gap) {
-  if (!gap || !gap->diagnosis) return State::Quiet;
-  if (gap->diagnosis->verdict == DiagnosisVerdict::WithinNoise) return State::Good;
-  return gap->diagnosis->verdict == DiagnosisVerdict::NotInCatalogue ? State::Bad : State::Open;
-}
-
-QString iconOf(const Gap* gap) {
-  switch (stateOf(gap)) {
-    case State::Good:
-      return QStringLiteral("accept");
-    case State::Bad:
-      return QStringLiteral("problem");
-    case State::Open:
-      return QStringLiteral("warning");
-    case State::Quiet:
-      break;
-  }
-  return QStringLiteral("none");
-}
-
 }  // namespace
 
 GapPanel::GapPanel(QWidget* parent)
-    : QScrollArea(parent),
-      m_grid(nullptr),
-      m_icon(new QLabel),
-      m_headline(wrappedLabel()),
-      m_sentence(wrappedLabel()),
+    : ScrollPage(tr("Gap between model and readings"), parent),
+      m_grid(new QGridLayout),
+      m_headline(new GapHeadline),
       m_causes(new CauseList),
       m_waterfall(new GapWaterfall),
       m_result(new FigureGrid),
@@ -83,25 +53,19 @@ GapPanel::GapPanel(QWidget* parent)
       m_next(wrappedLabel()),
       m_unseen(new FigureGrid),
       m_unseenNote(wrappedLabel()) {
-  setAccessibleName(tr("Gap between model and readings"));
-  setWidgetResizable(true);
-  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setFocusPolicy(Qt::StrongFocus);
-  auto* content = new QWidget;
-  m_grid = new QGridLayout(content);
-  m_grid->setContentsMargins(10, 8, 10, 8);
+  column()->addLayout(m_grid);
   m_grid->setHorizontalSpacing(22);
   m_grid->setVerticalSpacing(6);
   m_shrinkage->setForegroundRole(QPalette::PlaceholderText);
   m_unseenNote->setForegroundRole(QPalette::PlaceholderText);
-  m_blocks = {createHeadline(),
+  m_blocks = {m_headline,
               block(tr("Causes"), {m_causes}),
               block(tr("Before and after"), {m_waterfall, m_result, m_shrinkage}),
               block(tr("Where it lies"), {m_map}),
-              createCandidates(),
               block(tr("What to measure next"), {m_next}),
-              block(tr("What would go unseen"), {m_unseen, m_unseenNote})};
-  setWidget(content);
+              block(tr("What would go unseen"), {m_unseen, m_unseenNote}),
+              createCandidates()};
   arrange(true);
   connect(m_causes, &CauseList::effectsWanted, this, &GapPanel::effectsWanted);
   connect(m_causes, &CauseList::effectUnwanted, this, &GapPanel::effectUnwanted);
@@ -109,22 +73,6 @@ GapPanel::GapPanel(QWidget* parent)
   connect(m_causes, &CauseList::placeActivated, this, &GapPanel::placeActivated);
   connect(m_causes, &CauseList::exclusionWanted, this, &GapPanel::exclusionWanted);
   showVerdict();
-}
-
-QWidget* GapPanel::createHeadline() {
-  QFont large = font();
-  large.setPointSizeF(large.pointSizeF() * 1.25);
-  large.setBold(true);
-  m_headline->setFont(large);
-  auto* frame = new QWidget;
-  auto* layout = new QGridLayout(frame);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setVerticalSpacing(3);
-  layout->addWidget(m_icon, 0, 0);
-  layout->addWidget(m_headline, 0, 1);
-  layout->addWidget(m_sentence, 1, 0, 1, 2);
-  layout->setColumnStretch(1, 1);
-  return frame;
 }
 
 QWidget* GapPanel::createCandidates() {
@@ -139,7 +87,9 @@ QWidget* GapPanel::createCandidates() {
           "better, above 5 far better, below 0 worse"),
        QStringLiteral("−8888.8"), of([](const Candidate& c) { return numberText(c.logBayesFactor, 1); })},
       {tr("Visible σ"), tr("How much of the readings it explains, in σ of one reading"),
-       QStringLiteral("888.8"), of([](const Candidate& c) { return numberText(c.visibleSigma, 1); })},
+       QStringLiteral("888.8"), of([](const Candidate& c) {
+         return c.visibleSigma > 0 ? numberText(c.visibleSigma, 1) : notStated();
+       })},
       {tr("Role"), tr("What the diagnosis makes of it"), tr("look-alike"), of([this](const Candidate& c) {
          for (const Cause& cause : m_gap->diagnosis->causes) {
            if (cause.effect == c.effect) return tr("cause");
@@ -152,9 +102,9 @@ QWidget* GapPanel::createCandidates() {
   });
   m_candidates->setAccessibleName(tr("Candidates"));
   m_candidates->setSelectionMode(QAbstractItemView::SingleSelection);
-  m_candidates->horizontalHeader()->setStretchLastSection(true);
+  m_candidates->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
   m_candidates->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  m_candidates->setMinimumHeight(9 * (fontMetrics().height() + 5));
+  m_candidates->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   m_candidates->setPlaceholder(tr("No candidates."));
   m_add = new QPushButton;
   m_add->setObjectName(QStringLiteral("add candidate"));
@@ -181,7 +131,6 @@ void GapPanel::arrange(bool inTwoColumns) {
 
 void GapPanel::setGap(const SharedGap& gap) {
   m_gap = gap;
-  widget()->setEnabled(true);
   showVerdict();
   if (!gap->diagnosis) return;
   m_causes->setGap(*gap);
@@ -189,7 +138,11 @@ void GapPanel::setGap(const SharedGap& gap) {
   m_map->setShares(gap->diagnosis->where);
   showEffectOnResult();
   showShrinkage();
-  m_candidates->setRows(static_cast<int>(gap->diagnosis->candidates.size()));
+  const auto rows = static_cast<int>(gap->diagnosis->candidates.size());
+  m_candidates->setRows(rows);
+  m_candidates->setFixedHeight(m_candidates->horizontalHeader()->sizeHint().height() +
+                               std::max(1, rows) * m_candidates->verticalHeader()->defaultSectionSize() +
+                               2 * m_candidates->frameWidth());
   if (!m_candidates->currentIndex().isValid()) m_candidates->selectDataRows({0});
   showCandidate();
   showNext();
@@ -204,24 +157,17 @@ void GapPanel::setStale() {
 void GapPanel::showVerdict() {
   const Gap* gap = m_gap.get();
   const bool says = gap && gap->diagnosis;
-  m_icon->setPixmap(themeIcon(iconOf(gap)).pixmap(22, 22));
-  m_headline->setText(says ? gapHeadline(*gap->diagnosis) : tr("No diagnosis"));
-  m_sentence->setText(says  ? gapSentence(*gap)
-                      : gap ? qText(gap->reason)
-                            : tr("The readings are compared with the model as soon as there are any."));
-  colorVerdict();
+  if (gap)
+    m_headline->setGap(*gap);
+  else
+    m_headline->setText(tr("No diagnosis"),
+                        tr("The readings are compared with the model as soon as there are any."));
   for (int i = 1; i < m_blocks.size(); ++i) m_blocks[i]->setVisible(says);
   if (!says) return;
   m_causes->setEnabled(true);
   const bool hasCauses = !gap->diagnosis->causes.empty() || gap->diagnosis->shape || gap->stages.size() > 1;
   m_blocks[1]->setVisible(hasCauses);
   m_blocks[3]->setVisible(gap->isOpen());
-}
-
-void GapPanel::colorVerdict() {
-  QPalette colored = palette();
-  colored.setColor(QPalette::WindowText, stateColor(palette(), stateOf(m_gap.get())));
-  m_headline->setPalette(colored);
 }
 
 /// Δd side by side: without the effects of the model, as modelled, with the causes.
@@ -317,23 +263,18 @@ void GapPanel::addCandidate() {
     emit effectsWanted({qText(current->effect)});
 }
 
-void GapPanel::changeEvent(QEvent* event) {
-  QScrollArea::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange) colorVerdict();
-}
-
 void GapPanel::resizeEvent(QResizeEvent* event) {
-  QScrollArea::resizeEvent(event);
+  ScrollPage::resizeEvent(event);
   arrange(viewport()->width() >= twoColumnsFrom);
 }
 
 void GapPanel::showEvent(QShowEvent* event) {
-  QScrollArea::showEvent(event);
+  ScrollPage::showEvent(event);
   emit watched(true);
 }
 
 void GapPanel::hideEvent(QHideEvent* event) {
-  QScrollArea::hideEvent(event);
+  ScrollPage::hideEvent(event);
   emit watched(false);
 }
 

@@ -1,8 +1,7 @@
 #pragma once
 
-#include <QScrollArea>
-
 #include "ui/jobs/gap_job.h"
+#include "ui/panels/scroll_page.h"
 
 class QGridLayout;
 class QLabel;
@@ -13,12 +12,13 @@ namespace alidade::ui {
 class CauseList;
 class DataTable;
 class FigureGrid;
+class GapHeadline;
 class GapMap;
 class GapWaterfall;
 
 /// The gap between model and readings: verdict, causes, how far it shrinks, where it lies, every candidate,
 /// what to measure next and what would go unseen. Changes nothing itself.
-class GapPanel : public QScrollArea {
+class GapPanel : public ScrollPage {
   Q_OBJECT
 
  public:
@@ -39,13 +39,11 @@ class GapPanel : public QScrollArea {
   void exclusionWanted(const alidade::Place& place);
 
  protected:
-  void changeEvent(QEvent* event) override;
   void hideEvent(QHideEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
   void showEvent(QShowEvent* event) override;
 
  private:
-  QWidget* createHeadline();
   QWidget* createCandidates();
   void arrange(bool inTwoColumns);
   void showVerdict();
@@ -55,14 +53,13 @@ class GapPanel : public QScrollArea {
   void showUnseen();
   void showCandidate();
   void addCandidate();
-  void colorVerdict();
   /// The candidate on `row`; null where there is none.
   const Candidate* candidate(int row) const;
   bool isInModel(const std::string& id) const;
 
   SharedGap m_gap;
   QGridLayout* m_grid;
-  QLabel *m_icon, *m_headline, *m_sentence;
+  GapHeadline* m_headline;
   CauseList* m_causes;
   GapWaterfall* m_waterfall;
   FigureGrid* m_result;

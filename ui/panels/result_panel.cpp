@@ -18,13 +18,6 @@ namespace alidade::ui {
 
 namespace {
 
-QLabel* wrappedLabel() {
-  auto* label = new QLabel;
-  label->setWordWrap(true);
-  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  return label;
-}
-
 QString figureWithSigma(double value, double sigma) {
   return valueWithUncertainty(value, sigma, {}).trimmed();
 }

@@ -16,18 +16,6 @@ QString translated(const char* text) {
   return QCoreApplication::translate("Gap", text);
 }
 
-QString circleName(ReadingKind kind) {
-  switch (kind) {
-    case ReadingKind::Horizontal:
-      return translated("horizontal");
-    case ReadingKind::Vertical:
-      return translated("vertical");
-    case ReadingKind::Slider:
-      break;
-  }
-  return translated("slider");
-}
-
 }  // namespace
 
 QString causeName(const std::string& id) {
@@ -42,8 +30,7 @@ QString causeTitle(const std::string& id) {
   QString name = causeName(id);
   for (const QString& article : {QStringLiteral("a "), QStringLiteral("the ")})
     if (name.startsWith(article)) name.remove(0, article.size());
-  name.replace(0, 1, name.at(0).toUpper());
-  return name;
+  return capitalised(name);
 }
 
 QString causeNames(const std::vector<std::string>& ids, const QString& last) {
@@ -73,18 +60,17 @@ QString parameterText(const Cause& cause, const CauseParameter& parameter) {
 }
 
 QString blamedText(const BlamedReading& reading) {
-  QString text =
-      translated("%1°, point %2, %3").arg(reading.axisDeg).arg(reading.point).arg(circleName(reading.kind));
+  QString text = translated("%1°, point %2, %3")
+                     .arg(reading.axisDeg)
+                     .arg(reading.point)
+                     .arg(qText(std::string(nameOf(reading.kind))));
   if (reading.round != 1) text += translated(", round %1").arg(reading.round);
   if (reading.face != 1) text += translated(", face %1").arg(reading.face);
   return text + translated(": off by %1").arg(signedNumberText(reading.size, 1) + QChar(0x2033));
 }
 
 Place placeOf(const BlamedReading& reading) {
-  const char* field = reading.kind == ReadingKind::Horizontal ? "horizontal"
-                      : reading.kind == ReadingKind::Vertical ? "vertical"
-                                                              : "slider";
-  return {.position = reading.position, .reading = reading.row, .field = field};
+  return {.position = reading.position, .reading = reading.row, .field = std::string(nameOf(reading.kind))};
 }
 
 std::optional<Place> jumpPlace(const Gap& gap, const Cause& cause) {

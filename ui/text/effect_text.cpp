@@ -14,6 +14,11 @@ QString effectText(const EffectEstimate& estimate, const QString& separator) {
   return effect.endsWith(name) ? effect : effect + separator + name;
 }
 
+QString capitalised(QString text) {
+  text.replace(0, 1, text.at(0).toUpper());
+  return text;
+}
+
 QString unitText(const std::string& unit) {
   if (unit == "arcsec") return QStringLiteral("″");
   if (unit == "deg") return QStringLiteral("°");

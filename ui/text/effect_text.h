@@ -13,6 +13,9 @@ QString effectName(const std::string& id);
 /// `separator` stands before the number's own name where the effect has several.
 QString effectText(const EffectEstimate& estimate, const QString& separator = QStringLiteral(", "));
 
+/// The text with a capital first letter.
+QString capitalised(QString text);
+
 /// The unit of the catalogue as it is written: "″" for "arcsec", "°" for "deg", empty for a bare number.
 QString unitText(const std::string& unit);
 QString effectUnitText(const EffectEstimate& estimate);

@@ -1,0 +1,139 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTest>
+#include <algorithm>
+
+#include "core/simulation/trial_series.h"
+#include "tests/ui/support.h"
+#include "ui/commands/change_field.h"
+#include "ui/dialogs/blind_trial_dialog.h"
+#include "ui/main_window.h"
+#include "ui/panels/data_table.h"
+#include "ui/panels/gap_panel.h"
+#include "ui/text/cause_text.h"
+#include "ui/text/trial_text.h"
+
+namespace alidade::ui {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr int seed = 4711;
+
+struct TrialBench {
+  explicit TrialBench(const char* plan = "", const char* kind = "") {
+    select(0, plan);
+    select(1, kind);
+    dialog.findChild<QSpinBox*>()->setValue(seed);
+    dialog.show();
+  }
+
+  void select(int box, const char* data) {
+    auto* combo = dialog.findChildren<QComboBox*>().at(box);
+    combo->setCurrentIndex(combo->findData(QString::fromLatin1(data)));
+  }
+  QPushButton* button(const char* name) { return dialog.findChild<QPushButton*>(QString::fromLatin1(name)); }
+  void press(const char* name) {
+    ASSERT_TRUE(button(name)->isEnabled()) << name;
+    QTest::keyClick(button(name), Qt::Key_Space);
+    ASSERT_TRUE(waitFor([this] { return !dialog.job().isAtWork(); }));
+  }
+  std::string shown() {
+    QString texts;
+    for (const QLabel* label : dialog.findChildren<QLabel*>())
+      if (label->isVisibleTo(&dialog)) texts += label->text() + QLatin1Char('\n');
+    return texts.toStdString();
+  }
+
+  BlindTrialDialog dialog;
+};
+
+TEST(BlindTrial, KeepsTheTruthSealedUntilItIsOpened) {
+  TrialBench bench("full", "orientation_jump");
+  EXPECT_FALSE(bench.button("open seal")->isEnabled());
+  bench.press("draw");
+  EXPECT_THAT(bench.shown(), HasSubstr("Sealed."));
+  EXPECT_THAT(bench.shown(), HasSubstr("One cause: a jump of the orientation"));
+  EXPECT_THAT(bench.shown(), Not(HasSubstr("Knocked after")));
+  EXPECT_THAT(bench.shown(), Not(HasSubstr("True Δd")));
+  bench.press("open seal");
+  EXPECT_THAT(bench.shown(), HasSubstr("Right. It was a jump of the orientation, and so was the answer."));
+  EXPECT_THAT(bench.shown(), HasSubstr("Knocked after"));
+  EXPECT_THAT(bench.shown(), HasSubstr("Right: 1 of 1 (100 %)"));
+  EXPECT_FALSE(bench.button("open seal")->isEnabled());
+}
+
+TEST(BlindTrial, IsTheOneOfItsNumber) {
+  TrialBench bench("two-face", "collimation");
+  bench.press("draw");
+  const BlindTrial same = *drawBlindTrial({.protocol = "two-face", .kinds = {"collimation"}}, seed);
+  EXPECT_EQ(bench.dialog.current()->trial.session, same.session);
+  EXPECT_EQ(bench.dialog.findChild<QSpinBox*>()->value(), seed + 1) << "the next draw is another";
+  bench.press("open seal");
+  for (const QString& line : truthLines(same)) EXPECT_THAT(bench.shown(), HasSubstr(line.toStdString()));
+}
+
+TEST(BlindTrial, ScoresAStretchAsTheCoreDoes) {
+  constexpr int count = 6;
+  TrialBench bench("paper");
+  bench.dialog.findChildren<QSpinBox*>().last()->setValue(count);
+  bench.press("series");
+  const auto scored = *scoreDrawnTrials({.count = count, .threads = 1}, {.protocol = "paper"},
+                                        static_cast<std::uint64_t>(seed));
+  const auto right =
+      std::count_if(scored.begin(), scored.end(), [](const ScoredTrial& trial) { return trial.score.right; });
+  EXPECT_THAT(bench.shown(), HasSubstr("Right: " + std::to_string(right) + " of " + std::to_string(count)));
+  const auto* table = bench.dialog.findChild<DataTable*>();
+  ASSERT_EQ(table->model()->rowCount(), count);
+  EXPECT_EQ(table->model()->index(count - 1, 0).data().toInt(), seed) << "the newest first";
+}
+
+TEST(BlindTrial, AStretchIsStopped) {
+  TrialBench bench("paper", "none");
+  bench.dialog.findChildren<QSpinBox*>().last()->setValue(10000);
+  QTest::keyClick(bench.button("series"), Qt::Key_Space);
+  ASSERT_TRUE(waitFor([&] { return bench.dialog.current() != nullptr; }));
+  EXPECT_FALSE(bench.button("draw")->isEnabled());
+  bench.press("series");
+  EXPECT_LT(bench.dialog.findChild<DataTable*>()->model()->rowCount(), 1000);
+  bench.press("draw");
+  EXPECT_THAT(bench.shown(), HasSubstr("Sealed.")) << "what was at work when it was stopped is not shown";
+}
+
+TEST(BlindTrial, IsShownInTheWindowUnlessUnsavedWorkIsKept) {
+  OpenWindow open;
+  changeField(open->document(), {.field = "title"}, "mine");
+  QTest::keyClick(open.window.get(), Qt::Key_B, Qt::ControlModifier);
+  auto* dialog = open->findChild<BlindTrialDialog*>();
+  ASSERT_TRUE(dialog && dialog->isVisible());
+  dialog->findChild<QPushButton*>(QStringLiteral("draw"))->click();
+  ASSERT_TRUE(waitFor([&] { return !dialog->job().isAtWork(); }));
+  auto* inWindow = dialog->findChild<QPushButton*>(QStringLiteral("in window"));
+  inWindow->click();
+  EXPECT_EQ(open.dialogs->saveQuestions, 1);
+  EXPECT_EQ(open->document().session().title, "mine") << "the question was answered by Cancel";
+  open.dialogs->saveAnswer = Dialogs::SaveAnswer::Discard;
+  inWindow->click();
+  EXPECT_EQ(open->document().session(), dialog->current()->trial.session);
+  EXPECT_TRUE(open->document().path().isEmpty());
+  EXPECT_TRUE(open->findChild<GapPanel*>()->isVisible());
+}
+
+TEST(TrialText, NamesEveryKind) {
+  for (const TrialKind& kind : trialKinds())
+    EXPECT_FALSE(trialKindName(kind.name).contains(u'_')) << kind.name;
+  for (const TrialKind& kind : trialKinds()) {
+    const BlindTrial trial = *drawBlindTrial({.protocol = "full", .kinds = {kind.name}}, seed);
+    const QStringList lines = truthLines(trial);
+    EXPECT_EQ(lines.front() == QStringLiteral("Nothing was put in."), kind.name == "none") << kind.name;
+  }
+}
+
+}  // namespace
+}  // namespace alidade::ui

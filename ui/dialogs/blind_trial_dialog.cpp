@@ -1,0 +1,308 @@
+#include "ui/dialogs/blind_trial_dialog.h"
+
+#include <QComboBox>
+#include <QEvent>
+#include <QFormLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QRandomGenerator>
+#include <QSpinBox>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "core/simulation/protocol.h"
+#include "core/simulation/trial_summary.h"
+#include "ui/charts/gap_waterfall.h"
+#include "ui/panels/data_table.h"
+#include "ui/panels/figure_grid.h"
+#include "ui/panels/gap_headline.h"
+#include "ui/settings/theme.h"
+#include "ui/text/entry_text.h"
+#include "ui/text/quantity_text.h"
+#include "ui/text/trial_text.h"
+
+namespace alidade::ui {
+
+namespace {
+
+QLabel* textOfLines(int lines) {
+  QLabel* label = wrappedLabel();
+  label->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  label->setMinimumHeight(lines * label->fontMetrics().lineSpacing());
+  return label;
+}
+
+QString tallyText(const QString& name, const Tally& tally) {
+  const double share =
+      tally.count > 0 ? 100.0 * static_cast<double>(tally.hits) / static_cast<double>(tally.count) : 0;
+  return QStringLiteral("%1: %2 of %3 (%4 %)")
+      .arg(name)
+      .arg(tally.hits)
+      .arg(tally.count)
+      .arg(numberText(share, 0));
+}
+
+}  // namespace
+
+BlindTrialDialog::BlindTrialDialog(QWidget* parent) : QDialog(parent) {
+  setWindowTitle(tr("Blind Trial"));
+  auto* head = new QHBoxLayout;
+  head->addWidget(createChoices(), 0);
+  head->addWidget(createAnswer(), 1);
+  auto* foot = new QHBoxLayout;
+  foot->addWidget(createTruth(), 1);
+  foot->addWidget(createScores(), 1);
+  auto* layout = new QVBoxLayout(this);
+  layout->addLayout(head);
+  layout->addLayout(foot, 1);
+  layout->addWidget(createButtons());
+  resize(900, 620);
+  connect(&m_job, &TrialJob::diagnosed, this, &BlindTrialDialog::take);
+  showTrial(nullptr, false);
+  showScores();
+  showWork();
+}
+
+QWidget* BlindTrialDialog::createChoices() {
+  m_plan = new QComboBox;
+  m_plan->addItem(tr("any plan"), QString());
+  for (const Protocol& protocol : namedProtocols()) {
+    m_plan->addItem(qText(protocol.name), qText(protocol.name));
+    m_plan->setItemData(m_plan->count() - 1, qText(protocol.description), Qt::ToolTipRole);
+  }
+  m_kind = new QComboBox;
+  m_kind->addItem(tr("anything, or nothing"), QString());
+  for (const TrialKind& kind : trialKinds()) m_kind->addItem(trialKindName(kind.name), qText(kind.name));
+  m_visible = new QComboBox;
+  m_visible->addItem(tr("clearly, by 6 to 25 σ"), QPointF(6, 25));
+  m_visible->addItem(tr("faintly, by 2 to 6 σ"), QPointF(2, 6));
+  m_seed = new QSpinBox;
+  m_seed->setRange(1, 999999);
+  m_seed->setValue(QRandomGenerator::global()->bounded(1, 900000));
+  m_seed->setToolTip(tr("The same number and choices give the same trial; each draw goes on by one"));
+  auto* choices = new QWidget;
+  auto* form = new QFormLayout(choices);
+  form->setContentsMargins(0, 0, 12, 0);
+  form->addRow(panelHeading(tr("What is drawn")));
+  form->addRow(tr("&Plan"), m_plan);
+  form->addRow(tr("&Truth"), m_kind);
+  form->addRow(tr("S&hows"), m_visible);
+  form->addRow(tr("&Number"), m_seed);
+  return choices;
+}
+
+QWidget* BlindTrialDialog::createAnswer() {
+  m_title = panelHeading({});
+  m_answer = new GapHeadline;
+  m_answer->setMinimumHeight(5 * fontMetrics().lineSpacing());
+  m_waterfall = new GapWaterfall;
+  auto* answer = new QWidget;
+  auto* layout = new QVBoxLayout(answer);
+  layout->setContentsMargins(0, 0, 0, 0);
+  for (QWidget* part : std::initializer_list<QWidget*>{m_title, m_answer, m_waterfall})
+    layout->addWidget(part);
+  layout->addStretch();
+  return answer;
+}
+
+QWidget* BlindTrialDialog::createTruth() {
+  m_truth = textOfLines(5);
+  m_score = textOfLines(2);
+  QFont bold = font();
+  bold.setBold(true);
+  m_score->setFont(bold);
+  auto* truth = new QWidget;
+  auto* layout = new QVBoxLayout(truth);
+  layout->setContentsMargins(0, 0, 12, 0);
+  layout->addWidget(panelHeading(tr("Truth")));
+  layout->addWidget(m_score);
+  layout->addWidget(m_truth);
+  layout->addStretch();
+  return truth;
+}
+
+QWidget* BlindTrialDialog::createScores() {
+  const auto of = [this](auto text) {
+    return [this, text](int row) {
+      return text(*m_opened[m_opened.size() - 1 - static_cast<std::size_t>(row)]);
+    };
+  };
+  m_trials = new DataTable(
+      {{tr("Trial"), tr("Its number"), QStringLiteral("888888"),
+        of([](const DiagnosedTrial& t) { return qText(t.trial.seal.id); })},
+       {tr("Plan"), tr("Plan of readings"), QStringLiteral("there-and-back8"),
+        of([](const DiagnosedTrial& t) { return qText(t.trial.truth.protocol); }), Qt::AlignLeft},
+       {tr("Truth"), tr("What was put in"), tr("vertical circle eccentricity"),
+        of([](const DiagnosedTrial& t) { return trialKindName(t.trial.seal.kind); }), Qt::AlignLeft},
+       {tr("Score"), tr("Whether the diagnosis was right"), tr("wrong"),
+        of([](const DiagnosedTrial& t) { return t.score.right ? tr("right") : tr("wrong"); }),
+        Qt::AlignLeft}});
+  m_trials->setAccessibleName(tr("Trials with their seals open"));
+  m_trials->setSelectionMode(QAbstractItemView::SingleSelection);
+  m_trials->setPlaceholder(tr("Trials are listed here when their seal is open."));
+  m_trials->horizontalHeader()->setStretchLastSection(true);
+  connect(m_trials, &DataTable::rowActivated, this, [this](int row) {
+    if (!m_job.isAtWork()) showTrial(m_opened[m_opened.size() - 1 - static_cast<std::size_t>(row)], true);
+  });
+  m_summary = textOfLines(2);
+  auto* scores = new QWidget;
+  auto* layout = new QVBoxLayout(scores);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(panelHeading(tr("Score so far")));
+  layout->addWidget(m_summary);
+  layout->addWidget(m_trials, 1);
+  return scores;
+}
+
+QWidget* BlindTrialDialog::createButtons() {
+  auto* row = new QWidget;
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(0, 6, 0, 0);
+  const auto add = [&](const QString& text, const char* name) {
+    auto* button = new QPushButton(text);
+    button->setObjectName(QString::fromLatin1(name));
+    layout->addWidget(button);
+    return button;
+  };
+  m_draw = add(tr("&Draw a trial"), "draw");
+  m_open = add(tr("&Open the seal"), "open seal");
+  m_inWindow = add(tr("Sho&w in the window"), "in window");
+  m_inWindow->setToolTip(tr("Opens the session of the trial as a new one, its truth still sealed"));
+  layout->addStretch();
+  m_count = new QSpinBox;
+  m_count->setRange(2, 10000);
+  m_count->setValue(50);
+  m_count->setAccessibleName(tr("Number of trials at a stretch"));
+  m_series = add({}, "series");
+  layout->addWidget(m_count);
+  m_progress = new QProgressBar;
+  m_progress->setFixedWidth(120);
+  layout->addWidget(m_progress);
+  auto* close = add(tr("&Close"), "close");
+  m_draw->setDefault(true);
+  connect(m_draw, &QPushButton::clicked, this, [this] { draw(1); });
+  connect(m_open, &QPushButton::clicked, this, &BlindTrialDialog::openSeal);
+  connect(m_inWindow, &QPushButton::clicked, this, [this] { emit sessionWanted(m_current->trial.session); });
+  connect(m_series, &QPushButton::clicked, this, [this] {
+    if (!m_job.isAtWork()) return draw(m_count->value());
+    m_job.stop();
+    showWork();
+  });
+  connect(close, &QPushButton::clicked, this, &QDialog::close);
+  return row;
+}
+
+BlindTrialOptions BlindTrialDialog::options() const {
+  BlindTrialOptions options;
+  options.protocol = m_plan->currentData().toString().toStdString();
+  const QPointF visible = m_visible->currentData().toPointF();
+  options.leastVisible = visible.x();
+  options.mostVisible = visible.y();
+  const std::string kind = m_kind->currentData().toString().toStdString();
+  if (!kind.empty()) options.kinds = {kind};
+  return options;
+}
+
+void BlindTrialDialog::draw(int count) {
+  m_isSeries = count > 1;
+  m_wanted = count;
+  m_progress->setRange(0, count);
+  m_progress->setValue(0);
+  m_job.start(options(), static_cast<std::uint64_t>(m_seed->value()), count);
+  showWork();
+}
+
+void BlindTrialDialog::take(const SharedTrial& trial) {
+  m_seed->setValue(m_seed->value() % m_seed->maximum() + 1);
+  m_progress->setValue(m_progress->value() + 1);
+  const bool isOpen = m_isSeries && trial->problem.empty();
+  if (isOpen) m_opened.push_back(trial);
+  showTrial(trial, isOpen);
+  if (isOpen) showScores();
+  if (!trial->problem.empty()) m_job.stop();
+  showWork();
+  if (!m_isSeries) m_open->setFocus();
+}
+
+void BlindTrialDialog::openSeal() {
+  m_opened.push_back(m_current);
+  showTrial(m_current, true);
+  showScores();
+  showWork();
+  m_draw->setFocus();
+}
+
+void BlindTrialDialog::showTrial(const SharedTrial& trial, bool isOpen) {
+  m_current = trial;
+  m_isOpen = isOpen;
+  const bool says = trial && trial->problem.empty();
+  m_title->setText(!says ? tr("Diagnosis")
+                         : tr("Diagnosis of trial %1, plan %2")
+                               .arg(qText(trial->trial.seal.id), qText(trial->trial.truth.protocol)));
+  if (says)
+    m_answer->setGap(trial->gap);
+  else
+    m_answer->setText(tr("No trial drawn yet"),
+                      trial ? qText(trial->problem)
+                            : tr("A session is simulated by the plan from a truth that nobody sees. The "
+                                 "diagnosis knows the readings alone; then you open the seal."));
+  m_waterfall->setVisible(says);
+  if (says) m_waterfall->setGap(trial->gap);
+  showTruth();
+}
+
+void BlindTrialDialog::showTruth() {
+  const bool says = m_current && m_current->problem.empty();
+  m_score->setVisible(m_isOpen);
+  if (m_isOpen) {
+    m_truth->setText(truthLines(m_current->trial).join(u'\n'));
+    m_score->setText((m_current->score.right ? tr("Right. ") : tr("Wrong. ")) +
+                     scoreSentence(m_current->trial.seal, m_current->score));
+  } else {
+    m_truth->setText(says ? tr("Sealed. The diagnosis has answered: open the seal to see what was put in.")
+                          : QString());
+  }
+  colorScore();
+}
+
+void BlindTrialDialog::showScores() {
+  m_trials->setRows(static_cast<int>(m_opened.size()));
+  if (m_opened.empty()) return m_summary->setText(tr("No seal was opened yet."));
+  std::vector<ScoredTrial> scored;
+  for (const SharedTrial& trial : m_opened)
+    scored.push_back({.truth = trial->trial.seal, .score = trial->score, .wrongWithout = {}});
+  const TrialSummary summary = summarise(scored);
+  Tally right;
+  for (const ScoredTrial& trial : scored) right.add(trial.score.right);
+  QStringList texts{tallyText(tr("Right"), right)};
+  if (summary.falseAlarms.count > 0) texts.append(tallyText(tr("false alarms"), summary.falseAlarms));
+  if (summary.covered.count > 0) texts.append(tallyText(tr("Δd ± U covers"), summary.covered));
+  m_summary->setText(texts.join(QStringLiteral("; ")) + u'.');
+}
+
+void BlindTrialDialog::showWork() {
+  const bool isAtWork = m_job.isAtWork();
+  const bool isDrawn = m_current && m_current->problem.empty();
+  m_draw->setEnabled(!isAtWork);
+  m_open->setEnabled(!isAtWork && isDrawn && !m_isOpen);
+  m_inWindow->setEnabled(!isAtWork && isDrawn);
+  m_series->setText(isAtWork && m_isSeries ? tr("&Stop") : tr("Dr&aw many, open all:"));
+  m_series->setEnabled(!isAtWork || m_isSeries);
+  m_progress->setVisible(isAtWork && m_isSeries);
+}
+
+void BlindTrialDialog::colorScore() {
+  QPalette colored = palette();
+  const bool isRight = m_isOpen && m_current->score.right;
+  colored.setColor(QPalette::WindowText, stateColor(palette(), isRight ? State::Good : State::Bad));
+  m_score->setPalette(colored);
+}
+
+void BlindTrialDialog::changeEvent(QEvent* event) {
+  QDialog::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) colorScore();
+}
+
+}  // namespace alidade::ui

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <QFutureWatcher>
+#include <QObject>
+#include <QThreadPool>
+#include <memory>
+
+#include "core/simulation/blind_trial.h"
+#include "core/simulation/trial_score.h"
+#include "ui/jobs/gap.h"
+
+namespace alidade::ui {
+
+/// A blind trial with its diagnosis and what the open seal makes of it.
+struct DiagnosedTrial {
+  BlindTrial trial;
+  Gap gap;
+  TrialScore score;     ///< where there is a diagnosis
+  std::string problem;  ///< why there is no trial or no diagnosis; empty with both
+};
+
+using SharedTrial = std::shared_ptr<const DiagnosedTrial>;
+
+/// In the calling thread.
+DiagnosedTrial diagnoseTrial(const BlindTrialOptions& options, std::uint64_t seed);
+
+/// Draws and diagnoses trials in the background, one after the other: the seeds `seed`, `seed` + 1, …
+class TrialJob : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit TrialJob(QObject* parent = nullptr);
+  ~TrialJob() override;
+
+  void start(const BlindTrialOptions& options, std::uint64_t seed, int count);
+  void stop();  ///< no further one is delivered
+  bool isAtWork() const { return m_left > 0; }
+
+ signals:
+  void diagnosed(const alidade::ui::SharedTrial& trial);
+
+ private:
+  void next();
+  void finish();
+
+  QThreadPool m_threads;
+  QFutureWatcher<SharedTrial> m_work;
+  BlindTrialOptions m_options;
+  std::uint64_t m_seed = 0;
+  int m_left = 0;
+  bool m_isStale = false;  ///< what is at work was stopped
+};
+
+}  // namespace alidade::ui

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <QWidget>
+
+#include "ui/jobs/gap.h"
+#include "ui/settings/theme.h"
+
+class QLabel;
+
+namespace alidade::ui {
+
+/// The verdict of a diagnosis: its sign, the few words it comes to in their colour, and its sentences.
+class GapHeadline : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit GapHeadline(QWidget* parent = nullptr);
+
+  /// The verdict, or why there is none.
+  void setGap(const Gap& gap);
+  /// What else there is to say.
+  void setText(const QString& headline, const QString& sentence);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void setState(State state);
+  void color();
+
+  State m_state = State::Quiet;
+  QLabel *m_icon, *m_headline, *m_sentence;
+};
+
+}  // namespace alidade::ui
