@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -45,7 +46,7 @@ class CorrectionTrials {
  public:
   /// Searches `fitted`, the fitted part of what `session` means, at the stated risk of naming a sound
   /// reading.
-  CorrectionTrials(const Session& session, Measurement fitted, double risk);
+  CorrectionTrials(const Session& session, Measurement fitted, double risk, const std::stop_token& stop);
 
   const Measurement& measurement() const { return m_fitted; }
   const std::vector<MisreadReading>& misread() const { return m_search.misread; }

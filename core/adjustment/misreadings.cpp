@@ -75,12 +75,12 @@ class Projector {
 
 class Search {
  public:
-  Search(const Measurement& measurement, const MisreadingOptions& options)
-      : m_measurement(measurement), m_options(options), m_fitOptions(options.fit) {}
+  Search(const Measurement& measurement, const MisreadingOptions& options, const std::stop_token& stop)
+      : m_measurement(measurement), m_options(options), m_stop(stop), m_fitOptions(options.fit) {}
 
   MisreadingSearch run() {
     start();
-    for (std::size_t step = 0; step < 3 * m_options.most + 3; ++step) {
+    for (std::size_t step = 0; step < 3 * m_options.most + 3 && !m_stop.stop_requested(); ++step) {
       takeBackInsignificant();
       if (calls() >= m_options.most || !addMostSignificant()) break;
     }
@@ -280,7 +280,7 @@ class Search {
   }
 
   void takeBackInsignificant() {
-    while (calls() > 0) {
+    while (calls() > 0 && !m_stop.stop_requested()) {
       std::size_t weakest = 0;
       for (std::size_t i = 1; i < calls(); ++i)
         if (std::abs(studentised(i)) < std::abs(studentised(weakest))) weakest = i;
@@ -388,6 +388,7 @@ class Search {
 
   const Measurement& m_measurement;
   const MisreadingOptions& m_options;
+  const std::stop_token& m_stop;
   JointFitOptions m_fitOptions;
   std::vector<Circle> m_circles;
   std::vector<ReadingRef> m_apart;
@@ -401,8 +402,9 @@ class Search {
 
 }  // namespace
 
-MisreadingSearch searchMisreadings(const Measurement& measurement, const MisreadingOptions& options) {
-  return Search(measurement, options).run();
+MisreadingSearch searchMisreadings(const Measurement& measurement, const MisreadingOptions& options,
+                                   const std::stop_token& stop) {
+  return Search(measurement, options, stop).run();
 }
 
 void shiftReading(Measurement& measurement, const ReadingRef& cell, Angle size) {

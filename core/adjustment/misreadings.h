@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <stop_token>
 #include <vector>
 
 #include "core/adjustment/joint_fit.h"
@@ -50,8 +51,9 @@ struct MisreadingSearch {
   double criticalValue = 0;             ///< |t| from which a reading is called; 0 where nothing was tested
 };
 
-/// Every arc must fix a circle (`fitArc` succeeds).
-MisreadingSearch searchMisreadings(const Measurement& measurement, const MisreadingOptions& options = {});
+/// Every arc must fix a circle (`fitArc` succeeds). Asked to stop, it returns early with what it has.
+MisreadingSearch searchMisreadings(const Measurement& measurement, const MisreadingOptions& options = {},
+                                   const std::stop_token& stop = {});
 
 /// The measurement with `size` taken off a reading.
 void shiftReading(Measurement& measurement, const ReadingRef& cell, Angle size);

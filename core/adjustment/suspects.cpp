@@ -19,11 +19,16 @@ constexpr std::size_t mostProposals = 5, mostUnusableRows = 12;
 
 class SuspectSearch {
  public:
-  SuspectSearch(const Session& session, Measurement fitted, const SuspectOptions& options)
-      : m_session(session), m_reader(session), m_trials(session, std::move(fitted), options.risk) {}
+  SuspectSearch(const Session& session, Measurement fitted, const SuspectOptions& options,
+                const std::stop_token& stop)
+      : m_session(session),
+        m_stop(stop),
+        m_reader(session),
+        m_trials(session, std::move(fitted), options.risk, stop) {}
 
   std::vector<Suspect> run() {
     for (const MisreadReading& misread : m_trials.misread()) {
+      if (m_stop.stop_requested()) return std::move(m_suspects);
       const Sighting& sighting = m_trials.sightingOf(misread.cell);
       const Visited visit = m_trials.visitOf(misread.cell.arc, sighting.round, sighting.point);
       if (!isNamed(visit)) lookAt(visit);
@@ -149,6 +154,7 @@ class SuspectSearch {
       const std::size_t position = m_trials.measurement().arcs[arc].position;
       const auto& readings = m_session.positions[position].readings;
       for (std::size_t row = 0; row < readings.size() && looked < mostUnusableRows; ++row) {
+        if (m_stop.stop_requested()) return;
         if (readings[row].excluded || readings[row].horizontal.empty() || readings[row].vertical.empty() ||
             std::ranges::find(m_trials.measurement().arcs[arc].sightings, row, &Sighting::row) !=
                 m_trials.measurement().arcs[arc].sightings.end())
@@ -189,6 +195,7 @@ class SuspectSearch {
   }
 
   const Session& m_session;
+  const std::stop_token& m_stop;
   RowReader m_reader;
   CorrectionTrials m_trials;
   std::vector<Suspect> m_suspects;
@@ -197,9 +204,10 @@ class SuspectSearch {
 }  // namespace
 
 std::vector<Suspect> findSuspects(const Session& session, const Measurement& measurement,
-                                  const SessionFit& fit, const SuspectOptions& options) {
+                                  const SessionFit& fit, const SuspectOptions& options,
+                                  const std::stop_token& stop) {
   if (fit.arcs.empty()) return {};
-  return SuspectSearch(session, fittedPart(measurement, fit), options).run();
+  return SuspectSearch(session, fittedPart(measurement, fit), options, stop).run();
 }
 
 std::optional<Finding> suspectsFinding(const std::vector<Suspect>& suspects) {

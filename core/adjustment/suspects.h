@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -45,9 +46,10 @@ struct SuspectOptions {
 /// because of it. Rows that could not be used are looked at, too, and named where a slip explains them.
 /// `measurement` is what `session` means, `fit` its fit. Which readings these are says
 /// `searchMisreadings`; the slip that makes its visit agree with all others decides which cell is at
-/// fault, where one does.
+/// fault, where one does. Asked to stop, it returns early with what it has found.
 std::vector<Suspect> findSuspects(const Session& session, const Measurement& measurement,
-                                  const SessionFit& fit, const SuspectOptions& options = {});
+                                  const SessionFit& fit, const SuspectOptions& options = {},
+                                  const std::stop_token& stop = {});
 
 /// One warning that names them; absent where there are none.
 std::optional<Finding> suspectsFinding(const std::vector<Suspect>& suspects);

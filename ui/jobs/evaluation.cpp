@@ -17,9 +17,10 @@ Evaluation evaluateFit(Session session) {
   return evaluation;
 }
 
-Evaluation withSuspects(Evaluation evaluation) {
+Evaluation withSuspects(Evaluation evaluation, const std::stop_token& stop) {
   if (std::exchange(evaluation.isSearched, true)) return evaluation;
-  evaluation.suspects = findSuspects(evaluation.session, *evaluation.examined.measurement, evaluation.fit);
+  evaluation.suspects =
+      findSuspects(evaluation.session, *evaluation.examined.measurement, evaluation.fit, {}, stop);
   if (auto finding = suspectsFinding(evaluation.suspects))
     evaluation.fit.findings.insert(evaluation.fit.findings.begin(), *std::move(finding));
   return evaluation;

@@ -26,7 +26,7 @@ struct Evaluation {
 /// All but the suspects, whose search takes several times as long.
 Evaluation evaluateFit(Session session);
 /// The same with the suspects, and with the finding that names them.
-Evaluation withSuspects(Evaluation evaluation);
+Evaluation withSuspects(Evaluation evaluation, const std::stop_token& stop = {});
 /// Both in one.
 Evaluation evaluate(Session session);
 

@@ -14,11 +14,13 @@ FitJob::FitJob(QObject* parent) : QObject(parent) {
 FitJob::~FitJob() {
   m_fit.disconnect(this);
   m_search.disconnect(this);
+  m_stop.request_stop();
   m_threads.waitForDone();
 }
 
 void FitJob::request(const Session& session) {
   m_fitted.reset();
+  m_stop.request_stop();
   if (m_fitting) {
     m_next = session;
   } else {
@@ -48,9 +50,11 @@ void FitJob::finishFit() {
 void FitJob::search() {
   if (m_searching || !m_fitted) return;
   m_searching = true;
-  m_search.setFuture(QtConcurrent::run(&m_threads, [fitted = m_fitted]() -> Search {
-    return {fitted, std::make_shared<const Evaluation>(withSuspects(*fitted))};
-  }));
+  m_stop = std::stop_source();
+  m_search.setFuture(
+      QtConcurrent::run(&m_threads, [fitted = m_fitted, stop = m_stop.get_token()]() -> Search {
+        return {fitted, std::make_shared<const Evaluation>(withSuspects(*fitted, stop))};
+      }));
 }
 
 void FitJob::finishSearch() {

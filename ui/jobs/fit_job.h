@@ -5,6 +5,7 @@
 #include <QThreadPool>
 #include <memory>
 #include <optional>
+#include <stop_token>
 
 #include "ui/jobs/evaluation.h"
 
@@ -15,7 +16,8 @@ using SharedEvaluation = std::shared_ptr<const Evaluation>;
 
 /// Evaluates copies of the session in the background, in two stages: the fit at once, the readings that look
 /// misread when they are found. While a fit is at work, only the newest request is kept; what a newer request
-/// has overtaken is not delivered. A fit never waits for a search, and there is one search at a time.
+/// has overtaken is not delivered, and its search is stopped. A fit never waits for a search, and there is
+/// one search at a time.
 class FitJob : public QObject {
   Q_OBJECT
 
@@ -45,6 +47,7 @@ class FitJob : public QObject {
   QThreadPool m_threads;
   QFutureWatcher<SharedEvaluation> m_fit;
   QFutureWatcher<Search> m_search;
+  std::stop_source m_stop;  ///< of the search at work
   std::optional<Session> m_next;
   SharedEvaluation m_fitted;  ///< delivered last, its suspects still wanted; null where they are not
   bool m_fitting = false, m_searching = false;

@@ -3,7 +3,6 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QSignalBlocker>
-#include <QStyledItemDelegate>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -46,19 +45,6 @@ QString sizeText(const EffectEstimate& estimate) {
   return unit == QStringLiteral("mm") ? size + QStringLiteral(" mm") : size + unit;
 }
 
-/// Fusion draws the frame of a check box from the window colour, unseen on a dark base.
-class VisibleBoxes : public QStyledItemDelegate {
- public:
-  using QStyledItemDelegate::QStyledItemDelegate;
-
- protected:
-  void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
-    QStyledItemDelegate::initStyleOption(option, index);
-    if (isDark(option->palette))
-      option->palette.setColor(QPalette::Window, option->palette.color(QPalette::PlaceholderText));
-  }
-};
-
 }  // namespace
 
 EffectsPanel::EffectsPanel(SessionDocument& document, QWidget* parent)
@@ -68,7 +54,6 @@ EffectsPanel::EffectsPanel(SessionDocument& document, QWidget* parent)
   m_list->header()->setStretchLastSection(false);
   m_list->header()->setSectionResizeMode(0, QHeaderView::Stretch);
   m_list->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
-  m_list->setItemDelegate(new VisibleBoxes(m_list));
   m_list->setRootIsDecorated(false);
   m_list->setIndentation(14);
   m_list->setAlternatingRowColors(true);

@@ -58,7 +58,8 @@ QPalette darkPalette() {
                    "#7fb2ec");
 }
 
-/// Fusion without the light line it draws above a tool bar, which glares on dark colours.
+/// Fusion without the light line it draws above a tool bar, which glares on dark colours, and with a frame
+/// round check boxes that is seen on them: Fusion draws it darker than the window.
 class WorkstationStyle : public QProxyStyle {
  public:
   WorkstationStyle() : QProxyStyle(QStringLiteral("Fusion")) {}
@@ -69,6 +70,16 @@ class WorkstationStyle : public QProxyStyle {
     const QRect& bar = option->rect;
     painter->fillRect(bar, option->palette.window());
     painter->fillRect(bar.left(), bar.bottom(), bar.width(), 1, option->palette.mid());
+  }
+
+  void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                     const QWidget* widget) const override {
+    const auto* box = qstyleoption_cast<const QStyleOptionButton*>(option);
+    if (element != PE_IndicatorCheckBox || !box || !isDark(option->palette))
+      return QProxyStyle::drawPrimitive(element, option, painter, widget);
+    QStyleOptionButton framed = *box;
+    framed.palette.setColor(QPalette::Window, option->palette.color(QPalette::PlaceholderText));
+    QProxyStyle::drawPrimitive(element, &framed, painter, widget);
   }
 };
 

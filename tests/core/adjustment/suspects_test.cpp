@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <stop_token>
+
 #include "tests/support/paper_table.h"
 #include "tests/support/typed_slips.h"
 
@@ -102,6 +104,16 @@ TEST(Suspects, IncludeRowsThatCouldNotBeUsed) {
   EXPECT_EQ(suspects[0].where, (Place{.position = 1, .reading = 7, .field = "horizontal"}));
   EXPECT_TRUE(std::isnan(suspects[0].size.radians()));
   EXPECT_THAT(suspects[0].sentence, HasSubstr("no angle"));
+}
+
+TEST(Suspects, AreLeftAloneOnceAskedToStop) {
+  const Session session = slippedSession(*protocolByName("paper"), Slip::DigitWrong, 5001).session;
+  const Measurement measurement = *examine(session).measurement;
+  const SessionFit fit = fitSession(measurement);
+  std::stop_source stop;
+  EXPECT_THAT(findSuspects(session, measurement, fit, {}, stop.get_token()), SizeIs(1));
+  stop.request_stop();
+  EXPECT_THAT(findSuspects(session, measurement, fit, {}, stop.get_token()), IsEmpty());
 }
 
 TEST(Suspects, AreNoneWithoutAFit) {
