@@ -59,7 +59,7 @@ class EvenPlaces {
   explicit EvenPlaces(const Position& position) {
     for (std::size_t i = 0; i < position.readings.size(); ++i) m_points.push_back(pointOf(position, i));
     std::ranges::sort(m_points);
-    m_points.erase(std::ranges::unique(m_points).begin(), m_points.end());
+    m_points.erase(std::unique(m_points.begin(), m_points.end()), m_points.end());
   }
 
   Angle at(const Position& position, std::size_t row) const {
