@@ -94,7 +94,9 @@ std::vector<Candidate> candidatesOf(const Inquiry& inquiry) {
   for (const Component& component : inquiry.candidates)
     if (component.kind == Component::Kind::Effect &&
         std::ranges::find(list, component.id, &Candidate::effect) == list.end())
-      list.push_back({component.id, logBayesFactor(inquiry.leftover, component), 0});
+      list.push_back(
+          {component.id, logBayesFactor(inquiry.leftover, component),
+           signature(inquiry.leftover, component, likelyWeights(inquiry.leftover, component)).norm()});
   std::ranges::sort(list, std::greater{}, &Candidate::logBayesFactor);
   return list;
 }

@@ -1,5 +1,6 @@
 #include "core/diagnosis/explanation.h"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -107,16 +108,31 @@ std::vector<Explanation> explain(const Leftover& leftover, const std::vector<Com
   return all;
 }
 
+namespace {
+
+BentFit fitBentAlone(const Leftover& leftover, const Component& component) {
+  const MatrixXd columns = bentColumns(component);
+  return fitBent(widthsOf(component.kind), columns.transpose() * columns,
+                 columns.transpose() * leftover.residual(), 1);
+}
+
+}  // namespace
+
 double logBayesFactor(const Leftover& leftover, const Component& component) {
-  const std::vector<Width>& widths = widthsOf(component.kind);
-  if (component.curvature.cols() > 0) {
-    const MatrixXd columns = bentColumns(component);
-    return fitBent(widths, columns.transpose() * columns, columns.transpose() * leftover.residual(), 1)
-        .gain.log;
-  }
+  if (component.curvature.cols() > 0) return fitBentAlone(leftover, component).gain.log;
   const VectorXd right = component.columns.transpose() * leftover.residual();
   if (component.allOrNothing) return right[0] - component.gram(0, 0) / 2;
-  return gainOf(widths, component.gram, right, 1).log;
+  return gainOf(widthsOf(component.kind), component.gram, right, 1).log;
+}
+
+VectorXd likelyWeights(const Leftover& leftover, const Component& component) {
+  if (component.curvature.cols() > 0) return fitBentAlone(leftover, component).weights;
+  if (component.allOrNothing) return VectorXd::Ones(1);
+  const VectorXd right = component.columns.transpose() * leftover.residual();
+  const double width = gainOf(widthsOf(component.kind), component.gram, right, 1).width;
+  MatrixXd matrix = component.gram;
+  matrix.diagonal().array() += 1 / (width * width);
+  return matrix.ldlt().solve(right);
 }
 
 }  // namespace alidade

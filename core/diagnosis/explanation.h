@@ -49,5 +49,7 @@ std::vector<Explanation> explain(const Leftover& leftover, const std::vector<Com
 
 /// Evidence of one component alone, noise as stated, natural, without its prior.
 double logBayesFactor(const Leftover& leftover, const Component& component);
+/// The weights that an effect then has, in plausible sizes.
+Eigen::VectorXd likelyWeights(const Leftover& leftover, const Component& component);
 
 }  // namespace alidade

@@ -11,6 +11,7 @@
 
 #include "core/adjustment/session_fit.h"
 #include "core/diagnosis/leftover.h"
+#include "core/effects/catalogue.h"
 #include "core/simulation/simulate.h"
 #include "tests/support/paper_table.h"
 #include "tests/support/trials.h"
@@ -141,6 +142,18 @@ TEST(Diagnosis, NamesNoWrongCauseWithoutTheRightOne) {
   }
   EXPECT_GE(count, 15);
   EXPECT_LE(wrong, 1);  // 3 % of some twenty sessions, and one more
+}
+
+// What raises the evidence takes something up, whether or not the search kept it as an explanation.
+TEST(Diagnosis, SaysOfEveryCandidateHowMuchOfItShows) {
+  int strong = 0;
+  for (const test::Trial& trial : trialsOf("two_causes"))
+    for (const Candidate& candidate : diagnosed(trial.measurement).candidates) {
+      if (!effectById(candidate.effect) || candidate.logBayesFactor < 10) continue;
+      ++strong;
+      EXPECT_GT(candidate.visibleSigma, 0) << trial.id << ' ' << candidate.effect;
+    }
+  EXPECT_GT(strong, 4);
 }
 
 TEST(Diagnosis, SharesAddUpToOne) {
