@@ -162,6 +162,7 @@ void MainWindow::connectParts() {
     m_lastChange = change.place;
     m_suspects->setStale();
     m_gap->setStale();
+    if (change.kind == SessionChange::Kind::Everything) showNoGap();
     m_gapJob.cancel();
     m_job.request(m_document.session());
   });
@@ -280,6 +281,13 @@ void MainWindow::showGap(const SharedGap& gap) {
   m_details->setTabIcon(m_details->indexOf(m_gap),
                         gap->isOpen() ? themeIcon(QStringLiteral("warning")) : QIcon());
   m_result->setGapHint(gap->isOpen() ? gapHeadline(*gap->diagnosis) : QString());
+}
+
+/// Nothing is known yet of another session.
+void MainWindow::showNoGap() {
+  m_gap->clear();
+  m_details->setTabIcon(m_details->indexOf(m_gap), QIcon());
+  m_result->setGapHint({});
 }
 
 void MainWindow::markForms() {

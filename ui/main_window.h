@@ -77,6 +77,7 @@ class MainWindow : public QMainWindow {
   void showTitle();
   void showEvaluation(const SharedEvaluation& evaluation);
   void showSuspects(const SharedEvaluation& evaluation);
+  void showNoGap();
   void showGap(const SharedGap& gap);
   void markForms();
   void revealField(const Place& place, bool takeFocus);

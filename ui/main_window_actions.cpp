@@ -222,9 +222,11 @@ void WindowActions::addPageActions(QMenu& menu) {
   int number = 0;
   for (PageTabs* tabs : m_window.pageTabs()) {
     for (int page = 0; page < tabs->count(); ++page) {
-      QAction* action =
-          addTo(menu, nullptr, tabs->tabText(page), QKeySequence(Qt::CTRL | (Qt::Key_1 + number++)), this,
-                [tabs, page] { tabs->showPage(page); });
+      QAction* action = addTo(menu, nullptr, tabs->tabText(page),
+                              QKeySequence(Qt::CTRL | (Qt::Key_1 + number++)), this, [this, tabs, page] {
+                                if (tabs->isHidden()) m_enlarge->setChecked(false);
+                                tabs->showPage(page);
+                              });
       connect(&menu, &QMenu::aboutToShow, action,
               [tabs, page, action] { action->setEnabled(tabs->isTabVisible(page)); });
       connect(&menu, &QMenu::aboutToHide, action, [action] { action->setEnabled(true); });
@@ -234,9 +236,8 @@ void WindowActions::addPageActions(QMenu& menu) {
 
 /// Also a button at the end of the tabs.
 void WindowActions::addEnlargeAction(QMenu& menu) {
-  QAction* enlarge =
-      addTo(menu, nullptr, tr("&Enlarge Lower Pages"), QKeySequence(tr("Ctrl+0")), this, [] {});
-  enlarge->setCheckable(true);
+  m_enlarge = addTo(menu, nullptr, tr("&Enlarge Lower Pages"), QKeySequence(tr("Ctrl+0")), this, [] {});
+  m_enlarge->setCheckable(true);
   auto* button = new QToolButton;
   button->setAutoRaise(true);
   button->setArrowType(Qt::UpArrow);
@@ -244,8 +245,8 @@ void WindowActions::addEnlargeAction(QMenu& menu) {
   button->setToolTip(tr("Enlarge over the picture, or back (Ctrl+0)"));
   button->setAccessibleName(tr("Enlarge lower pages"));
   m_window.pageTabs().last()->setCornerWidget(button);
-  connect(button, &QToolButton::toggled, enlarge, &QAction::setChecked);
-  connect(enlarge, &QAction::toggled, this, [this, button](bool enlarged) {
+  connect(button, &QToolButton::toggled, m_enlarge, &QAction::setChecked);
+  connect(m_enlarge, &QAction::toggled, this, [this, button](bool enlarged) {
     m_window.setDetailsEnlarged(enlarged);
     button->setChecked(enlarged);
     button->setArrowType(enlarged ? Qt::DownArrow : Qt::UpArrow);
@@ -253,7 +254,7 @@ void WindowActions::addEnlargeAction(QMenu& menu) {
 }
 
 void WindowActions::createToolsMenu() {
-  QMenu& menu = *m_window.menuBar()->addMenu(tr("&Tools"));
+  QMenu& menu = *m_window.menuBar()->addMenu(tr("T&ools"));
   addTo(menu, nullptr, tr("&Blind Trial…"), QKeySequence(tr("Ctrl+B")), this,
         [this] { m_window.showBlindTrials(); });
 }

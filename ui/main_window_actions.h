@@ -38,6 +38,7 @@ class WindowActions : public QObject {
   void useClipboard(Clipboard way);
 
   MainWindow& m_window;
+  QAction* m_enlarge = nullptr;
   QList<QAction*> m_tableActions;
 };
 

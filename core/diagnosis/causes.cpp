@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/adjustment/correction_trials.h"
 #include "core/diagnosis/misread_circle.h"
 
 namespace alidade {
@@ -46,7 +47,6 @@ Cause largerNoise(const Inquiry& inquiry, const GapModel& after) {
 
 std::vector<Cause> causesOf(const Inquiry& inquiry, const Answer& answer) {
   std::vector<Cause> causes;
-  if (answer.kind == Answer::Kind::Unknown) return causes;
   std::vector<BlamedReading> misread = inquiry.farOff;
   const Explanation& explanation = answer.explanation;
   for (std::size_t p = 0; p < explanation.parts.size(); ++p) {
@@ -66,6 +66,8 @@ std::vector<Cause> causesOf(const Inquiry& inquiry, const Answer& answer) {
     Cause cause = named(inquiry, misreadingId);
     if (!inquiry.farOff.empty()) cause.probability = 1;
     cause.readings = withLikelierCircles(answer.after, std::move(misread));
+    for (BlamedReading& reading : cause.readings)
+      reading.size *= sideOf(answer.after.measurement, reading.face, reading.kind);
     causes.push_back(std::move(cause));
   }
   if (explanation.noisy) causes.push_back(largerNoise(inquiry, answer.after));

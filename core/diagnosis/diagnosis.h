@@ -52,7 +52,9 @@ struct BlamedReading {
   std::size_t position = 0, row = 0;  ///< of the session
   int axisDeg = 0, round = 1, point = 0, face = 1;
   ReadingKind kind = ReadingKind::Horizontal;
-  double size = 0;  ///< how far it is off, arcseconds, as `AdjustedReading::residual`
+  /// How far it is off, arcseconds: of a cause as read on the circle, of `Diagnosis::readings` as
+  /// `AdjustedReading::residual`.
+  double size = 0;
 };
 
 struct Cause {

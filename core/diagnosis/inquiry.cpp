@@ -59,7 +59,7 @@ double Inquiry::probabilityOf(std::string_view id) const {
     if ((id == noiseId && explanation.noisy) ||
         std::ranges::any_of(explanation.parts, [&](const Part& part) { return idOf(part) == id; }))
       sum += explanation.chance;
-  return sum;
+  return std::min(sum, 1.0);  // of rounding
 }
 
 const Explanation* Inquiry::alone(std::size_t component, bool noisy) const {

@@ -53,7 +53,9 @@ std::string sentenceFor(const Diagnosis& diagnosis) {
     case DiagnosisVerdict::SeveralCauses:
       return "The gap has several causes: " + causesNamed(diagnosis) + "." + shrunk(diagnosis);
     case DiagnosisVerdict::NotInCatalogue:
-      return "The gap is real, and no effect of the catalogue explains it" +
+      return std::string(diagnosis.causes.empty() ? "The gap is real"
+                                                  : "Beside the readings blamed the gap is real") +
+             ", and no effect of the catalogue explains it" +
              (diagnosis.shape ? "; it follows the pattern “" + diagnosis.shape->follows + "”."
                               : std::string("."));
   }

@@ -18,7 +18,7 @@ enum class Column { Axis, Point, Round, Face, Horizontal, Vertical, Slider, Note
 struct Heading {
   std::optional<Column> column;
   AngleUnit unit = AngleUnit::Unstated;
-  bool isElevation = false;
+  std::string verticalCircle;  ///< that the name speaks of; may be empty
 };
 
 std::string lowerCase(std::string text) {
@@ -80,7 +80,8 @@ Heading headingOf(const std::string& name) {
   for (const std::string& word : wordsOf(name)) {
     if (const auto column = columnNamed(word); column && !heading.column) {
       heading.column = column;
-      heading.isElevation = word == "elevation";
+      if (word == "elevation") heading.verticalCircle = "elevation";
+      if (word == "zenith" || word == "zenithdistance") heading.verticalCircle = "zenith";
     } else if (const auto unit = unitNamed(word)) {
       heading.unit = *unit;
     } else if (isOneOf(word, {"no", "nr", "number", "id", "name"})) {
@@ -144,7 +145,7 @@ class CsvReader {
         return false;
       }
       m_headings.push_back(heading);
-      if (heading.isElevation) m_recording.verticalCircle = "elevation";
+      if (!heading.verticalCircle.empty()) m_recording.verticalCircle = heading.verticalCircle;
     }
     m_unusedCells.resize(m_headings.size());
     for (const Column needed : {Column::Horizontal, Column::Vertical}) {

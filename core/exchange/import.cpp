@@ -84,7 +84,13 @@ class Assembly {
     fill(session.instrument.name, m_recording.instrumentName);
     fill(session.instrument.serial, m_recording.instrumentSerial);
     fill(session.measuredOn, m_recording.measuredOn);
-    if (!m_recording.verticalCircle.empty()) session.geometry.verticalCircle = m_recording.verticalCircle;
+    const std::string& named = m_recording.verticalCircle;
+    if (std::string& stated = session.geometry.verticalCircle; !named.empty()) {
+      if (!stated.empty() && stated != named)
+        remark("the vertical circle is stated as " + stated + ", but its column is named " + named +
+               ": the column is followed");
+      stated = named;
+    }
     const Result<VerticalCircle> circle = verticalCircleEntry(session.geometry.verticalCircle);
     if (circle) m_circle = *circle;
   }
@@ -195,6 +201,7 @@ class Assembly {
   }
 
   void addReading(const RecordedSighting& sighting) {
+    if (!axisEntry(sighting.axis.text)) return;  // reported already
     Reading reading;
     reading.point = sighting.point.text;
     reading.round = sighting.round.text;

@@ -60,7 +60,7 @@ bool isRight(TrialClass trialClass, const SealedTruth& truth, const Diagnosis& d
     case TrialClass::GrossError:
       return diagnosis.causes.size() == 1 && isCause(truth.kind) && cellsOf(diagnosis) == truth.misread;
     case TrialClass::SeveralCauses:
-      return std::ranges::all_of(truth.causes, isCause);
+      return !truth.causes.empty() && std::ranges::all_of(truth.causes, isCause);
     case TrialClass::Unknown:
       return diagnosis.verdict == DiagnosisVerdict::NotInCatalogue;
   }

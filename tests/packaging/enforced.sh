@@ -3,6 +3,7 @@
 set -euo pipefail
 rules=$(cd -- "${1:?the folder of the rules}" && pwd)
 compiler=${2:?the compiler}
+eigen=${3:?the folder of Eigen}
 trees=$(mktemp -d)
 trap 'rm -rf -- "$trees"' EXIT
 failed=0
@@ -23,7 +24,7 @@ sound_tree() {
 # must pass|fail RULE: what the rule has to say about the tree.
 must() {
   local expected=$1 outcome=pass
-  bash "$rules/$2.sh" "$trees/tree" "$compiler" >"$trees/log" 2>&1 || outcome=fail
+  bash "$rules/$2.sh" "$trees/tree" "$compiler" "$eigen" >"$trees/log" 2>&1 || outcome=fail
   [[ $outcome == "$expected" ]] || { echo "$2.sh should $expected: $3" && cat "$trees/log" && failed=1; }
 }
 

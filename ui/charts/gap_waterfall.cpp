@@ -107,9 +107,10 @@ void GapWaterfall::paintEvent(QPaintEvent*) {
   if (layout.bars.width() < 20) return;
   paintScale(painter, layout);
   for (std::size_t row = 0; row < m_bars.size(); ++row) paintBar(painter, layout, row);
+  paintNoise(painter, layout);
 }
 
-/// Ticks in round arcseconds below the bars, the noise as a broken line with its name.
+/// Ticks in round arcseconds below the bars.
 void GapWaterfall::paintScale(QPainter& painter, const Layout& layout) const {
   const PlotStyle style = screenStyle(palette(), font());
   const int line = fontMetrics().height(), bottom = layout.bars.bottom() + 3;
@@ -129,7 +130,14 @@ void GapWaterfall::paintScale(QPainter& painter, const Layout& layout) const {
     painter.drawText(QRect(x - 40, bottom, 80, line), Qt::AlignHCenter | Qt::AlignTop,
                      numberText(i * step, decimalsOfStep(step)) + (i == 0 ? QChar(0x2033) : QString()));
   }
-  const int x = layout.x(m_noise);
+}
+
+/// What the stated noise leaves, as a broken line over the bars, with its name.
+void GapWaterfall::paintNoise(QPainter& painter, const Layout& layout) const {
+  const PlotStyle style = screenStyle(palette(), font());
+  const int line = fontMetrics().height(), bottom = layout.bars.bottom() + 3, x = layout.x(m_noise);
+  painter.setPen(QPen(palette().color(QPalette::Window), 3));
+  painter.drawLine(x, layout.top - 2, x, bottom);
   painter.setPen(QPen(style.text, 1, Qt::DashLine));
   painter.drawLine(x, layout.top - 2, x, bottom);
   const int legend = bottom + line + 1;

@@ -36,6 +36,7 @@ class GapWaterfall : public QWidget {
   Layout layOut() const;
   int rowHeight() const { return fontMetrics().height() + 9; }
   void paintScale(QPainter& painter, const Layout& layout) const;
+  void paintNoise(QPainter& painter, const Layout& layout) const;
   void paintBar(QPainter& painter, const Layout& layout, std::size_t row) const;
 
   std::vector<Bar> m_bars;

@@ -39,12 +39,10 @@ std::string reasonForNone(const Evaluation& evaluation) {
   const SessionFit& fit = evaluation.fit;
   if (fit.arcs.empty())
     return "There is nothing to compare yet: type the distance L, the radius R0, a pointing zero and at "
-           "least "
-           "four readings of its arc.";
+           "least three readings of its arc.";
   if (fit.joint.degreesOfFreedom <= 0)
     return "These readings fix the arc and leave nothing over. Type further readings: each of them shows how "
-           "far "
-           "the model holds.";
+           "far the model holds.";
   return {};
 }
 

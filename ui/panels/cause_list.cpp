@@ -114,7 +114,7 @@ void CauseList::addCatalogueButtons(const Gap& gap, const Cause& cause) {
   if (cause.effect == "vertical_angle_relation") {
     const bool isPlanar = gap.evaluation->examined.measurement->relation == VerticalAngleRelation::Planar;
     QPushButton* relation =
-        addButton(isPlanar ? tr("Take &exact vertical angles") : tr("Take planar v&ertical angles"),
+        addButton(isPlanar ? tr("Take exact vertical angles") : tr("Take planar vertical angles"),
                   QStringLiteral("relation"));
     relation->setToolTip(
         tr("Sets the relation of the vertical angle in the form of the measurement: no "
@@ -123,14 +123,14 @@ void CauseList::addCatalogueButtons(const Gap& gap, const Cause& cause) {
       emit relationWanted(isPlanar ? QStringLiteral("exact") : QStringLiteral("planar"));
     });
   }
-  QPushButton* add = addButton(tr("&Add to the model"), QStringLiteral("add ") + id);
+  QPushButton* add = addButton(tr("Add to the model"), QStringLiteral("add ") + id);
   add->setToolTip(tr("Estimates %1 along with the arcs; undone by Ctrl+Z").arg(causeName(cause.effect)));
   add->setAccessibleName(tr("Add %1 to the model").arg(causeName(cause.effect)));
   connect(add, &QPushButton::clicked, this, [this, id] { emit effectsWanted({id}); });
   if (cause.indistinguishableFrom.empty()) return;
   QStringList all{id};
   for (const std::string& other : cause.indistinguishableFrom) all.append(qText(other));
-  QPushButton* group = addButton(tr("Add a&ll %1").arg(all.size()), QStringLiteral("add group"));
+  QPushButton* group = addButton(tr("Add all %1").arg(all.size()), QStringLiteral("add group"));
   group->setToolTip(
       tr("Estimates all that look alike here, each within its plausible size: U then covers "
          "whichever it is"));
@@ -144,7 +144,7 @@ void CauseList::addAllCauses(const std::vector<Cause>& causes) {
     if (effectById(cause.effect)) all.append(qText(cause.effect));
   if (all.size() < 2) return;
   m_buttons = nullptr;
-  connect(addButton(tr("Add a&ll %1 to the model").arg(all.size()), QStringLiteral("add all")),
+  connect(addButton(tr("Add all %1 to the model").arg(all.size()), QStringLiteral("add all")),
           &QPushButton::clicked, this, [this, all] { emit effectsWanted(all); });
 }
 
@@ -153,9 +153,9 @@ void CauseList::addMisreadings(const Cause& cause) {
     m_buttons = nullptr;
     addText(blamedText(reading));
     const Place place = placeOf(reading);
-    connect(addButton(tr("&Go to the reading"), QStringLiteral("go to reading")), &QPushButton::clicked, this,
+    connect(addButton(tr("Go to the reading"), QStringLiteral("go to reading")), &QPushButton::clicked, this,
             [this, place] { emit placeActivated(place); });
-    QPushButton* exclude = addButton(tr("E&xclude the row"), QStringLiteral("exclude row"));
+    QPushButton* exclude = addButton(tr("Exclude the row"), QStringLiteral("exclude row"));
     exclude->setToolTip(tr("Leaves the row out of the fit; what was typed stays"));
     connect(exclude, &QPushButton::clicked, this, [this, place] { emit exclusionWanted(place); });
   }
@@ -170,7 +170,7 @@ void CauseList::addJump(const Gap& gap, const Cause& cause) {
   addText(tr("It happened before %1. The model of a session holds no jump: sight the pointing zero again and "
              "measure again from there, as a new session if more than this position is touched.")
               .arg(row));
-  connect(addButton(tr("&Go to the reading"), QStringLiteral("go to jump")), &QPushButton::clicked, this,
+  connect(addButton(tr("Go to the reading"), QStringLiteral("go to jump")), &QPushButton::clicked, this,
           [this, place = *place] { emit placeActivated(place); });
 }
 
@@ -189,7 +189,7 @@ void CauseList::addEffectOfModel(const Gap& gap, const std::string& id) {
     if (estimate.effect == id)
       cause.parameters.push_back({estimate.name, estimate.value, estimate.sigma, estimate.unit});
   addText(parametersText(cause));
-  QPushButton* remove = addButton(tr("&Take out of the model"), QStringLiteral("remove ") + qText(id));
+  QPushButton* remove = addButton(tr("Take out of the model"), QStringLiteral("remove ") + qText(id));
   remove->setAccessibleName(tr("Take %1 out of the model").arg(causeName(id)));
   connect(remove, &QPushButton::clicked, this, [this, id] { emit effectUnwanted(qText(id)); });
 }

@@ -150,11 +150,16 @@ void GapPanel::setGap(const SharedGap& gap) {
 }
 
 void GapPanel::setStale() {
-  m_causes->setEnabled(false);
-  m_add->setEnabled(false);
+  widget()->setEnabled(false);
+}
+
+void GapPanel::clear() {
+  m_gap.reset();
+  showVerdict();
 }
 
 void GapPanel::showVerdict() {
+  widget()->setEnabled(true);
   const Gap* gap = m_gap.get();
   const bool says = gap && gap->diagnosis;
   if (gap)
@@ -164,7 +169,6 @@ void GapPanel::showVerdict() {
                         tr("The readings are compared with the model as soon as there are any."));
   for (int i = 1; i < m_blocks.size(); ++i) m_blocks[i]->setVisible(says);
   if (!says) return;
-  m_causes->setEnabled(true);
   const bool hasCauses = !gap->diagnosis->causes.empty() || gap->diagnosis->shape || gap->stages.size() > 1;
   m_blocks[1]->setVisible(hasCauses);
   m_blocks[3]->setVisible(gap->isOpen());

@@ -27,6 +27,8 @@ class GapPanel : public ScrollPage {
   void setGap(const SharedGap& gap);
   /// The session has changed: what is shown stays, and nothing can be done about it until the answer is new.
   void setStale();
+  /// Another session: nothing is known of it yet.
+  void clear();
 
   QSize minimumSizeHint() const override { return {300, 160}; }
 
