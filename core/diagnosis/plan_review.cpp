@@ -9,14 +9,13 @@
 #include "core/diagnosis/inquiry.h"
 #include "core/diagnosis/known_components.h"
 #include "core/diagnosis/look_alikes.h"
+#include "core/diagnosis/unseen.h"
 
 namespace alidade {
 
 namespace {
 
 using Eigen::Index, Eigen::VectorXd;
-
-constexpr double negligible = 1e-5;  // mm
 
 /// An effect with the directions of its numbers that matter, each of plausible size.
 struct Planned {
@@ -68,7 +67,7 @@ void seeInfluence(Planned& planned, const Leftover& leftover, const VectorXd& pe
   summary.influence = influence.norm();
   planned.mostDangerous = summary.influence > 0 ? VectorXd(influence / summary.influence) : planned.plainest;
   summary.visibleThere = signature(leftover, *planned.component, planned.mostDangerous).norm();
-  summary.unseen = summary.influence > negligible && summary.visibleThere < clearlyDifferent;
+  summary.unseen = summary.influence > negligibleInfluence && summary.visibleThere < clearlyDifferent;
 }
 
 PlanAdvice adviceOf(const FurtherReadings& further, const GapModel& model,

@@ -13,12 +13,10 @@ using Eigen::Index, Eigen::VectorXd;
 
 namespace {
 
-constexpr double negligible = 1e-5;  // mm
-
 /// In the direction of the weights that moves Δd most.
 UnseenEffect worstOf(const Component& component, const VectorXd& influence) {
   const double size = influence.norm();
-  if (size < negligible) return {component.id, 0, std::sqrt(component.gram.trace())};
+  if (size < negligibleInfluence) return {component.id, 0, std::sqrt(component.gram.trace())};
   const VectorXd direction = influence / size;
   return {component.id, size, std::sqrt(std::max(0.0, direction.dot(component.gram * direction)))};
 }
@@ -37,7 +35,7 @@ std::vector<UnseenEffect> unseenEffects(const Leftover& leftover, const std::vec
                                    ? VectorXd(ofJumps.col(jump++))
                                    : wholeColumns(leftover, component).transpose() * perReading;
     const UnseenEffect worst = worstOf(component, influence);
-    if (worst.influence < negligible || worst.visibleSigma > clearlyDifferent) continue;
+    if (worst.influence < negligibleInfluence || worst.visibleSigma > clearlyDifferent) continue;
     const auto same = std::ranges::find(unseen, worst.effect, &UnseenEffect::effect);
     if (same == unseen.end())
       unseen.push_back(worst);

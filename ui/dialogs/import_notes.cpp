@@ -4,6 +4,7 @@
 #include <QFileInfo>
 #include <QStringList>
 
+#include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
 
 namespace alidade::ui {
@@ -16,9 +17,8 @@ struct Text {
   Q_DECLARE_TR_FUNCTIONS(ImportNotes)
 };
 
-QString sentence(QString text) {
-  if (!text.isEmpty()) text[0] = text[0].toUpper();
-  return text + QLatin1Char('.');
+QString sentence(const QString& text) {
+  return capitalised(text) + QLatin1Char('.');
 }
 
 }  // namespace

@@ -28,10 +28,8 @@ std::string idOf(const QTreeWidgetItem& item) {
 QString aboutText(const Effect& effect) {
   QStringList sizes;
   for (const EffectParameter& parameter : effect.parameters) {
-    const QString unit = unitText(std::string(parameter.unit));
-    const bool isSign = unit == QStringLiteral("″") || unit == QStringLiteral("°");
     const QString size =
-        plainNumberText(parameter.plausible) + (isSign || unit.isEmpty() ? unit : u' ' + unit);
+        withUnit(plainNumberText(parameter.plausible), unitText(std::string(parameter.unit)));
     if (!sizes.contains(size)) sizes.append(size);
   }
   return EffectsPanel::tr("%1. Plausible size (1σ) %2. Remedy: %3.")
@@ -40,9 +38,8 @@ QString aboutText(const Effect& effect) {
 }
 
 QString sizeText(const EffectEstimate& estimate) {
-  const QString unit = effectUnitText(estimate);
-  const QString size = valueWithUncertainty(estimate.value, estimate.sigma, {}).trimmed();
-  return unit == QStringLiteral("mm") ? size + QStringLiteral(" mm") : size + unit;
+  return withUnit(valueWithUncertainty(estimate.value, estimate.sigma, {}).trimmed(),
+                  effectUnitText(estimate));
 }
 
 }  // namespace

@@ -51,10 +51,7 @@ QString inWords(const std::string& sentence) {
 QString parameterText(const Cause& cause, const CauseParameter& parameter) {
   const QString unit = unitText(parameter.unit);
   const QString size = valueWithUncertainty(parameter.value, parameter.sigma, {}).trimmed();
-  const bool isSign = unit == QStringLiteral("″") || unit == QStringLiteral("°");
-  const QString figure = unit.isEmpty() ? size
-                         : isSign       ? QStringLiteral("(%1)%2").arg(size, unit)
-                                        : size + u' ' + unit;
+  const QString figure = withUnit(isSign(unit) ? QStringLiteral("(%1)").arg(size) : size, unit);
   const QString name = qText(parameter.name);
   return effectName(cause.effect).endsWith(name) ? figure : name + u' ' + figure;
 }

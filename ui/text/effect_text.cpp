@@ -15,7 +15,7 @@ QString effectText(const EffectEstimate& estimate, const QString& separator) {
 }
 
 QString capitalised(QString text) {
-  text.replace(0, 1, text.at(0).toUpper());
+  if (!text.isEmpty()) text[0] = text[0].toUpper();
   return text;
 }
 
@@ -23,6 +23,14 @@ QString unitText(const std::string& unit) {
   if (unit == "arcsec") return QStringLiteral("″");
   if (unit == "deg") return QStringLiteral("°");
   return unit == "mm" ? QStringLiteral("mm") : QString();
+}
+
+bool isSign(const QString& unit) {
+  return unit == QStringLiteral("″") || unit == QStringLiteral("°");
+}
+
+QString withUnit(const QString& figure, const QString& unit) {
+  return figure + (isSign(unit) || unit.isEmpty() ? unit : u' ' + unit);
 }
 
 QString effectUnitText(const EffectEstimate& estimate) {

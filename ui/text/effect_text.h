@@ -16,6 +16,11 @@ QString effectText(const EffectEstimate& estimate, const QString& separator = QS
 /// The text with a capital first letter.
 QString capitalised(QString text);
 
+/// ″ or °: no blank before it.
+bool isSign(const QString& unit);
+/// "12″", "0.05 mm"; `unit` as `unitText` writes it.
+QString withUnit(const QString& figure, const QString& unit);
+
 /// The unit of the catalogue as it is written: "″" for "arcsec", "°" for "deg", empty for a bare number.
 QString unitText(const std::string& unit);
 QString effectUnitText(const EffectEstimate& estimate);

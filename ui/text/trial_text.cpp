@@ -23,11 +23,8 @@ QString signedSeconds(Angle angle) {
 
 /// "+12.3″".
 QString sizeText(const EffectParameter& parameter, double value) {
-  const QString unit = unitText(std::string(parameter.unit));
-  const bool isSign = unit == QStringLiteral("″") || unit == QStringLiteral("°");
   const int decimals = std::min(9, decimalsFor(parameter.plausible) + 1);
-  const QString figure = signedNumberText(value, decimals);
-  return figure + (isSign || unit.isEmpty() ? unit : u' ' + unit);
+  return withUnit(signedNumberText(value, decimals), unitText(std::string(parameter.unit)));
 }
 
 void addEffects(QStringList& lines, const Truth& truth) {
