@@ -1,10 +1,11 @@
 #include "core/diagnosis/advice.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/diagnosis/further_readings.h"
-#include "core/diagnosis/known_components.h"
 #include "core/diagnosis/look_alikes.h"
+#include "core/diagnosis/visible_terms.h"
 
 namespace alidade {
 
@@ -12,29 +13,22 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// What the cause, at the size that was found, would leave in the planned readings.
-VectorXd traceOf(const Leftover& leftover, const Cause& cause, const Component& component) {
-  VectorXd weights(component.columns.cols());
-  for (Eigen::Index p = 0; p < weights.size(); ++p)
-    weights[p] = cause.parameters[static_cast<std::size_t>(p)].value /
-                 component.effect->parameters[static_cast<std::size_t>(p)].plausible;
-  return leftover.visible(component.columns * weights);
+/// What the cause is made of, at the size that was found.
+VectorXd combinationOf(const Cause& cause, const Effect& effect) {
+  VectorXd weights(static_cast<Eigen::Index>(effect.parameters.size()));
+  for (std::size_t p = 0; p < effect.parameters.size(); ++p)
+    weights[static_cast<Eigen::Index>(p)] = cause.parameters[p].value / effect.parameters[p].plausible;
+  return combinationOf(effect) * weights;
 }
 
-const Component* find(const std::vector<Component>& components, const std::string& id) {
-  const auto found = std::ranges::find(components, id, &Component::id);
-  return found == components.end() ? nullptr : &*found;
-}
-
-std::optional<Advice> separating(const Cause& cause, const FurtherReadings& plan, const Leftover& leftover,
-                                 const std::vector<Component>& components) {
-  const Component* own = find(components, cause.effect);
+std::optional<Advice> separating(const Cause& cause, const std::string& measure, const VisibleTerms& terms) {
+  const Effect* own = effectById(cause.effect);
   if (!own) return std::nullopt;
-  const VectorXd trace = traceOf(leftover, cause, *own);
-  Advice advice{plan.measure, {cause.effect}, trace.norm()};
+  const VectorXd combination = combinationOf(cause, *own);
+  Advice advice{measure, {cause.effect}, std::sqrt(std::max(combination.dot(terms.gram * combination), 0.0))};
   for (const std::string& id : cause.indistinguishableFrom) {
-    const Component* other = find(components, id);
-    const double difference = other ? differenceFrom(trace, *other) : 0;
+    const Effect* other = effectById(id);
+    const double difference = other ? differenceFrom(terms, combination, *other) : 0;
     if (difference < clearlyDifferent) continue;
     advice.separates.push_back(id);
     advice.bySigma = std::min(advice.bySigma, difference);
@@ -43,35 +37,46 @@ std::optional<Advice> separating(const Cause& cause, const FurtherReadings& plan
   return advice;
 }
 
-std::optional<Advice> revealing(const std::vector<UnseenEffect>& unseen, const FurtherReadings& plan,
-                                const std::vector<Component>& components) {
+std::optional<Advice> revealing(const std::vector<UnseenEffect>& unseen, const std::string& measure,
+                                const VisibleTerms& terms) {
   constexpr double worthKnowing = 0.001;  // mm
-  Advice advice{plan.measure, {}, 0};
-  for (const UnseenEffect& effect : unseen) {
-    const Component* component = find(components, effect.effect);
-    if (!component || effect.influence < worthKnowing) continue;
-    const double visible = component->columns.norm();
+  Advice advice{measure, {}, 0};
+  for (const UnseenEffect& hidden : unseen) {
+    const Effect* effect = effectById(hidden.effect);
+    if (!effect || hidden.influence < worthKnowing) continue;
+    const Eigen::MatrixXd columns = combinationOf(*effect);
+    const double visible = std::sqrt(std::max((columns.transpose() * terms.gram * columns).trace(), 0.0));
     if (visible < clearlyDifferent) continue;
     advice.bySigma = advice.separates.empty() ? visible : std::min(advice.bySigma, visible);
-    advice.separates.push_back(effect.effect);
+    advice.separates.push_back(hidden.effect);
   }
   if (advice.separates.empty()) return std::nullopt;
   return advice;
 }
 
+/// The session's own equations serve where it was fitted without effects and with all its readings.
+VisibleTerms termsOfSession(const Inquiry& inquiry, const Measurement& plan) {
+  const JointFitOptions& options = inquiry.base.options;
+  return visibleTerms(options.terms.empty() && options.without.empty() ? inquiry.leftover.sets().front()
+                                                                       : linearisedPlan(inquiry.base, plan));
+}
+
 }  // namespace
 
-std::vector<Advice> adviceFor(const GapModel& model, const Diagnosis& diagnosis) {
+std::vector<Advice> adviceFor(const Inquiry& inquiry, const Diagnosis& diagnosis) {
   const auto unclear = std::ranges::find_if(
       diagnosis.causes, [](const Cause& cause) { return !cause.indistinguishableFrom.empty(); });
   if (unclear == diagnosis.causes.end() && diagnosis.unseen.empty()) return {};
   std::vector<Advice> list;
-  for (const FurtherReadings& plan : furtherReadings(model)) {
-    const Leftover leftover = leftoverWith(model, plan);
-    const std::vector<Component> components = effectComponents(leftover, {}, {});
+  std::optional<VisibleTerms> ofSession;
+  for (const FurtherReadings& plan : furtherReadings(inquiry.base)) {
+    if (plan.besideSession && !ofSession) ofSession = termsOfSession(inquiry, plan.sets.front());
+    VisibleTerms terms = visibleTerms(linearisedPlan(inquiry.base, plan.sets.back()));
+    if (plan.besideSession) terms = terms + *ofSession;
+    terms = withEstimated(std::move(terms), inquiry.base.options.terms);
     const std::optional<Advice> advice = unclear != diagnosis.causes.end()
-                                             ? separating(*unclear, plan, leftover, components)
-                                             : revealing(diagnosis.unseen, plan, components);
+                                             ? separating(*unclear, plan.measure, terms)
+                                             : revealing(diagnosis.unseen, plan.measure, terms);
     if (advice) list.push_back(*advice);
   }
   std::ranges::sort(list, [](const Advice& a, const Advice& b) {

@@ -110,7 +110,7 @@ Result<Diagnosis> diagnose(const Measurement& measurement, const DiagnosisOption
   diagnosis.leftBefore = inSigma(*model);
   diagnosis.leftAfter = inSigma(answer.after);
   diagnosis.readings = readingsOf(*model);
-  diagnosis.advice = adviceFor(inquiry.base, diagnosis);
+  diagnosis.advice = adviceFor(inquiry, diagnosis);
   diagnosis.sentence = sentenceFor(diagnosis);
   return diagnosis;
 }

@@ -82,7 +82,7 @@ std::optional<FurtherReadings> withSlider(const GapModel& model, const Measureme
 std::optional<FurtherReadings> withShiftedCircle(const Measurement& plan) {
   Measurement more = plan;
   for (ArcMeasurement& arc : more.arcs) arc.zeroHorizontal = arc.zeroHorizontal + Angle::fromDegrees(60);
-  return FurtherReadings{"a second set with the horizontal circle shifted by 60°", {plan, more}};
+  return FurtherReadings{"a second set with the horizontal circle shifted by 60°", {plan, more}, true};
 }
 
 std::optional<FurtherReadings> withSecondStandOff(const GapModel& model, const Measurement& plan) {
@@ -92,7 +92,7 @@ std::optional<FurtherReadings> withSecondStandOff(const GapModel& model, const M
   for (std::size_t arc = 0; arc < more.arcs.size(); ++arc)
     for (std::size_t i = 0; i < more.arcs[arc].sightings.size(); ++i)
       sightPerfectly(more.arcs[arc].sightings[i], more, model.fit.circleOf(arc), arcAngle(model, arc, i));
-  return FurtherReadings{"a second set from half as far again", {plan, more}};
+  return FurtherReadings{"a second set from half as far again", {plan, more}, true};
 }
 
 std::optional<FurtherReadings> withMoreArc(const GapModel& model, const Measurement& plan) {
@@ -146,16 +146,20 @@ std::vector<FurtherReadings> furtherReadings(const GapModel& model) {
   return plans;
 }
 
-Leftover leftoverWith(const GapModel& model, const FurtherReadings& plan) {
+Linearised linearisedPlan(const GapModel& model, const Measurement& set) {
   std::vector<Circle> circles;
   for (std::size_t arc = 0; arc < model.measurement.arcs.size(); ++arc)
     circles.push_back(model.fit.circleOf(arc));
   JointFitOptions options;
   options.terms = model.options.terms;
   for (EstimatedTerm& term : options.terms) term.start = 0;
+  return linearise(set, circles, options);
+}
+
+Leftover leftoverWith(const GapModel& model, const FurtherReadings& plan) {
   std::vector<Linearised> sets;
-  for (const Measurement& set : plan.sets) sets.push_back(linearise(set, circles, options));
-  return Leftover(sets, options.terms);
+  for (const Measurement& set : plan.sets) sets.push_back(linearisedPlan(model, set));
+  return Leftover(sets, model.options.terms);
 }
 
 }  // namespace alidade

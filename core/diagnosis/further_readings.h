@@ -13,6 +13,7 @@ namespace alidade {
 struct FurtherReadings {
   std::string measure;
   std::vector<Measurement> sets;
+  bool besideSession = false;  ///< the first set is the session itself, read without error
 };
 
 /// The session as it was planned: every reading without error.
@@ -21,6 +22,9 @@ Measurement readWithoutError(const GapModel& model);
 /// The same session with the other face, the way back, the slider, a shifted circle, a second stand-off or
 /// more of the arc read along; what it has already is not offered.
 std::vector<FurtherReadings> furtherReadings(const GapModel& model);
+
+/// The equations of a set as planned; effects of the model are not there, but estimated along.
+Linearised linearisedPlan(const GapModel& model, const Measurement& set);
 
 /// What a fit of them would leave over; effects of the model are estimated along.
 Leftover leftoverWith(const GapModel& model, const FurtherReadings& plan);

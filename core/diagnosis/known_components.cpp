@@ -10,6 +10,10 @@ namespace alidade {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
+bool isAllOrNothing(const Effect& effect) {
+  return effect.id == "vertical_angle_relation";
+}
+
 std::vector<Component> effectComponents(const Leftover& leftover, const std::vector<std::string>& leftOut,
                                         const PriorOdds& odds) {
   std::vector<Component> components;
@@ -19,7 +23,7 @@ std::vector<Component> effectComponents(const Leftover& leftover, const std::vec
     component.columns = leftover.visible(wholeColumns(leftover, component));
     component.gram = component.columns.transpose() * component.columns;
     component.logPrior = std::log(odds.effect);
-    component.allOrNothing = effect.id == "vertical_angle_relation";
+    component.allOrNothing = isAllOrNothing(effect);
     components.push_back(std::move(component));
   }
   return components;

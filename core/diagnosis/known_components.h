@@ -9,6 +9,8 @@ namespace alidade {
 
 // The causes that have a name. For the .cpp files of this room only.
 
+/// Another relation between y and e holds altogether or not at all.
+bool isAllOrNothing(const Effect& effect);
 /// The effects of the catalogue but those in `leftOut`.
 std::vector<Component> effectComponents(const Leftover& leftover, const std::vector<std::string>& leftOut,
                                         const PriorOdds& odds);

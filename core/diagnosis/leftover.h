@@ -30,6 +30,8 @@ class Leftover {
   const LinearReading& reading(Eigen::Index i) const { return m_readings[static_cast<std::size_t>(i)]; }
   const Eigen::VectorXd& residual() const { return m_residual; }
   double chiSquare() const { return m_residual.squaredNorm(); }
+  /// The equations it was made of.
+  const std::vector<Linearised>& sets() const { return m_sets; }
   int degreesOfFreedom() const { return m_degreesOfFreedom; }
 
   /// The part of `columns` (rows() or readings() long) that the fit cannot take up.
