@@ -42,18 +42,33 @@ std::optional<Problem> setNumber(const char* option, const char* field, const st
   return std::nullopt;
 }
 
-std::optional<Problem> setZero(const char* option, const std::vector<std::string>& given, AngleUnit unit,
-                               VerticalCircle circle, PointingZero& zero) {
-  if (given.empty()) return std::nullopt;
-  const std::pair<const char*, std::string*> entries[] = {{"pointing_zero.horizontal", &zero.horizontal},
-                                                          {"pointing_zero.vertical", &zero.vertical}};
-  for (std::size_t i = 0; i < 2; ++i) {
-    const std::string text = withUnit(given.at(i), unit);
-    if (const auto angle = angleEntry(entries[i].first, text, circle); !angle)
+std::optional<Problem> checkZero(const char* option, const PointingZero& zero, VerticalCircle circle) {
+  for (const auto& [field, text] : {std::pair("pointing_zero.horizontal", zero.horizontal),
+                                    std::pair("pointing_zero.vertical", zero.vertical)})
+    if (const auto angle = angleEntry(field, text, circle); !angle)
       return Problem{std::string(option) + ": " + angle.problem().what};
-    *entries[i].second = text;
-  }
   return std::nullopt;
+}
+
+/// What kind the circle is, a column's name may tell as well: here the wider range holds.
+std::optional<Problem> setZero(const char* option, const std::vector<std::string>& given, AngleUnit unit,
+                               PointingZero& zero) {
+  if (given.empty()) return std::nullopt;
+  zero.horizontal = withUnit(given.at(0), unit);
+  zero.vertical = withUnit(given.at(1), unit);
+  return checkZero(option, zero, VerticalCircle::Elevation);
+}
+
+/// The zeros that were given, in the range of the circle that the session came to have.
+std::optional<Problem> checkZeros(const ImportRequest& request, const ImportOptions& options,
+                                  const Session& session) {
+  const auto circle = verticalCircleEntry(session.geometry.verticalCircle);
+  if (!circle) return std::nullopt;
+  const std::vector<Position>& positions = options.base.positions;
+  std::optional<Problem> problem;
+  if (!request.zero0.empty()) problem = checkZero("--zero-0", positions.at(0).zero, *circle);
+  if (!problem && !request.zero180.empty()) problem = checkZero("--zero-180", positions.at(1).zero, *circle);
+  return problem;
 }
 
 AngleUnit unitOf(const std::string& name) {
@@ -121,8 +136,6 @@ Result<ImportOptions> importOptions(const ImportRequest& request) {
   Session& base = options.base;
   base.title = request.title;
   if (!request.verticalCircle.empty()) base.geometry.verticalCircle = request.verticalCircle;
-  const VerticalCircle circle =
-      request.verticalCircle == "elevation" ? VerticalCircle::Elevation : VerticalCircle::Zenith;
   Geometry& geometry = base.geometry;
   Instrument& instrument = base.instrument;
   for (const auto& problem : {
@@ -137,8 +150,8 @@ Result<ImportOptions> importOptions(const ImportRequest& request) {
            setNumber("--sigma", "instrument.sigma_vertical_arcsec", request.sigma,
                      instrument.sigmaVerticalArcsec),
            setNumber("--sigma", "instrument.sigma_zero_arcsec", request.sigma, instrument.sigmaZeroArcsec),
-           setZero("--zero-0", request.zero0, options.unit, circle, base.positions.at(0).zero),
-           setZero("--zero-180", request.zero180, options.unit, circle, base.positions.at(1).zero),
+           setZero("--zero-0", request.zero0, options.unit, base.positions.at(0).zero),
+           setZero("--zero-180", request.zero180, options.unit, base.positions.at(1).zero),
        })
     if (problem) return *problem;
   return options;
@@ -154,6 +167,7 @@ Result<ImportAnswer> runImport(const ImportRequest& request, const ImportOptions
         problems.size() > 1 ? " (and " + std::to_string(problems.size() - 1) + " more)" : "";
     return Problem{problems.front().text() + more};
   }
+  if (auto problem = checkZeros(request, options, import->session)) return *std::move(problem);
   Session session = import->session;
   if (session.title.empty() && request.file != "-")
     session.title = std::filesystem::path(request.file).stem().string();

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/base/angle_text.h"
 #include "core/base/utf8.h"
 #include "core/exchange/csv_table.h"
 
@@ -115,13 +116,17 @@ class CsvReader {
       m_recording.problems.push_back(*problem);
       return std::move(m_recording);
     }
-    const auto& rows = std::get<std::vector<CsvRow>>(table);
+    const auto& [rows, remarks] = std::get<CsvTable>(table);
     if (rows.empty() || !readHeadings(rows.front())) return std::move(m_recording);
     for (std::size_t i = 1; i < rows.size(); ++i) readRow(rows[i]);
     for (std::size_t i = 0; i < m_unusedCells.size(); ++i)
       if (m_unusedCells[i] > 0)
         m_recording.unused.push_back("the column " + quotation(rows.front().cells[i].text) +
                                      " is not used: " + std::to_string(m_unusedCells[i]) + " entries");
+    for (const CsvRow& row : remarks)
+      if (holdsReading(row))
+        m_recording.unused.push_back("line " + std::to_string(row.line) +
+                                     " begins with # and is not used, though it holds a reading");
     return std::move(m_recording);
   }
 
@@ -183,6 +188,21 @@ class CsvReader {
     }
     sighting.isZero = lowerCase(sighting.point.text) == m_zeroPoint;
     m_recording.sightings.push_back(std::move(sighting));
+  }
+
+  /// Of a row that was set aside: are both circles read in it?
+  bool holdsReading(const CsvRow& row) const {
+    const auto isAngle = [&](std::size_t i) {
+      const AngleUnit unit = m_headings[i].unit == AngleUnit::Unstated ? m_unit : m_headings[i].unit;
+      return static_cast<bool>(parseAngle(withUnit(row.cells[i].text, unit)));
+    };
+    int circles = 0;
+    for (std::size_t i = 0; i < std::min(row.cells.size(), m_headings.size()); ++i) {
+      const auto column = m_headings[i].column;
+      const bool isCircle = column == Column::Horizontal || column == Column::Vertical;
+      if (isCircle && isAngle(i)) ++circles;
+    }
+    return circles == 2;
   }
 
   void readCell(Column column, AngleUnit unit, const CsvCell& cell, RecordedSighting& sighting) {

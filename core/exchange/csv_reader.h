@@ -20,7 +20,8 @@ namespace alidade {
 ///
 /// Capitals, blanks, _ and words such as “angle”, “circle” and “reading” do not matter. A unit in a name,
 /// `Hz [gon]` or `v_deg`, holds for the plain numbers of its column; otherwise `unit` does. `elevation` says
-/// that the vertical circle reads elevations. Other columns are listed in `unused`.
+/// that the vertical circle reads elevations. Other columns are listed in `unused`, and so are lines that
+/// begin with # where both circles are read in them.
 Recording readCsv(std::string_view text, AngleUnit unit = AngleUnit::Unstated,
                   const std::string& zeroPoint = {});
 

@@ -36,13 +36,12 @@ std::string trimmed(std::string_view text) {
 /// Goes through the text cell by cell.
 class CsvParser {
  public:
-  explicit CsvParser(std::string_view text) : m_text(text), m_separator(separatorOf(text)) {}
+  CsvParser(std::string_view text, char separator) : m_text(text), m_separator(separator) {}
 
-  std::variant<std::vector<CsvRow>, LineProblem> parse() {
+  std::variant<CsvTable, LineProblem> parse() {
     while (m_at < m_text.size()) {
       if (isComment(restOfLine())) {
-        m_at += restOfLine().size();
-        goOn();
+        takeRemark();
         continue;
       }
       CsvRow row{m_line, {}};
@@ -51,12 +50,24 @@ class CsvParser {
       } while (goOn());
       const bool empty = std::all_of(row.cells.begin(), row.cells.end(),
                                      [](const CsvCell& cell) { return cell.text.empty(); });
-      if (!empty) m_rows.push_back(std::move(row));
+      if (!empty) m_table.rows.push_back(std::move(row));
     }
-    return std::move(m_rows);
+    return std::move(m_table);
   }
 
  private:
+  void takeRemark() {
+    const std::string_view line = restOfLine();
+    CsvParser inside(line.substr(line.find('#') + 1), m_separator);
+    CsvRow row{m_line, {}};
+    do {
+      if (!inside.readCell(row)) break;
+    } while (inside.goOn());
+    m_table.remarks.push_back(std::move(row));
+    m_at += line.size();
+    goOn();
+  }
+
   bool atEnd() const { return m_at == m_text.size() || m_text[m_at] == '\r' || m_text[m_at] == '\n'; }
 
   /// Counts on from where it was asked last.
@@ -135,14 +146,14 @@ class CsvParser {
   char m_separator;
   std::size_t m_at = 0, m_line = 1;
   std::size_t m_counted = 0, m_column = 1;
-  std::vector<CsvRow> m_rows;
+  CsvTable m_table;
   LineProblem m_problem;
 };
 
 }  // namespace
 
-std::variant<std::vector<CsvRow>, LineProblem> parseCsv(std::string_view text) {
-  return CsvParser(text).parse();
+std::variant<CsvTable, LineProblem> parseCsv(std::string_view text) {
+  return CsvParser(text, separatorOf(text)).parse();
 }
 
 }  // namespace alidade

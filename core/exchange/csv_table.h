@@ -20,11 +20,16 @@ struct CsvRow {
   std::vector<CsvCell> cells;
 };
 
+struct CsvTable {
+  std::vector<CsvRow> rows;
+  std::vector<CsvRow> remarks;  ///< lines that begin with #, taken apart without it
+};
+
 /// Takes a table apart (RFC 4180): cells are parted by tabs, semicolons or commas, whichever of these stands
 /// in the first row (in this order); a cell that begins with a double quote ends at the next single one and
 /// may hold anything, a quote inside doubled. Quotes elsewhere are the seconds of angles and stay. Rows
-/// without any content, and lines that begin with # (and are not a first column of that name), are left out.
-/// Fails on a quote left open.
-std::variant<std::vector<CsvRow>, LineProblem> parseCsv(std::string_view text);
+/// without any content are left out; lines that begin with # (and are not a first column of that name) are
+/// remarks. Fails on a quote left open, but in a remark.
+std::variant<CsvTable, LineProblem> parseCsv(std::string_view text);
 
 }  // namespace alidade

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -105,6 +106,7 @@ class Assembly {
       if (!told && m_options.turnedAtLine) last = sighting.line < *m_options.turnedAtLine ? "0" : "180";
       if (sighting.axis.text.empty()) sighting.axis.text = last;
       last = sighting.axis.text;
+      if (const Result<int> axis = axisEntry(last)) sighting.axis.text = std::to_string(*axis);
     }
     if (!told && !m_options.turnedAtLine)
       remark("nothing in the file says how the axis stood: all its readings are put at 0°");
@@ -125,12 +127,31 @@ class Assembly {
       if (sighting.face.text.empty()) sighting.face.text = "1";
   }
 
+  /// An entry as the number it means, so that 1 and 01 are one point.
+  static std::string asNumber(const char* field, const std::string& text) {
+    const auto number = wholeEntry(field, text);
+    return number && *number ? std::to_string(**number) : text;
+  }
+
+  /// Where the file says no round, the first that it does not state for this point and face.
   void takeRounds() {
-    std::map<std::tuple<std::string, std::string, std::string>, int> seen;
+    using Visited = std::tuple<std::string, std::string, std::string>;
+    const auto visited = [](const RecordedSighting& sighting) {
+      return Visited{sighting.axis.text, asNumber("readings.point", sighting.point.text),
+                     asNumber("readings.face", sighting.face.text)};
+    };
+    std::map<Visited, std::set<std::string>> stated;
+    for (const RecordedSighting& sighting : m_recording.sightings)
+      if (!sighting.isZero && !sighting.round.text.empty())
+        stated[visited(sighting)].insert(asNumber("readings.round", sighting.round.text));
+    std::map<Visited, int> last;
     bool second = false;
     for (RecordedSighting& sighting : m_recording.sightings) {
       if (sighting.isZero || !sighting.round.text.empty() || sighting.point.text.empty()) continue;
-      const int round = ++seen[{sighting.axis.text, sighting.point.text, sighting.face.text}];
+      const Visited visit = visited(sighting);
+      int& round = last[visit];
+      do ++round;
+      while (stated[visit].contains(std::to_string(round)));
       second = second || round > 1;
       if (round > 1) sighting.round.text = std::to_string(round);
     }
@@ -281,26 +302,24 @@ class Assembly {
     });
   }
 
-  /// As taken; a session cannot say more of the order between positions.
+  /// A session has the position at 0° read first.
   void orderPositions() {
-    std::vector<int> order;
-    bool alternating = false;
+    std::ranges::stable_sort(m_import.session.positions, {}, [](const Position& position) {
+      constexpr int behindAll = 360;
+      const Result<int> axis = axisEntry(position.axisDeg);
+      return axis ? *axis : behindAll;
+    });
+    std::vector<int> turns;
     for (const RecordedSighting& sighting : m_recording.sightings) {
       const Result<int> axis = axisEntry(sighting.axis.text);
-      if (!axis || sighting.isZero) continue;
-      const bool known = std::find(order.begin(), order.end(), *axis) != order.end();
-      alternating = alternating || (known && order.back() != *axis);
-      if (!known) order.push_back(*axis);
+      if (axis && !sighting.isZero && (turns.empty() || turns.back() != *axis)) turns.push_back(*axis);
     }
-    const auto rank = [&order](const Position& position) {
-      const Result<int> axis = axisEntry(position.axisDeg);
-      return std::find(order.begin(), order.end(), axis ? *axis : -1) - order.begin();
-    };
-    std::vector<Position>& positions = m_import.session.positions;
-    std::stable_sort(positions.begin(), positions.end(),
-                     [&rank](const Position& a, const Position& b) { return rank(a) < rank(b); });
-    if (alternating)
+    if (turns.size() > 2)
       remark("the positions of the axis alternate in the file; a session keeps the order within each only");
+    else if (turns.size() == 2 && turns.front() != 0)
+      remark(
+          "180° was read before 0°, but a session takes 0° as read first: a drift or a jump between the "
+          "positions would be taken the wrong way round");
   }
 
   Recording m_recording;

@@ -36,8 +36,9 @@ struct Import {
 /// content tells which. Sightings of the pointing zero become the zero of their position, several of them as
 /// the mean of their face 1 equivalents; a zero that `base` has already stays. Where the file does not say,
 /// the face follows from the vertical circle, the round from how often point and face came before in this
-/// position, the axis from `turnedAtLine`, else it is 0°. Point names that are no whole numbers are numbered,
-/// the name kept in the note. Fails on what is no text, is a session, or holds no readings.
+/// position (rounds that the file states are passed over), the axis from `turnedAtLine`, else it is 0°.
+/// Positions are in the order 0°, 180°, as a session has them read. Point names that are no whole numbers are
+/// numbered, the name kept in the note. Fails on what is no text, is a session, or holds no readings.
 Result<Import> importReadings(std::string_view bytes, const ImportOptions& options = {});
 
 }  // namespace alidade

@@ -75,6 +75,16 @@ TEST_F(ImportTest, TakesUnitsAndCircleFromTheOptions) {
   EXPECT_EQ(written["instrument"]["sigma_vertical_arcsec"], 1.5);
 }
 
+// −10′ is an elevation and no zenith angle; the column's name tells which circle it is.
+TEST_F(ImportTest, ChecksTheZeroByTheCircleThatTheTableNames) {
+  const std::string elevations = folder.file("e.csv", "axis,Hz,elevation\n0,341°,2°\n");
+  EXPECT_EQ(import(elevations, {"--zero-0", "341°", "-0°10'"}).exitCode, 0);
+  const std::string zenith = folder.file("z.csv", "axis,Hz,zenith\n0,341°,88°\n");
+  const ProgramRun run = import(zenith, {"--zero-0", "341°", "-0°10'", "--vertical-circle", "elevation"});
+  expectRefusal(run);
+  EXPECT_THAT(run.err, HasSubstr("--zero-0: “-0°10'” lies outside 0°…360°"));
+}
+
 TEST_F(ImportTest, NamesFileLineAndColumn) {
   const std::string csv =
       folder.file("bad.csv", "Hz,V\n341°52'24\",88°16'49\"\n341°52'24\",88°71'49\"\n1,2\n");

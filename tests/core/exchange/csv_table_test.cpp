@@ -9,7 +9,7 @@ using ::testing::ElementsAre;
 
 std::vector<std::vector<std::string>> cellsOf(std::string_view text) {
   std::vector<std::vector<std::string>> cells;
-  const auto rows = std::get<std::vector<CsvRow>>(parseCsv(text));
+  const auto rows = std::get<CsvTable>(parseCsv(text)).rows;
   for (const CsvRow& row : rows) {
     cells.emplace_back();
     for (const CsvCell& cell : row.cells) cells.back().push_back(cell.text);
@@ -37,8 +37,16 @@ TEST(CsvTable, LeavesEmptyRowsAndRemarksOut) {
   EXPECT_TRUE(cellsOf("").empty());
 }
 
+TEST(CsvTable, TakesRemarksApartBesideTheRows) {
+  const auto remarks = std::get<CsvTable>(parseCsv("a;b\n #1;2\n# the arc's 5\" \"end\n3;4\n")).remarks;
+  ASSERT_EQ(remarks.size(), 2u);
+  EXPECT_EQ(remarks[0].line, 2u);
+  EXPECT_EQ(remarks[0].cells.at(0).text + "|" + remarks[0].cells.at(1).text, "1|2");
+  EXPECT_EQ(remarks[1].line, 3u) << "a quote left open is no matter in a remark";
+}
+
 TEST(CsvTable, KnowsLineAndColumn) {
-  const auto rows = std::get<std::vector<CsvRow>>(parseCsv("a;b;c\r\n\"1\n2\";°°;  x\r\n4;5"));
+  const auto rows = std::get<CsvTable>(parseCsv("a;b;c\r\n\"1\n2\";°°;  x\r\n4;5")).rows;
   ASSERT_EQ(rows.size(), 3u);
   EXPECT_EQ(rows[1].line, 2u);
   EXPECT_EQ(rows[1].cells[2].column, 9u) << "counted in the line the cell stands in, in characters";

@@ -17,6 +17,7 @@ using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 std::string gsiOf(const std::string& name, const std::string& horizontal, const std::string& vertical) {
   return "110001+" + std::string(8 - name.size(), '0') + name + " 21.324+" + horizontal + " 22.324+" +
@@ -108,12 +109,40 @@ TEST(Import, TellsPositionsByTheLineWhereTheFileDoesNot) {
   EXPECT_THAT(import.remarks, IsEmpty());
 }
 
-TEST(Import, KeepsTheOrderOfThePositions) {
-  const Import import = imported("axis,Hz,V\n180,341°,88°\n0,341°,88°\n");
-  EXPECT_EQ(import.session.positions.at(0).axisDeg, "180");
-  EXPECT_THAT(import.remarks, IsEmpty());
+// Readings of one point, face and round are one visit: no two may end up in the same.
+TEST(Import, PassesOverRoundsThatTheFileStates) {
+  const auto roundsOf = [](const std::string& rows) {
+    std::string rounds;
+    const Import import = imported("axis,point,round,face,Hz,V\n" + rows);
+    for (const Reading& reading : import.session.positions.at(0).readings) rounds += reading.round;
+    for (const Problem& problem : examine(import.session).problems)
+      EXPECT_THAT(problem.what, Not(HasSubstr("already"))) << "two readings in one place";
+    return rounds;
+  };
+  EXPECT_EQ(roundsOf("0,1,,,341°,88°\n0,1,,,341°,88°\n0,1,2,,341°,88°\n"), "132");
+  EXPECT_EQ(roundsOf("0,1,1,,341°,88°\n0,2,,,341°,88°\n0,1,,,341°,88°\n"), "112");
+  EXPECT_EQ(roundsOf("0,1,1,1,341°,88°\n0,1,,2,161°,272°\n0,01,,,341°,88°\n"), "112") << "by face";
+  EXPECT_EQ(roundsOf("0,1,1,,341°,88°\n0.0,1,,,341°,88°\n"), "12") << "0.0 is 0";
+}
+
+TEST(Import, PutsThePositionsInTheOrderOfASession) {
+  const Import import = imported("axis,Hz,V\n180,341°,88°\n0,341°,87°\n");
+  EXPECT_EQ(import.session.positions.at(0).axisDeg, "0");
+  EXPECT_EQ(import.session.positions.at(0).readings.at(0).vertical, "87°");
+  EXPECT_EQ(import.session.positions.at(1).axisDeg, "180");
+  EXPECT_THAT(import.remarks, ElementsAre(HasSubstr("180° was read before 0°")));
   EXPECT_THAT(imported("axis,Hz,V\n0,341°,88°\n180,341°,88°\n0,341°,87°\n").remarks,
               Contains(HasSubstr("alternate")));
+}
+
+TEST(Import, ListsReadingsThatWereTurnedIntoRemarks) {
+  const auto remarks = [](const std::string& line) {
+    return imported("axis,point,Hz [gon],V\n0,1,379.8,98.1gon\n" + line + "\n").remarks;
+  };
+  EXPECT_THAT(remarks("#0,2,379.9,98.2gon"),
+              ElementsAre("line 3 begins with # and is not used, though it holds a reading"));
+  EXPECT_THAT(remarks("# 0,2,,98.2gon"), IsEmpty()) << "one circle is no reading";
+  EXPECT_THAT(remarks("# wind from the left, 3 m/s, see page 2, 15°"), IsEmpty());
 }
 
 // 332°32'50" and 152°32'54" − 180° have the mean 332°32'52", 89°59'58" and 360° − 270°00'06" the mean
