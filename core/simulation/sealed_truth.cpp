@@ -84,6 +84,9 @@ Result<std::vector<SealedTruth>> readSealedTruths(const std::string& text) {
   if (json.is_discarded() || !json.is_object())
     return Problem{
         "it is no JSON object of truths by session id: take the truth.json that belongs to the sessions"};
+  if (json.empty())
+    return Problem{
+        "it holds no truth, so there is nothing to score: take the truth.json that belongs to the sessions"};
   std::vector<SealedTruth> truths;
   for (const auto& [id, entry] : json.items()) {
     std::string key;

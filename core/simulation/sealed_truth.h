@@ -38,7 +38,7 @@ SealedTruth sealed(const std::string& id, const Truth& truth, const std::optiona
 /// The truth file of a set of trials: a JSON object {id: {kind, intersection_mm, protocol, causes, blunders:
 /// [[position, round, point, face, horizontal, vertical], …], visible_sigma, look_alikes: [[id, cosine, σ],
 /// …]}, …}; kind and intersection_mm are required, other keys are passed over. In the order of the ids. Fails
-/// with the id and the key that are wrong.
+/// with the id and the key that are wrong, and where there is no truth at all.
 Result<std::vector<SealedTruth>> readSealedTruths(const std::string& text);
 
 }  // namespace alidade

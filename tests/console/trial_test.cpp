@@ -74,6 +74,8 @@ TEST(Trial, RefusesInOneLine) {
   EXPECT_THAT(refusal({"--count", "0"}), HasSubstr("--count"));
   EXPECT_THAT(refusal({"--score", stored, "--count", "5"}), HasSubstr("--count"));
   const TemporaryFolder folder;
+  std::ofstream(folder.path() / "truth.json") << "{}";
+  EXPECT_THAT(refusal({"--score", folder.path().string()}), HasSubstr("nothing to score"));
   std::ofstream(folder.path() / "truth.json") << R"({"nobody": {"kind": "none", "intersection_mm": 0}})";
   EXPECT_THAT(refusal({"--score", folder.path().string()}), HasSubstr("nobody.alidade"));
   std::ofstream(folder.path() / "truth.json") << R"({"nobody": {"kind": "none"}})";

@@ -41,6 +41,7 @@ TEST(SealedTruth, ReadsWhatScoringNeeds) {
 TEST(SealedTruth, NamesTheTruthAndTheKeyThatAreWrong) {
   EXPECT_THAT(problemOf("[1, 2]"), HasSubstr("no JSON object"));
   EXPECT_THAT(problemOf("{"), HasSubstr("no JSON object"));
+  EXPECT_THAT(problemOf("{}"), HasSubstr("nothing to score"));
   EXPECT_THAT(problemOf(R"({"a1": {"kind": "none"}})"), HasSubstr("“a1”: intersection_mm"));
   EXPECT_THAT(problemOf(R"({"a1": {"kind": 3, "intersection_mm": 0}})"), HasSubstr("“a1”: kind"));
   EXPECT_THAT(problemOf(R"({"a1": 5})"), HasSubstr("“a1”"));
