@@ -37,18 +37,17 @@ std::optional<Advice> separating(const Cause& cause, const std::string& measure,
   return advice;
 }
 
-std::optional<Advice> revealing(const std::vector<UnseenEffect>& unseen, const std::string& measure,
+std::optional<Advice> revealing(const std::vector<Danger>& unseen, const std::string& measure,
                                 const VisibleTerms& terms) {
-  constexpr double worthKnowing = 0.001;  // mm
   Advice advice{measure, {}, 0};
-  for (const UnseenEffect& hidden : unseen) {
-    const Effect* effect = effectById(hidden.effect);
-    if (!effect || hidden.influence < worthKnowing) continue;
-    const Eigen::MatrixXd columns = combinationOf(*effect);
-    const double visible = std::sqrt(std::max((columns.transpose() * terms.gram * columns).trace(), 0.0));
+  for (const Danger& danger : unseen) {
+    const Effect* effect = effectById(danger.effect);
+    if (!effect) continue;
+    const VectorXd trace = combinationOf(*effect) * danger.weights;
+    const double visible = std::sqrt(std::max(trace.dot(terms.gram * trace), 0.0));
     if (visible < clearlyDifferent) continue;
     advice.bySigma = advice.separates.empty() ? visible : std::min(advice.bySigma, visible);
-    advice.separates.push_back(hidden.effect);
+    advice.separates.push_back(danger.effect);
   }
   if (advice.separates.empty()) return std::nullopt;
   return advice;
@@ -63,10 +62,11 @@ VisibleTerms termsOfSession(const Inquiry& inquiry, const Measurement& plan) {
 
 }  // namespace
 
-std::vector<Advice> adviceFor(const Inquiry& inquiry, const Diagnosis& diagnosis) {
-  const auto unclear = std::ranges::find_if(
-      diagnosis.causes, [](const Cause& cause) { return !cause.indistinguishableFrom.empty(); });
-  if (unclear == diagnosis.causes.end() && diagnosis.unseen.empty()) return {};
+std::vector<Advice> adviceFor(const Inquiry& inquiry, const std::vector<Cause>& causes,
+                              const std::vector<Danger>& unseen) {
+  const auto unclear =
+      std::ranges::find_if(causes, [](const Cause& cause) { return !cause.indistinguishableFrom.empty(); });
+  if (unclear == causes.end() && unseen.empty()) return {};
   std::vector<Advice> list;
   std::optional<VisibleTerms> ofSession;
   for (const FurtherReadings& plan : furtherReadings(inquiry.base)) {
@@ -74,9 +74,8 @@ std::vector<Advice> adviceFor(const Inquiry& inquiry, const Diagnosis& diagnosis
     VisibleTerms terms = visibleTerms(linearisedPlan(inquiry.base, plan.sets.back()));
     if (plan.besideSession) terms = terms + *ofSession;
     terms = withEstimated(std::move(terms), inquiry.base.options.terms);
-    const std::optional<Advice> advice = unclear != diagnosis.causes.end()
-                                             ? separating(*unclear, plan.measure, terms)
-                                             : revealing(diagnosis.unseen, plan.measure, terms);
+    const std::optional<Advice> advice = unclear != causes.end() ? separating(*unclear, plan.measure, terms)
+                                                                 : revealing(unseen, plan.measure, terms);
     if (advice) list.push_back(*advice);
   }
   std::ranges::sort(list, [](const Advice& a, const Advice& b) {

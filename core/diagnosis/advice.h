@@ -4,6 +4,7 @@
 
 #include "core/diagnosis/diagnosis.h"
 #include "core/diagnosis/inquiry.h"
+#include "core/diagnosis/unseen.h"
 
 namespace alidade {
 
@@ -11,6 +12,7 @@ namespace alidade {
 /// same session with the other face, the way back, the slider, a shifted circle, a second stand-off or more
 /// of the arc read along. Where the cause has look-alikes: how far they would then be apart; else, how well
 /// the most dangerous of the unseen effects would then be seen.
-std::vector<Advice> adviceFor(const Inquiry& inquiry, const Diagnosis& diagnosis);
+std::vector<Advice> adviceFor(const Inquiry& inquiry, const std::vector<Cause>& causes,
+                              const std::vector<Danger>& unseen);
 
 }  // namespace alidade

@@ -105,12 +105,15 @@ Result<Diagnosis> diagnose(const Measurement& measurement, const DiagnosisOption
   diagnosis.steps = stepsOf(inquiry, answer);
   diagnosis.before = estimateOf(*model);
   diagnosis.afterwards = afterwardsOf(inquiry, answer);
-  diagnosis.unseen = unseenEffects(inquiry.leftover, inquiry.candidates, influencePerSigma(inquiry.base));
+  const std::vector<Danger> unseen =
+      unseenDangers(inquiry.leftover, inquiry.candidates, influencePerSigma(inquiry.base));
+  for (const Danger& danger : unseen)
+    diagnosis.unseen.push_back({danger.effect, danger.influence, danger.visible});
   if (answer.kind == Answer::Kind::Unknown) diagnosis.shape = shapeOf(inquiry);
   diagnosis.leftBefore = inSigma(*model);
   diagnosis.leftAfter = inSigma(answer.after);
   diagnosis.readings = readingsOf(*model);
-  diagnosis.advice = adviceFor(inquiry, diagnosis);
+  diagnosis.advice = adviceFor(inquiry, diagnosis.causes, unseen);
   diagnosis.sentence = sentenceFor(diagnosis);
   return diagnosis;
 }

@@ -62,12 +62,12 @@ void seeVisibility(Planned& planned, const Leftover& leftover, const std::vector
 }
 
 void seeInfluence(Planned& planned, const Leftover& leftover, const VectorXd& perSigma) {
-  const VectorXd influence = wholeColumns(leftover, *planned.component).transpose() * perSigma;
+  const Danger danger = dangerOfEffect(leftover, *planned.component, perSigma);
   PlannedEffect& summary = planned.summary;
-  summary.influence = influence.norm();
-  planned.mostDangerous = summary.influence > 0 ? VectorXd(influence / summary.influence) : planned.plainest;
-  summary.visibleThere = signature(leftover, *planned.component, planned.mostDangerous).norm();
-  summary.unseen = summary.influence > negligibleInfluence && summary.visibleThere < clearlyDifferent;
+  summary.influence = danger.influence;
+  planned.mostDangerous = danger.influence > 0 ? danger.weights : planned.plainest;
+  summary.visibleThere = danger.influence > 0 ? danger.visible : summary.mostVisible;
+  summary.unseen = danger.isUnseen();
 }
 
 PlanAdvice adviceOf(const FurtherReadings& further, const GapModel& model,

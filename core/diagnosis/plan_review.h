@@ -22,9 +22,9 @@ struct PlannedEffect {
   double leastVisible = 0, mostVisible = 0;
   /// What could not be told from it where it shows most.
   std::vector<LookAlike> lookAlikes;
-  /// On Δd, mm, ≥ 0, in the direction that moves it most; what it leaves there, σ.
+  /// On Δd, mm, ≥ 0, in the direction that moves it most, and what it leaves there, σ: as a diagnosis has it.
   double influence = 0, visibleThere = 0;
-  bool unseen = false;  ///< moves Δd and leaves less than `clearlyDifferent` σ there
+  bool unseen = false;
 };
 
 /// Readings to add, and what they would be good for.

@@ -13,36 +13,53 @@ using Eigen::Index, Eigen::VectorXd;
 
 namespace {
 
-/// In the direction of the weights that moves Δd most.
-UnseenEffect worstOf(const Component& component, const VectorXd& influence) {
-  const double size = influence.norm();
-  if (size < negligibleInfluence) return {component.id, 0, std::sqrt(component.gram.trace())};
-  const VectorXd direction = influence / size;
-  return {component.id, size, std::sqrt(std::max(0.0, direction.dot(component.gram * direction)))};
+double visibleOf(const Leftover& leftover, const Component& component, const VectorXd& weights) {
+  if (component.curvature.cols() > 0) return signature(leftover, component, weights).norm();
+  return std::sqrt(std::max(0.0, weights.dot(component.gram * weights)));
 }
 
 }  // namespace
 
-std::vector<UnseenEffect> unseenEffects(const Leftover& leftover, const std::vector<Component>& candidates,
-                                        const VectorXd& perReading) {
-  std::vector<UnseenEffect> unseen;
+bool Danger::isUnseen() const {
+  return influence > negligibleInfluence && visible < clearlyDifferent;
+}
+
+Danger dangerOf(const Leftover& leftover, const Component& component, const VectorXd& influence) {
+  Danger danger{component.id, VectorXd::Zero(influence.size()), influence.norm(), 0};
+  if (danger.influence == 0) return danger;
+  danger.weights = influence / danger.influence;
+  danger.visible = visibleOf(leftover, component, danger.weights);
+  const double opposite = visibleOf(leftover, component, -danger.weights);
+  if (opposite < danger.visible) {
+    danger.weights = -danger.weights;
+    danger.visible = opposite;
+  }
+  return danger;
+}
+
+Danger dangerOfEffect(const Leftover& leftover, const Component& component, const VectorXd& perReading) {
+  return dangerOf(leftover, component, wholeColumns(leftover, component).transpose() * perReading);
+}
+
+std::vector<Danger> unseenDangers(const Leftover& leftover, const std::vector<Component>& candidates,
+                                  const VectorXd& perReading) {
+  std::vector<Danger> unseen;
   const Eigen::Matrix2Xd ofJumps =
       StepsInTime(leftover, momentsOf(candidates), plausibleJump).products(perReading);
   Index jump = 0;
   for (const Component& component : candidates) {
     if (component.kind == Component::Kind::Shape || component.allOrNothing) continue;
-    const VectorXd influence = component.kind == Component::Kind::Jump
-                                   ? VectorXd(ofJumps.col(jump++))
-                                   : wholeColumns(leftover, component).transpose() * perReading;
-    const UnseenEffect worst = worstOf(component, influence);
-    if (worst.influence < negligibleInfluence || worst.visibleSigma > clearlyDifferent) continue;
-    const auto same = std::ranges::find(unseen, worst.effect, &UnseenEffect::effect);
+    Danger danger = component.kind == Component::Kind::Jump
+                        ? dangerOf(leftover, component, ofJumps.col(jump++))
+                        : dangerOfEffect(leftover, component, perReading);
+    if (!danger.isUnseen()) continue;
+    const auto same = std::ranges::find(unseen, danger.effect, &Danger::effect);
     if (same == unseen.end())
-      unseen.push_back(worst);
-    else if (same->influence < worst.influence)
-      *same = worst;
+      unseen.push_back(std::move(danger));
+    else if (same->influence < danger.influence)
+      *same = std::move(danger);
   }
-  std::ranges::sort(unseen, std::greater{}, &UnseenEffect::influence);
+  std::ranges::sort(unseen, std::greater{}, &Danger::influence);
   return unseen;
 }
 

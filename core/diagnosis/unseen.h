@@ -1,19 +1,37 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "core/diagnosis/component.h"
-#include "core/diagnosis/diagnosis.h"
 
 namespace alidade {
 
-/// What moves Δd by less is not worth a word, mm.
-inline constexpr double negligibleInfluence = 1e-5;
+// Effects that would move Δd and leave no trace in these readings, for the .cpp files of this room only.
 
-/// For the .cpp files of this room only. Effects that would leave less than `clearlyDifferent` σ at their
-/// plausible size, by what that does to Δd; of an effect with two numbers in the direction that moves Δd
-/// most, of a jump at the moment that does. `perReading` is ∂Δd/∂reading, mm per σ of the reading.
-std::vector<UnseenEffect> unseenEffects(const Leftover& leftover, const std::vector<Component>& candidates,
-                                        const Eigen::VectorXd& perReading);
+/// What moves Δd by less is not worth a word, mm.
+inline constexpr double negligibleInfluence = 1e-3;
+
+/// An effect of its plausible size in the direction of its numbers that moves Δd most; of the two signs the
+/// one that shows less.
+struct Danger {
+  std::string effect;
+  Eigen::VectorXd weights;  ///< of length 1; zero where it does not move Δd
+  double influence = 0;     ///< on Δd to first order, mm, ≥ 0
+  double visible = 0;       ///< what it leaves in the readings, bent where it bends, σ
+
+  /// More than `negligibleInfluence`, and less than `clearlyDifferent` σ.
+  bool isUnseen() const;
+};
+
+/// `influence`: ∂Δd/∂weight, mm.
+Danger dangerOf(const Leftover& leftover, const Component& component, const Eigen::VectorXd& influence);
+/// `perReading`: ∂Δd/∂reading, mm per σ of the reading. Of an effect.
+Danger dangerOfEffect(const Leftover& leftover, const Component& component,
+                      const Eigen::VectorXd& perReading);
+
+/// Those that are unseen, the most dangerous first; of a jump the worst moment.
+std::vector<Danger> unseenDangers(const Leftover& leftover, const std::vector<Component>& candidates,
+                                  const Eigen::VectorXd& perReading);
 
 }  // namespace alidade

@@ -69,6 +69,29 @@ TEST(PlanReview, FindsWhatMovesTheIntersectionUnseen) {
   EXPECT_GT(full.readings, paper.readings);
 }
 
+// The same plan and the same rule: what stands under "unseen" in one stands there in the other. The readings
+// of the session are off by noise, which moves the places of the arc by 1e-5 of the radius.
+TEST(PlanReview, AgreesWithTheDiagnosisOnWhatIsUnseen) {
+  for (const char* protocol : {"paper", "two-face"}) {
+    const Measurement measurement =
+        *examine(*simulate(*protocolByName(protocol), drawTruth(11), 11)).measurement;
+    const PlanReview review = *reviewPlan(measurement);
+    const Diagnosis diagnosis = *diagnose(measurement);
+    std::vector<std::string> planned, diagnosed;
+    for (const PlannedEffect& effect : review.effects)
+      if (effect.unseen) planned.push_back(effect.effect);
+    for (const UnseenEffect& unseen : diagnosis.unseen) {
+      if (unseen.effect == "orientation_jump") continue;  // not of the catalogue
+      diagnosed.push_back(unseen.effect);
+      const PlannedEffect& effect = of(review, unseen.effect);
+      EXPECT_NEAR(unseen.visibleSigma, effect.visibleThere, 0.01 * effect.visibleThere + 1e-3);
+      EXPECT_NEAR(unseen.influence, effect.influence, 0.01 * effect.influence);
+      EXPECT_GT(unseen.influence, 0.001) << "mm: less is not worth a word";
+    }
+    EXPECT_THAT(diagnosed, testing::UnorderedElementsAreArray(planned));
+  }
+}
+
 // DIAGNOSIS.md's physics: a way back shows the drifts, both faces and the slider what one face alone cannot
 // tell apart.
 TEST(PlanReview, SaysWhatToAdd) {
