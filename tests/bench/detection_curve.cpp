@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <map>
+#include <mutex>
 #include <numbers>
 #include <thread>
 #include <vector>
@@ -17,7 +19,10 @@
 // evidence. Half of the sessions hold nothing, the others one effect of the catalogue. Right is: the effect
 // itself, or one that these readings do not tell from it; and silence where there is nothing.
 //
-//   alidade_detection_curve [SESSIONS [SEED [THREADS]]]
+//   alidade_detection_curve [SESSIONS [SEED [THREADS [FROM TO]]]]
+//
+// With FROM and TO every session holds an effect, one that shows by so many σ; the observer still believes
+// what he believes of all. Behind the curve stand the truths that one of the two knew and the other did not.
 
 namespace {
 
@@ -25,6 +30,12 @@ using namespace alidade;
 using Eigen::VectorXd;
 
 constexpr double least = 2, most = 25, mostPlausible = 6;
+
+/// What is drawn of all that the observer believes to be drawn.
+struct Drawn {
+  double from = least, to = most;
+  bool alsoNothing = true;
+};
 
 bool isHeld(const std::string& kind) {
   return effectById(kind) && kind != "vertical_angle_relation";
@@ -37,12 +48,13 @@ std::vector<std::string> heldKinds() {
   return kinds;
 }
 
-BlindTrial trialOf(std::uint64_t seed) {
+BlindTrial trialOf(std::uint64_t seed, const Drawn& drawn) {
   BlindTrialOptions options{.protocol = namedProtocols()[seed / 2 % namedProtocols().size()].name,
-                            .leastVisible = least,
-                            .mostVisible = most,
+                            .leastVisible = drawn.from,
+                            .mostVisible = drawn.to,
                             .mostPlausible = mostPlausible};
-  options.kinds = seed % 2 == 0 ? std::vector<std::string>{"none"} : heldKinds();
+  const bool nothing = drawn.alsoNothing && seed % 2 == 0;
+  options.kinds = nothing ? std::vector<std::string>{"none"} : heldKinds();
   return *drawBlindTrial(options, seed);
 }
 
@@ -115,8 +127,25 @@ struct Row {
   std::atomic<int> count = 0, product = 0, ideal = 0, worse = 0, better = 0;
 };
 
-void take(std::uint64_t seed, std::vector<Row>& rows, Row& silent) {
-  const BlindTrial trial = trialOf(seed);
+/// How often one of the two was right where the other was not.
+class Apart {
+ public:
+  void note(const std::string& what) {
+    const std::scoped_lock lock(m_mutex);
+    ++m_counts[what];
+  }
+
+  void print() const {
+    for (const auto& [what, count] : m_counts) std::printf("%4d  %s\n", count, what.c_str());
+  }
+
+ private:
+  std::mutex m_mutex;
+  std::map<std::string, int> m_counts;
+};
+
+void take(std::uint64_t seed, const Drawn& drawn, std::vector<Row>& rows, Row& silent, Apart& apart) {
+  const BlindTrial trial = trialOf(seed, drawn);
   const Measurement measurement = *examine(trial.session).measurement;
   const bool hasSlider = protocolByName(trial.seal.protocol)->slider;
   const TrialScore score = scoreTrial(trial.seal, *diagnose(measurement));
@@ -127,6 +156,9 @@ void take(std::uint64_t seed, std::vector<Row>& rows, Row& silent) {
   };
   const bool none = trial.seal.kind == "none";
   const bool right = none ? score.right : isRight(score.answer), idealRight = isRight(ideal);
+  if (right != idealRight)
+    apart.note(right ? "only the diagnosis: " + trial.seal.kind
+                     : "only the observer: " + trial.seal.kind + ", the diagnosis answered " + score.answer);
   for (Row& row : rows)
     if (none ? &row == &silent
              : &row != &silent && *trial.seal.visible >= row.from && *trial.seal.visible < row.to) {
@@ -153,6 +185,8 @@ int main(int argc, char** argv) {
   const auto first = argc > 2 ? static_cast<std::uint64_t>(std::atoll(argv[2])) : 1;
   const unsigned threads = argc > 3 ? static_cast<unsigned>(std::atoi(argv[3]))
                                     : std::max(1u, std::thread::hardware_concurrency());
+  Drawn drawn;
+  if (argc > 5) drawn = {std::atof(argv[4]), std::atof(argv[5]), false};
   constexpr double edges[] = {0, 2, 3, 4, 5, 6, 8, 10, 15, 26};
   std::vector<Row> rows(std::size(edges));
   for (std::size_t i = 0; i + 1 < std::size(edges); ++i) {
@@ -161,11 +195,13 @@ int main(int argc, char** argv) {
   }
   Row& silent = rows.back();
   std::atomic<int> next = 0;
+  Apart apart;
   {
     std::vector<std::jthread> workers;
     for (unsigned t = 0; t < std::max(1u, threads); ++t)
       workers.emplace_back([&] {
-        for (int i; (i = next++) < sessions;) take(first + static_cast<std::uint64_t>(i), rows, silent);
+        for (int i; (i = next++) < sessions;)
+          take(first + static_cast<std::uint64_t>(i), drawn, rows, silent, apart);
       });
   }
   std::printf("%-14s %6s   %8s   %8s   %s\n", "shows by", "trials", "diagnosis", "ideal", "points apart");
@@ -175,5 +211,6 @@ int main(int argc, char** argv) {
     std::snprintf(name, sizeof name, "%g to %g σ", rows[i].from, rows[i].to);
     print(name, rows[i]);
   }
+  apart.print();
   return 0;
 }
