@@ -44,6 +44,8 @@ struct TrialBench {
     QTest::keyClick(button(name), Qt::Key_Space);
     ASSERT_TRUE(waitFor([this] { return !dialog.job().isAtWork(); }));
   }
+  DataTable* table() { return dialog.findChild<DataTable*>(); }
+  QString cell(int row, int column) { return table()->model()->index(row, column).data().toString(); }
   std::string shown() {
     QString texts;
     for (const QLabel* label : dialog.findChildren<QLabel*>())
@@ -92,6 +94,67 @@ TEST(BlindTrial, ScoresAStretchAsTheCoreDoes) {
   const auto* table = bench.dialog.findChild<DataTable*>();
   ASSERT_EQ(table->model()->rowCount(), count);
   EXPECT_EQ(table->model()->index(count - 1, 0).data().toInt(), seed) << "the newest first";
+}
+
+TEST(BlindTrial, StaysSealedInTheListUntilItIsReturnedTo) {
+  TrialBench bench("full", "orientation_jump");
+  bench.press("draw");
+  const SharedTrial first = bench.dialog.current();
+  bench.press("draw");
+  bench.press("open seal");
+  const DataTable& table = *bench.table();
+  ASSERT_EQ(table.model()->rowCount(), 2);
+  EXPECT_EQ(bench.cell(1, 0), QString::number(seed));
+  EXPECT_EQ(bench.cell(1, 2), QStringLiteral("sealed"));
+  EXPECT_EQ(bench.cell(0, 2), QStringLiteral("a jump of the orientation"));
+  EXPECT_THAT(bench.shown(), HasSubstr("of 1 ("));
+  EXPECT_THAT(bench.shown(), HasSubstr("still sealed: 1."));
+
+  bench.table()->setFocus();
+  QTest::keyClick(bench.table(), Qt::Key_Down);
+  EXPECT_EQ(bench.dialog.current(), first);
+  EXPECT_THAT(bench.shown(), HasSubstr("Sealed."));
+  EXPECT_THAT(bench.shown(), Not(HasSubstr("True Δd")));
+  bench.press("open seal");
+  EXPECT_EQ(bench.cell(1, 2), QStringLiteral("a jump of the orientation"));
+  EXPECT_THAT(bench.shown(), HasSubstr("of 2 ("));
+  EXPECT_THAT(bench.shown(), Not(HasSubstr("still sealed")));
+  EXPECT_EQ(table.currentIndex().row(), 1) << "the one whose seal was opened stays in front";
+}
+
+TEST(BlindTrial, ASealedOneOutlivesAStretch) {
+  TrialBench bench("paper", "none");
+  bench.press("draw");
+  const SharedTrial sealed = bench.dialog.current();
+  bench.dialog.findChildren<QSpinBox*>().last()->setValue(3);
+  bench.press("series");
+  EXPECT_NE(bench.dialog.current(), sealed) << "a stretch shows its newest";
+  EXPECT_EQ(bench.cell(3, 2), QStringLiteral("sealed"));
+  QTest::mouseClick(bench.table()->viewport(), Qt::LeftButton, {},
+                    bench.table()->visualRect(bench.table()->model()->index(3, 0)).center());
+  EXPECT_EQ(bench.dialog.current(), sealed);
+  EXPECT_TRUE(bench.button("open seal")->isEnabled());
+}
+
+TEST(BlindTrial, AStretchLeavesTheChosenOneInFrontAndItsNumberAlone) {
+  TrialBench bench("paper", "none");
+  bench.press("draw");
+  bench.dialog.findChildren<QSpinBox*>().last()->setValue(10000);
+  QTest::keyClick(bench.button("series"), Qt::Key_Space);
+  auto* number = bench.dialog.findChild<QSpinBox*>();
+  EXPECT_FALSE(number->isEnabled());
+  EXPECT_FALSE(bench.dialog.findChild<QComboBox*>()->isEnabled());
+  const auto rows = [&] { return bench.table()->model()->rowCount(); };
+  ASSERT_TRUE(waitFor([&] { return rows() > 3; }));
+  bench.table()->setCurrentIndex(bench.table()->model()->index(rows() - 1, 0));
+  const SharedTrial chosen = bench.dialog.current();
+  EXPECT_EQ(chosen->trial.seal.id, std::to_string(seed));
+  const int before = rows();
+  ASSERT_TRUE(waitFor([&] { return rows() > before; }));
+  EXPECT_EQ(bench.dialog.current(), chosen);
+  bench.press("series");
+  EXPECT_TRUE(number->isEnabled());
+  EXPECT_EQ(number->value(), seed + rows()) << "one on for every trial drawn";
 }
 
 TEST(BlindTrial, AStretchIsStopped) {

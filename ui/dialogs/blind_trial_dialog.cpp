@@ -3,24 +3,21 @@
 #include <QComboBox>
 #include <QEvent>
 #include <QFormLayout>
-#include <QHeaderView>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QRandomGenerator>
 #include <QSpinBox>
 #include <QVBoxLayout>
-#include <algorithm>
+#include <initializer_list>
 
 #include "core/simulation/protocol.h"
-#include "core/simulation/trial_summary.h"
 #include "ui/charts/gap_waterfall.h"
-#include "ui/panels/data_table.h"
+#include "ui/dialogs/trial_list.h"
 #include "ui/panels/figure_grid.h"
 #include "ui/panels/gap_headline.h"
 #include "ui/settings/theme.h"
 #include "ui/text/entry_text.h"
-#include "ui/text/quantity_text.h"
 #include "ui/text/trial_text.h"
 
 namespace alidade::ui {
@@ -34,16 +31,6 @@ QLabel* textOfLines(int lines) {
   return label;
 }
 
-QString tallyText(const QString& name, const Tally& tally) {
-  const double share =
-      tally.count > 0 ? 100.0 * static_cast<double>(tally.hits) / static_cast<double>(tally.count) : 0;
-  return QStringLiteral("%1: %2 of %3 (%4 %)")
-      .arg(name)
-      .arg(tally.hits)
-      .arg(tally.count)
-      .arg(numberText(share, 0));
-}
-
 }  // namespace
 
 BlindTrialDialog::BlindTrialDialog(QWidget* parent) : QDialog(parent) {
@@ -53,16 +40,14 @@ BlindTrialDialog::BlindTrialDialog(QWidget* parent) : QDialog(parent) {
   head->addWidget(createAnswer(), 1);
   auto* foot = new QHBoxLayout;
   foot->addWidget(createTruth(), 1);
-  foot->addWidget(createScores(), 1);
+  foot->addWidget(createTrials(), 1);
   auto* layout = new QVBoxLayout(this);
   layout->addLayout(head);
   layout->addLayout(foot, 1);
   layout->addWidget(createButtons());
   resize(900, 620);
   connect(&m_job, &TrialJob::diagnosed, this, &BlindTrialDialog::take);
-  showTrial(nullptr, false);
-  showScores();
-  showWork();
+  showTrial(nullptr);
 }
 
 QWidget* BlindTrialDialog::createChoices() {
@@ -82,15 +67,15 @@ QWidget* BlindTrialDialog::createChoices() {
   m_seed->setRange(1, 999999);
   m_seed->setValue(QRandomGenerator::global()->bounded(1, 900000));
   m_seed->setToolTip(tr("The same number and choices give the same trial; each draw goes on by one"));
-  auto* choices = new QWidget;
-  auto* form = new QFormLayout(choices);
+  m_choices = new QWidget;
+  auto* form = new QFormLayout(m_choices);
   form->setContentsMargins(0, 0, 12, 0);
   form->addRow(panelHeading(tr("What is drawn")));
   form->addRow(tr("&Plan"), m_plan);
   form->addRow(tr("&Truth"), m_kind);
   form->addRow(tr("S&hows"), m_visible);
   form->addRow(tr("&Number"), m_seed);
-  return choices;
+  return m_choices;
 }
 
 QWidget* BlindTrialDialog::createAnswer() {
@@ -123,37 +108,12 @@ QWidget* BlindTrialDialog::createTruth() {
   return truth;
 }
 
-QWidget* BlindTrialDialog::createScores() {
-  const auto of = [this](auto text) {
-    return [this, text](int row) {
-      return text(*m_opened[m_opened.size() - 1 - static_cast<std::size_t>(row)]);
-    };
-  };
-  m_trials = new DataTable(
-      {{tr("Trial"), tr("Its number"), QStringLiteral("888888"),
-        of([](const DiagnosedTrial& t) { return qText(t.trial.seal.id); })},
-       {tr("Plan"), tr("Plan of readings"), QStringLiteral("there-and-back8"),
-        of([](const DiagnosedTrial& t) { return qText(t.trial.truth.protocol); }), Qt::AlignLeft},
-       {tr("Truth"), tr("What was put in"), tr("vertical circle eccentricity"),
-        of([](const DiagnosedTrial& t) { return trialKindName(t.trial.seal.kind); }), Qt::AlignLeft},
-       {tr("Score"), tr("Whether the diagnosis was right"), tr("wrong"),
-        of([](const DiagnosedTrial& t) { return t.score.right ? tr("right") : tr("wrong"); }),
-        Qt::AlignLeft}});
-  m_trials->setAccessibleName(tr("Trials with their seals open"));
-  m_trials->setSelectionMode(QAbstractItemView::SingleSelection);
-  m_trials->setPlaceholder(tr("Trials are listed here when their seal is open."));
-  m_trials->horizontalHeader()->setStretchLastSection(true);
-  connect(m_trials, &DataTable::rowActivated, this, [this](int row) {
-    if (!m_job.isAtWork()) showTrial(m_opened[m_opened.size() - 1 - static_cast<std::size_t>(row)], true);
+QWidget* BlindTrialDialog::createTrials() {
+  m_trials = new TrialList;
+  connect(m_trials, &TrialList::chosen, this, [this](const SharedTrial& trial) {
+    if (trial != m_current) showTrial(trial);
   });
-  m_summary = textOfLines(2);
-  auto* scores = new QWidget;
-  auto* layout = new QVBoxLayout(scores);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(panelHeading(tr("Score so far")));
-  layout->addWidget(m_summary);
-  layout->addWidget(m_trials, 1);
-  return scores;
+  return m_trials;
 }
 
 QWidget* BlindTrialDialog::createButtons() {
@@ -207,36 +167,36 @@ BlindTrialOptions BlindTrialDialog::options() const {
 
 void BlindTrialDialog::draw(int count) {
   m_isSeries = count > 1;
-  m_wanted = count;
   m_progress->setRange(0, count);
   m_progress->setValue(0);
+  m_trials->clearChoice();
   m_job.start(options(), static_cast<std::uint64_t>(m_seed->value()), count);
   showWork();
 }
 
+/// A trial that came to nothing is no trial: it is told and not listed.
 void BlindTrialDialog::take(const SharedTrial& trial) {
   m_seed->setValue(m_seed->value() % m_seed->maximum() + 1);
   m_progress->setValue(m_progress->value() + 1);
-  const bool isOpen = m_isSeries && trial->problem.empty();
-  if (isOpen) m_opened.push_back(trial);
-  showTrial(trial, isOpen);
-  if (isOpen) showScores();
-  if (!trial->problem.empty()) m_job.stop();
+  if (trial->problem.empty()) {
+    m_trials->add(trial, m_isSeries);
+  } else {
+    m_job.stop();
+    showTrial(trial);
+  }
   showWork();
   if (!m_isSeries) m_open->setFocus();
 }
 
 void BlindTrialDialog::openSeal() {
-  m_opened.push_back(m_current);
-  showTrial(m_current, true);
-  showScores();
-  showWork();
+  m_trials->openSeal(m_current);
+  showTrial(m_current);
   m_draw->setFocus();
 }
 
-void BlindTrialDialog::showTrial(const SharedTrial& trial, bool isOpen) {
+void BlindTrialDialog::showTrial(const SharedTrial& trial) {
   m_current = trial;
-  m_isOpen = isOpen;
+  m_isOpen = trial && m_trials->isOpen(trial);
   const bool says = trial && trial->problem.empty();
   m_title->setText(!says ? tr("Diagnosis")
                          : tr("Diagnosis of trial %1, plan %2")
@@ -251,6 +211,7 @@ void BlindTrialDialog::showTrial(const SharedTrial& trial, bool isOpen) {
   m_waterfall->setVisible(says);
   if (says) m_waterfall->setGap(trial->gap);
   showTruth();
+  showWork();
 }
 
 void BlindTrialDialog::showTruth() {
@@ -267,30 +228,19 @@ void BlindTrialDialog::showTruth() {
   colorScore();
 }
 
-void BlindTrialDialog::showScores() {
-  m_trials->setRows(static_cast<int>(m_opened.size()));
-  if (m_opened.empty()) return m_summary->setText(tr("No seal was opened yet."));
-  std::vector<ScoredTrial> scored;
-  for (const SharedTrial& trial : m_opened)
-    scored.push_back({.truth = trial->trial.seal, .score = trial->score, .wrongWithout = {}});
-  const TrialSummary summary = summarise(scored);
-  Tally right;
-  for (const ScoredTrial& trial : scored) right.add(trial.score.right);
-  QStringList texts{tallyText(tr("Right"), right)};
-  if (summary.falseAlarms.count > 0) texts.append(tallyText(tr("false alarms"), summary.falseAlarms));
-  if (summary.covered.count > 0) texts.append(tallyText(tr("Δd ± U covers"), summary.covered));
-  m_summary->setText(texts.join(QStringLiteral("; ")) + u'.');
-}
-
+/// The choices and the number belong to the draw at work until it is done.
 void BlindTrialDialog::showWork() {
-  const bool isAtWork = m_job.isAtWork();
+  const bool isAtWork = m_job.isAtWork(), isStretch = isAtWork && m_isSeries;
   const bool isDrawn = m_current && m_current->problem.empty();
+  m_choices->setEnabled(!isStretch);
+  m_seed->setReadOnly(isAtWork);
+  m_count->setEnabled(!isStretch);
   m_draw->setEnabled(!isAtWork);
-  m_open->setEnabled(!isAtWork && isDrawn && !m_isOpen);
+  m_open->setEnabled(isDrawn && !m_isOpen);
   m_inWindow->setEnabled(!isAtWork && isDrawn);
-  m_series->setText(isAtWork && m_isSeries ? tr("&Stop") : tr("Dr&aw many, open all:"));
+  m_series->setText(isStretch ? tr("&Stop") : tr("Dr&aw many, open all:"));
   m_series->setEnabled(!isAtWork || m_isSeries);
-  m_progress->setVisible(isAtWork && m_isSeries);
+  m_progress->setVisible(isStretch);
 }
 
 void BlindTrialDialog::colorScore() {

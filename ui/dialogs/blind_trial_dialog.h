@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QDialog>
-#include <vector>
 
 #include "ui/jobs/trial_job.h"
 
@@ -13,12 +12,13 @@ class QSpinBox;
 
 namespace alidade::ui {
 
-class DataTable;
 class GapHeadline;
 class GapWaterfall;
+class TrialList;
 
 /// Blind trials: a session is drawn from a plan and a truth that stays sealed, it is diagnosed, and then the
-/// seal is opened and the diagnosis scored. Also many at a stretch, all opened.
+/// seal is opened and the diagnosis scored. Also many at a stretch, all opened. Trials whose seal was not
+/// opened stay in the list and can be returned to.
 class BlindTrialDialog : public QDialog {
   Q_OBJECT
 
@@ -39,31 +39,28 @@ class BlindTrialDialog : public QDialog {
   QWidget* createChoices();
   QWidget* createAnswer();
   QWidget* createTruth();
-  QWidget* createScores();
+  QWidget* createTrials();
   QWidget* createButtons();
   BlindTrialOptions options() const;
   void draw(int count);
   void take(const SharedTrial& trial);
   void openSeal();
-  void showTrial(const SharedTrial& trial, bool isOpen);
+  void showTrial(const SharedTrial& trial);
   void showTruth();
-  void showScores();
   void showWork();
   void colorScore();
 
   TrialJob m_job;
-  SharedTrial m_current;              ///< null before the first
-  std::vector<SharedTrial> m_opened;  ///< the newest last
+  SharedTrial m_current;  ///< the one shown; null before the first
   bool m_isOpen = false, m_isSeries = false;
-  int m_wanted = 0;
 
+  QWidget* m_choices;
   QComboBox *m_plan, *m_kind, *m_visible;
   QSpinBox *m_seed, *m_count;
   QLabel *m_title, *m_truth, *m_score;
   GapHeadline* m_answer;
   GapWaterfall* m_waterfall;
-  DataTable* m_trials;
-  QLabel* m_summary;
+  TrialList* m_trials;
   QProgressBar* m_progress;
   QPushButton *m_draw, *m_open, *m_inWindow, *m_series;
 };

@@ -1,0 +1,116 @@
+#include "ui/dialogs/trial_list.h"
+
+#include <QHeaderView>
+#include <QLabel>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "ui/panels/data_table.h"
+#include "ui/panels/figure_grid.h"
+#include "ui/text/entry_text.h"
+#include "ui/text/quantity_text.h"
+#include "ui/text/trial_text.h"
+
+namespace alidade::ui {
+
+namespace {
+
+QString tallyText(const QString& name, const Tally& tally) {
+  const double share =
+      tally.count > 0 ? 100.0 * static_cast<double>(tally.hits) / static_cast<double>(tally.count) : 0;
+  return QStringLiteral("%1: %2 of %3 (%4 %)")
+      .arg(name)
+      .arg(tally.hits)
+      .arg(tally.count)
+      .arg(numberText(share, 0));
+}
+
+}  // namespace
+
+TrialList::TrialList(QWidget* parent) : QWidget(parent), m_summary(wrappedLabel()), m_table(createTable()) {
+  m_summary->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  m_summary->setMinimumHeight(2 * m_summary->fontMetrics().lineSpacing());
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(panelHeading(tr("Score so far")));
+  layout->addWidget(m_summary);
+  layout->addWidget(m_table, 1);
+  showScore();
+}
+
+DataTable* TrialList::createTable() {
+  const auto of = [this](auto text) { return [this, text](int row) { return text(atRow(row)); }; };
+  auto* table = new DataTable(
+      {{tr("Trial"), tr("Its number"), QStringLiteral("888888"),
+        of([](const Drawn& d) { return qText(d.trial->trial.seal.id); })},
+       {tr("Plan"), tr("Plan of readings"), QStringLiteral("there-and-back8"),
+        of([](const Drawn& d) { return qText(d.trial->trial.truth.protocol); }), Qt::AlignLeft},
+       {tr("Truth"), tr("What was put in"), tr("vertical circle eccentricity"),
+        of([](const Drawn& d) { return d.isOpen ? trialKindName(d.trial->trial.seal.kind) : tr("sealed"); }),
+        Qt::AlignLeft},
+       {tr("Score"), tr("Whether the diagnosis was right"), tr("wrong"), of([](const Drawn& d) {
+          return !d.isOpen ? notStated() : d.trial->score.right ? tr("right") : tr("wrong");
+        }),
+        Qt::AlignLeft}});
+  table->setAccessibleName(tr("Trials drawn"));
+  table->setSelectionMode(QAbstractItemView::SingleSelection);
+  table->setPlaceholder(tr("Every trial is listed here as it is drawn."));
+  table->horizontalHeader()->setStretchLastSection(true);
+  connect(table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+          [this](const QModelIndex& current) {
+            if (current.isValid()) emit chosen(atRow(current.row()).trial);
+          });
+  return table;
+}
+
+void TrialList::add(const SharedTrial& trial, bool isOpen) {
+  const int before = m_table->currentIndex().row();
+  m_drawn.push_back({trial, isOpen});
+  if (isOpen) score(*trial);
+  m_table->setRows(static_cast<int>(m_drawn.size()));
+  m_table->selectDataRows({before > 0 ? before + 1 : 0});
+  showScore();
+}
+
+void TrialList::openSeal(const SharedTrial& trial) {
+  for (Drawn& drawn : m_drawn) {
+    if (drawn.trial != trial || drawn.isOpen) continue;
+    drawn.isOpen = true;
+    score(*trial);
+  }
+  m_table->setRows(static_cast<int>(m_drawn.size()));
+  showScore();
+}
+
+bool TrialList::isOpen(const SharedTrial& trial) const {
+  return std::any_of(m_drawn.begin(), m_drawn.end(),
+                     [&](const Drawn& drawn) { return drawn.trial == trial && drawn.isOpen; });
+}
+
+void TrialList::clearChoice() {
+  m_table->clearSelection();
+  m_table->setCurrentIndex({});
+}
+
+void TrialList::score(const DiagnosedTrial& trial) {
+  m_scored.push_back({.truth = trial.trial.seal, .score = trial.score, .wrongWithout = {}});
+}
+
+void TrialList::showScore() {
+  QStringList texts;
+  if (!m_scored.empty()) {
+    const TrialSummary summary = summarise(m_scored);
+    Tally right;
+    for (const ScoredTrial& trial : m_scored) right.add(trial.score.right);
+    texts.append(tallyText(tr("Right"), right));
+    if (summary.falseAlarms.count > 0) texts.append(tallyText(tr("false alarms"), summary.falseAlarms));
+    if (summary.covered.count > 0) texts.append(tallyText(tr("Δd ± U covers"), summary.covered));
+  } else {
+    texts.append(tr("No seal was opened yet"));
+  }
+  if (const std::size_t sealed = m_drawn.size() - m_scored.size(); sealed > 0)
+    texts.append(tr("still sealed: %1").arg(sealed));
+  m_summary->setText(texts.join(QStringLiteral("; ")) + u'.');
+}
+
+}  // namespace alidade::ui
