@@ -3,14 +3,16 @@
 
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QLineEdit>
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "core/session/session.h"
+#include "core/session/session_file.h"
 #include "tests/ui/support.h"
 #include "ui/dialogs/import_notes.h"
 #include "ui/main_window.h"
+#include "ui/panels/readings_table.h"
 
 // File ▸ Import Readings: undoable, into the session at work where this has none yet, otherwise into a new
 // one.
@@ -72,6 +74,58 @@ TEST_F(ImportFlow, BeginsANewSessionBesideReadings) {
   EXPECT_FALSE(open->files().open(file(QStringLiteral("next.csv"), table))) << "the import is not saved yet";
   EXPECT_EQ(open.dialogs->saveQuestions, 1);
   EXPECT_EQ(open->document().session().title, "ARC");
+}
+
+TEST_F(ImportFlow, UndoneLeadsBackToTheSessionBefore) {
+  const QString paper = samplePath(QStringLiteral("paper-table-1.alidade"));
+  ASSERT_TRUE(open->files().open(paper));
+  const Session before = open->document().session();
+  typeInto(*open->findChild<QLineEdit*>(QStringLiteral("geometry.distance_mm")), QStringLiteral("2400"));
+  const Session edited = open->document().session();
+  open.dialogs->saveAnswer = Dialogs::SaveAnswer::Discard;
+  open.dialogs->importPath = file(QStringLiteral("arc.csv"), table);
+  QTest::keyClick(open.window.get(), Qt::Key_I, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_EQ(open.dialogs->saveQuestions, 1);
+  const Session imported = open->document().session();
+  EXPECT_EQ(imported.title, "arc");
+
+  const auto undo = [&] { QTest::keyClick(open.window.get(), Qt::Key_Z, Qt::ControlModifier); };
+  undo();
+  open.settle();
+  EXPECT_EQ(open->document().session(), edited) << "what was put aside unsaved is back";
+  EXPECT_EQ(open->document().path(), QFileInfo(paper).absoluteFilePath());
+  EXPECT_TRUE(open->windowTitle().startsWith(QStringLiteral("paper-table-1.alidade")));
+  EXPECT_TRUE(open->document().isModified());
+  EXPECT_EQ(
+      open->currentTable()->model()->index(0, static_cast<int>(ReadingColumn::Horizontal)).data().toString(),
+      QStringLiteral("341°52′24″"));
+  undo();
+  EXPECT_EQ(open->document().session(), before);
+  EXPECT_FALSE(open->document().isModified()) << "as in its file";
+  open->redo();
+  open->redo();
+  EXPECT_EQ(open->document().session(), imported);
+  EXPECT_EQ(open->document().path(), QString());
+}
+
+TEST_F(ImportFlow, KeepsEachSessionInItsFile) {
+  const QString first = folder.filePath(QStringLiteral("first.alidade")),
+                second = folder.filePath(QStringLiteral("second.alidade"));
+  ASSERT_TRUE(open->files().open(samplePath(QStringLiteral("paper-table-1.alidade"))));
+  ASSERT_FALSE(open->document().save(first));
+  ASSERT_TRUE(open->files().importReadings(file(QStringLiteral("arc.csv"), table)));
+  ASSERT_FALSE(open->document().save(second));
+  EXPECT_FALSE(open->document().isModified());
+  open->undo();
+  EXPECT_EQ(open->document().path(), QFileInfo(first).absoluteFilePath());
+  open->redo();
+  EXPECT_EQ(open->document().path(), QFileInfo(second).absoluteFilePath());
+  EXPECT_FALSE(open->document().isModified());
+  open->undo();
+  open.dialogs->saveAnswer = Dialogs::SaveAnswer::Save;
+  EXPECT_TRUE(open->files().startNew());
+  EXPECT_EQ(loadSession(first.toStdString())->title, "Table I");
+  EXPECT_EQ(loadSession(second.toStdString())->title, "arc") << "the other one's file is not written over";
 }
 
 TEST_F(ImportFlow, SaysWhatCouldNotBeRead) {

@@ -8,17 +8,27 @@ namespace alidade::ui {
 
 class SessionDocument;
 
-/// Puts another session in place of the present one, all of it at once; the file stays what it was.
+/// Puts another session in place of the present one, all of it at once. Undone, the one before is back, in
+/// the file it had.
 class ReplaceSession : public QUndoCommand {
  public:
-  ReplaceSession(SessionDocument& document, Session session, const QString& text);
+  enum class File {
+    Same,  ///< the new session is a further state of the one at work
+    None,  ///< it is another one, in no file yet
+  };
+
+  ReplaceSession(SessionDocument& document, Session session, File file, const QString& text);
 
   void undo() override;
   void redo() override;
 
  private:
+  void put(const Session& session);
+
   SessionDocument& m_document;
   Session m_before, m_after;
+  File m_file;
+  QString m_otherPath;  ///< with None: of the session that is not at work
 };
 
 }  // namespace alidade::ui

@@ -95,16 +95,15 @@ bool FileFlow::importReadings(const QString& path) {
                           tr("“%1” cannot be imported.\n\n%2").arg(name, qText(import.problem().text())));
     return false;
   }
-  if (!intoPresent) {
-    if (!mayLeave()) return false;
-    m_document.startNew();
-  }
-  putIn(*import, name);
+  if (!intoPresent && !mayLeave()) return false;
+  using File = ReplaceSession::File;
+  m_document.undoStack().push(new ReplaceSession(
+      m_document, import->session, intoPresent ? File::Same : File::None, tr("Import %1").arg(name)));
+  tellOf(*import, name);
   return true;
 }
 
-void FileFlow::putIn(const Import& import, const QString& name) {
-  m_document.undoStack().push(new ReplaceSession(m_document, import.session, tr("Import %1").arg(name)));
+void FileFlow::tellOf(const Import& import, const QString& name) {
   const QString done = tr("%1 readings imported from %2").arg(import.readings).arg(name);
   emit remark(done);
   const QString notes = importNotes(import);

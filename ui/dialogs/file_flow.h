@@ -26,8 +26,8 @@ class FileFlow : public QObject {
   bool open();
   bool open(const QString& path);  ///< a session, or a file of readings to import
   bool importReadings();
-  /// The readings of a GSI or CSV file, undoable: put into the session at work where this has none yet,
-  /// otherwise into a new one.
+  /// The readings of a GSI or CSV file: put into the session at work where this has none yet, otherwise into
+  /// a new one. Undone, the session is back as it was before, in its file.
   bool importReadings(const QString& path);
   bool save();
   bool saveAs();
@@ -42,7 +42,7 @@ class FileFlow : public QObject {
 
  private:
   bool load(const QString& path);
-  void putIn(const Import& import, const QString& name);
+  void tellOf(const Import& import, const QString& name);
   bool saveTo(const QString& path);
   QString suggestedPath(const QString& suffix) const;
 

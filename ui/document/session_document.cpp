@@ -102,10 +102,12 @@ void SessionDocument::removePosition(std::size_t index) {
   emit changed(change);
 }
 
-void SessionDocument::putSession(const Session& session) {
+void SessionDocument::putSession(const Session& session, const QString& path) {
   emit aboutToChange({});
   m_session = session;
+  m_path = path;
   emit changed({});
+  emit identityChanged();
 }
 
 void SessionDocument::replaceAll(Session session, const QString& path) {

@@ -53,7 +53,7 @@ class SessionDocument : public QObject {
                    const std::vector<Reading>& inserted);
   void insertPosition(std::size_t index, const Position& position);
   void removePosition(std::size_t index);
-  void putSession(const Session& session);
+  void putSession(const Session& session, const QString& path);
   void replaceAll(Session session, const QString& path);
 
   Session m_session;
