@@ -10,6 +10,7 @@
 #include <QUrl>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "ui/charts/arc_chart.h"
 #include "ui/charts/residual_chart.h"
@@ -161,8 +162,10 @@ void MainWindow::connectParts() {
   connect(&m_document, &SessionDocument::changed, this, [this](const SessionChange& change) {
     m_lastChange = change.place;
     m_suspects->setStale();
-    m_gap->setStale();
-    if (change.kind == SessionChange::Kind::Everything) showNoGap();
+    if (change.kind == SessionChange::Kind::Everything)
+      showNoGap();
+    else
+      showGapAsOld();
     m_gapJob.cancel();
     m_job.request(m_document.session());
   });
@@ -218,8 +221,9 @@ void MainWindow::connectGap() {
     changeField(m_document, {.field = "model.vertical_angle"}, text.toStdString());
     m_gap->setFocus();
   });
-  connect(m_result, &ResultPanel::gapActivated, this,
-          [this] { m_details->showPage(m_details->indexOf(m_gap)); });
+  const auto lead = [this] { m_details->showPage(m_details->indexOf(m_gap)); };
+  connect(m_result, &ResultPanel::gapActivated, this, lead);
+  connect(m_findings, &FindingsPanel::gapActivated, this, lead);
 }
 
 void MainWindow::excludeRow(const Place& place) {
@@ -277,17 +281,33 @@ void MainWindow::showSuspects(const SharedEvaluation& evaluation) {
 }
 
 void MainWindow::showGap(const SharedGap& gap) {
+  const QString headline = gap->isOpen() ? gapHeadline(*gap->diagnosis) : QString();
   m_gap->setGap(gap);
+  m_result->setGapHint(headline);
+  m_findings->setGap(headline);
   m_details->setTabIcon(m_details->indexOf(m_gap),
                         gap->isOpen() ? themeIcon(QStringLiteral("warning")) : QIcon());
-  m_result->setGapHint(gap->isOpen() ? gapHeadline(*gap->diagnosis) : QString());
+  m_isGapOld = false;
+}
+
+/// Until the diagnosis of the session as it is now is done.
+void MainWindow::showGapAsOld() {
+  if (std::exchange(m_isGapOld, true)) return;
+  m_gap->setStale();
+  m_result->setGapStale();
+  m_findings->setGapStale();
+  const int page = m_details->indexOf(m_gap);
+  const QIcon icon = m_details->tabIcon(page);
+  if (!icon.isNull()) m_details->setTabIcon(page, icon.pixmap(m_details->iconSize(), QIcon::Disabled));
 }
 
 /// Nothing is known yet of another session.
 void MainWindow::showNoGap() {
   m_gap->clear();
-  m_details->setTabIcon(m_details->indexOf(m_gap), QIcon());
   m_result->setGapHint({});
+  m_findings->clearGap();
+  m_details->setTabIcon(m_details->indexOf(m_gap), QIcon());
+  m_isGapOld = false;
 }
 
 void MainWindow::markForms() {

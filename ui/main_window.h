@@ -77,8 +77,9 @@ class MainWindow : public QMainWindow {
   void showTitle();
   void showEvaluation(const SharedEvaluation& evaluation);
   void showSuspects(const SharedEvaluation& evaluation);
-  void showNoGap();
   void showGap(const SharedGap& gap);
+  void showGapAsOld();
+  void showNoGap();
   void markForms();
   void revealField(const Place& place, bool takeFocus);
   void restoreLayout();
@@ -90,6 +91,7 @@ class MainWindow : public QMainWindow {
   FitJob m_job;
   GapJob m_gapJob;
   Place m_lastChange;
+  bool m_isGapOld = false;  ///< what is shown is the diagnosis of an earlier state
   WindowActions* m_actions = nullptr;
   QTabWidget* m_forms = nullptr;
   PositionTabs* m_positions = nullptr;

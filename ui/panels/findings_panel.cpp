@@ -40,18 +40,57 @@ FindingsPanel::FindingsPanel(QWidget* parent) : QListWidget(parent) {
   setVerticalScrollMode(ScrollPerPixel);
   setIconSize({16, 16});
   setResizeMode(Adjust);
-  connect(this, &QListWidget::itemClicked, this, [this](QListWidgetItem* item) {
-    emit placeActivated(m_entries[static_cast<std::size_t>(row(item))].place);
-  });
+  connect(this, &QListWidget::itemClicked, this, [this](QListWidgetItem* item) { activate(row(item)); });
 }
 
-/// Leaves the list alone where it says the same as before: scroll position and current line stay.
 void FindingsPanel::setEvaluation(const Evaluation& evaluation) {
-  std::vector<Entry> entries = entriesOf(evaluation);
-  if (entries == m_entries || (entries.empty() && saysSound())) return;
+  m_found = entriesOf(evaluation);
+  m_isSearched = evaluation.isSearched;
+  m_hasSuspects = !evaluation.suspects.empty();
+  refresh();
+}
+
+void FindingsPanel::setGap(const QString& headline) {
+  m_gapState = GapState::Known;
+  m_gapHeadline = headline;
+  refresh();
+}
+
+void FindingsPanel::setGapStale() {
+  if (m_gapState != GapState::Known) return;
+  m_gapState = m_gapHeadline.isEmpty() ? GapState::Unknown : GapState::Old;
+  refresh();
+}
+
+void FindingsPanel::clearGap() {
+  m_gapState = GapState::Unknown;
+  m_gapHeadline.clear();
+  m_entries.clear();
+  clear();
+}
+
+/// Leaves the list alone where it says the same as before: scroll position and current line stay. So does
+/// that all is sound until something else is known.
+void FindingsPanel::refresh() {
+  std::vector<Entry> entries = m_found;
+  if (!m_gapHeadline.isEmpty()) entries.push_back(gapEntry());
+  const bool isAllKnown = m_isSearched && m_gapState == GapState::Known;
+  if (isAllKnown && entries.empty() && !m_hasSuspects)
+    entries.push_back({QStringLiteral("accept"), tr("Sound"), tr("No problems.")});
+  if (entries == m_entries || (entries.empty() && saysSound() && !isAllKnown)) return;
   clear();
   m_entries = std::move(entries);
   for (const Entry& entry : m_entries) add(entry);
+}
+
+FindingsPanel::Entry FindingsPanel::gapEntry() const {
+  const bool isOld = m_gapState == GapState::Old;
+  const QString text = isOld ? tr("Model and readings disagreed before the last change. %1.")
+                             : tr("Model and readings disagree. %1: see the page “Gap”.");
+  return {.icon = isOld ? QStringLiteral("none") : QStringLiteral("warning"),
+          .spoken = isOld ? tr("Before") : tr("Warning"),
+          .text = text.arg(m_gapHeadline),
+          .isGap = true};
 }
 
 std::vector<FindingsPanel::Entry> FindingsPanel::entriesOf(const Evaluation& evaluation) {
@@ -75,8 +114,6 @@ std::vector<FindingsPanel::Entry> FindingsPanel::entriesOf(const Evaluation& eva
     const QString remedy = finding.remedy.empty() ? QString() : QLatin1Char(' ') + qText(finding.remedy);
     entries.push_back({icons[severity], spoken[severity], qText(finding.text) + remedy, finding.where});
   }
-  if (entries.empty() && !misread && evaluation.isSearched)
-    entries.push_back({QStringLiteral("accept"), tr("Sound"), tr("No problems."), {}});
   return entries;
 }
 
@@ -93,10 +130,18 @@ void FindingsPanel::add(const Entry& entry) {
 void FindingsPanel::keyPressEvent(QKeyEvent* event) {
   const bool isReturn = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
   if (isReturn && currentRow() >= 0) {
-    emit placeActivated(m_entries[static_cast<std::size_t>(currentRow())].place);
+    activate(currentRow());
   } else {
     QListWidget::keyPressEvent(event);
   }
+}
+
+void FindingsPanel::activate(int row) {
+  const Entry& entry = m_entries[static_cast<std::size_t>(row)];
+  if (entry.isGap)
+    emit gapActivated();
+  else
+    emit placeActivated(entry.place);
 }
 
 }  // namespace alidade::ui

@@ -16,9 +16,16 @@ class FindingsPanel : public QListWidget {
   explicit FindingsPanel(QWidget* parent = nullptr);
 
   void setEvaluation(const Evaluation& evaluation);
+  /// What a diagnosis found; empty: no gap. Only then can all be sound.
+  void setGap(const QString& headline);
+  /// The session has changed: what was found is told as of before.
+  void setGapStale();
+  /// Another session: nothing is known of it yet.
+  void clearGap();
 
  signals:
   void placeActivated(const alidade::Place& place);
+  void gapActivated();
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;
@@ -26,16 +33,26 @@ class FindingsPanel : public QListWidget {
  private:
   struct Entry {
     QString icon, spoken, text;
-    Place place;
+    Place place = {};
+    bool isGap = false;
 
     bool operator==(const Entry&) const = default;
   };
 
+  enum class GapState { Unknown, Old, Known };
+
   static std::vector<Entry> entriesOf(const Evaluation& evaluation);
+  Entry gapEntry() const;
+  void refresh();
   bool saysSound() const;
   void add(const Entry& entry);
+  void activate(int row);
 
-  std::vector<Entry> m_entries;
+  std::vector<Entry> m_found;    ///< of the evaluation
+  std::vector<Entry> m_entries;  ///< as listed
+  bool m_isSearched = false, m_hasSuspects = false;
+  GapState m_gapState = GapState::Unknown;
+  QString m_gapHeadline;  ///< empty: no gap
 };
 
 /// An entry still to be made, as opposed to one that cannot be used.

@@ -94,8 +94,19 @@ void ResultPanel::setComparisonShown(bool shown) {
 }
 
 void ResultPanel::setGapHint(const QString& headline) {
+  m_gapHeadline = headline;
   m_gapHint->setVisible(!headline.isEmpty());
+  m_gapHint->setMinimumHeight(0);
+  m_gapHint->setForegroundRole(QPalette::WindowText);
   m_gapHint->setText(tr("Model and readings disagree: <a href=\"gap\">%1</a>").arg(headline.toHtmlEscaped()));
+}
+
+/// What stands below stays where it is.
+void ResultPanel::setGapStale() {
+  if (m_gapHeadline.isEmpty()) return;
+  m_gapHint->setMinimumHeight(m_gapHint->height());
+  m_gapHint->setForegroundRole(QPalette::PlaceholderText);
+  m_gapHint->setText(tr("Before the last change: %1").arg(m_gapHeadline.toHtmlEscaped()));
 }
 
 void ResultPanel::setEvaluation(const Evaluation& evaluation) {

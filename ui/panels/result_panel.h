@@ -23,6 +23,8 @@ class ResultPanel : public ScrollPage {
   void setComparisonShown(bool shown);
   /// Says that model and readings disagree, with a link; empty: says nothing.
   void setGapHint(const QString& headline);
+  /// The session has changed: what is said is said as of before.
+  void setGapStale();
 
  signals:
   void gapActivated();
@@ -40,7 +42,7 @@ class ResultPanel : public ScrollPage {
   static QString whatIsMissing(const Evaluation& evaluation);
 
   std::optional<Verdict> m_verdict;
-  QString m_iconName;
+  QString m_iconName, m_gapHeadline;
   QLabel* m_value;
   QLabel* m_valueNote;
   QLabel* m_badgeIcon;
