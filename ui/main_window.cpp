@@ -10,6 +10,7 @@
 #include <QUrl>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "ui/charts/arc_chart.h"
@@ -19,6 +20,7 @@
 #include "ui/commands/change_effects.h"
 #include "ui/commands/change_field.h"
 #include "ui/commands/edit_readings.h"
+#include "ui/commands/state_noise.h"
 #include "ui/dialogs/blind_trial_dialog.h"
 #include "ui/forms/field_binding.h"
 #include "ui/forms/field_form.h"
@@ -204,6 +206,18 @@ void MainWindow::connectGap() {
   connect(m_gap, &GapPanel::watched, &m_gapJob, &GapJob::setWatched);
   connect(m_gap, &GapPanel::placeActivated, this, [this](const Place& place) { reveal(place); });
   connect(m_gap, &GapPanel::exclusionWanted, this, &MainWindow::excludeRow);
+  connect(m_gap, &GapPanel::rowsExclusionWanted, this, [this](const RowRange& range) {
+    commitPending();
+    std::vector<std::size_t> rows(range.count);
+    std::iota(rows.begin(), rows.end(), range.first);
+    ReadingsEditor(m_document, range.position).setExcluded(rows, true);
+    m_gap->setFocus();
+  });
+  connect(m_gap, &GapPanel::noiseWanted, this, [this](const StatedNoise& noise) {
+    commitPending();
+    stateNoise(m_document, noise);
+    m_gap->setFocus();
+  });
   connect(m_gap, &GapPanel::effectsWanted, this, [this](const QStringList& ids) {
     commitPending();
     std::vector<std::string> effects;

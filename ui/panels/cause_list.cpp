@@ -102,10 +102,7 @@ void CauseList::addCause(const Gap& gap, const Cause& cause) {
         tr("These readings cannot tell it from %1.").arg(causeNames(cause.indistinguishableFrom, tr("or"))));
   if (cause.effect == "gross_error") return addMisreadings(cause);
   if (cause.effect == "orientation_jump") return addJump(gap, cause);
-  if (cause.effect == "underestimated_noise")
-    return addText(
-        tr("Nothing to add to the model: U rests on the scatter of the readings already. If the "
-           "instrument and the place are no better than this, state the larger σ."));
+  if (cause.effect == "underestimated_noise") return addNoise(gap, cause);
   addCatalogueButtons(gap, cause);
 }
 
@@ -161,17 +158,54 @@ void CauseList::addMisreadings(const Cause& cause) {
   }
 }
 
-/// No model of a session holds a jump.
+/// No model of a session holds a jump: it is no effect with a size alone.
 void CauseList::addJump(const Gap& gap, const Cause& cause) {
-  const std::optional<Place> place = jumpPlace(gap, cause);
-  if (!place) return;
+  const std::optional<Jump> jump = jumpOf(gap, cause);
+  if (!jump) return;
   const Session& session = gap.evaluation->session;
-  const QString row = spokenPlace(session, {.position = place->position, .reading = place->reading});
-  addText(tr("It happened before %1. The model of a session holds no jump: sight the pointing zero again and "
-             "measure again from there, as a new session if more than this position is touched.")
-              .arg(row));
+  const QString row =
+      spokenPlace(session, {.position = jump->place.position, .reading = jump->place.reading});
+  QString text =
+      tr("It happened before %1. No model of a session holds a jump, so there is none to add: look after the "
+         "stand, sight the pointing zero anew and read this position again.")
+          .arg(row);
+  if (jump->isLast && jump->after)
+    text += tr(" Or leave out the rows from there on.");
+  else if (!jump->isLast && jump->before && jump->after)
+    text +=
+        tr(" Or leave out a part of it: the rows before the jump, or those from there on if the pointing "
+           "zero of the next position was sighted after it.");
+  addText(text);
   connect(addButton(tr("Go to the reading"), QStringLiteral("go to jump")), &QPushButton::clicked, this,
-          [this, place = *place] { emit placeActivated(place); });
+          [this, place = jump->place] { emit placeActivated(place); });
+  if (!jump->isLast && jump->before)
+    addRowsExclusion(tr("Exclude %1 rows before"), QStringLiteral("exclude before"), *jump->before);
+  if (jump->after)
+    addRowsExclusion(tr("Exclude %1 rows after"), QStringLiteral("exclude after"), *jump->after);
+}
+
+void CauseList::addRowsExclusion(const QString& text, const QString& name, const RowRange& rows) {
+  QPushButton* exclude = addButton(text.arg(rows.count), name);
+  exclude->setToolTip(tr("Leaves the rows out of the fit; what was typed stays"));
+  connect(exclude, &QPushButton::clicked, this, [this, rows] { emit rowsExclusionWanted(rows); });
+}
+
+void CauseList::addNoise(const Gap& gap, const Cause& cause) {
+  addText(
+      tr("Nothing to add to the model: U rests on the scatter of the readings already. If the instrument and "
+         "the place are no better than this, state the larger σ."));
+  const std::optional<StatedNoise> noise = scatterOf(gap, cause);
+  if (!noise) return;
+  const QString second = QChar(0x2033);
+  const QString both =
+      noise->horizontal == noise->vertical
+          ? qText(noise->horizontal) + second
+          : tr("%1 and %2").arg(qText(noise->horizontal) + second, qText(noise->vertical) + second);
+  QPushButton* state = addButton(tr("State σ = %1").arg(both), QStringLiteral("state noise"));
+  state->setToolTip(
+      tr("Sets σ of the horizontal and the vertical circle in the form of the instrument; σ of the pointing "
+         "zero follows unless it was typed"));
+  connect(state, &QPushButton::clicked, this, [this, noise = *noise] { emit noiseWanted(noise); });
 }
 
 void CauseList::addShape(const GapShape& shape) {

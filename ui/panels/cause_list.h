@@ -5,6 +5,7 @@
 
 #include "core/base/place.h"
 #include "ui/jobs/gap.h"
+#include "ui/jobs/remedies.h"
 
 class QBoxLayout;
 class QPushButton;
@@ -31,6 +32,8 @@ class CauseList : public QWidget {
   void relationWanted(const QString& text);
   void placeActivated(const alidade::Place& place);
   void exclusionWanted(const alidade::Place& place);
+  void rowsExclusionWanted(const alidade::ui::RowRange& rows);
+  void noiseWanted(const alidade::ui::StatedNoise& noise);
 
  private:
   void addCause(const Gap& gap, const Cause& cause);
@@ -44,6 +47,8 @@ class CauseList : public QWidget {
   void addAllCauses(const std::vector<Cause>& causes);
   void addMisreadings(const Cause& cause);
   void addJump(const Gap& gap, const Cause& cause);
+  void addRowsExclusion(const QString& text, const QString& name, const RowRange& rows);
+  void addNoise(const Gap& gap, const Cause& cause);
 
   QVBoxLayout* m_layout;
   QBoxLayout* m_buttons = nullptr;  ///< of the cause at work; null until it has one

@@ -72,6 +72,8 @@ GapPanel::GapPanel(QWidget* parent)
   connect(m_causes, &CauseList::relationWanted, this, &GapPanel::relationWanted);
   connect(m_causes, &CauseList::placeActivated, this, &GapPanel::placeActivated);
   connect(m_causes, &CauseList::exclusionWanted, this, &GapPanel::exclusionWanted);
+  connect(m_causes, &CauseList::rowsExclusionWanted, this, &GapPanel::rowsExclusionWanted);
+  connect(m_causes, &CauseList::noiseWanted, this, &GapPanel::noiseWanted);
   showVerdict();
 }
 

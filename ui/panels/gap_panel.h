@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/jobs/gap_job.h"
+#include "ui/jobs/remedies.h"
 #include "ui/panels/scroll_page.h"
 
 class QGridLayout;
@@ -39,6 +40,8 @@ class GapPanel : public ScrollPage {
   void relationWanted(const QString& text);
   void placeActivated(const alidade::Place& place);
   void exclusionWanted(const alidade::Place& place);
+  void rowsExclusionWanted(const alidade::ui::RowRange& rows);
+  void noiseWanted(const alidade::ui::StatedNoise& noise);
 
  protected:
   void hideEvent(QHideEvent* event) override;

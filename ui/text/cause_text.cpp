@@ -70,16 +70,6 @@ Place placeOf(const BlamedReading& reading) {
   return {.position = reading.position, .reading = reading.row, .field = std::string(nameOf(reading.kind))};
 }
 
-std::optional<Place> jumpPlace(const Gap& gap, const Cause& cause) {
-  if (cause.effect != "orientation_jump" || cause.parameters.empty()) return std::nullopt;
-  const auto sequence = static_cast<std::size_t>(cause.parameters.back().value) - 1;
-  for (const ArcMeasurement& arc : gap.evaluation->examined.measurement->arcs)
-    for (const Sighting& sighting : arc.sightings)
-      if (sighting.sequence == sequence)
-        return Place{.position = arc.position, .reading = sighting.row, .field = "horizontal"};
-  return std::nullopt;
-}
-
 QString gapHeadline(const Diagnosis& diagnosis) {
   switch (diagnosis.verdict) {
     case DiagnosisVerdict::WithinNoise:
@@ -109,6 +99,16 @@ QString gapSentence(const Gap& gap) {
                      arcsecText(gap.asModelled().rms));
   }
   return text;
+}
+
+QString stageText(const Gap& gap, const GapStage& stage) {
+  if (stage.kind == GapStage::Kind::Bare)
+    return gap.asModelled().kind == GapStage::Kind::Bare ? translated("as modelled")
+                                                         : translated("without model effects");
+  if (stage.effect == "gross_error") return translated("without the misread values");
+  const QString name = causeTitle(stage.effect);
+  return (stage.kind == GapStage::Kind::InModel ? translated("in the model: ") : QStringLiteral("+ ")) +
+         name.left(1).toLower() + name.mid(1);
 }
 
 QString estimateText(const std::optional<IntersectionEstimate>& estimate) {

@@ -24,13 +24,14 @@ QString parameterText(const Cause& cause, const CauseParameter& parameter);
 QString blamedText(const BlamedReading& reading);
 Place placeOf(const BlamedReading& reading);
 
-/// The row before which the orientation stepped; empty where the cause is no jump.
-std::optional<Place> jumpPlace(const Gap& gap, const Cause& cause);
-
 /// The verdict in a few words: "One cause: collimation".
 QString gapHeadline(const Diagnosis& diagnosis);
 /// The verdict in whole sentences, with what the session's model accounts for already.
 QString gapSentence(const Gap& gap);
+
+/// What is in the model at this stage of the gap: "as modelled", "in the model: gravity sag", "+
+/// collimation".
+QString stageText(const Gap& gap, const GapStage& stage);
 
 /// "−2.1675 ± 0.0421 mm", "—" where there is none.
 QString estimateText(const std::optional<IntersectionEstimate>& estimate);

@@ -1,0 +1,17 @@
+#include "ui/commands/state_noise.h"
+
+#include <QCoreApplication>
+
+#include "ui/commands/change_field.h"
+#include "ui/document/session_document.h"
+
+namespace alidade::ui {
+
+void stateNoise(SessionDocument& document, const StatedNoise& noise) {
+  document.undoStack().beginMacro(QCoreApplication::translate("StateNoise", "State σ of the circles"));
+  changeField(document, {.field = "instrument.sigma_horizontal_arcsec"}, noise.horizontal);
+  changeField(document, {.field = "instrument.sigma_vertical_arcsec"}, noise.vertical);
+  document.undoStack().endMacro();
+}
+
+}  // namespace alidade::ui

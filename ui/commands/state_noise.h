@@ -1,0 +1,12 @@
+#pragma once
+
+#include "ui/jobs/remedies.h"
+
+namespace alidade::ui {
+
+class SessionDocument;
+
+/// Sets the σ of both circles as one undo step.
+void stateNoise(SessionDocument& document, const StatedNoise& noise);
+
+}  // namespace alidade::ui

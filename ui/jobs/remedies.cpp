@@ -1,0 +1,50 @@
+#include "ui/jobs/remedies.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/text/quantity_text.h"
+
+namespace alidade::ui {
+
+namespace {
+
+constexpr std::ptrdiff_t fewestSightings = 5;  // an arc has three unknowns, and something is to be left over
+
+std::string twoDigits(double value) {
+  const int decimals = std::max(0, 1 - static_cast<int>(std::floor(std::log10(value))));
+  return plainNumberText(std::round(value * std::pow(10, decimals)) / std::pow(10, decimals)).toStdString();
+}
+
+}  // namespace
+
+std::optional<Jump> jumpOf(const Gap& gap, const Cause& cause) {
+  if (cause.effect != "orientation_jump" || cause.parameters.empty()) return std::nullopt;
+  const auto sequence = static_cast<std::size_t>(cause.parameters.back().value) - 1;
+  const auto& arcs = gap.evaluation->examined.measurement->arcs;
+  for (const ArcMeasurement& arc : arcs) {
+    const auto split = std::find_if(arc.sightings.begin(), arc.sightings.end(),
+                                    [&](const Sighting& sighting) { return sighting.sequence == sequence; });
+    if (split == arc.sightings.end()) continue;
+    const std::size_t rows = gap.evaluation->session.positions[arc.position].readings.size();
+    Jump jump{.place = {.position = arc.position, .reading = split->row, .field = "horizontal"}};
+    jump.isLast = std::all_of(arcs.begin(), arcs.end(),
+                              [&](const ArcMeasurement& other) { return other.position <= arc.position; });
+    if (std::distance(split, arc.sightings.end()) >= fewestSightings && split->row > 0)
+      jump.before = RowRange{arc.position, 0, split->row};
+    if (std::distance(arc.sightings.begin(), split) >= fewestSightings)
+      jump.after = RowRange{arc.position, split->row, rows - split->row};
+    return jump;
+  }
+  return std::nullopt;
+}
+
+std::optional<StatedNoise> scatterOf(const Gap& gap, const Cause& cause) {
+  if (cause.effect != "underestimated_noise" || cause.parameters.empty()) return std::nullopt;
+  const Measurement& measurement = *gap.evaluation->examined.measurement;
+  const double ratio = cause.parameters.front().value;
+  return StatedNoise{twoDigits(ratio * measurement.sigmaHorizontal.arcseconds()),
+                     twoDigits(ratio * measurement.sigmaVertical.arcseconds())};
+}
+
+}  // namespace alidade::ui
