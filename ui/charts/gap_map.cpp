@@ -1,8 +1,6 @@
 #include "ui/charts/gap_map.h"
 
-#include <QHelpEvent>
 #include <QPainter>
-#include <QToolTip>
 #include <algorithm>
 #include <cmath>
 
@@ -56,10 +54,7 @@ QColor mixed(const QColor& a, const QColor& b, double shareOfB) {
 
 }  // namespace
 
-GapMap::GapMap(QWidget* parent) : QWidget(parent) {
-  setAccessibleName(tr("Where the gap lies"));
-  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-}
+GapMap::GapMap(QWidget* parent) : BarRows(tr("Where the gap lies"), parent) {}
 
 void GapMap::setShares(const std::vector<GapShare>& shares) {
   m_bars.clear();
@@ -77,17 +72,11 @@ void GapMap::setShares(const std::vector<GapShare>& shares) {
     for (const Part& part : bar.parts) parts.append(part.name + u' ' + percentText(part.share));
     spoken.append(bar.by + QStringLiteral(": ") + parts.join(QStringLiteral(", ")));
   }
-  setAccessibleDescription(spoken.join(QStringLiteral("; ")));
-  updateGeometry();
-  update();
+  changeTo(spoken.join(QStringLiteral("; ")));
 }
 
-QSize GapMap::sizeHint() const {
-  return {420, std::max(1, static_cast<int>(m_bars.size())) * rowHeight()};
-}
-
-QSize GapMap::minimumSizeHint() const {
-  return {260, sizeHint().height()};
+int GapMap::pictureHeight() const {
+  return std::max(1, static_cast<int>(m_bars.size())) * rowHeight();
 }
 
 QRect GapMap::barArea(std::size_t row) const {
@@ -136,21 +125,15 @@ void GapMap::paintPart(QPainter& painter, const QRect& area, const Part& part) c
   }
 }
 
-bool GapMap::event(QEvent* event) {
-  if (event->type() != QEvent::ToolTip) return QWidget::event(event);
-  const auto* help = static_cast<QHelpEvent*>(event);
+QString GapMap::aboutAt(const QPoint& point) const {
   for (std::size_t row = 0; row < m_bars.size(); ++row) {
     const Bar& bar = m_bars[row];
-    for (std::size_t part = 0; part < bar.parts.size(); ++part) {
-      if (!partArea(row, part).contains(help->pos())) continue;
-      const QString text =
-          tr("%1 %2: %3 of the gap").arg(bar.by, bar.parts[part].name, percentText(bar.parts[part].share));
-      QToolTip::showText(help->globalPos(), text, this);
-      return true;
-    }
+    for (std::size_t part = 0; part < bar.parts.size(); ++part)
+      if (partArea(row, part).contains(point))
+        return tr("%1 %2: %3 of the gap")
+            .arg(bar.by, bar.parts[part].name, percentText(bar.parts[part].share));
   }
-  QToolTip::hideText();
-  return true;
+  return {};
 }
 
 }  // namespace alidade::ui

@@ -1,15 +1,15 @@
 #pragma once
 
-#include <QWidget>
 #include <vector>
 
+#include "ui/charts/bar_rows.h"
 #include "ui/jobs/gap.h"
 
 namespace alidade::ui {
 
 /// Where a gap lies: one bar for every way to divide the readings, its parts as long as their shares, which
 /// together fill it. The larger a share, the stronger its colour. Divisions of one part are left out.
-class GapMap : public QWidget {
+class GapMap : public BarRows {
   Q_OBJECT
 
  public:
@@ -17,12 +17,10 @@ class GapMap : public QWidget {
 
   void setShares(const std::vector<GapShare>& shares);
 
-  QSize sizeHint() const override;
-  QSize minimumSizeHint() const override;
-
  protected:
-  bool event(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
+  int pictureHeight() const override;
+  QString aboutAt(const QPoint& point) const override;
 
  private:
   struct Part {
@@ -34,7 +32,6 @@ class GapMap : public QWidget {
     std::vector<Part> parts;
   };
 
-  int rowHeight() const { return fontMetrics().height() + 9; }
   QRect barArea(std::size_t row) const;
   QRect partArea(std::size_t row, std::size_t part) const;
   void paintPart(QPainter& painter, const QRect& area, const Part& part) const;

@@ -1,8 +1,6 @@
 #include "ui/charts/gap_waterfall.h"
 
-#include <QHelpEvent>
 #include <QPainter>
-#include <QToolTip>
 #include <algorithm>
 
 #include "ui/charts/plot_style.h"
@@ -15,15 +13,6 @@ namespace alidade::ui {
 namespace {
 
 constexpr int space = 8;
-
-QString labelOf(const GapStage& stage, bool isOnly) {
-  if (stage.kind == GapStage::Kind::Bare)
-    return isOnly ? GapWaterfall::tr("as modelled") : GapWaterfall::tr("without model effects");
-  const QString name = causeTitle(stage.effect);
-  if (stage.effect == "gross_error") return GapWaterfall::tr("without the misread values");
-  return (stage.kind == GapStage::Kind::InModel ? GapWaterfall::tr("in the model: ") : QStringLiteral("+ ")) +
-         name.left(1).toLower() + name.mid(1);
-}
 
 }  // namespace
 
@@ -39,19 +28,15 @@ struct GapWaterfall::Layout {
   }
 };
 
-GapWaterfall::GapWaterfall(QWidget* parent) : QWidget(parent) {
-  setAccessibleName(tr("The gap before and after each cause"));
-  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-}
+GapWaterfall::GapWaterfall(QWidget* parent) : BarRows(tr("The gap before and after each cause"), parent) {}
 
 void GapWaterfall::setGap(const Gap& gap) {
   m_bars.clear();
   m_noise = gap.noiseRms;
   double before = gap.stages.empty() ? 0 : gap.stages.front().rms;
   QStringList spoken;
-  const bool isOnly = !gap.stages.empty() && &gap.asModelled() == &gap.stages.front();
   for (const GapStage& stage : gap.stages) {
-    Bar bar{.label = labelOf(stage, isOnly),
+    Bar bar{.label = stageText(gap, stage),
             .rms = numberText(stage.rms, stage.rms < 100 ? 2 : 0),
             .chiSquare = numberText(stage.reducedChiSquare, stage.reducedChiSquare < 100 ? 2 : 0),
             .about = {},
@@ -64,18 +49,12 @@ void GapWaterfall::setGap(const Gap& gap) {
     m_bars.push_back(bar);
     before = stage.rms;
   }
-  setAccessibleDescription(spoken.join(QStringLiteral("; ")));
-  updateGeometry();
-  update();
+  changeTo(spoken.join(QStringLiteral("; ")));
 }
 
-QSize GapWaterfall::sizeHint() const {
+int GapWaterfall::pictureHeight() const {
   const int rows = std::max(2, static_cast<int>(m_bars.size()));
-  return {420, rows * rowHeight() + 3 * fontMetrics().height() + 12};
-}
-
-QSize GapWaterfall::minimumSizeHint() const {
-  return {260, sizeHint().height()};
+  return rows * rowHeight() + 3 * fontMetrics().height() + 12;
 }
 
 GapWaterfall::Layout GapWaterfall::layOut() const {
@@ -174,16 +153,10 @@ void GapWaterfall::paintBar(QPainter& painter, const Layout& layout, std::size_t
   right(layout.chiSquare, bar.chiSquare);
 }
 
-bool GapWaterfall::event(QEvent* event) {
-  if (event->type() != QEvent::ToolTip) return QWidget::event(event);
-  const auto* help = static_cast<QHelpEvent*>(event);
-  const int row = (help->pos().y() - layOut().top) / rowHeight();
-  if (row >= 0 && row < static_cast<int>(m_bars.size())) {
-    QToolTip::showText(help->globalPos(), m_bars[static_cast<std::size_t>(row)].about, this);
-  } else {
-    QToolTip::hideText();
-  }
-  return true;
+QString GapWaterfall::aboutAt(const QPoint& point) const {
+  const int down = point.y() - layOut().top, row = down / rowHeight();
+  return down >= 0 && row < static_cast<int>(m_bars.size()) ? m_bars[static_cast<std::size_t>(row)].about
+                                                            : QString();
 }
 
 }  // namespace alidade::ui

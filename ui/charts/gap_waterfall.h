@@ -1,8 +1,8 @@
 #pragma once
 
-#include <QWidget>
 #include <vector>
 
+#include "ui/charts/bar_rows.h"
 #include "ui/jobs/gap.h"
 
 namespace alidade::ui {
@@ -10,7 +10,7 @@ namespace alidade::ui {
 /// How the gap shrinks, cause by cause: a bar for what each stage leaves over (rms of the circle readings, on
 /// a scale in arcseconds), the part that the stage took away drawn faintly behind it, and a line at what the
 /// stated noise leaves.
-class GapWaterfall : public QWidget {
+class GapWaterfall : public BarRows {
   Q_OBJECT
 
  public:
@@ -18,12 +18,10 @@ class GapWaterfall : public QWidget {
 
   void setGap(const Gap& gap);
 
-  QSize sizeHint() const override;
-  QSize minimumSizeHint() const override;
-
  protected:
-  bool event(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
+  int pictureHeight() const override;
+  QString aboutAt(const QPoint& point) const override;
 
  private:
   struct Bar {
@@ -34,7 +32,6 @@ class GapWaterfall : public QWidget {
   struct Layout;
 
   Layout layOut() const;
-  int rowHeight() const { return fontMetrics().height() + 9; }
   void paintScale(QPainter& painter, const Layout& layout) const;
   void paintNoise(QPainter& painter, const Layout& layout) const;
   void paintBar(QPainter& painter, const Layout& layout, std::size_t row) const;

@@ -9,16 +9,6 @@ namespace alidade::ui {
 
 namespace {
 
-QString stageName(const GapStage& stage, bool isBareModel) {
-  if (stage.kind == GapStage::Kind::Bare)
-    return isBareModel ? QStringLiteral("as modelled") : QStringLiteral("without model effects");
-  if (stage.effect == "gross_error") return QStringLiteral("without the misread values");
-  return (stage.kind == GapStage::Kind::InModel    ? QStringLiteral("with %1, in the model")
-          : stage.effect == "underestimated_noise" ? QStringLiteral("with %1")
-                                                   : QStringLiteral("with %1, if added"))
-      .arg(causeName(stage.effect));
-}
-
 void addStages(ReportSheet& sheet, const Gap& gap) {
   constexpr auto right = Qt::AlignRight;
   ReportTable table(sheet, {{QStringLiteral("Model"), 78},
@@ -26,9 +16,8 @@ void addStages(ReportSheet& sheet, const Gap& gap) {
                             {QStringLiteral("χ²/f"), 20, right},
                             {QStringLiteral("Δd ± U (mm)"), 38, right}});
   table.head();
-  const bool isBareModel = &gap.asModelled() == &gap.stages.front();
   for (const GapStage& stage : gap.stages)
-    table.row({stageName(stage, isBareModel), arcsecText(stage.rms, 2), numberText(stage.reducedChiSquare, 2),
+    table.row({stageText(gap, stage), arcsecText(stage.rms, 2), numberText(stage.reducedChiSquare, 2),
                estimateText(stage.intersection)});
   if (gap.diagnosis->verdict == DiagnosisVerdict::Ambiguous)
     table.row({QStringLiteral("averaged over the look-alikes"), arcsecText(gap.diagnosis->after.rms, 2),

@@ -56,12 +56,12 @@ TEST(AcceptanceReport, TellsTheGapAndItsCause) {
   for (const QString& text :
        {parameterText(diagnosis.causes[0], diagnosis.causes[0].parameters[0]),
         QStringLiteral("as modelled ") + arcsecText(diagnosis.gap.rms, 2), estimateText(diagnosis.before),
-        QStringLiteral("with gravity sag, if added ") + arcsecText(diagnosis.after.rms, 2),
+        QStringLiteral("+ gravity sag ") + arcsecText(diagnosis.after.rms, 2),
         estimateText(diagnosis.afterwards)})
     EXPECT_TRUE(report.text().contains(text)) << text.toStdString() << report.text().toStdString();
   EXPECT_TRUE(Printed(paperSession()).page(0).contains(QStringLiteral("caused by noise larger than stated")));
   session.model.effects = {"gravity_sag"};
-  EXPECT_TRUE(Printed(session).contains("with gravity sag, in the model"));
+  EXPECT_TRUE(Printed(session).contains("in the model: gravity sag"));
   const Session clean = *loadSession((folder + QStringLiteral("827247.alidade")).toStdString());
   EXPECT_FALSE(Printed(clean).contains("Gap between")) << "there is none";
 }
