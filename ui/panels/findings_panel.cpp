@@ -73,7 +73,11 @@ void FindingsPanel::clearGap() {
 /// that all is sound until something else is known.
 void FindingsPanel::refresh() {
   std::vector<Entry> entries = m_found;
-  if (!m_gapHeadline.isEmpty()) entries.push_back(gapEntry());
+  // What cannot be used comes first; of what the data say, the gap.
+  const auto place = std::find_if(entries.begin(), entries.end(), [](const Entry& entry) {
+    return entry.icon != QStringLiteral("problem") && entry.icon != QStringLiteral("incomplete");
+  });
+  if (!m_gapHeadline.isEmpty()) entries.insert(place, gapEntry());
   const bool isAllKnown = m_isSearched && m_gapState == GapState::Known;
   if (isAllKnown && entries.empty() && !m_hasSuspects)
     entries.push_back({QStringLiteral("accept"), tr("Sound"), tr("No problems.")});
