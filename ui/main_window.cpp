@@ -135,7 +135,9 @@ PageTabs* MainWindow::createFigures() {
   m_effects = new EffectsPanel(m_document);
   m_result = new ResultPanel;
   pages->addPage(m_result, tr("Result"));
-  pages->addPage(new BudgetPanel, tr("Budget"));
+  m_budget = new BudgetPanel;
+  pages->addPage(m_budget, tr("Budget"),
+                 [this](const SharedEvaluation& evaluation) { m_budget->setEvaluation(evaluation); });
   pages->addPage(m_effects, tr("Effects"));
   return pages;
 }
@@ -147,7 +149,7 @@ PageTabs* MainWindow::createDetails() {
   auto* faces = new TwoFacesPanel;
   pages->addPage(residuals, tr("Residuals"));
   m_gap = new GapPanel;
-  pages->addPage(m_gap, tr("Gap"), [](const Evaluation&) {});
+  pages->addPage(m_gap, tr("Gap"), [](const SharedEvaluation&) {});
   pages->addPage(reliability, tr("Reliability"));
   pages->addPage(faces, tr("Two Faces"),
                  [](const Evaluation& evaluation) { return evaluation.twoFaces.has_value(); });
@@ -164,6 +166,7 @@ void MainWindow::connectParts() {
   connect(&m_document, &SessionDocument::changed, this, [this](const SessionChange& change) {
     m_lastChange = change.place;
     m_suspects->setStale();
+    m_budget->stopSimulation();
     if (change.kind == SessionChange::Kind::Everything)
       showNoGap();
     else
@@ -174,6 +177,7 @@ void MainWindow::connectParts() {
   connect(&m_document, &SessionDocument::identityChanged, this, &MainWindow::showTitle);
   connect(&m_job, &FitJob::evaluated, this, &MainWindow::showEvaluation);
   connect(&m_job, &FitJob::searched, this, &MainWindow::showSuspects);
+  connect(m_budget, &BudgetPanel::checked, &m_files, &FileFlow::setBudgetCheck);
   connect(&m_files, &FileFlow::commitWanted, this, &MainWindow::commitPending);
   connect(m_findings, &FindingsPanel::placeActivated, this, [this](const Place& place) { reveal(place); });
   const auto say = [this](const QString& text) { statusBar()->showMessage(text, 8000); };

@@ -17,6 +17,7 @@ namespace alidade::ui {
 
 class ArcChart;
 class BlindTrialDialog;
+class BudgetPanel;
 class EffectsPanel;
 class FindingsPanel;
 class GapPanel;
@@ -103,6 +104,7 @@ class MainWindow : public QMainWindow {
   PageTabs* m_details = nullptr;  ///< below it: charts and tables of single readings
   EffectsPanel* m_effects = nullptr;
   ResultPanel* m_result = nullptr;
+  BudgetPanel* m_budget = nullptr;
   GapPanel* m_gap = nullptr;
   BlindTrialDialog* m_blindTrials = nullptr;  ///< null until it is wanted
 };

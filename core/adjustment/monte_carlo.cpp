@@ -119,8 +119,10 @@ bool drawAll(std::vector<double>& centres, const Measurement& fitted, const Sess
     Drawing drawing(fitted, fit);
     for (std::size_t first; (first = next.fetch_add(batch)) < options.draws;) {
       if (stop.stop_requested()) return;
-      for (std::size_t i = first; i < std::min(first + batch, options.draws); ++i)
+      const std::size_t end = std::min(first + batch, options.draws);
+      for (std::size_t i = first; i < end; ++i)
         drawing.drawInto(&centres[i * width], RandomSource(options.seed, i));
+      if (options.made) *options.made += end - first;
     }
   };
   const unsigned threads =

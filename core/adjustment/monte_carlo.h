@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -24,6 +25,8 @@ struct MonteCarloOptions {
   std::size_t draws = 100000;  ///< ≥ 100
   std::uint64_t seed = 1;
   unsigned threads = 0;  ///< 0: as many as the machine has; the result does not depend on it
+  /// Counts the draws as they are made, for others to watch; null: nobody does.
+  std::atomic<std::size_t>* made = nullptr;
 };
 
 /// What the draws say of one quantity, mm. The interval is the probabilistically symmetric one (7.7): as many

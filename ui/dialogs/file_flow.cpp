@@ -151,7 +151,9 @@ bool FileFlow::exportReport() {
   if (unusable > 0 && !m_dialogs.askReportWithoutVerdict(unusable)) return false;
   const QString path = m_dialogs.askReportPath(suggestedPath(QStringLiteral("pdf")));
   if (path.isEmpty()) return false;
-  const Result<QString> written = writeAcceptanceReport(evaluation, reportSource(m_document), path);
+  ReportOptions options;
+  if (m_check && m_check->isOf(m_document.session())) options.simulated = m_check->simulated;
+  const Result<QString> written = writeAcceptanceReport(evaluation, reportSource(m_document), path, options);
   if (!written) {
     m_dialogs.showProblem(tr("Export acceptance report"), qText(written.problem().text()));
     return false;

@@ -3,6 +3,8 @@
 #include <QObject>
 #include <QString>
 
+#include "ui/jobs/simulation_job.h"
+
 namespace alidade {
 struct Import;
 struct Session;
@@ -32,6 +34,8 @@ class FileFlow : public QObject {
   bool save();
   bool saveAs();
   bool exportReport();
+  /// A check of the uncertainty, for reports of the session that it is of.
+  void setBudgetCheck(const SharedBudgetCheck& check) { m_check = check; }
   /// May the session be left? Saves first where the user wants it.
   bool mayLeave();
 
@@ -48,6 +52,7 @@ class FileFlow : public QObject {
 
   SessionDocument& m_document;
   Dialogs& m_dialogs;
+  SharedBudgetCheck m_check;  ///< null: none was made
 };
 
 }  // namespace alidade::ui

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ui/panels/figure_grid.h"
+#include "ui/panels/simulation_box.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/quantity_text.h"
 
@@ -23,6 +24,7 @@ BudgetPanel::BudgetPanel(QWidget* parent)
     : ScrollPage(tr("Budget"), parent),
       m_intersectionTitle(panelHeading(tr("Standard uncertainty of Δd"))),
       m_intersection(new FigureGrid),
+      m_simulation(new SimulationBox),
       m_centresTitle(panelHeading(tr("Standard uncertainty of the centres  mm"))),
       m_centres(new FigureGrid),
       m_note(new QLabel) {
@@ -31,15 +33,22 @@ BudgetPanel::BudgetPanel(QWidget* parent)
   QVBoxLayout* layout = column();
   layout->addWidget(m_intersectionTitle);
   layout->addWidget(m_intersection);
+  layout->addWidget(m_simulation);
   layout->addWidget(m_centresTitle);
   layout->addWidget(m_centres);
   layout->addSpacing(6);
   layout->addWidget(m_note);
   layout->addStretch();
+  connect(m_simulation, &SimulationBox::checked, this, &BudgetPanel::checked);
 }
 
-void BudgetPanel::setEvaluation(const Evaluation& evaluation) {
-  const SessionFit& fit = evaluation.fit;
+void BudgetPanel::stopSimulation() {
+  m_simulation->stop();
+}
+
+void BudgetPanel::setEvaluation(const SharedEvaluation& evaluation) {
+  const SessionFit& fit = evaluation->fit;
+  m_simulation->setEvaluation(evaluation);
   showIntersection(fit);
   showCentres(fit);
   const QString scale =

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/jobs/evaluation.h"
+#include "ui/jobs/simulation_job.h"
 #include "ui/panels/scroll_page.h"
 
 class QLabel;
@@ -8,16 +8,22 @@ class QLabel;
 namespace alidade::ui {
 
 class FigureGrid;
+class SimulationBox;
 
 /// Where the uncertainty comes from: readings, model effects, pointing zeros and distance, for Δd and for
-/// each coordinate of the centres.
+/// each coordinate of the centres. Checked by simulation where that is wanted.
 class BudgetPanel : public ScrollPage {
   Q_OBJECT
 
  public:
   explicit BudgetPanel(QWidget* parent = nullptr);
 
-  void setEvaluation(const Evaluation& evaluation);
+  void setEvaluation(const SharedEvaluation& evaluation);
+  /// The session has changed: a simulation at work is for nothing.
+  void stopSimulation();
+
+ signals:
+  void checked(const alidade::ui::SharedBudgetCheck& check);
 
  private:
   void showIntersection(const SessionFit& fit);
@@ -25,6 +31,7 @@ class BudgetPanel : public ScrollPage {
 
   QLabel* m_intersectionTitle;
   FigureGrid* m_intersection;
+  SimulationBox* m_simulation;
   QLabel* m_centresTitle;
   FigureGrid* m_centres;
   QLabel* m_note;

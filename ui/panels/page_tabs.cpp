@@ -32,7 +32,7 @@ void PageTabs::feedCurrent() {
   if (!m_evaluation || currentIndex() < 0) return;
   Page& page = m_pages[static_cast<std::size_t>(currentIndex())];
   if (!std::exchange(page.isStale, false)) return;
-  page.show(*m_evaluation);
+  page.show(m_evaluation);
 }
 
 }  // namespace alidade::ui

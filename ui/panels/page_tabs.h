@@ -14,7 +14,7 @@ class PageTabs : public QTabWidget {
   Q_OBJECT
 
  public:
-  using Show = std::function<void(const Evaluation&)>;
+  using Show = std::function<void(const SharedEvaluation&)>;
   using Wanted = std::function<bool(const Evaluation&)>;
 
   using QTabWidget::QTabWidget;
@@ -25,7 +25,7 @@ class PageTabs : public QTabWidget {
   template <typename Page>
   void addPage(Page* page, const QString& title, Wanted wanted = {}) {
     addPage(
-        page, title, [page](const Evaluation& evaluation) { page->setEvaluation(evaluation); },
+        page, title, [page](const SharedEvaluation& evaluation) { page->setEvaluation(*evaluation); },
         std::move(wanted));
   }
 

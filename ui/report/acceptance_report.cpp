@@ -53,7 +53,7 @@ bool paintReport(QBuffer& buffer, const Evaluation& evaluation, const ReportSour
   writer.setCreator(QStringLiteral("Alidade " ALIDADE_VERSION));
   ReportSheet sheet(writer, frameFor(evaluation, source, options));
   const Gap gap = assessGap(std::make_shared<const Evaluation>(evaluation));
-  const bool methodIsInFront = addSummary(sheet, gap, options.date);
+  const bool methodIsInFront = addSummary(sheet, gap, options);
   addPlots(sheet, evaluation);
   addReadings(sheet, evaluation);
   addGap(sheet, gap);

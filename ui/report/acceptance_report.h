@@ -3,7 +3,9 @@
 #include <QByteArray>
 #include <QDateTime>
 #include <QString>
+#include <optional>
 
+#include "core/adjustment/monte_carlo.h"
 #include "core/base/result.h"
 #include "ui/jobs/evaluation.h"
 
@@ -19,6 +21,7 @@ struct ReportSource {
 
 struct ReportOptions {
   QDateTime date = QDateTime::currentDateTime();  ///< printed on each page
+  std::optional<MonteCarlo> simulated = {};       ///< of the same evaluation: told beside the budget
 };
 
 /// Writes the acceptance report, an A4 PDF of vectors and embedded fonts (PDF/A-1b): result and verdict, what

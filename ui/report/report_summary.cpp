@@ -7,6 +7,7 @@
 #include "ui/text/cause_text.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/quantity_text.h"
+#include "ui/text/simulation_text.h"
 
 namespace alidade::ui {
 namespace {
@@ -113,13 +114,15 @@ double methodHeight(const ReportSheet& sheet, const Evaluation& evaluation) {
 
 }  // namespace
 
-bool addSummary(ReportSheet& sheet, const Gap& gap, const QDateTime& date) {
+bool addSummary(ReportSheet& sheet, const Gap& gap, const ReportOptions& options) {
   const Evaluation& evaluation = *gap.evaluation;
   addTitle(sheet, evaluation.session);
-  addFacts(sheet, evaluation, date);
+  addFacts(sheet, evaluation, options.date);
   addVerdict(sheet, evaluation);
   addProblems(sheet, evaluation);
   addResult(sheet, evaluation);
+  if (options.simulated && options.simulated->intersection)
+    sheet.paragraph(simulationParagraph(*options.simulated));
   addFindings(sheet, gap);
   if (!evaluation.session.notes.empty()) {
     sheet.heading(QStringLiteral("Notes"));

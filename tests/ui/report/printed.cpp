@@ -6,12 +6,27 @@
 
 namespace alidade::ui {
 
+namespace {
+
+QString output(const QString& program, const QStringList& arguments) {
+  QProcess process;
+  process.start(program, arguments);
+  if (!process.waitForFinished() || process.exitCode() != 0)
+    throw std::runtime_error(program.toStdString() + ": " + process.errorString().toStdString());
+  return QString::fromUtf8(process.readAllStandardOutput());
+}
+
+}  // namespace
+
+QString printedText(const QString& path) {
+  QString text = output(QStringLiteral("pdftotext"), {QStringLiteral("-layout"), path, QStringLiteral("-")});
+  return text.replace(QRegularExpression(QStringLiteral(" +")), QStringLiteral(" "));
+}
+
 Printed::Printed(const Session& session, const ReportSource& source) {
   const Result<QString> written = writeAcceptanceReport(evaluate(session), source, path(), {.date = date()});
   if (!written) throw std::runtime_error(written.problem().text());
-  QString text = tool(QStringLiteral("pdftotext"), {QStringLiteral("-layout"), path(), QStringLiteral("-")});
-  text.replace(QRegularExpression(QStringLiteral(" +")), QStringLiteral(" "));
-  m_pages = text.split(u'\f', Qt::SkipEmptyParts);
+  m_pages = printedText(path()).split(u'\f', Qt::SkipEmptyParts);
 }
 
 bool Printed::contains(const char* text) const {
@@ -19,11 +34,7 @@ bool Printed::contains(const char* text) const {
 }
 
 QString Printed::tool(const QString& program, const QStringList& arguments) const {
-  QProcess process;
-  process.start(program, arguments.isEmpty() ? QStringList{path()} : arguments);
-  if (!process.waitForFinished() || process.exitCode() != 0)
-    throw std::runtime_error(program.toStdString() + ": " + process.errorString().toStdString());
-  return QString::fromUtf8(process.readAllStandardOutput());
+  return output(program, arguments.isEmpty() ? QStringList{path()} : arguments);
 }
 
 ReportSource Printed::savedSource() {

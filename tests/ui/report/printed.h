@@ -9,6 +9,9 @@
 
 namespace alidade::ui {
 
+/// What a report file says, read by poppler; blanks in rows are squeezed to one, pages end in form feeds.
+QString printedText(const QString& path);
+
 /// A report as it lies on the table: written, and read back by poppler's programs.
 class Printed {
  public:

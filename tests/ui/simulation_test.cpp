@@ -1,0 +1,140 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "tests/ui/report/printed.h"
+#include "tests/ui/support.h"
+#include "ui/commands/change_field.h"
+#include "ui/commands/edit_readings.h"
+#include "ui/main_window.h"
+#include "ui/panels/simulation_box.h"
+#include "ui/text/quantity_text.h"
+#include "ui/text/simulation_text.h"
+
+// The page of the budget checks its uncertainty by simulation, for the session as it is.
+
+namespace alidade::ui {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr int draws = 2000;
+
+/// The window on the paper's session with the page of the budget in front.
+struct SimulationBench {
+  SimulationBench() {
+    open->files().open(samplePath(QStringLiteral("paper-table-1.alidade")));
+    open.settle();
+    QTest::keyClick(open.window.get(), Qt::Key_2, Qt::ControlModifier);
+    box = open->findChild<SimulationBox*>();
+    box->findChild<QSpinBox*>()->setValue(draws);
+  }
+
+  void press() { QTest::keyClick(box->findChild<QPushButton*>(), Qt::Key_Space); }
+  bool finish() {
+    return waitFor([this] { return !box->job().isAtWork(); });
+  }
+  void run() {
+    press();
+    ASSERT_TRUE(finish());
+  }
+  std::string shown() {
+    QStringList texts;
+    for (const QLabel* label : box->findChildren<QLabel*>())
+      if (label->isVisibleTo(box)) texts.append(label->text());
+    return texts.join(u'\n').toStdString();
+  }
+  QString report() {
+    QTemporaryDir folder;
+    open.dialogs->reportPath = folder.filePath(QStringLiteral("report.pdf"));
+    EXPECT_TRUE(open->files().exportReport());
+    return printedText(open.dialogs->reportPath);
+  }
+
+  OpenWindow open;
+  SimulationBox* box = nullptr;
+};
+
+TEST(Simulation, ShowsWhatTheCoreDrawsBesideWhatIsPropagated) {
+  SimulationBench bench;
+  EXPECT_THAT(bench.shown(), HasSubstr("Not checked yet."));
+  bench.run();
+  const Evaluation evaluation = evaluateFit(paperSession());
+  const Intersection& linear = *evaluation.fit.intersection;
+  const MonteCarlo check = *propagateDistributions(*evaluation.examined.measurement, evaluation.fit,
+                                                   {.draws = draws, .threads = 1});
+  const Spread& spread = *check.intersection;
+  for (const double figure :
+       {linear.value, linear.sigma, linear.value - linear.expanded, linear.value + linear.expanded,
+        spread.mean, spread.sigma, spread.low, spread.high})
+    EXPECT_THAT(bench.shown(), HasSubstr(numberText(figure, 4).toStdString()));
+  EXPECT_THAT(bench.shown(), HasSubstr(agreementWord(check.linear).toStdString()));
+  // The arcs are all but linear here, so the ends differ by chance alone: 4 sigma of either, 1 in 8000.
+  EXPECT_LT(std::max(check.lowDifference, check.highDifference), 4 * check.endpointSigma);
+}
+
+TEST(Simulation, IsStoppedByItsButtonAndByAnEdit) {
+  SimulationBench bench;
+  auto* count = bench.box->findChild<QSpinBox*>();
+  count->setValue(count->maximum());
+  auto* run = bench.box->findChild<QPushButton*>();
+  bench.press();
+  EXPECT_EQ(run->text(), QStringLiteral("&Stop"));
+  EXPECT_FALSE(count->isEnabled());
+  ASSERT_TRUE(waitFor([&] { return bench.box->job().drawsMade() > 0; })) << "the window does not wait";
+  bench.press();
+  ASSERT_TRUE(bench.finish());
+  EXPECT_LT(bench.box->job().drawsMade(), static_cast<std::size_t>(count->maximum()));
+  EXPECT_THAT(bench.shown(), HasSubstr("Stopped."));
+  EXPECT_EQ(run->text(), QStringLiteral("&Run"));
+
+  bench.press();
+  changeField(bench.open->document(), {.field = "geometry.distance_mm"}, "2406");
+  ASSERT_TRUE(bench.finish());
+  bench.open.settle();
+  EXPECT_THAT(bench.shown(), HasSubstr("Stopped, for the session has changed."));
+  EXPECT_FALSE(bench.report().contains(QStringLiteral("Checked by simulation")));
+}
+
+TEST(Simulation, IsToldOnPaperOfTheSessionItIsOf) {
+  SimulationBench bench;
+  EXPECT_FALSE(bench.report().contains(QStringLiteral("Checked by simulation")));
+  bench.run();
+  changeField(bench.open->document(), {.field = "operator"}, "M. Ruiz");
+  bench.open.settle();
+  EXPECT_THAT(bench.shown(), HasSubstr("simulated")) << "nothing that enters a fit has changed";
+  EXPECT_TRUE(bench.report().contains(QStringLiteral("Checked by simulation (JCGM 101, 2000 draws)")));
+
+  ReadingsEditor(bench.open->document(), 1).setExcluded({3}, true);
+  bench.open.settle();
+  EXPECT_THAT(bench.shown(), Not(HasSubstr("simulated")));
+  EXPECT_FALSE(bench.report().contains(QStringLiteral("Checked by simulation")));
+  bench.open->undo();
+  bench.open.settle();
+  EXPECT_THAT(bench.shown(), HasSubstr("simulated")) << "back where it was run";
+}
+
+TEST(Simulation, SaysWhatFollows) {
+  MonteCarlo check;
+  check.tolerance = 0.005;
+  check.lowDifference = 0.031;
+  check.highDifference = 0.002;
+  check.endpointSigma = 0.004;
+  check.linear = LinearPropagation::Refuted;
+  EXPECT_EQ(agreementSentence(check).toStdString(),
+            "The ends of Δd ± U differ from those simulated by 0.0310 and 0.0020 mm; the tolerance is 0.0050 "
+            "mm. Rely on the simulated interval.");
+  check.linear = LinearPropagation::Undecided;
+  EXPECT_THAT(agreementSentence(check).toStdString(), HasSubstr("an end is uncertain by 0.0040 mm."));
+  check.failed = 3;
+  EXPECT_THAT(agreementSentence(check).toStdString(), HasSubstr("3 draws gave no result"));
+}
+
+}  // namespace
+}  // namespace alidade::ui

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <QFutureWatcher>
+#include <QObject>
+#include <QThreadPool>
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <stop_token>
+
+#include "core/adjustment/monte_carlo.h"
+#include "ui/jobs/fit_job.h"
+
+namespace alidade::ui {
+
+/// The uncertainty of one evaluation checked by propagating distributions.
+struct BudgetCheck {
+  SharedEvaluation evaluation;
+  std::optional<MonteCarlo> simulated;  ///< empty: it was stopped, or too few draws gave a result
+
+  /// The figures are those of this session too: it differs in nothing that enters a fit.
+  bool isOf(const Session& session) const;
+};
+
+using SharedBudgetCheck = std::shared_ptr<const BudgetCheck>;
+
+/// Checks one evaluation at a time in the background.
+class SimulationJob : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit SimulationJob(QObject* parent = nullptr);
+  ~SimulationJob() override;
+
+  /// Does nothing while one is at work.
+  void start(SharedEvaluation evaluation, std::size_t draws);
+  void stop();  ///< `finished` follows, with what there is: nothing
+  bool isAtWork() const { return m_isAtWork; }
+  std::size_t drawsMade() const { return m_made; }
+
+ signals:
+  void finished(const alidade::ui::SharedBudgetCheck& check);
+
+ private:
+  void finish();
+
+  QThreadPool m_threads;
+  QFutureWatcher<SharedBudgetCheck> m_work;
+  std::stop_source m_stop;
+  std::atomic<std::size_t> m_made = 0;
+  bool m_isAtWork = false;
+};
+
+}  // namespace alidade::ui

@@ -1,0 +1,133 @@
+#include "ui/panels/simulation_box.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QVBoxLayout>
+
+#include "ui/panels/figure_grid.h"
+#include "ui/text/quantity_text.h"
+#include "ui/text/simulation_text.h"
+
+namespace alidade::ui {
+
+SimulationBox::SimulationBox(QWidget* parent)
+    : QWidget(parent),
+      m_draws(new QSpinBox),
+      m_run(new QPushButton),
+      m_progress(new QProgressBar),
+      m_figures(new FigureGrid),
+      m_note(wrappedLabel()) {
+  createControls();
+  auto* row = new QHBoxLayout;
+  auto* caption = new QLabel(tr("&Draws"));
+  caption->setBuddy(m_draws);
+  for (QWidget* part : std::initializer_list<QWidget*>{caption, m_draws, m_run}) row->addWidget(part);
+  row->addStretch();
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(5);
+  layout->addWidget(panelHeading(tr("Check by simulation")));
+  layout->addLayout(row);
+  layout->addWidget(m_progress);
+  layout->addWidget(m_figures);
+  layout->addWidget(m_note);
+  connect(m_run, &QPushButton::clicked, this, &SimulationBox::toggle);
+  connect(&m_job, &SimulationJob::finished, this, &SimulationBox::take);
+  connect(&m_watch, &QTimer::timeout, this,
+          [this] { m_progress->setValue(static_cast<int>(m_job.drawsMade())); });
+  hide();
+  showWork();
+}
+
+void SimulationBox::createControls() {
+  m_draws->setRange(1000, 1000000);
+  m_draws->setValue(100000);
+  m_draws->setSingleStep(100000);
+  m_draws->setGroupSeparatorShown(true);
+  m_draws->setToolTip(tr("The more draws, the better known the ends of the interval; 100000 mostly do"));
+  m_run->setObjectName(QStringLiteral("run simulation"));
+  m_run->setToolTip(
+      tr("Draws every reading, pointing zero and length from its distribution and fits anew, each time "
+         "(JCGM 101)"));
+  m_progress->setTextVisible(false);
+  m_progress->setFixedHeight(8);
+  m_note->setForegroundRole(QPalette::PlaceholderText);
+}
+
+void SimulationBox::setEvaluation(const SharedEvaluation& evaluation) {
+  m_evaluation = evaluation;
+  setVisible(evaluation->fit.intersection.has_value());
+  showCheck();
+}
+
+void SimulationBox::stop() {
+  if (!m_job.isAtWork()) return;
+  m_remark = tr("Stopped, for the session has changed.");
+  m_job.stop();
+}
+
+void SimulationBox::toggle() {
+  if (m_job.isAtWork()) {
+    m_remark = tr("Stopped.");
+    return m_job.stop();
+  }
+  m_remark.clear();
+  m_progress->setRange(0, m_draws->value());
+  m_progress->setValue(0);
+  m_job.start(m_evaluation, static_cast<std::size_t>(m_draws->value()));
+  showWork();
+  showCheck();
+}
+
+void SimulationBox::take(const SharedBudgetCheck& check) {
+  if (check->simulated) {
+    m_check = check;
+    m_remark.clear();
+    emit checked(check);
+  } else if (m_remark.isEmpty()) {
+    m_remark = tr("Too few of the draws gave a result.");
+  }
+  showWork();
+  showCheck();
+}
+
+void SimulationBox::showWork() {
+  const bool isAtWork = m_job.isAtWork();
+  m_run->setText(isAtWork ? tr("&Stop") : tr("&Run"));
+  m_draws->setEnabled(!isAtWork);
+  m_progress->setVisible(isAtWork);
+  isAtWork ? m_watch.start(100) : m_watch.stop();
+}
+
+void SimulationBox::showCheck() {
+  const bool isAnswered = !m_job.isAtWork() && m_check && m_evaluation && m_evaluation->fit.intersection &&
+                          m_check->isOf(m_evaluation->session);
+  m_figures->setVisible(isAnswered);
+  m_note->setVisible(!m_job.isAtWork());
+  if (!isAnswered)
+    return m_note->setText(m_remark.isEmpty() ? tr("Does the propagated uncertainty hold? Not checked yet.")
+                                              : m_remark);
+  const Intersection& linear = *m_evaluation->fit.intersection;
+  const MonteCarlo& simulated = *m_check->simulated;
+  const Spread& spread = *simulated.intersection;
+  const auto row = [](const QString& caption, double propagated, double drawn, const QString& toolTip = {}) {
+    return FigureGrid::Row{caption, {numberText(propagated, 4), numberText(drawn, 4)}, toolTip};
+  };
+  m_figures->setRows(
+      {tr("propagated"), tr("simulated")},
+      {row(tr("Δd  mm"), linear.value, spread.mean, tr("Simulated: the mean of the draws")),
+       row(tr("σ"), linear.sigma, spread.sigma,
+           tr("Where the noise is known by the scatter alone, the draws spread a little more; U has it in "
+              "k")),
+       row(tr("%1 % from").arg(plainNumberText(100 * simulated.coverage)), linear.value - linear.expanded,
+           spread.low, tr("Propagated: Δd − U. Simulated: as many draws lie below as above the other end")),
+       row(tr("to"), linear.value + linear.expanded, spread.high)});
+  const QString remark = m_remark.isEmpty() ? QString() : m_remark + u' ';
+  m_note->setText(remark + QStringLiteral("<b>%1</b> ").arg(agreementWord(simulated.linear)) +
+                  agreementSentence(simulated));
+}
+
+}  // namespace alidade::ui

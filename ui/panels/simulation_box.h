@@ -1,0 +1,52 @@
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+
+#include "ui/jobs/simulation_job.h"
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QSpinBox;
+
+namespace alidade::ui {
+
+class FigureGrid;
+
+/// The propagated uncertainty of Δd checked by simulation: how many draws, run or stop, and both side by side
+/// with whether they agree. Shows figures only of the session as it is.
+class SimulationBox : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit SimulationBox(QWidget* parent = nullptr);
+
+  void setEvaluation(const SharedEvaluation& evaluation);
+  /// The session has changed: what is at work is for nothing.
+  void stop();
+  const SimulationJob& job() const { return m_job; }
+
+ signals:
+  void checked(const alidade::ui::SharedBudgetCheck& check);
+
+ private:
+  void createControls();
+  void toggle();
+  void take(const SharedBudgetCheck& check);
+  void showWork();
+  void showCheck();
+
+  SimulationJob m_job;
+  SharedEvaluation m_evaluation;
+  SharedBudgetCheck m_check;  ///< the last that came to something; null before
+  QString m_remark;           ///< what became of the last run, where it came to nothing
+  QTimer m_watch;
+  QSpinBox* m_draws;
+  QPushButton* m_run;
+  QProgressBar* m_progress;
+  FigureGrid* m_figures;
+  QLabel* m_note;
+};
+
+}  // namespace alidade::ui
