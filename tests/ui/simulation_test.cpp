@@ -85,14 +85,14 @@ TEST(Simulation, IsStoppedByItsButtonAndByAnEdit) {
   count->setValue(count->maximum());
   auto* run = bench.box->findChild<QPushButton*>();
   bench.press();
-  EXPECT_EQ(run->text(), QStringLiteral("&Stop"));
+  EXPECT_EQ(run->text(), QStringLiteral("Stop"));
   EXPECT_FALSE(count->isEnabled());
   ASSERT_TRUE(waitFor([&] { return bench.box->job().drawsMade() > 0; })) << "the window does not wait";
   bench.press();
   ASSERT_TRUE(bench.finish());
   EXPECT_LT(bench.box->job().drawsMade(), static_cast<std::size_t>(count->maximum()));
   EXPECT_THAT(bench.shown(), HasSubstr("Stopped."));
-  EXPECT_EQ(run->text(), QStringLiteral("&Run"));
+  EXPECT_EQ(run->text(), QStringLiteral("Run"));
 
   bench.press();
   changeField(bench.open->document(), {.field = "geometry.distance_mm"}, "2406");

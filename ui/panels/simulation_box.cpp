@@ -22,7 +22,7 @@ SimulationBox::SimulationBox(QWidget* parent)
       m_note(wrappedLabel()) {
   createControls();
   auto* row = new QHBoxLayout;
-  auto* caption = new QLabel(tr("&Draws"));
+  auto* caption = new QLabel(tr("Draws"));
   caption->setBuddy(m_draws);
   for (QWidget* part : std::initializer_list<QWidget*>{caption, m_draws, m_run}) row->addWidget(part);
   row->addStretch();
@@ -46,7 +46,6 @@ void SimulationBox::createControls() {
   m_draws->setRange(1000, 1000000);
   m_draws->setValue(100000);
   m_draws->setSingleStep(100000);
-  m_draws->setGroupSeparatorShown(true);
   m_draws->setToolTip(tr("The more draws, the better known the ends of the interval; 100000 mostly do"));
   m_run->setObjectName(QStringLiteral("run simulation"));
   m_run->setToolTip(
@@ -96,7 +95,7 @@ void SimulationBox::take(const SharedBudgetCheck& check) {
 
 void SimulationBox::showWork() {
   const bool isAtWork = m_job.isAtWork();
-  m_run->setText(isAtWork ? tr("&Stop") : tr("&Run"));
+  m_run->setText(isAtWork ? tr("Stop") : tr("Run"));
   m_draws->setEnabled(!isAtWork);
   m_progress->setVisible(isAtWork);
   isAtWork ? m_watch.start(100) : m_watch.stop();
