@@ -90,15 +90,14 @@ std::vector<Candidate> candidatesOf(const Inquiry& inquiry) {
     const double visible =
         inquiry.isMisreading(part)
             ? std::abs(part.weights[0]) * std::sqrt(inquiry.leftover.redundancy(inquiry.readingOf(part)))
-            : signature(inquiry.leftover, inquiry.candidates[part.component], part.weights).norm();
+            : std::sqrt(signatureSquare(inquiry.candidates[part.component], part.weights));
     offer(inquiry.idOf(part), part.logGain, visible);
   }
   for (const Component& component : inquiry.candidates)
     if (component.kind == Component::Kind::Effect &&
         std::ranges::find(list, component.id, &Candidate::effect) == list.end())
-      list.push_back(
-          {component.id, logBayesFactor(inquiry.leftover, component),
-           signature(inquiry.leftover, component, likelyWeights(inquiry.leftover, component)).norm()});
+      list.push_back({component.id, logBayesFactor(inquiry.leftover, component),
+                      std::sqrt(signatureSquare(component, likelyWeights(inquiry.leftover, component)))});
   std::ranges::sort(list, std::greater{}, &Candidate::logBayesFactor);
   return list;
 }

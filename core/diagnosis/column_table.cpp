@@ -1,6 +1,9 @@
 #include "core/diagnosis/column_table.h"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cassert>
+#include <cmath>
 
 #include "core/diagnosis/known_components.h"
 
@@ -8,33 +11,87 @@ namespace alidade {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
+namespace {
+
+/// Eigenvectors of a symmetric matrix of two rows: a turn of the axes.
+Eigen::Matrix2d turnOfTwo(const MatrixXd& gram) {
+  const double angle = std::atan2(2 * gram(0, 1), gram(0, 0) - gram(1, 1)) / 2;
+  Eigen::Matrix2d turn;
+  turn << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
+  return turn;
+}
+
+}  // namespace
+
 ColumnTable::ColumnTable(const Leftover& leftover, const std::vector<Component>& candidates)
     : m_leftover(leftover),
       m_candidates(candidates),
       m_steps(leftover, momentsOf(candidates), plausibleJump) {
+  Index ofEffects = 0;
   for (const Component& candidate : candidates) {
     m_first.push_back(m_size);
     m_size += candidate.gram.cols() + candidate.curvature.cols();
+    assert(candidate.kind != Component::Kind::Effect || ofEffects == m_first.back());
+    if (candidate.kind == Component::Kind::Effect) ofEffects = m_size;
   }
   m_first.push_back(m_size);
   m_size += leftover.readings();
   m_squares.resize(m_size);
   m_turns.resize(candidates.size());
+  m_effects.resize(leftover.rows(), ofEffects);
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    auto squares = m_squares.segment(first(i), count(i));
-    if (candidates[i].curvature.cols() > 0) {
-      const MatrixXd columns = bentColumns(candidates[i]);
-      m_bentGram = columns.transpose() * columns;
-      squares = m_bentGram.diagonal();
-    } else if (candidates[i].gram.cols() == 1) {
-      squares = candidates[i].gram.col(0);
-    } else {
-      const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(candidates[i].gram);
-      squares = eigen.eigenvalues();
-      m_turns[i] = eigen.eigenvectors();
-    }
+    turn(i);
+    if (candidates[i].kind == Component::Kind::Effect) addEffect(i);
+    if (candidates[i].kind == Component::Kind::Shape) addPattern(i);
   }
   for (Index i = 0; i < leftover.readings(); ++i) m_squares[m_first.back() + i] = leftover.redundancy(i);
+}
+
+void ColumnTable::turn(std::size_t component) {
+  const Component& candidate = m_candidates[component];
+  if (candidate.curvature.cols() > 0) return;
+  auto squares = m_squares.segment(first(component), count(component));
+  const MatrixXd& gram = candidate.gram;
+  if (gram.cols() == 1) {
+    squares = gram.col(0);
+  } else if (gram.cols() == 2) {
+    const Eigen::Matrix2d turn = turnOfTwo(gram);
+    squares = (turn.transpose() * gram.topLeftCorner<2, 2>() * turn).diagonal();
+    m_turns[component] = turn;
+  } else {
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(gram);
+    squares = eigen.eigenvalues();
+    m_turns[component] = eigen.eigenvectors();
+  }
+}
+
+void ColumnTable::addEffect(std::size_t component) {
+  const Component& candidate = m_candidates[component];
+  auto columns = m_effects.middleCols(first(component), count(component));
+  if (candidate.curvature.cols() > 0) {
+    columns = bentColumns(candidate);
+    m_bentGram = columns.transpose() * columns;
+    m_squares.segment(first(component), count(component)) = m_bentGram.diagonal();
+  } else if (m_turns[component].size() > 0) {
+    columns = candidate.columns.lazyProduct(m_turns[component]);
+  } else {
+    columns = candidate.columns;
+  }
+}
+
+void ColumnTable::addPattern(std::size_t component) {
+  Index row = 0;
+  for (const Pattern::Part& part : m_candidates[component].pattern.parts) {
+    const auto known = std::ranges::find(m_carriers, part.carrier);
+    const auto carrier = static_cast<std::size_t>(known - m_carriers.begin());
+    if (known == m_carriers.end()) m_carriers.push_back(part.carrier);
+    const Index own = part.functions.cols();
+    const MatrixXd& turn = m_turns[component];
+    m_patterns.push_back(
+        {first(component), carrier,
+         turn.size() > 0 ? MatrixXd(part.functions * turn.middleRows(row, own)) : part.functions});
+    row += own;
+  }
 }
 
 Index ColumnTable::first(std::size_t component) const {
@@ -53,23 +110,20 @@ MatrixXd ColumnTable::gram(std::size_t component) const {
 }
 
 VectorXd ColumnTable::products(const VectorXd& visible) const {
-  VectorXd all(m_size);
-  const auto readings = visible.head(m_leftover.readings());
+  VectorXd all = VectorXd::Zero(m_size);
+  const VectorXd readings = visible.head(m_leftover.readings());
+  all.head(m_effects.cols()).noalias() = m_effects.transpose() * visible;
   const Eigen::Matrix2Xd steps = m_steps.products(readings);
   Index step = 0;
-  for (std::size_t i = 0; i < m_candidates.size(); ++i) {
-    const Component& candidate = m_candidates[i];
-    VectorXd own;
-    if (candidate.curvature.cols() > 0)
-      own = bentColumns(candidate).transpose() * visible;
-    else if (candidate.kind == Component::Kind::Jump)
-      own = steps.col(step++);
-    else if (candidate.kind == Component::Kind::Shape)
-      own = candidate.pattern.transposeTimes(readings);
-    else
-      own = candidate.columns.transpose() * visible;
-    all.segment(first(i), count(i)) = m_turns[i].size() > 0 ? VectorXd(m_turns[i].transpose() * own) : own;
-  }
+  for (std::size_t i = 0; i < m_candidates.size(); ++i)
+    if (m_candidates[i].kind == Component::Kind::Jump)
+      all.segment<2>(first(i)).noalias() =
+          m_turns[i].topLeftCorner<2, 2>().transpose().lazyProduct(steps.col(step++));
+  std::vector<VectorXd> ofCells;
+  for (const auto& carrier : m_carriers) ofCells.push_back(carrier->gathered(readings));
+  for (const PatternPart& part : m_patterns)
+    all.segment(part.first, part.functions.cols()).noalias() +=
+        part.functions.transpose() * ofCells[part.carrier];
   all.tail(m_leftover.readings()) = readings;
   return all;
 }
@@ -93,10 +147,9 @@ MatrixXd ColumnTable::visibleColumns(std::size_t component) const {
     return m_leftover.visible(unit);
   }
   const Component& candidate = m_candidates[component];
-  if (candidate.curvature.cols() > 0) return bentColumns(candidate);
-  const MatrixXd columns = candidate.kind == Component::Kind::Jump
-                               ? m_leftover.visible(wholeColumns(m_leftover, candidate))
-                               : candidate.columns;
+  if (candidate.kind == Component::Kind::Effect)
+    return m_effects.middleCols(first(component), count(component));
+  const MatrixXd columns = m_leftover.visible(wholeColumns(m_leftover, candidate));
   return m_turns[component].size() > 0 ? MatrixXd(columns * m_turns[component]) : columns;
 }
 

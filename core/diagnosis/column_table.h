@@ -11,7 +11,8 @@ namespace alidade {
 // The visible columns of every component that may explain a leftover, seen through their inner products, for
 // the .cpp files of this room only. Columns of one component are turned so that they are at right angles to
 // one another; weights normal around zero look the same in any direction. Behind the candidates' columns
-// comes one for each reading, 1σ off. A bending component has its columns and curvature, not turned.
+// comes one for each reading, 1σ off. A bending component has its columns and curvature, not turned. Effects
+// come first among the candidates.
 class ColumnTable {
  public:
   ColumnTable(const Leftover& leftover, const std::vector<Component>& candidates);
@@ -32,15 +33,27 @@ class ColumnTable {
   Eigen::VectorXd weights(std::size_t component, const Eigen::VectorXd& turned) const;
 
  private:
+  struct PatternPart {
+    Eigen::Index first;         ///< column
+    std::size_t carrier;        ///< index into m_carriers
+    Eigen::MatrixXd functions;  ///< cells × columns of the component, turned
+  };
+
   const Leftover& m_leftover;
   const std::vector<Component>& m_candidates;
   std::vector<Eigen::Index> m_first;     ///< of each candidate, and of the readings
   std::vector<Eigen::MatrixXd> m_turns;  ///< empty: not turned
   Eigen::Index m_size = 0;
   Eigen::VectorXd m_squares;
+  Eigen::MatrixXd m_effects;   ///< columns of all effects, turned: the first of the table
   Eigen::MatrixXd m_bentGram;  ///< of the one component that bends
+  std::vector<std::shared_ptr<const Carrier>> m_carriers;
+  std::vector<PatternPart> m_patterns;
   StepsInTime m_steps;
 
+  void addEffect(std::size_t component);
+  void addPattern(std::size_t component);
+  void turn(std::size_t component);
   Eigen::MatrixXd visibleColumns(std::size_t component) const;
 };
 

@@ -1,5 +1,6 @@
 #include "core/diagnosis/component.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace alidade {
@@ -68,12 +69,17 @@ Eigen::Matrix<double, 5, 2> bentDerivatives(const VectorXd& weights) {
 }
 
 VectorXd signature(const Leftover& leftover, const Component& component, const VectorXd& weights) {
-  if (component.kind == Component::Kind::Shape)
-    return leftover.visible(component.pattern.times(weights, leftover.readings()));
+  if (component.kind == Component::Kind::Shape) return leftover.visible(component.pattern.times(weights));
   if (component.kind == Component::Kind::Jump)
     return leftover.visible(wholeColumns(leftover, component) * weights);
   if (component.curvature.cols() > 0) return bentColumns(component) * bentWeights(weights);
   return component.columns * weights;
+}
+
+double signatureSquare(const Component& component, const VectorXd& weights) {
+  if (component.curvature.cols() > 0)
+    return (component.columns * weights + component.curvature * bentWeights(weights).tail<3>()).squaredNorm();
+  return std::max(weights.dot(component.gram * weights), 0.0);
 }
 
 }  // namespace alidade

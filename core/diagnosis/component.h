@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/diagnosis/leftover.h"
+#include "core/diagnosis/pattern.h"
 #include "core/effects/catalogue.h"
 
 namespace alidade {
@@ -34,7 +34,7 @@ struct Component {
   std::size_t moment = 0;          ///< of a Jump: sequence of the first row after it
   Eigen::Index reading = 0;        ///< of a Misreading: index into the leftover's readings
   Eigen::MatrixXd columns = {};    ///< of an Effect: visible part, rows × weights
-  SparseColumns pattern = {};      ///< of a Shape: over the readings
+  Pattern pattern = {};            ///< of a Shape: over the readings
   Eigen::MatrixXd gram = {};       ///< inner products of the visible columns with one another
   /// Of an effect of two weights that bends: visible second derivatives, columns 11, 12, 22. Else empty.
   Eigen::MatrixXd curvature = {};
@@ -70,5 +70,7 @@ Eigen::Matrix<double, 5, 2> bentDerivatives(const Eigen::VectorXd& weights);
 /// What the weights leave in the readings, visible part: linear, and bent where the component bends.
 Eigen::VectorXd signature(const Leftover& leftover, const Component& component,
                           const Eigen::VectorXd& weights);
+/// Its squared length, from the inner products of the columns.
+double signatureSquare(const Component& component, const Eigen::VectorXd& weights);
 
 }  // namespace alidade

@@ -45,8 +45,7 @@ std::optional<GapShape> shapeOf(const Inquiry& inquiry) {
   if (shaped == inquiry.explanations.end()) return std::nullopt;
   const Part& pattern = shaped->parts.back();
   const Component& shape = inquiry.candidates[pattern.component];
-  return GapShape{shape.id, signature(inquiry.leftover, shape, pattern.weights).squaredNorm() /
-                                inquiry.leftover.chiSquare()};
+  return GapShape{shape.id, signatureSquare(shape, pattern.weights) / inquiry.leftover.chiSquare()};
 }
 
 std::vector<BlamedReading> readingsOf(const GapModel& model) {

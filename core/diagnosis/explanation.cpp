@@ -2,7 +2,6 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "core/diagnosis/gain.h"
@@ -14,31 +13,36 @@ using Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-/// ln ∫ p(scale) (evidence at the scale/evidence at `reference`) over ln scale in [from, to], with
-/// `logDensity` of ln scale: −f ln scale − ½ χ²/scale².
-template <typename Density>
-double logOverScales(double chiSquare, double f, double reference, double from, double to,
-                     const Density& logDensity, double& likeliest) {
-  constexpr int steps = 60;
-  const double step = (to - from) / steps, logReference = std::log(reference);
-  std::array<double, steps + 1> values;
-  int best = 0;
-  for (int i = 0; i <= steps; ++i) {
-    const double log = from + step * i;
-    values[static_cast<std::size_t>(i)] =
-        logDensity(log) - f * (log - logReference) -
-        0.5 * chiSquare * (std::exp(-2 * log) - 1 / (reference * reference));
-    if (values[static_cast<std::size_t>(i)] > values[static_cast<std::size_t>(best)]) best = i;
-  }
-  likeliest = std::exp(from + step * best);
-  const double highest = values[static_cast<std::size_t>(best)];
-  double sum = 0;
-  for (const double value : values) sum += std::exp(value - highest);
-  return highest + std::log(sum * step);
-}
-
 constexpr double knownTo = 0.1;  // the stated σ holds to a tenth
 constexpr double leastNoise = 1.25, mostNoise = 20;
+
+/// What is believed of the scale of the noise: its logarithm at even steps, with the density there.
+class NoiseScales {
+ public:
+  template <typename Density>
+  NoiseScales(double from, double to, const Density& logDensity)
+      : m_step((to - from) / steps), m_logs(Logs::LinSpaced(steps + 1, from, to)) {
+    m_densities = m_logs.unaryExpr(logDensity);
+    m_inverseSquares = (-2 * m_logs).exp();
+  }
+
+  /// ln ∫ p(scale) (evidence at the scale/evidence at `reference`), with ln evidence = −f ln scale − ½
+  /// χ²/scale².
+  double logIntegral(double chiSquare, double f, double reference, double& likeliest) const {
+    const Logs values = m_densities - f * (m_logs - std::log(reference)) -
+                        0.5 * chiSquare * (m_inverseSquares - 1 / (reference * reference));
+    Eigen::Index best = 0;
+    const double highest = values.maxCoeff(&best);
+    likeliest = std::exp(m_logs[best]);
+    return highest + std::log((values - highest).exp().sum() * m_step);
+  }
+
+ private:
+  static constexpr int steps = 60;
+  using Logs = Eigen::Array<double, steps + 1, 1>;
+  double m_step;
+  Logs m_logs, m_densities, m_inverseSquares;
+};
 
 void add(Explanation& set, double logEvidence) {
   set.logEvidence += logEvidence;
@@ -46,23 +50,19 @@ void add(Explanation& set, double logEvidence) {
 }
 
 void weighNominal(Explanation& found, double f) {
-  const auto density = [](double log) {
+  static const NoiseScales scales(-4 * knownTo, 4 * knownTo, [](double log) {
     return -0.5 * std::pow(log / knownTo, 2) - std::log(knownTo) - 0.5 * std::log(2 * M_PI);
-  };
-  add(found, logOverScales(found.chiSquare, f, 1, -4 * knownTo, 4 * knownTo, density, found.noise));
+  });
+  add(found, scales.logIntegral(found.chiSquare, f, 1, found.noise));
 }
 
 void weighNoisy(Explanation& found, double f, double reference, double leftover) {
-  const double from = std::log(leastNoise), to = std::log(mostNoise);
-  const auto density = [&](double) { return -std::log(to - from); };
+  static const double from = std::log(leastNoise), to = std::log(mostNoise);
+  static const NoiseScales scales(from, to, [](double) { return -std::log(to - from); });
   found.noisy = true;
-  add(found, logOverScales(found.chiSquare, f, reference, from, to, density, found.noise));
+  add(found, scales.logIntegral(found.chiSquare, f, reference, found.noise));
   add(found, -f * std::log(reference) - 0.5 * leftover * (1 / (reference * reference) - 1));
 }
-
-}  // namespace
-
-namespace {
 
 /// The likeliest set without a pattern.
 const Explanation& bestNamed(const std::vector<Explanation>& sets) {

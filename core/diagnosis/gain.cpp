@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -55,47 +56,64 @@ class SharedPart {
   Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most, 1> m_along;
 };
 
-/// Determinant and quadratic form of v/w² + squares − sharedᵀ shared.
-double logGainAt(double w2, const TurnedColumns& columns, double variance) {
+/// |1 + w² G/v| and cᵀ (v/w² + G)⁻¹ c at one width; a part of the determinant's logarithm where it is large.
+struct AtWidth {
+  double determinant = 1, logMore = 0, quadratic = 0;
+};
+
+AtWidth atWidth(double w2, const TurnedColumns& columns) {
   const Index count = columns.squares.size(), taken = columns.shared.rows();
-  double grown = 1, logGrown = 0, quadratic = 0;
+  AtWidth at;
   SharedPart part(taken);
   for (Index i = 0; i < count; ++i) {
     const double square = std::max(columns.squares[i], 0.0), inverse = 1 / (1 / w2 + square);
-    grown *= 1 + w2 * square;
-    if (grown > 1e200) {
-      logGrown += std::log(grown);
-      grown = 1;
+    at.determinant *= 1 + w2 * square;
+    if (at.determinant > 1e200) {
+      at.logMore += std::log(at.determinant);
+      at.determinant = 1;
     }
     const double scaled = inverse * columns.right[i];
-    quadratic += scaled * columns.right[i];
+    at.quadratic += scaled * columns.right[i];
     if (taken > 0) part.add(columns.shared.data() + i * columns.shared.outerStride(), inverse, scaled);
   }
   if (taken > 0) {
     const auto [determinant, along] = part.solve();
-    grown *= determinant;
-    quadratic += along;
+    at.determinant *= determinant;
+    at.quadratic += along;
   }
-  return -0.5 * (logGrown + std::log(grown)) + 0.5 * quadratic / variance;
+  return at;
 }
 
 }  // namespace
 
 Gain gainOf(const std::vector<Width>& widths, const TurnedColumns& columns, double variance) {
+  // The sum over the widths of e^exponent/√determinant, counted from the largest exponent.
+  constexpr std::size_t most = 8;
+  assert(!widths.empty() && widths.size() <= most);
+  std::array<double, most> exponents, factors;
+  double highest = impossible;
+  for (std::size_t i = 0; i < widths.size(); ++i) {
+    const AtWidth at = atWidth(widths[i].sigma * widths[i].sigma / variance, columns);
+    exponents[i] = widths[i].logChance + at.quadratic / (2 * variance) - at.logMore / 2;
+    factors[i] = 1 / std::sqrt(at.determinant);
+    highest = std::max(highest, exponents[i]);
+  }
   Gain gain;
-  double best = impossible;
-  for (const Width& width : widths) {
-    const double log = width.logChance + logGainAt(width.sigma * width.sigma / variance, columns, variance);
-    gain.log = logSum(gain.log, log);
-    if (log > best) {
-      best = log;
-      gain.width = width.sigma;
+  double sum = 0, best = -1;
+  for (std::size_t i = 0; i < widths.size(); ++i) {
+    const double value = factors[i] * (exponents[i] == highest ? 1 : std::exp(exponents[i] - highest));
+    sum += value;
+    if (value > best) {
+      best = value;
+      gain.width = widths[i].sigma;
     }
   }
+  gain.log = highest + std::log(sum);
   return gain;
 }
 
 Gain gainOf(const std::vector<Width>& widths, const MatrixXd& gram, const VectorXd& right, double variance) {
+  if (gram.cols() == 1) return gainOf(widths, TurnedColumns{gram.col(0), right, MatrixXd(0, 1)}, variance);
   const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(gram);
   const VectorXd turned = eigen.eigenvectors().transpose() * right;
   return gainOf(widths, TurnedColumns{eigen.eigenvalues(), turned, MatrixXd(0, gram.cols())}, variance);
@@ -107,29 +125,25 @@ namespace {
 class BentGrid {
  public:
   BentGrid(const Eigen::Matrix<double, 5, 5>& gram, const Eigen::Vector<double, 5>& right, double variance)
-      : m_gram(gram / variance), m_right(right / variance), m_values(places * places) {
+      : m_gram(gram / variance), m_right(right / variance) {
+    const Places& y = allPlaces();
     for (int i = 0; i < places; ++i) {
-      const Quartic along = quarticAt(placeOf(i));
-      for (int j = 0; j < places; ++j) m_values[i * places + j] = along(placeOf(j));
+      const auto [c] = quarticAt(y[i]);
+      m_values.col(i) = c[0] + y * (c[1] + y * (c[2] + y * (c[3] + y * c[4])));
     }
   }
 
   /// ln of the integral with weights normal of this width; `highest` and `at`: of the integrand.
   double integral(double width, double& highest, Vector2d& at) const {
-    const double perSquare = -1 / (2 * width * width), norm = -std::log(2 * M_PI * width * width);
-    VectorXd logs = m_values;
-    for (int i = 0; i < places; ++i)
-      for (int j = 0; j < places; ++j)
-        logs[i * places + j] += perSquare * (placeOf(i) * placeOf(i) + placeOf(j) * placeOf(j));
-    Index best = 0;
-    const double most = logs.maxCoeff(&best);
-    double sum = 0;
-    constexpr double lost = 40;  // e⁻⁴⁰ is rounding
-    for (const double log : logs)
-      if (log > most - lost) sum += std::exp(log - most);
+    const double norm = -std::log(2 * M_PI * width * width);
+    const Places prior = allPlaces().square() / (-2 * width * width);
+    Grid logs = m_values.colwise() + prior;
+    logs.rowwise() += prior.transpose();
+    Index y = 0, x = 0;
+    const double most = logs.maxCoeff(&y, &x);
     highest = most + norm;
-    at = {placeOf(static_cast<int>(best) / places), placeOf(static_cast<int>(best) % places)};
-    return highest + std::log(sum) + 2 * std::log(step);
+    at = {allPlaces()[x], allPlaces()[y]};
+    return highest + std::log((logs - most).exp().sum()) + 2 * std::log(step);
   }
 
   /// The highest place for weights of this width, from a place of the grid on.
@@ -154,11 +168,16 @@ class BentGrid {
  private:
   static constexpr double reach = 9, step = 0.4;
   static constexpr int places = static_cast<int>(2 * reach / step) + 1;
+  using Places = Eigen::Array<double, places, 1>;
+  using Grid = Eigen::Array<double, places, places>;
   Eigen::Matrix<double, 5, 5> m_gram;
   Eigen::Vector<double, 5> m_right;
-  VectorXd m_values;  ///< by the first weight, then by the second
+  Grid m_values;  ///< a column for each first weight
 
-  static double placeOf(int i) { return -reach + i * step; }
+  static const Places& allPlaces() {
+    static const Places all = Places::LinSpaced(places, -reach, -reach + (places - 1) * step);
+    return all;
+  }
 
   /// A polynomial of the second weight.
   struct Quartic {

@@ -17,14 +17,25 @@ bool isAllOrNothing(const Effect& effect) {
 std::vector<Component> effectComponents(const Leftover& leftover, const std::vector<std::string>& leftOut,
                                         const PriorOdds& odds) {
   std::vector<Component> components;
+  Index count = 0;
   for (const Effect& effect : effectCatalogue()) {
     if (std::ranges::find(leftOut, effect.id) != leftOut.end()) continue;
-    Component component{.kind = Component::Kind::Effect, .id = std::string(effect.id), .effect = &effect};
-    component.columns = leftover.visible(wholeColumns(leftover, component));
-    component.gram = component.columns.transpose() * component.columns;
+    components.push_back({.kind = Component::Kind::Effect, .id = std::string(effect.id), .effect = &effect});
+    count += static_cast<Index>(effect.parameters.size());
+  }
+  MatrixXd columns(leftover.readings(), count);
+  Index first = 0;
+  for (const Component& component : components)
+    for (const EffectParameter& parameter : component.effect->parameters)
+      columns.col(first++) = leftover.column(parameter.term) * plausibleSize(parameter);
+  columns = leftover.visible(columns);
+  first = 0;
+  for (Component& component : components) {
+    component.columns = columns.middleCols(first, static_cast<Index>(component.effect->parameters.size()));
+    component.gram = component.columns.transpose().lazyProduct(component.columns);
     component.logPrior = std::log(odds.effect);
-    component.allOrNothing = isAllOrNothing(effect);
-    components.push_back(std::move(component));
+    component.allOrNothing = isAllOrNothing(*component.effect);
+    first += component.columns.cols();
   }
   return components;
 }

@@ -24,8 +24,12 @@ Leftover::Leftover(const std::vector<Linearised>& sets, const std::vector<Estima
     visits += set.visits;
   }
   m_visits.resize(visits);
-  for (std::size_t i = 0; i < m_readings.size(); ++i)
-    m_visits[m_readings[i].visit].push_back(static_cast<Index>(i));
+  m_along.resize(readings());
+  for (Index i = 0; i < readings(); ++i) {
+    m_visits[reading(i).visit].push_back(i);
+    m_along[i] = reading(i).along;
+  }
+  for (const auto& visit : m_visits) m_endOfVisit.push_back(visit.empty() ? 0 : visit.back() + 1);
 
   layOutUnknowns(inModel, m_observed);
   eliminateArcAngles(m_base);
@@ -85,12 +89,16 @@ void Leftover::layOutUnknowns(const std::vector<EstimatedTerm>& inModel, VectorX
 }
 
 void Leftover::eliminateArcAngles(MatrixXd& columns) const {
-  for (Index c = 0; c < columns.cols(); ++c)
-    for (const auto& visit : m_visits) {
+  for (Index c = 0; c < columns.cols(); ++c) {
+    double* column = columns.col(c).data();
+    Index first = 0;
+    for (const Index end : m_endOfVisit) {
       double share = 0;
-      for (const Index i : visit) share += reading(i).along * columns(i, c);
-      for (const Index i : visit) columns(i, c) -= share * reading(i).along;
+      for (Index i = first; i < end; ++i) share += m_along[i] * column[i];
+      for (Index i = first; i < end; ++i) column[i] -= share * m_along[i];
+      first = std::max(first, end);
     }
+  }
 }
 
 MatrixXd Leftover::outsideArcAngles(const MatrixXd& columns) const {
@@ -104,30 +112,6 @@ MatrixXd Leftover::visible(const MatrixXd& columns) const {
   MatrixXd result = outsideArcAngles(columns);
   result -= m_basis * (m_basis.transpose() * result);
   return result;
-}
-
-/// Columnsᵀ columns less what lies along the arc angle of each visit and in the span of the unknowns.
-MatrixXd Leftover::visibleGram(const SparseColumns& columns) const {
-  const Index count = columns.columns();
-  MatrixXd gram = MatrixXd::Zero(count, count), taken = MatrixXd::Zero(m_basis.cols(), count);
-  VectorXd share = VectorXd::Zero(count);
-  for (std::size_t i = 0; i < columns.runs();) {
-    const std::size_t visit = reading(columns.run(i).row).visit;
-    Index from = count, to = 0;
-    for (; i < columns.runs() && reading(columns.run(i).row).visit == visit; ++i) {
-      const auto [row, first, values] = columns.run(i);
-      const Index length = values.size();
-      gram.block(first, first, length, length) += values.transpose().lazyProduct(values);
-      taken.middleCols(first, length) += m_basisOfRows.col(row).lazyProduct(values);
-      share.segment(first, length) += reading(row).along * values.transpose();
-      from = std::min(from, first);
-      to = std::max(to, first + length);
-    }
-    auto touched = share.segment(from, to - from);
-    gram.block(from, from, to - from, to - from) -= touched.lazyProduct(touched.transpose());
-    touched.setZero();
-  }
-  return gram - taken.transpose() * taken;
 }
 
 VectorXd Leftover::column(ErrorTerm term) const {

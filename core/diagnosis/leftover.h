@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "core/adjustment/linearised.h"
-#include "core/diagnosis/sparse_columns.h"
 
 namespace alidade {
 
@@ -44,8 +43,8 @@ class Leftover {
   const Eigen::MatrixXd& basis() const { return m_basis; }
   /// The readings of each visit.
   const std::vector<std::vector<Eigen::Index>>& visits() const { return m_visits; }
-  /// The inner products of the visible parts of the columns with one another.
-  Eigen::MatrixXd visibleGram(const SparseColumns& columns) const;
+  /// The basis' entries for one reading.
+  Eigen::MatrixXd::ConstColXpr basisOfRow(Eigen::Index row) const { return m_basisOfRows.col(row); }
   /// |P e|² for an error e of one reading, 1σ: its redundancy.
   double redundancy(Eigen::Index reading) const { return m_redundancy[reading]; }
   /// ∂reading/∂term, whitened, not projected, readings() long.
@@ -57,6 +56,8 @@ class Leftover {
   std::vector<LinearReading> m_readings;
   std::vector<Linearised> m_sets;
   std::vector<std::vector<Eigen::Index>> m_visits;
+  Eigen::VectorXd m_along;                 ///< of each reading
+  std::vector<Eigen::Index> m_endOfVisit;  ///< behind the last reading of each visit
   Eigen::VectorXd m_observed, m_residual, m_redundancy;
   Eigen::MatrixXd m_base;
   Eigen::MatrixXd m_basis, m_basisOfRows;  ///< the latter transposed

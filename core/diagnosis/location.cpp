@@ -76,20 +76,34 @@ std::string sectorOf(double s) {
 std::vector<GapShare> sharesOfReadings(const Leftover& leftover, const Measurement& measurement,
                                        const JointFit& fit) {
   Tally tally;
-  for (Index i = 0; i < leftover.readings(); ++i) {
-    const LinearReading& reading = leftover.reading(i);
-    if (!reading.takesPart) continue;
+  const Index readings = leftover.readings();
+  const auto isOfSameRow = [&](Index i, Index j) {
+    return leftover.reading(i).arc == leftover.reading(j).arc &&
+           leftover.reading(i).sighting == leftover.reading(j).sighting;
+  };
+  for (Index first = 0, next = 0; first < readings; first = next) {
+    double squares = 0, expectations = 0;
+    bool any = false;
+    for (; next < readings && isOfSameRow(first, next); ++next) {
+      if (!leftover.reading(next).takesPart) continue;
+      const double square = std::pow(leftover.residual()[next], 2), expected = leftover.redundancy(next);
+      tally.add("circle", std::string(nameOf(leftover.reading(next).kind)), square, expected);
+      squares += square;
+      expectations += expected;
+      any = true;
+    }
+    if (!any) continue;
+    const LinearReading& reading = leftover.reading(first);
     const ArcMeasurement& arc = measurement.arcs[reading.arc];
     const Sighting& sighting = arc.sightings[reading.sighting];
-    const double square = std::pow(leftover.residual()[i], 2), expected = leftover.redundancy(i);
     const auto quarter = 4 * sighting.sequence / std::max<std::size_t>(measurement.rows, 1);
     const double s = (arc.axisDeg == 0 ? 1 : -1) * fit.arcAngles[reading.arc][reading.sighting];
-    tally.add("position", std::to_string(arc.axisDeg), square, expected);
-    tally.add("circle", std::string(nameOf(reading.kind)), square, expected);
-    tally.add("face", std::to_string(sighting.face), square, expected);
-    tally.add("round", std::to_string(sighting.round), square, expected);
-    tally.add("sector", sectorOf(s), square, expected);
-    tally.add("time", "quarter " + std::to_string(quarter + 1), square, expected);
+    const auto add = [&](const char* by, const std::string& of) { tally.add(by, of, squares, expectations); };
+    add("position", std::to_string(arc.axisDeg));
+    add("face", std::to_string(sighting.face));
+    add("round", std::to_string(sighting.round));
+    add("sector", sectorOf(s));
+    add("time", "quarter " + std::to_string(quarter + 1));
   }
   return tally.shares();
 }
@@ -106,7 +120,7 @@ std::vector<GapShare> sharesOfFrames(const Leftover& leftover, const std::vector
       const double energy =
           isReading ? std::pow(part.weights[0], 2) *
                           leftover.redundancy(static_cast<Index>(part.component - candidates.size()))
-                    : signature(leftover, candidates[part.component], part.weights).squaredNorm();
+                    : signatureSquare(candidates[part.component], part.weights);
       energies[isReading ? "readings" : frameOf(candidates[part.component])] += chance * energy;
     }
     energies["noise"] += chance * std::max(0.0, explanation.chiSquare - leftover.degreesOfFreedom());

@@ -28,9 +28,12 @@ void keepBest(Growths& growths, std::size_t count) {
   if (growths.size() > count) growths.resize(count);
 }
 
-/// No width makes a single column gain more, by its squared product with what is left over its own square.
-double mostGain(double score) {
-  return score > 1 ? 0.5 * (score - 1 - std::log(score)) : 0;
+/// No width makes a single column gain more, by its squared product with what is left over its own square;
+/// nor does any whose square is `least` times its own variance or more: the gain at x times is −½ ln(1 + x) +
+/// ½ score x/(1 + x).
+double mostGain(double score, double least) {
+  const double x = std::max(score - 1, least);
+  return 0.5 * (score * x / (1 + x) - std::log1p(x));
 }
 
 }  // namespace
@@ -122,20 +125,27 @@ void Search::offer(const State& state, std::size_t index, std::vector<Growth>& g
 /// The best few: those with the highest scores, and whatever else could do better.
 std::vector<Search::Growth> Search::misreadingsFor(const State& state) const {
   constexpr double determined = 1e-6;  // redundancy below which a reading can be anything
-  std::vector<std::pair<double, std::size_t>> scores;
+  const double narrowest = widthsOf(Component::Kind::Misreading).front().sigma;
+  struct Score {
+    double value, least;
+    std::size_t component;
+  };
+  std::vector<Score> scores;
   for (Index i = 0; i < m_leftover.readings(); ++i) {
     const std::size_t component = m_candidates.size() + static_cast<std::size_t>(i);
     const Index column = m_table.first(component);
     const double left = m_table.squares()[column] - state.shared.col(column).squaredNorm();
     if (left >= determined)
-      scores.emplace_back(state.right[column] * state.right[column] / (left * m_variance), component);
+      scores.push_back({state.right[column] * state.right[column] / (left * m_variance),
+                        narrowest * narrowest * left / m_variance, component});
   }
   const std::size_t count = std::min(misreadingsOffered, scores.size());
-  std::ranges::partial_sort(scores, scores.begin() + static_cast<std::ptrdiff_t>(count), std::greater{});
+  std::ranges::partial_sort(scores, scores.begin() + static_cast<std::ptrdiff_t>(count), std::greater{},
+                            &Score::value);
   std::vector<Growth> best;
-  for (std::size_t i = 0; i < scores.size(); ++i)
-    if (best.size() < misreadingsOffered || mostGain(scores[i].first) > best.back().gain.log) {
-      best.push_back({.component = scores[i].second, .gain = gainFor(state, scores[i].second)});
+  for (const Score& score : scores)
+    if (best.size() < misreadingsOffered || mostGain(score.value, score.least) > best.back().gain.log) {
+      best.push_back({.component = score.component, .gain = gainFor(state, score.component)});
       if (best.size() >= misreadingsOffered) keepBest(best, misreadingsOffered);
     }
   keepBest(best, misreadingsOffered);

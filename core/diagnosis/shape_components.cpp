@@ -5,127 +5,150 @@
 #include <complex>
 #include <map>
 #include <numbers>
+#include <tuple>
 
 namespace alidade {
 
-using Eigen::Index, Eigen::MatrixXd, Eigen::RowVectorXd, Eigen::VectorXd;
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
 constexpr double invisible = 1e-5;  // σ over all readings: rounding
 
-/// What a pattern may follow, reading by reading.
-struct Surroundings {
-  VectorXd radial, offPlane, slider, horizontal, vertical;  ///< effect of 1 unit on each reading
-  VectorXd s, elapsed, a, e, side;
-  VectorXd towards;  ///< effect of the target 1 mm nearer
-  std::vector<int> arc, round, face;
-  std::vector<std::pair<std::size_t, int>> place;  ///< arc and point
+using SharedCarrier = std::shared_ptr<const Carrier>;
+
+/// Cells of the readings, and one reading of each.
+struct Cells {
+  std::vector<Index> ofReadings, readings;
+
+  template <typename Same>
+  Cells(Index count, const Same& same) {
+    for (Index i = 0; i < count; ++i) {
+      if (i == 0 || !same(i - 1, i)) readings.push_back(i);
+      ofReadings.push_back(static_cast<Index>(readings.size()) - 1);
+    }
+  }
+  template <typename Value>
+  VectorXd values(const Value& valueOf) const {
+    VectorXd all(static_cast<Index>(readings.size()));
+    for (Index cell = 0; cell < all.size(); ++cell)
+      all[cell] = valueOf(readings[static_cast<std::size_t>(cell)]);
+    return all;
+  }
 };
 
-Surroundings surroundingsOf(const Leftover& leftover, const Measurement& measurement, const JointFit& fit) {
-  const Index n = leftover.readings();
-  Surroundings all{leftover.column(Unknown::Kind::Radius),
-                   leftover.column(ErrorTerm::PlaneOffset),
-                   leftover.column(Unknown::Kind::SliderZero),
-                   leftover.column(ErrorTerm::HorizontalJump),
-                   leftover.column(ErrorTerm::VerticalJump),
-                   VectorXd(n),
-                   VectorXd(n),
-                   VectorXd(n),
-                   VectorXd(n),
-                   VectorXd(n),
-                   leftover.column(ErrorTerm::PlaneOffset),
-                   {},
-                   {},
-                   {},
-                   {}};
-  for (Index i = 0; i < n; ++i) {
-    const LinearReading& reading = leftover.reading(i);
-    const ArcMeasurement& arc = measurement.arcs[reading.arc];
-    const Sighting& sighting = arc.sightings[reading.sighting];
-    all.s[i] = (arc.axisDeg == 0 ? 1 : -1) * fit.arcAngles[reading.arc][reading.sighting];
-    all.elapsed[i] = static_cast<double>(sighting.sequence) /
-                     static_cast<double>(std::max<std::size_t>(measurement.rows, 2) - 1);
-    if (arc.axisDeg != 0) all.towards[i] = -all.towards[i];  // the plane's offset turns with the guideway
-    all.a[i] = sighting.a.radians();
-    all.e[i] = sighting.e.radians();
-    all.side[i] = sighting.face == 1 ? 1 : -1;
-    all.arc.push_back(static_cast<int>(reading.arc));
-    all.round.push_back(sighting.round);
-    all.face.push_back(sighting.face);
-    all.place.emplace_back(reading.arc, sighting.point);
+/// What a pattern may follow: the guideway visit by visit, the instrument row by row.
+class Surroundings {
+ public:
+  Surroundings(const Leftover& leftover, const Measurement& measurement, const JointFit& fit)
+      : m_leftover(leftover),
+        m_measurement(measurement),
+        visits(leftover.readings(), [&](Index i, Index j) { return at(i).visit == at(j).visit; }),
+        rows(leftover.readings(),
+             [&](Index i, Index j) { return at(i).arc == at(j).arc && at(i).sighting == at(j).sighting; }) {
+    s = visits.values(
+        [&](Index i) { return (arcOf(i).axisDeg == 0 ? 1 : -1) * fit.arcAngles[at(i).arc][at(i).sighting]; });
+    const auto last = static_cast<double>(std::max<std::size_t>(measurement.rows, 2) - 1);
+    elapsed = rows.values([&](Index i) { return static_cast<double>(rowOf(i).sequence) / last; });
+    a = rows.values([&](Index i) { return rowOf(i).a.radians(); });
+    e = rows.values([&](Index i) { return rowOf(i).e.radians(); });
   }
-  return all;
-}
 
-RowVectorXd smooth(double where, int count) {
-  RowVectorXd values(count);
-  for (int k = 1; k <= count; ++k) values[k - 1] = std::cos(k * std::numbers::pi * where) / k;
-  return values;
-}
+ private:
+  const Leftover& m_leftover;
+  const Measurement& m_measurement;
 
-/// What dies away after the start of the session, quickly, in between and slowly.
-RowVectorXd settling(double elapsed) {
-  return Eigen::RowVector3d(std::exp(-elapsed / 0.05), std::exp(-elapsed / 0.15), std::exp(-elapsed / 0.4));
-}
+ public:
+  Cells visits, rows;
+  VectorXd s;              ///< of each visit
+  VectorXd elapsed, a, e;  ///< of each row
 
-/// Cosine and sine of 0 to `count` times each angle: orders × angles.
+  const ArcMeasurement& arcOf(Index reading) const { return m_measurement.arcs[at(reading).arc]; }
+  const Sighting& rowOf(Index reading) const { return arcOf(reading).sightings[at(reading).sighting]; }
+  const LinearReading& at(Index reading) const { return m_leftover.reading(reading); }
+
+  /// The effect of 1 unit on each reading.
+  SharedCarrier alongGuideway(const VectorXd& values) const {
+    return std::make_shared<Carrier>(m_leftover, values, visits.ofReadings);
+  }
+  SharedCarrier ofInstrument(const VectorXd& values) const {
+    return std::make_shared<Carrier>(m_leftover, values, rows.ofReadings);
+  }
+  /// The same with its sign turned where `turned` says so.
+  template <typename Turned>
+  SharedCarrier ofInstrument(VectorXd values, const Turned& turned) const {
+    for (Index i = 0; i < values.size(); ++i)
+      if (turned(i)) values[i] = -values[i];
+    return ofInstrument(values);
+  }
+};
+
+/// Cosine and sine of 0 to `count` times each angle: angles × orders.
 struct Harmonics {
   MatrixXd cosines, sines;
 };
 
 Harmonics harmonicsOf(const VectorXd& angles, int count) {
-  Harmonics harmonics{MatrixXd(count + 1, angles.size()), MatrixXd(count + 1, angles.size())};
+  Harmonics harmonics{MatrixXd(angles.size(), count + 1), MatrixXd(angles.size(), count + 1)};
   for (Index i = 0; i < angles.size(); ++i) {
     const std::complex<double> turn = std::polar(1.0, angles[i]);
     std::complex<double> wave = 1;
     for (int order = 0; order <= count; ++order, wave *= turn) {
-      harmonics.cosines(order, i) = wave.real();
-      harmonics.sines(order, i) = wave.imag();
+      harmonics.cosines(i, order) = wave.real();
+      harmonics.sines(i, order) = wave.imag();
     }
   }
   return harmonics;
 }
 
+/// Cosines of 1 to `count` half waves over 0…1, the shorter the weaker.
+MatrixXd smooth(const VectorXd& where, int count) {
+  MatrixXd values = harmonicsOf(where * std::numbers::pi, count).cosines.rightCols(count);
+  for (int k = 1; k <= count; ++k) values.col(k - 1) /= k;
+  return values;
+}
+
+/// What dies away after the start of the session, quickly, in between and slowly.
+MatrixXd settling(const VectorXd& elapsed) {
+  MatrixXd values(elapsed.size(), 3);
+  values << (-elapsed / 0.05).array().exp(), (-elapsed / 0.15).array().exp(), (-elapsed / 0.4).array().exp();
+  return values;
+}
+
 class ShapeMaker {
  public:
-  explicit ShapeMaker(const Leftover& leftover) : m_leftover(leftover) {}
+  /// Functions of what the carrier's cells have in common.
+  void add(const std::string& id, const SharedCarrier& carrier, const MatrixXd& functions) {
+    add(id, Pattern{{{carrier, functions}}});
+  }
 
-  /// `carrier` times a function that differs from group to group.
+  /// A function that differs from group to group.
   template <typename Group>
-  void addGroups(const std::string& id, const VectorXd& carrier, const Group& groupOf) {
+  void addGroups(const std::string& id, const SharedCarrier& carrier, const Cells& cells,
+                 const Group& groupOf) {
     std::map<std::decay_t<decltype(groupOf(0))>, Index> groups;
-    for (Index i = 0; i < carrier.size(); ++i)
-      if (carrier[i] != 0) groups.emplace(groupOf(i), static_cast<Index>(groups.size()));
+    const auto moves = [&](Index cell) { return carrier->squares()[cell] > 0; };
+    const auto group = [&](Index cell) { return groupOf(cells.readings[static_cast<std::size_t>(cell)]); };
+    for (Index cell = 0; cell < carrier->cells(); ++cell)
+      if (moves(cell)) groups.emplace(group(cell), static_cast<Index>(groups.size()));
     if (groups.size() < 2 || groups.size() > mostGroups) return;
-    SparseColumns columns(static_cast<Index>(groups.size()));
-    for (Index i = 0; i < carrier.size(); ++i)
-      if (carrier[i] != 0) columns.add(i, groups.at(groupOf(i)), RowVectorXd::Constant(1, carrier[i]));
-    add(id, std::move(columns));
+    MatrixXd functions = MatrixXd::Zero(carrier->cells(), static_cast<Index>(groups.size()));
+    for (Index cell = 0; cell < carrier->cells(); ++cell)
+      if (moves(cell)) functions(cell, groups.at(group(cell))) = 1;
+    add(id, carrier, functions);
   }
 
-  void addHarmonic(const std::string& id, const VectorXd& carrier, const Harmonics& harmonics, int order) {
-    addFunctions(id, carrier, 2, [&](Index i) {
-      return Eigen::RowVector2d(harmonics.cosines(order, i), harmonics.sines(order, i));
-    });
+  void addHarmonic(const std::string& id, const SharedCarrier& carrier, const Harmonics& harmonics,
+                   int order) {
+    MatrixXd functions(carrier->cells(), 2);
+    functions << harmonics.cosines.col(order), harmonics.sines.col(order);
+    add(id, carrier, functions);
   }
 
-  /// Cosines of 1 to `count` half waves over 0…1, the shorter the weaker.
-  void addSmooth(const std::string& id, const VectorXd& carrier, const VectorXd& where, int count) {
-    addFunctions(id, carrier, count, [&](Index i) { return smooth(where[i], count); });
-  }
-
-  /// `count` functions of the reading, each with weights of its own for the two circles.
-  template <typename Functions>
-  void addOrientation(const std::string& id, const VectorXd& horizontal, const VectorXd& vertical,
-                      Index count, const Functions& functions) {
-    SparseColumns columns(2 * count);
-    for (Index i = 0; i < horizontal.size(); ++i) {
-      if (horizontal[i] != 0) columns.add(i, 0, horizontal[i] * functions(i));
-      if (vertical[i] != 0) columns.add(i, count, vertical[i] * functions(i));
-    }
-    add(id, std::move(columns));
+  /// Functions with weights of their own for the two circles.
+  void addOrientation(const std::string& id, const SharedCarrier& horizontal, const SharedCarrier& vertical,
+                      const MatrixXd& functions) {
+    add(id, Pattern{{{horizontal, functions}, {vertical, functions}}});
   }
 
   std::vector<Component> take(double odds) {
@@ -136,25 +159,16 @@ class ShapeMaker {
 
  private:
   static constexpr std::size_t mostGroups = 80;
-  const Leftover& m_leftover;
   std::vector<Component> m_components;
 
-  template <typename Functions>
-  void addFunctions(const std::string& id, const VectorXd& carrier, Index count, const Functions& functions) {
-    SparseColumns columns(count);
-    for (Index i = 0; i < carrier.size(); ++i)
-      if (carrier[i] != 0) columns.add(i, 0, carrier[i] * functions(i));
-    add(id, std::move(columns));
-  }
-
-  /// Scaled so that a weight of 1 moves the readings it moves by 1σ in the mean.
-  void add(const std::string& id, SparseColumns columns) {
-    if (columns.runs() == 0) return;
-    columns.scale(std::sqrt(static_cast<double>(columns.runs()) / columns.squaredNorm()));
-    MatrixXd gram = m_leftover.visibleGram(columns);
+  void add(const std::string& id, Pattern pattern) {
+    std::erase_if(pattern.parts, [](const Pattern::Part& part) { return part.carrier->moved() == 0; });
+    if (pattern.parts.empty()) return;
+    pattern.normalise();
+    MatrixXd gram = pattern.visibleGram();
     if (gram.trace() < invisible * invisible) return;
     m_components.push_back(
-        {.kind = Component::Kind::Shape, .id = id, .pattern = std::move(columns), .gram = std::move(gram)});
+        {.kind = Component::Kind::Shape, .id = id, .pattern = std::move(pattern), .gram = std::move(gram)});
   }
 };
 
@@ -168,48 +182,53 @@ VectorXd toUnit(const VectorXd& values) {
 std::vector<Component> shapeComponents(const Leftover& leftover, const Measurement& measurement,
                                        const JointFit& fit, const std::vector<std::string>& leftOut,
                                        const PriorOdds& odds) {
-  const Surroundings all = surroundingsOf(leftover, measurement, fit);
-  ShapeMaker maker(leftover);
+  const Surroundings all(leftover, measurement, fit);
+  const SharedCarrier radial = all.alongGuideway(leftover.column(Unknown::Kind::Radius)),
+                      offPlane = all.alongGuideway(leftover.column(ErrorTerm::PlaneOffset)),
+                      slider = all.alongGuideway(leftover.column(Unknown::Kind::SliderZero));
+  const VectorXd ofHorizontal = leftover.column(ErrorTerm::HorizontalJump),
+                 ofVertical = leftover.column(ErrorTerm::VerticalJump);
+  const SharedCarrier horizontal = all.ofInstrument(ofHorizontal), vertical = all.ofInstrument(ofVertical);
+  ShapeMaker maker;
   const Harmonics harmonics = harmonicsOf(all.s, 12);
   const auto left = [&](const char* id) { return std::ranges::find(leftOut, id) != leftOut.end(); };
   for (int order = 2; order <= 12; ++order)
     if (order > 3 || left(order == 2 ? "arc_ellipticity" : "arc_lobing"))
-      maker.addHarmonic("radius along the guideway", all.radial, harmonics, order);
+      maker.addHarmonic("radius along the guideway", radial, harmonics, order);
   for (int order = 1; order <= 8; ++order)
     if (order != 2 || left("plane_warp"))
-      maker.addHarmonic("guideway out of its plane", all.offPlane, harmonics, order);
+      maker.addHarmonic("guideway out of its plane", offPlane, harmonics, order);
   for (int order = 2; order <= 8; ++order)
-    maker.addHarmonic("slider readings along the scale", all.slider, harmonics, order);
-  const auto point = [&](Index i) { return all.place[static_cast<std::size_t>(i)].second; };
-  maker.addGroups("radius from place to place, turning with the guideway", all.radial, point);
-  maker.addGroups("guideway out of its plane from place to place", all.offPlane, point);
-  maker.addGroups("slider readings from place to place", all.slider, point);
-  const auto place = [&](Index i) { return all.place[static_cast<std::size_t>(i)]; };
-  maker.addGroups("radius from place to place in each position", all.radial, place);
-  maker.addSmooth("horizontal orientation with time", all.horizontal, all.elapsed, 10);
-  maker.addSmooth("vertical orientation with time", all.vertical, all.elapsed, 10);
-  constexpr int waves = 10;
-  maker.addOrientation("orientation with time", all.horizontal, all.vertical, waves,
-                       [&](Index i) { return smooth(all.elapsed[i], waves); });
-  maker.addOrientation("orientation settling with time", all.horizontal, all.vertical, 3,
-                       [&](Index i) { return settling(all.elapsed[i]); });
-  maker.addSmooth("distance with time", all.towards, all.elapsed, 4);
-  maker.addSmooth("slider readings along the scale", all.slider, toUnit(all.s), 6);
-  const VectorXd alpha = toUnit(all.a), epsilon = toUnit(all.e);
-  maker.addSmooth("horizontal readings with azimuth", all.horizontal, alpha, 6);
-  maker.addSmooth("vertical readings with elevation", all.vertical, epsilon, 6);
-  maker.addSmooth("horizontal readings with elevation", all.horizontal, epsilon, 6);
-  maker.addSmooth("vertical readings with azimuth", all.vertical, alpha, 6);
-  const VectorXd oddHorizontal = all.horizontal.cwiseProduct(all.side),
-                 oddVertical = all.vertical.cwiseProduct(all.side);
-  maker.addSmooth("difference of the faces, horizontal", oddHorizontal, epsilon, 6);
-  maker.addSmooth("difference of the faces, vertical", oddVertical, epsilon, 6);
+    maker.addHarmonic("slider readings along the scale", slider, harmonics, order);
+  const auto point = [&](Index i) { return all.rowOf(i).point; };
+  maker.addGroups("radius from place to place, turning with the guideway", radial, all.visits, point);
+  maker.addGroups("guideway out of its plane from place to place", offPlane, all.visits, point);
+  maker.addGroups("slider readings from place to place", slider, all.visits, point);
+  const auto place = [&](Index i) { return std::pair(all.at(i).arc, all.rowOf(i).point); };
+  maker.addGroups("radius from place to place in each position", radial, all.visits, place);
+  const MatrixXd waves = smooth(all.elapsed, 10);
+  maker.add("horizontal orientation with time", horizontal, waves);
+  maker.add("vertical orientation with time", vertical, waves);
+  maker.addOrientation("orientation with time", horizontal, vertical, waves);
+  maker.addOrientation("orientation settling with time", horizontal, vertical, settling(all.elapsed));
+  // The target nearer, whichever way the guideway is turned.
+  const auto isTurned = [&](Index i) { return all.arcOf(i).axisDeg != 0; };
+  maker.add("distance with time", all.ofInstrument(leftover.column(ErrorTerm::PlaneOffset), isTurned),
+            waves.leftCols(4));
+  maker.add("slider readings along the scale", slider, smooth(toUnit(all.s), 6));
+  const MatrixXd alongAzimuth = smooth(toUnit(all.a), 6), alongElevation = smooth(toUnit(all.e), 6);
+  maker.add("horizontal readings with azimuth", horizontal, alongAzimuth);
+  maker.add("vertical readings with elevation", vertical, alongElevation);
+  maker.add("horizontal readings with elevation", horizontal, alongElevation);
+  maker.add("vertical readings with azimuth", vertical, alongAzimuth);
+  const auto isFace2 = [&](Index i) { return all.rowOf(i).face != 1; };
+  maker.add("difference of the faces, horizontal", all.ofInstrument(ofHorizontal, isFace2), alongElevation);
+  maker.add("difference of the faces, vertical", all.ofInstrument(ofVertical, isFace2), alongElevation);
   const auto block = [&](Index i) {
-    const auto k = static_cast<std::size_t>(i);
-    return std::tuple(all.arc[k], all.round[k], all.face[k]);
+    return std::tuple(all.at(i).arc, all.rowOf(i).round, all.rowOf(i).face);
   };
-  maker.addGroups("horizontal orientation from round to round", all.horizontal, block);
-  maker.addGroups("vertical orientation from round to round", all.vertical, block);
+  maker.addGroups("horizontal orientation from round to round", horizontal, all.rows, block);
+  maker.addGroups("vertical orientation from round to round", vertical, all.rows, block);
   return maker.take(odds.shape);
 }
 

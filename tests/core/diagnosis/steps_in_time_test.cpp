@@ -1,11 +1,10 @@
-#include "core/diagnosis/leftover.h"
+#include "core/diagnosis/steps_in_time.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "core/adjustment/session_fit.h"
-#include "core/diagnosis/steps_in_time.h"
 #include "tests/support/trials.h"
 
 namespace alidade {
@@ -24,25 +23,6 @@ const Leftover& leftover() {
 
 double greatest(const MatrixXd& matrix) {
   return matrix.cwiseAbs().maxCoeff();
-}
-
-TEST(Leftover, KnowsTheGramMatrixOfSparseColumns) {
-  SparseColumns sparse(5);
-  MatrixXd dense = MatrixXd::Zero(leftover().readings(), 5);
-  for (Index i = 0; i < leftover().readings(); ++i) {
-    if (i % 3 == 1) continue;
-    const Index first = i % 4, length = first == 0 ? 5 : 1;
-    const Eigen::RowVectorXd values = Eigen::RowVectorXd::LinSpaced(length, 1, std::cos(double(i)));
-    sparse.add(i, first, values);
-    dense.row(i).segment(first, length) = values;
-  }
-  const MatrixXd visible = leftover().visible(dense);
-  const MatrixXd gram = visible.transpose() * visible;
-  EXPECT_LT(greatest(leftover().visibleGram(sparse) - gram), 1e-11 * greatest(gram));
-  const VectorXd any = leftover().observed().head(leftover().readings());
-  EXPECT_LT(greatest(sparse.transposeTimes(any) - dense.transpose() * any), 1e-10);
-  const VectorXd weights = VectorXd::LinSpaced(5, -1, 2);
-  EXPECT_LT(greatest(sparse.times(weights, dense.rows()) - dense * weights), 1e-12);
 }
 
 TEST(StepsInTime, AreTheSumsOverEveryReadingFromTheMomentOn) {

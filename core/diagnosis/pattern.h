@@ -1,0 +1,62 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <vector>
+
+#include "core/diagnosis/leftover.h"
+
+namespace alidade {
+
+// Patterns that readings may follow, for the .cpp files of this room only: functions of something that
+// several readings have in common, the place of the slider or the moment, times what one unit does to each
+// reading. Readings with the same value of the functions are a cell; all sums are taken cell by cell.
+
+/// What one unit does to each reading, and which readings share a cell.
+class Carrier {
+ public:
+  /// `cells`: of each reading, numbered from 0 in the order of the readings; a cell lies within a visit.
+  Carrier(const Leftover& leftover, Eigen::VectorXd values, std::vector<Eigen::Index> cells);
+
+  Eigen::Index cells() const { return m_squares.size(); }
+  /// How many readings it moves.
+  Eigen::Index moved() const { return (m_values.array() != 0).count(); }
+  /// Of each cell: the sum of its squared values.
+  const Eigen::VectorXd& squares() const { return m_squares; }
+  /// Of each cell: the sum of values times a vector over the readings.
+  Eigen::VectorXd gathered(const Eigen::VectorXd& overReadings) const;
+  /// Values times what is given for each cell, over the readings.
+  Eigen::VectorXd spread(const Eigen::VectorXd& overCells) const;
+  /// Functions (cells × functions) summed over each visit, as far as they lie along its arc angle.
+  Eigen::MatrixXd alongVisits(const Eigen::MatrixXd& functions) const;
+  /// Inner products of functions with what the fit takes up: functions × unknowns.
+  Eigen::MatrixXd taken(const Eigen::MatrixXd& functions) const;
+  /// Of each cell: the sum of the values of both. They have the same cells.
+  Eigen::VectorXd productsWith(const Carrier& other) const;
+
+ private:
+  Eigen::VectorXd m_values;
+  std::vector<Eigen::Index> m_cells, m_visits;  ///< of each reading, of each cell
+  Eigen::Index m_visitCount;
+  Eigen::VectorXd m_squares, m_along;
+  Eigen::MatrixXd m_taken;  ///< cells × unknowns
+};
+
+/// Columns over the readings: the functions of every part, side by side.
+struct Pattern {
+  struct Part {
+    std::shared_ptr<const Carrier> carrier;
+    Eigen::MatrixXd functions;  ///< cells × functions
+  };
+  std::vector<Part> parts;
+
+  Eigen::Index columns() const;
+  /// Columns times weights, over the readings.
+  Eigen::VectorXd times(const Eigen::VectorXd& weights) const;
+  /// Scaled so that a weight of 1 moves the readings it moves by 1σ in the mean.
+  void normalise();
+  /// The inner products of the visible parts of the columns with one another.
+  Eigen::MatrixXd visibleGram() const;
+};
+
+}  // namespace alidade

@@ -1,0 +1,89 @@
+#include "core/diagnosis/pattern.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/adjustment/session_fit.h"
+#include "tests/support/trials.h"
+
+namespace alidade {
+namespace {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+/// Two faces, two rounds, slider readings.
+const Leftover& leftover() {
+  static const Leftover instance = [] {
+    const Measurement measurement = test::trialMeasurement("full");
+    return Leftover({linearise(measurement, fitSession(measurement).joint)});
+  }();
+  return instance;
+}
+
+double greatest(const MatrixXd& matrix) {
+  return matrix.cwiseAbs().maxCoeff();
+}
+
+/// A cell for each row of the session, and for each slider reading.
+std::vector<Index> rowByRow() {
+  std::vector<Index> cells{0};
+  for (Index i = 1; i < leftover().readings(); ++i)
+    cells.push_back(cells.back() + (leftover().reading(i).sighting == leftover().reading(i - 1).sighting &&
+                                            leftover().reading(i).visit == leftover().reading(i - 1).visit
+                                        ? 0
+                                        : 1));
+  return cells;
+}
+
+std::shared_ptr<const Carrier> carrierOf(ErrorTerm term) {
+  return std::make_shared<Carrier>(leftover(), leftover().column(term), rowByRow());
+}
+
+/// Every function written out over the readings.
+MatrixXd dense(const Pattern& pattern, const std::vector<VectorXd>& carriers) {
+  const std::vector<Index> cells = rowByRow();
+  MatrixXd columns(leftover().readings(), 0);
+  for (std::size_t p = 0; p < carriers.size(); ++p)
+    for (Index f = 0; f < pattern.parts[p].functions.cols(); ++f) {
+      columns.conservativeResize(Eigen::NoChange, columns.cols() + 1);
+      for (Index i = 0; i < columns.rows(); ++i)
+        columns(i, columns.cols() - 1) =
+            carriers[p][i] * pattern.parts[p].functions(cells[static_cast<std::size_t>(i)], f);
+    }
+  return columns;
+}
+
+MatrixXd someFunctions(Index cells, Index count) {
+  return MatrixXd::NullaryExpr(cells, count, [](Index cell, Index f) {
+    return std::cos(0.37 * static_cast<double>(cell) * static_cast<double>(f + 1));
+  });
+}
+
+TEST(Pattern, IsKnownCellByCellAsOverTheReadings) {
+  const auto radial = carrierOf(ErrorTerm::EllipticityCosine), sag = carrierOf(ErrorTerm::GravitySag);
+  const Pattern pattern{{{radial, someFunctions(radial->cells(), 2)}, {sag, someFunctions(sag->cells(), 6)}}};
+  const MatrixXd columns = dense(
+      pattern, {leftover().column(ErrorTerm::EllipticityCosine), leftover().column(ErrorTerm::GravitySag)});
+  ASSERT_EQ(pattern.columns(), columns.cols());
+  const MatrixXd visible = leftover().visible(columns), gram = visible.transpose() * visible;
+  EXPECT_LT(greatest(pattern.visibleGram() - gram), 1e-12 * columns.squaredNorm());
+  const VectorXd weights = VectorXd::LinSpaced(columns.cols(), -1, 2);
+  EXPECT_LT(greatest(pattern.times(weights) - columns * weights), 1e-12 * columns.norm());
+  const VectorXd any = leftover().observed().head(leftover().readings());
+  EXPECT_LT(greatest(pattern.parts[1].functions.transpose() * sag->gathered(any) -
+                     columns.rightCols(6).transpose() * any),
+            1e-12 * columns.norm() * any.norm());
+}
+
+TEST(Pattern, MovesReadingsByOneSigmaInTheMean) {
+  const auto sag = carrierOf(ErrorTerm::GravitySag);
+  Pattern pattern{{{sag, someFunctions(sag->cells(), 3)}}};
+  pattern.normalise();
+  const MatrixXd columns = dense(pattern, {leftover().column(ErrorTerm::GravitySag)});
+  const auto moved = static_cast<double>((columns.col(0).array() != 0).count());
+  EXPECT_NEAR(columns.squaredNorm(), moved, 1e-9);
+}
+
+}  // namespace
+}  // namespace alidade
