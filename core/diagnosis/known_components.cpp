@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "core/diagnosis/steps_in_time.h"
@@ -57,13 +58,35 @@ void bendPlaneTilt(std::vector<Component>& components, const Leftover& leftover,
   tilt->curvature = leftover.visible(second);
 }
 
+namespace {
+
+/// Before every row but the first. A step that parts a row alone in its visit from the rest of its position,
+/// as its last or its first, is left out: all that could be seen of it is the one condition between the two
+/// circles of that row, and that is what a misreading of the row leaves.
+std::vector<std::size_t> tellingMoments(const Leftover& leftover) {
+  std::map<std::size_t, std::set<std::size_t>> rowsOfArc;
+  std::set<std::size_t> rows, alone;
+  for (const std::vector<Index>& visit : leftover.visits())
+    for (const Index i : visit) {
+      const LinearReading& reading = leftover.reading(i);
+      rows.insert(reading.sequence);
+      rowsOfArc[reading.arc].insert(reading.sequence);
+      if (visit.size() == 2) alone.insert(reading.sequence);
+    }
+  if (!rows.empty()) rows.erase(rows.begin());
+  for (const auto& [arc, own] : rowsOfArc) {
+    const std::size_t first = *own.begin(), last = *own.rbegin();
+    if (alone.contains(last)) rows.erase(last);
+    if (own.size() > 1 && alone.contains(first)) rows.erase(*std::next(own.begin()));
+  }
+  return {rows.begin(), rows.end()};
+}
+
+}  // namespace
+
 std::vector<Component> jumpComponents(const Leftover& leftover, const PriorOdds& odds) {
   constexpr std::size_t mostMoments = 400;
-  std::set<std::size_t> rows;
-  for (Index i = 0; i < leftover.readings(); ++i) rows.insert(leftover.reading(i).sequence);
-  std::vector<std::size_t> moments(rows.begin(), rows.end());
-  if (moments.size() < 3) return {};
-  moments.erase(moments.begin());  // before the first row there is no step
+  const std::vector<std::size_t> moments = tellingMoments(leftover);
   const std::size_t stride = moments.size() / mostMoments + 1;
   std::vector<Component> components;
   for (std::size_t m = 0; m < moments.size(); m += stride)
