@@ -15,15 +15,18 @@ namespace alidade {
 
 inline constexpr auto firstGuidewayTerm = static_cast<std::size_t>(ErrorTerm::PlaneTiltX);
 
-template <bool withErrors>
+/// Which error terms take part.
+enum class ArcTerms { None, OfGuideway, All };
+
+template <ArcTerms which>
 struct ArcJets {
   /// x, y, R, zero of the slider, L, φ, then the terms from `firstGuidewayTerm` on.
   static constexpr int xSlot = 0, ySlot = 1, radiusSlot = 2, sliderSlot = 3, farSlot = 4, angleSlot = 5,
                        guidewayTermSlot = 6;
   /// The target's x, y, z, then the terms before `firstGuidewayTerm`. Even sizes are quicker.
   static constexpr int instrumentTermSlot = 3;
-  using GuidewayJet = Eigen::AutoDiffScalar<Eigen::Vector<double, withErrors ? 20 : 6>>;
-  using InstrumentJet = Eigen::AutoDiffScalar<Eigen::Vector<double, withErrors ? 18 : 4>>;
+  using GuidewayJet = Eigen::AutoDiffScalar<Eigen::Vector<double, which == ArcTerms::None ? 6 : 20>>;
+  using InstrumentJet = Eigen::AutoDiffScalar<Eigen::Vector<double, which == ArcTerms::All ? 18 : 4>>;
 
   ErrorTerms<GuidewayJet> guidewayErrors{constant<GuidewayJet>(0)};
   ErrorTerms<InstrumentJet> instrumentErrors{constant<InstrumentJet>(0)};

@@ -218,14 +218,24 @@ bool JointProblem::takesPart(std::size_t arc, std::size_t sighting, ReadingKind 
   return std::ranges::find(m_without, ReadingRef{arc, sighting, kind}) == m_without.end();
 }
 
+/// Jets no longer than the terms need; a perfect instrument is differentiated by its target alone.
+template <typename Function>
+auto JointProblem::withJets(const Function& function) const {
+  const auto isOfGuideway = [](const EstimatedTerm& term) {
+    return static_cast<std::size_t>(term.term) >= firstGuidewayTerm;
+  };
+  if (m_terms.empty()) return function(ArcJets<ArcTerms::None>());
+  if (std::ranges::all_of(m_terms, isOfGuideway)) return function(ArcJets<ArcTerms::OfGuideway>());
+  return function(ArcJets<ArcTerms::All>());
+}
+
 VisitEquations JointProblem::equationsOf(const JointState& state, std::size_t visit) const {
   const std::size_t arc = m_visits[visit].arc;
-  return m_terms.empty() ? equationsWith(jetsOf<ArcJets<false>>(state, arc), state, visit)
-                         : equationsWith(jetsOf<ArcJets<true>>(state, arc), state, visit);
+  return withJets([&](auto jets) { return equationsWith(jetsOf<decltype(jets)>(state, arc), state, visit); });
 }
 
 std::vector<VisitEquations> JointProblem::equationsOf(const JointState& state) const {
-  return m_terms.empty() ? equationsWith<ArcJets<false>>(state) : equationsWith<ArcJets<true>>(state);
+  return withJets([&](auto jets) { return equationsWith<decltype(jets)>(state); });
 }
 
 template <typename Jets>

@@ -111,6 +111,8 @@ class JointProblem {
   void estimate(const Unknown& unknown, const Prior& prior);
   void consider(const Unknown& unknown, double sigma);
   void buildSlotMaps();
+  template <typename Function>
+  auto withJets(const Function& function) const;
   template <typename Jets>
   Jets jetsOf(const JointState& state, std::size_t arc) const;
   template <typename Jets>

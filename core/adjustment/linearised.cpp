@@ -12,13 +12,11 @@ namespace {
 
 using Eigen::Index;
 
-/// Every term of the model: those of the fit as it found them, all others at zero.
-JointFitOptions withEveryTerm(JointFitOptions options) {
-  for (std::size_t t = 0; t < errorTermCount; ++t) {
-    const auto term = static_cast<ErrorTerm>(t);
+/// The terms of the fit as it found them, the others at zero.
+JointFitOptions withTerms(JointFitOptions options, const std::vector<ErrorTerm>& terms) {
+  for (const ErrorTerm term : terms)
     if (std::ranges::find(options.terms, term, &EstimatedTerm::term) == options.terms.end())
       options.terms.push_back({term, std::numeric_limits<double>::infinity()});
-  }
   if (!options.jumpBefore) options.jumpBefore = 0;
   return options;
 }
@@ -90,17 +88,27 @@ Linearised linearisedAt(const Measurement& measurement, const JointProblem& prob
 
 }  // namespace
 
-Linearised linearise(const Measurement& measurement, const JointFit& fit, const JointFitOptions& options) {
-  const JointFitOptions everyTerm = withEveryTerm(options);
-  const JointProblem problem(measurement, everyTerm);
-  return linearisedAt(measurement, problem, problem.stateOf(fit), everyTerm.terms);
+const std::vector<ErrorTerm>& everyTerm() {
+  static const std::vector<ErrorTerm> all = [] {
+    std::vector<ErrorTerm> terms;
+    for (std::size_t t = 0; t < errorTermCount; ++t) terms.push_back(static_cast<ErrorTerm>(t));
+    return terms;
+  }();
+  return all;
+}
+
+Linearised linearise(const Measurement& measurement, const JointFit& fit, const JointFitOptions& options,
+                     const std::vector<ErrorTerm>& terms) {
+  const JointFitOptions withAll = withTerms(options, terms);
+  const JointProblem problem(measurement, withAll);
+  return linearisedAt(measurement, problem, problem.stateOf(fit), withAll.terms);
 }
 
 Linearised linearise(const Measurement& measurement, const std::vector<Circle>& circles,
-                     const JointFitOptions& options) {
-  const JointFitOptions everyTerm = withEveryTerm(options);
-  const JointProblem problem(measurement, everyTerm);
-  return linearisedAt(measurement, problem, problem.start(circles), everyTerm.terms);
+                     const JointFitOptions& options, const std::vector<ErrorTerm>& terms) {
+  const JointFitOptions withAll = withTerms(options, terms);
+  const JointProblem problem(measurement, withAll);
+  return linearisedAt(measurement, problem, problem.start(circles), withAll.terms);
 }
 
 }  // namespace alidade

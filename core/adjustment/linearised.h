@@ -51,12 +51,16 @@ struct Linearised {
   }
 };
 
-/// `fit` is what `fitJointly` made of `measurement` with `options`.
-Linearised linearise(const Measurement& measurement, const JointFit& fit,
-                     const JointFitOptions& options = {});
+/// The terms there are, in their order.
+const std::vector<ErrorTerm>& everyTerm();
+
+/// `fit` is what `fitJointly` made of `measurement` with `options`. Derivatives by terms that are neither in
+/// the fit nor among `terms` are left zero.
+Linearised linearise(const Measurement& measurement, const JointFit& fit, const JointFitOptions& options = {},
+                     const std::vector<ErrorTerm>& terms = everyTerm());
 
 /// Where no fit is needed, since the readings lie on these circles, one for each arc: planned ones, say.
 Linearised linearise(const Measurement& measurement, const std::vector<Circle>& circles,
-                     const JointFitOptions& options = {});
+                     const JointFitOptions& options = {}, const std::vector<ErrorTerm>& terms = everyTerm());
 
 }  // namespace alidade

@@ -53,29 +53,73 @@ std::optional<Advice> revealing(const std::vector<Danger>& unseen, const std::st
   return advice;
 }
 
-/// The session's own equations serve where it was fitted without effects and with all its readings.
-VisibleTerms termsOfSession(const Inquiry& inquiry, const Measurement& plan) {
-  const JointFitOptions& options = inquiry.base.options;
-  return visibleTerms(options.terms.empty() && options.without.empty() ? inquiry.leftover.sets().front()
-                                                                       : linearisedPlan(inquiry.base, plan));
+/// The effects that the advice is about: the cause and its look-alikes, or else what could not be seen.
+std::vector<const Effect*> effectsAt(const Cause* unclear, const std::vector<Danger>& unseen) {
+  std::vector<const Effect*> effects;
+  const auto add = [&](const std::string& id) {
+    if (const Effect* effect = effectById(id)) effects.push_back(effect);
+  };
+  if (unclear) {
+    add(unclear->effect);
+    for (const std::string& id : unclear->indistinguishableFrom) add(id);
+  } else {
+    for (const Danger& danger : unseen) add(danger.effect);
+  }
+  return effects;
 }
+
+/// What plans of readings would show of the terms of some effects, and of those of the model.
+class Planner {
+ public:
+  Planner(const Inquiry& inquiry, const std::vector<const Effect*>& effects) : m_inquiry(inquiry) {
+    const auto add = [&](ErrorTerm term) {
+      if (std::ranges::find(m_terms, term) == m_terms.end()) m_terms.push_back(term);
+    };
+    for (const Effect* effect : effects)
+      for (const EffectParameter& parameter : effect->parameters) add(parameter.term);
+    for (const EstimatedTerm& term : inquiry.base.options.terms) add(term.term);
+  }
+
+  VisibleTerms shownBy(const FurtherReadings& plan) {
+    VisibleTerms terms = ofSet(plan.sets.back());
+    if (plan.besideSession) {
+      if (!m_ofSession) m_ofSession = ofSession(plan.sets.front());
+      terms = terms + *m_ofSession;
+    }
+    return withEstimated(std::move(terms), m_inquiry.base.options.terms);
+  }
+
+ private:
+  const Inquiry& m_inquiry;
+  std::vector<ErrorTerm> m_terms;
+  std::optional<VisibleTerms> m_ofSession;
+
+  VisibleTerms ofSet(const Measurement& set) const {
+    return visibleTerms(linearisedPlan(m_inquiry.base, set, m_terms), m_terms);
+  }
+  /// The session's own equations serve where it was fitted without effects and with all its readings.
+  VisibleTerms ofSession(const Measurement& plan) const {
+    const JointFitOptions& options = m_inquiry.base.options;
+    if (!options.terms.empty() || !options.without.empty()) return ofSet(plan);
+    return visibleTerms(m_inquiry.leftover.sets().front(), m_terms);
+  }
+};
 
 }  // namespace
 
 std::vector<Advice> adviceFor(const Inquiry& inquiry, const std::vector<Cause>& causes,
                               const std::vector<Danger>& unseen) {
-  const auto unclear =
+  const auto found =
       std::ranges::find_if(causes, [](const Cause& cause) { return !cause.indistinguishableFrom.empty(); });
-  if (unclear == causes.end() && unseen.empty()) return {};
+  const Cause* unclear = found == causes.end() ? nullptr : &*found;
+  const std::vector<const Effect*> effects = effectsAt(unclear, unseen);
+  if (effects.empty()) return {};
   std::vector<Advice> list;
-  std::optional<VisibleTerms> ofSession;
+  Planner planner(inquiry, effects);
   for (const FurtherReadings& plan : furtherReadings(inquiry.base)) {
-    if (plan.besideSession && !ofSession) ofSession = termsOfSession(inquiry, plan.sets.front());
-    VisibleTerms terms = visibleTerms(linearisedPlan(inquiry.base, plan.sets.back()));
-    if (plan.besideSession) terms = terms + *ofSession;
-    terms = withEstimated(std::move(terms), inquiry.base.options.terms);
-    const std::optional<Advice> advice = unclear != causes.end() ? separating(*unclear, plan.measure, terms)
-                                                                 : revealing(unseen, plan.measure, terms);
+    const VisibleTerms terms = planner.shownBy(plan);
+    const std::optional<Advice> advice =
+        unclear ? separating(*unclear, plan.measure, terms) : revealing(unseen, plan.measure, terms);
     if (advice) list.push_back(*advice);
   }
   std::ranges::sort(list, [](const Advice& a, const Advice& b) {

@@ -38,6 +38,7 @@ ColumnTable::ColumnTable(const Leftover& leftover, const std::vector<Component>&
   m_size += leftover.readings();
   m_squares.resize(m_size);
   m_turns.resize(candidates.size());
+  m_carriersOf.resize(candidates.size());
   m_effects.resize(leftover.rows(), ofEffects);
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     turn(i);
@@ -80,17 +81,10 @@ void ColumnTable::addEffect(std::size_t component) {
 }
 
 void ColumnTable::addPattern(std::size_t component) {
-  Index row = 0;
   for (const Pattern::Part& part : m_candidates[component].pattern.parts) {
     const auto known = std::ranges::find(m_carriers, part.carrier);
-    const auto carrier = static_cast<std::size_t>(known - m_carriers.begin());
+    m_carriersOf[component].push_back(static_cast<std::size_t>(known - m_carriers.begin()));
     if (known == m_carriers.end()) m_carriers.push_back(part.carrier);
-    const Index own = part.functions.cols();
-    const MatrixXd& turn = m_turns[component];
-    m_patterns.push_back(
-        {first(component), carrier,
-         turn.size() > 0 ? MatrixXd(part.functions * turn.middleRows(row, own)) : part.functions});
-    row += own;
   }
 }
 
@@ -121,9 +115,17 @@ VectorXd ColumnTable::products(const VectorXd& visible) const {
           m_turns[i].topLeftCorner<2, 2>().transpose().lazyProduct(steps.col(step++));
   std::vector<VectorXd> ofCells;
   for (const auto& carrier : m_carriers) ofCells.push_back(carrier->gathered(readings));
-  for (const PatternPart& part : m_patterns)
-    all.segment(part.first, part.functions.cols()).noalias() +=
-        part.functions.transpose() * ofCells[part.carrier];
+  for (std::size_t i = 0; i < m_candidates.size(); ++i) {
+    if (m_candidates[i].kind != Component::Kind::Shape) continue;
+    auto own = all.segment(first(i), count(i));
+    Index row = 0;
+    for (std::size_t p = 0; p < m_carriersOf[i].size(); ++p) {
+      const MatrixXd& functions = m_candidates[i].pattern.parts[p].functions;
+      own.segment(row, functions.cols()).noalias() = functions.transpose() * ofCells[m_carriersOf[i][p]];
+      row += functions.cols();
+    }
+    if (m_turns[i].size() > 0) own = m_turns[i].transpose() * own;
+  }
   all.tail(m_leftover.readings()) = readings;
   return all;
 }

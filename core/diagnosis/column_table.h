@@ -33,12 +33,6 @@ class ColumnTable {
   Eigen::VectorXd weights(std::size_t component, const Eigen::VectorXd& turned) const;
 
  private:
-  struct PatternPart {
-    Eigen::Index first;         ///< column
-    std::size_t carrier;        ///< index into m_carriers
-    Eigen::MatrixXd functions;  ///< cells × columns of the component, turned
-  };
-
   const Leftover& m_leftover;
   const std::vector<Component>& m_candidates;
   std::vector<Eigen::Index> m_first;     ///< of each candidate, and of the readings
@@ -47,8 +41,8 @@ class ColumnTable {
   Eigen::VectorXd m_squares;
   Eigen::MatrixXd m_effects;   ///< columns of all effects, turned: the first of the table
   Eigen::MatrixXd m_bentGram;  ///< of the one component that bends
-  std::vector<std::shared_ptr<const Carrier>> m_carriers;
-  std::vector<PatternPart> m_patterns;
+  std::vector<std::shared_ptr<const Carrier>> m_carriers;  ///< of the patterns, each once
+  std::vector<std::vector<std::size_t>> m_carriersOf;      ///< of each part of each candidate's pattern
   StepsInTime m_steps;
 
   void addEffect(std::size_t component);

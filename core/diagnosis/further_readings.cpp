@@ -146,14 +146,15 @@ std::vector<FurtherReadings> furtherReadings(const GapModel& model) {
   return plans;
 }
 
-Linearised linearisedPlan(const GapModel& model, const Measurement& set) {
+Linearised linearisedPlan(const GapModel& model, const Measurement& set,
+                          const std::vector<ErrorTerm>& terms) {
   std::vector<Circle> circles;
   for (std::size_t arc = 0; arc < model.measurement.arcs.size(); ++arc)
     circles.push_back(model.fit.circleOf(arc));
   JointFitOptions options;
   options.terms = model.options.terms;
   for (EstimatedTerm& term : options.terms) term.start = 0;
-  return linearise(set, circles, options);
+  return linearise(set, circles, options, terms);
 }
 
 Leftover leftoverWith(const GapModel& model, const FurtherReadings& plan) {

@@ -23,8 +23,10 @@ Measurement readWithoutError(const GapModel& model);
 /// more of the arc read along; what it has already is not offered.
 std::vector<FurtherReadings> furtherReadings(const GapModel& model);
 
-/// The equations of a set as planned; effects of the model are not there, but estimated along.
-Linearised linearisedPlan(const GapModel& model, const Measurement& set);
+/// The equations of a set as planned; effects of the model are not there, but estimated along. With
+/// derivatives by them and by `terms`.
+Linearised linearisedPlan(const GapModel& model, const Measurement& set,
+                          const std::vector<ErrorTerm>& terms = everyTerm());
 
 /// What a fit of them would leave over; effects of the model are estimated along.
 Leftover leftoverWith(const GapModel& model, const FurtherReadings& plan);

@@ -19,14 +19,18 @@ double logSum(double a, double b) {
 namespace {
 
 /// What was taken off before is a few columns: sums over what a component shares with them, row by row of a
-/// symmetric matrix, and its Cholesky factor.
+/// symmetric matrix, and its Cholesky factor. `Taken`: how many where it is known beforehand, which the
+/// compiler unrolls.
+template <int Taken>
 class SharedPart {
  public:
-  explicit SharedPart(Index taken)
-      : m_taken(taken), m_matrix(MatrixXd::Identity(taken, taken)), m_along(VectorXd::Zero(taken)) {}
+  explicit SharedPart(Index taken) : m_count(taken) {
+    m_matrix.setIdentity(taken, taken);
+    m_along.setZero(taken);
+  }
 
   void add(const double* shared, double inverse, double scaled) {
-    for (Index a = 0; a < m_taken; ++a) {
+    for (Index a = 0; a < taken(); ++a) {
       m_along[a] += shared[a] * scaled;
       for (Index b = 0; b <= a; ++b) m_matrix(a, b) -= inverse * shared[a] * shared[b];
     }
@@ -35,7 +39,7 @@ class SharedPart {
   /// Determinant of the matrix, and the sums' quadratic form with its inverse.
   std::pair<double, double> solve() {
     double determinant = 1, quadratic = 0;
-    for (Index a = 0; a < m_taken; ++a) {
+    for (Index a = 0; a < taken(); ++a) {
       for (Index b = 0; b <= a; ++b) {
         for (Index c = 0; c < b; ++c) m_matrix(a, b) -= m_matrix(a, c) * m_matrix(b, c);
         if (b < a) m_matrix(a, b) /= m_matrix(b, b);
@@ -50,10 +54,12 @@ class SharedPart {
   }
 
  private:
-  static constexpr int most = 16;  // on the stack: six misreadings, or three components of two columns
-  Index m_taken;
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most, most> m_matrix;
-  Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most, 1> m_along;
+  static constexpr int most =
+      Taken == Eigen::Dynamic ? 16 : Taken;  // six misreadings, or twice three columns
+  Index taken() const { return Taken == Eigen::Dynamic ? m_count : Taken; }
+  Index m_count;
+  Eigen::Matrix<double, Taken, Taken, Eigen::ColMajor, most, most> m_matrix;
+  Eigen::Matrix<double, Taken, 1, Eigen::ColMajor, most, 1> m_along;
 };
 
 /// |1 + w² G/v| and cᵀ (v/w² + G)⁻¹ c at one width; a part of the determinant's logarithm where it is large.
@@ -61,39 +67,54 @@ struct AtWidth {
   double determinant = 1, logMore = 0, quadratic = 0;
 };
 
+template <int Taken>
 AtWidth atWidth(double w2, const TurnedColumns& columns) {
-  const Index count = columns.squares.size(), taken = columns.shared.rows();
+  const Index count = columns.squares.size(), stride = columns.shared.outerStride();
+  const double *squares = columns.squares.data(), *right = columns.right.data(),
+               *shared = columns.shared.data(), narrow = 1 / w2;
   AtWidth at;
-  SharedPart part(taken);
+  SharedPart<Taken> part(columns.shared.rows());
   for (Index i = 0; i < count; ++i) {
-    const double square = std::max(columns.squares[i], 0.0), inverse = 1 / (1 / w2 + square);
+    const double square = std::max(squares[i], 0.0), inverse = 1 / (narrow + square);
     at.determinant *= 1 + w2 * square;
     if (at.determinant > 1e200) {
       at.logMore += std::log(at.determinant);
       at.determinant = 1;
     }
-    const double scaled = inverse * columns.right[i];
-    at.quadratic += scaled * columns.right[i];
-    if (taken > 0) part.add(columns.shared.data() + i * columns.shared.outerStride(), inverse, scaled);
+    const double scaled = inverse * right[i];
+    at.quadratic += scaled * right[i];
+    part.add(shared + i * stride, inverse, scaled);
   }
-  if (taken > 0) {
-    const auto [determinant, along] = part.solve();
-    at.determinant *= determinant;
-    at.quadratic += along;
+  const auto [determinant, along] = part.solve();
+  at.determinant *= determinant;
+  at.quadratic += along;
+  return at;
+}
+
+template <>
+AtWidth atWidth<0>(double w2, const TurnedColumns& columns) {
+  AtWidth at;
+  for (Index i = 0; i < columns.squares.size(); ++i) {
+    const double square = std::max(columns.squares[i], 0.0);
+    at.determinant *= 1 + w2 * square;
+    if (at.determinant > 1e200) {
+      at.logMore += std::log(at.determinant);
+      at.determinant = 1;
+    }
+    at.quadratic += columns.right[i] * columns.right[i] / (1 / w2 + square);
   }
   return at;
 }
 
-}  // namespace
-
-Gain gainOf(const std::vector<Width>& widths, const TurnedColumns& columns, double variance) {
-  // The sum over the widths of e^exponent/√determinant, counted from the largest exponent.
+/// The sum over the widths of e^exponent/√determinant, counted from the largest exponent.
+template <int Taken>
+Gain gainWith(const std::vector<Width>& widths, const TurnedColumns& columns, double variance) {
   constexpr std::size_t most = 8;
   assert(!widths.empty() && widths.size() <= most);
   std::array<double, most> exponents, factors;
   double highest = impossible;
   for (std::size_t i = 0; i < widths.size(); ++i) {
-    const AtWidth at = atWidth(widths[i].sigma * widths[i].sigma / variance, columns);
+    const AtWidth at = atWidth<Taken>(widths[i].sigma * widths[i].sigma / variance, columns);
     exponents[i] = widths[i].logChance + at.quadratic / (2 * variance) - at.logMore / 2;
     factors[i] = 1 / std::sqrt(at.determinant);
     highest = std::max(highest, exponents[i]);
@@ -110,6 +131,25 @@ Gain gainOf(const std::vector<Width>& widths, const TurnedColumns& columns, doub
   }
   gain.log = highest + std::log(sum);
   return gain;
+}
+
+}  // namespace
+
+Gain gainOf(const std::vector<Width>& widths, const TurnedColumns& columns, double variance) {
+  switch (columns.shared.rows()) {
+    case 0:
+      return gainWith<0>(widths, columns, variance);
+    case 1:
+      return gainWith<1>(widths, columns, variance);
+    case 2:
+      return gainWith<2>(widths, columns, variance);
+    case 3:
+      return gainWith<3>(widths, columns, variance);
+    case 4:
+      return gainWith<4>(widths, columns, variance);
+    default:
+      return gainWith<Eigen::Dynamic>(widths, columns, variance);
+  }
 }
 
 Gain gainOf(const std::vector<Width>& widths, const MatrixXd& gram, const VectorXd& right, double variance) {
@@ -131,19 +171,34 @@ class BentGrid {
       const auto [c] = quarticAt(y[i]);
       m_values.col(i) = c[0] + y * (c[1] + y * (c[2] + y * (c[3] + y * c[4])));
     }
+    m_highest = m_values.maxCoeff();
+    for (int i = 0; i < places; ++i) {
+      if (m_values.col(i).maxCoeff() > m_highest - lost)
+        m_evidence.col(i) = (m_values.col(i) - m_highest).exp();
+      else
+        m_evidence.col(i).setZero();
+    }
   }
 
   /// ln of the integral with weights normal of this width; `highest` and `at`: of the integrand.
   double integral(double width, double& highest, Vector2d& at) const {
     const double norm = -std::log(2 * M_PI * width * width);
-    const Places prior = allPlaces().square() / (-2 * width * width);
-    Grid logs = m_values.colwise() + prior;
-    logs.rowwise() += prior.transpose();
-    Index y = 0, x = 0;
-    const double most = logs.maxCoeff(&y, &x);
+    const Places& all = allPlaces();
+    const Places prior = all.square() / (-2 * width * width), factor = prior.exp();
+    double most = impossible;
+    for (int i = 0; i < places; ++i) {
+      const double ofColumn = (m_values.col(i) + prior).maxCoeff() + prior[i];
+      if (ofColumn <= most) continue;
+      most = ofColumn;
+      at[0] = all[i];
+    }
+    const auto column = static_cast<Index>(std::lround((at[0] + reach) / step));
+    Index y = 0;
+    (m_values.col(column) + prior).maxCoeff(&y);
+    at[1] = all[y];
     highest = most + norm;
-    at = {allPlaces()[x], allPlaces()[y]};
-    return highest + std::log((logs - most).exp().sum()) + 2 * std::log(step);
+    const double sum = factor.matrix().dot((m_evidence.matrix() * factor.matrix()).eval());
+    return norm + m_highest + std::log(sum) + 2 * std::log(step);
   }
 
   /// The highest place for weights of this width, from a place of the grid on.
@@ -167,12 +222,15 @@ class BentGrid {
 
  private:
   static constexpr double reach = 9, step = 0.4;
+  static constexpr double lost = 121;  // e⁻⁴⁰ of the highest, however much of that the narrowest prior takes
   static constexpr int places = static_cast<int>(2 * reach / step) + 1;
   using Places = Eigen::Array<double, places, 1>;
   using Grid = Eigen::Array<double, places, places>;
   Eigen::Matrix<double, 5, 5> m_gram;
   Eigen::Vector<double, 5> m_right;
-  Grid m_values;  ///< a column for each first weight
+  Grid m_values;    ///< of the logarithm, a column for each first weight
+  Grid m_evidence;  ///< counted from the highest
+  double m_highest;
 
   static const Places& allPlaces() {
     static const Places all = Places::LinSpaced(places, -reach, -reach + (places - 1) * step);

@@ -71,7 +71,8 @@ GapModel modelWith(const GapModel& base, const Explanation& explanation,
   return model;
 }
 
-Linearised linearisedAt(const GapModel& model, ErrorTerm term, double size) {
+Linearised linearisedAt(const GapModel& model, ErrorTerm term, double size,
+                        const std::vector<ErrorTerm>& terms) {
   JointFit shifted = model.fit;
   const Unknown unknown{.kind = Unknown::Kind::Error, .arc = 0, .term = term};
   const std::size_t index = shifted.indexOf(unknown);
@@ -81,7 +82,7 @@ Linearised linearisedAt(const GapModel& model, ErrorTerm term, double size) {
     shifted.unknowns.push_back(unknown);
     shifted.values.push_back(size);
   }
-  return linearise(model.measurement, shifted, model.options);
+  return linearise(model.measurement, shifted, model.options, terms);
 }
 
 }  // namespace alidade

@@ -75,8 +75,9 @@ std::vector<Component> effectsBeyond(const GapModel& model, const Leftover& left
   std::vector<Component> components = effectComponents(leftover, leftOut, odds);
   const Effect* tilt = effectById("plane_tilt");
   if (std::ranges::find(components, tilt->id, &Component::id) == components.end()) return components;
+  const std::vector<ErrorTerm> terms{tilt->parameters[0].term, tilt->parameters[1].term};
   const auto tilted = [&](const EffectParameter& parameter) {
-    return linearisedAt(model, parameter.term, plausibleSize(parameter));
+    return linearisedAt(model, parameter.term, plausibleSize(parameter), terms);
   };
   bendPlaneTilt(components, leftover, tilted(tilt->parameters[0]), tilted(tilt->parameters[1]));
   return components;

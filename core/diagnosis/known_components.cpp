@@ -91,8 +91,8 @@ std::vector<Component> jumpComponents(const Leftover& leftover, const PriorOdds&
   std::vector<Component> components;
   for (std::size_t m = 0; m < moments.size(); m += stride)
     components.push_back({.kind = Component::Kind::Jump, .id = "orientation_jump", .moment = moments[m]});
-  const StepsInTime steps(leftover, momentsOf(components), plausibleJump);
-  for (std::size_t m = 0; m < components.size(); ++m) components[m].gram = steps.gram(m);
+  const auto grams = StepsInTime(leftover, momentsOf(components), plausibleJump).visibleGrams();
+  for (std::size_t m = 0; m < components.size(); ++m) components[m].gram = grams[m];
   for (Component& component : components)
     component.logPrior = std::log(odds.jump / static_cast<double>(components.size()));
   return components;

@@ -11,11 +11,21 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-/// oneᵀ other. Blocking a product with a few columns costs more than multiplying.
+constexpr Index few = 4;  // blocking a product with fewer columns costs more than multiplying
+
+/// oneᵀ other.
 MatrixXd innerProducts(const MatrixXd& one, const MatrixXd& other) {
-  constexpr Index few = 4;
-  if (one.cols() <= few) return one.transpose().lazyProduct(other);
+  if (std::min(one.cols(), other.cols()) <= few) return one.transpose().lazyProduct(other);
   return one.transpose() * other;
+}
+
+/// Adds factor columnsᵀ columns to the upper half of a matrix.
+template <typename Matrix>
+void addSquare(Matrix&& sum, const MatrixXd& columns, double factor) {
+  if (columns.cols() <= few)
+    sum += factor * columns.transpose().lazyProduct(columns);
+  else
+    sum.template selfadjointView<Eigen::Upper>().rankUpdate(columns.transpose(), factor);
 }
 
 }  // namespace
@@ -63,7 +73,7 @@ MatrixXd Carrier::alongVisits(const MatrixXd& functions) const {
 }
 
 MatrixXd Carrier::taken(const MatrixXd& functions) const {
-  return innerProducts(functions, m_taken);
+  return innerProducts(m_taken, functions);
 }
 
 VectorXd Carrier::productsWith(const Carrier& other) const {
@@ -99,29 +109,28 @@ void Pattern::normalise() {
 
 /// Columnsᵀ columns less what lies along the arc angle of each visit and in the span of the unknowns.
 MatrixXd Pattern::visibleGram() const {
-  const Index count = columns();
-  MatrixXd gram = MatrixXd::Zero(count, count);
-  MatrixXd along, taken;
+  const Index count = columns(), visits = parts.front().carrier->visits(),
+              unknowns = parts.front().carrier->unknowns();
+  MatrixXd gram = MatrixXd::Zero(count, count), along(visits, count), taken(unknowns, count);
   Index first = 0;
   for (const auto& [carrier, functions] : parts) {
     const Index own = functions.cols();
-    const MatrixXd alongOwn = carrier->alongVisits(functions), takenOwn = carrier->taken(functions);
-    along.conservativeResize(alongOwn.rows(), first + own);
-    along.rightCols(own) = alongOwn;
-    taken.conservativeResize(first + own, takenOwn.cols());
-    taken.bottomRows(own) = takenOwn;
+    along.middleCols(first, own) = carrier->alongVisits(functions);
+    taken.middleCols(first, own) = carrier->taken(functions);
+    addSquare(gram.block(first, first, own, own), carrier->squares().cwiseSqrt().asDiagonal() * functions, 1);
     Index before = 0;
     for (const auto& [other, others] : parts) {
-      if (before > first) break;
-      const VectorXd products = before == first ? carrier->squares() : other->productsWith(*carrier);
+      if (before == first) break;
       gram.block(before, first, others.cols(), own) =
-          innerProducts(others, products.asDiagonal() * functions);
+          innerProducts(others, other->productsWith(*carrier).asDiagonal() * functions);
       before += others.cols();
     }
     first += own;
   }
+  addSquare(gram, along, -1);
+  addSquare(gram, taken, -1);
   gram.triangularView<Eigen::StrictlyLower>() = gram.transpose();
-  return gram - innerProducts(along, along) - innerProducts(taken.transpose(), taken.transpose());
+  return gram;
 }
 
 }  // namespace alidade

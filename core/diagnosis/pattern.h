@@ -19,6 +19,8 @@ class Carrier {
   Carrier(const Leftover& leftover, Eigen::VectorXd values, std::vector<Eigen::Index> cells);
 
   Eigen::Index cells() const { return m_squares.size(); }
+  Eigen::Index visits() const { return m_visitCount; }
+  Eigen::Index unknowns() const { return m_taken.cols(); }
   /// How many readings it moves.
   Eigen::Index moved() const { return (m_values.array() != 0).count(); }
   /// Of each cell: the sum of its squared values.
@@ -29,7 +31,7 @@ class Carrier {
   Eigen::VectorXd spread(const Eigen::VectorXd& overCells) const;
   /// Functions (cells × functions) summed over each visit, as far as they lie along its arc angle.
   Eigen::MatrixXd alongVisits(const Eigen::MatrixXd& functions) const;
-  /// Inner products of functions with what the fit takes up: functions × unknowns.
+  /// Inner products of functions with what the fit takes up: unknowns × functions.
   Eigen::MatrixXd taken(const Eigen::MatrixXd& functions) const;
   /// Of each cell: the sum of the values of both. They have the same cells.
   Eigen::VectorXd productsWith(const Carrier& other) const;

@@ -44,8 +44,11 @@ class Surroundings {
       : m_leftover(leftover),
         m_measurement(measurement),
         visits(leftover.readings(), [&](Index i, Index j) { return at(i).visit == at(j).visit; }),
-        rows(leftover.readings(),
-             [&](Index i, Index j) { return at(i).arc == at(j).arc && at(i).sighting == at(j).sighting; }) {
+        rows(leftover.readings(), [&](Index i, Index j) {
+          // The instrument does not move slider readings, so they take no cell of their own.
+          return at(i).visit == at(j).visit &&
+                 (at(i).sighting == at(j).sighting || at(j).kind == ReadingKind::Slider);
+        }) {
     s = visits.values(
         [&](Index i) { return (arcOf(i).axisDeg == 0 ? 1 : -1) * fit.arcAngles[at(i).arc][at(i).sighting]; });
     const auto last = static_cast<double>(std::max<std::size_t>(measurement.rows, 2) - 1);

@@ -7,12 +7,12 @@ namespace alidade {
 using Eigen::Index, Eigen::Matrix2d, Eigen::Matrix2Xd, Eigen::Vector2d, Eigen::VectorXd;
 
 StepsInTime::StepsInTime(const Leftover& leftover, std::vector<std::size_t> moments, double size)
-    : m_horizontal(leftover.column(ErrorTerm::HorizontalJump) * size),
+    : m_leftover(leftover),
+      m_horizontal(leftover.column(ErrorTerm::HorizontalJump) * size),
       m_vertical(leftover.column(ErrorTerm::VerticalJump) * size),
       m_moments(moments.size()) {
   for (Index i = 0; i < leftover.readings(); ++i)
     m_last.push_back(std::ranges::upper_bound(moments, leftover.reading(i).sequence) - moments.begin() - 1);
-  addGrams(leftover);
 }
 
 Matrix2Xd StepsInTime::products(const VectorXd& overReadings) const {
@@ -28,11 +28,11 @@ Matrix2Xd StepsInTime::products(const VectorXd& overReadings) const {
 }
 
 /// Columnsᵀ columns less what lies along the arc angle of each visit and in the span of the unknowns.
-void StepsInTime::addGrams(const Leftover& leftover) {
-  m_grams.assign(m_moments, Matrix2d::Zero());
-  if (m_moments == 0) return;
-  const auto gramAt = [&](Index moment) -> Matrix2d& { return m_grams[static_cast<std::size_t>(moment)]; };
-  for (const std::vector<Index>& visit : leftover.visits()) {
+std::vector<Matrix2d> StepsInTime::visibleGrams() const {
+  std::vector<Matrix2d> grams(m_moments, Matrix2d::Zero());
+  if (m_moments == 0) return grams;
+  const auto gramAt = [&](Index moment) -> Matrix2d& { return grams[static_cast<std::size_t>(moment)]; };
+  for (const std::vector<Index>& visit : m_leftover.visits()) {
     std::vector<Index> latestFirst = visit;
     std::ranges::stable_sort(latestFirst, std::greater{},
                              [&](Index i) { return m_last[static_cast<std::size_t>(i)]; });
@@ -41,15 +41,16 @@ void StepsInTime::addGrams(const Leftover& leftover) {
       const Index last = m_last[static_cast<std::size_t>(i)];
       if (last < 0) break;
       const Vector2d both(m_horizontal[i], m_vertical[i]), before = share;
-      share += leftover.reading(i).along * both;
+      share += m_leftover.reading(i).along * both;
       gramAt(last) += both * both.transpose() - share * share.transpose() + before * before.transpose();
     }
   }
-  for (std::size_t m = m_moments; m-- > 1;) m_grams[m - 1] += m_grams[m];
-  for (Index c = 0; c < leftover.basis().cols(); ++c) {
-    const Matrix2Xd along = products(leftover.basis().col(c).head(leftover.readings()));
+  for (std::size_t m = m_moments; m-- > 1;) grams[m - 1] += grams[m];
+  for (Index c = 0; c < m_leftover.basis().cols(); ++c) {
+    const Matrix2Xd along = products(m_leftover.basis().col(c).head(m_leftover.readings()));
     for (Index m = 0; m < along.cols(); ++m) gramAt(m) -= along.col(m) * along.col(m).transpose();
   }
+  return grams;
 }
 
 }  // namespace alidade

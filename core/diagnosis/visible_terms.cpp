@@ -29,17 +29,18 @@ void eliminateFirst(MatrixXd& gram, Index count, const VectorXd& whole) {
   }
 }
 
-/// The equations of a set with the arc angles eliminated: those unknowns that are not fixed, then all terms.
+/// The equations of a set with the arc angles eliminated: those unknowns that are not fixed, then `terms`.
 using RowMajorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-RowMajorMatrix reducedEquations(const Linearised& set, const std::vector<std::size_t>& unknowns) {
-  const auto count = static_cast<Index>(unknowns.size()), terms = static_cast<Index>(errorTermCount),
+RowMajorMatrix reducedEquations(const Linearised& set, const std::vector<std::size_t>& unknowns,
+                                const std::vector<ErrorTerm>& ofTerms) {
+  const auto count = static_cast<Index>(unknowns.size()), terms = static_cast<Index>(ofTerms.size()),
              readings = static_cast<Index>(set.readings.size());
   RowMajorMatrix rows(readings, count + terms);
   for (Index i = 0; i < readings; ++i) {
     const auto reading = static_cast<std::size_t>(i);
-    for (Index u = 0; u < count; ++u)
-      rows(i, u) = set.ofUnknown(reading, unknowns[static_cast<std::size_t>(u)]);
-    rows.row(i).tail(terms) = Eigen::RowVectorXd::Map(set.perTerm.data() + reading * errorTermCount, terms);
+    double* row = rows.row(i).data();
+    for (const std::size_t unknown : unknowns) *row++ = set.ofUnknown(reading, unknown);
+    for (const ErrorTerm term : ofTerms) *row++ = set.ofTerm(reading, term);
   }
   Eigen::RowVectorXd share(count + terms);
   for (Index first = 0, next = 0; first < readings; first = next) {
@@ -56,13 +57,13 @@ RowMajorMatrix reducedEquations(const Linearised& set, const std::vector<std::si
 
 }  // namespace
 
-VisibleTerms visibleTerms(const Linearised& set) {
+VisibleTerms visibleTerms(const Linearised& set, const std::vector<ErrorTerm>& ofTerms) {
   std::vector<std::size_t> unknowns;
   for (std::size_t u = 0; u < set.unknowns.size(); ++u)
     if (set.priorSigmas[u] > 0) unknowns.push_back(u);
-  const auto count = static_cast<Index>(unknowns.size()), terms = static_cast<Index>(errorTermCount);
-  const RowMajorMatrix rows = reducedEquations(set, unknowns);
-  MatrixXd gram = MatrixXd::Zero(count + terms, count + terms);
+  const auto count = static_cast<Index>(unknowns.size()), size = static_cast<Index>(errorTermCount);
+  const RowMajorMatrix rows = reducedEquations(set, unknowns, ofTerms);
+  MatrixXd gram = MatrixXd::Zero(rows.cols(), rows.cols());
   gram.selfadjointView<Eigen::Lower>().rankUpdate(rows.transpose());
   gram = MatrixXd(gram.selfadjointView<Eigen::Lower>());
   for (Index u = 0; u < count; ++u) {
@@ -71,7 +72,14 @@ VisibleTerms visibleTerms(const Linearised& set) {
   }
   const VectorXd whole = gram.diagonal();
   eliminateFirst(gram, count, whole);
-  return {gram.bottomRightCorner(terms, terms), whole.tail(terms)};
+  VisibleTerms terms{MatrixXd::Zero(size, size), VectorXd::Zero(size)};
+  for (std::size_t i = 0; i < ofTerms.size(); ++i) {
+    const auto term = static_cast<Index>(ofTerms[i]), own = count + static_cast<Index>(i);
+    terms.whole[term] = whole[own];
+    for (std::size_t j = 0; j < ofTerms.size(); ++j)
+      terms.gram(term, static_cast<Index>(ofTerms[j])) = gram(own, count + static_cast<Index>(j));
+  }
+  return terms;
 }
 
 VisibleTerms operator+(const VisibleTerms& one, const VisibleTerms& other) {

@@ -18,8 +18,8 @@ struct VisibleTerms {
   Eigen::VectorXd whole;  ///< squared lengths of the columns before anything was eliminated
 };
 
-/// Of one set of readings.
-VisibleTerms visibleTerms(const Linearised& set);
+/// Of one set of readings; zero but for `terms`.
+VisibleTerms visibleTerms(const Linearised& set, const std::vector<ErrorTerm>& terms);
 /// Of both sets together.
 VisibleTerms operator+(const VisibleTerms& one, const VisibleTerms& other);
 /// With some of the terms estimated along with the unknowns.
