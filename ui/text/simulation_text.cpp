@@ -1,6 +1,7 @@
 #include "ui/text/simulation_text.h"
 
 #include <QCoreApplication>
+#include <cmath>
 
 #include "ui/text/quantity_text.h"
 
@@ -10,6 +11,15 @@ namespace {
 
 QString translated(const char* text) {
   return QCoreApplication::translate("Simulation", text);
+}
+
+/// An end is uncertain as one over the square root of the draws, and is to be known three times better than
+/// the tolerance; to one digit.
+qint64 drawsToTell(const MonteCarlo& check) {
+  const double ratio = 3 * check.endpointSigma / check.tolerance;
+  const double draws = static_cast<double>(check.draws) * ratio * ratio;
+  const double digit = std::pow(10, std::floor(std::log10(draws)));
+  return static_cast<qint64>(std::ceil(draws / digit) * digit);
 }
 
 }  // namespace
@@ -23,19 +33,21 @@ QString agreementWord(LinearPropagation linear) {
     case LinearPropagation::Undecided:
       break;
   }
-  return translated("Too few draws to tell.");
+  return translated("No disagreement, but too few draws to be sure.");
 }
 
 QString agreementSentence(const MonteCarlo& check) {
+  const int decimals = decimalsFor(check.tolerance);
   QString text =
       translated("The ends of Δd ± U differ from those simulated by %1 and %2; the tolerance is %3.")
-          .arg(numberText(check.lowDifference, 4), lengthText(check.highDifference, 4),
-               lengthText(check.tolerance, decimalsFor(check.tolerance)));
+          .arg(numberText(check.lowDifference, decimals), lengthText(check.highDifference, decimals),
+               lengthText(check.tolerance, decimals));
   if (check.linear == LinearPropagation::Refuted)
     text += translated(" Rely on the simulated interval.");
   else if (check.linear == LinearPropagation::Undecided)
-    text +=
-        translated(" With so many draws an end is uncertain by %1.").arg(lengthText(check.endpointSigma, 4));
+    text += translated(" By chance alone an end is uncertain by %1: about %2 draws would tell.")
+                .arg(lengthText(check.endpointSigma, decimals))
+                .arg(drawsToTell(check));
   if (check.failed > 0) text += translated(" %1 draws gave no result and are left out.").arg(check.failed);
   return text;
 }
