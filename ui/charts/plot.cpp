@@ -146,7 +146,9 @@ void Plot::applyRange(const QRectF& range) {
 }
 
 void Plot::applyTicks(QValueAxis* axis, double step) const {
-  axis->setLabelFormat(QStringLiteral("%.%1f").arg(decimalsOfStep(step)));
+  // Each change of an axis lays all its labels out anew, even to the same format.
+  const QString format = QStringLiteral("%.%1f").arg(decimalsOfStep(step));
+  if (format != axis->labelFormat()) axis->setLabelFormat(format);
   // Narrow first: the old range over a much finer step would be thousands of ticks.
   if (step < axis->tickInterval()) axis->setRange(-step, step);
   axis->setTickInterval(step);
