@@ -53,7 +53,6 @@ void SimulationBox::createControls() {
          "(JCGM 101)"));
   m_progress->setTextVisible(false);
   m_progress->setFixedHeight(8);
-  m_note->setForegroundRole(QPalette::PlaceholderText);
 }
 
 void SimulationBox::setEvaluation(const SharedEvaluation& evaluation) {
@@ -106,6 +105,7 @@ void SimulationBox::showCheck() {
                           m_check->isOf(m_evaluation->session);
   m_figures->setVisible(isAnswered);
   m_note->setVisible(!m_job.isAtWork());
+  m_note->setForegroundRole(isAnswered ? QPalette::WindowText : QPalette::PlaceholderText);
   if (!isAnswered)
     return m_note->setText(m_remark.isEmpty() ? tr("Does the propagated uncertainty hold? Not checked yet.")
                                               : m_remark);
