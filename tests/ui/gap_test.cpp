@@ -356,7 +356,8 @@ TEST(Gap, StandsAmongTheFindingsWhichLeadToItsPage) {
     for (int row = 0; row < findings->count(); ++row) all.append(findings->item(row)->text());
     return all.join(u'\n').toStdString();
   };
-  EXPECT_THAT(texts(), HasSubstr("Model and readings disagree. One of 2 causes that look alike here: see"));
+  EXPECT_THAT(texts(),
+              HasSubstr("Model and readings disagree, see “Gap”. One of 2 causes that look alike here."));
   EXPECT_THAT(texts(), Not(HasSubstr("No problems.")));
   findings->setFocus();
   findings->setCurrentRow(0);
@@ -387,7 +388,7 @@ TEST(Gap, IsToldAsOldFromTheEditToTheNextDiagnosis) {
   EXPECT_THAT(finding(), HasSubstr("disagreed before the last change")) << "the new fit knows no better";
   ASSERT_TRUE(waitFor([&] { return open->gapJob().isIdle(); }));
   EXPECT_TRUE(hint->text().startsWith(QStringLiteral("Model and readings disagree")));
-  EXPECT_THAT(finding(), HasSubstr("Model and readings disagree."));
+  EXPECT_THAT(finding(), HasSubstr("Model and readings disagree,"));
 }
 
 TEST(Gap, PartsAddUpToOne) {

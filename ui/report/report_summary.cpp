@@ -67,7 +67,7 @@ void addFindings(ReportSheet& sheet, const Gap& gap) {
   const QString says =
       gap.isNoiseAlone()
           ? gapSentence(gap)
-          : QStringLiteral("Model and readings disagree. %1: see “Gap between model and readings”.")
+          : QStringLiteral("Model and readings disagree, see “Gap between model and readings”. %1.")
                 .arg(gapHeadline(*gap.diagnosis));
   sheet.keepTogether(sheet.lineHeight(findingStyle));
   sheet.text(severityName(Severity::Warning), findingStyle.inBold(), 0, sheet.y(), indent);
