@@ -76,8 +76,9 @@ std::string whereText(const Diagnosis& diagnosis) {
 
 std::string adviceText(const Diagnosis& diagnosis) {
   if (diagnosis.advice.empty()) return "";
-  const bool separates = std::ranges::any_of(
-      diagnosis.causes, [](const Cause& cause) { return !cause.indistinguishableFrom.empty(); });
+  const bool separates = std::ranges::any_of(diagnosis.causes, [&](const Cause& cause) {
+    return cause.effect == diagnosis.advice.front().separates.front();
+  });
   std::string text = separates ? "\nWhat further readings would tell apart\n"
                                : "\nWhat further readings would show of the effects unseen\n";
   for (const Advice& advice : diagnosis.advice)

@@ -109,8 +109,9 @@ class Planner {
 
 std::vector<Advice> adviceFor(const Inquiry& inquiry, const std::vector<Cause>& causes,
                               const std::vector<Danger>& unseen) {
-  const auto found =
-      std::ranges::find_if(causes, [](const Cause& cause) { return !cause.indistinguishableFrom.empty(); });
+  const auto found = std::ranges::find_if(causes, [](const Cause& cause) {
+    return effectById(cause.effect) && !cause.indistinguishableFrom.empty();
+  });
   const Cause* unclear = found == causes.end() ? nullptr : &*found;
   const std::vector<const Effect*> effects = effectsAt(unclear, unseen);
   if (effects.empty()) return {};

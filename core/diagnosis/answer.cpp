@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/diagnosis/gain.h"
 #include "core/diagnosis/gap_size.h"
 #include "core/diagnosis/look_alikes.h"
 
@@ -49,9 +50,66 @@ bool isEffect(const Inquiry& inquiry, const Part& part) {
   return !inquiry.isMisreading(part) && inquiry.candidates[part.component].kind == Component::Kind::Effect;
 }
 
+constexpr double closeOdds = 3.5;  // natural logarithm: odds of 33
+
+/// The gain of a component in place of the part, all other parts taken off.
+Gain gainInstead(const Inquiry& inquiry, const Explanation& explanation, const Part& part,
+                 std::size_t component) {
+  const Leftover& leftover = inquiry.leftover;
+  const auto columnsOf = [&](std::size_t index) -> Eigen::MatrixXd {
+    if (index < inquiry.candidates.size())
+      return leftover.visible(wholeColumns(leftover, inquiry.candidates[index]));
+    const auto reading = static_cast<Eigen::Index>(index - inquiry.candidates.size());
+    return leftover.visible(Eigen::VectorXd::Unit(leftover.readings(), reading));
+  };
+  Eigen::VectorXd left = leftover.residual();
+  for (const Part& other : explanation.parts)
+    if (&other != &part)
+      left -= inquiry.isMisreading(other)
+                  ? Eigen::VectorXd(columnsOf(other.component) * other.weights)
+                  : signature(leftover, inquiry.candidates[other.component], other.weights);
+  const Eigen::MatrixXd columns = columnsOf(component);
+  const auto kind = component < inquiry.candidates.size() ? inquiry.candidates[component].kind
+                                                          : Component::Kind::Misreading;
+  const double variance = explanation.noisy ? explanation.noise * explanation.noise : 1;
+  return gainOf(widthsOf(kind), columns.transpose() * columns, columns.transpose() * left, variance);
+}
+
+/// With a step in place of a misreading that it would look like.
+Explanation withStep(const Inquiry& inquiry, const Explanation& explanation, std::size_t part,
+                     std::size_t step) {
+  Explanation rival = explanation;
+  const Part& misread = explanation.parts[part];
+  const Gain own = gainInstead(inquiry, explanation, misread, misread.component);
+  const Gain gain = gainInstead(inquiry, explanation, misread, step);
+  // Either circle of the row may be the one that was misread.
+  const double misreading =
+      std::log(2 * PriorOdds().misreading / static_cast<double>(inquiry.leftover.readings()));
+  const double odds = gain.log + inquiry.candidates[step].logPrior - own.log - misreading;
+  rival.logOdds += odds;
+  rival.parts[part] = {step, gain.width, Eigen::VectorXd::Zero(2), gain.log};
+  return rival;
+}
+
+/// The step, where there is one, that leaves what this misreading leaves.
+std::vector<std::size_t> stepsLike(const Inquiry& inquiry, const Explanation& explanation, std::size_t part) {
+  const Eigen::Index reading = inquiry.readingOf(explanation.parts[part]);
+  const auto isJump = [&](const Part& other) {
+    return !inquiry.isMisreading(other) && inquiry.candidates[other.component].kind == Component::Kind::Jump;
+  };
+  std::vector<std::size_t> found;
+  if (std::ranges::any_of(explanation.parts, isJump)) return found;  // one jump to a session
+  for (std::size_t i = 0; i < inquiry.candidates.size(); ++i)
+    if (inquiry.candidates[i].onlyRow == inquiry.leftover.reading(reading).sequence &&
+        withStep(inquiry, explanation, part, i).logOdds > explanation.logOdds - closeOdds)
+      found.push_back(i);
+  return found;
+}
+
 std::vector<std::size_t> lookAlikesOf(const Inquiry& inquiry, const Explanation& explanation,
-                                      const Part& part) {
-  constexpr double closeOdds = 3.5;  // natural logarithm: odds of 33
+                                      std::size_t index) {
+  const Part& part = explanation.parts[index];
+  if (inquiry.isMisreading(part)) return stepsLike(inquiry, explanation, index);
   std::vector<std::size_t> found;
   if (!isEffect(inquiry, part)) return found;
   const Eigen::VectorXd trace = signature(inquiry.leftover, inquiry.candidates[part.component], part.weights);
@@ -77,28 +135,46 @@ Answer conclude(const Inquiry& inquiry) {
   const Answer::Kind kind = likeliestKind(inquiry);
   if (kind != Answer::Kind::Known) return {kind, {}, {}, inquiry.base};
   Answer answer{kind, bestKnown(inquiry), {}, {}};
-  for (const Part& part : answer.explanation.parts)
+  for (std::size_t part = 0; part < answer.explanation.parts.size(); ++part)
     answer.lookAlikes.push_back(lookAlikesOf(inquiry, answer.explanation, part));
   answer.after = modelWith(inquiry, answer.explanation);
   return answer;
 }
 
+namespace {
+
+/// What could be the case instead, with the odds of it: where an effect is alone another one, and for a
+/// misreading the step that looks like it.
+std::vector<Explanation> rivalsOf(const Inquiry& inquiry, const Answer& answer) {
+  std::vector<Explanation> rivals;
+  const Explanation& explanation = answer.explanation;
+  for (std::size_t part = 0; part < explanation.parts.size(); ++part)
+    for (const std::size_t i : answer.lookAlikes[part]) {
+      if (inquiry.isMisreading(explanation.parts[part])) {
+        rivals.push_back(withStep(inquiry, explanation, part, i));
+      } else if (explanation.parts.size() == 1) {
+        if (const Explanation* rival = inquiry.alone(i, explanation.noisy)) rivals.push_back(*rival);
+      }
+    }
+  return rivals;
+}
+
+}  // namespace
+
 std::optional<IntersectionEstimate> afterwardsOf(const Inquiry& inquiry, const Answer& answer) {
   constexpr double negligible = 1e-3;
-  const Explanation& explanation = answer.explanation;
   const std::optional<IntersectionEstimate> first = estimateOf(answer.after);
-  if (!first || explanation.parts.size() != 1) return first;
+  if (!first) return first;
   double sum = 1, mean = first->value, second = first->sigma * first->sigma + mean * mean;
-  for (const std::size_t i : answer.lookAlikes.front()) {
-    const Explanation* rival = inquiry.alone(i, explanation.noisy);
-    if (!rival) continue;
-    const double chance = std::exp(rival->logOdds - explanation.logOdds);
+  for (const Explanation& rival : rivalsOf(inquiry, answer)) {
+    const double chance = std::exp(rival.logOdds - answer.explanation.logOdds);
     if (chance < negligible) continue;
-    const auto other = estimateOf(modelWith(inquiry, *rival));
+    const auto other = estimateOf(modelWith(inquiry, rival));
     sum += chance;
     mean += chance * other->value;
     second += chance * (other->sigma * other->sigma + other->value * other->value);
   }
+  if (sum == 1) return first;
   mean /= sum;
   const double sigma = std::sqrt(std::max(second / sum - mean * mean, 0.0));
   return IntersectionEstimate{mean, sigma, sigma * (first->expanded / first->sigma)};

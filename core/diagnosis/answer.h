@@ -14,8 +14,8 @@ struct Answer {
 
   Kind kind = Kind::Nothing;
   Explanation explanation;  ///< of a Known; else empty
-  /// Of each part of the explanation, the effects that these readings cannot tell from it: indices of
-  /// candidates.
+  /// Of each part of the explanation, what these readings cannot tell from it: effects, of a misreading the
+  /// step that only its row would show. Indices of candidates.
   std::vector<std::vector<std::size_t>> lookAlikes;
   GapModel after;  ///< with the explanation in the model
 };

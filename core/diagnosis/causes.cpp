@@ -48,11 +48,13 @@ Cause largerNoise(const Inquiry& inquiry, const GapModel& after) {
 std::vector<Cause> causesOf(const Inquiry& inquiry, const Answer& answer) {
   std::vector<Cause> causes;
   std::vector<BlamedReading> misread = inquiry.farOff;
+  bool likeStep = false;
   const Explanation& explanation = answer.explanation;
   for (std::size_t p = 0; p < explanation.parts.size(); ++p) {
     const Part& part = explanation.parts[p];
     if (inquiry.isMisreading(part)) {
       misread.push_back(blamed(inquiry, part));
+      likeStep = likeStep || !answer.lookAlikes[p].empty();
       continue;
     }
     const Component& component = inquiry.candidates[part.component];
@@ -65,6 +67,7 @@ std::vector<Cause> causesOf(const Inquiry& inquiry, const Answer& answer) {
   if (!misread.empty()) {
     Cause cause = named(inquiry, misreadingId);
     if (!inquiry.farOff.empty()) cause.probability = 1;
+    if (likeStep) cause.indistinguishableFrom = {jumpId};
     cause.readings = withLikelierCircles(answer.after, std::move(misread));
     for (BlamedReading& reading : cause.readings)
       reading.size *= sideOf(answer.after.measurement, reading.face, reading.kind);

@@ -60,37 +60,44 @@ void bendPlaneTilt(std::vector<Component>& components, const Leftover& leftover,
 
 namespace {
 
-/// Before every row but the first. A step that parts a row alone in its visit from the rest of its position,
-/// as its last or its first, is left out: all that could be seen of it is the one condition between the two
-/// circles of that row, and that is what a misreading of the row leaves.
-std::vector<std::size_t> tellingMoments(const Leftover& leftover) {
+/// Moments whose step parts a row alone in its visit from the rest of its position, as its first or its last:
+/// all that could be seen of it is the one condition between the two circles of that row.
+std::map<std::size_t, std::size_t> rowsThatAloneShow(const Leftover& leftover) {
   std::map<std::size_t, std::set<std::size_t>> rowsOfArc;
-  std::set<std::size_t> rows, alone;
+  std::set<std::size_t> alone;
   for (const std::vector<Index>& visit : leftover.visits())
     for (const Index i : visit) {
       const LinearReading& reading = leftover.reading(i);
-      rows.insert(reading.sequence);
       rowsOfArc[reading.arc].insert(reading.sequence);
       if (visit.size() == 2) alone.insert(reading.sequence);
     }
-  if (!rows.empty()) rows.erase(rows.begin());
+  std::map<std::size_t, std::size_t> rows;
   for (const auto& [arc, own] : rowsOfArc) {
+    if (own.size() < 2) continue;
     const std::size_t first = *own.begin(), last = *own.rbegin();
-    if (alone.contains(last)) rows.erase(last);
-    if (own.size() > 1 && alone.contains(first)) rows.erase(*std::next(own.begin()));
+    if (alone.contains(last)) rows.emplace(last, last);
+    if (alone.contains(first)) rows.emplace(*std::next(own.begin()), first);
   }
-  return {rows.begin(), rows.end()};
+  return rows;
 }
 
 }  // namespace
 
 std::vector<Component> jumpComponents(const Leftover& leftover, const PriorOdds& odds) {
   constexpr std::size_t mostMoments = 400;
-  const std::vector<std::size_t> moments = tellingMoments(leftover);
+  std::set<std::size_t> rows;
+  for (Index i = 0; i < leftover.readings(); ++i) rows.insert(leftover.reading(i).sequence);
+  std::vector<std::size_t> moments(rows.begin(), rows.end());
+  if (moments.size() < 3) return {};
+  moments.erase(moments.begin());  // before the first row there is no step
+  const std::map<std::size_t, std::size_t> shownByOne = rowsThatAloneShow(leftover);
   const std::size_t stride = moments.size() / mostMoments + 1;
   std::vector<Component> components;
-  for (std::size_t m = 0; m < moments.size(); m += stride)
+  for (std::size_t m = 0; m < moments.size(); m += stride) {
     components.push_back({.kind = Component::Kind::Jump, .id = "orientation_jump", .moment = moments[m]});
+    const auto only = shownByOne.find(moments[m]);
+    if (only != shownByOne.end()) components.back().onlyRow = only->second;
+  }
   const auto grams = StepsInTime(leftover, momentsOf(components), plausibleJump).visibleGrams();
   for (std::size_t m = 0; m < components.size(); ++m) components[m].gram = grams[m];
   for (Component& component : components)

@@ -18,8 +18,8 @@ std::vector<Component> effectComponents(const Leftover& leftover, const std::vec
 /// read: from the equations with the plane tilted by one plausible size about x and about y.
 void bendPlaneTilt(std::vector<Component>& components, const Leftover& leftover, const Linearised& tiltedX,
                    const Linearised& tiltedY);
-/// A step before any row where it leaves more than a misreading would; of long sessions before every so
-/// manieth.
+/// A step before any row; of long sessions before every so manieth. One that a single row alone in its visit
+/// would show leaves what a misreading of that row leaves, which is the commoner: it is for comparison only.
 std::vector<Component> jumpComponents(const Leftover& leftover, const PriorOdds& odds);
 /// Of the jumps among the components, in their order.
 std::vector<std::size_t> momentsOf(const std::vector<Component>& components);
