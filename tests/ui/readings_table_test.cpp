@@ -10,6 +10,7 @@
 
 #include "tests/ui/support.h"
 #include "ui/document/session_document.h"
+#include "ui/jobs/evaluation.h"
 
 namespace alidade::ui {
 namespace {
@@ -203,6 +204,26 @@ TEST(ReadingsTable, LeavesTheTableByTabFromTheEmptyRow) {
   QTest::keyClick(&bench.table, Qt::Key_Tab);
   EXPECT_EQ(bench.table.currentIndex().row(), 3);
   EXPECT_EQ(bench.readings().size(), 3u);
+}
+
+TEST(ReadingsModel, TellsOnlyOfCellsThatSaySomethingElse) {
+  SessionDocument document;
+  document.startWith(paperSession());
+  ReadingsModel model(document, 0);
+  QStringList told;
+  QObject::connect(&model, &QAbstractItemModel::dataChanged,
+                   [&](const QModelIndex& first, const QModelIndex& last) {
+                     told.append(QStringLiteral("%1 to %2").arg(first.column()).arg(last.column()));
+                   });
+  Evaluation evaluation = evaluateFit(paperSession());
+  model.setEvaluation(evaluation);
+  EXPECT_EQ(told, QStringList{QStringLiteral("7 to 8")}) << "the residuals";
+  model.setEvaluation(evaluation);
+  EXPECT_EQ(told.size(), 1);
+  evaluation.examined.problems.push_back(
+      {.what = "is odd", .where = {.position = 0, .reading = 2, .field = "vertical"}});
+  model.setEvaluation(evaluation);
+  EXPECT_EQ(told.last(), QStringLiteral("0 to 9")) << "a problem marks its row";
 }
 
 }  // namespace

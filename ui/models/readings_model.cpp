@@ -1,6 +1,7 @@
 #include "ui/models/readings_model.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "ui/commands/edit_readings.h"
 #include "ui/document/session_document.h"
@@ -17,6 +18,11 @@ bool isRequired(ReadingColumn column) {
 
 bool isAngle(ReadingColumn column) {
   return isRequired(column) || column == ReadingColumn::Slider;
+}
+
+bool haveSameResidual(const std::optional<SightingResidual>& a, const std::optional<SightingResidual>& b) {
+  return a.has_value() == b.has_value() &&
+         (!a || (a->horizontal == b->horizontal && a->vertical == b->vertical));
 }
 
 }  // namespace
@@ -189,7 +195,7 @@ bool ReadingsModel::setData(const QModelIndex& index, const QVariant& value, int
 }
 
 void ReadingsModel::setEvaluation(const Evaluation& evaluation) {
-  m_notes.assign(readings().size(), {});
+  const std::vector<RowNotes> before = std::exchange(m_notes, std::vector<RowNotes>(readings().size()));
   if (const ArcFit* arc = evaluation.fit.arcOfPosition(m_position)) {
     for (const SightingResidual& residual : arc->residuals) {
       if (residual.row < m_notes.size()) m_notes[residual.row].residual = residual;
@@ -205,7 +211,23 @@ void ReadingsModel::setEvaluation(const Evaluation& evaluation) {
     if (where.position != m_position || !where.reading || *where.reading >= m_notes.size()) continue;
     m_notes[*where.reading].suspicions.emplace(readingColumn(where.field), qText(suspect.sentence));
   }
-  emit dataChanged(index(0, 0), index(rowCount() - 1, readingColumnCount - 1));
+  tellOfNews(before);
+}
+
+/// Cells that say the same as before are not painted again.
+void ReadingsModel::tellOfNews(const std::vector<RowNotes>& before) {
+  const auto differ = [&](auto same) {
+    return !std::equal(before.begin(), before.end(), m_notes.begin(), m_notes.end(), same);
+  };
+  const auto at = [this](ReadingColumn column, int row) { return index(row, static_cast<int>(column)); };
+  if (differ([](const RowNotes& a, const RowNotes& b) {
+        return a.problems == b.problems && a.suspicions == b.suspicions;
+      }))
+    emit dataChanged(index(0, 0), index(rowCount() - 1, readingColumnCount - 1));
+  else if (differ(
+               [](const RowNotes& a, const RowNotes& b) { return haveSameResidual(a.residual, b.residual); }))
+    emit dataChanged(at(ReadingColumn::HorizontalResidual, 0),
+                     at(ReadingColumn::VerticalResidual, rowCount() - 1));
 }
 
 bool ReadingsModel::isUsed(ReadingColumn column) const {

@@ -52,6 +52,7 @@ class ReadingsModel : public QAbstractTableModel {
     std::map<ReadingColumn, QString> problems, suspicions;
   };
 
+  void tellOfNews(const std::vector<RowNotes>& before);
   const std::vector<Reading>& readings() const;
   const Reading& reading(int row) const { return readings()[static_cast<std::size_t>(row)]; }
   QString cellText(int row, ReadingColumn column) const;
