@@ -178,11 +178,12 @@ void CauseList::addJump(const Gap& gap, const Cause& cause) {
   addText(text);
   connect(addButton(tr("Go to the reading"), QStringLiteral("go to jump")), &QPushButton::clicked, this,
           [this, place = jump->place] { emit placeActivated(place); });
-  m_buttons = nullptr;  // three in a row are wider than the page has room for
+  const bool hasBoth = !jump->isLast && jump->before && jump->after;
+  if (hasBoth) m_buttons = nullptr;  // three in a row are wider than the page has room for
   if (!jump->isLast && jump->before)
     addRowsExclusion(tr("Exclude %1 rows before"), QStringLiteral("exclude before"), *jump->before);
   if (jump->after)
-    addRowsExclusion(tr("Exclude %1 rows after"), QStringLiteral("exclude after"), *jump->after);
+    addRowsExclusion(tr("Exclude %1 rows from there on"), QStringLiteral("exclude after"), *jump->after);
 }
 
 void CauseList::addRowsExclusion(const QString& text, const QString& name, const RowRange& rows) {
