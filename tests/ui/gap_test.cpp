@@ -14,6 +14,7 @@
 #include "ui/charts/gap_waterfall.h"
 #include "ui/commands/change_field.h"
 #include "ui/main_window.h"
+#include "ui/panels/cause_list.h"
 #include "ui/panels/data_table.h"
 #include "ui/panels/findings_panel.h"
 #include "ui/panels/gap_panel.h"
@@ -222,6 +223,22 @@ TEST(Gap, LeadsToAMisreadValueAndExcludesItsRow) {
   EXPECT_TRUE(bench.open->document().session().positions[0].readings[10].excluded);
   EXPECT_EQ(bench.open->document().undoStack().count(), 1);
   EXPECT_THAT(bench.shown(), HasSubstr("No gap: within the noise\n"));
+}
+
+TEST(Gap, WarnsBeforeARowIsLeftOutForWhatMayBeAJump) {
+  Gap gap{.evaluation = std::make_shared<const Evaluation>(evaluateFit(paperSession())),
+          .diagnosis = Diagnosis{},
+          .reason = {},
+          .stages = {}};
+  gap.diagnosis->causes.push_back({.effect = "gross_error",
+                                   .parameters = {},
+                                   .indistinguishableFrom = {"orientation_jump"},
+                                   .readings = {BlamedReading{}}});
+  CauseList list;
+  list.setGap(gap);
+  QString texts;
+  for (const QLabel* label : list.findChildren<QLabel*>()) texts += label->text() + u'\n';
+  EXPECT_THAT(texts.toStdString(), HasSubstr("Perhaps a jump of the orientation right beside it"));
 }
 
 TEST(Gap, SaysWhatToDoWhereNothingCanBeAdded) {

@@ -124,9 +124,10 @@ void CauseList::addCatalogueButtons(const Gap& gap, const Cause& cause) {
   add->setToolTip(tr("Estimates %1 along with the arcs; undone by Ctrl+Z").arg(causeName(cause.effect)));
   add->setAccessibleName(tr("Add %1 to the model").arg(causeName(cause.effect)));
   connect(add, &QPushButton::clicked, this, [this, id] { emit effectsWanted({id}); });
-  if (cause.indistinguishableFrom.empty()) return;
   QStringList all{id};
-  for (const std::string& other : cause.indistinguishableFrom) all.append(qText(other));
+  for (const std::string& other : cause.indistinguishableFrom)
+    if (effectById(other)) all.append(qText(other));
+  if (all.size() < 2) return;
   QPushButton* group = addButton(tr("Add all %1").arg(all.size()), QStringLiteral("add group"));
   group->setToolTip(
       tr("Estimates all that look alike here, each within its plausible size: U then covers "
@@ -146,6 +147,11 @@ void CauseList::addAllCauses(const std::vector<Cause>& causes) {
 }
 
 void CauseList::addMisreadings(const Cause& cause) {
+  if (!cause.indistinguishableFrom.empty())
+    addText(
+        tr("Perhaps %1 right beside it, which would move Δd: read the position again before a row is left "
+           "out.")
+            .arg(causeNames(cause.indistinguishableFrom, tr("or"))));
   for (const BlamedReading& reading : cause.readings) {
     m_buttons = nullptr;
     addText(blamedText(reading));
