@@ -399,10 +399,11 @@ TEST(Gap, IsToldAsOldFromTheEditToTheNextDiagnosis) {
   const int height = hint->height();
   changeField(open->document(), {.field = "geometry.sigma_distance_mm"}, "0.5");
   EXPECT_EQ(hint->text(), QStringLiteral("Before the last change: One cause: gravity sag"));
-  EXPECT_THAT(finding(), HasSubstr("disagreed before the last change"));
+  EXPECT_THAT(finding(), HasSubstr("Before the last change: One cause: gravity sag."));
   open.settle();
   EXPECT_EQ(hint->height(), height) << "what stands below stays where it is";
-  EXPECT_THAT(finding(), HasSubstr("disagreed before the last change")) << "the new fit knows no better";
+  EXPECT_THAT(finding(), HasSubstr("Before the last change: One cause: gravity sag."))
+      << "the new fit knows no better";
   ASSERT_TRUE(waitFor([&] { return open->gapJob().isIdle(); }));
   EXPECT_TRUE(hint->text().startsWith(QStringLiteral("Model and readings disagree")));
   EXPECT_THAT(finding(), HasSubstr("Model and readings disagree,"));

@@ -89,8 +89,8 @@ void FindingsPanel::refresh() {
 
 FindingsPanel::Entry FindingsPanel::gapEntry() const {
   const bool isOld = m_gapState == GapState::Old;
-  const QString text = isOld ? tr("Model and readings disagreed before the last change. %1.")
-                             : tr("Model and readings disagree, see “Gap”. %1.");
+  const QString text =
+      isOld ? tr("Before the last change: %1.") : tr("Model and readings disagree, see “Gap”. %1.");
   return {.icon = isOld ? QStringLiteral("none") : QStringLiteral("warning"),
           .spoken = isOld ? tr("Before") : tr("Warning"),
           .text = text.arg(m_gapHeadline),

@@ -81,6 +81,7 @@ ResultPanel::ResultPanel(QWidget* parent)
   layout->addStretch();
   m_comparison->hide();
   m_gapHint->setObjectName(QStringLiteral("gap hint"));
+  m_gapHint->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   m_gapHint->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
   connect(m_gapHint, &QLabel::linkActivated, this, &ResultPanel::gapActivated);
   setGapHint({});
