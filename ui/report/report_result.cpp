@@ -49,10 +49,12 @@ QString problemText(const Session& session, const Problem& problem) {
 }
 
 /// Points to the findings, so that a verdict is never read without them.
-QString findingsLine(const SessionFit& fit) {
-  const auto serious = std::count_if(fit.findings.begin(), fit.findings.end(), [](const Finding& finding) {
-    return finding.severity != Severity::Note;
-  });
+QString findingsLine(const Gap& gap) {
+  const std::vector<Finding>& findings = gap.evaluation->fit.findings;
+  const auto serious =
+      std::count_if(findings.begin(), findings.end(),
+                    [](const Finding& finding) { return finding.severity != Severity::Note; }) +
+      (gap.isOpen() ? 1 : 0);
   if (serious == 0) return {};
   return serious == 1 ? QStringLiteral("1 finding: see below.")
                       : QStringLiteral("%1 findings: see below.").arg(serious);
@@ -162,8 +164,9 @@ void addReference(ReportSheet& sheet, const Evaluation& evaluation, const Inters
 
 }  // namespace
 
-void addVerdict(ReportSheet& sheet, const Evaluation& evaluation) {
+void addVerdict(ReportSheet& sheet, const Gap& gap) {
   constexpr double inset = 3;
+  const Evaluation& evaluation = *gap.evaluation;
   const ReportVerdict verdict = reportVerdict(evaluation);
   const double inner = ReportSheet::width - 2 * inset;
   struct Part {
@@ -177,7 +180,7 @@ void addVerdict(ReportSheet& sheet, const Evaluation& evaluation) {
   if (const auto& found = evaluation.fit.intersection) {
     parts.push_back({sheet.lines(coverageLine(*found), type::label, inner), type::label});
   }
-  const QString findings = findingsLine(evaluation.fit);
+  const QString findings = findingsLine(gap);
   if (!findings.isEmpty()) parts.push_back({{findings}, type::body.inBold()});
   double height = inset;
   for (const Part& part : parts) height += part.lines.size() * sheet.lineHeight(part.style) + 0.4;

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "ui/jobs/evaluation.h"
+#include "ui/jobs/gap.h"
 #include "ui/report/report_sheet.h"
 
 namespace alidade::ui {
 
 /// The verdict in a frame: the word, the intersection, the sentence.
-void addVerdict(ReportSheet& sheet, const Evaluation& evaluation);
+void addVerdict(ReportSheet& sheet, const Gap& gap);
 
 /// Every entry that could not be used, beside a red bar; nothing where all could.
 void addProblems(ReportSheet& sheet, const Evaluation& evaluation);

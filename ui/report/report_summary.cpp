@@ -118,7 +118,7 @@ bool addSummary(ReportSheet& sheet, const Gap& gap, const ReportOptions& options
   const Evaluation& evaluation = *gap.evaluation;
   addTitle(sheet, evaluation.session);
   addFacts(sheet, evaluation, options.date);
-  addVerdict(sheet, evaluation);
+  addVerdict(sheet, gap);
   addProblems(sheet, evaluation);
   addResult(sheet, evaluation);
   if (options.simulated && options.simulated->intersection)

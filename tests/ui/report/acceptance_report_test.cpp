@@ -66,6 +66,20 @@ TEST(AcceptanceReport, TellsTheGapAndItsCause) {
   EXPECT_FALSE(Printed(clean).contains("Gap between")) << "there is none";
 }
 
+TEST(AcceptanceReport, CountsTheGapAmongTheFindings) {
+  const QString folder = QStringLiteral(ALIDADE_REFERENCE_DIR "/trials/sessions/");
+  const Session session = *loadSession((folder + QStringLiteral("117223.alidade")).toStdString());
+  const std::vector<Finding> findings = evaluate(session).fit.findings;
+  const auto serious = std::count_if(findings.begin(), findings.end(), [](const Finding& finding) {
+    return finding.severity != Severity::Note;
+  });
+  const QString line = serious == 0 ? QStringLiteral("1 finding: see below.")
+                                    : QStringLiteral("%1 findings: see below.").arg(serious + 1);
+  EXPECT_TRUE(Printed(session).page(0).contains(line)) << line.toStdString();
+  const Session clean = *loadSession((folder + QStringLiteral("827247.alidade")).toStdString());
+  EXPECT_FALSE(Printed(clean).contains("see below"));
+}
+
 TEST(AcceptanceReport, NamesTheReadingsThatLookMisread) {
   Session session = *loadSession(samplePath(QStringLiteral("clean-session.alidade")).toStdString());
   EXPECT_FALSE(Printed(session).contains("misread"));
