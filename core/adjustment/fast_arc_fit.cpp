@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cassert>
 #include <cmath>
 #include <numbers>
@@ -21,7 +22,7 @@ using Lanes = double __attribute__((vector_size(width * sizeof(double))));
 constexpr double largestAngle = std::numbers::pi / 4;
 constexpr double largestResidual = 0.002;  // rad; the series below are exact to rounding up to there
 constexpr double tolerance = 1.5e-12;      // of R: what may be left of the way to the minimum
-constexpr double untold = 1;               // of what a step leaves, beside the turn of the normals
+constexpr double untold = 6;               // times the estimate of what an iteration leaves is more than that
 constexpr double straight = 1e-10;         // variance across times along the chord, of R⁴; some 6° of arc
 constexpr double unlike = 0.01;            // how a part and all places differ in what a step leaves
 constexpr int mostIterations = 12;
@@ -92,12 +93,13 @@ struct Inverse {
 };
 
 /// How far the iteration has come; `remaining` bounds the rest of the way, in units of R; `chance` the part
-/// of it that residuals bring about; `lag`: how far from where they belong places are linearised.
+/// of it that residuals bring about; `lag`: how far from where they belong places are linearised;
+/// `anisotropy`: how unlike in different directions a place errs, 0…1.
 template <typename T>
 struct Progress {
   Disc<T> disc;
   Step<T> step{};
-  T perRootPlaces{}, lag{}, chance{}, remaining = T{} + 1, chiSquare{};
+  T perRootPlaces{}, anisotropy = T{} + 1, lag{}, chance{}, remaining = T{} + 1, chiSquare{};
   Inverse<T> inverse;
 };
 
@@ -294,10 +296,12 @@ std::optional<FastArcFit> fitStreamed(const ArcSetup& setup, const Readings& rea
   progress.perRootPlaces = 1 / std::sqrt(static_cast<double>(readings.count));
   progress.disc = {pilot->circle.x / l, pilot->circle.y / l, pilotRadius * pilotRadius};
   outcome.iterations = pilot->iterations;
-  for (int surveys = 0; surveys < mostSurveys && !isSettled(progress); ++surveys, ++outcome.iterations) {
+  for (int surveys = 0; surveys < mostSurveys && !isSettled(progress) && progress.chance < tolerance;
+       ++surveys, ++outcome.iterations) {
     Survey all, before, after;
     kernel().survey(readings, inner, progress.disc, all);
     kernel().survey(part.readings(), inner, progress.disc, before);
+    progress.anisotropy = plain::anisotropyOf(inner.variances, all.largestReading * all.largestReading);
     plain::advance(progress, all.sums);
     kernel().survey(part.readings(), inner, progress.disc, after);
     mend(progress, all.sums, before.sums, after.sums);
@@ -306,7 +310,8 @@ std::optional<FastArcFit> fitStreamed(const ArcSetup& setup, const Readings& rea
   }
   for (Sweep sweep; !isSettled(progress) && outcome.iterations < mostIterations; ++outcome.iterations) {
     kernel().sweep(readings, inner, progress.disc, {}, sweep);
-    progress.lag = sweep.sums.ww / sweep.sums.one / (2 * progress.disc.square * progress.disc.square);
+    const double residual = plain::scatter(sweep.sums, 1 / progress.disc.square);
+    progress.lag = 0.5 * residual * residual * residual;  // they were brought near twice
     plain::advance(progress, sweep.sums);
   }
   const auto fit = fitIn(plain::conclude(outcome, l));
@@ -334,23 +339,25 @@ void fitArcsFast(const ArcSetup& setup, std::span<const double> a, std::span<con
   if (a.size() < 3 * fits.size()) std::ranges::fill(fits, std::nullopt);
   if (fits.empty() || a.size() < 3 * fits.size()) return;
   constexpr std::size_t batch = width * sideBySide;
+  constexpr std::size_t turn = 64;  // batches a thread takes at a time: some 70 µs
   const std::size_t count = a.size() / fits.size(), batches = (fits.size() + batch - 1) / batch;
   const Setup inner = inside(setup);
-  const auto work = [&](std::size_t begin, std::size_t end) {
+  std::atomic<std::size_t> next = 0;  // batch that no thread has taken
+  const auto work = [&] {
     std::vector<PlaceEquation> places(count * sideBySide);
     std::array<Conclusion<Lanes>, sideBySide> conclusions;
-    for (std::size_t first = begin * batch; first < std::min(end * batch, fits.size()); first += batch) {
-      const std::size_t held = std::min(batch, fits.size() - first);
-      kernel().solveMany(places.data(), a.data() + first * count, e.data() + first * count, count, held,
-                         inner, conclusions.data());
-      for (std::size_t i = 0; i < held; ++i) fits[first + i] = fitIn(conclusions[i / width], i % width);
-    }
+    for (std::size_t begin = next.fetch_add(turn); begin < batches; begin = next.fetch_add(turn))
+      for (std::size_t first = begin * batch; first < std::min((begin + turn) * batch, fits.size());
+           first += batch) {
+        const std::size_t held = std::min(batch, fits.size() - first);
+        kernel().solveMany(places.data(), a.data() + first * count, e.data() + first * count, count, held,
+                           inner, conclusions.data());
+        for (std::size_t i = 0; i < held; ++i) fits[first + i] = fitIn(conclusions[i / width], i % width);
+      }
   };
-  const auto shares = static_cast<std::size_t>(std::max(threads, 1));
   std::vector<std::jthread> others;
-  for (std::size_t i = 1; i < shares; ++i)
-    others.emplace_back(work, batches * i / shares, batches * (i + 1) / shares);
-  work(0, batches / shares);
+  for (int i = 1; i < threads; ++i) others.emplace_back(work);
+  work();
 }
 
 }  // namespace alidade

@@ -47,7 +47,7 @@ struct ArcSetup {
 
 struct FastArcFit {
   Circle circle;           ///< mm, y up
-  Covariance3 cofactor{};  ///< of (Δx, Δy, R) from the stated σ, to some 1e-6 of it, mm²
+  Covariance3 cofactor{};  ///< of (Δx, Δy, R) from the stated σ, mm²; to some 1e-6 of it
   double chiSquare = 0;    ///< Σ (v/σ)²; with n − 3 degrees of freedom
   int iterations = 0;
 };
@@ -58,7 +58,8 @@ struct ReadingResiduals {
 };
 
 /// Fits one arc to n places, `a[i]`, `e[i]` in rad, each the mean of `rows[i]` rows of one visit; no `rows`:
-/// of one. Absent where refused. Above some ten thousand places nothing is kept of each of them.
+/// of one. Absent where refused. Above some ten thousand places nothing is kept of each of them, and the
+/// cofactor comes from the second derivatives: good to 1e-4 where residuals are systematic.
 std::optional<FastArcFit> fitArcFast(const ArcSetup& setup, std::span<const double> a,
                                      std::span<const double> e, std::span<const double> rows = {},
                                      const ReadingResiduals& residuals = {});

@@ -45,7 +45,7 @@ ArcFit fitGenerally(const Measurement& measurement, const ArcMeasurement& arc, c
   return *fit;
 }
 
-void expectSame(const FastArcFit& fast, const ArcFit& general) {
+void expectSame(const FastArcFit& fast, const ArcFit& general, double ofCofactor = 1e-5) {
   // The general fit stops within 1e-9 σ of the minimum, which counts where σ is some millimetres.
   const double small = smallLength + 3e-9 * std::sqrt(general.cofactor[1][1] + general.cofactor[2][2]);
   EXPECT_NEAR(fast.circle.x, general.circle.x, small);
@@ -56,7 +56,7 @@ void expectSame(const FastArcFit& fast, const ArcFit& general) {
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j)
       EXPECT_NEAR(fast.cofactor[i][j], general.cofactor[i][j],
-                  1e-5 * std::sqrt(general.cofactor[i][i] * general.cofactor[j][j]));
+                  ofCofactor * std::sqrt(general.cofactor[i][i] * general.cofactor[j][j]));
 }
 
 TEST(FastArcFit, MeetsTheHighPrecisionSolutions) {
@@ -196,7 +196,9 @@ TEST(FastArcFit, ManyPlacesWithSystematicErrorsMeetTheGeneralFit) {
   }
   const auto fast = fitFast(measurement, arc);
   ASSERT_TRUE(fast);
-  expectSame(*fast, fitGenerally(measurement, arc, fast->circle));
+  // Second derivatives hold the residuals times the curvature of the arc, which do not even out: 6″ at L to
+  // R.
+  expectSame(*fast, fitGenerally(measurement, arc, fast->circle), 1e-4);
 }
 
 TEST(FastArcFit, ResidualsAreThoseOfTheGeneralFit) {
