@@ -1,6 +1,7 @@
 """The peer in Python: scipy.odr (ODRPACK) on the readings that alidade_speed wrote.
 
-peer_scipy.py FOLDER     times W1, W3 and W4, and prints one JSON document: name -> seconds, circle
+peer_scipy.py FOLDER     times W1, W3, W4 and W5, and prints one JSON document: name -> seconds, circle; of W5 by how
+                         much χ² falls with each effect
 peer_scipy.py --once     nothing but the imports and one fit, to be timed as a process
 """
 
@@ -10,7 +11,7 @@ import sys
 import time
 
 import numpy as np
-from scipy import odr
+from scipy import odr, optimize
 
 DISTANCE = 2405.0
 SIGMA = np.radians(2 / 3600)
@@ -62,6 +63,95 @@ def fit(readings):
     return job.run().beta
 
 
+# W5: each effect is fitted along with both arcs, its numbers in arcseconds or mm. The formulas are those of textbooks,
+# to first order; s = ±phi, `side` is 1 at 0° and -1 at 180°, t runs from 0 to 1 over the session.
+ARCSECOND = np.radians(1 / 3600)
+ON_TARGET = {  # what is added to radius, height and depth of the target, by the numbers p
+    "plane_offset": (1, lambda p, s, side: (0, 0, side * p[0])),
+    "arc_ellipticity": (2, lambda p, s, side: (p[0] * np.cos(2 * s) + p[1] * np.sin(2 * s), 0, 0)),
+    "arc_lobing": (2, lambda p, s, side: (p[0] * np.cos(3 * s) + p[1] * np.sin(3 * s), 0, 0)),
+    "gravity_sag": (1, lambda p, s, side: (0, -p[0] * np.sin(s), 0)),
+    "plane_warp": (2, lambda p, s, side: (0, 0, side * (p[0] * np.cos(2 * s) + p[1] * np.sin(2 * s)))),
+}
+ON_READINGS = {  # what is added to a and e, in arcseconds
+    "collimation": (1, lambda p, a, e, t: (p[0] * (1 / np.cos(e) - 1), 0)),
+    "trunnion_tilt": (1, lambda p, a, e, t: (p[0] * np.tan(e), 0)),
+    "horizontal_circle_eccentricity": (2, lambda p, a, e, t: (p[0] * np.sin(a) + p[1] * (np.cos(a) - 1), 0)),
+    "vertical_circle_eccentricity": (2, lambda p, a, e, t: (0, p[0] * np.sin(e) + p[1] * (np.cos(e) - 1))),
+    "horizontal_drift": (1, lambda p, a, e, t: (p[0] * (t - 0.5), 0)),
+    "vertical_drift": (1, lambda p, a, e, t: (0, p[0] * (t - 0.5))),
+}
+
+
+def misfits(unknowns, readings, effect):
+    """Of both arcs: unknowns x, y, R of each, the arc angles in degrees, the numbers of the effect."""
+    a, e = readings
+    count = a.size
+    circles = unknowns[:6].reshape(2, 3).repeat(count // 2, axis=0)
+    phi, numbers = np.radians(unknowns[6 : 6 + count]), unknowns[6 + count :]
+    side = np.repeat([1, -1], count // 2)
+    radius, height, depth = ON_TARGET[effect][1](numbers, side * phi, side) if effect in ON_TARGET else (0, 0, 0)
+    x = circles[:, 0] + (circles[:, 2] + radius) * np.cos(phi)
+    y = circles[:, 1] + (circles[:, 2] + radius) * np.sin(phi) + height
+    far = DISTANCE - depth
+    seen_a, seen_e = np.arctan2(x, far), np.arctan2(y, np.hypot(x, far))
+    more_a, more_e = 0, 0
+    if effect in ON_READINGS:
+        more_a, more_e = ON_READINGS[effect][1](numbers, seen_a, seen_e, np.linspace(0, 1, count))
+    return np.concatenate([a - seen_a - more_a * ARCSECOND, e - seen_e - more_e * ARCSECOND]) / SIGMA
+
+
+def slopes_of_misfits(unknowns, readings, effect):
+    """By differences; what belongs to different arcs or points is moved at once."""
+    count = readings.shape[1]
+    step, point = 1e-5, np.tile(np.arange(count), 2)
+    arc, first = point // (count // 2), misfits(unknowns, readings, effect)
+    columns = np.zeros((2 * count, unknowns.size))
+    rows = np.arange(2 * count)
+
+    def slope(moved):
+        shifted = unknowns.copy()
+        shifted[moved] += step
+        return (misfits(shifted, readings, effect) - first) / step
+
+    for kind in range(3):
+        columns[rows, 3 * arc + kind] = slope([kind, 3 + kind])
+    columns[rows, 6 + point] = slope(np.arange(6, 6 + count))
+    for number in range(6 + count, unknowns.size):
+        columns[:, number] = slope(number)
+    return columns
+
+
+def least_chi_square(readings, start, effect=None):
+    count = {**ON_TARGET, **ON_READINGS}[effect][0] if effect else 0
+    found = optimize.least_squares(
+        misfits,
+        np.append(start, np.zeros(count)),
+        jac=slopes_of_misfits,
+        args=(readings, effect),
+        method="lm",
+        x_scale="jac",
+        xtol=1e-10,
+    )
+    return 2 * found.cost, found.x
+
+
+def effects_of_catalogue(readings):
+    """Seconds for as many effects as the catalogue has, 17, and the falls of χ²."""
+    a, e = readings
+    circles = [fit(readings[:, :POINTS]), fit(readings[:, POINTS:])]
+    x, y = DISTANCE * np.tan(a), DISTANCE * np.tan(e) / np.cos(a)
+    angles = [
+        np.degrees(np.arctan2(y[part] - circle[1], x[part] - circle[0]))
+        for part, circle in zip((slice(POINTS), slice(POINTS, None)), circles)
+    ]
+    before, start = least_chi_square(readings, np.concatenate([*circles, *angles]))
+    names = [*ON_TARGET, *ON_READINGS]
+    begin = time.perf_counter()
+    falls = {f"fall by {name}": before - least_chi_square(readings, start, name)[0] for name in names}
+    return {"seconds": (time.perf_counter() - begin) * 17 / len(names), "falls": falls}
+
+
 def timed(work, repetitions):
     seconds = []
     for _ in range(repetitions):
@@ -84,7 +174,8 @@ def main():
     many["seconds"] /= arcs
     million = timed(lambda: fit(long), 1)
     million["seconds"] /= long.shape[1]
-    print(json.dumps({"W1": timed(lambda: fit(short[:, 0]), 200), "W3": many, "W4": million}))
+    effects = effects_of_catalogue(short[:, :2].reshape(2, -1))
+    print(json.dumps({"W1": timed(lambda: fit(short[:, 0]), 200), "W3": many, "W4": million, "W5": effects}))
 
 
 if __name__ == "__main__":

@@ -1,7 +1,8 @@
 """Prints the table of speeds: table.py BENCHMARK.json SCIPY.json PROGRAM SESSION PEER.
 
 Times are medians. A ratio is a peer's time over that of alidade, from the same run on the same readings. An
-answer is compared with alidade's own, the greatest difference of x, y and R (W2: of the intersection) in mm.
+answer is compared with alidade's own, the greatest difference of x, y and R (W2: of the intersection) in mm. Of W5
+the peer is scipy's least_squares, one fit for each effect, and the answer by how much χ² falls with each.
 """
 
 import json
@@ -12,6 +13,8 @@ import time
 
 UNITS = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1.0}
 AGREEMENT = 1e-6  # mm
+FALL = "fall by "  # of χ²
+FALLS_AGREE = 1e-2  # one is of the linear model at the fit, the other of a fit; both are of the size of 1
 ROWS = [  # workload, its name in words, seconds aimed at, ours, peers
     ("W1 one arc, 17 points", 0.5e-6, "W1/alidade", ["W1/scipy.odr", "W1/Ceres", "W1/TinySolver"]),
     ("W1 the same through fitArc", None, "W1/alidade fitArc", ["W1/scipy.odr", "W1/Ceres", "W1/TinySolver"]),
@@ -20,8 +23,8 @@ ROWS = [  # workload, its name in words, seconds aimed at, ours, peers
     ("W3 100 000 arcs, each, 1 thread", 0.15e-6, "W3/alidade/1/real_time", ["W3/scipy.odr", "W3/Ceres", "W3/TinySolver"]),
     ("W3 the same, 2 threads", 0.15e-6 / 1.9, "W3/alidade/2/real_time", ["W3/scipy.odr", "W3/Ceres", "W3/TinySolver"]),
     ("W4 10⁶ points, each", 5e-9, "W4/alidade", ["W4/scipy.odr", "W4/Ceres", None]),
-    ("W5 catalogue on 34 points", 0.03e-3, "W5/alidade", [None, None, None]),
-    ("W5 with the derivatives", None, "W5/alidade with derivatives", [None, None, None]),
+    ("W5 catalogue on 34 points", 0.03e-3, "W5/alidade", ["W5/scipy.odr", None, None]),
+    ("W5 with the derivatives", None, "W5/alidade with derivatives", ["W5/scipy.odr", None, None]),
     ("W6 general fit, 136 rows", 0.2e-3, "W6/alidade", [None, None, None]),
     ("W6 the same through fitSession", None, "W6/alidade fitSession", [None, None, None]),
     ("W7 diagnosis, 136 rows", 2e-3, "W7/alidade", [None, None, None]),
@@ -42,6 +45,14 @@ def benchmarks(path):
         answer = [run[key] for key in ("x", "y", "R", "intersection") if key in run]
         found[name] = (run["real_time"] * UNITS[run["time_unit"]] / run.get("each", 1), answer)
     return found
+
+
+def falls_of(path):
+    """By how much χ² falls with each effect, as alidade has it."""
+    with open(path, encoding="utf-8") as file:
+        runs = json.load(file)["benchmarks"]
+    own = next((run for run in runs if run["run_name"] == "W5/alidade"), {})
+    return {key: value for key, value in own.items() if key.startswith(FALL)}
 
 
 def process(*command, repetitions):
@@ -82,7 +93,8 @@ def main():
     found = benchmarks(timings)
     with open(scipy, encoding="utf-8") as file:
         for workload, result in json.load(file).items():
-            found[f"{workload}/scipy.odr"] = result["seconds"], result["circle"]
+            found[f"{workload}/scipy.odr"] = result["seconds"], result.get("circle", [])
+            falls = result.get("falls", {})
     found["W8/alidade"] = process(program, "fit", session, repetitions=30)
     found["W8/scipy.odr"] = process(sys.executable, peer, "--once", repetitions=5)
 
@@ -94,6 +106,13 @@ def main():
     print("\nGreatest difference from alidade's answer (x, y, R or Δd), mm; beyond 1e-6 only where a peer stops early:")
     for name, apart, agrees in disagreements(found):
         print(f"  {name:<26} {apart:.1e}{'' if agrees else '   beyond 1e-6'}")
+    own_falls = falls_of(timings)
+    if own_falls:
+        print("\nBy how much χ² falls with each effect on its own, alidade and scipy's least_squares:")
+    for name in sorted(own_falls.keys() & falls.keys()):
+        apart = abs(own_falls[name] - falls[name])
+        words_apart = "" if apart <= FALLS_AGREE else f"   beyond {FALLS_AGREE}"
+        print(f"  {name.removeprefix(FALL):<32} {own_falls[name]:8.4f} {falls[name]:8.4f}{words_apart}")
 
 
 if __name__ == "__main__":
