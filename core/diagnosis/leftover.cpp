@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 namespace alidade {
 
@@ -13,8 +14,8 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 }  // namespace
 
-Leftover::Leftover(const std::vector<Linearised>& sets, const std::vector<EstimatedTerm>& inModel)
-    : m_sets(sets) {
+Leftover::Leftover(std::vector<Linearised> sets, const std::vector<EstimatedTerm>& inModel)
+    : m_sets(std::move(sets)) {
   std::size_t visits = 0;
   for (const Linearised& set : m_sets) {
     for (LinearReading reading : set.readings) {
@@ -93,9 +94,16 @@ void Leftover::eliminateArcAngles(MatrixXd& columns) const {
     double* column = columns.col(c).data();
     Index first = 0;
     for (const Index end : m_endOfVisit) {
-      double share = 0;
-      for (Index i = first; i < end; ++i) share += m_along[i] * column[i];
-      for (Index i = first; i < end; ++i) column[i] -= share * m_along[i];
+      if (end - first == 2) {  // by far the commonest, and too short for a loop
+        const double along = m_along[first], next = m_along[first + 1],
+                     share = along * column[first] + next * column[first + 1];
+        column[first] -= share * along;
+        column[first + 1] -= share * next;
+      } else {
+        double share = 0;
+        for (Index i = first; i < end; ++i) share += m_along[i] * column[i];
+        for (Index i = first; i < end; ++i) column[i] -= share * m_along[i];
+      }
       first = std::max(first, end);
     }
   }

@@ -21,7 +21,7 @@ class Leftover {
  public:
   /// One set of readings, or several taken from different set-ups: they share the error terms only. `inModel`
   /// are terms the fit estimates already.
-  explicit Leftover(const std::vector<Linearised>& sets, const std::vector<EstimatedTerm>& inModel = {});
+  explicit Leftover(std::vector<Linearised> sets, const std::vector<EstimatedTerm>& inModel = {});
 
   /// Readings of all sets, then an entry for each observation of a prior.
   Eigen::Index rows() const { return m_residual.size(); }

@@ -199,35 +199,37 @@ Search::State Search::with(const State& state, const Growth& growth) {
   const MatrixXd gram = m_table.gram(component) - before.transpose() * before;
   const VectorXd right = state.right.segment(first, count);
   const Linear linear = linearFor(state, component);
-  const VectorXd left = linear.slope.transpose() * (right - gram * linear.fixed);
-  MatrixXd matrix = linear.slope.transpose() * gram * linear.slope;
+  const VectorXd left = linear.isPlain ? right : linear.slope.transpose() * (right - gram * linear.fixed);
+  MatrixXd matrix = linear.isPlain ? gram : linear.slope.transpose() * gram * linear.slope;
   matrix.diagonal().array() += m_variance / (growth.gain.width * growth.gain.width);
   const Eigen::LLT<MatrixXd> factor(matrix);
   const VectorXd along = factor.matrixL().solve(left);
-  next.found.chiSquare += linear.fixed.dot(gram * linear.fixed - 2 * right) - along.squaredNorm();
+  next.found.chiSquare -= along.squaredNorm();
+  if (!linear.isPlain) next.found.chiSquare += linear.fixed.dot(gram * linear.fixed - 2 * right);
   if (along.size() > 0)
     next.found.parts.back().weights = m_table.weights(component, factor.matrixU().solve(along));
   if (!mayGrow(next)) return next;
 
   const MatrixXd products = productsOf(component) - before.transpose() * state.shared;
-  const MatrixXd added = factor.matrixL().solve(linear.slope.transpose() * products);
+  const MatrixXd added =
+      factor.matrixL().solve(linear.isPlain ? products : MatrixXd(linear.slope.transpose() * products));
   next.shared.resize(state.shared.rows() + added.rows(), m_table.size());
   next.shared.topRows(state.shared.rows()) = state.shared;
   next.shared.bottomRows(added.rows()) = added;
-  next.right = state.right - products.transpose() * linear.fixed - added.transpose() * along;
+  next.right = state.right - added.transpose() * along;
+  if (!linear.isPlain) next.right -= products.transpose() * linear.fixed;
   return next;
 }
 
 Search::Linear Search::linearFor(const State& state, std::size_t component) const {
-  const Index count = m_table.count(component);
   if (component < m_candidates.size() && m_candidates[component].allOrNothing)
-    return {VectorXd::Ones(1), MatrixXd(1, 0)};
+    return {false, VectorXd::Ones(1), MatrixXd(1, 0)};
   if (component < m_candidates.size() && m_candidates[component].curvature.cols() > 0) {
     const VectorXd at = bentFor(state, component).weights;
     const auto slope = bentDerivatives(at);
-    return {bentWeights(at) - slope * at, slope};
+    return {false, bentWeights(at) - slope * at, slope};
   }
-  return {VectorXd::Zero(count), MatrixXd::Identity(count, count)};
+  return {};
 }
 
 }  // namespace alidade

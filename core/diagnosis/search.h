@@ -41,6 +41,7 @@ class Search {
 
   /// How a component takes part: its columns with the weights `fixed` + `slope` times what is estimated.
   struct Linear {
+    bool isPlain = true;  ///< 0 + 1 times
     Eigen::VectorXd fixed;
     Eigen::MatrixXd slope;
   };
