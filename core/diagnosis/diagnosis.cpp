@@ -84,14 +84,19 @@ const std::vector<std::string>& diagnosableEffects() {
   return ids;
 }
 
-Result<Diagnosis> diagnose(const Measurement& measurement, const DiagnosisOptions& options) {
+Result<Diagnosis> diagnose(const Measurement& measurement, const DiagnosisOptions& options,
+                           const std::stop_token& stop) {
   for (const std::string& id : options.without)
     if (std::ranges::find(diagnosableEffects(), id) == diagnosableEffects().end())
       return Problem{"there is no effect “" + id + "” in the catalogue"};
   const Result<GapModel> model = modelOf(measurement);
   if (!model) return model.problem();
-  const Inquiry inquiry = inquire(*model, options);
+  const Problem stopped{"the diagnosis was stopped"};
+  if (stop.stop_requested()) return stopped;
+  const Inquiry inquiry = inquire(*model, options, stop);
+  if (stop.stop_requested()) return stopped;
   const Answer answer = conclude(inquiry);
+  if (stop.stop_requested()) return stopped;
 
   Diagnosis diagnosis;
   diagnosis.causes = causesOf(inquiry, answer);
@@ -101,6 +106,7 @@ Result<Diagnosis> diagnose(const Measurement& measurement, const DiagnosisOption
   diagnosis.shrink = shrinkageOf(*model, inquiry, answer);
   diagnosis.candidates = candidatesOf(inquiry);
   diagnosis.where = whereOf(inquiry);
+  if (stop.stop_requested()) return stopped;
   diagnosis.steps = stepsOf(inquiry, answer);
   diagnosis.before = estimateOf(*model);
   diagnosis.afterwards = afterwardsOf(inquiry, answer);
@@ -112,6 +118,7 @@ Result<Diagnosis> diagnose(const Measurement& measurement, const DiagnosisOption
   diagnosis.leftBefore = inSigma(*model);
   diagnosis.leftAfter = inSigma(answer.after);
   diagnosis.readings = readingsOf(*model);
+  if (stop.stop_requested()) return stopped;
   diagnosis.advice = adviceFor(inquiry, diagnosis.causes, unseen);
   diagnosis.sentence = sentenceFor(diagnosis);
   return diagnosis;

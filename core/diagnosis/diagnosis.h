@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -133,9 +134,10 @@ struct DiagnosisOptions {
   std::vector<std::string> without = {};
 };
 
-/// Fails in words where no arc can be fitted or an id is unknown. Effects of the measurement's own model are
-/// part of the model, not of the gap.
-Result<Diagnosis> diagnose(const Measurement& measurement, const DiagnosisOptions& options = {});
+/// Fails in words where no arc can be fitted, an id is unknown, or it was asked to stop. Effects of the
+/// measurement's own model are part of the model, not of the gap.
+Result<Diagnosis> diagnose(const Measurement& measurement, const DiagnosisOptions& options = {},
+                           const std::stop_token& stop = {});
 
 /// Every id a diagnosis may name: the effects of the catalogue, a jump, misread values, larger noise.
 const std::vector<std::string>& diagnosableEffects();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <stop_token>
 #include <vector>
 
 #include "core/diagnosis/component.h"
@@ -41,6 +42,7 @@ struct SearchOptions {
   std::size_t beam = 6;
   std::size_t mostParts = 3;  ///< but more where they are misreadings
   std::size_t mostMisreadings = 6;
+  std::stop_token stop = {};  ///< asked to stop, the search ends with what it has found
 };
 
 /// The best first. Always holds the explanation of no part without and with larger noise.

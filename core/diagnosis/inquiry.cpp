@@ -27,12 +27,14 @@ std::vector<Component> candidatesFor(const GapModel& base, const Leftover& lefto
   return candidates;
 }
 
-Inquiry inquireOnce(GapModel base, const DiagnosisOptions& options) {
+Inquiry inquireOnce(GapModel base, const DiagnosisOptions& options, const std::stop_token& stop) {
   Leftover leftover({linearise(base.measurement, base.fit, base.options)}, base.options.terms);
   SearchOptions search;
   search.misreadings = considered(options, misreadingId);
   search.noise = considered(options, noiseId);
-  std::vector<Component> candidates = candidatesFor(base, leftover, options, search.odds);
+  search.stop = stop;
+  std::vector<Component> candidates;
+  if (!stop.stop_requested()) candidates = candidatesFor(base, leftover, options, search.odds);
   std::vector<Explanation> explanations = explain(leftover, candidates, search);
   return {std::move(base), std::move(leftover), std::move(candidates), std::move(explanations), {}};
 }
@@ -83,12 +85,12 @@ std::vector<Component> effectsBeyond(const GapModel& model, const Leftover& left
   return components;
 }
 
-Inquiry inquire(const GapModel& model, const DiagnosisOptions& options) {
+Inquiry inquire(const GapModel& model, const DiagnosisOptions& options, const std::stop_token& stop) {
   constexpr int mostRounds = 4;
-  Inquiry inquiry = inquireOnce(model, options);
+  Inquiry inquiry = inquireOnce(model, options, stop);
   for (int round = 0; round < mostRounds; ++round) {
     const std::vector<Part> parts = farOff(inquiry);
-    if (parts.empty()) break;
+    if (parts.empty() || stop.stop_requested()) break;
     std::vector<BlamedReading> readings = inquiry.farOff;
     GapModel next = inquiry.base;
     for (const Part& part : parts) {
@@ -96,7 +98,7 @@ Inquiry inquire(const GapModel& model, const DiagnosisOptions& options) {
       next.options.without.push_back(readingRef(inquiry.leftover, inquiry.readingOf(part)));
     }
     next.fit = fitJointly(next.measurement, next.starts, next.options);
-    inquiry = inquireOnce(std::move(next), options);
+    inquiry = inquireOnce(std::move(next), options, stop);
     inquiry.farOff = std::move(readings);
   }
   return inquiry;

@@ -39,7 +39,8 @@ struct Inquiry {
 std::vector<Component> effectsBeyond(const GapModel& model, const Leftover& leftover,
                                      const std::vector<std::string>& leftOut, const PriorOdds& odds);
 
-Inquiry inquire(const GapModel& model, const DiagnosisOptions& options);
+/// Asked to stop, it returns early with what it has found.
+Inquiry inquire(const GapModel& model, const DiagnosisOptions& options, const std::stop_token& stop);
 
 /// A reading of the model, `size` in arcseconds.
 BlamedReading blamed(const Measurement& measurement, const ReadingRef& ref, double size);

@@ -49,7 +49,7 @@ std::vector<Explanation> Search::grown(double variance) {
   nothing.right = m_table.products(m_leftover.residual());
   nothing.shared.resize(0, m_table.size());
   std::vector<Explanation> found{nothing.found};
-  for (std::vector<State> level{std::move(nothing)}; !level.empty();) {
+  for (std::vector<State> level{std::move(nothing)}; !level.empty() && !isStopped();) {
     level = next(level);
     for (const State& state : level) found.push_back(state.found);
     std::erase_if(level, [&](const State& s) { return !mayGrow(s); });
@@ -59,7 +59,7 @@ std::vector<Explanation> Search::grown(double variance) {
 
 std::vector<Search::State> Search::next(const std::vector<State>& level) {
   std::vector<Growth> growths;
-  for (std::size_t i = 0; i < level.size(); ++i) offer(level[i], i, growths);
+  for (std::size_t i = 0; i < level.size() && !isStopped(); ++i) offer(level[i], i, growths);
   // The same set may grow in several ways; the one from the best state counts.
   std::vector<std::size_t> order(growths.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -68,6 +68,7 @@ std::vector<Search::State> Search::next(const std::vector<State>& level) {
   std::vector<State> states;
   std::size_t shaped = 0;
   for (const std::size_t i : order) {
+    if (isStopped()) break;
     const bool isShape = isPattern(growths[i].component);
     if ((isShape ? shaped : states.size() - shaped) == m_options.beam) continue;
     const auto upToHere = std::span(growths).first(i);

@@ -61,6 +61,7 @@ class Search {
   State with(const State& state, const Growth& growth);
   Linear linearFor(const State& state, std::size_t component) const;
   const Eigen::MatrixXd& productsOf(std::size_t component);
+  bool isStopped() const { return m_options.stop.stop_requested(); }
   bool isPattern(std::size_t component) const;
   bool mayGrow(const State& state) const;
   double priorOf(std::size_t component) const;

@@ -13,6 +13,7 @@
 #include "ui/charts/gap_map.h"
 #include "ui/charts/gap_waterfall.h"
 #include "ui/commands/change_field.h"
+#include "ui/jobs/trial_job.h"
 #include "ui/main_window.h"
 #include "ui/panels/cause_list.h"
 #include "ui/panels/data_table.h"
@@ -442,6 +443,26 @@ TEST(GapJob, DeliversTheNewestAndForgetsWhatWasCancelled) {
   EXPECT_EQ(titles.size(), delivered);
 }
 
+TEST(GapJob, TakesUpAgainWhatWasStopped) {
+  std::stop_source stop;
+  stop.request_stop();
+  const auto evaluation = std::make_shared<const Evaluation>(evaluateFit(paperSession()));
+  EXPECT_FALSE(assessGap(evaluation, stop.get_token()).diagnosis);
+  GapJob job;
+  job.setWatched(true);
+  std::vector<bool> hasDiagnosis;
+  QObject::connect(&job, &GapJob::assessed, [&](const SharedGap& gap) {
+    EXPECT_EQ(gap->evaluation, evaluation);
+    hasDiagnosis.push_back(gap->diagnosis.has_value());
+  });
+  job.request(evaluation);
+  QTest::qWait(0);  // at work now
+  job.cancel();
+  job.request(evaluation);
+  ASSERT_TRUE(waitFor([&] { return job.isIdle(); }));
+  EXPECT_EQ(hasDiagnosis, std::vector{true});
+}
+
 TEST(GapJob, WaitsForRestUnlessWatched) {
   GapJob job;
   int delivered = 0;
@@ -452,6 +473,24 @@ TEST(GapJob, WaitsForRestUnlessWatched) {
   job.setWatched(true);
   ASSERT_TRUE(waitFor([&] { return delivered == 1; }));
   EXPECT_TRUE(job.isIdle());
+}
+
+TEST(TrialJob, StopsAtOnceAndStartsAnew) {
+  std::stop_source stop;
+  stop.request_stop();
+  const DiagnosedTrial stopped = diagnoseTrial({.protocol = "paper"}, 1, stop.get_token());
+  EXPECT_FALSE(stopped.gap.diagnosis);
+  EXPECT_FALSE(stopped.problem.empty());
+  TrialJob job;
+  std::vector<SharedTrial> diagnosed;
+  QObject::connect(&job, &TrialJob::diagnosed, [&](const SharedTrial& trial) { diagnosed.push_back(trial); });
+  job.start({.protocol = "full"}, 1, 3);
+  job.stop();
+  job.start({.protocol = "paper"}, 1, 1);
+  ASSERT_TRUE(waitFor([&] { return !job.isAtWork(); }));
+  ASSERT_EQ(diagnosed.size(), 1U);
+  EXPECT_TRUE(diagnosed.front()->problem.empty());
+  EXPECT_TRUE(diagnosed.front()->gap.diagnosis);
 }
 
 TEST(CauseText, NamesEverythingADiagnosisMayName) {

@@ -78,11 +78,11 @@ bool Gap::isNoiseAlone() const {
          diagnosis->causes.front().effect == "underestimated_noise";
 }
 
-Gap assessGap(SharedEvaluation evaluation) {
+Gap assessGap(SharedEvaluation evaluation, const std::stop_token& stop) {
   Gap gap{.evaluation = std::move(evaluation), .diagnosis = {}, .reason = {}, .stages = {}};
   gap.reason = reasonForNone(*gap.evaluation);
   if (!gap.reason.empty()) return gap;
-  Result<Diagnosis> diagnosis = diagnose(*gap.evaluation->examined.measurement);
+  Result<Diagnosis> diagnosis = diagnose(*gap.evaluation->examined.measurement, {}, stop);
   if (!diagnosis) {
     gap.reason = diagnosis.problem().what;
     return gap;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -40,7 +41,8 @@ struct Gap {
   bool isNoiseAlone() const;
 };
 
-/// Diagnoses the evaluation. Takes many times as long as a fit.
-Gap assessGap(SharedEvaluation evaluation);
+/// Diagnoses the evaluation. Takes many times as long as a fit; asked to stop, it returns early, without a
+/// diagnosis.
+Gap assessGap(SharedEvaluation evaluation, const std::stop_token& stop = {});
 
 }  // namespace alidade::ui

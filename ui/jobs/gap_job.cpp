@@ -14,15 +14,18 @@ GapJob::GapJob(QObject* parent) : QObject(parent) {
 
 GapJob::~GapJob() {
   m_work.disconnect(this);
+  m_stop.request_stop();
   m_threads.waitForDone();
 }
 
 void GapJob::request(SharedEvaluation evaluation) {
+  if (evaluation != m_wanted) m_stop.request_stop();
   m_wanted = std::move(evaluation);
   m_rest.start(m_isWatched ? 0 : restMilliseconds);
 }
 
 void GapJob::cancel() {
+  m_stop.request_stop();
   m_wanted.reset();
   m_rest.stop();
 }
@@ -35,15 +38,17 @@ void GapJob::setWatched(bool watched) {
 void GapJob::start() {
   if (m_isAtWork || !m_wanted) return;
   m_isAtWork = true;
-  m_work.setFuture(QtConcurrent::run(&m_threads, [evaluation = m_wanted]() -> SharedGap {
-    return std::make_shared<const Gap>(assessGap(evaluation));
-  }));
+  m_stop = std::stop_source();
+  m_work.setFuture(
+      QtConcurrent::run(&m_threads, [evaluation = m_wanted, stop = m_stop.get_token()]() -> SharedGap {
+        return std::make_shared<const Gap>(assessGap(evaluation, stop));
+      }));
 }
 
 void GapJob::finish() {
   m_isAtWork = false;
   const SharedGap gap = m_work.result();
-  if (gap->evaluation == m_wanted) {
+  if (gap->evaluation == m_wanted && !m_stop.stop_requested()) {
     m_wanted.reset();
     emit assessed(gap);
   } else if (!m_rest.isActive()) {

@@ -5,6 +5,7 @@
 #include <QThreadPool>
 #include <QTimer>
 #include <memory>
+#include <stop_token>
 
 #include "ui/jobs/gap.h"
 
@@ -14,7 +15,8 @@ namespace alidade::ui {
 using SharedGap = std::shared_ptr<const Gap>;
 
 /// Diagnoses evaluations in the background, one at a time; the newest wins, and what a newer request has
-/// overtaken is not delivered. At once while somebody watches, otherwise when the session has come to rest.
+/// overtaken is stopped and not delivered. At once while somebody watches, otherwise when the session has
+/// come to rest.
 class GapJob : public QObject {
   Q_OBJECT
 
@@ -40,6 +42,7 @@ class GapJob : public QObject {
   QThreadPool m_threads;
   QFutureWatcher<SharedGap> m_work;
   QTimer m_rest;
+  std::stop_source m_stop;    ///< of what is at work
   SharedEvaluation m_wanted;  ///< null where nothing is
   bool m_isWatched = false, m_isAtWork = false;
 };

@@ -5,7 +5,8 @@
 
 namespace alidade::ui {
 
-DiagnosedTrial diagnoseTrial(const BlindTrialOptions& options, std::uint64_t seed) {
+DiagnosedTrial diagnoseTrial(const BlindTrialOptions& options, std::uint64_t seed,
+                             const std::stop_token& stop) {
   DiagnosedTrial done;
   Result<BlindTrial> drawn = drawBlindTrial(options, seed);
   if (!drawn) {
@@ -13,7 +14,7 @@ DiagnosedTrial diagnoseTrial(const BlindTrialOptions& options, std::uint64_t see
     return done;
   }
   done.trial = *std::move(drawn);
-  done.gap = assessGap(std::make_shared<const Evaluation>(evaluateFit(done.trial.session)));
+  done.gap = assessGap(std::make_shared<const Evaluation>(evaluateFit(done.trial.session)), stop);
   done.problem = done.gap.reason;
   if (done.gap.diagnosis) done.score = scoreTrial(done.trial.seal, *done.gap.diagnosis);
   return done;
@@ -26,12 +27,14 @@ TrialJob::TrialJob(QObject* parent) : QObject(parent) {
 
 TrialJob::~TrialJob() {
   m_work.disconnect(this);
+  m_stop.request_stop();
   m_threads.waitForDone();
 }
 
 void TrialJob::start(const BlindTrialOptions& options, std::uint64_t seed, int count) {
   const bool isFree = m_work.isFinished();
   m_isStale = !isFree;
+  m_stop.request_stop();
   m_options = options;
   m_seed = seed;
   m_left = count;
@@ -40,12 +43,15 @@ void TrialJob::start(const BlindTrialOptions& options, std::uint64_t seed, int c
 
 void TrialJob::stop() {
   m_left = 0;
+  m_stop.request_stop();
 }
 
 void TrialJob::next() {
-  m_work.setFuture(QtConcurrent::run(&m_threads, [options = m_options, seed = m_seed]() -> SharedTrial {
-    return std::make_shared<const DiagnosedTrial>(diagnoseTrial(options, seed));
-  }));
+  m_stop = std::stop_source();
+  m_work.setFuture(QtConcurrent::run(
+      &m_threads, [options = m_options, seed = m_seed, stop = m_stop.get_token()]() -> SharedTrial {
+        return std::make_shared<const DiagnosedTrial>(diagnoseTrial(options, seed, stop));
+      }));
 }
 
 void TrialJob::finish() {

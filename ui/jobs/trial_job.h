@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QThreadPool>
 #include <memory>
+#include <stop_token>
 
 #include "core/simulation/blind_trial.h"
 #include "core/simulation/trial_score.h"
@@ -21,8 +22,9 @@ struct DiagnosedTrial {
 
 using SharedTrial = std::shared_ptr<const DiagnosedTrial>;
 
-/// In the calling thread.
-DiagnosedTrial diagnoseTrial(const BlindTrialOptions& options, std::uint64_t seed);
+/// In the calling thread. Asked to stop, it returns early, without a diagnosis.
+DiagnosedTrial diagnoseTrial(const BlindTrialOptions& options, std::uint64_t seed,
+                             const std::stop_token& stop = {});
 
 /// Draws and diagnoses trials in the background, one after the other: the seeds `seed`, `seed` + 1, …
 class TrialJob : public QObject {
@@ -48,7 +50,8 @@ class TrialJob : public QObject {
   BlindTrialOptions m_options;
   std::uint64_t m_seed = 0;
   int m_left = 0;
-  bool m_isStale = false;  ///< what is at work was stopped
+  std::stop_source m_stop;  ///< of what is at work
+  bool m_isStale = false;   ///< what is at work was stopped
 };
 
 }  // namespace alidade::ui

@@ -234,5 +234,13 @@ TEST(Leftover, SeesAsMuchOfAnEffectAsTheRayTracer) {
   EXPECT_GE(count, 4);
 }
 
+TEST(Diagnosis, EndsWhereItIsStopped) {
+  std::stop_source stop;
+  stop.request_stop();
+  const Result<Diagnosis> diagnosis = diagnose(test::trialMeasurement("full"), {}, stop.get_token());
+  ASSERT_FALSE(diagnosis);
+  EXPECT_EQ(diagnosis.problem().what, "the diagnosis was stopped");
+}
+
 }  // namespace
 }  // namespace alidade
