@@ -106,6 +106,22 @@ std::vector<std::size_t> stepsLike(const Inquiry& inquiry, const Explanation& ex
   return found;
 }
 
+/// Another effect in place of one that is alone; absent where the noise is larger than stated and the search
+/// did not meet it.
+std::optional<Explanation> withOther(const Inquiry& inquiry, const Explanation& explanation,
+                                     std::size_t other) {
+  if (explanation.parts.size() != 1) return std::nullopt;
+  if (const Explanation* met = inquiry.alone(other, explanation.noisy)) return *met;
+  if (explanation.noisy) return std::nullopt;
+  const Part& own = explanation.parts.front();
+  const Component& component = inquiry.candidates[other];
+  Explanation rival = explanation;
+  rival.parts = {fitAlone(inquiry.leftover, component, other)};
+  rival.logOdds += rival.parts.front().logGain + component.logPrior - own.logGain -
+                   inquiry.candidates[own.component].logPrior;
+  return rival;
+}
+
 std::vector<std::size_t> lookAlikesOf(const Inquiry& inquiry, const Explanation& explanation,
                                       std::size_t index) {
   const Part& part = explanation.parts[index];
@@ -118,9 +134,11 @@ std::vector<std::size_t> lookAlikesOf(const Inquiry& inquiry, const Explanation&
     if (other.kind != Component::Kind::Effect || i == part.component) continue;
     const double difference = differenceFrom(trace, other) / explanation.noise;
     if (difference > clearlyDifferent) continue;
-    const Explanation* rival = explanation.parts.size() == 1 ? inquiry.alone(i, explanation.noisy) : nullptr;
-    const bool close = rival && rival->logOdds > explanation.logOdds - closeOdds;
-    if (difference < hardlyDifferent || close) found.push_back(i);
+    const auto isClose = [&] {
+      const std::optional<Explanation> rival = withOther(inquiry, explanation, i);
+      return rival && rival->logOdds > explanation.logOdds - closeOdds;
+    };
+    if (difference < hardlyDifferent || isClose()) found.push_back(i);
   }
   return found;
 }
@@ -150,11 +168,10 @@ std::vector<Explanation> rivalsOf(const Inquiry& inquiry, const Answer& answer) 
   const Explanation& explanation = answer.explanation;
   for (std::size_t part = 0; part < explanation.parts.size(); ++part)
     for (const std::size_t i : answer.lookAlikes[part]) {
-      if (inquiry.isMisreading(explanation.parts[part])) {
-        rivals.push_back(withStep(inquiry, explanation, part, i));
-      } else if (explanation.parts.size() == 1) {
-        if (const Explanation* rival = inquiry.alone(i, explanation.noisy)) rivals.push_back(*rival);
-      }
+      const std::optional<Explanation> rival = inquiry.isMisreading(explanation.parts[part])
+                                                   ? withStep(inquiry, explanation, part, i)
+                                                   : withOther(inquiry, explanation, i);
+      if (rival) rivals.push_back(*rival);
     }
   return rivals;
 }

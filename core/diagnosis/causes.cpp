@@ -96,11 +96,14 @@ std::vector<Candidate> candidatesOf(const Inquiry& inquiry) {
             : std::sqrt(signatureSquare(inquiry.candidates[part.component], part.weights));
     offer(inquiry.idOf(part), part.logGain, visible);
   }
-  for (const Component& component : inquiry.candidates)
-    if (component.kind == Component::Kind::Effect &&
-        std::ranges::find(list, component.id, &Candidate::effect) == list.end())
-      list.push_back({component.id, logBayesFactor(inquiry.leftover, component),
-                      std::sqrt(signatureSquare(component, likelyWeights(inquiry.leftover, component)))});
+  for (std::size_t i = 0; i < inquiry.candidates.size(); ++i) {
+    const Component& component = inquiry.candidates[i];
+    if (component.kind != Component::Kind::Effect ||
+        std::ranges::find(list, component.id, &Candidate::effect) != list.end())
+      continue;
+    const Part alone = fitAlone(inquiry.leftover, component, i);
+    list.push_back({component.id, alone.logGain, std::sqrt(signatureSquare(component, alone.weights))});
+  }
   std::ranges::sort(list, std::greater{}, &Candidate::logBayesFactor);
   return list;
 }

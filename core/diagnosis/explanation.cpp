@@ -125,14 +125,17 @@ double logBayesFactor(const Leftover& leftover, const Component& component) {
   return gainOf(widthsOf(component.kind), component.gram, right, 1).log;
 }
 
-VectorXd likelyWeights(const Leftover& leftover, const Component& component) {
-  if (component.curvature.cols() > 0) return fitBentAlone(leftover, component).weights;
-  if (component.allOrNothing) return VectorXd::Ones(1);
+Part fitAlone(const Leftover& leftover, const Component& component, std::size_t index) {
+  if (component.curvature.cols() > 0) {
+    const BentFit fit = fitBentAlone(leftover, component);
+    return {index, fit.gain.width, fit.weights, fit.gain.log};
+  }
+  if (component.allOrNothing) return {index, 1, VectorXd::Ones(1), logBayesFactor(leftover, component)};
   const VectorXd right = component.columns.transpose() * leftover.residual();
-  const double width = gainOf(widthsOf(component.kind), component.gram, right, 1).width;
+  const Gain gain = gainOf(widthsOf(component.kind), component.gram, right, 1);
   MatrixXd matrix = component.gram;
-  matrix.diagonal().array() += 1 / (width * width);
-  return matrix.ldlt().solve(right);
+  matrix.diagonal().array() += 1 / (gain.width * gain.width);
+  return {index, gain.width, matrix.ldlt().solve(right), gain.log};
 }
 
 }  // namespace alidade

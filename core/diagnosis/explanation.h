@@ -51,7 +51,7 @@ std::vector<Explanation> explain(const Leftover& leftover, const std::vector<Com
 
 /// Evidence of one component alone, noise as stated, natural, without its prior.
 double logBayesFactor(const Leftover& leftover, const Component& component);
-/// The weights that an effect then has, in plausible sizes.
-Eigen::VectorXd likelyWeights(const Leftover& leftover, const Component& component);
+/// The same with the weights that an effect then has; `index` is that of the component.
+Part fitAlone(const Leftover& leftover, const Component& component, std::size_t index);
 
 }  // namespace alidade

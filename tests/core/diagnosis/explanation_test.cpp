@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/adjustment/session_fit.h"
+#include "core/diagnosis/inquiry.h"
 #include "core/diagnosis/known_components.h"
+#include "core/simulation/simulate.h"
 #include "tests/support/trials.h"
 
 namespace alidade {
@@ -23,6 +27,28 @@ TEST(Explanation, IsSoughtNoFurtherOnceStopped) {
   EXPECT_GT(longest(), 0U);
   stop.request_stop();
   EXPECT_EQ(longest(), 0U);
+}
+
+// A perfect session that holds three plausible sizes of an effect gives them back, drawn to 0 by the prior of
+// their width by less than 3 % where they show by some ten σ; a plane tilt bends.
+TEST(FitAlone, GivesBackTheEffectThatASessionHolds) {
+  for (const char* id : {"collimation", "trunnion_tilt", "plane_tilt", "arc_ellipticity", "vertical_drift"}) {
+    SCOPED_TRACE(id);
+    Truth truth = drawTruth(9);
+    for (const EffectParameter& parameter : effectById(id)->parameters)
+      truth.effects.push_back({parameter.term, 3 * parameter.plausible});
+    const Session session = *simulateWithoutNoise(*protocolByName("full"), truth, 9);
+    const GapModel model = *modelOf(*examine(session).measurement);
+    const Leftover leftover({linearise(model.measurement, model.fit, model.options)});
+    const std::vector<Component> effects = effectsBeyond(model, leftover, {}, {});
+    for (std::size_t i = 0; i < effects.size(); ++i) {
+      const Part part = fitAlone(leftover, effects[i], i);
+      EXPECT_EQ(part.component, i);
+      EXPECT_DOUBLE_EQ(part.logGain, logBayesFactor(leftover, effects[i])) << effects[i].id;
+      if (effects[i].id != id) continue;
+      for (const double weight : part.weights) EXPECT_NEAR(std::abs(weight), 3, 0.03 * 3);
+    }
+  }
 }
 
 }  // namespace
