@@ -22,12 +22,6 @@ ReadingKind kindOf(const std::string& field) {
   return field == "slider" ? ReadingKind::Slider : ReadingKind::Horizontal;
 }
 
-double sideOf(const Measurement& measurement, int face, ReadingKind kind) {
-  if (kind != ReadingKind::Vertical) return 1;
-  const double down = measurement.verticalCircle == VerticalCircle::Zenith ? -1 : 1;
-  return face == 1 ? down : -down;
-}
-
 Visited Visited::with(std::size_t row) const {
   Visited visit = *this;
   if (std::ranges::find(visit.rows, row) == visit.rows.end()) visit.rows.push_back(row);

@@ -37,9 +37,6 @@ struct AgreeingCorrection {
 /// Which kind of reading a cell holds; a changed face turns both circles and counts as the horizontal one.
 ReadingKind kindOf(const std::string& field);
 
-/// Reduced angles count face 2 and zenith circles the other way round than their circles: ±1.
-double sideOf(const Measurement& measurement, int face, ReadingKind kind);
-
 /// Misread readings of a session, and the corrections of what was typed that would mend them: each is tried
 /// against a fit of all other readings.
 class CorrectionTrials {

@@ -19,4 +19,10 @@ Angle statedSigma(const Measurement& measurement, ReadingKind kind) {
   return kind == ReadingKind::Vertical ? measurement.sigmaVertical : measurement.sigmaSlider;
 }
 
+double sideOf(const Measurement& measurement, int face, ReadingKind kind) {
+  if (kind != ReadingKind::Vertical) return 1;
+  const double down = measurement.verticalCircle == VerticalCircle::Zenith ? -1 : 1;
+  return face == 1 ? down : -down;
+}
+
 }  // namespace alidade

@@ -25,4 +25,7 @@ struct ReadingRef {
 /// σ stated for readings of a kind.
 Angle statedSigma(const Measurement& measurement, ReadingKind kind);
 
+/// Reduced angles count face 2 and zenith circles the other way round than their circles: ±1.
+double sideOf(const Measurement& measurement, int face, ReadingKind kind);
+
 }  // namespace alidade

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/adjustment/correction_trials.h"
+#include "core/adjustment/reading_ref.h"
 #include "core/diagnosis/misread_circle.h"
 
 namespace alidade {
