@@ -128,6 +128,40 @@ TEST_F(ImportFlow, KeepsEachSessionInItsFile) {
   EXPECT_EQ(loadSession(second.toStdString())->title, "arc") << "the other one's file is not written over";
 }
 
+TEST_F(ImportFlow, UndoneIsNotLeftWithoutAsking) {
+  ASSERT_TRUE(open->files().open(samplePath(QStringLiteral("paper-table-1.alidade"))));
+  ASSERT_TRUE(open->files().importReadings(file(QStringLiteral("arc.csv"), table)));
+  typeInto(*open->findChild<QLineEdit*>(QStringLiteral("geometry.distance_mm")), QStringLiteral("2411"));
+  open->undo();
+  open->undo();
+  EXPECT_FALSE(open->document().isModified());
+  EXPECT_FALSE(open->close());
+  EXPECT_FALSE(open->files().startNew());
+  EXPECT_FALSE(open->files().importReadings(file(QStringLiteral("next.csv"), table)));
+  EXPECT_EQ(open.dialogs->undoneQuestions, 3);
+  open->redo();
+  open->redo();
+  EXPECT_EQ(open->document().session().geometry.distanceMm, "2411");
+
+  ASSERT_FALSE(open->document().save(folder.filePath(QStringLiteral("arc.alidade"))));
+  open->undo();
+  open->undo();
+  open.dialogs->saveAnswer = Dialogs::SaveAnswer::Discard;
+  EXPECT_TRUE(open->files().mayLeave());
+  EXPECT_EQ(open.dialogs->undoneQuestions, 3) << "it is in a file";
+}
+
+TEST_F(ImportFlow, UndoneIsLeftWhereThatIsWanted) {
+  ASSERT_TRUE(open->files().open(samplePath(QStringLiteral("paper-table-1.alidade"))));
+  ASSERT_TRUE(open->files().importReadings(file(QStringLiteral("arc.csv"), table)));
+  open->undo();
+  open.dialogs->discardUndone = true;
+  EXPECT_TRUE(open->files().startNew());
+  EXPECT_EQ(open.dialogs->undoneQuestions, 1);
+  EXPECT_TRUE(open->files().startNew());
+  EXPECT_EQ(open.dialogs->undoneQuestions, 1) << "nothing is left to redo";
+}
+
 TEST_F(ImportFlow, SaysWhatCouldNotBeRead) {
   EXPECT_TRUE(open->files().open(file(QStringLiteral("arc.gsi"),
                                       "110001+00000001 21.322+37985926 22.322+09808000 31..00+00002405\n"

@@ -22,7 +22,8 @@ class ScriptedDialogs : public Dialogs {
  public:
   SaveAnswer saveAnswer = SaveAnswer::Cancel;
   QString openPath, importPath, savePath, reportPath;
-  int saveQuestions = 0;
+  int saveQuestions = 0, undoneQuestions = 0;
+  bool discardUndone = false;
   bool exportAnyway = false;
   QList<int> unusableEntries;  ///< as told by each question whether to export anyway
   QStringList problems;
@@ -30,6 +31,10 @@ class ScriptedDialogs : public Dialogs {
   SaveAnswer askSaveChanges(const QString&) override {
     ++saveQuestions;
     return saveAnswer;
+  }
+  bool askDiscardUndoneImport() override {
+    ++undoneQuestions;
+    return discardUndone;
   }
   QString askOpenPath(const QString&) override { return openPath; }
   QString askImportPath(const QString&) override { return importPath; }

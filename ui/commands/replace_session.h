@@ -9,7 +9,8 @@ namespace alidade::ui {
 class SessionDocument;
 
 /// Puts another session in place of the present one, all of it at once. Undone, the one before is back, in
-/// the file it had.
+/// the file it had. Only the file saved last counts as saved; the other one is asked about, though it may be
+/// as in its file.
 class ReplaceSession : public QUndoCommand {
  public:
   enum class File {
@@ -21,6 +22,9 @@ class ReplaceSession : public QUndoCommand {
 
   void undo() override;
   void redo() override;
+
+  /// Where it is undone: the session that it took away again is in no file.
+  bool hasTakenBackUnsaved() const { return m_file == File::None && m_otherPath.isEmpty(); }
 
  private:
   void put(const Session& session);

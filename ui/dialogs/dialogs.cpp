@@ -52,6 +52,16 @@ Dialogs::SaveAnswer Dialogs::askSaveChanges(const QString& name) {
   }
 }
 
+bool Dialogs::askDiscardUndoneImport() {
+  QMessageBox box(QMessageBox::Warning, Text::tr("Unsaved changes"),
+                  Text::tr("An import that was undone has not been saved."),
+                  QMessageBox::Discard | QMessageBox::Cancel, m_parent);
+  box.setInformativeText(
+      Text::tr("Redo brings it back with all that was typed into it. Discarded, it cannot be brought back."));
+  box.setDefaultButton(QMessageBox::Cancel);
+  return box.exec() == QMessageBox::Discard;
+}
+
 QString Dialogs::askOpenPath(const QString& folder) {
   return QFileDialog::getOpenFileName(m_parent, Text::tr("Open session"), folder, sessionFilter());
 }

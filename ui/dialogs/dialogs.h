@@ -15,6 +15,8 @@ class Dialogs {
   virtual ~Dialogs() = default;
 
   virtual SaveAnswer askSaveChanges(const QString& name);
+  /// Shall an import be lost that was undone and is in no file?
+  virtual bool askDiscardUndoneImport();
   /// Empty: cancelled.
   virtual QString askOpenPath(const QString& folder);
   virtual QString askImportPath(const QString& folder);

@@ -164,6 +164,10 @@ bool FileFlow::exportReport() {
 
 bool FileFlow::mayLeave() {
   emit commitWanted();
+  return mayLeaveChanges() && mayLeaveUndone();
+}
+
+bool FileFlow::mayLeaveChanges() {
   if (!m_document.isModified()) return true;
   switch (m_dialogs.askSaveChanges(m_document.displayName())) {
     case Dialogs::SaveAnswer::Save:
@@ -174,6 +178,16 @@ bool FileFlow::mayLeave() {
       break;
   }
   return false;
+}
+
+/// The session back from an import may be as in its file, and all that was typed into the import unsaved.
+bool FileFlow::mayLeaveUndone() {
+  const QUndoStack& stack = m_document.undoStack();
+  for (int step = stack.index(); step < stack.count(); ++step) {
+    const auto* replaced = dynamic_cast<const ReplaceSession*>(stack.command(step));
+    if (replaced && replaced->hasTakenBackUnsaved()) return m_dialogs.askDiscardUndoneImport();
+  }
+  return true;
 }
 
 QString FileFlow::suggestedPath(const QString& suffix) const {
