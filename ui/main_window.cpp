@@ -166,7 +166,7 @@ void MainWindow::connectParts() {
   connect(&m_document, &SessionDocument::changed, this, [this](const SessionChange& change) {
     m_lastChange = change.place;
     m_suspects->setStale();
-    m_budget->stopSimulation();
+    m_budget->stopSimulationUnlessOf(m_document.session());
     if (change.kind == SessionChange::Kind::Everything)
       showNoGap();
     else

@@ -6,6 +6,8 @@
 #include <QSpinBox>
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
+#include <cmath>
 
 #include "tests/ui/report/printed.h"
 #include "tests/ui/support.h"
@@ -74,7 +76,7 @@ TEST(Simulation, ShowsWhatTheCoreDrawsBesideWhatIsPropagated) {
        {linear.value, linear.sigma, linear.value - linear.expanded, linear.value + linear.expanded,
         spread.mean, spread.sigma, spread.low, spread.high})
     EXPECT_THAT(bench.shown(), HasSubstr(numberText(figure, 4).toStdString()));
-  EXPECT_THAT(bench.shown(), HasSubstr(agreementWord(check.linear).toStdString()));
+  EXPECT_THAT(bench.shown(), HasSubstr(agreementWord(check).toStdString()));
   // The arcs are all but linear here, so the ends differ by chance alone: 4 sigma of either, 1 in 8000.
   EXPECT_LT(std::max(check.lowDifference, check.highDifference), 4 * check.endpointSigma);
 }
@@ -100,6 +102,25 @@ TEST(Simulation, IsStoppedByItsButtonAndByAnEdit) {
   bench.open.settle();
   EXPECT_THAT(bench.shown(), HasSubstr("Stopped, for the session has changed."));
   EXPECT_FALSE(bench.report().contains(QStringLiteral("Checked by simulation")));
+}
+
+TEST(Simulation, GoesOnUntilWhatItIsOfHasChanged) {
+  SimulationBench bench;
+  auto* count = bench.box->findChild<QSpinBox*>();
+  count->setValue(count->maximum());
+  bench.press();
+  changeField(bench.open->document(), {.field = "operator"}, "M. Ruiz");
+  bench.open.settle();
+  EXPECT_TRUE(bench.box->job().isAtWork()) << "nothing that enters a fit has changed";
+  bench.press();
+  ASSERT_TRUE(bench.finish());
+
+  changeField(bench.open->document(), {.field = "geometry.distance_mm"}, "2406");
+  bench.press();
+  EXPECT_TRUE(bench.box->job().isAtWork()) << "on what is shown, the fit before";
+  bench.open.settle();
+  ASSERT_TRUE(bench.finish());
+  EXPECT_THAT(bench.shown(), HasSubstr("Stopped, for the session has changed."));
 }
 
 TEST(Simulation, IsToldOnPaperOfTheSessionItIsOf) {
@@ -131,12 +152,32 @@ TEST(Simulation, SaysWhatFollows) {
   EXPECT_EQ(agreementSentence(check).toStdString(),
             "The ends of Δd ± U differ from those simulated by 0.0310 and 0.0020 mm; the tolerance is 0.0050 "
             "mm. Rely on the simulated interval.");
+  check.failed = 1;
+  EXPECT_THAT(agreementSentence(check).toStdString(), HasSubstr("Draws without a result, left out: 1."));
+}
+
+TEST(Simulation, SaysHowManyDrawsWouldTell) {
+  MonteCarlo check;
+  check.draws = 1000;
+  check.tolerance = 0.005;
+  check.lowDifference = 0.003;
+  check.highDifference = 0.002;
+  check.endpointSigma = 0.004;
   check.linear = LinearPropagation::Undecided;
+  EXPECT_EQ(agreementWord(check), QStringLiteral("No disagreement, but too few draws to be sure."));
   EXPECT_THAT(agreementSentence(check).toStdString(),
               HasSubstr("an end is uncertain by 0.0040 mm: about 6000 draws would tell."))
       << "1000 · (3 · 0.004/0.005)²";
-  check.failed = 3;
-  EXPECT_THAT(agreementSentence(check).toStdString(), HasSubstr("3 draws gave no result"));
+  check.lowDifference = 0.0091;
+  EXPECT_EQ(agreementWord(check), QStringLiteral("Too few draws to tell."));
+  EXPECT_THAT(agreementSentence(check).toStdString(), HasSubstr(": about 9000 draws would tell."))
+      << "1000 · (3 · 0.004/(0.0091 − 0.005))²";
+  check.lowDifference = 0.016;
+  EXPECT_THAT(agreementSentence(check).toStdString(), HasSubstr(": about 6000 draws would tell."))
+      << "the tolerance is the smaller room";
+  check.lowDifference = std::nextafter(check.tolerance, 1);
+  EXPECT_THAT(agreementSentence(check).toStdString(),
+              HasSubstr("; it would take more draws than can be asked for here to tell."));
 }
 
 }  // namespace

@@ -42,8 +42,8 @@ BudgetPanel::BudgetPanel(QWidget* parent)
   connect(m_simulation, &SimulationBox::checked, this, &BudgetPanel::checked);
 }
 
-void BudgetPanel::stopSimulation() {
-  m_simulation->stop();
+void BudgetPanel::stopSimulationUnlessOf(const Session& session) {
+  m_simulation->stopUnlessOf(session);
 }
 
 void BudgetPanel::setEvaluation(const SharedEvaluation& evaluation) {

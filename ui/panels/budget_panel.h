@@ -19,8 +19,8 @@ class BudgetPanel : public ScrollPage {
   explicit BudgetPanel(QWidget* parent = nullptr);
 
   void setEvaluation(const SharedEvaluation& evaluation);
-  /// The session has changed: a simulation at work is for nothing.
-  void stopSimulation();
+  /// The session has changed to this one: stops a simulation at work where that is of another one.
+  void stopSimulationUnlessOf(const Session& session);
 
  signals:
   void checked(const alidade::ui::SharedBudgetCheck& check);

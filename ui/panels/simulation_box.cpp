@@ -6,6 +6,7 @@
 #include <QPushButton>
 #include <QSpinBox>
 #include <QVBoxLayout>
+#include <initializer_list>
 
 #include "ui/panels/figure_grid.h"
 #include "ui/text/quantity_text.h"
@@ -43,26 +44,29 @@ SimulationBox::SimulationBox(QWidget* parent)
 }
 
 void SimulationBox::createControls() {
-  m_draws->setRange(1000, 1000000);
+  m_draws->setRange(1000, mostDraws);
   m_draws->setValue(100000);
   m_draws->setSingleStep(100000);
-  m_draws->setToolTip(tr("The more draws, the better known the ends of the interval; 100000 mostly do"));
+  m_draws->setToolTip(
+      tr("The more draws, the better known the ends of the interval; the answer says how many would tell"));
   m_run->setObjectName(QStringLiteral("run simulation"));
   m_run->setToolTip(
       tr("Draws every reading, pointing zero and length from its distribution and fits anew, each time "
          "(JCGM 101)"));
+  m_progress->setAccessibleName(tr("Draws made"));
   m_progress->setTextVisible(false);
   m_progress->setFixedHeight(8);
 }
 
 void SimulationBox::setEvaluation(const SharedEvaluation& evaluation) {
   m_evaluation = evaluation;
+  stopUnlessOf(evaluation->session);
   setVisible(evaluation->fit.intersection.has_value());
   showCheck();
 }
 
-void SimulationBox::stop() {
-  if (!m_job.isAtWork()) return;
+void SimulationBox::stopUnlessOf(const Session& session) {
+  if (!m_job.isAtWork() || BudgetCheck{m_simulated, {}}.isOf(session)) return;
   m_remark = tr("Stopped, for the session has changed.");
   m_job.stop();
 }
@@ -75,7 +79,8 @@ void SimulationBox::toggle() {
   m_remark.clear();
   m_progress->setRange(0, m_draws->value());
   m_progress->setValue(0);
-  m_job.start(m_evaluation, static_cast<std::size_t>(m_draws->value()));
+  m_simulated = m_evaluation;
+  m_job.start(m_simulated, static_cast<std::size_t>(m_draws->value()));
   showWork();
   showCheck();
 }
@@ -118,14 +123,14 @@ void SimulationBox::showCheck() {
   m_figures->setRows(
       {tr("propagated"), tr("simulated")},
       {row(tr("Δd  mm"), linear.value, spread.mean, tr("Simulated: the mean of the draws")),
-       row(tr("σ"), linear.sigma, spread.sigma,
+       row(tr("σ  mm"), linear.sigma, spread.sigma,
            tr("Where the noise is known by the scatter alone, the draws spread a little more; U has it in "
               "k")),
-       row(tr("%1 % from").arg(plainNumberText(100 * simulated.coverage)), linear.value - linear.expanded,
+       row(tr("%1 % from  mm").arg(plainNumberText(100 * simulated.coverage)), linear.value - linear.expanded,
            spread.low, tr("Propagated: Δd − U. Simulated: as many draws lie below as above the other end")),
-       row(tr("to"), linear.value + linear.expanded, spread.high)});
+       row(tr("to  mm"), linear.value + linear.expanded, spread.high)});
   const QString remark = m_remark.isEmpty() ? QString() : m_remark + u' ';
-  m_note->setText(remark + QStringLiteral("<b>%1</b> ").arg(agreementWord(simulated.linear)) +
+  m_note->setText(remark + QStringLiteral("<b>%1</b> ").arg(agreementWord(simulated)) +
                   agreementSentence(simulated));
 }
 

@@ -23,8 +23,8 @@ class SimulationBox : public QWidget {
   explicit SimulationBox(QWidget* parent = nullptr);
 
   void setEvaluation(const SharedEvaluation& evaluation);
-  /// The session has changed: what is at work is for nothing.
-  void stop();
+  /// The session has changed to this one: stops what is at work where that is of another one.
+  void stopUnlessOf(const Session& session);
   const SimulationJob& job() const { return m_job; }
 
  signals:
@@ -39,8 +39,9 @@ class SimulationBox : public QWidget {
 
   SimulationJob m_job;
   SharedEvaluation m_evaluation;
-  SharedBudgetCheck m_check;  ///< the last that came to something; null before
-  QString m_remark;           ///< what became of the last run, where it came to nothing
+  SharedEvaluation m_simulated;  ///< what is at work is of this one; null before the first
+  SharedBudgetCheck m_check;     ///< the last that came to something; null before
+  QString m_remark;              ///< what became of the last run, where it came to nothing
   QTimer m_watch;
   QSpinBox* m_draws;
   QPushButton* m_run;

@@ -1,7 +1,9 @@
 #include "ui/text/simulation_text.h"
 
 #include <QCoreApplication>
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "ui/text/quantity_text.h"
 
@@ -13,19 +15,35 @@ QString translated(const char* text) {
   return QCoreApplication::translate("Simulation", text);
 }
 
-/// An end is uncertain as one over the square root of the draws, and is to be known three times better than
-/// the tolerance; to one digit.
-qint64 drawsToTell(const MonteCarlo& check) {
-  const double ratio = 3 * check.endpointSigma / check.tolerance;
+double worstDifference(const MonteCarlo& check) {
+  return std::max(check.lowDifference, check.highDifference);
+}
+
+/// An end is uncertain as one over the square root of the draws, and three times that is to fit into the
+/// tolerance; where an end differs by more, also between the tolerance and that difference. To one digit;
+/// empty where so many cannot be asked for.
+std::optional<qint64> drawsToTell(const MonteCarlo& check) {
+  const double excess = worstDifference(check) - check.tolerance;
+  const double room = excess > 0 ? std::min(check.tolerance, excess) : check.tolerance;
+  const double ratio = 3 * check.endpointSigma / room;
   const double draws = static_cast<double>(check.draws) * ratio * ratio;
+  if (!(draws <= mostDraws)) return std::nullopt;
   const double digit = std::pow(10, std::floor(std::log10(draws)));
   return static_cast<qint64>(std::ceil(draws / digit) * digit);
 }
 
+QString chanceSentence(const MonteCarlo& check, int decimals) {
+  const QString text =
+      translated(" By chance alone an end is uncertain by %1").arg(lengthText(check.endpointSigma, decimals));
+  const std::optional<qint64> draws = drawsToTell(check);
+  return text + (draws ? translated(": about %1 draws would tell.").arg(*draws)
+                       : translated("; it would take more draws than can be asked for here to tell."));
+}
+
 }  // namespace
 
-QString agreementWord(LinearPropagation linear) {
-  switch (linear) {
+QString agreementWord(const MonteCarlo& check) {
+  switch (check.linear) {
     case LinearPropagation::Validated:
       return translated("Agrees.");
     case LinearPropagation::Refuted:
@@ -33,7 +51,9 @@ QString agreementWord(LinearPropagation linear) {
     case LinearPropagation::Undecided:
       break;
   }
-  return translated("No disagreement, but too few draws to be sure.");
+  return worstDifference(check) > check.tolerance
+             ? translated("Too few draws to tell.")
+             : translated("No disagreement, but too few draws to be sure.");
 }
 
 QString agreementSentence(const MonteCarlo& check) {
@@ -45,10 +65,8 @@ QString agreementSentence(const MonteCarlo& check) {
   if (check.linear == LinearPropagation::Refuted)
     text += translated(" Rely on the simulated interval.");
   else if (check.linear == LinearPropagation::Undecided)
-    text += translated(" By chance alone an end is uncertain by %1: about %2 draws would tell.")
-                .arg(lengthText(check.endpointSigma, decimals))
-                .arg(drawsToTell(check));
-  if (check.failed > 0) text += translated(" %1 draws gave no result and are left out.").arg(check.failed);
+    text += chanceSentence(check, decimals);
+  if (check.failed > 0) text += translated(" Draws without a result, left out: %1.").arg(check.failed);
   return text;
 }
 
@@ -57,7 +75,7 @@ QString simulationParagraph(const MonteCarlo& check) {
   return translated("Checked by simulation (JCGM 101, %1 draws): Δd = %2, u = %3, %4 % from %5 to %6. %7 %8")
       .arg(check.draws)
       .arg(lengthText(spread.mean, 4), lengthText(spread.sigma, 4), plainNumberText(100 * check.coverage),
-           numberText(spread.low, 4), lengthText(spread.high, 4), agreementWord(check.linear),
+           numberText(spread.low, 4), lengthText(spread.high, 4), agreementWord(check),
            agreementSentence(check));
 }
 
