@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/adjustment/joint_problem.h"
 
@@ -50,22 +51,24 @@ Minimum minimise(const JointProblem& problem, JointState start, const JointFitOp
   constexpr double rounding = 1e-9;  // readings are rounded to some 1e-11 of their σ
   double damping = 1e-9;
   double previousStep = std::numeric_limits<double>::infinity();
+  JointSystem spare;
   while (best.iterations < options.maximumIterations && damping < largestDamping) {
     ++best.iterations;
     MatrixXd damped = best.system.matrix.topLeftCorner(estimated, estimated);
     damped.diagonal() *= 1 + damping;
     JointState trial = problem.moved(best.state, best.system.equations,
                                      solveScaled(damped, best.system.rightSide.head(estimated)));
-    JointSystem system = problem.system(trial);
+    JointSystem system = problem.system(trial, std::move(spare));
     if (system.chiSquare <= best.system.chiSquare + rounding * (1 + best.system.chiSquare)) {
       best.state = std::move(trial);
-      best.system = std::move(system);
+      spare = std::exchange(best.system, std::move(system));
       damping = std::max(damping / 10, smallestDamping);
       const double remaining = remainingStep(best.system, estimated);
       best.converged = remaining < options.tolerance && previousStep < 1e-4;
       if (best.converged) break;
       previousStep = remaining;
     } else {
+      spare = std::move(system);
       damping *= 10;
     }
   }

@@ -79,7 +79,8 @@ class JointProblem {
   VisitEquations equationsOf(const JointState& state, std::size_t visit) const;
   /// Of every visit.
   std::vector<VisitEquations> equationsOf(const JointState& state) const;
-  JointSystem system(const JointState& state) const;
+  /// `used`: a system no longer wanted, whose memory the new one takes over.
+  JointSystem system(const JointState& state, JointSystem used = {}) const;
   /// The state after a step of the estimated unknowns, each arc angle following by its own equation.
   /// `equations`: those of `state`, of each visit.
   JointState moved(const JointState& state, const std::vector<VisitEquations>& equations,
@@ -116,9 +117,9 @@ class JointProblem {
   template <typename Jets>
   Jets jetsOf(const JointState& state, std::size_t arc) const;
   template <typename Jets>
-  VisitEquations equationsWith(const Jets& jets, const JointState& state, std::size_t visit) const;
-  template <typename Jets>
-  std::vector<VisitEquations> equationsWith(const JointState& state) const;
+  void fillEquations(const Jets& jets, const JointState& state, std::size_t visit,
+                     VisitEquations& equations) const;
+  void fillEquations(const JointState& state, std::vector<VisitEquations>& equations) const;
   Pointing zeroPointing(const ArcMeasurement& arc) const;
   Pointing pointingOf(const ArcMeasurement& arc, const Sighting& sighting) const;
   bool takesPart(std::size_t arc, std::size_t sighting, ReadingKind kind) const;
