@@ -1,4 +1,4 @@
-"""The peer in Python: scipy.odr (ODRPACK) on the readings that alidade_speed wrote.
+"""The peer in Python: scipy.odr (ODRPACK), for W5 least_squares, on the readings that alidade_speed wrote.
 
 peer_scipy.py FOLDER     times W1, W3, W4 and W5, and prints one JSON document: name -> seconds, circle; of W5 by how
                          much χ² falls with each effect
