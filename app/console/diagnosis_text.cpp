@@ -29,7 +29,8 @@ std::string gapText(const Diagnosis& diagnosis) {
             row("as modelled", diagnosis.gap, diagnosis.before)};
   for (const GapStep& step : diagnosis.steps)
     rows.push_back(row("with " + step.effect, step.size, step.intersection));
-  if (!diagnosis.steps.empty() && !diagnosis.causes.front().indistinguishableFrom.empty())
+  const auto& last = diagnosis.steps.empty() ? diagnosis.afterwards : diagnosis.steps.back().intersection;
+  if (last && diagnosis.afterwards && last->expanded != diagnosis.afterwards->expanded)
     rows.push_back(row("averaged over its look-alikes", diagnosis.after, diagnosis.afterwards));
   return "\n" + alignedColumns(rows);
 }
@@ -76,14 +77,10 @@ std::string whereText(const Diagnosis& diagnosis) {
 
 std::string adviceText(const Diagnosis& diagnosis) {
   if (diagnosis.advice.empty()) return "";
-  const bool separates = std::ranges::any_of(diagnosis.causes, [&](const Cause& cause) {
-    return cause.effect == diagnosis.advice.front().separates.front();
-  });
-  std::string text = separates ? "\nWhat further readings would tell apart\n"
-                               : "\nWhat further readings would show of the effects unseen\n";
+  std::string text = "\nWhat to measure next\n";
   for (const Advice& advice : diagnosis.advice)
-    text += paragraph("  " + advice.measure + ": " + listed(advice.separates) + ", by " +
-                          fixedText(advice.bySigma, 1) + " σ or more",
+    text += paragraph("  " + advice.measure + (advice.ofUnseen ? ": would show " : ": tells apart ") +
+                          listed(advice.separates) + ", by " + fixedText(advice.bySigma, 1) + " σ or more",
                       4);
   return text;
 }

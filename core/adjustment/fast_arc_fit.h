@@ -47,7 +47,7 @@ struct ArcSetup {
 
 struct FastArcFit {
   Circle circle;           ///< mm, y up
-  Covariance3 cofactor{};  ///< of (Δx, Δy, R) from the stated σ, mm²; to some 1e-6 of it
+  Covariance3 cofactor{};  ///< of (Δx, Δy, R) from the stated σ, mm²; good to 1e-5
   double chiSquare = 0;    ///< Σ (v/σ)²; with n − 3 degrees of freedom
   int iterations = 0;
 };

@@ -99,16 +99,16 @@ const std::vector<ErrorTerm>& everyTerm() {
 
 Linearised linearise(const Measurement& measurement, const JointFit& fit, const JointFitOptions& options,
                      const std::vector<ErrorTerm>& terms) {
-  const JointFitOptions withAll = withTerms(options, terms);
-  const JointProblem problem(measurement, withAll);
-  return linearisedAt(measurement, problem, problem.stateOf(fit), withAll.terms);
+  const JointFitOptions extended = withTerms(options, terms);
+  const JointProblem problem(measurement, extended);
+  return linearisedAt(measurement, problem, problem.stateOf(fit), extended.terms);
 }
 
 Linearised linearise(const Measurement& measurement, const std::vector<Circle>& circles,
                      const JointFitOptions& options, const std::vector<ErrorTerm>& terms) {
-  const JointFitOptions withAll = withTerms(options, terms);
-  const JointProblem problem(measurement, withAll);
-  return linearisedAt(measurement, problem, problem.start(circles), withAll.terms);
+  const JointFitOptions extended = withTerms(options, terms);
+  const JointProblem problem(measurement, extended);
+  return linearisedAt(measurement, problem, problem.start(circles), extended.terms);
 }
 
 }  // namespace alidade

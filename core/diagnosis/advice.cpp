@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "core/adjustment/reading_ref.h"
 #include "core/diagnosis/further_readings.h"
 #include "core/diagnosis/look_alikes.h"
 #include "core/diagnosis/visible_terms.h"
@@ -25,7 +27,9 @@ std::optional<Advice> separating(const Cause& cause, const std::string& measure,
   const Effect* own = effectById(cause.effect);
   if (!own) return std::nullopt;
   const VectorXd combination = combinationOf(cause, *own);
-  Advice advice{measure, {cause.effect}, std::sqrt(std::max(combination.dot(terms.gram * combination), 0.0))};
+  Advice advice{.measure = measure,
+                .separates = {cause.effect},
+                .bySigma = std::sqrt(std::max(combination.dot(terms.gram * combination), 0.0))};
   for (const std::string& id : cause.indistinguishableFrom) {
     const Effect* other = effectById(id);
     const double difference = other ? differenceFrom(terms, combination, *other) : 0;
@@ -39,7 +43,7 @@ std::optional<Advice> separating(const Cause& cause, const std::string& measure,
 
 std::optional<Advice> revealing(const std::vector<Danger>& unseen, const std::string& measure,
                                 const VisibleTerms& terms) {
-  Advice advice{measure, {}, 0};
+  Advice advice{.measure = measure, .ofUnseen = true};
   for (const Danger& danger : unseen) {
     const Effect* effect = effectById(danger.effect);
     if (!effect) continue;
@@ -51,6 +55,20 @@ std::optional<Advice> revealing(const std::vector<Danger>& unseen, const std::st
   }
   if (advice.separates.empty()) return std::nullopt;
   return advice;
+}
+
+/// What tells a misread value from a knock that it looks like: the zero, which only a knock moves. Both
+/// sightings have their noise.
+std::optional<Advice> zeroSightedAgain(const Inquiry& inquiry, const std::vector<Cause>& causes) {
+  for (const Cause& cause : causes) {
+    if (cause.readings.size() != 1 || cause.indistinguishableFrom.empty()) continue;
+    const BlamedReading& reading = cause.readings.front();
+    const double sigma = statedSigma(inquiry.base.measurement, reading.kind).arcseconds();
+    return Advice{.measure = "the pointing zero sighted again",
+                  .separates = {cause.effect, cause.indistinguishableFrom.front()},
+                  .bySigma = std::abs(reading.size) / (sigma * std::numbers::sqrt2)};
+  }
+  return std::nullopt;
 }
 
 /// The effects that the advice is about: the cause and its look-alikes, or else what could not be seen.
@@ -114,10 +132,10 @@ std::vector<Advice> adviceFor(const Inquiry& inquiry, const std::vector<Cause>& 
   });
   const Cause* unclear = found == causes.end() ? nullptr : &*found;
   const std::vector<const Effect*> effects = effectsAt(unclear, unseen);
-  if (effects.empty()) return {};
   std::vector<Advice> list;
   Planner planner(inquiry, effects);
-  for (const FurtherReadings& plan : furtherReadings(inquiry.base)) {
+  for (const FurtherReadings& plan :
+       effects.empty() ? std::vector<FurtherReadings>() : furtherReadings(inquiry.base)) {
     const VisibleTerms terms = planner.shownBy(plan);
     const std::optional<Advice> advice =
         unclear ? separating(*unclear, plan.measure, terms) : revealing(unseen, plan.measure, terms);
@@ -126,6 +144,7 @@ std::vector<Advice> adviceFor(const Inquiry& inquiry, const std::vector<Cause>& 
   std::ranges::sort(list, [](const Advice& a, const Advice& b) {
     return std::pair(a.separates.size(), a.bySigma) > std::pair(b.separates.size(), b.bySigma);
   });
+  if (const std::optional<Advice> zero = zeroSightedAgain(inquiry, causes)) list.insert(list.begin(), *zero);
   return list;
 }
 

@@ -67,7 +67,8 @@ std::vector<Cause> causesOf(const Inquiry& inquiry, const Answer& answer) {
   if (!misread.empty()) {
     Cause cause = named(inquiry, misreadingId);
     if (!inquiry.farOff.empty()) cause.probability = 1;
-    if (likeStep) cause.indistinguishableFrom = {jumpId};
+    // A step would stand for one row only.
+    if (likeStep && misread.size() == 1) cause.indistinguishableFrom = {jumpId};
     cause.readings = withLikelierCircles(answer.after, std::move(misread));
     for (BlamedReading& reading : cause.readings)
       reading.size *= sideOf(answer.after.measurement, reading.face, reading.kind);

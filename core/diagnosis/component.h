@@ -30,14 +30,15 @@ struct Component {
   };
 
   Kind kind = Kind::Effect;
-  std::string id;                           ///< of the effect, or what the pattern follows
-  const Effect* effect = nullptr;           ///< of an Effect
-  std::size_t moment = 0;                   ///< of a Jump: sequence of the first row after it
-  std::optional<std::size_t> onlyRow = {};  ///< of a Jump that a single row shows; it is not sought
-  Eigen::Index reading = 0;                 ///< of a Misreading: index into the leftover's readings
-  Eigen::MatrixXd columns = {};             ///< of an Effect: visible part, rows × weights
-  Pattern pattern = {};                     ///< of a Shape: over the readings
-  Eigen::MatrixXd gram = {};                ///< inner products of the visible columns with one another
+  std::string id;                  ///< of the effect, or what the pattern follows
+  const Effect* effect = nullptr;  ///< of an Effect
+  std::size_t moment = 0;          ///< of a Jump: sequence of the first row after it
+  std::optional<std::size_t> onlyRow =
+      {};                        ///< of a Jump that one row shows; not sought where misreadings are
+  Eigen::Index reading = 0;      ///< of a Misreading: index into the leftover's readings
+  Eigen::MatrixXd columns = {};  ///< of an Effect: visible part, rows × weights
+  Pattern pattern = {};          ///< of a Shape: over the readings
+  Eigen::MatrixXd gram = {};     ///< inner products of the visible columns with one another
   /// Of an effect of two weights that bends: visible second derivatives, columns 11, 12, 22. Else empty.
   Eigen::MatrixXd curvature = {};
   bool allOrNothing = false;  ///< its one weight is 1

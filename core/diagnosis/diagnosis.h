@@ -101,9 +101,10 @@ struct UnseenEffect {
 
 /// Further readings and what they would tell apart.
 struct Advice {
-  std::string measure;                 ///< "both faces", …
-  std::vector<std::string> separates;  ///< ids
-  double bySigma = 0;                  ///< difference of the least different two of them, σ
+  std::string measure;                      ///< "both faces", …
+  std::vector<std::string> separates = {};  ///< ids
+  double bySigma = 0;                       ///< difference of the least different two of them, σ
+  bool ofUnseen = false;  ///< `separates`: what would show that does not yet, by `bySigma` or more
 };
 
 /// A gap that fits no effect, by its shape.

@@ -186,16 +186,15 @@ class BentGrid {
     const Places& all = allPlaces();
     const Places prior = all.square() / (-2 * width * width), factor = prior.exp();
     double most = impossible;
+    Index x = 0, y = 0;
     for (int i = 0; i < places; ++i) {
       const double ofColumn = (m_values.col(i) + prior).maxCoeff() + prior[i];
       if (ofColumn <= most) continue;
       most = ofColumn;
-      at[0] = all[i];
+      x = i;
     }
-    const auto column = static_cast<Index>(std::lround((at[0] + reach) / step));
-    Index y = 0;
-    (m_values.col(column) + prior).maxCoeff(&y);
-    at[1] = all[y];
+    (m_values.col(x) + prior).maxCoeff(&y);
+    at = {all[x], all[y]};
     highest = most + norm;
     const double sum = factor.matrix().dot((m_evidence.matrix() * factor.matrix()).eval());
     return norm + m_highest + std::log(sum) + 2 * std::log(step);

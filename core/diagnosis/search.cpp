@@ -107,7 +107,7 @@ void Search::offer(const State& state, std::size_t index, std::vector<Growth>& g
   std::vector<Growth> offered, jumps;
   for (std::size_t i = 0; i < m_candidates.size(); ++i) {
     const bool isJump = m_candidates[i].kind == Component::Kind::Jump;
-    if (taken(i) || (isJump && (hasJump || m_candidates[i].onlyRow))) continue;
+    if (taken(i) || (isJump && (hasJump || (m_options.misreadings && m_candidates[i].onlyRow)))) continue;
     (isJump ? jumps : offered).push_back({.component = i, .gain = gainFor(state, i)});
   }
   keepBest(jumps, jumpsOffered);

@@ -11,25 +11,16 @@ namespace alidade {
 
 using Eigen::Index, Eigen::VectorXd;
 
-namespace {
-
-double visibleOf(const Leftover& leftover, const Component& component, const VectorXd& weights) {
-  if (component.curvature.cols() > 0) return signature(leftover, component, weights).norm();
-  return std::sqrt(std::max(0.0, weights.dot(component.gram * weights)));
-}
-
-}  // namespace
-
 bool Danger::isUnseen() const {
   return influence > negligibleInfluence && visible < clearlyDifferent;
 }
 
-Danger dangerOf(const Leftover& leftover, const Component& component, const VectorXd& influence) {
+Danger dangerOf(const Component& component, const VectorXd& influence) {
   Danger danger{component.id, VectorXd::Zero(influence.size()), influence.norm(), 0};
   if (danger.influence == 0) return danger;
   danger.weights = influence / danger.influence;
-  danger.visible = visibleOf(leftover, component, danger.weights);
-  const double opposite = visibleOf(leftover, component, -danger.weights);
+  danger.visible = std::sqrt(signatureSquare(component, danger.weights));
+  const double opposite = std::sqrt(signatureSquare(component, -danger.weights));
   if (opposite < danger.visible) {
     danger.weights = -danger.weights;
     danger.visible = opposite;
@@ -38,7 +29,7 @@ Danger dangerOf(const Leftover& leftover, const Component& component, const Vect
 }
 
 Danger dangerOfEffect(const Leftover& leftover, const Component& component, const VectorXd& perReading) {
-  return dangerOf(leftover, component, wholeColumns(leftover, component).transpose() * perReading);
+  return dangerOf(component, wholeColumns(leftover, component).transpose() * perReading);
 }
 
 std::vector<Danger> unseenDangers(const Leftover& leftover, const std::vector<Component>& candidates,
@@ -49,9 +40,8 @@ std::vector<Danger> unseenDangers(const Leftover& leftover, const std::vector<Co
   Index jump = 0;
   for (const Component& component : candidates) {
     if (component.kind == Component::Kind::Shape || component.allOrNothing) continue;
-    Danger danger = component.kind == Component::Kind::Jump
-                        ? dangerOf(leftover, component, ofJumps.col(jump++))
-                        : dangerOfEffect(leftover, component, perReading);
+    Danger danger = component.kind == Component::Kind::Jump ? dangerOf(component, ofJumps.col(jump++))
+                                                            : dangerOfEffect(leftover, component, perReading);
     if (!danger.isUnseen()) continue;
     const auto same = std::ranges::find(unseen, danger.effect, &Danger::effect);
     if (same == unseen.end())

@@ -25,7 +25,7 @@ struct Danger {
 };
 
 /// `influence`: ∂Δd/∂weight, mm.
-Danger dangerOf(const Leftover& leftover, const Component& component, const Eigen::VectorXd& influence);
+Danger dangerOf(const Component& component, const Eigen::VectorXd& influence);
 /// `perReading`: ∂Δd/∂reading, mm per σ of the reading. Of an effect.
 Danger dangerOfEffect(const Leftover& leftover, const Component& component,
                       const Eigen::VectorXd& perReading);

@@ -120,8 +120,8 @@ double differenceFrom(const VisibleTerms& terms, const VectorXd& combination, co
   MatrixXd gram = both.transpose() * terms.gram * both;
   const Index own = both.cols() - 1;
   if (isAllOrNothing(effect)) {
-    const double trace = gram(own, own), without = trace - 2 * gram(0, own) + gram(0, 0);
-    return std::sqrt(std::max(std::min(trace, without), 0.0));
+    const double trace = gram(own, own), apart = trace - 2 * gram(0, own) + gram(0, 0);
+    return std::sqrt(std::max(std::min(trace, apart), 0.0));
   }
   eliminateFirst(gram, own, both.cwiseAbs2().transpose() * terms.whole);
   return std::sqrt(std::max(gram(own, own), 0.0));

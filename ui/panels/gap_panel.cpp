@@ -211,14 +211,13 @@ void GapPanel::showShrinkage() {
 
 void GapPanel::showNext() {
   const Diagnosis& diagnosis = *m_gap->diagnosis;
-  const bool separates = diagnosis.verdict == DiagnosisVerdict::Ambiguous;
   QStringList lines;
   for (const Advice& advice : diagnosis.advice) {
     const QString figure = numberText(advice.bySigma, 1);
     const QString what = causeNames(advice.separates, tr("and"));
     lines.append(QStringLiteral("• <b>%1</b>: ").arg(qText(advice.measure).toHtmlEscaped()) +
-                 (separates ? tr("separates %1 by %2 σ or more").arg(what, figure)
-                            : tr("would show %1 by %2 σ or more").arg(what, figure)));
+                 (!advice.ofUnseen ? tr("separates %1 by %2 σ or more").arg(what, figure)
+                                   : tr("would show %1 by %2 σ or more").arg(what, figure)));
   }
   m_next->setTextFormat(Qt::RichText);
   m_next->setText(lines.isEmpty() ? tr("No further reading of the usual kinds would tell more.")

@@ -70,6 +70,19 @@ TEST(KnownComponents, StepThatLooksLikeAMisreadingIsCoveredByU) {
   EXPECT_GT(std::abs(diagnosis.steps[0].intersection->value - truth.intersection),
             diagnosis.steps[0].intersection->expanded)
       << "without the knock in mind U is too small";
+  ASSERT_FALSE(diagnosis.advice.empty());
+  EXPECT_EQ(diagnosis.advice.front().separates,
+            (std::vector<std::string>{"gross_error", "orientation_jump"}));
+  EXPECT_FALSE(diagnosis.advice.front().ofUnseen);
+}
+
+// Where misread values are ruled out nothing else leaves what the knock leaves.
+TEST(KnownComponents, StepIsFoundAtTheLastRowWhereNothingIsMisread) {
+  const Diagnosis diagnosis =
+      *diagnose(*examine(*simulate(*protocolByName("paper"), knockedBeforeTheLastRow(), 5)).measurement,
+                {.without = {"gross_error"}});
+  ASSERT_EQ(diagnosis.causes.size(), 1u);
+  EXPECT_EQ(diagnosis.causes[0].effect, "orientation_jump");
 }
 
 // 300″ are five plausible steps: a slip and nothing else. With the slider a knock shows in both circles.
