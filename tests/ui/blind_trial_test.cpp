@@ -157,6 +157,37 @@ TEST(BlindTrial, AStretchLeavesTheChosenOneInFrontAndItsNumberAlone) {
   EXPECT_EQ(number->value(), seed + rows()) << "one on for every trial drawn";
 }
 
+TEST(BlindTrial, ADrawLeavesInFrontWhatWasChosenMeanwhile) {
+  TrialBench bench("full", "none");
+  bench.press("draw");
+  const SharedTrial first = bench.dialog.current();
+  QTest::keyClick(bench.button("draw"), Qt::Key_Space);
+  ASSERT_TRUE(bench.dialog.job().isAtWork());
+  bench.table()->setFocus();
+  bench.table()->setCurrentIndex(bench.table()->model()->index(0, 0));
+  ASSERT_TRUE(waitFor([&] { return !bench.dialog.job().isAtWork(); }));
+  ASSERT_EQ(bench.table()->model()->rowCount(), 2);
+  EXPECT_EQ(bench.dialog.current(), first);
+  EXPECT_EQ(bench.table()->currentIndex().row(), 1);
+  EXPECT_FALSE(bench.button("open seal")->hasFocus()) << "it would open another one's";
+  bench.press("draw");
+  EXPECT_EQ(bench.table()->currentIndex().row(), 0) << "the next draw is shown again";
+}
+
+TEST(BlindTrial, AStretchIsFollowedAgainFromItsNewest) {
+  TrialBench bench("paper", "none");
+  bench.dialog.findChildren<QSpinBox*>().last()->setValue(10000);
+  QTest::keyClick(bench.button("series"), Qt::Key_Space);
+  const auto rows = [&] { return bench.table()->model()->rowCount(); };
+  ASSERT_TRUE(waitFor([&] { return rows() > 2; }));
+  bench.table()->setCurrentIndex(bench.table()->model()->index(1, 0));
+  bench.table()->setCurrentIndex(bench.table()->model()->index(0, 0));
+  const int before = rows();
+  ASSERT_TRUE(waitFor([&] { return rows() > before; }));
+  EXPECT_EQ(bench.table()->currentIndex().row(), 0);
+  bench.press("series");
+}
+
 TEST(BlindTrial, AStretchIsStopped) {
   TrialBench bench("paper", "none");
   bench.dialog.findChildren<QSpinBox*>().last()->setValue(10000);

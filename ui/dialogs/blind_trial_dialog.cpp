@@ -169,7 +169,7 @@ void BlindTrialDialog::draw(int count) {
   m_isSeries = count > 1;
   m_progress->setRange(0, count);
   m_progress->setValue(0);
-  m_trials->clearChoice();
+  m_trials->beginDraw(m_isSeries);
   m_job.start(options(), static_cast<std::uint64_t>(m_seed->value()), count);
   showWork();
 }
@@ -182,10 +182,11 @@ void BlindTrialDialog::take(const SharedTrial& trial) {
     m_trials->add(trial, m_isSeries);
   } else {
     m_job.stop();
+    m_trials->clearChoice();
     showTrial(trial);
   }
   showWork();
-  if (!m_isSeries) m_open->setFocus();
+  if (!m_isSeries && m_current == trial) m_open->setFocus();
 }
 
 void BlindTrialDialog::openSeal() {

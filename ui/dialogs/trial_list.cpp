@@ -58,17 +58,21 @@ DataTable* TrialList::createTable() {
   table->horizontalHeader()->setStretchLastSection(true);
   connect(table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
           [this](const QModelIndex& current) {
-            if (current.isValid()) emit chosen(atRow(current.row()).trial);
+            if (!current.isValid()) return;
+            m_isFollowing = current.row() == 0 && m_isSeries;
+            emit chosen(atRow(current.row()).trial);
           });
   return table;
 }
 
 void TrialList::add(const SharedTrial& trial, bool isOpen) {
-  const int before = m_table->currentIndex().row();
+  const bool isFollowing = m_isFollowing;
+  const int row = isFollowing ? 0 : m_table->currentIndex().row() + 1;
   m_drawn.push_back({trial, isOpen});
   if (isOpen) score(*trial);
   m_table->setRows(static_cast<int>(m_drawn.size()));
-  m_table->selectDataRows({before > 0 ? before + 1 : 0});
+  m_table->selectDataRows({row});
+  m_isFollowing = isFollowing;  // nobody chose
   showScore();
 }
 
@@ -85,6 +89,12 @@ void TrialList::openSeal(const SharedTrial& trial) {
 bool TrialList::isOpen(const SharedTrial& trial) const {
   return std::any_of(m_drawn.begin(), m_drawn.end(),
                      [&](const Drawn& drawn) { return drawn.trial == trial && drawn.isOpen; });
+}
+
+void TrialList::beginDraw(bool isSeries) {
+  clearChoice();
+  m_isSeries = isSeries;
+  m_isFollowing = true;
 }
 
 void TrialList::clearChoice() {

@@ -20,12 +20,14 @@ class TrialList : public QWidget {
  public:
   explicit TrialList(QWidget* parent = nullptr);
 
-  /// The new one becomes current unless an older one was chosen.
+  /// The new one becomes current unless another one was chosen since the draw began. To choose the newest of
+  /// a series is to follow it.
   void add(const SharedTrial& trial, bool isOpen);
   void openSeal(const SharedTrial& trial);
   bool isOpen(const SharedTrial& trial) const;
-  /// No row is current: the next trial will be.
-  void clearChoice();
+  /// No row is current, and each new trial becomes so until one is chosen.
+  void beginDraw(bool isSeries);
+  void clearChoice();  ///< no row is current
 
  signals:
   void chosen(const alidade::ui::SharedTrial& trial);  ///< its row became current
@@ -41,8 +43,9 @@ class TrialList : public QWidget {
   void score(const DiagnosedTrial& trial);
   void showScore();
 
-  std::vector<Drawn> m_drawn;         ///< the newest last
-  std::vector<ScoredTrial> m_scored;  ///< those with their seals open
+  std::vector<Drawn> m_drawn;                     ///< the newest last
+  std::vector<ScoredTrial> m_scored;              ///< those with their seals open
+  bool m_isSeries = false, m_isFollowing = true;  ///< the latter: a new one becomes current
   QLabel* m_summary;
   DataTable* m_table;
 };
