@@ -28,6 +28,7 @@ namespace alidade::ui {
 namespace {
 
 using testing::ElementsAre;
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
@@ -257,6 +258,37 @@ TEST(Gap, SaysWhatToDoWhereNothingCanBeAdded) {
   EXPECT_THAT(bench.shown(), HasSubstr("“radius along the guideway”"));
 }
 
+TEST(Gap, SaysWhenWhichRowsOfAJumpMayBeLeftOut) {
+  const auto evaluation =
+      std::make_shared<const Evaluation>(evaluateFit(*loadSession(trialPath(jumpTrial).toStdString())));
+  const auto told = [&](double row) {
+    Gap gap{.evaluation = evaluation, .diagnosis = Diagnosis{}, .reason = {}, .stages = {}};
+    gap.diagnosis->causes.push_back({.effect = "orientation_jump",
+                                     .parameters = {{.name = "row", .value = row, .sigma = 0, .unit = "1"}},
+                                     .indistinguishableFrom = {},
+                                     .readings = {}});
+    CauseList list;
+    list.setGap(gap);
+    QString texts;
+    for (const QLabel* label : list.findChildren<QLabel*>()) texts += label->text();
+    for (const QPushButton* button : list.findChildren<QPushButton*>()) texts += u'\n' + button->text();
+    return texts.toStdString();
+  };
+  const std::string goTo = "\nGo to the reading", before = "\nExclude the rows before",
+                    after = "\nExclude the rows from there on";
+  const std::string beforeIf =
+      " Or leave out the rows before the jump, if the pointing zero of the next position was not sighted "
+      "after it.";
+  EXPECT_THAT(told(35), EndsWith(beforeIf + " Or leave out the rows from there on, if it was." + goTo +
+                                 before + after));
+  EXPECT_THAT(told(4), EndsWith("read this position again." + beforeIf + goTo + before));
+  EXPECT_THAT(told(67),
+              EndsWith("again. Or leave out the rows from there on, if the pointing zero of the next "
+                       "position was sighted after it." +
+                       goTo + after));
+  EXPECT_THAT(told(68 + 35), EndsWith("again. Or leave out the rows from there on." + goTo + after));
+}
+
 /// Left out, the rows before the jump take nothing from Δd: what is left was all read after it, and both arcs
 /// stand shifted alike. So the ray tracer knocks its tripod, its pointing zeros untouched.
 TEST(Gap, LeavesOutTheRowsOnOneSideOfAJump) {
@@ -301,12 +333,14 @@ TEST(Gap, LeavesOutOnlyTheRowsAfterAJumpInTheLastPosition) {
   EXPECT_FALSE(before(68 + 4)->after) << "three sightings leave nothing over";
   EXPECT_FALSE(before(67)->before) << "nor do two";
   EXPECT_FALSE(before(67)->isLast);
+  EXPECT_FALSE(within.before) << "nothing was read later that stands as they do";
 }
 
 /// Nominal 2″; the trial's own factor is not told, but what is left is noise and Δd holds.
 TEST(Gap, StatesTheNoiseThatTheReadingsShow) {
   GapBench bench(noiseTrial);
   const Diagnosis diagnosis = *diagnose(*examine(bench.open->document().session()).measurement);
+  const Instrument before = bench.open->document().session().instrument;
   bench.press("state noise");
   const Instrument& instrument = bench.open->document().session().instrument;
   const double stated = 2 * diagnosis.causes.front().parameters.front().value;
@@ -314,8 +348,9 @@ TEST(Gap, StatesTheNoiseThatTheReadingsShow) {
   EXPECT_EQ(instrument.sigmaVerticalArcsec, instrument.sigmaHorizontalArcsec);
   EXPECT_EQ(bench.open->document().undoStack().count(), 1);
   EXPECT_THAT(bench.shown(), HasSubstr("No gap: within the noise\n"));
+  EXPECT_NE(instrument, before);
   bench.open->undo();
-  EXPECT_EQ(instrument.sigmaHorizontalArcsec, instrument.sigmaVerticalArcsec);
+  EXPECT_EQ(instrument, before);
   bench.settle();
   EXPECT_TRUE(bench.button("state noise"));
 }
@@ -399,15 +434,30 @@ TEST(Gap, IsToldAsOldFromTheEditToTheNextDiagnosis) {
   const auto finding = [&] { return findings->item(0)->text().toStdString(); };
   const int height = hint->height();
   changeField(open->document(), {.field = "geometry.sigma_distance_mm"}, "0.5");
-  EXPECT_EQ(hint->text(), QStringLiteral("Before the last change: One cause: gravity sag"));
-  EXPECT_THAT(finding(), HasSubstr("Before the last change: One cause: gravity sag."));
+  EXPECT_EQ(hint->text(), QStringLiteral("Before what was changed since: One cause: gravity sag"));
+  EXPECT_THAT(finding(), HasSubstr("Before what was changed since: One cause: gravity sag."));
   open.settle();
   EXPECT_EQ(hint->height(), height) << "what stands below stays where it is";
-  EXPECT_THAT(finding(), HasSubstr("Before the last change: One cause: gravity sag."))
+  EXPECT_THAT(finding(), HasSubstr("Before what was changed since: One cause: gravity sag."))
       << "the new fit knows no better";
   ASSERT_TRUE(waitFor([&] { return open->gapJob().isIdle(); }));
   EXPECT_TRUE(hint->text().startsWith(QStringLiteral("Model and readings disagree")));
   EXPECT_THAT(finding(), HasSubstr("Model and readings disagree,"));
+}
+
+TEST(Gap, NothingIsCalledSoundBesideAReadingThatLooksMisread) {
+  Evaluation evaluation = evaluate(*loadSession(trialPath(cleanTrial).toStdString()));
+  FindingsPanel findings;
+  findings.setEvaluation(evaluation);
+  findings.setGap({});
+  ASSERT_EQ(findings.count(), 1);
+  EXPECT_EQ(findings.item(0)->text(), QStringLiteral("No problems."));
+  evaluation.suspects = evaluate(*loadSession(trialPath(slipTrial).toStdString())).suspects;
+  ASSERT_FALSE(evaluation.suspects.empty());
+  findings.setGapStale();
+  EXPECT_EQ(findings.count(), 1) << "until something else is known";
+  findings.setEvaluation(evaluation);
+  EXPECT_EQ(findings.count(), 0);
 }
 
 TEST(Gap, PartsAddUpToOne) {
@@ -456,7 +506,7 @@ TEST(GapJob, TakesUpAgainWhatWasStopped) {
     hasDiagnosis.push_back(gap->diagnosis.has_value());
   });
   job.request(evaluation);
-  QTest::qWait(0);  // at work now
+  ASSERT_TRUE(waitFor([&] { return job.isAtWork(); }));
   job.cancel();
   job.request(evaluation);
   ASSERT_TRUE(waitFor([&] { return job.isIdle(); }));
@@ -475,7 +525,7 @@ TEST(GapJob, WaitsForRestUnlessWatched) {
   EXPECT_TRUE(job.isIdle());
 }
 
-TEST(TrialJob, StopsAtOnceAndStartsAnew) {
+TEST(TrialJob, StartsAnewAfterAStop) {
   std::stop_source stop;
   stop.request_stop();
   const DiagnosedTrial stopped = diagnoseTrial({.protocol = "paper"}, 1, stop.get_token());

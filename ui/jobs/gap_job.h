@@ -31,6 +31,7 @@ class GapJob : public QObject {
   void cancel();
   void setWatched(bool watched);
   bool isIdle() const { return !m_wanted; }  ///< nothing is still to be delivered
+  bool isAtWork() const { return m_isAtWork; }
 
  signals:
   void assessed(const alidade::ui::SharedGap& gap);

@@ -30,7 +30,7 @@ std::optional<Jump> jumpOf(const Gap& gap, const Cause& cause) {
     Jump jump{.place = {.position = arc.position, .reading = split->row, .field = "horizontal"}};
     jump.isLast = std::all_of(arcs.begin(), arcs.end(),
                               [&](const ArcMeasurement& other) { return other.position <= arc.position; });
-    if (std::distance(split, arc.sightings.end()) >= fewestSightings && split->row > 0)
+    if (!jump.isLast && std::distance(split, arc.sightings.end()) >= fewestSightings && split->row > 0)
       jump.before = RowRange{arc.position, 0, split->row};
     if (std::distance(arc.sightings.begin(), split) >= fewestSightings)
       jump.after = RowRange{arc.position, split->row, rows - split->row};

@@ -20,7 +20,8 @@ struct RowRange {
 struct Jump {
   Place place;          ///< the row before which it happened
   bool isLast = false;  ///< no position was read after this one
-  /// The rows before and after it, where those left over without them suffice for an arc.
+  /// The rows before and after it, where those left over without them suffice for an arc; those before it
+  /// only where a later position may stand as those after it.
   std::optional<RowRange> before = {}, after = {};
 };
 

@@ -29,6 +29,30 @@ QString parametersText(const Cause& cause) {
   return texts.join(QStringLiteral(", "));
 }
 
+/// What can be done about it, and when which rows may be left out: those that the orientation of every
+/// pointing zero still holds for stay.
+QString jumpText(const Session& session, const Jump& jump) {
+  const QString row = spokenPlace(session, {.position = jump.place.position, .reading = jump.place.reading});
+  QString text = CauseList::tr(
+                     "It happened before %1. No model of a session holds a jump, so there is none to add: "
+                     "look after the "
+                     "stand, sight the pointing zero anew and read this position again.")
+                     .arg(row);
+  if (jump.before)
+    text += CauseList::tr(
+        " Or leave out the rows before the jump, if the pointing zero of the next position was not sighted "
+        "after it.");
+  if (jump.after && jump.isLast)
+    text += CauseList::tr(" Or leave out the rows from there on.");
+  else if (jump.after)
+    text += jump.before
+                ? CauseList::tr(" Or leave out the rows from there on, if it was.")
+                : CauseList::tr(
+                      " Or leave out the rows from there on, if the pointing zero of the next position "
+                      "was sighted after it.");
+  return text;
+}
+
 }  // namespace
 
 CauseList::CauseList(QWidget* parent) : QWidget(parent), m_layout(new QVBoxLayout(this)) {
@@ -168,32 +192,19 @@ void CauseList::addMisreadings(const Cause& cause) {
 void CauseList::addJump(const Gap& gap, const Cause& cause) {
   const std::optional<Jump> jump = jumpOf(gap, cause);
   if (!jump) return;
-  const Session& session = gap.evaluation->session;
-  const QString row =
-      spokenPlace(session, {.position = jump->place.position, .reading = jump->place.reading});
-  QString text =
-      tr("It happened before %1. No model of a session holds a jump, so there is none to add: look after the "
-         "stand, sight the pointing zero anew and read this position again.")
-          .arg(row);
-  if (jump->isLast && jump->after)
-    text += tr(" Or leave out the rows from there on.");
-  else if (!jump->isLast && jump->before && jump->after)
-    text +=
-        tr(" Or leave out a part of it: the rows before the jump, or those from there on if the pointing "
-           "zero of the next position was sighted after it.");
-  addText(text);
+  addText(jumpText(gap.evaluation->session, *jump));
   connect(addButton(tr("Go to the reading"), QStringLiteral("go to jump")), &QPushButton::clicked, this,
           [this, place = jump->place] { emit placeActivated(place); });
-  const bool hasBoth = !jump->isLast && jump->before && jump->after;
-  if (hasBoth) m_buttons = nullptr;  // three in a row are wider than the page has room for
-  if (!jump->isLast && jump->before)
-    addRowsExclusion(tr("Exclude %1 rows before"), QStringLiteral("exclude before"), *jump->before);
+  if (jump->before && jump->after)
+    m_buttons = nullptr;  // three in a row are wider than the page has room for
+  if (jump->before)
+    addRowsExclusion(tr("Exclude the rows before"), QStringLiteral("exclude before"), *jump->before);
   if (jump->after)
-    addRowsExclusion(tr("Exclude %1 rows from there on"), QStringLiteral("exclude after"), *jump->after);
+    addRowsExclusion(tr("Exclude the rows from there on"), QStringLiteral("exclude after"), *jump->after);
 }
 
 void CauseList::addRowsExclusion(const QString& text, const QString& name, const RowRange& rows) {
-  QPushButton* exclude = addButton(text.arg(rows.count), name);
+  QPushButton* exclude = addButton(text, name);
   exclude->setToolTip(tr("Leaves the rows out of the fit; what was typed stays"));
   connect(exclude, &QPushButton::clicked, this, [this, rows] { emit rowsExclusionWanted(rows); });
 }

@@ -65,6 +65,8 @@ void FindingsPanel::setGapStale() {
 void FindingsPanel::clearGap() {
   m_gapState = GapState::Unknown;
   m_gapHeadline.clear();
+  m_isSearched = m_hasSuspects = false;
+  m_found.clear();
   m_entries.clear();
   clear();
 }
@@ -81,7 +83,7 @@ void FindingsPanel::refresh() {
   const bool isAllKnown = m_isSearched && m_gapState == GapState::Known;
   if (isAllKnown && entries.empty() && !m_hasSuspects)
     entries.push_back({QStringLiteral("accept"), tr("Sound"), tr("No problems.")});
-  if (entries == m_entries || (entries.empty() && saysSound() && !isAllKnown)) return;
+  if (entries == m_entries || (entries.empty() && saysSound() && !isAllKnown && !m_hasSuspects)) return;
   clear();
   m_entries = std::move(entries);
   for (const Entry& entry : m_entries) add(entry);
@@ -90,7 +92,7 @@ void FindingsPanel::refresh() {
 FindingsPanel::Entry FindingsPanel::gapEntry() const {
   const bool isOld = m_gapState == GapState::Old;
   const QString text =
-      isOld ? tr("Before the last change: %1.") : tr("Model and readings disagree, see “Gap”. %1.");
+      isOld ? tr("Before what was changed since: %1.") : tr("Model and readings disagree, see “Gap”. %1.");
   return {.icon = isOld ? QStringLiteral("none") : QStringLiteral("warning"),
           .spoken = isOld ? tr("Before") : tr("Warning"),
           .text = text.arg(m_gapHeadline),
@@ -140,8 +142,9 @@ void FindingsPanel::keyPressEvent(QKeyEvent* event) {
   }
 }
 
+/// Who is told may fill the list anew: the entry is a copy.
 void FindingsPanel::activate(int row) {
-  const Entry& entry = m_entries[static_cast<std::size_t>(row)];
+  const Entry entry = m_entries[static_cast<std::size_t>(row)];
   if (entry.isGap)
     emit gapActivated();
   else

@@ -107,7 +107,7 @@ void ResultPanel::setGapStale() {
   if (m_gapHeadline.isEmpty()) return;
   m_gapHint->setMinimumHeight(m_gapHint->height());
   m_gapHint->setForegroundRole(QPalette::PlaceholderText);
-  m_gapHint->setText(tr("Before the last change: %1").arg(m_gapHeadline.toHtmlEscaped()));
+  m_gapHint->setText(tr("Before what was changed since: %1").arg(m_gapHeadline.toHtmlEscaped()));
 }
 
 void ResultPanel::setEvaluation(const Evaluation& evaluation) {
