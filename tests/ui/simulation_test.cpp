@@ -141,14 +141,20 @@ TEST(Simulation, IsToldOnPaperOfTheSessionItIsOf) {
   EXPECT_THAT(bench.shown(), HasSubstr("simulated")) << "back where it was run";
 }
 
-TEST(Simulation, SaysWhatFollows) {
+/// A thousand draws and a tolerance of 0.005 mm.
+MonteCarlo differing(double low, LinearPropagation linear) {
   MonteCarlo check;
   check.draws = 1000;
   check.tolerance = 0.005;
-  check.lowDifference = 0.031;
+  check.lowDifference = low;
   check.highDifference = 0.002;
   check.endpointSigma = 0.004;
-  check.linear = LinearPropagation::Refuted;
+  check.linear = linear;
+  return check;
+}
+
+TEST(Simulation, SaysWhatFollows) {
+  MonteCarlo check = differing(0.031, LinearPropagation::Refuted);
   EXPECT_EQ(agreementSentence(check).toStdString(),
             "The ends of Δd ± U differ from those simulated by 0.0310 and 0.0020 mm; the tolerance is 0.0050 "
             "mm. Rely on the simulated interval.");
@@ -157,13 +163,7 @@ TEST(Simulation, SaysWhatFollows) {
 }
 
 TEST(Simulation, SaysHowManyDrawsWouldTell) {
-  MonteCarlo check;
-  check.draws = 1000;
-  check.tolerance = 0.005;
-  check.lowDifference = 0.003;
-  check.highDifference = 0.002;
-  check.endpointSigma = 0.004;
-  check.linear = LinearPropagation::Undecided;
+  MonteCarlo check = differing(0.003, LinearPropagation::Undecided);
   EXPECT_EQ(agreementWord(check), QStringLiteral("No disagreement, but too few draws to be sure."));
   EXPECT_THAT(agreementSentence(check).toStdString(),
               HasSubstr("an end is uncertain by 0.0040 mm: about 6000 draws would tell."))

@@ -5,14 +5,17 @@
 
 namespace alidade::ui {
 
-bool BudgetCheck::isOf(const Session& session) const {
-  const Session& checked = evaluation->session;
-  const Instrument &a = checked.instrument, &b = session.instrument;
+bool measuresAlike(const Session& one, const Session& other) {
+  const Instrument &a = one.instrument, &b = other.instrument;
   return a.sigmaHorizontalArcsec == b.sigmaHorizontalArcsec &&
          a.sigmaVerticalArcsec == b.sigmaVerticalArcsec && a.sigmaZeroArcsec == b.sigmaZeroArcsec &&
-         a.sigmaSliderArcsec == b.sigmaSliderArcsec && checked.geometry == session.geometry &&
-         checked.acceptance.coverage == session.acceptance.coverage && checked.model == session.model &&
-         checked.positions == session.positions;
+         a.sigmaSliderArcsec == b.sigmaSliderArcsec && one.geometry == other.geometry &&
+         one.acceptance.coverage == other.acceptance.coverage && one.model == other.model &&
+         one.positions == other.positions;
+}
+
+bool BudgetCheck::isOf(const Session& session) const {
+  return measuresAlike(evaluation->session, session);
 }
 
 SimulationJob::SimulationJob(QObject* parent) : QObject(parent) {

@@ -13,12 +13,15 @@
 
 namespace alidade::ui {
 
+/// They differ in nothing that enters a fit.
+bool measuresAlike(const Session& one, const Session& other);
+
 /// The uncertainty of one evaluation checked by propagating distributions.
 struct BudgetCheck {
   SharedEvaluation evaluation;
   std::optional<MonteCarlo> simulated;  ///< empty: it was stopped, or too few draws gave a result
 
-  /// The figures are those of this session too: it differs in nothing that enters a fit.
+  /// The figures are those of this session too.
   bool isOf(const Session& session) const;
 };
 

@@ -66,7 +66,7 @@ void SimulationBox::setEvaluation(const SharedEvaluation& evaluation) {
 }
 
 void SimulationBox::stopUnlessOf(const Session& session) {
-  if (!m_job.isAtWork() || BudgetCheck{m_simulated, {}}.isOf(session)) return;
+  if (!m_job.isAtWork() || measuresAlike(m_simulated->session, session)) return;
   m_remark = tr("Stopped, for the session has changed.");
   m_job.stop();
 }
