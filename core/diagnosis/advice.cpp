@@ -27,9 +27,7 @@ std::optional<Advice> separating(const Cause& cause, const std::string& measure,
   const Effect* own = effectById(cause.effect);
   if (!own) return std::nullopt;
   const VectorXd combination = combinationOf(cause, *own);
-  Advice advice{.measure = measure,
-                .separates = {cause.effect},
-                .bySigma = std::sqrt(std::max(combination.dot(terms.gram * combination), 0.0))};
+  Advice advice{.measure = measure, .separates = {cause.effect}, .bySigma = lengthOf(terms, combination)};
   for (const std::string& id : cause.indistinguishableFrom) {
     const Effect* other = effectById(id);
     const double difference = other ? differenceFrom(terms, combination, *other) : 0;
@@ -47,8 +45,7 @@ std::optional<Advice> revealing(const std::vector<Danger>& unseen, const std::st
   for (const Danger& danger : unseen) {
     const Effect* effect = effectById(danger.effect);
     if (!effect) continue;
-    const VectorXd trace = combinationOf(*effect) * danger.weights;
-    const double visible = std::sqrt(std::max(trace.dot(terms.gram * trace), 0.0));
+    const double visible = lengthOf(terms, combinationOf(*effect) * danger.weights);
     if (visible < clearlyDifferent) continue;
     advice.bySigma = advice.separates.empty() ? visible : std::min(advice.bySigma, visible);
     advice.separates.push_back(danger.effect);
@@ -123,19 +120,14 @@ class Planner {
   }
 };
 
-}  // namespace
-
-std::vector<Advice> adviceFor(const Inquiry& inquiry, const std::vector<Cause>& causes,
-                              const std::vector<Danger>& unseen) {
-  const auto found = std::ranges::find_if(causes, [](const Cause& cause) {
-    return effectById(cause.effect) && !cause.indistinguishableFrom.empty();
-  });
-  const Cause* unclear = found == causes.end() ? nullptr : &*found;
+/// Of readings: the most telling first.
+std::vector<Advice> furtherAdvice(const Inquiry& inquiry, const Cause* unclear,
+                                  const std::vector<Danger>& unseen) {
   const std::vector<const Effect*> effects = effectsAt(unclear, unseen);
   std::vector<Advice> list;
+  if (effects.empty()) return list;
   Planner planner(inquiry, effects);
-  for (const FurtherReadings& plan :
-       effects.empty() ? std::vector<FurtherReadings>() : furtherReadings(inquiry.base)) {
+  for (const FurtherReadings& plan : furtherReadings(inquiry.base)) {
     const VisibleTerms terms = planner.shownBy(plan);
     const std::optional<Advice> advice =
         unclear ? separating(*unclear, plan.measure, terms) : revealing(unseen, plan.measure, terms);
@@ -144,6 +136,17 @@ std::vector<Advice> adviceFor(const Inquiry& inquiry, const std::vector<Cause>& 
   std::ranges::sort(list, [](const Advice& a, const Advice& b) {
     return std::pair(a.separates.size(), a.bySigma) > std::pair(b.separates.size(), b.bySigma);
   });
+  return list;
+}
+
+}  // namespace
+
+std::vector<Advice> adviceFor(const Inquiry& inquiry, const std::vector<Cause>& causes,
+                              const std::vector<Danger>& unseen) {
+  const auto found = std::ranges::find_if(causes, [](const Cause& cause) {
+    return effectById(cause.effect) && !cause.indistinguishableFrom.empty();
+  });
+  std::vector<Advice> list = furtherAdvice(inquiry, found == causes.end() ? nullptr : &*found, unseen);
   if (const std::optional<Advice> zero = zeroSightedAgain(inquiry, causes)) list.insert(list.begin(), *zero);
   return list;
 }

@@ -46,33 +46,30 @@ const Explanation& bestKnown(const Inquiry& inquiry) {
   return *simplest;
 }
 
-bool isEffect(const Inquiry& inquiry, const Part& part) {
-  return !inquiry.isMisreading(part) && inquiry.candidates[part.component].kind == Component::Kind::Effect;
+bool isClose(const Explanation& rival, const Explanation& explanation) {
+  constexpr double closeOdds = 3.5;  // natural logarithm: odds of 33
+  return rival.logOdds > explanation.logOdds - closeOdds;
 }
 
-constexpr double closeOdds = 3.5;  // natural logarithm: odds of 33
-
-/// The gain of a component in place of the part, all other parts taken off.
+/// The gain of `instead` in place of the part, all other parts taken off.
 Gain gainInstead(const Inquiry& inquiry, const Explanation& explanation, const Part& part,
-                 std::size_t component) {
+                 const Part& instead) {
   const Leftover& leftover = inquiry.leftover;
-  const auto columnsOf = [&](std::size_t index) -> Eigen::MatrixXd {
-    if (index < inquiry.candidates.size())
-      return leftover.visible(wholeColumns(leftover, inquiry.candidates[index]));
-    const auto reading = static_cast<Eigen::Index>(index - inquiry.candidates.size());
-    return leftover.visible(Eigen::VectorXd::Unit(leftover.readings(), reading));
+  const auto columnsOf = [&](const Part& any) -> Eigen::MatrixXd {
+    if (inquiry.isMisreading(any))
+      return leftover.visible(Eigen::VectorXd::Unit(leftover.readings(), inquiry.readingOf(any)));
+    return leftover.visible(wholeColumns(leftover, inquiry.candidates[any.component]));
   };
   Eigen::VectorXd left = leftover.residual();
   for (const Part& other : explanation.parts)
     if (&other != &part)
       left -= inquiry.isMisreading(other)
-                  ? Eigen::VectorXd(columnsOf(other.component) * other.weights)
+                  ? Eigen::VectorXd(columnsOf(other) * other.weights)
                   : signature(leftover, inquiry.candidates[other.component], other.weights);
-  const Eigen::MatrixXd columns = columnsOf(component);
-  const auto kind = component < inquiry.candidates.size() ? inquiry.candidates[component].kind
-                                                          : Component::Kind::Misreading;
+  const Eigen::MatrixXd columns = columnsOf(instead);
   const double variance = explanation.noisy ? explanation.noise * explanation.noise : 1;
-  return gainOf(widthsOf(kind), columns.transpose() * columns, columns.transpose() * left, variance);
+  return gainOf(widthsOf(inquiry.kindOf(instead)), columns.transpose() * columns, columns.transpose() * left,
+                variance);
 }
 
 /// With a step in place of a misreading that it would look like.
@@ -80,30 +77,37 @@ Explanation withStep(const Inquiry& inquiry, const Explanation& explanation, std
                      std::size_t step) {
   Explanation rival = explanation;
   const Part& misread = explanation.parts[part];
-  const Gain own = gainInstead(inquiry, explanation, misread, misread.component);
-  const Gain gain = gainInstead(inquiry, explanation, misread, step);
+  Part& instead = rival.parts[part];
+  instead = {step, 1, Eigen::VectorXd::Zero(2), 0};
+  const Gain own = gainInstead(inquiry, explanation, misread, misread);
+  const Gain gain = gainInstead(inquiry, explanation, misread, instead);
+  instead.width = gain.width;
+  instead.logGain = gain.log;
   // Either circle of the row may be the one that was misread.
-  const double misreading =
-      std::log(2 * PriorOdds().misreading / static_cast<double>(inquiry.leftover.readings()));
+  const double misreading = std::log(2) + PriorOdds().logOfMisreading(inquiry.leftover.readings());
   const double odds = gain.log + inquiry.candidates[step].logPrior - own.log - misreading;
   rival.logOdds += odds;
-  rival.parts[part] = {step, gain.width, Eigen::VectorXd::Zero(2), gain.log};
   return rival;
 }
 
+/// Names what the part looks like, `rival` in its place.
+void addLookAlike(Answer& answer, std::size_t part, std::size_t component,
+                  const std::optional<Explanation>& rival) {
+  answer.lookAlikes[part].push_back(component);
+  if (rival) answer.rivals.push_back(*rival);
+}
+
 /// The step, where there is one, that leaves what this misreading leaves.
-std::vector<std::size_t> stepsLike(const Inquiry& inquiry, const Explanation& explanation, std::size_t part) {
+void addSteps(const Inquiry& inquiry, Answer& answer, std::size_t part) {
+  const Explanation& explanation = answer.explanation;
   const Eigen::Index reading = inquiry.readingOf(explanation.parts[part]);
-  const auto isJump = [&](const Part& other) {
-    return !inquiry.isMisreading(other) && inquiry.candidates[other.component].kind == Component::Kind::Jump;
-  };
-  std::vector<std::size_t> found;
-  if (std::ranges::any_of(explanation.parts, isJump)) return found;  // one jump to a session
-  for (std::size_t i = 0; i < inquiry.candidates.size(); ++i)
-    if (inquiry.candidates[i].onlyRow == inquiry.leftover.reading(reading).sequence &&
-        withStep(inquiry, explanation, part, i).logOdds > explanation.logOdds - closeOdds)
-      found.push_back(i);
-  return found;
+  const auto isJump = [&](const Part& other) { return inquiry.kindOf(other) == Component::Kind::Jump; };
+  if (std::ranges::any_of(explanation.parts, isJump)) return;  // one jump to a session
+  for (std::size_t i = 0; i < inquiry.candidates.size(); ++i) {
+    if (inquiry.candidates[i].onlyRow != inquiry.leftover.reading(reading).sequence) continue;
+    const Explanation rival = withStep(inquiry, explanation, part, i);
+    if (isClose(rival, explanation)) addLookAlike(answer, part, i, rival);
+  }
 }
 
 /// Another effect in place of one that is alone; absent where the noise is larger than stated and the search
@@ -122,25 +126,25 @@ std::optional<Explanation> withOther(const Inquiry& inquiry, const Explanation& 
   return rival;
 }
 
-std::vector<std::size_t> lookAlikesOf(const Inquiry& inquiry, const Explanation& explanation,
-                                      std::size_t index) {
+void addEffects(const Inquiry& inquiry, Answer& answer, std::size_t index) {
+  const Explanation& explanation = answer.explanation;
   const Part& part = explanation.parts[index];
-  if (inquiry.isMisreading(part)) return stepsLike(inquiry, explanation, index);
-  std::vector<std::size_t> found;
-  if (!isEffect(inquiry, part)) return found;
   const Eigen::VectorXd trace = signature(inquiry.leftover, inquiry.candidates[part.component], part.weights);
   for (std::size_t i = 0; i < inquiry.candidates.size(); ++i) {
     const Component& other = inquiry.candidates[i];
     if (other.kind != Component::Kind::Effect || i == part.component) continue;
     const double difference = differenceFrom(trace, other) / explanation.noise;
     if (difference > clearlyDifferent) continue;
-    const auto isClose = [&] {
-      const std::optional<Explanation> rival = withOther(inquiry, explanation, i);
-      return rival && rival->logOdds > explanation.logOdds - closeOdds;
-    };
-    if (difference < hardlyDifferent || isClose()) found.push_back(i);
+    const std::optional<Explanation> rival = withOther(inquiry, explanation, i);
+    if (difference < hardlyDifferent || (rival && isClose(*rival, explanation)))
+      addLookAlike(answer, index, i, rival);
   }
-  return found;
+}
+
+void addLookAlikes(const Inquiry& inquiry, Answer& answer, std::size_t part) {
+  const Component::Kind kind = inquiry.kindOf(answer.explanation.parts[part]);
+  if (kind == Component::Kind::Misreading) addSteps(inquiry, answer, part);
+  if (kind == Component::Kind::Effect) addEffects(inquiry, answer, part);
 }
 
 GapModel modelWith(const Inquiry& inquiry, const Explanation& explanation) {
@@ -151,39 +155,21 @@ GapModel modelWith(const Inquiry& inquiry, const Explanation& explanation) {
 
 Answer conclude(const Inquiry& inquiry) {
   const Answer::Kind kind = likeliestKind(inquiry);
-  if (kind != Answer::Kind::Known) return {kind, {}, {}, inquiry.base};
-  Answer answer{kind, bestKnown(inquiry), {}, {}};
+  if (kind != Answer::Kind::Known) return {kind, {}, {}, {}, inquiry.base};
+  Answer answer{kind, bestKnown(inquiry), {}, {}, {}};
+  answer.lookAlikes.resize(answer.explanation.parts.size());
   for (std::size_t part = 0; part < answer.explanation.parts.size(); ++part)
-    answer.lookAlikes.push_back(lookAlikesOf(inquiry, answer.explanation, part));
+    addLookAlikes(inquiry, answer, part);
   answer.after = modelWith(inquiry, answer.explanation);
   return answer;
 }
-
-namespace {
-
-/// What could be the case instead, with the odds of it: where an effect is alone another one, and for a
-/// misreading the step that looks like it.
-std::vector<Explanation> rivalsOf(const Inquiry& inquiry, const Answer& answer) {
-  std::vector<Explanation> rivals;
-  const Explanation& explanation = answer.explanation;
-  for (std::size_t part = 0; part < explanation.parts.size(); ++part)
-    for (const std::size_t i : answer.lookAlikes[part]) {
-      const std::optional<Explanation> rival = inquiry.isMisreading(explanation.parts[part])
-                                                   ? withStep(inquiry, explanation, part, i)
-                                                   : withOther(inquiry, explanation, i);
-      if (rival) rivals.push_back(*rival);
-    }
-  return rivals;
-}
-
-}  // namespace
 
 std::optional<IntersectionEstimate> afterwardsOf(const Inquiry& inquiry, const Answer& answer) {
   constexpr double negligible = 1e-3;
   const std::optional<IntersectionEstimate> first = estimateOf(answer.after);
   if (!first) return first;
   double sum = 1, mean = first->value, second = first->sigma * first->sigma + mean * mean;
-  for (const Explanation& rival : rivalsOf(inquiry, answer)) {
+  for (const Explanation& rival : answer.rivals) {
     const double chance = std::exp(rival.logOdds - answer.explanation.logOdds);
     if (chance < negligible) continue;
     const auto other = estimateOf(modelWith(inquiry, rival));

@@ -17,6 +17,8 @@ struct Answer {
   /// Of each part of the explanation, what these readings cannot tell from it: effects, of a misreading the
   /// step that only its row would show. Indices of candidates.
   std::vector<std::vector<std::size_t>> lookAlikes;
+  std::vector<Explanation>
+      rivals;      ///< with one of those in place of what it looks like, where that is weighed
   GapModel after;  ///< with the explanation in the model
 };
 

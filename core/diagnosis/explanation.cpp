@@ -108,30 +108,15 @@ std::vector<Explanation> explain(const Leftover& leftover, const std::vector<Com
   return all;
 }
 
-namespace {
-
-BentFit fitBentAlone(const Leftover& leftover, const Component& component) {
-  const MatrixXd columns = bentColumns(component);
-  return fitBent(widthsOf(component.kind), columns.transpose() * columns,
-                 columns.transpose() * leftover.residual(), 1);
-}
-
-}  // namespace
-
-double logBayesFactor(const Leftover& leftover, const Component& component) {
-  if (component.curvature.cols() > 0) return fitBentAlone(leftover, component).gain.log;
-  const VectorXd right = component.columns.transpose() * leftover.residual();
-  if (component.allOrNothing) return right[0] - component.gram(0, 0) / 2;
-  return gainOf(widthsOf(component.kind), component.gram, right, 1).log;
-}
-
 Part fitAlone(const Leftover& leftover, const Component& component, std::size_t index) {
   if (component.curvature.cols() > 0) {
-    const BentFit fit = fitBentAlone(leftover, component);
+    const MatrixXd columns = bentColumns(component);
+    const BentFit fit = fitBent(widthsOf(component.kind), columns.transpose() * columns,
+                                columns.transpose() * leftover.residual(), 1);
     return {index, fit.gain.width, fit.weights, fit.gain.log};
   }
-  if (component.allOrNothing) return {index, 1, VectorXd::Ones(1), logBayesFactor(leftover, component)};
   const VectorXd right = component.columns.transpose() * leftover.residual();
+  if (component.allOrNothing) return {index, 1, VectorXd::Ones(1), right[0] - component.gram(0, 0) / 2};
   const Gain gain = gainOf(widthsOf(component.kind), component.gram, right, 1);
   MatrixXd matrix = component.gram;
   matrix.diagonal().array() += 1 / (gain.width * gain.width);

@@ -49,9 +49,8 @@ struct SearchOptions {
 std::vector<Explanation> explain(const Leftover& leftover, const std::vector<Component>& candidates,
                                  const SearchOptions& options = {});
 
-/// Evidence of one component alone, noise as stated, natural, without its prior.
-double logBayesFactor(const Leftover& leftover, const Component& component);
-/// The same with the weights that an effect then has; `index` is that of the component.
+/// One component alone, noise as stated: its evidence, without its prior, and the weights it then has.
+/// `index` is that of the component.
 Part fitAlone(const Leftover& leftover, const Component& component, std::size_t index);
 
 }  // namespace alidade

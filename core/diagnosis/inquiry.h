@@ -27,6 +27,9 @@ struct Inquiry {
   Eigen::Index readingOf(const Part& part) const {
     return static_cast<Eigen::Index>(part.component - candidates.size());
   }
+  Component::Kind kindOf(const Part& part) const {
+    return isMisreading(part) ? Component::Kind::Misreading : candidates[part.component].kind;
+  }
   const std::string& idOf(const Part& part) const;
   /// Probability that the id is among the causes.
   double probabilityOf(std::string_view id) const;

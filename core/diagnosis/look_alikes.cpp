@@ -55,4 +55,10 @@ double differenceFrom(const VectorXd& trace, const Component& component) {
   return (trace - columns * qr.solve(trace)).norm();
 }
 
+LookAlike compared(const VectorXd& trace, const Component& component) {
+  const double difference = differenceFrom(trace, component), length = trace.norm();
+  const double share = length > 0 ? difference / length : 1;
+  return {component.id, std::sqrt(std::max(0.0, 1 - share * share)), difference};
+}
+
 }  // namespace alidade

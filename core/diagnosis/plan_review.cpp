@@ -53,10 +53,8 @@ void seeVisibility(Planned& planned, const Leftover& leftover, const std::vector
   const VectorXd trace = signature(leftover, *planned.component, planned.plainest);
   for (const Component& other : components) {
     if (other.id == planned.component->id) continue;
-    const double difference = differenceFrom(trace, other);
-    if (difference > clearlyDifferent) continue;
-    const double share = difference / summary.mostVisible;
-    summary.lookAlikes.push_back({other.id, std::sqrt(std::max(0.0, 1 - share * share)), difference});
+    const LookAlike like = compared(trace, other);
+    if (like.difference <= clearlyDifferent) summary.lookAlikes.push_back(like);
   }
   std::ranges::sort(summary.lookAlikes, {}, &LookAlike::difference);
 }

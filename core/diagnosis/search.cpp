@@ -93,7 +93,7 @@ bool Search::mayGrow(const State& state) const {
 
 double Search::priorOf(std::size_t component) const {
   if (component < m_candidates.size()) return m_candidates[component].logPrior;
-  return std::log(m_options.odds.misreading / static_cast<double>(std::max<Index>(m_leftover.readings(), 1)));
+  return m_options.odds.logOfMisreading(m_leftover.readings());
 }
 
 /// The most promising components to add: of jumps and of misreadings the best few.

@@ -1,7 +1,6 @@
 #include "core/diagnosis/visibility.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/diagnosis/inquiry.h"
 #include "core/diagnosis/look_alikes.h"
@@ -15,11 +14,9 @@ Result<Visibility> visibilityOf(const Measurement& noiseless, const std::string&
   const Eigen::VectorXd& trace = leftover.residual();
   Visibility visibility{.sigma = trace.norm(), .lookAlikes = {}, .nearest = trace.norm()};
   for (const Component& other : effectsBeyond(*model, leftover, {held}, {})) {
-    const double difference = differenceFrom(trace, other);
-    visibility.nearest = std::min(visibility.nearest, difference);
-    if (difference > clearlyDifferent) continue;
-    const double share = visibility.sigma > 0 ? difference / visibility.sigma : 1;
-    visibility.lookAlikes.push_back({other.id, std::sqrt(std::max(0.0, 1 - share * share)), difference});
+    const LookAlike like = compared(trace, other);
+    visibility.nearest = std::min(visibility.nearest, like.difference);
+    if (like.difference <= clearlyDifferent) visibility.lookAlikes.push_back(like);
   }
   std::ranges::sort(visibility.lookAlikes, {}, &LookAlike::difference);
   return visibility;

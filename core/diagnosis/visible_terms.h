@@ -28,6 +28,9 @@ VisibleTerms withEstimated(VisibleTerms terms, const std::vector<EstimatedTerm>&
 /// The columns of an effect, scaled to plausible sizes, as combinations of the terms: terms × parameters.
 Eigen::MatrixXd combinationOf(const Effect& effect);
 
+/// How far a combination of terms shows, σ.
+double lengthOf(const VisibleTerms& terms, const Eigen::VectorXd& combination);
+
 /// How far the nearest trace that the effect can leave is from the trace of a combination of terms, σ; see
 /// `differenceFrom`.
 double differenceFrom(const VisibleTerms& terms, const Eigen::VectorXd& combination, const Effect& effect);

@@ -17,7 +17,7 @@ namespace {
 double bestEvidence(const Leftover& leftover) {
   double best = 0;
   for (const Component& effect : effectComponents(leftover, {}, {}))
-    best = std::max(best, logBayesFactor(leftover, effect));
+    best = std::max(best, fitAlone(leftover, effect, 0).logGain);
   return best;
 }
 

@@ -4,26 +4,13 @@
 
 #include <cmath>
 
-#include "core/adjustment/session_fit.h"
-#include "tests/support/trials.h"
+#include "tests/support/full_leftover.h"
 
 namespace alidade {
 namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
-
-/// Two faces, two rounds, slider readings.
-const Leftover& leftover() {
-  static const Leftover instance = [] {
-    const Measurement measurement = test::trialMeasurement("full");
-    return Leftover({linearise(measurement, fitSession(measurement).joint)});
-  }();
-  return instance;
-}
-
-double greatest(const MatrixXd& matrix) {
-  return matrix.cwiseAbs().maxCoeff();
-}
+using test::greatest, test::leftover;
 
 /// A cell for each row of the session, and for each slider reading.
 std::vector<Index> rowByRow() {
