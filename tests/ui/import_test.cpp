@@ -10,6 +10,8 @@
 
 #include "core/session/session_file.h"
 #include "tests/ui/support.h"
+#include "ui/commands/change_field.h"
+#include "ui/commands/edit_readings.h"
 #include "ui/dialogs/import_notes.h"
 #include "ui/main_window.h"
 #include "ui/panels/readings_table.h"
@@ -122,6 +124,10 @@ TEST_F(ImportFlow, KeepsEachSessionInItsFile) {
   EXPECT_EQ(open->document().path(), QFileInfo(second).absoluteFilePath());
   EXPECT_FALSE(open->document().isModified());
   open->undo();
+  EXPECT_FALSE(open->document().isModified()) << "each is as in its own file";
+  EXPECT_FALSE(open->isWindowModified());
+  changeField(open->document(), {.field = "operator"}, "M. Ruiz");
+  EXPECT_TRUE(open->isWindowModified());
   open.dialogs->saveAnswer = Dialogs::SaveAnswer::Save;
   EXPECT_TRUE(open->files().startNew());
   EXPECT_EQ(loadSession(first.toStdString())->title, "Table I");
@@ -138,7 +144,7 @@ TEST_F(ImportFlow, UndoneIsNotLeftWithoutAsking) {
   EXPECT_FALSE(open->close());
   EXPECT_FALSE(open->files().startNew());
   EXPECT_FALSE(open->files().importReadings(file(QStringLiteral("next.csv"), table)));
-  EXPECT_EQ(open.dialogs->undoneQuestions, 3);
+  EXPECT_EQ(open.dialogs->othersAsked.count(QStringLiteral("redo to ")), 3);
   open->redo();
   open->redo();
   EXPECT_EQ(open->document().session().geometry.distanceMm, "2411");
@@ -148,18 +154,67 @@ TEST_F(ImportFlow, UndoneIsNotLeftWithoutAsking) {
   open->undo();
   open.dialogs->saveAnswer = Dialogs::SaveAnswer::Discard;
   EXPECT_TRUE(open->files().mayLeave());
-  EXPECT_EQ(open.dialogs->undoneQuestions, 3) << "it is in a file";
+  EXPECT_EQ(open.dialogs->othersAsked.size(), 3) << "it is in a file";
+}
+
+TEST_F(ImportFlow, UndoneIsNotLeftWithWhatWasTypedAfterItWasSaved) {
+  ASSERT_TRUE(open->files().open(samplePath(QStringLiteral("paper-table-1.alidade"))));
+  ASSERT_TRUE(open->files().importReadings(file(QStringLiteral("arc.csv"), table)));
+  ASSERT_FALSE(open->document().save(folder.filePath(QStringLiteral("arc.alidade"))));
+  typeInto(*open->findChild<QLineEdit*>(QStringLiteral("geometry.distance_mm")), QStringLiteral("2411"));
+  open->undo();
+  open->undo();
+  EXPECT_FALSE(open->document().isModified());
+  EXPECT_FALSE(open->close());
+  EXPECT_FALSE(open->files().startNew());
+  EXPECT_FALSE(open->files().open(samplePath(QStringLiteral("clean-session.alidade"))));
+  EXPECT_EQ(open.dialogs->othersAsked, QStringList(3, QStringLiteral("redo to arc.alidade")));
+  EXPECT_EQ(open.dialogs->saveQuestions, 0);
+  open->redo();
+  open->redo();
+  EXPECT_EQ(open->document().session().geometry.distanceMm, "2411");
+  open.dialogs->saveAnswer = Dialogs::SaveAnswer::Save;
+  EXPECT_TRUE(open->files().startNew());
+  EXPECT_EQ(open.dialogs->othersAsked.size(), 3) << "all is in its file";
+}
+
+TEST_F(ImportFlow, UndoneIsNotDroppedByTheNextImport) {
+  changeField(open->document(), {.field = "title"}, "Begun");
+  ReadingsEditor(open->document(), 0).setCell({0, ReadingColumn::Horizontal}, "341 52 24");
+  open.dialogs->saveAnswer = Dialogs::SaveAnswer::Discard;
+  ASSERT_TRUE(open->files().importReadings(file(QStringLiteral("arc.csv"), table)));
+  changeField(open->document(), {.field = "geometry.distance_mm"}, "2411");
+  for (int i = 0; i < 3; ++i) open->undo();
+  EXPECT_FALSE(open->files().importReadings(file(QStringLiteral("next.csv"), table)))
+      << "there are no readings yet, so nothing else is put aside";
+  EXPECT_EQ(open.dialogs->othersAsked, QStringList(QStringLiteral("redo to ")));
+  for (int i = 0; i < 3; ++i) open->redo();
+  EXPECT_EQ(open->document().session().geometry.distanceMm, "2411");
+}
+
+TEST_F(ImportFlow, SavedOverTheFileOfTheSessionBeforeLeavesThatInNone) {
+  const QString path = folder.filePath(QStringLiteral("first.alidade"));
+  ASSERT_TRUE(open->files().open(samplePath(QStringLiteral("paper-table-1.alidade"))));
+  ASSERT_FALSE(open->document().save(path));
+  ASSERT_TRUE(open->files().importReadings(file(QStringLiteral("arc.csv"), table)));
+  ASSERT_FALSE(open->document().save(folder.filePath(QStringLiteral("./first.alidade"))));
+  open->undo();
+  EXPECT_TRUE(open->document().isModified());
+  EXPECT_EQ(open->document().path(), QString()) << "Save asks for another file";
+  open->redo();
+  EXPECT_FALSE(open->document().isModified());
+  EXPECT_TRUE(open->files().startNew()) << "to write over it was wanted";
 }
 
 TEST_F(ImportFlow, UndoneIsLeftWhereThatIsWanted) {
   ASSERT_TRUE(open->files().open(samplePath(QStringLiteral("paper-table-1.alidade"))));
   ASSERT_TRUE(open->files().importReadings(file(QStringLiteral("arc.csv"), table)));
   open->undo();
-  open.dialogs->discardUndone = true;
+  open.dialogs->discardOther = true;
   EXPECT_TRUE(open->files().startNew());
-  EXPECT_EQ(open.dialogs->undoneQuestions, 1);
+  EXPECT_EQ(open.dialogs->othersAsked.size(), 1);
   EXPECT_TRUE(open->files().startNew());
-  EXPECT_EQ(open.dialogs->undoneQuestions, 1) << "nothing is left to redo";
+  EXPECT_EQ(open.dialogs->othersAsked.size(), 1) << "nothing is left to redo";
 }
 
 TEST_F(ImportFlow, SaysWhatCouldNotBeRead) {

@@ -22,8 +22,9 @@ class ScriptedDialogs : public Dialogs {
  public:
   SaveAnswer saveAnswer = SaveAnswer::Cancel;
   QString openPath, importPath, savePath, reportPath;
-  int saveQuestions = 0, undoneQuestions = 0;
-  bool discardUndone = false;
+  int saveQuestions = 0;
+  bool discardOther = false;
+  QStringList othersAsked;  ///< sessions that undo or redo leads to: whether they may be lost
   bool exportAnyway = false;
   QList<int> unusableEntries;  ///< as told by each question whether to export anyway
   QStringList problems;
@@ -32,9 +33,9 @@ class ScriptedDialogs : public Dialogs {
     ++saveQuestions;
     return saveAnswer;
   }
-  bool askDiscardUndoneImport() override {
-    ++undoneQuestions;
-    return discardUndone;
+  bool askDiscardOther(const QString& name, Way way) override {
+    othersAsked.append(QLatin1String(way == Way::Undo ? "undo to " : "redo to ") + name);
+    return discardOther;
   }
   QString askOpenPath(const QString&) override { return openPath; }
   QString askImportPath(const QString&) override { return importPath; }

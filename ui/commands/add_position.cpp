@@ -31,7 +31,7 @@ bool hasPosition(const Session& session, int axisDeg) {
 
 void addPosition(SessionDocument& document, int axisDeg) {
   if (hasPosition(document.session(), axisDeg)) return;
-  document.undoStack().push(new AddPosition(document, axisDeg));
+  document.push(new AddPosition(document, axisDeg));
 }
 
 }  // namespace alidade::ui

@@ -47,10 +47,10 @@ void applyChanges(SessionDocument& document, const std::vector<CellChange>& chan
     Rows changed = changedRows(document.session().positions[position].readings, std::move(readings));
     if (!changed.readings.empty()) rows.emplace(position, std::move(changed));
   }
-  if (rows.size() > 1) document.undoStack().beginMacro(undoText);
+  if (rows.size() > 1) document.beginTogether(undoText);
   for (const auto& [position, changed] : rows)
     replaceReadings(document, position, changed.first, changed.readings.size(), changed.readings, undoText);
-  if (rows.size() > 1) document.undoStack().endMacro();
+  if (rows.size() > 1) document.endTogether();
 }
 
 }  // namespace alidade::ui

@@ -32,7 +32,7 @@ void setEffect(SessionDocument& document, const std::string& id, bool isEstimate
   }
   const QString text = isEstimated ? QCoreApplication::translate("ChangeEffects", "Estimate %1")
                                    : QCoreApplication::translate("ChangeEffects", "Leave out %1");
-  document.undoStack().push(new ChangeEffects(document, std::move(effects), text.arg(effectName(id))));
+  document.push(new ChangeEffects(document, std::move(effects), text.arg(effectName(id))));
 }
 
 void addEffects(SessionDocument& document, const std::vector<std::string>& ids) {
@@ -45,8 +45,7 @@ void addEffects(SessionDocument& document, const std::vector<std::string>& ids) 
   }
   if (names.isEmpty()) return;
   const QString text = QCoreApplication::translate("ChangeEffects", "Estimate %1");
-  document.undoStack().push(
-      new ChangeEffects(document, std::move(effects), text.arg(names.join(QStringLiteral(", ")))));
+  document.push(new ChangeEffects(document, std::move(effects), text.arg(names.join(QStringLiteral(", ")))));
 }
 
 }  // namespace alidade::ui

@@ -26,7 +26,7 @@ void ChangeField::redo() {
 
 void changeField(SessionDocument& document, const Place& place, const std::string& text) {
   if (fieldText(document.session(), place) == text) return;
-  document.undoStack().push(new ChangeField(document, place, text));
+  document.push(new ChangeField(document, place, text));
 }
 
 }  // namespace alidade::ui

@@ -39,7 +39,7 @@ void ReplaceReadings::redo() {
 void replaceReadings(SessionDocument& document, std::size_t position, std::size_t first, std::size_t removed,
                      const std::vector<Reading>& inserted, const QString& text) {
   if (rowsOf(document, position, first, removed) == inserted) return;
-  document.undoStack().push(new ReplaceReadings(document, position, first, removed, inserted, text));
+  document.push(new ReplaceReadings(document, position, first, removed, inserted, text));
 }
 
 }  // namespace alidade::ui

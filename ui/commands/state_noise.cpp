@@ -8,10 +8,10 @@
 namespace alidade::ui {
 
 void stateNoise(SessionDocument& document, const StatedNoise& noise) {
-  document.undoStack().beginMacro(QCoreApplication::translate("StateNoise", "State σ of the circles"));
+  document.beginTogether(QCoreApplication::translate("StateNoise", "State σ of the circles"));
   changeField(document, {.field = "instrument.sigma_horizontal_arcsec"}, noise.horizontal);
   changeField(document, {.field = "instrument.sigma_vertical_arcsec"}, noise.vertical);
-  document.undoStack().endMacro();
+  document.endTogether();
 }
 
 }  // namespace alidade::ui

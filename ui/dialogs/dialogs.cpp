@@ -52,12 +52,16 @@ Dialogs::SaveAnswer Dialogs::askSaveChanges(const QString& name) {
   }
 }
 
-bool Dialogs::askDiscardUndoneImport() {
+bool Dialogs::askDiscardOther(const QString& name, Way way) {
+  const QString unnamed = way == Way::Redo ? Text::tr("An import that was undone has not been saved.")
+                                           : Text::tr("The session before the import has not been saved.");
   QMessageBox box(QMessageBox::Warning, Text::tr("Unsaved changes"),
-                  Text::tr("An import that was undone has not been saved."),
+                  name.isEmpty() ? unnamed : Text::tr("“%1” has unsaved changes, too.").arg(name),
                   QMessageBox::Discard | QMessageBox::Cancel, m_parent);
-  box.setInformativeText(
-      Text::tr("Redo brings it back with all that was typed into it. Discarded, it cannot be brought back."));
+  const QString lead = way == Way::Redo
+                           ? Text::tr("Redo brings it back with all that was typed into it, to be saved.")
+                           : Text::tr("Undo leads back to it with all that was typed into it, to be saved.");
+  box.setInformativeText(lead + u' ' + Text::tr("Discarded, that cannot be brought back."));
   box.setDefaultButton(QMessageBox::Cancel);
   return box.exec() == QMessageBox::Discard;
 }

@@ -10,13 +10,15 @@ namespace alidade::ui {
 class Dialogs {
  public:
   enum class SaveAnswer { Save, Discard, Cancel };
+  enum class Way { Undo, Redo };
 
   explicit Dialogs(QWidget* parent = nullptr) : m_parent(parent) {}
   virtual ~Dialogs() = default;
 
   virtual SaveAnswer askSaveChanges(const QString& name);
-  /// Shall an import be lost that was undone and is in no file?
-  virtual bool askDiscardUndoneImport();
+  /// Shall the changes of another session be lost, which undo or redo leads to? `name` is empty where it was
+  /// never saved.
+  virtual bool askDiscardOther(const QString& name, Way way);
   /// Empty: cancelled.
   virtual QString askOpenPath(const QString& folder);
   virtual QString askImportPath(const QString& folder);

@@ -95,10 +95,9 @@ bool FileFlow::importReadings(const QString& path) {
                           tr("“%1” cannot be imported.\n\n%2").arg(name, qText(import.problem().text())));
     return false;
   }
-  if (!intoPresent && !mayLeave()) return false;
-  using File = ReplaceSession::File;
-  m_document.undoStack().push(new ReplaceSession(
-      m_document, import->session, intoPresent ? File::Same : File::None, tr("Import %1").arg(name)));
+  if (!(intoPresent || mayLeaveChanges()) || !mayDropRedo()) return false;
+  auto* replace = new ReplaceSession(m_document, import->session, tr("Import %1").arg(name));
+  intoPresent ? m_document.push(replace) : m_document.pushAnother(replace);
   tellOf(*import, name);
   return true;
 }
@@ -164,7 +163,7 @@ bool FileFlow::exportReport() {
 
 bool FileFlow::mayLeave() {
   emit commitWanted();
-  return mayLeaveChanges() && mayLeaveUndone();
+  return mayLeaveChanges() && mayDropRedo() && mayDropUndo();
 }
 
 bool FileFlow::mayLeaveChanges() {
@@ -181,13 +180,17 @@ bool FileFlow::mayLeaveChanges() {
 }
 
 /// The session back from an import may be as in its file, and all that was typed into the import unsaved.
-bool FileFlow::mayLeaveUndone() {
+bool FileFlow::mayDropRedo() {
   const QUndoStack& stack = m_document.undoStack();
-  for (int step = stack.index(); step < stack.count(); ++step) {
-    const auto* replaced = dynamic_cast<const ReplaceSession*>(stack.command(step));
-    if (replaced && replaced->hasTakenBackUnsaved()) return m_dialogs.askDiscardUndoneImport();
-  }
-  return true;
+  const auto path = m_document.files().unsavedAhead(stack.index(), stack.count());
+  return !path || m_dialogs.askDiscardOther(QFileInfo(*path).fileName(), Dialogs::Way::Redo);
+}
+
+/// An import may be saved, and the session before it not, or no longer.
+bool FileFlow::mayDropUndo() {
+  const QUndoStack& stack = m_document.undoStack();
+  const auto path = m_document.files().unsavedBehind(stack.index(), stack.count());
+  return !path || m_dialogs.askDiscardOther(QFileInfo(*path).fileName(), Dialogs::Way::Undo);
 }
 
 QString FileFlow::suggestedPath(const QString& suffix) const {

@@ -36,7 +36,7 @@ class FileFlow : public QObject {
   bool exportReport();
   /// A check of the uncertainty, for reports of the session that it is of.
   void setBudgetCheck(const SharedBudgetCheck& check) { m_check = check; }
-  /// May the session be left, and those that redo would bring back? Saves first where the user wants it.
+  /// May the session be left, and those that undo and redo lead to? Saves first where the user wants it.
   bool mayLeave();
 
  signals:
@@ -49,7 +49,8 @@ class FileFlow : public QObject {
   void tellOf(const Import& import, const QString& name);
   bool saveTo(const QString& path);
   bool mayLeaveChanges();
-  bool mayLeaveUndone();
+  bool mayDropRedo();
+  bool mayDropUndo();
   QString suggestedPath(const QString& suffix) const;
 
   SessionDocument& m_document;

@@ -12,11 +12,27 @@
 namespace alidade::ui {
 
 SessionDocument::SessionDocument(QObject* parent) : QObject(parent), m_session(blankSession()) {
-  connect(&m_undoStack, &QUndoStack::cleanChanged, this, &SessionDocument::identityChanged);
+  connect(&m_undoStack, &QUndoStack::indexChanged, this, &SessionDocument::identityChanged);
 }
 
 QString SessionDocument::displayName() const {
-  return m_path.isEmpty() ? tr("Untitled") : QFileInfo(m_path).fileName();
+  return path().isEmpty() ? tr("Untitled") : QFileInfo(path()).fileName();
+}
+
+void SessionDocument::push(QUndoCommand* command) {
+  m_files.dropFrom(m_undoStack.index());
+  m_undoStack.push(command);
+}
+
+void SessionDocument::pushAnother(QUndoCommand* command) {
+  m_files.dropFrom(m_undoStack.index());
+  m_files.beginAnother(m_undoStack.index());
+  m_undoStack.push(command);
+}
+
+void SessionDocument::beginTogether(const QString& undoText) {
+  m_files.dropFrom(m_undoStack.index());
+  m_undoStack.beginMacro(undoText);
 }
 
 void SessionDocument::startNew() {
@@ -49,8 +65,7 @@ std::optional<Problem> SessionDocument::save(const QString& path) {
   if (!file.open(QIODevice::WriteOnly) || file.write(text.data(), size) != size || !file.commit()) {
     return Problem{tr("“%1” cannot be saved: %2").arg(path, file.errorString()).toStdString()};
   }
-  m_path = QFileInfo(path).absoluteFilePath();
-  m_undoStack.setClean();
+  m_files.setSaved(m_undoStack.index(), QFileInfo(path).absoluteFilePath());
   emit identityChanged();
   return {};
 }
@@ -102,20 +117,17 @@ void SessionDocument::removePosition(std::size_t index) {
   emit changed(change);
 }
 
-void SessionDocument::putSession(const Session& session, const QString& path) {
+void SessionDocument::putSession(const Session& session) {
   emit aboutToChange({});
   m_session = session;
-  m_path = path;
   emit changed({});
-  emit identityChanged();
 }
 
 void SessionDocument::replaceAll(Session session, const QString& path) {
   emit aboutToChange({});
   m_session = std::move(session);
-  m_path = path;
   m_undoStack.clear();
-  m_undoStack.setClean();
+  m_files.restart(path);
   emit changed({});
   emit identityChanged();
 }

@@ -9,11 +9,13 @@
 #include "core/base/problem.h"
 #include "core/session/session.h"
 #include "ui/document/session_change.h"
+#include "ui/document/session_files.h"
 
 namespace alidade::ui {
 
 /// The one session at work: its data, its undo stack and its file. Views read `session()` and listen to
-/// `changed`; only commands write. Modified means: the undo stack is not where it was at the last save.
+/// `changed`; only commands write. Modified means: the session at work is not as it was last saved or loaded.
+/// Undo may lead to another session, in a file of its own: see `SessionFiles`.
 class SessionDocument : public QObject {
   Q_OBJECT
 
@@ -21,10 +23,20 @@ class SessionDocument : public QObject {
   explicit SessionDocument(QObject* parent = nullptr);
 
   const Session& session() const { return m_session; }
-  QUndoStack& undoStack() { return m_undoStack; }
-  const QString& path() const { return m_path; }  ///< empty for a session never saved
-  QString displayName() const;                    ///< the file's name, or "Untitled"
-  bool isModified() const { return !m_undoStack.isClean(); }
+  QUndoStack& undoStack() { return m_undoStack; }  ///< to look at, undo and redo
+  const SessionFiles& files() const { return m_files; }
+  /// Empty for a session never saved.
+  QString path() const { return m_files.path(m_undoStack.index()); }
+  QString displayName() const;  ///< the file's name, or "Untitled"
+  bool isModified() const { return m_files.isModified(m_undoStack.index()); }
+
+  /// The one way for an edit onto the undo stack. Takes the command over.
+  void push(QUndoCommand* command);
+  /// Likewise one that puts another session, in no file yet, in place of the present one.
+  void pushAnother(QUndoCommand* command);
+  /// The edits pushed until `endTogether` are undone in one step.
+  void beginTogether(const QString& undoText);
+  void endTogether() { m_undoStack.endMacro(); }
 
   void startNew();
   /// A session that is in no file yet.
@@ -53,12 +65,12 @@ class SessionDocument : public QObject {
                    const std::vector<Reading>& inserted);
   void insertPosition(std::size_t index, const Position& position);
   void removePosition(std::size_t index);
-  void putSession(const Session& session, const QString& path);
+  void putSession(const Session& session);
   void replaceAll(Session session, const QString& path);
 
   Session m_session;
   QUndoStack m_undoStack;
-  QString m_path;
+  SessionFiles m_files;
 };
 
 }  // namespace alidade::ui

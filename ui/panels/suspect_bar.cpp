@@ -130,7 +130,7 @@ void SuspectBar::resizeEvent(QResizeEvent* event) {
 
 /// A splitter does not ask how high a wrapped text is at its width.
 void SuspectBar::fitText() {
-  m_text->setMinimumHeight(m_text->heightForWidth(width() - 60));
+  m_text->setMinimumHeight(std::max(0, m_text->heightForWidth(width() - 60)));
 }
 
 void SuspectBar::fillOthers(const Suspect& suspect) {
