@@ -135,7 +135,7 @@ PageTabs* MainWindow::createFigures() {
   m_effects = new EffectsPanel(m_document);
   m_result = new ResultPanel;
   pages->addPage(m_result, tr("Result"));
-  m_budget = new BudgetPanel;
+  m_budget = new BudgetPanel(m_document);
   pages->addPage(m_budget, tr("Budget"),
                  [this](const SharedEvaluation& evaluation) { m_budget->setEvaluation(evaluation); });
   pages->addPage(m_effects, tr("Effects"));
@@ -166,7 +166,7 @@ void MainWindow::connectParts() {
   connect(&m_document, &SessionDocument::changed, this, [this](const SessionChange& change) {
     m_lastChange = change.place;
     m_suspects->setStale();
-    m_budget->stopSimulationUnlessOf(m_document.session());
+    m_budget->stopOutdatedSimulation();
     if (change.kind == SessionChange::Kind::Everything)
       showNoGap();
     else

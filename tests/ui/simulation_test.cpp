@@ -14,6 +14,7 @@
 #include "ui/commands/change_field.h"
 #include "ui/commands/edit_readings.h"
 #include "ui/main_window.h"
+#include "ui/panels/readings_table.h"
 #include "ui/panels/simulation_box.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/simulation_text.h"
@@ -40,7 +41,7 @@ struct SimulationBench {
 
   void press() { QTest::keyClick(box->findChild<QPushButton*>(), Qt::Key_Space); }
   bool finish() {
-    return waitFor([this] { return !box->job().isAtWork(); });
+    return waitFor([this] { return !box->isWanted(); });
   }
   void run() {
     press();
@@ -114,13 +115,42 @@ TEST(Simulation, GoesOnUntilWhatItIsOfHasChanged) {
   EXPECT_TRUE(bench.box->job().isAtWork()) << "nothing that enters a fit has changed";
   bench.press();
   ASSERT_TRUE(bench.finish());
+}
 
+TEST(Simulation, WaitsForTheFitOfWhatWasJustTyped) {
+  SimulationBench bench;
+  ReadingsTable& readings = *bench.open->currentTable();
+  readings.setCurrentIndex(readings.model()->index(2, static_cast<int>(ReadingColumn::Vertical)));
+  typeInto(readings, QStringLiteral("84 53 12"));
+  const Session typed = bench.open->document().session();
+  ASSERT_FALSE(bench.open->job().isIdle());
+  bench.press();
+  EXPECT_FALSE(bench.box->job().isAtWork()) << "what is shown is the fit before";
+  EXPECT_EQ(bench.box->findChild<QPushButton*>()->text(), QStringLiteral("Stop"));
+  ASSERT_TRUE(bench.finish());
+  const Evaluation evaluation = evaluateFit(typed);
+  const MonteCarlo check = *propagateDistributions(*evaluation.examined.measurement, evaluation.fit,
+                                                   {.draws = draws, .threads = 1});
+  EXPECT_THAT(bench.shown(), HasSubstr(numberText(check.intersection->low, 4).toStdString()));
+  EXPECT_THAT(bench.shown(), HasSubstr(numberText(check.intersection->high, 4).toStdString()));
+}
+
+TEST(Simulation, DoesNotWaitWhereThereIsNothingToSimulateOrItIsStopped) {
+  SimulationBench bench;
   changeField(bench.open->document(), {.field = "geometry.distance_mm"}, "2406");
   bench.press();
-  EXPECT_TRUE(bench.box->job().isAtWork()) << "on what is shown, the fit before";
+  bench.press();
   bench.open.settle();
-  ASSERT_TRUE(bench.finish());
-  EXPECT_THAT(bench.shown(), HasSubstr("Stopped, for the session has changed."));
+  EXPECT_FALSE(bench.box->isWanted()) << "pressed again is stopped";
+  EXPECT_THAT(bench.shown(), HasSubstr("Stopped."));
+
+  changeField(bench.open->document(), {.field = "geometry.distance_mm"}, "");
+  bench.press();
+  bench.open.settle();
+  EXPECT_FALSE(bench.box->isWanted()) << "without a distance there is no intersection";
+  changeField(bench.open->document(), {.field = "geometry.distance_mm"}, "2405");
+  bench.open.settle();
+  EXPECT_FALSE(bench.box->isWanted());
 }
 
 TEST(Simulation, IsToldOnPaperOfTheSessionItIsOf) {

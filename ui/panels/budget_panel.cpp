@@ -20,11 +20,11 @@ QString shareText(double part, double whole) {
 
 }  // namespace
 
-BudgetPanel::BudgetPanel(QWidget* parent)
+BudgetPanel::BudgetPanel(const SessionDocument& document, QWidget* parent)
     : ScrollPage(tr("Budget"), parent),
       m_intersectionTitle(panelHeading(tr("Standard uncertainty of Δd"))),
       m_intersection(new FigureGrid),
-      m_simulation(new SimulationBox),
+      m_simulation(new SimulationBox(document)),
       m_centresTitle(panelHeading(tr("Standard uncertainty of the centres  mm"))),
       m_centres(new FigureGrid),
       m_note(new QLabel) {
@@ -42,8 +42,8 @@ BudgetPanel::BudgetPanel(QWidget* parent)
   connect(m_simulation, &SimulationBox::checked, this, &BudgetPanel::checked);
 }
 
-void BudgetPanel::stopSimulationUnlessOf(const Session& session) {
-  m_simulation->stopUnlessOf(session);
+void BudgetPanel::stopOutdatedSimulation() {
+  m_simulation->stopOutdated();
 }
 
 void BudgetPanel::setEvaluation(const SharedEvaluation& evaluation) {

@@ -8,6 +8,7 @@ class QLabel;
 namespace alidade::ui {
 
 class FigureGrid;
+class SessionDocument;
 class SimulationBox;
 
 /// Where the uncertainty comes from: readings, model effects, pointing zeros and distance, for Δd and for
@@ -16,11 +17,11 @@ class BudgetPanel : public ScrollPage {
   Q_OBJECT
 
  public:
-  explicit BudgetPanel(QWidget* parent = nullptr);
+  explicit BudgetPanel(const SessionDocument& document, QWidget* parent = nullptr);
 
   void setEvaluation(const SharedEvaluation& evaluation);
-  /// The session has changed to this one: stops a simulation at work where that is of another one.
-  void stopSimulationUnlessOf(const Session& session);
+  /// The session has changed: stops a simulation at work where that is no longer of it.
+  void stopOutdatedSimulation();
 
  signals:
   void checked(const alidade::ui::SharedBudgetCheck& check);

@@ -8,14 +8,16 @@
 #include <QVBoxLayout>
 #include <initializer_list>
 
+#include "ui/document/session_document.h"
 #include "ui/panels/figure_grid.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/simulation_text.h"
 
 namespace alidade::ui {
 
-SimulationBox::SimulationBox(QWidget* parent)
+SimulationBox::SimulationBox(const SessionDocument& document, QWidget* parent)
     : QWidget(parent),
+      m_document(document),
       m_draws(new QSpinBox),
       m_run(new QPushButton),
       m_progress(new QProgressBar),
@@ -38,7 +40,7 @@ SimulationBox::SimulationBox(QWidget* parent)
   connect(m_run, &QPushButton::clicked, this, &SimulationBox::toggle);
   connect(&m_job, &SimulationJob::finished, this, &SimulationBox::take);
   connect(&m_watch, &QTimer::timeout, this,
-          [this] { m_progress->setValue(static_cast<int>(m_job.drawsMade())); });
+          [this] { m_progress->setValue(m_isWaiting ? 0 : static_cast<int>(m_job.drawsMade())); });
   hide();
   showWork();
 }
@@ -60,29 +62,43 @@ void SimulationBox::createControls() {
 
 void SimulationBox::setEvaluation(const SharedEvaluation& evaluation) {
   m_evaluation = evaluation;
-  stopUnlessOf(evaluation->session);
-  setVisible(evaluation->fit.intersection.has_value());
+  stopOutdated();
+  const bool hasIntersection = evaluation->fit.intersection.has_value();
+  setVisible(hasIntersection);
+  if (!hasIntersection) m_isWaiting = false;
+  if (m_isWaiting) start();
+  showWork();
   showCheck();
 }
 
-void SimulationBox::stopUnlessOf(const Session& session) {
-  if (!m_job.isAtWork() || measuresAlike(m_simulated->session, session)) return;
+void SimulationBox::stopOutdated() {
+  if (!m_job.isAtWork() || measuresAlike(m_simulated->session, m_document.session())) return;
   m_remark = tr("Stopped, for the session has changed.");
   m_job.stop();
 }
 
 void SimulationBox::toggle() {
-  if (m_job.isAtWork()) {
+  if (isWanted()) {
     m_remark = tr("Stopped.");
-    return m_job.stop();
+    m_isWaiting = false;
+    m_job.stop();
+  } else {
+    m_remark.clear();
+    m_isWaiting = true;
+    start();
   }
-  m_remark.clear();
-  m_progress->setRange(0, m_draws->value());
-  m_progress->setValue(0);
-  m_simulated = m_evaluation;
-  m_job.start(m_simulated, static_cast<std::size_t>(m_draws->value()));
   showWork();
   showCheck();
+}
+
+/// Not of a fit that an edit has overtaken: the next one is at work.
+void SimulationBox::start() {
+  m_isWaiting = !measuresAlike(m_evaluation->session, m_document.session());
+  m_progress->setRange(0, m_draws->value());
+  m_progress->setValue(0);
+  if (m_isWaiting) return;
+  m_simulated = m_evaluation;
+  m_job.start(m_simulated, static_cast<std::size_t>(m_draws->value()));
 }
 
 void SimulationBox::take(const SharedBudgetCheck& check) {
@@ -98,7 +114,7 @@ void SimulationBox::take(const SharedBudgetCheck& check) {
 }
 
 void SimulationBox::showWork() {
-  const bool isAtWork = m_job.isAtWork();
+  const bool isAtWork = isWanted();
   m_run->setText(isAtWork ? tr("Stop") : tr("Run"));
   m_draws->setEnabled(!isAtWork);
   m_progress->setVisible(isAtWork);
@@ -106,10 +122,10 @@ void SimulationBox::showWork() {
 }
 
 void SimulationBox::showCheck() {
-  const bool isAnswered = !m_job.isAtWork() && m_check && m_evaluation && m_evaluation->fit.intersection &&
+  const bool isAnswered = !isWanted() && m_check && m_evaluation && m_evaluation->fit.intersection &&
                           m_check->isOf(m_evaluation->session);
   m_figures->setVisible(isAnswered);
-  m_note->setVisible(!m_job.isAtWork());
+  m_note->setVisible(!isWanted());
   m_note->setForegroundRole(isAnswered ? QPalette::WindowText : QPalette::PlaceholderText);
   if (!isAnswered)
     return m_note->setText(m_remark.isEmpty() ? tr("Does the propagated uncertainty hold? Not checked yet.")
