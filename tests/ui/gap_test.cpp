@@ -429,6 +429,7 @@ TEST(Gap, IsToldAsOldFromTheEditToTheNextDiagnosis) {
   ASSERT_TRUE(open->files().open(trialPath(sagTrial)));
   open.settle();
   ASSERT_TRUE(waitFor([&] { return open->gapJob().isIdle(); }));
+  QCoreApplication::processEvents();
   auto* hint = open->findChild<QLabel*>(QStringLiteral("gap hint"));
   auto* findings = open->findChild<FindingsPanel*>();
   const auto finding = [&] { return findings->item(0)->text().toStdString(); };

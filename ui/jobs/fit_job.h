@@ -1,12 +1,10 @@
 #pragma once
 
-#include <QFutureWatcher>
 #include <QObject>
-#include <QThreadPool>
 #include <memory>
 #include <optional>
-#include <stop_token>
 
+#include "ui/jobs/background.h"
 #include "ui/jobs/evaluation.h"
 
 namespace alidade::ui {
@@ -23,10 +21,9 @@ class FitJob : public QObject {
 
  public:
   explicit FitJob(QObject* parent = nullptr);
-  ~FitJob() override;
 
   void request(const Session& session);
-  bool isIdle() const { return !m_fitting && !m_fitted; }  ///< nothing is still to be delivered
+  bool isIdle() const { return !m_fit.isAtWork() && !m_fitted; }  ///< nothing is still to be delivered
 
  signals:
   /// Where it is not searched yet, `searched` follows unless another request comes first.
@@ -40,17 +37,14 @@ class FitJob : public QObject {
   };
 
   void fit(const Session& session);
-  void finishFit();
+  void finishFit(const SharedEvaluation& fitted);
   void search();
-  void finishSearch();
+  void finishSearch(const Search& done);
 
-  QThreadPool m_threads;
-  QFutureWatcher<SharedEvaluation> m_fit;
-  QFutureWatcher<Search> m_search;
-  std::stop_source m_stop;  ///< of the search at work
   std::optional<Session> m_next;
   SharedEvaluation m_fitted;  ///< delivered last, its suspects still wanted; null where they are not
-  bool m_fitting = false, m_searching = false;
+  Background<Evaluation> m_fit;
+  Background<Search> m_search;
 };
 
 }  // namespace alidade::ui

@@ -1,31 +1,22 @@
 #include "ui/jobs/gap_job.h"
 
-#include <QtConcurrent>
 #include <utility>
 
 namespace alidade::ui {
 
-GapJob::GapJob(QObject* parent) : QObject(parent) {
-  m_threads.setMaxThreadCount(1);
+GapJob::GapJob(QObject* parent) : QObject(parent), m_work([this](const SharedGap& gap) { finish(gap); }) {
   m_rest.setSingleShot(true);
   connect(&m_rest, &QTimer::timeout, this, &GapJob::start);
-  connect(&m_work, &QFutureWatcherBase::finished, this, &GapJob::finish);
-}
-
-GapJob::~GapJob() {
-  m_work.disconnect(this);
-  m_stop.request_stop();
-  m_threads.waitForDone();
 }
 
 void GapJob::request(SharedEvaluation evaluation) {
-  if (evaluation != m_wanted) m_stop.request_stop();
+  if (evaluation != m_wanted) m_work.stop();
   m_wanted = std::move(evaluation);
   m_rest.start(m_isWatched ? 0 : restMilliseconds);
 }
 
 void GapJob::cancel() {
-  m_stop.request_stop();
+  m_work.stop();
   m_wanted.reset();
   m_rest.stop();
 }
@@ -36,19 +27,12 @@ void GapJob::setWatched(bool watched) {
 }
 
 void GapJob::start() {
-  if (m_isAtWork || !m_wanted) return;
-  m_isAtWork = true;
-  m_stop = std::stop_source();
-  m_work.setFuture(
-      QtConcurrent::run(&m_threads, [evaluation = m_wanted, stop = m_stop.get_token()]() -> SharedGap {
-        return std::make_shared<const Gap>(assessGap(evaluation, stop));
-      }));
+  if (m_work.isAtWork() || !m_wanted) return;
+  m_work.start([evaluation = m_wanted](const std::stop_token& stop) { return assessGap(evaluation, stop); });
 }
 
-void GapJob::finish() {
-  m_isAtWork = false;
-  const SharedGap gap = m_work.result();
-  if (gap->evaluation == m_wanted && !m_stop.stop_requested()) {
+void GapJob::finish(const SharedGap& gap) {
+  if (gap->evaluation == m_wanted && !m_work.isStopped()) {
     m_wanted.reset();
     emit assessed(gap);
   } else if (!m_rest.isActive()) {

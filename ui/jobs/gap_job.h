@@ -1,12 +1,10 @@
 #pragma once
 
-#include <QFutureWatcher>
 #include <QObject>
-#include <QThreadPool>
 #include <QTimer>
 #include <memory>
-#include <stop_token>
 
+#include "ui/jobs/background.h"
 #include "ui/jobs/gap.h"
 
 namespace alidade::ui {
@@ -24,28 +22,25 @@ class GapJob : public QObject {
   static constexpr int restMilliseconds = 500;
 
   explicit GapJob(QObject* parent = nullptr);
-  ~GapJob() override;
 
   void request(SharedEvaluation evaluation);
   /// Forgets what was requested: the session has changed.
   void cancel();
   void setWatched(bool watched);
   bool isIdle() const { return !m_wanted; }  ///< nothing is still to be delivered
-  bool isAtWork() const { return m_isAtWork; }
+  bool isAtWork() const { return m_work.isAtWork(); }
 
  signals:
   void assessed(const alidade::ui::SharedGap& gap);
 
  private:
   void start();
-  void finish();
+  void finish(const SharedGap& gap);
 
-  QThreadPool m_threads;
-  QFutureWatcher<SharedGap> m_work;
   QTimer m_rest;
-  std::stop_source m_stop;    ///< of what is at work
   SharedEvaluation m_wanted;  ///< null where nothing is
-  bool m_isWatched = false, m_isAtWork = false;
+  bool m_isWatched = false;
+  Background<Gap> m_work;
 };
 
 }  // namespace alidade::ui

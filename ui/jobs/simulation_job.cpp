@@ -1,6 +1,5 @@
 #include "ui/jobs/simulation_job.h"
 
-#include <QtConcurrent>
 #include <utility>
 
 namespace alidade::ui {
@@ -18,38 +17,16 @@ bool BudgetCheck::isOf(const Session& session) const {
   return measuresAlike(evaluation->session, session);
 }
 
-SimulationJob::SimulationJob(QObject* parent) : QObject(parent) {
-  m_threads.setMaxThreadCount(1);
-  connect(&m_work, &QFutureWatcherBase::finished, this, &SimulationJob::finish);
-}
-
-SimulationJob::~SimulationJob() {
-  m_work.disconnect(this);
-  m_stop.request_stop();
-  m_threads.waitForDone();
-}
+SimulationJob::SimulationJob(QObject* parent)
+    : QObject(parent), m_work([this](const SharedBudgetCheck& check) { emit finished(check); }) {}
 
 void SimulationJob::start(SharedEvaluation evaluation, std::size_t draws) {
-  if (std::exchange(m_isAtWork, true)) return;
-  m_stop = std::stop_source();
+  if (isAtWork()) return;
   m_made = 0;
-  m_work.setFuture(QtConcurrent::run(&m_threads,
-                                     [evaluation = std::move(evaluation), draws, made = &m_made,
-                                      stop = m_stop.get_token()]() -> SharedBudgetCheck {
-                                       return std::make_shared<const BudgetCheck>(
-                                           evaluation, propagateDistributions(
-                                                           *evaluation->examined.measurement, evaluation->fit,
-                                                           {.draws = draws, .made = made}, stop));
-                                     }));
-}
-
-void SimulationJob::stop() {
-  m_stop.request_stop();
-}
-
-void SimulationJob::finish() {
-  m_isAtWork = false;
-  emit finished(m_work.result());
+  m_work.start([evaluation = std::move(evaluation), draws, made = &m_made](const std::stop_token& stop) {
+    return BudgetCheck{evaluation, propagateDistributions(*evaluation->examined.measurement, evaluation->fit,
+                                                          {.draws = draws, .made = made}, stop)};
+  });
 }
 
 }  // namespace alidade::ui

@@ -1,14 +1,12 @@
 #pragma once
 
-#include <QFutureWatcher>
 #include <QObject>
-#include <QThreadPool>
 #include <atomic>
 #include <memory>
 #include <optional>
-#include <stop_token>
 
 #include "core/adjustment/monte_carlo.h"
+#include "ui/jobs/background.h"
 #include "ui/jobs/fit_job.h"
 
 namespace alidade::ui {
@@ -33,25 +31,19 @@ class SimulationJob : public QObject {
 
  public:
   explicit SimulationJob(QObject* parent = nullptr);
-  ~SimulationJob() override;
 
   /// Does nothing while one is at work.
   void start(SharedEvaluation evaluation, std::size_t draws);
-  void stop();  ///< `finished` follows, with what there is: nothing
-  bool isAtWork() const { return m_isAtWork; }
+  void stop() { m_work.stop(); }  ///< `finished` follows, with what there is: nothing
+  bool isAtWork() const { return m_work.isAtWork(); }
   std::size_t drawsMade() const { return m_made; }
 
  signals:
   void finished(const alidade::ui::SharedBudgetCheck& check);
 
  private:
-  void finish();
-
-  QThreadPool m_threads;
-  QFutureWatcher<SharedBudgetCheck> m_work;
-  std::stop_source m_stop;
   std::atomic<std::size_t> m_made = 0;
-  bool m_isAtWork = false;
+  Background<BudgetCheck> m_work;
 };
 
 }  // namespace alidade::ui

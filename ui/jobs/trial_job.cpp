@@ -1,6 +1,5 @@
 #include "ui/jobs/trial_job.h"
 
-#include <QtConcurrent>
 #include <utility>
 
 namespace alidade::ui {
@@ -20,48 +19,36 @@ DiagnosedTrial diagnoseTrial(const BlindTrialOptions& options, std::uint64_t see
   return done;
 }
 
-TrialJob::TrialJob(QObject* parent) : QObject(parent) {
-  m_threads.setMaxThreadCount(1);
-  connect(&m_work, &QFutureWatcherBase::finished, this, &TrialJob::finish);
-}
+TrialJob::TrialJob(QObject* parent)
+    : QObject(parent), m_work([this](const SharedTrial& trial) { finish(trial); }) {}
 
-TrialJob::~TrialJob() {
-  m_work.disconnect(this);
-  m_stop.request_stop();
-  m_threads.waitForDone();
-}
-
+/// What is at work belongs to an earlier start: the first one of this follows it.
 void TrialJob::start(const BlindTrialOptions& options, std::uint64_t seed, int count) {
-  const bool isFree = m_work.isFinished();
-  m_isStale = !isFree;
-  m_stop.request_stop();
   m_options = options;
   m_seed = seed;
   m_left = count;
-  if (isFree) next();
+  m_work.isAtWork() ? m_work.stop() : next();
 }
 
 void TrialJob::stop() {
   m_left = 0;
-  m_stop.request_stop();
+  m_work.stop();
 }
 
 void TrialJob::next() {
-  m_stop = std::stop_source();
-  m_work.setFuture(QtConcurrent::run(
-      &m_threads, [options = m_options, seed = m_seed, stop = m_stop.get_token()]() -> SharedTrial {
-        return std::make_shared<const DiagnosedTrial>(diagnoseTrial(options, seed, stop));
-      }));
+  m_work.start([options = m_options, seed = m_seed](const std::stop_token& stop) {
+    return diagnoseTrial(options, seed, stop);
+  });
 }
 
-void TrialJob::finish() {
+void TrialJob::finish(const SharedTrial& trial) {
   if (m_left == 0) return;
-  if (!std::exchange(m_isStale, false)) {
+  if (!m_work.isStopped()) {
     ++m_seed;
     --m_left;
-    emit diagnosed(m_work.result());
+    emit diagnosed(trial);
   }
-  if (m_left > 0) next();
+  if (m_left > 0 && !m_work.isAtWork()) next();
 }
 
 }  // namespace alidade::ui

@@ -1,13 +1,12 @@
 #pragma once
 
-#include <QFutureWatcher>
 #include <QObject>
-#include <QThreadPool>
 #include <memory>
 #include <stop_token>
 
 #include "core/simulation/blind_trial.h"
 #include "core/simulation/trial_score.h"
+#include "ui/jobs/background.h"
 #include "ui/jobs/gap.h"
 
 namespace alidade::ui {
@@ -32,7 +31,6 @@ class TrialJob : public QObject {
 
  public:
   explicit TrialJob(QObject* parent = nullptr);
-  ~TrialJob() override;
 
   void start(const BlindTrialOptions& options, std::uint64_t seed, int count);
   void stop();  ///< no further one is delivered
@@ -43,15 +41,12 @@ class TrialJob : public QObject {
 
  private:
   void next();
-  void finish();
+  void finish(const SharedTrial& trial);
 
-  QThreadPool m_threads;
-  QFutureWatcher<SharedTrial> m_work;
   BlindTrialOptions m_options;
   std::uint64_t m_seed = 0;
   int m_left = 0;
-  std::stop_source m_stop;  ///< of what is at work
-  bool m_isStale = false;   ///< what is at work was stopped
+  Background<DiagnosedTrial> m_work;
 };
 
 }  // namespace alidade::ui
