@@ -15,6 +15,11 @@ namespace alidade::ui {
 
 namespace {
 
+void add(Tally& sum, const Tally& part) {
+  sum.hits += part.hits;
+  sum.count += part.count;
+}
+
 QString tallyText(const QString& name, const Tally& tally) {
   const double share =
       tally.count > 0 ? 100.0 * static_cast<double>(tally.hits) / static_cast<double>(tally.count) : 0;
@@ -103,22 +108,23 @@ void TrialList::clearChoice() {
 }
 
 void TrialList::score(const DiagnosedTrial& trial) {
-  m_scored.push_back({.truth = trial.trial.seal, .score = trial.score, .wrongWithout = {}});
+  const TrialSummary summary =
+      summarise({{.truth = trial.trial.seal, .score = trial.score, .wrongWithout = {}}});
+  for (const auto& [trialClass, right] : summary.right) ui::add(m_right, right);
+  ui::add(m_falseAlarms, summary.falseAlarms);
+  ui::add(m_covered, summary.covered);
 }
 
 void TrialList::showScore() {
   QStringList texts;
-  if (!m_scored.empty()) {
-    const TrialSummary summary = summarise(m_scored);
-    Tally right;
-    for (const ScoredTrial& trial : m_scored) right.add(trial.score.right);
-    texts.append(tallyText(tr("Right"), right));
-    if (summary.falseAlarms.count > 0) texts.append(tallyText(tr("false alarms"), summary.falseAlarms));
-    if (summary.covered.count > 0) texts.append(tallyText(tr("Δd ± U covers"), summary.covered));
+  if (m_right.count > 0) {
+    texts.append(tallyText(tr("Right"), m_right));
+    if (m_falseAlarms.count > 0) texts.append(tallyText(tr("false alarms"), m_falseAlarms));
+    if (m_covered.count > 0) texts.append(tallyText(tr("Δd ± U covers"), m_covered));
   } else {
     texts.append(tr("No seal was opened yet"));
   }
-  if (const std::size_t sealed = m_drawn.size() - m_scored.size(); sealed > 0)
+  if (const std::size_t sealed = m_drawn.size() - m_right.count; sealed > 0)
     texts.append(tr("still sealed: %1").arg(sealed));
   m_summary->setText(texts.join(QStringLiteral("; ")) + u'.');
 }

@@ -44,7 +44,7 @@ class TrialList : public QWidget {
   void showScore();
 
   std::vector<Drawn> m_drawn;                     ///< the newest last
-  std::vector<ScoredTrial> m_scored;              ///< those with their seals open
+  Tally m_right, m_falseAlarms, m_covered;        ///< of those with their seals open
   bool m_isSeries = false, m_isFollowing = true;  ///< the latter: a new one becomes current
   QLabel* m_summary;
   DataTable* m_table;
