@@ -102,6 +102,7 @@ MainWindow::~MainWindow() {
 
 QWidget* MainWindow::createEntryColumn() {
   m_forms = new QTabWidget;
+  m_forms->setObjectName(QStringLiteral("forms"));
   m_forms->addTab(createMeasurementForm(m_document), tr("&Measurement"));
   m_forms->addTab(createInstrumentForm(m_document), tr("I&nstrument"));
   m_forms->addTab(createSessionForm(m_document), tr("Se&ssion"));
