@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <QApplication>
 #include <QLabel>
 #include <QLayout>
 #include <QListWidget>
@@ -109,6 +110,26 @@ TEST(Suspects, AreReadInFullAtAnyWidth) {
     QCoreApplication::processEvents();
     for (const QLabel* label : bench.bar().findChildren<QLabel*>())
       EXPECT_TRUE(!label->wordWrap() || label->height() >= label->heightForWidth(label->width())) << width;
+  }
+}
+
+TEST(Suspects, LeaveTheValueBesideTheirSignWhole) {
+  SuspectBench bench;
+  const ReadingsTable& table = *bench.open->currentTable();
+  const auto shortened = [&](std::size_t row, ReadingColumn column) {
+    const QModelIndex cell = table.model()->index(static_cast<int>(row), static_cast<int>(column));
+    return table.sizeHintForIndex(cell).width() - table.columnWidth(cell.column());
+  };
+  for (const QSize size : {QSize(1024, 700), QSize(1280, 800), QSize(1920, 1080)}) {
+    bench.open->resize(size);
+    QApplication::processEvents();
+    EXPECT_LE(shortened(slippedRow, ReadingColumn::Vertical), 0) << size.width();
+  }
+  ReadingsEditor(bench.open->document(), 0).setCell({1, ReadingColumn::Horizontal}, "341°71'26.0\"");
+  for (const QSize size : {QSize(1280, 800), QSize(1920, 1080)}) {
+    bench.open->resize(size);
+    QApplication::processEvents();
+    EXPECT_LE(shortened(1, ReadingColumn::Horizontal), 0) << "a tenth of a second, at " << size.width();
   }
 }
 

@@ -68,7 +68,7 @@ void ReadingDelegate::initStyleOption(QStyleOptionViewItem* option, const QModel
   if (wrong || doubtful) {
     option->icon = themeIcon(wrong ? QStringLiteral("problem") : QStringLiteral("warning"));
     option->features |= QStyleOptionViewItem::HasDecoration;
-    option->decorationSize = {14, 14};
+    option->decorationSize = {signWidth, signWidth};
     option->backgroundBrush = stateTint(option->palette, wrong ? State::Bad : State::Open);
   } else if (index.data(ReadingsModel::IncompleteRole).toBool()) {
     option->backgroundBrush = stateTint(option->palette, State::Open);

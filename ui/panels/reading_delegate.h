@@ -14,6 +14,8 @@ class ReadingDelegate : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
 
+  static constexpr int signWidth = 14;  ///< of the sign of what is wrong or looks misread, in pixels
+
   /// Hands in the entry of the open editor, if there is one, and closes it.
   void commitOpenEditor();
 

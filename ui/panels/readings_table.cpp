@@ -4,6 +4,7 @@
 #include <QClipboard>
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QScopedValueRollback>
 #include <algorithm>
 #include <set>
 
@@ -16,6 +17,9 @@ namespace {
 
 constexpr ReadingColumn optionalColumns[] = {ReadingColumn::Round, ReadingColumn::Face,
                                              ReadingColumn::Slider};
+
+constexpr ReadingColumn angleColumns[] = {ReadingColumn::Horizontal, ReadingColumn::Vertical,
+                                          ReadingColumn::Slider};
 
 ReadingColumn columnOf(const QModelIndex& index) {
   return static_cast<ReadingColumn>(index.column());
@@ -52,11 +56,40 @@ void ReadingsTable::layOutColumns() {
   const auto width = [this](const char* sample) {
     return fontMetrics().horizontalAdvance(QString::fromUtf8(sample)) + 12;
   };
-  const int widths[] = {width("Use"),          width("Point"),        width("Round"),        width("Face"),
-                        width("Horizontal α"), width("341°52′24.5″"), width("341°52′24.5″"), width("−188.8"),
-                        width("−188.8"),       width("Note")};
+  const int angle = width("Horizontal α"), residual = width("−188.8") - 4;
+  const int widths[] = {width("Use"), width("Point"), width("Round"), width("Face"), angle,
+                        angle,        angle,          residual,       residual,      width("Note")};
   for (int column = 0; column < readingColumnCount; ++column) setColumnWidth(column, widths[column]);
   header->setStretchLastSection(true);
+  const int last = readingColumnCount - 1;
+  connect(header, &QHeaderView::sectionResized, this, [this, last](int column, int, int) {
+    if (!m_isFitting && column != last) m_isFitted = false;
+  });
+}
+
+/// Room for an angle of a tenth of a second with a sign beside it, at least for one of a second.
+void ReadingsTable::fitAngles() {
+  if (!m_isFitted) return;
+  const auto width = [this](const char* sample) {
+    return fontMetrics().horizontalAdvance(QString::fromUtf8(sample)) + ReadingDelegate::signWidth + 14;
+  };
+  const int least = std::max(width("341°52′24″"), width("341°52'24\""));
+  const int most = std::max(width("341°52′24.5″"), width("341°52'24.5\""));
+  int room = viewport()->width() - fontMetrics().horizontalAdvance(QStringLiteral("Note")) - 12, angles = 0;
+  for (int column = 0; column < readingColumnCount - 1; ++column) {
+    if (isColumnHidden(column)) continue;
+    const bool isAngle = std::find(std::begin(angleColumns), std::end(angleColumns),
+                                   static_cast<ReadingColumn>(column)) != std::end(angleColumns);
+    isAngle ? ++angles : room -= columnWidth(column);
+  }
+  const QScopedValueRollback fitting(m_isFitting, true);
+  for (const ReadingColumn column : angleColumns)
+    setColumnWidth(static_cast<int>(column), std::clamp(room / std::max(1, angles), least, most));
+}
+
+void ReadingsTable::resizeEvent(QResizeEvent* event) {
+  QTableView::resizeEvent(event);
+  fitAngles();
 }
 
 void ReadingsTable::setColumnShown(ReadingColumn column, bool shown) {
@@ -66,10 +99,12 @@ void ReadingsTable::setColumnShown(ReadingColumn column, bool shown) {
 }
 
 void ReadingsTable::showUsedColumns() {
+  const QScopedValueRollback fitting(m_isFitting, true);
   for (const ReadingColumn column : optionalColumns) {
     const bool wanted = std::find(m_wanted.begin(), m_wanted.end(), column) != m_wanted.end();
     setColumnHidden(static_cast<int>(column), !wanted && !m_model.isUsed(column));
   }
+  fitAngles();
 }
 
 void ReadingsTable::selectCell(int row, ReadingColumn column) {

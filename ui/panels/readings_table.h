@@ -41,6 +41,7 @@ class ReadingsTable : public QTableView {
   void keyPressEvent(QKeyEvent* event) override;
   bool focusNextPrevChild(bool next) override;
   void currentChanged(const QModelIndex& current, const QModelIndex& previous) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   bool handleEditKey(const QKeyEvent* event);
@@ -53,11 +54,14 @@ class ReadingsTable : public QTableView {
   std::vector<ReadingColumn> columnsFrom(int column) const;
   void layOutColumns();
   void showUsedColumns();
+  void fitAngles();
 
   ReadingsModel m_model;
   ReadingsEditor m_editor;
   ReadingDelegate* m_delegate;
   std::vector<ReadingColumn> m_wanted;  ///< optional columns the user asked for
+  bool m_isFitting = false;             ///< widths are being set here
+  bool m_isFitted = true;               ///< not by the user
 };
 
 }  // namespace alidade::ui
