@@ -1,5 +1,7 @@
 #include "ui/report/report_gap.h"
 
+#include <algorithm>
+
 #include "ui/report/report_table.h"
 #include "ui/text/cause_text.h"
 #include "ui/text/entry_text.h"
@@ -36,11 +38,20 @@ QString causeLine(const Cause& cause) {
          QStringLiteral("; probability %1 %.").arg(numberText(100 * cause.probability, 1));
 }
 
+/// No less than the section takes up, in mm.
+double heightOf(const ReportSheet& sheet, const Gap& gap) {
+  const double line = sheet.lineHeight(type::body), row = line + 1.5;
+  auto lines = sheet.lines(gapSentence(gap), type::body, ReportSheet::width).size() + 1;
+  for (const Cause& cause : gap.diagnosis->causes)
+    lines += sheet.lines(causeLine(cause), type::body, ReportSheet::width - 8).size();
+  return 16 + static_cast<double>(lines) * line + static_cast<double>(gap.stages.size() + 2) * row;
+}
+
 }  // namespace
 
 void addGap(ReportSheet& sheet, const Gap& gap) {
   if (!gap.diagnosis || gap.isNoiseAlone() || (!gap.isOpen() && gap.stages.size() < 2)) return;
-  sheet.keepTogether(30 + 4.5 * static_cast<double>(gap.stages.size()));
+  sheet.keepTogether(std::min(heightOf(sheet, gap), ReportSheet::height / 2));
   sheet.heading(QStringLiteral("Gap between model and readings"));
   sheet.paragraph(gapHeadline(*gap.diagnosis) + u'.', type::body.inBold());
   sheet.paragraph(gapSentence(gap));
