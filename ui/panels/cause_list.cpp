@@ -152,7 +152,8 @@ void CauseList::addCatalogueButtons(const Gap& gap, const Cause& cause) {
   for (const std::string& other : cause.indistinguishableFrom)
     if (effectById(other)) all.append(qText(other));
   if (all.size() < 2) return;
-  QPushButton* group = addButton(tr("Add all %1").arg(all.size()), QStringLiteral("add group"));
+  QPushButton* group = addButton(all.size() == 2 ? tr("Add both") : tr("Add all %1").arg(all.size()),
+                                 QStringLiteral("add group"));
   group->setToolTip(
       tr("Estimates all that look alike here, each within its plausible size: U then covers "
          "whichever it is"));
@@ -166,8 +167,10 @@ void CauseList::addAllCauses(const std::vector<Cause>& causes) {
     if (effectById(cause.effect)) all.append(qText(cause.effect));
   if (all.size() < 2) return;
   m_buttons = nullptr;
-  connect(addButton(tr("Add all %1 to the model").arg(all.size()), QStringLiteral("add all")),
-          &QPushButton::clicked, this, [this, all] { emit effectsWanted(all); });
+  connect(
+      addButton(all.size() == 2 ? tr("Add both to the model") : tr("Add all %1 to the model").arg(all.size()),
+                QStringLiteral("add all")),
+      &QPushButton::clicked, this, [this, all] { emit effectsWanted(all); });
 }
 
 void CauseList::addMisreadings(const Cause& cause) {

@@ -3,8 +3,10 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QHeaderView>
+#include <QHelpEvent>
 #include <QKeyEvent>
 #include <QPainter>
+#include <QToolTip>
 #include <algorithm>
 #include <utility>
 
@@ -103,6 +105,16 @@ void DataTable::paintEvent(QPaintEvent* event) {
   painter.setPen(palette().color(QPalette::PlaceholderText));
   painter.drawText(viewport()->rect().adjusted(12, 12, -12, -12), Qt::AlignCenter | Qt::TextWordWrap,
                    m_placeholder);
+}
+
+/// A text that its column shortens is told whole.
+bool DataTable::viewportEvent(QEvent* event) {
+  if (event->type() != QEvent::ToolTip) return QTableView::viewportEvent(event);
+  const auto* help = static_cast<QHelpEvent*>(event);
+  const QModelIndex cell = indexAt(help->pos());
+  const bool isShortened = cell.isValid() && sizeHintForIndex(cell).width() > columnWidth(cell.column());
+  QToolTip::showText(help->globalPos(), isShortened ? cell.data().toString() : QString(), viewport());
+  return true;
 }
 
 void DataTable::keyPressEvent(QKeyEvent* event) {

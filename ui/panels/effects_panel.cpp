@@ -28,13 +28,16 @@ std::string idOf(const QTreeWidgetItem& item) {
 QString aboutText(const Effect& effect) {
   QStringList sizes;
   for (const EffectParameter& parameter : effect.parameters) {
+    if (parameter.unit == "-") continue;  // it is so or not
     const QString size =
         withUnit(plainNumberText(parameter.plausible), unitText(std::string(parameter.unit)));
     if (!sizes.contains(size)) sizes.append(size);
   }
-  return EffectsPanel::tr("%1. Plausible size (1σ) %2. Remedy: %3.")
-      .arg(capitalised(qText(std::string(effect.description))), sizes.join(QStringLiteral(", ")),
-           qText(std::string(effect.remedy)));
+  QStringList sentences{capitalised(qText(std::string(effect.description)))};
+  if (!sizes.isEmpty())
+    sentences.append(EffectsPanel::tr("Plausible size (1σ) %1").arg(sizes.join(QStringLiteral(", "))));
+  sentences.append(EffectsPanel::tr("Remedy: %1").arg(qText(std::string(effect.remedy))));
+  return sentences.join(QStringLiteral(". ")) + u'.';
 }
 
 QString sizeText(const EffectEstimate& estimate) {
@@ -48,6 +51,7 @@ EffectsPanel::EffectsPanel(SessionDocument& document, QWidget* parent)
     : QWidget(parent), m_document(document), m_list(new QTreeWidget), m_about(new QLabel) {
   m_list->setAccessibleName(tr("Effects estimated along"));
   m_list->setHeaderLabels({tr("Estimate along"), tr("Size")});
+  m_list->headerItem()->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
   m_list->header()->setStretchLastSection(false);
   m_list->header()->setSectionResizeMode(0, QHeaderView::Stretch);
   m_list->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);

@@ -41,6 +41,7 @@ GapHeadline::GapHeadline(QWidget* parent)
   layout->addWidget(m_headline, 0, 1);
   layout->addWidget(m_sentence, 1, 0, 1, 2);
   layout->setColumnStretch(1, 1);
+  layout->setRowStretch(2, 1);
 }
 
 void GapHeadline::setGap(const Gap& gap) {

@@ -55,6 +55,7 @@ GapPanel::GapPanel(QWidget* parent)
       m_unseenNote(wrappedLabel()) {
   setFocusPolicy(Qt::StrongFocus);
   column()->addLayout(m_grid);
+  column()->addStretch();
   m_grid->setHorizontalSpacing(22);
   m_grid->setVerticalSpacing(6);
   m_shrinkage->setForegroundRole(QPalette::PlaceholderText);
@@ -118,8 +119,8 @@ QWidget* GapPanel::createCandidates() {
 
 /// Two columns where there is room for them, else one below the other.
 void GapPanel::arrange(bool inTwoColumns) {
-  m_grid->setColumnStretch(0, inTwoColumns ? 5 : 1);
-  m_grid->setColumnStretch(1, inTwoColumns ? 6 : 0);
+  m_grid->setColumnStretch(0, inTwoColumns ? 4 : 1);
+  m_grid->setColumnStretch(1, inTwoColumns ? 5 : 0);
   for (int i = 0; i < m_blocks.size(); ++i) {
     if (i == 0) {
       m_grid->addWidget(m_blocks[i], 0, 0, 1, inTwoColumns ? 2 : 1);
