@@ -79,8 +79,7 @@ MainWindow::MainWindow(std::unique_ptr<Dialogs> dialogs)
       m_files(m_document, *m_dialogs) {
   QWidget* entries = createEntryColumn();
   QWidget* results = createResultColumn();
-  QSplitter* columns = split(Qt::Horizontal, "columns", {entries, results}, {500, 780});
-  columns->setStretchFactor(1, 1);
+  QSplitter* columns = split(Qt::Horizontal, "columns", {entries, results}, {504, 776});
   setCentralWidget(columns);
   m_actions = new WindowActions(*this, *m_dialogs);
   statusBar();
@@ -115,8 +114,10 @@ QWidget* MainWindow::createEntryColumn() {
   QWidget* top = stacked(m_forms, m_positions);
   QWidget* bottom = stacked(m_suspects, m_findings);
   QSplitter* column = split(Qt::Vertical, "entries", {top, bottom}, {620, 90});
-  column->setStretchFactor(0, 1);
-  return padded(column, {6, 6, 0, 6});
+  QWidget* entries = padded(column, {6, 6, 0, 6});
+  entries->setMinimumWidth(440);  // every placeholder of the forms
+  entries->setMaximumWidth(760);  // every column of readings, and a note
+  return entries;
 }
 
 QWidget* MainWindow::createResultColumn() {

@@ -85,7 +85,7 @@ QWidget* createMeasurementForm(SessionDocument& document) {
            Forms::tr("Exact: tan e = y/√(x²+L²), what a theodolite reads. Planar: tan e = y/L, as in the "
                      "published method"),
            relations},
-          {"acceptance.reference_intersection_mm", Forms::tr("Reference Δd"), mm, Forms::tr("unknown"),
+          {"acceptance.reference_intersection_mm", Forms::tr("Reference Δd"), mm, Forms::tr("none"),
            Forms::tr(
                "What the device was set to, where known; shown beside the result, never part of a fit")},
       },

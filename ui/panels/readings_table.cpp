@@ -38,6 +38,7 @@ ReadingsTable::ReadingsTable(SessionDocument& document, std::size_t position, QW
   setSelectionMode(ExtendedSelection);
   setAlternatingRowColors(true);
   setWordWrap(false);
+  setHorizontalScrollMode(ScrollPerPixel);
   setTabKeyNavigation(false);
   setAccessibleName(tr("Readings"));
   connect(m_delegate, &ReadingDelegate::keyOnward, this, &ReadingsTable::goOnward);
@@ -73,7 +74,7 @@ void ReadingsTable::fitAngles() {
   const auto width = [this](const char* sample) {
     return fontMetrics().horizontalAdvance(QString::fromUtf8(sample)) + ReadingDelegate::signWidth + 14;
   };
-  const int least = std::max(width("341°52′24″"), width("341°52'24\""));
+  const int least = width("341°52′24″");
   const int most = std::max(width("341°52′24.5″"), width("341°52'24.5\""));
   int room = viewport()->width() - fontMetrics().horizontalAdvance(QStringLiteral("Note")) - 12, angles = 0;
   for (int column = 0; column < readingColumnCount - 1; ++column) {
