@@ -101,11 +101,26 @@ QString gapSentence(const Gap& gap) {
   return text;
 }
 
+namespace {
+
+/// "without 2 misread values": each of these stages leaves out one more.
+QString withoutMisread(const Gap& gap, const GapStage& stage) {
+  const auto isMisread = [](const GapStage& other) { return other.effect == "gross_error"; };
+  const GapStage* end = gap.stages.data() + gap.stages.size();
+  const auto all = std::count_if(gap.stages.data(), end, isMisread);
+  const auto leftOut = std::count_if(gap.stages.data(), &stage + 1, isMisread);
+  if (all == 1) return translated("without the misread value");
+  return leftOut == 1 ? translated("without 1 misread value")
+                      : translated("without %1 misread values").arg(leftOut);
+}
+
+}  // namespace
+
 QString stageText(const Gap& gap, const GapStage& stage) {
   if (stage.kind == GapStage::Kind::Bare)
     return gap.asModelled().kind == GapStage::Kind::Bare ? translated("as modelled")
                                                          : translated("without model effects");
-  if (stage.effect == "gross_error") return translated("without the misread values");
+  if (stage.effect == "gross_error") return withoutMisread(gap, stage);
   const QString name = causeTitle(stage.effect);
   return (stage.kind == GapStage::Kind::InModel ? translated("in the model: ") : QStringLiteral("+ ")) +
          name.left(1).toLower() + name.mid(1);

@@ -29,7 +29,7 @@ QString gapHeadline(const Diagnosis& diagnosis);
 /// The verdict in whole sentences, with what the session's model accounts for already.
 QString gapSentence(const Gap& gap);
 
-/// What is in the model at this stage of the gap: "as modelled", "in the model: gravity sag", "+
+/// What is in the model at this stage, one of the gap's: "as modelled", "in the model: gravity sag", "+
 /// collimation".
 QString stageText(const Gap& gap, const GapStage& stage);
 
