@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/session/entry.h"
+#include "core/session/row_order.h"
 
 namespace alidade {
 
@@ -120,9 +121,8 @@ std::optional<Sighting> RowReader::read(std::size_t position, std::size_t row, c
       examined.measurement->arcs[0].sightings.size() != 1)
     return std::nullopt;
   Sighting sighting = examined.measurement->arcs[0].sightings[0];
-  sighting.row = sighting.sequence = row;
-  for (std::size_t before = 0; before < position; ++before)
-    sighting.sequence += m_session.positions[before].readings.size();
+  sighting.row = row;
+  sighting.sequence = firstSequences(m_session)[position] + row;
   return sighting;
 }
 

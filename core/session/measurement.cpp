@@ -1,5 +1,6 @@
 #include "core/session/measurement.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <tuple>
@@ -9,6 +10,7 @@
 #include "core/base/utf8.h"
 #include "core/session/entry.h"
 #include "core/session/face.h"
+#include "core/session/row_order.h"
 
 namespace alidade {
 
@@ -121,26 +123,29 @@ class Examiner {
   }
 
   void examinePositions() {
+    const std::vector<std::size_t> first = firstSequences(m_session);
     std::map<int, std::size_t> positionOfAxis;
     for (std::size_t index = 0; index < m_session.positions.size(); ++index) {
       const Position& position = m_session.positions[index];
       const Place axisPlace{.position = index, .field = "axis_deg"};
       auto axis = take(axisEntry(position.axisDeg), axisPlace);
       if (axis) {
-        const auto [first, isFirst] = positionOfAxis.emplace(*axis, index);
-        if (!isFirst) {
+        const auto [known, isNew] = positionOfAxis.emplace(*axis, index);
+        if (!isNew) {
           report({std::to_string(*axis) + "° is already the axis of position " +
-                  std::to_string(first->second + 1) + ": change one of the two or join their readings"},
+                  std::to_string(known->second + 1) + ": change one of the two or join their readings"},
                  axisPlace);
           axis.reset();
         }
       }
       const auto zero = examineZero(position.zero, index);
+      m_firstSequence = first[index];
       std::vector<Sighting> sightings = examineReadings(position, index, zero);
       if (axis && zero && m_circle)
         m_measurement.arcs.push_back({index, *axis, zero->horizontal, zero->vertical, std::move(sightings)});
       m_measurement.rows += position.readings.size();
     }
+    std::ranges::sort(m_measurement.arcs, {}, &ArcMeasurement::axisDeg);
   }
 
   /// Where the kind of circle is unknown, the wider range of the elevation circle holds.
@@ -188,7 +193,7 @@ class Examiner {
     const std::size_t before = m_problems.size();
     Sighting sighting;
     sighting.row = *row.reading;
-    sighting.sequence = m_measurement.rows + sighting.row;
+    sighting.sequence = m_firstSequence + sighting.row;
     examineVisit(reading, row, sighting);
     const auto horizontal = angle("readings.horizontal", reading.horizontal, at(row, "horizontal"));
     const auto vertical = angle("readings.vertical", reading.vertical, at(row, "vertical"));
@@ -240,6 +245,7 @@ class Examiner {
   std::vector<Problem> m_problems;
   bool m_usable = true;
   std::optional<VerticalCircle> m_circle;
+  std::size_t m_firstSequence = 0;  // of the position at hand
   std::map<std::tuple<int, int, int>, std::size_t> m_rowOfVisitFace;
 };
 

@@ -63,7 +63,7 @@ struct Measurement {
   std::optional<double> tolerance;              ///< mm, > 0
   double coverage = 0.95;                       ///< in (0, 1)
   std::optional<double> referenceIntersection;  ///< mm
-  std::vector<ArcMeasurement> arcs;             ///< at most one per axis position, in session order
+  std::vector<ArcMeasurement> arcs;             ///< at most one per axis position, 0° first
   std::size_t rows = 0;                         ///< of the whole session, excluded ones too
   std::vector<std::string> effects;             ///< ids of model.effects, to be estimated along
 };

@@ -28,8 +28,7 @@ std::optional<Jump> jumpOf(const Gap& gap, const Cause& cause) {
     if (split == arc.sightings.end()) continue;
     const std::size_t rows = gap.evaluation->session.positions[arc.position].readings.size();
     Jump jump{.place = {.position = arc.position, .reading = split->row, .field = "horizontal"}};
-    jump.isLast = std::all_of(arcs.begin(), arcs.end(),
-                              [&](const ArcMeasurement& other) { return other.position <= arc.position; });
+    jump.isLast = &arc == &arcs.back();  // they stand in the order taken
     if (!jump.isLast && std::distance(split, arc.sightings.end()) >= fewestSightings && split->row > 0)
       jump.before = RowRange{arc.position, 0, split->row};
     if (std::distance(arc.sightings.begin(), split) >= fewestSightings)

@@ -3,9 +3,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/effects/catalogue.h"
+#include "core/simulation/protocol.h"
+#include "core/simulation/simulate.h"
+#include "core/simulation/truth_text.h"
 #include "tests/support/paper_table.h"
 #include "tests/support/perfect_session.h"
 
@@ -99,6 +104,26 @@ TEST(SessionFit, ExchangingThePositionsChangesTheSignOnly) {
   const double value = fitSession(measurement).intersection->value;
   std::swap(measurement.arcs[0].axisDeg, measurement.arcs[1].axisDeg);
   EXPECT_DOUBLE_EQ(fitSession(measurement).intersection->value, -value);
+}
+
+// The 0° position was taken first, however the file has them: a drift estimated along must not know the
+// order. 200″ of drift in the vertical circle, Δd −0.703.
+TEST(SessionFit, ReversingThePositionsInTheFileChangesNothing) {
+  Truth truth = drawTruth(7);
+  ASSERT_FALSE(addEffect(truth, "vertical_drift=200"));
+  truth.intersection = -0.703;
+  Result<Session> simulated = simulate(*protocolByName("full"), truth, 7);
+  ASSERT_TRUE(simulated);
+  Session session = *std::move(simulated);
+  session.model.effects = {"vertical_drift"};
+  const SessionFit asTaken = fitSession(test::measurementOf(session));
+  std::ranges::reverse(session.positions);
+  const SessionFit reversed = fitSession(test::measurementOf(session));
+  ASSERT_TRUE(asTaken.intersection && reversed.intersection);
+  EXPECT_NEAR(asTaken.intersection->value, -0.703, 3 * asTaken.intersection->sigma);
+  EXPECT_DOUBLE_EQ(reversed.intersection->value, asTaken.intersection->value);
+  EXPECT_DOUBLE_EQ(reversed.intersection->expanded, asTaken.intersection->expanded);
+  EXPECT_DOUBLE_EQ(reversed.effects.at(0).value, asTaken.effects.at(0).value);
 }
 
 }  // namespace

@@ -1,0 +1,59 @@
+#include "core/session/row_order.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/session/measurement.h"
+#include "tests/support/paper_table.h"
+
+namespace alidade {
+namespace {
+
+using Sequences = std::vector<std::size_t>;
+
+Session withAxes(const std::vector<std::pair<std::string, std::size_t>>& positions) {
+  Session session;
+  for (const auto& [axis, rows] : positions) {
+    session.positions.emplace_back();
+    session.positions.back().axisDeg = axis;
+    session.positions.back().readings.resize(rows);
+  }
+  return session;
+}
+
+TEST(FirstSequences, PutsThePositionAtZeroFirst) {
+  EXPECT_EQ(firstSequences(withAxes({{"0", 17}, {"180", 5}})), (Sequences{0, 17}));
+  EXPECT_EQ(firstSequences(withAxes({{"180", 5}, {"0", 17}})), (Sequences{17, 0}));
+}
+
+// What was typed wrongly keeps its place among the others.
+TEST(FirstSequences, KeepsTheOrderOfTheFileOtherwise) {
+  EXPECT_EQ(firstSequences(withAxes({{"", 3}, {"180", 5}, {"0", 17}})), (Sequences{17, 20, 0}));
+  EXPECT_EQ(firstSequences(withAxes({})), Sequences{});
+}
+
+TEST(FirstSequences, MakeAMeasurementTheSameInEitherOrderOfTheFile) {
+  Session session = test::paperSession();
+  session.positions[0].readings[3].excluded = true;
+  const Measurement asTaken = test::measurementOf(session);
+  std::ranges::reverse(session.positions);
+  const Measurement reversed = test::measurementOf(session);
+  ASSERT_EQ(reversed.arcs.size(), 2u);
+  for (std::size_t arc = 0; arc < 2; ++arc) {
+    EXPECT_EQ(reversed.arcs[arc].axisDeg, asTaken.arcs[arc].axisDeg);
+    EXPECT_EQ(reversed.arcs[arc].position, 1 - asTaken.arcs[arc].position);
+    const auto &ours = reversed.arcs[arc].sightings, &theirs = asTaken.arcs[arc].sightings;
+    ASSERT_EQ(ours.size(), theirs.size());
+    for (std::size_t i = 0; i < ours.size(); ++i) {
+      EXPECT_EQ(ours[i].sequence, theirs[i].sequence);
+      EXPECT_EQ(ours[i].row, theirs[i].row);
+      EXPECT_EQ(ours[i].e, theirs[i].e);
+    }
+  }
+  EXPECT_EQ(asTaken.arcs[0].sightings.front().sequence, 0u);
+  EXPECT_EQ(asTaken.arcs[1].sightings.front().sequence, 17u);
+}
+
+}  // namespace
+}  // namespace alidade
