@@ -221,6 +221,7 @@ std::string fitJson(const std::string& name, const Measurement& measurement, con
   if (fit.verdict) {
     document["decision"] = {{"tolerance_mm", measurement.tolerance.value()},
                             {"verdict", verdictName(*fit.verdict)}};
+    if (fit.lengthsInDoubt) document["decision"]["reason"] = fit.verdictSentence;
   }
   document["budget"] = fit.intersection ? budgetJson(fit.intersection->budget) : Json::array();
   if (check) document["monte_carlo"] = monteCarloJson(*check);

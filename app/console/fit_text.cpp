@@ -59,11 +59,9 @@ std::string intersectionText(const Measurement& measurement, const Intersection&
          referenceLine(measurement, intersection.value);
 }
 
-std::string verdictText(const Measurement& measurement, const SessionFit& fit) {
+std::string verdictText(const SessionFit& fit) {
   if (!fit.verdict) return fit.intersection ? "\nVerdict: none, the session states no tolerance.\n" : "";
-  return "\n" + paragraph("Verdict: " + verdictName(*fit.verdict) + ". " +
-                          verdictSentence(fit.intersection->value, fit.intersection->expanded,
-                                          measurement.tolerance.value(), measurement.coverage));
+  return "\n" + paragraph("Verdict: " + verdictName(*fit.verdict) + ". " + fit.verdictSentence);
 }
 
 std::string budgetText(const Intersection& intersection) {
@@ -208,7 +206,7 @@ std::string fitText(const std::string& name, const Measurement& measurement, con
       name + "\nRigorous fit: orthogonal least squares on the readings of both circles; x right, y up\n\n" +
       arcsText(fit);
   if (fit.intersection) text += intersectionText(measurement, *fit.intersection);
-  text += verdictText(measurement, fit);
+  text += verdictText(fit);
   if (fit.intersection) text += budgetText(*fit.intersection);
   if (check) text += monteCarloText(*check);
   text += effectsText(fit.effects);

@@ -6,6 +6,7 @@
 
 #include "core/adjustment/arc_findings.h"
 #include "core/adjustment/session_findings.h"
+#include "core/adjustment/setup_findings.h"
 #include "core/effects/catalogue.h"
 
 namespace alidade {
@@ -91,8 +92,16 @@ void adjust(SessionFit& fit, const Measurement& fitted) {
   }
   fit.intersection = intersect(fitted, fit.joint);
   fit.effects = estimatesOf(fit.joint, effects, fit.noise.factor);
-  if (fit.intersection && fitted.tolerance)
-    fit.verdict = decide(fit.intersection->value, fit.intersection->expanded, *fitted.tolerance);
+}
+
+void judge(SessionFit& fit, const Measurement& measurement) {
+  if (!fit.intersection || !measurement.tolerance) return;
+  const double value = fit.intersection->value, expanded = fit.intersection->expanded;
+  const double tolerance = *measurement.tolerance;
+  fit.verdict = fit.lengthsInDoubt ? Verdict::Undecided : decide(value, expanded, tolerance);
+  fit.verdictSentence = fit.lengthsInDoubt
+                            ? "The verdict is withheld: " + *fit.lengthsInDoubt
+                            : verdictSentence(value, expanded, tolerance, measurement.coverage);
 }
 
 }  // namespace
@@ -117,10 +126,13 @@ SessionFit fitSession(const Measurement& measurement) {
       fit.findings.push_back(failure(arc, fitted.problem()));
   }
   const Measurement fitted = fittedPart(measurement, fit);
+  fit.lengthsInDoubt = doubtfulLengths(measurement, fit.arcs);  // while every radius is free
   if (!fit.arcs.empty()) adjust(fit, fitted);
+  judge(fit, measurement);
   for (std::size_t i = 0; i < fit.arcs.size(); ++i)
     std::ranges::move(arcFindings(measurement, fitted.arcs[i], fit.arcs[i]),
                       std::back_inserter(fit.findings));
+  std::ranges::move(setupFindings(fitted, fit), std::back_inserter(fit.findings));
   std::ranges::move(sessionFindings(measurement, fit), std::back_inserter(fit.findings));
   return fit;
 }

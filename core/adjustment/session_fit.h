@@ -22,14 +22,17 @@ struct EffectEstimate {
 /// Both arcs fitted rigorously, their intersection, and what the data say about themselves. A plain value:
 /// computed from a measurement, shown by console, window and report alike.
 struct SessionFit {
-  std::vector<ArcFit> arcs;        ///< those that could be fitted, in session order
+  std::vector<ArcFit> arcs;        ///< those that could be fitted, in the measurement's order
   JointFit joint;                  ///< of these arcs together; empty where there are none
   std::vector<ArcSigma> sigmas;    ///< of each arc, scaled by the residuals of both
   std::vector<ArcBudget> budgets;  ///< of each arc, behind `sigmas`
   NoiseScale noise;                ///< s0, common to both arcs
   std::optional<Intersection> intersection;
   std::vector<EffectEstimate> effects;
-  std::optional<Verdict> verdict;  ///< with an intersection and a tolerance
+  /// Why no verdict rests on the lengths (`doubtfulLengths`); empty where nothing speaks against them.
+  std::optional<std::string> lengthsInDoubt;
+  std::optional<Verdict> verdict;  ///< with an intersection and a tolerance; undecided with lengths in doubt
+  std::string verdictSentence;     ///< with a verdict: what it rests on, or why it is withheld
   std::vector<Finding> findings;   ///< of the arcs and of the whole; an Error says why something is absent
 
   const ArcFit* arcAt(int axisDeg) const;                   ///< null where there is none

@@ -175,8 +175,7 @@ void ResultPanel::showVerdict(const Evaluation& evaluation) {
   if (decided) {
     const QString words[] = {tr("ACCEPT"), tr("REJECT"), tr("UNDECIDED")};
     m_badge->setText(words[static_cast<int>(*fit.verdict)]);
-    m_sentence->setText(qText(verdictSentence(fit.intersection->value, fit.intersection->expanded,
-                                              *measurement->tolerance, fit.intersection->coverage)));
+    m_sentence->setText(qText(fit.verdictSentence));
   } else {
     const bool noTolerance = fit.intersection && measurement && !measurement->tolerance;
     m_badge->setText(noTolerance ? tr("No tolerance set") : tr("No result"));

@@ -41,14 +41,12 @@ ReportVerdict reportVerdict(const Evaluation& evaluation) {
   }
   const SessionFit& fit = evaluation.fit;
   if (!fit.intersection) return {.word = QStringLiteral("No result"), .sentence = reasonForNoResult(fit)};
-  const std::optional<double> tolerance = evaluation.examined.measurement->tolerance;
-  if (!fit.verdict || !tolerance) {
+  if (!fit.verdict) {
     return {.word = QStringLiteral("No verdict"),
             .sentence = QStringLiteral("No tolerance stated, so nothing to decide against.")};
   }
-  const Intersection& found = *fit.intersection;
   return {.word = wordOf(*fit.verdict),
-          .sentence = qText(verdictSentence(found.value, found.expanded, *tolerance, found.coverage)),
+          .sentence = qText(fit.verdictSentence),
           .isAccepted = *fit.verdict == Verdict::Accept};
 }
 
