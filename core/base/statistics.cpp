@@ -11,6 +11,11 @@ namespace alidade {
 
 double chiSquareUpperTail(double chiSquare, double degreesOfFreedom) {
   assert(degreesOfFreedom > 0 && chiSquare >= 0);
+  // Chernoff's bound, P(χ² ≤ x) ≤ (r e^(1−r))^(f/2) with r = x/f < 1: where it is lost beside 1 the tail is
+  // 1, and the series of the gamma function, which overflows there, is not asked.
+  const double ratio = chiSquare / degreesOfFreedom;
+  constexpr double lostBesideOne = -40;  // e^−40 is below half of the spacing of doubles at 1
+  if (ratio < 1 && degreesOfFreedom / 2 * (1 - ratio + std::log(ratio)) < lostBesideOne) return 1;
   return boost::math::cdf(complement(boost::math::chi_squared(degreesOfFreedom), chiSquare));
 }
 
