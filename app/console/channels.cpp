@@ -37,6 +37,7 @@ int refuse(std::string_view subject, std::string_view reason) {
 }
 
 std::string inputName(const std::string& file) {
+  if (file.empty()) return "the empty file name";
   return file == "-" ? "standard input" : file;
 }
 

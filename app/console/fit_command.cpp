@@ -6,6 +6,7 @@
 
 #include "app/console/fit_json.h"
 #include "app/console/fit_text.h"
+#include "app/console/option_checks.h"
 #include "app/console/session_input.h"
 #include "core/adjustment/monte_carlo.h"
 #include "core/adjustment/session_fit.h"
@@ -56,13 +57,13 @@ void addFitCommand(CLI::App& app, FitRequest& request) {
       ->check(CLI::IsMember({"rigorous", "published"}))
       ->capture_default_str();
   fit->add_option("--risk", request.risk, "Of naming a suspect in a session without misreadings")
-      ->check(CLI::Range(1e-9, 0.5))
+      ->check(numberFrom(1e-9, 0.5))
       ->capture_default_str();
   constexpr std::size_t fewestDraws = 1000, mostDraws = 10000000;
   CLI::Option* draws = fit->add_option("--monte-carlo", request.monteCarlo,
                                        "Check the uncertainty by this many draws of all readings (JCGM 101)")
-                           ->check(CLI::Range(fewestDraws, mostDraws));
-  fit->add_option("--seed", request.seed, "Of the draws; 1 if not given")->needs(draws);
+                           ->check(wholeFrom(fewestDraws, mostDraws));
+  fit->add_option("--seed", request.seed, "Of the draws; 1 if not given")->check(seedCheck())->needs(draws);
   fit->add_flag("--json", request.json, "Print one JSON document");
 }
 

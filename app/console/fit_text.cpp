@@ -29,8 +29,8 @@ std::vector<std::string> arcRow(const ArcFit& arc) {
           arc.degreesOfFreedom > 0 ? fixedText(arc.reducedChiSquare(), 2) : "none"};
 }
 
-const std::vector<std::string> arcHeading = {"",         "x (mm)",     "y (mm)",  "radius (mm)",
-                                             "readings", "redundancy", "rms (″)", "reduced χ²"};
+const std::vector<std::string> arcHeading = {"",     "x (mm)",     "y (mm)",  "radius (mm)",
+                                             "rows", "redundancy", "rms (″)", "reduced χ²"};
 
 std::string percent(double share) {
   return shortestText(std::round(share * 1e6) / 1e4) + " %";

@@ -8,8 +8,10 @@
 #include <utility>
 
 #include "app/console/channels.h"
+#include "app/console/option_checks.h"
 #include "app/console/output_file.h"
 #include "core/base/file_bytes.h"
+#include "core/base/list_text.h"
 #include "core/exchange/import.h"
 #include "core/session/entry.h"
 #include "core/session/measurement.h"
@@ -82,11 +84,6 @@ Result<std::string> readBytes(const std::string& file) {
   return std::string(std::istreambuf_iterator<char>(std::cin), {});
 }
 
-bool isSameFile(const std::string& a, const std::string& b) {
-  std::error_code ignored;
-  return a == b || std::filesystem::equivalent(a, b, ignored);
-}
-
 std::string listOf(const Session& session) {
   std::string list;
   for (const Position& position : session.positions)
@@ -116,7 +113,7 @@ void addImportCommand(CLI::App& app, ImportRequest& request) {
   import
       ->add_option("--turned-at", request.turnedAtLine,
                    "Line from which on the axis stood at 180°, where the file does not say")
-      ->check(CLI::Range(1, 1'000'000'000));
+      ->check(wholeFrom(1, 1'000'000'000));
   import
       ->add_option("--unit", request.unit,
                    "Unit of plain numbers in a table: deg, gon, or dms (341.5224 is 341°52'24\")")
@@ -171,11 +168,11 @@ Result<ImportAnswer> runImport(const ImportRequest& request, const ImportOptions
   Session session = import->session;
   if (session.title.empty() && request.file != "-")
     session.title = std::filesystem::path(request.file).stem().string();
-  if (auto problem = writeFile(request.out, writeSession(session))) return *std::move(problem);
+  if (auto problem = writeFiles({{"--out", request.out, writeSession(session)}})) return *std::move(problem);
 
   ImportAnswer answer;
-  answer.result = request.out + ": " + std::to_string(import->readings) + " readings from " + import->format +
-                  " (" + listOf(session) + ")\n";
+  answer.result = request.out + ": " + counted(import->rows, "row") + " from " + import->format + " (" +
+                  listOf(session) + ")\n";
   answer.remarks = import->remarks;
   for (const Problem& problem : examine(session).problems)
     answer.remarks.push_back("still to be typed or mended: " + problem.text());

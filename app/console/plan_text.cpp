@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/console/text_layout.h"
+#include "core/base/list_text.h"
 #include "core/base/number_text.h"
 #include "core/base/quantity_text.h"
 #include "core/effects/catalogue.h"
@@ -13,12 +14,6 @@ namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
 using Json = nlohmann::ordered_json;
-
-std::string listed(const std::vector<std::string>& ids) {
-  std::string text;
-  for (const std::string& id : ids) text += (text.empty() ? "" : ", ") + id;
-  return text;
-}
 
 /// "30 arcsec"; the unit of a pure number is left out.
 std::string plausibleText(const std::string& id) {
@@ -33,11 +28,16 @@ std::string visibleText(const PlannedEffect& effect) {
   return fixedText(effect.leastVisible, 1) + "…" + most;
 }
 
+/// None where the plan has no Δd.
+std::string influenceText(const PlanReview& review, const PlannedEffect& effect) {
+  return review.intersection ? fixedText(effect.influence, 4) : "none";
+}
+
 std::string effectsText(const PlanReview& review) {
   Rows rows{{"  effect", "plausible", "shows by (σ)", "moves Δd by (mm)", ""}};
   for (const PlannedEffect& effect : review.effects)
     rows.push_back({"  " + effect.effect, plausibleText(effect.effect), visibleText(effect),
-                    fixedText(effect.influence, 4), effect.unseen ? "unseen" : ""});
+                    influenceText(review, effect), effect.unseen ? "unseen" : ""});
   return "\nEffects of plausible size\n" + alignedColumns(rows);
 }
 
@@ -71,7 +71,7 @@ std::string adviceText(const PlanReview& review) {
   return text;
 }
 
-Json effectJson(const PlannedEffect& effect) {
+Json effectJson(const PlanReview& review, const PlannedEffect& effect) {
   Json sizes = Json::array(), alike = Json::array();
   for (const EffectParameter& parameter : effectById(effect.effect)->parameters)
     sizes.push_back({{"name", parameter.name}, {"value", parameter.plausible}, {"unit", parameter.unit}});
@@ -82,7 +82,7 @@ Json effectJson(const PlannedEffect& effect) {
           {"plausible", sizes},
           {"visible_sigma", {{"least", effect.leastVisible}, {"most", effect.mostVisible}}},
           {"look_alikes", alike},
-          {"influence_mm", effect.influence},
+          {"influence_mm", review.intersection ? Json(effect.influence) : Json()},
           {"visible_sigma_there", effect.visibleThere},
           {"unseen", effect.unseen}};
 }
@@ -90,7 +90,7 @@ Json effectJson(const PlannedEffect& effect) {
 }  // namespace
 
 std::string planText(const std::string& session, const PlanReview& review) {
-  std::string text = session + "\n\n" + std::to_string(review.readings) + " readings";
+  std::string text = session + "\n\n" + counted(review.readings, "reading") + " of circles and slider";
   if (const auto& estimate = review.intersection)
     text += "; with the noise stated Δd would be known to " + fixedText(estimate->sigma, 4) + " mm (1σ)";
   return text + "\n" + effectsText(review) + lookAlikesText(review) + adviceText(review);
@@ -98,7 +98,7 @@ std::string planText(const std::string& session, const PlanReview& review) {
 
 std::string planJson(const std::string& session, const PlanReview& review) {
   Json effects = Json::array(), advice = Json::array();
-  for (const PlannedEffect& effect : review.effects) effects.push_back(effectJson(effect));
+  for (const PlannedEffect& effect : review.effects) effects.push_back(effectJson(review, effect));
   for (const PlanAdvice& entry : review.advice)
     advice.push_back(
         {{"measure", entry.measure}, {"reveals", entry.reveals}, {"separates", entry.separates}});

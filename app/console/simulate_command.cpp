@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 
+#include "app/console/option_checks.h"
 #include "app/console/output_file.h"
 #include "core/base/number_text.h"
 #include "core/session/session_file.h"
@@ -14,8 +15,37 @@ namespace alidade::console {
 
 namespace {
 
-constexpr double longestMm = 1e6, largestArcsec = 3600;
+constexpr double shortestMm = 1e-6, longestMm = 1e6, leastArcsec = 1e-6, largestArcsec = 3600;
 constexpr int mostPoints = 100000, mostRounds = 1000;
+
+/// A number that is drawn, or usual, where it is not given.
+struct NumberOption {
+  const char* name;
+  std::optional<double> SimulateRequest::*value;
+  double least, most;
+  const char* help;
+};
+
+using Asked = SimulateRequest;
+
+constexpr NumberOption numberOptions[] = {
+    {"--intersection", &Asked::intersection, -longestMm, longestMm, "True Δd, mm; drawn if not given"},
+    {"--centre-x", &Asked::centreX, -longestMm, longestMm, "True Δx of both positions, mm"},
+    {"--axis-height", &Asked::axisHeight, -longestMm, longestMm, "True height of the axis, mm"},
+    {"--radius", &Asked::radius, shortestMm, longestMm, "True radius, mm"},
+    {"--nominal-radius", &Asked::nominalRadius, shortestMm, longestMm,
+     "Nominal radius, mm; 400 if not given"},
+    {"--distance", &Asked::distance, shortestMm, longestMm, "True distance to the arc plane, mm; else 2405"},
+    {"--sigma-distance", &Asked::sigmaDistance, 0, longestMm - 1, "σ of the distance stated, mm; else 0"},
+    {"--tolerance", &Asked::tolerance, shortestMm, longestMm, "Tolerance of the intersection stated, mm"},
+    {"--sigma", &Asked::sigma, leastArcsec, largestArcsec - 1, "Stated σ of both circles, arcsec; else 2"},
+    {"--sigma-zero", &Asked::sigmaZero, 0, largestArcsec - 1,
+     "σ of the pointing zeros, arcsec; else as --sigma"},
+    {"--sigma-slider", &Asked::sigmaSlider, leastArcsec, largestArcsec - 1,
+     "σ of the slider, arcsec; else 5"},
+    {"--typing-step", &Asked::typingStep, leastArcsec, largestArcsec,
+     "Readings are rounded to this, arcsec; else 0.1"},
+};
 
 std::vector<std::string> protocolNames() {
   std::vector<std::string> names;
@@ -30,6 +60,19 @@ std::string footer() {
   return text + "Effects:\n" + effectNames() +
          "Where an effect has several sizes, one can be given by the last word of its name: "
          "plane_tilt.x=0.3.";
+}
+
+void addPlanOptions(CLI::App& simulate, SimulateRequest& request) {
+  simulate.add_option("--seed", request.seed, "Whole number that fixes everything drawn")
+      ->check(seedCheck())
+      ->capture_default_str();
+  simulate.add_option("--protocol", request.protocol, "Plan of readings")
+      ->check(CLI::IsMember(protocolNames()))
+      ->capture_default_str();
+  simulate.add_option("--points", request.points, "Places of the slider over the protocol's range")
+      ->check(wholeFrom(1, mostPoints));
+  simulate.add_option("--rounds", request.rounds, "Rounds, there and back in turn")
+      ->check(wholeFrom(1, mostRounds));
 }
 
 void setIf(double& value, const std::optional<double>& asked) {
@@ -78,44 +121,17 @@ Protocol protocolOf(const SimulateRequest& request) {
 void addSimulateCommand(CLI::App& app, SimulateRequest& request) {
   CLI::App* simulate =
       app.add_subcommand("simulate", "A session from a known truth; the truth is kept in its own file.");
-  const CLI::Range length(1e-6, longestMm), coordinate(-longestMm, longestMm), step(1e-6, largestArcsec);
-  const CLI::Range sigma(1e-6, largestArcsec - 1), sigmaOrZero(0.0, largestArcsec - 1);
   simulate->add_option("--out", request.out, "Session file to write (*.alidade)")->required();
   simulate->add_option("--truth", request.truth, "Truth file to write (JSON)")->required();
-  simulate->add_option("--seed", request.seed, "Whole number that fixes everything drawn")
-      ->capture_default_str();
-  simulate->add_option("--protocol", request.protocol, "Plan of readings")
-      ->check(CLI::IsMember(protocolNames()))
-      ->capture_default_str();
+  simulate->add_option("--title", request.title, "Title of the session");
+  simulate->add_option("--notes", request.notes, "Notes of the session");
+  addPlanOptions(*simulate, request);
   simulate->add_option("--effect", request.effects, "NAME=VALUE of an effect to put in; may be repeated")
       ->take_all()
       ->expected(1);
-  simulate->add_option("--points", request.points, "Places of the slider over the protocol's range")
-      ->check(CLI::Range(1, mostPoints));
-  simulate->add_option("--rounds", request.rounds, "Rounds, there and back in turn")
-      ->check(CLI::Range(1, mostRounds));
-  simulate->add_option("--intersection", request.intersection, "True Δd, mm; drawn if not given")
-      ->check(coordinate);
-  simulate->add_option("--centre-x", request.centreX, "True Δx of both positions, mm")->check(coordinate);
-  simulate->add_option("--axis-height", request.axisHeight, "True height of the axis, mm")->check(coordinate);
-  simulate->add_option("--radius", request.radius, "True radius, mm")->check(length);
-  simulate->add_option("--nominal-radius", request.nominalRadius, "Nominal radius, mm; 400 if not given")
-      ->check(length);
-  simulate->add_option("--distance", request.distance, "True distance to the arc plane, mm; else 2405")
-      ->check(length);
-  simulate->add_option("--sigma-distance", request.sigmaDistance, "σ of the distance stated, mm; else 0")
-      ->check(CLI::Range(0.0, longestMm - 1));
-  simulate->add_option("--tolerance", request.tolerance, "Tolerance of the intersection stated, mm")
-      ->check(length);
-  simulate->add_option("--title", request.title, "Title of the session");
-  simulate->add_option("--notes", request.notes, "Notes of the session");
-  simulate->add_option("--sigma", request.sigma, "Stated σ of both circles, arcsec; else 2")->check(sigma);
-  simulate->add_option("--sigma-zero", request.sigmaZero, "σ of the pointing zeros, arcsec; else as --sigma")
-      ->check(sigmaOrZero);
-  simulate->add_option("--sigma-slider", request.sigmaSlider, "σ of the slider, arcsec; else 5")
-      ->check(sigma);
-  simulate->add_option("--typing-step", request.typingStep, "Readings are rounded to this, arcsec; else 0.1")
-      ->check(step);
+  for (const NumberOption& option : numberOptions)
+    simulate->add_option(option.name, request.*option.value, option.help)
+        ->check(numberFrom(option.least, option.most));
   simulate->add_option("--vertical-circle", request.verticalCircle, "zenith or elevation")
       ->check(CLI::IsMember({"zenith", "elevation"}))
       ->capture_default_str();
@@ -123,7 +139,6 @@ void addSimulateCommand(CLI::App& app, SimulateRequest& request) {
 }
 
 Result<std::string> runSimulate(const SimulateRequest& request) {
-  if (request.out == request.truth) return Problem{"--out and --truth name the same file: give each its own"};
   Truth truth = truthOf(request);
   for (const std::string& effect : request.effects)
     if (auto problem = addEffect(truth, effect)) return *std::move(problem);
@@ -134,8 +149,9 @@ Result<std::string> runSimulate(const SimulateRequest& request) {
   session.notes = request.notes;
   if (request.tolerance) session.acceptance.toleranceMm = shortestText(*request.tolerance);
   const std::string id = std::filesystem::path(request.out).stem().string();
-  if (auto problem = writeFile(request.out, writeSession(session))) return *std::move(problem);
-  if (auto problem = writeFile(request.truth, truthJson(id, truth))) return *std::move(problem);
+  if (auto problem = writeFiles(
+          {{"--out", request.out, writeSession(session)}, {"--truth", request.truth, truthJson(id, truth)}}))
+    return *std::move(problem);
   std::size_t rows = 0;
   for (const Position& position : session.positions) rows += position.readings.size();
   return request.out + ": " + std::to_string(rows) + " rows by protocol " + request.protocol +

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
+#include "app/console/option_checks.h"
 #include "app/console/trial_text.h"
 #include "core/simulation/protocol.h"
 
@@ -24,11 +25,12 @@ void addTrialCommand(CLI::App& app, TrialRequest& request) {
   CLI::App* trial = app.add_subcommand(
       "trial", "Blind trials: draw a sealed truth, simulate, diagnose, and compare when the seal is opened.");
   CLI::Option* count = trial->add_option("--count", request.count, "Number of trials")
-                           ->check(CLI::Range(std::size_t{1}, mostTrials))
+                           ->check(wholeFrom(1, mostTrials))
                            ->capture_default_str();
   CLI::Option* seed = trial
                           ->add_option("--seed", request.seed,
                                        "Whole number that fixes everything drawn; trial i has seed + i")
+                          ->check(seedCheck())
                           ->capture_default_str();
   std::vector<std::string> names;
   for (const Protocol& protocol : namedProtocols()) names.push_back(protocol.name);
@@ -46,7 +48,7 @@ void addTrialCommand(CLI::App& app, TrialRequest& request) {
       "Diagnose each effect a second time with itself taken from the catalogue: no wrong cause may "
       "be blamed");
   trial->add_option("--threads", request.threads, "Threads to use; 0: all. The result does not depend on it")
-      ->check(CLI::Range(0u, mostThreads))
+      ->check(wholeFrom(0, mostThreads))
       ->capture_default_str();
   trial->add_flag("--json", request.json, "Print one JSON document");
 }

@@ -38,6 +38,14 @@ Result<Recording> readRecording(std::string_view text, const ImportOptions& opti
   return Problem{"holds no readings: choose a GSI file or a CSV table"};
 }
 
+/// Of no use, and no word of it would be said: everything would stand at 0°.
+std::optional<Problem> turnedBehindTheEnd(const Recording& recording, const ImportOptions& options) {
+  const std::size_t last = std::ranges::max_element(recording.sightings, {}, &RecordedSighting::line)->line;
+  if (!options.turnedAtLine || *options.turnedAtLine <= last) return std::nullopt;
+  return Problem{"has its last reading in line " + std::to_string(last) + ", so none is at 180° from line " +
+                 std::to_string(*options.turnedAtLine) + " on: give a line within the file"};
+}
+
 std::string positionName(const std::string& axis) {
   return axis + "°";
 }
@@ -233,7 +241,7 @@ class Assembly {
     reading.excluded = sighting.excluded;
     reading.note = sighting.note;
     positionAt(sighting.axis.text).readings.push_back(std::move(reading));
-    ++m_import.readings;
+    ++m_import.rows;
   }
 
   void takeZeros() {
@@ -339,6 +347,7 @@ Result<Import> importReadings(std::string_view bytes, const ImportOptions& optio
     if (!recording->problems.empty()) return Problem{recording->problems.front().text()};
     return Problem{"holds no readings with a horizontal and a vertical circle: choose another file"};
   }
+  if (auto problem = turnedBehindTheEnd(*recording, options)) return *std::move(problem);
   return Assembly(*std::move(recording), options).assemble();
 }
 

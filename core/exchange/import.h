@@ -25,8 +25,8 @@ struct ImportOptions {
 /// A session made of a file of readings.
 struct Import {
   Session session;
-  std::string format;  ///< "GSI-8", "GSI-16" or "CSV"
-  std::size_t readings = 0;
+  std::string format;                 ///< "GSI-8", "GSI-16" or "CSV"
+  std::size_t rows = 0;               ///< of readings, excluded ones too
   std::vector<LineProblem> problems;  ///< in the order of the lines. Entries that mean nothing are in the
                                       ///< session as they stand; lines that cannot be read are not
   std::vector<std::string> remarks;   ///< sentences: what was taken how, and what was not used

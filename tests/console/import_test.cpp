@@ -42,7 +42,7 @@ TEST_F(ImportTest, PapersTableFitsAsTheSampleDoes) {
                                              "400", "--tolerance", "2.5", "--zero-0", "332-32-54", "89-59-57",
                                              "--zero-180", "332-32-50", "89-59-58", "--title", "Table I"});
   EXPECT_EQ(run.exitCode, 0) << run.err;
-  EXPECT_THAT(run.out, HasSubstr("34 readings from CSV (17 at 0°, 17 at 180°)"));
+  EXPECT_THAT(run.out, HasSubstr("34 rows from CSV (17 at 0°, 17 at 180°)"));
   EXPECT_THAT(run.err, IsEmpty());
   const Json result = fit(), sample = Json::parse(alidadeCli({"fit", paperSession, "--json"}).out);
   for (const char* part : {"session", "arcs", "intersection", "decision", "budget", "suspects"})
@@ -54,7 +54,7 @@ TEST_F(ImportTest, SaysWhatIsStillToBeTyped) {
       folder.file("arc.gsi", "110001+00000001 21.322+37985926 22.322+09808000 31..00+00002405\n");
   const ProgramRun run = import(gsi);
   EXPECT_EQ(run.exitCode, 0);
-  EXPECT_THAT(run.out, HasSubstr("1 readings from GSI-8"));
+  EXPECT_THAT(run.out, HasSubstr("1 row from GSI-8"));
   for (const char* part : {"slope distance", "geometry.distance_mm", "geometry.radius_mm", "pointing_zero"})
     EXPECT_THAT(run.err, HasSubstr(part));
   const Json written = Json::parse(contentOf(session));

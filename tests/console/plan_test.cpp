@@ -55,6 +55,25 @@ TEST(Plan, SaysItInWordsToo) {
   EXPECT_THAT(run.out, HasSubstr("the way back: shows"));
 }
 
+// Some thousand degrees of freedom and not a second of misfit, which is what a plan without noise leaves.
+TEST(Plan, ReviewsALargePlan) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "plan.alidade").string(), truth = (folder.path() / "t").string();
+  ASSERT_EQ(
+      alidadeCli({"simulate", "--out", file, "--truth", truth, "--points", "1000", "--rounds", "2"}).exitCode,
+      0);
+  EXPECT_EQ(reviewOf(file).at("readings"), 8000);
+}
+
+TEST(Plan, HasNoInfluenceOnAnIntersectionThatThereIsNot) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "plan.alidade").string();
+  std::ofstream(file) << changedPaperSession(
+      [](nlohmann::ordered_json& session) { session["positions"].erase(1); });
+  EXPECT_EQ(reviewOf(file)["effects"][0]["influence_mm"], nullptr);
+  EXPECT_THAT(alidadeCli({"plan", file}).out, HasSubstr("none"));
+}
+
 TEST(Plan, RefusesInOneLine) {
   const ProgramRun missing = alidadeCli({"plan", "/no/such/file.alidade"});
   expectRefusal(missing);

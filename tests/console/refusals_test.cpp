@@ -95,6 +95,25 @@ TEST(Refusal, OfACallNamesWhatIsWrong) {
   EXPECT_THAT(refusal({"fit", paperSession, "--fast"}), HasSubstr("--fast"));
   EXPECT_THAT(refusal({"fit", paperSession, "--method", "lucky"}), HasSubstr("lucky"));
   EXPECT_THAT(refusal({"fit", paperSession, paperSession}), HasSubstr("paper-table-1.alidade"));
+  EXPECT_THAT(refusal({"fit", ""}), StartsWith("the empty file name: "));
+  EXPECT_THAT(refusal({"fit", paperSession, "--risk", "nan"}), HasSubstr("--risk: “nan” is not a number"));
+  EXPECT_THAT(refusal({"fit", paperSession, "--risk", "2"}), HasSubstr("from 1e-09 to 0.5"));
+}
+
+// A seed that is taken for another one gives a session that its own seed does not give again.
+TEST(Refusal, OfASeedThatIsNone) {
+  for (const char* seed : {"-1", "99999999999999999999", "1.5", "0x10", "nan"}) {
+    for (const std::vector<std::string>& call :
+         {std::vector<std::string>{"fit", paperSession, "--monte-carlo", "1000"},
+          {"trial", "--count", "1"},
+          {"simulate", "--out", "/no/such/folder/s", "--truth", "/no/such/folder/t"}}) {
+      std::vector<std::string> arguments = call;
+      arguments.insert(arguments.end(), {"--seed", seed});
+      const ProgramRun run = alidadeCli(arguments);
+      expectRefusal(run);
+      EXPECT_THAT(run.err, HasSubstr("--seed: ")) << call.front() << " " << seed;
+    }
+  }
 }
 
 }  // namespace

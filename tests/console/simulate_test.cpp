@@ -108,6 +108,44 @@ TEST_F(SimulateTest, RefusesWhatCannotBeDone) {
   expectRefusal(alidadeCli({"simulate", "--out", truth, "--truth", truth}));
 }
 
+// What was written first must not be lost to what is written second.
+TEST_F(SimulateTest, RefusesOneFileForSessionAndTruthHoweverItIsNamed) {
+  const auto refusal = [&](const std::string& out, const std::string& truthFile) {
+    const ProgramRun run = alidadeCli({"simulate", "--out", out, "--truth", truthFile});
+    expectRefusal(run);
+    return run.err;
+  };
+  const std::string roundabout = (folder.path() / "." / "s1.alidade").string();
+  EXPECT_THAT(refusal(session, roundabout), HasSubstr("--out and --truth name the same file"));
+  EXPECT_FALSE(std::filesystem::exists(session));
+  std::filesystem::create_symlink(session, truth);
+  EXPECT_THAT(refusal(truth, session), HasSubstr("the same file"));
+  EXPECT_THAT(refusal(session, "-"), HasSubstr("--truth - names no file"));
+  EXPECT_FALSE(std::filesystem::exists(session));
+}
+
+TEST_F(SimulateTest, LeavesWhatStoodThereWhereOneOfTheTwoCannotBeWritten) {
+  std::ofstream(session) << "kept";
+  const ProgramRun run =
+      alidadeCli({"simulate", "--out", session, "--truth", (folder.path() / "no" / "t.json").string()});
+  expectRefusal(run);
+  EXPECT_EQ(contentOf(session), "kept");
+  const std::string fresh = (folder.path() / "fresh.alidade").string();
+  expectRefusal(alidadeCli({"simulate", "--out", fresh, "--truth", "/no/such/folder/t.json"}));
+  EXPECT_FALSE(std::filesystem::exists(fresh));
+}
+
+TEST_F(SimulateTest, RefusesNumbersThatAreNone) {
+  for (const char* option : {"--tolerance", "--intersection", "--radius", "--centre-x", "--typing-step",
+                             "--sigma", "--sigma-zero", "--distance"})
+    for (const char* value : {"nan", "-nan", "inf", "1e999", "2mm", ""}) {
+      const ProgramRun run = simulate({option, value});
+      expectRefusal(run);
+      EXPECT_THAT(run.err, HasSubstr(option)) << value;
+    }
+  EXPECT_EQ(simulate({"--intersection", "+0.5"}).exitCode, 0);
+}
+
 TEST_F(SimulateTest, ListsEffectsAndProtocols) {
   const ProgramRun run = alidadeCli({"simulate", "--help"});
   EXPECT_EQ(run.exitCode, 0);

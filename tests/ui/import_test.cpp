@@ -221,7 +221,7 @@ TEST_F(ImportFlow, SaysWhatCouldNotBeRead) {
   EXPECT_TRUE(open->files().open(file(QStringLiteral("arc.gsi"),
                                       "110001+00000001 21.322+37985926 22.322+09808000 31..00+00002405\n"
                                       "110002+00000002 21.324+34171260 22.324+08641240\nbroken\n")));
-  EXPECT_THAT(notes(), HasSubstr("2 readings imported from arc.gsi."));
+  EXPECT_THAT(notes(), HasSubstr("2 rows of readings imported from arc.gsi."));
   EXPECT_THAT(notes(), HasSubstr("Line 3, column 1: “broken” is no GSI word"));
   EXPECT_THAT(notes(), HasSubstr("has 71 minutes"));
   EXPECT_THAT(notes(), HasSubstr("Slope distance is not used"));

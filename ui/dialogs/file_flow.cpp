@@ -103,7 +103,9 @@ bool FileFlow::importReadings(const QString& path) {
 }
 
 void FileFlow::tellOf(const Import& import, const QString& name) {
-  const QString done = tr("%1 readings imported from %2").arg(import.readings).arg(name);
+  const QString done = import.rows == 1
+                           ? tr("1 row of readings imported from %1").arg(name)
+                           : tr("%1 rows of readings imported from %2").arg(import.rows).arg(name);
   emit remark(done);
   const QString notes = importNotes(import);
   if (!notes.isEmpty()) m_dialogs.showProblem(tr("Import readings"), done + QStringLiteral(".\n\n") + notes);

@@ -4,6 +4,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "ui/panels/data_table.h"
 #include "ui/text/quantity_text.h"
@@ -91,6 +92,8 @@ std::vector<ReliabilityPanel::Row> ReliabilityPanel::rowsOf(const Evaluation& ev
     const Sighting& sighting = measured->sightings[adjusted.sighting];
     rows.push_back({arc.position, sighting.row, arc.axisDeg, sighting.round, sighting.point, sighting.face,
                     adjusted, reliabilityOf(adjusted)});
+    if (!evaluation.fit.intersection)
+      rows.back().reliability.influence = std::numeric_limits<double>::quiet_NaN();
   }
   return rows;
 }
@@ -107,7 +110,7 @@ QString ReliabilityPanel::summary() const {
   const auto worst = std::max_element(m_rows.begin(), m_rows.end(), [](const Row& a, const Row& b) {
     return std::abs(a.reliability.influence) < std::abs(b.reliability.influence);
   });
-  if (worst == m_rows.end() || worst->reliability.influence == 0) return {};
+  if (worst == m_rows.end() || !(std::abs(worst->reliability.influence) > 0)) return {};
   return tr("Every reading is checked. The dearest unfound error: %1°, point %2, %3, up to %4, moves Δd by "
             "%5.")
       .arg(worst->axisDeg)

@@ -47,7 +47,7 @@ ImportOptions paperOptions() {
 // The same texts give the same fit, to the last digit.
 TEST(Import, PapersTableAsCsvFitsAsTheSampleDoes) {
   const Import import = imported(paperCsv(), paperOptions());
-  EXPECT_EQ(import.readings, 34u);
+  EXPECT_EQ(import.rows, 34u);
   EXPECT_THAT(import.problems, IsEmpty());
   EXPECT_THAT(import.remarks, IsEmpty());
   const auto fit = fitSession(measurementOf(import.session));
@@ -109,6 +109,15 @@ TEST(Import, TellsPositionsByTheLineWhereTheFileDoesNot) {
   EXPECT_THAT(import.remarks, IsEmpty());
 }
 
+TEST(Import, RefusesALineBehindTheLastReading) {
+  ImportOptions options;
+  options.turnedAtLine = 3;
+  const std::string gsi = gsiOf("1", "34152240", "08816490") + gsiOf("1", "34152240", "08816490");
+  const auto import = importReadings(gsi + "\n\n", options);
+  ASSERT_FALSE(import);
+  EXPECT_THAT(import.problem().what, HasSubstr("its last reading in line 2"));
+}
+
 // Readings of one point, face and round are one visit: no two may end up in the same.
 TEST(Import, PassesOverRoundsThatTheFileStates) {
   const auto roundsOf = [](const std::string& rows) {
@@ -154,7 +163,7 @@ TEST(Import, AveragesThePointingZeroOverTheFaces) {
   EXPECT_EQ(zero.horizontal, "332°32'52.00\"");
   EXPECT_EQ(zero.vertical, "89°59'56.00\"");
   EXPECT_THAT(import.remarks, Contains("the pointing zero at 0° is the face 1 mean of lines 1, 3"));
-  EXPECT_EQ(import.readings, 1u);
+  EXPECT_EQ(import.rows, 1u);
 }
 
 // 359°59'59" and 0°00'01" are 2″ apart, not 360°.
@@ -259,7 +268,7 @@ TEST(Import, SurvivesDamagedFiles) {
 TEST(Import, ReadsLongFilesAndLongLines) {
   std::string text = "point,Hz,V\n";
   for (int i = 0; i < 20000; ++i) text += std::to_string(i) + ",341°52'24\",88°16'49\"\n";
-  EXPECT_EQ(imported(text).readings, 20000u);
+  EXPECT_EQ(imported(text).rows, 20000u);
   expectSound("Hz,V\n" + std::string(200000, ','));
   expectSound("Hz,V\n" + std::string(200000, '"'));
   std::string block = "110001+00000001";

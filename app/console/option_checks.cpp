@@ -1,0 +1,45 @@
+#include "app/console/option_checks.h"
+
+#include <charconv>
+
+#include "core/base/number_text.h"
+#include "core/base/utf8.h"
+
+namespace alidade::console {
+
+namespace {
+
+std::string outside(const std::string& text, const std::string& kind, const std::string& least,
+                    const std::string& most) {
+  return quotation(text) + " is not " + kind + " from " + least + " to " + most;
+}
+
+/// The whole text, with a plus or none, as a value; false where it is something else or does not fit.
+template <typename Value>
+bool reads(const std::string& text, Value& value) {
+  const char* const end = text.data() + text.size();
+  const bool plus = text.size() > 1 && text[0] == '+' && text[1] != '-';
+  const auto [last, error] = std::from_chars(text.data() + (plus ? 1 : 0), end, value);
+  return error == std::errc{} && last == end;
+}
+
+}  // namespace
+
+OptionCheck numberFrom(double least, double most) {
+  return [least, most](const std::string& text) -> std::string {
+    double value = 0;
+    // As a comparison that NaN fails.
+    if (reads(text, value) && value >= least && value <= most) return {};
+    return outside(text, "a number", shortestText(least), shortestText(most));
+  };
+}
+
+OptionCheck wholeFrom(std::uint64_t least, std::uint64_t most) {
+  return [least, most](const std::string& text) -> std::string {
+    std::uint64_t value = 0;
+    if (reads(text, value) && value >= least && value <= most) return {};
+    return outside(text, "a whole number", std::to_string(least), std::to_string(most));
+  };
+}
+
+}  // namespace alidade::console
