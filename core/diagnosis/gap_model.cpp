@@ -12,7 +12,7 @@ Result<GapModel> modelOf(const Measurement& measurement) {
   if (fit.arcs.empty()) {
     for (const Finding& finding : fit.findings)
       if (finding.severity == Severity::Error) return Problem{finding.text, finding.where};
-    return Problem{"there are no readings to diagnose; enter those of the axis positions"};
+    return Problem{"there are no readings; enter those of the axis positions"};
   }
   GapModel model{.measurement = fittedPart(measurement, fit),
                  .starts = {},

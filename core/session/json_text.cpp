@@ -72,6 +72,7 @@ class DocumentBuilder : public Json::json_sax_t {
 
   bool add(Json value) {
     place(std::move(value));
+    m_isWhole = m_levels.empty();
     return true;
   }
 
@@ -93,7 +94,7 @@ class DocumentBuilder : public Json::json_sax_t {
     if (m_levels.size() >= deepestNesting) {
       problem = Problem{
           "is nested more than " + std::to_string(deepestNesting) + " levels deep: this is no session file",
-          place()};
+          Place{.position = {}, .reading = {}, .field = m_levels.front().key}};
       return false;
     }
     Json* opened = place(std::move(empty));
@@ -103,6 +104,7 @@ class DocumentBuilder : public Json::json_sax_t {
 
   bool close() {
     m_levels.pop_back();
+    m_isWhole = m_levels.empty();
     return true;
   }
 
@@ -132,6 +134,9 @@ class DocumentBuilder : public Json::json_sax_t {
     if (overflow)
       return "has a number too large to be worked with before " + lineAndColumn(m_text, at) +
              ": check its exponent";
+    if (m_isWhole)
+      return "goes on after its end, at " + lineAndColumn(m_text, at) +
+             ": a session file holds one JSON document, delete what follows it";
     if (m_text.find_first_not_of(" \t\r\n", at) == std::string_view::npos) {
       return "ends too early, at " + lineAndColumn(m_text, m_text.size()) +
              ": the file is cut short, restore a complete copy";
@@ -143,6 +148,7 @@ class DocumentBuilder : public Json::json_sax_t {
   std::string_view m_text;
   Json& m_document;
   std::vector<Level> m_levels;
+  bool m_isWhole = false;  // the document is complete: nothing may follow
 };
 
 /// Writes one document; `m_text` grows as it goes.

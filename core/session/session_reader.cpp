@@ -1,6 +1,7 @@
 #include "core/session/session_reader.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -134,14 +135,21 @@ void checkFormat(const ObjectReader& reader) {
   }
 }
 
+/// 1.0 is 1, too: JSON knows one kind of number.
+bool isWhole(const Json& value) {
+  return value.is_number_integer() ||
+         (value.is_number_float() && std::trunc(value.get<double>()) == value.get<double>());
+}
+
 void checkVersion(const ObjectReader& reader) {
   if (!reader.require("version", "add \"version\": 1")) return;
   const Json& version = *reader.find("version");
   const std::string known = std::to_string(newestVersion);
-  if (!version.is_number_integer()) {
-    reader.report("must be the whole number " + known + ", not " + typeOf(version),
+  if (!isWhole(version)) {
+    reader.report("must be the whole number " + known + ", not " +
+                      (version.is_number() ? version.dump() : typeOf(version)),
                   reader.placeOf("version"));
-  } else if (version.is_number_unsigned() && version.get<std::uint64_t>() > newestVersion) {
+  } else if (version > newestVersion) {
     reader.report(
         version.dump() + " is newer than this program reads (" + known + "): open it with a newer Alidade",
         reader.placeOf("version"));

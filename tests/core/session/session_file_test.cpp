@@ -170,7 +170,9 @@ TEST(SessionFile, NamesTheVersionItCannotRead) {
   EXPECT_THAT(sentenceWith("/version", 18446744073709551615ull), HasSubstr("is newer"));
   EXPECT_THAT(sentenceWith("/version", 0), HasSubstr("version: 0 is no version"));
   EXPECT_THAT(sentenceWith("/version", "1"), HasSubstr("version: must be the whole number 1, not a text"));
-  EXPECT_THAT(sentenceWith("/version", 1.5), HasSubstr("version: must be the whole number 1"));
+  EXPECT_THAT(sentenceWith("/version", 1.5), HasSubstr("version: must be the whole number 1, not 1.5"));
+  EXPECT_THAT(sentenceWith("/version", 2.0), HasSubstr("version: 2.0 is newer"));
+  EXPECT_EQ(sentenceWith("/version", 1.0), "accepted");
   EXPECT_THAT(sentenceWithout("", "version"), HasSubstr("version: is missing"));
 }
 
