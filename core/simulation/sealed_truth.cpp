@@ -1,10 +1,10 @@
 #include "core/simulation/sealed_truth.h"
 
 #include <algorithm>
-#include <array>
 #include <nlohmann/json.hpp>
 
 #include "core/base/utf8.h"
+#include "core/diagnosis/diagnosis.h"
 #include "core/simulation/truth_text.h"
 
 namespace alidade {
@@ -35,9 +35,34 @@ void readMisread(const Json& list, SealedTruth& truth) {
   std::ranges::sort(truth.misread);
 }
 
-bool isSingle(const std::string& kind) {
-  static constexpr std::array<std::string_view, 3> others{"none", "two_causes", "several_causes"};
-  return std::ranges::find(others, kind) == others.end();
+bool isSeveral(const std::string& kind) {
+  return kind == "two_causes" || kind == "several_causes";
+}
+
+/// A diagnosis may name it, or it is in no catalogue.
+bool isCause(const std::string& id) {
+  return isOfNoCatalogue(id) || std::ranges::find(diagnosableEffects(), id) != diagnosableEffects().end();
+}
+
+/// Why no answer to this truth could be right; `key` is the one at fault.
+std::optional<std::string> whyUnscorable(const SealedTruth& truth, std::string& key) {
+  key = "causes";
+  for (const std::string& cause : truth.causes)
+    if (!isCause(cause) && cause != truth.kind)
+      return "names " + quotation(cause) + ", which is neither an effect that can be diagnosed nor unknown_…";
+  if (isSeveral(truth.kind) && truth.causes.size() < 2)
+    return "must name them where the kind is " + truth.kind;
+  key = "kind";
+  if (truth.kind != "none" && truth.causes.size() < 2 && !isCause(truth.kind))
+    return "is " + quotation(truth.kind) +
+           ", which is neither none, an effect that can be diagnosed, two_causes, several_causes nor "
+           "unknown_…";
+  key = "blunders";
+  if (truth.kind == "gross_error" && truth.misread.empty())
+    return "must list the readings that are wrong where the kind is " + truth.kind;
+  key = "visible_sigma";
+  if (truth.visible && *truth.visible < 0) return "must not be negative";
+  return std::nullopt;
 }
 
 /// Reads one key, and remembers it in `key` for the sentence where it is wrong.
@@ -52,7 +77,7 @@ SealedTruth readTruth(const std::string& id, const Json& json, std::string& key)
   truth.intersection = at("intersection_mm").get<double>();
   if (given("protocol")) truth.protocol = json.at(key).get<std::string>();
   if (given("causes")) truth.causes = json.at(key).get<std::vector<std::string>>();
-  if (truth.causes.empty() && isSingle(truth.kind)) truth.causes = {truth.kind};
+  if (truth.causes.empty() && truth.kind != "none" && !isSeveral(truth.kind)) truth.causes = {truth.kind};
   if (given("visible_sigma")) truth.visible = json.at(key).get<double>();
   if (given("look_alikes"))
     for (const Json& entry : json.at(key)) truth.lookAlikes.push_back(entry.at(0).get<std::string>());
@@ -61,6 +86,10 @@ SealedTruth readTruth(const std::string& id, const Json& json, std::string& key)
 }
 
 }  // namespace
+
+bool isOfNoCatalogue(const std::string& kind) {
+  return kind.starts_with("unknown");
+}
 
 SealedTruth sealed(const std::string& id, const Truth& truth, const std::optional<Visibility>& visibility) {
   SealedTruth seal{.id = id,
@@ -95,6 +124,8 @@ Result<std::vector<SealedTruth>> readSealedTruths(const std::string& text) {
     } catch (const Json::exception&) {
       return Problem{"truth of " + quotation(id) + ": " + key + " is missing or of the wrong type"};
     }
+    if (const auto reason = whyUnscorable(truths.back(), key))
+      return Problem{"truth of " + quotation(id) + ": " + key + " " + *reason};
   }
   return truths;
 }

@@ -32,13 +32,18 @@ struct SealedTruth {
   std::vector<MisreadCell> misread = {};     ///< in order
 };
 
+/// Put in on purpose, though no catalogue holds it: `unknown_…`, whatever follows.
+bool isOfNoCatalogue(const std::string& kind);
+
 /// `visibility` of the truth's only effect, where there is one.
 SealedTruth sealed(const std::string& id, const Truth& truth, const std::optional<Visibility>& visibility);
 
 /// The truth file of a set of trials: a JSON object {id: {kind, intersection_mm, protocol, causes, blunders:
 /// [[position, round, point, face, horizontal, vertical], …], visible_sigma, look_alikes: [[id, cosine, σ],
-/// …]}, …}; kind and intersection_mm are required, other keys are passed over. In the order of the ids. Fails
-/// with the id and the key that are wrong, and where there is no truth at all.
+/// …]}, …}; kind and intersection_mm are required, other keys are passed over. In the order of the ids.
+/// Fails, with the id and the key, on what could not be scored: a value of the wrong type, a kind or cause
+/// that no answer can name, a gross_error without blunders, two_causes without causes; and where there is no
+/// truth.
 Result<std::vector<SealedTruth>> readSealedTruths(const std::string& text);
 
 }  // namespace alidade

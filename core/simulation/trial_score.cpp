@@ -11,10 +11,6 @@ bool holds(const std::vector<std::string>& ids, const std::string& id) {
   return std::ranges::find(ids, id) != ids.end();
 }
 
-bool isUnknown(const std::string& kind) {
-  return kind.starts_with("unknown");
-}
-
 bool names(const Diagnosis& diagnosis, const std::string& id) {
   return std::ranges::find(diagnosis.causes, id, &Cause::effect) != diagnosis.causes.end();
 }
@@ -99,8 +95,8 @@ std::string_view nameOf(TrialClass trialClass) {
 TrialClass classOf(const SealedTruth& truth) {
   if (truth.kind == "none") return TrialClass::None;
   if (truth.kind == "gross_error") return TrialClass::GrossError;
-  if (truth.kind == "two_causes" || truth.kind == "several_causes") return TrialClass::SeveralCauses;
-  if (isUnknown(truth.kind)) return TrialClass::Unknown;
+  if (isOfNoCatalogue(truth.kind)) return TrialClass::Unknown;
+  if (truth.causes.size() > 1) return TrialClass::SeveralCauses;
   if (!truth.visible) return TrialClass::Other;
   if (*truth.visible < clearVisibility) return TrialClass::Faint;
   return truth.lookAlikes.empty() ? TrialClass::Unique : TrialClass::LookAlikes;

@@ -36,7 +36,7 @@ struct TrialScore {
   TrialClass trialClass = TrialClass::None;
   bool right = false;
   std::string answer =
-      {};  ///< the first cause, "two_causes" where several are named, or the verdict without one
+      {};  ///< the only cause, "several-causes" where more are named, or the verdict without one
   bool detected = false;  ///< a gap was found at all
   bool named = false;     ///< the truth, alone or in a group, is the first cause
   /// With a cause named: is the true Δd within Δd ± U afterwards? Absent without cause or without Δd.

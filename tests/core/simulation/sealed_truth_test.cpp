@@ -49,6 +49,33 @@ TEST(SealedTruth, NamesTheTruthAndTheKeyThatAreWrong) {
               HasSubstr("blunders"));
 }
 
+// A slip in the truth would only ever score a wrong answer.
+TEST(SealedTruth, RefusesWhatNoAnswerCanBeRightFor) {
+  const auto problemWith = [](const std::string& members) {
+    return problemOf(R"({"a1": {"intersection_mm": 0, )" + members + "}}");
+  };
+  EXPECT_THAT(problemWith(R"("kind": "trunion_tilt")"), HasSubstr("“a1”: kind is “trunion_tilt”"));
+  EXPECT_THAT(problemWith(R"("kind": "gross_error")"), HasSubstr("“a1”: blunders must list"));
+  EXPECT_THAT(problemWith(R"("kind": "gross_error", "blunders": [[0, 1, 6, 1, 0, 0]])"),
+              HasSubstr("blunders must list"));
+  EXPECT_THAT(problemWith(R"("kind": "two_causes")"), HasSubstr("“a1”: causes must name them"));
+  EXPECT_THAT(problemWith(R"("kind": "two_causes", "causes": ["collimation", "moonlight"])"),
+              HasSubstr("causes names “moonlight”"));
+  EXPECT_THAT(problemWith(R"("kind": "collimation", "visible_sigma": -5)"),
+              HasSubstr("visible_sigma must not be negative"));
+}
+
+// Sets made elsewhere may hold what nobody here has seen.
+TEST(SealedTruth, TakesEveryKindOfNoCatalogue) {
+  for (const char* kind : {"unknown_refraction", "unknown_tripod_of_wood", "unknown"}) {
+    const auto truths = readSealedTruths(
+        R"({"a1": {"intersection_mm": 0, "look_alikes": [["moonlight", 0.9, 2]], "kind": ")" +
+        std::string(kind) + "\"}}");
+    ASSERT_TRUE(truths) << kind;
+    EXPECT_THAT(truths->front().causes, ElementsAre(kind));
+  }
+}
+
 TEST(SealedTruth, IsMadeOfASimulatedTruth) {
   Truth truth = drawTruth(4);
   truth.protocol = "full";
