@@ -71,6 +71,33 @@ Spacing spacingOf(std::vector<PointPlace> places) {
   return spacing;
 }
 
+/// What the fit of the other visits says of a probe's unknowns, and how well.
+struct Prediction {
+  JointState state;
+  MatrixXd cofactor;
+};
+
+/// The unknowns stay; the arc angle of the only visit finds its place.
+JointState settled(const JointProblem& problem, JointState state) {
+  const VectorXd noStep = VectorXd::Zero(static_cast<Index>(problem.estimated().size()));
+  for (int iteration = 0; iteration < 12; ++iteration) {
+    const double before = state.arcAngles[0];
+    state = problem.moved(state, {problem.equationsOf(state, 0)}, noStep);
+    if (std::abs(state.arcAngles[0] - before) < 1e-10) break;
+  }
+  return state;
+}
+
+/// Of the whitened residuals: their own noise, and that of the prediction.
+MatrixXd covarianceOf(const JointProblem& problem, const VisitEquations& equations,
+                      const MatrixXd& cofactor) {
+  const Index readings = equations.residual.size(), count = cofactor.rows();
+  MatrixXd reduced(readings, count);
+  for (Index row = 0; row < readings; ++row)
+    reduced.row(row) = problem.spread(JointProblem::reduced(equations, row), 0).head(count).transpose();
+  return MatrixXd::Identity(readings, readings) + reduced * cofactor * reduced.transpose();
+}
+
 }  // namespace
 
 struct VisitCheck::Content {
@@ -102,6 +129,32 @@ struct VisitCheck::Content {
         cofactor(i, j) =
             fit.cofactor(indices[static_cast<std::size_t>(i)], indices[static_cast<std::size_t>(j)]);
     }
+  }
+
+  /// Index among `unknowns`; −1 for one that the fit does not have.
+  Index indexOf(const Unknown& unknown) const {
+    const auto found = std::ranges::find(unknowns, unknown);
+    return found == unknowns.end() ? -1 : found - unknowns.begin();
+  }
+
+  Prediction predictionFor(const JointProblem& problem) const {
+    constexpr double unknownZero = 100;  // rad²: the first slider reading of an arc tells nothing
+    const auto count = static_cast<Index>(problem.estimated().size());
+    Prediction prediction{problem.start({circle}), MatrixXd::Zero(count, count)};
+    std::vector<Index> indices;
+    for (const Unknown& unknown : problem.estimated()) indices.push_back(indexOf(unknown));
+    for (Index i = 0; i < count; ++i) {
+      const Index own = indices[static_cast<std::size_t>(i)];
+      if (own < 0) {
+        prediction.cofactor(i, i) = unknownZero;
+        continue;
+      }
+      prediction.state.unknowns[i] = values[own] - problem.priorValue(static_cast<std::size_t>(i));
+      for (Index j = 0; j <= i; ++j)
+        if (const Index other = indices[static_cast<std::size_t>(j)]; other >= 0)
+          prediction.cofactor(i, j) = prediction.cofactor(j, i) = cofactor(own, other);
+    }
+    return prediction;
   }
 };
 
@@ -142,47 +195,21 @@ VisitAgreement VisitCheck::agreement(const std::vector<Sighting>& rows) const {
   Measurement probe = m_content->probe;
   probe.arcs[0].sightings = rows;
   const JointProblem problem(probe, m_content->options);
-  JointState state = problem.start({m_content->circle});
-  const auto count = static_cast<Index>(problem.estimated().size());
-  MatrixXd cofactor = MatrixXd::Zero(count, count);
-  std::vector<Index> indices;
-  for (Index i = 0; i < count; ++i) {
-    const auto found =
-        std::ranges::find(m_content->unknowns, problem.estimated()[static_cast<std::size_t>(i)]);
-    indices.push_back(found == m_content->unknowns.end() ? -1 : found - m_content->unknowns.begin());
-    constexpr double unknownZero = 100;  // rad²: the first slider reading of an arc tells nothing
-    if (indices.back() < 0)
-      cofactor(i, i) = unknownZero;
-    else
-      state.unknowns[i] = m_content->values[indices.back()] - problem.priorValue(static_cast<std::size_t>(i));
-    for (Index j = 0; j <= i; ++j)
-      if (indices[static_cast<std::size_t>(i)] >= 0 && indices[static_cast<std::size_t>(j)] >= 0)
-        cofactor(i, j) = cofactor(j, i) =
-            m_content->cofactor(indices[static_cast<std::size_t>(i)], indices[static_cast<std::size_t>(j)]);
-  }
-  const VectorXd noStep = VectorXd::Zero(count);
-  for (int iteration = 0; iteration < 12; ++iteration) {
-    const double before = state.arcAngles[0];
-    state = problem.moved(state, {problem.equationsOf(state, 0)}, noStep);
-    if (std::abs(state.arcAngles[0] - before) < 1e-10) break;
-  }
+  const Prediction prediction = m_content->predictionFor(problem);
+  const JointState state = settled(problem, prediction.state);
   const VisitEquations equations = problem.equationsOf(state, 0);
-  const Index readings = equations.residual.size();
-  MatrixXd reduced(readings, count);
-  for (Index row = 0; row < readings; ++row)
-    reduced.row(row) = problem.spread(JointProblem::reduced(equations, row), 0).head(count).transpose();
-  const MatrixXd covariance =
-      MatrixXd::Identity(readings, readings) + reduced * cofactor * reduced.transpose();
   const VectorXd residual = equations.residual;
 
   VisitAgreement agreement;
-  agreement.tests = static_cast<int>(readings) - 1;
-  agreement.misfit = residual.dot(covariance.ldlt().solve(residual)) / m_content->variance;
+  agreement.tests = static_cast<int>(residual.size()) - 1;
+  agreement.misfit =
+      residual.dot(covarianceOf(problem, equations, prediction.cofactor).ldlt().solve(residual)) /
+      m_content->variance;
   const double freedom = m_content->freedom;
   agreement.probability = fUpperTail(agreement.misfit / agreement.tests, agreement.tests, freedom);
   agreement.logLikelihood = -(freedom + agreement.tests) / 2 * std::log1p(agreement.misfit / freedom) +
                             m_content->spacing.logLikelihood(rows.front().point, state.arcAngles[0]);
-  for (Index row = 0; row < readings; ++row) {
+  for (Index row = 0; row < residual.size(); ++row) {
     const std::size_t pair = static_cast<std::size_t>(row) / 2;
     const Angle sigma = pair >= rows.size() ? probe.sigmaSlider
                         : row % 2 == 0      ? probe.sigmaHorizontal
