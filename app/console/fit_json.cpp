@@ -81,7 +81,7 @@ Json reliabilityJson(const Measurement& measurement, const SessionFit& fit) {
                     {"residual_arcsec", Angle::fromRadians(reading.residual).arcseconds()},
                     {"redundancy", reading.redundancy},
                     {"minimal_detectable_bias_arcsec", reliability.minimalDetectableBias.arcseconds()},
-                    {"influence_mm", reliability.influence}});
+                    {"influence_mm", fit.intersection ? reliability.influence : undefined}});
   }
   return list;
 }
@@ -242,16 +242,11 @@ std::string fitJson(const std::string& name, const Measurement& measurement, con
     arc["as_printed"] = asPrintedJson(published.asPrinted);
     document["arcs"].push_back(std::move(arc));
   }
-  if (fit.intersection) {
+  if (fit.intersection)
     document["intersection"] = {
         {"value_mm", *fit.intersection}, {"sigma_mm", undefined},
         {"expanded_mm", undefined},      {"coverage", measurement.coverage},
         {"in_plane_mm", fit.inPlane},    {"as_printed_mm", fit.intersectionAsPrinted.value_or(undefined)}};
-    if (measurement.tolerance) {
-      const Verdict verdict = decide(*fit.intersection, undefined, *measurement.tolerance);
-      document["decision"] = {{"tolerance_mm", *measurement.tolerance}, {"verdict", verdictName(verdict)}};
-    }
-  }
   document["budget"] = Json::array();
   document["suspects"] = Json::array();
   document["findings"] = findingsJson(fit.findings);

@@ -50,6 +50,7 @@ Problem unsolvable(const ArcMeasurement& arc, std::string sentence) {
 
 Result<PublishedFit> fitArcAsPublished(const Measurement& measurement, const ArcMeasurement& arc) {
   constexpr int unknowns = 5, iterations = 2;
+  constexpr double printedStep = 1e-4;  // mm, the last digit that is printed
   const int places = static_cast<int>(visitsOf(arc).size());
   if (places < unknowns)
     return unsolvable(arc, "has readings of " + std::to_string(places) +
@@ -79,7 +80,7 @@ Result<PublishedFit> fitArcAsPublished(const Measurement& measurement, const Arc
   fit.arc.axisDeg = arc.axisDeg;
   fit.arc.circle = {unknown[1], up * unknown[2], radius};
   fit.arc.iterations = iterations;
-  fit.arc.converged = true;
+  fit.arc.converged = std::abs(fit.asPrinted.deltaRadius) < printedStep;
   fit.arc.degreesOfFreedom = static_cast<int>(2 * arc.sightings.size()) - places - unknowns;
   Measurement planar = measurement;
   planar.relation = VerticalAngleRelation::Planar;

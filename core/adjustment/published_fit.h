@@ -22,11 +22,11 @@ struct PublishedFit {
 ///   R0² − x_i² − y_i² = [−2R0, −2x_i, −2y_i, 2y_i² tan b − 2x_i y_i tan a, 2x_i² tan a − 2x_i y_i tan b] ·
 ///                       [ΔR, Δx, Δy, Δθx, Δθy]ᵀ
 ///
-/// is solved by least squares and R0 ← R0 + ΔR, exactly two times. (The paper prints +2y_i in rows 2..n: a
-/// misprint.) Kept for comparison only; it takes the vertical circle to read y/L, which no theodolite does,
-/// and is wrong by millimetres on this arc. Source: equations (2)-(9) of Cui, Ren, Yuan, Liu, "Intersection
-/// Measurement for Rotatable Arc Guideway System". Its covariance is not stated by the method and stays zero.
-/// Needs five different places.
+/// is solved by least squares and R0 ← R0 + ΔR, exactly two times; converged where the last ΔR is below
+/// 0.0001 mm. (The paper prints +2y_i in rows 2..n: a misprint.) Kept for comparison only; it takes the
+/// vertical circle to read y/L, which no theodolite does, and is wrong by millimetres on this arc. Source:
+/// equations (2)-(9) of Cui, Ren, Yuan, Liu, "Intersection Measurement for Rotatable Arc Guideway System".
+/// Its covariance is not stated by the method and stays zero. Needs five different places.
 Result<PublishedFit> fitArcAsPublished(const Measurement& measurement, const ArcMeasurement& arc);
 
 }  // namespace alidade

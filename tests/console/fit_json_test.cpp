@@ -140,6 +140,26 @@ TEST(FitJson, DecidesByTheGuardBand) {
   EXPECT_EQ(verdictAt(value - expanded - 0.001), "reject");
 }
 
+// With metres for millimetres every length of the fit is a thousandth, its uncertainty too: "accept" of
+// nothing.
+TEST(FitJson, WithholdsTheVerdictWhereTheLengthsAreOfAnotherUnit) {
+  const TemporaryFolder folder;
+  const Json fit = fitOf(folder.file("s.alidade", changedPaperSession([](Json& session) {
+                                       session["geometry"]["distance_mm"] = 2.405;
+                                       session["geometry"]["sigma_distance_mm"] = 0.001;
+                                     })));
+  EXPECT_EQ(fit["decision"]["verdict"], "undecided");
+  EXPECT_THAT(fit["decision"]["reason"].get<std::string>(), HasSubstr("geometry.distance_mm"));
+}
+
+// Two iterations have not converged where the radius still moves by 0.03 mm, as it does at 180°, and a method
+// without uncertainty decides nothing.
+TEST(FitJson, OfThePublishedMethodDecidesNothing) {
+  const Json fit = fitOf(paperSession, "published");
+  EXPECT_FALSE(fit.contains("decision"));
+  EXPECT_EQ(fit["arcs"][1]["converged"], false);
+}
+
 TEST(FitJson, HasNoDecisionWithoutATolerance) {
   const TemporaryFolder folder;
   const Json fit = fitOf(folder.file(
@@ -157,6 +177,7 @@ TEST(FitJson, HasNoIntersectionFromOnePositionAndSaysWhy) {
   EXPECT_EQ(fit["arcs"].size(), 1u);
   EXPECT_NEAR(fit["arcs"][0]["radius_mm"], 401.954264, printedFigures);
   EXPECT_EQ(fit["budget"], Json::array());
+  EXPECT_EQ(fit["reliability"][0]["influence_mm"], nullptr) << "there is no Δd to move";
   EXPECT_THAT(fit["findings"].dump(), HasSubstr("180°"));
 }
 
