@@ -6,7 +6,8 @@
 
 namespace alidade::console {
 
-/// One JSON document of the contract's keys: mm, arcseconds, catalogue units. `session` names it.
+/// One JSON document: lengths in mm, angles in arcseconds, parameters in the units of the catalogue.
+/// `session` names it.
 std::string diagnosisJson(const std::string& session, const Diagnosis& diagnosis);
 
 }  // namespace alidade::console

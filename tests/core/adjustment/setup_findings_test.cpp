@@ -31,6 +31,11 @@ std::string findingsOf(const Session& session) {
   return findingsOf(test::measurementOf(session));
 }
 
+/// In 0…360°.
+Angle positive(Angle angle) {
+  return wrapped(angle, Angle::fromDegrees(180));
+}
+
 /// Every row in both faces, each with the slider's reading.
 Session facesWithSlider() {
   Session session = test::paperSession();
@@ -40,8 +45,8 @@ Session facesWithSlider() {
       row.slider = std::to_string(10 * std::stoi(row.point)) + "°";
       rows.push_back(row);
       row.face = "2";
-      row.horizontal =
-          formatDms(*parseAngle(row.horizontal) + Angle::fromDegrees(180), 0, AngleSigns::Typewriter);
+      row.horizontal = formatDms(positive(*parseAngle(row.horizontal) + Angle::fromDegrees(180)), 0,
+                                 AngleSigns::Typewriter);
       row.vertical =
           formatDms(Angle::fromDegrees(360) - *parseAngle(row.vertical), 0, AngleSigns::Typewriter);
       rows.push_back(row);

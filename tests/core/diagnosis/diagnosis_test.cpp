@@ -110,9 +110,9 @@ TEST(Diagnosis, SeesNoiseThatIsLargerThanStated) {
   }
 }
 
-// The paper's own gap: the published relation read as if it were what a theodolite reads. PAPER.md's exact
-// fit, Δd = 1.307640 mm with a residual rms of 8.87″, has to come back; what is then left is scatter seven
-// times as large as stated, and nothing more can be said of 34 readings.
+// The paper's own gap: the published relation read as if it were what a theodolite reads. The exact fit
+// of the table, Δd = 1.307640 mm with a residual rms of 8.87″, has to come back; what is then left is scatter
+// seven times as large as stated, and nothing more can be said of 34 readings.
 TEST(Diagnosis, FindsTheGapOfThePaper) {
   Measurement measurement = test::paperMeasurement();
   measurement.relation = VerticalAngleRelation::Planar;

@@ -92,7 +92,7 @@ TEST(PlanReview, AgreesWithTheDiagnosisOnWhatIsUnseen) {
   }
 }
 
-// DIAGNOSIS.md's physics: a way back shows the drifts, both faces and the slider what one face alone cannot
+// Physics of the set-up: a way back shows the drifts, both faces and the slider what one face alone cannot
 // tell apart.
 TEST(PlanReview, SaysWhatToAdd) {
   const PlanReview paper = reviewOf("paper");
