@@ -9,6 +9,7 @@
 #include "core/base/random_source.h"
 #include "core/base/utf8.h"
 #include "core/effects/catalogue.h"
+#include "core/effects/cause_ids.h"
 #include "core/simulation/protocol.h"
 #include "core/simulation/simulate.h"
 #include "core/simulation/trial_score.h"
@@ -16,8 +17,6 @@
 namespace alidade {
 
 namespace {
-
-constexpr const char* relationId = "vertical_angle_relation";
 
 bool isOfSlider(const Effect& effect) {
   return std::ranges::any_of(effect.parameters, [](const EffectParameter& parameter) {
@@ -52,9 +51,9 @@ class Draw {
 
   void put(const std::string& kind) {
     if (kind == "none") return;
-    if (kind == "gross_error") return putMisreadings();
-    if (kind == "orientation_jump") return putJump();
-    if (kind == "underestimated_noise") {
+    if (kind == misreadingId) return putMisreadings();
+    if (kind == jumpId) return putJump();
+    if (kind == noiseId) {
       m_truth.noiseFactor = m_random.uniform(2, 4);
       return;
     }
@@ -242,9 +241,8 @@ class Draw {
 };
 
 std::vector<TrialKind> makeKinds() {
-  std::vector<TrialKind> kinds{{"none", 0.14},     {"gross_error", 0.08},          {"orientation_jump", 0.05},
-                               {relationId, 0.03}, {"underestimated_noise", 0.05}, {"two_causes", 0.05},
-                               {"unknown", 0.08}};
+  std::vector<TrialKind> kinds{{"none", 0.14},  {misreadingId, 0.08}, {jumpId, 0.05},   {relationId, 0.03},
+                               {noiseId, 0.05}, {"two_causes", 0.05}, {"unknown", 0.08}};
   double rest = 1;
   for (const TrialKind& kind : kinds) rest -= kind.weight;
   const double others = static_cast<double>(effectCatalogue().size()) - 1;

@@ -5,6 +5,7 @@
 
 #include "core/base/utf8.h"
 #include "core/diagnosis/diagnosis.h"
+#include "core/effects/cause_ids.h"
 #include "core/simulation/truth_text.h"
 
 namespace alidade {
@@ -58,7 +59,7 @@ std::optional<std::string> whyUnscorable(const SealedTruth& truth, std::string& 
            ", which is neither none, an effect that can be diagnosed, two_causes, several_causes nor "
            "unknown_…";
   key = "blunders";
-  if (truth.kind == "gross_error" && truth.misread.empty())
+  if (truth.kind == misreadingId && truth.misread.empty())
     return "must list the readings that are wrong where the kind is " + truth.kind;
   key = "visible_sigma";
   if (truth.visible && *truth.visible < 0) return "must not be negative";

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/effects/cause_ids.h"
+
 namespace alidade {
 
 namespace {
@@ -81,7 +83,7 @@ std::string_view nameOf(TrialClass trialClass) {
     case TrialClass::LookAlikes:
       return "look-alikes";
     case TrialClass::GrossError:
-      return "gross_error";
+      return misreadingId;
     case TrialClass::SeveralCauses:
       return "several causes";
     case TrialClass::Unknown:
@@ -94,7 +96,7 @@ std::string_view nameOf(TrialClass trialClass) {
 
 TrialClass classOf(const SealedTruth& truth) {
   if (truth.kind == "none") return TrialClass::None;
-  if (truth.kind == "gross_error") return TrialClass::GrossError;
+  if (truth.kind == misreadingId) return TrialClass::GrossError;
   if (isOfNoCatalogue(truth.kind)) return TrialClass::Unknown;
   if (truth.causes.size() > 1) return TrialClass::SeveralCauses;
   if (!truth.visible) return TrialClass::Other;

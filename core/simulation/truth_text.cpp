@@ -9,6 +9,7 @@
 #include "core/base/number_text.h"
 #include "core/base/utf8.h"
 #include "core/effects/catalogue.h"
+#include "core/effects/cause_ids.h"
 
 namespace alidade {
 
@@ -17,9 +18,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Numbers = std::vector<double>;
 
-constexpr const char* jumpId = "orientation_jump";
-constexpr const char* noiseId = "underestimated_noise";
-constexpr const char* grossId = "gross_error";
 constexpr const char* harmonicId = "form_harmonic";
 
 /// "tilt about x" of plane_tilt is plane_tilt.x; an only parameter goes by its effect's id.
@@ -75,7 +73,7 @@ bool isWhole(double number, double least) {
 std::optional<Problem> addMisreading(Truth& truth, const Numbers& n) {
   if (n.size() != 6 || (n[0] != 0 && n[0] != 180) || !isWhole(n[1], 1) || !isWhole(n[2], 0) ||
       (n[3] != 1 && n[3] != 2))
-    return wantsNumbers(grossId,
+    return wantsNumbers(misreadingId,
                         "axis (0 or 180), round, point, face and the horizontal and vertical error (arcsec)");
   truth.misreadings.push_back({static_cast<int>(n[0]), static_cast<int>(n[1]), static_cast<int>(n[2]),
                                static_cast<int>(n[3]), Angle::fromArcseconds(n[4]),
@@ -106,7 +104,7 @@ struct OtherEffect {
 
 constexpr std::array otherEffects = {
     OtherEffect{jumpId, "moment (0…1),horizontal,vertical (arcsec)", &addJump},
-    OtherEffect{grossId, "axis,round,point,face,horizontal,vertical (arcsec); may be repeated",
+    OtherEffect{misreadingId, "axis,round,point,face,horizontal,vertical (arcsec); may be repeated",
                 &addMisreading},
     OtherEffect{noiseId, "true noise over the stated", &addNoise},
     OtherEffect{harmonicId, "order,cosine,sine (mm): a form error outside the catalogue", &addHarmonic},
@@ -197,7 +195,7 @@ std::vector<std::string> trueCauses(const Truth& truth) {
         }))
       causes.emplace_back(effect.id);
   if (truth.jump) causes.emplace_back(jumpId);
-  if (!truth.misreadings.empty()) causes.emplace_back(grossId);
+  if (!truth.misreadings.empty()) causes.emplace_back(misreadingId);
   if (truth.noiseFactor > 1) causes.emplace_back(noiseId);
   if (truth.harmonic) causes.emplace_back("unknown_harmonic");
   if (truth.foreign) causes.push_back("unknown_" + std::string(nameOf(truth.foreign->kind)));

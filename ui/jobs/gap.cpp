@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/effects/catalogue.h"
+#include "core/effects/cause_ids.h"
 
 namespace alidade::ui {
 
@@ -74,8 +75,7 @@ const GapStage& Gap::asModelled() const {
 }
 
 bool Gap::isNoiseAlone() const {
-  return isOpen() && diagnosis->causes.size() == 1 &&
-         diagnosis->causes.front().effect == "underestimated_noise";
+  return isOpen() && diagnosis->causes.size() == 1 && diagnosis->causes.front().effect == noiseId;
 }
 
 Gap assessGap(SharedEvaluation evaluation, const std::stop_token& stop) {

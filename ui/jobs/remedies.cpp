@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/effects/cause_ids.h"
 #include "ui/text/quantity_text.h"
 
 namespace alidade::ui {
@@ -19,7 +20,7 @@ std::string twoDigits(double value) {
 }  // namespace
 
 std::optional<Jump> jumpOf(const Gap& gap, const Cause& cause) {
-  if (cause.effect != "orientation_jump" || cause.parameters.empty()) return std::nullopt;
+  if (cause.effect != jumpId || cause.parameters.empty()) return std::nullopt;
   const auto sequence = static_cast<std::size_t>(cause.parameters.back().value) - 1;
   const auto& arcs = gap.evaluation->examined.measurement->arcs;
   for (const ArcMeasurement& arc : arcs) {
@@ -39,7 +40,7 @@ std::optional<Jump> jumpOf(const Gap& gap, const Cause& cause) {
 }
 
 std::optional<StatedNoise> scatterOf(const Gap& gap, const Cause& cause) {
-  if (cause.effect != "underestimated_noise" || cause.parameters.empty()) return std::nullopt;
+  if (cause.effect != noiseId || cause.parameters.empty()) return std::nullopt;
   const Measurement& measurement = *gap.evaluation->examined.measurement;
   const double ratio = cause.parameters.front().value;
   return StatedNoise{twoDigits(ratio * measurement.sigmaHorizontal.arcseconds()),

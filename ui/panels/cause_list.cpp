@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/effects/catalogue.h"
+#include "core/effects/cause_ids.h"
 #include "ui/settings/theme.h"
 #include "ui/text/cause_text.h"
 #include "ui/text/effect_text.h"
@@ -124,15 +125,15 @@ void CauseList::addCause(const Gap& gap, const Cause& cause) {
   if (!cause.indistinguishableFrom.empty() && gap.diagnosis->causes.size() > 1)
     addText(
         tr("These readings cannot tell it from %1.").arg(causeNames(cause.indistinguishableFrom, tr("or"))));
-  if (cause.effect == "gross_error") return addMisreadings(cause);
-  if (cause.effect == "orientation_jump") return addJump(gap, cause);
-  if (cause.effect == "underestimated_noise") return addNoise(gap, cause);
+  if (cause.effect == misreadingId) return addMisreadings(cause);
+  if (cause.effect == jumpId) return addJump(gap, cause);
+  if (cause.effect == noiseId) return addNoise(gap, cause);
   addCatalogueButtons(gap, cause);
 }
 
 void CauseList::addCatalogueButtons(const Gap& gap, const Cause& cause) {
   const QString id = qText(cause.effect);
-  if (cause.effect == "vertical_angle_relation") {
+  if (cause.effect == relationId) {
     const bool isPlanar = gap.evaluation->examined.measurement->relation == VerticalAngleRelation::Planar;
     QPushButton* relation =
         addButton(isPlanar ? tr("Take exact vertical angles") : tr("Take planar vertical angles"),

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/effects/catalogue.h"
+#include "core/effects/cause_ids.h"
 #include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/quantity_text.h"
@@ -19,10 +20,10 @@ QString translated(const char* text) {
 }  // namespace
 
 QString causeName(const std::string& id) {
-  if (id == "orientation_jump") return translated("a jump of the orientation");
-  if (id == "gross_error") return translated("misread values");
-  if (id == "underestimated_noise") return translated("noise larger than stated");
-  if (id == "vertical_angle_relation") return translated("the vertical angle relation");
+  if (id == jumpId) return translated("a jump of the orientation");
+  if (id == misreadingId) return translated("misread values");
+  if (id == noiseId) return translated("noise larger than stated");
+  if (id == relationId) return translated("the vertical angle relation");
   return effectName(id);
 }
 
@@ -105,7 +106,7 @@ namespace {
 
 /// "without 2 misread values": each of these stages leaves out one more.
 QString withoutMisread(const Gap& gap, const GapStage& stage) {
-  const auto isMisread = [](const GapStage& other) { return other.effect == "gross_error"; };
+  const auto isMisread = [](const GapStage& other) { return other.effect == misreadingId; };
   const GapStage* end = gap.stages.data() + gap.stages.size();
   const auto all = std::count_if(gap.stages.data(), end, isMisread);
   const auto leftOut = std::count_if(gap.stages.data(), &stage + 1, isMisread);
@@ -120,7 +121,7 @@ QString stageText(const Gap& gap, const GapStage& stage) {
   if (stage.kind == GapStage::Kind::Bare)
     return gap.asModelled().kind == GapStage::Kind::Bare ? translated("as modelled")
                                                          : translated("without model effects");
-  if (stage.effect == "gross_error") return withoutMisread(gap, stage);
+  if (stage.effect == misreadingId) return withoutMisread(gap, stage);
   const QString name = causeTitle(stage.effect);
   return (stage.kind == GapStage::Kind::InModel ? translated("in the model: ") : QStringLiteral("+ ")) +
          name.left(1).toLower() + name.mid(1);

@@ -1,0 +1,13 @@
+#pragma once
+
+namespace alidade {
+
+// Ids of the causes that no error term of the catalogue makes up, and of the one effect that is there or not.
+// They stand in truth files and in results, like the ids of the catalogue.
+
+inline constexpr const char* jumpId = "orientation_jump";
+inline constexpr const char* misreadingId = "gross_error";
+inline constexpr const char* noiseId = "underestimated_noise";
+inline constexpr const char* relationId = "vertical_angle_relation";  ///< an effect of the catalogue
+
+}  // namespace alidade
