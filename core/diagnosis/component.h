@@ -30,7 +30,8 @@ struct Component {
   };
 
   Kind kind = Kind::Effect;
-  std::string id;                  ///< of the effect, or what the pattern follows
+  std::string id;  ///< of the effect, or what the pattern follows
+  Frame frame = Frame::Instrument;
   const Effect* effect = nullptr;  ///< of an Effect
   std::size_t moment = 0;          ///< of a Jump: sequence of the first row after it
   std::optional<std::size_t> onlyRow =

@@ -21,7 +21,10 @@ std::vector<Component> effectComponents(const Leftover& leftover, const std::vec
   Index count = 0;
   for (const Effect& effect : effectCatalogue()) {
     if (std::ranges::find(leftOut, effect.id) != leftOut.end()) continue;
-    components.push_back({.kind = Component::Kind::Effect, .id = std::string(effect.id), .effect = &effect});
+    components.push_back({.kind = Component::Kind::Effect,
+                          .id = std::string(effect.id),
+                          .frame = effect.frame,
+                          .effect = &effect});
     count += static_cast<Index>(effect.parameters.size());
   }
   MatrixXd columns(leftover.readings(), count);
@@ -94,7 +97,10 @@ std::vector<Component> jumpComponents(const Leftover& leftover, const PriorOdds&
   const std::size_t stride = moments.size() / mostMoments + 1;
   std::vector<Component> components;
   for (std::size_t m = 0; m < moments.size(); m += stride) {
-    components.push_back({.kind = Component::Kind::Jump, .id = "orientation_jump", .moment = moments[m]});
+    components.push_back({.kind = Component::Kind::Jump,
+                          .id = "orientation_jump",
+                          .frame = Frame::Time,
+                          .moment = moments[m]});
     const auto only = shownByOne.find(moments[m]);
     if (only != shownByOne.end()) components.back().onlyRow = only->second;
   }

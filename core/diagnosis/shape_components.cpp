@@ -120,6 +120,9 @@ MatrixXd settling(const VectorXd& elapsed) {
 
 class ShapeMaker {
  public:
+  /// What the patterns made from here on belong to.
+  void startFrame(Frame frame) { m_frame = frame; }
+
   /// Functions of what the carrier's cells have in common.
   void add(const std::string& id, const SharedCarrier& carrier, const MatrixXd& functions) {
     add(id, Pattern{{{carrier, functions}}});
@@ -162,6 +165,7 @@ class ShapeMaker {
 
  private:
   static constexpr std::size_t mostGroups = 80;
+  Frame m_frame = Frame::Guideway;
   std::vector<Component> m_components;
 
   void add(const std::string& id, Pattern pattern) {
@@ -170,8 +174,11 @@ class ShapeMaker {
     pattern.normalise();
     MatrixXd gram = pattern.visibleGram();
     if (gram.trace() < invisible * invisible) return;
-    m_components.push_back(
-        {.kind = Component::Kind::Shape, .id = id, .pattern = std::move(pattern), .gram = std::move(gram)});
+    m_components.push_back({.kind = Component::Kind::Shape,
+                            .id = id,
+                            .frame = m_frame,
+                            .pattern = std::move(pattern),
+                            .gram = std::move(gram)});
   }
 };
 
@@ -209,6 +216,7 @@ std::vector<Component> shapeComponents(const Leftover& leftover, const Measureme
   maker.addGroups("slider readings from place to place", slider, all.visits, point);
   const auto place = [&](Index i) { return std::pair(all.at(i).arc, all.rowOf(i).point); };
   maker.addGroups("radius from place to place in each position", radial, all.visits, place);
+  maker.startFrame(Frame::Time);
   const MatrixXd waves = smooth(all.elapsed, 10);
   maker.add("horizontal orientation with time", horizontal, waves);
   maker.add("vertical orientation with time", vertical, waves);
@@ -218,7 +226,9 @@ std::vector<Component> shapeComponents(const Leftover& leftover, const Measureme
   const auto isTurned = [&](Index i) { return all.arcOf(i).axisDeg != 0; };
   maker.add("distance with time", all.ofInstrument(leftover.column(ErrorTerm::PlaneOffset), isTurned),
             waves.leftCols(4));
+  maker.startFrame(Frame::Guideway);
   maker.add("slider readings along the scale", slider, smooth(toUnit(all.s), 6));
+  maker.startFrame(Frame::Instrument);
   const MatrixXd alongAzimuth = smooth(toUnit(all.a), 6), alongElevation = smooth(toUnit(all.e), 6);
   maker.add("horizontal readings with azimuth", horizontal, alongAzimuth);
   maker.add("vertical readings with elevation", vertical, alongElevation);
@@ -227,6 +237,7 @@ std::vector<Component> shapeComponents(const Leftover& leftover, const Measureme
   const auto isFace2 = [&](Index i) { return all.rowOf(i).face != 1; };
   maker.add("difference of the faces, horizontal", all.ofInstrument(ofHorizontal, isFace2), alongElevation);
   maker.add("difference of the faces, vertical", all.ofInstrument(ofVertical, isFace2), alongElevation);
+  maker.startFrame(Frame::Time);
   const auto block = [&](Index i) {
     return std::tuple(all.at(i).arc, all.rowOf(i).round, all.rowOf(i).face);
   };

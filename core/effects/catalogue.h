@@ -16,11 +16,20 @@ struct EffectParameter {
   double plausible;       ///< 1σ, in that unit
 };
 
+/// What an effect belongs to. The same guideway sighted in two positions tells what belongs to it from what
+/// belongs to the instrument.
+enum class Frame {
+  Guideway,    ///< its form, its place, the slider's scale
+  Instrument,  ///< its axes, circles and line of sight
+  Time,        ///< it comes as the session goes on
+};
+
 /// A physical effect of the catalogue: a few error terms of the forward model that belong together.
 struct Effect {
   std::string_view id;           ///< part of the file format
   std::string_view description;  ///< what it is, in a phrase
   std::string_view remedy;       ///< what to do about it at the machine, in a phrase
+  Frame frame;
   std::vector<EffectParameter> parameters;
 };
 
