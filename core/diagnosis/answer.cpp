@@ -192,7 +192,11 @@ std::vector<GapStep> stepsOf(const Inquiry& inquiry, const Answer& answer) {
     const GapModel& model = isLast ? answer.after : modelWith(inquiry, soFar);
     steps.push_back({id, sizeOf(model), estimateOf(model)});
   };
+  for (const Part& part : whole.parts)
+    if (inquiry.isMisreading(part)) soFar.parts.push_back(part);
+  if (!soFar.parts.empty() || !inquiry.farOff.empty()) note(misreadingId);
   for (const Part& part : whole.parts) {
+    if (inquiry.isMisreading(part)) continue;
     soFar.parts.push_back(part);
     note(inquiry.idOf(part));
   }

@@ -29,7 +29,7 @@ Answer conclude(const Inquiry& inquiry);
 /// what they differ by in σ.
 std::optional<IntersectionEstimate> afterwardsOf(const Inquiry& inquiry, const Answer& answer);
 
-/// The gap after each part of the explanation.
+/// The gap after each cause: without all readings blamed, then with each part of the explanation added.
 std::vector<GapStep> stepsOf(const Inquiry& inquiry, const Answer& answer);
 
 }  // namespace alidade

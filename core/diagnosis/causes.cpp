@@ -47,13 +47,14 @@ Cause largerNoise(const Inquiry& inquiry, const GapModel& after) {
 
 std::vector<Cause> causesOf(const Inquiry& inquiry, const Answer& answer) {
   std::vector<Cause> causes;
-  std::vector<BlamedReading> misread = inquiry.farOff;
+  std::vector<BlamedReading> misread;
+  for (const FarOff& far : inquiry.farOff) misread.push_back(blamed(inquiry, far.reading, far.sigmas));
   bool likeStep = false;
   const Explanation& explanation = answer.explanation;
   for (std::size_t p = 0; p < explanation.parts.size(); ++p) {
     const Part& part = explanation.parts[p];
     if (inquiry.isMisreading(part)) {
-      misread.push_back(blamed(inquiry, part));
+      misread.push_back(blamed(inquiry, inquiry.readingOf(part), part.weights[0]));
       likeStep = likeStep || !answer.lookAlikes[p].empty();
       continue;
     }

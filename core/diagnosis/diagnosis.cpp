@@ -27,14 +27,14 @@ Shrinkage shrinkageOf(const GapModel& before, const Inquiry& inquiry, const Answ
   const double rms = sizeOf(before).rms, excess = excessOf(before);
   if (rms > 0) shrink.inSample = 1 - sizeOf(answer.after).rms / rms;
   if (excess > 0) shrink.ofExcess = std::clamp(1 - excessOf(answer.after) / excess, 0.0, 1.0);
-  if (!answer.explanation.parts.empty())
-    shrink.heldOut = heldOutShrinkage(inquiry.leftover, answer.explanation, inquiry.candidates);
+  if (!answer.explanation.parts.empty() || !inquiry.farOff.empty())
+    shrink.heldOut = heldOutShrinkage(before, answer.after);
   return shrink;
 }
 
-std::vector<GapShare> whereOf(const Inquiry& inquiry) {
-  std::vector<GapShare> shares = sharesOfFrames(inquiry.leftover, inquiry.candidates, inquiry.explanations);
-  std::ranges::move(sharesOfReadings(inquiry.leftover, inquiry.base.measurement, inquiry.base.fit),
+std::vector<GapShare> whereOf(const Inquiry& inquiry, const Answer& answer) {
+  std::vector<GapShare> shares = sharesOfFrames(inquiry);
+  std::ranges::move(sharesOfReadings(inquiry.ofAll().leftover, inquiry.base.measurement, answer.after.fit),
                     std::back_inserter(shares));
   return shares;
 }
@@ -104,8 +104,8 @@ Result<Diagnosis> diagnose(const Measurement& measurement, const DiagnosisOption
   diagnosis.gap = sizeOf(*model);
   diagnosis.after = sizeOf(answer.after);
   diagnosis.shrink = shrinkageOf(*model, inquiry, answer);
-  diagnosis.candidates = candidatesOf(inquiry);
-  diagnosis.where = whereOf(inquiry);
+  diagnosis.candidates = candidatesOf(inquiry.ofAll());
+  diagnosis.where = whereOf(inquiry, answer);
   if (stop.stop_requested()) return stopped;
   diagnosis.steps = stepsOf(inquiry, answer);
   diagnosis.before = estimateOf(*model);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -28,18 +29,22 @@ enum class DiagnosisVerdict {
 /// "within-noise", "single-cause", …
 std::string_view nameOf(DiagnosisVerdict verdict);
 
-/// What a fit leaves over.
+/// What a fit leaves over. Without redundancy only rms is a number.
 struct GapSize {
-  double rms = 0;               ///< of the circle readings' residuals, arcseconds
-  double reducedChiSquare = 0;  ///< with the noise stated; after larger noise was found, with that
-  double pValue = 1;            ///< chance of so much by noise alone
+  double rms = 0;  ///< of the circle readings' residuals, arcseconds
+  /// With the noise stated; after larger noise was found, with that.
+  double reducedChiSquare = std::numeric_limits<double>::quiet_NaN();
+  /// Chance of so much by noise alone.
+  double pValue = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// How far the gap shrinks, each within 0…1 unless it grows.
 struct Shrinkage {
   double inSample = 0;  ///< 1 − rms after/rms before
   double ofExcess = 0;  ///< 1 − (χ² − f after)/(χ² − f before)
-  double heldOut = 0;   ///< 1 − rms after/rms before on readings that took no part in fitting the cause
+  /// 1 − rms after/rms before on readings that took no part in estimating circles and sizes of the causes;
+  /// which causes, at which moment or readings, all readings say. Not a number where too few are there.
+  double heldOut = 0;
 };
 
 struct CauseParameter {
@@ -75,8 +80,8 @@ struct Candidate {
 
 /// A part of the gap. The shares of one `by` add up to 1.
 struct GapShare {
-  std::string by;  ///< "frame", "position", "circle", "face", "round", "sector", "time"
-  std::string of;
+  std::string by;    ///< "frame", "position", "circle", "face", "round", "sector", "time"
+  std::string of;    ///< in the order of their values
   double share = 0;  ///< of the leftover beyond the noise, 0…1
 };
 
@@ -121,7 +126,7 @@ struct Diagnosis {
   std::vector<Cause> causes;          ///< the most certain first
   std::vector<Candidate> candidates;  ///< the best first
   std::vector<GapShare> where;
-  std::vector<GapStep> steps;  ///< one for each cause
+  std::vector<GapStep> steps;  ///< one for each cause, a gross_error first
   std::optional<IntersectionEstimate> before, afterwards;
   std::vector<UnseenEffect> unseen;           ///< the most dangerous first
   std::vector<Advice> advice;                 ///< the most telling first

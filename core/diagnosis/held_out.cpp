@@ -1,8 +1,8 @@
 #include "core/diagnosis/held_out.h"
 
-#include <Eigen/Cholesky>
+#include <Eigen/QR>
 #include <cmath>
-#include <set>
+#include <limits>
 
 namespace alidade {
 
@@ -12,77 +12,134 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 constexpr std::size_t folds = 5;
 
-/// Everything a prediction needs: what the fit takes up, then the causes, and the observations.
-struct Equations {
-  MatrixXd columns;
-  VectorXd observed, weights;  ///< `weights`: inverse prior variances
-  std::set<Index> without;     ///< readings blamed
+struct Row {
+  std::size_t fold = folds;  ///< none: known beforehand, or of no use
+  double arcseconds = 0;     ///< σ; 0 for a row that does not count
 };
 
-Equations equationsOf(const Leftover& leftover, const Explanation* explanation,
-                      const std::vector<Component>& candidates) {
-  Equations equations;
-  equations.columns = leftover.base();
-  equations.observed = leftover.observed();
-  equations.weights = VectorXd::Zero(equations.columns.cols());
-  if (!explanation) return equations;
-  for (const Part& part : explanation->parts) {
-    if (part.component >= candidates.size()) {
-      equations.without.insert(static_cast<Index>(part.component - candidates.size()));
-      continue;
-    }
-    const Component& component = candidates[part.component];
-    // One column: the cause as found, its size left free. Visible parts serve, since what they lack is
-    // what the fit takes up.
-    const VectorXd trace = signature(leftover, component, part.weights);
-    const Index last = equations.columns.cols();
-    equations.columns.conservativeResize(Eigen::NoChange, last + 1);
-    equations.columns.col(last) = trace;
-    equations.weights.conservativeResize(last + 1);
-    const double size = part.weights.norm() / part.width;
-    equations.weights[last] = size * size;
+/// Of a fit at its solution, whitened, the arc angles eliminated: rows for the readings, then for what is
+/// known beforehand. A reading alone in its visit says nothing and has no row.
+struct Equations {
+  MatrixXd columns;
+  VectorXd observed;
+  std::vector<Row> rows;
+};
+
+bool isEstimated(const Unknown& unknown) {
+  using enum Unknown::Kind;
+  return unknown.kind != HorizontalZero && unknown.kind != VerticalZero && unknown.kind != Distance;
+}
+
+/// The rows of readings [first, end), one visit, outside their arc angle.
+void addVisit(Equations& equations, const Linearised& set, const MatrixXd& columns, std::size_t first,
+              std::size_t end) {
+  std::vector<std::size_t> taking;
+  for (std::size_t i = first; i < end; ++i)
+    if (set.readings[i].takesPart) taking.push_back(i);
+  if (taking.size() < 2) return;
+  Eigen::RowVectorXd share = Eigen::RowVectorXd::Zero(columns.cols());
+  double residualShare = 0;
+  for (const std::size_t i : taking) {
+    share += set.readings[i].along * columns.row(static_cast<Index>(i));
+    residualShare += set.readings[i].along * set.readings[i].residual;
   }
+  for (const std::size_t i : taking) {
+    const LinearReading& reading = set.readings[i];
+    const auto row = static_cast<Index>(equations.rows.size());
+    equations.columns.row(row) = columns.row(static_cast<Index>(i)) - reading.along * share;
+    equations.observed[row] = reading.residual - reading.along * residualShare;
+    const bool counts = reading.kind != ReadingKind::Slider;
+    equations.rows.push_back(
+        {reading.visit % folds, counts ? Angle::fromRadians(reading.sigma).arcseconds() : 0});
+  }
+}
+
+Equations equationsOf(const GapModel& model) {
+  const Linearised set = linearise(model.measurement, model.fit, model.options, {});
+  std::vector<std::size_t> estimated;
+  for (std::size_t u = 0; u < set.unknowns.size(); ++u)
+    if (isEstimated(set.unknowns[u])) estimated.push_back(u);
+  const std::vector<EstimatedTerm>& terms = model.options.terms;
+  const auto readings = static_cast<Index>(set.readings.size()),
+             count = static_cast<Index>(estimated.size() + terms.size());
+  MatrixXd columns(readings, count);
+  for (Index i = 0; i < readings; ++i) {
+    Index column = 0;
+    for (const std::size_t u : estimated)
+      columns(i, column++) = set.ofUnknown(static_cast<std::size_t>(i), u);
+    for (const EstimatedTerm& term : terms)
+      columns(i, column++) = set.ofTerm(static_cast<std::size_t>(i), term.term);
+  }
+  Equations equations{MatrixXd::Zero(readings + count, count), VectorXd::Zero(readings + count), {}};
+  for (std::size_t first = 0, end = 0; first < set.readings.size(); first = end) {
+    while (end < set.readings.size() && set.readings[end].visit == set.readings[first].visit) ++end;
+    addVisit(equations, set, columns, first, end);
+  }
+  const auto know = [&](Index column, double sigma, double residual) {
+    if (std::isinf(sigma)) return;
+    const auto row = static_cast<Index>(equations.rows.size());
+    equations.columns(row, column) = 1 / sigma;
+    equations.observed[row] = residual;
+    equations.rows.push_back({});
+  };
+  Index column = 0;
+  for (const std::size_t u : estimated) know(column++, set.priorSigmas[u], set.priorResiduals[u]);
+  for (const EstimatedTerm& term : terms) {
+    const double value = set.termValues[static_cast<std::size_t>(term.term)];
+    know(column++, term.priorSigma, (term.priorValue - value) / term.priorSigma);
+  }
+  const auto rows = static_cast<Index>(equations.rows.size());
+  equations.columns.conservativeResize(rows, Eigen::NoChange);
+  equations.observed.conservativeResize(rows);
+  const VectorXd scale = equations.columns.colwise().norm().cwiseMax(1e-300).cwiseInverse();
+  equations.columns *= scale.asDiagonal();
   return equations;
 }
 
-/// Sum of squares of the predicted readings' errors, arcseconds.
-double predictionSquares(const Leftover& leftover, const Equations& equations,
-                         const std::set<Index>& uncounted) {
-  double sum = 0;
-  for (std::size_t fold = 0; fold < folds; ++fold) {
-    const auto kept = [&](Index i) {
-      return i >= leftover.readings() || leftover.reading(i).visit % folds != fold;
-    };
-    MatrixXd train = equations.columns;
-    VectorXd observed = equations.observed;
-    for (Index i = 0; i < train.rows(); ++i)
-      if (!kept(i) || equations.without.count(i)) {
-        train.row(i).setZero();
-        observed[i] = 0;
-      }
-    MatrixXd normal = train.transpose() * train;
-    normal.diagonal() += equations.weights;
-    normal.diagonal().array() += 1e-12;
-    const VectorXd solution = normal.ldlt().solve(train.transpose() * observed);
-    const VectorXd errors = equations.observed - equations.columns * solution;
-    for (Index i = 0; i < leftover.readings(); ++i) {
-      const LinearReading& reading = leftover.reading(i);
-      if (kept(i) || uncounted.count(i) || reading.kind == ReadingKind::Slider) continue;
-      sum += std::pow(errors[i] * Angle::fromRadians(reading.sigma).arcseconds(), 2);
-    }
+struct Squares {
+  double sum = 0;  ///< arcseconds²
+  int count = 0;
+
+  void add(const Squares& other) {
+    sum += other.sum;
+    count += other.count;
   }
-  return sum;
+};
+
+/// Of the errors with which a fold is predicted by the others; absent where they do not fix the unknowns.
+std::optional<Squares> predicted(const Equations& equations, std::size_t fold) {
+  constexpr double determined = 1e-9;  // of the longest column, at right angles to the others
+  std::vector<Index> own, others;
+  for (std::size_t i = 0; i < equations.rows.size(); ++i)
+    (equations.rows[i].fold == fold ? own : others).push_back(static_cast<Index>(i));
+  Eigen::ColPivHouseholderQR<MatrixXd> qr;
+  qr.setThreshold(determined);
+  qr.compute(equations.columns(others, Eigen::all));
+  if (qr.rank() < equations.columns.cols()) return std::nullopt;
+  const VectorXd solution = qr.solve(equations.observed(others));
+  const VectorXd errors = equations.observed(own) - equations.columns(own, Eigen::all) * solution;
+  Squares squares;
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    const double arcseconds = equations.rows[static_cast<std::size_t>(own[i])].arcseconds;
+    squares.sum += std::pow(errors[static_cast<Index>(i)] * arcseconds, 2);
+    squares.count += arcseconds > 0 ? 1 : 0;
+  }
+  return squares;
 }
 
 }  // namespace
 
-double heldOutShrinkage(const Leftover& leftover, const Explanation& explanation,
-                        const std::vector<Component>& candidates) {
-  const Equations before = equationsOf(leftover, nullptr, candidates);
-  const Equations after = equationsOf(leftover, &explanation, candidates);
-  const double squaresBefore = predictionSquares(leftover, before, {});
-  const double squaresAfter = predictionSquares(leftover, after, after.without);
-  return squaresBefore > 0 ? 1 - std::sqrt(squaresAfter / squaresBefore) : 0;
+double heldOutShrinkage(const GapModel& before, const GapModel& after) {
+  const Equations first = equationsOf(before), second = equationsOf(after);
+  Squares ofFirst, ofSecond;
+  for (std::size_t fold = 0; fold < folds; ++fold) {
+    const std::optional<Squares> one = predicted(first, fold), other = predicted(second, fold);
+    if (!one || !other) continue;
+    ofFirst.add(*one);
+    ofSecond.add(*other);
+  }
+  if (ofFirst.sum == 0 || ofSecond.count == 0) return std::numeric_limits<double>::quiet_NaN();
+  return 1 - std::sqrt(ofSecond.sum / ofSecond.count) / std::sqrt(ofFirst.sum / ofFirst.count);
 }
 
 }  // namespace alidade

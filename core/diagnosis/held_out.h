@@ -1,15 +1,18 @@
 #pragma once
 
-#include <vector>
-
-#include "core/diagnosis/component.h"
-#include "core/diagnosis/explanation.h"
+#include "core/diagnosis/gap_model.h"
 
 namespace alidade {
 
-/// For the .cpp files of this room only. 1 − rms after/rms before, arcseconds over the circle readings, when
-/// every fifth visit in turn is kept out of the fit of unknowns and causes, and then predicted.
-double heldOutShrinkage(const Leftover& leftover, const Explanation& explanation,
-                        const std::vector<Component>& candidates);
+/// For the .cpp files of this room only. 1 − rms after/rms before of the circle readings, arcseconds, on
+/// readings that took no part in the fit: every fifth visit in turn is kept out, circles, slider zeros and
+/// all numbers of the causes are estimated from the other visits, and what is kept out is predicted but for
+/// its arc angle.
+///
+/// What stays as all readings have it: which causes there are, the moment of a jump, which readings are
+/// blamed, the widths of the priors, and the place about which the equations are linear. Readings blamed are
+/// out of both fit and rms after, those alone in their visit with nothing left to check them too. Where the
+/// others fix no circle nothing is predicted; not a number where nothing is at all.
+double heldOutShrinkage(const GapModel& before, const GapModel& after);
 
 }  // namespace alidade

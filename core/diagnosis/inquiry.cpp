@@ -36,15 +36,16 @@ Inquiry inquireOnce(GapModel base, const DiagnosisOptions& options, const std::s
   std::vector<Component> candidates;
   if (!stop.stop_requested()) candidates = candidatesFor(base, leftover, options, search.odds);
   std::vector<Explanation> explanations = explain(leftover, candidates, search);
-  return {std::move(base), std::move(leftover), std::move(candidates), std::move(explanations), {}};
+  return {std::move(base), std::move(leftover), std::move(candidates), std::move(explanations), {}, {}};
 }
 
 /// Readings so far off that the equations at the fit they have spoiled say little.
-std::vector<Part> farOff(const Inquiry& inquiry) {
+std::vector<FarOff> farOff(const Inquiry& inquiry) {
   constexpr double farOffSigma = 300;
-  std::vector<Part> found;
+  std::vector<FarOff> found;
   for (const Part& part : inquiry.explanations.front().parts)
-    if (inquiry.isMisreading(part) && std::abs(part.weights[0]) > farOffSigma) found.push_back(part);
+    if (inquiry.isMisreading(part) && std::abs(part.weights[0]) > farOffSigma)
+      found.push_back({inquiry.readingOf(part), part.weights[0]});
   return found;
 }
 
@@ -88,18 +89,21 @@ std::vector<Component> effectsBeyond(const GapModel& model, const Leftover& left
 Inquiry inquire(const GapModel& model, const DiagnosisOptions& options, const std::stop_token& stop) {
   constexpr int mostRounds = 4;
   Inquiry inquiry = inquireOnce(model, options, stop);
+  std::shared_ptr<const Inquiry> first;
   for (int round = 0; round < mostRounds; ++round) {
-    const std::vector<Part> parts = farOff(inquiry);
-    if (parts.empty() || stop.stop_requested()) break;
-    std::vector<BlamedReading> readings = inquiry.farOff;
+    const std::vector<FarOff> found = farOff(inquiry);
+    if (found.empty() || stop.stop_requested()) break;
+    std::vector<FarOff> all = std::move(inquiry.farOff);
     GapModel next = inquiry.base;
-    for (const Part& part : parts) {
-      readings.push_back(blamed(inquiry, part));
-      next.options.without.push_back(readingRef(inquiry.leftover, inquiry.readingOf(part)));
+    for (const FarOff& far : found) {
+      all.push_back(far);
+      next.options.without.push_back(readingRef(inquiry.leftover, far.reading));
     }
     next.fit = fitJointly(next.measurement, next.starts, next.options);
+    if (!first) first = std::make_shared<const Inquiry>(std::move(inquiry));
     inquiry = inquireOnce(std::move(next), options, stop);
-    inquiry.farOff = std::move(readings);
+    inquiry.farOff = std::move(all);
+    inquiry.before = first;
   }
   return inquiry;
 }
@@ -117,10 +121,10 @@ BlamedReading blamed(const Measurement& measurement, const ReadingRef& ref, doub
           .size = size};
 }
 
-BlamedReading blamed(const Inquiry& inquiry, const Part& part) {
-  const ReadingRef ref = readingRef(inquiry.leftover, inquiry.readingOf(part));
+BlamedReading blamed(const Inquiry& inquiry, Eigen::Index reading, double sigmas) {
+  const ReadingRef ref = readingRef(inquiry.leftover, reading);
   return blamed(inquiry.base.measurement, ref,
-                part.weights[0] * statedSigma(inquiry.base.measurement, ref.kind).arcseconds());
+                sigmas * statedSigma(inquiry.base.measurement, ref.kind).arcseconds());
 }
 
 }  // namespace alidade

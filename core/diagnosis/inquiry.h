@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,13 +15,23 @@ namespace alidade {
 inline constexpr const char *jumpId = "orientation_jump", *misreadingId = "gross_error",
                             *noiseId = "underestimated_noise";
 
+/// A reading that was left out before the search, since it is off by far more than the equations bear.
+struct FarOff {
+  Eigen::Index reading = 0;  ///< index into the leftover's readings
+  double sigmas = 0;         ///< how far it is off, in its σ
+};
+
 /// The model it starts from, what it leaves over, and what explains that.
 struct Inquiry {
   GapModel base;
   Leftover leftover;
   std::vector<Component> candidates;
   std::vector<Explanation> explanations;  ///< the likeliest first
-  std::vector<BlamedReading> farOff;      ///< misread so far that `base` does without them
+  std::vector<FarOff> farOff;             ///< `base` does without them
+  std::shared_ptr<const Inquiry> before;  ///< what was found with all readings; null where none is far off
+
+  /// The inquiry into the gap as it is, of all readings.
+  const Inquiry& ofAll() const { return before ? *before : *this; }
 
   bool isMisreading(const Part& part) const { return part.component >= candidates.size(); }
   /// The index into the leftover's readings of a misreading.
@@ -47,7 +58,7 @@ Inquiry inquire(const GapModel& model, const DiagnosisOptions& options, const st
 
 /// A reading of the model, `size` in arcseconds.
 BlamedReading blamed(const Measurement& measurement, const ReadingRef& ref, double size);
-/// The reading that the part, a misreading, blames.
-BlamedReading blamed(const Inquiry& inquiry, const Part& part);
+/// An index into the leftover's readings, off by so many of its σ.
+BlamedReading blamed(const Inquiry& inquiry, Eigen::Index reading, double sigmas);
 
 }  // namespace alidade

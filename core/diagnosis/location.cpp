@@ -4,8 +4,6 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <set>
-#include <string_view>
 
 namespace alidade {
 
@@ -13,45 +11,62 @@ namespace {
 
 using Eigen::Index;
 
-/// What a component stays with when the guideway is turned and time goes on.
-std::string frameOf(const Component& component) {
-  if (component.kind == Component::Kind::Jump) return "time";
-  if (component.id.find("drift") != std::string::npos ||
-      component.id.find("with time") != std::string::npos ||
-      component.id.find("round to round") != std::string::npos)
-    return "time";
-  static const std::set<std::string_view> guideway{"plane_tilt",   "plane_offset",       "arc_ellipticity",
-                                                   "arc_lobing",   "gravity_sag",        "plane_warp",
-                                                   "slider_scale", "slider_eccentricity"};
-  if (guideway.contains(component.id)) return "guideway";
-  if (component.kind == Component::Kind::Shape &&
-      (component.id.find("guideway") != std::string::npos ||
-       component.id.find("place") != std::string::npos || component.id.find("slider") != std::string::npos))
-    return "guideway";
-  return "instrument";
+/// A way to divide the readings.
+enum class Division { Position, Circle, Face, Round, Sector, Time };
+
+constexpr int sectorWidth = 30;  // degrees of slider coordinate
+
+std::string nameOf(Division by) {
+  switch (by) {
+    case Division::Position:
+      return "position";
+    case Division::Circle:
+      return "circle";
+    case Division::Face:
+      return "face";
+    case Division::Round:
+      return "round";
+    case Division::Sector:
+      return "sector";
+    case Division::Time:
+      return "time";
+  }
+  return "";
+}
+
+/// `value`: degrees of the axis or where a sector begins, a `ReadingKind`, or a number counted from 1.
+std::string partName(Division by, int value) {
+  if (by == Division::Circle) return std::string(nameOf(static_cast<ReadingKind>(value)));
+  if (by == Division::Sector) return std::to_string(value) + "…" + std::to_string(value + sectorWidth) + "°";
+  if (by == Division::Time) return "quarter " + std::to_string(value);
+  return std::to_string(value);
+}
+
+int sectorOf(double s) {
+  return static_cast<int>(std::floor(s * 180 / std::numbers::pi / sectorWidth)) * sectorWidth;
 }
 
 class Tally {
  public:
-  void add(const std::string& by, const std::string& of, double square, double expected) {
-    Sum& sum = m_sums[by][of];
+  void add(Division by, int value, double square, double expected) {
+    Sum& sum = m_sums[by][value];
     sum.square += square;
     sum.expected += expected;
   }
 
   std::vector<GapShare> shares() const {
     std::vector<GapShare> shares;
-    for (const auto& [by, groups] : m_sums) {
+    for (const auto& [by, parts] : m_sums) {
       double beyond = 0, all = 0;
-      for (const auto& [of, sum] : groups) {
+      for (const auto& [value, sum] : parts) {
         beyond += std::max(0.0, sum.square - sum.expected);
         all += sum.square;
       }
-      for (const auto& [of, sum] : groups) {
+      for (const auto& [value, sum] : parts) {
         const double part = beyond > 0 ? std::max(0.0, sum.square - sum.expected) / beyond
                             : all > 0  ? sum.square / all
-                                       : 1.0 / static_cast<double>(groups.size());
-        shares.push_back({by, of, part});
+                                       : 1.0 / static_cast<double>(parts.size());
+        shares.push_back({nameOf(by), partName(by, value), part});
       }
     }
     return shares;
@@ -61,15 +76,8 @@ class Tally {
   struct Sum {
     double square = 0, expected = 0;
   };
-  std::map<std::string, std::map<std::string, Sum>> m_sums;
+  std::map<Division, std::map<int, Sum>> m_sums;
 };
-
-std::string sectorOf(double s) {
-  constexpr int width = 30;  // degrees of slider coordinate
-  const int from = static_cast<int>(std::floor(s * 180 / std::numbers::pi / width)) * width;
-  std::string name = std::to_string(from) + "…" + std::to_string(from + width) + "°";
-  return name;
-}
 
 }  // namespace
 
@@ -87,7 +95,7 @@ std::vector<GapShare> sharesOfReadings(const Leftover& leftover, const Measureme
     for (; next < readings && isOfSameRow(first, next); ++next) {
       if (!leftover.reading(next).takesPart) continue;
       const double square = std::pow(leftover.residual()[next], 2), expected = leftover.redundancy(next);
-      tally.add("circle", std::string(nameOf(leftover.reading(next).kind)), square, expected);
+      tally.add(Division::Circle, static_cast<int>(leftover.reading(next).kind), square, expected);
       squares += square;
       expectations += expected;
       any = true;
@@ -98,39 +106,50 @@ std::vector<GapShare> sharesOfReadings(const Leftover& leftover, const Measureme
     const Sighting& sighting = arc.sightings[reading.sighting];
     const auto quarter = 4 * sighting.sequence / std::max<std::size_t>(measurement.rows, 1);
     const double s = (arc.axisDeg == 0 ? 1 : -1) * fit.arcAngles[reading.arc][reading.sighting];
-    const auto add = [&](const char* by, const std::string& of) { tally.add(by, of, squares, expectations); };
-    add("position", std::to_string(arc.axisDeg));
-    add("face", std::to_string(sighting.face));
-    add("round", std::to_string(sighting.round));
-    add("sector", sectorOf(s));
-    add("time", "quarter " + std::to_string(quarter + 1));
+    const auto add = [&](Division by, int value) { tally.add(by, value, squares, expectations); };
+    add(Division::Position, arc.axisDeg);
+    add(Division::Face, sighting.face);
+    add(Division::Round, sighting.round);
+    add(Division::Sector, sectorOf(s));
+    add(Division::Time, static_cast<int>(quarter) + 1);
   }
   return tally.shares();
 }
 
-std::vector<GapShare> sharesOfFrames(const Leftover& leftover, const std::vector<Component>& candidates,
-                                     const std::vector<Explanation>& explanations) {
-  std::map<std::string, double> energies{
-      {"guideway", 0}, {"instrument", 0}, {"time", 0}, {"readings", 0}, {"noise", 0}};
-  for (const Explanation& explanation : explanations) {
+std::vector<GapShare> sharesOfFrames(const Inquiry& inquiry) {
+  constexpr double negligible = 1e-6;
+  const Leftover& leftover = inquiry.leftover;
+  std::map<Frame, double> frames;
+  double readings = 0, noise = 0;
+  const auto square = [&](Index reading, double sigmas) {
+    return sigmas * sigmas * inquiry.ofAll().leftover.redundancy(reading);
+  };
+  for (const FarOff& far : inquiry.farOff) readings += square(far.reading, far.sigmas);
+  for (const Explanation& explanation : inquiry.explanations) {
     const double chance = explanation.chance;
-    if (chance < 1e-6) continue;
-    for (const Part& part : explanation.parts) {
-      const bool isReading = part.component >= candidates.size();
-      const double energy =
-          isReading ? std::pow(part.weights[0], 2) *
-                          leftover.redundancy(static_cast<Index>(part.component - candidates.size()))
-                    : signatureSquare(candidates[part.component], part.weights);
-      energies[isReading ? "readings" : frameOf(candidates[part.component])] += chance * energy;
-    }
-    energies["noise"] += chance * std::max(0.0, explanation.chiSquare - leftover.degreesOfFreedom());
+    if (chance < negligible) continue;
+    for (const Part& part : explanation.parts)
+      if (inquiry.isMisreading(part))
+        readings += chance * square(inquiry.readingOf(part), part.weights[0]);
+      else
+        frames[inquiry.candidates[part.component].frame] +=
+            chance * signatureSquare(inquiry.candidates[part.component], part.weights);
+    noise += chance * std::max(0.0, explanation.chiSquare - leftover.degreesOfFreedom());
   }
-  double sum = 0;
-  for (const auto& [frame, energy] : energies) sum += energy;
+  const double guideway = frames[Frame::Guideway], instrument = frames[Frame::Instrument];
   std::vector<GapShare> shares;
-  shares.reserve(energies.size());
-  for (const auto& [frame, energy] : energies)
-    shares.push_back({"frame", frame, sum > 0 ? energy / sum : frame == "noise" ? 1.0 : 0.0});
+  if (inquiry.base.measurement.arcs.size() > 1) {
+    shares.push_back({"frame", "guideway", guideway});
+    shares.push_back({"frame", "instrument", instrument});
+  } else {
+    shares.push_back({"frame", "guideway or instrument", guideway + instrument});
+  }
+  shares.push_back({"frame", "time", frames[Frame::Time]});
+  shares.push_back({"frame", "readings", readings});
+  shares.push_back({"frame", "noise", noise});
+  double sum = 0;
+  for (const GapShare& share : shares) sum += share.share;
+  for (GapShare& share : shares) share.share = sum > 0 ? share.share / sum : share.of == "noise" ? 1.0 : 0.0;
   return shares;
 }
 

@@ -2,22 +2,22 @@
 
 #include <vector>
 
-#include "core/diagnosis/component.h"
 #include "core/diagnosis/diagnosis.h"
-#include "core/diagnosis/explanation.h"
+#include "core/diagnosis/inquiry.h"
 
 namespace alidade {
 
 // Where a gap lies. For the .cpp files of this room only.
 
-/// By position, circle, face, round, sector of the slider and quarter of the session: the leftover's sum of
-/// squares beyond what noise leaves there; where nothing is beyond, the plain sum of squares.
+/// By position, circle, face, round, sector of the slider and quarter of the session, in the order of their
+/// values: the leftover's sum of squares beyond what noise leaves there; where nothing is beyond, the plain
+/// sum of squares. `fit`: tells where on the arc each row was sighted.
 std::vector<GapShare> sharesOfReadings(const Leftover& leftover, const Measurement& measurement,
                                        const JointFit& fit);
 
-/// By frame: what the explanations take up, each as often as it is likely, by what the cause stays with:
-/// "guideway", "instrument", "time", "readings"; what none takes up is "noise".
-std::vector<GapShare> sharesOfFrames(const Leftover& leftover, const std::vector<Component>& candidates,
-                                     const std::vector<Explanation>& explanations);
+/// By frame: what the explanations take up, each as often as it is likely, by what the cause belongs to:
+/// "guideway", "instrument", "time", "readings"; what none takes up is "noise". One position alone does not
+/// tell the first two apart: they are one share, "guideway or instrument".
+std::vector<GapShare> sharesOfFrames(const Inquiry& inquiry);
 
 }  // namespace alidade

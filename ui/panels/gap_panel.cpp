@@ -198,9 +198,13 @@ void GapPanel::showShrinkage() {
   const Diagnosis& diagnosis = *m_gap->diagnosis;
   QStringList says;
   if (!diagnosis.steps.empty() && diagnosis.shrink.inSample > 0.005)
-    says.append(tr("The residuals shrink by %1 %, by %2 % on readings held out of the fit.")
-                    .arg(numberText(100 * diagnosis.shrink.inSample, 0),
-                         numberText(100 * diagnosis.shrink.heldOut, 0)));
+    says.append(
+        std::isfinite(diagnosis.shrink.heldOut)
+            ? tr("The residuals shrink by %1 %, by %2 % on readings held out of the fit.")
+                  .arg(numberText(100 * diagnosis.shrink.inSample, 0),
+                       numberText(100 * diagnosis.shrink.heldOut, 0))
+            : tr("The residuals shrink by %1 %; there are too few readings to hold any out of the fit.")
+                  .arg(numberText(100 * diagnosis.shrink.inSample, 0)));
   const bool isAmbiguous = diagnosis.verdict == DiagnosisVerdict::Ambiguous;
   if (isAmbiguous)
     says.append(
