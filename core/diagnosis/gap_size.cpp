@@ -19,8 +19,8 @@ GapSize sizeOf(const GapModel& model) {
     ++count;
   }
   const double f = model.fit.degreesOfFreedom, chiSquare = model.fit.chiSquare / (model.noise * model.noise);
-  return {count > 0 ? std::sqrt(squares / count) : 0, f > 0 ? chiSquare / f : 0,
-          f > 0 ? chiSquareUpperTail(chiSquare, f) : 1};
+  const double rms = count > 0 ? std::sqrt(squares / count) : 0;
+  return f > 0 ? GapSize{rms, chiSquare / f, chiSquareUpperTail(chiSquare, f)} : GapSize{.rms = rms};
 }
 
 double excessOf(const GapModel& model) {

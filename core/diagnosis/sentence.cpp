@@ -1,5 +1,7 @@
 #include "core/diagnosis/sentence.h"
 
+#include <cmath>
+
 #include "core/base/quantity_text.h"
 
 namespace alidade {
@@ -18,17 +20,33 @@ bool shrinks(const Diagnosis& diagnosis) {
   return diagnosis.causes.front().effect != "underestimated_noise";
 }
 
+std::string from(double before, double after, int decimals) {
+  return "from " + displayText(before, decimals) + "″ to " + displayText(after, decimals) + "″";
+}
+
+/// Where the circles' σ differ much, χ² may fall while the residuals, in arcseconds, do not.
+std::string change(const GapSize& before, const GapSize& after) {
+  const auto differ = [&](int decimals) {
+    return displayText(before.rms, decimals) != displayText(after.rms, decimals);
+  };
+  const std::string figures = from(before.rms, after.rms, differ(1) ? 1 : 2);
+  if (after.rms < before.rms && differ(2)) return "the residuals shrink " + figures;
+  const std::string residuals = differ(2) ? "grow " + figures : "stay at " + displayText(after.rms, 2) + "″";
+  if (std::isnan(after.reducedChiSquare)) return "the residuals " + residuals;
+  return "reduced χ² goes from " + displayText(before.reducedChiSquare, 2) + " to " +
+         displayText(after.reducedChiSquare, 2) + "; the residuals, counted alike, " + residuals;
+}
+
 std::string shrunk(const Diagnosis& diagnosis) {
   const std::string& first = diagnosis.causes.front().effect;
   if (!shrinks(diagnosis))
     return " The readings scatter " + displayText(diagnosis.causes.front().parameters.front().value, 1) +
            " times as much as stated, without a pattern.";
   const std::string with = first == "gross_error" && diagnosis.causes.size() == 1
-                               ? " Without the readings blamed"
-                           : diagnosis.causes.size() == 1 ? " With it in the model"
-                                                          : " With them in the model";
-  return with + " the residuals shrink from " + displayText(diagnosis.gap.rms, 1) + "″ to " +
-         displayText(diagnosis.after.rms, 1) + "″.";
+                               ? " Without the readings blamed "
+                           : diagnosis.causes.size() == 1 ? " With it in the model "
+                                                          : " With them in the model ";
+  return with + change(diagnosis.gap, diagnosis.after) + ".";
 }
 
 std::string causesNamed(const Diagnosis& diagnosis) {
@@ -43,6 +61,9 @@ std::string causesNamed(const Diagnosis& diagnosis) {
 std::string sentenceFor(const Diagnosis& diagnosis) {
   switch (diagnosis.verdict) {
     case DiagnosisVerdict::WithinNoise:
+      if (std::isnan(diagnosis.gap.pValue))
+        return "Nothing checks the model: these readings just fix the circles and leave nothing over. Sight "
+               "more places.";
       return "The readings agree with the model within their stated noise: there is no gap to explain.";
     case DiagnosisVerdict::SingleCause:
       return "The gap is caused by " + causesNamed(diagnosis) + "." + shrunk(diagnosis);

@@ -17,7 +17,8 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double longestMm = 1e6;
-constexpr double largestSigmaArcsec = 3600;
+// Finer than any circle reads; far below, evidence and weights lose their digits.
+constexpr double leastSigmaArcsec = 0.001, largestSigmaArcsec = 3600;
 
 enum class Bound { Included, Excluded };
 
@@ -32,18 +33,21 @@ struct NumberRule {
 };
 
 constexpr const char* lengthRange = "above 0 and below 1000000 mm";
-constexpr const char* sigmaRange = "above 0 and below 3600 arcseconds";
+constexpr const char* sigmaRange = "at least 0.001 and below 3600 arcseconds";
 
 constexpr std::array numberRules = {
-    NumberRule{"instrument.sigma_horizontal_arcsec", 0, Bound::Excluded, largestSigmaArcsec, 2, sigmaRange},
-    NumberRule{"instrument.sigma_vertical_arcsec", 0, Bound::Excluded, largestSigmaArcsec, 2, sigmaRange},
+    NumberRule{"instrument.sigma_horizontal_arcsec", leastSigmaArcsec, Bound::Included, largestSigmaArcsec, 2,
+               sigmaRange},
+    NumberRule{"instrument.sigma_vertical_arcsec", leastSigmaArcsec, Bound::Included, largestSigmaArcsec, 2,
+               sigmaRange},
     NumberRule{"instrument.sigma_zero_arcsec",
                0,
                Bound::Included,
                largestSigmaArcsec,
                {},
                "0 or more and below 3600 arcseconds"},
-    NumberRule{"instrument.sigma_slider_arcsec", 0, Bound::Excluded, largestSigmaArcsec, 5, sigmaRange},
+    NumberRule{"instrument.sigma_slider_arcsec", leastSigmaArcsec, Bound::Included, largestSigmaArcsec, 5,
+               sigmaRange},
     NumberRule{"environment.temperature_c", -273.15, Bound::Included, 1000, {}, "a temperature in °C"},
     NumberRule{"geometry.distance_mm",
                0,

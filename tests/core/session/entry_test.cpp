@@ -45,7 +45,8 @@ TEST(Entry, UnusableTextsAreExplained) {
   EXPECT_THAT(sentence("geometry.distance_mm", "0"), HasSubstr("“0” is out of range: it must be above 0"));
   EXPECT_THAT(sentence("geometry.radius_mm", "1e6"), HasSubstr("out of range"));
   EXPECT_THAT(sentence("geometry.radius_mm", "400 mm"), HasSubstr("leave out “mm”"));
-  EXPECT_THAT(sentence("instrument.sigma_horizontal_arcsec", "0"), HasSubstr("must be above 0"));
+  for (const char* sigma : {"0", "0.0009"})
+    EXPECT_THAT(sentence("instrument.sigma_horizontal_arcsec", sigma), HasSubstr("must be at least 0.001"));
   EXPECT_THAT(sentence("environment.temperature_c", "-300"), HasSubstr("must be a temperature in °C"));
   EXPECT_THAT(sentence("acceptance.coverage", "1"), HasSubstr("must be between 0 and 1"));
   EXPECT_THAT(sentence("readings.horizontal", ""), HasSubstr("is empty: type an angle"));
