@@ -4,6 +4,7 @@
 
 #include "app/console/diagnosis_json.h"
 #include "app/console/diagnosis_text.h"
+#include "app/console/findings_output.h"
 #include "app/console/session_input.h"
 #include "core/diagnosis/diagnosis.h"
 
@@ -31,9 +32,12 @@ Result<std::string> runDiagnose(const DiagnoseRequest& request) {
   if (!request.verticalAngle.empty())
     measurement.relation =
         request.verticalAngle == "planar" ? VerticalAngleRelation::Planar : VerticalAngleRelation::Exact;
+  const Result<std::vector<Finding>> findings = findingsBeforehand(measurement);
+  if (!findings) return findings.problem();
   const Result<Diagnosis> diagnosis = diagnose(measurement, {.without = request.without});
   if (!diagnosis) return diagnosis.problem();
-  return request.json ? diagnosisJson(input->name, *diagnosis) : diagnosisText(input->name, *diagnosis);
+  return request.json ? diagnosisJson(input->name, *diagnosis, *findings)
+                      : diagnosisText(input->name, *diagnosis, *findings);
 }
 
 }  // namespace alidade::console

@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/console/findings_output.h"
+
 namespace alidade::console {
 
 namespace {
@@ -46,7 +48,8 @@ Json listJson(const List& list, const Make& make) {
 
 }  // namespace
 
-std::string diagnosisJson(const std::string& session, const Diagnosis& diagnosis) {
+std::string diagnosisJson(const std::string& session, const Diagnosis& diagnosis,
+                          const std::vector<Finding>& findings) {
   Json json;
   json["session"] = session;
   json["verdict"] = nameOf(diagnosis.verdict);
@@ -83,6 +86,7 @@ std::string diagnosisJson(const std::string& session, const Diagnosis& diagnosis
   });
   if (diagnosis.shape)
     json["shape"] = {{"follows", diagnosis.shape->follows}, {"share", diagnosis.shape->share}};
+  json["findings"] = findingsJson(findings);
   return json.dump(2) + "\n";
 }
 

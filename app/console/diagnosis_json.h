@@ -1,13 +1,16 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "core/base/finding.h"
 #include "core/diagnosis/diagnosis.h"
 
 namespace alidade::console {
 
-/// One JSON document: lengths in mm, angles in arcseconds, parameters in the units of the catalogue.
-/// `session` names it.
-std::string diagnosisJson(const std::string& session, const Diagnosis& diagnosis);
+/// One JSON document: lengths in mm, angles in arcseconds, parameters in the units of the catalogue, null for
+/// what is no number. `session` names it, `findings` were made beforehand.
+std::string diagnosisJson(const std::string& session, const Diagnosis& diagnosis,
+                          const std::vector<Finding>& findings);
 
 }  // namespace alidade::console

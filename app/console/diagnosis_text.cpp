@@ -1,7 +1,9 @@
 #include "app/console/diagnosis_text.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "app/console/findings_output.h"
 #include "app/console/text_layout.h"
 #include "core/base/number_text.h"
 #include "core/base/quantity_text.h"
@@ -21,14 +23,17 @@ std::string listed(const std::vector<std::string>& ids) {
 std::string gapText(const Diagnosis& diagnosis) {
   const auto row = [](const std::string& name, const GapSize& size,
                       const std::optional<IntersectionEstimate>& estimate) {
-    return std::vector<std::string>{name, fixedText(size.rms, 2), fixedText(size.reducedChiSquare, 2),
-                                    estimate ? fixedText(estimate->value, 4) : "none",
-                                    estimate ? fixedText(estimate->expanded, 4) : "none"};
+    return std::vector<std::string>{
+        name, fixedText(size.rms, 2),
+        std::isnan(size.reducedChiSquare) ? "none" : fixedText(size.reducedChiSquare, 2),
+        estimate ? fixedText(estimate->value, 4) : "none",
+        estimate ? fixedText(estimate->expanded, 4) : "none"};
   };
   Rows rows{{"", "rms (″)", "reduced χ²", "Δd (mm)", "U (mm)"},
             row("as modelled", diagnosis.gap, diagnosis.before)};
   for (const GapStep& step : diagnosis.steps)
-    rows.push_back(row("with " + step.effect, step.size, step.intersection));
+    rows.push_back(row(step.effect == "gross_error" ? "without the misread values" : "with " + step.effect,
+                       step.size, step.intersection));
   const auto& last = diagnosis.steps.empty() ? diagnosis.afterwards : diagnosis.steps.back().intersection;
   if (last && diagnosis.afterwards && last->expanded != diagnosis.afterwards->expanded)
     rows.push_back(row("averaged over its look-alikes", diagnosis.after, diagnosis.afterwards));
@@ -59,20 +64,29 @@ std::string causeText(const Cause& cause) {
   return text;
 }
 
-/// The shares of one division of the readings, largest first, those of less than a percent left out.
+/// "face 1", "180°", "30…60°", "horizontal".
+std::string partText(const GapShare& share) {
+  if (share.by == "position") return share.of + "°";
+  if (share.by == "face" || share.by == "round") return share.by + " " + share.of;
+  return share.of;
+}
+
+/// A line for each division of the readings, its parts in their order, those of less than a percent left out.
 std::string whereText(const Diagnosis& diagnosis) {
-  std::string text = "\nWhere it lies\n";
-  std::string by;
-  std::string line;
+  std::string text = "\nWhere it lies\n", by, line;
+  const auto end = [&] { text += line.empty() ? "" : paragraph(line, 4); };
   for (const GapShare& share : diagnosis.where) {
     if (share.by != by) {
-      if (!line.empty()) text += paragraph(line, 4);
+      end();
       by = share.by;
-      line = "  by " + by + ":";
+      line = "  by " + by + " –";
     }
-    if (share.share >= 0.01) line += " " + share.of + " " + fixedText(100 * share.share, 0) + " %;";
+    if (share.share < 0.01) continue;
+    line +=
+        (line.ends_with("%") ? ", " : " ") + partText(share) + ": " + fixedText(100 * share.share, 0) + " %";
   }
-  return text + paragraph(line, 4);
+  end();
+  return text;
 }
 
 std::string adviceText(const Diagnosis& diagnosis) {
@@ -96,12 +110,13 @@ std::string unseenText(const Diagnosis& diagnosis) {
 
 }  // namespace
 
-std::string diagnosisText(const std::string& session, const Diagnosis& diagnosis) {
+std::string diagnosisText(const std::string& session, const Diagnosis& diagnosis,
+                          const std::vector<Finding>& findings) {
   std::string text = session + "\n\nVerdict: " + std::string(nameOf(diagnosis.verdict)) + "\n" +
                      paragraph(diagnosis.sentence) + gapText(diagnosis);
   for (const Cause& cause : diagnosis.causes) text += causeText(cause);
   if (diagnosis.verdict != DiagnosisVerdict::WithinNoise) text += whereText(diagnosis);
-  return text + adviceText(diagnosis) + unseenText(diagnosis);
+  return text + adviceText(diagnosis) + unseenText(diagnosis) + findingsText(findings);
 }
 
 }  // namespace alidade::console

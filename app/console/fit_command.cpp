@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "app/console/findings_output.h"
 #include "app/console/fit_json.h"
 #include "app/console/fit_text.h"
 #include "app/console/option_checks.h"
@@ -15,14 +16,6 @@
 namespace alidade::console {
 
 namespace {
-
-/// Why not every arc of the measurement was fitted: the first error found.
-Problem absence(const std::vector<Finding>& findings) {
-  const auto error = std::find_if(findings.begin(), findings.end(),
-                                  [](const Finding& finding) { return finding.severity == Severity::Error; });
-  if (error == findings.end()) return {"there are no readings to fit; enter those of the axis positions"};
-  return {error->remedy.empty() ? error->text : error->text + " " + error->remedy, error->where};
-}
 
 Result<std::string> rigorousAnswer(const FitRequest& request, const std::string& name, const Session& session,
                                    const Measurement& measurement) {

@@ -4,6 +4,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "app/console/findings_output.h"
 #include "core/adjustment/reliability.h"
 #include "core/adjustment/two_faces.h"
 
@@ -142,29 +143,6 @@ Json suspectJson(const Suspect& suspect) {
           {"where", suspect.where.path()},
           {"rivals", std::move(rivals)},
           {"proposals", std::move(proposals)}};
-}
-
-std::string severityName(Severity severity) {
-  switch (severity) {
-    case Severity::Note:
-      return "note";
-    case Severity::Warning:
-      return "warning";
-    case Severity::Error:
-      return "error";
-  }
-  return "";
-}
-
-Json findingsJson(const std::vector<Finding>& findings) {
-  Json list = Json::array();
-  for (const Finding& finding : findings) {
-    list.push_back({{"severity", severityName(finding.severity)},
-                    {"text", finding.text},
-                    {"remedy", finding.remedy},
-                    {"where", finding.where.path()}});
-  }
-  return list;
 }
 
 Json spreadJson(const Spread& spread) {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "app/console/findings_output.h"
 #include "app/console/text_layout.h"
 #include "app/console/two_faces_text.h"
 #include "core/base/number_text.h"
@@ -108,23 +109,6 @@ std::string monteCarloText(const MonteCarlo& check) {
   return "\n" + alignedColumns(rows) +
          paragraph(std::to_string(check.draws) + " draws, seed " + std::to_string(check.seed) + ". " +
                    failed + (check.intersection ? linearSentence(check) : ""));
-}
-
-std::string findingText(const Finding& finding) {
-  std::string text = finding.severity == Severity::Note      ? "Note: "
-                     : finding.severity == Severity::Warning ? "Warning: "
-                                                             : "Error: ";
-  const std::string place = finding.where.path();
-  if (!place.empty()) text += place + ": ";
-  text += finding.text;
-  return "  " + paragraph(finding.remedy.empty() ? text : text + " " + finding.remedy, 4);
-}
-
-std::string findingsText(const std::vector<Finding>& findings) {
-  if (findings.empty()) return "";
-  std::string text = "\nFindings\n";
-  for (const Finding& finding : findings) text += findingText(finding);
-  return text;
 }
 
 std::string suspectsText(const std::vector<Suspect>& suspects) {

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/console/findings_output.h"
 #include "app/console/plan_text.h"
 #include "app/console/session_input.h"
 #include "core/simulation/planned_session.h"
@@ -22,9 +23,11 @@ void addPlanCommand(CLI::App& app, PlanRequest& request) {
 Result<std::string> runPlan(const PlanRequest& request) {
   const Result<SessionInput> input = readSessionInput(request.file, &withPlannedReadings);
   if (!input) return input.problem();
+  const Result<std::vector<Finding>> findings = findingsBeforehand(input->measurement);
+  if (!findings) return findings.problem();
   const Result<PlanReview> review = reviewPlan(input->measurement);
   if (!review) return review.problem();
-  return request.json ? planJson(input->name, *review) : planText(input->name, *review);
+  return request.json ? planJson(input->name, *review, *findings) : planText(input->name, *review, *findings);
 }
 
 }  // namespace alidade::console

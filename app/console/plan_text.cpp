@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/console/findings_output.h"
 #include "app/console/text_layout.h"
 #include "core/base/list_text.h"
 #include "core/base/number_text.h"
@@ -89,14 +90,17 @@ Json effectJson(const PlanReview& review, const PlannedEffect& effect) {
 
 }  // namespace
 
-std::string planText(const std::string& session, const PlanReview& review) {
+std::string planText(const std::string& session, const PlanReview& review,
+                     const std::vector<Finding>& findings) {
   std::string text = session + "\n\n" + counted(review.readings, "reading") + " of circles and slider";
   if (const auto& estimate = review.intersection)
     text += "; with the noise stated Δd would be known to " + fixedText(estimate->sigma, 4) + " mm (1σ)";
-  return text + "\n" + effectsText(review) + lookAlikesText(review) + adviceText(review);
+  return text + "\n" + effectsText(review) + lookAlikesText(review) + adviceText(review) +
+         findingsText(findings);
 }
 
-std::string planJson(const std::string& session, const PlanReview& review) {
+std::string planJson(const std::string& session, const PlanReview& review,
+                     const std::vector<Finding>& findings) {
   Json effects = Json::array(), advice = Json::array();
   for (const PlannedEffect& effect : review.effects) effects.push_back(effectJson(review, effect));
   for (const PlanAdvice& entry : review.advice)
@@ -106,6 +110,7 @@ std::string planJson(const std::string& session, const PlanReview& review) {
   json["sigma_mm"] = review.intersection ? Json(review.intersection->sigma) : Json();
   json["effects"] = std::move(effects);
   json["advice"] = std::move(advice);
+  json["findings"] = findingsJson(findings);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

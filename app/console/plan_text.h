@@ -1,15 +1,19 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "core/base/finding.h"
 #include "core/diagnosis/plan_review.h"
 
 namespace alidade::console {
 
 /// The review of a plan for people.
-std::string planText(const std::string& session, const PlanReview& review);
+std::string planText(const std::string& session, const PlanReview& review,
+                     const std::vector<Finding>& findings);
 
 /// One JSON document.
-std::string planJson(const std::string& session, const PlanReview& review);
+std::string planJson(const std::string& session, const PlanReview& review,
+                     const std::vector<Finding>& findings);
 
 }  // namespace alidade::console

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "core/base/quantity_text.h"
 #include "core/base/statistics.h"
@@ -81,20 +82,6 @@ void judgeReference(std::vector<Finding>& findings, const Measurement& measureme
                       Place{.position = {}, .reading = {}, .field = "acceptance.reference_intersection_mm"}});
 }
 
-void judgeModel(std::vector<Finding>& findings, const Measurement& measurement) {
-  for (const std::string& id : measurement.effects)
-    if (!effectById(id))
-      findings.push_back({Severity::Warning,
-                          "The session's model names “" + id + "”, which is no effect that can be estimated.",
-                          "Read the result as one without it, or correct the name.",
-                          Place{.position = {}, .reading = {}, .field = "model.effects"}});
-  if (measurement.relation == VerticalAngleRelation::Planar)
-    findings.push_back({Severity::Warning,
-                        "The model takes the vertical circle to read y/L, which no theodolite does.",
-                        "Set the vertical angle to exact, unless the planar relation is to be studied.",
-                        Place{.position = {}, .reading = {}, .field = "model.vertical_angle"}});
-}
-
 }  // namespace
 
 std::vector<Finding> missingPositions(const Measurement& measurement) {
@@ -109,12 +96,28 @@ std::vector<Finding> missingPositions(const Measurement& measurement) {
   return findings;
 }
 
+std::vector<Finding> modelFindings(const Measurement& measurement) {
+  std::vector<Finding> findings;
+  for (const std::string& id : measurement.effects)
+    if (!effectById(id))
+      findings.push_back({Severity::Warning,
+                          "The session's model names “" + id + "”, which is no effect that can be estimated.",
+                          "Read the result as one without it, or correct the name.",
+                          Place{.position = {}, .reading = {}, .field = "model.effects"}});
+  if (measurement.relation == VerticalAngleRelation::Planar)
+    findings.push_back({Severity::Warning,
+                        "The model takes the vertical circle to read y/L, which no theodolite does.",
+                        "Set the vertical angle to exact, unless the planar relation is to be studied.",
+                        Place{.position = {}, .reading = {}, .field = "model.vertical_angle"}});
+  return findings;
+}
+
 std::vector<Finding> sessionFindings(const Measurement& measurement, const SessionFit& fit) {
   std::vector<Finding> findings = missingPositions(measurement);
   judgeRadii(findings, measurement, fit);
   judgeKnownRadius(findings, measurement, fit);
   judgeReference(findings, measurement, fit);
-  judgeModel(findings, measurement);
+  std::ranges::move(modelFindings(measurement), std::back_inserter(findings));
   return findings;
 }
 

@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "tests/console/console.h"
@@ -62,6 +64,93 @@ TEST(Diagnose, SaysItInWordsToo) {
   EXPECT_EQ(outcome.exitCode, 0);
   EXPECT_THAT(outcome.out, HasSubstr("Cause: collimation"));
   EXPECT_THAT(outcome.out, HasSubstr("cannot tell it from: horizontal_circle_eccentricity"));
+}
+
+// 600″ is 300 σ: misread values beyond that are left out before the search, and still told everywhere.
+TEST(Diagnose, TellsAMisreadValueThatIsFarOff) {
+  const std::string sample = ALIDADE_SAMPLES_DIR "/misreading.alidade";
+  const json answer = diagnosisOf({sample});
+  const json& candidates = answer.at("candidates");
+  EXPECT_EQ(candidates.at(0).at("effect"), "gross_error");
+  EXPECT_EQ(answer.at("steps").at(0).at("effect"), "gross_error");
+  EXPECT_GT(answer.at("shrink").at("held_out").get<double>(), 0.9);
+  const auto readings = std::ranges::find(answer.at("where"), "readings",
+                                          [](const json& part) { return part.at("of").get<std::string>(); });
+  ASSERT_NE(readings, answer.at("where").end());
+  EXPECT_GT(readings->at("share").get<double>(), 0.95);
+  const std::string text = alidadeCli({"diagnose", sample}).out;
+  EXPECT_THAT(text, HasSubstr("by frame – readings: 100 %\n"));
+  EXPECT_THAT(text, HasSubstr("by face – face 1: 100 %\n"));
+  EXPECT_THAT(text, HasSubstr("by position – 0°: 100 %\n"));
+}
+
+std::string changedFile(const TemporaryFolder& folder,
+                        const std::function<void(nlohmann::ordered_json&)>& change) {
+  const std::string file = (folder.path() / "changed.alidade").string();
+  std::ofstream(file) << changedPaperSession(change);
+  return file;
+}
+
+/// Only the first `count` places of each position.
+void keepPlaces(nlohmann::ordered_json& session, std::size_t position, std::size_t count) {
+  auto& readings = session["positions"][position]["readings"];
+  nlohmann::ordered_json few = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < count; ++i) few.push_back(readings[i * (readings.size() - 1) / (count - 1)]);
+  readings = few;
+}
+
+TEST(Diagnose, SaysWhereNothingChecksTheModel) {
+  const TemporaryFolder folder;
+  const std::string file = changedFile(folder, [](nlohmann::ordered_json& session) {
+    for (const std::size_t position : {0, 1}) keepPlaces(session, position, 3);
+  });
+  const json answer = diagnosisOf({file});
+  for (const char* when : {"gap", "after"})
+    for (const char* key : {"reduced_chi2", "p_value"}) EXPECT_TRUE(answer.at(when).at(key).is_null()) << key;
+  const std::string text = alidadeCli({"diagnose", file}).out;
+  EXPECT_THAT(text, HasSubstr("Nothing checks the model"));
+  EXPECT_THAT(text, testing::Not(HasSubstr("nan")));
+}
+
+TEST(Diagnose, RefusesAPositionThatFixesNoCircle) {
+  const TemporaryFolder folder;
+  const std::string file =
+      changedFile(folder, [](nlohmann::ordered_json& session) { keepPlaces(session, 0, 2); });
+  for (const char* command : {"diagnose", "plan"}) {
+    const ProgramRun run = alidadeCli({command, file});
+    expectRefusal(run);
+    EXPECT_THAT(run.err, HasSubstr("positions[0].readings")) << command;
+    EXPECT_EQ(run.err, alidadeCli({"fit", file}).err) << command;
+  }
+}
+
+TEST(Diagnose, WarnsOfAnEffectOfTheModelThatIsNone) {
+  const TemporaryFolder folder;
+  const std::string file = changedFile(folder, [](nlohmann::ordered_json& session) {
+    session["model"]["effects"] = {"gremlins"};
+    session["positions"].erase(1);
+  });
+  for (const char* command : {"diagnose", "plan"}) {
+    const json findings = json::parse(alidadeCli({command, file, "--json"}).out).at("findings");
+    const auto warns = [&](const std::string& text) {
+      return std::ranges::any_of(findings, [&](const json& finding) {
+        return finding.at("text").get<std::string>().find(text) != std::string::npos;
+      });
+    };
+    EXPECT_TRUE(warns("gremlins")) << command;
+    EXPECT_TRUE(warns("180°")) << command << " misses a position";
+    EXPECT_THAT(alidadeCli({command, file}).out, HasSubstr("Warning: model.effects:")) << command;
+  }
+}
+
+TEST(Diagnose, RefusesANoiseThatNoCircleHas) {
+  const TemporaryFolder folder;
+  const std::string file = changedFile(
+      folder, [](nlohmann::ordered_json& session) { session["instrument"]["sigma_vertical_arcsec"] = 1e-9; });
+  const ProgramRun run = alidadeCli({"diagnose", file});
+  expectRefusal(run);
+  EXPECT_THAT(run.err, HasSubstr("instrument.sigma_vertical_arcsec"));
+  EXPECT_THAT(run.err, HasSubstr("at least 0.001"));
 }
 
 TEST(Diagnose, RefusesAnEffectThatDoesNotExist) {

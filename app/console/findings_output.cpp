@@ -1,0 +1,72 @@
+#include "app/console/findings_output.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "app/console/text_layout.h"
+#include "core/adjustment/session_findings.h"
+
+namespace alidade::console {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string findingText(const Finding& finding) {
+  std::string text = finding.severity == Severity::Note      ? "Note: "
+                     : finding.severity == Severity::Warning ? "Warning: "
+                                                             : "Error: ";
+  const std::string place = finding.where.path();
+  if (!place.empty()) text += place + ": ";
+  text += finding.text;
+  return "  " + paragraph(finding.remedy.empty() ? text : text + " " + finding.remedy, 4);
+}
+
+std::string severityName(Severity severity) {
+  switch (severity) {
+    case Severity::Note:
+      return "note";
+    case Severity::Warning:
+      return "warning";
+    case Severity::Error:
+      return "error";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string findingsText(const std::vector<Finding>& findings) {
+  if (findings.empty()) return "";
+  std::string text = "\nFindings\n";
+  for (const Finding& finding : findings) text += findingText(finding);
+  return text;
+}
+
+Json findingsJson(const std::vector<Finding>& findings) {
+  Json list = Json::array();
+  for (const Finding& finding : findings) {
+    list.push_back({{"severity", severityName(finding.severity)},
+                    {"text", finding.text},
+                    {"remedy", finding.remedy},
+                    {"where", finding.where.path()}});
+  }
+  return list;
+}
+
+Problem absence(const std::vector<Finding>& findings) {
+  const auto error = std::find_if(findings.begin(), findings.end(),
+                                  [](const Finding& finding) { return finding.severity == Severity::Error; });
+  if (error == findings.end()) return {"there are no readings to fit; enter those of the axis positions"};
+  return {error->remedy.empty() ? error->text : error->text + " " + error->remedy, error->where};
+}
+
+Result<std::vector<Finding>> findingsBeforehand(const Measurement& measurement) {
+  const SessionFit fit = fitSession(measurement);
+  if (fit.arcs.empty() || fit.arcs.size() < measurement.arcs.size()) return absence(fit.findings);
+  std::vector<Finding> findings = missingPositions(measurement);
+  std::ranges::move(modelFindings(measurement), std::back_inserter(findings));
+  return findings;
+}
+
+}  // namespace alidade::console

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "core/base/finding.h"
+#include "core/base/problem.h"
+#include "core/base/result.h"
+#include "core/session/measurement.h"
+
+namespace alidade::console {
+
+/// The block "Findings"; empty where there are none.
+std::string findingsText(const std::vector<Finding>& findings);
+
+/// Severity, text, remedy and place of each.
+nlohmann::ordered_json findingsJson(const std::vector<Finding>& findings);
+
+/// Why not every arc of the measurement was fitted: the first error found.
+Problem absence(const std::vector<Finding>& findings);
+
+/// For what rests on all positions of a session: fails where one of them cannot be fitted, with the reason;
+/// else what has to be known about the positions and the model.
+Result<std::vector<Finding>> findingsBeforehand(const Measurement& measurement);
+
+}  // namespace alidade::console
