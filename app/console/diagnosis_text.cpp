@@ -5,6 +5,7 @@
 
 #include "app/console/findings_output.h"
 #include "app/console/text_layout.h"
+#include "core/base/list_text.h"
 #include "core/base/number_text.h"
 #include "core/base/quantity_text.h"
 
@@ -13,12 +14,6 @@ namespace alidade::console {
 namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
-
-std::string listed(const std::vector<std::string>& ids) {
-  std::string text;
-  for (const std::string& id : ids) text += (text.empty() ? "" : ", ") + id;
-  return text;
-}
 
 std::string gapText(const Diagnosis& diagnosis) {
   const auto row = [](const std::string& name, const GapSize& size,

@@ -1,10 +1,12 @@
 #include "app/console/findings_output.h"
 
 #include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "app/console/text_layout.h"
 #include "core/adjustment/session_findings.h"
+#include "core/adjustment/setup_findings.h"
 
 namespace alidade::console {
 
@@ -65,6 +67,7 @@ Result<std::vector<Finding>> findingsBeforehand(const Measurement& measurement) 
   const SessionFit fit = fitSession(measurement);
   if (fit.arcs.empty() || fit.arcs.size() < measurement.arcs.size()) return absence(fit.findings);
   std::vector<Finding> findings = missingPositions(measurement);
+  std::ranges::move(setupFindings(measurement, fit), std::back_inserter(findings));
   std::ranges::move(modelFindings(measurement), std::back_inserter(findings));
   return findings;
 }

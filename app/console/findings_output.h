@@ -21,7 +21,7 @@ nlohmann::ordered_json findingsJson(const std::vector<Finding>& findings);
 Problem absence(const std::vector<Finding>& findings);
 
 /// For what rests on all positions of a session: fails where one of them cannot be fitted, with the reason;
-/// else what has to be known about the positions and the model.
+/// else what has to be known about positions, set-up and model.
 Result<std::vector<Finding>> findingsBeforehand(const Measurement& measurement);
 
 }  // namespace alidade::console

@@ -2,18 +2,12 @@
 
 #include <cmath>
 
+#include "core/base/list_text.h"
 #include "core/base/quantity_text.h"
 
 namespace alidade {
 
 namespace {
-
-std::string listed(const std::vector<std::string>& ids) {
-  std::string text;
-  for (std::size_t i = 0; i < ids.size(); ++i)
-    text += (i == 0 ? "" : i + 1 == ids.size() ? " or " : ", ") + ids[i];
-  return text;
-}
 
 /// Larger noise explains residuals, it does not shrink them.
 bool shrinks(const Diagnosis& diagnosis) {
@@ -50,10 +44,9 @@ std::string shrunk(const Diagnosis& diagnosis) {
 }
 
 std::string causesNamed(const Diagnosis& diagnosis) {
-  std::string text;
-  for (std::size_t i = 0; i < diagnosis.causes.size(); ++i)
-    text += (i == 0 ? "" : i + 1 == diagnosis.causes.size() ? " and " : ", ") + diagnosis.causes[i].effect;
-  return text;
+  std::vector<std::string> ids;
+  for (const Cause& cause : diagnosis.causes) ids.push_back(cause.effect);
+  return listed(ids, " and ");
 }
 
 }  // namespace
@@ -70,7 +63,7 @@ std::string sentenceFor(const Diagnosis& diagnosis) {
     case DiagnosisVerdict::Ambiguous:
       return "The gap is caused by " + causesNamed(diagnosis) +
              " or by what these readings cannot tell from it: " +
-             listed(diagnosis.causes.front().indistinguishableFrom) + "." + shrunk(diagnosis);
+             listed(diagnosis.causes.front().indistinguishableFrom, " or ") + "." + shrunk(diagnosis);
     case DiagnosisVerdict::SeveralCauses:
       return "The gap has several causes: " + causesNamed(diagnosis) + "." + shrunk(diagnosis);
     case DiagnosisVerdict::NotInCatalogue:
