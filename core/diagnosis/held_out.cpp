@@ -1,8 +1,11 @@
 #include "core/diagnosis/held_out.h"
 
-#include <Eigen/QR>
+#include <Eigen/Cholesky>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
 namespace alidade {
 
@@ -106,34 +109,60 @@ struct Squares {
   }
 };
 
-/// Of the errors with which a fold is predicted by the others; absent where they do not fix the unknowns.
-std::optional<Squares> predicted(const Equations& equations, std::size_t fold) {
-  constexpr double determined = 1e-9;  // of the longest column, at right angles to the others
-  std::vector<Index> own, others;
-  for (std::size_t i = 0; i < equations.rows.size(); ++i)
-    (equations.rows[i].fold == fold ? own : others).push_back(static_cast<Index>(i));
-  Eigen::ColPivHouseholderQR<MatrixXd> qr;
-  qr.setThreshold(determined);
-  qr.compute(equations.columns(others, Eigen::all));
-  if (qr.rank() < equations.columns.cols()) return std::nullopt;
-  const VectorXd solution = qr.solve(equations.observed(others));
-  const VectorXd errors = equations.observed(own) - equations.columns(own, Eigen::all) * solution;
-  Squares squares;
-  for (std::size_t i = 0; i < own.size(); ++i) {
-    const double arcseconds = equations.rows[static_cast<std::size_t>(own[i])].arcseconds;
-    squares.sum += std::pow(errors[static_cast<Index>(i)] * arcseconds, 2);
-    squares.count += arcseconds > 0 ? 1 : 0;
+/// The normal equations of each fold, and behind them of what is known beforehand.
+class Folds {
+ public:
+  explicit Folds(Equations equations) : m_equations(std::move(equations)) {
+    const Index count = m_equations.columns.cols();
+    m_sums.fill({MatrixXd::Zero(count, count), VectorXd::Zero(count)});
+    for (std::size_t i = 0; i < m_equations.rows.size(); ++i) {
+      const auto row = m_equations.columns.row(static_cast<Index>(i));
+      Normal& sum = m_sums[m_equations.rows[i].fold];
+      sum.matrix.noalias() += row.transpose().lazyProduct(row);
+      sum.right.noalias() += row.transpose() * m_equations.observed[static_cast<Index>(i)];
+    }
   }
-  return squares;
-}
+
+  /// Of the errors with which a fold is predicted by the others; absent where they do not fix the unknowns.
+  std::optional<Squares> predicted(std::size_t fold) const {
+    constexpr double determined = 1e-13;  // square of what of a column is at right angles to the others
+    Normal others = m_sums[folds];
+    for (std::size_t f = 0; f < folds; ++f)
+      if (f != fold) {
+        others.matrix += m_sums[f].matrix;
+        others.right += m_sums[f].right;
+      }
+    const Eigen::LDLT<MatrixXd> factor(others.matrix);
+    if (factor.vectorD().size() > 0 && factor.vectorD().minCoeff() < determined) return std::nullopt;
+    const VectorXd solution = factor.solve(others.right);
+    Squares squares;
+    for (std::size_t i = 0; i < m_equations.rows.size(); ++i) {
+      const Row& row = m_equations.rows[i];
+      if (row.fold != fold || row.arcseconds == 0) continue;
+      const auto at = static_cast<Index>(i);
+      const double error = m_equations.observed[at] - m_equations.columns.row(at).dot(solution);
+      squares.sum += std::pow(error * row.arcseconds, 2);
+      ++squares.count;
+    }
+    return squares;
+  }
+
+ private:
+  struct Normal {
+    MatrixXd matrix;
+    VectorXd right;
+  };
+  Equations m_equations;
+  std::array<Normal, folds + 1> m_sums;
+};
 
 }  // namespace
 
 double heldOutShrinkage(const GapModel& before, const GapModel& after) {
-  const Equations first = equationsOf(before), second = equationsOf(after);
+  const Folds first(equationsOf(before)), second(equationsOf(after));
   Squares ofFirst, ofSecond;
   for (std::size_t fold = 0; fold < folds; ++fold) {
-    const std::optional<Squares> one = predicted(first, fold), other = predicted(second, fold);
+    const std::optional<Squares> one = first.predicted(fold), other = second.predicted(fold);
     if (!one || !other) continue;
     ofFirst.add(*one);
     ofSecond.add(*other);
