@@ -35,8 +35,7 @@ enum class ErrorTerm : std::size_t {
   WarpCosine,         ///< target off the plane by A cos 2s + B sin 2s, turning with the guideway: A
   WarpSine,           ///< B
   SliderScale,        ///< slider reading = s (1 + k) + …
-  SliderSine,         ///< … + A sin s + B cos s
-  SliderCosine,
+  SliderSine,         ///< … + A sin s
   Count,
 };
 

@@ -137,12 +137,11 @@ Direction<T> circleDirection(const ErrorTerms<T>& errors, const SpacePoint<T>& t
 /// The slider reading at arc angle φ, rad.
 template <typename T>
 T observeSlider(const ErrorTerms<T>& errors, const ArcPose<T>& arc, const T& phi, int axisDeg) {
-  using std::cos, std::sin;
+  using std::sin;
   using enum ErrorTerm;
   const T s = axisDeg == 0 ? phi : T(-phi);
   if (errors.isPerfect()) return arc.sliderZero + s;
-  return arc.sliderZero + s + errors[SliderScale] * s + errors[SliderSine] * sin(s) +
-         errors[SliderCosine] * cos(s);
+  return arc.sliderZero + s + errors[SliderScale] * s + errors[SliderSine] * sin(s);
 }
 
 }  // namespace alidade

@@ -20,8 +20,7 @@ namespace {
 
 bool isOfSlider(const Effect& effect) {
   return std::ranges::any_of(effect.parameters, [](const EffectParameter& parameter) {
-    return parameter.term == ErrorTerm::SliderScale || parameter.term == ErrorTerm::SliderSine ||
-           parameter.term == ErrorTerm::SliderCosine;
+    return parameter.term == ErrorTerm::SliderScale || parameter.term == ErrorTerm::SliderSine;
   });
 }
 

@@ -92,7 +92,7 @@ TEST(SessionFit, EstimatesTheWholeCatalogueAtOnce) {
   measurement.effects.emplace_back("collimation");  // named twice, estimated once
   const SessionFit fit = fitSession(measurement);
   EXPECT_EQ(fit.effects.size(),
-            errorTermCount - 3);  // the jump's two and the slider's cosine are in no effect
+            errorTermCount - 2);  // the jump's two are in no effect
   EXPECT_TRUE(fit.joint.converged);
   EXPECT_EQ(fit.joint.degreesOfFreedom, alone);
   ASSERT_TRUE(fit.intersection);

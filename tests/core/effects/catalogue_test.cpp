@@ -84,12 +84,12 @@ INSTANTIATE_TEST_SUITE_P(Catalogue, EffectTest, testing::ValuesIn(allParameters(
                            return "Term" + std::to_string(static_cast<int>(parameter.param.term));
                          });
 
-TEST(EffectCatalogue, NamesEveryErrorTermOnceExceptTheJumpAndTheSlidersCosine) {
+TEST(EffectCatalogue, NamesEveryErrorTermOnceExceptTheJump) {
   std::set<ErrorTerm> terms;
   for (const EffectParameter& parameter : allParameters()) EXPECT_TRUE(terms.insert(parameter.term).second);
   EXPECT_FALSE(terms.contains(HorizontalJump));
-  EXPECT_FALSE(terms.contains(SliderCosine));  // over half a turn all but the same as a slider scale
-  EXPECT_EQ(terms.size(), errorTermCount - 3);
+  EXPECT_FALSE(terms.contains(VerticalJump));
+  EXPECT_EQ(terms.size(), errorTermCount - 2);
 }
 
 TEST(EffectCatalogue, FindsEffectsByTheirId) {
