@@ -2,8 +2,8 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <unsupported/Eigen/AutoDiff>
 
+#include "core/adjustment/auto_diff.h"
 #include "core/observation/observe.h"
 
 namespace alidade {

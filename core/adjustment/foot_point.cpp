@@ -2,7 +2,8 @@
 
 #include <Eigen/Core>
 #include <cmath>
-#include <unsupported/Eigen/AutoDiff>
+
+#include "core/adjustment/auto_diff.h"
 
 namespace alidade {
 

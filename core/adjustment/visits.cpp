@@ -1,19 +1,26 @@
 #include "core/adjustment/visits.h"
 
-#include <map>
-#include <utility>
+#include <algorithm>
+#include <numeric>
+#include <tuple>
 
 namespace alidade {
 
 std::vector<Visit> visitsOf(const ArcMeasurement& arc) {
+  const auto keyOf = [&](std::size_t i) {
+    return std::tuple(arc.sightings[i].round, arc.sightings[i].point, i);
+  };
+  std::vector<std::size_t> order(arc.sightings.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::sort(order, {}, keyOf);
   std::vector<Visit> visits;
-  std::map<std::pair<int, int>, std::size_t> known;
-  for (std::size_t i = 0; i < arc.sightings.size(); ++i) {
+  for (const std::size_t i : order) {
     const Sighting& sighting = arc.sightings[i];
-    const auto [entry, isNew] = known.try_emplace({sighting.round, sighting.point}, visits.size());
-    if (isNew) visits.push_back({sighting.round, sighting.point, {}, {}});
-    visits[entry->second].sightings.push_back(i);
+    if (visits.empty() || visits.back().round != sighting.round || visits.back().point != sighting.point)
+      visits.push_back({sighting.round, sighting.point, {}, {}});
+    visits.back().sightings.push_back(i);
   }
+  std::ranges::sort(visits, {}, [](const Visit& visit) { return visit.sightings.front(); });
   for (Visit& visit : visits) {
     Direction<double> sum{0, 0};
     for (const std::size_t i : visit.sightings) {

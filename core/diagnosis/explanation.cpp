@@ -15,6 +15,7 @@ namespace {
 
 constexpr double knownTo = 0.1;  // the stated σ holds to a tenth
 constexpr double leastNoise = 1.25, mostNoise = 20;
+constexpr double outOfQuestion = 1e-4;  // odds below which larger noise is not searched further
 
 /// What is believed of the scale of the noise: its logarithm at even steps, with the density there.
 class NoiseScales {
@@ -84,26 +85,45 @@ void normalise(std::vector<Explanation>& sets) {
   std::ranges::sort(sets, std::greater{}, &Explanation::logOdds);
 }
 
+/// Adds sets with larger noise to those with the noise as stated, of which the first is nothing at all.
+void addNoisy(std::vector<Explanation>& all, Search& search, const Leftover& leftover,
+              const PriorOdds& odds) {
+  const double f = leftover.degreesOfFreedom(), chiSquare = leftover.chiSquare();
+  const auto scaleOf = [&](double left) {
+    return std::clamp(std::sqrt(left / std::max(f, 1.0)), leastNoise, mostNoise);
+  };
+  const auto weigh = [&](Explanation& set, double reference) {
+    set.logOdds += std::log(odds.noise);
+    weighNoisy(set, f, reference, chiSquare);
+  };
+  Explanation noiseAlone;
+  noiseAlone.chiSquare = chiSquare;
+  weigh(noiseAlone, scaleOf(chiSquare));
+  // What explains a part of the gap leaves less for larger noise: no set needs it more than nothing does, but
+  // for a factor of the scale to each of its few weights.
+  if (noiseAlone.logOdds < all.front().logOdds + std::log(outOfQuestion)) {
+    all.push_back(std::move(noiseAlone));
+    return;
+  }
+  std::vector<double> references{scaleOf(chiSquare)};
+  const double ofNamed = scaleOf(bestNamed(all).chiSquare);
+  if (ofNamed < 0.8 * references.front()) references.push_back(ofNamed);
+  for (const double reference : references)
+    for (Explanation& set : search.grown(reference * reference)) {
+      weigh(set, reference);
+      all.push_back(std::move(set));
+    }
+}
+
 }  // namespace
 
 std::vector<Explanation> explain(const Leftover& leftover, const std::vector<Component>& candidates,
                                  const SearchOptions& options) {
-  const double f = leftover.degreesOfFreedom(), chiSquare = leftover.chiSquare();
+  const double f = leftover.degreesOfFreedom();
   Search search(leftover, candidates, options);
   std::vector<Explanation> all = search.grown(1);
   for (Explanation& set : all) weighNominal(set, f);
-  std::vector<double> references;
-  for (const double left : {chiSquare, bestNamed(all).chiSquare}) {
-    const double reference = std::clamp(std::sqrt(left / std::max(f, 1.0)), leastNoise, mostNoise);
-    if (references.empty() || reference < 0.8 * references.back()) references.push_back(reference);
-  }
-  if (!options.noise) references.clear();
-  for (const double reference : references)
-    for (Explanation& set : search.grown(reference * reference)) {
-      set.logOdds += std::log(options.odds.noise);
-      weighNoisy(set, f, reference, chiSquare);
-      all.push_back(std::move(set));
-    }
+  if (options.noise) addNoisy(all, search, leftover, options.odds);
   normalise(all);
   return all;
 }

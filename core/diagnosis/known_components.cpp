@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 
 #include "core/diagnosis/steps_in_time.h"
 
@@ -63,23 +62,30 @@ void bendPlaneTilt(std::vector<Component>& components, const Leftover& leftover,
 
 namespace {
 
+void sortAsSet(std::vector<std::size_t>& values) {
+  std::ranges::sort(values);
+  const auto twice = std::ranges::unique(values);
+  values.erase(twice.begin(), twice.end());
+}
+
 /// Moments whose step parts a row alone in its visit from the rest of its position, as its first or its last:
 /// all that could be seen of it is the one condition between the two circles of that row.
 std::map<std::size_t, std::size_t> rowsThatAloneShow(const Leftover& leftover) {
-  std::map<std::size_t, std::set<std::size_t>> rowsOfArc;
-  std::set<std::size_t> alone;
+  std::map<std::size_t, std::vector<std::size_t>> rowsOfArc;
+  std::vector<std::size_t> alone;
   for (const std::vector<Index>& visit : leftover.visits())
     for (const Index i : visit) {
       const LinearReading& reading = leftover.reading(i);
-      rowsOfArc[reading.arc].insert(reading.sequence);
-      if (visit.size() == 2) alone.insert(reading.sequence);
+      rowsOfArc[reading.arc].push_back(reading.sequence);
+      if (visit.size() == 2) alone.push_back(reading.sequence);
     }
+  const auto isAlone = [&](std::size_t row) { return std::ranges::find(alone, row) != alone.end(); };
   std::map<std::size_t, std::size_t> rows;
-  for (const auto& [arc, own] : rowsOfArc) {
+  for (auto& [arc, own] : rowsOfArc) {
+    sortAsSet(own);
     if (own.size() < 2) continue;
-    const std::size_t first = *own.begin(), last = *own.rbegin();
-    if (alone.contains(last)) rows.emplace(last, last);
-    if (alone.contains(first)) rows.emplace(*std::next(own.begin()), first);
+    if (isAlone(own.back())) rows.emplace(own.back(), own.back());
+    if (isAlone(own.front())) rows.emplace(own[1], own.front());
   }
   return rows;
 }
@@ -88,9 +94,9 @@ std::map<std::size_t, std::size_t> rowsThatAloneShow(const Leftover& leftover) {
 
 std::vector<Component> jumpComponents(const Leftover& leftover, const PriorOdds& odds) {
   constexpr std::size_t mostMoments = 400;
-  std::set<std::size_t> rows;
-  for (Index i = 0; i < leftover.readings(); ++i) rows.insert(leftover.reading(i).sequence);
-  std::vector<std::size_t> moments(rows.begin(), rows.end());
+  std::vector<std::size_t> moments;
+  for (Index i = 0; i < leftover.readings(); ++i) moments.push_back(leftover.reading(i).sequence);
+  sortAsSet(moments);
   if (moments.size() < 3) return {};
   moments.erase(moments.begin());  // before the first row there is no step
   const std::map<std::size_t, std::size_t> shownByOne = rowsThatAloneShow(leftover);

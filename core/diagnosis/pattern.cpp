@@ -102,7 +102,7 @@ void Pattern::normalise() {
   double moved = 0, square = 0;
   for (const auto& [carrier, functions] : parts) {
     moved += static_cast<double>(carrier->moved());
-    square += carrier->squares().dot(functions.rowwise().squaredNorm());
+    square += (carrier->squares().asDiagonal() * functions.cwiseAbs2()).sum();
   }
   for (Part& part : parts) part.functions *= std::sqrt(moved / square);
 }

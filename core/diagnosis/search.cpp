@@ -145,7 +145,9 @@ std::vector<Search::Growth> Search::misreadingsFor(const State& state) const {
                             &Score::value);
   std::vector<Growth> best;
   for (const Score& score : scores)
-    if (best.size() < misreadingsOffered || mostGain(score.value, score.least) > best.back().gain.log) {
+    if (best.size() < misreadingsOffered ||
+        (score.value / 2 > best.back().gain.log &&  // more than any width, and quicker to work out
+         mostGain(score.value, score.least) > best.back().gain.log)) {
       best.push_back({.component = score.component, .gain = gainFor(state, score.component)});
       if (best.size() >= misreadingsOffered) keepBest(best, misreadingsOffered);
     }

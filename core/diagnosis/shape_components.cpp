@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 #include <tuple>
+#include <utility>
 
 namespace alidade {
 
@@ -124,8 +125,10 @@ class ShapeMaker {
   void startFrame(Frame frame) { m_frame = frame; }
 
   /// Functions of what the carrier's cells have in common.
-  void add(const std::string& id, const SharedCarrier& carrier, const MatrixXd& functions) {
-    add(id, Pattern{{{carrier, functions}}});
+  void add(const std::string& id, const SharedCarrier& carrier, MatrixXd functions) {
+    Pattern pattern;
+    pattern.parts.push_back({carrier, std::move(functions)});
+    add(id, std::move(pattern));
   }
 
   /// A function that differs from group to group.
@@ -141,14 +144,14 @@ class ShapeMaker {
     MatrixXd functions = MatrixXd::Zero(carrier->cells(), static_cast<Index>(groups.size()));
     for (Index cell = 0; cell < carrier->cells(); ++cell)
       if (moves(cell)) functions(cell, groups.at(group(cell))) = 1;
-    add(id, carrier, functions);
+    add(id, carrier, std::move(functions));
   }
 
   void addHarmonic(const std::string& id, const SharedCarrier& carrier, const Harmonics& harmonics,
                    int order) {
     MatrixXd functions(carrier->cells(), 2);
     functions << harmonics.cosines.col(order), harmonics.sines.col(order);
-    add(id, carrier, functions);
+    add(id, carrier, std::move(functions));
   }
 
   /// Functions with weights of their own for the two circles.

@@ -20,6 +20,7 @@ Danger dangerOf(const Component& component, const VectorXd& influence) {
   if (danger.influence == 0) return danger;
   danger.weights = influence / danger.influence;
   danger.visible = std::sqrt(signatureSquare(component, danger.weights));
+  if (component.curvature.cols() == 0) return danger;  // the opposite leaves as much
   const double opposite = std::sqrt(signatureSquare(component, -danger.weights));
   if (opposite < danger.visible) {
     danger.weights = -danger.weights;
