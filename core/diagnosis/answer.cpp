@@ -3,26 +3,28 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/diagnosis/gain.h"
 #include "core/diagnosis/gap_size.h"
-#include "core/diagnosis/look_alikes.h"
 
 namespace alidade {
 
 namespace {
 
-Answer::Kind likeliestKind(const Inquiry& inquiry) {
+/// How likely each kind of answer is as a whole.
+struct Chances {
   double nothing = 0, known = 0, unknown = 0;
+};
+
+Chances chancesOf(const Inquiry& inquiry) {
+  Chances chances;
   for (const Explanation& explanation : inquiry.explanations) {
     if (explanation.shaped)
-      unknown += explanation.chance;
+      chances.unknown += explanation.chance;
     else if (explanation.parts.empty() && !explanation.noisy)
-      nothing += explanation.chance;
+      chances.nothing += explanation.chance;
     else
-      known += explanation.chance;
+      chances.known += explanation.chance;
   }
-  if (unknown > known && unknown > nothing) return Answer::Kind::Unknown;
-  return nothing >= known ? Answer::Kind::Nothing : Answer::Kind::Known;
+  return chances;
 }
 
 bool isPartOf(const Explanation& smaller, const Explanation& larger) {
@@ -46,141 +48,83 @@ const Explanation& bestKnown(const Inquiry& inquiry) {
   return *simplest;
 }
 
-bool isClose(const Explanation& rival, const Explanation& explanation) {
-  constexpr double closeOdds = 3.5;  // natural logarithm: odds of 33
-  return rival.logOdds > explanation.logOdds - closeOdds;
-}
-
-/// The gain of `instead` in place of the part, all other parts taken off.
-Gain gainInstead(const Inquiry& inquiry, const Explanation& explanation, const Part& part,
-                 const Part& instead) {
-  const Leftover& leftover = inquiry.leftover;
-  const auto columnsOf = [&](const Part& any) -> Eigen::MatrixXd {
-    if (inquiry.isMisreading(any))
-      return leftover.visible(Eigen::VectorXd::Unit(leftover.readings(), inquiry.readingOf(any)));
-    return leftover.visible(wholeColumns(leftover, inquiry.candidates[any.component]));
-  };
-  Eigen::VectorXd left = leftover.residual();
-  for (const Part& other : explanation.parts)
-    if (&other != &part)
-      left -= inquiry.isMisreading(other)
-                  ? Eigen::VectorXd(columnsOf(other) * other.weights)
-                  : signature(leftover, inquiry.candidates[other.component], other.weights);
-  const Eigen::MatrixXd columns = columnsOf(instead);
-  const double variance = explanation.noisy ? explanation.noise * explanation.noise : 1;
-  return gainOf(widthsOf(inquiry.kindOf(instead)), columns.transpose() * columns, columns.transpose() * left,
-                variance);
-}
-
-/// With a step in place of a misreading that it would look like.
-Explanation withStep(const Inquiry& inquiry, const Explanation& explanation, std::size_t part,
-                     std::size_t step) {
-  Explanation rival = explanation;
-  const Part& misread = explanation.parts[part];
-  Part& instead = rival.parts[part];
-  instead = {step, 1, Eigen::VectorXd::Zero(2), 0};
-  const Gain own = gainInstead(inquiry, explanation, misread, misread);
-  const Gain gain = gainInstead(inquiry, explanation, misread, instead);
-  instead.width = gain.width;
-  instead.logGain = gain.log;
-  // Either circle of the row may be the one that was misread.
-  const double misreading = std::log(2) + PriorOdds().logOfMisreading(inquiry.leftover.readings());
-  const double odds = gain.log + inquiry.candidates[step].logPrior - own.log - misreading;
-  rival.logOdds += odds;
-  return rival;
-}
-
-/// Names what the part looks like, `rival` in its place.
-void addLookAlike(Answer& answer, std::size_t part, std::size_t component,
-                  const std::optional<Explanation>& rival) {
-  answer.lookAlikes[part].push_back(component);
-  if (rival) answer.rivals.push_back(*rival);
-}
-
-/// The step, where there is one, that leaves what this misreading leaves.
-void addSteps(const Inquiry& inquiry, Answer& answer, std::size_t part) {
-  const Explanation& explanation = answer.explanation;
-  const Eigen::Index reading = inquiry.readingOf(explanation.parts[part]);
-  const auto isJump = [&](const Part& other) { return inquiry.kindOf(other) == Component::Kind::Jump; };
-  if (std::ranges::any_of(explanation.parts, isJump)) return;  // one jump to a session
-  for (std::size_t i = 0; i < inquiry.candidates.size(); ++i) {
-    if (inquiry.candidates[i].onlyRow != inquiry.leftover.reading(reading).sequence) continue;
-    const Explanation rival = withStep(inquiry, explanation, part, i);
-    if (isClose(rival, explanation)) addLookAlike(answer, part, i, rival);
-  }
-}
-
-/// Another effect in place of one that is alone; absent where the noise is larger than stated and the search
-/// did not meet it.
-std::optional<Explanation> withOther(const Inquiry& inquiry, const Explanation& explanation,
-                                     std::size_t other) {
-  if (explanation.parts.size() != 1) return std::nullopt;
-  if (const Explanation* met = inquiry.alone(other, explanation.noisy)) return *met;
-  if (explanation.noisy) return std::nullopt;
-  const Part& own = explanation.parts.front();
-  const Component& component = inquiry.candidates[other];
-  Explanation rival = explanation;
-  rival.parts = {fitAlone(inquiry.leftover, component, other)};
-  rival.logOdds += rival.parts.front().logGain + component.logPrior - own.logGain -
-                   inquiry.candidates[own.component].logPrior;
-  return rival;
-}
-
-void addEffects(const Inquiry& inquiry, Answer& answer, std::size_t index) {
-  const Explanation& explanation = answer.explanation;
-  const Part& part = explanation.parts[index];
-  const Eigen::VectorXd trace = signature(inquiry.leftover, inquiry.candidates[part.component], part.weights);
-  for (std::size_t i = 0; i < inquiry.candidates.size(); ++i) {
-    const Component& other = inquiry.candidates[i];
-    if (other.kind != Component::Kind::Effect || i == part.component) continue;
-    const double difference = differenceFrom(trace, other) / explanation.noise;
-    if (difference > clearlyDifferent) continue;
-    const std::optional<Explanation> rival = withOther(inquiry, explanation, i);
-    if (difference < hardlyDifferent || (rival && isClose(*rival, explanation)))
-      addLookAlike(answer, index, i, rival);
-  }
-}
-
-void addLookAlikes(const Inquiry& inquiry, Answer& answer, std::size_t part) {
-  const Component::Kind kind = inquiry.kindOf(answer.explanation.parts[part]);
-  if (kind == Component::Kind::Misreading) addSteps(inquiry, answer, part);
-  if (kind == Component::Kind::Effect) addEffects(inquiry, answer, part);
-}
-
 GapModel modelWith(const Inquiry& inquiry, const Explanation& explanation) {
   return alidade::modelWith(inquiry.base, explanation, inquiry.candidates, inquiry.leftover);
+}
+
+Answer nothingIn(const Inquiry& inquiry) {
+  return {Answer::Kind::Nothing, {}, {}, {}, inquiry.base};
+}
+
+Answer knownAs(const Inquiry& inquiry, const Explanation& explanation) {
+  return {
+      Answer::Kind::Known, explanation, rivalsOf(inquiry, explanation), {}, modelWith(inquiry, explanation)};
+}
+
+/// The likeliest pattern, and beside it what is as good as certain.
+Answer unknownIn(const Inquiry& inquiry) {
+  constexpr double certain = 0.95;
+  const Explanation& shaped = *std::ranges::find_if(inquiry.explanations, &Explanation::shaped);
+  const std::vector<std::vector<Rival>> rivals = rivalsOf(inquiry, shaped);
+  Answer answer{Answer::Kind::Unknown, {}, {}, shaped.parts.back(), {}};
+  for (std::size_t p = 0; p + 1 < shaped.parts.size(); ++p) {
+    if (chanceOf(inquiry, shaped.parts[p], rivals[p]) < certain) continue;
+    answer.explanation.parts.push_back(shaped.parts[p]);
+    answer.rivals.push_back(rivals[p]);
+  }
+  answer.after = modelWith(inquiry, answer.explanation);
+  return answer;
+}
+
+/// Whether any of its parts, or what looks like it, is likelier than that.
+bool isLikelier(const Inquiry& inquiry, const Answer& answer, double chance) {
+  if (answer.explanation.noisy && inquiry.probabilityOf(noiseId) > chance) return true;
+  for (std::size_t p = 0; p < answer.rivals.size(); ++p)
+    if (chanceOf(inquiry, answer.explanation.parts[p], answer.rivals[p]) > chance) return true;
+  return false;
 }
 
 }  // namespace
 
 Answer conclude(const Inquiry& inquiry) {
-  const Answer::Kind kind = likeliestKind(inquiry);
-  if (kind != Answer::Kind::Known) return {kind, {}, {}, {}, inquiry.base};
-  Answer answer{kind, bestKnown(inquiry), {}, {}, {}};
-  answer.lookAlikes.resize(answer.explanation.parts.size());
-  for (std::size_t part = 0; part < answer.explanation.parts.size(); ++part)
-    addLookAlikes(inquiry, answer, part);
-  answer.after = modelWith(inquiry, answer.explanation);
+  const auto [nothing, known, unknown] = chancesOf(inquiry);
+  if (unknown > known && unknown > nothing) return unknownIn(inquiry);
+  if (nothing >= known) return nothingIn(inquiry);
+  Answer answer = knownAs(inquiry, bestKnown(inquiry));
+  // Many causes may each be a little likely, and none of them more than that.
+  if (!isLikelier(inquiry, answer, std::max(nothing, unknown)))
+    return nothing >= unknown ? nothingIn(inquiry) : unknownIn(inquiry);
   return answer;
 }
 
 std::optional<IntersectionEstimate> afterwardsOf(const Inquiry& inquiry, const Answer& answer) {
   constexpr double negligible = 1e-3;
-  const std::optional<IntersectionEstimate> first = estimateOf(answer.after);
-  if (!first) return first;
-  double sum = 1, mean = first->value, second = first->sigma * first->sigma + mean * mean;
-  for (const Explanation& rival : answer.rivals) {
-    const double chance = std::exp(rival.logOdds - answer.explanation.logOdds);
-    if (chance < negligible) continue;
-    const auto other = estimateOf(modelWith(inquiry, rival));
-    sum += chance;
-    mean += chance * other->value;
-    second += chance * (other->sigma * other->sigma + other->value * other->value);
+  const std::optional<IntersectionEstimate> own = estimateOf(answer.after);
+  if (!own) return own;
+  double mean = own->value, variance = own->sigma * own->sigma;
+  for (std::size_t p = 0; p < answer.rivals.size(); ++p) {
+    double odds = 1, shift = 0, squares = 0;
+    for (const Rival& rival : answer.rivals[p]) {
+      if (rival.odds < negligible) continue;
+      Explanation explanation = answer.explanation;
+      explanation.parts[p] = rival.part;
+      const std::optional<IntersectionEstimate> other = estimateOf(modelWith(inquiry, explanation));
+      const double difference = other->value - own->value;
+      odds += rival.odds;
+      shift += rival.odds * difference;
+      squares +=
+          rival.odds * (difference * difference + other->sigma * other->sigma - own->sigma * own->sigma);
+    }
+    mean += shift / odds;
+    variance += squares / odds - std::pow(shift / odds, 2);
   }
-  if (sum == 1) return first;
-  mean /= sum;
-  const double sigma = std::sqrt(std::max(second / sum - mean * mean, 0.0));
-  return IntersectionEstimate{mean, sigma, sigma * (first->expanded / first->sigma)};
+  if (answer.pattern) {
+    const Component& pattern = inquiry.candidates[answer.pattern->component];
+    variance +=
+        std::pow(influencePerSigma(answer.after).dot(pattern.pattern.times(answer.pattern->weights)), 2);
+  }
+  const double sigma = std::sqrt(std::max(variance, 0.0));
+  return IntersectionEstimate{mean, sigma, sigma * (own->expanded / own->sigma)};
 }
 
 std::vector<GapStep> stepsOf(const Inquiry& inquiry, const Answer& answer) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/diagnosis/inquiry.h"
+#include "core/diagnosis/rivals.h"
 
 namespace alidade {
 
@@ -13,20 +14,17 @@ struct Answer {
   enum class Kind { Nothing, Known, Unknown };
 
   Kind kind = Kind::Nothing;
-  Explanation explanation;  ///< of a Known; else empty
-  /// Of each part of the explanation, what these readings cannot tell from it: effects, of a misreading the
-  /// step that only its row would show. Indices of candidates.
-  std::vector<std::vector<std::size_t>> lookAlikes;
-  std::vector<Explanation>
-      rivals;      ///< with one of those in place of what it looks like, where that is weighed
-  GapModel after;  ///< with the explanation in the model
+  Explanation explanation;                 ///< of an Unknown: what is certain beside the pattern
+  std::vector<std::vector<Rival>> rivals;  ///< of each part of the explanation
+  std::optional<Part> pattern;             ///< of an Unknown: the likeliest
+  GapModel after;                          ///< with the explanation in the model
 };
 
 /// Whichever of nothing, known causes and a pattern of no known cause is the most likely as a whole.
 Answer conclude(const Inquiry& inquiry);
 
-/// Δd afterwards; where others look like the cause, averaged over all of them, each as likely as it is, with
-/// what they differ by in σ.
+/// Δd afterwards; where others look like a cause, averaged over all of them, each as likely as it is, with
+/// what they differ by in σ. What the pattern of an unknown cause moves Δd by is part of σ too.
 std::optional<IntersectionEstimate> afterwardsOf(const Inquiry& inquiry, const Answer& answer);
 
 /// The gap after each cause: without all readings blamed, then with each part of the explanation added.

@@ -55,14 +55,14 @@ std::vector<Cause> causesOf(const Inquiry& inquiry, const Answer& answer) {
     const Part& part = explanation.parts[p];
     if (inquiry.isMisreading(part)) {
       misread.push_back(blamed(inquiry, inquiry.readingOf(part), part.weights[0]));
-      likeStep = likeStep || !answer.lookAlikes[p].empty();
+      likeStep = likeStep || !answer.rivals[p].empty();
       continue;
     }
     const Component& component = inquiry.candidates[part.component];
     Cause cause = named(inquiry, component.id);
     addParameters(cause, answer.after, component);
-    for (const std::size_t i : answer.lookAlikes[p])
-      cause.indistinguishableFrom.push_back(inquiry.candidates[i].id);
+    for (const Rival& rival : answer.rivals[p])
+      cause.indistinguishableFrom.push_back(inquiry.candidates[rival.part.component].id);
     causes.push_back(std::move(cause));
   }
   if (!misread.empty()) {

@@ -43,6 +43,12 @@ MatrixXd wholeColumns(const Leftover& leftover, const Component& component) {
       if (leftover.reading(i).sequence < component.moment) columns.row(i).setZero();
     return columns * plausibleJump;
   }
+  if (component.kind == Component::Kind::Shape) {
+    const Index count = component.pattern.columns();
+    MatrixXd columns(leftover.readings(), count);
+    for (Index c = 0; c < count; ++c) columns.col(c) = component.pattern.times(VectorXd::Unit(count, c));
+    return columns;
+  }
   const std::vector<EffectParameter>& parameters = component.effect->parameters;
   MatrixXd columns(leftover.readings(), static_cast<Index>(parameters.size()));
   for (std::size_t p = 0; p < parameters.size(); ++p)

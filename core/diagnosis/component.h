@@ -65,7 +65,7 @@ inline constexpr double plausibleJump = 60.0 / 3600 * std::numbers::pi / 180;
 /// Effects small and large beside their plausible size: 0.1, 0.3, 1 and 3 times.
 const std::vector<Width>& widthsOf(Component::Kind kind);
 
-/// The columns of an effect or a jump over the readings, visible or not.
+/// The columns of a component that has any over the readings, visible or not.
 Eigen::MatrixXd wholeColumns(const Leftover& leftover, const Component& component);
 
 /// Of a bending component: its columns and curvature side by side, the five weights (x, y, ½x², xy, ½y²) they

@@ -65,14 +65,6 @@ double Inquiry::probabilityOf(std::string_view id) const {
   return std::min(sum, 1.0);  // of rounding
 }
 
-const Explanation* Inquiry::alone(std::size_t component, bool noisy) const {
-  const auto found = std::ranges::find_if(explanations, [&](const Explanation& explanation) {
-    return explanation.parts.size() == 1 && explanation.parts[0].component == component &&
-           explanation.noisy == noisy;
-  });
-  return found == explanations.end() ? nullptr : &*found;
-}
-
 std::vector<Component> effectsBeyond(const GapModel& model, const Leftover& leftover,
                                      const std::vector<std::string>& leftOut, const PriorOdds& odds) {
   std::vector<Component> components = effectComponents(leftover, leftOut, odds);

@@ -44,8 +44,6 @@ struct Inquiry {
   const std::string& idOf(const Part& part) const;
   /// Probability that the id is among the causes.
   double probabilityOf(std::string_view id) const;
-  /// The explanation of one component alone, with the same noise; null where the search did not meet it.
-  const Explanation* alone(std::size_t component, bool noisy) const;
 };
 
 /// The effects of the catalogue but those in `leftOut`, a plane tilt with its second derivatives. `leftover`

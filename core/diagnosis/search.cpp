@@ -44,17 +44,34 @@ Search::Search(const Leftover& leftover, const std::vector<Component>& candidate
 
 std::vector<Explanation> Search::grown(double variance) {
   m_variance = variance;
-  State nothing;
-  nothing.found.chiSquare = m_leftover.chiSquare();
-  nothing.right = m_table.products(m_leftover.residual());
-  nothing.shared.resize(0, m_table.size());
-  std::vector<Explanation> found{nothing.found};
-  for (std::vector<State> level{std::move(nothing)}; !level.empty() && !isStopped();) {
+  std::vector<State> level{nothing()};
+  std::vector<Explanation> found{level.front().found};
+  while (!level.empty() && !isStopped()) {
     level = next(level);
     for (const State& state : level) found.push_back(state.found);
     std::erase_if(level, [&](const State& s) { return !mayGrow(s); });
   }
   return found;
+}
+
+Explanation Search::madeOf(const std::vector<std::size_t>& components, double variance) {
+  m_variance = variance;
+  State state = nothing();
+  for (std::size_t i = 0; i < components.size(); ++i) {
+    const Gain gain = gainFor(state, components[i]);
+    const double logOdds = state.found.logOdds + gain.log + priorOf(components[i]);
+    const bool isLast = i + 1 == components.size();
+    state = with(state, {.component = components[i], .gain = gain, .logOdds = logOdds}, !isLast);
+  }
+  return state.found;
+}
+
+Search::State Search::nothing() const {
+  State nothing;
+  nothing.found.chiSquare = m_leftover.chiSquare();
+  nothing.right = m_table.products(m_leftover.residual());
+  nothing.shared.resize(0, m_table.size());
+  return nothing;
 }
 
 std::vector<Search::State> Search::next(const std::vector<State>& level) {
@@ -186,7 +203,7 @@ const MatrixXd& Search::productsOf(std::size_t component) {
   return entry->second;
 }
 
-Search::State Search::with(const State& state, const Growth& growth) {
+Search::State Search::with(const State& state, const Growth& growth, bool inAnyCase) {
   const std::size_t component = growth.component;
   const Index first = m_table.first(component), count = m_table.count(component);
   State next;
@@ -211,7 +228,7 @@ Search::State Search::with(const State& state, const Growth& growth) {
   if (!linear.isPlain) next.found.chiSquare += linear.fixed.dot(gram * linear.fixed - 2 * right);
   if (along.size() > 0)
     next.found.parts.back().weights = m_table.weights(component, factor.matrixU().solve(along));
-  if (!mayGrow(next)) return next;
+  if (!inAnyCase && !mayGrow(next)) return next;
 
   const MatrixXd products = productsOf(component) - before.transpose() * state.shared;
   const MatrixXd added =

@@ -20,6 +20,8 @@ class Search {
   /// `variance`: of the readings, in units of the stated one. `logOdds` and `logEvidence` are against nothing
   /// with the same noise. The first is the empty set.
   std::vector<Explanation> grown(double variance);
+  /// Exactly these components, each as it is beside those before it.
+  Explanation madeOf(const std::vector<std::size_t>& components, double variance);
 
  private:
   /// A set of components, taken off the leftover.
@@ -58,7 +60,9 @@ class Search {
   std::vector<Growth> misreadingsFor(const State& state) const;
   Gain gainFor(const State& state, std::size_t component) const;
   BentFit bentFor(const State& state, std::size_t component) const;
-  State with(const State& state, const Growth& growth);
+  State nothing() const;
+  /// `inAnyCase`: ready for more even where the search would add none.
+  State with(const State& state, const Growth& growth, bool inAnyCase = false);
   Linear linearFor(const State& state, std::size_t component) const;
   const Eigen::MatrixXd& productsOf(std::size_t component);
   bool isStopped() const { return m_options.stop.stop_requested(); }

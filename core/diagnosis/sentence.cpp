@@ -67,9 +67,10 @@ std::string sentenceFor(const Diagnosis& diagnosis) {
     case DiagnosisVerdict::SeveralCauses:
       return "The gap has several causes: " + causesNamed(diagnosis) + "." + shrunk(diagnosis);
     case DiagnosisVerdict::NotInCatalogue:
-      return std::string(diagnosis.causes.empty() ? "The gap is real"
-                                                  : "Beside the readings blamed the gap is real") +
-             ", and no effect of the catalogue explains it" +
+      return (diagnosis.causes.empty()
+                  ? "The gap is real, and no effect of the catalogue explains it"
+                  : "Beside " + causesNamed(diagnosis) +
+                        " the gap is real, and no effect of the catalogue explains the rest") +
              (diagnosis.shape ? "; it follows the pattern “" + diagnosis.shape->follows + "”."
                               : std::string("."));
   }

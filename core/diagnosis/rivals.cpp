@@ -1,0 +1,113 @@
+#include "core/diagnosis/rivals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/diagnosis/look_alikes.h"
+#include "core/diagnosis/search.h"
+
+namespace alidade {
+
+namespace {
+
+/// Weighs other components in the place of one part of an explanation.
+class Comparison {
+ public:
+  Comparison(const Inquiry& inquiry, const Explanation& explanation, std::size_t part)
+      : m_inquiry(inquiry), m_explanation(explanation), m_part(part) {}
+
+  const Part& part() const { return m_explanation.parts[m_part]; }
+
+  Rival with(std::size_t component) {
+    if (!m_own) m_own = made(part().component);
+    const Explanation found = made(component);
+    return {std::exp(found.logOdds - m_own->logOdds), found.parts.back()};
+  }
+
+ private:
+  const Inquiry& m_inquiry;
+  const Explanation& m_explanation;
+  std::size_t m_part;
+  const SearchOptions m_options;
+  std::optional<Search> m_search;
+  std::optional<Explanation> m_own;
+
+  /// The part's place is the last: what is in it is weighed beside all others.
+  Explanation made(std::size_t component) {
+    if (!m_search) m_search.emplace(m_inquiry.leftover, m_inquiry.candidates, m_options);
+    std::vector<std::size_t> components;
+    for (std::size_t i = 0; i < m_explanation.parts.size(); ++i)
+      if (i != m_part) components.push_back(m_explanation.parts[i].component);
+    components.push_back(component);
+    return m_search->madeOf(components, m_explanation.noisy ? m_explanation.noise * m_explanation.noise : 1);
+  }
+};
+
+/// Odds of 33 at most against it.
+bool isClose(const Rival& rival) {
+  return rival.odds > 0.03;
+}
+
+/// Steps, where there are any, that leave what this misreading leaves.
+std::vector<Rival> steps(const Inquiry& inquiry, const Explanation& explanation, Comparison& comparison) {
+  const auto isJump = [&](const Part& other) { return inquiry.kindOf(other) == Component::Kind::Jump; };
+  if (std::ranges::any_of(explanation.parts, isJump)) return {};  // one jump to a session
+  const std::size_t row = inquiry.leftover.reading(inquiry.readingOf(comparison.part())).sequence;
+  std::vector<Rival> rivals;
+  for (std::size_t i = 0; i < inquiry.candidates.size(); ++i) {
+    if (inquiry.candidates[i].onlyRow != row) continue;
+    Rival rival = comparison.with(i);
+    rival.odds /= 2;  // either circle of the row may be the one that was misread
+    if (isClose(rival)) rivals.push_back(std::move(rival));
+  }
+  return rivals;
+}
+
+/// Effects nearly like the part that explain something in its place.
+std::vector<Rival> effects(const Inquiry& inquiry, const Explanation& explanation, Comparison& comparison) {
+  constexpr double something = 0.1;  // natural logarithm: more than rounding
+  const Part& part = comparison.part();
+  const Eigen::VectorXd trace = signature(inquiry.leftover, inquiry.candidates[part.component], part.weights);
+  std::vector<Rival> rivals;
+  for (std::size_t i = 0; i < inquiry.candidates.size(); ++i) {
+    const auto isOther = [&](const Part& any) { return any.component != i; };
+    if (inquiry.candidates[i].kind != Component::Kind::Effect ||
+        !std::ranges::all_of(explanation.parts, isOther))
+      continue;
+    const double difference = differenceFrom(trace, inquiry.candidates[i]) / explanation.noise;
+    if (difference > clearlyDifferent) continue;
+    Rival rival = comparison.with(i);
+    const bool explains = rival.part.logGain > something;
+    if (explains && (difference < hardlyDifferent || isClose(rival))) rivals.push_back(std::move(rival));
+  }
+  return rivals;
+}
+
+}  // namespace
+
+std::vector<std::vector<Rival>> rivalsOf(const Inquiry& inquiry, const Explanation& explanation) {
+  std::vector<std::vector<Rival>> rivals(explanation.parts.size());
+  for (std::size_t p = 0; p < rivals.size(); ++p) {
+    Comparison comparison(inquiry, explanation, p);
+    const Component::Kind kind = inquiry.kindOf(comparison.part());
+    if (kind == Component::Kind::Misreading) rivals[p] = steps(inquiry, explanation, comparison);
+    if (kind == Component::Kind::Effect) rivals[p] = effects(inquiry, explanation, comparison);
+  }
+  return rivals;
+}
+
+double chanceOf(const Inquiry& inquiry, const Part& part, const std::vector<Rival>& rivals) {
+  const auto isMeant = [&](const Part& other) {
+    const bool isJump = inquiry.kindOf(part) == Component::Kind::Jump;  // before whichever row
+    return other.component == part.component || (isJump && inquiry.kindOf(other) == Component::Kind::Jump) ||
+           std::ranges::any_of(rivals,
+                               [&](const Rival& rival) { return rival.part.component == other.component; });
+  };
+  double sum = 0;
+  for (const Explanation& explanation : inquiry.explanations)
+    if (std::ranges::any_of(explanation.parts, isMeant)) sum += explanation.chance;
+  return std::min(sum, 1.0);  // of rounding
+}
+
+}  // namespace alidade
