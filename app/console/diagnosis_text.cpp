@@ -29,9 +29,8 @@ std::string gapText(const Diagnosis& diagnosis) {
   for (const GapStep& step : diagnosis.steps)
     rows.push_back(row(step.effect == "gross_error" ? "without the misread values" : "with " + step.effect,
                        step.size, step.intersection));
-  const auto& last = diagnosis.steps.empty() ? diagnosis.afterwards : diagnosis.steps.back().intersection;
-  if (last && diagnosis.afterwards && last->expanded != diagnosis.afterwards->expanded)
-    rows.push_back(row("averaged over its look-alikes", diagnosis.after, diagnosis.afterwards));
+  if (const std::string beyond = beyondTheFit(diagnosis); !beyond.empty())
+    rows.push_back(row(beyond, diagnosis.after, diagnosis.afterwards));
   return "\n" + alignedColumns(rows);
 }
 

@@ -87,6 +87,7 @@ bool isLikelier(const Inquiry& inquiry, const Answer& answer, double chance) {
 }  // namespace
 
 Answer conclude(const Inquiry& inquiry) {
+  constexpr double hardlyNoise = 1e-3;  // what known causes leave may not be less likely by noise alone
   const auto [nothing, known, unknown] = chancesOf(inquiry);
   if (unknown > known && unknown > nothing) return unknownIn(inquiry);
   if (nothing >= known) return nothingIn(inquiry);
@@ -94,13 +95,17 @@ Answer conclude(const Inquiry& inquiry) {
   // Many causes may each be a little likely, and none of them more than that.
   if (!isLikelier(inquiry, answer, std::max(nothing, unknown)))
     return nothing >= unknown ? nothingIn(inquiry) : unknownIn(inquiry);
-  return answer;
+  if (answer.explanation.noisy || sizeOf(answer.after).pValue > hardlyNoise) return answer;
+  const auto more = std::ranges::find_if(
+      inquiry.explanations, [](const Explanation& other) { return other.shaped || other.noisy; });
+  if (more == inquiry.explanations.end()) return answer;
+  return more->shaped ? unknownIn(inquiry) : knownAs(inquiry, *more);
 }
 
 std::optional<IntersectionEstimate> afterwardsOf(const Inquiry& inquiry, const Answer& answer) {
   constexpr double negligible = 1e-3;
   const std::optional<IntersectionEstimate> own = estimateOf(answer.after);
-  if (!own) return own;
+  if (!own || (!answer.pattern && std::ranges::all_of(answer.rivals, &std::vector<Rival>::empty))) return own;
   double mean = own->value, variance = own->sigma * own->sigma;
   for (std::size_t p = 0; p < answer.rivals.size(); ++p) {
     double odds = 1, shift = 0, squares = 0;

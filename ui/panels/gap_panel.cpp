@@ -188,10 +188,14 @@ void GapPanel::showEffectOnResult() {
   };
   if (&bare != &modelled) add(tr("before"), bare.intersection);
   add(tr("as modelled"), modelled.intersection);
-  if (!diagnosis.steps.empty()) add(tr("with the causes"), diagnosis.afterwards);
+  if (diagnosis.shape)
+    add(tr("with the pattern"), diagnosis.afterwards);
+  else if (!diagnosis.steps.empty())
+    add(tr("with the causes"), diagnosis.afterwards);
   m_result->setRows(titles, {{tr("Δd ± U  mm"), values,
                               tr("Before: without the effects of the model. With the causes: averaged over "
-                                 "what looks alike, each as likely as it is")}});
+                                 "what looks alike, each as likely as it is. With the pattern: U holds what "
+                                 "it may move Δd by")}});
 }
 
 void GapPanel::showShrinkage() {
@@ -205,8 +209,9 @@ void GapPanel::showShrinkage() {
                        numberText(100 * diagnosis.shrink.heldOut, 0))
             : tr("The residuals shrink by %1 %; there are too few readings to hold any out of the fit.")
                   .arg(numberText(100 * diagnosis.shrink.inSample, 0)));
-  const bool isAmbiguous = diagnosis.verdict == DiagnosisVerdict::Ambiguous;
-  if (isAmbiguous)
+  if (diagnosis.shape)
+    says.append(tr("U holds what the pattern may move Δd by; what causes it is not known."));
+  else if (!beyondTheFit(diagnosis).empty())
     says.append(
         tr("Δd with the causes is averaged over all that look alike, each as likely as it is; the "
            "first alone would state a U that is too small."));
