@@ -51,7 +51,7 @@ TEST(Answer, AveragesOverWhatLooksLikeOneOfSeveralCauses) {
   int covered = 0, averaged = 0;
   constexpr int sessions = 40;
   for (std::uint64_t seed = 1; seed <= sessions; ++seed) {
-    const Truth truth = truthOf(seed, {{ErrorTerm::TrunnionTilt, 40}, {ErrorTerm::LobingCosine, 0.15}});
+    const Truth truth = truthOf(seed, {{ErrorTerm::TrunnionTilt, 90}, {ErrorTerm::LobingCosine, 0.15}});
     const Diagnosis diagnosis = diagnosisOf(truth, "paper");
     covered += covers(diagnosis, truth.intersection);
     if (diagnosis.causes.size() < 2) continue;
