@@ -74,7 +74,7 @@ std::string_view nameOf(DiagnosisVerdict verdict) {
   return "";
 }
 
-std::string_view beyondTheFit(const Diagnosis& diagnosis) {
+std::string beyondTheFit(const Diagnosis& diagnosis) {
   if (diagnosis.shape) return "with what the pattern may move it by";
   const auto isAlone = [](const Cause& cause) { return cause.indistinguishableFrom.empty(); };
   return std::ranges::all_of(diagnosis.causes, isAlone) ? "" : "averaged over what looks alike";

@@ -147,7 +147,7 @@ Result<Diagnosis> diagnose(const Measurement& measurement, const DiagnosisOption
 
 /// What `afterwards` holds beyond the fit with the causes: "averaged over what looks alike", "with what the
 /// pattern may move it by"; empty where there is nothing.
-std::string_view beyondTheFit(const Diagnosis& diagnosis);
+std::string beyondTheFit(const Diagnosis& diagnosis);
 
 /// Every id a diagnosis may name: the effects of the catalogue, a jump, misread values, larger noise.
 const std::vector<std::string>& diagnosableEffects();

@@ -21,8 +21,8 @@ void addStages(ReportSheet& sheet, const Gap& gap) {
   for (const GapStage& stage : gap.stages)
     table.row({stageText(gap, stage), arcsecText(stage.rms, 2), numberText(stage.reducedChiSquare, 2),
                estimateText(stage.intersection)});
-  if (const std::string_view beyond = beyondTheFit(*gap.diagnosis); !beyond.empty())
-    table.row({toQString(beyond), arcsecText(gap.diagnosis->after.rms, 2),
+  if (const std::string beyond = beyondTheFit(*gap.diagnosis); !beyond.empty())
+    table.row({QString::fromStdString(beyond), arcsecText(gap.diagnosis->after.rms, 2),
                numberText(gap.diagnosis->after.reducedChiSquare, 2),
                estimateText(gap.diagnosis->afterwards)});
   table.finish();
