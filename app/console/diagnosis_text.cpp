@@ -31,8 +31,6 @@ std::string gapText(const Diagnosis& diagnosis) {
                        step.size, step.intersection));
   if (const std::string beyond = beyondTheFit(diagnosis); !beyond.empty())
     rows.push_back(row(beyond, diagnosis.after, diagnosis.afterwards));
-  if (const std::string beyond = beyondTheFit(diagnosis); !beyond.empty())
-    rows.push_back(row(beyond, diagnosis.after, diagnosis.afterwards));
   return "\n" + alignedColumns(rows);
 }
 

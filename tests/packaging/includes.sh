@@ -12,9 +12,10 @@ awk '
     for (i in order) level[order[i]] = i
     # Equations shared by the sources of one folder, and by nobody else.
     inner["core/adjustment/arc_jets.h"]
+    inner["core/adjustment/auto_diff.h"]
     inner["core/adjustment/joint_problem.h"]
     split("advice answer causes column_table component explanation further_readings gain gap_model gap_size " \
-          "held_out inquiry known_components leftover location look_alikes misread_circle pattern search " \
+          "held_out inquiry known_components leftover location look_alikes misread_circle pattern rivals search " \
           "shape_components steps_in_time unseen visible_terms", diagnosis)
     for (i in diagnosis) inner["core/diagnosis/" diagnosis[i] ".h"]
   }
