@@ -8,6 +8,7 @@
 #include "core/base/list_text.h"
 #include "core/base/number_text.h"
 #include "core/base/quantity_text.h"
+#include "core/effects/cause_ids.h"
 
 namespace alidade::console {
 
@@ -27,7 +28,7 @@ std::string gapText(const Diagnosis& diagnosis) {
   Rows rows{{"", "rms (″)", "reduced χ²", "Δd (mm)", "U (mm)"},
             row("as modelled", diagnosis.gap, diagnosis.before)};
   for (const GapStep& step : diagnosis.steps)
-    rows.push_back(row(step.effect == "gross_error" ? "without the misread values" : "with " + step.effect,
+    rows.push_back(row(step.effect == misreadingId ? "without the misread values" : "with " + step.effect,
                        step.size, step.intersection));
   if (const std::string beyond = beyondTheFit(diagnosis); !beyond.empty())
     rows.push_back(row(beyond, diagnosis.after, diagnosis.afterwards));

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/diagnosis/gap_size.h"
+#include "core/effects/cause_ids.h"
 
 namespace alidade {
 

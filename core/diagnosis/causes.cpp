@@ -5,6 +5,7 @@
 
 #include "core/adjustment/reading_ref.h"
 #include "core/diagnosis/misread_circle.h"
+#include "core/effects/cause_ids.h"
 
 namespace alidade {
 

@@ -9,6 +9,7 @@
 #include "core/diagnosis/location.h"
 #include "core/diagnosis/sentence.h"
 #include "core/diagnosis/unseen.h"
+#include "core/effects/cause_ids.h"
 
 namespace alidade {
 

@@ -5,6 +5,7 @@
 
 #include "core/diagnosis/known_components.h"
 #include "core/diagnosis/shape_components.h"
+#include "core/effects/cause_ids.h"
 
 namespace alidade {
 

@@ -12,9 +12,6 @@ namespace alidade {
 
 // The search for what explains a gap, for the .cpp files of this room only.
 
-inline constexpr const char *jumpId = "orientation_jump", *misreadingId = "gross_error",
-                            *noiseId = "underestimated_noise";
-
 /// A reading that was left out before the search, since it is off by far more than the equations bear.
 struct FarOff {
   Eigen::Index reading = 0;  ///< index into the leftover's readings

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/diagnosis/steps_in_time.h"
+#include "core/effects/cause_ids.h"
 
 namespace alidade {
 
@@ -103,10 +104,8 @@ std::vector<Component> jumpComponents(const Leftover& leftover, const PriorOdds&
   const std::size_t stride = moments.size() / mostMoments + 1;
   std::vector<Component> components;
   for (std::size_t m = 0; m < moments.size(); m += stride) {
-    components.push_back({.kind = Component::Kind::Jump,
-                          .id = "orientation_jump",
-                          .frame = Frame::Time,
-                          .moment = moments[m]});
+    components.push_back(
+        {.kind = Component::Kind::Jump, .id = jumpId, .frame = Frame::Time, .moment = moments[m]});
     const auto only = shownByOne.find(moments[m]);
     if (only != shownByOne.end()) components.back().onlyRow = only->second;
   }

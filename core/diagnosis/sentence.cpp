@@ -4,6 +4,7 @@
 
 #include "core/base/list_text.h"
 #include "core/base/quantity_text.h"
+#include "core/effects/cause_ids.h"
 
 namespace alidade {
 
@@ -11,7 +12,7 @@ namespace {
 
 /// Larger noise explains residuals, it does not shrink them.
 bool shrinks(const Diagnosis& diagnosis) {
-  return diagnosis.causes.front().effect != "underestimated_noise";
+  return diagnosis.causes.front().effect != noiseId;
 }
 
 std::string from(double before, double after, int decimals) {
@@ -36,7 +37,7 @@ std::string shrunk(const Diagnosis& diagnosis) {
   if (!shrinks(diagnosis))
     return " The readings scatter " + displayText(diagnosis.causes.front().parameters.front().value, 1) +
            " times as much as stated, without a pattern.";
-  const std::string with = first == "gross_error" && diagnosis.causes.size() == 1
+  const std::string with = first == misreadingId && diagnosis.causes.size() == 1
                                ? " Without the readings blamed "
                            : diagnosis.causes.size() == 1 ? " With it in the model "
                                                           : " With them in the model ";
