@@ -96,7 +96,8 @@ Answer conclude(const Inquiry& inquiry) {
   // Many causes may each be a little likely, and none of them more than that.
   if (!isLikelier(inquiry, answer, std::max(nothing, unknown)))
     return nothing >= unknown ? nothingIn(inquiry) : unknownIn(inquiry);
-  if (answer.explanation.noisy || sizeOf(answer.after).pValue > hardlyNoise) return answer;
+  const bool isNoise = !(sizeOf(answer.after).pValue < hardlyNoise);  // or nothing tells
+  if (answer.explanation.noisy || isNoise) return answer;
   const auto more = std::ranges::find_if(
       inquiry.explanations, [](const Explanation& other) { return other.shaped || other.noisy; });
   if (more == inquiry.explanations.end()) return answer;

@@ -180,7 +180,8 @@ class BentGrid {
     }
   }
 
-  /// ln of the integral with weights normal of this width; `highest` and `at`: of the integrand.
+  /// ln of the integral with weights normal of this width; `highest` and `at`: of the integrand. A peak too
+  /// narrow for the grid is taken as normal (Laplace).
   double integral(double width, double& highest, Vector2d& at) const {
     const double norm = -std::log(2 * M_PI * width * width);
     const Places& all = allPlaces();
@@ -194,7 +195,12 @@ class BentGrid {
       x = i;
     }
     (m_values.col(x) + prior).maxCoeff(&y);
-    at = {all[x], all[y]};
+    at = closeIn({all[x], all[y]}, width);
+    const Eigen::Matrix2d curvature = curvatureAt(at, width);
+    if (curvature.determinant() > 0 && curvature.trace() > 1 / (step * step)) {
+      highest = valueAt(at, width) + norm;
+      return highest + std::log(2 * M_PI) - 0.5 * std::log(curvature.determinant());
+    }
     highest = most + norm;
     const double sum = factor.matrix().dot((m_evidence.matrix() * factor.matrix()).eval());
     return norm + m_highest + std::log(sum) + 2 * std::log(step);
@@ -216,6 +222,13 @@ class BentGrid {
         }
       }
     }
+    for (int i = 0; i < 5; ++i) {
+      const Eigen::Matrix2d curvature = curvatureAt(at, width);
+      if (curvature.determinant() <= 0 || curvature.trace() <= 0) break;
+      const Vector2d next = at + curvature.inverse() * slopeAt(at, width);
+      if (valueAt(next, width) <= valueAt(at, width)) break;
+      at = next;
+    }
     return at;
   }
 
@@ -234,6 +247,25 @@ class BentGrid {
   static const Places& allPlaces() {
     static const Places all = Places::LinSpaced(places, -reach, -reach + (places - 1) * step);
     return all;
+  }
+
+  /// ln of the integrand, its slope and its second derivatives with their sign turned.
+  double valueAt(const Vector2d& at, double width) const {
+    return quarticAt(at[0])(at[1]) - at.squaredNorm() / (2 * width * width);
+  }
+  Vector2d slopeAt(const Vector2d& at, double width) const {
+    return bentDerivatives(at).transpose() * (m_right - m_gram * bentWeights(at)) - at / (width * width);
+  }
+  Eigen::Matrix2d curvatureAt(const Vector2d& at, double width) const {
+    const auto derivatives = bentDerivatives(at);
+    const Eigen::Vector<double, 5> left = m_right - m_gram * bentWeights(at);
+    Eigen::Matrix2d curvature = derivatives.transpose() * m_gram * derivatives;
+    curvature.diagonal().array() += 1 / (width * width);
+    curvature(0, 0) -= left[2];
+    curvature(0, 1) -= left[3];
+    curvature(1, 0) -= left[3];
+    curvature(1, 1) -= left[4];
+    return curvature;
   }
 
   /// A polynomial of the second weight.
