@@ -65,8 +65,7 @@ namespace {
 
 void sortAsSet(std::vector<std::size_t>& values) {
   std::ranges::sort(values);
-  const auto twice = std::ranges::unique(values);
-  values.erase(twice.begin(), twice.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
 /// Moments whose step parts a row alone in its visit from the rest of its position, as its first or its last:
