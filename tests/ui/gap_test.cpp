@@ -113,6 +113,17 @@ INSTANTIATE_TEST_SUITE_P(Trials, GapVerdict,
                                          Told{relationTrial, "One cause: the vertical angle relation"}),
                          [](const auto& told) { return "Of" + std::string(told.param.trial); });
 
+TEST(Gap, TellsAnUnknownCauseBesideKnownOnes) {
+  Diagnosis diagnosis;
+  diagnosis.verdict = DiagnosisVerdict::NotInCatalogue;
+  const Cause drift{
+      .effect = "vertical_drift", .parameters = {}, .indistinguishableFrom = {}, .readings = {}};
+  diagnosis.causes = {drift};
+  EXPECT_EQ(gapHeadline(diagnosis).toStdString(), "An unknown cause beside vertical drift");
+  diagnosis.causes.push_back(drift);
+  EXPECT_EQ(gapHeadline(diagnosis).toStdString(), "An unknown cause beside 2 known ones");
+}
+
 TEST(Gap, ShowsWhatTheDiagnosisSays) {
   GapBench bench(lobingAndDriftTrial);
   const Diagnosis diagnosis = *diagnose(*examine(bench.open->document().session()).measurement);

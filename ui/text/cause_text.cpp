@@ -85,7 +85,10 @@ QString gapHeadline(const Diagnosis& diagnosis) {
     case DiagnosisVerdict::NotInCatalogue:
       break;
   }
-  return translated("A gap of no known cause");
+  if (diagnosis.causes.empty()) return translated("A gap of no known cause");
+  return diagnosis.causes.size() == 1
+             ? translated("An unknown cause beside %1").arg(causeName(diagnosis.causes.front().effect))
+             : translated("An unknown cause beside %1 known ones").arg(diagnosis.causes.size());
 }
 
 QString gapSentence(const Gap& gap) {
