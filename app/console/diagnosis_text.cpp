@@ -68,19 +68,17 @@ std::string partText(const GapShare& share) {
 
 /// A line for each division of the readings, its parts in their order, those of less than a percent left out.
 std::string whereText(const Diagnosis& diagnosis) {
-  std::string text = "\nWhere it lies\n", by, line;
-  const auto end = [&] { text += line.empty() ? "" : paragraph(line, 4); };
-  for (const GapShare& share : diagnosis.where) {
-    if (share.by != by) {
-      end();
-      by = share.by;
-      line = "  by " + by + " –";
-    }
-    if (share.share < 0.01) continue;
-    line +=
-        (line.ends_with("%") ? ", " : " ") + partText(share) + ": " + fixedText(100 * share.share, 0) + " %";
+  std::string text = "\nWhere it lies\n";
+  for (auto first = diagnosis.where.begin(); first != diagnosis.where.end();) {
+    const auto end = std::find_if(first, diagnosis.where.end(),
+                                  [&](const GapShare& share) { return share.by != first->by; });
+    std::vector<std::string> parts;
+    for (auto share = first; share != end; ++share)
+      if (share->share >= 0.01)
+        parts.push_back(partText(*share) + ": " + fixedText(100 * share->share, 0) + " %");
+    text += paragraph("  by " + first->by + " – " + listed(parts), 4);
+    first = end;
   }
-  end();
   return text;
 }
 

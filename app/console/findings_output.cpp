@@ -56,16 +56,18 @@ Json findingsJson(const std::vector<Finding>& findings) {
   return list;
 }
 
-Problem absence(const std::vector<Finding>& findings) {
-  const auto error = std::find_if(findings.begin(), findings.end(),
-                                  [](const Finding& finding) { return finding.severity == Severity::Error; });
-  if (error == findings.end()) return {"there are no readings to fit; enter those of the axis positions"};
-  return {error->remedy.empty() ? error->text : error->text + " " + error->remedy, error->where};
+std::optional<Problem> absence(const Measurement& measurement, std::size_t fitted,
+                               const std::vector<Finding>& findings) {
+  if (fitted > 0 && fitted == measurement.arcs.size()) return std::nullopt;
+  const auto error = std::ranges::find(findings, Severity::Error, &Finding::severity);
+  if (error == findings.end())
+    return Problem{"there are no readings to fit; enter those of the axis positions"};
+  return Problem{error->remedy.empty() ? error->text : error->text + " " + error->remedy, error->where};
 }
 
 Result<std::vector<Finding>> findingsBeforehand(const Measurement& measurement) {
   const SessionFit fit = fitSession(measurement);
-  if (fit.arcs.empty() || fit.arcs.size() < measurement.arcs.size()) return absence(fit.findings);
+  if (auto problem = absence(measurement, fit.arcs.size(), fit.findings)) return *std::move(problem);
   std::vector<Finding> findings = missingPositions(measurement);
   std::ranges::move(setupFindings(measurement, fit), std::back_inserter(findings));
   std::ranges::move(modelFindings(measurement), std::back_inserter(findings));

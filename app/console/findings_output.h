@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,8 +19,10 @@ std::string findingsText(const std::vector<Finding>& findings);
 /// Severity, text, remedy and place of each.
 nlohmann::ordered_json findingsJson(const std::vector<Finding>& findings);
 
-/// Why not every arc of the measurement was fitted: the first error found.
-Problem absence(const std::vector<Finding>& findings);
+/// Why not every arc of the measurement was fitted, `fitted` of them were: the first error found. Empty where
+/// every one was.
+std::optional<Problem> absence(const Measurement& measurement, std::size_t fitted,
+                               const std::vector<Finding>& findings);
 
 /// For what rests on all positions of a session: fails where one of them cannot be fitted, with the reason;
 /// else what has to be known about positions, set-up and model.

@@ -1,7 +1,6 @@
 #include "app/console/fit_command.h"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <optional>
 
 #include "app/console/findings_output.h"
@@ -20,7 +19,7 @@ namespace {
 Result<std::string> rigorousAnswer(const FitRequest& request, const std::string& name, const Session& session,
                                    const Measurement& measurement) {
   SessionFit fit = fitSession(measurement);
-  if (fit.arcs.empty() || fit.arcs.size() < measurement.arcs.size()) return absence(fit.findings);
+  if (auto problem = absence(measurement, fit.arcs.size(), fit.findings)) return *std::move(problem);
   const std::vector<Suspect> suspects = findSuspects(session, measurement, fit, {.risk = request.risk});
   if (auto finding = suspectsFinding(suspects))
     fit.findings.insert(fit.findings.begin(), *std::move(finding));
@@ -37,7 +36,7 @@ Result<std::string> rigorousAnswer(const FitRequest& request, const std::string&
 Result<std::string> publishedAnswer(const FitRequest& request, const std::string& name,
                                     const Measurement& measurement) {
   const PublishedSessionFit fit = fitSessionAsPublished(measurement);
-  if (fit.arcs.empty() || fit.arcs.size() < measurement.arcs.size()) return absence(fit.findings);
+  if (auto problem = absence(measurement, fit.arcs.size(), fit.findings)) return *std::move(problem);
   return request.json ? fitJson(name, measurement, fit) : fitText(name, measurement, fit);
 }
 

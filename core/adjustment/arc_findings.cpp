@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "core/base/list_text.h"
 #include "core/base/quantity_text.h"
 #include "core/base/statistics.h"
 
@@ -64,8 +65,7 @@ void judgeRedundancyAndNoise(std::vector<Finding>& findings, const ArcFit& fit) 
 }
 
 void judgeRadius(std::vector<Finding>& findings, const Measurement& measurement, const ArcFit& fit) {
-  const double scale = fit.degreesOfFreedom > 0 ? std::max(1.0, std::sqrt(fit.reducedChiSquare())) : 1;
-  const double sigma = scale * std::sqrt(fit.cofactor[2][2]);
+  const double sigma = fit.radiusSigma();
   if (sigma > poorRadiusUncertainty * fit.circle.radius)
     add(findings, fit, Severity::Warning,
         "an arc of " + displayText(arcSpan(fit).degrees(), 1) + "° fixes the radius to ± " +
@@ -110,7 +110,7 @@ std::optional<std::string> tooFewPlaces(const Measurement& measurement,
                                         const std::vector<PlanePoint<double>>& places) {
   constexpr std::size_t needed = 3;
   if (places.size() < needed)
-    return "has readings of " + std::to_string(places.size()) + (places.size() == 1 ? " place" : " places") +
+    return "has readings of " + counted(places.size(), "place") +
            "; a circle needs three, and five or more for a check: sight more places";
   const double sigma = std::max(measurement.sigmaHorizontal, measurement.sigmaVertical).radians();
   const std::size_t different =

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -36,6 +38,10 @@ struct ArcFit {
   bool converged = false;
 
   double reducedChiSquare() const { return degreesOfFreedom > 0 ? chiSquare / degreesOfFreedom : 0; }
+  /// 1σ of the radius, mm; scaled up where the readings scatter more than stated.
+  double radiusSigma() const {
+    return std::max(1.0, std::sqrt(reducedChiSquare())) * std::sqrt(cofactor[2][2]);
+  }
 };
 
 struct ArcFitOptions {

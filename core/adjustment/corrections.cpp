@@ -101,7 +101,7 @@ std::vector<Correction> correctionsOf(const Session& session, std::size_t positi
   return Corrections(session, position, row).all();
 }
 
-RowReader::RowReader(const Session& session) : m_session(session) {
+RowReader::RowReader(const Session& session) : m_session(session), m_firstSequences(firstSequences(session)) {
   m_alone.instrument = session.instrument;
   m_alone.geometry = session.geometry;
   m_alone.model = session.model;
@@ -122,7 +122,7 @@ std::optional<Sighting> RowReader::read(std::size_t position, std::size_t row, c
     return std::nullopt;
   Sighting sighting = examined.measurement->arcs[0].sightings[0];
   sighting.row = row;
-  sighting.sequence = firstSequences(m_session)[position] + row;
+  sighting.sequence = m_firstSequences[position] + row;
   return sighting;
 }
 

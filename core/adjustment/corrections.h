@@ -42,7 +42,8 @@ class RowReader {
 
  private:
   const Session& m_session;
-  Session m_alone;  ///< the session with one row
+  std::vector<std::size_t> m_firstSequences;  ///< of each position
+  Session m_alone;                            ///< the session with one row
 };
 
 }  // namespace alidade

@@ -17,12 +17,6 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 constexpr double largestTurn =
     0.3;  // rad of arc angle in one step; keeps a poor start on its side of the circle
 
-const Sighting* sliderOf(const ArcMeasurement& arc, const Visit& visit) {
-  for (const std::size_t i : visit.sightings)
-    if (arc.sightings[i].slider) return &arc.sightings[i];
-  return nullptr;
-}
-
 /// Normal equations over the slots of one arc.
 struct SlotSystem {
   SlotMatrix matrix;

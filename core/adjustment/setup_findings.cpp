@@ -96,11 +96,10 @@ std::vector<OtherSlider> otherSliders(const ArcMeasurement& arc) {
   constexpr double rounding = 1e-6;  // arcsec: two notations of one angle
   std::vector<OtherSlider> others;
   for (const Visit& visit : visitsOf(arc)) {
-    const Sighting* first = nullptr;
+    const Sighting* first = sliderOf(arc, visit);
     for (const std::size_t i : visit.sightings) {
       const Sighting& row = arc.sightings[i];
       if (!row.slider) continue;
-      if (!first) first = &row;
       const Angle apart = Angle::fromArcseconds(std::abs(wrapped(*row.slider - *first->slider).arcseconds()));
       if (apart.arcseconds() > rounding) others.push_back({first->row, row.row, apart});
     }
@@ -129,10 +128,8 @@ std::optional<std::string> doubtfulLengths(const Measurement& measurement, const
   if (measurement.distance < shortestFocus)
     return "no" + tooShort(measurement) + ": check " + lengthsToCheck(measurement) + ".";
   for (const ArcFit& arc : arcs) {
-    const double scale = arc.degreesOfFreedom > 0 ? std::max(1.0, std::sqrt(arc.reducedChiSquare())) : 1;
-    const double sigma = scale * std::sqrt(arc.cofactor[2][2]);
     const double off = std::abs(arc.circle.radius - measurement.nominalRadius);
-    if (off <= grosslyOff * measurement.nominalRadius + 3 * sigma) continue;
+    if (off <= grosslyOff * measurement.nominalRadius + 3 * arc.radiusSigma()) continue;
     return "the radius fitted at " + std::to_string(arc.axisDeg) + "° is " +
            displayText(100 * off / measurement.nominalRadius, 0) +
            " % off the nominal one, and lengths that are so "

@@ -33,4 +33,10 @@ std::vector<Visit> visitsOf(const ArcMeasurement& arc) {
   return visits;
 }
 
+const Sighting* sliderOf(const ArcMeasurement& arc, const Visit& visit) {
+  for (const std::size_t i : visit.sightings)
+    if (arc.sightings[i].slider) return &arc.sightings[i];
+  return nullptr;
+}
+
 }  // namespace alidade

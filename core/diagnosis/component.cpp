@@ -82,10 +82,6 @@ VectorXd signature(const Leftover& leftover, const Component& component, const V
   return component.columns * weights;
 }
 
-double PriorOdds::logOfMisreading(Eigen::Index readings) const {
-  return std::log(misreading / static_cast<double>(std::max<Eigen::Index>(readings, 1)));
-}
-
 double signatureSquare(const Component& component, const VectorXd& weights) {
   if (component.curvature.cols() > 0)
     return (component.columns * weights + component.curvature * bentWeights(weights).tail<3>()).squaredNorm();

@@ -54,9 +54,6 @@ struct PriorOdds {
   double misreading = 0.08;  ///< shared by all readings
   double noise = 0.04;       ///< larger than stated
   double shape = 0.04;       ///< shared by all patterns
-
-  /// Natural, of one misreading out of so many readings.
-  double logOfMisreading(Eigen::Index readings) const;
 };
 
 /// Plausible size (1σ) of a step of the orientation, rad: 60″.

@@ -57,13 +57,18 @@ const std::string& Inquiry::idOf(const Part& part) const {
   return isMisreading(part) ? misreading : candidates[part.component].id;
 }
 
-double Inquiry::probabilityOf(std::string_view id) const {
+double Inquiry::chanceOf(const std::function<bool(const Explanation&)>& isMeant) const {
   double sum = 0;
   for (const Explanation& explanation : explanations)
-    if ((id == noiseId && explanation.noisy) ||
-        std::ranges::any_of(explanation.parts, [&](const Part& part) { return idOf(part) == id; }))
-      sum += explanation.chance;
+    if (isMeant(explanation)) sum += explanation.chance;
   return std::min(sum, 1.0);  // of rounding
+}
+
+double Inquiry::probabilityOf(std::string_view id) const {
+  return chanceOf([&](const Explanation& explanation) {
+    return (id == noiseId && explanation.noisy) ||
+           std::ranges::any_of(explanation.parts, [&](const Part& part) { return idOf(part) == id; });
+  });
 }
 
 std::vector<Component> effectsBeyond(const GapModel& model, const Leftover& leftover,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -39,6 +40,8 @@ struct Inquiry {
     return isMisreading(part) ? Component::Kind::Misreading : candidates[part.component].kind;
   }
   const std::string& idOf(const Part& part) const;
+  /// Probability that one of these explanations is the right one.
+  double chanceOf(const std::function<bool(const Explanation&)>& isMeant) const;
   /// Probability that the id is among the causes.
   double probabilityOf(std::string_view id) const;
 };

@@ -12,7 +12,7 @@ namespace alidade {
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 bool isAllOrNothing(const Effect& effect) {
-  return effect.id == "vertical_angle_relation";
+  return effect.id == relationId;
 }
 
 std::vector<Component> effectComponents(const Leftover& leftover, const std::vector<std::string>& leftOut,

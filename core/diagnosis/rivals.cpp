@@ -11,34 +11,32 @@ namespace alidade {
 
 namespace {
 
-/// Weighs other components in the place of one part of an explanation.
+/// Weighs other components in the place of a part of an explanation.
 class Comparison {
  public:
-  Comparison(const Inquiry& inquiry, const Explanation& explanation, std::size_t part)
-      : m_inquiry(inquiry), m_explanation(explanation), m_part(part) {}
+  Comparison(const Inquiry& inquiry, const Explanation& explanation)
+      : m_inquiry(inquiry), m_explanation(explanation), m_own(explanation.parts.size()) {}
 
-  const Part& part() const { return m_explanation.parts[m_part]; }
-
-  Rival with(std::size_t component) {
-    if (!m_own) m_own = made(part().component);
-    const Explanation found = made(component);
-    return {std::exp(found.logOdds - m_own->logOdds), found.parts.back()};
+  Rival with(std::size_t part, std::size_t component) {
+    std::optional<Explanation>& own = m_own[part];
+    if (!own) own = made(part, m_explanation.parts[part].component);
+    const Explanation found = made(part, component);
+    return {std::exp(found.logOdds - own->logOdds), found.parts.back()};
   }
 
  private:
   const Inquiry& m_inquiry;
   const Explanation& m_explanation;
-  std::size_t m_part;
   const SearchOptions m_options;
-  std::optional<Search> m_search;
-  std::optional<Explanation> m_own;
+  std::optional<Search> m_search;  ///< made when it is needed
+  std::vector<std::optional<Explanation>> m_own;
 
   /// The part's place is the last: what is in it is weighed beside all others.
-  Explanation made(std::size_t component) {
+  Explanation made(std::size_t part, std::size_t component) {
     if (!m_search) m_search.emplace(m_inquiry.leftover, m_inquiry.candidates, m_options);
     std::vector<std::size_t> components;
     for (std::size_t i = 0; i < m_explanation.parts.size(); ++i)
-      if (i != m_part) components.push_back(m_explanation.parts[i].component);
+      if (i != part) components.push_back(m_explanation.parts[i].component);
     components.push_back(component);
     return m_search->madeOf(components, m_explanation.noisy ? m_explanation.noise * m_explanation.noise : 1);
   }
@@ -50,14 +48,15 @@ bool isClose(const Rival& rival) {
 }
 
 /// Steps, where there are any, that leave what this misreading leaves.
-std::vector<Rival> steps(const Inquiry& inquiry, const Explanation& explanation, Comparison& comparison) {
+std::vector<Rival> steps(const Inquiry& inquiry, const Explanation& explanation, std::size_t index,
+                         Comparison& comparison) {
   const auto isJump = [&](const Part& other) { return inquiry.kindOf(other) == Component::Kind::Jump; };
   if (std::ranges::any_of(explanation.parts, isJump)) return {};  // one jump to a session
-  const std::size_t row = inquiry.leftover.reading(inquiry.readingOf(comparison.part())).sequence;
+  const std::size_t row = inquiry.leftover.reading(inquiry.readingOf(explanation.parts[index])).sequence;
   std::vector<Rival> rivals;
   for (std::size_t i = 0; i < inquiry.candidates.size(); ++i) {
     if (inquiry.candidates[i].onlyRow != row) continue;
-    Rival rival = comparison.with(i);
+    Rival rival = comparison.with(index, i);
     rival.odds /= 2;  // either circle of the row may be the one that was misread
     if (isClose(rival)) rivals.push_back(std::move(rival));
   }
@@ -65,9 +64,10 @@ std::vector<Rival> steps(const Inquiry& inquiry, const Explanation& explanation,
 }
 
 /// Effects nearly like the part that explain something in its place.
-std::vector<Rival> effects(const Inquiry& inquiry, const Explanation& explanation, Comparison& comparison) {
+std::vector<Rival> effects(const Inquiry& inquiry, const Explanation& explanation, std::size_t index,
+                           Comparison& comparison) {
   constexpr double something = 0.1;  // natural logarithm: more than rounding
-  const Part& part = comparison.part();
+  const Part& part = explanation.parts[index];
   const Eigen::VectorXd trace = signature(inquiry.leftover, inquiry.candidates[part.component], part.weights);
   std::vector<Rival> rivals;
   for (std::size_t i = 0; i < inquiry.candidates.size(); ++i) {
@@ -77,7 +77,7 @@ std::vector<Rival> effects(const Inquiry& inquiry, const Explanation& explanatio
       continue;
     const double difference = differenceFrom(trace, inquiry.candidates[i]) / explanation.noise;
     if (difference > clearlyDifferent) continue;
-    Rival rival = comparison.with(i);
+    Rival rival = comparison.with(index, i);
     const bool explains = rival.part.logGain > something;
     if (explains && (difference < hardlyDifferent || isClose(rival))) rivals.push_back(std::move(rival));
   }
@@ -88,11 +88,11 @@ std::vector<Rival> effects(const Inquiry& inquiry, const Explanation& explanatio
 
 std::vector<std::vector<Rival>> rivalsOf(const Inquiry& inquiry, const Explanation& explanation) {
   std::vector<std::vector<Rival>> rivals(explanation.parts.size());
+  Comparison comparison(inquiry, explanation);
   for (std::size_t p = 0; p < rivals.size(); ++p) {
-    Comparison comparison(inquiry, explanation, p);
-    const Component::Kind kind = inquiry.kindOf(comparison.part());
-    if (kind == Component::Kind::Misreading) rivals[p] = steps(inquiry, explanation, comparison);
-    if (kind == Component::Kind::Effect) rivals[p] = effects(inquiry, explanation, comparison);
+    const Component::Kind kind = inquiry.kindOf(explanation.parts[p]);
+    if (kind == Component::Kind::Misreading) rivals[p] = steps(inquiry, explanation, p, comparison);
+    if (kind == Component::Kind::Effect) rivals[p] = effects(inquiry, explanation, p, comparison);
   }
   return rivals;
 }
@@ -104,10 +104,8 @@ double chanceOf(const Inquiry& inquiry, const Part& part, const std::vector<Riva
            std::ranges::any_of(rivals,
                                [&](const Rival& rival) { return rival.part.component == other.component; });
   };
-  double sum = 0;
-  for (const Explanation& explanation : inquiry.explanations)
-    if (std::ranges::any_of(explanation.parts, isMeant)) sum += explanation.chance;
-  return std::min(sum, 1.0);  // of rounding
+  return inquiry.chanceOf(
+      [&](const Explanation& explanation) { return std::ranges::any_of(explanation.parts, isMeant); });
 }
 
 }  // namespace alidade

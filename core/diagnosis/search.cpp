@@ -110,7 +110,7 @@ bool Search::mayGrow(const State& state) const {
 
 double Search::priorOf(std::size_t component) const {
   if (component < m_candidates.size()) return m_candidates[component].logPrior;
-  return m_options.odds.logOfMisreading(m_leftover.readings());
+  return std::log(m_options.odds.misreading / static_cast<double>(std::max<Index>(m_leftover.readings(), 1)));
 }
 
 /// The most promising components to add: of jumps and of misreadings the best few.

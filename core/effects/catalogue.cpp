@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "core/base/angle.h"
+#include "core/effects/cause_ids.h"
 
 namespace alidade {
 
@@ -12,7 +13,7 @@ namespace {
 std::vector<Effect> makeCatalogue() {
   using enum ErrorTerm;
   return {
-      {"vertical_angle_relation",
+      {relationId,
        "the vertical circle follows the other relation between height and angle (y/L instead of y/√(x²+L²), "
        "or the reverse)",
        "set the session's vertical angle relation right",

@@ -33,7 +33,7 @@ bool isUntouched(const Reading& reading) {
 /// Goes through a session in the order of its file.
 class Examiner {
  public:
-  explicit Examiner(const Session& session) : m_session(session) {}
+  explicit Examiner(const Session& session) : m_session(session), m_firstSequences(firstSequences(session)) {}
 
   Examined examine() {
     if (auto problem = dateProblem(m_session.measuredOn)) report(*problem, {.field = "measured_on"});
@@ -123,7 +123,6 @@ class Examiner {
   }
 
   void examinePositions() {
-    const std::vector<std::size_t> first = firstSequences(m_session);
     std::map<int, std::size_t> positionOfAxis;
     for (std::size_t index = 0; index < m_session.positions.size(); ++index) {
       const Position& position = m_session.positions[index];
@@ -139,7 +138,6 @@ class Examiner {
         }
       }
       const auto zero = examineZero(position.zero, index);
-      m_firstSequence = first[index];
       std::vector<Sighting> sightings = examineReadings(position, index, zero);
       if (axis && zero && m_circle)
         m_measurement.arcs.push_back({index, *axis, zero->horizontal, zero->vertical, std::move(sightings)});
@@ -193,7 +191,7 @@ class Examiner {
     const std::size_t before = m_problems.size();
     Sighting sighting;
     sighting.row = *row.reading;
-    sighting.sequence = m_firstSequence + sighting.row;
+    sighting.sequence = m_firstSequences[*row.position] + sighting.row;
     examineVisit(reading, row, sighting);
     const auto horizontal = angle("readings.horizontal", reading.horizontal, at(row, "horizontal"));
     const auto vertical = angle("readings.vertical", reading.vertical, at(row, "vertical"));
@@ -241,11 +239,11 @@ class Examiner {
   }
 
   const Session& m_session;
+  const std::vector<std::size_t> m_firstSequences;  // of each position
   Measurement m_measurement;
   std::vector<Problem> m_problems;
   bool m_usable = true;
   std::optional<VerticalCircle> m_circle;
-  std::size_t m_firstSequence = 0;  // of the position at hand
   std::map<std::tuple<int, int, int>, std::size_t> m_rowOfVisitFace;
 };
 

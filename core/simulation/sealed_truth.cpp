@@ -45,24 +45,21 @@ bool isCause(const std::string& id) {
   return isOfNoCatalogue(id) || std::ranges::find(diagnosableEffects(), id) != diagnosableEffects().end();
 }
 
-/// Why no answer to this truth could be right; `key` is the one at fault.
-std::optional<std::string> whyUnscorable(const SealedTruth& truth, std::string& key) {
-  key = "causes";
+/// Why no answer to this truth could be right, the key at fault first.
+std::optional<std::string> whyUnscorable(const SealedTruth& truth) {
   for (const std::string& cause : truth.causes)
     if (!isCause(cause) && cause != truth.kind)
-      return "names " + quotation(cause) + ", which is neither an effect that can be diagnosed nor unknown_…";
+      return "causes names " + quotation(cause) +
+             ", which is neither an effect that can be diagnosed nor unknown_…";
   if (isSeveral(truth.kind) && truth.causes.size() < 2)
-    return "must name them where the kind is " + truth.kind;
-  key = "kind";
+    return "causes must name them where the kind is " + truth.kind;
   if (truth.kind != "none" && truth.causes.size() < 2 && !isCause(truth.kind))
-    return "is " + quotation(truth.kind) +
+    return "kind is " + quotation(truth.kind) +
            ", which is neither none, an effect that can be diagnosed, two_causes, several_causes nor "
            "unknown_…";
-  key = "blunders";
   if (truth.kind == misreadingId && truth.misread.empty())
-    return "must list the readings that are wrong where the kind is " + truth.kind;
-  key = "visible_sigma";
-  if (truth.visible && *truth.visible < 0) return "must not be negative";
+    return "blunders must list the readings that are wrong where the kind is " + truth.kind;
+  if (truth.visible && *truth.visible < 0) return "visible_sigma must not be negative";
   return std::nullopt;
 }
 
@@ -125,8 +122,8 @@ Result<std::vector<SealedTruth>> readSealedTruths(const std::string& text) {
     } catch (const Json::exception&) {
       return Problem{"truth of " + quotation(id) + ": " + key + " is missing or of the wrong type"};
     }
-    if (const auto reason = whyUnscorable(truths.back(), key))
-      return Problem{"truth of " + quotation(id) + ": " + key + " " + *reason};
+    if (const auto reason = whyUnscorable(truths.back()))
+      return Problem{"truth of " + quotation(id) + ": " + *reason};
   }
   return truths;
 }

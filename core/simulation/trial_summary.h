@@ -17,6 +17,11 @@ struct Tally {
     hits += hit ? 1 : 0;
     ++count;
   }
+  Tally& operator+=(const Tally& part) {
+    hits += part.hits;
+    count += part.count;
+    return *this;
+  }
   bool operator==(const Tally&) const = default;
 };
 

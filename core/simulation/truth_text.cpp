@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "core/base/list_text.h"
 #include "core/base/number_text.h"
 #include "core/base/utf8.h"
 #include "core/effects/catalogue.h"
@@ -161,8 +162,7 @@ std::optional<Problem> addEffect(Truth& truth, const std::string& text) {
   if (other != otherEffects.end()) return other->add(truth, *numbers);
   if (foreign != foreignEffectNames().end()) return addForeign(truth, *foreign, *numbers);
   if (numbers->size() != parameters.size())
-    return Problem{"effect " + quotation(name) + " has " + std::to_string(parameters.size()) +
-                   (parameters.size() == 1 ? " size" : " sizes") + ", not " +
+    return Problem{"effect " + quotation(name) + " has " + counted(parameters.size(), "size") + ", not " +
                    std::to_string(numbers->size())};
   for (std::size_t i = 0; i < parameters.size(); ++i) setSize(truth, parameters[i]->term, (*numbers)[i]);
   return std::nullopt;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/diagnosis/inquiry.h"
+#include "core/effects/cause_ids.h"
 #include "core/simulation/protocol.h"
 #include "core/simulation/trial_series.h"
 
@@ -38,7 +39,7 @@ struct Drawn {
 };
 
 bool isHeld(const std::string& kind) {
-  return effectById(kind) && kind != "vertical_angle_relation";
+  return effectById(kind) && kind != relationId;
 }
 
 std::vector<std::string> heldKinds() {
