@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "tests/console/console.h"
@@ -86,9 +85,7 @@ TEST(Diagnose, TellsAMisreadValueThatIsFarOff) {
 
 std::string changedFile(const TemporaryFolder& folder,
                         const std::function<void(nlohmann::ordered_json&)>& change) {
-  const std::string file = (folder.path() / "changed.alidade").string();
-  std::ofstream(file) << changedPaperSession(change);
-  return file;
+  return folder.file("changed.alidade", changedPaperSession(change));
 }
 
 /// Only the first `count` places of each position.

@@ -1,7 +1,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "tests/console/console.h"
@@ -34,11 +33,11 @@ TEST(Plan, ReviewsAPlanThatHasBeenRead) {
 // Unread rows are spread over the same range as the paper's, so about the same shows: 10 %, and 0.1 σ.
 TEST(Plan, ReviewsAPlanThatHasNotBeenRead) {
   const TemporaryFolder folder;
-  const std::string file = (folder.path() / "plan.alidade").string();
-  std::ofstream(file) << changedPaperSession([](nlohmann::ordered_json& session) {
+  const auto unsight = [](nlohmann::ordered_json& session) {
     for (auto& position : session["positions"])
       for (auto& reading : position["readings"]) reading["horizontal"] = reading["vertical"] = "";
-  });
+  };
+  const std::string file = folder.file("plan.alidade", changedPaperSession(unsight));
   const json unread = reviewOf(file), read = reviewOf(paperSession);
   for (std::size_t i = 0; i < read.at("effects").size(); ++i) {
     const double expected = read["effects"][i]["visible_sigma"]["most"];
@@ -67,9 +66,8 @@ TEST(Plan, ReviewsALargePlan) {
 
 TEST(Plan, HasNoInfluenceOnAnIntersectionThatThereIsNot) {
   const TemporaryFolder folder;
-  const std::string file = (folder.path() / "plan.alidade").string();
-  std::ofstream(file) << changedPaperSession(
-      [](nlohmann::ordered_json& session) { session["positions"].erase(1); });
+  const auto only0 = [](nlohmann::ordered_json& session) { session["positions"].erase(1); };
+  const std::string file = folder.file("plan.alidade", changedPaperSession(only0));
   EXPECT_EQ(reviewOf(file)["effects"][0]["influence_mm"], nullptr);
   EXPECT_THAT(alidadeCli({"plan", file}).out, HasSubstr("none"));
 }
