@@ -35,6 +35,16 @@ class ImportFlow : public ::testing::Test {
   }
   std::string notes() const { return open.dialogs->problems.join(QLatin1Char('\n')).toStdString(); }
 
+  /// The session before the import is then as in its file, and yet not left.
+  void undoWhatWasTypedAndTheImport() {
+    typeInto(*open->findChild<QLineEdit*>(QStringLiteral("geometry.distance_mm")), QStringLiteral("2411"));
+    open->undo();
+    open->undo();
+    EXPECT_FALSE(open->document().isModified());
+    EXPECT_FALSE(open->close());
+    EXPECT_FALSE(open->files().startNew());
+  }
+
   QTemporaryDir folder;
   OpenWindow open;
 };
@@ -137,12 +147,7 @@ TEST_F(ImportFlow, KeepsEachSessionInItsFile) {
 TEST_F(ImportFlow, UndoneIsNotLeftWithoutAsking) {
   ASSERT_TRUE(open->files().open(samplePath(QStringLiteral("paper-table-1.alidade"))));
   ASSERT_TRUE(open->files().importReadings(file(QStringLiteral("arc.csv"), table)));
-  typeInto(*open->findChild<QLineEdit*>(QStringLiteral("geometry.distance_mm")), QStringLiteral("2411"));
-  open->undo();
-  open->undo();
-  EXPECT_FALSE(open->document().isModified());
-  EXPECT_FALSE(open->close());
-  EXPECT_FALSE(open->files().startNew());
+  undoWhatWasTypedAndTheImport();
   EXPECT_FALSE(open->files().importReadings(file(QStringLiteral("next.csv"), table)));
   EXPECT_EQ(open.dialogs->othersAsked.count(QStringLiteral("redo to ")), 3);
   open->redo();
@@ -161,12 +166,7 @@ TEST_F(ImportFlow, UndoneIsNotLeftWithWhatWasTypedAfterItWasSaved) {
   ASSERT_TRUE(open->files().open(samplePath(QStringLiteral("paper-table-1.alidade"))));
   ASSERT_TRUE(open->files().importReadings(file(QStringLiteral("arc.csv"), table)));
   ASSERT_FALSE(open->document().save(folder.filePath(QStringLiteral("arc.alidade"))));
-  typeInto(*open->findChild<QLineEdit*>(QStringLiteral("geometry.distance_mm")), QStringLiteral("2411"));
-  open->undo();
-  open->undo();
-  EXPECT_FALSE(open->document().isModified());
-  EXPECT_FALSE(open->close());
-  EXPECT_FALSE(open->files().startNew());
+  undoWhatWasTypedAndTheImport();
   EXPECT_FALSE(open->files().open(samplePath(QStringLiteral("clean-session.alidade"))));
   EXPECT_EQ(open.dialogs->othersAsked, QStringList(3, QStringLiteral("redo to arc.alidade")));
   EXPECT_EQ(open.dialogs->saveQuestions, 0);

@@ -179,7 +179,7 @@ void BlindTrialDialog::take(const SharedTrial& trial) {
   m_seed->setValue(m_seed->value() % m_seed->maximum() + 1);
   m_progress->setValue(m_progress->value() + 1);
   if (trial->problem.empty()) {
-    m_trials->add(trial, m_isSeries);
+    m_trials->add(trial);
   } else {
     m_job.stop();
     m_trials->clearChoice();

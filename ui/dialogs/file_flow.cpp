@@ -50,6 +50,11 @@ Result<Import> readImport(const QString& path, const ImportOptions& options) {
   return import;
 }
 
+/// Nothing unsaved is lost, or the user wants it lost.
+bool mayDrop(Dialogs& dialogs, const std::optional<QString>& path, Dialogs::Way way) {
+  return !path || dialogs.askDiscardOther(QFileInfo(*path).fileName(), way);
+}
+
 }  // namespace
 
 FileFlow::FileFlow(SessionDocument& document, Dialogs& dialogs, QObject* parent)
@@ -183,16 +188,12 @@ bool FileFlow::mayLeaveChanges() {
 
 /// The session back from an import may be as in its file, and all that was typed into the import unsaved.
 bool FileFlow::mayDropRedo() {
-  const QUndoStack& stack = m_document.undoStack();
-  const auto path = m_document.files().unsavedAhead(stack.index(), stack.count());
-  return !path || m_dialogs.askDiscardOther(QFileInfo(*path).fileName(), Dialogs::Way::Redo);
+  return mayDrop(m_dialogs, m_document.unsavedAhead(), Dialogs::Way::Redo);
 }
 
 /// An import may be saved, and the session before it not, or no longer.
 bool FileFlow::mayDropUndo() {
-  const QUndoStack& stack = m_document.undoStack();
-  const auto path = m_document.files().unsavedBehind(stack.index(), stack.count());
-  return !path || m_dialogs.askDiscardOther(QFileInfo(*path).fileName(), Dialogs::Way::Undo);
+  return mayDrop(m_dialogs, m_document.unsavedBehind(), Dialogs::Way::Undo);
 }
 
 QString FileFlow::suggestedPath(const QString& suffix) const {

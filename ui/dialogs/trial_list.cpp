@@ -15,11 +15,6 @@ namespace alidade::ui {
 
 namespace {
 
-void add(Tally& sum, const Tally& part) {
-  sum.hits += part.hits;
-  sum.count += part.count;
-}
-
 QString tallyText(const QString& name, const Tally& tally) {
   const double share =
       tally.count > 0 ? 100.0 * static_cast<double>(tally.hits) / static_cast<double>(tally.count) : 0;
@@ -70,11 +65,11 @@ DataTable* TrialList::createTable() {
   return table;
 }
 
-void TrialList::add(const SharedTrial& trial, bool isOpen) {
+void TrialList::add(const SharedTrial& trial) {
   const bool isFollowing = m_isFollowing;
   const int row = isFollowing ? 0 : m_table->currentIndex().row() + 1;
-  m_drawn.push_back({trial, isOpen});
-  if (isOpen) score(*trial);
+  m_drawn.push_back({trial, m_isSeries});
+  if (m_isSeries) score(*trial);
   m_table->setRows(static_cast<int>(m_drawn.size()));
   m_table->selectDataRows({row});
   m_isFollowing = isFollowing;  // nobody chose
@@ -110,9 +105,9 @@ void TrialList::clearChoice() {
 void TrialList::score(const DiagnosedTrial& trial) {
   const TrialSummary summary =
       summarise({{.truth = trial.trial.seal, .score = trial.score, .wrongWithout = {}}});
-  for (const auto& [trialClass, right] : summary.right) ui::add(m_right, right);
-  ui::add(m_falseAlarms, summary.falseAlarms);
-  ui::add(m_covered, summary.covered);
+  for (const auto& [trialClass, right] : summary.right) m_right += right;
+  m_falseAlarms += summary.falseAlarms;
+  m_covered += summary.covered;
 }
 
 void TrialList::showScore() {

@@ -22,10 +22,10 @@ class TrialList : public QWidget {
 
   /// The new one becomes current unless another one was chosen since the draw began. To choose the newest of
   /// a series is to follow it.
-  void add(const SharedTrial& trial, bool isOpen);
+  void add(const SharedTrial& trial);
   void openSeal(const SharedTrial& trial);
   bool isOpen(const SharedTrial& trial) const;
-  /// No row is current, and each new trial becomes so until one is chosen.
+  /// No row is current, and each new trial becomes so until one is chosen. Those of a series are open.
   void beginDraw(bool isSeries);
   void clearChoice();  ///< no row is current
 

@@ -24,11 +24,17 @@ class SessionDocument : public QObject {
 
   const Session& session() const { return m_session; }
   QUndoStack& undoStack() { return m_undoStack; }  ///< to look at, undo and redo
-  const SessionFiles& files() const { return m_files; }
   /// Empty for a session never saved.
   QString path() const { return m_files.path(m_undoStack.index()); }
   QString displayName() const;  ///< the file's name, or "Untitled"
   bool isModified() const { return m_files.isModified(m_undoStack.index()); }
+  /// The path of another session, unsaved, that redo or undo leads to: see `SessionFiles`.
+  std::optional<QString> unsavedAhead() const {
+    return m_files.unsavedAhead(m_undoStack.index(), m_undoStack.count());
+  }
+  std::optional<QString> unsavedBehind() const {
+    return m_files.unsavedBehind(m_undoStack.index(), m_undoStack.count());
+  }
 
   /// The one way for an edit onto the undo stack. Takes the command over.
   void push(QUndoCommand* command);

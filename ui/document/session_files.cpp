@@ -8,8 +8,8 @@ namespace {
 
 /// However they are written.
 bool areSameFile(const QString& one, const QString& other) {
-  return one == other || (QFileInfo::exists(one) && QFileInfo::exists(other) &&
-                          QFileInfo(one).canonicalFilePath() == QFileInfo(other).canonicalFilePath());
+  const QString canonical = QFileInfo(one).canonicalFilePath();  // empty where there is no such file
+  return one == other || (!canonical.isEmpty() && canonical == QFileInfo(other).canonicalFilePath());
 }
 
 }  // namespace

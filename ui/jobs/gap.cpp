@@ -88,12 +88,15 @@ Gap assessGap(SharedEvaluation evaluation, const std::stop_token& stop) {
     return gap;
   }
   gap.stages = modelledStages(*gap.evaluation);
-  for (const GapStep& step : diagnosis->steps)
+  for (const GapStep& step : diagnosis->steps) {
+    const auto cause = std::ranges::find(diagnosis->causes, step.effect, &Cause::effect);
     gap.stages.push_back({.kind = GapStage::Kind::Proposed,
                           .effect = step.effect,
+                          .misread = cause->readings.size(),
                           .rms = step.size.rms,
                           .reducedChiSquare = step.size.reducedChiSquare,
                           .intersection = step.intersection});
+  }
   gap.noiseRms = rmsOf(gap.evaluation->fit.joint, [](const AdjustedReading& reading) {
     return reading.redundancy * reading.sigma * reading.sigma;
   });

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -20,6 +21,7 @@ struct GapStage {
 
   Kind kind = Kind::Bare;
   std::string effect = {};  ///< id; empty for Bare
+  std::size_t misread = 1;  ///< of a gross_error: how many values are left out
   double rms = 0;           ///< of the circle readings, arcseconds
   double reducedChiSquare = 0;
   std::optional<IntersectionEstimate> intersection;

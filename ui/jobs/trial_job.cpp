@@ -42,7 +42,6 @@ void TrialJob::next() {
 }
 
 void TrialJob::finish(const SharedTrial& trial) {
-  if (m_left == 0) return;
   if (!m_work.isStopped()) {
     ++m_seed;
     --m_left;

@@ -188,10 +188,8 @@ void GapPanel::showEffectOnResult() {
   };
   if (&bare != &modelled) add(tr("before"), bare.intersection);
   add(tr("as modelled"), modelled.intersection);
-  if (diagnosis.shape)
-    add(tr("with the pattern"), diagnosis.afterwards);
-  else if (!diagnosis.steps.empty())
-    add(tr("with the causes"), diagnosis.afterwards);
+  if (diagnosis.shape || !diagnosis.steps.empty())
+    add(diagnosis.shape ? tr("with the pattern") : tr("with the causes"), diagnosis.afterwards);
   m_result->setRows(titles, {{tr("Δd ± U  mm"), values,
                               tr("Before: without the effects of the model. With the causes: averaged over "
                                  "what looks alike, each as likely as it is. With the pattern: U holds what "
@@ -226,8 +224,8 @@ void GapPanel::showNext() {
     const QString figure = numberText(advice.bySigma, 1);
     const QString what = causeNames(advice.separates, tr("and"));
     lines.append(QStringLiteral("• <b>%1</b>: ").arg(qText(advice.measure).toHtmlEscaped()) +
-                 (!advice.ofUnseen ? tr("separates %1 by %2 σ or more").arg(what, figure)
-                                   : tr("would show %1 by %2 σ or more").arg(what, figure)));
+                 (advice.ofUnseen ? tr("would show %1 by %2 σ or more").arg(what, figure)
+                                  : tr("separates %1 by %2 σ or more").arg(what, figure)));
   }
   m_next->setTextFormat(Qt::RichText);
   m_next->setText(lines.isEmpty() ? tr("No further reading of the usual kinds would tell more.")

@@ -54,12 +54,10 @@ void ReadingsTable::layOutColumns() {
   QHeaderView* header = horizontalHeader();
   header->setHighlightSections(false);
   header->setMinimumSectionSize(36);
-  const auto width = [this](const char* sample) {
-    return fontMetrics().horizontalAdvance(QString::fromUtf8(sample)) + 12;
-  };
-  const int angle = width("Horizontal α"), residual = width("−188.8") - 4;
-  const int widths[] = {width("Use"), width("Point"), width("Round"), width("Face"), angle,
-                        angle,        angle,          residual,       residual,      width("Note")};
+  const int angle = 0;  // `fitAngles` sets these
+  const int residual = widthOf("−188.8") - 4;
+  const int widths[] = {widthOf("Use"), widthOf("Point"), widthOf("Round"), widthOf("Face"), angle, angle,
+                        angle,          residual,         residual,         widthOf("Note")};
   for (int column = 0; column < readingColumnCount; ++column) setColumnWidth(column, widths[column]);
   header->setStretchLastSection(true);
   const int last = readingColumnCount - 1;
@@ -68,15 +66,17 @@ void ReadingsTable::layOutColumns() {
   });
 }
 
+int ReadingsTable::widthOf(const char* sample) const {
+  return fontMetrics().horizontalAdvance(QString::fromUtf8(sample)) + 12;
+}
+
 /// Room for an angle of a tenth of a second with a sign beside it, at least for one of a second.
 void ReadingsTable::fitAngles() {
   if (!m_isFitted) return;
-  const auto width = [this](const char* sample) {
-    return fontMetrics().horizontalAdvance(QString::fromUtf8(sample)) + ReadingDelegate::signWidth + 14;
-  };
+  const auto width = [this](const char* sample) { return widthOf(sample) + ReadingDelegate::signWidth + 2; };
   const int least = width("341°52′24″");
   const int most = std::max(width("341°52′24.5″"), width("341°52'24.5\""));
-  int room = viewport()->width() - fontMetrics().horizontalAdvance(QStringLiteral("Note")) - 12, angles = 0;
+  int room = viewport()->width() - widthOf("Note"), angles = 0;
   for (int column = 0; column < readingColumnCount - 1; ++column) {
     if (isColumnHidden(column)) continue;
     const bool isAngle = std::find(std::begin(angleColumns), std::end(angleColumns),

@@ -53,6 +53,7 @@ class ReadingsTable : public QTableView {
   std::vector<ReadingCell> selectedCells() const;
   std::vector<ReadingColumn> columnsFrom(int column) const;
   void layOutColumns();
+  int widthOf(const char* sample) const;
   void showUsedColumns();
   void fitAngles();
 

@@ -84,7 +84,6 @@ void SimulationBox::toggle() {
     m_job.stop();
   } else {
     m_remark.clear();
-    m_isWaiting = true;
     start();
   }
   showWork();

@@ -107,12 +107,13 @@ QString gapSentence(const Gap& gap) {
 
 namespace {
 
-/// "without 2 misread values": each of these stages leaves out one more.
+/// "without 2 misread values": each of these stages leaves out more.
 QString withoutMisread(const Gap& gap, const GapStage& stage) {
-  const auto isMisread = [](const GapStage& other) { return other.effect == misreadingId; };
-  const GapStage* end = gap.stages.data() + gap.stages.size();
-  const auto all = std::count_if(gap.stages.data(), end, isMisread);
-  const auto leftOut = std::count_if(gap.stages.data(), &stage + 1, isMisread);
+  std::size_t all = 0, leftOut = 0;
+  for (const GapStage& other : gap.stages) {
+    if (other.effect == misreadingId) all += other.misread;
+    if (&other == &stage) leftOut = all;
+  }
   if (all == 1) return translated("without the misread value");
   return leftOut == 1 ? translated("without 1 misread value")
                       : translated("without %1 misread values").arg(leftOut);

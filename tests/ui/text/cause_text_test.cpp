@@ -25,5 +25,12 @@ TEST(StageText, CountsTheMisreadValuesThatAreLeftOut) {
                          QStringLiteral("+ collimation"), QStringLiteral("without 2 misread values")}));
 }
 
+TEST(StageText, CountsTheMisreadValuesThatOneStageLeavesOut) {
+  Gap gap;
+  gap.stages = {{}, {.kind = Kind::Proposed, .effect = "gross_error", .misread = 3, .intersection = {}}};
+  EXPECT_EQ(textsOf(gap),
+            QStringList({QStringLiteral("as modelled"), QStringLiteral("without 3 misread values")}));
+}
+
 }  // namespace
 }  // namespace alidade::ui
