@@ -14,10 +14,13 @@ std::vector<Visit> visitsOf(const ArcMeasurement& arc) {
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::sort(order, {}, keyOf);
   std::vector<Visit> visits;
+  visits.reserve(order.size());
   for (const std::size_t i : order) {
     const Sighting& sighting = arc.sightings[i];
-    if (visits.empty() || visits.back().round != sighting.round || visits.back().point != sighting.point)
+    if (visits.empty() || visits.back().round != sighting.round || visits.back().point != sighting.point) {
       visits.push_back({sighting.round, sighting.point, {}, {}});
+      visits.back().sightings.reserve(2);  // a row in either face
+    }
     visits.back().sightings.push_back(i);
   }
   std::ranges::sort(visits, {}, [](const Visit& visit) { return visit.sightings.front(); });

@@ -1,27 +1,14 @@
 #include "core/diagnosis/column_table.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 
+#include "core/diagnosis/gain.h"
 #include "core/diagnosis/known_components.h"
 
 namespace alidade {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
-
-namespace {
-
-/// Eigenvectors of a symmetric matrix of two rows: a turn of the axes.
-Eigen::Matrix2d turnOfTwo(const MatrixXd& gram) {
-  const double angle = std::atan2(2 * gram(0, 1), gram(0, 0) - gram(1, 1)) / 2;
-  Eigen::Matrix2d turn;
-  turn << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
-  return turn;
-}
-
-}  // namespace
 
 ColumnTable::ColumnTable(const Leftover& leftover, const std::vector<Component>& candidates)
     : m_leftover(leftover),
@@ -37,33 +24,24 @@ ColumnTable::ColumnTable(const Leftover& leftover, const std::vector<Component>&
   m_first.push_back(m_size);
   m_size += leftover.readings();
   m_squares.resize(m_size);
+  m_beside.setZero(m_size);
   m_turns.resize(candidates.size());
-  m_carriersOf.resize(candidates.size());
   m_effects.resize(leftover.rows(), ofEffects);
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     turn(i);
     if (candidates[i].kind == Component::Kind::Effect) addEffect(i);
-    if (candidates[i].kind == Component::Kind::Shape) addPattern(i);
   }
+  addPatterns();
   for (Index i = 0; i < leftover.readings(); ++i) m_squares[m_first.back() + i] = leftover.redundancy(i);
 }
 
 void ColumnTable::turn(std::size_t component) {
   const Component& candidate = m_candidates[component];
   if (candidate.curvature.cols() > 0) return;
-  auto squares = m_squares.segment(first(component), count(component));
-  const MatrixXd& gram = candidate.gram;
-  if (gram.cols() == 1) {
-    squares = gram.col(0);
-  } else if (gram.cols() == 2) {
-    const Eigen::Matrix2d turn = turnOfTwo(gram);
-    squares = (turn.transpose() * gram.topLeftCorner<2, 2>() * turn).diagonal();
-    m_turns[component] = turn;
-  } else {
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(gram);
-    squares = eigen.eigenvalues();
-    m_turns[component] = eigen.eigenvectors();
-  }
+  Turn turn = turnFor(candidate.gram);
+  m_squares.segment(first(component), count(component)) = turn.squares;
+  m_beside.segment(first(component), turn.beside.size()) = turn.beside;
+  m_turns[component] = std::move(turn.matrix);
 }
 
 void ColumnTable::addEffect(std::size_t component) {
@@ -80,27 +58,33 @@ void ColumnTable::addEffect(std::size_t component) {
   }
 }
 
-void ColumnTable::addPattern(std::size_t component) {
-  for (const Pattern::Part& part : m_candidates[component].pattern.parts) {
-    const auto known = std::ranges::find(m_carriers, part.carrier);
-    m_carriersOf[component].push_back(static_cast<std::size_t>(known - m_carriers.begin()));
-    if (known == m_carriers.end()) m_carriers.push_back(part.carrier);
-  }
-}
-
-Index ColumnTable::first(std::size_t component) const {
-  return component < m_candidates.size()
-             ? m_first[component]
-             : m_first.back() + static_cast<Index>(component - m_candidates.size());
-}
-
-Index ColumnTable::count(std::size_t component) const {
-  return component < m_candidates.size() ? m_first[component + 1] - m_first[component] : 1;
+void ColumnTable::addPatterns() {
+  m_places.resize(m_candidates.size());
+  const auto eachPart = [&](const auto& use) {
+    for (std::size_t i = 0; i < m_candidates.size(); ++i)
+      for (std::size_t p = 0; p < m_candidates[i].pattern.parts.size(); ++p)
+        use(i, p, m_candidates[i].pattern.parts[p]);
+  };
+  eachPart([&](std::size_t i, std::size_t, const Pattern::Part& part) {
+    auto carried = std::ranges::find(m_carried, part.carrier, &Carried::carrier);
+    if (carried == m_carried.end()) carried = m_carried.insert(carried, {part.carrier, 0, {}});
+    m_places[i].push_back(
+        {static_cast<std::size_t>(carried - m_carried.begin()), carried->count, part.functions.cols()});
+    carried->count += part.functions.cols();
+  });
+  for (Carried& carried : m_carried) carried.functions.resize(carried.carrier->cells(), carried.count);
+  eachPart([&](std::size_t i, std::size_t p, const Pattern::Part& part) {
+    const Place& place = m_places[i][p];
+    m_carried[place.carrier].functions.middleCols(place.first, place.count) = part.functions;
+  });
 }
 
 MatrixXd ColumnTable::gram(std::size_t component) const {
   if (component < m_candidates.size() && m_candidates[component].curvature.cols() > 0) return m_bentGram;
-  return m_squares.segment(first(component), count(component)).asDiagonal();
+  MatrixXd gram = m_squares.segment(first(component), count(component)).asDiagonal();
+  const auto beside = m_beside.segment(first(component), count(component) - 1);
+  gram.diagonal(1) = gram.diagonal(-1) = beside;
+  return gram;
 }
 
 VectorXd ColumnTable::products(const VectorXd& visible) const {
@@ -110,21 +94,18 @@ VectorXd ColumnTable::products(const VectorXd& visible) const {
   const Eigen::Matrix2Xd steps = m_steps.products(readings);
   Index step = 0;
   for (std::size_t i = 0; i < m_candidates.size(); ++i)
-    if (m_candidates[i].kind == Component::Kind::Jump)
-      all.segment<2>(first(i)).noalias() =
-          m_turns[i].topLeftCorner<2, 2>().transpose().lazyProduct(steps.col(step++));
-  std::vector<VectorXd> ofCells;
-  for (const auto& carrier : m_carriers) ofCells.push_back(carrier->gathered(readings));
+    if (m_candidates[i].kind == Component::Kind::Jump) all.segment<2>(first(i)) = steps.col(step++);
+  std::vector<VectorXd> ofCarriers;
+  for (const Carried& carried : m_carried)
+    ofCarriers.push_back(carried.functions.transpose() * carried.carrier->gathered(readings));
   for (std::size_t i = 0; i < m_candidates.size(); ++i) {
-    if (m_candidates[i].kind != Component::Kind::Shape) continue;
     auto own = all.segment(first(i), count(i));
     Index row = 0;
-    for (std::size_t p = 0; p < m_carriersOf[i].size(); ++p) {
-      const MatrixXd& functions = m_candidates[i].pattern.parts[p].functions;
-      own.segment(row, functions.cols()).noalias() = functions.transpose() * ofCells[m_carriersOf[i][p]];
-      row += functions.cols();
+    for (const Place& place : m_places[i]) {
+      own.segment(row, place.count) = ofCarriers[place.carrier].segment(place.first, place.count);
+      row += place.count;
     }
-    if (m_turns[i].size() > 0) own = m_turns[i].transpose() * own;
+    if (row > 0 && m_turns[i].size() > 0) own = m_turns[i].transpose() * own;
   }
   all.tail(m_leftover.readings()) = readings;
   return all;

@@ -9,20 +9,27 @@
 namespace alidade {
 
 // The visible columns of every component that may explain a leftover, seen through their inner products, for
-// the .cpp files of this room only. Columns of one component are turned so that they are at right angles to
-// one another; weights normal around zero look the same in any direction. Behind the candidates' columns
-// comes one for each reading, 1σ off. A bending component has its columns and curvature, not turned. Effects
-// come first among the candidates.
+// the .cpp files of this room only. Columns of one component are turned so that each has inner products with
+// its neighbours only. Behind the candidates' columns comes one for each reading, 1σ off. A bending component
+// has its columns and curvature, not turned. Effects come first among the candidates.
 class ColumnTable {
  public:
   ColumnTable(const Leftover& leftover, const std::vector<Component>& candidates);
 
   Eigen::Index size() const { return m_size; }
   /// Of a candidate, or of a misreading numbered behind them.
-  Eigen::Index first(std::size_t component) const;
-  Eigen::Index count(std::size_t component) const;
+  Eigen::Index first(std::size_t component) const {
+    return component < m_candidates.size()
+               ? m_first[component]
+               : m_first.back() + static_cast<Eigen::Index>(component - m_candidates.size());
+  }
+  Eigen::Index count(std::size_t component) const {
+    return component < m_candidates.size() ? m_first[component + 1] - m_first[component] : 1;
+  }
   /// The squared length of every column.
   const Eigen::VectorXd& squares() const { return m_squares; }
+  /// The inner product of every column with the next of its component.
+  const Eigen::VectorXd& beside() const { return m_beside; }
   /// The inner products of a component's columns with one another.
   Eigen::MatrixXd gram(std::size_t component) const;
   /// The inner products of all columns with a vector that is visible, rows() long.
@@ -38,15 +45,26 @@ class ColumnTable {
   std::vector<Eigen::Index> m_first;     ///< of each candidate, and of the readings
   std::vector<Eigen::MatrixXd> m_turns;  ///< empty: not turned
   Eigen::Index m_size = 0;
-  Eigen::VectorXd m_squares;
+  Eigen::VectorXd m_squares, m_beside;
   Eigen::MatrixXd m_effects;   ///< columns of all effects, turned: the first of the table
   Eigen::MatrixXd m_bentGram;  ///< of the one component that bends
-  std::vector<std::shared_ptr<const Carrier>> m_carriers;  ///< of the patterns, each once
-  std::vector<std::vector<std::size_t>> m_carriersOf;      ///< of each part of each candidate's pattern
+  /// Of the patterns, each carrier once, with all functions on it.
+  struct Carried {
+    std::shared_ptr<const Carrier> carrier;
+    Eigen::Index count = 0;     ///< of functions
+    Eigen::MatrixXd functions;  ///< cells × count
+  };
+  std::vector<Carried> m_carried;
+  /// Where the functions of a part are among those of its carrier.
+  struct Place {
+    std::size_t carrier = 0;
+    Eigen::Index first = 0, count = 0;
+  };
+  std::vector<std::vector<Place>> m_places;  ///< of each part of each candidate's pattern
   StepsInTime m_steps;
 
   void addEffect(std::size_t component);
-  void addPattern(std::size_t component);
+  void addPatterns();
   void turn(std::size_t component);
   Eigen::MatrixXd visibleColumns(std::size_t component) const;
 };

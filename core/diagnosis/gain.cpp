@@ -18,37 +18,47 @@ double logSum(double a, double b) {
 
 namespace {
 
+/// One number for each of the widths, which the compiler works on side by side.
+template <int Widths>
+using Lane = Eigen::Array<double, Widths, 1>;
+
 /// What was taken off before is a few columns: sums over what a component shares with them, row by row of a
 /// symmetric matrix, and its Cholesky factor. `Taken`: how many where it is known beforehand, which the
 /// compiler unrolls.
-template <int Taken>
+template <int Taken, int Widths>
 class SharedPart {
  public:
   explicit SharedPart(Index taken) : m_count(taken) {
-    m_matrix.setIdentity(taken, taken);
-    m_along.setZero(taken);
+    for (Index a = 0; a < this->taken(); ++a) {
+      m_own[a].setZero();
+      m_along[a].setZero();
+      for (Index b = 0; b <= a; ++b) at(a, b).setConstant(a == b ? 1 : 0);
+    }
   }
 
-  void add(const double* shared, double inverse, double scaled) {
+  /// The next column, less `step` times the one before.
+  void add(const double* shared, const Lane<Widths>& step, const Lane<Widths>& inverse,
+           const Lane<Widths>& scaled) {
     for (Index a = 0; a < taken(); ++a) {
-      m_along[a] += shared[a] * scaled;
-      for (Index b = 0; b <= a; ++b) m_matrix(a, b) -= inverse * shared[a] * shared[b];
+      m_own[a] = shared[a] - step * m_own[a];
+      m_along[a] += m_own[a] * scaled;
+      for (Index b = 0; b <= a; ++b) at(a, b) -= inverse * m_own[a] * m_own[b];
     }
   }
 
   /// Determinant of the matrix, and the sums' quadratic form with its inverse.
-  std::pair<double, double> solve() {
-    double determinant = 1, quadratic = 0;
+  std::pair<Lane<Widths>, Lane<Widths>> solve() {
+    Lane<Widths> determinant = Lane<Widths>::Ones(), quadratic = Lane<Widths>::Zero();
     for (Index a = 0; a < taken(); ++a) {
       for (Index b = 0; b <= a; ++b) {
-        for (Index c = 0; c < b; ++c) m_matrix(a, b) -= m_matrix(a, c) * m_matrix(b, c);
-        if (b < a) m_matrix(a, b) /= m_matrix(b, b);
+        for (Index c = 0; c < b; ++c) at(a, b) -= at(a, c) * at(b, c);
+        if (b < a) at(a, b) /= at(b, b);
       }
-      determinant *= m_matrix(a, a);
-      m_matrix(a, a) = std::sqrt(m_matrix(a, a));
-      for (Index b = 0; b < a; ++b) m_along[a] -= m_matrix(a, b) * m_along[b];
-      m_along[a] /= m_matrix(a, a);
-      quadratic += m_along[a] * m_along[a];
+      determinant *= at(a, a);
+      at(a, a) = at(a, a).sqrt();
+      for (Index b = 0; b < a; ++b) m_along[a] -= at(a, b) * m_along[b];
+      m_along[a] /= at(a, a);
+      quadratic += m_along[a].square();
     }
     return {determinant, quadratic};
   }
@@ -56,81 +66,70 @@ class SharedPart {
  private:
   static constexpr int most =
       Taken == Eigen::Dynamic ? 16 : Taken;  // six misreadings, or twice three columns
-  Index taken() const { return Taken == Eigen::Dynamic ? m_count : Taken; }
   Index m_count;
-  Eigen::Matrix<double, Taken, Taken, Eigen::ColMajor, most, most> m_matrix;
-  Eigen::Matrix<double, Taken, 1, Eigen::ColMajor, most, 1> m_along;
+  std::array<Lane<Widths>, most> m_own, m_along;
+  std::array<Lane<Widths>, most*(most + 1) / 2> m_matrix;
+
+  Index taken() const { return Taken == Eigen::Dynamic ? m_count : Taken; }
+  Lane<Widths>& at(Index a, Index b) { return m_matrix[static_cast<std::size_t>(a * (a + 1) / 2 + b)]; }
 };
 
-/// |1 + w² G/v| and cᵀ (v/w² + G)⁻¹ c at one width; a part of the determinant's logarithm where it is large.
-struct AtWidth {
-  double determinant = 1, logMore = 0, quadratic = 0;
+/// Nothing was taken off.
+template <int Widths>
+class SharedPart<0, Widths> {
+ public:
+  explicit SharedPart(Index) {}
+  void add(const double*, const Lane<Widths>&, const Lane<Widths>&, const Lane<Widths>&) {}
+  std::pair<Lane<Widths>, Lane<Widths>> solve() { return {Lane<Widths>::Ones(), Lane<Widths>::Zero()}; }
 };
 
-template <int Taken>
-AtWidth atWidth(double w2, const TurnedColumns& columns) {
+/// The sum over the widths of e^exponent/√determinant, counted from the largest exponent, with
+/// |1 + w² G/v| and cᵀ (v/w² + G)⁻¹ c by elimination from the first column to the last.
+template <int Taken, int Widths>
+Gain gainWith(const std::vector<Width>& widths, const TurnedColumns& columns, double variance) {
+  using Lane = Lane<Widths>;
+  Lane sigmas = Lane::Constant(widths.front().sigma), exponents = Lane::Constant(impossible);
+  for (std::size_t i = 0; i < widths.size(); ++i) {
+    sigmas[static_cast<Index>(i)] = widths[i].sigma;
+    exponents[static_cast<Index>(i)] = widths[i].logChance;
+  }
+  const Lane w2 = sigmas.square() / variance, narrow = w2.inverse();
   const Index count = columns.squares.size(), stride = columns.shared.outerStride();
-  const double *squares = columns.squares.data(), *right = columns.right.data(),
-               *shared = columns.shared.data(), narrow = 1 / w2;
-  AtWidth at;
-  SharedPart<Taken> part(columns.shared.rows());
+  const double* shared = columns.shared.data();
+  Lane determinant = Lane::Ones(), quadratic = Lane::Zero(), step = Lane::Zero(), right = Lane::Zero();
+  SharedPart<Taken, Widths> part(columns.shared.rows());
   for (Index i = 0; i < count; ++i) {
-    const double square = std::max(squares[i], 0.0), inverse = 1 / (narrow + square);
-    at.determinant *= 1 + w2 * square;
-    if (at.determinant > 1e200) {
-      at.logMore += std::log(at.determinant);
-      at.determinant = 1;
+    const Lane pivot = i == 0 ? Lane(narrow + columns.squares[0])
+                              : narrow + columns.squares[i] - columns.beside[i - 1] * step;
+    const Lane inverse = pivot.inverse();
+    determinant *= w2 * pivot;
+    if (determinant.maxCoeff() > 1e200) {
+      exponents -= determinant.log() / 2;
+      determinant.setOnes();
     }
-    const double scaled = inverse * right[i];
-    at.quadratic += scaled * right[i];
-    part.add(shared + i * stride, inverse, scaled);
+    right = columns.right[i] - step * right;
+    const Lane scaled = inverse * right;
+    quadratic += scaled * right;
+    part.add(shared + i * stride, step, inverse, scaled);
+    if (i + 1 < count) step = columns.beside[i] * inverse;
   }
-  const auto [determinant, along] = part.solve();
-  at.determinant *= determinant;
-  at.quadratic += along;
-  return at;
+  const auto [determinantOfShared, along] = part.solve();
+  exponents += (quadratic + along) / (2 * variance);
+  const double highest = exponents.maxCoeff();
+  const Lane values = (exponents - highest).exp() * (determinant * determinantOfShared).rsqrt();
+  Index best = 0;
+  values.maxCoeff(&best);
+  return {highest + std::log(values.sum()), sigmas[best]};
 }
 
-template <>
-AtWidth atWidth<0>(double w2, const TurnedColumns& columns) {
-  AtWidth at;
-  for (Index i = 0; i < columns.squares.size(); ++i) {
-    const double square = std::max(columns.squares[i], 0.0);
-    at.determinant *= 1 + w2 * square;
-    if (at.determinant > 1e200) {
-      at.logMore += std::log(at.determinant);
-      at.determinant = 1;
-    }
-    at.quadratic += columns.right[i] * columns.right[i] / (1 / w2 + square);
-  }
-  return at;
-}
-
-/// The sum over the widths of e^exponent/√determinant, counted from the largest exponent.
 template <int Taken>
 Gain gainWith(const std::vector<Width>& widths, const TurnedColumns& columns, double variance) {
   constexpr std::size_t most = 8;
   assert(!widths.empty() && widths.size() <= most);
-  std::array<double, most> exponents, factors;
-  double highest = impossible;
-  for (std::size_t i = 0; i < widths.size(); ++i) {
-    const AtWidth at = atWidth<Taken>(widths[i].sigma * widths[i].sigma / variance, columns);
-    exponents[i] = widths[i].logChance + at.quadratic / (2 * variance) - at.logMore / 2;
-    factors[i] = 1 / std::sqrt(at.determinant);
-    highest = std::max(highest, exponents[i]);
-  }
-  Gain gain;
-  double sum = 0, best = -1;
-  for (std::size_t i = 0; i < widths.size(); ++i) {
-    const double value = factors[i] * (exponents[i] == highest ? 1 : std::exp(exponents[i] - highest));
-    sum += value;
-    if (value > best) {
-      best = value;
-      gain.width = widths[i].sigma;
-    }
-  }
-  gain.log = highest + std::log(sum);
-  return gain;
+  if (widths.size() <= 2) return gainWith<Taken, 2>(widths, columns, variance);
+  if (widths.size() <= 4) return gainWith<Taken, 4>(widths, columns, variance);
+  if (widths.size() <= 6) return gainWith<Taken, 6>(widths, columns, variance);
+  return gainWith<Taken, most>(widths, columns, variance);
 }
 
 }  // namespace
@@ -153,10 +152,15 @@ Gain gainOf(const std::vector<Width>& widths, const TurnedColumns& columns, doub
 }
 
 Gain gainOf(const std::vector<Width>& widths, const MatrixXd& gram, const VectorXd& right, double variance) {
-  if (gram.cols() == 1) return gainOf(widths, TurnedColumns{gram.col(0), right, MatrixXd(0, 1)}, variance);
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(gram);
-  const VectorXd turned = eigen.eigenvectors().transpose() * right;
-  return gainOf(widths, TurnedColumns{eigen.eigenvalues(), turned, MatrixXd(0, gram.cols())}, variance);
+  const Turn turn = turnFor(gram);
+  const VectorXd turned = turn.matrix.size() > 0 ? VectorXd(turn.matrix.transpose() * right) : right;
+  return gainOf(widths, TurnedColumns{turn.squares, turn.beside, turned, MatrixXd(0, gram.cols())}, variance);
+}
+
+Turn turnFor(const MatrixXd& gram) {
+  if (gram.cols() <= 2) return {{}, gram.diagonal(), gram.diagonal(1)};
+  const Eigen::Tridiagonalization<MatrixXd> tridiagonal(gram);
+  return {tridiagonal.matrixQ(), tridiagonal.diagonal(), tridiagonal.subDiagonal()};
 }
 
 namespace {
@@ -208,6 +212,7 @@ class BentGrid {
 
   /// The highest place for weights of this width, from a place of the grid on.
   Vector2d closeIn(Vector2d at, double width) const {
+    if (climb(at, width)) return at;
     for (double size = step / 2; size > 1e-4; size /= 2) {
       const Vector2d centre = at;
       double highest = impossible;
@@ -222,13 +227,7 @@ class BentGrid {
         }
       }
     }
-    for (int i = 0; i < 5; ++i) {
-      const Eigen::Matrix2d curvature = curvatureAt(at, width);
-      if (curvature.determinant() <= 0 || curvature.trace() <= 0) break;
-      const Vector2d next = at + curvature.inverse() * slopeAt(at, width);
-      if (valueAt(next, width) <= valueAt(at, width)) break;
-      at = next;
-    }
+    climb(at, width);
     return at;
   }
 
@@ -247,6 +246,25 @@ class BentGrid {
   static const Places& allPlaces() {
     static const Places all = Places::LinSpaced(places, -reach, -reach + (places - 1) * step);
     return all;
+  }
+
+  /// By Newton's steps, as long as they lead up; whether to a place where the slope is none.
+  bool climb(Vector2d& at, double width) const {
+    constexpr int mostSteps = 8;
+    constexpr double level = 1e-9;  // of the logarithm that is still to gain
+    double height = valueAt(at, width);
+    for (int i = 0; i < mostSteps; ++i) {
+      const Eigen::Matrix2d curvature = curvatureAt(at, width);
+      if (curvature.determinant() <= 0 || curvature.trace() <= 0) return false;
+      const Vector2d slope = slopeAt(at, width), move = curvature.inverse() * slope;
+      if (slope.dot(move) < level) return true;
+      const Vector2d next = at + move;
+      const double reached = valueAt(next, width);
+      if (reached <= height) return false;
+      height = reached;
+      at = next;
+    }
+    return false;
   }
 
   /// ln of the integrand, its slope and its second derivatives with their sign turned.

@@ -71,18 +71,4 @@ GapModel modelWith(const GapModel& base, const Explanation& explanation,
   return model;
 }
 
-Linearised linearisedAt(const GapModel& model, ErrorTerm term, double size,
-                        const std::vector<ErrorTerm>& terms) {
-  JointFit shifted = model.fit;
-  const Unknown unknown{.kind = Unknown::Kind::Error, .arc = 0, .term = term};
-  const std::size_t index = shifted.indexOf(unknown);
-  if (index < shifted.values.size()) {
-    shifted.values[index] = size;
-  } else {
-    shifted.unknowns.push_back(unknown);
-    shifted.values.push_back(size);
-  }
-  return linearise(model.measurement, shifted, model.options, terms);
-}
-
 }  // namespace alidade

@@ -31,11 +31,6 @@ Result<GapModel> modelOf(const Measurement& measurement);
 GapModel modelWith(const GapModel& base, const Explanation& explanation,
                    const std::vector<Component>& candidates, const Leftover& leftover);
 
-/// The equations of the model with one error term held at a size, with derivatives by `terms` and those of
-/// the model.
-Linearised linearisedAt(const GapModel& model, ErrorTerm term, double size,
-                        const std::vector<ErrorTerm>& terms);
-
 /// ∂Δd/∂reading of the model's fit, mm per σ of the reading, in the order of `JointFit::readings`.
 Eigen::VectorXd influencePerSigma(const GapModel& model);
 

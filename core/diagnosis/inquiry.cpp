@@ -5,6 +5,7 @@
 
 #include "core/diagnosis/known_components.h"
 #include "core/diagnosis/shape_components.h"
+#include "core/diagnosis/tilted_plane.h"
 #include "core/effects/cause_ids.h"
 
 namespace alidade {
@@ -19,12 +20,13 @@ std::vector<Component> candidatesFor(const GapModel& base, const Leftover& lefto
                                      const DiagnosisOptions& options, const PriorOdds& odds) {
   std::vector<std::string> leftOut = options.without;
   leftOut.insert(leftOut.end(), base.measurement.effects.begin(), base.measurement.effects.end());
-  std::vector<Component> candidates = effectsBeyond(base, leftover, leftOut, odds);
-  const auto append = [&](std::vector<Component> more) {
-    std::ranges::move(more, std::back_inserter(candidates));
-  };
-  if (considered(options, jumpId)) append(jumpComponents(leftover, odds));
-  append(shapeComponents(leftover, base.measurement, base.fit, options.without, odds));
+  std::vector<Component> candidates = effectsBeyond(base, leftover, leftOut, odds), jumps;
+  if (considered(options, jumpId)) jumps = jumpComponents(leftover, odds);
+  std::vector<Component> shapes =
+      shapeComponents(leftover, base.measurement, base.fit, options.without, odds);
+  candidates.reserve(candidates.size() + jumps.size() + shapes.size());
+  std::ranges::move(jumps, std::back_inserter(candidates));
+  std::ranges::move(shapes, std::back_inserter(candidates));
   return candidates;
 }
 
@@ -74,13 +76,9 @@ double Inquiry::probabilityOf(std::string_view id) const {
 std::vector<Component> effectsBeyond(const GapModel& model, const Leftover& leftover,
                                      const std::vector<std::string>& leftOut, const PriorOdds& odds) {
   std::vector<Component> components = effectComponents(leftover, leftOut, odds);
-  const Effect* tilt = effectById("plane_tilt");
-  if (std::ranges::find(components, tilt->id, &Component::id) == components.end()) return components;
-  const std::vector<ErrorTerm> terms{tilt->parameters[0].term, tilt->parameters[1].term};
-  const auto tilted = [&](const EffectParameter& parameter) {
-    return linearisedAt(model, parameter.term, plausibleSize(parameter), terms);
-  };
-  bendPlaneTilt(components, leftover, tilted(tilt->parameters[0]), tilted(tilt->parameters[1]));
+  const auto tilt = std::ranges::find(components, "plane_tilt", &Component::id);
+  if (tilt != components.end())
+    tilt->curvature = leftover.visible(secondDerivativesByPlaneTilt(model, leftover));
   return components;
 }
 

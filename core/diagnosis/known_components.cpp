@@ -44,23 +44,6 @@ std::vector<Component> effectComponents(const Leftover& leftover, const std::vec
   return components;
 }
 
-void bendPlaneTilt(std::vector<Component>& components, const Leftover& leftover, const Linearised& tiltedX,
-                   const Linearised& tiltedY) {
-  const auto tilt = std::ranges::find(components, "plane_tilt", &Component::id);
-  if (tilt == components.end()) return;
-  const Effect& effect = *tilt->effect;
-  const auto change = [&](const Linearised& tilted, std::size_t p) {
-    VectorXd column(leftover.readings());
-    for (Index i = 0; i < column.size(); ++i)
-      column[i] = tilted.ofTerm(static_cast<std::size_t>(i), effect.parameters[p].term);
-    return VectorXd((column - leftover.column(effect.parameters[p].term)) *
-                    plausibleSize(effect.parameters[p]));
-  };
-  MatrixXd second(leftover.readings(), 3);
-  second << change(tiltedX, 0), change(tiltedY, 0), change(tiltedY, 1);
-  tilt->curvature = leftover.visible(second);
-}
-
 namespace {
 
 void sortAsSet(std::vector<std::size_t>& values) {
@@ -102,6 +85,7 @@ std::vector<Component> jumpComponents(const Leftover& leftover, const PriorOdds&
   const std::map<std::size_t, std::size_t> shownByOne = rowsThatAloneShow(leftover);
   const std::size_t stride = moments.size() / mostMoments + 1;
   std::vector<Component> components;
+  components.reserve(moments.size() / stride + 1);
   for (std::size_t m = 0; m < moments.size(); m += stride) {
     components.push_back(
         {.kind = Component::Kind::Jump, .id = jumpId, .frame = Frame::Time, .moment = moments[m]});

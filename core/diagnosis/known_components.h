@@ -14,10 +14,6 @@ bool isAllOrNothing(const Effect& effect);
 /// The effects of the catalogue but those in `leftOut`.
 std::vector<Component> effectComponents(const Leftover& leftover, const std::vector<std::string>& leftOut,
                                         const PriorOdds& odds);
-/// Second derivatives of the effect of a plane tilt, which shows to second order where the slider is not
-/// read: from the equations with the plane tilted by one plausible size about x and about y.
-void bendPlaneTilt(std::vector<Component>& components, const Leftover& leftover, const Linearised& tiltedX,
-                   const Linearised& tiltedY);
 /// A step before any row; of long sessions before every so manieth. One that a single row alone in its visit
 /// would show leaves what a misreading of that row leaves, which is the commoner: it is for comparison only.
 std::vector<Component> jumpComponents(const Leftover& leftover, const PriorOdds& odds);

@@ -132,13 +132,16 @@ VectorXd Leftover::column(ErrorTerm term) const {
 
 VectorXd Leftover::column(Unknown::Kind kind) const {
   VectorXd result = VectorXd::Zero(readings());
-  Index row = 0;
-  for (const Linearised& set : m_sets)
-    for (std::size_t i = 0; i < set.readings.size(); ++i, ++row)
-      for (std::size_t u = 0; u < set.unknowns.size(); ++u) {
-        const Unknown& unknown = set.unknowns[u];
-        if (unknown.kind == kind && unknown.concerns(set.readings[i].arc)) result[row] = set.ofUnknown(i, u);
-      }
+  Index first = 0;
+  for (const Linearised& set : m_sets) {
+    for (std::size_t u = 0; u < set.unknowns.size(); ++u) {
+      if (set.unknowns[u].kind != kind) continue;
+      for (std::size_t i = 0; i < set.readings.size(); ++i)
+        if (set.unknowns[u].concerns(set.readings[i].arc))
+          result[first + static_cast<Index>(i)] = set.ofUnknown(i, u);
+    }
+    first += static_cast<Index>(set.readings.size());
+  }
   return result;
 }
 

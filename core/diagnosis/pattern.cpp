@@ -48,6 +48,8 @@ Carrier::Carrier(const Leftover& leftover, VectorXd values, std::vector<Index> c
     taken.col(cell) += m_values[i] * leftover.basisOfRow(i);
   }
   m_taken = taken.transpose();
+  m_moved = (m_values.array() != 0).count();
+  if (count == m_visitCount) m_squaresOutside = (m_squares - m_along.cwiseAbs2()).cwiseMax(0);
 }
 
 VectorXd Carrier::gathered(const VectorXd& overReadings) const {
@@ -76,6 +78,23 @@ MatrixXd Carrier::taken(const MatrixXd& functions) const {
   return innerProducts(m_taken, functions);
 }
 
+MatrixXd Carrier::visibleGramOfGroups(const std::vector<Index>& groups, Index count) const {
+  const bool hasOneCellPerVisit = m_squaresOutside.size() > 0;
+  MatrixXd gram = MatrixXd::Zero(count, count), taken = MatrixXd::Zero(unknowns(), count),
+           along = MatrixXd::Zero(hasOneCellPerVisit ? 0 : m_visitCount, count);
+  for (Index cell = 0; cell < cells(); ++cell) {
+    const Index group = groups[static_cast<std::size_t>(cell)];
+    if (group < 0) continue;
+    gram(group, group) += hasOneCellPerVisit ? m_squaresOutside[cell] : m_squares[cell];
+    if (!hasOneCellPerVisit) along(m_visits[static_cast<std::size_t>(cell)], group) += m_along[cell];
+    taken.col(group) += m_taken.row(cell).transpose();
+  }
+  addSquare(gram, along, -1);
+  addSquare(gram, taken, -1);
+  gram.triangularView<Eigen::StrictlyLower>() = gram.transpose();
+  return gram;
+}
+
 VectorXd Carrier::productsWith(const Carrier& other) const {
   assert(m_cells == other.m_cells);
   return gathered(other.m_values);
@@ -98,26 +117,32 @@ VectorXd Pattern::times(const VectorXd& weights) const {
   return sum;
 }
 
-void Pattern::normalise() {
+double Pattern::normalise() {
   double moved = 0, square = 0;
   for (const auto& [carrier, functions] : parts) {
     moved += static_cast<double>(carrier->moved());
-    square += (carrier->squares().asDiagonal() * functions.cwiseAbs2()).sum();
+    for (Index f = 0; f < functions.cols(); ++f)
+      square += functions.col(f).cwiseAbs2().dot(carrier->squares());
   }
-  for (Part& part : parts) part.functions *= std::sqrt(moved / square);
+  if (square == 0) return 0;
+  const double factor = std::sqrt(moved / square);
+  for (Part& part : parts) part.functions *= factor;
+  return factor;
 }
 
 /// Columnsᵀ columns less what lies along the arc angle of each visit and in the span of the unknowns.
 MatrixXd Pattern::visibleGram() const {
   const Index count = columns(), visits = parts.front().carrier->visits(),
               unknowns = parts.front().carrier->unknowns();
-  MatrixXd gram = MatrixXd::Zero(count, count), along(visits, count), taken(unknowns, count);
+  MatrixXd gram = MatrixXd::Zero(count, count), along = MatrixXd::Zero(visits, count), taken(unknowns, count);
   Index first = 0;
   for (const auto& [carrier, functions] : parts) {
     const Index own = functions.cols();
-    along.middleCols(first, own) = carrier->alongVisits(functions);
+    const bool hasOneCellPerVisit = parts.size() == 1 && carrier->squaresOutsideArcAngles().size() > 0;
+    const VectorXd& squares = hasOneCellPerVisit ? carrier->squaresOutsideArcAngles() : carrier->squares();
+    if (!hasOneCellPerVisit) along.middleCols(first, own) = carrier->alongVisits(functions);
     taken.middleCols(first, own) = carrier->taken(functions);
-    addSquare(gram.block(first, first, own, own), carrier->squares().cwiseSqrt().asDiagonal() * functions, 1);
+    addSquare(gram.block(first, first, own, own), squares.cwiseSqrt().asDiagonal() * functions, 1);
     Index before = 0;
     for (const auto& [other, others] : parts) {
       if (before == first) break;

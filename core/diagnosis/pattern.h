@@ -22,9 +22,11 @@ class Carrier {
   Eigen::Index visits() const { return m_visitCount; }
   Eigen::Index unknowns() const { return m_taken.cols(); }
   /// How many readings it moves.
-  Eigen::Index moved() const { return (m_values.array() != 0).count(); }
+  Eigen::Index moved() const { return m_moved; }
   /// Of each cell: the sum of its squared values.
   const Eigen::VectorXd& squares() const { return m_squares; }
+  /// The same less what lies along the arc angles, where every visit has one cell only; else empty.
+  const Eigen::VectorXd& squaresOutsideArcAngles() const { return m_squaresOutside; }
   /// Of each cell: the sum of values times a vector over the readings.
   Eigen::VectorXd gathered(const Eigen::VectorXd& overReadings) const;
   /// Values times what is given for each cell, over the readings.
@@ -33,14 +35,17 @@ class Carrier {
   Eigen::MatrixXd alongVisits(const Eigen::MatrixXd& functions) const;
   /// Inner products of functions with what the fit takes up: unknowns × functions.
   Eigen::MatrixXd taken(const Eigen::MatrixXd& functions) const;
+  /// Inner products of the visible parts of one function for each group of cells: 1 in the group, 0
+  /// elsewhere. `groups`: of each cell, numbered from 0 to `count`; −1 for none.
+  Eigen::MatrixXd visibleGramOfGroups(const std::vector<Eigen::Index>& groups, Eigen::Index count) const;
   /// Of each cell: the sum of the values of both. They have the same cells.
   Eigen::VectorXd productsWith(const Carrier& other) const;
 
  private:
   Eigen::VectorXd m_values;
   std::vector<Eigen::Index> m_cells, m_visits;  ///< of each reading, of each cell
-  Eigen::Index m_visitCount;
-  Eigen::VectorXd m_squares, m_along;
+  Eigen::Index m_visitCount, m_moved;
+  Eigen::VectorXd m_squares, m_squaresOutside, m_along;
   Eigen::MatrixXd m_taken;  ///< cells × unknowns
 };
 
@@ -55,8 +60,9 @@ struct Pattern {
   Eigen::Index columns() const;
   /// Columns times weights, over the readings.
   Eigen::VectorXd times(const Eigen::VectorXd& weights) const;
-  /// Scaled so that a weight of 1 moves the readings it moves by 1σ in the mean.
-  void normalise();
+  /// Scales the columns so that a weight of 1 moves the readings it moves by 1σ in the mean; by how much. 0
+  /// where it moves none.
+  double normalise();
   /// The inner products of the visible parts of the columns with one another.
   Eigen::MatrixXd visibleGram() const;
 };

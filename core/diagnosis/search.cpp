@@ -28,14 +28,6 @@ void keepBest(Growths& growths, std::size_t count) {
   if (growths.size() > count) growths.resize(count);
 }
 
-/// No width makes a single column gain more, by its squared product with what is left over its own square;
-/// nor does any whose square is `least` times its own variance or more: the gain at x times is −½ ln(1 + x) +
-/// ½ score x/(1 + x).
-double mostGain(double score, double least) {
-  const double x = std::max(score - 1, least);
-  return 0.5 * (score * x / (1 + x) - std::log1p(x));
-}
-
 }  // namespace
 
 Search::Search(const Leftover& leftover, const std::vector<Component>& candidates,
@@ -144,28 +136,26 @@ void Search::offer(const State& state, std::size_t index, std::vector<Growth>& g
 std::vector<Search::Growth> Search::misreadingsFor(const State& state) const {
   constexpr double determined = 1e-6;  // redundancy below which a reading can be anything
   const double narrowest = widthsOf(Component::Kind::Misreading).front().sigma;
-  struct Score {
-    double value, least;
-    std::size_t component;
-  };
-  std::vector<Score> scores;
-  for (Index i = 0; i < m_leftover.readings(); ++i) {
-    const std::size_t component = m_candidates.size() + static_cast<std::size_t>(i);
-    const Index column = m_table.first(component);
-    const double left = m_table.squares()[column] - state.shared.col(column).squaredNorm();
-    if (left >= determined)
-      scores.push_back({state.right[column] * state.right[column] / (left * m_variance),
-                        narrowest * narrowest * left / m_variance, component});
-  }
-  const std::size_t count = std::min(misreadingsOffered, scores.size());
-  std::ranges::partial_sort(scores, scores.begin() + static_cast<std::ptrdiff_t>(count), std::greater{},
-                            &Score::value);
+  const Index readings = m_leftover.readings();
+  const Eigen::ArrayXd left = m_table.squares().tail(readings).array() -
+                              state.shared.rightCols(readings).colwise().squaredNorm().transpose().array(),
+                       scores =
+                           state.right.tail(readings).array().square() / (left.max(determined) * m_variance);
+  // No width gains more: x = w² left/variance gains −½ ln(1 + x) + ½ score x/(1 + x), most at score − 1.
+  const Eigen::ArrayXd x = (scores - 1).max(narrowest * narrowest / m_variance * left),
+                       mostGains = 0.5 * (scores * x / (1 + x) - (1 + x).log());
+  std::vector<Index> free;
+  free.reserve(static_cast<std::size_t>(readings));
+  for (Index i = 0; i < readings; ++i)
+    if (left[i] >= determined) free.push_back(i);
+  const std::size_t count = std::min(misreadingsOffered, free.size());
+  std::ranges::partial_sort(free, free.begin() + static_cast<std::ptrdiff_t>(count), std::greater{},
+                            [&](Index i) { return scores[i]; });
   std::vector<Growth> best;
-  for (const Score& score : scores)
-    if (best.size() < misreadingsOffered ||
-        (score.value / 2 > best.back().gain.log &&  // more than any width, and quicker to work out
-         mostGain(score.value, score.least) > best.back().gain.log)) {
-      best.push_back({.component = score.component, .gain = gainFor(state, score.component)});
+  for (const Index i : free)
+    if (best.size() < misreadingsOffered || mostGains[i] > best.back().gain.log) {
+      const std::size_t component = m_candidates.size() + static_cast<std::size_t>(i);
+      best.push_back({.component = component, .gain = gainFor(state, component)});
       if (best.size() >= misreadingsOffered) keepBest(best, misreadingsOffered);
     }
   keepBest(best, misreadingsOffered);
@@ -184,10 +174,11 @@ Gain Search::gainFor(const State& state, std::size_t component) const {
     }
     if (candidate.curvature.cols() > 0) return bentFor(state, component).gain;
   }
-  return gainOf(widthsOf(kind),
-                TurnedColumns{m_table.squares().segment(first, count), state.right.segment(first, count),
-                              state.shared.middleCols(first, count)},
-                m_variance);
+  return gainOf(
+      widthsOf(kind),
+      TurnedColumns{m_table.squares().segment(first, count), m_table.beside().segment(first, count - 1),
+                    state.right.segment(first, count), state.shared.middleCols(first, count)},
+      m_variance);
 }
 
 BentFit Search::bentFor(const State& state, std::size_t component) const {

@@ -128,7 +128,8 @@ class ShapeMaker {
   void add(const std::string& id, const SharedCarrier& carrier, MatrixXd functions) {
     Pattern pattern;
     pattern.parts.push_back({carrier, std::move(functions)});
-    add(id, std::move(pattern));
+    MatrixXd gram = pattern.visibleGram();
+    add(id, std::move(pattern), std::move(gram));
   }
 
   /// A function that differs from group to group.
@@ -141,23 +142,45 @@ class ShapeMaker {
     for (Index cell = 0; cell < carrier->cells(); ++cell)
       if (moves(cell)) groups.emplace(group(cell), static_cast<Index>(groups.size()));
     if (groups.size() < 2 || groups.size() > mostGroups) return;
-    MatrixXd functions = MatrixXd::Zero(carrier->cells(), static_cast<Index>(groups.size()));
+    const auto count = static_cast<Index>(groups.size());
+    MatrixXd functions = MatrixXd::Zero(carrier->cells(), count);
+    std::vector<Index> ofCells(static_cast<std::size_t>(carrier->cells()), -1);
     for (Index cell = 0; cell < carrier->cells(); ++cell)
-      if (moves(cell)) functions(cell, groups.at(group(cell))) = 1;
-    add(id, carrier, std::move(functions));
+      if (moves(cell)) functions(cell, ofCells[static_cast<std::size_t>(cell)] = groups.at(group(cell))) = 1;
+    add(id, Pattern{{{carrier, std::move(functions)}}}, carrier->visibleGramOfGroups(ofCells, count));
   }
 
-  void addHarmonic(const std::string& id, const SharedCarrier& carrier, const Harmonics& harmonics,
-                   int order) {
-    MatrixXd functions(carrier->cells(), 2);
-    functions << harmonics.cosines.col(order), harmonics.sines.col(order);
-    add(id, carrier, std::move(functions));
+  /// A pattern for each of the orders; their inner products are worked out together.
+  void addHarmonics(const std::string& id, const SharedCarrier& carrier, const Harmonics& harmonics,
+                    const std::vector<int>& orders) {
+    MatrixXd all(carrier->cells(), static_cast<Index>(2 * orders.size()));
+    Index first = 0;
+    for (const int order : orders) {
+      all.col(first++) = harmonics.cosines.col(order);
+      all.col(first++) = harmonics.sines.col(order);
+    }
+    const MatrixXd gram = Pattern{{{carrier, all}}}.visibleGram();
+    for (first = 0; first < all.cols(); first += 2)
+      add(id, Pattern{{{carrier, all.middleCols(first, 2)}}}, gram.block(first, first, 2, 2));
   }
 
   /// Functions with weights of their own for the two circles.
   void addOrientation(const std::string& id, const SharedCarrier& horizontal, const SharedCarrier& vertical,
                       const MatrixXd& functions) {
-    add(id, Pattern{{{horizontal, functions}, {vertical, functions}}});
+    Pattern both{{{horizontal, functions}, {vertical, functions}}};
+    MatrixXd gram = both.visibleGram();
+    add(id, std::move(both), std::move(gram));
+  }
+
+  /// Functions for either circle alone, and for both.
+  void addOrientations(const std::string& id, const SharedCarrier& horizontal, const SharedCarrier& vertical,
+                       const MatrixXd& functions) {
+    Pattern both{{{horizontal, functions}, {vertical, functions}}};
+    MatrixXd gram = both.visibleGram();
+    const Index own = functions.cols();
+    add("horizontal " + id, Pattern{{{horizontal, functions}}}, gram.topLeftCorner(own, own));
+    add("vertical " + id, Pattern{{{vertical, functions}}}, gram.bottomRightCorner(own, own));
+    add(id, std::move(both), std::move(gram));
   }
 
   std::vector<Component> take(double odds) {
@@ -171,11 +194,10 @@ class ShapeMaker {
   Frame m_frame = Frame::Guideway;
   std::vector<Component> m_components;
 
-  void add(const std::string& id, Pattern pattern) {
-    std::erase_if(pattern.parts, [](const Pattern::Part& part) { return part.carrier->moved() == 0; });
-    if (pattern.parts.empty()) return;
-    pattern.normalise();
-    MatrixXd gram = pattern.visibleGram();
+  /// `gram`: of the pattern as it is given.
+  void add(const std::string& id, Pattern pattern, MatrixXd gram) {
+    const double factor = pattern.normalise();
+    gram *= factor * factor;
     if (gram.trace() < invisible * invisible) return;
     m_components.push_back({.kind = Component::Kind::Shape,
                             .id = id,
@@ -205,14 +227,14 @@ std::vector<Component> shapeComponents(const Leftover& leftover, const Measureme
   ShapeMaker maker;
   const Harmonics harmonics = harmonicsOf(all.s, 12);
   const auto left = [&](const char* id) { return std::ranges::find(leftOut, id) != leftOut.end(); };
+  std::vector<int> radialOrders, planeOrders;
   for (int order = 2; order <= 12; ++order)
-    if (order > 3 || left(order == 2 ? "arc_ellipticity" : "arc_lobing"))
-      maker.addHarmonic("radius along the guideway", radial, harmonics, order);
+    if (order > 3 || left(order == 2 ? "arc_ellipticity" : "arc_lobing")) radialOrders.push_back(order);
   for (int order = 1; order <= 8; ++order)
-    if (order != 2 || left("plane_warp"))
-      maker.addHarmonic("guideway out of its plane", offPlane, harmonics, order);
-  for (int order = 2; order <= 8; ++order)
-    maker.addHarmonic("slider readings along the scale", slider, harmonics, order);
+    if (order != 2 || left("plane_warp")) planeOrders.push_back(order);
+  maker.addHarmonics("radius along the guideway", radial, harmonics, radialOrders);
+  maker.addHarmonics("guideway out of its plane", offPlane, harmonics, planeOrders);
+  maker.addHarmonics("slider readings along the scale", slider, harmonics, {2, 3, 4, 5, 6, 7, 8});
   const auto point = [&](Index i) { return all.rowOf(i).point; };
   maker.addGroups("radius from place to place, turning with the guideway", radial, all.visits, point);
   maker.addGroups("guideway out of its plane from place to place", offPlane, all.visits, point);
@@ -221,9 +243,7 @@ std::vector<Component> shapeComponents(const Leftover& leftover, const Measureme
   maker.addGroups("radius from place to place in each position", radial, all.visits, place);
   maker.startFrame(Frame::Time);
   const MatrixXd waves = smooth(all.elapsed, 10);
-  maker.add("horizontal orientation with time", horizontal, waves);
-  maker.add("vertical orientation with time", vertical, waves);
-  maker.addOrientation("orientation with time", horizontal, vertical, waves);
+  maker.addOrientations("orientation with time", horizontal, vertical, waves);
   maker.addOrientation("orientation settling with time", horizontal, vertical, settling(all.elapsed));
   // The target nearer, whichever way the guideway is turned.
   const auto isTurned = [&](Index i) { return all.arcOf(i).axisDeg != 0; };

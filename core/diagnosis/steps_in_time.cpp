@@ -4,7 +4,7 @@
 
 namespace alidade {
 
-using Eigen::Index, Eigen::Matrix2d, Eigen::Matrix2Xd, Eigen::Vector2d, Eigen::VectorXd;
+using Eigen::Index, Eigen::Matrix2d, Eigen::Matrix2Xd, Eigen::MatrixXd, Eigen::Vector2d, Eigen::VectorXd;
 
 StepsInTime::StepsInTime(const Leftover& leftover, std::vector<std::size_t> moments, double size)
     : m_leftover(leftover),
@@ -32,10 +32,11 @@ std::vector<Matrix2d> StepsInTime::visibleGrams() const {
   std::vector<Matrix2d> grams(m_moments, Matrix2d::Zero());
   if (m_moments == 0) return grams;
   const auto gramAt = [&](Index moment) -> Matrix2d& { return grams[static_cast<std::size_t>(moment)]; };
+  std::vector<Index> latestFirst;
   for (const std::vector<Index>& visit : m_leftover.visits()) {
-    std::vector<Index> latestFirst = visit;
-    std::ranges::stable_sort(latestFirst, std::greater{},
-                             [&](Index i) { return m_last[static_cast<std::size_t>(i)]; });
+    latestFirst = visit;
+    std::ranges::sort(latestFirst, std::greater{},
+                      [&](Index i) { return m_last[static_cast<std::size_t>(i)]; });
     Vector2d share = Vector2d::Zero();
     for (const Index i : latestFirst) {
       const Index last = m_last[static_cast<std::size_t>(i)];
@@ -46,9 +47,21 @@ std::vector<Matrix2d> StepsInTime::visibleGrams() const {
     }
   }
   for (std::size_t m = m_moments; m-- > 1;) grams[m - 1] += grams[m];
-  for (Index c = 0; c < m_leftover.basis().cols(); ++c) {
-    const Matrix2Xd along = products(m_leftover.basis().col(c).head(m_leftover.readings()));
-    for (Index m = 0; m < along.cols(); ++m) gramAt(m) -= along.col(m) * along.col(m).transpose();
+  MatrixXd ofHorizontal = MatrixXd::Zero(m_leftover.basis().cols(), static_cast<Index>(m_moments)),
+           ofVertical = ofHorizontal;
+  for (Index i = 0; i < m_horizontal.size(); ++i) {
+    const Index last = m_last[static_cast<std::size_t>(i)];
+    if (last < 0) continue;
+    ofHorizontal.col(last) += m_horizontal[i] * m_leftover.basisOfRow(i);
+    ofVertical.col(last) += m_vertical[i] * m_leftover.basisOfRow(i);
+  }
+  for (Index m = ofHorizontal.cols(); m-- > 0;) {
+    const auto h = ofHorizontal.col(m), v = ofVertical.col(m);
+    const double both = h.dot(v);
+    gramAt(m) -= Matrix2d{{h.squaredNorm(), both}, {both, v.squaredNorm()}};
+    if (m == 0) break;
+    ofHorizontal.col(m - 1) += h;
+    ofVertical.col(m - 1) += v;
   }
   return grams;
 }

@@ -46,8 +46,7 @@ TEST(Gain, KnowsWhatWasTakenOffBefore) {
   RandomSource random(2);
   constexpr double variance = 0.8, before = 1.5;
   const std::vector<Width> widths{{0.5, std::log(0.5)}, {4, std::log(0.5)}};
-  MatrixXd columns = drawn(random, 40, 2);
-  columns.col(1) -= columns.col(0) * columns.col(0).dot(columns.col(1)) / columns.col(0).squaredNorm();
+  MatrixXd columns = drawn(random, 40, 5);
   const MatrixXd other = drawn(random, 40, 3);
   const VectorXd readings = drawn(random, 40, 1);
   const MatrixXd noise = variance * MatrixXd::Identity(40, 40) + before * before * other * other.transpose();
@@ -59,10 +58,11 @@ TEST(Gain, KnowsWhatWasTakenOffBefore) {
   MatrixXd gram = other.transpose() * other;
   gram.diagonal().array() += variance / (before * before);
   const MatrixXd taken = Eigen::LLT<MatrixXd>(gram).matrixL().solve(other.transpose()).transpose();
-  const VectorXd squares = columns.colwise().squaredNorm();
+  const Turn turn = turnFor(columns.transpose() * columns);
+  columns *= turn.matrix;
   const VectorXd right = columns.transpose() * (readings - taken * (taken.transpose() * readings));
   const MatrixXd shared = taken.transpose() * columns;
-  const Gain gain = gainOf(widths, TurnedColumns{squares, right, shared}, variance);
+  const Gain gain = gainOf(widths, TurnedColumns{turn.squares, turn.beside, right, shared}, variance);
   EXPECT_NEAR(gain.log, std::log(evidence) - logDensity(readings, noise), 1e-10);
 }
 

@@ -63,6 +63,28 @@ TEST(Pattern, IsKnownCellByCellAsOverTheReadings) {
             1e-12 * columns.norm() * any.norm());
 }
 
+// Three groups and cells of none, where visits have one cell, and where they have several.
+TEST(Pattern, OfGroupsIsThatOfTheirIndicatorFunctions) {
+  std::vector<Index> visits;
+  for (Index i = 0; i < leftover().readings(); ++i)
+    visits.push_back(static_cast<Index>(leftover().reading(i).visit));
+  for (const auto& cells : {rowByRow(), visits}) {
+    const auto sag = std::make_shared<Carrier>(leftover(), leftover().column(ErrorTerm::GravitySag), cells);
+    EXPECT_EQ(sag->squaresOutsideArcAngles().size() > 0, cells == visits);
+    std::vector<Index> groups;
+    MatrixXd functions = MatrixXd::Zero(sag->cells(), 3);
+    for (Index cell = 0; cell < sag->cells(); ++cell) {
+      groups.push_back(cell % 4 - 1);
+      if (groups.back() >= 0) functions(cell, groups.back()) = 1;
+    }
+    MatrixXd columns(leftover().readings(), 3);
+    for (Index f = 0; f < columns.cols(); ++f) columns.col(f) = sag->spread(functions.col(f));
+    const MatrixXd visible = leftover().visible(columns), gram = visible.transpose() * visible;
+    EXPECT_LT(greatest(sag->visibleGramOfGroups(groups, 3) - gram), 1e-12 * columns.squaredNorm());
+    EXPECT_LT(greatest(Pattern{{{sag, functions}}}.visibleGram() - gram), 1e-12 * columns.squaredNorm());
+  }
+}
+
 TEST(Pattern, MovesReadingsByOneSigmaInTheMean) {
   const auto sag = carrierOf(ErrorTerm::GravitySag);
   Pattern pattern{{{sag, someFunctions(sag->cells(), 3)}}};
