@@ -345,7 +345,8 @@ void JointProblem::fillEquations(const Jets& jets, const JointState& state, std:
           m_measurement.sigmaSlider.radians(),
           takesPart(arcIndex, static_cast<std::size_t>(slider - arc.sightings.data()), ReadingKind::Slider));
   }
-  equations.along = equations.jacobian.col(phiSlot).normalized();
+  equations.along = equations.jacobian.col(phiSlot);
+  equations.along.normalize();
 }
 
 // `lazyProduct`: these matrices are so small that blocking them costs more than multiplying.

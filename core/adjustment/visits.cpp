@@ -17,10 +17,8 @@ std::vector<Visit> visitsOf(const ArcMeasurement& arc) {
   visits.reserve(order.size());
   for (const std::size_t i : order) {
     const Sighting& sighting = arc.sightings[i];
-    if (visits.empty() || visits.back().round != sighting.round || visits.back().point != sighting.point) {
+    if (visits.empty() || visits.back().round != sighting.round || visits.back().point != sighting.point)
       visits.push_back({sighting.round, sighting.point, {}, {}});
-      visits.back().sightings.reserve(2);  // a row in either face
-    }
     visits.back().sightings.push_back(i);
   }
   std::ranges::sort(visits, {}, [](const Visit& visit) { return visit.sightings.front(); });

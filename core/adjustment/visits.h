@@ -1,5 +1,6 @@
 #pragma once
 
+#include <boost/container/static_vector.hpp>
 #include <cstddef>
 #include <vector>
 
@@ -17,7 +18,8 @@ struct VisitMean {
 /// The rows of one visit (same round and point): the slider stood still, so they share one arc angle.
 struct Visit {
   int round = 1, point = 0;
-  std::vector<std::size_t> sightings;  ///< indices into the arc's sightings, in the order taken
+  /// Indices into the arc's sightings, in the order taken: one in either face.
+  boost::container::static_vector<std::size_t, 2> sightings;
   VisitMean mean;
 };
 

@@ -38,6 +38,11 @@ ColumnTable::ColumnTable(const Leftover& leftover, const std::vector<Component>&
 void ColumnTable::turn(std::size_t component) {
   const Component& candidate = m_candidates[component];
   if (candidate.curvature.cols() > 0) return;
+  if (candidate.gram.cols() <= 2) {  // tridiagonal as it is
+    m_squares.segment(first(component), count(component)) = candidate.gram.diagonal();
+    if (candidate.gram.cols() == 2) m_beside[first(component)] = candidate.gram(0, 1);
+    return;
+  }
   Turn turn = turnFor(candidate.gram);
   m_squares.segment(first(component), count(component)) = turn.squares;
   m_beside.segment(first(component), turn.beside.size()) = turn.beside;
@@ -88,7 +93,7 @@ MatrixXd ColumnTable::gram(std::size_t component) const {
 }
 
 VectorXd ColumnTable::products(const VectorXd& visible) const {
-  VectorXd all = VectorXd::Zero(m_size);
+  VectorXd all(m_size);
   const VectorXd readings = visible.head(m_leftover.readings());
   all.head(m_effects.cols()).noalias() = m_effects.transpose() * visible;
   const Eigen::Matrix2Xd steps = m_steps.products(readings);
@@ -113,8 +118,8 @@ VectorXd ColumnTable::products(const VectorXd& visible) const {
 
 MatrixXd ColumnTable::productsOf(std::size_t component) const {
   const MatrixXd columns = visibleColumns(component);
-  MatrixXd all(columns.cols(), m_size);
-  for (Index c = 0; c < columns.cols(); ++c) all.row(c) = products(columns.col(c)).transpose();
+  MatrixXd all(m_size, columns.cols());
+  for (Index c = 0; c < columns.cols(); ++c) all.col(c) = products(columns.col(c));
   return all;
 }
 

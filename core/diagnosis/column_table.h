@@ -34,7 +34,7 @@ class ColumnTable {
   Eigen::MatrixXd gram(std::size_t component) const;
   /// The inner products of all columns with a vector that is visible, rows() long.
   Eigen::VectorXd products(const Eigen::VectorXd& visible) const;
-  /// The same with each column of a component: count × size().
+  /// The same with each column of a component: size() × count.
   Eigen::MatrixXd productsOf(std::size_t component) const;
   /// Weights of turned columns as weights of the component.
   Eigen::VectorXd weights(std::size_t component, const Eigen::VectorXd& turned) const;

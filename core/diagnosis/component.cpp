@@ -1,6 +1,7 @@
 #include "core/diagnosis/component.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace alidade {
@@ -18,21 +19,12 @@ std::vector<Width> evenly(std::initializer_list<double> sigmas) {
 }  // namespace
 
 const std::vector<Width>& widthsOf(Component::Kind kind) {
-  static const std::vector<Width> effect = evenly({0.1, 0.3, 1, 3});
-  static const std::vector<Width> jump = evenly({0.3, 1});
-  static const std::vector<Width> misreading = evenly({8, 30, 120, 1000});
-  static const std::vector<Width> shape = evenly({0.5, 1, 2, 4, 8, 16});
-  switch (kind) {
-    case Component::Kind::Effect:
-      return effect;
-    case Component::Kind::Jump:
-      return jump;
-    case Component::Kind::Misreading:
-      return misreading;
-    case Component::Kind::Shape:
-      return shape;
-  }
-  return effect;
+  static const std::array widths{evenly({0.1, 0.3, 1, 3}), evenly({0.3, 1}), evenly({8, 30, 120, 1000}),
+                                 evenly({0.5, 1, 2, 4, 8, 16})};
+  using enum Component::Kind;
+  static_assert(Effect == Component::Kind{0} && Jump == Component::Kind{1} &&
+                Misreading == Component::Kind{2} && Shape == Component::Kind{3});
+  return widths[static_cast<std::size_t>(kind)];
 }
 
 MatrixXd wholeColumns(const Leftover& leftover, const Component& component) {
@@ -85,7 +77,7 @@ VectorXd signature(const Leftover& leftover, const Component& component, const V
 double signatureSquare(const Component& component, const VectorXd& weights) {
   if (component.curvature.cols() > 0)
     return (component.columns * weights + component.curvature * bentWeights(weights).tail<3>()).squaredNorm();
-  return std::max(weights.dot(component.gram * weights), 0.0);
+  return std::max(weights.dot(component.gram.lazyProduct(weights)), 0.0);  // small: no room on the heap
 }
 
 }  // namespace alidade

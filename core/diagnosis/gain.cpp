@@ -37,7 +37,8 @@ class SharedPart {
   }
 
   /// The next column, less `step` times the one before.
-  void add(const double* shared, const Lane<Widths>& step, const Lane<Widths>& inverse,
+  template <typename Shared>
+  void add(const Shared& shared, const Lane<Widths>& step, const Lane<Widths>& inverse,
            const Lane<Widths>& scaled) {
     for (Index a = 0; a < taken(); ++a) {
       m_own[a] = shared[a] - step * m_own[a];
@@ -79,7 +80,8 @@ template <int Widths>
 class SharedPart<0, Widths> {
  public:
   explicit SharedPart(Index) {}
-  void add(const double*, const Lane<Widths>&, const Lane<Widths>&, const Lane<Widths>&) {}
+  template <typename Shared>
+  void add(const Shared&, const Lane<Widths>&, const Lane<Widths>&, const Lane<Widths>&) {}
   std::pair<Lane<Widths>, Lane<Widths>> solve() { return {Lane<Widths>::Ones(), Lane<Widths>::Zero()}; }
 };
 
@@ -94,10 +96,9 @@ Gain gainWith(const std::vector<Width>& widths, const TurnedColumns& columns, do
     exponents[static_cast<Index>(i)] = widths[i].logChance;
   }
   const Lane w2 = sigmas.square() / variance, narrow = w2.inverse();
-  const Index count = columns.squares.size(), stride = columns.shared.outerStride();
-  const double* shared = columns.shared.data();
+  const Index count = columns.squares.size();
   Lane determinant = Lane::Ones(), quadratic = Lane::Zero(), step = Lane::Zero(), right = Lane::Zero();
-  SharedPart<Taken, Widths> part(columns.shared.rows());
+  SharedPart<Taken, Widths> part(columns.shared.cols());
   for (Index i = 0; i < count; ++i) {
     const Lane pivot = i == 0 ? Lane(narrow + columns.squares[0])
                               : narrow + columns.squares[i] - columns.beside[i - 1] * step;
@@ -110,7 +111,7 @@ Gain gainWith(const std::vector<Width>& widths, const TurnedColumns& columns, do
     right = columns.right[i] - step * right;
     const Lane scaled = inverse * right;
     quadratic += scaled * right;
-    part.add(shared + i * stride, step, inverse, scaled);
+    part.add(columns.shared.row(i), step, inverse, scaled);
     if (i + 1 < count) step = columns.beside[i] * inverse;
   }
   const auto [determinantOfShared, along] = part.solve();
@@ -135,7 +136,7 @@ Gain gainWith(const std::vector<Width>& widths, const TurnedColumns& columns, do
 }  // namespace
 
 Gain gainOf(const std::vector<Width>& widths, const TurnedColumns& columns, double variance) {
-  switch (columns.shared.rows()) {
+  switch (columns.shared.cols()) {
     case 0:
       return gainWith<0>(widths, columns, variance);
     case 1:
@@ -154,7 +155,7 @@ Gain gainOf(const std::vector<Width>& widths, const TurnedColumns& columns, doub
 Gain gainOf(const std::vector<Width>& widths, const MatrixXd& gram, const VectorXd& right, double variance) {
   const Turn turn = turnFor(gram);
   const VectorXd turned = turn.matrix.size() > 0 ? VectorXd(turn.matrix.transpose() * right) : right;
-  return gainOf(widths, TurnedColumns{turn.squares, turn.beside, turned, MatrixXd(0, gram.cols())}, variance);
+  return gainOf(widths, TurnedColumns{turn.squares, turn.beside, turned, MatrixXd(gram.cols(), 0)}, variance);
 }
 
 Turn turnFor(const MatrixXd& gram) {

@@ -42,8 +42,8 @@ Turn turnFor(const Eigen::MatrixXd& gram);
 struct TurnedColumns {
   Eigen::Ref<const Eigen::VectorXd> squares, beside;  ///< as in `Turn`
   Eigen::Ref<const Eigen::VectorXd> right;            ///< inner products with what is left
-  /// Their inner products with what was taken off before: G less sharedᵀ shared, so that determinant and
-  /// inverse of v/w² + G follow from a matrix as small as what was taken (Woodbury).
+  /// Their inner products with what was taken off before, columns × taken: G less shared sharedᵀ, so that
+  /// determinant and inverse of v/w² + G follow from a matrix as small as what was taken (Woodbury).
   Eigen::Ref<const Eigen::MatrixXd> shared;
 };
 Gain gainOf(const std::vector<Width>& widths, const TurnedColumns& columns, double variance);

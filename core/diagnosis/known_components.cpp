@@ -94,8 +94,8 @@ std::vector<Component> jumpComponents(const Leftover& leftover, const PriorOdds&
   }
   const auto grams = StepsInTime(leftover, momentsOf(components), plausibleJump).visibleGrams();
   for (std::size_t m = 0; m < components.size(); ++m) components[m].gram = grams[m];
-  for (Component& component : components)
-    component.logPrior = std::log(odds.jump / static_cast<double>(components.size()));
+  const double logPrior = std::log(odds.jump / static_cast<double>(components.size()));
+  for (Component& component : components) component.logPrior = logPrior;
   return components;
 }
 

@@ -12,6 +12,8 @@ namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
+constexpr std::size_t mostRowsOfVisit = 5;  // two circles in two faces, and the slider
+
 }  // namespace
 
 Leftover::Leftover(std::vector<Linearised> sets, const std::vector<EstimatedTerm>& inModel)
@@ -25,6 +27,7 @@ Leftover::Leftover(std::vector<Linearised> sets, const std::vector<EstimatedTerm
     visits += set.visits;
   }
   m_visits.resize(visits);
+  for (auto& visit : m_visits) visit.reserve(mostRowsOfVisit);
   m_along.resize(readings());
   for (Index i = 0; i < readings(); ++i) {
     m_visits[reading(i).visit].push_back(i);

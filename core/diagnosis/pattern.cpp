@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <utility>
 
 namespace alidade {
 
@@ -30,39 +29,36 @@ void addSquare(Matrix&& sum, const MatrixXd& columns, double factor) {
 
 }  // namespace
 
-Carrier::Carrier(const Leftover& leftover, VectorXd values, std::vector<Index> cells)
-    : m_values(std::move(values)),
-      m_cells(std::move(cells)),
-      m_visitCount(static_cast<Index>(leftover.visits().size())) {
-  const Index count = m_cells.empty() ? 0 : m_cells.back() + 1;
+Carrier::Carrier(const Leftover& leftover, const VectorXd& values, const std::vector<Index>& cells)
+    : m_readings(values.size()), m_visitCount(static_cast<Index>(leftover.visits().size())) {
+  const Index count = cells.empty() ? 0 : cells.back() + 1;
   m_squares = m_along = VectorXd::Zero(count);
   m_visits.resize(static_cast<std::size_t>(count));
+  m_moved.reserve(cells.size());
   MatrixXd taken = MatrixXd::Zero(leftover.basis().cols(), count);
-  for (Index i = 0; i < m_values.size(); ++i) {
+  for (Index i = 0; i < values.size(); ++i) {
     const LinearReading& reading = leftover.reading(i);
-    const Index cell = m_cells[static_cast<std::size_t>(i)];
+    const Index cell = cells[static_cast<std::size_t>(i)];
     m_visits[static_cast<std::size_t>(cell)] = static_cast<Index>(reading.visit);
-    if (m_values[i] == 0) continue;
-    m_squares[cell] += m_values[i] * m_values[i];
-    m_along[cell] += m_values[i] * reading.along;
-    taken.col(cell) += m_values[i] * leftover.basisOfRow(i);
+    if (values[i] == 0) continue;
+    m_moved.push_back({i, cell, values[i]});
+    m_squares[cell] += values[i] * values[i];
+    m_along[cell] += values[i] * reading.along;
+    taken.col(cell) += values[i] * leftover.basisOfRow(i);
   }
   m_taken = taken.transpose();
-  m_moved = (m_values.array() != 0).count();
   if (count == m_visitCount) m_squaresOutside = (m_squares - m_along.cwiseAbs2()).cwiseMax(0);
 }
 
 VectorXd Carrier::gathered(const VectorXd& overReadings) const {
   VectorXd sums = VectorXd::Zero(cells());
-  for (Index i = 0; i < m_values.size(); ++i)
-    sums[m_cells[static_cast<std::size_t>(i)]] += m_values[i] * overReadings[i];
+  for (const auto& [reading, cell, value] : m_moved) sums[cell] += value * overReadings[reading];
   return sums;
 }
 
 VectorXd Carrier::spread(const VectorXd& overCells) const {
-  VectorXd readings(m_values.size());
-  for (Index i = 0; i < readings.size(); ++i)
-    readings[i] = m_values[i] * overCells[m_cells[static_cast<std::size_t>(i)]];
+  VectorXd readings = VectorXd::Zero(m_readings);
+  for (const auto& [reading, cell, value] : m_moved) readings[reading] = value * overCells[cell];
   return readings;
 }
 
@@ -96,8 +92,8 @@ MatrixXd Carrier::visibleGramOfGroups(const std::vector<Index>& groups, Index co
 }
 
 VectorXd Carrier::productsWith(const Carrier& other) const {
-  assert(m_cells == other.m_cells);
-  return gathered(other.m_values);
+  assert(m_visits == other.m_visits);
+  return gathered(other.spread(VectorXd::Ones(cells())));
 }
 
 Index Pattern::columns() const {
@@ -122,7 +118,7 @@ double Pattern::normalise() {
   for (const auto& [carrier, functions] : parts) {
     moved += static_cast<double>(carrier->moved());
     for (Index f = 0; f < functions.cols(); ++f)
-      square += functions.col(f).cwiseAbs2().dot(carrier->squares());
+      square += (functions.col(f).array().square() * carrier->squares().array()).sum();
   }
   if (square == 0) return 0;
   const double factor = std::sqrt(moved / square);

@@ -16,13 +16,13 @@ namespace alidade {
 class Carrier {
  public:
   /// `cells`: of each reading, numbered from 0 in the order of the readings; a cell lies within a visit.
-  Carrier(const Leftover& leftover, Eigen::VectorXd values, std::vector<Eigen::Index> cells);
+  Carrier(const Leftover& leftover, const Eigen::VectorXd& values, const std::vector<Eigen::Index>& cells);
 
   Eigen::Index cells() const { return m_squares.size(); }
   Eigen::Index visits() const { return m_visitCount; }
   Eigen::Index unknowns() const { return m_taken.cols(); }
   /// How many readings it moves.
-  Eigen::Index moved() const { return m_moved; }
+  Eigen::Index moved() const { return static_cast<Eigen::Index>(m_moved.size()); }
   /// Of each cell: the sum of its squared values.
   const Eigen::VectorXd& squares() const { return m_squares; }
   /// The same less what lies along the arc angles, where every visit has one cell only; else empty.
@@ -42,9 +42,14 @@ class Carrier {
   Eigen::VectorXd productsWith(const Carrier& other) const;
 
  private:
-  Eigen::VectorXd m_values;
-  std::vector<Eigen::Index> m_cells, m_visits;  ///< of each reading, of each cell
-  Eigen::Index m_visitCount, m_moved;
+  /// A reading that is moved, its cell, and by how much.
+  struct Moved {
+    Eigen::Index reading, cell;
+    double value;
+  };
+  Eigen::Index m_readings, m_visitCount;
+  std::vector<Moved> m_moved;
+  std::vector<Eigen::Index> m_visits;  ///< of each cell
   Eigen::VectorXd m_squares, m_squaresOutside, m_along;
   Eigen::MatrixXd m_taken;  ///< cells × unknowns
 };

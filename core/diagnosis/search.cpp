@@ -24,8 +24,10 @@ std::uint64_t keyOf(std::size_t component) {
 /// The `count` with the greatest gain.
 template <typename Growths>
 void keepBest(Growths& growths, std::size_t count) {
-  std::ranges::sort(growths, std::greater{}, [](const auto& growth) { return growth.gain.log; });
-  if (growths.size() > count) growths.resize(count);
+  count = std::min(count, growths.size());
+  std::ranges::partial_sort(growths, growths.begin() + static_cast<std::ptrdiff_t>(count), std::greater{},
+                            [](const auto& growth) { return growth.gain.log; });
+  growths.resize(count);
 }
 
 }  // namespace
@@ -62,7 +64,7 @@ Search::State Search::nothing() const {
   State nothing;
   nothing.found.chiSquare = m_leftover.chiSquare();
   nothing.right = m_table.products(m_leftover.residual());
-  nothing.shared.resize(0, m_table.size());
+  nothing.shared.resize(m_table.size(), 0);
   return nothing;
 }
 
@@ -114,6 +116,8 @@ void Search::offer(const State& state, std::size_t index, std::vector<Growth>& g
     return part.component < m_candidates.size() && m_candidates[part.component].kind == Component::Kind::Jump;
   });
   std::vector<Growth> offered, jumps;
+  offered.reserve(m_candidates.size());
+  jumps.reserve(m_candidates.size());
   for (std::size_t i = 0; i < m_candidates.size(); ++i) {
     const bool isJump = m_candidates[i].kind == Component::Kind::Jump;
     if (taken(i) || (isJump && (hasJump || (m_options.misreadings && m_candidates[i].onlyRow)))) continue;
@@ -137,10 +141,11 @@ std::vector<Search::Growth> Search::misreadingsFor(const State& state) const {
   constexpr double determined = 1e-6;  // redundancy below which a reading can be anything
   const double narrowest = widthsOf(Component::Kind::Misreading).front().sigma;
   const Index readings = m_leftover.readings();
-  const Eigen::ArrayXd left = m_table.squares().tail(readings).array() -
-                              state.shared.rightCols(readings).colwise().squaredNorm().transpose().array(),
-                       scores =
-                           state.right.tail(readings).array().square() / (left.max(determined) * m_variance);
+  Eigen::ArrayXd left = m_table.squares().tail(readings);
+  for (Index taken = 0; taken < state.shared.cols(); ++taken)
+    left -= state.shared.col(taken).tail(readings).array().square();
+  const Eigen::ArrayXd scores =
+      state.right.tail(readings).array().square() / (left.max(determined) * m_variance);
   // No width gains more: x = w² left/variance gains −½ ln(1 + x) + ½ score x/(1 + x), most at score − 1.
   const Eigen::ArrayXd x = (scores - 1).max(narrowest * narrowest / m_variance * left),
                        mostGains = 0.5 * (scores * x / (1 + x) - (1 + x).log());
@@ -169,7 +174,7 @@ Gain Search::gainFor(const State& state, std::size_t component) const {
     const Component& candidate = m_candidates[component];
     kind = candidate.kind;
     if (candidate.allOrNothing) {
-      const double square = m_table.squares()[first] - state.shared.col(first).squaredNorm();
+      const double square = m_table.squares()[first] - state.shared.row(first).squaredNorm();
       return {(state.right[first] - square / 2) / m_variance, 1};
     }
     if (candidate.curvature.cols() > 0) return bentFor(state, component).gain;
@@ -177,14 +182,14 @@ Gain Search::gainFor(const State& state, std::size_t component) const {
   return gainOf(
       widthsOf(kind),
       TurnedColumns{m_table.squares().segment(first, count), m_table.beside().segment(first, count - 1),
-                    state.right.segment(first, count), state.shared.middleCols(first, count)},
+                    state.right.segment(first, count), state.shared.middleRows(first, count)},
       m_variance);
 }
 
 BentFit Search::bentFor(const State& state, std::size_t component) const {
   const Index first = m_table.first(component), count = m_table.count(component);
-  const auto shared = state.shared.middleCols(first, count);
-  return fitBent(widthsOf(Component::Kind::Effect), m_table.gram(component) - shared.transpose() * shared,
+  const auto shared = state.shared.middleRows(first, count);
+  return fitBent(widthsOf(Component::Kind::Effect), m_table.gram(component) - shared * shared.transpose(),
                  state.right.segment(first, count), m_variance);
 }
 
@@ -206,8 +211,8 @@ Search::State Search::with(const State& state, const Growth& growth, bool inAnyC
   next.misreadings = state.misreadings + (component < m_candidates.size() ? 0 : 1);
   next.key = growth.key;
 
-  const MatrixXd before = state.shared.middleCols(first, count);
-  const MatrixXd gram = m_table.gram(component) - before.transpose() * before;
+  const MatrixXd before = state.shared.middleRows(first, count);
+  const MatrixXd gram = m_table.gram(component) - before * before.transpose();
   const VectorXd right = state.right.segment(first, count);
   const Linear linear = linearFor(state, component);
   const VectorXd left = linear.isPlain ? right : linear.slope.transpose() * (right - gram * linear.fixed);
@@ -221,14 +226,15 @@ Search::State Search::with(const State& state, const Growth& growth, bool inAnyC
     next.found.parts.back().weights = m_table.weights(component, factor.matrixU().solve(along));
   if (!inAnyCase && !mayGrow(next)) return next;
 
-  const MatrixXd products = productsOf(component) - before.transpose() * state.shared;
-  const MatrixXd added =
-      factor.matrixL().solve(linear.isPlain ? products : MatrixXd(linear.slope.transpose() * products));
-  next.shared.resize(state.shared.rows() + added.rows(), m_table.size());
-  next.shared.topRows(state.shared.rows()) = state.shared;
-  next.shared.bottomRows(added.rows()) = added;
-  next.right = state.right - added.transpose() * along;
-  if (!linear.isPlain) next.right -= products.transpose() * linear.fixed;
+  const MatrixXd products = productsOf(component) - state.shared * before.transpose();
+  MatrixXd taken = MatrixXd::Identity(matrix.rows(), matrix.cols());
+  factor.matrixU().solveInPlace(taken);
+  if (!linear.isPlain) taken = linear.slope * taken;
+  const MatrixXd added = products.lazyProduct(taken);  // too few columns for blocking
+  next.shared.resize(m_table.size(), state.shared.cols() + added.cols());
+  next.shared << state.shared, added;
+  next.right = state.right - added * along;
+  if (!linear.isPlain) next.right -= products * linear.fixed;
   return next;
 }
 

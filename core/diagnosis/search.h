@@ -29,7 +29,8 @@ class Search {
     Explanation found;
     /// Products of all columns with what is left. Empty, like `shared`, where the set does not grow.
     Eigen::VectorXd right;
-    Eigen::MatrixXd shared;  ///< with what was taken: columns have the Gram matrix CᵀC − sharedᵀ shared
+    /// With what was taken, columns × taken: their Gram matrix is CᵀC − shared sharedᵀ.
+    Eigen::MatrixXd shared;
     int misreadings = 0;
     std::uint64_t key = 0;  ///< of the set, whatever the order
   };

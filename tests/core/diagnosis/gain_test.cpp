@@ -61,7 +61,7 @@ TEST(Gain, KnowsWhatWasTakenOffBefore) {
   const Turn turn = turnFor(columns.transpose() * columns);
   columns *= turn.matrix;
   const VectorXd right = columns.transpose() * (readings - taken * (taken.transpose() * readings));
-  const MatrixXd shared = taken.transpose() * columns;
+  const MatrixXd shared = columns.transpose() * taken;
   const Gain gain = gainOf(widths, TurnedColumns{turn.squares, turn.beside, right, shared}, variance);
   EXPECT_NEAR(gain.log, std::log(evidence) - logDensity(readings, noise), 1e-10);
 }
