@@ -16,7 +16,7 @@ awk '
     inner["core/adjustment/joint_problem.h"]
     split("advice answer causes column_table component explanation further_readings gain gap_model gap_size " \
           "held_out inquiry known_components leftover location look_alikes misread_circle pattern rivals search " \
-          "shape_components steps_in_time unseen visible_terms", diagnosis)
+          "shape_components steps_in_time tilted_plane unseen visible_terms", diagnosis)
     for (i in diagnosis) inner["core/diagnosis/" diagnosis[i] ".h"]
   }
   function complain(why) { print FILENAME ":" FNR ": " why ": " $0 }
