@@ -5,6 +5,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <type_traits>
 #include <utility>
 
 namespace alidade {
@@ -24,15 +25,20 @@ using Lane = Eigen::Array<double, Widths, 1>;
 
 /// What was taken off before is a few columns: sums over what a component shares with them, row by row of a
 /// symmetric matrix, and its Cholesky factor. `Taken`: how many where it is known beforehand, which the
-/// compiler unrolls.
+/// compiler unrolls; a pattern alone may be some eighty.
 template <int Taken, int Widths>
 class SharedPart {
  public:
-  explicit SharedPart(Index taken) : m_count(taken) {
-    for (Index a = 0; a < this->taken(); ++a) {
+  explicit SharedPart(Index taken) : m_count(static_cast<std::size_t>(taken)) {
+    if constexpr (Taken == Eigen::Dynamic) {
+      m_own.resize(m_count);
+      m_along.resize(m_count);
+      m_matrix.resize(m_count * (m_count + 1) / 2);
+    }
+    for (std::size_t a = 0; a < count(); ++a) {
       m_own[a].setZero();
       m_along[a].setZero();
-      for (Index b = 0; b <= a; ++b) at(a, b).setConstant(a == b ? 1 : 0);
+      for (std::size_t b = 0; b <= a; ++b) at(a, b).setConstant(a == b ? 1 : 0);
     }
   }
 
@@ -40,24 +46,24 @@ class SharedPart {
   template <typename Shared>
   void add(const Shared& shared, const Lane<Widths>& step, const Lane<Widths>& inverse,
            const Lane<Widths>& scaled) {
-    for (Index a = 0; a < taken(); ++a) {
-      m_own[a] = shared[a] - step * m_own[a];
+    for (std::size_t a = 0; a < count(); ++a) {
+      m_own[a] = shared[static_cast<Index>(a)] - step * m_own[a];
       m_along[a] += m_own[a] * scaled;
-      for (Index b = 0; b <= a; ++b) at(a, b) -= inverse * m_own[a] * m_own[b];
+      for (std::size_t b = 0; b <= a; ++b) at(a, b) -= inverse * m_own[a] * m_own[b];
     }
   }
 
   /// Determinant of the matrix, and the sums' quadratic form with its inverse.
   std::pair<Lane<Widths>, Lane<Widths>> solve() {
     Lane<Widths> determinant = Lane<Widths>::Ones(), quadratic = Lane<Widths>::Zero();
-    for (Index a = 0; a < taken(); ++a) {
-      for (Index b = 0; b <= a; ++b) {
-        for (Index c = 0; c < b; ++c) at(a, b) -= at(a, c) * at(b, c);
+    for (std::size_t a = 0; a < count(); ++a) {
+      for (std::size_t b = 0; b <= a; ++b) {
+        for (std::size_t c = 0; c < b; ++c) at(a, b) -= at(a, c) * at(b, c);
         if (b < a) at(a, b) /= at(b, b);
       }
       determinant *= at(a, a);
       at(a, a) = at(a, a).sqrt();
-      for (Index b = 0; b < a; ++b) m_along[a] -= at(a, b) * m_along[b];
+      for (std::size_t b = 0; b < a; ++b) m_along[a] -= at(a, b) * m_along[b];
       m_along[a] /= at(a, a);
       quadratic += m_along[a].square();
     }
@@ -65,14 +71,16 @@ class SharedPart {
   }
 
  private:
-  static constexpr int most =
-      Taken == Eigen::Dynamic ? 16 : Taken;  // six misreadings, or twice three columns
-  Index m_count;
-  std::array<Lane<Widths>, most> m_own, m_along;
-  std::array<Lane<Widths>, most*(most + 1) / 2> m_matrix;
+  static constexpr std::size_t fixed = Taken == Eigen::Dynamic ? 0 : Taken;
+  template <std::size_t size>
+  using Lanes =
+      std::conditional_t<Taken == Eigen::Dynamic, std::vector<Lane<Widths>>, std::array<Lane<Widths>, size>>;
+  std::size_t m_count;
+  Lanes<fixed> m_own, m_along;
+  Lanes<fixed*(fixed + 1) / 2> m_matrix;
 
-  Index taken() const { return Taken == Eigen::Dynamic ? m_count : Taken; }
-  Lane<Widths>& at(Index a, Index b) { return m_matrix[static_cast<std::size_t>(a * (a + 1) / 2 + b)]; }
+  std::size_t count() const { return Taken == Eigen::Dynamic ? m_count : fixed; }
+  Lane<Widths>& at(std::size_t a, std::size_t b) { return m_matrix[a * (a + 1) / 2 + b]; }
 };
 
 /// Nothing was taken off.

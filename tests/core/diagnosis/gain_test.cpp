@@ -41,29 +41,36 @@ TEST(Gain, IsTheRatioOfTwoNormalDensities) {
   EXPECT_NEAR(gain.log, std::log(evidence) - logDensity(readings, noise), 1e-10);
 }
 
-// With another component, of width u, taken off before, the noise has the covariance v + u² B Bᵀ.
+// With other columns, of width u, taken off before, the noise has the covariance v + u² B Bᵀ. A few are
+// worked on unrolled; a pattern takes many.
 TEST(Gain, KnowsWhatWasTakenOffBefore) {
   RandomSource random(2);
   constexpr double variance = 0.8, before = 1.5;
   const std::vector<Width> widths{{0.5, std::log(0.5)}, {4, std::log(0.5)}};
-  MatrixXd columns = drawn(random, 40, 5);
-  const MatrixXd other = drawn(random, 40, 3);
-  const VectorXd readings = drawn(random, 40, 1);
-  const MatrixXd noise = variance * MatrixXd::Identity(40, 40) + before * before * other * other.transpose();
-  double evidence = 0;
-  for (const Width& width : widths)
-    evidence += std::exp(width.logChance + logDensity(readings, noise + width.sigma * width.sigma * columns *
-                                                                            columns.transpose()));
-  // v noise⁻¹ = 1 − V Vᵀ
-  MatrixXd gram = other.transpose() * other;
-  gram.diagonal().array() += variance / (before * before);
-  const MatrixXd taken = Eigen::LLT<MatrixXd>(gram).matrixL().solve(other.transpose()).transpose();
-  const Turn turn = turnFor(columns.transpose() * columns);
-  columns *= turn.matrix;
-  const VectorXd right = columns.transpose() * (readings - taken * (taken.transpose() * readings));
-  const MatrixXd shared = columns.transpose() * taken;
-  const Gain gain = gainOf(widths, TurnedColumns{turn.squares, turn.beside, right, shared}, variance);
-  EXPECT_NEAR(gain.log, std::log(evidence) - logDensity(readings, noise), 1e-10);
+  for (const int taken : {1, 2, 3, 4, 5, 30}) {
+    SCOPED_TRACE(taken);
+    MatrixXd columns = drawn(random, 60, 5);
+    const MatrixXd others = drawn(random, 60, taken);
+    const VectorXd readings = drawn(random, 60, 1);
+    const MatrixXd noise =
+        variance * MatrixXd::Identity(60, 60) + before * before * others * others.transpose();
+    double evidence = 0;
+    for (const Width& width : widths)
+      evidence +=
+          std::exp(width.logChance +
+                   logDensity(readings, noise + width.sigma * width.sigma * columns * columns.transpose()) -
+                   logDensity(readings, noise));
+    // v noise⁻¹ = 1 − V Vᵀ
+    MatrixXd gram = others.transpose() * others;
+    gram.diagonal().array() += variance / (before * before);
+    const MatrixXd off = Eigen::LLT<MatrixXd>(gram).matrixL().solve(others.transpose()).transpose();
+    const Turn turn = turnFor(columns.transpose() * columns);
+    columns *= turn.matrix;
+    const VectorXd right = columns.transpose() * (readings - off * (off.transpose() * readings));
+    const MatrixXd shared = columns.transpose() * off;
+    const Gain gain = gainOf(widths, TurnedColumns{turn.squares, turn.beside, right, shared}, variance);
+    EXPECT_NEAR(gain.log, std::log(evidence), 1e-10);
+  }
 }
 
 // Where nothing bends, the integral over the grid is the closed form. The grid ends at three times the
