@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/diagnosis/diagnosis.h"
+#include "core/simulation/blind_trial.h"
 #include "core/simulation/simulate.h"
 #include "tests/support/trials.h"
 
@@ -64,6 +65,15 @@ TEST(Answer, AveragesOverWhatLooksLikeOneOfSeveralCauses) {
   }
   EXPECT_GT(averaged, sessions / 2);
   EXPECT_GE(covered, 32);
+}
+
+// A dent in the guideway: look-alikes of a cause are weighed with a pattern of 17 columns taken off before.
+TEST(Answer, WeighsLookAlikesBesideAPatternOfManyColumns) {
+  const BlindTrial trial = *drawBlindTrial({}, 5201871);
+  const Diagnosis diagnosis = *diagnose(*examine(trial.session).measurement);
+  EXPECT_EQ(diagnosis.verdict, DiagnosisVerdict::NotInCatalogue);
+  ASSERT_TRUE(diagnosis.shape);
+  EXPECT_THAT(diagnosis.shape->follows, testing::HasSubstr("from place to place"));
 }
 
 // Of one cause: what looks like it explains the readings better than nothing does.
