@@ -104,36 +104,6 @@ Answer conclude(const Inquiry& inquiry) {
   return more->shaped ? unknownIn(inquiry) : knownAs(inquiry, *more);
 }
 
-std::optional<IntersectionEstimate> afterwardsOf(const Inquiry& inquiry, const Answer& answer) {
-  constexpr double negligible = 1e-3;
-  const std::optional<IntersectionEstimate> own = estimateOf(answer.after);
-  if (!own || (!answer.pattern && std::ranges::all_of(answer.rivals, &std::vector<Rival>::empty))) return own;
-  double mean = own->value, variance = own->sigma * own->sigma;
-  for (std::size_t p = 0; p < answer.rivals.size(); ++p) {
-    double odds = 1, shift = 0, squares = 0;
-    for (const Rival& rival : answer.rivals[p]) {
-      if (rival.odds < negligible) continue;
-      Explanation explanation = answer.explanation;
-      explanation.parts[p] = rival.part;
-      const std::optional<IntersectionEstimate> other = estimateOf(modelWith(inquiry, explanation));
-      const double difference = other->value - own->value;
-      odds += rival.odds;
-      shift += rival.odds * difference;
-      squares +=
-          rival.odds * (difference * difference + other->sigma * other->sigma - own->sigma * own->sigma);
-    }
-    mean += shift / odds;
-    variance += squares / odds - std::pow(shift / odds, 2);
-  }
-  if (answer.pattern) {
-    const Component& pattern = inquiry.candidates[answer.pattern->component];
-    variance +=
-        std::pow(influencePerSigma(answer.after).dot(pattern.pattern.times(answer.pattern->weights)), 2);
-  }
-  const double sigma = std::sqrt(std::max(variance, 0.0));
-  return IntersectionEstimate{mean, sigma, sigma * (own->expanded / own->sigma)};
-}
-
 std::vector<GapStep> stepsOf(const Inquiry& inquiry, const Answer& answer) {
   std::vector<GapStep> steps;
   const Explanation& whole = answer.explanation;

@@ -23,10 +23,6 @@ struct Answer {
 /// Whichever of nothing, known causes and a pattern of no known cause is the most likely as a whole.
 Answer conclude(const Inquiry& inquiry);
 
-/// Δd afterwards; where others look like a cause, averaged over all of them, each as likely as it is, with
-/// what they differ by in σ. What the pattern of an unknown cause moves Δd by is part of σ too.
-std::optional<IntersectionEstimate> afterwardsOf(const Inquiry& inquiry, const Answer& answer);
-
 /// The gap after each cause: without all readings blamed, then with each part of the explanation added.
 std::vector<GapStep> stepsOf(const Inquiry& inquiry, const Answer& answer);
 

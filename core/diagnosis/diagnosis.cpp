@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/diagnosis/advice.h"
+#include "core/diagnosis/afterwards.h"
 #include "core/diagnosis/causes.h"
 #include "core/diagnosis/gap_size.h"
 #include "core/diagnosis/held_out.h"
@@ -78,7 +79,11 @@ std::string_view nameOf(DiagnosisVerdict verdict) {
 std::string beyondTheFit(const Diagnosis& diagnosis) {
   if (diagnosis.shape) return "with what the pattern may move it by";
   const auto isAlone = [](const Cause& cause) { return cause.indistinguishableFrom.empty(); };
-  return std::ranges::all_of(diagnosis.causes, isAlone) ? "" : "averaged over what looks alike";
+  if (!std::ranges::all_of(diagnosis.causes, isAlone)) return "averaged over what looks alike";
+  if (diagnosis.steps.empty() || !diagnosis.afterwards || !diagnosis.steps.back().intersection) return "";
+  const bool isThatOfTheCauses =
+      diagnosis.afterwards->expanded == diagnosis.steps.back().intersection->expanded;
+  return isThatOfTheCauses ? "" : "averaged over what else may be";
 }
 
 const std::vector<std::string>& diagnosableEffects() {

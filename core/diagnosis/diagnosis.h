@@ -145,8 +145,8 @@ struct DiagnosisOptions {
 Result<Diagnosis> diagnose(const Measurement& measurement, const DiagnosisOptions& options = {},
                            const std::stop_token& stop = {});
 
-/// What `afterwards` holds beyond the fit with the causes: "averaged over what looks alike", "with what the
-/// pattern may move it by"; empty where there is nothing.
+/// What `afterwards` holds beyond the fit with the causes: "averaged over what looks alike", "averaged over
+/// what else may be", "with what the pattern may move it by"; empty where there is nothing.
 std::string beyondTheFit(const Diagnosis& diagnosis);
 
 /// Every id a diagnosis may name: the effects of the catalogue, a jump, misread values, larger noise.

@@ -190,10 +190,11 @@ void GapPanel::showEffectOnResult() {
   add(tr("as modelled"), modelled.intersection);
   if (diagnosis.shape || !diagnosis.steps.empty())
     add(diagnosis.shape ? tr("with the pattern") : tr("with the causes"), diagnosis.afterwards);
-  m_result->setRows(titles, {{tr("Δd ± U  mm"), values,
-                              tr("Before: without the effects of the model. With the causes: averaged over "
-                                 "what looks alike, each as likely as it is. With the pattern: U holds what "
-                                 "it may move Δd by")}});
+  m_result->setRows(titles,
+                    {{tr("Δd ± U  mm"), values,
+                      tr("Before: without the effects of the model. With the causes: averaged over "
+                         "what else may be the case, each as likely as it is. With the pattern: U holds what "
+                         "it may move Δd by")}});
 }
 
 void GapPanel::showShrinkage() {
@@ -211,7 +212,7 @@ void GapPanel::showShrinkage() {
     says.append(tr("U holds what the pattern may move Δd by; what causes it is not known."));
   else if (!beyondTheFit(diagnosis).empty())
     says.append(
-        tr("Δd with the causes is averaged over all that look alike, each as likely as it is; the "
+        tr("Δd with the causes is averaged over all that may be the case, each as likely as it is; the "
            "first alone would state a U that is too small."));
   m_shrinkage->setText(says.join(u' '));
   m_shrinkage->setVisible(!says.isEmpty());
