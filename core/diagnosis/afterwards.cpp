@@ -23,13 +23,10 @@ struct Alternative {
   Difference difference;
 };
 
-bool holds(const Explanation& explanation, std::size_t component) {
-  return std::ranges::find(explanation.parts, component, &Part::component) != explanation.parts.end();
-}
-
-bool isSame(const Explanation& a, const Explanation& b) {
-  if (a.noisy != b.noisy || a.parts.size() != b.parts.size()) return false;
-  return std::ranges::all_of(a.parts, [&](const Part& part) { return holds(b, part.component); });
+/// Under larger noise, what may be there besides is what that noise stands for.
+bool isInTheNoise(const Explanation& explanation, const Explanation& answer) {
+  return answer.noisy && explanation.noisy &&
+         std::ranges::all_of(answer.parts, [&](const Part& part) { return explanation.has(part.component); });
 }
 
 /// The readings speak for each of its parts: what only might be there besides is unseen, and told apart.
@@ -49,12 +46,14 @@ class Average {
 
   void addExplanations() {
     const auto own = std::ranges::find_if(m_inquiry.explanations, [&](const Explanation& explanation) {
-      return isSame(explanation, m_answer.explanation);
+      return areAlike(explanation, m_answer.explanation);
     });
     if (own == m_inquiry.explanations.end()) return;
     for (const Explanation& explanation : m_inquiry.explanations) {
       const double odds = explanation.chance / own->chance;
-      if (explanation.chance < leastChance || &explanation == &*own || !isSpokenFor(explanation)) continue;
+      if (explanation.chance < leastChance || &explanation == &*own || !isSpokenFor(explanation) ||
+          isInTheNoise(explanation, m_answer.explanation))
+        continue;
       m_alternatives.push_back({odds, explanation, differenceOf(explanation)});
     }
   }
@@ -72,7 +71,7 @@ class Average {
         const Difference difference = differenceOf(inPlace);
         for (std::size_t i = 0; i < count; ++i) {
           Alternative next = combined[i];
-          if (holds(next.explanation, rival.part.component)) continue;
+          if (next.explanation.has(rival.part.component)) continue;
           next.odds *= rival.odds;
           next.explanation.parts[p] = rival.part;
           next.difference.value += difference.value;
@@ -83,7 +82,7 @@ class Average {
     }
     for (Alternative& alternative : combined) {
       const auto isThat = [&](const Alternative& other) {
-        return isSame(other.explanation, alternative.explanation);
+        return areAlike(other.explanation, alternative.explanation);
       };
       const auto before = m_alternatives.begin() + static_cast<std::ptrdiff_t>(found);
       if (std::find_if(m_alternatives.begin(), before, isThat) == before)

@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "core/diagnosis/gain.h"
 #include "core/diagnosis/search.h"
@@ -108,14 +109,30 @@ void addNoisy(std::vector<Explanation>& all, Search& search, const Leftover& lef
   std::vector<double> references{scaleOf(chiSquare)};
   const double ofNamed = scaleOf(bestNamed(all).chiSquare);
   if (ofNamed < 0.8 * references.front()) references.push_back(ofNamed);
+  std::vector<Explanation> noisy;
   for (const double reference : references)
     for (Explanation& set : search.grown(reference * reference)) {
       weigh(set, reference);
-      all.push_back(std::move(set));
+      const auto before =
+          std::ranges::find_if(noisy, [&](const Explanation& other) { return areAlike(other, set); });
+      if (before == noisy.end())
+        noisy.push_back(std::move(set));
+      else if (before->logOdds < set.logOdds)
+        *before = std::move(set);
     }
+  std::ranges::move(noisy, std::back_inserter(all));
 }
 
 }  // namespace
+
+bool Explanation::has(std::size_t component) const {
+  return std::ranges::find(parts, component, &Part::component) != parts.end();
+}
+
+bool areAlike(const Explanation& a, const Explanation& b) {
+  return a.noisy == b.noisy && a.parts.size() == b.parts.size() &&
+         std::ranges::all_of(a.parts, [&](const Part& part) { return b.has(part.component); });
+}
 
 std::vector<Explanation> explain(const Leftover& leftover, const std::vector<Component>& candidates,
                                  const SearchOptions& options) {

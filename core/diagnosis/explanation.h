@@ -33,7 +33,12 @@ struct Explanation {
   double chiSquare = 0;    ///< of what is left, stated σ
   double chance = 0;       ///< 0…1, that it is the right one of those found
   bool shaped = false;     ///< holds a pattern of no named cause
+
+  bool has(std::size_t component) const;
 };
+
+/// The same components, in whatever order, under noise of the same kind.
+bool areAlike(const Explanation& a, const Explanation& b);
 
 struct SearchOptions {
   PriorOdds odds = {};

@@ -109,9 +109,6 @@ double Search::priorOf(std::size_t component) const {
 
 /// The most promising components to add: of jumps and of misreadings the best few.
 void Search::offer(const State& state, std::size_t index, std::vector<Growth>& growths) const {
-  const auto taken = [&](std::size_t component) {
-    return std::ranges::find(state.found.parts, component, &Part::component) != state.found.parts.end();
-  };
   const bool hasJump = std::ranges::any_of(state.found.parts, [&](const Part& part) {
     return part.component < m_candidates.size() && m_candidates[part.component].kind == Component::Kind::Jump;
   });
@@ -120,14 +117,15 @@ void Search::offer(const State& state, std::size_t index, std::vector<Growth>& g
   jumps.reserve(m_candidates.size());
   for (std::size_t i = 0; i < m_candidates.size(); ++i) {
     const bool isJump = m_candidates[i].kind == Component::Kind::Jump;
-    if (taken(i) || (isJump && (hasJump || (m_options.misreadings && m_candidates[i].onlyRow)))) continue;
+    if (state.found.has(i) || (isJump && (hasJump || (m_options.misreadings && m_candidates[i].onlyRow))))
+      continue;
     (isJump ? jumps : offered).push_back({.component = i, .gain = gainFor(state, i)});
   }
   keepBest(jumps, jumpsOffered);
   offered.insert(offered.end(), jumps.begin(), jumps.end());
   if (m_options.misreadings)
     for (const Growth& growth : misreadingsFor(state))
-      if (!taken(growth.component)) offered.push_back(growth);
+      if (!state.found.has(growth.component)) offered.push_back(growth);
   for (Growth& growth : offered) {
     growth.state = index;
     growth.logOdds = state.found.logOdds + growth.gain.log + priorOf(growth.component);
