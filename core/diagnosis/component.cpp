@@ -16,11 +16,19 @@ std::vector<Width> evenly(std::initializer_list<double> sigmas) {
   return widths;
 }
 
+/// Now and then something is wrong by far more than is plausible.
+std::vector<Width> andFarWider(std::vector<Width> widths, double sigma) {
+  constexpr double chance = 0.01;
+  for (Width& width : widths) width.logChance += std::log1p(-chance);
+  widths.push_back({sigma, std::log(chance)});
+  return widths;
+}
+
 }  // namespace
 
 const std::vector<Width>& widthsOf(Component::Kind kind) {
-  static const std::array widths{evenly({0.1, 0.3, 1, 3}), evenly({0.3, 1}), evenly({8, 30, 120, 1000}),
-                                 evenly({0.5, 1, 2, 4, 8, 16})};
+  static const std::array widths{andFarWider(evenly({0.1, 0.3, 1, 3}), 30), andFarWider(evenly({0.3, 1}), 30),
+                                 evenly({8, 30, 120, 1000}), evenly({0.5, 1, 2, 4, 8, 16})};
   using enum Component::Kind;
   static_assert(Effect == Component::Kind{0} && Jump == Component::Kind{1} &&
                 Misreading == Component::Kind{2} && Shape == Component::Kind{3});

@@ -125,6 +125,11 @@ void addNoisy(std::vector<Explanation>& all, Search& search, const Leftover& lef
 
 }  // namespace
 
+double Part::widthOfFit() const {
+  const auto count = static_cast<double>(std::max<Eigen::Index>(weights.size(), 1));
+  return std::max({1.0, width, std::sqrt(weights.squaredNorm() / count)});
+}
+
 bool Explanation::has(std::size_t component) const {
   return std::ranges::find(parts, component, &Part::component) != parts.end();
 }

@@ -22,6 +22,9 @@ struct Part {
   double width = 1;           ///< most likely, in plausible sizes
   Eigen::VectorXd weights;    ///< in plausible sizes
   double logGain = 0;         ///< evidence it adds to the parts before it, natural
+
+  /// To estimate it with, in plausible sizes: that it is larger than plausible is no misfit of the readings.
+  double widthOfFit() const;
 };
 
 struct Explanation {

@@ -47,7 +47,7 @@ GapModel modelWith(const GapModel& base, const Explanation& explanation,
       continue;
     }
     const Component& component = candidates[part.component];
-    const double width = std::max(1.0, part.width);
+    const double width = part.widthOfFit();
     if (component.kind == Component::Kind::Jump) {
       const double sigma = width * plausibleJump;
       model.options.jumpBefore = component.moment;

@@ -1,7 +1,9 @@
 #include "core/diagnosis/inquiry.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
 #include "core/diagnosis/known_components.h"
 #include "core/diagnosis/shape_components.h"
@@ -30,8 +32,8 @@ std::vector<Component> candidatesFor(const GapModel& base, const Leftover& lefto
   return candidates;
 }
 
-Inquiry inquireOnce(GapModel base, const DiagnosisOptions& options, const std::stop_token& stop) {
-  Leftover leftover({linearise(base.measurement, base.fit, base.options)}, base.options.terms);
+Inquiry searched(GapModel base, Leftover leftover, const DiagnosisOptions& options,
+                 const std::stop_token& stop) {
   SearchOptions search;
   search.misreadings = considered(options, misreadingId);
   search.noise = considered(options, noiseId);
@@ -40,6 +42,67 @@ Inquiry inquireOnce(GapModel base, const DiagnosisOptions& options, const std::s
   if (!stop.stop_requested()) candidates = candidatesFor(base, leftover, options, search.odds);
   std::vector<Explanation> explanations = explain(leftover, candidates, search);
   return {std::move(base), std::move(leftover), std::move(candidates), std::move(explanations), {}, {}};
+}
+
+/// The likeliest causes but patterns, where one of them is so large that the fit without it, at which the
+/// equations were taken, is far from where the readings would have it.
+std::optional<Explanation> largeCauses(const Inquiry& inquiry) {
+  constexpr double large = 100;  // σ over all readings
+  Explanation causes = inquiry.explanations.front();
+  std::erase_if(causes.parts,
+                [&](const Part& part) { return inquiry.kindOf(part) == Component::Kind::Shape; });
+  const auto isLarge = [&](const Part& part) {
+    return !inquiry.isMisreading(part) &&
+           signatureSquare(inquiry.candidates[part.component], part.weights) > large * large;
+  };
+  if (std::ranges::none_of(causes.parts, isLarge)) return std::nullopt;
+  causes.shaped = causes.noisy = false;
+  return causes;
+}
+
+/// The equations at a fit with causes added, their own share put back into the residuals.
+Linearised around(const GapModel& base, const GapModel& withCauses) {
+  using enum ErrorTerm;
+  // A step does the same wherever it is taken, and a plane tilt is known with its bend.
+  constexpr std::array stayOut{HorizontalJump, VerticalJump, PlaneTiltX, PlaneTiltY};
+  JointFitOptions options = base.options;
+  JointFit fit = withCauses.fit;
+  for (const EstimatedTerm& added : withCauses.options.terms) {
+    if (std::ranges::find(base.options.terms, added.term, &EstimatedTerm::term) != base.options.terms.end())
+      continue;
+    if (std::ranges::find(stayOut, added.term) == stayOut.end())
+      options.terms.push_back(added);
+    else
+      fit.values[fit.indexOf({.kind = Unknown::Kind::Error, .arc = 0, .term = added.term})] = 0;
+  }
+  Linearised equations = linearise(base.measurement, fit, options);
+  for (std::size_t t = base.options.terms.size(); t < options.terms.size(); ++t) {
+    const ErrorTerm term = options.terms[t].term;
+    double& value = equations.termValues[static_cast<std::size_t>(term)];
+    for (std::size_t i = 0; i < equations.readings.size(); ++i)
+      equations.readings[i].residual += equations.ofTerm(i, term) * value;
+    value = 0;
+  }
+  return equations;
+}
+
+Inquiry inquireOnce(GapModel base, const DiagnosisOptions& options, const std::stop_token& stop) {
+  constexpr int mostRounds = 3;
+  Leftover leftover({linearise(base.measurement, base.fit, base.options)}, base.options.terms);
+  Inquiry inquiry = searched(std::move(base), std::move(leftover), options, stop);
+  for (int round = 0; round < mostRounds && !stop.stop_requested(); ++round) {
+    const std::optional<Explanation> causes = largeCauses(inquiry);
+    if (!causes) break;
+    const GapModel withCauses = modelWith(inquiry.base, *causes, inquiry.candidates, inquiry.leftover);
+    if (!withCauses.fit.converged) break;
+    Leftover closer({around(inquiry.base, withCauses)}, inquiry.base.options.terms);
+    const std::vector<Part> before = inquiry.explanations.front().parts;
+    inquiry = searched(std::move(inquiry.base), std::move(closer), options, stop);
+    if (std::ranges::all_of(
+            before, [&](const Part& part) { return inquiry.explanations.front().has(part.component); }))
+      break;
+  }
+  return inquiry;
 }
 
 /// Readings so far off that the equations at the fit they have spoiled say little.

@@ -50,7 +50,7 @@ std::optional<Move> LinearMoves::of(const Explanation& explanation) {
     }
     const bool isLeftOut = kind == Component::Kind::Misreading;
     if (!isLeftOut && !isLinear(m_inquiry.candidates[part.component])) return std::nullopt;
-    const double width = std::max(1.0, part.width);
+    const double width = part.widthOfFit();
     const Columns& columns = columnsOf(part);
     const Index before = visible.cols(), more = columns.visible.cols();
     visible.conservativeResize(Eigen::NoChange, before + more);
