@@ -16,7 +16,7 @@ std::vector<Width> evenly(std::initializer_list<double> sigmas) {
   return widths;
 }
 
-/// Now and then something is wrong by far more than is plausible.
+/// A knock may be of any size; instruments and guideways are adjusted.
 std::vector<Width> andFarWider(std::vector<Width> widths, double sigma) {
   constexpr double chance = 0.01;
   for (Width& width : widths) width.logChance += std::log1p(-chance);
@@ -27,7 +27,7 @@ std::vector<Width> andFarWider(std::vector<Width> widths, double sigma) {
 }  // namespace
 
 const std::vector<Width>& widthsOf(Component::Kind kind) {
-  static const std::array widths{andFarWider(evenly({0.1, 0.3, 1, 3}), 30), andFarWider(evenly({0.3, 1}), 30),
+  static const std::array widths{evenly({0.1, 0.3, 1, 3}), andFarWider(evenly({0.3, 1}), 30),
                                  evenly({8, 30, 120, 1000}), evenly({0.5, 1, 2, 4, 8, 16})};
   using enum Component::Kind;
   static_assert(Effect == Component::Kind{0} && Jump == Component::Kind{1} &&
