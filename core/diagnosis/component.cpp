@@ -27,12 +27,17 @@ std::vector<Width> andFarWider(std::vector<Width> widths, double sigma) {
 }  // namespace
 
 const std::vector<Width>& widthsOf(Component::Kind kind) {
-  static const std::array widths{evenly({0.1, 0.3, 1, 3}), andFarWider(evenly({0.3, 1}), 30),
-                                 evenly({8, 30, 120, 1000}), evenly({0.5, 1, 2, 4, 8, 16})};
+  static const std::array widths{evenly({0.1, 0.3, 1, 3}), evenly({0.3, 1}), evenly({8, 30, 120, 1000}),
+                                 evenly({0.5, 1, 2, 4, 8, 16})};
   using enum Component::Kind;
   static_assert(Effect == Component::Kind{0} && Jump == Component::Kind{1} &&
                 Misreading == Component::Kind{2} && Shape == Component::Kind{3});
   return widths[static_cast<std::size_t>(kind)];
+}
+
+const std::vector<Width>& widthsOfKnocks() {
+  static const std::vector<Width> widths = andFarWider(widthsOf(Component::Kind::Jump), 30);
+  return widths;
 }
 
 MatrixXd wholeColumns(const Leftover& leftover, const Component& component) {

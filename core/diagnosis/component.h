@@ -59,9 +59,10 @@ struct PriorOdds {
 /// Plausible size (1σ) of a step of the orientation, rad: 60″.
 inline constexpr double plausibleJump = 60.0 / 3600 * std::numbers::pi / 180;
 
-/// Effects small and large beside their plausible size: 0.1, 0.3, 1 and 3 times. Jumps up to once, and now
-/// and then 30 times.
+/// Effects small and large beside their plausible size: 0.1, 0.3, 1 and 3 times.
 const std::vector<Width>& widthsOf(Component::Kind kind);
+/// Of a jump that shows: as of any, and now and then 30 times its plausible size.
+const std::vector<Width>& widthsOfKnocks();
 
 /// The columns of a component that has any over the readings, visible or not.
 Eigen::MatrixXd wholeColumns(const Leftover& leftover, const Component& component);

@@ -166,6 +166,7 @@ std::vector<Search::Growth> Search::misreadingsFor(const State& state) const {
 }
 
 Gain Search::gainFor(const State& state, std::size_t component) const {
+  constexpr double shows = 10;  // natural logarithm
   const Index first = m_table.first(component), count = m_table.count(component);
   auto kind = Component::Kind::Misreading;
   if (component < m_candidates.size()) {
@@ -177,11 +178,13 @@ Gain Search::gainFor(const State& state, std::size_t component) const {
     }
     if (candidate.curvature.cols() > 0) return bentFor(state, component).gain;
   }
-  return gainOf(
-      widthsOf(kind),
-      TurnedColumns{m_table.squares().segment(first, count), m_table.beside().segment(first, count - 1),
-                    state.right.segment(first, count), state.shared.middleRows(first, count)},
-      m_variance);
+  const TurnedColumns columns{m_table.squares().segment(first, count),
+                              m_table.beside().segment(first, count - 1), state.right.segment(first, count),
+                              state.shared.middleRows(first, count)};
+  const Gain gain = gainOf(widthsOf(kind), columns, m_variance);
+  // Knocks of any size show at the usual widths, too, and most moments show none.
+  const bool isKnock = kind == Component::Kind::Jump && gain.log > shows;
+  return isKnock ? gainOf(widthsOfKnocks(), columns, m_variance) : gain;
 }
 
 BentFit Search::bentFor(const State& state, std::size_t component) const {
