@@ -23,16 +23,19 @@ struct Alternative {
   Difference difference;
 };
 
-/// Under larger noise, what may be there besides is what that noise stands for.
-bool isInTheNoise(const Explanation& explanation, const Explanation& answer) {
-  return answer.noisy && explanation.noisy &&
-         std::ranges::all_of(answer.parts, [&](const Part& part) { return explanation.has(part.component); });
-}
-
 /// The readings speak for each of its parts: what only might be there besides is unseen, and told apart.
 bool isSpokenFor(const Explanation& explanation) {
-  constexpr double something = 0.1;  // natural logarithm: more than rounding
-  return std::ranges::all_of(explanation.parts, [](const Part& part) { return part.logGain > something; });
+  return std::ranges::all_of(explanation.parts, &Part::isSpokenFor);
+}
+
+/// Under larger noise, what may be there besides is what that noise stands for.
+bool isInTheNoise(const Explanation& explanation, const Explanation& answer) {
+  return answer.noisy && isPartOf(answer, explanation);
+}
+
+/// What a pattern moves the Δd of a model by.
+double movedBy(const GapModel& model, const Inquiry& inquiry, const Part& pattern) {
+  return influencePerSigma(model).dot(inquiry.candidates[pattern.component].pattern.times(pattern.weights));
 }
 
 /// Collects what else may be the case.
@@ -129,9 +132,7 @@ class Average {
   Difference byFit(Explanation explanation) const {
     double ofPattern = 0;
     if (explanation.shaped) {
-      const Part& shape = explanation.parts.back();
-      ofPattern = influencePerSigma(m_inquiry.base)
-                      .dot(m_inquiry.candidates[shape.component].pattern.times(shape.weights));
+      ofPattern = movedBy(m_inquiry.base, m_inquiry, explanation.parts.back());
       explanation.parts.pop_back();
     }
     const std::optional<IntersectionEstimate> other =
@@ -149,11 +150,7 @@ std::optional<IntersectionEstimate> afterwardsOf(const Inquiry& inquiry, const A
   Average average(inquiry, answer, *own);
   if (!answer.pattern) average.addExplanations();
   average.addRivals();
-  double ofPattern = 0;
-  if (answer.pattern) {
-    const Component& pattern = inquiry.candidates[answer.pattern->component];
-    ofPattern = influencePerSigma(answer.after).dot(pattern.pattern.times(answer.pattern->weights));
-  }
+  const double ofPattern = answer.pattern ? movedBy(answer.after, inquiry, *answer.pattern) : 0;
   return average.estimate(ofPattern);
 }
 

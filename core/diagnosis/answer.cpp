@@ -28,13 +28,6 @@ Chances chancesOf(const Inquiry& inquiry) {
   return chances;
 }
 
-bool isPartOf(const Explanation& smaller, const Explanation& larger) {
-  if (smaller.noisy && !larger.noisy) return false;
-  return std::ranges::all_of(smaller.parts, [&](const Part& part) {
-    return std::ranges::find(larger.parts, part.component, &Part::component) != larger.parts.end();
-  });
-}
-
 /// The best explanation of known causes; a smaller one of the same causes where it is nearly as good.
 const Explanation& bestKnown(const Inquiry& inquiry) {
   constexpr double nearlyAsGood = 2;  // natural logarithm: odds of 7

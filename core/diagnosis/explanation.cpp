@@ -130,13 +130,22 @@ double Part::widthOfFit() const {
   return std::max({1.0, width, std::sqrt(weights.squaredNorm() / count)});
 }
 
+bool Part::isSpokenFor() const {
+  constexpr double something = 0.1;  // natural logarithm
+  return logGain > something;
+}
+
 bool Explanation::has(std::size_t component) const {
   return std::ranges::find(parts, component, &Part::component) != parts.end();
 }
 
+bool isPartOf(const Explanation& smaller, const Explanation& larger) {
+  return (!smaller.noisy || larger.noisy) &&
+         std::ranges::all_of(smaller.parts, [&](const Part& part) { return larger.has(part.component); });
+}
+
 bool areAlike(const Explanation& a, const Explanation& b) {
-  return a.noisy == b.noisy && a.parts.size() == b.parts.size() &&
-         std::ranges::all_of(a.parts, [&](const Part& part) { return b.has(part.component); });
+  return a.noisy == b.noisy && a.parts.size() == b.parts.size() && isPartOf(a, b);
 }
 
 std::vector<Explanation> explain(const Leftover& leftover, const std::vector<Component>& candidates,

@@ -25,6 +25,8 @@ struct Part {
 
   /// To estimate it with, in plausible sizes: that it is larger than plausible is no misfit of the readings.
   double widthOfFit() const;
+  /// The readings speak for it, by more than rounding.
+  bool isSpokenFor() const;
 };
 
 struct Explanation {
@@ -40,6 +42,8 @@ struct Explanation {
   bool has(std::size_t component) const;
 };
 
+/// The larger one has all components of the smaller, and larger noise where that has.
+bool isPartOf(const Explanation& smaller, const Explanation& larger);
 /// The same components, in whatever order, under noise of the same kind.
 bool areAlike(const Explanation& a, const Explanation& b);
 

@@ -106,10 +106,10 @@ Gain gainWith(const std::vector<Width>& widths, const TurnedColumns& columns, do
   const Lane w2 = sigmas.square() / variance, narrow = w2.inverse();
   const Index count = columns.squares.size();
   Lane determinant = Lane::Ones(), quadratic = Lane::Zero(), step = Lane::Zero(), right = Lane::Zero();
+  double beside = 0;  // of the column before
   SharedPart<Taken, Widths> part(columns.shared.cols());
   for (Index i = 0; i < count; ++i) {
-    const Lane pivot = i == 0 ? Lane(narrow + columns.squares[0])
-                              : narrow + columns.squares[i] - columns.beside[i - 1] * step;
+    const Lane pivot = narrow + columns.squares[i] - beside * step;
     const Lane inverse = pivot.inverse();
     determinant *= w2 * pivot;
     if (determinant.maxCoeff() > 1e200) {
@@ -120,7 +120,8 @@ Gain gainWith(const std::vector<Width>& widths, const TurnedColumns& columns, do
     const Lane scaled = inverse * right;
     quadratic += scaled * right;
     part.add(columns.shared.row(i), step, inverse, scaled);
-    if (i + 1 < count) step = columns.beside[i] * inverse;
+    beside = i + 1 < count ? columns.beside[i] : 0;
+    step = beside * inverse;
   }
   const auto [determinantOfShared, along] = part.solve();
   exponents += (quadratic + along) / (2 * variance);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 namespace alidade {
 
@@ -25,6 +26,15 @@ void addSquare(Matrix&& sum, const MatrixXd& columns, double factor) {
     sum += factor * columns.transpose().lazyProduct(columns);
   else
     sum.template selfadjointView<Eigen::Upper>().rankUpdate(columns.transpose(), factor);
+}
+
+/// The Gram matrix, of which the upper half is given, less what lies along the arc angles and in the span of
+/// the unknowns.
+MatrixXd visiblePart(MatrixXd gram, const MatrixXd& along, const MatrixXd& taken) {
+  addSquare(gram, along, -1);
+  addSquare(gram, taken, -1);
+  gram.triangularView<Eigen::StrictlyLower>() = gram.transpose();
+  return gram;
 }
 
 }  // namespace
@@ -85,10 +95,7 @@ MatrixXd Carrier::visibleGramOfGroups(const std::vector<Index>& groups, Index co
     if (!hasOneCellPerVisit) along(m_visits[static_cast<std::size_t>(cell)], group) += m_along[cell];
     taken.col(group) += m_taken.row(cell).transpose();
   }
-  addSquare(gram, along, -1);
-  addSquare(gram, taken, -1);
-  gram.triangularView<Eigen::StrictlyLower>() = gram.transpose();
-  return gram;
+  return visiblePart(std::move(gram), along, taken);
 }
 
 VectorXd Carrier::productsWith(const Carrier& other) const {
@@ -148,10 +155,7 @@ MatrixXd Pattern::visibleGram() const {
     }
     first += own;
   }
-  addSquare(gram, along, -1);
-  addSquare(gram, taken, -1);
-  gram.triangularView<Eigen::StrictlyLower>() = gram.transpose();
-  return gram;
+  return visiblePart(std::move(gram), along, taken);
 }
 
 }  // namespace alidade

@@ -66,7 +66,6 @@ std::vector<Rival> steps(const Inquiry& inquiry, const Explanation& explanation,
 /// Effects nearly like the part that explain something in its place.
 std::vector<Rival> effects(const Inquiry& inquiry, const Explanation& explanation, std::size_t index,
                            Comparison& comparison) {
-  constexpr double something = 0.1;  // natural logarithm: more than rounding
   const Part& part = explanation.parts[index];
   const Eigen::VectorXd trace = signature(inquiry.leftover, inquiry.candidates[part.component], part.weights);
   std::vector<Rival> rivals;
@@ -78,8 +77,8 @@ std::vector<Rival> effects(const Inquiry& inquiry, const Explanation& explanatio
     const double difference = differenceFrom(trace, inquiry.candidates[i]) / explanation.noise;
     if (difference > clearlyDifferent) continue;
     Rival rival = comparison.with(index, i);
-    const bool explains = rival.part.logGain > something;
-    if (explains && (difference < hardlyDifferent || isClose(rival))) rivals.push_back(std::move(rival));
+    if (rival.part.isSpokenFor() && (difference < hardlyDifferent || isClose(rival)))
+      rivals.push_back(std::move(rival));
   }
   return rivals;
 }

@@ -126,10 +126,7 @@ class ShapeMaker {
 
   /// Functions of what the carrier's cells have in common.
   void add(const std::string& id, const SharedCarrier& carrier, MatrixXd functions) {
-    Pattern pattern;
-    pattern.parts.push_back({carrier, std::move(functions)});
-    MatrixXd gram = pattern.visibleGram();
-    add(id, std::move(pattern), std::move(gram));
+    add(id, Pattern{{{carrier, std::move(functions)}}});
   }
 
   /// A function that differs from group to group.
@@ -167,9 +164,7 @@ class ShapeMaker {
   /// Functions with weights of their own for the two circles.
   void addOrientation(const std::string& id, const SharedCarrier& horizontal, const SharedCarrier& vertical,
                       const MatrixXd& functions) {
-    Pattern both{{{horizontal, functions}, {vertical, functions}}};
-    MatrixXd gram = both.visibleGram();
-    add(id, std::move(both), std::move(gram));
+    add(id, Pattern{{{horizontal, functions}, {vertical, functions}}});
   }
 
   /// Functions for either circle alone, and for both.
@@ -193,6 +188,11 @@ class ShapeMaker {
   static constexpr std::size_t mostGroups = 80;
   Frame m_frame = Frame::Guideway;
   std::vector<Component> m_components;
+
+  void add(const std::string& id, Pattern pattern) {
+    MatrixXd gram = pattern.visibleGram();
+    add(id, std::move(pattern), std::move(gram));
+  }
 
   /// `gram`: of the pattern as it is given.
   void add(const std::string& id, Pattern pattern, MatrixXd gram) {
