@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/adjustment/algebraic_circle.h"
 #include "core/adjustment/arc_findings.h"
@@ -19,6 +20,7 @@ namespace {
 using Eigen::Matrix3d, Eigen::Vector3d;
 
 struct NormalEquations {
+  std::vector<FootPoint> feet;  // of each visit
   Matrix3d matrix = Matrix3d::Zero();
   Vector3d rightSide = Vector3d::Zero();
   double chiSquare = 0;  // of the visit means
@@ -35,8 +37,12 @@ class ArcProblem {
   const std::vector<Visit>& visits() const { return m_visits; }
   const Whitening& whitening() const { return m_whitening; }
 
-  FootPoint foot(const Circle& circle, const Visit& visit) const {
-    return footPoint(circle, m_distance, m_relation, m_whitening, visit.mean.direction);
+  std::vector<FootPoint> feetOn(const Circle& circle) const {
+    std::vector<FootPoint> feet;
+    feet.reserve(m_visits.size());
+    for (const Visit& visit : m_visits)
+      feet.push_back(footPoint(circle, m_distance, m_relation, m_whitening, visit.mean.direction));
+    return feet;
   }
 
   std::vector<PlanePoint<double>> sightedPoints() const {
@@ -47,10 +53,10 @@ class ArcProblem {
   }
 
   NormalEquations normalEquations(const Circle& circle) const {
-    NormalEquations equations;
-    for (const Visit& visit : m_visits) {
-      const FootPoint f = foot(circle, visit);
-      const double rows = visit.mean.rows;
+    NormalEquations equations{.feet = feetOn(circle)};
+    for (std::size_t v = 0; v < m_visits.size(); ++v) {
+      const FootPoint& f = equations.feet[v];
+      const double rows = m_visits[v].mean.rows;
       const Vector3d gradient(f.gradient[0], f.gradient[1], f.gradient[2]);
       const Vector3d weighted = rows * gradient;
       equations.matrix += weighted * gradient.transpose();
@@ -115,7 +121,7 @@ Solution minimise(const ArcProblem& problem, const Circle& start, const ArcFitOp
       NormalEquations equations = problem.normalEquations(trial);
       if (equations.chiSquare <= best.equations.chiSquare + rounding * (1 + best.equations.chiSquare)) {
         best.circle = trial;
-        best.equations = equations;
+        best.equations = std::move(equations);
         damping = std::max(damping / 10, smallestDamping);
         continue;
       }
@@ -135,15 +141,13 @@ Problem unfit(const ArcMeasurement& arc, std::string sentence) {
   return {std::move(sentence), Place{.position = arc.position, .reading = {}, .field = "readings"}};
 }
 
-}  // namespace
-
-void fillResiduals(ArcFit& fit, const Measurement& measurement, const ArcMeasurement& arc) {
-  const ArcProblem problem(measurement, arc);
+void fillResiduals(ArcFit& fit, const ArcProblem& problem, const ArcMeasurement& arc,
+                   const std::vector<FootPoint>& feet) {
   fit.residuals.resize(arc.sightings.size());
   double sumOfSquares = 0;
-  for (const Visit& visit : problem.visits()) {
-    const FootPoint foot = problem.foot(fit.circle, visit);
-    for (const std::size_t i : visit.sightings) {
+  for (std::size_t v = 0; v < feet.size(); ++v) {
+    const FootPoint& foot = feet[v];
+    for (const std::size_t i : problem.visits()[v].sightings) {
       const Sighting& sighting = arc.sightings[i];
       const Angle horizontal = sighting.a - Angle::fromRadians(foot.adjusted.a);
       const Angle vertical = sighting.e - Angle::fromRadians(foot.adjusted.e);
@@ -156,6 +160,13 @@ void fillResiduals(ArcFit& fit, const Measurement& measurement, const ArcMeasure
   }
   const auto readings = static_cast<int>(2 * arc.sightings.size());
   fit.residualRms = readings > 0 ? std::sqrt(sumOfSquares / readings) : 0;
+}
+
+}  // namespace
+
+void fillResiduals(ArcFit& fit, const Measurement& measurement, const ArcMeasurement& arc) {
+  const ArcProblem problem(measurement, arc);
+  fillResiduals(fit, problem, arc, problem.feetOn(fit.circle));
 }
 
 Result<ArcFit> fitArc(const Measurement& measurement, const ArcMeasurement& arc,
@@ -176,7 +187,7 @@ Result<ArcFit> fitArc(const Measurement& measurement, const ArcMeasurement& arc,
   fit.converged = solution.converged;
   fit.degreesOfFreedom = static_cast<int>(2 * arc.sightings.size() - problem.visits().size()) - 3;
   fillCovariance(fit, solution.equations);
-  fillResiduals(fit, measurement, arc);
+  fillResiduals(fit, problem, arc, solution.equations.feet);
   if (auto sentence = radiusUndetermined(fit)) return unfit(arc, *sentence);
   return fit;
 }
