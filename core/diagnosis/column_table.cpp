@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include "core/diagnosis/gain.h"
 #include "core/diagnosis/known_components.h"
@@ -31,7 +32,6 @@ ColumnTable::ColumnTable(const Leftover& leftover, const std::vector<Component>&
     turn(i);
     if (candidates[i].kind == Component::Kind::Effect) addEffect(i);
   }
-  addPatterns();
   for (Index i = 0; i < leftover.readings(); ++i) m_squares[m_first.back() + i] = leftover.redundancy(i);
 }
 
@@ -63,27 +63,6 @@ void ColumnTable::addEffect(std::size_t component) {
   }
 }
 
-void ColumnTable::addPatterns() {
-  m_places.resize(m_candidates.size());
-  const auto eachPart = [&](const auto& use) {
-    for (std::size_t i = 0; i < m_candidates.size(); ++i)
-      for (std::size_t p = 0; p < m_candidates[i].pattern.parts.size(); ++p)
-        use(i, p, m_candidates[i].pattern.parts[p]);
-  };
-  eachPart([&](std::size_t i, std::size_t, const Pattern::Part& part) {
-    auto carried = std::ranges::find(m_carried, part.carrier, &Carried::carrier);
-    if (carried == m_carried.end()) carried = m_carried.insert(carried, {part.carrier, 0, {}});
-    m_places[i].push_back(
-        {static_cast<std::size_t>(carried - m_carried.begin()), carried->count, part.functions.cols()});
-    carried->count += part.functions.cols();
-  });
-  for (Carried& carried : m_carried) carried.functions.resize(carried.carrier->cells(), carried.count);
-  eachPart([&](std::size_t i, std::size_t p, const Pattern::Part& part) {
-    const Place& place = m_places[i][p];
-    m_carried[place.carrier].functions.middleCols(place.first, place.count) = part.functions;
-  });
-}
-
 MatrixXd ColumnTable::gram(std::size_t component) const {
   if (component < m_candidates.size() && m_candidates[component].curvature.cols() > 0) return m_bentGram;
   MatrixXd gram = m_squares.segment(first(component), count(component)).asDiagonal();
@@ -100,15 +79,18 @@ VectorXd ColumnTable::products(const VectorXd& visible) const {
   Index step = 0;
   for (std::size_t i = 0; i < m_candidates.size(); ++i)
     if (m_candidates[i].kind == Component::Kind::Jump) all.segment<2>(first(i)) = steps.col(step++);
-  std::vector<VectorXd> ofCarriers;
-  for (const Carried& carried : m_carried)
-    ofCarriers.push_back(carried.functions.transpose() * carried.carrier->gathered(readings));
+  std::vector<std::pair<const Carrier*, VectorXd>> gathered;  // patterns share carriers
+  const auto gatheredBy = [&](const Carrier* carrier) -> const VectorXd& {
+    const auto known = std::ranges::find(gathered, carrier, &std::pair<const Carrier*, VectorXd>::first);
+    return known != gathered.end() ? known->second
+                                   : gathered.emplace_back(carrier, carrier->gathered(readings)).second;
+  };
   for (std::size_t i = 0; i < m_candidates.size(); ++i) {
     auto own = all.segment(first(i), count(i));
     Index row = 0;
-    for (const Place& place : m_places[i]) {
-      own.segment(row, place.count) = ofCarriers[place.carrier].segment(place.first, place.count);
-      row += place.count;
+    for (const auto& [carrier, functions] : m_candidates[i].pattern.parts) {
+      own.segment(row, functions.cols()).noalias() = functions.transpose() * gatheredBy(carrier.get());
+      row += functions.cols();
     }
     if (row > 0 && m_turns[i].size() > 0) own = m_turns[i].transpose() * own;
   }

@@ -48,23 +48,9 @@ class ColumnTable {
   Eigen::VectorXd m_squares, m_beside;
   Eigen::MatrixXd m_effects;   ///< columns of all effects, turned: the first of the table
   Eigen::MatrixXd m_bentGram;  ///< of the one component that bends
-  /// Of the patterns, each carrier once, with all functions on it.
-  struct Carried {
-    std::shared_ptr<const Carrier> carrier;
-    Eigen::Index count = 0;     ///< of functions
-    Eigen::MatrixXd functions;  ///< cells × count
-  };
-  std::vector<Carried> m_carried;
-  /// Where the functions of a part are among those of its carrier.
-  struct Place {
-    std::size_t carrier = 0;
-    Eigen::Index first = 0, count = 0;
-  };
-  std::vector<std::vector<Place>> m_places;  ///< of each part of each candidate's pattern
   StepsInTime m_steps;
 
   void addEffect(std::size_t component);
-  void addPatterns();
   void turn(std::size_t component);
   Eigen::MatrixXd visibleColumns(std::size_t component) const;
 };
