@@ -113,15 +113,17 @@ void Leftover::eliminateArcAngles(MatrixXd& columns) const {
 }
 
 MatrixXd Leftover::outsideArcAngles(const MatrixXd& columns) const {
-  MatrixXd result = MatrixXd::Zero(m_base.rows(), columns.cols());
+  MatrixXd result(m_base.rows(), columns.cols());
   result.topRows(columns.rows()) = columns;
+  result.bottomRows(result.rows() - columns.rows()).setZero();
   eliminateArcAngles(result);
   return result;
 }
 
 MatrixXd Leftover::visible(const MatrixXd& columns) const {
   MatrixXd result = outsideArcAngles(columns);
-  result -= m_basis * (m_basis.transpose() * result);
+  const MatrixXd taken = m_basis.transpose() * result;
+  result.noalias() -= m_basis * taken;
   return result;
 }
 
