@@ -48,7 +48,7 @@ std::optional<Advice> revealing(const std::vector<Danger>& unseen, const std::st
     const double visible = lengthOf(terms, combinationOf(*effect) * danger.weights);
     if (visible < clearlyDifferent) continue;
     advice.bySigma = advice.separates.empty() ? visible : std::min(advice.bySigma, visible);
-    advice.separates.push_back(danger.effect);
+    advice.separates.emplace_back(danger.effect);
   }
   if (advice.separates.empty()) return std::nullopt;
   return advice;
@@ -71,7 +71,7 @@ std::optional<Advice> zeroSightedAgain(const Inquiry& inquiry, const std::vector
 /// The effects that the advice is about: the cause and its look-alikes, or else what could not be seen.
 std::vector<const Effect*> effectsAt(const Cause* unclear, const std::vector<Danger>& unseen) {
   std::vector<const Effect*> effects;
-  const auto add = [&](const std::string& id) {
+  const auto add = [&](std::string_view id) {
     if (const Effect* effect = effectById(id)) effects.push_back(effect);
   };
   if (unclear) {

@@ -101,10 +101,10 @@ std::vector<GapStep> stepsOf(const Inquiry& inquiry, const Answer& answer) {
   std::vector<GapStep> steps;
   const Explanation& whole = answer.explanation;
   Explanation soFar;
-  const auto note = [&](const std::string& id) {
+  const auto note = [&](std::string_view id) {
     const bool isLast = soFar.parts.size() == whole.parts.size() && soFar.noisy == whole.noisy;
     const GapModel& model = isLast ? answer.after : modelWith(inquiry, soFar);
-    steps.push_back({id, sizeOf(model), estimateOf(model)});
+    steps.push_back({std::string(id), sizeOf(model), estimateOf(model)});
   };
   for (const Part& part : whole.parts)
     if (inquiry.isMisreading(part)) soFar.parts.push_back(part);

@@ -29,8 +29,8 @@ void addParameters(Cause& cause, const GapModel& after, const Component& compone
     add(parameter.name, parameter.term, parameter.unit);
 }
 
-Cause named(const Inquiry& inquiry, const std::string& id) {
-  return {.effect = id,
+Cause named(const Inquiry& inquiry, std::string_view id) {
+  return {.effect = std::string(id),
           .probability = inquiry.probabilityOf(id),
           .parameters = {},
           .indistinguishableFrom = {},
@@ -63,7 +63,7 @@ std::vector<Cause> causesOf(const Inquiry& inquiry, const Answer& answer) {
     Cause cause = named(inquiry, component.id);
     addParameters(cause, answer.after, component);
     for (const Rival& rival : answer.rivals[p])
-      cause.indistinguishableFrom.push_back(inquiry.candidates[rival.part.component].id);
+      cause.indistinguishableFrom.emplace_back(inquiry.candidates[rival.part.component].id);
     causes.push_back(std::move(cause));
   }
   if (!misread.empty()) {
@@ -82,12 +82,12 @@ std::vector<Cause> causesOf(const Inquiry& inquiry, const Answer& answer) {
 
 std::vector<Candidate> candidatesOf(const Inquiry& inquiry) {
   std::vector<Candidate> list;
-  const auto offer = [&](const std::string& id, double log, double visible) {
+  const auto offer = [&](std::string_view id, double log, double visible) {
     const auto same = std::ranges::find(list, id, &Candidate::effect);
     if (same == list.end())
-      list.push_back({id, log, visible});
+      list.push_back({std::string(id), log, visible});
     else if (same->logBayesFactor < log)
-      *same = {id, log, visible};
+      *same = {std::string(id), log, visible};
   };
   for (const Explanation& explanation : inquiry.explanations) {
     if (explanation.noisy && explanation.parts.empty()) offer(noiseId, explanation.logEvidence, 0);
@@ -105,7 +105,8 @@ std::vector<Candidate> candidatesOf(const Inquiry& inquiry) {
         std::ranges::find(list, component.id, &Candidate::effect) != list.end())
       continue;
     const Part alone = fitAlone(inquiry.leftover, component, i);
-    list.push_back({component.id, alone.logGain, std::sqrt(signatureSquare(component, alone.weights))});
+    list.push_back(
+        {std::string(component.id), alone.logGain, std::sqrt(signatureSquare(component, alone.weights))});
   }
   std::ranges::sort(list, std::greater{}, &Candidate::logBayesFactor);
   return list;

@@ -6,7 +6,7 @@
 
 namespace alidade {
 
-using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+using Eigen::Index, Eigen::MatrixXd, Eigen::Vector2d, Eigen::VectorXd;
 
 namespace {
 
@@ -67,12 +67,12 @@ MatrixXd bentColumns(const Component& component) {
   return columns;
 }
 
-Eigen::Vector<double, 5> bentWeights(const VectorXd& weights) {
+Eigen::Vector<double, 5> bentWeights(const Vector2d& weights) {
   const double x = weights[0], y = weights[1];
   return {x, y, x * x / 2, x * y, y * y / 2};
 }
 
-Eigen::Matrix<double, 5, 2> bentDerivatives(const VectorXd& weights) {
+Eigen::Matrix<double, 5, 2> bentDerivatives(const Vector2d& weights) {
   const double x = weights[0], y = weights[1];
   Eigen::Matrix<double, 5, 2> derivatives;
   derivatives << 1, 0, 0, 1, x, 0, y, x, 0, y;

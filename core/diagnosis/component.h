@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <numbers>
 #include <optional>
-#include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/diagnosis/pattern.h"
@@ -30,7 +30,7 @@ struct Component {
   };
 
   Kind kind = Kind::Effect;
-  std::string id;  ///< of the effect, or what the pattern follows
+  std::string_view id;  ///< of the effect, or what the pattern follows; static text
   Frame frame = Frame::Instrument;
   const Effect* effect = nullptr;  ///< of an Effect
   std::size_t moment = 0;          ///< of a Jump: sequence of the first row after it
@@ -70,8 +70,8 @@ Eigen::MatrixXd wholeColumns(const Leftover& leftover, const Component& componen
 /// Of a bending component: its columns and curvature side by side, the five weights (x, y, ½x², xy, ½y²) they
 /// take, and their derivatives by x and y.
 Eigen::MatrixXd bentColumns(const Component& component);
-Eigen::Vector<double, 5> bentWeights(const Eigen::VectorXd& weights);
-Eigen::Matrix<double, 5, 2> bentDerivatives(const Eigen::VectorXd& weights);
+Eigen::Vector<double, 5> bentWeights(const Eigen::Vector2d& weights);
+Eigen::Matrix<double, 5, 2> bentDerivatives(const Eigen::Vector2d& weights);
 
 /// What the weights leave in the readings, visible part: linear, and bent where the component bends.
 Eigen::VectorXd signature(const Leftover& leftover, const Component& component,

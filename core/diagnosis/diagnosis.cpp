@@ -47,7 +47,8 @@ std::optional<GapShape> shapeOf(const Inquiry& inquiry) {
   if (shaped == inquiry.explanations.end()) return std::nullopt;
   const Part& pattern = shaped->parts.back();
   const Component& shape = inquiry.candidates[pattern.component];
-  return GapShape{shape.id, signatureSquare(shape, pattern.weights) / inquiry.leftover.chiSquare()};
+  return GapShape{std::string(shape.id),
+                  signatureSquare(shape, pattern.weights) / inquiry.leftover.chiSquare()};
 }
 
 std::vector<BlamedReading> readingsOf(const GapModel& model) {
@@ -125,7 +126,7 @@ Result<Diagnosis> diagnose(const Measurement& measurement, const DiagnosisOption
   const std::vector<Danger> unseen =
       unseenDangers(inquiry.leftover, inquiry.candidates, influencePerSigma(inquiry.base));
   for (const Danger& danger : unseen)
-    diagnosis.unseen.push_back({danger.effect, danger.influence, danger.visible});
+    diagnosis.unseen.push_back({std::string(danger.effect), danger.influence, danger.visible});
   if (answer.kind == Answer::Kind::Unknown) diagnosis.shape = shapeOf(inquiry);
   diagnosis.leftBefore = inSigma(*model);
   diagnosis.leftAfter = inSigma(answer.after);

@@ -117,9 +117,8 @@ std::vector<FarOff> farOff(const Inquiry& inquiry) {
 
 }  // namespace
 
-const std::string& Inquiry::idOf(const Part& part) const {
-  static const std::string misreading = misreadingId;
-  return isMisreading(part) ? misreading : candidates[part.component].id;
+std::string_view Inquiry::idOf(const Part& part) const {
+  return isMisreading(part) ? misreadingId : candidates[part.component].id;
 }
 
 double Inquiry::chanceOf(const std::function<bool(const Explanation&)>& isMeant) const {

@@ -39,7 +39,7 @@ struct Inquiry {
   Component::Kind kindOf(const Part& part) const {
     return isMisreading(part) ? Component::Kind::Misreading : candidates[part.component].kind;
   }
-  const std::string& idOf(const Part& part) const;
+  std::string_view idOf(const Part& part) const;
   /// Probability that one of these explanations is the right one.
   double chanceOf(const std::function<bool(const Explanation&)>& isMeant) const;
   /// Probability that the id is among the causes.

@@ -21,10 +21,8 @@ std::vector<Component> effectComponents(const Leftover& leftover, const std::vec
   Index count = 0;
   for (const Effect& effect : effectCatalogue()) {
     if (std::ranges::find(leftOut, effect.id) != leftOut.end()) continue;
-    components.push_back({.kind = Component::Kind::Effect,
-                          .id = std::string(effect.id),
-                          .frame = effect.frame,
-                          .effect = &effect});
+    components.push_back(
+        {.kind = Component::Kind::Effect, .id = effect.id, .frame = effect.frame, .effect = &effect});
     count += static_cast<Index>(effect.parameters.size());
   }
   MatrixXd columns(leftover.readings(), count);

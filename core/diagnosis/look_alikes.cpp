@@ -58,7 +58,7 @@ double differenceFrom(const VectorXd& trace, const Component& component) {
 LookAlike compared(const VectorXd& trace, const Component& component) {
   const double difference = differenceFrom(trace, component), length = trace.norm();
   const double share = length > 0 ? difference / length : 1;
-  return {component.id, std::sqrt(std::max(0.0, 1 - share * share)), difference};
+  return {std::string(component.id), std::sqrt(std::max(0.0, 1 - share * share)), difference};
 }
 
 }  // namespace alidade

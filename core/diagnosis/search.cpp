@@ -2,16 +2,19 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+#include <numeric>
 #include <span>
 
 namespace alidade {
 
-using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+using Eigen::ArrayXd, Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
 constexpr std::size_t jumpsOffered = 2, misreadingsOffered = 4;
+constexpr double rounding = 1e-12;  // of squared lengths, in variances of a reading
 
 /// A number that tells sets apart when added up (splitmix64).
 std::uint64_t keyOf(std::size_t component) {
@@ -30,11 +33,28 @@ void keepBest(Growths& growths, std::size_t count) {
   growths.resize(count);
 }
 
+/// What a direction gains at most, whatever its width: of columns with the squared lengths `squares`, and
+/// their products with what is left, squared. x = w² square/v gains −½ ln(1 + x) + ½ score x/(1 + x), most at
+/// x = score − 1.
+ArrayXd mostGain(const ArrayXd& squares, const ArrayXd& products, Component::Kind kind, double variance) {
+  const double narrowest = widthsOf(kind).front().sigma;
+  const ArrayXd left = squares.max(rounding), scores = products / (left * variance),
+                x = (scores - 1).max(narrowest * narrowest / variance * left);
+  return 0.5 * (scores * x / (1 + x) - (1 + x).log());
+}
+
 }  // namespace
 
 Search::Search(const Leftover& leftover, const std::vector<Component>& candidates,
                const SearchOptions& options)
-    : m_leftover(leftover), m_candidates(candidates), m_options(options), m_table(leftover, candidates) {}
+    : m_leftover(leftover), m_candidates(candidates), m_options(options), m_table(leftover, candidates) {
+  const auto isJump = [](const Component& candidate) { return candidate.kind == Component::Kind::Jump; };
+  const auto first = std::ranges::find_if(candidates, isJump);
+  const auto end = std::find_if_not(first, candidates.end(), isJump);
+  assert(std::none_of(end, candidates.end(), isJump));
+  m_firstJump = static_cast<std::size_t>(first - candidates.begin());
+  m_jumps = static_cast<std::size_t>(end - first);
+}
 
 std::vector<Explanation> Search::grown(double variance) {
   m_variance = variance;
@@ -73,14 +93,14 @@ std::vector<Search::State> Search::next(const std::vector<State>& level) {
   for (std::size_t i = 0; i < level.size() && !isStopped(); ++i) offer(level[i], i, growths);
   // The same set may grow in several ways; the one from the best state counts.
   std::vector<std::size_t> order(growths.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::sort(order, std::greater{}, [&](std::size_t i) { return growths[i].logOdds; });
   // Patterns never grow, so they take no place from what may.
   std::vector<State> states;
   std::size_t shaped = 0;
   for (const std::size_t i : order) {
     if (isStopped()) break;
-    const bool isShape = isPattern(growths[i].component);
+    const bool isShape = kindOf(growths[i].component) == Component::Kind::Shape;
     if ((isShape ? shaped : states.size() - shaped) == m_options.beam) continue;
     const auto upToHere = std::span(growths).first(i);
     if (std::ranges::find(upToHere, growths[i].key, &Growth::key) != upToHere.end()) continue;
@@ -90,8 +110,8 @@ std::vector<Search::State> Search::next(const std::vector<State>& level) {
   return states;
 }
 
-bool Search::isPattern(std::size_t component) const {
-  return component < m_candidates.size() && m_candidates[component].kind == Component::Kind::Shape;
+Component::Kind Search::kindOf(std::size_t component) const {
+  return component < m_candidates.size() ? m_candidates[component].kind : Component::Kind::Misreading;
 }
 
 /// A step that costs more than it gains is kept once, never grown further.
@@ -109,69 +129,83 @@ double Search::priorOf(std::size_t component) const {
 
 /// The most promising components to add: of jumps and of misreadings the best few.
 void Search::offer(const State& state, std::size_t index, std::vector<Growth>& growths) const {
-  const bool hasJump = std::ranges::any_of(state.found.parts, [&](const Part& part) {
-    return part.component < m_candidates.size() && m_candidates[part.component].kind == Component::Kind::Jump;
-  });
-  std::vector<Growth> offered, jumps;
-  offered.reserve(m_candidates.size());
-  jumps.reserve(m_candidates.size());
-  for (std::size_t i = 0; i < m_candidates.size(); ++i) {
-    const bool isJump = m_candidates[i].kind == Component::Kind::Jump;
-    if (state.found.has(i) || (isJump && (hasJump || (m_options.misreadings && m_candidates[i].onlyRow))))
-      continue;
-    (isJump ? jumps : offered).push_back({.component = i, .gain = gainFor(state, i)});
-  }
-  keepBest(jumps, jumpsOffered);
-  offered.insert(offered.end(), jumps.begin(), jumps.end());
-  if (m_options.misreadings)
-    for (const Growth& growth : misreadingsFor(state))
-      if (!state.found.has(growth.component)) offered.push_back(growth);
-  for (Growth& growth : offered) {
+  const auto add = [&](Growth growth) {
+    if (state.found.has(growth.component)) return;
     growth.state = index;
     growth.logOdds = state.found.logOdds + growth.gain.log + priorOf(growth.component);
     growth.key = state.key + keyOf(growth.component);
     growths.push_back(growth);
-  }
+  };
+  for (std::size_t i = 0; i < m_candidates.size(); ++i)
+    if (m_candidates[i].kind != Component::Kind::Jump && !state.found.has(i))
+      add({.component = i, .gain = gainFor(state, i)});
+  const bool hasJump = std::ranges::any_of(
+      state.found.parts, [&](const Part& part) { return kindOf(part.component) == Component::Kind::Jump; });
+  if (!hasJump && m_jumps > 0) std::ranges::for_each(jumpsFor(state), add);
+  if (m_options.misreadings) std::ranges::for_each(misreadingsFor(state), add);
 }
 
-/// The best few: those with the highest scores, and whatever else could do better.
+std::vector<Search::Growth> Search::bestOf(const State& state, std::size_t first, const Eigen::ArrayXd& most,
+                                           std::size_t count) const {
+  std::vector<Index> order(static_cast<std::size_t>(most.size()));
+  std::iota(order.begin(), order.end(), Index{0});
+  const auto promising = order.begin() + static_cast<std::ptrdiff_t>(std::min(count, order.size()));
+  std::ranges::partial_sort(order, promising, std::greater{}, [&](Index i) { return most[i]; });
+  std::vector<Growth> best;
+  for (const Index i : order) {
+    if (std::isinf(most[i]) || (best.size() == count && most[i] <= best.back().gain.log)) continue;
+    const std::size_t component = first + static_cast<std::size_t>(i);
+    best.push_back({.component = component, .gain = gainFor(state, component)});
+    if (best.size() >= count) keepBest(best, count);
+  }
+  return best;
+}
+
+/// As if the two directions in which a jump shows had each the width that suits it.
+std::vector<Search::Growth> Search::jumpsFor(const State& state) const {
+  const Index first = m_table.first(m_firstJump), count = static_cast<Index>(m_jumps);
+  const auto ofJumps = [&](const auto& vector, Index number) {
+    return Eigen::Map<const ArrayXd, 0, Eigen::InnerStride<2>>(vector.data() + first + number, count);
+  };
+  // The Gram matrix of the horizontal and the vertical column, and their products with what is left.
+  ArrayXd h = ofJumps(m_table.squares(), 0), v = ofJumps(m_table.squares(), 1),
+          both = ofJumps(m_table.beside(), 0);
+  for (Index taken = 0; taken < state.shared.cols(); ++taken) {
+    const auto ofH = ofJumps(state.shared.col(taken), 0), ofV = ofJumps(state.shared.col(taken), 1);
+    h -= ofH.square();
+    v -= ofV.square();
+    both -= ofH * ofV;
+  }
+  const auto rightH = ofJumps(state.right, 0), rightV = ofJumps(state.right, 1);
+  const ArrayXd middle = (h + v) / 2, half = (h - v) / 2, apart = (half.square() + both.square()).sqrt(),
+                right = rightH.square() + rightV.square(),
+                turned = half * (rightH.square() - rightV.square()) + 2 * both * rightH * rightV,
+                along = (right + (turned / apart.max(rounding)).max(-right).min(right)) / 2;
+  ArrayXd most = mostGain(middle + apart, along, Component::Kind::Jump, m_variance) +
+                 mostGain(middle - apart, right - along, Component::Kind::Jump, m_variance);
+  if (m_options.misreadings)
+    for (Index i = 0; i < count; ++i)
+      if (m_candidates[m_firstJump + static_cast<std::size_t>(i)].onlyRow) most[i] = impossible;
+  return bestOf(state, m_firstJump, most, jumpsOffered);
+}
+
 std::vector<Search::Growth> Search::misreadingsFor(const State& state) const {
   constexpr double determined = 1e-6;  // redundancy below which a reading can be anything
-  const double narrowest = widthsOf(Component::Kind::Misreading).front().sigma;
   const Index readings = m_leftover.readings();
-  Eigen::ArrayXd left = m_table.squares().tail(readings);
+  ArrayXd left = m_table.squares().tail(readings);
   for (Index taken = 0; taken < state.shared.cols(); ++taken)
     left -= state.shared.col(taken).tail(readings).array().square();
-  const Eigen::ArrayXd scores =
-      state.right.tail(readings).array().square() / (left.max(determined) * m_variance);
-  // No width gains more: x = w² left/variance gains −½ ln(1 + x) + ½ score x/(1 + x), most at score − 1.
-  const Eigen::ArrayXd x = (scores - 1).max(narrowest * narrowest / m_variance * left),
-                       mostGains = 0.5 * (scores * x / (1 + x) - (1 + x).log());
-  std::vector<Index> free;
-  free.reserve(static_cast<std::size_t>(readings));
-  for (Index i = 0; i < readings; ++i)
-    if (left[i] >= determined) free.push_back(i);
-  const std::size_t count = std::min(misreadingsOffered, free.size());
-  std::ranges::partial_sort(free, free.begin() + static_cast<std::ptrdiff_t>(count), std::greater{},
-                            [&](Index i) { return scores[i]; });
-  std::vector<Growth> best;
-  for (const Index i : free)
-    if (best.size() < misreadingsOffered || mostGains[i] > best.back().gain.log) {
-      const std::size_t component = m_candidates.size() + static_cast<std::size_t>(i);
-      best.push_back({.component = component, .gain = gainFor(state, component)});
-      if (best.size() >= misreadingsOffered) keepBest(best, misreadingsOffered);
-    }
-  keepBest(best, misreadingsOffered);
-  return best;
+  const ArrayXd most =
+      mostGain(left, state.right.tail(readings).array().square(), Component::Kind::Misreading, m_variance);
+  return bestOf(state, m_candidates.size(), (left < determined).select(impossible, most), misreadingsOffered);
 }
 
 Gain Search::gainFor(const State& state, std::size_t component) const {
   constexpr double shows = 10;  // natural logarithm
   const Index first = m_table.first(component), count = m_table.count(component);
-  auto kind = Component::Kind::Misreading;
+  const Component::Kind kind = kindOf(component);
   if (component < m_candidates.size()) {
     const Component& candidate = m_candidates[component];
-    kind = candidate.kind;
     if (candidate.allOrNothing) {
       const double square = m_table.squares()[first] - state.shared.row(first).squaredNorm();
       return {(state.right[first] - square / 2) / m_variance, 1};
@@ -208,7 +242,7 @@ Search::State Search::with(const State& state, const Growth& growth, bool inAnyC
   next.found.logOdds = growth.logOdds;
   next.found.logEvidence += growth.gain.log;
   next.found.parts.push_back({component, growth.gain.width, VectorXd::Ones(1), growth.gain.log});
-  next.found.shaped = isPattern(component);
+  next.found.shaped = kindOf(component) == Component::Kind::Shape;
   next.misreadings = state.misreadings + (component < m_candidates.size() ? 0 : 1);
   next.key = growth.key;
 

@@ -53,12 +53,17 @@ class Search {
   const std::vector<Component>& m_candidates;
   const SearchOptions& m_options;
   ColumnTable m_table;
+  std::size_t m_firstJump = 0, m_jumps = 0;           ///< they follow one another
   std::map<std::size_t, Eigen::MatrixXd> m_products;  ///< of components that were taken
   double m_variance = 1;
 
   std::vector<State> next(const std::vector<State>& level);
   void offer(const State& state, std::size_t index, std::vector<Growth>& growths) const;
+  std::vector<Growth> jumpsFor(const State& state) const;
   std::vector<Growth> misreadingsFor(const State& state) const;
+  /// Those of the components from `first` on that gain most; none gains more than its entry in `most`.
+  std::vector<Growth> bestOf(const State& state, std::size_t first, const Eigen::ArrayXd& most,
+                             std::size_t count) const;
   Gain gainFor(const State& state, std::size_t component) const;
   BentFit bentFor(const State& state, std::size_t component) const;
   State nothing() const;
@@ -67,7 +72,7 @@ class Search {
   Linear linearFor(const State& state, std::size_t component) const;
   const Eigen::MatrixXd& productsOf(std::size_t component);
   bool isStopped() const { return m_options.stop.stop_requested(); }
-  bool isPattern(std::size_t component) const;
+  Component::Kind kindOf(std::size_t component) const;
   bool mayGrow(const State& state) const;
   double priorOf(std::size_t component) const;
 };

@@ -1,10 +1,12 @@
 #include "core/diagnosis/shape_components.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <map>
 #include <numbers>
+#include <string_view>
 #include <tuple>
 #include <utility>
 
@@ -125,13 +127,13 @@ class ShapeMaker {
   void startFrame(Frame frame) { m_frame = frame; }
 
   /// Functions of what the carrier's cells have in common.
-  void add(const std::string& id, const SharedCarrier& carrier, MatrixXd functions) {
+  void add(std::string_view id, const SharedCarrier& carrier, MatrixXd functions) {
     add(id, Pattern{{{carrier, std::move(functions)}}});
   }
 
   /// A function that differs from group to group.
   template <typename Group>
-  void addGroups(const std::string& id, const SharedCarrier& carrier, const Cells& cells,
+  void addGroups(std::string_view id, const SharedCarrier& carrier, const Cells& cells,
                  const Group& groupOf) {
     std::map<std::decay_t<decltype(groupOf(0))>, Index> groups;
     const auto moves = [&](Index cell) { return carrier->squares()[cell] > 0; };
@@ -148,7 +150,7 @@ class ShapeMaker {
   }
 
   /// A pattern for each of the orders; their inner products are worked out together.
-  void addHarmonics(const std::string& id, const SharedCarrier& carrier, const Harmonics& harmonics,
+  void addHarmonics(std::string_view id, const SharedCarrier& carrier, const Harmonics& harmonics,
                     const std::vector<int>& orders) {
     MatrixXd all(carrier->cells(), static_cast<Index>(2 * orders.size()));
     Index first = 0;
@@ -162,20 +164,20 @@ class ShapeMaker {
   }
 
   /// Functions with weights of their own for the two circles.
-  void addOrientation(const std::string& id, const SharedCarrier& horizontal, const SharedCarrier& vertical,
+  void addOrientation(std::string_view id, const SharedCarrier& horizontal, const SharedCarrier& vertical,
                       const MatrixXd& functions) {
     add(id, Pattern{{{horizontal, functions}, {vertical, functions}}});
   }
 
-  /// Functions for either circle alone, and for both.
-  void addOrientations(const std::string& id, const SharedCarrier& horizontal, const SharedCarrier& vertical,
-                       const MatrixXd& functions) {
+  /// Functions for either circle alone, and for both; an id for each.
+  void addOrientations(const std::array<std::string_view, 3>& ids, const SharedCarrier& horizontal,
+                       const SharedCarrier& vertical, const MatrixXd& functions) {
     Pattern both{{{horizontal, functions}, {vertical, functions}}};
     MatrixXd gram = both.visibleGram();
     const Index own = functions.cols();
-    add("horizontal " + id, Pattern{{{horizontal, functions}}}, gram.topLeftCorner(own, own));
-    add("vertical " + id, Pattern{{{vertical, functions}}}, gram.bottomRightCorner(own, own));
-    add(id, std::move(both), std::move(gram));
+    add(ids[0], Pattern{{{horizontal, functions}}}, gram.topLeftCorner(own, own));
+    add(ids[1], Pattern{{{vertical, functions}}}, gram.bottomRightCorner(own, own));
+    add(ids[2], std::move(both), std::move(gram));
   }
 
   std::vector<Component> take(double odds) {
@@ -189,13 +191,13 @@ class ShapeMaker {
   Frame m_frame = Frame::Guideway;
   std::vector<Component> m_components;
 
-  void add(const std::string& id, Pattern pattern) {
+  void add(std::string_view id, Pattern pattern) {
     MatrixXd gram = pattern.visibleGram();
     add(id, std::move(pattern), std::move(gram));
   }
 
   /// `gram`: of the pattern as it is given.
-  void add(const std::string& id, Pattern pattern, MatrixXd gram) {
+  void add(std::string_view id, Pattern pattern, MatrixXd gram) {
     const double factor = pattern.normalise();
     gram *= factor * factor;
     if (gram.trace() < invisible * invisible) return;
@@ -243,7 +245,9 @@ std::vector<Component> shapeComponents(const Leftover& leftover, const Measureme
   maker.addGroups("radius from place to place in each position", radial, all.visits, place);
   maker.startFrame(Frame::Time);
   const MatrixXd waves = smooth(all.elapsed, 10);
-  maker.addOrientations("orientation with time", horizontal, vertical, waves);
+  maker.addOrientations(
+      {"horizontal orientation with time", "vertical orientation with time", "orientation with time"},
+      horizontal, vertical, waves);
   maker.addOrientation("orientation settling with time", horizontal, vertical, settling(all.elapsed));
   // The target nearer, whichever way the guideway is turned.
   const auto isTurned = [&](Index i) { return all.arcOf(i).axisDeg != 0; };

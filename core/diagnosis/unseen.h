@@ -1,6 +1,6 @@
 #pragma once
 
-#include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/diagnosis/component.h"
@@ -15,7 +15,7 @@ inline constexpr double negligibleInfluence = 1e-3;
 /// An effect of its plausible size in the direction of its numbers that moves Δd most; of the two signs the
 /// one that shows less.
 struct Danger {
-  std::string effect;
+  std::string_view effect;  ///< its id; static text
   Eigen::VectorXd weights;  ///< of length 1; zero where it does not move Δd
   double influence = 0;     ///< on Δd to first order, mm, ≥ 0
   double visible = 0;       ///< what it leaves in the readings, bent where it bends, σ

@@ -38,7 +38,7 @@ struct Drawn {
   bool alsoNothing = true;
 };
 
-bool isHeld(const std::string& kind) {
+bool isHeld(std::string_view kind) {
   return effectById(kind) && kind != relationId;
 }
 
