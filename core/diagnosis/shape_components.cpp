@@ -114,6 +114,14 @@ MatrixXd smooth(const VectorXd& where, int count) {
   return values;
 }
 
+/// How quickly the orientation may wander. The slower waves are all but taken up by the unknowns of few rows,
+/// and many rows tell a wander from noise by the slower waves alone; so the sums stay as long.
+int wavesOf(Index rows) {
+  constexpr Index fewest = 10, forRows = 136;
+  if (rows < 2) return 0;
+  return static_cast<int>(std::min(rows - 1, std::max(fewest, fewest * forRows / rows)));
+}
+
 /// What dies away after the start of the session, quickly, in between and slowly.
 MatrixXd settling(const VectorXd& elapsed) {
   MatrixXd values(elapsed.size(), 3);
@@ -244,7 +252,7 @@ std::vector<Component> shapeComponents(const Leftover& leftover, const Measureme
   const auto place = [&](Index i) { return std::pair(all.at(i).arc, all.rowOf(i).point); };
   maker.addGroups("radius from place to place in each position", radial, all.visits, place);
   maker.startFrame(Frame::Time);
-  const MatrixXd waves = smooth(all.elapsed, 10);
+  const MatrixXd waves = smooth(all.elapsed, wavesOf(static_cast<Index>(all.rows.readings.size())));
   maker.addOrientations(
       {"horizontal orientation with time", "vertical orientation with time", "orientation with time"},
       horizontal, vertical, waves);
@@ -252,7 +260,7 @@ std::vector<Component> shapeComponents(const Leftover& leftover, const Measureme
   // The target nearer, whichever way the guideway is turned.
   const auto isTurned = [&](Index i) { return all.arcOf(i).axisDeg != 0; };
   maker.add("distance with time", all.ofInstrument(leftover.column(ErrorTerm::PlaneOffset), isTurned),
-            waves.leftCols(4));
+            waves.leftCols(std::min<Index>(4, waves.cols())));
   maker.startFrame(Frame::Guideway);
   maker.add("slider readings along the scale", slider, smooth(toUnit(all.s), 6));
   maker.startFrame(Frame::Instrument);

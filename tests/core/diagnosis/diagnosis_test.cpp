@@ -101,6 +101,23 @@ TEST(Diagnosis, PinsNoUnknownPatternOnTheCatalogue) {
   }
 }
 
+// Teeth of 20″ with five to eight rows each, in the horizontal circle alone: to the slow waves of a wander
+// they look like noise.
+TEST(Diagnosis, TellsAQuickWanderOfAFewRowsFromNoise) {
+  for (const double teeth : {4.3, 5.3, 6.3}) {
+    SCOPED_TRACE(teeth);
+    Measurement measurement =
+        test::measurementOf(*simulate(*protocolByName("paper-slider"), drawTruth(12), 12));
+    for (ArcMeasurement& arc : measurement.arcs)
+      for (Sighting& sighting : arc.sightings) {
+        const double teethBefore =
+            teeth * static_cast<double>(sighting.sequence) / static_cast<double>(measurement.rows);
+        sighting.a = sighting.a + Angle::fromArcseconds(20) * (teethBefore - std::floor(teethBefore));
+      }
+    EXPECT_EQ(diagnose(measurement)->verdict, DiagnosisVerdict::NotInCatalogue);
+  }
+}
+
 TEST(Diagnosis, SeesNoiseThatIsLargerThanStated) {
   for (const test::Trial& trial : trialsOf("underestimated_noise")) {
     const Diagnosis diagnosis = diagnosed(trial.measurement);
