@@ -48,11 +48,11 @@ struct ArcJets {
 
   void set(ErrorTerm term, double size) {
     const auto index = static_cast<std::size_t>(term);
-    if (index < firstGuidewayTerm)
-      instrumentErrors.set(term, variable<InstrumentJet>(size, instrumentTermSlot + static_cast<int>(index)));
-    else
+    if (isOfGuideway(term))
       guidewayErrors.set(
           term, variable<GuidewayJet>(size, guidewayTermSlot + static_cast<int>(index - firstGuidewayTerm)));
+    else
+      instrumentErrors.set(term, variable<InstrumentJet>(size, instrumentTermSlot + static_cast<int>(index)));
   }
 
   /// As the instrument's stage sees it.

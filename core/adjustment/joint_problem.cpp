@@ -221,11 +221,9 @@ bool JointProblem::takesPart(std::size_t arc, std::size_t sighting, ReadingKind 
 /// Jets no longer than the terms need; a perfect instrument is differentiated by its target alone.
 template <typename Function>
 auto JointProblem::withJets(const Function& function) const {
-  const auto isOfGuideway = [](const EstimatedTerm& term) {
-    return static_cast<std::size_t>(term.term) >= firstGuidewayTerm;
-  };
   if (m_terms.empty()) return function(ArcJets<ArcTerms::None>());
-  if (std::ranges::all_of(m_terms, isOfGuideway)) return function(ArcJets<ArcTerms::OfGuideway>());
+  if (std::ranges::all_of(m_terms, isOfGuideway, &EstimatedTerm::term))
+    return function(ArcJets<ArcTerms::OfGuideway>());
   return function(ArcJets<ArcTerms::All>());
 }
 
@@ -275,7 +273,7 @@ void fillRow(VisitEquations::Jacobian::RowXpr row, const typename Jets::Instrume
   for (std::size_t t = 0; t < terms.size(); ++t) {
     const auto term = static_cast<std::size_t>(terms[t].term);
     const auto slot = static_cast<Index>(firstTermSlot + t);
-    if (term >= firstGuidewayTerm) {
+    if (isOfGuideway(terms[t].term)) {
       row[slot] = place[static_cast<Index>(Jets::guidewayTermSlot + term - firstGuidewayTerm)];
     } else {
       const auto own = static_cast<Index>(Jets::instrumentTermSlot + term);
@@ -292,9 +290,9 @@ void fillSliderRow(VisitEquations::Jacobian::RowXpr row, const typename Jets::Gu
   row[static_cast<int>(Unknown::Kind::SliderZero)] = by[Jets::sliderSlot];
   row[phiSlot] = by[Jets::angleSlot];
   for (std::size_t t = 0; t < terms.size(); ++t)
-    if (const auto term = static_cast<std::size_t>(terms[t].term); term >= firstGuidewayTerm)
-      row[static_cast<Index>(firstTermSlot + t)] =
-          by[static_cast<Index>(Jets::guidewayTermSlot + term - firstGuidewayTerm)];
+    if (isOfGuideway(terms[t].term))
+      row[static_cast<Index>(firstTermSlot + t)] = by[static_cast<Index>(
+          Jets::guidewayTermSlot + static_cast<std::size_t>(terms[t].term) - firstGuidewayTerm)];
 }
 
 }  // namespace

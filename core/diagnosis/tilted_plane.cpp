@@ -32,7 +32,7 @@ class TiltedPlane {
     const JointFit& fit = model.fit;
     for (std::size_t i = 0; i < fit.unknowns.size(); ++i)
       if (fit.unknowns[i].kind == Unknown::Kind::Error)
-        (isOfInstrument(fit.unknowns[i].term) ? m_instrument : m_guideways.front())
+        (isOfGuideway(fit.unknowns[i].term) ? m_guideways.front() : m_instrument)
             .set(fit.unknowns[i].term, fit.values[i]);
     m_guideways.fill(m_guideways.front());
     const std::vector<EffectParameter>& tilts = effectById("plane_tilt")->parameters;
@@ -82,7 +82,6 @@ class TiltedPlane {
   ErrorTerms<double> m_instrument;
   std::array<ErrorTerms<double>, nodes.size()> m_guideways;
 
-  static bool isOfInstrument(ErrorTerm term) { return term < ErrorTerm::PlaneTiltX; }
   const ArcMeasurement& arcOf(const LinearReading& reading) const {
     return m_model.measurement.arcs[reading.arc];
   }

@@ -39,6 +39,11 @@ enum class ErrorTerm : std::size_t {
   Count,
 };
 
+/// Of the guideway; else of the instrument.
+constexpr bool isOfGuideway(ErrorTerm term) {
+  return term >= ErrorTerm::PlaneTiltX;
+}
+
 inline constexpr std::size_t errorTermCount = static_cast<std::size_t>(ErrorTerm::Count);
 
 /// The sizes of all error terms; zero unless set.
