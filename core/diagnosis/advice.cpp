@@ -8,6 +8,7 @@
 #include "core/diagnosis/further_readings.h"
 #include "core/diagnosis/look_alikes.h"
 #include "core/diagnosis/visible_terms.h"
+#include "core/effects/cause_ids.h"
 
 namespace alidade {
 
@@ -54,18 +55,34 @@ std::optional<Advice> revealing(const std::vector<Danger>& unseen, const std::st
   return advice;
 }
 
+constexpr const char* zeroSightedAgain = "the pointing zero sighted again";
+
 /// What tells a misread value from a knock that it looks like: the zero, which only a knock moves. Both
 /// sightings have their noise.
-std::optional<Advice> zeroSightedAgain(const Inquiry& inquiry, const std::vector<Cause>& causes) {
+std::optional<Advice> tellingFromKnock(const Inquiry& inquiry, const std::vector<Cause>& causes) {
   for (const Cause& cause : causes) {
     if (cause.readings.size() != 1 || cause.indistinguishableFrom.empty()) continue;
     const BlamedReading& reading = cause.readings.front();
     const double sigma = statedSigma(inquiry.base.measurement, reading.kind).arcseconds();
-    return Advice{.measure = "the pointing zero sighted again",
+    return Advice{.measure = zeroSightedAgain,
                   .separates = {cause.effect, cause.indistinguishableFrom.front()},
                   .bySigma = std::abs(reading.size) / (sigma * std::numbers::sqrt2)};
   }
   return std::nullopt;
+}
+
+/// What shows a knock that no reading shows, such as one between the zero and the first place.
+std::optional<Advice> revealingKnock(const Inquiry& inquiry, const std::vector<Danger>& unseen) {
+  const auto knock = std::ranges::find(unseen, jumpId, &Danger::effect);
+  if (knock == unseen.end()) return std::nullopt;
+  const Measurement& measurement = inquiry.base.measurement;
+  const Eigen::Vector2d sigmas(statedSigma(measurement, ReadingKind::Horizontal).radians(),
+                               statedSigma(measurement, ReadingKind::Vertical).radians());
+  return Advice{
+      .measure = zeroSightedAgain,
+      .separates = {jumpId},
+      .bySigma = (plausibleJump * knock->weights).cwiseQuotient(sigmas).norm() / std::numbers::sqrt2,
+      .ofUnseen = true};
 }
 
 /// The effects that the advice is about: the cause and its look-alikes, or else what could not be seen.
@@ -147,7 +164,11 @@ std::vector<Advice> adviceFor(const Inquiry& inquiry, const std::vector<Cause>& 
     return effectById(cause.effect) && !cause.indistinguishableFrom.empty();
   });
   std::vector<Advice> list = furtherAdvice(inquiry, found == causes.end() ? nullptr : &*found, unseen);
-  if (const std::optional<Advice> zero = zeroSightedAgain(inquiry, causes)) list.insert(list.begin(), *zero);
+  if (const std::optional<Advice> zero = tellingFromKnock(inquiry, causes)) {
+    list.insert(list.begin(), *zero);
+  } else if (const std::optional<Advice> knock = revealingKnock(inquiry, unseen)) {
+    list.insert(found == causes.end() ? list.begin() : list.end(), *knock);
+  }
   return list;
 }
 

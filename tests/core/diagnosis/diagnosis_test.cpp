@@ -7,6 +7,7 @@
 #include <cmath>
 #include <ctime>
 #include <map>
+#include <numbers>
 #include <set>
 
 #include "core/adjustment/session_fit.h"
@@ -187,11 +188,26 @@ TEST(Diagnosis, TellsWhatWouldSeparateLookAlikes) {
     if (trial.protocol != "paper") continue;
     const Diagnosis diagnosis = diagnosed(trial.measurement);
     ASSERT_FALSE(diagnosis.advice.empty());
+    EXPECT_FALSE(diagnosis.advice.front().ofUnseen);
     for (const Advice& advice : diagnosis.advice) {
+      if (advice.ofUnseen) continue;
       EXPECT_GE(advice.separates.size(), 2u);
       EXPECT_GT(advice.bySigma, 4);  // what counts as told apart
     }
   }
+}
+
+// A knock between the pointing zero and the first place moves an arc and leaves nothing in the readings. A
+// plausible one, 60″ in whatever direction, is seen in two sightings of the zero, 2″ each.
+TEST(Diagnosis, AdvisesToSightTheZeroAgainWhereAKnockGoesUnseen) {
+  const Diagnosis diagnosis = diagnosed(test::trialMeasurement("full"));
+  ASSERT_THAT(diagnosis.unseen, testing::Contains(testing::Field(&UnseenEffect::effect, "orientation_jump")));
+  ASSERT_FALSE(diagnosis.advice.empty());
+  const Advice& first = diagnosis.advice.front();
+  EXPECT_EQ(first.measure, "the pointing zero sighted again");
+  EXPECT_THAT(first.separates, testing::ElementsAre("orientation_jump"));
+  EXPECT_TRUE(first.ofUnseen);
+  EXPECT_NEAR(first.bySigma, 60 / (2 * std::numbers::sqrt2), 1e-9);
 }
 
 double memory() {  // most that was ever held, MB
