@@ -78,6 +78,18 @@ bool Gap::isNoiseAlone() const {
   return isOpen() && diagnosis->causes.size() == 1 && diagnosis->causes.front().effect == noiseId;
 }
 
+std::vector<UnseenEffect> Gap::noticeablyUnseen() const {
+  constexpr std::size_t most = 8;
+  constexpr double noticeable = 0.02;
+  if (!diagnosis) return {};
+  const double expanded = diagnosis->before ? diagnosis->before->expanded : 0;
+  std::vector<UnseenEffect> effects = diagnosis->unseen;
+  std::erase_if(effects,
+                [&](const UnseenEffect& effect) { return effect.influence < noticeable * expanded; });
+  effects.resize(std::min(most, effects.size()));
+  return effects;
+}
+
 Gap assessGap(SharedEvaluation evaluation, const std::stop_token& stop) {
   Gap gap{.evaluation = std::move(evaluation), .diagnosis = {}, .reason = {}, .stages = {}};
   gap.reason = reasonForNone(*gap.evaluation);

@@ -41,6 +41,9 @@ struct Gap {
   bool isOpen() const { return diagnosis && diagnosis->verdict != DiagnosisVerdict::WithinNoise; }
   /// Nothing but noise larger than stated.
   bool isNoiseAlone() const;
+  /// Effects that leave no clear trace and of which a plausible size moves Δd noticeably, by a fiftieth of U
+  /// or more: the worst eight of them at most. None without a diagnosis.
+  std::vector<UnseenEffect> noticeablyUnseen() const;
 };
 
 /// Diagnoses the evaluation. Takes many times as long as a fit; asked to stop, it returns early, without a

@@ -67,7 +67,6 @@ GapPanel::GapPanel(QWidget* parent)
               block(tr("What to measure next"), {m_next}),
               block(tr("What would go unseen"), {m_unseen, m_unseenNote}),
               createCandidates()};
-  arrange(true);
   connect(m_causes, &CauseList::effectsWanted, this, &GapPanel::effectsWanted);
   connect(m_causes, &CauseList::effectUnwanted, this, &GapPanel::effectUnwanted);
   connect(m_causes, &CauseList::relationWanted, this, &GapPanel::relationWanted);
@@ -117,19 +116,15 @@ QWidget* GapPanel::createCandidates() {
   return block(tr("Candidates, each by itself"), {m_candidates, m_add});
 }
 
-/// Two columns where there is room for them, else one below the other.
-void GapPanel::arrange(bool inTwoColumns) {
-  m_grid->setColumnStretch(0, inTwoColumns ? 4 : 1);
-  m_grid->setColumnStretch(1, inTwoColumns ? 5 : 0);
-  for (int i = 0; i < m_blocks.size(); ++i) {
-    if (i == 0) {
-      m_grid->addWidget(m_blocks[i], 0, 0, 1, inTwoColumns ? 2 : 1);
-    } else if (inTwoColumns) {
-      m_grid->addWidget(m_blocks[i], 1 + (i - 1) / 2, (i - 1) % 2);
-    } else {
-      m_grid->addWidget(m_blocks[i], i, 0);
-    }
-  }
+/// In two columns where there is room for them, else one below the other; what is hidden comes last.
+void GapPanel::arrange() {
+  const int columns = viewport()->width() >= twoColumnsFrom ? 2 : 1;
+  m_grid->setColumnStretch(0, columns == 2 ? 4 : 1);
+  m_grid->setColumnStretch(1, columns == 2 ? 5 : 0);
+  m_grid->addWidget(m_blocks.front(), 0, 0, 1, columns);
+  QList<QWidget*> parts = m_blocks.mid(1);
+  std::stable_partition(parts.begin(), parts.end(), [](const QWidget* part) { return !part->isHidden(); });
+  for (int i = 0; i < parts.size(); ++i) m_grid->addWidget(parts[i], 1 + i / columns, i % columns);
 }
 
 void GapPanel::setGap(const SharedGap& gap) {
@@ -171,10 +166,12 @@ void GapPanel::showVerdict() {
     m_headline->setText(tr("No diagnosis"),
                         tr("The readings are compared with the model as soon as there are any."));
   for (int i = 1; i < m_blocks.size(); ++i) m_blocks[i]->setVisible(says);
-  if (!says) return;
-  const bool hasCauses = !gap->diagnosis->causes.empty() || gap->diagnosis->shape || gap->stages.size() > 1;
-  m_blocks[1]->setVisible(hasCauses);
-  m_blocks[3]->setVisible(gap->isOpen());
+  if (says) {
+    const bool hasCauses = !gap->diagnosis->causes.empty() || gap->diagnosis->shape || gap->stages.size() > 1;
+    m_blocks[1]->setVisible(hasCauses);
+    m_blocks[3]->setVisible(gap->isOpen());
+  }
+  arrange();
 }
 
 /// Δd side by side: without the effects of the model, as modelled, with the causes.
@@ -233,17 +230,13 @@ void GapPanel::showNext() {
                                   : lines.join(QStringLiteral("<br>")));
 }
 
-/// What a plausible size would do to Δd; what is nothing beside U is left out.
+/// What a plausible size would do to Δd.
 void GapPanel::showUnseen() {
-  const Diagnosis& diagnosis = *m_gap->diagnosis;
-  const double expanded = diagnosis.before ? diagnosis.before->expanded : 0;
   QVector<FigureGrid::Row> rows;
-  for (const UnseenEffect& effect : diagnosis.unseen) {
-    if (effect.influence < 0.02 * expanded || rows.size() == 8) continue;
+  for (const UnseenEffect& effect : m_gap->noticeablyUnseen())
     rows.append({causeTitle(effect.effect),
                  {QStringLiteral("± ") + numberText(effect.influence, decimalsFor(effect.influence)),
                   numberText(effect.visibleSigma, 1)}});
-  }
   m_unseen->setVisible(!rows.isEmpty());
   m_unseen->setRows({tr("moves Δd  mm"), tr("leaves  σ")}, rows);
   m_unseenNote->setText(
@@ -279,7 +272,7 @@ void GapPanel::addCandidate() {
 
 void GapPanel::resizeEvent(QResizeEvent* event) {
   ScrollPage::resizeEvent(event);
-  arrange(viewport()->width() >= twoColumnsFrom);
+  arrange();
 }
 
 void GapPanel::showEvent(QShowEvent* event) {

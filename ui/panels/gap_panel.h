@@ -50,7 +50,7 @@ class GapPanel : public ScrollPage {
 
  private:
   QWidget* createCandidates();
-  void arrange(bool inTwoColumns);
+  void arrange();
   void showVerdict();
   void showEffectOnResult();
   void showShrinkage();

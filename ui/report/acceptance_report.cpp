@@ -57,6 +57,7 @@ bool paintReport(QBuffer& buffer, const Evaluation& evaluation, const ReportSour
   addPlots(sheet, evaluation);
   addReadings(sheet, evaluation);
   addGap(sheet, gap);
+  addUnseen(sheet, gap);
   if (!methodIsInFront) addMethod(sheet, evaluation);
   QPainter painter;
   if (!painter.begin(&writer)) return false;

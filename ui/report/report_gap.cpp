@@ -66,4 +66,27 @@ void addGap(ReportSheet& sheet, const Gap& gap) {
         type::small);
 }
 
+void addUnseen(ReportSheet& sheet, const Gap& gap) {
+  const std::vector<UnseenEffect> unseen = gap.noticeablyUnseen();
+  if (unseen.empty()) return;
+  QStringList effects, measures;
+  for (const UnseenEffect& effect : unseen)
+    effects.append(
+        QStringLiteral("%1 ± %2 mm")
+            .arg(causeName(effect.effect), numberText(effect.influence, decimalsFor(effect.influence))));
+  for (const Advice& advice : gap.diagnosis->advice)
+    if (advice.ofUnseen) measures.append(qText(advice.measure));
+  const QString moves = QStringLiteral(
+                            "The following effects would leave no clear trace in these readings, so U holds "
+                            "nothing of them. A plausible size of each would move Δd by: %1.")
+                            .arg(effects.join(QStringLiteral("; ")));
+  const QString remedy = QStringLiteral("Further readings would show some of them: %1.")
+                             .arg(measures.join(QStringLiteral("; ")));
+  const QString text = measures.isEmpty() ? moves : moves + u' ' + remedy;
+  const auto lines = sheet.lines(text, type::body, ReportSheet::width).size();
+  sheet.keepTogether(16 + static_cast<double>(lines) * sheet.lineHeight(type::body));
+  sheet.heading(QStringLiteral("What these readings would not show"));
+  sheet.paragraph(text);
+}
+
 }  // namespace alidade::ui

@@ -10,4 +10,8 @@ namespace alidade::ui {
 /// is told among the findings.
 void addGap(ReportSheet& sheet, const Gap& gap);
 
+/// What Δd ± U cannot hold: effects that leave no clear trace in these readings, what a plausible size of
+/// each would move Δd by, and what further readings would show them.
+void addUnseen(ReportSheet& sheet, const Gap& gap);
+
 }  // namespace alidade::ui

@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "core/session/session_file.h"
+#include "core/simulation/simulate.h"
 #include "tests/ui/report/printed.h"
 #include "tests/ui/support.h"
 #include "ui/text/cause_text.h"
@@ -64,6 +65,27 @@ TEST(AcceptanceReport, TellsTheGapAndItsCause) {
   EXPECT_TRUE(Printed(session).contains("in the model: gravity sag"));
   const Session clean = *loadSession((folder + QStringLiteral("827247.alidade")).toStdString());
   EXPECT_FALSE(Printed(clean).contains("Gap between")) << "there is none";
+}
+
+// A knock between the zero and the first place goes unseen by any plan, and sighting the zero again shows it;
+// what else goes unseen by one face without slider readings, both faces and slider readings show.
+TEST(AcceptanceReport, TellsWhatTheReadingsWouldNotShow) {
+  const Session onePlan = *simulate(*protocolByName("paper"), drawTruth(1), 1);
+  const Diagnosis diagnosis = *diagnose(*examine(onePlan).measurement);
+  ASSERT_FALSE(diagnosis.unseen.empty());
+  const Printed report(onePlan);
+  EXPECT_TRUE(report.contains("What these readings would not show"));
+  const UnseenEffect& worst = diagnosis.unseen.front();
+  const QString figure = numberText(worst.influence, decimalsFor(worst.influence));
+  const QString text = report.text().simplified();
+  EXPECT_TRUE(text.contains(causeName(worst.effect) + QStringLiteral(" ± ") + figure)) << text.toStdString();
+  EXPECT_TRUE(text.contains(QStringLiteral("Further readings would show some of them: ")))
+      << text.toStdString();
+  EXPECT_TRUE(text.contains(QStringLiteral("arc ellipticity ±")));
+  const QString full = Printed(*simulate(*protocolByName("full"), drawTruth(1), 1)).text().simplified();
+  EXPECT_TRUE(full.contains(QStringLiteral("some of them: the pointing zero sighted again.")))
+      << full.toStdString();
+  EXPECT_FALSE(full.contains(QStringLiteral("arc ellipticity ±")));
 }
 
 TEST(AcceptanceReport, CountsTheGapAmongTheFindings) {
@@ -122,7 +144,7 @@ TEST(AcceptanceReport, CarriesNameFingerprintAndNumberOnEveryPage) {
   Session session = paperSession();
   session.title = "Guideway 7, spring";
   const Printed report(session);
-  ASSERT_EQ(report.pageCount(), 3);
+  ASSERT_EQ(report.pageCount(), 4);
   for (int page = 0; page < report.pageCount(); ++page) {
     const QString& text = report.page(page);
     EXPECT_TRUE(text.contains(QStringLiteral("Alidade"))) << page;
@@ -131,7 +153,7 @@ TEST(AcceptanceReport, CarriesNameFingerprintAndNumberOnEveryPage) {
     EXPECT_TRUE(text.contains(
         QStringLiteral("SHA-256 00112233445566778899aabbccddeeff0123456789abcdeffedcba9876543210")))
         << page;
-    EXPECT_TRUE(text.contains(QStringLiteral("page %1 of 3").arg(page + 1))) << page;
+    EXPECT_TRUE(text.contains(QStringLiteral("page %1 of 4").arg(page + 1))) << page;
     EXPECT_TRUE(text.contains(QStringLiteral("2026-03-14 15:09"))) << page;
   }
 }
