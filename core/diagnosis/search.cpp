@@ -130,7 +130,6 @@ double Search::priorOf(std::size_t component) const {
 /// The most promising components to add: of jumps and of misreadings the best few.
 void Search::offer(const State& state, std::size_t index, std::vector<Growth>& growths) const {
   const auto add = [&](Growth growth) {
-    if (state.found.has(growth.component)) return;
     growth.state = index;
     growth.logOdds = state.found.logOdds + growth.gain.log + priorOf(growth.component);
     growth.key = state.key + keyOf(growth.component);
@@ -142,10 +141,12 @@ void Search::offer(const State& state, std::size_t index, std::vector<Growth>& g
   const bool hasJump = std::ranges::any_of(
       state.found.parts, [&](const Part& part) { return kindOf(part.component) == Component::Kind::Jump; });
   if (!hasJump && m_jumps > 0) std::ranges::for_each(jumpsFor(state), add);
-  if (m_options.misreadings) std::ranges::for_each(misreadingsFor(state), add);
+  if (m_options.misreadings)
+    for (const Growth& growth : misreadingsFor(state))
+      if (!state.found.has(growth.component)) add(growth);
 }
 
-std::vector<Search::Growth> Search::bestOf(const State& state, std::size_t first, const Eigen::ArrayXd& most,
+std::vector<Search::Growth> Search::bestOf(const State& state, std::size_t first, const ArrayXd& most,
                                            std::size_t count) const {
   std::vector<Index> order(static_cast<std::size_t>(most.size()));
   std::iota(order.begin(), order.end(), Index{0});

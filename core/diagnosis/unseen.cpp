@@ -16,9 +16,8 @@ bool Danger::isUnseen() const {
 }
 
 Danger dangerOf(const Component& component, const VectorXd& influence) {
-  const double most = influence.norm();
-  Danger danger{component.id, influence / (most > 0 ? most : 1), most, 0};
-  if (most == 0) return danger;
+  Danger danger{component.id, influence.normalized(), influence.norm(), 0};
+  if (danger.influence == 0) return danger;
   danger.visible = std::sqrt(signatureSquare(component, danger.weights));
   if (component.curvature.cols() == 0) return danger;  // the opposite leaves as much
   const double opposite = std::sqrt(signatureSquare(component, -danger.weights));

@@ -71,9 +71,8 @@ void addUnseen(ReportSheet& sheet, const Gap& gap) {
   if (unseen.empty()) return;
   QStringList effects, measures;
   for (const UnseenEffect& effect : unseen)
-    effects.append(
-        QStringLiteral("%1 ± %2 mm")
-            .arg(causeName(effect.effect), numberText(effect.influence, decimalsFor(effect.influence))));
+    effects.append(QStringLiteral("%1 ± %2").arg(
+        causeName(effect.effect), lengthText(effect.influence, decimalsFor(effect.influence))));
   for (const Advice& advice : gap.diagnosis->advice)
     if (advice.ofUnseen) measures.append(qText(advice.measure));
   const QString moves = QStringLiteral(
