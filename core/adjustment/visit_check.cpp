@@ -202,9 +202,10 @@ VisitAgreement VisitCheck::agreement(const std::vector<Sighting>& rows) const {
 
   VisitAgreement agreement;
   agreement.tests = static_cast<int>(residual.size()) - 1;
-  agreement.misfit =
-      residual.dot(covarianceOf(problem, equations, prediction.cofactor).ldlt().solve(residual)) /
-      m_content->variance;
+  // A square, but for the rounding of a covariance that has next to no rank.
+  agreement.misfit = std::max(
+      0.0, residual.dot(covarianceOf(problem, equations, prediction.cofactor).ldlt().solve(residual)) /
+               m_content->variance);
   const double freedom = m_content->freedom;
   agreement.probability = fUpperTail(agreement.misfit / agreement.tests, agreement.tests, freedom);
   agreement.logLikelihood = -(freedom + agreement.tests) / 2 * std::log1p(agreement.misfit / freedom) +

@@ -19,9 +19,11 @@ MatrixXd innerProducts(const MatrixXd& one, const MatrixXd& other) {
   return one.transpose() * other;
 }
 
-/// Adds factor columnsᵀ columns to the upper half of a matrix.
+/// Adds factor columnsᵀ columns to the upper half of a matrix. Without rows that is nothing, which Eigen 3.4
+/// must not be asked: its blocking of a rank update with 48 columns and more divides by the number of rows.
 template <typename Matrix>
 void addSquare(Matrix&& sum, const MatrixXd& columns, double factor) {
+  if (columns.rows() == 0) return;
   if (columns.cols() <= few)
     sum += factor * columns.transpose().lazyProduct(columns);
   else
