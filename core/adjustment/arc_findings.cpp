@@ -48,7 +48,9 @@ void judgeRedundancyAndNoise(std::vector<Finding>& findings, const ArcFit& fit) 
         "Sight more places.");
     return;
   }
-  const double upper = chiSquareUpperTail(fit.chiSquare, fit.degreesOfFreedom);
+  const std::optional<double> tail = chiSquareUpperTail(fit.chiSquare, fit.degreesOfFreedom);
+  if (!tail) return;
+  const double upper = *tail;
   const std::string numbers = "(reduced χ² " + displayText(fit.reducedChiSquare(), 2) + " with " +
                               std::to_string(fit.degreesOfFreedom) + " degrees of freedom)";
   if (upper < surprise)

@@ -55,7 +55,8 @@ double knownRadiusShare(const JointFit& fit, const SquareMatrix& cofactor,
 /// The variance from readings, and priors of error terms, at their stated σ.
 double scalableVariance(const JointFit& fit, const SquareMatrix& cofactor,
                         const std::vector<double>& weights) {
-  return std::max(0.0, quadraticForm(cofactor, weights) - square(knownRadiusShare(fit, cofactor, weights)));
+  // In this order of its arguments max() lets NaN pass: what is unknown is not nothing.
+  return std::max(quadraticForm(cofactor, weights) - square(knownRadiusShare(fit, cofactor, weights)), 0.0);
 }
 
 std::vector<double> unit(const JointFit& fit, const Unknown& unknown) {
@@ -74,8 +75,8 @@ std::optional<std::size_t> arcAt(const Measurement& measurement, int axisDeg) {
 
 NoiseScale noiseScale(double chiSquare, int degreesOfFreedom) {
   constexpr double known = std::numeric_limits<double>::infinity();
-  if (degreesOfFreedom <= 0) return {1, known};
-  if (1 - chiSquareUpperTail(chiSquare, degreesOfFreedom) < improbablySmall) return {1, known};
+  const std::optional<double> tail = chiSquareUpperTail(chiSquare, degreesOfFreedom);
+  if (!tail || 1 - *tail < improbablySmall) return {1, known};
   return {std::sqrt(chiSquare / degreesOfFreedom), static_cast<double>(degreesOfFreedom)};
 }
 
@@ -88,7 +89,7 @@ std::vector<BudgetEntry> budgetOf(const JointFit& fit, const std::vector<double>
   const double withTermsKnown = std::min(together, scalableVariance(fit, fit.cofactorWithoutTerms, weights));
   std::vector<BudgetEntry> budget{{"readings", scale * std::sqrt(withTermsKnown)}};
   if (std::ranges::any_of(fit.unknowns, isTerm))
-    budget.push_back({"model effects", scale * std::sqrt(together - withTermsKnown)});
+    budget.push_back({"model effects", scale * standardDeviation(together - withTermsKnown)});
   if (!std::isinf(fit.radiusPriorSigma))
     budget.push_back({"known radius", knownRadiusShare(fit, fit.cofactor, weights)});
   budget.push_back({"pointing zeros", consideredShare(fit, weights, false)});
@@ -130,7 +131,7 @@ ArcSigma arcSigma(const JointFit& fit, std::size_t arc, double scale) {
 
 std::optional<Intersection> intersect(const Measurement& measurement, const JointFit& fit) {
   const auto upper = arcAt(measurement, 0), lower = arcAt(measurement, 180);
-  if (!upper || !lower) return std::nullopt;
+  if (!upper || !lower || !fit.isDetermined) return std::nullopt;
   const auto index = [&](Unknown::Kind kind, std::size_t arc) {
     return fit.indexOf({.kind = kind, .arc = arc});
   };
@@ -148,9 +149,10 @@ std::optional<Intersection> intersect(const Measurement& measurement, const Join
   result.budget = budgetOf(fit, weights, noise.factor);
   result.sigma = combined(result.budget);
   const double scaled = noise.factor * std::sqrt(scalableVariance(fit, fit.cofactor, weights));
-  result.effectiveDegreesOfFreedom = noise.degreesOfFreedom * std::pow(result.sigma / scaled, 4);
+  const DegreesOfFreedom effective = effectiveDegreesOfFreedom(result.sigma, scaled, noise.degreesOfFreedom);
+  result.effectiveDegreesOfFreedom = effective.count();
   result.coverage = measurement.coverage;
-  result.coverageFactor = coverageFactor(result.coverage, result.effectiveDegreesOfFreedom);
+  result.coverageFactor = coverageFactor(result.coverage, effective);
   result.expanded = result.coverageFactor * result.sigma;
   return result;
 }

@@ -15,9 +15,9 @@ struct NoiseScale {
   double degreesOfFreedom = 0;  ///< f behind the factor; infinite where the stated noise is taken as known
 };
 
-/// The stated noise is taken as known, factor 1, where there is no redundancy, and where the scatter is so
-/// small (below its 0.1 % point) that it speaks against the readings' independence rather than for their
-/// precision.
+/// The stated noise is taken as known, factor 1, where there is no redundancy or χ² is unknown, and where the
+/// scatter is so small (below its 0.1 % point) that it speaks against the readings' independence rather than
+/// for their precision.
 NoiseScale noiseScale(const JointFit& fit);
 NoiseScale noiseScale(double chiSquare, int degreesOfFreedom);
 
@@ -65,7 +65,7 @@ struct Intersection {
   std::vector<BudgetEntry> budget;
 };
 
-/// Absent unless `measurement`, which was fitted, holds arcs at 0° and at 180°.
+/// Absent unless `measurement`, which was fitted, holds arcs at 0° and at 180°, and the fit is determined.
 std::optional<Intersection> intersect(const Measurement& measurement, const JointFit& fit);
 
 }  // namespace alidade

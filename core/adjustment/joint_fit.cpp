@@ -199,8 +199,11 @@ JointFit fitJointly(const Measurement& measurement, const std::vector<Circle>& s
   fit.perConsidered.assign(perConsidered.data(), perConsidered.data() + perConsidered.size());
   fit.arcAngles = anglesOfSightings(measurement, problem, minimum.state);
   fit.iterations = minimum.iterations;
-  fit.converged = minimum.converged && cofactor.allFinite();
   fit.chiSquare = minimum.system.chiSquare;
+  fit.isDetermined = std::isfinite(fit.chiSquare) && minimum.state.unknowns.allFinite() &&
+                     cofactor.allFinite() && perConsidered.allFinite() &&
+                     (cofactor.diagonal().array() >= 0).all();
+  fit.converged = minimum.converged && fit.isDetermined;
   fit.misfits.resize(measurement.arcs.size());
   fillReadings(fit, measurement, problem, minimum.system.equations, cofactor);
   countDegreesOfFreedom(fit, problem);

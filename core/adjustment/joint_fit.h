@@ -104,6 +104,9 @@ struct JointFit {
   int degreesOfFreedom = 0;
   int iterations = 0;
   bool converged = false;
+  /// All numbers of the fit are finite and no variance is negative: the equations have not lost their rank.
+  /// Where they have, `chiSquare`, `values` and whatever follows from them mean nothing.
+  bool isDetermined = false;
 
   /// σ of R0 behind a radius that is known; infinite where it is free.
   double radiusPriorSigma = std::numeric_limits<double>::infinity();
@@ -116,7 +119,8 @@ struct JointFit {
 };
 
 /// Starts from `starts`, one circle for each arc of the measurement. Outcomes, not errors: a fit that did not
-/// converge, or whose covariance is not finite, says so in `converged`.
+/// settle says so in `converged`, one whose equations have lost their rank in `isDetermined`, and then in
+/// both.
 JointFit fitJointly(const Measurement& measurement, const std::vector<Circle>& starts,
                     const JointFitOptions& options = {});
 

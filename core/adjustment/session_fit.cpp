@@ -79,11 +79,13 @@ std::vector<EffectEstimate> estimatesOf(const JointFit& joint, const std::vector
   return estimates;
 }
 
-void adjust(SessionFit& fit, const Measurement& fitted) {
+/// False where the arcs, each determined alone, are not so together.
+bool adjust(SessionFit& fit, const Measurement& fitted) {
   std::vector<Circle> starts;
   for (const ArcFit& arc : fit.arcs) starts.push_back(arc.circle);
   const std::vector<const Effect*> effects = knownEffects(fitted.effects);
   fit.joint = fitJointly(fitted, starts, {.terms = termsOf(effects)});
+  if (!fit.joint.isDetermined) return false;
   takeOver(fit.arcs, fit.joint);
   fit.noise = noiseScale(fit.joint);
   for (std::size_t i = 0; i < fit.arcs.size(); ++i) {
@@ -92,6 +94,17 @@ void adjust(SessionFit& fit, const Measurement& fitted) {
   }
   fit.intersection = intersect(fitted, fit.joint);
   fit.effects = estimatesOf(fit.joint, effects, fit.noise.factor);
+  return true;
+}
+
+Finding undetermined(const Measurement& fitted) {
+  const bool hasEffects = !knownEffects(fitted.effects).empty();
+  return {Severity::Error,
+          std::string("The readings of all positions do not determine the circles") +
+              (hasEffects ? " and the effects of the model together" : " together") + ".",
+          std::string("Look for misread values, sight more places over a longer arc") +
+              (hasEffects ? ", or take effects out of the model." : "."),
+          {}};
 }
 
 void judge(SessionFit& fit, const Measurement& measurement) {
@@ -125,9 +138,14 @@ SessionFit fitSession(const Measurement& measurement) {
     else
       fit.findings.push_back(failure(arc, fitted.problem()));
   }
-  const Measurement fitted = fittedPart(measurement, fit);
+  Measurement fitted = fittedPart(measurement, fit);
   fit.lengthsInDoubt = doubtfulLengths(measurement, fit.arcs);  // while every radius is free
-  if (!fit.arcs.empty()) adjust(fit, fitted);
+  if (!fit.arcs.empty() && !adjust(fit, fitted)) {
+    fit.findings.push_back(undetermined(fitted));
+    fit.arcs.clear();
+    fit.joint = {};
+    fitted.arcs.clear();
+  }
   judge(fit, measurement);
   for (std::size_t i = 0; i < fit.arcs.size(); ++i)
     std::ranges::move(arcFindings(measurement, fitted.arcs[i], fit.arcs[i]),

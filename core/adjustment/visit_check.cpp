@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "core/adjustment/joint_problem.h"
@@ -202,14 +203,15 @@ VisitAgreement VisitCheck::agreement(const std::vector<Sighting>& rows) const {
 
   VisitAgreement agreement;
   agreement.tests = static_cast<int>(residual.size()) - 1;
-  // A square, but for the rounding of a covariance that has next to no rank.
-  agreement.misfit = std::max(
-      0.0, residual.dot(covarianceOf(problem, equations, prediction.cofactor).ldlt().solve(residual)) /
-               m_content->variance);
   const double freedom = m_content->freedom;
-  agreement.probability = fUpperTail(agreement.misfit / agreement.tests, agreement.tests, freedom);
-  agreement.logLikelihood = -(freedom + agreement.tests) / 2 * std::log1p(agreement.misfit / freedom) +
-                            m_content->spacing.logLikelihood(rows.front().point, state.arcAngles[0]);
+  const Eigen::LDLT<MatrixXd> factor(covarianceOf(problem, equations, prediction.cofactor));
+  const Misfit misfit = factor.isPositive() ? residual.dot(factor.solve(residual)) / m_content->variance
+                                            : std::numeric_limits<double>::quiet_NaN();
+  if (const auto tail = fUpperTail(misfit, agreement.tests, freedom)) {
+    agreement.probability = *tail;
+    agreement.logLikelihood = -(freedom + agreement.tests) / 2 * std::log1p(misfit.squared() / freedom) +
+                              m_content->spacing.logLikelihood(rows.front().point, state.arcAngles[0]);
+  }
   for (Index row = 0; row < residual.size(); ++row) {
     const std::size_t pair = static_cast<std::size_t>(row) / 2;
     const Angle sigma = pair >= rows.size() ? probe.sigmaSlider

@@ -11,9 +11,9 @@ namespace alidade {
 
 /// How well rows of one visit go with each other and with all other readings.
 struct VisitAgreement {
-  double misfit = 0;  ///< the visit's share of χ², in units of the noise, with the uncertainty of the fit
-  int tests = 0;      ///< how many conditions that is: readings − 1
-  double probability = 0;    ///< that sound readings misfit by as much or more
+  int tests = 0;  ///< how many conditions the visit has to meet: readings − 1
+  /// That sound readings misfit by as much or more; 0 where the fit predicts too poorly to tell.
+  double probability = 0;
   double logLikelihood = 0;  ///< of the misfit, by Student's distribution, and of the place, up to a constant
   std::vector<double> residuals;  ///< rad, as reduced: horizontal and vertical of each row, then the slider
 };

@@ -9,27 +9,60 @@
 
 namespace alidade {
 
-double chiSquareUpperTail(double chiSquare, double degreesOfFreedom) {
-  assert(degreesOfFreedom > 0 && chiSquare >= 0);
+namespace {
+
+namespace policies = boost::math::policies;
+
+/// Beyond the range of doubles a quantile is infinite and a tail 0 or 1; nothing is thrown.
+using Quiet = policies::policy<
+    policies::domain_error<policies::ignore_error>, policies::pole_error<policies::ignore_error>,
+    policies::overflow_error<policies::ignore_error>, policies::underflow_error<policies::ignore_error>,
+    policies::evaluation_error<policies::ignore_error>>;
+
+std::optional<double> known(double probability) {
+  return std::isnan(probability) ? std::nullopt : std::optional(probability);
+}
+
+}  // namespace
+
+std::optional<double> chiSquareUpperTail(Misfit chiSquare, DegreesOfFreedom degreesOfFreedom) {
+  if (!chiSquare.isKnown() || !degreesOfFreedom.areThere()) return std::nullopt;
+  const double f = degreesOfFreedom.count(), ratio = chiSquare.squared() / f;
+  if (std::isinf(chiSquare.squared())) return 0;
   // Chernoff's bound, P(χ² ≤ x) ≤ (r e^(1−r))^(f/2) with r = x/f < 1: where it is lost beside 1 the tail is
   // 1, and the series of the gamma function, which overflows there, is not asked.
-  const double ratio = chiSquare / degreesOfFreedom;
   constexpr double lostBesideOne = -40;  // e^−40 is below half of the spacing of doubles at 1
-  if (ratio < 1 && degreesOfFreedom / 2 * (1 - ratio + std::log(ratio)) < lostBesideOne) return 1;
-  return boost::math::cdf(complement(boost::math::chi_squared(degreesOfFreedom), chiSquare));
+  if (ratio < 1 && f / 2 * (1 - ratio + std::log(ratio)) < lostBesideOne) return 1;
+  return known(boost::math::cdf(
+      complement(boost::math::chi_squared_distribution<double, Quiet>(f), chiSquare.squared())));
 }
 
-double fUpperTail(double ratio, double numerator, double denominator) {
-  assert(ratio >= 0 && numerator > 0 && denominator > 0);
-  if (std::isinf(denominator)) return chiSquareUpperTail(ratio * numerator, numerator);
-  return boost::math::cdf(complement(boost::math::fisher_f(numerator, denominator), ratio));
+std::optional<double> fUpperTail(Misfit misfit, DegreesOfFreedom numerator, DegreesOfFreedom denominator) {
+  if (!misfit.isKnown() || !numerator.areThere() || !denominator.areThere()) return std::nullopt;
+  if (denominator.areInfinite()) return chiSquareUpperTail(misfit, numerator);
+  if (std::isinf(misfit.squared())) return 0;
+  return known(boost::math::cdf(
+      complement(boost::math::fisher_f_distribution<double, Quiet>(numerator.count(), denominator.count()),
+                 misfit.squared() / numerator.count())));
 }
 
-double coverageFactor(double coverage, double degreesOfFreedom) {
-  assert(coverage > 0 && coverage < 1 && degreesOfFreedom > 0);
+double coverageFactor(double coverage, DegreesOfFreedom degreesOfFreedom) {
+  assert(coverage > 0 && coverage < 1);
+  if (!degreesOfFreedom.areThere()) return std::numeric_limits<double>::infinity();
   const double outside = (1 - coverage) / 2;
-  if (std::isinf(degreesOfFreedom)) return boost::math::quantile(complement(boost::math::normal(), outside));
-  return boost::math::quantile(complement(boost::math::students_t(degreesOfFreedom), outside));
+  if (degreesOfFreedom.areInfinite())
+    return boost::math::quantile(complement(boost::math::normal_distribution<double, Quiet>(), outside));
+  return boost::math::quantile(
+      complement(boost::math::students_t_distribution<double, Quiet>(degreesOfFreedom.count()), outside));
+}
+
+DegreesOfFreedom effectiveDegreesOfFreedom(double sigma, double scaled, DegreesOfFreedom ofScaled) {
+  if (ofScaled.areInfinite() || !(scaled > 0)) return DegreesOfFreedom::infinite();
+  return ofScaled.count() * std::pow(sigma / scaled, 4);
+}
+
+double standardDeviation(double variance) {
+  return std::sqrt(variance < 0 ? 0 : variance);
 }
 
 }  // namespace alidade

@@ -5,6 +5,7 @@
 
 #include "core/base/normal_mixture.h"
 #include "core/base/random_source.h"
+#include "core/diagnosis/gain.h"
 #include "core/diagnosis/gap_size.h"
 #include "core/diagnosis/linear_move.h"
 
@@ -53,11 +54,12 @@ class Average {
     });
     if (own == m_inquiry.explanations.end()) return;
     for (const Explanation& explanation : m_inquiry.explanations) {
-      const double odds = explanation.chance / own->chance;
+      const double odds = oddsOf(explanation.logOdds - own->logOdds);
       if (explanation.chance < leastChance || &explanation == &*own || !isSpokenFor(explanation) ||
           isInTheNoise(explanation, m_answer.explanation))
         continue;
-      m_alternatives.push_back({odds, explanation, differenceOf(explanation)});
+      if (const std::optional<Difference> difference = differenceOf(explanation))
+        m_alternatives.push_back({odds, explanation, *difference});
     }
   }
 
@@ -71,14 +73,15 @@ class Average {
         if (rival.odds < leastOdds) continue;
         Explanation inPlace = m_answer.explanation;
         inPlace.parts[p] = rival.part;
-        const Difference difference = differenceOf(inPlace);
+        const std::optional<Difference> difference = differenceOf(inPlace);
+        if (!difference) continue;
         for (std::size_t i = 0; i < count; ++i) {
           Alternative next = combined[i];
           if (next.explanation.has(rival.part.component)) continue;
           next.odds *= rival.odds;
           next.explanation.parts[p] = rival.part;
-          next.difference.value += difference.value;
-          next.difference.variance += difference.variance;
+          next.difference.value += difference->value;
+          next.difference.variance += difference->variance;
           combined.push_back(std::move(next));
         }
       }
@@ -121,15 +124,15 @@ class Average {
   std::optional<Move> m_ofAnswer;
   std::vector<Alternative> m_alternatives;  ///< the answer first
 
-  Difference differenceOf(const Explanation& explanation) {
+  std::optional<Difference> differenceOf(const Explanation& explanation) {
     if (m_ofAnswer)
       if (const std::optional<Move> move = m_moves.of(explanation))
-        return {move->shift - m_ofAnswer->shift, move->variance - m_ofAnswer->variance};
+        return Difference{move->shift - m_ofAnswer->shift, move->variance - m_ofAnswer->variance};
     return byFit(explanation);
   }
 
-  /// Of what bends: a pattern does not shift Δd.
-  Difference byFit(Explanation explanation) const {
+  /// Of what bends: a pattern does not shift Δd. Absent where the readings do not determine it.
+  std::optional<Difference> byFit(Explanation explanation) const {
     double ofPattern = 0;
     if (explanation.shaped) {
       ofPattern = movedBy(m_inquiry.base, m_inquiry, explanation.parts.back());
@@ -137,8 +140,9 @@ class Average {
     }
     const std::optional<IntersectionEstimate> other =
         estimateOf(modelWith(m_inquiry.base, explanation, m_inquiry.candidates, m_inquiry.leftover));
-    return {other->value - m_own.value,
-            other->sigma * other->sigma - m_own.sigma * m_own.sigma + ofPattern * ofPattern};
+    if (!other) return std::nullopt;
+    return Difference{other->value - m_own.value,
+                      other->sigma * other->sigma - m_own.sigma * m_own.sigma + ofPattern * ofPattern};
   }
 };
 

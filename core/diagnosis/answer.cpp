@@ -28,18 +28,29 @@ Chances chancesOf(const Inquiry& inquiry) {
   return chances;
 }
 
-/// The best explanation of known causes; a smaller one of the same causes where it is nearly as good.
-const Explanation& bestKnown(const Inquiry& inquiry) {
+/// The likeliest of a kind; null where there is none.
+template <typename Kind>
+const Explanation* likeliest(const Inquiry& inquiry, const Kind& isMeant) {
+  const auto found = std::ranges::find_if(inquiry.explanations, isMeant);
+  return found == inquiry.explanations.end() ? nullptr : &*found;
+}
+
+bool isKnown(const Explanation& explanation) {
+  return !explanation.shaped && (explanation.noisy || !explanation.parts.empty());
+}
+
+/// The best explanation of known causes; a smaller one of the same causes where it is nearly as good. Null
+/// where there is none.
+const Explanation* bestKnown(const Inquiry& inquiry) {
   constexpr double nearlyAsGood = 2;  // natural logarithm: odds of 7
-  const auto isKnown = [](const Explanation& e) { return !e.shaped && (e.noisy || !e.parts.empty()); };
-  const Explanation& best = *std::ranges::find_if(inquiry.explanations, isKnown);
-  const Explanation* simplest = &best;
+  const Explanation* const best = likeliest(inquiry, isKnown);
+  const Explanation* simplest = best;
   const auto count = [](const Explanation& e) { return e.parts.size() + (e.noisy ? 1 : 0); };
   for (const Explanation& other : inquiry.explanations)
-    if (isKnown(other) && other.logOdds > best.logOdds - nearlyAsGood && count(other) < count(*simplest) &&
-        isPartOf(other, best))
+    if (best && isKnown(other) && other.logOdds > best->logOdds - nearlyAsGood &&
+        count(other) < count(*simplest) && isPartOf(other, *best))
       simplest = &other;
-  return *simplest;
+  return simplest;
 }
 
 GapModel modelWith(const Inquiry& inquiry, const Explanation& explanation) {
@@ -56,9 +67,8 @@ Answer knownAs(const Inquiry& inquiry, const Explanation& explanation) {
 }
 
 /// The likeliest pattern, and beside it what is as good as certain.
-Answer unknownIn(const Inquiry& inquiry) {
+Answer unknownAs(const Inquiry& inquiry, const Explanation& shaped) {
   constexpr double certain = 0.95;
-  const Explanation& shaped = *std::ranges::find_if(inquiry.explanations, &Explanation::shaped);
   const std::vector<std::vector<Rival>> rivals = rivalsOf(inquiry, shaped);
   Answer answer{Answer::Kind::Unknown, {}, {}, shaped.parts.back(), {}};
   for (std::size_t p = 0; p + 1 < shaped.parts.size(); ++p) {
@@ -78,23 +88,36 @@ bool isLikelier(const Inquiry& inquiry, const Answer& answer, double chance) {
   return false;
 }
 
+/// A gap that is real and that nothing explains.
+Answer unexplained(const Inquiry& inquiry) {
+  return {Answer::Kind::Unknown, {}, {}, {}, inquiry.base};
+}
+
+Answer likeliestAnswer(const Inquiry& inquiry) {
+  constexpr double hardlyNoise = 1e-3;  // what known causes leave may not be less likely by noise alone
+  const auto [nothing, known, unknown] = chancesOf(inquiry);
+  const Explanation* const best = bestKnown(inquiry);
+  const Explanation* const shaped = likeliest(inquiry, &Explanation::shaped);
+  if (shaped && unknown > known && unknown > nothing) return unknownAs(inquiry, *shaped);
+  if (!best || nothing >= known) return nothingIn(inquiry);
+  Answer answer = knownAs(inquiry, *best);
+  // Many causes may each be a little likely, and none of them more than that.
+  if (!isLikelier(inquiry, answer, std::max(nothing, unknown)))
+    return !shaped || nothing >= unknown ? nothingIn(inquiry) : unknownAs(inquiry, *shaped);
+  const bool isNoise = !(sizeOf(answer.after).pValue < hardlyNoise);  // or nothing tells
+  if (answer.explanation.noisy || isNoise) return answer;
+  const Explanation* const more =
+      likeliest(inquiry, [](const Explanation& other) { return other.shaped || other.noisy; });
+  if (!more) return answer;
+  return more->shaped ? unknownAs(inquiry, *more) : knownAs(inquiry, *more);
+}
+
 }  // namespace
 
 Answer conclude(const Inquiry& inquiry) {
-  constexpr double hardlyNoise = 1e-3;  // what known causes leave may not be less likely by noise alone
-  const auto [nothing, known, unknown] = chancesOf(inquiry);
-  if (unknown > known && unknown > nothing) return unknownIn(inquiry);
-  if (nothing >= known) return nothingIn(inquiry);
-  Answer answer = knownAs(inquiry, bestKnown(inquiry));
-  // Many causes may each be a little likely, and none of them more than that.
-  if (!isLikelier(inquiry, answer, std::max(nothing, unknown)))
-    return nothing >= unknown ? nothingIn(inquiry) : unknownIn(inquiry);
-  const bool isNoise = !(sizeOf(answer.after).pValue < hardlyNoise);  // or nothing tells
-  if (answer.explanation.noisy || isNoise) return answer;
-  const auto more = std::ranges::find_if(
-      inquiry.explanations, [](const Explanation& other) { return other.shaped || other.noisy; });
-  if (more == inquiry.explanations.end()) return answer;
-  return more->shaped ? unknownIn(inquiry) : knownAs(inquiry, *more);
+  Answer answer = likeliestAnswer(inquiry);
+  // In the linear model there was an answer; with it in the model itself the readings may fix nothing.
+  return answer.after.fit.isDetermined ? answer : unexplained(inquiry);
 }
 
 std::vector<GapStep> stepsOf(const Inquiry& inquiry, const Answer& answer) {
@@ -104,6 +127,7 @@ std::vector<GapStep> stepsOf(const Inquiry& inquiry, const Answer& answer) {
   const auto note = [&](std::string_view id) {
     const bool isLast = soFar.parts.size() == whole.parts.size() && soFar.noisy == whole.noisy;
     const GapModel& model = isLast ? answer.after : modelWith(inquiry, soFar);
+    if (!model.fit.isDetermined) return;
     steps.push_back({std::string(id), sizeOf(model), estimateOf(model)});
   };
   for (const Part& part : whole.parts)

@@ -17,6 +17,11 @@ double logSum(double a, double b) {
   return std::isinf(b) ? a : a + std::log1p(std::exp(b - a));
 }
 
+double oddsOf(double difference) {
+  constexpr double most = 1e6;
+  return std::isnan(difference) ? 0 : std::min(std::exp(difference), most);
+}
+
 namespace {
 
 /// One number for each of the widths, which the compiler works on side by side.
@@ -196,7 +201,7 @@ class BentGrid {
 
   /// ln of the integral with weights normal of this width; `highest` and `at`: of the integrand. A peak too
   /// narrow for the grid is taken as normal (Laplace).
-  double integral(double width, double& highest, Vector2d& at) const {
+  Gain integral(double width, double& highest, Vector2d& at) const {
     const double norm = -std::log(2 * M_PI * width * width);
     const Places& all = allPlaces();
     const Places prior = all.square() / (-2 * width * width), factor = prior.exp();
@@ -213,11 +218,11 @@ class BentGrid {
     const Eigen::Matrix2d curvature = curvatureAt(at, width);
     if (curvature.determinant() > 0 && curvature.trace() > 1 / (step * step)) {
       highest = valueAt(at, width) + norm;
-      return highest + std::log(2 * M_PI) - 0.5 * std::log(curvature.determinant());
+      return {highest + std::log(2 * M_PI) - 0.5 * std::log(curvature.determinant()), width};
     }
     highest = most + norm;
     const double sum = factor.matrix().dot((m_evidence.matrix() * factor.matrix()).eval());
-    return norm + m_highest + std::log(sum) + 2 * std::log(step);
+    return {norm + m_highest + std::log(sum) + 2 * std::log(step), width};
   }
 
   /// The highest place for weights of this width, from a place of the grid on.
@@ -325,8 +330,8 @@ BentFit fitBent(const std::vector<Width>& widths, const Eigen::Matrix<double, 5,
   for (const Width& width : bent) {
     double highest = impossible;
     Vector2d at;
-    fit.gain.log = logSum(fit.gain.log, grid.integral(width.sigma, highest, at) + width.logChance);
-    if (highest <= best) continue;
+    fit.gain.log = logSum(fit.gain.log, grid.integral(width.sigma, highest, at).log + width.logChance);
+    if (!(highest > best)) continue;
     best = highest;
     fit.gain.width = width.sigma;
     fit.weights = at;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -19,8 +20,16 @@ inline constexpr double impossible = -std::numeric_limits<double>::infinity();
 /// ln(exp a + exp b).
 double logSum(double a, double b);
 
-/// `width`: the most likely one, in plausible sizes.
+/// Odds for a difference of two log odds, each of which may be impossible; 10⁶ at most, where what they are
+/// counted against weighs nothing any more.
+double oddsOf(double difference);
+
+/// `width`: the most likely one, in plausible sizes. What is no finite number, as of columns that rounding
+/// has left nothing of, is impossible.
 struct Gain {
+  Gain() = default;
+  Gain(double logGain, double ofWidth) : log(std::isfinite(logGain) ? logGain : impossible), width(ofWidth) {}
+
   double log = impossible;
   double width = 1;
 };

@@ -20,7 +20,8 @@ GapSize sizeOf(const GapModel& model) {
   }
   const double f = model.fit.degreesOfFreedom, chiSquare = model.fit.chiSquare / (model.noise * model.noise);
   const double rms = count > 0 ? std::sqrt(squares / count) : 0;
-  return f > 0 ? GapSize{rms, chiSquare / f, chiSquareUpperTail(chiSquare, f)} : GapSize{.rms = rms};
+  const std::optional<double> tail = chiSquareUpperTail(chiSquare, f);
+  return tail ? GapSize{rms, chiSquare / f, *tail} : GapSize{.rms = rms};
 }
 
 double excessOf(const GapModel& model) {

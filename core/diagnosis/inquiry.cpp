@@ -151,13 +151,14 @@ Inquiry inquire(const GapModel& model, const DiagnosisOptions& options, const st
   for (int round = 0; round < mostRounds; ++round) {
     const std::vector<FarOff> found = farOff(inquiry);
     if (found.empty() || stop.stop_requested()) break;
-    std::vector<FarOff> all = std::move(inquiry.farOff);
+    std::vector<FarOff> all = inquiry.farOff;
     GapModel next = inquiry.base;
     for (const FarOff& far : found) {
       all.push_back(far);
       next.options.without.push_back(readingRef(inquiry.leftover, far.reading));
     }
     next.fit = fitJointly(next.measurement, next.starts, next.options);
+    if (!next.fit.isDetermined) break;
     if (!first) first = std::make_shared<const Inquiry>(std::move(inquiry));
     inquiry = inquireOnce(std::move(next), options, stop);
     inquiry.farOff = std::move(all);

@@ -75,7 +75,7 @@ std::optional<Move> LinearMoves::of(const Explanation& explanation) {
     chiSquare -= right.dot(weights);
   }
   if (explanation.shaped) chiSquare = explanation.chiSquare;
-  move.variance *= std::pow(noiseScale(std::max(chiSquare, 0.0), degreesOfFreedom).factor, 2);
+  move.variance *= std::pow(noiseScale(chiSquare, degreesOfFreedom).factor, 2);
   move.variance += ofPattern * ofPattern;
   if (!std::isfinite(move.shift) || !std::isfinite(move.variance)) return std::nullopt;
   return move;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/diagnosis/gain.h"
 #include "core/diagnosis/look_alikes.h"
 #include "core/diagnosis/search.h"
 
@@ -21,7 +22,7 @@ class Comparison {
     std::optional<Explanation>& own = m_own[part];
     if (!own) own = made(part, m_explanation.parts[part].component);
     const Explanation found = made(part, component);
-    return {std::exp(found.logOdds - own->logOdds), found.parts.back()};
+    return {oddsOf(found.logOdds - own->logOdds), found.parts.back()};
   }
 
  private:

@@ -104,7 +104,9 @@ std::vector<Search::State> Search::next(const std::vector<State>& level) {
     if ((isShape ? shaped : states.size() - shaped) == m_options.beam) continue;
     const auto upToHere = std::span(growths).first(i);
     if (std::ranges::find(upToHere, growths[i].key, &Growth::key) != upToHere.end()) continue;
-    states.push_back(with(level[growths[i].state], growths[i]));
+    State state = with(level[growths[i].state], growths[i]);
+    if (state.found.logOdds == impossible) continue;
+    states.push_back(std::move(state));
     shaped += isShape ? 1 : 0;
   }
   return states;
@@ -127,9 +129,20 @@ double Search::priorOf(std::size_t component) const {
   return std::log(m_options.odds.misreading / static_cast<double>(std::max<Index>(m_leftover.readings(), 1)));
 }
 
+Search::State Search::makeImpossible(State state) const {
+  Part& last = state.found.parts.back();
+  last.weights.setZero();
+  state.found.logOdds = state.found.logEvidence = last.logGain = impossible;
+  state.found.chiSquare = m_leftover.chiSquare();
+  state.shared.resize(m_table.size(), 0);
+  state.right = VectorXd::Zero(m_table.size());
+  return state;
+}
+
 /// The most promising components to add: of jumps and of misreadings the best few.
 void Search::offer(const State& state, std::size_t index, std::vector<Growth>& growths) const {
   const auto add = [&](Growth growth) {
+    if (growth.gain.log == impossible) return;
     growth.state = index;
     growth.logOdds = state.found.logOdds + growth.gain.log + priorOf(growth.component);
     growth.key = state.key + keyOf(growth.component);
@@ -150,11 +163,12 @@ std::vector<Search::Growth> Search::bestOf(const State& state, std::size_t first
                                            std::size_t count) const {
   std::vector<Index> order(static_cast<std::size_t>(most.size()));
   std::iota(order.begin(), order.end(), Index{0});
+  std::erase_if(order, [&](Index i) { return !std::isfinite(most[i]); });
   const auto promising = order.begin() + static_cast<std::ptrdiff_t>(std::min(count, order.size()));
   std::ranges::partial_sort(order, promising, std::greater{}, [&](Index i) { return most[i]; });
   std::vector<Growth> best;
   for (const Index i : order) {
-    if (std::isinf(most[i]) || (best.size() == count && most[i] <= best.back().gain.log)) continue;
+    if (best.size() == count && most[i] <= best.back().gain.log) continue;
     const std::size_t component = first + static_cast<std::size_t>(i);
     best.push_back({.component = component, .gain = gainFor(state, component)});
     if (best.size() >= count) keepBest(best, count);
@@ -260,6 +274,9 @@ Search::State Search::with(const State& state, const Growth& growth, bool inAnyC
   if (!linear.isPlain) next.found.chiSquare += linear.fixed.dot(gram * linear.fixed - 2 * right);
   if (along.size() > 0)
     next.found.parts.back().weights = m_table.weights(component, factor.matrixU().solve(along));
+  if (!std::isfinite(next.found.chiSquare) || !next.found.parts.back().weights.allFinite())
+    return makeImpossible(std::move(next));  // rounding has left nothing of the columns
+  next.found.chiSquare = std::max(next.found.chiSquare, 0.0);
   if (!inAnyCase && !mayGrow(next)) return next;
 
   const MatrixXd products = productsOf(component) - state.shared * before.transpose();

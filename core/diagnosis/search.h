@@ -69,6 +69,8 @@ class Search {
   State nothing() const;
   /// `inAnyCase`: ready for more even where the search would add none.
   State with(const State& state, const Growth& growth, bool inAnyCase = false);
+  /// Its last component can be neither weighed nor taken off.
+  State makeImpossible(State state) const;
   Linear linearFor(const State& state, std::size_t component) const;
   const Eigen::MatrixXd& productsOf(std::size_t component);
   bool isStopped() const { return m_options.stop.stop_requested(); }

@@ -166,7 +166,7 @@ TEST(JointFit, FindsTheStepOfAKnockedTripod) {
                {.terms = {{ErrorTerm::HorizontalJump, infinite}, {ErrorTerm::VerticalJump, infinite}},
                 .jumpBefore = moment});
     ASSERT_TRUE(fit.converged);
-    EXPECT_GT(chiSquareUpperTail(fit.chiSquare, fit.degreesOfFreedom), 0.001) << trial.id;
+    EXPECT_GT(chiSquareUpperTail(fit.chiSquare, fit.degreesOfFreedom).value(), 0.001) << trial.id;
     for (const auto& [term, size] : {std::pair{ErrorTerm::HorizontalJump, 1}, {ErrorTerm::VerticalJump, 2}}) {
       const std::size_t i = fit.indexOf({.kind = Unknown::Kind::Error, .arc = 0, .term = term});
       const double arcsec = Angle::fromRadians(fit.values[i]).arcseconds();

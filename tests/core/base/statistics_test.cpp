@@ -22,7 +22,7 @@ TEST(Statistics, CoverageFactorMeetsTheTableOfTheGum) {
 // With two degrees of freedom the tail is exp(−χ²/2).
 TEST(Statistics, ChiSquareTailMeetsItsClosedForm) {
   for (const double chiSquare : {0.0, 0.5, 3.0, 40.0, 900.0})
-    EXPECT_NEAR(chiSquareUpperTail(chiSquare, 2) / std::exp(-chiSquare / 2), 1, 1e-12) << chiSquare;
+    EXPECT_NEAR(chiSquareUpperTail(chiSquare, 2).value() / std::exp(-chiSquare / 2), 1, 1e-12) << chiSquare;
 }
 
 // With an even f the tail is a sum of Poisson's terms, exp(−x/2) Σ (x/2)^k/k! for k < f/2; for many degrees
@@ -31,16 +31,16 @@ TEST(Statistics, ChiSquareTailMeetsItsClosedForm) {
 TEST(Statistics, ChiSquareTailStandsForManyDegreesOfFreedom) {
   for (const double f : {2000.0, 3600.0, 1e5, 1e7})
     for (const double chiSquare : {0.0, 1e-300, 1e-20, 1.0, f / 10, f / 2})
-      EXPECT_EQ(chiSquareUpperTail(chiSquare, f), 1) << chiSquare << " with " << f;
+      EXPECT_EQ(chiSquareUpperTail(chiSquare, f).value(), 1) << chiSquare << " with " << f;
   for (const double z : {-3.0, -1.0, 0.0, 2.0, 4.0}) {
     const double f = 1e5, ofCubeRoot = 2 / (9 * f);
     const double chiSquare = f * std::pow(1 - ofCubeRoot + z * std::sqrt(ofCubeRoot), 3);
-    EXPECT_NEAR(chiSquareUpperTail(chiSquare, f), std::erfc(z / std::sqrt(2.0)) / 2, 1e-4) << z;
+    EXPECT_NEAR(chiSquareUpperTail(chiSquare, f).value(), std::erfc(z / std::sqrt(2.0)) / 2, 1e-4) << z;
   }
   for (const double chiSquare : {1.0, 5.0, 12.0, 18.0, 22.0, 40.0}) {  // on both sides of the short cut
     double term = std::exp(-chiSquare / 2), sum = 0;
     for (int k = 0; k < 20; ++k, term *= chiSquare / 2 / k) sum += term;
-    EXPECT_NEAR(chiSquareUpperTail(chiSquare, 40), sum, 1e-14) << chiSquare;
+    EXPECT_NEAR(chiSquareUpperTail(chiSquare, 40).value(), sum, 1e-14) << chiSquare;
   }
 }
 
@@ -49,9 +49,56 @@ TEST(Statistics, ChiSquareTailStandsForManyDegreesOfFreedom) {
 TEST(Statistics, GivesTheUpperTailOfF) {
   for (const double ratio : {0.0, 0.3, 1.0, 4.0, 20.0}) {
     for (const double n : {1.0, 5.0, 28.0})
-      EXPECT_NEAR(fUpperTail(ratio, 2, n) / std::pow(1 + 2 * ratio / n, -n / 2), 1, 1e-12);
-    EXPECT_NEAR(fUpperTail(ratio, 2, std::numeric_limits<double>::infinity()) / std::exp(-ratio), 1, 1e-12);
+      EXPECT_NEAR(fUpperTail(2 * ratio, 2, n).value() / std::pow(1 + 2 * ratio / n, -n / 2), 1, 1e-12);
+    EXPECT_NEAR(fUpperTail(2 * ratio, 2, infinite).value() / std::exp(-ratio), 1, 1e-12);
   }
+}
+
+TEST(Statistics, TakesRoundingBelowZeroForZeroAndWhatIsNoSquareForUnknown) {
+  EXPECT_EQ(Misfit(-1e-9).squared(), 0);
+  EXPECT_EQ(Misfit(7).squared(), 7);
+  EXPECT_TRUE(Misfit(infinite).isKnown());
+  EXPECT_FALSE(Misfit(-0.01).isKnown());
+  EXPECT_FALSE(Misfit(std::nan("")).isKnown());
+  EXPECT_EQ(standardDeviation(-1e-9), 0);
+  EXPECT_EQ(standardDeviation(9), 3);
+  EXPECT_TRUE(std::isnan(standardDeviation(std::nan(""))));
+}
+
+TEST(Statistics, HasDegreesOfFreedomOrNone) {
+  for (const double none : {0.0, -3.0, std::nan("")}) EXPECT_FALSE(DegreesOfFreedom(none).areThere());
+  EXPECT_EQ(DegreesOfFreedom(14).count(), 14);
+  EXPECT_TRUE(DegreesOfFreedom::infinite().areInfinite());
+}
+
+TEST(Statistics, HasNoTailOfTheUnknown) {
+  EXPECT_FALSE(chiSquareUpperTail(std::nan(""), 3));
+  EXPECT_FALSE(chiSquareUpperTail(-1, 3));
+  EXPECT_FALSE(chiSquareUpperTail(5, 0));
+  EXPECT_FALSE(chiSquareUpperTail(5, std::nan("")));
+  EXPECT_FALSE(fUpperTail(std::nan(""), 1, 4));
+  EXPECT_FALSE(fUpperTail(2, 0, 4));
+  EXPECT_FALSE(fUpperTail(2, 1, 0));
+  EXPECT_EQ(chiSquareUpperTail(infinite, 3), 0);
+  EXPECT_EQ(fUpperTail(infinite, 1, 4), 0);
+  EXPECT_EQ(chiSquareUpperTail(1e300, 3), 0);
+}
+
+// No interval is wide enough without degrees of freedom, nor beyond what doubles hold; nothing is thrown.
+TEST(Statistics, HasAnInfiniteFactorWhereNoIntervalIsWideEnough) {
+  EXPECT_EQ(coverageFactor(0.95, 0), infinite);
+  EXPECT_EQ(coverageFactor(0.95, std::nan("")), infinite);
+  EXPECT_GT(coverageFactor(1 - 1e-16, 1), 1e15);
+  EXPECT_GT(coverageFactor(0.9999999, 0.05), 1e15);
+}
+
+// JCGM 100, G.4.1: of two parts of equal variance, one of them known, the other with ν, σ has 4ν; a part
+// alone has its own.
+TEST(Statistics, GivesTheEffectiveDegreesOfFreedom) {
+  EXPECT_NEAR(effectiveDegreesOfFreedom(std::sqrt(2.0), 1, 5).count(), 20, 1e-12);
+  EXPECT_NEAR(effectiveDegreesOfFreedom(3, 3, 7).count(), 7, 1e-12);
+  EXPECT_TRUE(effectiveDegreesOfFreedom(1, 0, 5).areInfinite());
+  EXPECT_TRUE(effectiveDegreesOfFreedom(1, 0.5, infinite).areInfinite());
 }
 
 }  // namespace

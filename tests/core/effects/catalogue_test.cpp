@@ -163,7 +163,7 @@ TEST(Effects, ExplainTheRayTracersSessions) {
     measurement.effects = {trial.kind};
     const SessionFit fit = fitSession(measurement);
     ASSERT_TRUE(fit.intersection);
-    const double tail = chiSquareUpperTail(fit.joint.chiSquare, fit.joint.degreesOfFreedom);
+    const double tail = chiSquareUpperTail(fit.joint.chiSquare, fit.joint.degreesOfFreedom).value();
     EXPECT_GT(tail, 1e-4);
     EXPECT_LT(tail, 1 - 1e-4);
     EXPECT_LT(std::abs(fit.intersection->value - trial.intersection), 4 * fit.intersection->sigma);

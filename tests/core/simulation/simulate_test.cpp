@@ -141,7 +141,7 @@ TEST(Simulate, ReadsWhatTheRayTracerReads) {
     for (const ArcMeasurement& arc : trial.measurement.arcs) {
       SCOPED_TRACE(trial.id + " " + trial.kind + " at " + std::to_string(arc.axisDeg));
       const Leftover left(trial, truth, arc);
-      const double tail = chiSquareUpperTail(left.chiSquare(), left.degreesOfFreedom());
+      const double tail = chiSquareUpperTail(left.chiSquare(), left.degreesOfFreedom()).value();
       EXPECT_GT(tail, 1e-4) << left.chiSquare() << " of " << left.degreesOfFreedom();
       EXPECT_LT(tail, 1 - 1e-4) << left.chiSquare() << " of " << left.degreesOfFreedom();
       for (const double error : left.zeroErrors()) EXPECT_LT(std::abs(error), 4.5);
@@ -175,10 +175,10 @@ TEST(Simulate, AddsTheStatedNoiseAndNoMore) {
       const double sigma = fit.intersection->sigma;
       squares += std::pow((fit.intersection->value - truth.intersection) / sigma, 2);
     }
-    EXPECT_GT(chiSquareUpperTail(chiSquare, freedom), 1e-4) << protocol;
-    EXPECT_LT(chiSquareUpperTail(chiSquare, freedom), 1 - 1e-4) << protocol;
-    EXPECT_GT(chiSquareUpperTail(squares, sessions), 1e-4) << protocol;
-    EXPECT_LT(chiSquareUpperTail(squares, sessions), 1 - 1e-4) << protocol;
+    EXPECT_GT(chiSquareUpperTail(chiSquare, freedom).value(), 1e-4) << protocol;
+    EXPECT_LT(chiSquareUpperTail(chiSquare, freedom).value(), 1 - 1e-4) << protocol;
+    EXPECT_GT(chiSquareUpperTail(squares, sessions).value(), 1e-4) << protocol;
+    EXPECT_LT(chiSquareUpperTail(squares, sessions).value(), 1 - 1e-4) << protocol;
   }
 }
 

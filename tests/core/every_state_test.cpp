@@ -1,0 +1,67 @@
+// A session has an answer or a sentence in every state it passes through while it is typed, and in every
+// geometry: plans of 9 or 17 points, all that other tests know, prove nothing of 24.
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/support/every_answer.h"
+#include "tests/support/typing.h"
+
+namespace alidade {
+namespace {
+
+using namespace alidade::test;
+
+/// Thousands of states, so that shards of them run side by side.
+class EveryState : public testing::TestWithParam<int> {};
+
+TEST_P(EveryState, OfTypingHasAnAnswerOrASentence) {
+  constexpr int states = 1000;
+  const std::uint64_t shard = 4200000 + 1000 * static_cast<std::uint64_t>(GetParam());
+  int passed = 0;
+  for (std::uint64_t seed = shard; passed < states && !HasFailure(); ++seed) {
+    Typing typing(seed);
+    for (int state = 0; typing.next() && passed < states && !HasFailure(); ++state, ++passed) {
+      SCOPED_TRACE("seed " + std::to_string(seed) + ", state " + std::to_string(state));
+      try {
+        expectAnswers(typing.session());
+        if (state % 16 == 5) expectFurtherAnswers(typing.session());
+      } catch (const std::exception& error) {
+        ADD_FAILURE() << error.what();
+      }
+      if (HasFailure()) ADD_FAILURE() << writeSession(typing.session());
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(TenThousand, EveryState, testing::Range(0, 10));
+
+class EveryGeometry : public testing::TestWithParam<int> {};
+
+TEST_P(EveryGeometry, HasAnAnswerOrASentence) {
+  constexpr int sessions = 40;
+  const std::uint64_t shard = 5200000 + 1000 * static_cast<std::uint64_t>(GetParam());
+  for (std::uint64_t seed = shard; seed < shard + sessions && !HasFailure(); ++seed) {
+    std::mt19937_64 random(seed);
+    const DrawnPlan plan = drawnPlan(random, seed % 8 == 0 ? 500 : 60, seed);
+    const Result<Session> session = simulate(plan.protocol, plan.truth, seed);
+    if (!session) {
+      expectSentence(session.problem().text());
+      continue;
+    }
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    try {
+      expectAnswers(*session);
+      expectFurtherAnswers(*session);
+    } catch (const std::exception& error) {
+      ADD_FAILURE() << error.what();
+    }
+    if (HasFailure()) ADD_FAILURE() << writeSession(*session);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(FourHundred, EveryGeometry, testing::Range(0, 10));
+
+}  // namespace
+}  // namespace alidade
