@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <random>
@@ -56,7 +57,8 @@ inline DrawnPlan drawnPlan(std::mt19937_64& random, int mostPoints, std::uint64_
   truth.sigmaVertical = Angle::fromArcseconds(drawnSize(random, 0.1, 60));
   truth.sigmaZero = Angle::fromArcseconds(drawnSize(random, 0.1, 60));
   truth.sigmaSlider = Angle::fromArcseconds(drawnSize(random, 1, 60));
-  truth.typingStep = Angle::fromArcseconds(truth.sigmaHorizontal.arcseconds() < 1 ? 0.01 : 0.1);
+  const Angle finest = std::min(truth.sigmaHorizontal, truth.sigmaVertical);
+  truth.typingStep = Angle::fromArcseconds(finest.arcseconds() < 1 ? 0.01 : 0.1);
   if (drawnChance(random, 0.2)) {
     truth.verticalCircle = VerticalCircle::Elevation;
     truth.verticalZero = Angle();
