@@ -40,6 +40,24 @@ struct Cells {
   }
 };
 
+/// Directions of each sighting of each arc as the fit has them, rad. As read they would not do: a function of
+/// a noisy direction follows the noise, and where that is large beside the span of the arc it explains it.
+std::vector<std::vector<Direction<double>>> adjustedDirections(const Measurement& measurement,
+                                                               const JointFit& fit) {
+  std::vector<std::vector<Direction<double>>> directions;
+  for (const ArcMeasurement& arc : measurement.arcs) {
+    std::vector<Direction<double>>& own = directions.emplace_back();
+    for (const Sighting& sighting : arc.sightings)
+      own.push_back({sighting.a.radians(), sighting.e.radians()});
+  }
+  for (const AdjustedReading& reading : fit.readings) {
+    Direction<double>& direction = directions[reading.arc][reading.sighting];
+    if (reading.kind == ReadingKind::Horizontal) direction.a -= reading.residual;
+    if (reading.kind == ReadingKind::Vertical) direction.e -= reading.residual;
+  }
+  return directions;
+}
+
 /// What a pattern may follow: the guideway visit by visit, the instrument row by row.
 class Surroundings {
  public:
@@ -56,8 +74,9 @@ class Surroundings {
         [&](Index i) { return (arcOf(i).axisDeg == 0 ? 1 : -1) * fit.arcAngles[at(i).arc][at(i).sighting]; });
     const auto last = static_cast<double>(std::max<std::size_t>(measurement.rows, 2) - 1);
     elapsed = rows.values([&](Index i) { return static_cast<double>(rowOf(i).sequence) / last; });
-    a = rows.values([&](Index i) { return rowOf(i).a.radians(); });
-    e = rows.values([&](Index i) { return rowOf(i).e.radians(); });
+    const auto directions = adjustedDirections(measurement, fit);
+    a = rows.values([&](Index i) { return directions[at(i).arc][at(i).sighting].a; });
+    e = rows.values([&](Index i) { return directions[at(i).arc][at(i).sighting].e; });
   }
 
  private:
@@ -66,8 +85,9 @@ class Surroundings {
 
  public:
   Cells visits, rows;
-  VectorXd s;              ///< of each visit
-  VectorXd elapsed, a, e;  ///< of each row
+  VectorXd s;        ///< of each visit
+  VectorXd elapsed;  ///< of each row
+  VectorXd a, e;     ///< of each row, adjusted
 
   const ArcMeasurement& arcOf(Index reading) const { return m_measurement.arcs[at(reading).arc]; }
   const Sighting& rowOf(Index reading) const { return arcOf(reading).sightings[at(reading).sighting]; }
