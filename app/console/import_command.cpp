@@ -11,6 +11,7 @@
 #include "app/console/option_checks.h"
 #include "app/console/output_file.h"
 #include "core/base/file_bytes.h"
+#include "core/base/file_target.h"
 #include "core/base/list_text.h"
 #include "core/exchange/import.h"
 #include "core/session/entry.h"
@@ -168,7 +169,8 @@ Result<ImportAnswer> runImport(const ImportRequest& request, const ImportOptions
   Session session = import->session;
   if (session.title.empty() && request.file != "-")
     session.title = std::filesystem::path(request.file).stem().string();
-  if (auto problem = writeFiles({{"--out", request.out, writeSession(session)}})) return *std::move(problem);
+  if (auto problem = writeOutputs({{"--out", request.out, writeSession(session)}}, request.file))
+    return *std::move(problem);
 
   ImportAnswer answer;
   answer.result = request.out + ": " + counted(import->rows, "row") + " from " + import->format + " (" +

@@ -13,12 +13,9 @@ struct OutputFile {
   std::string option, path, text;
 };
 
-/// Are these two ways to say where one existing file is?
-bool isSameFile(const std::string& a, const std::string& b);
-
-/// Writes the files, none before all of them could be opened. The sentence where one cannot be written, is
-/// standard output (-) or is the same as another, whichever way it is named; what stood there before then
-/// still does.
-std::optional<Problem> writeFiles(const std::vector<OutputFile>& files);
+/// Writes the files, none before the bytes of all are on the disk (`atomic_file.h`). The sentence where one
+/// cannot be written, is standard output (-), is `input`, or is the same as another, whichever way it is
+/// named; what stood there before then still does.
+std::optional<Problem> writeOutputs(const std::vector<OutputFile>& files, const std::string& input = {});
 
 }  // namespace alidade::console

@@ -149,7 +149,7 @@ Result<std::string> runSimulate(const SimulateRequest& request) {
   session.notes = request.notes;
   if (request.tolerance) session.acceptance.toleranceMm = shortestText(*request.tolerance);
   const std::string id = std::filesystem::path(request.out).stem().string();
-  if (auto problem = writeFiles(
+  if (auto problem = writeOutputs(
           {{"--out", request.out, writeSession(session)}, {"--truth", request.truth, truthJson(id, truth)}}))
     return *std::move(problem);
   std::size_t rows = 0;

@@ -1,0 +1,167 @@
+#include "core/base/atomic_file.h"
+
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <list>
+#include <utility>
+
+#include "core/base/file_target.h"
+
+namespace alidade {
+
+namespace {
+
+/// One file on its way: its bytes in a temporary file until they take their place. A step answers with the
+/// system's error number, 0 where it was done.
+class Passage {
+ public:
+  Passage(const FileContent& content, FileTarget target, const FileCalls& calls)
+      : m_content(content), m_target(std::move(target)), m_calls(calls) {}
+  Passage(const Passage&) = delete;
+  Passage& operator=(const Passage&) = delete;
+  ~Passage() {
+    if (!m_temporary.empty()) unlink(m_temporary.c_str());
+  }
+
+  const FileContent& content() const { return m_content; }
+  bool isDirect() const { return m_target.kind == FileTarget::Kind::Direct; }
+  int writeDirectly();
+  int writeTemporary();
+  int takePlace();
+
+ private:
+  int openTemporary(int& file);
+  int writeAll(int file) const;
+  int sync(int file) const;
+  int close(int file, int error) const;
+  int syncFolder() const;
+
+  FileContent m_content;
+  FileTarget m_target;
+  const FileCalls& m_calls;
+  std::string m_temporary;  ///< empty: none is there
+};
+
+int Passage::writeDirectly() {
+  const int file = m_target.descriptor ? dup(*m_target.descriptor)
+                                       : m_calls.open(m_target.path.c_str(), O_WRONLY | O_CLOEXEC, 0);
+  return file < 0 ? errno : close(file, writeAll(file));
+}
+
+int Passage::writeTemporary() {
+  int file = -1;
+  if (const int error = openTemporary(file)) return error;
+  const int error = writeAll(file);
+  if (error == 0 && m_target.kind == FileTarget::Kind::File) {
+    // Where the system does not grant it, the file is ours alone, as it was made.
+    [[maybe_unused]] const int ofGroup = fchown(file, static_cast<uid_t>(-1), m_target.group);
+    [[maybe_unused]] const int ofMode = fchmod(file, m_target.mode);
+  }
+  return close(file, error == 0 ? sync(file) : error);
+}
+
+/// A name of its own beside the target, so that renaming never leaves the disk. The file that replaces a
+/// private one is private from the start.
+int Passage::openTemporary(int& file) {
+  static std::atomic<unsigned> count = 0;
+  constexpr int mostTries = 100;
+  const mode_t mode = m_target.kind == FileTarget::Kind::File ? 0600 : 0666;
+  const std::string stem = m_target.folder() + "/.alidade-" + std::to_string(getpid()) + "-";
+  for (int i = 0; i < mostTries; ++i) {
+    const std::string name = stem + std::to_string(++count) + ".tmp";
+    file = m_calls.open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+    if (file >= 0) {
+      m_temporary = name;
+      return 0;
+    }
+    if (errno != EEXIST) return errno;
+  }
+  return EEXIST;
+}
+
+int Passage::writeAll(int file) const {
+  std::string_view rest = m_content.bytes;
+  while (!rest.empty()) {
+    const ssize_t written = m_calls.write(file, rest.data(), rest.size());
+    if (written > 0)
+      rest.remove_prefix(static_cast<std::size_t>(written));
+    else if (written == 0 || errno != EINTR)
+      return written == 0 ? EIO : errno;
+  }
+  return 0;
+}
+
+/// The first of two errors counts.
+int Passage::close(int file, int error) const {
+  const bool isClosed = m_calls.close(file) == 0 || errno == EINTR;
+  return error == 0 && !isClosed ? errno : error;
+}
+
+int Passage::takePlace() {
+  if (m_calls.rename(m_temporary.c_str(), m_target.path.c_str()) != 0) return errno;
+  m_temporary.clear();
+  return syncFolder();
+}
+
+/// What cannot be synchronised at all, as a folder on some disks, is no failure.
+int Passage::sync(int file) const {
+  return m_calls.sync(file) == 0 || errno == EINVAL || errno == ENOTSUP ? 0 : errno;
+}
+
+int Passage::syncFolder() const {
+  const int folder = m_calls.open(m_target.folder().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC, 0);
+  return folder < 0 ? 0 : close(folder, sync(folder));
+}
+
+Problem unwritable(const FileContent& file, const std::string& why) {
+  return {file.path + " cannot be written: " + why};
+}
+
+std::string namedInput(const std::string& input) {
+  return input == "-" ? "/dev/stdin" : input;
+}
+
+std::optional<Problem> plan(const FileContent& file, const std::vector<std::string>& inputs,
+                            const FileCalls& calls, std::list<Passage>& passages) {
+  Result<FileTarget> target = fileTarget(file.path);
+  if (!target) return unwritable(file, target.problem().what);
+  const bool isRead = std::any_of(inputs.begin(), inputs.end(), [&](const std::string& input) {
+    return isSameFile(file.path, namedInput(input));
+  });
+  if (isRead) return unwritable(file, "it is the file that is read: choose another name");
+  passages.emplace_back(file, *std::move(target), calls);
+  return std::nullopt;
+}
+
+template <typename Which>
+std::optional<Problem> each(std::list<Passage>& passages, const Which& which, int (Passage::*step)()) {
+  for (Passage& passage : passages) {
+    if (!which(passage)) continue;
+    if (const int error = (passage.*step)()) return unwritable(passage.content(), whyUnwritable(error));
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Problem> writeFile(const std::string& path, std::string_view bytes,
+                                 const std::vector<std::string>& inputs, const FileCalls& calls) {
+  return writeFiles({{path, bytes}}, inputs, calls);
+}
+
+std::optional<Problem> writeFiles(const std::vector<FileContent>& files,
+                                  const std::vector<std::string>& inputs, const FileCalls& calls) {
+  std::list<Passage> passages;
+  for (const FileContent& file : files)
+    if (auto problem = plan(file, inputs, calls, passages)) return problem;
+  const auto isDirect = [](const Passage& passage) { return passage.isDirect(); };
+  const auto isReplaced = [](const Passage& passage) { return !passage.isDirect(); };
+  if (auto problem = each(passages, isReplaced, &Passage::writeTemporary)) return problem;
+  if (auto problem = each(passages, isDirect, &Passage::writeDirectly)) return problem;
+  return each(passages, isReplaced, &Passage::takePlace);
+}
+
+}  // namespace alidade

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <fcntl.h>
+#include <sys/types.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <functional>
+
+namespace alidade {
+
+/// The calls of the system that write a file. Each answers as the system's own does, errno included; a test
+/// can have one of them fail.
+struct FileCalls {
+  std::function<int(const char* path, int flags, mode_t mode)> open =
+      [](const char* path, int flags, mode_t mode) { return ::open(path, flags, mode); };
+  std::function<ssize_t(int file, const void* bytes, std::size_t count)> write = ::write;
+  std::function<int(int file)> sync = ::fsync;
+  std::function<int(int file)> close = ::close;
+  std::function<int(const char* from, const char* to)> rename = std::rename;
+};
+
+}  // namespace alidade

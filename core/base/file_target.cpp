@@ -1,0 +1,119 @@
+#include "core/base/file_target.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <charconv>
+#include <filesystem>
+#include <system_error>
+
+namespace alidade {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path folderOf(const fs::path& path) {
+  return path.has_parent_path() ? path.parent_path() : fs::path(".");
+}
+
+/// The number in /dev/stdout, /dev/fd/1 or /proc/self/fd/1: opened by that name again, a file would be
+/// written from its start.
+std::optional<int> ownDescriptor(const fs::path& path) {
+  std::error_code error;
+  const fs::path folder = fs::canonical(folderOf(path), error), own = fs::canonical("/proc/self/fd", error);
+  const std::string name = path.filename().string();
+  int number = 0;
+  const auto [end, trouble] = std::from_chars(name.data(), name.data() + name.size(), number);
+  const bool isNumber = trouble == std::errc() && end == name.data() + name.size();
+  return !error && folder == own && isNumber ? std::optional(number) : std::nullopt;
+}
+
+/// What stands there and is no link, told by its kind.
+Result<FileTarget> standing(const fs::path& path, const struct stat& status) {
+  FileTarget target{path.string(), FileTarget::Kind::File, status.st_mode & mode_t{07777}, status.st_uid,
+                    status.st_gid};
+  if (S_ISDIR(status.st_mode)) return Problem{whyUnwritable(EISDIR)};
+  if (S_ISCHR(status.st_mode) || S_ISFIFO(status.st_mode)) {
+    target.kind = FileTarget::Kind::Direct;
+    return target;
+  }
+  if (!S_ISREG(status.st_mode)) return Problem{"something stands there that is no file: choose another name"};
+  if (faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0)
+    return Problem{"the file is read-only: choose another name, or make it writable"};
+  return target;
+}
+
+}  // namespace
+
+std::string FileTarget::folder() const {
+  return folderOf(path).string();
+}
+
+Result<FileTarget> fileTarget(const std::string& path) {
+  constexpr int mostLinks = 40;
+  fs::path place(path);
+  if (place.empty()) return Problem{"it has no name: give one"};
+  if (!place.has_filename()) return Problem{whyUnwritable(EISDIR)};
+  for (int link = 0; link < mostLinks; ++link) {
+    if (const auto descriptor = ownDescriptor(place))
+      return FileTarget{.path = place.string(), .kind = FileTarget::Kind::Direct, .descriptor = descriptor};
+    struct stat status = {};
+    if (lstat(place.c_str(), &status) != 0) {
+      if (errno != ENOENT) return Problem{whyUnwritable(errno)};
+      std::error_code error;
+      if (!fs::is_directory(folderOf(place), error)) return Problem{whyUnwritable(ENOENT)};
+      return FileTarget{.path = place.string()};
+    }
+    if (!S_ISLNK(status.st_mode)) return standing(place, status);
+    std::error_code error;
+    const fs::path next = fs::read_symlink(place, error);
+    if (error) return Problem{whyUnwritable(error.value())};
+    place = folderOf(place) / next;
+  }
+  return Problem{whyUnwritable(ELOOP)};
+}
+
+std::string whyUnwritable(int error) {
+  switch (error) {
+    case ENOSPC:
+      return "the disk is full: make room there or choose another folder";
+    case EDQUOT:
+      return "your share of the disk is used up: make room there or choose another folder";
+    case EFBIG:
+      return "it would be larger than files may be there: choose another folder";
+    case EACCES:
+    case EPERM:
+      return "you may not write there: choose another folder";
+    case EROFS:
+      return "the disk can only be read: choose another folder";
+    case ENOENT:
+    case ENOTDIR:
+      return "its folder is not there: choose another folder";
+    case EISDIR:
+      return "a folder stands there: choose another name";
+    case ENAMETOOLONG:
+      return "its name is too long: choose a shorter one";
+    case ELOOP:
+      return "its links lead in a circle: choose another name";
+    default:
+      return std::generic_category().message(error) + ": choose another name or folder";
+  }
+}
+
+bool isSameFile(const std::string& a, const std::string& b) {
+  struct stat one = {}, other = {};
+  const bool isOne = stat(a.c_str(), &one) == 0, isOther = stat(b.c_str(), &other) == 0;
+  if (isOne && isOther)
+    return S_ISREG(one.st_mode) && one.st_dev == other.st_dev && one.st_ino == other.st_ino;
+  if (isOne || isOther) return false;
+  const auto target = fileTarget(a), otherTarget = fileTarget(b);
+  if (!target || !otherTarget) return a == b;
+  std::error_code error;
+  return fs::path(target->path).filename() == fs::path(otherTarget->path).filename() &&
+         fs::equivalent(target->folder(), otherTarget->folder(), error);
+}
+
+}  // namespace alidade
