@@ -4,30 +4,27 @@
 #include <cstdio>
 #include <cstring>
 
+#include "core/base/visible_text.h"
+
 namespace alidade::console {
 
 namespace {
 
-std::string oneLine(std::string_view text) {
-  std::string line(text);
-  for (char& c : line) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
-  }
-  return line;
-}
+constexpr std::string_view lineEnd = "\n";
 
 }  // namespace
 
-int writeResult(std::string_view text) {
+int writeResult(std::string_view result) {
+  const std::string text = visibleText(result, lineEnd);
   const bool written =
       std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
   if (written) return Done;
-  std::fprintf(stderr, "alidade-cli: the result could not be written: %s\n", std::strerror(errno));
+  notify("alidade-cli", std::string("the result could not be written: ") + std::strerror(errno));
   return Failed;
 }
 
 void notify(std::string_view subject, std::string_view message) {
-  const std::string line = oneLine(subject) + ": " + oneLine(message) + "\n";
+  const std::string line = visibleText(subject) + ": " + visibleText(message) + "\n";
   std::fwrite(line.data(), 1, line.size(), stderr);
 }
 

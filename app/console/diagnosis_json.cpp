@@ -87,7 +87,7 @@ std::string diagnosisJson(const std::string& session, const Diagnosis& diagnosis
   if (diagnosis.shape)
     json["shape"] = {{"follows", diagnosis.shape->follows}, {"share", diagnosis.shape->share}};
   json["findings"] = findingsJson(findings);
-  return json.dump(2) + "\n";
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace alidade::console

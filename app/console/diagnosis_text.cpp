@@ -105,7 +105,7 @@ std::string unseenText(const Diagnosis& diagnosis) {
 
 std::string diagnosisText(const std::string& session, const Diagnosis& diagnosis,
                           const std::vector<Finding>& findings) {
-  std::string text = session + "\n\nVerdict: " + std::string(nameOf(diagnosis.verdict)) + "\n" +
+  std::string text = heading(session) + "\nVerdict: " + std::string(nameOf(diagnosis.verdict)) + "\n" +
                      paragraph(diagnosis.sentence) + gapText(diagnosis);
   for (const Cause& cause : diagnosis.causes) text += causeText(cause);
   if (diagnosis.verdict != DiagnosisVerdict::WithinNoise) text += whereText(diagnosis);

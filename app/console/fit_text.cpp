@@ -187,7 +187,8 @@ std::string intersectionText(const Measurement& measurement, const PublishedSess
 std::string fitText(const std::string& name, const Measurement& measurement, const SessionFit& fit,
                     const std::vector<Suspect>& suspects, const std::optional<MonteCarlo>& check) {
   std::string text =
-      name + "\nRigorous fit: orthogonal least squares on the readings of both circles; x right, y up\n\n" +
+      heading(name) +
+      "Rigorous fit: orthogonal least squares on the readings of both circles; x right, y up\n\n" +
       arcsText(fit);
   if (fit.intersection) text += intersectionText(measurement, *fit.intersection);
   text += verdictText(fit);
@@ -200,7 +201,8 @@ std::string fitText(const std::string& name, const Measurement& measurement, con
 }
 
 std::string fitText(const std::string& name, const Measurement& measurement, const PublishedSessionFit& fit) {
-  return name + "\nPublished method, two iterations, for comparison with the paper; x right, y up\n\n" +
+  return heading(name) +
+         "Published method, two iterations, for comparison with the paper; x right, y up\n\n" +
          arcsText(fit) + asPrintedText(fit) + intersectionText(measurement, fit) +
          "\nThe method states no uncertainty and takes the vertical circle to read y/L, which no theodolite "
          "does:\n"

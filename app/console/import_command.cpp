@@ -13,6 +13,7 @@
 #include "core/base/file_bytes.h"
 #include "core/base/file_target.h"
 #include "core/base/list_text.h"
+#include "core/base/visible_text.h"
 #include "core/exchange/import.h"
 #include "core/session/entry.h"
 #include "core/session/measurement.h"
@@ -100,7 +101,8 @@ void addImportCommand(CLI::App& app, ImportRequest& request) {
       "import", "A session from a file of readings: Leica GSI-8, GSI-16, or a table (CSV).");
   import->add_option("FILE", request.file, "File to read; - reads standard input")->required();
   import->add_option("--out", request.out, "Session file to write (*.alidade)")->required();
-  import->add_option("--title", request.title, "Title of the session; else the file's name");
+  import->add_option("--title", request.title, "Title of the session; else the file's name")
+      ->check(textCheck());
   import->add_option("--distance", request.distance, "Theodolite to arc plane, mm");
   import->add_option("--sigma-distance", request.sigmaDistance, "Its σ, mm");
   import->add_option("--radius", request.radius, "Nominal radius of the arc, mm");
@@ -168,13 +170,13 @@ Result<ImportAnswer> runImport(const ImportRequest& request, const ImportOptions
   if (auto problem = checkZeros(request, options, import->session)) return *std::move(problem);
   Session session = import->session;
   if (session.title.empty() && request.file != "-")
-    session.title = std::filesystem::path(request.file).stem().string();
+    session.title = wellFormed(std::filesystem::path(request.file).stem().string());
   if (auto problem = writeOutputs({{"--out", request.out, writeSession(session)}}, request.file))
     return *std::move(problem);
 
   ImportAnswer answer;
-  answer.result = request.out + ": " + counted(import->rows, "row") + " from " + import->format + " (" +
-                  listOf(session) + ")\n";
+  answer.result = visibleText(request.out) + ": " + counted(import->rows, "row") + " from " + import->format +
+                  " (" + listOf(session) + ")\n";
   answer.remarks = import->remarks;
   for (const Problem& problem : examine(session).problems)
     answer.remarks.push_back("still to be typed or mended: " + problem.text());

@@ -1,5 +1,4 @@
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <exception>
 #include <string>
 #include <vector>
@@ -11,6 +10,7 @@
 #include "app/console/plan_command.h"
 #include "app/console/simulate_command.h"
 #include "app/console/trial_command.h"
+#include "core/base/visible_text.h"
 
 namespace {
 
@@ -19,7 +19,7 @@ using namespace alidade::console;
 std::string callProblem(const CLI::App& app, const CLI::ParseError& error) {
   const std::vector<std::string> unknown = app.remaining();
   if (!app.get_subcommands().empty() || unknown.empty()) return error.what();
-  return "there is no subcommand or option “" + unknown.front() + "”";
+  return "there is no subcommand or option " + alidade::quotation(unknown.front());
 }
 
 int give(const alidade::Result<std::string>& answer, const std::string& subject) {
@@ -79,7 +79,7 @@ int main(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "alidade-cli: %s\n", error.what());
+    notify("alidade-cli", error.what());
     return Failed;
   }
 }

@@ -4,6 +4,7 @@
 
 #include "core/base/number_text.h"
 #include "core/base/utf8.h"
+#include "core/base/visible_text.h"
 
 namespace alidade::console {
 
@@ -39,6 +40,13 @@ OptionCheck wholeFrom(std::uint64_t least, std::uint64_t most) {
     std::uint64_t value = 0;
     if (reads(text, value) && value >= least && value <= most) return {};
     return outside(text, "a whole number", std::to_string(least), std::to_string(most));
+  };
+}
+
+OptionCheck textCheck() {
+  return [](const std::string& text) -> std::string {
+    if (!firstIllFormedByte(text)) return {};
+    return quotation(text) + " is not UTF-8 text: type it anew, or set the terminal to UTF-8";
   };
 }
 

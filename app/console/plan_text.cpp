@@ -92,7 +92,7 @@ Json effectJson(const PlanReview& review, const PlannedEffect& effect) {
 
 std::string planText(const std::string& session, const PlanReview& review,
                      const std::vector<Finding>& findings) {
-  std::string text = session + "\n\n" + counted(review.readings, "reading") + " of circles and slider";
+  std::string text = heading(session) + "\n" + counted(review.readings, "reading") + " of circles and slider";
   if (const auto& estimate = review.intersection)
     text += "; with the noise stated Δd would be known to " + fixedText(estimate->sigma, 4) + " mm (1σ)";
   return text + "\n" + effectsText(review) + lookAlikesText(review) + adviceText(review) +

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "app/console/channels.h"
+#include "core/base/visible_text.h"
 #include "core/session/session_file.h"
 
 namespace alidade::console {
@@ -30,8 +31,9 @@ Result<SessionInput> readSessionInput(const std::string& file, Session (*prepare
   if (prepare) session = prepare(*std::move(session));
   Examined examined = examine(*session);
   if (!examined.problems.empty()) return firstOf(examined.problems);
-  const std::string name =
-      session->title.empty() ? std::filesystem::path(inputName(file)).filename().string() : session->title;
+  const std::string name = session->title.empty()
+                               ? wellFormed(std::filesystem::path(inputName(file)).filename().string())
+                               : session->title;
   return SessionInput{name, *std::move(session), std::move(examined.measurement).value()};
 }
 

@@ -6,6 +6,7 @@
 #include "app/console/option_checks.h"
 #include "app/console/output_file.h"
 #include "core/base/number_text.h"
+#include "core/base/visible_text.h"
 #include "core/session/session_file.h"
 #include "core/simulation/protocol.h"
 #include "core/simulation/simulate.h"
@@ -123,8 +124,8 @@ void addSimulateCommand(CLI::App& app, SimulateRequest& request) {
       app.add_subcommand("simulate", "A session from a known truth; the truth is kept in its own file.");
   simulate->add_option("--out", request.out, "Session file to write (*.alidade)")->required();
   simulate->add_option("--truth", request.truth, "Truth file to write (JSON)")->required();
-  simulate->add_option("--title", request.title, "Title of the session");
-  simulate->add_option("--notes", request.notes, "Notes of the session");
+  simulate->add_option("--title", request.title, "Title of the session")->check(textCheck());
+  simulate->add_option("--notes", request.notes, "Notes of the session")->check(textCheck());
   addPlanOptions(*simulate, request);
   simulate->add_option("--effect", request.effects, "NAME=VALUE of an effect to put in; may be repeated")
       ->take_all()
@@ -148,14 +149,14 @@ Result<std::string> runSimulate(const SimulateRequest& request) {
   if (!request.title.empty()) session.title = request.title;
   session.notes = request.notes;
   if (request.tolerance) session.acceptance.toleranceMm = shortestText(*request.tolerance);
-  const std::string id = std::filesystem::path(request.out).stem().string();
+  const std::string id = wellFormed(std::filesystem::path(request.out).stem().string());
   if (auto problem = writeOutputs(
           {{"--out", request.out, writeSession(session)}, {"--truth", request.truth, truthJson(id, truth)}}))
     return *std::move(problem);
   std::size_t rows = 0;
   for (const Position& position : session.positions) rows += position.readings.size();
-  return request.out + ": " + std::to_string(rows) + " rows by protocol " + request.protocol +
-         "; the truth is in " + request.truth + "\n";
+  return visibleText(request.out) + ": " + std::to_string(rows) + " rows by protocol " + request.protocol +
+         "; the truth is in " + visibleText(request.truth) + "\n";
 }
 
 }  // namespace alidade::console

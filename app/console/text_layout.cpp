@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <sstream>
 
+#include "core/base/visible_text.h"
+
 namespace alidade::console {
 
 namespace {
@@ -33,6 +35,10 @@ bool peekUnit(std::istringstream& words, std::string& unit) {
 
 }  // namespace
 
+std::string heading(std::string_view name) {
+  return visibleText(name) + "\n";
+}
+
 std::string alignedColumns(const std::vector<std::vector<std::string>>& rows) {
   const std::vector<std::size_t> widths = columnWidths(rows);
   std::string text;
@@ -49,7 +55,7 @@ std::string alignedColumns(const std::vector<std::vector<std::string>>& rows) {
 }
 
 std::string paragraph(std::string_view text, std::size_t indent, std::size_t width) {
-  std::istringstream words{std::string(text)};
+  std::istringstream words{visibleText(text)};
   std::string lines, word;
   std::size_t column = 0;
   while (words >> word) {

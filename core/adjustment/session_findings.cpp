@@ -6,6 +6,7 @@
 
 #include "core/base/quantity_text.h"
 #include "core/base/statistics.h"
+#include "core/base/visible_text.h"
 #include "core/effects/catalogue.h"
 
 namespace alidade {
@@ -100,10 +101,11 @@ std::vector<Finding> modelFindings(const Measurement& measurement) {
   std::vector<Finding> findings;
   for (const std::string& id : measurement.effects)
     if (!effectById(id))
-      findings.push_back({Severity::Warning,
-                          "The session's model names “" + id + "”, which is no effect that can be estimated.",
-                          "Read the result as one without it, or correct the name.",
-                          Place{.position = {}, .reading = {}, .field = "model.effects"}});
+      findings.push_back(
+          {Severity::Warning,
+           "The session's model names " + quotation(id) + ", which is no effect that can be estimated.",
+           "Read the result as one without it, or correct the name.",
+           Place{.position = {}, .reading = {}, .field = "model.effects"}});
   if (measurement.relation == VerticalAngleRelation::Planar)
     findings.push_back({Severity::Warning,
                         "The model takes the vertical circle to read y/L, which no theodolite does.",

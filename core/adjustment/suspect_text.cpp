@@ -4,10 +4,13 @@
 
 #include "core/base/angle_text.h"
 #include "core/base/quantity_text.h"
+#include "core/base/visible_text.h"
 
 namespace alidade {
 
 namespace {
+
+constexpr std::size_t longestTyped = 40;
 
 /// In arcseconds up to two minutes, then in degrees, minutes and seconds; with its sign.
 std::string signedSize(Angle size) {
@@ -45,7 +48,7 @@ std::string sentenceOf(const Session& session, const Correction& correction, Ang
     sentence += (sentence.empty() ? "" : ", ") +
                 (sentence.empty() ? capitalised(change.where.field) : change.where.field) +
                 (otherRow ? " of row " + std::to_string(*change.where.reading + 1) : "") + " " +
-                (typed.empty() ? "(empty)" : typed) + " → " + change.text;
+                (typed.empty() ? "(empty)" : shortened(typed, longestTyped)) + " → " + change.text;
   }
   return sentence + ": " + slipName(correction.slip) + "; residual then " + signedSize(residual) + ".";
 }

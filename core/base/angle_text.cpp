@@ -7,7 +7,7 @@
 
 #include "core/base/number_text.h"
 #include "core/base/typed_text.h"
-#include "core/base/utf8.h"
+#include "core/base/visible_text.h"
 
 namespace alidade {
 

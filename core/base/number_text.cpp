@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/base/typed_text.h"
-#include "core/base/utf8.h"
+#include "core/base/visible_text.h"
 
 namespace alidade {
 

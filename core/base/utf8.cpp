@@ -7,7 +7,6 @@ namespace alidade {
 namespace {
 
 constexpr char32_t replacementCharacter = 0xFFFD;
-constexpr std::size_t longestQuote = 40;
 
 std::size_t lengthByLead(unsigned char lead) {
   if (lead < 0x80) return 1;
@@ -50,26 +49,6 @@ std::optional<std::size_t> firstIllFormedByte(std::string_view text) {
     at += character.length;
   }
   return std::nullopt;
-}
-
-std::string quotation(std::string_view text) {
-  std::string inside;
-  std::size_t count = 0;
-  while (!text.empty()) {
-    if (++count > longestQuote) {
-      inside += "…";
-      break;
-    }
-    const Utf8Character character = firstCharacter(text);
-    const bool control = character.code < 0x20 || (character.code >= 0x7F && character.code < 0xA0);
-    if (character.wellFormed && !control) {
-      inside += text.substr(0, character.length);
-    } else {
-      inside += "\uFFFD";
-    }
-    text.remove_prefix(character.length);
-  }
-  return "“" + inside + "”";
 }
 
 }  // namespace alidade

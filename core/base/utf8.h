@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <optional>
-#include <string>
 #include <string_view>
 
 namespace alidade {
@@ -18,9 +17,5 @@ Utf8Character firstCharacter(std::string_view text);
 
 /// The offset of the first byte that is not UTF-8; empty where all is well.
 std::optional<std::size_t> firstIllFormedByte(std::string_view text);
-
-/// What somebody typed, for a sentence: in “ ”, cut to 40 characters with an ellipsis, with control
-/// characters and ill-formed bytes shown as �.
-std::string quotation(std::string_view text);
 
 }  // namespace alidade

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/base/angle_text.h"
-#include "core/base/utf8.h"
+#include "core/base/visible_text.h"
 #include "core/exchange/csv_table.h"
 
 namespace alidade {

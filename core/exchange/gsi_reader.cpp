@@ -4,7 +4,7 @@
 #include <map>
 
 #include "core/base/typed_text.h"
-#include "core/base/utf8.h"
+#include "core/base/visible_text.h"
 #include "core/exchange/gsi_word.h"
 
 namespace alidade {

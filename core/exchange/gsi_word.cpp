@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/base/typed_text.h"
-#include "core/base/utf8.h"
+#include "core/base/visible_text.h"
 
 namespace alidade {
 

@@ -8,7 +8,7 @@
 
 #include "core/base/angle_text.h"
 #include "core/base/number_text.h"
-#include "core/base/utf8.h"
+#include "core/base/visible_text.h"
 #include "core/exchange/csv_reader.h"
 #include "core/exchange/gsi_reader.h"
 #include "core/exchange/gsi_word.h"
@@ -96,8 +96,8 @@ class Assembly {
     const std::string& named = m_recording.verticalCircle;
     if (std::string& stated = session.geometry.verticalCircle; !named.empty()) {
       if (!stated.empty() && stated != named)
-        remark("the vertical circle is stated as " + stated + ", but its column is named " + named +
-               ": the column is followed");
+        remark("the vertical circle is stated as " + quotation(stated) + ", but its column is named " +
+               named + ": the column is followed");
       stated = named;
     }
     const Result<VerticalCircle> circle = verticalCircleEntry(session.geometry.verticalCircle);

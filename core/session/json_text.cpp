@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/utf8.h"
+#include "core/base/visible_text.h"
 
 namespace alidade {
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/base/number_text.h"
-#include "core/base/utf8.h"
+#include "core/base/visible_text.h"
 #include "core/session/entry.h"
 #include "core/session/face.h"
 #include "core/session/row_order.h"

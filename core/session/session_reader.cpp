@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "core/base/utf8.h"
+#include "core/base/visible_text.h"
 #include "core/session/value_text.h"
 
 namespace alidade {

@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "core/base/random_source.h"
-#include "core/base/utf8.h"
+#include "core/base/visible_text.h"
 #include "core/effects/catalogue.h"
 #include "core/effects/cause_ids.h"
 #include "core/simulation/protocol.h"

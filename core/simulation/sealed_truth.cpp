@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/utf8.h"
+#include "core/base/visible_text.h"
 #include "core/diagnosis/diagnosis.h"
 #include "core/effects/cause_ids.h"
 #include "core/simulation/truth_text.h"
@@ -107,6 +108,7 @@ SealedTruth sealed(const std::string& id, const Truth& truth, const std::optiona
 }
 
 Result<std::vector<SealedTruth>> readSealedTruths(const std::string& text) {
+  if (firstIllFormedByte(text)) return Problem{"it is not UTF-8 text: save it with UTF-8 encoding"};
   const Json json = Json::parse(text, nullptr, false);
   if (json.is_discarded() || !json.is_object())
     return Problem{

@@ -8,7 +8,7 @@
 
 #include "core/base/list_text.h"
 #include "core/base/number_text.h"
-#include "core/base/utf8.h"
+#include "core/base/visible_text.h"
 #include "core/effects/catalogue.h"
 #include "core/effects/cause_ids.h"
 

@@ -24,12 +24,5 @@ TEST(Utf8, FindsTheFirstIllFormedByte) {
   EXPECT_EQ(firstIllFormedByte("\xF4\x90\x80\x80"), 0u) << "beyond Unicode";
 }
 
-TEST(Utf8, QuotesWhatWasTypedHarmlessly) {
-  EXPECT_EQ(quotation("341°"), "“341°”");
-  EXPECT_EQ(quotation("a\nb\xFF"), "“a\uFFFDb\uFFFD”");
-  EXPECT_EQ(quotation(std::string(40, 'x')), "“" + std::string(40, 'x') + "”");
-  EXPECT_EQ(quotation(std::string(41, 'x')), "“" + std::string(40, 'x') + "…”");
-}
-
 }  // namespace
 }  // namespace alidade

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/support/hostile.h"
+
+namespace alidade::test {
+
+/// All of them, one behind the other.
+inline std::string allHostileTexts() {
+  std::string all;
+  for (const HostileText& hostile : hostileTexts) all.append(hostile.text);
+  return all;
+}
+
+/// The text of a session that can still be fitted, with `text` in every entry that is free: names, notes, an
+/// effect of no catalogue, keys that the program does not know.
+inline std::string hostileSession(const std::string& session, const std::string& text) {
+  using Json = nlohmann::ordered_json;
+  Json json = Json::parse(session);
+  for (const char* key : {"title", "notes", "operator", "place"}) json[key] = text;
+  for (const char* part : {"device", "instrument"})
+    for (const char* key : {"name", "serial"}) json[part][key] = text;
+  json["model"]["effects"] = {text};
+  for (Json* object : {&json, &json["geometry"], &json["positions"][0]}) (*object)[text] = {{text, text}};
+  for (Json& position : json["positions"])
+    for (Json& reading : position["readings"]) reading["note"] = text;
+  return json.dump();
+}
+
+}  // namespace alidade::test
