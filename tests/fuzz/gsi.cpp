@@ -1,0 +1,15 @@
+#include "core/exchange/gsi_reader.h"
+
+#include "core/exchange/text_lines.h"
+#include "tests/fuzz/imported.h"
+#include "tests/fuzz/targets.h"
+
+namespace alidade::fuzz {
+
+void throwGsi(std::string_view bytes) {
+  if (const Result<std::string> text = utf8Text(bytes)) checkPlaces(readGsi(*text), *text);
+  importBytes(bytes, {});
+  importBytes(bytes, {.zeroPoint = "100", .turnedAtLine = 3});
+}
+
+}  // namespace alidade::fuzz

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <iterator>
+#include <string_view>
+
+namespace alidade::fuzz {
+
+/// Choices made by bytes. Where these have run out every choice is the first, so that any bytes will do.
+class Steering {
+ public:
+  explicit Steering(std::string_view bytes) : m_bytes(bytes) {}
+
+  bool hasEnded() const { return m_bytes.empty(); }
+
+  /// One of `count` (1…256) choices.
+  std::size_t below(std::size_t count) {
+    if (m_bytes.empty()) return 0;
+    const auto byte = static_cast<unsigned char>(m_bytes.front());
+    m_bytes.remove_prefix(1);
+    return byte % count;
+  }
+
+  /// One of the members of an array or a vector that has any.
+  template <typename List>
+  const auto& oneOf(const List& list) {
+    return list[below(std::size(list))];
+  }
+
+  /// From `low` to `high` in 255 steps.
+  double between(double low, double high) {
+    return low + (high - low) * static_cast<double>(below(256)) / 255;
+  }
+
+ private:
+  std::string_view m_bytes;
+};
+
+}  // namespace alidade::fuzz

@@ -1,0 +1,11 @@
+#include "tests/fuzz/targets.h"
+
+namespace alidade::fuzz {
+
+std::span<const Target> targets() {
+  static constexpr Target all[] = {{"session", throwSession}, {"typing", throwTyping}, {"gsi", throwGsi},
+                                   {"csv", throwCsv},         {"angles", throwAngles}, {"truth", throwTruth}};
+  return all;
+}
+
+}  // namespace alidade::fuzz

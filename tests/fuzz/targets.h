@@ -1,0 +1,25 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace alidade::fuzz {
+
+// What is thrown at the core, each in a source of its own. A target takes any bytes; it fails by `require`,
+// by an exception, or by what the sanitizers see.
+
+void throwSession(std::string_view bytes);  ///< a session file: read, write, fit, diagnose, plan
+void throwTyping(std::string_view bytes);   ///< a session as it is being typed, steered by the bytes
+void throwGsi(std::string_view bytes);      ///< an instrument's file
+void throwCsv(std::string_view bytes);      ///< a table of readings
+void throwAngles(std::string_view bytes);   ///< one entry of a form
+void throwTruth(std::string_view bytes);    ///< a truth file, or an effect of the command line
+
+struct Target {
+  std::string_view name;  ///< of its program, corpus and dictionary
+  void (*run)(std::string_view bytes);
+};
+
+std::span<const Target> targets();
+
+}  // namespace alidade::fuzz
