@@ -10,8 +10,10 @@ namespace alidade {
 
 /// A component that leaves nearly what the part leaves, beside the other parts.
 struct Rival {
-  double odds = 0;  ///< of the explanation with it in place of the part, against the one at hand
-  Part part;        ///< what takes the part's place
+  /// Of the explanation with it in place of the part, against the one at hand; of a step in place of a
+  /// misreading half of that, since either circle of the row may be the one that was misread.
+  double odds = 0;
+  Part part;  ///< what takes the part's place
 };
 
 /// Of each part: effects; of a misreading the step that only its row would show.

@@ -65,6 +65,21 @@ TEST(ReadingsTable, TakesAPositionTypedOnTheNumberPad) {
   EXPECT_EQ(bench.table.currentIndex().column(), static_cast<int>(ReadingColumn::Horizontal));
 }
 
+// Who reads the way back in face 2 types its face and round once.
+TEST(ReadingsTable, GoesOnInTheFaceAndRoundOfTheRowAbove) {
+  Bench bench(threeReadings());
+  ReadingsEditor editor(bench.document, 0);
+  editor.setCell({2, ReadingColumn::Face}, "2");
+  editor.setCell({2, ReadingColumn::Round}, "3");
+  bench.table.selectCell(3, ReadingColumn::Horizontal);
+  typeInto(bench.table, QStringLiteral("3400000"));
+  ASSERT_EQ(bench.readings().size(), 4u);
+  EXPECT_EQ(bench.readings()[3].face, "2");
+  EXPECT_EQ(bench.readings()[3].round, "3");
+  EXPECT_EQ(bench.readings()[3].point, "4");
+  EXPECT_EQ(bench.readings()[3].horizontal, "3400000");
+}
+
 TEST(ReadingsTable, EditsWhatWasTypedAndTakesItBackOnEscape) {
   Bench bench;
   typeInto(bench.table, QStringLiteral("3415224"));

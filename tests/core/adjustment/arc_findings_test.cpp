@@ -49,6 +49,22 @@ TEST(ArcFindings, SaysWhatAFitThatStandsCannotCarry) {
   EXPECT_THAT(findingsOf(paper, paper.arcs[0]), HasSubstr("scatter 7.3 times their stated noise"));
 }
 
+// σ of the radius is some hundredths of a millimetre here: beside a twentieth of 400 mm it does not count.
+TEST(ArcFindings, TakesATwentiethForFarFromNominal) {
+  const Circle circle{0, 0, 400};
+  for (const auto& [nominal, far] : {std::pair(400 / 1.04, false),
+                                     {400 / 0.96, false},
+                                     {400 / 1.06, true},
+                                     {400 / 0.94, true},
+                                     {400 / 1.09, true}}) {
+    Measurement measurement = test::usualMeasurement();
+    measurement.nominalRadius = nominal;
+    const std::string findings =
+        findingsOf(measurement, test::perfectArc(measurement, circle, test::spread(17, 160)));
+    EXPECT_EQ(findings.find("is far from the nominal") != std::string::npos, far) << nominal;
+  }
+}
+
 // The part of the circle that was not sighted is the widest gap, wherever φ = ±180° lies.
 TEST(ArcFindings, SpanIsWhatTheWidestGapLeaves) {
   const Measurement measurement = test::usualMeasurement();

@@ -82,6 +82,35 @@ TEST(Intersection, CombinesItsBudget) {
   EXPECT_LT(intersection.coverageFactor, 2.048);
 }
 
+// Guide to the expression of uncertainty (JCGM 100), G.2b: ν = u⁴/Σ(uᵢ⁴/νᵢ). Only what the readings bring is
+// estimated, from 28 degrees of freedom; zeros that bring twice as much make ν sixteen times and more of it.
+// k of so many degrees of freedom is the normal one to 0.4 %: t(∞) = 1.960.
+TEST(Intersection, CountsDegreesOfFreedomAfterWelchAndSatterthwaite) {
+  Measurement measurement = test::paperMeasurement();
+  measurement.sigmaZeroHorizontal = measurement.sigmaZeroVertical = Angle::fromArcseconds(25);
+  const Intersection intersection = *intersect(measurement, fitted(measurement));
+  const double readings = share(intersection, "readings");
+  const double variance = std::pow(readings, 2) + std::pow(share(intersection, "pointing zeros"), 2) +
+                          std::pow(share(intersection, "distance"), 2);
+  ASSERT_GT(variance, 4 * readings * readings);
+  const double expected = variance * variance / (std::pow(readings, 4) / 28);
+  EXPECT_NEAR(intersection.effectiveDegreesOfFreedom, expected, 1e-6 * expected);
+  EXPECT_NEAR(intersection.coverageFactor, 1.960, 0.006);
+}
+
+// Below its 0.1 % point, χ²(28) = 10.391 in the tables, the scatter of Table I is not believed; its χ² is
+// 28 · 6.91² with 2″ and falls with the square of the stated σ.
+TEST(Intersection, BelievesAScatterDownToItsLowestThousandth) {
+  Measurement measurement = test::paperMeasurement();
+  const auto factorWith = [&](double chiSquare) {
+    const double arcsec = 2 * 6.91 * std::sqrt(28 / chiSquare);
+    measurement.sigmaHorizontal = measurement.sigmaVertical = Angle::fromArcseconds(arcsec);
+    return fitSession(measurement).noise.factor;
+  };
+  EXPECT_NEAR(factorWith(10.6), std::sqrt(10.6 / 28), 0.001);
+  EXPECT_EQ(factorWith(10.2), 1);
+}
+
 TEST(Intersection, NeedsBothPositions) {
   Measurement measurement = test::paperMeasurement();
   measurement.arcs.pop_back();

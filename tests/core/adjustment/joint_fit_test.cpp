@@ -60,6 +60,29 @@ TEST(JointFit, ConvergesFromPoorStarts) {
     }
 }
 
+// Without a step taken the values are those of the start: of a term the start it is told, whatever its prior,
+// of a shared radius the mean of the circles', though it is known otherwise.
+TEST(JointFit, StartsWhereItIsTold) {
+  Measurement measurement = test::paperMeasurement();
+  const std::vector<Circle> starts{{-1, 2, 401}, {3, -4, 405}};
+  const double start = 3e-4, prior = -1e-4;
+  for (const RadiusModel model : {RadiusModel::Free, RadiusModel::Common, RadiusModel::Known}) {
+    measurement.radiusModel = model;
+    measurement.sigmaRadius = 0.1;
+    const JointFit fit =
+        fitJointly(measurement, starts,
+                   {.terms = {{ErrorTerm::Collimation, 1e-4, prior, start}}, .maximumIterations = 0});
+    EXPECT_FALSE(fit.converged);
+    EXPECT_DOUBLE_EQ(valueOf(fit, {.kind = Unknown::Kind::Error, .arc = 0, .term = ErrorTerm::Collimation}),
+                     start);
+    for (std::size_t arc = 0; arc < 2; ++arc) {
+      EXPECT_DOUBLE_EQ(fit.circleOf(arc).x, starts[arc].x);
+      EXPECT_DOUBLE_EQ(fit.circleOf(arc).y, starts[arc].y);
+      EXPECT_DOUBLE_EQ(fit.circleOf(arc).radius, model == RadiusModel::Free ? starts[arc].radius : 403);
+    }
+  }
+}
+
 // Moving every reading, or L, by a little and fitting again is what the sensitivities promise to first order.
 // Their dependence on the residuals, which linear theory leaves out, is some 1e-4 of them at the residuals of
 // Table I.
@@ -174,6 +197,36 @@ TEST(JointFit, FindsTheStepOfAKnockedTripod) {
       EXPECT_NEAR(arcsec, trial.effects.at("jump")[size].get<double>(), 4 * sigma) << trial.id;
     }
   }
+}
+
+// Readings without noise, knocked from the row on that is named so that the circles read 30″ and, on the
+// zenith circle, 20″ more: with the step put there nothing is left over, and the step comes out. 1e-6 of χ²
+// is what converging leaves.
+TEST(JointFit, StepActsFromTheNamedRowOn) {
+  Measurement measurement = test::usualMeasurement();
+  for (const int axisDeg : {0, 180})
+    measurement.arcs.push_back(
+        test::perfectArc(measurement, {0, 0, 400}, test::spread(9, 150, axisDeg == 0 ? 90 : 270), axisDeg));
+  constexpr std::size_t knocked = 5;
+  for (ArcMeasurement& arc : measurement.arcs)
+    for (Sighting& sighting : arc.sightings) {
+      sighting.sequence = measurement.rows++;
+      if (sighting.sequence < knocked) continue;
+      sighting.a = sighting.a + Angle::fromArcseconds(30);
+      sighting.e = sighting.e + Angle::fromArcseconds(-20);
+    }
+  const double infinite = std::numeric_limits<double>::infinity();
+  const JointFit fit = fitted(
+      measurement, {.terms = {{ErrorTerm::HorizontalJump, infinite}, {ErrorTerm::VerticalJump, infinite}},
+                    .jumpBefore = knocked});
+  ASSERT_TRUE(fit.converged);
+  EXPECT_LT(fit.chiSquare, 1e-6);
+  const auto arcsec = [&](ErrorTerm term) {
+    return Angle::fromRadians(valueOf(fit, {.kind = Unknown::Kind::Error, .arc = 0, .term = term}))
+        .arcseconds();
+  };
+  EXPECT_NEAR(arcsec(ErrorTerm::HorizontalJump), 30, 1e-3);
+  EXPECT_NEAR(arcsec(ErrorTerm::VerticalJump), 20, 1e-3);
 }
 
 }  // namespace

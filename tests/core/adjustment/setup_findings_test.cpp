@@ -83,6 +83,20 @@ TEST(SetupFindings, SayThatNoTheodoliteFocusesAtAMillimetre) {
   EXPECT_EQ(fitOf(session).verdict, Verdict::Undecided);
 }
 
+// No theodolite on the market focuses nearer than some tenths of a metre.
+TEST(SetupFindings, DrawTheLineAtATenthOfAMetre) {
+  for (const auto& [distance, doubted] : {std::pair(90.0, true), {110.0, false}}) {
+    Measurement measurement = test::usualMeasurement();
+    measurement.distance = distance;
+    measurement.nominalRadius = 20;
+    measurement.arcs = {test::perfectArc(measurement, {0, 0, 20}, test::spread(17, 160)),
+                        test::perfectArc(measurement, {0, 0, 20}, test::spread(17, 160, -90), 180)};
+    const std::string findings = findingsOf(measurement);
+    EXPECT_EQ(findings.find("No theodolite sights") != std::string::npos, doubted) << distance;
+    EXPECT_EQ(fitSession(measurement).lengthsInDoubt.has_value(), doubted) << distance;
+  }
+}
+
 /// 18 % is odd, and said to be, but not out of the world; 25 % is.
 TEST(SetupFindings, WithholdTheVerdictBeyondAFifthOfTheNominalRadius) {
   Measurement measurement = test::usualMeasurement();

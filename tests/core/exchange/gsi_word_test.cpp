@@ -74,6 +74,14 @@ TEST(GsiWord, ReadsEveryUnitOfAnAngle) {
   EXPECT_DOUBLE_EQ(parseAngle(angleOf("22.105+16000000"))->degrees(), 90);
 }
 
+// 160 mil of 6400 to a turn are 9°.
+TEST(GsiWord, KeepsTheSignInEveryUnit) {
+  EXPECT_EQ(angleOf("22.102-00500000"), "-5.00000gon");
+  EXPECT_EQ(angleOf("22.103-00500000"), "-5.00000°");
+  EXPECT_EQ(angleOf("22.104-00500000"), "-5°00'00.0\"");
+  EXPECT_EQ(angleOf("22.105-01600000"), "-9.000000000°");
+}
+
 TEST(GsiWord, RefusesWhatIsNoAngle) {
   EXPECT_THAT(refusalOf("21.100+17920860"), HasSubstr("position 6"));
   EXPECT_THAT(refusalOf("21.10.+17920860"), HasSubstr("position 6"));

@@ -29,5 +29,14 @@ TEST(Face, TellsFacesByTheVerticalCircle) {
   EXPECT_TRUE(isFaceTwo(degrees(175), VerticalCircle::Elevation));
 }
 
+// An elevation circle reads 90° at the zenith, 180° at the horizon behind it and 270° at the nadir: a target
+// 5° or 80° below the horizon reads 185° and 260° in face 2, and −80° in face 1.
+TEST(Face, TwoOfAnElevationCircleGoesDownToTheNadir) {
+  for (const double faceTwo : {95.0, 185.0, 260.0, -100.0})
+    EXPECT_TRUE(isFaceTwo(degrees(faceTwo), VerticalCircle::Elevation)) << faceTwo;
+  for (const double faceOne : {85.0, 280.0, -80.0})
+    EXPECT_FALSE(isFaceTwo(degrees(faceOne), VerticalCircle::Elevation)) << faceOne;
+}
+
 }  // namespace
 }  // namespace alidade::test

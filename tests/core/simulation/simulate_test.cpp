@@ -282,5 +282,19 @@ TEST(Simulate, ReadsWithoutNoiseWhatIsThere) {
                 5 * 2 * 1.5);
 }
 
+// Rows are counted from 0: of 34 rows the one at 17/33 of the session is the first after a knock at that very
+// moment, as it is after one a little before it.
+TEST(Simulate, KnockAtTheMomentOfARowComesBeforeIt) {
+  const auto sessionKnockedAt = [](double row) {
+    Truth truth = drawTruth(5);
+    truth.jump = {
+        .moment = row / 33, .horizontal = Angle::fromArcseconds(300), .vertical = Angle::fromArcseconds(300)};
+    return *simulate(*protocolByName("paper"), truth, 5);
+  };
+  const Session at = sessionKnockedAt(17);
+  EXPECT_EQ(at.positions[1].readings, sessionKnockedAt(16.5).positions[1].readings);
+  EXPECT_NE(at.positions[1].readings, sessionKnockedAt(17.5).positions[1].readings);
+}
+
 }  // namespace
 }  // namespace alidade

@@ -140,5 +140,15 @@ TEST(TrialScore, BlamesNothingWrongWithTheRightAnswerWithheld) {
   EXPECT_TRUE(blamesWrongCause(withheld, diagnosed({cause("collimation", {"trunnion_tilt"})})));
 }
 
+TEST(TrialScore, TakesWhatAThousandthOfNoiseExceedsForNoise) {
+  const auto isBackToNoise = [](double pValue) {
+    Diagnosis diagnosis = diagnosed({cause("arc_lobing")});
+    diagnosis.after.pValue = pValue;
+    return scoreTrial(truth("arc_lobing", 20.0), diagnosis).backToNoise;
+  };
+  EXPECT_EQ(isBackToNoise(0.002), true);
+  EXPECT_EQ(isBackToNoise(0.0005), false);
+}
+
 }  // namespace
 }  // namespace alidade
