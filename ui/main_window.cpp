@@ -38,6 +38,7 @@
 #include "ui/panels/two_faces_panel.h"
 #include "ui/settings/theme.h"
 #include "ui/text/cause_text.h"
+#include "ui/text/visible_text.h"
 
 namespace alidade::ui {
 
@@ -182,7 +183,7 @@ void MainWindow::connectParts() {
   connect(m_budget, &BudgetPanel::checked, &m_files, &FileFlow::setBudgetCheck);
   connect(&m_files, &FileFlow::commitWanted, this, &MainWindow::commitPending);
   connect(m_findings, &FindingsPanel::placeActivated, this, [this](const Place& place) { reveal(place); });
-  const auto say = [this](const QString& text) { statusBar()->showMessage(text, 8000); };
+  const auto say = [this](const QString& text) { statusBar()->showMessage(visibleLine(text), 8000); };
   connect(&m_files, &FileFlow::remark, this, say);
   connect(m_positions, &PositionTabs::remark, this, say);
   connect(m_positions, &PositionTabs::positionWanted, this, &MainWindow::addPosition);
@@ -281,7 +282,10 @@ void MainWindow::showBlindTrials() {
 }
 
 void MainWindow::showTitle() {
-  setWindowTitle(tr("%1[*] — Alidade").arg(m_document.displayName()));
+  const QString mark = QStringLiteral("[*]");
+  QString name = visibleLine(m_document.displayName());
+  name.replace(mark, mark + mark);  // the name's own, not the sign of changes
+  setWindowTitle(tr("%1[*] — Alidade").arg(name));
   setWindowModified(m_document.isModified());
 }
 

@@ -19,10 +19,13 @@
 #include "ui/panels/suspect_bar.h"
 #include "ui/settings/recent_files.h"
 #include "ui/settings/theme.h"
+#include "ui/text/visible_text.h"
 
 namespace alidade::ui {
 
 namespace {
+
+constexpr int widestPath = 600;  // pixels
 
 template <typename Call>
 QAction* addTo(QMenu& menu, const char* icon, const QString& text, const QKeySequence& keys, QObject* context,
@@ -57,6 +60,7 @@ void WindowActions::createFileMenu(QToolBar& bar) {
   bar.addAction(addTo(menu, "new", tr("&New"), QKeySequence::New, this, [&files] { files.startNew(); }));
   bar.addAction(addTo(menu, "open", tr("&Open…"), QKeySequence::Open, this, [&files] { files.open(); }));
   QMenu* recent = menu.addMenu(tr("Open &Recent"));
+  recent->setToolTipsVisible(true);
   connect(recent, &QMenu::aboutToShow, this, [this, recent] { fillRecentMenu(*recent); });
   fillRecentMenu(*recent);
   addTo(menu, nullptr, tr("&Import Readings…"), QKeySequence(tr("Ctrl+Shift+I")), this,
@@ -75,9 +79,11 @@ void WindowActions::fillRecentMenu(QMenu& menu) {
   menu.clear();
   int number = 0;
   for (const QString& path : RecentFiles::existing()) {
-    QString shown = QDir::toNativeSeparators(path);
+    const QString name = visibleLine(QDir::toNativeSeparators(path));
+    QString shown = menu.fontMetrics().elidedText(name, Qt::ElideMiddle, widestPath);
     shown.replace(QLatin1Char('&'), QStringLiteral("&&"));
     QAction* action = menu.addAction(QStringLiteral("&%1  %2").arg(++number % 10).arg(shown));
+    action->setToolTip(tipText(path));
     connect(action, &QAction::triggered, this, [this, path] { m_window.files().open(path); });
   }
   if (number == 0) menu.addAction(tr("No files yet"))->setEnabled(false);
@@ -97,10 +103,10 @@ void WindowActions::createEditMenu(QToolBar& bar) {
   connect(&stack, &QUndoStack::canUndoChanged, undo, &QAction::setEnabled);
   connect(&stack, &QUndoStack::canRedoChanged, redo, &QAction::setEnabled);
   connect(&stack, &QUndoStack::undoTextChanged, undo, [undo](const QString& text) {
-    undo->setText(text.isEmpty() ? tr("&Undo") : tr("&Undo: %1").arg(text));
+    undo->setText(text.isEmpty() ? tr("&Undo") : tr("&Undo: %1").arg(menuText(text)));
   });
   connect(&stack, &QUndoStack::redoTextChanged, redo, [redo](const QString& text) {
-    redo->setText(text.isEmpty() ? tr("&Redo") : tr("&Redo: %1").arg(text));
+    redo->setText(text.isEmpty() ? tr("&Redo") : tr("&Redo: %1").arg(menuText(text)));
   });
   menu.addSeparator();
   QAction* cut =

@@ -7,6 +7,8 @@
 #include "app/workstation/report_command.h"
 #include "ui/main_window.h"
 #include "ui/settings/theme.h"
+#include "ui/settings/visible_log.h"
+#include "ui/text/visible_text.h"
 
 namespace {
 
@@ -21,7 +23,7 @@ bool needsNoDisplay(int argc, char** argv) {
 }
 
 int badCall(const QString& sentence) {
-  QTextStream(stderr) << "alidade: " << sentence << '\n';
+  QTextStream(stderr) << "alidade: " << ui::visibleLine(sentence) << '\n';
   return 2;
 }
 
@@ -36,6 +38,7 @@ int openWindow(QApplication& application, const QString& path) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  ui::keepLogVisible();
   if (argc > 1 && needsNoDisplay(argc, argv)) {
     qputenv("QT_QPA_PLATFORM", "offscreen");
     QLoggingCategory::setFilterRules(

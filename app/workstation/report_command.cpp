@@ -5,13 +5,14 @@
 #include "ui/dialogs/report_source.h"
 #include "ui/document/session_document.h"
 #include "ui/jobs/evaluation.h"
+#include "ui/text/visible_text.h"
 
 namespace alidade {
 
 namespace {
 
 int refuse(const QString& path, const Problem& problem) {
-  QTextStream(stderr) << path << ": " << QString::fromStdString(problem.text()) << '\n';
+  QTextStream(stderr) << ui::visibleLine(path) << ": " << ui::visibleLine(problem.text()) << '\n';
   return 2;
 }
 

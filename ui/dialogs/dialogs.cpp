@@ -5,8 +5,10 @@
 #include <QFileDialog>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QRegularExpression>
 
 #include "ui/settings/theme.h"
+#include "ui/text/visible_text.h"
 
 namespace alidade::ui {
 
@@ -16,8 +18,16 @@ struct Text {
   Q_DECLARE_TR_FUNCTIONS(Dialogs)
 };
 
+constexpr int longestName = 60;
+
 QString sessionFilter() {
   return Text::tr("Sessions (*.alidade);;All files (*)");
+}
+
+/// A box is as wide as its longest word.
+QString boxText(const QString& text) {
+  static const QRegularExpression longWord(QStringLiteral("(\\S{60})(?=\\S)"));
+  return visibleLines(text).replace(longWord, QStringLiteral("\\1\n"));
 }
 
 QString withSuffix(const QString& path, const QString& suffix) {
@@ -38,7 +48,7 @@ QString saveFile(QWidget* parent, const QString& title, const QString& suggestio
 
 Dialogs::SaveAnswer Dialogs::askSaveChanges(const QString& name) {
   QMessageBox box(QMessageBox::Warning, Text::tr("Unsaved changes"),
-                  Text::tr("“%1” has unsaved changes.").arg(name),
+                  Text::tr("“%1” has unsaved changes.").arg(shortLine(name, longestName)),
                   QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, m_parent);
   box.setInformativeText(Text::tr("Discarded changes cannot be brought back."));
   box.setDefaultButton(QMessageBox::Save);
@@ -55,9 +65,10 @@ Dialogs::SaveAnswer Dialogs::askSaveChanges(const QString& name) {
 bool Dialogs::askDiscardOther(const QString& name, Way way) {
   const QString unnamed = way == Way::Redo ? Text::tr("An import that was undone has not been saved.")
                                            : Text::tr("The session before the import has not been saved.");
-  QMessageBox box(QMessageBox::Warning, Text::tr("Unsaved changes"),
-                  name.isEmpty() ? unnamed : Text::tr("“%1” has unsaved changes, too.").arg(name),
-                  QMessageBox::Discard | QMessageBox::Cancel, m_parent);
+  QMessageBox box(
+      QMessageBox::Warning, Text::tr("Unsaved changes"),
+      name.isEmpty() ? unnamed : Text::tr("“%1” has unsaved changes, too.").arg(shortLine(name, longestName)),
+      QMessageBox::Discard | QMessageBox::Cancel, m_parent);
   const QString lead = way == Way::Redo
                            ? Text::tr("Redo brings it back with all that was typed into it, to be saved.")
                            : Text::tr("Undo leads back to it with all that was typed into it, to be saved.");
@@ -101,7 +112,7 @@ bool Dialogs::askReportWithoutVerdict(int entries) {
 }
 
 void Dialogs::showProblem(const QString& title, const QString& text) {
-  QMessageBox box(QMessageBox::Warning, title, text, QMessageBox::Ok, m_parent);
+  QMessageBox box(QMessageBox::Warning, title, boxText(text), QMessageBox::Ok, m_parent);
   box.setTextInteractionFlags(Qt::TextSelectableByMouse);
   box.exec();
 }
@@ -114,6 +125,7 @@ void Dialogs::showAbout() {
                            "warranty.</p><p>Built with Qt %2.</p>")
                       .arg(QCoreApplication::applicationVersion(), QString::fromLatin1(qVersion())),
                   QMessageBox::Close, m_parent);
+  box.setTextFormat(Qt::RichText);
   box.setIconPixmap(themeIcon(QStringLiteral("alidade")).pixmap(64, 64));
   box.exec();
 }
@@ -139,6 +151,7 @@ void Dialogs::showShortcuts() {
     html += QStringLiteral("<tr><td><b>%1</b></td><td>%2</td></tr>").arg(row[0], row[1]);
   QMessageBox box(QMessageBox::NoIcon, Text::tr("Keys of the table"), html + QStringLiteral("</table>"),
                   QMessageBox::Close, m_parent);
+  box.setTextFormat(Qt::RichText);
   box.exec();
 }
 

@@ -14,7 +14,7 @@
 #include "ui/document/session_document.h"
 #include "ui/jobs/evaluation.h"
 #include "ui/settings/recent_files.h"
-#include "ui/text/entry_text.h"
+#include "ui/text/visible_text.h"
 
 namespace alidade::ui {
 
@@ -93,11 +93,12 @@ bool FileFlow::importReadings(const QString& path) {
   const bool intoPresent = !hasReadings(m_document.session());
   ImportOptions options;
   if (intoPresent) options.base = withoutRows(m_document.session());
-  const QString name = QFileInfo(path).fileName();
+  const QString name = visibleLine(QFileInfo(path).fileName());
   const Result<Import> import = readImport(path, options);
   if (!import) {
-    m_dialogs.showProblem(tr("Import readings"),
-                          tr("“%1” cannot be imported.\n\n%2").arg(name, qText(import.problem().text())));
+    m_dialogs.showProblem(
+        tr("Import readings"),
+        tr("“%1” cannot be imported.\n\n%2").arg(name, visibleLine(import.problem().text())));
     return false;
   }
   if (!(intoPresent || mayLeaveChanges()) || !mayDropRedo()) return false;
@@ -118,9 +119,9 @@ void FileFlow::tellOf(const Import& import, const QString& name) {
 
 bool FileFlow::load(const QString& path) {
   if (const auto problem = m_document.load(path)) {
-    m_dialogs.showProblem(
-        tr("Open session"),
-        tr("“%1” cannot be opened.\n\n%2").arg(QFileInfo(path).fileName(), qText(problem->text())));
+    m_dialogs.showProblem(tr("Open session"),
+                          tr("“%1” cannot be opened.\n\n%2")
+                              .arg(visibleLine(QFileInfo(path).fileName()), visibleLine(problem->text())));
     return false;
   }
   RecentFiles::add(path);
@@ -141,7 +142,7 @@ bool FileFlow::saveAs() {
 
 bool FileFlow::saveTo(const QString& path) {
   if (const auto problem = m_document.save(path)) {
-    m_dialogs.showProblem(tr("Save session"), qText(problem->text()));
+    m_dialogs.showProblem(tr("Save session"), visibleLine(problem->text()));
     return false;
   }
   RecentFiles::add(path);
@@ -161,7 +162,7 @@ bool FileFlow::exportReport() {
   if (m_check && m_check->isOf(m_document.session())) options.simulated = m_check->simulated;
   const Result<QString> written = writeAcceptanceReport(evaluation, reportSource(m_document), path, options);
   if (!written) {
-    m_dialogs.showProblem(tr("Export acceptance report"), qText(written.problem().text()));
+    m_dialogs.showProblem(tr("Export acceptance report"), visibleLine(written.problem().text()));
     return false;
   }
   emit remark(tr("Report written to %1").arg(QDir::toNativeSeparators(*written)));

@@ -5,7 +5,7 @@
 #include <QStringList>
 
 #include "ui/text/effect_text.h"
-#include "ui/text/entry_text.h"
+#include "ui/text/visible_text.h"
 
 namespace alidade::ui {
 
@@ -31,8 +31,8 @@ bool isReadingsFile(const QString& path) {
 
 QString importNotes(const Import& import) {
   QStringList notes;
-  for (const LineProblem& problem : import.problems) notes.append(sentence(qText(problem.text())));
-  for (const std::string& remark : import.remarks) notes.append(sentence(qText(remark)));
+  for (const LineProblem& problem : import.problems) notes.append(sentence(visibleLine(problem.text())));
+  for (const std::string& remark : import.remarks) notes.append(sentence(visibleLine(remark)));
   if (notes.isEmpty()) return {};
   const qsizetype more = notes.size() - mostNotes;
   if (more > 0) {

@@ -4,8 +4,15 @@
 
 #include "ui/forms/field_binding.h"
 #include "ui/settings/theme.h"
+#include "ui/text/visible_text.h"
 
 namespace alidade::ui {
+
+namespace {
+
+constexpr int longestEntry = 40;
+
+}  // namespace
 
 FieldChoice::FieldChoice(SessionDocument& document, const Place& place, const QVector<Choice>& choices,
                          QWidget* parent)
@@ -29,7 +36,7 @@ void FieldChoice::refresh() {
   while (count() > m_choices) removeItem(m_choices);
   int row = text.isEmpty() ? 0 : findData(text);
   if (row < 0) {
-    addItem(themeIcon(QStringLiteral("problem")), text, text);
+    addItem(themeIcon(QStringLiteral("problem")), shortLine(text, longestEntry), text);
     row = m_choices;
   }
   setCurrentIndex(row);

@@ -3,15 +3,18 @@
 #include <QAction>
 #include <QKeyEvent>
 #include <QPainter>
+#include <limits>
 
 #include "ui/forms/field_binding.h"
 #include "ui/settings/theme.h"
 #include "ui/text/entry_text.h"
+#include "ui/text/visible_text.h"
 
 namespace alidade::ui {
 
 FieldEdit::FieldEdit(SessionDocument& document, const Place& place, Shows shows, QWidget* parent)
     : QLineEdit(parent), m_binding(new FieldBinding(document, place, this)), m_shows(shows) {
+  setMaxLength(std::numeric_limits<int>::max());  // or a long text would lose its end
   m_mark = addAction(themeIcon(QStringLiteral("problem")), QLineEdit::TrailingPosition);
   m_mark->setVisible(false);
   connect(m_binding, &FieldBinding::refreshed, this, &FieldEdit::refresh);
@@ -35,8 +38,8 @@ void FieldEdit::commit() {
 void FieldEdit::refresh() {
   if (isModified()) return;
   const QString typed = m_binding->text();
-  const bool asAngle = m_shows == Shows::Angle && !hasFocus();
-  const QString shown = asAngle ? shownAngle(typed.toStdString()) : typed;
+  const bool asAngle = m_shows == Shows::Angle;
+  const QString shown = hasFocus() ? typed : asAngle ? shownAngle(typed.toStdString()) : visibleLine(typed);
   if (text() != shown) {
     setText(shown);
     setCursorPosition(0);
@@ -44,9 +47,16 @@ void FieldEdit::refresh() {
   m_problem = m_binding->problem();
   m_mark->setVisible(hasProblem());
   m_mark->setToolTip(m_problem);
-  setToolTip(hasProblem() ? m_problem : m_hint);
+  setToolTip(hasProblem() ? m_problem : tip(typed));
   setAccessibleDescription(toolTip());
   update();
+}
+
+/// What the entry is for; above it the whole of a text that the field shortens or that has hidden parts.
+QString FieldEdit::tip(const QString& typed) const {
+  constexpr int usuallyFits = 40;
+  if (m_shows == Shows::Angle || (typed.size() <= usuallyFits && visibleLine(typed) == typed)) return m_hint;
+  return m_hint.isEmpty() ? tipText(typed) : tipText(typed) + QStringLiteral("\n\n") + m_hint;
 }
 
 /// Undo and redo belong to the session unless something is half typed here.

@@ -36,6 +36,7 @@ class FieldEdit : public QLineEdit {
  private:
   void commit();
   void refresh();
+  QString tip(const QString& typed) const;
 
   FieldBinding* m_binding;
   Shows m_shows;

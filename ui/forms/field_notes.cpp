@@ -4,6 +4,7 @@
 #include <QTextDocument>
 
 #include "ui/forms/field_binding.h"
+#include "ui/text/visible_text.h"
 
 namespace alidade::ui {
 
@@ -18,13 +19,20 @@ FieldNotes::FieldNotes(SessionDocument& document, const Place& place, QWidget* p
 void FieldNotes::commit() {
   if (!document()->isModified()) return;
   document()->setModified(false);
-  m_binding->enter(toPlainText());
+  m_binding->enter(typed());
 }
 
 void FieldNotes::refresh() {
-  if (document()->isModified() || toPlainText() == m_binding->text()) return;
-  setPlainText(m_binding->text());
+  if (document()->isModified()) return;
+  const QString shown = hasFocus() ? m_binding->text() : visibleLines(m_binding->text());
+  if (typed() == shown) return;
+  setPlainText(shown);
   document()->setModified(false);
+}
+
+/// `toPlainText` would make a blank of every no-break space.
+QString FieldNotes::typed() const {
+  return document()->toRawText().replace(QChar::ParagraphSeparator, u'\n');
 }
 
 /// Undo and redo belong to the session unless something is half typed here.
@@ -39,9 +47,15 @@ bool FieldNotes::event(QEvent* event) {
   return QPlainTextEdit::event(event);
 }
 
+void FieldNotes::focusInEvent(QFocusEvent* event) {
+  QPlainTextEdit::focusInEvent(event);
+  refresh();
+}
+
 void FieldNotes::focusOutEvent(QFocusEvent* event) {
   commit();
   QPlainTextEdit::focusOutEvent(event);
+  refresh();
 }
 
 }  // namespace alidade::ui

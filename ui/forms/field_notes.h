@@ -18,11 +18,13 @@ class FieldNotes : public QPlainTextEdit {
 
  protected:
   bool event(QEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
   void focusOutEvent(QFocusEvent* event) override;
 
  private:
   void commit();
   void refresh();
+  QString typed() const;
 
   FieldBinding* m_binding;
 };

@@ -7,10 +7,13 @@
 #include "ui/document/session_document.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/quantity_text.h"
+#include "ui/text/visible_text.h"
 
 namespace alidade::ui {
 
 namespace {
+
+constexpr int longestCell = 300;  // characters: more than any column shows
 
 bool isRequired(ReadingColumn column) {
   return column == ReadingColumn::Horizontal || column == ReadingColumn::Vertical;
@@ -85,7 +88,7 @@ QVariant ReadingsModel::data(const QModelIndex& index, int role) const {
 QVariant ReadingsModel::pendingRowData(ReadingColumn column, int role) const {
   if (role == PendingRowRole) return true;
   if (role == Qt::DisplayRole && column == ReadingColumn::Point) {
-    return qText(ReadingsEditor::following(readings()).point);
+    return shortLine(ReadingsEditor::following(readings()).point, longestCell);
   }
   if (role == Qt::ToolTipRole) return tr("Type here to add a reading");
   return {};
@@ -100,7 +103,7 @@ QString ReadingsModel::cellText(int row, ReadingColumn column) const {
     return numberText((horizontal ? residual->horizontal : residual->vertical).arcseconds(), 1);
   }
   const std::string& typed = reading(row).*readingText(column);
-  return isAngle(column) ? shownAngle(typed) : qText(typed);
+  return isAngle(column) ? shortLine(shownAngle(typed), longestCell) : shortLine(typed, longestCell);
 }
 
 QString ReadingsModel::problem(int row, ReadingColumn column) const {
@@ -131,7 +134,9 @@ QString ReadingsModel::toolTip(int row, ReadingColumn column) const {
   const QString doubt = suspicion(row, column);
   if (!doubt.isEmpty()) return tr("Looks misread: %1").arg(doubt);
   if (reading(row).excluded) return tr("Excluded: kept, but no part of the fit");
-  return isAngle(column) ? tr("As typed: %1").arg(qText(reading(row).*readingText(column))) : QString();
+  if (!readingText(column)) return {};
+  const QString typed = qText(reading(row).*readingText(column));
+  return isAngle(column) ? tr("As typed: %1").arg(tipText(typed)) : tipText(typed);
 }
 
 QVariant ReadingsModel::headerData(int section, Qt::Orientation orientation, int role) const {

@@ -14,12 +14,14 @@
 #include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/quantity_text.h"
+#include "ui/text/visible_text.h"
 
 namespace alidade::ui {
 
 namespace {
 
 constexpr int idRole = Qt::UserRole;
+constexpr int longestId = 24;  // characters
 
 std::string idOf(const QTreeWidgetItem& item) {
   return item.data(0, idRole).toString().toStdString();
@@ -62,6 +64,9 @@ EffectsPanel::EffectsPanel(SessionDocument& document, QWidget* parent)
     addItem(std::string(effect.id), capitalised(effectName(std::string(effect.id))))
         ->setToolTip(0, aboutText(effect));
   m_about->setWordWrap(true);
+  QSizePolicy policy = m_about->sizePolicy();
+  policy.setHorizontalPolicy(QSizePolicy::Ignored);  // a long word must not widen the page
+  m_about->setSizePolicy(policy);
   m_about->setMinimumHeight(4 * fontMetrics().lineSpacing());
   m_about->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   setFocusProxy(m_list);
@@ -94,10 +99,10 @@ void EffectsPanel::addUnknown() {
   while (m_list->topLevelItemCount() > known) delete m_list->takeTopLevelItem(known);
   for (const std::string& id : m_document.session().model.effects) {
     if (effectById(id)) continue;
-    QTreeWidgetItem* item = addItem(id, qText(id));
+    QTreeWidgetItem* item = addItem(id, shortLine(id, longestId));
     item->setIcon(0, themeIcon(QStringLiteral("problem")));
-    item->setToolTip(0,
-                     tr("“%1” is no effect of the catalogue; it is kept, but not estimated.").arg(qText(id)));
+    item->setToolTip(0, tr("“%1” is no effect of the catalogue; it is kept, but not estimated.")
+                            .arg(shortLine(id, longestId)));
   }
 }
 

@@ -9,6 +9,7 @@
 #include "ui/settings/theme.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/spoken_place.h"
+#include "ui/text/visible_text.h"
 
 namespace alidade::ui {
 
@@ -128,8 +129,8 @@ bool FindingsPanel::saysSound() const {
 }
 
 void FindingsPanel::add(const Entry& entry) {
-  auto* item = new QListWidgetItem(themeIcon(entry.icon), entry.text, this);
-  item->setToolTip(entry.text);
+  auto* item = new QListWidgetItem(themeIcon(entry.icon), visibleLine(entry.text), this);
+  item->setToolTip(tipText(entry.text));
   item->setData(Qt::AccessibleTextRole, QStringLiteral("%1: %2").arg(entry.spoken, entry.text));
 }
 

@@ -220,7 +220,7 @@ void GapPanel::showNext() {
   QStringList lines;
   for (const Advice& advice : diagnosis.advice) {
     const QString figure = numberText(advice.bySigma, 1);
-    const QString what = causeNames(advice.separates, tr("and"));
+    const QString what = causeNames(advice.separates, tr("and")).toHtmlEscaped();
     lines.append(QStringLiteral("• <b>%1</b>: ").arg(qText(advice.measure).toHtmlEscaped()) +
                  (advice.ofUnseen ? tr("would show %1 by %2 σ or more").arg(what, figure)
                                   : tr("separates %1 by %2 σ or more").arg(what, figure)));

@@ -12,13 +12,14 @@
 #include "ui/panels/findings_panel.h"
 #include "ui/panels/readings_table.h"
 #include "ui/settings/theme.h"
-#include "ui/text/entry_text.h"
+#include "ui/text/visible_text.h"
 
 namespace alidade::ui {
 
 namespace {
 
 constexpr int axes[] = {0, 180};
+constexpr int longestAxis = 12;
 
 bool changesTabs(const SessionChange& change) {
   return change.kind == SessionChange::Kind::Everything || change.kind == SessionChange::Kind::Positions;
@@ -142,7 +143,7 @@ void PositionTabs::nameTabs() {
     const std::string& axis = positions.at(static_cast<std::size_t>(tab)).axisDeg;
     const QString name = axis == "0"     ? tr("Axis at &0°")
                          : axis == "180" ? tr("Axis at &180°")
-                                         : tr("Axis at %1°").arg(qText(axis));
+                                         : tr("Axis at %1°").arg(menuText(shortLine(axis, longestAxis)));
     if (tabText(tab) != name) setTabText(tab, name);
   }
 }

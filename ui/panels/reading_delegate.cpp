@@ -4,6 +4,7 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
+#include <limits>
 
 #include "ui/models/readings_model.h"
 #include "ui/settings/theme.h"
@@ -21,6 +22,7 @@ QWidget* ReadingDelegate::createEditor(QWidget* parent, const QStyleOptionViewIt
                                        const QModelIndex& index) const {
   auto* editor = new QLineEdit(parent);
   editor->setFrame(false);
+  editor->setMaxLength(std::numeric_limits<int>::max());  // or a long text would lose its end
   editor->setAlignment(static_cast<Qt::Alignment>(index.data(Qt::TextAlignmentRole).toInt()));
   editor->setAccessibleName(
       index.model()->headerData(index.column(), Qt::Horizontal, Qt::DisplayRole).toString());

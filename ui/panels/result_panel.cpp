@@ -80,6 +80,7 @@ ResultPanel::ResultPanel(QWidget* parent)
   layout->addWidget(m_comparison);
   layout->addStretch();
   m_comparison->hide();
+  m_gapHint->setTextFormat(Qt::RichText);
   m_gapHint->setObjectName(QStringLiteral("gap hint"));
   m_gapHint->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   m_gapHint->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);

@@ -14,9 +14,12 @@
 #include "ui/report/report_readings.h"
 #include "ui/report/report_sheet.h"
 #include "ui/report/report_summary.h"
+#include "ui/text/visible_text.h"
 
 namespace alidade::ui {
 namespace {
+
+constexpr int longestTitle = 300;
 
 QString sessionName(const Evaluation& evaluation, const ReportSource& source) {
   const QString title = QString::fromStdString(evaluation.session.title).trimmed();
@@ -49,7 +52,8 @@ bool paintReport(QBuffer& buffer, const Evaluation& evaluation, const ReportSour
   writer.setPdfVersion(QPagedPaintDevice::PdfVersion_A1b);
   writer.setResolution(1200);
   writer.setPageLayout(QPageLayout(QPageSize(QPageSize::A4), QPageLayout::Portrait, QMarginsF(0, 0, 0, 0)));
-  writer.setTitle(QStringLiteral("Acceptance report: ") + sessionName(evaluation, source));
+  writer.setTitle(QStringLiteral("Acceptance report: ") +
+                  shortLine(sessionName(evaluation, source), longestTitle));
   writer.setCreator(QStringLiteral("Alidade " ALIDADE_VERSION));
   ReportSheet sheet(writer, frameFor(evaluation, source, options));
   const Gap gap = assessGap(std::make_shared<const Evaluation>(evaluation));

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ui/text/quantity_text.h"
+#include "ui/text/visible_text.h"
 
 namespace alidade::ui {
 namespace {
@@ -13,7 +14,8 @@ struct Fact {
 };
 
 QString stated(const std::string& text, const QString& unit = {}) {
-  const QString value = QString::fromStdString(text).trimmed();
+  constexpr int longest = 120;
+  const QString value = shortLine(QString::fromStdString(text).trimmed(), longest);
   return value.isEmpty() ? notStated() : value + unit;
 }
 

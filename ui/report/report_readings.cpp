@@ -7,11 +7,13 @@
 #include "ui/report/report_table.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/quantity_text.h"
+#include "ui/text/visible_text.h"
 
 namespace alidade::ui {
 namespace {
 
 constexpr double largeResidual = 3;  // times s0 σ
+constexpr int longestCell = 60;      // characters; more is cut, for paper has no tool tip
 
 /// The limits beyond which a residual is marked, arcseconds; infinite where nothing was fitted.
 struct Limits {
@@ -27,10 +29,10 @@ Limits limitsOf(const Evaluation& evaluation) {
 
 /// As typed, and below it in degrees, minutes and seconds where it was typed in another way.
 QString angleCell(const std::string& typed) {
-  const QString text = qText(typed).trimmed();
+  const QString text = shortLine(qText(typed).trimmed(), longestCell);
   QString primes = text;
   primes.replace(u'\'', QChar(0x2032)).replace(u'"', QChar(0x2033));
-  const QString normal = shownAngle(typed).trimmed();
+  const QString normal = shortLine(shownAngle(typed).trimmed(), longestCell);
   if (normal == primes || normal == text) return orNotStated(text);
   return text + QStringLiteral("\n= ") + normal;
 }
@@ -65,7 +67,7 @@ QString remark(const Reading& reading, bool unusable) {
 }
 
 QString orDefault(const std::string& text, const QString& usual) {
-  const QString typed = qText(text).trimmed();
+  const QString typed = shortLine(qText(text).trimmed(), longestCell);
   return typed.isEmpty() ? usual : typed;
 }
 
@@ -95,7 +97,7 @@ class PositionTable {
     const bool unusable = m_unusable.contains(row);
     const TextStyle style = reading.excluded ? type::label : unusable ? type::body.inBold() : type::body;
     const QString one = QStringLiteral("1");
-    std::vector<ReportCell> cells{{orNotStated(qText(reading.point)), style},
+    std::vector<ReportCell> cells{{orNotStated(shortLine(reading.point, longestCell)), style},
                                   {orDefault(reading.round, one), style},
                                   {orDefault(reading.face, one), style},
                                   {angleCell(reading.horizontal), style},
@@ -113,7 +115,7 @@ class PositionTable {
       }
     }
     cells.emplace_back(remark(reading, unusable), style);
-    m_table.row(cells, qText(reading.note).simplified());
+    m_table.row(cells, visibleLine(qText(reading.note).trimmed()));
   }
 
   ReportTable m_table;
@@ -125,7 +127,7 @@ class PositionTable {
 
 void addPosition(ReportSheet& sheet, const Evaluation& evaluation, std::size_t index) {
   const Position& position = evaluation.session.positions[index];
-  const auto zero = [](const std::string& text) { return orNotStated(qText(text)); };
+  const auto zero = [](const std::string& text) { return orNotStated(shortLine(text, longestCell)); };
   sheet.keepTogether(35);
   sheet.heading(QStringLiteral("Readings with the axis at %1°").arg(zero(position.axisDeg)));
   sheet.paragraph(QStringLiteral("Pointing zero: horizontal α0 = %1, vertical β0 = %2")

@@ -6,6 +6,8 @@
 #include <QRegularExpression>
 #include <QTextLayout>
 
+#include "ui/text/visible_text.h"
+
 namespace alidade::ui {
 namespace {
 
@@ -35,7 +37,8 @@ void ReportSheet::keepTogether(double needed) {
 
 QStringList ReportSheet::lines(const QString& text, const TextStyle& style, double available) const {
   QStringList result;
-  for (const QString& part : text.split(u'\n')) {
+  for (const QString& written : visibleLines(text).replace(u'\t', u' ').split(u'\n')) {
+    const QString part = visibleLine(written);
     if (textWidth(part, style) <= available) {
       result.append(part);
       continue;
@@ -73,7 +76,9 @@ QRectF ReportSheet::inDeviceUnits(const QRectF& millimetres) const {
 void ReportSheet::text(const QString& line, const TextStyle& style, double left, double top, double available,
                        Qt::Alignment alignment) {
   if (line.isEmpty()) return;
-  draw([=, this](QPainter& painter) { paintLine(painter, line, style, left, top, available, alignment); });
+  draw([=, this, shown = visibleLine(line)](QPainter& painter) {
+    paintLine(painter, shown, style, left, top, available, alignment);
+  });
 }
 
 void ReportSheet::paintLine(QPainter& painter, const QString& line, const TextStyle& style, double left,
@@ -141,7 +146,8 @@ void ReportSheet::paint(QPainter& painter) {
 
 void ReportSheet::paintFrame(QPainter& painter, int page) {
   const auto elided = [&](const QString& text, double available, Qt::TextElideMode mode) {
-    return QFontMetricsF(type::small.font(), &m_device).elidedText(text, mode, available * m_unit);
+    return QFontMetricsF(type::small.font(), &m_device)
+        .elidedText(visibleLine(text), mode, available * m_unit);
   };
   const auto rule = [&](double y) {
     painter.setPen(QPen(Qt::black, 0.15 * m_unit));

@@ -8,6 +8,7 @@
 #include "ui/text/entry_text.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/simulation_text.h"
+#include "ui/text/visible_text.h"
 
 namespace alidade::ui {
 namespace {
@@ -18,7 +19,8 @@ void addTitle(ReportSheet& sheet, const Session& session) {
   sheet.text(QStringLiteral("Intersection of a rotatable arc guideway"), type::label, 0,
              sheet.y() + title - sheet.lineHeight(type::label) - 1, ReportSheet::width, Qt::AlignRight);
   sheet.skip(title + 0.5);
-  sheet.paragraph(orNotStated(QString::fromStdString(session.title)), type::subtitle);
+  constexpr int longest = 300;
+  sheet.paragraph(orNotStated(shortLine(session.title, longest)), type::subtitle);
 }
 
 QString severityName(Severity severity) {

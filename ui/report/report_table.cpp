@@ -35,13 +35,15 @@ void ReportTable::row(const std::vector<ReportCell>& cells, const QString& note)
   const QStringList noteLines =
       note.isEmpty() ? QStringList() : m_sheet.lines(note, type::small, m_width - indent);
   const double noteLine = m_sheet.lineHeight(type::small);
-  if (m_sheet.room() < height + noteLines.size() * noteLine) {
+  const double whole = height + noteLines.size() * noteLine;
+  if (m_sheet.room() < std::min(whole, ReportSheet::height / 2)) {
     m_sheet.newPage();
     head();
   }
   place(cells, lines);
   m_sheet.skip(height);
   for (const QString& line : noteLines) {
+    m_sheet.keepTogether(noteLine);
     m_sheet.text(line, type::small, indent, m_sheet.y() - above, m_width - indent);
     m_sheet.skip(noteLine);
   }

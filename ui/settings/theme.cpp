@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QFont>
+#include <QLabel>
 #include <QPainter>
 #include <QProxyStyle>
 #include <QSettings>
@@ -63,6 +64,16 @@ QPalette darkPalette() {
 class WorkstationStyle : public QProxyStyle {
  public:
   WorkstationStyle() : QProxyStyle(QStringLiteral("Fusion")) {}
+
+  using QProxyStyle::polish;
+
+  /// What is shown is text, whoever wrote it: labels, those of message boxes and tool tips too, take markup
+  /// only where they are told to, never because a name looks like it.
+  void polish(QWidget* widget) override {
+    QProxyStyle::polish(widget);
+    auto* label = qobject_cast<QLabel*>(widget);
+    if (label && label->textFormat() == Qt::AutoText) label->setTextFormat(Qt::PlainText);
+  }
 
   void drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
                    const QWidget* widget) const override {

@@ -1,11 +1,12 @@
 #include "ui/text/effect_text.h"
 
 #include "ui/text/entry_text.h"
+#include "ui/text/visible_text.h"
 
 namespace alidade::ui {
 
 QString effectName(const std::string& id) {
-  return qText(id).replace(QLatin1Char('_'), QLatin1Char(' '));
+  return visibleLine(id).replace(QLatin1Char('_'), QLatin1Char(' '));
 }
 
 QString effectText(const EffectEstimate& estimate, const QString& separator) {

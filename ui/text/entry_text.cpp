@@ -4,6 +4,7 @@
 
 #include "core/base/angle_text.h"
 #include "ui/text/quantity_text.h"
+#include "ui/text/visible_text.h"
 
 namespace alidade::ui {
 
@@ -21,7 +22,7 @@ int secondsDecimals(Angle angle) {
 
 QString shownAngle(const std::string& typed) {
   const Result<Angle> angle = parseAngle(typed);
-  return angle ? dmsText(*angle, secondsDecimals(*angle)) : qText(typed);
+  return angle ? dmsText(*angle, secondsDecimals(*angle)) : visibleLine(typed);
 }
 
 }  // namespace alidade::ui

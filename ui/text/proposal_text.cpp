@@ -4,6 +4,7 @@
 #include <QStringList>
 
 #include "ui/text/entry_text.h"
+#include "ui/text/visible_text.h"
 
 namespace alidade::ui {
 
@@ -11,7 +12,7 @@ QString proposalText(const Proposal& proposal) {
   QStringList texts;
   for (const CellChange& change : proposal.changes)
     texts.append(change.where.field == "face"
-                     ? QCoreApplication::translate("Proposal", "face %1").arg(qText(change.text))
+                     ? QCoreApplication::translate("Proposal", "face %1").arg(visibleLine(change.text))
                      : shownAngle(change.text));
   return texts.join(QCoreApplication::translate("Proposal", " and "));
 }

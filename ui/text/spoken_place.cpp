@@ -5,16 +5,23 @@
 
 #include "ui/document/field.h"
 #include "ui/text/entry_text.h"
+#include "ui/text/visible_text.h"
 
 namespace alidade::ui {
+
+namespace {
+
+constexpr int longestName = 20;
+
+}  // namespace
 
 QString spokenPlace(const Session& session, const Place& place) {
   QStringList parts;
   if (place.position && *place.position < session.positions.size()) {
     const Position& position = session.positions[*place.position];
-    parts.append(qText(position.axisDeg) + QChar(0x00b0));
+    parts.append(shortLine(position.axisDeg, longestName) + QChar(0x00b0));
     if (place.reading && *place.reading < position.readings.size()) {
-      const QString point = qText(position.readings[*place.reading].point).trimmed();
+      const QString point = shortLine(qText(position.readings[*place.reading].point).trimmed(), longestName);
       const QString row = QStringLiteral("row %1").arg(*place.reading + 1);
       parts.append(point.isEmpty() ? row : row + QStringLiteral(" (point %1)").arg(point));
     }
