@@ -1,10 +1,20 @@
+#include <gtest/gtest.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 
 #include "tests/fuzz/targets.h"
 
-// One program for each target; libFuzzer has its main.
+// One program for each target; libFuzzer has its main. An expectation that is not met ends it as an
+// exception.
+
+// NOLINTNEXTLINE(readability-identifier-naming): libFuzzer's name
+extern "C" int LLVMFuzzerInitialize(int*, char***) {
+  testing::InitGoogleTest();
+  GTEST_FLAG_SET(throw_on_failure, true);
+  return 0;
+}
 
 // NOLINTNEXTLINE(readability-identifier-naming): libFuzzer's name
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
