@@ -95,12 +95,7 @@ fi
 chosen=("${targets[@]}")
 if [[ ${1:-} =~ ^[a-z]+$ ]]; then
   [[ " ${targets[*]} " == *" $1 "* ]] || { say "run.sh: no target $1: choose one of ${targets[*]}" && exit 2; }
-  built=
-if [[ ${1:-} == --built ]]; then
-  built=1
-  shift
-fi
-chosen=("$1")
+  chosen=("$1")
   shift
 fi
 seconds=60
