@@ -20,8 +20,8 @@ struct Answer {
   GapModel after;                          ///< with the explanation in the model
 };
 
-/// Whichever of nothing, known causes and a pattern of no known cause is the most likely as a whole; an Unknown
-/// without any part where the readings do not determine a model with the likeliest.
+/// Whichever of nothing, known causes and a pattern of no known cause is the most likely as a whole; an
+/// Unknown without any part where the readings do not determine a model with the likeliest.
 Answer conclude(const Inquiry& inquiry);
 
 /// The gap after each cause: without all readings blamed, then with each part of the explanation added.
