@@ -23,10 +23,22 @@ struct ArcJets {
   /// x, y, R, zero of the slider, L, φ, then the terms from `firstGuidewayTerm` on.
   static constexpr int xSlot = 0, ySlot = 1, radiusSlot = 2, sliderSlot = 3, farSlot = 4, angleSlot = 5,
                        guidewayTermSlot = 6;
-  /// The target's x, y, z, then the terms before `firstGuidewayTerm`. Even sizes are quicker.
+  /// The target's x, y, z, then the terms before `firstGuidewayTerm`.
   static constexpr int instrumentTermSlot = 3;
-  using GuidewayJet = Eigen::AutoDiffScalar<Eigen::Vector<double, which == ArcTerms::None ? 6 : 20>>;
-  using InstrumentJet = Eigen::AutoDiffScalar<Eigen::Vector<double, which == ArcTerms::All ? 18 : 4>>;
+  static constexpr int guidewaySlots =
+      guidewayTermSlot + (which == ArcTerms::None ? 0 : static_cast<int>(errorTermCount - firstGuidewayTerm));
+  static constexpr int instrumentSlots =
+      instrumentTermSlot + (which == ArcTerms::All ? static_cast<int>(firstGuidewayTerm) : 0);
+  /// Even sizes are quicker. The sizes are stated, so that a new term is seen to make every jet longer.
+  static constexpr int guidewaySize = which == ArcTerms::None ? 6 : 20,
+                       instrumentSize = which == ArcTerms::All ? 18 : 4;
+  static_assert(guidewaySlots <= guidewaySize && guidewaySize - guidewaySlots <= 2 && guidewaySize % 2 == 0,
+                "the guideway's jets must have a slot for every term of the guideway");
+  static_assert(instrumentSlots <= instrumentSize && instrumentSize - instrumentSlots <= 2 &&
+                    instrumentSize % 2 == 0,
+                "the instrument's jets must have a slot for every term of the instrument");
+  using GuidewayJet = Eigen::AutoDiffScalar<Eigen::Vector<double, guidewaySize>>;
+  using InstrumentJet = Eigen::AutoDiffScalar<Eigen::Vector<double, instrumentSize>>;
 
   ErrorTerms<GuidewayJet> guidewayErrors{constant<GuidewayJet>(0)};
   ErrorTerms<InstrumentJet> instrumentErrors{constant<InstrumentJet>(0)};
