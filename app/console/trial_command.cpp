@@ -42,7 +42,10 @@ void addTrialCommand(CLI::App& app, TrialRequest& request) {
                    "Score trials made elsewhere: a folder with truth.json and sessions/*.alidade")
       ->excludes(count)
       ->excludes(seed)
-      ->excludes(protocol);
+      ->excludes(protocol)
+      ->check([](const std::string& folder) {
+        return folder.empty() ? "names no folder: give the one that holds truth.json and sessions/" : "";
+      });
   trial->add_flag(
       "--withheld", request.withheld,
       "Diagnose each effect a second time with itself taken from the catalogue: no wrong cause may "
