@@ -42,8 +42,9 @@ ReadingKind kindOf(const std::string& field);
 class CorrectionTrials {
  public:
   /// Searches `fitted`, the fitted part of what `session` means, at the stated risk of naming a sound
-  /// reading.
-  CorrectionTrials(const Session& session, Measurement fitted, double risk, const std::stop_token& stop);
+  /// reading. `fit`: of all its readings.
+  CorrectionTrials(const Session& session, Measurement fitted, const JointFit& fit, double risk,
+                   const std::stop_token& stop);
 
   const Measurement& measurement() const { return m_fitted; }
   const std::vector<MisreadReading>& misread() const { return m_search.misread; }

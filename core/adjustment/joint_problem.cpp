@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 #include "core/adjustment/arc_jets.h"
@@ -16,6 +17,10 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 constexpr double largestTurn =
     0.3;  // rad of arc angle in one step; keeps a poor start on its side of the circle
+
+std::tuple<std::size_t, std::size_t, ReadingKind> placeOf(const ReadingRef& cell) {
+  return {cell.arc, cell.sighting, cell.kind};
+}
 
 /// Normal equations over the slots of one arc.
 struct SlotSystem {
@@ -65,6 +70,7 @@ JointProblem::JointProblem(const Measurement& measurement, const JointFitOptions
     estimate({.kind = Unknown::Kind::Error, .arc = 0, .term = term.term}, {term.priorValue, term.priorSigma});
   consider({.kind = Unknown::Kind::Distance}, measurement.sigmaDistance);
   buildSlotMaps();
+  std::ranges::sort(m_without, {}, placeOf);
 }
 
 void JointProblem::addArc(std::size_t arc) {
@@ -215,7 +221,7 @@ Pointing JointProblem::pointingOf(const ArcMeasurement& arc, const Sighting& sig
 }
 
 bool JointProblem::takesPart(std::size_t arc, std::size_t sighting, ReadingKind kind) const {
-  return std::ranges::find(m_without, ReadingRef{arc, sighting, kind}) == m_without.end();
+  return !std::ranges::binary_search(m_without, std::tuple(arc, sighting, kind), {}, placeOf);
 }
 
 /// Jets no longer than the terms need; a perfect instrument is differentiated by its target alone.

@@ -3,6 +3,8 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <optional>
 
 #include "core/adjustment/joint_problem.h"
@@ -25,7 +27,6 @@ struct TestedReading {
   std::size_t visit = 0;
   double along = 0;     ///< its share of the unit direction of ∂/∂φ
   double residual = 0;  ///< in σ
-  VectorXd reduced;     ///< derivatives by the unknowns, the arc angle eliminated
 };
 
 MatrixXd matrixOf(const SquareMatrix& square) {
@@ -41,36 +42,68 @@ class Projector {
       : m_cofactor(matrixOf(fit.cofactor)) {
     const JointProblem problem(measurement, options);
     const JointState state = problem.stateOf(fit);
+    makeRoom(measurement);
     for (std::size_t v = 0; v < problem.visits().size(); ++v) {
-      const VisitOfArc& visit = problem.visits()[v];
       const VisitEquations equations = problem.equationsOf(state, v);
+      const VisitEquations::Jacobian columns = JointProblem::reduced(equations);
       for (Index row = 0; row < equations.residual.size(); ++row) {
         if (equations.jacobian.row(row).isZero(0)) continue;  // takes no part
-        const VectorXd reduced = problem.spread(JointProblem::reduced(equations, row), visit.arc);
         const ReadingRef cell = problem.cellOf(v, row);
+        m_reduced.col(size()) =
+            problem.spread(columns.row(row).transpose(), problem.visits()[v].arc).head(m_cofactor.rows());
+        slotOf(cell) = static_cast<std::uint32_t>(size());
         m_readings.push_back({cell, statedSigma(measurement, cell.kind).radians(), v, equations.along[row],
-                              equations.residual[row], reduced.head(m_cofactor.rows())});
+                              equations.residual[row]});
       }
     }
+    m_redundancies.resize(size());
+    for (std::size_t i = 0; i < m_readings.size(); ++i) m_redundancies[static_cast<Index>(i)] = entry(i, i);
   }
 
   const std::vector<TestedReading>& readings() const { return m_readings; }
 
   double operator()(std::size_t i, std::size_t j) const {
-    const TestedReading &a = m_readings[i], &b = m_readings[j];
-    double value = (i == j ? 1 : 0) - a.reduced.dot(m_cofactor * b.reduced);
-    if (a.visit == b.visit) value -= a.along * b.along;
-    return value;
+    return i == j ? m_redundancies[static_cast<Index>(i)] : entry(i, j);
   }
 
+  /// As many as there are readings where it is none of them.
   std::size_t indexOf(const ReadingRef& cell) const {
-    const auto found = std::ranges::find(m_readings, cell, &TestedReading::cell);
-    return static_cast<std::size_t>(found - m_readings.begin());
+    return std::min<std::size_t>(m_slots[cell.arc][slotIn(cell)], m_readings.size());
   }
 
  private:
+  static constexpr std::size_t kinds = 3;
   MatrixXd m_cofactor;
   std::vector<TestedReading> m_readings;
+  MatrixXd m_reduced;  ///< derivatives of each by the unknowns, the arc angle eliminated
+  VectorXd m_redundancies;
+  std::vector<std::vector<std::uint32_t>> m_slots;  ///< of each arc: the reading behind a cell
+
+  Index size() const { return static_cast<Index>(m_readings.size()); }
+  static std::size_t slotIn(const ReadingRef& cell) {
+    return kinds * cell.sighting + static_cast<std::size_t>(cell.kind);
+  }
+  std::uint32_t& slotOf(const ReadingRef& cell) { return m_slots[cell.arc][slotIn(cell)]; }
+
+  void makeRoom(const Measurement& measurement) {
+    std::size_t cells = 0;
+    for (const ArcMeasurement& arc : measurement.arcs) {
+      m_slots.emplace_back(kinds * arc.sightings.size(), std::numeric_limits<std::uint32_t>::max());
+      cells += 2 * arc.sightings.size();
+      cells += static_cast<std::size_t>(
+          std::ranges::count_if(arc.sightings, [](const Sighting& s) { return s.slider.has_value(); }));
+    }
+    m_readings.reserve(cells);
+    m_reduced.resize(m_cofactor.rows(), static_cast<Index>(cells));
+  }
+
+  double entry(std::size_t i, std::size_t j) const {
+    const TestedReading &a = m_readings[i], &b = m_readings[j];
+    const auto ofA = m_reduced.col(static_cast<Index>(i)), ofB = m_reduced.col(static_cast<Index>(j));
+    double value = (i == j ? 1 : 0) - ofA.dot(m_cofactor * ofB);
+    if (a.visit == b.visit) value -= a.along * b.along;
+    return value;
+  }
 };
 
 class Search {
@@ -120,6 +153,13 @@ class Search {
   /// A first fit that those apart have no part in: the rows are put on the circle of the others.
   void fitWithoutApart() {
     m_shifted = m_measurement;
+    const bool isKnown =
+        m_apart.empty() && m_options.known && m_options.known->converged && m_fitOptions.without.empty();
+    if (isKnown) {
+      m_fit = *m_options.known;
+      m_projector.emplace(m_shifted, m_fitOptions, m_fit);
+      return;
+    }
     for (const ReadingRef& cell : m_apart) {
       Sighting& sighting = m_shifted.arcs[cell.arc].sightings[cell.sighting];
       if (cell.kind == ReadingKind::Slider) continue;
@@ -136,12 +176,19 @@ class Search {
     m_projector.emplace(m_shifted, m_fitOptions, m_fit);
   }
 
-  bool isAlone(const ReadingRef& cell) const {
-    const auto& sightings = m_measurement.arcs[cell.arc].sightings;
-    const Sighting& own = sightings[cell.sighting];
-    return !own.slider && std::ranges::count_if(sightings, [&](const Sighting& other) {
-                            return other.round == own.round && other.point == own.point;
-                          }) == 1;
+  bool isAlone(const ReadingRef& cell) {
+    if (m_alone.empty())
+      for (const ArcMeasurement& arc : m_measurement.arcs) m_alone.push_back(rowsAlone(arc));
+    return m_alone[cell.arc][cell.sighting];
+  }
+
+  /// Rows without a slider reading that are all there is of their visit.
+  static std::vector<bool> rowsAlone(const ArcMeasurement& arc) {
+    std::vector<bool> alone(arc.sightings.size());
+    for (const Visit& visit : visitsOf(arc))
+      if (const std::size_t row = visit.sightings.front(); visit.sightings.size() == 1)
+        alone[row] = !arc.sightings[row].slider;
+    return alone;
   }
 
   bool isLeftOut(const ReadingRef& cell) const {
@@ -392,6 +439,7 @@ class Search {
   JointFitOptions m_fitOptions;
   std::vector<Circle> m_circles;
   std::vector<ReadingRef> m_apart;
+  std::vector<std::vector<bool>> m_alone;  ///< of each arc, when it is needed
   std::vector<Shift> m_shifts;
   std::vector<LeftOut> m_leftOut;
   Measurement m_shifted;

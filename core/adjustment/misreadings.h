@@ -40,6 +40,8 @@ struct MisreadingOptions {
   double risk = 0.01;        ///< of naming any reading of a sound session, in (0, 1)
   JointFitOptions fit = {};  ///< terms estimated along, readings left out, … as for the joint fit
   std::size_t most = 12;     ///< at most so many are named
+  /// The fit of all readings with these options, where it is known already; may be null.
+  const JointFit* known = nullptr;
 };
 
 struct MisreadingSearch {

@@ -19,12 +19,12 @@ constexpr std::size_t mostProposals = 5, mostUnusableRows = 12;
 
 class SuspectSearch {
  public:
-  SuspectSearch(const Session& session, Measurement fitted, const SuspectOptions& options,
-                const std::stop_token& stop)
+  SuspectSearch(const Session& session, Measurement fitted, const JointFit& fit,
+                const SuspectOptions& options, const std::stop_token& stop)
       : m_session(session),
         m_stop(stop),
         m_reader(session),
-        m_trials(session, std::move(fitted), options.risk, stop) {}
+        m_trials(session, std::move(fitted), fit, options.risk, stop) {}
 
   std::vector<Suspect> run() {
     for (const MisreadReading& misread : m_trials.misread()) {
@@ -153,13 +153,14 @@ class SuspectSearch {
     for (std::size_t arc = 0; arc < m_trials.measurement().arcs.size(); ++arc) {
       const std::size_t position = m_trials.measurement().arcs[arc].position;
       const auto& readings = m_session.positions[position].readings;
+      std::vector<bool> isUsable(readings.size());
+      for (const Sighting& sighting : m_trials.measurement().arcs[arc].sightings)
+        isUsable[sighting.row] = true;
       for (std::size_t row = 0; row < readings.size() && looked < mostUnusableRows; ++row) {
         if (m_stop.stop_requested()) return;
-        if (readings[row].excluded || readings[row].horizontal.empty() || readings[row].vertical.empty() ||
-            std::ranges::find(m_trials.measurement().arcs[arc].sightings, row, &Sighting::row) !=
-                m_trials.measurement().arcs[arc].sightings.end())
+        if (isUsable[row] || readings[row].excluded || readings[row].horizontal.empty() ||
+            readings[row].vertical.empty() || isNamed({arc, 0, 0, {row}}))
           continue;
-        if (isNamed({arc, 0, 0, {row}})) continue;
         ++looked;
         lookAtUnusable(arc, row);
       }
@@ -207,7 +208,7 @@ std::vector<Suspect> findSuspects(const Session& session, const Measurement& mea
                                   const SessionFit& fit, const SuspectOptions& options,
                                   const std::stop_token& stop) {
   if (fit.arcs.empty()) return {};
-  return SuspectSearch(session, fittedPart(measurement, fit), options, stop).run();
+  return SuspectSearch(session, fittedPart(measurement, fit), fit.joint, options, stop).run();
 }
 
 std::optional<Finding> suspectsFinding(const std::vector<Suspect>& suspects) {

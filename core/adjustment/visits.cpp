@@ -1,35 +1,39 @@
 #include "core/adjustment/visits.h"
 
 #include <algorithm>
-#include <numeric>
-#include <tuple>
+#include <compare>
 
 namespace alidade {
 
 std::vector<Visit> visitsOf(const ArcMeasurement& arc) {
-  const auto keyOf = [&](std::size_t i) {
-    return std::tuple(arc.sightings[i].round, arc.sightings[i].point, i);
+  struct Row {
+    int round, point;
+    std::size_t index;
+
+    auto operator<=>(const Row&) const = default;
   };
-  std::vector<std::size_t> order(arc.sightings.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::sort(order, {}, keyOf);
+  std::vector<Row> rows;
+  rows.reserve(arc.sightings.size());
+  for (const Sighting& sighting : arc.sightings)
+    rows.push_back({sighting.round, sighting.point, rows.size()});
+  if (!std::ranges::is_sorted(rows)) std::ranges::sort(rows);
   std::vector<Visit> visits;
-  visits.reserve(order.size());
-  for (const std::size_t i : order) {
-    const Sighting& sighting = arc.sightings[i];
-    if (visits.empty() || visits.back().round != sighting.round || visits.back().point != sighting.point)
-      visits.push_back({sighting.round, sighting.point, {}, {}});
-    visits.back().sightings.push_back(i);
+  visits.reserve(rows.size());
+  for (const Row& row : rows) {
+    if (visits.empty() || visits.back().round != row.round || visits.back().point != row.point)
+      visits.push_back({row.round, row.point, {}, {}});
+    visits.back().sightings.push_back(row.index);
   }
-  std::ranges::sort(visits, {}, [](const Visit& visit) { return visit.sightings.front(); });
+  const auto firstRow = [](const Visit& visit) { return visit.sightings.front(); };
+  if (!std::ranges::is_sorted(visits, {}, firstRow)) std::ranges::sort(visits, {}, firstRow);
   for (Visit& visit : visits) {
     Direction<double> sum{0, 0};
     for (const std::size_t i : visit.sightings) {
       sum.a += arc.sightings[i].a.radians();
       sum.e += arc.sightings[i].e.radians();
     }
-    const auto rows = static_cast<double>(visit.sightings.size());
-    visit.mean = {{sum.a / rows, sum.e / rows}, static_cast<int>(visit.sightings.size())};
+    const auto count = static_cast<double>(visit.sightings.size());
+    visit.mean = {{sum.a / count, sum.e / count}, static_cast<int>(visit.sightings.size())};
   }
   return visits;
 }
