@@ -2,8 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
-#include <iostream>
-#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -82,8 +80,13 @@ AngleUnit unitOf(const std::string& name) {
 }
 
 Result<std::string> readBytes(const std::string& file) {
-  if (file != "-") return readFile(file);
-  return std::string(std::istreambuf_iterator<char>(std::cin), {});
+  return file == "-" ? readStandardInput() : readFile(file);
+}
+
+Result<Import> importFrom(const std::string& file, const ImportOptions& options) {
+  const Result<std::string> bytes = readBytes(file);
+  if (!bytes) return bytes.problem();
+  return importReadings(*bytes, options);
 }
 
 std::string listOf(const Session& session) {
@@ -158,9 +161,7 @@ Result<ImportOptions> importOptions(const ImportRequest& request) {
 }
 
 Result<ImportAnswer> runImport(const ImportRequest& request, const ImportOptions& options) {
-  const Result<std::string> bytes = readBytes(request.file);
-  if (!bytes) return bytes.problem();
-  const Result<Import> import = importReadings(*bytes, options);
+  Result<Import> import = importFrom(request.file, options);
   if (!import) return import.problem();
   if (const auto& problems = import->problems; !problems.empty()) {
     const std::string more =

@@ -1,10 +1,9 @@
 #include "app/console/session_input.h"
 
 #include <filesystem>
-#include <iostream>
-#include <iterator>
 
 #include "app/console/channels.h"
+#include "core/base/file_bytes.h"
 #include "core/base/visible_text.h"
 #include "core/session/session_file.h"
 
@@ -14,7 +13,9 @@ namespace {
 
 Result<Session> readInput(const std::string& file) {
   if (file != "-") return loadSession(file);
-  return readSession(std::string(std::istreambuf_iterator<char>(std::cin), {}));
+  const Result<std::string> bytes = readStandardInput();
+  if (!bytes) return bytes.problem();
+  return readSession(*bytes);
 }
 
 Problem firstOf(const std::vector<Problem>& problems) {

@@ -1,6 +1,7 @@
 #include "core/base/angle_text.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -195,6 +196,37 @@ class AngleReader {
   bool m_negative = false;
 };
 
+/// Takes one to `most` digits off the text.
+std::optional<int> takeDigits(std::string_view& text, std::size_t most) {
+  const std::size_t count = std::min(text.find_first_not_of("0123456789"), text.size());
+  if (count == 0 || count > most) return std::nullopt;
+  int number = 0;
+  for (const char digit : text.substr(0, count)) number = 10 * number + (digit - '0');
+  text.remove_prefix(count);
+  return number;
+}
+
+bool takeMark(std::string_view& text, std::string_view mark) {
+  if (!text.starts_with(mark)) return false;
+  text.remove_prefix(mark.size());
+  return true;
+}
+
+/// The commonest notation, 341°52'24.5", which long sessions are made of; empty for any other.
+std::optional<Angle> plainlyTyped(std::string_view text) {
+  const auto degrees = takeDigits(text, 3);
+  if (!degrees || !takeMark(text, degreeSign)) return std::nullopt;
+  const auto minutes = takeDigits(text, 2);
+  if (!minutes || *minutes >= 60 || !takeMark(text, "'") || text.empty() || !isDigit(text.front()))
+    return std::nullopt;
+  double seconds = 0;
+  const auto [end, error] =
+      std::from_chars(text.data(), text.data() + text.size(), seconds, std::chars_format::fixed);
+  if (error != std::errc() || seconds >= 60 || !isDigit(end[-1])) return std::nullopt;
+  if (std::string_view(end, text.data() + text.size()) != "\"") return std::nullopt;
+  return Angle::fromDegrees(*degrees + static_cast<double>(*minutes) / 60 + seconds / 3600);
+}
+
 std::string padded(long long number, std::size_t width) {
   const std::string digits = std::to_string(number);
   return std::string(width > digits.size() ? width - digits.size() : 0, '0') + digits;
@@ -203,6 +235,7 @@ std::string padded(long long number, std::size_t width) {
 }  // namespace
 
 Result<Angle> parseAngle(std::string_view text) {
+  if (const auto angle = plainlyTyped(text)) return *angle;
   return AngleReader(text).read();
 }
 

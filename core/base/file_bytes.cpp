@@ -4,23 +4,26 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
+
+#include "core/base/limits.h"
 
 namespace alidade {
 
 namespace {
 
-constexpr std::size_t largestFile = std::size_t{512} << 20;
-
-/// Reads up to the largest file and one byte more.
-std::string readBounded(std::ifstream& file) {
+/// Reads up to the limit and one byte more.
+Result<std::string> readBounded(std::istream& stream, const char* remedy) {
   constexpr std::size_t chunk = std::size_t{1} << 16;
   std::string bytes;
-  while (file && bytes.size() <= largestFile) {
+  while (stream && bytes.size() <= limits::mostBytes) {
     const std::size_t size = bytes.size();
     bytes.resize(size + chunk);
-    file.read(bytes.data() + size, chunk);
-    bytes.resize(size + static_cast<std::size_t>(file.gcount()));
+    stream.read(bytes.data() + size, chunk);
+    bytes.resize(size + static_cast<std::size_t>(stream.gcount()));
   }
+  if (stream.bad()) return Problem{std::string("cannot be read to its end: ") + remedy};
+  if (bytes.size() > limits::mostBytes) return limits::tooManyBytes();
   return bytes;
 }
 
@@ -34,10 +37,11 @@ Result<std::string> readFile(const std::string& path) {
   if (!file)
     return Problem{"cannot be opened (" + std::string(std::strerror(errno)) +
                    "): check its name and your rights"};
-  std::string bytes = readBounded(file);
-  if (file.bad()) return Problem{"cannot be read to its end: check the medium it is on"};
-  if (bytes.size() > largestFile) return Problem{"is larger than 512 MiB: choose another file"};
-  return bytes;
+  return readBounded(file, "check the medium it is on");
+}
+
+Result<std::string> readStandardInput() {
+  return readBounded(std::cin, "check the program it comes from");
 }
 
 }  // namespace alidade

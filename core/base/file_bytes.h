@@ -6,8 +6,11 @@
 
 namespace alidade {
 
-/// All bytes of a file of at most 512 MiB, whatever kind of file it is. The sentence names the file's
+/// All bytes of a file, whatever kind of file it is, up to `limits::mostBytes`. The sentence names the file's
 /// trouble, not the file.
 Result<std::string> readFile(const std::string& path);
+
+/// The same of standard input.
+Result<std::string> readStandardInput();
 
 }  // namespace alidade

@@ -40,6 +40,11 @@ std::size_t numberEnd(std::string_view text) {
   return end;
 }
 
+/// As almost all are typed.
+bool isPlainWhole(std::string_view text) {
+  return !text.empty() && text.size() <= mostWholeDigits && skipDigits(text, 0) == text.size();
+}
+
 std::string whyNoNumber(std::string_view typed, std::string_view plain, std::size_t end) {
   if (end == 0) return quotation(typed) + " is not a number: type one such as 2405 or 2405.5";
   const std::string_view rest = plain.substr(end);
@@ -70,6 +75,11 @@ Result<double> parseNumber(std::string_view text) {
 }
 
 Result<int> parseWhole(std::string_view text) {
+  if (isPlainWhole(text)) {
+    int value = 0;
+    std::from_chars(text.data(), text.data() + text.size(), value);
+    return value;
+  }
   const std::string plain = plainSigns(text);
   if (plain.empty()) return Problem{"is empty: type a whole number"};
   const std::size_t first = skipSign(plain, 0);

@@ -44,6 +44,10 @@ Utf8Character firstCharacter(std::string_view text) {
 
 std::optional<std::size_t> firstIllFormedByte(std::string_view text) {
   for (std::size_t at = 0; at < text.size();) {
+    if (static_cast<unsigned char>(text[at]) < 0x80) {
+      ++at;
+      continue;
+    }
     const Utf8Character character = firstCharacter(text.substr(at));
     if (!character.wellFormed) return at;
     at += character.length;

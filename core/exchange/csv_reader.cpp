@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/angle_text.h"
+#include "core/base/limits.h"
 #include "core/base/visible_text.h"
 #include "core/exchange/csv_table.h"
 
@@ -111,28 +112,53 @@ class CsvReader {
 
   Recording read(std::string_view text) {
     m_recording.format = "CSV";
-    const auto table = parseCsv(text);
-    if (const auto* problem = std::get_if<LineProblem>(&table)) {
-      m_recording.problems.push_back(*problem);
+    CsvTable table(text);
+    std::vector<std::string> names;
+    while (const auto row = table.next()) {
+      if (row->isRemark) {
+        takeRemark(*row);
+      } else if (names.empty()) {
+        for (const CsvCell& cell : row->cells) names.push_back(cell.text);
+        if (!readHeadings(*row)) return std::move(m_recording);
+      } else {
+        readRow(*row);
+      }
+      if (m_recording.problems.size() >= limits::mostProblems) break;
+    }
+    if (const auto& problem = table.problem()) {
+      m_recording.sightings.clear();
+      m_recording.problems = {*problem};
       return std::move(m_recording);
     }
-    const auto& [rows, remarks] = std::get<CsvTable>(table);
-    if (rows.empty() || !readHeadings(rows.front())) return std::move(m_recording);
-    for (std::size_t i = 1; i < rows.size(); ++i) readRow(rows[i]);
+    if (names.empty()) return std::move(m_recording);
     for (std::size_t i = 0; i < m_unusedCells.size(); ++i)
       if (m_unusedCells[i] > 0)
-        m_recording.unused.push_back("the column " + quotation(rows.front().cells[i].text) +
+        m_recording.unused.push_back("the column " + quotation(names[i]) +
                                      " is not used: " + std::to_string(m_unusedCells[i]) + " entries");
-    for (const CsvRow& row : remarks)
-      if (holdsReading(row))
-        m_recording.unused.push_back("line " + std::to_string(row.line) +
-                                     " begins with # and is not used, though it holds a reading");
+    for (const CsvRow& row : m_earlyRemarks)
+      if (holdsReading(row)) tellOfRemark(row.line);
+    for (const std::size_t line : m_remarksWithReading) tellOfRemark(line);
     return std::move(m_recording);
   }
 
  private:
   void refuse(std::size_t line, std::size_t column, const std::string& what) {
     m_recording.problems.push_back({line, column, what});
+  }
+
+  /// Before the columns are known it waits; a thousand are more than any heading has.
+  void takeRemark(const CsvRow& row) {
+    constexpr std::size_t mostEarly = 1000;
+    if (m_headings.empty()) {
+      if (m_earlyRemarks.size() < mostEarly) m_earlyRemarks.push_back(row);
+    } else if (holdsReading(row)) {
+      m_remarksWithReading.push_back(row.line);
+    }
+  }
+
+  void tellOfRemark(std::size_t line) {
+    m_recording.unused.push_back("line " + std::to_string(line) +
+                                 " begins with # and is not used, though it holds a reading");
   }
 
   bool has(Column column) const {
@@ -262,6 +288,8 @@ class CsvReader {
   std::string m_zeroPoint;
   std::vector<Heading> m_headings;
   std::vector<std::size_t> m_unusedCells;
+  std::vector<CsvRow> m_earlyRemarks;             ///< before the row of names
+  std::vector<std::size_t> m_remarksWithReading;  ///< lines of those after it
   Recording m_recording;
 };
 

@@ -1,7 +1,9 @@
 #include "core/exchange/csv_table.h"
 
 #include <algorithm>
+#include <utility>
 
+#include "core/base/limits.h"
 #include "core/exchange/text_lines.h"
 
 namespace alidade {
@@ -18,10 +20,11 @@ bool isComment(std::string_view line) {
 }
 
 char separatorOf(std::string_view text) {
-  for (const TextLine& line : linesOf(text)) {
-    if (line.text.find_first_not_of(blanks) == std::string_view::npos || isComment(line.text)) continue;
+  TextLines lines(text);
+  while (const auto line = lines.next()) {
+    if (line->text.find_first_not_of(blanks) == std::string_view::npos || isComment(line->text)) continue;
     for (const char separator : {'\t', ';'})
-      if (line.text.find(separator) != std::string_view::npos) return separator;
+      if (line->text.find(separator) != std::string_view::npos) return separator;
     break;
   }
   return ',';
@@ -33,127 +36,126 @@ std::string trimmed(std::string_view text) {
   return std::string(text.substr(first, text.find_last_not_of(blanks) - first + 1));
 }
 
-/// Goes through the text cell by cell.
-class CsvParser {
- public:
-  CsvParser(std::string_view text, char separator) : m_text(text), m_separator(separator) {}
-
-  std::variant<CsvTable, LineProblem> parse() {
-    while (m_at < m_text.size()) {
-      if (isComment(restOfLine())) {
-        takeRemark();
-        continue;
-      }
-      CsvRow row{m_line, {}};
-      do {
-        if (!readCell(row)) return m_problem;
-      } while (goOn());
-      const bool empty = std::all_of(row.cells.begin(), row.cells.end(),
-                                     [](const CsvCell& cell) { return cell.text.empty(); });
-      if (!empty) m_table.rows.push_back(std::move(row));
-    }
-    return std::move(m_table);
-  }
-
- private:
-  void takeRemark() {
-    const std::string_view line = restOfLine();
-    CsvParser inside(line.substr(line.find('#') + 1), m_separator);
-    CsvRow row{m_line, {}};
-    do {
-      if (!inside.readCell(row)) break;
-    } while (inside.goOn());
-    m_table.remarks.push_back(std::move(row));
-    m_at += line.size();
-    goOn();
-  }
-
-  bool atEnd() const { return m_at == m_text.size() || m_text[m_at] == '\r' || m_text[m_at] == '\n'; }
-
-  /// Counts on from where it was asked last.
-  std::size_t column() {
-    m_column += characterCount(m_text.substr(m_counted, m_at - m_counted));
-    m_counted = m_at;
-    return m_column;
-  }
-
-  std::string_view restOfLine() const {
-    const std::string_view rest = m_text.substr(m_at);
-    return rest.substr(0, rest.find_first_of("\r\n"));
-  }
-
-  void skipBlanks() {
-    while (!atEnd() && m_text[m_at] != m_separator && blanks.find(m_text[m_at]) != std::string_view::npos)
-      ++m_at;
-  }
-
-  /// Past a separator or the end of the line; true where another cell of this row follows.
-  bool goOn() {
-    if (m_at == m_text.size()) return false;
-    if (m_text[m_at] == m_separator) {
-      ++m_at;
-      return true;
-    }
-    passLineEnd();
-    return false;
-  }
-
-  void passLineEnd() {
-    m_at += m_text.substr(m_at, 2) == "\r\n" ? 2 : 1;
-    m_counted = m_at;
-    m_column = 1;
-    ++m_line;
-  }
-
-  bool readCell(CsvRow& row) {
-    skipBlanks();
-    CsvCell cell{{}, column()};
-    if (m_at < m_text.size() && m_text[m_at] == '"') {
-      const LineProblem open{m_line, cell.column,
-                             "the double quote is never closed: close it, or write the cell without it"};
-      if (!readQuoted(cell.text)) {
-        m_problem = open;
-        return false;
-      }
-    }
-    const std::size_t start = m_at;
-    while (!atEnd() && m_text[m_at] != m_separator) ++m_at;
-    cell.text = trimmed(cell.text + std::string(m_text.substr(start, m_at - start)));
-    row.cells.push_back(std::move(cell));
-    return true;
-  }
-
-  bool readQuoted(std::string& content) {
-    for (++m_at; m_at < m_text.size();) {
-      const char c = m_text[m_at];
-      if (c == '"') {
-        ++m_at;
-        if (m_at == m_text.size() || m_text[m_at] != '"') return true;
-        content += c;
-        ++m_at;
-      } else if (c == '\r' || c == '\n') {
-        content += ' ';
-        passLineEnd();
-      } else {
-        content += c;
-        ++m_at;
-      }
-    }
-    return false;
-  }
-
-  std::string_view m_text;
-  char m_separator;
-  std::size_t m_at = 0, m_line = 1;
-  std::size_t m_counted = 0, m_column = 1;
-  CsvTable m_table;
-  LineProblem m_problem;
-};
+bool isEmpty(const CsvRow& row) {
+  return std::all_of(row.cells.begin(), row.cells.end(),
+                     [](const CsvCell& cell) { return cell.text.empty(); });
+}
 
 }  // namespace
 
-std::variant<CsvTable, LineProblem> parseCsv(std::string_view text) {
-  return CsvParser(text, separatorOf(text)).parse();
+CsvTable::CsvTable(std::string_view text) : CsvTable(text, separatorOf(text)) {}
+
+std::optional<CsvRow> CsvTable::next() {
+  while (m_at < m_text.size() && !m_problem) {
+    if (isComment(restOfLine())) return takeRemark();
+    CsvRow row{.line = m_line, .cells = {}};
+    if (!readRow(row)) break;
+    if (isEmpty(row)) continue;
+    if (++m_rows <= limits::mostRows + 1) return row;  // the first names the columns
+    m_problem = LineProblem{row.line, 0, limits::beyondTheRows()};
+  }
+  return std::nullopt;
+}
+
+bool CsvTable::readRow(CsvRow& row) {
+  do {
+    if (isFull(row) || !readCell(row)) return false;
+  } while (goOn());
+  return true;
+}
+
+bool CsvTable::isFull(const CsvRow& row) {
+  if (row.cells.size() < limits::mostColumns) return false;
+  m_problem = LineProblem{m_line, column(),
+                          "has more than " + limits::asCount(limits::mostColumns) +
+                              " columns: a table of readings has some ten, save it anew"};
+  return true;
+}
+
+CsvRow CsvTable::takeRemark() {
+  const std::string_view line = restOfLine();
+  CsvTable inside(line.substr(line.find('#') + 1), m_separator);
+  CsvRow row{.line = m_line, .isRemark = true, .cells = {}};
+  inside.readRow(row);
+  m_at += line.size();
+  goOn();
+  return row;
+}
+
+bool CsvTable::atEnd() const {
+  return m_at == m_text.size() || m_text[m_at] == '\r' || m_text[m_at] == '\n';
+}
+
+/// Counts on from where it was asked last.
+std::size_t CsvTable::column() {
+  m_column += characterCount(m_text.substr(m_counted, m_at - m_counted));
+  m_counted = m_at;
+  return m_column;
+}
+
+std::string_view CsvTable::restOfLine() const {
+  const std::string_view rest = m_text.substr(m_at);
+  return rest.substr(0, rest.find_first_of("\r\n"));
+}
+
+void CsvTable::skipBlanks() {
+  while (!atEnd() && m_text[m_at] != m_separator && blanks.find(m_text[m_at]) != std::string_view::npos)
+    ++m_at;
+}
+
+/// Past a separator or the end of the line; true where another cell of this row follows.
+bool CsvTable::goOn() {
+  if (m_at == m_text.size()) return false;
+  if (m_text[m_at] == m_separator) {
+    ++m_at;
+    return true;
+  }
+  passLineEnd();
+  return false;
+}
+
+void CsvTable::passLineEnd() {
+  m_at += m_text.substr(m_at, 2) == "\r\n" ? 2 : 1;
+  m_counted = m_at;
+  m_column = 1;
+  ++m_line;
+}
+
+bool CsvTable::readCell(CsvRow& row) {
+  skipBlanks();
+  CsvCell cell{{}, column()};
+  if (m_at < m_text.size() && m_text[m_at] == '"') {
+    const LineProblem open{m_line, cell.column,
+                           "the double quote is never closed: close it, or write the cell without it"};
+    if (!readQuoted(cell.text)) {
+      m_problem = open;
+      return false;
+    }
+  }
+  const std::size_t start = m_at;
+  while (!atEnd() && m_text[m_at] != m_separator) ++m_at;
+  cell.text = trimmed(cell.text + std::string(m_text.substr(start, m_at - start)));
+  row.cells.push_back(std::move(cell));
+  return true;
+}
+
+bool CsvTable::readQuoted(std::string& content) {
+  for (++m_at; m_at < m_text.size();) {
+    const char c = m_text[m_at];
+    if (c == '"') {
+      ++m_at;
+      if (m_at == m_text.size() || m_text[m_at] != '"') return true;
+      content += c;
+      ++m_at;
+    } else if (c == '\r' || c == '\n') {
+      content += ' ';
+      passLineEnd();
+    } else {
+      content += c;
+      ++m_at;
+    }
+  }
+  return false;
 }
 
 }  // namespace alidade

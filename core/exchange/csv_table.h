@@ -1,9 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include "core/exchange/recording.h"
@@ -17,19 +17,44 @@ struct CsvCell {
 
 struct CsvRow {
   std::size_t line = 0;  ///< its first, from 1
+  bool isRemark = false;
   std::vector<CsvCell> cells;
 };
 
-struct CsvTable {
-  std::vector<CsvRow> rows;
-  std::vector<CsvRow> remarks;  ///< lines that begin with #, taken apart without it
-};
+/// Takes a table apart row by row (RFC 4180): cells are parted by tabs, semicolons or commas, whichever of
+/// these stands in the first row (in this order); a cell that begins with a double quote ends at the next
+/// single one and may hold anything, a quote inside doubled. Quotes elsewhere are the seconds of angles and
+/// stay. Rows without any content are left out; lines that begin with # (and are not a first column of that
+/// name) are remarks, taken apart without it. Ends early, with a problem, on a quote left open, but in a
+/// remark, and beyond the limits of rows and columns.
+class CsvTable {
+ public:
+  explicit CsvTable(std::string_view text);
 
-/// Takes a table apart (RFC 4180): cells are parted by tabs, semicolons or commas, whichever of these stands
-/// in the first row (in this order); a cell that begins with a double quote ends at the next single one and
-/// may hold anything, a quote inside doubled. Quotes elsewhere are the seconds of angles and stay. Rows
-/// without any content are left out; lines that begin with # (and are not a first column of that name) are
-/// remarks. Fails on a quote left open, but in a remark.
-std::variant<CsvTable, LineProblem> parseCsv(std::string_view text);
+  std::optional<CsvRow> next();
+  const std::optional<LineProblem>& problem() const { return m_problem; }
+
+ private:
+  CsvTable(std::string_view text, char separator) : m_text(text), m_separator(separator) {}
+
+  CsvRow takeRemark();
+  bool readRow(CsvRow& row);
+  bool readCell(CsvRow& row);
+  bool readQuoted(std::string& content);
+  bool isFull(const CsvRow& row);
+  bool goOn();
+  void passLineEnd();
+  void skipBlanks();
+  bool atEnd() const;
+  std::size_t column();
+  std::string_view restOfLine() const;
+
+  std::string_view m_text;
+  char m_separator;
+  std::size_t m_at = 0, m_line = 1;
+  std::size_t m_counted = 0, m_column = 1;
+  std::size_t m_rows = 0;
+  std::optional<LineProblem> m_problem;
+};
 
 }  // namespace alidade

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "core/base/limits.h"
 #include "core/base/typed_text.h"
 #include "core/base/visible_text.h"
 #include "core/exchange/gsi_word.h"
@@ -63,9 +64,14 @@ class GsiReader {
 
   Recording read(std::string_view text) {
     bool wide = false;
-    for (const TextLine& line : linesOf(text)) {
-      wide = wide || line.text.starts_with('*');
-      readLine(line);
+    TextLines lines(text);
+    while (const auto line = lines.next()) {
+      wide = wide || line->text.starts_with('*');
+      readLine(*line);
+      if (m_recording.problems.size() >= limits::mostProblems) break;
+      if (m_recording.sightings.size() <= limits::mostRows) continue;
+      m_recording.problems = {{line->number, 0, limits::beyondTheRows()}};
+      break;
     }
     m_recording.format = wide ? "GSI-16" : "GSI-8";
     for (const auto& [what, use] : m_unused) m_recording.unused.push_back(what + sentence(use));
@@ -84,7 +90,8 @@ class GsiReader {
   }
 
   void setAside(const std::string& what, std::size_t line) {
-    Unused& use = m_unused[what];
+    const bool isNew = m_unused.size() >= limits::mostKinds && !m_unused.contains(what);
+    Unused& use = m_unused[isNew ? "what else has no place in a session" : what];
     if (use.count++ == 0) use.firstLine = line;
   }
 

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <utility>
 
+#include "core/base/limits.h"
 #include "core/base/typed_text.h"
 #include "core/base/visible_text.h"
 
@@ -111,6 +112,10 @@ std::variant<std::vector<GsiWord>, LineProblem> gsiWords(const TextLine& line) {
                          shown + " has neither 8 nor 16 characters of data" +
                              (marked ? ", and a block that starts with * has 16" : "") +
                              ": transfer the file anew, or mend or delete the line"};
+    if (words.size() == limits::mostColumns)
+      return LineProblem{
+          line.number, column,
+          "has more than " + limits::asCount(limits::mostColumns) + " words: transfer the file anew"};
     words.push_back(
         {(rest[0] - '0') * 10 + (rest[1] - '0'), rest[5], rest[6], rest.substr(dataAt, width), column});
     skip(dataAt + width);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/angle_text.h"
+#include "core/base/limits.h"
 #include "core/base/number_text.h"
 #include "core/base/visible_text.h"
 #include "core/exchange/csv_reader.h"
@@ -26,7 +27,9 @@ constexpr int meanDecimals = 2;
 
 /// The first line with any content decides.
 Result<Recording> readRecording(std::string_view text, const ImportOptions& options) {
-  for (const TextLine& line : linesOf(text)) {
+  TextLines lines(text);
+  while (const auto next = lines.next()) {
+    const TextLine& line = *next;
     const std::size_t first = line.text.find_first_not_of(" \t");
     if (first == std::string_view::npos ||
         std::string_view("#@?%").find(line.text[first]) != std::string_view::npos)
@@ -192,6 +195,7 @@ class Assembly {
 
   void report(const RecordedSighting& sighting, const RecordedEntry& entry, const char* name,
               const Problem& problem) {
+    if (m_import.problems.size() >= limits::mostProblems) return;
     m_import.problems.push_back({sighting.line, entry.column, std::string(name) + " " + problem.what});
   }
 

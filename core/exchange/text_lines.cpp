@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/limits.h"
 #include "core/base/utf8.h"
 
 namespace alidade {
@@ -31,9 +32,10 @@ const char* windowsSign(unsigned char byte) {
   }
 }
 
-std::string fromWindows(std::string_view bytes) {
+Result<std::string> fromWindows(std::string_view bytes) {
   std::string text;
   for (const char c : bytes) {
+    if (text.size() > limits::mostBytes) return limits::tooManyBytes();
     const auto byte = static_cast<unsigned char>(c);
     if (byte < 0x80) {
       text += c;
@@ -49,15 +51,13 @@ std::string fromWindows(std::string_view bytes) {
 
 }  // namespace
 
-std::vector<TextLine> linesOf(std::string_view text) {
-  std::vector<TextLine> lines;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
-    lines.push_back({lines.size() + 1, text.substr(0, end)});
-    const bool two = text.substr(end, 2) == "\r\n";
-    text.remove_prefix(std::min(text.size(), end + (two ? 2 : 1)));
-  }
-  return lines;
+std::optional<TextLine> TextLines::next() {
+  if (m_rest.empty()) return std::nullopt;
+  const std::size_t end = std::min(m_rest.find_first_of("\r\n"), m_rest.size());
+  const TextLine line{++m_number, m_rest.substr(0, end)};
+  const bool two = m_rest.substr(end, 2) == "\r\n";
+  m_rest.remove_prefix(std::min(m_rest.size(), end + (two ? 2 : 1)));
+  return line;
 }
 
 std::size_t characterCount(std::string_view text) {

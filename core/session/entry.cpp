@@ -96,7 +96,7 @@ auto ruleFor(const Rules& rules, std::string_view field) {
 }
 
 bool isBlank(const std::string& text) {
-  return plainSigns(text).empty();
+  return text.empty() || (!isDigit(text.front()) && plainSigns(text).empty());
 }
 
 /// The range of a circle in degrees; `high` is excluded except for the slider, which turns both ways.

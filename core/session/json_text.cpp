@@ -5,6 +5,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "core/base/limits.h"
 #include "core/base/utf8.h"
 #include "core/base/visible_text.h"
 
@@ -14,7 +15,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t deepestNesting = 100;
 constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
 
 /// "line 3, column 7" of a byte; columns count characters.
@@ -28,11 +28,13 @@ std::string lineAndColumn(std::string_view text, std::size_t byte) {
   return "line " + std::to_string(line) + ", column " + std::to_string(column);
 }
 
-/// Builds the document from the parser's events. Unlike the library's own builder it takes linear time for
-/// objects with many keys and notices a key that stands twice.
+/// Builds the document from the parser's events, but for the rows of readings, which are handed on one by
+/// one. Unlike the library's own builder it takes linear time for objects with many keys and notices a key
+/// that stands twice.
 class DocumentBuilder : public Json::json_sax_t {
  public:
-  DocumentBuilder(std::string_view text, Json& document) : m_text(text), m_document(document) {}
+  DocumentBuilder(std::string_view text, Json& document, const TakeRow& takeRow)
+      : m_text(text), m_document(document), m_takeRow(takeRow) {}
 
   std::optional<Problem> problem;
 
@@ -41,7 +43,7 @@ class DocumentBuilder : public Json::json_sax_t {
   bool number_integer(number_integer_t value) override { return add(value); }
   bool number_unsigned(number_unsigned_t value) override { return add(value); }
   bool number_float(number_float_t value, const string_t&) override { return add(value); }
-  bool string(string_t& value) override { return add(std::move(value)); }
+  bool string(string_t& value) override { return !isTooLong(value) && add(std::move(value)); }
   bool binary(binary_t&) override { return false; }
 
   bool start_object(std::size_t) override { return open(Json::object()); }
@@ -52,7 +54,8 @@ class DocumentBuilder : public Json::json_sax_t {
   bool key(string_t& name) override {
     Level& level = m_levels.back();
     level.key = std::move(name);
-    if (level.keys.insert(level.key).second) return true;
+    if (isTooLong(level.key)) return false;
+    if (!stoodBefore(level)) return true;
     problem =
         Problem{"stands twice in one object: delete one of the two, so that neither is lost unseen", place()};
     return false;
@@ -67,14 +70,38 @@ class DocumentBuilder : public Json::json_sax_t {
  private:
   struct Level {
     Json* value;
-    std::string key;
-    std::unordered_set<std::string> keys;
+    bool holdsRows = false;  ///< the readings of a position
+    std::size_t taken = 0;   ///< members of a list that were handed on
+    std::string key = {};
+    std::unordered_set<std::string> keys = {};  ///< of an object with more than a few
   };
 
+  /// A few keys are compared sooner than put into a set.
+  static bool stoodBefore(Level& level) {
+    constexpr std::size_t few = 16;
+    const auto& members = level.value->get_ref<const Json::object_t&>();
+    if (members.size() < few)
+      return std::any_of(members.begin(), members.end(),
+                         [&](const auto& member) { return member.first == level.key; });
+    if (level.keys.empty())
+      for (const auto& [key, value] : members) level.keys.insert(key);
+    return !level.keys.insert(level.key).second;
+  }
+
+  bool isTooLong(const std::string& text) {
+    if (text.size() <= limits::longestText) return false;
+    problem = Problem{"holds a text of more than " + limits::asMebibytes(limits::longestText) +
+                          ": shorten it, or keep it in a file of its own",
+                      m_levels.empty() ? Place() : place()};
+    if (problem->where.field.size() > limits::longestText) problem->where = {};
+    return true;
+  }
+
   bool add(Json value) {
+    if (hasTooMany()) return false;
     place(std::move(value));
     m_isWhole = m_levels.empty();
-    return true;
+    return m_levels.empty() || handOnRow();
   }
 
   Json* place(Json&& value) {
@@ -92,20 +119,61 @@ class DocumentBuilder : public Json::json_sax_t {
   }
 
   bool open(Json empty) {
-    if (m_levels.size() >= deepestNesting) {
-      problem = Problem{
-          "is nested more than " + std::to_string(deepestNesting) + " levels deep: this is no session file",
-          Place{.position = {}, .reading = {}, .field = m_levels.front().key}};
+    if (m_levels.size() >= limits::deepestNesting) {
+      problem = Problem{"is nested more than " + std::to_string(limits::deepestNesting) +
+                            " levels deep: this is no session file",
+                        Place{.position = {}, .reading = {}, .field = m_levels.front().key}};
       return false;
     }
+    if (hasTooMany()) return false;
+    const bool holdsRows = m_takeRow && empty.is_array() && isInPosition() && m_levels[2].key == "readings";
     Json* opened = place(std::move(empty));
-    m_levels.push_back({opened, {}, {}});
+    if (!m_levels.empty() && m_levels.back().holdsRows && opened->is_object()) makeRoomForRow(*opened);
+    m_levels.push_back({opened, holdsRows});
     return true;
+  }
+
+  /// Members that grow are copied, keys and all.
+  static void makeRoomForRow(Json& row) {
+    constexpr std::size_t usual = 8;
+    static_cast<std::vector<Json::object_t::value_type>&>(row.get_ref<Json::object_t&>()).reserve(usual);
+  }
+
+  /// The member at hand is one of `positions[…]`.
+  bool isInPosition() const {
+    return m_levels.size() == 3 && m_levels[2].value->is_object() && m_levels[1].value->is_array() &&
+           m_levels[0].value->is_object() && m_levels[0].key == "positions";
   }
 
   bool close() {
     m_levels.pop_back();
     m_isWhole = m_levels.empty();
+    return m_isWhole || handOnRow();
+  }
+
+  /// The value that was placed last is kept no longer if it is a row.
+  bool handOnRow() {
+    Level& level = m_levels.back();
+    if (!level.holdsRows) return true;
+    auto& rows = level.value->get_ref<Json::array_t&>();
+    const Place where{.position = m_levels[1].value->size() - 1, .reading = level.taken};
+    if (++m_rows > limits::mostRows) {
+      problem = limits::tooManyRows();
+      return false;
+    }
+    m_takeRow(where, rows.back());
+    rows.pop_back();
+    ++level.taken;
+    m_values = m_valuesBesideRows;
+    return true;
+  }
+
+  bool hasTooMany() {
+    const bool isInRow = m_levels.size() > 3 && m_levels[3].holdsRows;
+    if (!isInRow) m_valuesBesideRows = m_values + 1;
+    if (++m_values <= limits::mostValues) return false;
+    problem = Problem{"holds more than " + limits::asCount(limits::mostValues) +
+                      " values besides its rows of readings: this is no session file"};
     return true;
   }
 
@@ -115,7 +183,7 @@ class DocumentBuilder : public Json::json_sax_t {
     for (const Level& level : m_levels) {
       const bool inArray = level.value->is_array();
       const bool innermost = &level == &m_levels.back();
-      const std::size_t index = inArray ? level.value->size() - (innermost ? 0 : 1) : 0;
+      const std::size_t index = inArray ? level.value->size() + level.taken - (innermost ? 0 : 1) : 0;
       if (inArray && !place.position && place.field == "positions") {
         place = {.position = index};
       } else if (inArray && place.position && !place.reading && place.field == "readings") {
@@ -148,85 +216,15 @@ class DocumentBuilder : public Json::json_sax_t {
 
   std::string_view m_text;
   Json& m_document;
+  const TakeRow& m_takeRow;
   std::vector<Level> m_levels;
+  std::size_t m_rows = 0, m_values = 0, m_valuesBesideRows = 0;
   bool m_isWhole = false;  // the document is complete: nothing may follow
-};
-
-/// Writes one document; `m_text` grows as it goes.
-class Layout {
- public:
-  std::string text(const Json& json) {
-    write(json, "", 0);
-    return std::move(m_text) + "\n";
-  }
-
- private:
-  static std::string leaf(const Json& json) {
-    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
-  }
-
-  void write(const Json& json, std::string_view path, std::size_t depth) {
-    const bool oneLine = path == "/positions/[]/readings/[]" || path == "/positions/[]/pointing_zero";
-    if (!json.is_structured() || json.empty()) {
-      m_text += leaf(json);
-    } else if (oneLine) {
-      writeOnOneLine(json);
-    } else {
-      writeOnLines(json, path, depth);
-    }
-  }
-
-  void writeOnLines(const Json& json, std::string_view path, std::size_t depth) {
-    const bool object = json.is_object();
-    m_text += object ? "{" : "[";
-    const char* separator = "\n";
-    const auto indent = [this](std::size_t levels) { m_text.append(2 * levels, ' '); };
-    const auto begin = [&] {
-      m_text += separator;
-      separator = ",\n";
-      indent(depth + 1);
-    };
-    if (object) {
-      for (const auto& [key, value] : json.get_ref<const Json::object_t&>()) {
-        begin();
-        m_text += leaf(key) + ": ";
-        write(value, std::string(path) + "/" + key, depth + 1);
-      }
-    } else {
-      const std::string inside = std::string(path) + "/[]";
-      for (const Json& value : json) {
-        begin();
-        write(value, inside, depth + 1);
-      }
-    }
-    m_text += "\n";
-    indent(depth);
-    m_text += object ? "}" : "]";
-  }
-
-  void writeOnOneLine(const Json& json) {
-    const bool object = json.is_object();
-    m_text += object ? "{" : "[";
-    const char* separator = "";
-    for (const auto& item : json.items()) {
-      m_text += separator;
-      separator = ", ";
-      if (object) m_text += leaf(item.key()) + ": ";
-      if (item.value().is_structured()) {
-        writeOnOneLine(item.value());
-      } else {
-        m_text += leaf(item.value());
-      }
-    }
-    m_text += object ? "}" : "]";
-  }
-
-  std::string m_text;
 };
 
 }  // namespace
 
-std::optional<Problem> parseJson(std::string_view text, Json& json) {
+std::optional<Problem> parseJson(std::string_view text, Json& json, const TakeRow& takeRow) {
   if (text.substr(0, byteOrderMark.size()) == byteOrderMark) text.remove_prefix(byteOrderMark.size());
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
     return Problem{"is empty: choose a session file"};
@@ -235,13 +233,9 @@ std::optional<Problem> parseJson(std::string_view text, Json& json) {
     return Problem{"is not UTF-8 text at " + lineAndColumn(text, *byte) +
                    ": save the file with UTF-8 encoding"};
   }
-  DocumentBuilder builder(text, json);
+  DocumentBuilder builder(text, json, takeRow);
   if (Json::sax_parse(text.begin(), text.end(), &builder)) return std::nullopt;
   return builder.problem;
-}
-
-std::string layoutJson(const Json& json) {
-  return Layout().text(json);
 }
 
 }  // namespace alidade

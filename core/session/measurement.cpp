@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <map>
-#include <tuple>
+#include <unordered_map>
 #include <utility>
 
 #include "core/base/number_text.h"
@@ -22,6 +23,23 @@ constexpr double widestDegrees = 80;
 /// The pointing zero of one position, α0 and β0 of face 1.
 struct ZeroDirection {
   Angle horizontal, vertical;
+};
+
+/// What no two rows of a position have in common.
+struct VisitFace {
+  int round, point, face;
+
+  bool operator==(const VisitFace&) const = default;
+};
+
+struct HashOfVisitFace {
+  std::size_t operator()(const VisitFace& key) const {
+    const auto part = [](int number) {
+      return static_cast<std::uint64_t>(static_cast<std::uint32_t>(number));
+    };
+    const std::uint64_t sum = (part(key.point) << 32U | part(key.round)) * 2 + part(key.face);
+    return static_cast<std::size_t>((sum ^ sum >> 31U) * 0x9e3779b97f4a7c15U);
+  }
 };
 
 bool isUntouched(const Reading& reading) {
@@ -166,6 +184,8 @@ class Examiner {
                                         const std::optional<ZeroDirection>& zero) {
     std::vector<Sighting> sightings;
     m_rowOfVisitFace.clear();
+    m_rowOfVisitFace.reserve(position.readings.size());
+    sightings.reserve(position.readings.size());
     for (std::size_t row = 0; row < position.readings.size(); ++row) {
       const Reading& reading = position.readings[row];
       if (reading.excluded) continue;
@@ -216,7 +236,7 @@ class Examiner {
     sighting.round = **round;
     sighting.face = **face;
     const auto [first, isNew] =
-        m_rowOfVisitFace.emplace(std::tuple(sighting.round, sighting.point, sighting.face), *row.reading);
+        m_rowOfVisitFace.emplace(VisitFace{sighting.round, sighting.point, sighting.face}, *row.reading);
     if (isNew) return;
     report({"point " + std::to_string(sighting.point) + ", round " + std::to_string(sighting.round) +
             ", face " + std::to_string(sighting.face) + " is already in row " +
@@ -244,7 +264,7 @@ class Examiner {
   std::vector<Problem> m_problems;
   bool m_usable = true;
   std::optional<VerticalCircle> m_circle;
-  std::map<std::tuple<int, int, int>, std::size_t> m_rowOfVisitFace;
+  std::unordered_map<VisitFace, std::size_t, HashOfVisitFace> m_rowOfVisitFace;
 };
 
 }  // namespace

@@ -10,8 +10,10 @@ namespace alidade {
 
 Result<Session> readSession(std::string_view text) {
   nlohmann::ordered_json json;
-  if (auto problem = parseJson(text, json)) return *std::move(problem);
-  return sessionFromJson(json);
+  SessionRows rows;
+  const auto take = [&](const Place& where, const nlohmann::ordered_json& row) { rows.add(where, row); };
+  if (auto problem = parseJson(text, json, take)) return *std::move(problem);
+  return sessionFromJson(json, std::move(rows));
 }
 
 Result<Session> loadSession(const std::string& path) {

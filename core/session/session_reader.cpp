@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::uint64_t newestVersion = 1;
+constexpr std::uint64_t newestVersion = 1, largestExactInteger = std::uint64_t{1} << 53;
 
 std::string typeOf(const Json& value) {
   switch (value.type()) {
@@ -32,6 +32,26 @@ std::string typeOf(const Json& value) {
     default:
       return "a number";
   }
+}
+
+struct KeyOfReading {
+  std::string_view name;
+  ValueKind kind;
+};
+
+constexpr KeyOfReading keysOfReading[] = {{"point", ValueKind::Number},   {"round", ValueKind::Number},
+                                          {"face", ValueKind::Number},    {"horizontal", ValueKind::Angle},
+                                          {"vertical", ValueKind::Angle}, {"slider", ValueKind::Angle},
+                                          {"note", ValueKind::Text}};
+
+/// Does the text that the reading keeps say all of a value, so that it is written as it was read?
+bool isKeptAsText(const std::string& key, const Json& value) {
+  const auto known = std::ranges::find(keysOfReading, key, &KeyOfReading::name);
+  if (known == std::end(keysOfReading)) return false;
+  const bool isNeeded = known->name == "horizontal" || known->name == "vertical";
+  if (known->kind != ValueKind::Number)
+    return value.is_string() && (isNeeded || !value.get_ref<const std::string&>().empty());
+  return value.is_number_unsigned() && value.get<std::uint64_t>() <= largestExactInteger;
 }
 
 /// Takes values out of one object. The first thing that is wrong is kept; what follows then has no effect.
@@ -88,8 +108,10 @@ class ObjectReader {
 
   const Json* find(const char* key) const {
     if (!m_json.is_object()) return nullptr;
-    const auto found = m_json.find(key);
-    return found == m_json.end() ? nullptr : &*found;
+    const std::string_view wanted = key;
+    for (const auto& [name, value] : m_json.get_ref<const Json::object_t&>())
+      if (name == wanted) return &value;
+    return nullptr;
   }
 
   Place placeOf(const char* key) const {
@@ -217,28 +239,24 @@ Reading readReading(const ObjectReader& reader) {
           .slider = reader.angle("slider"),
           .excluded = reader.flag("excluded"),
           .note = reader.text("note"),
-          .origin = reader.origin()};
+          .origin = {}};
 }
 
-Position readPosition(const Json& json, std::size_t index, std::optional<Problem>& problem) {
+Position readPosition(const Json& json, std::size_t index, RowsRead rows, std::optional<Problem>& problem) {
   const ObjectReader reader(json, {.position = index}, problem);
   Position position;
   position.axisDeg = reader.requiredNumber("axis_deg", "add the rotation of the axis, 0 or 180");
   reader.require("pointing_zero", "add the circle readings of the direction perpendicular to the arc plane");
   if (problem) return position;
   position.zero = readPointingZero(reader.object("pointing_zero"));
-  const Json& readings = reader.list("readings");
-  position.readings.reserve(readings.size());
-  for (const Json& reading : readings) {
-    const Place where{.position = index, .reading = position.readings.size()};
-    position.readings.push_back(readReading(ObjectReader(reading, where, problem)));
-    if (problem) break;
-  }
+  reader.list("readings");  // must be one
+  if (!problem) problem = std::move(rows.problem);
+  position.readings = std::move(rows.readings);
   position.origin = reader.origin({"pointing_zero", "readings"});
   return position;
 }
 
-Session readDocument(const ObjectReader& reader, std::optional<Problem>& problem) {
+Session readDocument(const ObjectReader& reader, SessionRows& rows, std::optional<Problem>& problem) {
   Session session;
   session.title = reader.text("title");
   session.notes = reader.text("notes");
@@ -256,16 +274,54 @@ Session readDocument(const ObjectReader& reader, std::optional<Problem>& problem
   reader.require("positions", "add the list of the positions of the axis, which may be empty");
   for (const Json& position : reader.list("positions")) {
     if (problem) break;
-    session.positions.push_back(readPosition(position, session.positions.size(), problem));
+    const std::size_t index = session.positions.size();
+    session.positions.push_back(readPosition(position, index, rows.take(index), problem));
   }
   session.origin =
       reader.origin({"device", "instrument", "environment", "geometry", "acceptance", "model", "positions"});
   return session;
 }
 
+/// Written the same: 1 is not 1.0.
+bool isSame(const Json& a, const Json& b) {
+  if (a.type() != b.type()) return false;
+  return a.is_structured() || a.is_number_float() ? a.dump() == b.dump() : a == b;
+}
+
+/// The row with null for what the reading's texts say: the writer puts those in. What is left is alike in
+/// most rows.
+Json withoutTexts(Json row) {
+  for (auto& [key, value] : row.get_ref<Json::object_t&>())
+    if (isKeptAsText(key, value)) value = nullptr;
+  return row;
+}
+
 }  // namespace
 
-Result<Session> sessionFromJson(const Json& document) {
+bool SessionRows::isLikeLast(const Json& row) const {
+  return std::ranges::equal(
+      row.get_ref<const Json::object_t&>(), m_last.object().get_ref<const Json::object_t&>(),
+      [](const auto& own, const auto& last) {
+        return own.first == last.first && (isSame(own.second, last.second) ||
+                                           (last.second.is_null() && isKeptAsText(own.first, own.second)));
+      });
+}
+
+void SessionRows::add(const Place& where, const Json& row) {
+  if (m_positions.size() <= *where.position) m_positions.resize(*where.position + 1);
+  RowsRead& rows = m_positions[*where.position];
+  if (rows.problem) return;
+  rows.readings.push_back(readReading(ObjectReader(row, where, rows.problem)));
+  if (rows.problem) return;
+  if (!isLikeLast(row)) m_last = JsonOrigin(withoutTexts(row));
+  rows.readings.back().origin = m_last;
+}
+
+RowsRead SessionRows::take(std::size_t position) {
+  return position < m_positions.size() ? std::move(m_positions[position]) : RowsRead();
+}
+
+Result<Session> sessionFromJson(const Json& document, SessionRows rows) {
   std::optional<Problem> problem;
   if (!document.is_object()) {
     return Problem{"is " + typeOf(document) + ", not an object in braces: this is no session file"};
@@ -274,7 +330,7 @@ Result<Session> sessionFromJson(const Json& document) {
   checkFormat(reader);
   checkVersion(reader);
   if (problem) return *problem;
-  Session session = readDocument(reader, problem);
+  Session session = readDocument(reader, rows, problem);
   if (problem) return *problem;
   return session;
 }

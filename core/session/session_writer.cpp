@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "core/session/json_text.h"
+#include "core/session/json_layout.h"
 #include "core/session/session_file.h"
 #include "core/session/value_text.h"
 
@@ -42,6 +42,11 @@ class ObjectWriter {
   void part(const char* key, Json value, Presence presence = Presence::Optional) {
     const bool wanted = presence == Presence::Required || !value.empty();
     if (wanted || m_json.contains(key)) m_json[key] = std::move(value);
+  }
+
+  /// How many rows there are, for the layout, which asks for each.
+  void rows(const char* key, std::size_t count, Presence presence) {
+    if (count > 0 || presence == Presence::Required || m_json.contains(key)) m_json[key] = count;
   }
 
   /// A member that was there before keeps its JSON type.
@@ -154,10 +159,8 @@ Json positionJson(const Position& position) {
   ObjectWriter writer(position.origin);
   writer.number("axis_deg", position.axisDeg, Presence::Required);
   writer.part("pointing_zero", pointingZeroJson(position.zero), Presence::Required);
-  Json readings = Json::array();
-  for (const Reading& reading : position.readings) readings.push_back(readingJson(reading));
   const bool isNew = position.origin.object().empty();
-  writer.part("readings", std::move(readings), isNew ? Presence::Required : Presence::Optional);
+  writer.rows("readings", position.readings.size(), isNew ? Presence::Required : Presence::Optional);
   return writer.take();
 }
 
@@ -181,7 +184,9 @@ std::string writeSession(const Session& session) {
   Json positions = Json::array();
   for (const Position& position : session.positions) positions.push_back(positionJson(position));
   writer.part("positions", std::move(positions), Presence::Required);
-  return layoutJson(writer.take());
+  return layoutJson(writer.take(), [&](std::size_t position, std::size_t row) {
+    return readingJson(session.positions[position].readings[row]);
+  });
 }
 
 }  // namespace alidade

@@ -25,7 +25,8 @@ std::optional<std::string> textOf(const nlohmann::ordered_json& value, ValueKind
   if (!value.is_number() || kind == ValueKind::Text) return std::nullopt;
   const bool angle = kind == ValueKind::Angle;
   const std::string unit = angle ? "°" : "";
-  if (value.is_number_integer()) return value.dump() + unit;
+  if (value.is_number_unsigned()) return std::to_string(value.get<std::uint64_t>()) + unit;
+  if (value.is_number_integer()) return std::to_string(value.get<std::int64_t>()) + unit;
   const double number = value.get<double>();
   return (angle ? plainDecimal(number) : shortestText(number)) + unit;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/base/limits.h"
 #include "core/base/utf8.h"
 #include "core/base/visible_text.h"
 #include "core/diagnosis/diagnosis.h"
@@ -109,7 +110,14 @@ SealedTruth sealed(const std::string& id, const Truth& truth, const std::optiona
 
 Result<std::vector<SealedTruth>> readSealedTruths(const std::string& text) {
   if (firstIllFormedByte(text)) return Problem{"it is not UTF-8 text: save it with UTF-8 encoding"};
-  const Json json = Json::parse(text, nullptr, false);
+  std::size_t values = 0;
+  const auto isKept = [&](int depth, Json::parse_event_t, const Json&) {
+    return ++values <= limits::mostTruthEvents && depth <= static_cast<int>(limits::deepestNesting);
+  };
+  const Json json = Json::parse(text, isKept, false);
+  if (values > limits::mostTruthEvents)
+    return Problem{"it holds more than " + limits::asCount(limits::mostTruthEvents) +
+                   " keys, values and brackets: score the sessions in several folders"};
   if (json.is_discarded() || !json.is_object())
     return Problem{
         "it is no JSON object of truths by session id: take the truth.json that belongs to the sessions"};

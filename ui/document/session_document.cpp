@@ -48,11 +48,8 @@ std::optional<Problem> SessionDocument::load(const QString& path) {
   if (!file.open(QIODevice::ReadOnly)) {
     return Problem{tr("“%1” cannot be opened: %2").arg(path, file.errorString()).toStdString()};
   }
-  const QByteArray bytes = file.readAll();
-  if (file.error() != QFileDevice::NoError) {
-    return Problem{tr("“%1” cannot be read: %2").arg(path, file.errorString()).toStdString()};
-  }
-  Result<Session> session = readSession({bytes.constData(), static_cast<std::size_t>(bytes.size())});
+  file.close();
+  Result<Session> session = loadSession(QFile::encodeName(path).toStdString());
   if (!session) return session.problem();
   replaceAll(*std::move(session), QFileInfo(path).absoluteFilePath());
   return {};

@@ -2,15 +2,24 @@
 
 #include <gmock/gmock.h>
 
+#include "core/base/limits.h"
+
 namespace alidade::test {
 namespace {
 
-using ::testing::ElementsAre;
+using ::testing::ElementsAre, ::testing::StartsWith;
+
+std::vector<CsvRow> rowsOf(std::string_view text, bool remarks = false) {
+  std::vector<CsvRow> rows;
+  CsvTable table(text);
+  while (const auto row = table.next())
+    if (row->isRemark == remarks) rows.push_back(*row);
+  return rows;
+}
 
 std::vector<std::vector<std::string>> cellsOf(std::string_view text) {
   std::vector<std::vector<std::string>> cells;
-  const auto rows = std::get<CsvTable>(parseCsv(text)).rows;
-  for (const CsvRow& row : rows) {
+  for (const CsvRow& row : rowsOf(text)) {
     cells.emplace_back();
     for (const CsvCell& cell : row.cells) cells.back().push_back(cell.text);
   }
@@ -38,7 +47,7 @@ TEST(CsvTable, LeavesEmptyRowsAndRemarksOut) {
 }
 
 TEST(CsvTable, TakesRemarksApartBesideTheRows) {
-  const auto remarks = std::get<CsvTable>(parseCsv("a;b\n #1;2\n# the arc's 5\" \"end\n3;4\n")).remarks;
+  const auto remarks = rowsOf("a;b\n #1;2\n# the arc's 5\" \"end\n3;4\n", true);
   ASSERT_EQ(remarks.size(), 2u);
   EXPECT_EQ(remarks[0].line, 2u);
   EXPECT_EQ(remarks[0].cells.at(0).text + "|" + remarks[0].cells.at(1).text, "1|2");
@@ -46,7 +55,7 @@ TEST(CsvTable, TakesRemarksApartBesideTheRows) {
 }
 
 TEST(CsvTable, KnowsLineAndColumn) {
-  const auto rows = std::get<CsvTable>(parseCsv("a;b;c\r\n\"1\n2\";°°;  x\r\n4;5")).rows;
+  const auto rows = rowsOf("a;b;c\r\n\"1\n2\";°°;  x\r\n4;5");
   ASSERT_EQ(rows.size(), 3u);
   EXPECT_EQ(rows[1].line, 2u);
   EXPECT_EQ(rows[1].cells[2].column, 9u) << "counted in the line the cell stands in, in characters";
@@ -54,9 +63,45 @@ TEST(CsvTable, KnowsLineAndColumn) {
 }
 
 TEST(CsvTable, NamesAQuoteLeftOpen) {
-  const LineProblem problem = std::get<LineProblem>(parseCsv("a,b\n1,\"2\n3,4\n"));
-  EXPECT_EQ(problem.line, 2u);
-  EXPECT_EQ(problem.column, 3u);
+  CsvTable table("a,b\n1,\"2\n3,4\n");
+  EXPECT_TRUE(table.next());
+  EXPECT_FALSE(table.next());
+  ASSERT_TRUE(table.problem());
+  EXPECT_EQ(table.problem()->line, 2u);
+  EXPECT_EQ(table.problem()->column, 3u);
+}
+
+TEST(CsvTable, EndsBeyondTheColumnsOfAnyTable) {
+  const auto lineOf = [](std::size_t cells) {
+    std::string line;
+    for (std::size_t i = 0; i < cells; ++i) line += i == 0 ? "1" : ",1";
+    return line;
+  };
+  const std::string most = lineOf(limits::mostColumns), more = lineOf(limits::mostColumns + 1);
+  CsvTable table(most);
+  EXPECT_EQ(table.next()->cells.size(), limits::mostColumns);
+  EXPECT_FALSE(table.problem());
+  CsvTable tooWide(more);
+  EXPECT_FALSE(tooWide.next());
+  ASSERT_TRUE(tooWide.problem());
+  EXPECT_THAT(tooWide.problem()->text(), StartsWith("line 1, column 2001: has more than 1,000 columns"));
+  EXPECT_EQ(rowsOf("#" + lineOf(limits::mostColumns + 5), true).at(0).cells.size(), limits::mostColumns);
+}
+
+// A line for each row and one more; empty ones do not count.
+TEST(CsvTable, EndsBeyondTheRowsThatAreRead) {
+  std::string text = "name\n\n";
+  for (std::size_t i = 0; i < limits::mostRows; ++i) text += "1\n";
+  CsvTable most(text);
+  std::size_t rows = 0;
+  while (most.next()) ++rows;
+  EXPECT_EQ(rows, limits::mostRows + 1);
+  EXPECT_FALSE(most.problem());
+  text += "1\n";
+  CsvTable more(text);
+  while (more.next()) continue;
+  ASSERT_TRUE(more.problem());
+  EXPECT_THAT(more.problem()->text(), StartsWith("line 2000003: comes after 2,000,000 rows"));
 }
 
 }  // namespace

@@ -2,12 +2,21 @@
 
 #include <gmock/gmock.h>
 
+#include <vector>
+
 namespace alidade::test {
 namespace {
 
 using ::testing::HasSubstr;
 
-TEST(LinesOf, PartsAtEveryKindOfLineEnd) {
+std::vector<TextLine> linesOf(std::string_view text) {
+  std::vector<TextLine> all;
+  TextLines lines(text);
+  while (const auto line = lines.next()) all.push_back(*line);
+  return all;
+}
+
+TEST(TextLines, PartsAtEveryKindOfLineEnd) {
   const auto lines = linesOf("a\r\nb\rc\n\nd");
   ASSERT_EQ(lines.size(), 5u);
   EXPECT_EQ(lines[1].text, "b");

@@ -4,6 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "core/base/limits.h"
 
 namespace alidade {
 namespace {
@@ -64,29 +68,72 @@ TEST(JsonText, RefusesNestingThatWouldExhaustTheStack) {
   EXPECT_EQ(sentenceOn(std::string(100, '[') + std::string(100, ']')), "accepted");
 }
 
-TEST(JsonText, LaysOutReadingsAndPointingZeroOnOneLine) {
-  const auto json = nlohmann::ordered_json::parse(
-      R"({"a": {}, "b": [], "positions": [{"pointing_zero": {"x": 1}, "readings": [{"p": 1, "q": {"r": [2, "3"]}}, {}]}],
-          "readings": [{"p": 1}]})");
-  EXPECT_EQ(layoutJson(json),
-            "{\n"
-            "  \"a\": {},\n"
-            "  \"b\": [],\n"
-            "  \"positions\": [\n"
-            "    {\n"
-            "      \"pointing_zero\": {\"x\": 1},\n"
-            "      \"readings\": [\n"
-            "        {\"p\": 1, \"q\": {\"r\": [2, \"3\"]}},\n"
-            "        {}\n"
-            "      ]\n"
-            "    }\n"
-            "  ],\n"
-            "  \"readings\": [\n"
-            "    {\n"
-            "      \"p\": 1\n"
-            "    }\n"
-            "  ]\n"
-            "}\n");
+TEST(JsonText, RefusesMoreValuesThanAnySessionHasBesidesItsRows) {
+  const auto listOf = [](std::size_t count) {
+    std::string text = "[";
+    for (std::size_t i = 1; i < count; ++i) text += i == 1 ? "1" : ",1";  // the list itself is one
+    return text + "]";
+  };
+  EXPECT_EQ(sentenceOn(listOf(limits::mostValues)), "accepted");
+  EXPECT_THAT(sentenceOn(listOf(limits::mostValues + 1)),
+              HasSubstr("holds more than 1,000,000 values besides its rows"));
+}
+
+TEST(JsonText, DoesNotCountTheValuesOfRows) {
+  constexpr std::size_t rows = 1000, values = 1500;
+  std::string row = "{\"x\": [1";
+  for (std::size_t i = 1; i < values; ++i) row += ",1";
+  row += "]}";
+  std::string text = R"({"positions": [{"readings": [)";
+  for (std::size_t i = 0; i < rows; ++i) text += (i == 0 ? "" : ",") + row;
+  nlohmann::ordered_json json;
+  std::size_t taken = 0;
+  const auto problem =
+      parseJson(text + "]}]}", json, [&](const Place&, const nlohmann::ordered_json&) { ++taken; });
+  EXPECT_FALSE(problem) << problem->text();
+  EXPECT_EQ(taken, rows);
+  EXPECT_THAT(sentenceOn(text + "]}]}"), HasSubstr("values besides"))
+      << "they are kept where nobody takes them";
+}
+
+TEST(JsonText, RefusesTextsAndRowsBeyondTheLimits) {
+  const std::string longest(limits::longestText, 'x');
+  EXPECT_EQ(sentenceOn("{\"a\": \"" + longest + "\"}"), "accepted");
+  EXPECT_THAT(sentenceOn("{\"a\": \"" + longest + "x\"}"), StartsWith("a: holds a text of more than 1 MiB"));
+  EXPECT_THAT(sentenceOn("{\"" + longest + "x\": 1}"), StartsWith("holds a text of more than 1 MiB"));
+  std::string text = R"({"positions": [{"readings": [0)";
+  for (std::size_t i = 1; i < limits::mostRows; ++i) text += ",0";
+  nlohmann::ordered_json json;
+  const TakeRow take = [](const Place&, const nlohmann::ordered_json&) {};
+  EXPECT_FALSE(parseJson(text + "]}]}", json, take));
+  const auto problem = parseJson(text + "]}, {\"readings\": [0]}]}", json, take);
+  ASSERT_TRUE(problem);
+  EXPECT_THAT(problem->text(), StartsWith("holds more than 2,000,000 rows of readings"));
+}
+
+TEST(JsonText, HandsOnRowsOneByOneAndKeepsThemNoLonger) {
+  nlohmann::ordered_json json;
+  std::vector<std::string> rows;
+  const auto take = [&](const Place& where, const nlohmann::ordered_json& row) {
+    rows.push_back(where.path() + " " + row.dump());
+  };
+  ASSERT_FALSE(
+      parseJson(R"({"readings": [1], "positions": [{"readings": [{"a": [[1]]}, 2]}, {"x": {"readings": [3]}},
+                             {"readings": {"readings": [4]}}, {"readings": []}]})",
+                json, take));
+  EXPECT_EQ(rows, (std::vector<std::string>{"positions[0].readings[0] {\"a\":[[1]]}",
+                                            "positions[0].readings[1] 2"}));
+  EXPECT_EQ(
+      json.dump(),
+      R"({"readings":[1],"positions":[{"readings":[]},{"x":{"readings":[3]}},{"readings":{"readings":[4]}},{"readings":[]}]})");
+}
+
+TEST(JsonText, CountsRowsThatItKeepsNoLonger) {
+  nlohmann::ordered_json json;
+  const auto problem = parseJson(R"({"positions": [{}, {"readings": [{}, {}, {"a": 1, "a": 2}]}]})", json,
+                                 [](const Place&, const nlohmann::ordered_json&) {});
+  ASSERT_TRUE(problem);
+  EXPECT_THAT(problem->text(), StartsWith("positions[1].readings[2].a: stands twice"));
 }
 
 }  // namespace

@@ -311,6 +311,40 @@ TEST(SessionFile, RowsKeepTheirUnknownKeysWhenTheyMove) {
   EXPECT_FALSE(written["positions"][0]["readings"][2].contains("weather"));
 }
 
+// Rows that are alike but for their texts share what else is kept of them.
+TEST(SessionFile, KeepsEveryWayToWriteARow) {
+  Json json = completeSession();
+  Json& rows = json["positions"][0]["readings"];
+  const Json first = rows[0];
+  rows = Json::array();
+  const char* ways[] = {
+      R"({"point": 1, "horizontal": "1 2 3", "vertical": "90 0 0"})",
+      R"({"point": 2, "horizontal": "1 2 4", "vertical": "90 0 1"})",
+      R"({"point": 3.0, "horizontal": "1 2 5", "vertical": "90 0 1"})",
+      R"({"point": "4", "horizontal": "", "vertical": 90})",
+      R"({"point": 5, "horizontal": "1 2 6", "vertical": 90.5})",
+      R"({"point": 6, "horizontal": "1 2 7", "vertical": 90.5})",
+      R"({"vertical": "90 0 0", "point": 7, "horizontal": "1 2 3", "note": "", "slider": ""})",
+      R"({"vertical": "90 0 1", "point": 8, "horizontal": "1 2 3", "note": "n", "slider": "1"})",
+      R"({"vertical": "90 0 2", "point": 9, "horizontal": "1 2 3", "note": "", "slider": ""})",
+      R"({"point": 10, "horizontal": "1 2 3", "vertical": "90 0 0", "excluded": false})",
+      R"({"point": 11, "horizontal": "1 2 4", "vertical": "90 0 1", "excluded": true})",
+      R"({"point": 12, "horizontal": "1 2 3", "vertical": "90 0 0", "x": null, "y": {"z": 1}})",
+      R"({"point": 13, "horizontal": "1 2 3", "vertical": "90 0 0", "x": null, "y": {"z": 1.0}})"};
+  for (const char* way : ways) rows.push_back(Json::parse(way));
+  Session session = *readSession(json.dump());
+  EXPECT_EQ(Json::parse(writeSession(session)).dump(), json.dump());
+  session.positions[0].readings[1].point = "";
+  session.positions[0].readings[7].note = "";
+  session.positions[0].readings[8].slider = "2 0 0";
+  session.positions[0].readings[10].excluded = false;
+  rows[1].erase("point");
+  rows[7].erase("note");
+  rows[8]["slider"] = "2 0 0";
+  rows[10]["excluded"] = false;
+  EXPECT_EQ(Json::parse(writeSession(session)).dump(), json.dump());
+}
+
 TEST(SessionFile, WritesTextThatIsNotUtf8WithoutFailing) {
   Session session = blankSession();
   session.notes = "a\xFF";
