@@ -1,6 +1,7 @@
 #include "app/console/diagnose_command.h"
 
 #include <CLI/CLI.hpp>
+#include <utility>
 
 #include "app/console/diagnosis_json.h"
 #include "app/console/diagnosis_text.h"
@@ -26,9 +27,11 @@ void addDiagnoseCommand(CLI::App& app, DiagnoseRequest& request) {
 }
 
 Result<std::string> runDiagnose(const DiagnoseRequest& request) {
-  Result<SessionInput> input = readSessionInput(request.file);
-  if (!input) return input.problem();
-  Measurement measurement = input->measurement;
+  Result<SessionInput> read = readSessionInput(request.file);
+  if (!read) return read.problem();
+  SessionInput input = *std::move(read);
+  input.session = {};  // of no more use, and as long as its rows
+  Measurement& measurement = input.measurement;
   if (!request.verticalAngle.empty())
     measurement.relation =
         request.verticalAngle == "planar" ? VerticalAngleRelation::Planar : VerticalAngleRelation::Exact;
@@ -36,8 +39,8 @@ Result<std::string> runDiagnose(const DiagnoseRequest& request) {
   if (!findings) return findings.problem();
   const Result<Diagnosis> diagnosis = diagnose(measurement, {.without = request.without});
   if (!diagnosis) return diagnosis.problem();
-  return request.json ? diagnosisJson(input->name, *diagnosis, *findings)
-                      : diagnosisText(input->name, *diagnosis, *findings);
+  return request.json ? diagnosisJson(input.name, *diagnosis, *findings)
+                      : diagnosisText(input.name, *diagnosis, *findings);
 }
 
 }  // namespace alidade::console

@@ -1,6 +1,7 @@
 #include "app/console/plan_command.h"
 
 #include <CLI/CLI.hpp>
+#include <utility>
 
 #include "app/console/findings_output.h"
 #include "app/console/plan_text.h"
@@ -21,13 +22,15 @@ void addPlanCommand(CLI::App& app, PlanRequest& request) {
 }
 
 Result<std::string> runPlan(const PlanRequest& request) {
-  const Result<SessionInput> input = readSessionInput(request.file, &withPlannedReadings);
-  if (!input) return input.problem();
-  const Result<std::vector<Finding>> findings = findingsBeforehand(input->measurement);
+  Result<SessionInput> read = readSessionInput(request.file, &withPlannedReadings);
+  if (!read) return read.problem();
+  SessionInput input = *std::move(read);
+  input.session = {};  // of no more use, and as long as its rows
+  const Result<std::vector<Finding>> findings = findingsBeforehand(input.measurement);
   if (!findings) return findings.problem();
-  const Result<PlanReview> review = reviewPlan(input->measurement);
+  const Result<PlanReview> review = reviewPlan(input.measurement);
   if (!review) return review.problem();
-  return request.json ? planJson(input->name, *review, *findings) : planText(input->name, *review, *findings);
+  return request.json ? planJson(input.name, *review, *findings) : planText(input.name, *review, *findings);
 }
 
 }  // namespace alidade::console

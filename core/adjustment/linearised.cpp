@@ -12,6 +12,9 @@ namespace {
 
 using Eigen::Index;
 
+/// In any unit: what is known as well as that is exact, and its weight, squared, would be no number.
+constexpr double asGoodAsZero = 1e-100;
+
 /// The terms of the fit as it found them, the others at zero.
 JointFitOptions withTerms(JointFitOptions options, const std::vector<ErrorTerm>& terms) {
   for (const ErrorTerm term : terms)
@@ -52,7 +55,8 @@ Linearised linearisedAt(const Measurement& measurement, const JointProblem& prob
   }
   for (std::size_t i = 0; i < problem.considered().size(); ++i) {
     result.unknowns.push_back(problem.considered()[i]);
-    result.priorSigmas.push_back(problem.consideredSigma(i));
+    const double sigma = problem.consideredSigma(i);
+    result.priorSigmas.push_back(sigma < asGoodAsZero ? 0 : sigma);
     result.priorResiduals.push_back(0);
   }
   std::vector<std::array<int, firstTermSlot>> slots;
@@ -63,7 +67,10 @@ Linearised linearisedAt(const Measurement& measurement, const JointProblem& prob
   for (const VisitEquations& equations : all) readings += static_cast<std::size_t>(equations.residual.size());
   result.readings.reserve(readings);
   result.perUnknown.assign(readings * result.unknowns.size(), 0);
-  result.perTerm.assign(readings * errorTermCount, 0);
+  result.terms = terms.size();
+  for (std::size_t t = 0; t < terms.size(); ++t)
+    result.slots[static_cast<std::size_t>(terms[t].term)] = t + 1;
+  result.perTerm.reserve(readings * terms.size());
   for (std::size_t v = 0; v < result.visits; ++v) {
     const VisitEquations& equations = all[v];
     const std::size_t arc = problem.visits()[v].arc;
@@ -79,8 +86,7 @@ Linearised linearisedAt(const Measurement& measurement, const JointProblem& prob
           result.perUnknown[i * result.unknowns.size() + static_cast<std::size_t>(slots[arc][slot])] =
               equations.jacobian(row, static_cast<Index>(slot));
       for (std::size_t t = 0; t < terms.size(); ++t)
-        result.perTerm[i * errorTermCount + static_cast<std::size_t>(terms[t].term)] =
-            equations.jacobian(row, static_cast<Index>(firstTermSlot + t));
+        result.perTerm.push_back(equations.jacobian(row, static_cast<Index>(firstTermSlot + t)));
     }
   }
   return result;

@@ -39,15 +39,18 @@ struct Linearised {
   std::array<double, errorTermCount> termValues{};
   /// (∂reading/∂unknown)/σ, readings × unknowns, row by row.
   std::vector<double> perUnknown;
-  /// (∂reading/∂term)/σ, readings × errorTermCount, row by row: rad, mm or 1 per unit of the term. The terms
-  /// of a jump as if it had come before every reading.
+  /// (∂reading/∂term)/σ, readings × terms, row by row: rad, mm or 1 per unit of the term. The terms of a jump
+  /// as if it had come before every reading.
   std::vector<double> perTerm;
+  std::size_t terms = 0;                            ///< that the readings were differentiated by
+  std::array<std::size_t, errorTermCount> slots{};  ///< of each term in a row of `perTerm`, from 1; 0: none
 
   double ofUnknown(std::size_t reading, std::size_t unknown) const {
     return perUnknown[reading * unknowns.size() + unknown];
   }
   double ofTerm(std::size_t reading, ErrorTerm term) const {
-    return perTerm[reading * errorTermCount + static_cast<std::size_t>(term)];
+    const std::size_t slot = slots[static_cast<std::size_t>(term)];
+    return slot == 0 ? 0 : perTerm[reading * terms + slot - 1];
   }
 };
 

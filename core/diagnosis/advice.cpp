@@ -144,12 +144,12 @@ std::vector<Advice> furtherAdvice(const Inquiry& inquiry, const Cause* unclear,
   std::vector<Advice> list;
   if (effects.empty()) return list;
   Planner planner(inquiry, effects);
-  for (const FurtherReadings& plan : furtherReadings(inquiry.base)) {
+  eachFurtherReadings(inquiry.base, [&](const FurtherReadings& plan) {
     const VisibleTerms terms = planner.shownBy(plan);
     const std::optional<Advice> advice =
         unclear ? separating(*unclear, plan.measure, terms) : revealing(unseen, plan.measure, terms);
     if (advice) list.push_back(*advice);
-  }
+  });
   std::ranges::sort(list, [](const Advice& a, const Advice& b) {
     return std::pair(a.separates.size(), a.bySigma) > std::pair(b.separates.size(), b.bySigma);
   });

@@ -89,8 +89,8 @@ VectorXd ColumnTable::products(const VectorXd& visible) const {
     auto own = all.segment(first(i), count(i));
     Index row = 0;
     for (const auto& [carrier, functions] : m_candidates[i].pattern.parts) {
-      own.segment(row, functions.cols()).noalias() = functions.transpose() * gatheredBy(carrier.get());
-      row += functions.cols();
+      own.segment(row, functions.count()) = functions.products(gatheredBy(carrier.get()));
+      row += functions.count();
     }
     if (row > 0 && m_turns[i].size() > 0) own = m_turns[i].transpose() * own;
   }

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <numbers>
 #include <optional>
+#include <utility>
 
+#include "core/adjustment/visits.h"
 #include "core/observation/observe.h"
 
 namespace alidade {
@@ -28,30 +30,49 @@ void renumber(Measurement& plan) {
     for (Sighting& sighting : arc.sightings) sighting.sequence = plan.rows++;
 }
 
-std::optional<FurtherReadings> withBothFaces(const Measurement& plan) {
-  Measurement more = plan;
+FurtherReadings further(const char* measure, Measurement more) {
+  FurtherReadings readings{measure, {}};
+  readings.sets.push_back(std::move(more));
+  return readings;
+}
+
+/// The session, and a set-up of its own.
+FurtherReadings besides(const Measurement& session, const char* measure, Measurement more) {
+  FurtherReadings readings = further(measure, session);
+  readings.sets.push_back(std::move(more));
+  readings.besideSession = true;
+  return readings;
+}
+
+/// The rows of visits that were sighted in both faces.
+std::vector<bool> rowsWithTwin(const ArcMeasurement& arc) {
+  std::vector<bool> rows(arc.sightings.size());
+  for (const Visit& visit : visitsOf(arc))
+    if (visit.sightings.size() > 1)
+      for (const std::size_t row : visit.sightings) rows[row] = true;
+  return rows;
+}
+
+std::optional<FurtherReadings> withBothFaces(Measurement more) {
   bool added = false;
   for (ArcMeasurement& arc : more.arcs) {
+    const std::vector<bool> hasTwin = rowsWithTwin(arc);
     std::vector<Sighting> rows;
-    for (const Sighting& sighting : arc.sightings) {
-      rows.push_back(sighting);
-      const auto twin = std::ranges::find_if(arc.sightings, [&](const Sighting& other) {
-        return other.point == sighting.point && other.round == sighting.round && other.face != sighting.face;
-      });
-      if (twin != arc.sightings.end()) continue;
-      rows.push_back(sighting);
-      rows.back().face = 3 - sighting.face;
+    for (std::size_t i = 0; i < arc.sightings.size(); ++i) {
+      rows.push_back(arc.sightings[i]);
+      if (hasTwin[i]) continue;
+      rows.push_back(arc.sightings[i]);
+      rows.back().face = 3 - rows.back().face;
       added = true;
     }
     arc.sightings = std::move(rows);
   }
   if (!added) return std::nullopt;
   renumber(more);
-  return FurtherReadings{"both faces", {more}};
+  return further("both faces", std::move(more));
 }
 
-std::optional<FurtherReadings> withWayBack(const Measurement& plan) {
-  Measurement more = plan;
+std::optional<FurtherReadings> withWayBack(Measurement more) {
   for (ArcMeasurement& arc : more.arcs) {
     int rounds = 1;
     for (const Sighting& sighting : arc.sightings) rounds = std::max(rounds, sighting.round);
@@ -61,11 +82,10 @@ std::optional<FurtherReadings> withWayBack(const Measurement& plan) {
     arc.sightings.insert(arc.sightings.end(), back.begin(), back.end());
   }
   renumber(more);
-  return FurtherReadings{"the way back", {more}};
+  return further("the way back", std::move(more));
 }
 
-std::optional<FurtherReadings> withSlider(const GapModel& model, const Measurement& plan) {
-  Measurement more = plan;
+std::optional<FurtherReadings> withSlider(const GapModel& model, Measurement more) {
   bool added = false;
   for (std::size_t arc = 0; arc < more.arcs.size(); ++arc)
     for (std::size_t i = 0; i < more.arcs[arc].sightings.size(); ++i) {
@@ -76,13 +96,13 @@ std::optional<FurtherReadings> withSlider(const GapModel& model, const Measureme
       added = true;
     }
   if (!added) return std::nullopt;
-  return FurtherReadings{"slider readings", {more}};
+  return further("slider readings", std::move(more));
 }
 
 std::optional<FurtherReadings> withShiftedCircle(const Measurement& plan) {
   Measurement more = plan;
   for (ArcMeasurement& arc : more.arcs) arc.zeroHorizontal = arc.zeroHorizontal + Angle::fromDegrees(60);
-  return FurtherReadings{"a second set with the horizontal circle shifted by 60°", {plan, more}, true};
+  return besides(plan, "a second set with the horizontal circle shifted by 60°", std::move(more));
 }
 
 std::optional<FurtherReadings> withSecondStandOff(const GapModel& model, const Measurement& plan) {
@@ -92,13 +112,12 @@ std::optional<FurtherReadings> withSecondStandOff(const GapModel& model, const M
   for (std::size_t arc = 0; arc < more.arcs.size(); ++arc)
     for (std::size_t i = 0; i < more.arcs[arc].sightings.size(); ++i)
       sightPerfectly(more.arcs[arc].sightings[i], more, model.fit.circleOf(arc), arcAngle(model, arc, i));
-  return FurtherReadings{"a second set from half as far again", {plan, more}, true};
+  return besides(plan, "a second set from half as far again", std::move(more));
 }
 
-std::optional<FurtherReadings> withMoreArc(const GapModel& model, const Measurement& plan) {
+std::optional<FurtherReadings> withMoreArc(const GapModel& model, Measurement more) {
   constexpr double enough = 150, whole = 160;  // degrees
   constexpr int points = 17;
-  Measurement more = plan;
   bool added = false;
   for (std::size_t arc = 0; arc < more.arcs.size(); ++arc) {
     const int side = more.arcs[arc].axisDeg == 0 ? 1 : -1;
@@ -119,7 +138,7 @@ std::optional<FurtherReadings> withMoreArc(const GapModel& model, const Measurem
   }
   if (!added) return std::nullopt;
   renumber(more);
-  return FurtherReadings{"more of the arc", {more}};
+  return further("more of the arc", std::move(more));
 }
 
 }  // namespace
@@ -136,14 +155,17 @@ Measurement readWithoutError(const GapModel& model) {
   return plan;
 }
 
-std::vector<FurtherReadings> furtherReadings(const GapModel& model) {
+void eachFurtherReadings(const GapModel& model, const std::function<void(const FurtherReadings&)>& take) {
   const Measurement plan = readWithoutError(model);
-  std::vector<FurtherReadings> plans;
-  for (std::optional<FurtherReadings> more :
-       {withBothFaces(plan), withWayBack(plan), withSlider(model, plan), withShiftedCircle(plan),
-        withSecondStandOff(model, plan), withMoreArc(model, plan)})
-    if (more) plans.push_back(*std::move(more));
-  return plans;
+  const auto offer = [&](const std::optional<FurtherReadings>& more) {
+    if (more) take(*more);
+  };
+  offer(withBothFaces(plan));
+  offer(withWayBack(plan));
+  offer(withSlider(model, plan));
+  offer(withShiftedCircle(plan));
+  offer(withSecondStandOff(model, plan));
+  offer(withMoreArc(model, plan));
 }
 
 Linearised linearisedPlan(const GapModel& model, const Measurement& set,
@@ -157,10 +179,11 @@ Linearised linearisedPlan(const GapModel& model, const Measurement& set,
   return linearise(set, circles, options, terms);
 }
 
-Leftover leftoverWith(const GapModel& model, const FurtherReadings& plan) {
+Leftover leftoverWith(const GapModel& model, const FurtherReadings& plan,
+                      const std::vector<ErrorTerm>& terms) {
   std::vector<Linearised> sets;
-  for (const Measurement& set : plan.sets) sets.push_back(linearisedPlan(model, set));
-  return Leftover(sets, model.options.terms);
+  for (const Measurement& set : plan.sets) sets.push_back(linearisedPlan(model, set, terms));
+  return Leftover(std::move(sets), model.options.terms);
 }
 
 }  // namespace alidade

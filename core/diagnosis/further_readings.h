@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -20,15 +21,17 @@ struct FurtherReadings {
 Measurement readWithoutError(const GapModel& model);
 
 /// The same session with the other face, the way back, the slider, a shifted circle, a second stand-off or
-/// more of the arc read along; what it has already is not offered.
-std::vector<FurtherReadings> furtherReadings(const GapModel& model);
+/// more of the arc read along, one after the other; what it has already is not offered.
+void eachFurtherReadings(const GapModel& model, const std::function<void(const FurtherReadings&)>& take);
 
 /// The equations of a set as planned; effects of the model are not there, but estimated along. With
 /// derivatives by them and by `terms`.
 Linearised linearisedPlan(const GapModel& model, const Measurement& set,
                           const std::vector<ErrorTerm>& terms = everyTerm());
 
-/// What a fit of them would leave over; effects of the model are estimated along.
-Leftover leftoverWith(const GapModel& model, const FurtherReadings& plan);
+/// What a fit of them would leave over, with derivatives by `terms`; effects of the model are estimated
+/// along.
+Leftover leftoverWith(const GapModel& model, const FurtherReadings& plan,
+                      const std::vector<ErrorTerm>& terms);
 
 }  // namespace alidade

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/adjustment/session_fit.h"
 
 namespace alidade {
 
 Result<GapModel> modelOf(const Measurement& measurement) {
-  const SessionFit fit = fitSession(measurement);
+  SessionFit fit = fitSession(measurement);
   if (fit.arcs.empty()) {
     for (const Finding& finding : fit.findings)
       if (finding.severity == Severity::Error) return Problem{finding.text, finding.where};
@@ -17,7 +18,7 @@ Result<GapModel> modelOf(const Measurement& measurement) {
   GapModel model{.measurement = fittedPart(measurement, fit),
                  .starts = {},
                  .options = {.terms = estimatedTerms(measurement)},
-                 .fit = fit.joint};
+                 .fit = std::move(fit.joint)};
   for (const ArcFit& arc : fit.arcs) model.starts.push_back(arc.circle);
   return model;
 }

@@ -8,40 +8,17 @@
 
 namespace alidade {
 
-namespace {
-
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
-
-constexpr std::size_t mostRowsOfVisit = 5;  // two circles in two faces, and the slider
-
-}  // namespace
 
 Leftover::Leftover(std::vector<Linearised> sets, const std::vector<EstimatedTerm>& inModel)
     : m_sets(std::move(sets)) {
-  std::size_t visits = 0;
-  for (const Linearised& set : m_sets) {
-    for (LinearReading reading : set.readings) {
-      reading.visit += visits;
-      m_readings.push_back(reading);
-    }
-    visits += set.visits;
-  }
-  m_visits.resize(visits);
-  for (auto& visit : m_visits) visit.reserve(mostRowsOfVisit);
-  m_along.resize(readings());
-  for (Index i = 0; i < readings(); ++i) {
-    m_visits[reading(i).visit].push_back(i);
-    m_along[i] = reading(i).along;
-  }
-  for (const auto& visit : m_visits) m_endOfVisit.push_back(visit.empty() ? 0 : visit.back() + 1);
-
-  layOutUnknowns(inModel, m_observed);
-  eliminateArcAngles(m_base);
-  const VectorXd scale = m_base.colwise().norm().cwiseMax(1e-300).cwiseInverse();
-  m_base *= scale.asDiagonal();
-  const Eigen::ColPivHouseholderQR<MatrixXd> qr(m_base);
-  m_basis = qr.householderQ() * MatrixXd::Identity(m_base.rows(), qr.rank());
-  m_basisOfRows = m_basis.transpose();
+  numberVisits();
+  MatrixXd base = layOutUnknowns(inModel);
+  eliminateArcAngles(base);
+  const VectorXd scale = base.colwise().norm().cwiseMax(1e-300).cwiseInverse();
+  base *= scale.asDiagonal();
+  const Eigen::ColPivHouseholderQR<Eigen::Ref<MatrixXd>> qr(base);  // in its place
+  m_basis = qr.householderQ() * MatrixXd::Identity(base.rows(), qr.rank());
   m_observed = outsideArcAngles(m_observed);
   m_residual = visible(m_observed);
   m_redundancy = VectorXd::Ones(readings());
@@ -56,7 +33,29 @@ Leftover::Leftover(std::vector<Linearised> sets, const std::vector<EstimatedTerm
   m_degreesOfFreedom = static_cast<int>(counted);
 }
 
-void Leftover::layOutUnknowns(const std::vector<EstimatedTerm>& inModel, VectorXd& observed) {
+void Leftover::numberVisits() {
+  std::size_t readings = 0, visits = 0;
+  for (const Linearised& set : m_sets) readings += set.readings.size();
+  if (m_sets.size() > 1) m_readings.reserve(readings);
+  m_along.resize(static_cast<Index>(readings));
+  Index i = 0;
+  for (const Linearised& set : m_sets) {
+    m_visits.resize(visits + set.visits);
+    for (LinearReading reading : set.readings) {
+      reading.visit += visits;
+      auto& visit = m_visits[reading.visit];
+      if (visit.empty()) visit.reserve(2);
+      visit.push_back(i);
+      m_along[i++] = reading.along;
+      if (m_sets.size() > 1) m_readings.push_back(reading);
+    }
+    visits += set.visits;
+  }
+  m_endOfVisit.reserve(visits);
+  for (const auto& visit : m_visits) m_endOfVisit.push_back(visit.empty() ? 0 : visit.back() + 1);
+}
+
+MatrixXd Leftover::layOutUnknowns(const std::vector<EstimatedTerm>& inModel) {
   Index columns = static_cast<Index>(inModel.size()), priors = 0;
   for (const EstimatedTerm& term : inModel) priors += std::isinf(term.priorSigma) ? 0 : 1;
   for (const Linearised& set : m_sets)
@@ -64,13 +63,14 @@ void Leftover::layOutUnknowns(const std::vector<EstimatedTerm>& inModel, VectorX
       columns += sigma > 0 ? 1 : 0;
       priors += sigma > 0 && !std::isinf(sigma) ? 1 : 0;
     }
-  m_base = MatrixXd::Zero(readings() + priors, columns);
+  MatrixXd base = MatrixXd::Zero(readings() + priors, columns);
+  VectorXd& observed = m_observed;
   observed = VectorXd::Zero(readings() + priors);
   Index column = 0, prior = readings(), first = 0;
   const auto known = [&](double sigma, double residual) {
     if (!std::isinf(sigma)) {
       observed[prior] = residual;
-      m_base(prior++, column) = 1 / sigma;
+      base(prior++, column) = 1 / sigma;
     }
     ++column;
   };
@@ -80,16 +80,17 @@ void Leftover::layOutUnknowns(const std::vector<EstimatedTerm>& inModel, VectorX
     for (std::size_t u = 0; u < set.unknowns.size(); ++u) {
       if (set.priorSigmas[u] <= 0) continue;
       for (std::size_t i = 0; i < set.readings.size(); ++i)
-        m_base(first + static_cast<Index>(i), column) = set.ofUnknown(i, u);
+        base(first + static_cast<Index>(i), column) = set.ofUnknown(i, u);
       known(set.priorSigmas[u], set.priorResiduals[u]);
     }
     first += static_cast<Index>(set.readings.size());
   }
   for (const EstimatedTerm& term : inModel) {
-    m_base.col(column).head(readings()) = this->column(term.term);
+    base.col(column).head(readings()) = this->column(term.term);
     const double value = m_sets.front().termValues[static_cast<std::size_t>(term.term)];
     known(term.priorSigma, (term.priorValue - value) / term.priorSigma);
   }
+  return base;
 }
 
 void Leftover::eliminateArcAngles(MatrixXd& columns) const {
@@ -113,7 +114,7 @@ void Leftover::eliminateArcAngles(MatrixXd& columns) const {
 }
 
 MatrixXd Leftover::outsideArcAngles(const MatrixXd& columns) const {
-  MatrixXd result(m_base.rows(), columns.cols());
+  MatrixXd result(m_observed.size(), columns.cols());
   result.topRows(columns.rows()) = columns;
   result.bottomRows(result.rows() - columns.rows()).setZero();
   eliminateArcAngles(result);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <utility>
 #include <vector>
 
 #include "core/adjustment/linearised.h"
@@ -19,14 +20,24 @@ namespace alidade {
 // hypothesis testing in linear models" (1999).
 class Leftover {
  public:
+  /// One set of readings, handed over: they may be many.
+  static std::vector<Linearised> alone(Linearised set) {
+    std::vector<Linearised> sets;
+    sets.push_back(std::move(set));
+    return sets;
+  }
+
   /// One set of readings, or several taken from different set-ups: they share the error terms only. `inModel`
   /// are terms the fit estimates already.
   explicit Leftover(std::vector<Linearised> sets, const std::vector<EstimatedTerm>& inModel = {});
 
   /// Readings of all sets, then an entry for each observation of a prior.
   Eigen::Index rows() const { return m_residual.size(); }
-  Eigen::Index readings() const { return static_cast<Eigen::Index>(m_readings.size()); }
-  const LinearReading& reading(Eigen::Index i) const { return m_readings[static_cast<std::size_t>(i)]; }
+  Eigen::Index readings() const { return m_along.size(); }
+  const LinearReading& reading(Eigen::Index i) const {
+    const std::vector<LinearReading>& all = m_sets.size() == 1 ? m_sets.front().readings : m_readings;
+    return all[static_cast<std::size_t>(i)];
+  }
   const Eigen::VectorXd& residual() const { return m_residual; }
   double chiSquare() const { return m_residual.squaredNorm(); }
   /// The equations it was made of.
@@ -35,8 +46,7 @@ class Leftover {
 
   /// The part of `columns` (rows() or readings() long) that the fit cannot take up.
   Eigen::MatrixXd visible(const Eigen::MatrixXd& columns) const;
-  /// What the fit takes up, what was observed, and `columns`: rows() long, outside the arc angles only.
-  const Eigen::MatrixXd& base() const { return m_base; }
+  /// What was observed, and `columns`: rows() long, outside the arc angles only.
   const Eigen::VectorXd& observed() const { return m_observed; }
   Eigen::MatrixXd outsideArcAngles(const Eigen::MatrixXd& columns) const;
   /// Orthonormal, of what the fit takes up, at right angles to the arc angles.
@@ -44,7 +54,7 @@ class Leftover {
   /// The readings of each visit.
   const std::vector<std::vector<Eigen::Index>>& visits() const { return m_visits; }
   /// The basis' entries for one reading.
-  Eigen::MatrixXd::ConstColXpr basisOfRow(Eigen::Index row) const { return m_basisOfRows.col(row); }
+  auto basisOfRow(Eigen::Index row) const { return m_basis.row(row).transpose(); }
   /// |P e|² for an error e of one reading, 1σ: its redundancy.
   double redundancy(Eigen::Index reading) const { return m_redundancy[reading]; }
   /// ∂reading/∂term, whitened, not projected, readings() long.
@@ -53,19 +63,19 @@ class Leftover {
   Eigen::VectorXd column(Unknown::Kind kind) const;
 
  private:
-  std::vector<LinearReading> m_readings;
   std::vector<Linearised> m_sets;
+  std::vector<LinearReading> m_readings;  ///< of all sets where there are several
   std::vector<std::vector<Eigen::Index>> m_visits;
   Eigen::VectorXd m_along;                 ///< of each reading
   std::vector<Eigen::Index> m_endOfVisit;  ///< behind the last reading of each visit
   Eigen::VectorXd m_observed, m_residual, m_redundancy;
-  Eigen::MatrixXd m_base;
-  Eigen::MatrixXd m_basis, m_basisOfRows;  ///< the latter transposed
+  Eigen::MatrixXd m_basis;
   int m_degreesOfFreedom = 0;
 
   void eliminateArcAngles(Eigen::MatrixXd& columns) const;
-  /// Fills m_base, and the priors' entries of `observed`.
-  void layOutUnknowns(const std::vector<EstimatedTerm>& inModel, Eigen::VectorXd& observed);
+  void numberVisits();
+  /// What the fit takes up; fills m_observed with what was observed.
+  Eigen::MatrixXd layOutUnknowns(const std::vector<EstimatedTerm>& inModel);
 };
 
 }  // namespace alidade

@@ -53,7 +53,7 @@ Carrier::Carrier(const Leftover& leftover, const VectorXd& values, const std::ve
     const Index cell = cells[static_cast<std::size_t>(i)];
     m_visits[static_cast<std::size_t>(cell)] = static_cast<Index>(reading.visit);
     if (values[i] == 0) continue;
-    m_moved.push_back({i, cell, values[i]});
+    m_moved.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(cell), values[i]});
     m_squares[cell] += values[i] * values[i];
     m_along[cell] += values[i] * reading.along;
     taken.col(cell) += values[i] * leftover.basisOfRow(i);
@@ -88,16 +88,29 @@ MatrixXd Carrier::taken(const MatrixXd& functions) const {
 
 MatrixXd Carrier::visibleGramOfGroups(const std::vector<Index>& groups, Index count) const {
   const bool hasOneCellPerVisit = m_squaresOutside.size() > 0;
-  MatrixXd gram = MatrixXd::Zero(count, count), taken = MatrixXd::Zero(unknowns(), count),
-           along = MatrixXd::Zero(hasOneCellPerVisit ? 0 : m_visitCount, count);
+  const VectorXd& squares = hasOneCellPerVisit ? m_squaresOutside : m_squares;
+  MatrixXd gram = MatrixXd::Zero(count, count), taken = MatrixXd::Zero(unknowns(), count);
   for (Index cell = 0; cell < cells(); ++cell) {
     const Index group = groups[static_cast<std::size_t>(cell)];
     if (group < 0) continue;
-    gram(group, group) += hasOneCellPerVisit ? m_squaresOutside[cell] : m_squares[cell];
-    if (!hasOneCellPerVisit) along(m_visits[static_cast<std::size_t>(cell)], group) += m_along[cell];
+    gram(group, group) += squares[cell];
     taken.col(group) += m_taken.row(cell).transpose();
   }
-  return visiblePart(std::move(gram), along, taken);
+  if (!hasOneCellPerVisit) takeOffAlongVisits(gram, groups);
+  return visiblePart(std::move(gram), MatrixXd(0, count), taken);
+}
+
+/// In pieces: a group for every visit would fill the memory.
+void Carrier::takeOffAlongVisits(MatrixXd& gram, const std::vector<Index>& groups) const {
+  constexpr Index pieceLength = 4096;  // visits
+  Index cell = 0;
+  for (Index first = 0; first < m_visitCount; first += pieceLength) {
+    MatrixXd along = MatrixXd::Zero(std::min(pieceLength, m_visitCount - first), gram.cols());
+    for (; cell < cells() && visitOf(cell) < first + along.rows(); ++cell)
+      if (const Index group = groups[static_cast<std::size_t>(cell)]; group >= 0)
+        along(visitOf(cell) - first, group) += m_along[cell];
+    addSquare(gram, along, -1);
+  }
 }
 
 VectorXd Carrier::productsWith(const Carrier& other) const {
@@ -107,7 +120,7 @@ VectorXd Carrier::productsWith(const Carrier& other) const {
 
 Index Pattern::columns() const {
   Index sum = 0;
-  for (const Part& part : parts) sum += part.functions.cols();
+  for (const Part& part : parts) sum += part.functions.count();
   return sum;
 }
 
@@ -115,9 +128,9 @@ VectorXd Pattern::times(const VectorXd& weights) const {
   VectorXd sum;
   Index first = 0;
   for (const auto& [carrier, functions] : parts) {
-    const VectorXd own = carrier->spread(functions * weights.segment(first, functions.cols()));
+    const VectorXd own = carrier->spread(functions.times(weights.segment(first, functions.count())));
     sum = sum.size() == 0 ? own : VectorXd(sum + own);
-    first += functions.cols();
+    first += functions.count();
   }
   return sum;
 }
@@ -126,12 +139,12 @@ double Pattern::normalise() {
   double moved = 0, square = 0;
   for (const auto& [carrier, functions] : parts) {
     moved += static_cast<double>(carrier->moved());
-    for (Index f = 0; f < functions.cols(); ++f)
-      square += (functions.col(f).array().square() * carrier->squares().array()).sum();
+    for (Index f = 0; f < functions.count(); ++f)
+      square += (functions.column(f).array().square() * carrier->squares().array()).sum();
   }
   if (square == 0) return 0;
   const double factor = std::sqrt(moved / square);
-  for (Part& part : parts) part.functions *= factor;
+  for (Part& part : parts) part.functions.scale(factor);
   return factor;
 }
 
@@ -139,22 +152,25 @@ double Pattern::normalise() {
 MatrixXd Pattern::visibleGram() const {
   const Index count = columns(), visits = parts.front().carrier->visits(),
               unknowns = parts.front().carrier->unknowns();
-  MatrixXd gram = MatrixXd::Zero(count, count), along = MatrixXd::Zero(visits, count), taken(unknowns, count);
+  const bool isOfVisits = parts.size() == 1 && parts.front().carrier->squaresOutsideArcAngles().size() > 0;
+  MatrixXd gram = MatrixXd::Zero(count, count), along = MatrixXd::Zero(isOfVisits ? 0 : visits, count),
+           taken(unknowns, count);
   Index first = 0;
-  for (const auto& [carrier, functions] : parts) {
+  for (const auto& [carrier, ofPart] : parts) {
+    MatrixXd functions = ofPart.dense();
     const Index own = functions.cols();
-    const bool hasOneCellPerVisit = parts.size() == 1 && carrier->squaresOutsideArcAngles().size() > 0;
-    const VectorXd& squares = hasOneCellPerVisit ? carrier->squaresOutsideArcAngles() : carrier->squares();
-    if (!hasOneCellPerVisit) along.middleCols(first, own) = carrier->alongVisits(functions);
+    const VectorXd& squares = isOfVisits ? carrier->squaresOutsideArcAngles() : carrier->squares();
+    if (!isOfVisits) along.middleCols(first, own) = carrier->alongVisits(functions);
     taken.middleCols(first, own) = carrier->taken(functions);
-    addSquare(gram.block(first, first, own, own), squares.cwiseSqrt().asDiagonal() * functions, 1);
     Index before = 0;
     for (const auto& [other, others] : parts) {
       if (before == first) break;
-      gram.block(before, first, others.cols(), own) =
-          innerProducts(others, other->productsWith(*carrier).asDiagonal() * functions);
-      before += others.cols();
+      gram.block(before, first, others.count(), own) =
+          innerProducts(others.dense(), other->productsWith(*carrier).asDiagonal() * functions);
+      before += others.count();
     }
+    functions = squares.cwiseSqrt().asDiagonal() * functions;
+    addSquare(gram.block(first, first, own, own), functions, 1);
     first += own;
   }
   return visiblePart(std::move(gram), along, taken);

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
+#include "core/diagnosis/cell_functions.h"
 #include "core/diagnosis/leftover.h"
 
 namespace alidade {
@@ -38,13 +40,15 @@ class Carrier {
   /// Inner products of the visible parts of one function for each group of cells: 1 in the group, 0
   /// elsewhere. `groups`: of each cell, numbered from 0 to `count`; −1 for none.
   Eigen::MatrixXd visibleGramOfGroups(const std::vector<Eigen::Index>& groups, Eigen::Index count) const;
+  /// Frees what the inner products of visible parts are made of: none is asked for any more.
+  void endOfGrams() { m_taken.resize(0, m_taken.cols()); }
   /// Of each cell: the sum of the values of both. They have the same cells.
   Eigen::VectorXd productsWith(const Carrier& other) const;
 
  private:
   /// A reading that is moved, its cell, and by how much.
   struct Moved {
-    Eigen::Index reading, cell;
+    std::uint32_t reading, cell;  // there are no more rows than `limits::mostRows`
     double value;
   };
   Eigen::Index m_readings, m_visitCount;
@@ -52,13 +56,16 @@ class Carrier {
   std::vector<Eigen::Index> m_visits;  ///< of each cell
   Eigen::VectorXd m_squares, m_squaresOutside, m_along;
   Eigen::MatrixXd m_taken;  ///< cells × unknowns
+
+  Eigen::Index visitOf(Eigen::Index cell) const { return m_visits[static_cast<std::size_t>(cell)]; }
+  void takeOffAlongVisits(Eigen::MatrixXd& gram, const std::vector<Eigen::Index>& groups) const;
 };
 
 /// Columns over the readings: the functions of every part, side by side.
 struct Pattern {
   struct Part {
     std::shared_ptr<const Carrier> carrier;
-    Eigen::MatrixXd functions;  ///< cells × functions
+    CellFunctions functions;
   };
   std::vector<Part> parts;
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 #include "core/diagnosis/further_readings.h"
@@ -20,7 +21,6 @@ using Eigen::Index, Eigen::VectorXd;
 /// An effect with the directions of its numbers that matter, each of plausible size.
 struct Planned {
   PlannedEffect summary;
-  const Component* component = nullptr;
   VectorXd plainest, mostDangerous;
 };
 
@@ -37,11 +37,12 @@ std::vector<VectorXd> directionsOf(const Component& component) {
   return directions;
 }
 
-void seeVisibility(Planned& planned, const Leftover& leftover, const std::vector<Component>& components) {
+void seeVisibility(Planned& planned, const Component& component, const Leftover& leftover,
+                   const std::vector<Component>& components) {
   PlannedEffect& summary = planned.summary;
   bool first = true;
-  for (const VectorXd& direction : directionsOf(*planned.component)) {
-    const double visible = signature(leftover, *planned.component, direction).norm();
+  for (const VectorXd& direction : directionsOf(component)) {
+    const double visible = signature(leftover, component, direction).norm();
     if (first || visible < summary.leastVisible) summary.leastVisible = visible;
     if (first || visible > summary.mostVisible) {
       summary.mostVisible = visible;
@@ -50,17 +51,18 @@ void seeVisibility(Planned& planned, const Leftover& leftover, const std::vector
     first = false;
   }
   if (summary.mostVisible < clearlyDifferent) return;
-  const VectorXd trace = signature(leftover, *planned.component, planned.plainest);
+  const VectorXd trace = signature(leftover, component, planned.plainest);
   for (const Component& other : components) {
-    if (other.id == planned.component->id) continue;
+    if (other.id == component.id) continue;
     const LookAlike like = compared(trace, other);
     if (like.difference <= clearlyDifferent) summary.lookAlikes.push_back(like);
   }
   std::ranges::sort(summary.lookAlikes, {}, &LookAlike::difference);
 }
 
-void seeInfluence(Planned& planned, const Leftover& leftover, const VectorXd& perSigma) {
-  const Danger danger = dangerOfEffect(leftover, *planned.component, perSigma);
+void seeInfluence(Planned& planned, const Component& component, const Leftover& leftover,
+                  const VectorXd& perSigma) {
+  const Danger danger = dangerOfEffect(leftover, component, perSigma);
   PlannedEffect& summary = planned.summary;
   summary.influence = danger.influence;
   planned.mostDangerous = danger.influence > 0 ? danger.weights : planned.plainest;
@@ -68,15 +70,64 @@ void seeInfluence(Planned& planned, const Leftover& leftover, const VectorXd& pe
   summary.unseen = danger.isUnseen();
 }
 
+std::vector<Planned> plannedEffects(const GapModel& model) {
+  const Leftover leftover(Leftover::alone(linearise(model.measurement, model.fit, model.options)),
+                          model.options.terms);
+  const std::vector<Component> components =
+      effectsBeyond(model, leftover, model.measurement.effects, PriorOdds());
+  const VectorXd perSigma = influencePerSigma(model);
+  std::vector<Planned> effects;
+  for (const Component& component : components) {
+    Planned planned;
+    planned.summary.effect = component.id;
+    seeVisibility(planned, component, leftover, components);
+    seeInfluence(planned, component, leftover, perSigma);
+    effects.push_back(std::move(planned));
+  }
+  return effects;
+}
+
+/// The effects that further readings could say something of: the unseen, and those alike.
+std::vector<Planned> effectsInQuestion(const std::vector<Planned>& effects) {
+  const auto isAlikeTo = [](const Planned& planned, const std::string& id) {
+    return std::ranges::find(planned.summary.lookAlikes, id, &LookAlike::effect) !=
+           planned.summary.lookAlikes.end();
+  };
+  std::vector<Planned> chosen;
+  std::ranges::copy_if(effects, std::back_inserter(chosen), [&](const Planned& planned) {
+    return planned.summary.unseen || !planned.summary.lookAlikes.empty() ||
+           std::ranges::any_of(
+               effects, [&](const Planned& other) { return isAlikeTo(other, planned.summary.effect); });
+  });
+  return chosen;
+}
+
+std::vector<ErrorTerm> termsOf(const std::vector<Planned>& effects) {
+  std::vector<ErrorTerm> terms;
+  for (const Planned& planned : effects)
+    for (const EffectParameter& parameter : effectById(planned.summary.effect)->parameters)
+      if (std::ranges::find(terms, parameter.term) == terms.end()) terms.push_back(parameter.term);
+  return terms;
+}
+
+std::vector<std::string> othersThan(const std::vector<Planned>& effects) {
+  std::vector<std::string> others;
+  for (const Effect& effect : effectCatalogue())
+    if (std::ranges::none_of(effects, [&](const Planned& p) { return p.summary.effect == effect.id; }))
+      others.emplace_back(effect.id);
+  return others;
+}
+
+/// `inQuestion`: those of the effects that there is something to be said of.
 PlanAdvice adviceOf(const FurtherReadings& further, const GapModel& model,
-                    const std::vector<Planned>& effects) {
-  const Leftover leftover = leftoverWith(model, further);
-  const std::vector<Component> components = effectComponents(leftover, {}, {});
+                    const std::vector<Planned>& inQuestion) {
+  const Leftover leftover = leftoverWith(model, further, termsOf(inQuestion));
+  const std::vector<Component> components = effectComponents(leftover, othersThan(inQuestion), {});
   const auto find = [&](const std::string& id) -> const Component& {
     return *std::ranges::find(components, id, &Component::id);
   };
   PlanAdvice advice{further.measure, {}, {}};
-  for (const Planned& planned : effects) {
+  for (const Planned& planned : inQuestion) {
     const Component& component = find(planned.summary.effect);
     if (planned.summary.unseen && (component.columns * planned.mostDangerous).norm() > clearlyDifferent)
       advice.reveals.push_back(planned.summary.effect);
@@ -89,7 +140,7 @@ PlanAdvice adviceOf(const FurtherReadings& further, const GapModel& model,
     }
   }
   std::ranges::sort(advice.reveals, std::greater{}, [&](const std::string& id) {
-    return std::ranges::find(effects, id, [](const Planned& p) { return p.summary.effect; })
+    return std::ranges::find(inQuestion, id, [](const Planned& p) { return p.summary.effect; })
         ->summary.influence;
   });
   return advice;
@@ -102,26 +153,16 @@ Result<PlanReview> reviewPlan(const Measurement& measurement) {
   if (!read) return read.problem();
   const Result<GapModel> model = modelOf(readWithoutError(*read));
   if (!model) return model.problem();
-  const Leftover leftover({linearise(model->measurement, model->fit, model->options)}, model->options.terms);
-  const std::vector<Component> components =
-      effectsBeyond(*model, leftover, model->measurement.effects, PriorOdds());
-  const VectorXd perSigma = influencePerSigma(*model);
-  std::vector<Planned> effects;
-  for (const Component& component : components) {
-    Planned planned;
-    planned.summary.effect = component.id;
-    planned.component = &component;
-    seeVisibility(planned, leftover, components);
-    seeInfluence(planned, leftover, perSigma);
-    effects.push_back(std::move(planned));
-  }
+  const std::vector<Planned> effects = plannedEffects(*model);
   PlanReview review{.effects = {}, .advice = {}, .intersection = estimateOf(*model)};
   review.readings = model->fit.readings.size();
   for (const Planned& planned : effects) review.effects.push_back(planned.summary);
-  for (const FurtherReadings& further : furtherReadings(*model)) {
-    PlanAdvice advice = adviceOf(further, *model, effects);
+  const std::vector<Planned> inQuestion = effectsInQuestion(effects);
+  if (inQuestion.empty()) return review;
+  eachFurtherReadings(*model, [&](const FurtherReadings& further) {
+    PlanAdvice advice = adviceOf(further, *model, inQuestion);
     if (!advice.reveals.empty() || !advice.separates.empty()) review.advice.push_back(std::move(advice));
-  }
+  });
   std::ranges::stable_sort(review.advice, std::greater{}, [](const PlanAdvice& advice) {
     return std::pair(advice.reveals.size(), advice.separates.size());
   });

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double invisible = 1e-5;  // σ over all readings: rounding
 
-using SharedCarrier = std::shared_ptr<const Carrier>;
+using SharedCarrier = std::shared_ptr<Carrier>;
 
 /// Cells of the readings, and one reading of each.
 struct Cells {
@@ -94,34 +94,38 @@ class Surroundings {
   const LinearReading& at(Index reading) const { return m_leftover.reading(reading); }
 
   /// The effect of 1 unit on each reading.
-  SharedCarrier alongGuideway(const VectorXd& values) const {
-    return std::make_shared<Carrier>(m_leftover, values, visits.ofReadings);
-  }
-  SharedCarrier ofInstrument(const VectorXd& values) const {
-    return std::make_shared<Carrier>(m_leftover, values, rows.ofReadings);
-  }
+  SharedCarrier alongGuideway(const VectorXd& values) { return carrierOf(values, visits); }
+  SharedCarrier ofInstrument(const VectorXd& values) { return carrierOf(values, rows); }
   /// The same with its sign turned where `turned` says so.
   template <typename Turned>
-  SharedCarrier ofInstrument(VectorXd values, const Turned& turned) const {
+  SharedCarrier ofInstrument(VectorXd values, const Turned& turned) {
     for (Index i = 0; i < values.size(); ++i)
       if (turned(i)) values[i] = -values[i];
     return ofInstrument(values);
   }
+
+  /// Of all carriers made: no pattern is added any more.
+  void endOfGrams() {
+    for (const SharedCarrier& carrier : m_carriers) carrier->endOfGrams();
+  }
+
+ private:
+  std::vector<SharedCarrier> m_carriers;
+
+  SharedCarrier carrierOf(const VectorXd& values, const Cells& cells) {
+    return m_carriers.emplace_back(std::make_shared<Carrier>(m_leftover, values, cells.ofReadings));
+  }
 };
 
-/// Cosine and sine of 0 to `count` times each angle: angles × orders.
-struct Harmonics {
-  MatrixXd cosines, sines;
-};
-
-Harmonics harmonicsOf(const VectorXd& angles, int count) {
-  Harmonics harmonics{MatrixXd(angles.size(), count + 1), MatrixXd(angles.size(), count + 1)};
+/// Cosine and sine of 0 to `count` times each angle, in turn: angles × 2 (count + 1).
+MatrixXd harmonicsOf(const VectorXd& angles, int count) {
+  MatrixXd harmonics(angles.size(), 2 * (count + 1));
   for (Index i = 0; i < angles.size(); ++i) {
     const std::complex<double> turn = std::polar(1.0, angles[i]);
     std::complex<double> wave = 1;
     for (int order = 0; order <= count; ++order, wave *= turn) {
-      harmonics.cosines(i, order) = wave.real();
-      harmonics.sines(i, order) = wave.imag();
+      harmonics(i, 2 * order) = wave.real();
+      harmonics(i, 2 * order + 1) = wave.imag();
     }
   }
   return harmonics;
@@ -129,8 +133,12 @@ Harmonics harmonicsOf(const VectorXd& angles, int count) {
 
 /// Cosines of 1 to `count` half waves over 0…1, the shorter the weaker.
 MatrixXd smooth(const VectorXd& where, int count) {
-  MatrixXd values = harmonicsOf(where * std::numbers::pi, count).cosines.rightCols(count);
-  for (int k = 1; k <= count; ++k) values.col(k - 1) /= k;
+  MatrixXd values(where.size(), count);
+  for (Index i = 0; i < where.size(); ++i) {
+    const std::complex<double> turn = std::polar(1.0, where[i] * std::numbers::pi);
+    std::complex<double> wave = turn;
+    for (int k = 1; k <= count; ++k, wave *= turn) values(i, k - 1) = wave.real() / k;
+  }
   return values;
 }
 
@@ -155,8 +163,8 @@ class ShapeMaker {
   void startFrame(Frame frame) { m_frame = frame; }
 
   /// Functions of what the carrier's cells have in common.
-  void add(std::string_view id, const SharedCarrier& carrier, MatrixXd functions) {
-    add(id, Pattern{{{carrier, std::move(functions)}}});
+  void add(std::string_view id, const SharedCarrier& carrier, const CellFunctions& functions) {
+    add(id, Pattern{{{carrier, functions}}});
   }
 
   /// A function that differs from group to group.
@@ -170,39 +178,39 @@ class ShapeMaker {
       if (moves(cell)) groups.emplace(group(cell), static_cast<Index>(groups.size()));
     if (groups.size() < 2 || groups.size() > mostGroups) return;
     const auto count = static_cast<Index>(groups.size());
-    MatrixXd functions = MatrixXd::Zero(carrier->cells(), count);
     std::vector<Index> ofCells(static_cast<std::size_t>(carrier->cells()), -1);
     for (Index cell = 0; cell < carrier->cells(); ++cell)
-      if (moves(cell)) functions(cell, ofCells[static_cast<std::size_t>(cell)] = groups.at(group(cell))) = 1;
-    add(id, Pattern{{{carrier, std::move(functions)}}}, carrier->visibleGramOfGroups(ofCells, count));
+      if (moves(cell)) ofCells[static_cast<std::size_t>(cell)] = groups.at(group(cell));
+    MatrixXd gram = carrier->visibleGramOfGroups(ofCells, count);
+    add(id, Pattern{{{carrier, CellFunctions(std::move(ofCells), count)}}}, std::move(gram));
   }
 
   /// A pattern for each of the orders; their inner products are worked out together.
-  void addHarmonics(std::string_view id, const SharedCarrier& carrier, const Harmonics& harmonics,
+  void addHarmonics(std::string_view id, const SharedCarrier& carrier, const CellFunctions& harmonics,
                     const std::vector<int>& orders) {
-    MatrixXd all(carrier->cells(), static_cast<Index>(2 * orders.size()));
+    std::vector<Index> all;
+    for (const Index order : orders) all.insert(all.end(), {2 * order, 2 * order + 1});
+    const MatrixXd gram = Pattern{{{carrier, harmonics.chosen(all)}}}.visibleGram();
     Index first = 0;
-    for (const int order : orders) {
-      all.col(first++) = harmonics.cosines.col(order);
-      all.col(first++) = harmonics.sines.col(order);
+    for (const Index order : orders) {
+      add(id, Pattern{{{carrier, harmonics.chosen({2 * order, 2 * order + 1})}}},
+          gram.block(first, first, 2, 2));
+      first += 2;
     }
-    const MatrixXd gram = Pattern{{{carrier, all}}}.visibleGram();
-    for (first = 0; first < all.cols(); first += 2)
-      add(id, Pattern{{{carrier, all.middleCols(first, 2)}}}, gram.block(first, first, 2, 2));
   }
 
   /// Functions with weights of their own for the two circles.
   void addOrientation(std::string_view id, const SharedCarrier& horizontal, const SharedCarrier& vertical,
-                      const MatrixXd& functions) {
+                      const CellFunctions& functions) {
     add(id, Pattern{{{horizontal, functions}, {vertical, functions}}});
   }
 
   /// Functions for either circle alone, and for both; an id for each.
   void addOrientations(const std::array<std::string_view, 3>& ids, const SharedCarrier& horizontal,
-                       const SharedCarrier& vertical, const MatrixXd& functions) {
+                       const SharedCarrier& vertical, const CellFunctions& functions) {
     Pattern both{{{horizontal, functions}, {vertical, functions}}};
     MatrixXd gram = both.visibleGram();
-    const Index own = functions.cols();
+    const Index own = functions.count();
     add(ids[0], Pattern{{{horizontal, functions}}}, gram.topLeftCorner(own, own));
     add(ids[1], Pattern{{{vertical, functions}}}, gram.bottomRightCorner(own, own));
     add(ids[2], std::move(both), std::move(gram));
@@ -247,7 +255,7 @@ VectorXd toUnit(const VectorXd& values) {
 std::vector<Component> shapeComponents(const Leftover& leftover, const Measurement& measurement,
                                        const JointFit& fit, const std::vector<std::string>& leftOut,
                                        const PriorOdds& odds) {
-  const Surroundings all(leftover, measurement, fit);
+  Surroundings all(leftover, measurement, fit);
   const SharedCarrier radial = all.alongGuideway(leftover.column(Unknown::Kind::Radius)),
                       offPlane = all.alongGuideway(leftover.column(ErrorTerm::PlaneOffset)),
                       slider = all.alongGuideway(leftover.column(Unknown::Kind::SliderZero));
@@ -255,7 +263,7 @@ std::vector<Component> shapeComponents(const Leftover& leftover, const Measureme
                  ofVertical = leftover.column(ErrorTerm::VerticalJump);
   const SharedCarrier horizontal = all.ofInstrument(ofHorizontal), vertical = all.ofInstrument(ofVertical);
   ShapeMaker maker;
-  const Harmonics harmonics = harmonicsOf(all.s, 12);
+  const CellFunctions harmonics = harmonicsOf(all.s, 12);
   const auto left = [&](const char* id) { return std::ranges::find(leftOut, id) != leftOut.end(); };
   std::vector<int> radialOrders, planeOrders;
   for (int order = 2; order <= 12; ++order)
@@ -272,19 +280,21 @@ std::vector<Component> shapeComponents(const Leftover& leftover, const Measureme
   const auto place = [&](Index i) { return std::pair(all.at(i).arc, all.rowOf(i).point); };
   maker.addGroups("radius from place to place in each position", radial, all.visits, place);
   maker.startFrame(Frame::Time);
-  const MatrixXd waves = smooth(all.elapsed, wavesOf(static_cast<Index>(all.rows.readings.size())));
+  const CellFunctions waves = smooth(all.elapsed, wavesOf(static_cast<Index>(all.rows.readings.size())));
   maker.addOrientations(
       {"horizontal orientation with time", "vertical orientation with time", "orientation with time"},
       horizontal, vertical, waves);
   maker.addOrientation("orientation settling with time", horizontal, vertical, settling(all.elapsed));
+  std::vector<Index> slowest;
+  for (Index wave = 0; wave < std::min<Index>(4, waves.count()); ++wave) slowest.push_back(wave);
   // The target nearer, whichever way the guideway is turned.
   const auto isTurned = [&](Index i) { return all.arcOf(i).axisDeg != 0; };
   maker.add("distance with time", all.ofInstrument(leftover.column(ErrorTerm::PlaneOffset), isTurned),
-            waves.leftCols(std::min<Index>(4, waves.cols())));
+            waves.chosen(slowest));
   maker.startFrame(Frame::Guideway);
   maker.add("slider readings along the scale", slider, smooth(toUnit(all.s), 6));
   maker.startFrame(Frame::Instrument);
-  const MatrixXd alongAzimuth = smooth(toUnit(all.a), 6), alongElevation = smooth(toUnit(all.e), 6);
+  const CellFunctions alongAzimuth = smooth(toUnit(all.a), 6), alongElevation = smooth(toUnit(all.e), 6);
   maker.add("horizontal readings with azimuth", horizontal, alongAzimuth);
   maker.add("vertical readings with elevation", vertical, alongElevation);
   maker.add("horizontal readings with elevation", horizontal, alongElevation);
@@ -298,6 +308,7 @@ std::vector<Component> shapeComponents(const Leftover& leftover, const Measureme
   };
   maker.addGroups("horizontal orientation from round to round", horizontal, all.rows, block);
   maker.addGroups("vertical orientation from round to round", vertical, all.rows, block);
+  all.endOfGrams();
   return maker.take(odds.shape);
 }
 

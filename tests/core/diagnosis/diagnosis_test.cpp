@@ -13,6 +13,7 @@
 #include "core/adjustment/session_fit.h"
 #include "core/diagnosis/leftover.h"
 #include "core/effects/catalogue.h"
+#include "core/session/session_file.h"
 #include "core/simulation/simulate.h"
 #include "tests/support/paper_table.h"
 #include "tests/support/trials.h"
@@ -265,6 +266,22 @@ TEST(Leftover, SeesAsMuchOfAnEffectAsTheRayTracer) {
     ++count;
   }
   EXPECT_GE(count, 4);
+}
+
+// A σ whose square, or that of its inverse, is no number any more is as good as none.
+TEST(Diagnosis, DoesNotHangOnHowNearToNothingASigmaIs) {
+  const Session session = *loadSession(ALIDADE_SAMPLES_DIR "/paper-table-1.alidade");
+  Measurement measurement = *examine(session).measurement;
+  measurement.sigmaDistance = 0;
+  const IntersectionEstimate exact = *diagnosed(measurement).afterwards;
+  for (const double sigma : {1e-9, 1e-90, 1e-99, 1e-101, 1e-150, 1e-154, 1e-160, 1e-200, 1e-300, 5e-324}) {
+    measurement.sigmaDistance = sigma;
+    const IntersectionEstimate estimate = *diagnosed(measurement).afterwards;
+    constexpr double rounding = 1e-9;
+    EXPECT_NEAR(estimate.value, exact.value, rounding) << sigma;
+    EXPECT_NEAR(estimate.sigma, exact.sigma, rounding) << sigma;
+    EXPECT_NEAR(estimate.expanded, exact.expanded, rounding) << sigma;
+  }
 }
 
 TEST(Diagnosis, EndsWhereItIsStopped) {

@@ -31,13 +31,14 @@ std::shared_ptr<const Carrier> carrierOf(ErrorTerm term) {
 MatrixXd dense(const Pattern& pattern, const std::vector<VectorXd>& carriers) {
   const std::vector<Index> cells = rowByRow();
   MatrixXd columns(leftover().readings(), 0);
-  for (std::size_t p = 0; p < carriers.size(); ++p)
-    for (Index f = 0; f < pattern.parts[p].functions.cols(); ++f) {
+  for (std::size_t p = 0; p < carriers.size(); ++p) {
+    const MatrixXd functions = pattern.parts[p].functions.dense();
+    for (Index f = 0; f < functions.cols(); ++f) {
       columns.conservativeResize(Eigen::NoChange, columns.cols() + 1);
       for (Index i = 0; i < columns.rows(); ++i)
-        columns(i, columns.cols() - 1) =
-            carriers[p][i] * pattern.parts[p].functions(cells[static_cast<std::size_t>(i)], f);
+        columns(i, columns.cols() - 1) = carriers[p][i] * functions(cells[static_cast<std::size_t>(i)], f);
     }
+  }
   return columns;
 }
 
@@ -58,7 +59,7 @@ TEST(Pattern, IsKnownCellByCellAsOverTheReadings) {
   const VectorXd weights = VectorXd::LinSpaced(columns.cols(), -1, 2);
   EXPECT_LT(greatest(pattern.times(weights) - columns * weights), 1e-12 * columns.norm());
   const VectorXd any = leftover().observed().head(leftover().readings());
-  EXPECT_LT(greatest(pattern.parts[1].functions.transpose() * sag->gathered(any) -
+  EXPECT_LT(greatest(pattern.parts[1].functions.products(sag->gathered(any)) -
                      columns.rightCols(6).transpose() * any),
             1e-12 * columns.norm() * any.norm());
 }
