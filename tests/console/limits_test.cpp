@@ -1,0 +1,88 @@
+#include <gmock/gmock.h>
+
+#include "core/base/limits.h"
+#include "tests/console/console.h"
+
+// What is too much for the program gets a sentence, from wherever it comes; what is much takes its time and
+// room in proportion.
+
+namespace alidade::test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+using Json = nlohmann::ordered_json;
+
+/// A line of a shell, which knows limits of memory and time, and devices.
+ProgramRun shell(const std::string& line) {
+  return runProgram({.program = "/bin/sh", .arguments = {"-c", line}});
+}
+
+const std::string cli = ALIDADE_CLI;
+
+TEST(Limits, HoldForStandardInputToo) {
+  constexpr const char* within = "ulimit -v 2500000; ";  // KiB
+  for (const char* call : {" fit - < /dev/zero", " diagnose - < /dev/zero", " fit /dev/zero",
+                           " import - --out x.alidade < /dev/zero"}) {
+    const ProgramRun run = shell(within + cli + call);
+    expectRefusal(run);
+    EXPECT_THAT(run.err, HasSubstr(": is larger than 512 MiB: choose another file")) << call;
+  }
+}
+
+TEST(Limits, EndALineOfATableThatGoesOnForEver) {
+  const ProgramRun run = shell("ulimit -v 1000000; yes 1, | head -c 50000000 | tr -d '\\n' | " + cli +
+                               " import - --out x.alidade");
+  expectRefusal(run);
+  EXPECT_THAT(run.err, StartsWith("standard input: line 1, column 2001: has more than 1,000 columns"));
+}
+
+TEST(Limits, EndAFileOfNothingButBrackets) {
+  const ProgramRun run =
+      shell("ulimit -v 1000000; (printf '{\"x\": ['; yes '[],' | head -c 50000000) | " + cli + " fit -");
+  expectRefusal(run);
+  EXPECT_THAT(run.err, HasSubstr("holds more than 1,000,000 values"));
+}
+
+// Were anything quadratic it would take a minute: processor time, which does not hang on what else is done.
+TEST(Load, FitOfManyRowsTakesTimeAndRoomInProportion) {
+  const TemporaryFolder folder;
+  const std::string session = folder.file("many.alidade", ""), truth = folder.file("truth.json", "");
+  const ProgramRun made = alidadeCli({"simulate", "--out", session, "--truth", truth, "--points", "50000",
+                                      "--rounds", "3", "--protocol", "paper"});
+  ASSERT_EQ(made.exitCode, 0) << made.err;
+  const ProgramRun run = shell("ulimit -t 25; ulimit -v 1500000; exec " + cli + " fit --json " + session);
+  ASSERT_EQ(run.exitCode, 0) << run.err;
+  EXPECT_EQ(Json::parse(run.out)["arcs"][1]["readings"], 150000);
+}
+
+TEST(Load, PlanOfManyRowsTakesTimeAndRoomInProportion) {
+  const TemporaryFolder folder;
+  const std::string session = folder.file("many.alidade", ""), truth = folder.file("truth.json", "");
+  const ProgramRun made = alidadeCli(
+      {"simulate", "--out", session, "--truth", truth, "--points", "20000", "--protocol", "paper"});
+  ASSERT_EQ(made.exitCode, 0) << made.err;
+  const ProgramRun run = shell("ulimit -t 15; ulimit -v 1500000; exec " + cli + " plan --json " + session);
+  ASSERT_EQ(run.exitCode, 0) << run.err;
+  EXPECT_EQ(Json::parse(run.out)["readings"], 80000);
+}
+
+TEST(FileName, OfAnyBytesStandsInTheResult) {
+  const TemporaryFolder folder;
+  const std::string named = changedPaperSession([](Json& session) { session["title"] = ""; });
+  const std::string file = folder.file("caf\xE9.alidade", named);
+  for (const char* command : {"fit", "diagnose", "plan"}) {
+    const ProgramRun run = alidadeCli({command, file, "--json"});
+    ASSERT_EQ(run.exitCode, 0) << command << ": " << run.err;
+    EXPECT_EQ(Json::parse(run.out)["session"], "caf\uFFFD.alidade");
+  }
+}
+
+TEST(Trial, ScoresNoFolderWithoutAName) {
+  const ProgramRun run = alidadeCli({"trial", "--score", ""});
+  expectRefusal(run);
+  EXPECT_THAT(run.err, HasSubstr("names no folder"));
+}
+
+}  // namespace
+}  // namespace alidade::test
