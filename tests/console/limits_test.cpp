@@ -74,7 +74,7 @@ TEST(FileName, OfAnyBytesStandsInTheResult) {
   for (const char* command : {"fit", "diagnose", "plan"}) {
     const ProgramRun run = alidadeCli({command, file, "--json"});
     ASSERT_EQ(run.exitCode, 0) << command << ": " << run.err;
-    EXPECT_EQ(Json::parse(run.out)["session"], "caf\uFFFD.alidade");
+    EXPECT_EQ(Json::parse(run.out)["session"], "caf\\xe9.alidade");
   }
 }
 
