@@ -1,6 +1,7 @@
 #include "tests/fuzz/imported.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "core/base/utf8.h"
 #include "core/exchange/text_lines.h"
@@ -11,6 +12,13 @@
 namespace alidade::fuzz {
 
 namespace {
+
+std::vector<TextLine> linesOf(std::string_view text) {
+  std::vector<TextLine> all;
+  TextLines lines(text);
+  while (const auto line = lines.next()) all.push_back(*line);
+  return all;
+}
 
 void checkPlace(const LineProblem& problem, const std::vector<TextLine>& lines) {
   require(!problem.what.empty() && !firstIllFormedByte(problem.what), "a problem without words");
