@@ -111,6 +111,29 @@ TEST(Intersection, BelievesAScatterDownToItsLowestThousandth) {
   EXPECT_EQ(factorWith(10.2), 1);
 }
 
+// "readings" is what they would bring if the effect were known, that is without it in the model; what they
+// bring beyond that, since they have to tell its size as well, is the effect's share. A drift beside the
+// height of an arc that takes as long costs about as much again.
+TEST(Intersection, PaysForAnEffectThatIsEstimatedAlong) {
+  Measurement measurement = test::usualMeasurement();
+  for (const int axisDeg : {0, 180}) {
+    measurement.arcs.push_back(
+        test::perfectArc(measurement, {0, 0, 400}, test::spread(17, 160, axisDeg == 0 ? 90 : 270), axisDeg));
+    for (Sighting& sighting : measurement.arcs.back().sightings) sighting.sequence = measurement.rows++;
+  }
+  const Intersection without = *fitSession(measurement).intersection;
+  measurement.effects = {"vertical_drift"};
+  const SessionFit fit = fitSession(measurement);
+  EXPECT_NEAR(share(*fit.intersection, "readings"), share(without, "readings"), 1e-6);
+  EXPECT_GT(share(*fit.intersection, "model effects"), 0.3 * share(without, "readings"));
+  const auto variance = [&](std::size_t arc) {
+    const std::size_t i = fit.joint.indexOf({.kind = Unknown::Kind::CentreY, .arc = arc});
+    const std::size_t j = fit.joint.indexOf({.kind = Unknown::Kind::CentreY, .arc = 1 - arc});
+    return (fit.joint.cofactor(i, i) - fit.joint.cofactor(i, j)) / 4;
+  };
+  EXPECT_NEAR(fit.intersection->sigma, std::sqrt(variance(0) + variance(1)), 1e-9);
+}
+
 TEST(Intersection, NeedsBothPositions) {
   Measurement measurement = test::paperMeasurement();
   measurement.arcs.pop_back();

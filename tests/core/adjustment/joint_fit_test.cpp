@@ -48,6 +48,15 @@ TEST(JointFit, AgreesWithTheFitsOfSingleArcs) {
   }
 }
 
+TEST(JointFit, CofactorsAreSquare) {
+  const JointFit fit = fitted(test::paperMeasurement());
+  ASSERT_EQ(fit.unknowns.size(), 6u);
+  for (const SquareMatrix* matrix : {&fit.cofactor, &fit.cofactorWithoutTerms}) {
+    EXPECT_EQ(matrix->size, 6u);
+    EXPECT_EQ(matrix->values.size(), 36u);
+  }
+}
+
 TEST(JointFit, ConvergesFromPoorStarts) {
   const Measurement measurement = test::paperMeasurement();
   const JointFit reference = fitted(measurement);

@@ -68,6 +68,12 @@ TEST(Misreadings, NamesNothingInThePapersReadings) {
   EXPECT_NEAR(search.noiseFactor, 6.91, 0.005);
 }
 
+// 34 rows alone in their visits are 34 tests at 1 % in all: each at 1 − 0.99^(1/34) = 2.956e-4, which
+// Student's t with 28 degrees of freedom exceeds beyond ±4.1309 (integrated numerically).
+TEST(Misreadings, NamesASoundReadingInOneSessionOfAHundred) {
+  EXPECT_NEAR(searchMisreadings(paperMeasurement()).criticalValue, 4.1309, 0.0001);
+}
+
 // Each of the four pulls the fit of its arc by more than the noise of all others; the largest by metres.
 TEST(Misreadings, FindsSeveralThatWouldMaskEachOther) {
   Measurement measurement = noisyMeasurement(1);

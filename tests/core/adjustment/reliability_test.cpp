@@ -21,6 +21,16 @@ TEST(Reliability, MeetsBaardasShift) {
               0.02);
 }
 
+// The normal quantiles of the tables: z(97.5 %) 1.960, z(99.95 %) 3.291, z(80 %) 0.842, z(90 %) 1.282.
+TEST(Reliability, ShiftIsThatOfTheLevelAskedFor) {
+  const auto shiftAt = [](const DetectionLevel& level) {
+    return reliabilityOf({.sigma = 1, .redundancy = 1}, level).minimalDetectableBias.radians();
+  };
+  EXPECT_NEAR(shiftAt({.risk = 0.05, .power = 0.80}), 1.960 + 0.842, 0.001);
+  EXPECT_NEAR(shiftAt({.risk = 0.05, .power = 0.90}), 1.960 + 1.282, 0.001);
+  EXPECT_NEAR(shiftAt({.risk = 0.001, .power = 0.90}), 3.291 + 1.282, 0.001);
+}
+
 TEST(Reliability, OfAReadingThatNothingChecksIsInfinite) {
   const Reliability reliability = reliabilityOf({.sigma = 1, .redundancy = 0, .perReading = 0.5});
   EXPECT_TRUE(std::isinf(reliability.minimalDetectableBias.radians()));

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <numeric>
 #include <random>
 
 #include "tests/support/perfect_session.h"
@@ -34,6 +36,29 @@ TEST(RobustStart, IsNotMovedBySevenOfSeventeenRows) {
   EXPECT_NEAR(start.circle.y, circle.y, 0.3);
   EXPECT_NEAR(start.circle.radius, circle.radius, 0.3);
   EXPECT_THAT(start.apart, ElementsAre(0, 3, 4, 8, 10, 15, 16));
+}
+
+// Whichever rows are wrong, and by whatever: as many as leave a majority of ⌊n/2⌋ + 2.
+TEST(RobustStart, IsNotMovedByAnyMinority) {
+  std::mt19937_64 random(21);
+  const Measurement measurement = usualMeasurement();
+  for (const int count : {9, 17, 40})
+    for (int trial = 0; trial < 60; ++trial) {
+      ArcMeasurement arc = noisyArc(measurement, count);
+      std::vector<std::size_t> rows(static_cast<std::size_t>(count));
+      std::iota(rows.begin(), rows.end(), std::size_t{0});
+      std::ranges::shuffle(rows, random);
+      rows.resize(static_cast<std::size_t>(count - count / 2 - 2));
+      std::uniform_real_distribution<double> degrees(1, 8);
+      for (const std::size_t row : rows) {
+        Sighting& sighting = arc.sightings[row];
+        sighting.e = sighting.e - Angle::fromDegrees(degrees(random));  // all to one side
+        sighting.a = sighting.a - Angle::fromDegrees(degrees(random));
+      }
+      const RobustStart start = robustStart(measurement, arc);
+      EXPECT_NEAR(start.circle.y, circle.y, 0.5) << count << ' ' << trial;
+      EXPECT_NEAR(start.circle.radius, circle.radius, 0.5) << count << ' ' << trial;
+    }
 }
 
 TEST(RobustStart, SetsNothingApartInASoundArc) {

@@ -211,6 +211,19 @@ TEST(Diagnosis, AdvisesToSightTheZeroAgainWhereAKnockGoesUnseen) {
   EXPECT_NEAR(first.bySigma, 60 / (2 * std::numbers::sqrt2), 1e-9);
 }
 
+// Without a cause nothing is to be told apart: whatever is advised is about what one face hides.
+TEST(Diagnosis, AdvisesOfWhatIsUnseenWhereNothingIsFound) {
+  const Diagnosis diagnosis = diagnosed(test::trialMeasurement("paper"));
+  ASSERT_EQ(diagnosis.verdict, DiagnosisVerdict::WithinNoise);
+  EXPECT_THAT(diagnosis.advice, testing::Contains(testing::Field(&Advice::measure, "both faces")));
+  for (const Advice& advice : diagnosis.advice) {
+    EXPECT_TRUE(advice.ofUnseen) << advice.measure;
+    for (const std::string& id : advice.separates)
+      EXPECT_THAT(diagnosis.unseen, testing::Contains(testing::Field(&UnseenEffect::effect, id)))
+          << advice.measure;
+  }
+}
+
 double memory() {  // most that was ever held, MB
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);

@@ -2,6 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include <map>
+#include <string>
+
 #include "core/base/angle_text.h"
 
 // The words and their values are those of the data format chapter of the TPS1100 user manual, where it gives
@@ -113,7 +116,40 @@ TEST(GsiWord, KnowsAGsiLine) {
 }
 
 TEST(GsiWord, NamesWords) {
-  EXPECT_EQ(gsiWordName(31), "slope distance");
+  const std::map<int, std::string> ofTheManual{{11, "point"},
+                                               {12, "serial number"},
+                                               {13, "instrument type"},
+                                               {16, "station"},
+                                               {17, "date"},
+                                               {18, "time"},
+                                               {19, "time"},
+                                               {21, "horizontal circle"},
+                                               {22, "vertical circle"},
+                                               {25, "difference of the horizontal circle"},
+                                               {31, "slope distance"},
+                                               {32, "horizontal distance"},
+                                               {33, "height difference"},
+                                               {41, "code"},
+                                               {51, "ppm and prism constant"},
+                                               {52, "number of measurements"},
+                                               {53, "signal strength"},
+                                               {58, "prism constant"},
+                                               {59, "ppm"},
+                                               {81, "easting"},
+                                               {82, "northing"},
+                                               {83, "height"},
+                                               {84, "station easting"},
+                                               {85, "station northing"},
+                                               {86, "station height"},
+                                               {87, "reflector height"},
+                                               {88, "instrument height"}};
+  for (const auto& [index, name] : ofTheManual) EXPECT_EQ(gsiWordName(index), name) << index;
+  EXPECT_EQ(gsiWordName(42), "information 1");
+  EXPECT_EQ(gsiWordName(49), "information 8");
+  EXPECT_EQ(gsiWordName(50), "word 50");
+  EXPECT_EQ(gsiWordName(70), "word 70");
+  EXPECT_EQ(gsiWordName(79), "remark 9");
+  EXPECT_EQ(gsiWordName(80), "word 80");
   EXPECT_EQ(gsiWordName(43), "information 2");
   EXPECT_EQ(gsiWordName(71), "remark 1");
   EXPECT_EQ(gsiWordName(99), "word 99");

@@ -83,6 +83,16 @@ TEST(BlindTrial, DrawsNoSliderEffectWithoutSlider) {
               HasSubstr("shows none"));
 }
 
+// Two effects are two, told apart from each other and from all else where the protocol can.
+TEST(BlindTrial, PutsTwoEffectsWhereTwoAreAskedFor) {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    const BlindTrial trial = *drawBlindTrial({.protocol = "full", .kinds = {"two_causes"}}, seed);
+    EXPECT_EQ(trial.seal.kind, "two_causes");
+    EXPECT_EQ(trial.seal.causes.size(), 2u);
+    EXPECT_NE(trial.seal.causes.front(), trial.seal.causes.back());
+  }
+}
+
 TEST(BlindTrial, RefusesWhatItDoesNotKnow) {
   EXPECT_THAT(drawBlindTrial({.protocol = "by-ear"}, 1).problem().text(), HasSubstr("by-ear"));
   EXPECT_THAT(drawBlindTrial({.protocol = "paper", .kinds = {"moonlight"}}, 1).problem().text(),

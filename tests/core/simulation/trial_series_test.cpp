@@ -74,7 +74,7 @@ TEST(TrialSeries, IsRightWhereOnlyTheSurroundingsTell) {
 
 TEST(TrialSeries, NamesTheFileThatIsWrong) {
   EXPECT_THAT(scoreStoredTrials({}, "/no/such/folder").problem().text(),
-              HasSubstr("/no/such/folder/truth.json"));
+              HasSubstr("/no/such/folder/truth.json: No such file or directory; a folder of trials holds"));
   const auto failing = [](std::size_t i) -> Result<TrialCase> {
     return Problem{"trial " + std::to_string(i)};
   };
