@@ -38,6 +38,15 @@ TEST(Angle, WrappingIncludesTheLowerEndAndExcludesTheUpper) {
   EXPECT_NEAR(wrapped(Angle::fromDegrees(360), Angle::fromDegrees(180)).degrees(), 0, 1e-13);
 }
 
+// About any centre, however its own rounding falls.
+TEST(Angle, WrappingLeavesTheLowerEndUntouched) {
+  for (int i = -1000; i <= 1000; ++i) {
+    const Angle centre = Angle::fromRadians(0.01 * i);
+    const Angle low = Angle::fromRadians(centre.radians() - std::numbers::pi);
+    EXPECT_EQ(wrapped(low, centre), low) << i;
+  }
+}
+
 TEST(Angle, WrappingStaysInRangeForAnySizeAndDiffersByWholeTurns) {
   std::mt19937 random(2);
   std::uniform_real_distribution<double> exponent(-3, 6), sign(-1, 1), centres(-10, 10);
