@@ -88,7 +88,7 @@ TEST(BlindTrial, PutsTwoEffectsWhereTwoAreAskedFor) {
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     const BlindTrial trial = *drawBlindTrial({.protocol = "full", .kinds = {"two_causes"}}, seed);
     EXPECT_EQ(trial.seal.kind, "two_causes");
-    EXPECT_EQ(trial.seal.causes.size(), 2u);
+    ASSERT_EQ(trial.seal.causes.size(), 2u);
     EXPECT_NE(trial.seal.causes.front(), trial.seal.causes.back());
   }
 }
