@@ -9,7 +9,7 @@
 
 #include "core/adjustment/algebraic_circle.h"
 #include "core/adjustment/arc_findings.h"
-#include "core/adjustment/fast_arc_fit.h"
+#include "core/adjustment/first_fit.h"
 #include "core/adjustment/foot_point.h"
 #include "core/adjustment/visits.h"
 
@@ -18,6 +18,10 @@ namespace alidade {
 namespace {
 
 using Eigen::Matrix3d, Eigen::Vector3d;
+
+double square(double value) {
+  return value * value;
+}
 
 struct NormalEquations {
   std::vector<FootPoint> feet;  // of each visit
@@ -29,63 +33,46 @@ struct NormalEquations {
 class ArcProblem {
  public:
   ArcProblem(const Measurement& measurement, const ArcMeasurement& arc)
-      : m_distance(measurement.distance),
-        m_relation(measurement.relation),
-        m_whitening{1 / measurement.sigmaHorizontal.radians(), 1 / measurement.sigmaVertical.radians()},
-        m_visits(visitsOf(arc)) {}
+      : m_view(measurement, arc.axisDeg), m_visits(visitsOf(arc)) {
+    m_readings.reserve(m_visits.size());
+    for (const Visit& visit : m_visits) m_readings.emplace_back(visit.mean.direction, visit.mean.rows);
+  }
 
   const std::vector<Visit>& visits() const { return m_visits; }
-  const Whitening& whitening() const { return m_whitening; }
+  const Whitening& whitening() const { return m_view.whitening; }
 
   std::vector<FootPoint> feetOn(const Circle& circle) const {
     std::vector<FootPoint> feet;
-    feet.reserve(m_visits.size());
-    for (const Visit& visit : m_visits)
-      feet.push_back(footPoint(circle, m_distance, m_relation, m_whitening, visit.mean.direction));
+    feet.reserve(m_readings.size());
+    for (const VisitReading& reading : m_readings) feet.push_back(footPoint(m_view, {circle}, reading));
     return feet;
   }
 
   std::vector<PlanePoint<double>> sightedPoints() const {
     std::vector<PlanePoint<double>> points;
-    for (const Visit& visit : m_visits)
-      points.push_back(sightedPoint(visit.mean.direction, m_distance, m_relation));
+    points.reserve(m_readings.size());
+    for (const VisitReading& reading : m_readings) points.push_back(sightedPoint(m_view, reading));
     return points;
   }
 
   NormalEquations normalEquations(const Circle& circle) const {
     NormalEquations equations{.feet = feetOn(circle)};
-    for (std::size_t v = 0; v < m_visits.size(); ++v) {
-      const FootPoint& f = equations.feet[v];
-      const double rows = m_visits[v].mean.rows;
-      const Vector3d gradient(f.gradient[0], f.gradient[1], f.gradient[2]);
-      const Vector3d weighted = rows * gradient;
+    for (std::size_t v = 0; v < m_readings.size(); ++v) {
+      const DistanceFromArc off = distanceFromArc(m_view, circle.radius, equations.feet[v]);
+      const Vector3d gradient(off.gradient[0], off.gradient[1], off.gradient[2]);
+      const Vector3d weighted = m_readings[v].rows * gradient;
       equations.matrix += weighted * gradient.transpose();
-      equations.rightSide += weighted * f.distance;
-      equations.chiSquare += rows * f.distance * f.distance;
+      equations.rightSide += weighted * off.distance;
+      equations.chiSquare += m_readings[v].rows * off.distance * off.distance;
     }
     return equations;
   }
 
  private:
-  double m_distance;
-  VerticalAngleRelation m_relation;
-  Whitening m_whitening;
+  ArcView m_view;
   std::vector<Visit> m_visits;
+  std::vector<VisitReading> m_readings;  // without the slider's
 };
-
-/// The minimum itself where the fast fit accepts the arc, to be confirmed by the general equations.
-std::optional<Circle> fastCircle(const Measurement& measurement, const std::vector<Visit>& visits) {
-  std::vector<double> a, e, rows;
-  for (const Visit& visit : visits) {
-    a.push_back(visit.mean.direction.a);
-    e.push_back(visit.mean.direction.e);
-    rows.push_back(visit.mean.rows);
-  }
-  const ArcSetup setup{measurement.distance, measurement.sigmaHorizontal.radians(),
-                       measurement.sigmaVertical.radians(), measurement.relation};
-  const auto fit = fitArcFast(setup, a, e, rows);
-  return fit ? std::optional(fit->circle) : std::nullopt;
-}
 
 struct Solution {
   Circle circle;
@@ -147,15 +134,16 @@ void fillResiduals(ArcFit& fit, const ArcProblem& problem, const ArcMeasurement&
   double sumOfSquares = 0;
   for (std::size_t v = 0; v < feet.size(); ++v) {
     const FootPoint& foot = feet[v];
+    const auto& [a, e] = problem.visits()[v].mean.direction;
     for (const std::size_t i : problem.visits()[v].sightings) {
       const Sighting& sighting = arc.sightings[i];
-      const Angle horizontal = sighting.a - Angle::fromRadians(foot.adjusted.a);
-      const Angle vertical = sighting.e - Angle::fromRadians(foot.adjusted.e);
+      const Angle horizontal = sighting.a - Angle::fromRadians(a - foot.left.a);
+      const Angle vertical = sighting.e - Angle::fromRadians(e - foot.left.e);
       fit.residuals[i] = {sighting.row, wrapped(Angle::fromRadians(foot.phi)).radians(), horizontal,
                           vertical};
-      sumOfSquares += std::pow(horizontal.arcseconds(), 2) + std::pow(vertical.arcseconds(), 2);
-      fit.chiSquare += std::pow(horizontal.radians() * problem.whitening().horizontal, 2) +
-                       std::pow(vertical.radians() * problem.whitening().vertical, 2);
+      sumOfSquares += square(horizontal.arcseconds()) + square(vertical.arcseconds());
+      fit.chiSquare += square(horizontal.radians() * problem.whitening().horizontal) +
+                       square(vertical.radians() * problem.whitening().vertical);
     }
   }
   const auto readings = static_cast<int>(2 * arc.sightings.size());
@@ -174,7 +162,8 @@ Result<ArcFit> fitArc(const Measurement& measurement, const ArcMeasurement& arc,
   const ArcProblem problem(measurement, arc);
   if (auto sentence = tooFewPlaces(measurement, problem.sightedPoints())) return unfit(arc, *sentence);
   std::optional<Circle> start = options.start;
-  if (!start) start = fastCircle(measurement, problem.visits());
+  if (!start)  // to be confirmed by the general equations
+    if (const auto fast = fitVisitsFast(measurement, problem.visits())) start = fast->circle;
   if (!start) start = algebraicCircle(problem.sightedPoints());
   if (!start) return unfit(arc, straightLineSentence());
 
@@ -182,10 +171,10 @@ Result<ArcFit> fitArc(const Measurement& measurement, const ArcMeasurement& arc,
   ArcFit fit;
   fit.position = arc.position;
   fit.axisDeg = arc.axisDeg;
+  fit.degreesOfFreedom = static_cast<int>(2 * arc.sightings.size() - problem.visits().size()) - 3;
   fit.circle = solution.circle;
   fit.iterations = solution.iterations;
   fit.converged = solution.converged;
-  fit.degreesOfFreedom = static_cast<int>(2 * arc.sightings.size() - problem.visits().size()) - 3;
   fillCovariance(fit, solution.equations);
   fillResiduals(fit, problem, arc, solution.equations.feet);
   if (auto sentence = radiusUndetermined(fit)) return unfit(arc, *sentence);

@@ -1,35 +1,78 @@
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <optional>
 
 #include "core/observation/guideway.h"
 #include "core/session/measurement.h"
 
 namespace alidade {
 
-// The situation: a circle is given and one visit was sighted. Which point of the circle did the slider most
-// likely stand at, and how does what is left over hang on the circle? In units of the
-// stated σ ("whitened"):
+// The situation: a circle is given and one visit was read by a perfect instrument. Which point of the circle
+// did the slider most likely stand at, and what do the readings made there hang on? In units of the stated σ
+// ("whitened"):
 //
-//   minimise |r(φ)|²,  r = ((a − a(P(φ)))/σ_h, (e − e(P(φ)))/σ_v)
+//   minimise |r(φ)|²,  r = ((a − a(P(φ)))/σ_h, (e − e(P(φ)))/σ_v, and (s − s0 ∓ φ)/σ_s with a slider reading)
 //
-// At the minimum r is perpendicular to ∂r/∂φ, so with the unit normal n of ∂r/∂φ the visit is worth one
-// scalar condition, d = n·r, whose derivatives with respect to the circle are those with φ eliminated.
+// Closed form: a residual comes from the tangents of reading and model, sine and cosine of φ are turned along
+// with it, so that of all functions of an angle there are only the tangents, once for each visit.
 
-/// Weights of the angles: 1/σ, per radian.
+/// Weights of the readings: 1/σ, per radian.
 struct Whitening {
-  double horizontal = 0, vertical = 0;
+  double horizontal = 0, vertical = 0, slider = 0;
+};
+
+/// What all visits of an arc have in common.
+struct ArcView {
+  double distance = 0;  ///< L > 0, mm
+  VerticalAngleRelation relation = VerticalAngleRelation::Exact;
+  Whitening whitening;
+  double turn = 1;  ///< the slider reads s0 + turn · φ: 1 at axis 0°, −1 at 180°
+
+  ArcView(const Measurement& measurement, int axisDeg);
+};
+
+/// What was read at one visit.
+struct VisitReading {
+  double tanA = 0, tanE = 0;     ///< of the mean of its rows
+  double rows = 1;               ///< > 0
+  std::optional<double> slider;  ///< rad
+
+  explicit VisitReading(const Direction<double>& mean, double rowCount = 1)
+      : tanA(std::tan(mean.a)), tanE(std::tan(mean.e)), rows(rowCount) {}
+};
+
+/// Where the line of sight meets the arc plane, mm.
+PlanePoint<double> sightedPoint(const ArcView& view, const VisitReading& visit);
+
+/// A circle, and what the slider reads at φ = 0 (rad).
+struct ArcUnknowns {
+  Circle circle;
+  double sliderZero = 0;
 };
 
 struct FootPoint {
-  double phi = 0;                  ///< radians
-  Direction<double> adjusted;      ///< what a perfect instrument reads there, radians
-  double distance = 0;             ///< d in σ
-  std::array<double, 3> gradient;  ///< ∂(n · whitened model reading)/∂(Δx, Δy, R), 1/mm
+  double phi = 0;               ///< radians
+  double cosine = 1, sine = 0;  ///< of it
+  Direction<double> left;       ///< mean of the readings less what a perfect instrument reads there, radians
+  double sliderLeft = 0;        ///< the same of the slider reading, 0 without one
+  /// ∂(a, e)/∂(x, y, L) at the foot, per mm; a does not hang on y.
+  double aX = 0, aL = 0, eX = 0, eY = 0, eL = 0;
 };
 
-/// Needs R > 0. Iterates to rounding error from the nearest point in the plane; always finite.
-FootPoint footPoint(const Circle& circle, double distance, VerticalAngleRelation relation,
-                    const Whitening& whitening, const Direction<double>& sighted);
+/// Needs R > 0. Iterates to rounding error from the nearest point in the plane, or from `start` that is near;
+/// always finite.
+FootPoint footPoint(const ArcView& view, const ArcUnknowns& unknowns, const VisitReading& visit);
+FootPoint footPoint(const ArcView& view, const ArcUnknowns& unknowns, const VisitReading& visit,
+                    FootPoint start);
+
+/// Of circle readings alone the foot leaves one condition: with the unit normal n of ∂r/∂φ, d = n·r.
+struct DistanceFromArc {
+  double distance = 0;             ///< d in σ
+  std::array<double, 3> gradient;  ///< −∂d/∂(Δx, Δy, R) with φ following, 1/mm
+};
+
+DistanceFromArc distanceFromArc(const ArcView& view, double radius, const FootPoint& foot);
 
 }  // namespace alidade

@@ -20,8 +20,10 @@ double square(double value) {
 /// wᵀ Q w.
 double quadraticForm(const SquareMatrix& matrix, const std::vector<double>& weights) {
   double sum = 0;
-  for (std::size_t i = 0; i < weights.size(); ++i)
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    if (weights[i] == 0) continue;
     for (std::size_t j = 0; j < weights.size(); ++j) sum += weights[i] * matrix(i, j) * weights[j];
+  }
   return sum;
 }
 
@@ -86,10 +88,11 @@ NoiseScale noiseScale(const JointFit& fit) {
 
 std::vector<BudgetEntry> budgetOf(const JointFit& fit, const std::vector<double>& weights, double scale) {
   const double together = scalableVariance(fit, fit.cofactor, weights);
-  const double withTermsKnown = std::min(together, scalableVariance(fit, fit.cofactorWithoutTerms, weights));
+  const bool hasTerms = std::ranges::any_of(fit.unknowns, isTerm);
+  const double withTermsKnown =
+      hasTerms ? std::min(together, scalableVariance(fit, fit.cofactorWithoutTerms, weights)) : together;
   std::vector<BudgetEntry> budget{{"readings", scale * std::sqrt(withTermsKnown)}};
-  if (std::ranges::any_of(fit.unknowns, isTerm))
-    budget.push_back({"model effects", scale * standardDeviation(together - withTermsKnown)});
+  if (hasTerms) budget.push_back({"model effects", scale * standardDeviation(together - withTermsKnown)});
   if (!std::isinf(fit.radiusPriorSigma))
     budget.push_back({"known radius", knownRadiusShare(fit, fit.cofactor, weights)});
   budget.push_back({"pointing zeros", consideredShare(fit, weights, false)});
@@ -111,7 +114,10 @@ ArcBudget arcBudget(const JointFit& fit, std::size_t arc, double scale) {
 }
 
 ArcSigma arcSigma(const JointFit& fit, std::size_t arc, double scale) {
-  const ArcBudget budget = arcBudget(fit, arc, scale);
+  return arcSigma(fit, arc, scale, arcBudget(fit, arc, scale));
+}
+
+ArcSigma arcSigma(const JointFit& fit, std::size_t arc, double scale, const ArcBudget& budget) {
   ArcSigma result{combined(budget.x), combined(budget.y), combined(budget.radius)};
   // cov(a, b) = (var(a + b) − var(a − b))/4, source by source as in the budget.
   const auto correlation = [&](Unknown::Kind kind, double sigmaOfKind) {

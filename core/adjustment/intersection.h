@@ -52,6 +52,8 @@ struct ArcBudget {
 /// Of arc `arc` of the fitted measurement.
 ArcBudget arcBudget(const JointFit& fit, std::size_t arc, double scale);
 ArcSigma arcSigma(const JointFit& fit, std::size_t arc, double scale);
+/// `budget`: that of `arcBudget`.
+ArcSigma arcSigma(const JointFit& fit, std::size_t arc, double scale, const ArcBudget& budget);
 
 /// The intersection Δd = (Δy(0°) − Δy(180°))/2, y up, mm.
 struct Intersection {

@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/adjustment/fast_joint_fit.h"
 #include "core/adjustment/joint_problem.h"
 
 namespace alidade {
@@ -175,6 +176,12 @@ Circle JointFit::circleOf(std::size_t arc) const {
 
 JointFit fitJointly(const Measurement& measurement, const std::vector<Circle>& starts,
                     const JointFitOptions& options) {
+  if (std::optional<JointFit> fit = fitJointlyFast(measurement, starts, options)) return *std::move(fit);
+  return fitJointlyInGeneral(measurement, starts, options);
+}
+
+JointFit fitJointlyInGeneral(const Measurement& measurement, const std::vector<Circle>& starts,
+                             const JointFitOptions& options) {
   assert(starts.size() == measurement.arcs.size());
   const JointProblem problem(measurement, options);
   const Minimum minimum = minimise(problem, problem.start(starts), options);

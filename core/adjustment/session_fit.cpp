@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "core/adjustment/arc_findings.h"
+#include "core/adjustment/first_fit.h"
 #include "core/adjustment/session_findings.h"
 #include "core/adjustment/setup_findings.h"
 #include "core/effects/catalogue.h"
@@ -47,7 +48,7 @@ void takeOver(std::vector<ArcFit>& arcs, const JointFit& joint) {
     if (reading.kind == ReadingKind::Slider) continue;
     const Angle left = Angle::fromRadians(reading.residual);
     (reading.kind == ReadingKind::Horizontal ? residual.horizontal : residual.vertical) = left;
-    squares[reading.arc] += std::pow(left.arcseconds(), 2);
+    squares[reading.arc] += left.arcseconds() * left.arcseconds();
   }
   for (std::size_t i = 0; i < arcs.size(); ++i) {
     ArcFit& arc = arcs[i];
@@ -89,8 +90,8 @@ bool adjust(SessionFit& fit, const Measurement& fitted) {
   takeOver(fit.arcs, fit.joint);
   fit.noise = noiseScale(fit.joint);
   for (std::size_t i = 0; i < fit.arcs.size(); ++i) {
-    fit.sigmas.push_back(arcSigma(fit.joint, i, fit.noise.factor));
     fit.budgets.push_back(arcBudget(fit.joint, i, fit.noise.factor));
+    fit.sigmas.push_back(arcSigma(fit.joint, i, fit.noise.factor, fit.budgets.back()));
   }
   fit.intersection = intersect(fitted, fit.joint);
   fit.effects = estimatesOf(fit.joint, effects, fit.noise.factor);
@@ -132,7 +133,7 @@ const ArcFit* SessionFit::arcOfPosition(std::size_t position) const {
 SessionFit fitSession(const Measurement& measurement) {
   SessionFit fit;
   for (const ArcMeasurement& arc : measurement.arcs) {
-    Result<ArcFit> fitted = fitArc(measurement, arc);
+    Result<ArcFit> fitted = firstFit(measurement, arc);
     if (fitted)
       fit.arcs.push_back(*std::move(fitted));
     else

@@ -19,6 +19,9 @@ using Quiet = policies::policy<
     policies::overflow_error<policies::ignore_error>, policies::underflow_error<policies::ignore_error>,
     policies::evaluation_error<policies::ignore_error>>;
 
+/// In double throughout: long double takes several times as long for digits of a quantile that nobody reads.
+using QuietAndQuick = policies::normalise<Quiet, policies::promote_double<false>>::type;
+
 std::optional<double> known(double probability) {
   return std::isnan(probability) ? std::nullopt : std::optional(probability);
 }
@@ -52,8 +55,8 @@ double coverageFactor(double coverage, DegreesOfFreedom degreesOfFreedom) {
   const double outside = (1 - coverage) / 2;
   if (degreesOfFreedom.areInfinite())
     return boost::math::quantile(complement(boost::math::normal_distribution<double, Quiet>(), outside));
-  return boost::math::quantile(
-      complement(boost::math::students_t_distribution<double, Quiet>(degreesOfFreedom.count()), outside));
+  return boost::math::quantile(complement(
+      boost::math::students_t_distribution<double, QuietAndQuick>(degreesOfFreedom.count()), outside));
 }
 
 DegreesOfFreedom effectiveDegreesOfFreedom(double sigma, double scaled, DegreesOfFreedom ofScaled) {
