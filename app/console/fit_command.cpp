@@ -16,6 +16,8 @@ namespace alidade::console {
 
 namespace {
 
+constexpr const char* asManyAsItTakes = "auto";
+
 Result<std::string> rigorousAnswer(const FitRequest& request, const std::string& name, const Session& session,
                                    const Measurement& measurement) {
   SessionFit fit = fitSession(measurement);
@@ -24,8 +26,10 @@ Result<std::string> rigorousAnswer(const FitRequest& request, const std::string&
   if (auto finding = suspectsFinding(suspects))
     fit.findings.insert(fit.findings.begin(), *std::move(finding));
   std::optional<MonteCarlo> check;
-  if (request.monteCarlo > 0) {
-    check = propagateDistributions(measurement, fit, {.draws = request.monteCarlo, .seed = request.seed});
+  if (!request.monteCarlo.empty()) {
+    MonteCarloOptions options{.seed = request.seed};
+    if (request.monteCarlo != asManyAsItTakes) options.draws = std::stoull(request.monteCarlo);
+    check = propagateDistributions(measurement, fit, options);
     if (!check)
       return Problem{"so few draws of these readings fix a circle that nothing can be said of them"};
   }
@@ -53,14 +57,17 @@ void addFitCommand(CLI::App& app, FitRequest& request) {
       ->capture_default_str();
   constexpr std::size_t fewestDraws = 1000, mostDraws = 10000000;
   CLI::Option* draws = fit->add_option("--monte-carlo", request.monteCarlo,
-                                       "Check the uncertainty by this many draws of all readings (JCGM 101)")
-                           ->check(wholeFrom(fewestDraws, mostDraws));
+                                       "Check the uncertainty by this many draws of all readings (JCGM 101); "
+                                       "auto: as many as it takes to tell")
+                           ->check([number = wholeFrom(fewestDraws, mostDraws)](const std::string& text) {
+                             return text == asManyAsItTakes ? std::string() : number(text);
+                           });
   fit->add_option("--seed", request.seed, "Of the draws; 1 if not given")->check(seedCheck())->needs(draws);
   fit->add_flag("--json", request.json, "Print one JSON document");
 }
 
 Result<std::string> runFit(const FitRequest& request) {
-  if (request.method == "published" && request.monteCarlo > 0)
+  if (request.method == "published" && !request.monteCarlo.empty())
     return Problem{"the published method states no uncertainty to check: leave out --monte-carlo"};
   const Result<SessionInput> input = readSessionInput(request.file);
   if (!input) return input.problem();

@@ -17,12 +17,13 @@ struct FitRequest {
   std::string file;                 ///< `-`: standard input
   std::string method = "rigorous";  ///< or "published"
   double risk = 0.01;               ///< of naming a suspect in a sound session
-  std::size_t monteCarlo = 0;       ///< draws to check the uncertainty with; 0: none
-  std::uint64_t seed = 1;           ///< of the draws
-  bool json = false;                ///< one JSON document instead of text for people
+  /// Draws to check the uncertainty with: a number, or `auto`, as many as it takes; empty: none.
+  std::string monteCarlo;
+  std::uint64_t seed = 1;  ///< of the draws
+  bool json = false;       ///< one JSON document instead of text for people
 };
 
-/// Adds `fit FILE [--method rigorous|published] [--risk P] [--monte-carlo N [--seed S]] [--json]`, which
+/// Adds `fit FILE [--method rigorous|published] [--risk P] [--monte-carlo N|auto [--seed S]] [--json]`, which
 /// fills in `request`.
 void addFitCommand(CLI::App& app, FitRequest& request);
 

@@ -21,7 +21,6 @@ using Lanes = double __attribute__((vector_size(width * sizeof(double))));
 
 constexpr double largestAngle = std::numbers::pi / 4;
 constexpr double largestResidual = 0.002;  // rad; the series below are exact to rounding up to there
-constexpr double tolerance = 1.5e-12;      // of R: what may be left of the way to the minimum
 constexpr double untold = 6;               // times the estimate of what an iteration leaves is more than that
 constexpr double straight = 1e-10;         // variance across times along the chord, of R⁴; some 6° of arc
 constexpr double unlike = 0.01;            // how a part and all places differ in what a step leaves
@@ -83,6 +82,7 @@ struct Setup {
   Variances variances;
   double distance;
   bool exact;
+  double tolerance;
 };
 
 /// Inverse of the normal equations, and whether they can be told from singular ones.
@@ -140,6 +140,7 @@ struct alignas(sizeof(Lanes)) Outcome {
   Progress<T> progress;
   T largestReading{}, largestResidual{};
   int iterations = 0;
+  double tolerance = usualTolerance;
 };
 
 // The same kernel for every processor, and for those with vector units of four doubles.
@@ -174,10 +175,11 @@ const Kernel& kernel() {
   return chosen;
 }
 
-Setup inside(const ArcSetup& setup) {
+Setup inside(const ArcSetup& setup, double tolerance = usualTolerance) {
   return {{setup.sigmaHorizontal * setup.sigmaHorizontal, setup.sigmaVertical * setup.sigmaVertical},
           setup.distance,
-          setup.relation == VerticalAngleRelation::Exact};
+          setup.relation == VerticalAngleRelation::Exact,
+          tolerance};
 }
 
 double lane(double value, std::size_t /*lane*/) {
@@ -279,7 +281,7 @@ void mend(Progress<double>& progress, const CloseSums<double>& all, const CloseS
 }
 
 bool isSettled(const Progress<double>& progress) {
-  return progress.remaining < tolerance;
+  return progress.remaining < usualTolerance;
 }
 
 /// A part of the places first, then all of them, kept nowhere.
@@ -296,7 +298,7 @@ std::optional<FastArcFit> fitStreamed(const ArcSetup& setup, const Readings& rea
   progress.perRootPlaces = 1 / std::sqrt(static_cast<double>(readings.count));
   progress.disc = {pilot->circle.x / l, pilot->circle.y / l, pilotRadius * pilotRadius};
   outcome.iterations = pilot->iterations;
-  for (int surveys = 0; surveys < mostSurveys && !isSettled(progress) && progress.chance < tolerance;
+  for (int surveys = 0; surveys < mostSurveys && !isSettled(progress) && progress.chance < usualTolerance;
        ++surveys, ++outcome.iterations) {
     Survey all, before, after;
     kernel().survey(readings, inner, progress.disc, all);
@@ -334,14 +336,14 @@ std::optional<FastArcFit> fitArcFast(const ArcSetup& setup, std::span<const doub
 }
 
 void fitArcsFast(const ArcSetup& setup, std::span<const double> a, std::span<const double> e,
-                 std::span<std::optional<FastArcFit>> fits, int threads) {
+                 std::span<std::optional<FastArcFit>> fits, int threads, double tolerance) {
   assert(a.size() == e.size() && (fits.empty() || a.size() % fits.size() == 0));
   if (a.size() < 3 * fits.size()) std::ranges::fill(fits, std::nullopt);
   if (fits.empty() || a.size() < 3 * fits.size()) return;
   constexpr std::size_t batch = width * sideBySide;
   constexpr std::size_t turn = 64;  // batches a thread takes at a time: some 70 µs
   const std::size_t count = a.size() / fits.size(), batches = (fits.size() + batch - 1) / batch;
-  const Setup inner = inside(setup);
+  const Setup inner = inside(setup, tolerance);
   std::atomic<std::size_t> next = 0;  // batch that no thread has taken
   const auto work = [&] {
     std::vector<PlaceEquation> places(count * sideBySide);

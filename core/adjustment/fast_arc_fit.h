@@ -38,6 +38,9 @@ namespace alidade {
 // Four places, or four fits, go side by side through the processor's vector units where it has them. Sums are
 // taken in one order whatever the processor and the number of threads.
 
+/// What may be left of the way to the minimum, in units of R.
+inline constexpr double usualTolerance = 1.5e-12;
+
 /// What all readings have in common.
 struct ArcSetup {
   double distance = 0;                            ///< L > 0, mm
@@ -66,7 +69,9 @@ std::optional<FastArcFit> fitArcFast(const ArcSetup& setup, std::span<const doub
 
 /// Fits as many arcs of the same number of places n as `fits` has entries: reading `i` of fit `j` is
 /// `a[j * n + i]`. Entry `j` is left empty where fit `j` is refused. The result does not depend on `threads`.
+/// `tolerance`: of the way to the minimum, in units of R.
 void fitArcsFast(const ArcSetup& setup, std::span<const double> a, std::span<const double> e,
-                 std::span<std::optional<FastArcFit>> fits, int threads = 1);
+                 std::span<std::optional<FastArcFit>> fits, int threads = 1,
+                 double tolerance = usualTolerance);
 
 }  // namespace alidade

@@ -1,12 +1,14 @@
 #include "core/adjustment/monte_carlo.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <limits>
 #include <numeric>
 #include <thread>
 
+#include "core/adjustment/refit.h"
 #include "core/base/random_source.h"
 
 namespace alidade {
@@ -14,140 +16,154 @@ namespace alidade {
 namespace {
 
 constexpr std::size_t fewestDraws = 100;
-constexpr double farBelowScatter = 1e-6;  // of the draws, which is some 1 σ
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+constexpr double chanceSigmas =
+    3;  // chance moves an end by three of its standard uncertainties once in 370 times
 
-/// χ² with `freedom` ≥ 1 degrees of freedom: twice a Gamma variable (Marsaglia and Tsang, "A simple method
-/// for generating gamma variables", 2000), raised to a shape above 1 where it is below.
-double drawChiSquare(RandomSource& random, double freedom) {
-  const bool raised = freedom < 2;
-  const double d = freedom / 2 + (raised ? 1 : 0) - 1.0 / 3, c = 1 / std::sqrt(9 * d);
-  while (true) {
-    const double x = random.normal();
-    const double v = std::pow(1 + c * x, 3);
-    const double u = random.uniform();
-    if (v > 0 && std::log(u) < x * x / 2 + d - d * v + d * std::log(v))
-      return 2 * d * v * (raised ? std::pow(random.uniform(), 2 / freedom) : 1);
-  }
-}
-
-/// One thread's place to draw in: readings and fit options, refilled for every draw.
-class Drawing {
+/// The quickest way of fitting again that serves the session.
+class Refits {
  public:
-  Drawing(const Measurement& fitted, const SessionFit& fit)
-      : m_read(fitted),
-        m_drawn(fitted),
-        m_fit(fit),
-        m_options{.terms = estimatedTerms(fitted), .maximumIterations = 300, .tolerance = farBelowScatter} {
-    for (const ArcFit& arc : fit.arcs) m_starts.push_back(arc.circle);
-    m_terms = m_options.terms;
-    const auto hasSlider = [](const ArcMeasurement& arc) {
-      return std::ranges::any_of(arc.sightings, [](const Sighting& s) { return s.slider.has_value(); });
-    };
-    m_arcsApart = m_terms.empty() && fitted.radiusModel == RadiusModel::Free &&
-                  std::ranges::none_of(fitted.arcs, hasSlider);
+  Refits(const RefitTask& task, std::uint64_t seed) : m_task(task) {
+    m_areApart = arcsRefit(task) != nullptr;
+    if (m_areApart) return;
+    m_model = expandedModel(task);
+    if (m_model && !holds(seed)) m_model = nullptr;
   }
 
-  /// x and y of each arc, Δx0 Δy0 Δx1 …; NaN where the readings fix no circle.
-  void drawInto(double* centres, RandomSource random) {
-    draw(random);
-    m_arcsApart ? fitApart(centres) : fitTogether(centres);
+  std::unique_ptr<Refit> make() const {
+    if (m_areApart) return arcsRefit(m_task);
+    return m_model ? expandedRefit(m_task, m_model) : generalRefit(m_task);
   }
 
  private:
-  void draw(RandomSource& random) {
-    double scale = m_fit.noise.factor;
-    const double freedom = m_fit.noise.degreesOfFreedom;
-    if (std::isfinite(freedom)) scale /= std::sqrt(drawChiSquare(random, freedom) / freedom);
-    m_drawn.distance = m_read.distance + m_read.sigmaDistance * random.normal();
-    if (m_read.radiusModel == RadiusModel::Known)
-      m_drawn.nominalRadius = m_read.nominalRadius + m_read.sigmaRadius * random.normal();
-    for (std::size_t t = 0; t < m_terms.size(); ++t)
-      m_options.terms[t].priorValue = m_terms[t].priorSigma * scale * random.normal();
-    for (std::size_t arc = 0; arc < m_read.arcs.size(); ++arc) drawArc(arc, scale, random);
-  }
-
-  void drawArc(std::size_t arc, double scale, RandomSource& random) {
-    const Angle zeroA = m_read.sigmaZeroHorizontal * random.normal();
-    const Angle zeroE = m_read.sigmaZeroVertical * random.normal();
-    for (std::size_t i = 0; i < m_read.arcs[arc].sightings.size(); ++i) {
-      const Sighting& read = m_read.arcs[arc].sightings[i];
-      Sighting& drawn = m_drawn.arcs[arc].sightings[i];
-      drawn.a = read.a + zeroA + m_read.sigmaHorizontal * (scale * random.normal());
-      drawn.e = read.e + zeroE + m_read.sigmaVertical * (scale * random.normal());
-      if (read.slider) drawn.slider = *read.slider + m_read.sigmaSlider * (scale * random.normal());
+  /// Does the expansion answer as the fit itself does? Of draws apart from those that count: to a thousandth
+  /// of σ in every centre, which is a fifth or less of the numerical tolerance.
+  bool holds(std::uint64_t seed) const {
+    constexpr std::size_t probes = 64;
+    constexpr std::uint64_t apart = std::uint64_t{1} << 63;
+    constexpr double share = 1e-3;
+    std::vector<Draw> draws(probes);
+    for (std::size_t i = 0; i < probes; ++i) m_task.plan.drawInto(draws[i], seed, apart + i);
+    std::vector<double> quick(probes * m_task.centres()), general = quick;
+    expandedRefit(m_task, m_model)->refit(draws, quick);
+    generalRefit(m_task)->refit(draws, general);
+    for (std::size_t i = 0; i < quick.size(); ++i) {
+      const std::size_t centre = i % m_task.centres();
+      const ArcSigma& sigma = m_task.fit.sigmas[centre / 2];
+      if (!(std::abs(quick[i] - general[i]) <= share * (centre % 2 == 0 ? sigma.x : sigma.y))) return false;
     }
+    return true;
   }
 
-  void fitApart(double* centres) const {
-    for (std::size_t i = 0; i < m_drawn.arcs.size(); ++i) {
-      const Result<ArcFit> fit =
-          fitArc(m_drawn, m_drawn.arcs[i], {.start = m_starts[i], .tolerance = farBelowScatter});
-      const bool found = fit && fit->converged;
-      centres[2 * i] = found ? fit->circle.x : missing;
-      centres[2 * i + 1] = found ? fit->circle.y : missing;
-    }
-  }
-
-  void fitTogether(double* centres) const {
-    const JointFit fit = fitJointly(m_drawn, m_starts, m_options);
-    for (std::size_t i = 0; i < m_drawn.arcs.size(); ++i) {
-      const auto value = [&](Unknown::Kind kind) {
-        return fit.converged ? fit.values[fit.indexOf({.kind = kind, .arc = i})] : missing;
-      };
-      centres[2 * i] = value(Unknown::Kind::CentreX);
-      centres[2 * i + 1] = value(Unknown::Kind::CentreY);
-    }
-  }
-
-  const Measurement& m_read;
-  Measurement m_drawn;
-  const SessionFit& m_fit;
-  JointFitOptions m_options;
-  std::vector<EstimatedTerm> m_terms;
-  std::vector<Circle> m_starts;
-  bool m_arcsApart = false;
+  RefitTask m_task;
+  bool m_areApart = false;
+  std::shared_ptr<const ExpandedModel> m_model;
 };
 
-/// Every draw by its number, whichever thread takes it. False where it was stopped.
-bool drawAll(std::vector<double>& centres, const Measurement& fitted, const SessionFit& fit,
-             const MonteCarloOptions& options, const std::stop_token& stop) {
-  constexpr std::size_t batch = 64;
-  const std::size_t width = 2 * fitted.arcs.size();
-  std::atomic<std::size_t> next = 0;
-  const auto work = [&] {
-    Drawing drawing(fitted, fit);
-    for (std::size_t first; (first = next.fetch_add(batch)) < options.draws;) {
-      if (stop.stop_requested()) return;
-      const std::size_t end = std::min(first + batch, options.draws);
-      for (std::size_t i = first; i < end; ++i)
-        drawing.drawInto(&centres[i * width], RandomSource(options.seed, i));
-      if (options.made) *options.made += end - first;
-    }
-  };
-  const unsigned threads =
-      options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
-  {
-    std::vector<std::jthread> others;
-    for (unsigned i = 1; i < threads; ++i) others.emplace_back(work);
-    work();
+/// Draw by draw Δx0 Δy0 Δx1 Δy1 and Δd, a column for each.
+class Columns {
+ public:
+  explicit Columns(const RefitTask& task) : m_values(task.centres() + (task.fit.intersection ? 1 : 0)) {
+    if (task.fit.intersection) m_upper = task.fitted.arcs[0].axisDeg == 0 ? 1 : 3;
   }
+
+  std::size_t draws() const { return m_values.front().size(); }
+  std::vector<std::vector<double>>& values() { return m_values; }
+  void resize(std::size_t draws) {
+    for (std::vector<double>& column : m_values) column.resize(draws, missing);
+  }
+
+  /// All of a draw is missing where any of it is.
+  void put(std::size_t draw, std::span<const double> centres) {
+    const bool isThere = std::ranges::all_of(centres, [](double value) { return std::isfinite(value); });
+    for (std::size_t i = 0; i < centres.size(); ++i) m_values[i][draw] = isThere ? centres[i] : missing;
+    if (m_values.size() > centres.size())
+      m_values.back()[draw] = isThere ? (centres[m_upper] - centres[4 - m_upper]) / 2 : missing;
+  }
+
+  void dropMissing() {
+    for (std::vector<double>& column : m_values)
+      std::erase_if(column, [](double value) { return std::isnan(value); });
+  }
+
+ private:
+  std::vector<std::vector<double>> m_values;
+  std::size_t m_upper = 0;  ///< Δy at 0° among the centres
+};
+
+unsigned threadsOf(const MonteCarloOptions& options) {
+  return options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
+}
+
+/// Calls work(i) for 0 … count − 1, each once, on all threads.
+template <typename MakeWork>
+void inParallel(unsigned threads, std::size_t count, const MakeWork& makeWork) {
+  std::atomic<std::size_t> next = 0;
+  const auto run = [&] {
+    auto work = makeWork();
+    for (std::size_t i; (i = next.fetch_add(1)) < count;) work(i);
+  };
+  std::vector<std::jthread> others;
+  for (unsigned i = 1; i < threads; ++i) others.emplace_back(run);
+  run();
+}
+
+/// Draws `first` … `end` − 1 by their numbers, whichever thread takes them, behind what the columns hold.
+/// False where it was stopped.
+bool drawAll(Columns& columns, std::size_t first, std::size_t end, const RefitTask& task,
+             const Refits& refits, const MonteCarloOptions& options, const std::stop_token& stop) {
+  constexpr std::size_t batch = 256;
+  const std::size_t held = columns.draws(), count = end - first;
+  columns.resize(held + count);
+  inParallel(threadsOf(options), (count + batch - 1) / batch, [&] {
+    return [&, refit = refits.make(), draws = std::vector<Draw>(batch),
+            centres = std::vector<double>(batch * task.centres())](std::size_t turn) mutable {
+      if (stop.stop_requested()) return;
+      const std::size_t from = turn * batch, taken = std::min(batch, count - from);
+      for (std::size_t i = 0; i < taken; ++i) task.plan.drawInto(draws[i], options.seed, first + from + i);
+      const std::span<double> found(centres.data(), taken * task.centres());
+      refit->refit(std::span(draws).first(taken), found);
+      for (std::size_t i = 0; i < taken; ++i)
+        columns.put(held + from + i, found.subspan(i * task.centres(), task.centres()));
+      if (options.made) *options.made += taken;
+    };
+  });
+  columns.dropMissing();
   return !stop.stop_requested();
 }
 
-/// Sorts `values`, of which there are at least two.
-Spread spreadOf(std::vector<double>& values, double coverage) {
+/// The value at `rank` in order of size. Orders only what lies beyond one σ on its side where the rank is
+/// there.
+double valueAt(const std::vector<double>& values, std::size_t rank, const Spread& spread) {
+  const bool isLow = 2 * rank < values.size();
+  const double bound = isLow ? spread.mean - spread.sigma : spread.mean + spread.sigma;
+  std::vector<double> beyond;
+  beyond.reserve(values.size() / 4);
+  for (const double value : values)
+    if (isLow ? value < bound : value > bound) beyond.push_back(value);
+  const std::size_t fromAbove = values.size() - 1 - rank;
+  const std::size_t own = isLow ? rank : beyond.size() - 1 - fromAbove;
+  if ((isLow ? rank : fromAbove) < beyond.size()) {
+    std::ranges::nth_element(beyond, beyond.begin() + static_cast<std::ptrdiff_t>(own));
+    return beyond[own];
+  }
+  beyond = values;
+  std::ranges::nth_element(beyond, beyond.begin() + static_cast<std::ptrdiff_t>(rank));
+  return beyond[rank];
+}
+
+/// Of at least two values.
+Spread spreadOf(const std::vector<double>& values, double coverage) {
   const auto count = static_cast<double>(values.size());
   Spread spread;
   spread.mean = std::accumulate(values.begin(), values.end(), 0.0) / count;
   double squares = 0;
   for (const double value : values) squares += (value - spread.mean) * (value - spread.mean);
   spread.sigma = std::sqrt(squares / (count - 1));
-  std::ranges::sort(values);
   const auto inside = static_cast<std::size_t>(std::llround(coverage * count));
   const std::size_t below = (values.size() - inside) / 2;
-  spread.low = values[below];
-  spread.high = values[std::min(below + inside, values.size() - 1)];
+  spread.low = valueAt(values, below, spread);
+  spread.high = valueAt(values, std::min(below + inside, values.size() - 1), spread);
   return spread;
 }
 
@@ -165,32 +181,57 @@ double endpointSigma(double coverage, double sigma, std::size_t draws) {
   return std::sqrt(outside * (1 - outside) / static_cast<double>(draws)) / density;
 }
 
+double worstOf(const MonteCarlo& result) {
+  return std::max(result.lowDifference, result.highDifference);
+}
+
 void compare(MonteCarlo& result, const Intersection& intersection) {
   const Spread& spread = *result.intersection;
   result.tolerance = numericalTolerance(intersection.sigma);
   result.lowDifference = std::abs(intersection.value - intersection.expanded - spread.low);
   result.highDifference = std::abs(intersection.value + intersection.expanded - spread.high);
   result.endpointSigma = endpointSigma(result.coverage, spread.sigma, result.draws);
-  const double worst = std::max(result.lowDifference, result.highDifference);
-  // Chance moves an end by three of its standard uncertainties once in 370 times.
-  const double chance = 3 * result.endpointSigma;
+  const double worst = worstOf(result), chance = chanceSigmas * result.endpointSigma;
   if (worst > result.tolerance + chance)
     result.linear = LinearPropagation::Refuted;
   else if (worst <= result.tolerance && chance <= result.tolerance)
     result.linear = LinearPropagation::Validated;
 }
 
-/// Column by column; draws without a result are left out of all of them.
-std::vector<std::vector<double>> columnsOf(const std::vector<double>& centres, std::size_t width) {
-  std::vector<std::vector<double>> columns(width);
-  for (std::size_t row = 0; row + width <= centres.size(); row += width) {
-    const auto begin = centres.begin() + static_cast<std::ptrdiff_t>(row);
-    if (std::any_of(begin, begin + static_cast<std::ptrdiff_t>(width),
-                    [](double value) { return !std::isfinite(value); }))
-      continue;
-    for (std::size_t i = 0; i < width; ++i) columns[i].push_back(centres[row + i]);
+MonteCarlo resultOf(Columns& columns, const RefitTask& task, std::size_t drawn,
+                    const MonteCarloOptions& options) {
+  MonteCarlo result;
+  result.draws = columns.draws();
+  result.failed = drawn - result.draws;
+  result.seed = options.seed;
+  result.coverage = task.fitted.coverage;
+  if (result.draws < fewestDraws) return result;
+  std::vector<Spread> spreads(columns.values().size());
+  inParallel(
+      std::min<unsigned>(threadsOf(options), static_cast<unsigned>(spreads.size())), spreads.size(),
+      [&] { return [&](std::size_t i) { spreads[i] = spreadOf(columns.values()[i], result.coverage); }; });
+  for (std::size_t i = 0; i < task.fitted.arcs.size(); ++i)
+    result.centres.push_back({task.fitted.arcs[i].axisDeg, spreads[2 * i], spreads[2 * i + 1]});
+  if (task.fit.intersection) {
+    result.intersection = spreads.back();
+    compare(result, *task.fit.intersection);
   }
-  return columns;
+  return result;
+}
+
+bool isAnswered(const MonteCarlo& result) {
+  return !result.intersection || result.linear != LinearPropagation::Undecided;
+}
+
+/// How many draws would tell: chance then fits into the tolerance, and where an end differs by more than
+/// that, between the two. The answer may not come at the first go, so never fewer than twice as many.
+std::size_t drawsToTell(const MonteCarlo& result, std::size_t drawn) {
+  const double excess = worstOf(result) - result.tolerance;
+  const double room = excess > 0 ? std::min(result.tolerance, excess) : result.tolerance;
+  const double ratio = chanceSigmas * result.endpointSigma / room;
+  const double wanted = 1.1 * static_cast<double>(drawn) * ratio * ratio;
+  const double most = static_cast<double>(mostDrawsLeftOpen);
+  return static_cast<std::size_t>(std::min(most, std::max(2.0 * static_cast<double>(drawn), wanted)));
 }
 
 }  // namespace
@@ -200,29 +241,25 @@ std::optional<MonteCarlo> propagateDistributions(const Measurement& measurement,
                                                  const std::stop_token& stop) {
   const Measurement fitted = fittedPart(measurement, fit);
   if (fitted.arcs.empty()) return std::nullopt;
-  const std::size_t width = 2 * fitted.arcs.size();
-  std::vector<double> centres(options.draws * width, missing);
-  if (!drawAll(centres, fitted, fit, options, stop)) return std::nullopt;
-  std::vector<std::vector<double>> columns = columnsOf(centres, width);
-
-  MonteCarlo result;
-  result.draws = columns.front().size();
-  result.failed = options.draws - result.draws;
-  result.seed = options.seed;
-  result.coverage = measurement.coverage;
-  if (result.draws < fewestDraws) return std::nullopt;
-  if (fit.intersection) {
-    const std::size_t upper = fitted.arcs[0].axisDeg == 0 ? 1 : 3, lower = 4 - upper;
-    std::vector<double> differences;
-    for (std::size_t i = 0; i < result.draws; ++i)
-      differences.push_back((columns[upper][i] - columns[lower][i]) / 2);
-    result.intersection = spreadOf(differences, result.coverage);
-    compare(result, *fit.intersection);
+  const DrawPlan plan(fitted, fit.noise);
+  const RefitTask task{fitted, fit, plan};
+  const Refits refits(task, options.seed);
+  Columns columns(task);
+  constexpr std::size_t firstDraws = 20000;
+  for (std::size_t drawn = 0, wanted = options.draws.value_or(firstDraws);;) {
+    if (!drawAll(columns, drawn, wanted, task, refits, options, stop)) return std::nullopt;
+    drawn = wanted;
+    MonteCarlo result = resultOf(columns, task, drawn, options);
+    if (result.draws < fewestDraws) return std::nullopt;
+    if (options.draws || isAnswered(result)) return result;
+    if (drawn ==
+        mostDrawsLeftOpen) {  // an end lies so near to the tolerance that chance cannot be told from it
+      result.linear =
+          worstOf(result) <= result.tolerance ? LinearPropagation::Validated : LinearPropagation::Refuted;
+      return result;
+    }
+    wanted = drawsToTell(result, drawn);
   }
-  for (std::size_t i = 0; i < fitted.arcs.size(); ++i)
-    result.centres.push_back({fitted.arcs[i].axisDeg, spreadOf(columns[2 * i], result.coverage),
-                              spreadOf(columns[2 * i + 1], result.coverage)});
-  return result;
 }
 
 }  // namespace alidade

@@ -14,15 +14,22 @@ namespace alidade {
 
 // The linear budget checked by propagating distributions (JCGM 101:2008). Each draw takes every reading, both
 // pointing zeros of each position, the distance and, where it is known, the radius from its distribution
-// about the value read, and fits anew.
+// about the value read, and fits anew: by the fast fit of arcs where they have nothing in common, by the
+// forward model to second order about the fit where that is held against fits in general and agrees to a
+// thousandth of σ, or else by those. Refits that are fast do not reach into the general ones' results by more
+// than that.
 //
 // Zeros, distance and radius are normal with their stated σ. Readings, and the priors of effects estimated
 // along, are normal with σ scaled by s0 as in the budget; where s0 rests on f degrees of freedom the whole
 // draw is divided by √(χ²_f/f), which makes them Student with f (JCGM 101, 6.4.9). So σ comes out greater
 // than the budget's by up to √(f/(f − 2)), which k makes up for there.
 
+/// No more are made where their number is left open: some 200 MB.
+inline constexpr std::size_t mostDrawsLeftOpen = 5'000'000;
+
 struct MonteCarloOptions {
-  std::size_t draws = 100000;  ///< ≥ 100
+  /// ≥ 100. Empty: as many as it takes to tell whether the linear budget holds, up to `mostDrawsLeftOpen`.
+  std::optional<std::size_t> draws = {};
   std::uint64_t seed = 1;
   unsigned threads = 0;  ///< 0: as many as the machine has; the result does not depend on it
   /// Counts the draws as they are made, for others to watch; null: nobody does.
@@ -39,7 +46,7 @@ struct Spread {
 enum class LinearPropagation {
   Validated,  ///< both ends of y ± U lie within the numerical tolerance of the interval's
   Refuted,    ///< one of them lies farther off than chance in the draws explains
-  Undecided,  ///< too few draws to tell
+  Undecided,  ///< too few draws to tell; not where their number was left open
 };
 
 struct CentreSpread {

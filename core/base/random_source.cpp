@@ -1,7 +1,6 @@
 #include "core/base/random_source.h"
 
 #include <algorithm>
-#include <bit>
 #include <cassert>
 #include <cmath>
 
@@ -60,19 +59,6 @@ RandomSource::RandomSource(std::uint64_t seed, std::uint64_t stream) {
   // The stream's number is scattered over all bits first, or neighbouring seeds and streams would meet.
   std::uint64_t state = splitMix(stream) ^ seed;
   for (std::uint64_t& word : m_state) word = splitMix(state);
-}
-
-std::uint64_t RandomSource::bits() {
-  auto& s = m_state;
-  const std::uint64_t result = std::rotl(s[0] + s[3], 23) + s[0];
-  const std::uint64_t shifted = s[1] << 17;
-  s[2] ^= s[0];
-  s[3] ^= s[1];
-  s[1] ^= s[2];
-  s[0] ^= s[3];
-  s[2] ^= shifted;
-  s[3] = std::rotl(s[3], 45);
-  return result;
 }
 
 double RandomSource::uniform() {

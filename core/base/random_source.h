@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 
 namespace alidade {
@@ -14,7 +15,18 @@ class RandomSource {
  public:
   explicit RandomSource(std::uint64_t seed, std::uint64_t stream = 0);
 
-  std::uint64_t bits();
+  std::uint64_t bits() {
+    auto& s = m_state;
+    const std::uint64_t result = std::rotl(s[0] + s[3], 23) + s[0];
+    const std::uint64_t shifted = s[1] << 17;
+    s[2] ^= s[0];
+    s[3] ^= s[1];
+    s[1] ^= s[2];
+    s[0] ^= s[3];
+    s[2] ^= shifted;
+    s[3] = std::rotl(s[3], 45);
+    return result;
+  }
   double uniform();                         ///< in (0, 1), a multiple of 2⁻⁵³ plus 2⁻⁵⁴
   double uniform(double low, double high);  ///< in (low, high)
   double normal();                          ///< mean 0, standard deviation 1

@@ -23,9 +23,11 @@ SimulationJob::SimulationJob(QObject* parent)
 void SimulationJob::start(SharedEvaluation evaluation, std::size_t draws) {
   if (isAtWork()) return;
   m_made = 0;
-  m_work.start([evaluation = std::move(evaluation), draws, made = &m_made](const std::stop_token& stop) {
+  MonteCarloOptions options{.made = &m_made};
+  if (draws > 0) options.draws = draws;
+  m_work.start([evaluation = std::move(evaluation), options](const std::stop_token& stop) {
     return BudgetCheck{evaluation, propagateDistributions(*evaluation->examined.measurement, evaluation->fit,
-                                                          {.draws = draws, .made = made}, stop)};
+                                                          options, stop)};
   });
 }
 

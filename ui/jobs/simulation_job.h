@@ -32,7 +32,7 @@ class SimulationJob : public QObject {
  public:
   explicit SimulationJob(QObject* parent = nullptr);
 
-  /// Does nothing while one is at work.
+  /// Does nothing while one is at work. No `draws`: as many as it takes to tell.
   void start(SharedEvaluation evaluation, std::size_t draws);
   void stop() { m_work.stop(); }  ///< `finished` follows, with what there is: nothing
   bool isAtWork() const { return m_work.isAtWork(); }

