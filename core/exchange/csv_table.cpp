@@ -75,6 +75,7 @@ bool CsvTable::isFull(const CsvRow& row) {
 CsvRow CsvTable::takeRemark() {
   const std::string_view line = restOfLine();
   CsvTable inside(line.substr(line.find('#') + 1), m_separator);
+  inside.m_line = m_line;
   CsvRow row{.line = m_line, .isRemark = true, .cells = {}};
   inside.readRow(row);
   m_at += line.size();
@@ -124,6 +125,7 @@ void CsvTable::passLineEnd() {
 bool CsvTable::readCell(CsvRow& row) {
   skipBlanks();
   CsvCell cell{{}, column()};
+  const bool isInRowsLine = m_line == row.line;
   if (m_at < m_text.size() && m_text[m_at] == '"') {
     const LineProblem open{m_line, cell.column,
                            "the double quote is never closed: close it, or write the cell without it"};
@@ -135,6 +137,7 @@ bool CsvTable::readCell(CsvRow& row) {
   const std::size_t start = m_at;
   while (!atEnd() && m_text[m_at] != m_separator) ++m_at;
   cell.text = trimmed(cell.text + std::string(m_text.substr(start, m_at - start)));
+  if (!isInRowsLine) cell.column = 0;
   row.cells.push_back(std::move(cell));
   return true;
 }

@@ -12,7 +12,7 @@ namespace alidade {
 
 struct CsvCell {
   std::string text;        ///< unquoted, without blanks around
-  std::size_t column = 0;  ///< of its first character in the line, from 1
+  std::size_t column = 0;  ///< of its first character, from 1; 0: in a later line than its row's
 };
 
 struct CsvRow {

@@ -58,8 +58,13 @@ TEST(CsvTable, KnowsLineAndColumn) {
   const auto rows = rowsOf("a;b;c\r\n\"1\n2\";°°;  x\r\n4;5");
   ASSERT_EQ(rows.size(), 3u);
   EXPECT_EQ(rows[1].line, 2u);
-  EXPECT_EQ(rows[1].cells[2].column, 9u) << "counted in the line the cell stands in, in characters";
+  EXPECT_EQ(rows[1].cells[2].column, 0u) << "another line than its row's: no column of that";
   EXPECT_EQ(rows[2].line, 4u);
+}
+
+TEST(CsvTable, CountsColumnsInCharacters) {
+  const auto rows = rowsOf("a;b;c\n\"1\";°°;  x\n");
+  EXPECT_EQ(rows.at(1).cells.at(2).column, 10u);
 }
 
 TEST(CsvTable, NamesAQuoteLeftOpen) {
