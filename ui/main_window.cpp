@@ -22,10 +22,12 @@
 #include "ui/commands/edit_readings.h"
 #include "ui/commands/state_noise.h"
 #include "ui/dialogs/blind_trial_dialog.h"
+#include "ui/dialogs/safekeeping.h"
 #include "ui/forms/field_binding.h"
 #include "ui/forms/field_form.h"
 #include "ui/main_window_actions.h"
 #include "ui/panels/budget_panel.h"
+#include "ui/panels/changed_file_bar.h"
 #include "ui/panels/effects_panel.h"
 #include "ui/panels/findings_panel.h"
 #include "ui/panels/gap_panel.h"
@@ -77,11 +79,13 @@ QWidget* stacked(QWidget* upper, QWidget* lower) {
 
 MainWindow::MainWindow(std::unique_ptr<Dialogs> dialogs)
     : m_dialogs(dialogs ? std::move(dialogs) : std::make_unique<Dialogs>(this)),
-      m_files(m_document, *m_dialogs) {
+      m_files(m_document, *m_dialogs),
+      m_watch(m_document) {
   QWidget* entries = createEntryColumn();
   QWidget* results = createResultColumn();
   QSplitter* columns = split(Qt::Horizontal, "columns", {entries, results}, {504, 776});
-  setCentralWidget(columns);
+  m_changedFile = new ChangedFileBar;
+  setCentralWidget(stacked(m_changedFile, columns));
   m_actions = new WindowActions(*this, *m_dialogs);
   statusBar();
   setAcceptDrops(true);
@@ -93,6 +97,7 @@ MainWindow::MainWindow(std::unique_ptr<Dialogs> dialogs)
 }
 
 MainWindow::~MainWindow() {
+  delete m_safekeeping;
   m_document.disconnect(this);
   m_document.undoStack().disconnect();
   m_job.disconnect(this);
@@ -193,6 +198,24 @@ void MainWindow::connectParts() {
   connect(m_arcChart, &ArcChart::sightingActivated, this, &MainWindow::selectReading);
   connectSuspects();
   connectGap();
+  connectFile();
+}
+
+void MainWindow::connectFile() {
+  connect(&m_watch, &FileWatch::changedElsewhere, this,
+          [this](bool is) { is ? m_changedFile->tellOf(m_document.displayName()) : m_changedFile->hide(); });
+  connect(m_changedFile, &ChangedFileBar::comparisonWanted, &m_files, &FileFlow::settleChange);
+}
+
+void MainWindow::keepIn(const QString& folder) {
+  m_files.setLockFolder(folder);
+  m_safekeeping = new Safekeeping(m_document, m_files, *m_dialogs, folder, this);
+  connect(m_safekeeping, &Safekeeping::remark, this,
+          [this](const QString& text) { statusBar()->showMessage(text, 8000); });
+}
+
+bool MainWindow::offerRecovery() {
+  return m_safekeeping && m_safekeeping->offer() > 0;
 }
 
 void MainWindow::connectSuspects() {
@@ -396,11 +419,17 @@ void MainWindow::addPosition(int axisDeg) {
   reveal({.position = m_lastChange.position, .field = "pointing_zero.horizontal"});
 }
 
+void MainWindow::changeEvent(QEvent* event) {
+  QMainWindow::changeEvent(event);
+  if (event->type() == QEvent::ActivationChange && isActiveWindow()) m_watch.look();
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (!m_files.mayLeave()) {
     event->ignore();
     return;
   }
+  if (m_safekeeping) m_safekeeping->finish();
   setDetailsEnlarged(false);
   saveLayout();
   event->accept();

@@ -5,6 +5,7 @@
 
 #include "ui/dialogs/dialogs.h"
 #include "ui/dialogs/file_flow.h"
+#include "ui/document/file_watch.h"
 #include "ui/document/reading_column.h"
 #include "ui/document/session_document.h"
 #include "ui/jobs/fit_job.h"
@@ -18,6 +19,7 @@ namespace alidade::ui {
 class ArcChart;
 class BlindTrialDialog;
 class BudgetPanel;
+class ChangedFileBar;
 class EffectsPanel;
 class FindingsPanel;
 class GapPanel;
@@ -25,6 +27,7 @@ class PageTabs;
 class PositionTabs;
 class ReadingsTable;
 class ResultPanel;
+class Safekeeping;
 class SuspectBar;
 class WindowActions;
 
@@ -54,6 +57,10 @@ class MainWindow : public QMainWindow {
   void setColumnShown(ReadingColumn column, bool shown);
   /// Gives the pages below the picture its room, too.
   void setDetailsEnlarged(bool enlarged);
+  /// Keeps unsaved changes in `folder` from now on, and shares with other windows which files are open.
+  void keepIn(const QString& folder);
+  /// Offers unsaved changes that a crashed window left behind. False: there are none.
+  bool offerRecovery();
   /// Opens the dialog of blind trials, which stays open beside the window.
   void showBlindTrials();
   SuspectBar* suspects() const { return m_suspects; }
@@ -61,6 +68,7 @@ class MainWindow : public QMainWindow {
   QList<PageTabs*> pageTabs() const { return {m_figures, m_details}; }
 
  protected:
+  void changeEvent(QEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
@@ -73,6 +81,7 @@ class MainWindow : public QMainWindow {
   void connectParts();
   void connectSuspects();
   void connectGap();
+  void connectFile();
   void excludeRow(const Place& place);
   void selectReading(std::size_t position, std::size_t row);
   void showTitle();
@@ -89,11 +98,14 @@ class MainWindow : public QMainWindow {
   std::unique_ptr<Dialogs> m_dialogs;
   SessionDocument m_document;
   FileFlow m_files;
+  FileWatch m_watch;
+  Safekeeping* m_safekeeping = nullptr;  ///< null until `keepIn`
   FitJob m_job;
   GapJob m_gapJob;
   Place m_lastChange;
   bool m_isGapOld = false;  ///< what is shown is the diagnosis of an earlier state
   WindowActions* m_actions = nullptr;
+  ChangedFileBar* m_changedFile = nullptr;
   QTabWidget* m_forms = nullptr;
   PositionTabs* m_positions = nullptr;
   SuspectBar* m_suspects = nullptr;

@@ -8,6 +8,7 @@
 #include <QLineEdit>
 #include <QMenuBar>
 #include <QPlainTextEdit>
+#include <QStatusBar>
 #include <QToolBar>
 #include <QToolButton>
 
@@ -65,6 +66,10 @@ void WindowActions::createFileMenu(QToolBar& bar) {
   fillRecentMenu(*recent);
   addTo(menu, nullptr, tr("&Import Readings…"), QKeySequence(tr("Ctrl+Shift+I")), this,
         [&files] { files.importReadings(); });
+  addTo(menu, nullptr, tr("Reco&ver Unsaved Changes…"), {}, this, [this] {
+    if (!m_window.offerRecovery())
+      m_window.statusBar()->showMessage(tr("There are no unsaved changes to recover"));
+  });
   menu.addSeparator();
   bar.addAction(addTo(menu, "save", tr("&Save"), QKeySequence::Save, this, [&files] { files.save(); }));
   addTo(menu, nullptr, tr("Save &As…"), QKeySequence::SaveAs, this, [&files] { files.saveAs(); });

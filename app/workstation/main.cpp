@@ -1,8 +1,10 @@
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QLoggingCategory>
+#include <QStandardPaths>
 #include <QTextStream>
 #include <algorithm>
+#include <csignal>
 
 #include "app/workstation/report_command.h"
 #include "ui/main_window.h"
@@ -30,8 +32,11 @@ int badCall(const QString& sentence) {
 int openWindow(QApplication& application, const QString& path) {
   ui::applyTheme(ui::rememberedTheme());
   ui::MainWindow window;
+  window.keepIn(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) +
+                QStringLiteral("/unsaved"));
   window.show();
   if (!path.isEmpty()) window.files().open(path);
+  window.offerRecovery();
   return application.exec();
 }
 
@@ -39,6 +44,7 @@ int openWindow(QApplication& application, const QString& path) {
 
 int main(int argc, char** argv) {
   ui::keepLogVisible();
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow further is told in a sentence
   if (argc > 1 && needsNoDisplay(argc, argv)) {
     qputenv("QT_QPA_PLATFORM", "offscreen");
     QLoggingCategory::setFilterRules(

@@ -3,7 +3,9 @@
 #include <QApplication>
 #include <QSettings>
 #include <QTemporaryDir>
+#include <string_view>
 
+#include "tests/ui/recovery/typist.h"
 #include "ui/settings/theme.h"
 
 // Without a display, with settings of its own: the user's are neither read nor written.
@@ -16,5 +18,7 @@ int main(int argc, char** argv) {
   QApplication application(argc, argv);
   alidade::ui::setUpApplication(application);
   alidade::ui::applyTheme(alidade::ui::Theme::Light);
+  if (argc == 5 && std::string_view(argv[1]) == alidade::ui::typistOption)
+    return alidade::ui::typeUntilKilled(argv[2], argv[3], argv[4]);
   return RUN_ALL_TESTS();
 }

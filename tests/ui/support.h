@@ -28,7 +28,25 @@ class ScriptedDialogs : public Dialogs {
   bool exportAnyway = false;
   QList<int> unusableEntries;  ///< as told by each question whether to export anyway
   QStringList problems;
+  bool goOn = false;      ///< with a file that is open elsewhere
+  QStringList elsewhere;  ///< names of such files, as asked about
+  ChangedFileAnswer changedFileAnswer = ChangedFileAnswer::Cancel;
+  QList<ChangedFile> changedFiles;           ///< as asked about
+  std::vector<RecoveryAnswer> recoveries;    ///< the answers to come; then: later
+  std::vector<QList<RecoveryOffer>> offers;  ///< as asked about
 
+  bool askOpenElsewhere(const QString& name, const QString&) override {
+    elsewhere.append(name);
+    return goOn;
+  }
+  ChangedFileAnswer askChangedFile(const ChangedFile& file) override {
+    changedFiles.append(file);
+    return changedFileAnswer;
+  }
+  RecoveryAnswer askRecovery(const QList<RecoveryOffer>& left) override {
+    offers.push_back(left);
+    return offers.size() <= recoveries.size() ? recoveries[offers.size() - 1] : RecoveryAnswer();
+  }
   SaveAnswer askSaveChanges(const QString&) override {
     ++saveQuestions;
     return saveAnswer;

@@ -111,6 +111,28 @@ bool Dialogs::askReportWithoutVerdict(int entries) {
   return box.clickedButton() == anyway;
 }
 
+bool Dialogs::askOpenElsewhere(const QString& name, const QString& holder) {
+  QMessageBox box(QMessageBox::Warning, Text::tr("Open elsewhere"),
+                  Text::tr("“%1” is open in another window (%2).").arg(name, holder), QMessageBox::Cancel,
+                  m_parent);
+  box.setTextFormat(Qt::PlainText);
+  box.setInformativeText(
+      Text::tr("What is saved in one of the two is not in the other. Before either overwrites the other's "
+               "changes, it asks."));
+  const QAbstractButton* anyway = box.addButton(Text::tr("&Go On"), QMessageBox::AcceptRole);
+  box.setDefaultButton(QMessageBox::Cancel);
+  box.exec();
+  return box.clickedButton() == anyway;
+}
+
+ChangedFileAnswer Dialogs::askChangedFile(const ChangedFile& file) {
+  return ui::askChangedFile(m_parent, file);
+}
+
+RecoveryAnswer Dialogs::askRecovery(const QList<RecoveryOffer>& offers) {
+  return RecoveryDialog(offers, m_parent).ask();
+}
+
 void Dialogs::showProblem(const QString& title, const QString& text) {
   QMessageBox box(QMessageBox::Warning, title, boxText(text), QMessageBox::Ok, m_parent);
   box.setTextInteractionFlags(Qt::TextSelectableByMouse);

@@ -4,6 +4,9 @@
 #include <QString>
 #include <QWidget>
 
+#include "ui/dialogs/changed_file.h"
+#include "ui/dialogs/recovery_dialog.h"
+
 namespace alidade::ui {
 
 /// The questions the program asks. Virtual, so that tests can answer.
@@ -26,6 +29,10 @@ class Dialogs {
   virtual QString askReportPath(const QString& suggestion);
   /// Shall a report be written although `entries` > 0 entries cannot be used?
   virtual bool askReportWithoutVerdict(int entries);
+  /// Shall a file be opened, or be written to, that another window has open? `holder` says which.
+  virtual bool askOpenElsewhere(const QString& name, const QString& holder);
+  virtual ChangedFileAnswer askChangedFile(const ChangedFile& file);
+  virtual RecoveryAnswer askRecovery(const QList<RecoveryOffer>& offers);
   virtual void showProblem(const QString& title, const QString& text);
   virtual void showAbout();
   virtual void showShortcuts();

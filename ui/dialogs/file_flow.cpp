@@ -6,7 +6,9 @@
 #include <algorithm>
 
 #include "core/base/file_bytes.h"
+#include "core/base/file_target.h"
 #include "core/exchange/import.h"
+#include "core/session/session_file.h"
 #include "ui/commands/replace_session.h"
 #include "ui/dialogs/dialogs.h"
 #include "ui/dialogs/import_notes.h"
@@ -38,8 +40,12 @@ Session withoutRows(Session session) {
   return session;
 }
 
+std::string encoded(const QString& path) {
+  return QFile::encodeName(path).toStdString();
+}
+
 Result<Import> readImport(const QString& path, const ImportOptions& options) {
-  const Result<std::string> bytes = readFile(QFile::encodeName(path).toStdString());
+  const Result<std::string> bytes = readFile(encoded(path));
   if (!bytes) return bytes.problem();
   Result<Import> import = alidade::importReadings(*bytes, options);
   if (import && import->session.title.empty()) {
@@ -58,7 +64,13 @@ bool mayDrop(Dialogs& dialogs, const std::optional<QString>& path, Dialogs::Way 
 }  // namespace
 
 FileFlow::FileFlow(SessionDocument& document, Dialogs& dialogs, QObject* parent)
-    : QObject(parent), m_document(document), m_dialogs(dialogs) {}
+    : QObject(parent), m_document(document), m_dialogs(dialogs) {
+  connect(&document, &SessionDocument::identityChanged, this, [this] { m_lock.hold(m_document.path()); });
+}
+
+void FileFlow::setLockFolder(const QString& folder) {
+  m_lock.setFolder(folder);
+}
 
 bool FileFlow::startNew() {
   if (!mayLeave()) return false;
@@ -89,6 +101,7 @@ bool FileFlow::importReadings() {
 }
 
 bool FileFlow::importReadings(const QString& path) {
+  if (tellWhereNoFile(tr("Import readings"), path)) return false;
   emit commitWanted();
   const bool intoPresent = !hasReadings(m_document.session());
   ImportOptions options;
@@ -117,7 +130,18 @@ void FileFlow::tellOf(const Import& import, const QString& name) {
   if (!notes.isEmpty()) m_dialogs.showProblem(tr("Import readings"), done + QStringLiteral(".\n\n") + notes);
 }
 
+/// A pipe has no end, and a device may have none: the window would wait for it. What is not there at all is
+/// told where it is opened or written.
+bool FileFlow::tellWhereNoFile(const QString& title, const QString& path) {
+  const QFileInfo file(path);
+  if (!file.exists() || file.isFile()) return false;
+  const QString kind = file.isDir() ? tr("a folder") : tr("a pipe or a device");
+  m_dialogs.showProblem(title, tr("“%1” is %2: choose a file.").arg(path, kind));
+  return true;
+}
+
 bool FileFlow::load(const QString& path) {
+  if (tellWhereNoFile(tr("Open session"), path) || !mayShare(path)) return false;
   if (const auto problem = m_document.load(path)) {
     m_dialogs.showProblem(tr("Open session"),
                           tr("“%1” cannot be opened.\n\n%2")
@@ -141,6 +165,14 @@ bool FileFlow::saveAs() {
 }
 
 bool FileFlow::saveTo(const QString& path) {
+  if (tellWhereNoFile(tr("Save session"), path)) return false;
+  if (!isSameFile(encoded(path), encoded(m_document.path()))) return mayShare(path) && write(path);
+  const auto answer = askAboutChange();
+  if (answer == ChangedFileAnswer::SaveAs) return saveAs();
+  return (!answer || answer == ChangedFileAnswer::Overwrite) && write(path);
+}
+
+bool FileFlow::write(const QString& path) {
   if (const auto problem = m_document.save(path)) {
     m_dialogs.showProblem(tr("Save session"), visibleLine(problem->text()));
     return false;
@@ -151,13 +183,47 @@ bool FileFlow::saveTo(const QString& path) {
   return true;
 }
 
+bool FileFlow::mayShare(const QString& path) {
+  const QString holder = m_lock.holder(path);
+  return holder.isEmpty() || m_dialogs.askOpenElsewhere(QFileInfo(path).fileName(), holder);
+}
+
+void FileFlow::settleChange() {
+  emit commitWanted();
+  const auto answer = askAboutChange();
+  if (answer == ChangedFileAnswer::SaveAs) saveAs();
+  if (answer == ChangedFileAnswer::Overwrite) write(m_document.path());
+}
+
+/// Absent: saving overwrites nothing of others'. A reload is done already.
+std::optional<ChangedFileAnswer> FileFlow::askAboutChange() {
+  const std::optional<std::string> bytes = m_document.bytesOfOthers();
+  if (!bytes) return {};
+  Result<Session> theirs = readSession(*bytes);
+  ChangedFile file{.name = m_document.displayName()};
+  if (theirs)
+    file.difference = differenceOf(m_document.session(), *theirs);
+  else
+    file.problem = qText(theirs.problem().text());
+  if (file.difference && file.difference->count == 0) {
+    m_document.markSaved(*bytes);
+    return {};
+  }
+  const ChangedFileAnswer answer = m_dialogs.askChangedFile(file);
+  if (answer == ChangedFileAnswer::Reload && theirs) {
+    m_document.push(new ReplaceSession(m_document, *std::move(theirs), tr("Reload")));
+    m_document.markSaved(*bytes);
+  }
+  return answer;
+}
+
 bool FileFlow::exportReport() {
   emit commitWanted();
   const Evaluation evaluation = evaluate(m_document.session());
   const auto unusable = static_cast<int>(evaluation.examined.problems.size());
   if (unusable > 0 && !m_dialogs.askReportWithoutVerdict(unusable)) return false;
   const QString path = m_dialogs.askReportPath(suggestedPath(QStringLiteral("pdf")));
-  if (path.isEmpty()) return false;
+  if (path.isEmpty() || tellWhereNoFile(tr("Export acceptance report"), path)) return false;
   ReportOptions options;
   if (m_check && m_check->isOf(m_document.session())) options.simulated = m_check->simulated;
   const Result<QString> written = writeAcceptanceReport(evaluation, reportSource(m_document), path, options);

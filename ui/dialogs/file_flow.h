@@ -2,8 +2,11 @@
 
 #include <QObject>
 #include <QString>
+#include <optional>
 
+#include "ui/dialogs/changed_file.h"
 #include "ui/jobs/simulation_job.h"
+#include "ui/recovery/file_lock.h"
 
 namespace alidade {
 struct Import;
@@ -34,6 +37,10 @@ class FileFlow : public QObject {
   bool save();
   bool saveAs();
   bool exportReport();
+  /// Where others wrote the session's file: shows what differs, and does what the user wants.
+  void settleChange();
+  /// Other windows see in this folder which files are open here, and the other way round.
+  void setLockFolder(const QString& folder);
   /// A check of the uncertainty, for reports of the session that it is of.
   void setBudgetCheck(const SharedBudgetCheck& check) { m_check = check; }
   /// May the session be left, and those that undo and redo lead to? Saves first where the user wants it.
@@ -48,6 +55,10 @@ class FileFlow : public QObject {
   bool load(const QString& path);
   void tellOf(const Import& import, const QString& name);
   bool saveTo(const QString& path);
+  bool write(const QString& path);
+  bool mayShare(const QString& path);
+  std::optional<ChangedFileAnswer> askAboutChange();
+  bool tellWhereNoFile(const QString& title, const QString& path);
   bool mayLeaveChanges();
   bool mayDropRedo();
   bool mayDropUndo();
@@ -55,6 +66,7 @@ class FileFlow : public QObject {
 
   SessionDocument& m_document;
   Dialogs& m_dialogs;
+  FileLock m_lock;
   SharedBudgetCheck m_check;  ///< null: none was made
 };
 

@@ -22,7 +22,7 @@ ReportSource reportSource(const SessionDocument& document) {
   const QByteArray bytes =
       saved ? file.readAll() : QByteArray::fromStdString(writeSession(document.session()));
   const QString name = document.path().isEmpty() ? QString() : document.displayName();
-  return {name, sha256(bytes), saved};
+  return {name, sha256(bytes), saved, document.paths()};
 }
 
 }  // namespace alidade::ui

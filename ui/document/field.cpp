@@ -12,7 +12,7 @@ template <auto... members>
 constexpr Field ofSession(std::string_view name, const char* noun) {
   return {name, noun,
           [](const Session& session, std::size_t) -> const std::string& { return (session.*....*members); },
-          [](Session& session, std::size_t) -> std::string& { return (session.*....*members); }};
+          [](Session& session, std::size_t) -> std::string& { return (session.*....*members); }, false};
 }
 
 template <auto... members>
@@ -23,7 +23,8 @@ constexpr Field ofPosition(std::string_view name, const char* noun) {
           },
           [](Session& session, std::size_t position) -> std::string& {
             return (session.positions.at(position).*....*members);
-          }};
+          },
+          true};
 }
 
 constexpr Field fields[] = {
@@ -76,6 +77,10 @@ constexpr Field fields[] = {
 };
 
 }  // namespace
+
+std::span<const Field> allFields() {
+  return fields;
+}
 
 const Field* fieldNamed(std::string_view name) {
   const auto found = std::find_if(std::begin(fields), std::end(fields),

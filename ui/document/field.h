@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -16,7 +17,11 @@ struct Field {
   const char* noun;
   const std::string& (*get)(const Session& session, std::size_t position);
   std::string& (*at)(Session& session, std::size_t position);
+  bool isOfPosition;  ///< each position has one
 };
+
+/// Every field, in the order of the session file.
+std::span<const Field> allFields();
 
 /// The field called `name`, without indices: `geometry.distance_mm`, `pointing_zero.vertical`. Null where
 /// there is none. Cells of readings are not fields.

@@ -1,15 +1,26 @@
 #include "ui/document/session_document.h"
 
+#include <QCryptographicHash>
 #include <QFile>
 #include <QFileInfo>
-#include <QSaveFile>
 #include <iterator>
 #include <utility>
 
+#include "core/base/atomic_file.h"
+#include "core/base/file_bytes.h"
 #include "core/session/session_file.h"
 #include "ui/document/field.h"
 
 namespace alidade::ui {
+
+namespace {
+
+QByteArray sha256(const std::string& bytes) {
+  return QCryptographicHash::hash({bytes.data(), static_cast<qsizetype>(bytes.size())},
+                                  QCryptographicHash::Sha256);
+}
+
+}  // namespace
 
 SessionDocument::SessionDocument(QObject* parent) : QObject(parent), m_session(blankSession()) {
   connect(&m_undoStack, &QUndoStack::indexChanged, this, &SessionDocument::identityChanged);
@@ -44,27 +55,35 @@ void SessionDocument::startWith(Session session) {
 }
 
 std::optional<Problem> SessionDocument::load(const QString& path) {
-  QFile file(path);
-  if (!file.open(QIODevice::ReadOnly)) {
-    return Problem{tr("“%1” cannot be opened: %2").arg(path, file.errorString()).toStdString()};
-  }
-  file.close();
-  Result<Session> session = loadSession(QFile::encodeName(path).toStdString());
+  const Result<std::string> bytes = readFile(QFile::encodeName(path).toStdString());
+  if (!bytes) return bytes.problem();
+  Result<Session> session = readSession(*bytes);
   if (!session) return session.problem();
-  replaceAll(*std::move(session), QFileInfo(path).absoluteFilePath());
+  const QString absolute = QFileInfo(path).absoluteFilePath();
+  m_knownSha256[absolute] = sha256(*bytes);
+  replaceAll(*std::move(session), absolute);
   return {};
 }
 
 std::optional<Problem> SessionDocument::save(const QString& path) {
   const std::string text = writeSession(m_session);
-  QSaveFile file(path);
-  const auto size = static_cast<qint64>(text.size());
-  if (!file.open(QIODevice::WriteOnly) || file.write(text.data(), size) != size || !file.commit()) {
-    return Problem{tr("“%1” cannot be saved: %2").arg(path, file.errorString()).toStdString()};
-  }
+  if (auto problem = writeFile(QFile::encodeName(path).toStdString(), text)) return problem;
   m_files.setSaved(m_undoStack.index(), QFileInfo(path).absoluteFilePath());
-  emit identityChanged();
+  markSaved(text);
   return {};
+}
+
+std::optional<std::string> SessionDocument::bytesOfOthers() const {
+  if (!QFileInfo(path()).isFile()) return {};
+  Result<std::string> bytes = readFile(QFile::encodeName(path()).toStdString());
+  if (!bytes || sha256(*bytes) == knownSha256()) return {};
+  return *std::move(bytes);
+}
+
+void SessionDocument::markSaved(const std::string& bytes) {
+  m_files.setSaved(m_undoStack.index(), path());
+  m_knownSha256[path()] = sha256(bytes);
+  emit identityChanged();
 }
 
 void SessionDocument::putField(const Place& place, const std::string& text) {

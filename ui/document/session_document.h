@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QHash>
 #include <QObject>
 #include <QString>
 #include <QUndoStack>
@@ -26,6 +27,8 @@ class SessionDocument : public QObject {
   QUndoStack& undoStack() { return m_undoStack; }  ///< to look at, undo and redo
   /// Empty for a session never saved.
   QString path() const { return m_files.path(m_undoStack.index()); }
+  /// Of all sessions that undo and redo lead to, as far as they are in files.
+  QStringList paths() const { return m_files.paths(); }
   QString displayName() const;  ///< the file's name, or "Untitled"
   bool isModified() const { return m_files.isModified(m_undoStack.index()); }
   /// The path of another session, unsaved, that redo or undo leads to: see `SessionFiles`.
@@ -52,6 +55,13 @@ class SessionDocument : public QObject {
   [[nodiscard]] std::optional<Problem> load(const QString& path);
   /// Absent: saved, all of it or nothing (the old file stays where writing fails).
   [[nodiscard]] std::optional<Problem> save(const QString& path);
+  /// SHA-256 of the bytes last read from or written to `path()`; empty where there were none.
+  QByteArray knownSha256() const { return m_knownSha256.value(path()); }
+  /// The bytes in `path()` where somebody else wrote them: they are not those last read or written here.
+  /// Absent, too, where there is no such file.
+  std::optional<std::string> bytesOfOthers() const;
+  /// The session at work is now as in its file, which consists of `bytes`.
+  void markSaved(const std::string& bytes);
 
  signals:
   void aboutToChange(const alidade::ui::SessionChange& change);
@@ -77,6 +87,7 @@ class SessionDocument : public QObject {
   Session m_session;
   QUndoStack m_undoStack;
   SessionFiles m_files;
+  QHash<QString, QByteArray> m_knownSha256;  ///< by path
 };
 
 }  // namespace alidade::ui

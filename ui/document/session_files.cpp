@@ -42,6 +42,13 @@ void SessionFiles::setSaved(int index, const QString& path) {
   m_files[present].savedAt = index;
 }
 
+QStringList SessionFiles::paths() const {
+  QStringList paths;
+  for (const File& file : m_files)
+    if (!file.path.isEmpty()) paths.append(file.path);
+  return paths;
+}
+
 std::optional<QString> SessionFiles::unsavedAhead(int index, int count) const {
   for (std::size_t i = at(index) + 1; i < m_files.size(); ++i)
     if (isUnsaved(i, count)) return m_files[i].path;

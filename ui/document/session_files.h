@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
 #include <optional>
 #include <vector>
 
@@ -22,6 +23,7 @@ class SessionFiles {
   /// wanted that.
   void setSaved(int index, const QString& path);
 
+  QStringList paths() const;                                         ///< of all sessions that have one
   QString path(int index) const { return m_files[at(index)].path; }  ///< empty: never saved
   bool isModified(int index) const { return m_files[at(index)].savedAt != index; }
   /// A session that redo leads to from `index` and that is not in its file as it was last, where `count`

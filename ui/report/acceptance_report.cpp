@@ -2,12 +2,13 @@
 
 #include <QBuffer>
 #include <QCryptographicHash>
+#include <QFile>
 #include <QPageLayout>
 #include <QPainter>
 #include <QPdfWriter>
-#include <QSaveFile>
 #include <memory>
 
+#include "core/base/atomic_file.h"
 #include "core/session/session_file.h"
 #include "ui/report/report_gap.h"
 #include "ui/report/report_plots.h"
@@ -75,18 +76,14 @@ Result<QString> writeAcceptanceReport(const Evaluation& evaluation, const Report
                                       const QString& outPath, const ReportOptions& options) {
   QBuffer buffer;
   buffer.open(QIODevice::WriteOnly);
-  const auto failed = [&](const QString& reason) {
-    return Problem{
-        .what = QStringLiteral("The report could not be written to “%1”: %2. Choose another place.")
-                    .arg(outPath, reason)
-                    .toStdString(),
-        .where = {}};
-  };
-  if (!paintReport(buffer, evaluation, source, options)) return failed(QStringLiteral("painting failed"));
-  QSaveFile file(outPath);
-  if (!file.open(QIODevice::WriteOnly)) return failed(file.errorString());
-  file.write(buffer.data());
-  if (!file.commit()) return failed(file.errorString());
+  if (!paintReport(buffer, evaluation, source, options))
+    return Problem{QStringLiteral("%1 cannot be written: painting failed").arg(outPath).toStdString()};
+  const QByteArray& pdf = buffer.data();
+  const std::string_view bytes(pdf.constData(), static_cast<std::size_t>(pdf.size()));
+  std::vector<std::string> inputs;
+  for (const QString& path : source.paths) inputs.push_back(QFile::encodeName(path).toStdString());
+  if (auto problem = writeFile(QFile::encodeName(outPath).toStdString(), bytes, inputs))
+    return *std::move(problem);
   return outPath;
 }
 

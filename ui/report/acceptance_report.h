@@ -3,6 +3,7 @@
 #include <QByteArray>
 #include <QDateTime>
 #include <QString>
+#include <QStringList>
 #include <optional>
 
 #include "core/adjustment/monte_carlo.h"
@@ -17,6 +18,7 @@ struct ReportSource {
   QByteArray sha256;  ///< the digest of the file's bytes, 32 bytes as QCryptographicHash gives them
   bool saved = true;  ///< false: the session has changes the file lacks; `sha256` is then not used, and the
                       ///< digest of the session as it would be written is printed and called so
+  QStringList paths = {};  ///< the session's files, which no report may replace
 };
 
 struct ReportOptions {
@@ -26,8 +28,9 @@ struct ReportOptions {
 
 /// Writes the acceptance report, an A4 PDF of vectors and embedded fonts (PDF/A-1b): result and verdict, what
 /// the diagnosis of the gap says, both plots, every reading. It is also written where there is no result;
-/// then it says why and carries no verdict. The file is replaced only when all is written. Answers with the
-/// path, or says why it could not be written. Needs a QApplication, on any platform plugin, and its thread.
+/// then it says why and carries no verdict. The file is replaced only when all is written, and never one of
+/// `source`. Answers with the path, or says why it could not be written. Needs a QApplication, on any
+/// platform plugin, and its thread.
 Result<QString> writeAcceptanceReport(const Evaluation& evaluation, const ReportSource& source,
                                       const QString& outPath, const ReportOptions& options = {});
 

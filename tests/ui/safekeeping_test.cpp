@@ -1,0 +1,224 @@
+#include "ui/dialogs/safekeeping.h"
+
+#include <gmock/gmock.h>
+
+#include <QDir>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QStatusBar>
+#include <QTemporaryDir>
+
+#include "core/base/file_bytes.h"
+#include "core/session/session_file.h"
+#include "tests/ui/support.h"
+#include "ui/commands/change_field.h"
+#include "ui/commands/edit_readings.h"
+#include "ui/main_window.h"
+
+// Unsaved changes that a window leaves behind when it dies, and what the next one does with them. A window
+// that is destroyed without having been closed stands for a crash.
+
+namespace alidade::ui {
+namespace {
+
+using ::testing::HasSubstr;
+using Choice = RecoveryAnswer::Choice;
+
+class SafekeepingTest : public ::testing::Test {
+ protected:
+  SafekeepingTest() {
+    QFile::copy(samplePath(QStringLiteral("paper-table-1.alidade")), file);
+    QFile::setPermissions(file, QFile::ReadOwner | QFile::WriteOwner);
+  }
+
+  QStringList records() const { return QDir(kept).entryList({QStringLiteral("*.unsaved")}); }
+  Session sessionIn(const QString& path) const { return *loadSession(path.toStdString()); }
+
+  std::unique_ptr<OpenWindow> openWindow(const QString& path = {}) const {
+    auto open = std::make_unique<OpenWindow>();
+    open->window->keepIn(kept);
+    EXPECT_TRUE(path.isEmpty() || open->window->files().open(path));
+    return open;
+  }
+
+  void edit(OpenWindow& open, const char* title) const {
+    changeField(open->document(), {.field = "title"}, title);
+  }
+
+  /// A window that dies with this title unsaved, and the record complete.
+  void crash(const QString& path, const char* title) const {
+    const qsizetype before = records().size();
+    const auto open = openWindow(path);
+    edit(*open, title);
+    EXPECT_TRUE(waitFor([&] { return records().size() == before + 1; }));
+  }
+
+  QTemporaryDir folder;
+  QString file = folder.filePath(QStringLiteral("s.alidade")), kept = folder.filePath(QStringLiteral("kept"));
+};
+
+TEST_F(SafekeepingTest, KeepsAnEditWithinASecond) {
+  const auto open = openWindow(file);
+  EXPECT_TRUE(records().isEmpty());
+  QElapsedTimer clock;
+  clock.start();
+  edit(*open, "kept");
+  ASSERT_TRUE(waitFor([&] { return !records().isEmpty(); }));
+  EXPECT_LT(clock.elapsed(), 1000);
+  const auto newest = [&] {
+    return *readRecovery(*readFile(kept.toStdString() + '/' + records()[0].toStdString()));
+  };
+  EXPECT_EQ(newest().session.title, "kept");
+  EXPECT_EQ(newest().path, file);
+  // Edits that never rest are kept all the same.
+  clock.restart();
+  int number = 0;
+  while (newest().session.title == "kept" && clock.elapsed() < 3000) {
+    edit(*open, std::to_string(++number).c_str());
+    QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
+  }
+  EXPECT_LT(clock.elapsed(), 1000);
+  EXPECT_EQ(sessionIn(file).title, "Table I");
+}
+
+TEST_F(SafekeepingTest, NeedsNoRecordOfWhatIsSaved) {
+  const auto open = openWindow(file);
+  edit(*open, "kept");
+  ASSERT_TRUE(waitFor([&] { return !records().isEmpty(); }));
+  (*open)->undo();
+  EXPECT_TRUE(waitFor([&] { return records().isEmpty(); })) << "undone, it is as in the file";
+  (*open)->redo();
+  ASSERT_TRUE(waitFor([&] { return !records().isEmpty(); }));
+  ASSERT_TRUE((*open)->files().save());
+  EXPECT_TRUE(waitFor([&] { return records().isEmpty(); }));
+  edit(*open, "again");
+  ASSERT_TRUE(waitFor([&] { return !records().isEmpty(); }));
+  open->dialogs->saveAnswer = Dialogs::SaveAnswer::Discard;
+  EXPECT_TRUE((*open)->close());
+  EXPECT_TRUE(records().isEmpty()) << "discarded by the user's own word";
+}
+
+TEST_F(SafekeepingTest, OffersWhatACrashLeftBehindBesideTheFile) {
+  crash(file, "unsaved");
+  const auto open = openWindow();
+  open->dialogs->recoveries = {{Choice::Recover, 0}};
+  EXPECT_TRUE((*open)->offerRecovery());
+  ASSERT_EQ(open->dialogs->offers.size(), 1u);
+  const RecoveryOffer& offer = open->dialogs->offers[0].at(0);
+  EXPECT_EQ(offer.name, QStringLiteral("s.alidade"));
+  EXPECT_THAT(offer.told.toStdString(), HasSubstr("in " + file.toStdString() + "; kept on "));
+  ASSERT_EQ(offer.difference.count, 1u);
+  EXPECT_EQ(offer.difference.entries[0].where, QStringLiteral("title"));
+  EXPECT_EQ(offer.difference.entries[0].mine, QStringLiteral("unsaved"));
+  EXPECT_EQ(offer.difference.entries[0].theirs, QStringLiteral("Table I"));
+  EXPECT_EQ((*open)->document().session().title, "unsaved");
+  EXPECT_EQ((*open)->document().path(), file);
+  EXPECT_TRUE((*open)->document().isModified());
+  EXPECT_EQ(sessionIn(file).title, "Table I") << "the file is as it was";
+  EXPECT_EQ(records().size(), 1) << "and there is a record at every moment";
+  (*open)->undo();
+  EXPECT_EQ((*open)->document().session(), sessionIn(file));
+  (*open)->redo();
+  EXPECT_TRUE((*open)->files().save());
+  EXPECT_EQ(sessionIn(file).title, "unsaved");
+  EXPECT_TRUE(waitFor([&] { return records().isEmpty(); }));
+}
+
+TEST_F(SafekeepingTest, OffersASessionThatIsInNoFile) {
+  crash({}, "first");
+  crash({}, "second");
+  const auto open = openWindow();
+  EXPECT_TRUE((*open)->offerRecovery()) << "put off";
+  ASSERT_EQ(open->dialogs->offers.at(0).size(), 2);
+  const QString wanted = QStringLiteral("second");
+  const int index = open->dialogs->offers[0][0].name == wanted ? 0 : 1;
+  EXPECT_EQ(open->dialogs->offers[0][index].name, wanted);
+  EXPECT_THAT(open->dialogs->offers[0][index].told.toStdString(), HasSubstr("in no file yet"));
+  open->dialogs->recoveries = {{}, {Choice::Recover, index}};
+  EXPECT_TRUE((*open)->offerRecovery());
+  EXPECT_EQ((*open)->document().session().title, "second");
+  EXPECT_EQ((*open)->document().path(), QString());
+  EXPECT_TRUE((*open)->document().isModified());
+  EXPECT_EQ(records().size(), 2) << "the other stays";
+}
+
+TEST_F(SafekeepingTest, DiscardsOnlyWhenTold) {
+  crash(file, "one");
+  crash({}, "two");
+  const auto open = openWindow();
+  EXPECT_TRUE((*open)->offerRecovery());
+  EXPECT_EQ(records().size(), 2) << "later";
+  open->dialogs->offers.clear();
+  open->dialogs->recoveries = {{Choice::Discard, 1}, {Choice::Discard, 0}};
+  EXPECT_TRUE((*open)->offerRecovery());
+  EXPECT_EQ(open->dialogs->offers.size(), 2u);
+  EXPECT_TRUE(records().isEmpty());
+  EXPECT_FALSE((*open)->offerRecovery());
+  EXPECT_FALSE((*open)->document().isModified());
+}
+
+TEST_F(SafekeepingTest, DoesNotOfferWhatALivingWindowKeeps) {
+  const auto open = openWindow(file);
+  edit(*open, "mine");
+  ASSERT_TRUE(waitFor([&] { return !records().isEmpty(); }));
+  const auto other = openWindow();
+  EXPECT_FALSE((*other)->offerRecovery());
+}
+
+TEST_F(SafekeepingTest, TellsWhatBecameOfTheFileMeanwhile) {
+  crash(file, "unsaved");
+  Session changed = sessionIn(file);
+  changed.notes = "by another";
+  QFile(file).remove();
+  const auto told = [&] {
+    const auto open = openWindow();
+    (*open)->offerRecovery();
+    return open->dialogs->offers.at(0).at(0);
+  };
+  EXPECT_THAT(told().told.toStdString(), HasSubstr("which is no longer there"));
+  QFile again(file);
+  ASSERT_TRUE(again.open(QIODevice::WriteOnly));
+  again.write(QByteArray::fromStdString(writeSession(changed)));
+  again.close();
+  EXPECT_THAT(told().told.toStdString(), HasSubstr("which was changed since"));
+  EXPECT_EQ(told().difference.count, 2u) << "title and notes";
+}
+
+// However old or new either is: there is nothing to choose from.
+TEST_F(SafekeepingTest, ClearsAwayWhatIsInTheFileAlready) {
+  crash(file, "unsaved");
+  Session saved = sessionIn(file);
+  saved.title = "unsaved";
+  QFile again(file);
+  ASSERT_TRUE(again.open(QIODevice::WriteOnly));
+  again.write(QByteArray::fromStdString(writeSession(saved)));
+  again.close();
+  const auto open = openWindow();
+  EXPECT_FALSE((*open)->offerRecovery());
+  EXPECT_TRUE(records().isEmpty());
+}
+
+TEST_F(SafekeepingTest, SaysThatNothingCanBeKept) {
+  QFile inTheWay(kept);
+  ASSERT_TRUE(inTheWay.open(QIODevice::WriteOnly));
+  const auto open = openWindow(file);
+  edit(*open, "lost in a crash");
+  const auto said = [&] { return (*open)->statusBar()->currentMessage().toStdString(); };
+  EXPECT_TRUE(waitFor([&] { return said().find("would be lost in a crash") != std::string::npos; }));
+  EXPECT_THAT(said(), HasSubstr("its folder is not there"));
+}
+
+TEST_F(SafekeepingTest, LeavesARecordThatCannotBeReadWhereItIs) {
+  QDir().mkpath(kept);
+  QFile broken(kept + QStringLiteral("/x.unsaved"));
+  ASSERT_TRUE(broken.open(QIODevice::WriteOnly));
+  broken.write("{\"half\": ");
+  broken.close();
+  const auto open = openWindow();
+  EXPECT_FALSE((*open)->offerRecovery());
+  EXPECT_THAT((*open)->statusBar()->currentMessage().toStdString(), HasSubstr("x.unsaved cannot be read"));
+  EXPECT_EQ(records().size(), 1);
+}
+
+}  // namespace
+}  // namespace alidade::ui

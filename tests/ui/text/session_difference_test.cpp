@@ -1,0 +1,79 @@
+#include "ui/text/session_difference.h"
+
+#include <gmock/gmock.h>
+
+#include "core/session/session_file.h"
+#include "tests/ui/support.h"
+
+namespace alidade::ui {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+/// "where: mine | theirs".
+std::vector<std::string> toldOf(const Session& mine, const Session& theirs) {
+  std::vector<std::string> told;
+  const SessionDifference difference = differenceOf(mine, theirs);
+  EXPECT_EQ(difference.count, difference.entries.size());
+  for (const EntryDifference& entry : difference.entries)
+    told.push_back((entry.where + QStringLiteral(": ") + entry.mine + QStringLiteral(" | ") + entry.theirs)
+                       .toStdString());
+  return told;
+}
+
+TEST(SessionDifference, NamesEachEntryThatDiffers) {
+  const Session mine = paperSession();
+  EXPECT_THAT(toldOf(mine, mine), IsEmpty());
+  Session theirs = mine;
+  theirs.geometry.distanceMm = "2406";
+  theirs.model.effects = {"collimation", "trunnion_tilt"};
+  theirs.positions[1].zero.vertical = "89°";
+  theirs.positions[1].readings[3].vertical = "x";
+  theirs.positions[1].readings[3].excluded = true;
+  const auto told = toldOf(mine, theirs);
+  ASSERT_EQ(told.size(), 5u);
+  EXPECT_EQ(told[0], "distance L: " + mine.geometry.distanceMm + " | 2406");
+  EXPECT_EQ(told[1], "180°, pointing zero β0: " + mine.positions[1].zero.vertical + " | 89°");
+  EXPECT_EQ(told[2], "model.effects:  | collimation, trunnion_tilt");
+  EXPECT_EQ(told[3], "180°, row 4 (point 4), vertical: " + mine.positions[1].readings[3].vertical + " | x");
+  EXPECT_EQ(told[4], "180°, row 4 (point 4), excluded: no | yes");
+}
+
+// A row put in shifts all that follow; only it differs.
+TEST(SessionDifference, TellsOfRowsPutInAndTakenOut) {
+  const Session mine = paperSession();
+  Session more = mine;
+  Reading row;
+  row.horizontal = "1°";
+  row.vertical = "2°";
+  more.positions[0].readings.insert(more.positions[0].readings.begin() + 5, row);
+  EXPECT_THAT(toldOf(mine, more), ElementsAre("0°, row 6:  | 1°  2°"));
+  EXPECT_THAT(toldOf(more, mine), ElementsAre("0°, row 6: 1°  2° | "));
+  more.positions[0].readings[5] = Reading();
+  EXPECT_THAT(toldOf(mine, more), ElementsAre("0°, row 6:  | a row"));
+  Session one = mine;
+  one.positions.pop_back();
+  EXPECT_THAT(toldOf(mine, one), ElementsAre("180°: 17 rows | "));
+  EXPECT_THAT(toldOf(one, mine), ElementsAre("180°:  | 17 rows"));
+}
+
+TEST(SessionDifference, KnowsThatEntriesDifferThatAreNotShown) {
+  const std::string text = writeSession(paperSession());
+  std::string more = text;
+  more.insert(1, "\"weather\": \"fog\",");
+  EXPECT_THAT(toldOf(*readSession(text), *readSession(more)), ElementsAre("entries that are not shown:  | "));
+}
+
+TEST(SessionDifference, CountsMoreThanItLists) {
+  Session mine = paperSession(), theirs;
+  mine.positions[0].readings.resize(5000);
+  theirs = mine;
+  for (Reading& reading : theirs.positions[0].readings) reading.note = "n";
+  const SessionDifference difference = differenceOf(mine, theirs);
+  EXPECT_EQ(difference.count, 5000u);
+  EXPECT_EQ(difference.entries.size(), SessionDifference::most);
+}
+
+}  // namespace
+}  // namespace alidade::ui

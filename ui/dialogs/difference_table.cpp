@@ -1,0 +1,40 @@
+#include "ui/dialogs/difference_table.h"
+
+#include <QCoreApplication>
+#include <QHeaderView>
+#include <QTreeWidget>
+
+namespace alidade::ui {
+
+namespace {
+
+struct Text {
+  Q_DECLARE_TR_FUNCTIONS(DifferenceTable)
+};
+
+QString orNothing(const QString& text) {
+  return text.isEmpty() ? QStringLiteral("—") : text;
+}
+
+}  // namespace
+
+QTreeWidget* createDifferenceTable(const SessionDifference& difference, const QString& mine,
+                                   const QString& theirs) {
+  auto* table = new QTreeWidget;
+  table->setHeaderLabels({Text::tr("Entry"), mine, theirs});
+  table->setRootIsDecorated(false);
+  table->setUniformRowHeights(true);
+  table->setAlternatingRowColors(true);
+  table->setSelectionMode(QAbstractItemView::NoSelection);
+  QList<QTreeWidgetItem*> rows;
+  for (const EntryDifference& entry : difference.entries)
+    rows.append(new QTreeWidgetItem({entry.where, orNothing(entry.mine), orNothing(entry.theirs)}));
+  const std::size_t more = difference.count - difference.entries.size();
+  if (more > 0) rows.append(new QTreeWidgetItem({Text::tr("and %1 more").arg(more)}));
+  table->addTopLevelItems(rows);
+  for (int column = 0; column < table->columnCount(); ++column) table->resizeColumnToContents(column);
+  table->header()->setStretchLastSection(true);
+  return table;
+}
+
+}  // namespace alidade::ui

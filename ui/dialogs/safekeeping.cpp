@@ -1,0 +1,122 @@
+#include "ui/dialogs/safekeeping.h"
+
+#include <QCryptographicHash>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QLocale>
+#include <utility>
+
+#include "core/base/file_bytes.h"
+#include "core/session/session_file.h"
+#include "ui/commands/replace_session.h"
+#include "ui/dialogs/dialogs.h"
+#include "ui/dialogs/file_flow.h"
+#include "ui/document/session_document.h"
+#include "ui/text/entry_text.h"
+
+namespace alidade::ui {
+
+namespace {
+
+Result<std::string> bytesOf(const QString& path) {
+  return readFile(QFile::encodeName(path).toStdString());
+}
+
+/// What stands beside a record: its file, or a new session where it has none.
+struct Beside {
+  Session session = blankSession();
+  QString told;  ///< what became of the file
+};
+
+Beside beside(const RecoveryRecord& record) {
+  if (record.path.isEmpty()) return {.told = Safekeeping::tr("in no file yet")};
+  const QString place = Safekeeping::tr("in %1").arg(QDir::toNativeSeparators(record.path));
+  const auto told = [&place](const QString& more) { return place + QStringLiteral(", ") + more; };
+  if (!QFileInfo(record.path).isFile()) return {.told = told(Safekeeping::tr("which is no longer there"))};
+  const Result<std::string> bytes = bytesOf(record.path);
+  Result<Session> session = bytes ? readSession(*bytes) : bytes.problem();
+  if (!session) return {.told = told(Safekeeping::tr("which cannot be read any more"))};
+  const QByteArray hash =
+      QCryptographicHash::hash(QByteArray::fromStdString(*bytes), QCryptographicHash::Sha256);
+  return {*std::move(session),
+          hash == record.sha256 ? place : told(Safekeeping::tr("which was changed since"))};
+}
+
+RecoveryOffer offerOf(const RecoveryRecord& record) {
+  const Beside file = beside(record);
+  const QString title = qText(record.session.title).trimmed();
+  const QString untitled = title.isEmpty() ? Safekeeping::tr("Untitled") : title;
+  return {.name = record.path.isEmpty() ? untitled : QFileInfo(record.path).fileName(),
+          .told = Safekeeping::tr("%1; kept on %2")
+                      .arg(file.told, QLocale().toString(record.keptAt, QLocale::ShortFormat)),
+          .difference = differenceOf(record.session, file.session)};
+}
+
+}  // namespace
+
+Safekeeping::Safekeeping(SessionDocument& document, FileFlow& files, Dialogs& dialogs, const QString& folder,
+                         QObject* parent)
+    : QObject(parent),
+      m_document(document),
+      m_files(files),
+      m_dialogs(dialogs),
+      m_folder(folder),
+      m_keeper(document, folder) {
+  connect(&m_keeper, &RecoveryKeeper::failed, this, &Safekeeping::remark);
+}
+
+int Safekeeping::offer() {
+  std::vector<Left> left = leftBehind();
+  int asked = 0;
+  while (!left.empty()) {
+    QList<RecoveryOffer> offers;
+    for (const Left& one : left) offers.append(one.offer);
+    const RecoveryAnswer answer = m_dialogs.askRecovery(offers);
+    ++asked;
+    const auto chosen = left.begin() + answer.index;
+    if (answer.choice == RecoveryAnswer::Choice::Discard) {
+      chosen->slot->remove();
+      left.erase(chosen);
+      continue;
+    }
+    if (answer.choice == RecoveryAnswer::Choice::Recover) recover(*chosen);
+    break;
+  }
+  return asked;
+}
+
+std::vector<Safekeeping::Left> Safekeeping::leftBehind() {
+  std::vector<Left> left;
+  for (std::unique_ptr<RecoverySlot>& slot : RecoverySlot::leftBehind(m_folder)) {
+    const Result<std::string> bytes = bytesOf(slot->path());
+    Result<RecoveryRecord> record = bytes ? readRecovery(*bytes) : bytes.problem();
+    if (!record) {
+      emit remark(tr("Unsaved changes in %1 cannot be read: %2")
+                      .arg(QDir::toNativeSeparators(slot->path()), qText(record.problem().text())));
+      continue;
+    }
+    RecoveryOffer offer = offerOf(*record);
+    if (offer.difference.count == 0)
+      slot->remove();
+    else
+      left.push_back({std::move(slot), *std::move(record), std::move(offer)});
+  }
+  return left;
+}
+
+/// As unsaved changes of the file as it is now; undo leads back to that. The record goes on to be this
+/// window's, so that there is one at every moment.
+bool Safekeeping::recover(Left& left) {
+  if (!m_files.mayLeave()) return false;
+  const QString& path = left.record.path;
+  const bool isInFile = QFileInfo(path).isFile() && !m_document.load(path);
+  if (!isInFile) m_document.startNew();
+  m_document.push(
+      new ReplaceSession(m_document, std::move(left.record.session), tr("Recover unsaved changes")));
+  m_keeper.adopt(std::move(left.slot));
+  emit remark(tr("Recovered %1; not saved yet").arg(left.offer.name));
+  return true;
+}
+
+}  // namespace alidade::ui

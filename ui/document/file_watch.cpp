@@ -1,0 +1,45 @@
+#include "ui/document/file_watch.h"
+
+#include <QFileInfo>
+#include <utility>
+
+#include "ui/document/session_document.h"
+
+namespace alidade::ui {
+
+FileWatch::FileWatch(SessionDocument& document, QObject* parent) : QObject(parent), m_document(document) {
+  constexpr int settlingMs = 150;  // a writer is let finish
+  m_timer.setSingleShot(true);
+  m_timer.setInterval(settlingMs);
+  const auto lookSoon = [this] { m_timer.start(); };
+  connect(&m_timer, &QTimer::timeout, this, &FileWatch::look);
+  connect(&m_watcher, &QFileSystemWatcher::fileChanged, this, lookSoon);
+  connect(&m_watcher, &QFileSystemWatcher::directoryChanged, this, lookSoon);
+  connect(&document, &SessionDocument::identityChanged, this, [this, lookSoon] {
+    follow();
+    lookSoon();
+  });
+}
+
+/// The folder, too: who replaces a file takes the one that was watched away.
+void FileWatch::follow() {
+  const QFileInfo file(m_document.path());
+  const QStringList wanted =
+      file.isFile() ? QStringList{file.absoluteFilePath(), file.absolutePath()} : QStringList();
+  const QStringList watched = m_watcher.files() + m_watcher.directories();
+  if (watched == wanted) return;
+  if (!watched.isEmpty()) m_watcher.removePaths(watched);
+  if (!wanted.isEmpty()) m_watcher.addPaths(wanted);
+}
+
+void FileWatch::look() {
+  follow();
+  const QFileInfo file(m_document.path());
+  Seen seen{m_document.path(), file.size(), file.lastModified(), m_document.knownSha256()};
+  if (seen == m_seen) return;
+  m_seen = std::move(seen);
+  const bool isChanged = m_document.bytesOfOthers().has_value();
+  if (isChanged != std::exchange(m_isChanged, isChanged)) emit changedElsewhere(isChanged);
+}
+
+}  // namespace alidade::ui

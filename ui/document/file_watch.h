@@ -1,0 +1,47 @@
+#pragma once
+
+#include <QByteArray>
+#include <QDateTime>
+#include <QFileSystemWatcher>
+#include <QObject>
+#include <QTimer>
+
+namespace alidade::ui {
+
+class SessionDocument;
+
+/// Notices when others write the file of the session at work. For a notice only: who saves asks the document,
+/// which reads the file again.
+class FileWatch : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit FileWatch(SessionDocument& document, QObject* parent = nullptr);
+
+  bool isChanged() const { return m_isChanged; }
+  /// Looks at the file, as when the window comes to the front: not every disk tells of its changes.
+  void look();
+
+ signals:
+  void changedElsewhere(bool is);
+
+ private:
+  void follow();
+
+  struct Seen {
+    QString path;
+    qint64 size = 0;
+    QDateTime writtenAt;
+    QByteArray knownSha256;
+
+    bool operator==(const Seen&) const = default;
+  };
+
+  SessionDocument& m_document;
+  QFileSystemWatcher m_watcher;
+  QTimer m_timer;
+  Seen m_seen;
+  bool m_isChanged = false;
+};
+
+}  // namespace alidade::ui
