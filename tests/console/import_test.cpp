@@ -113,6 +113,14 @@ TEST_F(ImportTest, NeverWritesOverTheFileItReads) {
   const std::string csv = folder.file("a.csv", "Hz,V\n341°,88°\n");
   const std::string sameFile = (folder.path() / "." / "a.csv").string();
   expectRefusal(alidadeCli({"import", csv, "--out", sameFile}));
+  const std::string hard = (folder.path() / "hard.csv").string();
+  std::filesystem::create_hard_link(csv, hard);
+  expectRefusal(alidadeCli({"import", csv, "--out", hard}));
+  const ProgramRun run =
+      runProgram({.program = "/bin/sh",
+                  .arguments = {"-c", "exec \"$0\" import - --out \"$1\" < \"$1\"", ALIDADE_CLI, csv}});
+  expectRefusal(run);
+  EXPECT_THAT(run.err, HasSubstr("it is the file that is read: choose another name"));
   EXPECT_THAT(contentOf(csv), StartsWith("Hz,V"));
 }
 

@@ -135,6 +135,30 @@ TEST_F(SimulateTest, LeavesWhatStoodThereWhereOneOfTheTwoCannotBeWritten) {
   EXPECT_FALSE(std::filesystem::exists(fresh));
 }
 
+TEST_F(SimulateTest, LeavesWhatStoodThereWhereTheDiskIsFull) {
+  std::ofstream(session) << "kept";
+  std::ofstream(truth) << "kept, too";
+  // Files of this call may not grow beyond 8 blocks of 512 bytes; a session takes five times that.
+  const ProgramRun run =
+      runProgram({.program = "/bin/sh",
+                  .arguments = {"-c", "ulimit -f 8; exec \"$0\" \"$@\"", ALIDADE_CLI, "simulate",
+                                "--protocol", "full", "--out", session, "--truth", truth}});
+  expectRefusal(run);
+  EXPECT_THAT(run.err, HasSubstr(session + " cannot be written: "));
+  const ProgramRun full = alidadeCli({"simulate", "--out", session, "--truth", "/dev/full"});
+  expectRefusal(full);
+  EXPECT_THAT(full.err, HasSubstr("/dev/full cannot be written: the disk is full"));
+  EXPECT_EQ(contentOf(session), "kept");
+  EXPECT_EQ(contentOf(truth), "kept, too");
+}
+
+TEST_F(SimulateTest, WritesToStandardOutputByItsName) {
+  const ProgramRun run = alidadeCli({"simulate", "--out", "/dev/stdout", "--truth", "/dev/null"});
+  EXPECT_EQ(run.exitCode, 0) << run.err;
+  EXPECT_THAT(run.out, ::testing::StartsWith("{\n  \"format\": \"alidade-session\""));
+  EXPECT_THAT(run.out, HasSubstr("}\n/dev/stdout: "));
+}
+
 TEST_F(SimulateTest, RefusesNumbersThatAreNone) {
   for (const char* option : {"--tolerance", "--intersection", "--radius", "--centre-x", "--typing-step",
                              "--sigma", "--sigma-zero", "--distance"})

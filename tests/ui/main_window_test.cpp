@@ -348,6 +348,21 @@ TEST(Workstation, WritesAReportWithoutADisplay) {
   EXPECT_EQ(run({QStringLiteral("--report"), out, QStringLiteral("/absent.alidade")}), 2);
   EXPECT_EQ(program.readAllStandardError().count('\n'), 1);
   EXPECT_EQ(run({QStringLiteral("--report"), out}), 2);
+  EXPECT_EQ(program.readAllStandardError().count('\n'), 1);
+  // Never over the session, whatever it is called, and where it is wanted, to standard output.
+  const QString session = folder.filePath(QStringLiteral("s.alidade")),
+                link = folder.filePath(QStringLiteral("link.pdf"));
+  ASSERT_TRUE(QFile::copy(samplePath(paper), session) && QFile::link(session, link));
+  QFile::setPermissions(session, QFile::ReadOwner | QFile::WriteOwner);
+  for (const QString& target : {session, link}) {
+    EXPECT_EQ(run({QStringLiteral("--report"), target, session}), 2);
+    EXPECT_THAT(program.readAllStandardError().toStdString(), HasSubstr("it is the file that is read"));
+  }
+  EXPECT_EQ(*loadSession(session.toStdString()), paperSession());
+  EXPECT_EQ(run({QStringLiteral("--report"), QStringLiteral("/dev/full"), session}), 2);
+  EXPECT_THAT(program.readAllStandardError().toStdString(), HasSubstr("the disk is full"));
+  EXPECT_EQ(run({QStringLiteral("--report"), QStringLiteral("/dev/stdout"), session}), 0);
+  EXPECT_TRUE(program.readAllStandardOutput().startsWith("%PDF-1."));
   EXPECT_EQ(run({QStringLiteral("--unknown")}), 2);
   EXPECT_EQ(run({QStringLiteral("--help")}), 0);
   EXPECT_THAT(program.readAllStandardOutput().toStdString(), HasSubstr("--report"));
