@@ -4,6 +4,8 @@
 #include <QHeaderView>
 #include <QTreeWidget>
 
+#include "ui/text/visible_text.h"
+
 namespace alidade::ui {
 
 namespace {
@@ -13,7 +15,7 @@ struct Text {
 };
 
 QString orNothing(const QString& text) {
-  return text.isEmpty() ? QStringLiteral("—") : text;
+  return text.isEmpty() ? QStringLiteral("—") : visibleLine(text);
 }
 
 }  // namespace
@@ -28,7 +30,8 @@ QTreeWidget* createDifferenceTable(const SessionDifference& difference, const QS
   table->setSelectionMode(QAbstractItemView::NoSelection);
   QList<QTreeWidgetItem*> rows;
   for (const EntryDifference& entry : difference.entries)
-    rows.append(new QTreeWidgetItem({entry.where, orNothing(entry.mine), orNothing(entry.theirs)}));
+    rows.append(
+        new QTreeWidgetItem({visibleLine(entry.where), orNothing(entry.mine), orNothing(entry.theirs)}));
   const std::size_t more = difference.count - difference.entries.size();
   if (more > 0) rows.append(new QTreeWidgetItem({Text::tr("and %1 more").arg(more)}));
   table->addTopLevelItems(rows);

@@ -136,7 +136,7 @@ bool FileFlow::tellWhereNoFile(const QString& title, const QString& path) {
   const QFileInfo file(path);
   if (!file.exists() || file.isFile()) return false;
   const QString kind = file.isDir() ? tr("a folder") : tr("a pipe or a device");
-  m_dialogs.showProblem(title, tr("“%1” is %2: choose a file.").arg(path, kind));
+  m_dialogs.showProblem(title, tr("“%1” is %2: choose a file.").arg(visibleLine(path), kind));
   return true;
 }
 
@@ -185,7 +185,7 @@ bool FileFlow::write(const QString& path) {
 
 bool FileFlow::mayShare(const QString& path) {
   const QString holder = m_lock.holder(path);
-  return holder.isEmpty() || m_dialogs.askOpenElsewhere(QFileInfo(path).fileName(), holder);
+  return holder.isEmpty() || m_dialogs.askOpenElsewhere(visibleLine(QFileInfo(path).fileName()), holder);
 }
 
 void FileFlow::settleChange() {
@@ -200,11 +200,11 @@ std::optional<ChangedFileAnswer> FileFlow::askAboutChange() {
   const std::optional<std::string> bytes = m_document.bytesOfOthers();
   if (!bytes) return {};
   Result<Session> theirs = readSession(*bytes);
-  ChangedFile file{.name = m_document.displayName()};
+  ChangedFile file{.name = visibleLine(m_document.displayName())};
   if (theirs)
     file.difference = differenceOf(m_document.session(), *theirs);
   else
-    file.problem = qText(theirs.problem().text());
+    file.problem = visibleLine(theirs.problem().text());
   if (file.difference && file.difference->count == 0) {
     m_document.markSaved(*bytes);
     return {};

@@ -14,6 +14,7 @@
 #include "ui/dialogs/file_flow.h"
 #include "ui/document/session_document.h"
 #include "ui/text/entry_text.h"
+#include "ui/text/visible_text.h"
 
 namespace alidade::ui {
 
@@ -31,7 +32,7 @@ struct Beside {
 
 Beside beside(const RecoveryRecord& record) {
   if (record.path.isEmpty()) return {.told = Safekeeping::tr("in no file yet")};
-  const QString place = Safekeeping::tr("in %1").arg(QDir::toNativeSeparators(record.path));
+  const QString place = Safekeeping::tr("in %1").arg(visibleLine(QDir::toNativeSeparators(record.path)));
   const auto told = [&place](const QString& more) { return place + QStringLiteral(", ") + more; };
   if (!QFileInfo(record.path).isFile()) return {.told = told(Safekeeping::tr("which is no longer there"))};
   const Result<std::string> bytes = bytesOf(record.path);
@@ -47,7 +48,7 @@ RecoveryOffer offerOf(const RecoveryRecord& record) {
   const Beside file = beside(record);
   const QString title = qText(record.session.title).trimmed();
   const QString untitled = title.isEmpty() ? Safekeeping::tr("Untitled") : title;
-  return {.name = record.path.isEmpty() ? untitled : QFileInfo(record.path).fileName(),
+  return {.name = visibleLine(record.path.isEmpty() ? untitled : QFileInfo(record.path).fileName()),
           .told = Safekeeping::tr("%1; kept on %2")
                       .arg(file.told, QLocale().toString(record.keptAt, QLocale::ShortFormat)),
           .difference = differenceOf(record.session, file.session)};
@@ -93,7 +94,7 @@ std::vector<Safekeeping::Left> Safekeeping::leftBehind() {
     Result<RecoveryRecord> record = bytes ? readRecovery(*bytes) : bytes.problem();
     if (!record) {
       emit remark(tr("Unsaved changes in %1 cannot be read: %2")
-                      .arg(QDir::toNativeSeparators(slot->path()), qText(record.problem().text())));
+                      .arg(QDir::toNativeSeparators(slot->path()), visibleLine(record.problem().text())));
       continue;
     }
     RecoveryOffer offer = offerOf(*record);

@@ -5,6 +5,7 @@
 #include <QPushButton>
 
 #include "ui/settings/theme.h"
+#include "ui/text/visible_text.h"
 
 namespace alidade::ui {
 
@@ -32,7 +33,7 @@ ChangedFileBar::ChangedFileBar(QWidget* parent) : QFrame(parent), m_text(new QLa
 }
 
 void ChangedFileBar::tellOf(const QString& name) {
-  m_text->setText(tr("“%1” was written by another program or window.").arg(name));
+  m_text->setText(tr("“%1” was written by another program or window.").arg(visibleLine(name)));
   show();
 }
 

@@ -6,7 +6,7 @@
 #include "core/base/atomic_file.h"
 #include "ui/document/session_document.h"
 #include "ui/recovery/recovery_record.h"
-#include "ui/text/entry_text.h"
+#include "ui/text/visible_text.h"
 
 namespace alidade::ui {
 
@@ -59,7 +59,7 @@ void RecoveryKeeper::keep() {
 
 void RecoveryKeeper::finishWriting(const Written& problem) {
   if (problem && !m_hasFailed)
-    emit failed(tr("Unsaved changes would be lost in a crash: %1").arg(qText(problem->text())));
+    emit failed(tr("Unsaved changes would be lost in a crash: %1").arg(visibleLine(problem->text())));
   m_hasFailed = problem.has_value();
   if (std::exchange(m_isDue, false)) keep();
 }
