@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QHeaderView>
 #include <QTreeWidget>
+#include <algorithm>
 
 #include "ui/text/visible_text.h"
 
@@ -35,7 +36,11 @@ QTreeWidget* createDifferenceTable(const SessionDifference& difference, const QS
   const std::size_t more = difference.count - difference.entries.size();
   if (more > 0) rows.append(new QTreeWidgetItem({Text::tr("and %1 more").arg(more)}));
   table->addTopLevelItems(rows);
-  for (int column = 0; column < table->columnCount(); ++column) table->resizeColumnToContents(column);
+  constexpr int margin = 14, widest = 260;
+  for (int column = 0; column < table->columnCount(); ++column) {
+    table->resizeColumnToContents(column);
+    table->setColumnWidth(column, std::min(table->columnWidth(column) + margin, widest));
+  }
   table->header()->setStretchLastSection(true);
   return table;
 }

@@ -77,9 +77,9 @@ class Kill : public ::testing::Test {
     EXPECT_LT(age, 1.0) << "killed after " << ms << " ms, " << killed.edits.size() << " edits, " << found
                         << " found";
     std::printf(
-        "killed %4d ms after the first edit: of %4d edits the newest %3d lost, the oldest of them "
+        "killed %4d ms after the first edit: of %4zu edits the newest %3d lost, the oldest of them "
         "%.3f s old\n",
-        ms, killed.edits.rbegin()->first, killed.edits.rbegin()->first - found, age);
+        ms, killed.edits.size(), killed.edits.rbegin()->first - found, age);
   }
 
   /// Goes on from where it was when the test is repeated.

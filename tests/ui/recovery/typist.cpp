@@ -23,7 +23,7 @@ int typeUntilKilled(const char* folder, const char* path, const char* log) {
   if (!file.isEmpty() && window.document().load(file)) return 1;
   QFile lines(QString::fromLocal8Bit(log));
   if (!lines.open(QIODevice::WriteOnly | QIODevice::Unbuffered)) return 1;
-  int number = 0;
+  int number = QString::fromStdString(window.document().session().title).toInt();
   QTimer timer;
   QObject::connect(&timer, &QTimer::timeout, &window, [&] {
     constexpr int saveEvery = 100;

@@ -11,8 +11,8 @@ namespace alidade::ui {
 inline constexpr const char* typistOption = "--type-until-killed";
 
 /// Keeps unsaved changes in `folder`, works on the session in `path` where that is not empty, and numbers its
-/// edits in the session's title from 1. Every hundredth is followed by a save. A line of `log` for each
-/// committed edit: its number and when that was.
+/// edits in the session's title, on from the number that is there. Every hundredth is followed by a save. A
+/// line of `log` for each committed edit: its number and when that was.
 int typeUntilKilled(const char* folder, const char* path, const char* log);
 
 /// When each edit of a log was committed, in ns of the steady clock, which processes share.

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <QStringList>
+
 #include "tests/support/hostile.h"
 
 namespace alidade::ui {
