@@ -25,6 +25,7 @@
 #include "ui/dialogs/safekeeping.h"
 #include "ui/forms/field_binding.h"
 #include "ui/forms/field_form.h"
+#include "ui/jobs/failed_job.h"
 #include "ui/main_window_actions.h"
 #include "ui/panels/budget_panel.h"
 #include "ui/panels/changed_file_bar.h"
@@ -40,6 +41,7 @@
 #include "ui/panels/two_faces_panel.h"
 #include "ui/settings/theme.h"
 #include "ui/text/cause_text.h"
+#include "ui/text/entry_text.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {
@@ -302,6 +304,12 @@ void MainWindow::showBlindTrials() {
   m_blindTrials->show();
   m_blindTrials->raise();
   m_blindTrials->activateWindow();
+}
+
+void MainWindow::tellFailure(const QString& reason) {
+  const std::string told =
+      ui::tellFailure({.job = "window", .reason = reason.toStdString(), .session = m_document.session()});
+  m_dialogs->showProblem(tr("Something went wrong"), qText(told));
 }
 
 void MainWindow::showTitle() {

@@ -63,6 +63,8 @@ class MainWindow : public QMainWindow {
   bool offerRecovery();
   /// Opens the dialog of blind trials, which stays open beside the window.
   void showBlindTrials();
+  /// Tells, and records with the session, that the window threw while it handled an event.
+  void tellFailure(const QString& reason);
   SuspectBar* suspects() const { return m_suspects; }
   /// The tabs beside and below the picture of the arcs.
   QList<PageTabs*> pageTabs() const { return {m_figures, m_details}; }

@@ -1,6 +1,5 @@
 #include <CLI/CLI.hpp>
 #include <csignal>
-#include <exception>
 #include <string>
 #include <vector>
 
@@ -11,6 +10,7 @@
 #include "app/console/plan_command.h"
 #include "app/console/simulate_command.h"
 #include "app/console/trial_command.h"
+#include "core/base/failure.h"
 #include "core/base/visible_text.h"
 
 namespace {
@@ -27,17 +27,18 @@ int give(const alidade::Result<std::string>& answer, const std::string& subject)
   return answer ? writeResult(*answer) : refuse(subject, answer.problem().text());
 }
 
-int giveImport(const ImportRequest& request) {
+int giveImport(const ImportRequest& request, std::string& subject) {
   const auto options = importOptions(request);
-  if (!options) return refuse("alidade-cli", options.problem().text());
-  const std::string subject = inputName(request.file);
+  if (!options) return refuse(subject, options.problem().text());
+  subject = inputName(request.file);
   const alidade::Result<ImportAnswer> answer = runImport(request, *options);
   if (!answer) return refuse(subject, answer.problem().text());
   for (const std::string& remark : answer->remarks) notify(subject, remark);
   return writeResult(answer->result);
 }
 
-int run(int argc, char** argv) {
+/// Sets `subject` to the input as soon as that is at work.
+int run(int argc, char** argv, std::string& subject) {
   CLI::App app("Intersection of rotatable arc guideways from theodolite readings.", "alidade-cli");
   app.set_version_flag("--version", "alidade-cli " ALIDADE_VERSION);
   app.require_subcommand(1);
@@ -65,23 +66,25 @@ int run(int argc, char** argv) {
     return refuse("alidade-cli", callProblem(app, error) + ". `alidade-cli --help` lists what can be asked.");
   }
 
-  if (app.got_subcommand("simulate")) return give(runSimulate(simulateRequest), "alidade-cli");
-  if (app.got_subcommand("trial")) return give(runTrial(trialRequest), "alidade-cli");
-  if (app.got_subcommand("import")) return giveImport(importRequest);
-  if (app.got_subcommand("plan")) return give(runPlan(planRequest), inputName(planRequest.file));
-  if (app.got_subcommand("diagnose"))
-    return give(runDiagnose(diagnoseRequest), inputName(diagnoseRequest.file));
-  return give(runFit(fitRequest), inputName(fitRequest.file));
+  if (app.got_subcommand("simulate")) return give(runSimulate(simulateRequest), subject);
+  if (app.got_subcommand("trial")) return give(runTrial(trialRequest), subject);
+  if (app.got_subcommand("import")) return giveImport(importRequest, subject);
+  const auto giveFrom = [&](const auto& request, const auto& runCommand) {
+    subject = inputName(request.file);
+    return give(runCommand(request), subject);
+  };
+  if (app.got_subcommand("plan")) return giveFrom(planRequest, runPlan);
+  if (app.got_subcommand("diagnose")) return giveFrom(diagnoseRequest, runDiagnose);
+  return giveFrom(fitRequest, runFit);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow further is told in a sentence
-  try {
-    return run(argc, argv);
-  } catch (const std::exception& error) {
-    notify("alidade-cli", error.what());
-    return Failed;
-  }
+  int exitCode = Failed;
+  std::string subject = "alidade-cli";
+  const auto failure = alidade::failureOf([&] { exitCode = run(argc, argv, subject); });
+  if (failure) notify(subject, "the command failed: " + *failure);
+  return exitCode;
 }

@@ -1,12 +1,14 @@
-#include <QApplication>
 #include <QCommandLineParser>
 #include <QLoggingCategory>
 #include <QStandardPaths>
 #include <QTextStream>
 #include <algorithm>
 #include <csignal>
+#include <cstdio>
 
 #include "app/workstation/report_command.h"
+#include "core/base/failure.h"
+#include "ui/application.h"
 #include "ui/main_window.h"
 #include "ui/settings/theme.h"
 #include "ui/settings/visible_log.h"
@@ -29,28 +31,31 @@ int badCall(const QString& sentence) {
   return 2;
 }
 
-int openWindow(QApplication& application, const QString& path) {
+/// The file is opened from within the event loop: what it throws ends nothing.
+int openWindow(ui::Application& application, const QString& path) {
   ui::applyTheme(ui::rememberedTheme());
   ui::MainWindow window;
+  QObject::connect(&application, &ui::Application::failed, &window, &ui::MainWindow::tellFailure);
   window.keepIn(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) +
                 QStringLiteral("/unsaved"));
   window.show();
-  if (!path.isEmpty()) window.files().open(path);
-  window.offerRecovery();
+  QMetaObject::invokeMethod(
+      &window,
+      [&] {
+        if (!path.isEmpty()) window.files().open(path);
+        window.offerRecovery();
+      },
+      Qt::QueuedConnection);
   return application.exec();
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  ui::keepLogVisible();
-  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow further is told in a sentence
+int run(int argc, char** argv) {
   if (argc > 1 && needsNoDisplay(argc, argv)) {
     qputenv("QT_QPA_PLATFORM", "offscreen");
     QLoggingCategory::setFilterRules(
         QStringLiteral("*.warning=false"));  // stderr is for the one line of ours
   }
-  QApplication application(argc, argv);
+  ui::Application application(argc, argv);
   ui::setUpApplication(application);
 
   QCommandLineParser parser;
@@ -74,4 +79,15 @@ int main(int argc, char** argv) {
   if (!parser.isSet(report)) return openWindow(application, files.value(0));
   if (files.isEmpty()) return badCall(QStringLiteral("--report needs the FILE of a session"));
   return writeReport(files.first(), parser.value(report));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  ui::keepLogVisible();
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow further is told in a sentence
+  int exitCode = 1;
+  const auto failure = failureOf([&] { exitCode = run(argc, argv); });
+  if (failure) std::fprintf(stderr, "alidade: Nothing more can be done: %s.\n", failure->c_str());
+  return exitCode;
 }

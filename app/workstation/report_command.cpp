@@ -2,6 +2,7 @@
 
 #include <QTextStream>
 
+#include "core/base/failure.h"
 #include "ui/dialogs/report_source.h"
 #include "ui/document/session_document.h"
 #include "ui/jobs/evaluation.h"
@@ -16,9 +17,7 @@ int refuse(const QString& path, const Problem& problem) {
   return 2;
 }
 
-}  // namespace
-
-int writeReport(const QString& path, const QString& reportPath) {
+int write(const QString& path, const QString& reportPath) {
   ui::SessionDocument document;
   if (const auto problem = document.load(path)) return refuse(path, *problem);
   const ui::Evaluation evaluation = ui::evaluate(document.session());
@@ -26,6 +25,17 @@ int writeReport(const QString& path, const QString& reportPath) {
   const auto written = ui::writeAcceptanceReport(evaluation, ui::reportSource(document), reportPath);
   if (!written) return refuse(path, written.problem());
   return 0;
+}
+
+}  // namespace
+
+int writeReport(const QString& path, const QString& reportPath) {
+  int exitCode = 1;
+  const auto failure = failureOf([&] { exitCode = write(path, reportPath); });
+  if (failure)
+    QTextStream(stderr) << ui::visibleLine(path) << ": The report failed: " << ui::visibleLine(*failure)
+                        << ".\n";
+  return exitCode;
 }
 
 }  // namespace alidade

@@ -10,6 +10,7 @@
 
 #include "core/adjustment/refit.h"
 #include "core/base/random_source.h"
+#include "core/base/threads.h"
 
 namespace alidade {
 
@@ -103,9 +104,7 @@ void inParallel(unsigned threads, std::size_t count, const MakeWork& makeWork) {
     auto work = makeWork();
     for (std::size_t i; (i = next.fetch_add(1)) < count;) work(i);
   };
-  std::vector<std::jthread> others;
-  for (unsigned i = 1; i < threads; ++i) others.emplace_back(run);
-  run();
+  inThreads(threads, run);
 }
 
 /// Draws `first` … `end` − 1 by their numbers, whichever thread takes them, behind what the columns hold.

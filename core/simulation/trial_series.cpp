@@ -10,6 +10,7 @@
 #include <sstream>
 #include <thread>
 
+#include "core/base/threads.h"
 #include "core/effects/catalogue.h"
 #include "core/session/session_file.h"
 
@@ -71,11 +72,7 @@ Result<std::vector<ScoredTrial>> scoreTrials(const TrialSeriesOptions& options,
   };
   const std::size_t threads =
       options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
-  {
-    std::vector<std::jthread> others;
-    for (std::size_t i = 1; i < std::min(threads, options.count); ++i) others.emplace_back(work);
-    work();
-  }
+  inThreads(std::clamp<std::size_t>(options.count, 1, threads), work);
   std::vector<ScoredTrial> trials;
   for (auto& result : results) {
     if (result && !*result) return result->problem();

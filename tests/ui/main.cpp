@@ -1,21 +1,22 @@
 #include <gtest/gtest.h>
 
-#include <QApplication>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <string_view>
 
+#include "ui/application.h"
 #include "tests/ui/recovery/typist.h"
 #include "ui/settings/theme.h"
 
-// Without a display, with settings of its own: the user's are neither read nor written.
+// Without a display, with settings and data of its own: the user's are neither read nor written.
 int main(int argc, char** argv) {
   qputenv("QT_QPA_PLATFORM", "offscreen");
   testing::InitGoogleTest(&argc, argv);
   QTemporaryDir settings;
   QSettings::setDefaultFormat(QSettings::IniFormat);
   QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings.path());
-  QApplication application(argc, argv);
+  qputenv("XDG_DATA_HOME", settings.path().toLocal8Bit());
+  alidade::ui::Application application(argc, argv);
   alidade::ui::setUpApplication(application);
   alidade::ui::applyTheme(alidade::ui::Theme::Light);
   if (argc == 5 && std::string_view(argv[1]) == alidade::ui::typistOption)

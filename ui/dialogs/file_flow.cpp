@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <algorithm>
 
+#include "core/base/failure.h"
 #include "core/base/file_bytes.h"
 #include "core/base/file_target.h"
 #include "core/exchange/import.h"
@@ -15,7 +16,9 @@
 #include "ui/dialogs/report_source.h"
 #include "ui/document/session_document.h"
 #include "ui/jobs/evaluation.h"
+#include "ui/jobs/failed_job.h"
 #include "ui/settings/recent_files.h"
+#include "ui/text/entry_text.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {
@@ -219,6 +222,15 @@ std::optional<ChangedFileAnswer> FileFlow::askAboutChange() {
 
 bool FileFlow::exportReport() {
   emit commitWanted();
+  bool isWritten = false;
+  const auto failure = failureOf([&] { isWritten = writeReport(); });
+  if (failure)
+    m_dialogs.showProblem(tr("Export acceptance report"),
+                          qText(tellFailure({"acceptance report", *failure, m_document.session()})));
+  return isWritten;
+}
+
+bool FileFlow::writeReport() {
   const Evaluation evaluation = evaluate(m_document.session());
   const auto unusable = static_cast<int>(evaluation.examined.problems.size());
   if (unusable > 0 && !m_dialogs.askReportWithoutVerdict(unusable)) return false;

@@ -53,6 +53,7 @@ class FileFlow : public QObject {
 
  private:
   bool load(const QString& path);
+  bool writeReport();
   void tellOf(const Import& import, const QString& name);
   bool saveTo(const QString& path);
   bool write(const QString& path);

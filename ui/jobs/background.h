@@ -5,8 +5,12 @@
 #include <QtConcurrent>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <stop_token>
+#include <string>
 #include <utility>
+
+#include "core/base/failure.h"
 
 namespace alidade::ui {
 
@@ -23,7 +27,7 @@ class Background {
     m_threads.setMaxThreadCount(1);
     QObject::connect(&m_watcher, &QFutureWatcherBase::finished, &m_watcher, [this, take] {
       m_isAtWork = false;
-      take(m_watcher.result());
+      take(result());
     });
   }
   Background(const Background&) = delete;
@@ -34,25 +38,41 @@ class Background {
     m_threads.waitForDone();
   }
 
-  /// Only while nothing is at work. `work` returns a `Value` from a `std::stop_token`.
-  template <typename Work>
-  void start(Work work) {
+  /// Only while nothing is at work. `work` returns a `Value` from a `std::stop_token`. Where it throws, the
+  /// value is what `instead` makes, in the thread of the owner, of the reason as `thrownReason` has it.
+  template <typename Work, typename Instead>
+  void start(Work work, Instead instead) {
     Q_ASSERT(!m_isAtWork);
-    m_isAtWork = true;
     m_stop = std::stop_source();
+    m_instead = std::move(instead);
     m_watcher.setFuture(
-        QtConcurrent::run(&m_threads, [work = std::move(work), stop = m_stop.get_token()]() -> Shared {
-          return std::make_shared<const Value>(work(stop));
+        QtConcurrent::run(&m_threads, [work = std::move(work), stop = m_stop.get_token()]() -> Outcome {
+          Outcome outcome;
+          outcome.failure = failureOf([&] { outcome.value = std::make_shared<const Value>(work(stop)); });
+          return outcome;
         }));
+    m_isAtWork = true;
   }
   void stop() { m_stop.request_stop(); }
   bool isAtWork() const { return m_isAtWork; }
   bool isStopped() const { return m_stop.stop_requested(); }  ///< the work started last
 
  private:
+  struct Outcome {
+    Shared value;
+    std::optional<std::string> failure;  ///< why there is no value
+  };
+
+  Shared result() {
+    const auto instead = std::exchange(m_instead, nullptr);
+    const Outcome outcome = m_watcher.result();
+    return outcome.failure ? std::make_shared<const Value>(instead(*outcome.failure)) : outcome.value;
+  }
+
   QThreadPool m_threads;
-  QFutureWatcher<Shared> m_watcher;
+  QFutureWatcher<Outcome> m_watcher;
   std::stop_source m_stop;
+  std::function<Value(const std::string& reason)> m_instead;
   bool m_isAtWork = false;
 };
 

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "core/base/failure.h"
+
 namespace alidade::ui {
 
 Evaluation evaluateFit(Session session) {
@@ -23,6 +25,24 @@ Evaluation withSuspects(Evaluation evaluation, const std::stop_token& stop) {
       findSuspects(evaluation.session, *evaluation.examined.measurement, evaluation.fit, {}, stop);
   if (auto finding = suspectsFinding(evaluation.suspects))
     evaluation.fit.findings.insert(evaluation.fit.findings.begin(), *std::move(finding));
+  return evaluation;
+}
+
+Evaluation failedEvaluation(Session session, const std::string& failure) {
+  Evaluation evaluation;
+  evaluation.session = std::move(session);
+  const bool isExamined = !failureOf([&] { evaluation.examined = examine(evaluation.session); });
+  if (!isExamined) evaluation.examined.problems.clear();
+  evaluation.examined.measurement.reset();
+  evaluation.failure = failure;
+  evaluation.fit.findings.push_back({.severity = Severity::Error, .text = failure});
+  return evaluation;
+}
+
+Evaluation withoutSuspects(Evaluation evaluation, const std::string& failure) {
+  evaluation.isSearched = true;
+  evaluation.fit.findings.insert(evaluation.fit.findings.begin(),
+                                 {.severity = Severity::Warning, .text = failure});
   return evaluation;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/adjustment/session_fit.h"
@@ -21,12 +22,18 @@ struct Evaluation {
   std::optional<TwoFaces> twoFaces;  ///< where visits were read in both faces
   std::vector<Suspect> suspects;     ///< readings that look misread, the most certain first
   bool isSearched = true;            ///< false: `suspects` are still to be found
+  std::string failure = {};          ///< why there is no fit although there could be one: sentences
 };
 
 /// All but the suspects, whose search takes several times as long.
 Evaluation evaluateFit(Session session);
 /// The same with the suspects, and with the finding that names them.
 Evaluation withSuspects(Evaluation evaluation, const std::stop_token& stop = {});
+/// In place of a fit that broke down: the session and what is wrong with its entries, nothing fitted;
+/// `failure` is said in a finding, too.
+Evaluation failedEvaluation(Session session, const std::string& failure);
+/// The fit without the suspects, whose search broke down; a finding says so.
+Evaluation withoutSuspects(Evaluation evaluation, const std::string& failure);
 /// Both in one.
 Evaluation evaluate(Session session);
 

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "ui/jobs/failed_job.h"
+
 namespace alidade::ui {
 
 FitJob::FitJob(QObject* parent)
@@ -20,7 +22,10 @@ void FitJob::request(const Session& session) {
 }
 
 void FitJob::fit(const Session& session) {
-  m_fit.start([session](const std::stop_token&) { return evaluateFit(session); });
+  m_fit.start([session](const std::stop_token&) { return evaluateFit(session); },
+              [session](const std::string& reason) {
+                return failedEvaluation(session, tellFailure({"fit", reason, session}));
+              });
 }
 
 void FitJob::finishFit(const SharedEvaluation& fitted) {
@@ -35,9 +40,15 @@ void FitJob::finishFit(const SharedEvaluation& fitted) {
 
 void FitJob::search() {
   if (m_search.isAtWork() || !m_fitted) return;
-  m_search.start([fitted = m_fitted](const std::stop_token& stop) {
-    return Search{fitted, std::make_shared<const Evaluation>(withSuspects(*fitted, stop))};
-  });
+  const auto answer = [fitted = m_fitted](Evaluation searched) {
+    return Search{fitted, std::make_shared<const Evaluation>(std::move(searched))};
+  };
+  m_search.start([answer, fitted = m_fitted](
+                     const std::stop_token& stop) { return answer(withSuspects(*fitted, stop)); },
+                 [answer, fitted = m_fitted](const std::string& reason) {
+                   return answer(withoutSuspects(
+                       *fitted, tellFailure({"search for misread readings", reason, fitted->session})));
+                 });
 }
 
 void FitJob::finishSearch(const Search& done) {

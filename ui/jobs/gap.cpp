@@ -38,6 +38,7 @@ GapStage stageOf(const SessionFit& fit) {
 /// Empty: there is something to diagnose.
 std::string reasonForNone(const Evaluation& evaluation) {
   const SessionFit& fit = evaluation.fit;
+  if (!evaluation.failure.empty()) return evaluation.failure;
   if (fit.arcs.empty())
     return "There is nothing to compare yet: type the distance L, the radius R0, a pointing zero and at "
            "least three readings of its arc.";
@@ -90,9 +91,12 @@ std::vector<UnseenEffect> Gap::noticeablyUnseen() const {
   return effects;
 }
 
-Gap assessGap(SharedEvaluation evaluation, const std::stop_token& stop) {
-  Gap gap{.evaluation = std::move(evaluation), .diagnosis = {}, .reason = {}, .stages = {}};
-  gap.reason = reasonForNone(*gap.evaluation);
+Gap noGap(SharedEvaluation evaluation, std::string reason) {
+  return {.evaluation = std::move(evaluation), .diagnosis = {}, .reason = std::move(reason), .stages = {}};
+}
+
+Gap assessGap(const SharedEvaluation& evaluation, const std::stop_token& stop) {
+  Gap gap = noGap(evaluation, reasonForNone(*evaluation));
   if (!gap.reason.empty()) return gap;
   Result<Diagnosis> diagnosis = diagnose(*gap.evaluation->examined.measurement, {}, stop);
   if (!diagnosis) {

@@ -48,6 +48,8 @@ struct Gap {
 
 /// Diagnoses the evaluation. Takes many times as long as a fit; asked to stop, it returns early, without a
 /// diagnosis.
-Gap assessGap(SharedEvaluation evaluation, const std::stop_token& stop = {});
+Gap assessGap(const SharedEvaluation& evaluation, const std::stop_token& stop = {});
+/// No diagnosis, for this reason.
+Gap noGap(SharedEvaluation evaluation, std::string reason);
 
 }  // namespace alidade::ui

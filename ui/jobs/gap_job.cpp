@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "ui/jobs/failed_job.h"
+
 namespace alidade::ui {
 
 GapJob::GapJob(QObject* parent) : QObject(parent), m_work([this](const SharedGap& gap) { finish(gap); }) {
@@ -28,7 +30,10 @@ void GapJob::setWatched(bool watched) {
 
 void GapJob::start() {
   if (m_work.isAtWork() || !m_wanted) return;
-  m_work.start([evaluation = m_wanted](const std::stop_token& stop) { return assessGap(evaluation, stop); });
+  m_work.start([evaluation = m_wanted](const std::stop_token& stop) { return assessGap(evaluation, stop); },
+               [evaluation = m_wanted](const std::string& reason) {
+                 return noGap(evaluation, tellFailure({"diagnosis", reason, evaluation->session}));
+               });
 }
 
 void GapJob::finish(const SharedGap& gap) {

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "ui/jobs/failed_job.h"
+
 namespace alidade::ui {
 
 bool measuresAlike(const Session& one, const Session& other) {
@@ -20,15 +22,20 @@ bool BudgetCheck::isOf(const Session& session) const {
 SimulationJob::SimulationJob(QObject* parent)
     : QObject(parent), m_work([this](const SharedBudgetCheck& check) { emit finished(check); }) {}
 
-void SimulationJob::start(SharedEvaluation evaluation, std::size_t draws) {
+void SimulationJob::start(const SharedEvaluation& evaluation, std::size_t draws) {
   if (isAtWork()) return;
   m_made = 0;
   MonteCarloOptions options{.made = &m_made};
   if (draws > 0) options.draws = draws;
-  m_work.start([evaluation = std::move(evaluation), options](const std::stop_token& stop) {
-    return BudgetCheck{evaluation, propagateDistributions(*evaluation->examined.measurement, evaluation->fit,
-                                                          options, stop)};
-  });
+  m_work.start(
+      [evaluation, options](const std::stop_token& stop) {
+        return BudgetCheck{evaluation, propagateDistributions(*evaluation->examined.measurement,
+                                                              evaluation->fit, options, stop)};
+      },
+      [evaluation, seed = options.seed](const std::string& reason) {
+        return BudgetCheck{evaluation, std::nullopt,
+                           tellFailure({"simulation", reason, evaluation->session, seed})};
+      });
 }
 
 }  // namespace alidade::ui

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "core/adjustment/monte_carlo.h"
 #include "ui/jobs/background.h"
@@ -17,7 +18,9 @@ bool measuresAlike(const Session& one, const Session& other);
 /// The uncertainty of one evaluation checked by propagating distributions.
 struct BudgetCheck {
   SharedEvaluation evaluation;
-  std::optional<MonteCarlo> simulated;  ///< empty: it was stopped, or too few draws gave a result
+  std::optional<MonteCarlo>
+      simulated;             ///< empty: it was stopped, or too few draws gave a result, or it failed
+  std::string failure = {};  ///< why it failed: sentences
 
   /// The figures are those of this session too.
   bool isOf(const Session& session) const;
@@ -33,7 +36,7 @@ class SimulationJob : public QObject {
   explicit SimulationJob(QObject* parent = nullptr);
 
   /// Does nothing while one is at work. No `draws`: as many as it takes to tell.
-  void start(SharedEvaluation evaluation, std::size_t draws);
+  void start(const SharedEvaluation& evaluation, std::size_t draws);
   void stop() { m_work.stop(); }  ///< `finished` follows, with what there is: nothing
   bool isAtWork() const { return m_work.isAtWork(); }
   std::size_t drawsMade() const { return m_made; }

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "ui/jobs/failed_job.h"
+
 namespace alidade::ui {
 
 DiagnosedTrial diagnoseTrial(const BlindTrialOptions& options, std::uint64_t seed,
@@ -36,9 +38,13 @@ void TrialJob::stop() {
 }
 
 void TrialJob::next() {
-  m_work.start([options = m_options, seed = m_seed](const std::stop_token& stop) {
-    return diagnoseTrial(options, seed, stop);
-  });
+  m_work.start([options = m_options,
+                seed = m_seed](const std::stop_token& stop) { return diagnoseTrial(options, seed, stop); },
+               [seed = m_seed](const std::string& reason) {
+                 DiagnosedTrial failed;
+                 failed.problem = tellFailure({"blind trial", reason, std::nullopt, seed});
+                 return failed;
+               });
 }
 
 void TrialJob::finish(const SharedTrial& trial) {

@@ -156,6 +156,7 @@ void ResultPanel::showHeadline(const Evaluation& evaluation) {
 }
 
 QString ResultPanel::whatIsMissing(const Evaluation& evaluation) {
+  if (!evaluation.failure.empty()) return qText(evaluation.failure);
   const auto& problems = evaluation.examined.problems;
   const bool wrong = std::any_of(problems.begin(), problems.end(), [&](const Problem& problem) {
     return !isMissing(evaluation.session, problem.where);

@@ -11,6 +11,7 @@
 
 #include "ui/document/session_document.h"
 #include "ui/panels/figure_grid.h"
+#include "ui/text/entry_text.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/simulation_text.h"
 
@@ -115,6 +116,8 @@ void SimulationBox::take(const SharedBudgetCheck& check) {
     m_check = check;
     m_remark.clear();
     emit checked(check);
+  } else if (!check->failure.empty()) {
+    m_remark = qText(check->failure);
   } else if (m_remark.isEmpty()) {
     m_remark = tr("Too few of the draws gave a result.");
   }

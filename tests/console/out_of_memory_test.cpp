@@ -1,0 +1,29 @@
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/console/console.h"
+
+// What nothing expects ends in one line, too: the file, that the command failed and why; exit code 1.
+
+namespace alidade::test {
+namespace {
+
+TEST(OutOfMemory, IsSaidOfTheFileThatTookIt) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the address sanitizer takes all addresses for itself";
+#endif
+  const TemporaryFolder folder;
+  const std::string notes(24u << 20, 'n');
+  const std::string file = folder.file(
+      "long.alidade", changedPaperSession([&](nlohmann::ordered_json& json) { json["notes"] = notes; }));
+  const ProgramRun run =
+      runProgram({.program = "/bin/sh",
+                  .arguments = {"-c", "ulimit -v 60000; exec \"$0\" fit \"$1\"", ALIDADE_CLI, file}});
+  EXPECT_EQ(run.exitCode, 1);
+  EXPECT_EQ(run.out, "");
+  EXPECT_EQ(run.err, file + ": the command failed: out of memory\n");
+}
+
+}  // namespace
+}  // namespace alidade::test

@@ -1,0 +1,33 @@
+#include "core/base/failure.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+namespace alidade {
+namespace {
+
+TEST(Failure, IsNoneOfWorkThatComesToItsEnd) {
+  int done = 0;
+  EXPECT_FALSE(failureOf([&] { done = 1; }));
+  EXPECT_EQ(done, 1);
+}
+
+TEST(Failure, CallsLackOfMemorySo) {
+  const auto failure =
+      failureOf([] { ::operator delete(::operator new(std::numeric_limits<std::size_t>::max() / 4)); });
+  EXPECT_EQ(failure, "out of memory");
+}
+
+TEST(Failure, SaysWhatTheExceptionSays) {
+  EXPECT_EQ(failureOf([] { throw std::out_of_range("row 7 of 5"); }), "a fault in the program (row 7 of 5)");
+}
+
+TEST(Failure, HoldsWhateverIsThrown) {
+  EXPECT_EQ(failureOf([] { throw 7; }), "a fault in the program (of a kind that says nothing)");
+}
+
+}  // namespace
+}  // namespace alidade

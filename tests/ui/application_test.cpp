@@ -1,0 +1,50 @@
+#include "ui/application.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <QTimer>
+#include <stdexcept>
+
+#include "tests/ui/support.h"
+#include "ui/main_window.h"
+
+namespace alidade::ui {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(Application, OutlivesWhatIsThrownInAnEventAndTellsOfItOnce) {
+  auto* application = qobject_cast<Application*>(QCoreApplication::instance());
+  ASSERT_TRUE(application);
+  QStringList told;
+  QObject context;
+  QObject::connect(application, &Application::failed, &context,
+                   [&](const QString& reason) { told.append(reason); });
+  int thrown = 0;
+  for (const char* reason : {"one", "another", "one", "one", "another"})
+    QTimer::singleShot(0, &context, [&thrown, reason] {
+      ++thrown;
+      throw std::runtime_error(reason);
+    });
+  ASSERT_TRUE(waitFor([&] { return thrown == 5 && told.size() == 2; }));
+  QCoreApplication::processEvents();
+  EXPECT_EQ(told, (QStringList{QStringLiteral("a fault in the program (one)"),
+                               QStringLiteral("a fault in the program (another)")}));
+}
+
+TEST(Application, LeavesTheWindowAndWhatWasTyped) {
+  OpenWindow open;
+  QObject::connect(qobject_cast<Application*>(QCoreApplication::instance()), &Application::failed,
+                   open.window.get(), &MainWindow::tellFailure);
+  QTimer::singleShot(0, open.window.get(), [] { throw std::runtime_error("in the window"); });
+  ASSERT_TRUE(waitFor([&] { return !open.dialogs->problems.isEmpty(); }));
+  EXPECT_THAT(open.dialogs->problems.join(u'\n').toStdString(),
+              HasSubstr("The window failed: a fault in the program (in the window)."));
+  open->files().open(samplePath(QStringLiteral("paper-table-1.alidade")));
+  open.settle();
+  EXPECT_EQ(open->document().session(), paperSession());
+}
+
+}  // namespace
+}  // namespace alidade::ui

@@ -1,0 +1,27 @@
+#include "ui/application.h"
+
+#include "core/base/failure.h"
+#include "ui/text/entry_text.h"
+
+namespace alidade::ui {
+
+bool Application::notify(QObject* receiver, QEvent* event) {
+  try {
+    return QApplication::notify(receiver, event);
+  } catch (...) {
+    const std::string reason = thrownReason();
+    failureOf([&] { tell(qText(reason)); });
+    return false;
+  }
+}
+
+/// A dialog must not open in the middle of what broke down, and an event that comes again and again must not
+/// bring a dialog each time.
+void Application::tell(const QString& reason) {
+  if (m_told.contains(reason)) return;
+  m_told.insert(reason);
+  QMetaObject::invokeMethod(
+      this, [this, reason] { emit failed(reason); }, Qt::QueuedConnection);
+}
+
+}  // namespace alidade::ui

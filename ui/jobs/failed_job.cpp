@@ -1,0 +1,97 @@
+#include "ui/jobs/failed_job.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QDir>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QSaveFile>
+#include <QStandardPaths>
+#include <QSysInfo>
+#include <map>
+#include <utility>
+
+#include "core/base/failure.h"
+#include "core/session/session_file.h"
+#include "ui/text/entry_text.h"
+
+namespace alidade::ui {
+
+namespace {
+
+constexpr int mostRecords = 50;
+
+struct Text {
+  Q_DECLARE_TR_FUNCTIONS(FailedJob)
+};
+
+/// The session goes in as its file would have it: Qt's JSON knows neither the order of keys nor all digits.
+QByteArray recordOf(const FailedJob& failed, const QDateTime& now) {
+  QJsonObject head{{QStringLiteral("program"), QStringLiteral("Alidade " ALIDADE_VERSION)},
+                   {QStringLiteral("qt"), QString::fromLatin1(qVersion())},
+                   {QStringLiteral("system"), QSysInfo::prettyProductName()},
+                   {QStringLiteral("time"), now.toString(Qt::ISODateWithMs)},
+                   {QStringLiteral("job"), qText(failed.job)},
+                   {QStringLiteral("reason"), qText(failed.reason)}};
+  if (failed.seed) head.insert(QStringLiteral("seed"), QString::number(*failed.seed));
+  QByteArray record = QJsonDocument(head).toJson();
+  if (!failed.session) return record;
+  record.chop(static_cast<int>(qstrlen("\n}\n")));
+  return record + ",\n    \"session\": " + QByteArray::fromStdString(writeSession(*failed.session)) + "}\n";
+}
+
+/// The names sort by time.
+void dropOldest(const QDir& folder) {
+  QStringList records = folder.entryList({QStringLiteral("*.json")}, QDir::Files, QDir::Name);
+  while (records.size() > mostRecords) QFile::remove(folder.filePath(records.takeFirst()));
+}
+
+/// The path of the record; empty where it could not be written.
+QString written(const FailedJob& failed) {
+  const QDir folder(problemsFolder());
+  if (!folder.mkpath(QStringLiteral("."))) return {};
+  const QDateTime now = QDateTime::currentDateTime();
+  QString job = qText(failed.job);
+  job.replace(QLatin1Char(' '), QLatin1Char('-'));
+  const QString path =
+      folder.filePath(now.toString(QStringLiteral("yyyyMMdd-HHmmss-zzz-")) + job + QStringLiteral(".json"));
+  const QByteArray record = recordOf(failed, now);
+  QSaveFile file(path);
+  const bool isWritten =
+      file.open(QIODevice::WriteOnly) && file.write(record) == record.size() && file.flush() && file.commit();
+  dropOldest(folder);
+  return isWritten ? path : QString();
+}
+
+/// The first of its kind is kept: every edit would make one more.
+QString writtenOnce(const FailedJob& failed) {
+  static std::map<std::pair<std::string, std::string>, QString> records;
+  QString& path = records[{failed.job, failed.reason}];
+  if (path.isEmpty() || !QFile::exists(path)) path = written(failed);
+  return path;
+}
+
+}  // namespace
+
+QString problemsFolder() {
+  return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QStringLiteral("/problems");
+}
+
+std::string tellFailure(const FailedJob& failed) {
+  std::string told = "The " + failed.job + " failed: " + failed.reason + ".";
+  failureOf([&] {
+    const QString path = writtenOnce(failed);
+    told = Text::tr("The %1 failed: %2. Nothing typed is lost; save the session and go on.")
+               .arg(qText(failed.job), qText(failed.reason))
+               .toStdString();
+    const QString lead =
+        path.isEmpty()
+            ? Text::tr(" What is needed to report this could not be written to %1.")
+                  .arg(QDir::toNativeSeparators(problemsFolder()))
+            : Text::tr(" What is needed to report this is in %1.").arg(QDir::toNativeSeparators(path));
+    told += lead.toStdString();
+  });
+  return told;
+}
+
+}  // namespace alidade::ui
