@@ -11,8 +11,9 @@
 
 namespace alidade::ui {
 
+/// One that was closed is hidden, and there until events are processed.
 void ReadingDelegate::commitOpenEditor() {
-  if (!m_editor) return;
+  if (!m_editor || m_editor->isHidden()) return;
   QLineEdit* editor = m_editor;
   emit commitData(editor);
   emit closeEditor(editor, NoHint);

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <QTimer>
+
+#include "tests/ui/monkey/chance.h"
+
+namespace alidade::ui {
+
+/// Answers menus and message boxes, which would wait for ever, by a key or two; then closes them.
+class Housekeeper {
+ public:
+  explicit Housekeeper(unsigned seed);
+
+  /// Until nothing is open that waits.
+  static bool isBusy();
+
+ private:
+  void look();
+
+  Chance m_chance;
+  int m_patience = 0;
+  QTimer m_timer;
+};
+
+}  // namespace alidade::ui

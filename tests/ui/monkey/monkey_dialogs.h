@@ -1,0 +1,45 @@
+#pragma once
+
+#include <QDir>
+
+#include "tests/ui/monkey/chance.h"
+#include "tests/ui/support.h"
+
+namespace alidade::ui {
+
+/// Answers at random, with files of one folder.
+class MonkeyDialogs : public ScriptedDialogs {
+ public:
+  MonkeyDialogs(Chance& chance, const QDir& folder) : m_chance(chance), m_folder(folder) {}
+
+  SaveAnswer askSaveChanges(const QString&) override {
+    return m_chance.of(std::initializer_list{SaveAnswer::Save, SaveAnswer::Discard, SaveAnswer::Discard,
+                                             SaveAnswer::Cancel});
+  }
+  bool askDiscardOther(const QString&, Way) override { return !m_chance.oneIn(3); }
+  QString askOpenPath(const QString&) override { return present(QStringLiteral("*.alidade")); }
+  QString askImportPath(const QString&) override { return present(QStringLiteral("readings*")); }
+  QString askSavePath(const QString&) override { return fresh(QStringLiteral("saved-%1.alidade")); }
+  QString askReportPath(const QString&) override { return fresh(QStringLiteral("report-%1.pdf")); }
+  bool askReportWithoutVerdict(int) override { return m_chance.oneIn(3); }
+  void showProblem(const QString&, const QString&) override {}
+
+  /// Any file of the folder, now and then one that is not there.
+  QString present(const QString& pattern) {
+    QStringList names = m_folder.entryList({pattern}, QDir::Files, QDir::Name);
+    names.append(QStringLiteral("absent"));
+    return m_chance.oneIn(9) ? QString() : m_folder.filePath(m_chance.of(names));
+  }
+
+ private:
+  QString fresh(const QString& name) {
+    if (m_chance.oneIn(9)) return {};
+    if (m_chance.oneIn(20)) return m_folder.filePath(QStringLiteral("no folder/") + name.arg(1));
+    return m_folder.filePath(name.arg(m_chance.below(4)));
+  }
+
+  Chance& m_chance;
+  QDir m_folder;
+};
+
+}  // namespace alidade::ui

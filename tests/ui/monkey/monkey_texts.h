@@ -1,0 +1,22 @@
+#pragma once
+
+#include <QString>
+
+#include "core/session/session.h"
+#include "tests/ui/monkey/chance.h"
+
+namespace alidade::ui {
+
+/// What a monkey types, pastes and puts into files.
+
+/// `text` with one slip of a finger.
+QString slipped(QString text, Chance& chance);
+/// A value for a field: a number or an angle, sensible, huge, tiny, or none at all.
+QString anyText(Chance& chance);
+/// A block for the table of readings: rows of the session or made up, with too many or too few columns,
+/// rarely hundreds of them.
+QString anyTable(const Session& session, Chance& chance);
+/// A file of readings, CSV or GSI, sound or torn.
+QByteArray anyReadingsFile(Chance& chance);
+
+}  // namespace alidade::ui

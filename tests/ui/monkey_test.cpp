@@ -1,0 +1,23 @@
+#include <gtest/gtest.h>
+
+#include "tests/ui/monkey/monkey.h"
+
+// A short run of what `alidade_monkey EVENTS SEED` does for hours.
+
+namespace alidade::ui {
+namespace {
+
+class MonkeyRun : public testing::TestWithParam<unsigned> {};
+
+TEST_P(MonkeyRun, LeavesAllInOrder) {
+  Monkey monkey(GetParam());
+  monkey.play(300);
+  EXPECT_TRUE(monkey.complaint().isEmpty())
+      << "seed " << GetParam() << ": " << monkey.complaint().toStdString() << "\nafter\n"
+      << monkey.log().join(u'\n').toStdString();
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, MonkeyRun, testing::Values(1u, 2u, 3u));
+
+}  // namespace
+}  // namespace alidade::ui
