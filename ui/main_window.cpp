@@ -32,6 +32,7 @@
 #include "ui/panels/effects_panel.h"
 #include "ui/panels/findings_panel.h"
 #include "ui/panels/gap_panel.h"
+#include "ui/panels/job_status.h"
 #include "ui/panels/page_tabs.h"
 #include "ui/panels/position_tabs.h"
 #include "ui/panels/readings_table.h"
@@ -89,13 +90,15 @@ MainWindow::MainWindow(std::unique_ptr<Dialogs> dialogs)
   m_changedFile = new ChangedFileBar;
   setCentralWidget(stacked(m_changedFile, columns));
   m_actions = new WindowActions(*this, *m_dialogs);
-  statusBar();
+  m_jobs = new JobStatus(m_job, m_gapJob);
+  statusBar()->addPermanentWidget(m_jobs);
   setAcceptDrops(true);
   resize(1280, 800);
   connectParts();
   restoreLayout();
   showTitle();
   m_job.request(m_document.session());
+  m_jobs->watch();
 }
 
 MainWindow::~MainWindow() {
@@ -160,7 +163,9 @@ PageTabs* MainWindow::createDetails() {
   pages->addPage(residuals, tr("Residuals"));
   m_gap = new GapPanel;
   pages->addPage(m_gap, tr("Gap"), [](const SharedEvaluation&) {});
-  pages->addPage(reliability, tr("Reliability"));
+  pages->addPage(reliability, tr("Reliability"), [reliability](const SharedEvaluation& evaluation) {
+    reliability->setEvaluation(evaluation);
+  });
   pages->addPage(faces, tr("Two Faces"),
                  [](const Evaluation& evaluation) { return evaluation.twoFaces.has_value(); });
   connect(m_positions, &PositionTabs::rowEntered, residuals, &ResidualChart::setHighlighted);
@@ -182,8 +187,10 @@ void MainWindow::connectParts() {
     else
       showGapAsOld();
     m_gapJob.cancel();
-    m_job.request(m_document.session());
+    m_job.request(m_document.session(), change);
+    m_jobs->watch();
   });
+  connect(m_jobs, &JobStatus::stopWanted, this, &MainWindow::stopJobs);
   connect(&m_document, &SessionDocument::identityChanged, this, &MainWindow::showTitle);
   connect(&m_job, &FitJob::evaluated, this, &MainWindow::showEvaluation);
   connect(&m_job, &FitJob::searched, this, &MainWindow::showSuspects);
@@ -321,6 +328,7 @@ void MainWindow::showTitle() {
 }
 
 void MainWindow::showEvaluation(const SharedEvaluation& evaluation) {
+  m_shown = evaluation;
   showSuspects(evaluation);
   m_arcChart->setEvaluation(*evaluation);
   m_figures->setEvaluation(evaluation);
@@ -330,7 +338,7 @@ void MainWindow::showEvaluation(const SharedEvaluation& evaluation) {
 
 /// Only what tells of suspects: the figures have not changed.
 void MainWindow::showSuspects(const SharedEvaluation& evaluation) {
-  m_positions->setEvaluation(*evaluation);
+  m_positions->setEvaluation(evaluation);
   m_suspects->setEvaluation(*evaluation);
   m_findings->setEvaluation(*evaluation);
 }
@@ -363,6 +371,24 @@ void MainWindow::showNoGap() {
   m_findings->clearGap();
   m_details->setTabIcon(m_details->indexOf(m_gap), QIcon());
   m_isGapOld = false;
+}
+
+/// What comes after the fit; it is said what is not known then.
+void MainWindow::stopJobs() {
+  if (m_job.isFitting() || !m_shown) return;
+  if (m_job.isSearching()) {
+    m_job.stopSearch();
+    m_suspects->setUnknown();
+    statusBar()->showMessage(tr("Stopped: misread readings were not looked for."), 8000);
+  }
+  if (m_gapJob.isIdle()) return;
+  m_gapJob.cancel();
+  showNoGap();
+  m_gap->setGap(std::make_shared<const Gap>(
+      Gap{.evaluation = m_shown,
+          .diagnosis = {},
+          .reason = tr("The diagnosis was stopped. The next edit takes it up again.").toStdString(),
+          .stages = {}}));
 }
 
 void MainWindow::markForms() {

@@ -23,6 +23,7 @@ class ChangedFileBar;
 class EffectsPanel;
 class FindingsPanel;
 class GapPanel;
+class JobStatus;
 class PageTabs;
 class PositionTabs;
 class ReadingsTable;
@@ -92,6 +93,7 @@ class MainWindow : public QMainWindow {
   void showGap(const SharedGap& gap);
   void showGapAsOld();
   void showNoGap();
+  void stopJobs();
   void markForms();
   void revealField(const Place& place, bool takeFocus);
   void restoreLayout();
@@ -120,6 +122,8 @@ class MainWindow : public QMainWindow {
   ResultPanel* m_result = nullptr;
   BudgetPanel* m_budget = nullptr;
   GapPanel* m_gap = nullptr;
+  JobStatus* m_jobs = nullptr;
+  SharedEvaluation m_shown;                   ///< the newest; null before the first
   BlindTrialDialog* m_blindTrials = nullptr;  ///< null until it is wanted
 };
 

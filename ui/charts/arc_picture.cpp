@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <string>
 
 #include "ui/charts/round_numbers.h"
 
@@ -76,22 +76,37 @@ double pickExaggeration(const ArcPicture& picture) {
   return std::clamp(roundDown125(largestShareOfRadius * radius / largest), 1.0, largestExaggeration);
 }
 
+/// The rows taken out by the user alone, put in, each with the number of its row.
+Session excludedAlone(const Session& session, std::vector<std::vector<std::size_t>>& rows) {
+  Session alone;
+  alone.instrument = session.instrument;
+  alone.geometry = session.geometry;
+  alone.model = session.model;
+  for (const Position& position : session.positions) {
+    alone.positions.push_back(
+        {.axisDeg = position.axisDeg, .zero = position.zero, .readings = {}, .origin = {}});
+    rows.emplace_back();
+    for (std::size_t row = 0; row < position.readings.size(); ++row) {
+      if (!position.readings[row].excluded) continue;
+      rows.back().push_back(row);
+      Reading& reading = alone.positions.back().readings.emplace_back(position.readings[row]);
+      reading.excluded = false;
+      if (reading.point.empty()) reading.point = std::to_string(row + 1);
+    }
+  }
+  return alone;
+}
+
 /// The rows taken out by the user, reduced as if they were in.
 std::vector<DrawnSighting> excludedSightings(const Session& session) {
-  Session all = session;
-  bool any = false;
-  for (Position& position : all.positions) {
-    for (Reading& reading : position.readings) any |= std::exchange(reading.excluded, false);
-  }
+  std::vector<std::vector<std::size_t>> rows;
+  const Examined examined = examine(excludedAlone(session, rows));
   std::vector<DrawnSighting> excluded;
-  if (!any) return excluded;
-  const Examined examined = examine(all);
   if (!examined.measurement) return excluded;
   for (const ArcMeasurement& arc : examined.measurement->arcs) {
     for (const Sighting& sighting : arc.sightings) {
-      if (session.positions[arc.position].readings[sighting.row].excluded) {
-        excluded.push_back(drawnSighting(*examined.measurement, arc, sighting));
-      }
+      excluded.push_back(drawnSighting(*examined.measurement, arc, sighting));
+      excluded.back().ref.row = rows[arc.position][sighting.row];
     }
   }
   return excluded;

@@ -35,9 +35,10 @@ ArcPlot::ArcPlot(QObject* parent)
 }
 
 void ArcPlot::setEvaluation(const Evaluation& evaluation) {
-  m_picture = arcPicture(evaluation);
-  setMessage(m_picture.isEmpty() ? QStringLiteral("No usable readings yet.") : QString());
-  m_inset->setIntersection(m_picture.intersection);
+  m_picture = evaluation.arcs ? evaluation.arcs : std::make_shared<const ArcPicture>(arcPicture(evaluation));
+  m_extent = m_picture->extent();
+  setMessage(m_picture->isEmpty() ? QStringLiteral("No usable readings yet.") : QString());
+  m_inset->setIntersection(m_picture->intersection);
   showArcs();
   showMarks();
   showLegend();
@@ -46,23 +47,23 @@ void ArcPlot::setEvaluation(const Evaluation& evaluation) {
 
 void ArcPlot::showArcs() {
   std::array<QList<QPointF>, 2> points;
-  for (const DrawnArc& arc : m_picture.arcs) points[arcIndex(arc.axisDeg)] = polyline(arc);
+  for (const DrawnArc& arc : m_picture->arcs) points[arcIndex(arc.axisDeg)] = polyline(arc);
   for (std::size_t i = 0; i < points.size(); ++i) m_arcs[i]->replace(points[i]);
 }
 
 void ArcPlot::showMarks() {
   std::vector<Mark> marks;
   std::vector<Stick> sticks;
-  marks.reserve(m_picture.sightings.size() + m_picture.excluded.size());
-  for (const DrawnSighting& sighting : m_picture.sightings) {
+  marks.reserve(m_picture->sightings.size() + m_picture->excluded.size());
+  for (const DrawnSighting& sighting : m_picture->sightings) {
     const QPointF at(sighting.sighted.x, sighting.sighted.y);
     marks.push_back({at, arcIndex(sighting.axisDeg), sighting.ref});
     if (!sighting.adjusted) continue;
-    const PlanePoint<double> end = m_picture.residualEnd(sighting);
+    const PlanePoint<double> end = m_picture->residualEnd(sighting);
     sticks.push_back(
         {QLineF(sighting.adjusted->x, sighting.adjusted->y, end.x, end.y), arcIndex(sighting.axisDeg)});
   }
-  for (const DrawnSighting& sighting : m_picture.excluded) {
+  for (const DrawnSighting& sighting : m_picture->excluded) {
     marks.push_back({{sighting.sighted.x, sighting.sighted.y}, Excluded, sighting.ref});
   }
   markerLayer().setMarks(std::move(marks), std::move(sticks));
@@ -71,15 +72,15 @@ void ArcPlot::showMarks() {
 void ArcPlot::showLegend() {
   std::vector<LegendEntry> entries;
   const auto has = [&](int axisDeg) {
-    return std::any_of(m_picture.sightings.begin(), m_picture.sightings.end(),
+    return std::any_of(m_picture->sightings.begin(), m_picture->sightings.end(),
                        [axisDeg](const DrawnSighting& sighting) { return sighting.axisDeg == axisDeg; });
   };
   if (has(0)) entries.push_back({style().marker(0, MarkerShape::Circle), QStringLiteral("arc at 0°")});
   if (has(180)) entries.push_back({style().marker(180, MarkerShape::Circle), QStringLiteral("arc at 180°")});
-  if (!m_picture.excluded.empty()) entries.push_back({style().excludedMarker(), QStringLiteral("excluded")});
-  if (!m_picture.arcs.empty()) {
+  if (!m_picture->excluded.empty()) entries.push_back({style().excludedMarker(), QStringLiteral("excluded")});
+  if (!m_picture->arcs.empty()) {
     entries.push_back({QPen(style().text, 1.4 * style().unit()),
-                       QStringLiteral("residuals ") + exaggerationText(m_picture.exaggeration)});
+                       QStringLiteral("residuals ") + exaggerationText(m_picture->exaggeration)});
   }
   legendItem().setEntries(std::move(entries));
 }
@@ -96,7 +97,7 @@ void ArcPlot::applyStyle() {
 }
 
 QRectF ArcPlot::axisRange(const QSizeF& plotArea) const {
-  QRectF extent = m_picture.extent();
+  QRectF extent = m_extent;
   if (extent.width() <= 0 && extent.height() <= 0) extent = QRectF(-500, -500, 1000, 1000);
   const double perUnit =
       1.08 * std::max(extent.width() / plotArea.width(), extent.height() / plotArea.height());
@@ -106,13 +107,14 @@ QRectF ArcPlot::axisRange(const QSizeF& plotArea) const {
 }
 
 void ArcPlot::placeExtras() {
-  if (!m_picture.intersection) return;
+  if (!m_picture->intersection) return;
   // The largest square about the centres that leaves the points and their residuals free.
-  const PlanePoint<double> a = m_picture.intersection->upperCentre, b = m_picture.intersection->lowerCentre;
+  const PlanePoint<double> a = m_picture->intersection->upperCentre, b = m_picture->intersection->lowerCentre;
   const PlanePoint<double> centre{(a.x + b.x) / 2, (a.y + b.y) / 2};
-  double reach = m_picture.arcs.front().circle.radius;
-  for (const DrawnSighting& sighting : m_picture.sightings) {
-    for (const PlanePoint<double>& point : {sighting.sighted, m_picture.residualEnd(sighting)}) {
+  double reach = m_picture->arcs.front().circle.radius;
+  for (const DrawnSighting& sighting : m_picture->sightings) {
+    const PlanePoint<double> ends[] = {sighting.sighted, m_picture->residualEnd(sighting)};
+    for (const PlanePoint<double>& point : ends) {
       reach = std::min(reach, std::max(std::abs(point.x - centre.x), std::abs(point.y - centre.y)));
     }
   }
@@ -123,7 +125,7 @@ void ArcPlot::placeExtras() {
 }
 
 const DrawnSighting* ArcPlot::sightingOf(const Mark& mark) const {
-  for (const auto* list : {&m_picture.sightings, &m_picture.excluded}) {
+  for (const auto* list : {&m_picture->sightings, &m_picture->excluded}) {
     for (const DrawnSighting& sighting : *list) {
       if (sighting.ref == mark.ref) return &sighting;
     }
@@ -151,11 +153,11 @@ QString ArcPlot::describe(const Mark& mark) const {
 }
 
 QString ArcPlot::summary() const {
-  if (m_picture.isEmpty()) return message();
+  if (m_picture->isEmpty()) return message();
   return QStringLiteral("%1 sighted points, %2 fitted arcs, residuals drawn %3")
-      .arg(m_picture.sightings.size())
-      .arg(m_picture.arcs.size())
-      .arg(exaggerationText(m_picture.exaggeration));
+      .arg(m_picture->sightings.size())
+      .arg(m_picture->arcs.size())
+      .arg(exaggerationText(m_picture->exaggeration));
 }
 
 }  // namespace alidade::ui

@@ -2,6 +2,7 @@
 
 #include <QtCharts/QLineSeries>
 #include <array>
+#include <memory>
 
 #include "ui/charts/arc_picture.h"
 #include "ui/charts/centres_inset.h"
@@ -21,7 +22,7 @@ class ArcPlot : public Plot {
   QString describe(const Mark& mark) const override;
   QString summary() const override;
 
-  const ArcPicture& picture() const { return m_picture; }
+  const ArcPicture& picture() const { return *m_picture; }
   const CentresInset& inset() const { return *m_inset; }
 
  protected:
@@ -36,7 +37,8 @@ class ArcPlot : public Plot {
   void showLegend();
   const DrawnSighting* sightingOf(const Mark& mark) const;
 
-  ArcPicture m_picture;
+  std::shared_ptr<const ArcPicture> m_picture = std::make_shared<const ArcPicture>();
+  QRectF m_extent;                     // of the picture
   std::array<QLineSeries*, 2> m_arcs;  // axis at 0°, at 180°; owned by the chart
   CentresInset* m_inset;               // owned by the chart
 };

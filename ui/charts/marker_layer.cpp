@@ -3,7 +3,9 @@
 #include <QPaintEngine>
 #include <QPainter>
 #include <QPixmap>
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace alidade::ui {
 namespace {
@@ -48,6 +50,7 @@ void MarkerLayer::setHighlightPen(const QPen& pen) {
 void MarkerLayer::setMarks(std::vector<Mark> marks, std::vector<Stick> sticks) {
   m_marks = std::move(marks);
   m_sticks = std::move(sticks);
+  m_isPlaced = false;
   update();
 }
 
@@ -55,6 +58,7 @@ void MarkerLayer::setFrame(const QRectF& plotArea, const QTransform& sceneFromAx
   prepareGeometryChange();
   m_plotArea = plotArea;
   m_sceneFromAxes = sceneFromAxes;
+  m_isPlaced = false;
 }
 
 void MarkerLayer::setHighlighted(std::optional<SightingRef> ref) {
@@ -77,12 +81,23 @@ const Mark* MarkerLayer::markNear(const QPointF& scene, double reach) const {
   return nearest;
 }
 
+/// Once for each new set of marks or frame, however often it is painted.
+void MarkerLayer::place() {
+  if (std::exchange(m_isPlaced, true)) return;
+  double size = 7;
+  for (const Marker& marker : m_markers) size = std::min(size, marker.size);
+  const Raster raster{m_plotArea, std::max(0.5 * size, 1.0)};
+  m_placed = thinned(m_marks, m_sceneFromAxes, raster);
+  m_placedSticks = thinned(m_sticks, m_sceneFromAxes, raster);
+}
+
 void MarkerLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+  place();
   painter->save();
   painter->setClipRect(m_plotArea, Qt::IntersectClip);
   painter->setRenderHint(QPainter::Antialiasing);
   paintSticks(painter);
-  if (m_marks.size() >= manyMarks && isPixelDevice(painter)) {
+  if (m_placed.size() >= manyMarks && isPixelDevice(painter)) {
     paintManyMarks(painter);
   } else {
     paintMarks(painter);
@@ -94,19 +109,15 @@ void MarkerLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWid
 void MarkerLayer::paintSticks(QPainter* painter) const {
   for (std::size_t kind = 0; kind < m_pens.size(); ++kind) {
     QList<QLineF> lines;
-    for (const Stick& stick : m_sticks) {
-      if (stick.kind == kind) lines.append(m_sceneFromAxes.map(stick.line));
-    }
+    for (const Stick& stick : m_placedSticks)
+      if (stick.kind == kind) lines.append(stick.line);
     painter->setPen(m_pens[kind]);
     painter->drawLines(lines);
   }
 }
 
 void MarkerLayer::paintMarks(QPainter* painter) const {
-  for (const Mark& mark : m_marks) {
-    const QPointF at = scenePosition(mark);
-    if (m_plotArea.contains(at)) drawMarker(painter, m_markers[mark.kind], at);
-  }
+  for (const PlacedMark& mark : m_placed) drawMarker(painter, m_markers[mark.kind], mark.at);
 }
 
 void MarkerLayer::paintManyMarks(QPainter* painter) const {
@@ -114,12 +125,11 @@ void MarkerLayer::paintManyMarks(QPainter* painter) const {
   for (const Marker& marker : m_markers) {
     pixmaps.push_back(markerPixmap(marker, painter->device()->devicePixelRatioF()));
   }
-  for (const Mark& mark : m_marks) {
-    const QPointF at = scenePosition(mark);
-    if (!m_plotArea.contains(at)) continue;
+  for (const PlacedMark& mark : m_placed) {
     const QPixmap& pixmap = pixmaps[mark.kind];
     const QSizeF size = pixmap.deviceIndependentSize();
-    painter->drawPixmap(QPointF(at.x() - size.width() / 2, at.y() - size.height() / 2).toPoint(), pixmap);
+    painter->drawPixmap(QPointF(mark.at.x() - size.width() / 2, mark.at.y() - size.height() / 2).toPoint(),
+                        pixmap);
   }
 }
 

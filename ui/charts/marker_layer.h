@@ -6,27 +6,15 @@
 #include <optional>
 #include <vector>
 
+#include "ui/charts/mark.h"
 #include "ui/charts/marker.h"
-#include "ui/charts/sighting_ref.h"
+#include "ui/charts/thinning.h"
 
 namespace alidade::ui {
 
-/// A point of a plot, in the units of its axes.
-struct Mark {
-  QPointF at;
-  std::size_t kind = 0;  ///< index into the layer's markers
-  SightingRef ref;
-};
-
-/// A straight piece in the units of the axes, such as a residual.
-struct Stick {
-  QLineF line;
-  std::size_t kind = 0;  ///< index into the layer's pens
-};
-
 /// All points of a plot in one item. Ten thousand scatter points of Qt Charts are ten thousand graphics
 /// items; here they are one, painted as vectors, or from a drawn marker where there are many and the device
-/// is made of pixels.
+/// is made of pixels; of very many those that are seen (thinning.h).
 class MarkerLayer : public QGraphicsItem {
  public:
   using QGraphicsItem::QGraphicsItem;
@@ -43,6 +31,8 @@ class MarkerLayer : public QGraphicsItem {
   const std::vector<Stick>& sticks() const { return m_sticks; }
   std::optional<SightingRef> highlighted() const { return m_highlighted; }
   QPointF scenePosition(const Mark& mark) const { return m_sceneFromAxes.map(mark.at); }
+  /// How many marks and sticks the last painting took.
+  std::size_t paintedCount() const { return m_placed.size() + m_placedSticks.size(); }
   /// The mark nearest to a place in the plot, where one lies within `reach` scene units; null otherwise.
   const Mark* markNear(const QPointF& scene, double reach) const;
 
@@ -50,6 +40,7 @@ class MarkerLayer : public QGraphicsItem {
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 
  private:
+  void place();
   void paintSticks(QPainter* painter) const;
   void paintMarks(QPainter* painter) const;
   void paintManyMarks(QPainter* painter) const;
@@ -63,6 +54,9 @@ class MarkerLayer : public QGraphicsItem {
   QRectF m_plotArea;
   QTransform m_sceneFromAxes;
   std::optional<SightingRef> m_highlighted;
+  bool m_isPlaced = false;            ///< what follows is of these marks in this frame
+  std::vector<PlacedMark> m_placed;   ///< the marks to paint
+  std::vector<Stick> m_placedSticks;  ///< in scene units
 };
 
 }  // namespace alidade::ui

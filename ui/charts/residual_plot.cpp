@@ -40,11 +40,13 @@ ResidualPlot::NoiseBand ResidualPlot::addNoiseBand() {
 }
 
 void ResidualPlot::setEvaluation(const Evaluation& evaluation) {
-  m_picture = residualPicture(evaluation);
-  setMessage(m_picture.isEmpty() ? QStringLiteral("No arc fitted yet: no residuals.") : QString());
+  m_picture = evaluation.residuals ? evaluation.residuals
+                                   : std::make_shared<const ResidualPicture>(residualPicture(evaluation));
+  m_extent = extent();
+  setMessage(m_picture->isEmpty() ? QStringLiteral("No arc fitted yet: no residuals.") : QString());
   std::vector<Mark> marks;
-  marks.reserve(m_picture.residuals.size());
-  for (const DrawnResidual& residual : m_picture.residuals) {
+  marks.reserve(m_picture->residuals.size());
+  for (const DrawnResidual& residual : m_picture->residuals) {
     marks.push_back(
         {{residual.slider, residual.arcsec}, kindOf(residual.axisDeg, residual.circle), residual.ref});
   }
@@ -58,14 +60,14 @@ void ResidualPlot::showLegend() {
   for (const int axisDeg : {0, 180}) {
     for (const CircleRead circle : {CircleRead::Horizontal, CircleRead::Vertical}) {
       const bool any =
-          std::any_of(m_picture.residuals.begin(), m_picture.residuals.end(),
+          std::any_of(m_picture->residuals.begin(), m_picture->residuals.end(),
                       [&](const DrawnResidual& r) { return r.axisDeg == axisDeg && r.circle == circle; });
       if (!any) continue;
       entries.push_back({style().marker(axisDeg, shapeOf(circle)),
                          QStringLiteral("%1° %2").arg(axisDeg).arg(circleName(circle))});
     }
   }
-  if (!m_picture.isEmpty()) {
+  if (!m_picture->isEmpty()) {
     for (LegendEntry& entry : noiseEntries()) entries.push_back(std::move(entry));
   }
   legendItem().setEntries(std::move(entries));
@@ -75,18 +77,18 @@ std::vector<LegendEntry> ResidualPlot::noiseEntries() const {
   const double unit = style().unit();
   const auto limitPen = [&](std::size_t band) { return QPen(style().limit, 1.2 * unit, limitStyles[band]); };
   const auto sigmaText = [](double sigma) { return plainNumberText(sigma) + QChar(0x2033); };
-  if (m_picture.oneSigma()) {
-    const QString sigma = sigmaText(m_picture.sigmaHorizontal);
+  if (m_picture->oneSigma()) {
+    const QString sigma = sigmaText(m_picture->sigmaHorizontal);
     return {{style().band, QStringLiteral("±1σ, stated σ = ") + sigma}, {limitPen(1), QStringLiteral("±3σ")}};
   }
-  const bool verticalLarger = m_picture.sigmaVertical > m_picture.sigmaHorizontal;
+  const bool verticalLarger = m_picture->sigmaVertical > m_picture->sigmaHorizontal;
   const QString larger = verticalLarger ? QStringLiteral("vertical") : QStringLiteral("horizontal");
   const QString smaller = verticalLarger ? QStringLiteral("horizontal") : QStringLiteral("vertical");
-  const double smallSigma = std::min(m_picture.sigmaHorizontal, m_picture.sigmaVertical);
+  const double smallSigma = std::min(m_picture->sigmaHorizontal, m_picture->sigmaVertical);
   return {{style().band, QStringLiteral("±1σ %1, stated σ = %2").arg(smaller, sigmaText(smallSigma))},
           {limitPen(1), QStringLiteral("±3σ")},
           {style().outerBand,
-           QStringLiteral("±1σ %1, stated σ = %2").arg(larger, sigmaText(m_picture.largestSigma()))},
+           QStringLiteral("±1σ %1, stated σ = %2").arg(larger, sigmaText(m_picture->largestSigma()))},
           {limitPen(0), QStringLiteral("±3σ")}};
 }
 
@@ -111,26 +113,30 @@ void ResidualPlot::applyStyle() {
   showLegend();
 }
 
-QRectF ResidualPlot::axisRange(const QSizeF&) const {
+QRectF ResidualPlot::extent() const {
   double left = 0, right = 180;
-  for (const DrawnResidual& residual : m_picture.residuals) {
+  for (const DrawnResidual& residual : m_picture->residuals) {
     left = std::min(left, residual.slider - 5);
     right = std::max(right, residual.slider + 5);
   }
-  double reach = std::max(m_picture.largestResidual(), 3 * m_picture.largestSigma()) * 1.12;
+  double reach = std::max(m_picture->largestResidual(), 3 * m_picture->largestSigma()) * 1.12;
   if (!(reach > 0) || !std::isfinite(reach)) reach = 10;
   return QRectF(left, -reach, right - left, 2 * reach);
 }
 
+QRectF ResidualPlot::axisRange(const QSizeF&) const {
+  return m_extent;
+}
+
 void ResidualPlot::placeExtras() {
   const QRectF range = sceneFromAxes().inverted().mapRect(plotArea());
-  const double larger = m_picture.isEmpty() ? 0 : m_picture.largestSigma();
+  const double larger = m_picture->isEmpty() ? 0 : m_picture->largestSigma();
   const double smaller =
-      m_picture.isEmpty() ? 0 : std::min(m_picture.sigmaHorizontal, m_picture.sigmaVertical);
-  showNoise(m_bands[0], m_picture.oneSigma() ? 0 : larger, range.left(), range.right());
+      m_picture->isEmpty() ? 0 : std::min(m_picture->sigmaHorizontal, m_picture->sigmaVertical);
+  showNoise(m_bands[0], m_picture->oneSigma() ? 0 : larger, range.left(), range.right());
   showNoise(m_bands[1], smaller, range.left(), range.right());
   m_zero->replace(QList<QPointF>{{range.left(), 0}, {range.right(), 0}});
-  m_zero->setVisible(!m_picture.isEmpty());
+  m_zero->setVisible(!m_picture->isEmpty());
 }
 
 void ResidualPlot::showNoise(const NoiseBand& band, double sigma, double left, double right) {
@@ -146,7 +152,7 @@ void ResidualPlot::showNoise(const NoiseBand& band, double sigma, double left, d
 }
 
 QString ResidualPlot::describe(const Mark& mark) const {
-  for (const DrawnResidual& residual : m_picture.residuals) {
+  for (const DrawnResidual& residual : m_picture->residuals) {
     if (residual.ref != mark.ref || kindOf(residual.axisDeg, residual.circle) != mark.kind) continue;
     return QStringLiteral("Axis at %1°, point %2, round %3, face %4\n%5 circle: %6″ at s = %7°")
         .arg(residual.axisDeg)
@@ -160,10 +166,10 @@ QString ResidualPlot::describe(const Mark& mark) const {
 }
 
 QString ResidualPlot::summary() const {
-  if (m_picture.isEmpty()) return message();
+  if (m_picture->isEmpty()) return message();
   return QStringLiteral("Residuals of %1 readings, at most %2")
-      .arg(m_picture.residuals.size())
-      .arg(arcsecText(m_picture.largestResidual()));
+      .arg(m_picture->residuals.size())
+      .arg(arcsecText(m_picture->largestResidual()));
 }
 
 }  // namespace alidade::ui

@@ -3,6 +3,7 @@
 #include <QtCharts/QAreaSeries>
 #include <QtCharts/QLineSeries>
 #include <array>
+#include <memory>
 
 #include "ui/charts/plot.h"
 #include "ui/charts/residual_picture.h"
@@ -22,7 +23,7 @@ class ResidualPlot : public Plot {
   QString describe(const Mark& mark) const override;
   QString summary() const override;
 
-  const ResidualPicture& picture() const { return m_picture; }
+  const ResidualPicture& picture() const { return *m_picture; }
 
  protected:
   void applyStyle() override;
@@ -39,10 +40,12 @@ class ResidualPlot : public Plot {
 
   NoiseBand addNoiseBand();
   void showNoise(const NoiseBand& band, double sigma, double left, double right);
+  QRectF extent() const;
   void showLegend();
   std::vector<LegendEntry> noiseEntries() const;
 
-  ResidualPicture m_picture;
+  std::shared_ptr<const ResidualPicture> m_picture = std::make_shared<const ResidualPicture>();
+  QRectF m_extent{0, -10, 180, 20};  // of the picture: s in degrees, residuals in arcseconds
   std::array<NoiseBand, 2>
       m_bands;  // the larger σ first, so that the smaller is drawn over it; owned by the chart
   QLineSeries* m_zero;

@@ -1,7 +1,8 @@
 #include "ui/commands/apply_changes.h"
 
-#include <algorithm>
 #include <map>
+#include <utility>
+#include <vector>
 
 #include "ui/commands/replace_readings.h"
 #include "ui/document/reading_column.h"
@@ -11,46 +12,29 @@ namespace alidade::ui {
 
 namespace {
 
-/// The first to the last row that differs, of one position.
-struct Rows {
-  std::size_t first = 0;
-  std::vector<Reading> readings;
-};
-
 bool exists(const Session& session, const Place& place) {
   return place.position && place.reading && *place.position < session.positions.size() &&
          *place.reading < session.positions[*place.position].readings.size();
-}
-
-Rows changedRows(const std::vector<Reading>& before, std::vector<Reading> after) {
-  std::size_t first = 0, end = before.size();
-  while (first < end && before[first] == after[first]) ++first;
-  while (end > first && before[end - 1] == after[end - 1]) --end;
-  const auto at = [&](std::size_t row) { return std::next(after.begin(), static_cast<std::ptrdiff_t>(row)); };
-  return {first, {at(first), at(end)}};
 }
 
 }  // namespace
 
 void applyChanges(SessionDocument& document, const std::vector<CellChange>& changes,
                   const QString& undoText) {
-  std::map<std::size_t, std::vector<Reading>> edited;
-  for (const CellChange& change : changes) {
-    if (!exists(document.session(), change.where)) continue;
-    const std::size_t position = *change.where.position;
-    auto& readings =
-        edited.try_emplace(position, document.session().positions[position].readings).first->second;
-    readings[*change.where.reading].*readingText(readingColumn(change.where.field)) = change.text;
-  }
-  std::map<std::size_t, Rows> rows;
-  for (auto& [position, readings] : edited) {
-    Rows changed = changedRows(document.session().positions[position].readings, std::move(readings));
-    if (!changed.readings.empty()) rows.emplace(position, std::move(changed));
-  }
-  if (rows.size() > 1) document.beginTogether(undoText);
-  for (const auto& [position, changed] : rows)
-    replaceReadings(document, position, changed.first, changed.readings.size(), changed.readings, undoText);
-  if (rows.size() > 1) document.endTogether();
+  const Session& session = document.session();
+  std::map<std::size_t, std::vector<NewText>> texts;
+  for (const CellChange& change : changes)
+    if (exists(session, change.where))
+      texts[*change.where.position].push_back(
+          {*change.where.reading, readingColumn(change.where.field), change.text});
+  std::map<std::size_t, ReadingsPatch> patches;
+  for (const auto& [position, news] : texts)
+    if (ReadingsPatch patch(session.positions[position].readings, news); !patch.isEmpty())
+      patches.emplace(position, std::move(patch));
+  const bool isMany = patches.size() > 1;
+  if (isMany) document.beginTogether(undoText);
+  for (auto& [position, patch] : patches) patchReadings(document, position, std::move(patch), undoText);
+  if (isMany) document.endTogether();
 }
 
 }  // namespace alidade::ui

@@ -1,7 +1,7 @@
 #include "ui/commands/edit_readings.h"
 
 #include <algorithm>
-#include <iterator>
+#include <utility>
 
 #include "core/base/number_text.h"
 #include "ui/commands/replace_readings.h"
@@ -18,12 +18,24 @@ bool meansExcluded(const QString& cell) {
   return words.contains(cell.toLower());
 }
 
-void enter(Reading& reading, ReadingColumn column, const QString& cell) {
-  if (column == ReadingColumn::Used) {
-    reading.excluded = meansExcluded(cell);
-  } else {
-    reading.*readingText(column) = cell.toStdString();
+/// A cell of a block as the column's text.
+std::string pastedText(ReadingColumn column, const QString& cell) {
+  if (column == ReadingColumn::Used) return meansExcluded(cell) ? "0" : "1";
+  return cell.toStdString();
+}
+
+/// The reading after `last`, which is number `count`; null: there is none.
+Reading readingAfter(const Reading* last, std::size_t count) {
+  Reading reading;
+  int point = static_cast<int>(count) + 1;
+  if (last) {
+    const Result<int> number = parseWhole(last->point);
+    if (number) point = *number + 1;
+    reading.round = last->round;
+    reading.face = last->face;
   }
+  reading.point = std::to_string(point);
+  return reading;
 }
 
 }  // namespace
@@ -47,16 +59,7 @@ QString ReadingsEditor::noun(ReadingColumn column) {
 }
 
 Reading ReadingsEditor::following(const std::vector<Reading>& rows) {
-  Reading reading;
-  int point = static_cast<int>(rows.size()) + 1;
-  if (!rows.empty()) {
-    const Result<int> last = parseWhole(rows.back().point);
-    if (last) point = *last + 1;
-    reading.round = rows.back().round;
-    reading.face = rows.back().face;
-  }
-  reading.point = std::to_string(point);
-  return reading;
+  return readingAfter(rows.empty() ? nullptr : &rows.back(), rows.size());
 }
 
 void ReadingsEditor::setCell(const ReadingCell& cell, const std::string& text) {
@@ -68,12 +71,10 @@ void ReadingsEditor::setCell(const ReadingCell& cell, const std::string& text) {
                     tr("Add point %1").arg(qText(reading.point)));
     return;
   }
-  Reading reading = readings()[cell.row];
-  const QString point = qText(reading.point);
-  reading.*readingText(cell.column) = text;
-  replaceReadings(m_document, m_position, cell.row, 1, {reading},
-                  point.isEmpty() ? tr("Change %1").arg(noun(cell.column))
-                                  : tr("Change %1 of point %2").arg(noun(cell.column), point));
+  const QString point = qText(readings()[cell.row].point);
+  enterTexts({{cell.row, cell.column, text}},
+             point.isEmpty() ? tr("Change %1").arg(noun(cell.column))
+                             : tr("Change %1 of point %2").arg(noun(cell.column), point));
 }
 
 void ReadingsEditor::insertBlank(std::size_t row) {
@@ -82,73 +83,60 @@ void ReadingsEditor::insertBlank(std::size_t row) {
 }
 
 void ReadingsEditor::remove(const std::vector<std::size_t>& rows) {
-  std::vector<bool> gone(readings().size());
-  for (const std::size_t row : rows) {
-    if (row < gone.size()) gone[row] = true;
-  }
-  const auto count = std::count(gone.begin(), gone.end(), true);
-  if (count == 0) return;
-  const auto first = static_cast<std::size_t>(std::find(gone.begin(), gone.end(), true) - gone.begin());
-  const auto end = static_cast<std::size_t>(gone.rend() - std::find(gone.rbegin(), gone.rend(), true));
-  std::vector<Reading> kept;
-  for (std::size_t row = first; row < end; ++row) {
-    if (!gone[row]) kept.push_back(readings()[row]);
-  }
-  replaceReadings(m_document, m_position, first, end - first, kept,
-                  count == 1 ? tr("Delete reading") : tr("Delete %1 readings").arg(count));
+  ReadingsPatch patch = ReadingsPatch::removing(readings(), rows);
+  const std::size_t count = patch.rowCount();
+  patchReadings(m_document, m_position, std::move(patch),
+                count == 1 ? tr("Delete reading") : tr("Delete %1 readings").arg(count));
 }
 
 void ReadingsEditor::setExcluded(const std::vector<std::size_t>& rows, bool excluded) {
-  std::vector<Reading> changed = readings();
-  int count = 0;
-  for (const std::size_t row : rows) {
-    if (row >= changed.size() || changed[row].excluded == excluded) continue;
-    changed[row].excluded = excluded;
-    ++count;
-  }
+  std::vector<NewText> texts;
+  texts.reserve(rows.size());
+  for (const std::size_t row : rows)
+    if (row < readings().size() && readings()[row].excluded != excluded)
+      texts.push_back({row, ReadingColumn::Used, excluded ? "0" : "1"});
   const QString one = excluded ? tr("Exclude reading") : tr("Use reading");
   const QString many = excluded ? tr("Exclude %1 readings") : tr("Use %1 readings");
-  replaceWith(changed, count == 1 ? one : many.arg(count));
+  enterTexts(texts, texts.size() == 1 ? one : many.arg(texts.size()));
 }
 
 void ReadingsEditor::clear(const std::vector<ReadingCell>& cells, bool cut) {
-  std::vector<Reading> changed = readings();
-  for (const ReadingCell& cell : cells) {
-    if (cell.row < changed.size() && readingText(cell.column))
-      changed[cell.row].*readingText(cell.column) = {};
-  }
-  replaceWith(changed, cut ? tr("Cut") : tr("Clear"));
+  std::vector<NewText> texts;
+  texts.reserve(cells.size());
+  for (const ReadingCell& cell : cells)
+    if (readingText(cell.column)) texts.push_back({cell.row, cell.column, {}});
+  enterTexts(texts, cut ? tr("Cut") : tr("Clear"));
 }
 
 std::size_t ReadingsEditor::paste(const ReadingBlock& block, std::size_t row,
                                   const std::vector<ReadingColumn>& columns) {
-  std::vector<Reading> changed = readings();
+  const std::vector<Reading>& rows = readings();
+  std::vector<NewText> texts;
+  std::vector<Reading> appended;
   std::size_t widest = 0;
-  row = std::min(row, changed.size());
+  row = std::min(row, rows.size());
+  Reading last = rows.empty() ? Reading{} : rows.back();  // with what is pasted over it
   for (const QStringList& cells : block) {
     const auto width = static_cast<std::size_t>(cells.size());
     widest = std::max(widest, width);
-    if (row >= changed.size()) changed.push_back(following(changed));
+    const bool isNew = row >= rows.size();
+    if (isNew) appended.push_back(readingAfter(row > 0 ? &last : nullptr, row));
     for (std::size_t i = 0; i < std::min(width, columns.size()); ++i) {
-      enter(changed[row], columns[i], cells[static_cast<qsizetype>(i)]);
+      std::string text = pastedText(columns[i], cells[static_cast<qsizetype>(i)]);
+      if (isNew || row + 1 == rows.size()) enter(isNew ? appended.back() : last, columns[i], text);
+      if (!isNew) texts.push_back({row, columns[i], std::move(text)});
     }
+    if (isNew) last = appended.back();
     ++row;
   }
   const bool isReadings = block.size() > 1 || widest > 1;
-  replaceWith(changed, isReadings ? tr("Paste %1 readings").arg(block.size()) : tr("Paste"));
+  patchReadings(m_document, m_position, ReadingsPatch(rows, texts, std::move(appended)),
+                isReadings ? tr("Paste %1 readings").arg(block.size()) : tr("Paste"));
   return widest - std::min(widest, columns.size());
 }
 
-/// `rows` is as long as the readings or longer. The undo step covers the rows that differ.
-void ReadingsEditor::replaceWith(const std::vector<Reading>& rows, const QString& undoText) {
-  const std::vector<Reading>& old = readings();
-  const auto [oldFirst, newFirst] = std::mismatch(old.begin(), old.end(), rows.begin());
-  if (newFirst == rows.end()) return;
-  const auto first = static_cast<std::size_t>(newFirst - rows.begin());
-  std::size_t oldEnd = old.size(), newEnd = rows.size();
-  while (oldEnd == newEnd && oldEnd > first && old[oldEnd - 1] == rows[newEnd - 1]) --oldEnd, --newEnd;
-  replaceReadings(m_document, m_position, first, oldEnd - first,
-                  {newFirst, std::next(rows.begin(), static_cast<std::ptrdiff_t>(newEnd))}, undoText);
+void ReadingsEditor::enterTexts(const std::vector<NewText>& texts, const QString& undoText) {
+  patchReadings(m_document, m_position, ReadingsPatch(readings(), texts), undoText);
 }
 
 }  // namespace alidade::ui

@@ -6,6 +6,7 @@
 
 #include "ui/commands/reading_block.h"
 #include "ui/document/reading_column.h"
+#include "ui/document/readings_patch.h"
 
 namespace alidade::ui {
 
@@ -47,7 +48,7 @@ class ReadingsEditor {
 
  private:
   const std::vector<Reading>& readings() const;
-  void replaceWith(const std::vector<Reading>& rows, const QString& undoText);
+  void enterTexts(const std::vector<NewText>& texts, const QString& undoText);
 
   SessionDocument& m_document;
   std::size_t m_position;

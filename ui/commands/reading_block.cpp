@@ -1,6 +1,7 @@
 #include "ui/commands/reading_block.h"
 
 #include <QRegularExpression>
+#include <algorithm>
 
 namespace alidade::ui {
 
@@ -37,10 +38,14 @@ ReadingBlock parseBlock(const QString& text) {
 
 QString blockText(const ReadingBlock& block) {
   static const QRegularExpression breaks(QStringLiteral("[\t\r\n]+"));
+  const auto isBreak = [](QChar c) { return c == u'\t' || c == u'\r' || c == u'\n'; };
   QStringList lines;
   for (const QStringList& row : block) {
     QStringList cells;
-    for (QString cell : row) cells.append(cell.replace(breaks, QStringLiteral(" ")));
+    for (QString cell : row) {
+      if (std::any_of(cell.cbegin(), cell.cend(), isBreak)) cell.replace(breaks, QStringLiteral(" "));
+      cells.append(cell);
+    }
     lines.append(cells.join(QLatin1Char('\t')));
   }
   return lines.join(QLatin1Char('\n'));

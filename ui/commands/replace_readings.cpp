@@ -1,45 +1,34 @@
 #include "ui/commands/replace_readings.h"
 
-#include <algorithm>
-#include <iterator>
 #include <utility>
 
 #include "ui/document/session_document.h"
 
 namespace alidade::ui {
 
-namespace {
-
-std::vector<Reading> rowsOf(const SessionDocument& document, std::size_t position, std::size_t first,
-                            std::size_t count) {
-  const std::vector<Reading>& readings = document.session().positions.at(position).readings;
-  const auto from = std::next(readings.begin(), static_cast<std::ptrdiff_t>(first));
-  return {from, std::next(from, static_cast<std::ptrdiff_t>(count))};
-}
-
-}  // namespace
-
-ReplaceReadings::ReplaceReadings(SessionDocument& document, std::size_t position, std::size_t first,
-                                 std::size_t removed, std::vector<Reading> inserted, const QString& text)
-    : m_document(document),
-      m_position(position),
-      m_first(first),
-      m_before(rowsOf(document, position, first, removed)),
-      m_after(std::move(inserted)) {
+ReplaceReadings::ReplaceReadings(SessionDocument& document, std::size_t position, ReadingsPatch patch,
+                                 const QString& text)
+    : m_document(document), m_position(position), m_patch(std::move(patch)) {
   setText(text);
 }
 
 void ReplaceReadings::undo() {
-  m_document.putReadings(m_position, m_first, m_after.size(), m_before);
+  m_document.revertReadings(m_position, m_patch);
 }
 void ReplaceReadings::redo() {
-  m_document.putReadings(m_position, m_first, m_before.size(), m_after);
+  m_document.patchReadings(m_position, m_patch);
+}
+
+void patchReadings(SessionDocument& document, std::size_t position, ReadingsPatch patch,
+                   const QString& text) {
+  if (patch.isEmpty()) return;
+  document.push(new ReplaceReadings(document, position, std::move(patch), text));
 }
 
 void replaceReadings(SessionDocument& document, std::size_t position, std::size_t first, std::size_t removed,
                      const std::vector<Reading>& inserted, const QString& text) {
-  if (rowsOf(document, position, first, removed) == inserted) return;
-  document.push(new ReplaceReadings(document, position, first, removed, inserted, text));
+  const std::vector<Reading>& rows = document.session().positions.at(position).readings;
+  patchReadings(document, position, ReadingsPatch::replacing(rows, first, removed, inserted), text);
 }
 
 }  // namespace alidade::ui

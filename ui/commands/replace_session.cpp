@@ -7,15 +7,15 @@
 namespace alidade::ui {
 
 ReplaceSession::ReplaceSession(SessionDocument& document, Session session, const QString& text)
-    : m_document(document), m_before(document.session()), m_after(std::move(session)) {
+    : m_document(document), m_other(std::move(session)) {
   setText(text);
 }
 
 void ReplaceSession::undo() {
-  m_document.putSession(m_before);
+  m_document.exchangeSession(m_other);
 }
 void ReplaceSession::redo() {
-  m_document.putSession(m_after);
+  m_document.exchangeSession(m_other);
 }
 
 }  // namespace alidade::ui

@@ -18,7 +18,7 @@ class ReplaceSession : public QUndoCommand {
 
  private:
   SessionDocument& m_document;
-  Session m_before, m_after;
+  Session m_other;  ///< the one that is not at work
 };
 
 }  // namespace alidade::ui

@@ -139,6 +139,10 @@ void Dialogs::showProblem(const QString& title, const QString& text) {
   box.exec();
 }
 
+std::unique_ptr<Busy> Dialogs::busy(const QString& doing) {
+  return std::make_unique<Busy>(m_parent, doing);
+}
+
 void Dialogs::showAbout() {
   QMessageBox box(QMessageBox::NoIcon, Text::tr("About Alidade"),
                   Text::tr("<h3>Alidade %1</h3><p>A measurement workstation for rotatable arc guideways: "

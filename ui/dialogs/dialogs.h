@@ -3,6 +3,9 @@
 #include <QPointer>
 #include <QString>
 #include <QWidget>
+#include <memory>
+
+#include "ui/dialogs/busy.h"
 
 #include "ui/dialogs/changed_file.h"
 #include "ui/dialogs/recovery_dialog.h"
@@ -34,6 +37,8 @@ class Dialogs {
   virtual ChangedFileAnswer askChangedFile(const ChangedFile& file);
   virtual RecoveryAnswer askRecovery(const QList<RecoveryOffer>& offers);
   virtual void showProblem(const QString& title, const QString& text);
+  /// To wait with, while `doing` is done.
+  virtual std::unique_ptr<Busy> busy(const QString& doing);
   virtual void showAbout();
   virtual void showShortcuts();
 

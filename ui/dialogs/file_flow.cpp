@@ -13,6 +13,7 @@
 #include "ui/commands/replace_session.h"
 #include "ui/dialogs/dialogs.h"
 #include "ui/dialogs/import_notes.h"
+#include "ui/dialogs/in_background.h"
 #include "ui/dialogs/report_source.h"
 #include "ui/document/session_document.h"
 #include "ui/jobs/evaluation.h"
@@ -110,7 +111,11 @@ bool FileFlow::importReadings(const QString& path) {
   ImportOptions options;
   if (intoPresent) options.base = withoutRows(m_document.session());
   const QString name = visibleLine(QFileInfo(path).fileName());
-  const Result<Import> import = readImport(path, options);
+  const auto read = inBackground<Result<Import>>(
+      *m_dialogs.busy(tr("Reading “%1”…").arg(name)),
+      [path, options](const std::stop_token&) { return readImport(path, options); });
+  if (!read) return false;
+  const Result<Import>& import = *read;
   if (!import) {
     m_dialogs.showProblem(
         tr("Import readings"),
@@ -145,12 +150,18 @@ bool FileFlow::tellWhereNoFile(const QString& title, const QString& path) {
 
 bool FileFlow::load(const QString& path) {
   if (tellWhereNoFile(tr("Open session"), path) || !mayShare(path)) return false;
-  if (const auto problem = m_document.load(path)) {
-    m_dialogs.showProblem(tr("Open session"),
-                          tr("“%1” cannot be opened.\n\n%2")
-                              .arg(visibleLine(QFileInfo(path).fileName()), visibleLine(problem->text())));
+  const QString name = visibleLine(QFileInfo(path).fileName());
+  auto file =
+      inBackground<Result<FiledSession>>(*m_dialogs.busy(tr("Opening “%1”…").arg(name)),
+                                         [path](const std::stop_token&) { return SessionDocument::read(path); });
+  if (!file) return false;
+  if (!*file) {
+    m_dialogs.showProblem(
+        tr("Open session"),
+        tr("“%1” cannot be opened.\n\n%2").arg(name, visibleLine(file->problem().text())));
     return false;
   }
+  m_document.startFrom(**std::move(file), path);
   RecentFiles::add(path);
   emit recentFilesChanged();
   return true;
@@ -231,20 +242,45 @@ bool FileFlow::exportReport() {
 }
 
 bool FileFlow::writeReport() {
-  const Evaluation evaluation = evaluate(m_document.session());
+  const SharedGap gap = diagnosed();
+  if (!gap) return false;
+  const Evaluation& evaluation = *gap->evaluation;
   const auto unusable = static_cast<int>(evaluation.examined.problems.size());
   if (unusable > 0 && !m_dialogs.askReportWithoutVerdict(unusable)) return false;
   const QString path = m_dialogs.askReportPath(suggestedPath(QStringLiteral("pdf")));
   if (path.isEmpty() || tellWhereNoFile(tr("Export acceptance report"), path)) return false;
+  const auto busy = m_dialogs.busy(tr("Writing the report…"));
+  bool isStopped = false;
   ReportOptions options;
+  options.gap = gap;
+  options.goesOn = [&](double done) {
+    isStopped = isStopped || !busy->goesOn(done);
+    return !isStopped;
+  };
   if (m_check && m_check->isOf(m_document.session())) options.simulated = m_check->simulated;
   const Result<QString> written = writeAcceptanceReport(evaluation, reportSource(m_document), path, options);
+  if (isStopped) {
+    emit remark(tr("Stopped: no report was written."));
+    return false;
+  }
   if (!written) {
     m_dialogs.showProblem(tr("Export acceptance report"), visibleLine(written.problem().text()));
     return false;
   }
   emit remark(tr("Report written to %1").arg(QDir::toNativeSeparators(*written)));
   return true;
+}
+
+/// The session at work with all that a report says of it; null: the user stopped it.
+SharedGap FileFlow::diagnosed() const {
+  const auto busy = m_dialogs.busy(tr("Fitting and diagnosing for the report…"));
+  const auto gap = inBackground<Gap>(*busy, [session = m_document.session()](const std::stop_token& stop) {
+    const auto evaluation =
+        std::make_shared<const Evaluation>(withSuspects(evaluateFit(session, stop), stop));
+    return stop.stop_requested() ? Gap{.evaluation = evaluation, .diagnosis = {}, .reason = {}, .stages = {}}
+                                 : assessGap(evaluation, stop);
+  });
+  return gap ? std::make_shared<const Gap>(*gap) : nullptr;
 }
 
 bool FileFlow::mayLeave() {

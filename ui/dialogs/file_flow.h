@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "ui/dialogs/changed_file.h"
+#include "ui/jobs/gap_job.h"
 #include "ui/jobs/simulation_job.h"
 #include "ui/recovery/file_lock.h"
 
@@ -60,6 +61,7 @@ class FileFlow : public QObject {
   bool mayShare(const QString& path);
   std::optional<ChangedFileAnswer> askAboutChange();
   bool tellWhereNoFile(const QString& title, const QString& path);
+  SharedGap diagnosed() const;
   bool mayLeaveChanges();
   bool mayDropRedo();
   bool mayDropUndo();

@@ -1,8 +1,16 @@
 #include "ui/document/reading_column.h"
 
 #include <array>
+#include <string_view>
 
 namespace alidade::ui {
+
+namespace {
+
+constexpr std::array<std::string_view, readingColumnCount> fieldNames = {
+    "excluded", "point", "round", "face", "horizontal", "vertical", "slider", "", "", "note"};
+
+}  // namespace
 
 std::string Reading::*readingText(ReadingColumn column) {
   switch (column) {
@@ -29,21 +37,33 @@ std::string Reading::*readingText(ReadingColumn column) {
 }
 
 std::string readingFieldName(ReadingColumn column) {
-  static constexpr std::array<const char*, readingColumnCount> names = {
-      "excluded", "point", "round", "face", "horizontal", "vertical", "slider", "", "", "note"};
-  return names.at(static_cast<std::size_t>(column));
+  return std::string(fieldNames.at(static_cast<std::size_t>(column)));
 }
 
 ReadingColumn readingColumn(const std::string& fieldName) {
   for (int column = 0; column < readingColumnCount; ++column) {
     const auto candidate = static_cast<ReadingColumn>(column);
-    if (isEntered(candidate) && readingFieldName(candidate) == fieldName) return candidate;
+    if (isEntered(candidate) && fieldNames.at(static_cast<std::size_t>(column)) == fieldName)
+      return candidate;
   }
   return ReadingColumn::Horizontal;
 }
 
 bool isEntered(ReadingColumn column) {
   return column != ReadingColumn::HorizontalResidual && column != ReadingColumn::VerticalResidual;
+}
+
+std::string enteredText(const Reading& reading, ReadingColumn column) {
+  if (column == ReadingColumn::Used) return reading.excluded ? "0" : "1";
+  return reading.*readingText(column);
+}
+
+void enter(Reading& reading, ReadingColumn column, const std::string& text) {
+  if (column == ReadingColumn::Used) {
+    reading.excluded = text == "0";
+  } else {
+    reading.*readingText(column) = text;
+  }
 }
 
 bool isBlank(const Reading& reading) {

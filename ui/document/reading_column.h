@@ -35,6 +35,11 @@ ReadingColumn readingColumn(const std::string& fieldName);
 /// Can the column be typed or pasted into? True for the texts and for `Used`.
 bool isEntered(ReadingColumn column);
 
+/// What is entered in a column for which `isEntered` holds. `Used` is "1", or "0" where the row is kept out
+/// of the fit.
+std::string enteredText(const Reading& reading, ReadingColumn column);
+void enter(Reading& reading, ReadingColumn column, const std::string& text);
+
 /// Is nothing entered in this row?
 bool isBlank(const Reading& reading);
 

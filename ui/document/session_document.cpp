@@ -9,6 +9,7 @@
 #include "core/base/atomic_file.h"
 #include "core/base/file_bytes.h"
 #include "core/session/session_file.h"
+#include "ui/document/disposal.h"
 #include "ui/document/field.h"
 
 namespace alidade::ui {
@@ -18,6 +19,13 @@ namespace {
 QByteArray sha256(const std::string& bytes) {
   return QCryptographicHash::hash({bytes.data(), static_cast<qsizetype>(bytes.size())},
                                   QCryptographicHash::Sha256);
+}
+
+SessionChange changeOf(std::size_t position, std::size_t first, std::size_t removed, std::size_t inserted) {
+  return {.kind = SessionChange::Kind::Readings,
+          .place = {.position = position, .reading = first},
+          .removed = removed,
+          .inserted = inserted};
 }
 
 }  // namespace
@@ -55,14 +63,24 @@ void SessionDocument::startWith(Session session) {
 }
 
 std::optional<Problem> SessionDocument::load(const QString& path) {
+  Result<FiledSession> file = read(path);
+  if (!file) return file.problem();
+  startFrom(*std::move(file), path);
+  return {};
+}
+
+Result<FiledSession> SessionDocument::read(const QString& path) {
   const Result<std::string> bytes = readFile(QFile::encodeName(path).toStdString());
   if (!bytes) return bytes.problem();
   Result<Session> session = readSession(*bytes);
   if (!session) return session.problem();
+  return FiledSession{*std::move(session), sha256(*bytes)};
+}
+
+void SessionDocument::startFrom(FiledSession file, const QString& path) {
   const QString absolute = QFileInfo(path).absoluteFilePath();
-  m_knownSha256[absolute] = sha256(*bytes);
-  replaceAll(*std::move(session), absolute);
-  return {};
+  m_knownSha256[absolute] = file.sha256;
+  replaceAll(std::move(file.session), absolute);
 }
 
 std::optional<Problem> SessionDocument::save(const QString& path) {
@@ -102,17 +120,19 @@ void SessionDocument::putEffects(const std::vector<std::string>& effects) {
   emit changed(change);
 }
 
-void SessionDocument::putReadings(std::size_t position, std::size_t first, std::size_t removed,
-                                  const std::vector<Reading>& inserted) {
-  const SessionChange change{.kind = SessionChange::Kind::Readings,
-                             .place = {.position = position, .reading = first},
-                             .removed = removed,
-                             .inserted = inserted.size()};
+void SessionDocument::patchReadings(std::size_t position, const ReadingsPatch& patch) {
+  const RowSpan span = patch.span();
+  const SessionChange change = changeOf(position, span.first, span.before, span.after);
   emit aboutToChange(change);
-  std::vector<Reading>& readings = m_session.positions.at(position).readings;
-  const auto from = std::next(readings.begin(), static_cast<std::ptrdiff_t>(first));
-  const auto next = readings.erase(from, std::next(from, static_cast<std::ptrdiff_t>(removed)));
-  readings.insert(next, inserted.begin(), inserted.end());
+  patch.apply(m_session.positions.at(position).readings);
+  emit changed(change);
+}
+
+void SessionDocument::revertReadings(std::size_t position, const ReadingsPatch& patch) {
+  const RowSpan span = patch.span();
+  const SessionChange change = changeOf(position, span.first, span.after, span.before);
+  emit aboutToChange(change);
+  patch.revert(m_session.positions.at(position).readings);
   emit changed(change);
 }
 
@@ -133,15 +153,15 @@ void SessionDocument::removePosition(std::size_t index) {
   emit changed(change);
 }
 
-void SessionDocument::putSession(const Session& session) {
+void SessionDocument::exchangeSession(Session& session) {
   emit aboutToChange({});
-  m_session = session;
+  std::swap(m_session, session);
   emit changed({});
 }
 
 void SessionDocument::replaceAll(Session session, const QString& path) {
   emit aboutToChange({});
-  m_session = std::move(session);
+  sharedAside(std::exchange(m_session, std::move(session)));
   m_undoStack.clear();
   m_files.restart(path);
   emit changed({});

@@ -8,11 +8,19 @@
 #include <vector>
 
 #include "core/base/problem.h"
+#include "core/base/result.h"
 #include "core/session/session.h"
+#include "ui/document/readings_patch.h"
 #include "ui/document/session_change.h"
 #include "ui/document/session_files.h"
 
 namespace alidade::ui {
+
+/// A session as read from a file.
+struct FiledSession {
+  Session session;
+  QByteArray sha256;  ///< of the file's bytes
+};
 
 /// The one session at work: its data, its undo stack and its file. Views read `session()` and listen to
 /// `changed`; only commands write. Modified means: the session at work is not as it was last saved or loaded.
@@ -53,6 +61,9 @@ class SessionDocument : public QObject {
   /// Absent: loaded. A session with entries that mean nothing loads; one that is no session does not, and the
   /// document stays as it was.
   [[nodiscard]] std::optional<Problem> load(const QString& path);
+  /// The two halves of `load`: the first may be done on another thread.
+  static Result<FiledSession> read(const QString& path);
+  void startFrom(FiledSession file, const QString& path);
   /// Absent: saved, all of it or nothing (the old file stays where writing fails).
   [[nodiscard]] std::optional<Problem> save(const QString& path);
   /// SHA-256 of the bytes last read from or written to `path()`; empty where there were none.
@@ -77,11 +88,11 @@ class SessionDocument : public QObject {
 
   void putField(const Place& place, const std::string& text);
   void putEffects(const std::vector<std::string>& effects);
-  void putReadings(std::size_t position, std::size_t first, std::size_t removed,
-                   const std::vector<Reading>& inserted);
+  void patchReadings(std::size_t position, const ReadingsPatch& patch);
+  void revertReadings(std::size_t position, const ReadingsPatch& patch);
   void insertPosition(std::size_t index, const Position& position);
   void removePosition(std::size_t index);
-  void putSession(const Session& session);
+  void exchangeSession(Session& session);  ///< with the one at work
   void replaceAll(Session session, const QString& path);
 
   Session m_session;

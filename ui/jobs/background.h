@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/base/failure.h"
+#include "ui/document/disposal.h"
 
 namespace alidade::ui {
 
@@ -48,7 +49,7 @@ class Background {
     m_watcher.setFuture(
         QtConcurrent::run(&m_threads, [work = std::move(work), stop = m_stop.get_token()]() -> Outcome {
           Outcome outcome;
-          outcome.failure = failureOf([&] { outcome.value = std::make_shared<const Value>(work(stop)); });
+          outcome.failure = failureOf([&] { outcome.value = sharedAside<Value>(work(stop)); });
           return outcome;
         }));
     m_isAtWork = true;
@@ -66,7 +67,7 @@ class Background {
   Shared result() {
     const auto instead = std::exchange(m_instead, nullptr);
     const Outcome outcome = m_watcher.result();
-    return outcome.failure ? std::make_shared<const Value>(instead(*outcome.failure)) : outcome.value;
+    return outcome.failure ? sharedAside<Value>(instead(*outcome.failure)) : outcome.value;
   }
 
   QThreadPool m_threads;

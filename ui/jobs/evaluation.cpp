@@ -3,19 +3,35 @@
 #include <utility>
 
 #include "core/base/failure.h"
+#include "ui/charts/arc_picture.h"
+#include "ui/charts/residual_picture.h"
 
 namespace alidade::ui {
 
-Evaluation evaluateFit(Session session) {
+namespace {
+
+void fit(Evaluation& evaluation, const std::stop_token& stop) {
+  const Measurement& measurement = *evaluation.examined.measurement;
+  evaluation.fit = fitSession(measurement);
+  if (stop.stop_requested()) return;
+  evaluation.published = fitSessionAsPublished(measurement);
+  if (stop.stop_requested()) return;
+  evaluation.twoFaces = compareFaces(measurement);
+  evaluation.isSearched = evaluation.fit.arcs.empty();
+}
+
+}  // namespace
+
+Evaluation evaluateFit(Session session, const std::stop_token& stop) {
   Evaluation evaluation;
   evaluation.session = std::move(session);
+  if (stop.stop_requested()) return evaluation;
   evaluation.examined = examine(evaluation.session);
-  if (const auto& measurement = evaluation.examined.measurement) {
-    evaluation.fit = fitSession(*measurement);
-    evaluation.published = fitSessionAsPublished(*measurement);
-    evaluation.twoFaces = compareFaces(*measurement);
-    evaluation.isSearched = evaluation.fit.arcs.empty();
-  }
+  if (stop.stop_requested()) return evaluation;
+  if (evaluation.examined.measurement) fit(evaluation, stop);
+  if (stop.stop_requested()) return evaluation;
+  evaluation.arcs = std::make_shared<const ArcPicture>(arcPicture(evaluation));
+  evaluation.residuals = std::make_shared<const ResidualPicture>(residualPicture(evaluation));
   return evaluation;
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -11,6 +13,9 @@
 #include "core/session/session.h"
 
 namespace alidade::ui {
+
+struct ArcPicture;
+struct ResidualPicture;
 
 /// Everything computed from one copy of the session. A plain value that charts, panels and the report show
 /// alike.
@@ -23,10 +28,13 @@ struct Evaluation {
   std::vector<Suspect> suspects;     ///< readings that look misread, the most certain first
   bool isSearched = true;            ///< false: `suspects` are still to be found
   std::string failure = {};          ///< why there is no fit although there could be one: sentences
+  /// What the charts show of it, worked out where the fit was; null in an evaluation put together by hand.
+  std::shared_ptr<const ArcPicture> arcs = {};
+  std::shared_ptr<const ResidualPicture> residuals = {};
 };
 
-/// All but the suspects, whose search takes several times as long.
-Evaluation evaluateFit(Session session);
+/// All but the suspects, whose search takes several times as long. Asked to stop, it returns early with less.
+Evaluation evaluateFit(Session session, const std::stop_token& stop = {});
 /// The same with the suspects, and with the finding that names them.
 Evaluation withSuspects(Evaluation evaluation, const std::stop_token& stop = {});
 /// In place of a fit that broke down: the session and what is wrong with its entries, nothing fitted;

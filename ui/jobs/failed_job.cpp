@@ -3,14 +3,15 @@
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QDir>
+#include <QFile>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QSaveFile>
 #include <QStandardPaths>
 #include <QSysInfo>
 #include <map>
 #include <utility>
 
+#include "core/base/atomic_file.h"
 #include "core/base/failure.h"
 #include "core/session/session_file.h"
 #include "ui/text/entry_text.h"
@@ -56,11 +57,10 @@ QString written(const FailedJob& failed) {
   const QString path =
       folder.filePath(now.toString(QStringLiteral("yyyyMMdd-HHmmss-zzz-")) + job + QStringLiteral(".json"));
   const QByteArray record = recordOf(failed, now);
-  QSaveFile file(path);
-  const bool isWritten =
-      file.open(QIODevice::WriteOnly) && file.write(record) == record.size() && file.flush() && file.commit();
+  const auto problem = writeFile(QFile::encodeName(path).toStdString(),
+                                 {record.constData(), static_cast<std::size_t>(record.size())});
   dropOldest(folder);
-  return isWritten ? path : QString();
+  return problem ? QString() : path;
 }
 
 /// The first of its kind is kept: every edit would make one more.

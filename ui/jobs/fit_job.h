@@ -6,6 +6,7 @@
 
 #include "ui/jobs/background.h"
 #include "ui/jobs/evaluation.h"
+#include "ui/jobs/fit_request.h"
 
 namespace alidade::ui {
 
@@ -14,8 +15,8 @@ using SharedEvaluation = std::shared_ptr<const Evaluation>;
 
 /// Evaluates copies of the session in the background, in two stages: the fit at once, the readings that look
 /// misread when they are found. While a fit is at work, only the newest request is kept; what a newer request
-/// has overtaken is not delivered, and its search is stopped. A fit never waits for a search, and there is
-/// one search at a time.
+/// has overtaken is stopped and not delivered, and so is its search. A fit never waits for a search, and
+/// there is one search at a time.
 class FitJob : public QObject {
   Q_OBJECT
 
@@ -23,6 +24,12 @@ class FitJob : public QObject {
   explicit FitJob(QObject* parent = nullptr);
 
   void request(const Session& session);
+  /// The session requested before, as `change` has left it: what did not change is not copied here.
+  void request(const Session& session, const SessionChange& change);
+  bool isFitting() const { return m_fit.isAtWork(); }
+  bool isSearching() const { return m_fitted != nullptr; }
+  /// Looks for misread readings no further; `searched` does not come for this evaluation.
+  void stopSearch();
   bool isIdle() const { return !m_fit.isAtWork() && !m_fitted; }  ///< nothing is still to be delivered
 
  signals:
@@ -36,12 +43,14 @@ class FitJob : public QObject {
     SharedEvaluation fitted, found;
   };
 
-  void fit(const Session& session);
+  void begin();
+  void fit(FitRequest request);
   void finishFit(const SharedEvaluation& fitted);
   void search();
   void finishSearch(const Search& done);
 
-  std::optional<Session> m_next;
+  std::optional<FitRequest> m_next;
+  SharedEvaluation m_last;    ///< of the request done last, delivered or not; null: changes have no ground
   SharedEvaluation m_fitted;  ///< delivered last, its suspects still wanted; null where they are not
   Background<Evaluation> m_fit;
   Background<Search> m_search;

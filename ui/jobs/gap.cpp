@@ -49,7 +49,7 @@ std::string reasonForNone(const Evaluation& evaluation) {
 }
 
 /// The bare model, then one more effect of the session's at a time.
-std::vector<GapStage> modelledStages(const Evaluation& evaluation) {
+std::vector<GapStage> modelledStages(const Evaluation& evaluation, const std::stop_token& stop) {
   std::vector<GapStage> stages;
   Measurement measurement = *evaluation.examined.measurement;
   const std::vector<std::string> effects = std::exchange(measurement.effects, {});
@@ -58,6 +58,7 @@ std::vector<GapStage> modelledStages(const Evaluation& evaluation) {
   if (known > 0) stages.push_back(stageOf(fitSession(measurement)));
   for (const std::string& id : effects) {
     if (!isKnown(id)) continue;
+    if (stop.stop_requested()) return stages;
     measurement.effects.push_back(id);
     const bool isLast = static_cast<std::ptrdiff_t>(measurement.effects.size()) == known;
     stages.push_back(stageOf(isLast ? evaluation.fit : fitSession(measurement)));
@@ -103,7 +104,7 @@ Gap assessGap(const SharedEvaluation& evaluation, const std::stop_token& stop) {
     gap.reason = diagnosis.problem().what;
     return gap;
   }
-  gap.stages = modelledStages(*gap.evaluation);
+  gap.stages = modelledStages(*gap.evaluation, stop);
   for (const GapStep& step : diagnosis->steps) {
     const auto cause = std::ranges::find(diagnosis->causes, step.effect, &Cause::effect);
     gap.stages.push_back({.kind = GapStage::Kind::Proposed,

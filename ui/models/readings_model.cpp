@@ -1,6 +1,7 @@
 #include "ui/models/readings_model.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "ui/commands/edit_readings.h"
@@ -23,16 +24,10 @@ bool isAngle(ReadingColumn column) {
   return isRequired(column) || column == ReadingColumn::Slider;
 }
 
-bool haveSameResidual(const std::optional<SightingResidual>& a, const std::optional<SightingResidual>& b) {
-  return a.has_value() == b.has_value() &&
-         (!a || (a->horizontal == b->horizontal && a->vertical == b->vertical));
-}
-
 }  // namespace
 
 ReadingsModel::ReadingsModel(SessionDocument& document, std::size_t position, QObject* parent)
-    : QAbstractTableModel(parent), m_document(document), m_position(position) {
-  m_notes.resize(readings().size());
+    : QAbstractTableModel(parent), m_document(document), m_position(position), m_notes(position) {
   connect(&document, &SessionDocument::aboutToChange, this, &ReadingsModel::beginChange);
   connect(&document, &SessionDocument::changed, this, &ReadingsModel::endChange);
 }
@@ -97,7 +92,7 @@ QVariant ReadingsModel::pendingRowData(ReadingColumn column, int role) const {
 QString ReadingsModel::cellText(int row, ReadingColumn column) const {
   if (column == ReadingColumn::Used) return {};
   if (!readingText(column)) {
-    const auto& residual = m_notes[static_cast<std::size_t>(row)].residual;
+    const SightingResidual* residual = m_notes.residual(static_cast<std::size_t>(row));
     if (!residual) return {};
     const bool horizontal = column == ReadingColumn::HorizontalResidual;
     return numberText((horizontal ? residual->horizontal : residual->vertical).arcseconds(), 1);
@@ -111,16 +106,11 @@ QString ReadingsModel::problem(int row, ReadingColumn column) const {
   const std::string& typed = reading(row).*readingText(column);
   if (typed.empty()) return {};
   const auto own = entryProblem(m_document.session(), "readings." + readingFieldName(column), typed);
-  if (own) return qText(*own);
-  const auto& problems = m_notes[static_cast<std::size_t>(row)].problems;
-  const auto found = problems.find(column);
-  return found == problems.end() ? QString() : found->second;
+  return own ? qText(*own) : m_notes.problem(static_cast<std::size_t>(row), column);
 }
 
 QString ReadingsModel::suspicion(int row, ReadingColumn column) const {
-  const auto& suspicions = m_notes[static_cast<std::size_t>(row)].suspicions;
-  const auto found = suspicions.find(column);
-  return found == suspicions.end() ? QString() : found->second;
+  return m_notes.suspicion(static_cast<std::size_t>(row), column);
 }
 
 bool ReadingsModel::isIncomplete(int row, ReadingColumn column) const {
@@ -199,48 +189,33 @@ bool ReadingsModel::setData(const QModelIndex& index, const QVariant& value, int
   return true;
 }
 
-void ReadingsModel::setEvaluation(const Evaluation& evaluation) {
-  const std::vector<RowNotes> before = std::exchange(m_notes, std::vector<RowNotes>(readings().size()));
-  if (const ArcFit* arc = evaluation.fit.arcOfPosition(m_position)) {
-    for (const SightingResidual& residual : arc->residuals) {
-      if (residual.row < m_notes.size()) m_notes[residual.row].residual = residual;
-    }
-  }
-  for (const Problem& problem : evaluation.examined.problems) {
-    const Place& where = problem.where;
-    if (where.position != m_position || !where.reading || *where.reading >= m_notes.size()) continue;
-    m_notes[*where.reading].problems.emplace(readingColumn(where.field), qText(problem.what));
-  }
-  for (const Suspect& suspect : evaluation.suspects) {
-    const Place& where = suspect.where;
-    if (where.position != m_position || !where.reading || *where.reading >= m_notes.size()) continue;
-    m_notes[*where.reading].suspicions.emplace(readingColumn(where.field), qText(suspect.sentence));
-  }
-  tellOfNews(before);
-}
-
 /// Cells that say the same as before are not painted again.
-void ReadingsModel::tellOfNews(const std::vector<RowNotes>& before) {
-  const auto differ = [&](auto same) {
-    return !std::equal(before.begin(), before.end(), m_notes.begin(), m_notes.end(), same);
-  };
+void ReadingsModel::setEvaluation(SharedEvaluation evaluation) {
+  const RowNotes::News news = m_notes.setEvaluation(std::move(evaluation));
   const auto at = [this](ReadingColumn column, int row) { return index(row, static_cast<int>(column)); };
-  if (differ([](const RowNotes& a, const RowNotes& b) {
-        return a.problems == b.problems && a.suspicions == b.suspicions;
-      }))
+  if (news == RowNotes::News::Everything)
     emit dataChanged(index(0, 0), index(rowCount() - 1, readingColumnCount - 1));
-  else if (differ(
-               [](const RowNotes& a, const RowNotes& b) { return haveSameResidual(a.residual, b.residual); }))
+  else if (news == RowNotes::News::Residuals)
     emit dataChanged(at(ReadingColumn::HorizontalResidual, 0),
                      at(ReadingColumn::VerticalResidual, rowCount() - 1));
 }
 
 bool ReadingsModel::isUsed(ReadingColumn column) const {
+  return isUsed(column, 0, readings().size());
+}
+
+bool ReadingsModel::isUsed(ReadingColumn column, std::size_t first, std::size_t count) const {
   const auto text = readingText(column);
   const std::string usual = column == ReadingColumn::Round || column == ReadingColumn::Face ? "1" : "";
-  return text && std::any_of(readings().begin(), readings().end(), [&](const Reading& reading) {
+  const auto from = std::next(readings().begin(), static_cast<std::ptrdiff_t>(first));
+  return text &&
+         std::any_of(from, std::next(from, static_cast<std::ptrdiff_t>(count)), [&](const Reading& reading) {
            return !(reading.*text).empty() && reading.*text != usual;
          });
+}
+
+QString ReadingsModel::copiedText(int row, ReadingColumn column) const {
+  return isEntered(column) ? qText(enteredText(reading(row), column)) : cellText(row, column);
 }
 
 bool ReadingsModel::isMine(const SessionChange& change) const {
@@ -268,18 +243,10 @@ void ReadingsModel::endChange(const SessionChange& change) {
     return;
   }
   if (!isMine(change)) return;
-  const auto first = static_cast<std::ptrdiff_t>(*change.place.reading);
-  if (change.removed == change.inserted) {
-    for (std::size_t i = 0; i < change.inserted; ++i) {
-      m_notes[*change.place.reading + i].problems.clear();
-      m_notes[*change.place.reading + i].suspicions.clear();
-    }
-  } else {
-    const auto from = m_notes.erase(m_notes.begin() + first,
-                                    m_notes.begin() + first + static_cast<std::ptrdiff_t>(change.removed));
-    m_notes.insert(from, change.inserted, RowNotes{});
-    change.removed > change.inserted ? endRemoveRows() : endInsertRows();
-  }
+  const std::size_t first = *change.place.reading;
+  m_notes.replaceRows(first, change.removed, change.inserted);
+  if (change.removed > change.inserted) endRemoveRows();
+  if (change.removed < change.inserted) endInsertRows();
   emit dataChanged(
       index(static_cast<int>(first), 0),
       index(std::min(static_cast<int>(first) + static_cast<int>(change.inserted), readingCount()),

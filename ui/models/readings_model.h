@@ -1,12 +1,10 @@
 #pragma once
 
 #include <QAbstractTableModel>
-#include <map>
-#include <optional>
 #include <vector>
 
 #include "ui/document/reading_column.h"
-#include "ui/jobs/evaluation.h"
+#include "ui/models/row_notes.h"
 
 namespace alidade::ui {
 
@@ -40,19 +38,19 @@ class ReadingsModel : public QAbstractTableModel {
   Qt::ItemFlags flags(const QModelIndex& index) const override;
   bool setData(const QModelIndex& index, const QVariant& value, int role) override;
 
-  void setEvaluation(const Evaluation& evaluation);
+  /// Tells of the residuals, or of all cells where problems or suspects changed: a view asks for those in
+  /// sight.
+  void setEvaluation(SharedEvaluation evaluation);
 
   /// Says the column anything that is not understood without it? A round or face 1 does not.
   bool isUsed(ReadingColumn column) const;
+  /// Do these rows of it?
+  bool isUsed(ReadingColumn column, std::size_t first, std::size_t count) const;
+
+  /// What a cell with a reading is copied as: what was typed; of residuals what is shown.
+  QString copiedText(int row, ReadingColumn column) const;
 
  private:
-  /// What the newest evaluation says about a row.
-  struct RowNotes {
-    std::optional<SightingResidual> residual;
-    std::map<ReadingColumn, QString> problems, suspicions;
-  };
-
-  void tellOfNews(const std::vector<RowNotes>& before);
   const std::vector<Reading>& readings() const;
   const Reading& reading(int row) const { return readings()[static_cast<std::size_t>(row)]; }
   QString cellText(int row, ReadingColumn column) const;
@@ -69,7 +67,7 @@ class ReadingsModel : public QAbstractTableModel {
 
   SessionDocument& m_document;
   std::size_t m_position;
-  std::vector<RowNotes> m_notes;
+  RowNotes m_notes;
 };
 
 }  // namespace alidade::ui

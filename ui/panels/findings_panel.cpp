@@ -2,6 +2,7 @@
 
 #include <QKeyEvent>
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "ui/document/field.h"
@@ -101,17 +102,8 @@ FindingsPanel::Entry FindingsPanel::gapEntry() const {
 }
 
 std::vector<FindingsPanel::Entry> FindingsPanel::entriesOf(const Evaluation& evaluation) {
-  std::vector<Entry> entries;
-  const Session& session = evaluation.session;
-  for (const Problem& problem : evaluation.examined.problems) {
-    const bool missing = isMissing(session, problem.where);
-    entries.push_back({missing ? QStringLiteral("incomplete") : QStringLiteral("problem"),
-                       missing ? tr("Missing") : tr("Problem"), problemText(session, problem),
-                       problem.where});
-  }
-  // What is wrong comes before what is only not there yet.
-  std::stable_partition(entries.begin(), entries.end(),
-                        [](const Entry& entry) { return entry.icon == QStringLiteral("problem"); });
+  std::vector<Entry> entries = problemEntries(evaluation, false);
+  std::ranges::move(problemEntries(evaluation, true), std::back_inserter(entries));
   const auto misread = suspectsFinding(evaluation.suspects);
   for (const Finding& finding : evaluation.fit.findings) {
     if (finding == misread) continue;  // told by the suspect bar, with what to do
@@ -121,6 +113,30 @@ std::vector<FindingsPanel::Entry> FindingsPanel::entriesOf(const Evaluation& eva
     const QString remedy = finding.remedy.empty() ? QString() : QLatin1Char(' ') + qText(finding.remedy);
     entries.push_back({icons[severity], spoken[severity], qText(finding.text) + remedy, finding.where});
   }
+  return entries;
+}
+
+/// What cannot be used, or what is only not there yet. Of very many the first; the table marks them all.
+std::vector<FindingsPanel::Entry> FindingsPanel::problemEntries(const Evaluation& evaluation, bool missing) {
+  const QString icon = missing ? QStringLiteral("incomplete") : QStringLiteral("problem");
+  const QString spoken = missing ? tr("Missing") : tr("Problem");
+  std::vector<Entry> entries;
+  std::size_t further = 0;
+  Place next;
+  for (const Problem& problem : evaluation.examined.problems) {
+    if (isMissing(evaluation.session, problem.where) != missing) continue;
+    if (entries.size() < mostListed)
+      entries.push_back({icon, spoken, problemText(evaluation.session, problem), problem.where});
+    else if (further++ == 0)
+      next = problem.where;
+  }
+  if (further == 0) return entries;
+  const QString text = missing
+                           ? tr("%1 further entries are missing; those after the ones above are listed when "
+                                "these are made.")
+                           : tr("%1 further entries cannot be used; those after the ones above are listed "
+                                "when these are mended.");
+  entries.push_back({icon, spoken, text.arg(further), next});
   return entries;
 }
 

@@ -13,6 +13,9 @@ class FindingsPanel : public QListWidget {
   Q_OBJECT
 
  public:
+  /// So many problems of a kind have a line each; one more line tells how many there are beyond.
+  static constexpr std::size_t mostListed = 200;
+
   explicit FindingsPanel(QWidget* parent = nullptr);
 
   void setEvaluation(const Evaluation& evaluation);
@@ -42,6 +45,7 @@ class FindingsPanel : public QListWidget {
   enum class GapState { Unknown, Old, Known };
 
   static std::vector<Entry> entriesOf(const Evaluation& evaluation);
+  static std::vector<Entry> problemEntries(const Evaluation& evaluation, bool missing);
   Entry gapEntry() const;
   void refresh();
   bool saysSound() const;

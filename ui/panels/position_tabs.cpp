@@ -156,13 +156,13 @@ ReadingsTable* PositionTabs::currentTable() const {
   return currentIndex() < 0 ? nullptr : table(static_cast<std::size_t>(currentIndex()));
 }
 
-void PositionTabs::setEvaluation(const Evaluation& evaluation) {
+void PositionTabs::setEvaluation(const SharedEvaluation& evaluation) {
   for (ReadingsTable* table : m_tables) table->readings().setEvaluation(evaluation);
   for (int tab = 0; tab < static_cast<int>(m_tables.size()); ++tab) {
-    const auto& problems = evaluation.examined.problems;
+    const auto& problems = evaluation->examined.problems;
     const bool wrong = std::any_of(problems.begin(), problems.end(), [&](const Problem& problem) {
       return problem.where.position == static_cast<std::size_t>(tab) &&
-             !isMissing(evaluation.session, problem.where);
+             !isMissing(evaluation->session, problem.where);
     });
     markTab(*this, tab, wrong);
   }

@@ -6,7 +6,7 @@
 
 #include "core/base/place.h"
 #include "ui/document/reading_column.h"
-#include "ui/jobs/evaluation.h"
+#include "ui/jobs/fit_job.h"
 
 namespace alidade::ui {
 
@@ -23,7 +23,7 @@ class PositionTabs : public QTabWidget {
 
   ReadingsTable* table(std::size_t position) const;
   ReadingsTable* currentTable() const;  ///< null where the session has no positions
-  void setEvaluation(const Evaluation& evaluation);
+  void setEvaluation(const SharedEvaluation& evaluation);
   void setColumnShown(ReadingColumn column, bool shown);
   /// The tab of the position, or that of a missing one where there are not so many.
   void showPosition(std::size_t position);

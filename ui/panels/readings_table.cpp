@@ -42,7 +42,7 @@ ReadingsTable::ReadingsTable(SessionDocument& document, std::size_t position, QW
   setTabKeyNavigation(false);
   setAccessibleName(tr("Readings"));
   connect(m_delegate, &ReadingDelegate::keyOnward, this, &ReadingsTable::goOnward);
-  connect(&document, &SessionDocument::changed, this, &ReadingsTable::showUsedColumns);
+  connect(&document, &SessionDocument::changed, this, &ReadingsTable::showColumnsUsedBy);
   layOutColumns();
   showUsedColumns();
 }
@@ -106,6 +106,19 @@ void ReadingsTable::showUsedColumns() {
     setColumnHidden(static_cast<int>(column), !wanted && !m_model.isUsed(column));
   }
   fitAngles();
+}
+
+/// A column that is hidden can only come into use by what is new.
+void ReadingsTable::showColumnsUsedBy(const SessionChange& change) {
+  if (change.kind != SessionChange::Kind::Readings || change.place.position != m_model.position()) return;
+  const bool isRight =
+      std::all_of(std::begin(optionalColumns), std::end(optionalColumns), [&](ReadingColumn column) {
+        if (isColumnHidden(static_cast<int>(column)))
+          return !m_model.isUsed(column, *change.place.reading, change.inserted);
+        return std::find(m_wanted.begin(), m_wanted.end(), column) != m_wanted.end() ||
+               m_model.isUsed(column);
+      });
+  if (!isRight) showUsedColumns();
 }
 
 void ReadingsTable::selectCell(int row, ReadingColumn column) {
@@ -220,19 +233,21 @@ QModelIndex ReadingsTable::neighbour(const QModelIndex& from, int step) const {
 }
 
 std::vector<std::size_t> ReadingsTable::selectedRows() const {
-  std::set<std::size_t> rows;
-  for (const QModelIndex& index : selectionModel()->selectedIndexes()) {
-    if (index.row() < m_model.readingCount()) rows.insert(static_cast<std::size_t>(index.row()));
-  }
-  return {rows.begin(), rows.end()};
+  std::vector<std::size_t> rows;
+  for (const QItemSelectionRange& range : selectionModel()->selection())
+    for (int row = range.top(); row <= std::min(range.bottom(), m_model.readingCount() - 1); ++row)
+      rows.push_back(static_cast<std::size_t>(row));
+  std::sort(rows.begin(), rows.end());
+  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+  return rows;
 }
 
 std::vector<ReadingCell> ReadingsTable::selectedCells() const {
   std::vector<ReadingCell> cells;
-  for (const QModelIndex& index : selectionModel()->selectedIndexes()) {
-    if (!isColumnHidden(index.column()))
-      cells.push_back({static_cast<std::size_t>(index.row()), columnOf(index)});
-  }
+  for (const QItemSelectionRange& range : selectionModel()->selection())
+    for (int column = range.left(); column <= range.right(); ++column)
+      for (int row = range.top(); row <= range.bottom() && !isColumnHidden(column); ++row)
+        cells.push_back({static_cast<std::size_t>(row), static_cast<ReadingColumn>(column)});
   return cells;
 }
 
@@ -247,24 +262,16 @@ std::vector<ReadingColumn> ReadingsTable::columnsFrom(int column) const {
 
 /// The rectangle around the selection, as typed; residuals only where nothing else is selected.
 void ReadingsTable::copy() const {
-  std::set<int> rows, entered, computed;
-  for (const QModelIndex& index : selectionModel()->selectedIndexes()) {
-    if (index.row() >= m_model.readingCount() || isColumnHidden(index.column())) continue;
-    rows.insert(index.row());
-    (isEntered(columnOf(index)) ? entered : computed).insert(index.column());
-  }
+  std::set<int> entered, computed;
+  for (const QItemSelectionRange& range : selectionModel()->selection())
+    for (int column = range.left(); column <= range.right(); ++column)
+      if (!isColumnHidden(column))
+        (isEntered(static_cast<ReadingColumn>(column)) ? entered : computed).insert(column);
   ReadingBlock block;
-  for (const int row : rows) {
+  for (const std::size_t row : selectedRows()) {
     QStringList cells;
-    for (const int column : entered.empty() ? computed : entered) {
-      const QModelIndex index = m_model.index(row, column);
-      if (columnOf(index) == ReadingColumn::Used) {
-        cells.append(index.data(ReadingsModel::ExcludedRole).toBool() ? QStringLiteral("0")
-                                                                      : QStringLiteral("1"));
-      } else {
-        cells.append(index.data(isEntered(columnOf(index)) ? Qt::EditRole : Qt::DisplayRole).toString());
-      }
-    }
+    for (const int column : entered.empty() ? computed : entered)
+      cells.append(m_model.copiedText(static_cast<int>(row), static_cast<ReadingColumn>(column)));
     block.append(cells);
   }
   if (!block.isEmpty()) QApplication::clipboard()->setText(blockText(block));
@@ -278,11 +285,9 @@ void ReadingsTable::cut() {
 void ReadingsTable::paste() {
   const ReadingBlock block = parseBlock(QApplication::clipboard()->text());
   if (block.isEmpty()) return;
-  const QModelIndexList selected = selectionModel()->selectedIndexes();
   QModelIndex corner = currentIndex();
-  for (const QModelIndex& index : selected) {
-    corner = m_model.index(std::min(corner.row(), index.row()), std::min(corner.column(), index.column()));
-  }
+  for (const QItemSelectionRange& range : selectionModel()->selection())
+    corner = m_model.index(std::min(corner.row(), range.top()), std::min(corner.column(), range.left()));
   if (!corner.isValid())
     corner = m_model.index(m_model.readingCount(), static_cast<int>(ReadingColumn::Horizontal));
   const std::size_t left =

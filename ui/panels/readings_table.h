@@ -55,6 +55,7 @@ class ReadingsTable : public QTableView {
   void layOutColumns();
   int widthOf(const char* sample) const;
   void showUsedColumns();
+  void showColumnsUsedBy(const SessionChange& change);
   void fitAngles();
 
   ReadingsModel m_model;

@@ -28,7 +28,10 @@ QString circleText(ReadingKind kind) {
 }  // namespace
 
 ReliabilityPanel::ReliabilityPanel(QWidget* parent)
-    : QWidget(parent), m_summary(new QLabel), m_table(createTable()) {
+    : QWidget(parent),
+      m_evaluation(std::make_shared<const Evaluation>()),
+      m_summary(new QLabel),
+      m_table(createTable()) {
   m_summary->setWordWrap(true);
   m_summary->setTextInteractionFlags(Qt::TextSelectableByMouse);
   m_table->setAccessibleName(tr("Reliability of every reading"));
@@ -72,52 +75,66 @@ DataTable* ReliabilityPanel::createTable() {
   });
 }
 
-void ReliabilityPanel::setEvaluation(const Evaluation& evaluation) {
-  m_rows = rowsOf(evaluation);
+void ReliabilityPanel::setEvaluation(const SharedEvaluation& evaluation) {
+  m_evaluation = evaluation;
   m_summary->setText(summary());
-  m_summary->setVisible(!m_rows.empty());
-  m_table->setRows(static_cast<int>(m_rows.size()));
+  m_summary->setVisible(!readings().empty());
+  m_table->setRows(static_cast<int>(readings().size()));
   showCurrent();
 }
 
-std::vector<ReliabilityPanel::Row> ReliabilityPanel::rowsOf(const Evaluation& evaluation) const {
-  std::vector<Row> rows;
-  const auto& measurement = evaluation.examined.measurement;
-  if (!measurement) return rows;
-  rows.reserve(evaluation.fit.joint.readings.size());
-  for (const AdjustedReading& adjusted : evaluation.fit.joint.readings) {
-    const ArcFit& arc = evaluation.fit.arcs[adjusted.arc];
-    const auto measured = std::find_if(measurement->arcs.begin(), measurement->arcs.end(),
-                                       [&](const ArcMeasurement& m) { return m.position == arc.position; });
-    const Sighting& sighting = measured->sightings[adjusted.sighting];
-    rows.push_back({arc.position, sighting.row, arc.axisDeg, sighting.round, sighting.point, sighting.face,
-                    adjusted, reliabilityOf(adjusted)});
-    if (!evaluation.fit.intersection)
-      rows.back().reliability.influence = std::numeric_limits<double>::quiet_NaN();
-  }
-  return rows;
+const std::vector<AdjustedReading>& ReliabilityPanel::readings() const {
+  return m_evaluation->fit.joint.readings;
+}
+
+const ArcMeasurement& ReliabilityPanel::measuredArc(const AdjustedReading& adjusted) const {
+  const auto& arcs = m_evaluation->examined.measurement->arcs;
+  const std::size_t position = m_evaluation->fit.arcs[adjusted.arc].position;
+  return *std::find_if(arcs.begin(), arcs.end(),
+                       [&](const ArcMeasurement& measured) { return measured.position == position; });
+}
+
+ReliabilityPanel::Row ReliabilityPanel::row(int index) const {
+  return rowOf(readings()[static_cast<std::size_t>(index)]);
+}
+
+ReliabilityPanel::Row ReliabilityPanel::rowOf(const AdjustedReading& adjusted) const {
+  const ArcMeasurement& measured = measuredArc(adjusted);
+  const Sighting& sighting = measured.sightings[adjusted.sighting];
+  return {measured.position, sighting.row,  measured.axisDeg, sighting.round,
+          sighting.point,    sighting.face, adjusted,         reliability(adjusted)};
+}
+
+Reliability ReliabilityPanel::reliability(const AdjustedReading& adjusted) const {
+  Reliability reliability = reliabilityOf(adjusted);
+  if (!m_evaluation->fit.intersection) reliability.influence = std::numeric_limits<double>::quiet_NaN();
+  return reliability;
 }
 
 /// The reading whose unfound error would cost most.
 QString ReliabilityPanel::summary() const {
-  const auto unchecked = std::count_if(m_rows.begin(), m_rows.end(), [](const Row& row) {
-    return !std::isfinite(row.reliability.minimalDetectableBias.radians());
-  });
+  std::size_t unchecked = 0;
+  const AdjustedReading* worst = nullptr;
+  double most = 0;
+  for (const AdjustedReading& adjusted : readings()) {
+    const Reliability known = reliability(adjusted);
+    if (!std::isfinite(known.minimalDetectableBias.radians())) ++unchecked;
+    if (!(std::abs(known.influence) > most)) continue;
+    most = std::abs(known.influence);
+    worst = &adjusted;
+  }
   if (unchecked > 0)
     return tr("%1 of %2 readings are checked by no other: an error in them would not show.")
         .arg(unchecked)
-        .arg(m_rows.size());
-  const auto worst = std::max_element(m_rows.begin(), m_rows.end(), [](const Row& a, const Row& b) {
-    return std::abs(a.reliability.influence) < std::abs(b.reliability.influence);
-  });
-  if (worst == m_rows.end() || !(std::abs(worst->reliability.influence) > 0)) return {};
+        .arg(readings().size());
+  if (!worst) return {};
+  const Row row = rowOf(*worst);
   return tr("Every reading is checked. The dearest unfound error: %1°, point %2, %3, up to %4, moves Δd by "
             "%5.")
-      .arg(worst->axisDeg)
-      .arg(worst->point)
-      .arg(circleText(worst->adjusted.kind),
-           arcsecText(worst->reliability.minimalDetectableBias.arcseconds(), 0),
-           lengthText(std::abs(worst->reliability.influence), 3));
+      .arg(row.axisDeg)
+      .arg(row.point)
+      .arg(circleText(row.adjusted.kind), arcsecText(row.reliability.minimalDetectableBias.arcseconds(), 0),
+           lengthText(std::abs(row.reliability.influence), 3));
 }
 
 void ReliabilityPanel::setCurrentReading(std::size_t position, std::size_t row) {
@@ -127,9 +144,12 @@ void ReliabilityPanel::setCurrentReading(std::size_t position, std::size_t row) 
 
 void ReliabilityPanel::showCurrent() {
   std::vector<int> rows;
-  for (std::size_t i = 0; m_current && i < m_rows.size(); ++i)
-    if (m_rows[i].position == m_current->first && m_rows[i].reading == m_current->second)
+  for (std::size_t i = 0; m_current && i < readings().size(); ++i) {
+    const AdjustedReading& adjusted = readings()[i];
+    if (m_evaluation->fit.arcs[adjusted.arc].position != m_current->first) continue;
+    if (measuredArc(adjusted).sightings[adjusted.sighting].row == m_current->second)
       rows.push_back(static_cast<int>(i));
+  }
   m_table->selectDataRows(rows);
 }
 

@@ -2,10 +2,11 @@
 
 #include <QWidget>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/adjustment/reliability.h"
-#include "ui/jobs/evaluation.h"
+#include "ui/jobs/fit_job.h"
 
 class QLabel;
 
@@ -22,7 +23,7 @@ class ReliabilityPanel : public QWidget {
  public:
   explicit ReliabilityPanel(QWidget* parent = nullptr);
 
-  void setEvaluation(const Evaluation& evaluation);
+  void setEvaluation(const SharedEvaluation& evaluation);
   /// Selects what belongs to a row of readings: indices into the session's positions and their readings.
   void setCurrentReading(std::size_t position, std::size_t row);
 
@@ -37,13 +38,17 @@ class ReliabilityPanel : public QWidget {
     Reliability reliability;
   };
 
-  std::vector<Row> rowsOf(const Evaluation& evaluation) const;
-  const Row& row(int index) const { return m_rows[static_cast<std::size_t>(index)]; }
+  const std::vector<AdjustedReading>& readings() const;
+  const ArcMeasurement& measuredArc(const AdjustedReading& adjusted) const;
+  /// Made as it is painted, so that a long table costs no more than the rows in view.
+  Row row(int index) const;
+  Row rowOf(const AdjustedReading& adjusted) const;
+  Reliability reliability(const AdjustedReading& adjusted) const;
   DataTable* createTable();
   void showCurrent();
   QString summary() const;
 
-  std::vector<Row> m_rows;
+  SharedEvaluation m_evaluation;  ///< never null
   std::optional<std::pair<std::size_t, std::size_t>> m_current;
   QLabel* m_summary;
   DataTable* m_table;

@@ -75,6 +75,14 @@ void SuspectBar::setStale() {
   emit suspectsChanged();
 }
 
+void SuspectBar::setUnknown() {
+  m_suspects.clear();
+  m_isStale = m_isVisited = false;
+  m_index = 0;
+  showCurrent();
+  emit suspectsChanged();
+}
+
 /// The suspect shown before is shown again where it is still one.
 void SuspectBar::setEvaluation(const Evaluation& evaluation) {
   if (!evaluation.isSearched) return setStale();

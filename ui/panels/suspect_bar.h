@@ -23,6 +23,8 @@ class SuspectBar : public QFrame {
   void setEvaluation(const Evaluation& evaluation);
   /// The session changed: until its suspects are found nothing is shown or used; the bar keeps its place.
   void setStale();
+  /// The search was stopped: nothing is known of this session.
+  void setUnknown();
   /// Shows the suspect of this row of readings, where it has one.
   void showReading(std::size_t position, std::size_t row);
 

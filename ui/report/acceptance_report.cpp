@@ -57,7 +57,8 @@ bool paintReport(QBuffer& buffer, const Evaluation& evaluation, const ReportSour
                   shortLine(sessionName(evaluation, source), longestTitle));
   writer.setCreator(QStringLiteral("Alidade " ALIDADE_VERSION));
   ReportSheet sheet(writer, frameFor(evaluation, source, options));
-  const Gap gap = assessGap(std::make_shared<const Evaluation>(evaluation));
+  sheet.setWatch(options.goesOn);
+  const Gap gap = options.gap ? *options.gap : assessGap(std::make_shared<const Evaluation>(evaluation));
   const bool methodIsInFront = addSummary(sheet, gap, options);
   addPlots(sheet, evaluation);
   addReadings(sheet, evaluation);
@@ -66,8 +67,8 @@ bool paintReport(QBuffer& buffer, const Evaluation& evaluation, const ReportSour
   if (!methodIsInFront) addMethod(sheet, evaluation);
   QPainter painter;
   if (!painter.begin(&writer)) return false;
-  sheet.paint(painter);
-  return painter.end();
+  const bool isWhole = sheet.paint(painter);
+  return painter.end() && isWhole;
 }
 
 }  // namespace

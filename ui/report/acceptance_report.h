@@ -4,11 +4,13 @@
 #include <QDateTime>
 #include <QString>
 #include <QStringList>
+#include <functional>
+#include <memory>
 #include <optional>
 
 #include "core/adjustment/monte_carlo.h"
 #include "core/base/result.h"
-#include "ui/jobs/evaluation.h"
+#include "ui/jobs/gap.h"
 
 namespace alidade::ui {
 
@@ -24,6 +26,10 @@ struct ReportSource {
 struct ReportOptions {
   QDateTime date = QDateTime::currentDateTime();  ///< printed on each page
   std::optional<MonteCarlo> simulated = {};       ///< of the same evaluation: told beside the budget
+  std::shared_ptr<const Gap> gap = {};            ///< of the same evaluation; null: it is assessed here
+  /// Asked often while the report is written, with the share that is done; false stops it, which is then the
+  /// reason why there is none.
+  std::function<bool(double done)> goesOn = {};
 };
 
 /// Writes the acceptance report, an A4 PDF of vectors and embedded fonts (PDF/A-1b): result and verdict, what

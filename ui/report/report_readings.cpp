@@ -74,7 +74,8 @@ QString orDefault(const std::string& text, const QString& usual) {
 class PositionTable {
  public:
   PositionTable(ReportSheet& sheet, const Evaluation& evaluation, std::size_t position)
-      : m_table(sheet, columns()),
+      : m_sheet(sheet),
+        m_table(sheet, columns()),
         m_position(evaluation.session.positions[position]),
         m_limits(limitsOf(evaluation)),
         m_unusable(unusableRows(evaluation, position)),
@@ -86,7 +87,11 @@ class PositionTable {
 
   void add() {
     m_table.head();
-    for (std::size_t row = 0; row < m_position.readings.size(); ++row) addRow(row);
+    const std::size_t rows = m_position.readings.size();
+    for (std::size_t row = 0; row < rows; ++row) {
+      if (!m_sheet.goesOn(static_cast<double>(row) / static_cast<double>(rows))) return;
+      addRow(row);
+    }
     m_table.finish();
   }
 
@@ -118,6 +123,7 @@ class PositionTable {
     m_table.row(cells, visibleLine(qText(reading.note).trimmed()));
   }
 
+  ReportSheet& m_sheet;
   ReportTable m_table;
   const Position& m_position;
   Limits m_limits;

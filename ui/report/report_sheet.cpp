@@ -129,8 +129,9 @@ void ReportSheet::paragraph(const QString& text, const TextStyle& style, double 
   }
 }
 
-void ReportSheet::paint(QPainter& painter) {
+bool ReportSheet::paint(QPainter& painter) {
   for (int page = 0; page < pageCount(); ++page) {
+    if (m_watch && !m_watch(0.5 + 0.5 * page / pageCount())) return false;
     if (page > 0) m_device.newPage();
     painter.save();
     painter.translate(margin * m_unit, margin * m_unit);
@@ -142,6 +143,7 @@ void ReportSheet::paint(QPainter& painter) {
     }
     painter.restore();
   }
+  return true;
 }
 
 void ReportSheet::paintFrame(QPainter& painter, int page) {

@@ -4,6 +4,7 @@
 #include <QString>
 #include <QStringList>
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "ui/report/text_style.h"
@@ -64,8 +65,13 @@ class ReportSheet {
   void heading(const QString& text);
   void paragraph(const QString& text, const TextStyle& style = type::body, double indent = 0);
 
-  /// Paints all pages.
-  void paint(QPainter& painter);
+  /// Paints all pages. False: it was stopped.
+  bool paint(QPainter& painter);
+
+  /// `watch` is asked often, with the share of the work that is done, and ends it by false.
+  void setWatch(std::function<bool(double done)> watch) { m_watch = std::move(watch); }
+  /// Asked while much is laid out, with the share of that which is done. False: lay out no more.
+  bool goesOn(double laidOut) const { return !m_watch || m_watch(laidOut / 2); }
 
  private:
   void paintFrame(QPainter& painter, int page);
@@ -76,6 +82,7 @@ class ReportSheet {
   ReportFrame m_frame;
   double m_unit;  // device units to the millimetre
   double m_y = 0;
+  std::function<bool(double done)> m_watch;
   std::vector<std::vector<Drawing>> m_pages;
 };
 

@@ -1,0 +1,34 @@
+#include "ui/jobs/fit_request.h"
+
+namespace alidade::ui {
+
+FitRequest::FitRequest(const Session& session, const SessionChange& change) {
+  add(session, change);
+}
+
+/// What many changes made new may weigh more than the session itself.
+void FitRequest::add(const Session& session, const SessionChange& change) {
+  constexpr std::size_t fewDeltas = 1000;
+  const std::size_t most = rowsOf(session) + (m_whole ? rowsOf(*m_whole) : 0) + fewDeltas;
+  const bool isMuch = m_rows > most || m_deltas.size() > most;
+  if (isMuch || change.kind == SessionChange::Kind::Everything) {
+    *this = FitRequest(session);
+    return;
+  }
+  m_deltas.emplace_back(session, change);
+  m_rows += m_deltas.back().rowCount();
+}
+
+Session FitRequest::session(const Session* before) const {
+  Session session = m_whole ? *m_whole : *before;
+  for (const SessionDelta& delta : m_deltas) delta.applyTo(session);
+  return session;
+}
+
+std::size_t FitRequest::rowsOf(const Session& session) {
+  std::size_t rows = 0;
+  for (const Position& position : session.positions) rows += position.readings.size();
+  return rows;
+}
+
+}  // namespace alidade::ui

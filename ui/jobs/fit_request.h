@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/session/session.h"
+#include "ui/document/session_delta.h"
+
+namespace alidade::ui {
+
+/// A session to be evaluated: as a whole, or by what is new since one that was evaluated before. The window's
+/// thread copies what an edit made new and no more; the whole is put together where it is evaluated.
+class FitRequest {
+ public:
+  explicit FitRequest(const Session& whole) : m_whole(whole), m_rows(rowsOf(whole)) {}
+  /// `session` as `change` has left it.
+  FitRequest(const Session& session, const SessionChange& change);
+
+  /// A further change of the session.
+  void add(const Session& session, const SessionChange& change);
+  bool isWhole() const { return m_whole.has_value(); }
+  /// `before` may be null where the request is whole.
+  Session session(const Session* before) const;
+
+ private:
+  static std::size_t rowsOf(const Session& session);
+
+  std::optional<Session> m_whole;
+  std::vector<SessionDelta> m_deltas;
+  std::size_t m_rows = 0;  ///< held in all
+};
+
+}  // namespace alidade::ui

@@ -1,0 +1,107 @@
+#include "ui/models/row_notes.h"
+
+#include <algorithm>
+
+#include "ui/text/entry_text.h"
+
+namespace alidade::ui {
+
+namespace {
+
+bool isBefore(const std::pair<std::size_t, std::size_t>& item, std::size_t row) {
+  return item.first < row;
+}
+
+bool saysSame(const Problem& a, const Problem& b) {
+  return a.where == b.where && a.what == b.what;
+}
+
+bool saysSame(const Suspect& a, const Suspect& b) {
+  return a.where == b.where && a.sentence == b.sentence;
+}
+
+template <typename Item, typename Index>
+bool areSame(const std::vector<Item>& a, const Index& inA, const std::vector<Item>& b, const Index& inB) {
+  return std::equal(inA.begin(), inA.end(), inB.begin(), inB.end(), [&](const auto& one, const auto& other) {
+    return saysSame(a[one.second], b[other.second]);
+  });
+}
+
+bool areSame(const ArcFit* a, const ArcFit* b) {
+  if (!a || !b) return a == b;
+  return std::equal(a->residuals.begin(), a->residuals.end(), b->residuals.begin(), b->residuals.end(),
+                    [](const SightingResidual& one, const SightingResidual& other) {
+                      return one.row == other.row && one.horizontal == other.horizontal &&
+                             one.vertical == other.vertical;
+                    });
+}
+
+}  // namespace
+
+template <typename Item>
+RowNotes::Index RowNotes::indexOf(const std::vector<Item>& items) const {
+  Index index;
+  for (std::size_t i = 0; i < items.size(); ++i)
+    if (items[i].where.position == m_position && items[i].where.reading)
+      index.emplace_back(*items[i].where.reading, i);
+  if (!std::is_sorted(index.begin(), index.end())) std::sort(index.begin(), index.end());
+  return index;
+}
+
+RowNotes::News RowNotes::setEvaluation(SharedEvaluation evaluation) {
+  const bool isMoved = m_rows.pieceCount() != 1 || !m_rows.origin(0)->isUntouched;
+  const SharedEvaluation before = std::exchange(m_evaluation, std::move(evaluation));
+  Index problems = indexOf(m_evaluation->examined.problems), suspects = indexOf(m_evaluation->suspects);
+  problems.swap(m_problems);
+  suspects.swap(m_suspects);
+  m_rows.reset();
+  const Evaluation none{};
+  const Evaluation& old = before ? *before : none;
+  const bool saysNew =
+      isMoved ? !(problems.empty() && suspects.empty() && m_problems.empty() && m_suspects.empty())
+              : !areSame(old.examined.problems, problems, m_evaluation->examined.problems, m_problems) ||
+                    !areSame(old.suspects, suspects, m_evaluation->suspects, m_suspects);
+  if (saysNew) return News::Everything;
+  const bool fitsNew = isMoved || !areSame(old.fit.arcOfPosition(m_position), arc());
+  return fitsNew ? News::Residuals : News::None;
+}
+
+void RowNotes::replaceRows(std::size_t first, std::size_t removed, std::size_t inserted) {
+  m_rows.replace(first, removed, inserted);
+}
+
+const SightingResidual* RowNotes::residual(std::size_t row) const {
+  const ArcFit* fitted = arc();
+  const auto origin = m_rows.origin(row);
+  if (!fitted || !origin) return nullptr;
+  const auto& residuals = fitted->residuals;
+  const auto found = std::lower_bound(
+      residuals.begin(), residuals.end(), origin->row,
+      [](const SightingResidual& residual, std::size_t number) { return residual.row < number; });
+  return found != residuals.end() && found->row == origin->row ? &*found : nullptr;
+}
+
+template <typename Item>
+const Item* RowNotes::find(const std::vector<Item>& items, const Index& index, std::size_t row,
+                           ReadingColumn column) const {
+  const auto origin = m_rows.origin(row);
+  if (!origin || !origin->isUntouched) return nullptr;
+  auto found = std::lower_bound(index.begin(), index.end(), origin->row, isBefore);
+  for (; found != index.end() && found->first == origin->row; ++found)
+    if (readingColumn(items[found->second].where.field) == column) return &items[found->second];
+  return nullptr;
+}
+
+QString RowNotes::problem(std::size_t row, ReadingColumn column) const {
+  const Problem* problem =
+      m_problems.empty() ? nullptr : find(m_evaluation->examined.problems, m_problems, row, column);
+  return problem ? qText(problem->what) : QString();
+}
+
+QString RowNotes::suspicion(std::size_t row, ReadingColumn column) const {
+  const Suspect* suspect =
+      m_suspects.empty() ? nullptr : find(m_evaluation->suspects, m_suspects, row, column);
+  return suspect ? qText(suspect->sentence) : QString();
+}
+
+}  // namespace alidade::ui

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <QString>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "ui/document/reading_column.h"
+#include "ui/jobs/fit_job.h"
+#include "ui/models/row_map.h"
+
+namespace alidade::ui {
+
+/// What the newest evaluation says about the rows of one position, looked up row by row: taking a new one
+/// over costs nothing by the row. Edits since are told to it, so that each row keeps what was said of it
+/// until the next evaluation knows better.
+class RowNotes {
+ public:
+  explicit RowNotes(std::size_t position) : m_position(position) {}
+
+  /// What is different for a view.
+  enum class News { None, Residuals, Everything };
+  News setEvaluation(SharedEvaluation evaluation);
+  /// From `first` on, `removed` rows gave way to `inserted`.
+  void replaceRows(std::size_t first, std::size_t removed, std::size_t inserted);
+
+  /// Null where the row took no part in the fit.
+  const SightingResidual* residual(std::size_t row) const;
+  /// Why the entry cannot be used; empty where nothing is known against it.
+  QString problem(std::size_t row, ReadingColumn column) const;
+  /// Why the reading looks misread.
+  QString suspicion(std::size_t row, ReadingColumn column) const;
+
+ private:
+  /// Row and index of a problem or suspect, in the order of the rows.
+  using Index = std::vector<std::pair<std::size_t, std::size_t>>;
+
+  template <typename Item>
+  Index indexOf(const std::vector<Item>& items) const;
+  template <typename Item>
+  const Item* find(const std::vector<Item>& items, const Index& index, std::size_t row,
+                   ReadingColumn column) const;
+  const ArcFit* arc() const { return m_evaluation ? m_evaluation->fit.arcOfPosition(m_position) : nullptr; }
+
+  std::size_t m_position;
+  SharedEvaluation m_evaluation;  ///< null before the first
+  Index m_problems, m_suspects;
+  RowMap m_rows;
+};
+
+}  // namespace alidade::ui
