@@ -4,8 +4,8 @@
 #include <QTemporaryDir>
 #include <string_view>
 
-#include "ui/application.h"
 #include "tests/ui/recovery/typist.h"
+#include "ui/application.h"
 #include "ui/settings/theme.h"
 
 // Without a display, with settings and data of its own: the user's are neither read nor written.

@@ -47,11 +47,24 @@ std::string paperTextWithEffects(const std::vector<std::string>& effects) {
   return json.dump();
 }
 
+namespace {
+
+/// QTest has keys for ASCII only.
+void type(QWidget& widget, QChar character) {
+  if (character >= u' ' && character <= u'~')
+    QTest::keyClicks(&widget, QString(character));
+  else
+    QTest::sendKeyEvent(QTest::Click, &widget, static_cast<Qt::Key>(character.toUpper().unicode()),
+                        QString(character), Qt::NoModifier);
+}
+
+}  // namespace
+
 void typeInto(QWidget& widget, const QString& text, Qt::Key key) {
   widget.setFocus();
   for (const QChar character : text) {
     QWidget* focus = QApplication::focusWidget();
-    QTest::keyClicks(focus ? focus : &widget, QString(character));
+    type(focus ? *focus : widget, character);
   }
   QWidget* focus = QApplication::focusWidget();
   QTest::keyClick(focus ? focus : &widget, key);

@@ -151,14 +151,13 @@ bool FileFlow::tellWhereNoFile(const QString& title, const QString& path) {
 bool FileFlow::load(const QString& path) {
   if (tellWhereNoFile(tr("Open session"), path) || !mayShare(path)) return false;
   const QString name = visibleLine(QFileInfo(path).fileName());
-  auto file =
-      inBackground<Result<FiledSession>>(*m_dialogs.busy(tr("Opening “%1”…").arg(name)),
-                                         [path](const std::stop_token&) { return SessionDocument::read(path); });
+  auto file = inBackground<Result<FiledSession>>(
+      *m_dialogs.busy(tr("Opening “%1”…").arg(name)),
+      [path](const std::stop_token&) { return SessionDocument::read(path); });
   if (!file) return false;
   if (!*file) {
-    m_dialogs.showProblem(
-        tr("Open session"),
-        tr("“%1” cannot be opened.\n\n%2").arg(name, visibleLine(file->problem().text())));
+    m_dialogs.showProblem(tr("Open session"),
+                          tr("“%1” cannot be opened.\n\n%2").arg(name, visibleLine(file->problem().text())));
     return false;
   }
   m_document.startFrom(**std::move(file), path);

@@ -52,9 +52,9 @@ void RecoveryKeeper::keep() {
   if (!m_document.isModified()) return m_slot->remove();
   auto record = std::make_shared<const RecoveryRecord>(RecoveryRecord{
       m_document.path(), m_document.knownSha256(), QDateTime::currentDateTime(), m_document.session()});
-  m_writing->start([record, path = QFile::encodeName(m_slot->path()).toStdString()](const std::stop_token&) {
-    return writeFile(path, recoveryText(*record));
-  });
+  m_writing->start([record, path = QFile::encodeName(m_slot->path()).toStdString()](
+                       const std::stop_token&) { return writeFile(path, recoveryText(*record)); },
+                   [](const std::string& reason) { return Problem{.what = reason + '.', .where = {}}; });
 }
 
 void RecoveryKeeper::finishWriting(const Written& problem) {

@@ -4,6 +4,7 @@
 
 #include <QApplication>
 #include <QProgressDialog>
+#include <QPushButton>
 #include <QTimer>
 #include <atomic>
 #include <chrono>
@@ -28,8 +29,8 @@ class Stopper {
         if (auto* dialog = qobject_cast<QProgressDialog*>(widget); dialog && dialog->isVisible()) {
           ++pressed;
           said = dialog->labelText();
-          dialog->cancel();
           m_timer.stop();
+          dialog->findChild<QPushButton*>()->click();
         }
     });
     m_timer.start(20);

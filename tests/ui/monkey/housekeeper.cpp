@@ -23,15 +23,16 @@ bool Housekeeper::isBusy() {
   return waiting() != nullptr;
 }
 
+/// Keys come from outside the timer: what they open is looked after by it.
 void Housekeeper::look() {
   QWidget* open = waiting();
   if (!open) {
     m_patience = m_chance.between(1, 5);
   } else if (m_patience-- > 0) {
     constexpr Qt::Key keys[] = {Qt::Key_Down, Qt::Key_Up, Qt::Key_Return, Qt::Key_Right, Qt::Key_Escape};
-    QTest::keyClick(open, m_chance.of(keys));
+    QTimer::singleShot(0, open, [open, key = m_chance.of(keys)] { QTest::keyClick(open, key); });
   } else {
-    open->close();
+    QTimer::singleShot(0, open, &QWidget::close);
   }
 }
 

@@ -13,6 +13,7 @@
 #include "ui/panels/position_tabs.h"
 #include "ui/panels/readings_table.h"
 #include "ui/panels/result_panel.h"
+#include "ui/text/session_difference.h"
 
 namespace alidade::ui {
 
@@ -25,7 +26,9 @@ QString warning;  // the first since it was last looked at
 
 void keepWarning(QtMsgType type, const QMessageLogContext&, const QString& text) {
   const bool isOfOffscreen = text.startsWith(QStringLiteral("This plugin does not support "));
-  if (type == QtDebugMsg || type == QtInfoMsg || isOfOffscreen || !warning.isEmpty()) return;
+  const bool isOfHands = text == QStringLiteral("Keyboard event not accepted by receiving widget") ||
+                         text == QStringLiteral("Mouse event occurs outside target window");
+  if (type == QtDebugMsg || type == QtInfoMsg || isOfOffscreen || isOfHands || !warning.isEmpty()) return;
   warning = text;
 }
 
@@ -34,6 +37,13 @@ void copySamples(const QDir& folder) {
   const QDir samples(QStringLiteral(ALIDADE_SAMPLES_DIR));
   for (const QString& name : samples.entryList({QStringLiteral("*.alidade")}))
     QFile::copy(samples.filePath(name), folder.filePath(name));
+}
+
+QString difference(const Session& one, const Session& other) {
+  QStringList lines;
+  for (const EntryDifference& entry : differenceOf(one, other).entries)
+    lines.append(QStringLiteral("%1: “%2”, “%3”").arg(entry.where, entry.mine, entry.theirs));
+  return lines.join(u'\n');
 }
 
 /// What a result panel says, but for the hint of the gap.
@@ -120,11 +130,13 @@ bool Monkey::rest() {
   const bool withGap = m_chance.oneIn(4);
   QElapsedTimer clock;
   clock.start();
-  while (Housekeeper::isBusy() || !m_window->job().isIdle() || (withGap && !m_window->gapJob().isIdle())) {
+  const auto isBusy = [&] {
+    return Housekeeper::isBusy() || !m_window->job().isIdle() || (withGap && !m_window->gapJob().isIdle());
+  };
+  for (int quiet = 0; quiet < 3; quiet = isBusy() ? 0 : quiet + 1) {  // what was posted may begin anew
     if (clock.elapsed() > patience) return false;
     QCoreApplication::processEvents(QEventLoop::AllEvents, 10);
   }
-  QCoreApplication::processEvents();
   return true;
 }
 
@@ -145,7 +157,7 @@ void Monkey::lookAtFile() {
   if (!back)
     complain(QStringLiteral("what is written is no session: ") +
              QString::fromStdString(back.problem().text()));
-  else if (*back != m_window->document().session() || writeSession(*back) != text)
+  else if (writeSession(*back) != text)
     complain(QStringLiteral("what is written is read as another session"));
 }
 
@@ -170,8 +182,10 @@ void Monkey::lookAtTables() {
 /// The panel against one that has seen this session only.
 void Monkey::lookAtResult() {
   const Session& session = m_window->document().session();
-  if (!m_evaluation || m_evaluation->session != session)
-    return complain(QStringLiteral("the fit shown is of another session"));
+  if (!m_evaluation) return complain(QStringLiteral("no fit is shown"));
+  if (m_evaluation->session != session)
+    return complain(QStringLiteral("the fit shown is of another session:\n") +
+                    difference(m_evaluation->session, session));
   m_window->pageTabs().first()->setCurrentIndex(0);
   ResultPanel alone;
   alone.setEvaluation(evaluateFit(session));
