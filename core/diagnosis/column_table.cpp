@@ -1,7 +1,6 @@
 #include "core/diagnosis/column_table.h"
 
 #include <algorithm>
-#include <cassert>
 #include <utility>
 
 #include "core/diagnosis/gain.h"
@@ -15,29 +14,27 @@ ColumnTable::ColumnTable(const Leftover& leftover, const std::vector<Component>&
     : m_leftover(leftover),
       m_candidates(candidates),
       m_steps(leftover, momentsOf(candidates), plausibleJump) {
-  Index ofEffects = 0;
   for (const Component& candidate : candidates) {
     m_first.push_back(m_size);
     m_size += candidate.gram.cols() + candidate.curvature.cols();
-    assert(candidate.kind != Component::Kind::Effect || ofEffects == m_first.back());
-    if (candidate.kind == Component::Kind::Effect) ofEffects = m_size;
   }
   m_first.push_back(m_size);
   m_size += leftover.readings();
   m_squares.resize(m_size);
   m_beside.setZero(m_size);
   m_turns.resize(candidates.size());
-  m_effects.resize(leftover.rows(), ofEffects);
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    turn(i);
-    if (candidates[i].kind == Component::Kind::Effect) addEffect(i);
-  }
+  for (std::size_t i = 0; i < candidates.size(); ++i) turn(i);
   for (Index i = 0; i < leftover.readings(); ++i) m_squares[m_first.back() + i] = leftover.redundancy(i);
 }
 
 void ColumnTable::turn(std::size_t component) {
   const Component& candidate = m_candidates[component];
-  if (candidate.curvature.cols() > 0) return;
+  if (candidate.curvature.cols() > 0) {
+    const MatrixXd columns = bentColumns(candidate);
+    m_bentGram = columns.transpose() * columns;
+    m_squares.segment(first(component), count(component)) = m_bentGram.diagonal();
+    return;
+  }
   if (candidate.gram.cols() <= 2) {  // tridiagonal as it is
     m_squares.segment(first(component), count(component)) = candidate.gram.diagonal();
     if (candidate.gram.cols() == 2) m_beside[first(component)] = candidate.gram(0, 1);
@@ -47,20 +44,6 @@ void ColumnTable::turn(std::size_t component) {
   m_squares.segment(first(component), count(component)) = turn.squares;
   m_beside.segment(first(component), turn.beside.size()) = turn.beside;
   m_turns[component] = std::move(turn.matrix);
-}
-
-void ColumnTable::addEffect(std::size_t component) {
-  const Component& candidate = m_candidates[component];
-  auto columns = m_effects.middleCols(first(component), count(component));
-  if (candidate.curvature.cols() > 0) {
-    columns = bentColumns(candidate);
-    m_bentGram = columns.transpose() * columns;
-    m_squares.segment(first(component), count(component)) = m_bentGram.diagonal();
-  } else if (m_turns[component].size() > 0) {
-    columns = candidate.columns.lazyProduct(m_turns[component]);
-  } else {
-    columns = candidate.columns;
-  }
 }
 
 MatrixXd ColumnTable::gram(std::size_t component) const {
@@ -74,7 +57,6 @@ MatrixXd ColumnTable::gram(std::size_t component) const {
 VectorXd ColumnTable::products(const VectorXd& visible) const {
   VectorXd all(m_size);
   const VectorXd readings = visible.head(m_leftover.readings());
-  all.head(m_effects.cols()).noalias() = m_effects.transpose() * visible;
   const Eigen::Matrix2Xd steps = m_steps.products(readings);
   Index step = 0;
   for (std::size_t i = 0; i < m_candidates.size(); ++i)
@@ -87,6 +69,10 @@ VectorXd ColumnTable::products(const VectorXd& visible) const {
   };
   for (std::size_t i = 0; i < m_candidates.size(); ++i) {
     auto own = all.segment(first(i), count(i));
+    if (m_candidates[i].kind == Component::Kind::Effect) {
+      own = productsOfEffect(i, visible);
+      continue;
+    }
     Index row = 0;
     for (const auto& [carrier, functions] : m_candidates[i].pattern.parts) {
       own.segment(row, functions.count()) = functions.products(gatheredBy(carrier.get()));
@@ -96,6 +82,15 @@ VectorXd ColumnTable::products(const VectorXd& visible) const {
   }
   all.tail(m_leftover.readings()) = readings;
   return all;
+}
+
+VectorXd ColumnTable::productsOfEffect(std::size_t component, const VectorXd& visible) const {
+  const Component& candidate = m_candidates[component];
+  VectorXd products(count(component));
+  products.head(candidate.columns.cols()) = candidate.columns.transpose() * visible;
+  if (candidate.curvature.cols() > 0)
+    products.tail(candidate.curvature.cols()) = candidate.curvature.transpose() * visible;
+  return m_turns[component].size() > 0 ? VectorXd(m_turns[component].transpose() * products) : products;
 }
 
 MatrixXd ColumnTable::productsOf(std::size_t component) const {
@@ -117,9 +112,10 @@ MatrixXd ColumnTable::visibleColumns(std::size_t component) const {
     return m_leftover.visible(unit);
   }
   const Component& candidate = m_candidates[component];
-  if (candidate.kind == Component::Kind::Effect)
-    return m_effects.middleCols(first(component), count(component));
-  const MatrixXd columns = m_leftover.visible(wholeColumns(m_leftover, candidate));
+  if (candidate.curvature.cols() > 0) return bentColumns(candidate);
+  const MatrixXd columns = candidate.kind == Component::Kind::Effect
+                               ? candidate.columns
+                               : m_leftover.visible(wholeColumns(m_leftover, candidate));
   return m_turns[component].size() > 0 ? MatrixXd(columns * m_turns[component]) : columns;
 }
 

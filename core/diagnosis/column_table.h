@@ -11,7 +11,7 @@ namespace alidade {
 // The visible columns of every component that may explain a leftover, seen through their inner products, for
 // the .cpp files of this room only. Columns of one component are turned so that each has inner products with
 // its neighbours only. Behind the candidates' columns comes one for each reading, 1σ off. A bending component
-// has its columns and curvature, not turned. Effects come first among the candidates.
+// has its columns and curvature, not turned.
 class ColumnTable {
  public:
   ColumnTable(const Leftover& leftover, const std::vector<Component>& candidates);
@@ -46,12 +46,11 @@ class ColumnTable {
   std::vector<Eigen::MatrixXd> m_turns;  ///< empty: not turned
   Eigen::Index m_size = 0;
   Eigen::VectorXd m_squares, m_beside;
-  Eigen::MatrixXd m_effects;   ///< columns of all effects, turned: the first of the table
   Eigen::MatrixXd m_bentGram;  ///< of the one component that bends
   StepsInTime m_steps;
 
-  void addEffect(std::size_t component);
   void turn(std::size_t component);
+  Eigen::VectorXd productsOfEffect(std::size_t component, const Eigen::VectorXd& visible) const;
   Eigen::MatrixXd visibleColumns(std::size_t component) const;
 };
 

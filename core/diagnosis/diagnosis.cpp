@@ -102,11 +102,12 @@ Result<Diagnosis> diagnose(const Measurement& measurement, const DiagnosisOption
   for (const std::string& id : options.without)
     if (std::ranges::find(diagnosableEffects(), id) == diagnosableEffects().end())
       return Problem{"there is no effect “" + id + "” in the catalogue"};
-  const Result<GapModel> model = modelOf(measurement);
+  Result<GapModel> model = modelOf(measurement);
   if (!model) return model.problem();
   const Problem stopped{"the diagnosis was stopped"};
   if (stop.stop_requested()) return stopped;
-  const Inquiry inquiry = inquire(*model, options, stop);
+  const Inquiry inquiry = inquire(*std::move(model), options, stop);
+  const GapModel& before = inquiry.ofAll().base;
   if (stop.stop_requested()) return stopped;
   const Answer answer = conclude(inquiry);
   if (stop.stop_requested()) return stopped;
@@ -114,23 +115,23 @@ Result<Diagnosis> diagnose(const Measurement& measurement, const DiagnosisOption
   Diagnosis diagnosis;
   diagnosis.causes = causesOf(inquiry, answer);
   diagnosis.verdict = verdictOf(answer, diagnosis.causes);
-  diagnosis.gap = sizeOf(*model);
+  diagnosis.gap = sizeOf(before);
   diagnosis.after = sizeOf(answer.after);
-  diagnosis.shrink = shrinkageOf(*model, inquiry, answer);
+  diagnosis.shrink = shrinkageOf(before, inquiry, answer);
   diagnosis.candidates = candidatesOf(inquiry.ofAll());
   diagnosis.where = whereOf(inquiry, answer);
   if (stop.stop_requested()) return stopped;
   diagnosis.steps = stepsOf(inquiry, answer);
-  diagnosis.before = estimateOf(*model);
+  diagnosis.before = estimateOf(before);
   diagnosis.afterwards = afterwardsOf(inquiry, answer);
   const std::vector<Danger> unseen =
       unseenDangers(inquiry.leftover, inquiry.candidates, influencePerSigma(inquiry.base));
   for (const Danger& danger : unseen)
     diagnosis.unseen.push_back({std::string(danger.effect), danger.influence, danger.visible});
   if (answer.kind == Answer::Kind::Unknown) diagnosis.shape = shapeOf(inquiry);
-  diagnosis.leftBefore = inSigma(*model);
+  diagnosis.leftBefore = inSigma(before);
   diagnosis.leftAfter = inSigma(answer.after);
-  diagnosis.readings = readingsOf(*model);
+  diagnosis.readings = readingsOf(before);
   if (stop.stop_requested()) return stopped;
   diagnosis.advice = adviceFor(inquiry, diagnosis.causes, unseen);
   diagnosis.sentence = sentenceFor(diagnosis);

@@ -144,9 +144,9 @@ std::vector<Component> effectsBeyond(const GapModel& model, const Leftover& left
   return components;
 }
 
-Inquiry inquire(const GapModel& model, const DiagnosisOptions& options, const std::stop_token& stop) {
+Inquiry inquire(GapModel model, const DiagnosisOptions& options, const std::stop_token& stop) {
   constexpr int mostRounds = 4;
-  Inquiry inquiry = inquireOnce(model, options, stop);
+  Inquiry inquiry = inquireOnce(std::move(model), options, stop);
   std::shared_ptr<const Inquiry> first;
   for (int round = 0; round < mostRounds; ++round) {
     const std::vector<FarOff> found = farOff(inquiry);

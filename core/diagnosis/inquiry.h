@@ -52,7 +52,7 @@ std::vector<Component> effectsBeyond(const GapModel& model, const Leftover& left
                                      const std::vector<std::string>& leftOut, const PriorOdds& odds);
 
 /// Asked to stop, it returns early with what it has found.
-Inquiry inquire(const GapModel& model, const DiagnosisOptions& options, const std::stop_token& stop);
+Inquiry inquire(GapModel model, const DiagnosisOptions& options, const std::stop_token& stop);
 
 /// A reading of the model, `size` in arcseconds.
 BlamedReading blamed(const Measurement& measurement, const ReadingRef& ref, double size);

@@ -42,23 +42,22 @@ MatrixXd visiblePart(MatrixXd gram, const MatrixXd& along, const MatrixXd& taken
 }  // namespace
 
 Carrier::Carrier(const Leftover& leftover, const VectorXd& values, const std::vector<Index>& cells)
-    : m_readings(values.size()), m_visitCount(static_cast<Index>(leftover.visits().size())) {
+    : m_leftover(&leftover),
+      m_readings(values.size()),
+      m_visitCount(static_cast<Index>(leftover.visits().size())) {
   const Index count = cells.empty() ? 0 : cells.back() + 1;
   m_squares = m_along = VectorXd::Zero(count);
   m_visits.resize(static_cast<std::size_t>(count));
   m_moved.reserve(cells.size());
-  MatrixXd taken = MatrixXd::Zero(leftover.basis().cols(), count);
   for (Index i = 0; i < values.size(); ++i) {
     const LinearReading& reading = leftover.reading(i);
     const Index cell = cells[static_cast<std::size_t>(i)];
-    m_visits[static_cast<std::size_t>(cell)] = static_cast<Index>(reading.visit);
+    m_visits[static_cast<std::size_t>(cell)] = static_cast<std::uint32_t>(reading.visit);
     if (values[i] == 0) continue;
     m_moved.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(cell), values[i]});
     m_squares[cell] += values[i] * values[i];
     m_along[cell] += values[i] * reading.along;
-    taken.col(cell) += values[i] * leftover.basisOfRow(i);
   }
-  m_taken = taken.transpose();
   if (count == m_visitCount) m_squaresOutside = (m_squares - m_along.cwiseAbs2()).cwiseMax(0);
 }
 
@@ -77,13 +76,21 @@ VectorXd Carrier::spread(const VectorXd& overCells) const {
 MatrixXd Carrier::alongVisits(const MatrixXd& functions) const {
   MatrixXd sums = MatrixXd::Zero(m_visitCount, functions.cols());
   for (Index f = 0; f < functions.cols(); ++f)
-    for (Index cell = 0; cell < cells(); ++cell)
-      sums(m_visits[static_cast<std::size_t>(cell)], f) += m_along[cell] * functions(cell, f);
+    for (Index cell = 0; cell < cells(); ++cell) sums(visitOf(cell), f) += m_along[cell] * functions(cell, f);
   return sums;
 }
 
 MatrixXd Carrier::taken(const MatrixXd& functions) const {
-  return innerProducts(m_taken, functions);
+  constexpr Index pieceLength = 512;  // readings: what they spread to stays in the cache
+  MatrixXd sums = MatrixXd::Zero(unknowns(), functions.cols());
+  auto next = m_moved.begin();
+  for (Index first = 0; first < m_readings; first += pieceLength) {
+    MatrixXd spread = MatrixXd::Zero(std::min(pieceLength, m_readings - first), functions.cols());
+    for (; next != m_moved.end() && next->reading < first + spread.rows(); ++next)
+      spread.row(next->reading - first) = next->value * functions.row(next->cell);
+    sums += innerProducts(m_leftover->basis().middleRows(first, spread.rows()), spread);
+  }
+  return sums;
 }
 
 MatrixXd Carrier::visibleGramOfGroups(const std::vector<Index>& groups, Index count) const {
@@ -94,8 +101,10 @@ MatrixXd Carrier::visibleGramOfGroups(const std::vector<Index>& groups, Index co
     const Index group = groups[static_cast<std::size_t>(cell)];
     if (group < 0) continue;
     gram(group, group) += squares[cell];
-    taken.col(group) += m_taken.row(cell).transpose();
   }
+  for (const auto& [reading, cell, value] : m_moved)
+    if (const Index group = groups[cell]; group >= 0)
+      taken.col(group) += value * m_leftover->basisOfRow(reading);
   if (!hasOneCellPerVisit) takeOffAlongVisits(gram, groups);
   return visiblePart(std::move(gram), MatrixXd(0, count), taken);
 }

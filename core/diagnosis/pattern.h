@@ -17,12 +17,13 @@ namespace alidade {
 /// What one unit does to each reading, and which readings share a cell.
 class Carrier {
  public:
+  /// `leftover`: asked again for inner products of visible parts; it has to live until the last of them.
   /// `cells`: of each reading, numbered from 0 in the order of the readings; a cell lies within a visit.
   Carrier(const Leftover& leftover, const Eigen::VectorXd& values, const std::vector<Eigen::Index>& cells);
 
   Eigen::Index cells() const { return m_squares.size(); }
   Eigen::Index visits() const { return m_visitCount; }
-  Eigen::Index unknowns() const { return m_taken.cols(); }
+  Eigen::Index unknowns() const { return m_leftover->basis().cols(); }
   /// How many readings it moves.
   Eigen::Index moved() const { return static_cast<Eigen::Index>(m_moved.size()); }
   /// Of each cell: the sum of its squared values.
@@ -40,8 +41,6 @@ class Carrier {
   /// Inner products of the visible parts of one function for each group of cells: 1 in the group, 0
   /// elsewhere. `groups`: of each cell, numbered from 0 to `count`; −1 for none.
   Eigen::MatrixXd visibleGramOfGroups(const std::vector<Eigen::Index>& groups, Eigen::Index count) const;
-  /// Frees what the inner products of visible parts are made of: none is asked for any more.
-  void endOfGrams() { m_taken.resize(0, m_taken.cols()); }
   /// Of each cell: the sum of the values of both. They have the same cells.
   Eigen::VectorXd productsWith(const Carrier& other) const;
 
@@ -51,11 +50,11 @@ class Carrier {
     std::uint32_t reading, cell;  // there are no more rows than `limits::mostRows`
     double value;
   };
+  const Leftover* m_leftover;
   Eigen::Index m_readings, m_visitCount;
-  std::vector<Moved> m_moved;
-  std::vector<Eigen::Index> m_visits;  ///< of each cell
+  std::vector<Moved> m_moved;           ///< in the order of the readings, so of the cells
+  std::vector<std::uint32_t> m_visits;  ///< of each cell
   Eigen::VectorXd m_squares, m_squaresOutside, m_along;
-  Eigen::MatrixXd m_taken;  ///< cells × unknowns
 
   Eigen::Index visitOf(Eigen::Index cell) const { return m_visits[static_cast<std::size_t>(cell)]; }
   void takeOffAlongVisits(Eigen::MatrixXd& gram, const std::vector<Eigen::Index>& groups) const;

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double invisible = 1e-5;  // σ over all readings: rounding
 
-using SharedCarrier = std::shared_ptr<Carrier>;
+using SharedCarrier = std::shared_ptr<const Carrier>;
 
 /// Cells of the readings, and one reading of each.
 struct Cells {
@@ -104,16 +104,9 @@ class Surroundings {
     return ofInstrument(values);
   }
 
-  /// Of all carriers made: no pattern is added any more.
-  void endOfGrams() {
-    for (const SharedCarrier& carrier : m_carriers) carrier->endOfGrams();
-  }
-
  private:
-  std::vector<SharedCarrier> m_carriers;
-
   SharedCarrier carrierOf(const VectorXd& values, const Cells& cells) {
-    return m_carriers.emplace_back(std::make_shared<Carrier>(m_leftover, values, cells.ofReadings));
+    return std::make_shared<const Carrier>(m_leftover, values, cells.ofReadings);
   }
 };
 
@@ -308,7 +301,6 @@ std::vector<Component> shapeComponents(const Leftover& leftover, const Measureme
   };
   maker.addGroups("horizontal orientation from round to round", horizontal, all.rows, block);
   maker.addGroups("vertical orientation from round to round", vertical, all.rows, block);
-  all.endOfGrams();
   return maker.take(odds.shape);
 }
 
