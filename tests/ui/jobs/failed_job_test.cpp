@@ -5,6 +5,7 @@
 
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QLabel>
@@ -95,6 +96,7 @@ TEST(FailedJob, IsRecordedOnceAndNotWithEveryEdit) {
 
 TEST(FailedJob, IsToldWhereNoRecordCanBeWritten) {
   QDir(problemsFolder()).removeRecursively();
+  ASSERT_TRUE(QDir().mkpath(QFileInfo(problemsFolder()).path()));
   QFile inTheWay(problemsFolder());
   ASSERT_TRUE(inTheWay.open(QIODevice::WriteOnly));
   const std::string told = tellFailure({"fit", "unrecorded", paperSession()});
