@@ -5,6 +5,25 @@
 
 namespace alidade {
 
+namespace {
+
+/// Round after round, and in each from place to place one way: the rows of a visit stand together, unsorted.
+bool goesOneWay(const std::vector<Sighting>& sightings) {
+  std::strong_ordering way = std::strong_ordering::equal;
+  for (std::size_t i = 1; i < sightings.size(); ++i) {
+    const Sighting &before = sightings[i - 1], &row = sightings[i];
+    if (row.round < before.round) return false;
+    if (row.round > before.round) way = std::strong_ordering::equal;
+    if (row.round > before.round || row.point == before.point) continue;
+    const std::strong_ordering step = row.point <=> before.point;
+    if (way != std::strong_ordering::equal && way != step) return false;
+    way = step;
+  }
+  return true;
+}
+
+}  // namespace
+
 std::vector<Visit> visitsOf(const ArcMeasurement& arc) {
   struct Row {
     int round, point;
@@ -16,7 +35,7 @@ std::vector<Visit> visitsOf(const ArcMeasurement& arc) {
   rows.reserve(arc.sightings.size());
   for (const Sighting& sighting : arc.sightings)
     rows.push_back({sighting.round, sighting.point, rows.size()});
-  if (!std::ranges::is_sorted(rows)) std::ranges::sort(rows);
+  if (!goesOneWay(arc.sightings)) std::ranges::sort(rows);
   std::vector<Visit> visits;
   visits.reserve(rows.size());
   for (const Row& row : rows) {
