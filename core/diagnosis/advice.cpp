@@ -5,9 +5,8 @@
 #include <numbers>
 
 #include "core/adjustment/reading_ref.h"
-#include "core/diagnosis/further_readings.h"
+#include "core/diagnosis/further_terms.h"
 #include "core/diagnosis/look_alikes.h"
-#include "core/diagnosis/visible_terms.h"
 #include "core/effects/cause_ids.h"
 
 namespace alidade {
@@ -100,52 +99,15 @@ std::vector<const Effect*> effectsAt(const Cause* unclear, const std::vector<Dan
   return effects;
 }
 
-/// What plans of readings would show of the terms of some effects, and of those of the model.
-class Planner {
- public:
-  Planner(const Inquiry& inquiry, const std::vector<const Effect*>& effects) : m_inquiry(inquiry) {
-    const auto add = [&](ErrorTerm term) {
-      if (std::ranges::find(m_terms, term) == m_terms.end()) m_terms.push_back(term);
-    };
-    for (const Effect* effect : effects)
-      for (const EffectParameter& parameter : effect->parameters) add(parameter.term);
-    for (const EstimatedTerm& term : inquiry.base.options.terms) add(term.term);
-  }
-
-  VisibleTerms shownBy(const FurtherReadings& plan) {
-    VisibleTerms terms = ofSet(plan.sets.back());
-    if (plan.besideSession) {
-      if (!m_ofSession) m_ofSession = ofSession(plan.sets.front());
-      terms = terms + *m_ofSession;
-    }
-    return withEstimated(std::move(terms), m_inquiry.base.options.terms);
-  }
-
- private:
-  const Inquiry& m_inquiry;
-  std::vector<ErrorTerm> m_terms;
-  std::optional<VisibleTerms> m_ofSession;
-
-  VisibleTerms ofSet(const Measurement& set) const {
-    return visibleTerms(linearisedPlan(m_inquiry.base, set, m_terms), m_terms);
-  }
-  /// The session's own equations serve where it was fitted without effects and with all its readings.
-  VisibleTerms ofSession(const Measurement& plan) const {
-    const JointFitOptions& options = m_inquiry.base.options;
-    if (!options.terms.empty() || !options.without.empty()) return ofSet(plan);
-    return visibleTerms(m_inquiry.leftover.sets().front(), m_terms);
-  }
-};
-
 /// Of readings: the most telling first.
 std::vector<Advice> furtherAdvice(const Inquiry& inquiry, const Cause* unclear,
                                   const std::vector<Danger>& unseen) {
   const std::vector<const Effect*> effects = effectsAt(unclear, unseen);
   std::vector<Advice> list;
   if (effects.empty()) return list;
-  Planner planner(inquiry, effects);
+  FurtherTerms further(inquiry.base, inquiry.leftover.equations(), effects);
   eachFurtherReadings(inquiry.base, [&](const FurtherReadings& plan) {
-    const VisibleTerms terms = planner.shownBy(plan);
+    const VisibleTerms terms = further.shownBy(plan);
     const std::optional<Advice> advice =
         unclear ? separating(*unclear, plan.measure, terms) : revealing(unseen, plan.measure, terms);
     if (advice) list.push_back(*advice);

@@ -179,11 +179,4 @@ Linearised linearisedPlan(const GapModel& model, const Measurement& set,
   return linearise(set, circles, options, terms);
 }
 
-Leftover leftoverWith(const GapModel& model, const FurtherReadings& plan,
-                      const std::vector<ErrorTerm>& terms) {
-  std::vector<Linearised> sets;
-  for (const Measurement& set : plan.sets) sets.push_back(linearisedPlan(model, set, terms));
-  return Leftover(std::move(sets), model.options.terms);
-}
-
 }  // namespace alidade

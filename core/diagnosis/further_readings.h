@@ -29,9 +29,4 @@ void eachFurtherReadings(const GapModel& model, const std::function<void(const F
 Linearised linearisedPlan(const GapModel& model, const Measurement& set,
                           const std::vector<ErrorTerm>& terms = everyTerm());
 
-/// What a fit of them would leave over, with derivatives by `terms`; effects of the model are estimated
-/// along.
-Leftover leftoverWith(const GapModel& model, const FurtherReadings& plan,
-                      const std::vector<ErrorTerm>& terms);
-
 }  // namespace alidade

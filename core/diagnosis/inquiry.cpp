@@ -88,14 +88,14 @@ Linearised around(const GapModel& base, const GapModel& withCauses) {
 
 Inquiry inquireOnce(GapModel base, const DiagnosisOptions& options, const std::stop_token& stop) {
   constexpr int mostRounds = 3;
-  Leftover leftover(Leftover::alone(linearise(base.measurement, base.fit, base.options)), base.options.terms);
+  Leftover leftover(linearise(base.measurement, base.fit, base.options), base.options.terms);
   Inquiry inquiry = searched(std::move(base), std::move(leftover), options, stop);
   for (int round = 0; round < mostRounds && !stop.stop_requested(); ++round) {
     const std::optional<Explanation> causes = largeCauses(inquiry);
     if (!causes) break;
     const GapModel withCauses = modelWith(inquiry.base, *causes, inquiry.candidates, inquiry.leftover);
     if (!withCauses.fit.converged) break;
-    Leftover closer(Leftover::alone(around(inquiry.base, withCauses)), inquiry.base.options.terms);
+    Leftover closer(around(inquiry.base, withCauses), inquiry.base.options.terms);
     const std::vector<Part> before = inquiry.explanations.front().parts;
     inquiry = searched(std::move(inquiry.base), std::move(closer), options, stop);
     if (std::ranges::all_of(

@@ -10,8 +10,8 @@ namespace alidade {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
-Leftover::Leftover(std::vector<Linearised> sets, const std::vector<EstimatedTerm>& inModel)
-    : m_sets(std::move(sets)) {
+Leftover::Leftover(Linearised equations, const std::vector<EstimatedTerm>& inModel)
+    : m_equations(std::move(equations)) {
   numberVisits();
   MatrixXd base = layOutUnknowns(inModel);
   eliminateArcAngles(base);
@@ -34,39 +34,30 @@ Leftover::Leftover(std::vector<Linearised> sets, const std::vector<EstimatedTerm
 }
 
 void Leftover::numberVisits() {
-  std::size_t readings = 0, visits = 0;
-  for (const Linearised& set : m_sets) readings += set.readings.size();
-  if (m_sets.size() > 1) m_readings.reserve(readings);
-  m_along.resize(static_cast<Index>(readings));
+  m_along.resize(static_cast<Index>(m_equations.readings.size()));
+  m_visits.resize(m_equations.visits);
   Index i = 0;
-  for (const Linearised& set : m_sets) {
-    m_visits.resize(visits + set.visits);
-    for (LinearReading reading : set.readings) {
-      reading.visit += visits;
-      auto& visit = m_visits[reading.visit];
-      if (visit.empty()) visit.reserve(2);
-      visit.push_back(i);
-      m_along[i++] = reading.along;
-      if (m_sets.size() > 1) m_readings.push_back(reading);
-    }
-    visits += set.visits;
+  for (const LinearReading& reading : m_equations.readings) {
+    auto& visit = m_visits[reading.visit];
+    if (visit.empty()) visit.reserve(2);
+    visit.push_back(i);
+    m_along[i++] = reading.along;
   }
-  m_endOfVisit.reserve(visits);
+  m_endOfVisit.reserve(m_visits.size());
   for (const auto& visit : m_visits) m_endOfVisit.push_back(visit.empty() ? 0 : visit.back() + 1);
 }
 
 MatrixXd Leftover::layOutUnknowns(const std::vector<EstimatedTerm>& inModel) {
   Index columns = static_cast<Index>(inModel.size()), priors = 0;
   for (const EstimatedTerm& term : inModel) priors += std::isinf(term.priorSigma) ? 0 : 1;
-  for (const Linearised& set : m_sets)
-    for (const double sigma : set.priorSigmas) {
-      columns += sigma > 0 ? 1 : 0;
-      priors += sigma > 0 && !std::isinf(sigma) ? 1 : 0;
-    }
+  for (const double sigma : m_equations.priorSigmas) {
+    columns += sigma > 0 ? 1 : 0;
+    priors += sigma > 0 && !std::isinf(sigma) ? 1 : 0;
+  }
   MatrixXd base = MatrixXd::Zero(readings() + priors, columns);
   VectorXd& observed = m_observed;
   observed = VectorXd::Zero(readings() + priors);
-  Index column = 0, prior = readings(), first = 0;
+  Index column = 0, prior = readings();
   const auto known = [&](double sigma, double residual) {
     if (!std::isinf(sigma)) {
       observed[prior] = residual;
@@ -74,20 +65,16 @@ MatrixXd Leftover::layOutUnknowns(const std::vector<EstimatedTerm>& inModel) {
     }
     ++column;
   };
-  for (const Linearised& set : m_sets) {
-    for (std::size_t i = 0; i < set.readings.size(); ++i)
-      observed[first + static_cast<Index>(i)] = set.readings[i].residual;
-    for (std::size_t u = 0; u < set.unknowns.size(); ++u) {
-      if (set.priorSigmas[u] <= 0) continue;
-      for (std::size_t i = 0; i < set.readings.size(); ++i)
-        base(first + static_cast<Index>(i), column) = set.ofUnknown(i, u);
-      known(set.priorSigmas[u], set.priorResiduals[u]);
-    }
-    first += static_cast<Index>(set.readings.size());
+  for (Index i = 0; i < readings(); ++i) observed[i] = reading(i).residual;
+  for (std::size_t u = 0; u < m_equations.unknowns.size(); ++u) {
+    if (m_equations.priorSigmas[u] <= 0) continue;
+    for (Index i = 0; i < readings(); ++i)
+      base(i, column) = m_equations.ofUnknown(static_cast<std::size_t>(i), u);
+    known(m_equations.priorSigmas[u], m_equations.priorResiduals[u]);
   }
   for (const EstimatedTerm& term : inModel) {
     base.col(column).head(readings()) = this->column(term.term);
-    const double value = m_sets.front().termValues[static_cast<std::size_t>(term.term)];
+    const double value = m_equations.termValues[static_cast<std::size_t>(term.term)];
     known(term.priorSigma, (term.priorValue - value) / term.priorSigma);
   }
   return base;
@@ -130,23 +117,17 @@ MatrixXd Leftover::visible(const MatrixXd& columns) const {
 
 VectorXd Leftover::column(ErrorTerm term) const {
   VectorXd result(readings());
-  Index row = 0;
-  for (const Linearised& set : m_sets)
-    for (std::size_t i = 0; i < set.readings.size(); ++i) result[row++] = set.ofTerm(i, term);
+  for (Index i = 0; i < readings(); ++i) result[i] = m_equations.ofTerm(static_cast<std::size_t>(i), term);
   return result;
 }
 
 VectorXd Leftover::column(Unknown::Kind kind) const {
   VectorXd result = VectorXd::Zero(readings());
-  Index first = 0;
-  for (const Linearised& set : m_sets) {
-    for (std::size_t u = 0; u < set.unknowns.size(); ++u) {
-      if (set.unknowns[u].kind != kind) continue;
-      for (std::size_t i = 0; i < set.readings.size(); ++i)
-        if (set.unknowns[u].concerns(set.readings[i].arc))
-          result[first + static_cast<Index>(i)] = set.ofUnknown(i, u);
-    }
-    first += static_cast<Index>(set.readings.size());
+  for (std::size_t u = 0; u < m_equations.unknowns.size(); ++u) {
+    if (m_equations.unknowns[u].kind != kind) continue;
+    for (Index i = 0; i < readings(); ++i)
+      if (m_equations.unknowns[u].concerns(reading(i).arc))
+        result[i] = m_equations.ofUnknown(static_cast<std::size_t>(i), u);
   }
   return result;
 }

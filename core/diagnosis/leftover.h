@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <utility>
 #include <vector>
 
 #include "core/adjustment/linearised.h"
@@ -20,28 +19,19 @@ namespace alidade {
 // hypothesis testing in linear models" (1999).
 class Leftover {
  public:
-  /// One set of readings, handed over: they may be many.
-  static std::vector<Linearised> alone(Linearised set) {
-    std::vector<Linearised> sets;
-    sets.push_back(std::move(set));
-    return sets;
-  }
+  /// `inModel` are terms the fit estimates already.
+  explicit Leftover(Linearised equations, const std::vector<EstimatedTerm>& inModel = {});
 
-  /// One set of readings, or several taken from different set-ups: they share the error terms only. `inModel`
-  /// are terms the fit estimates already.
-  explicit Leftover(std::vector<Linearised> sets, const std::vector<EstimatedTerm>& inModel = {});
-
-  /// Readings of all sets, then an entry for each observation of a prior.
+  /// Readings, then an entry for each observation of a prior.
   Eigen::Index rows() const { return m_residual.size(); }
   Eigen::Index readings() const { return m_along.size(); }
   const LinearReading& reading(Eigen::Index i) const {
-    const std::vector<LinearReading>& all = m_sets.size() == 1 ? m_sets.front().readings : m_readings;
-    return all[static_cast<std::size_t>(i)];
+    return m_equations.readings[static_cast<std::size_t>(i)];
   }
   const Eigen::VectorXd& residual() const { return m_residual; }
   double chiSquare() const { return m_residual.squaredNorm(); }
   /// The equations it was made of.
-  const std::vector<Linearised>& sets() const { return m_sets; }
+  const Linearised& equations() const { return m_equations; }
   int degreesOfFreedom() const { return m_degreesOfFreedom; }
 
   /// The part of `columns` (rows() or readings() long) that the fit cannot take up.
@@ -63,8 +53,7 @@ class Leftover {
   Eigen::VectorXd column(Unknown::Kind kind) const;
 
  private:
-  std::vector<Linearised> m_sets;
-  std::vector<LinearReading> m_readings;  ///< of all sets where there are several
+  Linearised m_equations;
   std::vector<std::vector<Eigen::Index>> m_visits;
   Eigen::VectorXd m_along;                 ///< of each reading
   std::vector<Eigen::Index> m_endOfVisit;  ///< behind the last reading of each visit

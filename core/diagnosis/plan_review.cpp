@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <numbers>
 
-#include "core/diagnosis/further_readings.h"
+#include "core/diagnosis/further_terms.h"
 #include "core/diagnosis/gap_size.h"
 #include "core/diagnosis/inquiry.h"
-#include "core/diagnosis/known_components.h"
 #include "core/diagnosis/look_alikes.h"
 #include "core/diagnosis/unseen.h"
 
@@ -16,10 +16,11 @@ namespace alidade {
 
 namespace {
 
-using Eigen::Index, Eigen::VectorXd;
+using Eigen::MatrixXd, Eigen::VectorXd;
 
 /// An effect with the directions of its numbers that matter, each of plausible size.
 struct Planned {
+  const Effect* effect = nullptr;
   PlannedEffect summary;
   VectorXd plainest, mostDangerous;
 };
@@ -42,7 +43,7 @@ void seeVisibility(Planned& planned, const Component& component, const Leftover&
   PlannedEffect& summary = planned.summary;
   bool first = true;
   for (const VectorXd& direction : directionsOf(component)) {
-    const double visible = signature(leftover, component, direction).norm();
+    const double visible = std::sqrt(signatureSquare(component, direction));
     if (first || visible < summary.leastVisible) summary.leastVisible = visible;
     if (first || visible > summary.mostVisible) {
       summary.mostVisible = visible;
@@ -70,15 +71,14 @@ void seeInfluence(Planned& planned, const Component& component, const Leftover& 
   summary.unseen = danger.isUnseen();
 }
 
-std::vector<Planned> plannedEffects(const GapModel& model) {
-  const Leftover leftover(Leftover::alone(linearise(model.measurement, model.fit, model.options)),
-                          model.options.terms);
+std::vector<Planned> plannedEffects(const GapModel& model, const Leftover& leftover) {
   const std::vector<Component> components =
       effectsBeyond(model, leftover, model.measurement.effects, PriorOdds());
   const VectorXd perSigma = influencePerSigma(model);
   std::vector<Planned> effects;
   for (const Component& component : components) {
     Planned planned;
+    planned.effect = component.effect;
     planned.summary.effect = component.id;
     seeVisibility(planned, component, leftover, components);
     seeInfluence(planned, component, leftover, perSigma);
@@ -102,40 +102,19 @@ std::vector<Planned> effectsInQuestion(const std::vector<Planned>& effects) {
   return chosen;
 }
 
-std::vector<ErrorTerm> termsOf(const std::vector<Planned>& effects) {
-  std::vector<ErrorTerm> terms;
-  for (const Planned& planned : effects)
-    for (const EffectParameter& parameter : effectById(planned.summary.effect)->parameters)
-      if (std::ranges::find(terms, parameter.term) == terms.end()) terms.push_back(parameter.term);
-  return terms;
-}
-
-std::vector<std::string> othersThan(const std::vector<Planned>& effects) {
-  std::vector<std::string> others;
-  for (const Effect& effect : effectCatalogue())
-    if (std::ranges::none_of(effects, [&](const Planned& p) { return p.summary.effect == effect.id; }))
-      others.emplace_back(effect.id);
-  return others;
-}
-
-/// `inQuestion`: those of the effects that there is something to be said of.
-PlanAdvice adviceOf(const FurtherReadings& further, const GapModel& model,
+/// `inQuestion`: those of the effects that there is something to be said of, and what is `shown` of them.
+PlanAdvice adviceOf(const std::string& measure, const VisibleTerms& shown,
                     const std::vector<Planned>& inQuestion) {
-  const Leftover leftover = leftoverWith(model, further, termsOf(inQuestion));
-  const std::vector<Component> components = effectComponents(leftover, othersThan(inQuestion), {});
-  const auto find = [&](const std::string& id) -> const Component& {
-    return *std::ranges::find(components, id, &Component::id);
-  };
-  PlanAdvice advice{further.measure, {}, {}};
+  PlanAdvice advice{measure, {}, {}};
   for (const Planned& planned : inQuestion) {
-    const Component& component = find(planned.summary.effect);
-    if (planned.summary.unseen && (component.columns * planned.mostDangerous).norm() > clearlyDifferent)
+    const MatrixXd combinations = combinationOf(*planned.effect);
+    if (planned.summary.unseen && lengthOf(shown, combinations * planned.mostDangerous) > clearlyDifferent)
       advice.reveals.push_back(planned.summary.effect);
-    const VectorXd trace = component.columns * planned.plainest;
+    const VectorXd plainest = combinations * planned.plainest;
     for (const LookAlike& other : planned.summary.lookAlikes) {
       const std::pair pair(other.effect, planned.summary.effect);
       if (std::ranges::find(advice.separates, pair) == advice.separates.end() &&
-          differenceFrom(trace, find(other.effect)) > clearlyDifferent)
+          differenceFrom(shown, plainest, *effectById(other.effect)) > clearlyDifferent)
         advice.separates.emplace_back(planned.summary.effect, other.effect);
     }
   }
@@ -153,14 +132,18 @@ Result<PlanReview> reviewPlan(const Measurement& measurement) {
   if (!read) return read.problem();
   const Result<GapModel> model = modelOf(readWithoutError(*read));
   if (!model) return model.problem();
-  const std::vector<Planned> effects = plannedEffects(*model);
+  const Leftover leftover(linearise(model->measurement, model->fit, model->options), model->options.terms);
+  const std::vector<Planned> effects = plannedEffects(*model, leftover);
   PlanReview review{.effects = {}, .advice = {}, .intersection = estimateOf(*model)};
   review.readings = model->fit.readings.size();
   for (const Planned& planned : effects) review.effects.push_back(planned.summary);
   const std::vector<Planned> inQuestion = effectsInQuestion(effects);
   if (inQuestion.empty()) return review;
-  eachFurtherReadings(*model, [&](const FurtherReadings& further) {
-    PlanAdvice advice = adviceOf(further, *model, inQuestion);
+  std::vector<const Effect*> asked;
+  for (const Planned& planned : inQuestion) asked.push_back(planned.effect);
+  FurtherTerms further(*model, leftover.equations(), asked);
+  eachFurtherReadings(*model, [&](const FurtherReadings& plan) {
+    PlanAdvice advice = adviceOf(plan.measure, further.shownBy(plan), inQuestion);
     if (!advice.reveals.empty() || !advice.separates.empty()) review.advice.push_back(std::move(advice));
   });
   std::ranges::stable_sort(review.advice, std::greater{}, [](const PlanAdvice& advice) {

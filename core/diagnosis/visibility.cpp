@@ -10,8 +10,7 @@ namespace alidade {
 Result<Visibility> visibilityOf(const Measurement& noiseless, const std::string& held) {
   const Result<GapModel> model = modelOf(noiseless);
   if (!model) return model.problem();
-  const Leftover leftover(Leftover::alone(linearise(model->measurement, model->fit, model->options)),
-                          model->options.terms);
+  const Leftover leftover(linearise(model->measurement, model->fit, model->options), model->options.terms);
   const Eigen::VectorXd& trace = leftover.residual();
   Visibility visibility{.sigma = trace.norm(), .lookAlikes = {}, .nearest = trace.norm()};
   for (const Component& other : effectsBeyond(*model, leftover, {held}, {})) {

@@ -10,7 +10,7 @@ namespace alidade::test {
 inline const Leftover& leftover() {
   static const Leftover instance = [] {
     const Measurement measurement = trialMeasurement("full");
-    return Leftover({linearise(measurement, fitSession(measurement).joint)});
+    return Leftover(linearise(measurement, fitSession(measurement).joint));
   }();
   return instance;
 }

@@ -33,8 +33,8 @@ void answer(benchmark::State& state, const Leftover& leftover) {
 void candidateEffects(benchmark::State& state) {
   const Measurement measurement = usualMeasurement(2);
   const Linearised equations = linearise(measurement, fitSession(measurement).joint);
-  for (auto _ : state) benchmark::DoNotOptimize(bestEvidence(Leftover({equations})));
-  answer(state, Leftover({equations}));
+  for (auto _ : state) benchmark::DoNotOptimize(bestEvidence(Leftover(equations)));
+  answer(state, Leftover(equations));
 }
 BENCHMARK(candidateEffects)->Name("W5/alidade")->Unit(benchmark::kMicrosecond);
 
@@ -42,7 +42,7 @@ BENCHMARK(candidateEffects)->Name("W5/alidade")->Unit(benchmark::kMicrosecond);
 void fromTheFit(benchmark::State& state) {
   const Measurement measurement = usualMeasurement(2);
   const JointFit fit = fitSession(measurement).joint;
-  for (auto _ : state) benchmark::DoNotOptimize(bestEvidence(Leftover({linearise(measurement, fit)})));
+  for (auto _ : state) benchmark::DoNotOptimize(bestEvidence(Leftover(linearise(measurement, fit))));
 }
 BENCHMARK(fromTheFit)->Name("W5/alidade with derivatives")->Unit(benchmark::kMicrosecond);
 

@@ -271,7 +271,7 @@ TEST(Leftover, SeesAsMuchOfAnEffectAsTheRayTracer) {
   for (const test::Trial& trial : test::trials()) {
     if (!terms.contains(trial.kind)) continue;
     const auto& [name, term] = terms.at(trial.kind);
-    const Leftover leftover({linearise(trial.measurement, fitSession(trial.measurement).joint)});
+    const Leftover leftover(linearise(trial.measurement, fitSession(trial.measurement).joint));
     const double size = Angle::fromArcseconds(trial.effects.at(name).get<double>()).radians();
     const double visible = leftover.visible(leftover.column(term) * size).norm();
     EXPECT_NEAR(visible, trial.visibleSigma, 0.01 * trial.visibleSigma)

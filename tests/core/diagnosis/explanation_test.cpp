@@ -17,7 +17,7 @@ namespace {
 
 TEST(Explanation, IsSoughtNoFurtherOnceStopped) {
   const Measurement measurement = test::trialMeasurement("full");
-  const Leftover leftover({linearise(measurement, fitSession(measurement).joint)});
+  const Leftover leftover(linearise(measurement, fitSession(measurement).joint));
   const std::vector<Component> candidates = effectComponents(leftover, {}, {});
   std::stop_source stop;
   const auto longest = [&] {
@@ -66,7 +66,7 @@ TEST(FitAlone, GivesBackTheEffectThatASessionHolds) {
       truth.effects.push_back({parameter.term, 3 * parameter.plausible});
     const Session session = *simulateWithoutNoise(*protocolByName("full"), truth, 9);
     const GapModel model = *modelOf(*examine(session).measurement);
-    const Leftover leftover({linearise(model.measurement, model.fit, model.options)});
+    const Leftover leftover(linearise(model.measurement, model.fit, model.options));
     const std::vector<Component> effects = effectsBeyond(model, leftover, {}, {});
     bool isFound = false;
     for (std::size_t i = 0; i < effects.size(); ++i) {

@@ -40,7 +40,7 @@ TEST(TiltedPlane, BendsAsTheDerivativesChange) {
                                           {"paper", {}}}) {
     SCOPED_TRACE(protocol);
     const GapModel model = modelOfSession(protocol, effects);
-    const Leftover leftover({linearise(model.measurement, model.fit, model.options)}, model.options.terms);
+    const Leftover leftover(linearise(model.measurement, model.fit, model.options), model.options.terms);
     const MatrixXd columns = secondDerivativesByPlaneTilt(model, leftover);
     ASSERT_EQ(columns.rows(), leftover.readings());
     const std::array<std::pair<int, int>, 3> pairs{{{0, 0}, {0, 1}, {1, 1}}};
