@@ -5,7 +5,7 @@
 
 #include "ui/dialogs/dialogs.h"
 #include "ui/dialogs/file_flow.h"
-#include "ui/document/file_watch.h"
+#include "ui/recovery/file_watch.h"
 #include "ui/document/reading_column.h"
 #include "ui/document/session_document.h"
 #include "ui/jobs/fit_job.h"

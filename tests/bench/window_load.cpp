@@ -194,6 +194,7 @@ void run(WatchedApplication& application, std::size_t rows, const QString& folde
   load.edit("type a cell", [&] {
     ReadingsEditor(window->document(), 0).setCell({3, ReadingColumn::Vertical}, "85 10 00");
   });
+  load.look("save it", [&] { window->files().save(); });
   load.edit("undo it", [&] { window->undo(); });
   load.edit("type a cell that is no angle", [&] {
     ReadingsEditor(window->document(), 0).setCell({3, ReadingColumn::Vertical}, "85 99 00");

@@ -14,7 +14,7 @@ constexpr int moment = 400, breath = 30, fine = 1000;  // ms, ms, steps of the b
 
 }  // namespace
 
-Busy::Busy(QWidget* parent, const QString& doing) : m_parent(parent), m_doing(doing) {
+Busy::Busy(QWidget* parent, const QString& doing, Way way) : m_parent(parent), m_doing(doing), m_way(way) {
   m_since.start();
   m_breath.start();
 }
@@ -23,8 +23,9 @@ Busy::~Busy() = default;
 
 void Busy::showDialog() {
   if (m_dialog) return;
-  m_dialog =
-      std::make_unique<QProgressDialog>(m_doing, QCoreApplication::translate("Busy", "Stop"), 0, 0, m_parent);
+  const QString stop =
+      m_way == Way::Stoppable ? QCoreApplication::translate("Busy", "Stop") : QString();  // no button
+  m_dialog = std::make_unique<QProgressDialog>(m_doing, stop, 0, 0, m_parent);
   m_dialog->setWindowTitle(QCoreApplication::applicationName());
   m_dialog->setWindowModality(Qt::ApplicationModal);
   m_dialog->setAutoReset(false);
@@ -33,7 +34,8 @@ void Busy::showDialog() {
   m_dialog->show();
 }
 
-/// Keys and clicks wait at first, for they are meant for what comes; then for the dialog alone.
+/// Keys and clicks wait at first, for they are meant for what comes; then those that the dialog does not
+/// take.
 bool Busy::waitFor(const QFuture<void>& work) {
   QFutureWatcher<void> watcher;
   QEventLoop loop;
@@ -44,8 +46,12 @@ bool Busy::waitFor(const QFuture<void>& work) {
   loop.exec(QEventLoop::ExcludeUserInputEvents);
   if (work.isFinished()) return true;
   showDialog();
-  QObject::connect(m_dialog.get(), &QProgressDialog::canceled, &loop, &QEventLoop::quit);
-  loop.exec();
+  if (m_way == Way::Stoppable) {
+    QObject::connect(m_dialog.get(), &QProgressDialog::canceled, &loop, &QEventLoop::quit);
+    loop.exec();
+  } else {
+    loop.exec(QEventLoop::ExcludeUserInputEvents);
+  }
   return work.isFinished();
 }
 

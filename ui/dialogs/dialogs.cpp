@@ -139,8 +139,8 @@ void Dialogs::showProblem(const QString& title, const QString& text) {
   box.exec();
 }
 
-std::unique_ptr<Busy> Dialogs::busy(const QString& doing) {
-  return std::make_unique<Busy>(m_parent, doing);
+std::unique_ptr<Busy> Dialogs::busy(const QString& doing, Busy::Way way) {
+  return std::make_unique<Busy>(m_parent, doing, way);
 }
 
 void Dialogs::showAbout() {

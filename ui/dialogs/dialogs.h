@@ -38,7 +38,7 @@ class Dialogs {
   virtual RecoveryAnswer askRecovery(const QList<RecoveryOffer>& offers);
   virtual void showProblem(const QString& title, const QString& text);
   /// To wait with, while `doing` is done.
-  virtual std::unique_ptr<Busy> busy(const QString& doing);
+  virtual std::unique_ptr<Busy> busy(const QString& doing, Busy::Way way = Busy::Way::Stoppable);
   virtual void showAbout();
   virtual void showShortcuts();
 

@@ -9,7 +9,6 @@
 #include "core/base/file_bytes.h"
 #include "core/base/file_target.h"
 #include "core/exchange/import.h"
-#include "core/session/session_file.h"
 #include "ui/commands/replace_session.h"
 #include "ui/dialogs/dialogs.h"
 #include "ui/dialogs/import_notes.h"
@@ -151,9 +150,8 @@ bool FileFlow::tellWhereNoFile(const QString& title, const QString& path) {
 bool FileFlow::load(const QString& path) {
   if (tellWhereNoFile(tr("Open session"), path) || !mayShare(path)) return false;
   const QString name = visibleLine(QFileInfo(path).fileName());
-  auto file = inBackground<Result<FiledSession>>(
-      *m_dialogs.busy(tr("Opening “%1”…").arg(name)),
-      [path](const std::stop_token&) { return SessionDocument::read(path); });
+  auto file = inBackground<Result<FiledSession>>(*m_dialogs.busy(tr("Opening “%1”…").arg(name)),
+                                                 [path](const std::stop_token&) { return readFiled(path); });
   if (!file) return false;
   if (!*file) {
     m_dialogs.showProblem(tr("Open session"),
@@ -186,10 +184,14 @@ bool FileFlow::saveTo(const QString& path) {
 }
 
 bool FileFlow::write(const QString& path) {
-  if (const auto problem = m_document.save(path)) {
-    m_dialogs.showProblem(tr("Save session"), visibleLine(problem->text()));
+  const auto written = inBackground<Result<QByteArray>>(
+      *m_dialogs.busy(tr("Saving “%1”…").arg(visibleLine(QFileInfo(path).fileName())), Busy::Way::ToItsEnd),
+      [session = m_document.session(), path](const std::stop_token&) { return writeFiled(session, path); });
+  if (!*written) {
+    m_dialogs.showProblem(tr("Save session"), visibleLine(written->problem().text()));
     return false;
   }
+  m_document.markSaved(path, **written);
   RecentFiles::add(path);
   emit recentFilesChanged();
   emit remark(tr("Saved %1").arg(QDir::toNativeSeparators(path)));
@@ -210,22 +212,26 @@ void FileFlow::settleChange() {
 
 /// Absent: saving overwrites nothing of others'. A reload is done already.
 std::optional<ChangedFileAnswer> FileFlow::askAboutChange() {
-  const std::optional<std::string> bytes = m_document.bytesOfOthers();
-  if (!bytes) return {};
-  Result<Session> theirs = readSession(*bytes);
+  auto looked = inBackground<std::optional<FileContent>>(
+      *m_dialogs.busy(tr("Looking at “%1”…").arg(visibleLine(m_document.displayName())), Busy::Way::ToItsEnd),
+      [known = m_document.knownSha256(), path = m_document.path()](const std::stop_token&) {
+        return contentOtherThan(known, path);
+      });
+  if (!*looked) return {};
+  FileContent theirs = **std::move(looked);
   ChangedFile file{.name = visibleLine(m_document.displayName())};
-  if (theirs)
-    file.difference = differenceOf(m_document.session(), *theirs);
+  if (theirs.session)
+    file.difference = differenceOf(m_document.session(), *theirs.session);
   else
-    file.problem = visibleLine(theirs.problem().text());
+    file.problem = visibleLine(theirs.session.problem().text());
   if (file.difference && file.difference->count == 0) {
-    m_document.markSaved(*bytes);
+    m_document.markSaved(m_document.path(), theirs.sha256);
     return {};
   }
   const ChangedFileAnswer answer = m_dialogs.askChangedFile(file);
-  if (answer == ChangedFileAnswer::Reload && theirs) {
-    m_document.push(new ReplaceSession(m_document, *std::move(theirs), tr("Reload")));
-    m_document.markSaved(*bytes);
+  if (answer == ChangedFileAnswer::Reload && theirs.session) {
+    m_document.push(new ReplaceSession(m_document, *std::move(theirs.session), tr("Reload")));
+    m_document.markSaved(m_document.path(), theirs.sha256);
   }
   return answer;
 }

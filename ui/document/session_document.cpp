@@ -1,13 +1,9 @@
 #include "ui/document/session_document.h"
 
-#include <QCryptographicHash>
-#include <QFile>
 #include <QFileInfo>
 #include <iterator>
 #include <utility>
 
-#include "core/base/atomic_file.h"
-#include "core/base/file_bytes.h"
 #include "core/session/session_file.h"
 #include "ui/document/disposal.h"
 #include "ui/document/field.h"
@@ -15,11 +11,6 @@
 namespace alidade::ui {
 
 namespace {
-
-QByteArray sha256(const std::string& bytes) {
-  return QCryptographicHash::hash({bytes.data(), static_cast<qsizetype>(bytes.size())},
-                                  QCryptographicHash::Sha256);
-}
 
 SessionChange changeOf(std::size_t position, std::size_t first, std::size_t removed, std::size_t inserted) {
   return {.kind = SessionChange::Kind::Readings,
@@ -63,18 +54,10 @@ void SessionDocument::startWith(Session session) {
 }
 
 std::optional<Problem> SessionDocument::load(const QString& path) {
-  Result<FiledSession> file = read(path);
+  Result<FiledSession> file = readFiled(path);
   if (!file) return file.problem();
   startFrom(*std::move(file), path);
   return {};
-}
-
-Result<FiledSession> SessionDocument::read(const QString& path) {
-  const Result<std::string> bytes = readFile(QFile::encodeName(path).toStdString());
-  if (!bytes) return bytes.problem();
-  Result<Session> session = readSession(*bytes);
-  if (!session) return session.problem();
-  return FiledSession{*std::move(session), sha256(*bytes)};
 }
 
 void SessionDocument::startFrom(FiledSession file, const QString& path) {
@@ -84,23 +67,16 @@ void SessionDocument::startFrom(FiledSession file, const QString& path) {
 }
 
 std::optional<Problem> SessionDocument::save(const QString& path) {
-  const std::string text = writeSession(m_session);
-  if (auto problem = writeFile(QFile::encodeName(path).toStdString(), text)) return problem;
-  m_files.setSaved(m_undoStack.index(), QFileInfo(path).absoluteFilePath());
-  markSaved(text);
+  const Result<QByteArray> written = writeFiled(m_session, path);
+  if (!written) return written.problem();
+  markSaved(path, *written);
   return {};
 }
 
-std::optional<std::string> SessionDocument::bytesOfOthers() const {
-  if (!QFileInfo(path()).isFile()) return {};
-  Result<std::string> bytes = readFile(QFile::encodeName(path()).toStdString());
-  if (!bytes || sha256(*bytes) == knownSha256()) return {};
-  return *std::move(bytes);
-}
-
-void SessionDocument::markSaved(const std::string& bytes) {
-  m_files.setSaved(m_undoStack.index(), path());
-  m_knownSha256[path()] = sha256(bytes);
+void SessionDocument::markSaved(const QString& path, const QByteArray& sha256) {
+  const QString absolute = QFileInfo(path).absoluteFilePath();
+  m_files.setSaved(m_undoStack.index(), absolute);
+  m_knownSha256[absolute] = sha256;
   emit identityChanged();
 }
 

@@ -8,19 +8,13 @@
 #include <vector>
 
 #include "core/base/problem.h"
-#include "core/base/result.h"
 #include "core/session/session.h"
+#include "ui/document/filed_session.h"
 #include "ui/document/readings_patch.h"
 #include "ui/document/session_change.h"
 #include "ui/document/session_files.h"
 
 namespace alidade::ui {
-
-/// A session as read from a file.
-struct FiledSession {
-  Session session;
-  QByteArray sha256;  ///< of the file's bytes
-};
 
 /// The one session at work: its data, its undo stack and its file. Views read `session()` and listen to
 /// `changed`; only commands write. Modified means: the session at work is not as it was last saved or loaded.
@@ -61,18 +55,13 @@ class SessionDocument : public QObject {
   /// Absent: loaded. A session with entries that mean nothing loads; one that is no session does not, and the
   /// document stays as it was.
   [[nodiscard]] std::optional<Problem> load(const QString& path);
-  /// The two halves of `load`: the first may be done on another thread.
-  static Result<FiledSession> read(const QString& path);
   void startFrom(FiledSession file, const QString& path);
   /// Absent: saved, all of it or nothing (the old file stays where writing fails).
   [[nodiscard]] std::optional<Problem> save(const QString& path);
   /// SHA-256 of the bytes last read from or written to `path()`; empty where there were none.
   QByteArray knownSha256() const { return m_knownSha256.value(path()); }
-  /// The bytes in `path()` where somebody else wrote them: they are not those last read or written here.
-  /// Absent, too, where there is no such file.
-  std::optional<std::string> bytesOfOthers() const;
-  /// The session at work is now as in its file, which consists of `bytes`.
-  void markSaved(const std::string& bytes);
+  /// The session at work is now as in this file, whose bytes have that hash.
+  void markSaved(const QString& path, const QByteArray& sha256);
 
  signals:
   void aboutToChange(const alidade::ui::SessionChange& change);

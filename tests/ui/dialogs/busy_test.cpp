@@ -71,6 +71,26 @@ TEST(Busy, LeavesTheWorkWhenTold) {
   EXPECT_TRUE(waitFor([&] { return told->load(); })) << "the work is told, too";
 }
 
+TEST(Busy, LeavesNoFileHalfWritten) {
+  int closed = 0;
+  QTimer timer;
+  QObject::connect(&timer, &QTimer::timeout, [&] {
+    for (QWidget* widget : QApplication::topLevelWidgets())
+      if (auto* dialog = qobject_cast<QProgressDialog*>(widget); dialog && dialog->isVisible()) {
+        EXPECT_EQ(dialog->findChild<QPushButton*>(), nullptr);
+        closed += dialog->close() ? 1 : 0;
+      }
+  });
+  timer.start(20);
+  Busy busy(nullptr, QStringLiteral("Saving…"), Busy::Way::ToItsEnd);
+  const auto made = inBackground<int>(busy, [](const std::stop_token& stop) {
+    for (int i = 0; i < 700 && !stop.stop_requested(); ++i) std::this_thread::sleep_for(1ms);
+    return stop.stop_requested() ? 0 : 7;
+  });
+  EXPECT_EQ(made, 7);
+  EXPECT_GT(closed, 0);
+}
+
 TEST(Busy, HandsOnWhatIsThrown) {
   Busy busy(nullptr, QStringLiteral("Reading…"));
   const auto fail = [](const std::stop_token&) -> int { throw std::runtime_error("broken"); };

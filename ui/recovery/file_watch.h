@@ -6,12 +6,14 @@
 #include <QObject>
 #include <QTimer>
 
+#include "ui/jobs/background.h"
+
 namespace alidade::ui {
 
 class SessionDocument;
 
-/// Notices when others write the file of the session at work. For a notice only: who saves asks the document,
-/// which reads the file again.
+/// Notices when others write the file of the session at work. For a notice only: who saves reads the file
+/// again.
 class FileWatch : public QObject {
   Q_OBJECT
 
@@ -19,7 +21,8 @@ class FileWatch : public QObject {
   explicit FileWatch(SessionDocument& document, QObject* parent = nullptr);
 
   bool isChanged() const { return m_isChanged; }
-  /// Looks at the file, as when the window comes to the front: not every disk tells of its changes.
+  /// Looks at the file, as when the window comes to the front: not every disk tells of its changes. What it
+  /// finds is told a little later.
   void look();
 
  signals:
@@ -27,6 +30,7 @@ class FileWatch : public QObject {
 
  private:
   void follow();
+  void finishReading(const QByteArray& sha256);
 
   struct Seen {
     QString path;
@@ -42,6 +46,8 @@ class FileWatch : public QObject {
   QTimer m_timer;
   Seen m_seen;
   bool m_isChanged = false;
+  bool m_isDue = false;  ///< to look again, for it was still reading
+  Background<QByteArray> m_reading;
 };
 
 }  // namespace alidade::ui

@@ -1,13 +1,17 @@
-#include "ui/document/file_watch.h"
+#include "ui/recovery/file_watch.h"
 
 #include <QFileInfo>
 #include <utility>
 
+#include "ui/document/filed_session.h"
 #include "ui/document/session_document.h"
 
 namespace alidade::ui {
 
-FileWatch::FileWatch(SessionDocument& document, QObject* parent) : QObject(parent), m_document(document) {
+FileWatch::FileWatch(SessionDocument& document, QObject* parent)
+    : QObject(parent),
+      m_document(document),
+      m_reading([this](const std::shared_ptr<const QByteArray>& sha256) { finishReading(*sha256); }) {
   constexpr int settlingMs = 150;  // a writer is let finish
   m_timer.setSingleShot(true);
   m_timer.setInterval(settlingMs);
@@ -34,12 +38,25 @@ void FileWatch::follow() {
 
 void FileWatch::look() {
   follow();
+  if (m_reading.isAtWork()) {
+    m_isDue = true;
+    return;
+  }
   const QFileInfo file(m_document.path());
   Seen seen{m_document.path(), file.size(), file.lastModified(), m_document.knownSha256()};
   if (seen == m_seen) return;
   m_seen = std::move(seen);
-  const bool isChanged = m_document.bytesOfOthers().has_value();
-  if (isChanged != std::exchange(m_isChanged, isChanged)) emit changedElsewhere(isChanged);
+  m_reading.start([path = m_seen.path](const std::stop_token&) { return sha256OfFile(path); },
+                  [](const std::string&) { return QByteArray(); });
+}
+
+/// Of no use where another file is at work by now, or it was saved: that is looked at on its own.
+void FileWatch::finishReading(const QByteArray& sha256) {
+  if (m_seen.path == m_document.path() && m_seen.knownSha256 == m_document.knownSha256()) {
+    const bool isChanged = !sha256.isEmpty() && sha256 != m_seen.knownSha256;
+    if (isChanged != std::exchange(m_isChanged, isChanged)) emit changedElsewhere(isChanged);
+  }
+  if (std::exchange(m_isDue, false)) look();
 }
 
 }  // namespace alidade::ui
