@@ -6,6 +6,7 @@
 #include <QSpinBox>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTextDocumentFragment>
 #include <algorithm>
 #include <cmath>
 
@@ -47,10 +48,14 @@ struct SimulationBench {
     press();
     ASSERT_TRUE(finish());
   }
+  /// As it is seen: without markup where that is taken for such.
   std::string shown() {
     QStringList texts;
     for (const QLabel* label : box->findChildren<QLabel*>())
-      if (label->isVisibleTo(box)) texts.append(label->text());
+      if (label->isVisibleTo(box))
+        texts.append(label->textFormat() == Qt::RichText
+                         ? QTextDocumentFragment::fromHtml(label->text()).toPlainText()
+                         : label->text());
     return texts.join(u'\n').toStdString();
   }
   QString report() {
@@ -78,6 +83,7 @@ TEST(Simulation, ShowsWhatTheCoreDrawsBesideWhatIsPropagated) {
         spread.mean, spread.sigma, spread.low, spread.high})
     EXPECT_THAT(bench.shown(), HasSubstr(numberText(figure, 4).toStdString()));
   EXPECT_THAT(bench.shown(), HasSubstr(agreementWord(check).toStdString()));
+  EXPECT_THAT(bench.shown(), Not(HasSubstr("<"))) << "markup is not shown";
   // The arcs are all but linear here, so the ends differ by chance alone: 4 sigma of either, 1 in 8000.
   EXPECT_LT(std::max(check.lowDifference, check.highDifference), 4 * check.endpointSigma);
 }

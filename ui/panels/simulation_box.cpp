@@ -40,6 +40,7 @@ SimulationBox::SimulationBox(const SessionDocument& document, QWidget* parent)
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(5);
+  m_note->setTextFormat(Qt::RichText);
   layout->addWidget(panelHeading(tr("Check by simulation")));
   layout->addLayout(row);
   layout->addWidget(m_progress);
@@ -141,7 +142,7 @@ void SimulationBox::showCheck() {
   m_note->setForegroundRole(isAnswered ? QPalette::WindowText : QPalette::PlaceholderText);
   if (!isAnswered)
     return m_note->setText(m_remark.isEmpty() ? tr("Does the propagated uncertainty hold? Not checked yet.")
-                                              : m_remark);
+                                              : m_remark.toHtmlEscaped());
   const Intersection& linear = *m_evaluation->fit.intersection;
   const MonteCarlo& simulated = *m_check->simulated;
   const Spread& spread = *simulated.intersection;
@@ -157,9 +158,9 @@ void SimulationBox::showCheck() {
        row(tr("%1 % from  mm").arg(plainNumberText(100 * simulated.coverage)), linear.value - linear.expanded,
            spread.low, tr("Propagated: Δd − U. Simulated: as many draws lie below as above the other end")),
        row(tr("to  mm"), linear.value + linear.expanded, spread.high)});
-  const QString remark = m_remark.isEmpty() ? QString() : m_remark + u' ';
-  m_note->setText(remark + QStringLiteral("<b>%1</b> ").arg(agreementWord(simulated)) +
-                  agreementSentence(simulated));
+  const QString remark = m_remark.isEmpty() ? QString() : m_remark.toHtmlEscaped() + u' ';
+  m_note->setText(remark + QStringLiteral("<b>%1</b> ").arg(agreementWord(simulated).toHtmlEscaped()) +
+                  agreementSentence(simulated).toHtmlEscaped());
 }
 
 }  // namespace alidade::ui
