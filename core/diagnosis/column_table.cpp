@@ -30,9 +30,7 @@ ColumnTable::ColumnTable(const Leftover& leftover, const std::vector<Component>&
 void ColumnTable::turn(std::size_t component) {
   const Component& candidate = m_candidates[component];
   if (candidate.curvature.cols() > 0) {
-    const MatrixXd columns = bentColumns(candidate);
-    m_bentGram = columns.transpose() * columns;
-    m_squares.segment(first(component), count(component)) = m_bentGram.diagonal();
+    m_squares.segment(first(component), count(component)) = candidate.bentGram.diagonal();
     return;
   }
   if (candidate.gram.cols() <= 2) {  // tridiagonal as it is
@@ -47,7 +45,8 @@ void ColumnTable::turn(std::size_t component) {
 }
 
 MatrixXd ColumnTable::gram(std::size_t component) const {
-  if (component < m_candidates.size() && m_candidates[component].curvature.cols() > 0) return m_bentGram;
+  if (component < m_candidates.size() && m_candidates[component].curvature.cols() > 0)
+    return m_candidates[component].bentGram;
   MatrixXd gram = m_squares.segment(first(component), count(component)).asDiagonal();
   const auto beside = m_beside.segment(first(component), count(component) - 1);
   gram.diagonal(1) = gram.diagonal(-1) = beside;
@@ -61,6 +60,7 @@ VectorXd ColumnTable::products(const VectorXd& visible) const {
   Index step = 0;
   for (std::size_t i = 0; i < m_candidates.size(); ++i)
     if (m_candidates[i].kind == Component::Kind::Jump) all.segment<2>(first(i)) = steps.col(step++);
+  const VectorXd ofTerms = m_leftover.productsOfTerms(visible);
   std::vector<std::pair<const Carrier*, VectorXd>> gathered;  // patterns share carriers
   const auto gatheredBy = [&](const Carrier* carrier) -> const VectorXd& {
     const auto known = std::ranges::find(gathered, carrier, &std::pair<const Carrier*, VectorXd>::first);
@@ -69,32 +69,21 @@ VectorXd ColumnTable::products(const VectorXd& visible) const {
   };
   for (std::size_t i = 0; i < m_candidates.size(); ++i) {
     auto own = all.segment(first(i), count(i));
-    if (m_candidates[i].kind == Component::Kind::Effect) {
-      own = productsOfEffect(i, visible);
-      continue;
-    }
+    if (m_candidates[i].kind == Component::Kind::Effect)
+      own = productsWith(visible, ofTerms, m_candidates[i]);
     Index row = 0;
     for (const auto& [carrier, functions] : m_candidates[i].pattern.parts) {
       own.segment(row, functions.count()) = functions.products(gatheredBy(carrier.get()));
       row += functions.count();
     }
-    if (row > 0 && m_turns[i].size() > 0) own = m_turns[i].transpose() * own;
+    if (m_turns[i].size() > 0) own = m_turns[i].transpose() * own;
   }
   all.tail(m_leftover.readings()) = readings;
   return all;
 }
 
-VectorXd ColumnTable::productsOfEffect(std::size_t component, const VectorXd& visible) const {
-  const Component& candidate = m_candidates[component];
-  VectorXd products(count(component));
-  products.head(candidate.columns.cols()) = candidate.columns.transpose() * visible;
-  if (candidate.curvature.cols() > 0)
-    products.tail(candidate.curvature.cols()) = candidate.curvature.transpose() * visible;
-  return m_turns[component].size() > 0 ? VectorXd(m_turns[component].transpose() * products) : products;
-}
-
 MatrixXd ColumnTable::productsOf(std::size_t component) const {
-  const MatrixXd columns = visibleColumns(component);
+  const MatrixXd columns = turnedColumns(component);
   MatrixXd all(m_size, columns.cols());
   for (Index c = 0; c < columns.cols(); ++c) all.col(c) = products(columns.col(c));
   return all;
@@ -105,17 +94,13 @@ VectorXd ColumnTable::weights(std::size_t component, const VectorXd& turned) con
   return m_turns[component] * turned;
 }
 
-MatrixXd ColumnTable::visibleColumns(std::size_t component) const {
+MatrixXd ColumnTable::turnedColumns(std::size_t component) const {
   if (component >= m_candidates.size()) {
     VectorXd unit = VectorXd::Zero(m_leftover.readings());
     unit[static_cast<Index>(component - m_candidates.size())] = 1;
     return m_leftover.visible(unit);
   }
-  const Component& candidate = m_candidates[component];
-  if (candidate.curvature.cols() > 0) return bentColumns(candidate);
-  const MatrixXd columns = candidate.kind == Component::Kind::Effect
-                               ? candidate.columns
-                               : m_leftover.visible(wholeColumns(m_leftover, candidate));
+  const MatrixXd columns = visibleColumns(m_leftover, m_candidates[component]);
   return m_turns[component].size() > 0 ? MatrixXd(columns * m_turns[component]) : columns;
 }
 

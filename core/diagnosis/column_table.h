@@ -46,12 +46,10 @@ class ColumnTable {
   std::vector<Eigen::MatrixXd> m_turns;  ///< empty: not turned
   Eigen::Index m_size = 0;
   Eigen::VectorXd m_squares, m_beside;
-  Eigen::MatrixXd m_bentGram;  ///< of the one component that bends
   StepsInTime m_steps;
 
   void turn(std::size_t component);
-  Eigen::VectorXd productsOfEffect(std::size_t component, const Eigen::VectorXd& visible) const;
-  Eigen::MatrixXd visibleColumns(std::size_t component) const;
+  Eigen::MatrixXd turnedColumns(std::size_t component) const;
 };
 
 }  // namespace alidade

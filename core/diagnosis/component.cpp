@@ -61,10 +61,25 @@ MatrixXd wholeColumns(const Leftover& leftover, const Component& component) {
   return columns;
 }
 
-MatrixXd bentColumns(const Component& component) {
-  MatrixXd columns(component.columns.rows(), 5);
-  columns << component.columns, component.curvature;
+MatrixXd visibleColumns(const Leftover& leftover, const Component& component) {
+  MatrixXd columns = leftover.visible(wholeColumns(leftover, component));
+  const Index linear = columns.cols(), bent = component.curvature.cols();
+  if (bent == 0) return columns;
+  columns.conservativeResize(Eigen::NoChange, linear + bent);
+  columns.rightCols(bent) = component.curvature;
   return columns;
+}
+
+VectorXd productsWith(const VectorXd& visible, const VectorXd& ofTerms, const Component& component) {
+  const std::vector<EffectParameter>& parameters = component.effect->parameters;
+  const auto linear = static_cast<Index>(parameters.size()), bent = component.curvature.cols();
+  VectorXd products(linear + bent);
+  for (Index p = 0; p < linear; ++p) {
+    const EffectParameter& parameter = parameters[static_cast<std::size_t>(p)];
+    products[p] = ofTerms[static_cast<Index>(parameter.term)] * plausibleSize(parameter);
+  }
+  if (bent > 0) products.tail(bent) = component.curvature.transpose() * visible;
+  return products;
 }
 
 Eigen::Vector<double, 5> bentWeights(const Vector2d& weights) {
@@ -81,16 +96,16 @@ Eigen::Matrix<double, 5, 2> bentDerivatives(const Vector2d& weights) {
 
 VectorXd signature(const Leftover& leftover, const Component& component, const VectorXd& weights) {
   if (component.kind == Component::Kind::Shape) return leftover.visible(component.pattern.times(weights));
-  if (component.kind == Component::Kind::Jump)
-    return leftover.visible(wholeColumns(leftover, component) * weights);
-  if (component.curvature.cols() > 0) return bentColumns(component) * bentWeights(weights);
-  return component.columns * weights;
+  VectorXd linear = leftover.visible(wholeColumns(leftover, component) * weights);
+  if (component.curvature.cols() > 0) linear += component.curvature * bentWeights(weights).tail<3>();
+  return linear;
 }
 
 double signatureSquare(const Component& component, const VectorXd& weights) {
-  if (component.curvature.cols() > 0)
-    return (component.columns * weights + component.curvature * bentWeights(weights).tail<3>()).squaredNorm();
-  return std::max(weights.dot(component.gram.lazyProduct(weights)), 0.0);  // small: no room on the heap
+  const bool isBent = component.curvature.cols() > 0;
+  const MatrixXd& gram = isBent ? component.bentGram : component.gram;
+  const VectorXd taken = isBent ? VectorXd(bentWeights(weights)) : weights;
+  return std::max(taken.dot(gram.lazyProduct(taken)), 0.0);  // small: no room on the heap
 }
 
 }  // namespace alidade

@@ -13,7 +13,8 @@ namespace alidade {
 
 // What a gap can be made of, for the .cpp files of this room only. Every component is a few columns over the
 // readings, scaled so that a weight of 1 is the plausible size (1σ) of the effect; its weights are normal
-// around zero with a width that is itself uncertain.
+// around zero with a width that is itself uncertain. The columns are not kept: they are made anew of the
+// leftover where their inner products do not serve.
 
 /// How wide the weights of a component may be, and how likely.
 struct Width {
@@ -24,7 +25,7 @@ struct Width {
 struct Component {
   enum class Kind {
     Effect,      ///< of the catalogue
-    Jump,        ///< the orientation steps before a row; its columns are not kept
+    Jump,        ///< the orientation steps before a row
     Misreading,  ///< one reading is off; no columns, since they would be those of a unit matrix
     Shape,       ///< a pattern of no named cause
   };
@@ -35,15 +36,15 @@ struct Component {
   const Effect* effect = nullptr;  ///< of an Effect
   std::size_t moment = 0;          ///< of a Jump: sequence of the first row after it
   std::optional<std::size_t> onlyRow =
-      {};                        ///< of a Jump that one row shows; not sought where misreadings are
-  Eigen::Index reading = 0;      ///< of a Misreading: index into the leftover's readings
-  Eigen::MatrixXd columns = {};  ///< of an Effect: visible part, rows × weights
-  Pattern pattern = {};          ///< of a Shape: over the readings
-  Eigen::MatrixXd gram = {};     ///< inner products of the visible columns with one another
+      {};                     ///< of a Jump that one row shows; not sought where misreadings are
+  Eigen::Index reading = 0;   ///< of a Misreading: index into the leftover's readings
+  Pattern pattern = {};       ///< of a Shape: over the readings
+  Eigen::MatrixXd gram = {};  ///< inner products of the visible columns with one another
   /// Of an effect of two weights that bends: visible second derivatives, columns 11, 12, 22. Else empty.
   Eigen::MatrixXd curvature = {};
-  bool allOrNothing = false;  ///< its one weight is 1
-  double logPrior = 0;        ///< natural, odds against nothing at all
+  Eigen::MatrixXd bentGram = {};  ///< inner products of the columns and the curvature behind them; else empty
+  bool allOrNothing = false;      ///< its one weight is 1
+  double logPrior = 0;            ///< natural, odds against nothing at all
 };
 
 /// What is believed before the readings are seen, in odds against "no gap at all". Broad on purpose: a factor
@@ -67,9 +68,15 @@ const std::vector<Width>& widthsOfKnocks();
 /// The columns of a component that has any over the readings, visible or not.
 Eigen::MatrixXd wholeColumns(const Leftover& leftover, const Component& component);
 
-/// Of a bending component: its columns and curvature side by side, the five weights (x, y, ½x², xy, ½y²) they
-/// take, and their derivatives by x and y.
-Eigen::MatrixXd bentColumns(const Component& component);
+/// The visible part of the columns; the curvature behind them where the component bends.
+Eigen::MatrixXd visibleColumns(const Leftover& leftover, const Component& component);
+/// Of an effect: the inner products of its visible columns, and of its curvature behind them, with a visible
+/// vector. `ofTerms`: those of the terms with it, `Leftover::productsOfTerms`.
+Eigen::VectorXd productsWith(const Eigen::VectorXd& visible, const Eigen::VectorXd& ofTerms,
+                             const Component& component);
+
+/// Of a bending component: the five weights (x, y, ½x², xy, ½y²) that columns and curvature take, and their
+/// derivatives by x and y.
 Eigen::Vector<double, 5> bentWeights(const Eigen::Vector2d& weights);
 Eigen::Matrix<double, 5, 2> bentDerivatives(const Eigen::Vector2d& weights);
 

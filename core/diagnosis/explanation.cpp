@@ -160,13 +160,12 @@ std::vector<Explanation> explain(const Leftover& leftover, const std::vector<Com
 }
 
 Part fitAlone(const Leftover& leftover, const Component& component, std::size_t index) {
+  const VectorXd right =
+      productsWith(leftover.residual(), leftover.productsOfTerms(leftover.residual()), component);
   if (component.curvature.cols() > 0) {
-    const MatrixXd columns = bentColumns(component);
-    const BentFit fit = fitBent(widthsOf(component.kind), columns.transpose() * columns,
-                                columns.transpose() * leftover.residual(), 1);
+    const BentFit fit = fitBent(widthsOf(component.kind), component.bentGram, right, 1);
     return {index, fit.gain.width, fit.weights, fit.gain.log};
   }
-  const VectorXd right = component.columns.transpose() * leftover.residual();
   if (component.allOrNothing) return {index, 1, VectorXd::Ones(1), right[0] - component.gram(0, 0) / 2};
   const Gain gain = gainOf(widthsOf(component.kind), component.gram, right, 1);
   MatrixXd matrix = component.gram;

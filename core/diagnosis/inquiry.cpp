@@ -139,8 +139,11 @@ std::vector<Component> effectsBeyond(const GapModel& model, const Leftover& left
                                      const std::vector<std::string>& leftOut, const PriorOdds& odds) {
   std::vector<Component> components = effectComponents(leftover, leftOut, odds);
   const auto tilt = std::ranges::find(components, "plane_tilt", &Component::id);
-  if (tilt != components.end())
+  if (tilt != components.end()) {
     tilt->curvature = leftover.visible(secondDerivativesByPlaneTilt(model, leftover));
+    const Eigen::MatrixXd columns = visibleColumns(leftover, *tilt);
+    tilt->bentGram = columns.transpose() * columns;
+  }
   return components;
 }
 

@@ -33,11 +33,11 @@ std::vector<Component> effectComponents(const Leftover& leftover, const std::vec
   columns = leftover.visible(columns);
   first = 0;
   for (Component& component : components) {
-    component.columns = columns.middleCols(first, static_cast<Index>(component.effect->parameters.size()));
-    component.gram = component.columns.transpose().lazyProduct(component.columns);
+    const auto own = columns.middleCols(first, static_cast<Index>(component.effect->parameters.size()));
+    component.gram = own.transpose().lazyProduct(own);
     component.logPrior = std::log(odds.effect);
     component.allOrNothing = isAllOrNothing(*component.effect);
-    first += component.columns.cols();
+    first += own.cols();
   }
   return components;
 }

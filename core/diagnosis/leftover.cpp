@@ -121,6 +121,18 @@ VectorXd Leftover::column(ErrorTerm term) const {
   return result;
 }
 
+VectorXd Leftover::productsOfTerms(const VectorXd& visible) const {
+  using RowMajorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const Eigen::Map<const RowMajorMatrix> perTerm(m_equations.perTerm.data(), readings(),
+                                                 static_cast<Index>(m_equations.terms));
+  const VectorXd own = perTerm.transpose() * visible.head(readings());
+  VectorXd products = VectorXd::Zero(static_cast<Index>(errorTermCount));
+  for (Index term = 0; term < products.size(); ++term)
+    if (const std::size_t slot = m_equations.slots[static_cast<std::size_t>(term)]; slot > 0)
+      products[term] = own[static_cast<Index>(slot) - 1];
+  return products;
+}
+
 VectorXd Leftover::column(Unknown::Kind kind) const {
   VectorXd result = VectorXd::Zero(readings());
   for (std::size_t u = 0; u < m_equations.unknowns.size(); ++u) {

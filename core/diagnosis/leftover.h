@@ -49,6 +49,9 @@ class Leftover {
   double redundancy(Eigen::Index reading) const { return m_redundancy[reading]; }
   /// ∂reading/∂term, whitened, not projected, readings() long.
   Eigen::VectorXd column(ErrorTerm term) const;
+  /// Inner products of ∂reading/∂term of every term with a visible vector, rows() or readings() long; 0 for
+  /// terms the equations were not differentiated by.
+  Eigen::VectorXd productsOfTerms(const Eigen::VectorXd& visible) const;
   /// ∂reading/∂unknown of the readings' own arc; 0 where the arc has no such unknown.
   Eigen::VectorXd column(Unknown::Kind kind) const;
 

@@ -31,8 +31,7 @@ const LinearMoves::Columns& LinearMoves::columnsOf(const Part& part) {
                              ? MatrixXd(VectorXd::Unit(leftover.readings(), m_inquiry.readingOf(part)))
                              : wholeColumns(leftover, m_inquiry.candidates[part.component]);
   columns.influence = whole.transpose() * m_perReading;
-  const bool isEffect = m_inquiry.kindOf(part) == Component::Kind::Effect;
-  columns.visible = isEffect ? m_inquiry.candidates[part.component].columns : leftover.visible(whole);
+  columns.visible = leftover.visible(whole);
   return columns;
 }
 

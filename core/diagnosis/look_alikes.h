@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <vector>
 
 #include "core/diagnosis/component.h"
 #include "core/diagnosis/visibility.h"
@@ -10,12 +9,24 @@ namespace alidade {
 
 // Which effects leave the same trace in these very readings. For the .cpp files of this room only.
 
-/// How far the nearest trace that the component can leave is from `trace` (a visible part), in σ of the
-/// readings: two effects this far apart are taken for one another in Φ(−d/2) of the cases.
-double differenceFrom(const Eigen::VectorXd& trace, const Component& component);
+/// What something leaves in the readings, a visible part. The leftover has to live as long.
+class Trace {
+ public:
+  Trace(const Leftover& leftover, Eigen::VectorXd visible);
 
-/// How like the component's nearest trace is.
-LookAlike compared(const Eigen::VectorXd& trace, const Component& component);
+  double length() const { return m_visible.norm(); }
+  /// How far the nearest trace that an effect can leave is, in σ of the readings: two effects this far apart
+  /// are taken for one another in Φ(−d/2) of the cases.
+  double differenceFrom(const Component& effect) const;
+  /// How like the effect's nearest trace is.
+  LookAlike compared(const Component& effect) const;
+
+ private:
+  const Leftover& m_leftover;
+  Eigen::VectorXd m_visible, m_ofTerms;
+
+  double differenceFromBent(const Component& effect, const Eigen::VectorXd& right) const;
+};
 
 /// Mistaken for one another in 7 % of the cases: no answer to rely on.
 inline constexpr double hardlyDifferent = 3.0;

@@ -29,7 +29,7 @@ struct Planned {
 /// same on both sides.
 std::vector<VectorXd> directionsOf(const Component& component) {
   constexpr int steps = 48;
-  if (component.columns.cols() == 1) return {VectorXd::Ones(1)};
+  if (component.gram.cols() == 1) return {VectorXd::Ones(1)};
   std::vector<VectorXd> directions;
   for (int i = 0; i < steps; ++i) {
     const double angle = 2 * std::numbers::pi * i / steps;
@@ -52,10 +52,10 @@ void seeVisibility(Planned& planned, const Component& component, const Leftover&
     first = false;
   }
   if (summary.mostVisible < clearlyDifferent) return;
-  const VectorXd trace = signature(leftover, component, planned.plainest);
+  const Trace trace(leftover, signature(leftover, component, planned.plainest));
   for (const Component& other : components) {
     if (other.id == component.id) continue;
-    const LookAlike like = compared(trace, other);
+    const LookAlike like = trace.compared(other);
     if (like.difference <= clearlyDifferent) summary.lookAlikes.push_back(like);
   }
   std::ranges::sort(summary.lookAlikes, {}, &LookAlike::difference);

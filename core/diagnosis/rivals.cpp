@@ -68,14 +68,15 @@ std::vector<Rival> steps(const Inquiry& inquiry, const Explanation& explanation,
 std::vector<Rival> effects(const Inquiry& inquiry, const Explanation& explanation, std::size_t index,
                            Comparison& comparison) {
   const Part& part = explanation.parts[index];
-  const Eigen::VectorXd trace = signature(inquiry.leftover, inquiry.candidates[part.component], part.weights);
+  const Trace trace(inquiry.leftover,
+                    signature(inquiry.leftover, inquiry.candidates[part.component], part.weights));
   std::vector<Rival> rivals;
   for (std::size_t i = 0; i < inquiry.candidates.size(); ++i) {
     const auto isOther = [&](const Part& any) { return any.component != i; };
     if (inquiry.candidates[i].kind != Component::Kind::Effect ||
         !std::ranges::all_of(explanation.parts, isOther))
       continue;
-    const double difference = differenceFrom(trace, inquiry.candidates[i]) / explanation.noise;
+    const double difference = trace.differenceFrom(inquiry.candidates[i]) / explanation.noise;
     if (difference > clearlyDifferent) continue;
     Rival rival = comparison.with(index, i);
     if (rival.part.isSpokenFor() && (difference < hardlyDifferent || isClose(rival)))

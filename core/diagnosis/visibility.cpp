@@ -11,10 +11,10 @@ Result<Visibility> visibilityOf(const Measurement& noiseless, const std::string&
   const Result<GapModel> model = modelOf(noiseless);
   if (!model) return model.problem();
   const Leftover leftover(linearise(model->measurement, model->fit, model->options), model->options.terms);
-  const Eigen::VectorXd& trace = leftover.residual();
-  Visibility visibility{.sigma = trace.norm(), .lookAlikes = {}, .nearest = trace.norm()};
+  const Trace trace(leftover, leftover.residual());
+  Visibility visibility{.sigma = trace.length(), .lookAlikes = {}, .nearest = trace.length()};
   for (const Component& other : effectsBeyond(*model, leftover, {held}, {})) {
-    const LookAlike like = compared(trace, other);
+    const LookAlike like = trace.compared(other);
     visibility.nearest = std::min(visibility.nearest, like.difference);
     if (like.difference <= clearlyDifferent) visibility.lookAlikes.push_back(like);
   }

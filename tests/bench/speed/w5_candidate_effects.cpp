@@ -25,7 +25,7 @@ double bestEvidence(const Leftover& leftover) {
 void answer(benchmark::State& state, const Leftover& leftover) {
   for (const Component& effect : effectComponents(leftover, {}, {})) {
     if (effect.gram.trace() < 1e-6) continue;  // nothing of it shows
-    const Eigen::VectorXd products = effect.columns.transpose() * leftover.residual();
+    const Eigen::VectorXd products = visibleColumns(leftover, effect).transpose() * leftover.residual();
     state.counters["fall by " + std::string(effect.id)] = products.dot(effect.gram.ldlt().solve(products));
   }
 }

@@ -64,10 +64,11 @@ TEST(VisibleTerms, TellHowFarEffectsAreApart) {
   const Leftover leftover(set);
   const std::vector<Component> components = effectComponents(leftover, {}, {});
   for (const Component& one : components) {
-    const VectorXd weights = VectorXd::LinSpaced(one.columns.cols(), 1, 2);
-    const VectorXd trace = one.columns * weights, combination = combinationOf(*one.effect) * weights;
+    const VectorXd weights = VectorXd::LinSpaced(one.gram.cols(), 1, 2);
+    const VectorXd combination = combinationOf(*one.effect) * weights;
+    const Trace trace(leftover, signature(leftover, one, weights));
     for (const Component& other : components)
-      EXPECT_NEAR(differenceFrom(terms, combination, *other.effect), differenceFrom(trace, other), 1e-4)
+      EXPECT_NEAR(differenceFrom(terms, combination, *other.effect), trace.differenceFrom(other), 1e-4)
           << one.id << " from " << other.id;
   }
 }
