@@ -9,6 +9,7 @@
 #include "core/session/session_file.h"
 #include "tests/ui/monkey/monkey_dialogs.h"
 #include "ui/main_window.h"
+#include "ui/panels/job_status.h"
 #include "ui/panels/page_tabs.h"
 #include "ui/panels/position_tabs.h"
 #include "ui/panels/readings_table.h"
@@ -93,6 +94,8 @@ void Monkey::openWindow() {
                    [this](const SharedEvaluation& evaluation) { m_evaluation = evaluation; });
   QObject::connect(&m_window->gapJob(), &GapJob::assessed, m_window.get(),
                    [this](const SharedGap& gap) { m_gap = gap; });
+  QObject::connect(m_window->findChild<JobStatus*>(), &JobStatus::stopWanted, m_window.get(),
+                   [this] { m_gap.reset(); });
   m_window->show();
   QApplication::setActiveWindow(m_window.get());
   if (!path.isEmpty()) m_window->files().open(path);
