@@ -5,11 +5,11 @@
 
 #include "ui/dialogs/dialogs.h"
 #include "ui/dialogs/file_flow.h"
-#include "ui/recovery/file_watch.h"
 #include "ui/document/reading_column.h"
 #include "ui/document/session_document.h"
 #include "ui/jobs/fit_job.h"
 #include "ui/jobs/gap_job.h"
+#include "ui/recovery/file_watch.h"
 
 class QSplitter;
 class QTabWidget;

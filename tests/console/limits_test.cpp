@@ -13,12 +13,12 @@ using ::testing::HasSubstr;
 using ::testing::StartsWith;
 using Json = nlohmann::ordered_json;
 
+const std::string cli = "\"$0\"";  // in a line of the shell
+
 /// A line of a shell, which knows limits of memory and time, and devices.
 ProgramRun shell(const std::string& line) {
-  return runProgram({.program = "/bin/sh", .arguments = {"-c", line}});
+  return runProgram({.program = "/bin/sh", .arguments = {"-c", line, ALIDADE_CLI}});
 }
-
-const std::string cli = ALIDADE_CLI;
 
 TEST(Limits, HoldForStandardInputToo) {
   constexpr const char* within = "ulimit -v 2500000; ";  // KiB
