@@ -160,8 +160,7 @@ std::vector<Explanation> explain(const Leftover& leftover, const std::vector<Com
 }
 
 Part fitAlone(const Leftover& leftover, const Component& component, std::size_t index) {
-  const VectorXd right =
-      productsWith(leftover.residual(), leftover.productsOfTerms(leftover.residual()), component);
+  const VectorXd right = productsWith(leftover.residual(), leftover.residualByTerms(), component);
   if (component.curvature.cols() > 0) {
     const BentFit fit = fitBent(widthsOf(component.kind), component.bentGram, right, 1);
     return {index, fit.gain.width, fit.weights, fit.gain.log};

@@ -29,6 +29,8 @@ class Leftover {
     return m_equations.readings[static_cast<std::size_t>(i)];
   }
   const Eigen::VectorXd& residual() const { return m_residual; }
+  /// Its products with the terms, as `productsOfTerms` has them.
+  const Eigen::VectorXd& residualByTerms() const { return m_residualByTerms; }
   double chiSquare() const { return m_residual.squaredNorm(); }
   /// The equations it was made of.
   const Linearised& equations() const { return m_equations; }
@@ -60,7 +62,7 @@ class Leftover {
   std::vector<std::vector<Eigen::Index>> m_visits;
   Eigen::VectorXd m_along;                 ///< of each reading
   std::vector<Eigen::Index> m_endOfVisit;  ///< behind the last reading of each visit
-  Eigen::VectorXd m_observed, m_residual, m_redundancy;
+  Eigen::VectorXd m_observed, m_residual, m_residualByTerms, m_redundancy;
   Eigen::MatrixXd m_basis;
   int m_degreesOfFreedom = 0;
 
