@@ -1,7 +1,6 @@
 #include "ui/dialogs/file_flow.h"
 
 #include <QDir>
-#include <QFile>
 #include <QFileInfo>
 #include <algorithm>
 
@@ -18,6 +17,7 @@
 #include "ui/jobs/evaluation.h"
 #include "ui/jobs/failed_job.h"
 #include "ui/settings/recent_files.h"
+#include "ui/text/encoded_path.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/visible_text.h"
 
@@ -43,12 +43,8 @@ Session withoutRows(Session session) {
   return session;
 }
 
-std::string encoded(const QString& path) {
-  return QFile::encodeName(path).toStdString();
-}
-
 Result<Import> readImport(const QString& path, const ImportOptions& options) {
-  const Result<std::string> bytes = readFile(encoded(path));
+  const Result<std::string> bytes = readFile(encodedPath(path));
   if (!bytes) return bytes.problem();
   Result<Import> import = alidade::importReadings(*bytes, options);
   if (import && import->session.title.empty()) {
@@ -177,7 +173,7 @@ bool FileFlow::saveAs() {
 
 bool FileFlow::saveTo(const QString& path) {
   if (tellWhereNoFile(tr("Save session"), path)) return false;
-  if (!isSameFile(encoded(path), encoded(m_document.path()))) return mayShare(path) && write(path);
+  if (!isSameFile(encodedPath(path), encodedPath(m_document.path()))) return mayShare(path) && write(path);
   const auto answer = askAboutChange();
   if (answer == ChangedFileAnswer::SaveAs) return saveAs();
   return (!answer || answer == ChangedFileAnswer::Overwrite) && write(path);

@@ -1,28 +1,14 @@
 #include "ui/dialogs/report_source.h"
 
-#include <QCryptographicHash>
-#include <QFile>
-
-#include "core/session/session_file.h"
+#include "ui/document/filed_session.h"
 #include "ui/document/session_document.h"
 
 namespace alidade::ui {
 
-namespace {
-
-QByteArray sha256(const QByteArray& bytes) {
-  return QCryptographicHash::hash(bytes, QCryptographicHash::Sha256);
-}
-
-}  // namespace
-
 ReportSource reportSource(const SessionDocument& document) {
-  QFile file(document.path());
-  const bool saved = !document.path().isEmpty() && !document.isModified() && file.open(QIODevice::ReadOnly);
-  const QByteArray bytes =
-      saved ? file.readAll() : QByteArray::fromStdString(writeSession(document.session()));
+  const QByteArray ofFile = document.isModified() ? QByteArray() : sha256OfFile(document.path());
   const QString name = document.path().isEmpty() ? QString() : document.displayName();
-  return {name, sha256(bytes), saved, document.paths()};
+  return {name, ofFile, !ofFile.isEmpty(), document.paths()};
 }
 
 }  // namespace alidade::ui

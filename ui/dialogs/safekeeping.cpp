@@ -2,7 +2,6 @@
 
 #include <QCryptographicHash>
 #include <QDir>
-#include <QFile>
 #include <QFileInfo>
 #include <QLocale>
 #include <utility>
@@ -13,6 +12,7 @@
 #include "ui/dialogs/dialogs.h"
 #include "ui/dialogs/file_flow.h"
 #include "ui/document/session_document.h"
+#include "ui/text/encoded_path.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/visible_text.h"
 
@@ -21,7 +21,7 @@ namespace alidade::ui {
 namespace {
 
 Result<std::string> bytesOf(const QString& path) {
-  return readFile(QFile::encodeName(path).toStdString());
+  return readFile(encodedPath(path));
 }
 
 /// What stands beside a record: its file, or a new session where it has none.

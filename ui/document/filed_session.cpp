@@ -9,6 +9,7 @@
 #include "core/base/atomic_file.h"
 #include "core/base/file_bytes.h"
 #include "core/session/session_file.h"
+#include "ui/text/encoded_path.h"
 
 namespace alidade::ui {
 
@@ -19,14 +20,10 @@ QByteArray sha256(const std::string& bytes) {
                                   QCryptographicHash::Sha256);
 }
 
-std::string encoded(const QString& path) {
-  return QFile::encodeName(path).toStdString();
-}
-
 }  // namespace
 
 Result<FiledSession> readFiled(const QString& path) {
-  const Result<std::string> bytes = readFile(encoded(path));
+  const Result<std::string> bytes = readFile(encodedPath(path));
   if (!bytes) return bytes.problem();
   Result<Session> session = readSession(*bytes);
   if (!session) return session.problem();
@@ -35,13 +32,13 @@ Result<FiledSession> readFiled(const QString& path) {
 
 Result<QByteArray> writeFiled(const Session& session, const QString& path) {
   const std::string text = writeSession(session);
-  if (auto problem = writeFile(encoded(path), text)) return *std::move(problem);
+  if (auto problem = writeFile(encodedPath(path), text)) return *std::move(problem);
   return sha256(text);
 }
 
 std::optional<FileContent> contentOtherThan(const QByteArray& knownSha256, const QString& path) {
   if (!QFileInfo(path).isFile()) return {};
-  const Result<std::string> bytes = readFile(encoded(path));
+  const Result<std::string> bytes = readFile(encodedPath(path));
   if (!bytes) return {};
   QByteArray own = sha256(*bytes);
   if (own == knownSha256) return {};

@@ -14,6 +14,7 @@
 #include "core/base/atomic_file.h"
 #include "core/base/failure.h"
 #include "core/session/session_file.h"
+#include "ui/text/encoded_path.h"
 #include "ui/text/entry_text.h"
 
 namespace alidade::ui {
@@ -57,8 +58,8 @@ QString written(const FailedJob& failed) {
   const QString path =
       folder.filePath(now.toString(QStringLiteral("yyyyMMdd-HHmmss-zzz-")) + job + QStringLiteral(".json"));
   const QByteArray record = recordOf(failed, now);
-  const auto problem = writeFile(QFile::encodeName(path).toStdString(),
-                                 {record.constData(), static_cast<std::size_t>(record.size())});
+  const auto problem =
+      writeFile(encodedPath(path), {record.constData(), static_cast<std::size_t>(record.size())});
   dropOldest(folder);
   return problem ? QString() : path;
 }

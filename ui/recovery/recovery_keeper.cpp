@@ -6,6 +6,7 @@
 #include "core/base/atomic_file.h"
 #include "ui/document/session_document.h"
 #include "ui/recovery/recovery_record.h"
+#include "ui/text/encoded_path.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {
@@ -52,7 +53,7 @@ void RecoveryKeeper::keep() {
   if (!m_document.isModified()) return m_slot->remove();
   auto record = std::make_shared<const RecoveryRecord>(RecoveryRecord{
       m_document.path(), m_document.knownSha256(), QDateTime::currentDateTime(), m_document.session()});
-  m_writing->start([record, path = QFile::encodeName(m_slot->path()).toStdString()](
+  m_writing->start([record, path = encodedPath(m_slot->path())](
                        const std::stop_token&) { return writeFile(path, recoveryText(*record)); },
                    [](const std::string& reason) { return Problem{.what = reason + '.', .where = {}}; });
 }

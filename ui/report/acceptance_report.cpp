@@ -2,7 +2,6 @@
 
 #include <QBuffer>
 #include <QCryptographicHash>
-#include <QFile>
 #include <QPageLayout>
 #include <QPainter>
 #include <QPdfWriter>
@@ -15,6 +14,7 @@
 #include "ui/report/report_readings.h"
 #include "ui/report/report_sheet.h"
 #include "ui/report/report_summary.h"
+#include "ui/text/encoded_path.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {
@@ -82,9 +82,8 @@ Result<QString> writeAcceptanceReport(const Evaluation& evaluation, const Report
   const QByteArray& pdf = buffer.data();
   const std::string_view bytes(pdf.constData(), static_cast<std::size_t>(pdf.size()));
   std::vector<std::string> inputs;
-  for (const QString& path : source.paths) inputs.push_back(QFile::encodeName(path).toStdString());
-  if (auto problem = writeFile(QFile::encodeName(outPath).toStdString(), bytes, inputs))
-    return *std::move(problem);
+  for (const QString& path : source.paths) inputs.push_back(encodedPath(path));
+  if (auto problem = writeFile(encodedPath(outPath), bytes, inputs)) return *std::move(problem);
   return outPath;
 }
 
