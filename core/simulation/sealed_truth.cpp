@@ -1,6 +1,8 @@
 #include "core/simulation/sealed_truth.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "core/base/limits.h"
@@ -27,15 +29,22 @@ void addMisread(SealedTruth& truth, MisreadCell cell, double horizontal, double 
   }
 }
 
-void readMisread(const Json& list, SealedTruth& truth) {
+/// Whether all of them say by whole numbers which reading they mean.
+bool readMisread(const Json& list, SealedTruth& truth) {
+  constexpr double mostCells = 1e9;
   for (const Json& blunder : list) {
-    const MisreadCell cell{.axisDeg = blunder.at(0).get<int>() == 0 ? 0 : 180,
-                           .round = blunder.at(1),
-                           .point = blunder.at(2),
-                           .face = blunder.at(3)};
-    addMisread(truth, cell, blunder.at(4), blunder.at(5));
+    std::array<int, 4> place{};
+    for (std::size_t i = 0; i < place.size(); ++i) {
+      const double number = blunder.at(i).get<double>();
+      if (!(std::abs(number) <= mostCells) || number != std::trunc(number)) return false;
+      place[i] = static_cast<int>(number);
+    }
+    addMisread(truth,
+               {.axisDeg = place[0] == 0 ? 0 : 180, .round = place[1], .point = place[2], .face = place[3]},
+               blunder.at(4), blunder.at(5));
   }
   std::ranges::sort(truth.misread);
+  return true;
 }
 
 bool isSeveral(const std::string& kind) {
@@ -65,8 +74,8 @@ std::optional<std::string> whyUnscorable(const SealedTruth& truth) {
   return std::nullopt;
 }
 
-/// Reads one key, and remembers it in `key` for the sentence where it is wrong.
-SealedTruth readTruth(const std::string& id, const Json& json, std::string& key) {
+/// Reads one key after the other; the last one stays in `key`, for the sentence where it is wrong.
+std::optional<SealedTruth> readTruth(const std::string& id, const Json& json, std::string& key) {
   SealedTruth truth{.id = id};
   const auto at = [&](const char* name) -> const Json& { return json.at(key = name); };
   const auto given = [&](const char* name) {
@@ -81,7 +90,7 @@ SealedTruth readTruth(const std::string& id, const Json& json, std::string& key)
   if (given("visible_sigma")) truth.visible = json.at(key).get<double>();
   if (given("look_alikes"))
     for (const Json& entry : json.at(key)) truth.lookAlikes.push_back(entry.at(0).get<std::string>());
-  if (given("blunders")) readMisread(json.at(key), truth);
+  if (given("blunders") && !readMisread(json.at(key), truth)) return std::nullopt;
   return truth;
 }
 
@@ -127,13 +136,16 @@ Result<std::vector<SealedTruth>> readSealedTruths(const std::string& text) {
   std::vector<SealedTruth> truths;
   for (const auto& [id, entry] : json.items()) {
     std::string key;
+    std::optional<SealedTruth> truth;
     try {
-      truths.push_back(readTruth(id, entry, key));
+      truth = readTruth(id, entry, key);
     } catch (const Json::exception&) {
-      return Problem{"truth of " + quotation(id) + ": " + key + " is missing or of the wrong type"};
+      truth.reset();
     }
-    if (const auto reason = whyUnscorable(truths.back()))
+    if (!truth) return Problem{"truth of " + quotation(id) + ": " + key + " is missing or of the wrong type"};
+    if (const auto reason = whyUnscorable(*truth))
       return Problem{"truth of " + quotation(id) + ": " + *reason};
+    truths.push_back(*std::move(truth));
   }
   return truths;
 }

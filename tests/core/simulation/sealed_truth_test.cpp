@@ -58,6 +58,10 @@ TEST(SealedTruth, RefusesWhatNoAnswerCanBeRightFor) {
   EXPECT_THAT(problemWith(R"("kind": "gross_error")"), HasSubstr("“a1”: blunders must list"));
   EXPECT_THAT(problemWith(R"("kind": "gross_error", "blunders": [[0, 1, 6, 1, 0, 0]])"),
               HasSubstr("blunders must list"));
+  for (const char* place : {"0, 1, 3, 1e118", "0, 1e10, 3, 1", "0, 1, 2.5, 1"})
+    EXPECT_THAT(problemWith(R"("kind": "gross_error", "blunders": [[)" + std::string(place) + ", 60, 0]]"),
+                HasSubstr("blunders is missing or of the wrong type"))
+        << place;
   EXPECT_THAT(problemWith(R"("kind": "two_causes")"), HasSubstr("“a1”: causes must name them"));
   EXPECT_THAT(problemWith(R"("kind": "two_causes", "causes": ["collimation", "moonlight"])"),
               HasSubstr("causes names “moonlight”"));
