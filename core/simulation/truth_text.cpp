@@ -194,11 +194,15 @@ std::vector<std::string> trueCauses(const Truth& truth) {
           return size != truth.effects.end() && size->value != 0;
         }))
       causes.emplace_back(effect.id);
-  if (truth.jump) causes.emplace_back(jumpId);
-  if (!truth.misreadings.empty()) causes.emplace_back(misreadingId);
+  const auto turns = [](const auto& step) {
+    return step.horizontal.radians() != 0 || step.vertical.radians() != 0;
+  };
+  if (truth.jump && turns(*truth.jump)) causes.emplace_back(jumpId);
+  if (std::ranges::any_of(truth.misreadings, turns)) causes.emplace_back(misreadingId);
   if (truth.noiseFactor > 1) causes.emplace_back(noiseId);
-  if (truth.harmonic) causes.emplace_back("unknown_harmonic");
-  if (truth.foreign) causes.push_back("unknown_" + std::string(nameOf(truth.foreign->kind)));
+  if (truth.harmonic && (truth.harmonic->cosine != 0 || truth.harmonic->sine != 0))
+    causes.emplace_back("unknown_harmonic");
+  if (truth.foreign && truth.foreign->size != 0) causes.push_back("unknown_" + std::string(nameOf(truth.foreign->kind)));
   return causes;
 }
 

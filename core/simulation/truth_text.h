@@ -27,7 +27,7 @@ std::optional<Problem> addEffect(Truth& truth, const std::string& text);
 std::string effectNames();
 
 /// Ids of what a diagnosis should name, each once, in the order of the catalogue; what is in no catalogue
-/// begins with `unknown_`.
+/// begins with `unknown_`. An effect of size 0 is none.
 std::vector<std::string> trueCauses(const Truth& truth);
 
 /// `none`, the only cause, `two_causes` or `several_causes`.

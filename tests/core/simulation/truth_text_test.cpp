@@ -75,7 +75,9 @@ TEST(TruthText, TakesWhatIsNoErrorTerm) {
 
 TEST(TruthText, NamesTheKind) {
   EXPECT_EQ(documentOf({}).at("kind"), "none");
-  EXPECT_EQ(documentOf(with({"collimation=0"})).at("kind"), "none");
+  for (const char* ofNoSize : {"collimation=0", "orientation_jump=0.4,0,0", "gross_error=180,1,11,1,0,0",
+                               "form_harmonic=7,0,0", "local_dent=0,10,5"})
+    EXPECT_EQ(documentOf(with({ofNoSize})).at("kind"), "none") << ofNoSize;
   EXPECT_EQ(documentOf(with({"collimation=5", "gravity_sag=0.1"})).at("kind"), "two_causes");
 }
 
