@@ -47,7 +47,11 @@ ArrayXd mostGain(const ArrayXd& squares, const ArrayXd& products, Component::Kin
 
 Search::Search(const Leftover& leftover, const std::vector<Component>& candidates,
                const SearchOptions& options)
-    : m_leftover(leftover), m_candidates(candidates), m_options(options), m_table(leftover, candidates) {
+    : m_leftover(leftover),
+      m_candidates(candidates),
+      m_options(options),
+      m_table(leftover, candidates),
+      m_right(m_table.products(leftover.residual())) {
   const auto isJump = [](const Component& candidate) { return candidate.kind == Component::Kind::Jump; };
   const auto first = std::ranges::find_if(candidates, isJump);
   const auto end = std::find_if_not(first, candidates.end(), isJump);
@@ -72,7 +76,8 @@ Explanation Search::madeOf(const std::vector<std::size_t>& components, double va
   m_variance = variance;
   State state = nothing();
   for (std::size_t i = 0; i < components.size(); ++i) {
-    const Gain gain = gainFor(state, components[i]);
+    const Beside own = beside(state, m_table.first(components[i]), m_table.count(components[i]));
+    const Gain gain = gainFor(components[i], own.some(0, own.right.size()));
     const double logOdds = state.found.logOdds + gain.log + priorOf(components[i]);
     const bool isLast = i + 1 == components.size();
     state = with(state, {.component = components[i], .gain = gain, .logOdds = logOdds}, !isLast);
@@ -83,9 +88,20 @@ Explanation Search::madeOf(const std::vector<std::size_t>& components, double va
 Search::State Search::nothing() const {
   State nothing;
   nothing.found.chiSquare = m_leftover.chiSquare();
-  nothing.right = m_table.products(m_leftover.residual());
-  nothing.shared.resize(m_table.size(), 0);
   return nothing;
+}
+
+Search::Beside Search::beside(const State& state, Index first, Index count) const {
+  if (state.found.logOdds == impossible) return {VectorXd::Zero(count), MatrixXd(count, 0)};
+  Beside beside{m_right.segment(first, count), MatrixXd::Zero(count, state.taken.cols())};
+  Index row = 0;
+  for (const Part& part : state.found.parts) {
+    const auto products = m_products.at(part.component).middleRows(first, count);
+    beside.right -= products.lazyProduct(state.off.segment(row, products.cols()));
+    beside.shared += products.lazyProduct(state.taken.middleRows(row, products.cols()));
+    row += products.cols();
+  }
+  return beside;
 }
 
 std::vector<Search::State> Search::next(const std::vector<State>& level) {
@@ -134,8 +150,6 @@ Search::State Search::makeImpossible(State state) const {
   last.weights.setZero();
   state.found.logOdds = state.found.logEvidence = last.logGain = impossible;
   state.found.chiSquare = m_leftover.chiSquare();
-  state.shared.resize(m_table.size(), 0);
-  state.right = VectorXd::Zero(m_table.size());
   return state;
 }
 
@@ -148,18 +162,19 @@ void Search::offer(const State& state, std::size_t index, std::vector<Growth>& g
     growth.key = state.key + keyOf(growth.component);
     growths.push_back(growth);
   };
+  const Beside all = beside(state, 0, m_table.size());
   for (std::size_t i = 0; i < m_candidates.size(); ++i)
     if (m_candidates[i].kind != Component::Kind::Jump && !state.found.has(i))
-      add({.component = i, .gain = gainFor(state, i)});
+      add({.component = i, .gain = gainFor(i, all.some(m_table.first(i), m_table.count(i)))});
   const bool hasJump = std::ranges::any_of(
       state.found.parts, [&](const Part& part) { return kindOf(part.component) == Component::Kind::Jump; });
-  if (!hasJump && m_jumps > 0) std::ranges::for_each(jumpsFor(state), add);
+  if (!hasJump && m_jumps > 0) std::ranges::for_each(jumpsFor(all), add);
   if (m_options.misreadings)
-    for (const Growth& growth : misreadingsFor(state))
+    for (const Growth& growth : misreadingsFor(all))
       if (!state.found.has(growth.component)) add(growth);
 }
 
-std::vector<Search::Growth> Search::bestOf(const State& state, std::size_t first, const ArrayXd& most,
+std::vector<Search::Growth> Search::bestOf(const Beside& all, std::size_t first, const ArrayXd& most,
                                            std::size_t count) const {
   std::vector<Index> order(static_cast<std::size_t>(most.size()));
   std::iota(order.begin(), order.end(), Index{0});
@@ -170,14 +185,15 @@ std::vector<Search::Growth> Search::bestOf(const State& state, std::size_t first
   for (const Index i : order) {
     if (best.size() == count && most[i] <= best.back().gain.log) continue;
     const std::size_t component = first + static_cast<std::size_t>(i);
-    best.push_back({.component = component, .gain = gainFor(state, component)});
+    const auto own = all.some(m_table.first(component), m_table.count(component));
+    best.push_back({.component = component, .gain = gainFor(component, own)});
     if (best.size() >= count) keepBest(best, count);
   }
   return best;
 }
 
 /// As if the two directions in which a jump shows had each the width that suits it.
-std::vector<Search::Growth> Search::jumpsFor(const State& state) const {
+std::vector<Search::Growth> Search::jumpsFor(const Beside& all) const {
   const Index first = m_table.first(m_firstJump), count = static_cast<Index>(m_jumps);
   const auto ofJumps = [&](const auto& vector, Index number) {
     return Eigen::Map<const ArrayXd, 0, Eigen::InnerStride<2>>(vector.data() + first + number, count);
@@ -185,13 +201,13 @@ std::vector<Search::Growth> Search::jumpsFor(const State& state) const {
   // The Gram matrix of the horizontal and the vertical column, and their products with what is left.
   ArrayXd h = ofJumps(m_table.squares(), 0), v = ofJumps(m_table.squares(), 1),
           both = ofJumps(m_table.beside(), 0);
-  for (Index taken = 0; taken < state.shared.cols(); ++taken) {
-    const auto ofH = ofJumps(state.shared.col(taken), 0), ofV = ofJumps(state.shared.col(taken), 1);
+  for (Index taken = 0; taken < all.shared.cols(); ++taken) {
+    const auto ofH = ofJumps(all.shared.col(taken), 0), ofV = ofJumps(all.shared.col(taken), 1);
     h -= ofH.square();
     v -= ofV.square();
     both -= ofH * ofV;
   }
-  const auto rightH = ofJumps(state.right, 0), rightV = ofJumps(state.right, 1);
+  const auto rightH = ofJumps(all.right, 0), rightV = ofJumps(all.right, 1);
   const ArrayXd middle = (h + v) / 2, half = (h - v) / 2, apart = (half.square() + both.square()).sqrt(),
                 right = rightH.square() + rightV.square(),
                 turned = half * (rightH.square() - rightV.square()) + 2 * both * rightH * rightV,
@@ -201,57 +217,48 @@ std::vector<Search::Growth> Search::jumpsFor(const State& state) const {
   if (m_options.misreadings)
     for (Index i = 0; i < count; ++i)
       if (m_candidates[m_firstJump + static_cast<std::size_t>(i)].onlyRow) most[i] = impossible;
-  return bestOf(state, m_firstJump, most, jumpsOffered);
+  return bestOf(all, m_firstJump, most, jumpsOffered);
 }
 
-std::vector<Search::Growth> Search::misreadingsFor(const State& state) const {
+std::vector<Search::Growth> Search::misreadingsFor(const Beside& all) const {
   constexpr double determined = 1e-6;  // redundancy below which a reading can be anything
   const Index readings = m_leftover.readings();
   ArrayXd left = m_table.squares().tail(readings);
-  for (Index taken = 0; taken < state.shared.cols(); ++taken)
-    left -= state.shared.col(taken).tail(readings).array().square();
+  for (Index taken = 0; taken < all.shared.cols(); ++taken)
+    left -= all.shared.col(taken).tail(readings).array().square();
   const ArrayXd most =
-      mostGain(left, state.right.tail(readings).array().square(), Component::Kind::Misreading, m_variance);
-  return bestOf(state, m_candidates.size(), (left < determined).select(impossible, most), misreadingsOffered);
+      mostGain(left, all.right.tail(readings).array().square(), Component::Kind::Misreading, m_variance);
+  return bestOf(all, m_candidates.size(), (left < determined).select(impossible, most), misreadingsOffered);
 }
 
-Gain Search::gainFor(const State& state, std::size_t component) const {
+Gain Search::gainFor(std::size_t component, const SomeBeside& own) const {
   constexpr double shows = 10;  // natural logarithm
   const Index first = m_table.first(component), count = m_table.count(component);
   const Component::Kind kind = kindOf(component);
   if (component < m_candidates.size()) {
     const Component& candidate = m_candidates[component];
     if (candidate.allOrNothing) {
-      const double square = m_table.squares()[first] - state.shared.row(first).squaredNorm();
-      return {(state.right[first] - square / 2) / m_variance, 1};
+      const double square = m_table.squares()[first] - own.shared.squaredNorm();
+      return {(own.right[0] - square / 2) / m_variance, 1};
     }
-    if (candidate.curvature.cols() > 0) return bentFor(state, component).gain;
+    if (candidate.curvature.cols() > 0) return bentFor(component, own).gain;
   }
   const TurnedColumns columns{m_table.squares().segment(first, count),
-                              m_table.beside().segment(first, count - 1), state.right.segment(first, count),
-                              state.shared.middleRows(first, count)};
+                              m_table.beside().segment(first, count - 1), own.right, own.shared};
   const Gain gain = gainOf(widthsOf(kind), columns, m_variance);
   // Knocks of any size show at the usual widths, too, and most moments show none.
   const bool isKnock = kind == Component::Kind::Jump && gain.log > shows;
   return isKnock ? gainOf(widthsOfKnocks(), columns, m_variance) : gain;
 }
 
-BentFit Search::bentFor(const State& state, std::size_t component) const {
-  const Index first = m_table.first(component), count = m_table.count(component);
-  const auto shared = state.shared.middleRows(first, count);
-  return fitBent(widthsOf(Component::Kind::Effect), m_table.gram(component) - shared * shared.transpose(),
-                 state.right.segment(first, count), m_variance);
-}
-
-const MatrixXd& Search::productsOf(std::size_t component) {
-  const auto [entry, isNew] = m_products.try_emplace(component);
-  if (isNew) entry->second = m_table.productsOf(component);
-  return entry->second;
+BentFit Search::bentFor(std::size_t component, const SomeBeside& own) const {
+  return fitBent(widthsOf(Component::Kind::Effect),
+                 m_table.gram(component) - own.shared * own.shared.transpose(), own.right, m_variance);
 }
 
 Search::State Search::with(const State& state, const Growth& growth, bool inAnyCase) {
   const std::size_t component = growth.component;
-  const Index first = m_table.first(component), count = m_table.count(component);
+  const Index count = m_table.count(component);
   State next;
   next.found = state.found;
   next.found.logOdds = growth.logOdds;
@@ -261,10 +268,11 @@ Search::State Search::with(const State& state, const Growth& growth, bool inAnyC
   next.misreadings = state.misreadings + (component < m_candidates.size() ? 0 : 1);
   next.key = growth.key;
 
-  const MatrixXd before = state.shared.middleRows(first, count);
+  if (state.found.logOdds == impossible) return makeImpossible(std::move(next));
+
+  const auto [right, before] = beside(state, m_table.first(component), count);
   const MatrixXd gram = m_table.gram(component) - before * before.transpose();
-  const VectorXd right = state.right.segment(first, count);
-  const Linear linear = linearFor(state, component);
+  const Linear linear = linearFor(component, {right, before});
   const VectorXd left = linear.isPlain ? right : linear.slope.transpose() * (right - gram * linear.fixed);
   MatrixXd matrix = linear.isPlain ? gram : linear.slope.transpose() * gram * linear.slope;
   matrix.diagonal().array() += m_variance / (growth.gain.width * growth.gain.width);
@@ -279,23 +287,29 @@ Search::State Search::with(const State& state, const Growth& growth, bool inAnyC
   next.found.chiSquare = std::max(next.found.chiSquare, 0.0);
   if (!inAnyCase && !mayGrow(next)) return next;
 
-  const MatrixXd products = productsOf(component) - state.shared * before.transpose();
+  if (!m_products.contains(component)) m_products[component] = m_table.productsOf(component);
+  // In terms of P: the component's columns beside what was taken before, and their directions.
+  const Index parts = state.taken.rows(), directions = state.taken.cols();
+  MatrixXd own(parts + count, count);
+  own << -state.taken * before.transpose(), MatrixXd::Identity(count, count);
   MatrixXd taken = MatrixXd::Identity(matrix.rows(), matrix.cols());
   factor.matrixU().solveInPlace(taken);
   if (!linear.isPlain) taken = linear.slope * taken;
-  const MatrixXd added = products.lazyProduct(taken);  // too few columns for blocking
-  next.shared.resize(m_table.size(), state.shared.cols() + added.cols());
-  next.shared << state.shared, added;
-  next.right = state.right - added * along;
-  if (!linear.isPlain) next.right -= products * linear.fixed;
+  const MatrixXd added = own * taken;
+  next.taken.setZero(parts + count, directions + added.cols());
+  next.taken.topLeftCorner(parts, directions) = state.taken;
+  next.taken.rightCols(added.cols()) = added;
+  next.off = added * along;
+  next.off.head(parts) += state.off;
+  if (!linear.isPlain) next.off += own * linear.fixed;
   return next;
 }
 
-Search::Linear Search::linearFor(const State& state, std::size_t component) const {
+Search::Linear Search::linearFor(std::size_t component, const SomeBeside& own) const {
   if (component < m_candidates.size() && m_candidates[component].allOrNothing)
     return {false, VectorXd::Ones(1), MatrixXd(1, 0)};
   if (component < m_candidates.size() && m_candidates[component].curvature.cols() > 0) {
-    const VectorXd at = bentFor(state, component).weights;
+    const VectorXd at = bentFor(component, own).weights;
     const auto slope = bentDerivatives(at);
     return {false, bentWeights(at) - slope * at, slope};
   }

@@ -24,15 +24,29 @@ class Search {
   Explanation madeOf(const std::vector<std::size_t>& components, double variance);
 
  private:
-  /// A set of components, taken off the leftover.
+  /// A set of components, taken off the leftover. Of every column it tells by its products with the columns
+  /// of those components, P, which sets have in common.
   struct State {
     Explanation found;
-    /// Products of all columns with what is left. Empty, like `shared`, where the set does not grow.
-    Eigen::VectorXd right;
-    /// With what was taken, columns × taken: their Gram matrix is CᵀC − shared sharedᵀ.
-    Eigen::MatrixXd shared;
+    /// What is left: of its products with all columns, those of the leftover less P `off`. Empty, like
+    /// `taken`, where the set does not grow.
+    Eigen::VectorXd off;
+    /// What was taken: its products with all columns are P `taken`. A column for each direction.
+    Eigen::MatrixXd taken;
     int misreadings = 0;
     std::uint64_t key = 0;  ///< of the set, whatever the order
+  };
+  /// Columns beside a state.
+  struct SomeBeside {
+    Eigen::Ref<const Eigen::VectorXd> right;   ///< their products with what is left
+    Eigen::Ref<const Eigen::MatrixXd> shared;  ///< with what was taken; their Gram matrix is less its square
+  };
+  struct Beside {
+    Eigen::VectorXd right;
+    Eigen::MatrixXd shared;
+    SomeBeside some(Eigen::Index first, Eigen::Index count) const {
+      return {right.segment(first, count), shared.middleRows(first, count)};
+    }
   };
   /// A component that a state may take next.
   struct Growth {
@@ -54,25 +68,27 @@ class Search {
   const SearchOptions& m_options;
   ColumnTable m_table;
   std::size_t m_firstJump = 0, m_jumps = 0;           ///< they follow one another
-  std::map<std::size_t, Eigen::MatrixXd> m_products;  ///< of components that were taken
+  Eigen::VectorXd m_right;                            ///< products of all columns with the leftover
+  std::map<std::size_t, Eigen::MatrixXd> m_products;  ///< of all columns with components that were taken
   double m_variance = 1;
 
   std::vector<State> next(const std::vector<State>& level);
   void offer(const State& state, std::size_t index, std::vector<Growth>& growths) const;
-  std::vector<Growth> jumpsFor(const State& state) const;
-  std::vector<Growth> misreadingsFor(const State& state) const;
+  Beside beside(const State& state, Eigen::Index first, Eigen::Index count) const;
+  std::vector<Growth> jumpsFor(const Beside& all) const;
+  std::vector<Growth> misreadingsFor(const Beside& all) const;
   /// Those of the components from `first` on that gain most; none gains more than its entry in `most`.
-  std::vector<Growth> bestOf(const State& state, std::size_t first, const Eigen::ArrayXd& most,
+  std::vector<Growth> bestOf(const Beside& all, std::size_t first, const Eigen::ArrayXd& most,
                              std::size_t count) const;
-  Gain gainFor(const State& state, std::size_t component) const;
-  BentFit bentFor(const State& state, std::size_t component) const;
+  /// Of a component with its columns.
+  Gain gainFor(std::size_t component, const SomeBeside& own) const;
+  BentFit bentFor(std::size_t component, const SomeBeside& own) const;
   State nothing() const;
   /// `inAnyCase`: ready for more even where the search would add none.
   State with(const State& state, const Growth& growth, bool inAnyCase = false);
   /// Its last component can be neither weighed nor taken off.
   State makeImpossible(State state) const;
-  Linear linearFor(const State& state, std::size_t component) const;
-  const Eigen::MatrixXd& productsOf(std::size_t component);
+  Linear linearFor(std::size_t component, const SomeBeside& own) const;
   bool isStopped() const { return m_options.stop.stop_requested(); }
   Component::Kind kindOf(std::size_t component) const;
   bool mayGrow(const State& state) const;
