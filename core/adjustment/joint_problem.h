@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -79,6 +80,9 @@ class JointProblem {
   VisitEquations equationsOf(const JointState& state, std::size_t visit) const;
   /// Of every visit.
   std::vector<VisitEquations> equationsOf(const JointState& state) const;
+  /// The same one after the other, in memory for one.
+  void eachVisit(const JointState& state,
+                 const std::function<void(std::size_t visit, const VisitEquations&)>& take) const;
   /// `used`: a system no longer wanted, whose memory the new one takes over.
   JointSystem system(const JointState& state, JointSystem used = {}) const;
   /// The state after a step of the estimated unknowns, each arc angle following by its own equation.
@@ -120,6 +124,9 @@ class JointProblem {
   void fillEquations(const Jets& jets, const JointState& state, std::size_t visit,
                      VisitEquations& equations) const;
   void fillEquations(const JointState& state, std::vector<VisitEquations>& equations) const;
+  /// Fills what `equationsOf` a visit gives out, and hands it to `take`.
+  template <typename EquationsOf, typename Take>
+  void fillEach(const JointState& state, const EquationsOf& equationsOf, const Take& take) const;
   Pointing zeroPointing(const ArcMeasurement& arc) const;
   Pointing pointingOf(const ArcMeasurement& arc, const Sighting& sighting) const;
   bool takesPart(std::size_t arc, std::size_t sighting, ReadingKind kind) const;

@@ -24,18 +24,25 @@ JointFitOptions withTerms(JointFitOptions options, const std::vector<ErrorTerm>&
   return options;
 }
 
-/// The unknown behind each slot that is no error term, by index into `unknowns`; −1 for none.
-std::array<int, firstTermSlot> unknownsOfSlots(const std::vector<Unknown>& unknowns, std::size_t arc) {
-  std::array<int, firstTermSlot> slots;
-  slots.fill(-1);
-  for (std::size_t i = 0; i < unknowns.size(); ++i) {
-    const Unknown& unknown = unknowns[i];
-    if (unknown.kind == Unknown::Kind::Distance)
-      slots[distanceSlot] = static_cast<int>(i);
-    else if (unknown.concerns(arc))
-      slots[static_cast<std::size_t>(unknown.kind)] = static_cast<int>(i);
+/// Circles, zeros and distance have their slots in the order of their kinds.
+constexpr auto unknownKinds = static_cast<std::size_t>(Unknown::Kind::Error);
+static_assert(distanceSlot == static_cast<int>(Unknown::Kind::Distance));
+
+/// Room for the readings of all visits.
+void reserve(Linearised& result, const std::vector<VisitOfArc>& visits) {
+  std::size_t rows = 0, sliders = 0;
+  for (const VisitOfArc& visit : visits) {
+    rows += visit.visit.sightings.size();
+    sliders += visit.slider ? 1 : 0;
   }
-  return slots;
+  result.readings.reserve(2 * rows + sliders);
+  result.perUnknown = ReadingColumns(unknownKinds);
+  result.perTerm = ReadingColumns(errorTermCount);
+  for (ReadingColumns* columns : {&result.perUnknown, &result.perTerm}) {
+    columns->reserve(ReadingKind::Horizontal, rows);
+    columns->reserve(ReadingKind::Vertical, rows);
+    columns->reserve(ReadingKind::Slider, sliders);
+  }
 }
 
 Linearised linearisedAt(const Measurement& measurement, const JointProblem& problem, const JointState& state,
@@ -59,36 +66,31 @@ Linearised linearisedAt(const Measurement& measurement, const JointProblem& prob
     result.priorSigmas.push_back(sigma < asGoodAsZero ? 0 : sigma);
     result.priorResiduals.push_back(0);
   }
-  std::vector<std::array<int, firstTermSlot>> slots;
-  for (std::size_t arc = 0; arc < measurement.arcs.size(); ++arc)
-    slots.push_back(unknownsOfSlots(result.unknowns, arc));
-  const std::vector<VisitEquations> all = problem.equationsOf(state);
-  std::size_t readings = 0;
-  for (const VisitEquations& equations : all) readings += static_cast<std::size_t>(equations.residual.size());
-  result.readings.reserve(readings);
-  result.perUnknown.assign(readings * result.unknowns.size(), 0);
-  result.terms = terms.size();
-  for (std::size_t t = 0; t < terms.size(); ++t)
-    result.slots[static_cast<std::size_t>(terms[t].term)] = t + 1;
-  result.perTerm.reserve(readings * terms.size());
-  for (std::size_t v = 0; v < result.visits; ++v) {
-    const VisitEquations& equations = all[v];
+  reserve(result, problem.visits());
+  std::array<std::uint32_t, readingKinds> counts{};
+  problem.eachVisit(state, [&](std::size_t v, const VisitEquations& equations) {
     const std::size_t arc = problem.visits()[v].arc;
     for (Index row = 0; row < equations.residual.size(); ++row) {
-      const std::size_t i = result.readings.size();
       const ReadingRef cell = problem.cellOf(v, row);
-      result.readings.push_back({arc, cell.sighting, v,
-                                 measurement.arcs[arc].sightings[cell.sighting].sequence, cell.kind,
-                                 statedSigma(measurement, cell.kind).radians(), equations.residual[row],
-                                 !equations.jacobian.row(row).isZero(0), equations.along[row]});
-      for (std::size_t slot = 0; slot < firstTermSlot; ++slot)
-        if (slots[arc][slot] >= 0)
-          result.perUnknown[i * result.unknowns.size() + static_cast<std::size_t>(slots[arc][slot])] =
-              equations.jacobian(row, static_cast<Index>(slot));
+      const std::uint32_t number = counts[static_cast<std::size_t>(cell.kind)]++;
+      const std::size_t sequence = measurement.arcs[arc].sightings[cell.sighting].sequence;
+      result.readings.push_back({.sighting = static_cast<std::uint32_t>(cell.sighting),
+                                 .visit = static_cast<std::uint32_t>(v),
+                                 .sequence = static_cast<std::uint32_t>(sequence),
+                                 .number = number,
+                                 .arc = static_cast<std::uint16_t>(arc),
+                                 .kind = cell.kind,
+                                 .takesPart = !equations.jacobian.row(row).isZero(0),
+                                 .sigma = statedSigma(measurement, cell.kind).radians(),
+                                 .residual = equations.residual[row],
+                                 .along = equations.along[row]});
+      for (std::size_t slot = 0; slot < unknownKinds; ++slot)
+        result.perUnknown.append(cell.kind, number, slot, equations.jacobian(row, static_cast<Index>(slot)));
       for (std::size_t t = 0; t < terms.size(); ++t)
-        result.perTerm.push_back(equations.jacobian(row, static_cast<Index>(firstTermSlot + t)));
+        result.perTerm.append(cell.kind, number, static_cast<std::size_t>(terms[t].term),
+                              equations.jacobian(row, static_cast<Index>(firstTermSlot + t)));
     }
-  }
+  });
   return result;
 }
 

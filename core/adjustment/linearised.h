@@ -2,9 +2,11 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "core/adjustment/joint_fit.h"
+#include "core/adjustment/reading_columns.h"
 #include "core/session/measurement.h"
 
 namespace alidade {
@@ -13,17 +15,19 @@ namespace alidade {
 // look like if …" without fitting anew: small changes of the unknowns, of the pointing zeros, and of every
 // error term of the forward model, whether or not the fit estimated it.
 
-/// One circle or slider reading, as in `JointFit::readings`.
+/// One circle or slider reading, as in `JointFit::readings`. Millions of them are kept: no more rows than
+/// `limits::mostRows` need no wider numbers.
 struct LinearReading {
-  std::size_t arc = 0;       ///< index into the measurement's arcs
-  std::size_t sighting = 0;  ///< index into the arc's sightings
-  std::size_t visit = 0;     ///< readings of one visit share their arc angle
-  std::size_t sequence = 0;  ///< of its row in the session, in the order taken
+  std::uint32_t sighting = 0;  ///< index into the arc's sightings
+  std::uint32_t visit = 0;     ///< readings of one visit share their arc angle
+  std::uint32_t sequence = 0;  ///< of its row in the session, in the order taken
+  std::uint32_t number = 0;    ///< among the readings of its kind
+  std::uint16_t arc = 0;       ///< index into the measurement's arcs
   ReadingKind kind = ReadingKind::Horizontal;
+  bool takesPart = true;
   double sigma = 0;     ///< stated, rad
   double residual = 0;  ///< (observed − adjusted)/σ
-  bool takesPart = true;
-  double along = 0;  ///< (∂reading/∂φ)/σ, scaled to unit length over the visit
+  double along = 0;     ///< (∂reading/∂φ)/σ, scaled to unit length over the visit
 };
 
 /// Whitened: everything is in units of the stated σ of the reading.
@@ -37,20 +41,20 @@ struct Linearised {
   /// (what is known beforehand − value)/σ of each unknown, 0 where nothing is; and the values of the terms.
   std::vector<double> priorResiduals;
   std::array<double, errorTermCount> termValues{};
-  /// (∂reading/∂unknown)/σ, readings × unknowns, row by row.
-  std::vector<double> perUnknown;
-  /// (∂reading/∂term)/σ, readings × terms, row by row: rad, mm or 1 per unit of the term. The terms of a jump
-  /// as if it had come before every reading.
-  std::vector<double> perTerm;
-  std::size_t terms = 0;                            ///< that the readings were differentiated by
-  std::array<std::size_t, errorTermCount> slots{};  ///< of each term in a row of `perTerm`, from 1; 0: none
+  /// (∂reading/∂unknown)/σ, a column for each kind of unknown: of the reading's own arc.
+  ReadingColumns perUnknown;
+  /// (∂reading/∂term)/σ, a column for each `ErrorTerm`: rad, mm or 1 per unit of the term. The terms of a
+  /// jump as if it had come before every reading.
+  ReadingColumns perTerm;
 
   double ofUnknown(std::size_t reading, std::size_t unknown) const {
-    return perUnknown[reading * unknowns.size() + unknown];
+    const LinearReading& own = readings[reading];
+    const Unknown& by = unknowns[unknown];
+    return by.concerns(own.arc) ? perUnknown.at(own.kind, own.number, static_cast<std::size_t>(by.kind)) : 0;
   }
   double ofTerm(std::size_t reading, ErrorTerm term) const {
-    const std::size_t slot = slots[static_cast<std::size_t>(term)];
-    return slot == 0 ? 0 : perTerm[reading * terms + slot - 1];
+    const LinearReading& own = readings[reading];
+    return perTerm.at(own.kind, own.number, static_cast<std::size_t>(term));
   }
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string_view>
 
 #include "core/base/angle.h"
@@ -8,7 +9,8 @@
 
 namespace alidade {
 
-enum class ReadingKind { Horizontal, Vertical, Slider };
+enum class ReadingKind : std::uint8_t { Horizontal, Vertical, Slider };
+inline constexpr std::size_t readingKinds = 3;
 
 /// "horizontal", "vertical" or "slider": as in files and results.
 std::string_view nameOf(ReadingKind kind);

@@ -62,7 +62,7 @@ std::optional<Advice> tellingFromKnock(const Inquiry& inquiry, const std::vector
   for (const Cause& cause : causes) {
     if (cause.readings.size() != 1 || cause.indistinguishableFrom.empty()) continue;
     const BlamedReading& reading = cause.readings.front();
-    const double sigma = statedSigma(inquiry.base.measurement, reading.kind).arcseconds();
+    const double sigma = statedSigma(*inquiry.base.measurement, reading.kind).arcseconds();
     return Advice{.measure = zeroSightedAgain,
                   .separates = {cause.effect, cause.indistinguishableFrom.front()},
                   .bySigma = std::abs(reading.size) / (sigma * std::numbers::sqrt2)};
@@ -74,7 +74,7 @@ std::optional<Advice> tellingFromKnock(const Inquiry& inquiry, const std::vector
 std::optional<Advice> revealingKnock(const Inquiry& inquiry, const std::vector<Danger>& unseen) {
   const auto knock = std::ranges::find(unseen, jumpId, &Danger::effect);
   if (knock == unseen.end()) return std::nullopt;
-  const Measurement& measurement = inquiry.base.measurement;
+  const Measurement& measurement = *inquiry.base.measurement;
   const Eigen::Vector2d sigmas(statedSigma(measurement, ReadingKind::Horizontal).radians(),
                                statedSigma(measurement, ReadingKind::Vertical).radians());
   return Advice{

@@ -98,7 +98,7 @@ class Average {
 
   IntersectionEstimate estimate(double ofPattern) const {
     constexpr double hardly = 0.01;  // of U
-    const double coverage = m_inquiry.base.measurement.coverage;
+    const double coverage = m_inquiry.base.measurement->coverage;
     const double factor = m_own.expanded / m_own.sigma, wider = factor / normalQuantile((1 + coverage) / 2);
     const double square = m_own.sigma * m_own.sigma;
     std::vector<NormalPart> mixture;

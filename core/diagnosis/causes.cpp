@@ -73,7 +73,7 @@ std::vector<Cause> causesOf(const Inquiry& inquiry, const Answer& answer) {
     if (likeStep && misread.size() == 1) cause.indistinguishableFrom = {jumpId};
     cause.readings = withLikelierCircles(answer.after, std::move(misread));
     for (BlamedReading& reading : cause.readings)
-      reading.size *= sideOf(answer.after.measurement, reading.face, reading.kind);
+      reading.size *= sideOf(*answer.after.measurement, reading.face, reading.kind);
     causes.push_back(std::move(cause));
   }
   if (explanation.noisy) causes.push_back(largerNoise(inquiry, answer.after));

@@ -20,8 +20,9 @@ std::vector<Index> everyOf(Index count) {
 
 }  // namespace
 
-CellFunctions::CellFunctions(MatrixXd functions)
-    : m_all(std::make_shared<const MatrixXd>(std::move(functions))), m_chosen(everyOf(m_all->cols())) {}
+CellFunctions::CellFunctions(Eigen::MatrixXf functions)
+    : m_all(std::make_shared<const Eigen::MatrixXf>(std::move(functions))),
+      m_chosen(everyOf(m_all->cols())) {}
 
 CellFunctions::CellFunctions(std::vector<Index> groups, Index count)
     : m_groups(std::make_shared<const std::vector<Index>>(std::move(groups))), m_chosen(everyOf(count)) {}
@@ -39,7 +40,7 @@ MatrixXd CellFunctions::piece(Index first, Index length) const {
   for (Index f = 0; f < values.cols(); ++f) {
     const Index own = m_chosen[static_cast<std::size_t>(f)];
     if (m_all)
-      values.col(f) = m_all->col(own).segment(first, length) * m_factor;
+      values.col(f) = m_all->col(own).segment(first, length).cast<double>() * m_factor;
     else
       for (Index i = 0; i < length; ++i)
         values(i, f) = (*m_groups)[static_cast<std::size_t>(first + i)] == own ? m_factor : 0;

@@ -10,8 +10,8 @@ namespace alidade {
 // of them in common: copies share what they were made of, and are written out piece by piece.
 class CellFunctions {
  public:
-  /// Cells × functions.
-  CellFunctions(Eigen::MatrixXd functions);
+  /// Cells × functions; in single precision, as no pattern is known better.
+  CellFunctions(Eigen::MatrixXf functions);
   /// A function for each group: 1 in its cells, 0 elsewhere. `groups`: of each cell, numbered from 0 to
   /// `count`; −1 for none.
   CellFunctions(std::vector<Eigen::Index> groups, Eigen::Index count);
@@ -32,7 +32,7 @@ class CellFunctions {
   Eigen::VectorXd times(const Eigen::VectorXd& weights) const;
 
  private:
-  std::shared_ptr<const Eigen::MatrixXd> m_all;
+  std::shared_ptr<const Eigen::MatrixXf> m_all;
   std::shared_ptr<const std::vector<Eigen::Index>> m_groups;
   std::vector<Eigen::Index> m_chosen;  ///< columns of the matrix, or groups
   double m_factor = 1;

@@ -36,7 +36,7 @@ Shrinkage shrinkageOf(const GapModel& before, const Inquiry& inquiry, const Answ
 
 std::vector<GapShare> whereOf(const Inquiry& inquiry, const Answer& answer) {
   std::vector<GapShare> shares = sharesOfFrames(inquiry);
-  std::ranges::move(sharesOfReadings(inquiry.ofAll().leftover, inquiry.base.measurement, answer.after.fit),
+  std::ranges::move(sharesOfReadings(inquiry.ofAll().leftover, *inquiry.base.measurement, answer.after.fit),
                     std::back_inserter(shares));
   return shares;
 }
@@ -53,8 +53,9 @@ std::optional<GapShape> shapeOf(const Inquiry& inquiry) {
 
 std::vector<BlamedReading> readingsOf(const GapModel& model) {
   std::vector<BlamedReading> readings;
+  readings.reserve(model.fit.readings.size());
   for (const AdjustedReading& reading : model.fit.readings)
-    readings.push_back(blamed(model.measurement, {reading.arc, reading.sighting, reading.kind},
+    readings.push_back(blamed(*model.measurement, {reading.arc, reading.sighting, reading.kind},
                               Angle::fromRadians(reading.residual).arcseconds()));
   return readings;
 }

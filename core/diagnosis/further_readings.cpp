@@ -144,7 +144,7 @@ std::optional<FurtherReadings> withMoreArc(const GapModel& model, Measurement mo
 }  // namespace
 
 Measurement readWithoutError(const GapModel& model) {
-  Measurement plan = model.measurement;
+  Measurement plan = *model.measurement;
   for (std::size_t arc = 0; arc < plan.arcs.size(); ++arc)
     for (std::size_t i = 0; i < plan.arcs[arc].sightings.size(); ++i) {
       Sighting& sighting = plan.arcs[arc].sightings[i];
@@ -171,7 +171,7 @@ void eachFurtherReadings(const GapModel& model, const std::function<void(const F
 Linearised linearisedPlan(const GapModel& model, const Measurement& set,
                           const std::vector<ErrorTerm>& terms) {
   std::vector<Circle> circles;
-  for (std::size_t arc = 0; arc < model.measurement.arcs.size(); ++arc)
+  for (std::size_t arc = 0; arc < model.measurement->arcs.size(); ++arc)
     circles.push_back(model.fit.circleOf(arc));
   JointFitOptions options;
   options.terms = model.options.terms;

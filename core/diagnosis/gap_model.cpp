@@ -15,7 +15,7 @@ Result<GapModel> modelOf(const Measurement& measurement) {
       if (finding.severity == Severity::Error) return Problem{finding.text, finding.where};
     return Problem{"there are no readings; enter those of the axis positions"};
   }
-  GapModel model{.measurement = fittedPart(measurement, fit),
+  GapModel model{.measurement = std::make_shared<const Measurement>(fittedPart(measurement, fit)),
                  .starts = {},
                  .options = {.terms = estimatedTerms(measurement)},
                  .fit = std::move(fit.joint)};
@@ -40,7 +40,7 @@ ReadingRef readingRef(const Leftover& leftover, Eigen::Index index) {
 
 GapModel modelWith(const GapModel& base, const Explanation& explanation,
                    const std::vector<Component>& candidates, const Leftover& leftover) {
-  GapModel model = base;
+  GapModel model{base.measurement, base.starts, base.options, {}, base.noise};
   for (const Part& part : explanation.parts) {
     if (part.component >= candidates.size()) {
       model.options.without.push_back(
@@ -66,7 +66,7 @@ GapModel modelWith(const GapModel& base, const Explanation& explanation,
       }
     }
   }
-  model.fit = fitJointly(model.measurement, model.starts, model.options);
+  model.fit = fitJointly(*model.measurement, model.starts, model.options);
   if (explanation.noisy && model.fit.isDetermined && model.fit.degreesOfFreedom > 0)
     model.noise = std::sqrt(model.fit.chiSquare / model.fit.degreesOfFreedom);
   return model;

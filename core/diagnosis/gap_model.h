@@ -1,8 +1,6 @@
 #pragma once
 
-#include <map>
-#include <optional>
-#include <string>
+#include <memory>
 #include <vector>
 
 #include "core/adjustment/intersection.h"
@@ -17,7 +15,7 @@ namespace alidade {
 // room only.
 
 struct GapModel {
-  Measurement measurement;  ///< the arcs that can be fitted
+  std::shared_ptr<const Measurement> measurement;  ///< the arcs that can be fitted
   std::vector<Circle> starts;
   JointFitOptions options;
   JointFit fit;

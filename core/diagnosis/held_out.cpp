@@ -58,7 +58,7 @@ void addVisit(Equations& equations, const Linearised& set, const MatrixXd& colum
 }
 
 Equations equationsOf(const GapModel& model) {
-  const Linearised set = linearise(model.measurement, model.fit, model.options, {});
+  const Linearised set = linearise(*model.measurement, model.fit, model.options, {});
   std::vector<std::size_t> estimated;
   for (std::size_t u = 0; u < set.unknowns.size(); ++u)
     if (isEstimated(set.unknowns[u])) estimated.push_back(u);

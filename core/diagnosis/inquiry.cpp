@@ -21,11 +21,11 @@ bool considered(const DiagnosisOptions& options, std::string_view id) {
 std::vector<Component> candidatesFor(const GapModel& base, const Leftover& leftover,
                                      const DiagnosisOptions& options, const PriorOdds& odds) {
   std::vector<std::string> leftOut = options.without;
-  leftOut.insert(leftOut.end(), base.measurement.effects.begin(), base.measurement.effects.end());
+  leftOut.insert(leftOut.end(), base.measurement->effects.begin(), base.measurement->effects.end());
   std::vector<Component> candidates = effectsBeyond(base, leftover, leftOut, odds), jumps;
   if (considered(options, jumpId)) jumps = jumpComponents(leftover, odds);
   std::vector<Component> shapes =
-      shapeComponents(leftover, base.measurement, base.fit, options.without, odds);
+      shapeComponents(leftover, *base.measurement, base.fit, options.without, odds);
   candidates.reserve(candidates.size() + jumps.size() + shapes.size());
   std::ranges::move(jumps, std::back_inserter(candidates));
   std::ranges::move(shapes, std::back_inserter(candidates));
@@ -75,7 +75,7 @@ Linearised around(const GapModel& base, const GapModel& withCauses) {
     else
       fit.values[fit.indexOf({.kind = Unknown::Kind::Error, .arc = 0, .term = added.term})] = 0;
   }
-  Linearised equations = linearise(base.measurement, fit, options);
+  Linearised equations = linearise(*base.measurement, fit, options);
   for (std::size_t t = base.options.terms.size(); t < options.terms.size(); ++t) {
     const ErrorTerm term = options.terms[t].term;
     double& value = equations.termValues[static_cast<std::size_t>(term)];
@@ -88,7 +88,7 @@ Linearised around(const GapModel& base, const GapModel& withCauses) {
 
 Inquiry inquireOnce(GapModel base, const DiagnosisOptions& options, const std::stop_token& stop) {
   constexpr int mostRounds = 3;
-  Leftover leftover(linearise(base.measurement, base.fit, base.options), base.options.terms);
+  Leftover leftover(linearise(*base.measurement, base.fit, base.options), base.options.terms);
   Inquiry inquiry = searched(std::move(base), std::move(leftover), options, stop);
   for (int round = 0; round < mostRounds && !stop.stop_requested(); ++round) {
     const std::optional<Explanation> causes = largeCauses(inquiry);
@@ -160,7 +160,7 @@ Inquiry inquire(GapModel model, const DiagnosisOptions& options, const std::stop
       all.push_back(far);
       next.options.without.push_back(readingRef(inquiry.leftover, far.reading));
     }
-    next.fit = fitJointly(next.measurement, next.starts, next.options);
+    next.fit = fitJointly(*next.measurement, next.starts, next.options);
     if (!next.fit.isDetermined) break;
     if (!first) first = std::make_shared<const Inquiry>(std::move(inquiry));
     inquiry = inquireOnce(std::move(next), options, stop);
@@ -185,8 +185,8 @@ BlamedReading blamed(const Measurement& measurement, const ReadingRef& ref, doub
 
 BlamedReading blamed(const Inquiry& inquiry, Eigen::Index reading, double sigmas) {
   const ReadingRef ref = readingRef(inquiry.leftover, reading);
-  return blamed(inquiry.base.measurement, ref,
-                sigmas * statedSigma(inquiry.base.measurement, ref.kind).arcseconds());
+  return blamed(*inquiry.base.measurement, ref,
+                sigmas * statedSigma(*inquiry.base.measurement, ref.kind).arcseconds());
 }
 
 }  // namespace alidade

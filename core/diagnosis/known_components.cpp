@@ -54,11 +54,11 @@ void sortAsSet(std::vector<std::size_t>& values) {
 std::map<std::size_t, std::size_t> rowsThatAloneShow(const Leftover& leftover) {
   std::map<std::size_t, std::vector<std::size_t>> rowsOfArc;
   std::vector<std::size_t> alone;
-  for (const std::vector<Index>& visit : leftover.visits())
-    for (const Index i : visit) {
+  for (Index v = 0; v < leftover.visits(); ++v)
+    for (const Index i : leftover.readingsOf(v)) {
       const LinearReading& reading = leftover.reading(i);
       rowsOfArc[reading.arc].push_back(reading.sequence);
-      if (visit.size() == 2) alone.push_back(reading.sequence);
+      if (leftover.readingsOf(v).size() == 2) alone.push_back(reading.sequence);
     }
   const auto isAlone = [&](std::size_t row) { return std::ranges::find(alone, row) != alone.end(); };
   std::map<std::size_t, std::size_t> rows;

@@ -2,6 +2,7 @@
 
 #include <Eigen/QR>
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <utility>
@@ -12,7 +13,7 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 Leftover::Leftover(Linearised equations, const std::vector<EstimatedTerm>& inModel)
     : m_equations(std::move(equations)) {
-  numberVisits();
+  markVisits();
   MatrixXd base = layOutUnknowns(inModel);
   eliminateArcAngles(base);
   const VectorXd scale = base.colwise().norm().cwiseMax(1e-300).cwiseInverse();
@@ -27,25 +28,24 @@ Leftover::Leftover(Linearised equations, const std::vector<EstimatedTerm>& inMod
     m_redundancy[i] =
         !reading(i).takesPart ? 0 : 1 - reading(i).along * reading(i).along - m_basis.row(i).squaredNorm();
   Index counted = rows() - m_basis.cols();
-  for (const auto& visit : m_visits) {
-    const auto taking = std::ranges::count_if(visit, [&](Index i) { return reading(i).takesPart; });
-    counted -= static_cast<Index>(visit.size()) - taking + (taking > 0 ? 1 : 0);
+  for (Index v = 0; v < visits(); ++v) {
+    const auto own = readingsOf(v);
+    const auto taking = std::ranges::count_if(own, [&](Index i) { return reading(i).takesPart; });
+    counted -= std::ranges::ssize(own) - taking + (taking > 0 ? 1 : 0);
   }
   m_degreesOfFreedom = static_cast<int>(counted);
 }
 
-void Leftover::numberVisits() {
+void Leftover::markVisits() {
   m_along.resize(static_cast<Index>(m_equations.readings.size()));
-  m_visits.resize(m_equations.visits);
+  m_endOfVisit.assign(m_equations.visits, 0);
   Index i = 0;
   for (const LinearReading& reading : m_equations.readings) {
-    auto& visit = m_visits[reading.visit];
-    if (visit.empty()) visit.reserve(2);
-    visit.push_back(i);
     m_along[i++] = reading.along;
+    m_endOfVisit[reading.visit] = i;
   }
-  m_endOfVisit.reserve(m_visits.size());
-  for (const auto& visit : m_visits) m_endOfVisit.push_back(visit.empty() ? 0 : visit.back() + 1);
+  for (std::size_t v = 1; v < m_endOfVisit.size(); ++v)
+    m_endOfVisit[v] = std::max(m_endOfVisit[v], m_endOfVisit[v - 1]);
 }
 
 MatrixXd Leftover::layOutUnknowns(const std::vector<EstimatedTerm>& inModel) {
@@ -96,7 +96,7 @@ void Leftover::eliminateArcAngles(MatrixXd& columns) const {
         for (Index i = first; i < end; ++i) share += m_along[i] * column[i];
         for (Index i = first; i < end; ++i) column[i] -= share * m_along[i];
       }
-      first = std::max(first, end);
+      first = end;
     }
   }
 }
@@ -123,14 +123,18 @@ VectorXd Leftover::column(ErrorTerm term) const {
 }
 
 VectorXd Leftover::productsOfTerms(const VectorXd& visible) const {
-  using RowMajorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  const Eigen::Map<const RowMajorMatrix> perTerm(m_equations.perTerm.data(), readings(),
-                                                 static_cast<Index>(m_equations.terms));
-  const VectorXd own = perTerm.transpose() * visible.head(readings());
+  std::array<std::vector<double>, readingKinds> ofKinds;
+  for (Index i = 0; i < readings(); ++i)
+    ofKinds[static_cast<std::size_t>(reading(i).kind)].push_back(visible[i]);
   VectorXd products = VectorXd::Zero(static_cast<Index>(errorTermCount));
-  for (Index term = 0; term < products.size(); ++term)
-    if (const std::size_t slot = m_equations.slots[static_cast<std::size_t>(term)]; slot > 0)
-      products[term] = own[static_cast<Index>(slot) - 1];
+  for (std::size_t k = 0; k < readingKinds; ++k) {
+    const Eigen::Map<const VectorXd> own(ofKinds[k].data(), std::ssize(ofKinds[k]));
+    for (std::size_t term = 0; term < errorTermCount; ++term) {
+      const auto column = m_equations.perTerm.of(static_cast<ReadingKind>(k), term);
+      if (!column.empty())
+        products[static_cast<Index>(term)] += Eigen::Map<const VectorXd>(column.data(), own.size()).dot(own);
+    }
+  }
   return products;
 }
 
@@ -138,9 +142,7 @@ VectorXd Leftover::column(Unknown::Kind kind) const {
   VectorXd result = VectorXd::Zero(readings());
   for (std::size_t u = 0; u < m_equations.unknowns.size(); ++u) {
     if (m_equations.unknowns[u].kind != kind) continue;
-    for (Index i = 0; i < readings(); ++i)
-      if (m_equations.unknowns[u].concerns(reading(i).arc))
-        result[i] = m_equations.ofUnknown(static_cast<std::size_t>(i), u);
+    for (Index i = 0; i < readings(); ++i) result[i] += m_equations.ofUnknown(static_cast<std::size_t>(i), u);
   }
   return result;
 }

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
+#include <ranges>
 #include <vector>
 
 #include "core/adjustment/linearised.h"
@@ -43,8 +45,12 @@ class Leftover {
   Eigen::MatrixXd outsideArcAngles(const Eigen::MatrixXd& columns) const;
   /// Orthonormal, of what the fit takes up, at right angles to the arc angles.
   const Eigen::MatrixXd& basis() const { return m_basis; }
-  /// The readings of each visit.
-  const std::vector<std::vector<Eigen::Index>>& visits() const { return m_visits; }
+  Eigen::Index visits() const { return static_cast<Eigen::Index>(m_endOfVisit.size()); }
+  /// Their numbers, one after the other.
+  auto readingsOf(Eigen::Index visit) const {
+    const auto v = static_cast<std::size_t>(visit);
+    return std::views::iota(v == 0 ? Eigen::Index{0} : m_endOfVisit[v - 1], m_endOfVisit[v]);
+  }
   /// The basis' entries for one reading.
   auto basisOfRow(Eigen::Index row) const { return m_basis.row(row).transpose(); }
   /// |P e|² for an error e of one reading, 1σ: its redundancy.
@@ -59,7 +65,6 @@ class Leftover {
 
  private:
   Linearised m_equations;
-  std::vector<std::vector<Eigen::Index>> m_visits;
   Eigen::VectorXd m_along;                 ///< of each reading
   std::vector<Eigen::Index> m_endOfVisit;  ///< behind the last reading of each visit
   Eigen::VectorXd m_observed, m_residual, m_residualByTerms, m_redundancy;
@@ -67,7 +72,7 @@ class Leftover {
   int m_degreesOfFreedom = 0;
 
   void eliminateArcAngles(Eigen::MatrixXd& columns) const;
-  void numberVisits();
+  void markVisits();
   /// What the fit takes up; fills m_observed with what was observed.
   Eigen::MatrixXd layOutUnknowns(const std::vector<EstimatedTerm>& inModel);
 };

@@ -138,7 +138,7 @@ std::vector<GapShare> sharesOfFrames(const Inquiry& inquiry) {
   }
   const double guideway = frames[Frame::Guideway], instrument = frames[Frame::Instrument];
   std::vector<GapShare> shares;
-  if (inquiry.base.measurement.arcs.size() > 1) {
+  if (inquiry.base.measurement->arcs.size() > 1) {
     shares.push_back({"frame", "guideway", guideway});
     shares.push_back({"frame", "instrument", instrument});
   } else {

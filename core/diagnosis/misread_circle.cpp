@@ -71,7 +71,7 @@ class Correction {
 }  // namespace
 
 std::vector<BlamedReading> withLikelierCircles(const GapModel& model, std::vector<BlamedReading> misread) {
-  const Measurement& measurement = model.measurement;
+  const Measurement& measurement = *model.measurement;
   std::vector<std::size_t> open;
   JointFitOptions options = model.options;
   for (std::size_t i = 0; i < misread.size(); ++i) {

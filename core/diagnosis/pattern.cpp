@@ -41,89 +41,92 @@ MatrixXd visiblePart(MatrixXd gram, const MatrixXd& along, const MatrixXd& taken
 
 }  // namespace
 
-Carrier::Carrier(const Leftover& leftover, const VectorXd& values, const std::vector<Index>& cells)
-    : m_leftover(&leftover),
-      m_readings(values.size()),
-      m_visitCount(static_cast<Index>(leftover.visits().size())) {
-  const Index count = cells.empty() ? 0 : cells.back() + 1;
-  m_squares = m_along = VectorXd::Zero(count);
-  m_visits.resize(static_cast<std::size_t>(count));
-  m_moved.reserve(cells.size());
+Carrier::Carrier(const Leftover& leftover, const VectorXd& values, std::shared_ptr<const Cells> cells)
+    : m_cells(std::move(cells)) {
+  m_squares = m_along = VectorXd::Zero(m_cells->count());
+  m_moved.reserve(static_cast<std::size_t>((values.array() != 0).count()));
   for (Index i = 0; i < values.size(); ++i) {
-    const LinearReading& reading = leftover.reading(i);
-    const Index cell = cells[static_cast<std::size_t>(i)];
-    m_visits[static_cast<std::size_t>(cell)] = static_cast<std::uint32_t>(reading.visit);
-    if (values[i] == 0) continue;
-    m_moved.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(cell), values[i]});
-    m_squares[cell] += values[i] * values[i];
-    m_along[cell] += values[i] * reading.along;
+    const Moved moved{static_cast<std::uint32_t>(i), static_cast<float>(values[i])};
+    if (moved.value == 0) continue;
+    const double value = moved.value;
+    m_moved.push_back(moved);
+    m_squares[cellOf(moved)] += value * value;
+    m_along[cellOf(moved)] += value * leftover.reading(i).along;
   }
-  if (count == m_visitCount) m_squaresOutside = (m_squares - m_along.cwiseAbs2()).cwiseMax(0);
+}
+
+VectorXd Carrier::squaresOutsideArcAngles(const Leftover& leftover) const {
+  if (cells() != leftover.visits()) return {};
+  return (m_squares - m_along.cwiseAbs2()).cwiseMax(0);
 }
 
 VectorXd Carrier::gathered(const VectorXd& overReadings) const {
   VectorXd sums = VectorXd::Zero(cells());
-  for (const auto& [reading, cell, value] : m_moved) sums[cell] += value * overReadings[reading];
+  for (const Moved& moved : m_moved) sums[cellOf(moved)] += moved.value * overReadings[moved.reading];
   return sums;
 }
 
 VectorXd Carrier::spread(const VectorXd& overCells) const {
-  VectorXd readings = VectorXd::Zero(m_readings);
-  for (const auto& [reading, cell, value] : m_moved) readings[reading] = value * overCells[cell];
-  return readings;
+  VectorXd spread = VectorXd::Zero(readings());
+  for (const Moved& moved : m_moved) spread[moved.reading] = moved.value * overCells[cellOf(moved)];
+  return spread;
 }
 
-MatrixXd Carrier::alongVisits(const MatrixXd& functions) const {
-  MatrixXd sums = MatrixXd::Zero(m_visitCount, functions.cols());
+MatrixXd Carrier::alongVisits(const Leftover& leftover, const MatrixXd& functions) const {
+  MatrixXd sums = MatrixXd::Zero(leftover.visits(), functions.cols());
   for (Index f = 0; f < functions.cols(); ++f)
-    for (Index cell = 0; cell < cells(); ++cell) sums(visitOf(cell), f) += m_along[cell] * functions(cell, f);
+    for (Index cell = 0; cell < cells(); ++cell)
+      sums(visitOf(leftover, cell), f) += m_along[cell] * functions(cell, f);
   return sums;
 }
 
-MatrixXd Carrier::taken(const MatrixXd& functions) const {
+MatrixXd Carrier::taken(const Leftover& leftover, const MatrixXd& functions) const {
   constexpr Index pieceLength = 512;  // readings: what they spread to stays in the cache
-  MatrixXd sums = MatrixXd::Zero(unknowns(), functions.cols());
+  MatrixXd sums = MatrixXd::Zero(leftover.basis().cols(), functions.cols());
   auto next = m_moved.begin();
-  for (Index first = 0; first < m_readings; first += pieceLength) {
-    MatrixXd spread = MatrixXd::Zero(std::min(pieceLength, m_readings - first), functions.cols());
+  for (Index first = 0, end = readings(); first < end; first += pieceLength) {
+    MatrixXd spread = MatrixXd::Zero(std::min(pieceLength, end - first), functions.cols());
     for (; next != m_moved.end() && next->reading < first + spread.rows(); ++next)
-      spread.row(next->reading - first) = next->value * functions.row(next->cell);
-    sums += innerProducts(m_leftover->basis().middleRows(first, spread.rows()), spread);
+      spread.row(next->reading - first) = next->value * functions.row(cellOf(*next));
+    sums += innerProducts(leftover.basis().middleRows(first, spread.rows()), spread);
   }
   return sums;
 }
 
-MatrixXd Carrier::visibleGramOfGroups(const std::vector<Index>& groups, Index count) const {
-  const bool hasOneCellPerVisit = m_squaresOutside.size() > 0;
-  const VectorXd& squares = hasOneCellPerVisit ? m_squaresOutside : m_squares;
-  MatrixXd gram = MatrixXd::Zero(count, count), taken = MatrixXd::Zero(unknowns(), count);
+MatrixXd Carrier::visibleGramOfGroups(const Leftover& leftover, const std::vector<Index>& groups,
+                                      Index count) const {
+  const VectorXd outside = squaresOutsideArcAngles(leftover);
+  const bool hasOneCellPerVisit = outside.size() > 0;
+  const VectorXd& squares = hasOneCellPerVisit ? outside : m_squares;
+  MatrixXd gram = MatrixXd::Zero(count, count), taken = MatrixXd::Zero(leftover.basis().cols(), count);
   for (Index cell = 0; cell < cells(); ++cell) {
     const Index group = groups[static_cast<std::size_t>(cell)];
     if (group < 0) continue;
     gram(group, group) += squares[cell];
   }
-  for (const auto& [reading, cell, value] : m_moved)
-    if (const Index group = groups[cell]; group >= 0)
-      taken.col(group) += value * m_leftover->basisOfRow(reading);
-  if (!hasOneCellPerVisit) takeOffAlongVisits(gram, groups);
+  for (const Moved& moved : m_moved)
+    if (const Index group = groups[cellOf(moved)]; group >= 0)
+      taken.col(group) += moved.value * leftover.basisOfRow(moved.reading);
+  if (!hasOneCellPerVisit) takeOffAlongVisits(leftover, gram, groups);
   return visiblePart(std::move(gram), MatrixXd(0, count), taken);
 }
 
 /// In pieces: a group for every visit would fill the memory.
-void Carrier::takeOffAlongVisits(MatrixXd& gram, const std::vector<Index>& groups) const {
+void Carrier::takeOffAlongVisits(const Leftover& leftover, MatrixXd& gram,
+                                 const std::vector<Index>& groups) const {
   constexpr Index pieceLength = 4096;  // visits
   Index cell = 0;
-  for (Index first = 0; first < m_visitCount; first += pieceLength) {
-    MatrixXd along = MatrixXd::Zero(std::min(pieceLength, m_visitCount - first), gram.cols());
-    for (; cell < cells() && visitOf(cell) < first + along.rows(); ++cell)
+  for (Index first = 0; first < leftover.visits(); first += pieceLength) {
+    MatrixXd along = MatrixXd::Zero(std::min(pieceLength, leftover.visits() - first), gram.cols());
+    for (; cell < cells() && visitOf(leftover, cell) < first + along.rows(); ++cell)
       if (const Index group = groups[static_cast<std::size_t>(cell)]; group >= 0)
-        along(visitOf(cell) - first, group) += m_along[cell];
+        along(visitOf(leftover, cell) - first, group) += m_along[cell];
     addSquare(gram, along, -1);
   }
 }
 
 VectorXd Carrier::productsWith(const Carrier& other) const {
-  assert(m_visits == other.m_visits);
+  assert(m_cells->ofReadings == other.m_cells->ofReadings);
   return gathered(other.spread(VectorXd::Ones(cells())));
 }
 
@@ -158,19 +161,21 @@ double Pattern::normalise() {
 }
 
 /// Columnsᵀ columns less what lies along the arc angle of each visit and in the span of the unknowns.
-MatrixXd Pattern::visibleGram() const {
-  const Index count = columns(), visits = parts.front().carrier->visits(),
-              unknowns = parts.front().carrier->unknowns();
-  const bool isOfVisits = parts.size() == 1 && parts.front().carrier->squaresOutsideArcAngles().size() > 0;
-  MatrixXd gram = MatrixXd::Zero(count, count), along = MatrixXd::Zero(isOfVisits ? 0 : visits, count),
-           taken(unknowns, count);
+MatrixXd Pattern::visibleGram(const Leftover& leftover) const {
+  const Index count = columns();
+  const VectorXd outside =
+      parts.size() == 1 ? parts.front().carrier->squaresOutsideArcAngles(leftover) : VectorXd();
+  const bool isOfVisits = outside.size() > 0;
+  MatrixXd gram = MatrixXd::Zero(count, count),
+           along = MatrixXd::Zero(isOfVisits ? 0 : leftover.visits(), count),
+           taken(leftover.basis().cols(), count);
   Index first = 0;
   for (const auto& [carrier, ofPart] : parts) {
     MatrixXd functions = ofPart.dense();
     const Index own = functions.cols();
-    const VectorXd& squares = isOfVisits ? carrier->squaresOutsideArcAngles() : carrier->squares();
-    if (!isOfVisits) along.middleCols(first, own) = carrier->alongVisits(functions);
-    taken.middleCols(first, own) = carrier->taken(functions);
+    const VectorXd& squares = isOfVisits ? outside : carrier->squares();
+    if (!isOfVisits) along.middleCols(first, own) = carrier->alongVisits(leftover, functions);
+    taken.middleCols(first, own) = carrier->taken(leftover, functions);
     Index before = 0;
     for (const auto& [other, others] : parts) {
       if (before == first) break;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/diagnosis/cell_functions.h"
+#include "core/diagnosis/cells.h"
 #include "core/diagnosis/leftover.h"
 
 namespace alidade {
@@ -17,47 +18,48 @@ namespace alidade {
 /// What one unit does to each reading, and which readings share a cell.
 class Carrier {
  public:
-  /// `leftover`: asked again for inner products of visible parts; it has to live until the last of them.
-  /// `cells`: of each reading, numbered from 0 in the order of the readings; a cell lies within a visit.
-  Carrier(const Leftover& leftover, const Eigen::VectorXd& values, const std::vector<Eigen::Index>& cells);
+  /// `values`: kept in single precision, as no pattern is known better. A cell lies within a visit. What asks
+  /// for a leftover again wants the same one.
+  Carrier(const Leftover& leftover, const Eigen::VectorXd& values, std::shared_ptr<const Cells> cells);
 
-  Eigen::Index cells() const { return m_squares.size(); }
-  Eigen::Index visits() const { return m_visitCount; }
-  Eigen::Index unknowns() const { return m_leftover->basis().cols(); }
+  Eigen::Index cells() const { return m_cells->count(); }
   /// How many readings it moves.
   Eigen::Index moved() const { return static_cast<Eigen::Index>(m_moved.size()); }
   /// Of each cell: the sum of its squared values.
   const Eigen::VectorXd& squares() const { return m_squares; }
   /// The same less what lies along the arc angles, where every visit has one cell only; else empty.
-  const Eigen::VectorXd& squaresOutsideArcAngles() const { return m_squaresOutside; }
+  Eigen::VectorXd squaresOutsideArcAngles(const Leftover& leftover) const;
   /// Of each cell: the sum of values times a vector over the readings.
   Eigen::VectorXd gathered(const Eigen::VectorXd& overReadings) const;
   /// Values times what is given for each cell, over the readings.
   Eigen::VectorXd spread(const Eigen::VectorXd& overCells) const;
   /// Functions (cells × functions) summed over each visit, as far as they lie along its arc angle.
-  Eigen::MatrixXd alongVisits(const Eigen::MatrixXd& functions) const;
+  Eigen::MatrixXd alongVisits(const Leftover& leftover, const Eigen::MatrixXd& functions) const;
   /// Inner products of functions with what the fit takes up: unknowns × functions.
-  Eigen::MatrixXd taken(const Eigen::MatrixXd& functions) const;
+  Eigen::MatrixXd taken(const Leftover& leftover, const Eigen::MatrixXd& functions) const;
   /// Inner products of the visible parts of one function for each group of cells: 1 in the group, 0
   /// elsewhere. `groups`: of each cell, numbered from 0 to `count`; −1 for none.
-  Eigen::MatrixXd visibleGramOfGroups(const std::vector<Eigen::Index>& groups, Eigen::Index count) const;
+  Eigen::MatrixXd visibleGramOfGroups(const Leftover& leftover, const std::vector<Eigen::Index>& groups,
+                                      Eigen::Index count) const;
   /// Of each cell: the sum of the values of both. They have the same cells.
   Eigen::VectorXd productsWith(const Carrier& other) const;
 
  private:
-  /// A reading that is moved, its cell, and by how much.
   struct Moved {
-    std::uint32_t reading, cell;  // there are no more rows than `limits::mostRows`
-    double value;
+    std::uint32_t reading;
+    float value;
   };
-  const Leftover* m_leftover;
-  Eigen::Index m_readings, m_visitCount;
-  std::vector<Moved> m_moved;           ///< in the order of the readings, so of the cells
-  std::vector<std::uint32_t> m_visits;  ///< of each cell
-  Eigen::VectorXd m_squares, m_squaresOutside, m_along;
+  std::shared_ptr<const Cells> m_cells;
+  std::vector<Moved> m_moved;  ///< in the order of the readings, so of the cells
+  Eigen::VectorXd m_squares, m_along;
 
-  Eigen::Index visitOf(Eigen::Index cell) const { return m_visits[static_cast<std::size_t>(cell)]; }
-  void takeOffAlongVisits(Eigen::MatrixXd& gram, const std::vector<Eigen::Index>& groups) const;
+  Eigen::Index readings() const { return static_cast<Eigen::Index>(m_cells->ofReadings.size()); }
+  Eigen::Index visitOf(const Leftover& leftover, Eigen::Index cell) const {
+    return static_cast<Eigen::Index>(leftover.reading(m_cells->readingOf(cell)).visit);
+  }
+  std::uint32_t cellOf(const Moved& moved) const { return m_cells->ofReadings[moved.reading]; }
+  void takeOffAlongVisits(const Leftover& leftover, Eigen::MatrixXd& gram,
+                          const std::vector<Eigen::Index>& groups) const;
 };
 
 /// Columns over the readings: the functions of every part, side by side.
@@ -75,7 +77,7 @@ struct Pattern {
   /// where it moves none.
   double normalise();
   /// The inner products of the visible parts of the columns with one another.
-  Eigen::MatrixXd visibleGram() const;
+  Eigen::MatrixXd visibleGram(const Leftover& leftover) const;
 };
 
 }  // namespace alidade

@@ -73,7 +73,7 @@ void seeInfluence(Planned& planned, const Component& component, const Leftover& 
 
 std::vector<Planned> plannedEffects(const GapModel& model, const Leftover& leftover) {
   const std::vector<Component> components =
-      effectsBeyond(model, leftover, model.measurement.effects, PriorOdds());
+      effectsBeyond(model, leftover, model.measurement->effects, PriorOdds());
   const VectorXd perSigma = influencePerSigma(model);
   std::vector<Planned> effects;
   for (const Component& component : components) {
@@ -132,7 +132,7 @@ Result<PlanReview> reviewPlan(const Measurement& measurement) {
   if (!read) return read.problem();
   const Result<GapModel> model = modelOf(readWithoutError(*read));
   if (!model) return model.problem();
-  const Leftover leftover(linearise(model->measurement, model->fit, model->options), model->options.terms);
+  const Leftover leftover(linearise(*model->measurement, model->fit, model->options), model->options.terms);
   const std::vector<Planned> effects = plannedEffects(*model, leftover);
   PlanReview review{.effects = {}, .advice = {}, .intersection = estimateOf(*model)};
   review.readings = model->fit.readings.size();

@@ -12,33 +12,14 @@
 
 namespace alidade {
 
-using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+using Eigen::Index, Eigen::MatrixXd, Eigen::MatrixXf, Eigen::VectorXd;
 
 namespace {
 
 constexpr double invisible = 1e-5;  // σ over all readings: rounding
 
 using SharedCarrier = std::shared_ptr<const Carrier>;
-
-/// Cells of the readings, and one reading of each.
-struct Cells {
-  std::vector<Index> ofReadings, readings;
-
-  template <typename Same>
-  Cells(Index count, const Same& same) {
-    for (Index i = 0; i < count; ++i) {
-      if (i == 0 || !same(i - 1, i)) readings.push_back(i);
-      ofReadings.push_back(static_cast<Index>(readings.size()) - 1);
-    }
-  }
-  template <typename Value>
-  VectorXd values(const Value& valueOf) const {
-    VectorXd all(static_cast<Index>(readings.size()));
-    for (Index cell = 0; cell < all.size(); ++cell)
-      all[cell] = valueOf(readings[static_cast<std::size_t>(cell)]);
-    return all;
-  }
-};
+using SharedCells = std::shared_ptr<const Cells>;
 
 /// Directions of each sighting of each arc as the fit has them, rad. As read they would not do: a function of
 /// a noisy direction follows the noise, and where that is large beside the span of the arc it explains it.
@@ -64,19 +45,19 @@ class Surroundings {
   Surroundings(const Leftover& leftover, const Measurement& measurement, const JointFit& fit)
       : m_leftover(leftover),
         m_measurement(measurement),
-        visits(leftover.readings(), [&](Index i, Index j) { return at(i).visit == at(j).visit; }),
-        rows(leftover.readings(), [&](Index i, Index j) {
+        visits(cellsOf([&](Index i, Index j) { return at(i).visit == at(j).visit; })),
+        rows(cellsOf([&](Index i, Index j) {
           // The instrument does not move slider readings, so they take no cell of their own.
           return at(i).visit == at(j).visit &&
                  (at(i).sighting == at(j).sighting || at(j).kind == ReadingKind::Slider);
-        }) {
-    s = visits.values(
+        })) {
+    s = visits->values(
         [&](Index i) { return (arcOf(i).axisDeg == 0 ? 1 : -1) * fit.arcAngles[at(i).arc][at(i).sighting]; });
     const auto last = static_cast<double>(std::max<std::size_t>(measurement.rows, 2) - 1);
-    elapsed = rows.values([&](Index i) { return static_cast<double>(rowOf(i).sequence) / last; });
+    elapsed = rows->values([&](Index i) { return static_cast<double>(rowOf(i).sequence) / last; });
     const auto directions = adjustedDirections(measurement, fit);
-    a = rows.values([&](Index i) { return directions[at(i).arc][at(i).sighting].a; });
-    e = rows.values([&](Index i) { return directions[at(i).arc][at(i).sighting].e; });
+    a = rows->values([&](Index i) { return directions[at(i).arc][at(i).sighting].a; });
+    e = rows->values([&](Index i) { return directions[at(i).arc][at(i).sighting].e; });
   }
 
  private:
@@ -84,7 +65,7 @@ class Surroundings {
   const Measurement& m_measurement;
 
  public:
-  Cells visits, rows;
+  SharedCells visits, rows;
   VectorXd s;        ///< of each visit
   VectorXd elapsed;  ///< of each row
   VectorXd a, e;     ///< of each row, adjusted
@@ -105,32 +86,36 @@ class Surroundings {
   }
 
  private:
-  SharedCarrier carrierOf(const VectorXd& values, const Cells& cells) {
-    return std::make_shared<const Carrier>(m_leftover, values, cells.ofReadings);
+  template <typename Same>
+  SharedCells cellsOf(const Same& same) const {
+    return std::make_shared<const Cells>(m_leftover.readings(), same);
+  }
+  SharedCarrier carrierOf(const VectorXd& values, const SharedCells& cells) {
+    return std::make_shared<const Carrier>(m_leftover, values, cells);
   }
 };
 
 /// Cosine and sine of 0 to `count` times each angle, in turn: angles × 2 (count + 1).
-MatrixXd harmonicsOf(const VectorXd& angles, int count) {
-  MatrixXd harmonics(angles.size(), 2 * (count + 1));
+MatrixXf harmonicsOf(const VectorXd& angles, int count) {
+  MatrixXf harmonics(angles.size(), 2 * (count + 1));
   for (Index i = 0; i < angles.size(); ++i) {
     const std::complex<double> turn = std::polar(1.0, angles[i]);
     std::complex<double> wave = 1;
     for (int order = 0; order <= count; ++order, wave *= turn) {
-      harmonics(i, 2 * order) = wave.real();
-      harmonics(i, 2 * order + 1) = wave.imag();
+      harmonics(i, 2 * order) = static_cast<float>(wave.real());
+      harmonics(i, 2 * order + 1) = static_cast<float>(wave.imag());
     }
   }
   return harmonics;
 }
 
 /// Cosines of 1 to `count` half waves over 0…1, the shorter the weaker.
-MatrixXd smooth(const VectorXd& where, int count) {
-  MatrixXd values(where.size(), count);
+MatrixXf smooth(const VectorXd& where, int count) {
+  MatrixXf values(where.size(), count);
   for (Index i = 0; i < where.size(); ++i) {
     const std::complex<double> turn = std::polar(1.0, where[i] * std::numbers::pi);
     std::complex<double> wave = turn;
-    for (int k = 1; k <= count; ++k, wave *= turn) values(i, k - 1) = wave.real() / k;
+    for (int k = 1; k <= count; ++k, wave *= turn) values(i, k - 1) = static_cast<float>(wave.real() / k);
   }
   return values;
 }
@@ -144,14 +129,16 @@ int wavesOf(Index rows) {
 }
 
 /// What dies away after the start of the session, quickly, in between and slowly.
-MatrixXd settling(const VectorXd& elapsed) {
+MatrixXf settling(const VectorXd& elapsed) {
   MatrixXd values(elapsed.size(), 3);
   values << (-elapsed / 0.05).array().exp(), (-elapsed / 0.15).array().exp(), (-elapsed / 0.4).array().exp();
-  return values;
+  return values.cast<float>();
 }
 
 class ShapeMaker {
  public:
+  explicit ShapeMaker(const Leftover& leftover) : m_leftover(leftover) {}
+
   /// What the patterns made from here on belong to.
   void startFrame(Frame frame) { m_frame = frame; }
 
@@ -162,11 +149,11 @@ class ShapeMaker {
 
   /// A function that differs from group to group.
   template <typename Group>
-  void addGroups(std::string_view id, const SharedCarrier& carrier, const Cells& cells,
+  void addGroups(std::string_view id, const SharedCarrier& carrier, const SharedCells& cells,
                  const Group& groupOf) {
     std::map<std::decay_t<decltype(groupOf(0))>, Index> groups;
     const auto moves = [&](Index cell) { return carrier->squares()[cell] > 0; };
-    const auto group = [&](Index cell) { return groupOf(cells.readings[static_cast<std::size_t>(cell)]); };
+    const auto group = [&](Index cell) { return groupOf(cells->readingOf(cell)); };
     for (Index cell = 0; cell < carrier->cells(); ++cell)
       if (moves(cell)) groups.emplace(group(cell), static_cast<Index>(groups.size()));
     if (groups.size() < 2 || groups.size() > mostGroups) return;
@@ -174,7 +161,7 @@ class ShapeMaker {
     std::vector<Index> ofCells(static_cast<std::size_t>(carrier->cells()), -1);
     for (Index cell = 0; cell < carrier->cells(); ++cell)
       if (moves(cell)) ofCells[static_cast<std::size_t>(cell)] = groups.at(group(cell));
-    MatrixXd gram = carrier->visibleGramOfGroups(ofCells, count);
+    MatrixXd gram = carrier->visibleGramOfGroups(m_leftover, ofCells, count);
     add(id, Pattern{{{carrier, CellFunctions(std::move(ofCells), count)}}}, std::move(gram));
   }
 
@@ -183,7 +170,7 @@ class ShapeMaker {
                     const std::vector<int>& orders) {
     std::vector<Index> all;
     for (const Index order : orders) all.insert(all.end(), {2 * order, 2 * order + 1});
-    const MatrixXd gram = Pattern{{{carrier, harmonics.chosen(all)}}}.visibleGram();
+    const MatrixXd gram = Pattern{{{carrier, harmonics.chosen(all)}}}.visibleGram(m_leftover);
     Index first = 0;
     for (const Index order : orders) {
       add(id, Pattern{{{carrier, harmonics.chosen({2 * order, 2 * order + 1})}}},
@@ -202,7 +189,7 @@ class ShapeMaker {
   void addOrientations(const std::array<std::string_view, 3>& ids, const SharedCarrier& horizontal,
                        const SharedCarrier& vertical, const CellFunctions& functions) {
     Pattern both{{{horizontal, functions}, {vertical, functions}}};
-    MatrixXd gram = both.visibleGram();
+    MatrixXd gram = both.visibleGram(m_leftover);
     const Index own = functions.count();
     add(ids[0], Pattern{{{horizontal, functions}}}, gram.topLeftCorner(own, own));
     add(ids[1], Pattern{{{vertical, functions}}}, gram.bottomRightCorner(own, own));
@@ -217,11 +204,12 @@ class ShapeMaker {
 
  private:
   static constexpr std::size_t mostGroups = 80;
+  const Leftover& m_leftover;
   Frame m_frame = Frame::Guideway;
   std::vector<Component> m_components;
 
   void add(std::string_view id, Pattern pattern) {
-    MatrixXd gram = pattern.visibleGram();
+    MatrixXd gram = pattern.visibleGram(m_leftover);
     add(id, std::move(pattern), std::move(gram));
   }
 
@@ -255,7 +243,7 @@ std::vector<Component> shapeComponents(const Leftover& leftover, const Measureme
   const VectorXd ofHorizontal = leftover.column(ErrorTerm::HorizontalJump),
                  ofVertical = leftover.column(ErrorTerm::VerticalJump);
   const SharedCarrier horizontal = all.ofInstrument(ofHorizontal), vertical = all.ofInstrument(ofVertical);
-  ShapeMaker maker;
+  ShapeMaker maker(leftover);
   const CellFunctions harmonics = harmonicsOf(all.s, 12);
   const auto left = [&](const char* id) { return std::ranges::find(leftOut, id) != leftOut.end(); };
   std::vector<int> radialOrders, planeOrders;
@@ -273,7 +261,7 @@ std::vector<Component> shapeComponents(const Leftover& leftover, const Measureme
   const auto place = [&](Index i) { return std::pair(all.at(i).arc, all.rowOf(i).point); };
   maker.addGroups("radius from place to place in each position", radial, all.visits, place);
   maker.startFrame(Frame::Time);
-  const CellFunctions waves = smooth(all.elapsed, wavesOf(static_cast<Index>(all.rows.readings.size())));
+  const CellFunctions waves = smooth(all.elapsed, wavesOf(all.rows->count()));
   maker.addOrientations(
       {"horizontal orientation with time", "vertical orientation with time", "orientation with time"},
       horizontal, vertical, waves);

@@ -1,6 +1,7 @@
 #include "core/diagnosis/steps_in_time.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace alidade {
 
@@ -33,8 +34,9 @@ std::vector<Matrix2d> StepsInTime::visibleGrams() const {
   if (m_moments == 0) return grams;
   const auto gramAt = [&](Index moment) -> Matrix2d& { return grams[static_cast<std::size_t>(moment)]; };
   std::vector<Index> latestFirst;
-  for (const std::vector<Index>& visit : m_leftover.visits()) {
-    latestFirst = visit;
+  for (Index v = 0; v < m_leftover.visits(); ++v) {
+    latestFirst.clear();
+    std::ranges::copy(m_leftover.readingsOf(v), std::back_inserter(latestFirst));
     std::ranges::sort(latestFirst, std::greater{},
                       [&](Index i) { return m_last[static_cast<std::size_t>(i)]; });
     Vector2d share = Vector2d::Zero();

@@ -54,12 +54,12 @@ class TiltedPlane {
     const double phi = m_model.fit.arcAngles[reading.arc][reading.sighting];
     Targets targets;
     for (std::size_t n = 0; n < nodes.size(); ++n)
-      targets[n] = targetAt(m_guideways[n], pose, m_model.measurement.distance, phi, arcOf(reading).axisDeg);
+      targets[n] = targetAt(m_guideways[n], pose, m_model.measurement->distance, phi, arcOf(reading).axisDeg);
     return targets;
   }
 
   Differences of(const Targets& targets, const LinearReading& reading) const {
-    const Measurement& measurement = m_model.measurement;
+    const Measurement& measurement = *m_model.measurement;
     const ArcMeasurement& arc = arcOf(reading);
     const Pointing pointing{.face = arc.sightings[reading.sighting].face,
                             .horizontalZero = arc.zeroHorizontal.radians(),
@@ -83,7 +83,7 @@ class TiltedPlane {
   std::array<ErrorTerms<double>, nodes.size()> m_guideways;
 
   const ArcMeasurement& arcOf(const LinearReading& reading) const {
-    return m_model.measurement.arcs[reading.arc];
+    return m_model.measurement->arcs[reading.arc];
   }
 };
 
@@ -94,7 +94,8 @@ MatrixXd secondDerivativesByPlaneTilt(const GapModel& model, const Leftover& lef
   MatrixXd columns = MatrixXd::Zero(leftover.readings(), 3);
   Targets targets;
   Differences differences;
-  for (const std::vector<Index>& visit : leftover.visits()) {
+  for (Index v = 0; v < leftover.visits(); ++v) {
+    const auto visit = leftover.readingsOf(v);
     if (!visit.empty()) targets = plane.targets(leftover.reading(visit.front()));
     std::optional<std::size_t> sighting;
     for (const Index i : visit) {

@@ -10,7 +10,7 @@ namespace alidade {
 Result<Visibility> visibilityOf(const Measurement& noiseless, const std::string& held) {
   const Result<GapModel> model = modelOf(noiseless);
   if (!model) return model.problem();
-  const Leftover leftover(linearise(model->measurement, model->fit, model->options), model->options.terms);
+  const Leftover leftover(linearise(*model->measurement, model->fit, model->options), model->options.terms);
   const Trace trace(leftover, leftover.residual());
   Visibility visibility{.sigma = trace.length(), .lookAlikes = {}, .nearest = trace.length()};
   for (const Component& other : effectsBeyond(*model, leftover, {held}, {})) {

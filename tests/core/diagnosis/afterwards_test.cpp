@@ -88,14 +88,14 @@ class Posterior {
       model.options.terms.push_back(
           {sizes[i].term, (at.empty() ? open : held) * unit(sizes[i]), value, value});
     }
-    model.fit = fitJointly(model.measurement, model.starts, model.options);
+    model.fit = fitJointly(*model.measurement, model.starts, model.options);
     return model;
   }
 
   void addNode(double weight, const std::vector<Size>& sizes, const std::vector<double>& at) {
     const GapModel model = fitted(sizes, at);
     for (const double size : at) weight *= prior(size);
-    const Intersection found = *intersect(model.measurement, model.fit);
+    const Intersection found = *intersect(*model.measurement, model.fit);
     double variance = influencePerSigma(model).squaredNorm();
     for (const BudgetEntry& entry : found.budget)
       if (entry.source == "pointing zeros") variance += entry.sigma * entry.sigma;

@@ -20,7 +20,7 @@ Measurement read(const std::string& protocol, const Truth& truth, std::uint64_t 
 GapModel with(const GapModel& model, const std::vector<ErrorTerm>& terms, double priorSigma) {
   GapModel more = model;
   for (const ErrorTerm term : terms) more.options.terms.push_back({term, priorSigma});
-  more.fit = fitJointly(more.measurement, more.starts, more.options);
+  more.fit = fitJointly(*more.measurement, more.starts, more.options);
   return more;
 }
 
@@ -28,17 +28,17 @@ GapModel with(const GapModel& model, const std::vector<ErrorTerm>& terms, double
 /// others.
 double rmsOfRefits(const GapModel& model) {
   std::vector<Circle> circles;
-  for (std::size_t arc = 0; arc < model.measurement.arcs.size(); ++arc)
+  for (std::size_t arc = 0; arc < model.measurement->arcs.size(); ++arc)
     circles.push_back(model.fit.circleOf(arc));
-  const Linearised all = linearise(model.measurement, model.fit, model.options, {});
+  const Linearised all = linearise(*model.measurement, model.fit, model.options, {});
   double sum = 0;
   int count = 0;
   for (std::size_t fold = 0; fold < 5; ++fold) {
     JointFitOptions options = model.options;
     for (const LinearReading& reading : all.readings)
       if (reading.visit % 5 == fold) options.without.push_back({reading.arc, reading.sighting, reading.kind});
-    const JointFit fit = fitJointly(model.measurement, circles, options);
-    const Linearised set = linearise(model.measurement, fit, model.options, {});
+    const JointFit fit = fitJointly(*model.measurement, circles, options);
+    const Linearised set = linearise(*model.measurement, fit, model.options, {});
     std::vector<double> share(set.visits);
     std::vector<int> taking(set.visits);
     for (const LinearReading& reading : set.readings) {
@@ -68,7 +68,7 @@ TEST(HeldOut, IsWhatNewFitsWithoutTheReadingsSay) {
     EXPECT_NEAR(heldOutShrinkage(before, after), 1 - rmsOfRefits(after) / rmsOfRefits(before), 1e-4);
     GapModel blamed = with(before, {ErrorTerm::TrunnionTilt}, 1e-4);
     blamed.options.without = {{0, 4, ReadingKind::Vertical}, {1, 7, ReadingKind::Horizontal}};
-    blamed.fit = fitJointly(blamed.measurement, blamed.starts, blamed.options);
+    blamed.fit = fitJointly(*blamed.measurement, blamed.starts, blamed.options);
     EXPECT_NEAR(heldOutShrinkage(before, blamed), 1 - rmsOfRefits(blamed) / rmsOfRefits(before), 1e-4);
   }
 }

@@ -14,7 +14,7 @@ namespace {
 std::ptrdiff_t momentsSoughtBy(const std::string& protocol) {
   const Session session = *simulate(*protocolByName(protocol), drawTruth(5), 5);
   const GapModel model = *modelOf(*examine(session).measurement);
-  const Leftover leftover(linearise(model.measurement, model.fit, model.options));
+  const Leftover leftover(linearise(*model.measurement, model.fit, model.options));
   return std::ranges::count_if(jumpComponents(leftover, {}), [](const Component& c) { return !c.onlyRow; });
 }
 

@@ -102,7 +102,7 @@ TEST(Location, IsWhatTheResidualsOfTheFitSay) {
   truth.sigmaZero = Angle();
   const Measurement measurement = test::measurementOf(*simulate(*protocolByName("full"), truth, 3));
   const GapModel model = *modelOf(measurement);
-  const Leftover leftover(linearise(model.measurement, model.fit, model.options));
+  const Leftover leftover(linearise(*model.measurement, model.fit, model.options));
   std::map<std::pair<std::string, std::string>, double> beyond;
   for (const AdjustedReading& reading : model.fit.readings) {
     const ArcMeasurement& arc = measurement.arcs[reading.arc];

@@ -57,7 +57,7 @@ TEST(Rivals, StepStandsAgainstAMisreadingOfEitherCircle) {
 
   const GapModel& base = inquiry.base;
   const JointFit without =
-      fitJointly(base.measurement, base.starts, {.without = {{0, lastRow, ReadingKind::Horizontal}}});
+      fitJointly(*base.measurement, base.starts, {.without = {{0, lastRow, ReadingKind::Horizontal}}});
   const double gain = base.fit.chiSquare - without.chiSquare;
   double ofMisreadings = 0, shown = 0;
   for (const AdjustedReading& reading : base.fit.readings) {

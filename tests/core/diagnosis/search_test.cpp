@@ -25,7 +25,7 @@ class SearchTest : public testing::TestWithParam<std::string> {
         {.axisDeg = 180, .point = 5, .horizontal = Angle::fromArcseconds(13), .vertical = Angle()}};
     const Session session = *simulate(*protocolByName(protocol), truth, 31);
     const GapModel model = *modelOf(*examine(session).measurement);
-    return Leftover(linearise(model.measurement, model.fit, model.options));
+    return Leftover(linearise(*model.measurement, model.fit, model.options));
   }
   static std::vector<Component> candidatesFor(const Leftover& leftover) {
     std::vector<Component> candidates = effectComponents(leftover, {}, {});

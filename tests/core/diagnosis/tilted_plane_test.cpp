@@ -24,7 +24,7 @@ VectorXd derivative(const GapModel& model, ErrorTerm by, ErrorTerm tilt, double 
   JointFit tilted = model.fit;
   tilted.unknowns.push_back({.kind = Unknown::Kind::Error, .arc = 0, .term = tilt});
   tilted.values.push_back(size);
-  const Linearised equations = linearise(model.measurement, tilted, model.options);
+  const Linearised equations = linearise(*model.measurement, tilted, model.options);
   VectorXd column(static_cast<Index>(equations.readings.size()));
   for (Index i = 0; i < column.size(); ++i) column[i] = equations.ofTerm(static_cast<std::size_t>(i), by);
   return column;
@@ -40,7 +40,7 @@ TEST(TiltedPlane, BendsAsTheDerivativesChange) {
                                           {"paper", {}}}) {
     SCOPED_TRACE(protocol);
     const GapModel model = modelOfSession(protocol, effects);
-    const Leftover leftover(linearise(model.measurement, model.fit, model.options), model.options.terms);
+    const Leftover leftover(linearise(*model.measurement, model.fit, model.options), model.options.terms);
     const MatrixXd columns = secondDerivativesByPlaneTilt(model, leftover);
     ASSERT_EQ(columns.rows(), leftover.readings());
     const std::array<std::pair<int, int>, 3> pairs{{{0, 0}, {0, 1}, {1, 1}}};

@@ -29,7 +29,7 @@ double intersectionOf(const Measurement& measurement) {
 class Unseen : public ::testing::TestWithParam<const char*> {
  protected:
   GapModel model = *modelOf(measurementBy(GetParam(), "plane_tilt", Eigen::Vector2d::Zero()));
-  Leftover leftover{{linearise(model.measurement, model.fit, model.options)}};
+  Leftover leftover{{linearise(*model.measurement, model.fit, model.options)}};
   std::vector<Component> effects = effectsBeyond(model, leftover, {}, {});
   Eigen::VectorXd perReading = influencePerSigma(model);
 
@@ -42,7 +42,7 @@ class Unseen : public ::testing::TestWithParam<const char*> {
 // only where the slider is not read, and not the same on both sides. 3 % and 0.002 σ are of third order.
 // The influence is of first order: what 0.3° do to second order is some R²/L tan² 0.3° = 2 µm.
 TEST_P(Unseen, EffectsShowAndMoveTheIntersectionAsSessionsThatHoldThem) {
-  const double clean = intersectionOf(model.measurement);
+  const double clean = intersectionOf(*model.measurement);
   for (const char* id : {"plane_tilt", "horizontal_circle_eccentricity", "vertical_drift", "plane_warp"}) {
     SCOPED_TRACE(std::string(GetParam()) + " " + id);
     const Danger danger = dangerOfEffect(leftover, find(id), perReading);
