@@ -1,5 +1,6 @@
 #include "app/console/channels.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -10,15 +11,19 @@ namespace alidade::console {
 
 namespace {
 
-constexpr std::string_view lineEnd = "\n";
+constexpr char lineEnd = '\n';
 
 }  // namespace
 
 int writeResult(std::string_view result) {
-  const std::string text = visibleText(result, lineEnd);
-  const bool written =
-      std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
-  if (written) return Done;
+  bool written = true;
+  while (written && !result.empty()) {  // line by line: it may be as long as the memory
+    const std::size_t length = std::min(result.find(lineEnd), result.size() - 1) + 1;
+    const std::string line = visibleText(result.substr(0, length), {&lineEnd, 1});
+    written = std::fwrite(line.data(), 1, line.size(), stdout) == line.size();
+    result.remove_prefix(length);
+  }
+  if (written && std::fflush(stdout) == 0) return Done;
   notify("alidade-cli", std::string("the result could not be written: ") + std::strerror(errno));
   return Failed;
 }

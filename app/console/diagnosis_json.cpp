@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/console/findings_output.h"
+#include "app/console/json_text.h"
 
 namespace alidade::console {
 
@@ -87,7 +88,7 @@ std::string diagnosisJson(const std::string& session, const Diagnosis& diagnosis
   if (diagnosis.shape)
     json["shape"] = {{"follows", diagnosis.shape->follows}, {"share", diagnosis.shape->share}};
   json["findings"] = findingsJson(findings);
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return jsonText(json);
 }
 
 }  // namespace alidade::console

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/console/findings_output.h"
+#include "app/console/json_text.h"
 #include "core/adjustment/reliability.h"
 #include "core/adjustment/two_faces.h"
 
@@ -67,24 +68,26 @@ Json effectJson(const EffectEstimate& estimate) {
           {"unit", estimate.unit}};
 }
 
-Json reliabilityJson(const Measurement& measurement, const SessionFit& fit) {
-  Json list = Json::array();
-  for (const AdjustedReading& reading : fit.joint.readings) {
-    const ArcFit& arc = fit.arcs[reading.arc];
-    const auto measured = std::ranges::find(measurement.arcs, arc.position, &ArcMeasurement::position);
-    const Sighting& sighting = measured->sightings[reading.sighting];
+LongList reliabilityList(const Measurement& measurement, const SessionFit& fit) {
+  std::vector<const std::vector<Sighting>*> sightings;  // of each fitted arc
+  for (const ArcFit& arc : fit.arcs)
+    sightings.push_back(
+        &std::ranges::find(measurement.arcs, arc.position, &ArcMeasurement::position)->sightings);
+  const auto members = [&fit, sightings](std::size_t i, const TakeMember& take) {
+    const AdjustedReading& reading = fit.joint.readings[i];
+    const Sighting& sighting = (*sightings[reading.arc])[reading.sighting];
     const Reliability reliability = reliabilityOf(reading);
-    list.push_back({{"axis_deg", arc.axisDeg},
-                    {"round", sighting.round},
-                    {"point", sighting.point},
-                    {"face", sighting.face},
-                    {"circle", nameOf(reading.kind)},
-                    {"residual_arcsec", Angle::fromRadians(reading.residual).arcseconds()},
-                    {"redundancy", reading.redundancy},
-                    {"minimal_detectable_bias_arcsec", reliability.minimalDetectableBias.arcseconds()},
-                    {"influence_mm", fit.intersection ? reliability.influence : undefined}});
-  }
-  return list;
+    take("axis_deg", fit.arcs[reading.arc].axisDeg);
+    take("round", sighting.round);
+    take("point", sighting.point);
+    take("face", sighting.face);
+    take("circle", nameOf(reading.kind));
+    take("residual_arcsec", Angle::fromRadians(reading.residual).arcseconds());
+    take("redundancy", reading.redundancy);
+    take("minimal_detectable_bias_arcsec", reliability.minimalDetectableBias.arcseconds());
+    take("influence_mm", fit.intersection ? reliability.influence : undefined);
+  };
+  return {"/reliability", fit.joint.readings.size(), members};
 }
 
 Json instrumentErrorJson(const InstrumentError& error) {
@@ -96,25 +99,29 @@ Json faceScatterJson(const FaceScatter& scatter) {
           {"degrees_of_freedom", scatter.degreesOfFreedom}};
 }
 
-Json twoFacesJson(const Measurement& measurement, const TwoFaces& faces) {
-  Json visits = Json::array();
-  for (const FaceDifference& visit : faces.visits) {
+LongList visitsList(const Measurement& measurement, const TwoFaces& faces) {
+  const auto members = [&](std::size_t i, const TakeMember& take) {
+    const FaceDifference& visit = faces.visits[i];
     const ArcMeasurement& arc = measurement.arcs[visit.arc];
     const Sighting& sighting = arc.sightings[visit.faceOne];
-    visits.push_back({{"axis_deg", arc.axisDeg},
-                      {"round", sighting.round},
-                      {"point", sighting.point},
-                      {"elevation_deg", visit.elevation.degrees()},
-                      {"double_collimation_arcsec", visit.doubleCollimation.arcseconds()},
-                      {"from_course_arcsec", visit.fromCourse.arcseconds()},
-                      {"index_arcsec", visit.index.arcseconds()}});
-  }
+    take("axis_deg", arc.axisDeg);
+    take("round", sighting.round);
+    take("point", sighting.point);
+    take("elevation_deg", visit.elevation.degrees());
+    take("double_collimation_arcsec", visit.doubleCollimation.arcseconds());
+    take("from_course_arcsec", visit.fromCourse.arcseconds());
+    take("index_arcsec", visit.index.arcseconds());
+  };
+  return {"/two_faces/visits", faces.visits.size(), members};
+}
+
+Json twoFacesJson(const TwoFaces& faces) {
   Json document = {{"collimation", instrumentErrorJson(faces.collimation)}};
   if (faces.trunnionTilt) document["trunnion_tilt"] = instrumentErrorJson(*faces.trunnionTilt);
   document["vertical_index"] = instrumentErrorJson(faces.index);
   document["scatter"] = {{"horizontal", faceScatterJson(faces.horizontal)},
                          {"vertical", faceScatterJson(faces.vertical)}};
-  document["visits"] = std::move(visits);
+  document["visits"] = Json::array();
   return document;
 }
 
@@ -181,10 +188,6 @@ Json monteCarloJson(const MonteCarlo& check) {
   return json;
 }
 
-std::string documentText(const Json& document) {
-  return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
 }  // namespace
 
 std::string fitJson(const std::string& name, const Measurement& measurement, const SessionFit& fit,
@@ -205,12 +208,17 @@ std::string fitJson(const std::string& name, const Measurement& measurement, con
   if (check) document["monte_carlo"] = monteCarloJson(*check);
   document["effects"] = Json::array();
   for (const EffectEstimate& estimate : fit.effects) document["effects"].push_back(effectJson(estimate));
-  document["reliability"] = reliabilityJson(measurement, fit);
-  if (const auto faces = compareFaces(measurement)) document["two_faces"] = twoFacesJson(measurement, *faces);
+  document["reliability"] = Json::array();
+  std::vector<LongList> lists{reliabilityList(measurement, fit)};
+  const std::optional<TwoFaces> faces = compareFaces(measurement);
+  if (faces) {
+    document["two_faces"] = twoFacesJson(*faces);
+    lists.push_back(visitsList(measurement, *faces));
+  }
   document["suspects"] = Json::array();
   for (const Suspect& suspect : suspects) document["suspects"].push_back(suspectJson(suspect));
   document["findings"] = findingsJson(fit.findings);
-  return documentText(document);
+  return jsonText(document, lists);
 }
 
 std::string fitJson(const std::string& name, const Measurement& measurement, const PublishedSessionFit& fit) {
@@ -228,7 +236,7 @@ std::string fitJson(const std::string& name, const Measurement& measurement, con
   document["budget"] = Json::array();
   document["suspects"] = Json::array();
   document["findings"] = findingsJson(fit.findings);
-  return documentText(document);
+  return jsonText(document);
 }
 
 }  // namespace alidade::console

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/console/findings_output.h"
+#include "app/console/json_text.h"
 #include "app/console/text_layout.h"
 #include "core/base/list_text.h"
 #include "core/base/number_text.h"
@@ -111,7 +112,7 @@ std::string planJson(const std::string& session, const PlanReview& review,
   json["effects"] = std::move(effects);
   json["advice"] = std::move(advice);
   json["findings"] = findingsJson(findings);
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return jsonText(json);
 }
 
 }  // namespace alidade::console

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/console/json_text.h"
 #include "app/console/text_layout.h"
 #include "core/base/number_text.h"
 #include "core/base/quantity_text.h"
@@ -135,7 +136,7 @@ std::string trialJson(const std::vector<ScoredTrial>& trials, const TrialSummary
                      {"detection", detection},
                      {"confusion", summary.confusion},
                      {"trials", list}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return jsonText(json);
 }
 
 }  // namespace alidade::console

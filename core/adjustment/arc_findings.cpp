@@ -133,7 +133,13 @@ std::string straightLineSentence() {
 std::optional<std::string> radiusUndetermined(const ArcFit& fit) {
   const double sigma = std::sqrt(fit.cofactor[2][2]);
   if (std::isfinite(sigma) && sigma <= largestRadiusUncertainty * fit.circle.radius) return std::nullopt;
-  return "spans only " + displayText(arcSpan(fit).degrees(), 2) +
+  constexpr double wide = 60;  // the sagitta is a seventh of the radius: too much for a theodolite's noise
+  const double span = arcSpan(fit).degrees();
+  if (!(span < wide))
+    return "has readings that tell neither radius nor centre: look for misread values, the degrees first, "
+           "and "
+           "check the stated σ of the circles";
+  return "spans only " + displayText(span, 2) +
          "° of arc: its sagitta drowns in the reading noise, so neither radius nor centre can be told: sight "
          "places over "
          "a longer arc";

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 
 #include "core/adjustment/arc_findings.h"
 #include "core/adjustment/first_fit.h"
 #include "core/adjustment/session_findings.h"
 #include "core/adjustment/setup_findings.h"
+#include "core/base/threads.h"
 #include "core/effects/catalogue.h"
 
 namespace alidade {
@@ -80,6 +82,16 @@ std::vector<EffectEstimate> estimatesOf(const JointFit& joint, const std::vector
   return estimates;
 }
 
+/// Of each arc alone, at once where they are long.
+std::vector<Result<ArcFit>> firstFits(const Measurement& measurement) {
+  std::vector<Result<ArcFit>> fits(measurement.arcs.size(), Problem{});
+  std::vector<std::function<void()>> pieces;
+  for (std::size_t i = 0; i < fits.size(); ++i)
+    pieces.emplace_back([&, i] { fits[i] = firstFit(measurement, measurement.arcs[i]); });
+  doAll(threadsFor(measurement.rows), pieces);
+  return fits;
+}
+
 /// False where the arcs, each determined alone, are not so together.
 bool adjust(SessionFit& fit, const Measurement& fitted) {
   std::vector<Circle> starts;
@@ -132,13 +144,12 @@ const ArcFit* SessionFit::arcOfPosition(std::size_t position) const {
 
 SessionFit fitSession(const Measurement& measurement) {
   SessionFit fit;
-  for (const ArcMeasurement& arc : measurement.arcs) {
-    Result<ArcFit> fitted = firstFit(measurement, arc);
-    if (fitted)
-      fit.arcs.push_back(*std::move(fitted));
+  std::vector<Result<ArcFit>> firsts = firstFits(measurement);
+  for (std::size_t i = 0; i < firsts.size(); ++i)
+    if (firsts[i])
+      fit.arcs.push_back(*std::move(firsts[i]));
     else
-      fit.findings.push_back(failure(arc, fitted.problem()));
-  }
+      fit.findings.push_back(failure(measurement.arcs[i], firsts[i].problem()));
   Measurement fitted = fittedPart(measurement, fit);
   fit.lengthsInDoubt = doubtfulLengths(measurement, fit.arcs);  // while every radius is free
   if (!fit.arcs.empty() && !adjust(fit, fitted)) {

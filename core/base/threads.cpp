@@ -1,5 +1,7 @@
 #include "core/base/threads.h"
 
+#include <algorithm>
+#include <atomic>
 #include <exception>
 #include <mutex>
 #include <thread>
@@ -24,6 +26,18 @@ void inThreads(std::size_t threads, const std::function<void()>& work) {
     guarded();
   }
   if (thrown) std::rethrow_exception(thrown);
+}
+
+void doAll(std::size_t threads, const std::vector<std::function<void()>>& pieces) {
+  std::atomic<std::size_t> next = 0;
+  inThreads(std::clamp<std::size_t>(pieces.size(), 1, threads), [&] {
+    for (std::size_t i = next++; i < pieces.size(); i = next++) pieces[i]();
+  });
+}
+
+std::size_t threadsFor(std::size_t rows) {
+  constexpr std::size_t many = 5'000, most = 4;
+  return rows < many ? 1 : std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, most);
 }
 
 }  // namespace alidade

@@ -79,6 +79,12 @@ class Writer {
       appendEscape(m_text, code);
   }
 
+  /// Printable ASCII.
+  void addPlain(std::string_view text) {
+    m_text += text;
+    m_before = static_cast<char32_t>(text.back());
+  }
+
   void append(std::string_view text) { m_text += text; }
   std::string take() { return std::move(m_text); }
 
@@ -88,16 +94,28 @@ class Writer {
   std::string m_text;
 };
 
+/// The printable ASCII that it begins with: most of a text, and gone through at once.
+std::string_view plainBeginning(std::string_view text) {
+  return {text.begin(), std::ranges::find_if(text, [](char c) { return c < ' ' || c > '~'; })};
+}
+
 std::string visible(std::string_view text, std::string_view kept, std::size_t most) {
   Writer writer(kept);
-  for (std::size_t count = 0; !text.empty(); ++count) {
-    if (count == most) {
+  for (std::size_t left = most; !text.empty();) {
+    if (left == 0) {
       writer.append("…");
       break;
+    }
+    if (const std::string_view plain = plainBeginning(text.substr(0, left)); !plain.empty()) {
+      writer.addPlain(plain);
+      text.remove_prefix(plain.size());
+      left -= plain.size();
+      continue;
     }
     const Utf8Character character = firstCharacter(text);
     writer.add(character, text.substr(0, character.length));
     text.remove_prefix(character.length);
+    --left;
   }
   return writer.take();
 }

@@ -8,6 +8,7 @@
 
 #include "core/base/angle_text.h"
 #include "core/base/limits.h"
+#include "core/base/list_text.h"
 #include "core/base/visible_text.h"
 #include "core/exchange/csv_table.h"
 
@@ -134,7 +135,7 @@ class CsvReader {
     for (std::size_t i = 0; i < m_unusedCells.size(); ++i)
       if (m_unusedCells[i] > 0)
         m_recording.unused.push_back("the column " + quotation(names[i]) +
-                                     " is not used: " + std::to_string(m_unusedCells[i]) + " entries");
+                                     " is not used: " + counted(m_unusedCells[i], "value"));
     for (const CsvRow& row : m_earlyRemarks)
       if (holdsReading(row)) tellOfRemark(row.line);
     for (const std::size_t line : m_remarksWithReading) tellOfRemark(line);

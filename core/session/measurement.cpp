@@ -1,57 +1,24 @@
 #include "core/session/measurement.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
+#include <functional>
+#include <iterator>
 #include <map>
-#include <unordered_map>
 #include <utility>
 
-#include "core/base/number_text.h"
-#include "core/base/visible_text.h"
+#include "core/base/threads.h"
 #include "core/session/entry.h"
-#include "core/session/face.h"
+#include "core/session/position_examiner.h"
 #include "core/session/row_order.h"
 
 namespace alidade {
 
 namespace {
 
-/// Further from the pointing zero than this nothing on the arc is sighted: the tangents grow beyond sense.
-constexpr double widestDegrees = 80;
-
-/// The pointing zero of one position, α0 and β0 of face 1.
-struct ZeroDirection {
-  Angle horizontal, vertical;
-};
-
-/// What no two rows of a position have in common.
-struct VisitFace {
-  int round, point, face;
-
-  bool operator==(const VisitFace&) const = default;
-};
-
-struct HashOfVisitFace {
-  std::size_t operator()(const VisitFace& key) const {
-    const auto part = [](int number) {
-      return static_cast<std::uint64_t>(static_cast<std::uint32_t>(number));
-    };
-    const std::uint64_t sum = (part(key.point) << 32U | part(key.round)) * 2 + part(key.face);
-    return static_cast<std::size_t>((sum ^ sum >> 31U) * 0x9e3779b97f4a7c15U);
-  }
-};
-
-bool isUntouched(const Reading& reading) {
-  return reading.point.empty() && reading.round.empty() && reading.face.empty() &&
-         reading.horizontal.empty() && reading.vertical.empty() && reading.slider.empty() &&
-         reading.note.empty();
-}
-
 /// Goes through a session in the order of its file.
 class Examiner {
  public:
-  explicit Examiner(const Session& session) : m_session(session), m_firstSequences(firstSequences(session)) {}
+  explicit Examiner(const Session& session) : m_session(session) {}
 
   Examined examine() {
     if (auto problem = dateProblem(m_session.measuredOn)) report(*problem, {.field = "measured_on"});
@@ -140,131 +107,47 @@ class Examiner {
     m_measurement.referenceIntersection = reference.value_or(std::nullopt);
   }
 
+  /// Positions at once where they are long; what is wrong with them, in the order of the file.
   void examinePositions() {
+    const std::vector<Position>& positions = m_session.positions;
+    const std::vector<std::size_t> firsts = firstSequences(m_session);
+    std::vector<ExaminedPosition> examined(positions.size());
+    std::vector<std::function<void()>> pieces;
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+      pieces.emplace_back([&, i] { examined[i] = examinePosition(positions[i], i, firsts[i], m_circle); });
+      m_measurement.rows += positions[i].readings.size();
+    }
+    doAll(threadsFor(m_measurement.rows), pieces);
     std::map<int, std::size_t> positionOfAxis;
-    for (std::size_t index = 0; index < m_session.positions.size(); ++index) {
-      const Position& position = m_session.positions[index];
-      const Place axisPlace{.position = index, .field = "axis_deg"};
-      auto axis = take(axisEntry(position.axisDeg), axisPlace);
-      if (axis) {
-        const auto [known, isNew] = positionOfAxis.emplace(*axis, index);
-        if (!isNew) {
-          report({std::to_string(*axis) + "° is already the axis of position " +
-                  std::to_string(known->second + 1) + ": change one of the two or join their readings"},
-                 axisPlace);
-          axis.reset();
-        }
-      }
-      const auto zero = examineZero(position.zero, index);
-      std::vector<Sighting> sightings = examineReadings(position, index, zero);
-      if (axis && zero && m_circle)
-        m_measurement.arcs.push_back({index, *axis, zero->horizontal, zero->vertical, std::move(sightings)});
-      m_measurement.rows += position.readings.size();
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+      const std::optional<int> axis = axisOf(i, positionOfAxis);
+      ExaminedPosition& own = examined[i];
+      std::ranges::move(own.problems, std::back_inserter(m_problems));
+      if (axis && own.zero && m_circle)
+        m_measurement.arcs.push_back(
+            {i, *axis, own.zero->horizontal, own.zero->vertical, std::move(own.sightings)});
     }
     std::ranges::sort(m_measurement.arcs, {}, &ArcMeasurement::axisDeg);
   }
 
-  /// Where the kind of circle is unknown, the wider range of the elevation circle holds.
-  VerticalCircle circleForRanges() const { return m_circle.value_or(VerticalCircle::Elevation); }
-
-  std::optional<Angle> angle(const char* field, const std::string& text, const Place& where) {
-    return take(angleEntry(field, text, circleForRanges()), where).value_or(std::nullopt);
-  }
-
-  std::optional<ZeroDirection> examineZero(const PointingZero& zero, std::size_t position) {
-    const auto horizontal = angle("pointing_zero.horizontal", zero.horizontal,
-                                  {.position = position, .field = "pointing_zero.horizontal"});
-    const auto vertical = angle("pointing_zero.vertical", zero.vertical,
-                                {.position = position, .field = "pointing_zero.vertical"});
-    if (!horizontal || !vertical) return std::nullopt;
-    return ZeroDirection{*horizontal, *vertical};
-  }
-
-  std::vector<Sighting> examineReadings(const Position& position, std::size_t index,
-                                        const std::optional<ZeroDirection>& zero) {
-    std::vector<Sighting> sightings;
-    m_rowOfVisitFace.clear();
-    m_rowOfVisitFace.reserve(position.readings.size());
-    sightings.reserve(position.readings.size());
-    for (std::size_t row = 0; row < position.readings.size(); ++row) {
-      const Reading& reading = position.readings[row];
-      if (reading.excluded) continue;
-      if (auto sighting = examineReading(reading, {.position = index, .reading = row}, zero)) {
-        sightings.push_back(*sighting);
-      }
-    }
-    return sightings;
-  }
-
-  static Place at(Place row, const char* field) {
-    row.field = field;
-    return row;
-  }
-
-  /// The row reduced from `zero`; empty where it cannot be used or there is nothing to reduce it from.
-  std::optional<Sighting> examineReading(const Reading& reading, const Place& row,
-                                         const std::optional<ZeroDirection>& zero) {
-    if (isUntouched(reading)) {
-      report({"is empty, as is the whole row: type its readings or delete the row"}, at(row, "horizontal"));
-      return std::nullopt;
-    }
-    const std::size_t before = m_problems.size();
-    Sighting sighting;
-    sighting.row = *row.reading;
-    sighting.sequence = m_firstSequences[*row.position] + sighting.row;
-    examineVisit(reading, row, sighting);
-    const auto horizontal = angle("readings.horizontal", reading.horizontal, at(row, "horizontal"));
-    const auto vertical = angle("readings.vertical", reading.vertical, at(row, "vertical"));
-    const std::size_t beforeReduction = m_problems.size();
-    if (horizontal && vertical && zero && m_circle && beforeReduction == before) {
-      reduce(inFaceOne(*horizontal, *vertical, sighting.face, *m_circle), *zero, sighting);
-      checkWidth(sighting.a, reading.horizontal, at(row, "horizontal"));
-      checkWidth(sighting.e, reading.vertical, at(row, "vertical"));
-    }
-    sighting.slider = angle("readings.slider", reading.slider, at(row, "slider"));
-    if (m_problems.size() > before || !zero) return std::nullopt;
-    return sighting;
-  }
-
-  /// Point, round and face; the same three twice in one position are a slip of the pen.
-  void examineVisit(const Reading& reading, const Place& row, Sighting& sighting) {
-    const auto point = take(wholeEntry("readings.point", reading.point), at(row, "point"));
-    const auto round = take(wholeEntry("readings.round", reading.round), at(row, "round"));
-    const auto face = take(wholeEntry("readings.face", reading.face), at(row, "face"));
-    if (!point || !round || !face) return;
-    sighting.point = point->value_or(static_cast<int>(*row.reading) + 1);
-    sighting.round = **round;
-    sighting.face = **face;
-    const auto [first, isNew] =
-        m_rowOfVisitFace.emplace(VisitFace{sighting.round, sighting.point, sighting.face}, *row.reading);
-    if (isNew) return;
-    report({"point " + std::to_string(sighting.point) + ", round " + std::to_string(sighting.round) +
-            ", face " + std::to_string(sighting.face) + " is already in row " +
-            std::to_string(first->second + 1) + ": give it another point or round, or exclude one"},
-           at(row, "point"));
-  }
-
-  void reduce(const FaceOneReading& reading, const ZeroDirection& zero, Sighting& sighting) const {
-    sighting.a = wrapped(reading.horizontal - zero.horizontal);
-    const bool zenith = *m_circle == VerticalCircle::Zenith;
-    sighting.e = wrapped(zenith ? zero.vertical - reading.vertical : reading.vertical - zero.vertical);
-  }
-
-  void checkWidth(Angle reduced, const std::string& text, const Place& where) {
-    const double degrees = std::abs(reduced.degrees());
-    if (degrees < widestDegrees) return;
-    report({quotation(text) + " lies " + fixedText(degrees, 0) +
-            "° from the pointing zero, beyond the edge of the arc plane: check the degrees and the face"},
-           where);
+  /// Empty, and reported, where it is unusable or that of a position before.
+  std::optional<int> axisOf(std::size_t position, std::map<int, std::size_t>& positionOfAxis) {
+    const Place place{.position = position, .field = "axis_deg"};
+    const auto axis = take(axisEntry(m_session.positions[position].axisDeg), place);
+    if (!axis) return std::nullopt;
+    const auto [known, isNew] = positionOfAxis.emplace(*axis, position);
+    if (isNew) return *axis;
+    report({std::to_string(*axis) + "° is already the axis of position " + std::to_string(known->second + 1) +
+            ": change one of the two or join their readings"},
+           place);
+    return std::nullopt;
   }
 
   const Session& m_session;
-  const std::vector<std::size_t> m_firstSequences;  // of each position
   Measurement m_measurement;
   std::vector<Problem> m_problems;
   bool m_usable = true;
   std::optional<VerticalCircle> m_circle;
-  std::unordered_map<VisitFace, std::size_t, HashOfVisitFace> m_rowOfVisitFace;
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 // How long from a committed cell edit to the repainted charts: undo step, fit in the background, new figures,
-// paint. Prints the least, the median and the worst of 200 edits, and what of it the window's own thread has
-// worked, which other programs lengthen less. Offscreen unless QT_QPA_PLATFORM says otherwise.
+// paint. Prints the least, the median and the worst of 200 edits that correct a last digit and of 200 that
+// slip by degrees, and what of it the window's own thread has worked, which other programs lengthen less.
+// Offscreen unless QT_QPA_PLATFORM says otherwise.
 
 #include <QApplication>
 #include <QElapsedTimer>
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
+#include <string>
 #include <vector>
 
 #include "ui/charts/arc_chart.h"
@@ -53,7 +55,19 @@ double threadMilliseconds() {
   return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
 }
 
-Times editOnce(MainWindow& window, PaintCounter& arcs, PaintCounter& residuals, int edit) {
+/// The last digit of what was typed is another.
+std::string corrected(std::string text) {
+  const auto last = text.find_last_of("0123456789");
+  text[last] = text[last] == '9' ? '0' : static_cast<char>(text[last] + 1);
+  return text;
+}
+
+std::string slipped(std::string text) {
+  return text.front() == '7' ? "80 10 00" : "75 10 00";
+}
+
+Times editOnce(MainWindow& window, PaintCounter& arcs, PaintCounter& residuals, std::size_t edit,
+               std::string (*typed)(std::string)) {
   QElapsedTimer clock;
   const auto milliseconds = [&clock] { return static_cast<double>(clock.nsecsElapsed()) * 1e-6; };
   Times times{};
@@ -61,12 +75,12 @@ Times editOnce(MainWindow& window, PaintCounter& arcs, PaintCounter& residuals, 
     times.figures = milliseconds();
     arcs.paints = residuals.paints = 0;
   });
-  const auto rows = window.document().session().positions.front().readings.size();
+  const std::vector<Reading>& rows = window.document().session().positions.front().readings;
+  const std::size_t row = edit % rows.size();
+  const std::string text = typed(rows[row].vertical);
   const double before = threadMilliseconds();
   clock.start();
-  ReadingsEditor(window.document(), 0)
-      .setCell({static_cast<std::size_t>(edit) % rows, ReadingColumn::Vertical},
-               "85 " + std::to_string(10 + edit % 40) + " 00");
+  ReadingsEditor(window.document(), 0).setCell({row, ReadingColumn::Vertical}, text);
   while (times.figures == 0 || arcs.paints == 0 || residuals.paints == 0) {
     QApplication::processEvents(QEventLoop::WaitForMoreEvents);
   }
@@ -75,6 +89,8 @@ Times editOnce(MainWindow& window, PaintCounter& arcs, PaintCounter& residuals, 
   QObject::disconnect(watch);
   return times;
 }
+
+constexpr std::size_t edits = 200;
 
 void print(const char* what, std::vector<double> times) {
   std::sort(times.begin(), times.end());
@@ -103,15 +119,22 @@ int main(int argc, char** argv) {
   PaintCounter residuals(window.findChild<ResidualChart*>());
   std::size_t readings = 0;
   for (const Position& position : window.document().session().positions) readings += position.readings.size();
-  std::vector<double> figures, pictures, work;
-  for (int edit = 0; edit < 200; ++edit) {
-    const Times times = editOnce(window, arcs, residuals, edit);
-    figures.push_back(times.figures);
-    pictures.push_back(times.picture);
-    work.push_back(times.work);
+  struct Kind {
+    const char* what;
+    std::string (*typed)(std::string);
+  };
+  for (const auto& [what, typed] :
+       {Kind{"correct a last digit", &corrected}, Kind{"slip by degrees", &slipped}}) {
+    std::vector<double> figures, pictures, work;
+    for (std::size_t edit = 0; edit < edits; ++edit) {
+      const Times times = editOnce(window, arcs, residuals, edit, typed);
+      figures.push_back(times.figures);
+      pictures.push_back(times.picture);
+      work.push_back(times.work);
+    }
+    std::printf("%zu edits that %s at %zu points, from the committed edit to\n", edits, what, readings);
+    print("figures handed to the views", figures);
+    print("repainted charts", pictures);
+    print("of that, this thread's work", work);
   }
-  std::printf("%zu edits of a cell at %zu points, from the committed edit to\n", pictures.size(), readings);
-  print("figures handed to the views", figures);
-  print("repainted charts", pictures);
-  print("of that, this thread's work", work);
 }

@@ -409,6 +409,31 @@ TEST(Gap, IsToldWhileThePageIsHidden) {
   EXPECT_TRUE(tabs->tabIcon(tabs->indexOf(page)).isNull());
 }
 
+// Links of rich text take their colour when the text is set.
+TEST(Gap, IsLinkedToInTheColoursOfTheTheme) {
+  OpenWindow open;
+  ASSERT_TRUE(open->files().open(trialPath(sagTrial)));
+  open.settle();
+  ASSERT_TRUE(waitFor([&] { return open->gapJob().isIdle(); }));
+  auto* hint = open->findChild<QLabel*>(QStringLiteral("gap hint"));
+  const QPalette before = QApplication::palette();
+  const auto showsLinkIn = [&](Qt::GlobalColor color) {
+    QPalette palette = before;
+    palette.setColor(QPalette::Link, color);
+    QApplication::setPalette(palette);
+    QCoreApplication::processEvents();
+    const QImage image = hint->grab().toImage();
+    for (int y = 0; y < image.height(); ++y)
+      for (int x = 0; x < image.width(); ++x)
+        if (image.pixelColor(x, y) == QColor(color)) return true;
+    return false;
+  };
+  EXPECT_TRUE(showsLinkIn(Qt::red));
+  EXPECT_TRUE(showsLinkIn(Qt::darkCyan));
+  EXPECT_FALSE(hint->isHidden());
+  QApplication::setPalette(before);
+}
+
 TEST(Gap, StandsAmongTheFindingsWhichLeadToItsPage) {
   OpenWindow open;
   ASSERT_TRUE(open->files().open(trialPath(collimationTrial)));

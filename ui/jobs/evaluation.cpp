@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/base/failure.h"
+#include "core/base/threads.h"
 #include "ui/charts/arc_picture.h"
 #include "ui/charts/residual_picture.h"
 
@@ -10,14 +11,23 @@ namespace alidade::ui {
 
 namespace {
 
+/// Rigorously and as published, at once where there are many rows.
 void fit(Evaluation& evaluation, const std::stop_token& stop) {
   const Measurement& measurement = *evaluation.examined.measurement;
-  evaluation.fit = fitSession(measurement);
-  if (stop.stop_requested()) return;
-  evaluation.published = fitSessionAsPublished(measurement);
-  if (stop.stop_requested()) return;
-  evaluation.twoFaces = compareFaces(measurement);
+  doAll(threadsFor(measurement.rows), {[&] { evaluation.fit = fitSession(measurement); },
+                                       [&] {
+                                         if (stop.stop_requested()) return;
+                                         evaluation.published = fitSessionAsPublished(measurement);
+                                         evaluation.twoFaces = compareFaces(measurement);
+                                       }});
   evaluation.isSearched = evaluation.fit.arcs.empty();
+}
+
+void draw(Evaluation& evaluation) {
+  doAll(
+      threadsFor(evaluation.examined.measurement ? evaluation.examined.measurement->rows : 0),
+      {[&] { evaluation.arcs = std::make_shared<const ArcPicture>(arcPicture(evaluation)); },
+       [&] { evaluation.residuals = std::make_shared<const ResidualPicture>(residualPicture(evaluation)); }});
 }
 
 }  // namespace
@@ -30,8 +40,7 @@ Evaluation evaluateFit(Session session, const std::stop_token& stop) {
   if (stop.stop_requested()) return evaluation;
   if (evaluation.examined.measurement) fit(evaluation, stop);
   if (stop.stop_requested()) return evaluation;
-  evaluation.arcs = std::make_shared<const ArcPicture>(arcPicture(evaluation));
-  evaluation.residuals = std::make_shared<const ResidualPicture>(residualPicture(evaluation));
+  draw(evaluation);
   return evaluation;
 }
 

@@ -261,7 +261,11 @@ void ResultPanel::showComparison(const PublishedSessionFit& published) {
 
 void ResultPanel::changeEvent(QEvent* event) {
   ScrollPage::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange) colorVerdict();
+  if (event->type() != QEvent::PaletteChange) return;
+  colorVerdict();
+  const QString hint = m_gapHint->text();
+  m_gapHint->clear();  // links take their colour when the text is set
+  m_gapHint->setText(hint);
 }
 
 }  // namespace alidade::ui

@@ -9,7 +9,7 @@
 namespace alidade {
 namespace {
 
-using testing::ContainsRegex, testing::HasSubstr;
+using testing::AllOf, testing::ContainsRegex, testing::HasSubstr, testing::Not;
 
 std::string findingsOf(const Measurement& measurement, const ArcMeasurement& arc) {
   std::string all;
@@ -66,6 +66,23 @@ TEST(ArcFindings, TakesATwentiethForFarFromNominal) {
 }
 
 // The part of the circle that was not sighted is the widest gap, wherever φ = ±180° lies.
+// A short arc has a small sagitta; a wide one, or one of no number, has something else.
+TEST(ArcFindings, BlamesTheShortArcOnlyWhereItIsShort) {
+  ArcFit fit;
+  fit.circle.radius = 400;
+  fit.cofactor[2][2] = 100 * 100;
+  EXPECT_FALSE(radiusUndetermined(fit)) << "a quarter of the radius";
+  fit.cofactor[2][2] = 200 * 200;
+  const auto spanning = [&](double radians) {
+    fit.residuals.assign(3, {});
+    for (std::size_t i = 0; i < 3; ++i) fit.residuals[i].arcAngle = radians / 2 * static_cast<double>(i);
+    return radiusUndetermined(fit).value();
+  };
+  EXPECT_THAT(spanning(0.1), HasSubstr("spans only 5.73° of arc"));
+  EXPECT_THAT(spanning(3), AllOf(HasSubstr("misread"), Not(HasSubstr("spans"))));
+  EXPECT_THAT(spanning(NAN), AllOf(HasSubstr("misread"), Not(HasSubstr("—"))));
+}
+
 TEST(ArcFindings, SpanIsWhatTheWidestGapLeaves) {
   const Measurement measurement = test::usualMeasurement();
   for (const double middle : {90.0, 180.0, 270.0}) {

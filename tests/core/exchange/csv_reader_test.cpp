@@ -56,8 +56,9 @@ TEST(CsvReader, KnowsThePointingZero) {
 }
 
 TEST(CsvReader, ListsColumnsItDoesNotUse) {
-  const Recording recording = readCsv("Hz,V,temperature,distance\n1°,2°,20.5,\n1°,2°,20.5,\n");
-  EXPECT_THAT(recording.unused, testing::ElementsAre("the column “temperature” is not used: 2 entries"));
+  const Recording recording = readCsv("Hz,V,temperature,distance\n1°,2°,20.5,\n1°,2°,20.5,3\n");
+  EXPECT_THAT(recording.unused, testing::ElementsAre("the column “temperature” is not used: 2 values",
+                                                     "the column “distance” is not used: 1 value"));
 }
 
 TEST(CsvReader, NamesWhatIsWrong) {

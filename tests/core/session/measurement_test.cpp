@@ -342,6 +342,34 @@ TEST(Measurement, EverySampleAndReferenceSessionIsSound) {
   }
 }
 
+// Long positions are gone through at once.
+TEST(Measurement, OfLongPositionsIsInTheOrderOfTheFileToo) {
+  constexpr std::size_t rows = 4000, wrong = 1000;
+  Session session = soundSession();
+  for (Position& position : session.positions) {
+    position.readings.clear();
+    for (std::size_t i = 0; i < rows; ++i)
+      position.readings.push_back(
+          row(std::to_string(i + 1).c_str(), "332°27'38\"", i % wrong == wrong - 1 ? "x" : "80°29'30\""));
+  }
+  const Examined examined = examine(session);
+  std::vector<std::string> places, expected;
+  for (const Problem& problem : examined.problems) places.push_back(problem.where.path());
+  for (const char* position : {"positions[0]", "positions[1]"})
+    for (std::size_t i = wrong - 1; i < rows; i += wrong)
+      expected.push_back(position + (".readings[" + std::to_string(i) + "].vertical"));
+  EXPECT_EQ(places, expected);
+  ASSERT_EQ(examined.measurement->arcs.size(), 2u);
+  std::size_t sequence = 0;
+  for (const ArcMeasurement& arc : examined.measurement->arcs) {
+    EXPECT_EQ(arc.axisDeg, arc.position == 0 ? 0 : 180);
+    ASSERT_EQ(arc.sightings.size(), rows - rows / wrong);
+    EXPECT_EQ(arc.sightings.front().sequence, sequence);
+    EXPECT_EQ(arc.sightings.back().row, rows - 2);
+    sequence += rows;
+  }
+}
+
 TEST(Measurement, OfManyRowsTakesTimeInProportion) {
   Session session = soundSession();
   for (int i = 4; i < 100000; ++i) {

@@ -1,0 +1,167 @@
+#include "core/session/position_examiner.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <unordered_map>
+#include <utility>
+
+#include "core/base/number_text.h"
+#include "core/base/visible_text.h"
+#include "core/session/entry.h"
+#include "core/session/face.h"
+
+namespace alidade {
+
+namespace {
+
+/// Further from the pointing zero than this nothing on the arc is sighted: the tangents grow beyond sense.
+constexpr double widestDegrees = 80;
+
+/// What no two rows of a position have in common.
+struct VisitFace {
+  int round, point, face;
+
+  bool operator==(const VisitFace&) const = default;
+};
+
+struct HashOfVisitFace {
+  std::size_t operator()(const VisitFace& key) const {
+    const auto part = [](int number) {
+      return static_cast<std::uint64_t>(static_cast<std::uint32_t>(number));
+    };
+    const std::uint64_t sum = (part(key.point) << 32U | part(key.round)) * 2 + part(key.face);
+    return static_cast<std::size_t>((sum ^ sum >> 31U) * 0x9e3779b97f4a7c15U);
+  }
+};
+
+bool isUntouched(const Reading& reading) {
+  return reading.point.empty() && reading.round.empty() && reading.face.empty() &&
+         reading.horizontal.empty() && reading.vertical.empty() && reading.slider.empty() &&
+         reading.note.empty();
+}
+
+class PositionExaminer {
+ public:
+  PositionExaminer(const Position& position, std::size_t index, std::size_t firstSequence,
+                   const std::optional<VerticalCircle>& circle)
+      : m_position(position), m_index(index), m_firstSequence(firstSequence), m_circle(circle) {}
+
+  ExaminedPosition examine() {
+    m_examined.zero = examineZero();
+    const std::vector<Reading>& readings = m_position.readings;
+    m_rowOfVisitFace.reserve(readings.size());
+    m_examined.sightings.reserve(readings.size());
+    for (std::size_t row = 0; row < readings.size(); ++row) {
+      if (readings[row].excluded) continue;
+      if (const auto sighting = examineReading(readings[row], {.position = m_index, .reading = row}))
+        m_examined.sightings.push_back(*sighting);
+    }
+    return std::move(m_examined);
+  }
+
+ private:
+  void report(const Problem& problem, const Place& where) {
+    m_examined.problems.push_back({problem.what, where});
+  }
+
+  template <typename Value>
+  std::optional<Value> take(const Result<Value>& result, const Place& where) {
+    if (result) return *result;
+    report(result.problem(), where);
+    return std::nullopt;
+  }
+
+  /// Where the kind of circle is unknown, the wider range of the elevation circle holds.
+  VerticalCircle circleForRanges() const { return m_circle.value_or(VerticalCircle::Elevation); }
+
+  std::optional<Angle> angle(const char* field, const std::string& text, const Place& where) {
+    return take(angleEntry(field, text, circleForRanges()), where).value_or(std::nullopt);
+  }
+
+  std::optional<ZeroDirection> examineZero() {
+    const auto at = [&](const char* field) { return Place{.position = m_index, .field = field}; };
+    const PointingZero& zero = m_position.zero;
+    const auto horizontal =
+        angle("pointing_zero.horizontal", zero.horizontal, at("pointing_zero.horizontal"));
+    const auto vertical = angle("pointing_zero.vertical", zero.vertical, at("pointing_zero.vertical"));
+    if (!horizontal || !vertical) return std::nullopt;
+    return ZeroDirection{*horizontal, *vertical};
+  }
+
+  static Place at(Place row, const char* field) {
+    row.field = field;
+    return row;
+  }
+
+  /// The row reduced from the zero; empty where it cannot be used or there is nothing to reduce it from.
+  std::optional<Sighting> examineReading(const Reading& reading, const Place& row) {
+    if (isUntouched(reading)) {
+      report({"is empty, as is the whole row: type its readings or delete the row"}, at(row, "horizontal"));
+      return std::nullopt;
+    }
+    const std::size_t before = m_examined.problems.size();
+    Sighting sighting;
+    sighting.row = *row.reading;
+    sighting.sequence = m_firstSequence + sighting.row;
+    examineVisit(reading, row, sighting);
+    const auto horizontal = angle("readings.horizontal", reading.horizontal, at(row, "horizontal"));
+    const auto vertical = angle("readings.vertical", reading.vertical, at(row, "vertical"));
+    const std::size_t beforeReduction = m_examined.problems.size();
+    if (horizontal && vertical && m_examined.zero && m_circle && beforeReduction == before) {
+      reduce(inFaceOne(*horizontal, *vertical, sighting.face, *m_circle), *m_examined.zero, sighting);
+      checkWidth(sighting.a, reading.horizontal, at(row, "horizontal"));
+      checkWidth(sighting.e, reading.vertical, at(row, "vertical"));
+    }
+    sighting.slider = angle("readings.slider", reading.slider, at(row, "slider"));
+    if (m_examined.problems.size() > before || !m_examined.zero) return std::nullopt;
+    return sighting;
+  }
+
+  /// Point, round and face; the same three twice in one position are a slip of the pen.
+  void examineVisit(const Reading& reading, const Place& row, Sighting& sighting) {
+    const auto point = take(wholeEntry("readings.point", reading.point), at(row, "point"));
+    const auto round = take(wholeEntry("readings.round", reading.round), at(row, "round"));
+    const auto face = take(wholeEntry("readings.face", reading.face), at(row, "face"));
+    if (!point || !round || !face) return;
+    sighting.point = point->value_or(static_cast<int>(*row.reading) + 1);
+    sighting.round = **round;
+    sighting.face = **face;
+    const auto [first, isNew] =
+        m_rowOfVisitFace.emplace(VisitFace{sighting.round, sighting.point, sighting.face}, *row.reading);
+    if (isNew) return;
+    report({"point " + std::to_string(sighting.point) + ", round " + std::to_string(sighting.round) +
+            ", face " + std::to_string(sighting.face) + " is already in row " +
+            std::to_string(first->second + 1) + ": give it another point or round, or exclude one"},
+           at(row, "point"));
+  }
+
+  void reduce(const FaceOneReading& reading, const ZeroDirection& zero, Sighting& sighting) const {
+    sighting.a = wrapped(reading.horizontal - zero.horizontal);
+    const bool zenith = *m_circle == VerticalCircle::Zenith;
+    sighting.e = wrapped(zenith ? zero.vertical - reading.vertical : reading.vertical - zero.vertical);
+  }
+
+  void checkWidth(Angle reduced, const std::string& text, const Place& where) {
+    const double degrees = std::abs(reduced.degrees());
+    if (degrees < widestDegrees) return;
+    report({quotation(text) + " lies " + fixedText(degrees, 0) +
+            "° from the pointing zero, beyond the edge of the arc plane: check the degrees and the face"},
+           where);
+  }
+
+  const Position& m_position;
+  const std::size_t m_index, m_firstSequence;
+  const std::optional<VerticalCircle> m_circle;
+  ExaminedPosition m_examined;
+  std::unordered_map<VisitFace, std::size_t, HashOfVisitFace> m_rowOfVisitFace;
+};
+
+}  // namespace
+
+ExaminedPosition examinePosition(const Position& position, std::size_t index, std::size_t firstSequence,
+                                 const std::optional<VerticalCircle>& circle) {
+  return PositionExaminer(position, index, firstSequence, circle).examine();
+}
+
+}  // namespace alidade

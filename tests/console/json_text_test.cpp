@@ -1,0 +1,47 @@
+#include "app/console/json_text.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <nlohmann/json.hpp>
+
+namespace alidade::console {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const Json row = {{"name", "a\nb"}, {"size", 0.1}, {"nothing", std::numeric_limits<double>::quiet_NaN()}};
+
+LongList rows(const char* path, std::size_t count) {
+  return {path, count, [](std::size_t, const TakeMember& take) {
+            for (const auto& [key, value] : row.items()) take(key.c_str(), value);
+          }};
+}
+
+Json listOf(std::size_t count) {
+  return Json(count, row);
+}
+
+Json document(const Json& list, const Json& inner) {
+  return {{"title", "line\nbreak"},
+          {"list", list},
+          {"deep", {{"empty", Json::array()}, {"object", Json::object()}, {"inner", inner}, {"x", {1, 2}}}},
+          {"last", nullptr}};
+}
+
+// The library's own text of the document that holds everything.
+TEST(JsonText, IsThatOfTheWholeDocumentWhateverIsWrittenLater) {
+  for (const std::size_t count : {0, 1, 3})
+    EXPECT_EQ(
+        jsonText(document(Json::array(), Json::array()), {rows("/list", count), rows("/deep/inner", 2)}),
+        document(listOf(count), listOf(2)).dump(2) + "\n");
+}
+
+TEST(JsonText, TakesADocumentWithoutLongLists) {
+  EXPECT_EQ(jsonText(document(listOf(2), Json::array())), document(listOf(2), Json::array()).dump(2) + "\n");
+  EXPECT_EQ(jsonText(Json::object()), "{}\n");
+  EXPECT_EQ(jsonText("\xff"), "\"\uFFFD\"\n");
+}
+
+}  // namespace
+}  // namespace alidade::console
