@@ -202,7 +202,8 @@ std::vector<std::string> trueCauses(const Truth& truth) {
   if (truth.noiseFactor > 1) causes.emplace_back(noiseId);
   if (truth.harmonic && (truth.harmonic->cosine != 0 || truth.harmonic->sine != 0))
     causes.emplace_back("unknown_harmonic");
-  if (truth.foreign && truth.foreign->size != 0) causes.push_back("unknown_" + std::string(nameOf(truth.foreign->kind)));
+  if (truth.foreign && truth.foreign->size != 0)
+    causes.push_back("unknown_" + std::string(nameOf(truth.foreign->kind)));
   return causes;
 }
 

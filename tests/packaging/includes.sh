@@ -14,9 +14,10 @@ awk '
     inner["core/adjustment/arc_jets.h"]
     inner["core/adjustment/auto_diff.h"]
     inner["core/adjustment/joint_problem.h"]
-    split("advice afterwards answer causes cell_functions column_table component explanation further_readings " \
-          "further_terms gain gap_model gap_size held_out inquiry known_components leftover linear_move location " \
-          "look_alikes misread_circle pattern rivals search shape_components steps_in_time tilted_plane unseen visible_terms", diagnosis)
+    split("advice afterwards answer causes cell_functions cells column_table component explanation " \
+          "further_readings further_terms gain gap_model gap_size held_out inquiry known_components leftover " \
+          "linear_move location look_alikes misread_circle pattern rivals search shape_components steps_in_time " \
+          "tilted_plane unseen visible_terms", diagnosis)
     for (i in diagnosis) inner["core/diagnosis/" diagnosis[i] ".h"]
   }
   function complain(why) { print FILENAME ":" FNR ": " why ": " $0 }
