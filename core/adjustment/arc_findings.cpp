@@ -137,8 +137,7 @@ std::optional<std::string> radiusUndetermined(const ArcFit& fit) {
   const double span = arcSpan(fit).degrees();
   if (!(span < wide))
     return "has readings that tell neither radius nor centre: look for misread values, the degrees first, "
-           "and "
-           "check the stated σ of the circles";
+           "and check the stated σ of the circles";
   return "spans only " + displayText(span, 2) +
          "° of arc: its sagitta drowns in the reading noise, so neither radius nor centre can be told: sight "
          "places over "

@@ -6,9 +6,11 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <functional>
 
 #include "core/adjustment/foot_point.h"
 #include "core/adjustment/visits.h"
+#include "core/base/threads.h"
 
 namespace alidade {
 
@@ -70,22 +72,11 @@ class ArcApart {
         m_index(index),
         m_arc(measurement.arcs[index]),
         m_view(measurement, m_arc.axisDeg),
-        m_visits(visitsOf(m_arc)),
-        m_unknowns{start} {
-    m_readings.reserve(m_visits.size());
-    m_sliders.reserve(m_visits.size());
-    for (const Visit& visit : m_visits) {
-      VisitReading& reading = m_readings.emplace_back(visit.mean.direction, visit.mean.rows);
-      const Sighting* row = m_sliders.emplace_back(sliderOf(m_arc, visit));
-      if (!row) continue;
-      reading.slider = row->slider->radians();
-      if (!m_hasSlider) m_unknowns.sliderZero = sliderZeroBy(reading);
-      m_hasSlider = true;
-    }
-  }
+        m_unknowns{start} {}
 
-  /// False where refused.
+  /// False where refused. Once, before all else.
   bool settle(const JointFitOptions& options) {
+    readVisits();
     constexpr int mostIterations = 10;
     constexpr double longest = 0.1;  // of R, for a first step
     constexpr double rounding = 1e-9;
@@ -108,7 +99,10 @@ class ArcApart {
 
   int iterations() const { return m_iterations; }
   int unknowns() const { return m_hasSlider ? estimated : estimated - 1; }
-  std::size_t readings() const { return 2 * m_arc.sightings.size() + (m_hasSlider ? m_visits.size() : 0); }
+  std::size_t readings() const {
+    const auto isRead = [](const Sighting* slider) { return slider != nullptr; };
+    return 2 * m_arc.sightings.size() + static_cast<std::size_t>(std::ranges::count_if(m_sliders, isRead));
+  }
   const Matrix4d& cofactor() const { return m_cofactor; }
 
   /// ∂estimated/∂considered.
@@ -121,10 +115,12 @@ class ArcApart {
     return {m_unknowns.circle.x, m_unknowns.circle.y, m_unknowns.circle.radius, zero};
   }
 
-  /// `gradient`: ∂Δd/∂ the centre's height.
-  void fillReadings(JointFit& fit, double gradient) const {
+  /// What is the arc's own in `fit`, which has room for all; its readings from `next` on. `gradient`: ∂Δd/∂
+  /// the centre's height.
+  void fillReadings(JointFit& fit, AdjustedReading* next, double gradient) const {
     const Vector4d perUnknown = gradient * m_cofactor.col(1);
-    std::vector<double>& angles = fit.arcAngles.emplace_back(m_arc.sightings.size());
+    std::vector<double>& angles = fit.arcAngles[m_index];
+    angles.resize(m_arc.sightings.size());
     ArcMisfit misfit{0, -static_cast<int>(m_visits.size()) - unknowns()};
     for (std::size_t v = 0; v < m_visits.size(); ++v) {
       const VisitRows& rows = m_rows[v];
@@ -134,8 +130,8 @@ class ArcApart {
       const Vector3d perReading = reduced * perUnknown;
       const auto add = [&](std::size_t sighting, ReadingKind kind, double residual, double whitening) {
         const auto row = static_cast<int>(kind);
-        fit.readings.push_back({m_index, sighting, kind, residual, statedSigma(m_measurement, kind).radians(),
-                                redundancy[row], perReading[row] * whitening});
+        const double sigma = statedSigma(m_measurement, kind).radians(), rate = perReading[row] * whitening;
+        *next++ = {m_index, sighting, kind, residual, sigma, redundancy[row], rate};
         misfit.chiSquare += residual * whitening * residual * whitening;
         ++misfit.degreesOfFreedom;
       };
@@ -151,10 +147,24 @@ class ArcApart {
         add(static_cast<std::size_t>(m_sliders[v] - m_arc.sightings.data()), ReadingKind::Slider,
             m_feet[v].sliderLeft, m_view.whitening.slider);
     }
-    fit.misfits.push_back(misfit);
+    fit.misfits[m_index] = misfit;
   }
 
  private:
+  void readVisits() {
+    m_visits = visitsOf(m_arc);
+    m_readings.reserve(m_visits.size());
+    m_sliders.reserve(m_visits.size());
+    for (const Visit& visit : m_visits) {
+      VisitReading& reading = m_readings.emplace_back(visit.mean.direction, visit.mean.rows);
+      const Sighting* row = m_sliders.emplace_back(sliderOf(m_arc, visit));
+      if (!row) continue;
+      reading.slider = row->slider->radians();
+      if (!m_hasSlider) m_unknowns.sliderZero = sliderZeroBy(reading);
+      m_hasSlider = true;
+    }
+  }
+
   double sliderZeroBy(const VisitReading& reading) const {
     const PlanePoint<double> place = sightedPoint(m_view, reading);
     return *reading.slider - m_view.turn * nearestArcAngle(m_unknowns.circle, place);
@@ -255,25 +265,39 @@ std::optional<JointFit> fitJointlyFast(const Measurement& measurement, const std
                                        const JointFitOptions& options) {
   assert(starts.size() == measurement.arcs.size());
   if (!isUsualCase(measurement, options)) return std::nullopt;
+  const std::size_t threads = threadsFor(measurement.rows);
   std::vector<ArcApart> arcs;
   arcs.reserve(starts.size());
-  std::size_t readings = 0;
-  JointFit fit;
-  for (std::size_t arc = 0; arc < starts.size(); ++arc) {
-    ArcApart& apart = arcs.emplace_back(measurement, arc, starts[arc]);
-    if (!apart.settle(options)) return std::nullopt;
-    readings += apart.readings();
-    fit.iterations = std::max(fit.iterations, apart.iterations());
+  std::vector<char> settled(starts.size());
+  std::vector<std::function<void()>> settling, filling;
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    arcs.emplace_back(measurement, i, starts[i]);
+    settling.emplace_back([&, i] { settled[i] = arcs[i].settle(options) ? 1 : 0; });
   }
+  doAll(threads, settling);
+  if (std::ranges::find(settled, 0) != settled.end()) return std::nullopt;
+  JointFit fit;
   addUnknowns(fit, arcs);
   addConsidered(fit, measurement);
   fillMatrices(fit, arcs);
-  fit.readings.reserve(readings);
-  for (std::size_t arc = 0; arc < arcs.size(); ++arc) {
-    const double upwards = measurement.arcs[arc].axisDeg == 0 ? 0.5 : -0.5;
-    arcs[arc].fillReadings(fit, arcs.size() == 2 ? upwards : 0);
-    fit.chiSquare += fit.misfits[arc].chiSquare;
-    fit.degreesOfFreedom += fit.misfits[arc].degreesOfFreedom;
+  std::size_t readings = 0;
+  for (const ArcApart& arc : arcs) readings += arc.readings();
+  fit.readings.resize(readings);
+  fit.arcAngles.resize(arcs.size());
+  fit.misfits.resize(arcs.size());
+  AdjustedReading* next = fit.readings.data();
+  for (std::size_t i = 0; i < arcs.size(); ++i) {
+    const double upwards = measurement.arcs[i].axisDeg == 0 ? 0.5 : -0.5;
+    filling.emplace_back([&, i, next, gradient = arcs.size() == 2 ? upwards : 0] {
+      arcs[i].fillReadings(fit, next, gradient);
+    });
+    next += arcs[i].readings();
+  }
+  doAll(threads, filling);
+  for (std::size_t i = 0; i < arcs.size(); ++i) {
+    fit.iterations = std::max(fit.iterations, arcs[i].iterations());
+    fit.chiSquare += fit.misfits[i].chiSquare;
+    fit.degreesOfFreedom += fit.misfits[i].degreesOfFreedom;
   }
   fit.isDetermined = true;
   fit.converged = true;

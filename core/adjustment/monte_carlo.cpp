@@ -160,7 +160,7 @@ Spread spreadOf(const std::vector<double>& values, double coverage) {
   for (const double value : values) squares += (value - spread.mean) * (value - spread.mean);
   spread.sigma = std::sqrt(squares / (count - 1));
   const auto inside = static_cast<std::size_t>(std::llround(coverage * count));
-  const std::size_t below = (values.size() - inside) / 2;
+  const std::size_t outside = values.size() - inside, below = outside > 0 ? (outside - 1) / 2 : 0;
   spread.low = valueAt(values, below, spread);
   spread.high = valueAt(values, std::min(below + inside, values.size() - 1), spread);
   return spread;

@@ -36,8 +36,9 @@ struct MonteCarloOptions {
   std::atomic<std::size_t>* made = nullptr;
 };
 
-/// What the draws say of one quantity, mm. The interval is the probabilistically symmetric one (7.7): as many
-/// draws below as above.
+/// What the draws say of one quantity, mm. The interval is the probabilistically symmetric one (7.7.2): from
+/// the r-th of M draws in order of size to the (r + q)-th, q the whole number next to pM and r the half of
+/// M − q, rounded up.
 struct Spread {
   double mean = 0, sigma = 0, low = 0, high = 0;
 };

@@ -29,6 +29,10 @@ void inThreads(std::size_t threads, const std::function<void()>& work) {
 }
 
 void doAll(std::size_t threads, const std::vector<std::function<void()>>& pieces) {
+  if (threads == 1) {
+    for (const auto& piece : pieces) piece();
+    return;
+  }
   std::atomic<std::size_t> next = 0;
   inThreads(std::clamp<std::size_t>(pieces.size(), 1, threads), [&] {
     for (std::size_t i = next++; i < pieces.size(); i = next++) pieces[i]();

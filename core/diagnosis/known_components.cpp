@@ -54,12 +54,14 @@ void sortAsSet(std::vector<std::size_t>& values) {
 std::map<std::size_t, std::size_t> rowsThatAloneShow(const Leftover& leftover) {
   std::map<std::size_t, std::vector<std::size_t>> rowsOfArc;
   std::vector<std::size_t> alone;
-  for (Index v = 0; v < leftover.visits(); ++v)
-    for (const Index i : leftover.readingsOf(v)) {
+  for (Index v = 0; v < leftover.visits(); ++v) {
+    const Leftover::Run visit = leftover.readingsOf(v);
+    for (Index i = visit.first; i < visit.end; ++i) {
       const LinearReading& reading = leftover.reading(i);
       rowsOfArc[reading.arc].push_back(reading.sequence);
-      if (leftover.readingsOf(v).size() == 2) alone.push_back(reading.sequence);
+      if (visit.length() == 2) alone.push_back(reading.sequence);
     }
+  }
   const auto isAlone = [&](std::size_t row) { return std::ranges::find(alone, row) != alone.end(); };
   std::map<std::size_t, std::size_t> rows;
   for (auto& [arc, own] : rowsOfArc) {

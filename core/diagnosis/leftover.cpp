@@ -29,9 +29,10 @@ Leftover::Leftover(Linearised equations, const std::vector<EstimatedTerm>& inMod
         !reading(i).takesPart ? 0 : 1 - reading(i).along * reading(i).along - m_basis.row(i).squaredNorm();
   Index counted = rows() - m_basis.cols();
   for (Index v = 0; v < visits(); ++v) {
-    const auto own = readingsOf(v);
-    const auto taking = std::ranges::count_if(own, [&](Index i) { return reading(i).takesPart; });
-    counted -= std::ranges::ssize(own) - taking + (taking > 0 ? 1 : 0);
+    const Run own = readingsOf(v);
+    Index taking = 0;
+    for (Index i = own.first; i < own.end; ++i) taking += reading(i).takesPart ? 1 : 0;
+    counted -= own.length() - taking + (taking > 0 ? 1 : 0);
   }
   m_degreesOfFreedom = static_cast<int>(counted);
 }

@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 #include <cstddef>
-#include <ranges>
 #include <vector>
 
 #include "core/adjustment/linearised.h"
@@ -46,10 +45,14 @@ class Leftover {
   /// Orthonormal, of what the fit takes up, at right angles to the arc angles.
   const Eigen::MatrixXd& basis() const { return m_basis; }
   Eigen::Index visits() const { return static_cast<Eigen::Index>(m_endOfVisit.size()); }
-  /// Their numbers, one after the other.
-  auto readingsOf(Eigen::Index visit) const {
+  /// One after the other, from `first` to before `end`.
+  struct Run {
+    Eigen::Index first, end;
+    Eigen::Index length() const { return end - first; }
+  };
+  Run readingsOf(Eigen::Index visit) const {
     const auto v = static_cast<std::size_t>(visit);
-    return std::views::iota(v == 0 ? Eigen::Index{0} : m_endOfVisit[v - 1], m_endOfVisit[v]);
+    return {v == 0 ? 0 : m_endOfVisit[v - 1], m_endOfVisit[v]};
   }
   /// The basis' entries for one reading.
   auto basisOfRow(Eigen::Index row) const { return m_basis.row(row).transpose(); }

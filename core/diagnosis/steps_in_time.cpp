@@ -1,7 +1,7 @@
 #include "core/diagnosis/steps_in_time.h"
 
 #include <algorithm>
-#include <iterator>
+#include <numeric>
 
 namespace alidade {
 
@@ -35,8 +35,9 @@ std::vector<Matrix2d> StepsInTime::visibleGrams() const {
   const auto gramAt = [&](Index moment) -> Matrix2d& { return grams[static_cast<std::size_t>(moment)]; };
   std::vector<Index> latestFirst;
   for (Index v = 0; v < m_leftover.visits(); ++v) {
-    latestFirst.clear();
-    std::ranges::copy(m_leftover.readingsOf(v), std::back_inserter(latestFirst));
+    const Leftover::Run visit = m_leftover.readingsOf(v);
+    latestFirst.resize(static_cast<std::size_t>(visit.length()));
+    std::iota(latestFirst.begin(), latestFirst.end(), visit.first);
     std::ranges::sort(latestFirst, std::greater{},
                       [&](Index i) { return m_last[static_cast<std::size_t>(i)]; });
     Vector2d share = Vector2d::Zero();

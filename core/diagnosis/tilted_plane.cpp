@@ -95,10 +95,10 @@ MatrixXd secondDerivativesByPlaneTilt(const GapModel& model, const Leftover& lef
   Targets targets;
   Differences differences;
   for (Index v = 0; v < leftover.visits(); ++v) {
-    const auto visit = leftover.readingsOf(v);
-    if (!visit.empty()) targets = plane.targets(leftover.reading(visit.front()));
+    const Leftover::Run visit = leftover.readingsOf(v);
+    if (visit.length() > 0) targets = plane.targets(leftover.reading(visit.first));
     std::optional<std::size_t> sighting;
-    for (const Index i : visit) {
+    for (Index i = visit.first; i < visit.end; ++i) {
       const LinearReading& reading = leftover.reading(i);
       // The slider is read along the scale, whatever the plane does.
       if (reading.kind == ReadingKind::Slider || !reading.takesPart) continue;

@@ -129,6 +129,7 @@ ArcPicture arcPicture(const Evaluation& evaluation) {
   ArcPicture picture;
   if (!evaluation.examined.measurement) return picture;
   const Measurement& measurement = *evaluation.examined.measurement;
+  picture.sightings.reserve(measurement.rows);
   for (const ArcMeasurement& arc : measurement.arcs) {
     const std::size_t first = picture.sightings.size();
     for (const Sighting& sighting : arc.sightings) {
