@@ -125,12 +125,17 @@ PlanAdvice adviceOf(const std::string& measure, const VisibleTerms& shown,
   return advice;
 }
 
+/// Of the same readings taken without any error.
+Result<GapModel> plannedModel(const Measurement& measurement) {
+  const Result<GapModel> read = modelOf(measurement);
+  if (!read) return read.problem();
+  return modelOf(readWithoutError(*read));
+}
+
 }  // namespace
 
 Result<PlanReview> reviewPlan(const Measurement& measurement) {
-  const Result<GapModel> read = modelOf(measurement);
-  if (!read) return read.problem();
-  const Result<GapModel> model = modelOf(readWithoutError(*read));
+  const Result<GapModel> model = plannedModel(measurement);
   if (!model) return model.problem();
   const Leftover leftover(linearise(*model->measurement, model->fit, model->options), model->options.terms);
   const std::vector<Planned> effects = plannedEffects(*model, leftover);

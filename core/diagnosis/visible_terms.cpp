@@ -29,30 +29,50 @@ void eliminateFirst(MatrixXd& gram, Index count, const VectorXd& whole) {
   }
 }
 
-/// The equations of a set with the arc angles eliminated: those unknowns that are not fixed, then `terms`.
 using RowMajorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-RowMajorMatrix reducedEquations(const Linearised& set, const std::vector<std::size_t>& unknowns,
-                                const std::vector<ErrorTerm>& ofTerms) {
-  const auto count = static_cast<Index>(unknowns.size()), terms = static_cast<Index>(ofTerms.size()),
-             readings = static_cast<Index>(set.readings.size());
-  RowMajorMatrix rows(readings, count + terms);
-  for (Index i = 0; i < readings; ++i) {
+
+/// The columns of a set, those unknowns that are not fixed, then the terms.
+struct Columns {
+  const Linearised& set;
+  const std::vector<std::size_t>& unknowns;
+  const std::vector<ErrorTerm>& terms;
+
+  Index count() const { return static_cast<Index>(unknowns.size() + terms.size()); }
+  Index readings() const { return static_cast<Index>(set.readings.size()); }
+  const LinearReading& reading(Index i) const { return set.readings[static_cast<std::size_t>(i)]; }
+  bool areOfOneVisit(Index i, Index j) const { return reading(i).visit == reading(j).visit; }
+};
+
+/// The equations of whole visits, the readings from `begin` to before `end`, with the arc angles eliminated.
+void reduce(const Columns& columns, Index begin, Index end, RowMajorMatrix& rows) {
+  rows.resize(end - begin, columns.count());
+  for (Index i = begin; i < end; ++i) {
     const auto reading = static_cast<std::size_t>(i);
-    double* row = rows.row(i).data();
-    for (const std::size_t unknown : unknowns) *row++ = set.ofUnknown(reading, unknown);
-    for (const ErrorTerm term : ofTerms) *row++ = set.ofTerm(reading, term);
+    double* row = rows.row(i - begin).data();
+    for (const std::size_t unknown : columns.unknowns) *row++ = columns.set.ofUnknown(reading, unknown);
+    for (const ErrorTerm term : columns.terms) *row++ = columns.set.ofTerm(reading, term);
   }
-  Eigen::RowVectorXd share(count + terms);
-  for (Index first = 0, next = 0; first < readings; first = next) {
-    const auto at = [&](Index i) -> const LinearReading& {
-      return set.readings[static_cast<std::size_t>(i)];
-    };
+  Eigen::RowVectorXd share(columns.count());
+  for (Index first = begin, next = begin; first < end; first = next) {
     share.setZero();
-    for (; next < readings && at(next).visit == at(first).visit; ++next)
-      share += at(next).along * rows.row(next);
-    for (Index i = first; i < next; ++i) rows.row(i) -= at(i).along * share;
+    for (; next < end && columns.areOfOneVisit(first, next); ++next)
+      share += columns.reading(next).along * rows.row(next - begin);
+    for (Index i = first; i < next; ++i) rows.row(i - begin) -= columns.reading(i).along * share;
   }
-  return rows;
+}
+
+/// The inner products of the columns outside the arc angles, piece by piece.
+MatrixXd reducedGram(const Columns& columns) {
+  constexpr Index pieceLength = 4096;
+  MatrixXd gram = MatrixXd::Zero(columns.count(), columns.count());
+  RowMajorMatrix rows;
+  for (Index begin = 0, end = 0; begin < columns.readings(); begin = end) {
+    end = std::min(begin + pieceLength, columns.readings());
+    while (end < columns.readings() && columns.areOfOneVisit(end - 1, end)) ++end;
+    reduce(columns, begin, end, rows);
+    gram.selfadjointView<Eigen::Lower>().rankUpdate(rows.transpose());
+  }
+  return gram.selfadjointView<Eigen::Lower>();
 }
 
 }  // namespace
@@ -62,10 +82,7 @@ VisibleTerms visibleTerms(const Linearised& set, const std::vector<ErrorTerm>& o
   for (std::size_t u = 0; u < set.unknowns.size(); ++u)
     if (set.priorSigmas[u] > 0) unknowns.push_back(u);
   const auto count = static_cast<Index>(unknowns.size()), size = static_cast<Index>(errorTermCount);
-  const RowMajorMatrix rows = reducedEquations(set, unknowns, ofTerms);
-  MatrixXd gram = MatrixXd::Zero(rows.cols(), rows.cols());
-  gram.selfadjointView<Eigen::Lower>().rankUpdate(rows.transpose());
-  gram = MatrixXd(gram.selfadjointView<Eigen::Lower>());
+  MatrixXd gram = reducedGram({set, unknowns, ofTerms});
   for (Index u = 0; u < count; ++u) {
     const double sigma = set.priorSigmas[unknowns[static_cast<std::size_t>(u)]];
     if (!std::isinf(sigma)) gram(u, u) += 1 / (sigma * sigma);
