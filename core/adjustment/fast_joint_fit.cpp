@@ -6,7 +6,6 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <functional>
 
 #include "core/adjustment/foot_point.h"
 #include "core/adjustment/visits.h"
@@ -269,31 +268,26 @@ std::optional<JointFit> fitJointlyFast(const Measurement& measurement, const std
   std::vector<ArcApart> arcs;
   arcs.reserve(starts.size());
   std::vector<char> settled(starts.size());
-  std::vector<std::function<void()>> settling, filling;
-  for (std::size_t i = 0; i < starts.size(); ++i) {
-    arcs.emplace_back(measurement, i, starts[i]);
-    settling.emplace_back([&, i] { settled[i] = arcs[i].settle(options) ? 1 : 0; });
-  }
-  doAll(threads, settling);
+  for (std::size_t i = 0; i < starts.size(); ++i) arcs.emplace_back(measurement, i, starts[i]);
+  doEach(threads, arcs.size(), [&](std::size_t i) { settled[i] = arcs[i].settle(options) ? 1 : 0; });
   if (std::ranges::find(settled, 0) != settled.end()) return std::nullopt;
   JointFit fit;
   addUnknowns(fit, arcs);
   addConsidered(fit, measurement);
   fillMatrices(fit, arcs);
+  std::vector<std::size_t> firsts;  // reading of each arc
   std::size_t readings = 0;
-  for (const ArcApart& arc : arcs) readings += arc.readings();
+  for (const ArcApart& arc : arcs) {
+    firsts.push_back(readings);
+    readings += arc.readings();
+  }
   fit.readings.resize(readings);
   fit.arcAngles.resize(arcs.size());
   fit.misfits.resize(arcs.size());
-  AdjustedReading* next = fit.readings.data();
-  for (std::size_t i = 0; i < arcs.size(); ++i) {
+  doEach(threads, arcs.size(), [&](std::size_t i) {
     const double upwards = measurement.arcs[i].axisDeg == 0 ? 0.5 : -0.5;
-    filling.emplace_back([&, i, next, gradient = arcs.size() == 2 ? upwards : 0] {
-      arcs[i].fillReadings(fit, next, gradient);
-    });
-    next += arcs[i].readings();
-  }
-  doAll(threads, filling);
+    arcs[i].fillReadings(fit, fit.readings.data() + firsts[i], arcs.size() == 2 ? upwards : 0);
+  });
   for (std::size_t i = 0; i < arcs.size(); ++i) {
     fit.iterations = std::max(fit.iterations, arcs[i].iterations());
     fit.chiSquare += fit.misfits[i].chiSquare;

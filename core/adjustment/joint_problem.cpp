@@ -247,33 +247,30 @@ std::vector<VisitEquations> JointProblem::equationsOf(const JointState& state) c
   return equations;
 }
 
-template <typename EquationsOf, typename Take>
-void JointProblem::fillEach(const JointState& state, const EquationsOf& equationsOf, const Take& take) const {
+template <typename Fill>
+void JointProblem::withJetsOfEachVisit(const JointState& state, const Fill& fill) const {
   withJets([&](auto kind) {
     using Jets = decltype(kind);
     std::vector<Jets> jets;
     for (std::size_t arc = 0; arc < m_measurement.arcs.size(); ++arc)
       jets.push_back(jetsOf<Jets>(state, arc));
-    for (std::size_t v = 0; v < m_visits.size(); ++v) {
-      VisitEquations& equations = equationsOf(v);
-      fillEquations(jets[m_visits[v].arc], state, v, equations);
-      take(v, equations);
-    }
+    for (std::size_t v = 0; v < m_visits.size(); ++v) fill(jets[m_visits[v].arc], v);
   });
 }
 
 void JointProblem::fillEquations(const JointState& state, std::vector<VisitEquations>& equations) const {
   equations.resize(m_visits.size());
-  const auto nothing = [](std::size_t, const VisitEquations&) {};
-  fillEach(
-      state, [&](std::size_t v) -> VisitEquations& { return equations[v]; }, nothing);
+  withJetsOfEachVisit(state,
+                      [&](const auto& jets, std::size_t v) { fillEquations(jets, state, v, equations[v]); });
 }
 
 void JointProblem::eachVisit(const JointState& state,
                              const std::function<void(std::size_t, const VisitEquations&)>& take) const {
   VisitEquations one;
-  fillEach(
-      state, [&](std::size_t) -> VisitEquations& { return one; }, take);
+  withJetsOfEachVisit(state, [&](const auto& jets, std::size_t v) {
+    fillEquations(jets, state, v, one);
+    take(v, one);
+  });
 }
 
 namespace {

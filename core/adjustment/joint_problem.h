@@ -124,9 +124,9 @@ class JointProblem {
   void fillEquations(const Jets& jets, const JointState& state, std::size_t visit,
                      VisitEquations& equations) const;
   void fillEquations(const JointState& state, std::vector<VisitEquations>& equations) const;
-  /// Fills what `equationsOf` a visit gives out, and hands it to `take`.
-  template <typename EquationsOf, typename Take>
-  void fillEach(const JointState& state, const EquationsOf& equationsOf, const Take& take) const;
+  /// Calls `fill` with the jets of its arc for each visit.
+  template <typename Fill>
+  void withJetsOfEachVisit(const JointState& state, const Fill& fill) const;
   Pointing zeroPointing(const ArcMeasurement& arc) const;
   Pointing pointingOf(const ArcMeasurement& arc, const Sighting& sighting) const;
   bool takesPart(std::size_t arc, std::size_t sighting, ReadingKind kind) const;

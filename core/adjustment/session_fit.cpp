@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <iterator>
 
 #include "core/adjustment/arc_findings.h"
@@ -85,10 +84,8 @@ std::vector<EffectEstimate> estimatesOf(const JointFit& joint, const std::vector
 /// Of each arc alone, at once where they are long.
 std::vector<Result<ArcFit>> firstFits(const Measurement& measurement) {
   std::vector<Result<ArcFit>> fits(measurement.arcs.size(), Problem{});
-  std::vector<std::function<void()>> pieces;
-  for (std::size_t i = 0; i < fits.size(); ++i)
-    pieces.emplace_back([&, i] { fits[i] = firstFit(measurement, measurement.arcs[i]); });
-  doAll(threadsFor(measurement.rows), pieces);
+  doEach(threadsFor(measurement.rows), fits.size(),
+         [&](std::size_t i) { fits[i] = firstFit(measurement, measurement.arcs[i]); });
   return fits;
 }
 

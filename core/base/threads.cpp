@@ -28,15 +28,19 @@ void inThreads(std::size_t threads, const std::function<void()>& work) {
   if (thrown) std::rethrow_exception(thrown);
 }
 
-void doAll(std::size_t threads, const std::vector<std::function<void()>>& pieces) {
+void doEach(std::size_t threads, std::size_t count, const std::function<void(std::size_t)>& work) {
   if (threads == 1) {
-    for (const auto& piece : pieces) piece();
+    for (std::size_t i = 0; i < count; ++i) work(i);
     return;
   }
   std::atomic<std::size_t> next = 0;
-  inThreads(std::clamp<std::size_t>(pieces.size(), 1, threads), [&] {
-    for (std::size_t i = next++; i < pieces.size(); i = next++) pieces[i]();
+  inThreads(std::clamp<std::size_t>(count, 1, threads), [&] {
+    for (std::size_t i = next++; i < count; i = next++) work(i);
   });
+}
+
+void doAll(std::size_t threads, const std::vector<std::function<void()>>& pieces) {
+  doEach(threads, pieces.size(), [&](std::size_t i) { pieces[i](); });
 }
 
 std::size_t threadsFor(std::size_t rows) {

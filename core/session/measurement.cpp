@@ -1,7 +1,6 @@
 #include "core/session/measurement.h"
 
 #include <algorithm>
-#include <functional>
 #include <iterator>
 #include <map>
 #include <utility>
@@ -9,6 +8,7 @@
 #include "core/base/threads.h"
 #include "core/session/entry.h"
 #include "core/session/position_examiner.h"
+#include "core/session/problem_reporter.h"
 #include "core/session/row_order.h"
 
 namespace alidade {
@@ -16,7 +16,7 @@ namespace alidade {
 namespace {
 
 /// Goes through a session in the order of its file.
-class Examiner {
+class Examiner : private ProblemReporter {
  public:
   explicit Examiner(const Session& session) : m_session(session) {}
 
@@ -47,15 +47,6 @@ class Examiner {
   }
 
  private:
-  void report(const Problem& problem, const Place& where) { m_problems.push_back({problem.what, where}); }
-
-  template <typename Value>
-  std::optional<Value> take(const Result<Value>& result, const Place& where) {
-    if (result) return *result;
-    report(result.problem(), where);
-    return std::nullopt;
-  }
-
   /// The entry's value; empty, and reported, where it cannot be used. The inner optional is an entry left
   /// empty.
   std::optional<std::optional<double>> number(const std::string& field, const std::string& text) {
@@ -112,12 +103,9 @@ class Examiner {
     const std::vector<Position>& positions = m_session.positions;
     const std::vector<std::size_t> firsts = firstSequences(m_session);
     std::vector<ExaminedPosition> examined(positions.size());
-    std::vector<std::function<void()>> pieces;
-    for (std::size_t i = 0; i < positions.size(); ++i) {
-      pieces.emplace_back([&, i] { examined[i] = examinePosition(positions[i], i, firsts[i], m_circle); });
-      m_measurement.rows += positions[i].readings.size();
-    }
-    doAll(threadsFor(m_measurement.rows), pieces);
+    for (const Position& position : positions) m_measurement.rows += position.readings.size();
+    doEach(threadsFor(m_measurement.rows), positions.size(),
+           [&](std::size_t i) { examined[i] = examinePosition(positions[i], i, firsts[i], m_circle); });
     std::map<int, std::size_t> positionOfAxis;
     for (std::size_t i = 0; i < positions.size(); ++i) {
       const std::optional<int> axis = axisOf(i, positionOfAxis);
@@ -145,7 +133,6 @@ class Examiner {
 
   const Session& m_session;
   Measurement m_measurement;
-  std::vector<Problem> m_problems;
   bool m_usable = true;
   std::optional<VerticalCircle> m_circle;
 };

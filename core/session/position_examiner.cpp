@@ -1,6 +1,5 @@
 #include "core/session/position_examiner.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <unordered_map>
@@ -10,6 +9,7 @@
 #include "core/base/visible_text.h"
 #include "core/session/entry.h"
 #include "core/session/face.h"
+#include "core/session/problem_reporter.h"
 
 namespace alidade {
 
@@ -41,7 +41,7 @@ bool isUntouched(const Reading& reading) {
          reading.note.empty();
 }
 
-class PositionExaminer {
+class PositionExaminer : private ProblemReporter {
  public:
   PositionExaminer(const Position& position, std::size_t index, std::size_t firstSequence,
                    const std::optional<VerticalCircle>& circle)
@@ -57,21 +57,11 @@ class PositionExaminer {
       if (const auto sighting = examineReading(readings[row], {.position = m_index, .reading = row}))
         m_examined.sightings.push_back(*sighting);
     }
+    m_examined.problems = std::move(m_problems);
     return std::move(m_examined);
   }
 
  private:
-  void report(const Problem& problem, const Place& where) {
-    m_examined.problems.push_back({problem.what, where});
-  }
-
-  template <typename Value>
-  std::optional<Value> take(const Result<Value>& result, const Place& where) {
-    if (result) return *result;
-    report(result.problem(), where);
-    return std::nullopt;
-  }
-
   /// Where the kind of circle is unknown, the wider range of the elevation circle holds.
   VerticalCircle circleForRanges() const { return m_circle.value_or(VerticalCircle::Elevation); }
 
@@ -100,21 +90,21 @@ class PositionExaminer {
       report({"is empty, as is the whole row: type its readings or delete the row"}, at(row, "horizontal"));
       return std::nullopt;
     }
-    const std::size_t before = m_examined.problems.size();
+    const std::size_t before = m_problems.size();
     Sighting sighting;
     sighting.row = *row.reading;
     sighting.sequence = m_firstSequence + sighting.row;
     examineVisit(reading, row, sighting);
     const auto horizontal = angle("readings.horizontal", reading.horizontal, at(row, "horizontal"));
     const auto vertical = angle("readings.vertical", reading.vertical, at(row, "vertical"));
-    const std::size_t beforeReduction = m_examined.problems.size();
+    const std::size_t beforeReduction = m_problems.size();
     if (horizontal && vertical && m_examined.zero && m_circle && beforeReduction == before) {
       reduce(inFaceOne(*horizontal, *vertical, sighting.face, *m_circle), *m_examined.zero, sighting);
       checkWidth(sighting.a, reading.horizontal, at(row, "horizontal"));
       checkWidth(sighting.e, reading.vertical, at(row, "vertical"));
     }
     sighting.slider = angle("readings.slider", reading.slider, at(row, "slider"));
-    if (m_examined.problems.size() > before || !m_examined.zero) return std::nullopt;
+    if (m_problems.size() > before || !m_examined.zero) return std::nullopt;
     return sighting;
   }
 
