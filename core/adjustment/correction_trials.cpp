@@ -34,6 +34,7 @@ CorrectionTrials::CorrectionTrials(const Session& session, Measurement fitted, c
     : m_session(session), m_fitted(std::move(fitted)), m_reader(session) {
   m_fitOptions.terms = estimatedTerms(m_fitted);
   m_search = searchMisreadings(m_fitted, {.risk = risk, .fit = m_fitOptions, .known = &fit}, stop);
+  if (stop.stop_requested()) return;
   m_sound = m_fitted;
   for (const MisreadReading& misread : m_search.misread) shiftReading(m_sound, misread.cell, misread.size);
   for (std::size_t arc = 0; arc < m_fitted.arcs.size(); ++arc) m_starts.push_back(m_search.fit.circleOf(arc));

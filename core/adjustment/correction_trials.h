@@ -42,7 +42,7 @@ ReadingKind kindOf(const std::string& field);
 class CorrectionTrials {
  public:
   /// Searches `fitted`, the fitted part of what `session` means, at the stated risk of naming a sound
-  /// reading. `fit`: of all its readings.
+  /// reading. `fit`: of all its readings. Asked to stop, it finds none.
   CorrectionTrials(const Session& session, Measurement fitted, const JointFit& fit, double risk,
                    const std::stop_token& stop);
 

@@ -35,15 +35,16 @@ MatrixXd matrixOf(const SquareMatrix& square) {
       square.values.data(), size, size);
 }
 
-/// The projector onto the residuals, entry by entry.
+/// The projector onto the residuals, entry by entry. Asked to stop it knows the first readings only.
 class Projector {
  public:
-  Projector(const Measurement& measurement, const JointFitOptions& options, const JointFit& fit)
+  Projector(const Measurement& measurement, const JointFitOptions& options, const JointFit& fit,
+            const std::stop_token& stop)
       : m_cofactor(matrixOf(fit.cofactor)) {
     const JointProblem problem(measurement, options);
     const JointState state = problem.stateOf(fit);
     makeRoom(measurement);
-    for (std::size_t v = 0; v < problem.visits().size(); ++v) {
+    for (std::size_t v = 0; v < problem.visits().size() && !stop.stop_requested(); ++v) {
       const VisitEquations equations = problem.equationsOf(state, v);
       const VisitEquations::Jacobian columns = JointProblem::reduced(equations);
       for (Index row = 0; row < equations.residual.size(); ++row) {
@@ -113,11 +114,12 @@ class Search {
 
   MisreadingSearch run() {
     start();
-    for (std::size_t step = 0; step < 3 * m_options.most + 3 && !m_stop.stop_requested(); ++step) {
+    for (std::size_t step = 0; step < 3 * m_options.most + 3; ++step) {
       takeBackInsignificant();
+      if (isStopped()) return {};
       if (calls() >= m_options.most || !addMostSignificant()) break;
     }
-    return result();
+    return isStopped() ? MisreadingSearch{} : result();
   }
 
  private:
@@ -133,15 +135,18 @@ class Search {
     double size = 0, sigma = 0;  ///< rad; σ scaled as the others scatter
   };
 
+  bool isStopped() const { return m_stop.stop_requested(); }
+
   void start() {
     for (std::size_t arc = 0; arc < m_measurement.arcs.size(); ++arc) {
+      if (isStopped()) return;
       const RobustStart robust = robustStart(m_measurement, m_measurement.arcs[arc]);
       m_circles.push_back(robust.circle);
       for (const std::size_t row : robust.apart) m_apart.push_back({arc, row, ReadingKind::Horizontal});
       for (const std::size_t row : robust.sliderApart) m_apart.push_back({arc, row, ReadingKind::Slider});
     }
     fitWithoutApart();
-    if (m_apart.empty()) return;
+    if (m_apart.empty() || isStopped()) return;
     for (const ReadingRef& cell : m_apart) {
       addIfTestable(cell);
       if (cell.kind == ReadingKind::Horizontal)
@@ -157,7 +162,7 @@ class Search {
         m_apart.empty() && m_options.known && m_options.known->converged && m_fitOptions.without.empty();
     if (isKnown) {
       m_fit = *m_options.known;
-      m_projector.emplace(m_shifted, m_fitOptions, m_fit);
+      m_projector.emplace(m_shifted, m_fitOptions, m_fit, m_stop);
       return;
     }
     for (const ReadingRef& cell : m_apart) {
@@ -172,8 +177,9 @@ class Search {
       sighting.a = Angle::fromRadians(near.a);
       sighting.e = Angle::fromRadians(near.e);
     }
+    if (isStopped()) return;
     m_fit = fitJointly(m_shifted, m_circles, m_fitOptions);
-    m_projector.emplace(m_shifted, m_fitOptions, m_fit);
+    m_projector.emplace(m_shifted, m_fitOptions, m_fit, m_stop);
   }
 
   bool isAlone(const ReadingRef& cell) {
@@ -276,7 +282,7 @@ class Search {
       m_fitOptions.without.push_back(out.other);
     }
     adjustShifts();
-    measureLeftOut();
+    if (!isStopped()) measureLeftOut();
   }
 
   void adjustShifts() {
@@ -285,7 +291,8 @@ class Search {
       for (const Shift& shift : m_shifts) shiftReading(m_shifted, shift.cell, Angle::fromRadians(shift.size));
       m_fit = fitJointly(m_shifted, m_circles, m_fitOptions);
       startFromFit();
-      m_projector.emplace(m_shifted, m_fitOptions, m_fit);
+      m_projector.emplace(m_shifted, m_fitOptions, m_fit, m_stop);
+      if (isStopped()) return;
       const std::vector<std::size_t> cells = called();
       m_inverse = calledProjector(cells).inverse();
       VectorXd residual(static_cast<Index>(cells.size()));
@@ -327,7 +334,7 @@ class Search {
   }
 
   void takeBackInsignificant() {
-    while (calls() > 0 && !m_stop.stop_requested()) {
+    while (calls() > 0 && !isStopped()) {
       std::size_t weakest = 0;
       for (std::size_t i = 1; i < calls(); ++i)
         if (std::abs(studentised(i)) < std::abs(studentised(weakest))) weakest = i;

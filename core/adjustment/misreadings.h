@@ -53,7 +53,7 @@ struct MisreadingSearch {
   double criticalValue = 0;             ///< |t| from which a reading is called; 0 where nothing was tested
 };
 
-/// Every arc must fix a circle (`fitArc` succeeds). Asked to stop, it returns early with what it has.
+/// Every arc must fix a circle (`fitArc` succeeds). Asked to stop, it soon returns nothing.
 MisreadingSearch searchMisreadings(const Measurement& measurement, const MisreadingOptions& options = {},
                                    const std::stop_token& stop = {});
 

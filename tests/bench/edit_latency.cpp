@@ -1,7 +1,7 @@
 // How long from a committed cell edit to the repainted charts: undo step, fit in the background, new figures,
-// paint. Prints the least, the median and the worst of 200 edits that correct a last digit and of 200 that
-// slip by degrees, and what of it the window's own thread has worked, which other programs lengthen less.
-// Offscreen unless QT_QPA_PLATFORM says otherwise.
+// paint. Prints the least, the median and the worst of 200 edits that correct a last digit, of 200 that slip
+// by degrees and of the 200 that mend these one by one, and what of it the window's own thread has worked,
+// which other programs lengthen less. Offscreen unless QT_QPA_PLATFORM says otherwise.
 
 #include <QApplication>
 #include <QElapsedTimer>
@@ -66,8 +66,8 @@ std::string slipped(std::string text) {
   return text.front() == '7' ? "80 10 00" : "75 10 00";
 }
 
-Times editOnce(MainWindow& window, PaintCounter& arcs, PaintCounter& residuals, std::size_t edit,
-               std::string (*typed)(std::string)) {
+Times editOnce(MainWindow& window, PaintCounter& arcs, PaintCounter& residuals, std::size_t row,
+               const std::string& typed) {
   QElapsedTimer clock;
   const auto milliseconds = [&clock] { return static_cast<double>(clock.nsecsElapsed()) * 1e-6; };
   Times times{};
@@ -75,12 +75,9 @@ Times editOnce(MainWindow& window, PaintCounter& arcs, PaintCounter& residuals, 
     times.figures = milliseconds();
     arcs.paints = residuals.paints = 0;
   });
-  const std::vector<Reading>& rows = window.document().session().positions.front().readings;
-  const std::size_t row = edit % rows.size();
-  const std::string text = typed(rows[row].vertical);
   const double before = threadMilliseconds();
   clock.start();
-  ReadingsEditor(window.document(), 0).setCell({row, ReadingColumn::Vertical}, text);
+  ReadingsEditor(window.document(), 0).setCell({row, ReadingColumn::Vertical}, typed);
   while (times.figures == 0 || arcs.paints == 0 || residuals.paints == 0) {
     QApplication::processEvents(QEventLoop::WaitForMoreEvents);
   }
@@ -96,6 +93,18 @@ void print(const char* what, std::vector<double> times) {
   std::sort(times.begin(), times.end());
   std::printf("  %-28s least %6.2f ms, median %6.2f ms, worst %6.2f ms\n", what, times.front(),
               times[times.size() / 2], times.back());
+}
+
+void print(const char* what, std::size_t readings, const std::vector<Times>& all) {
+  const auto each = [&all](double Times::*member) {
+    std::vector<double> values;
+    for (const Times& times : all) values.push_back(times.*member);
+    return values;
+  };
+  std::printf("%zu edits that %s at %zu points, from the committed edit to\n", all.size(), what, readings);
+  print("figures handed to the views", each(&Times::figures));
+  print("repainted charts", each(&Times::picture));
+  print("of that, this thread's work", each(&Times::work));
 }
 
 }  // namespace
@@ -119,22 +128,19 @@ int main(int argc, char** argv) {
   PaintCounter residuals(window.findChild<ResidualChart*>());
   std::size_t readings = 0;
   for (const Position& position : window.document().session().positions) readings += position.readings.size();
-  struct Kind {
-    const char* what;
-    std::string (*typed)(std::string);
-  };
-  for (const auto& [what, typed] :
-       {Kind{"correct a last digit", &corrected}, Kind{"slip by degrees", &slipped}}) {
-    std::vector<double> figures, pictures, work;
-    for (std::size_t edit = 0; edit < edits; ++edit) {
-      const Times times = editOnce(window, arcs, residuals, edit, typed);
-      figures.push_back(times.figures);
-      pictures.push_back(times.picture);
-      work.push_back(times.work);
-    }
-    std::printf("%zu edits that %s at %zu points, from the committed edit to\n", edits, what, readings);
-    print("figures handed to the views", figures);
-    print("repainted charts", pictures);
-    print("of that, this thread's work", work);
+  const std::vector<Reading>& rows = window.document().session().positions.front().readings;
+  std::vector<Times> corrections, slips, repairs;
+  for (std::size_t edit = 0; edit < edits; ++edit) {
+    const std::size_t row = edit % rows.size();
+    corrections.push_back(editOnce(window, arcs, residuals, row, corrected(rows[row].vertical)));
   }
+  for (std::size_t edit = 0; edit < edits; ++edit) {
+    const std::size_t row = edit % rows.size();
+    const std::string meant = rows[row].vertical;
+    slips.push_back(editOnce(window, arcs, residuals, row, slipped(meant)));
+    repairs.push_back(editOnce(window, arcs, residuals, row, meant));
+  }
+  print("correct a last digit", readings, corrections);
+  print("slip by degrees", readings, slips);
+  print("mend the slip", readings, repairs);
 }

@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <stop_token>
+#include <thread>
 
 #include "tests/support/paper_table.h"
 #include "tests/support/typed_slips.h"
@@ -11,6 +13,8 @@
 namespace alidade::test {
 namespace {
 
+using ::testing::Contains;
+using ::testing::Field;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
@@ -114,6 +118,26 @@ TEST(Suspects, AreLeftAloneOnceAskedToStop) {
   EXPECT_THAT(findSuspects(session, measurement, fit, {}, stop.get_token()), SizeIs(1));
   stop.request_stop();
   EXPECT_THAT(findSuspects(session, measurement, fit, {}, stop.get_token()), IsEmpty());
+}
+
+// From its beginning to its end and a little beyond, in sixty steps.
+TEST(Suspects, AreSomeOfAllOnceAskedToStopMeanwhile) {
+  Session session = slippedSession(*protocolByName("paper"), Slip::DigitWrong, 5001).session;
+  session.positions[0].readings[4].vertical = session.positions[0].readings[11].vertical;
+  session.positions[1].readings[2].horizontal = session.positions[1].readings[14].horizontal;
+  const Measurement measurement = *examine(session).measurement;
+  const SessionFit fit = fitSession(measurement);
+  const auto begin = std::chrono::steady_clock::now();
+  const std::vector<Suspect> all = findSuspects(session, measurement, fit);
+  const auto time = std::chrono::steady_clock::now() - begin;
+  ASSERT_GE(all.size(), 2U);
+  for (int i = 0; i <= 60; ++i) {
+    const std::jthread search([&](const std::stop_token& stop) {
+      for (const Suspect& suspect : findSuspects(session, measurement, fit, {}, stop))
+        EXPECT_THAT(all, Contains(Field(&Suspect::where, suspect.where)));
+    });
+    std::this_thread::sleep_for(time * i / 50);
+  }
 }
 
 TEST(Suspects, AreNoneWithoutAFit) {
