@@ -2,6 +2,7 @@
 
 #include "core/base/limits.h"
 #include "tests/console/console.h"
+#include "tests/support/guarded_memory.h"
 
 // What is too much for the program gets a sentence, from wherever it comes; what is much takes its time and
 // room in proportion.
@@ -15,31 +16,41 @@ using Json = nlohmann::ordered_json;
 
 const std::string cli = "\"$0\"";  // in a line of the shell
 
-/// A line of a shell, which knows limits of memory and time, and devices.
+/// A line of a shell, which knows devices.
 ProgramRun shell(const std::string& line) {
   return runProgram({.program = "/bin/sh", .arguments = {"-c", line, ALIDADE_CLI}});
 }
 
+/// The beginning of such a line: so much memory, and so much of the processor's time where that is limited. A
+/// sanitizer has memory and time of its own.
+std::string within([[maybe_unused]] int megabytes, [[maybe_unused]] int seconds = 0) {
+#ifdef ALIDADE_MEMORY_IS_GUARDED
+  return "";
+#else
+  const std::string time = seconds > 0 ? "ulimit -t " + std::to_string(seconds) + "; " : "";
+  return time + "ulimit -v " + std::to_string(1000 * megabytes) + "; ";
+#endif
+}
+
 TEST(Limits, HoldForStandardInputToo) {
-  constexpr const char* within = "ulimit -v 2500000; ";  // KiB
   for (const char* call : {" fit - < /dev/zero", " diagnose - < /dev/zero", " fit /dev/zero",
                            " import - --out x.alidade < /dev/zero"}) {
-    const ProgramRun run = shell(within + cli + call);
+    const ProgramRun run = shell(within(2500) + cli + call);
     expectRefusal(run);
     EXPECT_THAT(run.err, HasSubstr(": is larger than 512 MiB: choose another file")) << call;
   }
 }
 
 TEST(Limits, EndALineOfATableThatGoesOnForEver) {
-  const ProgramRun run = shell("ulimit -v 1000000; yes 1, | head -c 50000000 | tr -d '\\n' | " + cli +
-                               " import - --out x.alidade");
+  const ProgramRun run =
+      shell(within(1000) + "yes 1, | head -c 50000000 | tr -d '\\n' | " + cli + " import - --out x.alidade");
   expectRefusal(run);
   EXPECT_THAT(run.err, StartsWith("standard input: line 1, column 2001: has more than 1,000 columns"));
 }
 
 TEST(Limits, EndAFileOfNothingButBrackets) {
   const ProgramRun run =
-      shell("ulimit -v 1000000; (printf '{\"x\": ['; yes '[],' | head -c 50000000) | " + cli + " fit -");
+      shell(within(1000) + "(printf '{\"x\": ['; yes '[],' | head -c 50000000) | " + cli + " fit -");
   expectRefusal(run);
   EXPECT_THAT(run.err, HasSubstr("holds more than 1,000,000 values"));
 }
@@ -51,7 +62,7 @@ TEST(Load, FitOfManyRowsTakesTimeAndRoomInProportion) {
   const ProgramRun made = alidadeCli({"simulate", "--out", session, "--truth", truth, "--points", "50000",
                                       "--rounds", "3", "--protocol", "paper"});
   ASSERT_EQ(made.exitCode, 0) << made.err;
-  const ProgramRun run = shell("ulimit -t 25; ulimit -v 1500000; exec " + cli + " fit --json " + session);
+  const ProgramRun run = shell(within(1500, 25) + "exec " + cli + " fit --json " + session);
   ASSERT_EQ(run.exitCode, 0) << run.err;
   EXPECT_EQ(Json::parse(run.out)["arcs"][1]["readings"], 150000);
 }
@@ -62,7 +73,7 @@ TEST(Load, PlanOfManyRowsTakesTimeAndRoomInProportion) {
   const ProgramRun made = alidadeCli(
       {"simulate", "--out", session, "--truth", truth, "--points", "20000", "--protocol", "paper"});
   ASSERT_EQ(made.exitCode, 0) << made.err;
-  const ProgramRun run = shell("ulimit -t 15; ulimit -v 1500000; exec " + cli + " plan --json " + session);
+  const ProgramRun run = shell(within(1500, 15) + "exec " + cli + " plan --json " + session);
   ASSERT_EQ(run.exitCode, 0) << run.err;
   EXPECT_EQ(Json::parse(run.out)["readings"], 80000);
 }

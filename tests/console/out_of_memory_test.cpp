@@ -3,6 +3,7 @@
 #include <string>
 
 #include "tests/console/console.h"
+#include "tests/support/guarded_memory.h"
 
 // What nothing expects ends in one line, too: the file, that the command failed and why; exit code 1.
 
@@ -10,8 +11,8 @@ namespace alidade::test {
 namespace {
 
 TEST(OutOfMemory, IsSaidOfTheFileThatTookIt) {
-#ifdef __SANITIZE_ADDRESS__
-  GTEST_SKIP() << "the address sanitizer takes all addresses for itself";
+#ifdef ALIDADE_MEMORY_IS_GUARDED
+  GTEST_SKIP() << "a sanitizer takes all addresses for itself";
 #endif
   const TemporaryFolder folder;
   const std::string notes(24u << 20, 'n');

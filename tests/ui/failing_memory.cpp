@@ -4,6 +4,8 @@
 #include <cstdlib>
 #include <new>
 
+#include "tests/support/guarded_memory.h"
+
 namespace {
 
 std::atomic<bool> isScarce = false;

@@ -1,13 +1,5 @@
 #pragma once
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define ALIDADE_MEMORY_IS_GUARDED
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define ALIDADE_MEMORY_IS_GUARDED
-#endif
-#endif
-
 namespace alidade::ui {
 
 /// As long as it lives, `new` of 256 bytes and more fails in every thread but the one it was made in. Small
