@@ -209,7 +209,8 @@ class ExpandedModel {
 
 namespace {
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+// Which clone serves is chosen before the thread sanitizer is there to watch the choice.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_THREAD__)
 #define ALIDADE_WIDE __attribute__((target_clones("arch=haswell", "default")))
 #else
 #define ALIDADE_WIDE
