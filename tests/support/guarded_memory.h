@@ -1,7 +1,7 @@
 #pragma once
 
-// Defined where a sanitizer watches every access: it takes the address space for itself, brings its own `new`,
-// and multiplies what is used of memory and time, so limits on these mean nothing.
+// Defined where a sanitizer watches every access: it takes the address space for itself, brings its own
+// `new`, and multiplies what is used of memory and time, so limits on these mean nothing.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define ALIDADE_MEMORY_IS_GUARDED
 #elif defined(__has_feature)
