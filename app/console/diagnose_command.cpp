@@ -7,7 +7,8 @@
 #include "app/console/diagnosis_text.h"
 #include "app/console/findings_output.h"
 #include "app/console/session_input.h"
-#include "core/diagnosis/diagnosis.h"
+#include "core/diagnosis/diagnose.h"
+#include "core/effects/cause_ids.h"
 
 namespace alidade::console {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/base/finding.h"
-#include "core/diagnosis/diagnosis.h"
+#include "core/diagnosis/result/diagnosis.h"
 
 namespace alidade::console {
 

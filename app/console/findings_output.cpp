@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/console/text_layout.h"
-#include "core/adjustment/session_findings.h"
-#include "core/adjustment/setup_findings.h"
+#include "core/adjustment/result/session_findings.h"
+#include "core/adjustment/result/setup_findings.h"
 
 namespace alidade::console {
 

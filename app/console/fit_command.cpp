@@ -8,9 +8,9 @@
 #include "app/console/fit_text.h"
 #include "app/console/option_checks.h"
 #include "app/console/session_input.h"
-#include "core/adjustment/monte_carlo.h"
-#include "core/adjustment/session_fit.h"
-#include "core/adjustment/suspects.h"
+#include "core/adjustment/gross_errors/suspects.h"
+#include "core/adjustment/monte_carlo/monte_carlo.h"
+#include "core/adjustment/result/session_fit.h"
 
 namespace alidade::console {
 

@@ -6,8 +6,8 @@
 
 #include "app/console/findings_output.h"
 #include "app/console/json_text.h"
-#include "core/adjustment/reliability.h"
-#include "core/adjustment/two_faces.h"
+#include "core/adjustment/joint/reliability.h"
+#include "core/adjustment/result/two_faces.h"
 
 namespace alidade::console {
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "core/adjustment/monte_carlo.h"
-#include "core/adjustment/session_fit.h"
-#include "core/adjustment/suspects.h"
+#include "core/adjustment/gross_errors/suspects.h"
+#include "core/adjustment/monte_carlo/monte_carlo.h"
+#include "core/adjustment/result/session_fit.h"
 #include "core/session/measurement.h"
 
 namespace alidade::console {

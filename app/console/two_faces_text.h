@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "core/adjustment/two_faces.h"
+#include "core/adjustment/result/two_faces.h"
 
 namespace alidade::console {
 

@@ -6,11 +6,12 @@
 #include <iterator>
 #include <numbers>
 
-#include "core/diagnosis/further_terms.h"
-#include "core/diagnosis/gap_size.h"
-#include "core/diagnosis/inquiry.h"
-#include "core/diagnosis/look_alikes.h"
-#include "core/diagnosis/unseen.h"
+#include "core/diagnosis/candidates/known_components.h"
+#include "core/diagnosis/gap/gap_size.h"
+#include "core/diagnosis/observability/further_terms.h"
+#include "core/diagnosis/observability/look_alikes.h"
+#include "core/diagnosis/observability/unseen.h"
+#include "core/diagnosis/search/inquiry.h"
 
 namespace alidade {
 

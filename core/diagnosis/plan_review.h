@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/diagnosis/diagnosis.h"
+#include "core/diagnosis/result/diagnosis.h"
 #include "core/diagnosis/visibility.h"
 #include "core/session/measurement.h"
 

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 
-#include "core/diagnosis/inquiry.h"
-#include "core/diagnosis/look_alikes.h"
+#include "core/diagnosis/candidates/known_components.h"
+#include "core/diagnosis/observability/look_alikes.h"
+#include "core/diagnosis/search/inquiry.h"
 
 namespace alidade {
 

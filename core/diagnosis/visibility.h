@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/diagnosis/result/look_alike.h"
 #include "core/session/measurement.h"
 
 namespace alidade {
@@ -11,13 +12,6 @@ namespace alidade {
 // What an effect leaves in readings that are free of noise: how far it shows, and what it looks like. Nothing
 // about the size or the sign of the effect is taken from a linear model, since the readings themselves hold
 // the effect.
-
-/// An effect that would leave nearly the same.
-struct LookAlike {
-  std::string effect;     ///< id
-  double cosine = 0;      ///< of the angle between the traces, 0…1
-  double difference = 0;  ///< distance of the traces, σ of the readings
-};
 
 struct Visibility {
   double sigma = 0;  ///< length of the trace: √χ² of what the fit leaves over, stated σ

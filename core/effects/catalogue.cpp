@@ -119,6 +119,10 @@ const Effect* effectById(std::string_view id) {
   return found == catalogue().end() ? nullptr : &*found;
 }
 
+bool isAllOrNothing(const Effect& effect) {
+  return effect.id == relationId;
+}
+
 double modelUnitsPer(std::string_view unit) {
   if (unit == "arcsec") return Angle::fromArcseconds(1).radians();
   if (unit == "deg") return Angle::fromDegrees(1).radians();

@@ -39,6 +39,9 @@ std::span<const Effect> effectCatalogue();
 /// Null where no effect has this id.
 const Effect* effectById(std::string_view id);
 
+/// Another relation between y and e holds altogether or not at all.
+bool isAllOrNothing(const Effect& effect);
+
 /// Radians, mm or 1 per `unit`: the factor from the unit to the model's own.
 double modelUnitsPer(std::string_view unit);
 

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 namespace alidade {
 
 // Ids of the causes that no error term of the catalogue makes up, and of the one effect that is there or not.
@@ -9,5 +12,8 @@ inline constexpr const char* jumpId = "orientation_jump";
 inline constexpr const char* misreadingId = "gross_error";
 inline constexpr const char* noiseId = "underestimated_noise";
 inline constexpr const char* relationId = "vertical_angle_relation";  ///< an effect of the catalogue
+
+/// Every id a diagnosis may name: the effects of the catalogue, a jump, misread values, larger noise.
+const std::vector<std::string>& diagnosableEffects();
 
 }  // namespace alidade

@@ -9,7 +9,7 @@
 
 namespace alidade {
 
-// One position of a session examined, for the .cpp files of this room only.
+// One position of a session examined.
 
 /// The pointing zero of one position, α0 and β0 of face 1.
 struct ZeroDirection {

@@ -9,8 +9,7 @@
 
 namespace alidade {
 
-/// Keeps what is wrong with entries, in the order they are gone through. For the .cpp files of this room
-/// only.
+/// Keeps what is wrong with entries, in the order they are gone through.
 class ProblemReporter {
  protected:
   void report(const Problem& problem, const Place& where) { m_problems.push_back({problem.what, where}); }

@@ -8,7 +8,7 @@
 #include "core/base/limits.h"
 #include "core/base/utf8.h"
 #include "core/base/visible_text.h"
-#include "core/diagnosis/diagnosis.h"
+#include "core/diagnosis/result/diagnosis.h"
 #include "core/effects/cause_ids.h"
 #include "core/simulation/truth_text.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/adjustment/joint_fit.h"
+#include "core/adjustment/joint/joint_fit.h"
 #include "core/base/result.h"
 #include "core/diagnosis/visibility.h"
 #include "core/simulation/truth.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/diagnosis/diagnosis.h"
+#include "core/diagnosis/result/diagnosis.h"
 #include "core/simulation/sealed_truth.h"
 
 namespace alidade {

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "core/base/threads.h"
+#include "core/diagnosis/diagnose.h"
 #include "core/effects/catalogue.h"
 #include "core/session/session_file.h"
 

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <random>
 
-#include "core/adjustment/session_fit.h"
+#include "core/adjustment/result/session_fit.h"
 #include "core/diagnosis/visibility.h"
 #include "core/effects/catalogue.h"
 #include "core/session/measurement.h"

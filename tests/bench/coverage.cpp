@@ -6,7 +6,7 @@
 #include <thread>
 #include <vector>
 
-#include "core/adjustment/session_fit.h"
+#include "core/adjustment/result/session_fit.h"
 #include "core/effects/catalogue.h"
 #include "core/simulation/simulate.h"
 

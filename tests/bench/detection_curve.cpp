@@ -10,7 +10,9 @@
 #include <thread>
 #include <vector>
 
-#include "core/diagnosis/inquiry.h"
+#include "core/diagnosis/candidates/known_components.h"
+#include "core/diagnosis/diagnose.h"
+#include "core/diagnosis/search/inquiry.h"
 #include "core/effects/cause_ids.h"
 #include "core/simulation/protocol.h"
 #include "core/simulation/trial_series.h"

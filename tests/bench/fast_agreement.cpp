@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "core/adjustment/fast_arc_fit.h"
+#include "core/adjustment/arc/fast_arc_fit.h"
 #include "core/base/angle.h"
 #include "core/base/random_source.h"
 #include "core/observation/perfect_theodolite.h"

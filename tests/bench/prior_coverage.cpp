@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/base/random_source.h"
-#include "core/diagnosis/component.h"
+#include "core/diagnosis/candidates/component.h"
 #include "core/effects/cause_ids.h"
 #include "core/simulation/protocol.h"
 #include "core/simulation/simulate.h"

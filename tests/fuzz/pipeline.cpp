@@ -9,6 +9,7 @@
 #include "app/console/fit_text.h"
 #include "app/console/plan_text.h"
 #include "core/base/utf8.h"
+#include "core/diagnosis/diagnose.h"
 #include "tests/fuzz/require.h"
 #include "tests/support/every_answer.h"
 

@@ -8,30 +8,36 @@ source "$(dirname -- "${BASH_SOURCE[0]}")/lib.sh"
 mapfile -t files < <(sources app core ui -- '*.h' '*.cpp')
 awk '
   BEGIN {
-    split("base session exchange observation effects adjustment diagnosis simulation", order)
-    for (i in order) level[order[i]] = i
-    # Equations shared by the sources of one folder, and by nobody else.
-    inner["core/adjustment/arc_jets.h"]
-    inner["core/adjustment/auto_diff.h"]
-    inner["core/adjustment/joint_problem.h"]
-    split("advice afterwards answer causes cell_functions cells column_table component explanation " \
-          "further_readings further_terms gain gap_model gap_size held_out inquiry known_components leftover " \
-          "linear_move location look_alikes misread_circle pattern rivals search shape_components steps_in_time " \
-          "tilted_plane unseen visible_terms", diagnosis)
-    for (i in diagnosis) inner["core/diagnosis/" diagnosis[i] ".h"]
+    rooms = split("base session exchange observation effects " \
+                  "adjustment/numerics adjustment/arc adjustment/joint adjustment/result adjustment/monte_carlo " \
+                  "adjustment/gross_errors " \
+                  "diagnosis/result diagnosis/gap diagnosis/candidates diagnosis/search diagnosis/observability " \
+                  "diagnosis/conclusion diagnosis " \
+                  "simulation", order)
+    for (i = 1; i <= rooms; ++i) level["core/" order[i]] = i
+    # Linear algebra, for the sources of one floor and nobody else.
+    floor_of["core/adjustment/joint/arc_jets.h"] = "adjustment"
+    floor_of["core/adjustment/joint/joint_problem.h"] = "adjustment"
+    floor_of["core/adjustment/numerics/auto_diff.h"] = "adjustment"
+    split("gap candidates search observability conclusion", behind)
+    for (i in behind) inner["core/diagnosis/" behind[i]]
   }
+  function folder_of(file) { sub(/\/[^\/]*$/, "", file); return file }
+  # The floor of core that alone may include the file; empty where any may.
+  function owner(file) { return file in floor_of ? floor_of[file] : folder_of(file) in inner ? "diagnosis" : "" }
   function complain(why) { print FILENAME ":" FNR ": " why ": " $0 }
   FNR == 1 {
     split(FILENAME, part, "/")
     room = part[1]
     folder = part[2]
+    place = folder_of(FILENAME)
     header = FILENAME ~ /\.h$/
     first = 1
     own = FILENAME
     sub(/\.cpp$/, ".h", own)
     has_own = !header && (getline line < own) >= 0
     close(own)
-    if (room == "core" && !(folder in level)) print FILENAME ": no such room in core"
+    if (room == "core" && !(place in level)) print FILENAME ": no such room in core"
   }
   !/^#include / { next }
   {
@@ -42,16 +48,16 @@ awk '
     if (first && has_own && target != own) complain("own header first")
     first = 0
     if (!quoted && target ~ /^Q/ && (room == "core" || folder == "console")) complain("no Qt here")
-    if (header && !(FILENAME in inner) && target ~ /^(nlohmann\/json\.hpp|Eigen\/|CLI\/)/) complain("keep this out of headers")
+    if (header && !owner(FILENAME) && target ~ /^(nlohmann\/json\.hpp|Eigen\/|CLI\/)/) complain("keep this out of headers")
   }
   quoted && target !~ /\.moc$/ {
     if ((getline line < target) < 0) complain("not from the repository root")
     close(target)
     if (room == "core" && to[1] != "core") complain("core includes core only")
-    if (room == "core" && to[1] == "core" && level[to[2]] > level[folder]) complain("upwards")
+    if (room == "core" && to[1] == "core" && level[folder_of(target)] > level[place]) complain("upwards")
     if (room == "ui" && to[1] == "app") complain("ui never includes app")
     if (folder == "console" && to[1] == "ui") complain("the console needs no window")
-    if (target in inner && ((header && !(FILENAME in inner)) || to[2] != folder)) complain("only for sources of its own folder")
+    if (owner(target) && ((header && !owner(FILENAME)) || folder != owner(target))) complain("only for sources of core/" owner(target))
     if (room == "app" && to[1] == "app" && to[2] != folder) complain("programs do not share files")
   }
 ' "${files[@]:-/dev/null}" | report

@@ -6,12 +6,12 @@
 #include <cmath>
 #include <string>
 
-#include "core/adjustment/monte_carlo.h"
-#include "core/adjustment/reliability.h"
-#include "core/adjustment/session_fit.h"
-#include "core/adjustment/suspects.h"
-#include "core/adjustment/two_faces.h"
-#include "core/diagnosis/diagnosis.h"
+#include "core/adjustment/gross_errors/suspects.h"
+#include "core/adjustment/joint/reliability.h"
+#include "core/adjustment/monte_carlo/monte_carlo.h"
+#include "core/adjustment/result/session_fit.h"
+#include "core/adjustment/result/two_faces.h"
+#include "core/diagnosis/diagnose.h"
 #include "core/diagnosis/plan_review.h"
 #include "core/session/measurement.h"
 #include "core/session/session_file.h"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/adjustment/session_fit.h"
-#include "core/diagnosis/leftover.h"
+#include "core/adjustment/result/session_fit.h"
+#include "core/diagnosis/gap/leftover.h"
 #include "tests/support/trials.h"
 
 namespace alidade::test {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/adjustment/suspects.h"
+#include "core/adjustment/gross_errors/suspects.h"
 #include "core/base/angle_text.h"
 #include "core/simulation/simulate.h"
 

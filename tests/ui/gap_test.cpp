@@ -8,6 +8,8 @@
 #include <map>
 #include <stdexcept>
 
+#include "core/diagnosis/diagnose.h"
+#include "core/effects/cause_ids.h"
 #include "core/session/session_file.h"
 #include "tests/ui/support.h"
 #include "ui/charts/gap_map.h"

@@ -9,7 +9,7 @@
 #include <QTest>
 #include <algorithm>
 
-#include "core/adjustment/reliability.h"
+#include "core/adjustment/joint/reliability.h"
 #include "tests/ui/support.h"
 #include "ui/main_window.h"
 #include "ui/panels/budget_panel.h"

@@ -3,7 +3,7 @@
 #include <QString>
 #include <vector>
 
-#include "core/adjustment/suspects.h"
+#include "core/adjustment/gross_errors/suspects.h"
 
 namespace alidade::ui {
 

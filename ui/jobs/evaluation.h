@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "core/adjustment/session_fit.h"
-#include "core/adjustment/suspects.h"
-#include "core/adjustment/two_faces.h"
+#include "core/adjustment/gross_errors/suspects.h"
+#include "core/adjustment/result/session_fit.h"
+#include "core/adjustment/result/two_faces.h"
 #include "core/session/measurement.h"
 #include "core/session/session.h"
 

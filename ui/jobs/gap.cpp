@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/diagnosis/diagnose.h"
 #include "core/effects/catalogue.h"
 #include "core/effects/cause_ids.h"
 

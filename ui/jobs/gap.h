@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/diagnosis/diagnosis.h"
+#include "core/diagnosis/result/diagnosis.h"
 #include "ui/jobs/fit_job.h"
 
 namespace alidade::ui {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "core/adjustment/monte_carlo.h"
+#include "core/adjustment/monte_carlo/monte_carlo.h"
 #include "ui/jobs/background.h"
 #include "ui/jobs/fit_job.h"
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/adjustment/reliability.h"
+#include "core/adjustment/joint/reliability.h"
 #include "ui/jobs/fit_job.h"
 
 class QLabel;

@@ -8,7 +8,7 @@
 #include <memory>
 #include <optional>
 
-#include "core/adjustment/monte_carlo.h"
+#include "core/adjustment/monte_carlo/monte_carlo.h"
 #include "core/base/result.h"
 #include "ui/jobs/gap.h"
 

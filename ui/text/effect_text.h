@@ -2,7 +2,7 @@
 
 #include <QString>
 
-#include "core/adjustment/session_fit.h"
+#include "core/adjustment/result/session_fit.h"
 
 namespace alidade::ui {
 

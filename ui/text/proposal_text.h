@@ -2,7 +2,7 @@
 
 #include <QString>
 
-#include "core/adjustment/suspects.h"
+#include "core/adjustment/gross_errors/suspects.h"
 
 namespace alidade::ui {
 

@@ -2,7 +2,7 @@
 
 #include <QString>
 
-#include "core/adjustment/monte_carlo.h"
+#include "core/adjustment/monte_carlo/monte_carlo.h"
 
 namespace alidade::ui {
 

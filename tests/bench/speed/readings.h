@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "core/adjustment/fast_arc_fit.h"
+#include "core/adjustment/arc/fast_arc_fit.h"
 
 namespace alidade::bench {
 

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "core/adjustment/monte_carlo.h"
-#include "core/adjustment/session_fit.h"
+#include "core/adjustment/monte_carlo/monte_carlo.h"
+#include "core/adjustment/result/session_fit.h"
 #include "core/session/session_file.h"
 
 // W11: the linear budget checked by a million draws, on as many threads as the machine has: Table I, and a

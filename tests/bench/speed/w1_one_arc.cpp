@@ -1,6 +1,6 @@
 #include <benchmark/benchmark.h>
 
-#include "core/adjustment/arc_fit.h"
+#include "core/adjustment/arc/arc_fit.h"
 #include "tests/bench/speed/answers.h"
 #include "tests/bench/speed/measurements.h"
 #include "tests/bench/speed/readings.h"

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/adjustment/session_fit.h"
+#include "core/adjustment/result/session_fit.h"
 #include "core/base/statistics.h"
 #include "tests/bench/speed/measurements.h"
 #include "tests/bench/speed/readings.h"

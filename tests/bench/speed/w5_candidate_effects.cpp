@@ -3,9 +3,9 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 
-#include "core/adjustment/session_fit.h"
-#include "core/diagnosis/explanation.h"
-#include "core/diagnosis/known_components.h"
+#include "core/adjustment/result/session_fit.h"
+#include "core/diagnosis/candidates/known_components.h"
+#include "core/diagnosis/search/explanation.h"
 #include "tests/bench/speed/measurements.h"
 
 // W5: every effect of the catalogue (17, of 29 numbers) on 34 points: from the finished fit to the evidence

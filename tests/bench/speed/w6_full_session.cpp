@@ -1,7 +1,7 @@
 #include <benchmark/benchmark.h>
 
-#include "core/adjustment/reliability.h"
-#include "core/adjustment/session_fit.h"
+#include "core/adjustment/joint/reliability.h"
+#include "core/adjustment/result/session_fit.h"
 #include "tests/bench/speed/measurements.h"
 
 // W6: the general fit of the protocol `full`: 136 rows in two faces and two rounds, slider readings,

@@ -1,6 +1,6 @@
 #include <benchmark/benchmark.h>
 
-#include "core/diagnosis/diagnosis.h"
+#include "core/diagnosis/diagnose.h"
 #include "core/simulation/simulate.h"
 #include "tests/bench/speed/measurements.h"
 

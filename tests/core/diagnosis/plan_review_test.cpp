@@ -1,11 +1,12 @@
 #include "core/diagnosis/plan_review.h"
+#include "core/diagnosis/diagnose.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "core/adjustment/session_fit.h"
+#include "core/adjustment/result/session_fit.h"
 #include "core/effects/catalogue.h"
 #include "core/simulation/simulate.h"
 #include "tests/support/paper_table.h"

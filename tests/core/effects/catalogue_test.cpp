@@ -6,7 +6,7 @@
 #include <numbers>
 #include <set>
 
-#include "core/adjustment/session_fit.h"
+#include "core/adjustment/result/session_fit.h"
 #include "core/base/statistics.h"
 #include "core/observation/observe.h"
 #include "tests/support/trials.h"

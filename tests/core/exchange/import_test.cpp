@@ -6,7 +6,7 @@
 #include <iterator>
 #include <random>
 
-#include "core/adjustment/session_fit.h"
+#include "core/adjustment/result/session_fit.h"
 #include "core/session/session_file.h"
 #include "tests/support/paper_table.h"
 

@@ -6,8 +6,8 @@
 #include <functional>
 #include <map>
 
-#include "core/adjustment/linearised.h"
-#include "core/adjustment/session_fit.h"
+#include "core/adjustment/joint/linearised.h"
+#include "core/adjustment/result/session_fit.h"
 #include "core/effects/catalogue.h"
 #include "core/simulation/simulate.h"
 #include "tests/support/paper_table.h"

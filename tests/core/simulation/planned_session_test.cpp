@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/adjustment/session_fit.h"
+#include "core/adjustment/result/session_fit.h"
 #include "core/session/measurement.h"
 #include "core/simulation/simulate.h"
 

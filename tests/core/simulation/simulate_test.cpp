@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "core/adjustment/session_fit.h"
+#include "core/adjustment/result/session_fit.h"
 #include "core/base/angle_text.h"
 #include "core/base/statistics.h"
 #include "core/effects/catalogue.h"

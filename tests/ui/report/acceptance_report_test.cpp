@@ -1,4 +1,5 @@
 #include "ui/report/acceptance_report.h"
+#include "core/diagnosis/diagnose.h"
 
 #include <gtest/gtest.h>
 

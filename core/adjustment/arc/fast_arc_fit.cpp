@@ -1,0 +1,365 @@
+#include "core/adjustment/arc/fast_arc_fit.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+#include <thread>
+#include <type_traits>
+
+#include "core/base/random_source.h"
+
+namespace alidade {
+
+namespace {
+
+constexpr std::size_t width = 4;
+constexpr std::size_t sideBySide = 2;  // sets of lanes
+using Lanes = double __attribute__((vector_size(width * sizeof(double))));
+
+constexpr double largestAngle = std::numbers::pi / 4;
+constexpr double largestResidual = 0.002;  // rad; the series below are exact to rounding up to there
+constexpr double untold = 6;               // times the estimate of what an iteration leaves is more than that
+constexpr double straight = 1e-10;         // variance across times along the chord, of R⁴; some 6° of arc
+constexpr double unlike = 0.01;            // how a part and all places differ in what a step leaves
+constexpr int mostIterations = 12;
+constexpr int mostSurveys = 2;  // before residuals are too large for them
+constexpr std::size_t pilotPlaces = 16384;
+constexpr std::size_t share = 16;  // blocks of a sweep that are worked on at once
+
+/// A pair of readings, and what the last iteration found for it.
+struct alignas(sizeof(Lanes)) PlaceEquation {
+  Lanes tanA, tanE, secA;  ///< secA: with the exact relation only
+  Lanes y, perRise;        ///< of the plane point, and its derivative by e
+  Lanes weight;            ///< rows of the visit, 0 for lanes that hold none; where all are of one arc
+  Lanes w, perA, perE;     ///< misclosure, and the residuals of a and e per unit of it
+  Lanes ux, uy;            ///< from the centre
+};
+
+/// A circle in units of L.
+template <typename T>
+struct Disc {
+  T x, y, square;  ///< R²
+};
+
+/// Of the centre, and h.
+template <typename T>
+struct Step {
+  T x, y, half;
+};
+
+/// Σ weight · (products of ux, uy and 1).
+template <typename T>
+struct Information {
+  T one{}, x{}, y{}, xx{}, xy{}, yy{};
+};
+
+/// And with the misclosure.
+template <typename T>
+struct Normals : Information<T> {
+  T w{}, xw{}, yw{}, ww{};
+};
+
+/// Linearised at adjusted readings.
+template <typename T>
+struct Sums : Normals<T> {
+  T xxw{}, xyw{};
+};
+
+/// From the series about the readings; `third` measures its terms of third order.
+template <typename T>
+struct CloseSums : Normals<T> {
+  T third{};
+};
+
+struct Variances {
+  double horizontal, vertical;  // rad²
+};
+
+struct Setup {
+  Variances variances;
+  double distance;
+  bool exact;
+  double tolerance;
+};
+
+/// Inverse of the normal equations, and whether they can be told from singular ones.
+template <typename T>
+struct Inverse {
+  T xx, xy, yy, xh, yh, hh;
+  T determinacy;
+};
+
+/// How far the iteration has come; `remaining` bounds the rest of the way, in units of R; `chance` the part
+/// of it that residuals bring about; `lag`: how far from where they belong places are linearised;
+/// `anisotropy`: how unlike in different directions a place errs, 0…1.
+template <typename T>
+struct Progress {
+  Disc<T> disc;
+  Step<T> step{};
+  T perRootPlaces{}, anisotropy = T{} + 1, lag{}, chance{}, remaining = T{} + 1, chiSquare{};
+  Inverse<T> inverse;
+};
+
+/// Kåsa's circle through the places (see algebraic_circle.h).
+template <typename T>
+struct Moments {
+  T n{}, x{}, y{}, xx{}, xy{}, yy{}, xz{}, yz{};
+};
+
+/// Readings of one arc, four places side by side.
+struct Readings {
+  const double *a, *e, *rows;  ///< rows: null where all visits have one
+  std::size_t count;
+
+  std::size_t blocks() const { return (count + width - 1) / width; }
+};
+
+/// What a sweep over places found.
+template <typename S>
+struct Found {
+  S sums;
+  double largestReading = 0, largestResidual = 0;
+};
+
+using Sweep = Found<Sums<double>>;
+using Survey = Found<CloseSums<double>>;
+
+/// What is reported: mm, mm².
+template <typename T>
+struct Conclusion {
+  T x, y, radius, xx, xy, yy, xr, yr, rr, chiSquare;
+  T sound;  ///< 0 where the fit is refused
+  int iterations;
+};
+
+template <typename T>
+struct alignas(sizeof(Lanes)) Outcome {
+  Progress<T> progress;
+  T largestReading{}, largestResidual{};
+  int iterations = 0;
+  double tolerance = usualTolerance;
+};
+
+// The same kernel for every processor, and for those with vector units of four doubles.
+namespace plain {
+#include "core/adjustment/arc/fast_arc_kernel.inc"
+}
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#define ALIDADE_HAS_WIDE_KERNEL
+#pragma GCC push_options
+#pragma GCC target("avx2,fma")
+namespace wide {
+#include "core/adjustment/arc/fast_arc_kernel.inc"
+}
+#pragma GCC pop_options
+#endif
+
+struct Kernel {
+  decltype(&plain::solveOne) solveOne = plain::solveOne;
+  decltype(&plain::solveMany) solveMany = plain::solveMany;
+  decltype(&plain::sweep) sweep = plain::sweep;
+  decltype(&plain::survey) survey = plain::survey;
+};
+
+const Kernel& kernel() {
+#ifdef ALIDADE_HAS_WIDE_KERNEL
+  static const Kernel chosen = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")
+                                   ? Kernel{wide::solveOne, wide::solveMany, wide::sweep, wide::survey}
+                                   : Kernel{};
+#else
+  static const Kernel chosen;
+#endif
+  return chosen;
+}
+
+Setup inside(const ArcSetup& setup, double tolerance = usualTolerance) {
+  return {{setup.sigmaHorizontal * setup.sigmaHorizontal, setup.sigmaVertical * setup.sigmaVertical},
+          setup.distance,
+          setup.relation == VerticalAngleRelation::Exact,
+          tolerance};
+}
+
+double lane(double value, std::size_t /*lane*/) {
+  return value;
+}
+
+double lane(const Lanes& values, std::size_t index) {
+  return values[index];
+}
+
+/// Absent where the fit is refused.
+template <typename T>
+std::optional<FastArcFit> fitIn(const Conclusion<T>& c, std::size_t i = 0) {
+  if (lane(c.sound, i) == 0) return std::nullopt;
+  const auto at = [i](const T& values) { return lane(values, i); };
+  return FastArcFit{
+      {at(c.x), at(c.y), at(c.radius)},
+      {{{at(c.xx), at(c.xy), at(c.xr)}, {at(c.xy), at(c.yy), at(c.yr)}, {at(c.xr), at(c.yr), at(c.rr)}}},
+      at(c.chiSquare),
+      c.iterations};
+}
+
+/// All places at once, each kept from one iteration to the next.
+std::optional<FastArcFit> fitKept(const ArcSetup& setup, const Readings& readings,
+                                  const ReadingResiduals& residuals) {
+  constexpr std::size_t fewBlocks = 16;
+  std::array<PlaceEquation, fewBlocks> few;
+  std::vector<PlaceEquation> many;
+  PlaceEquation* places = few.data();
+  if (readings.blocks() > fewBlocks) {
+    many.resize(readings.blocks());
+    places = many.data();
+  }
+  Outcome<double> outcome;
+  kernel().solveOne(places, readings, inside(setup), residuals, outcome);
+  return fitIn(plain::conclude(outcome, setup.distance));
+}
+
+/// Blocks of places taken at random, one out of each of as many equal stretches.
+struct Part {
+  std::vector<double> a, e, rows;
+
+  explicit Part(const Readings& readings) : a(pilotPlaces), e(pilotPlaces), rows(pilotPlaces, 1) {
+    constexpr std::size_t blocks = pilotPlaces / width;
+    RandomSource random(1, readings.count);
+    const double stretch = static_cast<double>(readings.count - width) / static_cast<double>(blocks);
+    for (std::size_t i = 0; i < blocks; ++i) {
+      const auto from = static_cast<std::size_t>((static_cast<double>(i) + random.uniform()) * stretch);
+      std::copy_n(readings.a + from, width, &a[i * width]);
+      std::copy_n(readings.e + from, width, &e[i * width]);
+      if (readings.rows) std::copy_n(readings.rows + from, width, &rows[i * width]);
+    }
+  }
+
+  Readings readings() const { return {a.data(), e.data(), rows.data(), pilotPlaces}; }
+};
+
+using Vector = std::array<double, 3>;  // over (x, y, half)
+
+Vector gradient(const CloseSums<double>& sums) {
+  return {sums.xw, sums.yw, sums.w};
+}
+
+Vector times(const Normals<double>& n, const Step<double>& q) {
+  return {n.xx * q.x + n.xy * q.y + n.x * q.half, n.xy * q.x + n.yy * q.y + n.y * q.half,
+          n.x * q.x + n.y * q.y + n.one * q.half};
+}
+
+/// Of all places after the step.
+Information<double> atEnd(const Information<double>& all, const Information<double>& before,
+                          const Information<double>& after) {
+  const double ratio = all.one / before.one;
+  const auto moved = [&](double Information<double>::*sum) {
+    return all.*sum + ratio * (after.*sum - before.*sum);
+  };
+  using I = Information<double>;
+  return {moved(&I::one), moved(&I::x), moved(&I::y), moved(&I::xx), moved(&I::xy), moved(&I::yy)};
+}
+
+/// The step of `progress` from `all` overshot by the square of its length, and how far the part tells: its
+/// gradients `before` and `after` the step show what the second derivatives do not.
+void mend(Progress<double>& progress, const CloseSums<double>& all, const CloseSums<double>& before,
+          const CloseSums<double>& after) {
+  const Step<double> step = progress.step;
+  const Vector whole = gradient(all), wholeChange = times(all, step);
+  const Vector first = gradient(before), partChange = times(before, step);
+  Vector second = gradient(after);  // by (x, y, half) from the circle after the step
+  second[0] += step.x * second[2];
+  second[1] += step.y * second[2];
+  Vector left;
+  for (std::size_t i = 0; i < 3; ++i)
+    left[i] = whole[i] - wholeChange[i] + all.one / before.one * (second[i] - first[i] + partChange[i]);
+  Step<double> rest = plain::times(progress.inverse, left[0], left[1], left[2]);
+  rest.half += step.x * rest.x + step.y * rest.y;  // from the circle after the step
+  const double perSquare = 1 / progress.disc.square;
+  progress.disc = plain::moved(progress.disc, rest);
+  progress.inverse = plain::invert(atEnd(all, before, after), progress.disc.square);
+  progress.remaining = progress.chance + unlike * plain::extent(rest, std::sqrt(perSquare), perSquare);
+}
+
+bool isSettled(const Progress<double>& progress) {
+  return progress.remaining < usualTolerance;
+}
+
+/// A part of the places first, then all of them, kept nowhere.
+std::optional<FastArcFit> fitStreamed(const ArcSetup& setup, const Readings& readings,
+                                      const ReadingResiduals& residuals) {
+  const Part part(readings);
+  const auto pilot = fitKept(setup, part.readings(), {});
+  if (!pilot) return std::nullopt;
+
+  const Setup inner = inside(setup);
+  const double l = setup.distance, pilotRadius = pilot->circle.radius / l;
+  Outcome<double> outcome;
+  Progress<double>& progress = outcome.progress;
+  progress.perRootPlaces = 1 / std::sqrt(static_cast<double>(readings.count));
+  progress.disc = {pilot->circle.x / l, pilot->circle.y / l, pilotRadius * pilotRadius};
+  outcome.iterations = pilot->iterations;
+  for (int surveys = 0; surveys < mostSurveys && !isSettled(progress) && progress.chance < usualTolerance;
+       ++surveys, ++outcome.iterations) {
+    Survey all, before, after;
+    kernel().survey(readings, inner, progress.disc, all);
+    kernel().survey(part.readings(), inner, progress.disc, before);
+    progress.anisotropy = plain::anisotropyOf(inner.variances, all.largestReading * all.largestReading);
+    plain::advance(progress, all.sums);
+    kernel().survey(part.readings(), inner, progress.disc, after);
+    mend(progress, all.sums, before.sums, after.sums);
+    outcome.largestReading = all.largestReading;
+    outcome.largestResidual = all.largestResidual;
+  }
+  for (Sweep sweep; !isSettled(progress) && outcome.iterations < mostIterations; ++outcome.iterations) {
+    kernel().sweep(readings, inner, progress.disc, {}, sweep);
+    const double residual = plain::scatter(sweep.sums, 1 / progress.disc.square);
+    progress.lag = 0.5 * residual * residual * residual;  // they were brought near twice
+    plain::advance(progress, sweep.sums);
+  }
+  const auto fit = fitIn(plain::conclude(outcome, l));
+  Sweep last;
+  if (fit && !residuals.horizontal.empty()) kernel().sweep(readings, inner, progress.disc, residuals, last);
+  return fit;
+}
+
+}  // namespace
+
+std::optional<FastArcFit> fitArcFast(const ArcSetup& setup, std::span<const double> a,
+                                     std::span<const double> e, std::span<const double> rows,
+                                     const ReadingResiduals& residuals) {
+  assert(a.size() == e.size() && (rows.empty() || rows.size() == a.size()));
+  assert(residuals.horizontal.size() == residuals.vertical.size());
+  if (a.size() < 3) return std::nullopt;
+  const Readings readings{a.data(), e.data(), rows.empty() ? nullptr : rows.data(), a.size()};
+  return a.size() > 2 * pilotPlaces ? fitStreamed(setup, readings, residuals)
+                                    : fitKept(setup, readings, residuals);
+}
+
+void fitArcsFast(const ArcSetup& setup, std::span<const double> a, std::span<const double> e,
+                 std::span<std::optional<FastArcFit>> fits, int threads, double tolerance) {
+  assert(a.size() == e.size() && (fits.empty() || a.size() % fits.size() == 0));
+  if (a.size() < 3 * fits.size()) std::ranges::fill(fits, std::nullopt);
+  if (fits.empty() || a.size() < 3 * fits.size()) return;
+  constexpr std::size_t batch = width * sideBySide;
+  constexpr std::size_t turn = 64;  // batches a thread takes at a time: some 70 µs
+  const std::size_t count = a.size() / fits.size(), batches = (fits.size() + batch - 1) / batch;
+  const Setup inner = inside(setup, tolerance);
+  std::atomic<std::size_t> next = 0;  // batch that no thread has taken
+  const auto work = [&] {
+    std::vector<PlaceEquation> places(count * sideBySide);
+    std::array<Conclusion<Lanes>, sideBySide> conclusions;
+    for (std::size_t begin = next.fetch_add(turn); begin < batches; begin = next.fetch_add(turn))
+      for (std::size_t first = begin * batch; first < std::min((begin + turn) * batch, fits.size());
+           first += batch) {
+        const std::size_t held = std::min(batch, fits.size() - first);
+        kernel().solveMany(places.data(), a.data() + first * count, e.data() + first * count, count, held,
+                           inner, conclusions.data());
+        for (std::size_t i = 0; i < held; ++i) fits[first + i] = fitIn(conclusions[i / width], i % width);
+      }
+  };
+  std::vector<std::jthread> others;
+  for (int i = 1; i < threads; ++i) others.emplace_back(work);
+  work();
+}
+
+}  // namespace alidade

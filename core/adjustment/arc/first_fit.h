@@ -1,0 +1,21 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/adjustment/arc/arc_fit.h"
+#include "core/adjustment/arc/fast_arc_fit.h"
+#include "core/base/result.h"
+#include "core/observation/visits.h"
+#include "core/session/measurement.h"
+
+namespace alidade {
+
+/// `fitArcFast` of an arc's visits.
+std::optional<FastArcFit> fitVisitsFast(const Measurement& measurement, const std::vector<Visit>& visits);
+
+/// What an adjustment of all arcs together starts from: as `fitArc`, but where the fast fit is sure of the
+/// arc there are no residuals yet, and cofactor and χ² are as good as that has them.
+Result<ArcFit> firstFit(const Measurement& measurement, const ArcMeasurement& arc);
+
+}  // namespace alidade

@@ -1,0 +1,129 @@
+#include "core/adjustment/gross_errors/corrections.h"
+
+#include <utility>
+
+#include "core/session/entry.h"
+#include "core/session/row_order.h"
+
+namespace alidade {
+
+namespace {
+
+struct Column {
+  const char* field;
+  std::string Reading::*text;
+};
+
+constexpr Column horizontal{"horizontal", &Reading::horizontal}, vertical{"vertical", &Reading::vertical},
+    slider{"slider", &Reading::slider}, face{"face", &Reading::face};
+
+class Corrections {
+ public:
+  Corrections(const Session& session, std::size_t position, std::size_t row)
+      : m_readings(session.positions[position].readings), m_position(position), m_row(row) {}
+
+  std::vector<Correction> all() {
+    for (const Column& column : {horizontal, vertical, slider}) addMeantTexts(column);
+    addCirclesSwapped();
+    addOtherFace();
+    for (const std::size_t other : neighbours()) addExchanges(other);
+    return std::move(m_corrections);
+  }
+
+ private:
+  void change(Correction& correction, std::size_t row, const Column& column, const std::string& text) const {
+    correction.changes.push_back(
+        {Place{.position = m_position, .reading = row, .field = column.field}, text});
+    const auto [changed, isNew] = correction.rows.try_emplace(row, m_readings[row]);
+    changed->second.*column.text = text;
+  }
+
+  void addMeantTexts(const Column& column) {
+    // A slip is as likely in either circle; slider readings are as many as visits, about.
+    for (const MeantText& meant : meantTexts(m_readings[m_row].*column.text)) {
+      Correction correction{meant.slip, meant.prior, {}, {}};
+      change(correction, m_row, column, meant.text);
+      m_corrections.push_back(std::move(correction));
+    }
+  }
+
+  void addCirclesSwapped() {
+    const Reading& reading = m_readings[m_row];
+    if (reading.horizontal == reading.vertical) return;
+    Correction correction{EntrySlip::CirclesSwapped, slipShare(EntrySlip::CirclesSwapped), {}, {}};
+    change(correction, m_row, horizontal, reading.vertical);
+    change(correction, m_row, vertical, reading.horizontal);
+    m_corrections.push_back(std::move(correction));
+  }
+
+  void addOtherFace() {
+    const auto typed = wholeEntry("readings.face", m_readings[m_row].face);
+    if (!typed) return;
+    Correction correction{EntrySlip::WrongFace, slipShare(EntrySlip::WrongFace), {}, {}};
+    change(correction, m_row, face, **typed == 1 ? "2" : "1");
+    m_corrections.push_back(std::move(correction));
+  }
+
+  /// The rows before and after, and those of the same face before and after.
+  std::vector<std::size_t> neighbours() const {
+    std::vector<std::size_t> rows;
+    for (const std::size_t distance : {std::size_t{1}, std::size_t{2}}) {
+      if (distance == 2 && m_readings[m_row].face.empty()) break;
+      for (const bool before : {true, false}) {
+        if (before ? m_row < distance : m_row + distance >= m_readings.size()) continue;
+        const std::size_t other = before ? m_row - distance : m_row + distance;
+        if (!m_readings[other].excluded) rows.push_back(other);
+      }
+    }
+    return rows;
+  }
+
+  void addExchanges(std::size_t other) {
+    const double prior = slipShare(EntrySlip::NeighbouringRow) / 6;
+    for (const auto& columns : {std::vector{horizontal}, {vertical}, {horizontal, vertical}}) {
+      Correction correction{EntrySlip::NeighbouringRow, prior, {}, {}};
+      for (const Column& column : columns) {
+        change(correction, m_row, column, m_readings[other].*column.text);
+        change(correction, other, column, m_readings[m_row].*column.text);
+      }
+      m_corrections.push_back(std::move(correction));
+    }
+  }
+
+  const std::vector<Reading>& m_readings;
+  std::size_t m_position, m_row;
+  std::vector<Correction> m_corrections;
+};
+
+}  // namespace
+
+std::vector<Correction> correctionsOf(const Session& session, std::size_t position, std::size_t row) {
+  return Corrections(session, position, row).all();
+}
+
+RowReader::RowReader(const Session& session) : m_session(session), m_firstSequences(firstSequences(session)) {
+  m_alone.instrument = session.instrument;
+  m_alone.geometry = session.geometry;
+  m_alone.model = session.model;
+  m_alone.positions.resize(1);
+  m_alone.positions[0].readings.resize(1);
+}
+
+std::optional<Sighting> RowReader::read(std::size_t position, std::size_t row, const Reading& reading) {
+  Position& alone = m_alone.positions[0];
+  alone.axisDeg = m_session.positions[position].axisDeg;
+  alone.zero = m_session.positions[position].zero;
+  alone.readings[0] = reading;
+  // A point without a number is named by its row.
+  if (reading.point.empty()) alone.readings[0].point = std::to_string(row + 1);
+  const Examined examined = examine(m_alone);
+  if (!examined.measurement || examined.measurement->arcs.size() != 1 ||
+      examined.measurement->arcs[0].sightings.size() != 1)
+    return std::nullopt;
+  Sighting sighting = examined.measurement->arcs[0].sightings[0];
+  sighting.row = row;
+  sighting.sequence = m_firstSequences[position] + row;
+  return sighting;
+}
+
+}  // namespace alidade

@@ -1,0 +1,177 @@
+#include "core/adjustment/gross_errors/entry_slips.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+
+#include "core/base/angle_text.h"
+#include "core/base/typed_text.h"
+
+namespace alidade {
+
+namespace {
+
+struct KnownSlip {
+  EntrySlip slip;
+  const char* name;
+  double share;
+};
+
+/// Rough shares: what matters is that no kind is out of the question.
+constexpr std::array<KnownSlip, 9> slips = {{
+    {EntrySlip::DigitsSwapped, "two digits swapped", 0.20},
+    {EntrySlip::OneDigitWrong, "one digit wrong", 0.25},
+    {EntrySlip::DegreeOff, "one degree off", 0.08},
+    {EntrySlip::TenMinutesOff, "ten minutes off", 0.08},
+    {EntrySlip::MinuteOff, "one minute off", 0.08},
+    {EntrySlip::TenSecondsOff, "ten seconds off", 0.08},
+    {EntrySlip::CirclesSwapped, "the two circles swapped", 0.06},
+    {EntrySlip::WrongFace, "the wrong face", 0.08},
+    {EntrySlip::NeighbouringRow, "swapped with the neighbouring row", 0.09},
+}};
+
+const KnownSlip& known(EntrySlip slip) {
+  return *std::ranges::find(slips, slip, &KnownSlip::slip);
+}
+
+/// Where the digits of degrees, minutes and seconds stand in a text.
+struct Parts {
+  struct Span {
+    std::size_t at = 0, length = 0;
+  };
+  Span degrees, minutes, seconds;
+};
+
+std::optional<Parts> partsOf(std::string_view text) {
+  std::vector<Parts::Span> runs;
+  for (std::size_t i = 0; i < text.size();) {
+    std::size_t end = i;
+    while (end < text.size() && isDigit(text[end])) ++end;
+    if (end > i) runs.push_back({i, end - i});
+    i = std::max(end, i + 1);
+  }
+  if (runs.empty()) return std::nullopt;
+  const Parts::Span first = runs.front();
+  if (first.length >= 5 && first.length <= 7)  // run together: DDDMMSS
+    return Parts{
+        {first.at, first.length - 4}, {first.at + first.length - 4, 2}, {first.at + first.length - 2, 2}};
+  if (runs.size() < 3 || first.length > 3 || runs[1].length > 2 || runs[2].length > 2) return std::nullopt;
+  return Parts{runs[0], runs[1], runs[2]};
+}
+
+int numberAt(std::string_view text, Parts::Span span) {
+  int number = 0;
+  for (const char c : text.substr(span.at, span.length)) number = 10 * number + (c - '0');
+  return number;
+}
+
+std::string padded(int number, std::size_t width) {
+  const std::string digits = std::to_string(number);
+  return std::string(width > digits.size() ? width - digits.size() : 0, '0') + digits;
+}
+
+/// The text with whole seconds added, everything but these digits as typed.
+std::string moved(std::string_view typed, const Parts& parts, int seconds) {
+  constexpr int turn = 360 * 3600;
+  const int before = 3600 * numberAt(typed, parts.degrees) + 60 * numberAt(typed, parts.minutes) +
+                     numberAt(typed, parts.seconds);
+  const int after = ((before + seconds) % turn + turn) % turn;
+  std::string text(typed);
+  const auto put = [&text](Parts::Span span, int number) {
+    text.replace(span.at, span.length, padded(number, span.length));
+  };
+  put(parts.seconds, after % 60);  // from the back, so that the places in front stay
+  put(parts.minutes, after / 60 % 60);
+  // Zeros stand in front of the degrees only where they were typed.
+  if (typed[parts.degrees.at] == '0')
+    put(parts.degrees, after / 3600);
+  else
+    text.replace(parts.degrees.at, parts.degrees.length, std::to_string(after / 3600));
+  return text;
+}
+
+/// A zero in front of other digits: a style of its own.
+bool startsWithZero(std::string_view text) {
+  return text.size() > 1 && text[0] == '0' && isDigit(text[1]);
+}
+
+class Collector {
+ public:
+  explicit Collector(std::string_view typed) : m_typed(typed) {}
+
+  void add(EntrySlip slip, const std::vector<std::string>& texts) {
+    for (const std::string& text : texts) {
+      if (text == m_typed || (startsWithZero(text) && !startsWithZero(m_typed))) continue;
+      const double prior = slipShare(slip) / static_cast<double>(texts.size());
+      const auto found = std::ranges::find(m_meant, text, &MeantText::text);
+      if (found == m_meant.end()) {
+        m_meant.push_back({slip, text, prior});
+        continue;
+      }
+      if (prior > found->prior) found->slip = slip;
+      found->prior += prior;
+    }
+  }
+
+  std::vector<MeantText> take() { return std::move(m_meant); }
+
+ private:
+  std::string_view m_typed;
+  std::vector<MeantText> m_meant;
+};
+
+std::vector<std::string> withDigitsSwapped(std::string_view typed) {
+  std::vector<std::string> texts;
+  std::optional<std::size_t> before;
+  for (std::size_t i = 0; i < typed.size(); ++i) {
+    if (!isDigit(typed[i])) continue;
+    if (before && typed[*before] != typed[i]) {
+      texts.emplace_back(typed);
+      std::swap(texts.back()[*before], texts.back()[i]);
+    }
+    before = i;
+  }
+  return texts;
+}
+
+std::vector<std::string> withOneDigitChanged(std::string_view typed) {
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < typed.size(); ++i) {
+    if (!isDigit(typed[i])) continue;
+    for (char digit = '0'; digit <= '9'; ++digit) {
+      if (digit == typed[i]) continue;
+      texts.emplace_back(typed);
+      texts.back()[i] = digit;
+    }
+  }
+  return texts;
+}
+
+}  // namespace
+
+std::string slipName(EntrySlip slip) {
+  return known(slip).name;
+}
+
+double slipShare(EntrySlip slip) {
+  return known(slip).share;
+}
+
+std::vector<MeantText> meantTexts(std::string_view typed) {
+  Collector collector(typed);
+  if (const auto parts = partsOf(typed); parts && parseAngle(typed)) {
+    const auto off = [&](EntrySlip slip, int seconds) {
+      collector.add(slip, {moved(typed, *parts, seconds), moved(typed, *parts, -seconds)});
+    };
+    off(EntrySlip::DegreeOff, 3600);
+    off(EntrySlip::TenMinutesOff, 600);
+    off(EntrySlip::MinuteOff, 60);
+    off(EntrySlip::TenSecondsOff, 10);
+  }
+  collector.add(EntrySlip::DigitsSwapped, withDigitsSwapped(typed));
+  collector.add(EntrySlip::OneDigitWrong, withOneDigitChanged(typed));
+  return collector.take();
+}
+
+}  // namespace alidade

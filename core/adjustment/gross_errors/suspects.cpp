@@ -1,0 +1,229 @@
+#include "core/adjustment/gross_errors/suspects.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "core/adjustment/gross_errors/correction_trials.h"
+#include "core/adjustment/gross_errors/suspect_text.h"
+#include "core/base/angle_text.h"
+#include "core/base/number_text.h"
+
+namespace alidade {
+
+namespace {
+
+constexpr double leastShare = 0.01;  ///< of a proposal worth showing
+constexpr std::size_t mostProposals = 5, mostUnusableRows = 12;
+
+class SuspectSearch {
+ public:
+  SuspectSearch(const Session& session, Measurement fitted, const JointFit& fit,
+                const SuspectOptions& options, const std::stop_token& stop)
+      : m_session(session),
+        m_stop(stop),
+        m_reader(session),
+        m_trials(session, std::move(fitted), fit, options.risk, stop) {}
+
+  std::vector<Suspect> run() {
+    for (const MisreadReading& misread : m_trials.misread()) {
+      if (m_stop.stop_requested()) return std::move(m_suspects);
+      const Sighting& sighting = m_trials.sightingOf(misread.cell);
+      const Visited visit = m_trials.visitOf(misread.cell.arc, sighting.round, sighting.point);
+      if (!isNamed(visit)) lookAt(visit);
+    }
+    lookAtUnusableRows();
+    return std::move(m_suspects);
+  }
+
+ private:
+  /// A row of the visit is among the suspects already: the slip that explains them both was found.
+  bool isNamed(const Visited& visit) const {
+    return std::ranges::any_of(m_suspects, [&](const Suspect& suspect) {
+      return suspect.where.position == m_trials.measurement().arcs[visit.arc].position &&
+             std::ranges::find(visit.rows, *suspect.where.reading) != visit.rows.end();
+    });
+  }
+
+  std::vector<Proposal> proposalsOf(const std::vector<AgreeingCorrection>& tried) const {
+    double sum = 0;
+    for (const AgreeingCorrection& one : tried) sum += std::exp(one.score - tried.front().score);
+    std::vector<Proposal> proposals;
+    for (const AgreeingCorrection& one : tried) {
+      const double share = std::exp(one.score - tried.front().score) / sum;
+      if (share < leastShare || proposals.size() >= mostProposals) break;
+      proposals.push_back(
+          {one.correction.changes, one.residual, share, sentenceOf(m_session, one.correction, one.residual)});
+    }
+    return proposals;
+  }
+
+  void lookAt(const Visited& visit) {
+    const std::vector<MisreadReading> misread = m_trials.misreadIn(visit);
+    const VisitCheck check = m_trials.checkOf(visit);
+    const std::vector<AgreeingCorrection> tried = m_trials.agreeing(visit, check);
+    if (!tried.empty()) {
+      nameCells(visit, tried, misread.front().studentised);
+      return;
+    }
+    // More than one slip in the visit, or none that explains it.
+    for (const MisreadReading& one : misread) {
+      std::vector<MisreadReading> others = misread;
+      std::erase_if(others, [&](const MisreadReading& m) { return m.cell == one.cell; });
+      name(one, others.empty() ? std::vector<AgreeingCorrection>{}
+                               : m_trials.agreeing(visit, check, others, &one.cell));
+    }
+  }
+
+  Suspect suspectAt(const Visited& visit, const Sighting& sighting, const Place& where) const {
+    Suspect suspect;
+    suspect.where = where;
+    suspect.axisDeg = m_trials.measurement().arcs[visit.arc].axisDeg;
+    suspect.point = sighting.point;
+    suspect.round = sighting.round;
+    suspect.face = sighting.face;
+    suspect.kind = kindOf(where.field);
+    return suspect;
+  }
+
+  void finish(Suspect suspect) {
+    suspect.sentence = sentenceOf(suspect);
+    m_suspects.push_back(std::move(suspect));
+  }
+
+  /// The cells that the most probable correction changes.
+  void nameCells(const Visited& visit, const std::vector<AgreeingCorrection>& tried, double studentised) {
+    const AgreeingCorrection& best = tried.front();
+    const std::size_t position = m_trials.measurement().arcs[visit.arc].position;
+    for (const CellChange& change : best.correction.changes) {
+      Sighting sighting = best.sighting;
+      if (change.where.reading != sighting.row) {
+        const auto read =
+            m_reader.read(position, *change.where.reading, best.correction.rows.at(*change.where.reading));
+        if (read) sighting = *read;
+      }
+      Suspect suspect = suspectAt(visit, sighting, change.where);
+      suspect.studentised = studentised;
+      suspect.size = sizeOf(change, best);
+      suspect.proposals = proposalsOf(tried);
+      for (const Proposal& proposal : suspect.proposals)
+        if (proposal.share > 0.05) addRivals(suspect, proposal, best);
+      finish(std::move(suspect));
+    }
+  }
+
+  static void addRivals(Suspect& suspect, const Proposal& proposal, const AgreeingCorrection& best) {
+    for (const CellChange& change : proposal.changes) {
+      const bool isBest = std::ranges::any_of(
+          best.correction.changes, [&](const CellChange& own) { return own.where == change.where; });
+      if (!isBest && std::ranges::find(suspect.rivals, change.where) == suspect.rivals.end())
+        suspect.rivals.push_back(change.where);
+    }
+  }
+
+  Angle sizeOf(const CellChange& change, const AgreeingCorrection& best) const {
+    if (change.where.field == "face") return Angle::fromDegrees(180);
+    const auto typed = parseAngle(textAt(m_session, change.where)), meant = parseAngle(change.text);
+    if (!typed || !meant) return Angle::fromRadians(std::numeric_limits<double>::quiet_NaN());
+    const bool isFirst = change.where == best.correction.changes.front().where;
+    return wrapped(*typed - *meant) + (isFirst ? best.residual : Angle());
+  }
+
+  /// The cell that the search blames.
+  void name(const MisreadReading& misread, const std::vector<AgreeingCorrection>& tried) {
+    const Sighting& sighting = m_trials.sightingOf(misread.cell);
+    const Visited visit = m_trials.visitOf(misread.cell.arc, sighting.round, sighting.point);
+    const auto placeOf = [&](const ReadingRef& cell) {
+      return Place{.position = m_trials.measurement().arcs[cell.arc].position,
+                   .reading = m_trials.sightingOf(cell).row,
+                   .field = std::string(nameOf(cell.kind))};
+    };
+    Suspect suspect = suspectAt(visit, sighting, placeOf(misread.cell));
+    suspect.size = misread.size * sideOf(m_trials.measurement(), sighting.face, misread.cell.kind);
+    suspect.studentised = misread.studentised;
+    for (const ReadingRef& rival : misread.rivals) suspect.rivals.push_back(placeOf(rival));
+    if (!tried.empty()) suspect.proposals = proposalsOf(tried);
+    finish(std::move(suspect));
+  }
+
+  /// Rows that `examine` had to leave out, where a slip explains why.
+  void lookAtUnusableRows() {
+    std::size_t looked = 0;
+    for (std::size_t arc = 0; arc < m_trials.measurement().arcs.size(); ++arc) {
+      const std::size_t position = m_trials.measurement().arcs[arc].position;
+      const auto& readings = m_session.positions[position].readings;
+      std::vector<bool> isUsable(readings.size());
+      for (const Sighting& sighting : m_trials.measurement().arcs[arc].sightings)
+        isUsable[sighting.row] = true;
+      for (std::size_t row = 0; row < readings.size() && looked < mostUnusableRows; ++row) {
+        if (m_stop.stop_requested()) return;
+        if (isUsable[row] || readings[row].excluded || readings[row].horizontal.empty() ||
+            readings[row].vertical.empty() || isNamed({arc, 0, 0, {row}}))
+          continue;
+        ++looked;
+        lookAtUnusable(arc, row);
+      }
+    }
+  }
+
+  void lookAtUnusable(std::size_t arc, std::size_t row) {
+    const auto& readings = m_session.positions[m_trials.measurement().arcs[arc].position].readings;
+    const auto pointOf = [&](std::size_t r) { return wholeOr(readings[r].point, static_cast<int>(r) + 1); };
+    const auto roundOf = [&](std::size_t r) { return wholeOr(readings[r].round, 1); };
+    const Visited usable = m_trials.visitOf(arc, roundOf(row), pointOf(row));
+    const VisitCheck check = m_trials.checkOf(usable);
+    if (!check.canCheck()) return;
+    // The row may have nothing wrong with it: its face or point is taken by another.
+    const Visited alone{arc, usable.round, usable.point, {row}};
+    if (m_trials.agreesAsTyped(alone, check)) return;
+    Visited all = usable.with(row);
+    for (std::size_t r = 0; r < readings.size(); ++r)
+      if (!readings[r].excluded && roundOf(r) == usable.round && pointOf(r) == usable.point)
+        all = all.with(r);
+    for (const Visited& visit : {all, usable.with(row)}) {
+      std::vector<AgreeingCorrection> tried = m_trials.agreeing(visit, check);
+      std::erase_if(tried, [&](const AgreeingCorrection& one) { return !one.correction.rows.contains(row); });
+      if (tried.empty()) continue;
+      nameCells(visit, tried, 0);
+      return;
+    }
+  }
+
+  static int wholeOr(const std::string& text, int fallback) {
+    const auto number = parseWhole(text);
+    return number ? *number : fallback;
+  }
+
+  const Session& m_session;
+  const std::stop_token& m_stop;
+  RowReader m_reader;
+  CorrectionTrials m_trials;
+  std::vector<Suspect> m_suspects;
+};
+
+}  // namespace
+
+std::vector<Suspect> findSuspects(const Session& session, const Measurement& measurement,
+                                  const SessionFit& fit, const SuspectOptions& options,
+                                  const std::stop_token& stop) {
+  if (fit.arcs.empty()) return {};
+  return SuspectSearch(session, fittedPart(measurement, fit), fit.joint, options, stop).run();
+}
+
+std::optional<Finding> suspectsFinding(const std::vector<Suspect>& suspects) {
+  if (suspects.empty()) return std::nullopt;
+  std::string names;
+  for (const Suspect& suspect : suspects) names += (names.empty() ? "" : "; ") + nameOf(suspect);
+  const bool one = suspects.size() == 1;
+  const std::string it = one ? "it" : "them";
+  return Finding{
+      Severity::Warning,
+      (one ? "A reading looks misread: " : std::to_string(suspects.size()) + " readings look misread: ") +
+          names + ".",
+      "Check " + it + " in the field book, then correct or exclude " + it +
+          "; until then every usable reading takes part in the result.",
+      one ? suspects.front().where : Place{}};
+}
+
+}  // namespace alidade

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+
+#include "core/adjustment/numerics/auto_diff.h"
+#include "core/observation/observe.h"
+
+namespace alidade {
+
+// What all readings of one arc hang on, each with its derivatives, for joint_problem.cpp. A reading is made
+// in two stages, and so are its derivatives: the guideway says where the target stands, the instrument what
+// it reads there. Either stage knows the derivatives by its own quantities only; the chain rule joins them.
+// Jets are of a fixed size, which the compiler unrolls.
+
+inline constexpr auto firstGuidewayTerm = static_cast<std::size_t>(ErrorTerm::PlaneTiltX);
+
+/// Which error terms take part.
+enum class ArcTerms { None, OfGuideway, All };
+
+template <ArcTerms which>
+struct ArcJets {
+  /// x, y, R, zero of the slider, L, φ, then the terms from `firstGuidewayTerm` on.
+  static constexpr int xSlot = 0, ySlot = 1, radiusSlot = 2, sliderSlot = 3, farSlot = 4, angleSlot = 5,
+                       guidewayTermSlot = 6;
+  /// The target's x, y, z, then the terms before `firstGuidewayTerm`.
+  static constexpr int instrumentTermSlot = 3;
+  static constexpr int guidewaySlots =
+      guidewayTermSlot + (which == ArcTerms::None ? 0 : static_cast<int>(errorTermCount - firstGuidewayTerm));
+  static constexpr int instrumentSlots =
+      instrumentTermSlot + (which == ArcTerms::All ? static_cast<int>(firstGuidewayTerm) : 0);
+  /// Even sizes are quicker. The sizes are stated, so that a new term is seen to make every jet longer.
+  static constexpr int guidewaySize = which == ArcTerms::None ? 6 : 20,
+                       instrumentSize = which == ArcTerms::All ? 18 : 4;
+  static_assert(guidewaySlots <= guidewaySize && guidewaySize - guidewaySlots <= 2 && guidewaySize % 2 == 0,
+                "the guideway's jets must have a slot for every term of the guideway");
+  static_assert(instrumentSlots <= instrumentSize && instrumentSize - instrumentSlots <= 2 &&
+                    instrumentSize % 2 == 0,
+                "the instrument's jets must have a slot for every term of the instrument");
+  using GuidewayJet = Eigen::AutoDiffScalar<Eigen::Vector<double, guidewaySize>>;
+  using InstrumentJet = Eigen::AutoDiffScalar<Eigen::Vector<double, instrumentSize>>;
+
+  ErrorTerms<GuidewayJet> guidewayErrors{constant<GuidewayJet>(0)};
+  ErrorTerms<InstrumentJet> instrumentErrors{constant<InstrumentJet>(0)};
+  ArcPose<GuidewayJet> pose{constant<GuidewayJet>(0), constant<GuidewayJet>(0), constant<GuidewayJet>(0),
+                            constant<GuidewayJet>(0), constant<GuidewayJet>(0), constant<GuidewayJet>(0)};
+  GuidewayJet distance = constant<GuidewayJet>(0);
+  Direction<InstrumentJet> zero{constant<InstrumentJet>(0),
+                                constant<InstrumentJet>(0)};  ///< to the pointing zero
+  double horizontalZero = 0, verticalZero = 0;                ///< their errors
+
+  template <typename Jet>
+  static Jet constant(double value) {
+    return Jet(value, Jet::DerType::Zero());
+  }
+  template <typename Jet>
+  static Jet variable(double value, int slot) {
+    return Jet(value, static_cast<int>(Jet::DerType::SizeAtCompileTime), slot);
+  }
+
+  void set(ErrorTerm term, double size) {
+    const auto index = static_cast<std::size_t>(term);
+    if (isOfGuideway(term))
+      guidewayErrors.set(
+          term, variable<GuidewayJet>(size, guidewayTermSlot + static_cast<int>(index - firstGuidewayTerm)));
+    else
+      instrumentErrors.set(term, variable<InstrumentJet>(size, instrumentTermSlot + static_cast<int>(index)));
+  }
+
+  /// As the instrument's stage sees it.
+  static SpacePoint<InstrumentJet> asTarget(double x, double y, double z) {
+    return {variable<InstrumentJet>(x, 0), variable<InstrumentJet>(y, 1), variable<InstrumentJet>(z, 2)};
+  }
+};
+
+}  // namespace alidade

@@ -1,0 +1,301 @@
+#include "core/adjustment/joint/fast_joint_fit.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+
+#include "core/adjustment/arc/foot_point.h"
+#include "core/base/threads.h"
+#include "core/observation/visits.h"
+
+namespace alidade {
+
+namespace {
+
+using Kind = Unknown::Kind;
+using Eigen::Matrix4d, Eigen::Vector3d, Eigen::Vector4d;
+
+/// Of one arc. The slider's zero stays where it is without slider readings.
+constexpr std::array estimatedKinds{Kind::CentreX, Kind::CentreY, Kind::Radius, Kind::SliderZero};
+constexpr std::array consideredKinds{Kind::HorizontalZero, Kind::VerticalZero, Kind::Distance};
+constexpr int estimated = estimatedKinds.size(), considered = consideredKinds.size();
+
+/// Over the estimated, then the considered quantities.
+using Rows = Eigen::Matrix<double, 3, estimated + considered, Eigen::RowMajor>;
+using NormalMatrix = Eigen::Matrix<double, estimated, estimated + considered>;
+
+/// What one reading of each kind at a visit (horizontal, vertical, slider) leaves, in σ.
+struct VisitRows {
+  Vector3d left;
+  Vector3d along;  ///< ∂/∂φ, of unit length over all readings of the visit
+  Rows reduced;    ///< derivatives with what lies along ∂/∂φ taken off
+  Vector3d counts;
+};
+
+VisitRows rowsOf(const ArcView& view, double radius, const VisitReading& visit, const FootPoint& foot) {
+  const Whitening& w = view.whitening;
+  const double slider = visit.slider ? w.slider : 0;
+  const double c = foot.cosine, s = foot.sine;
+  VisitRows rows;
+  rows.left = {w.horizontal * foot.left.a, w.vertical * foot.left.e, slider * foot.sliderLeft};
+  rows.counts = {visit.rows, visit.rows, visit.slider ? 1.0 : 0.0};
+  rows.reduced.row(0) << foot.aX, 0, foot.aX * c, 0, -1, 0, foot.aL;
+  rows.reduced.row(1) << foot.eX, foot.eY, foot.eX * c + foot.eY * s, 0, 0, 1, foot.eL;
+  rows.reduced.row(0) *= w.horizontal;
+  rows.reduced.row(1) *= w.vertical;
+  rows.reduced.row(2) << 0, 0, 0, slider, 0, 0, 0;
+  rows.along = {-w.horizontal * radius * s * foot.aX, w.vertical * radius * (c * foot.eY - s * foot.eX),
+                slider * view.turn};
+  rows.along /= std::sqrt(rows.along.cwiseAbs2().dot(rows.counts));
+  const Vector3d counted = rows.along.cwiseProduct(rows.counts);
+  const Eigen::Matrix<double, 1, estimated + considered> share = counted.transpose() * rows.reduced;
+  rows.reduced -= rows.along * share;
+  return rows;
+}
+
+/// Scaled to a unit diagonal before it is factored: millimetres and radians differ by 1e6 in size.
+Matrix4d inverseScaled(const Matrix4d& matrix) {
+  const Vector4d scale = matrix.diagonal().cwiseSqrt().cwiseInverse();
+  const Matrix4d scaled = scale.asDiagonal() * matrix * scale.asDiagonal();
+  const Matrix4d inverse = scaled.ldlt().solve(Matrix4d::Identity());
+  return scale.asDiagonal() * ((inverse + inverse.transpose()) / 2) * scale.asDiagonal();
+}
+
+class ArcApart {
+ public:
+  ArcApart(const Measurement& measurement, std::size_t index, const Circle& start)
+      : m_measurement(measurement),
+        m_index(index),
+        m_arc(measurement.arcs[index]),
+        m_view(measurement, m_arc.axisDeg),
+        m_unknowns{start} {}
+
+  /// False where refused. Once, before all else.
+  bool settle(const JointFitOptions& options) {
+    readVisits();
+    constexpr int mostIterations = 10;
+    constexpr double longest = 0.1;  // of R, for a first step
+    constexpr double rounding = 1e-9;
+    for (double before = std::numeric_limits<double>::infinity();; before = m_chiSquare) {
+      evaluate();
+      ++m_iterations;
+      if (!(m_chiSquare <= before + rounding * (1 + before))) return false;
+      m_cofactor = inverseScaled(m_normal.leftCols<estimated>());
+      const Vector4d step = m_cofactor * m_right;
+      if (!step.allFinite() || !(m_cofactor.diagonal().array() >= 0).all()) return false;
+      if (m_right.dot(step) < options.tolerance * options.tolerance) return true;
+      if (m_iterations == mostIterations || step.head<3>().norm() > longest * m_unknowns.circle.radius)
+        return false;
+      m_unknowns.circle.x += step[0];
+      m_unknowns.circle.y += step[1];
+      m_unknowns.circle.radius += step[2];
+      if (m_hasSlider) m_unknowns.sliderZero += step[3];
+    }
+  }
+
+  int iterations() const { return m_iterations; }
+  int unknowns() const { return m_hasSlider ? estimated : estimated - 1; }
+  std::size_t readings() const {
+    const auto isRead = [](const Sighting* slider) { return slider != nullptr; };
+    return 2 * m_arc.sightings.size() + static_cast<std::size_t>(std::ranges::count_if(m_sliders, isRead));
+  }
+  const Matrix4d& cofactor() const { return m_cofactor; }
+
+  /// ∂estimated/∂considered.
+  Eigen::Matrix<double, estimated, considered> perConsidered() const {
+    return -m_cofactor * m_normal.rightCols<considered>();
+  }
+
+  Vector4d values() const {
+    const double zero = wrapped(Angle::fromRadians(m_unknowns.sliderZero)).radians();
+    return {m_unknowns.circle.x, m_unknowns.circle.y, m_unknowns.circle.radius, zero};
+  }
+
+  /// What is the arc's own in `fit`, which has room for all; its readings from `next` on. `gradient`: ∂Δd/∂
+  /// the centre's height.
+  void fillReadings(JointFit& fit, AdjustedReading* next, double gradient) const {
+    const Vector4d perUnknown = gradient * m_cofactor.col(1);
+    std::vector<double>& angles = fit.arcAngles[m_index];
+    angles.resize(m_arc.sightings.size());
+    ArcMisfit misfit{0, -static_cast<int>(m_visits.size()) - unknowns()};
+    for (std::size_t v = 0; v < m_visits.size(); ++v) {
+      const VisitRows& rows = m_rows[v];
+      const Eigen::Matrix<double, 3, estimated> reduced = rows.reduced.leftCols<estimated>();
+      const Vector3d told = (reduced * m_cofactor).cwiseProduct(reduced).rowwise().sum();
+      const Vector3d redundancy = Vector3d::Ones() - rows.along.cwiseAbs2() - told;
+      const Vector3d perReading = reduced * perUnknown;
+      const auto add = [&](std::size_t sighting, ReadingKind kind, double residual, double whitening) {
+        const auto row = static_cast<int>(kind);
+        const double sigma = statedSigma(m_measurement, kind).radians(), rate = perReading[row] * whitening;
+        *next++ = {m_index, sighting, kind, residual, sigma, redundancy[row], rate};
+        misfit.chiSquare += residual * whitening * residual * whitening;
+        ++misfit.degreesOfFreedom;
+      };
+      const double phi = wrapped(Angle::fromRadians(m_feet[v].phi)).radians();
+      const Direction<double>&mean = m_visits[v].mean.direction, &left = m_feet[v].left;
+      for (const std::size_t i : m_visits[v].sightings) {
+        const Sighting& row = m_arc.sightings[i];
+        angles[i] = phi;
+        add(i, ReadingKind::Horizontal, row.a.radians() - mean.a + left.a, m_view.whitening.horizontal);
+        add(i, ReadingKind::Vertical, row.e.radians() - mean.e + left.e, m_view.whitening.vertical);
+      }
+      if (m_sliders[v])
+        add(static_cast<std::size_t>(m_sliders[v] - m_arc.sightings.data()), ReadingKind::Slider,
+            m_feet[v].sliderLeft, m_view.whitening.slider);
+    }
+    fit.misfits[m_index] = misfit;
+  }
+
+ private:
+  void readVisits() {
+    m_visits = visitsOf(m_arc);
+    m_readings.reserve(m_visits.size());
+    m_sliders.reserve(m_visits.size());
+    for (const Visit& visit : m_visits) {
+      VisitReading& reading = m_readings.emplace_back(visit.mean.direction, visit.mean.rows);
+      const Sighting* row = m_sliders.emplace_back(sliderOf(m_arc, visit));
+      if (!row) continue;
+      reading.slider = row->slider->radians();
+      if (!m_hasSlider) m_unknowns.sliderZero = sliderZeroBy(reading);
+      m_hasSlider = true;
+    }
+  }
+
+  double sliderZeroBy(const VisitReading& reading) const {
+    const PlanePoint<double> place = sightedPoint(m_view, reading);
+    return *reading.slider - m_view.turn * nearestArcAngle(m_unknowns.circle, place);
+  }
+
+  /// Feet, normal equations and χ², the last but for what the rows of a visit differ by.
+  void evaluate() {
+    m_normal.setZero();
+    m_right.setZero();
+    m_chiSquare = 0;
+    const bool isFirst = m_feet.empty();
+    if (isFirst) m_feet.resize(m_readings.size());
+    m_rows.resize(m_readings.size());
+    for (std::size_t v = 0; v < m_readings.size(); ++v) {
+      m_feet[v] = isFirst ? footPoint(m_view, m_unknowns, m_readings[v])
+                          : footPoint(m_view, m_unknowns, m_readings[v], m_feet[v]);
+      const VisitRows& rows = m_rows[v] = rowsOf(m_view, m_unknowns.circle.radius, m_readings[v], m_feet[v]);
+      for (int row = 0; row < (m_readings[v].slider ? 3 : 2); ++row) {
+        const Vector4d weighted = rows.counts[row] * rows.reduced.row(row).head<estimated>().transpose();
+        m_normal += weighted * rows.reduced.row(row);
+        m_right += weighted * rows.left[row];
+        m_chiSquare += rows.counts[row] * rows.left[row] * rows.left[row];
+      }
+    }
+    if (!m_hasSlider) m_normal(3, 3) = 1;
+  }
+
+  const Measurement& m_measurement;
+  std::size_t m_index;
+  const ArcMeasurement& m_arc;
+  ArcView m_view;
+  std::vector<Visit> m_visits;
+  std::vector<VisitReading> m_readings;
+  std::vector<const Sighting*> m_sliders;
+  bool m_hasSlider = false;
+  ArcUnknowns m_unknowns;
+  std::vector<FootPoint> m_feet;
+  std::vector<VisitRows> m_rows;
+  NormalMatrix m_normal;
+  Vector4d m_right;
+  Matrix4d m_cofactor;
+  double m_chiSquare = 0;
+  int m_iterations = 0;
+};
+
+void addUnknowns(JointFit& fit, const std::vector<ArcApart>& arcs) {
+  for (std::size_t arc = 0; arc < arcs.size(); ++arc) {
+    const Vector4d values = arcs[arc].values();
+    for (int i = 0; i < arcs[arc].unknowns(); ++i) {
+      fit.unknowns.push_back({.kind = estimatedKinds[static_cast<std::size_t>(i)], .arc = arc});
+      fit.values.push_back(values[i]);
+    }
+  }
+}
+
+void addConsidered(JointFit& fit, const Measurement& measurement) {
+  for (std::size_t arc = 0; arc < measurement.arcs.size(); ++arc) {
+    fit.considered.push_back({.kind = Kind::HorizontalZero, .arc = arc});
+    fit.considered.push_back({.kind = Kind::VerticalZero, .arc = arc});
+    fit.consideredSigmas.push_back(measurement.sigmaZeroHorizontal.radians());
+    fit.consideredSigmas.push_back(measurement.sigmaZeroVertical.radians());
+  }
+  fit.considered.push_back({.kind = Kind::Distance});
+  fit.consideredSigmas.push_back(measurement.sigmaDistance);
+}
+
+/// Of one arc beside the other; what both have in common is the distance.
+void fillMatrices(JointFit& fit, const std::vector<ArcApart>& arcs) {
+  const std::size_t size = fit.unknowns.size(), width = fit.considered.size();
+  fit.cofactor = {size, std::vector<double>(size * size)};
+  fit.perConsidered.assign(size * width, 0);
+  std::size_t first = 0;
+  for (std::size_t arc = 0; arc < arcs.size(); ++arc) {
+    const Matrix4d& cofactor = arcs[arc].cofactor();
+    const auto perConsidered = arcs[arc].perConsidered();
+    const auto count = static_cast<std::size_t>(arcs[arc].unknowns());
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto row = static_cast<int>(i);
+      for (std::size_t j = 0; j < count; ++j)
+        fit.cofactor.values[(first + i) * size + first + j] = cofactor(row, static_cast<int>(j));
+      double* rates = &fit.perConsidered[(first + i) * width];
+      rates[2 * arc] = perConsidered(row, 0);
+      rates[2 * arc + 1] = perConsidered(row, 1);
+      rates[width - 1] = perConsidered(row, 2);
+    }
+    first += count;
+  }
+  fit.cofactorWithoutTerms = fit.cofactor;
+}
+
+bool isUsualCase(const Measurement& measurement, const JointFitOptions& options) {
+  return measurement.radiusModel == RadiusModel::Free && options.terms.empty() && options.without.empty();
+}
+
+}  // namespace
+
+std::optional<JointFit> fitJointlyFast(const Measurement& measurement, const std::vector<Circle>& starts,
+                                       const JointFitOptions& options) {
+  assert(starts.size() == measurement.arcs.size());
+  if (!isUsualCase(measurement, options)) return std::nullopt;
+  const std::size_t threads = threadsFor(measurement.rows);
+  std::vector<ArcApart> arcs;
+  arcs.reserve(starts.size());
+  std::vector<char> settled(starts.size());
+  for (std::size_t i = 0; i < starts.size(); ++i) arcs.emplace_back(measurement, i, starts[i]);
+  doEach(threads, arcs.size(), [&](std::size_t i) { settled[i] = arcs[i].settle(options) ? 1 : 0; });
+  if (std::ranges::find(settled, 0) != settled.end()) return std::nullopt;
+  JointFit fit;
+  addUnknowns(fit, arcs);
+  addConsidered(fit, measurement);
+  fillMatrices(fit, arcs);
+  std::vector<std::size_t> firsts;  // reading of each arc
+  std::size_t readings = 0;
+  for (const ArcApart& arc : arcs) {
+    firsts.push_back(readings);
+    readings += arc.readings();
+  }
+  fit.readings.resize(readings);
+  fit.arcAngles.resize(arcs.size());
+  fit.misfits.resize(arcs.size());
+  doEach(threads, arcs.size(), [&](std::size_t i) {
+    const double upwards = measurement.arcs[i].axisDeg == 0 ? 0.5 : -0.5;
+    arcs[i].fillReadings(fit, fit.readings.data() + firsts[i], arcs.size() == 2 ? upwards : 0);
+  });
+  for (std::size_t i = 0; i < arcs.size(); ++i) {
+    fit.iterations = std::max(fit.iterations, arcs[i].iterations());
+    fit.chiSquare += fit.misfits[i].chiSquare;
+    fit.degreesOfFreedom += fit.misfits[i].degreesOfFreedom;
+  }
+  fit.isDetermined = true;
+  fit.converged = true;
+  return fit;
+}
+
+}  // namespace alidade

@@ -1,0 +1,127 @@
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "core/adjustment/numerics/square_matrix.h"
+#include "core/observation/error_term.h"
+#include "core/observation/guideway.h"
+#include "core/observation/reading_ref.h"
+#include "core/session/measurement.h"
+
+namespace alidade {
+
+// The situation: one or two arcs were sighted from one stand, in any mixture of rounds, faces, slider
+// readings and missing points. Both circles and the slider of each row are observations of the one forward
+// model (observe.h), and one least squares adjustment of all of them,
+//
+//   minimise Σ (reading − model(unknowns))²/σ²,
+//
+// finds centre and radius of each arc, the zero of its slider, the error terms asked for, and one arc angle
+// for each visit, which its faces share. Gauss-Newton with Levenberg's damping; the arc angles are eliminated
+// visit by visit, so the equations stay small however many points there are. Derivatives are automatic.
+//
+// The pointing zeros and the distance are observed as well, but the readings say next to nothing about them:
+// they keep the values read, and their σ are carried through to the result ("considered"), so that readings
+// which scatter more than stated cannot pull a zero along.
+
+/// What an unknown of the adjustment is.
+struct Unknown {
+  enum class Kind { CentreX, CentreY, Radius, HorizontalZero, VerticalZero, SliderZero, Distance, Error };
+
+  /// `arc` of a radius that both arcs share.
+  static constexpr std::size_t everyArc = static_cast<std::size_t>(-1);
+
+  Kind kind = Kind::CentreX;
+  std::size_t arc = 0;                      ///< index into the measurement's arcs; 0 for Distance and Error
+  ErrorTerm term = ErrorTerm::Collimation;  ///< of an Error
+
+  /// One of the readings of arc `index` hangs on it.
+  bool concerns(std::size_t index) const {
+    return kind == Kind::Distance || kind == Kind::Error || arc == index || arc == everyArc;
+  }
+
+  bool operator==(const Unknown&) const = default;
+};
+
+/// An error term to be estimated along. In the unit of the term: rad, mm or 1.
+struct EstimatedTerm {
+  ErrorTerm term;
+  double priorSigma;  ///< plausible size; infinite: nothing is known beforehand
+  double priorValue = 0;
+  double start = 0;  ///< where the fit begins
+};
+
+/// One reading after the adjustment.
+struct AdjustedReading {
+  std::size_t arc = 0;       ///< index into the measurement's arcs
+  std::size_t sighting = 0;  ///< index into the arc's sightings; of a slider reading the row it stands in
+  ReadingKind kind = ReadingKind::Horizontal;
+  double residual = 0;    ///< observed minus adjusted, rad; up positive for the vertical circle
+  double sigma = 0;       ///< stated, rad
+  double redundancy = 0;  ///< share of an error of this reading that shows in its own residual, 0…1
+  double perReading = 0;  ///< ∂Δd/∂reading, mm per rad; 0 without an intersection
+};
+
+/// What the readings of one arc leave over.
+struct ArcMisfit {
+  double chiSquare = 0;      ///< Σ (v/σ)² over circles and slider
+  int degreesOfFreedom = 0;  ///< readings − visits − unknowns of the arc alone
+};
+
+struct JointFitOptions {
+  /// Each term at most once.
+  std::vector<EstimatedTerm> terms = {};
+  /// `Sighting::sequence` of the first row after the orientation stepped; the terms of a jump act from there.
+  std::optional<std::size_t> jumpBefore = {};
+  /// Readings that take no part: they get no weight, a residual of 0 and a redundancy of 0. The slider
+  /// reading of a visit is that of its first row which has one.
+  std::vector<ReadingRef> without = {};
+  int maximumIterations = 60;
+  /// Converged when the next step is shorter than this many standard deviations of the result.
+  double tolerance = 1e-9;
+};
+
+struct JointFit {
+  std::vector<Unknown> unknowns;  ///< estimated
+  std::vector<double> values;     ///< of the unknowns: mm, rad, or the unit of the term
+  /// Covariance of the unknowns from the stated σ of circles and slider, and the priors, alone.
+  SquareMatrix cofactor;
+  /// The same with the error terms taken as known; equal where there are none.
+  SquareMatrix cofactorWithoutTerms;
+
+  std::vector<Unknown> considered;       ///< zeros and distance
+  std::vector<double> consideredSigmas;  ///< rad, mm; may be 0
+  /// ∂unknown/∂considered, unknowns × considered, row by row.
+  std::vector<double> perConsidered;
+
+  std::vector<std::vector<double>> arcAngles;  ///< φ of each sighting of each arc, rad in (−π, π]
+  std::vector<AdjustedReading> readings;       ///< in the order of arcs and sightings
+  std::vector<ArcMisfit> misfits;              ///< of each arc of the measurement
+  double chiSquare = 0;                        ///< of circles, slider and priors
+  int degreesOfFreedom = 0;
+  int iterations = 0;
+  bool converged = false;
+  /// All numbers of the fit are finite and no variance is negative: the equations have not lost their rank.
+  /// Where they have, `chiSquare`, `values` and whatever follows from them mean nothing.
+  bool isDetermined = false;
+
+  /// σ of R0 behind a radius that is known; infinite where it is free.
+  double radiusPriorSigma = std::numeric_limits<double>::infinity();
+
+  /// Index of an unknown; `unknowns.size()` where it is not one of this fit. The radius of any arc is the
+  /// shared one where there is one.
+  std::size_t indexOf(const Unknown& unknown) const;
+  /// Of an arc of the measurement.
+  Circle circleOf(std::size_t arc) const;
+};
+
+/// Starts from `starts`, one circle for each arc of the measurement. Outcomes, not errors: a fit that did not
+/// settle says so in `converged`, one whose equations have lost their rank in `isDetermined`, and then in
+/// both.
+JointFit fitJointly(const Measurement& measurement, const std::vector<Circle>& starts,
+                    const JointFitOptions& options = {});
+
+}  // namespace alidade

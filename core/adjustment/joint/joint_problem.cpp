@@ -1,0 +1,463 @@
+#include "core/adjustment/joint/joint_problem.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+#include "core/adjustment/joint/arc_jets.h"
+
+namespace alidade {
+
+namespace {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+constexpr double largestTurn =
+    0.3;  // rad of arc angle in one step; keeps a poor start on its side of the circle
+
+std::tuple<std::size_t, std::size_t, ReadingKind> placeOf(const ReadingRef& cell) {
+  return {cell.arc, cell.sighting, cell.kind};
+}
+
+/// Normal equations over the slots of one arc.
+struct SlotSystem {
+  SlotMatrix matrix;
+  Slots rightSide;
+};
+
+/// With the arc angle eliminated. `Columns`: the number of slots where it is known beforehand, which the
+/// compiler unrolls. `lazyProduct`: these matrices are so small that blocking them costs more than
+/// multiplying.
+template <int Columns>
+void addNormalEquations(SlotSystem& sum, const VisitEquations& equations) {
+  constexpr int most = VisitEquations::mostRows,
+                mostColumns = Columns == Eigen::Dynamic ? mostSlots : Columns;
+  using Jacobian = Eigen::Matrix<double, Eigen::Dynamic, Columns, Eigen::RowMajor, most, mostColumns>;
+  using Square = Eigen::Matrix<double, Columns, Columns, Eigen::ColMajor, mostColumns, mostColumns>;
+  using Vector = Eigen::Matrix<double, Columns, 1, Eigen::ColMajor, mostColumns, 1>;
+  const Index rows = equations.jacobian.rows(), columns = equations.jacobian.cols();
+  const Eigen::Map<const Jacobian> jacobian(equations.jacobian.data(), rows, columns);
+  const Vector share = jacobian.transpose().lazyProduct(equations.along);
+  const Jacobian reduced = jacobian - equations.along.lazyProduct(share.transpose());
+  Eigen::Map<Square> matrix(sum.matrix.data(), columns, columns);
+  Eigen::Map<Vector> rightSide(sum.rightSide.data(), columns);
+  for (Index i = 0; i < rows; ++i) {  // by rows: inner products as short as theirs are slower
+    const Vector row = reduced.row(i).transpose();
+    matrix += row.lazyProduct(row.transpose());
+    rightSide += row * equations.residual[i];
+  }
+}
+
+}  // namespace
+
+JointProblem::JointProblem(const Measurement& measurement, const JointFitOptions& options)
+    : m_measurement(measurement),
+      m_terms(options.terms),
+      m_jumpBefore(options.jumpBefore),
+      m_without(options.without) {
+  for (std::size_t arc = 0; arc < measurement.arcs.size(); ++arc) {
+    addArc(arc);
+    for (Visit& visit : visitsOf(measurement.arcs[arc])) {
+      const Sighting* slider = sliderOf(measurement.arcs[arc], visit);
+      m_visits.push_back({arc, std::move(visit), slider});
+    }
+  }
+  if (measurement.radiusModel != RadiusModel::Free) addSharedRadius();
+  for (const EstimatedTerm& term : m_terms)
+    estimate({.kind = Unknown::Kind::Error, .arc = 0, .term = term.term}, {term.priorValue, term.priorSigma});
+  consider({.kind = Unknown::Kind::Distance}, measurement.sigmaDistance);
+  buildSlotMaps();
+  std::ranges::sort(m_without, {}, placeOf);
+}
+
+void JointProblem::addArc(std::size_t arc) {
+  using enum Unknown::Kind;
+  std::vector kinds{CentreX, CentreY};
+  if (m_measurement.radiusModel == RadiusModel::Free) kinds.push_back(Radius);
+  const auto& sightings = m_measurement.arcs[arc].sightings;
+  if (std::ranges::any_of(sightings, [](const Sighting& s) { return s.slider.has_value(); }))
+    kinds.push_back(SliderZero);
+  for (const auto kind : kinds) estimate({.kind = kind, .arc = arc}, {});
+  consider({.kind = HorizontalZero, .arc = arc}, m_measurement.sigmaZeroHorizontal.radians());
+  consider({.kind = VerticalZero, .arc = arc}, m_measurement.sigmaZeroVertical.radians());
+}
+
+void JointProblem::addSharedRadius() {
+  // A radius taken as exact gets a nanometre: far below what any reading tells, far above rounding.
+  constexpr double exact = 1e-6;
+  Prior prior;
+  if (m_measurement.radiusModel == RadiusModel::Known)
+    prior = {m_measurement.nominalRadius, std::max(m_measurement.sigmaRadius, exact)};
+  estimate({.kind = Unknown::Kind::Radius, .arc = Unknown::everyArc}, prior);
+}
+
+void JointProblem::estimate(const Unknown& unknown, const Prior& prior) {
+  m_estimated.push_back(unknown);
+  m_priors.push_back(prior);
+}
+
+void JointProblem::consider(const Unknown& unknown, double sigma) {
+  m_considered.push_back(unknown);
+  m_consideredSigmas.push_back(sigma);
+}
+
+void JointProblem::buildSlotMaps() {
+  m_slotMaps.resize(m_measurement.arcs.size());
+  for (std::size_t arc = 0; arc < m_slotMaps.size(); ++arc) {
+    m_slotMaps[arc].fill(-1);
+    std::size_t term = firstTermSlot;
+    Index index = 0;
+    for (const auto* unknowns : {&m_estimated, &m_considered})
+      for (const Unknown& unknown : *unknowns) {
+        if (unknown.kind == Unknown::Kind::Error)
+          m_slotMaps[arc][term++] = index;
+        else if (unknown.kind == Unknown::Kind::Distance)
+          m_slotMaps[arc][distanceSlot] = index;
+        else if (unknown.concerns(arc))
+          m_slotMaps[arc][static_cast<std::size_t>(unknown.kind)] = index;
+        ++index;
+      }
+  }
+}
+
+JointState JointProblem::start(const std::vector<Circle>& circles) const {
+  JointState state{VectorXd::Zero(count()), VectorXd::Zero(static_cast<Index>(m_visits.size()))};
+  for (std::size_t i = 0; i < m_estimated.size(); ++i) {
+    using enum Unknown::Kind;
+    if (m_estimated[i].arc == Unknown::everyArc) {
+      for (const Circle& c : circles)
+        state.unknowns[static_cast<Index>(i)] +=
+            (c.radius - m_priors[i].value) / static_cast<double>(circles.size());
+      continue;
+    }
+    const Circle& circle = circles[m_estimated[i].arc];
+    double& value = state.unknowns[static_cast<Index>(i)];
+    if (m_estimated[i].kind == CentreX) value = circle.x;
+    if (m_estimated[i].kind == CentreY) value = circle.y;
+    if (m_estimated[i].kind == Radius) value = circle.radius - m_priors[i].value;
+    for (const EstimatedTerm& term : m_terms)
+      if (m_estimated[i].kind == Error && m_estimated[i].term == term.term)
+        value = term.start - term.priorValue;
+  }
+  for (std::size_t v = 0; v < m_visits.size(); ++v) {
+    const PlanePoint<double> place =
+        sightedPoint(m_visits[v].visit.mean.direction, m_measurement.distance, m_measurement.relation);
+    state.arcAngles[static_cast<Index>(v)] = nearestArcAngle(circles[m_visits[v].arc], place);
+  }
+  return state;
+}
+
+JointState JointProblem::stateOf(const JointFit& fit) const {
+  JointState state{VectorXd::Zero(count()), VectorXd::Zero(static_cast<Index>(m_visits.size()))};
+  for (std::size_t i = 0; i < m_estimated.size(); ++i) {
+    const std::size_t found = fit.indexOf(m_estimated[i]);
+    if (found < fit.values.size())
+      state.unknowns[static_cast<Index>(i)] = fit.values[found] - m_priors[i].value;
+  }
+  for (std::size_t v = 0; v < m_visits.size(); ++v)
+    state.arcAngles[static_cast<Index>(v)] =
+        fit.arcAngles[m_visits[v].arc][m_visits[v].visit.sightings.front()];
+  return state;
+}
+
+ReadingRef JointProblem::cellOf(std::size_t visitIndex, Index row) const {
+  const auto& [arc, visit, slider] = m_visits[visitIndex];
+  const auto pair = static_cast<std::size_t>(row) / 2;
+  if (pair < visit.sightings.size())
+    return {arc, visit.sightings[pair], row % 2 == 0 ? ReadingKind::Horizontal : ReadingKind::Vertical};
+  const auto sighting = static_cast<std::size_t>(slider - m_measurement.arcs[arc].sightings.data());
+  return {arc, sighting, ReadingKind::Slider};
+}
+
+template <typename Jets>
+Jets JointProblem::jetsOf(const JointState& state, std::size_t arc) const {
+  using GuidewayJet = typename Jets::GuidewayJet;
+  const auto value = [&](std::size_t slot, double base) {
+    const Index unknown = m_slotMaps[arc][slot];
+    return unknown < 0 ? base : base + state.unknowns[unknown];
+  };
+  const auto guideway = [&](int slot, Unknown::Kind kind, double base) {
+    return Jets::template variable<GuidewayJet>(value(static_cast<std::size_t>(kind), base), slot);
+  };
+  using enum Unknown::Kind;
+  Jets jets;
+  jets.pose.x = guideway(Jets::xSlot, CentreX, 0);
+  jets.pose.y = guideway(Jets::ySlot, CentreY, 0);
+  const double radiusBase = m_measurement.radiusModel == RadiusModel::Known ? m_measurement.nominalRadius : 0;
+  jets.pose.radius = guideway(Jets::radiusSlot, Radius, radiusBase);
+  jets.pose.sliderZero = guideway(Jets::sliderSlot, SliderZero, 0);
+  jets.distance =
+      Jets::template variable<GuidewayJet>(value(distanceSlot, m_measurement.distance), Jets::farSlot);
+  jets.horizontalZero = value(static_cast<std::size_t>(HorizontalZero), 0);
+  jets.verticalZero = value(static_cast<std::size_t>(VerticalZero), 0);
+  for (std::size_t t = 0; t < m_terms.size(); ++t)
+    jets.set(m_terms[t].term, value(firstTermSlot + t, m_terms[t].priorValue));
+  jets.zero = circleDirection(jets.instrumentErrors, Jets::asTarget(0, 0, -jets.distance.value()),
+                              zeroPointing(m_measurement.arcs[arc]));
+  return jets;
+}
+
+Pointing JointProblem::zeroPointing(const ArcMeasurement& arc) const {
+  Pointing pointing;
+  pointing.horizontalZero = arc.zeroHorizontal.radians();
+  pointing.verticalZero = arc.zeroVertical.radians();
+  pointing.circle = m_measurement.verticalCircle;
+  pointing.relation = m_measurement.relation;
+  pointing.elapsed = midSession;
+  return pointing;
+}
+
+Pointing JointProblem::pointingOf(const ArcMeasurement& arc, const Sighting& sighting) const {
+  Pointing pointing = zeroPointing(arc);
+  pointing.face = sighting.face;
+  pointing.elapsed = m_measurement.rows > 1 ? static_cast<double>(sighting.sequence) /
+                                                  static_cast<double>(m_measurement.rows - 1)
+                                            : 0;
+  pointing.afterJump = m_jumpBefore && sighting.sequence >= *m_jumpBefore;
+  return pointing;
+}
+
+bool JointProblem::takesPart(std::size_t arc, std::size_t sighting, ReadingKind kind) const {
+  return !std::ranges::binary_search(m_without, std::tuple(arc, sighting, kind), {}, placeOf);
+}
+
+/// Jets no longer than the terms need; a perfect instrument is differentiated by its target alone.
+template <typename Function>
+auto JointProblem::withJets(const Function& function) const {
+  if (m_terms.empty()) return function(ArcJets<ArcTerms::None>());
+  if (std::ranges::all_of(m_terms, isOfGuideway, &EstimatedTerm::term))
+    return function(ArcJets<ArcTerms::OfGuideway>());
+  return function(ArcJets<ArcTerms::All>());
+}
+
+VisitEquations JointProblem::equationsOf(const JointState& state, std::size_t visit) const {
+  VisitEquations equations;
+  withJets([&](auto jets) {
+    fillEquations(jetsOf<decltype(jets)>(state, m_visits[visit].arc), state, visit, equations);
+  });
+  return equations;
+}
+
+std::vector<VisitEquations> JointProblem::equationsOf(const JointState& state) const {
+  std::vector<VisitEquations> equations;
+  fillEquations(state, equations);
+  return equations;
+}
+
+template <typename Fill>
+void JointProblem::withJetsOfEachVisit(const JointState& state, const Fill& fill) const {
+  withJets([&](auto kind) {
+    using Jets = decltype(kind);
+    std::vector<Jets> jets;
+    for (std::size_t arc = 0; arc < m_measurement.arcs.size(); ++arc)
+      jets.push_back(jetsOf<Jets>(state, arc));
+    for (std::size_t v = 0; v < m_visits.size(); ++v) fill(jets[m_visits[v].arc], v);
+  });
+}
+
+void JointProblem::fillEquations(const JointState& state, std::vector<VisitEquations>& equations) const {
+  equations.resize(m_visits.size());
+  withJetsOfEachVisit(state,
+                      [&](const auto& jets, std::size_t v) { fillEquations(jets, state, v, equations[v]); });
+}
+
+void JointProblem::eachVisit(const JointState& state,
+                             const std::function<void(std::size_t, const VisitEquations&)>& take) const {
+  VisitEquations one;
+  withJetsOfEachVisit(state, [&](const auto& jets, std::size_t v) {
+    fillEquations(jets, state, v, one);
+    take(v, one);
+  });
+}
+
+namespace {
+
+/// The row of a circle reading: by the target's place and the instrument's terms, both less those of the
+/// zero.
+template <typename Jets>
+void fillRow(VisitEquations::Jacobian::RowXpr row, const typename Jets::InstrumentJet& sighted,
+             const typename Jets::InstrumentJet& zero, const SpacePoint<typename Jets::GuidewayJet>& target,
+             const std::vector<EstimatedTerm>& terms) {
+  const auto& by = sighted.derivatives();
+  const typename Jets::GuidewayJet::DerType place =
+      by[0] * target.x.derivatives() + by[1] * target.y.derivatives() + by[2] * target.z.derivatives();
+  row.setZero();
+  row[static_cast<int>(Unknown::Kind::CentreX)] = place[Jets::xSlot];
+  row[static_cast<int>(Unknown::Kind::CentreY)] = place[Jets::ySlot];
+  row[static_cast<int>(Unknown::Kind::Radius)] = place[Jets::radiusSlot];
+  row[distanceSlot] = place[Jets::farSlot] + zero.derivatives()[2];  // the zero's target stands at −L
+  row[phiSlot] = place[Jets::angleSlot];
+  for (std::size_t t = 0; t < terms.size(); ++t) {
+    const auto term = static_cast<std::size_t>(terms[t].term);
+    const auto slot = static_cast<Index>(firstTermSlot + t);
+    if (isOfGuideway(terms[t].term)) {
+      row[slot] = place[static_cast<Index>(Jets::guidewayTermSlot + term - firstGuidewayTerm)];
+    } else {
+      const auto own = static_cast<Index>(Jets::instrumentTermSlot + term);
+      row[slot] = by[own] - zero.derivatives()[own];
+    }
+  }
+}
+
+template <typename Jets>
+void fillSliderRow(VisitEquations::Jacobian::RowXpr row, const typename Jets::GuidewayJet& reading,
+                   const std::vector<EstimatedTerm>& terms) {
+  const auto& by = reading.derivatives();
+  row.setZero();
+  row[static_cast<int>(Unknown::Kind::SliderZero)] = by[Jets::sliderSlot];
+  row[phiSlot] = by[Jets::angleSlot];
+  for (std::size_t t = 0; t < terms.size(); ++t)
+    if (isOfGuideway(terms[t].term))
+      row[static_cast<Index>(firstTermSlot + t)] = by[static_cast<Index>(
+          Jets::guidewayTermSlot + static_cast<std::size_t>(terms[t].term) - firstGuidewayTerm)];
+}
+
+}  // namespace
+
+template <typename Jets>
+void JointProblem::fillEquations(const Jets& jets, const JointState& state, std::size_t visitIndex,
+                                 VisitEquations& equations) const {
+  const auto& [arcIndex, visit, slider] = m_visits[visitIndex];
+  const ArcMeasurement& arc = m_measurement.arcs[arcIndex];
+  using GuidewayJet = typename Jets::GuidewayJet;
+  using InstrumentJet = typename Jets::InstrumentJet;
+  const GuidewayJet phi =
+      Jets::template variable<GuidewayJet>(state.arcAngles[static_cast<Index>(visitIndex)], Jets::angleSlot);
+  const SpacePoint<GuidewayJet> place =
+      targetAt(jets.guidewayErrors, jets.pose, jets.distance, phi, arc.axisDeg);
+  const SpacePoint<InstrumentJet> target = Jets::asTarget(place.x.value(), place.y.value(), place.z.value());
+  // A perfect instrument reads alike whatever the face.
+  const bool isPerfect = jets.instrumentErrors.isPerfect();
+  Direction<InstrumentJet> sighted = jets.zero;
+  if (isPerfect) sighted = circleDirection(jets.instrumentErrors, target, zeroPointing(arc));
+
+  assert(visit.sightings.size() <= 2);
+  const auto rows = static_cast<Index>(2 * visit.sightings.size() + (slider ? 1 : 0));
+  equations.residual.resize(rows);
+  equations.jacobian.resize(rows, slots());
+  Index row = 0;
+  const auto weigh = [&](double difference, double sigma, bool takesPart) {
+    const double weight = takesPart ? 1 / sigma : 0;
+    equations.residual[row] = difference * weight;
+    equations.jacobian.row(row++) *= weight;
+  };
+  for (const std::size_t i : visit.sightings) {
+    const Sighting& sighting = arc.sightings[i];
+    if (!isPerfect) sighted = circleDirection(jets.instrumentErrors, target, pointingOf(arc, sighting));
+    fillRow<Jets>(equations.jacobian.row(row), sighted.a, jets.zero.a, place, m_terms);
+    equations.jacobian(row, static_cast<int>(Unknown::Kind::HorizontalZero)) = -1;
+    weigh(sighting.a.radians() - (sighted.a.value() - jets.zero.a.value() - jets.horizontalZero),
+          m_measurement.sigmaHorizontal.radians(), takesPart(arcIndex, i, ReadingKind::Horizontal));
+    fillRow<Jets>(equations.jacobian.row(row), sighted.e, jets.zero.e, place, m_terms);
+    equations.jacobian(row, static_cast<int>(Unknown::Kind::VerticalZero)) = 1;
+    weigh(sighting.e.radians() - (sighted.e.value() - jets.zero.e.value() + jets.verticalZero),
+          m_measurement.sigmaVertical.radians(), takesPart(arcIndex, i, ReadingKind::Vertical));
+  }
+  if (slider) {
+    const GuidewayJet s = observeSlider(jets.guidewayErrors, jets.pose, phi, arc.axisDeg);
+    fillSliderRow<Jets>(equations.jacobian.row(row), s, m_terms);
+    weigh(wrapped(*slider->slider - Angle::fromRadians(s.value())).radians(),
+          m_measurement.sigmaSlider.radians(),
+          takesPart(arcIndex, static_cast<std::size_t>(slider - arc.sightings.data()), ReadingKind::Slider));
+  }
+  equations.along = equations.jacobian.col(phiSlot);
+  equations.along.normalize();
+}
+
+// `lazyProduct`: these matrices are so small that blocking them costs more than multiplying.
+VisitEquations::Jacobian JointProblem::reduced(const VisitEquations& equations) {
+  const Slots share = equations.jacobian.transpose().lazyProduct(equations.along);
+  return equations.jacobian - equations.along.lazyProduct(share.transpose());
+}
+
+Slots JointProblem::reduced(const VisitEquations& equations, Index row) {
+  return reduced(equations).row(row).transpose();
+}
+
+VectorXd JointProblem::spread(const Slots& values, std::size_t arc) const {
+  VectorXd all = VectorXd::Zero(count());
+  for (std::size_t slot = 0; slot < static_cast<std::size_t>(slots()); ++slot)
+    if (m_slotMaps[arc][slot] >= 0) all[m_slotMaps[arc][slot]] = values[static_cast<Index>(slot)];
+  return all;
+}
+
+Slots JointProblem::gathered(const VectorXd& values, std::size_t arc) const {
+  Slots result = Slots::Zero(slots());
+  for (Index slot = 0; slot < slots(); ++slot)
+    if (const Index i = m_slotMaps[arc][static_cast<std::size_t>(slot)]; i >= 0 && i < values.size())
+      result[slot] = values[i];
+  return result;
+}
+
+SlotMatrix JointProblem::gathered(const MatrixXd& values, std::size_t arc) const {
+  SlotMatrix result(slots(), slots());
+  const Slots nothing = Slots::Zero(slots());
+  for (Index slot = 0; slot < slots(); ++slot) {
+    const Index i = m_slotMaps[arc][static_cast<std::size_t>(slot)];
+    result.col(slot) = i >= 0 && i < values.cols() ? gathered(VectorXd(values.col(i)), arc) : nothing;
+  }
+  return result;
+}
+
+JointSystem JointProblem::system(const JointState& state, JointSystem used) const {
+  JointSystem system = std::move(used);
+  fillEquations(state, system.equations);
+  system.matrix.setZero(count(), count());
+  system.rightSide.setZero(count());
+  system.chiSquare = 0;
+  const SlotSystem nothing{SlotMatrix::Zero(slots(), slots()), Slots::Zero(slots())};
+  std::vector<SlotSystem> ofArcs(m_measurement.arcs.size(), nothing);
+  for (std::size_t v = 0; v < m_visits.size(); ++v) {
+    const VisitEquations& equations = system.equations[v];
+    system.chiSquare += equations.residual.squaredNorm();
+    SlotSystem& ofArc = ofArcs[m_visits[v].arc];
+    if (m_terms.empty())
+      addNormalEquations<firstTermSlot>(ofArc, equations);
+    else
+      addNormalEquations<Eigen::Dynamic>(ofArc, equations);
+  }
+  for (std::size_t arc = 0; arc < ofArcs.size(); ++arc) {
+    const auto& map = m_slotMaps[arc];
+    for (std::size_t i = 0; i < static_cast<std::size_t>(slots()); ++i) {
+      if (map[i] < 0) continue;
+      system.rightSide[map[i]] += ofArcs[arc].rightSide[static_cast<Index>(i)];
+      for (std::size_t j = 0; j < static_cast<std::size_t>(slots()); ++j)
+        if (map[j] >= 0)
+          system.matrix(map[i], map[j]) += ofArcs[arc].matrix(static_cast<Index>(i), static_cast<Index>(j));
+    }
+  }
+  for (std::size_t i = 0; i < m_estimated.size(); ++i) {
+    if (std::isinf(m_priors[i].sigma)) continue;
+    const double weight = 1 / (m_priors[i].sigma * m_priors[i].sigma);
+    const auto index = static_cast<Index>(i);
+    const double away = state.unknowns[index];
+    system.matrix(index, index) += weight;
+    system.rightSide[index] -= weight * away;
+    system.chiSquare += weight * away * away;
+  }
+  return system;
+}
+
+JointState JointProblem::moved(const JointState& state, const std::vector<VisitEquations>& all,
+                               const VectorXd& step) const {
+  JointState result = state;
+  result.unknowns.head(step.size()) += step;
+  for (std::size_t v = 0; v < m_visits.size(); ++v) {
+    const VisitEquations& equations = all[v];
+    auto residual = equations.residual;
+    const auto& map = m_slotMaps[m_visits[v].arc];
+    for (std::size_t slot = 0; slot < static_cast<std::size_t>(slots()); ++slot)
+      if (map[slot] >= 0 && map[slot] < step.size())
+        residual -= equations.jacobian.col(static_cast<Index>(slot)) * step[map[slot]];
+    const double length = equations.jacobian.col(phiSlot).norm();
+    if (length == 0) continue;  // nothing of this visit takes part
+    const double turn = equations.along.dot(residual) / length;
+    result.arcAngles[static_cast<Index>(v)] += std::clamp(turn, -largestTurn, largestTurn);
+  }
+  return result;
+}
+
+}  // namespace alidade

@@ -1,0 +1,146 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <functional>
+#include <limits>
+#include <vector>
+
+#include "core/adjustment/joint/joint_fit.h"
+#include "core/observation/observe.h"
+#include "core/observation/visits.h"
+
+namespace alidade {
+
+// The equations behind `fitJointly`, visit by visit. Holds linear algebra types, so no other room
+// includes it.
+
+/// x, y, R, errors of both zeros, zero of the slider, L, then φ, then the error terms: what one visit's
+/// readings hang on.
+inline constexpr int distanceSlot = 6, phiSlot = 7, firstTermSlot = 8;
+inline constexpr int mostSlots = firstTermSlot + static_cast<int>(errorTermCount);
+
+/// As many as there are terms in the fit, without touching the heap.
+using Slots = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, mostSlots, 1>;
+
+/// A matrix over the slots of one arc.
+using SlotMatrix =
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, mostSlots, mostSlots>;
+
+/// Everything that is read while the slider stands at one place, whitened: rows horizontal, vertical for each
+/// row of the session, then the slider reading if there is one.
+struct VisitEquations {
+  static constexpr int mostRows = 5;  // two circles in two faces, and the slider
+  /// On the heap: with room for every slot a session's equations would fill memory that few terms use.
+  using Jacobian = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, mostRows, 1> residual;
+  Jacobian jacobian;
+  Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, mostRows, 1> along;  ///< unit direction of ∂/∂φ
+};
+
+struct VisitOfArc {
+  std::size_t arc = 0;
+  Visit visit;
+  const Sighting* slider = nullptr;  ///< the row whose slider reading stands for all of the visit
+};
+
+struct JointState {
+  /// Less what is known beforehand (`priorValue`): estimated first, then the considered ones, which stay
+  /// zero.
+  Eigen::VectorXd unknowns;
+  Eigen::VectorXd arcAngles;  ///< of each visit
+};
+
+/// Normal equations with the arc angles eliminated, over all unknowns, and the equations they come from.
+struct JointSystem {
+  std::vector<VisitEquations> equations;  ///< of each visit
+  Eigen::MatrixXd matrix;
+  Eigen::VectorXd rightSide;
+  double chiSquare = 0;
+};
+
+class JointProblem {
+ public:
+  JointProblem(const Measurement& measurement, const JointFitOptions& options);
+
+  const std::vector<Unknown>& estimated() const { return m_estimated; }
+  const std::vector<Unknown>& considered() const { return m_considered; }
+  double consideredSigma(std::size_t i) const { return m_consideredSigmas[i]; }
+  /// The prior σ of an estimated unknown; infinite where there is none.
+  double priorSigma(std::size_t i) const { return m_priors[i].sigma; }
+  /// The state counts from here, so that even a radius known to a nanometre is not lost in rounding.
+  double priorValue(std::size_t i) const { return m_priors[i].value; }
+  const std::vector<VisitOfArc>& visits() const { return m_visits; }
+
+  JointState start(const std::vector<Circle>& circles) const;
+  /// Where a fit of the same measurement ended; error terms that were not part of it are zero.
+  JointState stateOf(const JointFit& fit) const;
+  /// The reading behind a row of a visit's equations.
+  ReadingRef cellOf(std::size_t visit, Eigen::Index row) const;
+  VisitEquations equationsOf(const JointState& state, std::size_t visit) const;
+  /// Of every visit.
+  std::vector<VisitEquations> equationsOf(const JointState& state) const;
+  /// The same one after the other, in memory for one.
+  void eachVisit(const JointState& state,
+                 const std::function<void(std::size_t visit, const VisitEquations&)>& take) const;
+  /// `used`: a system no longer wanted, whose memory the new one takes over.
+  JointSystem system(const JointState& state, JointSystem used = {}) const;
+  /// The state after a step of the estimated unknowns, each arc angle following by its own equation.
+  /// `equations`: those of `state`, of each visit.
+  JointState moved(const JointState& state, const std::vector<VisitEquations>& equations,
+                   const Eigen::VectorXd& step) const;
+
+  /// A vector over an arc's slots spread over all unknowns.
+  Eigen::VectorXd spread(const Slots& values, std::size_t arc) const;
+  /// The part of a vector or matrix over the estimated unknowns that belongs to an arc's slots; 0 for the
+  /// other slots.
+  Slots gathered(const Eigen::VectorXd& values, std::size_t arc) const;
+  SlotMatrix gathered(const Eigen::MatrixXd& values, std::size_t arc) const;
+  /// The equations' derivatives with the arc angle eliminated: what lies along ∂/∂φ is taken off every
+  /// column.
+  static VisitEquations::Jacobian reduced(const VisitEquations& equations);
+  /// The same of one row.
+  static Slots reduced(const VisitEquations& equations, Eigen::Index row);
+
+ private:
+  int slots() const { return firstTermSlot + static_cast<int>(m_terms.size()); }
+  Eigen::Index count() const { return static_cast<Eigen::Index>(m_estimated.size() + m_considered.size()); }
+  /// What is known of an estimated unknown beforehand.
+  struct Prior {
+    double value = 0;
+    double sigma = std::numeric_limits<double>::infinity();
+  };
+
+  void addArc(std::size_t arc);
+  void addSharedRadius();
+  void estimate(const Unknown& unknown, const Prior& prior);
+  void consider(const Unknown& unknown, double sigma);
+  void buildSlotMaps();
+  template <typename Function>
+  auto withJets(const Function& function) const;
+  template <typename Jets>
+  Jets jetsOf(const JointState& state, std::size_t arc) const;
+  template <typename Jets>
+  void fillEquations(const Jets& jets, const JointState& state, std::size_t visit,
+                     VisitEquations& equations) const;
+  void fillEquations(const JointState& state, std::vector<VisitEquations>& equations) const;
+  /// Calls `fill` with the jets of its arc for each visit.
+  template <typename Fill>
+  void withJetsOfEachVisit(const JointState& state, const Fill& fill) const;
+  Pointing zeroPointing(const ArcMeasurement& arc) const;
+  Pointing pointingOf(const ArcMeasurement& arc, const Sighting& sighting) const;
+  bool takesPart(std::size_t arc, std::size_t sighting, ReadingKind kind) const;
+
+  const Measurement& m_measurement;
+  std::vector<EstimatedTerm> m_terms;
+  std::optional<std::size_t> m_jumpBefore;
+  std::vector<ReadingRef> m_without;
+  std::vector<Unknown> m_estimated, m_considered;
+  std::vector<Prior> m_priors;
+  std::vector<double> m_consideredSigmas;
+  std::vector<VisitOfArc> m_visits;
+  std::vector<std::array<Eigen::Index, mostSlots>>
+      m_slotMaps;  ///< of each arc: the unknown behind a slot, −1 for none
+};
+
+}  // namespace alidade

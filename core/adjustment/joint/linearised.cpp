@@ -1,0 +1,122 @@
+#include "core/adjustment/joint/linearised.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/adjustment/joint/joint_problem.h"
+
+namespace alidade {
+
+namespace {
+
+using Eigen::Index;
+
+/// In any unit: what is known as well as that is exact, and its weight, squared, would be no number.
+constexpr double asGoodAsZero = 1e-100;
+
+/// The terms of the fit as it found them, the others at zero.
+JointFitOptions withTerms(JointFitOptions options, const std::vector<ErrorTerm>& terms) {
+  for (const ErrorTerm term : terms)
+    if (std::ranges::find(options.terms, term, &EstimatedTerm::term) == options.terms.end())
+      options.terms.push_back({term, std::numeric_limits<double>::infinity()});
+  if (!options.jumpBefore) options.jumpBefore = 0;
+  return options;
+}
+
+/// Circles, zeros and distance have their slots in the order of their kinds.
+constexpr auto unknownKinds = static_cast<std::size_t>(Unknown::Kind::Error);
+static_assert(distanceSlot == static_cast<int>(Unknown::Kind::Distance));
+
+/// Room for the readings of all visits.
+void reserve(Linearised& result, const std::vector<VisitOfArc>& visits) {
+  std::size_t rows = 0, sliders = 0;
+  for (const VisitOfArc& visit : visits) {
+    rows += visit.visit.sightings.size();
+    sliders += visit.slider ? 1 : 0;
+  }
+  result.readings.reserve(2 * rows + sliders);
+  result.perUnknown = ReadingColumns(unknownKinds);
+  result.perTerm = ReadingColumns(errorTermCount);
+  for (ReadingColumns* columns : {&result.perUnknown, &result.perTerm}) {
+    columns->reserve(ReadingKind::Horizontal, rows);
+    columns->reserve(ReadingKind::Vertical, rows);
+    columns->reserve(ReadingKind::Slider, sliders);
+  }
+}
+
+Linearised linearisedAt(const Measurement& measurement, const JointProblem& problem, const JointState& state,
+                        const std::vector<EstimatedTerm>& terms) {
+  Linearised result;
+  result.visits = problem.visits().size();
+  for (std::size_t i = 0; i < problem.estimated().size(); ++i) {
+    const Unknown& unknown = problem.estimated()[i];
+    const double beyondPrior = state.unknowns[static_cast<Index>(i)], sigma = problem.priorSigma(i);
+    if (unknown.kind == Unknown::Kind::Error) {
+      result.termValues[static_cast<std::size_t>(unknown.term)] = beyondPrior + problem.priorValue(i);
+      continue;
+    }
+    result.unknowns.push_back(unknown);
+    result.priorSigmas.push_back(sigma);
+    result.priorResiduals.push_back(std::isinf(sigma) || sigma == 0 ? 0 : -beyondPrior / sigma);
+  }
+  for (std::size_t i = 0; i < problem.considered().size(); ++i) {
+    result.unknowns.push_back(problem.considered()[i]);
+    const double sigma = problem.consideredSigma(i);
+    result.priorSigmas.push_back(sigma < asGoodAsZero ? 0 : sigma);
+    result.priorResiduals.push_back(0);
+  }
+  reserve(result, problem.visits());
+  std::array<std::uint32_t, readingKinds> counts{};
+  problem.eachVisit(state, [&](std::size_t v, const VisitEquations& equations) {
+    const std::size_t arc = problem.visits()[v].arc;
+    for (Index row = 0; row < equations.residual.size(); ++row) {
+      const ReadingRef cell = problem.cellOf(v, row);
+      const std::uint32_t number = counts[static_cast<std::size_t>(cell.kind)]++;
+      const std::size_t sequence = measurement.arcs[arc].sightings[cell.sighting].sequence;
+      result.readings.push_back({.sighting = static_cast<std::uint32_t>(cell.sighting),
+                                 .visit = static_cast<std::uint32_t>(v),
+                                 .sequence = static_cast<std::uint32_t>(sequence),
+                                 .number = number,
+                                 .arc = static_cast<std::uint16_t>(arc),
+                                 .kind = cell.kind,
+                                 .takesPart = !equations.jacobian.row(row).isZero(0),
+                                 .sigma = statedSigma(measurement, cell.kind).radians(),
+                                 .residual = equations.residual[row],
+                                 .along = equations.along[row]});
+      for (std::size_t slot = 0; slot < unknownKinds; ++slot)
+        result.perUnknown.append(cell.kind, number, slot, equations.jacobian(row, static_cast<Index>(slot)));
+      for (std::size_t t = 0; t < terms.size(); ++t)
+        result.perTerm.append(cell.kind, number, static_cast<std::size_t>(terms[t].term),
+                              equations.jacobian(row, static_cast<Index>(firstTermSlot + t)));
+    }
+  });
+  return result;
+}
+
+}  // namespace
+
+const std::vector<ErrorTerm>& everyTerm() {
+  static const std::vector<ErrorTerm> all = [] {
+    std::vector<ErrorTerm> terms;
+    for (std::size_t t = 0; t < errorTermCount; ++t) terms.push_back(static_cast<ErrorTerm>(t));
+    return terms;
+  }();
+  return all;
+}
+
+Linearised linearise(const Measurement& measurement, const JointFit& fit, const JointFitOptions& options,
+                     const std::vector<ErrorTerm>& terms) {
+  const JointFitOptions extended = withTerms(options, terms);
+  const JointProblem problem(measurement, extended);
+  return linearisedAt(measurement, problem, problem.stateOf(fit), extended.terms);
+}
+
+Linearised linearise(const Measurement& measurement, const std::vector<Circle>& circles,
+                     const JointFitOptions& options, const std::vector<ErrorTerm>& terms) {
+  const JointFitOptions extended = withTerms(options, terms);
+  const JointProblem problem(measurement, extended);
+  return linearisedAt(measurement, problem, problem.start(circles), extended.terms);
+}
+
+}  // namespace alidade

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/adjustment/joint/joint_fit.h"
+#include "core/adjustment/joint/reading_columns.h"
+#include "core/session/measurement.h"
+
+namespace alidade {
+
+// The equations of a finished adjustment at its solution, for everything that asks "what would the readings
+// look like if …" without fitting anew: small changes of the unknowns, of the pointing zeros, and of every
+// error term of the forward model, whether or not the fit estimated it.
+
+/// One circle or slider reading, as in `JointFit::readings`. Millions of them are kept: no more rows than
+/// `limits::mostRows` need no wider numbers.
+struct LinearReading {
+  std::uint32_t sighting = 0;  ///< index into the arc's sightings
+  std::uint32_t visit = 0;     ///< readings of one visit share their arc angle
+  std::uint32_t sequence = 0;  ///< of its row in the session, in the order taken
+  std::uint32_t number = 0;    ///< among the readings of its kind
+  std::uint16_t arc = 0;       ///< index into the measurement's arcs
+  ReadingKind kind = ReadingKind::Horizontal;
+  bool takesPart = true;
+  double sigma = 0;     ///< stated, rad
+  double residual = 0;  ///< (observed − adjusted)/σ
+  double along = 0;     ///< (∂reading/∂φ)/σ, scaled to unit length over the visit
+};
+
+/// Whitened: everything is in units of the stated σ of the reading.
+struct Linearised {
+  std::vector<LinearReading> readings;  ///< visit after visit
+  std::size_t visits = 0;
+  std::vector<Unknown> unknowns;  ///< circles, slider zeros, pointing zeros and distance; no error terms
+  /// Of each unknown before the readings: infinite for those the fit estimates freely, the stated σ of a
+  /// known radius and of the considered ones. mm or rad.
+  std::vector<double> priorSigmas;
+  /// (what is known beforehand − value)/σ of each unknown, 0 where nothing is; and the values of the terms.
+  std::vector<double> priorResiduals;
+  std::array<double, errorTermCount> termValues{};
+  /// (∂reading/∂unknown)/σ, a column for each kind of unknown: of the reading's own arc.
+  ReadingColumns perUnknown;
+  /// (∂reading/∂term)/σ, a column for each `ErrorTerm`: rad, mm or 1 per unit of the term. The terms of a
+  /// jump as if it had come before every reading.
+  ReadingColumns perTerm;
+
+  double ofUnknown(std::size_t reading, std::size_t unknown) const {
+    const LinearReading& own = readings[reading];
+    const Unknown& by = unknowns[unknown];
+    return by.concerns(own.arc) ? perUnknown.at(own.kind, own.number, static_cast<std::size_t>(by.kind)) : 0;
+  }
+  double ofTerm(std::size_t reading, ErrorTerm term) const {
+    const LinearReading& own = readings[reading];
+    return perTerm.at(own.kind, own.number, static_cast<std::size_t>(term));
+  }
+};
+
+/// The terms there are, in their order.
+const std::vector<ErrorTerm>& everyTerm();
+
+/// `fit` is what `fitJointly` made of `measurement` with `options`. Derivatives by terms that are neither in
+/// the fit nor among `terms` are left zero.
+Linearised linearise(const Measurement& measurement, const JointFit& fit, const JointFitOptions& options = {},
+                     const std::vector<ErrorTerm>& terms = everyTerm());
+
+/// Where no fit is needed, since the readings lie on these circles, one for each arc: planned ones, say.
+Linearised linearise(const Measurement& measurement, const std::vector<Circle>& circles,
+                     const JointFitOptions& options = {}, const std::vector<ErrorTerm>& terms = everyTerm());
+
+}  // namespace alidade

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "core/observation/reading_ref.h"
+
+namespace alidade {
+
+/// Columns over readings, those of each kind apart: what moves one circle often leaves the other and the
+/// slider alone, and then there is no column for it.
+class ReadingColumns {
+ public:
+  ReadingColumns() = default;
+  explicit ReadingColumns(std::size_t columns) {
+    for (OfKind& own : m_kinds) own.columns.resize(columns);
+  }
+
+  /// Of so many readings of the kind.
+  void reserve(ReadingKind kind, std::size_t readings) { ofKind(kind).readings = readings; }
+  /// Readings of a kind are numbered from 0 and come one after the other, each with every column.
+  void append(ReadingKind kind, std::size_t number, std::size_t column, double value) {
+    OfKind& own = ofKind(kind);
+    std::vector<double>& values = own.columns[column];
+    if (values.empty()) {
+      if (value == 0) return;
+      values.reserve(own.readings);
+      values.resize(number);
+    }
+    values.push_back(value);
+  }
+  double at(ReadingKind kind, std::size_t number, std::size_t column) const {
+    const std::span<const double> values = of(kind, column);
+    return values.empty() ? 0 : values[number];
+  }
+  /// Empty where it is 0 for every reading.
+  std::span<const double> of(ReadingKind kind, std::size_t column) const {
+    return m_kinds[static_cast<std::size_t>(kind)].columns[column];
+  }
+
+ private:
+  struct OfKind {
+    std::size_t readings = 0;
+    std::vector<std::vector<double>> columns;
+  };
+  std::array<OfKind, readingKinds> m_kinds;
+
+  OfKind& ofKind(ReadingKind kind) { return m_kinds[static_cast<std::size_t>(kind)]; }
+};
+
+}  // namespace alidade

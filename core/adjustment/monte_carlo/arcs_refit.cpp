@@ -1,0 +1,118 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/adjustment/arc/arc_findings.h"
+#include "core/adjustment/arc/fast_arc_fit.h"
+#include "core/adjustment/monte_carlo/refit.h"
+#include "core/observation/visits.h"
+
+namespace alidade {
+
+namespace {
+
+constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+
+bool isAlone(const Measurement& fitted) {
+  const auto hasSlider = [](const ArcMeasurement& arc) {
+    return std::ranges::any_of(arc.sightings, [](const Sighting& s) { return s.slider.has_value(); });
+  };
+  return estimatedTerms(fitted).empty() && fitted.radiusModel == RadiusModel::Free &&
+         std::ranges::none_of(fitted.arcs, hasSlider);
+}
+
+class ArcsRefit : public Refit {
+ public:
+  explicit ArcsRefit(const RefitTask& task) : m_task(task), m_general(generalRefit(task)) {
+    for (const ArcMeasurement& arc : task.fitted.arcs) m_visits.push_back(visitsOf(arc));
+  }
+
+  static bool serves(const RefitTask& task) {
+    return isAlone(task.fitted) && std::ranges::all_of(task.fitted.arcs, [](const ArcMeasurement& arc) {
+             const std::vector<Visit> visits = visitsOf(arc);
+             return std::ranges::all_of(
+                 visits, [&](const Visit& visit) { return visit.mean.rows == visits.front().mean.rows; });
+           });
+  }
+
+  void refit(std::span<const Draw> draws, std::span<double> centres) override {
+    for (std::size_t arc = 0; arc < m_visits.size(); ++arc) refitArc(arc, draws, centres);
+    for (std::size_t i = 0; i < draws.size(); ++i) {
+      const auto own = centres.subspan(i * m_task.centres(), m_task.centres());
+      if (std::ranges::any_of(own, [](double value) { return std::isnan(value); }))
+        m_general->refit(draws.subspan(i, 1), own);
+    }
+  }
+
+ private:
+  /// The mean readings of every visit, with what was drawn. The zeros' part is common to them.
+  void takeReadings(std::size_t arc, std::span<const Draw> draws) {
+    const Measurement& read = m_task.fitted;
+    const std::vector<Visit>& visits = m_visits[arc];
+    m_a.resize(draws.size() * visits.size());
+    m_e.resize(m_a.size());
+    std::size_t next = 0;
+    for (const Draw& draw : draws) {
+      const double* zeros = &draw.normals[m_task.plan.zeros(arc)];
+      const double zeroA = read.sigmaZeroHorizontal.radians() * zeros[0],
+                   zeroE = read.sigmaZeroVertical.radians() * zeros[1];
+      for (const Visit& visit : visits) {
+        double noiseA = 0, noiseE = 0;
+        for (const std::size_t sighting : visit.sightings) {
+          const double* noise = &draw.normals[m_task.plan.readings(arc, sighting)];
+          noiseA += noise[0];
+          noiseE += noise[1];
+        }
+        const double perRow = draw.scale / visit.mean.rows;
+        m_a[next] = visit.mean.direction.a + zeroA + read.sigmaHorizontal.radians() * perRow * noiseA;
+        m_e[next] = visit.mean.direction.e + zeroE + read.sigmaVertical.radians() * perRow * noiseE;
+        ++next;
+      }
+    }
+  }
+
+  void refitArc(std::size_t arc, std::span<const Draw> draws, std::span<double> centres) {
+    takeReadings(arc, draws);
+    const Measurement& read = m_task.fitted;
+    const double perRoot = 1 / std::sqrt(static_cast<double>(m_visits[arc].front().mean.rows));
+    const ArcSetup setup{read.distance, read.sigmaHorizontal.radians() * perRoot,
+                         read.sigmaVertical.radians() * perRoot, read.relation};
+    m_fits.resize(draws.size());
+    constexpr double farBelowScatter = 1e-6;  // of the draws
+    const ArcSigma& sigma = m_task.fit.sigmas[arc];
+    const double tolerance =
+        farBelowScatter * std::min(sigma.x, sigma.y) / m_task.fit.arcs[arc].circle.radius;
+    fitArcsFast(setup, m_a, m_e, m_fits, 1, std::max(usualTolerance, tolerance));
+    for (std::size_t i = 0; i < draws.size(); ++i) {
+      double* own = &centres[i * m_task.centres() + 2 * arc];
+      const std::optional<FastArcFit>& fit = m_fits[i];
+      const bool isFound = fit && isDetermined(*fit);
+      // Angles alone fix the shape; all lengths are in proportion to L.
+      const double longer = 1 + read.sigmaDistance / read.distance * draws[i].normals[DrawPlan::distance];
+      own[0] = isFound ? fit->circle.x * longer : missing;
+      own[1] = isFound ? fit->circle.y * longer : missing;
+    }
+  }
+
+  static bool isDetermined(const FastArcFit& fit) {
+    ArcFit arc;
+    arc.circle = fit.circle;
+    arc.cofactor = fit.cofactor;
+    return fit.circle.radius > 0 && !radiusUndetermined(arc);
+  }
+
+  RefitTask m_task;
+  std::unique_ptr<Refit> m_general;
+  std::vector<std::vector<Visit>> m_visits;
+  std::vector<double> m_a, m_e;
+  std::vector<std::optional<FastArcFit>> m_fits;
+};
+
+}  // namespace
+
+std::unique_ptr<Refit> arcsRefit(const RefitTask& task) {
+  if (!ArcsRefit::serves(task)) return nullptr;
+  return std::make_unique<ArcsRefit>(task);
+}
+
+}  // namespace alidade

@@ -1,0 +1,264 @@
+#include "core/adjustment/monte_carlo/monte_carlo.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <thread>
+
+#include "core/adjustment/monte_carlo/refit.h"
+#include "core/base/random_source.h"
+#include "core/base/threads.h"
+
+namespace alidade {
+
+namespace {
+
+constexpr std::size_t fewestDraws = 100;
+constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+constexpr double chanceSigmas =
+    3;  // chance moves an end by three of its standard uncertainties once in 370 times
+
+/// The quickest way of fitting again that serves the session.
+class Refits {
+ public:
+  Refits(const RefitTask& task, std::uint64_t seed) : m_task(task) {
+    m_areApart = arcsRefit(task) != nullptr;
+    if (m_areApart) return;
+    m_model = expandedModel(task);
+    if (m_model && !holds(seed)) m_model = nullptr;
+  }
+
+  std::unique_ptr<Refit> make() const {
+    if (m_areApart) return arcsRefit(m_task);
+    return m_model ? expandedRefit(m_task, m_model) : generalRefit(m_task);
+  }
+
+ private:
+  /// Does the expansion answer as the fit itself does? Of draws apart from those that count: to a thousandth
+  /// of σ in every centre, which is a fifth or less of the numerical tolerance.
+  bool holds(std::uint64_t seed) const {
+    constexpr std::size_t probes = 64;
+    constexpr std::uint64_t apart = std::uint64_t{1} << 63;
+    constexpr double share = 1e-3;
+    std::vector<Draw> draws(probes);
+    for (std::size_t i = 0; i < probes; ++i) m_task.plan.drawInto(draws[i], seed, apart + i);
+    std::vector<double> quick(probes * m_task.centres()), general = quick;
+    expandedRefit(m_task, m_model)->refit(draws, quick);
+    generalRefit(m_task)->refit(draws, general);
+    for (std::size_t i = 0; i < quick.size(); ++i) {
+      const std::size_t centre = i % m_task.centres();
+      const ArcSigma& sigma = m_task.fit.sigmas[centre / 2];
+      if (!(std::abs(quick[i] - general[i]) <= share * (centre % 2 == 0 ? sigma.x : sigma.y))) return false;
+    }
+    return true;
+  }
+
+  RefitTask m_task;
+  bool m_areApart = false;
+  std::shared_ptr<const ExpandedModel> m_model;
+};
+
+/// Draw by draw Δx0 Δy0 Δx1 Δy1 and Δd, a column for each.
+class Columns {
+ public:
+  explicit Columns(const RefitTask& task) : m_values(task.centres() + (task.fit.intersection ? 1 : 0)) {
+    if (task.fit.intersection) m_upper = task.fitted.arcs[0].axisDeg == 0 ? 1 : 3;
+  }
+
+  std::size_t draws() const { return m_values.front().size(); }
+  std::vector<std::vector<double>>& values() { return m_values; }
+  void resize(std::size_t draws) {
+    for (std::vector<double>& column : m_values) column.resize(draws, missing);
+  }
+
+  /// All of a draw is missing where any of it is.
+  void put(std::size_t draw, std::span<const double> centres) {
+    const bool isThere = std::ranges::all_of(centres, [](double value) { return std::isfinite(value); });
+    for (std::size_t i = 0; i < centres.size(); ++i) m_values[i][draw] = isThere ? centres[i] : missing;
+    if (m_values.size() > centres.size())
+      m_values.back()[draw] = isThere ? (centres[m_upper] - centres[4 - m_upper]) / 2 : missing;
+  }
+
+  void dropMissing() {
+    for (std::vector<double>& column : m_values)
+      std::erase_if(column, [](double value) { return std::isnan(value); });
+  }
+
+ private:
+  std::vector<std::vector<double>> m_values;
+  std::size_t m_upper = 0;  ///< Δy at 0° among the centres
+};
+
+unsigned threadsOf(const MonteCarloOptions& options) {
+  return options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
+}
+
+/// Calls work(i) for 0 … count − 1, each once, on all threads.
+template <typename MakeWork>
+void inParallel(unsigned threads, std::size_t count, const MakeWork& makeWork) {
+  std::atomic<std::size_t> next = 0;
+  const auto run = [&] {
+    auto work = makeWork();
+    for (std::size_t i; (i = next.fetch_add(1)) < count;) work(i);
+  };
+  inThreads(threads, run);
+}
+
+/// Draws `first` … `end` − 1 by their numbers, whichever thread takes them, behind what the columns hold.
+/// False where it was stopped.
+bool drawAll(Columns& columns, std::size_t first, std::size_t end, const RefitTask& task,
+             const Refits& refits, const MonteCarloOptions& options, const std::stop_token& stop) {
+  constexpr std::size_t batch = 256;
+  const std::size_t held = columns.draws(), count = end - first;
+  columns.resize(held + count);
+  inParallel(threadsOf(options), (count + batch - 1) / batch, [&] {
+    return [&, refit = refits.make(), draws = std::vector<Draw>(batch),
+            centres = std::vector<double>(batch * task.centres())](std::size_t turn) mutable {
+      if (stop.stop_requested()) return;
+      const std::size_t from = turn * batch, taken = std::min(batch, count - from);
+      for (std::size_t i = 0; i < taken; ++i) task.plan.drawInto(draws[i], options.seed, first + from + i);
+      const std::span<double> found(centres.data(), taken * task.centres());
+      refit->refit(std::span(draws).first(taken), found);
+      for (std::size_t i = 0; i < taken; ++i)
+        columns.put(held + from + i, found.subspan(i * task.centres(), task.centres()));
+      if (options.made) *options.made += taken;
+    };
+  });
+  columns.dropMissing();
+  return !stop.stop_requested();
+}
+
+/// The value at `rank` in order of size. Orders only what lies beyond one σ on its side where the rank is
+/// there.
+double valueAt(const std::vector<double>& values, std::size_t rank, const Spread& spread) {
+  const bool isLow = 2 * rank < values.size();
+  const double bound = isLow ? spread.mean - spread.sigma : spread.mean + spread.sigma;
+  std::vector<double> beyond;
+  beyond.reserve(values.size() / 4);
+  for (const double value : values)
+    if (isLow ? value < bound : value > bound) beyond.push_back(value);
+  const std::size_t fromAbove = values.size() - 1 - rank;
+  const std::size_t own = isLow ? rank : beyond.size() - 1 - fromAbove;
+  if ((isLow ? rank : fromAbove) < beyond.size()) {
+    std::ranges::nth_element(beyond, beyond.begin() + static_cast<std::ptrdiff_t>(own));
+    return beyond[own];
+  }
+  beyond = values;
+  std::ranges::nth_element(beyond, beyond.begin() + static_cast<std::ptrdiff_t>(rank));
+  return beyond[rank];
+}
+
+/// Of at least two values.
+Spread spreadOf(const std::vector<double>& values, double coverage) {
+  const auto count = static_cast<double>(values.size());
+  Spread spread;
+  spread.mean = std::accumulate(values.begin(), values.end(), 0.0) / count;
+  double squares = 0;
+  for (const double value : values) squares += (value - spread.mean) * (value - spread.mean);
+  spread.sigma = std::sqrt(squares / (count - 1));
+  const auto inside = static_cast<std::size_t>(std::llround(coverage * count));
+  const std::size_t outside = values.size() - inside, below = outside > 0 ? (outside - 1) / 2 : 0;
+  spread.low = valueAt(values, below, spread);
+  spread.high = valueAt(values, std::min(below + inside, values.size() - 1), spread);
+  return spread;
+}
+
+/// Half a unit of the second significant digit of σ.
+double numericalTolerance(double sigma) {
+  return sigma > 0 ? 0.5 * std::pow(10, std::floor(std::log10(sigma)) - 1) : 0;
+}
+
+/// Of the end of an interval with a share of (1 − coverage)/2 beyond it: √(p(1 − p)/M)/density, the density
+/// of the normal distribution of that σ.
+double endpointSigma(double coverage, double sigma, std::size_t draws) {
+  const double outside = (1 - coverage) / 2;
+  const double z = normalQuantile(1 - outside);
+  const double density = std::exp(-z * z / 2) / std::sqrt(2 * std::acos(-1.0)) / sigma;
+  return std::sqrt(outside * (1 - outside) / static_cast<double>(draws)) / density;
+}
+
+double worstOf(const MonteCarlo& result) {
+  return std::max(result.lowDifference, result.highDifference);
+}
+
+void compare(MonteCarlo& result, const Intersection& intersection) {
+  const Spread& spread = *result.intersection;
+  result.tolerance = numericalTolerance(intersection.sigma);
+  result.lowDifference = std::abs(intersection.value - intersection.expanded - spread.low);
+  result.highDifference = std::abs(intersection.value + intersection.expanded - spread.high);
+  result.endpointSigma = endpointSigma(result.coverage, spread.sigma, result.draws);
+  const double worst = worstOf(result), chance = chanceSigmas * result.endpointSigma;
+  if (worst > result.tolerance + chance)
+    result.linear = LinearPropagation::Refuted;
+  else if (worst <= result.tolerance && chance <= result.tolerance)
+    result.linear = LinearPropagation::Validated;
+}
+
+MonteCarlo resultOf(Columns& columns, const RefitTask& task, std::size_t drawn,
+                    const MonteCarloOptions& options) {
+  MonteCarlo result;
+  result.draws = columns.draws();
+  result.failed = drawn - result.draws;
+  result.seed = options.seed;
+  result.coverage = task.fitted.coverage;
+  if (result.draws < fewestDraws) return result;
+  std::vector<Spread> spreads(columns.values().size());
+  inParallel(
+      std::min<unsigned>(threadsOf(options), static_cast<unsigned>(spreads.size())), spreads.size(),
+      [&] { return [&](std::size_t i) { spreads[i] = spreadOf(columns.values()[i], result.coverage); }; });
+  for (std::size_t i = 0; i < task.fitted.arcs.size(); ++i)
+    result.centres.push_back({task.fitted.arcs[i].axisDeg, spreads[2 * i], spreads[2 * i + 1]});
+  if (task.fit.intersection) {
+    result.intersection = spreads.back();
+    compare(result, *task.fit.intersection);
+  }
+  return result;
+}
+
+bool isAnswered(const MonteCarlo& result) {
+  return !result.intersection || result.linear != LinearPropagation::Undecided;
+}
+
+/// How many draws would tell: chance then fits into the tolerance, and where an end differs by more than
+/// that, between the two. The answer may not come at the first go, so never fewer than twice as many.
+std::size_t drawsToTell(const MonteCarlo& result, std::size_t drawn) {
+  const double excess = worstOf(result) - result.tolerance;
+  const double room = excess > 0 ? std::min(result.tolerance, excess) : result.tolerance;
+  const double ratio = chanceSigmas * result.endpointSigma / room;
+  const double wanted = 1.1 * static_cast<double>(drawn) * ratio * ratio;
+  const double most = static_cast<double>(mostDrawsLeftOpen);
+  return static_cast<std::size_t>(std::min(most, std::max(2.0 * static_cast<double>(drawn), wanted)));
+}
+
+}  // namespace
+
+std::optional<MonteCarlo> propagateDistributions(const Measurement& measurement, const SessionFit& fit,
+                                                 const MonteCarloOptions& options,
+                                                 const std::stop_token& stop) {
+  const Measurement fitted = fittedPart(measurement, fit);
+  if (fitted.arcs.empty()) return std::nullopt;
+  const DrawPlan plan(fitted, fit.noise);
+  const RefitTask task{fitted, fit, plan};
+  const Refits refits(task, options.seed);
+  Columns columns(task);
+  constexpr std::size_t firstDraws = 20000;
+  for (std::size_t drawn = 0, wanted = options.draws.value_or(firstDraws);;) {
+    if (!drawAll(columns, drawn, wanted, task, refits, options, stop)) return std::nullopt;
+    drawn = wanted;
+    MonteCarlo result = resultOf(columns, task, drawn, options);
+    if (result.draws < fewestDraws) return std::nullopt;
+    if (options.draws || isAnswered(result)) return result;
+    if (drawn ==
+        mostDrawsLeftOpen) {  // an end lies so near to the tolerance that chance cannot be told from it
+      result.linear =
+          worstOf(result) <= result.tolerance ? LinearPropagation::Validated : LinearPropagation::Refuted;
+      return result;
+    }
+    wanted = drawsToTell(result, drawn);
+  }
+}
+
+}  // namespace alidade

@@ -1,0 +1,166 @@
+#include "core/adjustment/result/intersection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/base/statistics.h"
+
+namespace alidade {
+
+namespace {
+
+/// A scatter this improbably small is not trusted: the stated noise is taken instead.
+constexpr double improbablySmall = 0.001;
+
+double square(double value) {
+  return value * value;
+}
+
+/// wᵀ Q w.
+double quadraticForm(const SquareMatrix& matrix, const std::vector<double>& weights) {
+  double sum = 0;
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    if (weights[i] == 0) continue;
+    for (std::size_t j = 0; j < weights.size(); ++j) sum += weights[i] * matrix(i, j) * weights[j];
+  }
+  return sum;
+}
+
+bool isTerm(const Unknown& unknown) {
+  return unknown.kind == Unknown::Kind::Error;
+}
+
+/// The root of the variance that one kind of considered quantity brings.
+double consideredShare(const JointFit& fit, const std::vector<double>& weights, bool distance) {
+  double variance = 0;
+  for (std::size_t c = 0; c < fit.considered.size(); ++c) {
+    if ((fit.considered[c].kind == Unknown::Kind::Distance) != distance) continue;
+    double rate = 0;
+    for (std::size_t i = 0; i < weights.size(); ++i)
+      rate += weights[i] * fit.perConsidered[i * fit.considered.size() + c];
+    variance += square(rate * fit.consideredSigmas[c]);
+  }
+  return std::sqrt(variance);
+}
+
+/// The root of the variance that a known radius brings: the gain of the adjustment on R0 times its σ.
+double knownRadiusShare(const JointFit& fit, const SquareMatrix& cofactor,
+                        const std::vector<double>& weights) {
+  if (std::isinf(fit.radiusPriorSigma)) return 0;
+  const std::size_t radius = fit.indexOf({.kind = Unknown::Kind::Radius});
+  double sum = 0;
+  for (std::size_t i = 0; i < weights.size(); ++i) sum += weights[i] * cofactor(i, radius);
+  return std::abs(sum) / fit.radiusPriorSigma;
+}
+
+/// The variance from readings, and priors of error terms, at their stated σ.
+double scalableVariance(const JointFit& fit, const SquareMatrix& cofactor,
+                        const std::vector<double>& weights) {
+  // In this order of its arguments max() lets NaN pass: what is unknown is not nothing.
+  return std::max(quadraticForm(cofactor, weights) - square(knownRadiusShare(fit, cofactor, weights)), 0.0);
+}
+
+std::vector<double> unit(const JointFit& fit, const Unknown& unknown) {
+  std::vector<double> weights(fit.unknowns.size());
+  weights.at(fit.indexOf(unknown)) = 1;
+  return weights;
+}
+
+std::optional<std::size_t> arcAt(const Measurement& measurement, int axisDeg) {
+  const auto found = std::ranges::find(measurement.arcs, axisDeg, &ArcMeasurement::axisDeg);
+  if (found == measurement.arcs.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - measurement.arcs.begin());
+}
+
+}  // namespace
+
+NoiseScale noiseScale(double chiSquare, int degreesOfFreedom) {
+  constexpr double known = std::numeric_limits<double>::infinity();
+  const std::optional<double> tail = chiSquareUpperTail(chiSquare, degreesOfFreedom);
+  if (!tail || 1 - *tail < improbablySmall) return {1, known};
+  return {std::sqrt(chiSquare / degreesOfFreedom), static_cast<double>(degreesOfFreedom)};
+}
+
+NoiseScale noiseScale(const JointFit& fit) {
+  return noiseScale(fit.chiSquare, fit.degreesOfFreedom);
+}
+
+std::vector<BudgetEntry> budgetOf(const JointFit& fit, const std::vector<double>& weights, double scale) {
+  const double together = scalableVariance(fit, fit.cofactor, weights);
+  const bool hasTerms = std::ranges::any_of(fit.unknowns, isTerm);
+  const double withTermsKnown =
+      hasTerms ? std::min(together, scalableVariance(fit, fit.cofactorWithoutTerms, weights)) : together;
+  std::vector<BudgetEntry> budget{{"readings", scale * std::sqrt(withTermsKnown)}};
+  if (hasTerms) budget.push_back({"model effects", scale * standardDeviation(together - withTermsKnown)});
+  if (!std::isinf(fit.radiusPriorSigma))
+    budget.push_back({"known radius", knownRadiusShare(fit, fit.cofactor, weights)});
+  budget.push_back({"pointing zeros", consideredShare(fit, weights, false)});
+  budget.push_back({"distance", consideredShare(fit, weights, true)});
+  return budget;
+}
+
+double combined(const std::vector<BudgetEntry>& budget) {
+  double variance = 0;
+  for (const BudgetEntry& entry : budget) variance += square(entry.sigma);
+  return std::sqrt(variance);
+}
+
+ArcBudget arcBudget(const JointFit& fit, std::size_t arc, double scale) {
+  const auto budget = [&](Unknown::Kind kind) {
+    return budgetOf(fit, unit(fit, {.kind = kind, .arc = arc}), scale);
+  };
+  return {budget(Unknown::Kind::CentreX), budget(Unknown::Kind::CentreY), budget(Unknown::Kind::Radius)};
+}
+
+ArcSigma arcSigma(const JointFit& fit, std::size_t arc, double scale) {
+  return arcSigma(fit, arc, scale, arcBudget(fit, arc, scale));
+}
+
+ArcSigma arcSigma(const JointFit& fit, std::size_t arc, double scale, const ArcBudget& budget) {
+  ArcSigma result{combined(budget.x), combined(budget.y), combined(budget.radius)};
+  // cov(a, b) = (var(a + b) − var(a − b))/4, source by source as in the budget.
+  const auto correlation = [&](Unknown::Kind kind, double sigmaOfKind) {
+    double covariance = 0;
+    for (const double sign : {1.0, -1.0}) {
+      std::vector<double> weights = unit(fit, {.kind = Unknown::Kind::Radius, .arc = arc});
+      weights[fit.indexOf({.kind = kind, .arc = arc})] = sign;
+      covariance += sign * square(combined(budgetOf(fit, weights, scale))) / 4;
+    }
+    const double product = sigmaOfKind * result.radius;
+    return product > 0 ? std::clamp(covariance / product, -1.0, 1.0) : 0;
+  };
+  result.radiusX = correlation(Unknown::Kind::CentreX, result.x);
+  result.radiusY = correlation(Unknown::Kind::CentreY, result.y);
+  return result;
+}
+
+std::optional<Intersection> intersect(const Measurement& measurement, const JointFit& fit) {
+  const auto upper = arcAt(measurement, 0), lower = arcAt(measurement, 180);
+  if (!upper || !lower || !fit.isDetermined) return std::nullopt;
+  const auto index = [&](Unknown::Kind kind, std::size_t arc) {
+    return fit.indexOf({.kind = kind, .arc = arc});
+  };
+  const auto difference = [&](Unknown::Kind kind) {
+    return fit.values[index(kind, *upper)] - fit.values[index(kind, *lower)];
+  };
+  std::vector<double> weights(fit.unknowns.size());
+  weights[index(Unknown::Kind::CentreY, *upper)] = 0.5;
+  weights[index(Unknown::Kind::CentreY, *lower)] = -0.5;
+
+  const NoiseScale noise = noiseScale(fit);
+  Intersection result;
+  result.value = difference(Unknown::Kind::CentreY) / 2;
+  result.inPlane = std::hypot(difference(Unknown::Kind::CentreX), difference(Unknown::Kind::CentreY)) / 2;
+  result.budget = budgetOf(fit, weights, noise.factor);
+  result.sigma = combined(result.budget);
+  const double scaled = noise.factor * std::sqrt(scalableVariance(fit, fit.cofactor, weights));
+  const DegreesOfFreedom effective = effectiveDegreesOfFreedom(result.sigma, scaled, noise.degreesOfFreedom);
+  result.effectiveDegreesOfFreedom = effective.count();
+  result.coverage = measurement.coverage;
+  result.coverageFactor = coverageFactor(result.coverage, effective);
+  result.expanded = result.coverageFactor * result.sigma;
+  return result;
+}
+
+}  // namespace alidade

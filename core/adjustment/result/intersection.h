@@ -1,0 +1,73 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/adjustment/joint/joint_fit.h"
+#include "core/session/measurement.h"
+
+namespace alidade {
+
+/// How the readings scatter against what is stated.
+struct NoiseScale {
+  double factor = 1;            ///< s0 = √(χ²/f): what comes from the readings is scaled by it
+  double degreesOfFreedom = 0;  ///< f behind the factor; infinite where the stated noise is taken as known
+};
+
+/// The stated noise is taken as known, factor 1, where there is no redundancy or χ² is unknown, and where the
+/// scatter is so small (below its 0.1 % point) that it speaks against the readings' independence rather than
+/// for their precision.
+NoiseScale noiseScale(const JointFit& fit);
+NoiseScale noiseScale(double chiSquare, int degreesOfFreedom);
+
+/// A share of the standard uncertainty of a result.
+struct BudgetEntry {
+  std::string source;  ///< "readings", "model effects", "known radius", "pointing zeros", "distance"
+  double sigma = 0;    ///< mm
+};
+
+/// The budget of a linear combination of the unknowns (`weights`, one for each): the readings, and what
+/// estimating error terms along costs on top (listed only if there are any), scaled by `scale`; the radius
+/// where it is known, the pointing zeros, one for each position and independent, and the distance, common to
+/// both, as stated.
+std::vector<BudgetEntry> budgetOf(const JointFit& fit, const std::vector<double>& weights, double scale);
+
+/// The root of the sum of squares.
+double combined(const std::vector<BudgetEntry>& budget);
+
+/// Standard uncertainties of one arc's quantities, mm, and how the centre hangs on the radius.
+struct ArcSigma {
+  double x = 0, y = 0, radius = 0;
+  /// Correlation of R with x and with y, −1…1. On half an arc a radius wrong by its σ takes the centre's
+  /// height along by this share of that height's σ. 0 where R is exact.
+  double radiusX = 0, radiusY = 0;
+};
+
+/// The budgets behind them, in the order of the sources of Δd's.
+struct ArcBudget {
+  std::vector<BudgetEntry> x, y, radius;
+};
+
+/// Of arc `arc` of the fitted measurement.
+ArcBudget arcBudget(const JointFit& fit, std::size_t arc, double scale);
+ArcSigma arcSigma(const JointFit& fit, std::size_t arc, double scale);
+/// `budget`: that of `arcBudget`.
+ArcSigma arcSigma(const JointFit& fit, std::size_t arc, double scale, const ArcBudget& budget);
+
+/// The intersection Δd = (Δy(0°) − Δy(180°))/2, y up, mm.
+struct Intersection {
+  double value = 0;
+  double sigma = 0;                      ///< combined standard uncertainty
+  double expanded = 0;                   ///< U = k σ at `coverage`
+  double coverage = 0.95;                ///< in (0, 1)
+  double coverageFactor = 0;             ///< k: Student's quantile at the effective degrees of freedom
+  double effectiveDegreesOfFreedom = 0;  ///< Welch-Satterthwaite; infinite where nothing was estimated
+  double inPlane = 0;                    ///< |O1 − O2|/2
+  std::vector<BudgetEntry> budget;
+};
+
+/// Absent unless `measurement`, which was fitted, holds arcs at 0° and at 180°, and the fit is determined.
+std::optional<Intersection> intersect(const Measurement& measurement, const JointFit& fit);
+
+}  // namespace alidade

@@ -1,0 +1,198 @@
+#include "core/adjustment/result/session_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "core/adjustment/arc/arc_findings.h"
+#include "core/adjustment/arc/first_fit.h"
+#include "core/adjustment/result/session_findings.h"
+#include "core/adjustment/result/setup_findings.h"
+#include "core/base/threads.h"
+#include "core/effects/catalogue.h"
+
+namespace alidade {
+
+namespace {
+
+Finding failure(const ArcMeasurement& arc, const Problem& problem) {
+  return {Severity::Error,
+          "The arc at " + std::to_string(arc.axisDeg) + "° " + problem.what + ".",
+          {},
+          problem.where};
+}
+
+/// The effects that the catalogue knows, each once.
+std::vector<const Effect*> knownEffects(const std::vector<std::string>& ids) {
+  std::vector<const Effect*> effects;
+  for (const std::string& id : ids) {
+    const Effect* effect = effectById(id);
+    if (effect && std::ranges::find(effects, effect) == effects.end()) effects.push_back(effect);
+  }
+  return effects;
+}
+
+std::vector<EstimatedTerm> termsOf(const std::vector<const Effect*>& effects) {
+  std::vector<EstimatedTerm> terms;
+  for (const Effect* effect : effects)
+    for (const EffectParameter& parameter : effect->parameters)
+      terms.push_back({parameter.term, plausibleSize(parameter)});
+  return terms;
+}
+
+/// Circle, residuals and misfit of every arc as the joint adjustment leaves them.
+void takeOver(std::vector<ArcFit>& arcs, const JointFit& joint) {
+  std::vector<double> squares(arcs.size());
+  for (const AdjustedReading& reading : joint.readings) {
+    SightingResidual& residual = arcs[reading.arc].residuals[reading.sighting];
+    residual.arcAngle = joint.arcAngles[reading.arc][reading.sighting];
+    if (reading.kind == ReadingKind::Slider) continue;
+    const Angle left = Angle::fromRadians(reading.residual);
+    (reading.kind == ReadingKind::Horizontal ? residual.horizontal : residual.vertical) = left;
+    squares[reading.arc] += left.arcseconds() * left.arcseconds();
+  }
+  for (std::size_t i = 0; i < arcs.size(); ++i) {
+    ArcFit& arc = arcs[i];
+    arc.circle = joint.circleOf(i);
+    const auto kinds = {Unknown::Kind::CentreX, Unknown::Kind::CentreY, Unknown::Kind::Radius};
+    for (const auto row : kinds)
+      for (const auto column : kinds)
+        arc.cofactor[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] =
+            joint.cofactor(joint.indexOf({.kind = row, .arc = i}), joint.indexOf({.kind = column, .arc = i}));
+    arc.chiSquare = joint.misfits[i].chiSquare;
+    arc.degreesOfFreedom = joint.misfits[i].degreesOfFreedom;
+    arc.residualRms = std::sqrt(squares[i] / static_cast<double>(2 * arc.residuals.size()));
+    arc.iterations = joint.iterations;
+    arc.converged = joint.converged;
+  }
+}
+
+std::vector<EffectEstimate> estimatesOf(const JointFit& joint, const std::vector<const Effect*>& effects,
+                                        double scale) {
+  std::vector<EffectEstimate> estimates;
+  for (const Effect* effect : effects) {
+    for (const EffectParameter& parameter : effect->parameters) {
+      const std::size_t i = joint.indexOf({.kind = Unknown::Kind::Error, .arc = 0, .term = parameter.term});
+      const double factor = modelUnitsPer(parameter.unit);
+      estimates.push_back({std::string(effect->id), std::string(parameter.name), std::string(parameter.unit),
+                           joint.values[i] / factor, scale * std::sqrt(joint.cofactor(i, i)) / factor});
+    }
+  }
+  return estimates;
+}
+
+/// Of each arc alone, at once where they are long.
+std::vector<Result<ArcFit>> firstFits(const Measurement& measurement) {
+  std::vector<Result<ArcFit>> fits(measurement.arcs.size(), Problem{});
+  doEach(threadsFor(measurement.rows), fits.size(),
+         [&](std::size_t i) { fits[i] = firstFit(measurement, measurement.arcs[i]); });
+  return fits;
+}
+
+/// False where the arcs, each determined alone, are not so together.
+bool adjust(SessionFit& fit, const Measurement& fitted) {
+  std::vector<Circle> starts;
+  for (const ArcFit& arc : fit.arcs) starts.push_back(arc.circle);
+  const std::vector<const Effect*> effects = knownEffects(fitted.effects);
+  fit.joint = fitJointly(fitted, starts, {.terms = termsOf(effects)});
+  if (!fit.joint.isDetermined) return false;
+  takeOver(fit.arcs, fit.joint);
+  fit.noise = noiseScale(fit.joint);
+  for (std::size_t i = 0; i < fit.arcs.size(); ++i) {
+    fit.budgets.push_back(arcBudget(fit.joint, i, fit.noise.factor));
+    fit.sigmas.push_back(arcSigma(fit.joint, i, fit.noise.factor, fit.budgets.back()));
+  }
+  fit.intersection = intersect(fitted, fit.joint);
+  fit.effects = estimatesOf(fit.joint, effects, fit.noise.factor);
+  return true;
+}
+
+Finding undetermined(const Measurement& fitted) {
+  const bool hasEffects = !knownEffects(fitted.effects).empty();
+  return {Severity::Error,
+          std::string("The readings of all positions do not determine the circles") +
+              (hasEffects ? " and the effects of the model together" : " together") + ".",
+          std::string("Look for misread values, sight more places over a longer arc") +
+              (hasEffects ? ", or take effects out of the model." : "."),
+          {}};
+}
+
+void judge(SessionFit& fit, const Measurement& measurement) {
+  if (!fit.intersection || !measurement.tolerance) return;
+  const double value = fit.intersection->value, expanded = fit.intersection->expanded;
+  const double tolerance = *measurement.tolerance;
+  fit.verdict = fit.lengthsInDoubt ? Verdict::Undecided : decide(value, expanded, tolerance);
+  fit.verdictSentence = fit.lengthsInDoubt
+                            ? "The verdict is withheld: " + *fit.lengthsInDoubt
+                            : verdictSentence(value, expanded, tolerance, measurement.coverage);
+}
+
+}  // namespace
+
+const ArcFit* SessionFit::arcAt(int axisDeg) const {
+  const auto found = std::ranges::find(arcs, axisDeg, &ArcFit::axisDeg);
+  return found == arcs.end() ? nullptr : &*found;
+}
+
+const ArcFit* SessionFit::arcOfPosition(std::size_t position) const {
+  const auto found = std::ranges::find(arcs, position, &ArcFit::position);
+  return found == arcs.end() ? nullptr : &*found;
+}
+
+SessionFit fitSession(const Measurement& measurement) {
+  SessionFit fit;
+  std::vector<Result<ArcFit>> firsts = firstFits(measurement);
+  for (std::size_t i = 0; i < firsts.size(); ++i)
+    if (firsts[i])
+      fit.arcs.push_back(*std::move(firsts[i]));
+    else
+      fit.findings.push_back(failure(measurement.arcs[i], firsts[i].problem()));
+  Measurement fitted = fittedPart(measurement, fit);
+  fit.lengthsInDoubt = doubtfulLengths(measurement, fit.arcs);  // while every radius is free
+  if (!fit.arcs.empty() && !adjust(fit, fitted)) {
+    fit.findings.push_back(undetermined(fitted));
+    fit.arcs.clear();
+    fit.joint = {};
+    fitted.arcs.clear();
+  }
+  judge(fit, measurement);
+  for (std::size_t i = 0; i < fit.arcs.size(); ++i)
+    std::ranges::move(arcFindings(measurement, fitted.arcs[i], fit.arcs[i]),
+                      std::back_inserter(fit.findings));
+  std::ranges::move(setupFindings(fitted, fit), std::back_inserter(fit.findings));
+  std::ranges::move(sessionFindings(measurement, fit), std::back_inserter(fit.findings));
+  return fit;
+}
+
+Measurement fittedPart(const Measurement& measurement, const SessionFit& fit) {
+  Measurement part = measurement;
+  std::erase_if(part.arcs, [&](const ArcMeasurement& arc) { return !fit.arcOfPosition(arc.position); });
+  return part;
+}
+
+std::vector<EstimatedTerm> estimatedTerms(const Measurement& measurement) {
+  return termsOf(knownEffects(measurement.effects));
+}
+
+PublishedSessionFit fitSessionAsPublished(const Measurement& measurement) {
+  PublishedSessionFit fit;
+  for (const ArcMeasurement& arc : measurement.arcs) {
+    Result<PublishedFit> fitted = fitArcAsPublished(measurement, arc);
+    if (fitted)
+      fit.arcs.push_back(*std::move(fitted));
+    else
+      fit.findings.push_back(failure(arc, fitted.problem()));
+  }
+  const auto at = [&](int axisDeg) {
+    return std::ranges::find_if(fit.arcs, [&](const PublishedFit& f) { return f.arc.axisDeg == axisDeg; });
+  };
+  const auto upper = at(0), lower = at(180);
+  std::ranges::move(missingPositions(measurement), std::back_inserter(fit.findings));
+  if (upper == fit.arcs.end() || lower == fit.arcs.end()) return fit;
+  fit.intersection = (upper->arc.circle.y - lower->arc.circle.y) / 2;
+  fit.intersectionAsPrinted = (upper->asPrinted.y - lower->asPrinted.y) / 2;
+  fit.inPlane = std::hypot(upper->arc.circle.x - lower->arc.circle.x, *fit.intersection * 2) / 2;
+  return fit;
+}
+
+}  // namespace alidade

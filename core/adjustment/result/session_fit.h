@@ -1,0 +1,63 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/adjustment/arc/arc_fit.h"
+#include "core/adjustment/arc/published_fit.h"
+#include "core/adjustment/result/acceptance.h"
+#include "core/adjustment/result/intersection.h"
+#include "core/base/finding.h"
+#include "core/session/measurement.h"
+
+namespace alidade {
+
+/// A number of an effect that was estimated along, in the unit of the catalogue.
+struct EffectEstimate {
+  std::string effect, name, unit;
+  double value = 0, sigma = 0;
+};
+
+/// Both arcs fitted rigorously, their intersection, and what the data say about themselves. A plain value:
+/// computed from a measurement, shown by console, window and report alike.
+struct SessionFit {
+  std::vector<ArcFit> arcs;        ///< those that could be fitted, in the measurement's order
+  JointFit joint;                  ///< of these arcs together; empty where there are none
+  std::vector<ArcSigma> sigmas;    ///< of each arc, scaled by the residuals of both
+  std::vector<ArcBudget> budgets;  ///< of each arc, behind `sigmas`
+  NoiseScale noise;                ///< s0, common to both arcs
+  std::optional<Intersection> intersection;
+  std::vector<EffectEstimate> effects;
+  /// Why no verdict rests on the lengths (`doubtfulLengths`); empty where nothing speaks against them.
+  std::optional<std::string> lengthsInDoubt;
+  std::optional<Verdict> verdict;  ///< with an intersection and a tolerance; undecided with lengths in doubt
+  std::string verdictSentence;     ///< with a verdict: what it rests on, or why it is withheld
+  std::vector<Finding> findings;   ///< of the arcs and of the whole; an Error says why something is absent
+
+  const ArcFit* arcAt(int axisDeg) const;                   ///< null where there is none
+  const ArcFit* arcOfPosition(std::size_t position) const;  ///< null where there is none
+};
+
+/// Every arc that its readings fix is found by `fitArc`, then all of them together by `fitJointly`, with the
+/// slider readings and the effects that the session's model names.
+SessionFit fitSession(const Measurement& measurement);
+
+/// The measurement with only those arcs that were fitted: what `SessionFit::joint` counts its arcs in.
+Measurement fittedPart(const Measurement& measurement, const SessionFit& fit);
+
+/// The error terms of the effects that the measurement's model names, each with its plausible size as prior.
+std::vector<EstimatedTerm> estimatedTerms(const Measurement& measurement);
+
+/// The published method on both arcs, for comparison.
+struct PublishedSessionFit {
+  std::vector<PublishedFit> arcs;
+  std::optional<double> intersection;           ///< Δd, y up, mm
+  std::optional<double> intersectionAsPrinted;  ///< (Δy − Δy′)/2 in the paper's signs
+  double inPlane = 0;                           ///< |O1 − O2|/2, mm; with an intersection
+  std::vector<Finding> findings;
+};
+
+PublishedSessionFit fitSessionAsPublished(const Measurement& measurement);
+
+}  // namespace alidade

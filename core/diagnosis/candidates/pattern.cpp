@@ -1,0 +1,193 @@
+#include "core/diagnosis/candidates/pattern.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+namespace alidade {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+namespace {
+
+constexpr Index few = 4;  // blocking a product with fewer columns costs more than multiplying
+
+/// oneᵀ other.
+MatrixXd innerProducts(const MatrixXd& one, const MatrixXd& other) {
+  if (std::min(one.cols(), other.cols()) <= few) return one.transpose().lazyProduct(other);
+  return one.transpose() * other;
+}
+
+/// Adds factor columnsᵀ columns to the upper half of a matrix. Without rows that is nothing, which Eigen 3.4
+/// must not be asked: its blocking of a rank update with 48 columns and more divides by the number of rows.
+template <typename Matrix>
+void addSquare(Matrix&& sum, const MatrixXd& columns, double factor) {
+  if (columns.rows() == 0) return;
+  if (columns.cols() <= few)
+    sum += factor * columns.transpose().lazyProduct(columns);
+  else
+    sum.template selfadjointView<Eigen::Upper>().rankUpdate(columns.transpose(), factor);
+}
+
+/// The Gram matrix, of which the upper half is given, less what lies along the arc angles and in the span of
+/// the unknowns.
+MatrixXd visiblePart(MatrixXd gram, const MatrixXd& along, const MatrixXd& taken) {
+  addSquare(gram, along, -1);
+  addSquare(gram, taken, -1);
+  gram.triangularView<Eigen::StrictlyLower>() = gram.transpose();
+  return gram;
+}
+
+}  // namespace
+
+Carrier::Carrier(const Leftover& leftover, const VectorXd& values, std::shared_ptr<const Cells> cells)
+    : m_cells(std::move(cells)) {
+  m_squares = m_along = VectorXd::Zero(m_cells->count());
+  m_moved.reserve(static_cast<std::size_t>((values.array() != 0).count()));
+  for (Index i = 0; i < values.size(); ++i) {
+    const Moved moved{static_cast<std::uint32_t>(i), static_cast<float>(values[i])};
+    if (moved.value == 0) continue;
+    const double value = moved.value;
+    m_moved.push_back(moved);
+    m_squares[cellOf(moved)] += value * value;
+    m_along[cellOf(moved)] += value * leftover.reading(i).along;
+  }
+}
+
+VectorXd Carrier::squaresOutsideArcAngles(const Leftover& leftover) const {
+  if (cells() != leftover.visits()) return {};
+  return (m_squares - m_along.cwiseAbs2()).cwiseMax(0);
+}
+
+VectorXd Carrier::gathered(const VectorXd& overReadings) const {
+  VectorXd sums = VectorXd::Zero(cells());
+  for (const Moved& moved : m_moved) sums[cellOf(moved)] += moved.value * overReadings[moved.reading];
+  return sums;
+}
+
+VectorXd Carrier::spread(const VectorXd& overCells) const {
+  VectorXd spread = VectorXd::Zero(readings());
+  for (const Moved& moved : m_moved) spread[moved.reading] = moved.value * overCells[cellOf(moved)];
+  return spread;
+}
+
+MatrixXd Carrier::alongVisits(const Leftover& leftover, const MatrixXd& functions) const {
+  MatrixXd sums = MatrixXd::Zero(leftover.visits(), functions.cols());
+  for (Index f = 0; f < functions.cols(); ++f)
+    for (Index cell = 0; cell < cells(); ++cell)
+      sums(visitOf(leftover, cell), f) += m_along[cell] * functions(cell, f);
+  return sums;
+}
+
+MatrixXd Carrier::taken(const Leftover& leftover, const MatrixXd& functions) const {
+  constexpr Index pieceLength = 512;  // readings: what they spread to stays in the cache
+  MatrixXd sums = MatrixXd::Zero(leftover.basis().cols(), functions.cols());
+  auto next = m_moved.begin();
+  for (Index first = 0, end = readings(); first < end; first += pieceLength) {
+    MatrixXd spread = MatrixXd::Zero(std::min(pieceLength, end - first), functions.cols());
+    for (; next != m_moved.end() && next->reading < first + spread.rows(); ++next)
+      spread.row(next->reading - first) = next->value * functions.row(cellOf(*next));
+    sums += innerProducts(leftover.basis().middleRows(first, spread.rows()), spread);
+  }
+  return sums;
+}
+
+MatrixXd Carrier::visibleGramOfGroups(const Leftover& leftover, const std::vector<Index>& groups,
+                                      Index count) const {
+  const VectorXd outside = squaresOutsideArcAngles(leftover);
+  const bool hasOneCellPerVisit = outside.size() > 0;
+  const VectorXd& squares = hasOneCellPerVisit ? outside : m_squares;
+  MatrixXd gram = MatrixXd::Zero(count, count), taken = MatrixXd::Zero(leftover.basis().cols(), count);
+  for (Index cell = 0; cell < cells(); ++cell) {
+    const Index group = groups[static_cast<std::size_t>(cell)];
+    if (group < 0) continue;
+    gram(group, group) += squares[cell];
+  }
+  for (const Moved& moved : m_moved)
+    if (const Index group = groups[cellOf(moved)]; group >= 0)
+      taken.col(group) += moved.value * leftover.basisOfRow(moved.reading);
+  if (!hasOneCellPerVisit) takeOffAlongVisits(leftover, gram, groups);
+  return visiblePart(std::move(gram), MatrixXd(0, count), taken);
+}
+
+/// In pieces: a group for every visit would fill the memory.
+void Carrier::takeOffAlongVisits(const Leftover& leftover, MatrixXd& gram,
+                                 const std::vector<Index>& groups) const {
+  constexpr Index pieceLength = 4096;  // visits
+  Index cell = 0;
+  for (Index first = 0; first < leftover.visits(); first += pieceLength) {
+    MatrixXd along = MatrixXd::Zero(std::min(pieceLength, leftover.visits() - first), gram.cols());
+    for (; cell < cells() && visitOf(leftover, cell) < first + along.rows(); ++cell)
+      if (const Index group = groups[static_cast<std::size_t>(cell)]; group >= 0)
+        along(visitOf(leftover, cell) - first, group) += m_along[cell];
+    addSquare(gram, along, -1);
+  }
+}
+
+VectorXd Carrier::productsWith(const Carrier& other) const {
+  assert(m_cells->ofReadings == other.m_cells->ofReadings);
+  return gathered(other.spread(VectorXd::Ones(cells())));
+}
+
+Index Pattern::columns() const {
+  Index sum = 0;
+  for (const Part& part : parts) sum += part.functions.count();
+  return sum;
+}
+
+VectorXd Pattern::times(const VectorXd& weights) const {
+  VectorXd sum;
+  Index first = 0;
+  for (const auto& [carrier, functions] : parts) {
+    const VectorXd own = carrier->spread(functions.times(weights.segment(first, functions.count())));
+    sum = sum.size() == 0 ? own : VectorXd(sum + own);
+    first += functions.count();
+  }
+  return sum;
+}
+
+double Pattern::normalise() {
+  double moved = 0, square = 0;
+  for (const auto& [carrier, functions] : parts) {
+    moved += static_cast<double>(carrier->moved());
+    for (Index f = 0; f < functions.count(); ++f)
+      square += (functions.column(f).array().square() * carrier->squares().array()).sum();
+  }
+  if (square == 0) return 0;
+  const double factor = std::sqrt(moved / square);
+  for (Part& part : parts) part.functions.scale(factor);
+  return factor;
+}
+
+/// Columnsᵀ columns less what lies along the arc angle of each visit and in the span of the unknowns.
+MatrixXd Pattern::visibleGram(const Leftover& leftover) const {
+  const Index count = columns();
+  const VectorXd outside =
+      parts.size() == 1 ? parts.front().carrier->squaresOutsideArcAngles(leftover) : VectorXd();
+  const bool isOfVisits = outside.size() > 0;
+  MatrixXd gram = MatrixXd::Zero(count, count),
+           along = MatrixXd::Zero(isOfVisits ? 0 : leftover.visits(), count),
+           taken(leftover.basis().cols(), count);
+  Index first = 0;
+  for (const auto& [carrier, ofPart] : parts) {
+    MatrixXd functions = ofPart.dense();
+    const Index own = functions.cols();
+    const VectorXd& squares = isOfVisits ? outside : carrier->squares();
+    if (!isOfVisits) along.middleCols(first, own) = carrier->alongVisits(leftover, functions);
+    taken.middleCols(first, own) = carrier->taken(leftover, functions);
+    Index before = 0;
+    for (const auto& [other, others] : parts) {
+      if (before == first) break;
+      gram.block(before, first, others.count(), own) =
+          innerProducts(others.dense(), other->productsWith(*carrier).asDiagonal() * functions);
+      before += others.count();
+    }
+    functions = squares.cwiseSqrt().asDiagonal() * functions;
+    addSquare(gram.block(first, first, own, own), functions, 1);
+    first += own;
+  }
+  return visiblePart(std::move(gram), along, taken);
+}
+
+}  // namespace alidade

@@ -1,0 +1,295 @@
+#include "core/diagnosis/candidates/shape_components.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <map>
+#include <numbers>
+#include <string_view>
+#include <tuple>
+#include <utility>
+
+namespace alidade {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::MatrixXf, Eigen::VectorXd;
+
+namespace {
+
+constexpr double invisible = 1e-5;  // σ over all readings: rounding
+
+using SharedCarrier = std::shared_ptr<const Carrier>;
+using SharedCells = std::shared_ptr<const Cells>;
+
+/// Directions of each sighting of each arc as the fit has them, rad. As read they would not do: a function of
+/// a noisy direction follows the noise, and where that is large beside the span of the arc it explains it.
+std::vector<std::vector<Direction<double>>> adjustedDirections(const Measurement& measurement,
+                                                               const JointFit& fit) {
+  std::vector<std::vector<Direction<double>>> directions;
+  for (const ArcMeasurement& arc : measurement.arcs) {
+    std::vector<Direction<double>>& own = directions.emplace_back();
+    for (const Sighting& sighting : arc.sightings)
+      own.push_back({sighting.a.radians(), sighting.e.radians()});
+  }
+  for (const AdjustedReading& reading : fit.readings) {
+    Direction<double>& direction = directions[reading.arc][reading.sighting];
+    if (reading.kind == ReadingKind::Horizontal) direction.a -= reading.residual;
+    if (reading.kind == ReadingKind::Vertical) direction.e -= reading.residual;
+  }
+  return directions;
+}
+
+/// What a pattern may follow: the guideway visit by visit, the instrument row by row.
+class Surroundings {
+ public:
+  Surroundings(const Leftover& leftover, const Measurement& measurement, const JointFit& fit)
+      : m_leftover(leftover),
+        m_measurement(measurement),
+        visits(cellsOf([&](Index i, Index j) { return at(i).visit == at(j).visit; })),
+        rows(cellsOf([&](Index i, Index j) {
+          // The instrument does not move slider readings, so they take no cell of their own.
+          return at(i).visit == at(j).visit &&
+                 (at(i).sighting == at(j).sighting || at(j).kind == ReadingKind::Slider);
+        })) {
+    s = visits->values(
+        [&](Index i) { return (arcOf(i).axisDeg == 0 ? 1 : -1) * fit.arcAngles[at(i).arc][at(i).sighting]; });
+    const auto last = static_cast<double>(std::max<std::size_t>(measurement.rows, 2) - 1);
+    elapsed = rows->values([&](Index i) { return static_cast<double>(rowOf(i).sequence) / last; });
+    const auto directions = adjustedDirections(measurement, fit);
+    a = rows->values([&](Index i) { return directions[at(i).arc][at(i).sighting].a; });
+    e = rows->values([&](Index i) { return directions[at(i).arc][at(i).sighting].e; });
+  }
+
+ private:
+  const Leftover& m_leftover;
+  const Measurement& m_measurement;
+
+ public:
+  SharedCells visits, rows;
+  VectorXd s;        ///< of each visit
+  VectorXd elapsed;  ///< of each row
+  VectorXd a, e;     ///< of each row, adjusted
+
+  const ArcMeasurement& arcOf(Index reading) const { return m_measurement.arcs[at(reading).arc]; }
+  const Sighting& rowOf(Index reading) const { return arcOf(reading).sightings[at(reading).sighting]; }
+  const LinearReading& at(Index reading) const { return m_leftover.reading(reading); }
+
+  /// The effect of 1 unit on each reading.
+  SharedCarrier alongGuideway(const VectorXd& values) { return carrierOf(values, visits); }
+  SharedCarrier ofInstrument(const VectorXd& values) { return carrierOf(values, rows); }
+  /// The same with its sign turned where `turned` says so.
+  template <typename Turned>
+  SharedCarrier ofInstrument(VectorXd values, const Turned& turned) {
+    for (Index i = 0; i < values.size(); ++i)
+      if (turned(i)) values[i] = -values[i];
+    return ofInstrument(values);
+  }
+
+ private:
+  template <typename Same>
+  SharedCells cellsOf(const Same& same) const {
+    return std::make_shared<const Cells>(m_leftover.readings(), same);
+  }
+  SharedCarrier carrierOf(const VectorXd& values, const SharedCells& cells) {
+    return std::make_shared<const Carrier>(m_leftover, values, cells);
+  }
+};
+
+/// Cosine and sine of 0 to `count` times each angle, in turn: angles × 2 (count + 1).
+MatrixXf harmonicsOf(const VectorXd& angles, int count) {
+  MatrixXf harmonics(angles.size(), 2 * (count + 1));
+  for (Index i = 0; i < angles.size(); ++i) {
+    const std::complex<double> turn = std::polar(1.0, angles[i]);
+    std::complex<double> wave = 1;
+    for (int order = 0; order <= count; ++order, wave *= turn) {
+      harmonics(i, 2 * order) = static_cast<float>(wave.real());
+      harmonics(i, 2 * order + 1) = static_cast<float>(wave.imag());
+    }
+  }
+  return harmonics;
+}
+
+/// Cosines of 1 to `count` half waves over 0…1, the shorter the weaker.
+MatrixXf smooth(const VectorXd& where, int count) {
+  MatrixXf values(where.size(), count);
+  for (Index i = 0; i < where.size(); ++i) {
+    const std::complex<double> turn = std::polar(1.0, where[i] * std::numbers::pi);
+    std::complex<double> wave = turn;
+    for (int k = 1; k <= count; ++k, wave *= turn) values(i, k - 1) = static_cast<float>(wave.real() / k);
+  }
+  return values;
+}
+
+/// How quickly the orientation may wander. The slower waves are all but taken up by the unknowns of few rows,
+/// and many rows tell a wander from noise by the slower waves alone; so the sums stay as long.
+int wavesOf(Index rows) {
+  constexpr Index fewest = 10, forRows = 136;
+  if (rows < 2) return 0;
+  return static_cast<int>(std::min(rows - 1, std::max(fewest, fewest * forRows / rows)));
+}
+
+/// What dies away after the start of the session, quickly, in between and slowly.
+MatrixXf settling(const VectorXd& elapsed) {
+  MatrixXd values(elapsed.size(), 3);
+  values << (-elapsed / 0.05).array().exp(), (-elapsed / 0.15).array().exp(), (-elapsed / 0.4).array().exp();
+  return values.cast<float>();
+}
+
+class ShapeMaker {
+ public:
+  explicit ShapeMaker(const Leftover& leftover) : m_leftover(leftover) {}
+
+  /// What the patterns made from here on belong to.
+  void startFrame(Frame frame) { m_frame = frame; }
+
+  /// Functions of what the carrier's cells have in common.
+  void add(std::string_view id, const SharedCarrier& carrier, const CellFunctions& functions) {
+    add(id, Pattern{{{carrier, functions}}});
+  }
+
+  /// A function that differs from group to group.
+  template <typename Group>
+  void addGroups(std::string_view id, const SharedCarrier& carrier, const SharedCells& cells,
+                 const Group& groupOf) {
+    std::map<std::decay_t<decltype(groupOf(0))>, Index> groups;
+    const auto moves = [&](Index cell) { return carrier->squares()[cell] > 0; };
+    const auto group = [&](Index cell) { return groupOf(cells->readingOf(cell)); };
+    for (Index cell = 0; cell < carrier->cells(); ++cell)
+      if (moves(cell)) groups.emplace(group(cell), static_cast<Index>(groups.size()));
+    if (groups.size() < 2 || groups.size() > mostGroups) return;
+    const auto count = static_cast<Index>(groups.size());
+    std::vector<Index> ofCells(static_cast<std::size_t>(carrier->cells()), -1);
+    for (Index cell = 0; cell < carrier->cells(); ++cell)
+      if (moves(cell)) ofCells[static_cast<std::size_t>(cell)] = groups.at(group(cell));
+    MatrixXd gram = carrier->visibleGramOfGroups(m_leftover, ofCells, count);
+    add(id, Pattern{{{carrier, CellFunctions(std::move(ofCells), count)}}}, std::move(gram));
+  }
+
+  /// A pattern for each of the orders; their inner products are worked out together.
+  void addHarmonics(std::string_view id, const SharedCarrier& carrier, const CellFunctions& harmonics,
+                    const std::vector<int>& orders) {
+    std::vector<Index> all;
+    for (const Index order : orders) all.insert(all.end(), {2 * order, 2 * order + 1});
+    const MatrixXd gram = Pattern{{{carrier, harmonics.chosen(all)}}}.visibleGram(m_leftover);
+    Index first = 0;
+    for (const Index order : orders) {
+      add(id, Pattern{{{carrier, harmonics.chosen({2 * order, 2 * order + 1})}}},
+          gram.block(first, first, 2, 2));
+      first += 2;
+    }
+  }
+
+  /// Functions with weights of their own for the two circles.
+  void addOrientation(std::string_view id, const SharedCarrier& horizontal, const SharedCarrier& vertical,
+                      const CellFunctions& functions) {
+    add(id, Pattern{{{horizontal, functions}, {vertical, functions}}});
+  }
+
+  /// Functions for either circle alone, and for both; an id for each.
+  void addOrientations(const std::array<std::string_view, 3>& ids, const SharedCarrier& horizontal,
+                       const SharedCarrier& vertical, const CellFunctions& functions) {
+    Pattern both{{{horizontal, functions}, {vertical, functions}}};
+    MatrixXd gram = both.visibleGram(m_leftover);
+    const Index own = functions.count();
+    add(ids[0], Pattern{{{horizontal, functions}}}, gram.topLeftCorner(own, own));
+    add(ids[1], Pattern{{{vertical, functions}}}, gram.bottomRightCorner(own, own));
+    add(ids[2], std::move(both), std::move(gram));
+  }
+
+  std::vector<Component> take(double odds) {
+    for (Component& component : m_components)
+      component.logPrior = std::log(odds / static_cast<double>(m_components.size()));
+    return std::move(m_components);
+  }
+
+ private:
+  static constexpr std::size_t mostGroups = 80;
+  const Leftover& m_leftover;
+  Frame m_frame = Frame::Guideway;
+  std::vector<Component> m_components;
+
+  void add(std::string_view id, Pattern pattern) {
+    MatrixXd gram = pattern.visibleGram(m_leftover);
+    add(id, std::move(pattern), std::move(gram));
+  }
+
+  /// `gram`: of the pattern as it is given.
+  void add(std::string_view id, Pattern pattern, MatrixXd gram) {
+    const double factor = pattern.normalise();
+    gram *= factor * factor;
+    if (gram.trace() < invisible * invisible) return;
+    m_components.push_back({.kind = Component::Kind::Shape,
+                            .id = id,
+                            .frame = m_frame,
+                            .pattern = std::move(pattern),
+                            .gram = std::move(gram)});
+  }
+};
+
+VectorXd toUnit(const VectorXd& values) {
+  const double least = values.minCoeff(), range = values.maxCoeff() - least;
+  return range > 0 ? VectorXd((values.array() - least) / range) : VectorXd::Zero(values.size());
+}
+
+}  // namespace
+
+std::vector<Component> shapeComponents(const Leftover& leftover, const Measurement& measurement,
+                                       const JointFit& fit, const std::vector<std::string>& leftOut,
+                                       const PriorOdds& odds) {
+  Surroundings all(leftover, measurement, fit);
+  const SharedCarrier radial = all.alongGuideway(leftover.column(Unknown::Kind::Radius)),
+                      offPlane = all.alongGuideway(leftover.column(ErrorTerm::PlaneOffset)),
+                      slider = all.alongGuideway(leftover.column(Unknown::Kind::SliderZero));
+  const VectorXd ofHorizontal = leftover.column(ErrorTerm::HorizontalJump),
+                 ofVertical = leftover.column(ErrorTerm::VerticalJump);
+  const SharedCarrier horizontal = all.ofInstrument(ofHorizontal), vertical = all.ofInstrument(ofVertical);
+  ShapeMaker maker(leftover);
+  const CellFunctions harmonics = harmonicsOf(all.s, 12);
+  const auto left = [&](const char* id) { return std::ranges::find(leftOut, id) != leftOut.end(); };
+  std::vector<int> radialOrders, planeOrders;
+  for (int order = 2; order <= 12; ++order)
+    if (order > 3 || left(order == 2 ? "arc_ellipticity" : "arc_lobing")) radialOrders.push_back(order);
+  for (int order = 1; order <= 8; ++order)
+    if (order != 2 || left("plane_warp")) planeOrders.push_back(order);
+  maker.addHarmonics("radius along the guideway", radial, harmonics, radialOrders);
+  maker.addHarmonics("guideway out of its plane", offPlane, harmonics, planeOrders);
+  maker.addHarmonics("slider readings along the scale", slider, harmonics, {2, 3, 4, 5, 6, 7, 8});
+  const auto point = [&](Index i) { return all.rowOf(i).point; };
+  maker.addGroups("radius from place to place, turning with the guideway", radial, all.visits, point);
+  maker.addGroups("guideway out of its plane from place to place", offPlane, all.visits, point);
+  maker.addGroups("slider readings from place to place", slider, all.visits, point);
+  const auto place = [&](Index i) { return std::pair(all.at(i).arc, all.rowOf(i).point); };
+  maker.addGroups("radius from place to place in each position", radial, all.visits, place);
+  maker.startFrame(Frame::Time);
+  const CellFunctions waves = smooth(all.elapsed, wavesOf(all.rows->count()));
+  maker.addOrientations(
+      {"horizontal orientation with time", "vertical orientation with time", "orientation with time"},
+      horizontal, vertical, waves);
+  maker.addOrientation("orientation settling with time", horizontal, vertical, settling(all.elapsed));
+  std::vector<Index> slowest;
+  for (Index wave = 0; wave < std::min<Index>(4, waves.count()); ++wave) slowest.push_back(wave);
+  // The target nearer, whichever way the guideway is turned.
+  const auto isTurned = [&](Index i) { return all.arcOf(i).axisDeg != 0; };
+  maker.add("distance with time", all.ofInstrument(leftover.column(ErrorTerm::PlaneOffset), isTurned),
+            waves.chosen(slowest));
+  maker.startFrame(Frame::Guideway);
+  maker.add("slider readings along the scale", slider, smooth(toUnit(all.s), 6));
+  maker.startFrame(Frame::Instrument);
+  const CellFunctions alongAzimuth = smooth(toUnit(all.a), 6), alongElevation = smooth(toUnit(all.e), 6);
+  maker.add("horizontal readings with azimuth", horizontal, alongAzimuth);
+  maker.add("vertical readings with elevation", vertical, alongElevation);
+  maker.add("horizontal readings with elevation", horizontal, alongElevation);
+  maker.add("vertical readings with azimuth", vertical, alongAzimuth);
+  const auto isFace2 = [&](Index i) { return all.rowOf(i).face != 1; };
+  maker.add("difference of the faces, horizontal", all.ofInstrument(ofHorizontal, isFace2), alongElevation);
+  maker.add("difference of the faces, vertical", all.ofInstrument(ofVertical, isFace2), alongElevation);
+  maker.startFrame(Frame::Time);
+  const auto block = [&](Index i) {
+    return std::tuple(all.at(i).arc, all.rowOf(i).round, all.rowOf(i).face);
+  };
+  maker.addGroups("horizontal orientation from round to round", horizontal, all.rows, block);
+  maker.addGroups("vertical orientation from round to round", vertical, all.rows, block);
+  return maker.take(odds.shape);
+}
+
+}  // namespace alidade

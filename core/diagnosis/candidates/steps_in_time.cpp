@@ -1,0 +1,72 @@
+#include "core/diagnosis/candidates/steps_in_time.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace alidade {
+
+using Eigen::Index, Eigen::Matrix2d, Eigen::Matrix2Xd, Eigen::MatrixXd, Eigen::Vector2d, Eigen::VectorXd;
+
+StepsInTime::StepsInTime(const Leftover& leftover, std::vector<std::size_t> moments, double size)
+    : m_leftover(leftover),
+      m_horizontal(leftover.column(ErrorTerm::HorizontalJump) * size),
+      m_vertical(leftover.column(ErrorTerm::VerticalJump) * size),
+      m_moments(moments.size()) {
+  for (Index i = 0; i < leftover.readings(); ++i)
+    m_last.push_back(std::ranges::upper_bound(moments, leftover.reading(i).sequence) - moments.begin() - 1);
+}
+
+Matrix2Xd StepsInTime::products(const VectorXd& overReadings) const {
+  Matrix2Xd sums = Matrix2Xd::Zero(2, static_cast<Index>(m_moments));
+  for (Index i = 0; i < m_horizontal.size(); ++i) {
+    const Index last = m_last[static_cast<std::size_t>(i)];
+    if (last < 0) continue;
+    sums(0, last) += m_horizontal[i] * overReadings[i];
+    sums(1, last) += m_vertical[i] * overReadings[i];
+  }
+  for (Index m = sums.cols() - 1; m > 0; --m) sums.col(m - 1) += sums.col(m);
+  return sums;
+}
+
+/// Columnsᵀ columns less what lies along the arc angle of each visit and in the span of the unknowns.
+std::vector<Matrix2d> StepsInTime::visibleGrams() const {
+  std::vector<Matrix2d> grams(m_moments, Matrix2d::Zero());
+  if (m_moments == 0) return grams;
+  const auto gramAt = [&](Index moment) -> Matrix2d& { return grams[static_cast<std::size_t>(moment)]; };
+  std::vector<Index> latestFirst;
+  for (Index v = 0; v < m_leftover.visits(); ++v) {
+    const Leftover::Run visit = m_leftover.readingsOf(v);
+    latestFirst.resize(static_cast<std::size_t>(visit.length()));
+    std::iota(latestFirst.begin(), latestFirst.end(), visit.first);
+    std::ranges::sort(latestFirst, std::greater{},
+                      [&](Index i) { return m_last[static_cast<std::size_t>(i)]; });
+    Vector2d share = Vector2d::Zero();
+    for (const Index i : latestFirst) {
+      const Index last = m_last[static_cast<std::size_t>(i)];
+      if (last < 0) break;
+      const Vector2d both(m_horizontal[i], m_vertical[i]), before = share;
+      share += m_leftover.reading(i).along * both;
+      gramAt(last) += both * both.transpose() - share * share.transpose() + before * before.transpose();
+    }
+  }
+  for (std::size_t m = m_moments; m-- > 1;) grams[m - 1] += grams[m];
+  MatrixXd ofHorizontal = MatrixXd::Zero(m_leftover.basis().cols(), static_cast<Index>(m_moments)),
+           ofVertical = ofHorizontal;
+  for (Index i = 0; i < m_horizontal.size(); ++i) {
+    const Index last = m_last[static_cast<std::size_t>(i)];
+    if (last < 0) continue;
+    ofHorizontal.col(last) += m_horizontal[i] * m_leftover.basisOfRow(i);
+    ofVertical.col(last) += m_vertical[i] * m_leftover.basisOfRow(i);
+  }
+  for (Index m = ofHorizontal.cols(); m-- > 0;) {
+    const auto h = ofHorizontal.col(m), v = ofVertical.col(m);
+    const double both = h.dot(v);
+    gramAt(m) -= Matrix2d{{h.squaredNorm(), both}, {both, v.squaredNorm()}};
+    if (m == 0) break;
+    ofHorizontal.col(m - 1) += h;
+    ofVertical.col(m - 1) += v;
+  }
+  return grams;
+}
+
+}  // namespace alidade

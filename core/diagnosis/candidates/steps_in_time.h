@@ -1,0 +1,30 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/diagnosis/gap/leftover.h"
+
+namespace alidade {
+
+// Jumps of the orientation before any of many rows. A jump touches all readings from its row on, so its
+// inner products are sums from the end of the session: all moments together cost hardly more than one, and
+// no columns are kept.
+class StepsInTime {
+ public:
+  /// `moments`: sequences of the first rows after a step, ascending. `size`: of both steps, rad.
+  StepsInTime(const Leftover& leftover, std::vector<std::size_t> moments, double size);
+
+  /// Of the horizontal and the vertical column of every moment with a vector over the readings: 2 × moments.
+  Eigen::Matrix2Xd products(const Eigen::VectorXd& overReadings) const;
+  /// Of the visible parts of the two columns of every moment with one another.
+  std::vector<Eigen::Matrix2d> visibleGrams() const;
+
+ private:
+  const Leftover& m_leftover;
+  Eigen::VectorXd m_horizontal, m_vertical;  ///< of a step before every row
+  std::vector<Eigen::Index> m_last;  ///< of each reading: the last moment that comes before it, −1 for none
+  std::size_t m_moments;
+};
+
+}  // namespace alidade

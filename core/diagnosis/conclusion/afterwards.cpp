@@ -1,0 +1,163 @@
+#include "core/diagnosis/conclusion/afterwards.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/normal_mixture.h"
+#include "core/base/random_source.h"
+#include "core/diagnosis/candidates/known_components.h"
+#include "core/diagnosis/conclusion/linear_move.h"
+#include "core/diagnosis/gap/gap_size.h"
+#include "core/diagnosis/search/explained_model.h"
+#include "core/diagnosis/search/gain.h"
+
+namespace alidade {
+
+namespace {
+
+/// Δd if an explanation is the right one, counted from that of the answer.
+struct Difference {
+  double value = 0, variance = 0;
+};
+
+struct Alternative {
+  double odds = 1;  ///< against the answer
+  Explanation explanation;
+  Difference difference;
+};
+
+/// The readings speak for each of its parts: what only might be there besides is unseen, and told apart.
+bool isSpokenFor(const Explanation& explanation) {
+  return std::ranges::all_of(explanation.parts, &Part::isSpokenFor);
+}
+
+/// Under larger noise, what may be there besides is what that noise stands for.
+bool isInTheNoise(const Explanation& explanation, const Explanation& answer) {
+  return answer.noisy && isPartOf(answer, explanation);
+}
+
+/// What a pattern moves the Δd of a model by.
+double movedBy(const GapModel& model, const Inquiry& inquiry, const Part& pattern) {
+  return influencePerSigma(model).dot(inquiry.candidates[pattern.component].pattern.times(pattern.weights));
+}
+
+/// Collects what else may be the case.
+class Average {
+ public:
+  Average(const Inquiry& inquiry, const Answer& answer, const IntersectionEstimate& own)
+      : m_inquiry(inquiry), m_answer(answer), m_own(own), m_moves(inquiry) {
+    m_ofAnswer = m_moves.of(answer.explanation);
+    m_alternatives.push_back({1, answer.explanation, {}});
+  }
+
+  void addExplanations() {
+    const auto own = std::ranges::find_if(m_inquiry.explanations, [&](const Explanation& explanation) {
+      return areAlike(explanation, m_answer.explanation);
+    });
+    if (own == m_inquiry.explanations.end()) return;
+    for (const Explanation& explanation : m_inquiry.explanations) {
+      const double odds = oddsOf(explanation.logOdds - own->logOdds);
+      if (explanation.chance < leastChance || &explanation == &*own || !isSpokenFor(explanation) ||
+          isInTheNoise(explanation, m_answer.explanation))
+        continue;
+      if (const std::optional<Difference> difference = differenceOf(explanation))
+        m_alternatives.push_back({odds, explanation, *difference});
+    }
+  }
+
+  /// In place of each part, whatever stands in the places of the others.
+  void addRivals() {
+    const std::size_t found = m_alternatives.size();
+    std::vector<Alternative> combined{m_alternatives.front()};
+    for (std::size_t p = 0; p < m_answer.rivals.size(); ++p) {
+      const std::size_t count = combined.size();
+      for (const Rival& rival : m_answer.rivals[p]) {
+        if (rival.odds < leastOdds) continue;
+        Explanation inPlace = m_answer.explanation;
+        inPlace.parts[p] = rival.part;
+        const std::optional<Difference> difference = differenceOf(inPlace);
+        if (!difference) continue;
+        for (std::size_t i = 0; i < count; ++i) {
+          Alternative next = combined[i];
+          if (next.explanation.has(rival.part.component)) continue;
+          next.odds *= rival.odds;
+          next.explanation.parts[p] = rival.part;
+          next.difference.value += difference->value;
+          next.difference.variance += difference->variance;
+          combined.push_back(std::move(next));
+        }
+      }
+    }
+    for (Alternative& alternative : combined) {
+      const auto isThat = [&](const Alternative& other) {
+        return areAlike(other.explanation, alternative.explanation);
+      };
+      const auto before = m_alternatives.begin() + static_cast<std::ptrdiff_t>(found);
+      if (std::find_if(m_alternatives.begin(), before, isThat) == before)
+        m_alternatives.push_back(std::move(alternative));
+    }
+  }
+
+  IntersectionEstimate estimate(double ofPattern) const {
+    constexpr double hardly = 0.01;  // of U
+    const double coverage = m_inquiry.base.measurement->coverage;
+    const double factor = m_own.expanded / m_own.sigma, wider = factor / normalQuantile((1 + coverage) / 2);
+    const double square = m_own.sigma * m_own.sigma;
+    std::vector<NormalPart> mixture;
+    for (const Alternative& alternative : m_alternatives) {
+      const double variance = std::max(square + alternative.difference.variance, leastVariance * square);
+      mixture.push_back(
+          {alternative.odds, alternative.difference.value, std::sqrt(variance + ofPattern * ofPattern)});
+    }
+    const auto [mean, sigma] = momentsOf(mixture);
+    for (NormalPart& part : mixture) part.sigma *= wider;
+    const double expanded = std::max(factor * sigma, halfWidth(mixture, mean, coverage));
+    if (std::abs(mean) + std::abs(expanded - m_own.expanded) < hardly * m_own.expanded) return m_own;
+    return {m_own.value + mean, sigma, expanded};
+  }
+
+ private:
+  static constexpr double leastChance = 0.01, leastOdds = 1e-3;
+  static constexpr double leastVariance = 1e-6;  ///< of the answer's: of rounding
+  const Inquiry& m_inquiry;
+  const Answer& m_answer;
+  IntersectionEstimate m_own;
+  LinearMoves m_moves;
+  std::optional<Move> m_ofAnswer;
+  std::vector<Alternative> m_alternatives;  ///< the answer first
+
+  std::optional<Difference> differenceOf(const Explanation& explanation) {
+    if (m_ofAnswer)
+      if (const std::optional<Move> move = m_moves.of(explanation))
+        return Difference{move->shift - m_ofAnswer->shift, move->variance - m_ofAnswer->variance};
+    return byFit(explanation);
+  }
+
+  /// Of what bends: a pattern does not shift Δd. Absent where the readings do not determine it.
+  std::optional<Difference> byFit(Explanation explanation) const {
+    double ofPattern = 0;
+    if (explanation.shaped) {
+      ofPattern = movedBy(m_inquiry.base, m_inquiry, explanation.parts.back());
+      explanation.parts.pop_back();
+    }
+    const std::optional<IntersectionEstimate> other =
+        estimateOf(modelWith(m_inquiry.base, explanation, m_inquiry.candidates, m_inquiry.leftover));
+    if (!other) return std::nullopt;
+    return Difference{other->value - m_own.value,
+                      other->sigma * other->sigma - m_own.sigma * m_own.sigma + ofPattern * ofPattern};
+  }
+};
+
+}  // namespace
+
+std::optional<IntersectionEstimate> afterwardsOf(const Inquiry& inquiry, const Answer& answer) {
+  const std::optional<IntersectionEstimate> own = estimateOf(answer.after);
+  if (!own || answer.kind == Answer::Kind::Nothing || !(own->sigma > 0)) return own;
+  Average average(inquiry, answer, *own);
+  if (!answer.pattern) average.addExplanations();
+  average.addRivals();
+  const double ofPattern = answer.pattern ? movedBy(answer.after, inquiry, *answer.pattern) : 0;
+  return average.estimate(ofPattern);
+}
+
+}  // namespace alidade

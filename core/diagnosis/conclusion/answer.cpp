@@ -1,0 +1,149 @@
+#include "core/diagnosis/conclusion/answer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/diagnosis/gap/gap_size.h"
+#include "core/diagnosis/search/explained_model.h"
+#include "core/effects/cause_ids.h"
+
+namespace alidade {
+
+namespace {
+
+/// How likely each kind of answer is as a whole.
+struct Chances {
+  double nothing = 0, known = 0, unknown = 0;
+};
+
+Chances chancesOf(const Inquiry& inquiry) {
+  Chances chances;
+  for (const Explanation& explanation : inquiry.explanations) {
+    if (explanation.shaped)
+      chances.unknown += explanation.chance;
+    else if (explanation.parts.empty() && !explanation.noisy)
+      chances.nothing += explanation.chance;
+    else
+      chances.known += explanation.chance;
+  }
+  return chances;
+}
+
+/// The likeliest of a kind; null where there is none.
+template <typename Kind>
+const Explanation* likeliest(const Inquiry& inquiry, const Kind& isMeant) {
+  const auto found = std::ranges::find_if(inquiry.explanations, isMeant);
+  return found == inquiry.explanations.end() ? nullptr : &*found;
+}
+
+bool isKnown(const Explanation& explanation) {
+  return !explanation.shaped && (explanation.noisy || !explanation.parts.empty());
+}
+
+/// The best explanation of known causes; a smaller one of the same causes where it is nearly as good. Null
+/// where there is none.
+const Explanation* bestKnown(const Inquiry& inquiry) {
+  constexpr double nearlyAsGood = 2;  // natural logarithm: odds of 7
+  const Explanation* const best = likeliest(inquiry, isKnown);
+  const Explanation* simplest = best;
+  const auto count = [](const Explanation& e) { return e.parts.size() + (e.noisy ? 1 : 0); };
+  for (const Explanation& other : inquiry.explanations)
+    if (best && isKnown(other) && other.logOdds > best->logOdds - nearlyAsGood &&
+        count(other) < count(*simplest) && isPartOf(other, *best))
+      simplest = &other;
+  return simplest;
+}
+
+GapModel modelWith(const Inquiry& inquiry, const Explanation& explanation) {
+  return alidade::modelWith(inquiry.base, explanation, inquiry.candidates, inquiry.leftover);
+}
+
+Answer nothingIn(const Inquiry& inquiry) {
+  return {Answer::Kind::Nothing, {}, {}, {}, inquiry.base};
+}
+
+Answer knownAs(const Inquiry& inquiry, const Explanation& explanation) {
+  return {
+      Answer::Kind::Known, explanation, rivalsOf(inquiry, explanation), {}, modelWith(inquiry, explanation)};
+}
+
+/// The likeliest pattern, and beside it what is as good as certain.
+Answer unknownAs(const Inquiry& inquiry, const Explanation& shaped) {
+  constexpr double certain = 0.95;
+  const std::vector<std::vector<Rival>> rivals = rivalsOf(inquiry, shaped);
+  Answer answer{Answer::Kind::Unknown, {}, {}, shaped.parts.back(), {}};
+  for (std::size_t p = 0; p + 1 < shaped.parts.size(); ++p) {
+    if (chanceOf(inquiry, shaped.parts[p], rivals[p]) < certain) continue;
+    answer.explanation.parts.push_back(shaped.parts[p]);
+    answer.rivals.push_back(rivals[p]);
+  }
+  answer.after = modelWith(inquiry, answer.explanation);
+  return answer;
+}
+
+/// Whether any of its parts, or what looks like it, is likelier than that.
+bool isLikelier(const Inquiry& inquiry, const Answer& answer, double chance) {
+  if (answer.explanation.noisy && inquiry.probabilityOf(noiseId) > chance) return true;
+  for (std::size_t p = 0; p < answer.rivals.size(); ++p)
+    if (chanceOf(inquiry, answer.explanation.parts[p], answer.rivals[p]) > chance) return true;
+  return false;
+}
+
+/// A gap that is real and that nothing explains.
+Answer unexplained(const Inquiry& inquiry) {
+  return {Answer::Kind::Unknown, {}, {}, {}, inquiry.base};
+}
+
+Answer likeliestAnswer(const Inquiry& inquiry) {
+  constexpr double hardlyNoise = 1e-3;  // what known causes leave may not be less likely by noise alone
+  const auto [nothing, known, unknown] = chancesOf(inquiry);
+  const Explanation* const best = bestKnown(inquiry);
+  const Explanation* const shaped = likeliest(inquiry, &Explanation::shaped);
+  if (shaped && unknown > known && unknown > nothing) return unknownAs(inquiry, *shaped);
+  if (!best || nothing >= known) return nothingIn(inquiry);
+  Answer answer = knownAs(inquiry, *best);
+  // Many causes may each be a little likely, and none of them more than that.
+  if (!isLikelier(inquiry, answer, std::max(nothing, unknown)))
+    return !shaped || nothing >= unknown ? nothingIn(inquiry) : unknownAs(inquiry, *shaped);
+  const bool isNoise = !(sizeOf(answer.after).pValue < hardlyNoise);  // or nothing tells
+  if (answer.explanation.noisy || isNoise) return answer;
+  const Explanation* const more =
+      likeliest(inquiry, [](const Explanation& other) { return other.shaped || other.noisy; });
+  if (!more) return answer;
+  return more->shaped ? unknownAs(inquiry, *more) : knownAs(inquiry, *more);
+}
+
+}  // namespace
+
+Answer conclude(const Inquiry& inquiry) {
+  Answer answer = likeliestAnswer(inquiry);
+  // In the linear model there was an answer; with it in the model itself the readings may fix nothing.
+  return answer.after.fit.isDetermined ? answer : unexplained(inquiry);
+}
+
+std::vector<GapStep> stepsOf(const Inquiry& inquiry, const Answer& answer) {
+  std::vector<GapStep> steps;
+  const Explanation& whole = answer.explanation;
+  Explanation soFar;
+  const auto note = [&](std::string_view id) {
+    const bool isLast = soFar.parts.size() == whole.parts.size() && soFar.noisy == whole.noisy;
+    const GapModel& model = isLast ? answer.after : modelWith(inquiry, soFar);
+    if (!model.fit.isDetermined) return;
+    steps.push_back({std::string(id), sizeOf(model), estimateOf(model)});
+  };
+  for (const Part& part : whole.parts)
+    if (inquiry.isMisreading(part)) soFar.parts.push_back(part);
+  if (!soFar.parts.empty() || !inquiry.farOff.empty()) note(misreadingId);
+  for (const Part& part : whole.parts) {
+    if (inquiry.isMisreading(part)) continue;
+    soFar.parts.push_back(part);
+    note(inquiry.idOf(part));
+  }
+  if (whole.noisy) {
+    soFar.noisy = true;
+    note(noiseId);
+  }
+  return steps;
+}
+
+}  // namespace alidade

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/diagnosis/conclusion/rivals.h"
+#include "core/diagnosis/search/inquiry.h"
+
+namespace alidade {
+
+// What the explanations of an inquiry come to.
+
+struct Answer {
+  enum class Kind { Nothing, Known, Unknown };
+
+  Kind kind = Kind::Nothing;
+  Explanation explanation;                 ///< of an Unknown: what is certain beside the pattern
+  std::vector<std::vector<Rival>> rivals;  ///< of each part of the explanation
+  std::optional<Part> pattern;             ///< of an Unknown: the likeliest; absent where nothing fits at all
+  GapModel after;                          ///< with the explanation in the model
+};
+
+/// Whichever of nothing, known causes and a pattern of no known cause is the most likely as a whole; an
+/// Unknown without any part where the readings do not determine a model with the likeliest.
+Answer conclude(const Inquiry& inquiry);
+
+/// The gap after each cause: without all readings blamed, then with each part of the explanation added.
+std::vector<GapStep> stepsOf(const Inquiry& inquiry, const Answer& answer);
+
+}  // namespace alidade

@@ -1,0 +1,83 @@
+#include "core/diagnosis/conclusion/linear_move.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "core/adjustment/result/intersection.h"
+
+namespace alidade {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+namespace {
+
+/// The other relation of the vertical circle is far from its equations at the fit.
+bool isLinear(const Component& component) {
+  return component.curvature.cols() == 0 && !component.allOrNothing;
+}
+
+}  // namespace
+
+LinearMoves::LinearMoves(const Inquiry& inquiry)
+    : m_inquiry(inquiry), m_perReading(influencePerSigma(inquiry.base)) {}
+
+const LinearMoves::Columns& LinearMoves::columnsOf(const Part& part) {
+  const auto [entry, isNew] = m_columns.try_emplace(part.component);
+  Columns& columns = entry->second;
+  if (!isNew) return columns;
+  const Leftover& leftover = m_inquiry.leftover;
+  const MatrixXd whole = m_inquiry.isMisreading(part)
+                             ? MatrixXd(VectorXd::Unit(leftover.readings(), m_inquiry.readingOf(part)))
+                             : wholeColumns(leftover, m_inquiry.candidates[part.component]);
+  columns.influence = whole.transpose() * m_perReading;
+  columns.visible = leftover.visible(whole);
+  return columns;
+}
+
+std::optional<Move> LinearMoves::of(const Explanation& explanation) {
+  const Leftover& leftover = m_inquiry.leftover;
+  MatrixXd visible(leftover.rows(), 0);
+  VectorXd influence, narrow;  // 1/width²
+  double ofPattern = 0;
+  int degreesOfFreedom = leftover.degreesOfFreedom();
+  for (const Part& part : explanation.parts) {
+    const Component::Kind kind = m_inquiry.kindOf(part);
+    if (kind == Component::Kind::Shape) {
+      ofPattern = m_perReading.dot(m_inquiry.candidates[part.component].pattern.times(part.weights));
+      continue;
+    }
+    const bool isLeftOut = kind == Component::Kind::Misreading;
+    if (!isLeftOut && !isLinear(m_inquiry.candidates[part.component])) return std::nullopt;
+    const double width = part.widthOfFit();
+    const Columns& columns = columnsOf(part);
+    const Index before = visible.cols(), more = columns.visible.cols();
+    visible.conservativeResize(Eigen::NoChange, before + more);
+    visible.rightCols(more) = columns.visible;
+    influence.conservativeResize(before + more);
+    narrow.conservativeResize(before + more);
+    influence.tail(more) = columns.influence;
+    narrow.tail(more).setConstant(isLeftOut ? 0 : 1 / (width * width));
+    degreesOfFreedom -= isLeftOut ? 1 : 0;
+  }
+
+  double chiSquare = leftover.chiSquare();
+  Move move{0, m_perReading.squaredNorm()};
+  if (visible.cols() > 0) {
+    const VectorXd right = visible.transpose() * leftover.residual();
+    MatrixXd matrix = visible.transpose() * visible;
+    matrix.diagonal() += narrow;
+    const Eigen::LDLT<MatrixXd> factor(matrix);
+    const VectorXd weights = factor.solve(right);
+    move.shift = -influence.dot(weights);
+    move.variance += influence.dot(factor.solve(influence));
+    chiSquare -= right.dot(weights);
+  }
+  if (explanation.shaped) chiSquare = explanation.chiSquare;
+  move.variance *= std::pow(noiseScale(chiSquare, degreesOfFreedom).factor, 2);
+  move.variance += ofPattern * ofPattern;
+  if (!std::isfinite(move.shift) || !std::isfinite(move.variance)) return std::nullopt;
+  return move;
+}
+
+}  // namespace alidade

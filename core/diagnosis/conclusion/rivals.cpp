@@ -1,0 +1,112 @@
+#include "core/diagnosis/conclusion/rivals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/diagnosis/observability/look_alikes.h"
+#include "core/diagnosis/search/gain.h"
+#include "core/diagnosis/search/search.h"
+
+namespace alidade {
+
+namespace {
+
+/// Weighs other components in the place of a part of an explanation.
+class Comparison {
+ public:
+  Comparison(const Inquiry& inquiry, const Explanation& explanation)
+      : m_inquiry(inquiry), m_explanation(explanation), m_own(explanation.parts.size()) {}
+
+  Rival with(std::size_t part, std::size_t component) {
+    std::optional<Explanation>& own = m_own[part];
+    if (!own) own = made(part, m_explanation.parts[part].component);
+    const Explanation found = made(part, component);
+    return {oddsOf(found.logOdds - own->logOdds), found.parts.back()};
+  }
+
+ private:
+  const Inquiry& m_inquiry;
+  const Explanation& m_explanation;
+  const SearchOptions m_options;
+  std::optional<Search> m_search;  ///< made when it is needed
+  std::vector<std::optional<Explanation>> m_own;
+
+  /// The part's place is the last: what is in it is weighed beside all others.
+  Explanation made(std::size_t part, std::size_t component) {
+    if (!m_search) m_search.emplace(m_inquiry.leftover, m_inquiry.candidates, m_options);
+    std::vector<std::size_t> components;
+    for (std::size_t i = 0; i < m_explanation.parts.size(); ++i)
+      if (i != part) components.push_back(m_explanation.parts[i].component);
+    components.push_back(component);
+    return m_search->madeOf(components, m_explanation.noisy ? m_explanation.noise * m_explanation.noise : 1);
+  }
+};
+
+/// Odds of 33 at most against it.
+bool isClose(const Rival& rival) {
+  return rival.odds > 0.03;
+}
+
+/// Steps, where there are any, that leave what this misreading leaves.
+std::vector<Rival> steps(const Inquiry& inquiry, const Explanation& explanation, std::size_t index,
+                         Comparison& comparison) {
+  const auto isJump = [&](const Part& other) { return inquiry.kindOf(other) == Component::Kind::Jump; };
+  if (std::ranges::any_of(explanation.parts, isJump)) return {};  // one jump to a session
+  const std::size_t row = inquiry.leftover.reading(inquiry.readingOf(explanation.parts[index])).sequence;
+  std::vector<Rival> rivals;
+  for (std::size_t i = 0; i < inquiry.candidates.size(); ++i) {
+    if (inquiry.candidates[i].onlyRow != row) continue;
+    Rival rival = comparison.with(index, i);
+    rival.odds /= 2;  // either circle of the row may be the one that was misread
+    if (isClose(rival)) rivals.push_back(std::move(rival));
+  }
+  return rivals;
+}
+
+/// Effects nearly like the part that explain something in its place.
+std::vector<Rival> effects(const Inquiry& inquiry, const Explanation& explanation, std::size_t index,
+                           Comparison& comparison) {
+  const Part& part = explanation.parts[index];
+  const Trace trace(inquiry.leftover,
+                    signature(inquiry.leftover, inquiry.candidates[part.component], part.weights));
+  std::vector<Rival> rivals;
+  for (std::size_t i = 0; i < inquiry.candidates.size(); ++i) {
+    const auto isOther = [&](const Part& any) { return any.component != i; };
+    if (inquiry.candidates[i].kind != Component::Kind::Effect ||
+        !std::ranges::all_of(explanation.parts, isOther))
+      continue;
+    const double difference = trace.differenceFrom(inquiry.candidates[i]) / explanation.noise;
+    if (difference > clearlyDifferent) continue;
+    Rival rival = comparison.with(index, i);
+    if (rival.part.isSpokenFor() && (difference < hardlyDifferent || isClose(rival)))
+      rivals.push_back(std::move(rival));
+  }
+  return rivals;
+}
+
+}  // namespace
+
+std::vector<std::vector<Rival>> rivalsOf(const Inquiry& inquiry, const Explanation& explanation) {
+  std::vector<std::vector<Rival>> rivals(explanation.parts.size());
+  Comparison comparison(inquiry, explanation);
+  for (std::size_t p = 0; p < rivals.size(); ++p) {
+    const Component::Kind kind = inquiry.kindOf(explanation.parts[p]);
+    if (kind == Component::Kind::Misreading) rivals[p] = steps(inquiry, explanation, p, comparison);
+    if (kind == Component::Kind::Effect) rivals[p] = effects(inquiry, explanation, p, comparison);
+  }
+  return rivals;
+}
+
+double chanceOf(const Inquiry& inquiry, const Part& part, const std::vector<Rival>& rivals) {
+  const auto isMeant = [&](const Part& other) {
+    const bool isJump = inquiry.kindOf(part) == Component::Kind::Jump;  // before whichever row
+    return other.component == part.component || (isJump && inquiry.kindOf(other) == Component::Kind::Jump) ||
+           std::ranges::any_of(rivals,
+                               [&](const Rival& rival) { return rival.part.component == other.component; });
+  };
+  return inquiry.chanceOf(
+      [&](const Explanation& explanation) { return std::ranges::any_of(explanation.parts, isMeant); });
+}
+
+}  // namespace alidade

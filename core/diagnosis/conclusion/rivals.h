@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "core/diagnosis/search/inquiry.h"
+
+namespace alidade {
+
+// What these readings cannot tell from the parts of an explanation.
+
+/// A component that leaves nearly what the part leaves, beside the other parts.
+struct Rival {
+  /// Of the explanation with it in place of the part, against the one at hand; of a step in place of a
+  /// misreading half of that, since either circle of the row may be the one that was misread.
+  double odds = 0;
+  Part part;  ///< what takes the part's place
+};
+
+/// Of each part: effects; of a misreading the step that only its row would show.
+std::vector<std::vector<Rival>> rivalsOf(const Inquiry& inquiry, const Explanation& explanation);
+
+/// That the part or one of its rivals is among the causes, whatever goes with it: 0…1.
+double chanceOf(const Inquiry& inquiry, const Part& part, const std::vector<Rival>& rivals);
+
+}  // namespace alidade

@@ -1,0 +1,106 @@
+#include "core/diagnosis/diagnose.h"
+
+#include <algorithm>
+
+#include "core/diagnosis/conclusion/afterwards.h"
+#include "core/diagnosis/conclusion/causes.h"
+#include "core/diagnosis/conclusion/location.h"
+#include "core/diagnosis/conclusion/sentence.h"
+#include "core/diagnosis/gap/gap_size.h"
+#include "core/diagnosis/gap/held_out.h"
+#include "core/diagnosis/observability/advice.h"
+#include "core/diagnosis/observability/unseen.h"
+#include "core/effects/cause_ids.h"
+
+namespace alidade {
+
+namespace {
+
+DiagnosisVerdict verdictOf(const Answer& answer, const std::vector<Cause>& causes) {
+  if (answer.kind == Answer::Kind::Unknown) return DiagnosisVerdict::NotInCatalogue;
+  if (causes.empty()) return DiagnosisVerdict::WithinNoise;
+  if (causes.size() > 1) return DiagnosisVerdict::SeveralCauses;
+  return causes.front().indistinguishableFrom.empty() ? DiagnosisVerdict::SingleCause
+                                                      : DiagnosisVerdict::Ambiguous;
+}
+
+Shrinkage shrinkageOf(const GapModel& before, const Inquiry& inquiry, const Answer& answer) {
+  Shrinkage shrink;
+  const double rms = sizeOf(before).rms, excess = excessOf(before);
+  if (rms > 0) shrink.inSample = 1 - sizeOf(answer.after).rms / rms;
+  if (excess > 0) shrink.ofExcess = std::clamp(1 - excessOf(answer.after) / excess, 0.0, 1.0);
+  if (!answer.explanation.parts.empty() || !inquiry.farOff.empty())
+    shrink.heldOut = heldOutShrinkage(before, answer.after);
+  return shrink;
+}
+
+std::vector<GapShare> whereOf(const Inquiry& inquiry, const Answer& answer) {
+  std::vector<GapShare> shares = sharesOfFrames(inquiry);
+  std::ranges::move(sharesOfReadings(inquiry.ofAll().leftover, *inquiry.base.measurement, answer.after.fit),
+                    std::back_inserter(shares));
+  return shares;
+}
+
+/// The likeliest pattern.
+std::optional<GapShape> shapeOf(const Inquiry& inquiry) {
+  const auto shaped = std::ranges::find_if(inquiry.explanations, &Explanation::shaped);
+  if (shaped == inquiry.explanations.end()) return std::nullopt;
+  const Part& pattern = shaped->parts.back();
+  const Component& shape = inquiry.candidates[pattern.component];
+  return GapShape{std::string(shape.id),
+                  signatureSquare(shape, pattern.weights) / inquiry.leftover.chiSquare()};
+}
+
+std::vector<BlamedReading> readingsOf(const GapModel& model) {
+  std::vector<BlamedReading> readings;
+  readings.reserve(model.fit.readings.size());
+  for (const AdjustedReading& reading : model.fit.readings)
+    readings.push_back(blamed(*model.measurement, {reading.arc, reading.sighting, reading.kind},
+                              Angle::fromRadians(reading.residual).arcseconds()));
+  return readings;
+}
+
+}  // namespace
+
+Result<Diagnosis> diagnose(const Measurement& measurement, const DiagnosisOptions& options,
+                           const std::stop_token& stop) {
+  for (const std::string& id : options.without)
+    if (std::ranges::find(diagnosableEffects(), id) == diagnosableEffects().end())
+      return Problem{"there is no effect “" + id + "” in the catalogue"};
+  Result<GapModel> model = modelOf(measurement);
+  if (!model) return model.problem();
+  const Problem stopped{"the diagnosis was stopped"};
+  if (stop.stop_requested()) return stopped;
+  const Inquiry inquiry = inquire(*std::move(model), options, stop);
+  const GapModel& before = inquiry.ofAll().base;
+  if (stop.stop_requested()) return stopped;
+  const Answer answer = conclude(inquiry);
+  if (stop.stop_requested()) return stopped;
+
+  Diagnosis diagnosis;
+  diagnosis.causes = causesOf(inquiry, answer);
+  diagnosis.verdict = verdictOf(answer, diagnosis.causes);
+  diagnosis.gap = sizeOf(before);
+  diagnosis.after = sizeOf(answer.after);
+  diagnosis.shrink = shrinkageOf(before, inquiry, answer);
+  diagnosis.candidates = candidatesOf(inquiry.ofAll());
+  diagnosis.where = whereOf(inquiry, answer);
+  if (stop.stop_requested()) return stopped;
+  diagnosis.steps = stepsOf(inquiry, answer);
+  diagnosis.before = estimateOf(before);
+  diagnosis.afterwards = afterwardsOf(inquiry, answer);
+  const std::vector<Danger> unseen =
+      unseenDangers(inquiry.leftover, inquiry.candidates, influencePerSigma(inquiry.base));
+  for (const Danger& danger : unseen)
+    diagnosis.unseen.push_back({std::string(danger.effect), danger.influence, danger.visible});
+  if (answer.kind == Answer::Kind::Unknown) diagnosis.shape = shapeOf(inquiry);
+  diagnosis.leftBefore = inSigma(before);
+  diagnosis.leftAfter = inSigma(answer.after);
+  diagnosis.readings = readingsOf(before);
+  if (stop.stop_requested()) return stopped;
+  diagnosis.advice = adviceFor(inquiry, diagnosis.causes, unseen);
+  diagnosis.sentence = sentenceFor(diagnosis);
+  return diagnosis;
+}
+
+}  // namespace alidade

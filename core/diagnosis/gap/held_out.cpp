@@ -1,0 +1,174 @@
+#include "core/diagnosis/gap/held_out.h"
+
+#include <Eigen/Cholesky>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace alidade {
+
+namespace {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+constexpr std::size_t folds = 5;
+
+struct Row {
+  std::size_t fold = folds;  ///< none: known beforehand, or of no use
+  double arcseconds = 0;     ///< σ; 0 for a row that does not count
+};
+
+/// Of a fit at its solution, whitened, the arc angles eliminated: rows for the readings, then for what is
+/// known beforehand. A reading alone in its visit says nothing and has no row.
+struct Equations {
+  MatrixXd columns;
+  VectorXd observed;
+  std::vector<Row> rows;
+};
+
+bool isEstimated(const Unknown& unknown) {
+  using enum Unknown::Kind;
+  return unknown.kind != HorizontalZero && unknown.kind != VerticalZero && unknown.kind != Distance;
+}
+
+/// The rows of readings [first, end), one visit, outside their arc angle.
+void addVisit(Equations& equations, const Linearised& set, const MatrixXd& columns, std::size_t first,
+              std::size_t end) {
+  std::vector<std::size_t> taking;
+  for (std::size_t i = first; i < end; ++i)
+    if (set.readings[i].takesPart) taking.push_back(i);
+  if (taking.size() < 2) return;
+  Eigen::RowVectorXd share = Eigen::RowVectorXd::Zero(columns.cols());
+  double residualShare = 0;
+  for (const std::size_t i : taking) {
+    share += set.readings[i].along * columns.row(static_cast<Index>(i));
+    residualShare += set.readings[i].along * set.readings[i].residual;
+  }
+  for (const std::size_t i : taking) {
+    const LinearReading& reading = set.readings[i];
+    const auto row = static_cast<Index>(equations.rows.size());
+    equations.columns.row(row) = columns.row(static_cast<Index>(i)) - reading.along * share;
+    equations.observed[row] = reading.residual - reading.along * residualShare;
+    const bool counts = reading.kind != ReadingKind::Slider;
+    equations.rows.push_back(
+        {reading.visit % folds, counts ? Angle::fromRadians(reading.sigma).arcseconds() : 0});
+  }
+}
+
+Equations equationsOf(const GapModel& model) {
+  const Linearised set = linearise(*model.measurement, model.fit, model.options, {});
+  std::vector<std::size_t> estimated;
+  for (std::size_t u = 0; u < set.unknowns.size(); ++u)
+    if (isEstimated(set.unknowns[u])) estimated.push_back(u);
+  const std::vector<EstimatedTerm>& terms = model.options.terms;
+  const auto readings = static_cast<Index>(set.readings.size()),
+             count = static_cast<Index>(estimated.size() + terms.size());
+  MatrixXd columns(readings, count);
+  for (Index i = 0; i < readings; ++i) {
+    Index column = 0;
+    for (const std::size_t u : estimated)
+      columns(i, column++) = set.ofUnknown(static_cast<std::size_t>(i), u);
+    for (const EstimatedTerm& term : terms)
+      columns(i, column++) = set.ofTerm(static_cast<std::size_t>(i), term.term);
+  }
+  Equations equations{MatrixXd::Zero(readings + count, count), VectorXd::Zero(readings + count), {}};
+  for (std::size_t first = 0, end = 0; first < set.readings.size(); first = end) {
+    while (end < set.readings.size() && set.readings[end].visit == set.readings[first].visit) ++end;
+    addVisit(equations, set, columns, first, end);
+  }
+  const auto know = [&](Index column, double sigma, double residual) {
+    if (std::isinf(sigma)) return;
+    const auto row = static_cast<Index>(equations.rows.size());
+    equations.columns(row, column) = 1 / sigma;
+    equations.observed[row] = residual;
+    equations.rows.push_back({});
+  };
+  Index column = 0;
+  for (const std::size_t u : estimated) know(column++, set.priorSigmas[u], set.priorResiduals[u]);
+  for (const EstimatedTerm& term : terms) {
+    const double value = set.termValues[static_cast<std::size_t>(term.term)];
+    know(column++, term.priorSigma, (term.priorValue - value) / term.priorSigma);
+  }
+  const auto rows = static_cast<Index>(equations.rows.size());
+  equations.columns.conservativeResize(rows, Eigen::NoChange);
+  equations.observed.conservativeResize(rows);
+  const VectorXd scale = equations.columns.colwise().norm().cwiseMax(1e-300).cwiseInverse();
+  equations.columns *= scale.asDiagonal();
+  return equations;
+}
+
+struct Squares {
+  double sum = 0;  ///< arcseconds²
+  int count = 0;
+
+  void add(const Squares& other) {
+    sum += other.sum;
+    count += other.count;
+  }
+};
+
+/// The normal equations of each fold, and behind them of what is known beforehand.
+class Folds {
+ public:
+  explicit Folds(Equations equations) : m_equations(std::move(equations)) {
+    const Index count = m_equations.columns.cols();
+    m_sums.fill({MatrixXd::Zero(count, count), VectorXd::Zero(count)});
+    for (std::size_t i = 0; i < m_equations.rows.size(); ++i) {
+      const auto row = m_equations.columns.row(static_cast<Index>(i));
+      Normal& sum = m_sums[m_equations.rows[i].fold];
+      sum.matrix.noalias() += row.transpose().lazyProduct(row);
+      sum.right.noalias() += row.transpose() * m_equations.observed[static_cast<Index>(i)];
+    }
+  }
+
+  /// Of the errors with which a fold is predicted by the others; absent where they do not fix the unknowns.
+  std::optional<Squares> predicted(std::size_t fold) const {
+    constexpr double determined = 1e-13;  // square of what of a column is at right angles to the others
+    Normal others = m_sums[folds];
+    for (std::size_t f = 0; f < folds; ++f)
+      if (f != fold) {
+        others.matrix += m_sums[f].matrix;
+        others.right += m_sums[f].right;
+      }
+    const Eigen::LDLT<MatrixXd> factor(others.matrix);
+    if (factor.vectorD().size() > 0 && factor.vectorD().minCoeff() < determined) return std::nullopt;
+    const VectorXd solution = factor.solve(others.right);
+    Squares squares;
+    for (std::size_t i = 0; i < m_equations.rows.size(); ++i) {
+      const Row& row = m_equations.rows[i];
+      if (row.fold != fold || row.arcseconds == 0) continue;
+      const auto at = static_cast<Index>(i);
+      const double error = m_equations.observed[at] - m_equations.columns.row(at).dot(solution);
+      squares.sum += std::pow(error * row.arcseconds, 2);
+      ++squares.count;
+    }
+    return squares;
+  }
+
+ private:
+  struct Normal {
+    MatrixXd matrix;
+    VectorXd right;
+  };
+  Equations m_equations;
+  std::array<Normal, folds + 1> m_sums;
+};
+
+}  // namespace
+
+double heldOutShrinkage(const GapModel& before, const GapModel& after) {
+  const Folds first(equationsOf(before)), second(equationsOf(after));
+  Squares ofFirst, ofSecond;
+  for (std::size_t fold = 0; fold < folds; ++fold) {
+    const std::optional<Squares> one = first.predicted(fold), other = second.predicted(fold);
+    if (!one || !other) continue;
+    ofFirst.add(*one);
+    ofSecond.add(*other);
+  }
+  if (ofFirst.sum == 0 || ofSecond.count == 0) return std::numeric_limits<double>::quiet_NaN();
+  return 1 - std::sqrt(ofSecond.sum / ofSecond.count) / std::sqrt(ofFirst.sum / ofFirst.count);
+}
+
+}  // namespace alidade

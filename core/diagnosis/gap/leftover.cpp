@@ -1,0 +1,151 @@
+#include "core/diagnosis/gap/leftover.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+namespace alidade {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+Leftover::Leftover(Linearised equations, const std::vector<EstimatedTerm>& inModel)
+    : m_equations(std::move(equations)) {
+  markVisits();
+  MatrixXd base = layOutUnknowns(inModel);
+  eliminateArcAngles(base);
+  const VectorXd scale = base.colwise().norm().cwiseMax(1e-300).cwiseInverse();
+  base *= scale.asDiagonal();
+  const Eigen::ColPivHouseholderQR<Eigen::Ref<MatrixXd>> qr(base);  // in its place
+  m_basis = qr.householderQ() * MatrixXd::Identity(base.rows(), qr.rank());
+  m_observed = outsideArcAngles(m_observed);
+  m_residual = visible(m_observed);
+  m_residualByTerms = productsOfTerms(m_residual);
+  m_redundancy = VectorXd::Ones(readings());
+  for (Index i = 0; i < readings(); ++i)
+    m_redundancy[i] =
+        !reading(i).takesPart ? 0 : 1 - reading(i).along * reading(i).along - m_basis.row(i).squaredNorm();
+  Index counted = rows() - m_basis.cols();
+  for (Index v = 0; v < visits(); ++v) {
+    const Run own = readingsOf(v);
+    Index taking = 0;
+    for (Index i = own.first; i < own.end; ++i) taking += reading(i).takesPart ? 1 : 0;
+    counted -= own.length() - taking + (taking > 0 ? 1 : 0);
+  }
+  m_degreesOfFreedom = static_cast<int>(counted);
+}
+
+void Leftover::markVisits() {
+  m_along.resize(static_cast<Index>(m_equations.readings.size()));
+  m_endOfVisit.assign(m_equations.visits, 0);
+  Index i = 0;
+  for (const LinearReading& reading : m_equations.readings) {
+    m_along[i++] = reading.along;
+    m_endOfVisit[reading.visit] = i;
+  }
+  for (std::size_t v = 1; v < m_endOfVisit.size(); ++v)
+    m_endOfVisit[v] = std::max(m_endOfVisit[v], m_endOfVisit[v - 1]);
+}
+
+MatrixXd Leftover::layOutUnknowns(const std::vector<EstimatedTerm>& inModel) {
+  Index columns = static_cast<Index>(inModel.size()), priors = 0;
+  for (const EstimatedTerm& term : inModel) priors += std::isinf(term.priorSigma) ? 0 : 1;
+  for (const double sigma : m_equations.priorSigmas) {
+    columns += sigma > 0 ? 1 : 0;
+    priors += sigma > 0 && !std::isinf(sigma) ? 1 : 0;
+  }
+  MatrixXd base = MatrixXd::Zero(readings() + priors, columns);
+  VectorXd& observed = m_observed;
+  observed = VectorXd::Zero(readings() + priors);
+  Index column = 0, prior = readings();
+  const auto known = [&](double sigma, double residual) {
+    if (!std::isinf(sigma)) {
+      observed[prior] = residual;
+      base(prior++, column) = 1 / sigma;
+    }
+    ++column;
+  };
+  for (Index i = 0; i < readings(); ++i) observed[i] = reading(i).residual;
+  for (std::size_t u = 0; u < m_equations.unknowns.size(); ++u) {
+    if (m_equations.priorSigmas[u] <= 0) continue;
+    for (Index i = 0; i < readings(); ++i)
+      base(i, column) = m_equations.ofUnknown(static_cast<std::size_t>(i), u);
+    known(m_equations.priorSigmas[u], m_equations.priorResiduals[u]);
+  }
+  for (const EstimatedTerm& term : inModel) {
+    base.col(column).head(readings()) = this->column(term.term);
+    const double value = m_equations.termValues[static_cast<std::size_t>(term.term)];
+    known(term.priorSigma, (term.priorValue - value) / term.priorSigma);
+  }
+  return base;
+}
+
+void Leftover::eliminateArcAngles(MatrixXd& columns) const {
+  for (Index c = 0; c < columns.cols(); ++c) {
+    double* column = columns.col(c).data();
+    Index first = 0;
+    for (const Index end : m_endOfVisit) {
+      if (end - first == 2) {  // by far the commonest, and too short for a loop
+        const double along = m_along[first], next = m_along[first + 1],
+                     share = along * column[first] + next * column[first + 1];
+        column[first] -= share * along;
+        column[first + 1] -= share * next;
+      } else {
+        double share = 0;
+        for (Index i = first; i < end; ++i) share += m_along[i] * column[i];
+        for (Index i = first; i < end; ++i) column[i] -= share * m_along[i];
+      }
+      first = end;
+    }
+  }
+}
+
+MatrixXd Leftover::outsideArcAngles(const MatrixXd& columns) const {
+  MatrixXd result(m_observed.size(), columns.cols());
+  result.topRows(columns.rows()) = columns;
+  result.bottomRows(result.rows() - columns.rows()).setZero();
+  eliminateArcAngles(result);
+  return result;
+}
+
+MatrixXd Leftover::visible(const MatrixXd& columns) const {
+  MatrixXd result = outsideArcAngles(columns);
+  const MatrixXd taken = m_basis.transpose() * result;
+  result.noalias() -= m_basis * taken;
+  return result;
+}
+
+VectorXd Leftover::column(ErrorTerm term) const {
+  VectorXd result(readings());
+  for (Index i = 0; i < readings(); ++i) result[i] = m_equations.ofTerm(static_cast<std::size_t>(i), term);
+  return result;
+}
+
+VectorXd Leftover::productsOfTerms(const VectorXd& visible) const {
+  std::array<std::vector<double>, readingKinds> ofKinds;
+  for (Index i = 0; i < readings(); ++i)
+    ofKinds[static_cast<std::size_t>(reading(i).kind)].push_back(visible[i]);
+  VectorXd products = VectorXd::Zero(static_cast<Index>(errorTermCount));
+  for (std::size_t k = 0; k < readingKinds; ++k) {
+    const Eigen::Map<const VectorXd> own(ofKinds[k].data(), std::ssize(ofKinds[k]));
+    for (std::size_t term = 0; term < errorTermCount; ++term) {
+      const auto column = m_equations.perTerm.of(static_cast<ReadingKind>(k), term);
+      if (!column.empty())
+        products[static_cast<Index>(term)] += Eigen::Map<const VectorXd>(column.data(), own.size()).dot(own);
+    }
+  }
+  return products;
+}
+
+VectorXd Leftover::column(Unknown::Kind kind) const {
+  VectorXd result = VectorXd::Zero(readings());
+  for (std::size_t u = 0; u < m_equations.unknowns.size(); ++u) {
+    if (m_equations.unknowns[u].kind != kind) continue;
+    for (Index i = 0; i < readings(); ++i) result[i] += m_equations.ofUnknown(static_cast<std::size_t>(i), u);
+  }
+  return result;
+}
+
+}  // namespace alidade

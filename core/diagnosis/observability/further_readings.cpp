@@ -1,0 +1,182 @@
+#include "core/diagnosis/observability/further_readings.h"
+
+#include <algorithm>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "core/observation/observe.h"
+#include "core/observation/visits.h"
+
+namespace alidade {
+
+namespace {
+
+double arcAngle(const GapModel& model, std::size_t arc, std::size_t sighting) {
+  return model.fit.arcAngles[arc][sighting];
+}
+
+void sightPerfectly(Sighting& sighting, const Measurement& measurement, const Circle& circle, double phi) {
+  const Direction<double> seen = observe(targetOnArc(circle.x, circle.y, circle.radius, phi),
+                                         measurement.distance, measurement.relation);
+  sighting.a = Angle::fromRadians(seen.a);
+  sighting.e = Angle::fromRadians(seen.e);
+}
+
+/// Rows numbered anew in the order they stand in.
+void renumber(Measurement& plan) {
+  plan.rows = 0;
+  for (ArcMeasurement& arc : plan.arcs)
+    for (Sighting& sighting : arc.sightings) sighting.sequence = plan.rows++;
+}
+
+FurtherReadings further(const char* measure, Measurement more) {
+  FurtherReadings readings{measure, {}};
+  readings.sets.push_back(std::move(more));
+  return readings;
+}
+
+/// The session, and a set-up of its own.
+FurtherReadings besides(const Measurement& session, const char* measure, Measurement more) {
+  FurtherReadings readings = further(measure, session);
+  readings.sets.push_back(std::move(more));
+  readings.besideSession = true;
+  return readings;
+}
+
+/// The rows of visits that were sighted in both faces.
+std::vector<bool> rowsWithTwin(const ArcMeasurement& arc) {
+  std::vector<bool> rows(arc.sightings.size());
+  for (const Visit& visit : visitsOf(arc))
+    if (visit.sightings.size() > 1)
+      for (const std::size_t row : visit.sightings) rows[row] = true;
+  return rows;
+}
+
+std::optional<FurtherReadings> withBothFaces(Measurement more) {
+  bool added = false;
+  for (ArcMeasurement& arc : more.arcs) {
+    const std::vector<bool> hasTwin = rowsWithTwin(arc);
+    std::vector<Sighting> rows;
+    for (std::size_t i = 0; i < arc.sightings.size(); ++i) {
+      rows.push_back(arc.sightings[i]);
+      if (hasTwin[i]) continue;
+      rows.push_back(arc.sightings[i]);
+      rows.back().face = 3 - rows.back().face;
+      added = true;
+    }
+    arc.sightings = std::move(rows);
+  }
+  if (!added) return std::nullopt;
+  renumber(more);
+  return further("both faces", std::move(more));
+}
+
+std::optional<FurtherReadings> withWayBack(Measurement more) {
+  for (ArcMeasurement& arc : more.arcs) {
+    int rounds = 1;
+    for (const Sighting& sighting : arc.sightings) rounds = std::max(rounds, sighting.round);
+    if (rounds > 1) return std::nullopt;
+    std::vector<Sighting> back(arc.sightings.rbegin(), arc.sightings.rend());
+    for (Sighting& sighting : back) sighting.round = rounds + 1;
+    arc.sightings.insert(arc.sightings.end(), back.begin(), back.end());
+  }
+  renumber(more);
+  return further("the way back", std::move(more));
+}
+
+std::optional<FurtherReadings> withSlider(const GapModel& model, Measurement more) {
+  bool added = false;
+  for (std::size_t arc = 0; arc < more.arcs.size(); ++arc)
+    for (std::size_t i = 0; i < more.arcs[arc].sightings.size(); ++i) {
+      Sighting& sighting = more.arcs[arc].sightings[i];
+      if (sighting.slider) continue;
+      const double phi = arcAngle(model, arc, i);
+      sighting.slider = Angle::fromRadians(more.arcs[arc].axisDeg == 0 ? phi : -phi);
+      added = true;
+    }
+  if (!added) return std::nullopt;
+  return further("slider readings", std::move(more));
+}
+
+std::optional<FurtherReadings> withShiftedCircle(const Measurement& plan) {
+  Measurement more = plan;
+  for (ArcMeasurement& arc : more.arcs) arc.zeroHorizontal = arc.zeroHorizontal + Angle::fromDegrees(60);
+  return besides(plan, "a second set with the horizontal circle shifted by 60°", std::move(more));
+}
+
+std::optional<FurtherReadings> withSecondStandOff(const GapModel& model, const Measurement& plan) {
+  constexpr double farther = 1.5;
+  Measurement more = plan;
+  more.distance *= farther;
+  for (std::size_t arc = 0; arc < more.arcs.size(); ++arc)
+    for (std::size_t i = 0; i < more.arcs[arc].sightings.size(); ++i)
+      sightPerfectly(more.arcs[arc].sightings[i], more, model.fit.circleOf(arc), arcAngle(model, arc, i));
+  return besides(plan, "a second set from half as far again", std::move(more));
+}
+
+std::optional<FurtherReadings> withMoreArc(const GapModel& model, Measurement more) {
+  constexpr double enough = 150, whole = 160;  // degrees
+  constexpr int points = 17;
+  bool added = false;
+  for (std::size_t arc = 0; arc < more.arcs.size(); ++arc) {
+    const int side = more.arcs[arc].axisDeg == 0 ? 1 : -1;
+    const auto& angles = model.fit.arcAngles[arc];
+    const auto [least, most] = std::ranges::minmax(angles);
+    if ((most - least) * 180 / std::numbers::pi > enough) continue;
+    int point = 0;
+    for (const Sighting& sighting : more.arcs[arc].sightings) point = std::max(point, sighting.point);
+    for (int k = 0; k < points; ++k) {
+      const double phi = side * (90 - whole / 2 + whole * k / (points - 1)) * std::numbers::pi / 180;
+      if (phi >= least && phi <= most) continue;
+      Sighting sighting;
+      sighting.point = ++point;
+      sightPerfectly(sighting, more, model.fit.circleOf(arc), phi);
+      more.arcs[arc].sightings.push_back(sighting);
+      added = true;
+    }
+  }
+  if (!added) return std::nullopt;
+  renumber(more);
+  return further("more of the arc", std::move(more));
+}
+
+}  // namespace
+
+Measurement readWithoutError(const GapModel& model) {
+  Measurement plan = *model.measurement;
+  for (std::size_t arc = 0; arc < plan.arcs.size(); ++arc)
+    for (std::size_t i = 0; i < plan.arcs[arc].sightings.size(); ++i) {
+      Sighting& sighting = plan.arcs[arc].sightings[i];
+      const double phi = arcAngle(model, arc, i);
+      sightPerfectly(sighting, plan, model.fit.circleOf(arc), phi);
+      if (sighting.slider) sighting.slider = Angle::fromRadians(plan.arcs[arc].axisDeg == 0 ? phi : -phi);
+    }
+  return plan;
+}
+
+void eachFurtherReadings(const GapModel& model, const std::function<void(const FurtherReadings&)>& take) {
+  const Measurement plan = readWithoutError(model);
+  const auto offer = [&](const std::optional<FurtherReadings>& more) {
+    if (more) take(*more);
+  };
+  offer(withBothFaces(plan));
+  offer(withWayBack(plan));
+  offer(withSlider(model, plan));
+  offer(withShiftedCircle(plan));
+  offer(withSecondStandOff(model, plan));
+  offer(withMoreArc(model, plan));
+}
+
+Linearised linearisedPlan(const GapModel& model, const Measurement& set,
+                          const std::vector<ErrorTerm>& terms) {
+  std::vector<Circle> circles;
+  for (std::size_t arc = 0; arc < model.measurement->arcs.size(); ++arc)
+    circles.push_back(model.fit.circleOf(arc));
+  JointFitOptions options;
+  options.terms = model.options.terms;
+  for (EstimatedTerm& term : options.terms) term.start = 0;
+  return linearise(set, circles, options, terms);
+}
+
+}  // namespace alidade

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/diagnosis/gap/gap_model.h"
+
+namespace alidade {
+
+// Readings that could be taken besides those of a session.
+
+/// A way to read more, and what would then have been read: one set-up or several.
+struct FurtherReadings {
+  std::string measure;
+  std::vector<Measurement> sets;
+  bool besideSession = false;  ///< the first set is the session itself, read without error
+};
+
+/// The session as it was planned: every reading without error.
+Measurement readWithoutError(const GapModel& model);
+
+/// The same session with the other face, the way back, the slider, a shifted circle, a second stand-off or
+/// more of the arc read along, one after the other; what it has already is not offered.
+void eachFurtherReadings(const GapModel& model, const std::function<void(const FurtherReadings&)>& take);
+
+/// The equations of a set as planned; effects of the model are not there, but estimated along. With
+/// derivatives by them and by `terms`.
+Linearised linearisedPlan(const GapModel& model, const Measurement& set,
+                          const std::vector<ErrorTerm>& terms = everyTerm());
+
+}  // namespace alidade

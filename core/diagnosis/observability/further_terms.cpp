@@ -1,0 +1,38 @@
+#include "core/diagnosis/observability/further_terms.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace alidade {
+
+FurtherTerms::FurtherTerms(const GapModel& model, const Linearised& ofSession,
+                           const std::vector<const Effect*>& effects)
+    : m_model(model), m_equations(ofSession) {
+  const auto add = [&](ErrorTerm term) {
+    if (std::ranges::find(m_terms, term) == m_terms.end()) m_terms.push_back(term);
+  };
+  for (const Effect* effect : effects)
+    for (const EffectParameter& parameter : effect->parameters) add(parameter.term);
+  for (const EstimatedTerm& term : model.options.terms) add(term.term);
+}
+
+VisibleTerms FurtherTerms::shownBy(const FurtherReadings& plan) {
+  VisibleTerms terms = ofSet(plan.sets.back());
+  if (plan.besideSession) {
+    if (!m_ofSession) m_ofSession = ofSession(plan.sets.front());
+    terms = terms + *m_ofSession;
+  }
+  return withEstimated(std::move(terms), m_model.options.terms);
+}
+
+VisibleTerms FurtherTerms::ofSet(const Measurement& set) const {
+  return visibleTerms(linearisedPlan(m_model, set, m_terms), m_terms);
+}
+
+/// The session's own equations serve where it was fitted without effects and with all its readings.
+VisibleTerms FurtherTerms::ofSession(const Measurement& plan) const {
+  if (!m_model.options.terms.empty() || !m_model.options.without.empty()) return ofSet(plan);
+  return visibleTerms(m_equations, m_terms);
+}
+
+}  // namespace alidade

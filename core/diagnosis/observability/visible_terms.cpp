@@ -1,0 +1,151 @@
+#include "core/diagnosis/observability/visible_terms.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/diagnosis/candidates/known_components.h"
+
+namespace alidade {
+
+namespace {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+constexpr double rounding = 1e-11;  // of a squared length, left of a column that is a combination of others
+
+/// Takes the span of the first `count` columns off a Gram matrix, the plainest first; what rounding leaves of
+/// a column that depends on others says nothing. `whole`: the squared lengths it counts against.
+void eliminateFirst(MatrixXd& gram, Index count, const VectorXd& whole) {
+  std::vector<Index> remaining;
+  for (Index i = 0; i < count; ++i) remaining.push_back(i);
+  const auto left = [&](Index i) { return whole[i] > 0 ? gram(i, i) / whole[i] : 0; };
+  while (!remaining.empty()) {
+    const auto plainest = std::ranges::max_element(remaining, {}, left);
+    if (left(*plainest) <= rounding) return;
+    const Index pivot = *plainest;
+    remaining.erase(plainest);
+    const VectorXd shared = gram.col(pivot) / std::sqrt(gram(pivot, pivot));
+    gram.noalias() -= shared * shared.transpose();
+  }
+}
+
+using RowMajorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// The columns of a set, those unknowns that are not fixed, then the terms.
+struct Columns {
+  const Linearised& set;
+  const std::vector<std::size_t>& unknowns;
+  const std::vector<ErrorTerm>& terms;
+
+  Index count() const { return static_cast<Index>(unknowns.size() + terms.size()); }
+  Index readings() const { return static_cast<Index>(set.readings.size()); }
+  const LinearReading& reading(Index i) const { return set.readings[static_cast<std::size_t>(i)]; }
+  bool areOfOneVisit(Index i, Index j) const { return reading(i).visit == reading(j).visit; }
+};
+
+/// The equations of whole visits, the readings from `begin` to before `end`, with the arc angles eliminated.
+void reduce(const Columns& columns, Index begin, Index end, RowMajorMatrix& rows) {
+  rows.resize(end - begin, columns.count());
+  for (Index i = begin; i < end; ++i) {
+    const auto reading = static_cast<std::size_t>(i);
+    double* row = rows.row(i - begin).data();
+    for (const std::size_t unknown : columns.unknowns) *row++ = columns.set.ofUnknown(reading, unknown);
+    for (const ErrorTerm term : columns.terms) *row++ = columns.set.ofTerm(reading, term);
+  }
+  Eigen::RowVectorXd share(columns.count());
+  for (Index first = begin, next = begin; first < end; first = next) {
+    share.setZero();
+    for (; next < end && columns.areOfOneVisit(first, next); ++next)
+      share += columns.reading(next).along * rows.row(next - begin);
+    for (Index i = first; i < next; ++i) rows.row(i - begin) -= columns.reading(i).along * share;
+  }
+}
+
+/// The inner products of the columns outside the arc angles, piece by piece.
+MatrixXd reducedGram(const Columns& columns) {
+  constexpr Index pieceLength = 4096;
+  MatrixXd gram = MatrixXd::Zero(columns.count(), columns.count());
+  RowMajorMatrix rows;
+  for (Index begin = 0, end = 0; begin < columns.readings(); begin = end) {
+    end = std::min(begin + pieceLength, columns.readings());
+    while (end < columns.readings() && columns.areOfOneVisit(end - 1, end)) ++end;
+    reduce(columns, begin, end, rows);
+    gram.selfadjointView<Eigen::Lower>().rankUpdate(rows.transpose());
+  }
+  return gram.selfadjointView<Eigen::Lower>();
+}
+
+}  // namespace
+
+VisibleTerms visibleTerms(const Linearised& set, const std::vector<ErrorTerm>& ofTerms) {
+  std::vector<std::size_t> unknowns;
+  for (std::size_t u = 0; u < set.unknowns.size(); ++u)
+    if (set.priorSigmas[u] > 0) unknowns.push_back(u);
+  const auto count = static_cast<Index>(unknowns.size()), size = static_cast<Index>(errorTermCount);
+  MatrixXd gram = reducedGram({set, unknowns, ofTerms});
+  for (Index u = 0; u < count; ++u) {
+    const double sigma = set.priorSigmas[unknowns[static_cast<std::size_t>(u)]];
+    if (!std::isinf(sigma)) gram(u, u) += 1 / (sigma * sigma);
+  }
+  const VectorXd whole = gram.diagonal();
+  eliminateFirst(gram, count, whole);
+  VisibleTerms terms{MatrixXd::Zero(size, size), VectorXd::Zero(size)};
+  for (std::size_t i = 0; i < ofTerms.size(); ++i) {
+    const auto term = static_cast<Index>(ofTerms[i]), own = count + static_cast<Index>(i);
+    terms.whole[term] = whole[own];
+    for (std::size_t j = 0; j < ofTerms.size(); ++j)
+      terms.gram(term, static_cast<Index>(ofTerms[j])) = gram(own, count + static_cast<Index>(j));
+  }
+  return terms;
+}
+
+VisibleTerms operator+(const VisibleTerms& one, const VisibleTerms& other) {
+  return {one.gram + other.gram, one.whole + other.whole};
+}
+
+VisibleTerms withEstimated(VisibleTerms terms, const std::vector<EstimatedTerm>& estimated) {
+  const auto count = static_cast<Index>(estimated.size()), size = terms.gram.rows();
+  if (count == 0) return terms;
+  // Each estimated term once more in front, where its prior counts, and what it takes up is taken off the
+  // rest.
+  MatrixXd chosen = MatrixXd::Zero(size, count + size);
+  chosen.rightCols(size).setIdentity();
+  for (Index i = 0; i < count; ++i)
+    chosen(static_cast<Index>(estimated[static_cast<std::size_t>(i)].term), i) = 1;
+  MatrixXd gram = chosen.transpose() * terms.gram * chosen;
+  for (Index i = 0; i < count; ++i) {
+    const double sigma = estimated[static_cast<std::size_t>(i)].priorSigma;
+    if (!std::isinf(sigma)) gram(i, i) += 1 / (sigma * sigma);
+  }
+  eliminateFirst(gram, count, gram.diagonal());
+  terms.gram = gram.bottomRightCorner(size, size);
+  return terms;
+}
+
+MatrixXd combinationOf(const Effect& effect) {
+  MatrixXd combination =
+      MatrixXd::Zero(static_cast<Index>(errorTermCount), static_cast<Index>(effect.parameters.size()));
+  for (std::size_t p = 0; p < effect.parameters.size(); ++p)
+    combination(static_cast<Index>(effect.parameters[p].term), static_cast<Index>(p)) =
+        plausibleSize(effect.parameters[p]);
+  return combination;
+}
+
+double lengthOf(const VisibleTerms& terms, const VectorXd& combination) {
+  return std::sqrt(std::max(combination.dot(terms.gram * combination), 0.0));
+}
+
+double differenceFrom(const VisibleTerms& terms, const VectorXd& combination, const Effect& effect) {
+  MatrixXd both(combination.size(), static_cast<Index>(effect.parameters.size()) + 1);
+  both << combinationOf(effect), combination;
+  MatrixXd gram = both.transpose() * terms.gram * both;
+  const Index own = both.cols() - 1;
+  if (isAllOrNothing(effect)) {
+    const double trace = gram(own, own), apart = trace - 2 * gram(0, own) + gram(0, 0);
+    return std::sqrt(std::max(std::min(trace, apart), 0.0));
+  }
+  eliminateFirst(gram, own, both.cwiseAbs2().transpose() * terms.whole);
+  return std::sqrt(std::max(gram(own, own), 0.0));
+}
+
+}  // namespace alidade

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/adjustment/joint/linearised.h"
+#include "core/effects/catalogue.h"
+
+namespace alidade {
+
+// What readings would show of every error term, known by inner products alone. Normal equations add: each
+// set of readings has arc angles and unknowns of its own, which are eliminated from its own equations; the
+// error terms are common to all sets.
+//
+// Source: elimination of nuisance parameters by the Schur complement of the normal matrix.
+struct VisibleTerms {
+  Eigen::MatrixXd gram;   ///< of the visible parts of all ∂reading/∂term with one another, whitened
+  Eigen::VectorXd whole;  ///< squared lengths of the columns before anything was eliminated
+};
+
+/// Of one set of readings; zero but for `terms`.
+VisibleTerms visibleTerms(const Linearised& set, const std::vector<ErrorTerm>& terms);
+/// Of both sets together.
+VisibleTerms operator+(const VisibleTerms& one, const VisibleTerms& other);
+/// With some of the terms estimated along with the unknowns.
+VisibleTerms withEstimated(VisibleTerms terms, const std::vector<EstimatedTerm>& estimated);
+
+/// The columns of an effect, scaled to plausible sizes, as combinations of the terms: terms × parameters.
+Eigen::MatrixXd combinationOf(const Effect& effect);
+
+/// How far a combination of terms shows, σ.
+double lengthOf(const VisibleTerms& terms, const Eigen::VectorXd& combination);
+
+/// How far the nearest trace that the effect can leave is from the trace of a combination of terms, σ; see
+/// `differenceFrom`.
+double differenceFrom(const VisibleTerms& terms, const Eigen::VectorXd& combination, const Effect& effect);
+
+}  // namespace alidade

@@ -1,0 +1,33 @@
+#include "core/diagnosis/result/diagnosis.h"
+
+#include <algorithm>
+
+namespace alidade {
+
+std::string_view nameOf(DiagnosisVerdict verdict) {
+  switch (verdict) {
+    case DiagnosisVerdict::WithinNoise:
+      return "within-noise";
+    case DiagnosisVerdict::SingleCause:
+      return "single-cause";
+    case DiagnosisVerdict::Ambiguous:
+      return "ambiguous";
+    case DiagnosisVerdict::SeveralCauses:
+      return "several-causes";
+    case DiagnosisVerdict::NotInCatalogue:
+      return "not-in-catalogue";
+  }
+  return "";
+}
+
+std::string beyondTheFit(const Diagnosis& diagnosis) {
+  if (diagnosis.shape) return "with what the pattern may move it by";
+  const auto isAlone = [](const Cause& cause) { return cause.indistinguishableFrom.empty(); };
+  if (!std::ranges::all_of(diagnosis.causes, isAlone)) return "averaged over what looks alike";
+  if (diagnosis.steps.empty() || !diagnosis.afterwards || !diagnosis.steps.back().intersection) return "";
+  const bool isThatOfTheCauses =
+      diagnosis.afterwards->expanded == diagnosis.steps.back().intersection->expanded;
+  return isThatOfTheCauses ? "" : "averaged over what else may be";
+}
+
+}  // namespace alidade

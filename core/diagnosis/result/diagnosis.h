@@ -1,0 +1,141 @@
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/observation/reading_ref.h"
+
+namespace alidade {
+
+// What a diagnosis answers.
+
+enum class DiagnosisVerdict {
+  WithinNoise,     ///< nothing to explain
+  SingleCause,     ///< one cause, and no other looks like it in these readings
+  Ambiguous,       ///< one cause out of a group that these readings cannot tell apart
+  SeveralCauses,   ///< each in `causes`
+  NotInCatalogue,  ///< the gap is real, and no effect explains it, alone or together
+};
+
+/// "within-noise", "single-cause", …
+std::string_view nameOf(DiagnosisVerdict verdict);
+
+/// What a fit leaves over. Without redundancy only rms is a number.
+struct GapSize {
+  double rms = 0;  ///< of the circle readings' residuals, arcseconds
+  /// With the noise stated; after larger noise was found, with that.
+  double reducedChiSquare = std::numeric_limits<double>::quiet_NaN();
+  /// Chance of so much by noise alone.
+  double pValue = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// How far the gap shrinks, each within 0…1 unless it grows.
+struct Shrinkage {
+  double inSample = 0;  ///< 1 − rms after/rms before
+  double ofExcess = 0;  ///< 1 − (χ² − f after)/(χ² − f before)
+  /// 1 − rms after/rms before on readings that took no part in estimating circles and sizes of the causes;
+  /// which causes, at which moment or readings, all readings say. Not a number where too few are there.
+  double heldOut = 0;
+};
+
+struct CauseParameter {
+  std::string name;
+  double value = 0, sigma = 0;
+  std::string unit;  ///< as in the catalogue
+};
+
+/// A reading that is blamed.
+struct BlamedReading {
+  std::size_t position = 0, row = 0;  ///< of the session
+  int axisDeg = 0, round = 1, point = 0, face = 1;
+  ReadingKind kind = ReadingKind::Horizontal;
+  /// How far it is off, arcseconds: of a cause as read on the circle, of `Diagnosis::readings` as
+  /// `AdjustedReading::residual`.
+  double size = 0;
+};
+
+struct Cause {
+  std::string effect;      ///< id of the catalogue
+  double probability = 0;  ///< that it is among the causes, 0…1
+  std::vector<CauseParameter> parameters;
+  std::vector<std::string> indistinguishableFrom;  ///< ids
+  std::vector<BlamedReading> readings;             ///< of a gross_error
+};
+
+/// How well one effect alone explains the readings.
+struct Candidate {
+  std::string effect;
+  double logBayesFactor = 0;  ///< natural, against no effect
+  double visibleSigma = 0;    ///< length of what it explains, in σ of the readings
+};
+
+/// A part of the gap. The shares of one `by` add up to 1.
+struct GapShare {
+  std::string by;    ///< "frame", "position", "circle", "face", "round", "sector", "time"
+  std::string of;    ///< in the order of their values
+  double share = 0;  ///< of the leftover beyond the noise, 0…1
+};
+
+/// Δd, y up, mm.
+struct IntersectionEstimate {
+  double value = 0, sigma = 0, expanded = 0;
+};
+
+/// The gap as it shrinks, cause by cause.
+struct GapStep {
+  std::string effect;  ///< added in this step
+  GapSize size;        ///< after it
+  std::optional<IntersectionEstimate> intersection;
+};
+
+/// An effect that these readings would not show.
+struct UnseenEffect {
+  std::string effect;
+  double influence = 0;     ///< on Δd of its plausible size, mm, ≥ 0
+  double visibleSigma = 0;  ///< what it would leave in the readings, σ
+};
+
+/// Further readings and what they would tell apart.
+struct Advice {
+  std::string measure;                      ///< "both faces", …
+  std::vector<std::string> separates = {};  ///< ids
+  double bySigma = 0;                       ///< difference of the least different two of them, σ
+  bool ofUnseen = false;  ///< `separates`: what would show that does not yet, by `bySigma` or more
+};
+
+/// A gap that fits no effect, by its shape.
+struct GapShape {
+  std::string follows;  ///< "radius along the guideway", …
+  double share = 0;     ///< of the gap that the pattern takes up, 0…1
+};
+
+struct Diagnosis {
+  DiagnosisVerdict verdict = DiagnosisVerdict::WithinNoise;
+  std::string sentence;  ///< the verdict in words
+  GapSize gap, after;
+  Shrinkage shrink;
+  std::vector<Cause> causes;          ///< the most certain first
+  std::vector<Candidate> candidates;  ///< the best first
+  std::vector<GapShare> where;
+  std::vector<GapStep> steps;  ///< one for each cause, a gross_error first
+  std::optional<IntersectionEstimate> before, afterwards;
+  std::vector<UnseenEffect> unseen;           ///< the most dangerous first
+  std::vector<Advice> advice;                 ///< the most telling first
+  std::optional<GapShape> shape;              ///< with NotInCatalogue
+  std::vector<double> leftBefore, leftAfter;  ///< residuals/σ before and after, in the order of `readings`
+  std::vector<BlamedReading> readings;        ///< all that took part, `size` their residual before
+};
+
+struct DiagnosisOptions {
+  /// Ids of effects that are not considered.
+  std::vector<std::string> without = {};
+};
+
+/// What `afterwards` holds beyond the fit with the causes: "averaged over what looks alike", "averaged over
+/// what else may be", "with what the pattern may move it by"; empty where there is nothing.
+std::string beyondTheFit(const Diagnosis& diagnosis);
+
+}  // namespace alidade

@@ -1,0 +1,175 @@
+#include "core/diagnosis/search/explanation.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "core/diagnosis/search/gain.h"
+#include "core/diagnosis/search/search.h"
+
+namespace alidade {
+
+using Eigen::MatrixXd, Eigen::VectorXd;
+
+namespace {
+
+constexpr double knownTo = 0.1;  // the stated σ holds to a tenth
+constexpr double leastNoise = 1.25, mostNoise = 20;
+constexpr double outOfQuestion = 1e-4;  // odds below which larger noise is not searched further
+
+/// What is believed of the scale of the noise: its logarithm at even steps, with the density there.
+class NoiseScales {
+ public:
+  template <typename Density>
+  NoiseScales(double from, double to, const Density& logDensity)
+      : m_step((to - from) / steps), m_logs(Logs::LinSpaced(steps + 1, from, to)) {
+    m_densities = m_logs.unaryExpr(logDensity);
+    m_inverseSquares = (-2 * m_logs).exp();
+  }
+
+  /// ln ∫ p(scale) (evidence at the scale/evidence at `reference`), with ln evidence = −f ln scale − ½
+  /// χ²/scale².
+  double logIntegral(double chiSquare, double f, double reference, double& likeliest) const {
+    const Logs values = m_densities - f * (m_logs - std::log(reference)) -
+                        0.5 * chiSquare * (m_inverseSquares - 1 / (reference * reference));
+    Eigen::Index best = 0;
+    const double highest = values.maxCoeff(&best);
+    likeliest = std::exp(m_logs[best]);
+    return highest + std::log((values - highest).exp().sum() * m_step);
+  }
+
+ private:
+  static constexpr int steps = 60;
+  using Logs = Eigen::Array<double, steps + 1, 1>;
+  double m_step;
+  Logs m_logs, m_densities, m_inverseSquares;
+};
+
+void add(Explanation& set, double logEvidence) {
+  set.logEvidence += logEvidence;
+  set.logOdds += logEvidence;
+}
+
+void weighNominal(Explanation& found, double f) {
+  static const NoiseScales scales(-4 * knownTo, 4 * knownTo, [](double log) {
+    return -0.5 * std::pow(log / knownTo, 2) - std::log(knownTo) - 0.5 * std::log(2 * M_PI);
+  });
+  add(found, scales.logIntegral(found.chiSquare, f, 1, found.noise));
+}
+
+void weighNoisy(Explanation& found, double f, double reference, double leftover) {
+  static const double from = std::log(leastNoise), to = std::log(mostNoise);
+  static const NoiseScales scales(from, to, [](double) { return -std::log(to - from); });
+  found.noisy = true;
+  add(found, scales.logIntegral(found.chiSquare, f, reference, found.noise));
+  add(found, -f * std::log(reference) - 0.5 * leftover * (1 / (reference * reference) - 1));
+}
+
+/// The likeliest set without a pattern.
+const Explanation& bestNamed(const std::vector<Explanation>& sets) {
+  const Explanation* best = &sets.front();
+  for (const Explanation& set : sets)
+    if (!set.shaped && set.logOdds > best->logOdds) best = &set;
+  return *best;
+}
+
+void normalise(std::vector<Explanation>& sets) {
+  const double base = sets.front().logEvidence;  // nothing at all, noise as stated
+  double sum = impossible;
+  for (Explanation& set : sets) {
+    set.logOdds -= base;
+    set.logEvidence -= base;
+    sum = logSum(sum, set.logOdds);
+  }
+  for (Explanation& set : sets) set.chance = std::exp(set.logOdds - sum);
+  std::ranges::sort(sets, std::greater{}, &Explanation::logOdds);
+}
+
+/// Adds sets with larger noise to those with the noise as stated, of which the first is nothing at all.
+void addNoisy(std::vector<Explanation>& all, Search& search, const Leftover& leftover,
+              const PriorOdds& odds) {
+  const double f = leftover.degreesOfFreedom(), chiSquare = leftover.chiSquare();
+  const auto scaleOf = [&](double left) {
+    return std::clamp(std::sqrt(left / std::max(f, 1.0)), leastNoise, mostNoise);
+  };
+  const auto weigh = [&](Explanation& set, double reference) {
+    set.logOdds += std::log(odds.noise);
+    weighNoisy(set, f, reference, chiSquare);
+  };
+  Explanation noiseAlone;
+  noiseAlone.chiSquare = chiSquare;
+  weigh(noiseAlone, scaleOf(chiSquare));
+  // What explains a part of the gap leaves less for larger noise: no set needs it more than nothing does, but
+  // for a factor of the scale to each of its few weights.
+  if (noiseAlone.logOdds < all.front().logOdds + std::log(outOfQuestion)) {
+    all.push_back(std::move(noiseAlone));
+    return;
+  }
+  std::vector<double> references{scaleOf(chiSquare)};
+  const double ofNamed = scaleOf(bestNamed(all).chiSquare);
+  if (ofNamed < 0.8 * references.front()) references.push_back(ofNamed);
+  std::vector<Explanation> noisy;
+  for (const double reference : references)
+    for (Explanation& set : search.grown(reference * reference)) {
+      weigh(set, reference);
+      const auto before =
+          std::ranges::find_if(noisy, [&](const Explanation& other) { return areAlike(other, set); });
+      if (before == noisy.end())
+        noisy.push_back(std::move(set));
+      else if (before->logOdds < set.logOdds)
+        *before = std::move(set);
+    }
+  std::ranges::move(noisy, std::back_inserter(all));
+}
+
+}  // namespace
+
+double Part::widthOfFit() const {
+  const auto count = static_cast<double>(std::max<Eigen::Index>(weights.size(), 1));
+  return std::max({1.0, width, std::sqrt(weights.squaredNorm() / count)});
+}
+
+bool Part::isSpokenFor() const {
+  constexpr double something = 0.1;  // natural logarithm
+  return logGain > something;
+}
+
+bool Explanation::has(std::size_t component) const {
+  return std::ranges::find(parts, component, &Part::component) != parts.end();
+}
+
+bool isPartOf(const Explanation& smaller, const Explanation& larger) {
+  return (!smaller.noisy || larger.noisy) &&
+         std::ranges::all_of(smaller.parts, [&](const Part& part) { return larger.has(part.component); });
+}
+
+bool areAlike(const Explanation& a, const Explanation& b) {
+  return a.noisy == b.noisy && a.parts.size() == b.parts.size() && isPartOf(a, b);
+}
+
+std::vector<Explanation> explain(const Leftover& leftover, const std::vector<Component>& candidates,
+                                 const SearchOptions& options) {
+  const double f = leftover.degreesOfFreedom();
+  Search search(leftover, candidates, options);
+  std::vector<Explanation> all = search.grown(1);
+  for (Explanation& set : all) weighNominal(set, f);
+  if (options.noise) addNoisy(all, search, leftover, options.odds);
+  normalise(all);
+  return all;
+}
+
+Part fitAlone(const Leftover& leftover, const Component& component, std::size_t index) {
+  const VectorXd right = productsWith(leftover.residual(), leftover.residualByTerms(), component);
+  if (component.curvature.cols() > 0) {
+    const BentFit fit = fitBent(widthsOf(component.kind), component.bentGram, right, 1);
+    return {index, fit.gain.width, fit.weights, fit.gain.log};
+  }
+  if (component.allOrNothing) return {index, 1, VectorXd::Ones(1), right[0] - component.gram(0, 0) / 2};
+  const Gain gain = gainOf(widthsOf(component.kind), component.gram, right, 1);
+  MatrixXd matrix = component.gram;
+  matrix.diagonal().array() += 1 / (gain.width * gain.width);
+  return {index, gain.width, matrix.ldlt().solve(right), gain.log};
+}
+
+}  // namespace alidade

@@ -1,0 +1,180 @@
+#include "core/diagnosis/search/inquiry.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "core/diagnosis/candidates/known_components.h"
+#include "core/diagnosis/candidates/shape_components.h"
+#include "core/diagnosis/search/explained_model.h"
+#include "core/effects/cause_ids.h"
+
+namespace alidade {
+
+namespace {
+
+bool considered(const DiagnosisOptions& options, std::string_view id) {
+  return std::ranges::find(options.without, id) == options.without.end();
+}
+
+std::vector<Component> candidatesFor(const GapModel& base, const Leftover& leftover,
+                                     const DiagnosisOptions& options, const PriorOdds& odds) {
+  std::vector<std::string> leftOut = options.without;
+  leftOut.insert(leftOut.end(), base.measurement->effects.begin(), base.measurement->effects.end());
+  std::vector<Component> candidates = effectsBeyond(base, leftover, leftOut, odds), jumps;
+  if (considered(options, jumpId)) jumps = jumpComponents(leftover, odds);
+  std::vector<Component> shapes =
+      shapeComponents(leftover, *base.measurement, base.fit, options.without, odds);
+  candidates.reserve(candidates.size() + jumps.size() + shapes.size());
+  std::ranges::move(jumps, std::back_inserter(candidates));
+  std::ranges::move(shapes, std::back_inserter(candidates));
+  return candidates;
+}
+
+Inquiry searched(GapModel base, Leftover leftover, const DiagnosisOptions& options,
+                 const std::stop_token& stop) {
+  SearchOptions search;
+  search.misreadings = considered(options, misreadingId);
+  search.noise = considered(options, noiseId);
+  search.stop = stop;
+  std::vector<Component> candidates;
+  if (!stop.stop_requested()) candidates = candidatesFor(base, leftover, options, search.odds);
+  std::vector<Explanation> explanations = explain(leftover, candidates, search);
+  return {std::move(base), std::move(leftover), std::move(candidates), std::move(explanations), {}, {}};
+}
+
+/// The likeliest causes but patterns, where one of them is so large that the fit without it, at which the
+/// equations were taken, is far from where the readings would have it.
+std::optional<Explanation> largeCauses(const Inquiry& inquiry) {
+  constexpr double large = 100;  // σ over all readings
+  Explanation causes = inquiry.explanations.front();
+  std::erase_if(causes.parts,
+                [&](const Part& part) { return inquiry.kindOf(part) == Component::Kind::Shape; });
+  const auto isLarge = [&](const Part& part) {
+    return !inquiry.isMisreading(part) &&
+           signatureSquare(inquiry.candidates[part.component], part.weights) > large * large;
+  };
+  if (std::ranges::none_of(causes.parts, isLarge)) return std::nullopt;
+  causes.shaped = causes.noisy = false;
+  return causes;
+}
+
+/// The equations at a fit with causes added, their own share put back into the residuals.
+Linearised around(const GapModel& base, const GapModel& withCauses) {
+  using enum ErrorTerm;
+  // A step does the same wherever it is taken, and a plane tilt is known with its bend.
+  constexpr std::array stayOut{HorizontalJump, VerticalJump, PlaneTiltX, PlaneTiltY};
+  JointFitOptions options = base.options;
+  JointFit fit = withCauses.fit;
+  for (const EstimatedTerm& added : withCauses.options.terms) {
+    if (std::ranges::find(base.options.terms, added.term, &EstimatedTerm::term) != base.options.terms.end())
+      continue;
+    if (std::ranges::find(stayOut, added.term) == stayOut.end())
+      options.terms.push_back(added);
+    else
+      fit.values[fit.indexOf({.kind = Unknown::Kind::Error, .arc = 0, .term = added.term})] = 0;
+  }
+  Linearised equations = linearise(*base.measurement, fit, options);
+  for (std::size_t t = base.options.terms.size(); t < options.terms.size(); ++t) {
+    const ErrorTerm term = options.terms[t].term;
+    double& value = equations.termValues[static_cast<std::size_t>(term)];
+    for (std::size_t i = 0; i < equations.readings.size(); ++i)
+      equations.readings[i].residual += equations.ofTerm(i, term) * value;
+    value = 0;
+  }
+  return equations;
+}
+
+Inquiry inquireOnce(GapModel base, const DiagnosisOptions& options, const std::stop_token& stop) {
+  constexpr int mostRounds = 3;
+  Leftover leftover(linearise(*base.measurement, base.fit, base.options), base.options.terms);
+  Inquiry inquiry = searched(std::move(base), std::move(leftover), options, stop);
+  for (int round = 0; round < mostRounds && !stop.stop_requested(); ++round) {
+    const std::optional<Explanation> causes = largeCauses(inquiry);
+    if (!causes) break;
+    const GapModel withCauses = modelWith(inquiry.base, *causes, inquiry.candidates, inquiry.leftover);
+    if (!withCauses.fit.converged) break;
+    Leftover closer(around(inquiry.base, withCauses), inquiry.base.options.terms);
+    const std::vector<Part> before = inquiry.explanations.front().parts;
+    inquiry = searched(std::move(inquiry.base), std::move(closer), options, stop);
+    if (std::ranges::all_of(
+            before, [&](const Part& part) { return inquiry.explanations.front().has(part.component); }))
+      break;
+  }
+  return inquiry;
+}
+
+/// Readings so far off that the equations at the fit they have spoiled say little.
+std::vector<FarOff> farOff(const Inquiry& inquiry) {
+  constexpr double farOffSigma = 300;
+  std::vector<FarOff> found;
+  for (const Part& part : inquiry.explanations.front().parts)
+    if (inquiry.isMisreading(part) && std::abs(part.weights[0]) > farOffSigma)
+      found.push_back({inquiry.readingOf(part), part.weights[0]});
+  return found;
+}
+
+}  // namespace
+
+std::string_view Inquiry::idOf(const Part& part) const {
+  return isMisreading(part) ? misreadingId : candidates[part.component].id;
+}
+
+double Inquiry::chanceOf(const std::function<bool(const Explanation&)>& isMeant) const {
+  double sum = 0;
+  for (const Explanation& explanation : explanations)
+    if (isMeant(explanation)) sum += explanation.chance;
+  return std::min(sum, 1.0);  // of rounding
+}
+
+double Inquiry::probabilityOf(std::string_view id) const {
+  return chanceOf([&](const Explanation& explanation) {
+    return (id == noiseId && explanation.noisy) ||
+           std::ranges::any_of(explanation.parts, [&](const Part& part) { return idOf(part) == id; });
+  });
+}
+
+Inquiry inquire(GapModel model, const DiagnosisOptions& options, const std::stop_token& stop) {
+  constexpr int mostRounds = 4;
+  Inquiry inquiry = inquireOnce(std::move(model), options, stop);
+  std::shared_ptr<const Inquiry> first;
+  for (int round = 0; round < mostRounds; ++round) {
+    const std::vector<FarOff> found = farOff(inquiry);
+    if (found.empty() || stop.stop_requested()) break;
+    std::vector<FarOff> all = inquiry.farOff;
+    GapModel next = inquiry.base;
+    for (const FarOff& far : found) {
+      all.push_back(far);
+      next.options.without.push_back(readingRef(inquiry.leftover, far.reading));
+    }
+    next.fit = fitJointly(*next.measurement, next.starts, next.options);
+    if (!next.fit.isDetermined) break;
+    if (!first) first = std::make_shared<const Inquiry>(std::move(inquiry));
+    inquiry = inquireOnce(std::move(next), options, stop);
+    inquiry.farOff = std::move(all);
+    inquiry.before = first;
+  }
+  return inquiry;
+}
+
+BlamedReading blamed(const Measurement& measurement, const ReadingRef& ref, double size) {
+  const ArcMeasurement& arc = measurement.arcs[ref.arc];
+  const Sighting& sighting = arc.sightings[ref.sighting];
+  return {.position = arc.position,
+          .row = sighting.row,
+          .axisDeg = arc.axisDeg,
+          .round = sighting.round,
+          .point = sighting.point,
+          .face = sighting.face,
+          .kind = ref.kind,
+          .size = size};
+}
+
+BlamedReading blamed(const Inquiry& inquiry, Eigen::Index reading, double sigmas) {
+  const ReadingRef ref = readingRef(inquiry.leftover, reading);
+  return blamed(*inquiry.base.measurement, ref,
+                sigmas * statedSigma(*inquiry.base.measurement, ref.kind).arcseconds());
+}
+
+}  // namespace alidade

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/diagnosis/gap/gap_model.h"
+#include "core/diagnosis/result/diagnosis.h"
+
+namespace alidade {
+
+// The search for what explains a gap.
+
+/// A reading that was left out before the search, since it is off by far more than the equations bear.
+struct FarOff {
+  Eigen::Index reading = 0;  ///< index into the leftover's readings
+  double sigmas = 0;         ///< how far it is off, in its σ
+};
+
+/// The model it starts from, what it leaves over, and what explains that.
+struct Inquiry {
+  GapModel base;
+  Leftover leftover;
+  std::vector<Component> candidates;
+  std::vector<Explanation> explanations;  ///< the likeliest first
+  std::vector<FarOff> farOff;             ///< `base` does without them
+  std::shared_ptr<const Inquiry> before;  ///< what was found with all readings; null where none is far off
+
+  /// The inquiry into the gap as it is, of all readings.
+  const Inquiry& ofAll() const { return before ? *before : *this; }
+
+  bool isMisreading(const Part& part) const { return part.component >= candidates.size(); }
+  /// The index into the leftover's readings of a misreading.
+  Eigen::Index readingOf(const Part& part) const {
+    return static_cast<Eigen::Index>(part.component - candidates.size());
+  }
+  Component::Kind kindOf(const Part& part) const {
+    return isMisreading(part) ? Component::Kind::Misreading : candidates[part.component].kind;
+  }
+  std::string_view idOf(const Part& part) const;
+  /// Probability that one of these explanations is the right one.
+  double chanceOf(const std::function<bool(const Explanation&)>& isMeant) const;
+  /// Probability that the id is among the causes.
+  double probabilityOf(std::string_view id) const;
+};
+
+/// Asked to stop, it returns early with what it has found.
+Inquiry inquire(GapModel model, const DiagnosisOptions& options, const std::stop_token& stop);
+
+/// A reading of the model, `size` in arcseconds.
+BlamedReading blamed(const Measurement& measurement, const ReadingRef& ref, double size);
+/// An index into the leftover's readings, off by so many of its σ.
+BlamedReading blamed(const Inquiry& inquiry, Eigen::Index reading, double sigmas);
+
+}  // namespace alidade

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "core/diagnosis/search/column_table.h"
+#include "core/diagnosis/search/explanation.h"
+#include "core/diagnosis/search/gain.h"
+
+namespace alidade {
+
+/// Sets of components, grown one component at a time with the noise held at some variance; the best few of
+/// each size are kept. Works on the inner products of the columns alone: what is taken off is noted by its
+/// products with every column.
+class Search {
+ public:
+  Search(const Leftover& leftover, const std::vector<Component>& candidates, const SearchOptions& options);
+
+  /// `variance`: of the readings, in units of the stated one. `logOdds` and `logEvidence` are against nothing
+  /// with the same noise. The first is the empty set.
+  std::vector<Explanation> grown(double variance);
+  /// Exactly these components, each as it is beside those before it.
+  Explanation madeOf(const std::vector<std::size_t>& components, double variance);
+
+ private:
+  /// A set of components, taken off the leftover. Of every column it tells by its products with the columns
+  /// of those components, P, which sets have in common.
+  struct State {
+    Explanation found;
+    /// What is left: of its products with all columns, those of the leftover less P `off`. Empty, like
+    /// `taken`, where the set does not grow.
+    Eigen::VectorXd off;
+    /// What was taken: its products with all columns are P `taken`. A column for each direction.
+    Eigen::MatrixXd taken;
+    int misreadings = 0;
+    std::uint64_t key = 0;  ///< of the set, whatever the order
+  };
+  /// Columns beside a state.
+  struct SomeBeside {
+    Eigen::Ref<const Eigen::VectorXd> right;   ///< their products with what is left
+    Eigen::Ref<const Eigen::MatrixXd> shared;  ///< with what was taken; their Gram matrix is less its square
+  };
+  struct Beside {
+    Eigen::VectorXd right;
+    Eigen::MatrixXd shared;
+    SomeBeside some(Eigen::Index first, Eigen::Index count) const {
+      return {right.segment(first, count), shared.middleRows(first, count)};
+    }
+  };
+  /// A component that a state may take next.
+  struct Growth {
+    std::size_t state = 0, component = 0;
+    Gain gain;
+    double logOdds = 0;
+    std::uint64_t key = 0;
+  };
+
+  /// How a component takes part: its columns with the weights `fixed` + `slope` times what is estimated.
+  struct Linear {
+    bool isPlain = true;  ///< 0 + 1 times
+    Eigen::VectorXd fixed;
+    Eigen::MatrixXd slope;
+  };
+
+  const Leftover& m_leftover;
+  const std::vector<Component>& m_candidates;
+  const SearchOptions& m_options;
+  ColumnTable m_table;
+  std::size_t m_firstJump = 0, m_jumps = 0;           ///< they follow one another
+  Eigen::VectorXd m_right;                            ///< products of all columns with the leftover
+  std::map<std::size_t, Eigen::MatrixXd> m_products;  ///< of all columns with components that were taken
+  double m_variance = 1;
+
+  std::vector<State> next(const std::vector<State>& level);
+  void offer(const State& state, std::size_t index, std::vector<Growth>& growths) const;
+  Beside beside(const State& state, Eigen::Index first, Eigen::Index count) const;
+  std::vector<Growth> jumpsFor(const Beside& all) const;
+  std::vector<Growth> misreadingsFor(const Beside& all) const;
+  /// Those of the components from `first` on that gain most; none gains more than its entry in `most`.
+  std::vector<Growth> bestOf(const Beside& all, std::size_t first, const Eigen::ArrayXd& most,
+                             std::size_t count) const;
+  /// Of a component with its columns.
+  Gain gainFor(std::size_t component, const SomeBeside& own) const;
+  BentFit bentFor(std::size_t component, const SomeBeside& own) const;
+  State nothing() const;
+  /// `inAnyCase`: ready for more even where the search would add none.
+  State with(const State& state, const Growth& growth, bool inAnyCase = false);
+  /// Its last component can be neither weighed nor taken off.
+  State makeImpossible(State state) const;
+  Linear linearFor(std::size_t component, const SomeBeside& own) const;
+  bool isStopped() const { return m_options.stop.stop_requested(); }
+  Component::Kind kindOf(std::size_t component) const;
+  bool mayGrow(const State& state) const;
+  double priorOf(std::size_t component) const;
+};
+
+}  // namespace alidade

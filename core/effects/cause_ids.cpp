@@ -1,0 +1,17 @@
+#include "core/effects/cause_ids.h"
+
+#include "core/effects/catalogue.h"
+
+namespace alidade {
+
+const std::vector<std::string>& diagnosableEffects() {
+  static const std::vector<std::string> ids = [] {
+    std::vector<std::string> list;
+    for (const Effect& effect : effectCatalogue()) list.emplace_back(effect.id);
+    for (const char* id : {jumpId, misreadingId, noiseId}) list.emplace_back(id);
+    return list;
+  }();
+  return ids;
+}
+
+}  // namespace alidade

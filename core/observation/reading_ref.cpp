@@ -1,0 +1,28 @@
+#include "core/observation/reading_ref.h"
+
+namespace alidade {
+
+std::string_view nameOf(ReadingKind kind) {
+  switch (kind) {
+    case ReadingKind::Horizontal:
+      return "horizontal";
+    case ReadingKind::Vertical:
+      return "vertical";
+    case ReadingKind::Slider:
+      break;
+  }
+  return "slider";
+}
+
+Angle statedSigma(const Measurement& measurement, ReadingKind kind) {
+  if (kind == ReadingKind::Horizontal) return measurement.sigmaHorizontal;
+  return kind == ReadingKind::Vertical ? measurement.sigmaVertical : measurement.sigmaSlider;
+}
+
+double sideOf(const Measurement& measurement, int face, ReadingKind kind) {
+  if (kind != ReadingKind::Vertical) return 1;
+  const double down = measurement.verticalCircle == VerticalCircle::Zenith ? -1 : 1;
+  return face == 1 ? down : -down;
+}
+
+}  // namespace alidade

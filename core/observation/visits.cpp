@@ -1,0 +1,66 @@
+#include "core/observation/visits.h"
+
+#include <algorithm>
+#include <compare>
+
+namespace alidade {
+
+namespace {
+
+/// Round after round, and in each from place to place one way: the rows of a visit stand together, unsorted.
+bool goesOneWay(const std::vector<Sighting>& sightings) {
+  std::strong_ordering way = std::strong_ordering::equal;
+  for (std::size_t i = 1; i < sightings.size(); ++i) {
+    const Sighting &before = sightings[i - 1], &row = sightings[i];
+    if (row.round < before.round) return false;
+    if (row.round > before.round) way = std::strong_ordering::equal;
+    if (row.round > before.round || row.point == before.point) continue;
+    const std::strong_ordering step = row.point <=> before.point;
+    if (way != std::strong_ordering::equal && way != step) return false;
+    way = step;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::vector<Visit> visitsOf(const ArcMeasurement& arc) {
+  struct Row {
+    int round, point;
+    std::size_t index;
+
+    auto operator<=>(const Row&) const = default;
+  };
+  std::vector<Row> rows;
+  rows.reserve(arc.sightings.size());
+  for (const Sighting& sighting : arc.sightings)
+    rows.push_back({sighting.round, sighting.point, rows.size()});
+  if (!goesOneWay(arc.sightings)) std::ranges::sort(rows);
+  std::vector<Visit> visits;
+  visits.reserve(rows.size());
+  for (const Row& row : rows) {
+    if (visits.empty() || visits.back().round != row.round || visits.back().point != row.point)
+      visits.push_back({row.round, row.point, {}, {}});
+    visits.back().sightings.push_back(row.index);
+  }
+  const auto firstRow = [](const Visit& visit) { return visit.sightings.front(); };
+  if (!std::ranges::is_sorted(visits, {}, firstRow)) std::ranges::sort(visits, {}, firstRow);
+  for (Visit& visit : visits) {
+    Direction<double> sum{0, 0};
+    for (const std::size_t i : visit.sightings) {
+      sum.a += arc.sightings[i].a.radians();
+      sum.e += arc.sightings[i].e.radians();
+    }
+    const auto count = static_cast<double>(visit.sightings.size());
+    visit.mean = {{sum.a / count, sum.e / count}, static_cast<int>(visit.sightings.size())};
+  }
+  return visits;
+}
+
+const Sighting* sliderOf(const ArcMeasurement& arc, const Visit& visit) {
+  for (const std::size_t i : visit.sightings)
+    if (arc.sightings[i].slider) return &arc.sightings[i];
+  return nullptr;
+}
+
+}  // namespace alidade

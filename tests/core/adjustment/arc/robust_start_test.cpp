@@ -1,0 +1,89 @@
+#include "core/adjustment/arc/robust_start.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+#include <random>
+
+#include "tests/support/perfect_session.h"
+
+namespace alidade::test {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+const Circle circle{0.7, -1.1, 400.4};
+
+ArcMeasurement noisyArc(const Measurement& measurement, int points) {
+  std::mt19937_64 generator(11);
+  ArcMeasurement arc = perfectArc(measurement, circle, spread(points, 160));
+  addNoise(arc, measurement, generator);
+  return arc;
+}
+
+// 2″ at 2405 mm is 0.023 mm; a circle through the sound points is known to a few hundredths.
+TEST(RobustStart, IsNotMovedBySevenOfSeventeenRows) {
+  const Measurement measurement = usualMeasurement();
+  ArcMeasurement arc = noisyArc(measurement, 17);
+  for (const std::size_t row : {0u, 3u, 4u, 8u, 10u, 15u, 16u})
+    arc.sightings[row].e = arc.sightings[row].e - Angle::fromDegrees(1 + 0.1 * static_cast<double>(row)),
+    arc.sightings[row].a = arc.sightings[row].a - Angle::fromDegrees(1);
+  const RobustStart start = robustStart(measurement, arc);
+  EXPECT_NEAR(start.circle.x, circle.x, 0.3);
+  EXPECT_NEAR(start.circle.y, circle.y, 0.3);
+  EXPECT_NEAR(start.circle.radius, circle.radius, 0.3);
+  EXPECT_THAT(start.apart, ElementsAre(0, 3, 4, 8, 10, 15, 16));
+}
+
+// Whichever rows are wrong, and by whatever: as many as leave a majority of ⌊n/2⌋ + 2.
+TEST(RobustStart, IsNotMovedByAnyMinority) {
+  std::mt19937_64 random(21);
+  const Measurement measurement = usualMeasurement();
+  for (const int count : {9, 17, 40})
+    for (int trial = 0; trial < 60; ++trial) {
+      ArcMeasurement arc = noisyArc(measurement, count);
+      std::vector<std::size_t> rows(static_cast<std::size_t>(count));
+      std::iota(rows.begin(), rows.end(), std::size_t{0});
+      std::ranges::shuffle(rows, random);
+      rows.resize(static_cast<std::size_t>(count - count / 2 - 2));
+      std::uniform_real_distribution<double> degrees(1, 8);
+      for (const std::size_t row : rows) {
+        Sighting& sighting = arc.sightings[row];
+        sighting.e = sighting.e - Angle::fromDegrees(degrees(random));  // all to one side
+        sighting.a = sighting.a - Angle::fromDegrees(degrees(random));
+      }
+      const RobustStart start = robustStart(measurement, arc);
+      EXPECT_NEAR(start.circle.y, circle.y, 0.5) << count << ' ' << trial;
+      EXPECT_NEAR(start.circle.radius, circle.radius, 0.5) << count << ' ' << trial;
+    }
+}
+
+TEST(RobustStart, SetsNothingApartInASoundArc) {
+  const Measurement measurement = usualMeasurement();
+  EXPECT_THAT(robustStart(measurement, noisyArc(measurement, 17)).apart, IsEmpty());
+  EXPECT_THAT(robustStart(measurement, noisyArc(measurement, 500)).apart, IsEmpty());
+}
+
+TEST(RobustStart, SetsSliderReadingsApart) {
+  const Measurement measurement = usualMeasurement();
+  ArcMeasurement arc = noisyArc(measurement, 17);
+  const std::vector<double> places = spread(17, 160);
+  for (std::size_t i = 0; i < places.size(); ++i)
+    arc.sightings[i].slider = Angle::fromRadians(places[i] + 0.02);
+  arc.sightings[5].slider = *arc.sightings[5].slider + Angle::fromDegrees(10);
+  arc.sightings[6].slider = *arc.sightings[6].slider + Angle::fromDegrees(10);
+  EXPECT_THAT(robustStart(measurement, arc).sliderApart, ElementsAre(5, 6));
+}
+
+TEST(RobustStart, LeavesFewRowsTogether) {
+  const Measurement measurement = usualMeasurement();
+  ArcMeasurement arc = noisyArc(measurement, 5);
+  arc.sightings[2].e = arc.sightings[2].e + Angle::fromDegrees(3);
+  EXPECT_THAT(robustStart(measurement, arc).apart, IsEmpty());
+}
+
+}  // namespace
+}  // namespace alidade::test

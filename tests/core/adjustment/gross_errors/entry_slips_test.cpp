@@ -1,0 +1,88 @@
+#include "core/adjustment/gross_errors/entry_slips.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace alidade::test {
+namespace {
+
+using ::testing::Contains;
+using ::testing::Not;
+
+std::vector<std::string> textsOf(std::string_view typed) {
+  std::vector<std::string> texts;
+  for (const MeantText& meant : meantTexts(typed)) texts.push_back(meant.text);
+  return texts;
+}
+
+EntrySlip slipTo(std::string_view typed, std::string_view meant) {
+  const auto texts = meantTexts(typed);
+  const auto found = std::ranges::find(texts, meant, &MeantText::text);
+  if (found == texts.end()) throw std::runtime_error("not among the texts meant: " + std::string(meant));
+  return found->slip;
+}
+
+TEST(EntrySlips, SwapDigitsWithinAndAcrossParts) {
+  EXPECT_EQ(slipTo("341°25'24\"", "341°52'24\""), EntrySlip::DigitsSwapped);
+  EXPECT_EQ(slipTo("341 52 24", "345 12 24"), EntrySlip::DigitsSwapped);
+}
+
+TEST(EntrySlips, ChangeOneDigitToAnyOther) {
+  EXPECT_EQ(slipTo("341°52'24\"", "341°52'29\""), EntrySlip::OneDigitWrong);
+  EXPECT_EQ(slipTo("88°16'49.5\"", "88°16'49.1\""), EntrySlip::OneDigitWrong);
+  EXPECT_EQ(slipTo("379.859gon", "379.359gon"), EntrySlip::OneDigitWrong);
+}
+
+TEST(EntrySlips, GoOneUnitOffWithCarries) {
+  EXPECT_EQ(slipTo("341°52'24\"", "342°52'24\""), EntrySlip::DegreeOff);
+  EXPECT_EQ(slipTo("341°52'24\"", "342°02'24\""), EntrySlip::TenMinutesOff);
+  EXPECT_EQ(slipTo("341°00'24\"", "340°59'24\""), EntrySlip::MinuteOff);
+  EXPECT_EQ(slipTo("341°52'54\"", "341°53'04\""), EntrySlip::TenSecondsOff);
+  EXPECT_EQ(slipTo("0°00'05\"", "359°59'55\""), EntrySlip::TenSecondsOff);
+}
+
+TEST(EntrySlips, KeepTheStyleOfTheTypedText) {
+  EXPECT_THAT(textsOf("100-09-57.1"), Contains("99-59-57.1"));
+  EXPECT_THAT(textsOf("3415254"), Contains("3415304"));
+  EXPECT_THAT(textsOf("8° 59′ 57″"), Contains("9° 09′ 57″"));
+  EXPECT_THAT(textsOf("203°25'11\""), Not(Contains("023°25'11\""))) << "nobody who types 203 types 023";
+}
+
+TEST(EntrySlips, ListEachTextOnceAndNeverTheTypedOne) {
+  std::vector<std::string> texts = textsOf("341°52'24\"");
+  EXPECT_THAT(texts, Not(Contains("341°52'24\"")));
+  std::ranges::sort(texts);
+  EXPECT_TRUE(std::ranges::adjacent_find(texts) == texts.end());
+}
+
+// Ten seconds off may also be one digit wrong. Of the five neighbours in 81°48'23" all five differ.
+TEST(EntrySlips, AddUpTheWaysToOneText) {
+  const auto texts = meantTexts("81°48'23\"");
+  const auto both = std::ranges::find(texts, "81°48'32\"", &MeantText::text);
+  const auto single = std::ranges::find(texts, "81°48'29\"", &MeantText::text);
+  const auto tens = std::ranges::find(texts, "81°48'33\"", &MeantText::text);
+  ASSERT_TRUE(both != texts.end() && single != texts.end() && tens != texts.end());
+  EXPECT_NEAR(tens->prior, slipShare(EntrySlip::TenSecondsOff) / 2 + single->prior, 1e-12);
+  EXPECT_NEAR(both->prior, slipShare(EntrySlip::DigitsSwapped) / 5, 1e-12);
+}
+
+TEST(EntrySlips, LeaveWhatIsNoAngleToItsDigits) {
+  EXPECT_THAT(textsOf(""), ::testing::IsEmpty());
+  EXPECT_THAT(textsOf("abc"), ::testing::IsEmpty());
+  EXPECT_EQ(slipTo("341°72'24\"", "341°27'24\""), EntrySlip::DigitsSwapped);
+}
+
+TEST(EntrySlips, ShareOutAllOfTheProbability) {
+  double sum = 0;
+  for (const EntrySlip slip : {EntrySlip::DigitsSwapped, EntrySlip::OneDigitWrong, EntrySlip::DegreeOff,
+                               EntrySlip::TenMinutesOff, EntrySlip::MinuteOff, EntrySlip::TenSecondsOff,
+                               EntrySlip::CirclesSwapped, EntrySlip::WrongFace, EntrySlip::NeighbouringRow})
+    sum += slipShare(slip);
+  EXPECT_NEAR(sum, 1, 1e-12);
+}
+
+}  // namespace
+}  // namespace alidade::test

@@ -1,0 +1,130 @@
+#include "core/adjustment/gross_errors/misreadings.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "tests/support/paper_table.h"
+#include "tests/support/perfect_session.h"
+#include "tests/support/trials.h"
+
+namespace alidade::test {
+namespace {
+
+using ::testing::IsEmpty;
+using enum ReadingKind;
+
+std::vector<ReadingRef> cellsOf(const MisreadingSearch& search) {
+  std::vector<ReadingRef> cells;
+  for (const MisreadReading& misreading : search.misread) cells.push_back(misreading.cell);
+  return cells;
+}
+
+/// Two noisy arcs of 17 places, one face.
+Measurement noisyMeasurement(unsigned seed) {
+  std::mt19937_64 generator(seed);
+  Measurement measurement = usualMeasurement();
+  measurement.arcs = {perfectArc(measurement, {0.4, 1.2, 400.3}, spread(17, 160), 0),
+                      perfectArc(measurement, {0.4, -1.2, 400.3}, spread(17, 160, -90), 180)};
+  for (ArcMeasurement& arc : measurement.arcs) addNoise(arc, measurement, generator);
+  return measurement;
+}
+
+// Sessions of an independent ray tracer with errors of 30″ to 300″ on single readings.
+TEST(Misreadings, FindsTheGrossErrorsOfTheRayTracer) {
+  for (const Trial& trial : trials()) {
+    if (trial.kind != "gross_error") continue;
+    SCOPED_TRACE(trial.id);
+    const MisreadingSearch search = searchMisreadings(trial.measurement);
+    ASSERT_EQ(search.misread.size(), 1u);
+    const MisreadReading& found = search.misread[0];
+    const Sighting& sighting = trial.measurement.arcs[found.cell.arc].sightings[found.cell.sighting];
+    const auto& blunder = trial.truth.at("blunders").at(0);
+    EXPECT_EQ(blunder.at(0), found.cell.arc);
+    EXPECT_EQ(blunder.at(1), sighting.round);
+    EXPECT_EQ(blunder.at(2), sighting.point);
+    EXPECT_EQ(blunder.at(3), sighting.face);
+    EXPECT_THAT(found.rivals, IsEmpty());
+    // Zenith readings grow downwards, reduced ones upwards; all three are in face 1.
+    const double size = found.size.arcseconds() * (found.cell.kind == Horizontal ? 1 : -1);
+    EXPECT_NEAR(size, blunder.at(found.cell.kind == Horizontal ? 4 : 5), 4 * found.sigma.arcseconds());
+  }
+}
+
+// Instruments and guideways with effects misfit as a whole, and no reading of theirs is misread.
+TEST(Misreadings, BlamesNoReadingForAnEffect) {
+  for (const Trial& trial : trials()) {
+    if (trial.kind == "gross_error") continue;
+    EXPECT_THAT(cellsOf(searchMisreadings(trial.measurement)), IsEmpty()) << trial.id << ' ' << trial.kind;
+  }
+}
+
+// Its readings scatter seven times more than stated, but none more than the rest.
+TEST(Misreadings, NamesNothingInThePapersReadings) {
+  const MisreadingSearch search = searchMisreadings(paperMeasurement());
+  EXPECT_THAT(search.misread, IsEmpty());
+  EXPECT_NEAR(search.noiseFactor, 6.91, 0.005);
+}
+
+// 34 rows alone in their visits are 34 tests at 1 % in all: each at 1 − 0.99^(1/34) = 2.956e-4, which
+// Student's t with 28 degrees of freedom exceeds beyond ±4.1309 (integrated numerically).
+TEST(Misreadings, NamesASoundReadingInOneSessionOfAHundred) {
+  EXPECT_NEAR(searchMisreadings(paperMeasurement()).criticalValue, 4.1309, 0.0001);
+}
+
+// Each of the four pulls the fit of its arc by more than the noise of all others; the largest by metres.
+TEST(Misreadings, FindsSeveralThatWouldMaskEachOther) {
+  Measurement measurement = noisyMeasurement(1);
+  shiftReading(measurement, {0, 8, Vertical}, Angle::fromDegrees(-10));
+  shiftReading(measurement, {0, 9, Vertical}, Angle::fromArcseconds(600));
+  shiftReading(measurement, {0, 7, Vertical}, Angle::fromArcseconds(600));
+  shiftReading(measurement, {1, 0, Horizontal}, Angle::fromArcseconds(60));
+  const MisreadingSearch search = searchMisreadings(measurement);
+  std::vector<std::pair<std::size_t, std::size_t>> rows;
+  for (const MisreadReading& misreading : search.misread)
+    rows.emplace_back(misreading.cell.arc, misreading.cell.sighting);
+  EXPECT_THAT(rows, ::testing::UnorderedElementsAre(std::pair(0, 7), std::pair(0, 8), std::pair(0, 9),
+                                                    std::pair(1, 0)));
+  EXPECT_EQ(search.misread[0].cell, (ReadingRef{0, 8, Vertical}));
+  EXPECT_NEAR(search.misread[0].size.degrees(), 10, 4 * search.misread[0].sigma.degrees());
+}
+
+// Without a second face or the slider, a misfit across the arc may come from either circle.
+TEST(Misreadings, SaysThatEitherCircleOfASingleSightingMayBeAtFault) {
+  Measurement measurement = noisyMeasurement(2);
+  shiftReading(measurement, {1, 4, Vertical}, Angle::fromArcseconds(90));
+  const MisreadingSearch search = searchMisreadings(measurement);
+  ASSERT_EQ(search.misread.size(), 1u);
+  ASSERT_EQ(search.misread[0].rivals.size(), 1u);
+  EXPECT_EQ(search.misread[0].cell.sighting, 4u);
+  EXPECT_EQ(search.misread[0].rivals[0].sighting, 4u);
+  EXPECT_NE(search.misread[0].cell.kind, search.misread[0].rivals[0].kind);
+}
+
+TEST(Misreadings, TestsNothingWithoutRedundancy) {
+  Measurement measurement = usualMeasurement();
+  measurement.arcs = {perfectArc(measurement, {0, 0, 400}, spread(3, 120))};
+  shiftReading(measurement, {0, 1, Vertical}, Angle::fromDegrees(1));
+  const MisreadingSearch search = searchMisreadings(measurement);
+  EXPECT_THAT(search.misread, IsEmpty());
+  EXPECT_EQ(search.criticalValue, 0);
+}
+
+// Rows far off the circle are left out from the start, however many; only as many as asked for are named.
+TEST(Misreadings, AreManagedInThousandsOfReadings) {
+  std::mt19937_64 generator(9);
+  Measurement measurement = usualMeasurement();
+  measurement.arcs = {perfectArc(measurement, {0.4, 1.2, 400.3}, spread(1500, 160), 0)};
+  addNoise(measurement.arcs[0], measurement, generator);
+  for (std::size_t i = 0; i < 30; ++i)
+    shiftReading(measurement, {0, 600 + 10 * i, Vertical}, Angle::fromDegrees(3));
+  const MisreadingSearch search = searchMisreadings(measurement);
+  EXPECT_EQ(search.misread.size(), 12u);
+  EXPECT_EQ(search.leftOut.size(), 60u);
+  EXPECT_NEAR(search.noiseFactor, 1, 4 / std::sqrt(2 * 1500.0));
+}
+
+}  // namespace
+}  // namespace alidade::test

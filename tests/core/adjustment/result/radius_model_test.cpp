@@ -1,0 +1,190 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/adjustment/result/session_fit.h"
+#include "tests/support/paper_table.h"
+#include "tests/support/trials.h"
+
+// A common or a known radius (`model.radius`).
+
+namespace alidade {
+namespace {
+
+using testing::HasSubstr;
+using Vector = std::vector<double>;
+
+Measurement with(RadiusModel model, Measurement measurement, double sigmaRadius = 0) {
+  measurement.radiusModel = model;
+  measurement.sigmaRadius = sigmaRadius;
+  return measurement;
+}
+
+constexpr Unknown radius(std::size_t arc) {
+  return {.kind = Unknown::Kind::Radius, .arc = arc};
+}
+
+/// Estimates and their covariance.
+struct Gaussian {
+  Vector mean;
+  SquareMatrix covariance;
+
+  /// What it becomes once hᵀθ was observed as `value` with `variance`: the update of Bayes and Kalman.
+  void observe(const Vector& h, double value, double variance) {
+    const std::size_t n = mean.size();
+    Vector gain(n);
+    double predicted = 0, spread = variance;
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t j = 0; j < n; ++j) gain[i] += covariance(i, j) * h[j];
+      predicted += h[i] * mean[i];
+      spread += h[i] * gain[i];
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+      mean[i] += gain[i] * (value - predicted) / spread;
+      for (std::size_t j = 0; j < n; ++j) covariance.values[i * n + j] -= gain[i] * gain[j] / spread;
+    }
+  }
+};
+
+// The free fit with R1 = R2 and R = R0 observed on top is the fit with a common or known radius, by closed
+// form, up to the curvature of the model: radii move by some 0.1 mm, of which curvature is some 1e-4.
+TEST(RadiusModel, IsTheFreeFitConditioned) {
+  for (const char* protocol : {"paper", "full"}) {
+    const Measurement measurement = test::trialMeasurement(protocol);
+    const JointFit free = fitSession(measurement).joint;
+    Gaussian expected{free.values, free.cofactor};
+    Vector difference(free.values.size()), first(free.values.size());
+    difference[free.indexOf(radius(0))] = first[free.indexOf(radius(0))] = 1;
+    difference[free.indexOf(radius(1))] = -1;
+    expected.observe(difference, 0, 0);
+    const auto expectThat = [&](const Measurement& constrained) {
+      const JointFit fit = fitSession(constrained).joint;
+      EXPECT_TRUE(fit.converged);
+      for (std::size_t i = 0; i < free.unknowns.size(); ++i) {
+        const std::size_t here = fit.indexOf(free.unknowns[i]);
+        EXPECT_NEAR(fit.values[here], expected.mean[i], 2e-5) << protocol << i;
+        EXPECT_NEAR(fit.cofactor(here, here), expected.covariance(i, i),
+                    1e-3 * expected.covariance(i, i) + 2e-12)
+            << protocol << i;
+      }
+    };
+    expectThat(with(RadiusModel::Common, measurement));
+    constexpr double sigma = 0.02;
+    Gaussian known = expected;
+    expected.observe(first, measurement.nominalRadius, sigma * sigma);
+    expectThat(with(RadiusModel::Known, measurement, sigma));
+    expected = known;
+    expected.observe(first, measurement.nominalRadius, 1e-12);
+    expectThat(with(RadiusModel::Known, measurement));
+  }
+}
+
+// Minima found by another solver (scipy's least_squares on centres, radius and all arc angles) from Table I,
+// which agrees with its own finer steps to some 1e-6 mm.
+TEST(RadiusModel, MeetsAnotherSolverOnTableI) {
+  struct Case {
+    RadiusModel model;
+    double sigma, radius, y0, y180;
+  };
+  for (const Case& c : {Case{RadiusModel::Common, 0, 402.9426557994, -0.2204535473, -2.8135864645},
+                        Case{RadiusModel::Known, 0.05, 402.8135869761, -0.0564955577, -2.9774642805},
+                        Case{RadiusModel::Known, 0, 400.0, 3.515503719, -6.547486006}}) {
+    const SessionFit fit = fitSession(with(c.model, test::paperMeasurement(), c.sigma));
+    ASSERT_EQ(fit.arcs.size(), 2u);
+    EXPECT_TRUE(fit.joint.converged);
+    EXPECT_NEAR(fit.arcAt(0)->circle.radius, c.radius, 2e-6);
+    EXPECT_EQ(fit.arcAt(0)->circle.radius, fit.arcAt(180)->circle.radius);
+    EXPECT_NEAR(fit.arcAt(0)->circle.y, c.y0, 2e-6);
+    EXPECT_NEAR(fit.arcAt(180)->circle.y, c.y180, 2e-6);
+  }
+}
+
+double entryOf(const Intersection& intersection, const std::string& source) {
+  for (const BudgetEntry& entry : intersection.budget)
+    if (entry.source == source) return entry.sigma;
+  return -1;
+}
+
+// The readings' share is what independent errors of every reading make of Δd, the radius' share what a radius
+// wrong by its σ makes of it: both against the budget.
+TEST(RadiusModel, BudgetHoldsReadingsAndRadiusApart) {
+  const double sigma = 0.02;
+  const Measurement measurement = with(RadiusModel::Known, test::trialMeasurement("paper"), sigma);
+  const SessionFit fit = fitSession(measurement);
+  double variance = 0;
+  for (const AdjustedReading& reading : fit.joint.readings)
+    variance += std::pow(reading.perReading * reading.sigma, 2);
+  // Residuals of a few σ make the linear shares good to some 1e-4.
+  EXPECT_NEAR(entryOf(*fit.intersection, "readings"), fit.noise.factor * std::sqrt(variance),
+              1e-4 * std::sqrt(variance));
+
+  Measurement moved = measurement;
+  moved.nominalRadius += 0.01;
+  const double change = std::abs(fitSession(moved).intersection->value - fit.intersection->value);
+  const double share = entryOf(*fit.intersection, "known radius");
+  EXPECT_GT(share, 0.001);
+  EXPECT_NEAR(change / 0.01 * sigma, share, 1e-3 * share);
+  EXPECT_EQ(entryOf(*fitSession(test::trialMeasurement("paper")).intersection, "known radius"), -1);
+}
+
+// What the readings and R0 check adds up to the degrees of freedom: the trace of a projector.
+TEST(RadiusModel, RedundanciesAddUpToTheDegreesOfFreedom) {
+  const Measurement measurement = test::trialMeasurement("paper");
+  const int free = fitSession(measurement).joint.degreesOfFreedom;
+  const JointFit common = fitSession(with(RadiusModel::Common, measurement)).joint;
+  EXPECT_EQ(common.degreesOfFreedom, free + 1);
+  const double sigma = 0.02;
+  const JointFit known = fitSession(with(RadiusModel::Known, measurement, sigma)).joint;
+  EXPECT_EQ(known.degreesOfFreedom, free + 2);
+  const std::size_t r = known.indexOf(radius(0));
+  double sum = 1 - known.cofactor(r, r) / (sigma * sigma);
+  for (const AdjustedReading& reading : known.readings) sum += reading.redundancy;
+  EXPECT_NEAR(sum, known.degreesOfFreedom, 1e-6);
+}
+
+// On an upper arc a greater radius lowers the centre, on a lower arc it lifts it; known, it says nothing.
+TEST(RadiusModel, CorrelationWithTheCentreIsStated) {
+  const Measurement measurement = test::paperMeasurement();
+  const SessionFit free = fitSession(measurement);
+  EXPECT_LT(free.sigmas[0].radiusY, -0.4);
+  EXPECT_GT(free.sigmas[1].radiusY, 0.4);
+  EXPECT_LT(std::abs(free.sigmas[0].radiusX), 0.1);
+  // Against the definition, where readings are the only source.
+  Measurement exactZeros = measurement;
+  exactZeros.sigmaZeroHorizontal = exactZeros.sigmaZeroVertical = Angle();
+  const SessionFit fit = fitSession(exactZeros);
+  const Covariance3& q = fit.arcs[0].cofactor;
+  EXPECT_NEAR(fit.sigmas[0].radiusY, q[1][2] / std::sqrt(q[1][1] * q[2][2]), 1e-9);
+  EXPECT_NEAR(fit.sigmas[0].radiusX, q[0][2] / std::sqrt(q[0][0] * q[2][2]), 1e-9);
+  EXPECT_NEAR(fitSession(with(RadiusModel::Known, exactZeros)).sigmas[0].radiusY, 0, 1e-3);
+}
+
+TEST(RadiusModel, AConflictWithTheKnownRadiusIsSaid) {
+  const auto textOf = [](const Measurement& measurement) {
+    std::string all;
+    for (const Finding& finding : fitSession(measurement).findings) all += finding.text + "\n";
+    return all;
+  };
+  EXPECT_THAT(textOf(with(RadiusModel::Known, test::paperMeasurement(), 0.05)),
+              HasSubstr("do not agree with the known radius of 400 mm"));
+  Measurement agreeing = test::trialMeasurement("paper");
+  agreeing.nominalRadius = fitSession(agreeing).arcs[0].circle.radius;
+  EXPECT_THAT(textOf(with(RadiusModel::Known, agreeing, 0.05)), testing::Not(HasSubstr("known radius")));
+}
+
+TEST(RadiusModel, HoldsForOnePosition) {
+  Measurement measurement = test::trialMeasurement("paper");
+  measurement.arcs.pop_back();
+  const SessionFit free = fitSession(measurement);
+  const SessionFit common = fitSession(with(RadiusModel::Common, measurement));
+  ASSERT_EQ(common.arcs.size(), 1u);
+  EXPECT_NEAR(common.arcs[0].circle.y, free.arcs[0].circle.y, 1e-9);
+  EXPECT_EQ(common.joint.degreesOfFreedom, free.joint.degreesOfFreedom);
+  const SessionFit known = fitSession(with(RadiusModel::Known, measurement));
+  EXPECT_NEAR(known.arcs[0].circle.radius, 400, 1e-6);
+  EXPECT_LT(known.sigmas[0].y, free.sigmas[0].y);
+}
+
+}  // namespace
+}  // namespace alidade

@@ -1,0 +1,65 @@
+#include "core/adjustment/result/session_findings.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "core/adjustment/result/session_fit.h"
+#include "tests/support/perfect_session.h"
+
+// Readings without noise: there the stated σ are taken as known, and 0.1 % of risk is 3.2905 σ (normal
+// tables).
+
+namespace alidade {
+namespace {
+
+constexpr double quantile = 3.2905;
+
+Measurement withRadii(double upper, double lower) {
+  Measurement measurement = test::usualMeasurement();
+  measurement.arcs = {test::perfectArc(measurement, {0, 0, upper}, test::spread(17, 160)),
+                      test::perfectArc(measurement, {0, 0, lower}, test::spread(17, 160, -90), 180)};
+  return measurement;
+}
+
+bool says(const Measurement& measurement, const char* what) {
+  for (const Finding& finding : sessionFindings(measurement, fitSession(measurement)))
+    if (finding.text.find(what) != std::string::npos) return true;
+  return false;
+}
+
+// Of two arcs fitted apart, with exact zeros and distance, σ of the difference is the root of the sum of
+// squares.
+TEST(SessionFindings, RadiiDifferByMoreThanTheirNoiseAllows) {
+  const std::vector<ArcSigma> sigmas = fitSession(withRadii(400, 400)).sigmas;
+  const double bound = quantile * std::hypot(sigmas.at(0).radius, sigmas.at(1).radius);
+  EXPECT_FALSE(says(withRadii(400, 400 + 0.97 * bound), "The radii at 0° and 180° differ"));
+  EXPECT_TRUE(says(withRadii(400, 400 + 1.03 * bound), "The radii at 0° and 180° differ"));
+  EXPECT_TRUE(says(withRadii(400 + 1.03 * bound, 400), "The radii at 0° and 180° differ"));
+}
+
+// The readings' own radius has 1/σ² = 1/σ1² + 1/σ2²; it is independent of R0, so σ of their difference is the
+// root of the sum of squares.
+TEST(SessionFindings, KnownRadiusIsHeldAgainstWhatTheReadingsSay) {
+  Measurement measurement = withRadii(400, 400);
+  const std::vector<ArcSigma> sigmas = fitSession(measurement).sigmas;
+  const double ofReadings =
+      1 / std::sqrt(std::pow(sigmas.at(0).radius, -2) + std::pow(sigmas.at(1).radius, -2));
+  measurement.radiusModel = RadiusModel::Known;
+  for (const double sigma : {ofReadings / 2, ofReadings * 2}) {
+    measurement.sigmaRadius = sigma;
+    const double bound = quantile * std::hypot(sigma, ofReadings);
+    for (const double side : {-1.0, 1.0}) {
+      // 9 % of either side of the bound: with R0 put in, the readings do not fit, and s0 is no longer
+      // quite 1.
+      measurement.nominalRadius = 400 + side * 0.91 * bound;
+      EXPECT_FALSE(says(measurement, "do not agree with the known radius")) << sigma;
+      measurement.nominalRadius = 400 + side * 1.09 * bound;
+      EXPECT_TRUE(says(measurement, "do not agree with the known radius")) << sigma;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace alidade

@@ -1,0 +1,102 @@
+#include "core/diagnosis/candidates/known_components.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/diagnosis/diagnose.h"
+#include "core/diagnosis/search/inquiry.h"
+#include "core/simulation/simulate.h"
+
+namespace alidade {
+namespace {
+
+std::ptrdiff_t momentsSoughtBy(const std::string& protocol) {
+  const Session session = *simulate(*protocolByName(protocol), drawTruth(5), 5);
+  const GapModel model = *modelOf(*examine(session).measurement);
+  const Leftover leftover(linearise(*model.measurement, model.fit, model.options));
+  return std::ranges::count_if(jumpComponents(leftover, {}), [](const Component& c) { return !c.onlyRow; });
+}
+
+// Rows alone in their visits: 34 rows have 33 moments between them, less one behind the first and one before
+// the last row of each position. A second face or the slider tells a step from a misreading.
+TEST(KnownComponents, StepIsNotSoughtWhereItIsAMisreading) {
+  EXPECT_EQ(momentsSoughtBy("paper"), 33 - 4);
+  EXPECT_EQ(momentsSoughtBy("there-and-back"), 67 - 4);
+  EXPECT_EQ(momentsSoughtBy("paper-slider"), 33);
+  EXPECT_EQ(momentsSoughtBy("two-face"), 135);
+}
+
+// At the ends of the arc, 10° and 170°, the horizontal circle shows nearly all of a slip. A step there would
+// leave the very same.
+TEST(KnownComponents, SlipInTheLastRowOfAPositionIsNoStep) {
+  for (const int axis : {0, 180})
+    for (const int point : {1, 17}) {
+      SCOPED_TRACE(std::to_string(axis) + "°, point " + std::to_string(point));
+      Truth truth = drawTruth(5);
+      truth.misreadings = {
+          {.axisDeg = axis, .point = point, .horizontal = Angle::fromArcseconds(60), .vertical = {}}};
+      const Diagnosis diagnosis =
+          *diagnose(*examine(*simulate(*protocolByName("paper"), truth, 5)).measurement);
+      ASSERT_EQ(diagnosis.causes.size(), 1u);
+      ASSERT_EQ(diagnosis.causes[0].readings.size(), 1u) << diagnosis.causes[0].effect;
+      const BlamedReading& blamed = diagnosis.causes[0].readings[0];
+      EXPECT_EQ(blamed.axisDeg, axis);
+      EXPECT_EQ(blamed.point, point);
+      EXPECT_EQ(blamed.kind, ReadingKind::Horizontal);
+    }
+}
+
+/// Between rows 16 and 17 of 34.
+Truth knockedBeforeTheLastRow() {
+  Truth truth = drawTruth(5);
+  truth.jump = {
+      .moment = 15.5 / 33, .horizontal = Angle::fromArcseconds(30), .vertical = Angle::fromArcseconds(-40)};
+  return truth;
+}
+
+// In truth the tripod was knocked, which moves Δd by 0.2 mm in the position that follows. The row that shows
+// it is blamed, but the knock is named beside it, and U covers what it does.
+TEST(KnownComponents, StepThatLooksLikeAMisreadingIsCoveredByU) {
+  const Truth truth = knockedBeforeTheLastRow();
+  const Diagnosis diagnosis = *diagnose(*examine(*simulate(*protocolByName("paper"), truth, 5)).measurement);
+  ASSERT_EQ(diagnosis.causes.size(), 1u);
+  EXPECT_EQ(diagnosis.causes[0].effect, "gross_error");
+  EXPECT_EQ(diagnosis.causes[0].indistinguishableFrom, std::vector<std::string>{"orientation_jump"});
+  EXPECT_EQ(diagnosis.verdict, DiagnosisVerdict::Ambiguous);
+  EXPECT_EQ(diagnosis.causes[0].readings.front().point, 17);
+  const double off = std::abs(diagnosis.afterwards->value - truth.intersection);
+  EXPECT_LT(off, diagnosis.afterwards->expanded);
+  EXPECT_GT(std::abs(diagnosis.steps[0].intersection->value - truth.intersection),
+            diagnosis.steps[0].intersection->expanded)
+      << "without the knock in mind U is too small";
+  ASSERT_FALSE(diagnosis.advice.empty());
+  EXPECT_EQ(diagnosis.advice.front().separates,
+            (std::vector<std::string>{"gross_error", "orientation_jump"}));
+  EXPECT_FALSE(diagnosis.advice.front().ofUnseen);
+}
+
+// Where misread values are ruled out nothing else leaves what the knock leaves.
+TEST(KnownComponents, StepIsFoundAtTheLastRowWhereNothingIsMisread) {
+  const Diagnosis diagnosis =
+      *diagnose(*examine(*simulate(*protocolByName("paper"), knockedBeforeTheLastRow(), 5)).measurement,
+                {.without = {"gross_error"}});
+  ASSERT_EQ(diagnosis.causes.size(), 1u);
+  EXPECT_EQ(diagnosis.causes[0].effect, "orientation_jump");
+}
+
+// 300″ are five plausible steps: a slip and nothing else. With the slider a knock shows in both circles.
+TEST(KnownComponents, LargeSlipIsNoStep) {
+  Truth truth = drawTruth(5);
+  truth.misreadings = {{.axisDeg = 0, .point = 17, .horizontal = Angle::fromArcseconds(300), .vertical = {}}};
+  const Diagnosis diagnosis = *diagnose(*examine(*simulate(*protocolByName("paper"), truth, 5)).measurement);
+  EXPECT_EQ(diagnosis.verdict, DiagnosisVerdict::SingleCause);
+  const Diagnosis knocked = *diagnose(
+      *examine(*simulate(*protocolByName("paper-slider"), knockedBeforeTheLastRow(), 5)).measurement);
+  ASSERT_FALSE(knocked.causes.empty());
+  EXPECT_EQ(knocked.causes[0].effect, "orientation_jump");
+}
+
+}  // namespace
+}  // namespace alidade

@@ -1,0 +1,76 @@
+#include "core/diagnosis/conclusion/rivals.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "core/diagnosis/conclusion/answer.h"
+#include "tests/support/perfect_session.h"
+
+namespace alidade {
+namespace {
+
+constexpr std::size_t lastRow = 16;  // of the first position
+
+/// One pass in one face over 90° of arc about the top, where both circles show as much of a slip at either
+/// end; the horizontal reading of the first position's last row is 60″ off.
+Measurement misreadAtTheEnd() {
+  Measurement measurement = test::usualMeasurement();
+  std::mt19937_64 generator(4);
+  for (const int axisDeg : {0, 180}) {
+    measurement.arcs.push_back(test::perfectArc(measurement, {0, axisDeg == 0 ? 0.5 : -0.5, 400},
+                                                test::spread(17, 90, axisDeg == 0 ? 90 : 270), axisDeg));
+    test::addNoise(measurement.arcs.back(), measurement, generator);
+    for (Sighting& sighting : measurement.arcs.back().sightings) sighting.sequence = measurement.rows++;
+  }
+  Angle& misread = measurement.arcs[0].sightings[lastRow].a;
+  misread = misread + Angle::fromArcseconds(60);
+  return measurement;
+}
+
+/// Evidence for weights normal around zero that show with squared length w²·`square`, where they take
+/// `gain` off χ², averaged over the widths w (MacKay 1992, the linear model with normal weights).
+double evidence(const std::vector<Width>& widths, double square, double gain) {
+  double sum = 0;
+  for (const Width& width : widths) {
+    const double shown = width.sigma * width.sigma * square;
+    sum += std::exp(width.logChance + gain / 2 * shown / (1 + shown)) / std::sqrt(1 + shown);
+  }
+  return sum;
+}
+
+// All that shows of a slip in either circle of the row, or of a step just before it, is the one condition
+// between its circles. So a step stands against two misreadings: the odds are those of the priors times the
+// evidence of the step over that of the two. What a step leaves in the position after it, a thousandth of
+// it, is not counted: 10 %.
+TEST(Rivals, StepStandsAgainstAMisreadingOfEitherCircle) {
+  const Measurement measurement = misreadAtTheEnd();
+  const Inquiry inquiry = inquire(*modelOf(measurement), {}, {});
+  const Answer answer = conclude(inquiry);
+  ASSERT_EQ(answer.explanation.parts.size(), 1u);
+  ASSERT_TRUE(inquiry.isMisreading(answer.explanation.parts[0]));
+  ASSERT_EQ(answer.rivals[0].size(), 1u);
+  ASSERT_EQ(inquiry.kindOf(answer.rivals[0][0].part), Component::Kind::Jump);
+
+  const GapModel& base = inquiry.base;
+  const JointFit without =
+      fitJointly(*base.measurement, base.starts, {.without = {{0, lastRow, ReadingKind::Horizontal}}});
+  const double gain = base.fit.chiSquare - without.chiSquare;
+  double ofMisreadings = 0, shown = 0;
+  for (const AdjustedReading& reading : base.fit.readings) {
+    if (reading.arc != 0 || reading.sighting != lastRow) continue;
+    ofMisreadings += evidence(widthsOf(Component::Kind::Misreading), reading.redundancy, gain);
+    shown += reading.redundancy * std::pow(plausibleJump / reading.sigma, 2);
+  }
+  const PriorOdds odds;
+  const double rows = 34, readings = 2 * rows;
+  const double expected = odds.jump / (rows - 1) * evidence(widthsOfKnocks(), shown, gain) /
+                          (odds.misreading / readings * ofMisreadings);
+  EXPECT_NEAR(answer.rivals[0][0].odds, expected, 0.1 * expected);
+}
+
+}  // namespace
+}  // namespace alidade

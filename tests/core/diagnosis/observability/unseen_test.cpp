@@ -1,0 +1,74 @@
+#include "core/diagnosis/observability/unseen.h"
+#include "core/diagnosis/candidates/known_components.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/adjustment/result/session_fit.h"
+#include "core/diagnosis/search/inquiry.h"
+#include "core/diagnosis/visibility.h"
+#include "core/simulation/simulate.h"
+
+namespace alidade {
+namespace {
+
+Measurement measurementBy(const std::string& protocol, const std::string& effect,
+                          const Eigen::VectorXd& weights) {
+  Truth truth = drawTruth(11);
+  const std::vector<EffectParameter>& parameters = effectById(effect)->parameters;
+  for (std::size_t p = 0; p < parameters.size(); ++p)
+    truth.effects.push_back(
+        {parameters[p].term, weights[static_cast<Eigen::Index>(p)] * parameters[p].plausible});
+  return *examine(*simulateWithoutNoise(*protocolByName(protocol), truth, 11)).measurement;
+}
+
+double intersectionOf(const Measurement& measurement) {
+  return fitSession(measurement).intersection->value;
+}
+
+class Unseen : public ::testing::TestWithParam<const char*> {
+ protected:
+  GapModel model = *modelOf(measurementBy(GetParam(), "plane_tilt", Eigen::Vector2d::Zero()));
+  Leftover leftover{{linearise(*model.measurement, model.fit, model.options)}};
+  std::vector<Component> effects = effectsBeyond(model, leftover, {}, {});
+  Eigen::VectorXd perReading = influencePerSigma(model);
+
+  const Component& find(const std::string& id) const {
+    return *std::ranges::find(effects, id, &Component::id);
+  }
+};
+
+// Sessions that hold the effect say how far it shows and where Δd goes; a plane tilt shows to second order
+// only where the slider is not read, and not the same on both sides. 3 % and 0.002 σ are of third order.
+// The influence is of first order: what 0.3° do to second order is some R²/L tan² 0.3° = 2 µm.
+TEST_P(Unseen, EffectsShowAndMoveTheIntersectionAsSessionsThatHoldThem) {
+  const double clean = intersectionOf(*model.measurement);
+  for (const char* id : {"plane_tilt", "horizontal_circle_eccentricity", "vertical_drift", "plane_warp"}) {
+    SCOPED_TRACE(std::string(GetParam()) + " " + id);
+    const Danger danger = dangerOfEffect(leftover, find(id), perReading);
+    ASSERT_NEAR(danger.weights.norm(), 1, 1e-12);
+    const Measurement held = measurementBy(GetParam(), id, danger.weights);
+    const double visible = visibilityOf(held, id)->sigma;
+    EXPECT_NEAR(danger.visible, visible, 0.03 * visible + 0.002);
+    EXPECT_NEAR(danger.influence, std::abs(intersectionOf(held) - clean), 0.03 * danger.influence + 2e-3);
+    const Measurement opposite = measurementBy(GetParam(), id, -danger.weights);
+    EXPECT_GE(visibilityOf(opposite, id)->sigma, 0.97 * danger.visible - 0.002);
+  }
+}
+
+// An index error is the same in every reading of one face and goes with the zeros: Δd stays.
+TEST_P(Unseen, WhatDoesNotMoveTheIntersectionIsNoDanger) {
+  const Danger danger = dangerOfEffect(leftover, find("vertical_index"), perReading);
+  EXPECT_LT(danger.influence, negligibleInfluence);
+  EXPECT_FALSE(danger.isUnseen());
+  for (const Danger& unseen : unseenDangers(leftover, effects, perReading)) {
+    EXPECT_NE(unseen.effect, "vertical_index");
+    EXPECT_GT(unseen.influence, negligibleInfluence);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(OneFaceAndTwo, Unseen, ::testing::Values("paper", "paper-slider", "two-face"));
+
+}  // namespace
+}  // namespace alidade

@@ -1,0 +1,77 @@
+#include "core/diagnosis/observability/visible_terms.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/adjustment/result/session_fit.h"
+#include "core/diagnosis/candidates/known_components.h"
+#include "core/diagnosis/observability/look_alikes.h"
+#include "tests/support/trials.h"
+
+namespace alidade {
+namespace {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+Linearised equationsOf(const std::string& protocol) {
+  const Measurement measurement = test::trialMeasurement(protocol);
+  return linearise(measurement, fitSession(measurement).joint);
+}
+
+/// The other way: columns projected by an orthonormal basis. Both lose what the columns' length leaves of
+/// sixteen digits.
+MatrixXd gramOf(const Leftover& leftover) {
+  MatrixXd columns(leftover.readings(), static_cast<Index>(errorTermCount));
+  for (Index t = 0; t < columns.cols(); ++t) columns.col(t) = leftover.column(static_cast<ErrorTerm>(t));
+  const MatrixXd visible = leftover.visible(columns);
+  return visible.transpose() * visible;
+}
+
+double greatestError(const VisibleTerms& terms, const MatrixXd& gram) {
+  const VectorXd scale = terms.whole.cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+  const MatrixXd error = terms.gram - gram;
+  return (scale.asDiagonal() * error * scale.asDiagonal()).cwiseAbs().maxCoeff();
+}
+
+constexpr double digits = 1e-11;
+
+TEST(VisibleTerms, AreThoseOfProjectedColumns) {
+  for (const char* protocol : {"full", "paper", "two-face"}) {
+    const Linearised set = equationsOf(protocol);
+    EXPECT_LT(greatestError(visibleTerms(set, everyTerm()), gramOf(Leftover(set))), digits) << protocol;
+  }
+}
+
+TEST(VisibleTerms, AddUpOverSetsWithUnknownsOfTheirOwn) {
+  const Linearised one = equationsOf("full"), other = equationsOf("paper");
+  EXPECT_LT(greatestError(visibleTerms(one, everyTerm()) + visibleTerms(other, everyTerm()),
+                          gramOf(Leftover(one)) + gramOf(Leftover(other))),
+            digits);
+}
+
+TEST(VisibleTerms, LoseWhatEstimatedTermsTakeUp) {
+  const Linearised set = equationsOf("full");
+  const std::vector<EstimatedTerm> estimated{{ErrorTerm::Collimation, 1e-4}, {ErrorTerm::LobingSine, 0.05}};
+  EXPECT_LT(greatestError(withEstimated(visibleTerms(set, everyTerm()), estimated),
+                          gramOf(Leftover(set, estimated))),
+            digits);
+}
+
+TEST(VisibleTerms, TellHowFarEffectsAreApart) {
+  const Linearised set = equationsOf("full");
+  const VisibleTerms terms = visibleTerms(set, everyTerm());
+  const Leftover leftover(set);
+  const std::vector<Component> components = effectComponents(leftover, {}, {});
+  for (const Component& one : components) {
+    const VectorXd weights = VectorXd::LinSpaced(one.gram.cols(), 1, 2);
+    const VectorXd combination = combinationOf(*one.effect) * weights;
+    const Trace trace(leftover, signature(leftover, one, weights));
+    for (const Component& other : components)
+      EXPECT_NEAR(differenceFrom(terms, combination, *other.effect), trace.differenceFrom(other), 1e-4)
+          << one.id << " from " << other.id;
+  }
+}
+
+}  // namespace
+}  // namespace alidade

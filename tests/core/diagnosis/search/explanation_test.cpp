@@ -1,0 +1,90 @@
+#include "core/diagnosis/search/explanation.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "core/adjustment/result/session_fit.h"
+#include "core/diagnosis/candidates/known_components.h"
+#include "core/diagnosis/search/inquiry.h"
+#include "core/simulation/simulate.h"
+#include "tests/support/trials.h"
+
+namespace alidade {
+namespace {
+
+TEST(Explanation, IsSoughtNoFurtherOnceStopped) {
+  const Measurement measurement = test::trialMeasurement("full");
+  const Leftover leftover(linearise(measurement, fitSession(measurement).joint));
+  const std::vector<Component> candidates = effectComponents(leftover, {}, {});
+  std::stop_source stop;
+  const auto longest = [&] {
+    std::size_t most = 0;
+    for (const Explanation& found : explain(leftover, candidates, {.stop = stop.get_token()}))
+      most = std::max(most, found.parts.size());
+    return most;
+  };
+  EXPECT_GT(longest(), 0U);
+  stop.request_stop();
+  EXPECT_EQ(longest(), 0U);
+}
+
+/// ln of the density of N(0, covariance), but for what depends on the number of readings alone.
+double logDensity(const Eigen::VectorXd& x, const Eigen::MatrixXd& covariance) {
+  const Eigen::LLT<Eigen::MatrixXd> factor(covariance);
+  return -factor.matrixLLT().diagonal().array().log().sum() - 0.5 * factor.matrixL().solve(x).squaredNorm();
+}
+
+/// ln of the evidence for an effect that does not bend against that for nothing, from densities of all
+/// readings: with weights normal of width σ they are normal of covariance 1 + σ² C Cᵀ, with the weight 1 of
+/// mean C.
+double logEvidence(const Leftover& leftover, const Component& effect) {
+  const Eigen::VectorXd& readings = leftover.residual();
+  const Eigen::MatrixXd columns = visibleColumns(leftover, effect);
+  const Eigen::MatrixXd noise = Eigen::MatrixXd::Identity(readings.size(), readings.size());
+  const double nothing = logDensity(readings, noise);
+  if (effect.allOrNothing) return logDensity(readings - columns, noise) - nothing;
+  std::vector<double> terms;
+  for (const Width& width : widthsOf(effect.kind))
+    terms.push_back(width.logChance +
+                    logDensity(readings, noise + width.sigma * width.sigma * columns * columns.transpose()) -
+                    nothing);
+  const double highest = *std::ranges::max_element(terms);
+  double sum = 0;
+  for (const double term : terms) sum += std::exp(term - highest);
+  return highest + std::log(sum);
+}
+
+// A perfect session that holds three plausible sizes of an effect gives them back, drawn to 0 by the prior of
+// their width by less than 3 % where they show by some ten σ; a plane tilt bends.
+TEST(FitAlone, GivesBackTheEffectThatASessionHolds) {
+  for (const char* id : {"collimation", "trunnion_tilt", "plane_tilt", "arc_ellipticity", "vertical_drift"}) {
+    SCOPED_TRACE(id);
+    Truth truth = drawTruth(9);
+    for (const EffectParameter& parameter : effectById(id)->parameters)
+      truth.effects.push_back({parameter.term, 3 * parameter.plausible});
+    const Session session = *simulateWithoutNoise(*protocolByName("full"), truth, 9);
+    const GapModel model = *modelOf(*examine(session).measurement);
+    const Leftover leftover(linearise(*model.measurement, model.fit, model.options));
+    const std::vector<Component> effects = effectsBeyond(model, leftover, {}, {});
+    bool isFound = false;
+    for (std::size_t i = 0; i < effects.size(); ++i) {
+      const Part part = fitAlone(leftover, effects[i], i);
+      EXPECT_EQ(part.component, i);
+      if (effects[i].curvature.cols() == 0) {  // 1e-9 of what the readings tell of it
+        const double evidence = logEvidence(leftover, effects[i]);
+        EXPECT_NEAR(part.logGain, evidence, 1e-9 * (1 + std::abs(evidence))) << effects[i].id;
+      }
+      if (effects[i].id != id) continue;
+      isFound = true;
+      for (const double weight : part.weights)  // a tilt of the plane shows its sign to second order only
+        EXPECT_NEAR(std::string(id) == "plane_tilt" ? std::abs(weight) : weight, 3, 0.03 * 3);
+    }
+    EXPECT_TRUE(isFound);
+  }
+}
+
+}  // namespace
+}  // namespace alidade

@@ -1,0 +1,111 @@
+#include "core/diagnosis/search/search.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <ranges>
+
+#include "core/diagnosis/candidates/known_components.h"
+#include "core/diagnosis/search/inquiry.h"
+#include "core/simulation/simulate.h"
+
+namespace alidade {
+namespace {
+
+/// A trunnion tilt that shows clearly, a small knock and a reading some σ off.
+class SearchTest : public testing::TestWithParam<std::string> {
+ protected:
+  static Leftover leftoverBy(const std::string& protocol) {
+    Truth truth = drawTruth(31);
+    truth.effects = {{ErrorTerm::TrunnionTilt, 5 * effectById("trunnion_tilt")->parameters[0].plausible}};
+    truth.jump = {
+        .moment = 0.4, .horizontal = Angle::fromArcseconds(6), .vertical = Angle::fromArcseconds(-3)};
+    truth.misreadings = {
+        {.axisDeg = 180, .point = 5, .horizontal = Angle::fromArcseconds(13), .vertical = Angle()}};
+    const Session session = *simulate(*protocolByName(protocol), truth, 31);
+    const GapModel model = *modelOf(*examine(session).measurement);
+    return Leftover(linearise(*model.measurement, model.fit, model.options));
+  }
+  static std::vector<Component> candidatesFor(const Leftover& leftover) {
+    std::vector<Component> candidates = effectComponents(leftover, {}, {});
+    std::ranges::move(jumpComponents(leftover, {}), std::back_inserter(candidates));
+    return candidates;
+  }
+
+  Leftover leftover = leftoverBy(GetParam());
+  std::vector<Component> candidates = candidatesFor(leftover);
+
+  bool isJump(std::size_t component) const {
+    return component < candidates.size() && candidates[component].kind == Component::Kind::Jump;
+  }
+  bool isMisreading(std::size_t component) const { return component >= candidates.size(); }
+
+  /// The highest few of the evidences of all jumps or misreadings that may be sought, `before` taken first.
+  template <typename Kind>
+  std::vector<double> bestByTrying(Search& search, const Kind& isOfKind,
+                                   const std::vector<std::size_t>& before, double variance,
+                                   std::size_t count) const {
+    std::vector<double> all;
+    for (std::size_t i = 0; i < candidates.size() + static_cast<std::size_t>(leftover.readings()); ++i) {
+      if (!isOfKind(i) || (isJump(i) && candidates[i].onlyRow)) continue;
+      if (isMisreading(i) && leftover.redundancy(static_cast<Eigen::Index>(i - candidates.size())) < 1e-3)
+        continue;
+      std::vector<std::size_t> set = before;
+      set.push_back(i);
+      all.push_back(search.madeOf(set, variance).logEvidence);
+    }
+    std::ranges::sort(all, std::greater{});
+    all.resize(std::min(count, all.size()));
+    return all;
+  }
+
+  /// Of the sets that were found, those of `before` and one more of the kind.
+  template <typename Kind>
+  static std::vector<double> found(const std::vector<Explanation>& sets, const Kind& isOfKind,
+                                   const std::vector<std::size_t>& before) {
+    std::vector<double> evidences;
+    for (const Explanation& set : sets)
+      if (set.parts.size() == before.size() + 1 && isOfKind(set.parts.back().component) &&
+          std::ranges::equal(before, set.parts | std::views::take(before.size()), {}, {}, &Part::component))
+        evidences.push_back(set.logEvidence);
+    std::ranges::sort(evidences, std::greater{});
+    return evidences;
+  }
+
+  void expectTheBest(const std::vector<std::size_t>& before, double variance) const {
+    const SearchOptions options{.beam = 1000, .mostParts = before.size() + 1, .mostMisreadings = 1};
+    Search search(leftover, candidates, options);
+    const std::vector<Explanation> sets = search.grown(variance);
+    const auto jumps = [&](std::size_t i) { return isJump(i); };
+    const auto misreadings = [&](std::size_t i) { return isMisreading(i); };
+    // The same sums in another order: what rounding leaves.
+    EXPECT_THAT(
+        found(sets, jumps, before),
+        testing::Pointwise(testing::DoubleNear(1e-9), bestByTrying(search, jumps, before, variance, 2)));
+    EXPECT_THAT(found(sets, misreadings, before),
+                testing::Pointwise(testing::DoubleNear(1e-9),
+                                   bestByTrying(search, misreadings, before, variance, 4)));
+  }
+};
+
+// Which jumps and readings are weighed at all is decided by a bound of what each could gain; whatever it
+// passes over, the best are those that trying all of them finds.
+TEST_P(SearchTest, OffersTheBestOfAllJumpsAndMisreadings) {
+  for (const double variance : {1.0, 9.0}) {
+    SCOPED_TRACE(variance);
+    expectTheBest({}, variance);
+    const auto tilt = std::ranges::find(candidates, "trunnion_tilt", &Component::id);
+    expectTheBest({static_cast<std::size_t>(tilt - candidates.begin())}, variance);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Protocols, SearchTest, testing::Values("paper-slider", "two-face", "full"),
+                         [](const auto& test) {
+                           std::string name = test.param;
+                           std::erase(name, '-');
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace alidade
