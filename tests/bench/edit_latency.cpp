@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
-#include "ui/charts/arc_chart.h"
-#include "ui/charts/residual_chart.h"
+#include "ui/charts/arc/arc_chart.h"
+#include "ui/charts/residuals/residual_chart.h"
 #include "ui/commands/edit_readings.h"
 #include "ui/main_window.h"
 #include "ui/settings/theme.h"

@@ -23,11 +23,11 @@
 
 #include "core/session/session_file.h"
 #include "tests/support/large_session.h"
-#include "ui/charts/arc_chart.h"
-#include "ui/charts/residual_chart.h"
+#include "ui/charts/arc/arc_chart.h"
+#include "ui/charts/residuals/residual_chart.h"
 #include "ui/main_window.h"
-#include "ui/panels/page_tabs.h"
-#include "ui/panels/readings_table.h"
+#include "ui/panels/readings/readings_table.h"
+#include "ui/panels/window/page_tabs.h"
 #include "ui/settings/theme.h"
 
 namespace {

@@ -12,7 +12,7 @@
 #include "tests/ui/shown_texts.h"
 #include "tests/ui/support.h"
 #include "ui/main_window.h"
-#include "ui/panels/page_tabs.h"
+#include "ui/panels/window/page_tabs.h"
 
 namespace alidade::ui {
 namespace {

@@ -27,7 +27,7 @@
 #include "ui/forms/field_edit.h"
 #include "ui/forms/field_notes.h"
 #include "ui/main_window.h"
-#include "ui/panels/page_tabs.h"
+#include "ui/panels/window/page_tabs.h"
 #include "ui/settings/recent_files.h"
 
 // Whatever names, notes and files hold: the window and the report show it as text, and keep it as it was.

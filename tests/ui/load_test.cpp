@@ -21,12 +21,12 @@
 #include "core/session/session_file.h"
 #include "tests/support/large_session.h"
 #include "tests/ui/support.h"
-#include "ui/charts/residual_plot.h"
+#include "ui/charts/residuals/residual_plot.h"
 #include "ui/commands/edit_readings.h"
 #include "ui/main_window.h"
 #include "ui/models/readings_model.h"
-#include "ui/panels/findings_panel.h"
-#include "ui/panels/readings_table.h"
+#include "ui/panels/readings/readings_table.h"
+#include "ui/panels/result/findings_panel.h"
 
 namespace alidade::ui {
 namespace {

@@ -13,7 +13,7 @@
 #include "tests/ui/support.h"
 #include "ui/dialogs/blind_trial_dialog.h"
 #include "ui/main_window.h"
-#include "ui/panels/page_tabs.h"
+#include "ui/panels/window/page_tabs.h"
 
 // Alt and a letter lead to one thing, whatever is in front.
 

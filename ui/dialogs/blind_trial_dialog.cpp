@@ -12,10 +12,10 @@
 #include <initializer_list>
 
 #include "core/simulation/protocol.h"
-#include "ui/charts/gap_waterfall.h"
+#include "ui/charts/gap/gap_waterfall.h"
 #include "ui/dialogs/trial_list.h"
-#include "ui/panels/figure_grid.h"
-#include "ui/panels/gap_headline.h"
+#include "ui/panels/gap/gap_headline.h"
+#include "ui/panels/parts/figure_grid.h"
 #include "ui/settings/theme.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/trial_text.h"

@@ -5,8 +5,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "ui/panels/data_table.h"
-#include "ui/panels/figure_grid.h"
+#include "ui/panels/parts/data_table.h"
+#include "ui/panels/parts/figure_grid.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/trial_text.h"

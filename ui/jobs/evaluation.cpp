@@ -4,8 +4,8 @@
 
 #include "core/base/failure.h"
 #include "core/base/threads.h"
-#include "ui/charts/arc_picture.h"
-#include "ui/charts/residual_picture.h"
+#include "ui/charts/arc/arc_picture.h"
+#include "ui/charts/residuals/residual_picture.h"
 
 namespace alidade::ui {
 

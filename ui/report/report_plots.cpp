@@ -3,8 +3,8 @@
 #include <QPainter>
 #include <memory>
 
-#include "ui/charts/arc_plot.h"
-#include "ui/charts/residual_plot.h"
+#include "ui/charts/arc/arc_plot.h"
+#include "ui/charts/residuals/residual_plot.h"
 #include "ui/text/quantity_text.h"
 
 namespace alidade::ui {

@@ -21,9 +21,9 @@
 #include "ui/jobs/simulation_job.h"
 #include "ui/jobs/trial_job.h"
 #include "ui/main_window.h"
-#include "ui/panels/findings_panel.h"
-#include "ui/panels/result_panel.h"
-#include "ui/panels/simulation_box.h"
+#include "ui/panels/result/findings_panel.h"
+#include "ui/panels/result/result_panel.h"
+#include "ui/panels/uncertainty/simulation_box.h"
 
 // Work that breaks down costs its own answer and nothing else: what failed stands where that answer would
 // stand.

@@ -9,11 +9,11 @@
 #include "core/session/session_file.h"
 #include "tests/ui/monkey/monkey_dialogs.h"
 #include "ui/main_window.h"
-#include "ui/panels/job_status.h"
-#include "ui/panels/page_tabs.h"
-#include "ui/panels/position_tabs.h"
-#include "ui/panels/readings_table.h"
-#include "ui/panels/result_panel.h"
+#include "ui/panels/readings/position_tabs.h"
+#include "ui/panels/readings/readings_table.h"
+#include "ui/panels/result/result_panel.h"
+#include "ui/panels/window/job_status.h"
+#include "ui/panels/window/page_tabs.h"
 #include "ui/text/session_difference.h"
 
 namespace alidade::ui {

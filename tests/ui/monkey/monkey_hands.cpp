@@ -17,10 +17,10 @@
 #include "tests/ui/support.h"
 #include "ui/forms/field_edit.h"
 #include "ui/main_window.h"
-#include "ui/panels/effects_panel.h"
-#include "ui/panels/page_tabs.h"
-#include "ui/panels/readings_table.h"
-#include "ui/panels/suspect_bar.h"
+#include "ui/panels/model/effects_panel.h"
+#include "ui/panels/readings/readings_table.h"
+#include "ui/panels/readings/suspect_bar.h"
+#include "ui/panels/window/page_tabs.h"
 #include "ui/settings/theme.h"
 
 namespace alidade::ui {

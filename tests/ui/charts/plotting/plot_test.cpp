@@ -1,0 +1,219 @@
+#include "ui/charts/plotting/plot.h"
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QImage>
+#include <QPainter>
+#include <QtCharts/QChart>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "tests/ui/support.h"
+#include "ui/charts/arc/arc_plot.h"
+#include "ui/charts/residuals/residual_plot.h"
+#include "ui/jobs/evaluation.h"
+
+namespace alidade::ui {
+namespace {
+
+constexpr QSize sizes[] = {{340, 280}, {360, 300}, {700, 400}, {400, 900}, {1200, 900}};
+
+PlotStyle testStyle() {
+  return printStyle(QStringLiteral("DejaVu Sans"));
+}
+
+QChart& chartOf(Plot& plot) {
+  for (QGraphicsItem* item : plot.scene()->items()) {
+    if (auto* chart = dynamic_cast<QChart*>(item)) return *chart;
+  }
+  throw std::runtime_error("no chart in the scene");
+}
+
+QImage rendered(Plot& plot, const QSize& size) {
+  QImage image(size, QImage::Format_RGB32);
+  image.fill(Qt::white);
+  QPainter painter(&image);
+  painter.setRenderHint(QPainter::Antialiasing);
+  plot.scene()->render(&painter, QRectF({}, size), QRectF({}, size));
+  return image;
+}
+
+bool hasColourNear(const QImage& image, const QPointF& at, const QColor& colour) {
+  for (int dx = -1; dx <= 1; ++dx) {
+    for (int dy = -1; dy <= 1; ++dy) {
+      const QColor pixel = image.pixelColor(at.toPoint() + QPoint(dx, dy));
+      const int off = std::abs(pixel.red() - colour.red()) + std::abs(pixel.green() - colour.green()) +
+                      std::abs(pixel.blue() - colour.blue());
+      if (off < 150) return true;
+    }
+  }
+  return false;
+}
+
+QStringList legendTexts(const Plot& plot) {
+  QStringList texts;
+  for (const LegendEntry& entry : plot.legend().entries()) texts.append(entry.text);
+  return texts;
+}
+
+TEST(ArcPlot, KeepsCirclesRoundAtEverySize) {
+  ArcPlot plot;
+  plot.setStyle(testStyle());
+  plot.setEvaluation(evaluate(paperSession()));
+  for (const QSize& size : sizes) {
+    plot.arrange(size);
+    QCoreApplication::processEvents();
+    // As Qt Charts itself places points, not as the plot believes it does.
+    QChart& chart = chartOf(plot);
+    QAbstractSeries* series = chart.series().front();
+    const QPointF origin = chart.mapToPosition({0, 0}, series);
+    const double perX = (chart.mapToPosition({100, 0}, series) - origin).x() / 100;
+    const double perY = (origin - chart.mapToPosition({0, 100}, series)).y() / 100;
+    EXPECT_NEAR(perX / perY, 1, 0.01) << size.width() << " × " << size.height();
+    EXPECT_GT(perX * 800, 0.35 * std::min(size.width(), size.height()));  // and fills the space there is
+  }
+}
+
+TEST(Plot, PlacesItsPointsWhereQtChartsPlacesTheAxes) {
+  ArcPlot arcs;
+  ResidualPlot residuals;
+  const Evaluation evaluation = evaluate(paperSession());
+  for (Plot* plot : {static_cast<Plot*>(&arcs), static_cast<Plot*>(&residuals)}) {
+    plot->setStyle(testStyle());
+    plot->setEvaluation(evaluation);
+    for (const QSize& size : sizes) {
+      plot->arrange(size);
+      QCoreApplication::processEvents();
+      QChart& chart = chartOf(*plot);
+      EXPECT_EQ(chart.plotArea(), plot->plotArea());
+      for (const Mark& mark : plot->markers().marks()) {
+        const QPointF qt = chart.mapToPosition(mark.at, chart.series().front());
+        const QPointF ours = plot->sceneFromAxes().map(mark.at);
+        EXPECT_LT(std::hypot(qt.x() - ours.x(), qt.y() - ours.y()), 0.5);
+      }
+    }
+  }
+}
+
+TEST(ArcPlot, DrawsTheArcsThroughThePoints) {
+  ArcPlot plot;
+  const QSize size(700, 500);
+  plot.setStyle(testStyle());
+  plot.setEvaluation(evaluate(paperSession()));
+  plot.arrange(size);
+  const QImage image = rendered(plot, size);
+  const Circle& circle = plot.picture().arcs[0].circle;
+  for (const double degrees : {45.0, 75.0, 104.5, 135.0}) {  // between the points
+    const auto [x, y] = targetOnArc(circle.x, circle.y, circle.radius, degrees * M_PI / 180);
+    EXPECT_TRUE(hasColourNear(image, plot.sceneFromAxes().map(QPointF(x, y)), plot.style().upper)) << degrees;
+  }
+  for (const Mark& mark : plot.markers().marks()) {
+    if (mark.kind != 0) continue;
+    EXPECT_TRUE(hasColourNear(image, plot.sceneFromAxes().map(mark.at), plot.style().upper));
+  }
+}
+
+TEST(ArcPlot, StatesTheExaggerationItDraws) {
+  ArcPlot plot;
+  plot.setStyle(testStyle());
+  plot.setEvaluation(evaluate(paperSession()));
+  EXPECT_TRUE(legendTexts(plot).contains(QStringLiteral("residuals × 200")));
+  EXPECT_DOUBLE_EQ(plot.picture().exaggeration, 200);
+  ASSERT_EQ(plot.markers().sticks().size(), 34u);
+  const DrawnSighting& sighting = plot.picture().sightings[0];
+  EXPECT_NEAR(
+      plot.markers().sticks()[0].line.length(),
+      200 * std::hypot(sighting.sighted.x - sighting.adjusted->x, sighting.sighted.y - sighting.adjusted->y),
+      1e-6);
+}
+
+TEST(ArcPlot, EnlargesTheCentresInTrueProportion) {
+  ArcPlot plot;
+  plot.setStyle(testStyle());
+  const Evaluation evaluation = evaluate(paperSession());
+  plot.setEvaluation(evaluation);
+  plot.arrange({700, 500});
+  const DrawnIntersection& drawn = *plot.picture().intersection;
+  const CentresInset& inset = plot.inset();
+  ASSERT_GT(inset.scale(), 0);
+  const QPointF away = inset.place(drawn.upperCentre) - inset.place(drawn.lowerCentre);
+  EXPECT_NEAR(-away.y(), 2 * evaluation.fit.intersection->value * inset.scale(), 1e-6);
+  EXPECT_NEAR(away.x(), (drawn.upperCentre.x - drawn.lowerCentre.x) * inset.scale(), 1e-6);
+  EXPECT_TRUE(inset.boundingRect().contains(inset.place(drawn.upperCentre)));
+  for (const Mark& mark : plot.markers().marks())
+    EXPECT_FALSE(inset.boundingRect().contains(plot.sceneFromAxes().map(mark.at)));
+}
+
+TEST(ArcPlot, SaysWhenThereIsNothingToDraw) {
+  ArcPlot plot;
+  plot.setStyle(testStyle());
+  plot.setEvaluation({});
+  plot.arrange({400, 300});
+  EXPECT_FALSE(plot.message().isEmpty());
+  EXPECT_EQ(plot.markers().marks().size(), 0u);
+  EXPECT_TRUE(legendTexts(plot).isEmpty());
+  plot.setEvaluation(evaluate(paperSession()));
+  EXPECT_TRUE(plot.message().isEmpty());
+  plot.setEvaluation({});
+  EXPECT_FALSE(plot.message().isEmpty());
+  EXPECT_FALSE(plot.picture().intersection);
+}
+
+TEST(ResidualPlot, TellsFourKindsApartWithoutColour) {
+  ResidualPlot plot;
+  plot.setStyle(testStyle());
+  plot.setEvaluation(evaluate(paperSession()));
+  EXPECT_EQ(plot.markers().marks().size(), 68u);
+  std::vector<std::pair<MarkerShape, bool>> kinds;
+  for (const LegendEntry& entry : plot.legend().entries()) {
+    if (const auto* marker = std::get_if<Marker>(&entry.sign))
+      kinds.emplace_back(marker->shape, marker->filled);
+  }
+  ASSERT_EQ(kinds.size(), 4u);
+  std::sort(kinds.begin(), kinds.end());
+  EXPECT_EQ(std::unique(kinds.begin(), kinds.end()), kinds.end());
+}
+
+TEST(ResidualPlot, StatesTheNoiseItsBandShows) {
+  ResidualPlot plot;
+  const QSize size(700, 400);
+  plot.setStyle(testStyle());
+  plot.arrange(size);
+  plot.setEvaluation(evaluate(paperSession()));
+  EXPECT_TRUE(legendTexts(plot).contains(QStringLiteral("±1σ, stated σ = 2″")));
+  const QImage image = rendered(plot, size);
+  const auto at = [&](double s, double arcsec) { return plot.sceneFromAxes().map(QPointF(s, arcsec)); };
+  EXPECT_TRUE(hasColourNear(image, at(5, 1), plot.style().band));
+  EXPECT_FALSE(hasColourNear(image, at(5, 4), plot.style().limit));
+  Session session = paperSession();
+  session.instrument.sigmaVerticalArcsec = "5";
+  plot.setEvaluation(evaluate(session));
+  EXPECT_TRUE(legendTexts(plot).contains(QStringLiteral("±1σ horizontal, stated σ = 2″")));
+  EXPECT_TRUE(legendTexts(plot).contains(QStringLiteral("±1σ vertical, stated σ = 5″")));
+}
+
+TEST(ResidualPlot, ShowsEveryResidual) {
+  ResidualPlot plot;
+  plot.setStyle(testStyle());
+  plot.arrange({700, 400});
+  Session session = paperSession();
+  session.positions[0].readings[8].vertical = "81°29'30\"";  // a degree off
+  plot.setEvaluation(evaluate(session));
+  for (const Mark& mark : plot.markers().marks()) {
+    EXPECT_TRUE(plot.plotArea().contains(plot.sceneFromAxes().map(mark.at)));
+  }
+}
+
+TEST(Legend, WrapsRatherThanCutsOff) {
+  Legend legend;
+  legend.setStyle(testStyle());
+  std::vector<LegendEntry> entries(8, LegendEntry{testStyle().upper, QStringLiteral("some explanation")});
+  legend.setEntries(entries);
+  const double wide = legend.layOut(2000), narrow = legend.layOut(250);
+  EXPECT_GT(narrow, 2 * wide);
+}
+
+}  // namespace
+}  // namespace alidade::ui

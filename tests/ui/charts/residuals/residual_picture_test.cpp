@@ -1,0 +1,50 @@
+#include "ui/charts/residuals/residual_picture.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/ui/support.h"
+
+namespace alidade::ui {
+namespace {
+
+TEST(ResidualPicture, HoldsBothCirclesOfEveryRow) {
+  const Evaluation evaluation = evaluate(paperSession());
+  const ResidualPicture picture = residualPicture(evaluation);
+  ASSERT_EQ(picture.residuals.size(), 68u);
+  const SightingResidual& first = evaluation.fit.arcs[1].residuals[3];
+  const DrawnResidual& horizontal = picture.residuals[34 + 6];
+  const DrawnResidual& vertical = picture.residuals[34 + 7];
+  EXPECT_EQ(horizontal.ref, (SightingRef{1, 3}));
+  EXPECT_EQ(horizontal.circle, CircleRead::Horizontal);
+  EXPECT_EQ(vertical.circle, CircleRead::Vertical);
+  EXPECT_DOUBLE_EQ(horizontal.arcsec, first.horizontal.arcseconds());
+  EXPECT_DOUBLE_EQ(vertical.arcsec, first.vertical.arcseconds());
+}
+
+TEST(ResidualPicture, SharesOneSliderCoordinate) {
+  for (const DrawnResidual& residual : residualPicture(evaluate(paperSession())).residuals) {
+    // The paper's points stand every 10° from 10° on, at 0° and at 180° alike.
+    EXPECT_NEAR(residual.slider, 10 * residual.point, 1.5) << residual.axisDeg;
+  }
+}
+
+TEST(ResidualPicture, KnowsTheStatedNoise) {
+  Session session = paperSession();
+  session.instrument.sigmaHorizontalArcsec = "5";
+  session.instrument.sigmaVerticalArcsec = "5";
+  EXPECT_TRUE(residualPicture(evaluate(session)).oneSigma());
+  session.instrument.sigmaVerticalArcsec = "3";
+  const ResidualPicture picture = residualPicture(evaluate(session));
+  EXPECT_FALSE(picture.oneSigma());
+  EXPECT_NEAR(picture.sigmaHorizontal, 5, 1e-9);
+  EXPECT_NEAR(picture.sigmaVertical, 3, 1e-9);
+  EXPECT_NEAR(picture.largestSigma(), 5, 1e-9);
+}
+
+TEST(ResidualPicture, IsEmptyWithoutAFit) {
+  EXPECT_TRUE(residualPicture({}).isEmpty());
+  EXPECT_TRUE(residualPicture(evaluate(blankSession())).isEmpty());
+}
+
+}  // namespace
+}  // namespace alidade::ui

@@ -1,0 +1,183 @@
+#include "ui/commands/add_position.h"
+
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QApplication>
+#include <QFile>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <algorithm>
+#include <stdexcept>
+
+#include "core/session/session_file.h"
+#include "tests/ui/support.h"
+#include "ui/commands/change_field.h"
+#include "ui/document/session_document.h"
+#include "ui/main_window.h"
+#include "ui/panels/readings/position_tabs.h"
+#include "ui/panels/readings/readings_table.h"
+
+namespace alidade::ui {
+namespace {
+
+/// The paper's session without the positions at these axes, in a file.
+class PartialFile {
+ public:
+  explicit PartialFile(const std::vector<std::string>& without) {
+    Session session = paperSession();
+    std::erase_if(session.positions, [&](const Position& position) {
+      return std::find(without.begin(), without.end(), position.axisDeg) != without.end();
+    });
+    QFile file(path());
+    EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(QByteArray::fromStdString(writeSession(session)));
+  }
+
+  QString path() const { return m_folder.filePath(QStringLiteral("partial.alidade")); }
+
+ private:
+  QTemporaryDir m_folder;
+};
+
+std::vector<std::string> axesOf(const Session& session) {
+  std::vector<std::string> axes;
+  for (const Position& position : session.positions) axes.push_back(position.axisDeg);
+  return axes;
+}
+
+using Axes = std::vector<std::string>;
+
+QAction* addAction(const OpenWindow& open, int axisDeg) {
+  for (QAction* action : open.window->findChildren<QAction*>()) {
+    if (action->text() == QStringLiteral("Add Position at %1°").arg(axisDeg)) return action;
+  }
+  throw std::runtime_error("no such action");
+}
+
+QPushButton& addButton(const OpenWindow& open, int axisDeg) {
+  return *open.window->findChild<QPushButton*>(QStringLiteral("add position %1").arg(axisDeg));
+}
+
+QStringList shownTabs(const PositionTabs& tabs) {
+  QStringList titles;
+  for (int tab = 0; tab < tabs.count(); ++tab) {
+    if (tabs.isTabVisible(tab)) titles.append(tabs.tabText(tab).remove(QLatin1Char('&')));
+  }
+  return titles;
+}
+
+TEST(AddPosition, PutsZeroFirstAndTakesItBack) {
+  const PartialFile file({"0"});
+  SessionDocument document;
+  ASSERT_FALSE(document.load(file.path()));
+  const Session before = document.session();
+  addPosition(document, 0);
+  EXPECT_EQ(axesOf(document.session()), Axes({"0", "180"}));
+  EXPECT_TRUE(document.session().positions[0].readings.empty());
+  EXPECT_EQ(document.session().positions[1], before.positions[0]);
+  EXPECT_EQ(document.undoStack().undoText(), QStringLiteral("Add position at 0°"));
+  changeField(document, {.position = 0, .field = "pointing_zero.vertical"}, "90 00 00");
+  const Session after = document.session();
+  document.undoStack().setIndex(0);
+  EXPECT_EQ(document.session(), before);
+  EXPECT_FALSE(document.isModified());
+  document.undoStack().setIndex(2);
+  EXPECT_EQ(document.session(), after);
+}
+
+TEST(AddPosition, AddsNoneThatIsThere) {
+  SessionDocument document;
+  addPosition(document, 0);
+  addPosition(document, 180);
+  EXPECT_EQ(document.undoStack().count(), 0);
+  changeField(document, {.position = 1, .field = "axis_deg"}, "180.0");
+  EXPECT_TRUE(hasPosition(document.session(), 180));
+  changeField(document, {.position = 1, .field = "axis_deg"}, "90");
+  EXPECT_FALSE(hasPosition(document.session(), 180));
+}
+
+TEST(AddPosition, IsOfferedWhereOneIsMissing) {
+  const PartialFile file({"180"});
+  OpenWindow open;
+  const auto& tabs = *open->findChild<PositionTabs*>();
+  EXPECT_EQ(shownTabs(tabs), QStringList({QStringLiteral("Axis at 0°"), QStringLiteral("Axis at 180°")}));
+  EXPECT_FALSE(addAction(open, 0)->isEnabled());
+  EXPECT_FALSE(addAction(open, 180)->isEnabled());
+  ASSERT_TRUE(open->files().open(file.path()));
+  open.settle();
+  EXPECT_EQ(shownTabs(tabs), QStringList({QStringLiteral("Axis at 0°"), QStringLiteral("180° missing")}));
+  EXPECT_FALSE(addAction(open, 0)->isEnabled());
+  EXPECT_TRUE(addAction(open, 180)->isEnabled());
+}
+
+TEST(AddPosition, FollowsAnAxisThatIsTypedOver) {
+  OpenWindow open;
+  const auto& tabs = *open->findChild<PositionTabs*>();
+  changeField(open->document(), {.position = 1, .field = "axis_deg"}, "90");
+  open.settle();
+  EXPECT_EQ(shownTabs(tabs).last(), QStringLiteral("180° missing"));
+  EXPECT_TRUE(addAction(open, 180)->isEnabled());
+  open->undo();
+  open.settle();
+  EXPECT_EQ(shownTabs(tabs).last(), QStringLiteral("Axis at 180°"));
+  EXPECT_FALSE(addAction(open, 180)->isEnabled());
+}
+
+TEST(AddPosition, LeadsFromTheButtonToThePointingZeroAndBack) {
+  const PartialFile file({"180"});
+  OpenWindow open;
+  ASSERT_TRUE(open->files().open(file.path()));
+  auto& tabs = *open->findChild<PositionTabs*>();
+  tabs.showPosition(1);
+  ASSERT_TRUE(addButton(open, 180).isVisible());
+  addButton(open, 180).click();
+  open.settle();
+  EXPECT_EQ(axesOf(open->document().session()), Axes({"0", "180"}));
+  EXPECT_EQ(tabs.currentIndex(), 1);
+  EXPECT_TRUE(open->findChild<QLineEdit*>(QStringLiteral("pointing_zero.horizontal 1"))->hasFocus());
+  tabs.table(1)->selectCell(0, ReadingColumn::Horizontal);
+  typeInto(*tabs.table(1), QStringLiteral("3415224"));
+  ASSERT_EQ(open->document().undoStack().count(), 2);
+  open->undo();
+  open->undo();
+  open.settle();
+  EXPECT_EQ(axesOf(open->document().session()), Axes({"0"}));
+  EXPECT_TRUE(addButton(open, 180).isVisible());
+  EXPECT_EQ(open->currentTable(), nullptr);
+  open->redo();
+  open->redo();
+  open.settle();
+  EXPECT_EQ(open->document().session().positions.at(1).readings.size(), 1u);
+  EXPECT_EQ(open->currentTable(), tabs.table(1));
+  EXPECT_FALSE(open->currentTable()->actions().isEmpty()) << "has its menu";
+}
+
+TEST(AddPosition, FillsASessionThatHasNone) {
+  const PartialFile file({"0", "180"});
+  const QTemporaryDir folder;
+  OpenWindow open;
+  ASSERT_TRUE(open->files().open(file.path()));
+  open.settle();
+  const auto& tabs = *open->findChild<PositionTabs*>();
+  EXPECT_EQ(shownTabs(tabs), QStringList({QStringLiteral("0° missing"), QStringLiteral("180° missing")}));
+  EXPECT_TRUE(addButton(open, 0).isVisible());
+  addAction(open, 180)->trigger();
+  addAction(open, 0)->trigger();
+  open.settle();
+  EXPECT_EQ(axesOf(open->document().session()), Axes({"0", "180"}));
+  EXPECT_EQ(tabs.currentIndex(), 0);
+  open.dialogs->savePath = folder.filePath(QStringLiteral("filled.alidade"));
+  ASSERT_TRUE(open->files().saveAs());
+  const Result<Session> saved = loadSession(open.dialogs->savePath.toStdString());
+  ASSERT_TRUE(saved);
+  EXPECT_EQ(*saved, open->document().session());
+  open->document().undoStack().setIndex(0);
+  open.settle();
+  EXPECT_EQ(shownTabs(tabs).size(), 2);
+  EXPECT_EQ(open->currentTable(), nullptr);
+}
+
+}  // namespace
+}  // namespace alidade::ui

@@ -1,0 +1,242 @@
+#include "ui/dialogs/changed_file.h"
+
+#include <gmock/gmock.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+
+#include <QFile>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <csignal>
+#include <filesystem>
+
+#include "core/base/file_bytes.h"
+#include "core/session/session_file.h"
+#include "tests/ui/support.h"
+#include "ui/commands/change_field.h"
+#include "ui/main_window.h"
+#include "ui/panels/window/changed_file_bar.h"
+
+// A session's file that others write, have open, or that cannot be written.
+
+namespace alidade::ui {
+namespace {
+
+using ::testing::HasSubstr;
+
+class ChangedFileTest : public ::testing::Test {
+ protected:
+  ChangedFileTest() {
+    QFile::copy(samplePath(QStringLiteral("paper-table-1.alidade")), file);
+    QFile::setPermissions(file, QFile::ReadOwner | QFile::WriteOwner);
+  }
+
+  QString in(const char* name) const { return folder.filePath(QString::fromLatin1(name)); }
+  std::string bytes() const { return *readFile(file.toStdString()); }
+
+  void put(const std::string& text) const {
+    QFile out(file);
+    ASSERT_TRUE(out.open(QIODevice::WriteOnly));
+    out.write(QByteArray::fromStdString(text));
+  }
+  /// As another program would; answers with what it wrote.
+  std::string writeAsOther(const char* notes) const {
+    Session session = *readSession(bytes());
+    session.notes = notes;
+    put(writeSession(session));
+    return bytes();
+  }
+  void open(OpenWindow& window, const char* title = "mine") const {
+    ASSERT_TRUE(window->files().open(file));
+    if (title) changeField(window->document(), {.field = "title"}, title);
+  }
+
+  QTemporaryDir folder;
+  QString file = folder.filePath(QStringLiteral("s.alidade"));
+};
+
+TEST_F(ChangedFileTest, AsksBeforeItOverwritesWhatOthersWrote) {
+  OpenWindow window;
+  open(window);
+  const std::string theirs = writeAsOther("theirs");
+  EXPECT_FALSE(window->files().save());
+  EXPECT_EQ(bytes(), theirs) << "cancelled";
+  EXPECT_TRUE(window->document().isModified());
+  ASSERT_EQ(window.dialogs->changedFiles.size(), 1);
+  const ChangedFile& asked = window.dialogs->changedFiles[0];
+  EXPECT_EQ(asked.name, QStringLiteral("s.alidade"));
+  ASSERT_TRUE(asked.difference);
+  ASSERT_EQ(asked.difference->count, 2u);
+  EXPECT_EQ(asked.difference->entries[0].where, QStringLiteral("title"));
+  EXPECT_EQ(asked.difference->entries[0].mine, QStringLiteral("mine"));
+  EXPECT_EQ(asked.difference->entries[1].theirs, QStringLiteral("theirs"));
+  window.dialogs->changedFileAnswer = ChangedFileAnswer::Overwrite;
+  EXPECT_TRUE(window->files().save());
+  EXPECT_EQ(readSession(bytes())->title, "mine");
+  changeField(window->document(), {.field = "title"}, "mine again");
+  EXPECT_TRUE(window->files().save());
+  EXPECT_EQ(window.dialogs->changedFiles.size(), 2) << "not asked about what was written here";
+}
+
+TEST_F(ChangedFileTest, ReloadsAndUndoBringsBackWhatWasHere) {
+  OpenWindow window;
+  open(window);
+  writeAsOther("theirs");
+  window.dialogs->changedFileAnswer = ChangedFileAnswer::Reload;
+  EXPECT_FALSE(window->files().save());
+  EXPECT_EQ(window->document().session(), *readSession(bytes()));
+  EXPECT_FALSE(window->document().isModified());
+  window->undo();
+  EXPECT_EQ(window->document().session().title, "mine");
+  EXPECT_TRUE(window->document().isModified());
+  EXPECT_TRUE(window->files().save()) << "theirs was seen";
+  EXPECT_EQ(window.dialogs->changedFiles.size(), 1);
+}
+
+TEST_F(ChangedFileTest, SavesElsewhere) {
+  OpenWindow window;
+  open(window);
+  const std::string theirs = writeAsOther("theirs");
+  window.dialogs->changedFileAnswer = ChangedFileAnswer::SaveAs;
+  window.dialogs->savePath = in("other.alidade");
+  EXPECT_TRUE(window->files().save());
+  EXPECT_EQ(bytes(), theirs);
+  EXPECT_EQ(window->document().path(), in("other.alidade"));
+  EXPECT_FALSE(window->document().isModified());
+}
+
+TEST_F(ChangedFileTest, DoesNotReloadWhatIsNoSession) {
+  OpenWindow window;
+  open(window);
+  put("torn");
+  window.dialogs->changedFileAnswer = ChangedFileAnswer::Reload;
+  EXPECT_FALSE(window->files().save());
+  EXPECT_FALSE(window.dialogs->changedFiles.at(0).difference);
+  EXPECT_THAT(window.dialogs->changedFiles[0].problem.toStdString(), HasSubstr("JSON"));
+  EXPECT_EQ(window->document().session().title, "mine");
+}
+
+TEST_F(ChangedFileTest, AsksNothingWhereNothingWouldBeLost) {
+  OpenWindow window;
+  open(window);
+  put(writeSession(window->document().session()) + "\n\n");
+  EXPECT_TRUE(window->files().save()) << "the same, laid out in another way";
+  changeField(window->document(), {.field = "title"}, "again");
+  ASSERT_TRUE(QFile::remove(file));
+  EXPECT_TRUE(window->files().save()) << "there is nothing to be overwritten";
+  EXPECT_EQ(readSession(bytes())->title, "again");
+  EXPECT_TRUE(window.dialogs->changedFiles.isEmpty());
+}
+
+TEST_F(ChangedFileTest, IsNoticedBeforeAnybodySaves) {
+  OpenWindow window;
+  open(window, nullptr);
+  auto* bar = window->findChild<ChangedFileBar*>();
+  ASSERT_TRUE(bar);
+  EXPECT_FALSE(bar->isVisible());
+  writeAsOther("theirs");
+  ASSERT_TRUE(waitFor([&] { return bar->isVisible(); }));
+  window.dialogs->changedFileAnswer = ChangedFileAnswer::Reload;
+  bar->findChild<QPushButton*>(QStringLiteral("compare with file"))->click();
+  EXPECT_EQ(window->document().session().notes, "theirs");
+  EXPECT_TRUE(waitFor([&] { return !bar->isVisible(); }));
+  // Replaced, as careful programs save.
+  std::filesystem::copy_file(file.toStdString(), in("fresh").toStdString());
+  Session session = *readSession(bytes());
+  session.notes = "theirs, too";
+  QFile fresh(in("fresh"));
+  ASSERT_TRUE(fresh.open(QIODevice::WriteOnly));
+  fresh.write(QByteArray::fromStdString(writeSession(session)));
+  fresh.close();
+  std::filesystem::rename(in("fresh").toStdString(), file.toStdString());
+  EXPECT_TRUE(waitFor([&] { return bar->isVisible(); }));
+}
+
+TEST_F(ChangedFileTest, TwoWindowsKnowOfEachOther) {
+  OpenWindow first, second;
+  for (OpenWindow* window : {&first, &second}) (*window)->keepIn(in("kept"));
+  open(first);
+  EXPECT_FALSE(second->files().open(file));
+  EXPECT_EQ(second.dialogs->elsewhere, QStringList(QStringLiteral("s.alidade")));
+  EXPECT_EQ(second->document().path(), QString());
+  second.dialogs->goOn = true;
+  open(second, "of the second");
+  ASSERT_TRUE(first->files().save());
+  EXPECT_FALSE(second->files().save()) << "the first's would be overwritten";
+  EXPECT_EQ(second.dialogs->changedFiles.size(), 1);
+  second.dialogs->changedFileAnswer = ChangedFileAnswer::Overwrite;
+  EXPECT_TRUE(second->files().save());
+  changeField(first->document(), {.field = "title"}, "again");
+  EXPECT_FALSE(first->files().save());
+  EXPECT_EQ(readSession(bytes())->title, "of the second");
+  // Another session is not put over a file that somebody has open, either.
+  OpenWindow third;
+  third->keepIn(in("kept"));
+  third.dialogs->savePath = file;
+  EXPECT_FALSE(third->files().saveAs());
+  EXPECT_EQ(third.dialogs->elsewhere.size(), 1);
+}
+
+TEST_F(ChangedFileTest, StaysWholeWhereTheDiskIsFull) {
+  OpenWindow window;
+  open(window);
+  const std::string before = bytes();
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit limit = {};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &limit), 0);
+  const rlimit small = {.rlim_cur = 1000, .rlim_max = limit.rlim_max};
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+  const bool isSaved = window->files().save();
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &limit), 0);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_FALSE(isSaved);
+  EXPECT_EQ(bytes(), before);
+  EXPECT_TRUE(window->document().isModified());
+  EXPECT_THAT(window.dialogs->problems.value(0).toStdString(), HasSubstr("s.alidade cannot be written: "));
+  EXPECT_TRUE(window->files().save()) << "the disk has room again";
+}
+
+TEST_F(ChangedFileTest, IsReplacedBehindItsLink) {
+  ASSERT_TRUE(QFile::link(file, in("link.alidade")));
+  OpenWindow window;
+  ASSERT_TRUE(window->files().open(in("link.alidade")));
+  changeField(window->document(), {.field = "title"}, "mine");
+  ASSERT_TRUE(window->files().save());
+  EXPECT_TRUE(QFileInfo(in("link.alidade")).isSymLink());
+  EXPECT_EQ(readSession(bytes())->title, "mine");
+}
+
+TEST_F(ChangedFileTest, IsNeverReplacedByItsReport) {
+  OpenWindow window;
+  open(window, nullptr);
+  const std::string before = bytes();
+  ASSERT_TRUE(QFile::link(file, in("link.pdf")));
+  for (const QString& path : {file, in("link.pdf")}) {
+    window.dialogs->reportPath = path;
+    EXPECT_FALSE(window->files().exportReport());
+    EXPECT_THAT(window.dialogs->problems.takeLast().toStdString(), HasSubstr("the file that is read"));
+  }
+  EXPECT_EQ(bytes(), before);
+}
+
+// A pipe has no end to wait for: the window would stand still.
+TEST_F(ChangedFileTest, PipesAndDevicesAreNotOpened) {
+  OpenWindow window;
+  open(window, nullptr);
+  const Session before = window->document().session();
+  ASSERT_EQ(mkfifo(in("pipe.alidade").toLocal8Bit().constData(), 0600), 0);
+  ASSERT_EQ(mkfifo(in("pipe.csv").toLocal8Bit().constData(), 0600), 0);
+  for (const QString& path :
+       {in("pipe.alidade"), in("pipe.csv"), QStringLiteral("/dev/zero"), folder.path()}) {
+    EXPECT_FALSE(window->files().open(path));
+    EXPECT_THAT(window.dialogs->problems.takeLast().toStdString(), HasSubstr(": choose a file."));
+  }
+  window.dialogs->reportPath = window.dialogs->savePath = in("pipe.alidade");
+  EXPECT_FALSE(window->files().saveAs());
+  EXPECT_FALSE(window->files().exportReport());
+  EXPECT_EQ(window.dialogs->problems.size(), 2);
+  EXPECT_EQ(window->document().session(), before);
+}
+
+}  // namespace
+}  // namespace alidade::ui

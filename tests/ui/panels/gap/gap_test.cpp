@@ -1,0 +1,594 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTest>
+#include <map>
+#include <stdexcept>
+
+#include "core/diagnosis/diagnose.h"
+#include "core/effects/cause_ids.h"
+#include "core/session/session_file.h"
+#include "tests/ui/support.h"
+#include "ui/charts/gap/gap_map.h"
+#include "ui/charts/gap/gap_waterfall.h"
+#include "ui/commands/change_field.h"
+#include "ui/jobs/trial_job.h"
+#include "ui/main_window.h"
+#include "ui/panels/gap/cause_list.h"
+#include "ui/panels/gap/gap_panel.h"
+#include "ui/panels/parts/data_table.h"
+#include "ui/panels/readings/readings_table.h"
+#include "ui/panels/result/findings_panel.h"
+#include "ui/panels/window/page_tabs.h"
+#include "ui/text/cause_text.h"
+#include "ui/text/quantity_text.h"
+
+namespace alidade::ui {
+namespace {
+
+using testing::ElementsAre;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using Ids = std::vector<std::string>;
+
+// Sessions of an independent ray tracer; what was put in is in its truth.json.
+const char *collimationTrial = "241926", *slipTrial = "251468", *jumpTrial = "358092", *noiseTrial = "573871",
+           *harmonicTrial = "159128", *lobingAndDriftTrial = "629105", *cleanTrial = "827247",
+           *relationTrial = "987447", *sagTrial = "117223", *tiltTrial = "878035";
+
+QString trialPath(const char* name) {
+  return QStringLiteral(ALIDADE_REFERENCE_DIR "/trials/sessions/%1.alidade").arg(QString::fromLatin1(name));
+}
+
+/// The window on a session with the page of the gap in front.
+struct GapBench {
+  explicit GapBench(const QString& path) {
+    if (!open->files().open(path)) throw std::runtime_error("cannot open " + path.toStdString());
+    QTest::keyClick(open.window.get(), Qt::Key_5, Qt::ControlModifier);
+    settle();
+  }
+  explicit GapBench(const char* trial) : GapBench(trialPath(trial)) {}
+
+  void settle() {
+    open.settle();
+    if (!waitFor([this] { return open->gapJob().isIdle(); })) throw std::runtime_error("no diagnosis");
+    QCoreApplication::processEvents();
+  }
+  GapPanel* page() { return open->findChild<GapPanel*>(); }
+  const Ids& effects() { return open->document().session().model.effects; }
+  QPushButton* button(const char* name) {
+    auto* found = page()->findChild<QPushButton*>(QString::fromLatin1(name));
+    return found && found->isVisibleTo(page()) ? found : nullptr;
+  }
+  void press(const char* name) {
+    QPushButton* found = button(name);
+    ASSERT_TRUE(found) << name;
+    ASSERT_TRUE(found->isEnabled()) << name;
+    found->setFocus();
+    QTest::keyClick(found, Qt::Key_Space);
+    settle();
+  }
+  std::string shown() {
+    QString texts;
+    for (const QLabel* label : page()->findChildren<QLabel*>())
+      if (label->isVisibleTo(page())) texts += label->text() + QLatin1Char('\n');
+    return texts.toStdString();
+  }
+  std::string bars() { return page()->findChild<GapWaterfall*>()->accessibleDescription().toStdString(); }
+  std::string map() { return page()->findChild<GapMap*>()->accessibleDescription().toStdString(); }
+  DataTable* candidates() { return page()->findChild<DataTable*>(); }
+  QString candidate(int row, int column) {
+    return candidates()->model()->index(row, column).data().toString();
+  }
+  QLabel* hint() { return open->findChild<QLabel*>(QStringLiteral("gap hint")); }
+
+  OpenWindow open;
+};
+
+struct Told {
+  const char* trial;
+  const char* headline;
+};
+
+class GapVerdict : public testing::TestWithParam<Told> {};
+
+TEST_P(GapVerdict, IsTheTruthOfTheTrial) {
+  GapBench bench(GetParam().trial);
+  EXPECT_THAT(bench.shown(), HasSubstr(std::string(GetParam().headline) + "\n"));
+  EXPECT_THAT(bench.shown(), Not(HasSubstr("_"))) << "names, not ids";
+}
+
+INSTANTIATE_TEST_SUITE_P(Trials, GapVerdict,
+                         testing::Values(Told{sagTrial, "One cause: gravity sag"},
+                                         Told{collimationTrial, "One of 2 causes that look alike here"},
+                                         Told{slipTrial, "One cause: misread values"},
+                                         Told{jumpTrial, "One cause: a jump of the orientation"},
+                                         Told{noiseTrial, "One cause: noise larger than stated"},
+                                         Told{harmonicTrial, "A gap of no known cause"},
+                                         Told{lobingAndDriftTrial, "2 causes"},
+                                         Told{cleanTrial, "No gap: within the noise"},
+                                         Told{relationTrial, "One cause: the vertical angle relation"}),
+                         [](const auto& told) { return "Of" + std::string(told.param.trial); });
+
+TEST(Gap, TellsAnUnknownCauseBesideKnownOnes) {
+  Diagnosis diagnosis;
+  diagnosis.verdict = DiagnosisVerdict::NotInCatalogue;
+  const Cause drift{
+      .effect = "vertical_drift", .parameters = {}, .indistinguishableFrom = {}, .readings = {}};
+  diagnosis.causes = {drift};
+  EXPECT_EQ(gapHeadline(diagnosis).toStdString(), "An unknown cause beside vertical drift");
+  diagnosis.causes.push_back(drift);
+  EXPECT_EQ(gapHeadline(diagnosis).toStdString(), "An unknown cause beside 2 known ones");
+}
+
+TEST(Gap, ShowsWhatTheDiagnosisSays) {
+  GapBench bench(lobingAndDriftTrial);
+  const Diagnosis diagnosis = *diagnose(*examine(bench.open->document().session()).measurement);
+  ASSERT_EQ(diagnosis.causes.size(), 2u);
+  for (const Cause& cause : diagnosis.causes)
+    for (const CauseParameter& parameter : cause.parameters)
+      EXPECT_THAT(bench.shown(), HasSubstr(parameterText(cause, parameter).toStdString()));
+  EXPECT_THAT(bench.shown(), HasSubstr(estimateText(diagnosis.before).toStdString() + "\n" +
+                                       estimateText(diagnosis.afterwards).toStdString() + "\n"));
+  for (const GapStep& step : diagnosis.steps)
+    EXPECT_THAT(bench.bars(), HasSubstr("rms " + numberText(step.size.rms, 2).toStdString() + "″, χ²/f " +
+                                        numberText(step.size.reducedChiSquare, 2).toStdString()));
+  for (const Advice& advice : diagnosis.advice) EXPECT_THAT(bench.shown(), HasSubstr(advice.measure));
+  ASSERT_EQ(bench.candidates()->model()->rowCount(), static_cast<int>(diagnosis.candidates.size()));
+  EXPECT_EQ(bench.candidate(0, 0), causeTitle(diagnosis.candidates[0].effect));
+  EXPECT_EQ(bench.candidate(0, 1), numberText(diagnosis.candidates[0].logBayesFactor, 1));
+  EXPECT_THAT(bench.map(), HasSubstr("stays with: "));
+  EXPECT_THAT(bench.map(), HasSubstr("along the arc: 0…30° "));
+}
+
+TEST(Gap, AddsACauseToTheModelWithOneKeyAndShowsBeforeAndAfter) {
+  GapBench bench(sagTrial);
+  const std::string before =
+      estimateText(diagnose(*examine(bench.open->document().session()).measurement)->before).toStdString();
+  bench.press("add gravity_sag");
+  EXPECT_THAT(bench.effects(), ElementsAre("gravity_sag"));
+  EXPECT_THAT(bench.shown(), HasSubstr("No gap: within the noise\n"));
+  EXPECT_THAT(bench.bars(), testing::StartsWith("without model effects: "));
+  EXPECT_THAT(bench.bars(), HasSubstr("in the model: gravity sag: "));
+  const Intersection after = evaluate(bench.open->document().session()).fit.intersection.value();
+  EXPECT_THAT(bench.shown(),
+              HasSubstr("before\nas modelled\nΔd ± U  mm\n" + before + "\n" +
+                        valueWithUncertainty(after.value, after.expanded, {}).trimmed().toStdString()));
+  EXPECT_FALSE(bench.button("add gravity_sag"));
+  EXPECT_TRUE(bench.page()->hasFocus()) << "the keyboard stays on the page";
+}
+
+TEST(Gap, WhatWasAddedIsUndoneRedoneAndSaved) {
+  GapBench bench(sagTrial);
+  const Session original = bench.open->document().session();
+  bench.press("add gravity_sag");
+  EXPECT_EQ(bench.open->document().undoStack().undoText(), QStringLiteral("Estimate gravity sag"));
+  QTemporaryDir folder;
+  const QString path = folder.filePath(QStringLiteral("added.alidade"));
+  ASSERT_FALSE(bench.open->document().save(path));
+  EXPECT_THAT(loadSession(path.toStdString())->model.effects, ElementsAre("gravity_sag"));
+  bench.open->undo();
+  bench.settle();
+  EXPECT_EQ(bench.open->document().session(), original);
+  EXPECT_THAT(bench.shown(), HasSubstr("One cause: gravity sag\n"));
+  bench.open->redo();
+  bench.settle();
+  bench.press("remove gravity_sag");
+  EXPECT_THAT(bench.effects(), IsEmpty());
+}
+
+TEST(Gap, AddsAllThatLookAlikeInOneStep) {
+  GapBench bench(tiltTrial);
+  const Diagnosis diagnosis = *diagnose(*examine(bench.open->document().session()).measurement);
+  const Cause& cause = diagnosis.causes.front();
+  ASSERT_EQ(cause.indistinguishableFrom.size(), 3u);
+  bench.press("add group");
+  Ids group{cause.effect};
+  group.insert(group.end(), cause.indistinguishableFrom.begin(), cause.indistinguishableFrom.end());
+  EXPECT_EQ(bench.effects(), group);
+  EXPECT_EQ(bench.open->document().undoStack().count(), 1);
+  EXPECT_GT(evaluate(bench.open->document().session()).fit.intersection->expanded,
+            2 * diagnosis.steps[0].intersection->expanded)
+      << "what they differ by is in U";
+}
+
+TEST(Gap, AddsSeveralCausesInOneStep) {
+  GapBench bench(lobingAndDriftTrial);
+  bench.press("add all");
+  EXPECT_EQ(bench.effects().size(), 2u);
+  EXPECT_EQ(bench.open->document().undoStack().count(), 1);
+  EXPECT_THAT(bench.shown(), HasSubstr("No gap: within the noise\n"));
+}
+
+TEST(Gap, AddsACandidateFromTheTable) {
+  GapBench bench(collimationTrial);
+  EXPECT_TRUE(bench.button("add candidate")->text().contains(bench.candidate(0, 0).toLower()));
+  bench.candidates()->setFocus();
+  QTest::keyClick(bench.candidates(), Qt::Key_Down);
+  const QString second = bench.candidate(1, 0);
+  EXPECT_EQ(bench.candidate(1, 3), QStringLiteral("look-alike"));
+  bench.press("add candidate");
+  ASSERT_EQ(bench.effects().size(), 1u);
+  EXPECT_EQ(causeTitle(bench.effects()[0]), second);
+}
+
+TEST(Gap, SetsTheVerticalAngleRelationRight) {
+  GapBench bench(relationTrial);
+  bench.press("relation");
+  EXPECT_EQ(bench.open->document().session().model.verticalAngle, "planar");
+  EXPECT_THAT(bench.shown(), HasSubstr("No gap: within the noise\n"));
+  bench.open->undo();
+  bench.settle();
+  bench.press("add vertical_angle_relation");
+  EXPECT_THAT(bench.shown(), HasSubstr("No gap: within the noise\n"));
+}
+
+TEST(Gap, LeadsToAMisreadValueAndExcludesItsRow) {
+  GapBench bench(slipTrial);
+  EXPECT_THAT(bench.shown(), HasSubstr("0°, point 11, horizontal: off by +29.0″\n"));
+  EXPECT_FALSE(bench.button("add gross_error"));
+  bench.press("go to reading");
+  EXPECT_EQ(bench.open->currentTable()->currentIndex().row(), 10);
+  bench.press("exclude row");
+  EXPECT_TRUE(bench.open->document().session().positions[0].readings[10].excluded);
+  EXPECT_EQ(bench.open->document().undoStack().count(), 1);
+  EXPECT_THAT(bench.shown(), HasSubstr("No gap: within the noise\n"));
+}
+
+TEST(Gap, WarnsBeforeARowIsLeftOutForWhatMayBeAJump) {
+  Gap gap{.evaluation = std::make_shared<const Evaluation>(evaluateFit(paperSession())),
+          .diagnosis = Diagnosis{},
+          .reason = {},
+          .stages = {}};
+  gap.diagnosis->causes.push_back({.effect = "gross_error",
+                                   .parameters = {},
+                                   .indistinguishableFrom = {"orientation_jump"},
+                                   .readings = {BlamedReading{}}});
+  CauseList list;
+  list.setGap(gap);
+  QString texts;
+  for (const QLabel* label : list.findChildren<QLabel*>()) texts += label->text() + u'\n';
+  EXPECT_THAT(texts.toStdString(), HasSubstr("Perhaps a jump of the orientation right beside it"));
+}
+
+TEST(Gap, SaysWhatToDoWhereNothingCanBeAdded) {
+  {
+    GapBench bench(jumpTrial);
+    EXPECT_THAT(bench.shown(), HasSubstr("It happened before 0°, row 35"));
+    bench.press("go to jump");
+    EXPECT_EQ(bench.open->currentTable()->currentIndex().row(), 34);
+  }
+  {
+    GapBench bench(noiseTrial);
+    EXPECT_THAT(bench.shown(), HasSubstr("Nothing to add to the model"));
+  }
+  GapBench bench(harmonicTrial);
+  EXPECT_THAT(bench.shown(), HasSubstr("“radius along the guideway”"));
+}
+
+TEST(Gap, SaysWhenWhichRowsOfAJumpMayBeLeftOut) {
+  const auto evaluation =
+      std::make_shared<const Evaluation>(evaluateFit(*loadSession(trialPath(jumpTrial).toStdString())));
+  const auto told = [&](double row) {
+    Gap gap{.evaluation = evaluation, .diagnosis = Diagnosis{}, .reason = {}, .stages = {}};
+    gap.diagnosis->causes.push_back({.effect = "orientation_jump",
+                                     .parameters = {{.name = "row", .value = row, .sigma = 0, .unit = "1"}},
+                                     .indistinguishableFrom = {},
+                                     .readings = {}});
+    CauseList list;
+    list.setGap(gap);
+    QString texts;
+    for (const QLabel* label : list.findChildren<QLabel*>()) texts += label->text();
+    for (const QPushButton* button : list.findChildren<QPushButton*>()) texts += u'\n' + button->text();
+    return texts.toStdString();
+  };
+  const std::string goTo = "\nGo to the reading", before = "\nExclude the rows before",
+                    after = "\nExclude the rows from there on";
+  const std::string beforeIf =
+      " Or leave out the rows before the jump, if the pointing zero of the next position was not sighted "
+      "after it.";
+  EXPECT_THAT(told(35), EndsWith(beforeIf + " Or leave out the rows from there on, if it was." + goTo +
+                                 before + after));
+  EXPECT_THAT(told(4), EndsWith("read this position again." + beforeIf + goTo + before));
+  EXPECT_THAT(told(67),
+              EndsWith("again. Or leave out the rows from there on, if the pointing zero of the next "
+                       "position was sighted after it." +
+                       goTo + after));
+  EXPECT_THAT(told(68 + 35), EndsWith("again. Or leave out the rows from there on." + goTo + after));
+}
+
+/// Left out, the rows before the jump take nothing from Δd: what is left was all read after it, and both arcs
+/// stand shifted alike. So the ray tracer knocks its tripod, its pointing zeros untouched.
+TEST(Gap, LeavesOutTheRowsOnOneSideOfAJump) {
+  constexpr double truth = 2.329085876961523;
+  GapBench bench(jumpTrial);
+  bench.press("exclude before");
+  const auto& readings = bench.open->document().session().positions[0].readings;
+  for (std::size_t row = 0; row < readings.size(); ++row) EXPECT_EQ(readings[row].excluded, row < 34) << row;
+  EXPECT_EQ(bench.open->document().undoStack().count(), 1);
+  EXPECT_THAT(bench.shown(), HasSubstr("No gap: within the noise\n"));
+  const Intersection found = *evaluate(bench.open->document().session()).fit.intersection;
+  EXPECT_LT(std::abs(found.value - truth), found.expanded);
+  bench.open->undo();
+  bench.settle();
+  bench.press("exclude after");
+  EXPECT_FALSE(readings[33].excluded);
+  EXPECT_TRUE(readings[34].excluded && readings[67].excluded);
+  EXPECT_THAT(bench.shown(), HasSubstr("No gap: within the noise\n"));
+}
+
+TEST(Gap, LeavesOutOnlyTheRowsAfterAJumpInTheLastPosition) {
+  Session session = *loadSession(trialPath(jumpTrial).toStdString());
+  std::swap(session.positions[0], session.positions[1]);
+  Evaluation evaluation;
+  evaluation.session = session;
+  evaluation.examined = examine(session);
+  const Gap gap{.evaluation = std::make_shared<const Evaluation>(evaluation),
+                .diagnosis = {},
+                .reason = {},
+                .stages = {}};
+  const auto before = [&](double row) {
+    return jumpOf(gap, {.effect = "orientation_jump",
+                        .parameters = {{.name = "row", .value = row, .sigma = 0, .unit = "1"}},
+                        .indistinguishableFrom = {},
+                        .readings = {}});
+  };
+  const Jump within = before(68 + 35).value();
+  EXPECT_TRUE(within.isLast);
+  EXPECT_EQ(within.place.position, 0u) << "180° is read last, wherever the file has it";
+  EXPECT_EQ(within.after->first, 34u);
+  EXPECT_EQ(within.after->count, 34u);
+  EXPECT_FALSE(before(68 + 4)->after) << "three sightings leave nothing over";
+  EXPECT_FALSE(before(67)->before) << "nor do two";
+  EXPECT_FALSE(before(67)->isLast);
+  EXPECT_FALSE(within.before) << "nothing was read later that stands as they do";
+}
+
+/// Nominal 2″; the trial's own factor is not told, but what is left is noise and Δd holds.
+TEST(Gap, StatesTheNoiseThatTheReadingsShow) {
+  GapBench bench(noiseTrial);
+  const Diagnosis diagnosis = *diagnose(*examine(bench.open->document().session()).measurement);
+  const Instrument before = bench.open->document().session().instrument;
+  bench.press("state noise");
+  const Instrument& instrument = bench.open->document().session().instrument;
+  const double stated = 2 * diagnosis.causes.front().parameters.front().value;
+  EXPECT_NEAR(std::stod(instrument.sigmaHorizontalArcsec), stated, 0.05 * stated) << "two digits";
+  EXPECT_EQ(instrument.sigmaVerticalArcsec, instrument.sigmaHorizontalArcsec);
+  EXPECT_EQ(bench.open->document().undoStack().count(), 1);
+  EXPECT_THAT(bench.shown(), HasSubstr("No gap: within the noise\n"));
+  EXPECT_NE(instrument, before);
+  bench.open->undo();
+  EXPECT_EQ(instrument, before);
+  bench.settle();
+  EXPECT_TRUE(bench.button("state noise"));
+}
+
+TEST(Gap, SaysWhatIsMissingWhereThereIsNothingToDiagnose) {
+  OpenWindow open;
+  QTest::keyClick(open.window.get(), Qt::Key_5, Qt::ControlModifier);
+  ASSERT_TRUE(waitFor([&] { return open->gapJob().isIdle(); }));
+  const auto* page = open->findChild<GapPanel*>();
+  const auto says = [page](const char* text) {
+    for (const QLabel* label : page->findChildren<QLabel*>())
+      if (label->isVisibleTo(page) && label->text().contains(QString::fromUtf8(text))) return true;
+    return false;
+  };
+  EXPECT_TRUE(says("There is nothing to compare yet"));
+  EXPECT_FALSE(page->findChild<GapWaterfall*>()->isVisibleTo(page));
+}
+
+TEST(Gap, OfThreeReadingsIsNone) {
+  Session session = paperSession();
+  for (Position& position : session.positions) position.readings.resize(3);
+  const Gap gap = assessGap(std::make_shared<const Evaluation>(evaluateFit(session)));
+  EXPECT_FALSE(gap.diagnosis);
+  EXPECT_THAT(gap.reason, HasSubstr("leave nothing over"));
+}
+
+TEST(Gap, IsToldWhileThePageIsHidden) {
+  OpenWindow open;
+  ASSERT_TRUE(open->files().open(trialPath(sagTrial)));
+  open.settle();
+  ASSERT_TRUE(waitFor([&] { return open->gapJob().isIdle(); }));
+  auto* hint = open->findChild<QLabel*>(QStringLiteral("gap hint"));
+  EXPECT_FALSE(hint->isHidden());
+  EXPECT_TRUE(hint->text().contains(QStringLiteral("One cause: gravity sag")));
+  auto* page = open->findChild<GapPanel*>();
+  PageTabs* tabs = open->pageTabs()[1];
+  EXPECT_FALSE(tabs->tabIcon(tabs->indexOf(page)).isNull());
+  emit hint->linkActivated(QStringLiteral("gap"));
+  EXPECT_EQ(tabs->currentWidget(), page);
+
+  ASSERT_TRUE(open->files().open(trialPath(cleanTrial)));
+  open.settle();
+  ASSERT_TRUE(waitFor([&] { return open->gapJob().isIdle(); }));
+  EXPECT_TRUE(hint->isHidden());
+  EXPECT_TRUE(tabs->tabIcon(tabs->indexOf(page)).isNull());
+}
+
+// Links of rich text take their colour when the text is set.
+TEST(Gap, IsLinkedToInTheColoursOfTheTheme) {
+  OpenWindow open;
+  ASSERT_TRUE(open->files().open(trialPath(sagTrial)));
+  open.settle();
+  ASSERT_TRUE(waitFor([&] { return open->gapJob().isIdle(); }));
+  auto* hint = open->findChild<QLabel*>(QStringLiteral("gap hint"));
+  const QPalette before = QApplication::palette();
+  const auto showsLinkIn = [&](Qt::GlobalColor color) {
+    QPalette palette = before;
+    palette.setColor(QPalette::Link, color);
+    QApplication::setPalette(palette);
+    QCoreApplication::processEvents();
+    const QImage image = hint->grab().toImage();
+    for (int y = 0; y < image.height(); ++y)
+      for (int x = 0; x < image.width(); ++x)
+        if (image.pixelColor(x, y) == QColor(color)) return true;
+    return false;
+  };
+  EXPECT_TRUE(showsLinkIn(Qt::red));
+  EXPECT_TRUE(showsLinkIn(Qt::darkCyan));
+  EXPECT_FALSE(hint->isHidden());
+  QApplication::setPalette(before);
+}
+
+TEST(Gap, StandsAmongTheFindingsWhichLeadToItsPage) {
+  OpenWindow open;
+  ASSERT_TRUE(open->files().open(trialPath(collimationTrial)));
+  open.settle();
+  ASSERT_TRUE(waitFor([&] { return open->gapJob().isIdle(); }));
+  auto* findings = open->findChild<FindingsPanel*>();
+  const auto texts = [&] {
+    QStringList all;
+    for (int row = 0; row < findings->count(); ++row) all.append(findings->item(row)->text());
+    return all.join(u'\n').toStdString();
+  };
+  EXPECT_THAT(texts(),
+              HasSubstr("Model and readings disagree, see “Gap”. One of 2 causes that look alike here."));
+  EXPECT_THAT(texts(), Not(HasSubstr("No problems.")));
+  findings->setFocus();
+  findings->setCurrentRow(0);
+  QTest::keyClick(findings, Qt::Key_Return);
+  EXPECT_TRUE(open->findChild<GapPanel*>()->isVisible());
+
+  ASSERT_TRUE(open->files().open(trialPath(cleanTrial)));
+  EXPECT_THAT(texts(), IsEmpty()) << "of another session nothing is known yet";
+  open.settle();
+  ASSERT_TRUE(waitFor([&] { return open->gapJob().isIdle(); }));
+  EXPECT_EQ(texts(), "No problems.");
+}
+
+TEST(Gap, IsToldAsOldFromTheEditToTheNextDiagnosis) {
+  OpenWindow open;
+  ASSERT_TRUE(open->files().open(trialPath(sagTrial)));
+  open.settle();
+  ASSERT_TRUE(waitFor([&] { return open->gapJob().isIdle(); }));
+  QCoreApplication::processEvents();
+  auto* hint = open->findChild<QLabel*>(QStringLiteral("gap hint"));
+  auto* findings = open->findChild<FindingsPanel*>();
+  const auto finding = [&] { return findings->item(0)->text().toStdString(); };
+  const int height = hint->height();
+  changeField(open->document(), {.field = "geometry.sigma_distance_mm"}, "0.5");
+  EXPECT_EQ(hint->text(), QStringLiteral("Before what was changed since: One cause: gravity sag"));
+  EXPECT_THAT(finding(), HasSubstr("Before what was changed since: One cause: gravity sag."));
+  open.settle();
+  EXPECT_EQ(hint->height(), height) << "what stands below stays where it is";
+  EXPECT_THAT(finding(), HasSubstr("Before what was changed since: One cause: gravity sag."))
+      << "the new fit knows no better";
+  ASSERT_TRUE(waitFor([&] { return open->gapJob().isIdle(); }));
+  EXPECT_TRUE(hint->text().startsWith(QStringLiteral("Model and readings disagree")));
+  EXPECT_THAT(finding(), HasSubstr("Model and readings disagree,"));
+}
+
+TEST(Gap, NothingIsCalledSoundBesideAReadingThatLooksMisread) {
+  Evaluation evaluation = evaluate(*loadSession(trialPath(cleanTrial).toStdString()));
+  FindingsPanel findings;
+  findings.setEvaluation(evaluation);
+  findings.setGap({});
+  ASSERT_EQ(findings.count(), 1);
+  EXPECT_EQ(findings.item(0)->text(), QStringLiteral("No problems."));
+  evaluation.suspects = evaluate(*loadSession(trialPath(slipTrial).toStdString())).suspects;
+  ASSERT_FALSE(evaluation.suspects.empty());
+  findings.setGapStale();
+  EXPECT_EQ(findings.count(), 1) << "until something else is known";
+  findings.setEvaluation(evaluation);
+  EXPECT_EQ(findings.count(), 0);
+}
+
+TEST(Gap, PartsAddUpToOne) {
+  for (const char* trial : {collimationTrial, slipTrial, harmonicTrial}) {
+    const auto session = loadSession(trialPath(trial).toStdString());
+    const Gap gap = assessGap(std::make_shared<const Evaluation>(evaluateFit(*session)));
+    std::map<std::string, double> sums;
+    for (const GapShare& share : gap.diagnosis->where) sums[share.by] += share.share;
+    for (const auto& [by, sum] : sums) EXPECT_NEAR(sum, 1, 1e-9) << by;  // rounding of a few dozen terms
+  }
+}
+
+TEST(GapJob, DeliversTheNewestAndForgetsWhatWasCancelled) {
+  GapJob job;
+  job.setWatched(true);
+  std::vector<std::string> titles;
+  QObject::connect(&job, &GapJob::assessed, [&](const SharedGap& gap) {
+    titles.push_back(gap->evaluation->session.title);
+    EXPECT_TRUE(gap->diagnosis);
+  });
+  Session session = paperSession();
+  for (int i = 0; i < 20; ++i) {
+    session.title = std::to_string(i);
+    job.request(std::make_shared<const Evaluation>(evaluateFit(session)));
+    QCoreApplication::processEvents();
+  }
+  ASSERT_TRUE(waitFor([&] { return job.isIdle(); }));
+  EXPECT_EQ(titles.back(), "19");
+  const std::size_t delivered = titles.size();
+  job.request(std::make_shared<const Evaluation>(evaluateFit(session)));
+  job.cancel();
+  QTest::qWait(50);
+  EXPECT_EQ(titles.size(), delivered);
+}
+
+TEST(GapJob, TakesUpAgainWhatWasStopped) {
+  std::stop_source stop;
+  stop.request_stop();
+  const auto evaluation = std::make_shared<const Evaluation>(evaluateFit(paperSession()));
+  EXPECT_FALSE(assessGap(evaluation, stop.get_token()).diagnosis);
+  GapJob job;
+  job.setWatched(true);
+  std::vector<bool> hasDiagnosis;
+  QObject::connect(&job, &GapJob::assessed, [&](const SharedGap& gap) {
+    EXPECT_EQ(gap->evaluation, evaluation);
+    hasDiagnosis.push_back(gap->diagnosis.has_value());
+  });
+  job.request(evaluation);
+  ASSERT_TRUE(waitFor([&] { return job.isAtWork(); }));
+  job.cancel();
+  job.request(evaluation);
+  ASSERT_TRUE(waitFor([&] { return job.isIdle(); }));
+  EXPECT_EQ(hasDiagnosis, std::vector{true});
+}
+
+TEST(GapJob, WaitsForRestUnlessWatched) {
+  GapJob job;
+  int delivered = 0;
+  QObject::connect(&job, &GapJob::assessed, [&] { ++delivered; });
+  job.request(std::make_shared<const Evaluation>(evaluateFit(blankSession())));
+  QTest::qWait(GapJob::restMilliseconds / 5);
+  EXPECT_EQ(delivered, 0);
+  job.setWatched(true);
+  ASSERT_TRUE(waitFor([&] { return delivered == 1; }));
+  EXPECT_TRUE(job.isIdle());
+}
+
+TEST(TrialJob, StartsAnewAfterAStop) {
+  std::stop_source stop;
+  stop.request_stop();
+  const DiagnosedTrial stopped = diagnoseTrial({.protocol = "paper"}, 1, stop.get_token());
+  EXPECT_FALSE(stopped.gap.diagnosis);
+  EXPECT_FALSE(stopped.problem.empty());
+  TrialJob job;
+  std::vector<SharedTrial> diagnosed;
+  QObject::connect(&job, &TrialJob::diagnosed, [&](const SharedTrial& trial) { diagnosed.push_back(trial); });
+  job.start({.protocol = "full"}, 1, 3);
+  job.stop();
+  job.start({.protocol = "paper"}, 1, 1);
+  ASSERT_TRUE(waitFor([&] { return !job.isAtWork(); }));
+  ASSERT_EQ(diagnosed.size(), 1U);
+  EXPECT_TRUE(diagnosed.front()->problem.empty());
+  EXPECT_TRUE(diagnosed.front()->gap.diagnosis);
+}
+
+TEST(CauseText, NamesEverythingADiagnosisMayName) {
+  for (const std::string& id : diagnosableEffects()) {
+    EXPECT_FALSE(causeName(id).contains(u'_')) << id;
+    EXPECT_TRUE(causeTitle(id).at(0).isUpper()) << id;
+    EXPECT_EQ(inWords("by " + id + "."), QStringLiteral("by ") + causeName(id) + u'.');
+  }
+}
+
+}  // namespace
+}  // namespace alidade::ui

@@ -1,0 +1,199 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <QAbstractItemView>
+#include <QApplication>
+#include <QClipboard>
+#include <QLabel>
+#include <QMenuBar>
+#include <QTest>
+#include <algorithm>
+
+#include "core/adjustment/joint/reliability.h"
+#include "tests/ui/support.h"
+#include "ui/main_window.h"
+#include "ui/panels/model/two_faces_panel.h"
+#include "ui/panels/parts/data_table.h"
+#include "ui/panels/readings/position_tabs.h"
+#include "ui/panels/readings/readings_table.h"
+#include "ui/panels/uncertainty/budget_panel.h"
+#include "ui/panels/uncertainty/reliability_panel.h"
+#include "ui/panels/window/page_tabs.h"
+#include "ui/text/quantity_text.h"
+
+namespace alidade::ui {
+namespace {
+
+using testing::HasSubstr;
+
+const QString twoFaceTrial = QStringLiteral(ALIDADE_REFERENCE_DIR "/trials/sessions/241926.alidade");
+
+std::string shownBy(const QWidget* widget) {
+  QString texts;
+  for (const QLabel* label : widget->findChildren<QLabel*>())
+    if (label->isVisibleTo(widget)) texts += label->text() + QLatin1Char('\n');
+  return texts.toStdString();
+}
+
+template <typename Page>
+Page* bringToFront(OpenWindow& open) {
+  auto* page = open->findChild<Page*>();
+  for (PageTabs* tabs : open->pageTabs())
+    if (tabs->indexOf(page) >= 0) tabs->showPage(tabs->indexOf(page));
+  return page;
+}
+
+bool isOffered(OpenWindow& open, QWidget* page) {
+  for (PageTabs* tabs : open->pageTabs())
+    if (tabs->indexOf(page) >= 0) return tabs->isTabVisible(tabs->indexOf(page));
+  return false;
+}
+
+QString cell(const QAbstractItemView* table, int row, int column) {
+  return table->model()->index(row, column).data().toString();
+}
+
+/// Counts how often it is shown an evaluation.
+class CountingPage : public QWidget {
+ public:
+  void setEvaluation(const Evaluation&) { ++shown; }
+
+  int shown = 0;
+};
+
+TEST(PageTabs, FeedOnlyThePageInFront) {
+  PageTabs tabs;
+  auto *first = new CountingPage, *second = new CountingPage;
+  tabs.addPage(first, QStringLiteral("first"));
+  tabs.addPage(second, QStringLiteral("second"));
+  for (int i = 0; i < 3; ++i) tabs.setEvaluation(std::make_shared<const Evaluation>());
+  EXPECT_EQ(first->shown, 3);
+  EXPECT_EQ(second->shown, 0);
+  tabs.setCurrentIndex(1);
+  EXPECT_EQ(second->shown, 1);
+  tabs.setCurrentIndex(0);
+  EXPECT_EQ(first->shown, 3) << "nothing is new";
+}
+
+TEST(PageTabs, HideAPageThatHasNothingToShow) {
+  PageTabs tabs;
+  tabs.addPage(new CountingPage, QStringLiteral("always"));
+  tabs.addPage(new CountingPage, QStringLiteral("titled"),
+               [](const Evaluation& evaluation) { return !evaluation.session.title.empty(); });
+  EXPECT_FALSE(tabs.isTabVisible(1));
+  Evaluation titled;
+  titled.session.title = "t";
+  tabs.setEvaluation(std::make_shared<const Evaluation>(titled));
+  EXPECT_TRUE(tabs.isTabVisible(1));
+  tabs.showPage(1);
+  tabs.setEvaluation(std::make_shared<const Evaluation>());
+  EXPECT_FALSE(tabs.isTabVisible(1));
+  EXPECT_EQ(tabs.currentIndex(), 0);
+}
+
+TEST(Budget, AccountsForTheIntersectionAndEveryCoordinate) {
+  OpenWindow open;
+  ASSERT_TRUE(open->files().open(samplePath(QStringLiteral("paper-table-1.alidade"))));
+  open.settle();
+  const auto* page = bringToFront<BudgetPanel>(open);
+  const SessionFit fit = evaluate(paperSession()).fit;
+  const std::string shown = shownBy(page);
+  for (const BudgetEntry& entry : fit.intersection->budget)
+    EXPECT_THAT(shown, HasSubstr(entry.source + "\n" + numberText(entry.sigma, 4).toStdString() + "\n"));
+  // What stands under the centres combines to the uncertainties of the fit.
+  for (const ArcSigma& sigma : fit.sigmas)
+    for (const double figure : {sigma.x, sigma.y})
+      EXPECT_THAT(shown, HasSubstr(numberText(figure, 4).toStdString()));
+  EXPECT_THAT(shown,
+              HasSubstr("correlation with R\n" + signedNumberText(fit.sigmas[0].radiusX, 2).toStdString() +
+                        "\n" + signedNumberText(fit.sigmas[0].radiusY, 2).toStdString()));
+}
+
+TEST(Budget, SaysSoWhereThereIsNoFit) {
+  OpenWindow open;
+  EXPECT_THAT(shownBy(bringToFront<BudgetPanel>(open)), HasSubstr("No arc is fitted yet"));
+}
+
+TEST(Reliability, ListsEveryReadingAndFollowsTheTable) {
+  OpenWindow open;
+  ASSERT_TRUE(open->files().open(samplePath(QStringLiteral("paper-table-1.alidade"))));
+  open.settle();
+  auto* page = bringToFront<ReliabilityPanel>(open);
+  const auto* table = page->findChild<DataTable*>();
+  const SessionFit fit = evaluate(paperSession()).fit;
+  ASSERT_EQ(table->model()->rowCount(), static_cast<int>(fit.joint.readings.size()));
+  const Reliability first = reliabilityOf(fit.joint.readings.front());
+  EXPECT_EQ(cell(table, 0, 6), numberText(fit.joint.readings.front().redundancy, 2));
+  EXPECT_EQ(cell(table, 0, 7), numberText(first.minimalDetectableBias.arcseconds(), 1));
+  EXPECT_EQ(cell(table, 0, 8), signedNumberText(first.influence, 4));
+
+  open->reveal({.position = 1, .reading = 4, .field = "vertical"});
+  const QModelIndexList selected = table->selectionModel()->selectedRows();
+  ASSERT_EQ(selected.size(), 2) << "both circles of the row";
+  for (const QModelIndex& index : selected) {
+    EXPECT_EQ(cell(table, index.row(), 0), QStringLiteral("180°"));
+    EXPECT_EQ(cell(table, index.row(), 1), QStringLiteral("5"));
+  }
+}
+
+TEST(Reliability, LeadsBackToTheReading) {
+  OpenWindow open;
+  ASSERT_TRUE(open->files().open(samplePath(QStringLiteral("paper-table-1.alidade"))));
+  open.settle();
+  auto* table = bringToFront<ReliabilityPanel>(open)->findChild<DataTable*>();
+  table->setCurrentIndex(table->model()->index(6, 0));
+  QTest::keyClick(table, Qt::Key_Return);
+  EXPECT_EQ(open->currentTable()->currentIndex().row(), 3) << "two readings to a row";
+  table->selectDataRows({6, 7});
+  table->copy();
+  EXPECT_EQ(QApplication::clipboard()->text().count(QLatin1Char('\n')), 1);
+}
+
+TEST(TwoFacesPage, IsThereWhereThereAreTwoFaces) {
+  OpenWindow open;
+  ASSERT_TRUE(open->files().open(samplePath(QStringLiteral("paper-table-1.alidade"))));
+  open.settle();
+  EXPECT_FALSE(isOffered(open, open->findChild<TwoFacesPanel*>()));
+  ASSERT_TRUE(open->files().open(twoFaceTrial));
+  open.settle();
+  const auto* page = bringToFront<TwoFacesPanel>(open);
+  EXPECT_TRUE(isOffered(open, open->findChild<TwoFacesPanel*>()));
+  const auto faces = compareFaces(*examine(open->document().session()).measurement);
+  ASSERT_TRUE(faces);
+  const std::string errors = shownBy(page);
+  for (const InstrumentError& error : {faces->collimation, *faces->trunnionTilt, faces->index})
+    EXPECT_THAT(errors, HasSubstr(valueWithUncertainty(error.value.arcseconds(), error.sigma.arcseconds(), {})
+                                      .trimmed()
+                                      .toStdString()));
+  EXPECT_THAT(errors, HasSubstr("× " + numberText(faces->vertical.ratio(), 2).toStdString() + "\n"));
+  const auto* table = page->findChild<DataTable*>();
+  ASSERT_EQ(table->model()->rowCount(), static_cast<int>(faces->visits.size()));
+  EXPECT_EQ(cell(table, 0, 4), signedNumberText(faces->visits[0].doubleCollimation.arcseconds(), 1));
+}
+
+TEST(Pages, AreReachedByTheKeyboard) {
+  OpenWindow open;
+  ASSERT_TRUE(open->files().open(twoFaceTrial));
+  open.settle();
+  const QList<PageTabs*> tabs = open->pageTabs();
+  QTest::keyClick(open.window.get(), Qt::Key_2, Qt::ControlModifier);
+  EXPECT_EQ(tabs[0]->currentIndex(), 1);
+  QTest::keyClick(open.window.get(), Qt::Key_6, Qt::ControlModifier);
+  EXPECT_EQ(tabs[1]->currentIndex(), 2);
+  EXPECT_TRUE(qobject_cast<DataTable*>(QApplication::focusWidget()));
+}
+
+TEST(Pages, BelowThePictureTakeItsRoom) {
+  OpenWindow open;
+  const auto* result = open->pageTabs()[0];
+  const int before = open->pageTabs()[1]->height();
+  QTest::keyClick(open.window.get(), Qt::Key_0, Qt::ControlModifier);
+  QCoreApplication::processEvents();
+  EXPECT_FALSE(result->isVisible());
+  EXPECT_GT(open->pageTabs()[1]->height(), before + 100);
+  QTest::keyClick(open.window.get(), Qt::Key_0, Qt::ControlModifier);
+  EXPECT_TRUE(result->isVisible());
+}
+
+}  // namespace
+}  // namespace alidade::ui

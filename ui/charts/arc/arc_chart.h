@@ -1,0 +1,24 @@
+#pragma once
+
+#include "ui/charts/plotting/plot_widget.h"
+
+namespace alidade::ui {
+
+class ArcPlot;
+
+/// Both fitted arcs in true proportion with the sighted points, on the screen.
+class ArcChart : public PlotWidget {
+  Q_OBJECT
+
+ public:
+  explicit ArcChart(QWidget* parent = nullptr);
+
+  ArcPlot* plot() const { return m_plot; }
+
+ private:
+  explicit ArcChart(ArcPlot* plot, QWidget* parent);
+
+  ArcPlot* m_plot;  // owned by the base
+};
+
+}  // namespace alidade::ui

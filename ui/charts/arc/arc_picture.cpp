@@ -1,0 +1,181 @@
+#include "ui/charts/arc/arc_picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "ui/charts/plotting/round_numbers.h"
+
+namespace alidade::ui {
+namespace {
+
+constexpr double largestShareOfRadius = 0.16;
+constexpr double largestExaggeration = 1e6;
+
+DrawnSighting drawnSighting(const Measurement& measurement, const ArcMeasurement& arc,
+                            const Sighting& sighting) {
+  return {.ref = {arc.position, sighting.row},
+          .axisDeg = arc.axisDeg,
+          .point = sighting.point,
+          .round = sighting.round,
+          .face = sighting.face,
+          .sighted = sightedPoint(Direction<double>{sighting.a.radians(), sighting.e.radians()},
+                                  measurement.distance, measurement.relation),
+          .adjusted = {}};
+}
+
+/// The run of angles that covers all residuals, around their mean direction.
+DrawnArc drawnArc(const ArcFit& fit) {
+  double sumCos = 0, sumSin = 0;
+  for (const SightingResidual& residual : fit.residuals) {
+    sumCos += std::cos(residual.arcAngle);
+    sumSin += std::sin(residual.arcAngle);
+  }
+  const Angle middle = Angle::fromRadians(std::atan2(sumSin, sumCos));
+  DrawnArc arc{fit.axisDeg, fit.circle, middle.radians(), middle.radians()};
+  for (const SightingResidual& residual : fit.residuals) {
+    const double angle = wrapped(Angle::fromRadians(residual.arcAngle), middle).radians();
+    arc.firstAngle = std::min(arc.firstAngle, angle);
+    arc.lastAngle = std::max(arc.lastAngle, angle);
+  }
+  return arc;
+}
+
+/// Where the sighting would have met the arc plane without its residual, to where it did meet it.
+PlanePoint<double> residualInPlane(const Measurement& measurement, const Sighting& sighting,
+                                   const SightingResidual& residual) {
+  const auto meets = [&](Angle a, Angle e) {
+    return sightedPoint(Direction<double>{a.radians(), e.radians()}, measurement.distance,
+                        measurement.relation);
+  };
+  const PlanePoint<double> to = meets(sighting.a, sighting.e);
+  const PlanePoint<double> from = meets(sighting.a - residual.horizontal, sighting.e - residual.vertical);
+  return {to.x - from.x, to.y - from.y};
+}
+
+/// Adds the adjusted targets and the residuals to the sightings of one position, which start at `first`.
+void addAdjusted(ArcPicture& picture, std::size_t first, const Measurement& measurement,
+                 const ArcMeasurement& arc, const ArcFit& fit) {
+  std::size_t next = first;
+  for (const SightingResidual& residual : fit.residuals) {
+    while (next < picture.sightings.size() && picture.sightings[next].ref.row != residual.row) ++next;
+    if (next == picture.sightings.size()) return;
+    picture.sightings[next].adjusted =
+        targetOnArc(fit.circle.x, fit.circle.y, fit.circle.radius, residual.arcAngle);
+    picture.sightings[next].residual = residualInPlane(measurement, arc.sightings[next - first], residual);
+  }
+}
+
+double pickExaggeration(const ArcPicture& picture) {
+  double largest = 0, radius = 0;
+  for (const DrawnArc& arc : picture.arcs) radius = std::max(radius, arc.circle.radius);
+  for (const DrawnSighting& sighting : picture.sightings) {
+    largest = std::max(largest, std::hypot(sighting.residual.x, sighting.residual.y));
+  }
+  if (largest <= 0 || !std::isfinite(largest)) return 1;
+  return std::clamp(roundDown125(largestShareOfRadius * radius / largest), 1.0, largestExaggeration);
+}
+
+/// The rows taken out by the user alone, put in, each with the number of its row.
+Session excludedAlone(const Session& session, std::vector<std::vector<std::size_t>>& rows) {
+  Session alone;
+  alone.instrument = session.instrument;
+  alone.geometry = session.geometry;
+  alone.model = session.model;
+  for (const Position& position : session.positions) {
+    alone.positions.push_back(
+        {.axisDeg = position.axisDeg, .zero = position.zero, .readings = {}, .origin = {}});
+    rows.emplace_back();
+    for (std::size_t row = 0; row < position.readings.size(); ++row) {
+      if (!position.readings[row].excluded) continue;
+      rows.back().push_back(row);
+      Reading& reading = alone.positions.back().readings.emplace_back(position.readings[row]);
+      reading.excluded = false;
+      if (reading.point.empty()) reading.point = std::to_string(row + 1);
+    }
+  }
+  return alone;
+}
+
+/// The rows taken out by the user, reduced as if they were in.
+std::vector<DrawnSighting> excludedSightings(const Session& session) {
+  std::vector<std::vector<std::size_t>> rows;
+  const Examined examined = examine(excludedAlone(session, rows));
+  std::vector<DrawnSighting> excluded;
+  if (!examined.measurement) return excluded;
+  for (const ArcMeasurement& arc : examined.measurement->arcs) {
+    for (const Sighting& sighting : arc.sightings) {
+      excluded.push_back(drawnSighting(*examined.measurement, arc, sighting));
+      excluded.back().ref.row = rows[arc.position][sighting.row];
+    }
+  }
+  return excluded;
+}
+
+std::optional<DrawnIntersection> drawnIntersection(const SessionFit& fit) {
+  const ArcFit* upper = fit.arcAt(0);
+  const ArcFit* lower = fit.arcAt(180);
+  if (!fit.intersection || !upper || !lower) return {};
+  return DrawnIntersection{.upperCentre = {upper->circle.x, upper->circle.y},
+                           .lowerCentre = {lower->circle.x, lower->circle.y},
+                           .value = fit.intersection->value,
+                           .expanded = fit.intersection->expanded,
+                           .coverage = fit.intersection->coverage};
+}
+
+}  // namespace
+
+ArcPicture arcPicture(const Evaluation& evaluation) {
+  ArcPicture picture;
+  if (!evaluation.examined.measurement) return picture;
+  const Measurement& measurement = *evaluation.examined.measurement;
+  picture.sightings.reserve(measurement.rows);
+  for (const ArcMeasurement& arc : measurement.arcs) {
+    const std::size_t first = picture.sightings.size();
+    for (const Sighting& sighting : arc.sightings) {
+      picture.sightings.push_back(drawnSighting(measurement, arc, sighting));
+    }
+    if (const ArcFit* fit = evaluation.fit.arcOfPosition(arc.position)) {
+      addAdjusted(picture, first, measurement, arc, *fit);
+      picture.arcs.push_back(drawnArc(*fit));
+    }
+  }
+  picture.excluded = excludedSightings(evaluation.session);
+  picture.intersection = drawnIntersection(evaluation.fit);
+  picture.exaggeration = pickExaggeration(picture);
+  return picture;
+}
+
+PlanePoint<double> ArcPicture::residualEnd(const DrawnSighting& sighting) const {
+  if (!sighting.adjusted) return sighting.sighted;
+  const PlanePoint<double>& foot = *sighting.adjusted;
+  return {foot.x + exaggeration * sighting.residual.x, foot.y + exaggeration * sighting.residual.y};
+}
+
+QRectF ArcPicture::extent() const {
+  double reach = 0;
+  for (const DrawnArc& arc : arcs) reach = std::max(reach, 1.5 * arc.circle.radius);
+  double left = 0, right = 0, bottom = 0, top = 0;
+  const auto include = [&](double x, double y) {
+    if (reach > 0 && std::max(std::abs(x), std::abs(y)) > 2 * reach) return;
+    left = std::min(left, x), right = std::max(right, x);
+    bottom = std::min(bottom, y), top = std::max(top, y);
+  };
+  for (const DrawnArc& arc : arcs) {
+    constexpr int steps = 36;
+    for (int i = 0; i <= steps; ++i) {
+      const double angle = arc.firstAngle + (arc.lastAngle - arc.firstAngle) * i / steps;
+      const auto [x, y] = targetOnArc(arc.circle.x, arc.circle.y, arc.circle.radius, angle);
+      include(x, y);
+    }
+  }
+  for (const DrawnSighting& sighting : sightings) {
+    include(sighting.sighted.x, sighting.sighted.y);
+    const PlanePoint<double> end = residualEnd(sighting);
+    include(end.x, end.y);
+  }
+  for (const DrawnSighting& sighting : excluded) include(sighting.sighted.x, sighting.sighted.y);
+  return QRectF(QPointF(left, bottom), QPointF(right, top));
+}
+
+}  // namespace alidade::ui

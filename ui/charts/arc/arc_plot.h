@@ -1,0 +1,46 @@
+#pragma once
+
+#include <QtCharts/QLineSeries>
+#include <array>
+#include <memory>
+
+#include "ui/charts/arc/arc_picture.h"
+#include "ui/charts/arc/centres_inset.h"
+#include "ui/charts/plotting/plot.h"
+
+namespace alidade::ui {
+
+/// Both fitted arcs in o0 with the sighted points, in true proportion at every size; residuals enlarged by a
+/// stated factor; the centres in an inset of their own, since they lie a few mm apart in a picture of 800 mm.
+class ArcPlot : public Plot {
+  Q_OBJECT
+
+ public:
+  explicit ArcPlot(QObject* parent = nullptr);
+
+  void setEvaluation(const Evaluation& evaluation) override;
+  QString describe(const Mark& mark) const override;
+  QString summary() const override;
+
+  const ArcPicture& picture() const { return *m_picture; }
+  const CentresInset& inset() const { return *m_inset; }
+
+ protected:
+  void applyStyle() override;
+  QRectF axisRange(const QSizeF& plotArea) const override;
+  bool hasEqualScales() const override { return true; }
+  void placeExtras() override;
+
+ private:
+  void showArcs();
+  void showMarks();
+  void showLegend();
+  const DrawnSighting* sightingOf(const Mark& mark) const;
+
+  std::shared_ptr<const ArcPicture> m_picture = std::make_shared<const ArcPicture>();
+  QRectF m_extent;                     // of the picture
+  std::array<QLineSeries*, 2> m_arcs;  // axis at 0°, at 180°; owned by the chart
+  CentresInset* m_inset;               // owned by the chart
+};
+
+}  // namespace alidade::ui

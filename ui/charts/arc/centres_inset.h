@@ -1,0 +1,46 @@
+#pragma once
+
+#include <QGraphicsItem>
+#include <optional>
+
+#include "ui/charts/arc/arc_picture.h"
+#include "ui/charts/plotting/plot_style.h"
+
+namespace alidade::ui {
+
+/// The two arc centres under a magnifier: O1, O2, the axis midway between them, and the intersection Δd as
+/// the way from the axis to O1 with its expanded uncertainty. One scale in x and y, shown by a bar in mm.
+class CentresInset : public QGraphicsItem {
+ public:
+  using QGraphicsItem::QGraphicsItem;
+
+  void setStyle(const PlotStyle& style);
+  void setIntersection(const std::optional<DrawnIntersection>& intersection);
+  /// The square it may use, in the parent's units; what does not fit into a small one is left out.
+  void setSquare(const QRectF& square);
+
+  /// Scene units to a millimetre; 0 where nothing is drawn.
+  double scale() const { return m_scale; }
+  /// From mm in o0 to the parent's units.
+  QPointF place(const PlanePoint<double>& point) const;
+
+  QRectF boundingRect() const override { return m_square; }
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
+
+ private:
+  void updateScale();
+  void paintBare(QPainter* painter) const;  // too small to enlarge anything: a plus where both centres are
+  void paintAxis(QPainter* painter) const;
+  void paintCentres(QPainter* painter) const;
+  void paintDistance(QPainter* painter) const;
+  void paintScaleBar(QPainter* painter) const;
+  void paintTitle(QPainter* painter) const;
+
+  PlotStyle m_style;
+  std::optional<DrawnIntersection> m_intersection;
+  QRectF m_square;
+  QRectF m_picture;  // where the centres may lie; the rest is text
+  double m_scale = 0;
+};
+
+}  // namespace alidade::ui

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <vector>
+
+#include "ui/charts/gap/bar_rows.h"
+#include "ui/jobs/gap.h"
+
+namespace alidade::ui {
+
+/// Where a gap lies: one bar for every way to divide the readings, its parts as long as their shares, which
+/// together fill it. The larger a share, the stronger its colour. Divisions of one part are left out.
+class GapMap : public BarRows {
+  Q_OBJECT
+
+ public:
+  explicit GapMap(QWidget* parent = nullptr);
+
+  void setShares(const std::vector<GapShare>& shares);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  int pictureHeight() const override;
+  QString aboutAt(const QPoint& point) const override;
+
+ private:
+  struct Part {
+    QString name;
+    double share = 0;  ///< 0…1
+  };
+  struct Bar {
+    QString by;
+    std::vector<Part> parts;
+  };
+
+  QRect barArea(std::size_t row) const;
+  QRect partArea(std::size_t row, std::size_t part) const;
+  void paintPart(QPainter& painter, const QRect& area, const Part& part) const;
+
+  std::vector<Bar> m_bars;
+};
+
+}  // namespace alidade::ui

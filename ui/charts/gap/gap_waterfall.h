@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include "ui/charts/gap/bar_rows.h"
+#include "ui/jobs/gap.h"
+
+namespace alidade::ui {
+
+/// How the gap shrinks, cause by cause: a bar for what each stage leaves over (rms of the circle readings, on
+/// a scale in arcseconds), the part that the stage took away drawn faintly behind it, and a line at what the
+/// stated noise leaves.
+class GapWaterfall : public BarRows {
+  Q_OBJECT
+
+ public:
+  explicit GapWaterfall(QWidget* parent = nullptr);
+
+  void setGap(const Gap& gap);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  int pictureHeight() const override;
+  QString aboutAt(const QPoint& point) const override;
+
+ private:
+  struct Bar {
+    QString label, rms, chiSquare, about;
+    double before = 0, after = 0;  ///< arcseconds
+    bool isModelled = true;
+  };
+  struct Layout;
+
+  Layout layOut() const;
+  void paintScale(QPainter& painter, const Layout& layout) const;
+  void paintNoise(QPainter& painter, const Layout& layout) const;
+  void paintBar(QPainter& painter, const Layout& layout, std::size_t row) const;
+
+  std::vector<Bar> m_bars;
+  double m_noise = 0;
+};
+
+}  // namespace alidade::ui

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <QGraphicsItem>
+#include <QPen>
+#include <QTransform>
+#include <optional>
+#include <vector>
+
+#include "ui/charts/plotting/mark.h"
+#include "ui/charts/plotting/marker.h"
+#include "ui/charts/plotting/thinning.h"
+
+namespace alidade::ui {
+
+/// All points of a plot in one item. Ten thousand scatter points of Qt Charts are ten thousand graphics
+/// items; here they are one, painted as vectors, or from a drawn marker where there are many and the device
+/// is made of pixels; of very many those that are seen (thinning.h).
+class MarkerLayer : public QGraphicsItem {
+ public:
+  using QGraphicsItem::QGraphicsItem;
+
+  void setMarkers(std::vector<Marker> markers);
+  void setPens(std::vector<QPen> pens);
+  void setHighlightPen(const QPen& pen);
+  void setMarks(std::vector<Mark> marks, std::vector<Stick> sticks = {});
+  /// The plot area in scene units and the transform from axis units into it.
+  void setFrame(const QRectF& plotArea, const QTransform& sceneFromAxes);
+  void setHighlighted(std::optional<SightingRef> ref);
+
+  const std::vector<Mark>& marks() const { return m_marks; }
+  const std::vector<Stick>& sticks() const { return m_sticks; }
+  std::optional<SightingRef> highlighted() const { return m_highlighted; }
+  QPointF scenePosition(const Mark& mark) const { return m_sceneFromAxes.map(mark.at); }
+  /// How many marks and sticks the last painting took.
+  std::size_t paintedCount() const { return m_placed.size() + m_placedSticks.size(); }
+  /// The mark nearest to a place in the plot, where one lies within `reach` scene units; null otherwise.
+  const Mark* markNear(const QPointF& scene, double reach) const;
+
+  QRectF boundingRect() const override { return m_plotArea; }
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
+
+ private:
+  void place();
+  void paintSticks(QPainter* painter) const;
+  void paintMarks(QPainter* painter) const;
+  void paintManyMarks(QPainter* painter) const;
+  void paintHighlight(QPainter* painter) const;
+
+  std::vector<Marker> m_markers;
+  std::vector<QPen> m_pens;
+  QPen m_highlightPen;
+  std::vector<Mark> m_marks;
+  std::vector<Stick> m_sticks;
+  QRectF m_plotArea;
+  QTransform m_sceneFromAxes;
+  std::optional<SightingRef> m_highlighted;
+  bool m_isPlaced = false;            ///< what follows is of these marks in this frame
+  std::vector<PlacedMark> m_placed;   ///< the marks to paint
+  std::vector<Stick> m_placedSticks;  ///< in scene units
+};
+
+}  // namespace alidade::ui

@@ -1,0 +1,78 @@
+#include "ui/panels/gap/gap_headline.h"
+
+#include <QEvent>
+#include <QGridLayout>
+#include <QLabel>
+
+#include "ui/panels/parts/figure_grid.h"
+#include "ui/text/cause_text.h"
+#include "ui/text/entry_text.h"
+
+namespace alidade::ui {
+
+namespace {
+
+QString iconOf(State state) {
+  switch (state) {
+    case State::Good:
+      return QStringLiteral("accept");
+    case State::Bad:
+      return QStringLiteral("problem");
+    case State::Open:
+      return QStringLiteral("warning");
+    case State::Quiet:
+      break;
+  }
+  return QStringLiteral("none");
+}
+
+}  // namespace
+
+GapHeadline::GapHeadline(QWidget* parent)
+    : QWidget(parent), m_icon(new QLabel), m_headline(wrappedLabel()), m_sentence(wrappedLabel()) {
+  QFont large = font();
+  large.setPointSizeF(large.pointSizeF() * 1.25);
+  large.setBold(true);
+  m_headline->setFont(large);
+  auto* layout = new QGridLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setVerticalSpacing(3);
+  layout->addWidget(m_icon, 0, 0);
+  layout->addWidget(m_headline, 0, 1);
+  layout->addWidget(m_sentence, 1, 0, 1, 2);
+  layout->setColumnStretch(1, 1);
+  layout->setRowStretch(2, 1);
+}
+
+void GapHeadline::setGap(const Gap& gap) {
+  if (!gap.diagnosis) return setText(tr("No diagnosis"), qText(gap.reason));
+  const bool isUnknown = gap.diagnosis->verdict == DiagnosisVerdict::NotInCatalogue;
+  m_headline->setText(gapHeadline(*gap.diagnosis));
+  m_sentence->setText(gapSentence(gap));
+  setState(!gap.isOpen() ? State::Good : isUnknown ? State::Bad : State::Open);
+}
+
+void GapHeadline::setText(const QString& headline, const QString& sentence) {
+  m_headline->setText(headline);
+  m_sentence->setText(sentence);
+  setState(State::Quiet);
+}
+
+void GapHeadline::setState(State state) {
+  m_state = state;
+  m_icon->setPixmap(themeIcon(iconOf(state)).pixmap(22, 22));
+  color();
+}
+
+void GapHeadline::color() {
+  QPalette colored = palette();
+  colored.setColor(QPalette::WindowText, stateColor(palette(), m_state));
+  m_headline->setPalette(colored);
+}
+
+void GapHeadline::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) color();
+}
+
+}  // namespace alidade::ui

@@ -1,0 +1,288 @@
+#include "ui/panels/gap/gap_panel.h"
+
+#include <QGridLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "core/effects/catalogue.h"
+#include "ui/charts/gap/gap_map.h"
+#include "ui/charts/gap/gap_waterfall.h"
+#include "ui/panels/gap/cause_list.h"
+#include "ui/panels/gap/gap_headline.h"
+#include "ui/panels/parts/data_table.h"
+#include "ui/panels/parts/figure_grid.h"
+#include "ui/text/cause_text.h"
+#include "ui/text/entry_text.h"
+#include "ui/text/quantity_text.h"
+
+namespace alidade::ui {
+
+namespace {
+
+constexpr int twoColumnsFrom = 620;
+
+/// Widgets under a heading, as one block of the page.
+QWidget* block(const QString& heading, std::initializer_list<QWidget*> parts) {
+  auto* frame = new QWidget;
+  auto* layout = new QVBoxLayout(frame);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(4);
+  layout->addWidget(panelHeading(heading));
+  for (QWidget* part : parts) layout->addWidget(part);
+  layout->addStretch();
+  return frame;
+}
+
+}  // namespace
+
+GapPanel::GapPanel(QWidget* parent)
+    : ScrollPage(tr("Gap between model and readings"), parent),
+      m_grid(new QGridLayout),
+      m_headline(new GapHeadline),
+      m_causes(new CauseList),
+      m_waterfall(new GapWaterfall),
+      m_result(new FigureGrid),
+      m_shrinkage(wrappedLabel()),
+      m_map(new GapMap),
+      m_candidates(nullptr),
+      m_add(nullptr),
+      m_next(wrappedLabel()),
+      m_unseen(new FigureGrid),
+      m_unseenNote(wrappedLabel()) {
+  setFocusPolicy(Qt::StrongFocus);
+  column()->addLayout(m_grid);
+  column()->addStretch();
+  m_grid->setHorizontalSpacing(22);
+  m_grid->setVerticalSpacing(6);
+  m_shrinkage->setForegroundRole(QPalette::PlaceholderText);
+  m_unseenNote->setForegroundRole(QPalette::PlaceholderText);
+  m_blocks = {m_headline,
+              block(tr("Causes"), {m_causes}),
+              block(tr("Before and after"), {m_waterfall, m_result, m_shrinkage}),
+              block(tr("Where it lies"), {m_map}),
+              block(tr("What to measure next"), {m_next}),
+              block(tr("What would go unseen"), {m_unseen, m_unseenNote}),
+              createCandidates()};
+  connect(m_causes, &CauseList::effectsWanted, this, &GapPanel::effectsWanted);
+  connect(m_causes, &CauseList::effectUnwanted, this, &GapPanel::effectUnwanted);
+  connect(m_causes, &CauseList::relationWanted, this, &GapPanel::relationWanted);
+  connect(m_causes, &CauseList::placeActivated, this, &GapPanel::placeActivated);
+  connect(m_causes, &CauseList::exclusionWanted, this, &GapPanel::exclusionWanted);
+  connect(m_causes, &CauseList::rowsExclusionWanted, this, &GapPanel::rowsExclusionWanted);
+  connect(m_causes, &CauseList::noiseWanted, this, &GapPanel::noiseWanted);
+  showVerdict();
+}
+
+QWidget* GapPanel::createCandidates() {
+  const auto of = [this](auto text) {
+    return [this, text](int row) { return candidate(row) ? text(*candidate(row)) : QString(); };
+  };
+  m_candidates = new DataTable({
+      {tr("Effect"), tr("What may cause the gap"), tr("Vertical angle relation"),
+       of([](const Candidate& c) { return causeTitle(c.effect); }), Qt::AlignLeft},
+      {tr("ln B"),
+       tr("Natural logarithm of the Bayes factor against no effect at all: above 0 it explains the readings "
+          "better, above 5 far better, below 0 worse"),
+       QStringLiteral("−8888.8"), of([](const Candidate& c) { return numberText(c.logBayesFactor, 1); })},
+      {tr("Visible σ"), tr("How much of the readings it explains, in σ of one reading"),
+       QStringLiteral("888.8"), of([](const Candidate& c) {
+         return c.visibleSigma > 0 ? numberText(c.visibleSigma, 1) : notStated();
+       })},
+      {tr("Role"), tr("What the diagnosis makes of it"), tr("look-alike"), of([this](const Candidate& c) {
+         for (const Cause& cause : m_gap->diagnosis->causes) {
+           if (cause.effect == c.effect) return tr("cause");
+           const auto& alike = cause.indistinguishableFrom;
+           if (std::find(alike.begin(), alike.end(), c.effect) != alike.end()) return tr("look-alike");
+         }
+         return isInModel(c.effect) ? tr("in the model") : QString();
+       }),
+       Qt::AlignLeft},
+  });
+  m_candidates->setAccessibleName(tr("Candidates"));
+  m_candidates->setSelectionMode(QAbstractItemView::SingleSelection);
+  m_candidates->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
+  m_candidates->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  m_candidates->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  m_candidates->setPlaceholder(tr("No candidates."));
+  m_add = new QPushButton;
+  m_add->setObjectName(QStringLiteral("add candidate"));
+  connect(m_candidates->selectionModel(), &QItemSelectionModel::currentChanged, this,
+          &GapPanel::showCandidate);
+  connect(m_add, &QPushButton::clicked, this, &GapPanel::addCandidate);
+  return block(tr("Candidates, each by itself"), {m_candidates, m_add});
+}
+
+/// In two columns where there is room for them, else one below the other; what is hidden comes last.
+void GapPanel::arrange() {
+  const int columns = viewport()->width() >= twoColumnsFrom ? 2 : 1;
+  m_grid->setColumnStretch(0, columns == 2 ? 4 : 1);
+  m_grid->setColumnStretch(1, columns == 2 ? 5 : 0);
+  m_grid->addWidget(m_blocks.front(), 0, 0, 1, columns);
+  QList<QWidget*> parts = m_blocks.mid(1);
+  std::stable_partition(parts.begin(), parts.end(), [](const QWidget* part) { return !part->isHidden(); });
+  for (int i = 0; i < parts.size(); ++i) m_grid->addWidget(parts[i], 1 + i / columns, i % columns);
+}
+
+void GapPanel::setGap(const SharedGap& gap) {
+  m_gap = gap;
+  showVerdict();
+  if (!gap->diagnosis) return;
+  m_causes->setGap(*gap);
+  m_waterfall->setGap(*gap);
+  m_map->setShares(gap->diagnosis->where);
+  showEffectOnResult();
+  showShrinkage();
+  const auto rows = static_cast<int>(gap->diagnosis->candidates.size());
+  m_candidates->setRows(rows);
+  m_candidates->setFixedHeight(m_candidates->horizontalHeader()->sizeHint().height() +
+                               std::max(1, rows) * m_candidates->verticalHeader()->defaultSectionSize() +
+                               2 * m_candidates->frameWidth());
+  if (!m_candidates->currentIndex().isValid()) m_candidates->selectDataRows({0});
+  showCandidate();
+  showNext();
+  showUnseen();
+}
+
+void GapPanel::setStale() {
+  widget()->setEnabled(false);
+}
+
+void GapPanel::clear() {
+  m_gap.reset();
+  showVerdict();
+}
+
+void GapPanel::showVerdict() {
+  widget()->setEnabled(true);
+  const Gap* gap = m_gap.get();
+  const bool says = gap && gap->diagnosis;
+  if (gap)
+    m_headline->setGap(*gap);
+  else
+    m_headline->setText(tr("No diagnosis"),
+                        tr("The readings are compared with the model as soon as there are any."));
+  for (int i = 1; i < m_blocks.size(); ++i) m_blocks[i]->setVisible(says);
+  if (says) {
+    const bool hasCauses = !gap->diagnosis->causes.empty() || gap->diagnosis->shape || gap->stages.size() > 1;
+    m_blocks[1]->setVisible(hasCauses);
+    m_blocks[3]->setVisible(gap->isOpen());
+  }
+  arrange();
+}
+
+/// Δd side by side: without the effects of the model, as modelled, with the causes.
+void GapPanel::showEffectOnResult() {
+  const Diagnosis& diagnosis = *m_gap->diagnosis;
+  const GapStage &bare = m_gap->stages.front(), &modelled = m_gap->asModelled();
+  QStringList titles, values;
+  const auto add = [&](const QString& title, const std::optional<IntersectionEstimate>& estimate) {
+    titles.append(title);
+    values.append(estimateText(estimate));
+  };
+  if (&bare != &modelled) add(tr("before"), bare.intersection);
+  add(tr("as modelled"), modelled.intersection);
+  if (diagnosis.shape || !diagnosis.steps.empty())
+    add(diagnosis.shape ? tr("with the pattern") : tr("with the causes"), diagnosis.afterwards);
+  m_result->setRows(titles,
+                    {{tr("Δd ± U  mm"), values,
+                      tr("Before: without the effects of the model. With the causes: averaged over "
+                         "what else may be the case, each as likely as it is. With the pattern: U holds what "
+                         "it may move Δd by")}});
+}
+
+void GapPanel::showShrinkage() {
+  const Diagnosis& diagnosis = *m_gap->diagnosis;
+  QStringList says;
+  if (!diagnosis.steps.empty() && diagnosis.shrink.inSample > 0.005)
+    says.append(
+        std::isfinite(diagnosis.shrink.heldOut)
+            ? tr("The residuals shrink by %1 %, by %2 % on readings held out of the fit.")
+                  .arg(numberText(100 * diagnosis.shrink.inSample, 0),
+                       numberText(100 * diagnosis.shrink.heldOut, 0))
+            : tr("The residuals shrink by %1 %; there are too few readings to hold any out of the fit.")
+                  .arg(numberText(100 * diagnosis.shrink.inSample, 0)));
+  if (diagnosis.shape)
+    says.append(tr("U holds what the pattern may move Δd by; what causes it is not known."));
+  else if (!beyondTheFit(diagnosis).empty())
+    says.append(
+        tr("Δd with the causes is averaged over all that may be the case, each as likely as it is; the "
+           "first alone would state a U that is too small."));
+  m_shrinkage->setText(says.join(u' '));
+  m_shrinkage->setVisible(!says.isEmpty());
+}
+
+void GapPanel::showNext() {
+  const Diagnosis& diagnosis = *m_gap->diagnosis;
+  QStringList lines;
+  for (const Advice& advice : diagnosis.advice) {
+    const QString figure = numberText(advice.bySigma, 1);
+    const QString what = causeNames(advice.separates, tr("and")).toHtmlEscaped();
+    lines.append(QStringLiteral("• <b>%1</b>: ").arg(qText(advice.measure).toHtmlEscaped()) +
+                 (advice.ofUnseen ? tr("would show %1 by %2 σ or more").arg(what, figure)
+                                  : tr("separates %1 by %2 σ or more").arg(what, figure)));
+  }
+  m_next->setTextFormat(Qt::RichText);
+  m_next->setText(lines.isEmpty() ? tr("No further reading of the usual kinds would tell more.")
+                                  : lines.join(QStringLiteral("<br>")));
+}
+
+/// What a plausible size would do to Δd.
+void GapPanel::showUnseen() {
+  QVector<FigureGrid::Row> rows;
+  for (const UnseenEffect& effect : m_gap->noticeablyUnseen())
+    rows.append({causeTitle(effect.effect),
+                 {QStringLiteral("± ") + numberText(effect.influence, decimalsFor(effect.influence)),
+                  numberText(effect.visibleSigma, 1)}});
+  m_unseen->setVisible(!rows.isEmpty());
+  m_unseen->setRows({tr("moves Δd  mm"), tr("leaves  σ")}, rows);
+  m_unseenNote->setText(
+      rows.isEmpty() ? tr("No effect of plausible size could move Δd noticeably without leaving a trace.")
+                     : tr("At their plausible size, without a clear trace in these readings."));
+}
+
+const Candidate* GapPanel::candidate(int row) const {
+  if (!m_gap || !m_gap->diagnosis || row < 0) return nullptr;
+  const auto& list = m_gap->diagnosis->candidates;
+  return static_cast<std::size_t>(row) < list.size() ? &list[static_cast<std::size_t>(row)] : nullptr;
+}
+
+bool GapPanel::isInModel(const std::string& id) const {
+  const auto& effects = m_gap->evaluation->session.model.effects;
+  return std::find(effects.begin(), effects.end(), id) != effects.end();
+}
+
+/// The button follows the current row.
+void GapPanel::showCandidate() {
+  const Candidate* current = candidate(m_candidates->currentIndex().row());
+  const bool isEffect = current && effectById(current->effect);
+  m_add->setEnabled(isEffect && !isInModel(current->effect));
+  m_add->setText(!current   ? tr("A&dd to the model")
+                 : isEffect ? tr("A&dd %1 to the model").arg(causeName(current->effect))
+                            : tr("%1: nothing to add to the model").arg(causeTitle(current->effect)));
+}
+
+void GapPanel::addCandidate() {
+  if (const Candidate* current = candidate(m_candidates->currentIndex().row()))
+    emit effectsWanted({qText(current->effect)});
+}
+
+void GapPanel::resizeEvent(QResizeEvent* event) {
+  ScrollPage::resizeEvent(event);
+  arrange();
+}
+
+void GapPanel::showEvent(QShowEvent* event) {
+  ScrollPage::showEvent(event);
+  emit watched(true);
+}
+
+void GapPanel::hideEvent(QHideEvent* event) {
+  ScrollPage::hideEvent(event);
+  emit watched(false);
+}
+
+}  // namespace alidade::ui

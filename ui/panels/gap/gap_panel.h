@@ -1,0 +1,81 @@
+#pragma once
+
+#include "ui/jobs/gap_job.h"
+#include "ui/jobs/remedies.h"
+#include "ui/panels/parts/scroll_page.h"
+
+class QGridLayout;
+class QLabel;
+class QPushButton;
+
+namespace alidade::ui {
+
+class CauseList;
+class DataTable;
+class FigureGrid;
+class GapHeadline;
+class GapMap;
+class GapWaterfall;
+
+/// The gap between model and readings: verdict, causes, how far it shrinks, where it lies, every candidate,
+/// what to measure next and what would go unseen. Changes nothing itself.
+class GapPanel : public ScrollPage {
+  Q_OBJECT
+
+ public:
+  explicit GapPanel(QWidget* parent = nullptr);
+
+  void setGap(const SharedGap& gap);
+  /// The session has changed: what is shown stays, and nothing can be done about it until the answer is new.
+  void setStale();
+  /// Another session: nothing is known of it yet.
+  void clear();
+
+  QSize minimumSizeHint() const override { return {300, 160}; }
+
+ signals:
+  void watched(bool isWatched);  ///< the page is in front, or no longer
+  void effectsWanted(const QStringList& ids);
+  void effectUnwanted(const QString& id);
+  void relationWanted(const QString& text);
+  void placeActivated(const alidade::Place& place);
+  void exclusionWanted(const alidade::Place& place);
+  void rowsExclusionWanted(const alidade::ui::RowRange& rows);
+  void noiseWanted(const alidade::ui::StatedNoise& noise);
+
+ protected:
+  void hideEvent(QHideEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  QWidget* createCandidates();
+  void arrange();
+  void showVerdict();
+  void showEffectOnResult();
+  void showShrinkage();
+  void showNext();
+  void showUnseen();
+  void showCandidate();
+  void addCandidate();
+  /// The candidate on `row`; null where there is none.
+  const Candidate* candidate(int row) const;
+  bool isInModel(const std::string& id) const;
+
+  SharedGap m_gap;
+  QGridLayout* m_grid;
+  GapHeadline* m_headline;
+  CauseList* m_causes;
+  GapWaterfall* m_waterfall;
+  FigureGrid* m_result;
+  QLabel* m_shrinkage;
+  GapMap* m_map;
+  DataTable* m_candidates;
+  QPushButton* m_add;
+  QLabel* m_next;
+  FigureGrid* m_unseen;
+  QLabel* m_unseenNote;
+  QList<QWidget*> m_blocks;  ///< in the order of reading
+};
+
+}  // namespace alidade::ui

@@ -1,0 +1,159 @@
+#include "ui/panels/model/effects_panel.h"
+
+#include <QHeaderView>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "core/effects/catalogue.h"
+#include "ui/commands/change_effects.h"
+#include "ui/document/session_document.h"
+#include "ui/settings/theme.h"
+#include "ui/text/effect_text.h"
+#include "ui/text/entry_text.h"
+#include "ui/text/quantity_text.h"
+#include "ui/text/visible_text.h"
+
+namespace alidade::ui {
+
+namespace {
+
+constexpr int idRole = Qt::UserRole;
+constexpr int longestId = 24;  // characters
+
+std::string idOf(const QTreeWidgetItem& item) {
+  return item.data(0, idRole).toString().toStdString();
+}
+
+QString aboutText(const Effect& effect) {
+  QStringList sizes;
+  for (const EffectParameter& parameter : effect.parameters) {
+    if (parameter.unit == "-") continue;  // it is so or not
+    const QString size =
+        withUnit(plainNumberText(parameter.plausible), unitText(std::string(parameter.unit)));
+    if (!sizes.contains(size)) sizes.append(size);
+  }
+  QStringList sentences{capitalised(qText(std::string(effect.description)))};
+  if (!sizes.isEmpty())
+    sentences.append(EffectsPanel::tr("Plausible size (1σ) %1").arg(sizes.join(QStringLiteral(", "))));
+  sentences.append(EffectsPanel::tr("Remedy: %1").arg(qText(std::string(effect.remedy))));
+  return sentences.join(QStringLiteral(". ")) + u'.';
+}
+
+QString sizeText(const EffectEstimate& estimate) {
+  return withUnit(valueWithUncertainty(estimate.value, estimate.sigma, {}).trimmed(),
+                  effectUnitText(estimate));
+}
+
+}  // namespace
+
+EffectsPanel::EffectsPanel(SessionDocument& document, QWidget* parent)
+    : QWidget(parent), m_document(document), m_list(new QTreeWidget), m_about(new QLabel) {
+  m_list->setAccessibleName(tr("Effects estimated along"));
+  m_list->setHeaderLabels({tr("Estimate along"), tr("Size")});
+  m_list->headerItem()->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
+  m_list->header()->setStretchLastSection(false);
+  m_list->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+  m_list->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+  m_list->setRootIsDecorated(false);
+  m_list->setIndentation(14);
+  m_list->setAlternatingRowColors(true);
+  for (const Effect& effect : effectCatalogue())
+    addItem(std::string(effect.id), capitalised(effectName(std::string(effect.id))))
+        ->setToolTip(0, aboutText(effect));
+  m_about->setWordWrap(true);
+  QSizePolicy policy = m_about->sizePolicy();
+  policy.setHorizontalPolicy(QSizePolicy::Ignored);  // a long word must not widen the page
+  m_about->setSizePolicy(policy);
+  m_about->setMinimumHeight(4 * fontMetrics().lineSpacing());
+  m_about->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  setFocusProxy(m_list);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(6, 6, 6, 6);
+  layout->addWidget(m_list, 1);
+  layout->addWidget(m_about);
+  connect(m_list, &QTreeWidget::itemChanged, this, &EffectsPanel::handIn);
+  connect(m_list, &QTreeWidget::currentItemChanged, this, &EffectsPanel::explain);
+  connect(&document, &SessionDocument::changed, this, [this](const SessionChange& change) {
+    const bool mine = change.place.field == "model.effects";
+    if (mine || change.kind == SessionChange::Kind::Everything) refreshTicks();
+  });
+  refreshTicks();
+  explain(nullptr);
+}
+
+QTreeWidgetItem* EffectsPanel::addItem(const std::string& id, const QString& name) {
+  auto* item = new QTreeWidgetItem(m_list, {name});
+  item->setData(0, idRole, qText(id));
+  item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
+  item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
+  item->setCheckState(0, Qt::Unchecked);
+  return item;
+}
+
+/// Effects of the file that the catalogue does not hold stand behind it; without a tick they are gone.
+void EffectsPanel::addUnknown() {
+  const auto known = static_cast<int>(effectCatalogue().size());
+  while (m_list->topLevelItemCount() > known) delete m_list->takeTopLevelItem(known);
+  for (const std::string& id : m_document.session().model.effects) {
+    if (effectById(id)) continue;
+    QTreeWidgetItem* item = addItem(id, shortLine(id, longestId));
+    item->setIcon(0, themeIcon(QStringLiteral("problem")));
+    item->setToolTip(0, tr("“%1” is no effect of the catalogue; it is kept, but not estimated.")
+                            .arg(shortLine(id, longestId)));
+  }
+}
+
+void EffectsPanel::refreshTicks() {
+  const QSignalBlocker quiet(m_list);
+  addUnknown();
+  const std::vector<std::string>& effects = m_document.session().model.effects;
+  for (int i = 0; i < m_list->topLevelItemCount(); ++i) {
+    QTreeWidgetItem* item = m_list->topLevelItem(i);
+    const bool isEstimated = std::find(effects.begin(), effects.end(), idOf(*item)) != effects.end();
+    item->setCheckState(0, isEstimated ? Qt::Checked : Qt::Unchecked);
+  }
+}
+
+void EffectsPanel::handIn(QTreeWidgetItem* item) {
+  if (item->parent()) return;
+  const std::string id = idOf(*item);
+  const bool isEstimated = item->checkState(0) == Qt::Checked;
+  // Later: the list may lose the item over it, which is still at work with it.
+  QMetaObject::invokeMethod(
+      this, [this, id, isEstimated] { setEffect(m_document, id, isEstimated); }, Qt::QueuedConnection);
+}
+
+/// The size of an effect of one number stands in its own row, those of several below it.
+void EffectsPanel::setEvaluation(const Evaluation& evaluation) {
+  const QSignalBlocker quiet(m_list);
+  const auto& estimates = evaluation.fit.effects;
+  for (int i = 0; i < m_list->topLevelItemCount(); ++i) {
+    QTreeWidgetItem* item = m_list->topLevelItem(i);
+    qDeleteAll(item->takeChildren());
+    item->setText(1, {});
+    const std::string id = idOf(*item);
+    for (const EffectEstimate& estimate : estimates) {
+      if (estimate.effect != id) continue;
+      if (effectById(id)->parameters.size() == 1) {
+        item->setText(1, sizeText(estimate));
+      } else {
+        auto* child = new QTreeWidgetItem(item, {qText(estimate.name), sizeText(estimate)});
+        child->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
+      }
+    }
+    item->setExpanded(item->childCount() > 0);
+  }
+}
+
+void EffectsPanel::explain(const QTreeWidgetItem* item) {
+  const QTreeWidgetItem* top = item && item->parent() ? item->parent() : item;
+  m_about->setText(
+      top ? top->toolTip(0)
+          : tr("A ticked effect is estimated along with the arcs. What that costs is in the budget "
+               "under “model effects”."));
+}
+
+}  // namespace alidade::ui

@@ -1,0 +1,89 @@
+#include "ui/panels/model/two_faces_panel.h"
+
+#include <QVBoxLayout>
+
+#include "ui/panels/parts/data_table.h"
+#include "ui/panels/parts/figure_grid.h"
+#include "ui/text/quantity_text.h"
+
+namespace alidade::ui {
+
+namespace {
+
+QString errorText(const InstrumentError& error) {
+  return valueWithUncertainty(error.value.arcseconds(), error.sigma.arcseconds(), {}).trimmed() +
+         QChar(0x2033);
+}
+
+QString scatterText(const FaceScatter& scatter) {
+  return scatter.degreesOfFreedom > 0 ? QStringLiteral("× ") + numberText(scatter.ratio(), 2) : notStated();
+}
+
+}  // namespace
+
+TwoFacesPanel::TwoFacesPanel(QWidget* parent)
+    : QWidget(parent), m_errors(new FigureGrid), m_table(createTable()) {
+  m_table->setAccessibleName(tr("Two-face table"));
+  setFocusProxy(m_table);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(6, 6, 6, 6);
+  layout->addWidget(m_errors);
+  layout->addWidget(m_table, 1);
+  connect(m_table, &DataTable::rowActivated, this,
+          [this](int index) { emit sightingActivated(row(index).position, row(index).reading); });
+}
+
+DataTable* TwoFacesPanel::createTable() {
+  const auto whole = [this](int Row::*member) {
+    return [this, member](int index) { return QString::number(row(index).*member); };
+  };
+  const auto seconds = [this](Angle FaceDifference::*member) {
+    return [this, member](int index) {
+      return signedNumberText((row(index).difference.*member).arcseconds(), 1);
+    };
+  };
+  return new DataTable({
+      {tr("Axis"), tr("Position of the axis"), QStringLiteral("180°"),
+       [this](int i) { return QString::number(row(i).axisDeg) + QChar(0x00b0); }},
+      {tr("Point"), tr("Number of the slider's place"), QStringLiteral("999"), whole(&Row::point)},
+      {tr("Round"), tr("Round of readings"), {}, whole(&Row::round)},
+      {tr("Elevation °"), tr("Above the pointing zero, mean of both faces"), QStringLiteral("−10.888"),
+       [this](int i) { return numberText(row(i).difference.elevation.degrees(), 3); }},
+      {tr("2c ″"), tr("α1 − (α2 ± 180°): twice collimation and trunnion tilt, c/cos e + i·tan e"),
+       QStringLiteral("−188.8"), seconds(&FaceDifference::doubleCollimation)},
+      {tr("Off its course ″"), tr("2c as read minus that of the fitted collimation and trunnion tilt"),
+       QStringLiteral("−88.8"), seconds(&FaceDifference::fromCourse)},
+      {tr("Index ″"),
+       tr("What the vertical circle reads too much in both faces: half of β1 + β2 over the full sum"),
+       QStringLiteral("−188.8"), seconds(&FaceDifference::index)},
+  });
+}
+
+void TwoFacesPanel::setEvaluation(const Evaluation& evaluation) {
+  m_rows.clear();
+  m_errors->setVisible(evaluation.twoFaces.has_value());
+  if (evaluation.twoFaces) {
+    for (const FaceDifference& difference : evaluation.twoFaces->visits) {
+      const ArcMeasurement& arc = evaluation.examined.measurement->arcs[difference.arc];
+      const Sighting& sighting = arc.sightings[difference.faceOne];
+      m_rows.push_back({arc.position, sighting.row, arc.axisDeg, sighting.round, sighting.point, difference});
+    }
+    showErrors(*evaluation.twoFaces);
+  }
+  m_table->setRows(static_cast<int>(m_rows.size()));
+}
+
+void TwoFacesPanel::showErrors(const TwoFaces& faces) {
+  m_errors->setRows(
+      {tr("Collimation c"), tr("Trunnion tilt i"), tr("Vertical index j")},
+      {{tr("From both faces"),
+        {errorText(faces.collimation), faces.trunnionTilt ? errorText(*faces.trunnionTilt) : notStated(),
+         errorText(faces.index)},
+        tr("With standard uncertainty; signs of face 1. A trunnion tilt needs three visits at different "
+           "elevations")},
+       {tr("Scatter against the stated σ"),
+        {scatterText(faces.horizontal), scatterText(faces.horizontal), scatterText(faces.vertical)},
+        tr("About × 1 where the differences of the faces scatter as stated")}});
+}
+
+}  // namespace alidade::ui

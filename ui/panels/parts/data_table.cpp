@@ -1,0 +1,131 @@
+#include "ui/panels/parts/data_table.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QHeaderView>
+#include <QHelpEvent>
+#include <QKeyEvent>
+#include <QPainter>
+#include <QToolTip>
+#include <algorithm>
+#include <utility>
+
+#include "ui/commands/reading_block.h"
+
+namespace alidade::ui {
+
+DataModel::DataModel(std::vector<DataColumn> columns, QObject* parent)
+    : QAbstractTableModel(parent), m_columns(std::move(columns)) {}
+
+void DataModel::setRows(int rows) {
+  if (rows != m_rows) {
+    beginResetModel();
+    m_rows = rows;
+    endResetModel();
+  } else if (rows > 0) {
+    emit dataChanged(index(0, 0), index(rows - 1, columnCount() - 1));
+  }
+}
+
+int DataModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : m_rows;
+}
+
+int DataModel::columnCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(m_columns.size());
+}
+
+QVariant DataModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid()) return {};
+  const DataColumn& column = m_columns[static_cast<std::size_t>(index.column())];
+  if (role == Qt::TextAlignmentRole) return QVariant(column.alignment | Qt::AlignVCenter);
+  return role == Qt::DisplayRole ? column.text(index.row()) : QVariant();
+}
+
+QVariant DataModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation == Qt::Vertical) return {};
+  const DataColumn& column = m_columns[static_cast<std::size_t>(section)];
+  if (role == Qt::DisplayRole) return column.title;
+  return role == Qt::ToolTipRole ? column.toolTip : QVariant();
+}
+
+DataTable::DataTable(std::vector<DataColumn> columns, QWidget* parent)
+    : QTableView(parent), m_model(std::move(columns)) {
+  setModel(&m_model);
+  setSelectionBehavior(SelectRows);
+  setAlternatingRowColors(true);
+  setWordWrap(false);
+  setTabKeyNavigation(false);
+  verticalHeader()->hide();
+  verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+  verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 5);
+  horizontalHeader()->setHighlightSections(false);
+  horizontalHeader()->setMinimumSectionSize(36);
+  for (int i = 0; i < m_model.columnCount(); ++i) {
+    const DataColumn& column = m_model.columns()[static_cast<std::size_t>(i)];
+    const int width = std::max(fontMetrics().horizontalAdvance(column.sample),
+                               fontMetrics().horizontalAdvance(column.title));
+    setColumnWidth(i, width + 14);
+  }
+  connect(this, &QTableView::clicked, this,
+          [this](const QModelIndex& index) { emit rowActivated(index.row()); });
+}
+
+void DataTable::setPlaceholder(const QString& text) {
+  m_placeholder = text;
+  viewport()->update();
+}
+
+void DataTable::selectDataRows(const std::vector<int>& rows) {
+  if (rows.empty()) return clearSelection();
+  QItemSelection selection;
+  for (const int row : rows)
+    selection.select(m_model.index(row, 0), m_model.index(row, m_model.columnCount() - 1));
+  selectionModel()->select(selection, QItemSelectionModel::ClearAndSelect);
+  selectionModel()->setCurrentIndex(m_model.index(rows.front(), 0), QItemSelectionModel::NoUpdate);
+  scrollTo(m_model.index(rows.front(), 0));
+}
+
+void DataTable::copy() const {
+  ReadingBlock block;
+  QModelIndexList rows = selectionModel()->selectedRows();
+  std::sort(rows.begin(), rows.end());
+  for (const QModelIndex& row : rows) {
+    QStringList cells;
+    for (const DataColumn& column : m_model.columns()) cells.append(column.text(row.row()));
+    block.append(cells);
+  }
+  if (!block.isEmpty()) QApplication::clipboard()->setText(blockText(block));
+}
+
+void DataTable::paintEvent(QPaintEvent* event) {
+  QTableView::paintEvent(event);
+  if (m_model.rowCount() > 0) return;
+  QPainter painter(viewport());
+  painter.setPen(palette().color(QPalette::PlaceholderText));
+  painter.drawText(viewport()->rect().adjusted(12, 12, -12, -12), Qt::AlignCenter | Qt::TextWordWrap,
+                   m_placeholder);
+}
+
+/// A text that its column shortens is told whole.
+bool DataTable::viewportEvent(QEvent* event) {
+  if (event->type() != QEvent::ToolTip) return QTableView::viewportEvent(event);
+  const auto* help = static_cast<QHelpEvent*>(event);
+  const QModelIndex cell = indexAt(help->pos());
+  const bool isShortened = cell.isValid() && sizeHintForIndex(cell).width() > columnWidth(cell.column());
+  QToolTip::showText(help->globalPos(), isShortened ? cell.data().toString() : QString(), viewport());
+  return true;
+}
+
+void DataTable::keyPressEvent(QKeyEvent* event) {
+  const bool isReturn = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+  if (event->matches(QKeySequence::Copy)) {
+    copy();
+  } else if (isReturn && currentIndex().isValid()) {
+    emit rowActivated(currentIndex().row());
+  } else {
+    QTableView::keyPressEvent(event);
+  }
+}
+
+}  // namespace alidade::ui

@@ -1,0 +1,188 @@
+#include "ui/panels/readings/position_tabs.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "ui/commands/add_position.h"
+#include "ui/document/session_document.h"
+#include "ui/forms/field_edit.h"
+#include "ui/panels/readings/readings_table.h"
+#include "ui/panels/result/findings_panel.h"
+#include "ui/settings/theme.h"
+#include "ui/text/visible_text.h"
+
+namespace alidade::ui {
+
+namespace {
+
+constexpr int axes[] = {0, 180};
+constexpr int longestAxis = 12;
+
+bool changesTabs(const SessionChange& change) {
+  return change.kind == SessionChange::Kind::Everything || change.kind == SessionChange::Kind::Positions;
+}
+
+}  // namespace
+
+PositionTabs::PositionTabs(SessionDocument& document, QWidget* parent)
+    : QTabWidget(parent), m_document(document) {
+  setDocumentMode(false);
+  connect(&document, &SessionDocument::aboutToChange, this, [this](const SessionChange& change) {
+    if (changesTabs(change)) clearPositions();
+  });
+  connect(&document, &SessionDocument::changed, this, [this](const SessionChange& change) {
+    if (changesTabs(change)) rebuild();
+    if (change.kind == SessionChange::Kind::Field) nameTabs();
+  });
+  // Later, since a field is also handed in while the current tab changes.
+  connect(&document, &SessionDocument::changed, this, &PositionTabs::showMissing, Qt::QueuedConnection);
+  for (const int axisDeg : axes) createMissingPage(axisDeg);
+  rebuild();
+}
+
+void PositionTabs::clearPositions() {
+  const std::size_t positions = m_tables.size();
+  m_tables.clear();
+  for (std::size_t i = 0; i < positions; ++i) delete widget(0);
+}
+
+void PositionTabs::rebuild() {
+  for (std::size_t position = 0; position < m_document.session().positions.size(); ++position) {
+    insertTab(static_cast<int>(position), createPage(position), QString());
+  }
+  nameTabs();
+  showMissing();
+  showPosition(0);
+  for (ReadingsTable* table : m_tables) emit tableCreated(table);
+}
+
+void PositionTabs::createMissingPage(int axisDeg) {
+  auto* page = new QWidget;
+  auto* text = new QLabel(tr("The session has no position with the axis at %1°.\n"
+                             "Δd needs the arc at 0° and at 180°.")
+                              .arg(axisDeg));
+  text->setAlignment(Qt::AlignCenter);
+  text->setWordWrap(true);
+  auto* button = new QPushButton(themeIcon(QStringLiteral("insert")), tr("Add position at %1°").arg(axisDeg));
+  button->setObjectName(QStringLiteral("add position %1").arg(axisDeg));
+  connect(button, &QPushButton::clicked, this, [this, axisDeg] { emit positionWanted(axisDeg); });
+  auto* layout = new QVBoxLayout(page);
+  layout->addStretch();
+  layout->addWidget(text);
+  layout->addSpacing(8);
+  layout->addWidget(button, 0, Qt::AlignHCenter);
+  layout->addStretch();
+  addTab(page, tr("%1° missing").arg(axisDeg));
+}
+
+/// Their tabs stand behind those of the positions.
+void PositionTabs::showMissing() {
+  for (int i = 0; i < 2; ++i) {
+    const int tab = static_cast<int>(m_tables.size()) + i;
+    const bool missing = !hasPosition(m_document.session(), axes[i]);
+    if (isTabVisible(tab) != missing) setTabVisible(tab, missing);
+  }
+}
+
+QWidget* PositionTabs::createPage(std::size_t position) {
+  auto* table = new ReadingsTable(m_document, position);
+  table->setObjectName(QStringLiteral("readings%1").arg(position));
+  for (const auto& [column, shown] : m_shown) table->setColumnShown(column, shown);
+  connect(table, &ReadingsTable::rowEntered, this,
+          [this, position](std::size_t row) { emit rowEntered(position, row); });
+  connect(table, &ReadingsTable::remark, this, &PositionTabs::remark);
+  m_tables.push_back(table);
+
+  auto* page = new QWidget;
+  auto* layout = new QVBoxLayout(page);
+  layout->setContentsMargins(6, 6, 6, 6);
+  layout->addWidget(createZeroEntries(position));
+  layout->addWidget(table, 1);
+  return page;
+}
+
+QWidget* PositionTabs::createZeroEntries(std::size_t position) {
+  auto* row = new QWidget;
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(0, 0, 0, 0);
+  const auto add = [&](const char* field, const QString& caption, const QString& spoken, const QString& hint,
+                       FieldEdit::Shows shows) {
+    auto* entry = new FieldEdit(m_document, {.position = position, .field = field}, shows);
+    entry->setObjectName(QStringLiteral("%1 %2").arg(QString::fromLatin1(field)).arg(position));
+    entry->setAccessibleName(spoken);
+    entry->setHint(hint);
+    auto* label = new QLabel(caption);
+    label->setBuddy(entry);
+    layout->addWidget(label);
+    layout->addWidget(entry, shows == FieldEdit::Shows::Angle ? 1 : 0);
+    return entry;
+  };
+  add("pointing_zero.horizontal", tr("&α0"), tr("Pointing zero, horizontal"),
+      tr("Horizontal circle reading of the direction perpendicular to the plane of the arc"),
+      FieldEdit::Shows::Angle)
+      ->setPlaceholderText(tr("required"));
+  layout->addSpacing(6);
+  add("pointing_zero.vertical", tr("&β0"), tr("Pointing zero, vertical"),
+      tr("Vertical circle reading of the direction perpendicular to the plane of the arc"),
+      FieldEdit::Shows::Angle)
+      ->setPlaceholderText(tr("required"));
+  layout->addSpacing(6);
+  FieldEdit* axis = add("axis_deg", tr("A&xis"), tr("Position of the axis in degrees"),
+                        tr("Rotation of the axis: 0 or 180 degrees"), FieldEdit::Shows::AsTyped);
+  axis->setFixedWidth(56);
+  layout->addWidget(new QLabel(tr("°")));
+  return row;
+}
+
+void PositionTabs::nameTabs() {
+  const auto& positions = m_document.session().positions;
+  for (int tab = 0; tab < static_cast<int>(positions.size()); ++tab) {
+    const std::string& axis = positions.at(static_cast<std::size_t>(tab)).axisDeg;
+    const QString name = axis == "0"     ? tr("Axis at &0°")
+                         : axis == "180" ? tr("Axis at &180°")
+                                         : tr("Axis at %1°").arg(menuText(shortLine(axis, longestAxis)));
+    if (tabText(tab) != name) setTabText(tab, name);
+  }
+}
+
+ReadingsTable* PositionTabs::table(std::size_t position) const {
+  return position < m_tables.size() ? m_tables[position] : nullptr;
+}
+
+ReadingsTable* PositionTabs::currentTable() const {
+  return currentIndex() < 0 ? nullptr : table(static_cast<std::size_t>(currentIndex()));
+}
+
+void PositionTabs::setEvaluation(const SharedEvaluation& evaluation) {
+  for (ReadingsTable* table : m_tables) table->readings().setEvaluation(evaluation);
+  for (int tab = 0; tab < static_cast<int>(m_tables.size()); ++tab) {
+    const auto& problems = evaluation->examined.problems;
+    const bool wrong = std::any_of(problems.begin(), problems.end(), [&](const Problem& problem) {
+      return problem.where.position == static_cast<std::size_t>(tab) &&
+             !isMissing(evaluation->session, problem.where);
+    });
+    markTab(*this, tab, wrong);
+  }
+}
+
+void PositionTabs::setColumnShown(ReadingColumn column, bool shown) {
+  m_shown[column] = shown;
+  for (ReadingsTable* table : m_tables) table->setColumnShown(column, shown);
+}
+
+void PositionTabs::showPosition(std::size_t position) {
+  for (int tab = static_cast<int>(position); tab < count(); ++tab) {
+    if (isTabVisible(tab)) return setCurrentIndex(tab);
+  }
+}
+
+void PositionTabs::selectCell(std::size_t position, std::size_t row, ReadingColumn column) {
+  if (position >= m_tables.size()) return;
+  setCurrentIndex(static_cast<int>(position));
+  m_tables[position]->selectCell(static_cast<int>(row), column);
+}
+
+}  // namespace alidade::ui

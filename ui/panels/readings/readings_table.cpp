@@ -1,0 +1,323 @@
+#include "ui/panels/readings/readings_table.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QScopedValueRollback>
+#include <algorithm>
+#include <set>
+
+#include "ui/document/session_document.h"
+#include "ui/panels/readings/reading_delegate.h"
+
+namespace alidade::ui {
+
+namespace {
+
+constexpr ReadingColumn optionalColumns[] = {ReadingColumn::Round, ReadingColumn::Face,
+                                             ReadingColumn::Slider};
+
+constexpr ReadingColumn angleColumns[] = {ReadingColumn::Horizontal, ReadingColumn::Vertical,
+                                          ReadingColumn::Slider};
+
+ReadingColumn columnOf(const QModelIndex& index) {
+  return static_cast<ReadingColumn>(index.column());
+}
+
+}  // namespace
+
+ReadingsTable::ReadingsTable(SessionDocument& document, std::size_t position, QWidget* parent)
+    : QTableView(parent),
+      m_model(document, position),
+      m_editor(document, position),
+      m_delegate(new ReadingDelegate(this)) {
+  setModel(&m_model);
+  setItemDelegate(m_delegate);
+  setEditTriggers(AnyKeyPressed | DoubleClicked | EditKeyPressed);
+  setSelectionMode(ExtendedSelection);
+  setAlternatingRowColors(true);
+  setWordWrap(false);
+  setHorizontalScrollMode(ScrollPerPixel);
+  setTabKeyNavigation(false);
+  setAccessibleName(tr("Readings"));
+  connect(m_delegate, &ReadingDelegate::keyOnward, this, &ReadingsTable::goOnward);
+  connect(&document, &SessionDocument::changed, this, &ReadingsTable::showColumnsUsedBy);
+  layOutColumns();
+  showUsedColumns();
+}
+
+void ReadingsTable::layOutColumns() {
+  verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+  verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 7);
+  verticalHeader()->setDefaultAlignment(Qt::AlignCenter);
+  QHeaderView* header = horizontalHeader();
+  header->setHighlightSections(false);
+  header->setMinimumSectionSize(36);
+  const int angle = 0;  // `fitAngles` sets these
+  const int residual = widthOf("−188.8") - 4;
+  const int widths[] = {widthOf("Use"), widthOf("Point"), widthOf("Round"), widthOf("Face"), angle, angle,
+                        angle,          residual,         residual,         widthOf("Note")};
+  for (int column = 0; column < readingColumnCount; ++column) setColumnWidth(column, widths[column]);
+  header->setStretchLastSection(true);
+  const int last = readingColumnCount - 1;
+  connect(header, &QHeaderView::sectionResized, this, [this, last](int column, int, int) {
+    if (!m_isFitting && column != last) m_isFitted = false;
+  });
+}
+
+int ReadingsTable::widthOf(const char* sample) const {
+  return fontMetrics().horizontalAdvance(QString::fromUtf8(sample)) + 12;
+}
+
+/// Room for an angle of a tenth of a second with a sign beside it, at least for one of a second.
+void ReadingsTable::fitAngles() {
+  if (!m_isFitted) return;
+  const auto width = [this](const char* sample) { return widthOf(sample) + ReadingDelegate::signWidth + 2; };
+  const int least = width("341°52′24″");
+  const int most = std::max(width("341°52′24.5″"), width("341°52'24.5\""));
+  int room = viewport()->width() - widthOf("Note"), angles = 0;
+  for (int column = 0; column < readingColumnCount - 1; ++column) {
+    if (isColumnHidden(column)) continue;
+    const bool isAngle = std::find(std::begin(angleColumns), std::end(angleColumns),
+                                   static_cast<ReadingColumn>(column)) != std::end(angleColumns);
+    isAngle ? ++angles : room -= columnWidth(column);
+  }
+  const QScopedValueRollback fitting(m_isFitting, true);
+  for (const ReadingColumn column : angleColumns)
+    setColumnWidth(static_cast<int>(column), std::clamp(room / std::max(1, angles), least, most));
+}
+
+void ReadingsTable::resizeEvent(QResizeEvent* event) {
+  QTableView::resizeEvent(event);
+  fitAngles();
+}
+
+void ReadingsTable::setColumnShown(ReadingColumn column, bool shown) {
+  m_wanted.erase(std::remove(m_wanted.begin(), m_wanted.end(), column), m_wanted.end());
+  if (shown) m_wanted.push_back(column);
+  showUsedColumns();
+}
+
+void ReadingsTable::showUsedColumns() {
+  const QScopedValueRollback fitting(m_isFitting, true);
+  for (const ReadingColumn column : optionalColumns) {
+    const bool wanted = std::find(m_wanted.begin(), m_wanted.end(), column) != m_wanted.end();
+    setColumnHidden(static_cast<int>(column), !wanted && !m_model.isUsed(column));
+  }
+  fitAngles();
+}
+
+/// A column that is hidden can only come into use by what is new.
+void ReadingsTable::showColumnsUsedBy(const SessionChange& change) {
+  if (change.kind != SessionChange::Kind::Readings || change.place.position != m_model.position()) return;
+  const bool isRight =
+      std::all_of(std::begin(optionalColumns), std::end(optionalColumns), [&](ReadingColumn column) {
+        if (isColumnHidden(static_cast<int>(column)))
+          return !m_model.isUsed(column, *change.place.reading, change.inserted);
+        return std::find(m_wanted.begin(), m_wanted.end(), column) != m_wanted.end() ||
+               m_model.isUsed(column);
+      });
+  if (!isRight) showUsedColumns();
+}
+
+void ReadingsTable::selectCell(int row, ReadingColumn column) {
+  const QModelIndex cell = m_model.index(std::min(row, m_model.readingCount()), static_cast<int>(column));
+  if (isColumnHidden(cell.column())) setColumnShown(column, true);
+  goTo(cell);
+}
+
+/// Selects the cell alone, whichever modifier keys are held.
+void ReadingsTable::goTo(const QModelIndex& cell) {
+  selectionModel()->setCurrentIndex(cell, QItemSelectionModel::ClearAndSelect);
+  scrollTo(cell);
+}
+
+void ReadingsTable::commitOpenEditor() {
+  m_delegate->commitOpenEditor();
+}
+
+void ReadingsTable::currentChanged(const QModelIndex& current, const QModelIndex& previous) {
+  QTableView::currentChanged(current, previous);
+  if (current.isValid() && current.row() != previous.row() && current.row() < m_model.readingCount()) {
+    emit rowEntered(static_cast<std::size_t>(current.row()));
+  }
+}
+
+void ReadingsTable::keyPressEvent(QKeyEvent* event) {
+  if (state() == EditingState) {
+    QTableView::keyPressEvent(event);
+    return;
+  }
+  const int key = event->key();
+  if (handleEditKey(event)) {
+    event->accept();
+  } else if (key == Qt::Key_Return || key == Qt::Key_Enter) {
+    goOnward(Qt::Key_Return);
+  } else {
+    QTableView::keyPressEvent(event);
+  }
+}
+
+/// Tab and Shift+Tab go from cell to cell and out of the table at its ends.
+bool ReadingsTable::focusNextPrevChild(bool next) {
+  const int key = next ? Qt::Key_Tab : Qt::Key_Backtab;
+  if (state() == EditingState || !onward(currentIndex(), key).isValid())
+    return QTableView::focusNextPrevChild(next);
+  goOnward(key);
+  return true;
+}
+
+bool ReadingsTable::handleEditKey(const QKeyEvent* event) {
+  if (event->matches(QKeySequence::Copy)) {
+    copy();
+  } else if (event->matches(QKeySequence::Cut)) {
+    cut();
+  } else if (event->matches(QKeySequence::Paste)) {
+    paste();
+  } else if (event->matches(QKeySequence::Delete)) {
+    clearCells();
+  } else if (event->key() == Qt::Key_Space && event->modifiers() == Qt::NoModifier) {
+    toggleExcluded();
+  } else if (event->key() == Qt::Key_Minus && event->modifiers() & Qt::ControlModifier) {
+    deleteSelected();
+  } else if (event->key() == Qt::Key_I && event->modifiers() == Qt::ControlModifier) {
+    insertAbove();
+  } else {
+    return false;
+  }
+  return true;
+}
+
+void ReadingsTable::goOnward(int key) {
+  const QModelIndex next = onward(currentIndex(), key);
+  if (next.isValid()) goTo(next);
+}
+
+/// Where a key that ends an entry leads. Return: from horizontal to vertical to the next row's horizontal,
+/// elsewhere down. Tab: the same, but through every shown column up to the readings. Invalid: out of the
+/// table.
+QModelIndex ReadingsTable::onward(const QModelIndex& from, int key) const {
+  if (!from.isValid()) return m_model.index(0, static_cast<int>(ReadingColumn::Horizontal));
+  const auto cell = [this](int row, ReadingColumn column) {
+    return m_model.index(std::min(row, m_model.readingCount()), static_cast<int>(column));
+  };
+  const ReadingColumn column = columnOf(from);
+  const bool pending = from.row() >= m_model.readingCount();
+  if (key == Qt::Key_Backtab) return neighbour(from, -1);
+  if (column == ReadingColumn::Horizontal) return cell(from.row(), ReadingColumn::Vertical);
+  const bool sliderNext = key == Qt::Key_Tab && !isColumnHidden(static_cast<int>(ReadingColumn::Slider));
+  if (column == ReadingColumn::Vertical && !sliderNext) {
+    return pending && key == Qt::Key_Tab ? QModelIndex() : cell(from.row() + 1, ReadingColumn::Horizontal);
+  }
+  if (column == ReadingColumn::Slider && key == Qt::Key_Tab) {
+    return pending ? QModelIndex() : cell(from.row() + 1, ReadingColumn::Horizontal);
+  }
+  if (key == Qt::Key_Tab) return neighbour(from, 1);
+  return cell(from.row() + 1, column);
+}
+
+/// The next or previous shown cell that can be typed in; invalid at either end of the table.
+QModelIndex ReadingsTable::neighbour(const QModelIndex& from, int step) const {
+  int row = from.row(), column = from.column();
+  while (true) {
+    column += step;
+    if (column < 0 || column >= readingColumnCount) {
+      row += step;
+      column = step > 0 ? 0 : readingColumnCount - 1;
+    }
+    if (row < 0 || row > m_model.readingCount()) return {};
+    if (!isColumnHidden(column) && readingText(static_cast<ReadingColumn>(column))) break;
+  }
+  return m_model.index(row, column);
+}
+
+std::vector<std::size_t> ReadingsTable::selectedRows() const {
+  std::vector<std::size_t> rows;
+  for (const QItemSelectionRange& range : selectionModel()->selection())
+    for (int row = range.top(); row <= std::min(range.bottom(), m_model.readingCount() - 1); ++row)
+      rows.push_back(static_cast<std::size_t>(row));
+  std::sort(rows.begin(), rows.end());
+  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+  return rows;
+}
+
+std::vector<ReadingCell> ReadingsTable::selectedCells() const {
+  std::vector<ReadingCell> cells;
+  for (const QItemSelectionRange& range : selectionModel()->selection())
+    for (int column = range.left(); column <= range.right(); ++column)
+      for (int row = range.top(); row <= range.bottom() && !isColumnHidden(column); ++row)
+        cells.push_back({static_cast<std::size_t>(row), static_cast<ReadingColumn>(column)});
+  return cells;
+}
+
+std::vector<ReadingColumn> ReadingsTable::columnsFrom(int column) const {
+  std::vector<ReadingColumn> columns;
+  for (; column < readingColumnCount; ++column) {
+    const auto candidate = static_cast<ReadingColumn>(column);
+    if (!isColumnHidden(column) && isEntered(candidate)) columns.push_back(candidate);
+  }
+  return columns;
+}
+
+/// The rectangle around the selection, as typed; residuals only where nothing else is selected.
+void ReadingsTable::copy() const {
+  std::set<int> entered, computed;
+  for (const QItemSelectionRange& range : selectionModel()->selection())
+    for (int column = range.left(); column <= range.right(); ++column)
+      if (!isColumnHidden(column))
+        (isEntered(static_cast<ReadingColumn>(column)) ? entered : computed).insert(column);
+  ReadingBlock block;
+  for (const std::size_t row : selectedRows()) {
+    QStringList cells;
+    for (const int column : entered.empty() ? computed : entered)
+      cells.append(m_model.copiedText(static_cast<int>(row), static_cast<ReadingColumn>(column)));
+    block.append(cells);
+  }
+  if (!block.isEmpty()) QApplication::clipboard()->setText(blockText(block));
+}
+
+void ReadingsTable::cut() {
+  copy();
+  m_editor.clear(selectedCells(), true);
+}
+
+void ReadingsTable::paste() {
+  const ReadingBlock block = parseBlock(QApplication::clipboard()->text());
+  if (block.isEmpty()) return;
+  QModelIndex corner = currentIndex();
+  for (const QItemSelectionRange& range : selectionModel()->selection())
+    corner = m_model.index(std::min(corner.row(), range.top()), std::min(corner.column(), range.left()));
+  if (!corner.isValid())
+    corner = m_model.index(m_model.readingCount(), static_cast<int>(ReadingColumn::Horizontal));
+  const std::size_t left =
+      m_editor.paste(block, static_cast<std::size_t>(corner.row()), columnsFrom(corner.column()));
+  if (left > 0)
+    emit remark(tr("The last %n column(s) of the clipboard found no room and were not pasted.", nullptr,
+                   static_cast<int>(left)));
+}
+
+void ReadingsTable::clearCells() {
+  m_editor.clear(selectedCells());
+}
+
+void ReadingsTable::insertAbove() {
+  const int row = std::clamp(currentIndex().row(), 0, m_model.readingCount());
+  m_editor.insertBlank(static_cast<std::size_t>(row));
+  selectCell(row, ReadingColumn::Horizontal);
+}
+
+void ReadingsTable::deleteSelected() {
+  const QModelIndex current = currentIndex();
+  m_editor.remove(selectedRows());
+  if (current.isValid()) selectCell(current.row(), columnOf(current));
+}
+
+void ReadingsTable::toggleExcluded() {
+  const std::vector<std::size_t> rows = selectedRows();
+  if (rows.empty()) return;
+  const QModelIndex first = m_model.index(static_cast<int>(rows.front()), 0);
+  m_editor.setExcluded(rows, !first.data(ReadingsModel::ExcludedRole).toBool());
+}
+
+}  // namespace alidade::ui

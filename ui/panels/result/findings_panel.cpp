@@ -1,0 +1,171 @@
+#include "ui/panels/result/findings_panel.h"
+
+#include <QKeyEvent>
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "ui/document/field.h"
+#include "ui/document/reading_column.h"
+#include "ui/settings/theme.h"
+#include "ui/text/entry_text.h"
+#include "ui/text/spoken_place.h"
+#include "ui/text/visible_text.h"
+
+namespace alidade::ui {
+
+namespace {
+
+/// "Distance L is empty: …", "0°, row 4 (point 4), vertical: “83 99 34” has …".
+QString problemText(const Session& session, const Problem& problem) {
+  QString place = spokenPlace(session, problem.where);
+  const QString what = qText(problem.what);
+  if (place.isEmpty()) return what;
+  place.replace(0, 1, place.at(0).toUpper());
+  return place + (what.startsWith(QStringLiteral("is ")) ? QStringLiteral(" ") : QStringLiteral(": ")) + what;
+}
+
+}  // namespace
+
+bool isMissing(const Session& session, const Place& place) {
+  if (!place.position || !place.reading) return fieldNamed(place.field) && fieldText(session, place).empty();
+  const Reading& reading = session.positions.at(*place.position).readings.at(*place.reading);
+  const auto text = readingText(readingColumn(place.field));
+  return text && (reading.*text).empty();
+}
+
+FindingsPanel::FindingsPanel(QWidget* parent) : QListWidget(parent) {
+  setAccessibleName(tr("Problems and findings"));
+  setWordWrap(true);
+  setTextElideMode(Qt::ElideNone);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setVerticalScrollMode(ScrollPerPixel);
+  setIconSize({16, 16});
+  setResizeMode(Adjust);
+  connect(this, &QListWidget::itemClicked, this, [this](QListWidgetItem* item) { activate(row(item)); });
+}
+
+void FindingsPanel::setEvaluation(const Evaluation& evaluation) {
+  m_found = entriesOf(evaluation);
+  m_isSearched = evaluation.isSearched;
+  m_hasSuspects = !evaluation.suspects.empty();
+  refresh();
+}
+
+void FindingsPanel::setGap(const QString& headline) {
+  m_gapState = GapState::Known;
+  m_gapHeadline = headline;
+  refresh();
+}
+
+void FindingsPanel::setGapStale() {
+  if (m_gapState != GapState::Known) return;
+  m_gapState = m_gapHeadline.isEmpty() ? GapState::Unknown : GapState::Old;
+  refresh();
+}
+
+void FindingsPanel::clearGap() {
+  m_gapState = GapState::Unknown;
+  m_gapHeadline.clear();
+  m_isSearched = m_hasSuspects = false;
+  m_found.clear();
+  m_entries.clear();
+  clear();
+}
+
+/// Leaves the list alone where it says the same as before: scroll position and current line stay. So does
+/// that all is sound until something else is known.
+void FindingsPanel::refresh() {
+  std::vector<Entry> entries = m_found;
+  // What cannot be used comes first; of what the data say, the gap.
+  const auto place = std::find_if(entries.begin(), entries.end(), [](const Entry& entry) {
+    return entry.icon != QStringLiteral("problem") && entry.icon != QStringLiteral("incomplete");
+  });
+  if (!m_gapHeadline.isEmpty()) entries.insert(place, gapEntry());
+  const bool isAllKnown = m_isSearched && m_gapState == GapState::Known;
+  if (isAllKnown && entries.empty() && !m_hasSuspects)
+    entries.push_back({QStringLiteral("accept"), tr("Sound"), tr("No problems.")});
+  if (entries == m_entries || (entries.empty() && saysSound() && !isAllKnown && !m_hasSuspects)) return;
+  clear();
+  m_entries = std::move(entries);
+  for (const Entry& entry : m_entries) add(entry);
+}
+
+FindingsPanel::Entry FindingsPanel::gapEntry() const {
+  const bool isOld = m_gapState == GapState::Old;
+  const QString text =
+      isOld ? tr("Before what was changed since: %1.") : tr("Model and readings disagree, see “Gap”. %1.");
+  return {.icon = isOld ? QStringLiteral("none") : QStringLiteral("warning"),
+          .spoken = isOld ? tr("Before") : tr("Warning"),
+          .text = text.arg(m_gapHeadline),
+          .isGap = true};
+}
+
+std::vector<FindingsPanel::Entry> FindingsPanel::entriesOf(const Evaluation& evaluation) {
+  std::vector<Entry> entries = problemEntries(evaluation, false);
+  std::ranges::move(problemEntries(evaluation, true), std::back_inserter(entries));
+  const auto misread = suspectsFinding(evaluation.suspects);
+  for (const Finding& finding : evaluation.fit.findings) {
+    if (finding == misread) continue;  // told by the suspect bar, with what to do
+    const QString icons[] = {QStringLiteral("note"), QStringLiteral("warning"), QStringLiteral("problem")};
+    const QString spoken[] = {tr("Note"), tr("Warning"), tr("Error")};
+    const auto severity = static_cast<std::size_t>(finding.severity);
+    const QString remedy = finding.remedy.empty() ? QString() : QLatin1Char(' ') + qText(finding.remedy);
+    entries.push_back({icons[severity], spoken[severity], qText(finding.text) + remedy, finding.where});
+  }
+  return entries;
+}
+
+/// What cannot be used, or what is only not there yet. Of very many the first; the table marks them all.
+std::vector<FindingsPanel::Entry> FindingsPanel::problemEntries(const Evaluation& evaluation, bool missing) {
+  const QString icon = missing ? QStringLiteral("incomplete") : QStringLiteral("problem");
+  const QString spoken = missing ? tr("Missing") : tr("Problem");
+  std::vector<Entry> entries;
+  std::size_t further = 0;
+  Place next;
+  for (const Problem& problem : evaluation.examined.problems) {
+    if (isMissing(evaluation.session, problem.where) != missing) continue;
+    if (entries.size() < mostListed)
+      entries.push_back({icon, spoken, problemText(evaluation.session, problem), problem.where});
+    else if (further++ == 0)
+      next = problem.where;
+  }
+  if (further == 0) return entries;
+  const QString text = missing
+                           ? tr("%1 further entries are missing; those after the ones above are listed when "
+                                "these are made.")
+                           : tr("%1 further entries cannot be used; those after the ones above are listed "
+                                "when these are mended.");
+  entries.push_back({icon, spoken, text.arg(further), next});
+  return entries;
+}
+
+bool FindingsPanel::saysSound() const {
+  return m_entries.size() == 1 && m_entries.front().icon == QStringLiteral("accept");
+}
+
+void FindingsPanel::add(const Entry& entry) {
+  auto* item = new QListWidgetItem(themeIcon(entry.icon), visibleLine(entry.text), this);
+  item->setToolTip(tipText(entry.text));
+  item->setData(Qt::AccessibleTextRole, QStringLiteral("%1: %2").arg(entry.spoken, entry.text));
+}
+
+void FindingsPanel::keyPressEvent(QKeyEvent* event) {
+  const bool isReturn = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+  if (isReturn && currentRow() >= 0) {
+    activate(currentRow());
+  } else {
+    QListWidget::keyPressEvent(event);
+  }
+}
+
+/// Who is told may fill the list anew: the entry is a copy.
+void FindingsPanel::activate(int row) {
+  const Entry entry = m_entries[static_cast<std::size_t>(row)];
+  if (entry.isGap)
+    emit gapActivated();
+  else
+    emit placeActivated(entry.place);
+}
+
+}  // namespace alidade::ui

@@ -1,0 +1,271 @@
+#include "ui/panels/result/result_panel.h"
+
+#include <QCheckBox>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QScrollBar>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "ui/panels/parts/figure_grid.h"
+#include "ui/panels/result/findings_panel.h"
+#include "ui/settings/theme.h"
+#include "ui/text/entry_text.h"
+#include "ui/text/quantity_text.h"
+
+namespace alidade::ui {
+
+namespace {
+
+QString figureWithSigma(double value, double sigma) {
+  return valueWithUncertainty(value, sigma, {}).trimmed();
+}
+
+State stateOf(const std::optional<Verdict>& verdict) {
+  if (!verdict) return State::Quiet;
+  return *verdict == Verdict::Accept ? State::Good : *verdict == Verdict::Reject ? State::Bad : State::Open;
+}
+
+QString iconOf(const std::optional<Verdict>& verdict) {
+  return verdict ? qText(verdictName(*verdict)) : QStringLiteral("none");
+}
+
+}  // namespace
+
+ResultPanel::ResultPanel(QWidget* parent)
+    : ScrollPage(tr("Result"), parent),
+      m_value(new QLabel),
+      m_valueNote(wrappedLabel()),
+      m_badgeIcon(new QLabel),
+      m_badge(new QLabel),
+      m_sentence(wrappedLabel()),
+      m_gapHint(wrappedLabel()),
+      m_arcs(new FigureGrid),
+      m_compare(new QCheckBox(tr("&Compare with published method"))),
+      m_comparison(new QWidget),
+      m_published(new FigureGrid) {
+  QFont large = font();
+  large.setPointSizeF(large.pointSizeF() * 1.75);
+  large.setBold(true);
+  m_value->setFont(large);
+  m_value->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  QFont badge = font();
+  badge.setPointSizeF(badge.pointSizeF() * 1.25);
+  badge.setBold(true);
+  m_badge->setFont(badge);
+
+  QVBoxLayout* layout = column();
+  layout->addWidget(m_value);
+  layout->addWidget(m_valueNote);
+  auto* badgeRow = new QHBoxLayout;
+  badgeRow->addWidget(m_badgeIcon);
+  badgeRow->addWidget(m_badge, 1);
+  layout->addLayout(badgeRow);
+  layout->addWidget(m_sentence);
+  layout->addWidget(m_gapHint);
+  layout->addWidget(panelHeading(tr("Arcs")));
+  layout->addWidget(m_arcs);
+  layout->addSpacing(8);
+  layout->addWidget(m_compare);
+  auto* comparison = new QVBoxLayout(m_comparison);
+  comparison->setContentsMargins(0, 0, 0, 0);
+  auto* caution = wrappedLabel();
+  caution->setText(
+      tr("As printed: y points down for zenith angles, ΔR is the last increment, θ are no tilts. "
+         "The method takes tan e = y/L, which no theodolite reads; do not accept by it."));
+  caution->setForegroundRole(QPalette::PlaceholderText);
+  comparison->addWidget(m_published);
+  comparison->addWidget(caution);
+  layout->addWidget(m_comparison);
+  layout->addStretch();
+  m_comparison->hide();
+  m_gapHint->setTextFormat(Qt::RichText);
+  m_gapHint->setObjectName(QStringLiteral("gap hint"));
+  m_gapHint->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  m_gapHint->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
+  connect(m_gapHint, &QLabel::linkActivated, this, &ResultPanel::gapActivated);
+  setGapHint({});
+  connect(m_compare, &QCheckBox::toggled, m_comparison, &QWidget::setVisible);
+  settleWidth();
+  setEvaluation({});
+}
+
+void ResultPanel::setComparisonShown(bool shown) {
+  m_compare->setChecked(shown);
+}
+
+void ResultPanel::setGapHint(const QString& headline) {
+  m_gapHeadline = headline;
+  m_gapHint->setVisible(!headline.isEmpty());
+  m_gapHint->setMinimumHeight(0);
+  m_gapHint->setForegroundRole(QPalette::WindowText);
+  m_gapHint->setText(tr("Model and readings disagree: <a href=\"gap\">%1</a>").arg(headline.toHtmlEscaped()));
+}
+
+/// What stands below stays where it is.
+void ResultPanel::setGapStale() {
+  if (m_gapHeadline.isEmpty()) return;
+  m_gapHint->setMinimumHeight(m_gapHint->height());
+  m_gapHint->setForegroundRole(QPalette::PlaceholderText);
+  m_gapHint->setText(tr("Before what was changed since: %1").arg(m_gapHeadline.toHtmlEscaped()));
+}
+
+void ResultPanel::setEvaluation(const Evaluation& evaluation) {
+  m_verdict = evaluation.fit.verdict;
+  showHeadline(evaluation);
+  showVerdict(evaluation);
+  showArcs(evaluation.fit);
+  showComparison(evaluation.published);
+}
+
+/// Wide enough for figures of the usual size, settled once: the window does not breathe with every edit.
+void ResultPanel::settleWidth() {
+  const QString figure = QStringLiteral("400.123 ± 0.123");
+  m_arcs->setRows({tr("0°"), tr("180°")}, {{tr("Sightings used"), {figure, figure}}});
+  const QMargins margins = widget()->layout()->contentsMargins();
+  const int bar = verticalScrollBar()->sizeHint().width();
+  const int value =
+      QFontMetrics(m_value->font()).horizontalAdvance(QStringLiteral("Δd = −2.167 ± 0.042 mm")) + 4;
+  setMinimumWidth(std::max(value, m_arcs->minimumSizeHint().width()) + margins.left() + margins.right() +
+                  bar + 2 * frameWidth());
+}
+
+void ResultPanel::showHeadline(const Evaluation& evaluation) {
+  const auto& intersection = evaluation.fit.intersection;
+  if (!intersection) {
+    m_value->setText(QStringLiteral("Δd = —"));
+    m_valueNote->setText(whatIsMissing(evaluation));
+    return;
+  }
+  m_value->setText(QStringLiteral("Δd = %1").arg(
+      valueWithUncertainty(intersection->value, intersection->expanded, tr("mm"))));
+  m_value->setToolTip(tr("Δd = %1 mm, U = %2 mm")
+                          .arg(numberText(intersection->value, 6), numberText(intersection->expanded, 6)));
+  QString note =
+      tr("U at %1 % coverage (k = %2); σ = %3")
+          .arg(plainNumberText(intersection->coverage * 100), numberText(intersection->coverageFactor, 2),
+               lengthText(intersection->sigma, decimalsFor(intersection->sigma)));
+  const auto& measurement = evaluation.examined.measurement;
+  if (measurement && measurement->referenceIntersection) {
+    note += tr("\nReference %1, difference %2")
+                .arg(lengthText(*measurement->referenceIntersection, 3),
+                     lengthText(intersection->value - *measurement->referenceIntersection, 3));
+  }
+  m_valueNote->setText(note);
+}
+
+QString ResultPanel::whatIsMissing(const Evaluation& evaluation) {
+  if (!evaluation.failure.empty()) return qText(evaluation.failure);
+  const auto& problems = evaluation.examined.problems;
+  const bool wrong = std::any_of(problems.begin(), problems.end(), [&](const Problem& problem) {
+    return !isMissing(evaluation.session, problem.where);
+  });
+  if (wrong) return tr("Some entries cannot be used. They are marked and listed with the reason.");
+  if (!evaluation.fit.arcs.empty()) {
+    return tr("Δd needs both arcs: type the pointing zero and at least three readings at 0° and at 180°.");
+  }
+  return tr(
+      "Type the distance L, the nominal radius R0, the pointing zeros and at least three readings of the arc "
+      "at 0° and at 180°.");
+}
+
+void ResultPanel::showVerdict(const Evaluation& evaluation) {
+  const SessionFit& fit = evaluation.fit;
+  const auto& measurement = evaluation.examined.measurement;
+  const bool decided = fit.verdict && fit.intersection && measurement && measurement->tolerance;
+  if (decided) {
+    const QString words[] = {tr("ACCEPT"), tr("REJECT"), tr("UNDECIDED")};
+    m_badge->setText(words[static_cast<int>(*fit.verdict)]);
+    m_sentence->setText(qText(fit.verdictSentence));
+  } else {
+    const bool noTolerance = fit.intersection && measurement && !measurement->tolerance;
+    m_badge->setText(noTolerance ? tr("No tolerance set") : tr("No result"));
+    m_sentence->setText(noTolerance ? tr("Type a tolerance for a verdict.") : QString());
+  }
+  m_sentence->setVisible(!m_sentence->text().isEmpty());
+  if (m_iconName != iconOf(fit.verdict)) {
+    m_iconName = iconOf(fit.verdict);
+    m_badgeIcon->setPixmap(themeIcon(m_iconName).pixmap(24, 24));
+    colorVerdict();
+  }
+}
+
+void ResultPanel::colorVerdict() {
+  QPalette colored = palette();
+  colored.setColor(QPalette::WindowText, stateColor(palette(), stateOf(m_verdict)));
+  m_badge->setPalette(colored);
+}
+
+void ResultPanel::showArcs(const SessionFit& fit) {
+  const ArcFit* arcs[] = {fit.arcAt(0), fit.arcAt(180)};
+  const auto figures = [&](auto&& figure) {
+    QStringList texts;
+    for (const ArcFit* arc : arcs) {
+      const auto i = static_cast<std::size_t>(arc ? arc - fit.arcs.data() : 0);
+      texts.append(arc ? figure(*arc, i < fit.sigmas.size() ? fit.sigmas[i] : ArcSigma{}) : notStated());
+    }
+    return texts;
+  };
+  const QVector<FigureGrid::Row> rows = {
+      {tr("Δx  mm"),
+       figures([](const ArcFit& a, const ArcSigma& s) { return figureWithSigma(a.circle.x, s.x); }),
+       tr("Centre of the arc, right positive, with its standard uncertainty")},
+      {tr("Δy  mm"),
+       figures([](const ArcFit& a, const ArcSigma& s) { return figureWithSigma(a.circle.y, s.y); }),
+       tr("Centre of the arc, up positive, with its standard uncertainty")},
+      {tr("R  mm"),
+       figures([](const ArcFit& a, const ArcSigma& s) { return figureWithSigma(a.circle.radius, s.radius); }),
+       tr("Fitted radius with its standard uncertainty")},
+      {tr("Residual rms  ″"),
+       figures([](const ArcFit& a, const ArcSigma&) { return numberText(a.residualRms, 2); }),
+       tr("Root mean square of the residuals of all readings of the arc")},
+      {tr("Reduced χ²"), figures([](const ArcFit& a, const ArcSigma&) {
+         return a.degreesOfFreedom > 0 ? numberText(a.reducedChiSquare(), 2) : notStated();
+       }),
+       tr("About 1 where the readings scatter as stated")},
+      {tr("Sightings used"),
+       figures([](const ArcFit& a, const ArcSigma&) { return QString::number(a.residuals.size()); }),
+       {}},
+      {tr("Redundancy"),
+       figures([](const ArcFit& a, const ArcSigma&) { return QString::number(a.degreesOfFreedom); }),
+       {}},
+      {tr("|O1 − O2|/2  mm"),
+       {{}, fit.intersection ? numberText(fit.intersection->inPlane, 4) : notStated()},
+       tr("Half the distance of the centres, across and along the axis")},
+  };
+  m_arcs->setRows({tr("0°"), tr("180°")}, rows);
+}
+
+void ResultPanel::showComparison(const PublishedSessionFit& published) {
+  const PublishedFit* arcs[] = {nullptr, nullptr};
+  for (const PublishedFit& arc : published.arcs) arcs[arc.arc.axisDeg == 180 ? 1 : 0] = &arc;
+  const auto figures = [&](double AsPrinted::*figure, int decimals) {
+    QStringList texts;
+    for (const PublishedFit* arc : arcs) {
+      texts.append(arc ? numberText(arc->asPrinted.*figure, decimals) : notStated());
+    }
+    return texts;
+  };
+  const QString printed =
+      published.intersectionAsPrinted ? numberText(*published.intersectionAsPrinted, 3) : notStated();
+  const QString yUp = published.intersection ? numberText(*published.intersection, 3) : notStated();
+  m_published->setRows({tr("0°"), tr("180°")}, {{tr("Δx  mm"), figures(&AsPrinted::x, 3)},
+                                                {tr("Δy  mm"), figures(&AsPrinted::y, 4)},
+                                                {tr("ΔR  mm"), figures(&AsPrinted::deltaRadius, 4)},
+                                                {tr("Δθx  rad"), figures(&AsPrinted::thetaX, 5)},
+                                                {tr("Δθy  rad"), figures(&AsPrinted::thetaY, 5)},
+                                                {tr("Δd as printed  mm"), {{}, printed}},
+                                                {tr("Δd with y up  mm"), {{}, yUp}}});
+}
+
+void ResultPanel::changeEvent(QEvent* event) {
+  ScrollPage::changeEvent(event);
+  if (event->type() != QEvent::PaletteChange) return;
+  colorVerdict();
+  const QString hint = m_gapHint->text();
+  m_gapHint->clear();  // links take their colour when the text is set
+  m_gapHint->setText(hint);
+}
+
+}  // namespace alidade::ui

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <optional>
+
+#include "ui/jobs/evaluation.h"
+#include "ui/panels/parts/scroll_page.h"
+
+class QCheckBox;
+class QGridLayout;
+class QLabel;
+
+namespace alidade::ui {
+
+/// The result at a glance: Δd ± U and the verdict, then both arcs and, on request, the published method's
+/// figures. Says what is missing where there is no result. All figures can be selected and copied.
+class ResultPanel : public ScrollPage {
+  Q_OBJECT
+
+ public:
+  explicit ResultPanel(QWidget* parent = nullptr);
+
+  void setEvaluation(const Evaluation& evaluation);
+  void setComparisonShown(bool shown);
+  /// Says that model and readings disagree, with a link; empty: says nothing.
+  void setGapHint(const QString& headline);
+  /// The session has changed: what is said is said as of before.
+  void setGapStale();
+
+ signals:
+  void gapActivated();
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void showHeadline(const Evaluation& evaluation);
+  void showVerdict(const Evaluation& evaluation);
+  void showArcs(const SessionFit& fit);
+  void showComparison(const PublishedSessionFit& published);
+  void colorVerdict();
+  void settleWidth();
+  static QString whatIsMissing(const Evaluation& evaluation);
+
+  std::optional<Verdict> m_verdict;
+  QString m_iconName, m_gapHeadline;
+  QLabel* m_value;
+  QLabel* m_valueNote;
+  QLabel* m_badgeIcon;
+  QLabel* m_badge;
+  QLabel* m_sentence;
+  QLabel* m_gapHint;
+  class FigureGrid* m_arcs;
+  QCheckBox* m_compare;
+  QWidget* m_comparison;
+  class FigureGrid* m_published;
+};
+
+}  // namespace alidade::ui

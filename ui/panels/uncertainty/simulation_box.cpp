@@ -1,0 +1,166 @@
+#include "ui/panels/uncertainty/simulation_box.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <initializer_list>
+
+#include "ui/document/session_document.h"
+#include "ui/panels/parts/figure_grid.h"
+#include "ui/text/entry_text.h"
+#include "ui/text/quantity_text.h"
+#include "ui/text/simulation_text.h"
+
+namespace alidade::ui {
+
+namespace {
+
+constexpr int fewestDraws = 1000;
+
+}  // namespace
+
+SimulationBox::SimulationBox(const SessionDocument& document, QWidget* parent)
+    : QWidget(parent),
+      m_document(document),
+      m_draws(new QSpinBox),
+      m_run(new QPushButton),
+      m_progress(new QProgressBar),
+      m_figures(new FigureGrid),
+      m_note(wrappedLabel()) {
+  createControls();
+  auto* row = new QHBoxLayout;
+  auto* caption = new QLabel(tr("Draws"));
+  caption->setBuddy(m_draws);
+  for (QWidget* part : std::initializer_list<QWidget*>{caption, m_draws, m_run}) row->addWidget(part);
+  row->addStretch();
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(5);
+  m_note->setTextFormat(Qt::RichText);
+  layout->addWidget(panelHeading(tr("Check by simulation")));
+  layout->addLayout(row);
+  layout->addWidget(m_progress);
+  layout->addWidget(m_figures);
+  layout->addWidget(m_note);
+  connect(m_run, &QPushButton::clicked, this, &SimulationBox::toggle);
+  connect(&m_job, &SimulationJob::finished, this, &SimulationBox::take);
+  connect(&m_watch, &QTimer::timeout, this,
+          [this] { m_progress->setValue(m_isWaiting ? 0 : static_cast<int>(m_job.drawsMade())); });
+  hide();
+  showWork();
+}
+
+void SimulationBox::createControls() {
+  m_draws->setRange(0, mostDraws);
+  m_draws->setSpecialValueText(tr("as many as it takes"));
+  m_draws->setSingleStep(100000);
+  m_draws->setToolTip(
+      tr("The more draws, the better known the ends of the interval. With 0 as many are made as it takes to "
+         "tell "
+         "whether the propagated uncertainty holds"));
+  m_run->setObjectName(QStringLiteral("run simulation"));
+  m_run->setToolTip(
+      tr("Draws every reading, pointing zero and length from its distribution and fits anew, each time "
+         "(JCGM 101)"));
+  m_progress->setAccessibleName(tr("Draws made"));
+  m_progress->setTextVisible(false);
+  m_progress->setFixedHeight(8);
+}
+
+void SimulationBox::setEvaluation(const SharedEvaluation& evaluation) {
+  m_evaluation = evaluation;
+  stopOutdated();
+  const bool hasIntersection = evaluation->fit.intersection.has_value();
+  setVisible(hasIntersection);
+  if (!hasIntersection) m_isWaiting = false;
+  if (m_isWaiting) start();
+  showWork();
+  showCheck();
+}
+
+void SimulationBox::stopOutdated() {
+  if (!m_job.isAtWork() || measuresAlike(m_simulated->session, m_document.session())) return;
+  m_remark = tr("Stopped, for the session has changed.");
+  m_job.stop();
+}
+
+void SimulationBox::toggle() {
+  if (isWanted()) {
+    m_remark = tr("Stopped.");
+    m_isWaiting = false;
+    m_job.stop();
+  } else {
+    m_remark.clear();
+    start();
+  }
+  showWork();
+  showCheck();
+}
+
+/// Not of a fit that an edit has overtaken: the next one is at work.
+void SimulationBox::start() {
+  m_isWaiting = !measuresAlike(m_evaluation->session, m_document.session());
+  const int draws = m_draws->value() == 0 ? 0 : std::max(fewestDraws, m_draws->value());
+  m_progress->setRange(0, draws);  // 0: at work, nobody knows for how long
+  m_progress->setValue(0);
+  if (m_isWaiting) return;
+  m_simulated = m_evaluation;
+  m_job.start(m_simulated, static_cast<std::size_t>(draws));
+}
+
+void SimulationBox::take(const SharedBudgetCheck& check) {
+  if (check->simulated) {
+    m_check = check;
+    m_remark.clear();
+    emit checked(check);
+  } else if (!check->failure.empty()) {
+    m_remark = qText(check->failure);
+  } else if (m_remark.isEmpty()) {
+    m_remark = tr("Too few of the draws gave a result.");
+  }
+  showWork();
+  showCheck();
+}
+
+void SimulationBox::showWork() {
+  const bool isAtWork = isWanted();
+  m_run->setText(isAtWork ? tr("Stop") : tr("Run"));
+  m_draws->setEnabled(!isAtWork);
+  m_progress->setVisible(isAtWork);
+  isAtWork ? m_watch.start(100) : m_watch.stop();
+}
+
+void SimulationBox::showCheck() {
+  const bool isAnswered = !isWanted() && m_check && m_evaluation && m_evaluation->fit.intersection &&
+                          m_check->isOf(m_evaluation->session);
+  m_figures->setVisible(isAnswered);
+  m_note->setVisible(!isWanted());
+  m_note->setForegroundRole(isAnswered ? QPalette::WindowText : QPalette::PlaceholderText);
+  if (!isAnswered)
+    return m_note->setText(m_remark.isEmpty() ? tr("Does the propagated uncertainty hold? Not checked yet.")
+                                              : m_remark.toHtmlEscaped());
+  const Intersection& linear = *m_evaluation->fit.intersection;
+  const MonteCarlo& simulated = *m_check->simulated;
+  const Spread& spread = *simulated.intersection;
+  const auto row = [](const QString& caption, double propagated, double drawn, const QString& toolTip = {}) {
+    return FigureGrid::Row{caption, {numberText(propagated, 4), numberText(drawn, 4)}, toolTip};
+  };
+  m_figures->setRows(
+      {tr("propagated"), tr("simulated")},
+      {row(tr("Δd  mm"), linear.value, spread.mean, tr("Simulated: the mean of the draws")),
+       row(tr("σ  mm"), linear.sigma, spread.sigma,
+           tr("Where the noise is known by the scatter alone, the draws spread a little more; U has it in "
+              "k")),
+       row(tr("%1 % from  mm").arg(plainNumberText(100 * simulated.coverage)), linear.value - linear.expanded,
+           spread.low, tr("Propagated: Δd − U. Simulated: as many draws lie below as above the other end")),
+       row(tr("to  mm"), linear.value + linear.expanded, spread.high)});
+  const QString remark = m_remark.isEmpty() ? QString() : m_remark.toHtmlEscaped() + u' ';
+  m_note->setText(remark + QStringLiteral("<b>%1</b> ").arg(agreementWord(simulated).toHtmlEscaped()) +
+                  agreementSentence(simulated).toHtmlEscaped());
+}
+
+}  // namespace alidade::ui
