@@ -88,11 +88,12 @@ Result<Diagnosis> diagnose(const Measurement& measurement, const DiagnosisOption
   if (stop.stop_requested()) return stopped;
   diagnosis.steps = stepsOf(inquiry, answer);
   diagnosis.before = estimateOf(before);
-  diagnosis.afterwards = afterwardsOf(inquiry, answer);
-  const std::vector<Danger> unseen =
-      unseenDangers(inquiry.leftover, inquiry.candidates, influencePerSigma(inquiry.base));
-  for (const Danger& danger : unseen)
-    diagnosis.unseen.push_back({std::string(danger.effect), danger.influence, danger.visible});
+  diagnosis.afterwards = modelAveragedIntersection(inquiry, answer);
+  const std::vector<Detectability> unseen =
+      undetectableEffects(inquiry.leftover, inquiry.candidates, influencePerSigma(inquiry.base));
+  for (const Detectability& detectability : unseen)
+    diagnosis.unseen.push_back(
+        {std::string(detectability.effect), detectability.influence, detectability.visible});
   if (answer.kind == Answer::Kind::Unknown) diagnosis.shape = shapeOf(inquiry);
   diagnosis.leftBefore = inSigma(before);
   diagnosis.leftAfter = inSigma(answer.after);

@@ -64,12 +64,12 @@ void seeVisibility(Planned& planned, const Component& component, const Leftover&
 
 void seeInfluence(Planned& planned, const Component& component, const Leftover& leftover,
                   const VectorXd& perSigma) {
-  const Danger danger = dangerOfEffect(leftover, component, perSigma);
+  const Detectability detectability = detectabilityOfEffect(leftover, component, perSigma);
   PlannedEffect& summary = planned.summary;
-  summary.influence = danger.influence;
-  planned.mostDangerous = danger.influence > 0 ? danger.weights : planned.plainest;
-  summary.visibleThere = danger.influence > 0 ? danger.visible : summary.mostVisible;
-  summary.unseen = danger.isUnseen();
+  summary.influence = detectability.influence;
+  planned.mostDangerous = detectability.influence > 0 ? detectability.weights : planned.plainest;
+  summary.visibleThere = detectability.influence > 0 ? detectability.visible : summary.mostVisible;
+  summary.unseen = detectability.isUndetectable();
 }
 
 std::vector<Planned> plannedEffects(const GapModel& model, const Leftover& leftover) {

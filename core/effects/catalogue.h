@@ -16,9 +16,9 @@ struct EffectParameter {
   double plausible;       ///< 1σ, in that unit
 };
 
-/// What an effect belongs to. The same guideway sighted in two positions tells what belongs to it from what
-/// belongs to the instrument.
-enum class Frame {
+/// Where an error comes from: what an effect belongs to. The same guideway sighted in two positions tells
+/// what belongs to it from what belongs to the instrument.
+enum class ErrorSource {
   Guideway,    ///< its form, its place, the slider's scale
   Instrument,  ///< its axes, circles and line of sight
   Time,        ///< it comes as the session goes on
@@ -29,7 +29,7 @@ struct Effect {
   std::string_view id;           ///< part of the file format
   std::string_view description;  ///< what it is, in a phrase
   std::string_view remedy;       ///< what to do about it at the machine, in a phrase
-  Frame frame;
+  ErrorSource source;
   std::vector<EffectParameter> parameters;
 };
 

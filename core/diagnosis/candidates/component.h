@@ -32,7 +32,7 @@ struct Component {
 
   Kind kind = Kind::Effect;
   std::string_view id;  ///< of the effect, or what the pattern follows; static text
-  Frame frame = Frame::Instrument;
+  ErrorSource source = ErrorSource::Instrument;
   const Effect* effect = nullptr;  ///< of an Effect
   std::size_t moment = 0;          ///< of a Jump: sequence of the first row after it
   std::optional<std::size_t> onlyRow =

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "core/diagnosis/candidates/steps_in_time.h"
+#include "core/diagnosis/candidates/jump_columns.h"
 #include "core/diagnosis/candidates/tilted_plane.h"
 #include "core/effects/cause_ids.h"
 
@@ -19,7 +19,7 @@ std::vector<Component> effectComponents(const Leftover& leftover, const std::vec
   for (const Effect& effect : effectCatalogue()) {
     if (std::ranges::find(leftOut, effect.id) != leftOut.end()) continue;
     components.push_back(
-        {.kind = Component::Kind::Effect, .id = effect.id, .frame = effect.frame, .effect = &effect});
+        {.kind = Component::Kind::Effect, .id = effect.id, .source = effect.source, .effect = &effect});
     count += static_cast<Index>(effect.parameters.size());
   }
   MatrixXd columns(leftover.readings(), count);
@@ -97,11 +97,11 @@ std::vector<Component> jumpComponents(const Leftover& leftover, const PriorOdds&
   components.reserve(moments.size() / stride + 1);
   for (std::size_t m = 0; m < moments.size(); m += stride) {
     components.push_back(
-        {.kind = Component::Kind::Jump, .id = jumpId, .frame = Frame::Time, .moment = moments[m]});
+        {.kind = Component::Kind::Jump, .id = jumpId, .source = ErrorSource::Time, .moment = moments[m]});
     const auto only = shownByOne.find(moments[m]);
     if (only != shownByOne.end()) components.back().onlyRow = only->second;
   }
-  const auto grams = StepsInTime(leftover, momentsOf(components), plausibleJump).visibleGrams();
+  const auto grams = JumpColumns(leftover, momentsOf(components), plausibleJump).visibleGrams();
   for (std::size_t m = 0; m < components.size(); ++m) components[m].gram = grams[m];
   const double logPrior = std::log(odds.jump / static_cast<double>(components.size()));
   for (Component& component : components) component.logPrior = logPrior;

@@ -18,7 +18,7 @@ std::vector<Component> effectComponents(const Leftover& leftover, const std::vec
 std::vector<Component> effectsBeyond(const GapModel& model, const Leftover& leftover,
                                      const std::vector<std::string>& leftOut, const PriorOdds& odds);
 
-/// A step before any row; of long sessions before every so manieth. One that a single row alone in its visit
+/// A step before any row; of long sessions before every n-th. One that a single row alone in its visit
 /// would show leaves what a misreading of that row leaves, which is the commoner: it is for comparison only.
 std::vector<Component> jumpComponents(const Leftover& leftover, const PriorOdds& odds);
 /// Of the jumps among the components, in their order.

@@ -140,7 +140,7 @@ class ShapeMaker {
   explicit ShapeMaker(const Leftover& leftover) : m_leftover(leftover) {}
 
   /// What the patterns made from here on belong to.
-  void startFrame(Frame frame) { m_frame = frame; }
+  void startSource(ErrorSource source) { m_source = source; }
 
   /// Functions of what the carrier's cells have in common.
   void add(std::string_view id, const SharedCarrier& carrier, const CellFunctions& functions) {
@@ -205,7 +205,7 @@ class ShapeMaker {
  private:
   static constexpr std::size_t mostGroups = 80;
   const Leftover& m_leftover;
-  Frame m_frame = Frame::Guideway;
+  ErrorSource m_source = ErrorSource::Guideway;
   std::vector<Component> m_components;
 
   void add(std::string_view id, Pattern pattern) {
@@ -220,7 +220,7 @@ class ShapeMaker {
     if (gram.trace() < invisible * invisible) return;
     m_components.push_back({.kind = Component::Kind::Shape,
                             .id = id,
-                            .frame = m_frame,
+                            .source = m_source,
                             .pattern = std::move(pattern),
                             .gram = std::move(gram)});
   }
@@ -260,7 +260,7 @@ std::vector<Component> shapeComponents(const Leftover& leftover, const Measureme
   maker.addGroups("slider readings from place to place", slider, all.visits, point);
   const auto place = [&](Index i) { return std::pair(all.at(i).arc, all.rowOf(i).point); };
   maker.addGroups("radius from place to place in each position", radial, all.visits, place);
-  maker.startFrame(Frame::Time);
+  maker.startSource(ErrorSource::Time);
   const CellFunctions waves = smooth(all.elapsed, wavesOf(all.rows->count()));
   maker.addOrientations(
       {"horizontal orientation with time", "vertical orientation with time", "orientation with time"},
@@ -272,9 +272,9 @@ std::vector<Component> shapeComponents(const Leftover& leftover, const Measureme
   const auto isTurned = [&](Index i) { return all.arcOf(i).axisDeg != 0; };
   maker.add("distance with time", all.ofInstrument(leftover.column(ErrorTerm::PlaneOffset), isTurned),
             waves.chosen(slowest));
-  maker.startFrame(Frame::Guideway);
+  maker.startSource(ErrorSource::Guideway);
   maker.add("slider readings along the scale", slider, smooth(toUnit(all.s), 6));
-  maker.startFrame(Frame::Instrument);
+  maker.startSource(ErrorSource::Instrument);
   const CellFunctions alongAzimuth = smooth(toUnit(all.a), 6), alongElevation = smooth(toUnit(all.e), 6);
   maker.add("horizontal readings with azimuth", horizontal, alongAzimuth);
   maker.add("vertical readings with elevation", vertical, alongElevation);
@@ -283,7 +283,7 @@ std::vector<Component> shapeComponents(const Leftover& leftover, const Measureme
   const auto isFace2 = [&](Index i) { return all.rowOf(i).face != 1; };
   maker.add("difference of the faces, horizontal", all.ofInstrument(ofHorizontal, isFace2), alongElevation);
   maker.add("difference of the faces, vertical", all.ofInstrument(ofVertical, isFace2), alongElevation);
-  maker.startFrame(Frame::Time);
+  maker.startSource(ErrorSource::Time);
   const auto block = [&](Index i) {
     return std::tuple(all.at(i).arc, all.rowOf(i).round, all.rowOf(i).face);
   };

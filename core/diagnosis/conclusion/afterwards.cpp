@@ -27,8 +27,8 @@ struct Alternative {
 };
 
 /// The readings speak for each of its parts: what only might be there besides is unseen, and told apart.
-bool isSpokenFor(const Explanation& explanation) {
-  return std::ranges::all_of(explanation.parts, &Part::isSpokenFor);
+bool isSupported(const Explanation& explanation) {
+  return std::ranges::all_of(explanation.parts, &Part::isSupported);
 }
 
 /// Under larger noise, what may be there besides is what that noise stands for.
@@ -57,7 +57,7 @@ class Average {
     if (own == m_inquiry.explanations.end()) return;
     for (const Explanation& explanation : m_inquiry.explanations) {
       const double odds = oddsOf(explanation.logOdds - own->logOdds);
-      if (explanation.chance < leastChance || &explanation == &*own || !isSpokenFor(explanation) ||
+      if (explanation.chance < leastChance || &explanation == &*own || !isSupported(explanation) ||
           isInTheNoise(explanation, m_answer.explanation))
         continue;
       if (const std::optional<Difference> difference = differenceOf(explanation))
@@ -150,7 +150,7 @@ class Average {
 
 }  // namespace
 
-std::optional<IntersectionEstimate> afterwardsOf(const Inquiry& inquiry, const Answer& answer) {
+std::optional<IntersectionEstimate> modelAveragedIntersection(const Inquiry& inquiry, const Answer& answer) {
   const std::optional<IntersectionEstimate> own = estimateOf(answer.after);
   if (!own || answer.kind == Answer::Kind::Nothing || !(own->sigma > 0)) return own;
   Average average(inquiry, answer, *own);

@@ -11,6 +11,6 @@ namespace alidade {
 /// they differ by; U is kσ, or farther where ± U would not hold the coverage of what is then believed of Δd.
 /// That of the answer alone where the others do not matter. Beside an unknown cause: over what looks like the
 /// causes, and what the pattern moves Δd by is part of σ.
-std::optional<IntersectionEstimate> afterwardsOf(const Inquiry& inquiry, const Answer& answer);
+std::optional<IntersectionEstimate> modelAveragedIntersection(const Inquiry& inquiry, const Answer& answer);
 
 }  // namespace alidade

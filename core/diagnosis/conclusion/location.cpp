@@ -119,7 +119,7 @@ std::vector<GapShare> sharesOfReadings(const Leftover& leftover, const Measureme
 std::vector<GapShare> sharesOfFrames(const Inquiry& inquiry) {
   constexpr double negligible = 1e-6;
   const Leftover& leftover = inquiry.leftover;
-  std::map<Frame, double> frames;
+  std::map<ErrorSource, double> ofSource;
   double readings = 0, noise = 0;
   const auto square = [&](Index reading, double sigmas) {
     return sigmas * sigmas * inquiry.ofAll().leftover.redundancy(reading);
@@ -132,11 +132,11 @@ std::vector<GapShare> sharesOfFrames(const Inquiry& inquiry) {
       if (inquiry.isMisreading(part))
         readings += chance * square(inquiry.readingOf(part), part.weights[0]);
       else
-        frames[inquiry.candidates[part.component].frame] +=
+        ofSource[inquiry.candidates[part.component].source] +=
             chance * signatureSquare(inquiry.candidates[part.component], part.weights);
     noise += chance * std::max(0.0, explanation.chiSquare - leftover.degreesOfFreedom());
   }
-  const double guideway = frames[Frame::Guideway], instrument = frames[Frame::Instrument];
+  const double guideway = ofSource[ErrorSource::Guideway], instrument = ofSource[ErrorSource::Instrument];
   std::vector<GapShare> shares;
   if (inquiry.base.measurement->arcs.size() > 1) {
     shares.push_back({"frame", "guideway", guideway});
@@ -144,7 +144,7 @@ std::vector<GapShare> sharesOfFrames(const Inquiry& inquiry) {
   } else {
     shares.push_back({"frame", "guideway or instrument", guideway + instrument});
   }
-  shares.push_back({"frame", "time", frames[Frame::Time]});
+  shares.push_back({"frame", "time", ofSource[ErrorSource::Time]});
   shares.push_back({"frame", "readings", readings});
   shares.push_back({"frame", "noise", noise});
   double sum = 0;

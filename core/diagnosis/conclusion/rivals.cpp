@@ -79,7 +79,7 @@ std::vector<Rival> effects(const Inquiry& inquiry, const Explanation& explanatio
     const double difference = trace.differenceFrom(inquiry.candidates[i]) / explanation.noise;
     if (difference > clearlyDifferent) continue;
     Rival rival = comparison.with(index, i);
-    if (rival.part.isSpokenFor() && (difference < hardlyDifferent || isClose(rival)))
+    if (rival.part.isSupported() && (difference < hardlyDifferent || isClose(rival)))
       rivals.push_back(std::move(rival));
   }
   return rivals;

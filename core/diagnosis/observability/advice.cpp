@@ -39,16 +39,16 @@ std::optional<Advice> separating(const Cause& cause, const std::string& measure,
   return advice;
 }
 
-std::optional<Advice> revealing(const std::vector<Danger>& unseen, const std::string& measure,
+std::optional<Advice> revealing(const std::vector<Detectability>& unseen, const std::string& measure,
                                 const VisibleTerms& terms) {
   Advice advice{.measure = measure, .ofUnseen = true};
-  for (const Danger& danger : unseen) {
-    const Effect* effect = effectById(danger.effect);
+  for (const Detectability& detectability : unseen) {
+    const Effect* effect = effectById(detectability.effect);
     if (!effect) continue;
-    const double visible = lengthOf(terms, combinationOf(*effect) * danger.weights);
+    const double visible = lengthOf(terms, combinationOf(*effect) * detectability.weights);
     if (visible < clearlyDifferent) continue;
     advice.bySigma = advice.separates.empty() ? visible : std::min(advice.bySigma, visible);
-    advice.separates.emplace_back(danger.effect);
+    advice.separates.emplace_back(detectability.effect);
   }
   if (advice.separates.empty()) return std::nullopt;
   return advice;
@@ -71,8 +71,8 @@ std::optional<Advice> tellingFromKnock(const Inquiry& inquiry, const std::vector
 }
 
 /// What shows a knock that no reading shows, such as one between the zero and the first place.
-std::optional<Advice> revealingKnock(const Inquiry& inquiry, const std::vector<Danger>& unseen) {
-  const auto knock = std::ranges::find(unseen, jumpId, &Danger::effect);
+std::optional<Advice> revealingKnock(const Inquiry& inquiry, const std::vector<Detectability>& unseen) {
+  const auto knock = std::ranges::find(unseen, jumpId, &Detectability::effect);
   if (knock == unseen.end()) return std::nullopt;
   const Measurement& measurement = *inquiry.base.measurement;
   const Eigen::Vector2d sigmas(statedSigma(measurement, ReadingKind::Horizontal).radians(),
@@ -85,7 +85,7 @@ std::optional<Advice> revealingKnock(const Inquiry& inquiry, const std::vector<D
 }
 
 /// The effects that the advice is about: the cause and its look-alikes, or else what could not be seen.
-std::vector<const Effect*> effectsAt(const Cause* unclear, const std::vector<Danger>& unseen) {
+std::vector<const Effect*> effectsAt(const Cause* unclear, const std::vector<Detectability>& unseen) {
   std::vector<const Effect*> effects;
   const auto add = [&](std::string_view id) {
     if (const Effect* effect = effectById(id)) effects.push_back(effect);
@@ -94,14 +94,14 @@ std::vector<const Effect*> effectsAt(const Cause* unclear, const std::vector<Dan
     add(unclear->effect);
     for (const std::string& id : unclear->indistinguishableFrom) add(id);
   } else {
-    for (const Danger& danger : unseen) add(danger.effect);
+    for (const Detectability& detectability : unseen) add(detectability.effect);
   }
   return effects;
 }
 
 /// Of readings: the most telling first.
 std::vector<Advice> furtherAdvice(const Inquiry& inquiry, const Cause* unclear,
-                                  const std::vector<Danger>& unseen) {
+                                  const std::vector<Detectability>& unseen) {
   const std::vector<const Effect*> effects = effectsAt(unclear, unseen);
   std::vector<Advice> list;
   if (effects.empty()) return list;
@@ -121,7 +121,7 @@ std::vector<Advice> furtherAdvice(const Inquiry& inquiry, const Cause* unclear,
 }  // namespace
 
 std::vector<Advice> adviceFor(const Inquiry& inquiry, const std::vector<Cause>& causes,
-                              const std::vector<Danger>& unseen) {
+                              const std::vector<Detectability>& unseen) {
   const auto found = std::ranges::find_if(causes, [](const Cause& cause) {
     return effectById(cause.effect) && !cause.indistinguishableFrom.empty();
   });

@@ -14,6 +14,6 @@ namespace alidade {
 /// effects would then be seen. And the pointing zero sighted again, where a knock may look like a misread
 /// value or be seen in no reading.
 std::vector<Advice> adviceFor(const Inquiry& inquiry, const std::vector<Cause>& causes,
-                              const std::vector<Danger>& unseen);
+                              const std::vector<Detectability>& unseen);
 
 }  // namespace alidade

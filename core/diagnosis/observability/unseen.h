@@ -14,24 +14,25 @@ inline constexpr double negligibleInfluence = 1e-3;
 
 /// An effect of its plausible size in the direction of its numbers that moves Δd most; of the two signs the
 /// one that shows less.
-struct Danger {
+struct Detectability {
   std::string_view effect;  ///< its id; static text
   Eigen::VectorXd weights;  ///< of length 1; zero where it does not move Δd
   double influence = 0;     ///< on Δd to first order, mm, ≥ 0
   double visible = 0;       ///< what it leaves in the readings, bent where it bends, σ
 
   /// More than `negligibleInfluence`, and less than `clearlyDifferent` σ.
-  bool isUnseen() const;
+  bool isUndetectable() const;
 };
 
 /// `influence`: ∂Δd/∂weight, mm.
-Danger dangerOf(const Component& component, const Eigen::VectorXd& influence);
+Detectability detectabilityOf(const Component& component, const Eigen::VectorXd& influence);
 /// `perReading`: ∂Δd/∂reading, mm per σ of the reading. Of an effect.
-Danger dangerOfEffect(const Leftover& leftover, const Component& component,
-                      const Eigen::VectorXd& perReading);
+Detectability detectabilityOfEffect(const Leftover& leftover, const Component& component,
+                                    const Eigen::VectorXd& perReading);
 
 /// Those that are unseen, the most dangerous first; of a jump the worst moment.
-std::vector<Danger> unseenDangers(const Leftover& leftover, const std::vector<Component>& candidates,
-                                  const Eigen::VectorXd& perReading);
+std::vector<Detectability> undetectableEffects(const Leftover& leftover,
+                                               const std::vector<Component>& candidates,
+                                               const Eigen::VectorXd& perReading);
 
 }  // namespace alidade

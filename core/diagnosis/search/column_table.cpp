@@ -38,9 +38,9 @@ void ColumnTable::turn(std::size_t component) {
     if (candidate.gram.cols() == 2) m_beside[first(component)] = candidate.gram(0, 1);
     return;
   }
-  Turn turn = turnFor(candidate.gram);
-  m_squares.segment(first(component), count(component)) = turn.squares;
-  m_beside.segment(first(component), turn.beside.size()) = turn.beside;
+  Tridiagonal turn = tridiagonalOf(candidate.gram);
+  m_squares.segment(first(component), count(component)) = turn.diagonal;
+  m_beside.segment(first(component), turn.subdiagonal.size()) = turn.subdiagonal;
   m_turns[component] = std::move(turn.matrix);
 }
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/diagnosis/candidates/component.h"
-#include "core/diagnosis/candidates/steps_in_time.h"
+#include "core/diagnosis/candidates/jump_columns.h"
 
 namespace alidade {
 
@@ -46,7 +46,7 @@ class ColumnTable {
   std::vector<Eigen::MatrixXd> m_turns;  ///< empty: not turned
   Eigen::Index m_size = 0;
   Eigen::VectorXd m_squares, m_beside;
-  StepsInTime m_steps;
+  JumpColumns m_steps;
 
   void turn(std::size_t component);
   Eigen::MatrixXd turnedColumns(std::size_t component) const;

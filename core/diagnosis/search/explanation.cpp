@@ -130,7 +130,7 @@ double Part::widthOfFit() const {
   return std::max({1.0, width, std::sqrt(weights.squaredNorm() / count)});
 }
 
-bool Part::isSpokenFor() const {
+bool Part::isSupported() const {
   constexpr double something = 0.1;  // natural logarithm
   return logGain > something;
 }

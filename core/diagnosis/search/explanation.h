@@ -25,7 +25,7 @@ struct Part {
   /// To estimate it with, in plausible sizes: that it is larger than plausible is no misfit of the readings.
   double widthOfFit() const;
   /// The readings speak for it, by more than rounding.
-  bool isSpokenFor() const;
+  bool isSupported() const;
 };
 
 struct Explanation {

@@ -109,12 +109,12 @@ Gain gainWith(const std::vector<Width>& widths, const TurnedColumns& columns, do
     exponents[static_cast<Index>(i)] = widths[i].logChance;
   }
   const Lane w2 = sigmas.square() / variance, narrow = w2.inverse();
-  const Index count = columns.squares.size();
+  const Index count = columns.diagonal.size();
   Lane determinant = Lane::Ones(), quadratic = Lane::Zero(), step = Lane::Zero(), right = Lane::Zero();
   double beside = 0;  // of the column before
   SharedPart<Taken, Widths> part(columns.shared.cols());
   for (Index i = 0; i < count; ++i) {
-    const Lane pivot = narrow + columns.squares[i] - beside * step;
+    const Lane pivot = narrow + columns.diagonal[i] - beside * step;
     const Lane inverse = pivot.inverse();
     determinant *= w2 * pivot;
     if (determinant.maxCoeff() > 1e200) {
@@ -125,7 +125,7 @@ Gain gainWith(const std::vector<Width>& widths, const TurnedColumns& columns, do
     const Lane scaled = inverse * right;
     quadratic += scaled * right;
     part.add(columns.shared.row(i), step, inverse, scaled);
-    beside = i + 1 < count ? columns.beside[i] : 0;
+    beside = i + 1 < count ? columns.subdiagonal[i] : 0;
     step = beside * inverse;
   }
   const auto [determinantOfShared, along] = part.solve();
@@ -167,12 +167,13 @@ Gain gainOf(const std::vector<Width>& widths, const TurnedColumns& columns, doub
 }
 
 Gain gainOf(const std::vector<Width>& widths, const MatrixXd& gram, const VectorXd& right, double variance) {
-  const Turn turn = turnFor(gram);
+  const Tridiagonal turn = tridiagonalOf(gram);
   const VectorXd turned = turn.matrix.size() > 0 ? VectorXd(turn.matrix.transpose() * right) : right;
-  return gainOf(widths, TurnedColumns{turn.squares, turn.beside, turned, MatrixXd(gram.cols(), 0)}, variance);
+  return gainOf(widths, TurnedColumns{turn.diagonal, turn.subdiagonal, turned, MatrixXd(gram.cols(), 0)},
+                variance);
 }
 
-Turn turnFor(const MatrixXd& gram) {
+Tridiagonal tridiagonalOf(const MatrixXd& gram) {
   if (gram.cols() <= 2) return {{}, gram.diagonal(), gram.diagonal(1)};
   const Eigen::Tridiagonalization<MatrixXd> tridiagonal(gram);
   return {tridiagonal.matrixQ(), tridiagonal.diagonal(), tridiagonal.subDiagonal()};

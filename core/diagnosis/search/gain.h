@@ -40,17 +40,17 @@ Gain gainOf(const std::vector<Width>& widths, const Eigen::MatrixXd& gram, const
 
 /// How to turn the columns of a component so that each has inner products with its neighbours only: its Gram
 /// matrix is tridiagonal then. Weights normal around zero look the same in any direction.
-struct Turn {
-  Eigen::MatrixXd matrix;   ///< columns × matrix are the turned ones; empty: they stay as they are
-  Eigen::VectorXd squares;  ///< their squared lengths
-  Eigen::VectorXd beside;   ///< inner products with the next one, one fewer
+struct Tridiagonal {
+  Eigen::MatrixXd matrix;       ///< columns × matrix are the turned ones; empty: they stay as they are
+  Eigen::VectorXd diagonal;     ///< their squared lengths
+  Eigen::VectorXd subdiagonal;  ///< inner products with the next one, one fewer
 };
-Turn turnFor(const Eigen::MatrixXd& gram);
+Tridiagonal tridiagonalOf(const Eigen::MatrixXd& gram);
 
 /// The columns of a component, so turned.
 struct TurnedColumns {
-  Eigen::Ref<const Eigen::VectorXd> squares, beside;  ///< as in `Turn`
-  Eigen::Ref<const Eigen::VectorXd> right;            ///< inner products with what is left
+  Eigen::Ref<const Eigen::VectorXd> diagonal, subdiagonal;  ///< as in `Tridiagonal`
+  Eigen::Ref<const Eigen::VectorXd> right;                  ///< inner products with what is left
   /// Their inner products with what was taken off before, columns × taken: G less shared sharedᵀ, so that
   /// determinant and inverse of v/w² + G follow from a matrix as small as what was taken (Woodbury).
   Eigen::Ref<const Eigen::MatrixXd> shared;

@@ -8,6 +8,7 @@
 
 #include "core/diagnosis/gap/gap_model.h"
 #include "core/diagnosis/result/diagnosis.h"
+#include "core/diagnosis/search/explanation.h"
 
 namespace alidade {
 

@@ -137,7 +137,7 @@ std::pair<IntersectionEstimate, IntersectionEstimate> estimatesOf(const Measurem
     if (id != "trunnion_tilt" && id != "vertical_drift") options.without.push_back(id);
   const Inquiry inquiry = inquire(*modelOf(measurement), options, {});
   const Answer answer = conclude(inquiry);
-  return {*estimateOf(answer.after), *afterwardsOf(inquiry, answer)};
+  return {*estimateOf(answer.after), *modelAveragedIntersection(inquiry, answer)};
 }
 
 // One pass in one face, with slider: a tilt and a drift are hard to tell apart, and one of them

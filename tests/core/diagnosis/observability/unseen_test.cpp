@@ -46,23 +46,24 @@ TEST_P(Unseen, EffectsShowAndMoveTheIntersectionAsSessionsThatHoldThem) {
   const double clean = intersectionOf(*model.measurement);
   for (const char* id : {"plane_tilt", "horizontal_circle_eccentricity", "vertical_drift", "plane_warp"}) {
     SCOPED_TRACE(std::string(GetParam()) + " " + id);
-    const Danger danger = dangerOfEffect(leftover, find(id), perReading);
-    ASSERT_NEAR(danger.weights.norm(), 1, 1e-12);
-    const Measurement held = measurementBy(GetParam(), id, danger.weights);
+    const Detectability detectability = detectabilityOfEffect(leftover, find(id), perReading);
+    ASSERT_NEAR(detectability.weights.norm(), 1, 1e-12);
+    const Measurement held = measurementBy(GetParam(), id, detectability.weights);
     const double visible = visibilityOf(held, id)->sigma;
-    EXPECT_NEAR(danger.visible, visible, 0.03 * visible + 0.002);
-    EXPECT_NEAR(danger.influence, std::abs(intersectionOf(held) - clean), 0.03 * danger.influence + 2e-3);
-    const Measurement opposite = measurementBy(GetParam(), id, -danger.weights);
-    EXPECT_GE(visibilityOf(opposite, id)->sigma, 0.97 * danger.visible - 0.002);
+    EXPECT_NEAR(detectability.visible, visible, 0.03 * visible + 0.002);
+    EXPECT_NEAR(detectability.influence, std::abs(intersectionOf(held) - clean),
+                0.03 * detectability.influence + 2e-3);
+    const Measurement opposite = measurementBy(GetParam(), id, -detectability.weights);
+    EXPECT_GE(visibilityOf(opposite, id)->sigma, 0.97 * detectability.visible - 0.002);
   }
 }
 
 // An index error is the same in every reading of one face and goes with the zeros: Δd stays.
 TEST_P(Unseen, WhatDoesNotMoveTheIntersectionIsNoDanger) {
-  const Danger danger = dangerOfEffect(leftover, find("vertical_index"), perReading);
-  EXPECT_LT(danger.influence, negligibleInfluence);
-  EXPECT_FALSE(danger.isUnseen());
-  for (const Danger& unseen : unseenDangers(leftover, effects, perReading)) {
+  const Detectability detectability = detectabilityOfEffect(leftover, find("vertical_index"), perReading);
+  EXPECT_LT(detectability.influence, negligibleInfluence);
+  EXPECT_FALSE(detectability.isUndetectable());
+  for (const Detectability& unseen : undetectableEffects(leftover, effects, perReading)) {
     EXPECT_NE(unseen.effect, "vertical_index");
     EXPECT_GT(unseen.influence, negligibleInfluence);
   }

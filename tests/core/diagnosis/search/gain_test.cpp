@@ -64,11 +64,11 @@ TEST(Gain, KnowsWhatWasTakenOffBefore) {
     MatrixXd gram = others.transpose() * others;
     gram.diagonal().array() += variance / (before * before);
     const MatrixXd off = Eigen::LLT<MatrixXd>(gram).matrixL().solve(others.transpose()).transpose();
-    const Turn turn = turnFor(columns.transpose() * columns);
+    const Tridiagonal turn = tridiagonalOf(columns.transpose() * columns);
     columns *= turn.matrix;
     const VectorXd right = columns.transpose() * (readings - off * (off.transpose() * readings));
     const MatrixXd shared = columns.transpose() * off;
-    const Gain gain = gainOf(widths, TurnedColumns{turn.squares, turn.beside, right, shared}, variance);
+    const Gain gain = gainOf(widths, TurnedColumns{turn.diagonal, turn.subdiagonal, right, shared}, variance);
     EXPECT_NEAR(gain.log, std::log(evidence), 1e-10);
   }
 }

@@ -1,4 +1,4 @@
-#include "core/diagnosis/candidates/steps_in_time.h"
+#include "core/diagnosis/candidates/jump_columns.h"
 
 #include <algorithm>
 #include <numeric>
@@ -7,7 +7,7 @@ namespace alidade {
 
 using Eigen::Index, Eigen::Matrix2d, Eigen::Matrix2Xd, Eigen::MatrixXd, Eigen::Vector2d, Eigen::VectorXd;
 
-StepsInTime::StepsInTime(const Leftover& leftover, std::vector<std::size_t> moments, double size)
+JumpColumns::JumpColumns(const Leftover& leftover, std::vector<std::size_t> moments, double size)
     : m_leftover(leftover),
       m_horizontal(leftover.column(ErrorTerm::HorizontalJump) * size),
       m_vertical(leftover.column(ErrorTerm::VerticalJump) * size),
@@ -16,7 +16,7 @@ StepsInTime::StepsInTime(const Leftover& leftover, std::vector<std::size_t> mome
     m_last.push_back(std::ranges::upper_bound(moments, leftover.reading(i).sequence) - moments.begin() - 1);
 }
 
-Matrix2Xd StepsInTime::products(const VectorXd& overReadings) const {
+Matrix2Xd JumpColumns::products(const VectorXd& overReadings) const {
   Matrix2Xd sums = Matrix2Xd::Zero(2, static_cast<Index>(m_moments));
   for (Index i = 0; i < m_horizontal.size(); ++i) {
     const Index last = m_last[static_cast<std::size_t>(i)];
@@ -29,7 +29,7 @@ Matrix2Xd StepsInTime::products(const VectorXd& overReadings) const {
 }
 
 /// Columnsᵀ columns less what lies along the arc angle of each visit and in the span of the unknowns.
-std::vector<Matrix2d> StepsInTime::visibleGrams() const {
+std::vector<Matrix2d> JumpColumns::visibleGrams() const {
   std::vector<Matrix2d> grams(m_moments, Matrix2d::Zero());
   if (m_moments == 0) return grams;
   const auto gramAt = [&](Index moment) -> Matrix2d& { return grams[static_cast<std::size_t>(moment)]; };

@@ -1,4 +1,4 @@
-#include "core/diagnosis/candidates/steps_in_time.h"
+#include "core/diagnosis/candidates/jump_columns.h"
 
 #include <gtest/gtest.h>
 
@@ -12,10 +12,10 @@ namespace {
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 using test::greatest, test::leftover;
 
-TEST(StepsInTime, AreTheSumsOverEveryReadingFromTheMomentOn) {
+TEST(JumpColumns, AreTheSumsOverEveryReadingFromTheMomentOn) {
   constexpr double size = 1e-4;
   const std::vector<std::size_t> moments{1, 7, 40, 41, 135};
-  const StepsInTime steps(leftover(), moments, size);
+  const JumpColumns steps(leftover(), moments, size);
   const VectorXd any = leftover().residual().head(leftover().readings());
   const Eigen::Matrix2Xd products = steps.products(any);
   const std::vector<Eigen::Matrix2d> grams = steps.visibleGrams();

@@ -10,10 +10,10 @@ namespace alidade {
 // Jumps of the orientation before any of many rows. A jump touches all readings from its row on, so its
 // inner products are sums from the end of the session: all moments together cost hardly more than one, and
 // no columns are kept.
-class StepsInTime {
+class JumpColumns {
  public:
   /// `moments`: sequences of the first rows after a step, ascending. `size`: of both steps, rad.
-  StepsInTime(const Leftover& leftover, std::vector<std::size_t> moments, double size);
+  JumpColumns(const Leftover& leftover, std::vector<std::size_t> moments, double size);
 
   /// Of the horizontal and the vertical column of every moment with a vector over the readings: 2 × moments.
   Eigen::Matrix2Xd products(const Eigen::VectorXd& overReadings) const;
