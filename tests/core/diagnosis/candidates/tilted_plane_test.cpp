@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/effects/catalogue.h"
 #include "core/simulation/simulate.h"
 #include "tests/support/full_leftover.h"
 
