@@ -73,8 +73,8 @@ class Draw(unittest.TestCase):
         self.assertEqual(len(first), 60)
         self.assertEqual(first, again)
         self.assertNotEqual(first, other)
-        in_room = sum(faults[0].room == "core/adjustment" for faults in first)
-        self.assertEqual(in_room, shares({room: lines for room, (lines, _) in found.items()}, 60)["core/adjustment"])
+        in_room = sum(faults[0].room == "core/adjustment/joint" for faults in first)
+        self.assertEqual(in_room, shares({room: lines for room, (lines, _) in found.items()}, 60)["core/adjustment/joint"])
         known = {faults[0].id for faults in first}
         self.assertTrue(known.isdisjoint(fault.id for faults in draw(found, 60, 1, known=known) for fault in faults))
 

@@ -144,9 +144,9 @@ def summarise(results):
     for fault, outcome, _ in results:
         caught, all_of_room = by_room.get(fault.room, (0, 0))
         by_room[fault.room] = caught + (outcome == CAUGHT), all_of_room + 1
-    say("\nroom                   caught")
+    say("\nroom                             caught")
     for room, (caught, count) in sorted(by_room.items()):
-        say(f"{room:22} {caught} of {count}")
+        say(f"{room:32} {caught} of {count}")
     caught = sum(outcome == CAUGHT for _, outcome, _ in results)
     say(f"{'all':22} {caught} of {len(results)}, {100 * caught / max(len(results), 1):.0f} %")
     survivors = [(fault, by) for fault, outcome, by in results if outcome == SURVIVED]
