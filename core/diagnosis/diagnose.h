@@ -14,7 +14,7 @@ namespace alidade {
 // and which further readings would tell apart what they cannot.
 
 /// Fails in words where no arc can be fitted, an id is unknown, or it was asked to stop. Effects of the
-/// measurement's own model are part of the model, not of the gap.
+/// measurement's own model are part of the model, not of the gap. Called as in examples/diagnose.cpp.
 Result<Diagnosis> diagnose(const Measurement& measurement, const DiagnosisOptions& options = {},
                            const std::stop_token& stop = {});
 
