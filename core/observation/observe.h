@@ -5,6 +5,7 @@
 
 #include "core/observation/error_term.h"
 #include "core/observation/guideway.h"
+#include "core/observation/half_turn.h"
 #include "core/observation/perfect_theodolite.h"
 #include "core/session/measurement.h"
 
@@ -68,8 +69,8 @@ SpacePoint<T> targetAt(const ErrorTerms<T>& errors, const ArcPose<T>& arc, const
     const PlanePoint<T> target = targetOnArc(arc.x, arc.y, arc.radius, phi);
     return {target.x, target.y, -distance};
   }
-  const double turn = axisDeg == 0 ? 1 : -1;
-  const T s = turn * phi;
+  const double turn = halfTurnSign(axisDeg);
+  const T s = sliderCoordinateOf(phi, axisDeg);
   const T cos2 = cos(2 * s), sin2 = sin(2 * s), cos3 = cos(3 * s), sin3 = sin(3 * s);
   const T radius = arc.radius + errors[EllipticityCosine] * cos2 + errors[EllipticitySine] * sin2 +
                    errors[LobingCosine] * cos3 + errors[LobingSine] * sin3;
@@ -139,7 +140,7 @@ template <typename T>
 T observeSlider(const ErrorTerms<T>& errors, const ArcPose<T>& arc, const T& phi, int axisDeg) {
   using std::sin;
   using enum ErrorTerm;
-  const T s = axisDeg == 0 ? phi : T(-phi);
+  const T s = sliderCoordinateOf(phi, axisDeg);
   if (errors.isPerfect()) return arc.sliderZero + s;
   return arc.sliderZero + s + errors[SliderScale] * s + errors[SliderSine] * sin(s);
 }

@@ -6,6 +6,7 @@
 #include "core/base/angle_text.h"
 #include "core/base/number_text.h"
 #include "core/base/random_source.h"
+#include "core/observation/half_turn.h"
 
 namespace alidade {
 
@@ -177,7 +178,7 @@ Pointing PerfectReadings::pointing(int face, const Moment& moment) const {
 }
 
 ArcPose<double> PerfectReadings::poseAt(Angle s) const {
-  const double y = m_truth.axisHeight + (m_axisDeg == 0 ? 1 : -1) * m_truth.intersection;
+  const double y = m_truth.axisHeight + halfTurnSign(m_axisDeg) * m_truth.intersection;
   double radius = m_truth.radius;
   if (const auto& harmonic = m_truth.harmonic)
     radius += harmonic->cosine * std::cos(harmonic->order * s.radians()) +
@@ -187,7 +188,7 @@ ArcPose<double> PerfectReadings::poseAt(Angle s) const {
 }
 
 double PerfectReadings::arcAngle(Angle s) const {
-  return m_axisDeg == 0 ? s.radians() : -s.radians();
+  return arcAngleOf(s.radians(), m_axisDeg);
 }
 
 CircleReadings PerfectReadings::onCircles(const Direction<double>& direction, int face) const {
@@ -209,7 +210,7 @@ CircleReadings PerfectReadings::target(Angle s, int face, const Moment& moment) 
   SpacePoint<double> target = targetAt(m_errors, poseAt(s), m_truth.distance, arcAngle(s), m_axisDeg);
   if (!m_truth.foreign) return onCircles(circleDirection(m_errors, target, pointing(face, moment)), face);
   const ForeignEffect& foreign = *m_truth.foreign;
-  target.z += (m_axisDeg == 0 ? 1 : -1) * offPlaneBy(foreign, s) - distanceBy(foreign, moment.elapsed);
+  target.z += halfTurnSign(m_axisDeg) * offPlaneBy(foreign, s) - distanceBy(foreign, moment.elapsed);
   Direction<double> direction = circleDirection(m_errors, target, pointing(face, moment));
   const Angle circle = onCircles(direction, face).horizontal;
   direction.a += azimuthBy(foreign, circle, moment.elapsed, moment.wayBack).radians();

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/observation/half_turn.h"
+
 namespace alidade {
 
 namespace {
@@ -63,7 +65,7 @@ ArcView::ArcView(const Measurement& measurement, int axisDeg)
       relation(measurement.relation),
       whitening{1 / measurement.sigmaHorizontal.radians(), 1 / measurement.sigmaVertical.radians(),
                 1 / measurement.sigmaSlider.radians()},
-      turn(axisDeg == 0 ? 1 : -1) {}
+      turn(halfTurnSign(axisDeg)) {}
 
 PlanePoint<double> sightedPoint(const ArcView& view, const VisitReading& visit) {
   const double l = view.distance, x = l * visit.tanA;

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/adjustment/numerics/algebraic_circle.h"
+#include "core/observation/half_turn.h"
 
 namespace alidade {
 
@@ -82,7 +83,7 @@ void markSliders(RobustStart& start, const ArcMeasurement& arc, const Points& po
   std::vector<double> offsets;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!arc.sightings[i].slider || std::ranges::binary_search(start.apart, i)) continue;
-    const double s = (arc.axisDeg == 0 ? 1 : -1) * nearestArcAngle(start.circle, points[i]);
+    const double s = sliderCoordinateOf(nearestArcAngle(start.circle, points[i]), arc.axisDeg);
     rows.push_back(i);
     offsets.push_back(wrapped(*arc.sightings[i].slider - Angle::fromRadians(s)).radians());
   }

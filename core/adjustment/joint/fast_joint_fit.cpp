@@ -9,6 +9,7 @@
 
 #include "core/adjustment/arc/foot_point.h"
 #include "core/base/threads.h"
+#include "core/observation/half_turn.h"
 #include "core/observation/visits.h"
 
 namespace alidade {
@@ -285,8 +286,8 @@ std::optional<JointFit> fitJointlyFast(const Measurement& measurement, const std
   fit.arcAngles.resize(arcs.size());
   fit.misfits.resize(arcs.size());
   doEach(threads, arcs.size(), [&](std::size_t i) {
-    const double upwards = measurement.arcs[i].axisDeg == 0 ? 0.5 : -0.5;
-    arcs[i].fillReadings(fit, fit.readings.data() + firsts[i], arcs.size() == 2 ? upwards : 0);
+    const double perHeight = intersectionPerHeight(measurement.arcs[i].axisDeg);
+    arcs[i].fillReadings(fit, fit.readings.data() + firsts[i], arcs.size() == 2 ? perHeight : 0);
   });
   for (std::size_t i = 0; i < arcs.size(); ++i) {
     fit.iterations = std::max(fit.iterations, arcs[i].iterations());

@@ -9,6 +9,7 @@
 
 #include "core/adjustment/joint/fast_joint_fit.h"
 #include "core/adjustment/joint/joint_problem.h"
+#include "core/observation/half_turn.h"
 
 namespace alidade {
 
@@ -89,7 +90,7 @@ VectorXd intersectionGradient(const Measurement& measurement, const std::vector<
   if (measurement.arcs.size() != 2) return gradient;
   for (std::size_t i = 0; i < unknowns.size(); ++i)
     if (unknowns[i].kind == Unknown::Kind::CentreY)
-      gradient[static_cast<Index>(i)] = measurement.arcs[unknowns[i].arc].axisDeg == 0 ? 0.5 : -0.5;
+      gradient[static_cast<Index>(i)] = intersectionPerHeight(measurement.arcs[unknowns[i].arc].axisDeg);
   return gradient;
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/base/statistics.h"
+#include "core/observation/half_turn.h"
 
 namespace alidade {
 
@@ -145,8 +146,8 @@ std::optional<Intersection> intersect(const Measurement& measurement, const Join
     return fit.values[index(kind, *upper)] - fit.values[index(kind, *lower)];
   };
   std::vector<double> weights(fit.unknowns.size());
-  weights[index(Unknown::Kind::CentreY, *upper)] = 0.5;
-  weights[index(Unknown::Kind::CentreY, *lower)] = -0.5;
+  weights[index(Unknown::Kind::CentreY, *upper)] = intersectionPerHeight(0);
+  weights[index(Unknown::Kind::CentreY, *lower)] = intersectionPerHeight(180);
 
   const NoiseScale noise = noiseScale(fit);
   Intersection result;

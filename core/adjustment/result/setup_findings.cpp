@@ -5,6 +5,7 @@
 
 #include "core/base/number_text.h"
 #include "core/base/quantity_text.h"
+#include "core/observation/half_turn.h"
 #include "core/observation/visits.h"
 
 namespace alidade {
@@ -34,7 +35,7 @@ void judgeDistance(std::vector<Finding>& findings, const Measurement& measuremen
 
 /// Most rows lie below the centre at 0°, above it at 180°.
 bool isUpsideDown(const ArcFit& arc) {
-  const double up = arc.axisDeg == 0 ? 1 : -1;
+  const double up = halfTurnSign(arc.axisDeg);
   const auto wrong = std::ranges::count_if(
       arc.residuals, [&](const SightingResidual& row) { return up * std::sin(row.arcAngle) < 0; });
   return 2 * static_cast<std::size_t>(wrong) > arc.residuals.size();

@@ -10,6 +10,8 @@
 #include <tuple>
 #include <utility>
 
+#include "core/observation/half_turn.h"
+
 namespace alidade {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::MatrixXf, Eigen::VectorXd;
@@ -51,8 +53,9 @@ class Surroundings {
           return at(i).visit == at(j).visit &&
                  (at(i).sighting == at(j).sighting || at(j).kind == ReadingKind::Slider);
         })) {
-    s = visits->values(
-        [&](Index i) { return (arcOf(i).axisDeg == 0 ? 1 : -1) * fit.arcAngles[at(i).arc][at(i).sighting]; });
+    s = visits->values([&](Index i) {
+      return sliderCoordinateOf(fit.arcAngles[at(i).arc][at(i).sighting], arcOf(i).axisDeg);
+    });
     const auto last = static_cast<double>(std::max<std::size_t>(measurement.rows, 2) - 1);
     elapsed = rows->values([&](Index i) { return static_cast<double>(rowOf(i).sequence) / last; });
     const auto directions = adjustedDirections(measurement, fit);

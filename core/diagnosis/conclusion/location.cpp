@@ -5,6 +5,8 @@
 #include <map>
 #include <numbers>
 
+#include "core/observation/half_turn.h"
+
 namespace alidade {
 
 namespace {
@@ -105,7 +107,7 @@ std::vector<GapShare> sharesOfReadings(const Leftover& leftover, const Measureme
     const ArcMeasurement& arc = measurement.arcs[reading.arc];
     const Sighting& sighting = arc.sightings[reading.sighting];
     const auto quarter = 4 * sighting.sequence / std::max<std::size_t>(measurement.rows, 1);
-    const double s = (arc.axisDeg == 0 ? 1 : -1) * fit.arcAngles[reading.arc][reading.sighting];
+    const double s = sliderCoordinateOf(fit.arcAngles[reading.arc][reading.sighting], arc.axisDeg);
     const auto add = [&](Division by, int value) { tally.add(by, value, squares, expectations); };
     add(Division::Position, arc.axisDeg);
     add(Division::Face, sighting.face);

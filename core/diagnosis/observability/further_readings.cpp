@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/observation/half_turn.h"
 #include "core/observation/observe.h"
 #include "core/observation/visits.h"
 
@@ -92,7 +93,7 @@ std::optional<FurtherReadings> withSlider(const GapModel& model, Measurement mor
       Sighting& sighting = more.arcs[arc].sightings[i];
       if (sighting.slider) continue;
       const double phi = arcAngle(model, arc, i);
-      sighting.slider = Angle::fromRadians(more.arcs[arc].axisDeg == 0 ? phi : -phi);
+      sighting.slider = Angle::fromRadians(sliderCoordinateOf(phi, more.arcs[arc].axisDeg));
       added = true;
     }
   if (!added) return std::nullopt;
@@ -120,14 +121,14 @@ std::optional<FurtherReadings> withMoreArc(const GapModel& model, Measurement mo
   constexpr int points = 17;
   bool added = false;
   for (std::size_t arc = 0; arc < more.arcs.size(); ++arc) {
-    const int side = more.arcs[arc].axisDeg == 0 ? 1 : -1;
     const auto& angles = model.fit.arcAngles[arc];
     const auto [least, most] = std::ranges::minmax(angles);
     if ((most - least) * 180 / std::numbers::pi > enough) continue;
     int point = 0;
     for (const Sighting& sighting : more.arcs[arc].sightings) point = std::max(point, sighting.point);
     for (int k = 0; k < points; ++k) {
-      const double phi = side * (90 - whole / 2 + whole * k / (points - 1)) * std::numbers::pi / 180;
+      const double s = (90 - whole / 2 + whole * k / (points - 1)) * std::numbers::pi / 180;
+      const double phi = arcAngleOf(s, more.arcs[arc].axisDeg);
       if (phi >= least && phi <= most) continue;
       Sighting sighting;
       sighting.point = ++point;
@@ -150,7 +151,8 @@ Measurement readWithoutError(const GapModel& model) {
       Sighting& sighting = plan.arcs[arc].sightings[i];
       const double phi = arcAngle(model, arc, i);
       sightPerfectly(sighting, plan, model.fit.circleOf(arc), phi);
-      if (sighting.slider) sighting.slider = Angle::fromRadians(plan.arcs[arc].axisDeg == 0 ? phi : -phi);
+      if (sighting.slider)
+        sighting.slider = Angle::fromRadians(sliderCoordinateOf(phi, plan.arcs[arc].axisDeg));
     }
   return plan;
 }

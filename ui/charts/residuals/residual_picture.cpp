@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/observation/half_turn.h"
+
 namespace alidade::ui {
 namespace {
 
 /// s of an arc angle, degrees in [−90, 270): the guideway's half circle without a seam.
 double sliderDegrees(double arcAngle, int axisDeg) {
-  const Angle angle = Angle::fromRadians(axisDeg == 0 ? arcAngle : -arcAngle);
+  const Angle angle = Angle::fromRadians(sliderCoordinateOf(arcAngle, axisDeg));
   return wrapped(angle, Angle::fromDegrees(90)).degrees();
 }
 
