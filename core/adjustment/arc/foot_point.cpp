@@ -1,8 +1,8 @@
 #include "core/adjustment/arc/foot_point.h"
 
-#include <algorithm>
 #include <cmath>
 
+#include "core/adjustment/numerics/arc_angle_step.h"
 #include "core/observation/half_turn.h"
 
 namespace alidade {
@@ -90,7 +90,6 @@ FootPoint footPoint(const ArcView& view, const ArcUnknowns& unknowns, const Visi
                     FootPoint foot) {
   constexpr int maximumIterations = 25;
   constexpr double smallestStep = 1e-14;  // rad; 4e-12 mm on a 400 mm arc
-  constexpr double largestStep = 0.3;     // rad; keeps a poor start on its side of the circle
   constexpr double near = 1e-10;          // only from here on a step tells how short the next will be
 
   look(foot, view, unknowns, visit);
@@ -102,7 +101,7 @@ FootPoint footPoint(const ArcView& view, const ArcUnknowns& unknowns, const Visi
                                       along.e * view.whitening.vertical * foot.left.e) +
                         alongSlider * view.whitening.slider * foot.sliderLeft;
     const double square = visit.rows * (along.a * along.a + along.e * along.e) + alongSlider * alongSlider;
-    const double step = std::clamp(left / square, -largestStep, largestStep);
+    const double step = boundedArcAngleStep(left / square);
     turnBy(foot, step);
     look(foot, view, unknowns, visit);
     // Steps fall off by one ratio, that of residual to radius: is the next one little enough?

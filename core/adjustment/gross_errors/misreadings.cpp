@@ -9,6 +9,7 @@
 
 #include "core/adjustment/arc/robust_start.h"
 #include "core/adjustment/joint/joint_problem.h"
+#include "core/adjustment/numerics/arc_angle_step.h"
 #include "core/base/statistics.h"
 
 namespace alidade {
@@ -226,7 +227,7 @@ class Search {
       VisitEquations equations = problem.equationsOf(state, index);
       for (int iteration = 0; iteration < 30; ++iteration) {
         const double turn = equations.along.dot(equations.residual) / equations.jacobian.col(phiSlot).norm();
-        state.arcAngles[static_cast<Index>(index)] += std::clamp(turn, -0.3, 0.3);
+        state.arcAngles[static_cast<Index>(index)] += boundedArcAngleStep(turn);
         equations = problem.equationsOf(state, index);
         if (std::abs(turn) < 1e-10) break;
       }

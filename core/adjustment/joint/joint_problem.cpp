@@ -8,15 +8,13 @@
 #include <utility>
 
 #include "core/adjustment/joint/arc_jets.h"
+#include "core/adjustment/numerics/arc_angle_step.h"
 
 namespace alidade {
 
 namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
-
-constexpr double largestTurn =
-    0.3;  // rad of arc angle in one step; keeps a poor start on its side of the circle
 
 std::tuple<std::size_t, std::size_t, ReadingKind> placeOf(const ReadingRef& cell) {
   return {cell.arc, cell.sighting, cell.kind};
@@ -455,7 +453,7 @@ JointState JointProblem::moved(const JointState& state, const std::vector<VisitE
     const double length = equations.jacobian.col(phiSlot).norm();
     if (length == 0) continue;  // nothing of this visit takes part
     const double turn = equations.along.dot(residual) / length;
-    result.arcAngles[static_cast<Index>(v)] += std::clamp(turn, -largestTurn, largestTurn);
+    result.arcAngles[static_cast<Index>(v)] += boundedArcAngleStep(turn);
   }
   return result;
 }

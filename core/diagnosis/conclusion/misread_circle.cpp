@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/adjustment/gross_errors/visit_check.h"
+#include "core/adjustment/numerics/arc_angle_step.h"
 #include "core/observation/observe.h"
 
 namespace alidade {
@@ -53,7 +54,7 @@ class Correction {
         (keepsA ? sighting.e : sighting.a) = Angle::fromRadians(keepsA ? seen.e : seen.a);
         return true;
       }
-      phi += std::clamp(off / slope, -0.3, 0.3);
+      phi += boundedArcAngleStep(off / slope);
     }
     return false;
   }
