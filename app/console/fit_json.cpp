@@ -28,7 +28,7 @@ Json arcJson(const ArcFit& arc, const ArcSigma& sigma) {
           {"residual_rms_arcsec", arc.residualRms},
           {"reduced_chi2", arc.degreesOfFreedom > 0 ? arc.reducedChiSquare() : undefined},
           {"iterations", arc.iterations},
-          {"converged", arc.converged}};
+          {"converged", arc.converged()}};
 }
 
 Json asPrintedJson(const AsPrinted& printed) {

@@ -46,7 +46,7 @@ inline void expectFit(const Measurement& measurement, const SessionFit& fit) {
   }
   ASSERT_EQ(fit.sigmas.size(), fit.arcs.size());
   ASSERT_EQ(fit.budgets.size(), fit.arcs.size());
-  EXPECT_TRUE(fit.joint.isDetermined);
+  EXPECT_TRUE(fit.joint.isDetermined());
   for (std::size_t i = 0; i < fit.arcs.size(); ++i) {
     expectNumber(fit.arcs[i].circle.x, "x");
     expectNumber(fit.arcs[i].circle.y, "y");

@@ -158,7 +158,7 @@ Angle arcSpan(const ArcFit& fit) {
 std::vector<Finding> arcFindings(const Measurement& measurement, const ArcMeasurement& arc,
                                  const ArcFit& fit) {
   std::vector<Finding> findings;
-  if (!fit.converged)
+  if (!fit.converged())
     add(findings, fit, Severity::Warning,
         "the fit did not settle within " + std::to_string(fit.iterations) +
             " iterations; its result is provisional.",

@@ -11,6 +11,7 @@
 #include "core/adjustment/arc/first_fit.h"
 #include "core/adjustment/arc/foot_point.h"
 #include "core/adjustment/numerics/algebraic_circle.h"
+#include "core/adjustment/numerics/least_squares.h"
 #include "core/observation/visits.h"
 
 namespace alidade {
@@ -24,14 +25,18 @@ double square(double value) {
 }
 
 struct NormalEquations {
-  std::vector<FootPoint> feet;  // of each visit
+  std::vector<FootPoint> feet = {};  // of each visit
   Matrix3d matrix = Matrix3d::Zero();
   Vector3d rightSide = Vector3d::Zero();
   double chiSquare = 0;  // of the visit means
 };
 
+/// As `minimise` wants it: every visit stands at its foot point, so that λ is to be relied on at once.
 class ArcProblem {
  public:
+  using State = Circle;
+  using System = NormalEquations;
+
   ArcProblem(const Measurement& measurement, const ArcMeasurement& arc)
       : m_view(measurement, arc.axisDeg), m_visits(visitsOf(arc)) {
     m_readings.reserve(m_visits.size());
@@ -41,8 +46,8 @@ class ArcProblem {
   const std::vector<Visit>& visits() const { return m_visits; }
   const Whitening& whitening() const { return m_view.whitening; }
 
-  std::vector<FootPoint> feetOn(const Circle& circle) const {
-    std::vector<FootPoint> feet;
+  std::vector<FootPoint> feetOn(const Circle& circle, std::vector<FootPoint> feet = {}) const {
+    feet.clear();
     feet.reserve(m_readings.size());
     for (const VisitReading& reading : m_readings) feet.push_back(footPoint(m_view, {circle}, reading));
     return feet;
@@ -55,8 +60,8 @@ class ArcProblem {
     return points;
   }
 
-  NormalEquations normalEquations(const Circle& circle) const {
-    NormalEquations equations{.feet = feetOn(circle)};
+  NormalEquations system(const Circle& circle, NormalEquations used) const {
+    NormalEquations equations{.feet = feetOn(circle, std::move(used.feet))};
     for (std::size_t v = 0; v < m_readings.size(); ++v) {
       const DistanceFromArc off = distanceFromArc(m_view, circle.radius, equations.feet[v]);
       const Vector3d gradient(off.gradient[0], off.gradient[1], off.gradient[2]);
@@ -68,55 +73,25 @@ class ArcProblem {
     return equations;
   }
 
+  double remaining(const NormalEquations& equations) const {
+    const double squared = equations.rightSide.dot(equations.matrix.ldlt().solve(equations.rightSide));
+    return squared >= 0 ? std::sqrt(squared) : std::numeric_limits<double>::infinity();
+  }
+
+  Circle moved(const Circle& circle, const NormalEquations& equations, double damping) const {
+    Matrix3d damped = equations.matrix;
+    damped.diagonal() *= 1 + damping;
+    const Vector3d step = damped.ldlt().solve(equations.rightSide);
+    return {circle.x + step[0], circle.y + step[1], circle.radius + step[2]};
+  }
+
+  bool isPossible(const Circle& circle) const { return circle.radius > 0; }
+
  private:
   ArcView m_view;
   std::vector<Visit> m_visits;
   std::vector<VisitReading> m_readings;  // without the slider's
 };
-
-struct Solution {
-  Circle circle;
-  NormalEquations equations;
-  int iterations = 0;
-  bool converged = false;
-};
-
-Circle moved(const Circle& circle, const Vector3d& step) {
-  return {circle.x + step[0], circle.y + step[1], circle.radius + step[2]};
-}
-
-/// The length of the undamped step in standard deviations of the result.
-double remainingStep(const NormalEquations& equations) {
-  const double squared = equations.rightSide.dot(equations.matrix.ldlt().solve(equations.rightSide));
-  return squared >= 0 ? std::sqrt(squared) : std::numeric_limits<double>::infinity();
-}
-
-/// Levenberg-Marquardt; the damping is relative to the diagonal, so it does not depend on units.
-Solution minimise(const ArcProblem& problem, const Circle& start, const ArcFitOptions& options) {
-  Solution best{start, problem.normalEquations(start), 0, false};
-  constexpr double largestDamping = 1e12, smallestDamping = 1e-12;
-  // Readings are rounded to 1e-16 rad, some 1e-11 of their σ: a rise of χ² by less is none.
-  constexpr double rounding = 1e-9;
-  double damping = 1e-6;
-  while (!(best.converged = remainingStep(best.equations) < options.tolerance) &&
-         best.iterations < options.maximumIterations && damping < largestDamping) {
-    ++best.iterations;
-    Matrix3d damped = best.equations.matrix;
-    damped.diagonal() *= 1 + damping;
-    const Circle trial = moved(best.circle, damped.ldlt().solve(best.equations.rightSide));
-    if (trial.radius > 0) {
-      NormalEquations equations = problem.normalEquations(trial);
-      if (equations.chiSquare <= best.equations.chiSquare + rounding * (1 + best.equations.chiSquare)) {
-        best.circle = trial;
-        best.equations = std::move(equations);
-        damping = std::max(damping / 10, smallestDamping);
-        continue;
-      }
-    }
-    damping *= 10;
-  }
-  return best;
-}
 
 void fillCovariance(ArcFit& fit, const NormalEquations& equations) {
   const Matrix3d cofactor = equations.matrix.inverse();
@@ -167,16 +142,17 @@ Result<ArcFit> fitArc(const Measurement& measurement, const ArcMeasurement& arc,
   if (!start) start = algebraicCircle(problem.sightedPoints());
   if (!start) return unfit(arc, straightLineSentence());
 
-  const Solution solution = minimise(problem, *start, options);
+  const auto minimum = minimise(
+      problem, *start, {.maximumIterations = options.maximumIterations, .tolerance = options.tolerance});
   ArcFit fit;
   fit.position = arc.position;
   fit.axisDeg = arc.axisDeg;
   fit.degreesOfFreedom = static_cast<int>(2 * arc.sightings.size() - problem.visits().size()) - 3;
-  fit.circle = solution.circle;
-  fit.iterations = solution.iterations;
-  fit.converged = solution.converged;
-  fillCovariance(fit, solution.equations);
-  fillResiduals(fit, problem, arc, solution.equations.feet);
+  fit.circle = minimum.state;
+  fit.iterations = minimum.iterations;
+  fit.status = minimum.status;
+  fillCovariance(fit, minimum.system);
+  fillResiduals(fit, problem, arc, minimum.system.feet);
   if (auto sentence = radiusUndetermined(fit)) return unfit(arc, *sentence);
   return fit;
 }

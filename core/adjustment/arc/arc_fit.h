@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/adjustment/numerics/fit_status.h"
 #include "core/base/result.h"
 #include "core/observation/guideway.h"
 #include "core/session/measurement.h"
@@ -35,8 +36,9 @@ struct ArcFit {
   double residualRms = 0;    ///< arcseconds, over all angle readings of the arc
   Covariance3 cofactor{};    ///< covariance of (Δx, Δy, R) from the stated σ of the readings alone
   int iterations = 0;
-  bool converged = false;
+  FitStatus status = FitStatus::Undetermined;
 
+  bool converged() const { return status == FitStatus::Converged; }
   double reducedChiSquare() const { return degreesOfFreedom > 0 ? chiSquare / degreesOfFreedom : 0; }
   /// 1σ of the radius, mm; scaled up where the readings scatter more than stated.
   double radiusSigma() const {

@@ -66,7 +66,7 @@ Result<ArcFit> firstFit(const Measurement& measurement, const ArcMeasurement& ar
   fit.cofactor = fast->cofactor;
   fit.chiSquare = fast->chiSquare + chiSquareWithinVisits(view.whitening, arc, visits);
   fit.iterations = fast->iterations;
-  fit.converged = true;
+  fit.status = FitStatus::Converged;
   fit.residuals.resize(arc.sightings.size());
   for (std::size_t i = 0; i < arc.sightings.size(); ++i) fit.residuals[i].row = arc.sightings[i].row;
   return fit;

@@ -80,7 +80,8 @@ Result<PublishedFit> fitArcAsPublished(const Measurement& measurement, const Arc
   fit.arc.axisDeg = arc.axisDeg;
   fit.arc.circle = {unknown[1], up * unknown[2], radius};
   fit.arc.iterations = iterations;
-  fit.arc.converged = std::abs(fit.asPrinted.deltaRadius) < printedStep;
+  fit.arc.status =
+      std::abs(fit.asPrinted.deltaRadius) < printedStep ? FitStatus::Converged : FitStatus::TooManyIterations;
   fit.arc.degreesOfFreedom = static_cast<int>(2 * arc.sightings.size()) - places - unknowns;
   Measurement planar = measurement;
   planar.relation = VerticalAngleRelation::Planar;

@@ -160,7 +160,7 @@ class Search {
   void fitWithoutApart() {
     m_shifted = m_measurement;
     const bool isKnown =
-        m_apart.empty() && m_options.known && m_options.known->converged && m_fitOptions.without.empty();
+        m_apart.empty() && m_options.known && m_options.known->converged() && m_fitOptions.without.empty();
     if (isKnown) {
       m_fit = *m_options.known;
       m_projector.emplace(m_shifted, m_fitOptions, m_fit, m_stop);
@@ -308,7 +308,7 @@ class Search {
 
   /// The next fit starts where this one ended.
   void startFromFit() {
-    if (!m_fit.converged) return;
+    if (!m_fit.converged()) return;
     for (std::size_t arc = 0; arc < m_circles.size(); ++arc) m_circles[arc] = m_fit.circleOf(arc);
   }
 

@@ -164,7 +164,7 @@ VisitCheck::VisitCheck(const Measurement& measurement, std::size_t arc,
                        const JointFitOptions& options)
     : m_content(std::make_unique<Content>()) {
   Content& content = *m_content;
-  content.freedom = fit.converged ? fit.degreesOfFreedom : 0;
+  content.freedom = fit.converged() ? fit.degreesOfFreedom : 0;
   if (content.freedom < 1) return;
   content.variance = std::max(fit.chiSquare / content.freedom, 1e-6);
   content.options = options;

@@ -294,8 +294,7 @@ std::optional<JointFit> fitJointlyFast(const Measurement& measurement, const std
     fit.chiSquare += fit.misfits[i].chiSquare;
     fit.degreesOfFreedom += fit.misfits[i].degreesOfFreedom;
   }
-  fit.isDetermined = true;
-  fit.converged = true;
+  fit.status = FitStatus::Converged;
   return fit;
 }
 

@@ -9,6 +9,7 @@
 
 #include "core/adjustment/joint/fast_joint_fit.h"
 #include "core/adjustment/joint/joint_problem.h"
+#include "core/adjustment/numerics/least_squares.h"
 #include "core/observation/half_turn.h"
 
 namespace alidade {
@@ -31,51 +32,38 @@ MatrixXd inverseScaled(const MatrixXd& matrix) {
   return scale.asDiagonal() * inverse * scale.asDiagonal();
 }
 
-struct Minimum {
-  JointState state;
-  JointSystem system;
-  int iterations = 0;
-  bool converged = false;
-};
+/// As `minimise` wants it.
+class JointDescent {
+ public:
+  using State = JointState;
+  using System = JointSystem;
 
-double remainingStep(const JointSystem& system, Index estimated) {
-  const VectorXd rightSide = system.rightSide.head(estimated);
-  const double squared =
-      rightSide.dot(solveScaled(system.matrix.topLeftCorner(estimated, estimated), rightSide));
-  return squared >= 0 ? std::sqrt(squared) : std::numeric_limits<double>::infinity();
-}
+  explicit JointDescent(const JointProblem& problem)
+      : m_problem(problem), m_estimated(static_cast<Index>(problem.estimated().size())) {}
 
-Minimum minimise(const JointProblem& problem, JointState start, const JointFitOptions& options) {
-  Minimum best{std::move(start), {}, 0, false};
-  best.system = problem.system(best.state);
-  const auto estimated = static_cast<Index>(problem.estimated().size());
-  constexpr double largestDamping = 1e9, smallestDamping = 1e-12;
-  constexpr double rounding = 1e-9;  // readings are rounded to some 1e-11 of their σ
-  double damping = 1e-9;
-  double previousStep = std::numeric_limits<double>::infinity();
-  JointSystem spare;
-  while (best.iterations < options.maximumIterations && damping < largestDamping) {
-    ++best.iterations;
-    MatrixXd damped = best.system.matrix.topLeftCorner(estimated, estimated);
-    damped.diagonal() *= 1 + damping;
-    JointState trial = problem.moved(best.state, best.system.equations,
-                                     solveScaled(damped, best.system.rightSide.head(estimated)));
-    JointSystem system = problem.system(trial, std::move(spare));
-    if (system.chiSquare <= best.system.chiSquare + rounding * (1 + best.system.chiSquare)) {
-      best.state = std::move(trial);
-      spare = std::exchange(best.system, std::move(system));
-      damping = std::max(damping / 10, smallestDamping);
-      const double remaining = remainingStep(best.system, estimated);
-      best.converged = remaining < options.tolerance && previousStep < 1e-4;
-      if (best.converged) break;
-      previousStep = remaining;
-    } else {
-      spare = std::move(system);
-      damping *= 10;
-    }
+  JointSystem system(const JointState& state, JointSystem used) const {
+    return m_problem.system(state, std::move(used));
   }
-  return best;
-}
+
+  double remaining(const JointSystem& system) const {
+    const VectorXd rightSide = system.rightSide.head(m_estimated);
+    const double squared =
+        rightSide.dot(solveScaled(system.matrix.topLeftCorner(m_estimated, m_estimated), rightSide));
+    return squared >= 0 ? std::sqrt(squared) : std::numeric_limits<double>::infinity();
+  }
+
+  JointState moved(const JointState& state, const JointSystem& system, double damping) const {
+    MatrixXd damped = system.matrix.topLeftCorner(m_estimated, m_estimated);
+    damped.diagonal() *= 1 + damping;
+    return m_problem.moved(state, system.equations, solveScaled(damped, system.rightSide.head(m_estimated)));
+  }
+
+  bool isPossible(const JointState& /*state*/) const { return true; }
+
+ private:
+  const JointProblem& m_problem;
+  Index m_estimated;
+};
 
 SquareMatrix plain(const MatrixXd& matrix) {
   SquareMatrix result{static_cast<std::size_t>(matrix.rows()), {}};
@@ -185,7 +173,12 @@ JointFit fitJointlyInGeneral(const Measurement& measurement, const std::vector<C
                              const JointFitOptions& options) {
   assert(starts.size() == measurement.arcs.size());
   const JointProblem problem(measurement, options);
-  const Minimum minimum = minimise(problem, problem.start(starts), options);
+  const auto minimum = minimise(JointDescent(problem), problem.start(starts),
+                                {.maximumIterations = options.maximumIterations,
+                                 .tolerance = options.tolerance,
+                                 .confirmation = 1e-4,  // arc angles follow by their linear equations
+                                 .firstDamping = 1e-9,
+                                 .largestDamping = 1e9});
   const auto estimated = static_cast<Index>(problem.estimated().size());
   const auto considered = static_cast<Index>(problem.considered().size());
   const MatrixXd cofactor = inverseScaled(minimum.system.matrix.topLeftCorner(estimated, estimated));
@@ -208,10 +201,10 @@ JointFit fitJointlyInGeneral(const Measurement& measurement, const std::vector<C
   fit.arcAngles = anglesOfSightings(measurement, problem, minimum.state);
   fit.iterations = minimum.iterations;
   fit.chiSquare = minimum.system.chiSquare;
-  fit.isDetermined = std::isfinite(fit.chiSquare) && minimum.state.unknowns.allFinite() &&
-                     cofactor.allFinite() && perConsidered.allFinite() &&
-                     (cofactor.diagonal().array() >= 0).all();
-  fit.converged = minimum.converged && fit.isDetermined;
+  const bool isDetermined = std::isfinite(fit.chiSquare) && minimum.state.unknowns.allFinite() &&
+                            cofactor.allFinite() && perConsidered.allFinite() &&
+                            (cofactor.diagonal().array() >= 0).all();
+  fit.status = isDetermined ? minimum.status : FitStatus::Undetermined;
   fit.misfits.resize(measurement.arcs.size());
   fillReadings(fit, measurement, problem, minimum.system.equations, cofactor);
   countDegreesOfFreedom(fit, problem);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/adjustment/numerics/fit_status.h"
 #include "core/adjustment/numerics/square_matrix.h"
 #include "core/observation/error_term.h"
 #include "core/observation/guideway.h"
@@ -103,10 +104,8 @@ struct JointFit {
   double chiSquare = 0;                        ///< of circles, slider and priors
   int degreesOfFreedom = 0;
   int iterations = 0;
-  bool converged = false;
-  /// All numbers of the fit are finite and no variance is negative: the equations have not lost their rank.
-  /// Where they have, `chiSquare`, `values` and whatever follows from them mean nothing.
-  bool isDetermined = false;
+  /// `Undetermined` where a number of the fit is not finite or a variance negative.
+  FitStatus status = FitStatus::Undetermined;
 
   /// σ of R0 behind a radius that is known; infinite where it is free.
   double radiusPriorSigma = std::numeric_limits<double>::infinity();
@@ -114,13 +113,15 @@ struct JointFit {
   /// Index of an unknown; `unknowns.size()` where it is not one of this fit. The radius of any arc is the
   /// shared one where there is one.
   std::size_t indexOf(const Unknown& unknown) const;
+  bool converged() const { return status == FitStatus::Converged; }
+  /// Else `chiSquare`, `values` and whatever follows from them mean nothing.
+  bool isDetermined() const { return status != FitStatus::Undetermined; }
   /// Of an arc of the measurement.
   Circle circleOf(std::size_t arc) const;
 };
 
-/// Starts from `starts`, one circle for each arc of the measurement. Outcomes, not errors: a fit that did not
-/// settle says so in `converged`, one whose equations have lost their rank in `isDetermined`, and then in
-/// both.
+/// Starts from `starts`, one circle for each arc of the measurement. Whether it found the minimum, or
+/// why not, is in `status`.
 JointFit fitJointly(const Measurement& measurement, const std::vector<Circle>& starts,
                     const JointFitOptions& options = {});
 

@@ -64,7 +64,7 @@ class GeneralRefit : public Refit {
     for (std::size_t i = 0; i < m_drawn.arcs.size(); ++i) {
       const Result<ArcFit> fit =
           fitArc(m_drawn, m_drawn.arcs[i], {.start = m_starts[i], .tolerance = farBelowScatter});
-      const bool isFound = fit && fit->converged;
+      const bool isFound = fit && fit->converged();
       centres[2 * i] = isFound ? fit->circle.x : missing;
       centres[2 * i + 1] = isFound ? fit->circle.y : missing;
     }
@@ -74,7 +74,7 @@ class GeneralRefit : public Refit {
     const JointFit fit = fitJointly(m_drawn, m_starts, m_options);
     for (std::size_t i = 0; i < m_drawn.arcs.size(); ++i) {
       const auto value = [&](Unknown::Kind kind) {
-        return fit.converged ? fit.values[fit.indexOf({.kind = kind, .arc = i})] : missing;
+        return fit.converged() ? fit.values[fit.indexOf({.kind = kind, .arc = i})] : missing;
       };
       centres[2 * i] = value(Unknown::Kind::CentreX);
       centres[2 * i + 1] = value(Unknown::Kind::CentreY);

@@ -138,7 +138,7 @@ ArcSigma arcSigma(const JointFit& fit, std::size_t arc, double scale, const ArcB
 
 std::optional<Intersection> intersect(const Measurement& measurement, const JointFit& fit) {
   const auto upper = arcAt(measurement, 0), lower = arcAt(measurement, 180);
-  if (!upper || !lower || !fit.isDetermined) return std::nullopt;
+  if (!upper || !lower || !fit.isDetermined()) return std::nullopt;
   const auto index = [&](Unknown::Kind kind, std::size_t arc) {
     return fit.indexOf({.kind = kind, .arc = arc});
   };

@@ -63,7 +63,7 @@ void takeOver(std::vector<ArcFit>& arcs, const JointFit& joint) {
     arc.degreesOfFreedom = joint.misfits[i].degreesOfFreedom;
     arc.residualRms = std::sqrt(squares[i] / static_cast<double>(2 * arc.residuals.size()));
     arc.iterations = joint.iterations;
-    arc.converged = joint.converged;
+    arc.status = joint.status;
   }
 }
 
@@ -95,7 +95,7 @@ bool adjust(SessionFit& fit, const Measurement& fitted) {
   for (const ArcFit& arc : fit.arcs) starts.push_back(arc.circle);
   const std::vector<const Effect*> effects = knownEffects(fitted.effects);
   fit.joint = fitJointly(fitted, starts, {.terms = termsOf(effects)});
-  if (!fit.joint.isDetermined) return false;
+  if (!fit.joint.isDetermined()) return false;
   takeOver(fit.arcs, fit.joint);
   fit.noise = noiseScale(fit.joint);
   for (std::size_t i = 0; i < fit.arcs.size(); ++i) {

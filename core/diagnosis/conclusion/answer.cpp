@@ -118,7 +118,7 @@ Answer likeliestAnswer(const Inquiry& inquiry) {
 Answer conclude(const Inquiry& inquiry) {
   Answer answer = likeliestAnswer(inquiry);
   // In the linear model there was an answer; with it in the model itself the readings may fix nothing.
-  return answer.after.fit.isDetermined ? answer : unexplained(inquiry);
+  return answer.after.fit.isDetermined() ? answer : unexplained(inquiry);
 }
 
 std::vector<GapStep> stepsOf(const Inquiry& inquiry, const Answer& answer) {
@@ -128,7 +128,7 @@ std::vector<GapStep> stepsOf(const Inquiry& inquiry, const Answer& answer) {
   const auto note = [&](std::string_view id) {
     const bool isLast = soFar.parts.size() == whole.parts.size() && soFar.noisy == whole.noisy;
     const GapModel& model = isLast ? answer.after : modelWith(inquiry, soFar);
-    if (!model.fit.isDetermined) return;
+    if (!model.fit.isDetermined()) return;
     steps.push_back({std::string(id), sizeOf(model), estimateOf(model)});
   };
   for (const Part& part : whole.parts)

@@ -34,7 +34,7 @@ GapModel modelWith(const GapModel& base, const Explanation& explanation,
     }
   }
   model.fit = fitJointly(*model.measurement, model.starts, model.options);
-  if (explanation.noisy && model.fit.isDetermined && model.fit.degreesOfFreedom > 0)
+  if (explanation.noisy && model.fit.isDetermined() && model.fit.degreesOfFreedom > 0)
     model.noise = std::sqrt(model.fit.chiSquare / model.fit.degreesOfFreedom);
   return model;
 }

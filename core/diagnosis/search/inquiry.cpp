@@ -94,7 +94,7 @@ Inquiry inquireOnce(GapModel base, const DiagnosisOptions& options, const std::s
     const std::optional<Explanation> causes = largeCauses(inquiry);
     if (!causes) break;
     const GapModel withCauses = modelWith(inquiry.base, *causes, inquiry.candidates, inquiry.leftover);
-    if (!withCauses.fit.converged) break;
+    if (!withCauses.fit.converged()) break;
     Leftover closer(around(inquiry.base, withCauses), inquiry.base.options.terms);
     const std::vector<Part> before = inquiry.explanations.front().parts;
     inquiry = searched(std::move(inquiry.base), std::move(closer), options, stop);
@@ -149,7 +149,7 @@ Inquiry inquire(GapModel model, const DiagnosisOptions& options, const std::stop
       next.options.without.push_back(readingRef(inquiry.leftover, far.reading));
     }
     next.fit = fitJointly(*next.measurement, next.starts, next.options);
-    if (!next.fit.isDetermined) break;
+    if (!next.fit.isDetermined()) break;
     if (!first) first = std::make_shared<const Inquiry>(std::move(inquiry));
     inquiry = inquireOnce(std::move(next), options, stop);
     inquiry.farOff = std::move(all);

@@ -29,7 +29,7 @@ TEST_P(ArcFitOfTableI, MeetsTheHighPrecisionSolution) {
   measurement.relation = expected.relation;
   const Result<ArcFit> fit = fitArc(measurement, measurement.arcs[expected.arc]);
   ASSERT_TRUE(fit);
-  EXPECT_TRUE(fit->converged);
+  EXPECT_TRUE(fit->converged());
   EXPECT_EQ(fit->degreesOfFreedom, 14);
   EXPECT_NEAR(fit->circle.radius, expected.radius, 1e-9);
   EXPECT_NEAR(fit->circle.x, expected.x, 1e-9);
@@ -58,7 +58,7 @@ TEST(ArcFit, ConvergesFromPoorStarts) {
         for (const double dy : {-100.0, 0.0, 100.0}) {
           const Result<ArcFit> fit = fitArc(measurement, arc, {.start = Circle{dx, dy, radius}});
           ASSERT_TRUE(fit) << fit.problem().text();
-          EXPECT_TRUE(fit->converged);
+          EXPECT_TRUE(fit->converged());
           // Both end within 1e-9 of the residual-scaled 0.1 mm of the minimum.
           EXPECT_NEAR(fit->circle.x, reference->circle.x, 1e-9);
           EXPECT_NEAR(fit->circle.y, reference->circle.y, 1e-9);
@@ -128,7 +128,7 @@ TEST(ArcFit, CovarianceMeetsTheScatterOfSimulatedArcs) {
     ArcMeasurement noisy = perfect;
     test::addNoise(noisy, measurement, generator);
     const Result<ArcFit> fit = fitArc(measurement, noisy);
-    ASSERT_TRUE(fit && fit->converged);
+    ASSERT_TRUE(fit && fit->converged());
     const double dx = fit->circle.x - truth.x, dy = fit->circle.y - truth.y,
                  dr = fit->circle.radius - truth.radius;
     xx += dx * dx / count;
@@ -211,13 +211,25 @@ TEST(ArcFit, ShortArcsEndInAnAnswerOrASentence) {
     }
 }
 
+TEST(ArcFit, SaysWhyItEnded) {
+  const Measurement measurement = test::usualMeasurement();
+  const ArcMeasurement arc = test::perfectArc(measurement, {1, 2, 400}, test::spread(17, 160));
+  const Circle afar{-30, 30, 420};
+  EXPECT_EQ(fitArc(measurement, arc, {.start = afar})->status, FitStatus::Converged);
+  const Result<ArcFit> brief = fitArc(measurement, arc, {.start = afar, .maximumIterations = 1});
+  EXPECT_EQ(brief->status, FitStatus::TooManyIterations);
+  EXPECT_EQ(brief->iterations, 1);
+  // No fit comes nearer than rounding lets it.
+  EXPECT_NE(fitArc(measurement, arc, {.start = afar, .tolerance = 0})->status, FitStatus::Converged);
+}
+
 TEST(ArcFit, FitsAHundredThousandPlaces) {
   const Measurement measurement = test::usualMeasurement();
   std::mt19937_64 generator(8);
   ArcMeasurement arc = test::perfectArc(measurement, {1, 2, 400}, test::spread(100000, 160));
   test::addNoise(arc, measurement, generator);
   const Result<ArcFit> fit = fitArc(measurement, arc);
-  ASSERT_TRUE(fit && fit->converged);
+  ASSERT_TRUE(fit && fit->converged());
   // σ of the centre is about 0.02 mm · 2/√100000.
   EXPECT_NEAR(fit->circle.y, 2, 1e-3);
 }

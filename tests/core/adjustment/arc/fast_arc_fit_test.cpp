@@ -41,7 +41,7 @@ std::optional<FastArcFit> fitFast(const Measurement& measurement, const ArcMeasu
 ArcFit fitGenerally(const Measurement& measurement, const ArcMeasurement& arc, const Circle& near) {
   const Result<ArcFit> fit =
       fitArc(measurement, arc, {.start = Circle{near.x + 3, near.y - 2, near.radius * 1.01}});
-  if (!fit || !fit->converged) throw std::runtime_error("the general fit found no minimum");
+  if (!fit || !fit->converged()) throw std::runtime_error("the general fit found no minimum");
   return *fit;
 }
 

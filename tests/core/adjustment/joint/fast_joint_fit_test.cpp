@@ -77,7 +77,7 @@ void expectAlike(const JointFit& fast, const JointFit& general) {
   EXPECT_EQ(fast.considered, general.considered);
   EXPECT_EQ(fast.consideredSigmas, general.consideredSigmas);
   EXPECT_EQ(fast.degreesOfFreedom, general.degreesOfFreedom);
-  EXPECT_EQ(fast.converged, general.converged);
+  EXPECT_EQ(fast.converged(), general.converged());
   EXPECT_NEAR(fast.chiSquare, general.chiSquare, 1e-8 * (1 + general.chiSquare));
   for (std::size_t i = 0; i < fast.values.size(); ++i) {
     // Both stop where the next step is below 1e-9 σ; of poor arcs σ is many millimetres.
@@ -124,7 +124,7 @@ TEST(FastJointFit, AnswersAsTheGeneralOneWhereItAccepts) {
     if (starts.size() < measurement.arcs.size()) continue;
     const auto fast = fitJointlyFast(measurement, starts);
     const JointFit general = fitJointlyInGeneral(measurement, starts);
-    if (!fast || !general.converged) continue;
+    if (!fast || !general.converged()) continue;
     ++compared;
     SCOPED_TRACE(i);
     expectAlike(*fast, general);
@@ -152,7 +152,7 @@ TEST(FirstFit, IsTheFitOfTheArc) {
     const ArcMeasurement& arc = measurement.arcs.front();
     const Result<ArcFit> first = firstFit(measurement, arc), fit = fitArc(measurement, arc);
     ASSERT_EQ(static_cast<bool>(first), static_cast<bool>(fit)) << i;
-    if (!fit || !fit->converged) continue;
+    if (!fit || !fit->converged()) continue;
     const double sigma = std::sqrt(fit->cofactor[2][2]);
     EXPECT_NEAR(first->circle.radius, fit->circle.radius, 1e-9 + 2e-9 * sigma) << i;
     EXPECT_NEAR(first->circle.x, fit->circle.x, 1e-9 + 2e-9 * std::sqrt(fit->cofactor[0][0])) << i;

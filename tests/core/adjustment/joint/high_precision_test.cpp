@@ -17,7 +17,7 @@ constexpr double smallLength = 1e-9;  // mm
 constexpr double smallShare = 1e-8;
 
 void expectMeets(const ArcFit& fit, const test::ReferenceArc& reference) {
-  EXPECT_TRUE(fit.converged);
+  EXPECT_TRUE(fit.converged());
   EXPECT_EQ(fit.axisDeg, reference.axisDeg);
   EXPECT_NEAR(fit.circle.x, reference.x, smallLength);
   EXPECT_NEAR(fit.circle.y, reference.y, smallLength);

@@ -127,7 +127,7 @@ TEST(PoorGeometry, EveryEffectAtOnceIsAnswered) {
       measurement.effects.emplace_back(id);
     const SessionFit fit = fitSession(measurement);
     expectFinite(fit);
-    EXPECT_TRUE(fit.joint.converged) << protocol;
+    EXPECT_TRUE(fit.joint.converged()) << protocol;
     EXPECT_LT(std::abs(fit.intersection->value - 1), 5 * fit.intersection->sigma);
   }
 }

@@ -60,7 +60,7 @@ TEST(RadiusModel, IsTheFreeFitConditioned) {
     expected.observe(difference, 0, 0);
     const auto expectThat = [&](const Measurement& constrained) {
       const JointFit fit = fitSession(constrained).joint;
-      EXPECT_TRUE(fit.converged);
+      EXPECT_TRUE(fit.converged());
       for (std::size_t i = 0; i < free.unknowns.size(); ++i) {
         const std::size_t here = fit.indexOf(free.unknowns[i]);
         EXPECT_NEAR(fit.values[here], expected.mean[i], 2e-5) << protocol << i;
@@ -92,7 +92,7 @@ TEST(RadiusModel, MeetsAnotherSolverOnTableI) {
                         Case{RadiusModel::Known, 0, 400.0, 3.515503719, -6.547486006}}) {
     const SessionFit fit = fitSession(with(c.model, test::paperMeasurement(), c.sigma));
     ASSERT_EQ(fit.arcs.size(), 2u);
-    EXPECT_TRUE(fit.joint.converged);
+    EXPECT_TRUE(fit.joint.converged());
     EXPECT_NEAR(fit.arcAt(0)->circle.radius, c.radius, 2e-6);
     EXPECT_EQ(fit.arcAt(0)->circle.radius, fit.arcAt(180)->circle.radius);
     EXPECT_NEAR(fit.arcAt(0)->circle.y, c.y0, 2e-6);

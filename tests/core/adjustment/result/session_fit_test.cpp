@@ -93,7 +93,7 @@ TEST(SessionFit, EstimatesTheWholeCatalogueAtOnce) {
   const SessionFit fit = fitSession(measurement);
   EXPECT_EQ(fit.effects.size(),
             errorTermCount - 2);  // the jump's two are in no effect
-  EXPECT_TRUE(fit.joint.converged);
+  EXPECT_TRUE(fit.joint.converged());
   EXPECT_EQ(fit.joint.degreesOfFreedom, alone);
   ASSERT_TRUE(fit.intersection);
   EXPECT_TRUE(std::isfinite(fit.intersection->expanded));

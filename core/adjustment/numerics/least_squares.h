@@ -1,0 +1,99 @@
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "core/adjustment/numerics/fit_status.h"
+
+namespace alidade {
+
+// Nonlinear least squares: minimise χ² = Σ (v/σ)² over some unknowns, from a start. Gauss-Newton steps with
+// the diagonal of the normal matrix N damped, times 1 + damping, so that nothing hangs on units. A step that
+// does not raise χ² is taken and the next is damped ten times less; another is tried again, damped ten times
+// more.
+//
+// How far the minimum is off is one number, with g = −½ ∂χ²/∂unknowns the right side of the normal equations:
+//
+//   λ = √(gᵀ N⁻¹ g)
+//
+// is the length of the undamped step in standard deviations of the result, the length of the gradient in the
+// same measure, and λ² is by how much χ² can still fall. Solvers that do not know the σ of their readings ask
+// for a short step, a small gradient and little cost, each with a tolerance of its own.
+//
+// Source: D. W. Marquardt, "An algorithm for least-squares estimation of nonlinear parameters", J. SIAM 11
+// (1963).
+
+struct LeastSquaresOptions {
+  int maximumIterations = 100;  ///< rejected steps counted
+  double tolerance = 1e-9;      ///< converged where λ < tolerance
+  /// … and λ < confirmation one step before. For equations that hold something back for the next step, as
+  /// arc angles that follow by their linear equations: their λ can be small by chance. Infinite: λ is to be
+  /// relied on, even that of the start.
+  double confirmation = std::numeric_limits<double>::infinity();
+  double firstDamping = 1e-6;    ///< > 0
+  double largestDamping = 1e12;  ///< no descent where damping reaches it
+};
+
+/// `Problem` has
+///   State, System                      where the unknowns are; normal equations there, with `chiSquare`
+///   System system(State, System used)  `used` is no longer wanted: its memory may be taken over
+///   double remaining(System)           λ; infinite where it is no number
+///   State moved(State, System, double damping)
+///   bool isPossible(State)             false: beyond a wall, such as R = 0; no step leads there
+template <typename Problem>
+struct LeastSquaresMinimum {
+  typename Problem::State state;
+  typename Problem::System system = {};  ///< there
+  int iterations = 0;
+  FitStatus status = FitStatus::TooManyIterations;
+};
+
+/// χ² rises by more than rounding. Readings are rounded to 1e-16 rad, some 1e-11 of their σ.
+inline bool isRise(double before, double after) {
+  constexpr double rounding = 1e-9;
+  return !(after <= before + rounding * (1 + before));
+}
+
+template <typename Problem>
+LeastSquaresMinimum<Problem> minimise(const Problem& problem, typename Problem::State start,
+                                      const LeastSquaresOptions& options) {
+  constexpr double smallestDamping = 1e-12;
+  constexpr double unknown = std::numeric_limits<double>::infinity();
+  LeastSquaresMinimum<Problem> best{.state = std::move(start)};
+  best.system = problem.system(best.state, {});
+  const bool isReliable = options.confirmation == unknown;
+  double remaining = unknown;
+  const auto hasArrived = [&] {
+    const double before = std::exchange(remaining, problem.remaining(best.system));
+    return remaining < options.tolerance && (isReliable || before < options.confirmation);
+  };
+  bool arrived = isReliable && hasArrived();
+  typename Problem::System spare;
+  double damping = options.firstDamping;
+  for (; !arrived && damping < options.largestDamping && best.iterations < options.maximumIterations;
+       ++best.iterations) {
+    typename Problem::State trial = problem.moved(best.state, best.system, damping);
+    if (!problem.isPossible(trial)) {
+      damping *= 10;
+      continue;
+    }
+    typename Problem::System system = problem.system(trial, std::move(spare));
+    if (isRise(best.system.chiSquare, system.chiSquare)) {
+      spare = std::move(system);
+      damping *= 10;
+      continue;
+    }
+    best.state = std::move(trial);
+    spare = std::exchange(best.system, std::move(system));
+    damping = std::max(damping / 10, smallestDamping);
+    arrived = hasArrived();
+  }
+  if (arrived)
+    best.status = FitStatus::Converged;
+  else if (!(damping < options.largestDamping))
+    best.status = FitStatus::NoDescent;
+  return best;
+}
+
+}  // namespace alidade
