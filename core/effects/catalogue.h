@@ -24,12 +24,20 @@ enum class ErrorSource {
   Time,        ///< it comes as the session goes on
 };
 
+/// How the readings follow the numbers of an effect.
+enum class Response {
+  Linear,        ///< in proportion, as far as matters
+  Bent,          ///< second derivatives matter; of two numbers, both the guideway's
+  AllOrNothing,  ///< its one number is 1, or it is not there at all
+};
+
 /// A physical effect of the catalogue: a few error terms of the forward model that belong together.
 struct Effect {
   std::string_view id;           ///< part of the file format
   std::string_view description;  ///< what it is, in a phrase
   std::string_view remedy;       ///< what to do about it at the machine, in a phrase
   ErrorSource source;
+  Response response;
   std::vector<EffectParameter> parameters;
 };
 
@@ -39,8 +47,8 @@ std::span<const Effect> effectCatalogue();
 /// Null where no effect has this id.
 const Effect* effectById(std::string_view id);
 
-/// Another relation between y and e holds altogether or not at all.
-bool isAllOrNothing(const Effect& effect);
+/// The effect that the term is a number of; null for the terms of a jump.
+const Effect* effectOf(ErrorTerm term);
 
 /// Radians, mm or 1 per `unit`: the factor from the unit to the model's own.
 double modelUnitsPer(std::string_view unit);

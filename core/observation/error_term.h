@@ -39,12 +39,20 @@ enum class ErrorTerm : std::size_t {
   Count,
 };
 
+inline constexpr std::size_t errorTermCount = static_cast<std::size_t>(ErrorTerm::Count);
+
+/// From here on they are the guideway's.
+inline constexpr auto firstGuidewayTerm = static_cast<std::size_t>(ErrorTerm::PlaneTiltX);
+
 /// Of the guideway; else of the instrument.
 constexpr bool isOfGuideway(ErrorTerm term) {
-  return term >= ErrorTerm::PlaneTiltX;
+  return static_cast<std::size_t>(term) >= firstGuidewayTerm;
 }
 
-inline constexpr std::size_t errorTermCount = static_cast<std::size_t>(ErrorTerm::Count);
+/// Of a step of the orientation, which has a moment of its own and is no effect of the catalogue.
+constexpr bool isOfJump(ErrorTerm term) {
+  return term == ErrorTerm::HorizontalJump || term == ErrorTerm::VerticalJump;
+}
 
 /// The sizes of all error terms; zero unless set.
 template <typename T>

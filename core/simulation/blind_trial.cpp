@@ -177,13 +177,14 @@ class Draw {
     while (true) {
       const Effect& effect =
           effects[static_cast<std::size_t>(m_random.whole(0, static_cast<int>(effects.size()) - 1))];
-      if (effect.id != relationId && (m_protocol.slider || !isOfSlider(effect))) return effect;
+      if (effect.response != Response::AllOrNothing && (m_protocol.slider || !isOfSlider(effect)))
+        return effect;
     }
   }
 
   /// In a random direction, as large as makes it visible by what is drawn.
   void putEffect(const Effect& effect) {
-    if (effect.id == relationId) {
+    if (effect.response == Response::AllOrNothing) {
       m_truth.effects = {{effect.parameters.front().term, 1}};
       return;
     }

@@ -5,7 +5,7 @@
 #include <map>
 
 #include "core/diagnosis/candidates/jump_columns.h"
-#include "core/diagnosis/candidates/tilted_plane.h"
+#include "core/diagnosis/candidates/second_derivatives.h"
 #include "core/effects/cause_ids.h"
 
 namespace alidade {
@@ -33,7 +33,7 @@ std::vector<Component> effectComponents(const Leftover& leftover, const std::vec
     const auto own = columns.middleCols(first, static_cast<Index>(component.effect->parameters.size()));
     component.gram = own.transpose().lazyProduct(own);
     component.logPrior = std::log(odds.effect);
-    component.allOrNothing = isAllOrNothing(*component.effect);
+    component.allOrNothing = component.effect->response == Response::AllOrNothing;
     first += own.cols();
   }
   return components;
@@ -42,11 +42,11 @@ std::vector<Component> effectComponents(const Leftover& leftover, const std::vec
 std::vector<Component> effectsBeyond(const GapModel& model, const Leftover& leftover,
                                      const std::vector<std::string>& leftOut, const PriorOdds& odds) {
   std::vector<Component> components = effectComponents(leftover, leftOut, odds);
-  const auto tilt = std::ranges::find(components, "plane_tilt", &Component::id);
-  if (tilt != components.end()) {
-    tilt->curvature = leftover.visible(secondDerivativesByPlaneTilt(model, leftover));
-    const Eigen::MatrixXd columns = visibleColumns(leftover, *tilt);
-    tilt->bentGram = columns.transpose() * columns;
+  for (Component& component : components) {
+    if (component.effect->response != Response::Bent) continue;
+    component.curvature = leftover.visible(secondDerivatives(model, leftover, *component.effect));
+    const Eigen::MatrixXd columns = visibleColumns(leftover, component);
+    component.bentGram = columns.transpose() * columns;
   }
   return components;
 }

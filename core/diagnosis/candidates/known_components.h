@@ -13,8 +13,8 @@ namespace alidade {
 /// The effects of the catalogue but those in `leftOut`.
 std::vector<Component> effectComponents(const Leftover& leftover, const std::vector<std::string>& leftOut,
                                         const PriorOdds& odds);
-/// The effects of the catalogue but those in `leftOut`, a plane tilt with its second derivatives. `leftover`
-/// is that of the model.
+/// The effects of the catalogue but those in `leftOut`, what bends with its second derivatives. `leftover` is
+/// that of the model.
 std::vector<Component> effectsBeyond(const GapModel& model, const Leftover& leftover,
                                      const std::vector<std::string>& leftOut, const PriorOdds& odds);
 

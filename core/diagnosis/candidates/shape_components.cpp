@@ -248,12 +248,15 @@ std::vector<Component> shapeComponents(const Leftover& leftover, const Measureme
   const SharedCarrier horizontal = all.ofInstrument(ofHorizontal), vertical = all.ofInstrument(ofVertical);
   ShapeMaker maker(leftover);
   const CellFunctions harmonics = harmonicsOf(all.s, 12);
-  const auto left = [&](const char* id) { return std::ranges::find(leftOut, id) != leftOut.end(); };
+  const auto isLeft = [&](ErrorTerm term) {
+    return std::ranges::find(leftOut, effectOf(term)->id) != leftOut.end();
+  };
   std::vector<int> radialOrders, planeOrders;
   for (int order = 2; order <= 12; ++order)
-    if (order > 3 || left(order == 2 ? "arc_ellipticity" : "arc_lobing")) radialOrders.push_back(order);
+    if (order > 3 || isLeft(order == 2 ? ErrorTerm::EllipticityCosine : ErrorTerm::LobingCosine))
+      radialOrders.push_back(order);
   for (int order = 1; order <= 8; ++order)
-    if (order != 2 || left("plane_warp")) planeOrders.push_back(order);
+    if (order != 2 || isLeft(ErrorTerm::WarpCosine)) planeOrders.push_back(order);
   maker.addHarmonics("radius along the guideway", radial, harmonics, radialOrders);
   maker.addHarmonics("guideway out of its plane", offPlane, harmonics, planeOrders);
   maker.addHarmonics("slider readings along the scale", slider, harmonics, {2, 3, 4, 5, 6, 7, 8});

@@ -140,7 +140,7 @@ double differenceFrom(const VisibleTerms& terms, const VectorXd& combination, co
   both << combinationOf(effect), combination;
   MatrixXd gram = both.transpose() * terms.gram * both;
   const Index own = both.cols() - 1;
-  if (isAllOrNothing(effect)) {
+  if (effect.response == Response::AllOrNothing) {
     const double trace = gram(own, own), apart = trace - 2 * gram(0, own) + gram(0, 0);
     return std::sqrt(std::max(std::min(trace, apart), 0.0));
   }

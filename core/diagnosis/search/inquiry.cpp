@@ -1,7 +1,6 @@
 #include "core/diagnosis/search/inquiry.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 
@@ -62,15 +61,16 @@ std::optional<Explanation> largeCauses(const Inquiry& inquiry) {
 
 /// The equations at a fit with causes added, their own share put back into the residuals.
 Linearised around(const GapModel& base, const GapModel& withCauses) {
-  using enum ErrorTerm;
-  // A step does the same wherever it is taken, and a plane tilt is known with its bend.
-  constexpr std::array stayOut{HorizontalJump, VerticalJump, PlaneTiltX, PlaneTiltY};
+  // A step does the same wherever it is taken, and what bends is known with its bend.
+  const auto staysOut = [](ErrorTerm term) {
+    return isOfJump(term) || effectOf(term)->response == Response::Bent;
+  };
   JointFitOptions options = base.options;
   JointFit fit = withCauses.fit;
   for (const EstimatedTerm& added : withCauses.options.terms) {
     if (std::ranges::find(base.options.terms, added.term, &EstimatedTerm::term) != base.options.terms.end())
       continue;
-    if (std::ranges::find(stayOut, added.term) == stayOut.end())
+    if (!staysOut(added.term))
       options.terms.push_back(added);
     else
       fit.values[fit.indexOf({.kind = Unknown::Kind::Error, .arc = 0, .term = added.term})] = 0;

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <set>
 
 #include "core/adjustment/result/session_fit.h"
 #include "core/base/statistics.h"
@@ -84,12 +83,35 @@ INSTANTIATE_TEST_SUITE_P(Catalogue, EffectTest, testing::ValuesIn(allParameters(
                            return "Term" + std::to_string(static_cast<int>(parameter.param.term));
                          });
 
-TEST(EffectCatalogue, NamesEveryErrorTermOnceExceptTheJump) {
-  std::set<ErrorTerm> terms;
-  for (const EffectParameter& parameter : allParameters()) EXPECT_TRUE(terms.insert(parameter.term).second);
-  EXPECT_FALSE(terms.contains(HorizontalJump));
-  EXPECT_FALSE(terms.contains(VerticalJump));
-  EXPECT_EQ(terms.size(), errorTermCount - 2);
+TEST(EffectCatalogue, FindsTheEffectOfATerm) {
+  EXPECT_EQ(effectOf(Collimation)->id, "collimation");
+  EXPECT_EQ(effectOf(PlaneTiltY)->id, "plane_tilt");
+  EXPECT_EQ(effectOf(SliderSine)->id, "slider_eccentricity");
+  for (const ErrorTerm term : {HorizontalJump, VerticalJump}) EXPECT_EQ(effectOf(term), nullptr);
+}
+
+/// By how much three plausible sizes of an effect change a reading otherwise than three times what one does,
+/// σ of 2″.
+double bendOf(const Effect& effect) {
+  const auto readWith = [&](double sizes) {
+    ErrorTerms<double> errors;
+    for (const EffectParameter& parameter : effect.parameters)
+      errors.set(parameter.term, sizes * plausibleSize(parameter));
+    return readAt(errors, pointing(1));
+  };
+  const auto none = readWith(0), one = readWith(1), three = readWith(3);
+  return std::hypot(three.a - 3 * one.a + 2 * none.a, three.e - 3 * one.e + 2 * none.e) /
+         Angle::fromArcseconds(2).radians();
+}
+
+TEST(EffectCatalogue, KnowsWhichEffectsBend) {
+  for (const Effect& effect : effectCatalogue()) {
+    if (effect.response == Response::Linear) {
+      EXPECT_LT(bendOf(effect), 0.1) << effect.id;
+    } else if (effect.response == Response::Bent) {
+      EXPECT_GT(bendOf(effect), 1) << effect.id;
+    }
+  }
 }
 
 TEST(EffectCatalogue, FindsEffectsByTheirId) {

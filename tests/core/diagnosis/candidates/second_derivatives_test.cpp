@@ -1,10 +1,9 @@
-#include "core/diagnosis/candidates/tilted_plane.h"
+#include "core/diagnosis/candidates/second_derivatives.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "core/effects/catalogue.h"
 #include "core/simulation/simulate.h"
 #include "tests/support/full_leftover.h"
 
@@ -34,15 +33,16 @@ VectorXd derivative(const GapModel& model, ErrorTerm by, ErrorTerm tilt, double 
 // Automatic first derivatives at tilts of ± a thousandth of a plausible size: their differences are second
 // derivatives to seven digits. Over a step of a plausible size, 0.005 rad, differences are off by the step
 // times the third derivatives, which are no larger than the first by both tilts together.
-TEST(TiltedPlane, BendsAsTheDerivativesChange) {
-  const std::vector<EffectParameter>& tilts = effectById("plane_tilt")->parameters;
+TEST(SecondDerivatives, AreHowTheFirstOnesChange) {
+  const Effect& tilt = *effectById("plane_tilt");
+  const std::vector<EffectParameter>& tilts = tilt.parameters;
   for (const auto& [protocol, effects] : {std::pair<std::string, std::vector<std::string>>{"full", {}},
                                           {"two-face", {"collimation", "vertical_index"}},
                                           {"paper", {}}}) {
     SCOPED_TRACE(protocol);
     const GapModel model = modelOfSession(protocol, effects);
     const Leftover leftover(linearise(*model.measurement, model.fit, model.options), model.options.terms);
-    const MatrixXd columns = secondDerivativesByPlaneTilt(model, leftover);
+    const MatrixXd columns = secondDerivatives(model, leftover, tilt);
     ASSERT_EQ(columns.rows(), leftover.readings());
     const std::array<std::pair<int, int>, 3> pairs{{{0, 0}, {0, 1}, {1, 1}}};
     for (std::size_t c = 0; c < pairs.size(); ++c) {

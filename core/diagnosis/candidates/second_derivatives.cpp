@@ -1,9 +1,9 @@
-#include "core/diagnosis/candidates/tilted_plane.h"
+#include "core/diagnosis/candidates/second_derivatives.h"
 
 #include <array>
+#include <cassert>
 #include <optional>
 
-#include "core/effects/catalogue.h"
 #include "core/observation/observe.h"
 
 namespace alidade {
@@ -12,11 +12,10 @@ namespace {
 
 using Eigen::Index, Eigen::MatrixXd;
 
-/// Where the plane is tilted to, in plausible sizes about x and y, and how often the differences xx, xy and
-/// yy take the directions there: f(x, 0) − f(0, 0) is the first derivative and half the second, to third
-/// order.
+/// Sizes of the two numbers, in plausible ones, and how often the differences 11, 12 and 22 take the
+/// directions there: f(x, 0) − f(0, 0) is the first derivative and half the second, to third order.
 struct Node {
-  double x, y;
+  double first, second;
   std::array<double, 3> times;
 };
 
@@ -26,24 +25,23 @@ constexpr std::array<Node, 4> nodes{
 using Targets = std::array<SpacePoint<double>, nodes.size()>;
 using Differences = std::array<Direction<double>, 3>;
 
-/// The forward model of one session with its plane tilted to each node.
-class TiltedPlane {
+/// The forward model of one session with a guideway of the effect's sizes at each node.
+class BentGuideway {
  public:
-  explicit TiltedPlane(const GapModel& model) : m_model(model) {
+  BentGuideway(const GapModel& model, const Effect& effect) : m_model(model) {
     const JointFit& fit = model.fit;
     for (std::size_t i = 0; i < fit.unknowns.size(); ++i)
       if (fit.unknowns[i].kind == Unknown::Kind::Error)
         (isOfGuideway(fit.unknowns[i].term) ? m_guideways.front() : m_instrument)
             .set(fit.unknowns[i].term, fit.values[i]);
     m_guideways.fill(m_guideways.front());
-    const std::vector<EffectParameter>& tilts = effectById("plane_tilt")->parameters;
     for (std::size_t n = 0; n < nodes.size(); ++n) {
-      const auto tilt = [&](const EffectParameter& parameter, double sizes) {
+      const auto add = [&](const EffectParameter& parameter, double sizes) {
         const double base = m_guideways[n][parameter.term];
         m_guideways[n].set(parameter.term, base + sizes * plausibleSize(parameter));
       };
-      tilt(tilts[0], nodes[n].x);
-      tilt(tilts[1], nodes[n].y);
+      add(effect.parameters[0], nodes[n].first);
+      add(effect.parameters[1], nodes[n].second);
     }
   }
 
@@ -90,31 +88,32 @@ class TiltedPlane {
 
 }  // namespace
 
-MatrixXd secondDerivativesByPlaneTilt(const GapModel& model, const Leftover& leftover) {
-  const TiltedPlane plane(model);
+MatrixXd secondDerivatives(const GapModel& model, const Leftover& leftover, const Effect& effect) {
+  assert(effect.response == Response::Bent);
+  const BentGuideway guideway(model, effect);
   MatrixXd columns = MatrixXd::Zero(leftover.readings(), 3);
   Targets targets;
   Differences differences;
   for (Index v = 0; v < leftover.visits(); ++v) {
     const Leftover::Run visit = leftover.readingsOf(v);
-    if (visit.length() > 0) targets = plane.targets(leftover.reading(visit.first));
+    if (visit.length() > 0) targets = guideway.targets(leftover.reading(visit.first));
     std::optional<std::size_t> sighting;
     for (Index i = visit.first; i < visit.end; ++i) {
       const LinearReading& reading = leftover.reading(i);
-      // The slider is read along the scale, whatever the plane does.
+      // The slider is read along its scale, wherever the target stands.
       if (reading.kind == ReadingKind::Slider || !reading.takesPart) continue;
       // A perfect instrument reads alike in both faces.
-      if (!sighting || (*sighting != reading.sighting && !plane.isOfPerfectInstrument()))
-        differences = plane.of(targets, reading);
+      if (!sighting || (*sighting != reading.sighting && !guideway.isOfPerfectInstrument()))
+        differences = guideway.of(targets, reading);
       sighting = reading.sighting;
       for (std::size_t d = 0; d < differences.size(); ++d)
         columns(i, static_cast<Index>(d)) =
             (reading.kind == ReadingKind::Horizontal ? differences[d].a : differences[d].e) / reading.sigma;
     }
   }
-  const std::vector<EffectParameter>& tilts = effectById("plane_tilt")->parameters;
-  columns.col(0) -= 2 * plausibleSize(tilts[0]) * leftover.column(tilts[0].term);
-  columns.col(2) -= 2 * plausibleSize(tilts[1]) * leftover.column(tilts[1].term);
+  const EffectParameter &first = effect.parameters[0], &second = effect.parameters[1];
+  columns.col(0) -= 2 * plausibleSize(first) * leftover.column(first.term);
+  columns.col(2) -= 2 * plausibleSize(second) * leftover.column(second.term);
   return columns;
 }
 
