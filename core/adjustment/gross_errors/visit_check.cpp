@@ -150,7 +150,7 @@ struct VisitCheck::Content {
         prediction.cofactor(i, i) = unknownZero;
         continue;
       }
-      prediction.state.unknowns[i] = values[own] - problem.priorValue(static_cast<std::size_t>(i));
+      prediction.state.unknowns[i] = values[own] - problem.prior(static_cast<std::size_t>(i)).value;
       for (Index j = 0; j <= i; ++j)
         if (const Index other = indices[static_cast<std::size_t>(j)]; other >= 0)
           prediction.cofactor(i, j) = prediction.cofactor(j, i) = cofactor(own, other);

@@ -141,7 +141,7 @@ void fillReadings(JointFit& fit, const Measurement& measurement, const JointProb
 /// sides.
 void countDegreesOfFreedom(JointFit& fit, const JointProblem& problem) {
   for (std::size_t i = 0; i < fit.unknowns.size(); ++i) {
-    if (!std::isinf(problem.priorSigma(i))) continue;
+    if (problem.prior(i).isInformative()) continue;
     const bool ofOneArc =
         fit.unknowns[i].arc < fit.misfits.size() && fit.unknowns[i].kind != Unknown::Kind::Error;
     --(ofOneArc ? fit.misfits[fit.unknowns[i].arc].degreesOfFreedom : fit.degreesOfFreedom);
@@ -188,10 +188,10 @@ JointFit fitJointlyInGeneral(const Measurement& measurement, const std::vector<C
   JointFit fit;
   fit.unknowns = problem.estimated();
   for (std::size_t i = 0; i < fit.unknowns.size(); ++i)
-    fit.values.push_back(problem.priorValue(i) + minimum.state.unknowns[static_cast<Index>(i)]);
+    fit.values.push_back(problem.prior(i).value + minimum.state.unknowns[static_cast<Index>(i)]);
   if (measurement.radiusModel == RadiusModel::Known)
     fit.radiusPriorSigma =
-        problem.priorSigma(fit.indexOf({.kind = Unknown::Kind::Radius, .arc = Unknown::everyArc}));
+        problem.prior(fit.indexOf({.kind = Unknown::Kind::Radius, .arc = Unknown::everyArc})).sigma;
   fit.cofactor = plain(cofactor);
   fit.cofactorWithoutTerms = plain(withoutTerms(minimum.system.matrix, problem));
   fit.considered = problem.considered();

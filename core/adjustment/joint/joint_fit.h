@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/adjustment/numerics/fit_status.h"
+#include "core/adjustment/numerics/prior.h"
 #include "core/adjustment/numerics/square_matrix.h"
 #include "core/observation/error_term.h"
 #include "core/observation/guideway.h"
@@ -53,6 +54,8 @@ struct EstimatedTerm {
   double priorSigma;  ///< plausible size; infinite: nothing is known beforehand
   double priorValue = 0;
   double start = 0;  ///< where the fit begins
+
+  Prior prior() const { return {priorValue, priorSigma}; }
 };
 
 /// One reading after the adjustment.

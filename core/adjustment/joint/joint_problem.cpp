@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -65,7 +64,7 @@ JointProblem::JointProblem(const Measurement& measurement, const JointFitOptions
   }
   if (measurement.radiusModel != RadiusModel::Free) addSharedRadius();
   for (const EstimatedTerm& term : m_terms)
-    estimate({.kind = Unknown::Kind::Error, .arc = 0, .term = term.term}, {term.priorValue, term.priorSigma});
+    estimate({.kind = Unknown::Kind::Error, .arc = 0, .term = term.term}, term.prior());
   consider({.kind = Unknown::Kind::Distance}, measurement.sigmaDistance);
   buildSlotMaps();
   std::ranges::sort(m_without, {}, placeOf);
@@ -428,8 +427,8 @@ JointSystem JointProblem::system(const JointState& state, JointSystem used) cons
     }
   }
   for (std::size_t i = 0; i < m_estimated.size(); ++i) {
-    if (std::isinf(m_priors[i].sigma)) continue;
-    const double weight = 1 / (m_priors[i].sigma * m_priors[i].sigma);
+    if (!m_priors[i].isInformative()) continue;
+    const double weight = m_priors[i].weight();
     const auto index = static_cast<Index>(i);
     const double away = state.unknowns[index];
     system.matrix(index, index) += weight;

@@ -3,7 +3,6 @@
 #include <Eigen/Core>
 #include <array>
 #include <functional>
-#include <limits>
 #include <vector>
 
 #include "core/adjustment/joint/joint_fit.h"
@@ -45,7 +44,7 @@ struct VisitOfArc {
 };
 
 struct JointState {
-  /// Less what is known beforehand (`priorValue`): estimated first, then the considered ones, which stay
+  /// Less what is known beforehand (`Prior::value`): estimated first, then the considered ones, which stay
   /// zero.
   Eigen::VectorXd unknowns;
   Eigen::VectorXd arcAngles;  ///< of each visit
@@ -66,10 +65,9 @@ class JointProblem {
   const std::vector<Unknown>& estimated() const { return m_estimated; }
   const std::vector<Unknown>& considered() const { return m_considered; }
   double consideredSigma(std::size_t i) const { return m_consideredSigmas[i]; }
-  /// The prior σ of an estimated unknown; infinite where there is none.
-  double priorSigma(std::size_t i) const { return m_priors[i].sigma; }
-  /// The state counts from here, so that even a radius known to a nanometre is not lost in rounding.
-  double priorValue(std::size_t i) const { return m_priors[i].value; }
+  /// Of an estimated unknown. The state counts from its value, so that even a radius known to a nanometre is
+  /// not lost in rounding.
+  const Prior& prior(std::size_t i) const { return m_priors[i]; }
   const std::vector<VisitOfArc>& visits() const { return m_visits; }
 
   JointState start(const std::vector<Circle>& circles) const;
@@ -105,12 +103,6 @@ class JointProblem {
  private:
   int slots() const { return firstTermSlot + static_cast<int>(m_terms.size()); }
   Eigen::Index count() const { return static_cast<Eigen::Index>(m_estimated.size() + m_considered.size()); }
-  /// What is known of an estimated unknown beforehand.
-  struct Prior {
-    double value = 0;
-    double sigma = std::numeric_limits<double>::infinity();
-  };
-
   void addArc(std::size_t arc);
   void addSharedRadius();
   void estimate(const Unknown& unknown, const Prior& prior);

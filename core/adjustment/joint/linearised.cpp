@@ -51,20 +51,19 @@ Linearised linearisedAt(const Measurement& measurement, const JointProblem& prob
   result.visits = problem.visits().size();
   for (std::size_t i = 0; i < problem.estimated().size(); ++i) {
     const Unknown& unknown = problem.estimated()[i];
-    const double beyondPrior = state.unknowns[static_cast<Index>(i)], sigma = problem.priorSigma(i);
+    const double beyondPrior = state.unknowns[static_cast<Index>(i)];
+    const Prior& prior = problem.prior(i);
     if (unknown.kind == Unknown::Kind::Error) {
-      result.termValues[static_cast<std::size_t>(unknown.term)] = beyondPrior + problem.priorValue(i);
+      result.termValues[static_cast<std::size_t>(unknown.term)] = beyondPrior + prior.value;
       continue;
     }
     result.unknowns.push_back(unknown);
-    result.priorSigmas.push_back(sigma);
-    result.priorResiduals.push_back(std::isinf(sigma) || sigma == 0 ? 0 : -beyondPrior / sigma);
+    result.priors.push_back({-beyondPrior, prior.sigma});
   }
   for (std::size_t i = 0; i < problem.considered().size(); ++i) {
     result.unknowns.push_back(problem.considered()[i]);
     const double sigma = problem.consideredSigma(i);
-    result.priorSigmas.push_back(sigma < asGoodAsZero ? 0 : sigma);
-    result.priorResiduals.push_back(0);
+    result.priors.push_back({0, sigma < asGoodAsZero ? 0 : sigma});
   }
   reserve(result, problem.visits());
   std::array<std::uint32_t, readingKinds> counts{};
@@ -95,6 +94,26 @@ Linearised linearisedAt(const Measurement& measurement, const JointProblem& prob
 }
 
 }  // namespace
+
+std::vector<std::size_t> Linearised::uncertainUnknowns() const {
+  std::vector<std::size_t> indices;
+  for (std::size_t u = 0; u < unknowns.size(); ++u)
+    if (priors[u].sigma > 0) indices.push_back(u);
+  return indices;
+}
+
+std::vector<PriorRow> Linearised::priorRows(const std::vector<std::size_t>& ofUnknowns,
+                                            const std::vector<EstimatedTerm>& terms) const {
+  std::vector<PriorRow> rows;
+  std::size_t column = 0;
+  const auto add = [&](const Prior& prior, double at) {
+    if (prior.isInformative()) rows.push_back({column, prior.derivative(), prior.residual(at)});
+    ++column;
+  };
+  for (const std::size_t u : ofUnknowns) add(priors[u], 0);
+  for (const EstimatedTerm& term : terms) add(term.prior(), termValues[static_cast<std::size_t>(term.term)]);
+  return rows;
+}
 
 const std::vector<ErrorTerm>& everyTerm() {
   static const std::vector<ErrorTerm> all = [] {

@@ -30,16 +30,21 @@ struct LinearReading {
   double along = 0;     ///< (∂reading/∂φ)/σ, scaled to unit length over the visit
 };
 
+/// An observation of what is known beforehand: a whitened equation in one column.
+struct PriorRow {
+  std::size_t column = 0;
+  double derivative = 0, residual = 0;
+};
+
 /// Whitened: everything is in units of the stated σ of the reading.
 struct Linearised {
   std::vector<LinearReading> readings;  ///< visit after visit
   std::size_t visits = 0;
   std::vector<Unknown> unknowns;  ///< circles, slider zeros, pointing zeros and distance; no error terms
-  /// Of each unknown before the readings: infinite for those the fit estimates freely, the stated σ of a
-  /// known radius and of the considered ones. mm or rad.
-  std::vector<double> priorSigmas;
-  /// (what is known beforehand − value)/σ of each unknown, 0 where nothing is; and the values of the terms.
-  std::vector<double> priorResiduals;
+  /// Of each unknown, counted from where the fit has it, mm or rad: of a known radius and the considered ones
+  /// as stated, σ 0 where that is exact.
+  std::vector<Prior> priors;
+  /// Where the fit has the terms.
   std::array<double, errorTermCount> termValues{};
   /// (∂reading/∂unknown)/σ, a column for each kind of unknown: of the reading's own arc.
   ReadingColumns perUnknown;
@@ -56,6 +61,11 @@ struct Linearised {
     const LinearReading& own = readings[reading];
     return perTerm.at(own.kind, own.number, static_cast<std::size_t>(term));
   }
+  /// Indices of the unknowns that are not known exactly.
+  std::vector<std::size_t> uncertainUnknowns() const;
+  /// What is known beforehand of some unknowns (their indices) and terms, whose columns stand in this order.
+  std::vector<PriorRow> priorRows(const std::vector<std::size_t>& ofUnknowns,
+                                  const std::vector<EstimatedTerm>& terms) const;
 };
 
 /// The terms there are, in their order.

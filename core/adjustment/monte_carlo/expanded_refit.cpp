@@ -100,10 +100,8 @@ class ExpandedModel {
           m_unknowns[arc][slotOf(unknown)] = static_cast<int>(i);
       }
     }
-    for (std::size_t i = 0; i < problem.estimated().size(); ++i) {
-      const double sigma = problem.priorSigma(i);
-      m_priorWeights.push_back(std::isinf(sigma) ? 0 : 1 / (sigma * sigma));
-    }
+    for (std::size_t i = 0; i < problem.estimated().size(); ++i)
+      m_priorWeights.push_back(problem.prior(i).weight());
     const auto distance = std::ranges::find(problem.considered(), Unknown{.kind = Unknown::Kind::Distance});
     m_distanceIndex =
         static_cast<Index>(problem.estimated().size()) + (distance - problem.considered().begin());

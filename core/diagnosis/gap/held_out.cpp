@@ -78,18 +78,11 @@ Equations equationsOf(const GapModel& model) {
     while (end < set.readings.size() && set.readings[end].visit == set.readings[first].visit) ++end;
     addVisit(equations, set, columns, first, end);
   }
-  const auto know = [&](Index column, double sigma, double residual) {
-    if (std::isinf(sigma)) return;
+  for (const PriorRow& prior : set.priorRows(estimated, terms)) {
     const auto row = static_cast<Index>(equations.rows.size());
-    equations.columns(row, column) = 1 / sigma;
-    equations.observed[row] = residual;
+    equations.columns(row, static_cast<Index>(prior.column)) = prior.derivative;
+    equations.observed[row] = prior.residual;
     equations.rows.push_back({});
-  };
-  Index column = 0;
-  for (const std::size_t u : estimated) know(column++, set.priorSigmas[u], set.priorResiduals[u]);
-  for (const EstimatedTerm& term : terms) {
-    const double value = set.termValues[static_cast<std::size_t>(term.term)];
-    know(column++, term.priorSigma, (term.priorValue - value) / term.priorSigma);
   }
   const auto rows = static_cast<Index>(equations.rows.size());
   equations.columns.conservativeResize(rows, Eigen::NoChange);

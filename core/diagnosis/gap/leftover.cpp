@@ -50,34 +50,22 @@ void Leftover::markVisits() {
 }
 
 MatrixXd Leftover::layOutUnknowns(const std::vector<EstimatedTerm>& inModel) {
-  Index columns = static_cast<Index>(inModel.size()), priors = 0;
-  for (const EstimatedTerm& term : inModel) priors += std::isinf(term.priorSigma) ? 0 : 1;
-  for (const double sigma : m_equations.priorSigmas) {
-    columns += sigma > 0 ? 1 : 0;
-    priors += sigma > 0 && !std::isinf(sigma) ? 1 : 0;
-  }
-  MatrixXd base = MatrixXd::Zero(readings() + priors, columns);
-  VectorXd& observed = m_observed;
-  observed = VectorXd::Zero(readings() + priors);
-  Index column = 0, prior = readings();
-  const auto known = [&](double sigma, double residual) {
-    if (!std::isinf(sigma)) {
-      observed[prior] = residual;
-      base(prior++, column) = 1 / sigma;
-    }
-    ++column;
-  };
-  for (Index i = 0; i < readings(); ++i) observed[i] = reading(i).residual;
-  for (std::size_t u = 0; u < m_equations.unknowns.size(); ++u) {
-    if (m_equations.priorSigmas[u] <= 0) continue;
+  const std::vector<std::size_t> unknowns = m_equations.uncertainUnknowns();
+  const std::vector<PriorRow> priors = m_equations.priorRows(unknowns, inModel);
+  const Index rows = readings() + std::ssize(priors);
+  MatrixXd base = MatrixXd::Zero(rows, std::ssize(unknowns) + std::ssize(inModel));
+  m_observed.resize(rows);
+  for (Index i = 0; i < readings(); ++i) m_observed[i] = reading(i).residual;
+  Index column = 0;
+  for (const std::size_t u : unknowns) {
     for (Index i = 0; i < readings(); ++i)
       base(i, column) = m_equations.ofUnknown(static_cast<std::size_t>(i), u);
-    known(m_equations.priorSigmas[u], m_equations.priorResiduals[u]);
+    ++column;
   }
-  for (const EstimatedTerm& term : inModel) {
-    base.col(column).head(readings()) = this->column(term.term);
-    const double value = m_equations.termValues[static_cast<std::size_t>(term.term)];
-    known(term.priorSigma, (term.priorValue - value) / term.priorSigma);
+  for (const EstimatedTerm& term : inModel) base.col(column++).head(readings()) = this->column(term.term);
+  for (Index row = readings(); const PriorRow& prior : priors) {
+    base(row, static_cast<Index>(prior.column)) = prior.derivative;
+    m_observed[row++] = prior.residual;
   }
   return base;
 }

@@ -78,15 +78,10 @@ MatrixXd reducedGram(const Columns& columns) {
 }  // namespace
 
 VisibleTerms visibleTerms(const Linearised& set, const std::vector<ErrorTerm>& ofTerms) {
-  std::vector<std::size_t> unknowns;
-  for (std::size_t u = 0; u < set.unknowns.size(); ++u)
-    if (set.priorSigmas[u] > 0) unknowns.push_back(u);
+  const std::vector<std::size_t> unknowns = set.uncertainUnknowns();
   const auto count = static_cast<Index>(unknowns.size()), size = static_cast<Index>(errorTermCount);
   MatrixXd gram = reducedGram({set, unknowns, ofTerms});
-  for (Index u = 0; u < count; ++u) {
-    const double sigma = set.priorSigmas[unknowns[static_cast<std::size_t>(u)]];
-    if (!std::isinf(sigma)) gram(u, u) += 1 / (sigma * sigma);
-  }
+  for (Index u = 0; u < count; ++u) gram(u, u) += set.priors[unknowns[static_cast<std::size_t>(u)]].weight();
   const VectorXd whole = gram.diagonal();
   eliminateFirst(gram, count, whole);
   VisibleTerms terms{MatrixXd::Zero(size, size), VectorXd::Zero(size)};
@@ -113,10 +108,7 @@ VisibleTerms withEstimated(VisibleTerms terms, const std::vector<EstimatedTerm>&
   for (Index i = 0; i < count; ++i)
     chosen(static_cast<Index>(estimated[static_cast<std::size_t>(i)].term), i) = 1;
   MatrixXd gram = chosen.transpose() * terms.gram * chosen;
-  for (Index i = 0; i < count; ++i) {
-    const double sigma = estimated[static_cast<std::size_t>(i)].priorSigma;
-    if (!std::isinf(sigma)) gram(i, i) += 1 / (sigma * sigma);
-  }
+  for (Index i = 0; i < count; ++i) gram(i, i) += estimated[static_cast<std::size_t>(i)].prior().weight();
   eliminateFirst(gram, count, gram.diagonal());
   terms.gram = gram.bottomRightCorner(size, size);
   return terms;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/adjustment/arc/arc_fit.h"
@@ -23,7 +24,7 @@ TEST(Linearised, ResidualsStandOnTheFreeUnknowns) {
     const Measurement measurement = test::trialMeasurement(protocol);
     const Linearised linear = linearise(measurement, fitOf(measurement));
     for (std::size_t u = 0; u < linear.unknowns.size(); ++u) {
-      if (!std::isinf(linear.priorSigmas[u])) continue;
+      if (linear.priors[u].isInformative()) continue;
       double product = 0, squared = 0;
       for (std::size_t i = 0; i < linear.readings.size(); ++i) {
         product += linear.readings[i].residual * linear.ofUnknown(i, u);
@@ -48,6 +49,43 @@ TEST(Linearised, ColumnsOfTermsAreWhatTheTermsDo) {
     EXPECT_NEAR(linear.ofTerm(i, ErrorTerm::Collimation) * reading.sigma, expected,
                 1e-4);  // e is read, not adjusted
     EXPECT_EQ(linear.ofTerm(i, ErrorTerm::VerticalJump) != 0, reading.kind == ReadingKind::Vertical);
+  }
+}
+
+// Of a radius known to 0.5 mm and a term that 1e-4 is plausible for, at the fit: in σ how far each was
+// pulled.
+TEST(Linearised, WhatIsKnownBeforehandIsOneRowEach) {
+  Measurement measurement = test::trialMeasurement("two-face");
+  measurement.radiusModel = RadiusModel::Known;
+  measurement.sigmaRadius = 0.5;
+  measurement.sigmaDistance = 0;
+  const JointFitOptions options{.terms = {{ErrorTerm::Collimation, 1e-4, 2e-5}}};
+  const JointFit fit = fitOf(measurement, options);
+  const Linearised linear = linearise(measurement, fit, options);
+
+  const std::vector<std::size_t> unknowns = linear.uncertainUnknowns();
+  for (std::size_t u = 0; u < linear.unknowns.size(); ++u)  // all but the distance, which is known exactly
+    EXPECT_EQ(std::ranges::find(unknowns, u) == unknowns.end(),
+              linear.unknowns[u].kind == Unknown::Kind::Distance);
+
+  const std::vector<PriorRow> rows = linear.priorRows(unknowns, options.terms);
+  ASSERT_EQ(rows.size(), 6U);  // the radius, two zeros in each position, the term
+  const double radius = fit.circleOf(0).radius;
+  const std::size_t term = fit.indexOf({.kind = Unknown::Kind::Error, .term = ErrorTerm::Collimation});
+  for (const PriorRow& row : rows) {
+    const Unknown::Kind kind =
+        row.column < unknowns.size() ? linear.unknowns[unknowns[row.column]].kind : Unknown::Kind::Error;
+    if (kind == Unknown::Kind::Radius) {
+      EXPECT_NEAR(row.residual, (measurement.nominalRadius - radius) / 0.5, 1e-9);
+      EXPECT_EQ(row.derivative, 2);
+    } else if (kind == Unknown::Kind::Error) {
+      EXPECT_EQ(row.column, unknowns.size());
+      EXPECT_NEAR(row.residual, (2e-5 - fit.values[term]) / 1e-4, 1e-9);
+      EXPECT_EQ(row.derivative, 1 / 1e-4);
+    } else {
+      EXPECT_EQ(row.residual, 0);  // a zero keeps the value read
+      EXPECT_EQ(row.derivative, 1 / measurement.sigmaZeroHorizontal.radians());
+    }
   }
 }
 
