@@ -18,6 +18,10 @@ checks=()
 
 passed=$build/tidy/$extent
 mkdir -p -- "$passed"
+# As the build compiles each source, but without g++'s precompiled headers, which clang cannot read.
+sed -E 's/ -Winvalid-pch//; s/ -include (\\"[^"]*|[^ "]*)cmake_pch\.hxx(\\")?//' "$build/compile_commands.json" \
+  >"$build/tidy/compile_commands.json"
+
 # What each source was compiled from within the tree, as the build knows it: lines of source, tab, file.
 compiled_from() {
   ninja -C "$build" -t deps | awk -v root="$PWD/" '
@@ -52,4 +56,4 @@ export -f look_at
 sources "$@" -- '*.cpp' | while read -r file; do
   grep -qF "\"file\": \"$PWD/$file\"" "$build/compile_commands.json" || continue
   still_passes "$file" || printf '%s\n' "$file"
-done | xargs -r -d '\n' -I '{}' -P "$(nproc)" bash -c 'look_at "$@"' - "$build" "$passed" '{}' "${checks[@]}"
+done | xargs -r -d '\n' -I '{}' -P "$(nproc)" bash -c 'look_at "$@"' - "$build/tidy" "$passed" '{}' "${checks[@]}"

@@ -1,4 +1,4 @@
-#include "app/console/diagnose_command.h"
+#include "app/console/commands/diagnose_command.h"
 
 #include <CLI/CLI.hpp>
 #include <utility>

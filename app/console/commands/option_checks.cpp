@@ -1,4 +1,4 @@
-#include "app/console/option_checks.h"
+#include "app/console/commands/option_checks.h"
 
 #include <charconv>
 

@@ -1,4 +1,4 @@
-#include "app/console/plan_command.h"
+#include "app/console/commands/plan_command.h"
 
 #include <CLI/CLI.hpp>
 #include <utility>

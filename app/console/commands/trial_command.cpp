@@ -1,9 +1,9 @@
-#include "app/console/trial_command.h"
+#include "app/console/commands/trial_command.h"
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
-#include "app/console/option_checks.h"
+#include "app/console/commands/option_checks.h"
 #include "app/console/trial_text.h"
 #include "core/simulation/protocol.h"
 

@@ -1,9 +1,9 @@
-#include "app/console/simulate_command.h"
+#include "app/console/commands/simulate_command.h"
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
 
-#include "app/console/option_checks.h"
+#include "app/console/commands/option_checks.h"
 #include "app/console/output_file.h"
 #include "core/base/number_text.h"
 #include "core/base/visible_text.h"

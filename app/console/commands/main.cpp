@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "app/console/channels.h"
-#include "app/console/diagnose_command.h"
-#include "app/console/fit_command.h"
-#include "app/console/import_command.h"
-#include "app/console/plan_command.h"
-#include "app/console/simulate_command.h"
-#include "app/console/trial_command.h"
+#include "app/console/commands/diagnose_command.h"
+#include "app/console/commands/fit_command.h"
+#include "app/console/commands/import_command.h"
+#include "app/console/commands/plan_command.h"
+#include "app/console/commands/simulate_command.h"
+#include "app/console/commands/trial_command.h"
 #include "core/base/failure.h"
 #include "core/base/visible_text.h"
 

@@ -1,12 +1,12 @@
-#include "app/console/fit_command.h"
+#include "app/console/commands/fit_command.h"
 
 #include <CLI/CLI.hpp>
 #include <optional>
 
+#include "app/console/commands/option_checks.h"
 #include "app/console/findings_output.h"
 #include "app/console/fit_json.h"
 #include "app/console/fit_text.h"
-#include "app/console/option_checks.h"
 #include "app/console/session_input.h"
 #include "core/adjustment/gross_errors/suspects.h"
 #include "core/adjustment/monte_carlo/monte_carlo.h"

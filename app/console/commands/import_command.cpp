@@ -1,4 +1,4 @@
-#include "app/console/import_command.h"
+#include "app/console/commands/import_command.h"
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "app/console/channels.h"
-#include "app/console/option_checks.h"
+#include "app/console/commands/option_checks.h"
 #include "app/console/output_file.h"
 #include "core/base/file_bytes.h"
 #include "core/base/file_target.h"
