@@ -46,9 +46,9 @@ std::optional<GapShape> shapeOf(const Inquiry& inquiry) {
   const auto shaped = std::ranges::find_if(inquiry.explanations, &Explanation::shaped);
   if (shaped == inquiry.explanations.end()) return std::nullopt;
   const Part& pattern = shaped->parts.back();
-  const Component& shape = inquiry.candidates[pattern.component];
-  return GapShape{std::string(shape.id),
-                  signatureSquare(shape, pattern.weights) / inquiry.leftover.chiSquare()};
+  const Component& shape = inquiry.of(pattern);
+  return GapShape{std::string(shape.id()),
+                  shape.signatureSquare(pattern.weights) / inquiry.leftover.chiSquare()};
 }
 
 std::vector<BlamedReading> readingsOf(const GapModel& model) {

@@ -6,7 +6,7 @@
 #include <iterator>
 #include <numbers>
 
-#include "core/diagnosis/candidates/known_components.h"
+#include "core/diagnosis/candidates/effect_components.h"
 #include "core/diagnosis/gap/gap_size.h"
 #include "core/diagnosis/observability/further_terms.h"
 #include "core/diagnosis/observability/look_alikes.h"
@@ -30,7 +30,7 @@ struct Planned {
 /// same on both sides.
 std::vector<VectorXd> directionsOf(const Component& component) {
   constexpr int steps = 48;
-  if (component.gram.cols() == 1) return {VectorXd::Ones(1)};
+  if (component.weights() == 1) return {VectorXd::Ones(1)};
   std::vector<VectorXd> directions;
   for (int i = 0; i < steps; ++i) {
     const double angle = 2 * std::numbers::pi * i / steps;
@@ -40,11 +40,11 @@ std::vector<VectorXd> directionsOf(const Component& component) {
 }
 
 void seeVisibility(Planned& planned, const Component& component, const Leftover& leftover,
-                   const std::vector<Component>& components) {
+                   const std::vector<EffectComponent>& components) {
   PlannedEffect& summary = planned.summary;
   bool first = true;
   for (const VectorXd& direction : directionsOf(component)) {
-    const double visible = std::sqrt(signatureSquare(component, direction));
+    const double visible = component.signatureLength(direction);
     if (first || visible < summary.leastVisible) summary.leastVisible = visible;
     if (first || visible > summary.mostVisible) {
       summary.mostVisible = visible;
@@ -53,18 +53,17 @@ void seeVisibility(Planned& planned, const Component& component, const Leftover&
     first = false;
   }
   if (summary.mostVisible < clearlyDifferent) return;
-  const Trace trace(leftover, signature(leftover, component, planned.plainest));
-  for (const Component& other : components) {
-    if (other.id == component.id) continue;
+  const Trace trace(leftover, component.signature(leftover, planned.plainest));
+  for (const EffectComponent& other : components) {
+    if (other.id() == component.id()) continue;
     const LookAlike like = trace.compared(other);
     if (like.difference <= clearlyDifferent) summary.lookAlikes.push_back(like);
   }
   std::ranges::sort(summary.lookAlikes, {}, &LookAlike::difference);
 }
 
-void seeInfluence(Planned& planned, const Component& component, const Leftover& leftover,
-                  const VectorXd& perSigma) {
-  const Detectability detectability = detectabilityOfEffect(leftover, component, perSigma);
+void seeInfluence(Planned& planned, const Component& component, const SharedProducts& perReading) {
+  const Detectability detectability = detectabilityOf(component, perReading);
   PlannedEffect& summary = planned.summary;
   summary.influence = detectability.influence;
   planned.mostDangerous = detectability.influence > 0 ? detectability.weights : planned.plainest;
@@ -73,16 +72,16 @@ void seeInfluence(Planned& planned, const Component& component, const Leftover& 
 }
 
 std::vector<Planned> plannedEffects(const GapModel& model, const Leftover& leftover) {
-  const std::vector<Component> components =
-      effectsBeyond(model, leftover, model.measurement->effects, PriorOdds());
+  const std::vector<EffectComponent> components = effectsBeyond(model, leftover, model.measurement->effects);
   const VectorXd perSigma = influencePerSigma(model);
+  const SharedProducts perReading(leftover, perSigma);
   std::vector<Planned> effects;
-  for (const Component& component : components) {
+  for (const EffectComponent& component : components) {
     Planned planned;
-    planned.effect = component.effect;
-    planned.summary.effect = component.id;
+    planned.effect = &component.effect();
+    planned.summary.effect = component.id();
     seeVisibility(planned, component, leftover, components);
-    seeInfluence(planned, component, leftover, perSigma);
+    seeInfluence(planned, component, perReading);
     effects.push_back(std::move(planned));
   }
   return effects;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/diagnosis/candidates/known_components.h"
+#include "core/diagnosis/candidates/effect_components.h"
 #include "core/diagnosis/observability/look_alikes.h"
 #include "core/diagnosis/search/inquiry.h"
 
@@ -14,7 +14,7 @@ Result<Visibility> visibilityOf(const Measurement& noiseless, const std::string&
   const Leftover leftover(linearise(*model->measurement, model->fit, model->options), model->options.terms);
   const Trace trace(leftover, leftover.residual());
   Visibility visibility{.sigma = trace.length(), .lookAlikes = {}, .nearest = trace.length()};
-  for (const Component& other : effectsBeyond(*model, leftover, {held}, {})) {
+  for (const Component& other : effectsBeyond(*model, leftover, {held})) {
     const LookAlike like = trace.compared(other);
     visibility.nearest = std::min(visibility.nearest, like.difference);
     if (like.difference <= clearlyDifferent) visibility.lookAlikes.push_back(like);

@@ -22,6 +22,7 @@ enum class ErrorSource {
   Guideway,    ///< its form, its place, the slider's scale
   Instrument,  ///< its axes, circles and line of sight
   Time,        ///< it comes as the session goes on
+  Reading,     ///< one reading is off; of no effect
 };
 
 /// How the readings follow the numbers of an effect.

@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "core/diagnosis/candidates/known_components.h"
+#include "core/diagnosis/candidates/effect_components.h"
 #include "core/diagnosis/diagnose.h"
 #include "core/diagnosis/search/inquiry.h"
 #include "core/effects/cause_ids.h"
@@ -71,7 +71,7 @@ void addEvidence(std::vector<double>& logs, const Component& component, const Ve
   std::vector<double> shown(sizes + 1, 0);
   for (int i = 1; i <= sizes; ++i)
     shown[static_cast<std::size_t>(i)] =
-        signature(leftover, component, direction * (mostPlausible * i / sizes)).norm();
+        component.signature(leftover, direction * (mostPlausible * i / sizes)).norm();
   for (int i = 0; i < steps; ++i) {
     const double target = least + (most - least) * (i + 0.5) / steps;
     const auto above = std::ranges::lower_bound(shown, target) - shown.begin();
@@ -81,7 +81,7 @@ void addEvidence(std::vector<double>& logs, const Component& component, const Ve
                    high = shown[static_cast<std::size_t>(above)];
       size *= (static_cast<double>(above) - 1 + (target - low) / (high - low)) / sizes;
     }
-    const VectorXd trace = signature(leftover, component, direction * size);
+    const VectorXd trace = component.signature(leftover, direction * size);
     logs.push_back(trace.dot(leftover.residual()) - trace.squaredNorm() / 2);
   }
 }
@@ -95,7 +95,7 @@ double meanOf(const std::vector<double>& logs) {
 
 double evidenceOf(const Component& component, const Leftover& leftover) {
   constexpr int directions = 72;
-  const bool two = component.effect->parameters.size() == 2;
+  const bool two = component.weights() == 2;
   std::vector<double> logs;
   for (int i = 0; i < (two ? directions : 2); ++i) {
     const double angle = 2 * std::numbers::pi * i / directions;
@@ -109,18 +109,18 @@ double evidenceOf(const Component& component, const Leftover& leftover) {
 std::string idealAnswer(const Measurement& measurement, bool hasSlider) {
   const GapModel model = *modelOf(measurement);
   const Leftover leftover(linearise(*model.measurement, model.fit, model.options), {});
-  std::vector<Component> components = effectsBeyond(model, leftover, {}, {});
-  std::erase_if(components, [&](const Component& component) {
-    return !isHeld(component.id) || (!hasSlider && component.id.starts_with("slider"));
+  std::vector<EffectComponent> components = effectsBeyond(model, leftover, {});
+  std::erase_if(components, [&](const EffectComponent& component) {
+    return !isHeld(component.id()) || (!hasSlider && component.id().starts_with("slider"));
   });
   const double chance = 1 / static_cast<double>(components.size());
   std::string best = "none";
   double highest = 0;
-  for (const Component& component : components) {
+  for (const EffectComponent& component : components) {
     const double log = evidenceOf(component, leftover) + std::log(chance);
     if (log <= highest) continue;
     highest = log;
-    best = component.id;
+    best = component.id();
   }
   return best;
 }

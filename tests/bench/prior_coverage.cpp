@@ -5,8 +5,10 @@
 #include <string>
 
 #include "core/base/random_source.h"
-#include "core/diagnosis/candidates/component.h"
-#include "core/effects/cause_ids.h"
+#include "core/diagnosis/candidates/candidates.h"
+#include "core/diagnosis/candidates/effect_components.h"
+#include "core/diagnosis/candidates/jump_components.h"
+#include "core/diagnosis/candidates/misreading_components.h"
 #include "core/simulation/protocol.h"
 #include "core/simulation/simulate.h"
 #include "core/simulation/trial_series.h"
@@ -52,23 +54,21 @@ class Draw {
     return static_cast<std::size_t>(m_random.whole(0, static_cast<int>(count) - 1));
   }
   bool isThere(double odds) { return m_random.uniform() < odds / (1 + odds); }
-  double width(Component::Kind kind) {
-    const std::vector<Width>& widths = widthsOf(kind);
-    return widths[anyOf(widths.size())].sigma;
-  }
+  double anyOf(const std::vector<Width>& widths) { return widths[anyOf(widths.size())].sigma; }
 
   void putEffects(const Protocol& protocol) {
     for (const Effect& effect : effectCatalogue()) {
       if ((!protocol.slider && effect.id.starts_with("slider")) || !isThere(m_odds.effect)) continue;
-      const double size = width(Component::Kind::Effect);
+      const double size = anyOf(effectWidths());
       for (const EffectParameter& parameter : effect.parameters)
-        m_truth.effects.push_back(
-            {parameter.term, effect.id == relationId ? 1 : size * m_random.normal() * parameter.plausible});
+        m_truth.effects.push_back({parameter.term, effect.response == Response::AllOrNothing
+                                                       ? 1
+                                                       : size * m_random.normal() * parameter.plausible});
     }
   }
 
   void putJump() {
-    const double size = width(Component::Kind::Jump) * plausibleJump;
+    const double size = anyOf(jumpWidths()) * plausibleJump;
     m_truth.jump = {.moment = m_random.uniform(0, 1),
                     .horizontal = Angle::fromRadians(size * m_random.normal()),
                     .vertical = Angle::fromRadians(size * m_random.normal())};
@@ -77,7 +77,7 @@ class Draw {
   void putMisreading(const Protocol& protocol) {
     const std::vector<PlannedRow> rows = plannedRows(protocol);
     const PlannedRow& row = rows[anyOf(rows.size())];
-    const Angle slip = m_truth.sigmaHorizontal * (width(Component::Kind::Misreading) * m_random.normal());
+    const Angle slip = m_truth.sigmaHorizontal * (anyOf(misreadingWidths()) * m_random.normal());
     const bool isHorizontal = m_random.uniform() < 0.5;
     m_truth.misreadings.push_back({.axisDeg = m_random.uniform() < 0.5 ? 0 : 180,
                                    .round = row.round,

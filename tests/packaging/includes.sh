@@ -11,15 +11,15 @@ awk '
     rooms = split("base session exchange observation effects " \
                   "adjustment/numerics adjustment/arc adjustment/joint adjustment/result adjustment/monte_carlo " \
                   "adjustment/gross_errors " \
-                  "diagnosis/result diagnosis/gap diagnosis/candidates diagnosis/search diagnosis/observability " \
-                  "diagnosis/conclusion diagnosis " \
+                  "diagnosis/result diagnosis/gap diagnosis/evidence diagnosis/candidates diagnosis/search " \
+                  "diagnosis/observability diagnosis/conclusion diagnosis " \
                   "simulation", order)
     for (i = 1; i <= rooms; ++i) level["core/" order[i]] = i
     # Linear algebra, for the sources of one floor and nobody else.
     floor_of["core/adjustment/joint/arc_jets.h"] = "adjustment"
     floor_of["core/adjustment/joint/joint_problem.h"] = "adjustment"
     floor_of["core/adjustment/numerics/auto_diff.h"] = "adjustment"
-    split("gap candidates search observability conclusion", behind)
+    split("gap evidence candidates search observability conclusion", behind)
     for (i in behind) inner["core/diagnosis/" behind[i]]
   }
   function folder_of(file) { sub(/\/[^\/]*$/, "", file); return file }

@@ -2,22 +2,23 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace alidade {
 
 using Eigen::Index, Eigen::Matrix2d, Eigen::Matrix2Xd, Eigen::MatrixXd, Eigen::Vector2d, Eigen::VectorXd;
 
 JumpColumns::JumpColumns(const Leftover& leftover, std::vector<std::size_t> moments, double size)
-    : m_leftover(leftover),
-      m_horizontal(leftover.column(ErrorTerm::HorizontalJump) * size),
+    : m_horizontal(leftover.column(ErrorTerm::HorizontalJump) * size),
       m_vertical(leftover.column(ErrorTerm::VerticalJump) * size),
-      m_moments(moments.size()) {
+      m_moments(std::move(moments)) {
   for (Index i = 0; i < leftover.readings(); ++i)
-    m_last.push_back(std::ranges::upper_bound(moments, leftover.reading(i).sequence) - moments.begin() - 1);
+    m_last.push_back(std::ranges::upper_bound(m_moments, leftover.reading(i).sequence) - m_moments.begin() -
+                     1);
 }
 
 Matrix2Xd JumpColumns::products(const VectorXd& overReadings) const {
-  Matrix2Xd sums = Matrix2Xd::Zero(2, static_cast<Index>(m_moments));
+  Matrix2Xd sums = Matrix2Xd::Zero(2, static_cast<Index>(m_moments.size()));
   for (Index i = 0; i < m_horizontal.size(); ++i) {
     const Index last = m_last[static_cast<std::size_t>(i)];
     if (last < 0) continue;
@@ -29,13 +30,13 @@ Matrix2Xd JumpColumns::products(const VectorXd& overReadings) const {
 }
 
 /// Columnsᵀ columns less what lies along the arc angle of each visit and in the span of the unknowns.
-std::vector<Matrix2d> JumpColumns::visibleGrams() const {
-  std::vector<Matrix2d> grams(m_moments, Matrix2d::Zero());
-  if (m_moments == 0) return grams;
+std::vector<Matrix2d> JumpColumns::visibleGrams(const Leftover& leftover) const {
+  std::vector<Matrix2d> grams(m_moments.size(), Matrix2d::Zero());
+  if (m_moments.empty()) return grams;
   const auto gramAt = [&](Index moment) -> Matrix2d& { return grams[static_cast<std::size_t>(moment)]; };
   std::vector<Index> latestFirst;
-  for (Index v = 0; v < m_leftover.visits(); ++v) {
-    const Leftover::Run visit = m_leftover.readingsOf(v);
+  for (Index v = 0; v < leftover.visits(); ++v) {
+    const Leftover::Run visit = leftover.readingsOf(v);
     latestFirst.resize(static_cast<std::size_t>(visit.length()));
     std::iota(latestFirst.begin(), latestFirst.end(), visit.first);
     std::ranges::sort(latestFirst, std::greater{},
@@ -45,18 +46,18 @@ std::vector<Matrix2d> JumpColumns::visibleGrams() const {
       const Index last = m_last[static_cast<std::size_t>(i)];
       if (last < 0) break;
       const Vector2d both(m_horizontal[i], m_vertical[i]), before = share;
-      share += m_leftover.reading(i).along * both;
+      share += leftover.reading(i).along * both;
       gramAt(last) += both * both.transpose() - share * share.transpose() + before * before.transpose();
     }
   }
-  for (std::size_t m = m_moments; m-- > 1;) grams[m - 1] += grams[m];
-  MatrixXd ofHorizontal = MatrixXd::Zero(m_leftover.basis().cols(), static_cast<Index>(m_moments)),
+  for (std::size_t m = m_moments.size(); m-- > 1;) grams[m - 1] += grams[m];
+  MatrixXd ofHorizontal = MatrixXd::Zero(leftover.basis().cols(), static_cast<Index>(m_moments.size())),
            ofVertical = ofHorizontal;
   for (Index i = 0; i < m_horizontal.size(); ++i) {
     const Index last = m_last[static_cast<std::size_t>(i)];
     if (last < 0) continue;
-    ofHorizontal.col(last) += m_horizontal[i] * m_leftover.basisOfRow(i);
-    ofVertical.col(last) += m_vertical[i] * m_leftover.basisOfRow(i);
+    ofHorizontal.col(last) += m_horizontal[i] * leftover.basisOfRow(i);
+    ofVertical.col(last) += m_vertical[i] * leftover.basisOfRow(i);
   }
   for (Index m = ofHorizontal.cols(); m-- > 0;) {
     const auto h = ofHorizontal.col(m), v = ofVertical.col(m);

@@ -17,14 +17,14 @@ class JumpColumns {
 
   /// Of the horizontal and the vertical column of every moment with a vector over the readings: 2 × moments.
   Eigen::Matrix2Xd products(const Eigen::VectorXd& overReadings) const;
-  /// Of the visible parts of the two columns of every moment with one another.
-  std::vector<Eigen::Matrix2d> visibleGrams() const;
+  /// Of the visible parts of the two columns of every moment with one another. `leftover`: the same.
+  std::vector<Eigen::Matrix2d> visibleGrams(const Leftover& leftover) const;
+  const std::vector<std::size_t>& moments() const { return m_moments; }
 
  private:
-  const Leftover& m_leftover;
   Eigen::VectorXd m_horizontal, m_vertical;  ///< of a step before every row
   std::vector<Eigen::Index> m_last;  ///< of each reading: the last moment that comes before it, −1 for none
-  std::size_t m_moments;
+  std::vector<std::size_t> m_moments;
 };
 
 }  // namespace alidade

@@ -199,17 +199,13 @@ class ShapeMaker {
     add(ids[2], std::move(both), std::move(gram));
   }
 
-  std::vector<Component> take(double odds) {
-    for (Component& component : m_components)
-      component.logPrior = std::log(odds / static_cast<double>(m_components.size()));
-    return std::move(m_components);
-  }
+  std::vector<ShapeComponent> take() { return std::move(m_components); }
 
  private:
   static constexpr std::size_t mostGroups = 80;
   const Leftover& m_leftover;
   ErrorSource m_source = ErrorSource::Guideway;
-  std::vector<Component> m_components;
+  std::vector<ShapeComponent> m_components;
 
   void add(std::string_view id, Pattern pattern) {
     MatrixXd gram = pattern.visibleGram(m_leftover);
@@ -221,11 +217,7 @@ class ShapeMaker {
     const double factor = pattern.normalise();
     gram *= factor * factor;
     if (gram.trace() < invisible * invisible) return;
-    m_components.push_back({.kind = Component::Kind::Shape,
-                            .id = id,
-                            .source = m_source,
-                            .pattern = std::move(pattern),
-                            .gram = std::move(gram)});
+    m_components.emplace_back(id, m_source, std::move(pattern), std::move(gram));
   }
 };
 
@@ -236,9 +228,39 @@ VectorXd toUnit(const VectorXd& values) {
 
 }  // namespace
 
-std::vector<Component> shapeComponents(const Leftover& leftover, const Measurement& measurement,
-                                       const JointFit& fit, const std::vector<std::string>& leftOut,
-                                       const PriorOdds& odds) {
+ShapeComponent::ShapeComponent(std::string_view follows, ErrorSource source, Pattern pattern, MatrixXd gram)
+    : m_follows(follows), m_source(source), m_pattern(std::move(pattern)), m_gram(std::move(gram)) {}
+
+const std::vector<Width>& ShapeComponent::widths() const {
+  static const std::vector<Width> widths = evenly({0.5, 1, 2, 4, 8, 16});
+  return widths;
+}
+
+MatrixXd ShapeComponent::wholeColumns(const Leftover& leftover) const {
+  const Index count = m_pattern.columns();
+  MatrixXd columns(leftover.readings(), count);
+  for (Index c = 0; c < count; ++c) columns.col(c) = m_pattern.times(VectorXd::Unit(count, c));
+  return columns;
+}
+
+void ShapeComponent::fillProducts(const SharedProducts& with, Eigen::Ref<VectorXd> own) const {
+  Index first = 0;
+  for (const auto& part : m_pattern.parts) {
+    const auto gather = [&] { return part.carrier->gathered(with.vector()); };
+    const VectorXd& gathered = with.once(part.carrier.get(), gather);
+    own.segment(first, part.functions.count()) = part.functions.products(gathered);
+    first += part.functions.count();
+  }
+}
+
+VectorXd ShapeComponent::times(const Leftover&, const VectorXd& weights) const {
+  return m_pattern.times(weights);
+}
+
+void ShapeComponent::addTo(JointFitOptions&, const Leftover&, const VectorXd&, double) const {}
+
+std::vector<ShapeComponent> shapeComponents(const Leftover& leftover, const Measurement& measurement,
+                                            const JointFit& fit, const std::vector<std::string>& leftOut) {
   Surroundings all(leftover, measurement, fit);
   const SharedCarrier radial = all.alongGuideway(leftover.column(Unknown::Kind::Radius)),
                       offPlane = all.alongGuideway(leftover.column(ErrorTerm::PlaneOffset)),
@@ -295,7 +317,7 @@ std::vector<Component> shapeComponents(const Leftover& leftover, const Measureme
   };
   maker.addGroups("horizontal orientation from round to round", horizontal, all.rows, block);
   maker.addGroups("vertical orientation from round to round", vertical, all.rows, block);
-  return maker.take(odds.shape);
+  return maker.take();
 }
 
 }  // namespace alidade

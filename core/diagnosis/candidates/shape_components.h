@@ -4,13 +4,40 @@
 #include <vector>
 
 #include "core/diagnosis/candidates/component.h"
+#include "core/diagnosis/candidates/pattern.h"
 
 namespace alidade {
 
+/// A pattern of no named cause.
+class ShapeComponent final : public Component {
+ public:
+  /// `follows`: static text. `gram`: of the pattern's visible columns.
+  ShapeComponent(std::string_view follows, ErrorSource source, Pattern pattern, Eigen::MatrixXd gram);
+
+  std::string_view id() const override { return m_follows; }
+  ErrorSource source() const override { return m_source; }
+  const std::vector<Width>& widths() const override;
+  bool isShape() const override { return true; }
+  Eigen::Map<const Eigen::MatrixXd> gram() const override {
+    return {m_gram.data(), m_gram.rows(), m_gram.cols()};
+  }
+  Eigen::MatrixXd wholeColumns(const Leftover& leftover) const override;
+  void fillProducts(const SharedProducts& with, Eigen::Ref<Eigen::VectorXd> own) const override;
+  Eigen::VectorXd times(const Leftover& leftover, const Eigen::VectorXd& weights) const override;
+  /// Nothing: no term of the model is a pattern.
+  void addTo(JointFitOptions& model, const Leftover& leftover, const Eigen::VectorXd& weights,
+             double width) const override;
+
+ private:
+  std::string_view m_follows;
+  ErrorSource m_source;
+  Pattern m_pattern;
+  Eigen::MatrixXd m_gram;
+};
+
 /// Smooth and periodic patterns along the guideway, with the instrument's circles, with time, and between
 /// the positions, that no effect of the catalogue makes, or only one that is left out.
-std::vector<Component> shapeComponents(const Leftover& leftover, const Measurement& measurement,
-                                       const JointFit& fit, const std::vector<std::string>& leftOut,
-                                       const PriorOdds& odds);
+std::vector<ShapeComponent> shapeComponents(const Leftover& leftover, const Measurement& measurement,
+                                            const JointFit& fit, const std::vector<std::string>& leftOut);
 
 }  // namespace alidade

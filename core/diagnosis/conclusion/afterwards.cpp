@@ -5,11 +5,10 @@
 
 #include "core/base/normal_mixture.h"
 #include "core/base/random_source.h"
-#include "core/diagnosis/candidates/known_components.h"
 #include "core/diagnosis/conclusion/linear_move.h"
+#include "core/diagnosis/evidence/gain.h"
 #include "core/diagnosis/gap/gap_size.h"
 #include "core/diagnosis/search/explained_model.h"
-#include "core/diagnosis/search/gain.h"
 
 namespace alidade {
 
@@ -38,7 +37,7 @@ bool isInTheNoise(const Explanation& explanation, const Explanation& answer) {
 
 /// What a pattern moves the Δd of a model by.
 double movedBy(const GapModel& model, const Inquiry& inquiry, const Part& pattern) {
-  return influencePerSigma(model).dot(inquiry.candidates[pattern.component].pattern.times(pattern.weights));
+  return influencePerSigma(model).dot(inquiry.of(pattern).times(inquiry.leftover, pattern.weights));
 }
 
 /// Collects what else may be the case.

@@ -132,12 +132,12 @@ std::vector<GapStep> stepsOf(const Inquiry& inquiry, const Answer& answer) {
     steps.push_back({std::string(id), sizeOf(model), estimateOf(model)});
   };
   for (const Part& part : whole.parts)
-    if (inquiry.isMisreading(part)) soFar.parts.push_back(part);
+    if (inquiry.of(part).misreading()) soFar.parts.push_back(part);
   if (!soFar.parts.empty() || !inquiry.farOff.empty()) note(misreadingId);
   for (const Part& part : whole.parts) {
-    if (inquiry.isMisreading(part)) continue;
+    if (inquiry.of(part).misreading()) continue;
     soFar.parts.push_back(part);
-    note(inquiry.idOf(part));
+    note(inquiry.of(part).id());
   }
   if (whole.noisy) {
     soFar.noisy = true;

@@ -11,24 +11,6 @@ namespace alidade {
 
 namespace {
 
-void addParameters(Cause& cause, const GapModel& after, const Component& component) {
-  const auto add = [&](std::string_view name, ErrorTerm term, std::string_view unit) {
-    const std::size_t i = after.fit.indexOf({.kind = Unknown::Kind::Error, .arc = 0, .term = term});
-    const double factor = modelUnitsPer(unit);
-    cause.parameters.push_back({std::string(name), after.fit.values[i] / factor,
-                                std::sqrt(after.fit.cofactor(i, i)) * after.noise / factor,
-                                std::string(unit)});
-  };
-  if (component.kind == Component::Kind::Jump) {
-    add("horizontal step", ErrorTerm::HorizontalJump, "arcsec");
-    add("vertical step", ErrorTerm::VerticalJump, "arcsec");
-    cause.parameters.push_back({"before row", static_cast<double>(component.moment) + 1, 0, "-"});
-    return;
-  }
-  for (const EffectParameter& parameter : component.effect->parameters)
-    add(parameter.name, parameter.term, parameter.unit);
-}
-
 Cause named(const Inquiry& inquiry, std::string_view id) {
   return {.effect = std::string(id),
           .probability = inquiry.probabilityOf(id),
@@ -54,16 +36,16 @@ std::vector<Cause> causesOf(const Inquiry& inquiry, const Answer& answer) {
   const Explanation& explanation = answer.explanation;
   for (std::size_t p = 0; p < explanation.parts.size(); ++p) {
     const Part& part = explanation.parts[p];
-    if (inquiry.isMisreading(part)) {
-      misread.push_back(blamed(inquiry, inquiry.readingOf(part), part.weights[0]));
+    const Component& component = inquiry.of(part);
+    if (const auto reading = component.misreading()) {
+      misread.push_back(blamed(inquiry, *reading, part.weights[0]));
       likeStep = likeStep || !answer.rivals[p].empty();
       continue;
     }
-    const Component& component = inquiry.candidates[part.component];
-    Cause cause = named(inquiry, component.id);
-    addParameters(cause, answer.after, component);
+    Cause cause = named(inquiry, component.id());
+    cause.parameters = component.parameters(answer.after);
     for (const Rival& rival : answer.rivals[p])
-      cause.indistinguishableFrom.emplace_back(inquiry.candidates[rival.part.component].id);
+      cause.indistinguishableFrom.emplace_back(inquiry.of(rival.part).id());
     causes.push_back(std::move(cause));
   }
   if (!misread.empty()) {
@@ -93,20 +75,16 @@ std::vector<Candidate> candidatesOf(const Inquiry& inquiry) {
     if (explanation.noisy && explanation.parts.empty()) offer(noiseId, explanation.logEvidence, 0);
     if (explanation.parts.size() != 1 || explanation.noisy || explanation.shaped) continue;
     const Part& part = explanation.parts[0];
-    const double visible =
-        inquiry.isMisreading(part)
-            ? std::abs(part.weights[0]) * std::sqrt(inquiry.leftover.redundancy(inquiry.readingOf(part)))
-            : std::sqrt(signatureSquare(inquiry.candidates[part.component], part.weights));
-    offer(inquiry.idOf(part), part.logGain, visible);
+    const Component& component = inquiry.of(part);
+    offer(component.id(), part.logGain, component.signatureLength(part.weights));
   }
+  const SharedProducts residual(inquiry.leftover, inquiry.leftover.residual());
   for (std::size_t i = 0; i < inquiry.candidates.size(); ++i) {
     const Component& component = inquiry.candidates[i];
-    if (component.kind != Component::Kind::Effect ||
-        std::ranges::find(list, component.id, &Candidate::effect) != list.end())
+    if (!component.isEffect() || std::ranges::find(list, component.id(), &Candidate::effect) != list.end())
       continue;
-    const Part alone = fitAlone(inquiry.leftover, component, i);
-    list.push_back(
-        {std::string(component.id), alone.logGain, std::sqrt(signatureSquare(component, alone.weights))});
+    const Part alone = fitAlone(residual, component, i);
+    list.push_back({std::string(component.id()), alone.logGain, component.signatureLength(alone.weights)});
   }
   std::ranges::sort(list, std::greater{}, &Candidate::logBayesFactor);
   return list;

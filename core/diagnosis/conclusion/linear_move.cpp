@@ -10,15 +10,6 @@ namespace alidade {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
-namespace {
-
-/// The other relation of the vertical circle is far from its equations at the fit.
-bool isLinear(const Component& component) {
-  return component.curvature.cols() == 0 && !component.allOrNothing;
-}
-
-}  // namespace
-
 LinearMoves::LinearMoves(const Inquiry& inquiry)
     : m_inquiry(inquiry), m_perReading(influencePerSigma(inquiry.base)) {}
 
@@ -27,9 +18,7 @@ const LinearMoves::Columns& LinearMoves::columnsOf(const Part& part) {
   Columns& columns = entry->second;
   if (!isNew) return columns;
   const Leftover& leftover = m_inquiry.leftover;
-  const MatrixXd whole = m_inquiry.isMisreading(part)
-                             ? MatrixXd(VectorXd::Unit(leftover.readings(), m_inquiry.readingOf(part)))
-                             : wholeColumns(leftover, m_inquiry.candidates[part.component]);
+  const MatrixXd whole = m_inquiry.of(part).wholeColumns(leftover);
   columns.influence = whole.transpose() * m_perReading;
   columns.visible = leftover.visible(whole);
   return columns;
@@ -42,13 +31,14 @@ std::optional<Move> LinearMoves::of(const Explanation& explanation) {
   double ofPattern = 0;
   int degreesOfFreedom = leftover.degreesOfFreedom();
   for (const Part& part : explanation.parts) {
-    const Component::Kind kind = m_inquiry.kindOf(part);
-    if (kind == Component::Kind::Shape) {
-      ofPattern = m_perReading.dot(m_inquiry.candidates[part.component].pattern.times(part.weights));
+    const Component& component = m_inquiry.of(part);
+    if (component.isShape()) {
+      ofPattern = m_perReading.dot(component.times(leftover, part.weights));
       continue;
     }
-    const bool isLeftOut = kind == Component::Kind::Misreading;
-    if (!isLeftOut && !isLinear(m_inquiry.candidates[part.component])) return std::nullopt;
+    // Such as the other relation of the vertical circle, which is far from its equations at the fit.
+    if (component.response() != Response::Linear) return std::nullopt;
+    const bool isLeftOut = component.misreading().has_value();
     const double width = part.widthOfFit();
     const Columns& columns = columnsOf(part);
     const Index before = visible.cols(), more = columns.visible.cols();

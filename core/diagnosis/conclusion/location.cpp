@@ -122,7 +122,9 @@ std::vector<GapShare> sharesOfFrames(const Inquiry& inquiry) {
   constexpr double negligible = 1e-6;
   const Leftover& leftover = inquiry.leftover;
   std::map<ErrorSource, double> ofSource;
-  double readings = 0, noise = 0;
+  double& readings = ofSource[ErrorSource::Reading];
+  double noise = 0;
+  // As all readings have it.
   const auto square = [&](Index reading, double sigmas) {
     return sigmas * sigmas * inquiry.ofAll().leftover.redundancy(reading);
   };
@@ -131,11 +133,10 @@ std::vector<GapShare> sharesOfFrames(const Inquiry& inquiry) {
     const double chance = explanation.chance;
     if (chance < negligible) continue;
     for (const Part& part : explanation.parts)
-      if (inquiry.isMisreading(part))
-        readings += chance * square(inquiry.readingOf(part), part.weights[0]);
+      if (const auto reading = inquiry.of(part).misreading())
+        readings += chance * square(*reading, part.weights[0]);
       else
-        ofSource[inquiry.candidates[part.component].source] +=
-            chance * signatureSquare(inquiry.candidates[part.component], part.weights);
+        ofSource[inquiry.of(part).source()] += chance * inquiry.of(part).signatureSquare(part.weights);
     noise += chance * std::max(0.0, explanation.chiSquare - leftover.degreesOfFreedom());
   }
   const double guideway = ofSource[ErrorSource::Guideway], instrument = ofSource[ErrorSource::Instrument];

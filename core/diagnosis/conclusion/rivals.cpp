@@ -4,8 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "core/diagnosis/evidence/gain.h"
 #include "core/diagnosis/observability/look_alikes.h"
-#include "core/diagnosis/search/gain.h"
 #include "core/diagnosis/search/search.h"
 
 namespace alidade {
@@ -51,12 +51,13 @@ bool isClose(const Rival& rival) {
 /// Steps, where there are any, that leave what this misreading leaves.
 std::vector<Rival> steps(const Inquiry& inquiry, const Explanation& explanation, std::size_t index,
                          Comparison& comparison) {
-  const auto isJump = [&](const Part& other) { return inquiry.kindOf(other) == Component::Kind::Jump; };
+  const auto isJump = [&](const Part& other) { return inquiry.of(other).isJump(); };
   if (std::ranges::any_of(explanation.parts, isJump)) return {};  // one jump to a session
-  const std::size_t row = inquiry.leftover.reading(inquiry.readingOf(explanation.parts[index])).sequence;
+  const Eigen::Index reading = *inquiry.of(explanation.parts[index]).misreading();
+  const std::size_t row = inquiry.leftover.reading(reading).sequence;
   std::vector<Rival> rivals;
   for (std::size_t i = 0; i < inquiry.candidates.size(); ++i) {
-    if (inquiry.candidates[i].onlyRow != row) continue;
+    if (inquiry.candidates[i].onlyRow() != row) continue;
     Rival rival = comparison.with(index, i);
     rival.odds /= 2;  // either circle of the row may be the one that was misread
     if (isClose(rival)) rivals.push_back(std::move(rival));
@@ -68,14 +69,11 @@ std::vector<Rival> steps(const Inquiry& inquiry, const Explanation& explanation,
 std::vector<Rival> effects(const Inquiry& inquiry, const Explanation& explanation, std::size_t index,
                            Comparison& comparison) {
   const Part& part = explanation.parts[index];
-  const Trace trace(inquiry.leftover,
-                    signature(inquiry.leftover, inquiry.candidates[part.component], part.weights));
+  const Trace trace(inquiry.leftover, inquiry.of(part).signature(inquiry.leftover, part.weights));
   std::vector<Rival> rivals;
   for (std::size_t i = 0; i < inquiry.candidates.size(); ++i) {
     const auto isOther = [&](const Part& any) { return any.component != i; };
-    if (inquiry.candidates[i].kind != Component::Kind::Effect ||
-        !std::ranges::all_of(explanation.parts, isOther))
-      continue;
+    if (!inquiry.candidates[i].isEffect() || !std::ranges::all_of(explanation.parts, isOther)) continue;
     const double difference = trace.differenceFrom(inquiry.candidates[i]) / explanation.noise;
     if (difference > clearlyDifferent) continue;
     Rival rival = comparison.with(index, i);
@@ -91,17 +89,17 @@ std::vector<std::vector<Rival>> rivalsOf(const Inquiry& inquiry, const Explanati
   std::vector<std::vector<Rival>> rivals(explanation.parts.size());
   Comparison comparison(inquiry, explanation);
   for (std::size_t p = 0; p < rivals.size(); ++p) {
-    const Component::Kind kind = inquiry.kindOf(explanation.parts[p]);
-    if (kind == Component::Kind::Misreading) rivals[p] = steps(inquiry, explanation, p, comparison);
-    if (kind == Component::Kind::Effect) rivals[p] = effects(inquiry, explanation, p, comparison);
+    const Component& component = inquiry.of(explanation.parts[p]);
+    if (component.misreading()) rivals[p] = steps(inquiry, explanation, p, comparison);
+    if (component.isEffect()) rivals[p] = effects(inquiry, explanation, p, comparison);
   }
   return rivals;
 }
 
 double chanceOf(const Inquiry& inquiry, const Part& part, const std::vector<Rival>& rivals) {
   const auto isMeant = [&](const Part& other) {
-    const bool isJump = inquiry.kindOf(part) == Component::Kind::Jump;  // before whichever row
-    return other.component == part.component || (isJump && inquiry.kindOf(other) == Component::Kind::Jump) ||
+    const bool isJump = inquiry.of(part).isJump();  // before whichever row
+    return other.component == part.component || (isJump && inquiry.of(other).isJump()) ||
            std::ranges::any_of(rivals,
                                [&](const Rival& rival) { return rival.part.component == other.component; });
   };

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/diagnosis/candidates/jump_components.h"
 #include "core/diagnosis/observability/further_terms.h"
 #include "core/diagnosis/observability/look_alikes.h"
 #include "core/effects/cause_ids.h"

@@ -5,39 +5,41 @@
 #include <cmath>
 #include <utility>
 
+#include "core/diagnosis/evidence/bent_fit.h"
+
 namespace alidade {
 
 using Eigen::MatrixXd, Eigen::VectorXd;
 
 Trace::Trace(const Leftover& leftover, VectorXd visible)
-    : m_leftover(leftover), m_visible(std::move(visible)), m_ofTerms(leftover.productsOfTerms(m_visible)) {}
+    : m_visible(std::move(visible)), m_products(leftover, m_visible) {}
 
 /// By normal equations. They have half the digits: what is much nearer than the trace is long, is measured.
 double Trace::differenceFrom(const Component& effect) const {
   constexpr double invisible = 1e-9, rounding = 1e-11,
                    near = 1e-3;  // σ; of the greatest pivot; of the length
-  const VectorXd right = productsWith(m_visible, m_ofTerms, effect);
-  if (effect.curvature.cols() > 0) return differenceFromBent(effect, right);
+  const VectorXd right = effect.products(m_products);
+  if (effect.response() == Response::Bent) return differenceFromBent(effect, right);
+  const MatrixXd gram = effect.gram();
   VectorXd weights = VectorXd::Ones(1);
-  if (!effect.allOrNothing) {
-    const VectorXd lengths = effect.gram.diagonal().cwiseMax(0).cwiseSqrt();
+  if (effect.response() != Response::AllOrNothing) {
+    const VectorXd lengths = gram.diagonal().cwiseMax(0).cwiseSqrt();
     const VectorXd scale =
         (lengths.array() < invisible).select(0, lengths.cwiseMax(invisible).cwiseInverse());
-    Eigen::ColPivHouseholderQR<MatrixXd> normal(scale.asDiagonal() * effect.gram * scale.asDiagonal());
+    Eigen::ColPivHouseholderQR<MatrixXd> normal(scale.asDiagonal() * gram * scale.asDiagonal());
     normal.setThreshold(rounding);
     weights = scale.cwiseProduct(normal.solve(scale.cwiseProduct(right)));
   }
-  const double square = m_visible.squaredNorm(),
-               left = square - weights.dot(2 * right - effect.gram * weights);
+  const double square = m_visible.squaredNorm(), left = square - weights.dot(2 * right - gram * weights);
   if (left > near * near * square) return std::sqrt(std::min(left, square));
-  return (m_visible - signature(m_leftover, effect, weights)).norm();
+  return (m_visible - effect.signature(m_products.leftover(), weights)).norm();
 }
 
 /// A bending effect leaves its second derivatives only together; the nearest is sought by Gauss-Newton from
 /// several sides.
 double Trace::differenceFromBent(const Component& effect, const VectorXd& right) const {
   constexpr double sides[][2] = {{3, 0}, {0, 3}, {2, 2}, {2, -2}, {0.1, 0.1}};
-  const MatrixXd& gram = effect.bentGram;
+  const MatrixXd gram = effect.gram();
   const double square = m_visible.squaredNorm();
   double least = square;
   for (const auto& side : sides) {
@@ -58,7 +60,7 @@ double Trace::differenceFromBent(const Component& effect, const VectorXd& right)
 LookAlike Trace::compared(const Component& effect) const {
   const double difference = differenceFrom(effect), whole = length();
   const double share = whole > 0 ? difference / whole : 1;
-  return {std::string(effect.id), std::sqrt(std::max(0.0, 1 - share * share)), difference};
+  return {std::string(effect.id()), std::sqrt(std::max(0.0, 1 - share * share)), difference};
 }
 
 }  // namespace alidade

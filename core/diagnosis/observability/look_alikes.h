@@ -22,8 +22,8 @@ class Trace {
   LookAlike compared(const Component& effect) const;
 
  private:
-  const Leftover& m_leftover;
-  Eigen::VectorXd m_visible, m_ofTerms;
+  Eigen::VectorXd m_visible;
+  SharedProducts m_products;
 
   double differenceFromBent(const Component& effect, const Eigen::VectorXd& right) const;
 };

@@ -3,7 +3,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/diagnosis/candidates/component.h"
+#include "core/diagnosis/candidates/candidates.h"
 
 namespace alidade {
 
@@ -24,15 +24,11 @@ struct Detectability {
   bool isUndetectable() const;
 };
 
-/// `influence`: ∂Δd/∂weight, mm.
-Detectability detectabilityOf(const Component& component, const Eigen::VectorXd& influence);
-/// `perReading`: ∂Δd/∂reading, mm per σ of the reading. Of an effect.
-Detectability detectabilityOfEffect(const Leftover& leftover, const Component& component,
-                                    const Eigen::VectorXd& perReading);
+/// `perReading`: ∂Δd/∂reading, mm per σ of the reading.
+Detectability detectabilityOf(const Component& component, const SharedProducts& perReading);
 
 /// Those that are unseen, the most dangerous first; of a jump the worst moment.
-std::vector<Detectability> undetectableEffects(const Leftover& leftover,
-                                               const std::vector<Component>& candidates,
+std::vector<Detectability> undetectableEffects(const Leftover& leftover, const Candidates& candidates,
                                                const Eigen::VectorXd& perReading);
 
 }  // namespace alidade

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/diagnosis/candidates/known_components.h"
-
 namespace alidade {
 
 namespace {

@@ -1,31 +1,24 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
+#include <map>
 #include <vector>
 
-#include "core/diagnosis/candidates/component.h"
-#include "core/diagnosis/candidates/jump_columns.h"
+#include "core/diagnosis/candidates/candidates.h"
 
 namespace alidade {
 
 // The visible columns of every component that may explain a leftover, seen through their inner products.
-// Columns of one component are turned so that each has inner products with its neighbours only. Behind the
-// candidates' columns comes one for each reading, 1σ off. A bending component has its columns and
-// curvature, not turned.
+// Columns of one component are turned so that each has inner products with its neighbours only. A bending
+// component has its columns and second derivatives, not turned.
 class ColumnTable {
  public:
-  ColumnTable(const Leftover& leftover, const std::vector<Component>& candidates);
+  ColumnTable(const Leftover& leftover, const Candidates& candidates);
 
-  Eigen::Index size() const { return m_size; }
-  /// Of a candidate, or of a misreading numbered behind them.
-  Eigen::Index first(std::size_t component) const {
-    return component < m_candidates.size()
-               ? m_first[component]
-               : m_first.back() + static_cast<Eigen::Index>(component - m_candidates.size());
-  }
-  Eigen::Index count(std::size_t component) const {
-    return component < m_candidates.size() ? m_first[component + 1] - m_first[component] : 1;
-  }
+  Eigen::Index size() const { return m_first.back(); }
+  Eigen::Index first(std::size_t component) const { return m_first[component]; }
+  Eigen::Index count(std::size_t component) const { return first(component + 1) - first(component); }
   /// The squared length of every column.
   const Eigen::VectorXd& squares() const { return m_squares; }
   /// The inner product of every column with the next of its component.
@@ -41,15 +34,13 @@ class ColumnTable {
 
  private:
   const Leftover& m_leftover;
-  const std::vector<Component>& m_candidates;
-  std::vector<Eigen::Index> m_first;     ///< of each candidate, and of the readings
-  std::vector<Eigen::MatrixXd> m_turns;  ///< empty: not turned
-  Eigen::Index m_size = 0;
+  const Candidates& m_candidates;
+  // There are no more rows than `limits::mostRows`.
+  std::vector<std::uint32_t> m_first;              ///< of each component, and behind the last
+  std::map<std::size_t, Eigen::MatrixXd> m_turns;  ///< of those that are turned
   Eigen::VectorXd m_squares, m_beside;
-  JumpColumns m_steps;
 
   void turn(std::size_t component);
-  Eigen::MatrixXd turnedColumns(std::size_t component) const;
 };
 
 }  // namespace alidade

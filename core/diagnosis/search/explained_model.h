@@ -8,7 +8,7 @@
 namespace alidade {
 
 /// `base` with the parts of an explanation added, fitted anew.
-GapModel modelWith(const GapModel& base, const Explanation& explanation,
-                   const std::vector<Component>& candidates, const Leftover& leftover);
+GapModel modelWith(const GapModel& base, const Explanation& explanation, const Candidates& candidates,
+                   const Leftover& leftover);
 
 }  // namespace alidade

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "core/diagnosis/search/gain.h"
+#include "core/diagnosis/evidence/bent_fit.h"
 #include "core/diagnosis/search/search.h"
 
 namespace alidade {
@@ -148,7 +148,7 @@ bool areAlike(const Explanation& a, const Explanation& b) {
   return a.noisy == b.noisy && a.parts.size() == b.parts.size() && isPartOf(a, b);
 }
 
-std::vector<Explanation> explain(const Leftover& leftover, const std::vector<Component>& candidates,
+std::vector<Explanation> explain(const Leftover& leftover, const Candidates& candidates,
                                  const SearchOptions& options) {
   const double f = leftover.degreesOfFreedom();
   Search search(leftover, candidates, options);
@@ -159,17 +159,22 @@ std::vector<Explanation> explain(const Leftover& leftover, const std::vector<Com
   return all;
 }
 
-Part fitAlone(const Leftover& leftover, const Component& component, std::size_t index) {
-  const VectorXd right = productsWith(leftover.residual(), leftover.residualByTerms(), component);
-  if (component.curvature.cols() > 0) {
-    const BentFit fit = fitBent(widthsOf(component.kind), component.bentGram, right, 1);
-    return {index, fit.gain.width, fit.weights, fit.gain.log};
+Part fitAlone(const SharedProducts& residual, const Component& component, std::size_t index) {
+  const VectorXd right = component.products(residual);
+  MatrixXd gram = component.gram();
+  switch (component.response()) {
+    case Response::Linear:
+      break;
+    case Response::Bent: {
+      const BentFit fit = fitBent(component.widths(), gram, right, 1);
+      return {index, fit.gain.width, fit.weights, fit.gain.log};
+    }
+    case Response::AllOrNothing:
+      return {index, 1, VectorXd::Ones(1), right[0] - gram(0, 0) / 2};
   }
-  if (component.allOrNothing) return {index, 1, VectorXd::Ones(1), right[0] - component.gram(0, 0) / 2};
-  const Gain gain = gainOf(widthsOf(component.kind), component.gram, right, 1);
-  MatrixXd matrix = component.gram;
-  matrix.diagonal().array() += 1 / (gain.width * gain.width);
-  return {index, gain.width, matrix.ldlt().solve(right), gain.log};
+  const Gain gain = gainOf(component.widths(), gram, right, 1);
+  gram.diagonal().array() += 1 / (gain.width * gain.width);
+  return {index, gain.width, gram.ldlt().solve(right), gain.log};
 }
 
 }  // namespace alidade

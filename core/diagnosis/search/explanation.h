@@ -4,7 +4,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/diagnosis/candidates/component.h"
+#include "core/diagnosis/candidates/candidates.h"
 
 namespace alidade {
 
@@ -48,8 +48,7 @@ bool areAlike(const Explanation& a, const Explanation& b);
 
 struct SearchOptions {
   PriorOdds odds = {};
-  bool misreadings = true;  ///< readings may be off
-  bool noise = true;        ///< noise may be larger than stated
+  bool noise = true;  ///< noise may be larger than stated
   std::size_t beam = 6;
   std::size_t mostParts = 3;  ///< but more where they are misreadings
   std::size_t mostMisreadings = 6;
@@ -57,11 +56,11 @@ struct SearchOptions {
 };
 
 /// The best first. Always holds the explanation of no part without and with larger noise.
-std::vector<Explanation> explain(const Leftover& leftover, const std::vector<Component>& candidates,
+std::vector<Explanation> explain(const Leftover& leftover, const Candidates& candidates,
                                  const SearchOptions& options = {});
 
 /// One component alone, noise as stated: its evidence, without its prior, and the weights it then has.
-/// `index` is that of the component.
-Part fitAlone(const Leftover& leftover, const Component& component, std::size_t index);
+/// `residual`: what is left over. `index` is that of the component.
+Part fitAlone(const SharedProducts& residual, const Component& component, std::size_t index);
 
 }  // namespace alidade

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <optional>
 
-#include "core/diagnosis/candidates/known_components.h"
+#include "core/diagnosis/candidates/effect_components.h"
+#include "core/diagnosis/candidates/jump_components.h"
+#include "core/diagnosis/candidates/misreading_components.h"
 #include "core/diagnosis/candidates/shape_components.h"
 #include "core/diagnosis/search/explained_model.h"
 #include "core/effects/cause_ids.h"
@@ -17,27 +19,30 @@ bool considered(const DiagnosisOptions& options, std::string_view id) {
   return std::ranges::find(options.without, id) == options.without.end();
 }
 
-std::vector<Component> candidatesFor(const GapModel& base, const Leftover& leftover,
-                                     const DiagnosisOptions& options, const PriorOdds& odds) {
+Candidates candidatesFor(const GapModel& base, const Leftover& leftover, const DiagnosisOptions& options,
+                         const PriorOdds& odds) {
   std::vector<std::string> leftOut = options.without;
   leftOut.insert(leftOut.end(), base.measurement->effects.begin(), base.measurement->effects.end());
-  std::vector<Component> candidates = effectsBeyond(base, leftover, leftOut, odds), jumps;
-  if (considered(options, jumpId)) jumps = jumpComponents(leftover, odds);
-  std::vector<Component> shapes =
-      shapeComponents(leftover, *base.measurement, base.fit, options.without, odds);
-  candidates.reserve(candidates.size() + jumps.size() + shapes.size());
-  std::ranges::move(jumps, std::back_inserter(candidates));
-  std::ranges::move(shapes, std::back_inserter(candidates));
+  Candidates candidates;
+  const auto addSharing = [&](double all, auto components, Offer offer = {}) {
+    const double each = all / static_cast<double>(std::max<std::size_t>(components.size(), 1));
+    candidates.add(std::move(components), each, offer);
+  };
+  candidates.add(effectsBeyond(base, leftover, leftOut), odds.effect);
+  if (considered(options, jumpId))
+    addSharing(odds.jump, jumpComponents(leftover), {.offered = 2, .oneAtMost = true});
+  addSharing(odds.shape, shapeComponents(leftover, *base.measurement, base.fit, options.without));
+  if (considered(options, misreadingId))
+    addSharing(odds.misreading, misreadingComponents(leftover), {.offered = 4});
   return candidates;
 }
 
 Inquiry searched(GapModel base, Leftover leftover, const DiagnosisOptions& options,
                  const std::stop_token& stop) {
   SearchOptions search;
-  search.misreadings = considered(options, misreadingId);
   search.noise = considered(options, noiseId);
   search.stop = stop;
-  std::vector<Component> candidates;
+  Candidates candidates;
   if (!stop.stop_requested()) candidates = candidatesFor(base, leftover, options, search.odds);
   std::vector<Explanation> explanations = explain(leftover, candidates, search);
   return {std::move(base), std::move(leftover), std::move(candidates), std::move(explanations), {}, {}};
@@ -48,11 +53,10 @@ Inquiry searched(GapModel base, Leftover leftover, const DiagnosisOptions& optio
 std::optional<Explanation> largeCauses(const Inquiry& inquiry) {
   constexpr double large = 100;  // σ over all readings
   Explanation causes = inquiry.explanations.front();
-  std::erase_if(causes.parts,
-                [&](const Part& part) { return inquiry.kindOf(part) == Component::Kind::Shape; });
+  std::erase_if(causes.parts, [&](const Part& part) { return inquiry.of(part).isShape(); });
   const auto isLarge = [&](const Part& part) {
-    return !inquiry.isMisreading(part) &&
-           signatureSquare(inquiry.candidates[part.component], part.weights) > large * large;
+    const Component& component = inquiry.of(part);
+    return !component.misreading() && component.signatureSquare(part.weights) > large * large;
   };
   if (std::ranges::none_of(causes.parts, isLarge)) return std::nullopt;
   causes.shaped = causes.noisy = false;
@@ -63,7 +67,8 @@ std::optional<Explanation> largeCauses(const Inquiry& inquiry) {
 Linearised around(const GapModel& base, const GapModel& withCauses) {
   // A step does the same wherever it is taken, and what bends is known with its bend.
   const auto staysOut = [](ErrorTerm term) {
-    return isOfJump(term) || effectOf(term)->response == Response::Bent;
+    const Effect* effect = effectOf(term);
+    return isOfJump(term) || (effect && effect->response == Response::Bent);
   };
   JointFitOptions options = base.options;
   JointFit fit = withCauses.fit;
@@ -110,16 +115,13 @@ std::vector<FarOff> farOff(const Inquiry& inquiry) {
   constexpr double farOffSigma = 300;
   std::vector<FarOff> found;
   for (const Part& part : inquiry.explanations.front().parts)
-    if (inquiry.isMisreading(part) && std::abs(part.weights[0]) > farOffSigma)
-      found.push_back({inquiry.readingOf(part), part.weights[0]});
+    if (const auto reading = inquiry.of(part).misreading();
+        reading && std::abs(part.weights[0]) > farOffSigma)
+      found.push_back({*reading, part.weights[0]});
   return found;
 }
 
 }  // namespace
-
-std::string_view Inquiry::idOf(const Part& part) const {
-  return isMisreading(part) ? misreadingId : candidates[part.component].id;
-}
 
 double Inquiry::chanceOf(const std::function<bool(const Explanation&)>& isMeant) const {
   double sum = 0;
@@ -131,7 +133,7 @@ double Inquiry::chanceOf(const std::function<bool(const Explanation&)>& isMeant)
 double Inquiry::probabilityOf(std::string_view id) const {
   return chanceOf([&](const Explanation& explanation) {
     return (id == noiseId && explanation.noisy) ||
-           std::ranges::any_of(explanation.parts, [&](const Part& part) { return idOf(part) == id; });
+           std::ranges::any_of(explanation.parts, [&](const Part& part) { return of(part).id() == id; });
   });
 }
 

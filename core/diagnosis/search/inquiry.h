@@ -24,7 +24,7 @@ struct FarOff {
 struct Inquiry {
   GapModel base;
   Leftover leftover;
-  std::vector<Component> candidates;
+  Candidates candidates;
   std::vector<Explanation> explanations;  ///< the likeliest first
   std::vector<FarOff> farOff;             ///< `base` does without them
   std::shared_ptr<const Inquiry> before;  ///< what was found with all readings; null where none is far off
@@ -32,15 +32,7 @@ struct Inquiry {
   /// The inquiry into the gap as it is, of all readings.
   const Inquiry& ofAll() const { return before ? *before : *this; }
 
-  bool isMisreading(const Part& part) const { return part.component >= candidates.size(); }
-  /// The index into the leftover's readings of a misreading.
-  Eigen::Index readingOf(const Part& part) const {
-    return static_cast<Eigen::Index>(part.component - candidates.size());
-  }
-  Component::Kind kindOf(const Part& part) const {
-    return isMisreading(part) ? Component::Kind::Misreading : candidates[part.component].kind;
-  }
-  std::string_view idOf(const Part& part) const;
+  const Component& of(const Part& part) const { return candidates[part.component]; }
   /// Probability that one of these explanations is the right one.
   double chanceOf(const std::function<bool(const Explanation&)>& isMeant) const;
   /// Probability that the id is among the causes.

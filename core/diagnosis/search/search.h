@@ -6,7 +6,6 @@
 
 #include "core/diagnosis/search/column_table.h"
 #include "core/diagnosis/search/explanation.h"
-#include "core/diagnosis/search/gain.h"
 
 namespace alidade {
 
@@ -15,7 +14,7 @@ namespace alidade {
 /// products with every column.
 class Search {
  public:
-  Search(const Leftover& leftover, const std::vector<Component>& candidates, const SearchOptions& options);
+  Search(const Leftover& leftover, const Candidates& candidates, const SearchOptions& options);
 
   /// `variance`: of the readings, in units of the stated one. `logOdds` and `logEvidence` are against nothing
   /// with the same noise. The first is the empty set.
@@ -56,18 +55,11 @@ class Search {
     std::uint64_t key = 0;
   };
 
-  /// How a component takes part: its columns with the weights `fixed` + `slope` times what is estimated.
-  struct Linear {
-    bool isPlain = true;  ///< 0 + 1 times
-    Eigen::VectorXd fixed;
-    Eigen::MatrixXd slope;
-  };
-
   const Leftover& m_leftover;
-  const std::vector<Component>& m_candidates;
+  const Candidates& m_candidates;
   const SearchOptions& m_options;
   ColumnTable m_table;
-  std::size_t m_firstJump = 0, m_jumps = 0;           ///< they follow one another
+  std::vector<std::size_t> m_notSought;               ///< since misreadings that leave the same are
   Eigen::VectorXd m_right;                            ///< products of all columns with the leftover
   std::map<std::size_t, Eigen::MatrixXd> m_products;  ///< of all columns with components that were taken
   double m_variance = 1;
@@ -75,24 +67,21 @@ class Search {
   std::vector<State> next(const std::vector<State>& level);
   void offer(const State& state, std::size_t index, std::vector<Growth>& growths) const;
   Beside beside(const State& state, Eigen::Index first, Eigen::Index count) const;
-  std::vector<Growth> jumpsFor(const Beside& all) const;
-  std::vector<Growth> misreadingsFor(const Beside& all) const;
-  /// Those of the components from `first` on that gain most; none gains more than its entry in `most`.
-  std::vector<Growth> bestOf(const Beside& all, std::size_t first, const Eigen::ArrayXd& most,
-                             std::size_t count) const;
+  /// Those of a group that gain most.
+  std::vector<Growth> bestOf(const Candidates::Group& group, const Beside& all) const;
+  /// What each of a group gains at most, of one column each or of two.
+  Eigen::ArrayXd mostOfSingles(const Candidates::Group& group, const Beside& all) const;
+  Eigen::ArrayXd mostOfPairs(const Candidates::Group& group, const Beside& all) const;
+  TurnedColumns turnedColumns(std::size_t component, const SomeBeside& own) const;
   /// Of a component with its columns.
   Gain gainFor(std::size_t component, const SomeBeside& own) const;
-  BentFit bentFor(std::size_t component, const SomeBeside& own) const;
   State nothing() const;
   /// `inAnyCase`: ready for more even where the search would add none.
   State with(const State& state, const Growth& growth, bool inAnyCase = false);
   /// Its last component can be neither weighed nor taken off.
   State makeImpossible(State state) const;
-  Linear linearFor(std::size_t component, const SomeBeside& own) const;
   bool isStopped() const { return m_options.stop.stop_requested(); }
-  Component::Kind kindOf(std::size_t component) const;
   bool mayGrow(const State& state) const;
-  double priorOf(std::size_t component) const;
 };
 
 }  // namespace alidade

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "core/adjustment/result/session_fit.h"
-#include "core/diagnosis/candidates/known_components.h"
+#include "core/diagnosis/candidates/effect_components.h"
 #include "core/diagnosis/search/explanation.h"
 #include "tests/bench/speed/measurements.h"
 
@@ -16,17 +16,19 @@ namespace {
 
 double bestEvidence(const Leftover& leftover) {
   double best = 0;
-  for (const Component& effect : effectComponents(leftover, {}, {}))
-    best = std::max(best, fitAlone(leftover, effect, 0).logGain);
+  const SharedProducts residual(leftover, leftover.residual());
+  for (const EffectComponent& effect : effectComponents(leftover, {}))
+    best = std::max(best, fitAlone(residual, effect, 0).logGain);
   return best;
 }
 
 /// Leaves beside the time by how much χ² falls with each effect that peers fit, too, for `table.py`.
 void answer(benchmark::State& state, const Leftover& leftover) {
-  for (const Component& effect : effectComponents(leftover, {}, {})) {
-    if (effect.gram.trace() < 1e-6) continue;  // nothing of it shows
-    const Eigen::VectorXd products = visibleColumns(leftover, effect).transpose() * leftover.residual();
-    state.counters["fall by " + std::string(effect.id)] = products.dot(effect.gram.ldlt().solve(products));
+  for (const EffectComponent& effect : effectComponents(leftover, {})) {
+    const Eigen::MatrixXd gram = effect.gram();
+    if (gram.trace() < 1e-6) continue;  // nothing of it shows
+    const Eigen::VectorXd products = effect.visibleColumns(leftover).transpose() * leftover.residual();
+    state.counters["fall by " + std::string(effect.id())] = products.dot(gram.ldlt().solve(products));
   }
 }
 

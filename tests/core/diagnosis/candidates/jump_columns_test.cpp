@@ -18,7 +18,7 @@ TEST(JumpColumns, AreTheSumsOverEveryReadingFromTheMomentOn) {
   const JumpColumns steps(leftover(), moments, size);
   const VectorXd any = leftover().residual().head(leftover().readings());
   const Eigen::Matrix2Xd products = steps.products(any);
-  const std::vector<Eigen::Matrix2d> grams = steps.visibleGrams();
+  const std::vector<Eigen::Matrix2d> grams = steps.visibleGrams(leftover());
   for (std::size_t m = 0; m < moments.size(); ++m) {
     MatrixXd columns(leftover().readings(), 2);
     columns << leftover().column(ErrorTerm::HorizontalJump), leftover().column(ErrorTerm::VerticalJump);

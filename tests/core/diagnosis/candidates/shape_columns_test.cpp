@@ -23,9 +23,9 @@ const JointFit& fit() {
   return instance;
 }
 
-const std::vector<Component>& shapes() {
-  static const std::vector<Component> instance =
-      shapeComponents(test::leftover(), measurement(), fit(), {}, {});
+const std::vector<ShapeComponent>& shapes() {
+  static const std::vector<ShapeComponent> instance =
+      shapeComponents(test::leftover(), measurement(), fit(), {});
   return instance;
 }
 
@@ -33,27 +33,18 @@ bool holds(std::string_view id, std::string_view word) {
   return id.find(word) != std::string_view::npos;
 }
 
-TEST(ShapeColumns, HaveTheInnerProductsOfTheirColumns) {
-  for (const Component& shape : shapes()) {
-    const MatrixXd visible = test::leftover().visible(wholeColumns(test::leftover(), shape));
-    const MatrixXd gram = visible.transpose() * visible;
-    ASSERT_EQ(gram.cols(), shape.gram.cols()) << shape.id;
-    EXPECT_LT(test::greatest(gram - shape.gram), 1e-9 * (1 + test::greatest(gram))) << shape.id;
-  }
-}
-
 // A pattern moves the readings that its name says, and those only.
 TEST(ShapeColumns, MoveWhatTheyAreNamedAfter) {
-  for (const Component& shape : shapes()) {
-    const MatrixXd columns = wholeColumns(test::leftover(), shape);
+  for (const ShapeComponent& shape : shapes()) {
+    const MatrixXd columns = shape.wholeColumns(test::leftover());
     std::set<ReadingKind> moved;
     for (Index i = 0; i < columns.rows(); ++i)
       if (columns.row(i).cwiseAbs().maxCoeff() > 0) moved.insert(test::leftover().reading(i).kind);
     std::set<ReadingKind> expected{ReadingKind::Horizontal, ReadingKind::Vertical};
-    if (holds(shape.id, "horizontal")) expected = {ReadingKind::Horizontal};
-    if (holds(shape.id, "vertical")) expected = {ReadingKind::Vertical};
-    if (holds(shape.id, "slider readings")) expected = {ReadingKind::Slider};
-    EXPECT_EQ(moved, expected) << shape.id;
+    if (holds(shape.id(), "horizontal")) expected = {ReadingKind::Horizontal};
+    if (holds(shape.id(), "vertical")) expected = {ReadingKind::Vertical};
+    if (holds(shape.id(), "slider readings")) expected = {ReadingKind::Slider};
+    EXPECT_EQ(moved, expected) << shape.id();
   }
 }
 
@@ -62,9 +53,9 @@ TEST(ShapeColumns, MoveWhatTheyAreNamedAfter) {
 TEST(ShapeColumns, FollowTheScaleInHarmonics) {
   const Eigen::VectorXd carrier = test::leftover().column(Unknown::Kind::SliderZero);
   std::multiset<int> orders;
-  for (const Component& shape : shapes()) {
-    if (shape.id != "slider readings along the scale" || shape.pattern.columns() != 2) continue;
-    const MatrixXd columns = wholeColumns(test::leftover(), shape);
+  for (const ShapeComponent& shape : shapes()) {
+    if (shape.id() != "slider readings along the scale" || shape.columns() != 2) continue;
+    const MatrixXd columns = shape.wholeColumns(test::leftover());
     for (int order = 1; order <= 16; ++order) {
       MatrixXd waves = MatrixXd::Zero(columns.rows(), 2);
       for (Index i = 0; i < columns.rows(); ++i) {

@@ -7,6 +7,8 @@
 #include <random>
 #include <vector>
 
+#include "core/diagnosis/candidates/jump_components.h"
+#include "core/diagnosis/candidates/misreading_components.h"
 #include "core/diagnosis/conclusion/answer.h"
 #include "tests/support/perfect_session.h"
 
@@ -51,9 +53,9 @@ TEST(Rivals, StepStandsAgainstAMisreadingOfEitherCircle) {
   const Inquiry inquiry = inquire(*modelOf(measurement), {}, {});
   const Answer answer = conclude(inquiry);
   ASSERT_EQ(answer.explanation.parts.size(), 1u);
-  ASSERT_TRUE(inquiry.isMisreading(answer.explanation.parts[0]));
+  ASSERT_TRUE(inquiry.of(answer.explanation.parts[0]).misreading());
   ASSERT_EQ(answer.rivals[0].size(), 1u);
-  ASSERT_EQ(inquiry.kindOf(answer.rivals[0][0].part), Component::Kind::Jump);
+  ASSERT_TRUE(inquiry.of(answer.rivals[0][0].part).isJump());
 
   const GapModel& base = inquiry.base;
   const JointFit without =
@@ -62,12 +64,12 @@ TEST(Rivals, StepStandsAgainstAMisreadingOfEitherCircle) {
   double ofMisreadings = 0, shown = 0;
   for (const AdjustedReading& reading : base.fit.readings) {
     if (reading.arc != 0 || reading.sighting != lastRow) continue;
-    ofMisreadings += evidence(widthsOf(Component::Kind::Misreading), reading.redundancy, gain);
+    ofMisreadings += evidence(misreadingWidths(), reading.redundancy, gain);
     shown += reading.redundancy * std::pow(plausibleJump / reading.sigma, 2);
   }
   const PriorOdds odds;
   const double rows = 34, readings = 2 * rows;
-  const double expected = odds.jump / (rows - 1) * evidence(widthsOfKnocks(), shown, gain) /
+  const double expected = odds.jump / (rows - 1) * evidence(knockWidths(), shown, gain) /
                           (odds.misreading / readings * ofMisreadings);
   EXPECT_NEAR(answer.rivals[0][0].odds, expected, 0.1 * expected);
 }

@@ -1,5 +1,5 @@
 #include "core/diagnosis/observability/unseen.h"
-#include "core/diagnosis/candidates/known_components.h"
+#include "core/diagnosis/candidates/effect_components.h"
 
 #include <gtest/gtest.h>
 
@@ -31,11 +31,12 @@ class Unseen : public ::testing::TestWithParam<const char*> {
  protected:
   GapModel model = *modelOf(measurementBy(GetParam(), "plane_tilt", Eigen::Vector2d::Zero()));
   Leftover leftover{{linearise(*model.measurement, model.fit, model.options)}};
-  std::vector<Component> effects = effectsBeyond(model, leftover, {}, {});
-  Eigen::VectorXd perReading = influencePerSigma(model);
+  std::vector<EffectComponent> effects = effectsBeyond(model, leftover, {});
+  Eigen::VectorXd influence = influencePerSigma(model);
+  SharedProducts perReading{leftover, influence};
 
-  const Component& find(const std::string& id) const {
-    return *std::ranges::find(effects, id, &Component::id);
+  const EffectComponent& find(const std::string& id) const {
+    return *std::ranges::find(effects, id, &EffectComponent::id);
   }
 };
 
@@ -46,7 +47,7 @@ TEST_P(Unseen, EffectsShowAndMoveTheIntersectionAsSessionsThatHoldThem) {
   const double clean = intersectionOf(*model.measurement);
   for (const char* id : {"plane_tilt", "horizontal_circle_eccentricity", "vertical_drift", "plane_warp"}) {
     SCOPED_TRACE(std::string(GetParam()) + " " + id);
-    const Detectability detectability = detectabilityOfEffect(leftover, find(id), perReading);
+    const Detectability detectability = detectabilityOf(find(id), perReading);
     ASSERT_NEAR(detectability.weights.norm(), 1, 1e-12);
     const Measurement held = measurementBy(GetParam(), id, detectability.weights);
     const double visible = visibilityOf(held, id)->sigma;
@@ -60,10 +61,12 @@ TEST_P(Unseen, EffectsShowAndMoveTheIntersectionAsSessionsThatHoldThem) {
 
 // An index error is the same in every reading of one face and goes with the zeros: Δd stays.
 TEST_P(Unseen, WhatDoesNotMoveTheIntersectionIsNoDanger) {
-  const Detectability detectability = detectabilityOfEffect(leftover, find("vertical_index"), perReading);
+  const Detectability detectability = detectabilityOf(find("vertical_index"), perReading);
   EXPECT_LT(detectability.influence, negligibleInfluence);
   EXPECT_FALSE(detectability.isUndetectable());
-  for (const Detectability& unseen : undetectableEffects(leftover, effects, perReading)) {
+  Candidates candidates;
+  candidates.add(effects, PriorOdds().effect);
+  for (const Detectability& unseen : undetectableEffects(leftover, candidates, influence)) {
     EXPECT_NE(unseen.effect, "vertical_index");
     EXPECT_GT(unseen.influence, negligibleInfluence);
   }

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/adjustment/result/session_fit.h"
-#include "core/diagnosis/candidates/known_components.h"
+#include "core/diagnosis/candidates/effect_components.h"
 #include "core/diagnosis/observability/look_alikes.h"
 #include "tests/support/trials.h"
 
@@ -62,14 +62,14 @@ TEST(VisibleTerms, TellHowFarEffectsAreApart) {
   const Linearised set = equationsOf("full");
   const VisibleTerms terms = visibleTerms(set, everyTerm());
   const Leftover leftover(set);
-  const std::vector<Component> components = effectComponents(leftover, {}, {});
-  for (const Component& one : components) {
-    const VectorXd weights = VectorXd::LinSpaced(one.gram.cols(), 1, 2);
-    const VectorXd combination = combinationOf(*one.effect) * weights;
-    const Trace trace(leftover, signature(leftover, one, weights));
-    for (const Component& other : components)
-      EXPECT_NEAR(differenceFrom(terms, combination, *other.effect), trace.differenceFrom(other), 1e-4)
-          << one.id << " from " << other.id;
+  const std::vector<EffectComponent> components = effectComponents(leftover, {});
+  for (const EffectComponent& one : components) {
+    const VectorXd weights = VectorXd::LinSpaced(one.weights(), 1, 2);
+    const VectorXd combination = combinationOf(one.effect()) * weights;
+    const Trace trace(leftover, one.signature(leftover, weights));
+    for (const EffectComponent& other : components)
+      EXPECT_NEAR(differenceFrom(terms, combination, other.effect()), trace.differenceFrom(other), 1e-4)
+          << one.id() << " from " << other.id();
   }
 }
 

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "core/adjustment/result/session_fit.h"
-#include "core/diagnosis/candidates/known_components.h"
+#include "core/diagnosis/candidates/effect_components.h"
 #include "core/diagnosis/search/inquiry.h"
 #include "core/simulation/simulate.h"
 #include "tests/support/trials.h"
@@ -18,7 +18,8 @@ namespace {
 TEST(Explanation, IsSoughtNoFurtherOnceStopped) {
   const Measurement measurement = test::trialMeasurement("full");
   const Leftover leftover(linearise(measurement, fitSession(measurement).joint));
-  const std::vector<Component> candidates = effectComponents(leftover, {}, {});
+  Candidates candidates;
+  candidates.add(effectComponents(leftover, {}), PriorOdds().effect);
   std::stop_source stop;
   const auto longest = [&] {
     std::size_t most = 0;
@@ -42,12 +43,12 @@ double logDensity(const Eigen::VectorXd& x, const Eigen::MatrixXd& covariance) {
 /// mean C.
 double logEvidence(const Leftover& leftover, const Component& effect) {
   const Eigen::VectorXd& readings = leftover.residual();
-  const Eigen::MatrixXd columns = visibleColumns(leftover, effect);
+  const Eigen::MatrixXd columns = effect.visibleColumns(leftover);
   const Eigen::MatrixXd noise = Eigen::MatrixXd::Identity(readings.size(), readings.size());
   const double nothing = logDensity(readings, noise);
-  if (effect.allOrNothing) return logDensity(readings - columns, noise) - nothing;
+  if (effect.response() == Response::AllOrNothing) return logDensity(readings - columns, noise) - nothing;
   std::vector<double> terms;
-  for (const Width& width : widthsOf(effect.kind))
+  for (const Width& width : effect.widths())
     terms.push_back(width.logChance +
                     logDensity(readings, noise + width.sigma * width.sigma * columns * columns.transpose()) -
                     nothing);
@@ -68,16 +69,17 @@ TEST(FitAlone, GivesBackTheEffectThatASessionHolds) {
     const Session session = *simulateWithoutNoise(*protocolByName("full"), truth, 9);
     const GapModel model = *modelOf(*examine(session).measurement);
     const Leftover leftover(linearise(*model.measurement, model.fit, model.options));
-    const std::vector<Component> effects = effectsBeyond(model, leftover, {}, {});
+    const std::vector<EffectComponent> effects = effectsBeyond(model, leftover, {});
+    const SharedProducts residual(leftover, leftover.residual());
     bool isFound = false;
     for (std::size_t i = 0; i < effects.size(); ++i) {
-      const Part part = fitAlone(leftover, effects[i], i);
+      const Part part = fitAlone(residual, effects[i], i);
       EXPECT_EQ(part.component, i);
-      if (effects[i].curvature.cols() == 0) {  // 1e-9 of what the readings tell of it
+      if (effects[i].response() != Response::Bent) {  // 1e-9 of what the readings tell of it
         const double evidence = logEvidence(leftover, effects[i]);
-        EXPECT_NEAR(part.logGain, evidence, 1e-9 * (1 + std::abs(evidence))) << effects[i].id;
+        EXPECT_NEAR(part.logGain, evidence, 1e-9 * (1 + std::abs(evidence))) << effects[i].id();
       }
-      if (effects[i].id != id) continue;
+      if (effects[i].id() != id) continue;
       isFound = true;
       for (const double weight : part.weights)  // a tilt of the plane shows its sign to second order only
         EXPECT_NEAR(std::string(id) == "plane_tilt" ? std::abs(weight) : weight, 3, 0.03 * 3);

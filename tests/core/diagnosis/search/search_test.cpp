@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <ranges>
 
-#include "core/diagnosis/candidates/known_components.h"
+#include "core/diagnosis/candidates/effect_components.h"
+#include "core/diagnosis/candidates/jump_components.h"
+#include "core/diagnosis/candidates/misreading_components.h"
 #include "core/diagnosis/search/inquiry.h"
 #include "core/simulation/simulate.h"
 
@@ -27,19 +29,19 @@ class SearchTest : public testing::TestWithParam<std::string> {
     const GapModel model = *modelOf(*examine(session).measurement);
     return Leftover(linearise(*model.measurement, model.fit, model.options));
   }
-  static std::vector<Component> candidatesFor(const Leftover& leftover) {
-    std::vector<Component> candidates = effectComponents(leftover, {}, {});
-    std::ranges::move(jumpComponents(leftover, {}), std::back_inserter(candidates));
+  static Candidates candidatesFor(const Leftover& leftover) {
+    Candidates candidates;
+    candidates.add(effectComponents(leftover, {}), 0.04);
+    candidates.add(jumpComponents(leftover), 1e-3, {.offered = 2, .oneAtMost = true});
+    candidates.add(misreadingComponents(leftover), 1e-3, {.offered = 4});
     return candidates;
   }
 
   Leftover leftover = leftoverBy(GetParam());
-  std::vector<Component> candidates = candidatesFor(leftover);
+  Candidates candidates = candidatesFor(leftover);
 
-  bool isJump(std::size_t component) const {
-    return component < candidates.size() && candidates[component].kind == Component::Kind::Jump;
-  }
-  bool isMisreading(std::size_t component) const { return component >= candidates.size(); }
+  bool isJump(std::size_t component) const { return candidates[component].isJump(); }
+  bool isMisreading(std::size_t component) const { return candidates[component].misreading().has_value(); }
 
   /// The highest few of the evidences of all jumps or misreadings that may be sought, `before` taken first.
   template <typename Kind>
@@ -47,10 +49,9 @@ class SearchTest : public testing::TestWithParam<std::string> {
                                    const std::vector<std::size_t>& before, double variance,
                                    std::size_t count) const {
     std::vector<double> all;
-    for (std::size_t i = 0; i < candidates.size() + static_cast<std::size_t>(leftover.readings()); ++i) {
-      if (!isOfKind(i) || (isJump(i) && candidates[i].onlyRow)) continue;
-      if (isMisreading(i) && leftover.redundancy(static_cast<Eigen::Index>(i - candidates.size())) < 1e-3)
-        continue;
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      if (!isOfKind(i) || candidates[i].onlyRow()) continue;
+      if (isMisreading(i) && leftover.redundancy(*candidates[i].misreading()) < 1e-3) continue;
       std::vector<std::size_t> set = before;
       set.push_back(i);
       all.push_back(search.madeOf(set, variance).logEvidence);
@@ -95,8 +96,9 @@ TEST_P(SearchTest, OffersTheBestOfAllJumpsAndMisreadings) {
   for (const double variance : {1.0, 9.0}) {
     SCOPED_TRACE(variance);
     expectTheBest({}, variance);
-    const auto tilt = std::ranges::find(candidates, "trunnion_tilt", &Component::id);
-    expectTheBest({static_cast<std::size_t>(tilt - candidates.begin())}, variance);
+    std::size_t tilt = 0;
+    while (candidates[tilt].id() != "trunnion_tilt") ++tilt;
+    expectTheBest({tilt}, variance);
   }
 }
 

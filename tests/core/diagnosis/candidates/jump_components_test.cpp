@@ -1,4 +1,4 @@
-#include "core/diagnosis/candidates/known_components.h"
+#include "core/diagnosis/candidates/jump_components.h"
 
 #include <gtest/gtest.h>
 
@@ -16,12 +16,12 @@ std::ptrdiff_t momentsSoughtBy(const std::string& protocol) {
   const Session session = *simulate(*protocolByName(protocol), drawTruth(5), 5);
   const GapModel model = *modelOf(*examine(session).measurement);
   const Leftover leftover(linearise(*model.measurement, model.fit, model.options));
-  return std::ranges::count_if(jumpComponents(leftover, {}), [](const Component& c) { return !c.onlyRow; });
+  return std::ranges::count_if(jumpComponents(leftover), [](const Component& c) { return !c.onlyRow(); });
 }
 
 // Rows alone in their visits: 34 rows have 33 moments between them, less one behind the first and one before
 // the last row of each position. A second face or the slider tells a step from a misreading.
-TEST(KnownComponents, StepIsNotSoughtWhereItIsAMisreading) {
+TEST(JumpComponents, StepIsNotSoughtWhereItIsAMisreading) {
   EXPECT_EQ(momentsSoughtBy("paper"), 33 - 4);
   EXPECT_EQ(momentsSoughtBy("there-and-back"), 67 - 4);
   EXPECT_EQ(momentsSoughtBy("paper-slider"), 33);
@@ -30,7 +30,7 @@ TEST(KnownComponents, StepIsNotSoughtWhereItIsAMisreading) {
 
 // At the ends of the arc, 10° and 170°, the horizontal circle shows nearly all of a slip. A step there would
 // leave the very same.
-TEST(KnownComponents, SlipInTheLastRowOfAPositionIsNoStep) {
+TEST(JumpComponents, SlipInTheLastRowOfAPositionIsNoStep) {
   for (const int axis : {0, 180})
     for (const int point : {1, 17}) {
       SCOPED_TRACE(std::to_string(axis) + "°, point " + std::to_string(point));
@@ -58,7 +58,7 @@ Truth knockedBeforeTheLastRow() {
 
 // In truth the tripod was knocked, which moves Δd by 0.2 mm in the position that follows. The row that shows
 // it is blamed, but the knock is named beside it, and U covers what it does.
-TEST(KnownComponents, StepThatLooksLikeAMisreadingIsCoveredByU) {
+TEST(JumpComponents, StepThatLooksLikeAMisreadingIsCoveredByU) {
   const Truth truth = knockedBeforeTheLastRow();
   const Diagnosis diagnosis = *diagnose(*examine(*simulate(*protocolByName("paper"), truth, 5)).measurement);
   ASSERT_EQ(diagnosis.causes.size(), 1u);
@@ -78,7 +78,7 @@ TEST(KnownComponents, StepThatLooksLikeAMisreadingIsCoveredByU) {
 }
 
 // Where misread values are ruled out nothing else leaves what the knock leaves.
-TEST(KnownComponents, StepIsFoundAtTheLastRowWhereNothingIsMisread) {
+TEST(JumpComponents, StepIsFoundAtTheLastRowWhereNothingIsMisread) {
   const Diagnosis diagnosis =
       *diagnose(*examine(*simulate(*protocolByName("paper"), knockedBeforeTheLastRow(), 5)).measurement,
                 {.without = {"gross_error"}});
@@ -87,7 +87,7 @@ TEST(KnownComponents, StepIsFoundAtTheLastRowWhereNothingIsMisread) {
 }
 
 // 300″ are five plausible steps: a slip and nothing else. With the slider a knock shows in both circles.
-TEST(KnownComponents, LargeSlipIsNoStep) {
+TEST(JumpComponents, LargeSlipIsNoStep) {
   Truth truth = drawTruth(5);
   truth.misreadings = {{.axisDeg = 0, .point = 17, .horizontal = Angle::fromArcseconds(300), .vertical = {}}};
   const Diagnosis diagnosis = *diagnose(*examine(*simulate(*protocolByName("paper"), truth, 5)).measurement);

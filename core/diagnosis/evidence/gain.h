@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "core/diagnosis/candidates/component.h"
+#include "core/diagnosis/evidence/width.h"
 
 namespace alidade {
 
@@ -56,15 +56,5 @@ struct TurnedColumns {
   Eigen::Ref<const Eigen::MatrixXd> shared;
 };
 Gain gainOf(const std::vector<Width>& widths, const TurnedColumns& columns, double variance);
-
-/// Of a bending component with its most likely weights: on a grid over what is plausible, then closing in on
-/// the best. `gram` and `right` are of its two columns and three second derivatives. Widths too narrow for
-/// the grid are taken as if it did not bend.
-struct BentFit {
-  Gain gain;
-  Eigen::Vector2d weights;
-};
-BentFit fitBent(const std::vector<Width>& widths, const Eigen::Matrix<double, 5, 5>& gram,
-                const Eigen::Vector<double, 5>& right, double variance);
 
 }  // namespace alidade

@@ -1,0 +1,120 @@
+#include "core/diagnosis/candidates/effect_components.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/diagnosis/candidates/second_derivatives.h"
+#include "core/diagnosis/evidence/bent_fit.h"
+
+namespace alidade {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+const std::vector<Width>& effectWidths() {
+  static const std::vector<Width> widths = evenly({0.1, 0.3, 1, 3});
+  return widths;
+}
+
+EffectComponent::EffectComponent(const Effect& effect, MatrixXd gram)
+    : m_effect(&effect),
+      m_response(effect.response == Response::Bent ? Response::Linear : effect.response),
+      m_gram(std::move(gram)) {}
+
+void EffectComponent::bend(const Leftover& leftover, MatrixXd secondDerivatives) {
+  m_response = Response::Bent;
+  m_secondDerivatives = std::move(secondDerivatives);
+  const MatrixXd columns = visibleColumns(leftover);
+  m_gram = columns.transpose() * columns;
+}
+
+const std::vector<Width>& EffectComponent::widths() const {
+  return effectWidths();
+}
+
+MatrixXd EffectComponent::wholeColumns(const Leftover& leftover) const {
+  MatrixXd columns(leftover.readings(), weights());
+  Index column = 0;
+  for (const EffectParameter& parameter : m_effect->parameters)
+    columns.col(column++) = leftover.column(parameter.term) * plausibleSize(parameter);
+  return columns;
+}
+
+MatrixXd EffectComponent::visibleColumns(const Leftover& leftover) const {
+  MatrixXd columns = Component::visibleColumns(leftover);
+  const Index bent = m_secondDerivatives.cols();
+  if (bent == 0) return columns;
+  columns.conservativeResize(Eigen::NoChange, columns.cols() + bent);
+  columns.rightCols(bent) = m_secondDerivatives;
+  return columns;
+}
+
+void EffectComponent::fillProducts(const SharedProducts& with, Eigen::Ref<VectorXd> own) const {
+  Index column = 0;
+  for (const EffectParameter& parameter : m_effect->parameters)
+    own[column++] = with.ofTerms()[static_cast<Index>(parameter.term)] * plausibleSize(parameter);
+  const Index bent = m_secondDerivatives.cols();
+  if (bent > 0) own.tail(bent) = m_secondDerivatives.transpose() * with.vector();
+}
+
+VectorXd EffectComponent::signature(const Leftover& leftover, const VectorXd& weights) const {
+  VectorXd signature = Component::signature(leftover, weights);
+  if (m_response == Response::Bent) signature += m_secondDerivatives * bentWeights(weights).tail<3>();
+  return signature;
+}
+
+void EffectComponent::addTo(JointFitOptions& model, const Leftover&, const VectorXd& weights,
+                            double width) const {
+  if (m_response == Response::AllOrNothing) {
+    constexpr double whole = 1, exactly = 1e-6;
+    model.terms.push_back({m_effect->parameters[0].term, exactly, whole, whole});
+    return;
+  }
+  Index weight = 0;
+  for (const EffectParameter& parameter : m_effect->parameters) {
+    const double unit = plausibleSize(parameter);
+    model.terms.push_back({parameter.term, width * unit, 0, weights[weight++] * unit});
+  }
+}
+
+std::vector<CauseParameter> EffectComponent::parameters(const GapModel& after) const {
+  std::vector<CauseParameter> parameters;
+  for (const EffectParameter& parameter : m_effect->parameters)
+    parameters.push_back(estimatedParameter(after, parameter.name, parameter.term, parameter.unit));
+  return parameters;
+}
+
+std::vector<EffectComponent> effectComponents(const Leftover& leftover,
+                                              const std::vector<std::string>& leftOut) {
+  std::vector<const Effect*> effects;
+  Index count = 0;
+  for (const Effect& effect : effectCatalogue()) {
+    if (std::ranges::find(leftOut, effect.id) != leftOut.end()) continue;
+    effects.push_back(&effect);
+    count += static_cast<Index>(effect.parameters.size());
+  }
+  MatrixXd columns(leftover.readings(), count);
+  Index first = 0;
+  for (const Effect* effect : effects)
+    for (const EffectParameter& parameter : effect->parameters)
+      columns.col(first++) = leftover.column(parameter.term) * plausibleSize(parameter);
+  columns = leftover.visible(columns);
+  std::vector<EffectComponent> components;
+  first = 0;
+  for (const Effect* effect : effects) {
+    const auto own = columns.middleCols(first, static_cast<Index>(effect->parameters.size()));
+    components.emplace_back(*effect, own.transpose().lazyProduct(own));
+    first += own.cols();
+  }
+  return components;
+}
+
+std::vector<EffectComponent> effectsBeyond(const GapModel& model, const Leftover& leftover,
+                                           const std::vector<std::string>& leftOut) {
+  std::vector<EffectComponent> components = effectComponents(leftover, leftOut);
+  for (EffectComponent& component : components)
+    if (component.effect().response == Response::Bent)
+      component.bend(leftover, leftover.visible(secondDerivatives(model, leftover, component.effect())));
+  return components;
+}
+
+}  // namespace alidade

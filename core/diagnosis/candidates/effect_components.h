@@ -1,0 +1,56 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/diagnosis/candidates/component.h"
+
+namespace alidade {
+
+/// An effect of the catalogue.
+class EffectComponent final : public Component {
+ public:
+  /// `gram`: of the visible columns.
+  EffectComponent(const Effect& effect, Eigen::MatrixXd gram);
+  /// With its visible second derivatives, columns 11, 12, 22.
+  void bend(const Leftover& leftover, Eigen::MatrixXd secondDerivatives);
+
+  const Effect& effect() const { return *m_effect; }
+
+  std::string_view id() const override { return m_effect->id; }
+  ErrorSource source() const override { return m_effect->source; }
+  /// What bends is linear until its second derivatives are known.
+  Response response() const override { return m_response; }
+  const std::vector<Width>& widths() const override;
+  bool isEffect() const override { return true; }
+  Eigen::Map<const Eigen::MatrixXd> gram() const override {
+    return {m_gram.data(), m_gram.rows(), m_gram.cols()};
+  }
+  Eigen::Index weights() const override { return static_cast<Eigen::Index>(m_effect->parameters.size()); }
+  Eigen::MatrixXd wholeColumns(const Leftover& leftover) const override;
+  Eigen::MatrixXd visibleColumns(const Leftover& leftover) const override;
+  void fillProducts(const SharedProducts& with, Eigen::Ref<Eigen::VectorXd> own) const override;
+  Eigen::VectorXd signature(const Leftover& leftover, const Eigen::VectorXd& weights) const override;
+  void addTo(JointFitOptions& model, const Leftover& leftover, const Eigen::VectorXd& weights,
+             double width) const override;
+  std::vector<CauseParameter> parameters(const GapModel& after) const override;
+
+ private:
+  const Effect* m_effect;
+  Response m_response;
+  Eigen::MatrixXd m_gram;
+  Eigen::MatrixXd m_secondDerivatives;  ///< visible; empty unless it bends
+};
+
+/// Effects small and large beside their plausible size.
+const std::vector<Width>& effectWidths();
+
+/// The effects of the catalogue but those in `leftOut`, none of them bent.
+std::vector<EffectComponent> effectComponents(const Leftover& leftover,
+                                              const std::vector<std::string>& leftOut);
+/// The effects of the catalogue but those in `leftOut`, what bends with its second derivatives. `leftover` is
+/// that of the model.
+std::vector<EffectComponent> effectsBeyond(const GapModel& model, const Leftover& leftover,
+                                           const std::vector<std::string>& leftOut);
+
+}  // namespace alidade

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <memory>
+#include <numbers>
+#include <vector>
+
+#include "core/diagnosis/candidates/component.h"
+#include "core/diagnosis/candidates/jump_columns.h"
+
+namespace alidade {
+
+/// Plausible size (1σ) of a step of the orientation, rad: 60″.
+inline constexpr double plausibleJump = 60.0 / 3600 * std::numbers::pi / 180;
+
+/// The orientation steps before a row.
+class JumpComponent final : public Component {
+ public:
+  /// `columns`: of all moments, of which this is the `index`-th. `gram`: of its visible columns.
+  JumpComponent(std::shared_ptr<const JumpColumns> columns, std::size_t index, Eigen::Matrix2d gram,
+                std::optional<std::size_t> onlyRow);
+
+  /// Sequence of the first row after it.
+  std::size_t moment() const { return m_columns->moments()[m_index]; }
+
+  std::string_view id() const override;
+  ErrorSource source() const override { return ErrorSource::Time; }
+  const std::vector<Width>& widths() const override;
+  bool isJump() const override { return true; }
+  std::optional<std::size_t> onlyRow() const override { return m_onlyRow; }
+  Eigen::Map<const Eigen::MatrixXd> gram() const override { return {m_gram.data(), 2, 2}; }
+  Eigen::MatrixXd wholeColumns(const Leftover& leftover) const override;
+  void fillProducts(const SharedProducts& with, Eigen::Ref<Eigen::VectorXd> own) const override;
+  Eigen::VectorXd wholeProducts(const SharedProducts& with) const override { return products(with); }
+  Gain gain(const TurnedColumns& columns, double variance) const override;
+  void addTo(JointFitOptions& model, const Leftover& leftover, const Eigen::VectorXd& weights,
+             double width) const override;
+  std::vector<CauseParameter> parameters(const GapModel& after) const override;
+
+ private:
+  std::shared_ptr<const JumpColumns> m_columns;
+  std::size_t m_index;
+  Eigen::Matrix2d m_gram;
+  std::optional<std::size_t> m_onlyRow;
+};
+
+const std::vector<Width>& jumpWidths();
+/// Of a jump that shows: as of any, and now and then 30 times its plausible size.
+const std::vector<Width>& knockWidths();
+
+/// A step before any row; of long sessions before every n-th. One that a single row alone in its visit
+/// would show leaves what a misreading of that row leaves, which is the commoner: it is for comparison only.
+std::vector<JumpComponent> jumpComponents(const Leftover& leftover);
+
+}  // namespace alidade

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <vector>
+
+#include "core/diagnosis/candidates/component.h"
+
+namespace alidade {
+
+/// One reading is off; a weight is in its σ. Small, since there is one for every reading.
+class MisreadingComponent final : public Component {
+ public:
+  /// `reading`: index into the leftover's readings.
+  MisreadingComponent(Eigen::Index reading, double redundancy)
+      : m_reading(reading), m_redundancy(redundancy) {}
+
+  std::string_view id() const override;
+  ErrorSource source() const override { return ErrorSource::Reading; }
+  const std::vector<Width>& widths() const override;
+  std::optional<Eigen::Index> misreading() const override { return m_reading; }
+  Eigen::Map<const Eigen::MatrixXd> gram() const override {
+    return Eigen::Map<const Eigen::MatrixXd>(&m_redundancy, 1, 1);
+  }
+  Eigen::MatrixXd wholeColumns(const Leftover& leftover) const override;
+  void fillProducts(const SharedProducts& with, Eigen::Ref<Eigen::VectorXd> own) const override {
+    own[0] = with.vector()[m_reading];
+  }
+  double signatureLength(const Eigen::VectorXd& weights) const override;
+  /// The model does without the reading.
+  void addTo(JointFitOptions& model, const Leftover& leftover, const Eigen::VectorXd& weights,
+             double width) const override;
+
+ private:
+  Eigen::Index m_reading;
+  double m_redundancy;
+};
+
+const std::vector<Width>& misreadingWidths();
+
+/// Of every reading, in their order.
+std::vector<MisreadingComponent> misreadingComponents(const Leftover& leftover);
+
+}  // namespace alidade

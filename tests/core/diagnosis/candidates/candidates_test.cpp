@@ -1,0 +1,67 @@
+#include "core/diagnosis/candidates/candidates.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/diagnosis/candidates/effect_components.h"
+#include "core/diagnosis/candidates/jump_components.h"
+#include "core/diagnosis/candidates/misreading_components.h"
+#include "tests/support/full_leftover.h"
+
+namespace alidade {
+namespace {
+
+using test::leftover;
+
+Candidates ofThreeKinds() {
+  Candidates candidates;
+  candidates.add(effectComponents(leftover(), {}), 0.04);
+  candidates.add(jumpComponents(leftover()), 1e-3, {.offered = 2, .oneAtMost = true});
+  candidates.add(std::vector<JumpComponent>(), 1);
+  candidates.add(misreadingComponents(leftover()), 1e-4, {.offered = 4});
+  return candidates;
+}
+
+// 17 effects, a step before each row but the first of 136, and every reading.
+TEST(Candidates, AreNumberedThrough) {
+  const Candidates candidates = ofThreeKinds();
+  ASSERT_EQ(candidates.groups().size(), 3u);
+  EXPECT_EQ(candidates.size(), 17u + 135u + static_cast<std::size_t>(leftover().readings()));
+  EXPECT_EQ(candidates[1].id(), "collimation");
+  EXPECT_TRUE(candidates[16].isEffect());
+  EXPECT_TRUE(candidates[17].isJump());
+  EXPECT_TRUE(candidates[17 + 134].isJump());
+  for (Eigen::Index i = 0; i < leftover().readings(); ++i)
+    EXPECT_EQ(candidates[152 + static_cast<std::size_t>(i)].misreading(), i);
+  EXPECT_EQ(candidates.groupOf(16).logPrior, std::log(0.04));
+  EXPECT_EQ(candidates.groupOf(17).logPrior, std::log(1e-3));
+  EXPECT_TRUE(candidates.groupOf(151).oneAtMost);
+  EXPECT_EQ(candidates.groupOf(152).offered, 4u);
+}
+
+TEST(Candidates, HaveMisreadingsWhereThoseWereAdded) {
+  EXPECT_TRUE(ofThreeKinds().haveMisreadings());
+  Candidates candidates;
+  EXPECT_FALSE(candidates.haveMisreadings());
+  candidates.add(jumpComponents(leftover()), 1e-3);
+  EXPECT_FALSE(candidates.haveMisreadings());
+}
+
+TEST(Candidates, FillInTheProductsOfEachInTurn) {
+  const Candidates candidates = ofThreeKinds();
+  const SharedProducts residual(leftover(), leftover().residual());
+  Eigen::Index size = 0;
+  for (std::size_t i = 0; i < candidates.size(); ++i) size += candidates[i].columns();
+  Eigen::VectorXd all(size);
+  candidates.fillProducts(residual, all);
+  Eigen::Index first = 0;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const Eigen::VectorXd own = candidates[i].products(residual);
+    EXPECT_EQ(all.segment(first, own.size()), own) << i;
+    first += own.size();
+  }
+}
+
+}  // namespace
+}  // namespace alidade
