@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/adjustment/joint/arc_jets.h"
+#include "core/adjustment/numerics/arc_angle_elimination.h"
 #include "core/adjustment/numerics/arc_angle_step.h"
 
 namespace alidade {
@@ -26,8 +27,7 @@ struct SlotSystem {
 };
 
 /// With the arc angle eliminated. `Columns`: the number of slots where it is known beforehand, which the
-/// compiler unrolls. `lazyProduct`: these matrices are so small that blocking them costs more than
-/// multiplying.
+/// compiler unrolls.
 template <int Columns>
 void addNormalEquations(SlotSystem& sum, const VisitEquations& equations) {
   constexpr int most = VisitEquations::mostRows,
@@ -36,9 +36,9 @@ void addNormalEquations(SlotSystem& sum, const VisitEquations& equations) {
   using Square = Eigen::Matrix<double, Columns, Columns, Eigen::ColMajor, mostColumns, mostColumns>;
   using Vector = Eigen::Matrix<double, Columns, 1, Eigen::ColMajor, mostColumns, 1>;
   const Index rows = equations.jacobian.rows(), columns = equations.jacobian.cols();
-  const Eigen::Map<const Jacobian> jacobian(equations.jacobian.data(), rows, columns);
-  const Vector share = jacobian.transpose().lazyProduct(equations.along);
-  const Jacobian reduced = jacobian - equations.along.lazyProduct(share.transpose());
+  Jacobian reduced = Eigen::Map<const Jacobian>(equations.jacobian.data(), rows, columns);
+  Vector share;
+  eliminateArcAngle(reduced, equations.along, share);
   Eigen::Map<Square> matrix(sum.matrix.data(), columns, columns);
   Eigen::Map<Vector> rightSide(sum.rightSide.data(), columns);
   for (Index i = 0; i < rows; ++i) {  // by rows: inner products as short as theirs are slower
@@ -364,10 +364,11 @@ void JointProblem::fillEquations(const Jets& jets, const JointState& state, std:
   equations.along.normalize();
 }
 
-// `lazyProduct`: these matrices are so small that blocking them costs more than multiplying.
 VisitEquations::Jacobian JointProblem::reduced(const VisitEquations& equations) {
-  const Slots share = equations.jacobian.transpose().lazyProduct(equations.along);
-  return equations.jacobian - equations.along.lazyProduct(share.transpose());
+  VisitEquations::Jacobian reduced = equations.jacobian;
+  Slots share;
+  eliminateArcAngle(reduced, equations.along, share);
+  return reduced;
 }
 
 Slots JointProblem::reduced(const VisitEquations& equations, Index row) {

@@ -7,6 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include "core/adjustment/numerics/arc_angle_elimination.h"
+
 namespace alidade {
 
 namespace {
@@ -40,17 +42,20 @@ void addVisit(Equations& equations, const Linearised& set, const MatrixXd& colum
   for (std::size_t i = first; i < end; ++i)
     if (set.readings[i].takesPart) taking.push_back(i);
   if (taking.size() < 2) return;
-  Eigen::RowVectorXd share = Eigen::RowVectorXd::Zero(columns.cols());
-  double residualShare = 0;
-  for (const std::size_t i : taking) {
-    share += set.readings[i].along * columns.row(static_cast<Index>(i));
-    residualShare += set.readings[i].along * set.readings[i].residual;
+  const std::ptrdiff_t count = std::ssize(taking);
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> own(count, columns.cols() + 1);
+  VectorXd along(count), share(columns.cols() + 1);
+  for (Index i = 0; i < count; ++i) {
+    const std::size_t reading = taking[static_cast<std::size_t>(i)];
+    own.row(i) << columns.row(static_cast<Index>(reading)), set.readings[reading].residual;
+    along[i] = set.readings[reading].along;
   }
+  eliminateArcAngle(own, along, share);
+  const auto next = static_cast<Index>(equations.rows.size());
+  equations.columns.middleRows(next, count) = own.leftCols(columns.cols());
+  equations.observed.segment(next, count) = own.col(columns.cols());
   for (const std::size_t i : taking) {
     const LinearReading& reading = set.readings[i];
-    const auto row = static_cast<Index>(equations.rows.size());
-    equations.columns.row(row) = columns.row(static_cast<Index>(i)) - reading.along * share;
-    equations.observed[row] = reading.residual - reading.along * residualShare;
     const bool counts = reading.kind != ReadingKind::Slider;
     equations.rows.push_back(
         {reading.visit % folds, counts ? Angle::fromRadians(reading.sigma).arcseconds() : 0});

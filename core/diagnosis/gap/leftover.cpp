@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <cmath>
+#include <span>
 #include <utility>
+
+#include "core/adjustment/numerics/arc_angle_elimination.h"
 
 namespace alidade {
 
@@ -71,23 +73,9 @@ MatrixXd Leftover::layOutUnknowns(const std::vector<EstimatedTerm>& inModel) {
 }
 
 void Leftover::eliminateArcAngles(MatrixXd& columns) const {
-  for (Index c = 0; c < columns.cols(); ++c) {
-    double* column = columns.col(c).data();
-    Index first = 0;
-    for (const Index end : m_endOfVisit) {
-      if (end - first == 2) {  // by far the commonest, and too short for a loop
-        const double along = m_along[first], next = m_along[first + 1],
-                     share = along * column[first] + next * column[first + 1];
-        column[first] -= share * along;
-        column[first + 1] -= share * next;
-      } else {
-        double share = 0;
-        for (Index i = first; i < end; ++i) share += m_along[i] * column[i];
-        for (Index i = first; i < end; ++i) column[i] -= share * m_along[i];
-      }
-      first = end;
-    }
-  }
+  const std::span along(m_along.data(), static_cast<std::size_t>(m_along.size()));
+  for (Index c = 0; c < columns.cols(); ++c)
+    alidade::eliminateArcAngles({columns.col(c).data(), along.size()}, along, m_endOfVisit);
 }
 
 MatrixXd Leftover::outsideArcAngles(const MatrixXd& columns) const {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/adjustment/numerics/arc_angle_elimination.h"
+
 namespace alidade {
 
 namespace {
@@ -50,12 +52,13 @@ void reduce(const Columns& columns, Index begin, Index end, RowMajorMatrix& rows
     for (const std::size_t unknown : columns.unknowns) *row++ = columns.set.ofUnknown(reading, unknown);
     for (const ErrorTerm term : columns.terms) *row++ = columns.set.ofTerm(reading, term);
   }
-  Eigen::RowVectorXd share(columns.count());
+  const auto along =
+      VectorXd::NullaryExpr(end - begin, [&](Index i) { return columns.reading(begin + i).along; }).eval();
+  VectorXd share(columns.count());
   for (Index first = begin, next = begin; first < end; first = next) {
-    share.setZero();
-    for (; next < end && columns.areOfOneVisit(first, next); ++next)
-      share += columns.reading(next).along * rows.row(next - begin);
-    for (Index i = first; i < next; ++i) rows.row(i - begin) -= columns.reading(i).along * share;
+    while (next < end && columns.areOfOneVisit(first, next)) ++next;
+    eliminateArcAngle(rows.middleRows(first - begin, next - first),
+                      along.segment(first - begin, next - first), share);
   }
 }
 
