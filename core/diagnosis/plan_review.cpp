@@ -114,7 +114,7 @@ PlanAdvice adviceOf(const std::string& measure, const VisibleTerms& shown,
     for (const LookAlike& other : planned.summary.lookAlikes) {
       const std::pair pair(other.effect, planned.summary.effect);
       if (std::ranges::find(advice.separates, pair) == advice.separates.end() &&
-          differenceFrom(shown, plainest, *effectById(other.effect)) > clearlyDifferent)
+          linearDifferenceFrom(shown, plainest, *effectById(other.effect)) > clearlyDifferent)
         advice.separates.emplace_back(planned.summary.effect, other.effect);
     }
   }

@@ -31,7 +31,7 @@ std::optional<Advice> separating(const Cause& cause, const std::string& measure,
   Advice advice{.measure = measure, .separates = {cause.effect}, .bySigma = lengthOf(terms, combination)};
   for (const std::string& id : cause.indistinguishableFrom) {
     const Effect* other = effectById(id);
-    const double difference = other ? differenceFrom(terms, combination, *other) : 0;
+    const double difference = other ? linearDifferenceFrom(terms, combination, *other) : 0;
     if (difference < clearlyDifferent) continue;
     advice.separates.push_back(id);
     advice.bySigma = std::min(advice.bySigma, difference);

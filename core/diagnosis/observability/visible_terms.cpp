@@ -128,7 +128,7 @@ double lengthOf(const VisibleTerms& terms, const VectorXd& combination) {
   return std::sqrt(std::max(combination.dot(terms.gram * combination), 0.0));
 }
 
-double differenceFrom(const VisibleTerms& terms, const VectorXd& combination, const Effect& effect) {
+double linearDifferenceFrom(const VisibleTerms& terms, const VectorXd& combination, const Effect& effect) {
   MatrixXd both(combination.size(), static_cast<Index>(effect.parameters.size()) + 1);
   both << combinationOf(effect), combination;
   MatrixXd gram = both.transpose() * terms.gram * both;

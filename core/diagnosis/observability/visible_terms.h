@@ -31,8 +31,10 @@ Eigen::MatrixXd combinationOf(const Effect& effect);
 /// How far a combination of terms shows, σ.
 double lengthOf(const VisibleTerms& terms, const Eigen::VectorXd& combination);
 
-/// How far the nearest trace that the effect can leave is from the trace of a combination of terms, σ; see
-/// `differenceFrom`.
-double differenceFrom(const VisibleTerms& terms, const Eigen::VectorXd& combination, const Effect& effect);
+/// How far the nearest trace that the effect can leave, taken as linear, is from the trace of a combination
+/// of terms, σ. Of readings at hand `Trace::differenceFrom` says the same, with the effect bent where it
+/// bends.
+double linearDifferenceFrom(const VisibleTerms& terms, const Eigen::VectorXd& combination,
+                            const Effect& effect);
 
 }  // namespace alidade

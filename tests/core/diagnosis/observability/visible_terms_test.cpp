@@ -68,7 +68,7 @@ TEST(VisibleTerms, TellHowFarEffectsAreApart) {
     const VectorXd combination = combinationOf(one.effect()) * weights;
     const Trace trace(leftover, one.signature(leftover, weights));
     for (const EffectComponent& other : components)
-      EXPECT_NEAR(differenceFrom(terms, combination, other.effect()), trace.differenceFrom(other), 1e-4)
+      EXPECT_NEAR(linearDifferenceFrom(terms, combination, other.effect()), trace.differenceFrom(other), 1e-4)
           << one.id() << " from " << other.id();
   }
 }
