@@ -4,6 +4,7 @@
 
 #include "core/diagnosis/diagnose.h"
 #include "core/session/session_file.h"
+#include "core/wording/diagnosis_fault.h"
 
 int main(int argc, char** argv) {
   using namespace alidade;
@@ -17,9 +18,9 @@ int main(int argc, char** argv) {
   const Examined examined = examine(*session);
   if (!examined.measurement) return 1;
 
-  const Result<Diagnosis> diagnosis = diagnose(*examined.measurement);
+  const Result<Diagnosis, DiagnosisFault> diagnosis = diagnose(*examined.measurement);
   if (!diagnosis) {
-    std::fprintf(stderr, "%s\n", diagnosis.problem().text().c_str());
+    std::fprintf(stderr, "%s\n", problemOf(diagnosis.problem()).text().c_str());
     return 1;
   }
   std::printf("%s\n", nameOf(diagnosis->verdict).data());

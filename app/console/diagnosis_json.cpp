@@ -4,6 +4,8 @@
 
 #include "app/console/findings_output.h"
 #include "app/console/json_text.h"
+#include "core/wording/diagnosis_sentence.h"
+#include "core/wording/measure.h"
 
 namespace alidade::console {
 
@@ -54,7 +56,7 @@ std::string diagnosisJson(const std::string& session, const Diagnosis& diagnosis
   Json json;
   json["session"] = session;
   json["verdict"] = nameOf(diagnosis.verdict);
-  json["sentence"] = diagnosis.sentence;
+  json["sentence"] = sentenceOf(diagnosis);
   json["gap"] = sizeJson(diagnosis.gap);
   json["after"] = sizeJson(diagnosis.after);
   json["shrink"] = {{"in_sample", diagnosis.shrink.inSample},
@@ -83,7 +85,8 @@ std::string diagnosisJson(const std::string& session, const Diagnosis& diagnosis
             {"visible_sigma", effect.visibleSigma}};
   });
   json["advice"] = listJson(diagnosis.advice, [](const Advice& advice) -> Json {
-    return {{"measure", advice.measure}, {"separates", advice.separates}, {"by_sigma", advice.bySigma}};
+    return {
+        {"measure", textOf(advice.measure)}, {"separates", advice.separates}, {"by_sigma", advice.bySigma}};
   });
   if (diagnosis.shape)
     json["shape"] = {{"follows", diagnosis.shape->follows}, {"share", diagnosis.shape->share}};

@@ -9,6 +9,9 @@
 #include "core/base/number_text.h"
 #include "core/base/quantity_text.h"
 #include "core/effects/cause_ids.h"
+#include "core/wording/beyond.h"
+#include "core/wording/diagnosis_sentence.h"
+#include "core/wording/measure.h"
 
 namespace alidade::console {
 
@@ -30,7 +33,7 @@ std::string gapText(const Diagnosis& diagnosis) {
   for (const GapStep& step : diagnosis.steps)
     rows.push_back(row(step.effect == misreadingId ? "without the misread values" : "with " + step.effect,
                        step.size, step.intersection));
-  if (const std::string beyond = beyondTheFit(diagnosis); !beyond.empty())
+  if (const std::string beyond = textOf(beyondTheFit(diagnosis)); !beyond.empty())
     rows.push_back(row(beyond, diagnosis.after, diagnosis.afterwards));
   return "\n" + alignedColumns(rows);
 }
@@ -86,7 +89,7 @@ std::string adviceText(const Diagnosis& diagnosis) {
   if (diagnosis.advice.empty()) return "";
   std::string text = "\nWhat to measure next\n";
   for (const Advice& advice : diagnosis.advice)
-    text += paragraph("  " + advice.measure + (advice.ofUnseen ? ": would show " : ": tells apart ") +
+    text += paragraph("  " + textOf(advice.measure) + (advice.ofUnseen ? ": would show " : ": tells apart ") +
                           listed(advice.separates) + ", by " + fixedText(advice.bySigma, 1) + " σ or more",
                       4);
   return text;
@@ -106,7 +109,7 @@ std::string unseenText(const Diagnosis& diagnosis) {
 std::string diagnosisText(const std::string& session, const Diagnosis& diagnosis,
                           const std::vector<Finding>& findings) {
   std::string text = heading(session) + "\nVerdict: " + std::string(nameOf(diagnosis.verdict)) + "\n" +
-                     paragraph(diagnosis.sentence) + gapText(diagnosis);
+                     paragraph(sentenceOf(diagnosis)) + gapText(diagnosis);
   for (const Cause& cause : diagnosis.causes) text += causeText(cause);
   if (diagnosis.verdict != DiagnosisVerdict::WithinNoise) text += whereText(diagnosis);
   return text + adviceText(diagnosis) + unseenText(diagnosis) + findingsText(findings);

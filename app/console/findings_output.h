@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/adjustment/result/session_fit.h"
 #include "core/base/finding.h"
 #include "core/base/problem.h"
 #include "core/base/result.h"
@@ -22,10 +23,10 @@ nlohmann::ordered_json findingsJson(const std::vector<Finding>& findings);
 /// Why not every arc of the measurement was fitted, `fitted` of them were: the first error found. Empty where
 /// every one was.
 std::optional<Problem> absence(const Measurement& measurement, std::size_t fitted,
-                               const std::vector<Finding>& findings);
+                               const std::vector<FitFinding>& findings);
 
-/// For what rests on all positions of a session: fails where one of them cannot be fitted, with the reason;
-/// else what has to be known about positions, set-up and model.
-Result<std::vector<Finding>> findingsBeforehand(const Measurement& measurement);
+/// For what rests on all positions of a session: fails where one of them could not be fitted, with the
+/// reason; else what has to be known about positions, set-up and model. `fit` is that of the measurement.
+Result<std::vector<Finding>> findingsBeforehand(const Measurement& measurement, const SessionFit& fit);
 
 }  // namespace alidade::console

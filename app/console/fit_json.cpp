@@ -8,6 +8,10 @@
 #include "app/console/json_text.h"
 #include "core/adjustment/joint/reliability.h"
 #include "core/adjustment/result/two_faces.h"
+#include "core/wording/budget.h"
+#include "core/wording/findings.h"
+#include "core/wording/suspects.h"
+#include "core/wording/verdict.h"
 
 namespace alidade::console {
 
@@ -52,7 +56,7 @@ Json intersectionJson(const Intersection& intersection) {
 Json budgetJson(const std::vector<BudgetEntry>& entries) {
   Json budget = Json::array();
   for (const BudgetEntry& entry : entries)
-    budget.push_back({{"source", entry.source}, {"sigma_mm", entry.sigma}});
+    budget.push_back({{"source", textOf(entry.source)}, {"sigma_mm", entry.sigma}});
   return budget;
 }
 
@@ -132,7 +136,7 @@ Json proposalJson(const Proposal& proposal) {
   return {{"changes", std::move(changes)},
           {"residual_after_arcsec", proposal.residual.arcseconds()},
           {"share", proposal.share},
-          {"sentence", proposal.sentence}};
+          {"sentence", sentenceOf(proposal)}};
 }
 
 Json suspectJson(const Suspect& suspect) {
@@ -146,7 +150,7 @@ Json suspectJson(const Suspect& suspect) {
           {"circle", nameOf(suspect.kind)},
           {"size_arcsec", suspect.size.arcseconds()},
           {"studentised", suspect.studentised},
-          {"suggestion", suspect.sentence},
+          {"suggestion", sentenceOf(suspect)},
           {"where", suspect.where.path()},
           {"rivals", std::move(rivals)},
           {"proposals", std::move(proposals)}};
@@ -202,7 +206,7 @@ std::string fitJson(const std::string& name, const Measurement& measurement, con
   if (fit.verdict) {
     document["decision"] = {{"tolerance_mm", measurement.tolerance.value()},
                             {"verdict", verdictName(*fit.verdict)}};
-    if (fit.lengthsInDoubt) document["decision"]["reason"] = fit.verdictSentence;
+    if (fit.lengthsInDoubt) document["decision"]["reason"] = verdictSentence(measurement, fit);
   }
   document["budget"] = fit.intersection ? budgetJson(fit.intersection->budget) : Json::array();
   if (check) document["monte_carlo"] = monteCarloJson(*check);
@@ -217,7 +221,7 @@ std::string fitJson(const std::string& name, const Measurement& measurement, con
   }
   document["suspects"] = Json::array();
   for (const Suspect& suspect : suspects) document["suspects"].push_back(suspectJson(suspect));
-  document["findings"] = findingsJson(fit.findings);
+  document["findings"] = findingsJson(inWords(fit.findings, suspects));
   return jsonText(document, lists);
 }
 
@@ -235,7 +239,7 @@ std::string fitJson(const std::string& name, const Measurement& measurement, con
         {"in_plane_mm", fit.inPlane},    {"as_printed_mm", fit.intersectionAsPrinted.value_or(undefined)}};
   document["budget"] = Json::array();
   document["suspects"] = Json::array();
-  document["findings"] = findingsJson(fit.findings);
+  document["findings"] = findingsJson(inWords(fit.findings));
   return jsonText(document);
 }
 

@@ -8,6 +8,10 @@
 #include "app/console/two_faces_text.h"
 #include "core/base/number_text.h"
 #include "core/base/quantity_text.h"
+#include "core/wording/budget.h"
+#include "core/wording/findings.h"
+#include "core/wording/suspects.h"
+#include "core/wording/verdict.h"
 
 namespace alidade::console {
 
@@ -60,15 +64,15 @@ std::string intersectionText(const Measurement& measurement, const Intersection&
          referenceLine(measurement, intersection.value);
 }
 
-std::string verdictText(const SessionFit& fit) {
+std::string verdictText(const Measurement& measurement, const SessionFit& fit) {
   if (!fit.verdict) return fit.intersection ? "\nVerdict: none, the session states no tolerance.\n" : "";
-  return "\n" + paragraph("Verdict: " + verdictName(*fit.verdict) + ". " + fit.verdictSentence);
+  return "\n" + paragraph("Verdict: " + verdictName(*fit.verdict) + ". " + verdictSentence(measurement, fit));
 }
 
 std::string budgetText(const Intersection& intersection) {
   Rows rows;
   for (const BudgetEntry& entry : intersection.budget) {
-    rows.push_back({"  " + entry.source, fixedText(entry.sigma, 4) + " mm"});
+    rows.push_back({"  " + textOf(entry.source), fixedText(entry.sigma, 4) + " mm"});
   }
   rows.push_back({"  together", fixedText(intersection.sigma, 4) + " mm"});
   return "\nStandard uncertainty of Δd\n" + alignedColumns(rows);
@@ -115,9 +119,9 @@ std::string suspectsText(const std::vector<Suspect>& suspects) {
   if (suspects.empty()) return "";
   std::string text = "\nReadings that look misread\n";
   for (const Suspect& suspect : suspects) {
-    text += "  " + paragraph(suspect.sentence, 4);
+    text += "  " + paragraph(sentenceOf(suspect), 4);
     for (std::size_t i = 1; i < suspect.proposals.size(); ++i)
-      text += "    " + paragraph("Or: " + suspect.proposals[i].sentence, 6);
+      text += "    " + paragraph("Or: " + sentenceOf(suspect.proposals[i]), 6);
   }
   return text;
 }
@@ -191,13 +195,13 @@ std::string fitText(const std::string& name, const Measurement& measurement, con
       "Rigorous fit: orthogonal least squares on the readings of both circles; x right, y up\n\n" +
       arcsText(fit);
   if (fit.intersection) text += intersectionText(measurement, *fit.intersection);
-  text += verdictText(fit);
+  text += verdictText(measurement, fit);
   if (fit.intersection) text += budgetText(*fit.intersection);
   if (check) text += monteCarloText(*check);
   text += effectsText(fit.effects);
   if (const auto faces = compareFaces(measurement)) text += twoFacesText(measurement, *faces);
   text += suspectsText(suspects);
-  return text + findingsText(fit.findings);
+  return text + findingsText(inWords(fit.findings, suspects));
 }
 
 std::string fitText(const std::string& name, const Measurement& measurement, const PublishedSessionFit& fit) {
@@ -207,7 +211,7 @@ std::string fitText(const std::string& name, const Measurement& measurement, con
          "\nThe method states no uncertainty and takes the vertical circle to read y/L, which no theodolite "
          "does:\n"
          "no verdict is drawn from it.\n" +
-         findingsText(fit.findings);
+         findingsText(inWords(fit.findings));
 }
 
 }  // namespace alidade::console

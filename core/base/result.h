@@ -9,13 +9,13 @@
 
 namespace alidade {
 
-/// A value, or the one sentence that says why there is none. For bad input; our own bugs are asserts and
-/// what the data say about themselves is a Finding.
-template <typename T>
+/// A value, or why there is none: in one sentence, or as a `Reason` that `core/wording/` has words for. For
+/// bad input; our own bugs are asserts and what the data say about themselves is a finding.
+template <typename T, typename Reason = Problem>
 class [[nodiscard]] Result {
  public:
   Result(T value) : m_content(std::move(value)) {}
-  Result(Problem problem) : m_content(std::move(problem)) {}
+  Result(Reason reason) : m_content(std::move(reason)) {}
 
   explicit operator bool() const { return std::holds_alternative<T>(m_content); }
 
@@ -29,13 +29,13 @@ class [[nodiscard]] Result {
   }
   const T* operator->() const { return &**this; }
 
-  const Problem& problem() const {
+  const Reason& problem() const {
     assert(!*this);
-    return std::get<Problem>(m_content);
+    return std::get<Reason>(m_content);
   }
 
  private:
-  std::variant<T, Problem> m_content;
+  std::variant<T, Reason> m_content;
 };
 
 }  // namespace alidade

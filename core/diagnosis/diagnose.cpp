@@ -5,7 +5,6 @@
 #include "core/diagnosis/conclusion/afterwards.h"
 #include "core/diagnosis/conclusion/causes.h"
 #include "core/diagnosis/conclusion/location.h"
-#include "core/diagnosis/conclusion/sentence.h"
 #include "core/diagnosis/gap/gap_size.h"
 #include "core/diagnosis/gap/held_out.h"
 #include "core/diagnosis/observability/advice.h"
@@ -62,14 +61,19 @@ std::vector<BlamedReading> readingsOf(const GapModel& model) {
 
 }  // namespace
 
-Result<Diagnosis> diagnose(const Measurement& measurement, const DiagnosisOptions& options,
-                           const std::stop_token& stop) {
+Result<Diagnosis, DiagnosisFault> diagnose(const Measurement& measurement, const DiagnosisOptions& options,
+                                           const std::stop_token& stop) {
+  return diagnose(measurement, fitSession(measurement), options, stop);
+}
+
+Result<Diagnosis, DiagnosisFault> diagnose(const Measurement& measurement, const SessionFit& fit,
+                                           const DiagnosisOptions& options, const std::stop_token& stop) {
   for (const std::string& id : options.without)
     if (std::ranges::find(diagnosableEffects(), id) == diagnosableEffects().end())
-      return Problem{"there is no effect “" + id + "” in the catalogue"};
-  Result<GapModel> model = modelOf(measurement);
-  if (!model) return model.problem();
-  const Problem stopped{"the diagnosis was stopped"};
+      return DiagnosisFault(UnknownCause{id});
+  auto model = modelOf(measurement, fit);
+  if (!model) return DiagnosisFault(model.problem());
+  const DiagnosisFault stopped = Stopped{};
   if (stop.stop_requested()) return stopped;
   const Inquiry inquiry = inquire(*std::move(model), options, stop);
   const GapModel& before = inquiry.ofAll().base;
@@ -100,7 +104,6 @@ Result<Diagnosis> diagnose(const Measurement& measurement, const DiagnosisOption
   diagnosis.readings = readingsOf(before);
   if (stop.stop_requested()) return stopped;
   diagnosis.advice = adviceFor(inquiry, diagnosis.causes, unseen);
-  diagnosis.sentence = sentenceFor(diagnosis);
   return diagnosis;
 }
 

@@ -103,8 +103,7 @@ std::vector<Planned> effectsInQuestion(const std::vector<Planned>& effects) {
 }
 
 /// `inQuestion`: those of the effects that there is something to be said of, and what is `shown` of them.
-PlanAdvice adviceOf(const std::string& measure, const VisibleTerms& shown,
-                    const std::vector<Planned>& inQuestion) {
+PlanAdvice adviceOf(Measure measure, const VisibleTerms& shown, const std::vector<Planned>& inQuestion) {
   PlanAdvice advice{measure, {}, {}};
   for (const Planned& planned : inQuestion) {
     const MatrixXd combinations = combinationOf(*planned.effect);
@@ -126,16 +125,20 @@ PlanAdvice adviceOf(const std::string& measure, const VisibleTerms& shown,
 }
 
 /// Of the same readings taken without any error.
-Result<GapModel> plannedModel(const Measurement& measurement) {
-  const Result<GapModel> read = modelOf(measurement);
+Result<GapModel, NoModel> plannedModel(const Measurement& measurement, const SessionFit& fit) {
+  const auto read = modelOf(measurement, fit);
   if (!read) return read.problem();
   return modelOf(readWithoutError(*read));
 }
 
 }  // namespace
 
-Result<PlanReview> reviewPlan(const Measurement& measurement) {
-  const Result<GapModel> model = plannedModel(measurement);
+Result<PlanReview, NoModel> reviewPlan(const Measurement& measurement) {
+  return reviewPlan(measurement, fitSession(measurement));
+}
+
+Result<PlanReview, NoModel> reviewPlan(const Measurement& measurement, const SessionFit& fit) {
+  const auto model = plannedModel(measurement, fit);
   if (!model) return model.problem();
   const Leftover leftover(linearise(*model->measurement, model->fit, model->options), model->options.terms);
   const std::vector<Planned> effects = plannedEffects(*model, leftover);

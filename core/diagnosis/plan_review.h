@@ -4,8 +4,10 @@
 #include <utility>
 #include <vector>
 
+#include "core/adjustment/result/session_fit.h"
 #include "core/base/result.h"
 #include "core/diagnosis/result/diagnosis.h"
+#include "core/diagnosis/result/diagnosis_fault.h"
 #include "core/diagnosis/visibility.h"
 #include "core/session/measurement.h"
 
@@ -29,7 +31,7 @@ struct PlannedEffect {
 
 /// Readings to add, and what they would be good for.
 struct PlanAdvice {
-  std::string measure;
+  Measure measure = Measure::BothFaces;
   std::vector<std::string> reveals;                            ///< unseen so far, the most dangerous first
   std::vector<std::pair<std::string, std::string>> separates;  ///< look-alikes so far
 };
@@ -41,7 +43,8 @@ struct PlanReview {
   std::size_t readings = 0;                          ///< circle and slider readings
 };
 
-/// Fails where no arc can be fitted to places like these.
-Result<PlanReview> reviewPlan(const Measurement& measurement);
+/// Fails where no arc can be fitted to places like these. `fit` is that of the measurement.
+Result<PlanReview, NoModel> reviewPlan(const Measurement& measurement, const SessionFit& fit);
+Result<PlanReview, NoModel> reviewPlan(const Measurement& measurement);
 
 }  // namespace alidade

@@ -8,8 +8,8 @@
 
 namespace alidade {
 
-Result<Visibility> visibilityOf(const Measurement& noiseless, const std::string& held) {
-  const Result<GapModel> model = modelOf(noiseless);
+Result<Visibility, NoModel> visibilityOf(const Measurement& noiseless, const std::string& held) {
+  const auto model = modelOf(noiseless);
   if (!model) return model.problem();
   const Leftover leftover(linearise(*model->measurement, model->fit, model->options), model->options.terms);
   const Trace trace(leftover, leftover.residual());

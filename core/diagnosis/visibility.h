@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/diagnosis/result/diagnosis_fault.h"
 #include "core/diagnosis/result/look_alike.h"
 #include "core/session/measurement.h"
 
@@ -22,6 +23,6 @@ struct Visibility {
 
 /// `noiseless` holds the effect `held` and nothing else; look-alikes are the other effects of the catalogue.
 /// Fails where no arc can be fitted.
-Result<Visibility> visibilityOf(const Measurement& noiseless, const std::string& held);
+Result<Visibility, NoModel> visibilityOf(const Measurement& noiseless, const std::string& held);
 
 }  // namespace alidade

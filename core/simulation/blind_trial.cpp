@@ -230,7 +230,7 @@ class Draw {
   std::optional<Visibility> shownAs(const std::string& held) const {
     const Result<Session> perfect = simulateWithoutNoise(m_protocol, m_truth, m_seed);
     if (!perfect) return std::nullopt;
-    const Result<Visibility> found = visibilityOf(*examine(*perfect).measurement, held);
+    const auto found = visibilityOf(*examine(*perfect).measurement, held);
     return found ? std::optional(*found) : std::nullopt;
   }
 

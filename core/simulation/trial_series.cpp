@@ -14,6 +14,7 @@
 #include "core/diagnosis/diagnose.h"
 #include "core/effects/catalogue.h"
 #include "core/session/session_file.h"
+#include "core/wording/diagnosis_fault.h"
 
 namespace alidade {
 
@@ -30,12 +31,13 @@ bool canBeWithheld(const SealedTruth& truth) {
 Result<ScoredTrial> scored(const TrialCase& trial, bool withheld) {
   const Examined examined = examine(trial.session);
   if (!examined.problems.empty()) return about(trial.seal.id, examined.problems.front());
-  const Result<Diagnosis> diagnosis = diagnose(*examined.measurement);
-  if (!diagnosis) return about(trial.seal.id, diagnosis.problem());
+  const SessionFit fit = fitSession(*examined.measurement);
+  const auto diagnosis = diagnose(*examined.measurement, fit);
+  if (!diagnosis) return about(trial.seal.id, problemOf(diagnosis.problem()));
   ScoredTrial result{trial.seal, scoreTrial(trial.seal, *diagnosis), std::nullopt};
   if (withheld && canBeWithheld(trial.seal)) {
-    const Result<Diagnosis> without = diagnose(*examined.measurement, {.without = {trial.seal.kind}});
-    if (!without) return about(trial.seal.id, without.problem());
+    const auto without = diagnose(*examined.measurement, fit, {.without = {trial.seal.kind}});
+    if (!without) return about(trial.seal.id, problemOf(without.problem()));
     result.wrongWithout = blamesWrongCause(trial.seal, *without);
   }
   return result;

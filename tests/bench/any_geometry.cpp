@@ -61,8 +61,7 @@ Result<TrialCase> drawnCase(std::uint64_t seed) {
     if (!measurement || !fitSession(*measurement).intersection) continue;
     std::optional<Visibility> shown;
     if (!isQuiet)
-      if (const Result<Visibility> found =
-              visibilityOf(*examine(*perfect).measurement, std::string(effect.id)))
+      if (const auto found = visibilityOf(*examine(*perfect).measurement, std::string(effect.id)))
         shown = *found;
     return TrialCase{*session, sealed(std::to_string(seed), plan.truth, shown)};
   }

@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "core/wording/suspects.h"
+
 namespace {
 
 using namespace alidade;
@@ -59,9 +61,9 @@ void runPlan(const char* name, int sessions, double step, bool verbose) {
       std::printf(" (%.0f sigma)\n", slipped.visibleSigma);
       for (const Suspect& suspect : suspects) {
         std::printf("      %s t %.1f %s\n", suspect.where.path().c_str(), suspect.studentised,
-                    suspect.sentence.c_str());
+                    sentenceOf(suspect).c_str());
         for (const Proposal& proposal : suspect.proposals)
-          std::printf("        %.3f %s\n", proposal.share, proposal.sentence.c_str());
+          std::printf("        %.3f %s\n", proposal.share, sentenceOf(proposal).c_str());
       }
     }
   }

@@ -10,6 +10,7 @@
 #include "app/console/plan_text.h"
 #include "core/base/utf8.h"
 #include "core/diagnosis/diagnose.h"
+#include "core/wording/diagnosis_fault.h"
 #include "tests/fuzz/require.h"
 #include "tests/support/every_answer.h"
 
@@ -41,10 +42,11 @@ void fit(const Session& session, const Measurement& measurement) {
 }
 
 void diagnoseIt(const Measurement& measurement) {
-  const Result<Diagnosis> diagnosis = diagnose(measurement);
-  if (!diagnosis) return test::expectSentence(diagnosis.problem().text());
+  const auto diagnosis = diagnose(measurement);
+  if (!diagnosis) return test::expectSentence(problemOf(diagnosis.problem()).text());
   test::expectDiagnosis(*diagnosis);
-  const Result<std::vector<Finding>> findings = console::findingsBeforehand(measurement);
+  const Result<std::vector<Finding>> findings =
+      console::findingsBeforehand(measurement, fitSession(measurement));
   if (!findings) return test::expectSentence(findings.problem().text());
   requireText(console::diagnosisText(name, *diagnosis, *findings));
   requireJson(console::diagnosisJson(name, *diagnosis, *findings));
@@ -53,9 +55,10 @@ void diagnoseIt(const Measurement& measurement) {
 void review(const Session& session) {
   const Examined planned = examine(withPlannedReadings(session));
   if (!planned.measurement) return;
-  const Result<PlanReview> review = reviewPlan(*planned.measurement);
-  if (!review) return test::expectSentence(review.problem().text());
-  const Result<std::vector<Finding>> findings = console::findingsBeforehand(*planned.measurement);
+  const auto review = reviewPlan(*planned.measurement);
+  if (!review) return test::expectSentence(problemOf(review.problem()).text());
+  const Result<std::vector<Finding>> findings =
+      console::findingsBeforehand(*planned.measurement, fitSession(*planned.measurement));
   if (!findings) return test::expectSentence(findings.problem().text());
   requireText(console::planText(name, *review, *findings));
   requireJson(console::planJson(name, *review, *findings));

@@ -16,6 +16,10 @@
 #include "core/session/measurement.h"
 #include "core/session/session_file.h"
 #include "core/simulation/planned_session.h"
+#include "core/wording/diagnosis_fault.h"
+#include "core/wording/diagnosis_sentence.h"
+#include "core/wording/findings.h"
+#include "core/wording/suspects.h"
 
 namespace alidade::test {
 
@@ -38,7 +42,7 @@ inline void expectChance(double value, const char* what) {
 }
 
 inline void expectFit(const Measurement& measurement, const SessionFit& fit) {
-  for (const Finding& finding : fit.findings) expectSentence(finding.text);
+  for (const Finding& finding : inWords(fit.findings)) expectSentence(finding.text);
   if (fit.arcs.empty()) {
     EXPECT_FALSE(fit.findings.empty());
     EXPECT_FALSE(fit.intersection);
@@ -78,11 +82,11 @@ inline void expectFit(const Measurement& measurement, const SessionFit& fit) {
 
 inline void expectSuspects(const Session& session, const std::vector<Suspect>& suspects) {
   for (const Suspect& suspect : suspects) {
-    expectSentence(suspect.sentence);
+    expectSentence(sentenceOf(suspect));
     EXPECT_LT(*suspect.where.position, session.positions.size());
     EXPECT_LT(*suspect.where.reading, session.positions[*suspect.where.position].readings.size());
     for (const Proposal& proposal : suspect.proposals) {
-      expectSentence(proposal.sentence);
+      expectSentence(sentenceOf(proposal));
       expectChance(proposal.share, "share of a proposal");
     }
   }
@@ -97,7 +101,7 @@ inline void expectEstimate(const std::optional<IntersectionEstimate>& estimate) 
 }
 
 inline void expectDiagnosis(const Diagnosis& diagnosis) {
-  expectSentence(diagnosis.sentence);
+  expectSentence(sentenceOf(diagnosis));
   for (const GapSize& size : {diagnosis.gap, diagnosis.after}) {
     expectNumber(size.rms, "rms");
     if (!std::isnan(size.pValue)) expectChance(size.pValue, "p");
@@ -139,22 +143,22 @@ inline void expectAnswers(const Session& session) {
   const SessionFit fit = fitSession(measurement);
   expectFit(measurement, fit);
   expectSuspects(session, findSuspects(session, measurement, fit));
-  const Result<Diagnosis> diagnosis = diagnose(measurement);
+  const auto diagnosis = diagnose(measurement);
   EXPECT_EQ(static_cast<bool>(diagnosis), !fit.arcs.empty());
-  diagnosis ? expectDiagnosis(*diagnosis) : expectSentence(diagnosis.problem().text());
+  diagnosis ? expectDiagnosis(*diagnosis) : expectSentence(problemOf(diagnosis.problem()).text());
 }
 
 /// What is asked for more rarely: the plan, the published method, draws.
 inline void expectFurtherAnswers(const Session& session) {
   const Examined planned = examine(withPlannedReadings(session));
   if (planned.measurement) {
-    const Result<PlanReview> review = reviewPlan(*planned.measurement);
-    if (!review) expectSentence(review.problem().text());
+    const auto review = reviewPlan(*planned.measurement);
+    if (!review) expectSentence(problemOf(review.problem()).text());
   }
   const Examined examined = examine(session);
   if (!examined.measurement) return;
   const PublishedSessionFit published = fitSessionAsPublished(*examined.measurement);
-  for (const Finding& finding : published.findings) expectSentence(finding.text);
+  for (const Finding& finding : inWords(published.findings)) expectSentence(finding.text);
   const SessionFit fit = fitSession(*examined.measurement);
   const auto drawn = propagateDistributions(*examined.measurement, fit, {.draws = 200, .threads = 1});
   if (drawn && drawn->intersection) {

@@ -48,8 +48,6 @@ Evaluation withSuspects(Evaluation evaluation, const std::stop_token& stop) {
   if (std::exchange(evaluation.isSearched, true)) return evaluation;
   evaluation.suspects =
       findSuspects(evaluation.session, *evaluation.examined.measurement, evaluation.fit, {}, stop);
-  if (auto finding = suspectsFinding(evaluation.suspects))
-    evaluation.fit.findings.insert(evaluation.fit.findings.begin(), *std::move(finding));
   return evaluation;
 }
 
@@ -60,14 +58,12 @@ Evaluation failedEvaluation(Session session, const std::string& failure) {
   if (!isExamined) evaluation.examined.problems.clear();
   evaluation.examined.measurement.reset();
   evaluation.failure = failure;
-  evaluation.fit.findings.push_back({.severity = Severity::Error, .text = failure});
   return evaluation;
 }
 
 Evaluation withoutSuspects(Evaluation evaluation, const std::string& failure) {
   evaluation.isSearched = true;
-  evaluation.fit.findings.insert(evaluation.fit.findings.begin(),
-                                 {.severity = Severity::Warning, .text = failure});
+  evaluation.searchFailure = failure;
   return evaluation;
 }
 

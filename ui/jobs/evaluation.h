@@ -28,6 +28,7 @@ struct Evaluation {
   std::vector<Suspect> suspects;     ///< readings that look misread, the most certain first
   bool isSearched = true;            ///< false: `suspects` are still to be found
   std::string failure = {};          ///< why there is no fit although there could be one: sentences
+  std::string searchFailure = {};    ///< why the search for suspects came to nothing: sentences
   /// What the charts show of it, worked out where the fit was; null in an evaluation put together by hand.
   std::shared_ptr<const ArcPicture> arcs = {};
   std::shared_ptr<const ResidualPicture> residuals = {};
@@ -35,12 +36,11 @@ struct Evaluation {
 
 /// All but the suspects, whose search takes several times as long. Asked to stop, it returns early with less.
 Evaluation evaluateFit(Session session, const std::stop_token& stop = {});
-/// The same with the suspects, and with the finding that names them.
+/// The same with the suspects.
 Evaluation withSuspects(Evaluation evaluation, const std::stop_token& stop = {});
-/// In place of a fit that broke down: the session and what is wrong with its entries, nothing fitted;
-/// `failure` is said in a finding, too.
+/// In place of a fit that broke down: the session and what is wrong with its entries, nothing fitted.
 Evaluation failedEvaluation(Session session, const std::string& failure);
-/// The fit without the suspects, whose search broke down; a finding says so.
+/// The fit without the suspects, whose search broke down.
 Evaluation withoutSuspects(Evaluation evaluation, const std::string& failure);
 /// Both in one.
 Evaluation evaluate(Session session);

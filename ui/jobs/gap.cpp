@@ -7,6 +7,7 @@
 #include "core/diagnosis/diagnose.h"
 #include "core/effects/catalogue.h"
 #include "core/effects/cause_ids.h"
+#include "core/wording/diagnosis_fault.h"
 
 namespace alidade::ui {
 
@@ -100,9 +101,9 @@ Gap noGap(SharedEvaluation evaluation, std::string reason) {
 Gap assessGap(const SharedEvaluation& evaluation, const std::stop_token& stop) {
   Gap gap = noGap(evaluation, reasonForNone(*evaluation));
   if (!gap.reason.empty()) return gap;
-  Result<Diagnosis> diagnosis = diagnose(*gap.evaluation->examined.measurement, {}, stop);
+  auto diagnosis = diagnose(*gap.evaluation->examined.measurement, gap.evaluation->fit, {}, stop);
   if (!diagnosis) {
-    gap.reason = diagnosis.problem().what;
+    gap.reason = problemOf(diagnosis.problem()).what;
     return gap;
   }
   gap.stages = modelledStages(*gap.evaluation, stop);

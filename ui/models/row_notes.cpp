@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/wording/suspects.h"
 #include "ui/text/entry_text.h"
 
 namespace alidade::ui {
@@ -17,7 +18,7 @@ bool saysSame(const Problem& a, const Problem& b) {
 }
 
 bool saysSame(const Suspect& a, const Suspect& b) {
-  return a.where == b.where && a.sentence == b.sentence;
+  return a.where == b.where && sentenceOf(a) == sentenceOf(b);
 }
 
 template <typename Item, typename Index>
@@ -101,7 +102,7 @@ QString RowNotes::problem(std::size_t row, ReadingColumn column) const {
 QString RowNotes::suspicion(std::size_t row, ReadingColumn column) const {
   const Suspect* suspect =
       m_suspects.empty() ? nullptr : find(m_evaluation->suspects, m_suspects, row, column);
-  return suspect ? qText(suspect->sentence) : QString();
+  return suspect ? qText(sentenceOf(*suspect)) : QString();
 }
 
 }  // namespace alidade::ui

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/wording/beyond.h"
+#include "core/wording/measure.h"
 #include "ui/report/report_table.h"
 #include "ui/text/cause_text.h"
 #include "ui/text/entry_text.h"
@@ -21,7 +23,7 @@ void addStages(ReportSheet& sheet, const Gap& gap) {
   for (const GapStage& stage : gap.stages)
     table.row({stageText(gap, stage), arcsecText(stage.rms, 2), numberText(stage.reducedChiSquare, 2),
                estimateText(stage.intersection)});
-  if (const std::string beyond = beyondTheFit(*gap.diagnosis); !beyond.empty())
+  if (const std::string beyond = textOf(beyondTheFit(*gap.diagnosis)); !beyond.empty())
     table.row({QString::fromStdString(beyond), arcsecText(gap.diagnosis->after.rms, 2),
                numberText(gap.diagnosis->after.reducedChiSquare, 2),
                estimateText(gap.diagnosis->afterwards)});
@@ -74,7 +76,7 @@ void addUnseen(ReportSheet& sheet, const Gap& gap) {
     effects.append(QStringLiteral("%1 ± %2").arg(
         causeName(effect.effect), lengthText(effect.influence, decimalsFor(effect.influence))));
   for (const Advice& advice : gap.diagnosis->advice)
-    if (advice.ofUnseen) measures.append(qText(advice.measure));
+    if (advice.ofUnseen) measures.append(qText(textOf(advice.measure)));
   const QString moves = QStringLiteral(
                             "The following effects would leave no clear trace in these readings, so U holds "
                             "nothing of them. A plausible size of each would move Δd by: %1.")

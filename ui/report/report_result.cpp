@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/wording/budget.h"
 #include "ui/report/report_table.h"
 #include "ui/report/report_verdict.h"
 #include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
+#include "ui/text/finding_text.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/spoken_place.h"
 
@@ -50,11 +52,11 @@ QString problemText(const Session& session, const Problem& problem) {
 
 /// Points to the findings, so that a verdict is never read without them.
 QString findingsLine(const Gap& gap) {
-  const std::vector<Finding>& findings = gap.evaluation->fit.findings;
+  const std::vector<Finding> findings = findingsOf(*gap.evaluation);
   const auto serious =
       std::count_if(findings.begin(), findings.end(),
                     [](const Finding& finding) { return finding.severity != Severity::Note; }) +
-      (gap.isOpen() ? 1 : 0);
+      (gap.evaluation->suspects.empty() ? 0 : 1) + (gap.isOpen() ? 1 : 0);
   if (serious == 0) return {};
   return serious == 1 ? QStringLiteral("1 finding: see below.")
                       : QStringLiteral("%1 findings: see below.").arg(serious);
@@ -101,7 +103,7 @@ void addBudget(ReportSheet& sheet, const Intersection& found) {
   const double variance = found.sigma * found.sigma;
   for (const BudgetEntry& entry : found.budget) {
     const double share = variance > 0 ? entry.sigma * entry.sigma / variance : 0;
-    table.row({QString::fromStdString(entry.source), numberText(entry.sigma, decimals),
+    table.row({qText(textOf(entry.source)), numberText(entry.sigma, decimals),
                numberText(100 * share, 1) + QStringLiteral(" %")});
   }
   const TextStyle bold = type::body.inBold();

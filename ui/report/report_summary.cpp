@@ -2,10 +2,12 @@
 
 #include <algorithm>
 
+#include "core/wording/suspects.h"
 #include "ui/report/report_facts.h"
 #include "ui/report/report_result.h"
 #include "ui/text/cause_text.h"
 #include "ui/text/entry_text.h"
+#include "ui/text/finding_text.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/simulation_text.h"
 #include "ui/text/visible_text.h"
@@ -41,30 +43,35 @@ constexpr std::size_t mostSuspects = 10;
 void addSuspects(ReportSheet& sheet, const std::vector<Suspect>& suspects, const TextStyle& style,
                  double indent) {
   for (std::size_t i = 0; i < std::min(suspects.size(), mostSuspects); ++i)
-    sheet.paragraph(QStringLiteral("– ") + qText(suspects[i].sentence), style, indent);
+    sheet.paragraph(QStringLiteral("– ") + qText(sentenceOf(suspects[i])), style, indent);
   if (suspects.size() > mostSuspects)
     sheet.paragraph(QStringLiteral("– and %1 more.").arg(suspects.size() - mostSuspects), style, indent);
 }
 
 void addFindings(ReportSheet& sheet, const Gap& gap) {
   const Evaluation& evaluation = *gap.evaluation;
-  const SessionFit& fit = evaluation.fit;
   const auto misread = suspectsFinding(evaluation.suspects);
+  const std::vector<Finding> findings = findingsOf(evaluation);
   sheet.heading(QStringLiteral("Findings"));
-  if (fit.findings.empty() && !gap.isOpen()) {
-    sheet.paragraph(fit.intersection ? QStringLiteral("None: nothing in the data speaks against the result.")
-                                     : notStated());
+  if (!misread && findings.empty() && !gap.isOpen()) {
+    sheet.paragraph(evaluation.fit.intersection
+                        ? QStringLiteral("None: nothing in the data speaks against the result.")
+                        : notStated());
   }
   const TextStyle findingStyle{.points = 8};
   constexpr double indent = 17;
-  for (const Finding& finding : fit.findings) {
+  const auto add = [&](const Finding& finding) {
     sheet.keepTogether(sheet.lineHeight(findingStyle));
     sheet.text(severityName(finding.severity), findingStyle.inBold(), 0, sheet.y(), indent);
     const QString remedy = qText(finding.remedy);
     sheet.paragraph(qText(finding.text) + (remedy.isEmpty() ? QString() : u' ' + remedy), findingStyle,
                     indent);
-    if (finding == misread) addSuspects(sheet, evaluation.suspects, findingStyle, indent);
+  };
+  if (misread) {
+    add(*misread);
+    addSuspects(sheet, evaluation.suspects, findingStyle, indent);
   }
+  for (const Finding& finding : findings) add(finding);
   if (!gap.isOpen()) return;
   const QString says =
       gap.isNoiseAlone()

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "core/wording/verdict.h"
 #include "ui/text/entry_text.h"
+#include "ui/text/finding_text.h"
 #include "ui/text/quantity_text.h"
 
 namespace alidade::ui {
@@ -20,10 +22,10 @@ QString wordOf(Verdict verdict) {
   return QStringLiteral("Undecided");
 }
 
-QString reasonForNoResult(const SessionFit& fit) {
-  const auto error = std::find_if(fit.findings.begin(), fit.findings.end(),
-                                  [](const Finding& finding) { return finding.severity == Severity::Error; });
-  if (error != fit.findings.end()) return qText(error->text);
+QString reasonForNoResult(const Evaluation& evaluation) {
+  const std::vector<Finding> findings = findingsOf(evaluation);
+  const auto error = std::ranges::find(findings, Severity::Error, &Finding::severity);
+  if (error != findings.end()) return qText(error->text);
   return QStringLiteral("The intersection needs an arc at 0° and an arc at 180°; not both are there.");
 }
 
@@ -40,13 +42,14 @@ ReportVerdict reportVerdict(const Evaluation& evaluation) {
                 "here rests on the other readings alone.")};
   }
   const SessionFit& fit = evaluation.fit;
-  if (!fit.intersection) return {.word = QStringLiteral("No result"), .sentence = reasonForNoResult(fit)};
+  if (!fit.intersection)
+    return {.word = QStringLiteral("No result"), .sentence = reasonForNoResult(evaluation)};
   if (!fit.verdict) {
     return {.word = QStringLiteral("No verdict"),
             .sentence = QStringLiteral("No tolerance stated, so nothing to decide against.")};
   }
   return {.word = wordOf(*fit.verdict),
-          .sentence = qText(fit.verdictSentence),
+          .sentence = qText(verdictSentence(*evaluation.examined.measurement, fit)),
           .isAccepted = *fit.verdict == Verdict::Accept};
 }
 

@@ -5,6 +5,7 @@
 
 #include "core/effects/catalogue.h"
 #include "core/effects/cause_ids.h"
+#include "core/wording/diagnosis_sentence.h"
 #include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/quantity_text.h"
@@ -40,12 +41,6 @@ QString causeNames(const std::vector<std::string>& ids, const QString& last) {
     if (i > 0) text += i + 1 == ids.size() ? u' ' + last + u' ' : QStringLiteral(", ");
     text += causeName(ids[i]);
   }
-  return text;
-}
-
-QString inWords(const std::string& sentence) {
-  QString text = qText(sentence);
-  for (const std::string& id : diagnosableEffects()) text.replace(qText(id), causeName(id));
   return text;
 }
 
@@ -91,8 +86,12 @@ QString gapHeadline(const Diagnosis& diagnosis) {
              : translated("An unknown cause beside %1 known ones").arg(diagnosis.causes.size());
 }
 
+QString diagnosisText(const Diagnosis& diagnosis) {
+  return qText(sentenceOf(diagnosis, [](const std::string& id) { return causeName(id).toStdString(); }));
+}
+
 QString gapSentence(const Gap& gap) {
-  QString text = inWords(gap.diagnosis->sentence);
+  QString text = diagnosisText(*gap.diagnosis);
   const GapStage& bare = gap.stages.front();
   if (bare.kind == GapStage::Kind::Bare && &bare != &gap.asModelled()) {
     std::vector<std::string> effects;

@@ -14,9 +14,6 @@ QString causeTitle(const std::string& id);
 /// "a, b or c"; `last` stands before the last one.
 QString causeNames(const std::vector<std::string>& ids, const QString& last);
 
-/// A sentence of the diagnosis with names in the place of ids.
-QString inWords(const std::string& sentence);
-
 /// "sag −0.298 ± 0.009 mm"; just the number where the name says no more than the effect's.
 QString parameterText(const Cause& cause, const CauseParameter& parameter);
 
@@ -26,7 +23,9 @@ Place placeOf(const BlamedReading& reading);
 
 /// The verdict in a few words: "One cause: collimation".
 QString gapHeadline(const Diagnosis& diagnosis);
-/// The verdict in whole sentences, with what the session's model accounts for already.
+/// The verdict in whole sentences.
+QString diagnosisText(const Diagnosis& diagnosis);
+/// The same with what the session's model accounts for already.
 QString gapSentence(const Gap& gap);
 
 /// What is in the model at this stage, one of the gap's: "as modelled", "in the model: gravity sag", "+

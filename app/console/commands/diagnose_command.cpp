@@ -9,6 +9,7 @@
 #include "app/console/session_input.h"
 #include "core/diagnosis/diagnose.h"
 #include "core/effects/cause_ids.h"
+#include "core/wording/diagnosis_fault.h"
 
 namespace alidade::console {
 
@@ -36,10 +37,11 @@ Result<std::string> runDiagnose(const DiagnoseRequest& request) {
   if (!request.verticalAngle.empty())
     measurement.relation =
         request.verticalAngle == "planar" ? VerticalAngleRelation::Planar : VerticalAngleRelation::Exact;
-  const Result<std::vector<Finding>> findings = findingsBeforehand(measurement);
+  const SessionFit fit = fitSession(measurement);
+  const Result<std::vector<Finding>> findings = findingsBeforehand(measurement, fit);
   if (!findings) return findings.problem();
-  const Result<Diagnosis> diagnosis = diagnose(measurement, {.without = request.without});
-  if (!diagnosis) return diagnosis.problem();
+  const auto diagnosis = diagnose(measurement, fit, {.without = request.without});
+  if (!diagnosis) return problemOf(diagnosis.problem());
   return request.json ? diagnosisJson(input.name, *diagnosis, *findings)
                       : diagnosisText(input.name, *diagnosis, *findings);
 }

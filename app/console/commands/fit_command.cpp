@@ -20,11 +20,9 @@ constexpr const char* asManyAsItTakes = "auto";
 
 Result<std::string> rigorousAnswer(const FitRequest& request, const std::string& name, const Session& session,
                                    const Measurement& measurement) {
-  SessionFit fit = fitSession(measurement);
+  const SessionFit fit = fitSession(measurement);
   if (auto problem = absence(measurement, fit.arcs.size(), fit.findings)) return *std::move(problem);
   const std::vector<Suspect> suspects = findSuspects(session, measurement, fit, {.risk = request.risk});
-  if (auto finding = suspectsFinding(suspects))
-    fit.findings.insert(fit.findings.begin(), *std::move(finding));
   std::optional<MonteCarlo> check;
   if (!request.monteCarlo.empty()) {
     MonteCarloOptions options{.seed = request.seed};

@@ -7,6 +7,7 @@
 #include "app/console/plan_text.h"
 #include "app/console/session_input.h"
 #include "core/simulation/planned_session.h"
+#include "core/wording/diagnosis_fault.h"
 
 namespace alidade::console {
 
@@ -26,10 +27,11 @@ Result<std::string> runPlan(const PlanRequest& request) {
   if (!read) return read.problem();
   SessionInput input = *std::move(read);
   input.session = {};  // of no more use, and as long as its rows
-  const Result<std::vector<Finding>> findings = findingsBeforehand(input.measurement);
+  const SessionFit fit = fitSession(input.measurement);
+  const Result<std::vector<Finding>> findings = findingsBeforehand(input.measurement, fit);
   if (!findings) return findings.problem();
-  const Result<PlanReview> review = reviewPlan(input.measurement);
-  if (!review) return review.problem();
+  const auto review = reviewPlan(input.measurement, fit);
+  if (!review) return problemOf(review.problem());
   return request.json ? planJson(input.name, *review, *findings) : planText(input.name, *review, *findings);
 }
 

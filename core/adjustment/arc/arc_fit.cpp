@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include "core/adjustment/arc/arc_findings.h"
+#include "core/adjustment/arc/arc_checks.h"
 #include "core/adjustment/arc/first_fit.h"
 #include "core/adjustment/arc/foot_point.h"
 #include "core/adjustment/numerics/algebraic_circle.h"
@@ -99,10 +99,6 @@ void fillCovariance(ArcFit& fit, const NormalEquations& equations) {
     for (int j = 0; j < 3; ++j) fit.cofactor[i][j] = (cofactor(i, j) + cofactor(j, i)) / 2;
 }
 
-Problem unfit(const ArcMeasurement& arc, std::string sentence) {
-  return {std::move(sentence), Place{.position = arc.position, .reading = {}, .field = "readings"}};
-}
-
 void fillResiduals(ArcFit& fit, const ArcProblem& problem, const ArcMeasurement& arc,
                    const std::vector<FootPoint>& feet) {
   fit.residuals.resize(arc.sightings.size());
@@ -132,15 +128,15 @@ void fillResiduals(ArcFit& fit, const Measurement& measurement, const ArcMeasure
   fillResiduals(fit, problem, arc, problem.feetOn(fit.circle));
 }
 
-Result<ArcFit> fitArc(const Measurement& measurement, const ArcMeasurement& arc,
-                      const ArcFitOptions& options) {
+Result<ArcFit, ArcFault> fitArc(const Measurement& measurement, const ArcMeasurement& arc,
+                                const ArcFitOptions& options) {
   const ArcProblem problem(measurement, arc);
-  if (auto sentence = tooFewPlaces(measurement, problem.sightedPoints())) return unfit(arc, *sentence);
+  if (const auto fault = tooFewPlaces(measurement, problem.sightedPoints())) return *fault;
   std::optional<Circle> start = options.start;
   if (!start)  // to be confirmed by the general equations
     if (const auto fast = fitVisitsFast(measurement, problem.visits())) start = fast->circle;
   if (!start) start = algebraicCircle(problem.sightedPoints());
-  if (!start) return unfit(arc, straightLineSentence());
+  if (!start) return ArcFault(arc_fault::PlacesOnALine{});
 
   const auto minimum = minimise(
       problem, *start, {.maximumIterations = options.maximumIterations, .tolerance = options.tolerance});
@@ -153,7 +149,7 @@ Result<ArcFit> fitArc(const Measurement& measurement, const ArcMeasurement& arc,
   fit.status = minimum.status;
   fillCovariance(fit, minimum.system);
   fillResiduals(fit, problem, arc, minimum.system.feet);
-  if (auto sentence = radiusUndetermined(fit)) return unfit(arc, *sentence);
+  if (const auto fault = radiusUndetermined(fit)) return *fault;
   return fit;
 }
 

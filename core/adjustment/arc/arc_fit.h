@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/adjustment/arc/arc_fault.h"
 #include "core/adjustment/numerics/fit_status.h"
 #include "core/base/result.h"
 #include "core/observation/guideway.h"
@@ -62,10 +63,10 @@ struct ArcFitOptions {
 /// eliminated visit by visit; derivatives by automatic differentiation. Errors in both circles are allowed
 /// for: the residuals are those of readings, not of plane coordinates.
 ///
-/// Fails in words where the readings fix no circle: fewer than three different places, places on a straight
-/// line, or an arc so short that its sagitta drowns in the stated noise.
-Result<ArcFit> fitArc(const Measurement& measurement, const ArcMeasurement& arc,
-                      const ArcFitOptions& options = {});
+/// Fails where the readings fix no circle: fewer than three different places, places on a straight line, or
+/// an arc so short that its sagitta drowns in the stated noise.
+Result<ArcFit, ArcFault> fitArc(const Measurement& measurement, const ArcMeasurement& arc,
+                                const ArcFitOptions& options = {});
 
 /// Fills residuals, their rms and χ² of `fit` from its circle and the measurement's relation.
 void fillResiduals(ArcFit& fit, const Measurement& measurement, const ArcMeasurement& arc);

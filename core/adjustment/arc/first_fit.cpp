@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/adjustment/arc/arc_findings.h"
+#include "core/adjustment/arc/arc_checks.h"
 #include "core/adjustment/arc/foot_point.h"
 
 namespace alidade {
@@ -50,7 +50,7 @@ std::optional<FastArcFit> fitVisitsFast(const Measurement& measurement, const st
   return fitArcFast(setup, a, e, rows);
 }
 
-Result<ArcFit> firstFit(const Measurement& measurement, const ArcMeasurement& arc) {
+Result<ArcFit, ArcFault> firstFit(const Measurement& measurement, const ArcMeasurement& arc) {
   constexpr double surelyDetermined = 0.1;  // of R: the limit is a third
   const std::vector<Visit> visits = visitsOf(arc);
   const ArcView view(measurement, arc.axisDeg);

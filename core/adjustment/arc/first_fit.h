@@ -16,6 +16,6 @@ std::optional<FastArcFit> fitVisitsFast(const Measurement& measurement, const st
 
 /// What an adjustment of all arcs together starts from: as `fitArc`, but where the fast fit is sure of the
 /// arc there are no residuals yet, and cofactor and χ² are as good as that has them.
-Result<ArcFit> firstFit(const Measurement& measurement, const ArcMeasurement& arc);
+Result<ArcFit, ArcFault> firstFit(const Measurement& measurement, const ArcMeasurement& arc);
 
 }  // namespace alidade

@@ -42,36 +42,24 @@ Eigen::MatrixXd designMatrix(const PaperColumns& c, double radius) {
   return phi;
 }
 
-Problem unsolvable(const ArcMeasurement& arc, std::string sentence) {
-  return {std::move(sentence), Place{.position = arc.position, .reading = {}, .field = "readings"}};
-}
-
 }  // namespace
 
-Result<PublishedFit> fitArcAsPublished(const Measurement& measurement, const ArcMeasurement& arc) {
+Result<PublishedFit, ArcFault> fitArcAsPublished(const Measurement& measurement, const ArcMeasurement& arc) {
   constexpr int unknowns = 5, iterations = 2;
   constexpr double printedStep = 1e-4;  // mm, the last digit that is printed
   const int places = static_cast<int>(visitsOf(arc).size());
-  if (places < unknowns)
-    return unsolvable(arc, "has readings of " + std::to_string(places) +
-                               " places; the published method needs five: sight more places");
+  if (places < unknowns) return ArcFault(arc_fault::TooFewForPublished{places});
 
   const PaperColumns columns = columnsOf(measurement, arc);
   double radius = measurement.nominalRadius;
   Eigen::VectorXd unknown(unknowns);
   for (int i = 0; i < iterations; ++i) {
     const auto solver = designMatrix(columns, radius).colPivHouseholderQr();
-    if (solver.rank() < unknowns)
-      return unsolvable(
-          arc,
-          "has readings that leave the published system without a unique solution: sight places over a "
-          "longer arc");
+    if (solver.rank() < unknowns) return ArcFault(arc_fault::NoUniqueSolution{});
     unknown = solver.solve((radius * radius - columns.x.square() - columns.y.square()).matrix());
     radius += unknown[0];
   }
-  if (!(radius > 0) || !unknown.allFinite())
-    return unsolvable(
-        arc, "has readings from which the published method finds no circle: check L, R0 and the readings");
+  if (!(radius > 0) || !unknown.allFinite()) return ArcFault(arc_fault::NoPublishedCircle{});
 
   PublishedFit fit;
   fit.asPrinted = {unknown[0], unknown[1], unknown[2], unknown[3], unknown[4]};

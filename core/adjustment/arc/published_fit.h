@@ -27,6 +27,6 @@ struct PublishedFit {
 /// vertical circle to read y/L, which no theodolite does, and is wrong by millimetres on this arc. Source:
 /// equations (2)-(9) of Cui, Ren, Yuan, Liu, "Intersection Measurement for Rotatable Arc Guideway System".
 /// Its covariance is not stated by the method and stays zero. Needs five different places.
-Result<PublishedFit> fitArcAsPublished(const Measurement& measurement, const ArcMeasurement& arc);
+Result<PublishedFit, ArcFault> fitArcAsPublished(const Measurement& measurement, const ArcMeasurement& arc);
 
 }  // namespace alidade

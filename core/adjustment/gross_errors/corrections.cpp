@@ -32,8 +32,8 @@ class Corrections {
 
  private:
   void change(Correction& correction, std::size_t row, const Column& column, const std::string& text) const {
-    correction.changes.push_back(
-        {Place{.position = m_position, .reading = row, .field = column.field}, text});
+    correction.changes.push_back({Place{.position = m_position, .reading = row, .field = column.field}, text,
+                                  m_readings[row].*column.text});
     const auto [changed, isNew] = correction.rows.try_emplace(row, m_readings[row]);
     changed->second.*column.text = text;
   }

@@ -17,6 +17,7 @@ namespace alidade {
 struct CellChange {
   Place where;  ///< position, reading and field: "horizontal", "vertical", "slider" or "face"
   std::string text;
+  std::string typed = {};  ///< what stands there now
 
   bool operator==(const CellChange&) const = default;
 };

@@ -14,26 +14,21 @@ namespace {
 
 struct KnownSlip {
   EntrySlip slip;
-  const char* name;
   double share;
 };
 
 /// Rough shares: what matters is that no kind is out of the question.
 constexpr std::array<KnownSlip, 9> slips = {{
-    {EntrySlip::DigitsSwapped, "two digits swapped", 0.20},
-    {EntrySlip::OneDigitWrong, "one digit wrong", 0.25},
-    {EntrySlip::DegreeOff, "one degree off", 0.08},
-    {EntrySlip::TenMinutesOff, "ten minutes off", 0.08},
-    {EntrySlip::MinuteOff, "one minute off", 0.08},
-    {EntrySlip::TenSecondsOff, "ten seconds off", 0.08},
-    {EntrySlip::CirclesSwapped, "the two circles swapped", 0.06},
-    {EntrySlip::WrongFace, "the wrong face", 0.08},
-    {EntrySlip::NeighbouringRow, "swapped with the neighbouring row", 0.09},
+    {EntrySlip::DigitsSwapped, 0.20},
+    {EntrySlip::OneDigitWrong, 0.25},
+    {EntrySlip::DegreeOff, 0.08},
+    {EntrySlip::TenMinutesOff, 0.08},
+    {EntrySlip::MinuteOff, 0.08},
+    {EntrySlip::TenSecondsOff, 0.08},
+    {EntrySlip::CirclesSwapped, 0.06},
+    {EntrySlip::WrongFace, 0.08},
+    {EntrySlip::NeighbouringRow, 0.09},
 }};
-
-const KnownSlip& known(EntrySlip slip) {
-  return *std::ranges::find(slips, slip, &KnownSlip::slip);
-}
 
 /// Where the digits of degrees, minutes and seconds stand in a text.
 struct Parts {
@@ -150,12 +145,8 @@ std::vector<std::string> withOneDigitChanged(std::string_view typed) {
 
 }  // namespace
 
-std::string slipName(EntrySlip slip) {
-  return known(slip).name;
-}
-
 double slipShare(EntrySlip slip) {
-  return known(slip).share;
+  return std::ranges::find(slips, slip, &KnownSlip::slip)->share;
 }
 
 std::vector<MeantText> meantTexts(std::string_view typed) {

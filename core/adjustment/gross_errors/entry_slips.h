@@ -19,9 +19,6 @@ enum class EntrySlip {
   NeighbouringRow,  ///< readings in each other's row
 };
 
-/// "two digits swapped", "one degree off", …
-std::string slipName(EntrySlip slip);
-
 /// How often a slip is of this kind, before anything is known: their sum over all kinds is 1.
 double slipShare(EntrySlip slip);
 

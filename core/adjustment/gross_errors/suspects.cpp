@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "core/adjustment/gross_errors/correction_trials.h"
-#include "core/adjustment/gross_errors/suspect_text.h"
 #include "core/base/angle_text.h"
 #include "core/base/number_text.h"
 
@@ -53,8 +52,7 @@ class SuspectSearch {
     for (const AgreeingCorrection& one : tried) {
       const double share = std::exp(one.score - tried.front().score) / sum;
       if (share < leastShare || proposals.size() >= mostProposals) break;
-      proposals.push_back(
-          {one.correction.changes, one.residual, share, sentenceOf(m_session, one.correction, one.residual)});
+      proposals.push_back({one.correction.slip, one.correction.changes, one.residual, share});
     }
     return proposals;
   }
@@ -87,11 +85,6 @@ class SuspectSearch {
     return suspect;
   }
 
-  void finish(Suspect suspect) {
-    suspect.sentence = sentenceOf(suspect);
-    m_suspects.push_back(std::move(suspect));
-  }
-
   /// The cells that the most probable correction changes.
   void nameCells(const Visited& visit, const std::vector<AgreeingCorrection>& tried, double studentised) {
     const AgreeingCorrection& best = tried.front();
@@ -109,7 +102,7 @@ class SuspectSearch {
       suspect.proposals = proposalsOf(tried);
       for (const Proposal& proposal : suspect.proposals)
         if (proposal.share > 0.05) addRivals(suspect, proposal, best);
-      finish(std::move(suspect));
+      m_suspects.push_back(std::move(suspect));
     }
   }
 
@@ -122,9 +115,9 @@ class SuspectSearch {
     }
   }
 
-  Angle sizeOf(const CellChange& change, const AgreeingCorrection& best) const {
+  static Angle sizeOf(const CellChange& change, const AgreeingCorrection& best) {
     if (change.where.field == "face") return Angle::fromDegrees(180);
-    const auto typed = parseAngle(textAt(m_session, change.where)), meant = parseAngle(change.text);
+    const auto typed = parseAngle(change.typed), meant = parseAngle(change.text);
     if (!typed || !meant) return Angle::fromRadians(std::numeric_limits<double>::quiet_NaN());
     const bool isFirst = change.where == best.correction.changes.front().where;
     return wrapped(*typed - *meant) + (isFirst ? best.residual : Angle());
@@ -144,7 +137,7 @@ class SuspectSearch {
     suspect.studentised = misread.studentised;
     for (const ReadingRef& rival : misread.rivals) suspect.rivals.push_back(placeOf(rival));
     if (!tried.empty()) suspect.proposals = proposalsOf(tried);
-    finish(std::move(suspect));
+    m_suspects.push_back(std::move(suspect));
   }
 
   /// Rows that `examine` had to leave out, where a slip explains why.
@@ -209,21 +202,6 @@ std::vector<Suspect> findSuspects(const Session& session, const Measurement& mea
                                   const std::stop_token& stop) {
   if (fit.arcs.empty()) return {};
   return SuspectSearch(session, fittedPart(measurement, fit), fit.joint, options, stop).run();
-}
-
-std::optional<Finding> suspectsFinding(const std::vector<Suspect>& suspects) {
-  if (suspects.empty()) return std::nullopt;
-  std::string names;
-  for (const Suspect& suspect : suspects) names += (names.empty() ? "" : "; ") + nameOf(suspect);
-  const bool one = suspects.size() == 1;
-  const std::string it = one ? "it" : "them";
-  return Finding{
-      Severity::Warning,
-      (one ? "A reading looks misread: " : std::to_string(suspects.size()) + " readings look misread: ") +
-          names + ".",
-      "Check " + it + " in the field book, then correct or exclude " + it +
-          "; until then every usable reading takes part in the result.",
-      one ? suspects.front().where : Place{}};
 }
 
 }  // namespace alidade

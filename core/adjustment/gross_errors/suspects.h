@@ -1,15 +1,12 @@
 #pragma once
 
-#include <optional>
 #include <stop_token>
-#include <string>
 #include <vector>
 
 #include "core/adjustment/gross_errors/corrections.h"
 #include "core/adjustment/joint/joint_fit.h"
 #include "core/adjustment/result/session_fit.h"
 #include "core/base/angle.h"
-#include "core/base/finding.h"
 #include "core/base/place.h"
 #include "core/session/measurement.h"
 #include "core/session/session.h"
@@ -18,10 +15,10 @@ namespace alidade {
 
 /// What was probably meant: changes to what was typed that make the reading agree with all others.
 struct Proposal {
+  EntrySlip slip = EntrySlip::OneDigitWrong;
   std::vector<CellChange> changes;  ///< all of them together; never empty
   Angle residual;                   ///< what the suspect reading leaves over afterwards, as read
   double share = 0;                 ///< probability among the corrections tried, 0…1
-  std::string sentence;             ///< for people: old and new text, the slip, the residual
 };
 
 /// A reading that does not go with the others: misread, mistyped, or its target not where it should be.
@@ -35,7 +32,6 @@ struct Suspect {
   double studentised = 0;  ///< t of the misfit; 0 where the row could not be used and took no part in the fit
   std::vector<Place> rivals;        ///< cells that could be at fault instead
   std::vector<Proposal> proposals;  ///< the most probable first; may be empty
-  std::string sentence;             ///< for people: which reading, by how much, and what was probably meant
 };
 
 struct SuspectOptions {
@@ -50,8 +46,5 @@ struct SuspectOptions {
 std::vector<Suspect> findSuspects(const Session& session, const Measurement& measurement,
                                   const SessionFit& fit, const SuspectOptions& options = {},
                                   const std::stop_token& stop = {});
-
-/// One warning that names them; absent where there are none.
-std::optional<Finding> suspectsFinding(const std::vector<Suspect>& suspects);
 
 }  // namespace alidade

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/adjustment/arc/arc_findings.h"
+#include "core/adjustment/arc/arc_checks.h"
 #include "core/adjustment/arc/fast_arc_fit.h"
 #include "core/adjustment/monte_carlo/refit.h"
 #include "core/observation/visits.h"

@@ -62,8 +62,7 @@ class GeneralRefit : public Refit {
 
   void fitApart(std::span<double> centres) const {
     for (std::size_t i = 0; i < m_drawn.arcs.size(); ++i) {
-      const Result<ArcFit> fit =
-          fitArc(m_drawn, m_drawn.arcs[i], {.start = m_starts[i], .tolerance = farBelowScatter});
+      const auto fit = fitArc(m_drawn, m_drawn.arcs[i], {.start = m_starts[i], .tolerance = farBelowScatter});
       const bool isFound = fit && fit->converged();
       centres[2 * i] = isFound ? fit->circle.x : missing;
       centres[2 * i + 1] = isFound ? fit->circle.y : missing;

@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "core/base/quantity_text.h"
-
 namespace alidade {
 
 Verdict decide(double value, double expanded, double tolerance) {
@@ -24,23 +22,6 @@ std::string verdictName(Verdict verdict) {
       break;
   }
   return "undecided";
-}
-
-std::string verdictSentence(double value, double expanded, double tolerance, double coverage) {
-  const int decimals = decimalsFor(expanded);
-  const std::string measured = "The intersection was measured as " + displayText(value, decimals) + " mm ± " +
-                               displayText(expanded, decimals) + " mm (" + displayShortest(coverage * 100) +
-                               " % coverage)";
-  const std::string limit = "the tolerance of ± " + displayShortest(tolerance) + " mm";
-  switch (decide(value, expanded, tolerance)) {
-    case Verdict::Accept:
-      return measured + "; it lies within " + limit + ", its uncertainty included.";
-    case Verdict::Reject:
-      return measured + "; it lies outside " + limit + ", its uncertainty included.";
-    case Verdict::Undecided:
-      break;
-  }
-  return measured + "; with this uncertainty it cannot be said whether it lies within " + limit + ".";
 }
 
 }  // namespace alidade

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 namespace alidade {
@@ -13,7 +14,15 @@ Verdict decide(double value, double expanded, double tolerance);
 /// "accept", "reject", "undecided".
 std::string verdictName(Verdict verdict);
 
-/// One sentence a customer understands, with the numbers it rests on.
-std::string verdictSentence(double value, double expanded, double tolerance, double coverage);
+/// Why no verdict rests on the lengths; `core/wording/verdict.h` says it.
+struct LengthsInDoubt {
+  struct Radius {
+    int axisDeg = 0;
+    double percentOff = 0;  ///< of the nominal radius, > 20
+  };
+
+  double distance = 0, nominalRadius = 0;  ///< as typed, mm
+  std::optional<Radius> radius = {};       ///< that is far off; absent where the distance is too short
+};
 
 }  // namespace alidade

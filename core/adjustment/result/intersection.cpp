@@ -92,12 +92,13 @@ std::vector<BudgetEntry> budgetOf(const JointFit& fit, const std::vector<double>
   const bool hasTerms = std::ranges::any_of(fit.unknowns, isTerm);
   const double withTermsKnown =
       hasTerms ? std::min(together, scalableVariance(fit, fit.cofactorWithoutTerms, weights)) : together;
-  std::vector<BudgetEntry> budget{{"readings", scale * std::sqrt(withTermsKnown)}};
-  if (hasTerms) budget.push_back({"model effects", scale * standardDeviation(together - withTermsKnown)});
+  std::vector<BudgetEntry> budget{{UncertaintySource::Readings, scale * std::sqrt(withTermsKnown)}};
+  if (hasTerms)
+    budget.push_back({UncertaintySource::ModelEffects, scale * standardDeviation(together - withTermsKnown)});
   if (!std::isinf(fit.radiusPriorSigma))
-    budget.push_back({"known radius", knownRadiusShare(fit, fit.cofactor, weights)});
-  budget.push_back({"pointing zeros", consideredShare(fit, weights, false)});
-  budget.push_back({"distance", consideredShare(fit, weights, true)});
+    budget.push_back({UncertaintySource::KnownRadius, knownRadiusShare(fit, fit.cofactor, weights)});
+  budget.push_back({UncertaintySource::PointingZeros, consideredShare(fit, weights, false)});
+  budget.push_back({UncertaintySource::Distance, consideredShare(fit, weights, true)});
   return budget;
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "core/adjustment/joint/joint_fit.h"
@@ -21,10 +20,12 @@ struct NoiseScale {
 NoiseScale noiseScale(const JointFit& fit);
 NoiseScale noiseScale(double chiSquare, int degreesOfFreedom);
 
+enum class UncertaintySource { Readings, ModelEffects, KnownRadius, PointingZeros, Distance };
+
 /// A share of the standard uncertainty of a result.
 struct BudgetEntry {
-  std::string source;  ///< "readings", "model effects", "known radius", "pointing zeros", "distance"
-  double sigma = 0;    ///< mm
+  UncertaintySource source = UncertaintySource::Readings;
+  double sigma = 0;  ///< mm
 };
 
 /// The budget of a linear combination of the unknowns (`weights`, one for each): the readings, and what

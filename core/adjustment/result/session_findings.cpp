@@ -4,14 +4,18 @@
 #include <cmath>
 #include <iterator>
 
-#include "core/base/quantity_text.h"
 #include "core/base/statistics.h"
-#include "core/base/visible_text.h"
 #include "core/effects/catalogue.h"
 
 namespace alidade {
 
+using namespace session_finding;
+
 namespace {
+
+Place fieldOf(const char* name) {
+  return {.position = {}, .reading = {}, .field = name};
+}
 
 bool holdsAxis(const Measurement& measurement, int axisDeg) {
   return std::ranges::any_of(measurement.arcs,
@@ -19,7 +23,7 @@ bool holdsAxis(const Measurement& measurement, int axisDeg) {
 }
 
 /// One rigid guideway has one radius; L and its error are common to both arcs.
-void judgeRadii(std::vector<Finding>& findings, const Measurement& measurement, const SessionFit& fit) {
+void judgeRadii(std::vector<FitFinding>& findings, const Measurement& measurement, const SessionFit& fit) {
   const ArcFit *upper = fit.arcAt(0), *lower = fit.arcAt(180);
   if (!upper || !lower || measurement.radiusModel != RadiusModel::Free) return;
   const double difference = upper->circle.radius - lower->circle.radius;
@@ -34,18 +38,13 @@ void judgeRadii(std::vector<Finding>& findings, const Measurement& measurement, 
   if (std::abs(difference) <= leastFactor * sigma) return;
   const double bound = coverageFactor(1 - risk, fit.noise.degreesOfFreedom) * sigma;
   if (std::abs(difference) <= bound) return;
-  findings.push_back({Severity::Warning,
-                      "The radii at 0° and 180° differ by " + displayText(std::abs(difference), 3) +
-                          " mm, more than their noise allows (" + displayText(bound, 3) +
-                          " mm at 0.1 % risk), though the guideway is one rigid arc.",
-                      "Look for a cause outside the model, such as a plane off the rotation axis, before "
-                      "trusting the intersection.",
-                      {}});
+  findings.push_back({Severity::Warning, {}, RadiiDiffer{std::abs(difference), bound}});
 }
 
 /// The readings tell the radius, too. What they say apart from R0 differs from the fitted radius as R0 does,
 /// in proportion to the weights: R0 − R has the variance σ0² − σ_R² where both agree with their σ.
-void judgeKnownRadius(std::vector<Finding>& findings, const Measurement& measurement, const SessionFit& fit) {
+void judgeKnownRadius(std::vector<FitFinding>& findings, const Measurement& measurement,
+                      const SessionFit& fit) {
   if (measurement.radiusModel != RadiusModel::Known || fit.arcs.empty()) return;
   const double prior = fit.joint.radiusPriorSigma;
   const std::size_t radius = fit.joint.indexOf({.kind = Unknown::Kind::Radius});
@@ -57,68 +56,48 @@ void judgeKnownRadius(std::vector<Finding>& findings, const Measurement& measure
   const double ofRadius = std::pow(prior - variance / prior, 2);
   double ofConsidered = 0;
   for (const BudgetEntry& entry : budgetOf(fit.joint, weights, fit.noise.factor))
-    if (entry.source == "pointing zeros" || entry.source == "distance")
+    if (entry.source == UncertaintySource::PointingZeros || entry.source == UncertaintySource::Distance)
       ofConsidered += std::pow(entry.sigma, 2);
   const double away = fit.joint.values[radius] - measurement.nominalRadius;
   constexpr double risk = 0.001;
   const double bound = coverageFactor(1 - risk, fit.noise.degreesOfFreedom) *
                        std::sqrt(std::max(0.0, ofReadings + ofRadius + ofConsidered));
   if (std::abs(away) <= bound) return;
-  findings.push_back({Severity::Warning,
-                      "The readings do not agree with the known radius of " +
-                          displayShortest(measurement.nominalRadius) + " mm: they pull it by " +
-                          displayText(away, 4) + " mm, where " + displayText(bound, 4) +
-                          " mm is the most that their noise and its σ allow at 0.1 % risk.",
-                      "Check R0, its σ and the distance, or let the radius be free.",
-                      Place{.position = {}, .reading = {}, .field = "geometry.radius_mm"}});
+  findings.push_back({Severity::Warning, fieldOf("geometry.radius_mm"),
+                      KnownRadiusContradicted{measurement.nominalRadius, away, bound}});
 }
 
-void judgeReference(std::vector<Finding>& findings, const Measurement& measurement, const SessionFit& fit) {
+void judgeReference(std::vector<FitFinding>& findings, const Measurement& measurement,
+                    const SessionFit& fit) {
   if (!fit.intersection || !measurement.referenceIntersection) return;
   const double difference = fit.intersection->value - *measurement.referenceIntersection;
   if (std::abs(difference) <= fit.intersection->expanded) return;
-  findings.push_back({Severity::Warning,
-                      "The intersection differs from the reference " +
-                          displayShortest(*measurement.referenceIntersection) + " mm by " +
-                          displayText(difference, 3) + " mm, more than its expanded uncertainty of " +
-                          displayText(fit.intersection->expanded, 3) + " mm.",
-                      "Nothing was fitted to the reference; find what separates the two.",
-                      Place{.position = {}, .reading = {}, .field = "acceptance.reference_intersection_mm"}});
+  findings.push_back(
+      {Severity::Warning, fieldOf("acceptance.reference_intersection_mm"),
+       OffReference{*measurement.referenceIntersection, difference, fit.intersection->expanded}});
 }
 
 }  // namespace
 
-std::vector<Finding> missingPositions(const Measurement& measurement) {
-  std::vector<Finding> findings;
+std::vector<FitFinding> missingPositions(const Measurement& measurement) {
+  std::vector<FitFinding> findings;
   for (const int axisDeg : {0, 180})
     if (!holdsAxis(measurement, axisDeg))
-      findings.push_back(
-          {Severity::Warning,
-           "There is no usable position at " + std::to_string(axisDeg) + "°, so no intersection.",
-           "The intersection is half the distance of the arc centres at 0° and 180°: measure both.",
-           {}});
+      findings.push_back({Severity::Warning, {}, PositionMissing{axisDeg}});
   return findings;
 }
 
-std::vector<Finding> modelFindings(const Measurement& measurement) {
-  std::vector<Finding> findings;
+std::vector<FitFinding> modelFindings(const Measurement& measurement) {
+  std::vector<FitFinding> findings;
   for (const std::string& id : measurement.effects)
-    if (!effectById(id))
-      findings.push_back(
-          {Severity::Warning,
-           "The session's model names " + quotation(id) + ", which is no effect that can be estimated.",
-           "Read the result as one without it, or correct the name.",
-           Place{.position = {}, .reading = {}, .field = "model.effects"}});
+    if (!effectById(id)) findings.push_back({Severity::Warning, fieldOf("model.effects"), UnknownEffect{id}});
   if (measurement.relation == VerticalAngleRelation::Planar)
-    findings.push_back({Severity::Warning,
-                        "The model takes the vertical circle to read y/L, which no theodolite does.",
-                        "Set the vertical angle to exact, unless the planar relation is to be studied.",
-                        Place{.position = {}, .reading = {}, .field = "model.vertical_angle"}});
+    findings.push_back({Severity::Warning, fieldOf("model.vertical_angle"), PlanarRelation{}});
   return findings;
 }
 
-std::vector<Finding> sessionFindings(const Measurement& measurement, const SessionFit& fit) {
-  std::vector<Finding> findings = missingPositions(measurement);
+std::vector<FitFinding> sessionFindings(const Measurement& measurement, const SessionFit& fit) {
+  std::vector<FitFinding> findings = missingPositions(measurement);
   judgeRadii(findings, measurement, fit);
   judgeKnownRadius(findings, measurement, fit);
   judgeReference(findings, measurement, fit);

@@ -7,13 +7,13 @@
 namespace alidade {
 
 /// A finding for each of the two positions that the intersection needs and the measurement does not hold.
-std::vector<Finding> missingPositions(const Measurement& measurement);
+std::vector<FitFinding> missingPositions(const Measurement& measurement);
 
 /// What about the session's model needs care: an effect that is none, the published vertical angle.
-std::vector<Finding> modelFindings(const Measurement& measurement);
+std::vector<FitFinding> modelFindings(const Measurement& measurement);
 
 /// What the session as a whole says about itself, beyond its single arcs: a missing position, radii of one
 /// rigid guideway that differ, a result away from the reference, a model that needs care.
-std::vector<Finding> sessionFindings(const Measurement& measurement, const SessionFit& fit);
+std::vector<FitFinding> sessionFindings(const Measurement& measurement, const SessionFit& fit);
 
 }  // namespace alidade

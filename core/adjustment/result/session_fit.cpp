@@ -4,8 +4,8 @@
 #include <cmath>
 #include <iterator>
 
-#include "core/adjustment/arc/arc_findings.h"
 #include "core/adjustment/arc/first_fit.h"
+#include "core/adjustment/result/arc_findings.h"
 #include "core/adjustment/result/session_findings.h"
 #include "core/adjustment/result/setup_findings.h"
 #include "core/base/threads.h"
@@ -15,11 +15,9 @@ namespace alidade {
 
 namespace {
 
-Finding failure(const ArcMeasurement& arc, const Problem& problem) {
-  return {Severity::Error,
-          "The arc at " + std::to_string(arc.axisDeg) + "° " + problem.what + ".",
-          {},
-          problem.where};
+FitFinding missing(const ArcMeasurement& arc, const ArcFault& why) {
+  return {Severity::Error, Place{.position = arc.position, .reading = {}, .field = "readings"},
+          session_finding::ArcMissing{arc.axisDeg, why}};
 }
 
 /// The effects that the catalogue knows, each once.
@@ -82,8 +80,8 @@ std::vector<EffectEstimate> estimatesOf(const JointFit& joint, const std::vector
 }
 
 /// Of each arc alone, at once where they are long.
-std::vector<Result<ArcFit>> firstFits(const Measurement& measurement) {
-  std::vector<Result<ArcFit>> fits(measurement.arcs.size(), Problem{});
+std::vector<Result<ArcFit, ArcFault>> firstFits(const Measurement& measurement) {
+  std::vector<Result<ArcFit, ArcFault>> fits(measurement.arcs.size(), ArcFault{});
   doEach(threadsFor(measurement.rows), fits.size(),
          [&](std::size_t i) { fits[i] = firstFit(measurement, measurement.arcs[i]); });
   return fits;
@@ -107,24 +105,11 @@ bool adjust(SessionFit& fit, const Measurement& fitted) {
   return true;
 }
 
-Finding undetermined(const Measurement& fitted) {
-  const bool hasEffects = !knownEffects(fitted.effects).empty();
-  return {Severity::Error,
-          std::string("The readings of all positions do not determine the circles") +
-              (hasEffects ? " and the effects of the model together" : " together") + ".",
-          std::string("Look for misread values, sight more places over a longer arc") +
-              (hasEffects ? ", or take effects out of the model." : "."),
-          {}};
-}
-
 void judge(SessionFit& fit, const Measurement& measurement) {
   if (!fit.intersection || !measurement.tolerance) return;
-  const double value = fit.intersection->value, expanded = fit.intersection->expanded;
-  const double tolerance = *measurement.tolerance;
-  fit.verdict = fit.lengthsInDoubt ? Verdict::Undecided : decide(value, expanded, tolerance);
-  fit.verdictSentence = fit.lengthsInDoubt
-                            ? "The verdict is withheld: " + *fit.lengthsInDoubt
-                            : verdictSentence(value, expanded, tolerance, measurement.coverage);
+  fit.verdict = fit.lengthsInDoubt
+                    ? Verdict::Undecided
+                    : decide(fit.intersection->value, fit.intersection->expanded, *measurement.tolerance);
 }
 
 }  // namespace
@@ -141,16 +126,17 @@ const ArcFit* SessionFit::arcOfPosition(std::size_t position) const {
 
 SessionFit fitSession(const Measurement& measurement) {
   SessionFit fit;
-  std::vector<Result<ArcFit>> firsts = firstFits(measurement);
+  std::vector<Result<ArcFit, ArcFault>> firsts = firstFits(measurement);
   for (std::size_t i = 0; i < firsts.size(); ++i)
     if (firsts[i])
       fit.arcs.push_back(*std::move(firsts[i]));
     else
-      fit.findings.push_back(failure(measurement.arcs[i], firsts[i].problem()));
+      fit.findings.push_back(missing(measurement.arcs[i], firsts[i].problem()));
   Measurement fitted = fittedPart(measurement, fit);
   fit.lengthsInDoubt = doubtfulLengths(measurement, fit.arcs);  // while every radius is free
   if (!fit.arcs.empty() && !adjust(fit, fitted)) {
-    fit.findings.push_back(undetermined(fitted));
+    fit.findings.push_back(
+        {Severity::Error, {}, session_finding::Undetermined{!knownEffects(fitted.effects).empty()}});
     fit.arcs.clear();
     fit.joint = {};
     fitted.arcs.clear();
@@ -177,11 +163,11 @@ std::vector<EstimatedTerm> estimatedTerms(const Measurement& measurement) {
 PublishedSessionFit fitSessionAsPublished(const Measurement& measurement) {
   PublishedSessionFit fit;
   for (const ArcMeasurement& arc : measurement.arcs) {
-    Result<PublishedFit> fitted = fitArcAsPublished(measurement, arc);
+    Result<PublishedFit, ArcFault> fitted = fitArcAsPublished(measurement, arc);
     if (fitted)
       fit.arcs.push_back(*std::move(fitted));
     else
-      fit.findings.push_back(failure(arc, fitted.problem()));
+      fit.findings.push_back(missing(arc, fitted.problem()));
   }
   const auto at = [&](int axisDeg) {
     return std::ranges::find_if(fit.arcs, [&](const PublishedFit& f) { return f.arc.axisDeg == axisDeg; });

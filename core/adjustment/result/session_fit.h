@@ -7,8 +7,8 @@
 #include "core/adjustment/arc/arc_fit.h"
 #include "core/adjustment/arc/published_fit.h"
 #include "core/adjustment/result/acceptance.h"
+#include "core/adjustment/result/fit_finding.h"
 #include "core/adjustment/result/intersection.h"
-#include "core/base/finding.h"
 #include "core/session/measurement.h"
 
 namespace alidade {
@@ -30,10 +30,9 @@ struct SessionFit {
   std::optional<Intersection> intersection;
   std::vector<EffectEstimate> effects;
   /// Why no verdict rests on the lengths (`doubtfulLengths`); empty where nothing speaks against them.
-  std::optional<std::string> lengthsInDoubt;
+  std::optional<LengthsInDoubt> lengthsInDoubt;
   std::optional<Verdict> verdict;  ///< with an intersection and a tolerance; undecided with lengths in doubt
-  std::string verdictSentence;     ///< with a verdict: what it rests on, or why it is withheld
-  std::vector<Finding> findings;   ///< of the arcs and of the whole; an Error says why something is absent
+  std::vector<FitFinding> findings;  ///< of the arcs and of the whole; an Error says why something is absent
 
   const ArcFit* arcAt(int axisDeg) const;                   ///< null where there is none
   const ArcFit* arcOfPosition(std::size_t position) const;  ///< null where there is none
@@ -55,7 +54,7 @@ struct PublishedSessionFit {
   std::optional<double> intersection;           ///< Δd, y up, mm
   std::optional<double> intersectionAsPrinted;  ///< (Δy − Δy′)/2 in the paper's signs
   double inPlane = 0;                           ///< |O1 − O2|/2, mm; with an intersection
-  std::vector<Finding> findings;
+  std::vector<FitFinding> findings;
 };
 
 PublishedSessionFit fitSessionAsPublished(const Measurement& measurement);

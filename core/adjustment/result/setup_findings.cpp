@@ -2,35 +2,25 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "core/base/number_text.h"
-#include "core/base/quantity_text.h"
 #include "core/observation/half_turn.h"
 #include "core/observation/visits.h"
 
 namespace alidade {
+
+using namespace setup_finding;
 
 namespace {
 
 constexpr double grosslyOff = 0.2;
 constexpr double shortestFocus = 100;  // mm
 
-std::string lengthsToCheck(const Measurement& measurement) {
-  return "the distance L (geometry.distance_mm: " + shortestText(measurement.distance) +
-         ") and the nominal radius R0 (geometry.radius_mm: " + shortestText(measurement.nominalRadius) +
-         "), both in mm";
-}
-
-std::string tooShort(const Measurement& measurement) {
-  return " theodolite sights anything at a distance of " + shortestText(measurement.distance) + " mm";
-}
-
-void judgeDistance(std::vector<Finding>& findings, const Measurement& measurement) {
+void judgeDistance(std::vector<FitFinding>& findings, const Measurement& measurement) {
   if (measurement.distance >= shortestFocus) return;
-  findings.push_back(
-      {Severity::Warning, "No" + tooShort(measurement) + ".",
-       "Check " + lengthsToCheck(measurement) + ": the fitted lengths are proportional to the distance.",
-       Place{.position = {}, .reading = {}, .field = "geometry.distance_mm"}});
+  findings.push_back({Severity::Warning,
+                      Place{.position = {}, .reading = {}, .field = "geometry.distance_mm"},
+                      DistanceTooShort{measurement.distance, measurement.nominalRadius}});
 }
 
 /// Most rows lie below the centre at 0°, above it at 180°.
@@ -41,25 +31,17 @@ bool isUpsideDown(const ArcFit& arc) {
   return 2 * static_cast<std::size_t>(wrong) > arc.residuals.size();
 }
 
-std::string sideOf(const ArcFit& arc) {
-  return "at " + std::to_string(arc.axisDeg) + "° " + (arc.axisDeg == 0 ? "below" : "above");
-}
-
-void judgeSides(std::vector<Finding>& findings, const SessionFit& fit) {
-  std::vector<const ArcFit*> wrong;
-  for (const ArcFit& arc : fit.arcs)
-    if (isUpsideDown(arc)) wrong.push_back(&arc);
-  if (wrong.empty()) return;
-  std::string text = "Most places lie " + sideOf(*wrong.front());
-  if (wrong.size() > 1) text += " and " + sideOf(*wrong.back());
-  text +=
-      " the fitted centre, where an arc at 0° has them above and one at 180° below: Δd may have the wrong "
-      "sign.";
-  findings.push_back({Severity::Warning, std::move(text),
-                      wrong.size() > 1
-                          ? "Check the kind of the vertical circle, and whether the positions are exchanged."
-                          : "Check the axis of this position, its pointing zero and its readings.",
-                      Place{.position = wrong.front()->position, .reading = {}, .field = "axis_deg"}});
+void judgeSides(std::vector<FitFinding>& findings, const SessionFit& fit) {
+  PlacesOnTheWrongSide wrong;
+  std::size_t position = 0;
+  for (const ArcFit& arc : fit.arcs) {
+    if (!isUpsideDown(arc)) continue;
+    if (wrong.axesDeg.empty()) position = arc.position;
+    wrong.axesDeg.push_back(arc.axisDeg);
+  }
+  if (wrong.axesDeg.empty()) return;
+  findings.push_back(
+      {Severity::Warning, Place{.position = position, .reading = {}, .field = "axis_deg"}, std::move(wrong)});
 }
 
 /// How far a reading of the vertical circle is from the horizon, 0…90°.
@@ -69,22 +51,13 @@ double fromHorizon(Angle vertical, VerticalCircle circle) {
 }
 
 /// A zero nearer to the other kind's horizon than to its own.
-void judgeVerticalCircle(std::vector<Finding>& findings, const Measurement& measurement) {
+void judgeVerticalCircle(std::vector<FitFinding>& findings, const Measurement& measurement) {
   constexpr double halfWay = 45;
-  const bool zenith = measurement.verticalCircle == VerticalCircle::Zenith;
-  for (const ArcMeasurement& arc : measurement.arcs) {
-    if (fromHorizon(arc.zeroVertical, measurement.verticalCircle) <= halfWay) continue;
-    const std::string own =
-        zenith ? "a zenith circle, which reads 90° there" : "an elevation circle, which reads 0° there";
-    findings.push_back({Severity::Warning,
-                        "The pointing zero at " + std::to_string(arc.axisDeg) + "° has " +
-                            displayText(arc.zeroVertical.degrees(), 2) +
-                            "° on the vertical circle, far from the horizon of " + own + ".",
-                        std::string("Check the kind of the vertical circle: as ") +
-                            (zenith ? "an elevation" : "a zenith") +
-                            " circle its readings grow the other way, which turns the sign of Δd.",
-                        Place{.position = arc.position, .reading = {}, .field = "pointing_zero.vertical"}});
-  }
+  for (const ArcMeasurement& arc : measurement.arcs)
+    if (fromHorizon(arc.zeroVertical, measurement.verticalCircle) > halfWay)
+      findings.push_back({Severity::Warning,
+                          Place{.position = arc.position, .reading = {}, .field = "pointing_zero.vertical"},
+                          ZeroOfOtherCircle{arc.axisDeg, arc.zeroVertical, measurement.verticalCircle}});
 }
 
 /// A slider value that differs from the first of its visit.
@@ -108,40 +81,32 @@ std::vector<OtherSlider> otherSliders(const ArcMeasurement& arc) {
   return others;
 }
 
-void judgeSliders(std::vector<Finding>& findings, const ArcMeasurement& arc) {
+void judgeSliders(std::vector<FitFinding>& findings, const ArcMeasurement& arc) {
   const std::vector<OtherSlider> others = otherSliders(arc);
   if (others.empty()) return;
   const OtherSlider& most = *std::ranges::max_element(others, {}, &OtherSlider::apart);
-  std::string text = std::to_string(arc.axisDeg) + "°: rows " + std::to_string(most.first + 1) + " and " +
-                     std::to_string(most.other + 1) +
-                     " are of one visit, yet their slider values differ by " +
-                     displayText(most.apart.arcseconds(), 1) + "″; the first alone is used";
-  if (others.size() > 1) text += ", here and in " + std::to_string(others.size() - 1) + " more";
-  findings.push_back({Severity::Warning, text + ".",
-                      "The slider stands still during a visit: correct the value, or give the rows different "
-                      "points or rounds.",
-                      Place{.position = arc.position, .reading = most.other, .field = "slider"}});
+  findings.push_back({Severity::Warning,
+                      Place{.position = arc.position, .reading = most.other, .field = "slider"},
+                      SlidersDiffer{arc.axisDeg, most.first, most.other, most.apart, others.size() - 1}});
 }
 
 }  // namespace
 
-std::optional<std::string> doubtfulLengths(const Measurement& measurement, const std::vector<ArcFit>& arcs) {
-  if (measurement.distance < shortestFocus)
-    return "no" + tooShort(measurement) + ": check " + lengthsToCheck(measurement) + ".";
+std::optional<LengthsInDoubt> doubtfulLengths(const Measurement& measurement,
+                                              const std::vector<ArcFit>& arcs) {
+  LengthsInDoubt doubt{.distance = measurement.distance, .nominalRadius = measurement.nominalRadius};
+  if (measurement.distance < shortestFocus) return doubt;
   for (const ArcFit& arc : arcs) {
     const double off = std::abs(arc.circle.radius - measurement.nominalRadius);
     if (off <= grosslyOff * measurement.nominalRadius + 3 * arc.radiusSigma()) continue;
-    return "the radius fitted at " + std::to_string(arc.axisDeg) + "° is " +
-           displayText(100 * off / measurement.nominalRadius, 0) +
-           " % off the nominal one, and lengths that are so "
-           "far from what they should be prove nothing: check " +
-           lengthsToCheck(measurement) + ".";
+    doubt.radius = LengthsInDoubt::Radius{arc.axisDeg, 100 * off / measurement.nominalRadius};
+    return doubt;
   }
   return std::nullopt;
 }
 
-std::vector<Finding> setupFindings(const Measurement& measurement, const SessionFit& fit) {
-  std::vector<Finding> findings;
+std::vector<FitFinding> setupFindings(const Measurement& measurement, const SessionFit& fit) {
+  std::vector<FitFinding> findings;
   judgeDistance(findings, measurement);
   judgeSides(findings, fit);
   judgeVerticalCircle(findings, measurement);

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "core/adjustment/result/session_fit.h"
@@ -17,11 +16,12 @@ namespace alidade {
 ///   distance measured that badly, while slips are larger (inch for mm 25, diameter for radius 2). Smaller
 ///   differences have a finding of their own, for R0 may be no more than a round number;
 /// - a distance below 100 mm, at which no theodolite focuses, its radius typed in the same unit or not.
-std::optional<std::string> doubtfulLengths(const Measurement& measurement, const std::vector<ArcFit>& arcs);
+std::optional<LengthsInDoubt> doubtfulLengths(const Measurement& measurement,
+                                              const std::vector<ArcFit>& arcs);
 
 /// Findings on the set-up of a fit that stands, `measurement` being the fitted part: too short a distance,
 /// places on the wrong side of their centre (0° has them above, 180° below), a pointing zero where the other
 /// kind of vertical circle has it, different slider values in one visit.
-std::vector<Finding> setupFindings(const Measurement& measurement, const SessionFit& fit);
+std::vector<FitFinding> setupFindings(const Measurement& measurement, const SessionFit& fit);
 
 }  // namespace alidade

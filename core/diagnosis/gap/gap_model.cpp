@@ -4,16 +4,16 @@
 #include <cmath>
 #include <utility>
 
-#include "core/adjustment/result/session_fit.h"
-
 namespace alidade {
 
-Result<GapModel> modelOf(const Measurement& measurement) {
-  SessionFit fit = fitSession(measurement);
+Result<GapModel, NoModel> modelOf(const Measurement& measurement) {
+  return modelOf(measurement, fitSession(measurement));
+}
+
+Result<GapModel, NoModel> modelOf(const Measurement& measurement, SessionFit fit) {
   if (fit.arcs.empty()) {
-    for (const Finding& finding : fit.findings)
-      if (finding.severity == Severity::Error) return Problem{finding.text, finding.where};
-    return Problem{"there are no readings; enter those of the axis positions"};
+    const auto error = std::ranges::find(fit.findings, Severity::Error, &FitFinding::severity);
+    return error == fit.findings.end() ? NoModel{} : NoModel{*error};
   }
   GapModel model{.measurement = std::make_shared<const Measurement>(fittedPart(measurement, fit)),
                  .starts = {},

@@ -4,9 +4,10 @@
 #include <vector>
 
 #include "core/adjustment/joint/joint_fit.h"
-#include "core/adjustment/result/intersection.h"
+#include "core/adjustment/result/session_fit.h"
 #include "core/base/result.h"
 #include "core/diagnosis/gap/leftover.h"
+#include "core/diagnosis/result/diagnosis_fault.h"
 
 namespace alidade {
 
@@ -20,8 +21,9 @@ struct GapModel {
   double noise = 1;  ///< scale of the noise that was found
 };
 
-/// The session's own model. Fails where no arc can be fitted, with the reason.
-Result<GapModel> modelOf(const Measurement& measurement);
+/// The session's own model, by its fit. Fails where no arc could be fitted.
+Result<GapModel, NoModel> modelOf(const Measurement& measurement, SessionFit fit);
+Result<GapModel, NoModel> modelOf(const Measurement& measurement);
 
 /// ∂Δd/∂reading of the model's fit, mm per σ of the reading, in the order of `JointFit::readings`.
 Eigen::VectorXd influencePerSigma(const GapModel& model);

@@ -24,7 +24,7 @@ VectorXd combinationOf(const Cause& cause, const Effect& effect) {
   return combinationOf(effect) * weights;
 }
 
-std::optional<Advice> separating(const Cause& cause, const std::string& measure, const VisibleTerms& terms) {
+std::optional<Advice> separating(const Cause& cause, Measure measure, const VisibleTerms& terms) {
   const Effect* own = effectById(cause.effect);
   if (!own) return std::nullopt;
   const VectorXd combination = combinationOf(cause, *own);
@@ -40,7 +40,7 @@ std::optional<Advice> separating(const Cause& cause, const std::string& measure,
   return advice;
 }
 
-std::optional<Advice> revealing(const std::vector<Detectability>& unseen, const std::string& measure,
+std::optional<Advice> revealing(const std::vector<Detectability>& unseen, Measure measure,
                                 const VisibleTerms& terms) {
   Advice advice{.measure = measure, .ofUnseen = true};
   for (const Detectability& detectability : unseen) {
@@ -55,8 +55,6 @@ std::optional<Advice> revealing(const std::vector<Detectability>& unseen, const 
   return advice;
 }
 
-constexpr const char* zeroSightedAgain = "the pointing zero sighted again";
-
 /// What tells a misread value from a knock that it looks like: the zero, which only a knock moves. Both
 /// sightings have their noise.
 std::optional<Advice> tellingFromKnock(const Inquiry& inquiry, const std::vector<Cause>& causes) {
@@ -64,7 +62,7 @@ std::optional<Advice> tellingFromKnock(const Inquiry& inquiry, const std::vector
     if (cause.readings.size() != 1 || cause.indistinguishableFrom.empty()) continue;
     const BlamedReading& reading = cause.readings.front();
     const double sigma = statedSigma(*inquiry.base.measurement, reading.kind).arcseconds();
-    return Advice{.measure = zeroSightedAgain,
+    return Advice{.measure = Measure::ZeroSightedAgain,
                   .separates = {cause.effect, cause.indistinguishableFrom.front()},
                   .bySigma = std::abs(reading.size) / (sigma * std::numbers::sqrt2)};
   }
@@ -79,7 +77,7 @@ std::optional<Advice> revealingKnock(const Inquiry& inquiry, const std::vector<D
   const Eigen::Vector2d sigmas(statedSigma(measurement, ReadingKind::Horizontal).radians(),
                                statedSigma(measurement, ReadingKind::Vertical).radians());
   return Advice{
-      .measure = zeroSightedAgain,
+      .measure = Measure::ZeroSightedAgain,
       .separates = {jumpId},
       .bySigma = (plausibleJump * knock->weights).cwiseQuotient(sigmas).norm() / std::numbers::sqrt2,
       .ofUnseen = true};

@@ -31,14 +31,14 @@ void renumber(Measurement& plan) {
     for (Sighting& sighting : arc.sightings) sighting.sequence = plan.rows++;
 }
 
-FurtherReadings further(const char* measure, Measurement more) {
+FurtherReadings further(Measure measure, Measurement more) {
   FurtherReadings readings{measure, {}};
   readings.sets.push_back(std::move(more));
   return readings;
 }
 
 /// The session, and a set-up of its own.
-FurtherReadings besides(const Measurement& session, const char* measure, Measurement more) {
+FurtherReadings besides(const Measurement& session, Measure measure, Measurement more) {
   FurtherReadings readings = further(measure, session);
   readings.sets.push_back(std::move(more));
   readings.besideSession = true;
@@ -70,7 +70,7 @@ std::optional<FurtherReadings> withBothFaces(Measurement more) {
   }
   if (!added) return std::nullopt;
   renumber(more);
-  return further("both faces", std::move(more));
+  return further(Measure::BothFaces, std::move(more));
 }
 
 std::optional<FurtherReadings> withWayBack(Measurement more) {
@@ -83,7 +83,7 @@ std::optional<FurtherReadings> withWayBack(Measurement more) {
     arc.sightings.insert(arc.sightings.end(), back.begin(), back.end());
   }
   renumber(more);
-  return further("the way back", std::move(more));
+  return further(Measure::WayBack, std::move(more));
 }
 
 std::optional<FurtherReadings> withSlider(const GapModel& model, Measurement more) {
@@ -97,13 +97,13 @@ std::optional<FurtherReadings> withSlider(const GapModel& model, Measurement mor
       added = true;
     }
   if (!added) return std::nullopt;
-  return further("slider readings", std::move(more));
+  return further(Measure::SliderReadings, std::move(more));
 }
 
 std::optional<FurtherReadings> withShiftedCircle(const Measurement& plan) {
   Measurement more = plan;
   for (ArcMeasurement& arc : more.arcs) arc.zeroHorizontal = arc.zeroHorizontal + Angle::fromDegrees(60);
-  return besides(plan, "a second set with the horizontal circle shifted by 60°", std::move(more));
+  return besides(plan, Measure::ShiftedCircle, std::move(more));
 }
 
 std::optional<FurtherReadings> withSecondStandOff(const GapModel& model, const Measurement& plan) {
@@ -113,7 +113,7 @@ std::optional<FurtherReadings> withSecondStandOff(const GapModel& model, const M
   for (std::size_t arc = 0; arc < more.arcs.size(); ++arc)
     for (std::size_t i = 0; i < more.arcs[arc].sightings.size(); ++i)
       sightPerfectly(more.arcs[arc].sightings[i], more, model.fit.circleOf(arc), arcAngle(model, arc, i));
-  return besides(plan, "a second set from half as far again", std::move(more));
+  return besides(plan, Measure::SecondStandOff, std::move(more));
 }
 
 std::optional<FurtherReadings> withMoreArc(const GapModel& model, Measurement more) {
@@ -139,7 +139,7 @@ std::optional<FurtherReadings> withMoreArc(const GapModel& model, Measurement mo
   }
   if (!added) return std::nullopt;
   renumber(more);
-  return further("more of the arc", std::move(more));
+  return further(Measure::MoreOfTheArc, std::move(more));
 }
 
 }  // namespace

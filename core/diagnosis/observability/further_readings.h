@@ -1,10 +1,10 @@
 #pragma once
 
 #include <functional>
-#include <string>
 #include <vector>
 
 #include "core/diagnosis/gap/gap_model.h"
+#include "core/diagnosis/result/diagnosis.h"
 
 namespace alidade {
 
@@ -12,7 +12,7 @@ namespace alidade {
 
 /// A way to read more, and what would then have been read: one set-up or several.
 struct FurtherReadings {
-  std::string measure;
+  Measure measure = Measure::BothFaces;
   std::vector<Measurement> sets;
   bool besideSession = false;  ///< the first set is the session itself, read without error
 };

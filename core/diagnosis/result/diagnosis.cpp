@@ -20,14 +20,15 @@ std::string_view nameOf(DiagnosisVerdict verdict) {
   return "";
 }
 
-std::string beyondTheFit(const Diagnosis& diagnosis) {
-  if (diagnosis.shape) return "with what the pattern may move it by";
+Beyond beyondTheFit(const Diagnosis& diagnosis) {
+  if (diagnosis.shape) return Beyond::Pattern;
   const auto isAlone = [](const Cause& cause) { return cause.indistinguishableFrom.empty(); };
-  if (!std::ranges::all_of(diagnosis.causes, isAlone)) return "averaged over what looks alike";
-  if (diagnosis.steps.empty() || !diagnosis.afterwards || !diagnosis.steps.back().intersection) return "";
+  if (!std::ranges::all_of(diagnosis.causes, isAlone)) return Beyond::LookAlikes;
+  if (diagnosis.steps.empty() || !diagnosis.afterwards || !diagnosis.steps.back().intersection)
+    return Beyond::Nothing;
   const bool isThatOfTheCauses =
       diagnosis.afterwards->expanded == diagnosis.steps.back().intersection->expanded;
-  return isThatOfTheCauses ? "" : "averaged over what else may be";
+  return isThatOfTheCauses ? Beyond::Nothing : Beyond::Others;
 }
 
 }  // namespace alidade

@@ -98,9 +98,20 @@ struct UnseenEffect {
   double visibleSigma = 0;  ///< what it would leave in the readings, σ
 };
 
+/// A way to read more.
+enum class Measure {
+  BothFaces,
+  WayBack,  ///< the places once more in reverse, as another round
+  SliderReadings,
+  ShiftedCircle,   ///< a second set with the horizontal circle shifted by 60°
+  SecondStandOff,  ///< a second set from half as far again
+  MoreOfTheArc,
+  ZeroSightedAgain,
+};
+
 /// Further readings and what they would tell apart.
 struct Advice {
-  std::string measure;                      ///< "both faces", …
+  Measure measure = Measure::BothFaces;
   std::vector<std::string> separates = {};  ///< ids
   double bySigma = 0;                       ///< difference of the least different two of them, σ
   bool ofUnseen = false;  ///< `separates`: what would show that does not yet, by `bySigma` or more
@@ -114,7 +125,6 @@ struct GapShape {
 
 struct Diagnosis {
   DiagnosisVerdict verdict = DiagnosisVerdict::WithinNoise;
-  std::string sentence;  ///< the verdict in words
   GapSize gap, after;
   Shrinkage shrink;
   std::vector<Cause> causes;          ///< the most certain first
@@ -134,8 +144,14 @@ struct DiagnosisOptions {
   std::vector<std::string> without = {};
 };
 
-/// What `afterwards` holds beyond the fit with the causes: "averaged over what looks alike", "averaged over
-/// what else may be", "with what the pattern may move it by"; empty where there is nothing.
-std::string beyondTheFit(const Diagnosis& diagnosis);
+/// What `Diagnosis::afterwards` holds beyond the fit with the causes.
+enum class Beyond {
+  Nothing,
+  Pattern,     ///< what the pattern may move Δd by
+  LookAlikes,  ///< the average over what looks alike
+  Others,      ///< the average over what else may be
+};
+
+Beyond beyondTheFit(const Diagnosis& diagnosis);
 
 }  // namespace alidade

@@ -26,10 +26,10 @@ BENCHMARK(fastFit)->Name("W1/alidade");
 void wholeFit(benchmark::State& state) {
   const Measurement measurement = usualMeasurement(1);
   for (auto _ : state) {
-    Result<ArcFit> fit = fitArc(measurement, measurement.arcs.front());
+    const auto fit = fitArc(measurement, measurement.arcs.front());
     benchmark::DoNotOptimize(fit);
   }
-  const Result<ArcFit> fit = fitArc(measurement, measurement.arcs.front());
+  const auto fit = fitArc(measurement, measurement.arcs.front());
   if (fit) answer(state, fit->circle);
 }
 BENCHMARK(wholeFit)->Name("W1/alidade fitArc");

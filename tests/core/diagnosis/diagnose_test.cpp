@@ -204,7 +204,7 @@ TEST(Diagnosis, AdvisesToSightTheZeroAgainWhereAKnockGoesUnseen) {
   ASSERT_THAT(diagnosis.unseen, testing::Contains(testing::Field(&UnseenEffect::effect, "orientation_jump")));
   ASSERT_FALSE(diagnosis.advice.empty());
   const Advice& first = diagnosis.advice.front();
-  EXPECT_EQ(first.measure, "the pointing zero sighted again");
+  EXPECT_EQ(first.measure, Measure::ZeroSightedAgain);
   EXPECT_THAT(first.separates, testing::ElementsAre("orientation_jump"));
   EXPECT_TRUE(first.ofUnseen);
   EXPECT_NEAR(first.bySigma, 60 / (2 * std::numbers::sqrt2), 1e-9);
@@ -214,12 +214,12 @@ TEST(Diagnosis, AdvisesToSightTheZeroAgainWhereAKnockGoesUnseen) {
 TEST(Diagnosis, AdvisesOfWhatIsUnseenWhereNothingIsFound) {
   const Diagnosis diagnosis = diagnosed(test::trialMeasurement("paper"));
   ASSERT_EQ(diagnosis.verdict, DiagnosisVerdict::WithinNoise);
-  EXPECT_THAT(diagnosis.advice, testing::Contains(testing::Field(&Advice::measure, "both faces")));
+  EXPECT_THAT(diagnosis.advice, testing::Contains(testing::Field(&Advice::measure, Measure::BothFaces)));
   for (const Advice& advice : diagnosis.advice) {
-    EXPECT_TRUE(advice.ofUnseen) << advice.measure;
+    EXPECT_TRUE(advice.ofUnseen) << static_cast<int>(advice.measure);
     for (const std::string& id : advice.separates)
       EXPECT_THAT(diagnosis.unseen, testing::Contains(testing::Field(&UnseenEffect::effect, id)))
-          << advice.measure;
+          << static_cast<int>(advice.measure);
   }
 }
 
@@ -245,13 +245,33 @@ TEST(Diagnosis, TakesTenThousandRows) {
   EXPECT_NEAR(diagnosis.causes[0].parameters[0].value, 20, 4 * diagnosis.causes[0].parameters[0].sigma);
 }
 
-TEST(Diagnosis, FailsInWords) {
+TEST(Diagnosis, FailsWithTheReason) {
   const Measurement measurement = test::paperMeasurement();
-  EXPECT_THAT(diagnose(measurement, {.without = {"gremlins"}}).problem().text(),
-              testing::HasSubstr("gremlins"));
+  const auto unknown = diagnose(measurement, {.without = {"gremlins"}});
+  ASSERT_FALSE(unknown);
+  EXPECT_EQ(std::get<UnknownCause>(unknown.problem()).id, "gremlins");
   Measurement empty = measurement;
   empty.arcs.clear();
-  EXPECT_FALSE(diagnose(empty));
+  const auto nothing = diagnose(empty);
+  ASSERT_FALSE(nothing);
+  EXPECT_FALSE(std::get<NoModel>(nothing.problem()).why);
+  Measurement poor = measurement;
+  for (ArcMeasurement& arc : poor.arcs) arc.sightings.resize(2);
+  const auto refused = diagnose(poor);
+  ASSERT_FALSE(refused);
+  const auto& why = std::get<NoModel>(refused.problem()).why;
+  ASSERT_TRUE(why);
+  EXPECT_TRUE(std::holds_alternative<session_finding::ArcMissing>(why->what));
+}
+
+// The fit that there is already serves as well as one of its own.
+TEST(Diagnosis, TakesTheFitThatThereIs) {
+  const Measurement measurement = test::trialMeasurement("full");
+  const auto own = diagnose(measurement), given = diagnose(measurement, fitSession(measurement));
+  ASSERT_TRUE(own && given);
+  EXPECT_EQ(own->verdict, given->verdict);
+  EXPECT_EQ(own->gap.rms, given->gap.rms);
+  EXPECT_EQ(own->leftAfter, given->leftAfter);
 }
 
 // How many σ of an effect a fit leaves in the readings, worked out by the ray tracer's own tools. Of effects
@@ -295,9 +315,9 @@ TEST(Diagnosis, DoesNotHangOnHowNearToNothingASigmaIs) {
 TEST(Diagnosis, EndsWhereItIsStopped) {
   std::stop_source stop;
   stop.request_stop();
-  const Result<Diagnosis> diagnosis = diagnose(test::trialMeasurement("full"), {}, stop.get_token());
+  const auto diagnosis = diagnose(test::trialMeasurement("full"), {}, stop.get_token());
   ASSERT_FALSE(diagnosis);
-  EXPECT_EQ(diagnosis.problem().what, "the diagnosis was stopped");
+  EXPECT_TRUE(std::holds_alternative<Stopped>(diagnosis.problem()));
 }
 
 }  // namespace

@@ -17,7 +17,6 @@ namespace {
 using testing::Contains;
 using testing::Each;
 using testing::Field;
-using testing::IsEmpty;
 using testing::Not;
 
 Measurement measurementBy(const std::string& protocol, const Truth& truth) {
@@ -97,17 +96,18 @@ TEST(PlanReview, AgreesWithTheDiagnosisOnWhatIsUnseen) {
 // tell apart.
 TEST(PlanReview, SaysWhatToAdd) {
   const PlanReview paper = reviewOf("paper");
-  const auto advice = [&](const std::string& measure) -> const PlanAdvice& {
+  const auto advice = [&](Measure measure) -> const PlanAdvice& {
     return *std::ranges::find(paper.advice, measure, &PlanAdvice::measure);
   };
-  EXPECT_THAT(advice("the way back").reveals, Contains("vertical_drift"));
-  EXPECT_THAT(advice("the way back").reveals, Contains("horizontal_drift"));
-  EXPECT_THAT(advice("slider readings").reveals, Contains("plane_tilt"));
-  EXPECT_THAT(advice("slider readings").separates, Contains(testing::Pair("arc_lobing", "arc_ellipticity")));
+  EXPECT_THAT(advice(Measure::WayBack).reveals, Contains("vertical_drift"));
+  EXPECT_THAT(advice(Measure::WayBack).reveals, Contains("horizontal_drift"));
+  EXPECT_THAT(advice(Measure::SliderReadings).reveals, Contains("plane_tilt"));
+  EXPECT_THAT(advice(Measure::SliderReadings).separates,
+              Contains(testing::Pair("arc_lobing", "arc_ellipticity")));
   const PlanReview full = reviewOf("full");
   EXPECT_THAT(full.advice,
-              Each(Field(&PlanAdvice::measure,
-                         testing::AllOf(Not("both faces"), Not("the way back"), Not("slider readings")))));
+              Each(Field(&PlanAdvice::measure, testing::AllOf(Not(Measure::BothFaces), Not(Measure::WayBack),
+                                                              Not(Measure::SliderReadings)))));
 }
 
 // The readings of the paper are off by what no effect explains; the plan is the same with any readings.
@@ -126,7 +126,7 @@ TEST(PlanReview, HangsOnThePlanAndNotOnTheReadings) {
 TEST(PlanReview, FailsInWords) {
   Measurement empty = test::paperMeasurement();
   empty.arcs.clear();
-  EXPECT_THAT(reviewPlan(empty).problem().text(), Not(IsEmpty()));
+  EXPECT_FALSE(reviewPlan(empty));
 }
 
 }  // namespace

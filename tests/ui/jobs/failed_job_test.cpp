@@ -140,8 +140,7 @@ TEST_F(FailedJobTest, OfTheSearchLeavesTheFitAndSaysSo) {
   ASSERT_TRUE(searched);
   EXPECT_TRUE(searched->isSearched);
   EXPECT_TRUE(searched->fit.intersection);
-  EXPECT_THAT(searched->fit.findings.front().text,
-              HasSubstr("The search for misread readings failed: out of memory."));
+  EXPECT_THAT(searched->searchFailure, HasSubstr("The search for misread readings failed: out of memory."));
 }
 
 // Each job is asked for something first: what its thread needs to begin with is not in question.

@@ -47,7 +47,6 @@ TEST(FitJob, DeliversTheFitAtOnceAndTheSuspectsAfterIt) {
     EXPECT_TRUE(evaluation->isSearched);
     ASSERT_EQ(evaluation->suspects.size(), 1u);
     EXPECT_EQ(evaluation->suspects.front().where.reading, 3u);
-    EXPECT_EQ(evaluation->fit.findings.size(), fitted->fit.findings.size() + 1) << "the one that names it";
     EXPECT_EQ(evaluation->session, fitted->session);
   });
   job.request(slippedSession());

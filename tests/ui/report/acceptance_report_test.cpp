@@ -11,9 +11,11 @@
 
 #include "core/session/session_file.h"
 #include "core/simulation/simulate.h"
+#include "core/wording/suspects.h"
 #include "tests/ui/report/printed.h"
 #include "tests/ui/support.h"
 #include "ui/text/cause_text.h"
+#include "ui/text/finding_text.h"
 #include "ui/text/quantity_text.h"
 
 namespace alidade::ui {
@@ -92,7 +94,7 @@ TEST(AcceptanceReport, TellsWhatTheReadingsWouldNotShow) {
 TEST(AcceptanceReport, CountsTheGapAmongTheFindings) {
   const QString folder = QStringLiteral(ALIDADE_REFERENCE_DIR "/trials/sessions/");
   const Session session = *loadSession((folder + QStringLiteral("117223.alidade")).toStdString());
-  const std::vector<Finding> findings = evaluate(session).fit.findings;
+  const std::vector<Finding> findings = findingsOf(evaluate(session));
   const auto serious = std::count_if(findings.begin(), findings.end(), [](const Finding& finding) {
     return finding.severity != Severity::Note;
   });
@@ -111,7 +113,7 @@ TEST(AcceptanceReport, NamesTheReadingsThatLookMisread) {
   ASSERT_EQ(evaluation.suspects.size(), 1u);
   const Printed report(session);
   EXPECT_TRUE(report.contains("A reading looks misread: 0°, point 4, vertical"));
-  EXPECT_TRUE(report.text().contains(QString::fromStdString(evaluation.suspects[0].sentence).left(40)));
+  EXPECT_TRUE(report.text().contains(QString::fromStdString(sentenceOf(evaluation.suspects[0])).left(40)));
 }
 
 TEST(AcceptanceReport, SumsUpBothFacesWhereThereAreTwo) {

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "core/effects/catalogue.h"
+#include "core/wording/measure.h"
 #include "ui/charts/gap/gap_map.h"
 #include "ui/charts/gap/gap_waterfall.h"
 #include "ui/panels/gap/cause_list.h"
@@ -207,7 +208,7 @@ void GapPanel::showShrinkage() {
                   .arg(numberText(100 * diagnosis.shrink.inSample, 0)));
   if (diagnosis.shape)
     says.append(tr("U holds what the pattern may move Δd by; what causes it is not known."));
-  else if (!beyondTheFit(diagnosis).empty())
+  else if (beyondTheFit(diagnosis) != Beyond::Nothing)
     says.append(
         tr("Δd with the causes is averaged over all that may be the case, each as likely as it is; the "
            "first alone would state a U that is too small."));
@@ -221,7 +222,7 @@ void GapPanel::showNext() {
   for (const Advice& advice : diagnosis.advice) {
     const QString figure = numberText(advice.bySigma, 1);
     const QString what = causeNames(advice.separates, tr("and")).toHtmlEscaped();
-    lines.append(QStringLiteral("• <b>%1</b>: ").arg(qText(advice.measure).toHtmlEscaped()) +
+    lines.append(QStringLiteral("• <b>%1</b>: ").arg(qText(textOf(advice.measure)).toHtmlEscaped()) +
                  (advice.ofUnseen ? tr("would show %1 by %2 σ or more").arg(what, figure)
                                   : tr("separates %1 by %2 σ or more").arg(what, figure)));
   }

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/wording/suspects.h"
 #include "ui/settings/theme.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/proposal_text.h"
@@ -119,12 +120,12 @@ void SuspectBar::showCurrent() {
   setVisible(suspect != nullptr);
   if (!suspect) return;
   m_buttons->show();
-  m_text->setText(qText(suspect->sentence));
+  m_text->setText(qText(sentenceOf(*suspect)));
   const bool hasMeaning = !suspect->proposals.empty();
   m_use->setVisible(hasMeaning);
   if (hasMeaning) {
     m_use->setText(tr("Use %1 (F8)").arg(proposalText(suspect->proposals.front())));
-    m_use->setToolTip(qText(suspect->proposals.front().sentence));
+    m_use->setToolTip(qText(sentenceOf(suspect->proposals.front())));
   }
   fitText();
   fillOthers(*suspect);
@@ -145,7 +146,7 @@ void SuspectBar::fillOthers(const Suspect& suspect) {
   m_others->menu()->clear();
   for (std::size_t i = 1; i < suspect.proposals.size(); ++i) {
     QAction* action = m_others->menu()->addAction(tr("Use %1").arg(proposalText(suspect.proposals[i])));
-    action->setToolTip(qText(suspect.proposals[i].sentence));
+    action->setToolTip(qText(sentenceOf(suspect.proposals[i])));
     connect(action, &QAction::triggered, this, [this, i] { useProposal(static_cast<int>(i)); });
   }
   m_others->menu()->setToolTipsVisible(true);

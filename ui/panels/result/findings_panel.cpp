@@ -9,6 +9,7 @@
 #include "ui/document/reading_column.h"
 #include "ui/settings/theme.h"
 #include "ui/text/entry_text.h"
+#include "ui/text/finding_text.h"
 #include "ui/text/spoken_place.h"
 #include "ui/text/visible_text.h"
 
@@ -104,9 +105,8 @@ FindingsPanel::Entry FindingsPanel::gapEntry() const {
 std::vector<FindingsPanel::Entry> FindingsPanel::entriesOf(const Evaluation& evaluation) {
   std::vector<Entry> entries = problemEntries(evaluation, false);
   std::ranges::move(problemEntries(evaluation, true), std::back_inserter(entries));
-  const auto misread = suspectsFinding(evaluation.suspects);
-  for (const Finding& finding : evaluation.fit.findings) {
-    if (finding == misread) continue;  // told by the suspect bar, with what to do
+  // The suspects are told by the suspect bar, with what to do.
+  for (const Finding& finding : findingsOf(evaluation)) {
     const QString icons[] = {QStringLiteral("note"), QStringLiteral("warning"), QStringLiteral("problem")};
     const QString spoken[] = {tr("Note"), tr("Warning"), tr("Error")};
     const auto severity = static_cast<std::size_t>(finding.severity);

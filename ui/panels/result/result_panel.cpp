@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "core/wording/verdict.h"
 #include "ui/panels/parts/figure_grid.h"
 #include "ui/panels/result/findings_panel.h"
 #include "ui/settings/theme.h"
@@ -177,7 +178,7 @@ void ResultPanel::showVerdict(const Evaluation& evaluation) {
   if (decided) {
     const QString words[] = {tr("ACCEPT"), tr("REJECT"), tr("UNDECIDED")};
     m_badge->setText(words[static_cast<int>(*fit.verdict)]);
-    m_sentence->setText(qText(fit.verdictSentence));
+    m_sentence->setText(qText(verdictSentence(*measurement, fit)));
   } else {
     const bool noTolerance = fit.intersection && measurement && !measurement->tolerance;
     m_badge->setText(noTolerance ? tr("No tolerance set") : tr("No result"));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/wording/budget.h"
 #include "ui/panels/parts/figure_grid.h"
 #include "ui/panels/uncertainty/simulation_box.h"
 #include "ui/text/entry_text.h"
@@ -64,7 +65,7 @@ void BudgetPanel::showIntersection(const SessionFit& fit) {
   QVector<FigureGrid::Row> rows;
   if (fit.intersection) {
     for (const BudgetEntry& entry : fit.intersection->budget)
-      rows.append({qText(entry.source),
+      rows.append({qText(textOf(entry.source)),
                    {numberText(entry.sigma, 4), shareText(entry.sigma, fit.intersection->sigma)}});
     rows.append({tr("combined, σ"), {numberText(fit.intersection->sigma, 4), {}}});
     rows.append({tr("expanded, U"),
@@ -84,7 +85,7 @@ void BudgetPanel::showCentres(const SessionFit& fit) {
     titles.append(title);
     rows.resize(static_cast<int>(budget.size()) + 2);
     for (std::size_t i = 0; i < budget.size(); ++i) {
-      rows[static_cast<int>(i)].caption = qText(budget[i].source);
+      rows[static_cast<int>(i)].caption = qText(textOf(budget[i].source));
       rows[static_cast<int>(i)].figures.append(numberText(budget[i].sigma, 4));
     }
     rows[static_cast<int>(budget.size())].figures.append(numberText(combined(budget), 4));

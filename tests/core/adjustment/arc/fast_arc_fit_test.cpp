@@ -39,8 +39,7 @@ std::optional<FastArcFit> fitFast(const Measurement& measurement, const ArcMeasu
 
 /// By Levenberg and Marquardt with the general foot points, from a start far off.
 ArcFit fitGenerally(const Measurement& measurement, const ArcMeasurement& arc, const Circle& near) {
-  const Result<ArcFit> fit =
-      fitArc(measurement, arc, {.start = Circle{near.x + 3, near.y - 2, near.radius * 1.01}});
+  const auto fit = fitArc(measurement, arc, {.start = Circle{near.x + 3, near.y - 2, near.radius * 1.01}});
   if (!fit || !fit->converged()) throw std::runtime_error("the general fit found no minimum");
   return *fit;
 }

@@ -120,7 +120,7 @@ TEST(FastJointFit, AnswersAsTheGeneralOneWhereItAccepts) {
     const Measurement measurement = drawMeasurement(random);
     std::vector<Circle> starts;
     for (const ArcMeasurement& arc : measurement.arcs)
-      if (const Result<ArcFit> fit = firstFit(measurement, arc)) starts.push_back(fit->circle);
+      if (const auto fit = firstFit(measurement, arc)) starts.push_back(fit->circle);
     if (starts.size() < measurement.arcs.size()) continue;
     const auto fast = fitJointlyFast(measurement, starts);
     const JointFit general = fitJointlyInGeneral(measurement, starts);
@@ -150,7 +150,7 @@ TEST(FirstFit, IsTheFitOfTheArc) {
   for (int i = 0; i < 100; ++i) {
     const Measurement measurement = drawMeasurement(random);
     const ArcMeasurement& arc = measurement.arcs.front();
-    const Result<ArcFit> first = firstFit(measurement, arc), fit = fitArc(measurement, arc);
+    const auto first = firstFit(measurement, arc), fit = fitArc(measurement, arc);
     ASSERT_EQ(static_cast<bool>(first), static_cast<bool>(fit)) << i;
     if (!fit || !fit->converged()) continue;
     const double sigma = std::sqrt(fit->cofactor[2][2]);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/adjustment/result/session_fit.h"
+#include "core/wording/arc_fault.h"
 #include "tests/support/high_precision.h"
 
 namespace alidade {
@@ -37,8 +38,8 @@ TEST(HighPrecision, TheFitOfOneArcMeetsIt) {
     if (reference.hasSliders()) continue;  // a single arc does not use them
     SCOPED_TRACE(reference.name);
     for (std::size_t i = 0; i < reference.arcs.size(); ++i) {
-      const Result<ArcFit> fit = fitArc(reference.measurement, reference.measurement.arcs[i]);
-      ASSERT_TRUE(fit) << fit.problem().text();
+      const auto fit = fitArc(reference.measurement, reference.measurement.arcs[i]);
+      ASSERT_TRUE(fit) << textOf(fit.problem());
       expectMeets(*fit, reference.arcs[i]);
     }
   }
@@ -53,7 +54,7 @@ TEST(HighPrecision, TheFitOfAWholeSessionMeetsIt) {
     ASSERT_EQ(fit.intersection.has_value(), reference.intersection.has_value());
     if (!fit.intersection) continue;
     EXPECT_NEAR(fit.intersection->value, *reference.intersection, smallLength);
-    ASSERT_EQ(fit.intersection->budget.front().source, "readings");
+    ASSERT_EQ(fit.intersection->budget.front().source, UncertaintySource::Readings);
     EXPECT_NEAR(fit.intersection->budget.front().sigma, fit.noise.factor * *reference.sigmaIntersection,
                 smallShare * fit.intersection->sigma);
   }

@@ -24,7 +24,7 @@ TEST(MonteCarlo, AgreesWithTheLinearBudgetOfTableI) {
   const double f = fit.noise.degreesOfFreedom;
   double variance = 0;
   for (const BudgetEntry& entry : fit.intersection->budget)
-    variance += entry.sigma * entry.sigma * (entry.source == "readings" ? f / (f - 2) : 1);
+    variance += entry.sigma * entry.sigma * (entry.source == UncertaintySource::Readings ? f / (f - 2) : 1);
   ASSERT_TRUE(check.intersection);
   EXPECT_NEAR(check.intersection->sigma, std::sqrt(variance), 0.05 * std::sqrt(variance));
   EXPECT_NEAR(check.intersection->mean, fit.intersection->value, 5 * std::sqrt(variance / 4000));

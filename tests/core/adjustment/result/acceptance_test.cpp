@@ -26,14 +26,5 @@ TEST(Acceptance, NeverDecidesOnNumbersThatAreNone) {
   EXPECT_EQ(decide(0.1, inf, 1), Verdict::Undecided);
 }
 
-TEST(Acceptance, SaysTheVerdictInASentence) {
-  EXPECT_EQ(
-      verdictSentence(1.30764, 0.2117, 2.5, 0.95),
-      "The intersection was measured as 1.31 mm ± 0.21 mm (95 % coverage); it lies within the tolerance of "
-      "± 2.5 mm, its uncertainty included.");
-  EXPECT_NE(verdictSentence(1, 0.01, 0.5, 0.95).find("lies outside"), std::string::npos);
-  EXPECT_NE(verdictSentence(1, 0.01, 1, 0.95).find("cannot be said"), std::string::npos);
-}
-
 }  // namespace
 }  // namespace alidade

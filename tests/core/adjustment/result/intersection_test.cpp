@@ -18,10 +18,10 @@ JointFit fitted(const Measurement& measurement) {
   return fitJointly(measurement, starts);
 }
 
-double share(const Intersection& intersection, const std::string& source) {
+double share(const Intersection& intersection, UncertaintySource source) {
   for (const BudgetEntry& entry : intersection.budget)
     if (entry.source == source) return entry.sigma;
-  ADD_FAILURE() << "no share of " << source;
+  ADD_FAILURE() << "no share of " << static_cast<int>(source);
   return 0;
 }
 
@@ -34,8 +34,8 @@ TEST(Intersection, OfTableIMeetsTheIndependentSolution) {
   EXPECT_NEAR(intersection->value, 1.307640, 1e-6);
   EXPECT_NEAR(intersection->inPlane, 1.34722, 0.5e-5);
   EXPECT_NEAR(noiseScale(fit).factor, 6.91, 0.005);
-  EXPECT_NEAR(share(*intersection, "readings"), 0.1018, 0.5e-4);
-  EXPECT_NEAR(share(*intersection, "readings") / noiseScale(fit).factor, 0.0147, 0.5e-4);
+  EXPECT_NEAR(share(*intersection, UncertaintySource::Readings), 0.1018, 0.5e-4);
+  EXPECT_NEAR(share(*intersection, UncertaintySource::Readings) / noiseScale(fit).factor, 0.0147, 0.5e-4);
 }
 
 TEST(Intersection, PlanarRelationGivesItsOwnValue) {
@@ -52,10 +52,10 @@ TEST(Intersection, PaysForThePointingZeros) {
   Measurement measurement = test::paperMeasurement();
   const Intersection intersection = *intersect(measurement, fitted(measurement));
   const double expected = measurement.distance * measurement.sigmaZeroVertical.radians() / std::sqrt(2);
-  EXPECT_NEAR(share(intersection, "pointing zeros"), expected, 0.05 * expected);
+  EXPECT_NEAR(share(intersection, UncertaintySource::PointingZeros), expected, 0.05 * expected);
 
   measurement.sigmaZeroVertical = measurement.sigmaZeroHorizontal = {};
-  EXPECT_EQ(share(*intersect(measurement, fitted(measurement)), "pointing zeros"), 0);
+  EXPECT_EQ(share(*intersect(measurement, fitted(measurement)), UncertaintySource::PointingZeros), 0);
 }
 
 // All lengths are proportional to L, so Δd errs with L by the same share.
@@ -63,7 +63,8 @@ TEST(Intersection, PaysForTheDistanceInProportion) {
   Measurement measurement = test::paperMeasurement();
   measurement.sigmaDistance = 5;
   const Intersection intersection = *intersect(measurement, fitted(measurement));
-  EXPECT_NEAR(share(intersection, "distance"), 5 / measurement.distance * intersection.value, 1e-5);
+  EXPECT_NEAR(share(intersection, UncertaintySource::Distance), 5 / measurement.distance * intersection.value,
+              1e-5);
 }
 
 TEST(Intersection, CombinesItsBudget) {
@@ -89,9 +90,10 @@ TEST(Intersection, CountsDegreesOfFreedomAfterWelchAndSatterthwaite) {
   Measurement measurement = test::paperMeasurement();
   measurement.sigmaZeroHorizontal = measurement.sigmaZeroVertical = Angle::fromArcseconds(25);
   const Intersection intersection = *intersect(measurement, fitted(measurement));
-  const double readings = share(intersection, "readings");
-  const double variance = std::pow(readings, 2) + std::pow(share(intersection, "pointing zeros"), 2) +
-                          std::pow(share(intersection, "distance"), 2);
+  const double readings = share(intersection, UncertaintySource::Readings);
+  const double variance = std::pow(readings, 2) +
+                          std::pow(share(intersection, UncertaintySource::PointingZeros), 2) +
+                          std::pow(share(intersection, UncertaintySource::Distance), 2);
   ASSERT_GT(variance, 4 * readings * readings);
   const double expected = variance * variance / (std::pow(readings, 4) / 28);
   EXPECT_NEAR(intersection.effectiveDegreesOfFreedom, expected, 1e-6 * expected);
@@ -124,8 +126,10 @@ TEST(Intersection, PaysForAnEffectThatIsEstimatedAlong) {
   const Intersection without = *fitSession(measurement).intersection;
   measurement.effects = {"vertical_drift"};
   const SessionFit fit = fitSession(measurement);
-  EXPECT_NEAR(share(*fit.intersection, "readings"), share(without, "readings"), 1e-6);
-  EXPECT_GT(share(*fit.intersection, "model effects"), 0.3 * share(without, "readings"));
+  EXPECT_NEAR(share(*fit.intersection, UncertaintySource::Readings),
+              share(without, UncertaintySource::Readings), 1e-6);
+  EXPECT_GT(share(*fit.intersection, UncertaintySource::ModelEffects),
+            0.3 * share(without, UncertaintySource::Readings));
   const auto variance = [&](std::size_t arc) {
     const std::size_t i = fit.joint.indexOf({.kind = Unknown::Kind::CentreY, .arc = arc});
     const std::size_t j = fit.joint.indexOf({.kind = Unknown::Kind::CentreY, .arc = 1 - arc});
@@ -200,10 +204,10 @@ TEST(ArcBudget, OfTheHeightsAddsUpToThatOfTheIntersection) {
   ASSERT_EQ(upper.size(), difference.size());
   for (std::size_t i = 0; i < difference.size(); ++i) {
     EXPECT_EQ(upper[i].source, difference[i].source);
-    const bool distance = difference[i].source == "distance";
+    const bool distance = difference[i].source == UncertaintySource::Distance;
     const double expected =
         distance ? (upper[i].sigma + lower[i].sigma) / 2 : std::hypot(upper[i].sigma, lower[i].sigma) / 2;
-    EXPECT_NEAR(difference[i].sigma, expected, 1e-9 * expected) << difference[i].source;
+    EXPECT_NEAR(difference[i].sigma, expected, 1e-9 * expected) << i;
   }
   EXPECT_NEAR(combined(fit.budgets[0].radius), fit.sigmas[0].radius, 1e-15);
 }

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <string>
 
 #include "core/adjustment/result/session_fit.h"
+#include "tests/support/found.h"
 #include "tests/support/perfect_session.h"
 
 // Readings without noise: there the stated σ are taken as known, and 0.1 % of risk is 3.2905 σ (normal
@@ -23,10 +23,9 @@ Measurement withRadii(double upper, double lower) {
   return measurement;
 }
 
-bool says(const Measurement& measurement, const char* what) {
-  for (const Finding& finding : sessionFindings(measurement, fitSession(measurement)))
-    if (finding.text.find(what) != std::string::npos) return true;
-  return false;
+template <typename Kind>
+bool says(const Measurement& measurement) {
+  return test::found<Kind>(sessionFindings(measurement, fitSession(measurement))) != nullptr;
 }
 
 // Of two arcs fitted apart, with exact zeros and distance, σ of the difference is the root of the sum of
@@ -34,9 +33,9 @@ bool says(const Measurement& measurement, const char* what) {
 TEST(SessionFindings, RadiiDifferByMoreThanTheirNoiseAllows) {
   const std::vector<ArcSigma> sigmas = fitSession(withRadii(400, 400)).sigmas;
   const double bound = quantile * std::hypot(sigmas.at(0).radius, sigmas.at(1).radius);
-  EXPECT_FALSE(says(withRadii(400, 400 + 0.97 * bound), "The radii at 0° and 180° differ"));
-  EXPECT_TRUE(says(withRadii(400, 400 + 1.03 * bound), "The radii at 0° and 180° differ"));
-  EXPECT_TRUE(says(withRadii(400 + 1.03 * bound, 400), "The radii at 0° and 180° differ"));
+  EXPECT_FALSE(says<session_finding::RadiiDiffer>(withRadii(400, 400 + 0.97 * bound)));
+  EXPECT_TRUE(says<session_finding::RadiiDiffer>(withRadii(400, 400 + 1.03 * bound)));
+  EXPECT_TRUE(says<session_finding::RadiiDiffer>(withRadii(400 + 1.03 * bound, 400)));
 }
 
 // The readings' own radius has 1/σ² = 1/σ1² + 1/σ2²; it is independent of R0, so σ of their difference is the
@@ -54,9 +53,9 @@ TEST(SessionFindings, KnownRadiusIsHeldAgainstWhatTheReadingsSay) {
       // 9 % of either side of the bound: with R0 put in, the readings do not fit, and s0 is no longer
       // quite 1.
       measurement.nominalRadius = 400 + side * 0.91 * bound;
-      EXPECT_FALSE(says(measurement, "do not agree with the known radius")) << sigma;
+      EXPECT_FALSE(says<session_finding::KnownRadiusContradicted>(measurement)) << sigma;
       measurement.nominalRadius = 400 + side * 1.09 * bound;
-      EXPECT_TRUE(says(measurement, "do not agree with the known radius")) << sigma;
+      EXPECT_TRUE(says<session_finding::KnownRadiusContradicted>(measurement)) << sigma;
     }
   }
 }

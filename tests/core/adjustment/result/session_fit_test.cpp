@@ -11,19 +11,15 @@
 #include "core/simulation/protocol.h"
 #include "core/simulation/simulate.h"
 #include "core/simulation/truth_text.h"
+#include "tests/support/found.h"
 #include "tests/support/paper_table.h"
 #include "tests/support/perfect_session.h"
 
 namespace alidade {
 namespace {
 
-using testing::HasSubstr;
-
-std::string textOf(const std::vector<Finding>& findings) {
-  std::string all;
-  for (const Finding& finding : findings) all += finding.text + "\n";
-  return all;
-}
+using namespace session_finding;
+using test::found;
 
 TEST(SessionFit, OfTableIAcceptsWithinItsTolerance) {
   const SessionFit fit = fitSession(test::paperMeasurement());
@@ -39,11 +35,19 @@ TEST(SessionFit, OfTableIAcceptsWithinItsTolerance) {
 TEST(SessionFit, OfTableIDoesNotHideWhatItsReadingsLeaveOpen) {
   Measurement measurement = test::paperMeasurement();
   measurement.referenceIntersection = 2;
-  const std::string findings = textOf(fitSession(measurement).findings);
-  EXPECT_THAT(findings, HasSubstr("radii at 0° and 180° differ by 1.959 mm"));
-  EXPECT_THAT(findings, HasSubstr("differs from the reference 2 mm by −0.692 mm"));
-  EXPECT_THAT(findings, HasSubstr("0°: the readings scatter 7.3 times"));
-  EXPECT_THAT(findings, HasSubstr("180°: the readings scatter 6.5 times"));
+  const SessionFit fit = fitSession(measurement);
+  const auto* radii = found<RadiiDiffer>(fit.findings);
+  ASSERT_TRUE(radii);
+  EXPECT_NEAR(radii->difference, 1.959, 0.0005);
+  const auto* off = found<OffReference>(fit.findings);
+  ASSERT_TRUE(off);
+  EXPECT_EQ(off->reference, 2);
+  EXPECT_NEAR(off->difference, -0.692, 0.0005);
+  const auto scatters = [](const FitFinding& finding) {
+    const auto* ofArc = std::get_if<ArcFinding>(&finding.what);
+    return ofArc && std::holds_alternative<arc_finding::ScattersMore>(ofArc->what);
+  };
+  EXPECT_EQ(std::ranges::count_if(fit.findings, scatters), 2);
 }
 
 TEST(SessionFit, HasNoVerdictWithoutTolerance) {
@@ -60,8 +64,12 @@ TEST(SessionFit, ReportsAMissingPosition) {
   const SessionFit fit = fitSession(measurement);
   EXPECT_EQ(fit.arcs.size(), 1u);
   EXPECT_FALSE(fit.intersection);
-  EXPECT_THAT(textOf(fit.findings), HasSubstr("no usable position at 180°"));
-  EXPECT_THAT(textOf(fitSessionAsPublished(measurement).findings), HasSubstr("no usable position at 180°"));
+  const PublishedSessionFit published = fitSessionAsPublished(measurement);
+  for (const auto* missing :
+       {found<PositionMissing>(fit.findings), found<PositionMissing>(published.findings)}) {
+    ASSERT_TRUE(missing);
+    EXPECT_EQ(missing->axisDeg, 180);
+  }
 }
 
 TEST(SessionFit, FitsTheArcThatCanBeFitted) {
@@ -70,7 +78,10 @@ TEST(SessionFit, FitsTheArcThatCanBeFitted) {
   const SessionFit fit = fitSession(measurement);
   ASSERT_EQ(fit.arcs.size(), 1u);
   EXPECT_EQ(fit.arcs[0].axisDeg, 180);
-  EXPECT_THAT(textOf(fit.findings), HasSubstr("The arc at 0° has readings of 2 places"));
+  const auto* missing = found<ArcMissing>(fit.findings);
+  ASSERT_TRUE(missing);
+  EXPECT_EQ(missing->axisDeg, 0);
+  EXPECT_EQ(std::get<arc_fault::TooFewPlaces>(missing->why).places, 2u);
   EXPECT_EQ(fit.findings.front().severity, Severity::Error);
 }
 
@@ -78,7 +89,8 @@ TEST(SessionFit, NamesWhatItCannotEstimate) {
   Measurement measurement = test::paperMeasurement();
   measurement.effects = {"trunnion_tilt", "moonlight"};
   const SessionFit fit = fitSession(measurement);
-  EXPECT_THAT(textOf(fit.findings), HasSubstr("“moonlight”, which is no effect"));
+  ASSERT_TRUE(found<UnknownEffect>(fit.findings));
+  EXPECT_EQ(found<UnknownEffect>(fit.findings)->id, "moonlight");
   ASSERT_EQ(fit.effects.size(), 1u);
   EXPECT_EQ(fit.effects[0].effect, "trunnion_tilt");
 }

@@ -3,31 +3,32 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/base/angle_text.h"
+#include "tests/support/found.h"
 #include "tests/support/paper_table.h"
 #include "tests/support/perfect_session.h"
 
 namespace alidade {
 namespace {
 
-using testing::HasSubstr;
+using namespace setup_finding;
+using test::found;
+using testing::ElementsAre, testing::IsEmpty;
 
 SessionFit fitOf(const Session& session) {
   return fitSession(test::measurementOf(session));
 }
 
-std::string findingsOf(const Measurement& measurement) {
-  std::string all;
-  for (const Finding& finding : setupFindings(measurement, fitSession(measurement)))
-    all += finding.text + " " + finding.remedy + "\n";
-  return all;
+std::vector<FitFinding> findingsOf(const Measurement& measurement) {
+  return setupFindings(measurement, fitSession(measurement));
 }
 
-std::string findingsOf(const Session& session) {
+std::vector<FitFinding> findingsOf(const Session& session) {
   return findingsOf(test::measurementOf(session));
 }
 
@@ -57,8 +58,8 @@ Session facesWithSlider() {
 }
 
 TEST(SetupFindings, AreNoneWhereTheSetUpIsAsTyped) {
-  EXPECT_EQ(findingsOf(test::paperSession()), "");
-  EXPECT_EQ(findingsOf(facesWithSlider()), "");
+  EXPECT_THAT(findingsOf(test::paperSession()), IsEmpty());
+  EXPECT_THAT(findingsOf(facesWithSlider()), IsEmpty());
   EXPECT_FALSE(fitOf(test::paperSession()).lengthsInDoubt);
 }
 
@@ -70,8 +71,9 @@ TEST(SetupFindings, WithholdTheVerdictWhereTheDistanceIsInMetres) {
     session.model.radius = radius;
     const SessionFit fit = fitOf(session);
     EXPECT_EQ(fit.verdict, Verdict::Undecided) << radius;
-    EXPECT_THAT(fit.verdictSentence, HasSubstr("withheld")) << radius;
-    EXPECT_THAT(fit.verdictSentence, HasSubstr("geometry.distance_mm")) << radius;
+    ASSERT_TRUE(fit.lengthsInDoubt) << radius;
+    EXPECT_EQ(fit.lengthsInDoubt->distance, 2.405) << radius;
+    EXPECT_EQ(fit.lengthsInDoubt->nominalRadius, 400) << radius;
   }
 }
 
@@ -79,7 +81,10 @@ TEST(SetupFindings, SayThatNoTheodoliteFocusesAtAMillimetre) {
   Session session = test::paperSession();
   session.geometry.distanceMm = "2.405";
   session.geometry.radiusMm = "0.4";
-  EXPECT_THAT(findingsOf(session), HasSubstr("No theodolite sights anything at a distance of 2.405 mm"));
+  const auto findings = findingsOf(session);
+  ASSERT_TRUE(found<DistanceTooShort>(findings));
+  EXPECT_EQ(found<DistanceTooShort>(findings)->distance, 2.405);
+  EXPECT_EQ(found<DistanceTooShort>(findings)->nominalRadius, 0.4);
   EXPECT_EQ(fitOf(session).verdict, Verdict::Undecided);
 }
 
@@ -91,8 +96,7 @@ TEST(SetupFindings, DrawTheLineAtATenthOfAMetre) {
     measurement.nominalRadius = 20;
     measurement.arcs = {test::perfectArc(measurement, {0, 0, 20}, test::spread(17, 160)),
                         test::perfectArc(measurement, {0, 0, 20}, test::spread(17, 160, -90), 180)};
-    const std::string findings = findingsOf(measurement);
-    EXPECT_EQ(findings.find("No theodolite sights") != std::string::npos, doubted) << distance;
+    EXPECT_EQ(found<DistanceTooShort>(findingsOf(measurement)) != nullptr, doubted) << distance;
     EXPECT_EQ(fitSession(measurement).lengthsInDoubt.has_value(), doubted) << distance;
   }
 }
@@ -108,7 +112,11 @@ TEST(SetupFindings, WithholdTheVerdictBeyondAFifthOfTheNominalRadius) {
                                          {400 / 1.22, Verdict::Undecided},
                                          {400 / 0.78, Verdict::Undecided}}) {
     measurement.nominalRadius = nominal;
-    EXPECT_EQ(fitSession(measurement).verdict, verdict) << nominal;
+    const SessionFit fit = fitSession(measurement);
+    EXPECT_EQ(fit.verdict, verdict) << nominal;
+    ASSERT_EQ(fit.lengthsInDoubt.has_value(), verdict == Verdict::Undecided) << nominal;
+    if (!fit.lengthsInDoubt) continue;
+    EXPECT_NEAR(fit.lengthsInDoubt->radius->percentOff, 100 * std::abs(400 / nominal - 1), 1e-6);
   }
 }
 
@@ -117,37 +125,51 @@ TEST(SetupFindings, NameAVerticalCircleOfTheOtherKind) {
   Session session = test::paperSession();
   session.geometry.verticalCircle = "elevation";
   EXPECT_LT(fitOf(session).intersection->value, 0);
-  const std::string text = findingsOf(session);
-  EXPECT_THAT(text, HasSubstr("The pointing zero at 0° has 90.00° on the vertical circle"));
-  EXPECT_THAT(text, HasSubstr("Most places lie at 0° below and at 180° above the fitted centre"));
+  const auto findings = findingsOf(session);
+  const auto* zero = found<ZeroOfOtherCircle>(findings);
+  ASSERT_TRUE(zero);
+  EXPECT_EQ(zero->circle, VerticalCircle::Elevation);
+  EXPECT_NEAR(zero->vertical.degrees(), 90, 0.005);
+  ASSERT_TRUE(found<PlacesOnTheWrongSide>(findings));
+  EXPECT_THAT(found<PlacesOnTheWrongSide>(findings)->axesDeg, ElementsAre(0, 180));
 }
 
 TEST(SetupFindings, NameAZenithCircleThatReadsElevations) {
   Measurement measurement = test::paperMeasurement();
   for (ArcMeasurement& arc : measurement.arcs) arc.zeroVertical = Angle::fromDegrees(-0.001);
-  EXPECT_THAT(findingsOf(measurement),
-              HasSubstr("has 0.00° on the vertical circle, far from the horizon of a "
-                        "zenith circle, which reads 90° there"));
+  const auto findings = findingsOf(measurement);
+  ASSERT_TRUE(found<ZeroOfOtherCircle>(findings));
+  EXPECT_EQ(found<ZeroOfOtherCircle>(findings)->circle, VerticalCircle::Zenith);
   for (ArcMeasurement& arc : measurement.arcs) arc.zeroVertical = Angle::fromDegrees(96);  // a sloping site
-  EXPECT_EQ(findingsOf(measurement), "");
+  EXPECT_THAT(findingsOf(measurement), IsEmpty());
 }
 
 TEST(SetupFindings, NameExchangedPositions) {
   Session session = test::paperSession();
   std::swap(session.positions[0].axisDeg, session.positions[1].axisDeg);
-  EXPECT_THAT(findingsOf(session), HasSubstr("whether the positions are exchanged"));
+  auto findings = findingsOf(session);
+  ASSERT_TRUE(found<PlacesOnTheWrongSide>(findings));
+  EXPECT_EQ(found<PlacesOnTheWrongSide>(findings)->axesDeg.size(), 2u);
   session.positions.pop_back();
-  EXPECT_THAT(findingsOf(session), HasSubstr("Check the axis of this position"));
+  findings = findingsOf(session);
+  ASSERT_TRUE(found<PlacesOnTheWrongSide>(findings));
+  EXPECT_EQ(found<PlacesOnTheWrongSide>(findings)->axesDeg.size(), 1u);
 }
 
 TEST(SetupFindings, NameTheRowsOfDifferentSliderValues) {
   Session session = facesWithSlider();
   session.positions[1].readings[5].slider = "31°";  // point 3, whose other row says 30°
-  EXPECT_THAT(findingsOf(session),
-              HasSubstr("180°: rows 5 and 6 are of one visit, yet their slider values differ by 3600.0″; the "
-                        "first alone is used."));
+  const auto findings = findingsOf(session);
+  const auto* differ = found<SlidersDiffer>(findings);
+  ASSERT_TRUE(differ);
+  EXPECT_EQ(differ->axisDeg, 180);
+  EXPECT_EQ(differ->firstRow, 4u);
+  EXPECT_EQ(differ->otherRow, 5u);
+  EXPECT_NEAR(differ->apart.degrees(), 1, 1e-9);
+  EXPECT_EQ(differ->others, 0u);
+  EXPECT_EQ(findings.front().where.path(), "positions[1].readings[5].slider");
   session.positions[1].readings[5].slider = "30°00'00\"";  // the same angle, written otherwise
-  EXPECT_EQ(findingsOf(session), "");
+  EXPECT_THAT(findingsOf(session), IsEmpty());
 }
 
 }  // namespace

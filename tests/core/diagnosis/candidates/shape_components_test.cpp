@@ -25,7 +25,7 @@ TEST(ShapeComponents, DoNotFollowTheNoiseOfTheDirections) {
     truth.sigmaHorizontal = Angle::fromArcseconds(50);
     const Result<Session> session = simulate(protocol, truth, seed);
     ASSERT_TRUE(session);
-    const Result<Diagnosis> diagnosis = diagnose(*examine(*session).measurement);
+    const auto diagnosis = diagnose(*examine(*session).measurement);
     ASSERT_TRUE(diagnosis);
     named += diagnosis->verdict == DiagnosisVerdict::WithinNoise ? 0 : 1;
   }

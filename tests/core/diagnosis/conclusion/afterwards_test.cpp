@@ -99,7 +99,7 @@ class Posterior {
     const Intersection found = *intersect(*model.measurement, model.fit);
     double variance = influencePerSigma(model).squaredNorm();
     for (const BudgetEntry& entry : found.budget)
-      if (entry.source == "pointing zeros") variance += entry.sigma * entry.sigma;
+      if (entry.source == UncertaintySource::PointingZeros) variance += entry.sigma * entry.sigma;
     m_nodes.push_back({weight, model.fit.chiSquare, found.value, std::sqrt(variance)});
     m_least = std::min(m_least, model.fit.chiSquare);
   }

@@ -11,6 +11,7 @@
 #include "core/diagnosis/diagnose.h"
 #include "core/effects/cause_ids.h"
 #include "core/session/session_file.h"
+#include "core/wording/measure.h"
 #include "tests/ui/support.h"
 #include "ui/charts/gap/gap_map.h"
 #include "ui/charts/gap/gap_waterfall.h"
@@ -138,7 +139,7 @@ TEST(Gap, ShowsWhatTheDiagnosisSays) {
   for (const GapStep& step : diagnosis.steps)
     EXPECT_THAT(bench.bars(), HasSubstr("rms " + numberText(step.size.rms, 2).toStdString() + "″, χ²/f " +
                                         numberText(step.size.reducedChiSquare, 2).toStdString()));
-  for (const Advice& advice : diagnosis.advice) EXPECT_THAT(bench.shown(), HasSubstr(advice.measure));
+  for (const Advice& advice : diagnosis.advice) EXPECT_THAT(bench.shown(), HasSubstr(textOf(advice.measure)));
   ASSERT_EQ(bench.candidates()->model()->rowCount(), static_cast<int>(diagnosis.candidates.size()));
   EXPECT_EQ(bench.candidate(0, 0), causeTitle(diagnosis.candidates[0].effect));
   EXPECT_EQ(bench.candidate(0, 1), numberText(diagnosis.candidates[0].logBayesFactor, 1));
@@ -586,7 +587,16 @@ TEST(CauseText, NamesEverythingADiagnosisMayName) {
   for (const std::string& id : diagnosableEffects()) {
     EXPECT_FALSE(causeName(id).contains(u'_')) << id;
     EXPECT_TRUE(causeTitle(id).at(0).isUpper()) << id;
-    EXPECT_EQ(inWords("by " + id + "."), QStringLiteral("by ") + causeName(id) + u'.');
+    Diagnosis diagnosis;
+    diagnosis.verdict = DiagnosisVerdict::SingleCause;
+    diagnosis.causes = {{.effect = id,
+                         .probability = 1,
+                         .parameters = {{.name = "size", .value = 2, .sigma = 0.1, .unit = "1"}},
+                         .indistinguishableFrom = {},
+                         .readings = {}}};
+    EXPECT_TRUE(
+        diagnosisText(diagnosis).startsWith(QStringLiteral("The gap is caused by ") + causeName(id) + u'.'))
+        << id;
   }
 }
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "core/adjustment/joint/reliability.h"
+#include "core/wording/budget.h"
 #include "tests/ui/support.h"
 #include "ui/main_window.h"
 #include "ui/panels/model/two_faces_panel.h"
@@ -99,7 +100,8 @@ TEST(Budget, AccountsForTheIntersectionAndEveryCoordinate) {
   const SessionFit fit = evaluate(paperSession()).fit;
   const std::string shown = shownBy(page);
   for (const BudgetEntry& entry : fit.intersection->budget)
-    EXPECT_THAT(shown, HasSubstr(entry.source + "\n" + numberText(entry.sigma, 4).toStdString() + "\n"));
+    EXPECT_THAT(shown,
+                HasSubstr(textOf(entry.source) + "\n" + numberText(entry.sigma, 4).toStdString() + "\n"));
   // What stands under the centres combines to the uncertainties of the fit.
   for (const ArcSigma& sigma : fit.sigmas)
     for (const double figure : {sigma.x, sigma.y})

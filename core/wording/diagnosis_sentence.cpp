@@ -1,4 +1,4 @@
-#include "core/diagnosis/conclusion/sentence.h"
+#include "core/wording/diagnosis_sentence.h"
 
 #include <cmath>
 
@@ -44,15 +44,25 @@ std::string shrunk(const Diagnosis& diagnosis) {
   return with + change(diagnosis.gap, diagnosis.after) + ".";
 }
 
-std::string causesNamed(const Diagnosis& diagnosis) {
+std::string named(const std::vector<std::string>& ids, std::string_view last, const CauseNamer& name) {
+  std::vector<std::string> names;
+  for (const std::string& id : ids) names.push_back(name(id));
+  return listed(names, last);
+}
+
+std::string causesNamed(const Diagnosis& diagnosis, const CauseNamer& name) {
   std::vector<std::string> ids;
   for (const Cause& cause : diagnosis.causes) ids.push_back(cause.effect);
-  return listed(ids, " and ");
+  return named(ids, " and ", name);
 }
 
 }  // namespace
 
-std::string sentenceFor(const Diagnosis& diagnosis) {
+std::string byId(const std::string& id) {
+  return id;
+}
+
+std::string sentenceOf(const Diagnosis& diagnosis, const CauseNamer& name) {
   switch (diagnosis.verdict) {
     case DiagnosisVerdict::WithinNoise:
       if (std::isnan(diagnosis.gap.pValue))
@@ -60,17 +70,17 @@ std::string sentenceFor(const Diagnosis& diagnosis) {
                "more places.";
       return "The readings agree with the model within their stated noise: there is no gap to explain.";
     case DiagnosisVerdict::SingleCause:
-      return "The gap is caused by " + causesNamed(diagnosis) + "." + shrunk(diagnosis);
+      return "The gap is caused by " + causesNamed(diagnosis, name) + "." + shrunk(diagnosis);
     case DiagnosisVerdict::Ambiguous:
-      return "The gap is caused by " + causesNamed(diagnosis) +
+      return "The gap is caused by " + causesNamed(diagnosis, name) +
              " or by what these readings cannot tell from it: " +
-             listed(diagnosis.causes.front().indistinguishableFrom, " or ") + "." + shrunk(diagnosis);
+             named(diagnosis.causes.front().indistinguishableFrom, " or ", name) + "." + shrunk(diagnosis);
     case DiagnosisVerdict::SeveralCauses:
-      return "The gap has several causes: " + causesNamed(diagnosis) + "." + shrunk(diagnosis);
+      return "The gap has several causes: " + causesNamed(diagnosis, name) + "." + shrunk(diagnosis);
     case DiagnosisVerdict::NotInCatalogue:
       return (diagnosis.causes.empty()
                   ? "The gap is real, and no effect of the catalogue explains it"
-                  : "Beside " + causesNamed(diagnosis) +
+                  : "Beside " + causesNamed(diagnosis, name) +
                         " the gap is real, and no effect of the catalogue explains the rest") +
              (diagnosis.shape ? "; it follows the pattern “" + diagnosis.shape->follows + "”."
                               : std::string("."));

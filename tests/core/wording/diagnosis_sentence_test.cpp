@@ -1,4 +1,4 @@
-#include "core/diagnosis/conclusion/sentence.h"
+#include "core/wording/diagnosis_sentence.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -28,25 +28,42 @@ Diagnosis withOneCause(double before, double after) {
   return diagnosis;
 }
 
-TEST(Sentence, SaysShrinkOnlyOfWhatShrinks) {
-  EXPECT_EQ(sentenceFor(withOneCause(2.9, 2.1)),
+TEST(DiagnosisSentence, SaysShrinkOnlyOfWhatShrinks) {
+  EXPECT_EQ(sentenceOf(withOneCause(2.9, 2.1)),
             "The gap is caused by collimation. With it in the model the residuals shrink from 2.9″ to 2.1″.");
-  EXPECT_EQ(sentenceFor(withOneCause(2.9, 3)),
+  EXPECT_EQ(sentenceOf(withOneCause(2.9, 3)),
             "The gap is caused by collimation. With it in the model reduced χ² goes from 7.25 to 1.02; the "
             "residuals, counted alike, grow from 2.9″ to 3.0″.");
-  EXPECT_THAT(sentenceFor(withOneCause(2.94, 2.93)), HasSubstr("shrink from 2.94″ to 2.93″."));
-  EXPECT_THAT(sentenceFor(withOneCause(2.941, 2.938)), HasSubstr("stay at 2.94″."));
+  EXPECT_THAT(sentenceOf(withOneCause(2.94, 2.93)), HasSubstr("shrink from 2.94″ to 2.93″."));
+  EXPECT_THAT(sentenceOf(withOneCause(2.941, 2.938)), HasSubstr("stay at 2.94″."));
+}
+
+TEST(DiagnosisSentence, CallsEachCauseAsItIsAskedTo) {
+  Diagnosis diagnosis = withOneCause(2.9, 2.1);
+  diagnosis.verdict = DiagnosisVerdict::Ambiguous;
+  diagnosis.causes[0].indistinguishableFrom = {"collimation_drift", "noise"};
+  const auto name = [](const std::string& id) { return "<" + id + ">"; };
+  EXPECT_THAT(
+      sentenceOf(diagnosis, name),
+      HasSubstr("by <collimation> or by what these readings cannot tell from it: <collimation_drift> or "
+                "<noise>."));
+  diagnosis.verdict = DiagnosisVerdict::NotInCatalogue;
+  diagnosis.shape = GapShape{.follows = "collimation along the way", .share = 0.5};
+  EXPECT_EQ(
+      sentenceOf(diagnosis, name),
+      "Beside <collimation> the gap is real, and no effect of the catalogue explains the rest; it follows "
+      "the pattern “collimation along the way”.");
 }
 
 // Three places to each position: three conditions, three unknowns.
-TEST(Sentence, SaysWhereNothingChecksTheModel) {
+TEST(DiagnosisSentence, SaysWhereNothingChecksTheModel) {
   Protocol protocol = *protocolByName("paper");
   protocol.points = 3;
   protocol.step = Angle::fromDegrees(60);
   const Diagnosis diagnosis = *diagnose(test::measurementOf(*simulate(protocol, drawTruth(1), 1)));
   EXPECT_EQ(diagnosis.verdict, DiagnosisVerdict::WithinNoise);  // no cause is named
-  EXPECT_THAT(diagnosis.sentence, HasSubstr("Nothing checks the model"));
-  EXPECT_THAT(diagnosis.sentence, Not(HasSubstr("agree")));
+  EXPECT_THAT(sentenceOf(diagnosis), HasSubstr("Nothing checks the model"));
+  EXPECT_THAT(sentenceOf(diagnosis), Not(HasSubstr("agree")));
   EXPECT_TRUE(std::isnan(diagnosis.gap.reducedChiSquare));
   EXPECT_TRUE(std::isnan(diagnosis.gap.pValue));
 }

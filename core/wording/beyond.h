@@ -6,7 +6,7 @@
 
 namespace alidade {
 
-/// The verdict in one or two sentences that a metrologist would say.
-std::string sentenceFor(const Diagnosis& diagnosis);
+/// "averaged over what looks alike", …; empty for nothing.
+std::string textOf(Beyond beyond);
 
 }  // namespace alidade

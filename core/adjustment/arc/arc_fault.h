@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <variant>
+
+#include "core/base/angle.h"
+
+namespace alidade {
+
+/// Why the readings of an arc give no circle; `core/wording/arc_fault.h` says it.
+namespace arc_fault {
+
+/// A circle needs three places.
+struct TooFewPlaces {
+  std::size_t places = 0;  ///< 0…2
+};
+/// All other places repeat these.
+struct PlacesRepeat {
+  std::size_t different = 0;  ///< 1 or 2
+};
+struct PlacesOnALine {};
+/// The sagitta of the arc drowns in the noise.
+struct ArcTooShort {
+  Angle span;  ///< below 60°
+};
+/// The radius drowns in the noise although the arc is not short.
+struct NothingTold {};
+
+/// Of the published method, which needs five places.
+struct TooFewForPublished {
+  int places = 0;  ///< 0…4
+};
+struct NoUniqueSolution {};
+struct NoPublishedCircle {};
+
+}  // namespace arc_fault
+
+using ArcFault = std::variant<arc_fault::TooFewPlaces, arc_fault::PlacesRepeat, arc_fault::PlacesOnALine,
+                              arc_fault::ArcTooShort, arc_fault::NothingTold, arc_fault::TooFewForPublished,
+                              arc_fault::NoUniqueSolution, arc_fault::NoPublishedCircle>;
+
+}  // namespace alidade

@@ -1,0 +1,76 @@
+#include "core/adjustment/result/arc_findings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include "core/adjustment/arc/arc_checks.h"
+#include "core/base/statistics.h"
+
+namespace alidade {
+
+using namespace arc_finding;
+
+namespace {
+
+/// A chance this small is taken for a sign that the stated noise is wrong.
+constexpr double surprise = 0.001;
+constexpr double poorRadiusUncertainty = 0.01;
+constexpr double farFromNominal = 0.05;
+
+void add(std::vector<FitFinding>& findings, const ArcFit& fit, Severity severity, What what) {
+  findings.push_back({severity, Place{.position = fit.position, .reading = {}, .field = "readings"},
+                      ArcFinding{fit.axisDeg, std::move(what)}});
+}
+
+void judgeRedundancyAndNoise(std::vector<FitFinding>& findings, const ArcFit& fit) {
+  if (fit.degreesOfFreedom <= 0) return add(findings, fit, Severity::Warning, NothingChecks{});
+  const std::optional<double> upper = chiSquareUpperTail(fit.chiSquare, fit.degreesOfFreedom);
+  if (!upper) return;
+  if (*upper < surprise)
+    add(findings, fit, Severity::Warning, ScattersMore{fit.reducedChiSquare(), fit.degreesOfFreedom});
+  else if (1 - *upper < surprise)
+    add(findings, fit, Severity::Note, ScattersLess{fit.reducedChiSquare(), fit.degreesOfFreedom});
+}
+
+void judgeRadius(std::vector<FitFinding>& findings, const Measurement& measurement, const ArcFit& fit) {
+  const double sigma = fit.radiusSigma();
+  if (sigma > poorRadiusUncertainty * fit.circle.radius)
+    add(findings, fit, Severity::Warning, RadiusPoorlyKnown{arcSpan(fit), sigma});
+  const double difference = fit.circle.radius - measurement.nominalRadius;
+  if (std::abs(difference) > farFromNominal * measurement.nominalRadius + 3 * sigma)
+    add(findings, fit, Severity::Warning, RadiusFarFromNominal{fit.circle.radius, measurement.nominalRadius});
+}
+
+void judgeRepeats(std::vector<FitFinding>& findings, const ArcMeasurement& arc, const ArcFit& fit) {
+  std::vector<std::size_t> order(arc.sightings.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  const auto key = [&](std::size_t i) {
+    const Sighting& s = arc.sightings[i];
+    return std::tuple(s.face, s.a, s.e, i);
+  };
+  std::ranges::sort(order, [&](std::size_t l, std::size_t r) { return key(l) < key(r); });
+  ReadingsRepeat repeat;
+  for (std::size_t k = 1; k < order.size(); ++k) {
+    const Sighting &first = arc.sightings[order[k - 1]], &second = arc.sightings[order[k]];
+    if (first.face == second.face && first.a == second.a && first.e == second.e)
+      repeat.rows.emplace_back(first.row, second.row);
+  }
+  if (!repeat.rows.empty()) add(findings, fit, Severity::Warning, std::move(repeat));
+}
+
+}  // namespace
+
+std::vector<FitFinding> arcFindings(const Measurement& measurement, const ArcMeasurement& arc,
+                                    const ArcFit& fit) {
+  std::vector<FitFinding> findings;
+  if (!fit.converged()) add(findings, fit, Severity::Warning, NotSettled{fit.iterations});
+  judgeRedundancyAndNoise(findings, fit);
+  judgeRadius(findings, measurement, fit);
+  judgeRepeats(findings, arc, fit);
+  return findings;
+}
+
+}  // namespace alidade

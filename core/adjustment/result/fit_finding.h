@@ -1,0 +1,129 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "core/adjustment/arc/arc_fault.h"
+#include "core/base/angle.h"
+#include "core/base/finding.h"
+#include "core/session/measurement.h"
+
+namespace alidade {
+
+// What a fit has to say of its data beyond its numbers, as numbers; `core/wording/findings.h` makes a
+// sentence of each. Lengths in mm, rows as indices into the readings of their position.
+
+/// Of one arc that was fitted.
+namespace arc_finding {
+
+struct NotSettled {
+  int iterations = 0;
+};
+/// No degrees of freedom.
+struct NothingChecks {};
+struct ScattersMore {
+  double reducedChiSquare = 1;
+  int degreesOfFreedom = 1;
+};
+struct ScattersLess {
+  double reducedChiSquare = 1;
+  int degreesOfFreedom = 1;
+};
+struct RadiusPoorlyKnown {
+  Angle span;
+  double sigma = 0;
+};
+struct RadiusFarFromNominal {
+  double fitted = 0, nominal = 0;
+};
+/// Rows that hold the same pair of readings.
+struct ReadingsRepeat {
+  std::vector<std::pair<std::size_t, std::size_t>> rows;
+};
+
+using What = std::variant<NotSettled, NothingChecks, ScattersMore, ScattersLess, RadiusPoorlyKnown,
+                          RadiusFarFromNominal, ReadingsRepeat>;
+
+}  // namespace arc_finding
+
+/// Of what was typed about the set-up.
+namespace setup_finding {
+
+/// No theodolite focuses so near.
+struct DistanceTooShort {
+  double distance = 0, nominalRadius = 0;
+};
+/// Most places of these arcs lie on the wrong side of their centre.
+struct PlacesOnTheWrongSide {
+  std::vector<int> axesDeg;
+};
+/// Has the pointing zero where a circle of the other kind has it.
+struct ZeroOfOtherCircle {
+  int axisDeg = 0;
+  Angle vertical;
+  VerticalCircle circle = VerticalCircle::Zenith;
+};
+/// In one visit; of several the most different.
+struct SlidersDiffer {
+  int axisDeg = 0;
+  std::size_t firstRow = 0, otherRow = 0;
+  Angle apart;
+  std::size_t others = 0;  ///< further ones
+};
+
+}  // namespace setup_finding
+
+/// Of the session as a whole.
+namespace session_finding {
+
+/// The arc has no circle.
+struct ArcMissing {
+  int axisDeg = 0;
+  ArcFault why;
+};
+/// Each arc is determined alone, but not all of them together.
+struct Undetermined {
+  bool hasEffects = false;  ///< in the model
+};
+struct PositionMissing {
+  int axisDeg = 0;
+};
+struct RadiiDiffer {
+  double difference = 0, bound = 0;  ///< both ≥ 0
+};
+struct KnownRadiusContradicted {
+  double nominal = 0, pulledBy = 0, bound = 0;
+};
+struct OffReference {
+  double reference = 0, difference = 0, expanded = 0;
+};
+struct UnknownEffect {
+  std::string id;
+};
+/// The vertical circle is taken to read y/L.
+struct PlanarRelation {};
+
+}  // namespace session_finding
+
+struct ArcFinding {
+  int axisDeg = 0;
+  arc_finding::What what;
+};
+
+struct FitFinding {
+  using What = std::variant<ArcFinding, setup_finding::DistanceTooShort, setup_finding::PlacesOnTheWrongSide,
+                            setup_finding::ZeroOfOtherCircle, setup_finding::SlidersDiffer,
+                            session_finding::ArcMissing, session_finding::Undetermined,
+                            session_finding::PositionMissing, session_finding::RadiiDiffer,
+                            session_finding::KnownRadiusContradicted, session_finding::OffReference,
+                            session_finding::UnknownEffect, session_finding::PlanarRelation>;
+
+  Severity severity = Severity::Warning;  ///< Error: an arc, or all of them, are not there because of this
+  Place where;
+  What what;
+};
+
+}  // namespace alidade

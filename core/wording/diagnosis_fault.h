@@ -1,0 +1,12 @@
+#pragma once
+
+#include "core/base/problem.h"
+#include "core/diagnosis/result/diagnosis_fault.h"
+
+namespace alidade {
+
+/// Why there is no answer, in a sentence, with its place in the session.
+Problem problemOf(const NoModel& fault);
+Problem problemOf(const DiagnosisFault& fault);
+
+}  // namespace alidade

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "core/adjustment/gross_errors/suspects.h"
+#include "core/adjustment/result/fit_finding.h"
+#include "core/base/finding.h"
+
+namespace alidade {
+
+/// What a fit has found, in sentences.
+Finding inWords(const FitFinding& finding);
+std::vector<Finding> inWords(const std::vector<FitFinding>& findings);
+
+/// The same after the one that names the suspects, where there are any.
+std::vector<Finding> inWords(const std::vector<FitFinding>& findings, const std::vector<Suspect>& suspects);
+
+}  // namespace alidade

@@ -1,0 +1,63 @@
+#include "core/wording/session_findings.h"
+
+#include <string>
+
+#include "core/base/quantity_text.h"
+#include "core/base/visible_text.h"
+#include "core/wording/arc_fault.h"
+
+namespace alidade {
+
+using namespace session_finding;
+
+Words wordsOf(const ArcMissing& finding) {
+  return {"The arc at " + std::to_string(finding.axisDeg) + "° " + textOf(finding.why) + "."};
+}
+
+Words wordsOf(const Undetermined& finding) {
+  return {std::string("The readings of all positions do not determine the circles") +
+              (finding.hasEffects ? " and the effects of the model together" : " together") + ".",
+          std::string("Look for misread values, sight more places over a longer arc") +
+              (finding.hasEffects ? ", or take effects out of the model." : ".")};
+}
+
+Words wordsOf(const PositionMissing& finding) {
+  return {"There is no usable position at " + std::to_string(finding.axisDeg) + "°, so no intersection.",
+          "The intersection is half the distance of the arc centres at 0° and 180°: measure both."};
+}
+
+Words wordsOf(const RadiiDiffer& finding) {
+  return {"The radii at 0° and 180° differ by " + displayText(finding.difference, 3) +
+              " mm, more than their noise allows (" + displayText(finding.bound, 3) +
+              " mm at 0.1 % risk), though the guideway is one rigid arc.",
+          "Look for a cause outside the model, such as a plane off the rotation axis, before trusting the "
+          "intersection."};
+}
+
+Words wordsOf(const KnownRadiusContradicted& finding) {
+  return {"The readings do not agree with the known radius of " + displayShortest(finding.nominal) +
+              " mm: they pull it by " + displayText(finding.pulledBy, 4) + " mm, where " +
+              displayText(finding.bound, 4) +
+              " mm is the most that their noise and its σ allow at 0.1 % risk.",
+          "Check R0, its σ and the distance, or let the radius be free."};
+}
+
+Words wordsOf(const OffReference& finding) {
+  return {"The intersection differs from the reference " + displayShortest(finding.reference) + " mm by " +
+              displayText(finding.difference, 3) + " mm, more than its expanded uncertainty of " +
+              displayText(finding.expanded, 3) + " mm.",
+          "Nothing was fitted to the reference; find what separates the two."};
+}
+
+Words wordsOf(const UnknownEffect& finding) {
+  return {
+      "The session's model names " + quotation(finding.id) + ", which is no effect that can be estimated.",
+      "Read the result as one without it, or correct the name."};
+}
+
+Words wordsOf(const PlanarRelation&) {
+  return {"The model takes the vertical circle to read y/L, which no theodolite does.",
+          "Set the vertical angle to exact, unless the planar relation is to be studied."};
+}
+
+}  // namespace alidade

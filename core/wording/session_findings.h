@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/adjustment/result/fit_finding.h"
+#include "core/wording/words.h"
+
+namespace alidade {
+
+Words wordsOf(const session_finding::ArcMissing& finding);
+Words wordsOf(const session_finding::Undetermined& finding);
+Words wordsOf(const session_finding::PositionMissing& finding);
+Words wordsOf(const session_finding::RadiiDiffer& finding);
+Words wordsOf(const session_finding::KnownRadiusContradicted& finding);
+Words wordsOf(const session_finding::OffReference& finding);
+Words wordsOf(const session_finding::UnknownEffect& finding);
+Words wordsOf(const session_finding::PlanarRelation& finding);
+
+}  // namespace alidade

@@ -1,0 +1,63 @@
+#include "core/wording/setup_findings.h"
+
+#include "core/base/number_text.h"
+#include "core/base/quantity_text.h"
+
+namespace alidade {
+
+using namespace setup_finding;
+
+namespace {
+
+std::string sideOf(int axisDeg) {
+  return "at " + std::to_string(axisDeg) + "° " + (axisDeg == 0 ? "below" : "above");
+}
+
+}  // namespace
+
+std::string tooShortText(double distance) {
+  return " theodolite sights anything at a distance of " + shortestText(distance) + " mm";
+}
+
+std::string lengthsToCheck(double distance, double nominalRadius) {
+  return "the distance L (geometry.distance_mm: " + shortestText(distance) +
+         ") and the nominal radius R0 (geometry.radius_mm: " + shortestText(nominalRadius) + "), both in mm";
+}
+
+Words wordsOf(const DistanceTooShort& finding) {
+  return {"No" + tooShortText(finding.distance) + ".",
+          "Check " + lengthsToCheck(finding.distance, finding.nominalRadius) +
+              ": the fitted lengths are proportional to the distance."};
+}
+
+Words wordsOf(const PlacesOnTheWrongSide& finding) {
+  const bool several = finding.axesDeg.size() > 1;
+  return {"Most places lie " + sideOf(finding.axesDeg.front()) +
+              (several ? " and " + sideOf(finding.axesDeg.back()) : "") +
+              " the fitted centre, where an arc at 0° has them above and one at 180° below: Δd may have the "
+              "wrong sign.",
+          several ? "Check the kind of the vertical circle, and whether the positions are exchanged."
+                  : "Check the axis of this position, its pointing zero and its readings."};
+}
+
+Words wordsOf(const ZeroOfOtherCircle& finding) {
+  const bool zenith = finding.circle == VerticalCircle::Zenith;
+  const std::string own =
+      zenith ? "a zenith circle, which reads 90° there" : "an elevation circle, which reads 0° there";
+  return {"The pointing zero at " + std::to_string(finding.axisDeg) + "° has " +
+              displayText(finding.vertical.degrees(), 2) +
+              "° on the vertical circle, far from the horizon of " + own + ".",
+          std::string("Check the kind of the vertical circle: as ") + (zenith ? "an elevation" : "a zenith") +
+              " circle its readings grow the other way, which turns the sign of Δd."};
+}
+
+Words wordsOf(const SlidersDiffer& finding) {
+  return {std::to_string(finding.axisDeg) + "°: rows " + std::to_string(finding.firstRow + 1) + " and " +
+              std::to_string(finding.otherRow + 1) + " are of one visit, yet their slider values differ by " +
+              displayText(finding.apart.arcseconds(), 1) + "″; the first alone is used" +
+              (finding.others > 0 ? ", here and in " + std::to_string(finding.others) + " more" : "") + ".",
+          "The slider stands still during a visit: correct the value, or give the rows different points or "
+          "rounds."};
+}
+
+}  // namespace alidade

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "core/adjustment/result/fit_finding.h"
+#include "core/wording/words.h"
+
+namespace alidade {
+
+Words wordsOf(const setup_finding::DistanceTooShort& finding);
+Words wordsOf(const setup_finding::PlacesOnTheWrongSide& finding);
+Words wordsOf(const setup_finding::ZeroOfOtherCircle& finding);
+Words wordsOf(const setup_finding::SlidersDiffer& finding);
+
+/// " theodolite sights anything at a distance of 2.4 mm": after "no".
+std::string tooShortText(double distance);
+/// The two lengths as typed, mm, and where they stand: after "check".
+std::string lengthsToCheck(double distance, double nominalRadius);
+
+}  // namespace alidade

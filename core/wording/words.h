@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+namespace alidade {
+
+/// What a finding says, and what to do about it; whole sentences.
+struct Words {
+  std::string text;
+  std::string remedy = {};  ///< may be empty
+};
+
+}  // namespace alidade

@@ -1,0 +1,24 @@
+#include "core/wording/measure.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace alidade {
+namespace {
+
+// The console's JSON has these names.
+TEST(MeasureInWords, IsOneOfSeven) {
+  std::set<std::string> names;
+  for (const Measure measure :
+       {Measure::BothFaces, Measure::WayBack, Measure::SliderReadings, Measure::ShiftedCircle,
+        Measure::SecondStandOff, Measure::MoreOfTheArc, Measure::ZeroSightedAgain})
+    names.insert(textOf(measure));
+  EXPECT_EQ(names, (std::set<std::string>{"both faces", "the way back", "slider readings",
+                                          "a second set with the horizontal circle shifted by 60°",
+                                          "a second set from half as far again", "more of the arc",
+                                          "the pointing zero sighted again"}));
+}
+
+}  // namespace
+}  // namespace alidade

@@ -1,0 +1,44 @@
+#include "core/wording/session_findings.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace alidade {
+namespace {
+
+using namespace session_finding;
+using testing::HasSubstr, testing::Not, testing::StartsWith;
+
+TEST(SessionFindingsInWords, StateTheirNumbers) {
+  EXPECT_EQ(wordsOf(RadiiDiffer{1.9591, 0.2004}).text,
+            "The radii at 0° and 180° differ by 1.959 mm, more than their noise allows (0.200 mm at 0.1 % "
+            "risk), though the guideway is one rigid arc.");
+  EXPECT_EQ(wordsOf(KnownRadiusContradicted{400, -0.0312, 0.0201}).text,
+            "The readings do not agree with the known radius of 400 mm: they pull it by −0.0312 mm, where "
+            "0.0201 mm is the most that their noise and its σ allow at 0.1 % risk.");
+  EXPECT_EQ(wordsOf(OffReference{2, -0.6924, 0.2117}).text,
+            "The intersection differs from the reference 2 mm by −0.692 mm, more than its expanded "
+            "uncertainty of 0.212 mm.");
+}
+
+TEST(SessionFindingsInWords, NameTheArcOrThePosition) {
+  EXPECT_THAT(wordsOf(ArcMissing{0, arc_fault::TooFewPlaces{2}}).text,
+              StartsWith("The arc at 0° has readings of 2 places; "));
+  EXPECT_EQ(wordsOf(ArcMissing{180, arc_fault::NothingTold{}}).text.back(), '.');
+  EXPECT_THAT(wordsOf(PositionMissing{180}).text, HasSubstr("no usable position at 180°"));
+}
+
+TEST(SessionFindingsInWords, BlameEffectsOnlyWhereThereAreAny) {
+  EXPECT_THAT(wordsOf(Undetermined{true}).text, HasSubstr("effects of the model"));
+  EXPECT_THAT(wordsOf(Undetermined{true}).remedy, HasSubstr("out of the model"));
+  EXPECT_THAT(wordsOf(Undetermined{false}).text, Not(HasSubstr("effects")));
+  EXPECT_THAT(wordsOf(Undetermined{false}).remedy, Not(HasSubstr("model")));
+}
+
+// Whatever was typed.
+TEST(SessionFindingsInWords, QuoteWhatIsNoEffect) {
+  EXPECT_THAT(wordsOf(UnknownEffect{"moon\x1blight"}).text, HasSubstr("“moon\\u001blight”, which is no"));
+}
+
+}  // namespace
+}  // namespace alidade

@@ -1,0 +1,16 @@
+#include "ui/text/finding_text.h"
+
+#include "core/wording/findings.h"
+
+namespace alidade::ui {
+
+std::vector<Finding> findingsOf(const Evaluation& evaluation) {
+  std::vector<Finding> findings = inWords(evaluation.fit.findings);
+  if (!evaluation.searchFailure.empty())
+    findings.insert(findings.begin(), {.severity = Severity::Warning, .text = evaluation.searchFailure});
+  if (!evaluation.failure.empty())
+    findings.push_back({.severity = Severity::Error, .text = evaluation.failure});
+  return findings;
+}
+
+}  // namespace alidade::ui
