@@ -1,7 +1,6 @@
 #include "core/exchange/csv_reader.h"
 
 #include <algorithm>
-#include <array>
 #include <initializer_list>
 #include <optional>
 #include <utility>
@@ -16,7 +15,14 @@ namespace alidade {
 
 namespace {
 
-enum class Column { Axis, Point, Round, Face, Horizontal, Vertical, Slider, Note, Excluded };
+/// What a column of the table holds.
+struct Column {
+  const RowField* field;  ///< of the row; null: how the axis stood
+
+  bool operator==(const Column&) const = default;
+};
+
+constexpr std::string_view axisHeadings = "axis position pos axisposition rotation";
 
 struct Heading {
   std::optional<Column> column;
@@ -54,26 +60,15 @@ std::optional<AngleUnit> unitNamed(std::string_view word) {
   return std::nullopt;
 }
 
-struct Synonym {
-  Column column;
-  std::initializer_list<std::string_view> words;
-};
+/// Is it one of these words with blanks between them?
+bool isAmong(std::string_view words, std::string_view word) {
+  return (" " + std::string(words) + " ").find(" " + std::string(word) + " ") != std::string::npos;
+}
 
 std::optional<Column> columnNamed(std::string_view word) {
-  static const std::array<Synonym, 9> synonyms = {{
-      {Column::Axis, {"axis", "position", "pos", "axisposition", "rotation"}},
-      {Column::Point, {"point", "points", "pt", "ptno", "target", "#"}},
-      {Column::Round, {"round", "rounds", "set", "series"}},
-      {Column::Face, {"face", "side", "lage"}},
-      {Column::Horizontal, {"horizontal", "hz", "h", "ha", "hor", "alpha", "α", "direction"}},
-      {Column::Vertical,
-       {"vertical", "v", "va", "vert", "beta", "β", "zenith", "zenithdistance", "elevation"}},
-      {Column::Slider, {"slider", "s", "coordinate"}},
-      {Column::Note, {"note", "notes", "remark", "remarks", "comment", "comments"}},
-      {Column::Excluded, {"excluded", "exclude", "skip"}},
-  }};
-  for (const Synonym& synonym : synonyms)
-    if (isOneOf(word, synonym.words)) return synonym.column;
+  if (isAmong(axisHeadings, word)) return Column{nullptr};
+  for (const RowField& field : rowFields)
+    if (isAmong(field.headings, word)) return Column{&field};
   return std::nullopt;
 }
 
@@ -93,15 +88,13 @@ Heading headingOf(const std::string& name) {
       strange = true;
     }
   }
-  if (!heading.column && counts) heading.column = Column::Point;
+  if (!heading.column && counts) heading.column = Column{&rowField(&Reading::point)};
   if (strange) heading.column.reset();
   return heading;
 }
 
-const char* titleOf(Column column) {
-  constexpr std::array titles = {"axis",     "point",  "round", "face",    "horizontal",
-                                 "vertical", "slider", "note",  "excluded"};
-  return titles.at(static_cast<std::size_t>(column));
+std::string titleOf(Column column) {
+  return column.field ? std::string(column.field->key) : "axis";
 }
 
 /// Goes through a table row by row.
@@ -180,10 +173,10 @@ class CsvReader {
       if (!heading.verticalCircle.empty()) m_recording.verticalCircle = heading.verticalCircle;
     }
     m_unusedCells.resize(m_headings.size());
-    for (const Column needed : {Column::Horizontal, Column::Vertical}) {
-      if (has(needed)) continue;
+    for (const RowField& field : rowFields) {
+      if (!field.remedy || has({&field})) continue;
       refuse(row.line, 0,
-             std::string("no column is named “") + titleOf(needed) +
+             "no column is named “" + titleOf({&field}) +
                  "”: begin with a row of names such as axis;point;face;horizontal;vertical");
       return false;
     }
@@ -201,68 +194,49 @@ class CsvReader {
                       quotation(cell.text) +
                           " stands beyond the last named column: name its column, or put "
                           "double quotes around the entry that holds a separator");
-      if (m_headings[i].column == Column::Excluded) {
-        const auto excluded = flagOf(cell.text);
-        if (!excluded)
-          return refuse(row.line, cell.column,
-                        quotation(cell.text) + " is neither yes nor no: type one of them");
-        sighting.excluded = *excluded;
-      } else if (m_headings[i].column) {
-        readCell(*m_headings[i].column, m_headings[i].unit, cell, sighting);
-      } else {
+      if (!m_headings[i].column)
         ++m_unusedCells[i];
-      }
+      else if (!readCell(m_headings[i], cell, sighting))
+        return refuse(row.line, cell.column,
+                      quotation(cell.text) + " is neither yes nor no: type one of them");
     }
-    sighting.isZero = lowerCase(sighting.point.text) == m_zeroPoint;
+    sighting.isZero = lowerCase(sighting.row.point) == m_zeroPoint;
     m_recording.sightings.push_back(std::move(sighting));
   }
 
   /// Of a row that was set aside: are both circles read in it?
   bool holdsReading(const CsvRow& row) const {
-    const auto isAngle = [&](std::size_t i) {
+    const auto isReadable = [&](std::size_t i) {
       const AngleUnit unit = m_headings[i].unit == AngleUnit::Unstated ? m_unit : m_headings[i].unit;
       return static_cast<bool>(parseAngle(withUnit(row.cells[i].text, unit)));
     };
     int circles = 0;
     for (std::size_t i = 0; i < std::min(row.cells.size(), m_headings.size()); ++i) {
       const auto column = m_headings[i].column;
-      const bool isCircle = column == Column::Horizontal || column == Column::Vertical;
-      if (isCircle && isAngle(i)) ++circles;
+      const bool isCircle = column && column->field && column->field->remedy;
+      if (isCircle && isReadable(i)) ++circles;
     }
     return circles == 2;
   }
 
-  void readCell(Column column, AngleUnit unit, const CsvCell& cell, RecordedSighting& sighting) {
-    if (unit == AngleUnit::Unstated) unit = m_unit;
-    const auto entry = [&cell](const std::string& text) { return RecordedEntry{text, cell.column}; };
-    switch (column) {
-      case Column::Axis:
-        sighting.axis = entry(axisOf(cell.text));
-        break;
-      case Column::Point:
-        sighting.point = entry(cell.text);
-        break;
-      case Column::Round:
-        sighting.round = entry(cell.text);
-        break;
-      case Column::Face:
-        sighting.face = entry(faceOf(cell.text));
-        break;
-      case Column::Horizontal:
-        sighting.horizontal = entry(withUnit(cell.text, unit));
-        break;
-      case Column::Vertical:
-        sighting.vertical = entry(withUnit(cell.text, unit));
-        break;
-      case Column::Slider:
-        sighting.slider = entry(withUnit(cell.text, unit));
-        break;
-      case Column::Note:
-        sighting.note = cell.text;
-        break;
-      case Column::Excluded:
-        break;
+  /// False where the cell is to say yes or no and does not.
+  bool readCell(const Heading& heading, const CsvCell& cell, RecordedSighting& sighting) const {
+    const RowField* field = heading.column->field;
+    if (!field) {
+      sighting.axis = {axisOf(cell.text), cell.column};
+    } else if (field->text) {
+      sighting.enter(*field, textOf(*field, heading.unit, cell.text), cell.column);
+    } else {
+      const auto flag = flagOf(cell.text);
+      sighting.row.*field->flag = flag.value_or(false);
+      return flag.has_value();
     }
+    return true;
+  }
+
+  std::string textOf(const RowField& field, AngleUnit unit, const std::string& cell) const {
+    if (isAngle(field)) return withUnit(cell, unit == AngleUnit::Unstated ? m_unit : unit);
+    return field.text == &Reading::face ? faceOf(cell) : cell;
   }
 
   /// "180°" as "180".

@@ -7,16 +7,13 @@
 
 namespace alidade {
 
-/// Reads a table of readings (csv_table.h) whose first row names the columns, in any order:
+/// Reads a table of rows (csv_table.h) whose first line names the columns, in any order: the fields of a row,
+/// each by one of its `headings` (row_fields.h), and `axis` or `position`, 0 or 180. Both circles are needed.
+/// A cell may say more than an entry of a session:
 ///
-///   horizontal   Hz, H, α, direction                  circle reading; needed
-///   vertical     V, β, zenith, elevation              circle reading; needed
-///   axis         position, pos                        0 or 180
-///   point        point no, pt, no, number, target     whole number or name; ZERO, or `zeroPoint`, is the
-///                                                     pointing zero
-///   round        set, series                          face   side; 1, 2, I, II, L, R, left, right
-///   slider       s                                    note   remark, comment
-///   excluded     skip                                 1, yes, true or x; 0, no or false; empty: no
+///   point      a name; ZERO, or `zeroPoint`, is the pointing zero; the column may be called `no` or `number`
+///   face       I, II, L, R, left, right
+///   excluded   1, yes, true or x; 0, no or false; empty: no
 ///
 /// Capitals, blanks, _ and words such as “angle”, “circle” and “reading” do not matter. A unit in a name,
 /// `Hz [gon]` or `v_deg`, holds for the plain numbers of its column; otherwise `unit` does. `elevation` says

@@ -161,42 +161,46 @@ class GsiReader {
     RecordedSighting sighting;
     sighting.line = line;
     sighting.axis.text = m_axis;
-    sighting.round.text = m_round;
+    sighting.row.round = m_round;
     bool point = false;
     for (const GsiWord& word : words) {
       if (word.index == pointIndex && !point) {
-        sighting.point = {gsiText(word), word.column};
+        sighting.enter(rowField(&Reading::point), gsiText(word), word.column);
         point = true;
-      } else if (word.index == horizontalIndex && sighting.horizontal.column == 0) {
-        if (!takeAngle(word, line, sighting.horizontal)) return;
-      } else if (word.index == verticalIndex && sighting.vertical.column == 0) {
-        if (!takeAngle(word, line, sighting.vertical)) return;
+      } else if (const RowField* circle = circleOf(word); circle && sighting.columnOf(*circle) == 0) {
+        if (!takeAngle(word, line, *circle, sighting)) return;
       } else if (word.index >= 71 && word.index <= 79) {
-        addNote(sighting.note, gsiText(word));
+        addNote(sighting.row.note, gsiText(word));
       } else {
         readHeading(word, line);
       }
     }
-    if (sighting.horizontal.column == 0 || sighting.vertical.column == 0) {
-      const std::string missing =
-          sighting.horizontal.column == 0 ? "horizontal circle (word 21)" : "vertical circle (word 22)";
+    const bool hasHorizontal = sighting.columnOf(rowField(&Reading::horizontal)) > 0;
+    if (!hasHorizontal || sighting.columnOf(rowField(&Reading::vertical)) == 0) {
+      const std::string missing = hasHorizontal ? "vertical circle (word 22)" : "horizontal circle (word 21)";
       m_recording.problems.push_back({line, 0, "has no " + missing + ": add the word or delete the line"});
       return;
     }
-    const std::string name = upperCase(sighting.point.text);
+    const std::string name = upperCase(sighting.row.point);
     sighting.isZero =
         m_zeroComes || (m_zeroPoint.empty() ? name == "0" || name == "ZERO" : name == m_zeroPoint);
     m_zeroComes = false;
     m_recording.sightings.push_back(std::move(sighting));
   }
 
-  bool takeAngle(const GsiWord& word, std::size_t line, RecordedEntry& entry) {
+  /// The circle that a word is of; null where it is of none.
+  static const RowField* circleOf(const GsiWord& word) {
+    if (word.index == horizontalIndex) return &rowField(&Reading::horizontal);
+    return word.index == verticalIndex ? &rowField(&Reading::vertical) : nullptr;
+  }
+
+  bool takeAngle(const GsiWord& word, std::size_t line, const RowField& circle, RecordedSighting& sighting) {
     const auto angle = gsiAngle(word, line);
     if (const auto* problem = std::get_if<LineProblem>(&angle)) {
       m_recording.problems.push_back(*problem);
       return false;
     }
-    entry = {std::get<std::string>(angle), word.column};
+    sighting.enter(circle, std::get<std::string>(angle), word.column);
     return true;
   }
 

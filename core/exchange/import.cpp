@@ -15,8 +15,8 @@
 #include "core/exchange/gsi_word.h"
 #include "core/exchange/point_numbers.h"
 #include "core/exchange/text_lines.h"
-#include "core/session/entry.h"
 #include "core/session/face.h"
+#include "core/session/row_fields.h"
 
 namespace alidade {
 
@@ -129,18 +129,18 @@ class Assembly {
   void takeFaces() {
     bool second = false;
     for (RecordedSighting& sighting : m_recording.sightings) {
-      const Result<Angle> vertical = parseAngle(sighting.vertical.text);
-      if (sighting.face.text.empty() && vertical && isFaceTwo(*vertical, m_circle)) sighting.face.text = "2";
-      second = second || sighting.face.text == "2";
+      const Result<Angle> vertical = parseAngle(sighting.row.vertical);
+      if (sighting.row.face.empty() && vertical && isFaceTwo(*vertical, m_circle)) sighting.row.face = "2";
+      second = second || sighting.row.face == "2";
     }
     if (!second) return;
     for (RecordedSighting& sighting : m_recording.sightings)
-      if (sighting.face.text.empty()) sighting.face.text = "1";
+      if (sighting.row.face.empty()) sighting.row.face = "1";
   }
 
   /// An entry as the number it means, so that 1 and 01 are one point.
-  static std::string asNumber(const char* field, const std::string& text) {
-    const auto number = wholeEntry(field, text);
+  static std::string asNumber(const WholeRule& rule, const std::string& text) {
+    const auto number = wholeEntry(rule, text);
     return number && *number ? std::to_string(**number) : text;
   }
 
@@ -148,76 +148,67 @@ class Assembly {
   void takeRounds() {
     using Visited = std::tuple<std::string, std::string, std::string>;
     const auto visited = [](const RecordedSighting& sighting) {
-      return Visited{sighting.axis.text, asNumber("readings.point", sighting.point.text),
-                     asNumber("readings.face", sighting.face.text)};
+      return Visited{sighting.axis.text, asNumber(pointRule, sighting.row.point),
+                     asNumber(faceRule, sighting.row.face)};
     };
     std::map<Visited, std::set<std::string>> stated;
     for (const RecordedSighting& sighting : m_recording.sightings)
-      if (!sighting.isZero && !sighting.round.text.empty())
-        stated[visited(sighting)].insert(asNumber("readings.round", sighting.round.text));
+      if (!sighting.isZero && !sighting.row.round.empty())
+        stated[visited(sighting)].insert(asNumber(roundRule, sighting.row.round));
     std::map<Visited, int> last;
     bool second = false;
     for (RecordedSighting& sighting : m_recording.sightings) {
-      if (sighting.isZero || !sighting.round.text.empty() || sighting.point.text.empty()) continue;
+      if (sighting.isZero || !sighting.row.round.empty() || sighting.row.point.empty()) continue;
       const Visited visit = visited(sighting);
       int& round = last[visit];
       do ++round;
       while (stated[visit].contains(std::to_string(round)));
       second = second || round > 1;
-      if (round > 1) sighting.round.text = std::to_string(round);
+      if (round > 1) sighting.row.round = std::to_string(round);
     }
     if (second) remark("points that come again in the same position and face are put into further rounds");
     const bool any =
         std::any_of(m_recording.sightings.begin(), m_recording.sightings.end(),
-                    [](const RecordedSighting& sighting) { return !sighting.round.text.empty(); });
+                    [](const RecordedSighting& sighting) { return !sighting.row.round.empty(); });
     for (RecordedSighting& sighting : m_recording.sightings)
-      if (any && !sighting.isZero && sighting.round.text.empty()) sighting.round.text = "1";
+      if (any && !sighting.isZero && sighting.row.round.empty()) sighting.row.round = "1";
   }
 
   /// In each position by itself.
   void numberPoints() {
     std::map<std::string, std::vector<std::string>> names;
     for (const RecordedSighting& sighting : m_recording.sightings)
-      if (!sighting.isZero) names[sighting.axis.text].push_back(sighting.point.text);
+      if (!sighting.isZero) names[sighting.axis.text].push_back(sighting.row.point);
     std::map<std::string, std::map<std::string, std::string>> numbers;
     for (const auto& [axis, namesAtAxis] : names) numbers[axis] = pointNumbers(namesAtAxis);
     bool renamed = false;
     for (RecordedSighting& sighting : m_recording.sightings) {
-      if (sighting.isZero || sighting.point.text.empty()) continue;
-      const std::string& number = numbers.at(sighting.axis.text).at(sighting.point.text);
-      if (number == sighting.point.text) continue;
+      if (sighting.isZero || sighting.row.point.empty()) continue;
+      const std::string& number = numbers.at(sighting.axis.text).at(sighting.row.point);
+      if (number == sighting.row.point) continue;
       renamed = true;
-      sighting.note = sighting.point.text + (sighting.note.empty() ? "" : ": " + sighting.note);
-      sighting.point.text = number;
+      sighting.row.note = sighting.row.point + (sighting.row.note.empty() ? "" : ": " + sighting.row.note);
+      sighting.row.point = number;
     }
     if (renamed) remark("points with names are numbered; their names stand in the notes");
   }
 
-  void report(const RecordedSighting& sighting, const RecordedEntry& entry, const char* name,
-              const Problem& problem) {
+  void report(std::size_t line, std::size_t column, std::string_view name, const Problem& problem) {
     if (m_import.problems.size() >= limits::mostProblems) return;
-    m_import.problems.push_back({sighting.line, entry.column, std::string(name) + " " + problem.what});
+    m_import.problems.push_back({line, column, std::string(name) + " " + problem.what});
   }
 
   /// The rules of the session file, told by line and column.
   void check(const RecordedSighting& sighting) {
-    const auto angle = [&](const RecordedEntry& entry, const char* name, const char* field) {
-      if (const auto value = angleEntry(field, entry.text, m_circle); !value)
-        report(sighting, entry, name, value.problem());
-    };
-    const auto whole = [&](const RecordedEntry& entry, const char* name, const char* field) {
-      if (const auto value = wholeEntry(field, entry.text); !value)
-        report(sighting, entry, name, value.problem());
-    };
     if (const auto axis = axisEntry(sighting.axis.text); !axis)
-      report(sighting, sighting.axis, "axis", axis.problem());
-    if (sighting.excluded) return;
-    if (!sighting.isZero) whole(sighting.point, "point", "readings.point");
-    whole(sighting.round, "round", "readings.round");
-    whole(sighting.face, "face", "readings.face");
-    angle(sighting.horizontal, "horizontal", "readings.horizontal");
-    angle(sighting.vertical, "vertical", "readings.vertical");
-    angle(sighting.slider, "slider", "readings.slider");
+      report(sighting.line, sighting.axis.column, "axis", axis.problem());
+    if (sighting.row.excluded) return;
+    for (const RowField& field : rowFields) {
+      const bool isNameOfZero = sighting.isZero && field.text == &Reading::point;
+      if (!field.text || isNameOfZero) continue;
+      if (const auto problem = entryProblem(field, sighting.row.*field.text, m_circle))
+        report(sighting.line, sighting.columnOf(field), field.key, *problem);
+    }
   }
 
   /// The position of that axis, made where there is none.
@@ -235,17 +226,14 @@ class Assembly {
 
   void addReading(const RecordedSighting& sighting) {
     if (!axisEntry(sighting.axis.text)) return;  // reported already
-    Reading reading;
-    reading.point = sighting.point.text;
-    reading.round = sighting.round.text;
-    reading.face = sighting.face.text;
-    reading.horizontal = sighting.horizontal.text;
-    reading.vertical = sighting.vertical.text;
-    reading.slider = sighting.slider.text;
-    reading.excluded = sighting.excluded;
-    reading.note = sighting.note;
-    positionAt(sighting.axis.text).readings.push_back(std::move(reading));
+    positionAt(sighting.axis.text).readings.push_back(sighting.row);
     ++m_import.rows;
+  }
+
+  /// Does the field name or measure a pointing zero?
+  static bool isOfZero(const RowField& field) {
+    return field.text == &Reading::point || field.text == &Reading::round || field.text == &Reading::face ||
+           field.text == &Reading::horizontal || field.text == &Reading::vertical;
   }
 
   void takeZeros() {
@@ -253,10 +241,11 @@ class Assembly {
     for (const RecordedSighting& sighting : m_recording.sightings) {
       if (!sighting.isZero) continue;
       const std::string where = " of the pointing zero in line " + std::to_string(sighting.line);
-      if (!sighting.note.empty()) remark("the note " + quotation(sighting.note) + where + " is not used");
-      if (!sighting.slider.text.empty())
-        remark("the slider " + quotation(sighting.slider.text) + where + " is not used");
-      if (sighting.excluded) {
+      for (const RowField& field : rowFields)
+        if (field.text && !isOfZero(field) && !(sighting.row.*field.text).empty())
+          remark("the " + std::string(field.key) + " " + quotation(sighting.row.*field.text) + where +
+                 " is not used");
+      if (sighting.row.excluded) {
         remark("the excluded sighting" + where + " is not used");
       } else {
         zeros[sighting.axis.text].push_back(&sighting);
@@ -276,10 +265,10 @@ class Assembly {
       return remark("the pointing zero at " + positionName(axis) + " stays as it was given; that of " +
                     lines + " is not used");
     const RecordedSighting& first = *sightings.front();
-    const auto mean = sightings.size() > 1 || first.face.text == "2" ? meanOf(sightings) : std::nullopt;
+    const auto mean = sightings.size() > 1 || first.row.face == "2" ? meanOf(sightings) : std::nullopt;
     if (!mean) {
-      zero.horizontal = first.horizontal.text;
-      zero.vertical = first.vertical.text;
+      zero.horizontal = first.row.horizontal;
+      zero.vertical = first.row.vertical;
       return;
     }
     const auto written = [](Angle angle) { return formatDms(angle, meanDecimals, AngleSigns::Typewriter); };
@@ -292,10 +281,10 @@ class Assembly {
   std::optional<FaceOneReading> meanOf(const std::vector<const RecordedSighting*>& sightings) const {
     std::vector<FaceOneReading> readings;
     for (const RecordedSighting* sighting : sightings) {
-      const Result<Angle> horizontal = parseAngle(sighting->horizontal.text);
-      const Result<Angle> vertical = parseAngle(sighting->vertical.text);
+      const Result<Angle> horizontal = parseAngle(sighting->row.horizontal);
+      const Result<Angle> vertical = parseAngle(sighting->row.vertical);
       if (!horizontal || !vertical) return std::nullopt;
-      readings.push_back(inFaceOne(*horizontal, *vertical, sighting->face.text == "2" ? 2 : 1, m_circle));
+      readings.push_back(inFaceOne(*horizontal, *vertical, sighting->row.face == "2" ? 2 : 1, m_circle));
     }
     const FaceOneReading first = readings.front();
     FaceOneReading sum{};

@@ -1,6 +1,7 @@
 #include "core/exchange/recording.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/base/typed_text.h"
 
@@ -25,12 +26,25 @@ std::string inParts(const std::string& number) {
   return parts;
 }
 
+std::size_t indexOf(const RowField& field) {
+  return static_cast<std::size_t>(&field - rowFields.data());
+}
+
 }  // namespace
 
 std::string LineProblem::text() const {
   std::string place = "line " + std::to_string(line);
   if (column > 0) place += ", column " + std::to_string(column);
   return place + ": " + what;
+}
+
+void RecordedSighting::enter(const RowField& field, std::string text, std::size_t column) {
+  row.*field.text = std::move(text);
+  columns[indexOf(field)] = column;
+}
+
+std::size_t RecordedSighting::columnOf(const RowField& field) const {
+  return columns[indexOf(field)];
 }
 
 std::string withUnit(const std::string& text, AngleUnit unit) {

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
+
+#include "core/session/row_fields.h"
 
 namespace alidade {
 
@@ -25,13 +28,17 @@ struct RecordedEntry {
   bool operator==(const RecordedEntry&) const = default;
 };
 
-/// One sighting as the file has it, angles in a notation of `parseAngle`.
+/// One sighting as the file has it.
 struct RecordedSighting {
   std::size_t line = 0;
-  RecordedEntry axis, point, round, face, horizontal, vertical, slider;
-  std::string note;
-  bool excluded = false;
+  RecordedEntry axis;
+  Reading row;  ///< angles in a notation of `parseAngle`
+  /// Where the row's fields stand in the line, in the order of `rowFields`; as in LineProblem.
+  std::array<std::size_t, rowFields.size()> columns{};
   bool isZero = false;  ///< of the pointing zero, not of the slider
+
+  void enter(const RowField& field, std::string text, std::size_t column);
+  std::size_t columnOf(const RowField& field) const;
 
   bool operator==(const RecordedSighting&) const = default;
 };

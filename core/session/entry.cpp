@@ -10,6 +10,7 @@
 #include "core/base/number_text.h"
 #include "core/base/typed_text.h"
 #include "core/base/visible_text.h"
+#include "core/session/row_fields.h"
 
 namespace alidade {
 
@@ -73,47 +74,13 @@ constexpr std::array numberRules = {
         "acceptance.reference_intersection_mm", -infinite, Bound::Excluded, infinite, {}, "a length in mm"},
 };
 
-struct WholeRule {
-  std::string_view field;
-  int low, high;
-  std::optional<int> fallback;
-  const char* range;
-};
-
-constexpr std::array wholeRules = {
-    WholeRule{"readings.point", 0, std::numeric_limits<int>::max(), {}, "is no point: points count from 0"},
-    WholeRule{"readings.round", 1, std::numeric_limits<int>::max(), 1, "is no round: rounds count from 1"},
-    WholeRule{"readings.face", 1, 2, 1, "is no face: type 1 or 2"},
-};
-
-constexpr std::array<std::string_view, 5> angleFields = {"pointing_zero.horizontal", "pointing_zero.vertical",
-                                                         "readings.horizontal", "readings.vertical",
-                                                         "readings.slider"};
-
-template <typename Rules>
-auto ruleFor(const Rules& rules, std::string_view field) {
-  return std::find_if(rules.begin(), rules.end(), [field](const auto& rule) { return rule.field == field; });
+const NumberRule* ruleFor(std::string_view field) {
+  const auto found = std::ranges::find(numberRules, field, &NumberRule::field);
+  return found == numberRules.end() ? nullptr : &*found;
 }
 
 bool isBlank(const std::string& text) {
   return text.empty() || (!isDigit(text.front()) && plainSigns(text).empty());
-}
-
-/// The range of a circle in degrees; `high` is excluded except for the slider, which turns both ways.
-struct AngleRange {
-  double low, high;
-  bool highIncluded;
-};
-
-AngleRange rangeOf(std::string_view field, VerticalCircle circle) {
-  if (field == "readings.slider") return {-360, 360, true};
-  const bool vertical = field.ends_with(".vertical");
-  return {vertical && circle == VerticalCircle::Elevation ? -90.0 : 0.0, 360, false};
-}
-
-bool contains(const AngleRange& range, Angle angle) {
-  const Angle low = Angle::fromDegrees(range.low), high = Angle::fromDegrees(range.high);
-  return angle >= low && (angle < high || (range.highIncluded && angle == high));
 }
 
 template <typename Value>
@@ -122,11 +89,15 @@ std::optional<std::string> sentence(const Result<Value>& result) {
   return result.problem().what;
 }
 
+std::optional<std::string> sentence(const std::optional<Problem>& problem) {
+  return problem ? std::optional(problem->what) : std::nullopt;
+}
+
 }  // namespace
 
 Result<std::optional<double>> numberEntry(std::string_view field, const std::string& text) {
-  const auto rule = ruleFor(numberRules, field);
-  assert(rule != numberRules.end());
+  const NumberRule* rule = ruleFor(field);
+  assert(rule);
   if (isBlank(text)) {
     if (rule->ask) return Problem{std::string("is empty: ") + rule->ask};
     return rule->fallback;
@@ -140,25 +111,25 @@ Result<std::optional<double>> numberEntry(std::string_view field, const std::str
   return std::optional(*value);
 }
 
-Result<std::optional<int>> wholeEntry(std::string_view field, const std::string& text) {
-  const auto rule = ruleFor(wholeRules, field);
-  assert(rule != wholeRules.end());
-  if (isBlank(text)) return rule->fallback;
+Result<std::optional<int>> wholeEntry(const WholeRule& rule, const std::string& text) {
+  if (isBlank(text)) return rule.fallback;
   const Result<int> value = parseWhole(text);
   if (!value) return value.problem();
-  if (*value < rule->low || *value > rule->high) return Problem{quotation(text) + " " + rule->range};
+  if (*value < rule.low || *value > rule.high) return Problem{quotation(text) + " " + rule.refusal};
   return std::optional(*value);
 }
 
-Result<std::optional<Angle>> angleEntry(std::string_view field, const std::string& text,
+Result<std::optional<Angle>> angleEntry(const AngleRule& rule, const std::string& text,
                                         VerticalCircle circle) {
-  if (field == "readings.slider" && isBlank(text)) return std::optional<Angle>();
+  if (rule.mayBeEmpty && isBlank(text)) return std::optional<Angle>();
   const Result<Angle> angle = parseAngle(text);
   if (!angle) return angle.problem();
-  const AngleRange range = rangeOf(field, circle);
-  if (contains(range, *angle)) return std::optional(*angle);
-  const std::string low = range.low < 0 ? "−" + fixedText(-range.low, 0) : "0";
-  return Problem{quotation(text) + " lies outside " + low + "°…" + fixedText(range.high, 0) +
+  const double lowDegrees = circle == VerticalCircle::Elevation ? rule.lowOfElevation : rule.low;
+  const Angle low = Angle::fromDegrees(lowDegrees), high = Angle::fromDegrees(rule.high);
+  if (*angle >= low && (*angle < high || (rule.isHighIncluded && *angle == high)))
+    return std::optional(*angle);
+  const std::string lowest = lowDegrees < 0 ? "−" + fixedText(-lowDegrees, 0) : "0";
+  return Problem{quotation(text) + " lies outside " + lowest + "°…" + fixedText(rule.high, 0) +
                  "°: check the degrees"};
 }
 
@@ -207,20 +178,22 @@ std::optional<Problem> dateProblem(const std::string& text) {
 
 std::optional<std::string> entryProblem(const Session& session, const std::string& field,
                                         const std::string& text) {
-  if (ruleFor(numberRules, field) != numberRules.end()) return sentence(numberEntry(field, text));
-  if (ruleFor(wholeRules, field) != wholeRules.end()) return sentence(wholeEntry(field, text));
-  if (std::find(angleFields.begin(), angleFields.end(), field) != angleFields.end()) {
-    const auto circle = verticalCircleEntry(session.geometry.verticalCircle);
-    return sentence(angleEntry(field, text, circle ? *circle : VerticalCircle::Elevation));
+  if (ruleFor(field)) return sentence(numberEntry(field, text));
+  // Where the kind of circle is unknown, the wider range of the elevation circle holds.
+  const auto known = verticalCircleEntry(session.geometry.verticalCircle);
+  const VerticalCircle circle = known ? *known : VerticalCircle::Elevation;
+  constexpr std::string_view ofRows = "readings.";
+  if (field.starts_with(ofRows)) {
+    const RowField* own = rowFieldNamed(std::string_view(field).substr(ofRows.size()));
+    return own ? sentence(entryProblem(*own, text, circle)) : std::nullopt;
   }
+  if (field == "pointing_zero.horizontal") return sentence(angleEntry(horizontalRule, text, circle));
+  if (field == "pointing_zero.vertical") return sentence(angleEntry(verticalRule, text, circle));
   if (field == "axis_deg") return sentence(axisEntry(text));
   if (field == "geometry.vertical_circle") return sentence(verticalCircleEntry(text));
   if (field == "model.vertical_angle") return sentence(verticalAngleEntry(text));
   if (field == "model.radius") return sentence(radiusModelEntry(text));
-  if (field == "measured_on") {
-    const auto problem = dateProblem(text);
-    return problem ? std::optional(problem->what) : std::nullopt;
-  }
+  if (field == "measured_on") return sentence(dateProblem(text));
   return std::nullopt;
 }
 

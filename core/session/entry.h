@@ -10,18 +10,32 @@
 
 namespace alidade {
 
-// The rules for single entries: what a text in one field may be and what an empty one stands for. `field` is
-// named as for `entryProblem`; asking for a field of another kind is a bug.
+// The rules for single entries: what a text in one field may be and what an empty one stands for.
 
 /// A number in the unit of its field, in range. Empty text is the field's default, or nothing where it has
-/// none.
+/// none. `field` is named as for `entryProblem`; asking for a field that holds no number is a bug.
 Result<std::optional<double>> numberEntry(std::string_view field, const std::string& text);
 
-/// `readings.point`, `readings.round` or `readings.face`; nothing for an empty point.
-Result<std::optional<int>> wholeEntry(std::string_view field, const std::string& text);
+/// A whole number from `low` to `high`.
+struct WholeRule {
+  int low, high;
+  std::optional<int> fallback;  ///< what an empty text stands for; absent: for nothing
+  const char* refusal;          ///< said behind a number out of range
+};
 
-/// A reading, zero or slider coordinate in the range of its circle; nothing for an empty slider.
-Result<std::optional<Angle>> angleEntry(std::string_view field, const std::string& text,
+/// An angle in the range of a circle, in degrees; `low` is included.
+struct AngleRule {
+  double low, lowOfElevation;  ///< the second where the vertical circle reads elevations
+  double high;
+  bool isHighIncluded = false;
+  bool mayBeEmpty = false;
+};
+
+/// The number, or the fallback of an empty text.
+Result<std::optional<int>> wholeEntry(const WholeRule& rule, const std::string& text);
+
+/// The angle; nothing for an empty text where the rule allows one.
+Result<std::optional<Angle>> angleEntry(const AngleRule& rule, const std::string& text,
                                         VerticalCircle circle);
 
 /// 0 or 180.

@@ -10,6 +10,7 @@
 #include "core/session/entry.h"
 #include "core/session/face.h"
 #include "core/session/problem_reporter.h"
+#include "core/session/row_fields.h"
 
 namespace alidade {
 
@@ -35,12 +36,6 @@ struct HashOfVisitFace {
   }
 };
 
-bool isUntouched(const Reading& reading) {
-  return reading.point.empty() && reading.round.empty() && reading.face.empty() &&
-         reading.horizontal.empty() && reading.vertical.empty() && reading.slider.empty() &&
-         reading.note.empty();
-}
-
 class PositionExaminer : private ProblemReporter {
  public:
   PositionExaminer(const Position& position, std::size_t index, std::size_t firstSequence,
@@ -65,28 +60,37 @@ class PositionExaminer : private ProblemReporter {
   /// Where the kind of circle is unknown, the wider range of the elevation circle holds.
   VerticalCircle circleForRanges() const { return m_circle.value_or(VerticalCircle::Elevation); }
 
-  std::optional<Angle> angle(const char* field, const std::string& text, const Place& where) {
-    return take(angleEntry(field, text, circleForRanges()), where).value_or(std::nullopt);
+  static Place at(Place place, const char* field) {
+    place.field = field;
+    return place;
+  }
+
+  /// The value of an entry; empty, and reported, where it cannot be used. Its place is put together only
+  /// then.
+  template <typename Value>
+  std::optional<Value> valueOf(const Result<Value>& entry, const Place& place, const char* field) {
+    if (entry) return *entry;
+    report(entry.problem(), at(place, field));
+    return std::nullopt;
+  }
+
+  std::optional<Angle> angle(const AngleRule& rule, const std::string& text, const Place& place,
+                             const char* field) {
+    return valueOf(angleEntry(rule, text, circleForRanges()), place, field).value_or(std::nullopt);
   }
 
   std::optional<ZeroDirection> examineZero() {
-    const auto at = [&](const char* field) { return Place{.position = m_index, .field = field}; };
+    const Place place{.position = m_index};
     const PointingZero& zero = m_position.zero;
-    const auto horizontal =
-        angle("pointing_zero.horizontal", zero.horizontal, at("pointing_zero.horizontal"));
-    const auto vertical = angle("pointing_zero.vertical", zero.vertical, at("pointing_zero.vertical"));
+    const auto horizontal = angle(horizontalRule, zero.horizontal, place, "pointing_zero.horizontal");
+    const auto vertical = angle(verticalRule, zero.vertical, place, "pointing_zero.vertical");
     if (!horizontal || !vertical) return std::nullopt;
     return ZeroDirection{*horizontal, *vertical};
   }
 
-  static Place at(Place row, const char* field) {
-    row.field = field;
-    return row;
-  }
-
   /// The row reduced from the zero; empty where it cannot be used or there is nothing to reduce it from.
   std::optional<Sighting> examineReading(const Reading& reading, const Place& row) {
-    if (isUntouched(reading)) {
+    if (isBlank(reading)) {
       report({"is empty, as is the whole row: type its readings or delete the row"}, at(row, "horizontal"));
       return std::nullopt;
     }
@@ -95,24 +99,24 @@ class PositionExaminer : private ProblemReporter {
     sighting.row = *row.reading;
     sighting.sequence = m_firstSequence + sighting.row;
     examineVisit(reading, row, sighting);
-    const auto horizontal = angle("readings.horizontal", reading.horizontal, at(row, "horizontal"));
-    const auto vertical = angle("readings.vertical", reading.vertical, at(row, "vertical"));
+    const auto horizontal = angle(horizontalRule, reading.horizontal, row, "horizontal");
+    const auto vertical = angle(verticalRule, reading.vertical, row, "vertical");
     const std::size_t beforeReduction = m_problems.size();
     if (horizontal && vertical && m_examined.zero && m_circle && beforeReduction == before) {
       reduce(inFaceOne(*horizontal, *vertical, sighting.face, *m_circle), *m_examined.zero, sighting);
-      checkWidth(sighting.a, reading.horizontal, at(row, "horizontal"));
-      checkWidth(sighting.e, reading.vertical, at(row, "vertical"));
+      checkWidth(sighting.a, reading.horizontal, row, "horizontal");
+      checkWidth(sighting.e, reading.vertical, row, "vertical");
     }
-    sighting.slider = angle("readings.slider", reading.slider, at(row, "slider"));
+    sighting.slider = angle(sliderRule, reading.slider, row, "slider");
     if (m_problems.size() > before || !m_examined.zero) return std::nullopt;
     return sighting;
   }
 
   /// Point, round and face; the same three twice in one position are a slip of the pen.
   void examineVisit(const Reading& reading, const Place& row, Sighting& sighting) {
-    const auto point = take(wholeEntry("readings.point", reading.point), at(row, "point"));
-    const auto round = take(wholeEntry("readings.round", reading.round), at(row, "round"));
-    const auto face = take(wholeEntry("readings.face", reading.face), at(row, "face"));
+    const auto point = valueOf(wholeEntry(pointRule, reading.point), row, "point");
+    const auto round = valueOf(wholeEntry(roundRule, reading.round), row, "round");
+    const auto face = valueOf(wholeEntry(faceRule, reading.face), row, "face");
     if (!point || !round || !face) return;
     sighting.point = point->value_or(static_cast<int>(*row.reading) + 1);
     sighting.round = **round;
@@ -132,12 +136,12 @@ class PositionExaminer : private ProblemReporter {
     sighting.e = wrapped(zenith ? zero.vertical - reading.vertical : reading.vertical - zero.vertical);
   }
 
-  void checkWidth(Angle reduced, const std::string& text, const Place& where) {
+  void checkWidth(Angle reduced, const std::string& text, const Place& row, const char* field) {
     const double degrees = std::abs(reduced.degrees());
     if (degrees < widestDegrees) return;
     report({quotation(text) + " lies " + fixedText(degrees, 0) +
             "° from the pointing zero, beyond the edge of the arc plane: check the degrees and the face"},
-           where);
+           at(row, field));
   }
 
   const Position& m_position;

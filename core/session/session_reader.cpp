@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/visible_text.h"
+#include "core/session/row_fields.h"
 #include "core/session/value_text.h"
 
 namespace alidade {
@@ -34,23 +35,12 @@ std::string typeOf(const Json& value) {
   }
 }
 
-struct KeyOfReading {
-  std::string_view name;
-  ValueKind kind;
-};
-
-constexpr KeyOfReading keysOfReading[] = {{"point", ValueKind::Number},   {"round", ValueKind::Number},
-                                          {"face", ValueKind::Number},    {"horizontal", ValueKind::Angle},
-                                          {"vertical", ValueKind::Angle}, {"slider", ValueKind::Angle},
-                                          {"note", ValueKind::Text}};
-
-/// Does the text that the reading keeps say all of a value, so that it is written as it was read?
-bool isKeptAsText(const std::string& key, const Json& value) {
-  const auto known = std::ranges::find(keysOfReading, key, &KeyOfReading::name);
-  if (known == std::end(keysOfReading)) return false;
-  const bool isNeeded = known->name == "horizontal" || known->name == "vertical";
-  if (known->kind != ValueKind::Number)
-    return value.is_string() && (isNeeded || !value.get_ref<const std::string&>().empty());
+/// Does the text that the row keeps say all of a value, so that it is written as it was read?
+bool isKeptAsText(std::string_view key, const Json& value) {
+  const RowField* field = rowFieldNamed(key);
+  if (!field || !field->text) return false;
+  if (kindOf(*field) != ValueKind::Number)
+    return value.is_string() && (field->remedy || !value.get_ref<const std::string&>().empty());
   return value.is_number_unsigned() && value.get<std::uint64_t>() <= largestExactInteger;
 }
 
@@ -60,6 +50,15 @@ class ObjectReader {
   ObjectReader(const Json& json, Place where, std::optional<Problem>& problem)
       : m_json(json), m_where(std::move(where)), m_problem(problem) {
     if (!json.is_object()) report("must be an object in braces, not " + typeOf(json), m_where);
+  }
+
+  /// The text that a value of this kind is kept as; empty where there is none.
+  std::string value(std::string_view key, ValueKind kind) const {
+    const Json* found = find(key);
+    if (!found) return {};
+    auto text = textOf(*found, kind);
+    if (!text) report("must be " + wantedType(kind) + ", not " + typeOf(*found), placeOf(key));
+    return text.value_or("");
   }
 
   std::string text(const char* key) const { return value(key, ValueKind::Text); }
@@ -73,7 +72,7 @@ class ObjectReader {
     return require(key, remedy) ? angle(key) : std::string();
   }
 
-  bool flag(const char* key) const {
+  bool flag(std::string_view key) const {
     const Json* found = find(key);
     if (!found) return false;
     if (!found->is_boolean()) report("must be true or false, not " + typeOf(*found), placeOf(key));
@@ -96,7 +95,7 @@ class ObjectReader {
     return none;
   }
 
-  bool require(const char* key, const char* remedy) const {
+  bool require(std::string_view key, const char* remedy) const {
     if (find(key)) return true;
     if (m_json.is_object()) report(std::string("is missing: ") + remedy, placeOf(key));
     return false;
@@ -106,15 +105,14 @@ class ObjectReader {
     if (!m_problem) m_problem = Problem{what, where};
   }
 
-  const Json* find(const char* key) const {
+  const Json* find(std::string_view wanted) const {
     if (!m_json.is_object()) return nullptr;
-    const std::string_view wanted = key;
     for (const auto& [name, value] : m_json.get_ref<const Json::object_t&>())
       if (name == wanted) return &value;
     return nullptr;
   }
 
-  Place placeOf(const char* key) const {
+  Place placeOf(std::string_view key) const {
     Place place = m_where;
     place.field += (place.field.empty() ? "" : ".") + std::string(key);
     return place;
@@ -133,14 +131,6 @@ class ObjectReader {
   }
 
  private:
-  std::string value(const char* key, ValueKind kind) const {
-    const Json* found = find(key);
-    if (!found) return {};
-    auto text = textOf(*found, kind);
-    if (!text) report("must be " + wantedType(kind) + ", not " + typeOf(*found), placeOf(key));
-    return text.value_or("");
-  }
-
   const Json& m_json;
   Place m_where;
   std::optional<Problem>& m_problem;
@@ -230,16 +220,13 @@ PointingZero readPointingZero(const ObjectReader& reader) {
           .origin = reader.origin()};
 }
 
-Reading readReading(const ObjectReader& reader) {
-  return {.point = reader.number("point"),
-          .round = reader.number("round"),
-          .face = reader.number("face"),
-          .horizontal = reader.requiredAngle("horizontal", "add the reading of the horizontal circle"),
-          .vertical = reader.requiredAngle("vertical", "add the reading of the vertical circle"),
-          .slider = reader.angle("slider"),
-          .excluded = reader.flag("excluded"),
-          .note = reader.text("note"),
-          .origin = {}};
+void readRow(const ObjectReader& reader, Reading& row) {
+  for (const RowField& field : rowFields) {
+    if (field.flag)
+      row.*field.flag = reader.flag(field.key);
+    else if (!field.remedy || reader.require(field.key, field.remedy))
+      row.*field.text = reader.value(field.key, kindOf(field));
+  }
 }
 
 Position readPosition(const Json& json, std::size_t index, RowsRead rows, std::optional<Problem>& problem) {
@@ -288,7 +275,7 @@ bool isSame(const Json& a, const Json& b) {
   return a.is_structured() || a.is_number_float() ? a.dump() == b.dump() : a == b;
 }
 
-/// The row with null for what the reading's texts say: the writer puts those in. What is left is alike in
+/// The row with null for what its texts say: the writer puts those in. What is left is alike in
 /// most rows.
 Json withoutTexts(Json row) {
   for (auto& [key, value] : row.get_ref<Json::object_t&>())
@@ -311,7 +298,7 @@ void SessionRows::add(const Place& where, const Json& row) {
   if (m_positions.size() <= *where.position) m_positions.resize(*where.position + 1);
   RowsRead& rows = m_positions[*where.position];
   if (rows.problem) return;
-  rows.readings.push_back(readReading(ObjectReader(row, where, rows.problem)));
+  readRow(ObjectReader(row, where, rows.problem), rows.readings.emplace_back());
   if (rows.problem) return;
   if (!isLikeLast(row)) m_last = JsonOrigin(withoutTexts(row));
   rows.readings.back().origin = m_last;

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/session/json_layout.h"
+#include "core/session/row_fields.h"
 #include "core/session/session_file.h"
 #include "core/session/value_text.h"
 
@@ -22,6 +23,17 @@ class ObjectWriter {
  public:
   explicit ObjectWriter(const JsonOrigin& origin) : m_json(origin.object()) {}
 
+  void set(std::string_view key, const std::string& current, ValueKind kind, Presence presence) {
+    const auto found = m_json.find(key);
+    const bool present = found != m_json.end();
+    if (present && textOf(*found, kind) == current) return;
+    if (!current.empty() || presence == Presence::Required) {
+      m_json[key] = valueOf(current, kind);
+    } else if (present) {
+      m_json.erase(key);
+    }
+  }
+
   void text(const char* key, const std::string& current) {
     set(key, current, ValueKind::Text, Presence::Optional);
   }
@@ -32,7 +44,7 @@ class ObjectWriter {
     set(key, current, ValueKind::Angle, presence);
   }
 
-  void flag(const char* key, bool current) {
+  void flag(std::string_view key, bool current) {
     const auto found = m_json.find(key);
     const bool before = found != m_json.end() && *found == true;
     if (before != current) m_json[key] = current;
@@ -71,17 +83,6 @@ class ObjectWriter {
   Json take() { return std::move(m_json); }
 
  private:
-  void set(const char* key, const std::string& current, ValueKind kind, Presence presence) {
-    const auto found = m_json.find(key);
-    const bool present = found != m_json.end();
-    if (present && textOf(*found, kind) == current) return;
-    if (!current.empty() || presence == Presence::Required) {
-      m_json[key] = valueOf(current, kind);
-    } else if (present) {
-      m_json.erase(key);
-    }
-  }
-
   Json m_json;
 };
 
@@ -142,16 +143,15 @@ Json pointingZeroJson(const PointingZero& zero) {
   return writer.take();
 }
 
-Json readingJson(const Reading& reading) {
-  ObjectWriter writer(reading.origin);
-  writer.number("point", reading.point);
-  writer.number("round", reading.round);
-  writer.number("face", reading.face);
-  writer.angle("horizontal", reading.horizontal, Presence::Required);
-  writer.angle("vertical", reading.vertical, Presence::Required);
-  writer.angle("slider", reading.slider);
-  writer.flag("excluded", reading.excluded);
-  writer.text("note", reading.note);
+Json rowJson(const Reading& row) {
+  ObjectWriter writer(row.origin);
+  for (const RowField& field : rowFields) {
+    if (field.flag)
+      writer.flag(field.key, row.*field.flag);
+    else
+      writer.set(field.key, row.*field.text, kindOf(field),
+                 field.remedy ? Presence::Required : Presence::Optional);
+  }
   return writer.take();
 }
 
@@ -185,7 +185,7 @@ std::string writeSession(const Session& session) {
   for (const Position& position : session.positions) positions.push_back(positionJson(position));
   writer.part("positions", std::move(positions), Presence::Required);
   return layoutJson(writer.take(), [&](std::size_t position, std::size_t row) {
-    return readingJson(session.positions[position].readings[row]);
+    return rowJson(session.positions[position].readings[row]);
   });
 }
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/angle_text.h"
-#include "core/session/entry.h"
+#include "core/session/row_fields.h"
 #include "core/simulation/simulate.h"
 
 namespace alidade {
@@ -28,14 +28,14 @@ std::optional<double> numberOf(const char* field, const std::string& text) {
   return entry ? *entry : std::nullopt;
 }
 
-std::optional<int> wholeOf(const char* field, const std::string& text) {
-  const auto entry = wholeEntry(field, text);
+std::optional<int> wholeOf(const WholeRule& rule, const std::string& text) {
+  const auto entry = wholeEntry(rule, text);
   return entry ? *entry : std::nullopt;
 }
 
-std::optional<Angle> angleOf(const char* field, const std::string& text, VerticalCircle circle) {
+std::optional<Angle> angleOf(const AngleRule& rule, const std::string& text, VerticalCircle circle) {
   if (text.empty()) return std::nullopt;
-  const auto entry = angleEntry(field, text, circle);
+  const auto entry = angleEntry(rule, text, circle);
   return entry ? *entry : std::nullopt;
 }
 
@@ -75,7 +75,7 @@ class EvenPlaces {
 
   /// A row without a point is named by its number.
   static int pointOf(const Position& position, std::size_t row) {
-    return wholeOf("readings.point", position.readings[row].point).value_or(static_cast<int>(row) + 1);
+    return wholeOf(pointRule, position.readings[row].point).value_or(static_cast<int>(row) + 1);
   }
 };
 
@@ -85,8 +85,8 @@ void plan(Position& position, Truth truth) {
   PointingZero& zero = position.zero;
   if (zero.horizontal.empty()) zero.horizontal = circleText(Angle());
   if (zero.vertical.empty()) zero.vertical = circleText(truth.verticalZero);
-  const auto horizontal = angleOf("pointing_zero.horizontal", zero.horizontal, truth.verticalCircle);
-  const auto vertical = angleOf("pointing_zero.vertical", zero.vertical, truth.verticalCircle);
+  const auto horizontal = angleOf(horizontalRule, zero.horizontal, truth.verticalCircle);
+  const auto vertical = angleOf(verticalRule, zero.vertical, truth.verticalCircle);
   if (!horizontal || !vertical) return;
   truth.verticalZero = *vertical;
   const PerfectReadings perfect(truth, *axis, *horizontal);
@@ -95,9 +95,8 @@ void plan(Position& position, Truth truth) {
     Reading& reading = position.readings[row];
     if (!isUnread(reading)) continue;
     const Angle place =
-        angleOf("readings.slider", reading.slider, truth.verticalCircle).value_or(even.at(position, row));
-    const CircleReadings circles =
-        perfect.target(place, wholeOf("readings.face", reading.face).value_or(1), {});
+        angleOf(sliderRule, reading.slider, truth.verticalCircle).value_or(even.at(position, row));
+    const CircleReadings circles = perfect.target(place, wholeOf(faceRule, reading.face).value_or(1), {});
     if (reading.point.empty()) reading.point = std::to_string(row + 1);
     reading.horizontal = circleText(circles.horizontal);
     reading.vertical = circleText(circles.vertical);

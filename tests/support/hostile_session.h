@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "core/session/row_fields.h"
 #include "tests/support/hostile.h"
 
 namespace alidade::test {
@@ -25,7 +26,9 @@ inline std::string hostileSession(const std::string& session, const std::string&
   json["model"]["effects"] = {text};
   for (Json* object : {&json, &json["geometry"], &json["positions"][0]}) (*object)[text] = {{text, text}};
   for (Json& position : json["positions"])
-    for (Json& reading : position["readings"]) reading["note"] = text;
+    for (Json& row : position["readings"])
+      for (const RowField& field : rowFields)
+        if (isFreeText(field)) row[field.key] = text;
   return json.dump();
 }
 

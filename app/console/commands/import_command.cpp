@@ -13,26 +13,32 @@
 #include "core/base/list_text.h"
 #include "core/base/visible_text.h"
 #include "core/exchange/import.h"
-#include "core/session/entry.h"
 #include "core/session/measurement.h"
+#include "core/session/row_fields.h"
 #include "core/session/session_file.h"
 
 namespace alidade::console {
 
 namespace {
 
-constexpr const char* about =
+constexpr const char* aboutGsi =
     "How a GSI file tells more than angles: code block 0 or 180 (or AXIS0, AXIS180) names the position of "
     "the\n"
     "axis for what follows, ROUND2 the round; point 0 or ZERO, or what follows code block ZERO, is the "
     "pointing\n"
-    "zero. A CSV table begins with the names of its columns: axis, point, round, face, horizontal, "
-    "vertical,\n"
-    "slider, note, excluded; horizontal and vertical are needed, point ZERO is the pointing zero. A unit in "
-    "a\n"
-    "name, such as Hz [gon], holds for the plain numbers below it. What the session then still lacks is "
-    "told\n"
-    "on stderr and can be typed in the window.";
+    "zero. A CSV table begins with the names of its columns:\n";
+
+constexpr const char* aboutCsv =
+    "horizontal and vertical are needed, point ZERO is the pointing zero. A unit in a name, such as Hz "
+    "[gon],\n"
+    "holds for the plain numbers below it. What the session then still lacks is told on stderr and can be\n"
+    "typed in the window.";
+
+std::string about() {
+  std::string columns = "axis";
+  for (const RowField& field : rowFields) columns += ", " + std::string(field.key);
+  return aboutGsi + columns + ";\n" + aboutCsv;
+}
 
 /// The entry of an option in the field of the session it is for.
 std::optional<Problem> setNumber(const char* option, const char* field, const std::string& given,
@@ -45,9 +51,9 @@ std::optional<Problem> setNumber(const char* option, const char* field, const st
 }
 
 std::optional<Problem> checkZero(const char* option, const PointingZero& zero, VerticalCircle circle) {
-  for (const auto& [field, text] : {std::pair("pointing_zero.horizontal", zero.horizontal),
-                                    std::pair("pointing_zero.vertical", zero.vertical)})
-    if (const auto angle = angleEntry(field, text, circle); !angle)
+  for (const auto& [rule, text] :
+       {std::pair(horizontalRule, zero.horizontal), std::pair(verticalRule, zero.vertical)})
+    if (const auto angle = angleEntry(rule, text, circle); !angle)
       return Problem{std::string(option) + ": " + angle.problem().what};
   return std::nullopt;
 }
@@ -126,7 +132,7 @@ void addImportCommand(CLI::App& app, ImportRequest& request) {
       ->check(CLI::IsMember({"deg", "gon", "dms"}));
   import->add_option("--vertical-circle", request.verticalCircle, "zenith or elevation; else zenith")
       ->check(CLI::IsMember({"zenith", "elevation"}));
-  import->footer(about);
+  import->footer(about());
 }
 
 Result<ImportOptions> importOptions(const ImportRequest& request) {

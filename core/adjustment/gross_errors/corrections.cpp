@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "core/session/entry.h"
+#include "core/session/row_fields.h"
 #include "core/session/row_order.h"
 
 namespace alidade {
@@ -57,7 +57,7 @@ class Corrections {
   }
 
   void addOtherFace() {
-    const auto typed = wholeEntry("readings.face", m_readings[m_row].face);
+    const auto typed = wholeEntry(faceRule, m_readings[m_row].face);
     if (!typed) return;
     Correction correction{EntrySlip::WrongFace, slipShare(EntrySlip::WrongFace), {}, {}};
     change(correction, m_row, face, **typed == 1 ? "2" : "1");

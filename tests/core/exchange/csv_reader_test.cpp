@@ -18,14 +18,15 @@ TEST(CsvReader, ReadsEveryColumn) {
   const RecordedSighting& sighting = recording.sightings[0];
   EXPECT_EQ(sighting.line, 2u);
   EXPECT_EQ(sighting.axis.text, "180");
-  EXPECT_EQ(sighting.point.text, "4");
-  EXPECT_EQ(sighting.round.text, "2");
-  EXPECT_EQ(sighting.face.text, "2");
-  EXPECT_EQ(sighting.horizontal, (RecordedEntry{"341°52'24\"", 13}));
-  EXPECT_EQ(sighting.vertical.text, "88,16°");
-  EXPECT_EQ(sighting.slider.text, "10 00 00");
-  EXPECT_EQ(sighting.note, "wind");
-  EXPECT_TRUE(sighting.excluded);
+  EXPECT_EQ(sighting.row.point, "4");
+  EXPECT_EQ(sighting.row.round, "2");
+  EXPECT_EQ(sighting.row.face, "2");
+  EXPECT_EQ(sighting.row.horizontal, "341°52'24\"");
+  EXPECT_EQ(sighting.columnOf(rowField(&Reading::horizontal)), 13u);
+  EXPECT_EQ(sighting.row.vertical, "88,16°");
+  EXPECT_EQ(sighting.row.slider, "10 00 00");
+  EXPECT_EQ(sighting.row.note, "wind");
+  EXPECT_TRUE(sighting.row.excluded);
 }
 
 TEST(CsvReader, KnowsOtherNamesOfTheColumns) {
@@ -40,7 +41,7 @@ TEST(CsvReader, KnowsOtherNamesOfTheColumns) {
 
 TEST(CsvReader, TakesTheUnitFromTheNameFirst) {
   const auto first = [](const std::string& text, AngleUnit unit) {
-    return readCsv(text, unit).sightings.at(0).horizontal.text;
+    return readCsv(text, unit).sightings.at(0).row.horizontal;
   };
   EXPECT_EQ(first("Hz [gon];V\n379,859;1", AngleUnit::Degrees), "379,859gon");
   EXPECT_EQ(first("hz_deg,v_deg\n341.5,1", AngleUnit::Unstated), "341.5°");

@@ -21,11 +21,12 @@ TEST(GsiReader, ReadsSightingsWithTheirNames) {
   EXPECT_EQ(recording.format, "GSI-16");
   ASSERT_EQ(recording.sightings.size(), 2u);
   const RecordedSighting& first = recording.sightings[0];
-  EXPECT_EQ(first.point.text, "7");
-  EXPECT_EQ(first.horizontal, (RecordedEntry{"341°52'24.0\"", 17}));
-  EXPECT_EQ(first.vertical.text, "88°16'49.0\"");
-  EXPECT_EQ(first.note, "WIND");
-  EXPECT_EQ(recording.sightings[1].point.text, "A12");
+  EXPECT_EQ(first.row.point, "7");
+  EXPECT_EQ(first.row.horizontal, "341°52'24.0\"");
+  EXPECT_EQ(first.columnOf(rowField(&Reading::horizontal)), 17u);
+  EXPECT_EQ(first.row.vertical, "88°16'49.0\"");
+  EXPECT_EQ(first.row.note, "WIND");
+  EXPECT_EQ(recording.sightings[1].row.point, "A12");
   EXPECT_EQ(recording.sightings[1].line, 2u);
 }
 
@@ -38,7 +39,7 @@ TEST(GsiReader, TakesAxisAndRoundFromCodes) {
   std::vector<std::string> axes, rounds;
   for (const RecordedSighting& sighting : recording.sightings) {
     axes.push_back(sighting.axis.text);
-    rounds.push_back(sighting.round.text);
+    rounds.push_back(sighting.row.round);
   }
   EXPECT_THAT(axes, ElementsAre("", "180", "180", "0", "0"));
   EXPECT_THAT(rounds, ElementsAre("", "", "2", "", "3"));

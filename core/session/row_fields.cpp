@@ -1,0 +1,60 @@
+#include "core/session/row_fields.h"
+
+#include <cstddef>
+#include <type_traits>
+
+namespace alidade {
+
+namespace {
+
+/// Becomes whatever is asked for.
+struct Anything {
+  template <typename Value>
+  operator Value() const;
+};
+
+/// The number of members of a plain struct: the most it can be made of.
+template <typename Struct, typename... Members>
+constexpr std::size_t memberCount() {
+  if constexpr (requires { Struct{Members()..., Anything()}; })
+    return memberCount<Struct, Members..., Anything>();
+  else
+    return sizeof...(Members);
+}
+
+static_assert(memberCount<Reading>() == rowFields.size() + 1,
+              "each member of a row but its origin has its line in rowFields");
+static_assert(std::ranges::all_of(rowFields,
+                                  [](const RowField& field) { return !field.text != !field.flag; }));
+
+std::optional<Problem> ruleProblem(const FreeText&, const std::string&, VerticalCircle) {
+  return std::nullopt;
+}
+
+std::optional<Problem> ruleProblem(const WholeRule& rule, const std::string& text, VerticalCircle) {
+  const auto entry = wholeEntry(rule, text);
+  return entry ? std::nullopt : std::optional(entry.problem());
+}
+
+std::optional<Problem> ruleProblem(const AngleRule& rule, const std::string& text, VerticalCircle circle) {
+  const auto entry = angleEntry(rule, text, circle);
+  return entry ? std::nullopt : std::optional(entry.problem());
+}
+
+}  // namespace
+
+std::string usualText(const RowField& field) {
+  const auto* rule = std::get_if<WholeRule>(&field.rule);
+  return rule && rule->fallback ? std::to_string(*rule->fallback) : std::string();
+}
+
+std::optional<Problem> entryProblem(const RowField& field, const std::string& text, VerticalCircle circle) {
+  return std::visit([&](const auto& rule) { return ruleProblem(rule, text, circle); }, field.rule);
+}
+
+bool isBlank(const Reading& row) {
+  return std::ranges::all_of(rowFields,
+                             [&](const RowField& field) { return !field.text || (row.*field.text).empty(); });
+}
+
+}  // namespace alidade

@@ -1,0 +1,116 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "core/session/entry.h"
+#include "core/session/session.h"
+#include "core/session/value_text.h"
+
+namespace alidade {
+
+// What a row consists of, said once: the session file, the checks of entries, the import of tables, the table
+// in the window and the one in the report go through these fields.
+
+inline constexpr WholeRule pointRule{
+    0, std::numeric_limits<int>::max(), {}, "is no point: points count from 0"};
+inline constexpr WholeRule roundRule{1, std::numeric_limits<int>::max(), 1,
+                                     "is no round: rounds count from 1"};
+inline constexpr WholeRule faceRule{1, 2, 1, "is no face: type 1 or 2"};
+
+// Of the circles, for pointing zeros too.
+inline constexpr AngleRule horizontalRule{.low = 0, .lowOfElevation = 0, .high = 360};
+inline constexpr AngleRule verticalRule{.low = 0, .lowOfElevation = -90, .high = 360};
+/// The slider turns both ways.
+inline constexpr AngleRule sliderRule{
+    .low = -360, .lowOfElevation = -360, .high = 360, .isHighIncluded = true, .mayBeEmpty = true};
+
+struct FreeText {};
+
+/// What a text of a row must be.
+using RowRule = std::variant<FreeText, WholeRule, AngleRule>;
+
+/// One field of a row: a text, or a flag.
+struct RowField {
+  std::string_view key;           ///< in the session file: "horizontal"
+  std::string Reading::*text;     ///< null for a flag
+  bool Reading::*flag = nullptr;  ///< null for a text
+  RowRule rule;                   ///< of the text
+  const char* remedy = nullptr;   ///< what to do where a file lacks the field; null: it may be absent
+  std::string_view
+      headings;  ///< names of its column in a table: words in small letters, a blank between them
+};
+
+/// In the order in which the session file has them.
+inline constexpr std::array rowFields{
+    RowField{.key = "point",
+             .text = &Reading::point,
+             .rule = pointRule,
+             .headings = "point points pt ptno target #"},
+    RowField{
+        .key = "round", .text = &Reading::round, .rule = roundRule, .headings = "round rounds set series"},
+    RowField{.key = "face", .text = &Reading::face, .rule = faceRule, .headings = "face side lage"},
+    RowField{.key = "horizontal",
+             .text = &Reading::horizontal,
+             .rule = horizontalRule,
+             .remedy = "add the reading of the horizontal circle",
+             .headings = "horizontal hz h ha hor alpha α direction"},
+    RowField{.key = "vertical",
+             .text = &Reading::vertical,
+             .rule = verticalRule,
+             .remedy = "add the reading of the vertical circle",
+             .headings = "vertical v va vert beta β zenith zenithdistance elevation"},
+    RowField{
+        .key = "slider", .text = &Reading::slider, .rule = sliderRule, .headings = "slider s coordinate"},
+    RowField{.key = "excluded",
+             .text = nullptr,
+             .flag = &Reading::excluded,
+             .rule = FreeText(),
+             .headings = "excluded exclude skip"},
+    RowField{.key = "note",
+             .text = &Reading::note,
+             .rule = FreeText(),
+             .headings = "note notes remark remarks comment comments"},
+};
+
+constexpr const RowField& rowField(std::string Reading::*text) {
+  return *std::ranges::find(rowFields, text, &RowField::text);
+}
+constexpr const RowField& rowField(bool Reading::*flag) {
+  return *std::ranges::find(rowFields, flag, &RowField::flag);
+}
+
+/// By its name in the session file; null where no field has it.
+constexpr const RowField* rowFieldNamed(std::string_view key) {
+  const auto found = std::ranges::find(rowFields, key, &RowField::key);
+  return found == rowFields.end() ? nullptr : &*found;
+}
+
+constexpr bool isAngle(const RowField& field) {
+  return std::holds_alternative<AngleRule>(field.rule);
+}
+constexpr bool isFreeText(const RowField& field) {
+  return field.text && std::holds_alternative<FreeText>(field.rule);
+}
+
+/// How its text becomes JSON.
+constexpr ValueKind kindOf(const RowField& field) {
+  if (isAngle(field)) return ValueKind::Angle;
+  return std::holds_alternative<WholeRule>(field.rule) ? ValueKind::Number : ValueKind::Text;
+}
+
+/// What an empty text of the field stands for, as it would be typed: "1" for a round. Empty: for nothing.
+std::string usualText(const RowField& field);
+
+/// Why `text` cannot stand in the field of a row whose vertical circle is of that kind.
+std::optional<Problem> entryProblem(const RowField& field, const std::string& text, VerticalCircle circle);
+
+/// Is nothing typed in this row?
+bool isBlank(const Reading& row);
+
+}  // namespace alidade
