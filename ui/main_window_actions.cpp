@@ -202,15 +202,13 @@ void WindowActions::useClipboard(Clipboard way) {
 
 void WindowActions::createViewMenu() {
   QMenu& menu = *m_window.menuBar()->addMenu(tr("&View"));
-  const std::pair<QString, ReadingColumn> columns[] = {{tr("&Round Column"), ReadingColumn::Round},
-                                                       {tr("&Face Column"), ReadingColumn::Face},
-                                                       {tr("&Slider Column"), ReadingColumn::Slider}};
-  for (const auto& [text, column] : columns) {
-    QAction* action = menu.addAction(text);
+  for (const ReadingColumnInfo& info : allReadingColumns()) {
+    if (!info.menuText) continue;
+    QAction* action = menu.addAction(QCoreApplication::translate("ReadingColumn", info.menuText));
     action->setCheckable(true);
     action->setStatusTip(tr("A column that the session uses is always shown"));
     connect(action, &QAction::toggled, this,
-            [this, which = column](bool shown) { m_window.setColumnShown(which, shown); });
+            [this, which = info.column](bool shown) { m_window.setColumnShown(which, shown); });
   }
   addPageActions(menu);
   addEnlargeAction(menu);

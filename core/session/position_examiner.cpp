@@ -44,12 +44,12 @@ class PositionExaminer : private ProblemReporter {
 
   ExaminedPosition examine() {
     m_examined.zero = examineZero();
-    const std::vector<Reading>& readings = m_position.readings;
-    m_rowOfVisitFace.reserve(readings.size());
-    m_examined.sightings.reserve(readings.size());
-    for (std::size_t row = 0; row < readings.size(); ++row) {
-      if (readings[row].excluded) continue;
-      if (const auto sighting = examineReading(readings[row], {.position = m_index, .reading = row}))
+    const std::vector<Reading>& rows = m_position.readings;
+    m_rowOfVisitFace.reserve(rows.size());
+    m_examined.sightings.reserve(rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      if (rows[i].excluded) continue;
+      if (const auto sighting = examineRow(rows[i], {.position = m_index, .reading = i}))
         m_examined.sightings.push_back(*sighting);
     }
     m_examined.problems = std::move(m_problems);
@@ -89,59 +89,59 @@ class PositionExaminer : private ProblemReporter {
   }
 
   /// The row reduced from the zero; empty where it cannot be used or there is nothing to reduce it from.
-  std::optional<Sighting> examineReading(const Reading& reading, const Place& row) {
-    if (isBlank(reading)) {
-      report({"is empty, as is the whole row: type its readings or delete the row"}, at(row, "horizontal"));
+  std::optional<Sighting> examineRow(const Reading& row, const Place& place) {
+    if (isBlank(row)) {
+      report({"is empty, as is the whole row: type its readings or delete the row"}, at(place, "horizontal"));
       return std::nullopt;
     }
     const std::size_t before = m_problems.size();
     Sighting sighting;
-    sighting.row = *row.reading;
+    sighting.row = *place.reading;
     sighting.sequence = m_firstSequence + sighting.row;
-    examineVisit(reading, row, sighting);
-    const auto horizontal = angle(horizontalRule, reading.horizontal, row, "horizontal");
-    const auto vertical = angle(verticalRule, reading.vertical, row, "vertical");
+    examineVisit(row, place, sighting);
+    const auto horizontal = angle(horizontalRule, row.horizontal, place, "horizontal");
+    const auto vertical = angle(verticalRule, row.vertical, place, "vertical");
     const std::size_t beforeReduction = m_problems.size();
     if (horizontal && vertical && m_examined.zero && m_circle && beforeReduction == before) {
       reduce(inFaceOne(*horizontal, *vertical, sighting.face, *m_circle), *m_examined.zero, sighting);
-      checkWidth(sighting.a, reading.horizontal, row, "horizontal");
-      checkWidth(sighting.e, reading.vertical, row, "vertical");
+      checkWidth(sighting.a, row.horizontal, place, "horizontal");
+      checkWidth(sighting.e, row.vertical, place, "vertical");
     }
-    sighting.slider = angle(sliderRule, reading.slider, row, "slider");
+    sighting.slider = angle(sliderRule, row.slider, place, "slider");
     if (m_problems.size() > before || !m_examined.zero) return std::nullopt;
     return sighting;
   }
 
   /// Point, round and face; the same three twice in one position are a slip of the pen.
-  void examineVisit(const Reading& reading, const Place& row, Sighting& sighting) {
-    const auto point = valueOf(wholeEntry(pointRule, reading.point), row, "point");
-    const auto round = valueOf(wholeEntry(roundRule, reading.round), row, "round");
-    const auto face = valueOf(wholeEntry(faceRule, reading.face), row, "face");
+  void examineVisit(const Reading& row, const Place& place, Sighting& sighting) {
+    const auto point = valueOf(wholeEntry(pointRule, row.point), place, "point");
+    const auto round = valueOf(wholeEntry(roundRule, row.round), place, "round");
+    const auto face = valueOf(wholeEntry(faceRule, row.face), place, "face");
     if (!point || !round || !face) return;
-    sighting.point = point->value_or(static_cast<int>(*row.reading) + 1);
+    sighting.point = point->value_or(static_cast<int>(*place.reading) + 1);
     sighting.round = **round;
     sighting.face = **face;
     const auto [first, isNew] =
-        m_rowOfVisitFace.emplace(VisitFace{sighting.round, sighting.point, sighting.face}, *row.reading);
+        m_rowOfVisitFace.emplace(VisitFace{sighting.round, sighting.point, sighting.face}, *place.reading);
     if (isNew) return;
     report({"point " + std::to_string(sighting.point) + ", round " + std::to_string(sighting.round) +
             ", face " + std::to_string(sighting.face) + " is already in row " +
             std::to_string(first->second + 1) + ": give it another point or round, or exclude one"},
-           at(row, "point"));
+           at(place, "point"));
   }
 
-  void reduce(const FaceOneReading& reading, const ZeroDirection& zero, Sighting& sighting) const {
-    sighting.a = wrapped(reading.horizontal - zero.horizontal);
+  void reduce(const FaceOneReading& circles, const ZeroDirection& zero, Sighting& sighting) const {
+    sighting.a = wrapped(circles.horizontal - zero.horizontal);
     const bool zenith = *m_circle == VerticalCircle::Zenith;
-    sighting.e = wrapped(zenith ? zero.vertical - reading.vertical : reading.vertical - zero.vertical);
+    sighting.e = wrapped(zenith ? zero.vertical - circles.vertical : circles.vertical - zero.vertical);
   }
 
-  void checkWidth(Angle reduced, const std::string& text, const Place& row, const char* field) {
+  void checkWidth(Angle reduced, const std::string& text, const Place& place, const char* field) {
     const double degrees = std::abs(reduced.degrees());
     if (degrees < widestDegrees) return;
     report({quotation(text) + " lies " + fixedText(degrees, 0) +
             "° from the pointing zero, beyond the edge of the arc plane: check the degrees and the face"},
-           at(row, field));
+           at(place, field));
   }
 
   const Position& m_position;

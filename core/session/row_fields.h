@@ -42,8 +42,8 @@ struct RowField {
   bool Reading::*flag = nullptr;  ///< null for a text
   RowRule rule;                   ///< of the text
   const char* remedy = nullptr;   ///< what to do where a file lacks the field; null: it may be absent
-  std::string_view
-      headings;  ///< names of its column in a table: words in small letters, a blank between them
+  /// Words that name its column in a table, in small letters, with a blank between them.
+  std::string_view headings;
 };
 
 /// In the order in which the session file has them.

@@ -8,6 +8,7 @@
 #include "core/base/utf8.h"
 #include "core/exchange/recording.h"
 #include "core/session/measurement.h"
+#include "core/session/row_fields.h"
 #include "tests/fuzz/require.h"
 #include "tests/fuzz/targets.h"
 
@@ -15,13 +16,7 @@ namespace alidade::fuzz {
 
 namespace {
 
-constexpr std::array fields = {"readings.point",
-                               "readings.round",
-                               "readings.face",
-                               "readings.horizontal",
-                               "readings.vertical",
-                               "readings.slider",
-                               "axis_deg",
+constexpr std::array fields = {"axis_deg",
                                "pointing_zero.horizontal",
                                "pointing_zero.vertical",
                                "geometry.distance_mm",
@@ -64,11 +59,15 @@ void checkNumber(std::string_view text) {
   require(!displayText(*number, 3).empty() && !displayShortest(*number).empty(), "a number without words");
 }
 
-void checkFields(const std::string& text) {
+void checkField(const std::string& field, const std::string& text) {
   static const Session session = blankSession();
-  for (const char* field : fields)
-    if (const auto problem = entryProblem(session, field, text))
-      require(!problem->empty() && !firstIllFormedByte(*problem), "a refusal that is no text");
+  if (const auto problem = entryProblem(session, field, text))
+    require(!problem->empty() && !firstIllFormedByte(*problem), "a refusal that is no text");
+}
+
+void checkFields(const std::string& text) {
+  for (const char* field : fields) checkField(field, text);
+  for (const RowField& field : rowFields) checkField("readings." + std::string(field.key), text);
 }
 
 }  // namespace

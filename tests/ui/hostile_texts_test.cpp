@@ -18,6 +18,7 @@
 #include <QTimer>
 #include <QToolTip>
 
+#include "core/session/row_fields.h"
 #include "core/session/session_file.h"
 #include "tests/support/hostile_session.h"
 #include "tests/ui/report/printed.h"
@@ -64,8 +65,8 @@ std::string brokenPaperText(const std::string& text) {
   json["positions"][1]["axis_deg"] = text;
   for (Json& position : json["positions"]) {
     for (const char* key : {"horizontal", "vertical"}) position["pointing_zero"][key] = text;
-    for (const char* key : {"point", "round", "face", "horizontal", "vertical", "slider"})
-      position["readings"][3][key] = text;
+    for (const RowField& field : rowFields)
+      if (field.text && !isFreeText(field)) position["readings"][3][field.key] = text;
   }
   return json.dump();
 }

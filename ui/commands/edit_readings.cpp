@@ -45,17 +45,7 @@ const std::vector<Reading>& ReadingsEditor::readings() const {
 }
 
 QString ReadingsEditor::noun(ReadingColumn column) {
-  const QString nouns[] = {tr("use"),
-                           tr("point number"),
-                           tr("round"),
-                           tr("face"),
-                           tr("horizontal reading"),
-                           tr("vertical reading"),
-                           tr("slider reading"),
-                           QString(),
-                           QString(),
-                           tr("note")};
-  return nouns[static_cast<int>(column)];
+  return QCoreApplication::translate("ReadingColumn", infoOf(column).noun);
 }
 
 Reading ReadingsEditor::following(const std::vector<Reading>& rows) {

@@ -8,6 +8,7 @@
 #include "core/base/file_bytes.h"
 #include "core/base/file_target.h"
 #include "core/exchange/import.h"
+#include "core/session/row_fields.h"
 #include "ui/commands/replace_session.h"
 #include "ui/dialogs/dialogs.h"
 #include "ui/dialogs/import_notes.h"
@@ -24,12 +25,6 @@
 namespace alidade::ui {
 
 namespace {
-
-bool isBlank(const Reading& reading) {
-  Reading blank;
-  blank.excluded = reading.excluded;
-  return reading == blank;
-}
 
 /// Rows that somebody began count too: what was typed is not put aside.
 bool hasReadings(const Session& session) {

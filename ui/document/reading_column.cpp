@@ -1,75 +1,177 @@
 #include "ui/document/reading_column.h"
 
+#include <QtGlobal>
+#include <algorithm>
 #include <array>
-#include <string_view>
+#include <cstddef>
 
 namespace alidade::ui {
 
 namespace {
 
-constexpr std::array<std::string_view, readingColumnCount> fieldNames = {
-    "excluded", "point", "round", "face", "horizontal", "vertical", "slider", "", "", "note"};
+constexpr std::array columns{
+    ReadingColumnInfo{.column = ReadingColumn::Used,
+                      .field = &rowField(&Reading::excluded),
+                      .title = QT_TRANSLATE_NOOP("ReadingColumn", "Use"),
+                      .toolTip = QT_TRANSLATE_NOOP(
+                          "ReadingColumn", "Rows without a tick are kept, but are no part of the fit"),
+                      .noun = QT_TRANSLATE_NOOP("ReadingColumn", "use"),
+                      .menuText = nullptr,
+                      .widest = "Use",
+                      .printedTitle = nullptr,
+                      .printedWidth = 0},
+    ReadingColumnInfo{.column = ReadingColumn::Point,
+                      .field = &rowField(&Reading::point),
+                      .title = QT_TRANSLATE_NOOP("ReadingColumn", "Point"),
+                      .toolTip = QT_TRANSLATE_NOOP("ReadingColumn", "Number of the slider's place"),
+                      .noun = QT_TRANSLATE_NOOP("ReadingColumn", "point number"),
+                      .menuText = nullptr,
+                      .widest = "Point",
+                      .printedTitle = "Point",
+                      .printedWidth = 12},
+    ReadingColumnInfo{.column = ReadingColumn::Round,
+                      .field = &rowField(&Reading::round),
+                      .title = QT_TRANSLATE_NOOP("ReadingColumn", "Round"),
+                      .toolTip = QT_TRANSLATE_NOOP("ReadingColumn", "Round of readings; empty means 1"),
+                      .noun = QT_TRANSLATE_NOOP("ReadingColumn", "round"),
+                      .menuText = QT_TRANSLATE_NOOP("ReadingColumn", "&Round Column"),
+                      .widest = "Round",
+                      .printedTitle = "Round",
+                      .printedWidth = 13},
+    ReadingColumnInfo{
+        .column = ReadingColumn::Face,
+        .field = &rowField(&Reading::face),
+        .title = QT_TRANSLATE_NOOP("ReadingColumn", "Face"),
+        .toolTip = QT_TRANSLATE_NOOP("ReadingColumn", "Face of the theodolite, 1 or 2; empty means 1"),
+        .noun = QT_TRANSLATE_NOOP("ReadingColumn", "face"),
+        .menuText = QT_TRANSLATE_NOOP("ReadingColumn", "&Face Column"),
+        .widest = "Face",
+        .printedTitle = "Face",
+        .printedWidth = 10},
+    ReadingColumnInfo{.column = ReadingColumn::Horizontal,
+                      .field = &rowField(&Reading::horizontal),
+                      .title = QT_TRANSLATE_NOOP("ReadingColumn", "Horizontal α"),
+                      .toolTip = QT_TRANSLATE_NOOP(
+                          "ReadingColumn",
+                          "Reading of the horizontal circle, degrees minutes seconds; 3415224 is 341°52′24″"),
+                      .noun = QT_TRANSLATE_NOOP("ReadingColumn", "horizontal reading"),
+                      .menuText = nullptr,
+                      .widest = nullptr,
+                      .printedTitle = "Horizontal\nas read",
+                      .printedWidth = 28},
+    ReadingColumnInfo{.column = ReadingColumn::Vertical,
+                      .field = &rowField(&Reading::vertical),
+                      .title = QT_TRANSLATE_NOOP("ReadingColumn", "Zenith β"),
+                      .toolTip = QT_TRANSLATE_NOOP("ReadingColumn",
+                                                   "Reading of the vertical circle, degrees minutes seconds"),
+                      .noun = QT_TRANSLATE_NOOP("ReadingColumn", "vertical reading"),
+                      .menuText = nullptr,
+                      .widest = nullptr,
+                      .printedTitle = "Vertical\nas read",
+                      .printedWidth = 28},
+    ReadingColumnInfo{.column = ReadingColumn::Slider,
+                      .field = &rowField(&Reading::slider),
+                      .title = QT_TRANSLATE_NOOP("ReadingColumn", "Slider s"),
+                      .toolTip = QT_TRANSLATE_NOOP(
+                          "ReadingColumn", "Slider coordinate where it was read, degrees minutes seconds"),
+                      .noun = QT_TRANSLATE_NOOP("ReadingColumn", "slider reading"),
+                      .menuText = QT_TRANSLATE_NOOP("ReadingColumn", "&Slider Column"),
+                      .widest = nullptr,
+                      .printedTitle = nullptr,
+                      .printedWidth = 0},
+    ReadingColumnInfo{
+        .column = ReadingColumn::HorizontalResidual,
+        .field = nullptr,
+        .title = QT_TRANSLATE_NOOP("ReadingColumn", "vα ″"),
+        .toolTip = QT_TRANSLATE_NOOP(
+            "ReadingColumn",
+            "Residual of the horizontal reading in arcseconds: observed − adjusted, right positive"),
+        .noun = nullptr,
+        .menuText = nullptr,
+        .widest = "−188.8",
+        .printedTitle = nullptr,
+        .printedWidth = 0},
+    ReadingColumnInfo{.column = ReadingColumn::VerticalResidual,
+                      .field = nullptr,
+                      .title = QT_TRANSLATE_NOOP("ReadingColumn", "vβ ″"),
+                      .toolTip = QT_TRANSLATE_NOOP(
+                          "ReadingColumn",
+                          "Residual of the vertical reading in arcseconds: observed − adjusted, up positive"),
+                      .noun = nullptr,
+                      .menuText = nullptr,
+                      .widest = "−188.8",
+                      .printedTitle = nullptr,
+                      .printedWidth = 0},
+    ReadingColumnInfo{.column = ReadingColumn::Note,
+                      .field = &rowField(&Reading::note),
+                      .title = QT_TRANSLATE_NOOP("ReadingColumn", "Note"),
+                      .toolTip = QT_TRANSLATE_NOOP("ReadingColumn", "Free text"),
+                      .noun = QT_TRANSLATE_NOOP("ReadingColumn", "note"),
+                      .menuText = nullptr,
+                      .widest = "Note",
+                      .printedTitle = nullptr,
+                      .printedWidth = 0},
+};
+
+constexpr bool isEachInItsPlace() {
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    if (columns[i].column != static_cast<ReadingColumn>(i)) return false;
+  return columns.size() == readingColumnCount;
+}
+static_assert(isEachInItsPlace(), "one line for each ReadingColumn, in their order");
+
+static_assert(std::ranges::all_of(rowFields,
+                                  [](const RowField& field) {
+                                    return std::ranges::count(columns, &field, &ReadingColumnInfo::field) ==
+                                           1;
+                                  }),
+              "each field of a row has its column");
 
 }  // namespace
 
-std::string Reading::*readingText(ReadingColumn column) {
-  switch (column) {
-    case ReadingColumn::Point:
-      return &Reading::point;
-    case ReadingColumn::Round:
-      return &Reading::round;
-    case ReadingColumn::Face:
-      return &Reading::face;
-    case ReadingColumn::Horizontal:
-      return &Reading::horizontal;
-    case ReadingColumn::Vertical:
-      return &Reading::vertical;
-    case ReadingColumn::Slider:
-      return &Reading::slider;
-    case ReadingColumn::Note:
-      return &Reading::note;
-    case ReadingColumn::Used:
-    case ReadingColumn::HorizontalResidual:
-    case ReadingColumn::VerticalResidual:
-      break;
-  }
-  return nullptr;
+std::span<const ReadingColumnInfo> allReadingColumns() {
+  return columns;
 }
 
-std::string readingFieldName(ReadingColumn column) {
-  return std::string(fieldNames.at(static_cast<std::size_t>(column)));
+const ReadingColumnInfo& infoOf(ReadingColumn column) {
+  return columns.at(static_cast<std::size_t>(column));
+}
+
+std::string Reading::*readingText(ReadingColumn column) {
+  const RowField* field = infoOf(column).field;
+  return field ? field->text : nullptr;
 }
 
 ReadingColumn readingColumn(const std::string& fieldName) {
-  for (int column = 0; column < readingColumnCount; ++column) {
-    const auto candidate = static_cast<ReadingColumn>(column);
-    if (isEntered(candidate) && fieldNames.at(static_cast<std::size_t>(column)) == fieldName)
-      return candidate;
-  }
-  return ReadingColumn::Horizontal;
+  const RowField* field = rowFieldNamed(fieldName);
+  return field ? std::ranges::find(columns, field, &ReadingColumnInfo::field)->column
+               : ReadingColumn::Horizontal;
+}
+
+bool isAngle(ReadingColumn column) {
+  const RowField* field = infoOf(column).field;
+  return field && isAngle(*field);
+}
+
+bool isFreeText(ReadingColumn column) {
+  const RowField* field = infoOf(column).field;
+  return field && isFreeText(*field);
 }
 
 bool isEntered(ReadingColumn column) {
-  return column != ReadingColumn::HorizontalResidual && column != ReadingColumn::VerticalResidual;
+  return infoOf(column).field != nullptr;
 }
 
-std::string enteredText(const Reading& reading, ReadingColumn column) {
-  if (column == ReadingColumn::Used) return reading.excluded ? "0" : "1";
-  return reading.*readingText(column);
+std::string enteredText(const Reading& row, ReadingColumn column) {
+  const auto text = readingText(column);
+  return text ? row.*text : row.excluded ? "0" : "1";
 }
 
-void enter(Reading& reading, ReadingColumn column, const std::string& text) {
-  if (column == ReadingColumn::Used) {
-    reading.excluded = text == "0";
-  } else {
-    reading.*readingText(column) = text;
-  }
-}
-
-bool isBlank(const Reading& reading) {
-  return reading.point.empty() && reading.round.empty() && reading.face.empty() &&
-         reading.horizontal.empty() && reading.vertical.empty() && reading.slider.empty() &&
-         reading.note.empty();
+void enter(Reading& row, ReadingColumn column, const std::string& text) {
+  if (const auto own = readingText(column))
+    row.*own = text;
+  else
+    row.excluded = text == "0";
 }
 
 }  // namespace alidade::ui

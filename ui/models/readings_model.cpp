@@ -1,5 +1,6 @@
 #include "ui/models/readings_model.h"
 
+#include <QCoreApplication>
 #include <algorithm>
 #include <iterator>
 #include <utility>
@@ -17,11 +18,12 @@ namespace {
 constexpr int longestCell = 300;  // characters: more than any column shows
 
 bool isRequired(ReadingColumn column) {
-  return column == ReadingColumn::Horizontal || column == ReadingColumn::Vertical;
+  const RowField* field = infoOf(column).field;
+  return field && field->remedy;
 }
 
-bool isAngle(ReadingColumn column) {
-  return isRequired(column) || column == ReadingColumn::Slider;
+QString translated(const char* text) {
+  return QCoreApplication::translate("ReadingColumn", text);
 }
 
 }  // namespace
@@ -53,7 +55,7 @@ QVariant ReadingsModel::data(const QModelIndex& index, int role) const {
   const auto column = static_cast<ReadingColumn>(index.column());
   const int row = index.row();
   if (role == Qt::TextAlignmentRole) {
-    return QVariant((column == ReadingColumn::Note ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+    return QVariant((isFreeText(column) ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
   }
   if (row >= readingCount()) return pendingRowData(column, role);
   switch (role) {
@@ -105,7 +107,8 @@ QString ReadingsModel::problem(int row, ReadingColumn column) const {
   if (!readingText(column)) return {};
   const std::string& typed = reading(row).*readingText(column);
   if (typed.empty()) return {};
-  const auto own = entryProblem(m_document.session(), "readings." + readingFieldName(column), typed);
+  const std::string name = "readings." + std::string(infoOf(column).field->key);
+  const auto own = entryProblem(m_document.session(), name, typed);
   return own ? qText(*own) : m_notes.problem(static_cast<std::size_t>(row), column);
 }
 
@@ -136,34 +139,14 @@ QVariant ReadingsModel::headerData(int section, Qt::Orientation orientation, int
   }
   const auto column = static_cast<ReadingColumn>(section);
   if (role == Qt::DisplayRole) return columnTitle(column);
-  if (role == Qt::ToolTipRole) return columnToolTip(column);
+  if (role == Qt::ToolTipRole) return translated(infoOf(column).toolTip);
   return {};
 }
 
 QString ReadingsModel::columnTitle(ReadingColumn column) const {
   const bool elevation = m_document.session().geometry.verticalCircle == "elevation";
-  const QString titles[] = {tr("Use"),          tr("Point"),
-                            tr("Round"),        tr("Face"),
-                            tr("Horizontal α"), elevation ? tr("Elevation β") : tr("Zenith β"),
-                            tr("Slider s"),     tr("vα ″"),
-                            tr("vβ ″"),         tr("Note")};
-  return titles[static_cast<int>(column)];
-}
-
-QString ReadingsModel::columnToolTip(ReadingColumn column) const {
-  const QString tips[] = {
-      tr("Rows without a tick are kept, but are no part of the fit"),
-      tr("Number of the slider's place"),
-      tr("Round of readings; empty means 1"),
-      tr("Face of the theodolite, 1 or 2; empty means 1"),
-      tr("Reading of the horizontal circle, degrees minutes seconds; 3415224 is 341°52′24″"),
-      tr("Reading of the vertical circle, degrees minutes seconds"),
-      tr("Slider coordinate where it was read, degrees minutes seconds"),
-      tr("Residual of the horizontal reading in arcseconds: observed − adjusted, right positive"),
-      tr("Residual of the vertical reading in arcseconds: observed − adjusted, up positive"),
-      tr("Free text"),
-  };
-  return tips[static_cast<int>(column)];
+  return column == ReadingColumn::Vertical && elevation ? tr("Elevation β")
+                                                        : translated(infoOf(column).title);
 }
 
 Qt::ItemFlags ReadingsModel::flags(const QModelIndex& index) const {
@@ -206,12 +189,11 @@ bool ReadingsModel::isUsed(ReadingColumn column) const {
 
 bool ReadingsModel::isUsed(ReadingColumn column, std::size_t first, std::size_t count) const {
   const auto text = readingText(column);
-  const std::string usual = column == ReadingColumn::Round || column == ReadingColumn::Face ? "1" : "";
+  if (!text) return false;
+  const std::string usual = usualText(*infoOf(column).field);
   const auto from = std::next(readings().begin(), static_cast<std::ptrdiff_t>(first));
-  return text &&
-         std::any_of(from, std::next(from, static_cast<std::ptrdiff_t>(count)), [&](const Reading& reading) {
-           return !(reading.*text).empty() && reading.*text != usual;
-         });
+  return std::any_of(from, std::next(from, static_cast<std::ptrdiff_t>(count)),
+                     [&](const Reading& row) { return !(row.*text).empty() && row.*text != usual; });
 }
 
 QString ReadingsModel::copiedText(int row, ReadingColumn column) const {

@@ -60,7 +60,6 @@ class ReadingsModel : public QAbstractTableModel {
   QString toolTip(int row, ReadingColumn column) const;
   QVariant pendingRowData(ReadingColumn column, int role) const;
   QString columnTitle(ReadingColumn column) const;
-  QString columnToolTip(ReadingColumn column) const;
   bool isMine(const SessionChange& change) const;
   void beginChange(const SessionChange& change);
   void endChange(const SessionChange& change);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "ui/document/reading_column.h"
 #include "ui/report/report_table.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/quantity_text.h"
@@ -37,19 +38,23 @@ QString angleCell(const std::string& typed) {
   return text + QStringLiteral("\n= ") + normal;
 }
 
+/// What was typed, then what was computed; the remark has the width that is left.
 std::vector<ReportColumn> columns() {
   constexpr auto right = Qt::AlignRight;
-  return {{QStringLiteral("Point"), 12, right},
-          {QStringLiteral("Round"), 13, right},
-          {QStringLiteral("Face"), 10, right},
-          {QStringLiteral("Horizontal\nas read"), 28, right},
-          {QStringLiteral("Vertical\nas read"), 28, right},
-          {QStringLiteral("Arc angle\nφ (°)"), 18, right},
-          {QStringLiteral("v horiz.\n(″)"), 17, right},
-          {QString(), 4},
-          {QStringLiteral("v vert.\n(″)"), 15, right},
-          {QString(), 4},
-          {QStringLiteral("Remark"), 21}};
+  std::vector<ReportColumn> columns;
+  for (const ReadingColumnInfo& info : allReadingColumns())
+    if (info.printedTitle)
+      columns.push_back({QString::fromUtf8(info.printedTitle), info.printedWidth,
+                         isFreeText(info.column) ? Qt::AlignLeft : right});
+  columns.push_back({QStringLiteral("Arc angle\nφ (°)"), 18, right});
+  columns.push_back({QStringLiteral("v horiz.\n(″)"), 17, right});
+  columns.push_back({QString(), 4});
+  columns.push_back({QStringLiteral("v vert.\n(″)"), 15, right});
+  columns.push_back({QString(), 4});
+  double taken = 0;
+  for (const ReportColumn& column : columns) taken += column.width;
+  columns.push_back({QStringLiteral("Remark"), ReportSheet::width - taken});
+  return columns;
 }
 
 /// Rows of one position that `examine` refused.
@@ -66,9 +71,11 @@ QString remark(const Reading& reading, bool unusable) {
   return unusable ? QStringLiteral("unusable") : QString();
 }
 
-QString orDefault(const std::string& text, const QString& usual) {
+QString typedCell(const Reading& row, const RowField& field) {
+  const std::string& text = row.*field.text;
+  if (isAngle(field)) return angleCell(text);
   const QString typed = shortLine(qText(text).trimmed(), longestCell);
-  return typed.isEmpty() ? usual : typed;
+  return orNotStated(typed.isEmpty() ? qText(usualText(field)) : typed);
 }
 
 class PositionTable {
@@ -101,12 +108,9 @@ class PositionTable {
     const SightingResidual* residual = m_residuals[row];
     const bool unusable = m_unusable.contains(row);
     const TextStyle style = reading.excluded ? type::label : unusable ? type::body.inBold() : type::body;
-    const QString one = QStringLiteral("1");
-    std::vector<ReportCell> cells{{orNotStated(shortLine(reading.point, longestCell)), style},
-                                  {orDefault(reading.round, one), style},
-                                  {orDefault(reading.face, one), style},
-                                  {angleCell(reading.horizontal), style},
-                                  {angleCell(reading.vertical), style}};
+    std::vector<ReportCell> cells;
+    for (const ReadingColumnInfo& info : allReadingColumns())
+      if (info.printedTitle) cells.emplace_back(typedCell(reading, *info.field), style);
     if (residual) {
       const double horizontal = residual->horizontal.arcseconds(), vertical = residual->vertical.arcseconds();
       cells.emplace_back(numberText(Angle::fromRadians(residual->arcAngle).degrees(), 3));

@@ -3,9 +3,9 @@
 #include <QCoreApplication>
 #include <algorithm>
 
+#include "core/session/row_fields.h"
 #include "core/session/session_file.h"
 #include "ui/document/field.h"
-#include "ui/document/reading_column.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/spoken_place.h"
 
@@ -76,14 +76,12 @@ class Comparison {
   }
 
   void compareCells(Place place, const Reading& mine, const Reading& theirs) {
-    for (int i = 0; i < readingColumnCount; ++i) {
-      const auto column = static_cast<ReadingColumn>(i);
-      const auto text = readingText(column);
-      if (!text) continue;
-      place.field = readingFieldName(column);
-      compare(place, mine.*text, theirs.*text);
+    for (const RowField& field : rowFields) {
+      if (!field.text) continue;
+      place.field = field.key;
+      compare(place, mine.*field.text, theirs.*field.text);
     }
-    place.field = readingFieldName(ReadingColumn::Used);
+    place.field = rowField(&Reading::excluded).key;
     if (mine.excluded != theirs.excluded) add(m_mine, place, yesNo(mine.excluded), yesNo(theirs.excluded));
   }
 

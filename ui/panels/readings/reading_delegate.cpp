@@ -77,8 +77,9 @@ void ReadingDelegate::initStyleOption(QStyleOptionViewItem* option, const QModel
     option->backgroundBrush = stateTint(option->palette, State::Open);
   }
   const bool excluded = index.data(ReadingsModel::ExcludedRole).toBool();
-  option->font.setStrikeOut(excluded && static_cast<ReadingColumn>(index.column()) != ReadingColumn::Note);
-  const bool computed = !isEntered(static_cast<ReadingColumn>(index.column()));
+  const auto column = static_cast<ReadingColumn>(index.column());
+  option->font.setStrikeOut(excluded && !isFreeText(column));
+  const bool computed = !isEntered(column);
   if (excluded || computed || index.data(ReadingsModel::PendingRowRole).toBool()) {
     option->palette.setColor(QPalette::Text, option->palette.color(QPalette::PlaceholderText));
   }

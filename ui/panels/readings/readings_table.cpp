@@ -15,11 +15,9 @@ namespace alidade::ui {
 
 namespace {
 
-constexpr ReadingColumn optionalColumns[] = {ReadingColumn::Round, ReadingColumn::Face,
-                                             ReadingColumn::Slider};
-
-constexpr ReadingColumn angleColumns[] = {ReadingColumn::Horizontal, ReadingColumn::Vertical,
-                                          ReadingColumn::Slider};
+bool isOptional(const ReadingColumnInfo& info) {
+  return info.menuText != nullptr;
+}
 
 ReadingColumn columnOf(const QModelIndex& index) {
   return static_cast<ReadingColumn>(index.column());
@@ -54,11 +52,11 @@ void ReadingsTable::layOutColumns() {
   QHeaderView* header = horizontalHeader();
   header->setHighlightSections(false);
   header->setMinimumSectionSize(36);
-  const int angle = 0;  // `fitAngles` sets these
-  const int residual = widthOf("−188.8") - 4;
-  const int widths[] = {widthOf("Use"), widthOf("Point"), widthOf("Round"), widthOf("Face"), angle, angle,
-                        angle,          residual,         residual,         widthOf("Note")};
-  for (int column = 0; column < readingColumnCount; ++column) setColumnWidth(column, widths[column]);
+  for (const ReadingColumnInfo& info : allReadingColumns()) {
+    if (!info.widest) continue;  // `fitAngles` sets these
+    const int sparedByResiduals = info.field ? 0 : 4;
+    setColumnWidth(static_cast<int>(info.column), widthOf(info.widest) - sparedByResiduals);
+  }
   header->setStretchLastSection(true);
   const int last = readingColumnCount - 1;
   connect(header, &QHeaderView::sectionResized, this, [this, last](int column, int, int) {
@@ -79,13 +77,12 @@ void ReadingsTable::fitAngles() {
   int room = viewport()->width() - widthOf("Note"), angles = 0;
   for (int column = 0; column < readingColumnCount - 1; ++column) {
     if (isColumnHidden(column)) continue;
-    const bool isAngle = std::find(std::begin(angleColumns), std::end(angleColumns),
-                                   static_cast<ReadingColumn>(column)) != std::end(angleColumns);
-    isAngle ? ++angles : room -= columnWidth(column);
+    isAngle(static_cast<ReadingColumn>(column)) ? ++angles : room -= columnWidth(column);
   }
   const QScopedValueRollback fitting(m_isFitting, true);
-  for (const ReadingColumn column : angleColumns)
-    setColumnWidth(static_cast<int>(column), std::clamp(room / std::max(1, angles), least, most));
+  for (const ReadingColumnInfo& info : allReadingColumns())
+    if (isAngle(info.column))
+      setColumnWidth(static_cast<int>(info.column), std::clamp(room / std::max(1, angles), least, most));
 }
 
 void ReadingsTable::resizeEvent(QResizeEvent* event) {
@@ -101,9 +98,10 @@ void ReadingsTable::setColumnShown(ReadingColumn column, bool shown) {
 
 void ReadingsTable::showUsedColumns() {
   const QScopedValueRollback fitting(m_isFitting, true);
-  for (const ReadingColumn column : optionalColumns) {
-    const bool wanted = std::find(m_wanted.begin(), m_wanted.end(), column) != m_wanted.end();
-    setColumnHidden(static_cast<int>(column), !wanted && !m_model.isUsed(column));
+  for (const ReadingColumnInfo& info : allReadingColumns()) {
+    if (!isOptional(info)) continue;
+    const bool wanted = std::find(m_wanted.begin(), m_wanted.end(), info.column) != m_wanted.end();
+    setColumnHidden(static_cast<int>(info.column), !wanted && !m_model.isUsed(info.column));
   }
   fitAngles();
 }
@@ -111,13 +109,13 @@ void ReadingsTable::showUsedColumns() {
 /// A column that is hidden can only come into use by what is new.
 void ReadingsTable::showColumnsUsedBy(const SessionChange& change) {
   if (change.kind != SessionChange::Kind::Readings || change.place.position != m_model.position()) return;
-  const bool isRight =
-      std::all_of(std::begin(optionalColumns), std::end(optionalColumns), [&](ReadingColumn column) {
-        if (isColumnHidden(static_cast<int>(column)))
-          return !m_model.isUsed(column, *change.place.reading, change.inserted);
-        return std::find(m_wanted.begin(), m_wanted.end(), column) != m_wanted.end() ||
-               m_model.isUsed(column);
-      });
+  const bool isRight = std::ranges::all_of(allReadingColumns(), [&](const ReadingColumnInfo& info) {
+    if (!isOptional(info)) return true;
+    if (isColumnHidden(static_cast<int>(info.column)))
+      return !m_model.isUsed(info.column, *change.place.reading, change.inserted);
+    return std::find(m_wanted.begin(), m_wanted.end(), info.column) != m_wanted.end() ||
+           m_model.isUsed(info.column);
+  });
   if (!isRight) showUsedColumns();
 }
 
