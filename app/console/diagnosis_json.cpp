@@ -17,7 +17,7 @@ Json sizeJson(const GapSize& size) {
   return {{"rms_arcsec", size.rms}, {"reduced_chi2", size.reducedChiSquare}, {"p_value", size.pValue}};
 }
 
-Json readingJson(const BlamedReading& reading) {
+Json readingJson(const ReadingDeviation& reading) {
   return {{"axis_deg", reading.axisDeg}, {"round", reading.round},         {"point", reading.point},
           {"face", reading.face},        {"circle", nameOf(reading.kind)}, {"size_arcsec", reading.size}};
 }
@@ -29,7 +29,7 @@ Json causeJson(const Cause& cause) {
                           {"value", parameter.value},
                           {"sigma", parameter.sigma},
                           {"unit", parameter.unit}});
-  for (const BlamedReading& reading : cause.readings) readings.push_back(readingJson(reading));
+  for (const ReadingDeviation& reading : cause.readings) readings.push_back(readingJson(reading));
   return {{"effect", cause.effect},
           {"probability", cause.probability},
           {"parameters", parameters},

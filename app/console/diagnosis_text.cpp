@@ -31,14 +31,14 @@ std::string gapText(const Diagnosis& diagnosis) {
   Rows rows{{"", "rms (″)", "reduced χ²", "Δd (mm)", "U (mm)"},
             row("as modelled", diagnosis.gap, diagnosis.before)};
   for (const GapStep& step : diagnosis.steps)
-    rows.push_back(row(step.effect == misreadingId ? "without the misread values" : "with " + step.effect,
+    rows.push_back(row(step.effect == grossErrorId ? "without the misread values" : "with " + step.effect,
                        step.size, step.intersection));
   if (const std::string beyond = textOf(beyondTheFit(diagnosis)); !beyond.empty())
     rows.push_back(row(beyond, diagnosis.after, diagnosis.afterwards));
   return "\n" + alignedColumns(rows);
 }
 
-std::string readingText(const BlamedReading& reading) {
+std::string readingText(const ReadingDeviation& reading) {
   return std::string(nameOf(reading.kind)) + " reading of point " + std::to_string(reading.point) +
          ", round " + std::to_string(reading.round) + ", face " + std::to_string(reading.face) + " at " +
          std::to_string(reading.axisDeg) + "°, off by " + fixedText(reading.size, 1) + "″";
@@ -55,7 +55,7 @@ std::string causeText(const Cause& cause) {
     text += "  " + parameter.name + " " + sizeText(parameter.value, parameter.sigma) +
             (parameter.sigma > 0 ? " ± " + sizeText(parameter.sigma, parameter.sigma) : "") +
             (parameter.unit.size() > 1 ? " " + parameter.unit : "") + "\n";
-  for (const BlamedReading& reading : cause.readings) text += "  " + readingText(reading) + "\n";
+  for (const ReadingDeviation& reading : cause.readings) text += "  " + readingText(reading) + "\n";
   if (!cause.indistinguishableFrom.empty())
     text +=
         paragraph("  These readings cannot tell it from: " + listed(cause.indistinguishableFrom) + ".", 2);

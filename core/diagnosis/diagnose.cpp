@@ -28,7 +28,7 @@ Shrinkage shrinkageOf(const GapModel& before, const Inquiry& inquiry, const Answ
   const double rms = sizeOf(before).rms, excess = excessOf(before);
   if (rms > 0) shrink.inSample = 1 - sizeOf(answer.after).rms / rms;
   if (excess > 0) shrink.ofExcess = std::clamp(1 - excessOf(answer.after) / excess, 0.0, 1.0);
-  if (!answer.explanation.parts.empty() || !inquiry.farOff.empty())
+  if (!answer.explanation.parts.empty() || !inquiry.largeGrossErrors.empty())
     shrink.heldOut = heldOutShrinkage(before, answer.after);
   return shrink;
 }
@@ -50,12 +50,12 @@ std::optional<GapShape> shapeOf(const Inquiry& inquiry) {
                   shape.signatureSquare(pattern.weights) / inquiry.leftover.chiSquare()};
 }
 
-std::vector<BlamedReading> readingsOf(const GapModel& model) {
-  std::vector<BlamedReading> readings;
+std::vector<ReadingDeviation> readingsOf(const GapModel& model) {
+  std::vector<ReadingDeviation> readings;
   readings.reserve(model.fit.readings.size());
   for (const AdjustedReading& reading : model.fit.readings)
-    readings.push_back(blamed(*model.measurement, {reading.arc, reading.sighting, reading.kind},
-                              Angle::fromRadians(reading.residual).arcseconds()));
+    readings.push_back(deviationAt(*model.measurement, {reading.arc, reading.sighting, reading.kind},
+                                   Angle::fromRadians(reading.residual).arcseconds()));
   return readings;
 }
 

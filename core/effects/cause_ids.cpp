@@ -8,7 +8,7 @@ const std::vector<std::string>& diagnosableEffects() {
   static const std::vector<std::string> ids = [] {
     std::vector<std::string> list;
     for (const Effect& effect : effectCatalogue()) list.emplace_back(effect.id);
-    for (const char* id : {jumpId, misreadingId, noiseId}) list.emplace_back(id);
+    for (const char* id : {jumpId, grossErrorId, noiseId}) list.emplace_back(id);
     return list;
   }();
   return ids;

@@ -9,7 +9,7 @@ namespace alidade {
 // They stand in truth files and in results, like the ids of the catalogue.
 
 inline constexpr const char* jumpId = "orientation_jump";
-inline constexpr const char* misreadingId = "gross_error";
+inline constexpr const char* grossErrorId = "gross_error";
 inline constexpr const char* noiseId = "underestimated_noise";
 inline constexpr const char* relationId = "vertical_angle_relation";  ///< an effect of the catalogue
 

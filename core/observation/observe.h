@@ -47,7 +47,7 @@ inline constexpr double midSession = 0.5;
 struct Pointing {
   int face = 1;
   double elapsed = 0;         ///< share of the session gone by when it was taken, 0…1
-  bool afterJump = false;     ///< taken after the orientation stepped
+  bool afterJump = false;     ///< taken after the orientation jumped
   double horizontalZero = 0;  ///< α0 and β0 as read, rad: the circle positions at which eccentricity acts
   double verticalZero = 0;
   VerticalCircle circle = VerticalCircle::Zenith;

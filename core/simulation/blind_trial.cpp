@@ -50,7 +50,7 @@ class Draw {
 
   void put(const std::string& kind) {
     if (kind == "none") return;
-    if (kind == misreadingId) return putMisreadings();
+    if (kind == grossErrorId) return putGrossErrors();
     if (kind == jumpId) return putJump();
     if (kind == noiseId) {
       m_truth.noiseFactor = m_random.uniform(2, 4);
@@ -68,24 +68,24 @@ class Draw {
   }
 
   /// One or two readings, off by a slip of the tens or the minutes that shows: one along the arc may not.
-  void putMisreadings() {
+  void putGrossErrors() {
     constexpr int tries = 200;
     const std::vector<PlannedRow> rows = plannedRows(m_protocol);
     const auto count = static_cast<std::size_t>(m_random.whole(1, 2));
-    std::vector<Misreading> misread;
-    for (int i = 0; i < tries && misread.size() < count; ++i) {
-      m_truth.misreadings = {anyMisreading(rows)};
-      const Misreading& one = m_truth.misreadings.front();
-      const bool again = std::ranges::any_of(misread, [&](const Misreading& m) {
+    std::vector<TrueGrossError> errors;
+    for (int i = 0; i < tries && errors.size() < count; ++i) {
+      m_truth.grossErrors = {anyGrossError(rows)};
+      const TrueGrossError& one = m_truth.grossErrors.front();
+      const bool again = std::ranges::any_of(errors, [&](const TrueGrossError& m) {
         return std::tie(m.axisDeg, m.round, m.point) == std::tie(one.axisDeg, one.round, one.point);
       });
       const std::optional<Visibility> shown = shownAs({});
-      if (!again && shown && shown->sigma > clearVisibility) misread.push_back(one);
+      if (!again && shown && shown->sigma > clearVisibility) errors.push_back(one);
     }
-    m_truth.misreadings = std::move(misread);
+    m_truth.grossErrors = std::move(errors);
   }
 
-  Misreading anyMisreading(const std::vector<PlannedRow>& rows) {
+  TrueGrossError anyGrossError(const std::vector<PlannedRow>& rows) {
     constexpr double slips[] = {30, 60, 120, 300};  // arcseconds
     const PlannedRow& row = anyRow(rows);
     const int last = static_cast<int>(m_protocol.axes.size()) - 1;
@@ -241,7 +241,7 @@ class Draw {
 };
 
 std::vector<TrialKind> makeKinds() {
-  std::vector<TrialKind> kinds{{"none", 0.14},  {misreadingId, 0.08}, {jumpId, 0.05},   {relationId, 0.03},
+  std::vector<TrialKind> kinds{{"none", 0.14},  {grossErrorId, 0.08}, {jumpId, 0.05},   {relationId, 0.03},
                                {noiseId, 0.05}, {"two_causes", 0.05}, {"unknown", 0.08}};
   double rest = 1;
   for (const TrialKind& kind : kinds) rest -= kind.weight;

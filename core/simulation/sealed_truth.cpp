@@ -18,19 +18,19 @@ namespace {
 
 using Json = nlohmann::json;
 
-void addMisread(SealedTruth& truth, MisreadCell cell, double horizontal, double vertical) {
+void addGrossError(SealedTruth& truth, GrossErrorCell cell, double horizontal, double vertical) {
   if (horizontal != 0) {
     cell.circle = ReadingKind::Horizontal;
-    truth.misread.push_back(cell);
+    truth.grossErrors.push_back(cell);
   }
   if (vertical != 0) {
     cell.circle = ReadingKind::Vertical;
-    truth.misread.push_back(cell);
+    truth.grossErrors.push_back(cell);
   }
 }
 
 /// Whether all of them say by whole numbers which reading they mean.
-bool readMisread(const Json& list, SealedTruth& truth) {
+bool readGrossErrors(const Json& list, SealedTruth& truth) {
   constexpr double mostCells = 1e9;
   for (const Json& blunder : list) {
     std::array<int, 4> place{};
@@ -39,11 +39,11 @@ bool readMisread(const Json& list, SealedTruth& truth) {
       if (!(std::abs(number) <= mostCells) || number != std::trunc(number)) return false;
       place[i] = static_cast<int>(number);
     }
-    addMisread(truth,
-               {.axisDeg = place[0] == 0 ? 0 : 180, .round = place[1], .point = place[2], .face = place[3]},
-               blunder.at(4), blunder.at(5));
+    addGrossError(
+        truth, {.axisDeg = place[0] == 0 ? 0 : 180, .round = place[1], .point = place[2], .face = place[3]},
+        blunder.at(4), blunder.at(5));
   }
-  std::ranges::sort(truth.misread);
+  std::ranges::sort(truth.grossErrors);
   return true;
 }
 
@@ -68,7 +68,7 @@ std::optional<std::string> whyUnscorable(const SealedTruth& truth) {
     return "kind is " + quotation(truth.kind) +
            ", which is neither none, an effect that can be diagnosed, two_causes, several_causes nor "
            "unknown_…";
-  if (truth.kind == misreadingId && truth.misread.empty())
+  if (truth.kind == grossErrorId && truth.grossErrors.empty())
     return "blunders must list the readings that are wrong where the kind is " + truth.kind;
   if (truth.visible && *truth.visible < 0) return "visible_sigma must not be negative";
   return std::nullopt;
@@ -90,7 +90,7 @@ std::optional<SealedTruth> readTruth(const std::string& id, const Json& json, st
   if (given("visible_sigma")) truth.visible = json.at(key).get<double>();
   if (given("look_alikes"))
     for (const Json& entry : json.at(key)) truth.lookAlikes.push_back(entry.at(0).get<std::string>());
-  if (given("blunders") && !readMisread(json.at(key), truth)) return std::nullopt;
+  if (given("blunders") && !readGrossErrors(json.at(key), truth)) return std::nullopt;
   return truth;
 }
 
@@ -110,10 +110,10 @@ SealedTruth sealed(const std::string& id, const Truth& truth, const std::optiona
     seal.visible = visibility->sigma;
     for (const LookAlike& other : visibility->lookAlikes) seal.lookAlikes.push_back(other.effect);
   }
-  for (const Misreading& m : truth.misreadings)
-    addMisread(seal, {.axisDeg = m.axisDeg, .round = m.round, .point = m.point, .face = m.face},
-               m.horizontal.radians(), m.vertical.radians());
-  std::ranges::sort(seal.misread);
+  for (const TrueGrossError& m : truth.grossErrors)
+    addGrossError(seal, {.axisDeg = m.axisDeg, .round = m.round, .point = m.point, .face = m.face},
+                  m.horizontal.radians(), m.vertical.radians());
+  std::ranges::sort(seal.grossErrors);
   return seal;
 }
 

@@ -13,11 +13,11 @@
 namespace alidade {
 
 /// One reading that was read or written down wrongly.
-struct MisreadCell {
+struct GrossErrorCell {
   int axisDeg = 0, round = 1, point = 1, face = 1;
   ReadingKind circle = ReadingKind::Horizontal;
 
-  auto operator<=>(const MisreadCell&) const = default;
+  auto operator<=>(const GrossErrorCell&) const = default;
 };
 
 /// What has to be known of a session to score its diagnosis. Kept from the diagnosis until it is done.
@@ -28,8 +28,8 @@ struct SealedTruth {
   std::string protocol = {};             ///< plan of readings, as it was called
   double intersection = 0;               ///< true Δd, mm
   std::optional<double> visible = {};    ///< of the one effect of the catalogue, σ of the readings
-  std::vector<std::string> lookAlikes = {};  ///< ids that these readings do not tell from it
-  std::vector<MisreadCell> misread = {};     ///< in order
+  std::vector<std::string> lookAlikes = {};      ///< ids that these readings do not tell from it
+  std::vector<GrossErrorCell> grossErrors = {};  ///< in order
 };
 
 /// Put in on purpose, though no catalogue holds it: `unknown_…`, whatever follows.

@@ -38,7 +38,7 @@ std::string typedOnCircle(Angle angle, const Angle& step) {
   return typed(step * (steps < stepsOfTurn ? steps : 0), step);
 }
 
-std::string rowName(const Misreading& m) {
+std::string rowName(const TrueGrossError& m) {
   return "axis " + std::to_string(m.axisDeg) + "°, round " + std::to_string(m.round) + ", point " +
          std::to_string(m.point) + ", face " + std::to_string(m.face);
 }
@@ -59,9 +59,8 @@ class Simulator {
   }
 
   Result<Session> simulate() {
-    for (const Misreading& misreading : m_truth.misreadings)
-      if (!plans(misreading))
-        return Problem{"the protocol has no row at " + rowName(misreading) + " to misread"};
+    for (const TrueGrossError& error : m_truth.grossErrors)
+      if (!plans(error)) return Problem{"the protocol has no row at " + rowName(error) + " to misread"};
     Session session;
     state(session);
     for (std::size_t i = 0; i < m_protocol.axes.size(); ++i)
@@ -73,10 +72,9 @@ class Simulator {
   }
 
  private:
-  bool plans(const Misreading& misreading) const {
-    return std::ranges::find(m_protocol.axes, misreading.axisDeg) != m_protocol.axes.end() &&
-           std::ranges::find(m_plan, PlannedRow{misreading.round, misreading.point, misreading.face}) !=
-               m_plan.end();
+  bool plans(const TrueGrossError& error) const {
+    return std::ranges::find(m_protocol.axes, error.axisDeg) != m_protocol.axes.end() &&
+           std::ranges::find(m_plan, PlannedRow{error.round, error.point, error.face}) != m_plan.end();
   }
 
   /// Error of a reading with this σ. Draws whether or not there is noise.
@@ -126,7 +124,7 @@ class Simulator {
     const double factor = m_truth.noiseFactor;
     circles.horizontal = circles.horizontal + noise(m_truth.sigmaHorizontal * factor);
     circles.vertical = circles.vertical + noise(m_truth.sigmaVertical * factor);
-    for (const Misreading& m : m_truth.misreadings) {
+    for (const TrueGrossError& m : m_truth.grossErrors) {
       if (m.axisDeg != axisDeg || PlannedRow{m.round, m.point, m.face} != row) continue;
       circles.horizontal = circles.horizontal + m.horizontal;
       circles.vertical = circles.vertical + m.vertical;

@@ -27,7 +27,7 @@ struct Moment {
   bool wayBack = false;    ///< in an even round
 };
 
-/// The readings of a truth without noise and misreadings, one position at a time.
+/// The readings of a truth without noise and gross errors, one position at a time.
 class PerfectReadings {
  public:
   /// `horizontalZero`: the circle's reading in the direction perpendicular to the arc plane.
@@ -52,7 +52,7 @@ class PerfectReadings {
 
 /// The session of a truth, by a protocol, with the noise of `seed`. The same seed gives the same places and
 /// the same noise whatever the truth and whether or not the slider is read. Fails, with the row, where a
-/// misreading names a row that the protocol does not have, or where a target cannot be sighted. Called as in
+/// gross error names a row that the protocol does not have, or where a target cannot be sighted. Called as in
 /// examples/simulate.cpp.
 Result<Session> simulate(const Protocol& protocol, const Truth& truth, std::uint64_t seed);
 

@@ -31,10 +31,10 @@ std::ptrdiff_t strangersIn(const Diagnosis& diagnosis, const SealedTruth& truth)
   });
 }
 
-std::vector<MisreadCell> cellsOf(const Diagnosis& diagnosis) {
-  std::vector<MisreadCell> cells;
+std::vector<GrossErrorCell> cellsOf(const Diagnosis& diagnosis) {
+  std::vector<GrossErrorCell> cells;
   for (const Cause& cause : diagnosis.causes)
-    for (const BlamedReading& reading : cause.readings)
+    for (const ReadingDeviation& reading : cause.readings)
       cells.push_back({reading.axisDeg, reading.round, reading.point, reading.face, reading.kind});
   std::ranges::sort(cells);
   return cells;
@@ -56,7 +56,7 @@ bool isRight(TrialClass trialClass, const SealedTruth& truth, const Diagnosis& d
     case TrialClass::LookAlikes:
       return isFirst(diagnosis, truth.kind) && strangersIn(diagnosis, truth) <= 1;
     case TrialClass::GrossError:
-      return diagnosis.causes.size() == 1 && isCause(truth.kind) && cellsOf(diagnosis) == truth.misread;
+      return diagnosis.causes.size() == 1 && isCause(truth.kind) && cellsOf(diagnosis) == truth.grossErrors;
     case TrialClass::SeveralCauses:
       return !truth.causes.empty() && std::ranges::all_of(truth.causes, isCause);
     case TrialClass::Unknown:
@@ -83,7 +83,7 @@ std::string_view nameOf(TrialClass trialClass) {
     case TrialClass::LookAlikes:
       return "look-alikes";
     case TrialClass::GrossError:
-      return misreadingId;
+      return grossErrorId;
     case TrialClass::SeveralCauses:
       return "several causes";
     case TrialClass::Unknown:
@@ -96,7 +96,7 @@ std::string_view nameOf(TrialClass trialClass) {
 
 TrialClass classOf(const SealedTruth& truth) {
   if (truth.kind == "none") return TrialClass::None;
-  if (truth.kind == misreadingId) return TrialClass::GrossError;
+  if (truth.kind == grossErrorId) return TrialClass::GrossError;
   if (isOfNoCatalogue(truth.kind)) return TrialClass::Unknown;
   if (truth.causes.size() > 1) return TrialClass::SeveralCauses;
   if (!truth.visible) return TrialClass::Other;

@@ -18,7 +18,7 @@ struct TrueSize {
   double value = 0;
 };
 
-/// A knock that turns the instrument at one moment.
+/// A jump that turns the instrument at one moment.
 struct OrientationJump {
   double moment = 0.5;         ///< share of the session's rows taken before it, in (0, 1)
   Angle horizontal, vertical;  ///< steps of the circle readings, of their face 1 equivalents
@@ -31,7 +31,7 @@ struct FormHarmonic {
 };
 
 /// One row whose circles were read or written down wrongly.
-struct Misreading {
+struct TrueGrossError {
   int axisDeg = 0, round = 1, point = 1, face = 1;
   Angle horizontal, vertical;  ///< added to the circle readings
 };
@@ -55,7 +55,7 @@ struct Truth {
   std::optional<OrientationJump> jump = {};
   std::optional<FormHarmonic> harmonic = {};
   std::optional<ForeignEffect> foreign = {};
-  std::vector<Misreading> misreadings = {};
+  std::vector<TrueGrossError> grossErrors = {};
   /// True noise of the circle readings over the stated one. Zeros and slider are as stated.
   double noiseFactor = 1;
 

@@ -71,12 +71,12 @@ bool isWhole(double number, double least) {
   return number >= least && number == std::floor(number) && number < 1e9;
 }
 
-std::optional<Problem> addMisreading(Truth& truth, const Numbers& n) {
+std::optional<Problem> addGrossError(Truth& truth, const Numbers& n) {
   if (n.size() != 6 || (n[0] != 0 && n[0] != 180) || !isWhole(n[1], 1) || !isWhole(n[2], 0) ||
       (n[3] != 1 && n[3] != 2))
-    return wantsNumbers(misreadingId,
+    return wantsNumbers(grossErrorId,
                         "axis (0 or 180), round, point, face and the horizontal and vertical error (arcsec)");
-  truth.misreadings.push_back({static_cast<int>(n[0]), static_cast<int>(n[1]), static_cast<int>(n[2]),
+  truth.grossErrors.push_back({static_cast<int>(n[0]), static_cast<int>(n[1]), static_cast<int>(n[2]),
                                static_cast<int>(n[3]), Angle::fromArcseconds(n[4]),
                                Angle::fromArcseconds(n[5])});
   return std::nullopt;
@@ -105,8 +105,8 @@ struct OtherEffect {
 
 constexpr std::array otherEffects = {
     OtherEffect{jumpId, "moment (0…1),horizontal,vertical (arcsec)", &addJump},
-    OtherEffect{misreadingId, "axis,round,point,face,horizontal,vertical (arcsec); may be repeated",
-                &addMisreading},
+    OtherEffect{grossErrorId, "axis,round,point,face,horizontal,vertical (arcsec); may be repeated",
+                &addGrossError},
     OtherEffect{noiseId, "true noise over the stated", &addNoise},
     OtherEffect{harmonicId, "order,cosine,sine (mm): a form error outside the catalogue", &addHarmonic},
 };
@@ -139,7 +139,7 @@ Json effectsJson(const Truth& truth) {
 
 Json blundersJson(const Truth& truth) {
   Json blunders = Json::array();
-  for (const Misreading& m : truth.misreadings)
+  for (const TrueGrossError& m : truth.grossErrors)
     blunders.push_back({m.axisDeg == 0 ? 0 : 1, m.round, m.point, m.face, m.horizontal.arcseconds(),
                         m.vertical.arcseconds()});
   return blunders;
@@ -198,7 +198,7 @@ std::vector<std::string> trueCauses(const Truth& truth) {
     return step.horizontal.radians() != 0 || step.vertical.radians() != 0;
   };
   if (truth.jump && turns(*truth.jump)) causes.emplace_back(jumpId);
-  if (std::ranges::any_of(truth.misreadings, turns)) causes.emplace_back(misreadingId);
+  if (std::ranges::any_of(truth.grossErrors, turns)) causes.emplace_back(grossErrorId);
   if (truth.noiseFactor > 1) causes.emplace_back(noiseId);
   if (truth.harmonic && (truth.harmonic->cosine != 0 || truth.harmonic->sine != 0))
     causes.emplace_back("unknown_harmonic");

@@ -37,7 +37,7 @@ std::string shrunk(const Diagnosis& diagnosis) {
   if (!shrinks(diagnosis))
     return " The readings scatter " + displayText(diagnosis.causes.front().parameters.front().value, 1) +
            " times as much as stated, without a pattern.";
-  const std::string with = first == misreadingId && diagnosis.causes.size() == 1
+  const std::string with = first == grossErrorId && diagnosis.causes.size() == 1
                                ? " Without the readings blamed "
                            : diagnosis.causes.size() == 1 ? " With it in the model "
                                                           : " With them in the model ";

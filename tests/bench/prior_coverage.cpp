@@ -7,8 +7,8 @@
 #include "core/base/random_source.h"
 #include "core/diagnosis/candidates/candidates.h"
 #include "core/diagnosis/candidates/effect_components.h"
+#include "core/diagnosis/candidates/gross_error_components.h"
 #include "core/diagnosis/candidates/jump_components.h"
-#include "core/diagnosis/candidates/misreading_components.h"
 #include "core/simulation/protocol.h"
 #include "core/simulation/simulate.h"
 #include "core/simulation/trial_series.h"
@@ -36,7 +36,7 @@ class Draw {
     if (isThere(m_odds.jump)) putJump();
     m_truth.noiseFactor = isThere(m_odds.noise) ? std::exp(m_random.uniform(std::log(1.25), std::log(20.0)))
                                                 : std::exp(0.1 * m_random.normal());
-    if (isThere(m_odds.misreading)) putMisreading(protocol);
+    if (isThere(m_odds.grossError)) putMisreading(protocol);
     const Result<Session> session = simulate(protocol, m_truth, m_seed);
     if (!session) return session.problem();
     return TrialCase{*session,
@@ -77,9 +77,9 @@ class Draw {
   void putMisreading(const Protocol& protocol) {
     const std::vector<PlannedRow> rows = plannedRows(protocol);
     const PlannedRow& row = rows[anyOf(rows.size())];
-    const Angle slip = m_truth.sigmaHorizontal * (anyOf(misreadingWidths()) * m_random.normal());
+    const Angle slip = m_truth.sigmaHorizontal * (anyOf(grossErrorWidths()) * m_random.normal());
     const bool isHorizontal = m_random.uniform() < 0.5;
-    m_truth.misreadings.push_back({.axisDeg = m_random.uniform() < 0.5 ? 0 : 180,
+    m_truth.grossErrors.push_back({.axisDeg = m_random.uniform() < 0.5 ? 0 : 180,
                                    .round = row.round,
                                    .point = row.point,
                                    .face = row.face,

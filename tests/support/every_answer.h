@@ -117,7 +117,7 @@ inline void expectDiagnosis(const Diagnosis& diagnosis) {
       expectNumber(parameter.value, parameter.name.c_str());
       expectNumber(parameter.sigma, parameter.name.c_str());
     }
-    for (const BlamedReading& reading : cause.readings) expectNumber(reading.size, "blamed reading");
+    for (const ReadingDeviation& reading : cause.readings) expectNumber(reading.size, "blamed reading");
   }
   for (const Candidate& candidate : diagnosis.candidates) {
     EXPECT_FALSE(std::isnan(candidate.logBayesFactor)) << candidate.effect;

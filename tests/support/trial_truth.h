@@ -58,7 +58,7 @@ inline Truth truthOf(const Trial& trial) {
   truth.axisHeight = trial.truth.at("axis_height_mm");
   truth.noiseFactor = trial.truth.value("true_sigma_arcsec", 2.0) / 2.0;
   for (const auto& blunder : trial.truth.at("blunders"))
-    truth.misreadings.push_back({blunder[0] == 0 ? 0 : 180, blunder[1], blunder[2], blunder[3],
+    truth.grossErrors.push_back({blunder[0] == 0 ? 0 : 180, blunder[1], blunder[2], blunder[3],
                                  Angle::fromArcseconds(blunder[4]), Angle::fromArcseconds(blunder[5])});
   return truth;
 }

@@ -111,7 +111,7 @@ Gap assessGap(const SharedEvaluation& evaluation, const std::stop_token& stop) {
     const auto cause = std::ranges::find(diagnosis->causes, step.effect, &Cause::effect);
     gap.stages.push_back({.kind = GapStage::Kind::Proposed,
                           .effect = step.effect,
-                          .misread = cause->readings.size(),
+                          .grossErrors = cause->readings.size(),
                           .rms = step.size.rms,
                           .reducedChiSquare = step.size.reducedChiSquare,
                           .intersection = step.intersection});

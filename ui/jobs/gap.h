@@ -20,9 +20,9 @@ struct GapStage {
   };
 
   Kind kind = Kind::Bare;
-  std::string effect = {};  ///< id; empty for Bare
-  std::size_t misread = 1;  ///< of a gross_error: how many values are left out
-  double rms = 0;           ///< of the circle readings, arcseconds
+  std::string effect = {};      ///< id; empty for Bare
+  std::size_t grossErrors = 1;  ///< of a gross_error: how many values are left out
+  double rms = 0;               ///< of the circle readings, arcseconds
   double reducedChiSquare = 0;
   std::optional<IntersectionEstimate> intersection;
 };

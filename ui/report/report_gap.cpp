@@ -35,7 +35,7 @@ QString causeLine(const Cause& cause) {
   QStringList parts{causeTitle(cause.effect)};
   for (const CauseParameter& parameter : cause.parameters)
     if (parameter.sigma > 0) parts.append(parameterText(cause, parameter));
-  for (const BlamedReading& reading : cause.readings) parts.append(blamedText(reading));
+  for (const ReadingDeviation& reading : cause.readings) parts.append(deviationText(reading));
   return parts.join(QStringLiteral("; ")) +
          QStringLiteral("; probability %1 %.").arg(numberText(100 * cause.probability, 1));
 }

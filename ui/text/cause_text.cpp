@@ -22,7 +22,7 @@ QString translated(const char* text) {
 
 QString causeName(const std::string& id) {
   if (id == jumpId) return translated("a jump of the orientation");
-  if (id == misreadingId) return translated("misread values");
+  if (id == grossErrorId) return translated("misread values");
   if (id == noiseId) return translated("noise larger than stated");
   if (id == relationId) return translated("the vertical angle relation");
   return effectName(id);
@@ -52,7 +52,7 @@ QString parameterText(const Cause& cause, const CauseParameter& parameter) {
   return effectName(cause.effect).endsWith(name) ? figure : name + u' ' + figure;
 }
 
-QString blamedText(const BlamedReading& reading) {
+QString deviationText(const ReadingDeviation& reading) {
   QString text = translated("%1°, point %2, %3")
                      .arg(reading.axisDeg)
                      .arg(reading.point)
@@ -62,7 +62,7 @@ QString blamedText(const BlamedReading& reading) {
   return text + translated(": off by %1").arg(signedNumberText(reading.size, 1) + QChar(0x2033));
 }
 
-Place placeOf(const BlamedReading& reading) {
+Place placeOf(const ReadingDeviation& reading) {
   return {.position = reading.position, .reading = reading.row, .field = std::string(nameOf(reading.kind))};
 }
 
@@ -107,10 +107,10 @@ QString gapSentence(const Gap& gap) {
 namespace {
 
 /// "without 2 misread values": each of these stages leaves out more.
-QString withoutMisread(const Gap& gap, const GapStage& stage) {
+QString withoutGrossErrors(const Gap& gap, const GapStage& stage) {
   std::size_t all = 0, leftOut = 0;
   for (const GapStage& other : gap.stages) {
-    if (other.effect == misreadingId) all += other.misread;
+    if (other.effect == grossErrorId) all += other.grossErrors;
     if (&other == &stage) leftOut = all;
   }
   if (all == 1) return translated("without the misread value");
@@ -124,7 +124,7 @@ QString stageText(const Gap& gap, const GapStage& stage) {
   if (stage.kind == GapStage::Kind::Bare)
     return gap.asModelled().kind == GapStage::Kind::Bare ? translated("as modelled")
                                                          : translated("without model effects");
-  if (stage.effect == misreadingId) return withoutMisread(gap, stage);
+  if (stage.effect == grossErrorId) return withoutGrossErrors(gap, stage);
   const QString name = causeTitle(stage.effect);
   return (stage.kind == GapStage::Kind::InModel ? translated("in the model: ") : QStringLiteral("+ ")) +
          name.left(1).toLower() + name.mid(1);

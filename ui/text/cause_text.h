@@ -18,8 +18,8 @@ QString causeNames(const std::vector<std::string>& ids, const QString& last);
 QString parameterText(const Cause& cause, const CauseParameter& parameter);
 
 /// "0°, point 11, horizontal, off by 29.0″", with round and face where they are not 1.
-QString blamedText(const BlamedReading& reading);
-Place placeOf(const BlamedReading& reading);
+QString deviationText(const ReadingDeviation& reading);
+Place placeOf(const ReadingDeviation& reading);
 
 /// The verdict in a few words: "One cause: collimation".
 QString gapHeadline(const Diagnosis& diagnosis);

@@ -67,16 +67,16 @@ QString foreignText(const ForeignEffect& effect) {
   return translated("A warp of order %2 out of the plane, %1").arg(length, numberText(effect.first, 0));
 }
 
-void addMisreadings(QStringList& lines, const Truth& truth) {
-  for (const Misreading& misreading : truth.misreadings) {
-    const bool isHorizontal = misreading.horizontal.radians() != 0;
+void addGrossErrors(QStringList& lines, const Truth& truth) {
+  for (const TrueGrossError& error : truth.grossErrors) {
+    const bool isHorizontal = error.horizontal.radians() != 0;
     lines.append(translated("Misread: %1°, round %2, point %3, face %4, %5 by %6")
-                     .arg(misreading.axisDeg)
-                     .arg(misreading.round)
-                     .arg(misreading.point)
-                     .arg(misreading.face)
+                     .arg(error.axisDeg)
+                     .arg(error.round)
+                     .arg(error.point)
+                     .arg(error.face)
                      .arg(isHorizontal ? translated("horizontal") : translated("vertical"),
-                          signedSeconds(isHorizontal ? misreading.horizontal : misreading.vertical)));
+                          signedSeconds(isHorizontal ? error.horizontal : error.vertical)));
   }
 }
 
@@ -96,7 +96,7 @@ QStringList truthLines(const BlindTrial& trial) {
   QStringList lines;
   const Truth& truth = trial.truth;
   addEffects(lines, truth);
-  addMisreadings(lines, truth);
+  addGrossErrors(lines, truth);
   if (truth.jump)
     lines.append(translated("Knocked after %1 % of the rows: horizontal %2, vertical %3")
                      .arg(numberText(100 * truth.jump->moment, 0), signedSeconds(truth.jump->horizontal),

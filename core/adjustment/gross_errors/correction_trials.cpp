@@ -33,10 +33,10 @@ CorrectionTrials::CorrectionTrials(const Session& session, Measurement fitted, c
                                    double risk, const std::stop_token& stop)
     : m_session(session), m_fitted(std::move(fitted)), m_reader(session) {
   m_fitOptions.terms = estimatedTerms(m_fitted);
-  m_search = searchMisreadings(m_fitted, {.risk = risk, .fit = m_fitOptions, .known = &fit}, stop);
+  m_search = searchGrossErrors(m_fitted, {.risk = risk, .fit = m_fitOptions, .known = &fit}, stop);
   if (stop.stop_requested()) return;
   m_sound = m_fitted;
-  for (const MisreadReading& misread : m_search.misread) shiftReading(m_sound, misread.cell, misread.size);
+  for (const GrossError& error : m_search.grossErrors) shiftReading(m_sound, error.cell, error.size);
   for (std::size_t arc = 0; arc < m_fitted.arcs.size(); ++arc) m_starts.push_back(m_search.fit.circleOf(arc));
 }
 
@@ -47,13 +47,13 @@ Visited CorrectionTrials::visitOf(std::size_t arc, int round, int point) const {
   return visit;
 }
 
-std::vector<MisreadReading> CorrectionTrials::misreadIn(const Visited& visit) const {
-  std::vector<MisreadReading> misread;
-  std::ranges::copy_if(m_search.misread, std::back_inserter(misread), [&](const MisreadReading& m) {
+std::vector<GrossError> CorrectionTrials::grossErrorsIn(const Visited& visit) const {
+  std::vector<GrossError> errors;
+  std::ranges::copy_if(m_search.grossErrors, std::back_inserter(errors), [&](const GrossError& m) {
     const Sighting& sighting = sightingOf(m.cell);
     return m.cell.arc == visit.arc && sighting.round == visit.round && sighting.point == visit.point;
   });
-  return misread;
+  return errors;
 }
 
 // Among very many rows two visits weigh nothing.
@@ -73,7 +73,7 @@ VisitCheck CorrectionTrials::checkOf(const Visited& visit, const Visited* other)
 /// The rows of the visit with a correction, less the shifts of misread cells that it leaves alone; empty
 /// where they cannot be used.
 std::vector<Sighting> CorrectionTrials::rowsWith(const Visited& visit, const Correction& correction,
-                                                 const std::vector<MisreadReading>& keptOff) {
+                                                 const std::vector<GrossError>& keptOff) {
   const std::size_t position = m_fitted.arcs[visit.arc].position;
   std::vector<Sighting> rows;
   for (const std::size_t row : visit.rows) {
@@ -84,12 +84,12 @@ std::vector<Sighting> CorrectionTrials::rowsWith(const Visited& visit, const Cor
     if (!sighting) return {};
     if (std::ranges::find(rows, sighting->face, &Sighting::face) != rows.end()) return {};
     rows.push_back(*sighting);
-    for (const MisreadReading& misread : keptOff) {
-      if (sightingOf(misread.cell).row != row) continue;
+    for (const GrossError& error : keptOff) {
+      if (sightingOf(error.cell).row != row) continue;
       Measurement alone;
       alone.arcs.resize(1);
       alone.arcs[0].sightings = {rows.back()};
-      shiftReading(alone, {0, 0, misread.cell.kind}, misread.size);
+      shiftReading(alone, {0, 0, error.cell.kind}, error.size);
       rows.back() = alone.arcs[0].sightings[0];
     }
   }
@@ -131,7 +131,7 @@ double CorrectionTrials::sliderDisagreement(const std::vector<Sighting>& rows) c
 
 std::optional<AgreeingCorrection> CorrectionTrials::tryOut(const Visited& visit, const VisitCheck& check,
                                                            const Correction& correction,
-                                                           const std::vector<MisreadReading>& keptOff) {
+                                                           const std::vector<GrossError>& keptOff) {
   const std::vector<Sighting> rows = rowsWith(visit, correction, keptOff);
   if (rows.empty()) return std::nullopt;
   const VisitAgreement agreement = check.agreement(rows);
@@ -152,7 +152,7 @@ std::optional<AgreeingCorrection> CorrectionTrials::tryOut(const Visited& visit,
 }
 
 std::vector<AgreeingCorrection> CorrectionTrials::agreeing(const Visited& visit, const VisitCheck& check,
-                                                           const std::vector<MisreadReading>& keptOff,
+                                                           const std::vector<GrossError>& keptOff,
                                                            const ReadingRef* only) {
   std::vector<AgreeingCorrection> tried;
   if (!check.canCheck()) return tried;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/adjustment/gross_errors/corrections.h"
-#include "core/adjustment/gross_errors/misreadings.h"
+#include "core/adjustment/gross_errors/gross_error_search.h"
 #include "core/adjustment/gross_errors/visit_check.h"
 #include "core/adjustment/joint/joint_fit.h"
 #include "core/base/angle.h"
@@ -47,8 +47,8 @@ class CorrectionTrials {
                    const std::stop_token& stop);
 
   const Measurement& measurement() const { return m_fitted; }
-  const std::vector<MisreadReading>& misread() const { return m_search.misread; }
-  std::vector<MisreadReading> misreadIn(const Visited& visit) const;
+  const std::vector<GrossError>& grossErrors() const { return m_search.grossErrors; }
+  std::vector<GrossError> grossErrorsIn(const Visited& visit) const;
   const Sighting& sightingOf(const ReadingRef& cell) const {
     return m_fitted.arcs[cell.arc].sightings[cell.sighting];
   }
@@ -60,23 +60,23 @@ class CorrectionTrials {
   /// The corrections that make the visit agree, the most probable first. `keptOff`: misread cells of the
   /// visit whose error is taken off and not corrected. With `only`, corrections of that cell alone.
   std::vector<AgreeingCorrection> agreeing(const Visited& visit, const VisitCheck& check,
-                                           const std::vector<MisreadReading>& keptOff = {},
+                                           const std::vector<GrossError>& keptOff = {},
                                            const ReadingRef* only = nullptr);
 
  private:
   std::vector<Sighting> rowsWith(const Visited& visit, const Correction& correction,
-                                 const std::vector<MisreadReading>& keptOff);
+                                 const std::vector<GrossError>& keptOff);
   std::optional<double> gainElsewhere(const Visited& visit, const Correction& correction);
   double sliderDisagreement(const std::vector<Sighting>& rows) const;
   std::optional<AgreeingCorrection> tryOut(const Visited& visit, const VisitCheck& check,
                                            const Correction& correction,
-                                           const std::vector<MisreadReading>& keptOff);
+                                           const std::vector<GrossError>& keptOff);
 
   const Session& m_session;
   Measurement m_fitted;
   RowReader m_reader;
   JointFitOptions m_fitOptions;
-  MisreadingSearch m_search;
+  GrossErrorSearch m_search;
   Measurement m_sound;  ///< the shifts taken off all misread readings
   std::vector<Circle> m_starts;
 };

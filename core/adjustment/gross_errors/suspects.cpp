@@ -26,10 +26,10 @@ class SuspectSearch {
         m_trials(session, std::move(fitted), fit, options.risk, stop) {}
 
   std::vector<Suspect> run() {
-    for (const MisreadReading& misread : m_trials.misread()) {
+    for (const GrossError& error : m_trials.grossErrors()) {
       if (m_stop.stop_requested()) return std::move(m_suspects);
-      const Sighting& sighting = m_trials.sightingOf(misread.cell);
-      const Visited visit = m_trials.visitOf(misread.cell.arc, sighting.round, sighting.point);
+      const Sighting& sighting = m_trials.sightingOf(error.cell);
+      const Visited visit = m_trials.visitOf(error.cell.arc, sighting.round, sighting.point);
       if (!isNamed(visit)) lookAt(visit);
     }
     lookAtUnusableRows();
@@ -58,17 +58,17 @@ class SuspectSearch {
   }
 
   void lookAt(const Visited& visit) {
-    const std::vector<MisreadReading> misread = m_trials.misreadIn(visit);
+    const std::vector<GrossError> errors = m_trials.grossErrorsIn(visit);
     const VisitCheck check = m_trials.checkOf(visit);
     const std::vector<AgreeingCorrection> tried = m_trials.agreeing(visit, check);
     if (!tried.empty()) {
-      nameCells(visit, tried, misread.front().studentised);
+      nameCells(visit, tried, errors.front().studentised);
       return;
     }
     // More than one slip in the visit, or none that explains it.
-    for (const MisreadReading& one : misread) {
-      std::vector<MisreadReading> others = misread;
-      std::erase_if(others, [&](const MisreadReading& m) { return m.cell == one.cell; });
+    for (const GrossError& one : errors) {
+      std::vector<GrossError> others = errors;
+      std::erase_if(others, [&](const GrossError& m) { return m.cell == one.cell; });
       name(one, others.empty() ? std::vector<AgreeingCorrection>{}
                                : m_trials.agreeing(visit, check, others, &one.cell));
     }
@@ -124,18 +124,18 @@ class SuspectSearch {
   }
 
   /// The cell that the search blames.
-  void name(const MisreadReading& misread, const std::vector<AgreeingCorrection>& tried) {
-    const Sighting& sighting = m_trials.sightingOf(misread.cell);
-    const Visited visit = m_trials.visitOf(misread.cell.arc, sighting.round, sighting.point);
+  void name(const GrossError& error, const std::vector<AgreeingCorrection>& tried) {
+    const Sighting& sighting = m_trials.sightingOf(error.cell);
+    const Visited visit = m_trials.visitOf(error.cell.arc, sighting.round, sighting.point);
     const auto placeOf = [&](const ReadingRef& cell) {
       return Place{.position = m_trials.measurement().arcs[cell.arc].position,
                    .reading = m_trials.sightingOf(cell).row,
                    .field = std::string(nameOf(cell.kind))};
     };
-    Suspect suspect = suspectAt(visit, sighting, placeOf(misread.cell));
-    suspect.size = misread.size * sideOf(m_trials.measurement(), sighting.face, misread.cell.kind);
-    suspect.studentised = misread.studentised;
-    for (const ReadingRef& rival : misread.rivals) suspect.rivals.push_back(placeOf(rival));
+    Suspect suspect = suspectAt(visit, sighting, placeOf(error.cell));
+    suspect.size = error.size * sideOf(m_trials.measurement(), sighting.face, error.cell.kind);
+    suspect.studentised = error.studentised;
+    for (const ReadingRef& rival : error.rivals) suspect.rivals.push_back(placeOf(rival));
     if (!tried.empty()) suspect.proposals = proposalsOf(tried);
     m_suspects.push_back(std::move(suspect));
   }

@@ -41,7 +41,7 @@ struct SuspectOptions {
 /// The readings of a fitted session that look misread, the most certain first; nothing is changed or left out
 /// because of it. Rows that could not be used are looked at, too, and named where a slip explains them.
 /// `measurement` is what `session` means, `fit` its fit. Which readings these are says
-/// `searchMisreadings`; the slip that makes its visit agree with all others decides which cell is at
+/// `searchGrossErrors`; the slip that makes its visit agree with all others decides which cell is at
 /// fault, where one does. Asked to stop, it returns early with what it has found.
 std::vector<Suspect> findSuspects(const Session& session, const Measurement& measurement,
                                   const SessionFit& fit, const SuspectOptions& options = {},

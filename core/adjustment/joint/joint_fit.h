@@ -78,7 +78,7 @@ struct ArcMisfit {
 struct JointFitOptions {
   /// Each term at most once.
   std::vector<EstimatedTerm> terms = {};
-  /// `Sighting::sequence` of the first row after the orientation stepped; the terms of a jump act from there.
+  /// `Sighting::sequence` of the first row after the orientation jumped; the terms of a jump act from there.
   std::optional<std::size_t> jumpBefore = {};
   /// Readings that take no part: they get no weight, a residual of 0 and a redundancy of 0. The slider
   /// reading of a visit is that of its first row which has one.

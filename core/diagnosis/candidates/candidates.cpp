@@ -4,9 +4,9 @@
 
 namespace alidade {
 
-bool Candidates::haveMisreadings() const {
+bool Candidates::haveGrossErrors() const {
   return std::ranges::any_of(
-      m_groups, [&](const Group& group) { return (*this)[group.first].misreading().has_value(); });
+      m_groups, [&](const Group& group) { return (*this)[group.first].grossErrorAt().has_value(); });
 }
 
 void Candidates::fillProducts(const SharedProducts& with, Eigen::Ref<Eigen::VectorXd> all) const {

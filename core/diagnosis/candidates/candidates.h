@@ -15,7 +15,7 @@ namespace alidade {
 struct PriorOdds {
   double effect = 0.04;      ///< each
   double jump = 0.04;        ///< shared by all moments
-  double misreading = 0.08;  ///< shared by all readings
+  double grossError = 0.08;  ///< shared by all readings
   double noise = 0.04;       ///< larger than stated
   double shape = 0.04;       ///< shared by all shapes
 };
@@ -54,7 +54,7 @@ class Candidates {
   std::span<const Group> groups() const { return m_groups; }
   const Group& groupOf(std::size_t component) const { return m_groups[groupIndex(component)]; }
   /// Readings may be off.
-  bool haveMisreadings() const;
+  bool haveGrossErrors() const;
   /// The inner products of the visible columns of all, in their order, with a vector that is visible.
   void fillProducts(const SharedProducts& with, Eigen::Ref<Eigen::VectorXd> all) const;
 

@@ -45,8 +45,8 @@ class Component {
   /// Of no named cause.
   virtual bool isShape() const { return false; }
   /// The one that is off, an index into the leftover's readings; absent where the model is.
-  virtual std::optional<Eigen::Index> misreading() const { return std::nullopt; }
-  /// Sequence of the only row that would show it: a misreading there leaves the same, and is the commoner.
+  virtual std::optional<Eigen::Index> grossErrorAt() const { return std::nullopt; }
+  /// Sequence of the only row that would show it: a gross error there leaves the same, and is the commoner.
   virtual std::optional<std::size_t> onlyRow() const { return std::nullopt; }
 
   /// Inner products of the visible columns with one another, of what bends with the second derivatives

@@ -12,7 +12,7 @@ namespace alidade {
 // no columns are kept.
 class JumpColumns {
  public:
-  /// `moments`: sequences of the first rows after a step, ascending. `size`: of both steps, rad.
+  /// `moments`: sequences of the first rows after a jump, ascending. `size`: of both its parts, rad.
   JumpColumns(const Leftover& leftover, std::vector<std::size_t> moments, double size);
 
   /// Of the horizontal and the vertical column of every moment with a vector over the readings: 2 × moments.
@@ -22,7 +22,7 @@ class JumpColumns {
   const std::vector<std::size_t>& moments() const { return m_moments; }
 
  private:
-  Eigen::VectorXd m_horizontal, m_vertical;  ///< of a step before every row
+  Eigen::VectorXd m_horizontal, m_vertical;  ///< of a jump before every row
   std::vector<Eigen::Index> m_last;  ///< of each reading: the last moment that comes before it, −1 for none
   std::vector<std::size_t> m_moments;
 };

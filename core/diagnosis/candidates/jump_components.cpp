@@ -15,7 +15,7 @@ const std::vector<Width>& jumpWidths() {
   return widths;
 }
 
-const std::vector<Width>& knockWidths() {
+const std::vector<Width>& usualAndFarWiderJumpWidths() {
   static const std::vector<Width> widths = andFarWider(jumpWidths(), 30);
   return widths;
 }
@@ -46,11 +46,11 @@ void JumpComponent::fillProducts(const SharedProducts& with, Eigen::Ref<VectorXd
   own = ofAll.segment<2>(2 * static_cast<Index>(m_index));
 }
 
-/// Knocks of any size show at the usual widths, too, and most moments show none.
+/// Jumps of any size show at the usual widths, too, and most moments show none.
 Gain JumpComponent::gain(const TurnedColumns& columns, double variance) const {
   constexpr double shows = 10;  // natural logarithm
   const Gain usual = Component::gain(columns, variance);
-  return usual.log > shows ? gainOf(knockWidths(), columns, variance) : usual;
+  return usual.log > shows ? gainOf(usualAndFarWiderJumpWidths(), columns, variance) : usual;
 }
 
 void JumpComponent::addTo(JointFitOptions& model, const Leftover&, const VectorXd&, double width) const {
@@ -73,7 +73,7 @@ void sortAsSet(std::vector<std::size_t>& values) {
   values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
-/// Moments whose step parts a row alone in its visit from the rest of its position, as its first or its last:
+/// Moments whose jump parts a row alone in its visit from the rest of its position, as its first or its last:
 /// all that could be seen of it is the one condition between the two circles of that row.
 std::map<std::size_t, std::size_t> rowsThatAloneShow(const Leftover& leftover) {
   std::map<std::size_t, std::vector<std::size_t>> rowsOfArc;
@@ -105,7 +105,7 @@ std::vector<JumpComponent> jumpComponents(const Leftover& leftover) {
   for (Index i = 0; i < leftover.readings(); ++i) rows.push_back(leftover.reading(i).sequence);
   sortAsSet(rows);
   if (rows.size() < 3) return {};
-  rows.erase(rows.begin());  // before the first row there is no step
+  rows.erase(rows.begin());  // before the first row there is no jump
   const std::map<std::size_t, std::size_t> shownByOne = rowsThatAloneShow(leftover);
   const std::size_t stride = rows.size() / mostMoments + 1;
   std::vector<std::size_t> moments;

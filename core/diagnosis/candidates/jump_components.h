@@ -9,10 +9,10 @@
 
 namespace alidade {
 
-/// Plausible size (1σ) of a step of the orientation, rad: 60″.
+/// Plausible size (1σ) of a jump of the orientation, rad: 60″.
 inline constexpr double plausibleJump = 60.0 / 3600 * std::numbers::pi / 180;
 
-/// The orientation steps before a row.
+/// The orientation jumps before a row.
 class JumpComponent final : public Component {
  public:
   /// `columns`: of all moments, of which this is the `index`-th. `gram`: of its visible columns.
@@ -45,10 +45,10 @@ class JumpComponent final : public Component {
 
 const std::vector<Width>& jumpWidths();
 /// Of a jump that shows: as of any, and now and then 30 times its plausible size.
-const std::vector<Width>& knockWidths();
+const std::vector<Width>& usualAndFarWiderJumpWidths();
 
-/// A step before any row; of long sessions before every n-th. One that a single row alone in its visit
-/// would show leaves what a misreading of that row leaves, which is the commoner: it is for comparison only.
+/// A jump before any row; of long sessions before every n-th. One that a single row alone in its visit
+/// would show leaves what a gross error of that row leaves, which is the commoner: it is for comparison only.
 std::vector<JumpComponent> jumpComponents(const Leftover& leftover);
 
 }  // namespace alidade

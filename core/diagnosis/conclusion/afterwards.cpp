@@ -55,7 +55,7 @@ class Average {
     });
     if (own == m_inquiry.explanations.end()) return;
     for (const Explanation& explanation : m_inquiry.explanations) {
-      const double odds = oddsOf(explanation.logOdds - own->logOdds);
+      const double odds = oddsOf(explanation.logPosteriorOdds - own->logPosteriorOdds);
       if (explanation.chance < leastChance || &explanation == &*own || !isSupported(explanation) ||
           isInTheNoise(explanation, m_answer.explanation))
         continue;

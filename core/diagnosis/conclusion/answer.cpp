@@ -48,7 +48,7 @@ const Explanation* bestKnown(const Inquiry& inquiry) {
   const Explanation* simplest = best;
   const auto count = [](const Explanation& e) { return e.parts.size() + (e.noisy ? 1 : 0); };
   for (const Explanation& other : inquiry.explanations)
-    if (best && isKnown(other) && other.logOdds > best->logOdds - nearlyAsGood &&
+    if (best && isKnown(other) && other.logPosteriorOdds > best->logPosteriorOdds - nearlyAsGood &&
         count(other) < count(*simplest) && isPartOf(other, *best))
       simplest = &other;
   return simplest;
@@ -132,10 +132,10 @@ std::vector<GapStep> stepsOf(const Inquiry& inquiry, const Answer& answer) {
     steps.push_back({std::string(id), sizeOf(model), estimateOf(model)});
   };
   for (const Part& part : whole.parts)
-    if (inquiry.of(part).misreading()) soFar.parts.push_back(part);
-  if (!soFar.parts.empty() || !inquiry.farOff.empty()) note(misreadingId);
+    if (inquiry.of(part).grossErrorAt()) soFar.parts.push_back(part);
+  if (!soFar.parts.empty() || !inquiry.largeGrossErrors.empty()) note(grossErrorId);
   for (const Part& part : whole.parts) {
-    if (inquiry.of(part).misreading()) continue;
+    if (inquiry.of(part).grossErrorAt()) continue;
     soFar.parts.push_back(part);
     note(inquiry.of(part).id());
   }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/diagnosis/conclusion/misread_circle.h"
+#include "core/diagnosis/conclusion/gross_error_circle.h"
 #include "core/effects/cause_ids.h"
 #include "core/observation/reading_ref.h"
 
@@ -30,16 +30,17 @@ Cause largerNoise(const Inquiry& inquiry, const GapModel& after) {
 
 std::vector<Cause> causesOf(const Inquiry& inquiry, const Answer& answer) {
   std::vector<Cause> causes;
-  std::vector<BlamedReading> misread;
-  for (const FarOff& far : inquiry.farOff) misread.push_back(blamed(inquiry, far.reading, far.sigmas));
-  bool likeStep = false;
+  std::vector<ReadingDeviation> grossErrors;
+  for (const LargeGrossError& far : inquiry.largeGrossErrors)
+    grossErrors.push_back(deviationAt(inquiry, far.reading, far.sigmas));
+  bool likeJump = false;
   const Explanation& explanation = answer.explanation;
   for (std::size_t p = 0; p < explanation.parts.size(); ++p) {
     const Part& part = explanation.parts[p];
     const Component& component = inquiry.of(part);
-    if (const auto reading = component.misreading()) {
-      misread.push_back(blamed(inquiry, *reading, part.weights[0]));
-      likeStep = likeStep || !answer.rivals[p].empty();
+    if (const auto reading = component.grossErrorAt()) {
+      grossErrors.push_back(deviationAt(inquiry, *reading, part.weights[0]));
+      likeJump = likeJump || !answer.rivals[p].empty();
       continue;
     }
     Cause cause = named(inquiry, component.id());
@@ -48,13 +49,13 @@ std::vector<Cause> causesOf(const Inquiry& inquiry, const Answer& answer) {
       cause.indistinguishableFrom.emplace_back(inquiry.of(rival.part).id());
     causes.push_back(std::move(cause));
   }
-  if (!misread.empty()) {
-    Cause cause = named(inquiry, misreadingId);
-    if (!inquiry.farOff.empty()) cause.probability = 1;
-    // A step would stand for one row only.
-    if (likeStep && misread.size() == 1) cause.indistinguishableFrom = {jumpId};
-    cause.readings = withLikelierCircles(answer.after, std::move(misread));
-    for (BlamedReading& reading : cause.readings)
+  if (!grossErrors.empty()) {
+    Cause cause = named(inquiry, grossErrorId);
+    if (!inquiry.largeGrossErrors.empty()) cause.probability = 1;
+    // A jump would stand for one row only.
+    if (likeJump && grossErrors.size() == 1) cause.indistinguishableFrom = {jumpId};
+    cause.readings = withLikelierCircles(answer.after, std::move(grossErrors));
+    for (ReadingDeviation& reading : cause.readings)
       reading.size *= sideOf(*answer.after.measurement, reading.face, reading.kind);
     causes.push_back(std::move(cause));
   }
@@ -72,7 +73,7 @@ std::vector<Candidate> candidatesOf(const Inquiry& inquiry) {
       *same = {std::string(id), log, visible};
   };
   for (const Explanation& explanation : inquiry.explanations) {
-    if (explanation.noisy && explanation.parts.empty()) offer(noiseId, explanation.logEvidence, 0);
+    if (explanation.noisy && explanation.parts.empty()) offer(noiseId, explanation.logBayesFactor, 0);
     if (explanation.parts.size() != 1 || explanation.noisy || explanation.shaped) continue;
     const Part& part = explanation.parts[0];
     const Component& component = inquiry.of(part);

@@ -38,7 +38,7 @@ std::optional<Move> LinearMoves::of(const Explanation& explanation) {
     }
     // Such as the other relation of the vertical circle, which is far from its equations at the fit.
     if (component.response() != Response::Linear) return std::nullopt;
-    const bool isLeftOut = component.misreading().has_value();
+    const bool isLeftOut = component.grossErrorAt().has_value();
     const double width = part.widthOfFit();
     const Columns& columns = columnsOf(part);
     const Index before = visible.cols(), more = columns.visible.cols();

@@ -24,7 +24,7 @@ class LinearMoves {
   explicit LinearMoves(const Inquiry& inquiry);
 
   /// With the widths that `modelWith` takes. A pattern does not shift Δd, what it may move it by is in the
-  /// variance. Absent where a part is not linear, or a misreading cannot be told.
+  /// variance. Absent where a part is not linear, or a gross error cannot be told.
   std::optional<Move> of(const Explanation& explanation);
 
  private:

@@ -128,12 +128,12 @@ std::vector<GapShare> sharesOfFrames(const Inquiry& inquiry) {
   const auto square = [&](Index reading, double sigmas) {
     return sigmas * sigmas * inquiry.ofAll().leftover.redundancy(reading);
   };
-  for (const FarOff& far : inquiry.farOff) readings += square(far.reading, far.sigmas);
+  for (const LargeGrossError& far : inquiry.largeGrossErrors) readings += square(far.reading, far.sigmas);
   for (const Explanation& explanation : inquiry.explanations) {
     const double chance = explanation.chance;
     if (chance < negligible) continue;
     for (const Part& part : explanation.parts)
-      if (const auto reading = inquiry.of(part).misreading())
+      if (const auto reading = inquiry.of(part).grossErrorAt())
         readings += chance * square(*reading, part.weights[0]);
       else
         ofSource[inquiry.of(part).source()] += chance * inquiry.of(part).signatureSquare(part.weights);

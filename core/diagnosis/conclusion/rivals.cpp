@@ -22,7 +22,7 @@ class Comparison {
     std::optional<Explanation>& own = m_own[part];
     if (!own) own = made(part, m_explanation.parts[part].component);
     const Explanation found = made(part, component);
-    return {oddsOf(found.logOdds - own->logOdds), found.parts.back()};
+    return {oddsOf(found.logPosteriorOdds - own->logPosteriorOdds), found.parts.back()};
   }
 
  private:
@@ -48,12 +48,12 @@ bool isClose(const Rival& rival) {
   return rival.odds > 0.03;
 }
 
-/// Steps, where there are any, that leave what this misreading leaves.
-std::vector<Rival> steps(const Inquiry& inquiry, const Explanation& explanation, std::size_t index,
+/// Jumps, where there are any, that leave what this gross error leaves.
+std::vector<Rival> jumps(const Inquiry& inquiry, const Explanation& explanation, std::size_t index,
                          Comparison& comparison) {
   const auto isJump = [&](const Part& other) { return inquiry.of(other).isJump(); };
   if (std::ranges::any_of(explanation.parts, isJump)) return {};  // one jump to a session
-  const Eigen::Index reading = *inquiry.of(explanation.parts[index]).misreading();
+  const Eigen::Index reading = *inquiry.of(explanation.parts[index]).grossErrorAt();
   const std::size_t row = inquiry.leftover.reading(reading).sequence;
   std::vector<Rival> rivals;
   for (std::size_t i = 0; i < inquiry.candidates.size(); ++i) {
@@ -90,7 +90,7 @@ std::vector<std::vector<Rival>> rivalsOf(const Inquiry& inquiry, const Explanati
   Comparison comparison(inquiry, explanation);
   for (std::size_t p = 0; p < rivals.size(); ++p) {
     const Component& component = inquiry.of(explanation.parts[p]);
-    if (component.misreading()) rivals[p] = steps(inquiry, explanation, p, comparison);
+    if (component.grossErrorAt()) rivals[p] = jumps(inquiry, explanation, p, comparison);
     if (component.isEffect()) rivals[p] = effects(inquiry, explanation, p, comparison);
   }
   return rivals;

@@ -10,13 +10,13 @@ namespace alidade {
 
 /// A component that leaves nearly what the part leaves, beside the other parts.
 struct Rival {
-  /// Of the explanation with it in place of the part, against the one at hand; of a step in place of a
-  /// misreading half of that, since either circle of the row may be the one that was misread.
+  /// Of the explanation with it in place of the part, against the one at hand; of a jump in place of a
+  /// gross error half of that, since either circle of the row may be the one that was misread.
   double odds = 0;
   Part part;  ///< what takes the part's place
 };
 
-/// Of each part: effects; of a misreading the step that only its row would show.
+/// Of each part: effects; of a gross error the jump that only its row would show.
 std::vector<std::vector<Rival>> rivalsOf(const Inquiry& inquiry, const Explanation& explanation);
 
 /// That the part or one of its rivals is among the causes, whatever goes with it: 0…1.

@@ -55,12 +55,12 @@ std::optional<Advice> revealing(const std::vector<Detectability>& unseen, Measur
   return advice;
 }
 
-/// What tells a misread value from a knock that it looks like: the zero, which only a knock moves. Both
+/// What tells a misread value from a jump that it looks like: the zero, which only a jump moves. Both
 /// sightings have their noise.
-std::optional<Advice> tellingFromKnock(const Inquiry& inquiry, const std::vector<Cause>& causes) {
+std::optional<Advice> tellingFromJump(const Inquiry& inquiry, const std::vector<Cause>& causes) {
   for (const Cause& cause : causes) {
     if (cause.readings.size() != 1 || cause.indistinguishableFrom.empty()) continue;
-    const BlamedReading& reading = cause.readings.front();
+    const ReadingDeviation& reading = cause.readings.front();
     const double sigma = statedSigma(*inquiry.base.measurement, reading.kind).arcseconds();
     return Advice{.measure = Measure::ZeroSightedAgain,
                   .separates = {cause.effect, cause.indistinguishableFrom.front()},
@@ -69,18 +69,17 @@ std::optional<Advice> tellingFromKnock(const Inquiry& inquiry, const std::vector
   return std::nullopt;
 }
 
-/// What shows a knock that no reading shows, such as one between the zero and the first place.
-std::optional<Advice> revealingKnock(const Inquiry& inquiry, const std::vector<Detectability>& unseen) {
-  const auto knock = std::ranges::find(unseen, jumpId, &Detectability::effect);
-  if (knock == unseen.end()) return std::nullopt;
+/// What shows a jump that no reading shows, such as one between the zero and the first place.
+std::optional<Advice> revealingJump(const Inquiry& inquiry, const std::vector<Detectability>& unseen) {
+  const auto jump = std::ranges::find(unseen, jumpId, &Detectability::effect);
+  if (jump == unseen.end()) return std::nullopt;
   const Measurement& measurement = *inquiry.base.measurement;
   const Eigen::Vector2d sigmas(statedSigma(measurement, ReadingKind::Horizontal).radians(),
                                statedSigma(measurement, ReadingKind::Vertical).radians());
-  return Advice{
-      .measure = Measure::ZeroSightedAgain,
-      .separates = {jumpId},
-      .bySigma = (plausibleJump * knock->weights).cwiseQuotient(sigmas).norm() / std::numbers::sqrt2,
-      .ofUnseen = true};
+  return Advice{.measure = Measure::ZeroSightedAgain,
+                .separates = {jumpId},
+                .bySigma = (plausibleJump * jump->weights).cwiseQuotient(sigmas).norm() / std::numbers::sqrt2,
+                .ofUnseen = true};
 }
 
 /// The effects that the advice is about: the cause and its look-alikes, or else what could not be seen.
@@ -125,10 +124,10 @@ std::vector<Advice> adviceFor(const Inquiry& inquiry, const std::vector<Cause>& 
     return effectById(cause.effect) && !cause.indistinguishableFrom.empty();
   });
   std::vector<Advice> list = furtherAdvice(inquiry, found == causes.end() ? nullptr : &*found, unseen);
-  if (const std::optional<Advice> zero = tellingFromKnock(inquiry, causes)) {
+  if (const std::optional<Advice> zero = tellingFromJump(inquiry, causes)) {
     list.insert(list.begin(), *zero);
-  } else if (const std::optional<Advice> knock = revealingKnock(inquiry, unseen)) {
-    list.insert(found == causes.end() ? list.begin() : list.end(), *knock);
+  } else if (const std::optional<Advice> jump = revealingJump(inquiry, unseen)) {
+    list.insert(found == causes.end() ? list.begin() : list.end(), *jump);
   }
   return list;
 }

@@ -47,8 +47,8 @@ struct CauseParameter {
   std::string unit;  ///< as in the catalogue
 };
 
-/// A reading that is blamed.
-struct BlamedReading {
+/// A reading and by how much it deviates.
+struct ReadingDeviation {
   std::size_t position = 0, row = 0;  ///< of the session
   int axisDeg = 0, round = 1, point = 0, face = 1;
   ReadingKind kind = ReadingKind::Horizontal;
@@ -62,7 +62,7 @@ struct Cause {
   double probability = 0;  ///< that it is among the causes, 0…1
   std::vector<CauseParameter> parameters;
   std::vector<std::string> indistinguishableFrom;  ///< ids
-  std::vector<BlamedReading> readings;             ///< of a gross_error
+  std::vector<ReadingDeviation> readings;          ///< of a gross_error
 };
 
 /// How well one effect alone explains the readings.
@@ -136,7 +136,7 @@ struct Diagnosis {
   std::vector<Advice> advice;                 ///< the most telling first
   std::optional<GapShape> shape;              ///< with NotInCatalogue
   std::vector<double> leftBefore, leftAfter;  ///< residuals/σ before and after, in the order of `readings`
-  std::vector<BlamedReading> readings;        ///< all that took part, `size` their residual before
+  std::vector<ReadingDeviation> readings;     ///< all that took part, `size` their residual before
 };
 
 struct DiagnosisOptions {

@@ -46,9 +46,9 @@ class NoiseScales {
   Logs m_logs, m_densities, m_inverseSquares;
 };
 
-void add(Explanation& set, double logEvidence) {
-  set.logEvidence += logEvidence;
-  set.logOdds += logEvidence;
+void add(Explanation& set, double logBayesFactor) {
+  set.logBayesFactor += logBayesFactor;
+  set.logPosteriorOdds += logBayesFactor;
 }
 
 void weighNominal(Explanation& found, double f) {
@@ -70,20 +70,20 @@ void weighNoisy(Explanation& found, double f, double reference, double leftover)
 const Explanation& bestNamed(const std::vector<Explanation>& sets) {
   const Explanation* best = &sets.front();
   for (const Explanation& set : sets)
-    if (!set.shaped && set.logOdds > best->logOdds) best = &set;
+    if (!set.shaped && set.logPosteriorOdds > best->logPosteriorOdds) best = &set;
   return *best;
 }
 
 void normalise(std::vector<Explanation>& sets) {
-  const double base = sets.front().logEvidence;  // nothing at all, noise as stated
+  const double base = sets.front().logBayesFactor;  // nothing at all, noise as stated
   double sum = impossible;
   for (Explanation& set : sets) {
-    set.logOdds -= base;
-    set.logEvidence -= base;
-    sum = logSum(sum, set.logOdds);
+    set.logPosteriorOdds -= base;
+    set.logBayesFactor -= base;
+    sum = logSum(sum, set.logPosteriorOdds);
   }
-  for (Explanation& set : sets) set.chance = std::exp(set.logOdds - sum);
-  std::ranges::sort(sets, std::greater{}, &Explanation::logOdds);
+  for (Explanation& set : sets) set.chance = std::exp(set.logPosteriorOdds - sum);
+  std::ranges::sort(sets, std::greater{}, &Explanation::logPosteriorOdds);
 }
 
 /// Adds sets with larger noise to those with the noise as stated, of which the first is nothing at all.
@@ -94,7 +94,7 @@ void addNoisy(std::vector<Explanation>& all, Search& search, const Leftover& lef
     return std::clamp(std::sqrt(left / std::max(f, 1.0)), leastNoise, mostNoise);
   };
   const auto weigh = [&](Explanation& set, double reference) {
-    set.logOdds += std::log(odds.noise);
+    set.logPosteriorOdds += std::log(odds.noise);
     weighNoisy(set, f, reference, chiSquare);
   };
   Explanation noiseAlone;
@@ -102,7 +102,7 @@ void addNoisy(std::vector<Explanation>& all, Search& search, const Leftover& lef
   weigh(noiseAlone, scaleOf(chiSquare));
   // What explains a part of the gap leaves less for larger noise: no set needs it more than nothing does, but
   // for a factor of the scale to each of its few weights.
-  if (noiseAlone.logOdds < all.front().logOdds + std::log(outOfQuestion)) {
+  if (noiseAlone.logPosteriorOdds < all.front().logPosteriorOdds + std::log(outOfQuestion)) {
     all.push_back(std::move(noiseAlone));
     return;
   }
@@ -117,7 +117,7 @@ void addNoisy(std::vector<Explanation>& all, Search& search, const Leftover& lef
           std::ranges::find_if(noisy, [&](const Explanation& other) { return areAlike(other, set); });
       if (before == noisy.end())
         noisy.push_back(std::move(set));
-      else if (before->logOdds < set.logOdds)
+      else if (before->logPosteriorOdds < set.logPosteriorOdds)
         *before = std::move(set);
     }
   std::ranges::move(noisy, std::back_inserter(all));

@@ -30,13 +30,13 @@ struct Part {
 
 struct Explanation {
   std::vector<Part> parts;
-  bool noisy = false;      ///< with noise larger than stated
-  double noise = 1;        ///< most likely scale of the noise
-  double logOdds = 0;      ///< prior and evidence, against nothing at all, natural
-  double logEvidence = 0;  ///< without the prior
-  double chiSquare = 0;    ///< of what is left, stated σ
-  double chance = 0;       ///< 0…1, that it is the right one of those found
-  bool shaped = false;     ///< holds a pattern of no named cause
+  bool noisy = false;           ///< with noise larger than stated
+  double noise = 1;             ///< most likely scale of the noise
+  double logPosteriorOdds = 0;  ///< prior and evidence, against nothing at all, natural
+  double logBayesFactor = 0;    ///< without the prior
+  double chiSquare = 0;         ///< of what is left, stated σ
+  double chance = 0;            ///< 0…1, that it is the right one of those found
+  bool shaped = false;          ///< holds a pattern of no named cause
 
   bool has(std::size_t component) const;
 };
@@ -50,8 +50,8 @@ struct SearchOptions {
   PriorOdds odds = {};
   bool noise = true;  ///< noise may be larger than stated
   std::size_t beam = 6;
-  std::size_t mostParts = 3;  ///< but more where they are misreadings
-  std::size_t mostMisreadings = 6;
+  std::size_t mostParts = 3;  ///< but more where they are gross errors
+  std::size_t mostGrossErrors = 6;
   std::stop_token stop = {};  ///< asked to stop, the search ends with what it has found
 };
 

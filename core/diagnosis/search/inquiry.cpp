@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "core/diagnosis/candidates/effect_components.h"
+#include "core/diagnosis/candidates/gross_error_components.h"
 #include "core/diagnosis/candidates/jump_components.h"
-#include "core/diagnosis/candidates/misreading_components.h"
 #include "core/diagnosis/candidates/shape_components.h"
 #include "core/diagnosis/search/explained_model.h"
 #include "core/effects/cause_ids.h"
@@ -32,8 +32,8 @@ Candidates candidatesFor(const GapModel& base, const Leftover& leftover, const D
   if (considered(options, jumpId))
     addSharing(odds.jump, jumpComponents(leftover), {.offered = 2, .oneAtMost = true});
   addSharing(odds.shape, shapeComponents(leftover, *base.measurement, base.fit, options.without));
-  if (considered(options, misreadingId))
-    addSharing(odds.misreading, misreadingComponents(leftover), {.offered = 4});
+  if (considered(options, grossErrorId))
+    addSharing(odds.grossError, grossErrorComponents(leftover), {.offered = 4});
   return candidates;
 }
 
@@ -56,7 +56,7 @@ std::optional<Explanation> largeCauses(const Inquiry& inquiry) {
   std::erase_if(causes.parts, [&](const Part& part) { return inquiry.of(part).isShape(); });
   const auto isLarge = [&](const Part& part) {
     const Component& component = inquiry.of(part);
-    return !component.misreading() && component.signatureSquare(part.weights) > large * large;
+    return !component.grossErrorAt() && component.signatureSquare(part.weights) > large * large;
   };
   if (std::ranges::none_of(causes.parts, isLarge)) return std::nullopt;
   causes.shaped = causes.noisy = false;
@@ -65,7 +65,7 @@ std::optional<Explanation> largeCauses(const Inquiry& inquiry) {
 
 /// The equations at a fit with causes added, their own share put back into the residuals.
 Linearised around(const GapModel& base, const GapModel& withCauses) {
-  // A step does the same wherever it is taken, and what bends is known with its bend.
+  // A jump does the same wherever it is taken, and what bends is known with its bend.
   const auto staysOut = [](ErrorTerm term) {
     const Effect* effect = effectOf(term);
     return isOfJump(term) || (effect && effect->response == Response::Bent);
@@ -111,12 +111,12 @@ Inquiry inquireOnce(GapModel base, const DiagnosisOptions& options, const std::s
 }
 
 /// Readings so far off that the equations at the fit they have spoiled say little.
-std::vector<FarOff> farOff(const Inquiry& inquiry) {
-  constexpr double farOffSigma = 300;
-  std::vector<FarOff> found;
+std::vector<LargeGrossError> largeGrossErrorsOf(const Inquiry& inquiry) {
+  constexpr double largeSigma = 300;
+  std::vector<LargeGrossError> found;
   for (const Part& part : inquiry.explanations.front().parts)
-    if (const auto reading = inquiry.of(part).misreading();
-        reading && std::abs(part.weights[0]) > farOffSigma)
+    if (const auto reading = inquiry.of(part).grossErrorAt();
+        reading && std::abs(part.weights[0]) > largeSigma)
       found.push_back({*reading, part.weights[0]});
   return found;
 }
@@ -142,11 +142,11 @@ Inquiry inquire(GapModel model, const DiagnosisOptions& options, const std::stop
   Inquiry inquiry = inquireOnce(std::move(model), options, stop);
   std::shared_ptr<const Inquiry> first;
   for (int round = 0; round < mostRounds; ++round) {
-    const std::vector<FarOff> found = farOff(inquiry);
+    const std::vector<LargeGrossError> found = largeGrossErrorsOf(inquiry);
     if (found.empty() || stop.stop_requested()) break;
-    std::vector<FarOff> all = inquiry.farOff;
+    std::vector<LargeGrossError> all = inquiry.largeGrossErrors;
     GapModel next = inquiry.base;
-    for (const FarOff& far : found) {
+    for (const LargeGrossError& far : found) {
       all.push_back(far);
       next.options.without.push_back(readingRef(inquiry.leftover, far.reading));
     }
@@ -154,13 +154,13 @@ Inquiry inquire(GapModel model, const DiagnosisOptions& options, const std::stop
     if (!next.fit.isDetermined()) break;
     if (!first) first = std::make_shared<const Inquiry>(std::move(inquiry));
     inquiry = inquireOnce(std::move(next), options, stop);
-    inquiry.farOff = std::move(all);
+    inquiry.largeGrossErrors = std::move(all);
     inquiry.before = first;
   }
   return inquiry;
 }
 
-BlamedReading blamed(const Measurement& measurement, const ReadingRef& ref, double size) {
+ReadingDeviation deviationAt(const Measurement& measurement, const ReadingRef& ref, double size) {
   const ArcMeasurement& arc = measurement.arcs[ref.arc];
   const Sighting& sighting = arc.sightings[ref.sighting];
   return {.position = arc.position,
@@ -173,10 +173,10 @@ BlamedReading blamed(const Measurement& measurement, const ReadingRef& ref, doub
           .size = size};
 }
 
-BlamedReading blamed(const Inquiry& inquiry, Eigen::Index reading, double sigmas) {
+ReadingDeviation deviationAt(const Inquiry& inquiry, Eigen::Index reading, double sigmas) {
   const ReadingRef ref = readingRef(inquiry.leftover, reading);
-  return blamed(*inquiry.base.measurement, ref,
-                sigmas * statedSigma(*inquiry.base.measurement, ref.kind).arcseconds());
+  return deviationAt(*inquiry.base.measurement, ref,
+                     sigmas * statedSigma(*inquiry.base.measurement, ref.kind).arcseconds());
 }
 
 }  // namespace alidade

@@ -15,7 +15,7 @@ namespace alidade {
 // The search for what explains a gap.
 
 /// A reading that was left out before the search, since it is off by far more than the equations bear.
-struct FarOff {
+struct LargeGrossError {
   Eigen::Index reading = 0;  ///< index into the leftover's readings
   double sigmas = 0;         ///< how far it is off, in its σ
 };
@@ -25,8 +25,8 @@ struct Inquiry {
   GapModel base;
   Leftover leftover;
   Candidates candidates;
-  std::vector<Explanation> explanations;  ///< the likeliest first
-  std::vector<FarOff> farOff;             ///< `base` does without them
+  std::vector<Explanation> explanations;          ///< the likeliest first
+  std::vector<LargeGrossError> largeGrossErrors;  ///< `base` does without them
   std::shared_ptr<const Inquiry> before;  ///< what was found with all readings; null where none is far off
 
   /// The inquiry into the gap as it is, of all readings.
@@ -43,8 +43,8 @@ struct Inquiry {
 Inquiry inquire(GapModel model, const DiagnosisOptions& options, const std::stop_token& stop);
 
 /// A reading of the model, `size` in arcseconds.
-BlamedReading blamed(const Measurement& measurement, const ReadingRef& ref, double size);
+ReadingDeviation deviationAt(const Measurement& measurement, const ReadingRef& ref, double size);
 /// An index into the leftover's readings, off by so many of its σ.
-BlamedReading blamed(const Inquiry& inquiry, Eigen::Index reading, double sigmas);
+ReadingDeviation deviationAt(const Inquiry& inquiry, Eigen::Index reading, double sigmas);
 
 }  // namespace alidade

@@ -49,7 +49,7 @@ Search::Search(const Leftover& leftover, const Candidates& candidates, const Sea
       m_options(options),
       m_table(leftover, candidates),
       m_right(m_table.products(leftover.residual())) {
-  if (!candidates.haveMisreadings()) return;
+  if (!candidates.haveGrossErrors()) return;
   for (std::size_t i = 0; i < candidates.size(); ++i)
     if (candidates[i].onlyRow()) m_notSought.push_back(i);
 }
@@ -72,9 +72,11 @@ Explanation Search::madeOf(const std::vector<std::size_t>& components, double va
   for (std::size_t i = 0; i < components.size(); ++i) {
     const Beside own = beside(state, m_table.first(components[i]), m_table.count(components[i]));
     const Gain gain = gainFor(components[i], own.some(0, own.right.size()));
-    const double logOdds = state.found.logOdds + gain.log + m_candidates.groupOf(components[i]).logPrior;
+    const double logPosteriorOdds =
+        state.found.logPosteriorOdds + gain.log + m_candidates.groupOf(components[i]).logPrior;
     const bool isLast = i + 1 == components.size();
-    state = with(state, {.component = components[i], .gain = gain, .logOdds = logOdds}, !isLast);
+    state = with(state, {.component = components[i], .gain = gain, .logPosteriorOdds = logPosteriorOdds},
+                 !isLast);
   }
   return state.found;
 }
@@ -86,7 +88,7 @@ Search::State Search::nothing() const {
 }
 
 Search::Beside Search::beside(const State& state, Index first, Index count) const {
-  if (state.found.logOdds == impossible) return {VectorXd::Zero(count), MatrixXd(count, 0)};
+  if (state.found.logPosteriorOdds == impossible) return {VectorXd::Zero(count), MatrixXd(count, 0)};
   Beside beside{m_right.segment(first, count), MatrixXd::Zero(count, state.taken.cols())};
   Index row = 0;
   for (const Part& part : state.found.parts) {
@@ -104,7 +106,7 @@ std::vector<Search::State> Search::next(const std::vector<State>& level) {
   // The same set may grow in several ways; the one from the best state counts.
   std::vector<std::size_t> order(growths.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::sort(order, std::greater{}, [&](std::size_t i) { return growths[i].logOdds; });
+  std::ranges::sort(order, std::greater{}, [&](std::size_t i) { return growths[i].logPosteriorOdds; });
   // Patterns never grow, so they take no place from what may.
   std::vector<State> states;
   std::size_t shaped = 0;
@@ -115,7 +117,7 @@ std::vector<Search::State> Search::next(const std::vector<State>& level) {
     const auto upToHere = std::span(growths).first(i);
     if (std::ranges::find(upToHere, growths[i].key, &Growth::key) != upToHere.end()) continue;
     State state = with(level[growths[i].state], growths[i]);
-    if (state.found.logOdds == impossible) continue;
+    if (state.found.logPosteriorOdds == impossible) continue;
     states.push_back(std::move(state));
     shaped += isShape ? 1 : 0;
   }
@@ -127,13 +129,13 @@ bool Search::mayGrow(const State& state) const {
   const auto parts = state.found.parts.size();
   if (state.found.shaped || state.found.parts.back().logGain < 0) return false;
   if (parts < m_options.mostParts) return true;
-  return state.misreadings == static_cast<int>(parts) && parts < m_options.mostMisreadings;
+  return state.grossErrors == static_cast<int>(parts) && parts < m_options.mostGrossErrors;
 }
 
 Search::State Search::makeImpossible(State state) const {
   Part& last = state.found.parts.back();
   last.weights.setZero();
-  state.found.logOdds = state.found.logEvidence = last.logGain = impossible;
+  state.found.logPosteriorOdds = state.found.logBayesFactor = last.logGain = impossible;
   state.found.chiSquare = m_leftover.chiSquare();
   return state;
 }
@@ -143,7 +145,7 @@ void Search::offer(const State& state, std::size_t index, std::vector<Growth>& g
   const auto add = [&](const Candidates::Group& group, Growth growth) {
     if (growth.gain.log == impossible || state.found.has(growth.component)) return;
     growth.state = index;
-    growth.logOdds = state.found.logOdds + growth.gain.log + group.logPrior;
+    growth.logPosteriorOdds = state.found.logPosteriorOdds + growth.gain.log + group.logPrior;
     growth.key = state.key + keyOf(growth.component);
     growths.push_back(growth);
   };
@@ -234,14 +236,14 @@ Search::State Search::with(const State& state, const Growth& growth, bool inAnyC
   const Index count = m_table.count(component);
   State next;
   next.found = state.found;
-  next.found.logOdds = growth.logOdds;
-  next.found.logEvidence += growth.gain.log;
+  next.found.logPosteriorOdds = growth.logPosteriorOdds;
+  next.found.logBayesFactor += growth.gain.log;
   next.found.parts.push_back({component, growth.gain.width, VectorXd::Ones(1), growth.gain.log});
   next.found.shaped = m_candidates[component].isShape();
-  next.misreadings = state.misreadings + (m_candidates[component].misreading() ? 1 : 0);
+  next.grossErrors = state.grossErrors + (m_candidates[component].grossErrorAt() ? 1 : 0);
   next.key = growth.key;
 
-  if (state.found.logOdds == impossible) return makeImpossible(std::move(next));
+  if (state.found.logPosteriorOdds == impossible) return makeImpossible(std::move(next));
 
   const auto [right, before] = beside(state, m_table.first(component), count);
   const MatrixXd gram = m_table.gram(component) - before * before.transpose();

@@ -16,8 +16,8 @@ class Search {
  public:
   Search(const Leftover& leftover, const Candidates& candidates, const SearchOptions& options);
 
-  /// `variance`: of the readings, in units of the stated one. `logOdds` and `logEvidence` are against nothing
-  /// with the same noise. The first is the empty set.
+  /// `variance`: of the readings, in units of the stated one. `logPosteriorOdds` and `logBayesFactor` are
+  /// against nothing with the same noise. The first is the empty set.
   std::vector<Explanation> grown(double variance);
   /// Exactly these components, each as it is beside those before it.
   Explanation madeOf(const std::vector<std::size_t>& components, double variance);
@@ -32,7 +32,7 @@ class Search {
     Eigen::VectorXd off;
     /// What was taken: its products with all columns are P `taken`. A column for each direction.
     Eigen::MatrixXd taken;
-    int misreadings = 0;
+    int grossErrors = 0;
     std::uint64_t key = 0;  ///< of the set, whatever the order
   };
   /// Columns beside a state.
@@ -51,7 +51,7 @@ class Search {
   struct Growth {
     std::size_t state = 0, component = 0;
     Gain gain;
-    double logOdds = 0;
+    double logPosteriorOdds = 0;
     std::uint64_t key = 0;
   };
 
@@ -59,7 +59,7 @@ class Search {
   const Candidates& m_candidates;
   const SearchOptions& m_options;
   ColumnTable m_table;
-  std::vector<std::size_t> m_notSought;               ///< since misreadings that leave the same are
+  std::vector<std::size_t> m_notSought;               ///< since gross errors that leave the same are
   Eigen::VectorXd m_right;                            ///< products of all columns with the leftover
   std::map<std::size_t, Eigen::MatrixXd> m_products;  ///< of all columns with components that were taken
   double m_variance = 1;

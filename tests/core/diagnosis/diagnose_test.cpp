@@ -85,7 +85,7 @@ TEST(Diagnosis, NamesTheVeryReadingsThatAreMisread) {
     std::set<std::tuple<int, int, int, int, bool>> truth, named;
     for (const auto& blunder : trial.truth.at("blunders"))
       truth.emplace(blunder[0] == 0 ? 0 : 180, blunder[1], blunder[2], blunder[3], blunder[4] != 0);
-    for (const BlamedReading& reading : diagnosis.causes[0].readings)
+    for (const ReadingDeviation& reading : diagnosis.causes[0].readings)
       named.emplace(reading.axisDeg, reading.round, reading.point, reading.face,
                     reading.kind == ReadingKind::Horizontal);
     EXPECT_EQ(named, truth) << trial.id;

@@ -32,8 +32,8 @@ TEST(SealedTruth, ReadsWhatScoringNeeds) {
   EXPECT_EQ(truths[0].visible, 9.5);
   EXPECT_THAT(truths[0].lookAlikes, ElementsAre("arc_ellipticity", "gravity_sag"));
   EXPECT_FALSE(truths[1].visible);
-  EXPECT_THAT(truths[1].misread, ElementsAre(MisreadCell{0, 1, 6, 1, ReadingKind::Vertical},
-                                             MisreadCell{180, 2, 13, 2, ReadingKind::Horizontal}));
+  EXPECT_THAT(truths[1].grossErrors, ElementsAre(GrossErrorCell{0, 1, 6, 1, ReadingKind::Vertical},
+                                                 GrossErrorCell{180, 2, 13, 2, ReadingKind::Horizontal}));
   EXPECT_THAT(truths[2].causes, ElementsAre("collimation", "arc_lobing"));
   EXPECT_EQ(truths[2].intersection, 2);
 }
@@ -90,7 +90,7 @@ TEST(SealedTruth, IsMadeOfASimulatedTruth) {
   EXPECT_EQ(seal.intersection, truth.intersection);
   EXPECT_EQ(seal.visible, 8);
   EXPECT_THAT(seal.lookAlikes, ElementsAre("gravity_sag"));
-  EXPECT_THAT(seal.misread, IsEmpty());
+  EXPECT_THAT(seal.grossErrors, IsEmpty());
 }
 
 // The same truth by way of its file.
@@ -102,7 +102,7 @@ TEST(SealedTruth, IsTheSameByWayOfAFile) {
   const SealedTruth seal = sealed("4", truth, std::nullopt);
   const SealedTruth read = readSealedTruths(truthJson("4", truth))->front();
   EXPECT_EQ(read.kind, "gross_error");
-  EXPECT_EQ(read.misread, seal.misread);
+  EXPECT_EQ(read.grossErrors, seal.grossErrors);
   EXPECT_EQ(read.causes, seal.causes);
   EXPECT_EQ(read.intersection, seal.intersection);
 }

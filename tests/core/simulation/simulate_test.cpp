@@ -76,7 +76,7 @@ class Leftover {
       const Angle e =
           wrapped(Angle::fromDegrees(row->face == 1 ? 0 : 360) + zero.vertical * sign - read.vertical) * sign;
       double h = (row->a - a).radians() - m_shift[0], v = (row->e - e).radians() - m_shift[1];
-      for (const Misreading& m : m_truth.misreadings)
+      for (const TrueGrossError& m : m_truth.grossErrors)
         if (m.axisDeg == m_arc.axisDeg && m.round == row->round && m.point == row->point &&
             m.face == row->face) {
           h -= m.horizontal.radians();
@@ -217,11 +217,11 @@ TEST(Simulate, RoundsToTheTypingStepAndStaysOnTheCircle) {
   EXPECT_TRUE(examine(session).problems.empty());
 }
 
-// A misreading moves the one row that it names, in the sense of the circle, and no other.
+// A gross error moves the one row that it names, in the sense of the circle, and no other.
 TEST(Simulate, MisreadsTheNamedRow) {
   Truth truth = plainTruth();
   const Session clean = simulated("full", truth);
-  truth.misreadings = {{180, 2, 5, 2, Angle::fromArcseconds(60), Angle::fromArcseconds(-600)}};
+  truth.grossErrors = {{180, 2, 5, 2, Angle::fromArcseconds(60), Angle::fromArcseconds(-600)}};
   const Session misread = simulated("full", truth);
   int changed = 0;
   for (std::size_t p = 0; p < 2; ++p)
@@ -238,7 +238,7 @@ TEST(Simulate, MisreadsTheNamedRow) {
 
 TEST(Simulate, RefusesToMisreadARowThatIsNotPlanned) {
   Truth truth = plainTruth();
-  truth.misreadings = {{0, 1, 5, 2, Angle::fromArcseconds(60), Angle()}};
+  truth.grossErrors = {{0, 1, 5, 2, Angle::fromArcseconds(60), Angle()}};
   const Result<Session> session = simulate(*protocolByName("paper"), truth, 1);
   ASSERT_FALSE(session);
   EXPECT_THAT(session.problem().what, HasSubstr("axis 0°, round 1, point 5, face 2"));

@@ -84,9 +84,9 @@ TEST(TrialScore, ForgivesSilenceAboutWhatIsFaint) {
 
 TEST(TrialScore, WantsTheVeryReadings) {
   SealedTruth misread = truth("gross_error");
-  misread.misread = {{0, 1, 6, 1, ReadingKind::Vertical}, {180, 2, 3, 2, ReadingKind::Horizontal}};
+  misread.grossErrors = {{0, 1, 6, 1, ReadingKind::Vertical}, {180, 2, 3, 2, ReadingKind::Horizontal}};
   Cause found = cause("gross_error");
-  const auto blame = [&](const MisreadCell& cell) {
+  const auto blame = [&](const GrossErrorCell& cell) {
     found.readings.push_back({.position = 0,
                               .row = 0,
                               .axisDeg = cell.axisDeg,
@@ -95,9 +95,9 @@ TEST(TrialScore, WantsTheVeryReadings) {
                               .face = cell.face,
                               .kind = cell.circle});
   };
-  blame(misread.misread[1]);
+  blame(misread.grossErrors[1]);
   EXPECT_FALSE(isRight(misread, diagnosed({found})));
-  blame(misread.misread[0]);
+  blame(misread.grossErrors[0]);
   EXPECT_TRUE(isRight(misread, diagnosed({found})));
   EXPECT_FALSE(isRight(misread, diagnosed({found, cause("collimation")})));
   found.readings[0].kind = ReadingKind::Vertical;

@@ -27,7 +27,7 @@ TEST(StageText, CountsTheMisreadValuesThatAreLeftOut) {
 
 TEST(StageText, CountsTheMisreadValuesThatOneStageLeavesOut) {
   Gap gap;
-  gap.stages = {{}, {.kind = Kind::Proposed, .effect = "gross_error", .misread = 3, .intersection = {}}};
+  gap.stages = {{}, {.kind = Kind::Proposed, .effect = "gross_error", .grossErrors = 3, .intersection = {}}};
   EXPECT_EQ(textsOf(gap),
             QStringList({QStringLiteral("as modelled"), QStringLiteral("without 3 misread values")}));
 }

@@ -125,7 +125,7 @@ void CauseList::addCause(const Gap& gap, const Cause& cause) {
   if (!cause.indistinguishableFrom.empty() && gap.diagnosis->causes.size() > 1)
     addText(
         tr("These readings cannot tell it from %1.").arg(causeNames(cause.indistinguishableFrom, tr("or"))));
-  if (cause.effect == misreadingId) return addMisreadings(cause);
+  if (cause.effect == grossErrorId) return addGrossErrors(cause);
   if (cause.effect == jumpId) return addJump(gap, cause);
   if (cause.effect == noiseId) return addNoise(gap, cause);
   addCatalogueButtons(gap, cause);
@@ -174,15 +174,15 @@ void CauseList::addAllCauses(const std::vector<Cause>& causes) {
       &QPushButton::clicked, this, [this, all] { emit effectsWanted(all); });
 }
 
-void CauseList::addMisreadings(const Cause& cause) {
+void CauseList::addGrossErrors(const Cause& cause) {
   if (!cause.indistinguishableFrom.empty())
     addText(
         tr("Perhaps %1 right beside it, which would move Δd: read the position again before a row is left "
            "out.")
             .arg(causeNames(cause.indistinguishableFrom, tr("or"))));
-  for (const BlamedReading& reading : cause.readings) {
+  for (const ReadingDeviation& reading : cause.readings) {
     m_buttons = nullptr;
-    addText(blamedText(reading));
+    addText(deviationText(reading));
     const Place place = placeOf(reading);
     connect(addButton(tr("Go to the reading"), QStringLiteral("go to reading")), &QPushButton::clicked, this,
             [this, place] { emit placeActivated(place); });

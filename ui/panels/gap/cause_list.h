@@ -45,7 +45,7 @@ class CauseList : public QWidget {
   QPushButton* addButton(const QString& text, const QString& name);
   void addCatalogueButtons(const Gap& gap, const Cause& cause);
   void addAllCauses(const std::vector<Cause>& causes);
-  void addMisreadings(const Cause& cause);
+  void addGrossErrors(const Cause& cause);
   void addJump(const Gap& gap, const Cause& cause);
   void addRowsExclusion(const QString& text, const QString& name, const RowRange& rows);
   void addNoise(const Gap& gap, const Cause& cause);

@@ -201,7 +201,7 @@ TEST(JointFit, LeavesReadingsOutThatTakeNoPart) {
 }
 
 // The ray tracer knocked the tripod at a moment it tells; with the step put there, noise is left over.
-TEST(JointFit, FindsTheStepOfAKnockedTripod) {
+TEST(JointFit, FindsTheJumpOfAKnockedTripod) {
   for (const test::Trial& trial : test::trials()) {
     if (trial.kind != "orientation_jump") continue;
     const double infinite = std::numeric_limits<double>::infinity();

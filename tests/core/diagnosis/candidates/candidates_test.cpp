@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "core/diagnosis/candidates/effect_components.h"
+#include "core/diagnosis/candidates/gross_error_components.h"
 #include "core/diagnosis/candidates/jump_components.h"
-#include "core/diagnosis/candidates/misreading_components.h"
 #include "tests/support/full_leftover.h"
 
 namespace alidade {
@@ -19,7 +19,7 @@ Candidates ofThreeKinds() {
   candidates.add(effectComponents(leftover(), {}), 0.04);
   candidates.add(jumpComponents(leftover()), 1e-3, {.offered = 2, .oneAtMost = true});
   candidates.add(std::vector<JumpComponent>(), 1);
-  candidates.add(misreadingComponents(leftover()), 1e-4, {.offered = 4});
+  candidates.add(grossErrorComponents(leftover()), 1e-4, {.offered = 4});
   return candidates;
 }
 
@@ -33,7 +33,7 @@ TEST(Candidates, AreNumberedThrough) {
   EXPECT_TRUE(candidates[17].isJump());
   EXPECT_TRUE(candidates[17 + 134].isJump());
   for (Eigen::Index i = 0; i < leftover().readings(); ++i)
-    EXPECT_EQ(candidates[152 + static_cast<std::size_t>(i)].misreading(), i);
+    EXPECT_EQ(candidates[152 + static_cast<std::size_t>(i)].grossErrorAt(), i);
   EXPECT_EQ(candidates.groupOf(16).logPrior, std::log(0.04));
   EXPECT_EQ(candidates.groupOf(17).logPrior, std::log(1e-3));
   EXPECT_TRUE(candidates.groupOf(151).oneAtMost);
@@ -41,11 +41,11 @@ TEST(Candidates, AreNumberedThrough) {
 }
 
 TEST(Candidates, HaveMisreadingsWhereThoseWereAdded) {
-  EXPECT_TRUE(ofThreeKinds().haveMisreadings());
+  EXPECT_TRUE(ofThreeKinds().haveGrossErrors());
   Candidates candidates;
-  EXPECT_FALSE(candidates.haveMisreadings());
+  EXPECT_FALSE(candidates.haveGrossErrors());
   candidates.add(jumpComponents(leftover()), 1e-3);
-  EXPECT_FALSE(candidates.haveMisreadings());
+  EXPECT_FALSE(candidates.haveGrossErrors());
 }
 
 TEST(Candidates, FillInTheProductsOfEachInTurn) {

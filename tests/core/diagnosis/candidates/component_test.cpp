@@ -89,9 +89,9 @@ TEST_P(ComponentTest, TakesInTheModelWhatItsColumnsTake) {
     const double taken = right.dot(gram.ldlt().solve(right));
     EXPECT_NEAR(inquiry.base.fit.chiSquare - model.fit.chiSquare, taken, 0.01 * (1 + taken));
     const std::vector<CauseParameter> parameters =
-        component.misreading() ? std::vector<CauseParameter>{} : component.parameters(model);
+        component.grossErrorAt() ? std::vector<CauseParameter>{} : component.parameters(model);
     for (const CauseParameter& parameter : parameters) EXPECT_TRUE(std::isfinite(parameter.value));
-    EXPECT_EQ(component.misreading().has_value(), parameters.empty());
+    EXPECT_EQ(component.grossErrorAt().has_value(), parameters.empty());
   });
   EXPECT_GT(done.size(), 8u);
 }

@@ -20,7 +20,7 @@ std::ptrdiff_t momentsSoughtBy(const std::string& protocol) {
 }
 
 // Rows alone in their visits: 34 rows have 33 moments between them, less one behind the first and one before
-// the last row of each position. A second face or the slider tells a step from a misreading.
+// the last row of each position. A second face or the slider tells a step from a gross error.
 TEST(JumpComponents, StepIsNotSoughtWhereItIsAMisreading) {
   EXPECT_EQ(momentsSoughtBy("paper"), 33 - 4);
   EXPECT_EQ(momentsSoughtBy("there-and-back"), 67 - 4);
@@ -35,13 +35,13 @@ TEST(JumpComponents, SlipInTheLastRowOfAPositionIsNoStep) {
     for (const int point : {1, 17}) {
       SCOPED_TRACE(std::to_string(axis) + "°, point " + std::to_string(point));
       Truth truth = drawTruth(5);
-      truth.misreadings = {
+      truth.grossErrors = {
           {.axisDeg = axis, .point = point, .horizontal = Angle::fromArcseconds(60), .vertical = {}}};
       const Diagnosis diagnosis =
           *diagnose(*examine(*simulate(*protocolByName("paper"), truth, 5)).measurement);
       ASSERT_EQ(diagnosis.causes.size(), 1u);
       ASSERT_EQ(diagnosis.causes[0].readings.size(), 1u) << diagnosis.causes[0].effect;
-      const BlamedReading& blamed = diagnosis.causes[0].readings[0];
+      const ReadingDeviation& blamed = diagnosis.causes[0].readings[0];
       EXPECT_EQ(blamed.axisDeg, axis);
       EXPECT_EQ(blamed.point, point);
       EXPECT_EQ(blamed.kind, ReadingKind::Horizontal);
@@ -89,7 +89,7 @@ TEST(JumpComponents, StepIsFoundAtTheLastRowWhereNothingIsMisread) {
 // 300″ are five plausible steps: a slip and nothing else. With the slider a knock shows in both circles.
 TEST(JumpComponents, LargeSlipIsNoStep) {
   Truth truth = drawTruth(5);
-  truth.misreadings = {{.axisDeg = 0, .point = 17, .horizontal = Angle::fromArcseconds(300), .vertical = {}}};
+  truth.grossErrors = {{.axisDeg = 0, .point = 17, .horizontal = Angle::fromArcseconds(300), .vertical = {}}};
   const Diagnosis diagnosis = *diagnose(*examine(*simulate(*protocolByName("paper"), truth, 5)).measurement);
   EXPECT_EQ(diagnosis.verdict, DiagnosisVerdict::SingleCause);
   const Diagnosis knocked = *diagnose(

@@ -17,7 +17,7 @@ TEST(LinearMoves, AgreeWithAFitOfTheWholeModel) {
   int compared = 0, moved = 0;
   for (const test::Trial& trial : test::trials()) {
     const Inquiry inquiry = inquire(*modelOf(trial.measurement), {}, {});
-    if (!inquiry.farOff.empty()) continue;
+    if (!inquiry.largeGrossErrors.empty()) continue;
     LinearMoves moves(inquiry);
     const auto before = estimateOf(inquiry.base);
     const double byNothing = moves.of({})->variance;

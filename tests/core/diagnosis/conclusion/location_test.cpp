@@ -73,7 +73,7 @@ TEST(Location, FindsTheFrameOfAPatternWithoutAName) {
 /// Round 2, point 5 at 180°, face 2.
 Truth misreadBy(double arcseconds) {
   Truth truth = drawTruth(3);
-  truth.misreadings = {{.axisDeg = 180,
+  truth.grossErrors = {{.axisDeg = 180,
                         .round = 2,
                         .point = 5,
                         .face = 2,

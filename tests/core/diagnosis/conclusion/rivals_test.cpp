@@ -7,8 +7,8 @@
 #include <random>
 #include <vector>
 
+#include "core/diagnosis/candidates/gross_error_components.h"
 #include "core/diagnosis/candidates/jump_components.h"
-#include "core/diagnosis/candidates/misreading_components.h"
 #include "core/diagnosis/conclusion/answer.h"
 #include "tests/support/perfect_session.h"
 
@@ -45,15 +45,15 @@ double evidence(const std::vector<Width>& widths, double square, double gain) {
 }
 
 // All that shows of a slip in either circle of the row, or of a step just before it, is the one condition
-// between its circles. So a step stands against two misreadings: the odds are those of the priors times the
+// between its circles. So a jump stands against two gross errors: the odds are those of the priors times the
 // evidence of the step over that of the two. What a step leaves in the position after it, a thousandth of
 // it, is not counted: 10 %.
-TEST(Rivals, StepStandsAgainstAMisreadingOfEitherCircle) {
+TEST(Rivals, JumpStandsAgainstAGrossErrorOfEitherCircle) {
   const Measurement measurement = misreadAtTheEnd();
   const Inquiry inquiry = inquire(*modelOf(measurement), {}, {});
   const Answer answer = conclude(inquiry);
   ASSERT_EQ(answer.explanation.parts.size(), 1u);
-  ASSERT_TRUE(inquiry.of(answer.explanation.parts[0]).misreading());
+  ASSERT_TRUE(inquiry.of(answer.explanation.parts[0]).grossErrorAt());
   ASSERT_EQ(answer.rivals[0].size(), 1u);
   ASSERT_TRUE(inquiry.of(answer.rivals[0][0].part).isJump());
 
@@ -61,16 +61,16 @@ TEST(Rivals, StepStandsAgainstAMisreadingOfEitherCircle) {
   const JointFit without =
       fitJointly(*base.measurement, base.starts, {.without = {{0, lastRow, ReadingKind::Horizontal}}});
   const double gain = base.fit.chiSquare - without.chiSquare;
-  double ofMisreadings = 0, shown = 0;
+  double ofGrossErrors = 0, shown = 0;
   for (const AdjustedReading& reading : base.fit.readings) {
     if (reading.arc != 0 || reading.sighting != lastRow) continue;
-    ofMisreadings += evidence(misreadingWidths(), reading.redundancy, gain);
+    ofGrossErrors += evidence(grossErrorWidths(), reading.redundancy, gain);
     shown += reading.redundancy * std::pow(plausibleJump / reading.sigma, 2);
   }
   const PriorOdds odds;
   const double rows = 34, readings = 2 * rows;
-  const double expected = odds.jump / (rows - 1) * evidence(knockWidths(), shown, gain) /
-                          (odds.misreading / readings * ofMisreadings);
+  const double expected = odds.jump / (rows - 1) * evidence(usualAndFarWiderJumpWidths(), shown, gain) /
+                          (odds.grossError / readings * ofGrossErrors);
   EXPECT_NEAR(answer.rivals[0][0].odds, expected, 0.1 * expected);
 }
 

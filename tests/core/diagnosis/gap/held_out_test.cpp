@@ -95,7 +95,7 @@ TEST(HeldOut, DoesWithoutASightingThatIsMisread) {
   for (const double size : {60.0, 400.0, 900.0}) {
     SCOPED_TRACE(size);
     Truth truth = drawTruth(3);
-    truth.misreadings = {
+    truth.grossErrors = {
         {.axisDeg = 0, .point = 5, .horizontal = {}, .vertical = Angle::fromArcseconds(size)}};
     const Diagnosis diagnosis = *diagnose(read("paper", truth));
     ASSERT_EQ(diagnosis.causes.size(), 1u);

@@ -41,7 +41,7 @@ double logDensity(const Eigen::VectorXd& x, const Eigen::MatrixXd& covariance) {
 /// ln of the evidence for an effect that does not bend against that for nothing, from densities of all
 /// readings: with weights normal of width σ they are normal of covariance 1 + σ² C Cᵀ, with the weight 1 of
 /// mean C.
-double logEvidence(const Leftover& leftover, const Component& effect) {
+double logBayesFactor(const Leftover& leftover, const Component& effect) {
   const Eigen::VectorXd& readings = leftover.residual();
   const Eigen::MatrixXd columns = effect.visibleColumns(leftover);
   const Eigen::MatrixXd noise = Eigen::MatrixXd::Identity(readings.size(), readings.size());
@@ -76,7 +76,7 @@ TEST(FitAlone, GivesBackTheEffectThatASessionHolds) {
       const Part part = fitAlone(residual, effects[i], i);
       EXPECT_EQ(part.component, i);
       if (effects[i].response() != Response::Bent) {  // 1e-9 of what the readings tell of it
-        const double evidence = logEvidence(leftover, effects[i]);
+        const double evidence = logBayesFactor(leftover, effects[i]);
         EXPECT_NEAR(part.logGain, evidence, 1e-9 * (1 + std::abs(evidence))) << effects[i].id();
       }
       if (effects[i].id() != id) continue;

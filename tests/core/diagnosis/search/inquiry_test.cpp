@@ -17,7 +17,7 @@ namespace {
 Diagnosis diagnosedSlip(const std::string& protocol, double arcseconds) {
   Truth truth = drawTruth(3);
   truth.effects = {{ErrorTerm::Collimation, 15}};
-  truth.misreadings = {
+  truth.grossErrors = {
       {.axisDeg = 0, .point = 5, .horizontal = {}, .vertical = Angle::fromArcseconds(arcseconds)}};
   return *diagnose(test::measurementOf(*simulate(*protocolByName(protocol), truth, 3)));
 }
@@ -73,7 +73,7 @@ TEST(Inquiry, AnswersAlikeOnBothSidesOfWhereAReadingIsFarOff) {
 // One slip after the other is found; both are told in one cause, one step, and in where the gap lies.
 TEST(Inquiry, TellsAllReadingsThatAreFarOff) {
   Truth truth = drawTruth(3);
-  truth.misreadings = {{.axisDeg = 0, .point = 5, .horizontal = {}, .vertical = Angle::fromDegrees(1)},
+  truth.grossErrors = {{.axisDeg = 0, .point = 5, .horizontal = {}, .vertical = Angle::fromDegrees(1)},
                        {.axisDeg = 180,
                         .round = 2,
                         .point = 9,

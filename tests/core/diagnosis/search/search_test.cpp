@@ -7,8 +7,8 @@
 #include <ranges>
 
 #include "core/diagnosis/candidates/effect_components.h"
+#include "core/diagnosis/candidates/gross_error_components.h"
 #include "core/diagnosis/candidates/jump_components.h"
-#include "core/diagnosis/candidates/misreading_components.h"
 #include "core/diagnosis/search/inquiry.h"
 #include "core/simulation/simulate.h"
 
@@ -23,7 +23,7 @@ class SearchTest : public testing::TestWithParam<std::string> {
     truth.effects = {{ErrorTerm::TrunnionTilt, 5 * effectById("trunnion_tilt")->parameters[0].plausible}};
     truth.jump = {
         .moment = 0.4, .horizontal = Angle::fromArcseconds(6), .vertical = Angle::fromArcseconds(-3)};
-    truth.misreadings = {
+    truth.grossErrors = {
         {.axisDeg = 180, .point = 5, .horizontal = Angle::fromArcseconds(13), .vertical = Angle()}};
     const Session session = *simulate(*protocolByName(protocol), truth, 31);
     const GapModel model = *modelOf(*examine(session).measurement);
@@ -33,7 +33,7 @@ class SearchTest : public testing::TestWithParam<std::string> {
     Candidates candidates;
     candidates.add(effectComponents(leftover, {}), 0.04);
     candidates.add(jumpComponents(leftover), 1e-3, {.offered = 2, .oneAtMost = true});
-    candidates.add(misreadingComponents(leftover), 1e-3, {.offered = 4});
+    candidates.add(grossErrorComponents(leftover), 1e-3, {.offered = 4});
     return candidates;
   }
 
@@ -41,9 +41,9 @@ class SearchTest : public testing::TestWithParam<std::string> {
   Candidates candidates = candidatesFor(leftover);
 
   bool isJump(std::size_t component) const { return candidates[component].isJump(); }
-  bool isMisreading(std::size_t component) const { return candidates[component].misreading().has_value(); }
+  bool isGrossError(std::size_t component) const { return candidates[component].grossErrorAt().has_value(); }
 
-  /// The highest few of the evidences of all jumps or misreadings that may be sought, `before` taken first.
+  /// The highest few of the evidences of all jumps or gross errors that may be sought, `before` taken first.
   template <typename Kind>
   std::vector<double> bestByTrying(Search& search, const Kind& isOfKind,
                                    const std::vector<std::size_t>& before, double variance,
@@ -51,10 +51,10 @@ class SearchTest : public testing::TestWithParam<std::string> {
     std::vector<double> all;
     for (std::size_t i = 0; i < candidates.size(); ++i) {
       if (!isOfKind(i) || candidates[i].onlyRow()) continue;
-      if (isMisreading(i) && leftover.redundancy(*candidates[i].misreading()) < 1e-3) continue;
+      if (isGrossError(i) && leftover.redundancy(*candidates[i].grossErrorAt()) < 1e-3) continue;
       std::vector<std::size_t> set = before;
       set.push_back(i);
-      all.push_back(search.madeOf(set, variance).logEvidence);
+      all.push_back(search.madeOf(set, variance).logBayesFactor);
     }
     std::ranges::sort(all, std::greater{});
     all.resize(std::min(count, all.size()));
@@ -69,24 +69,24 @@ class SearchTest : public testing::TestWithParam<std::string> {
     for (const Explanation& set : sets)
       if (set.parts.size() == before.size() + 1 && isOfKind(set.parts.back().component) &&
           std::ranges::equal(before, set.parts | std::views::take(before.size()), {}, {}, &Part::component))
-        evidences.push_back(set.logEvidence);
+        evidences.push_back(set.logBayesFactor);
     std::ranges::sort(evidences, std::greater{});
     return evidences;
   }
 
   void expectTheBest(const std::vector<std::size_t>& before, double variance) const {
-    const SearchOptions options{.beam = 1000, .mostParts = before.size() + 1, .mostMisreadings = 1};
+    const SearchOptions options{.beam = 1000, .mostParts = before.size() + 1, .mostGrossErrors = 1};
     Search search(leftover, candidates, options);
     const std::vector<Explanation> sets = search.grown(variance);
     const auto jumps = [&](std::size_t i) { return isJump(i); };
-    const auto misreadings = [&](std::size_t i) { return isMisreading(i); };
+    const auto grossErrors = [&](std::size_t i) { return isGrossError(i); };
     // The same sums in another order: what rounding leaves.
     EXPECT_THAT(
         found(sets, jumps, before),
         testing::Pointwise(testing::DoubleNear(1e-9), bestByTrying(search, jumps, before, variance, 2)));
-    EXPECT_THAT(found(sets, misreadings, before),
+    EXPECT_THAT(found(sets, grossErrors, before),
                 testing::Pointwise(testing::DoubleNear(1e-9),
-                                   bestByTrying(search, misreadings, before, variance, 4)));
+                                   bestByTrying(search, grossErrors, before, variance, 4)));
   }
 };
 

@@ -249,7 +249,7 @@ TEST(Gap, WarnsBeforeARowIsLeftOutForWhatMayBeAJump) {
   gap.diagnosis->causes.push_back({.effect = "gross_error",
                                    .parameters = {},
                                    .indistinguishableFrom = {"orientation_jump"},
-                                   .readings = {BlamedReading{}}});
+                                   .readings = {ReadingDeviation{}}});
   CauseList list;
   list.setGap(gap);
   QString texts;

@@ -12,7 +12,8 @@ namespace alidade {
 // place on the arc. Where the other places are evenly spaced the circle is to blame whose correction brings
 // the slider back to its own (visit_check.h).
 
-/// `misread` with the circles exchanged where that is likelier. `model` does without them.
-std::vector<BlamedReading> withLikelierCircles(const GapModel& model, std::vector<BlamedReading> misread);
+/// `grossErrors` with the circles exchanged where that is likelier. `model` does without them.
+std::vector<ReadingDeviation> withLikelierCircles(const GapModel& model,
+                                                  std::vector<ReadingDeviation> grossErrors);
 
 }  // namespace alidade

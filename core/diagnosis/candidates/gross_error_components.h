@@ -7,16 +7,16 @@
 namespace alidade {
 
 /// One reading is off; a weight is in its σ. Small, since there is one for every reading.
-class MisreadingComponent final : public Component {
+class GrossErrorComponent final : public Component {
  public:
   /// `reading`: index into the leftover's readings.
-  MisreadingComponent(Eigen::Index reading, double redundancy)
+  GrossErrorComponent(Eigen::Index reading, double redundancy)
       : m_reading(reading), m_redundancy(redundancy) {}
 
   std::string_view id() const override;
   ErrorSource source() const override { return ErrorSource::Reading; }
   const std::vector<Width>& widths() const override;
-  std::optional<Eigen::Index> misreading() const override { return m_reading; }
+  std::optional<Eigen::Index> grossErrorAt() const override { return m_reading; }
   Eigen::Map<const Eigen::MatrixXd> gram() const override {
     return Eigen::Map<const Eigen::MatrixXd>(&m_redundancy, 1, 1);
   }
@@ -34,9 +34,9 @@ class MisreadingComponent final : public Component {
   double m_redundancy;
 };
 
-const std::vector<Width>& misreadingWidths();
+const std::vector<Width>& grossErrorWidths();
 
 /// Of every reading, in their order.
-std::vector<MisreadingComponent> misreadingComponents(const Leftover& leftover);
+std::vector<GrossErrorComponent> grossErrorComponents(const Leftover& leftover);
 
 }  // namespace alidade

@@ -1,4 +1,4 @@
-#include "core/diagnosis/conclusion/misread_circle.h"
+#include "core/diagnosis/conclusion/gross_error_circle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,7 @@ struct Located {
   std::size_t arc = 0, sighting = 0;
 };
 
-std::optional<Located> locate(const Measurement& measurement, const BlamedReading& reading) {
+std::optional<Located> locate(const Measurement& measurement, const ReadingDeviation& reading) {
   for (std::size_t arc = 0; arc < measurement.arcs.size(); ++arc) {
     if (measurement.arcs[arc].position != reading.position) continue;
     const auto& sightings = measurement.arcs[arc].sightings;
@@ -71,21 +71,22 @@ class Correction {
 
 }  // namespace
 
-std::vector<BlamedReading> withLikelierCircles(const GapModel& model, std::vector<BlamedReading> misread) {
+std::vector<ReadingDeviation> withLikelierCircles(const GapModel& model,
+                                                  std::vector<ReadingDeviation> grossErrors) {
   const Measurement& measurement = *model.measurement;
   std::vector<std::size_t> open;
   JointFitOptions options = model.options;
-  for (std::size_t i = 0; i < misread.size(); ++i) {
-    const std::optional<Located> at = locate(measurement, misread[i]);
-    if (!at || misread[i].kind == ReadingKind::Slider || !isAlone(measurement, *at)) continue;
+  for (std::size_t i = 0; i < grossErrors.size(); ++i) {
+    const std::optional<Located> at = locate(measurement, grossErrors[i]);
+    if (!at || grossErrors[i].kind == ReadingKind::Slider || !isAlone(measurement, *at)) continue;
     open.push_back(i);
     for (const ReadingKind kind : {ReadingKind::Horizontal, ReadingKind::Vertical})
       options.without.push_back({at->arc, at->sighting, kind});
   }
-  if (open.empty()) return misread;
+  if (open.empty()) return grossErrors;
   const JointFit fit = fitJointly(measurement, model.starts, options);
   for (const std::size_t i : open) {
-    const Located at = *locate(measurement, misread[i]);
+    const Located at = *locate(measurement, grossErrors[i]);
     const VisitCheck check(measurement, at.arc, options.without, fit, options);
     if (!check.canCheck()) continue;
     const Correction correction(measurement, fit.circleOf(at.arc));
@@ -97,11 +98,11 @@ std::vector<BlamedReading> withLikelierCircles(const GapModel& model, std::vecto
       continue;
     const bool isHorizontal =
         check.agreement({horizontal}).logLikelihood > check.agreement({vertical}).logLikelihood;
-    misread[i].kind = isHorizontal ? ReadingKind::Horizontal : ReadingKind::Vertical;
-    misread[i].size =
+    grossErrors[i].kind = isHorizontal ? ReadingKind::Horizontal : ReadingKind::Vertical;
+    grossErrors[i].size =
         isHorizontal ? (read.a - horizontal.a).arcseconds() : (read.e - vertical.e).arcseconds();
   }
-  return misread;
+  return grossErrors;
 }
 
 }  // namespace alidade

@@ -1,4 +1,4 @@
-#include "core/adjustment/gross_errors/misreadings.h"
+#include "core/adjustment/gross_errors/gross_error_search.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -16,9 +16,9 @@ namespace {
 using ::testing::IsEmpty;
 using enum ReadingKind;
 
-std::vector<ReadingRef> cellsOf(const MisreadingSearch& search) {
+std::vector<ReadingRef> cellsOf(const GrossErrorSearch& search) {
   std::vector<ReadingRef> cells;
-  for (const MisreadReading& misreading : search.misread) cells.push_back(misreading.cell);
+  for (const GrossError& error : search.grossErrors) cells.push_back(error.cell);
   return cells;
 }
 
@@ -33,13 +33,13 @@ Measurement noisyMeasurement(unsigned seed) {
 }
 
 // Sessions of an independent ray tracer with errors of 30″ to 300″ on single readings.
-TEST(Misreadings, FindsTheGrossErrorsOfTheRayTracer) {
+TEST(GrossErrorSearch, FindsTheGrossErrorsOfTheRayTracer) {
   for (const Trial& trial : trials()) {
     if (trial.kind != "gross_error") continue;
     SCOPED_TRACE(trial.id);
-    const MisreadingSearch search = searchMisreadings(trial.measurement);
-    ASSERT_EQ(search.misread.size(), 1u);
-    const MisreadReading& found = search.misread[0];
+    const GrossErrorSearch search = searchGrossErrors(trial.measurement);
+    ASSERT_EQ(search.grossErrors.size(), 1u);
+    const GrossError& found = search.grossErrors[0];
     const Sighting& sighting = trial.measurement.arcs[found.cell.arc].sightings[found.cell.sighting];
     const auto& blunder = trial.truth.at("blunders").at(0);
     EXPECT_EQ(blunder.at(0), found.cell.arc);
@@ -54,74 +54,73 @@ TEST(Misreadings, FindsTheGrossErrorsOfTheRayTracer) {
 }
 
 // Instruments and guideways with effects misfit as a whole, and no reading of theirs is misread.
-TEST(Misreadings, BlamesNoReadingForAnEffect) {
+TEST(GrossErrorSearch, BlamesNoReadingForAnEffect) {
   for (const Trial& trial : trials()) {
     if (trial.kind == "gross_error") continue;
-    EXPECT_THAT(cellsOf(searchMisreadings(trial.measurement)), IsEmpty()) << trial.id << ' ' << trial.kind;
+    EXPECT_THAT(cellsOf(searchGrossErrors(trial.measurement)), IsEmpty()) << trial.id << ' ' << trial.kind;
   }
 }
 
 // Its readings scatter seven times more than stated, but none more than the rest.
-TEST(Misreadings, NamesNothingInThePapersReadings) {
-  const MisreadingSearch search = searchMisreadings(paperMeasurement());
-  EXPECT_THAT(search.misread, IsEmpty());
+TEST(GrossErrorSearch, NamesNothingInThePapersReadings) {
+  const GrossErrorSearch search = searchGrossErrors(paperMeasurement());
+  EXPECT_THAT(search.grossErrors, IsEmpty());
   EXPECT_NEAR(search.noiseFactor, 6.91, 0.005);
 }
 
 // 34 rows alone in their visits are 34 tests at 1 % in all: each at 1 − 0.99^(1/34) = 2.956e-4, which
 // Student's t with 28 degrees of freedom exceeds beyond ±4.1309 (integrated numerically).
-TEST(Misreadings, NamesASoundReadingInOneSessionOfAHundred) {
-  EXPECT_NEAR(searchMisreadings(paperMeasurement()).criticalValue, 4.1309, 0.0001);
+TEST(GrossErrorSearch, NamesASoundReadingInOneSessionOfAHundred) {
+  EXPECT_NEAR(searchGrossErrors(paperMeasurement()).criticalValue, 4.1309, 0.0001);
 }
 
 // Each of the four pulls the fit of its arc by more than the noise of all others; the largest by metres.
-TEST(Misreadings, FindsSeveralThatWouldMaskEachOther) {
+TEST(GrossErrorSearch, FindsSeveralThatWouldMaskEachOther) {
   Measurement measurement = noisyMeasurement(1);
   shiftReading(measurement, {0, 8, Vertical}, Angle::fromDegrees(-10));
   shiftReading(measurement, {0, 9, Vertical}, Angle::fromArcseconds(600));
   shiftReading(measurement, {0, 7, Vertical}, Angle::fromArcseconds(600));
   shiftReading(measurement, {1, 0, Horizontal}, Angle::fromArcseconds(60));
-  const MisreadingSearch search = searchMisreadings(measurement);
+  const GrossErrorSearch search = searchGrossErrors(measurement);
   std::vector<std::pair<std::size_t, std::size_t>> rows;
-  for (const MisreadReading& misreading : search.misread)
-    rows.emplace_back(misreading.cell.arc, misreading.cell.sighting);
+  for (const GrossError& error : search.grossErrors) rows.emplace_back(error.cell.arc, error.cell.sighting);
   EXPECT_THAT(rows, ::testing::UnorderedElementsAre(std::pair(0, 7), std::pair(0, 8), std::pair(0, 9),
                                                     std::pair(1, 0)));
-  EXPECT_EQ(search.misread[0].cell, (ReadingRef{0, 8, Vertical}));
-  EXPECT_NEAR(search.misread[0].size.degrees(), 10, 4 * search.misread[0].sigma.degrees());
+  EXPECT_EQ(search.grossErrors[0].cell, (ReadingRef{0, 8, Vertical}));
+  EXPECT_NEAR(search.grossErrors[0].size.degrees(), 10, 4 * search.grossErrors[0].sigma.degrees());
 }
 
 // Without a second face or the slider, a misfit across the arc may come from either circle.
-TEST(Misreadings, SaysThatEitherCircleOfASingleSightingMayBeAtFault) {
+TEST(GrossErrorSearch, SaysThatEitherCircleOfASingleSightingMayBeAtFault) {
   Measurement measurement = noisyMeasurement(2);
   shiftReading(measurement, {1, 4, Vertical}, Angle::fromArcseconds(90));
-  const MisreadingSearch search = searchMisreadings(measurement);
-  ASSERT_EQ(search.misread.size(), 1u);
-  ASSERT_EQ(search.misread[0].rivals.size(), 1u);
-  EXPECT_EQ(search.misread[0].cell.sighting, 4u);
-  EXPECT_EQ(search.misread[0].rivals[0].sighting, 4u);
-  EXPECT_NE(search.misread[0].cell.kind, search.misread[0].rivals[0].kind);
+  const GrossErrorSearch search = searchGrossErrors(measurement);
+  ASSERT_EQ(search.grossErrors.size(), 1u);
+  ASSERT_EQ(search.grossErrors[0].rivals.size(), 1u);
+  EXPECT_EQ(search.grossErrors[0].cell.sighting, 4u);
+  EXPECT_EQ(search.grossErrors[0].rivals[0].sighting, 4u);
+  EXPECT_NE(search.grossErrors[0].cell.kind, search.grossErrors[0].rivals[0].kind);
 }
 
-TEST(Misreadings, TestsNothingWithoutRedundancy) {
+TEST(GrossErrorSearch, TestsNothingWithoutRedundancy) {
   Measurement measurement = usualMeasurement();
   measurement.arcs = {perfectArc(measurement, {0, 0, 400}, spread(3, 120))};
   shiftReading(measurement, {0, 1, Vertical}, Angle::fromDegrees(1));
-  const MisreadingSearch search = searchMisreadings(measurement);
-  EXPECT_THAT(search.misread, IsEmpty());
+  const GrossErrorSearch search = searchGrossErrors(measurement);
+  EXPECT_THAT(search.grossErrors, IsEmpty());
   EXPECT_EQ(search.criticalValue, 0);
 }
 
 // Rows far off the circle are left out from the start, however many; only as many as asked for are named.
-TEST(Misreadings, AreManagedInThousandsOfReadings) {
+TEST(GrossErrorSearch, AreManagedInThousandsOfReadings) {
   std::mt19937_64 generator(9);
   Measurement measurement = usualMeasurement();
   measurement.arcs = {perfectArc(measurement, {0.4, 1.2, 400.3}, spread(1500, 160), 0)};
   addNoise(measurement.arcs[0], measurement, generator);
   for (std::size_t i = 0; i < 30; ++i)
     shiftReading(measurement, {0, 600 + 10 * i, Vertical}, Angle::fromDegrees(3));
-  const MisreadingSearch search = searchMisreadings(measurement);
-  EXPECT_EQ(search.misread.size(), 12u);
+  const GrossErrorSearch search = searchGrossErrors(measurement);
+  EXPECT_EQ(search.grossErrors.size(), 12u);
   EXPECT_EQ(search.leftOut.size(), 60u);
   EXPECT_NEAR(search.noiseFactor, 1, 4 / std::sqrt(2 * 1500.0));
 }

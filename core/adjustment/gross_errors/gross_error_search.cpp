@@ -1,4 +1,4 @@
-#include "core/adjustment/gross_errors/misreadings.h"
+#include "core/adjustment/gross_errors/gross_error_search.h"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -110,17 +110,17 @@ class Projector {
 
 class Search {
  public:
-  Search(const Measurement& measurement, const MisreadingOptions& options, const std::stop_token& stop)
+  Search(const Measurement& measurement, const GrossErrorOptions& options, const std::stop_token& stop)
       : m_measurement(measurement), m_options(options), m_stop(stop), m_fitOptions(options.fit) {}
 
-  MisreadingSearch run() {
+  GrossErrorSearch run() {
     start();
     for (std::size_t step = 0; step < 3 * m_options.most + 3; ++step) {
       takeBackInsignificant();
       if (isStopped()) return {};
       if (calls() >= m_options.most || !addMostSignificant()) break;
     }
-    return isStopped() ? MisreadingSearch{} : result();
+    return isStopped() ? GrossErrorSearch{} : result();
   }
 
  private:
@@ -414,22 +414,22 @@ class Search {
     return rivals;
   }
 
-  MisreadingSearch result() const {
-    MisreadingSearch search;
+  GrossErrorSearch result() const {
+    GrossErrorSearch search;
     for (std::size_t i = 0; i < m_shifts.size(); ++i)
-      search.misread.push_back({m_shifts[i].cell, Angle::fromRadians(m_shifts[i].size),
-                                Angle::fromRadians(sigmaOfShift(i)), studentised(i), rivalsOf(i)});
+      search.grossErrors.push_back({m_shifts[i].cell, Angle::fromRadians(m_shifts[i].size),
+                                    Angle::fromRadians(sigmaOfShift(i)), studentised(i), rivalsOf(i)});
     for (std::size_t i = 0; i < m_leftOut.size(); ++i) {
       const LeftOut& out = m_leftOut[i];
-      search.misread.push_back({out.cell,
-                                Angle::fromRadians(out.size),
-                                Angle::fromRadians(out.sigma),
-                                studentised(m_shifts.size() + i),
-                                {out.other}});
+      search.grossErrors.push_back({out.cell,
+                                    Angle::fromRadians(out.size),
+                                    Angle::fromRadians(out.sigma),
+                                    studentised(m_shifts.size() + i),
+                                    {out.other}});
     }
-    std::ranges::sort(search.misread, std::ranges::greater(),
-                      [](const MisreadReading& m) { return std::abs(m.studentised); });
-    if (search.misread.size() > m_options.most) search.misread.resize(m_options.most);
+    std::ranges::sort(search.grossErrors, std::ranges::greater(),
+                      [](const GrossError& m) { return std::abs(m.studentised); });
+    if (search.grossErrors.size() > m_options.most) search.grossErrors.resize(m_options.most);
     for (const LeftOut& out : m_leftOut) {
       search.leftOut.push_back(out.cell);
       search.leftOut.push_back(out.other);
@@ -442,7 +442,7 @@ class Search {
   }
 
   const Measurement& m_measurement;
-  const MisreadingOptions& m_options;
+  const GrossErrorOptions& m_options;
   const std::stop_token& m_stop;
   JointFitOptions m_fitOptions;
   std::vector<Circle> m_circles;
@@ -458,7 +458,7 @@ class Search {
 
 }  // namespace
 
-MisreadingSearch searchMisreadings(const Measurement& measurement, const MisreadingOptions& options,
+GrossErrorSearch searchGrossErrors(const Measurement& measurement, const GrossErrorOptions& options,
                                    const std::stop_token& stop) {
   return Search(measurement, options, stop).run();
 }

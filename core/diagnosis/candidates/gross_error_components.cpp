@@ -1,4 +1,4 @@
-#include "core/diagnosis/candidates/misreading_components.h"
+#include "core/diagnosis/candidates/gross_error_components.h"
 
 #include <cmath>
 
@@ -8,34 +8,34 @@ namespace alidade {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
-const std::vector<Width>& misreadingWidths() {
+const std::vector<Width>& grossErrorWidths() {
   static const std::vector<Width> widths = evenly({8, 30, 120, 1000});
   return widths;
 }
 
-std::string_view MisreadingComponent::id() const {
-  return misreadingId;
+std::string_view GrossErrorComponent::id() const {
+  return grossErrorId;
 }
 
-const std::vector<Width>& MisreadingComponent::widths() const {
-  return misreadingWidths();
+const std::vector<Width>& GrossErrorComponent::widths() const {
+  return grossErrorWidths();
 }
 
-MatrixXd MisreadingComponent::wholeColumns(const Leftover& leftover) const {
+MatrixXd GrossErrorComponent::wholeColumns(const Leftover& leftover) const {
   return VectorXd::Unit(leftover.readings(), m_reading);
 }
 
-double MisreadingComponent::signatureLength(const VectorXd& weights) const {
+double GrossErrorComponent::signatureLength(const VectorXd& weights) const {
   return std::abs(weights[0]) * std::sqrt(m_redundancy);
 }
 
-void MisreadingComponent::addTo(JointFitOptions& model, const Leftover& leftover, const VectorXd&,
+void GrossErrorComponent::addTo(JointFitOptions& model, const Leftover& leftover, const VectorXd&,
                                 double) const {
   model.without.push_back(readingRef(leftover, m_reading));
 }
 
-std::vector<MisreadingComponent> misreadingComponents(const Leftover& leftover) {
-  std::vector<MisreadingComponent> components;
+std::vector<GrossErrorComponent> grossErrorComponents(const Leftover& leftover) {
+  std::vector<GrossErrorComponent> components;
   components.reserve(static_cast<std::size_t>(leftover.readings()));
   for (Index i = 0; i < leftover.readings(); ++i) components.emplace_back(i, leftover.redundancy(i));
   return components;

@@ -25,7 +25,7 @@ namespace alidade {
 // the slider could have stood there. And in such a visit both circles' errors leave the same residual, so the
 // circle cannot be told; it is then named among `rivals`.
 
-struct MisreadReading {
+struct GrossError {
   ReadingRef cell;
   /// Read minus what all sound readings say, as reduced: right and up positive, the slider as read.
   Angle size;
@@ -36,7 +36,7 @@ struct MisreadReading {
   std::vector<ReadingRef> rivals;
 };
 
-struct MisreadingOptions {
+struct GrossErrorOptions {
   double risk = 0.01;        ///< of naming any reading of a sound session, in (0, 1)
   JointFitOptions fit = {};  ///< terms estimated along, readings left out, … as for the joint fit
   std::size_t most = 12;     ///< at most so many are named
@@ -44,8 +44,8 @@ struct MisreadingOptions {
   const JointFit* known = nullptr;
 };
 
-struct MisreadingSearch {
-  std::vector<MisreadReading> misread;  ///< the most certain first
+struct GrossErrorSearch {
+  std::vector<GrossError> grossErrors;  ///< the most certain first
   JointFit fit;                         ///< of all readings, the shifts taken off those misread
   std::vector<ReadingRef> leftOut;      ///< both circles of the sightings left out, named or not
   double noiseFactor = 1;               ///< scatter of the sound readings over the stated one
@@ -54,7 +54,7 @@ struct MisreadingSearch {
 };
 
 /// Every arc must fix a circle (`fitArc` succeeds). Asked to stop, it soon returns nothing.
-MisreadingSearch searchMisreadings(const Measurement& measurement, const MisreadingOptions& options = {},
+GrossErrorSearch searchGrossErrors(const Measurement& measurement, const GrossErrorOptions& options = {},
                                    const std::stop_token& stop = {});
 
 /// The measurement with `size` taken off a reading.
