@@ -25,7 +25,7 @@ std::string plausibleText(const std::string& id) {
          (parameter.unit.size() > 1 ? " " + std::string(parameter.unit) : "");
 }
 
-std::string visibleText(const PlannedEffect& effect) {
+std::string visibilityText(const PlannedEffect& effect) {
   const std::string most = fixedText(effect.mostVisible, 1);
   if (effect.mostVisible - effect.leastVisible < 0.05) return most;
   return fixedText(effect.leastVisible, 1) + "…" + most;
@@ -39,7 +39,7 @@ std::string influenceText(const PlanReview& review, const PlannedEffect& effect)
 std::string effectsText(const PlanReview& review) {
   Rows rows{{"  effect", "plausible", "shows by (σ)", "moves Δd by (mm)", ""}};
   for (const PlannedEffect& effect : review.effects)
-    rows.push_back({"  " + effect.effect, plausibleText(effect.effect), visibleText(effect),
+    rows.push_back({"  " + effect.effect, plausibleText(effect.effect), visibilityText(effect),
                     influenceText(review, effect), effect.unseen ? "unseen" : ""});
   return "\nEffects of plausible size\n" + alignedColumns(rows);
 }

@@ -50,7 +50,7 @@ std::string sexagesimal(std::uint64_t units) {
          padded(tenths / 10, 2) + "." + std::to_string(tenths % 10) + "\"";
 }
 
-constexpr std::array<std::pair<int, const char*>, 26> names = {{
+constexpr std::array<std::pair<int, const char*>, 26> wordNames = {{
     {11, "point"},
     {12, "serial number"},
     {13, "instrument type"},
@@ -157,9 +157,9 @@ std::variant<std::string, LineProblem> gsiAngle(const GsiWord& word, std::size_t
 }
 
 std::string gsiWordName(int index) {
-  const auto* const known =
-      std::find_if(names.begin(), names.end(), [index](const auto& name) { return name.first == index; });
-  if (known != names.end()) return known->second;
+  const auto* const known = std::find_if(wordNames.begin(), wordNames.end(),
+                                         [index](const auto& name) { return name.first == index; });
+  if (known != wordNames.end()) return known->second;
   if (index == 88) return "instrument height";
   if (index >= 42 && index <= 49) return "information " + std::to_string(index - 41);
   if (index >= 71 && index <= 79) return "remark " + std::to_string(index - 70);

@@ -10,7 +10,7 @@ namespace {
 
 using Kind = ForeignEffect::Kind;
 
-constexpr std::array names = {
+constexpr std::array effectNames = {
     ForeignEffectName{Kind::LocalDent, "local_dent", "depth (mm), place and width (deg)", 3},
     ForeignEffectName{Kind::CirclePeriods, "circle_periods", "size (arcsec), periods a turn, phase (deg)", 3},
     ForeignEffectName{Kind::Settling, "settling", "size (arcsec), time constant (share of the session)", 2},
@@ -27,11 +27,11 @@ double wave(const ForeignEffect& effect, Angle at) {
 }  // namespace
 
 std::span<const ForeignEffectName> foreignEffectNames() {
-  return names;
+  return effectNames;
 }
 
 std::string_view nameOf(Kind kind) {
-  return std::ranges::find(names, kind, &ForeignEffectName::kind)->name;
+  return std::ranges::find(effectNames, kind, &ForeignEffectName::kind)->name;
 }
 
 double radiusBy(const ForeignEffect& effect, Angle s) {

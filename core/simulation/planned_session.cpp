@@ -12,14 +12,14 @@ namespace alidade {
 
 namespace {
 
-constexpr int decimals = 3;  // of an arcsecond
+constexpr int secondDecimals = 3;  // of an arcsecond
 
 bool isUnread(const Reading& reading) {
   return !reading.excluded && reading.horizontal.empty() && reading.vertical.empty();
 }
 
 std::string circleText(Angle angle) {
-  return formatDms(wrapped(angle, Angle::fromDegrees(180)), decimals, AngleSigns::Typewriter);
+  return formatDms(wrapped(angle, Angle::fromDegrees(180)), secondDecimals, AngleSigns::Typewriter);
 }
 
 /// The value of a number field, where it can be used.

@@ -13,7 +13,7 @@ bool holds(const std::vector<std::string>& ids, const std::string& id) {
   return std::ranges::find(ids, id) != ids.end();
 }
 
-bool names(const Diagnosis& diagnosis, const std::string& id) {
+bool isNamed(const Diagnosis& diagnosis, const std::string& id) {
   return std::ranges::find(diagnosis.causes, id, &Cause::effect) != diagnosis.causes.end();
 }
 
@@ -42,7 +42,7 @@ std::vector<GrossErrorCell> cellsOf(const Diagnosis& diagnosis) {
 
 bool isRight(TrialClass trialClass, const SealedTruth& truth, const Diagnosis& diagnosis) {
   const bool named = !diagnosis.causes.empty();
-  const auto isCause = [&](const std::string& id) { return names(diagnosis, id); };
+  const auto isCause = [&](const std::string& id) { return isNamed(diagnosis, id); };
   switch (trialClass) {
     case TrialClass::None:
       return diagnosis.verdict == DiagnosisVerdict::WithinNoise;

@@ -16,7 +16,7 @@ namespace alidade {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 using Numbers = std::vector<double>;
 
 constexpr const char* harmonicId = "form_harmonic";
@@ -119,8 +119,8 @@ void setSize(Truth& truth, ErrorTerm term, double value) {
     truth.effects.push_back({term, value});
 }
 
-Json effectsJson(const Truth& truth) {
-  Json effects = Json::object();
+OrderedJson effectsJson(const Truth& truth) {
+  OrderedJson effects = OrderedJson::object();
   for (const Effect& effect : effectCatalogue())
     for (const EffectParameter& parameter : effect.parameters) {
       const auto size = std::ranges::find(truth.effects, parameter.term, &TrueSize::term);
@@ -137,8 +137,8 @@ Json effectsJson(const Truth& truth) {
   return effects;
 }
 
-Json blundersJson(const Truth& truth) {
-  Json blunders = Json::array();
+OrderedJson blundersJson(const Truth& truth) {
+  OrderedJson blunders = OrderedJson::array();
   for (const TrueGrossError& m : truth.grossErrors)
     blunders.push_back({m.axisDeg == 0 ? 0 : 1, m.round, m.point, m.face, m.horizontal.arcseconds(),
                         m.vertical.arcseconds()});
@@ -216,20 +216,20 @@ std::string kindOf(const Truth& truth) {
 
 std::string truthJson(const std::string& id, const Truth& truth) {
   const std::vector<std::string> causes = trueCauses(truth);
-  Json json = {{"seed", truth.seed},
-               {"effects", effectsJson(truth)},
-               {"intersection_mm", truth.intersection},
-               {"radius_mm", truth.radius},
-               {"centre_x_mm", truth.centreX},
-               {"axis_height_mm", truth.axisHeight},
-               {"distance_mm", truth.distance},
-               {"blunders", blundersJson(truth)},
-               {"kind", kindOf(truth)},
-               {"protocol", truth.protocol}};
+  OrderedJson json = {{"seed", truth.seed},
+                      {"effects", effectsJson(truth)},
+                      {"intersection_mm", truth.intersection},
+                      {"radius_mm", truth.radius},
+                      {"centre_x_mm", truth.centreX},
+                      {"axis_height_mm", truth.axisHeight},
+                      {"distance_mm", truth.distance},
+                      {"blunders", blundersJson(truth)},
+                      {"kind", kindOf(truth)},
+                      {"protocol", truth.protocol}};
   if (causes.size() > 1) json["causes"] = causes;
   if (truth.noiseFactor != 1)
     json["true_sigma_arcsec"] = truth.noiseFactor * truth.sigmaHorizontal.arcseconds();
-  return Json{{id, std::move(json)}}.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return OrderedJson{{id, std::move(json)}}.dump(1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 }  // namespace alidade

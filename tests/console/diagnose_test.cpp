@@ -9,21 +9,21 @@
 namespace alidade::test {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::ordered_json;
 using testing::HasSubstr;
 
-json diagnosisOf(const std::vector<std::string>& arguments) {
+Json diagnosisOf(const std::vector<std::string>& arguments) {
   std::vector<std::string> call{"diagnose", "--json"};
   call.insert(call.end(), arguments.begin(), arguments.end());
   const ProgramRun outcome = alidadeCli(call);
   EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
-  return json::parse(outcome.out);
+  return Json::parse(outcome.out);
 }
 
 const std::string trials = ALIDADE_REFERENCE_DIR "/trials/sessions/";
 
 TEST(Diagnose, AnswersWithTheKeysOfTheContract) {
-  const json answer = diagnosisOf({paperSession, "--vertical-angle", "planar"});
+  const Json answer = diagnosisOf({paperSession, "--vertical-angle", "planar"});
   EXPECT_EQ(answer.at("session"), "Table I");
   EXPECT_EQ(answer.at("verdict"), "several-causes");
   EXPECT_EQ(answer.at("causes").at(0).at("effect"), "vertical_angle_relation");
@@ -43,8 +43,8 @@ TEST(Diagnose, AnswersWithTheKeysOfTheContract) {
 }
 
 TEST(Diagnose, NamesTheCellsOfAMisreading) {
-  const json answer = diagnosisOf({trials + "491556.alidade"});
-  const json& cell = answer.at("causes").at(0).at("readings").at(0);
+  const Json answer = diagnosisOf({trials + "491556.alidade"});
+  const Json& cell = answer.at("causes").at(0).at("readings").at(0);
   EXPECT_EQ(cell.at("axis_deg"), 0);
   EXPECT_EQ(cell.at("round"), 1);
   EXPECT_EQ(cell.at("point"), 11);
@@ -53,9 +53,9 @@ TEST(Diagnose, NamesTheCellsOfAMisreading) {
 }
 
 TEST(Diagnose, LeavesEffectsOutThatAreNotToBeConsidered) {
-  const json answer = diagnosisOf({trials + "341903.alidade", "--without", "arc_ellipticity"});
-  for (const json& cause : answer.at("causes")) EXPECT_NE(cause.at("effect"), "arc_ellipticity");
-  for (const json& candidate : answer.at("candidates")) EXPECT_NE(candidate.at("effect"), "arc_ellipticity");
+  const Json answer = diagnosisOf({trials + "341903.alidade", "--without", "arc_ellipticity"});
+  for (const Json& cause : answer.at("causes")) EXPECT_NE(cause.at("effect"), "arc_ellipticity");
+  for (const Json& candidate : answer.at("candidates")) EXPECT_NE(candidate.at("effect"), "arc_ellipticity");
 }
 
 TEST(Diagnose, SaysItInWordsToo) {
@@ -68,13 +68,13 @@ TEST(Diagnose, SaysItInWordsToo) {
 // 600″ is 300 σ: misread values beyond that are left out before the search, and still told everywhere.
 TEST(Diagnose, TellsAMisreadValueThatIsFarOff) {
   const std::string sample = ALIDADE_SAMPLES_DIR "/misreading.alidade";
-  const json answer = diagnosisOf({sample});
-  const json& candidates = answer.at("candidates");
+  const Json answer = diagnosisOf({sample});
+  const Json& candidates = answer.at("candidates");
   EXPECT_EQ(candidates.at(0).at("effect"), "gross_error");
   EXPECT_EQ(answer.at("steps").at(0).at("effect"), "gross_error");
   EXPECT_GT(answer.at("shrink").at("held_out").get<double>(), 0.9);
   const auto readings = std::ranges::find(answer.at("where"), "readings",
-                                          [](const json& part) { return part.at("of").get<std::string>(); });
+                                          [](const Json& part) { return part.at("of").get<std::string>(); });
   ASSERT_NE(readings, answer.at("where").end());
   EXPECT_GT(readings->at("share").get<double>(), 0.95);
   const std::string text = alidadeCli({"diagnose", sample}).out;
@@ -83,25 +83,24 @@ TEST(Diagnose, TellsAMisreadValueThatIsFarOff) {
   EXPECT_THAT(text, HasSubstr("by position – 0°: 100 %\n"));
 }
 
-std::string changedFile(const TemporaryFolder& folder,
-                        const std::function<void(nlohmann::ordered_json&)>& change) {
+std::string changedFile(const TemporaryFolder& folder, const std::function<void(Json&)>& change) {
   return folder.file("changed.alidade", changedPaperSession(change));
 }
 
 /// Only the first `count` places of each position.
-void keepPlaces(nlohmann::ordered_json& session, std::size_t position, std::size_t count) {
+void keepPlaces(Json& session, std::size_t position, std::size_t count) {
   auto& readings = session["positions"][position]["readings"];
-  nlohmann::ordered_json few = nlohmann::ordered_json::array();
+  Json few = Json::array();
   for (std::size_t i = 0; i < count; ++i) few.push_back(readings[i * (readings.size() - 1) / (count - 1)]);
   readings = few;
 }
 
 TEST(Diagnose, SaysWhereNothingChecksTheModel) {
   const TemporaryFolder folder;
-  const std::string file = changedFile(folder, [](nlohmann::ordered_json& session) {
+  const std::string file = changedFile(folder, [](Json& session) {
     for (const std::size_t position : {0, 1}) keepPlaces(session, position, 3);
   });
-  const json answer = diagnosisOf({file});
+  const Json answer = diagnosisOf({file});
   for (const char* when : {"gap", "after"})
     for (const char* key : {"reduced_chi2", "p_value"}) EXPECT_TRUE(answer.at(when).at(key).is_null()) << key;
   const std::string text = alidadeCli({"diagnose", file}).out;
@@ -111,8 +110,7 @@ TEST(Diagnose, SaysWhereNothingChecksTheModel) {
 
 TEST(Diagnose, RefusesAPositionThatFixesNoCircle) {
   const TemporaryFolder folder;
-  const std::string file =
-      changedFile(folder, [](nlohmann::ordered_json& session) { keepPlaces(session, 0, 2); });
+  const std::string file = changedFile(folder, [](Json& session) { keepPlaces(session, 0, 2); });
   for (const char* command : {"diagnose", "plan"}) {
     const ProgramRun run = alidadeCli({command, file});
     expectRefusal(run);
@@ -123,14 +121,14 @@ TEST(Diagnose, RefusesAPositionThatFixesNoCircle) {
 
 TEST(Diagnose, WarnsOfAnEffectOfTheModelThatIsNone) {
   const TemporaryFolder folder;
-  const std::string file = changedFile(folder, [](nlohmann::ordered_json& session) {
+  const std::string file = changedFile(folder, [](Json& session) {
     session["model"]["effects"] = {"gremlins"};
     session["positions"].erase(1);
   });
   for (const char* command : {"diagnose", "plan"}) {
-    const json findings = json::parse(alidadeCli({command, file, "--json"}).out).at("findings");
+    const Json findings = Json::parse(alidadeCli({command, file, "--json"}).out).at("findings");
     const auto warns = [&](const std::string& text) {
-      return std::ranges::any_of(findings, [&](const json& finding) {
+      return std::ranges::any_of(findings, [&](const Json& finding) {
         return finding.at("text").get<std::string>().find(text) != std::string::npos;
       });
     };
@@ -142,8 +140,8 @@ TEST(Diagnose, WarnsOfAnEffectOfTheModelThatIsNone) {
 
 TEST(Diagnose, RefusesANoiseThatNoCircleHas) {
   const TemporaryFolder folder;
-  const std::string file = changedFile(
-      folder, [](nlohmann::ordered_json& session) { session["instrument"]["sigma_vertical_arcsec"] = 1e-9; });
+  const std::string file =
+      changedFile(folder, [](Json& session) { session["instrument"]["sigma_vertical_arcsec"] = 1e-9; });
   const ProgramRun run = alidadeCli({"diagnose", file});
   expectRefusal(run);
   EXPECT_THAT(run.err, HasSubstr("instrument.sigma_vertical_arcsec"));

@@ -1,10 +1,9 @@
 #include <gmock/gmock.h>
 
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "tests/console/console.h"
+#include "tests/support/file_content.h"
 #include "tests/support/hostile_session.h"
 
 // Whatever names, notes and files hold: what comes out is text, acts on no terminal, and is the same text.
@@ -27,17 +26,12 @@ void expectVisible(const ProgramRun& run, const std::string& of) {
   expectVisible(run.err, of + ", stderr");
 }
 
-std::string contentOf(const std::filesystem::path& path) {
-  std::ostringstream content;
-  content << std::ifstream(path, std::ios::binary).rdbuf();
-  return content.str();
-}
-
 std::string hostilePaperSession(const std::string& text) {
   return hostileSession(contentOf(paperSession), text);
 }
 
-ProgramRun fitOf(const std::string& session, std::vector<std::string> more = {"--method", "published"}) {
+ProgramRun publishedFit(const std::string& session,
+                        std::vector<std::string> more = {"--method", "published"}) {
   more.insert(more.begin(), {"fit", "-"});
   return runProgram({.program = ALIDADE_CLI, .arguments = std::move(more), .input = session});
 }
@@ -52,14 +46,15 @@ TEST(HostileTexts, AreAllForbiddenButTheMarkup) {
 
 TEST(HostileTexts, AreTextInTheNameOfASession) {
   for (const HostileText& hostile : hostileTexts) {
-    const ProgramRun run = fitOf(hostilePaperSession(std::string(hostile.text)));
+    const ProgramRun run = publishedFit(hostilePaperSession(std::string(hostile.text)));
     EXPECT_EQ(run.exitCode, 0) << run.err;
     expectVisible(run, hostile.what);
     EXPECT_EQ(run.out.find('\n') + 1, run.out.find("Published method")) << "the name is one line";
   }
-  const ProgramRun run = fitOf(hostilePaperSession("<b>&amp; \x1b[31m\u202Ex"));
+  const ProgramRun run = publishedFit(hostilePaperSession("<b>&amp; \x1b[31m\u202Ex"));
   EXPECT_THAT(run.out, StartsWith("<b>&amp; \\u001b[31m\\u202ex\n"));
-  EXPECT_THAT(fitOf(hostilePaperSession("50 % שלום 北京\u00A0é")).out, StartsWith("50 % שלום 北京\u00A0é\n"));
+  EXPECT_THAT(publishedFit(hostilePaperSession("50 % שלום 北京\u00A0é")).out,
+              StartsWith("50 % שלום 北京\u00A0é\n"));
 }
 
 TEST(HostileTexts, AreTextInEveryAnswerAndExactInJson) {
@@ -80,7 +75,7 @@ TEST(HostileTexts, AreTextInEveryAnswerAndExactInJson) {
 
 TEST(HostileTexts, AreTextInTheRefusalOfEveryEntry) {
   const auto refused = [](const char* what, auto change) {
-    const ProgramRun run = fitOf(changedPaperSession(change));
+    const ProgramRun run = publishedFit(changedPaperSession(change));
     expectRefusal(run);
     expectVisible(run, what);
   };
@@ -114,7 +109,7 @@ TEST(HostileTexts, AreTextInTheRefusalOfAFile) {
                                              "{" + key + ": 1, " + key + ": 2}",
                                              "{\"positions\": [{" + key + ": {\"x\": 1, \"x\": 2}}]}"};
   for (const std::string& content : contents) {
-    const ProgramRun run = fitOf(content);
+    const ProgramRun run = publishedFit(content);
     expectRefusal(run);
     expectVisible(run, content);
   }
@@ -124,7 +119,7 @@ TEST(HostileTexts, ThatAreNoUtf8AreRefusedByLineAndColumn) {
   for (const char* bytes : {"\xFF", "\xC0\xAF", "\xED\xA0\x80", "\xF4\x90\x80\x80", "\xC3"}) {
     std::string session = contentOf(paperSession);
     session.insert(session.find("Table I"), bytes);
-    const ProgramRun run = fitOf(session);
+    const ProgramRun run = publishedFit(session);
     expectRefusal(run);
     EXPECT_THAT(run.err, HasSubstr("is not UTF-8 text at line "));
   }

@@ -1,10 +1,9 @@
 #include <gmock/gmock.h>
 
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "tests/console/console.h"
+#include "tests/support/file_content.h"
 
 // `alidade-cli import`: a session from a file of readings, with what is missing said on stderr.
 
@@ -18,12 +17,6 @@ using ::testing::StartsWith;
 using Json = nlohmann::ordered_json;
 
 const std::string paperTable = ALIDADE_REFERENCE_DIR "/paper-table-1.csv";
-
-std::string contentOf(const std::string& path) {
-  std::ostringstream content;
-  content << std::ifstream(path).rdbuf();
-  return content.str();
-}
 
 class ImportTest : public ::testing::Test {
  protected:

@@ -10,21 +10,21 @@
 namespace alidade::test {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::ordered_json;
 using testing::HasSubstr;
 
-json reviewOf(const std::string& file) {
+Json reviewOf(const std::string& file) {
   const ProgramRun run = alidadeCli({"plan", file, "--json"});
   EXPECT_EQ(run.exitCode, 0) << run.err;
-  return json::parse(run.out);
+  return Json::parse(run.out);
 }
 
 TEST(Plan, ReviewsAPlanThatHasBeenRead) {
-  const json review = reviewOf(paperSession);
+  const Json review = reviewOf(paperSession);
   EXPECT_EQ(review.at("session"), "Table I");
   EXPECT_EQ(review.at("readings"), 68);
   EXPECT_EQ(review.at("effects").size(), 17u);
-  for (const json& effect : review.at("effects"))
+  for (const Json& effect : review.at("effects"))
     for (const char* key : {"effect", "plausible", "visible_sigma", "look_alikes", "influence_mm", "unseen"})
       EXPECT_TRUE(effect.contains(key)) << key;
   EXPECT_FALSE(review.at("advice").empty());
@@ -33,12 +33,12 @@ TEST(Plan, ReviewsAPlanThatHasBeenRead) {
 // Unread rows are spread over the same range as the paper's, so about the same shows: 10 %, and 0.1 σ.
 TEST(Plan, ReviewsAPlanThatHasNotBeenRead) {
   const TemporaryFolder folder;
-  const auto unsight = [](nlohmann::ordered_json& session) {
+  const auto unsight = [](Json& session) {
     for (auto& position : session["positions"])
       for (auto& reading : position["readings"]) reading["horizontal"] = reading["vertical"] = "";
   };
   const std::string file = folder.file("plan.alidade", changedPaperSession(unsight));
-  const json unread = reviewOf(file), read = reviewOf(paperSession);
+  const Json unread = reviewOf(file), read = reviewOf(paperSession);
   for (std::size_t i = 0; i < read.at("effects").size(); ++i) {
     const double expected = read["effects"][i]["visible_sigma"]["most"];
     EXPECT_NEAR(unread["effects"][i]["visible_sigma"]["most"].get<double>(), expected, 0.1 * expected + 0.1)
@@ -66,7 +66,7 @@ TEST(Plan, ReviewsALargePlan) {
 
 TEST(Plan, HasNoInfluenceOnAnIntersectionThatThereIsNot) {
   const TemporaryFolder folder;
-  const auto only0 = [](nlohmann::ordered_json& session) { session["positions"].erase(1); };
+  const auto only0 = [](Json& session) { session["positions"].erase(1); };
   const std::string file = folder.file("plan.alidade", changedPaperSession(only0));
   EXPECT_EQ(reviewOf(file)["effects"][0]["influence_mm"], nullptr);
   EXPECT_THAT(alidadeCli({"plan", file}).out, HasSubstr("none"));

@@ -1,11 +1,10 @@
 #include <gmock/gmock.h>
 
 #include <filesystem>
-#include <fstream>
 #include <set>
-#include <sstream>
 
 #include "tests/console/console.h"
+#include "tests/support/file_content.h"
 
 // What samples/README.md says of each sample, and that its recipe still makes it.
 
@@ -18,12 +17,6 @@ using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 const fs::path samples = ALIDADE_SAMPLES_DIR;
-
-std::string contentOf(const fs::path& path) {
-  std::ostringstream content;
-  content << std::ifstream(path).rdbuf();
-  return content.str();
-}
 
 struct Story {
   const char* name;

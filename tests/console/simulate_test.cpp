@@ -2,9 +2,9 @@
 
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 
 #include "tests/console/console.h"
+#include "tests/support/file_content.h"
 
 // `alidade-cli simulate`: a session that `fit` takes, and its truth in a file of its own.
 
@@ -13,12 +13,6 @@ namespace {
 
 using ::testing::HasSubstr;
 using Json = nlohmann::ordered_json;
-
-std::string contentOf(const std::filesystem::path& path) {
-  std::ostringstream content;
-  content << std::ifstream(path).rdbuf();
-  return content.str();
-}
 
 class SimulateTest : public ::testing::Test {
  protected:

@@ -12,7 +12,7 @@
 namespace alidade::test {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::ordered_json;
 using testing::HasSubstr;
 
 const std::string stored = ALIDADE_REFERENCE_DIR "/trials";
@@ -22,13 +22,13 @@ TEST(Trial, ScoresDrawnTrials) {
                                       "3",     "--protocol", "paper", "--json"};
   const ProgramRun run = alidadeCli(call);
   ASSERT_EQ(run.exitCode, 0) << run.err;
-  const json answer = json::parse(run.out);
+  const Json answer = Json::parse(run.out);
   EXPECT_EQ(answer.at("count"), 8);
   ASSERT_EQ(answer.at("trials").size(), 8u);
   EXPECT_EQ(answer.at("trials").at(0).at("id"), "3");
   for (const char* key : {"right", "false_alarms", "covered", "back_to_noise", "detection", "confusion"})
     EXPECT_TRUE(answer.contains(key)) << key;
-  for (const json& trial : answer.at("trials")) EXPECT_EQ(trial.at("protocol"), "paper");
+  for (const Json& trial : answer.at("trials")) EXPECT_EQ(trial.at("protocol"), "paper");
   std::vector<std::string> serial = call;
   serial.insert(serial.end(), {"--threads", "1"});
   EXPECT_EQ(alidadeCli(serial).out, run.out);
@@ -37,8 +37,8 @@ TEST(Trial, ScoresDrawnTrials) {
 /// Some of the stored trials as a set of their own.
 void keep(const std::filesystem::path& folder, const std::vector<std::string>& ids) {
   std::ifstream file(stored + "/truth.json");
-  const json all = json::parse(file);
-  json some;
+  const Json all = Json::parse(file);
+  Json some;
   std::filesystem::create_directories(folder / "sessions");
   for (const std::string& id : ids) {
     some[id] = all.at(id);
@@ -52,11 +52,11 @@ TEST(Trial, ScoresTrialsMadeElsewhere) {
   keep(folder.path(), {"241926", "827247", "825912"});  // collimation, none, gross_error
   const ProgramRun run = alidadeCli({"trial", "--score", folder.path().string(), "--withheld", "--json"});
   ASSERT_EQ(run.exitCode, 0) << run.err;
-  const json answer = json::parse(run.out);
-  EXPECT_EQ(answer.at("right").at("look-alikes"), json({{"hits", 1}, {"count", 1}}));
-  EXPECT_EQ(answer.at("right").at("none"), json({{"hits", 1}, {"count", 1}}));
-  EXPECT_EQ(answer.at("right").at("gross_error"), json({{"hits", 1}, {"count", 1}}));
-  EXPECT_EQ(answer.at("wrong_without"), json({{"hits", 0}, {"count", 1}}));
+  const Json answer = Json::parse(run.out);
+  EXPECT_EQ(answer.at("right").at("look-alikes"), Json({{"hits", 1}, {"count", 1}}));
+  EXPECT_EQ(answer.at("right").at("none"), Json({{"hits", 1}, {"count", 1}}));
+  EXPECT_EQ(answer.at("right").at("gross_error"), Json({{"hits", 1}, {"count", 1}}));
+  EXPECT_EQ(answer.at("wrong_without"), Json({{"hits", 0}, {"count", 1}}));
   const ProgramRun text = alidadeCli({"trial", "--score", folder.path().string()});
   EXPECT_THAT(text.out, HasSubstr("3 blind trials"));
   EXPECT_THAT(text.out, HasSubstr("look-alikes"));

@@ -97,7 +97,8 @@ def prepared(number, programs):
     build = ["cmake", "--build", "build/release", "-j1", "--target"]
     suites = [Suite(name, f"build/release/tests/alidade_{name}_tests", f"alidade_{name}_tests") for name in programs]
     scratch = Scratch(place, suites, build, say)
-    done = call(["cmake", "--preset", "test", *launcher, *folders], place)
+    # Each source by itself: a fault is then compiled without the rest of its room.
+    done = call(["cmake", "--preset", "test", "-DALIDADE_BY_ROOM=OFF", *launcher, *folders], place)
     for suite in suites:
         done = scratch.build(suite.target) if done.ok else done
     if not done.ok:

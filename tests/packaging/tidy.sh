@@ -18,21 +18,27 @@ checks=()
 
 passed=$build/tidy/$extent
 mkdir -p -- "$passed"
-# As the build compiles each source, but without g++'s precompiled headers, which clang cannot read.
-sed -E 's/ -Winvalid-pch//; s/ -include (\\"[^"]*|[^ "]*)cmake_pch\.hxx(\\")?//' "$build/compile_commands.json" \
-  >"$build/tidy/compile_commands.json"
+# The commands that would compile each source by itself, and without precompiled headers, which clang cannot read of g++.
+alone=$build/tidy/alone
+cmake -S . -B "$alone" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_EXPORT_COMPILE_COMMANDS=ON -DALIDADE_TESTS=ON \
+  -DALIDADE_FUZZ_SECONDS=0 -DALIDADE_BY_ROOM=OFF -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON >/dev/null
 
-# What each source was compiled from within the tree, as the build knows it: lines of source, tab, file.
+# What each source was compiled from within the tree, together with its room, as the build knows it: lines of source,
+# tab, file.
 compiled_from() {
   ninja -C "$build" -t deps | awk -v root="$PWD/" '
-    /#deps/ || !NF { source = ""; next }
+    /#deps/ || !NF {
+      for (s in sources) for (f in files) print s "\t" f
+      delete sources
+      delete files
+      next
+    }
     {
       file = substr($0, 5)
       if (index(file, root) == 1) file = substr(file, length(root) + 1)
-      sub(/^(\.\.\/)+/, "", file)
-      if (file ~ /^\//) next
-      if (source == "") source = file
-      print source "\t" file
+      else if (!sub(/^(\.\.\/)+/, "", file)) next
+      files[file]
+      if (file ~ /\.cpp$/) sources[file]
     }'
 }
 
@@ -54,6 +60,6 @@ look_at() {
 export -f look_at
 
 sources "$@" -- '*.cpp' | while read -r file; do
-  grep -qF "\"file\": \"$PWD/$file\"" "$build/compile_commands.json" || continue
+  grep -qF "\"file\": \"$PWD/$file\"" "$alone/compile_commands.json" || continue
   still_passes "$file" || printf '%s\n' "$file"
-done | xargs -r -d '\n' -I '{}' -P "$(nproc)" bash -c 'look_at "$@"' - "$build/tidy" "$passed" '{}' "${checks[@]}"
+done | xargs -r -d '\n' -I '{}' -P "$(nproc)" bash -c 'look_at "$@"' - "$alone" "$passed" '{}' "${checks[@]}"

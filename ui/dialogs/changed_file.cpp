@@ -9,28 +9,23 @@
 #include <QVBoxLayout>
 
 #include "ui/dialogs/difference_table.h"
+#include "ui/dialogs/plain_label.h"
 
 namespace alidade::ui {
 
 namespace {
 
-struct Text {
+struct ChangedFileText {
   Q_DECLARE_TR_FUNCTIONS(ChangedFile)
 };
 
-QLabel* createLabel(const QString& text) {
-  auto* label = new QLabel(text);
-  label->setTextFormat(Qt::PlainText);
-  label->setWordWrap(true);
-  return label;
-}
-
 QString explanation(const ChangedFile& file) {
-  const QString said = Text::tr(
+  const QString said = ChangedFileText::tr(
                            "“%1” was written by another program or window since it was last read or "
                            "saved here.")
                            .arg(file.name);
-  if (!file.difference) return said + u' ' + Text::tr("It is no session now: %1").arg(file.problem);
+  if (!file.difference)
+    return said + u' ' + ChangedFileText::tr("It is no session now: %1").arg(file.problem);
   return said + u' ' + differenceCount(*file.difference) + u':';
 }
 
@@ -39,13 +34,15 @@ QString explanation(const ChangedFile& file) {
 ChangedFileAnswer askChangedFile(QWidget* parent, const ChangedFile& file) {
   QDialog dialog(parent);
   dialog.setObjectName(QStringLiteral("changed file"));
-  dialog.setWindowTitle(Text::tr("The file was changed"));
+  dialog.setWindowTitle(ChangedFileText::tr("The file was changed"));
   dialog.resize(620, 380);
   auto* layout = new QVBoxLayout(&dialog);
-  layout->addWidget(createLabel(explanation(file)));
+  layout->addWidget(createPlainLabel(explanation(file)));
   if (file.difference)
-    layout->addWidget(createDifferenceTable(*file.difference, Text::tr("Here"), Text::tr("In the file")), 1);
-  layout->addWidget(createLabel(Text::tr(
+    layout->addWidget(createDifferenceTable(*file.difference, ChangedFileText::tr("Here"),
+                                            ChangedFileText::tr("In the file")),
+                      1);
+  layout->addWidget(createPlainLabel(ChangedFileText::tr(
       "Reload takes over what is in the file; undo brings back what is here. Overwrite replaces what "
       "is in the file, and that cannot be undone.")));
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
@@ -58,10 +55,10 @@ ChangedFileAnswer askChangedFile(QWidget* parent, const ChangedFile& file) {
     });
     return button;
   };
-  offer(Text::tr("&Reload"), QDialogButtonBox::ActionRole, ChangedFileAnswer::Reload)
+  offer(ChangedFileText::tr("&Reload"), QDialogButtonBox::ActionRole, ChangedFileAnswer::Reload)
       ->setEnabled(file.difference.has_value());
-  offer(Text::tr("Save &As…"), QDialogButtonBox::ActionRole, ChangedFileAnswer::SaveAs);
-  offer(Text::tr("&Overwrite"), QDialogButtonBox::DestructiveRole, ChangedFileAnswer::Overwrite);
+  offer(ChangedFileText::tr("Save &As…"), QDialogButtonBox::ActionRole, ChangedFileAnswer::SaveAs);
+  offer(ChangedFileText::tr("&Overwrite"), QDialogButtonBox::DestructiveRole, ChangedFileAnswer::Overwrite);
   QObject::connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
   buttons->button(QDialogButtonBox::Cancel)->setDefault(true);
   layout->addWidget(buttons);

@@ -14,14 +14,14 @@ namespace alidade::ui {
 
 namespace {
 
-struct Text {
+struct DialogsText {
   Q_DECLARE_TR_FUNCTIONS(Dialogs)
 };
 
 constexpr int longestName = 60;
 
 QString sessionFilter() {
-  return Text::tr("Sessions (*.alidade);;All files (*)");
+  return DialogsText::tr("Sessions (*.alidade);;All files (*)");
 }
 
 /// A box is as wide as its longest word.
@@ -47,10 +47,10 @@ QString saveFile(QWidget* parent, const QString& title, const QString& suggestio
 }  // namespace
 
 Dialogs::SaveAnswer Dialogs::askSaveChanges(const QString& name) {
-  QMessageBox box(QMessageBox::Warning, Text::tr("Unsaved changes"),
-                  Text::tr("“%1” has unsaved changes.").arg(shortLine(name, longestName)),
+  QMessageBox box(QMessageBox::Warning, DialogsText::tr("Unsaved changes"),
+                  DialogsText::tr("“%1” has unsaved changes.").arg(shortLine(name, longestName)),
                   QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, m_parent);
-  box.setInformativeText(Text::tr("Discarded changes cannot be brought back."));
+  box.setInformativeText(DialogsText::tr("Discarded changes cannot be brought back."));
   box.setDefaultButton(QMessageBox::Save);
   switch (box.exec()) {
     case QMessageBox::Save:
@@ -63,63 +63,66 @@ Dialogs::SaveAnswer Dialogs::askSaveChanges(const QString& name) {
 }
 
 bool Dialogs::askDiscardOther(const QString& name, Way way) {
-  const QString unnamed = way == Way::Redo ? Text::tr("An import that was undone has not been saved.")
-                                           : Text::tr("The session before the import has not been saved.");
-  QMessageBox box(
-      QMessageBox::Warning, Text::tr("Unsaved changes"),
-      name.isEmpty() ? unnamed : Text::tr("“%1” has unsaved changes, too.").arg(shortLine(name, longestName)),
-      QMessageBox::Discard | QMessageBox::Cancel, m_parent);
-  const QString lead = way == Way::Redo
-                           ? Text::tr("Redo brings it back with all that was typed into it, to be saved.")
-                           : Text::tr("Undo leads back to it with all that was typed into it, to be saved.");
-  box.setInformativeText(lead + u' ' + Text::tr("Discarded, that cannot be brought back."));
+  const QString unnamed = way == Way::Redo
+                              ? DialogsText::tr("An import that was undone has not been saved.")
+                              : DialogsText::tr("The session before the import has not been saved.");
+  QMessageBox box(QMessageBox::Warning, DialogsText::tr("Unsaved changes"),
+                  name.isEmpty()
+                      ? unnamed
+                      : DialogsText::tr("“%1” has unsaved changes, too.").arg(shortLine(name, longestName)),
+                  QMessageBox::Discard | QMessageBox::Cancel, m_parent);
+  const QString lead =
+      way == Way::Redo
+          ? DialogsText::tr("Redo brings it back with all that was typed into it, to be saved.")
+          : DialogsText::tr("Undo leads back to it with all that was typed into it, to be saved.");
+  box.setInformativeText(lead + u' ' + DialogsText::tr("Discarded, that cannot be brought back."));
   box.setDefaultButton(QMessageBox::Cancel);
   return box.exec() == QMessageBox::Discard;
 }
 
 QString Dialogs::askOpenPath(const QString& folder) {
-  return QFileDialog::getOpenFileName(m_parent, Text::tr("Open session"), folder, sessionFilter());
+  return QFileDialog::getOpenFileName(m_parent, DialogsText::tr("Open session"), folder, sessionFilter());
 }
 
 QString Dialogs::askImportPath(const QString& folder) {
   return QFileDialog::getOpenFileName(
-      m_parent, Text::tr("Import readings"), folder,
-      Text::tr("Readings (*.gsi *.GSI *.csv *.CSV *.tsv *.txt);;All files (*)"));
+      m_parent, DialogsText::tr("Import readings"), folder,
+      DialogsText::tr("Readings (*.gsi *.GSI *.csv *.CSV *.tsv *.txt);;All files (*)"));
 }
 
 QString Dialogs::askSavePath(const QString& suggestion) {
-  return saveFile(m_parent, Text::tr("Save session as"), suggestion, sessionFilter(),
+  return saveFile(m_parent, DialogsText::tr("Save session as"), suggestion, sessionFilter(),
                   QStringLiteral("alidade"));
 }
 
 QString Dialogs::askReportPath(const QString& suggestion) {
-  return saveFile(m_parent, Text::tr("Export acceptance report"), suggestion, Text::tr("PDF (*.pdf)"),
-                  QStringLiteral("pdf"));
+  return saveFile(m_parent, DialogsText::tr("Export acceptance report"), suggestion,
+                  DialogsText::tr("PDF (*.pdf)"), QStringLiteral("pdf"));
 }
 
 bool Dialogs::askReportWithoutVerdict(int entries) {
-  const QString count = entries == 1 ? Text::tr("1 entry cannot be used.")
-                                     : Text::tr("%1 entries cannot be used.").arg(entries);
-  const QString report = entries == 1 ? Text::tr("The report will list it and give no verdict.")
-                                      : Text::tr("The report will list them and give no verdict.");
-  QMessageBox box(QMessageBox::Warning, Text::tr("Export acceptance report"), count, QMessageBox::Cancel,
-                  m_parent);
-  box.setInformativeText(report + QLatin1Char(' ') + Text::tr("Export it anyway?"));
-  const QAbstractButton* anyway = box.addButton(Text::tr("&Export"), QMessageBox::AcceptRole);
+  const QString count = entries == 1 ? DialogsText::tr("1 entry cannot be used.")
+                                     : DialogsText::tr("%1 entries cannot be used.").arg(entries);
+  const QString report = entries == 1 ? DialogsText::tr("The report will list it and give no verdict.")
+                                      : DialogsText::tr("The report will list them and give no verdict.");
+  QMessageBox box(QMessageBox::Warning, DialogsText::tr("Export acceptance report"), count,
+                  QMessageBox::Cancel, m_parent);
+  box.setInformativeText(report + QLatin1Char(' ') + DialogsText::tr("Export it anyway?"));
+  const QAbstractButton* anyway = box.addButton(DialogsText::tr("&Export"), QMessageBox::AcceptRole);
   box.setDefaultButton(QMessageBox::Cancel);
   box.exec();
   return box.clickedButton() == anyway;
 }
 
 bool Dialogs::askOpenElsewhere(const QString& name, const QString& holder) {
-  QMessageBox box(QMessageBox::Warning, Text::tr("Open elsewhere"),
-                  Text::tr("“%1” is open in another window (%2).").arg(name, holder), QMessageBox::Cancel,
-                  m_parent);
+  QMessageBox box(QMessageBox::Warning, DialogsText::tr("Open elsewhere"),
+                  DialogsText::tr("“%1” is open in another window (%2).").arg(name, holder),
+                  QMessageBox::Cancel, m_parent);
   box.setTextFormat(Qt::PlainText);
-  box.setInformativeText(
-      Text::tr("What is saved in one of the two is not in the other. Before either overwrites the other's "
-               "changes, it asks."));
-  const QAbstractButton* anyway = box.addButton(Text::tr("&Go On"), QMessageBox::AcceptRole);
+  box.setInformativeText(DialogsText::tr(
+      "What is saved in one of the two is not in the other. Before either overwrites the other's "
+      "changes, it asks."));
+  const QAbstractButton* anyway = box.addButton(DialogsText::tr("&Go On"), QMessageBox::AcceptRole);
   box.setDefaultButton(QMessageBox::Cancel);
   box.exec();
   return box.clickedButton() == anyway;
@@ -144,13 +147,14 @@ std::unique_ptr<Busy> Dialogs::busy(const QString& doing, Busy::Way way) {
 }
 
 void Dialogs::showAbout() {
-  QMessageBox box(QMessageBox::NoIcon, Text::tr("About Alidade"),
-                  Text::tr("<h3>Alidade %1</h3><p>A measurement workstation for rotatable arc guideways: "
-                           "sightings in, intersection and verdict out.</p>"
-                           "<p>Licence: GNU General Public License, version 3 or later. It comes without any "
-                           "warranty.</p><p>Built with Qt %2.</p>")
-                      .arg(QCoreApplication::applicationVersion(), QString::fromLatin1(qVersion())),
-                  QMessageBox::Close, m_parent);
+  QMessageBox box(
+      QMessageBox::NoIcon, DialogsText::tr("About Alidade"),
+      DialogsText::tr("<h3>Alidade %1</h3><p>A measurement workstation for rotatable arc guideways: "
+                      "sightings in, intersection and verdict out.</p>"
+                      "<p>Licence: GNU General Public License, version 3 or later. It comes without any "
+                      "warranty.</p><p>Built with Qt %2.</p>")
+          .arg(QCoreApplication::applicationVersion(), QString::fromLatin1(qVersion())),
+      QMessageBox::Close, m_parent);
   box.setTextFormat(Qt::RichText);
   box.setIconPixmap(themeIcon(QStringLiteral("alidade")).pixmap(64, 64));
   box.exec();
@@ -158,25 +162,26 @@ void Dialogs::showAbout() {
 
 void Dialogs::showShortcuts() {
   const QString rows[][2] = {
-      {Text::tr("Type"), Text::tr("overwrites the cell")},
-      {Text::tr("Enter"), Text::tr("hands in; on to vertical, then to the next row")},
-      {Text::tr("Tab, Shift+Tab"), Text::tr("the same, through all shown columns; back")},
-      {Text::tr("F2"), Text::tr("edits what was typed")},
-      {Text::tr("Esc"), Text::tr("takes back what is half typed")},
-      {Text::tr("Space"), Text::tr("excludes or uses the selected rows")},
-      {Text::tr("F7"), Text::tr("leads to the next reading that looks misread")},
-      {Text::tr("F8"), Text::tr("puts in the reading that was probably meant")},
-      {Text::tr("Delete"), Text::tr("clears the selected cells")},
-      {Text::tr("Ctrl+I, Ctrl+−"), Text::tr("inserts a row above; deletes the selected rows")},
-      {Text::tr("Ctrl+C, Ctrl+X, Ctrl+V"), Text::tr("copies, cuts, pastes blocks, also with spreadsheets")},
-      {Text::tr("Ctrl+Z, Ctrl+Shift+Z"), Text::tr("undo, redo")},
-      {Text::tr("3415224"), Text::tr("is 341°52′24″ on the number pad")},
+      {DialogsText::tr("Type"), DialogsText::tr("overwrites the cell")},
+      {DialogsText::tr("Enter"), DialogsText::tr("hands in; on to vertical, then to the next row")},
+      {DialogsText::tr("Tab, Shift+Tab"), DialogsText::tr("the same, through all shown columns; back")},
+      {DialogsText::tr("F2"), DialogsText::tr("edits what was typed")},
+      {DialogsText::tr("Esc"), DialogsText::tr("takes back what is half typed")},
+      {DialogsText::tr("Space"), DialogsText::tr("excludes or uses the selected rows")},
+      {DialogsText::tr("F7"), DialogsText::tr("leads to the next reading that looks misread")},
+      {DialogsText::tr("F8"), DialogsText::tr("puts in the reading that was probably meant")},
+      {DialogsText::tr("Delete"), DialogsText::tr("clears the selected cells")},
+      {DialogsText::tr("Ctrl+I, Ctrl+−"), DialogsText::tr("inserts a row above; deletes the selected rows")},
+      {DialogsText::tr("Ctrl+C, Ctrl+X, Ctrl+V"),
+       DialogsText::tr("copies, cuts, pastes blocks, also with spreadsheets")},
+      {DialogsText::tr("Ctrl+Z, Ctrl+Shift+Z"), DialogsText::tr("undo, redo")},
+      {DialogsText::tr("3415224"), DialogsText::tr("is 341°52′24″ on the number pad")},
   };
   QString html = QStringLiteral("<table cellpadding='3'>");
   for (const auto& row : rows)
     html += QStringLiteral("<tr><td><b>%1</b></td><td>%2</td></tr>").arg(row[0], row[1]);
-  QMessageBox box(QMessageBox::NoIcon, Text::tr("Keys of the table"), html + QStringLiteral("</table>"),
-                  QMessageBox::Close, m_parent);
+  QMessageBox box(QMessageBox::NoIcon, DialogsText::tr("Keys of the table"),
+                  html + QStringLiteral("</table>"), QMessageBox::Close, m_parent);
   box.setTextFormat(Qt::RichText);
   box.exec();
 }

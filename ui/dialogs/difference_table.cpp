@@ -11,7 +11,7 @@ namespace alidade::ui {
 
 namespace {
 
-struct Text {
+struct DifferenceText {
   Q_DECLARE_TR_FUNCTIONS(DifferenceTable)
 };
 
@@ -24,7 +24,7 @@ QString orNothing(const QString& text) {
 QTreeWidget* createDifferenceTable(const SessionDifference& difference, const QString& mine,
                                    const QString& theirs) {
   auto* table = new QTreeWidget;
-  table->setHeaderLabels({Text::tr("Entry"), mine, theirs});
+  table->setHeaderLabels({DifferenceText::tr("Entry"), mine, theirs});
   table->setRootIsDecorated(false);
   table->setUniformRowHeights(true);
   table->setAlternatingRowColors(true);
@@ -34,7 +34,7 @@ QTreeWidget* createDifferenceTable(const SessionDifference& difference, const QS
     rows.append(
         new QTreeWidgetItem({visibleLine(entry.where), orNothing(entry.mine), orNothing(entry.theirs)}));
   const std::size_t more = difference.count - difference.entries.size();
-  if (more > 0) rows.append(new QTreeWidgetItem({Text::tr("and %1 more").arg(more)}));
+  if (more > 0) rows.append(new QTreeWidgetItem({DifferenceText::tr("and %1 more").arg(more)}));
   table->addTopLevelItems(rows);
   constexpr int margin = 14, widest = 260;
   for (int column = 0; column < table->columnCount(); ++column) {

@@ -13,7 +13,7 @@ namespace {
 
 constexpr qsizetype mostNotes = 12;
 
-struct Text {
+struct ImportNotesText {
   Q_DECLARE_TR_FUNCTIONS(ImportNotes)
 };
 
@@ -37,7 +37,7 @@ QString importNotes(const Import& import) {
   const qsizetype more = notes.size() - mostNotes;
   if (more > 0) {
     notes = notes.mid(0, mostNotes);
-    notes.append(Text::tr("And %1 more.").arg(more));
+    notes.append(ImportNotesText::tr("And %1 more.").arg(more));
   }
   return notes.join(QLatin1Char('\n'));
 }

@@ -11,19 +11,9 @@
 #include <QVBoxLayout>
 
 #include "ui/dialogs/difference_table.h"
+#include "ui/dialogs/plain_label.h"
 
 namespace alidade::ui {
-
-namespace {
-
-QLabel* createLabel(const QString& text) {
-  auto* label = new QLabel(text);
-  label->setTextFormat(Qt::PlainText);
-  label->setWordWrap(true);
-  return label;
-}
-
-}  // namespace
 
 RecoveryDialog::RecoveryDialog(const QList<RecoveryOffer>& offers, QWidget* parent)
     : QDialog(parent), m_names(new QListWidget), m_offers(new QStackedWidget) {
@@ -39,7 +29,7 @@ RecoveryDialog::RecoveryDialog(const QList<RecoveryOffer>& offers, QWidget* pare
   parts->addWidget(m_names);
   parts->addWidget(m_offers, 1);
   auto* layout = new QVBoxLayout(this);
-  layout->addWidget(createLabel(
+  layout->addWidget(createPlainLabel(
       tr("Alidade ended without saving. Recovered, the changes are back in the window, unsaved; the file "
          "stays as it is until you save.")));
   layout->addLayout(parts, 1);
@@ -51,8 +41,8 @@ void RecoveryDialog::addOffer(const RecoveryOffer& offer) {
   auto* page = new QWidget;
   auto* layout = new QVBoxLayout(page);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(createLabel(offer.name + QStringLiteral(": ") + offer.told));
-  layout->addWidget(createLabel(differenceCount(offer.difference) + u':'));
+  layout->addWidget(createPlainLabel(offer.name + QStringLiteral(": ") + offer.told));
+  layout->addWidget(createPlainLabel(differenceCount(offer.difference) + u':'));
   layout->addWidget(createDifferenceTable(offer.difference, tr("Kept, unsaved"), tr("In the file")), 1);
   m_offers->addWidget(page);
 }

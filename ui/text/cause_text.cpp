@@ -14,17 +14,17 @@ namespace alidade::ui {
 
 namespace {
 
-QString translated(const char* text) {
-  return QCoreApplication::translate("Gap", text);
-}
+struct GapText {
+  Q_DECLARE_TR_FUNCTIONS(Gap)
+};
 
 }  // namespace
 
 QString causeName(const std::string& id) {
-  if (id == jumpId) return translated("a jump of the orientation");
-  if (id == grossErrorId) return translated("misread values");
-  if (id == noiseId) return translated("noise larger than stated");
-  if (id == relationId) return translated("the vertical angle relation");
+  if (id == jumpId) return GapText::tr("a jump of the orientation");
+  if (id == grossErrorId) return GapText::tr("misread values");
+  if (id == noiseId) return GapText::tr("noise larger than stated");
+  if (id == relationId) return GapText::tr("the vertical angle relation");
   return effectName(id);
 }
 
@@ -53,13 +53,13 @@ QString parameterText(const Cause& cause, const CauseParameter& parameter) {
 }
 
 QString deviationText(const ReadingDeviation& reading) {
-  QString text = translated("%1°, point %2, %3")
+  QString text = GapText::tr("%1°, point %2, %3")
                      .arg(reading.axisDeg)
                      .arg(reading.point)
                      .arg(qText(std::string(nameOf(reading.kind))));
-  if (reading.round != 1) text += translated(", round %1").arg(reading.round);
-  if (reading.face != 1) text += translated(", face %1").arg(reading.face);
-  return text + translated(": off by %1").arg(signedNumberText(reading.size, 1) + QChar(0x2033));
+  if (reading.round != 1) text += GapText::tr(", round %1").arg(reading.round);
+  if (reading.face != 1) text += GapText::tr(", face %1").arg(reading.face);
+  return text + GapText::tr(": off by %1").arg(signedNumberText(reading.size, 1) + QChar(0x2033));
 }
 
 Place placeOf(const ReadingDeviation& reading) {
@@ -69,21 +69,21 @@ Place placeOf(const ReadingDeviation& reading) {
 QString gapHeadline(const Diagnosis& diagnosis) {
   switch (diagnosis.verdict) {
     case DiagnosisVerdict::WithinNoise:
-      return translated("No gap: within the noise");
+      return GapText::tr("No gap: within the noise");
     case DiagnosisVerdict::SingleCause:
-      return translated("One cause: %1").arg(causeName(diagnosis.causes.front().effect));
+      return GapText::tr("One cause: %1").arg(causeName(diagnosis.causes.front().effect));
     case DiagnosisVerdict::Ambiguous:
-      return translated("One of %1 causes that look alike here")
+      return GapText::tr("One of %1 causes that look alike here")
           .arg(diagnosis.causes.front().indistinguishableFrom.size() + 1);
     case DiagnosisVerdict::SeveralCauses:
-      return translated("%1 causes").arg(diagnosis.causes.size());
+      return GapText::tr("%1 causes").arg(diagnosis.causes.size());
     case DiagnosisVerdict::NotInCatalogue:
       break;
   }
-  if (diagnosis.causes.empty()) return translated("A gap of no known cause");
+  if (diagnosis.causes.empty()) return GapText::tr("A gap of no known cause");
   return diagnosis.causes.size() == 1
-             ? translated("An unknown cause beside %1").arg(causeName(diagnosis.causes.front().effect))
-             : translated("An unknown cause beside %1 known ones").arg(diagnosis.causes.size());
+             ? GapText::tr("An unknown cause beside %1").arg(causeName(diagnosis.causes.front().effect))
+             : GapText::tr("An unknown cause beside %1 known ones").arg(diagnosis.causes.size());
 }
 
 QString diagnosisText(const Diagnosis& diagnosis) {
@@ -97,8 +97,8 @@ QString gapSentence(const Gap& gap) {
     std::vector<std::string> effects;
     for (const GapStage& stage : gap.stages)
       if (stage.kind == GapStage::Kind::InModel) effects.push_back(stage.effect);
-    text += translated(" The model holds %1; without, the residuals are %2 instead of %3.")
-                .arg(causeNames(effects, translated("and")), arcsecText(bare.rms),
+    text += GapText::tr(" The model holds %1; without, the residuals are %2 instead of %3.")
+                .arg(causeNames(effects, GapText::tr("and")), arcsecText(bare.rms),
                      arcsecText(gap.asModelled().rms));
   }
   return text;
@@ -113,20 +113,20 @@ QString withoutGrossErrors(const Gap& gap, const GapStage& stage) {
     if (other.effect == grossErrorId) all += other.grossErrors;
     if (&other == &stage) leftOut = all;
   }
-  if (all == 1) return translated("without the misread value");
-  return leftOut == 1 ? translated("without 1 misread value")
-                      : translated("without %1 misread values").arg(leftOut);
+  if (all == 1) return GapText::tr("without the misread value");
+  return leftOut == 1 ? GapText::tr("without 1 misread value")
+                      : GapText::tr("without %1 misread values").arg(leftOut);
 }
 
 }  // namespace
 
 QString stageText(const Gap& gap, const GapStage& stage) {
   if (stage.kind == GapStage::Kind::Bare)
-    return gap.asModelled().kind == GapStage::Kind::Bare ? translated("as modelled")
-                                                         : translated("without model effects");
+    return gap.asModelled().kind == GapStage::Kind::Bare ? GapText::tr("as modelled")
+                                                         : GapText::tr("without model effects");
   if (stage.effect == grossErrorId) return withoutGrossErrors(gap, stage);
   const QString name = causeTitle(stage.effect);
-  return (stage.kind == GapStage::Kind::InModel ? translated("in the model: ") : QStringLiteral("+ ")) +
+  return (stage.kind == GapStage::Kind::InModel ? GapText::tr("in the model: ") : QStringLiteral("+ ")) +
          name.left(1).toLower() + name.mid(1);
 }
 

@@ -11,9 +11,9 @@ namespace alidade::ui {
 
 namespace {
 
-QString translated(const char* text) {
-  return QCoreApplication::translate("Simulation", text);
-}
+struct SimulationText {
+  Q_DECLARE_TR_FUNCTIONS(Simulation)
+};
 
 double worstDifference(const MonteCarlo& check) {
   return std::max(check.lowDifference, check.highDifference);
@@ -33,11 +33,12 @@ std::optional<qint64> drawsToTell(const MonteCarlo& check) {
 }
 
 QString chanceSentence(const MonteCarlo& check, int decimals) {
-  const QString text =
-      translated(" By chance alone an end is uncertain by %1").arg(lengthText(check.endpointSigma, decimals));
+  const QString text = SimulationText::tr(" By chance alone an end is uncertain by %1")
+                           .arg(lengthText(check.endpointSigma, decimals));
   const std::optional<qint64> draws = drawsToTell(check);
-  return text + (draws ? translated(": about %1 draws would tell.").arg(*draws)
-                       : translated("; it would take more draws than can be asked for here to tell."));
+  return text + (draws
+                     ? SimulationText::tr(": about %1 draws would tell.").arg(*draws)
+                     : SimulationText::tr("; it would take more draws than can be asked for here to tell."));
 }
 
 }  // namespace
@@ -45,34 +46,36 @@ QString chanceSentence(const MonteCarlo& check, int decimals) {
 QString agreementWord(const MonteCarlo& check) {
   switch (check.linear) {
     case LinearPropagation::Validated:
-      return translated("Agrees.");
+      return SimulationText::tr("Agrees.");
     case LinearPropagation::Refuted:
-      return translated("Does not agree.");
+      return SimulationText::tr("Does not agree.");
     case LinearPropagation::Undecided:
       break;
   }
   return worstDifference(check) > check.tolerance
-             ? translated("Too few draws to tell.")
-             : translated("No disagreement, but too few draws to be sure.");
+             ? SimulationText::tr("Too few draws to tell.")
+             : SimulationText::tr("No disagreement, but too few draws to be sure.");
 }
 
 QString agreementSentence(const MonteCarlo& check) {
   const int decimals = decimalsFor(check.tolerance);
   QString text =
-      translated("The ends of Δd ± U differ from those simulated by %1 and %2; the tolerance is %3.")
+      SimulationText::tr("The ends of Δd ± U differ from those simulated by %1 and %2; the tolerance is %3.")
           .arg(numberText(check.lowDifference, decimals), lengthText(check.highDifference, decimals),
                lengthText(check.tolerance, decimals));
   if (check.linear == LinearPropagation::Refuted)
-    text += translated(" Rely on the simulated interval.");
+    text += SimulationText::tr(" Rely on the simulated interval.");
   else if (check.linear == LinearPropagation::Undecided)
     text += chanceSentence(check, decimals);
-  if (check.failed > 0) text += translated(" Draws without a result, left out: %1.").arg(check.failed);
+  if (check.failed > 0)
+    text += SimulationText::tr(" Draws without a result, left out: %1.").arg(check.failed);
   return text;
 }
 
 QString simulationParagraph(const MonteCarlo& check) {
   const Spread& spread = *check.intersection;
-  return translated("Checked by simulation (JCGM 101, %1 draws): Δd = %2, u = %3, %4 % from %5 to %6. %7 %8")
+  return SimulationText::tr(
+             "Checked by simulation (JCGM 101, %1 draws): Δd = %2, u = %3, %4 % from %5 to %6. %7 %8")
       .arg(check.draws)
       .arg(lengthText(spread.mean, 4), lengthText(spread.sigma, 4), plainNumberText(100 * check.coverage),
            numberText(spread.low, 4), lengthText(spread.high, 4), agreementWord(check),

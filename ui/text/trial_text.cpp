@@ -13,9 +13,9 @@ namespace alidade::ui {
 
 namespace {
 
-QString translated(const char* text) {
-  return QCoreApplication::translate("BlindTrial", text);
-}
+struct TrialText {
+  Q_DECLARE_TR_FUNCTIONS(BlindTrial)
+};
 
 QString signedSeconds(Angle angle) {
   return signedNumberText(angle.arcseconds(), 1) + QChar(0x2033);
@@ -49,33 +49,33 @@ QString foreignText(const ForeignEffect& effect) {
   const QString angle = arcsecText(effect.size, 1);
   switch (effect.kind) {
     case Kind::LocalDent:
-      return translated("A dent of the radius, %1 at s = %2°").arg(length, numberText(effect.first, 0));
+      return TrialText::tr("A dent of the radius, %1 at s = %2°").arg(length, numberText(effect.first, 0));
     case Kind::CirclePeriods:
-      return translated("A horizontal circle with %2 periods a turn, %1")
+      return TrialText::tr("A horizontal circle with %2 periods a turn, %1")
           .arg(angle, numberText(effect.first, 0));
     case Kind::Settling:
-      return translated("An instrument that settles, %1").arg(angle);
+      return TrialText::tr("An instrument that settles, %1").arg(angle);
     case Kind::DistanceRamp:
-      return translated("A distance that grows by %1").arg(length);
+      return TrialText::tr("A distance that grows by %1").arg(length);
     case Kind::Refraction:
-      return translated("Refraction, %1 · sin 2e").arg(angle);
+      return TrialText::tr("Refraction, %1 · sin 2e").arg(angle);
     case Kind::Backlash:
-      return translated("Backlash of the horizontal circle, %1 on the way back").arg(angle);
+      return TrialText::tr("Backlash of the horizontal circle, %1 on the way back").arg(angle);
     case Kind::HighWarp:
       break;
   }
-  return translated("A warp of order %2 out of the plane, %1").arg(length, numberText(effect.first, 0));
+  return TrialText::tr("A warp of order %2 out of the plane, %1").arg(length, numberText(effect.first, 0));
 }
 
 void addGrossErrors(QStringList& lines, const Truth& truth) {
   for (const TrueGrossError& error : truth.grossErrors) {
     const bool isHorizontal = error.horizontal.radians() != 0;
-    lines.append(translated("Misread: %1°, round %2, point %3, face %4, %5 by %6")
+    lines.append(TrialText::tr("Misread: %1°, round %2, point %3, face %4, %5 by %6")
                      .arg(error.axisDeg)
                      .arg(error.round)
                      .arg(error.point)
                      .arg(error.face)
-                     .arg(isHorizontal ? translated("horizontal") : translated("vertical"),
+                     .arg(isHorizontal ? TrialText::tr("horizontal") : TrialText::tr("vertical"),
                           signedSeconds(isHorizontal ? error.horizontal : error.vertical)));
   }
 }
@@ -83,12 +83,12 @@ void addGrossErrors(QStringList& lines, const Truth& truth) {
 }  // namespace
 
 QString trialKindName(const std::string& kind) {
-  if (kind == "none") return translated("nothing");
+  if (kind == "none") return TrialText::tr("nothing");
   if (kind == "two_causes" || kind == "several_causes" || kind == "several-causes")
-    return translated("several causes");
-  if (kind.rfind("unknown", 0) == 0) return translated("an effect of no catalogue");
-  if (kind == "within-noise") return translated("no gap");
-  if (kind == "not-in-catalogue") return translated("no known cause");
+    return TrialText::tr("several causes");
+  if (kind.rfind("unknown", 0) == 0) return TrialText::tr("an effect of no catalogue");
+  if (kind == "within-noise") return TrialText::tr("no gap");
+  if (kind == "not-in-catalogue") return TrialText::tr("no known cause");
   return causeName(kind);
 }
 
@@ -98,25 +98,25 @@ QStringList truthLines(const BlindTrial& trial) {
   addEffects(lines, truth);
   addGrossErrors(lines, truth);
   if (truth.jump)
-    lines.append(translated("Knocked after %1 % of the rows: horizontal %2, vertical %3")
+    lines.append(TrialText::tr("Knocked after %1 % of the rows: horizontal %2, vertical %3")
                      .arg(numberText(100 * truth.jump->moment, 0), signedSeconds(truth.jump->horizontal),
                           signedSeconds(truth.jump->vertical)));
   if (truth.harmonic)
-    lines.append(translated("Radius + A cos %1s + B sin %1s with A = %2 mm, B = %3 mm")
+    lines.append(TrialText::tr("Radius + A cos %1s + B sin %1s with A = %2 mm, B = %3 mm")
                      .arg(truth.harmonic->order)
                      .arg(numberText(truth.harmonic->cosine, 3), numberText(truth.harmonic->sine, 3)));
   if (truth.foreign) lines.append(foreignText(*truth.foreign));
   if (truth.noiseFactor != 1)
-    lines.append(translated("Noise %1 times the stated").arg(numberText(truth.noiseFactor, 2)));
-  if (lines.isEmpty()) lines.append(translated("Nothing was put in."));
+    lines.append(TrialText::tr("Noise %1 times the stated").arg(numberText(truth.noiseFactor, 2)));
+  if (lines.isEmpty()) lines.append(TrialText::tr("Nothing was put in."));
   if (trial.seal.visible) {
-    QString shows = translated("It shows by %1 σ of the readings").arg(numberText(*trial.seal.visible, 1));
+    QString shows = TrialText::tr("It shows by %1 σ of the readings").arg(numberText(*trial.seal.visible, 1));
     if (!trial.seal.lookAlikes.empty())
-      shows +=
-          translated("; there it looks like %1").arg(causeNames(trial.seal.lookAlikes, translated("or")));
+      shows += TrialText::tr("; there it looks like %1")
+                   .arg(causeNames(trial.seal.lookAlikes, TrialText::tr("or")));
     lines.append(shows + u'.');
   }
-  lines.append(translated("True Δd = %1 mm").arg(numberText(trial.seal.intersection, 4)));
+  lines.append(TrialText::tr("True Δd = %1 mm").arg(numberText(trial.seal.intersection, 4)));
   return lines;
 }
 
@@ -124,16 +124,16 @@ QString scoreSentence(const SealedTruth& truth, const TrialScore& score) {
   const QString was = trialKindName(truth.kind), answer = trialKindName(score.answer);
   QString text;
   if (!score.right)
-    text = translated("It was %1; the answer was %2.").arg(was, answer);
+    text = TrialText::tr("It was %1; the answer was %2.").arg(was, answer);
   else if (score.trialClass == TrialClass::Faint)
-    text = score.named ? translated("Named, faint as it is.") : translated("Too faint to be expected.");
+    text = score.named ? TrialText::tr("Named, faint as it is.") : TrialText::tr("Too faint to be expected.");
   else if (score.trialClass == TrialClass::LookAlikes)
-    text = translated("It is in the group named, and the group is no larger than it must be.");
+    text = TrialText::tr("It is in the group named, and the group is no larger than it must be.");
   else
-    text = translated("It was %1, and so was the answer.").arg(was);
+    text = TrialText::tr("It was %1, and so was the answer.").arg(was);
   if (score.covered)
-    text += *score.covered ? translated(" Δd with the causes covers the true one.")
-                           : translated(" Δd with the causes misses the true one.");
+    text += *score.covered ? TrialText::tr(" Δd with the causes covers the true one.")
+                           : TrialText::tr(" Δd with the causes misses the true one.");
   return text;
 }
 

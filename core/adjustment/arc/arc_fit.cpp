@@ -12,6 +12,7 @@
 #include "core/adjustment/arc/foot_point.h"
 #include "core/adjustment/numerics/algebraic_circle.h"
 #include "core/adjustment/numerics/least_squares.h"
+#include "core/base/square.h"
 #include "core/observation/visits.h"
 
 namespace alidade {
@@ -19,10 +20,6 @@ namespace alidade {
 namespace {
 
 using Eigen::Matrix3d, Eigen::Vector3d;
-
-double square(double value) {
-  return value * value;
-}
 
 struct NormalEquations {
   std::vector<FootPoint> feet = {};  // of each visit

@@ -4,14 +4,11 @@
 
 #include "core/adjustment/arc/arc_checks.h"
 #include "core/adjustment/arc/foot_point.h"
+#include "core/base/square.h"
 
 namespace alidade {
 
 namespace {
-
-double square(double value) {
-  return value * value;
-}
 
 /// Σ (v/σ)² of what the rows of each visit differ by.
 double chiSquareWithinVisits(const Whitening& whitening, const ArcMeasurement& arc,

@@ -22,11 +22,11 @@ using Eigen::Matrix4d, Eigen::Vector3d, Eigen::Vector4d;
 /// Of one arc. The slider's zero stays where it is without slider readings.
 constexpr std::array estimatedKinds{Kind::CentreX, Kind::CentreY, Kind::Radius, Kind::SliderZero};
 constexpr std::array consideredKinds{Kind::HorizontalZero, Kind::VerticalZero, Kind::Distance};
-constexpr int estimated = estimatedKinds.size(), considered = consideredKinds.size();
+constexpr int estimatedCount = estimatedKinds.size(), consideredCount = consideredKinds.size();
 
 /// Over the estimated, then the considered quantities.
-using Rows = Eigen::Matrix<double, 3, estimated + considered, Eigen::RowMajor>;
-using NormalMatrix = Eigen::Matrix<double, estimated, estimated + considered>;
+using Rows = Eigen::Matrix<double, 3, estimatedCount + consideredCount, Eigen::RowMajor>;
+using NormalMatrix = Eigen::Matrix<double, estimatedCount, estimatedCount + consideredCount>;
 
 /// What one reading of each kind at a visit (horizontal, vertical, slider) leaves, in σ.
 struct VisitRows {
@@ -52,13 +52,13 @@ VisitRows rowsOf(const ArcView& view, double radius, const VisitReading& visit, 
                 slider * view.turn};
   rows.along /= std::sqrt(rows.along.cwiseAbs2().dot(rows.counts));
   const Vector3d counted = rows.along.cwiseProduct(rows.counts);
-  const Eigen::Matrix<double, 1, estimated + considered> share = counted.transpose() * rows.reduced;
+  const Eigen::Matrix<double, 1, estimatedCount + consideredCount> share = counted.transpose() * rows.reduced;
   rows.reduced -= rows.along * share;
   return rows;
 }
 
 /// Scaled to a unit diagonal before it is factored: millimetres and radians differ by 1e6 in size.
-Matrix4d inverseScaled(const Matrix4d& matrix) {
+Matrix4d cofactorMatrix(const Matrix4d& matrix) {
   const Vector4d scale = matrix.diagonal().cwiseSqrt().cwiseInverse();
   const Matrix4d scaled = scale.asDiagonal() * matrix * scale.asDiagonal();
   const Matrix4d inverse = scaled.ldlt().solve(Matrix4d::Identity());
@@ -84,7 +84,7 @@ class ArcApart {
       evaluate();
       ++m_iterations;
       if (!(m_chiSquare <= before + rounding * (1 + before))) return false;
-      m_cofactor = inverseScaled(m_normal.leftCols<estimated>());
+      m_cofactor = cofactorMatrix(m_normal.leftCols<estimatedCount>());
       const Vector4d step = m_cofactor * m_right;
       if (!step.allFinite() || !(m_cofactor.diagonal().array() >= 0).all()) return false;
       if (m_right.dot(step) < options.tolerance * options.tolerance) return true;
@@ -98,7 +98,7 @@ class ArcApart {
   }
 
   int iterations() const { return m_iterations; }
-  int unknowns() const { return m_hasSlider ? estimated : estimated - 1; }
+  int unknowns() const { return m_hasSlider ? estimatedCount : estimatedCount - 1; }
   std::size_t readings() const {
     const auto isRead = [](const Sighting* slider) { return slider != nullptr; };
     return 2 * m_arc.sightings.size() + static_cast<std::size_t>(std::ranges::count_if(m_sliders, isRead));
@@ -106,8 +106,8 @@ class ArcApart {
   const Matrix4d& cofactor() const { return m_cofactor; }
 
   /// ∂estimated/∂considered.
-  Eigen::Matrix<double, estimated, considered> perConsidered() const {
-    return -m_cofactor * m_normal.rightCols<considered>();
+  Eigen::Matrix<double, estimatedCount, consideredCount> perConsidered() const {
+    return -m_cofactor * m_normal.rightCols<consideredCount>();
   }
 
   Vector4d values() const {
@@ -124,7 +124,7 @@ class ArcApart {
     ArcMisfit misfit{0, -static_cast<int>(m_visits.size()) - unknowns()};
     for (std::size_t v = 0; v < m_visits.size(); ++v) {
       const VisitRows& rows = m_rows[v];
-      const Eigen::Matrix<double, 3, estimated> reduced = rows.reduced.leftCols<estimated>();
+      const Eigen::Matrix<double, 3, estimatedCount> reduced = rows.reduced.leftCols<estimatedCount>();
       const Vector3d told = (reduced * m_cofactor).cwiseProduct(reduced).rowwise().sum();
       const Vector3d redundancy = Vector3d::Ones() - rows.along.cwiseAbs2() - told;
       const Vector3d perReading = reduced * perUnknown;
@@ -183,7 +183,7 @@ class ArcApart {
                           : footPoint(m_view, m_unknowns, m_readings[v], m_feet[v]);
       const VisitRows& rows = m_rows[v] = rowsOf(m_view, m_unknowns.circle.radius, m_readings[v], m_feet[v]);
       for (int row = 0; row < (m_readings[v].slider ? 3 : 2); ++row) {
-        const Vector4d weighted = rows.counts[row] * rows.reduced.row(row).head<estimated>().transpose();
+        const Vector4d weighted = rows.counts[row] * rows.reduced.row(row).head<estimatedCount>().transpose();
         m_normal += weighted * rows.reduced.row(row);
         m_right += weighted * rows.left[row];
         m_chiSquare += rows.counts[row] * rows.left[row] * rows.left[row];

@@ -102,7 +102,7 @@ struct JointFit {
   std::vector<double> perConsidered;
 
   std::vector<std::vector<double>> arcAngles;  ///< φ of each sighting of each arc, rad in (−π, π]
-  std::vector<AdjustedReading> readings;       ///< in the order of arcs and sightings
+  std::vector<AdjustedReading> readings;       ///< visit by visit
   std::vector<ArcMisfit> misfits;              ///< of each arc of the measurement
   double chiSquare = 0;                        ///< of circles, slider and priors
   int degreesOfFreedom = 0;

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/adjustment/arc/arc_checks.h"
 #include "core/adjustment/arc/fast_arc_fit.h"
@@ -10,8 +9,6 @@
 namespace alidade {
 
 namespace {
-
-constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
 bool isAlone(const Measurement& fitted) {
   const auto hasSlider = [](const ArcMeasurement& arc) {
@@ -89,8 +86,8 @@ class ArcsRefit : public Refit {
       const bool isFound = fit && isDetermined(*fit);
       // Angles alone fix the shape; all lengths are in proportion to L.
       const double longer = 1 + read.sigmaDistance / read.distance * draws[i].normals[DrawPlan::distance];
-      own[0] = isFound ? fit->circle.x * longer : missing;
-      own[1] = isFound ? fit->circle.y * longer : missing;
+      own[0] = isFound ? fit->circle.x * longer : missingCentre;
+      own[1] = isFound ? fit->circle.y * longer : missingCentre;
     }
   }
 

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "core/adjustment/monte_carlo/refit.h"
@@ -9,8 +8,6 @@ namespace alidade {
 namespace {
 
 constexpr double farBelowScatter = 1e-6;  // of the draws, which is some 1 σ
-constexpr double missing = std::numeric_limits<double>::quiet_NaN();
-
 class GeneralRefit : public Refit {
  public:
   explicit GeneralRefit(const RefitTask& task)
@@ -64,8 +61,8 @@ class GeneralRefit : public Refit {
     for (std::size_t i = 0; i < m_drawn.arcs.size(); ++i) {
       const auto fit = fitArc(m_drawn, m_drawn.arcs[i], {.start = m_starts[i], .tolerance = farBelowScatter});
       const bool isFound = fit && fit->converged();
-      centres[2 * i] = isFound ? fit->circle.x : missing;
-      centres[2 * i + 1] = isFound ? fit->circle.y : missing;
+      centres[2 * i] = isFound ? fit->circle.x : missingCentre;
+      centres[2 * i + 1] = isFound ? fit->circle.y : missingCentre;
     }
   }
 
@@ -73,7 +70,7 @@ class GeneralRefit : public Refit {
     const JointFit fit = fitJointly(m_drawn, m_starts, m_options);
     for (std::size_t i = 0; i < m_drawn.arcs.size(); ++i) {
       const auto value = [&](Unknown::Kind kind) {
-        return fit.converged() ? fit.values[fit.indexOf({.kind = kind, .arc = i})] : missing;
+        return fit.converged() ? fit.values[fit.indexOf({.kind = kind, .arc = i})] : missingCentre;
       };
       centres[2 * i] = value(Unknown::Kind::CentreX);
       centres[2 * i + 1] = value(Unknown::Kind::CentreY);

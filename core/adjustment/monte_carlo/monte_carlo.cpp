@@ -4,7 +4,6 @@
 #include <array>
 #include <atomic>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <thread>
 
@@ -17,7 +16,6 @@ namespace alidade {
 namespace {
 
 constexpr std::size_t fewestDraws = 100;
-constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 constexpr double chanceSigmas =
     3;  // chance moves an end by three of its standard uncertainties once in 370 times
 
@@ -71,15 +69,15 @@ class Columns {
   std::size_t draws() const { return m_values.front().size(); }
   std::vector<std::vector<double>>& values() { return m_values; }
   void resize(std::size_t draws) {
-    for (std::vector<double>& column : m_values) column.resize(draws, missing);
+    for (std::vector<double>& column : m_values) column.resize(draws, missingCentre);
   }
 
   /// All of a draw is missing where any of it is.
   void put(std::size_t draw, std::span<const double> centres) {
     const bool isThere = std::ranges::all_of(centres, [](double value) { return std::isfinite(value); });
-    for (std::size_t i = 0; i < centres.size(); ++i) m_values[i][draw] = isThere ? centres[i] : missing;
+    for (std::size_t i = 0; i < centres.size(); ++i) m_values[i][draw] = isThere ? centres[i] : missingCentre;
     if (m_values.size() > centres.size())
-      m_values.back()[draw] = isThere ? (centres[m_upper] - centres[4 - m_upper]) / 2 : missing;
+      m_values.back()[draw] = isThere ? (centres[m_upper] - centres[4 - m_upper]) / 2 : missingCentre;
   }
 
   void dropMissing() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -22,13 +23,15 @@ struct RefitTask {
   std::size_t centres() const { return 2 * fitted.arcs.size(); }
 };
 
+/// Of a centre whose fit did not settle, or which the readings do not fix.
+inline constexpr double missingCentre = std::numeric_limits<double>::quiet_NaN();
+
 /// For one thread: holds the places that it works in.
 class Refit {
  public:
   virtual ~Refit() = default;
 
-  /// Δx and Δy of each arc, draw after draw, mm; NaN where the fit did not settle or the readings fix no
-  /// circle.
+  /// Δx and Δy of each arc, draw after draw, mm; `missingCentre` in place of what was not found.
   virtual void refit(std::span<const Draw> draws, std::span<double> centres) = 0;
 };
 

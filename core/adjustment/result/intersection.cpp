@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/square.h"
 #include "core/base/statistics.h"
 #include "core/observation/half_turn.h"
 
@@ -13,10 +14,6 @@ namespace {
 
 /// A scatter this improbably small is not trusted: the stated noise is taken instead.
 constexpr double improbablySmall = 0.001;
-
-double square(double value) {
-  return value * value;
-}
 
 /// wᵀ Q w.
 double quadraticForm(const SquareMatrix& matrix, const std::vector<double>& weights) {

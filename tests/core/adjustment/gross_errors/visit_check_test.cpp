@@ -11,8 +11,8 @@ namespace {
 
 const std::vector<Circle> circles{{0.4, 1.2, 400.3}, {0.4, -1.2, 400.3}};
 
-/// Two noisy arcs of 17 places, 10° apart.
-Measurement noisyMeasurement(unsigned seed) {
+/// Two noisy arcs of 17 places, 10° apart, the second run the other way.
+Measurement noisyThereAndBack(unsigned seed) {
   std::mt19937_64 generator(seed);
   Measurement measurement = usualMeasurement();
   measurement.arcs = {perfectArc(measurement, circles[0], spread(17, 160), 0),
@@ -39,7 +39,7 @@ TEST(VisitCheck, GivesSoundVisitsEvenlySpreadProbabilities) {
   double sum = 0;
   int visits = 0;
   for (unsigned seed = 1; seed <= 5; ++seed) {
-    const Measurement measurement = noisyMeasurement(seed);
+    const Measurement measurement = noisyThereAndBack(seed);
     for (std::size_t arc = 0; arc < 2; ++arc)
       for (const Sighting& sighting : measurement.arcs[arc].sightings) {
         sum += agreementOf(measurement, arc, sighting).probability;
@@ -52,7 +52,7 @@ TEST(VisitCheck, GivesSoundVisitsEvenlySpreadProbabilities) {
 
 // At the top of the arc the vertical circle reads across it: 60″ are 30σ.
 TEST(VisitCheck, SeesWhatIsOffTheArc) {
-  const Measurement measurement = noisyMeasurement(3);
+  const Measurement measurement = noisyThereAndBack(3);
   Sighting sighting = measurement.arcs[0].sightings[8];
   sighting.e = sighting.e + Angle::fromArcseconds(60);
   const VisitAgreement agreement = agreementOf(measurement, 0, sighting);
@@ -63,7 +63,7 @@ TEST(VisitCheck, SeesWhatIsOffTheArc) {
 
 // Along the arc nothing is off it, but the place is: 10′ across the line of sight are 1° of arc.
 TEST(VisitCheck, PrefersThePlaceThatKeepsTheSpacing) {
-  const Measurement measurement = noisyMeasurement(4);
+  const Measurement measurement = noisyThereAndBack(4);
   Sighting sighting = measurement.arcs[0].sightings[8];
   const VisitAgreement inPlace = agreementOf(measurement, 0, sighting);
   sighting.a = sighting.a + Angle::fromArcseconds(600);

@@ -14,7 +14,7 @@ using namespace arc_finding;
 using test::found;
 using testing::ElementsAre, testing::IsEmpty, testing::Pair, testing::SizeIs;
 
-constexpr Circle circle{0, 0, 400};
+constexpr Circle nominalCircle{0, 0, 400};
 
 std::vector<FitFinding> findingsOf(const Measurement& measurement, const ArcMeasurement& arc) {
   return arcFindings(measurement, arc, *fitArc(measurement, arc));
@@ -22,7 +22,7 @@ std::vector<FitFinding> findingsOf(const Measurement& measurement, const ArcMeas
 
 ArcMeasurement read(const Measurement& measurement, double span) {
   std::mt19937_64 generator(3);
-  ArcMeasurement arc = test::perfectArc(measurement, circle, test::spread(17, span));
+  ArcMeasurement arc = test::perfectArc(measurement, nominalCircle, test::spread(17, span));
   test::addNoise(arc, measurement, generator);
   return arc;
 }
@@ -34,7 +34,7 @@ TEST(ArcFindings, AreNoneWhereTheReadingsScatterAsStated) {
 
 TEST(ArcFindings, SayWhichArcTheyAreOf) {
   Measurement measurement = test::usualMeasurement();
-  ArcMeasurement arc = test::perfectArc(measurement, circle, test::spread(3, 160, -90), 180);
+  ArcMeasurement arc = test::perfectArc(measurement, nominalCircle, test::spread(3, 160, -90), 180);
   arc.position = 4;
   const std::vector<FitFinding> findings = findingsOf(measurement, arc);
   ASSERT_THAT(findings, SizeIs(1));
@@ -46,7 +46,8 @@ TEST(ArcFindings, SayWhichArcTheyAreOf) {
 
 TEST(ArcFindings, TakeAnAgreementTooGoodForANote) {
   const Measurement measurement = test::usualMeasurement();
-  const auto findings = findingsOf(measurement, test::perfectArc(measurement, circle, test::spread(17, 160)));
+  const auto findings =
+      findingsOf(measurement, test::perfectArc(measurement, nominalCircle, test::spread(17, 160)));
   ASSERT_THAT(findings, SizeIs(1));
   EXPECT_EQ(findings[0].severity, Severity::Note);
   ASSERT_TRUE(found<ScattersLess>(findings));
@@ -79,7 +80,7 @@ TEST(ArcFindings, TakeATwentiethForFarFromNominal) {
     Measurement measurement = test::usualMeasurement();
     measurement.nominalRadius = nominal;
     const auto findings =
-        findingsOf(measurement, test::perfectArc(measurement, circle, test::spread(17, 160)));
+        findingsOf(measurement, test::perfectArc(measurement, nominalCircle, test::spread(17, 160)));
     const auto* off = found<RadiusFarFromNominal>(findings);
     ASSERT_EQ(off != nullptr, far) << nominal;
     if (!off) continue;

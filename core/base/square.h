@@ -1,0 +1,9 @@
+#pragma once
+
+namespace alidade {
+
+constexpr double square(double value) {
+  return value * value;
+}
+
+}  // namespace alidade

@@ -1,0 +1,343 @@
+#include "core/adjustment/gross_errors/correction_trials.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <random>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/adjustment/result/session_fit.h"
+#include "core/base/angle_text.h"
+#include "tests/support/typed_slips.h"
+
+namespace alidade::test {
+namespace {
+
+/// Against all readings of the session, at the usual risk.
+CorrectionTrials trialsOf(const Session& session, const std::stop_token& stop = {}) {
+  const Measurement measurement = *examine(session).measurement;
+  const SessionFit fit = fitSession(measurement);
+  return {session, fittedPart(measurement, fit), fit.joint, 0.01, stop};
+}
+
+Session sound(const char* plan) {
+  return *simulate(*protocolByName(plan), drawTruth(4), 4);
+}
+
+/// The visit that a row belongs to as typed; the plans number their points and rounds.
+Visited visitAt(const CorrectionTrials& trials, const Session& session, const Place& where) {
+  const Reading& row = session.positions[*where.position].readings[*where.reading];
+  return trials.visitOf(*where.position, row.round.empty() ? 1 : std::stoi(row.round), std::stoi(row.point));
+}
+
+bool restores(const Correction& correction, const std::vector<CellChange>& cure) {
+  return std::ranges::is_permutation(correction.changes, cure,
+                                     [](const CellChange& one, const CellChange& other) {
+                                       return one.where == other.where && one.text == other.text;
+                                     });
+}
+
+/// Types a reading wrongly; what mends it.
+CellChange spoil(Session& session, const Place& where, Slip slip) {
+  std::mt19937_64 random(1);
+  const std::string meant = cell(session, where);
+  cell(session, where) = typedWrongly(meant, slip, random);
+  return {where, meant};
+}
+
+TEST(CorrectionTrials, KnowWhatACellHolds) {
+  using enum ReadingKind;
+  for (const ReadingKind kind : {Horizontal, Vertical, Slider})
+    EXPECT_EQ(kindOf(std::string(nameOf(kind))), kind);
+  EXPECT_EQ(kindOf("face"), Horizontal);
+}
+
+TEST(CorrectionTrials, GatherTheRowsOfAVisit) {
+  const Session session = sound("full");
+  const CorrectionTrials trials = trialsOf(session);
+  std::size_t rows = 0;
+  for (std::size_t arc = 0; arc < 2; ++arc)
+    for (const int round : {1, 2})
+      for (int point = 1; point <= 17; ++point) {
+        const Visited visit = trials.visitOf(arc, round, point);
+        for (const std::size_t row : visit.rows) {
+          const Reading& reading = session.positions[arc].readings[row];
+          EXPECT_EQ(reading.point, std::to_string(point));
+          EXPECT_EQ(reading.round, std::to_string(round));
+          EXPECT_EQ(visit.with(row).rows, visit.rows) << "it is there already";
+        }
+        rows += visit.rows.size();
+      }
+  EXPECT_EQ(rows, trials.measurement().rows);
+  EXPECT_EQ((Visited{0, 1, 2, {3, 9}}.with(5).rows), (std::vector<std::size_t>{3, 5, 9}));
+  EXPECT_TRUE(trials.visitOf(0, 3, 1).rows.empty());
+}
+
+// Slips that show by ten σ and more, of single sightings, with the slider, and in two faces: as typed the
+// visit is out of the question, and what mends it comes first and leaves some noise. All that agree stand in
+// the order of their scores.
+TEST(CorrectionTrials, PutWhatWasMeantFirst) {
+  using enum Slip;
+  for (const char* plan : {"paper", "paper-slider", "two-face"})
+    for (const Slip slip : {DegreeOff, TenMinutesOff, MinuteOff, NeighbouringRow})
+      for (const std::uint64_t seed : {1u, 2u}) {
+        if (slip == NeighbouringRow && std::string(plan) == "two-face") continue;  // then of the same visit
+        SCOPED_TRACE(std::string(plan) + " " + std::to_string(static_cast<int>(slip)) + " " +
+                     std::to_string(seed));
+        const SlippedSession slipped = slippedSession(*protocolByName(plan), slip, seed);
+        CorrectionTrials trials = trialsOf(slipped.session);
+        const Visited visit = visitAt(trials, slipped.session, slipped.cure[0].where);
+        EXPECT_EQ(trials.grossErrorsIn(visit).size(), 1u);
+        EXPECT_EQ(trials.grossErrors().size(), slipped.cure.size()) << "one in each visit";
+        const VisitCheck check = trials.checkOf(visit);
+        EXPECT_FALSE(trials.agreesAsTyped(visit, check));
+        const std::vector<AgreeingCorrection> tried = trials.agreeing(visit, check);
+        ASSERT_FALSE(tried.empty());
+        EXPECT_TRUE(restores(tried[0].correction, slipped.cure));
+        EXPECT_LT(std::abs(tried[0].residual.arcseconds()), 5 * 2);
+        EXPECT_TRUE(std::ranges::is_sorted(tried, std::ranges::greater(), &AgreeingCorrection::score));
+      }
+}
+
+// In one face and without slider the score is what it says: how often such a slip is, how well the row goes
+// with all others, and where another row changes, what that gains in its visit. Sums in the same order: 1e-9.
+TEST(CorrectionTrials, ScoreBySlipAndBothVisits) {
+  using enum Slip;
+  int inOne = 0, inTwo = 0;
+  for (const Slip slip : {MinuteOff, TenSecondsOff, NeighbouringRow})
+    for (const std::uint64_t seed : {1u, 2u, 3u}) {
+      const SlippedSession slipped = slippedSession(*protocolByName("paper"), slip, seed);
+      CorrectionTrials trials = trialsOf(slipped.session);
+      RowReader reader(slipped.session);
+      const std::size_t arc = *slipped.cure[0].where.position;
+      const Visited visit = visitAt(trials, slipped.session, slipped.cure[0].where);
+      const VisitCheck check = trials.checkOf(visit);
+      for (const AgreeingCorrection& one : trials.agreeing(visit, check)) {
+        double expected = std::log(one.correction.prior) + check.agreement({one.sighting}).logLikelihood;
+        for (const auto& [row, reading] : one.correction.rows) {
+          if (row == visit.rows[0]) continue;
+          const Sighting &typed = trials.measurement().arcs[arc].sightings[row],
+                         corrected = *reader.read(arc, row, reading);
+          const Visited other = trials.visitOf(arc, typed.round, typed.point);
+          const VisitCheck ofBoth = trials.checkOf(visit, &other);
+          expected += ofBoth.agreement({corrected}).logLikelihood - ofBoth.agreement({typed}).logLikelihood;
+        }
+        EXPECT_NEAR(one.score, expected, 1e-9);
+        ++(one.correction.changes.size() > 1 ? inTwo : inOne);
+      }
+    }
+  EXPECT_GE(inOne, 6);
+  EXPECT_GE(inTwo, 3);
+}
+
+// Of two texts that one cell may have held, the greater leaves the greater residual: as read, on a zenith
+// circle too, in either face and of the slider, which is the first row's. Sound rows read to 5″ might have
+// been many texts.
+TEST(CorrectionTrials, TellResidualsAsRead) {
+  for (const char* plan : {"paper", "full"}) {
+    Truth truth = drawTruth(4);
+    truth.sigmaHorizontal = truth.sigmaVertical = Angle::fromArcseconds(5);
+    const Session session = *simulate(*protocolByName(plan), truth, 4);
+    CorrectionTrials trials = trialsOf(session);
+    std::map<std::string, int> compared;
+    for (const int point : {2, 7, 14}) {
+      const Visited visit = trials.visitOf(1, 1, point);
+      const std::vector<AgreeingCorrection> tried = trials.agreeing(visit, trials.checkOf(visit));
+      for (std::size_t i = 0; i < tried.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+          const CellChange &one = tried[i].correction.changes[0], &other = tried[j].correction.changes[0];
+          if (tried[i].correction.changes.size() > 1 || one.where != other.where) continue;
+          if (one.where.field == "slider" && one.where.reading != visit.rows[0]) continue;
+          const double apart = wrapped(*parseAngle(one.text) - *parseAngle(other.text)).radians();
+          EXPECT_GT((tried[i].residual - tried[j].residual).radians() * apart, 0)
+              << one.where.field << " " << one.text << " " << other.text;
+          ++compared[one.where.field];
+        }
+    }
+    EXPECT_EQ(compared.size(), std::string(plan) == "full" ? 3u : 2u);
+    for (const auto& [field, times] : compared) EXPECT_GE(times, 10) << field;
+  }
+}
+
+// At a probability of 10⁻⁴ each, of 68 visits none is expected to fail.
+TEST(CorrectionTrials, LetSoundVisitsStandAsTyped) {
+  for (const char* plan : {"paper", "full"}) {
+    const Session session = sound(plan);
+    CorrectionTrials trials = trialsOf(session);
+    EXPECT_TRUE(trials.grossErrors().empty());
+    for (int point = 1; point <= 17; ++point) {
+      const Visited visit = trials.visitOf(1, 1, point);
+      EXPECT_TRUE(trials.grossErrorsIn(visit).empty());
+      EXPECT_TRUE(trials.agreesAsTyped(visit, trials.checkOf(visit))) << plan << " " << point;
+    }
+  }
+}
+
+// What the visit itself reads, by whatever it is off, has no part in the check; and what a second visit reads
+// that is named along, though 3 σ of it are too little to be called misread. Two fits from different starts
+// leave a millionth.
+TEST(CorrectionTrials, CheckByOtherVisitsAlone) {
+  const Session session = sound("paper");
+  Session changed = session;
+  spoil(changed, {.position = 0, .reading = 5, .field = "vertical"}, Slip::DegreeOff);
+  std::string& beside = changed.positions[0].readings[9].vertical;
+  beside = formatDms(*parseAngle(beside) + Angle::fromArcseconds(6), 1, AngleSigns::Typewriter);
+  const CorrectionTrials trials = trialsOf(session), ofChanged = trialsOf(changed);
+  ASSERT_EQ(ofChanged.grossErrors().size(), 1u);
+  const Visited visit = trials.visitOf(0, 1, 6), other = trials.visitOf(0, 1, 10);
+  const std::vector<Sighting> rows{trials.measurement().arcs[0].sightings[5]};
+  const auto logLikelihood = [&](const CorrectionTrials& of, const Visited* besides) {
+    return of.checkOf(visit, besides).agreement(rows).logLikelihood;
+  };
+  EXPECT_NEAR(logLikelihood(ofChanged, &other), logLikelihood(trials, &other), 1e-6);
+  EXPECT_GT(std::abs(logLikelihood(ofChanged, nullptr) - logLikelihood(trials, nullptr)), 1e-3);
+}
+
+// The horizontal circle in face 1 and the vertical one in face 2: no one slip explains both, but with either
+// taken off the other is mended. Of that cell alone, and by changes of no other.
+TEST(CorrectionTrials, MendTwoSlipsOfOneVisitOneByOne) {
+  Session session = sound("full");
+  const std::vector<CellChange> cures{
+      spoil(session, {.position = 1, .reading = 12, .field = "horizontal"}, Slip::DegreeOff),
+      spoil(session, {.position = 1, .reading = 13, .field = "vertical"}, Slip::TenMinutesOff)};
+  CorrectionTrials trials = trialsOf(session);
+  const Visited visit = visitAt(trials, session, cures[0].where);
+  ASSERT_EQ(visit.rows, (std::vector<std::size_t>{12, 13}));
+  const VisitCheck check = trials.checkOf(visit);
+  EXPECT_TRUE(trials.agreeing(visit, check).empty());
+  const std::vector<GrossError> errors = trials.grossErrorsIn(visit);
+  ASSERT_EQ(errors.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const bool isFirst = trials.sightingOf(errors[i].cell).row == 12;
+    const std::vector<AgreeingCorrection> tried =
+        trials.agreeing(visit, check, {errors[1 - i]}, &errors[i].cell);
+    ASSERT_FALSE(tried.empty());
+    EXPECT_TRUE(restores(tried[0].correction, {cures[isFirst ? 0 : 1]}));
+    for (const AgreeingCorrection& one : tried) {
+      ASSERT_EQ(one.correction.changes.size(), 1u);
+      EXPECT_EQ(one.correction.changes[0].where, tried[0].correction.changes[0].where);
+    }
+  }
+}
+
+// Both rows of each visit hold the one slider reading that was made. The fit takes the first: with the second
+// typed wrongly nothing is misread, but only the slider mends it. Of what 30″ too much or too little may have
+// been the nearest comes first, by 10″ = 2 σ from the next; where it is a degree, one text fits.
+TEST(CorrectionTrials, HoldTheSliderOfTwoRowsAgainstEachOther) {
+  Session session = sound("full");
+  std::vector<Reading>& readings = session.positions[0].readings;
+  const Place where{.position = 0, .reading = 21, .field = "slider"};
+  const std::string meant = readings[21].slider;
+  std::string digit = meant;
+  const std::size_t tens = digit.find('\'') + 1;
+  digit[tens] = digit[tens] < '3' ? static_cast<char>(digit[tens] + 3) : static_cast<char>(digit[tens] - 3);
+  std::mt19937_64 random(1);
+  for (const std::string& typed : {digit, typedWrongly(meant, Slip::DegreeOff, random)}) {
+    readings[21].slider = typed;
+    CorrectionTrials trials = trialsOf(session);
+    EXPECT_TRUE(trials.grossErrors().empty());
+    const Visited visit = visitAt(trials, session, where);
+    const std::vector<AgreeingCorrection> tried = trials.agreeing(visit, trials.checkOf(visit));
+    ASSERT_EQ(tried.size() > 1, typed == digit);
+    EXPECT_TRUE(restores(tried[0].correction, {{where, meant}})) << typed << " " << meant;
+    for (const AgreeingCorrection& one : tried) EXPECT_EQ(one.correction.changes[0].where.field, "slider");
+  }
+}
+
+TEST(CorrectionTrials, MendRowsThatCouldNotBeUsed) {
+  Session session = sound("paper");
+  const Place where{.position = 1, .reading = 7, .field = "horizontal"};
+  const std::string meant = cell(session, where);
+  const std::size_t minutes = meant.find("°") + std::string("°").size();
+  cell(session, where)[minutes] = '8';
+  CorrectionTrials trials = trialsOf(session);
+  const Visited usable = visitAt(trials, session, where), visit = usable.with(7);
+  EXPECT_TRUE(usable.rows.empty());
+  const VisitCheck check = trials.checkOf(visit);
+  EXPECT_FALSE(trials.agreesAsTyped(visit, check));
+  const std::vector<AgreeingCorrection> tried = trials.agreeing(visit, check);
+  ASSERT_FALSE(tried.empty());
+  EXPECT_TRUE(restores(tried[0].correction, {{where, meant}}));
+}
+
+// A row that was typed twice stands in its visit twice, in one face: as sound as each is, no visit is so.
+TEST(CorrectionTrials, TakeEachFaceOfAVisitOnce) {
+  Session session = sound("two-face");
+  std::vector<Reading>& readings = session.positions[1].readings;
+  readings.push_back(readings[12]);
+  CorrectionTrials trials = trialsOf(session);
+  const Visited visit = visitAt(trials, session, {.position = 1, .reading = 12, .field = ""});
+  const VisitCheck check = trials.checkOf(visit);
+  EXPECT_TRUE(trials.agreesAsTyped(visit, check));
+  EXPECT_FALSE(trials.agreesAsTyped(visit.with(readings.size() - 1), check));
+}
+
+// The slip is in face 1: no text of face 2 mends it, and what exchanges rows is no text of one cell.
+TEST(CorrectionTrials, ChangeOneCellAloneWhereAsked) {
+  Session session = sound("two-face");
+  const CellChange cure =
+      spoil(session, {.position = 1, .reading = 12, .field = "horizontal"}, Slip::TenMinutesOff);
+  CorrectionTrials trials = trialsOf(session);
+  const Visited visit = visitAt(trials, session, cure.where);
+  const VisitCheck check = trials.checkOf(visit);
+  for (const std::size_t sighting : {12u, 13u}) {
+    const ReadingRef only{1, sighting, ReadingKind::Horizontal};
+    EXPECT_EQ(trials.agreeing(visit, check, {}, &only).empty(), sighting == 13) << sighting;
+  }
+  const SlippedSession exchanged = slippedSession(*protocolByName("paper"), Slip::NeighbouringRow, 1);
+  CorrectionTrials ofBoth = trialsOf(exchanged.session);
+  const Visited one = visitAt(ofBoth, exchanged.session, exchanged.cure[0].where);
+  const std::vector<GrossError> errors = ofBoth.grossErrorsIn(one);
+  ReadingRef only = errors.at(0).cell;
+  only.kind = exchanged.cure[0].where.field == "vertical" ? ReadingKind::Vertical : ReadingKind::Horizontal;
+  EXPECT_FALSE(ofBoth.agreeing(one, ofBoth.checkOf(one)).empty());
+  EXPECT_TRUE(ofBoth.agreeing(one, ofBoth.checkOf(one), {}, &only).empty());
+}
+
+// The slider turns back at its last place: there two rows in sequence read nearly the same, and either would
+// do for the other. What is typed wrongly in one would do for neither.
+TEST(CorrectionTrials, MendNoRowAtTheCostOfItsNeighbour) {
+  Session session = sound("there-and-back");
+  const CellChange cure =
+      spoil(session, {.position = 0, .reading = 16, .field = "horizontal"}, Slip::TenMinutesOff);
+  ASSERT_EQ(session.positions[0].readings[16].point, session.positions[0].readings[17].point);
+  CorrectionTrials trials = trialsOf(session);
+  const Visited visit = visitAt(trials, session, cure.where);
+  const std::vector<AgreeingCorrection> tried = trials.agreeing(visit, trials.checkOf(visit));
+  ASSERT_FALSE(tried.empty());
+  EXPECT_TRUE(restores(tried[0].correction, {cure}));
+  for (const AgreeingCorrection& one : tried) EXPECT_NE(one.correction.slip, EntrySlip::NeighbouringRow);
+}
+
+// A collimation of 100″ that the session's model knows: a slip of a minute shows beside it. Without the
+// effect all readings would scatter as much as the slip.
+TEST(CorrectionTrials, KeepToTheModelOfTheSession) {
+  Truth truth = drawTruth(4);
+  truth.effects = {{ErrorTerm::Collimation, 100}};
+  Session session = *simulate(*protocolByName("two-face"), truth, 4);
+  session.model.effects = {"collimation"};
+  const CellChange cure =
+      spoil(session, {.position = 0, .reading = 20, .field = "horizontal"}, Slip::MinuteOff);
+  CorrectionTrials trials = trialsOf(session);
+  EXPECT_EQ(trials.grossErrors().size(), 1u);
+  const Visited visit = visitAt(trials, session, cure.where);
+  const std::vector<AgreeingCorrection> tried = trials.agreeing(visit, trials.checkOf(visit));
+  ASSERT_FALSE(tried.empty());
+  EXPECT_TRUE(restores(tried[0].correction, {cure}));
+}
+
+TEST(CorrectionTrials, FindNothingOnceAskedToStop) {
+  Session session = sound("paper");
+  spoil(session, {.position = 0, .reading = 5, .field = "vertical"}, Slip::DegreeOff);
+  std::stop_source stop;
+  EXPECT_EQ(trialsOf(session, stop.get_token()).grossErrors().size(), 1u);
+  stop.request_stop();
+  EXPECT_TRUE(trialsOf(session, stop.get_token()).grossErrors().empty());
+}
+
+}  // namespace
+}  // namespace alidade::test

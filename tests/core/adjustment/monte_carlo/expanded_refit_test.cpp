@@ -1,0 +1,110 @@
+#include "core/adjustment/monte_carlo/refit.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "tests/support/perfect_draw.h"
+
+namespace alidade {
+namespace {
+
+constexpr std::array circlesRead{Circle{0.5, 1, 400}, Circle{0, -1, 400}};
+
+/// How far the refit of each draw is from the centres of its circles at most, in σ of the session.
+double missed(const RefitTask& task, const std::vector<Draw>& drawn,
+              const std::vector<std::array<Circle, 2>>& circles) {
+  const std::vector<double> found = test::centresOf(*expandedRefit(task, expandedModel(task)), task, drawn);
+  double most = 0;
+  for (std::size_t i = 0; i < drawn.size(); ++i)
+    for (std::size_t arc = 0; arc < 2; ++arc) {
+      const Circle& circle = circles[i][arc];
+      const ArcSigma& sigma = task.fit.sigmas[arc];
+      most = std::max({most, std::abs(found[4 * i + 2 * arc] - circle.x) / sigma.x,
+                       std::abs(found[4 * i + 2 * arc + 1] - circle.y) / sigma.y});
+    }
+  return most;
+}
+
+// Perfect readings leave the minimum no choice. Changes of a few σ on a usual arc leave 1e-5 σ of third order
+// at most. The draws fill the lanes once and in part again.
+TEST(ExpandedRefit, FindsTheCirclesWhoseReadingsWereDrawn) {
+  for (const RadiusModel radius : {RadiusModel::Free, RadiusModel::Common, RadiusModel::Known})
+    for (const bool sliders : {false, true}) {
+      SCOPED_TRACE(static_cast<int>(radius));
+      Measurement measurement = test::uncertainMeasurement();
+      measurement.radiusModel = radius;
+      measurement = test::withPerfectArcs(measurement, circlesRead, 9, 150, sliders);
+      const test::FittedForDraws fitted(measurement);
+      const RefitTask task = fitted.task();
+      std::vector<std::array<Circle, 2>> circles;
+      std::vector<Draw> drawn;
+      for (int i = 0; i < 11; ++i) {
+        const double by = 0.01 * (i - 5);
+        Measurement wanted = measurement;
+        wanted.distance += 7 * by;
+        wanted.nominalRadius += 4 * by;
+        circles.push_back({Circle{0.5 + by, 1.01 + by, 400 + 4 * by}, Circle{-by, -1 + by, 400 + 4 * by}});
+        if (radius == RadiusModel::Free) circles.back()[1].radius = 400 - by;
+        wanted = test::withPerfectArcs(wanted, circles.back(), 9, 150.001, sliders);
+        drawn.push_back(test::drawOf(task, wanted, 0.4 + 0.2 * i, 3));
+      }
+      EXPECT_LT(missed(task, drawn, circles), 1e-5);
+    }
+}
+
+// Targets that move along the arc, by 3.5 mm at its ends, leave its tangents by up to 0.015 mm: with
+// readings of 1′ the linear budget's Δd is off by a thirtieth of σ. What is left is of third order, below the
+// thousandth of σ that `propagateDistributions` asks for.
+TEST(ExpandedRefit, IsGoodToSecondOrder) {
+  Measurement measurement = test::uncertainMeasurement();
+  measurement.sigmaHorizontal = measurement.sigmaVertical = Angle::fromArcseconds(60);
+  measurement = test::withPerfectArcs(measurement, circlesRead, 9, 90);
+  const test::FittedForDraws fitted(measurement);
+  const RefitTask task = fitted.task();
+  for (const double sigmas : {-1.0, 1.0}) {
+    const double by = sigmas * task.fit.sigmas[0].y;
+    const std::array<Circle, 2> circles{Circle{0.5 + by, 1 + by, 400 - by}, Circle{-by, -1 + by, 400 + by}};
+    const Measurement wanted = test::withPerfectArcs(measurement, circles, 9, 90 + sigmas);
+    double linear = 0;  // change of Δd, which does not change
+    for (const AdjustedReading& reading : task.fit.joint.readings) {
+      const Sighting &from = measurement.arcs[reading.arc].sightings[reading.sighting],
+                     &to = wanted.arcs[reading.arc].sightings[reading.sighting];
+      const bool isHorizontal = reading.kind == ReadingKind::Horizontal;
+      linear += reading.perReading * (isHorizontal ? to.a - from.a : to.e - from.e).radians();
+    }
+    EXPECT_GT(std::abs(linear), 0.03 * task.fit.intersection->sigma);
+    EXPECT_LT(missed(task, {test::drawOf(task, wanted, 1, 3)}, {circles}), 1e-3);
+  }
+}
+
+// The prior is drawn to lie where the readings' drift does: else it would hold the estimate back.
+TEST(ExpandedRefit, DrawsWhatIsKnownOfEffectsBeforehand) {
+  Measurement measurement = test::uncertainMeasurement();
+  measurement.effects = {"vertical_drift"};
+  measurement = test::withPerfectArcs(measurement, circlesRead, 9, 150);
+  const std::array<Circle, 2> circles{Circle{0.55, 1.02, 400.03}, Circle{0.03, -1.04, 399.97}};
+  Measurement wanted = test::withPerfectArcs(measurement, circles, 9, 150);
+  const test::FittedForDraws fitted(measurement);
+  const RefitTask task = fitted.task();
+  constexpr double scale = 1.6, normal = -0.8;
+  const Angle drift = Angle::fromRadians(estimatedTerms(measurement).at(0).priorSigma) * (scale * normal);
+  test::addVerticalDrift(wanted, drift);
+  Draw draw = test::drawOf(task, wanted, scale, 4);
+  draw.normals[DrawPlan::firstTerm] = normal;
+  EXPECT_LT(missed(task, {draw}, {circles}), 1e-5);
+}
+
+TEST(ExpandedRefit, HasNoModelThatWouldFillTheMemory) {
+  const test::FittedForDraws fitted(test::withPerfectArcs(test::uncertainMeasurement(), circlesRead, 9, 150));
+  EXPECT_TRUE(expandedModel(fitted.task()));
+  SessionFit many = fitted.task().fit;
+  many.joint.readings.resize(1'000'000);
+  EXPECT_FALSE(expandedModel({fitted.task().fitted, many, fitted.task().plan}));
+}
+
+}  // namespace
+}  // namespace alidade

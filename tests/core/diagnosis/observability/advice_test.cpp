@@ -1,0 +1,209 @@
+#include "core/diagnosis/observability/advice.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/diagnosis/candidates/effect_components.h"
+#include "core/diagnosis/observability/look_alikes.h"
+#include "core/effects/cause_ids.h"
+#include "core/simulation/simulate.h"
+#include "tests/support/paper_table.h"
+
+namespace alidade {
+namespace {
+
+using Eigen::Vector2d, Eigen::VectorXd;
+using testing::ElementsAre;
+
+/// Read without noise, the places exactly as planned.
+GapModel modelBy(const Protocol& protocol, const std::vector<TrueSize>& effects) {
+  Truth truth = drawTruth(11);
+  truth.placeSpread = Angle();
+  truth.effects = effects;
+  return *modelOf(test::measurementOf(*simulateWithoutNoise(protocol, truth, 11)));
+}
+
+/// Into a session of which nothing has been explained yet.
+Inquiry inquiryInto(GapModel model) {
+  Leftover leftover(linearise(*model.measurement, model.fit, model.options));
+  return {std::move(model), std::move(leftover), {}, {}, {}, {}};
+}
+
+Inquiry paperInquiry() {
+  return inquiryInto(modelBy(*protocolByName("paper"), {}));
+}
+
+Cause causeOf(const std::string& id, double size, std::vector<std::string> likes) {
+  Cause cause{.effect = id,
+              .probability = 1,
+              .parameters = {},
+              .indistinguishableFrom = std::move(likes),
+              .readings = {}};
+  const EffectParameter& parameter = effectById(id)->parameters[0];
+  cause.parameters = {{std::string(parameter.name), size, 1, std::string(parameter.unit)}};
+  return cause;
+}
+
+Cause misread(ReadingKind kind, double arcseconds, std::vector<std::string> likes) {
+  Cause cause{.effect = grossErrorId,
+              .probability = 1,
+              .parameters = {},
+              .indistinguishableFrom = std::move(likes),
+              .readings = {}};
+  cause.readings = {{.kind = kind, .size = arcseconds}};
+  return cause;
+}
+
+Detectability unseen(std::string_view id, VectorXd weights) {
+  return {.effect = id, .weights = std::move(weights), .influence = 1, .visible = 0};
+}
+
+const Advice* adviceTo(Measure measure, const std::vector<Advice>& list) {
+  const auto found = std::ranges::find(list, measure, &Advice::measure);
+  return found == list.end() ? nullptr : &*found;
+}
+
+/// The most telling first, and none that tells nothing clearly.
+void expectInOrder(const std::vector<Advice>& list) {
+  ASSERT_GT(list.size(), 1u);
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    EXPECT_GE(list[i].bySigma, clearlyDifferent);
+    if (i == 0) continue;
+    EXPECT_GE(std::pair(list[i - 1].separates.size(), list[i - 1].bySigma),
+              std::pair(list[i].separates.size(), list[i].bySigma));
+  }
+}
+
+/// The plan of the paper with one more thing read, as a session of its own.
+std::vector<std::pair<Measure, Protocol>> moreThanThePaper() {
+  const Protocol paper = *protocolByName("paper");
+  Protocol faces = paper, back = paper, slider = paper;
+  faces.faces = FacePlan::BothAtEachPlace;
+  back.rounds = 2;
+  slider.slider = true;
+  return {{Measure::BothFaces, faces}, {Measure::WayBack, back}, {Measure::SliderReadings, slider}};
+}
+
+// Against sessions by the richer plan that hold the cause: how far they show it, and how far that is from
+// what the other can leave, is what the advice promises. It is linear in the cause: 2 %.
+TEST(Advice, PromisesWhatSessionsWithTheFurtherReadingsShow) {
+  const Inquiry inquiry = paperInquiry();
+  int told = 0;
+  std::vector<std::string> likes{"gravity_sag", "horizontal_drift", "trunnion_tilt"};
+  do {
+    const std::vector<Advice> list = adviceFor(inquiry, {causeOf("vertical_drift", 150, likes)}, {});
+    expectInOrder(list);
+    for (const auto& [measure, protocol] : moreThanThePaper()) {
+      SCOPED_TRACE(static_cast<int>(measure));
+      const GapModel held = modelBy(protocol, {{ErrorTerm::VerticalDrift, 150}});
+      const Leftover leftover(linearise(*held.measurement, held.fit));
+      const Trace trace(leftover, leftover.residual());
+      const std::vector<EffectComponent> effects = effectComponents(leftover, {});
+      std::vector<std::string> apart{"vertical_drift"};
+      double least = trace.length();
+      for (const std::string& id : likes) {
+        const double far = trace.differenceFrom(*std::ranges::find(effects, id, &EffectComponent::id));
+        if (far < clearlyDifferent) continue;
+        apart.push_back(id);
+        least = std::min(least, far);
+      }
+      const Advice* advice = adviceTo(measure, list);
+      ASSERT_EQ(advice != nullptr, apart.size() > 1);
+      if (!advice) continue;
+      ++told;
+      EXPECT_EQ(advice->separates, apart);
+      EXPECT_NEAR(advice->bySigma, least, 0.02 * least);
+      EXPECT_FALSE(advice->ofUnseen);
+    }
+  } while (std::ranges::next_permutation(likes).found);
+  EXPECT_GE(told, 2 * 6);
+}
+
+// Of a way back that shows a plausible drift, again by a session that holds it.
+TEST(Advice, TellsWhatWouldShowTheUnseenWhereNothingIsToBeToldApart) {
+  const Inquiry inquiry = paperInquiry();
+  const std::vector<Detectability> drifts{unseen("vertical_drift", VectorXd::Ones(1)),
+                                          unseen("horizontal_drift", -VectorXd::Ones(1))};
+  const Cause clear = causeOf("collimation", 40, {});
+  for (const std::vector<Cause>& causes : {std::vector<Cause>{}, {clear}}) {
+    const std::vector<Advice> list = adviceFor(inquiry, causes, drifts);
+    for (const auto& [measure, protocol] : moreThanThePaper()) {
+      SCOPED_TRACE(static_cast<int>(measure));
+      std::vector<std::string> shown;
+      double least = 0;
+      for (const auto& [id, size] :
+           {std::pair{ErrorTerm::VerticalDrift, 15.0}, {ErrorTerm::HorizontalDrift, -15.0}}) {
+        const double visible = std::sqrt(modelBy(protocol, {{id, size}}).fit.chiSquare);
+        if (visible < clearlyDifferent) continue;
+        least = shown.empty() ? visible : std::min(least, visible);
+        shown.emplace_back(effectOf(id)->id);
+      }
+      const Advice* advice = adviceTo(measure, list);
+      ASSERT_EQ(advice != nullptr, !shown.empty());
+      if (!advice) continue;
+      EXPECT_EQ(advice->separates, shown);
+      EXPECT_TRUE(advice->ofUnseen);
+      EXPECT_NEAR(advice->bySigma, least, 0.02 * least);
+    }
+    EXPECT_TRUE(adviceTo(Measure::WayBack, list));
+  }
+}
+
+// Two sightings of the zero, each with the noise of its circle.
+TEST(Advice, SightsTheZeroAgainWhereAMisreadValueMayBeAJump) {
+  GapModel model = modelBy(*protocolByName("paper"), {});
+  Measurement measurement = *model.measurement;
+  measurement.sigmaVertical = Angle::fromArcseconds(5);
+  const Inquiry inquiry = inquiryInto(*modelOf(measurement));
+  const std::vector<Detectability> unseenJump{unseen(jumpId, Vector2d(0.6, 0.8))};
+  for (const auto& [kind, sigma] : {std::pair{ReadingKind::Horizontal, 2.0}, {ReadingKind::Vertical, 5.0}}) {
+    const std::vector<Advice> list = adviceFor(inquiry, {misread(kind, -60, {jumpId})}, unseenJump);
+    ASSERT_EQ(list.size(), 1u);
+    EXPECT_EQ(list[0].measure, Measure::ZeroSightedAgain);
+    EXPECT_THAT(list[0].separates, ElementsAre(grossErrorId, jumpId));
+    EXPECT_NEAR(list[0].bySigma, 60 / sigma / std::numbers::sqrt2, 1e-9);
+    EXPECT_FALSE(list[0].ofUnseen);
+  }
+  EXPECT_TRUE(adviceFor(inquiry, {misread(ReadingKind::Vertical, 60, {})}, {}).empty());
+  Cause two = misread(ReadingKind::Vertical, 60, {jumpId});
+  two.readings.push_back(two.readings.front());
+  EXPECT_TRUE(adviceFor(inquiry, {two}, {}).empty());
+}
+
+// A jump of 60″ in the direction of 0.6 and 0.8; it comes first where nothing else is asked, else last.
+TEST(Advice, SightsTheZeroAgainWhereAJumpGoesUnseen) {
+  Measurement measurement = *modelBy(*protocolByName("paper"), {}).measurement;
+  measurement.sigmaVertical = Angle::fromArcseconds(5);
+  const Inquiry inquiry = inquiryInto(*modelOf(measurement));
+  const std::vector<Detectability> list{unseen("horizontal_drift", VectorXd::Ones(1)),
+                                        unseen(jumpId, Vector2d(0.6, -0.8))};
+  const double expected = std::hypot(36.0 / 2, 48.0 / 5) / std::numbers::sqrt2;
+  const std::vector<Advice> alone = adviceFor(inquiry, {}, list),
+                            beside =
+                                adviceFor(inquiry, {causeOf("vertical_drift", 100, {"trunnion_tilt"})}, list);
+  ASSERT_GT(alone.size(), 1u);
+  ASSERT_GT(beside.size(), 1u);
+  for (const Advice& zero : {alone.front(), beside.back()}) {
+    EXPECT_EQ(zero.measure, Measure::ZeroSightedAgain);
+    EXPECT_THAT(zero.separates, ElementsAre(jumpId));
+    EXPECT_NEAR(zero.bySigma, expected, 1e-9);
+    EXPECT_TRUE(zero.ofUnseen);
+  }
+  for (const Advice& other : beside) EXPECT_EQ(other.ofUnseen, other.measure == Measure::ZeroSightedAgain);
+}
+
+TEST(Advice, IsNotGivenWhereNothingIsAsked) {
+  EXPECT_TRUE(adviceFor(paperInquiry(), {}, {}).empty());
+  EXPECT_TRUE(adviceFor(paperInquiry(), {causeOf("collimation", 40, {})}, {}).empty());
+}
+
+}  // namespace
+}  // namespace alidade

@@ -1,0 +1,121 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <random>
+#include <utility>
+#include <vector>
+
+#include "core/adjustment/monte_carlo/refit.h"
+#include "tests/support/perfect_session.h"
+
+namespace alidade::test {
+
+// Draws whose refit is known: what is drawn are the perfect readings of other circles than those that were
+// read.
+
+/// Each σ its own, so that none can stand in for another.
+inline Measurement uncertainMeasurement() {
+  Measurement measurement = usualMeasurement();
+  measurement.sigmaVertical = Angle::fromArcseconds(3);
+  measurement.sigmaSlider = Angle::fromArcseconds(20);
+  measurement.sigmaZeroHorizontal = Angle::fromArcseconds(1);
+  measurement.sigmaZeroVertical = Angle::fromArcseconds(4);
+  measurement.sigmaDistance = 0.7;
+  measurement.sigmaRadius = 0.3;
+  return measurement;
+}
+
+/// `measurement` with perfect arcs on both circles, over the upper half at 0° and the lower at 180°; with
+/// readings of a slider whose zero stands at 10° if there are `sliders`.
+inline Measurement withPerfectArcs(Measurement measurement, const std::array<Circle, 2>& circles, int places,
+                                   double spanDegrees, bool sliders = false) {
+  measurement.arcs.clear();
+  measurement.rows = 0;
+  for (const int axisDeg : {0, 180}) {
+    const std::vector<double> angles = spread(places, spanDegrees, axisDeg == 0 ? 90 : 270);
+    ArcMeasurement& arc = measurement.arcs.emplace_back(
+        perfectArc(measurement, circles[axisDeg == 0 ? 0 : 1], angles, axisDeg));
+    for (Sighting& sighting : arc.sightings) {
+      sighting.sequence = measurement.rows++;
+      const Angle phi = Angle::fromRadians(angles[sighting.row]);
+      if (sliders) sighting.slider = Angle::fromDegrees(10) + (axisDeg == 0 ? phi : -phi);
+    }
+  }
+  return measurement;
+}
+
+/// A drift of the vertical circle by so much: zenith readings grow over the session, so that e, counted from
+/// a zero that counts as taken in its middle, shrinks.
+inline void addVerticalDrift(Measurement& measurement, Angle drift) {
+  for (ArcMeasurement& arc : measurement.arcs)
+    for (Sighting& sighting : arc.sightings) {
+      const auto row = static_cast<double>(sighting.sequence),
+                 last = static_cast<double>(measurement.rows - 1);
+      sighting.e = sighting.e - drift * (row / last - 0.5);
+    }
+}
+
+/// A measurement with its fit, and what is drawn of it.
+class FittedForDraws {
+ public:
+  explicit FittedForDraws(Measurement measurement)
+      : m_measurement(std::move(measurement)),
+        m_fit(fitSession(m_measurement)),
+        m_plan(m_measurement, m_fit.noise) {}
+  FittedForDraws(const FittedForDraws&) = delete;
+  FittedForDraws& operator=(const FittedForDraws&) = delete;
+
+  RefitTask task() const { return {m_measurement, m_fit, m_plan}; }
+
+ private:
+  Measurement m_measurement;
+  SessionFit m_fit;
+  DrawPlan m_plan;
+};
+
+/// A draw of nothing but its scale.
+inline Draw quietDraw(const RefitTask& task, double scale = 1) {
+  Draw draw;
+  task.plan.drawInto(draw, 1, 0);
+  draw.scale = scale;
+  for (double& normal : draw.normals) normal = 0;
+  return draw;
+}
+
+/// The draw in which the readings, L and R0 become those of `wanted`. The pointing zeros are drawn from the
+/// seed, and the readings' noise makes up for them.
+inline Draw drawOf(const RefitTask& task, const Measurement& wanted, double scale, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> normal;
+  const Measurement& read = task.fitted;
+  Draw draw = quietDraw(task, scale);
+  const auto inSigmas = [](double change, double sigma) { return sigma > 0 ? change / sigma : 0; };
+  draw.normals[DrawPlan::distance] = inSigmas(wanted.distance - read.distance, read.sigmaDistance);
+  draw.normals[DrawPlan::radius] = inSigmas(wanted.nominalRadius - read.nominalRadius, read.sigmaRadius);
+  for (std::size_t arc = 0; arc < read.arcs.size(); ++arc) {
+    double* zeros = &draw.normals[task.plan.zeros(arc)];
+    zeros[0] = normal(random);
+    zeros[1] = normal(random);
+    const Angle zeroA = read.sigmaZeroHorizontal * zeros[0], zeroE = read.sigmaZeroVertical * zeros[1];
+    for (std::size_t i = 0; i < read.arcs[arc].sightings.size(); ++i) {
+      const Sighting &from = read.arcs[arc].sightings[i], &to = wanted.arcs[arc].sightings[i];
+      double* noise = &draw.normals[task.plan.readings(arc, i)];
+      noise[0] = (to.a - from.a - zeroA).radians() / (read.sigmaHorizontal * scale).radians();
+      noise[1] = (to.e - from.e - zeroE).radians() / (read.sigmaVertical * scale).radians();
+      if (from.slider)
+        noise[2] = (*to.slider - *from.slider).radians() / (read.sigmaSlider * scale).radians();
+    }
+  }
+  return draw;
+}
+
+/// Δx and Δy of each arc for each draw.
+inline std::vector<double> centresOf(Refit& refit, const RefitTask& task, const std::vector<Draw>& drawn) {
+  std::vector<double> centres(drawn.size() * task.centres());
+  refit.refit(drawn, centres);
+  return centres;
+}
+
+}  // namespace alidade::test
