@@ -346,7 +346,7 @@ void MainWindow::showSuspects(const SharedEvaluation& evaluation) {
 void MainWindow::showGap(const SharedGap& gap) {
   const QString headline = gap->isOpen() ? gapHeadline(*gap->diagnosis) : QString();
   m_gap->setGap(gap);
-  m_result->setGapHint(headline);
+  m_result->setGap(*gap);
   m_findings->setGap(headline);
   m_details->setTabIcon(m_details->indexOf(m_gap),
                         gap->isOpen() ? themeIcon(QStringLiteral("warning")) : QIcon());
@@ -367,7 +367,7 @@ void MainWindow::showGapAsOld() {
 /// Nothing is known yet of another session.
 void MainWindow::showNoGap() {
   m_gap->clear();
-  m_result->setGapHint({});
+  m_result->clearGap();
   m_findings->clearGap();
   m_details->setTabIcon(m_details->indexOf(m_gap), QIcon());
   m_isGapOld = false;

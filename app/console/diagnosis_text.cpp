@@ -53,8 +53,8 @@ std::string causeText(const Cause& cause) {
   std::string text = "\nCause: " + cause.effect + ", probability " + fixedText(cause.probability, 3) + "\n";
   for (const CauseParameter& parameter : cause.parameters)
     text += "  " + parameter.name + " " + sizeText(parameter.value, parameter.sigma) +
-            (parameter.sigma > 0 ? " ± " + sizeText(parameter.sigma, parameter.sigma) : "") +
-            (parameter.unit.size() > 1 ? " " + parameter.unit : "") + "\n";
+            (parameter.unit.size() > 1 ? " " + parameter.unit : "") +
+            (parameter.sigma > 0 ? " (u " + sizeText(parameter.sigma, parameter.sigma) + ")" : "") + "\n";
   for (const ReadingDeviation& reading : cause.readings) text += "  " + readingText(reading) + "\n";
   if (!cause.indistinguishableFrom.empty())
     text +=

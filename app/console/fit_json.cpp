@@ -53,6 +53,28 @@ Json intersectionJson(const Intersection& intersection) {
           {"in_plane_mm", intersection.inPlane}};
 }
 
+/// The keys of `intersectionJson`; an average over accounts has no degrees of freedom, and no part along x.
+Json asFoundJson(const IntersectionEstimate& found, double coverage) {
+  return {{"value_mm", found.value},
+          {"sigma_mm", found.sigma},
+          {"expanded_mm", found.expanded},
+          {"coverage", coverage},
+          {"coverage_factor", found.sigma > 0 ? found.expanded / found.sigma : undefined},
+          {"effective_degrees_of_freedom", undefined},
+          {"in_plane_mm", undefined}};
+}
+
+Json decisionJson(const FitAnswer& answer, const AcceptanceDecision& decision) {
+  const bool isOpen = decision.verdict == Verdict::Undecided;
+  return {{"tolerance_mm", answer.measurement.tolerance.value()},
+          {"verdict", verdictName(decision.verdict)},
+          {"conformance_probability", decision.conformance.value_or(undefined)},
+          {"as_modelled", verdictName(decision.asModelled)},
+          {"as_found", decision.asFound ? Json(verdictName(*decision.asFound)) : Json()},
+          {"reason", isOpen ? verdictSentence(answer.measurement, answer.fit, answer.found(), decision)
+                            : std::string()}};
+}
+
 Json budgetJson(const std::vector<BudgetEntry>& entries) {
   Json budget = Json::array();
   for (const BudgetEntry& entry : entries)
@@ -194,22 +216,22 @@ Json monteCarloJson(const MonteCarlo& check) {
 
 }  // namespace
 
-std::string fitJson(const std::string& name, const Measurement& measurement, const SessionFit& fit,
-                    const std::vector<Suspect>& suspects, const std::optional<MonteCarlo>& check) {
-  Json document = {{"session", name}, {"method", "rigorous"}, {"arcs", Json::array()}};
+std::string fitJson(const FitAnswer& answer) {
+  const Measurement& measurement = answer.measurement;
+  const SessionFit& fit = answer.fit;
+  Json document = {{"session", answer.session}, {"method", "rigorous"}, {"arcs", Json::array()}};
   for (std::size_t i = 0; i < fit.arcs.size(); ++i) {
     document["arcs"].push_back(arcJson(fit.arcs[i], fit.sigmas[i]));
     document["arcs"].back()["budget"] = arcBudgetJson(fit.budgets[i]);
   }
   document["noise_scale"] = fit.noise.factor;
   if (fit.intersection) document["intersection"] = intersectionJson(*fit.intersection);
-  if (fit.verdict) {
-    document["decision"] = {{"tolerance_mm", measurement.tolerance.value()},
-                            {"verdict", verdictName(*fit.verdict)}};
-    if (fit.lengthsInDoubt) document["decision"]["reason"] = verdictSentence(measurement, fit);
-  }
+  if (answer.diagnosis && answer.diagnosis->afterwards)
+    document["intersection_as_found"] = asFoundJson(*answer.diagnosis->afterwards, measurement.coverage);
+  if (const auto decision = decideAcceptance(measurement, fit, answer.found()))
+    document["decision"] = decisionJson(answer, *decision);
   document["budget"] = fit.intersection ? budgetJson(fit.intersection->budget) : Json::array();
-  if (check) document["monte_carlo"] = monteCarloJson(*check);
+  if (answer.check) document["monte_carlo"] = monteCarloJson(*answer.check);
   document["effects"] = Json::array();
   for (const EffectEstimate& estimate : fit.effects) document["effects"].push_back(effectJson(estimate));
   document["reliability"] = Json::array();
@@ -220,8 +242,8 @@ std::string fitJson(const std::string& name, const Measurement& measurement, con
     lists.push_back(visitsList(measurement, *faces));
   }
   document["suspects"] = Json::array();
-  for (const Suspect& suspect : suspects) document["suspects"].push_back(suspectJson(suspect));
-  document["findings"] = findingsJson(inWords(fit.findings, suspects));
+  for (const Suspect& suspect : answer.suspects) document["suspects"].push_back(suspectJson(suspect));
+  document["findings"] = findingsJson(inWords(fit.findings, answer.suspects));
   return jsonText(document, lists);
 }
 

@@ -1,11 +1,8 @@
 #pragma once
 
-#include <optional>
 #include <string>
-#include <vector>
 
-#include "core/adjustment/gross_errors/suspects.h"
-#include "core/adjustment/monte_carlo/monte_carlo.h"
+#include "app/console/fit_answer.h"
 #include "core/adjustment/result/session_fit.h"
 #include "core/session/measurement.h"
 
@@ -13,11 +10,10 @@ namespace alidade::console {
 
 // The JSON document of `alidade-cli fit --json`, ending in a newline. Lengths in mm, y up, residuals in
 // arcseconds. `intersection` is absent without arcs at 0° and 180°, `decision` without a tolerance or an
-// intersection. What has no finite value is null: reduced χ² without redundancy, and every uncertainty of the
-// published method, which states none.
+// intersection, `intersection_as_found` without a diagnosis. What has no finite value is null: reduced χ²
+// without redundancy, and every uncertainty of the published method, which states none.
 
-std::string fitJson(const std::string& name, const Measurement& measurement, const SessionFit& fit,
-                    const std::vector<Suspect>& suspects, const std::optional<MonteCarlo>& check = {});
+std::string fitJson(const FitAnswer& answer);
 std::string fitJson(const std::string& name, const Measurement& measurement, const PublishedSessionFit& fit);
 
 }  // namespace alidade::console

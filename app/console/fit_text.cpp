@@ -9,6 +9,7 @@
 #include "core/base/number_text.h"
 #include "core/base/quantity_text.h"
 #include "core/wording/budget.h"
+#include "core/wording/diagnosis_sentence.h"
 #include "core/wording/findings.h"
 #include "core/wording/suspects.h"
 #include "core/wording/verdict.h"
@@ -64,9 +65,21 @@ std::string intersectionText(const Measurement& measurement, const Intersection&
          referenceLine(measurement, intersection.value);
 }
 
-std::string verdictText(const Measurement& measurement, const SessionFit& fit) {
-  if (!fit.verdict) return fit.intersection ? "\nVerdict: none, the session states no tolerance.\n" : "";
-  return "\n" + paragraph("Verdict: " + verdictName(*fit.verdict) + ". " + verdictSentence(measurement, fit));
+/// Beside the Δd of the session's own model, where a gap is more than noise.
+std::string asFoundText(const FitAnswer& answer) {
+  if (!answer.diagnosis || !isMoreThanNoise(*answer.diagnosis)) return "";
+  const auto& found = answer.diagnosis->afterwards;
+  return (found ? "With what was found below: Δd = " + fixedText(found->value, 6) + " mm ± " +
+                      fixedText(found->expanded, 4) + " mm\n"
+                : std::string("With what was found below, these readings do not determine Δd.\n")) +
+         "\n" + paragraph("Gap: " + sentenceOf(*answer.diagnosis) + " `alidade-cli diagnose` says more.");
+}
+
+std::string verdictText(const FitAnswer& answer) {
+  const auto decision = decideAcceptance(answer.measurement, answer.fit, answer.found());
+  if (!decision) return answer.fit.intersection ? "\nVerdict: none, the session states no tolerance.\n" : "";
+  return "\n" + paragraph("Verdict: " + verdictName(decision->verdict) + ". " +
+                          verdictSentence(answer.measurement, answer.fit, answer.found(), *decision));
 }
 
 std::string budgetText(const Intersection& intersection) {
@@ -101,7 +114,7 @@ std::string linearSentence(const MonteCarlo& check) {
 }
 
 std::string monteCarloText(const MonteCarlo& check) {
-  Rows rows = {{"Monte Carlo (mm)", "mean", "σ", percent(check.coverage) + " from", "to"}};
+  Rows rows = {{"Monte Carlo (mm)", "mean", "u", percent(check.coverage) + " from", "to"}};
   if (check.intersection) rows.push_back(spreadRow("Δd", *check.intersection));
   for (const CentreSpread& centre : check.centres) {
     const std::string at = " at " + std::to_string(centre.axisDeg) + "°";
@@ -127,14 +140,14 @@ std::string suspectsText(const std::vector<Suspect>& suspects) {
 }
 
 std::string noiseText(const NoiseScale& noise) {
-  if (std::isinf(noise.degreesOfFreedom)) return "σ rests on the stated noise of the readings alone.\n";
+  if (std::isinf(noise.degreesOfFreedom)) return "u rests on the stated noise of the readings alone.\n";
   return "Readings scatter " + fixedText(noise.factor, 2) +
-         " times as much as stated; σ of the readings is scaled by that.\n";
+         " times as much as stated (s0); the readings' part of u is scaled by that.\n";
 }
 
 std::string effectsText(const std::vector<EffectEstimate>& effects) {
   if (effects.empty()) return "";
-  Rows rows = {{"Effects estimated along", "value", "σ", "unit"}};
+  Rows rows = {{"Effects estimated along", "value", "u", "unit"}};
   for (const EffectEstimate& estimate : effects)
     rows.push_back({"  " + estimate.effect + ", " + estimate.name,
                     fixedText(estimate.value, decimalsFor(estimate.sigma)),
@@ -155,7 +168,7 @@ std::string arcsText(const SessionFit& fit) {
   for (std::size_t i = 0; i < fit.arcs.size(); ++i) {
     const ArcSigma& sigma = fit.sigmas[i];
     rows.push_back(arcRow(fit.arcs[i]));
-    rows.push_back({"  σ", fixedText(sigma.x, 4), fixedText(sigma.y, 4), fixedText(sigma.radius, 4)});
+    rows.push_back({"  u", fixedText(sigma.x, 4), fixedText(sigma.y, 4), fixedText(sigma.radius, 4)});
   }
   return alignedColumns(rows) + correlationText(fit) + noiseText(fit.noise);
 }
@@ -188,20 +201,21 @@ std::string intersectionText(const Measurement& measurement, const PublishedSess
 
 }  // namespace
 
-std::string fitText(const std::string& name, const Measurement& measurement, const SessionFit& fit,
-                    const std::vector<Suspect>& suspects, const std::optional<MonteCarlo>& check) {
+std::string fitText(const FitAnswer& answer) {
+  const Measurement& measurement = answer.measurement;
+  const SessionFit& fit = answer.fit;
   std::string text =
-      heading(name) +
+      heading(answer.session) +
       "Rigorous fit: orthogonal least squares on the readings of both circles; x right, y up\n\n" +
       arcsText(fit);
   if (fit.intersection) text += intersectionText(measurement, *fit.intersection);
-  text += verdictText(measurement, fit);
+  text += asFoundText(answer) + verdictText(answer);
   if (fit.intersection) text += budgetText(*fit.intersection);
-  if (check) text += monteCarloText(*check);
+  if (answer.check) text += monteCarloText(*answer.check);
   text += effectsText(fit.effects);
   if (const auto faces = compareFaces(measurement)) text += twoFacesText(measurement, *faces);
-  text += suspectsText(suspects);
-  return text + findingsText(inWords(fit.findings, suspects));
+  text += suspectsText(answer.suspects);
+  return text + findingsText(inWords(fit.findings, answer.suspects));
 }
 
 std::string fitText(const std::string& name, const Measurement& measurement, const PublishedSessionFit& fit) {

@@ -1,11 +1,8 @@
 #pragma once
 
-#include <optional>
 #include <string>
-#include <vector>
 
-#include "core/adjustment/gross_errors/suspects.h"
-#include "core/adjustment/monte_carlo/monte_carlo.h"
+#include "app/console/fit_answer.h"
 #include "core/adjustment/result/session_fit.h"
 #include "core/session/measurement.h"
 
@@ -14,8 +11,7 @@ namespace alidade::console {
 // A fit as text for people, UTF-8, ending in a newline. Lengths in mm, y up. The published method is shown in
 // the form it was published in beside the circle it means in this program's frame.
 
-std::string fitText(const std::string& name, const Measurement& measurement, const SessionFit& fit,
-                    const std::vector<Suspect>& suspects, const std::optional<MonteCarlo>& check = {});
+std::string fitText(const FitAnswer& answer);
 std::string fitText(const std::string& name, const Measurement& measurement, const PublishedSessionFit& fit);
 
 }  // namespace alidade::console

@@ -37,7 +37,7 @@ std::string twoFacesText(const Measurement& measurement, const TwoFaces& faces) 
                      std::to_string(sighting.point), fixedText(visit.elevation.degrees(), 3),
                      seconds(visit.doubleCollimation), seconds(visit.fromCourse), seconds(visit.index)});
   }
-  Rows errors = {{"From both faces", "value (″)", "σ (″)"}, errorRow("collimation c", faces.collimation)};
+  Rows errors = {{"From both faces", "value (″)", "u (″)"}, errorRow("collimation c", faces.collimation)};
   if (faces.trunnionTilt) errors.push_back(errorRow("trunnion tilt i", *faces.trunnionTilt));
   errors.push_back(errorRow("vertical index j", faces.index));
   return "\n" + alignedColumns(table) + "\n" + alignedColumns(errors) + scatterText("2c", faces.horizontal) +

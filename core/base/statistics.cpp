@@ -59,6 +59,15 @@ double coverageFactor(double coverage, DegreesOfFreedom degreesOfFreedom) {
       boost::math::students_t_distribution<double, QuietAndQuick>(degreesOfFreedom.count()), outside));
 }
 
+std::optional<double> studentLowerTail(double t, DegreesOfFreedom degreesOfFreedom) {
+  if (!degreesOfFreedom.areThere() || std::isnan(t)) return std::nullopt;
+  if (std::isinf(t)) return t < 0 ? 0 : 1;
+  if (degreesOfFreedom.areInfinite())
+    return known(boost::math::cdf(boost::math::normal_distribution<double, Quiet>(), t));
+  return known(
+      boost::math::cdf(boost::math::students_t_distribution<double, Quiet>(degreesOfFreedom.count()), t));
+}
+
 DegreesOfFreedom effectiveDegreesOfFreedom(double sigma, double scaled, DegreesOfFreedom ofScaled) {
   if (ofScaled.areInfinite() || !(scaled > 0)) return DegreesOfFreedom::infinite();
   return ofScaled.count() * std::pow(sigma / scaled, 4);

@@ -52,6 +52,10 @@ std::optional<double> fUpperTail(Misfit misfit, DegreesOfFreedom numerator, Degr
 /// `coverage` in (0, 1). Infinite without degrees of freedom: then no interval is wide enough.
 double coverageFactor(double coverage, DegreesOfFreedom degreesOfFreedom);
 
+/// Probability that a Student variable (infinite degrees of freedom: normal) is less than `t`. Absent without
+/// degrees of freedom, or where `t` is no number.
+std::optional<double> studentLowerTail(double t, DegreesOfFreedom degreesOfFreedom);
+
 /// Degrees of freedom of a combined σ of which `scaled`, estimated with `ofScaled`, is the only part that was
 /// estimated (Welch-Satterthwaite, JCGM 100, G.4.1: ν (σ/scaled)⁴). Infinite where that part is nothing.
 DegreesOfFreedom effectiveDegreesOfFreedom(double sigma, double scaled, DegreesOfFreedom ofScaled);

@@ -46,8 +46,8 @@ Words wordsOf(const ScattersLess& finding) {
 }
 
 Words wordsOf(const RadiusPoorlyKnown& finding) {
-  return {"an arc of " + displayText(finding.span.degrees(), 1) + "° fixes the radius to ± " +
-              displayText(finding.sigma, 1) + " mm only (1σ), and the centre hardly better.",
+  return {"an arc of " + displayText(finding.span.degrees(), 1) + "° fixes the radius only to u = " +
+              displayText(finding.sigma, 1) + " mm, and the centre hardly better.",
           "Sight places over a longer arc."};
 }
 

@@ -17,13 +17,71 @@ std::string textOf(const LengthsInDoubt& doubt) {
          check;
 }
 
+std::string lengthText(double value, double expanded) {
+  const int decimals = decimalsFor(expanded);
+  return displayText(value, decimals) + " mm ± " + displayText(expanded, decimals) + " mm";
+}
+
+std::string limitText(const Measurement& measurement) {
+  return "the tolerance of ± " + displayShortest(*measurement.tolerance) + " mm";
+}
+
+/// Of one account: where it lies.
+std::string standing(Verdict verdict, const std::string& limit) {
+  switch (verdict) {
+    case Verdict::Accept:
+      return "within " + limit;
+    case Verdict::Reject:
+      return "outside " + limit;
+    case Verdict::Undecided:
+      break;
+  }
+  return "not clearly within or outside " + limit;
+}
+
+std::string agreement(Verdict verdict, const std::string& limit) {
+  if (verdict == Verdict::Undecided)
+    return "; with these uncertainties it cannot be said whether it lies within " + limit + ".";
+  return "; both lie " + standing(verdict, limit) + ", their uncertainty included.";
+}
+
+std::string bothAccounts(const Measurement& measurement, const Intersection& modelled,
+                         const Diagnosis& diagnosis, const AcceptanceDecision& decision) {
+  const std::string limit = limitText(measurement);
+  const std::string first =
+      "As modelled, the intersection is " + lengthText(modelled.value, modelled.expanded);
+  if (!diagnosis.afterwards)
+    return first + ", " + standing(decision.asModelled, limit) +
+           "; but with what the diagnosis found, these readings do not determine it.";
+  const std::string second = "with what the diagnosis found, it is " +
+                             lengthText(diagnosis.afterwards->value, diagnosis.afterwards->expanded);
+  const std::string coverage = " (" + displayShortest(measurement.coverage * 100) + " % coverage)";
+  if (decision.asModelled == decision.asFound)
+    return first + "; " + second + coverage + agreement(decision.asModelled, limit);
+  return first + ", " + standing(decision.asModelled, limit) + "; " + second + coverage + ", " +
+         standing(*decision.asFound, "it") +
+         ". Add to the model what was found, or measure what the diagnosis advises.";
+}
+
 }  // namespace
 
-std::string verdictSentence(const Measurement& measurement, const SessionFit& fit) {
-  if (!fit.verdict) return {};
+std::string probabilityText(double probability) {
+  constexpr double nearlyCertain = 0.9995;
+  if (probability >= nearlyCertain) return "more than 99.9 %";
+  if (probability < 1 - nearlyCertain) return "less than 0.1 %";
+  return displayText(probability * 100, 1) + " %";
+}
+
+std::string verdictSentence(const Measurement& measurement, const SessionFit& fit, const Diagnosis* diagnosis,
+                            const AcceptanceDecision& decision) {
   if (fit.lengthsInDoubt) return "The verdict is withheld: " + textOf(*fit.lengthsInDoubt);
-  return verdictSentence(fit.intersection->value, fit.intersection->expanded, *measurement.tolerance,
-                         measurement.coverage);
+  const std::string rests = decision.showsBoth
+                                ? bothAccounts(measurement, *fit.intersection, *diagnosis, decision)
+                                : verdictSentence(fit.intersection->value, fit.intersection->expanded,
+                                                  *measurement.tolerance, measurement.coverage);
+  if (!decision.conformance) return rests;
+  return rests + (decision.showsBoth ? " By what was found, it conforms" : " It conforms") +
+         " with a probability of " + probabilityText(*decision.conformance) + ".";
 }
 
 std::string verdictSentence(double value, double expanded, double tolerance, double coverage) {

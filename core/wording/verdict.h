@@ -2,15 +2,20 @@
 
 #include <string>
 
-#include "core/adjustment/result/session_fit.h"
+#include "core/diagnosis/decision.h"
 
 namespace alidade {
 
 // The verdict of an acceptance, for a customer. Lengths in mm.
 
-/// What the verdict of the fit rests on, or why it is withheld; empty where there is none. `measurement` is
-/// what was fitted.
-std::string verdictSentence(const Measurement& measurement, const SessionFit& fit);
+/// What the verdict rests on, or why it is withheld, and how probably |Δd| is within the tolerance; with both
+/// accounts of Δd where they belong beside it. `fit`, `diagnosis` (null: none was made) and `decision` are of
+/// `measurement`.
+std::string verdictSentence(const Measurement& measurement, const SessionFit& fit, const Diagnosis* diagnosis,
+                            const AcceptanceDecision& decision);
+
+/// "97.3 %", "more than 99.9 %": of 0…1.
+std::string probabilityText(double probability);
 
 /// What `decide` decides, with the numbers it rests on. `expanded` ≥ 0, `tolerance` > 0, `coverage` in (0,
 /// 1).

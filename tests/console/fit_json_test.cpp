@@ -5,6 +5,7 @@
 #include <set>
 
 #include "tests/console/console.h"
+#include "tests/support/file_content.h"
 
 namespace alidade::test {
 namespace {
@@ -99,7 +100,10 @@ TEST(FitJson, HasTheKeysOfTheContract) {
   for (const char* key : {"value_mm", "sigma_mm", "expanded_mm", "coverage", "in_plane_mm"}) {
     EXPECT_TRUE(fit["intersection"][key].is_number()) << key;
   }
-  EXPECT_EQ(keysOf(fit["decision"]), (std::set<std::string>{"tolerance_mm", "verdict"}));
+  EXPECT_EQ(keysOf(fit["decision"]),
+            (std::set<std::string>{"tolerance_mm", "verdict", "conformance_probability", "as_modelled",
+                                   "as_found", "reason"}));
+  EXPECT_EQ(keysOf(fit["intersection_as_found"]), keysOf(fit["intersection"]));
   EXPECT_TRUE(fit["suspects"].is_array());
   EXPECT_EQ(fit["arcs"][0]["readings"], 17);
   EXPECT_EQ(fit["arcs"][0]["degrees_of_freedom"], 14);
@@ -138,6 +142,36 @@ TEST(FitJson, DecidesByTheGuardBand) {
   EXPECT_EQ(verdictAt(value + expanded - 0.001), "undecided");
   EXPECT_EQ(verdictAt(value - expanded + 0.001), "undecided");
   EXPECT_EQ(verdictAt(value - expanded - 0.001), "reject");
+}
+
+// Two causes were put in, Δd is 0.40 mm; the model without them says 0.458 ± 0.039 mm, and with what the
+// diagnosis finds it is 0.377 ± 0.035 mm. Between the two no verdict stands.
+TEST(FitJson, DecidesNothingThatTheDiagnosisContradicts) {
+  const TemporaryFolder folder;
+  const auto answerAt = [&](double tolerance, std::vector<std::string> more) {
+    Json session = Json::parse(contentOf(ALIDADE_SAMPLES_DIR "/two-causes.alidade"));
+    session["acceptance"]["tolerance_mm"] = tolerance;
+    more.insert(more.begin(), {"fit", folder.file("s.alidade", session.dump()), "--json"});
+    return Json::parse(alidadeCli(more).out);
+  };
+  const Json open = answerAt(0.415, {});
+  EXPECT_EQ(open["decision"]["as_modelled"], "reject");
+  EXPECT_EQ(open["decision"]["as_found"], "accept");
+  EXPECT_EQ(open["decision"]["verdict"], "undecided");
+  EXPECT_THAT(open["decision"]["reason"].get<std::string>(),
+              ::testing::HasSubstr("what the diagnosis found"));
+  const Json found = open["intersection_as_found"];
+  EXPECT_NEAR(found["value_mm"], 0.40, found["expanded_mm"]);
+  EXPECT_GT(
+      open["intersection"]["value_mm"].get<double>() - open["intersection"]["expanded_mm"].get<double>(),
+      0.40);
+  EXPECT_EQ(answerAt(1, {})["decision"]["verdict"], "accept");
+  EXPECT_EQ(answerAt(1, {})["decision"]["reason"], "");
+  EXPECT_EQ(answerAt(0.2, {})["decision"]["verdict"], "reject");
+  const Json alone = answerAt(0.415, {"--no-diagnosis"});
+  EXPECT_EQ(alone["decision"]["verdict"], "reject");
+  EXPECT_TRUE(alone["decision"]["as_found"].is_null());
+  EXPECT_FALSE(alone.contains("intersection_as_found"));
 }
 
 // With metres for millimetres every length of the fit is a thousandth, its uncertainty too: "accept" of

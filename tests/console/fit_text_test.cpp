@@ -29,6 +29,15 @@ TEST(FitText, TellsCentresRadiiAndIntersectionOfThePapersReadings) {
   EXPECT_THAT(text, HasSubstr("set to 2 mm; Δd differs by -0.6924 mm"));
 }
 
+TEST(FitText, TellsWhatTheDiagnosisFoundBesideTheModel) {
+  const std::string two = ALIDADE_SAMPLES_DIR "/two-causes.alidade";
+  EXPECT_THAT(textOf(two), ContainsRegex("Intersection Δd = 0\\.458[0-9]* mm ± 0\\.0[0-9]+ mm"));
+  EXPECT_THAT(textOf(two),
+              ContainsRegex("With what was found below: Δd = 0\\.377[0-9]* mm ± 0\\.0[0-9]+ mm"));
+  EXPECT_THAT(textOf(two), HasSubstr("\nGap: The gap has several causes: "));
+  EXPECT_THAT(textOf(paperSession), Not(HasSubstr("With what was found"))) << "noise alone";
+}
+
 TEST(FitText, GivesTheBudgetAndTheFindings) {
   const std::string text = textOf(paperSession);
   EXPECT_THAT(text, ContainsRegex("  readings +0\\.1018 mm"));

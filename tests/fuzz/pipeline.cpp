@@ -34,8 +34,8 @@ void fit(const Session& session, const Measurement& measurement) {
   test::expectFit(measurement, fit);
   const std::vector<Suspect> suspects = findSuspects(session, measurement, fit);
   test::expectSuspects(session, suspects);
-  requireText(console::fitText(name, measurement, fit, suspects));
-  requireJson(console::fitJson(name, measurement, fit, suspects));
+  requireText(console::fitText({name, measurement, fit, suspects}));
+  requireJson(console::fitJson({name, measurement, fit, suspects}));
   const PublishedSessionFit published = fitSessionAsPublished(measurement);
   requireText(console::fitText(name, measurement, published));
   requireJson(console::fitJson(name, measurement, published));

@@ -98,10 +98,43 @@ TEST(MainWindow, FitsAMeasurementTypedByKeyboardAlone) {
     }
   }
   EXPECT_THAT(resultOf(open), HasSubstr("Δd = 1.31 ± 0.2"));
-  EXPECT_THAT(resultOf(open), HasSubstr("No tolerance set"));
+  EXPECT_THAT(resultOf(open), HasSubstr("No tolerance stated"));
   typeInto(field(open, "acceptance.tolerance_mm"), QStringLiteral("2.5"));
   open.settle();
-  EXPECT_THAT(resultOf(open), HasSubstr("ACCEPT"));
+  EXPECT_THAT(resultOf(open), HasSubstr("Accepted as modelled\n"));
+  ASSERT_TRUE(waitFor([&] { return open->gapJob().isIdle(); }));
+  EXPECT_THAT(resultOf(open), HasSubstr("Accepted\n"));
+  EXPECT_THAT(resultOf(open), Not(HasSubstr("as modelled\n")));
+}
+
+// The file's two causes put Δd 0.08 mm lower than the model without them has it: outside the one limit,
+// inside the other.
+TEST(MainWindow, ShowsNoVerdictThatTheDiagnosisContradicts) {
+  OpenWindow open;
+  ASSERT_TRUE(open->files().open(samplePath(QStringLiteral("two-causes.alidade"))));
+  field(open, "acceptance.tolerance_mm").selectAll();
+  typeInto(field(open, "acceptance.tolerance_mm"), QStringLiteral("0.415"));
+  open.settle();
+  EXPECT_THAT(resultOf(open), HasSubstr("Rejected as modelled\n"));
+  EXPECT_THAT(resultOf(open), HasSubstr("the diagnosis is still to speak"));
+  ASSERT_TRUE(waitFor([&] { return open->gapJob().isIdle(); }));
+  EXPECT_THAT(resultOf(open), HasSubstr("Undecided\n"));
+  EXPECT_THAT(resultOf(open), HasSubstr("Δd = 0.458 ± 0.039 mm"));
+  EXPECT_THAT(resultOf(open), HasSubstr("Δd = 0.377 ± 0.035 mm with what the diagnosis found"));
+}
+
+// What the report would print, too.
+TEST(MainWindow, GivesNoVerdictWithAnEntryThatCannotBeUsed) {
+  OpenWindow open;
+  loadPaper(open);
+  ReadingsTable& table = *open->currentTable();
+  table.selectCell(3, ReadingColumn::Vertical);
+  typeInto(table, QStringLiteral("86 71 00"));
+  open.settle();
+  ASSERT_TRUE(waitFor([&] { return open->gapJob().isIdle(); }));
+  EXPECT_THAT(resultOf(open), HasSubstr("No verdict: 1 entry could not be used"));
+  EXPECT_THAT(resultOf(open), Not(HasSubstr("Accepted")));
+  EXPECT_THAT(resultOf(open), HasSubstr("Δd = "));
 }
 
 TEST(MainWindow, KeepsAWrongAngleOutOfTheFitAndFindsItBack) {

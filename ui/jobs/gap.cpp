@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "core/diagnosis/decision.h"
 #include "core/diagnosis/diagnose.h"
 #include "core/effects/catalogue.h"
-#include "core/effects/cause_ids.h"
 #include "core/wording/diagnosis_fault.h"
 
 namespace alidade::ui {
@@ -32,8 +32,7 @@ GapStage stageOf(const SessionFit& fit) {
   GapStage stage{.rms = rmsOf(fit.joint, square),
                  .reducedChiSquare = f > 0 ? fit.joint.chiSquare / f : 0,
                  .intersection = {}};
-  if (const auto& found = fit.intersection)
-    stage.intersection = IntersectionEstimate{found->value, found->sigma, found->expanded};
+  if (fit.intersection) stage.intersection = estimateOf(*fit.intersection);
   return stage;
 }
 
@@ -79,7 +78,14 @@ const GapStage& Gap::asModelled() const {
 }
 
 bool Gap::isNoiseAlone() const {
-  return isOpen() && diagnosis->causes.size() == 1 && diagnosis->causes.front().effect == noiseId;
+  return isOpen() && !isMoreThanNoise(*diagnosis);
+}
+
+std::vector<UnseenEffect> Gap::unseenBeyondU() const {
+  if (!diagnosis || !diagnosis->before) return {};
+  std::vector<UnseenEffect> effects = diagnosis->unseen;
+  std::erase_if(effects, [&](const UnseenEffect& e) { return e.influence <= diagnosis->before->expanded; });
+  return effects;
 }
 
 std::vector<UnseenEffect> Gap::noticeablyUnseen() const {

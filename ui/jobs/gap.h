@@ -39,8 +39,12 @@ struct Gap {
   const GapStage& asModelled() const;
   /// A gap that the session's model does not account for.
   bool isOpen() const { return diagnosis && diagnosis->verdict != DiagnosisVerdict::WithinNoise; }
+  const Diagnosis* found() const { return diagnosis ? &*diagnosis : nullptr; }
   /// Nothing but noise larger than stated.
   bool isNoiseAlone() const;
+  /// Effects that leave no clear trace and of which a plausible size moves Δd by more than U: what the result
+  /// rests on unproven. None without a diagnosis.
+  std::vector<UnseenEffect> unseenBeyondU() const;
   /// Effects that leave no clear trace and of which a plausible size moves Δd noticeably, by a fiftieth of U
   /// or more: the worst eight of them at most. None without a diagnosis.
   std::vector<UnseenEffect> noticeablyUnseen() const;

@@ -30,7 +30,7 @@ void addStages(ReportSheet& sheet, const Gap& gap) {
   table.finish();
 }
 
-/// "Collimation, −3.53 ± 0.17″; probability 79 %."
+/// "Collimation, −3.53″ (u 0.17); probability 79 %."
 QString causeLine(const Cause& cause) {
   QStringList parts{causeTitle(cause.effect)};
   for (const CauseParameter& parameter : cause.parameters)
@@ -63,24 +63,22 @@ void addGap(ReportSheet& sheet, const Gap& gap) {
   addStages(sheet, gap);
   if (gap.isOpen())
     sheet.paragraph(
-        QStringLiteral("The result of this report is that of the model as it is; nothing was added "
-                       "or left out because of the diagnosis."),
+        QStringLiteral(
+            "The figures of this report are those of the model as it is; nothing was added or left "
+            "out because of the diagnosis. The verdict stands only where both accounts say so."),
         type::small);
 }
 
 void addUnseen(ReportSheet& sheet, const Gap& gap) {
   const std::vector<UnseenEffect> unseen = gap.noticeablyUnseen();
   if (unseen.empty()) return;
-  QStringList effects, measures;
-  for (const UnseenEffect& effect : unseen)
-    effects.append(QStringLiteral("%1 ± %2").arg(
-        causeName(effect.effect), lengthText(effect.influence, decimalsFor(effect.influence))));
+  QStringList measures;
   for (const Advice& advice : gap.diagnosis->advice)
     if (advice.ofUnseen) measures.append(qText(textOf(advice.measure)));
   const QString moves = QStringLiteral(
                             "The following effects would leave no clear trace in these readings, so U holds "
                             "nothing of them. A plausible size of each would move Δd by: %1.")
-                            .arg(effects.join(QStringLiteral("; ")));
+                            .arg(unseenText(unseen));
   const QString remedy = QStringLiteral("Further readings would show some of them: %1.")
                              .arg(measures.join(QStringLiteral("; ")));
   const QString text = measures.isEmpty() ? moves : moves + u' ' + remedy;

@@ -5,12 +5,13 @@
 
 #include "core/wording/budget.h"
 #include "ui/report/report_table.h"
-#include "ui/report/report_verdict.h"
+#include "ui/text/cause_text.h"
 #include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/spoken_place.h"
+#include "ui/text/verdict_text.h"
 
 namespace alidade::ui {
 namespace {
@@ -36,6 +37,16 @@ QString intersectionLine(const Evaluation& evaluation) {
       .arg(valueWithUncertainty(found.value, found.expanded, QStringLiteral("mm")),
            tolerance ? QStringLiteral("± ") + plainNumberText(*tolerance) + QStringLiteral(" mm")
                      : notStated() + QStringLiteral(" (no tolerance stated)"));
+}
+
+/// Beside the line above, where the gap is more than noise.
+QString asFoundLine(const Gap& gap) {
+  if (!gap.isOpen() || gap.isNoiseAlone() || !gap.evaluation->fit.intersection) return {};
+  const auto& found = gap.diagnosis->afterwards;
+  return QStringLiteral("with what the diagnosis found: %1")
+      .arg(found ? QStringLiteral("Δd = ") +
+                       valueWithUncertainty(found->value, found->expanded, QStringLiteral("mm"))
+                 : QStringLiteral("not determined by these readings"));
 }
 
 QString coverageLine(const Intersection& found) {
@@ -135,8 +146,8 @@ void addEffects(ReportSheet& sheet, const std::vector<EffectEstimate>& effects) 
 }
 
 QString errorText(const QString& name, const InstrumentError& error) {
-  const QString size = valueWithUncertainty(error.value.arcseconds(), error.sigma.arcseconds(), {}).trimmed();
-  return name + QStringLiteral(" = (") + size + QStringLiteral(")″");
+  return name + QStringLiteral(" = ") +
+         withStandardUncertainty(error.value.arcseconds(), error.sigma.arcseconds(), QStringLiteral("″"));
 }
 
 /// What the differences of the faces say about the instrument, in a sentence.
@@ -169,7 +180,7 @@ void addReference(ReportSheet& sheet, const Evaluation& evaluation, const Inters
 void addVerdict(ReportSheet& sheet, const Gap& gap) {
   constexpr double inset = 3;
   const Evaluation& evaluation = *gap.evaluation;
-  const ReportVerdict verdict = reportVerdict(evaluation);
+  const VerdictText verdict = verdictText(evaluation, gap.found());
   const double inner = ReportSheet::width - 2 * inset;
   struct Part {
     QStringList lines;
@@ -178,10 +189,13 @@ void addVerdict(ReportSheet& sheet, const Gap& gap) {
   std::vector<Part> parts{{sheet.lines(verdict.word, wordStyle, inner), wordStyle}};
   const QString value = intersectionLine(evaluation);
   if (!value.isEmpty()) parts.push_back({sheet.lines(value, valueStyle, inner), valueStyle});
+  const QString found = asFoundLine(gap);
+  if (!found.isEmpty()) parts.push_back({sheet.lines(found, valueStyle, inner), valueStyle});
   parts.push_back({sheet.lines(verdict.sentence, type::body, inner), type::body});
-  if (const auto& found = evaluation.fit.intersection) {
-    parts.push_back({sheet.lines(coverageLine(*found), type::label, inner), type::label});
-  }
+  if (const auto& modelled = evaluation.fit.intersection)
+    parts.push_back({sheet.lines(coverageLine(*modelled), type::label, inner), type::label});
+  const QString unseen = unseenBeyondUText(gap);
+  if (!unseen.isEmpty()) parts.push_back({sheet.lines(unseen, type::body, inner), type::body});
   const QString findings = findingsLine(gap);
   if (!findings.isEmpty()) parts.push_back({{findings}, type::body.inBold()});
   double height = inset;
@@ -190,7 +204,7 @@ void addVerdict(ReportSheet& sheet, const Gap& gap) {
   sheet.keepTogether(height + 2);
   const QRectF box(0, sheet.y(), ReportSheet::width, height);
   sheet.fill(box, pale);
-  sheet.outline(box, verdict.isAccepted ? 0.4 : 0.8);
+  sheet.outline(box, verdict.verdict == Verdict::Accept ? 0.4 : 0.8);
   double top = sheet.y() + inset / 2;
   for (const Part& part : parts) {
     for (const QString& line : part.lines) {
@@ -230,8 +244,8 @@ void addResult(ReportSheet& sheet, const Evaluation& evaluation) {
   addArcs(sheet, fit);
   sheet.paragraph(
       QStringLiteral(
-          "Lengths in mm; u: standard uncertainty, scaled by s0 = %1; rms: of the residuals of all angles; "
-          "χ²/f: with the stated σ; f: degrees of freedom.")
+          "Lengths in mm; u: standard uncertainty, scaled by s0 = %1; rms: of all residuals; χ²/f: with the "
+          "stated σ; f: redundancy.")
           .arg(numberText(fit.noise.factor, 2)),
       type::small);
   addEffects(sheet, fit.effects);

@@ -54,9 +54,10 @@ void addFindings(ReportSheet& sheet, const Gap& gap) {
   const std::vector<Finding> findings = findingsOf(evaluation);
   sheet.heading(QStringLiteral("Findings"));
   if (!misread && findings.empty() && !gap.isOpen()) {
-    sheet.paragraph(evaluation.fit.intersection
-                        ? QStringLiteral("None: nothing in the data speaks against the result.")
-                        : notStated());
+    const bool isSound = gap.diagnosis && gap.unseenBeyondU().empty();
+    sheet.paragraph(!evaluation.fit.intersection ? notStated()
+                    : isSound ? QStringLiteral("None: nothing in the data speaks against the result.")
+                              : QStringLiteral("None in the data, but see above what they would not show."));
   }
   const TextStyle findingStyle{.points = 8};
   constexpr double indent = 17;

@@ -45,9 +45,7 @@ QString causeNames(const std::vector<std::string>& ids, const QString& last) {
 }
 
 QString parameterText(const Cause& cause, const CauseParameter& parameter) {
-  const QString unit = unitText(parameter.unit);
-  const QString size = valueWithUncertainty(parameter.value, parameter.sigma, {}).trimmed();
-  const QString figure = withUnit(isSign(unit) ? QStringLiteral("(%1)").arg(size) : size, unit);
+  const QString figure = withStandardUncertainty(parameter.value, parameter.sigma, unitText(parameter.unit));
   const QString name = qText(parameter.name);
   return effectName(cause.effect).endsWith(name) ? figure : name + u' ' + figure;
 }
@@ -128,6 +126,24 @@ QString stageText(const Gap& gap, const GapStage& stage) {
   const QString name = causeTitle(stage.effect);
   return (stage.kind == GapStage::Kind::InModel ? GapText::tr("in the model: ") : QStringLiteral("+ ")) +
          name.left(1).toLower() + name.mid(1);
+}
+
+QString unseenText(const std::vector<UnseenEffect>& effects) {
+  QStringList texts;
+  for (const UnseenEffect& effect : effects)
+    texts.append(QStringLiteral("%1 ± %2").arg(causeName(effect.effect),
+                                               lengthText(effect.influence, decimalsFor(effect.influence))));
+  return texts.join(QStringLiteral("; "));
+}
+
+QString unseenBeyondUText(const Gap& gap) {
+  constexpr std::size_t mostNamed = 3;
+  std::vector<UnseenEffect> effects = gap.unseenBeyondU();
+  if (effects.empty()) return {};
+  const std::size_t more = effects.size() - std::min(effects.size(), mostNamed);
+  effects.resize(effects.size() - more);
+  return GapText::tr("Unseen though a plausible size moves Δd by more than U: %1%2.")
+      .arg(unseenText(effects), more > 0 ? GapText::tr("; and %1 more").arg(more) : QString());
 }
 
 QString estimateText(const std::optional<IntersectionEstimate>& estimate) {

@@ -14,7 +14,7 @@ QString causeTitle(const std::string& id);
 /// "a, b or c"; `last` stands before the last one.
 QString causeNames(const std::vector<std::string>& ids, const QString& last);
 
-/// "sag −0.298 ± 0.009 mm"; just the number where the name says no more than the effect's.
+/// "sag −0.298 mm (u 0.009)"; just the number where the name says no more than the effect's.
 QString parameterText(const Cause& cause, const CauseParameter& parameter);
 
 /// "0°, point 11, horizontal, off by 29.0″", with round and face where they are not 1.
@@ -27,6 +27,11 @@ QString gapHeadline(const Diagnosis& diagnosis);
 QString diagnosisText(const Diagnosis& diagnosis);
 /// The same with what the session's model accounts for already.
 QString gapSentence(const Gap& gap);
+
+/// "plane tilt ± 0.12 mm; gravity sag ± 0.05 mm": what a plausible size of each moves Δd by.
+QString unseenText(const std::vector<UnseenEffect>& effects);
+/// What may move Δd by more than U, unseen, the worst three by name; empty where nothing may.
+QString unseenBeyondUText(const Gap& gap);
 
 /// What is in the model at this stage, one of the gap's: "as modelled", "in the model: gravity sag", "+
 /// collimation".

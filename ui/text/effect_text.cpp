@@ -1,9 +1,19 @@
 #include "ui/text/effect_text.h"
 
 #include "ui/text/entry_text.h"
+#include "ui/text/quantity_text.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {
+
+namespace {
+
+/// ″ or °.
+bool isSign(const QString& unit) {
+  return unit == QStringLiteral("″") || unit == QStringLiteral("°");
+}
+
+}  // namespace
 
 QString effectName(const std::string& id) {
   return visibleLine(id).replace(QLatin1Char('_'), QLatin1Char(' '));
@@ -26,12 +36,14 @@ QString unitText(const std::string& unit) {
   return unit == "mm" ? QStringLiteral("mm") : QString();
 }
 
-bool isSign(const QString& unit) {
-  return unit == QStringLiteral("″") || unit == QStringLiteral("°");
-}
-
 QString withUnit(const QString& figure, const QString& unit) {
   return figure + (isSign(unit) || unit.isEmpty() ? unit : u' ' + unit);
+}
+
+QString withStandardUncertainty(double value, double u, const QString& unit) {
+  const int decimals = decimalsFor(u);
+  return QStringLiteral("%1 (u %2)")
+      .arg(withUnit(numberText(value, decimals), unit), numberText(u, decimals));
 }
 
 QString effectUnitText(const EffectEstimate& estimate) {

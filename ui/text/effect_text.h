@@ -16,10 +16,10 @@ QString effectText(const EffectEstimate& estimate, const QString& separator = QS
 /// The text with a capital first letter.
 QString capitalised(QString text);
 
-/// ″ or °: no blank before it.
-bool isSign(const QString& unit);
-/// "12″", "0.05 mm"; `unit` as `unitText` writes it.
+/// "12″", "0.05 mm", no blank before ″ and °; `unit` as `unitText` writes it.
 QString withUnit(const QString& figure, const QString& unit);
+/// "−0.298 mm (u 0.009)": ± stands for U alone. Two digits of u.
+QString withStandardUncertainty(double value, double u, const QString& unit);
 
 /// The unit of the catalogue as it is written: "″" for "arcsec", "°" for "deg", empty for a bare number.
 QString unitText(const std::string& unit);

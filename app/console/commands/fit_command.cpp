@@ -11,6 +11,7 @@
 #include "core/adjustment/gross_errors/suspects.h"
 #include "core/adjustment/monte_carlo/monte_carlo.h"
 #include "core/adjustment/result/session_fit.h"
+#include "core/diagnosis/diagnose.h"
 
 namespace alidade::console {
 
@@ -22,17 +23,18 @@ Result<std::string> rigorousAnswer(const FitRequest& request, const std::string&
                                    const Measurement& measurement) {
   const SessionFit fit = fitSession(measurement);
   if (auto problem = absence(measurement, fit.arcs.size(), fit.findings)) return *std::move(problem);
-  const std::vector<Suspect> suspects = findSuspects(session, measurement, fit, {.risk = request.risk});
-  std::optional<MonteCarlo> check;
+  FitAnswer answer{name, measurement, fit, findSuspects(session, measurement, fit, {.risk = request.risk})};
   if (!request.monteCarlo.empty()) {
     MonteCarloOptions options{.seed = request.seed};
     if (request.monteCarlo != asManyAsItTakes) options.draws = std::stoull(request.monteCarlo);
-    check = propagateDistributions(measurement, fit, options);
-    if (!check)
+    answer.check = propagateDistributions(measurement, fit, options);
+    if (!answer.check)
       return Problem{"so few draws of these readings fix a circle that nothing can be said of them"};
   }
-  return request.json ? fitJson(name, measurement, fit, suspects, check)
-                      : fitText(name, measurement, fit, suspects, check);
+  if (request.diagnosis)
+    if (Result<Diagnosis, DiagnosisFault> diagnosis = diagnose(measurement, fit))
+      answer.diagnosis = *std::move(diagnosis);
+  return request.json ? fitJson(answer) : fitText(answer);
 }
 
 Result<std::string> publishedAnswer(const FitRequest& request, const std::string& name,
@@ -61,6 +63,8 @@ void addFitCommand(CLI::App& app, FitRequest& request) {
                              return text == asManyAsItTakes ? std::string() : number(text);
                            });
   fit->add_option("--seed", request.seed, "Of the draws; 1 if not given")->check(seedCheck())->needs(draws);
+  fit->add_flag("!--no-diagnosis", request.diagnosis,
+                "Do not ask what else the readings may say: the verdict is that of the session's own model");
   fit->add_flag("--json", request.json, "Print one JSON document");
 }
 

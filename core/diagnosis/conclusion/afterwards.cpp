@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/base/normal_mixture.h"
 #include "core/base/random_source.h"
@@ -109,10 +110,12 @@ class Average {
           {alternative.odds, alternative.difference.value, std::sqrt(variance + ofPattern * ofPattern)});
     }
     const auto [mean, sigma] = momentsOf(mixture);
+    std::vector<NormalPart> accounts = mixture;
+    for (NormalPart& account : accounts) account.mean += m_own.value;
     for (NormalPart& part : mixture) part.sigma *= wider;
     const double expanded = std::max(factor * sigma, halfWidth(mixture, mean, coverage));
     if (std::abs(mean) + std::abs(expanded - m_own.expanded) < hardly * m_own.expanded) return m_own;
-    return {m_own.value + mean, sigma, expanded};
+    return {m_own.value + mean, sigma, expanded, std::move(accounts), m_own.degreesOfFreedom};
   }
 
  private:

@@ -37,7 +37,7 @@ std::vector<double> inSigma(const GapModel& model) {
 std::optional<IntersectionEstimate> estimateOf(const GapModel& model) {
   const std::optional<Intersection> found = intersect(*model.measurement, model.fit);
   if (!found) return std::nullopt;
-  return IntersectionEstimate{found->value, found->sigma, found->expanded};
+  return estimateOf(*found);
 }
 
 }  // namespace alidade

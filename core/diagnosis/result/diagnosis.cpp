@@ -20,6 +20,14 @@ std::string_view nameOf(DiagnosisVerdict verdict) {
   return "";
 }
 
+IntersectionEstimate estimateOf(const Intersection& intersection) {
+  return {intersection.value,
+          intersection.sigma,
+          intersection.expanded,
+          {{1, intersection.value, intersection.sigma}},
+          intersection.effectiveDegreesOfFreedom};
+}
+
 Beyond beyondTheFit(const Diagnosis& diagnosis) {
   if (diagnosis.shape) return Beyond::Pattern;
   const auto isAlone = [](const Cause& cause) { return cause.indistinguishableFrom.empty(); };

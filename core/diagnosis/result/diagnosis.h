@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/adjustment/result/intersection.h"
+#include "core/base/normal_mixture.h"
 #include "core/observation/reading_ref.h"
 
 namespace alidade {
@@ -82,7 +84,14 @@ struct GapShare {
 /// Δd, y up, mm.
 struct IntersectionEstimate {
   double value = 0, sigma = 0, expanded = 0;
+  /// What is believed of Δd, mm: one account of the readings, or each that they leave possible with its
+  /// probability. About its mean each follows Student's distribution.
+  std::vector<NormalPart> accounts = {};
+  double degreesOfFreedom = 0;  ///< of that, effective; may be infinite
 };
+
+/// The same of the session's own model.
+IntersectionEstimate estimateOf(const Intersection& intersection);
 
 /// The gap as it shrinks, cause by cause.
 struct GapStep {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace alidade {
 namespace {
@@ -94,6 +95,18 @@ TEST(Statistics, HasAnInfiniteFactorWhereNoIntervalIsWideEnough) {
 
 // JCGM 100, G.4.1: of two parts of equal variance, one of them known, the other with ν, σ has 4ν; a part
 // alone has its own.
+TEST(Statistics, StudentsTailMeetsItsClosedForms) {
+  for (const double t : {-40.0, -1.0, 0.0, 0.3, 2.5, 1e6}) {
+    EXPECT_NEAR(*studentLowerTail(t, 1), 0.5 + std::atan(t) / std::numbers::pi, 1e-14) << t;
+    EXPECT_NEAR(*studentLowerTail(t, 2), 0.5 + t / (2 * std::sqrt(2 + t * t)), 1e-14) << t;
+    EXPECT_NEAR(*studentLowerTail(t, infinite), std::erfc(-t / std::sqrt(2)) / 2, 1e-14) << t;
+  }
+  EXPECT_EQ(studentLowerTail(infinite, 3), 1.0);
+  EXPECT_EQ(studentLowerTail(-infinite, 3), 0.0);
+  EXPECT_EQ(studentLowerTail(1, 0), std::nullopt);
+  EXPECT_EQ(studentLowerTail(std::nan(""), 3), std::nullopt);
+}
+
 TEST(Statistics, GivesTheEffectiveDegreesOfFreedom) {
   EXPECT_NEAR(effectiveDegreesOfFreedom(std::sqrt(2.0), 1, 5).count(), 20, 1e-12);
   EXPECT_NEAR(effectiveDegreesOfFreedom(3, 3, 7).count(), 7, 1e-12);

@@ -192,6 +192,7 @@ void Monkey::lookAtResult() {
   m_window->pageTabs().first()->setCurrentIndex(0);
   ResultPanel alone;
   alone.setEvaluation(evaluateFit(session));
+  if (m_window->gapJob().isIdle() && m_gap && m_gap->evaluation->session == session) alone.setGap(*m_gap);
   const auto* shown = m_window->findChild<ResultPanel*>();
   alone.setComparisonShown(!shown->findChildren<QCheckBox*>().isEmpty() &&
                            shown->findChildren<QCheckBox*>().first()->isChecked());

@@ -15,6 +15,7 @@
 #include "tests/ui/report/printed.h"
 #include "tests/ui/support.h"
 #include "ui/text/cause_text.h"
+#include "ui/text/effect_text.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/quantity_text.h"
 
@@ -91,6 +92,25 @@ TEST(AcceptanceReport, TellsWhatTheReadingsWouldNotShow) {
   EXPECT_FALSE(full.contains(QStringLiteral("arc ellipticity ±")));
 }
 
+// On the first page, where the verdict is read.
+TEST(AcceptanceReport, PutsBothAccountsAndWhatIsUnseenBesideTheVerdict) {
+  Session session = *loadSession(samplePath(QStringLiteral("two-causes.alidade")).toStdString());
+  session.acceptance.toleranceMm = "0.415";
+  const QString contradicted = Printed(session).page(0).simplified();
+  EXPECT_TRUE(contradicted.contains(QStringLiteral("Undecided"))) << contradicted.toStdString();
+  EXPECT_TRUE(contradicted.contains(QStringLiteral("with what the diagnosis found: Δd = 0.377 ± 0.035 mm")));
+  EXPECT_FALSE(contradicted.contains(QStringLiteral("Rejected")));
+
+  const Session sound = *simulate(*protocolByName("paper"), drawTruth(1), 1);
+  const Diagnosis diagnosis = *diagnose(*examine(sound).measurement);
+  ASSERT_GT(diagnosis.unseen.front().influence, diagnosis.before->expanded);
+  const QString front = Printed(sound).page(0).simplified();
+  EXPECT_TRUE(
+      front.contains(QStringLiteral("moves Δd by more than U: ") + causeName(diagnosis.unseen[0].effect)))
+      << front.toStdString();
+  EXPECT_FALSE(front.contains(QStringLiteral("nothing in the data speaks against")));
+}
+
 TEST(AcceptanceReport, CountsTheGapAmongTheFindings) {
   const QString folder = QStringLiteral(ALIDADE_REFERENCE_DIR "/trials/sessions/");
   const Session session = *loadSession((folder + QStringLiteral("117223.alidade")).toStdString());
@@ -121,10 +141,9 @@ TEST(AcceptanceReport, SumsUpBothFacesWhereThereAreTwo) {
   const Session session = *loadSession(trial.toStdString());
   const TwoFaces faces = *evaluate(session).twoFaces;
   const Printed report(session);
-  const QString c =
-      valueWithUncertainty(faces.collimation.value.arcseconds(), faces.collimation.sigma.arcseconds(), {});
-  EXPECT_TRUE(report.text().contains(QStringLiteral("collimation c = (") + c.trimmed()))
-      << report.text().toStdString();
+  const QString c = withStandardUncertainty(faces.collimation.value.arcseconds(),
+                                            faces.collimation.sigma.arcseconds(), QStringLiteral("″"));
+  EXPECT_TRUE(report.text().contains(QStringLiteral("collimation c = ") + c)) << report.text().toStdString();
   EXPECT_FALSE(Printed(paperSession()).contains("Both faces"));
 }
 

@@ -43,8 +43,7 @@ QString aboutText(const Effect& effect) {
 }
 
 QString sizeText(const EffectEstimate& estimate) {
-  return withUnit(valueWithUncertainty(estimate.value, estimate.sigma, {}).trimmed(),
-                  effectUnitText(estimate));
+  return withStandardUncertainty(estimate.value, estimate.sigma, effectUnitText(estimate));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "ui/panels/parts/data_table.h"
 #include "ui/panels/parts/figure_grid.h"
+#include "ui/text/effect_text.h"
 #include "ui/text/quantity_text.h"
 
 namespace alidade::ui {
@@ -11,8 +12,7 @@ namespace alidade::ui {
 namespace {
 
 QString errorText(const InstrumentError& error) {
-  return valueWithUncertainty(error.value.arcseconds(), error.sigma.arcseconds(), {}).trimmed() +
-         QChar(0x2033);
+  return withStandardUncertainty(error.value.arcseconds(), error.sigma.arcseconds(), QStringLiteral("″"));
 }
 
 QString scatterText(const FaceScatter& scatter) {

@@ -8,19 +8,30 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "core/wording/verdict.h"
 #include "ui/panels/parts/figure_grid.h"
 #include "ui/panels/result/findings_panel.h"
 #include "ui/settings/theme.h"
+#include "ui/text/cause_text.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/quantity_text.h"
+#include "ui/text/verdict_text.h"
 
 namespace alidade::ui {
 
 namespace {
 
-QString figureWithSigma(double value, double sigma) {
-  return valueWithUncertainty(value, sigma, {}).trimmed();
+/// As the captions say, with u in brackets.
+QString figureAndU(double value, double u) {
+  const int decimals = decimalsFor(u);
+  return QStringLiteral("%1 (%2)").arg(numberText(value, decimals), numberText(u, decimals));
+}
+
+/// Out of sight where its room is kept, so that what stands below stays where it is.
+void keepRoom(QLabel& label, bool kept) {
+  QSizePolicy policy = label.sizePolicy();
+  policy.setRetainSizeWhenHidden(kept);
+  label.setSizePolicy(policy);
+  if (kept) label.hide();
 }
 
 State stateOf(const std::optional<Verdict>& verdict) {
@@ -38,6 +49,8 @@ ResultPanel::ResultPanel(QWidget* parent)
     : ScrollPage(tr("Result"), parent),
       m_value(new QLabel),
       m_valueNote(wrappedLabel()),
+      m_unseen(wrappedLabel()),
+      m_asFound(wrappedLabel()),
       m_badgeIcon(new QLabel),
       m_badge(new QLabel),
       m_sentence(wrappedLabel()),
@@ -59,11 +72,13 @@ ResultPanel::ResultPanel(QWidget* parent)
   QVBoxLayout* layout = column();
   layout->addWidget(m_value);
   layout->addWidget(m_valueNote);
+  layout->addWidget(m_asFound);
   auto* badgeRow = new QHBoxLayout;
   badgeRow->addWidget(m_badgeIcon);
   badgeRow->addWidget(m_badge, 1);
   layout->addLayout(badgeRow);
   layout->addWidget(m_sentence);
+  layout->addWidget(m_unseen);
   layout->addWidget(m_gapHint);
   layout->addWidget(panelHeading(tr("Arcs")));
   layout->addWidget(m_arcs);
@@ -81,12 +96,16 @@ ResultPanel::ResultPanel(QWidget* parent)
   layout->addWidget(m_comparison);
   layout->addStretch();
   m_comparison->hide();
+  m_asFound->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  QFont found = font();
+  found.setBold(true);
+  m_asFound->setFont(found);
   m_gapHint->setTextFormat(Qt::RichText);
   m_gapHint->setObjectName(QStringLiteral("gap hint"));
   m_gapHint->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   m_gapHint->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
   connect(m_gapHint, &QLabel::linkActivated, this, &ResultPanel::gapActivated);
-  setGapHint({});
+  clearGap();
   connect(m_compare, &QCheckBox::toggled, m_comparison, &QWidget::setVisible);
   settleWidth();
   setEvaluation({});
@@ -96,16 +115,43 @@ void ResultPanel::setComparisonShown(bool shown) {
   m_compare->setChecked(shown);
 }
 
-void ResultPanel::setGapHint(const QString& headline) {
-  m_gapHeadline = headline;
-  m_gapHint->setVisible(!headline.isEmpty());
+void ResultPanel::setGap(const Gap& gap) {
+  const VerdictText text = verdictText(*gap.evaluation, gap.found());
+  if (gap.evaluation->fit.intersection) showVerdict(text.word, text.sentence, text.verdict);
+  for (QLabel* label : {m_asFound, m_unseen}) keepRoom(*label, false);
+  showAsFound(gap);
+  m_unseen->setText(unseenBeyondUText(gap));
+  m_unseen->setVisible(!m_unseen->text().isEmpty());
+  m_gapHeadline = gap.isOpen() ? gapHeadline(*gap.diagnosis) : QString();
+  m_gapHint->setVisible(!m_gapHeadline.isEmpty());
   m_gapHint->setMinimumHeight(0);
   m_gapHint->setForegroundRole(QPalette::WindowText);
-  m_gapHint->setText(tr("Model and readings disagree: <a href=\"gap\">%1</a>").arg(headline.toHtmlEscaped()));
+  m_gapHint->setText(
+      tr("Model and readings disagree: <a href=\"gap\">%1</a>").arg(m_gapHeadline.toHtmlEscaped()));
+}
+
+void ResultPanel::clearGap() {
+  for (QLabel* label : {m_asFound, m_unseen}) keepRoom(*label, false);
+  m_gapHeadline.clear();
+  m_gapHint->hide();
+  m_asFound->hide();
+  m_unseen->hide();
+}
+
+/// Where the gap is more than noise.
+void ResultPanel::showAsFound(const Gap& gap) {
+  const bool isToShow = gap.isOpen() && !gap.isNoiseAlone() && gap.evaluation->fit.intersection;
+  m_asFound->setVisible(isToShow);
+  if (!isToShow) return;
+  const auto& found = gap.diagnosis->afterwards;
+  m_asFound->setText(found ? tr("Δd = %1 with what the diagnosis found")
+                                 .arg(valueWithUncertainty(found->value, found->expanded, tr("mm")))
+                           : tr("With what the diagnosis found, these readings do not determine Δd."));
 }
 
 /// What stands below stays where it is.
 void ResultPanel::setGapStale() {
+  for (QLabel* label : {m_asFound, m_unseen}) keepRoom(*label, !label->isHidden());
   if (m_gapHeadline.isEmpty()) return;
   m_gapHint->setMinimumHeight(m_gapHint->height());
   m_gapHint->setForegroundRole(QPalette::PlaceholderText);
@@ -113,7 +159,6 @@ void ResultPanel::setGapStale() {
 }
 
 void ResultPanel::setEvaluation(const Evaluation& evaluation) {
-  m_verdict = evaluation.fit.verdict;
   showHeadline(evaluation);
   showVerdict(evaluation);
   showArcs(evaluation.fit);
@@ -122,7 +167,7 @@ void ResultPanel::setEvaluation(const Evaluation& evaluation) {
 
 /// Wide enough for figures of the usual size, settled once: the window does not breathe with every edit.
 void ResultPanel::settleWidth() {
-  const QString figure = QStringLiteral("400.123 ± 0.123");
+  const QString figure = QStringLiteral("400.123 (0.123)");
   m_arcs->setRows({tr("0°"), tr("180°")}, {{tr("Sightings used"), {figure, figure}}});
   const QMargins margins = widget()->layout()->contentsMargins();
   const int bar = verticalScrollBar()->sizeHint().width();
@@ -144,7 +189,7 @@ void ResultPanel::showHeadline(const Evaluation& evaluation) {
   m_value->setToolTip(tr("Δd = %1 mm, U = %2 mm")
                           .arg(numberText(intersection->value, 6), numberText(intersection->expanded, 6)));
   QString note =
-      tr("U at %1 % coverage (k = %2); σ = %3")
+      tr("U at %1 % coverage (k = %2); u = %3")
           .arg(plainNumberText(intersection->coverage * 100), numberText(intersection->coverageFactor, 2),
                lengthText(intersection->sigma, decimalsFor(intersection->sigma)));
   const auto& measurement = evaluation.examined.measurement;
@@ -172,24 +217,21 @@ QString ResultPanel::whatIsMissing(const Evaluation& evaluation) {
 }
 
 void ResultPanel::showVerdict(const Evaluation& evaluation) {
-  const SessionFit& fit = evaluation.fit;
-  const auto& measurement = evaluation.examined.measurement;
-  const bool decided = fit.verdict && fit.intersection && measurement && measurement->tolerance;
-  if (decided) {
-    const QString words[] = {tr("ACCEPT"), tr("REJECT"), tr("UNDECIDED")};
-    m_badge->setText(words[static_cast<int>(*fit.verdict)]);
-    m_sentence->setText(qText(verdictSentence(*measurement, fit)));
-  } else {
-    const bool noTolerance = fit.intersection && measurement && !measurement->tolerance;
-    m_badge->setText(noTolerance ? tr("No tolerance set") : tr("No result"));
-    m_sentence->setText(noTolerance ? tr("Type a tolerance for a verdict.") : QString());
-  }
-  m_sentence->setVisible(!m_sentence->text().isEmpty());
-  if (m_iconName != iconOf(fit.verdict)) {
-    m_iconName = iconOf(fit.verdict);
+  if (!evaluation.fit.intersection) return showVerdict(tr("No result"), {}, {});
+  const VerdictText text = verdictAsModelled(evaluation);
+  showVerdict(text.word, text.sentence, text.verdict);
+}
+
+void ResultPanel::showVerdict(const QString& word, const QString& sentence, std::optional<Verdict> verdict) {
+  m_verdict = verdict;
+  m_badge->setText(word);
+  m_sentence->setText(sentence);
+  m_sentence->setVisible(!sentence.isEmpty());
+  if (m_iconName != iconOf(verdict)) {
+    m_iconName = iconOf(verdict);
     m_badgeIcon->setPixmap(themeIcon(m_iconName).pixmap(24, 24));
-    colorVerdict();
   }
+  colorVerdict();
 }
 
 void ResultPanel::colorVerdict() {
@@ -209,14 +251,14 @@ void ResultPanel::showArcs(const SessionFit& fit) {
     return texts;
   };
   const QVector<FigureGrid::Row> rows = {
-      {tr("Δx  mm"),
-       figures([](const ArcFit& a, const ArcSigma& s) { return figureWithSigma(a.circle.x, s.x); }),
+      {tr("Δx (u)  mm"),
+       figures([](const ArcFit& a, const ArcSigma& s) { return figureAndU(a.circle.x, s.x); }),
        tr("Centre of the arc, right positive, with its standard uncertainty")},
-      {tr("Δy  mm"),
-       figures([](const ArcFit& a, const ArcSigma& s) { return figureWithSigma(a.circle.y, s.y); }),
+      {tr("Δy (u)  mm"),
+       figures([](const ArcFit& a, const ArcSigma& s) { return figureAndU(a.circle.y, s.y); }),
        tr("Centre of the arc, up positive, with its standard uncertainty")},
-      {tr("R  mm"),
-       figures([](const ArcFit& a, const ArcSigma& s) { return figureWithSigma(a.circle.radius, s.radius); }),
+      {tr("R (u)  mm"),
+       figures([](const ArcFit& a, const ArcSigma& s) { return figureAndU(a.circle.radius, s.radius); }),
        tr("Fitted radius with its standard uncertainty")},
       {tr("Residual rms  ″"),
        figures([](const ArcFit& a, const ArcSigma&) { return numberText(a.residualRms, 2); }),

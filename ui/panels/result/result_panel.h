@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "ui/jobs/evaluation.h"
+#include "ui/jobs/gap.h"
 #include "ui/panels/parts/scroll_page.h"
 
 class QCheckBox;
@@ -21,10 +21,13 @@ class ResultPanel : public ScrollPage {
 
   void setEvaluation(const Evaluation& evaluation);
   void setComparisonShown(bool shown);
-  /// Says that model and readings disagree, with a link; empty: says nothing.
-  void setGapHint(const QString& headline);
+  /// What the diagnosis of the evaluation found: only now is the verdict final. Says with a link where model
+  /// and readings disagree.
+  void setGap(const Gap& gap);
   /// The session has changed: what is said is said as of before.
   void setGapStale();
+  /// Another session: nothing is known of it yet.
+  void clearGap();
 
  signals:
   void gapActivated();
@@ -35,6 +38,8 @@ class ResultPanel : public ScrollPage {
  private:
   void showHeadline(const Evaluation& evaluation);
   void showVerdict(const Evaluation& evaluation);
+  void showVerdict(const QString& word, const QString& sentence, std::optional<Verdict> verdict);
+  void showAsFound(const Gap& gap);
   void showArcs(const SessionFit& fit);
   void showComparison(const PublishedSessionFit& published);
   void colorVerdict();
@@ -45,6 +50,8 @@ class ResultPanel : public ScrollPage {
   QString m_iconName, m_gapHeadline;
   QLabel* m_value;
   QLabel* m_valueNote;
+  QLabel* m_unseen;   ///< what may move Δd by more than U unseen
+  QLabel* m_asFound;  ///< Δd with what was found, beside that of the session's own model
   QLabel* m_badgeIcon;
   QLabel* m_badge;
   QLabel* m_sentence;

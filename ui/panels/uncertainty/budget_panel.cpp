@@ -67,7 +67,7 @@ void BudgetPanel::showIntersection(const SessionFit& fit) {
     for (const BudgetEntry& entry : fit.intersection->budget)
       rows.append({qText(textOf(entry.source)),
                    {numberText(entry.sigma, 4), shareText(entry.sigma, fit.intersection->sigma)}});
-    rows.append({tr("combined, σ"), {numberText(fit.intersection->sigma, 4), {}}});
+    rows.append({tr("combined, u"), {numberText(fit.intersection->sigma, 4), {}}});
     rows.append({tr("expanded, U"),
                  {numberText(fit.intersection->expanded, 4), {}},
                  tr("k σ with k = %1").arg(numberText(fit.intersection->coverageFactor, 2))});
@@ -97,7 +97,7 @@ void BudgetPanel::showCentres(const SessionFit& fit) {
     addColumn(QStringLiteral("Δy %1°").arg(axis), fit.budgets[arc].y, fit.sigmas[arc].radiusY);
   }
   if (!rows.isEmpty()) {
-    rows[rows.size() - 2].caption = tr("combined, σ");
+    rows[rows.size() - 2].caption = tr("combined, u");
     rows.back().caption = tr("correlation with R");
     rows.back().toolTip =
         tr("How far a wrong radius takes the centre along, −1 to 1: on half an arc it decides the height");

@@ -152,7 +152,7 @@ void SimulationBox::showCheck() {
   m_figures->setRows(
       {tr("propagated"), tr("simulated")},
       {row(tr("Δd  mm"), linear.value, spread.mean, tr("Simulated: the mean of the draws")),
-       row(tr("σ  mm"), linear.sigma, spread.sigma,
+       row(tr("u  mm"), linear.sigma, spread.sigma,
            tr("Where the noise is known by the scatter alone, the draws spread a little more; U has it in "
               "k")),
        row(tr("%1 % from  mm").arg(plainNumberText(100 * simulated.coverage)), linear.value - linear.expanded,

@@ -12,6 +12,7 @@
 #include "ui/main_window.h"
 #include "ui/panels/model/effects_panel.h"
 #include "ui/panels/window/page_tabs.h"
+#include "ui/text/effect_text.h"
 #include "ui/text/quantity_text.h"
 
 namespace alidade::ui {
@@ -54,7 +55,7 @@ TEST(Effects, AreChosenWithTheKeyboardAndEstimated) {
   const SessionFit fit = evaluate(bench.open->document().session()).fit;
   ASSERT_EQ(fit.effects.size(), 1u);
   EXPECT_EQ(bench.item("Trunnion tilt")->text(1),
-            valueWithUncertainty(fit.effects[0].value, fit.effects[0].sigma, {}).trimmed() + QChar(0x2033));
+            withStandardUncertainty(fit.effects[0].value, fit.effects[0].sigma, QStringLiteral("″")));
   bench.toggle("Vertical axis tilt");
   EXPECT_EQ(bench.item("Vertical axis tilt")->childCount(), 2) << "a row for each of its numbers";
   bench.toggle("Trunnion tilt");

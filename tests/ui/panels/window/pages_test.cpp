@@ -20,6 +20,7 @@
 #include "ui/panels/uncertainty/budget_panel.h"
 #include "ui/panels/uncertainty/reliability_panel.h"
 #include "ui/panels/window/page_tabs.h"
+#include "ui/text/effect_text.h"
 #include "ui/text/quantity_text.h"
 
 namespace alidade::ui {
@@ -164,8 +165,8 @@ TEST(TwoFacesPage, IsThereWhereThereAreTwoFaces) {
   ASSERT_TRUE(faces);
   const std::string errors = shownBy(page);
   for (const InstrumentError& error : {faces->collimation, *faces->trunnionTilt, faces->index})
-    EXPECT_THAT(errors, HasSubstr(valueWithUncertainty(error.value.arcseconds(), error.sigma.arcseconds(), {})
-                                      .trimmed()
+    EXPECT_THAT(errors, HasSubstr(withStandardUncertainty(error.value.arcseconds(), error.sigma.arcseconds(),
+                                                          QStringLiteral("″"))
                                       .toStdString()));
   EXPECT_THAT(errors, HasSubstr("× " + numberText(faces->vertical.ratio(), 2).toStdString() + "\n"));
   const auto* table = page->findChild<DataTable*>();

@@ -1,0 +1,62 @@
+#include "core/diagnosis/decision.h"
+
+#include "core/base/statistics.h"
+#include "core/effects/cause_ids.h"
+
+namespace alidade {
+
+namespace {
+
+/// Absent without degrees of freedom or an uncertainty.
+std::optional<double> conformanceOf(const IntersectionEstimate& estimate, double tolerance) {
+  double within = 0, all = 0;
+  for (const NormalPart& account : estimate.accounts) {
+    const auto below = [&](double limit) {
+      return studentLowerTail((limit - account.mean) / account.sigma, estimate.degreesOfFreedom);
+    };
+    const std::optional<double> high = below(tolerance), low = below(-tolerance);
+    if (!high || !low) return std::nullopt;
+    within += account.share * (*high - *low);
+    all += account.share;
+  }
+  if (!(all > 0)) return std::nullopt;
+  return within / all;
+}
+
+/// Undecided where the causes leave Δd undetermined.
+Verdict verdictOf(const std::optional<IntersectionEstimate>& found, double tolerance) {
+  return found ? decide(found->value, found->expanded, tolerance) : Verdict::Undecided;
+}
+
+}  // namespace
+
+bool isMoreThanNoise(const Diagnosis& diagnosis) {
+  if (diagnosis.verdict == DiagnosisVerdict::WithinNoise) return false;
+  return diagnosis.causes.size() != 1 || diagnosis.causes.front().effect != noiseId;
+}
+
+std::optional<AcceptanceDecision> decideAcceptance(const Measurement& measurement, const SessionFit& fit,
+                                                   const Diagnosis* diagnosis) {
+  if (!fit.verdict) return std::nullopt;
+  AcceptanceDecision decision{.asModelled = *fit.verdict};
+  const double tolerance = *measurement.tolerance;
+  if (diagnosis) decision.asFound = verdictOf(diagnosis->afterwards, tolerance);
+  decision.showsBoth = diagnosis && (isMoreThanNoise(*diagnosis) || decision.asFound != decision.asModelled);
+  if (fit.lengthsInDoubt) {
+    decision.obstacle = AcceptanceDecision::Obstacle::Lengths;
+    return decision;
+  }
+  if (decision.asFound.value_or(decision.asModelled) != decision.asModelled) {
+    decision.obstacle = AcceptanceDecision::Obstacle::Contradiction;
+  } else {
+    decision.verdict = decision.asModelled;
+    if (decision.verdict != Verdict::Undecided) decision.obstacle = AcceptanceDecision::Obstacle::None;
+  }
+  if (!diagnosis)
+    decision.conformance = conformanceOf(estimateOf(*fit.intersection), tolerance);
+  else if (diagnosis->afterwards)
+    decision.conformance = conformanceOf(*diagnosis->afterwards, tolerance);
+  return decision;
+}
+
+}  // namespace alidade

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+
+#include "core/adjustment/result/session_fit.h"
+#include "core/diagnosis/result/diagnosis.h"
+
+namespace alidade {
+
+/// The verdict of an acceptance in the light of the diagnosis: accept or reject only where the session's own
+/// model and what was found beside it both say so.
+struct AcceptanceDecision {
+  /// What stands in the way of accept or reject.
+  enum class Obstacle {
+    None,
+    Uncertainty,    ///< U, on both accounts
+    Lengths,        ///< in doubt, so the verdict is withheld
+    Contradiction,  ///< the two accounts do not say the same
+  };
+
+  Verdict verdict = Verdict::Undecided;
+  Verdict asModelled = Verdict::Undecided;  ///< by Δd ± U of the session's own model
+  std::optional<Verdict> asFound = {};      ///< by `Diagnosis::afterwards`; absent without a diagnosis
+  Obstacle obstacle = Obstacle::Uncertainty;
+  /// A gap that is more than noise, or two accounts that differ: both belong beside the verdict.
+  bool showsBoth = false;
+  /// Probability that |Δd| is within the tolerance, 0…1, by what is believed of Δd afterwards, or without a
+  /// diagnosis by the fit (JCGM 106:2012, 7.4). Absent where the verdict is withheld or U has no end.
+  std::optional<double> conformance = {};
+
+  bool operator==(const AcceptanceDecision&) const = default;
+};
+
+/// `fit` and `diagnosis` are of `measurement`; null: there was no diagnosis. Absent where the fit has no
+/// verdict: without a tolerance or an intersection.
+std::optional<AcceptanceDecision> decideAcceptance(const Measurement& measurement, const SessionFit& fit,
+                                                   const Diagnosis* diagnosis);
+
+/// Model and readings disagree by more than noise that is larger than stated.
+bool isMoreThanNoise(const Diagnosis& diagnosis);
+
+}  // namespace alidade

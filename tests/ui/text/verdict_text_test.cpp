@@ -1,0 +1,62 @@
+#include "ui/text/verdict_text.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "tests/ui/support.h"
+
+namespace alidade::ui {
+namespace {
+
+VerdictText verdictAt(const char* tolerance) {
+  Session session = paperSession();
+  session.acceptance.toleranceMm = tolerance;
+  return verdictText(evaluate(session), nullptr);
+}
+
+TEST(VerdictText, SaysTheDecisionInAWord) {
+  EXPECT_EQ(verdictAt("2.5").word, QStringLiteral("Accepted"));
+  EXPECT_EQ(verdictAt("2.5").verdict, Verdict::Accept);
+  EXPECT_EQ(verdictAt("1.3").word, QStringLiteral("Undecided"));
+  EXPECT_EQ(verdictAt("0.5").word, QStringLiteral("Rejected"));
+  EXPECT_EQ(verdictAt("0.5").verdict, Verdict::Reject);
+  EXPECT_TRUE(verdictAt("0.5").sentence.contains(QStringLiteral("0.5 mm")));
+}
+
+TEST(VerdictText, HeedsTheDiagnosis) {
+  Session session = paperSession();
+  session.acceptance.toleranceMm = "2.5";
+  const Evaluation evaluation = evaluate(session);
+  Diagnosis diagnosis;
+  diagnosis.verdict = DiagnosisVerdict::NotInCatalogue;
+  diagnosis.afterwards =
+      IntersectionEstimate{2.4, 0.1, 0.2, {{1, 2.4, 0.1}}, std::numeric_limits<double>::infinity()};
+  EXPECT_EQ(verdictText(evaluation, &diagnosis).word, QStringLiteral("Undecided"));
+  EXPECT_TRUE(verdictText(evaluation, &diagnosis).sentence.contains(QStringLiteral("2.40 mm ± 0.20 mm")));
+  diagnosis.afterwards->value = 2.2;
+  EXPECT_EQ(verdictText(evaluation, &diagnosis).word, QStringLiteral("Accepted"));
+}
+
+TEST(VerdictText, AcceptsNothingBeforeTheDiagnosis) {
+  Session session = paperSession();
+  session.acceptance.toleranceMm = "2.5";
+  const VerdictText text = verdictAsModelled(evaluate(session));
+  EXPECT_EQ(text.word, QStringLiteral("Accepted as modelled"));
+  EXPECT_EQ(text.verdict, std::nullopt);
+  EXPECT_FALSE(text.sentence.contains(QStringLiteral("probability")));
+}
+
+TEST(VerdictText, SaysWhyThereIsNone) {
+  EXPECT_TRUE(verdictAt("").sentence.contains(QStringLiteral("No tolerance stated")));
+  EXPECT_EQ(verdictAt("two").word, QStringLiteral("No verdict: 1 entry could not be used"));
+  Session session = paperSession();
+  session.positions.pop_back();
+  const VerdictText verdict = verdictText(evaluate(session), nullptr);
+  EXPECT_EQ(verdict.word, QStringLiteral("No result"));
+  EXPECT_FALSE(verdict.sentence.isEmpty());
+  EXPECT_EQ(verdict.verdict, std::nullopt);
+}
+
+}  // namespace
+}  // namespace alidade::ui

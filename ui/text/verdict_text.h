@@ -1,0 +1,24 @@
+#pragma once
+
+#include <QString>
+#include <optional>
+
+#include "core/diagnosis/result/diagnosis.h"
+#include "ui/jobs/evaluation.h"
+
+namespace alidade::ui {
+
+/// The verdict as window and report state it. A session with entries that could not be used gets none,
+/// whatever the rest says.
+struct VerdictText {
+  QString word;                         ///< "Accepted", "Rejected", "Undecided", or that there is none
+  QString sentence;                     ///< with the numbers it rests on, or why there is none
+  std::optional<Verdict> verdict = {};  ///< absent where there is none
+};
+
+/// `diagnosis` is of the evaluation; null: there was none.
+VerdictText verdictText(const Evaluation& evaluation, const Diagnosis* diagnosis);
+/// Until the diagnosis has spoken: neither accept nor reject.
+VerdictText verdictAsModelled(const Evaluation& evaluation);
+
+}  // namespace alidade::ui
