@@ -26,6 +26,14 @@ QString figureAndU(double value, double u) {
   return QStringLiteral("%1 (%2)").arg(numberText(value, decimals), numberText(u, decimals));
 }
 
+/// A figure stays with its sign and unit when the line is full.
+QString unbroken(QString text) {
+  text.replace(QStringLiteral("± "), QStringLiteral("±") + QChar(QChar::Nbsp));
+  for (const QString& unit : {QStringLiteral("mm"), QStringLiteral("%")})
+    text.replace(u' ' + unit, QChar(QChar::Nbsp) + unit);
+  return text;
+}
+
 /// Out of sight where its room is kept, so that what stands below stays where it is.
 void keepRoom(QLabel& label, bool kept) {
   QSizePolicy policy = label.sizePolicy();
@@ -120,7 +128,7 @@ void ResultPanel::setGap(const Gap& gap) {
   if (gap.evaluation->fit.intersection) showVerdict(text.word, text.sentence, text.verdict);
   for (QLabel* label : {m_asFound, m_unseen}) keepRoom(*label, false);
   showAsFound(gap);
-  m_unseen->setText(unseenBeyondUText(gap));
+  m_unseen->setText(unbroken(unseenBeyondUText(gap)));
   m_unseen->setVisible(!m_unseen->text().isEmpty());
   m_gapHeadline = gap.isOpen() ? gapHeadline(*gap.diagnosis) : QString();
   m_gapHint->setVisible(!m_gapHeadline.isEmpty());
@@ -225,7 +233,7 @@ void ResultPanel::showVerdict(const Evaluation& evaluation) {
 void ResultPanel::showVerdict(const QString& word, const QString& sentence, std::optional<Verdict> verdict) {
   m_verdict = verdict;
   m_badge->setText(word);
-  m_sentence->setText(sentence);
+  m_sentence->setText(unbroken(sentence));
   m_sentence->setVisible(!sentence.isEmpty());
   if (m_iconName != iconOf(verdict)) {
     m_iconName = iconOf(verdict);
