@@ -10,6 +10,7 @@
 #include "core/base/quantity_text.h"
 #include "core/effects/cause_ids.h"
 #include "core/wording/beyond.h"
+#include "core/wording/closures.h"
 #include "core/wording/diagnosis_sentence.h"
 #include "core/wording/measure.h"
 
@@ -85,6 +86,17 @@ std::string whereText(const Diagnosis& diagnosis) {
   return text;
 }
 
+std::string closuresText(const Diagnosis& diagnosis) {
+  if (diagnosis.closures.empty()) return "";
+  std::string text = "\nWhat the two positions must agree on\n";
+  for (const ClosureStep& step : diagnosis.closures) {
+    text += "  " + textOf(step.before);
+    if (step.after && !diagnosis.causes.empty()) text += "; with the causes " + textOf(*step.after);
+    text += "\n";
+  }
+  return text + paragraph(misclosureSentence(diagnosis));
+}
+
 std::string adviceText(const Diagnosis& diagnosis) {
   if (diagnosis.advice.empty()) return "";
   std::string text = "\nWhat to measure next\n";
@@ -112,7 +124,8 @@ std::string diagnosisText(const std::string& session, const Diagnosis& diagnosis
                      paragraph(sentenceOf(diagnosis)) + gapText(diagnosis);
   for (const Cause& cause : diagnosis.causes) text += causeText(cause);
   if (diagnosis.verdict != DiagnosisVerdict::WithinNoise) text += whereText(diagnosis);
-  return text + adviceText(diagnosis) + unseenText(diagnosis) + findingsText(findings);
+  return text + closuresText(diagnosis) + adviceText(diagnosis) + unseenText(diagnosis) +
+         findingsText(findings);
 }
 
 }  // namespace alidade::console

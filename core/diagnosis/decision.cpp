@@ -52,6 +52,12 @@ std::optional<AcceptanceDecision> decideAcceptance(const Measurement& measuremen
     decision.verdict = decision.asModelled;
     if (decision.verdict != Verdict::Undecided) decision.obstacle = AcceptanceDecision::Obstacle::None;
   }
+  if (diagnosis && isMisclosed(*diagnosis)) {
+    decision.verdict = Verdict::Undecided;
+    if (decision.obstacle != AcceptanceDecision::Obstacle::Contradiction)
+      decision.obstacle = AcceptanceDecision::Obstacle::Misclosure;
+    return decision;
+  }
   if (!diagnosis)
     decision.conformance = conformanceOf(estimateOf(*fit.intersection), tolerance);
   else if (diagnosis->afterwards)

@@ -8,7 +8,7 @@
 namespace alidade {
 
 /// The verdict of an acceptance in the light of the diagnosis: accept or reject only where the session's own
-/// model and what was found beside it both say so.
+/// model and what was found beside it both say so, and the two positions agree on what they must.
 struct AcceptanceDecision {
   /// What stands in the way of accept or reject.
   enum class Obstacle {
@@ -16,6 +16,7 @@ struct AcceptanceDecision {
     Uncertainty,    ///< U, on both accounts
     Lengths,        ///< in doubt, so the verdict is withheld
     Contradiction,  ///< the two accounts do not say the same
+    Misclosure,     ///< the positions disagree where they must not, and nothing found accounts for it
   };
 
   Verdict verdict = Verdict::Undecided;
@@ -25,7 +26,8 @@ struct AcceptanceDecision {
   /// A gap that is more than noise, or two accounts that differ: both belong beside the verdict.
   bool showsBoth = false;
   /// Probability that |Δd| is within the tolerance, 0…1, by what is believed of Δd afterwards, or without a
-  /// diagnosis by the fit (JCGM 106:2012, 7.4). Absent where the verdict is withheld or U has no end.
+  /// diagnosis by the fit (JCGM 106:2012, 7.4). Absent where the verdict is withheld, a closure fails, or U
+  /// has no end.
   std::optional<double> conformance = {};
 
   bool operator==(const AcceptanceDecision&) const = default;

@@ -50,6 +50,17 @@ std::optional<GapShape> shapeOf(const Inquiry& inquiry) {
                   shape.signatureSquare(pattern.weights) / inquiry.leftover.chiSquare()};
 }
 
+std::vector<ClosureStep> closuresOf(const GapModel& before, const GapModel& after) {
+  const std::vector<Closure> then = closuresOf(*after.measurement, after.fit);
+  std::vector<ClosureStep> steps;
+  for (const Closure& closure : closuresOf(*before.measurement, before.fit)) {
+    steps.push_back({closure});
+    const auto same = std::ranges::find(then, closure.of, &Closure::of);
+    if (same != then.end()) steps.back().after = *same;
+  }
+  return steps;
+}
+
 std::vector<ReadingDeviation> readingsOf(const GapModel& model) {
   std::vector<ReadingDeviation> readings;
   readings.reserve(model.fit.readings.size());
@@ -93,6 +104,7 @@ Result<Diagnosis, DiagnosisFault> diagnose(const Measurement& measurement, const
   diagnosis.steps = stepsOf(inquiry, answer);
   diagnosis.before = estimateOf(before);
   diagnosis.afterwards = modelAveragedIntersection(inquiry, answer);
+  diagnosis.closures = closuresOf(before, answer.after);
   const std::vector<Detectability> unseen =
       undetectableEffects(inquiry.leftover, inquiry.candidates, influencePerSigma(inquiry.base));
   for (const Detectability& detectability : unseen)

@@ -31,12 +31,10 @@ Words wordsOf(const NothingChecks&) {
 }
 
 Words wordsOf(const ScattersMore& finding) {
-  return {
-      "the readings scatter " + displayText(std::sqrt(finding.reducedChiSquare), 1) +
-          " times their stated noise " + scatterText(finding.reducedChiSquare, finding.degreesOfFreedom) +
-          ".",
-      "Look for misread values or an effect that the model does not hold; the uncertainty of the readings "
-      "is scaled up by the scatter."};
+  return {"the readings scatter " + displayText(std::sqrt(finding.reducedChiSquare), 1) +
+              " times their stated noise " + scatterText(finding.reducedChiSquare, finding.degreesOfFreedom) +
+              ".",
+          "Look for misread values or an effect that the model does not hold; U is scaled by the scatter."};
 }
 
 Words wordsOf(const ScattersLess& finding) {

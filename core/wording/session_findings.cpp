@@ -10,6 +10,16 @@ namespace alidade {
 
 using namespace session_finding;
 
+namespace {
+
+/// "1.959 mm, more than their noise allows (0.544 mm at 0.1 % risk)".
+std::string beyondChance(double difference, const std::string& by, double bound) {
+  return displayText(difference, 3) + " mm, more than " + by + " (" + displayText(bound, 3) +
+         " mm at 0.1 % risk).";
+}
+
+}  // namespace
+
 Words wordsOf(const ArcMissing& finding) {
   return {"The arc at " + std::to_string(finding.axisDeg) + "° " + textOf(finding.why) + "."};
 }
@@ -27,11 +37,15 @@ Words wordsOf(const PositionMissing& finding) {
 }
 
 Words wordsOf(const RadiiDiffer& finding) {
-  return {"The radii at 0° and 180° differ by " + displayText(finding.difference, 3) +
-              " mm, more than their noise allows (" + displayText(finding.bound, 3) +
-              " mm at 0.1 % risk), though the guideway is one rigid arc.",
-          "Look for a cause outside the model, such as a plane off the rotation axis, before trusting the "
-          "intersection."};
+  return {"The radii of the one rigid arc at 0° and 180° differ by " +
+              beyondChance(finding.difference, "their noise allows", finding.bound),
+          "Look for a cause outside the model, such as a plane off the axis."};
+}
+
+Words wordsOf(const CentresDiffer& finding) {
+  return {"Along the axis the centres at 0° and 180° differ by " +
+              beyondChance(finding.difference, "readings and zeros allow", finding.bound),
+          "Look for a knock or a drift since a zero, or play along the axis."};
 }
 
 Words wordsOf(const KnownRadiusContradicted& finding) {

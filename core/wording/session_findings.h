@@ -9,6 +9,7 @@ Words wordsOf(const session_finding::ArcMissing& finding);
 Words wordsOf(const session_finding::Undetermined& finding);
 Words wordsOf(const session_finding::PositionMissing& finding);
 Words wordsOf(const session_finding::RadiiDiffer& finding);
+Words wordsOf(const session_finding::CentresDiffer& finding);
 Words wordsOf(const session_finding::KnownRadiusContradicted& finding);
 Words wordsOf(const session_finding::OffReference& finding);
 Words wordsOf(const session_finding::UnknownEffect& finding);

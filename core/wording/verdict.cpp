@@ -1,6 +1,7 @@
 #include "core/wording/verdict.h"
 
 #include "core/base/quantity_text.h"
+#include "core/wording/closures.h"
 #include "core/wording/setup_findings.h"
 
 namespace alidade {
@@ -79,6 +80,8 @@ std::string verdictSentence(const Measurement& measurement, const SessionFit& fi
                                 ? bothAccounts(measurement, *fit.intersection, *diagnosis, decision)
                                 : verdictSentence(fit.intersection->value, fit.intersection->expanded,
                                                   *measurement.tolerance, measurement.coverage);
+  if (decision.obstacle == AcceptanceDecision::Obstacle::Misclosure)
+    return misclosureSentence(*diagnosis) + ' ' + rests;
   if (!decision.conformance) return rests;
   return rests + (decision.showsBoth ? " By what was found, it conforms" : " It conforms") +
          " with a probability of " + probabilityText(*decision.conformance) + ".";

@@ -129,15 +129,17 @@ TEST(FitJson, ScalesTheReadingsBySoMuchAsTheyScatter) {
 }
 
 TEST(FitJson, DecidesByTheGuardBand) {
+  const std::string clean = ALIDADE_SAMPLES_DIR "/clean-session.alidade";
   const TemporaryFolder folder;
   const auto verdictAt = [&](double tolerance) {
-    const std::string file = folder.file("s.alidade", changedPaperSession([&](Json& session) {
-                                           session["acceptance"]["tolerance_mm"] = tolerance;
-                                         }));
+    Json session = Json::parse(contentOf(clean));
+    session["acceptance"]["tolerance_mm"] = tolerance;
+    const std::string file = folder.file("s.alidade", session.dump());
     return fitOf(file)["decision"]["verdict"].get<std::string>();
   };
-  const Json intersection = fitOf(paperSession)["intersection"];
-  const double value = intersection["value_mm"], expanded = intersection["expanded_mm"];
+  const Json intersection = fitOf(clean)["intersection"];
+  const double value = std::abs(intersection["value_mm"].get<double>()),
+               expanded = intersection["expanded_mm"];
   EXPECT_EQ(verdictAt(value + expanded + 0.001), "accept");
   EXPECT_EQ(verdictAt(value + expanded - 0.001), "undecided");
   EXPECT_EQ(verdictAt(value - expanded + 0.001), "undecided");
@@ -172,6 +174,15 @@ TEST(FitJson, DecidesNothingThatTheDiagnosisContradicts) {
   EXPECT_EQ(alone["decision"]["verdict"], "reject");
   EXPECT_TRUE(alone["decision"]["as_found"].is_null());
   EXPECT_FALSE(alone.contains("intersection_as_found"));
+}
+
+TEST(FitJson, DecidesNothingWhereThePositionsDoNotClose) {
+  const Json decision = fitOf(paperSession)["decision"];
+  EXPECT_EQ(decision["as_modelled"], "accept");
+  EXPECT_EQ(decision["as_found"], "accept");
+  EXPECT_EQ(decision["verdict"], "undecided");
+  EXPECT_THAT(decision["reason"].get<std::string>(), ::testing::HasSubstr("do not close"));
+  EXPECT_TRUE(decision["conformance_probability"].is_null());
 }
 
 // With metres for millimetres every length of the fit is a thousandth, its uncertainty too: "accept" of

@@ -37,8 +37,10 @@ struct Gap {
 
   /// The stage of the session as it is: the last that is not proposed.
   const GapStage& asModelled() const;
-  /// A gap that the session's model does not account for.
-  bool isOpen() const { return diagnosis && diagnosis->verdict != DiagnosisVerdict::WithinNoise; }
+  /// A gap that the session's model does not account for, in residuals or between the positions.
+  bool isOpen() const {
+    return diagnosis && (diagnosis->verdict != DiagnosisVerdict::WithinNoise || isMisclosed(*diagnosis));
+  }
   const Diagnosis* found() const { return diagnosis ? &*diagnosis : nullptr; }
   /// Nothing but noise larger than stated.
   bool isNoiseAlone() const;

@@ -101,7 +101,7 @@ QString methodText(const Evaluation& evaluation) {
       .arg(relation);
 }
 
-constexpr double signatureSpace = 13, signatureHeight = signatureSpace + 6;
+constexpr double signatureSpace = 10, signatureHeight = signatureSpace + 6;
 
 void addSignatures(ReportSheet& sheet) {
   constexpr double line = 78;

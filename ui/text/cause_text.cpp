@@ -5,6 +5,7 @@
 
 #include "core/effects/catalogue.h"
 #include "core/effects/cause_ids.h"
+#include "core/wording/closures.h"
 #include "core/wording/diagnosis_sentence.h"
 #include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
@@ -67,7 +68,8 @@ Place placeOf(const ReadingDeviation& reading) {
 QString gapHeadline(const Diagnosis& diagnosis) {
   switch (diagnosis.verdict) {
     case DiagnosisVerdict::WithinNoise:
-      return GapText::tr("No gap: within the noise");
+      return isMisclosed(diagnosis) ? GapText::tr("The positions do not close")
+                                    : GapText::tr("No gap: within the noise");
     case DiagnosisVerdict::SingleCause:
       return GapText::tr("One cause: %1").arg(causeName(diagnosis.causes.front().effect));
     case DiagnosisVerdict::Ambiguous:
@@ -90,6 +92,8 @@ QString diagnosisText(const Diagnosis& diagnosis) {
 
 QString gapSentence(const Gap& gap) {
   QString text = diagnosisText(*gap.diagnosis);
+  if (gap.diagnosis->verdict == DiagnosisVerdict::WithinNoise && isMisclosed(*gap.diagnosis))
+    text += u' ' + qText(misclosureSentence(*gap.diagnosis));
   const GapStage& bare = gap.stages.front();
   if (bare.kind == GapStage::Kind::Bare && &bare != &gap.asModelled()) {
     std::vector<std::string> effects;

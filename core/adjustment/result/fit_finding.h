@@ -94,6 +94,10 @@ struct PositionMissing {
 struct RadiiDiffer {
   double difference = 0, bound = 0;  ///< both ≥ 0
 };
+/// Along the axis.
+struct CentresDiffer {
+  double difference = 0, bound = 0;  ///< both ≥ 0
+};
 struct KnownRadiusContradicted {
   double nominal = 0, pulledBy = 0, bound = 0;
 };
@@ -114,12 +118,12 @@ struct ArcFinding {
 };
 
 struct FitFinding {
-  using What = std::variant<ArcFinding, setup_finding::DistanceTooShort, setup_finding::PlacesOnTheWrongSide,
-                            setup_finding::ZeroOfOtherCircle, setup_finding::SlidersDiffer,
-                            session_finding::ArcMissing, session_finding::Undetermined,
-                            session_finding::PositionMissing, session_finding::RadiiDiffer,
-                            session_finding::KnownRadiusContradicted, session_finding::OffReference,
-                            session_finding::UnknownEffect, session_finding::PlanarRelation>;
+  using What = std::variant<
+      ArcFinding, setup_finding::DistanceTooShort, setup_finding::PlacesOnTheWrongSide,
+      setup_finding::ZeroOfOtherCircle, setup_finding::SlidersDiffer, session_finding::ArcMissing,
+      session_finding::Undetermined, session_finding::PositionMissing, session_finding::RadiiDiffer,
+      session_finding::CentresDiffer, session_finding::KnownRadiusContradicted, session_finding::OffReference,
+      session_finding::UnknownEffect, session_finding::PlanarRelation>;
 
   Severity severity = Severity::Warning;  ///< Error: an arc, or all of them, are not there because of this
   Place where;

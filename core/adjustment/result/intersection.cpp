@@ -65,13 +65,13 @@ std::vector<double> unit(const JointFit& fit, const Unknown& unknown) {
   return weights;
 }
 
+}  // namespace
+
 std::optional<std::size_t> arcAt(const Measurement& measurement, int axisDeg) {
   const auto found = std::ranges::find(measurement.arcs, axisDeg, &ArcMeasurement::axisDeg);
   if (found == measurement.arcs.end()) return std::nullopt;
   return static_cast<std::size_t>(found - measurement.arcs.begin());
 }
-
-}  // namespace
 
 NoiseScale noiseScale(double chiSquare, int degreesOfFreedom) {
   constexpr double known = std::numeric_limits<double>::infinity();

@@ -8,6 +8,9 @@
 
 namespace alidade {
 
+/// Index of the first arc at this axis angle; absent where there is none.
+std::optional<std::size_t> arcAt(const Measurement& measurement, int axisDeg);
+
 /// How the readings scatter against what is stated.
 struct NoiseScale {
   double factor = 1;            ///< s0 = √(χ²/f): what comes from the readings is scaled by it

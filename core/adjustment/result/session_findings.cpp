@@ -22,15 +22,19 @@ bool holdsAxis(const Measurement& measurement, int axisDeg) {
                              [&](const ArcMeasurement& arc) { return arc.axisDeg == axisDeg; });
 }
 
-/// One rigid guideway has one radius; L and its error are common to both arcs.
-void judgeRadii(std::vector<FitFinding>& findings, const Measurement& measurement, const SessionFit& fit) {
+/// What the positions differ by in an unknown that half a turn leaves alone, where that is too much.
+template <typename Finding>
+void judgeClosure(std::vector<FitFinding>& findings, const SessionFit& fit, Unknown::Kind kind) {
   const ArcFit *upper = fit.arcAt(0), *lower = fit.arcAt(180);
-  if (!upper || !lower || measurement.radiusModel != RadiusModel::Free) return;
-  const double difference = upper->circle.radius - lower->circle.radius;
+  if (!upper || !lower) return;
   std::vector<double> weights(fit.joint.unknowns.size());
-  for (std::size_t arc = 0; arc < fit.arcs.size(); ++arc)
-    weights[fit.joint.indexOf({.kind = Unknown::Kind::Radius, .arc = arc})] =
-        &fit.arcs[arc] == upper ? 1 : -1;
+  double difference = 0;
+  for (const ArcFit* arc : {upper, lower}) {
+    const auto index =
+        fit.joint.indexOf({.kind = kind, .arc = static_cast<std::size_t>(arc - fit.arcs.data())});
+    weights[index] = arc == upper ? 1 : -1;
+    difference += weights[index] * fit.joint.values[index];
+  }
   const double sigma = combined(budgetOf(fit.joint, weights, fit.noise.factor));
   constexpr double risk = 0.001;
   constexpr double leastFactor =
@@ -38,7 +42,7 @@ void judgeRadii(std::vector<FitFinding>& findings, const Measurement& measuremen
   if (std::abs(difference) <= leastFactor * sigma) return;
   const double bound = coverageFactor(1 - risk, fit.noise.degreesOfFreedom) * sigma;
   if (std::abs(difference) <= bound) return;
-  findings.push_back({Severity::Warning, {}, RadiiDiffer{std::abs(difference), bound}});
+  findings.push_back({Severity::Warning, {}, Finding{std::abs(difference), bound}});
 }
 
 /// The readings tell the radius, too. What they say apart from R0 differs from the fitted radius as R0 does,
@@ -98,7 +102,9 @@ std::vector<FitFinding> modelFindings(const Measurement& measurement) {
 
 std::vector<FitFinding> sessionFindings(const Measurement& measurement, const SessionFit& fit) {
   std::vector<FitFinding> findings = missingPositions(measurement);
-  judgeRadii(findings, measurement, fit);
+  if (measurement.radiusModel == RadiusModel::Free)
+    judgeClosure<RadiiDiffer>(findings, fit, Unknown::Kind::Radius);
+  judgeClosure<CentresDiffer>(findings, fit, Unknown::Kind::CentreX);
   judgeKnownRadius(findings, measurement, fit);
   judgeReference(findings, measurement, fit);
   std::ranges::move(modelFindings(measurement), std::back_inserter(findings));

@@ -20,6 +20,10 @@ std::string_view nameOf(DiagnosisVerdict verdict) {
   return "";
 }
 
+bool isMisclosed(const Diagnosis& diagnosis) {
+  return std::ranges::any_of(diagnosis.closures, &ClosureStep::isOpen);
+}
+
 IntersectionEstimate estimateOf(const Intersection& intersection) {
   return {intersection.value,
           intersection.sigma,

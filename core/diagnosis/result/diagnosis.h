@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/adjustment/result/closures.h"
 #include "core/adjustment/result/intersection.h"
 #include "core/base/normal_mixture.h"
 #include "core/observation/reading_ref.h"
@@ -100,6 +101,15 @@ struct GapStep {
   std::optional<IntersectionEstimate> intersection;
 };
 
+/// A closure as the session's own model has it, and with the causes in the model.
+struct ClosureStep {
+  Closure before;
+  std::optional<Closure> after = {};  ///< absent where the readings do not determine it then
+
+  /// It fails, and what was found does not account for it.
+  bool isOpen() const { return fails(after.value_or(before)); }
+};
+
 /// An effect that these readings would not show.
 struct UnseenEffect {
   std::string effect;
@@ -141,12 +151,16 @@ struct Diagnosis {
   std::vector<GapShare> where;
   std::vector<GapStep> steps;  ///< one for each cause, a gross_error first
   std::optional<IntersectionEstimate> before, afterwards;
+  std::vector<ClosureStep> closures;
   std::vector<UnseenEffect> unseen;           ///< the most dangerous first
   std::vector<Advice> advice;                 ///< the most telling first
   std::optional<GapShape> shape;              ///< with NotInCatalogue
   std::vector<double> leftBefore, leftAfter;  ///< residuals/σ before and after, in the order of `readings`
   std::vector<ReadingDeviation> readings;     ///< all that took part, `size` their residual before
 };
+
+/// A closure fails, and what was found does not account for it.
+bool isMisclosed(const Diagnosis& diagnosis);
 
 struct DiagnosisOptions {
   /// Ids of effects that are not considered.

@@ -117,6 +117,20 @@ TEST_F(Decision, StatesTheProbabilityOfConformance) {
   EXPECT_NEAR(*at(modelled.value + modelled.expanded, nullptr).conformance, 0.975, rounding);
 }
 
+TEST_F(Decision, IsOpenWhereThePositionsDoNotClose) {
+  const Closure failing{Closure::Of::Centre, 0.65, 0.09, 1e-9}, sound{Closure::Of::Centre, 0.05, 0.09, 0.6};
+  Diagnosis diagnosis = found("collimation", 1.3, 0.2);
+  diagnosis.closures = {{failing, sound}};
+  EXPECT_EQ(at(2.5, &diagnosis).verdict, Verdict::Accept) << "the cause accounts for it";
+  diagnosis.closures = {{failing, failing}};
+  const AcceptanceDecision decision = at(2.5, &diagnosis);
+  EXPECT_EQ(decision.verdict, Verdict::Undecided);
+  EXPECT_EQ(decision.asModelled, Verdict::Accept);
+  EXPECT_EQ(decision.obstacle, Obstacle::Misclosure);
+  EXPECT_EQ(decision.conformance, std::nullopt);
+  EXPECT_EQ(at(0.5, &diagnosis).verdict, Verdict::Undecided);
+}
+
 TEST_F(Decision, IsWithheldWithLengthsInDoubt) {
   measurement.nominalRadius = 250;
   const Diagnosis diagnosis = found("collimation", 0, 0.1);

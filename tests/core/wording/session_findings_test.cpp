@@ -10,9 +10,13 @@ using namespace session_finding;
 using testing::HasSubstr, testing::Not, testing::StartsWith;
 
 TEST(SessionFindingsInWords, StateTheirNumbers) {
+  EXPECT_EQ(
+      wordsOf(CentresDiffer{0.6483, 0.3}).text,
+      "Along the axis the centres at 0° and 180° differ by 0.648 mm, more than readings and zeros allow "
+      "(0.300 mm at 0.1 % risk).");
   EXPECT_EQ(wordsOf(RadiiDiffer{1.9591, 0.2004}).text,
-            "The radii at 0° and 180° differ by 1.959 mm, more than their noise allows (0.200 mm at 0.1 % "
-            "risk), though the guideway is one rigid arc.");
+            "The radii of the one rigid arc at 0° and 180° differ by 1.959 mm, more than their noise allows "
+            "(0.200 mm at 0.1 % risk).");
   EXPECT_EQ(wordsOf(KnownRadiusContradicted{400, -0.0312, 0.0201}).text,
             "The readings do not agree with the known radius of 400 mm: they pull it by −0.0312 mm, where "
             "0.0201 mm is the most that their noise and its σ allow at 0.1 % risk.");

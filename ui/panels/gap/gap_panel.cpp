@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "core/effects/catalogue.h"
+#include "core/wording/closures.h"
 #include "core/wording/measure.h"
 #include "ui/charts/gap/gap_map.h"
 #include "ui/charts/gap/gap_waterfall.h"
@@ -17,6 +18,7 @@
 #include "ui/panels/parts/data_table.h"
 #include "ui/panels/parts/figure_grid.h"
 #include "ui/text/cause_text.h"
+#include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/quantity_text.h"
 
@@ -51,6 +53,8 @@ GapPanel::GapPanel(QWidget* parent)
       m_map(new GapMap),
       m_candidates(nullptr),
       m_add(nullptr),
+      m_closures(new FigureGrid),
+      m_closuresNote(wrappedLabel()),
       m_next(wrappedLabel()),
       m_unseen(new FigureGrid),
       m_unseenNote(wrappedLabel()) {
@@ -65,6 +69,7 @@ GapPanel::GapPanel(QWidget* parent)
               block(tr("Causes"), {m_causes}),
               block(tr("Before and after"), {m_waterfall, m_result, m_shrinkage}),
               block(tr("Where it lies"), {m_map}),
+              block(tr("What the positions must agree on"), {m_closures, m_closuresNote}),
               block(tr("What to measure next"), {m_next}),
               block(tr("What would go unseen"), {m_unseen, m_unseenNote}),
               createCandidates()};
@@ -144,6 +149,7 @@ void GapPanel::setGap(const SharedGap& gap) {
                                2 * m_candidates->frameWidth());
   if (!m_candidates->currentIndex().isValid()) m_candidates->selectDataRows({0});
   showCandidate();
+  showClosures();
   showNext();
   showUnseen();
 }
@@ -229,6 +235,25 @@ void GapPanel::showNext() {
   m_next->setTextFormat(Qt::RichText);
   m_next->setText(lines.isEmpty() ? tr("No further reading of the usual kinds would tell more.")
                                   : lines.join(QStringLiteral("<br>")));
+}
+
+void GapPanel::showClosures() {
+  const Diagnosis& diagnosis = *m_gap->diagnosis;
+  QVector<FigureGrid::Row> rows;
+  const auto figures = [](const Closure& closure) {
+    return QStringList{withStandardUncertainty(closure.value, closure.sigma, {}),
+                       numberText(std::abs(closure.value) / closure.sigma, 1)};
+  };
+  for (const ClosureStep& step : diagnosis.closures) {
+    rows.append({qText(nameInWords(step.before.of)), figures(step.before)});
+    if (step.after && !diagnosis.causes.empty()) rows.append({tr("… with the causes"), figures(*step.after)});
+  }
+  m_closures->setVisible(!rows.isEmpty());
+  m_closures->setRows({tr("mm (u)"), tr("σ")}, rows);
+  const QString open = qText(misclosureSentence(diagnosis));
+  m_closuresNote->setText(rows.isEmpty()   ? tr("Both positions are needed to compare them.")
+                          : open.isEmpty() ? tr("One rigid arc turned about a level axis: they agree.")
+                                           : open);
 }
 
 /// What a plausible size would do to Δd.

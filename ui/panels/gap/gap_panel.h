@@ -54,6 +54,7 @@ class GapPanel : public ScrollPage {
   void showVerdict();
   void showEffectOnResult();
   void showShrinkage();
+  void showClosures();
   void showNext();
   void showUnseen();
   void showCandidate();
@@ -72,6 +73,8 @@ class GapPanel : public ScrollPage {
   GapMap* m_map;
   DataTable* m_candidates;
   QPushButton* m_add;
+  FigureGrid* m_closures;
+  QLabel* m_closuresNote;
   QLabel* m_next;
   FigureGrid* m_unseen;
   QLabel* m_unseenNote;

@@ -38,6 +38,23 @@ TEST(SessionFindings, RadiiDifferByMoreThanTheirNoiseAllows) {
   EXPECT_TRUE(says<session_finding::RadiiDiffer>(withRadii(400 + 1.03 * bound, 400)));
 }
 
+TEST(SessionFindings, CentresDifferByMoreThanReadingsAndZerosAllow) {
+  const auto apart = [](double x) {
+    Measurement measurement = withRadii(400, 400);
+    measurement.sigmaZeroHorizontal = Angle::fromArcseconds(3);
+    measurement.radiusModel = RadiusModel::Common;
+    measurement.arcs[1] = test::perfectArc(measurement, {x, 0, 400}, test::spread(17, 160, -90), 180);
+    return measurement;
+  };
+  const std::vector<ArcSigma> sigmas = fitSession(apart(0)).sigmas;
+  const double bound = quantile * std::hypot(sigmas.at(0).x, sigmas.at(1).x);
+  for (const double side : {-1.0, 1.0}) {
+    EXPECT_FALSE(says<session_finding::CentresDiffer>(apart(side * 0.97 * bound)));
+    EXPECT_TRUE(says<session_finding::CentresDiffer>(apart(side * 1.03 * bound)));
+  }
+  EXPECT_FALSE(says<session_finding::RadiiDiffer>(apart(2 * bound))) << "one radius for both";
+}
+
 // The readings' own radius has 1/σ² = 1/σ1² + 1/σ2²; it is independent of R0, so σ of their difference is the
 // root of the sum of squares.
 TEST(SessionFindings, KnownRadiusIsHeldAgainstWhatTheReadingsSay) {

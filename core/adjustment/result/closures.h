@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "core/adjustment/joint/joint_fit.h"
+#include "core/session/measurement.h"
+
+namespace alidade {
+
+// What the two positions must agree on whatever the intersection is: a rigid arc keeps its radius, and half a
+// turn about an axis along x leaves x alone. The fit leaves both free, so none of it reaches a residual.
+
+/// How far one such condition fails.
+struct Closure {
+  enum class Of { Radius, Centre };
+
+  Of of = Of::Radius;
+  double value = 0;  ///< misclosure, mm: at 180° less at 0°, of R or of Δx
+  double sigma =
+      0;  ///< its standard uncertainty, mm: from readings (scaled by s0), effects and pointing zeros
+  double chance = 1;  ///< that it fails by so much or more by that alone, 0…1
+};
+
+/// "radius", "centre".
+std::string_view nameOf(Closure::Of of);
+
+/// `fit` is of `measurement`. The radius is left out where the model has one for both arcs or keeps it; none
+/// without arcs at 0° and at 180°, or where the readings do not determine the fit.
+std::vector<Closure> closuresOf(const Measurement& measurement, const JointFit& fit);
+
+/// At a risk of 0.1 %: more than what is accounted for separates the positions.
+bool fails(const Closure& closure);
+
+}  // namespace alidade

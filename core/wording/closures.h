@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "core/diagnosis/result/diagnosis.h"
+
+namespace alidade {
+
+/// "R(180°) − R(0°)".
+std::string nameInWords(Closure::Of of);
+
+/// "R(180°) − R(0°) = 1.96 mm (u 0.28), 7.0 σ".
+std::string textOf(const Closure& closure);
+
+/// Which closures fail although the causes are in the model, and what that means; empty where none does.
+std::string misclosureSentence(const Diagnosis& diagnosis);
+
+}  // namespace alidade
