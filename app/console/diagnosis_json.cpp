@@ -1,6 +1,5 @@
 #include "app/console/diagnosis_json.h"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/console/findings_output.h"
@@ -81,13 +80,12 @@ std::string diagnosisJson(const std::string& session, const Diagnosis& diagnosis
   json["intersection"] = {{"before", estimateJson(diagnosis.before)},
                           {"after", estimateJson(diagnosis.afterwards)}};
   json["closures"] = listJson(diagnosis.closures, [](const ClosureStep& step) -> Json {
-    const auto sigmas = [](const Closure& closure) { return std::abs(closure.value) / closure.sigma; };
     return {{"closure", nameOf(step.before.of)},
             {"value_mm", step.before.value},
             {"sigma_mm", step.before.sigma},
-            {"sigmas", sigmas(step.before)},
+            {"sigmas", step.before.sigmas()},
             {"after_mm", step.after ? Json(step.after->value) : Json()},
-            {"after_sigmas", step.after ? Json(sigmas(*step.after)) : Json()}};
+            {"after_sigmas", step.after ? Json(step.after->sigmas()) : Json()}};
   });
   json["unseen"] = listJson(diagnosis.unseen, [](const UnseenEffect& effect) -> Json {
     return {{"effect", effect.effect},

@@ -1,6 +1,5 @@
 #include "core/wording/closures.h"
 
-#include <cmath>
 #include <vector>
 
 #include "core/base/list_text.h"
@@ -15,14 +14,13 @@ std::string nameInWords(Closure::Of of) {
 std::string textOf(const Closure& closure) {
   const int decimals = decimalsFor(closure.sigma);
   return nameInWords(closure.of) + " = " + displayText(closure.value, decimals) + " mm (u " +
-         displayText(closure.sigma, decimals) + "), " +
-         displayText(std::abs(closure.value) / closure.sigma, 1) + " σ";
+         displayText(closure.sigma, decimals) + "), " + displayText(closure.sigmas(), 1) + " σ";
 }
 
 std::string misclosureSentence(const Diagnosis& diagnosis) {
   std::vector<std::string> open;
   for (const ClosureStep& step : diagnosis.closures)
-    if (step.isOpen()) open.push_back(textOf(step.after.value_or(step.before)));
+    if (step.isOpen()) open.push_back(textOf(step.latest()));
   if (open.empty()) return {};
   return "The two positions do not close: " + listed(open, " and ") +
          ". What moved between them may have moved Δd: find it, or measure anew and sight the zeros again.";

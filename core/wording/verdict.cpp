@@ -23,8 +23,13 @@ std::string lengthText(double value, double expanded) {
   return displayText(value, decimals) + " mm ± " + displayText(expanded, decimals) + " mm";
 }
 
-std::string limitText(const Measurement& measurement) {
-  return "the tolerance of ± " + displayShortest(*measurement.tolerance) + " mm";
+std::string limitText(double tolerance) {
+  return "the tolerance of ± " + displayShortest(tolerance) + " mm";
+}
+
+/// " (95 % coverage)".
+std::string coverageText(double coverage) {
+  return " (" + displayShortest(coverage * 100) + " % coverage)";
 }
 
 /// Of one account: where it lies.
@@ -48,7 +53,7 @@ std::string agreement(Verdict verdict, const std::string& limit) {
 
 std::string bothAccounts(const Measurement& measurement, const Intersection& modelled,
                          const Diagnosis& diagnosis, const AcceptanceDecision& decision) {
-  const std::string limit = limitText(measurement);
+  const std::string limit = limitText(*measurement.tolerance);
   const std::string first =
       "As modelled, the intersection is " + lengthText(modelled.value, modelled.expanded);
   if (!diagnosis.afterwards)
@@ -56,7 +61,7 @@ std::string bothAccounts(const Measurement& measurement, const Intersection& mod
            "; but with what the diagnosis found, these readings do not determine it.";
   const std::string second = "with what the diagnosis found, it is " +
                              lengthText(diagnosis.afterwards->value, diagnosis.afterwards->expanded);
-  const std::string coverage = " (" + displayShortest(measurement.coverage * 100) + " % coverage)";
+  const std::string coverage = coverageText(measurement.coverage);
   if (decision.asModelled == decision.asFound)
     return first + "; " + second + coverage + agreement(decision.asModelled, limit);
   return first + ", " + standing(decision.asModelled, limit) + "; " + second + coverage + ", " +
@@ -88,11 +93,9 @@ std::string verdictSentence(const Measurement& measurement, const SessionFit& fi
 }
 
 std::string verdictSentence(double value, double expanded, double tolerance, double coverage) {
-  const int decimals = decimalsFor(expanded);
-  const std::string measured = "The intersection was measured as " + displayText(value, decimals) + " mm ± " +
-                               displayText(expanded, decimals) + " mm (" + displayShortest(coverage * 100) +
-                               " % coverage)";
-  const std::string limit = "the tolerance of ± " + displayShortest(tolerance) + " mm";
+  const std::string measured =
+      "The intersection was measured as " + lengthText(value, expanded) + coverageText(coverage);
+  const std::string limit = limitText(tolerance);
   switch (decide(value, expanded, tolerance)) {
     case Verdict::Accept:
       return measured + "; it lies within " + limit + ", its uncertainty included.";

@@ -111,6 +111,37 @@ inline Draw drawOf(const RefitTask& task, const Measurement& wanted, double scal
   return draw;
 }
 
+/// A vertical drift in the model and one in what is drawn. Its prior is drawn to lie where the readings'
+/// drift does: else it would hold the estimate back.
+class DrawnDrift {
+ public:
+  DrawnDrift(const std::array<Circle, 2>& read, const std::array<Circle, 2>& drawn, std::uint64_t seed)
+      : m_fitted(modelled(read)) {
+    constexpr double scale = 1.6, normal = -0.8;
+    const Measurement& measurement = task().fitted;
+    Measurement wanted = withPerfectArcs(measurement, drawn, places, spanDegrees);
+    addVerticalDrift(wanted,
+                     Angle::fromRadians(estimatedTerms(measurement).at(0).priorSigma) * (scale * normal));
+    m_draw = drawOf(task(), wanted, scale, seed);
+    m_draw.normals[DrawPlan::firstTerm] = normal;
+  }
+
+  RefitTask task() const { return m_fitted.task(); }
+  const Draw& draw() const { return m_draw; }
+
+ private:
+  static constexpr int places = 9;
+  static constexpr double spanDegrees = 150;
+  FittedForDraws m_fitted;
+  Draw m_draw;
+
+  static Measurement modelled(const std::array<Circle, 2>& read) {
+    Measurement measurement = uncertainMeasurement();
+    measurement.effects = {"vertical_drift"};
+    return withPerfectArcs(std::move(measurement), read, places, spanDegrees);
+  }
+};
+
 /// Δx and Δy of each arc for each draw.
 inline std::vector<double> centresOf(Refit& refit, const RefitTask& task, const std::vector<Draw>& drawn) {
   std::vector<double> centres(drawn.size() * task.centres());

@@ -8,6 +8,7 @@ namespace alidade {
 namespace {
 
 constexpr double farBelowScatter = 1e-6;  // of the draws, which is some 1 σ
+
 class GeneralRefit : public Refit {
  public:
   explicit GeneralRefit(const RefitTask& task)

@@ -27,26 +27,34 @@ std::string_view nameOf(Closure::Of of) {
   return of == Closure::Of::Radius ? "radius" : "centre";
 }
 
+std::optional<Misclosure> misclosureOf(const JointFit& fit, Closure::Of of, std::size_t at0,
+                                       std::size_t at180, double scale) {
+  const auto kind = of == Closure::Of::Radius ? Unknown::Kind::Radius : Unknown::Kind::CentreX;
+  std::vector<double> weights(fit.unknowns.size());
+  double value = 0;
+  for (const auto& [arc, weight] : {std::pair(at180, 1.0), std::pair(at0, -1.0)}) {
+    const auto own = std::ranges::find(fit.unknowns, Unknown{.kind = kind, .arc = arc});
+    if (own == fit.unknowns.end()) return std::nullopt;
+    const auto index = static_cast<std::size_t>(own - fit.unknowns.begin());
+    weights[index] = weight;
+    value += weight * fit.values[index];
+  }
+  const std::vector<BudgetEntry> budget = budgetOf(fit, weights, scale);
+  return Misclosure{value, combined(budget), scaledPart(budget)};
+}
+
 std::vector<Closure> closuresOf(const Measurement& measurement, const JointFit& fit) {
   const auto upper = arcAt(measurement, 0), lower = arcAt(measurement, 180);
   if (!upper || !lower || !fit.isDetermined()) return {};
   const NoiseScale noise = noiseScale(fit);
   std::vector<Closure> closures;
-  for (const auto& [of, kind] : {std::pair(Closure::Of::Radius, Unknown::Kind::Radius),
-                                 std::pair(Closure::Of::Centre, Unknown::Kind::CentreX)}) {
-    const auto at0 = std::ranges::find(fit.unknowns, Unknown{.kind = kind, .arc = *upper});
-    const auto at180 = std::ranges::find(fit.unknowns, Unknown{.kind = kind, .arc = *lower});
-    if (at0 == fit.unknowns.end() || at180 == fit.unknowns.end()) continue;
-    const auto i = static_cast<std::size_t>(at0 - fit.unknowns.begin()),
-               j = static_cast<std::size_t>(at180 - fit.unknowns.begin());
-    std::vector<double> weights(fit.unknowns.size());
-    weights[i] = -1;
-    weights[j] = 1;
-    const std::vector<BudgetEntry> budget = budgetOf(fit, weights, noise.factor);
-    Closure closure{.of = of, .value = fit.values[j] - fit.values[i], .sigma = combined(budget)};
+  for (const Closure::Of of : {Closure::Of::Radius, Closure::Of::Centre}) {
+    const auto misclosure = misclosureOf(fit, of, *upper, *lower, noise.factor);
+    if (!misclosure) continue;
+    Closure closure{.of = of, .value = misclosure->value, .sigma = misclosure->sigma};
     const DegreesOfFreedom freedom =
-        effectiveDegreesOfFreedom(closure.sigma, scaledPart(budget), noise.degreesOfFreedom);
-    const auto below = studentLowerTail(-std::abs(closure.value) / closure.sigma, freedom);
+        effectiveDegreesOfFreedom(closure.sigma, misclosure->scaledSigma, noise.degreesOfFreedom);
+    const auto below = studentLowerTail(-closure.sigmas(), freedom);
     closure.chance = below ? 2 * *below : 1;
     closures.push_back(closure);
   }

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cmath>
+#include <cstddef>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -16,10 +19,12 @@ struct Closure {
   enum class Of { Radius, Centre };
 
   Of of = Of::Radius;
-  double value = 0;  ///< misclosure, mm: at 180° less at 0°, of R or of Δx
-  double sigma =
-      0;  ///< its standard uncertainty, mm: from readings (scaled by s0), effects and pointing zeros
+  double value = 0;   ///< misclosure, mm: at 180° less at 0°, of R or of Δx
+  double sigma = 0;   ///< its standard uncertainty, mm, from readings (by s0), effects and pointing zeros
   double chance = 1;  ///< that it fails by so much or more by that alone, 0…1
+
+  /// Its size in σ.
+  double sigmas() const { return std::abs(value) / sigma; }
 };
 
 /// "radius", "centre".
@@ -28,6 +33,16 @@ std::string_view nameOf(Closure::Of of);
 /// `fit` is of `measurement`. The radius is left out where the model has one for both arcs or keeps it; none
 /// without arcs at 0° and at 180°, or where the readings do not determine the fit.
 std::vector<Closure> closuresOf(const Measurement& measurement, const JointFit& fit);
+
+/// The misclosure between two arcs of the fit without its chance, which takes longer than all the rest.
+struct Misclosure {
+  double value = 0, sigma = 0;
+  double scaledSigma = 0;  ///< the part of σ that s0 scales
+};
+
+/// `at0`, `at180`: indices of the arcs; `scale`: s0. Absent where they have no such unknown each.
+std::optional<Misclosure> misclosureOf(const JointFit& fit, Closure::Of of, std::size_t at0,
+                                       std::size_t at180, double scale);
 
 /// At a risk of 0.1 %: more than what is accounted for separates the positions.
 bool fails(const Closure& closure);

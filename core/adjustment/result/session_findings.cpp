@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "core/adjustment/result/closures.h"
 #include "core/base/statistics.h"
 #include "core/effects/catalogue.h"
 
@@ -22,27 +23,22 @@ bool holdsAxis(const Measurement& measurement, int axisDeg) {
                              [&](const ArcMeasurement& arc) { return arc.axisDeg == axisDeg; });
 }
 
-/// What the positions differ by in an unknown that half a turn leaves alone, where that is too much.
+/// What the positions differ by where half a turn leaves it alone, if that is too much.
 template <typename Finding>
-void judgeClosure(std::vector<FitFinding>& findings, const SessionFit& fit, Unknown::Kind kind) {
+void judgeClosure(std::vector<FitFinding>& findings, const SessionFit& fit, Closure::Of of) {
   const ArcFit *upper = fit.arcAt(0), *lower = fit.arcAt(180);
   if (!upper || !lower) return;
-  std::vector<double> weights(fit.joint.unknowns.size());
-  double difference = 0;
-  for (const ArcFit* arc : {upper, lower}) {
-    const auto index =
-        fit.joint.indexOf({.kind = kind, .arc = static_cast<std::size_t>(arc - fit.arcs.data())});
-    weights[index] = arc == upper ? 1 : -1;
-    difference += weights[index] * fit.joint.values[index];
-  }
-  const double sigma = combined(budgetOf(fit.joint, weights, fit.noise.factor));
+  const auto index = [&](const ArcFit* arc) { return static_cast<std::size_t>(arc - fit.arcs.data()); };
+  const auto misclosure = misclosureOf(fit.joint, of, index(upper), index(lower), fit.noise.factor);
+  if (!misclosure) return;
+  const double difference = std::abs(misclosure->value), sigma = misclosure->sigma;
   constexpr double risk = 0.001;
   constexpr double leastFactor =
       3.29;  // the normal distribution's; a quantile takes longer than all the rest
-  if (std::abs(difference) <= leastFactor * sigma) return;
+  if (difference <= leastFactor * sigma) return;
   const double bound = coverageFactor(1 - risk, fit.noise.degreesOfFreedom) * sigma;
-  if (std::abs(difference) <= bound) return;
-  findings.push_back({Severity::Warning, {}, Finding{std::abs(difference), bound}});
+  if (difference <= bound) return;
+  findings.push_back({Severity::Warning, {}, Finding{difference, bound}});
 }
 
 /// The readings tell the radius, too. What they say apart from R0 differs from the fitted radius as R0 does,
@@ -102,9 +98,8 @@ std::vector<FitFinding> modelFindings(const Measurement& measurement) {
 
 std::vector<FitFinding> sessionFindings(const Measurement& measurement, const SessionFit& fit) {
   std::vector<FitFinding> findings = missingPositions(measurement);
-  if (measurement.radiusModel == RadiusModel::Free)
-    judgeClosure<RadiiDiffer>(findings, fit, Unknown::Kind::Radius);
-  judgeClosure<CentresDiffer>(findings, fit, Unknown::Kind::CentreX);
+  judgeClosure<RadiiDiffer>(findings, fit, Closure::Of::Radius);
+  judgeClosure<CentresDiffer>(findings, fit, Closure::Of::Centre);
   judgeKnownRadius(findings, measurement, fit);
   judgeReference(findings, measurement, fit);
   std::ranges::move(modelFindings(measurement), std::back_inserter(findings));

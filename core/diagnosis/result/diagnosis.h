@@ -106,8 +106,10 @@ struct ClosureStep {
   Closure before;
   std::optional<Closure> after = {};  ///< absent where the readings do not determine it then
 
+  /// With all that is known.
+  const Closure& latest() const { return after ? *after : before; }
   /// It fails, and what was found does not account for it.
-  bool isOpen() const { return fails(after.value_or(before)); }
+  bool isOpen() const { return fails(latest()); }
 };
 
 /// An effect that these readings would not show.

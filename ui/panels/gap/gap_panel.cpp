@@ -242,7 +242,7 @@ void GapPanel::showClosures() {
   QVector<FigureGrid::Row> rows;
   const auto figures = [](const Closure& closure) {
     return QStringList{withStandardUncertainty(closure.value, closure.sigma, {}),
-                       numberText(std::abs(closure.value) / closure.sigma, 1)};
+                       numberText(closure.sigmas(), 1)};
   };
   for (const ClosureStep& step : diagnosis.closures) {
     rows.append({qText(nameInWords(step.before.of)), figures(step.before)});

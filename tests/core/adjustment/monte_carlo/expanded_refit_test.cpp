@@ -81,21 +81,10 @@ TEST(ExpandedRefit, IsGoodToSecondOrder) {
   }
 }
 
-// The prior is drawn to lie where the readings' drift does: else it would hold the estimate back.
 TEST(ExpandedRefit, DrawsWhatIsKnownOfEffectsBeforehand) {
-  Measurement measurement = test::uncertainMeasurement();
-  measurement.effects = {"vertical_drift"};
-  measurement = test::withPerfectArcs(measurement, circlesRead, 9, 150);
   const std::array<Circle, 2> circles{Circle{0.55, 1.02, 400.03}, Circle{0.03, -1.04, 399.97}};
-  Measurement wanted = test::withPerfectArcs(measurement, circles, 9, 150);
-  const test::FittedForDraws fitted(measurement);
-  const RefitTask task = fitted.task();
-  constexpr double scale = 1.6, normal = -0.8;
-  const Angle drift = Angle::fromRadians(estimatedTerms(measurement).at(0).priorSigma) * (scale * normal);
-  test::addVerticalDrift(wanted, drift);
-  Draw draw = test::drawOf(task, wanted, scale, 4);
-  draw.normals[DrawPlan::firstTerm] = normal;
-  EXPECT_LT(missed(task, {draw}, {circles}), 1e-5);
+  const test::DrawnDrift drift(circlesRead, circles, 4);
+  EXPECT_LT(missed(drift.task(), {drift.draw()}, {circles}), 1e-5);
 }
 
 TEST(ExpandedRefit, HasNoModelThatWouldFillTheMemory) {

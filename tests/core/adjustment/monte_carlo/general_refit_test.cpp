@@ -66,21 +66,11 @@ TEST(GeneralRefit, IsTheFitOfTheSessionDrawn) {
   }
 }
 
-// The prior is drawn to lie where the readings' drift does: else it would hold the estimate back.
 TEST(GeneralRefit, DrawsWhatIsKnownOfEffectsBeforehand) {
-  Measurement measurement = test::uncertainMeasurement();
-  measurement.effects = {"vertical_drift"};
-  measurement = test::withPerfectArcs(measurement, {Circle{0.5, 1, 400}, Circle{0, -1, 400}}, 9, 150);
   const std::array<Circle, 2> circles{Circle{0.6, 1.1, 400.1}, Circle{0.1, -1.2, 399.9}};
-  Measurement wanted = test::withPerfectArcs(measurement, circles, 9, 150);
-  const test::FittedForDraws fitted(measurement);
-  const RefitTask task = fitted.task();
-  constexpr double scale = 1.6, normal = -0.8;
-  const Angle drift = Angle::fromRadians(estimatedTerms(measurement).at(0).priorSigma) * (scale * normal);
-  test::addVerticalDrift(wanted, drift);
-  Draw draw = test::drawOf(task, wanted, scale, 4);
-  draw.normals[DrawPlan::firstTerm] = normal;
-  expectCentres(test::centresOf(*generalRefit(task), task, {draw}), circles);
+  const test::DrawnDrift drift({Circle{0.5, 1, 400}, Circle{0, -1, 400}}, circles, 4);
+  const RefitTask task = drift.task();
+  expectCentres(test::centresOf(*generalRefit(task), task, {drift.draw()}), circles);
 }
 
 // All readings of the arc at 180° drawn into one place; the draws before and after do not suffer.
