@@ -87,6 +87,14 @@ std::string diagnosisJson(const std::string& session, const Diagnosis& diagnosis
             {"after_mm", step.after ? Json(step.after->value) : Json()},
             {"after_sigmas", step.after ? Json(step.after->sigmas()) : Json()}};
   });
+  if (!diagnosis.whatItWouldTake.empty())
+    json["what_it_would_take"] = listJson(diagnosis.whatItWouldTake, [](const Required& required) -> Json {
+      return {{"effect", required.effect},
+              {"size", required.size},
+              {"unit", required.unit},
+              {"plausible_sizes", required.plausibleSizes},
+              {"visible_sigma", required.visibleSigma}};
+    });
   json["unseen"] = listJson(diagnosis.unseen, [](const UnseenEffect& effect) -> Json {
     return {{"effect", effect.effect},
             {"influence_mm", effect.influence},

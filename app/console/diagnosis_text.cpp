@@ -88,13 +88,26 @@ std::string whereText(const Diagnosis& diagnosis) {
 
 std::string closuresText(const Diagnosis& diagnosis) {
   if (diagnosis.closures.empty()) return "";
-  std::string text = "\nWhat the two positions must agree on\n";
+  std::string text = "\nClosures: what must agree\n";
   for (const ClosureStep& step : diagnosis.closures) {
     text += "  " + textOf(step.before);
     if (step.after && !diagnosis.causes.empty()) text += "; with the causes " + textOf(*step.after);
     text += "\n";
   }
-  return text + paragraph(misclosureSentence(diagnosis));
+  const std::string open = misclosureSentence(diagnosis);
+  return open.empty() ? text : text + paragraph(open);
+}
+
+/// Without the sign of its numbers in two directions.
+std::string whatItWouldTakeText(const Diagnosis& diagnosis) {
+  if (diagnosis.whatItWouldTake.empty()) return "";
+  Rows rows{{"  effect", "size", "plausible sizes", "leaves (σ)"}};
+  for (const Required& required : diagnosis.whatItWouldTake)
+    rows.push_back({"  " + required.effect,
+                    sizeText(required.size, std::abs(required.size)) +
+                        (required.unit.size() > 1 ? " " + required.unit : ""),
+                    fixedText(required.plausibleSizes, 1), fixedText(required.visibleSigma, 1)});
+  return "\nWhat it would take to explain Δd − reference\n" + alignedColumns(rows);
 }
 
 std::string adviceText(const Diagnosis& diagnosis) {
@@ -124,8 +137,8 @@ std::string diagnosisText(const std::string& session, const Diagnosis& diagnosis
                      paragraph(sentenceOf(diagnosis)) + gapText(diagnosis);
   for (const Cause& cause : diagnosis.causes) text += causeText(cause);
   if (diagnosis.verdict != DiagnosisVerdict::WithinNoise) text += whereText(diagnosis);
-  return text + closuresText(diagnosis) + adviceText(diagnosis) + unseenText(diagnosis) +
-         findingsText(findings);
+  return text + closuresText(diagnosis) + whatItWouldTakeText(diagnosis) + adviceText(diagnosis) +
+         unseenText(diagnosis) + findingsText(findings);
 }
 
 }  // namespace alidade::console

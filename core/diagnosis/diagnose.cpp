@@ -1,10 +1,14 @@
 #include "core/diagnosis/diagnose.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
+#include "core/base/statistics.h"
 #include "core/diagnosis/conclusion/afterwards.h"
 #include "core/diagnosis/conclusion/causes.h"
 #include "core/diagnosis/conclusion/location.h"
+#include "core/diagnosis/conclusion/required.h"
 #include "core/diagnosis/gap/gap_size.h"
 #include "core/diagnosis/gap/held_out.h"
 #include "core/diagnosis/observability/advice.h"
@@ -23,10 +27,18 @@ DiagnosisVerdict verdictOf(const Answer& answer, const std::vector<Cause>& cause
                                                       : DiagnosisVerdict::Ambiguous;
 }
 
-Shrinkage shrinkageOf(const GapModel& before, const Inquiry& inquiry, const Answer& answer) {
+/// The answer as the session's own model has it.
+GapModel openedAnswer(const Inquiry& inquiry, const Answer& answer) {
+  return openedModelOf(answer.measured, inquiry.own);
+}
+
+/// `own`, `opened`: the session's model before and with the answer.
+Shrinkage shrinkageOf(const GapModel& own, const GapModel& opened, const Inquiry& inquiry,
+                      const Answer& answer) {
+  const GapModel& before = inquiry.ofAll().base;
   Shrinkage shrink;
-  const double rms = sizeOf(before).rms, excess = excessOf(before);
-  if (rms > 0) shrink.inSample = 1 - sizeOf(answer.after).rms / rms;
+  const double rms = rmsOf(own), excess = excessOf(before);
+  if (rms > 0) shrink.inSample = 1 - rmsOf(opened) / rms;
   if (excess > 0) shrink.ofExcess = std::clamp(1 - excessOf(answer.after) / excess, 0.0, 1.0);
   if (!answer.explanation.parts.empty() || !inquiry.largeGrossErrors.empty())
     shrink.heldOut = heldOutShrinkage(before, answer.after);
@@ -37,6 +49,7 @@ std::vector<GapShare> whereOf(const Inquiry& inquiry, const Answer& answer) {
   std::vector<GapShare> shares = sharesOfFrames(inquiry);
   std::ranges::move(sharesOfReadings(inquiry.ofAll().leftover, *inquiry.base.measurement, answer.after.fit),
                     std::back_inserter(shares));
+  std::ranges::move(sharesOfClosures(inquiry.ofAll().own), std::back_inserter(shares));
   return shares;
 }
 
@@ -50,11 +63,28 @@ std::optional<GapShape> shapeOf(const Inquiry& inquiry) {
                   shape.signatureSquare(pattern.weights) / inquiry.leftover.chiSquare()};
 }
 
-std::vector<ClosureStep> closuresOf(const GapModel& before, const GapModel& after) {
-  const std::vector<Closure> then = closuresOf(*after.measurement, after.fit);
+/// Of the reference what is left of it is what Δd afterwards leaves.
+std::optional<Closure> againstReference(const Measurement& measurement,
+                                        const std::optional<IntersectionEstimate>& afterwards) {
+  if (!afterwards) return std::nullopt;
+  Closure closure{.of = Closure::Of::Reference,
+                  .value = afterwards->value - *measurement.referenceIntersection,
+                  .sigma = std::hypot(afterwards->sigma, *measurement.sigmaReference)};
+  const auto below = studentLowerTail(-closure.sigmas(), afterwards->degreesOfFreedom);
+  closure.chance = below ? 2 * *below : 1;
+  return closure;
+}
+
+std::vector<ClosureStep> closuresOf(const GapModel& own, const GapModel& opened,
+                                    const std::optional<IntersectionEstimate>& afterwards) {
+  const std::vector<Closure> then = closuresOf(*opened.measurement, opened.fit);
   std::vector<ClosureStep> steps;
-  for (const Closure& closure : closuresOf(*before.measurement, before.fit)) {
+  for (const Closure& closure : closuresOf(*own.measurement, own.fit)) {
     steps.push_back({closure});
+    if (closure.of == Closure::Of::Reference) {
+      steps.back().after = againstReference(*own.measurement, afterwards);
+      continue;
+    }
     const auto same = std::ranges::find(then, closure.of, &Closure::of);
     if (same != then.end()) steps.back().after = *same;
   }
@@ -86,34 +116,52 @@ Result<Diagnosis, DiagnosisFault> diagnose(const Measurement& measurement, const
   if (!model) return DiagnosisFault(model.problem());
   const DiagnosisFault stopped = Stopped{};
   if (stop.stop_requested()) return stopped;
+  DiagnosisOptions withoutReference = options;
+  withoutReference.withReference = false;
+  const bool heedsReference = options.withReference && measurement.sigmaReference;
+  std::optional<IntersectionEstimate> found;
+  std::vector<Required> required;
+  if (heedsReference) {
+    const Inquiry plain = inquire(*model, withoutReference, stop);
+    if (stop.stop_requested()) return stopped;
+    found = modelAveragedIntersection(plain, conclude(plain));
+    required = whatItWouldTake(plain);
+  }
   const Inquiry inquiry = inquire(*std::move(model), options, stop);
-  const GapModel& before = inquiry.ofAll().base;
   if (stop.stop_requested()) return stopped;
   const Answer answer = conclude(inquiry);
   if (stop.stop_requested()) return stopped;
 
+  if (!heedsReference) {
+    found = modelAveragedIntersection(inquiry, answer);
+    required = whatItWouldTake(inquiry);
+  }
+
   Diagnosis diagnosis;
   diagnosis.causes = causesOf(inquiry, answer);
   diagnosis.verdict = verdictOf(answer, diagnosis.causes);
-  diagnosis.gap = sizeOf(before);
-  diagnosis.after = sizeOf(answer.after);
-  diagnosis.shrink = shrinkageOf(before, inquiry, answer);
+  const GapModel& own = inquiry.ofAll().own;
+  const GapModel opened = openedAnswer(inquiry, answer);
+  diagnosis.gap = sizeOf(own);
+  diagnosis.after = sizeOf(opened);
+  diagnosis.shrink = shrinkageOf(own, opened, inquiry, answer);
   diagnosis.candidates = candidatesOf(inquiry.ofAll());
   diagnosis.where = whereOf(inquiry, answer);
   if (stop.stop_requested()) return stopped;
   diagnosis.steps = stepsOf(inquiry, answer);
-  diagnosis.before = estimateOf(before);
-  diagnosis.afterwards = modelAveragedIntersection(inquiry, answer);
-  diagnosis.closures = closuresOf(before, answer.after);
+  diagnosis.before = estimateOf(own);
+  diagnosis.afterwards = found;
+  diagnosis.closures = closuresOf(own, opened, diagnosis.afterwards);
   const std::vector<Detectability> unseen =
       undetectableEffects(inquiry.leftover, inquiry.candidates, influencePerSigma(inquiry.base));
   for (const Detectability& detectability : unseen)
     diagnosis.unseen.push_back(
         {std::string(detectability.effect), detectability.influence, detectability.visible});
   if (answer.kind == Answer::Kind::Unknown) diagnosis.shape = shapeOf(inquiry);
-  diagnosis.leftBefore = inSigma(before);
-  diagnosis.leftAfter = inSigma(answer.after);
-  diagnosis.readings = readingsOf(before);
+  diagnosis.whatItWouldTake = std::move(required);
+  diagnosis.leftBefore = inSigma(own);
+  diagnosis.leftAfter = inSigma(opened);
+  diagnosis.readings = readingsOf(own);
   if (stop.stop_requested()) return stopped;
   diagnosis.advice = adviceFor(inquiry, diagnosis.causes, unseen);
   return diagnosis;

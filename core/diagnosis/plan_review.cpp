@@ -138,11 +138,13 @@ Result<PlanReview, NoModel> reviewPlan(const Measurement& measurement) {
 }
 
 Result<PlanReview, NoModel> reviewPlan(const Measurement& measurement, const SessionFit& fit) {
-  const auto model = plannedModel(measurement, fit);
-  if (!model) return model.problem();
+  const auto own = plannedModel(measurement, fit);
+  if (!own) return own.problem();
+  const std::optional<GapModel> closed = closedModelOf(*own);
+  const GapModel* const model = closed ? &*closed : &*own;
   const Leftover leftover(linearise(*model->measurement, model->fit, model->options), model->options.terms);
   const std::vector<Planned> effects = plannedEffects(*model, leftover);
-  PlanReview review{.effects = {}, .advice = {}, .intersection = estimateOf(*model)};
+  PlanReview review{.effects = {}, .advice = {}, .intersection = estimateOf(*own)};
   review.readings = model->fit.readings.size();
   for (const Planned& planned : effects) review.effects.push_back(planned.summary);
   const std::vector<Planned> inQuestion = effectsInQuestion(effects);

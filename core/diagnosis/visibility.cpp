@@ -3,24 +3,48 @@
 #include <algorithm>
 
 #include "core/diagnosis/candidates/effect_components.h"
+#include "core/diagnosis/candidates/jump_components.h"
 #include "core/diagnosis/observability/look_alikes.h"
 #include "core/diagnosis/search/inquiry.h"
+#include "core/effects/cause_ids.h"
 
 namespace alidade {
 
-Result<Visibility, NoModel> visibilityOf(const Measurement& noiseless, const std::string& held) {
-  const auto model = modelOf(noiseless);
-  if (!model) return model.problem();
-  const Leftover leftover(linearise(*model->measurement, model->fit, model->options), model->options.terms);
+namespace {
+
+Visibility visibilityIn(const GapModel& model, const std::string& held) {
+  const Leftover leftover(linearise(*model.measurement, model.fit, model.options), model.options.terms);
   const Trace trace(leftover, leftover.residual());
   Visibility visibility{.sigma = trace.length(), .lookAlikes = {}, .nearest = trace.length()};
-  for (const Component& other : effectsBeyond(*model, leftover, {held})) {
+  const auto compare = [&](const Component& other) {
     const LookAlike like = trace.compared(other);
     visibility.nearest = std::min(visibility.nearest, like.difference);
-    if (like.difference <= clearlyDifferent) visibility.lookAlikes.push_back(like);
-  }
+    if (like.difference > clearlyDifferent) return;
+    const auto same = std::ranges::find(visibility.lookAlikes, like.effect, &LookAlike::effect);
+    if (same == visibility.lookAlikes.end())
+      visibility.lookAlikes.push_back(like);
+    else if (like.difference < same->difference)
+      *same = like;
+  };
+  for (const Component& other : effectsBeyond(model, leftover, {held})) compare(other);
+  if (held != jumpId)
+    for (const Component& slip : zeroSlips(leftover)) compare(slip);
   std::ranges::sort(visibility.lookAlikes, {}, &LookAlike::difference);
   return visibility;
+}
+
+}  // namespace
+
+Result<Visibility, NoModel> visibilityOf(const Measurement& noiseless, const std::string& held) {
+  const auto own = modelOf(noiseless);
+  if (!own) return own.problem();
+  return visibilityIn(closedModelOf(*own).value_or(*own), held);
+}
+
+Result<Visibility, NoModel> visibilityInResiduals(const Measurement& noiseless, const std::string& held) {
+  const auto own = modelOf(noiseless);
+  if (!own) return own.problem();
+  return visibilityIn(*own, held);
 }
 
 }  // namespace alidade

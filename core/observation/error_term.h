@@ -27,6 +27,8 @@ enum class ErrorTerm : std::size_t {
   PlaneTiltX,         ///< the arc plane turned about +x through the arc centre
   PlaneTiltY,         ///< about +y
   PlaneOffset,        ///< the arc plane off the rotation axis: nearer by this at 0°, farther at 180°
+  AxialShift,         ///< of the guideway along its axis, +x, when it is turned from 0° to 180°
+  RadiusChange,       ///< of the radius when it is turned so
   EllipticityCosine,  ///< radius + A cos 2s + B sin 2s: A
   EllipticitySine,    ///< B
   LobingCosine,       ///< radius + A cos 3s + B sin 3s: A

@@ -72,8 +72,9 @@ SpacePoint<T> targetAt(const ErrorTerms<T>& errors, const ArcPose<T>& arc, const
   const double turn = halfTurnSign(axisDeg);
   const T s = sliderCoordinateOf(phi, axisDeg);
   const T cos2 = cos(2 * s), sin2 = sin(2 * s), cos3 = cos(3 * s), sin3 = sin(3 * s);
-  const T radius = arc.radius + errors[EllipticityCosine] * cos2 + errors[EllipticitySine] * sin2 +
-                   errors[LobingCosine] * cos3 + errors[LobingSine] * sin3;
+  const double turned = (1 - turn) / 2;
+  const T radius = arc.radius + turned * errors[RadiusChange] + errors[EllipticityCosine] * cos2 +
+                   errors[EllipticitySine] * sin2 + errors[LobingCosine] * cos3 + errors[LobingSine] * sin3;
   // In the guideway's plane, then off it; the plane's tilt turns about the arc centre and, like the warp,
   // with the guideway.
   const T x = radius * cos(phi), y = radius * sin(phi);
@@ -81,7 +82,7 @@ SpacePoint<T> targetAt(const ErrorTerms<T>& errors, const ArcPose<T>& arc, const
   const T &tiltX = errors[PlaneTiltX], &tiltY = errors[PlaneTiltY];
   const T yTilted = y * cos(tiltX) - off * sin(tiltX), zTilted = y * sin(tiltX) + off * cos(tiltX);
   const T xTurned = x * cos(tiltY) + zTilted * sin(tiltY), zTurned = zTilted * cos(tiltY) - x * sin(tiltY);
-  return {arc.x + xTurned, arc.y + yTilted - errors[GravitySag] * sin(s),
+  return {arc.x + turned * errors[AxialShift] + xTurned, arc.y + yTilted - errors[GravitySag] * sin(s),
           zTurned + turn * errors[PlaneOffset] - distance};
 }
 

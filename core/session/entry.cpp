@@ -72,6 +72,7 @@ constexpr std::array numberRules = {
     NumberRule{"acceptance.coverage", 0, Bound::Excluded, 1, 0.95, "between 0 and 1, such as 0.95"},
     NumberRule{
         "acceptance.reference_intersection_mm", -infinite, Bound::Excluded, infinite, {}, "a length in mm"},
+    NumberRule{"acceptance.sigma_reference_mm", 0, Bound::Excluded, longestMm, {}, lengthRange},
 };
 
 const NumberRule* ruleFor(std::string_view field) {

@@ -93,9 +93,12 @@ class Examiner : private ProblemReporter {
     const auto tolerance = number("acceptance.tolerance_mm", acceptance.toleranceMm);
     const auto coverage = number("acceptance.coverage", acceptance.coverage);
     const auto reference = number("acceptance.reference_intersection_mm", acceptance.referenceIntersectionMm);
+    const auto sigmaReference = number("acceptance.sigma_reference_mm", acceptance.sigmaReferenceMm);
     m_measurement.tolerance = coverage ? tolerance.value_or(std::nullopt) : std::nullopt;
     if (coverage) m_measurement.coverage = coverage->value_or(m_measurement.coverage);
     m_measurement.referenceIntersection = reference.value_or(std::nullopt);
+    if (m_measurement.referenceIntersection)
+      m_measurement.sigmaReference = sigmaReference.value_or(std::nullopt);
   }
 
   /// Positions at once where they are long; what is wrong with them, in the order of the file.

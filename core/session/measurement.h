@@ -53,7 +53,7 @@ struct Measurement {
   double distance = 0;       ///< L > 0
   double sigmaDistance = 0;  ///< ≥ 0
   double nominalRadius = 0;  ///< R0 > 0
-  double sigmaRadius = 0;    ///< of R0, ≥ 0; of use where the radius is known
+  double sigmaRadius = 0;    ///< of R0, ≥ 0; of use where the radius is known, and as a closure
   RadiusModel radiusModel = RadiusModel::Free;
   Angle sigmaHorizontal, sigmaVertical;          ///< of a circle reading, > 0
   Angle sigmaZeroHorizontal, sigmaZeroVertical;  ///< of the pointing zero, ≥ 0
@@ -63,6 +63,7 @@ struct Measurement {
   std::optional<double> tolerance;              ///< mm, > 0
   double coverage = 0.95;                       ///< in (0, 1)
   std::optional<double> referenceIntersection;  ///< mm
+  std::optional<double> sigmaReference;         ///< mm, > 0; only with a reference, where stated
   std::vector<ArcMeasurement> arcs;             ///< at most one per axis position, 0° first
   std::size_t rows = 0;                         ///< of the whole session, excluded ones too
   std::vector<std::string> effects;             ///< ids of model.effects, to be estimated along

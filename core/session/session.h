@@ -86,6 +86,7 @@ struct Acceptance {
   std::string toleranceMm;              ///< empty: no verdict
   std::string coverage;                 ///< in (0, 1); empty: 0.95
   std::string referenceIntersectionMm;  ///< what the device was set to, where known; never enters a fit
+  std::string sigmaReferenceMm;         ///< of the reference; empty: not stated
   JsonOrigin origin;
 
   bool operator==(const Acceptance&) const = default;

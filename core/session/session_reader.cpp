@@ -203,6 +203,7 @@ Acceptance readAcceptance(const ObjectReader& reader) {
   return {.toleranceMm = reader.number("tolerance_mm"),
           .coverage = reader.number("coverage"),
           .referenceIntersectionMm = reader.number("reference_intersection_mm"),
+          .sigmaReferenceMm = reader.number("sigma_reference_mm"),
           .origin = reader.origin()};
 }
 

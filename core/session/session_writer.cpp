@@ -125,6 +125,7 @@ Json acceptanceJson(const Acceptance& acceptance) {
   writer.number("tolerance_mm", acceptance.toleranceMm);
   writer.number("coverage", acceptance.coverage);
   writer.number("reference_intersection_mm", acceptance.referenceIntersectionMm);
+  writer.number("sigma_reference_mm", acceptance.sigmaReferenceMm);
   return writer.take();
 }
 

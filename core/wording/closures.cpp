@@ -8,7 +8,17 @@
 namespace alidade {
 
 std::string nameInWords(Closure::Of of) {
-  return of == Closure::Of::Radius ? "R(180°) − R(0°)" : "Δx(180°) − Δx(0°)";
+  switch (of) {
+    case Closure::Of::Radius:
+      return "R(180°) − R(0°)";
+    case Closure::Of::Centre:
+      return "Δx(180°) − Δx(0°)";
+    case Closure::Of::NominalRadius:
+      return "R − R0";
+    case Closure::Of::Reference:
+      return "Δd − reference";
+  }
+  return {};
 }
 
 std::string textOf(const Closure& closure) {
@@ -18,12 +28,21 @@ std::string textOf(const Closure& closure) {
 }
 
 std::string misclosureSentence(const Diagnosis& diagnosis) {
-  std::vector<std::string> open;
-  for (const ClosureStep& step : diagnosis.closures)
-    if (step.isOpen()) open.push_back(textOf(step.latest()));
-  if (open.empty()) return {};
-  return "The two positions do not close: " + listed(open, " and ") +
-         ". What moved between them may have moved Δd: find it, or measure anew and sight the zeros again.";
+  std::vector<std::string> ofPositions, ofKnown;
+  for (const ClosureStep& step : diagnosis.closures) {
+    const Closure::Of of = step.before.of;
+    const bool isOfPositions = of == Closure::Of::Radius || of == Closure::Of::Centre;
+    if (step.isOpen()) (isOfPositions ? ofPositions : ofKnown).push_back(textOf(step.latest()));
+  }
+  std::string text;
+  if (!ofPositions.empty())
+    text = "The two positions do not close: " + listed(ofPositions, " and ") +
+           ". What moved between them may have moved Δd: find it, or measure anew and sight the zeros again.";
+  if (!ofKnown.empty())
+    text += std::string(text.empty() ? "" : " ") +
+            "The result disagrees with what is known: " + listed(ofKnown, " and ") +
+            ". Check what is known, and find what separates the two.";
+  return text;
 }
 
 }  // namespace alidade

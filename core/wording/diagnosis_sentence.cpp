@@ -1,5 +1,6 @@
 #include "core/wording/diagnosis_sentence.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/list_text.h"
@@ -32,6 +33,12 @@ std::string change(const GapSize& before, const GapSize& after) {
          displayText(after.reducedChiSquare, 2) + "; the residuals, counted alike, " + residuals;
 }
 
+/// What the positions must agree on, and did not, they agree on with the causes.
+bool closes(const Diagnosis& diagnosis) {
+  const auto failed = [](const ClosureStep& step) { return fails(step.before); };
+  return std::ranges::any_of(diagnosis.closures, failed) && !isMisclosed(diagnosis);
+}
+
 std::string shrunk(const Diagnosis& diagnosis) {
   const std::string& first = diagnosis.causes.front().effect;
   if (!shrinks(diagnosis))
@@ -41,7 +48,10 @@ std::string shrunk(const Diagnosis& diagnosis) {
                                ? " Without the readings blamed "
                            : diagnosis.causes.size() == 1 ? " With it in the model "
                                                           : " With them in the model ";
-  return with + change(diagnosis.gap, diagnosis.after) + ".";
+  const std::string residuals = change(diagnosis.gap, diagnosis.after);
+  if (!closes(diagnosis)) return with + residuals + ".";
+  const bool changes = displayText(diagnosis.gap.rms, 1) != displayText(diagnosis.after.rms, 1);
+  return with + "the two positions close" + (changes ? ", and " + residuals : std::string()) + ".";
 }
 
 std::string named(const std::vector<std::string>& ids, std::string_view last, const CauseNamer& name) {

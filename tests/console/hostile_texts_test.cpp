@@ -89,7 +89,7 @@ TEST(HostileTexts, AreTextInTheRefusalOfEveryEntry) {
   refused("zero", [&](Json& s) { s["positions"][0]["pointing_zero"]["vertical"] = all; });
   for (const char* key : {"distance_mm", "sigma_distance_mm", "radius_mm", "sigma_radius_mm"})
     refused(key, [&](Json& s) { s["geometry"][key] = all; });
-  for (const char* key : {"tolerance_mm", "coverage", "reference_intersection_mm"})
+  for (const char* key : {"tolerance_mm", "coverage", "reference_intersection_mm", "sigma_reference_mm"})
     refused(key, [&](Json& s) { s["acceptance"][key] = all; });
   for (const char* key : {"sigma_horizontal_arcsec", "sigma_zero_arcsec", "sigma_slider_arcsec"})
     refused(key, [&](Json& s) { s["instrument"][key] = all; });

@@ -13,7 +13,7 @@
 
 namespace alidade::test {
 
-/// A session with known truth, from an independent ray tracer (tests/reference/trials).
+/// A session with known truth, from an independent ray tracer (tests/reference/trials, closures).
 struct Trial {
   std::string id, kind, protocol;
   double intersection = 0;  ///< true Δd, mm
@@ -30,10 +30,10 @@ inline std::set<std::string> lookAlikesOf(const nlohmann::json& truth) {
   return ids;
 }
 
-inline std::vector<Trial> trials() {
-  const std::string folder = std::string(ALIDADE_REFERENCE_DIR) + "/trials/";
+inline std::vector<Trial> trialsIn(const std::string& name) {
+  const std::string folder = std::string(ALIDADE_REFERENCE_DIR) + "/" + name + "/";
   std::ifstream file(folder + "truth.json");
-  if (!file) throw std::runtime_error("tests/reference/trials/truth.json is missing");
+  if (!file) throw std::runtime_error(folder + "truth.json is missing");
   std::vector<Trial> all;
   const nlohmann::json truths = nlohmann::json::parse(file);
   for (const auto& [id, truth] : truths.items()) {
@@ -44,6 +44,15 @@ inline std::vector<Trial> trials() {
                    lookAlikesOf(truth), truth, measurementOf(*session)});
   }
   return all;
+}
+
+inline std::vector<Trial> trials() {
+  return trialsIn("trials");
+}
+
+/// Whose effects show in what the two positions must agree on.
+inline std::vector<Trial> closureTrials() {
+  return trialsIn("closures");
 }
 
 /// The measurement of the trial without any effect that was taken by this protocol.

@@ -57,7 +57,7 @@ std::string brokenPaperText(const std::string& text) {
   for (const char* key :
        {"distance_mm", "sigma_distance_mm", "radius_mm", "sigma_radius_mm", "vertical_circle"})
     json["geometry"][key] = text;
-  for (const char* key : {"tolerance_mm", "coverage", "reference_intersection_mm"})
+  for (const char* key : {"tolerance_mm", "coverage", "reference_intersection_mm", "sigma_reference_mm"})
     json["acceptance"][key] = text;
   for (const char* key : {"sigma_horizontal_arcsec", "sigma_vertical_arcsec", "sigma_zero_arcsec"})
     json["instrument"][key] = text;

@@ -66,6 +66,8 @@ constexpr Field fields[] = {
                                                            QT_TRANSLATE_NOOP("Field", "coverage")),
     ofSession<&Session::acceptance, &Acceptance::referenceIntersectionMm>(
         "acceptance.reference_intersection_mm", QT_TRANSLATE_NOOP("Field", "reference intersection")),
+    ofSession<&Session::acceptance, &Acceptance::sigmaReferenceMm>(
+        "acceptance.sigma_reference_mm", QT_TRANSLATE_NOOP("Field", "σ of the reference")),
     ofSession<&Session::model, &Model::verticalAngle>("model.vertical_angle",
                                                       QT_TRANSLATE_NOOP("Field", "vertical angle relation")),
     ofSession<&Session::model, &Model::radius>("model.radius", QT_TRANSLATE_NOOP("Field", "radius model")),

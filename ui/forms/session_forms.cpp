@@ -88,6 +88,9 @@ QWidget* createMeasurementForm(SessionDocument& document) {
           {"acceptance.reference_intersection_mm", Forms::tr("Reference Δd"), mm, Forms::tr("none"),
            Forms::tr(
                "What the device was set to, where known; shown beside the result, never part of a fit")},
+          {"acceptance.sigma_reference_mm", Forms::tr("σ of Δd ref."), mm, Forms::tr("none"),
+           Forms::tr("How well the reference is known (1σ). With it the reference is a closure, and may help "
+                     "the diagnosis to tell causes apart; it never enters Δd")},
       },
       2);
   enableRadiusSigma(document, *form->findChild<FieldEdit*>(QStringLiteral("geometry.sigma_radius_mm")));

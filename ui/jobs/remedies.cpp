@@ -29,6 +29,7 @@ std::optional<Jump> jumpOf(const Gap& gap, const Cause& cause) {
     if (split == arc.sightings.end()) continue;
     const std::size_t rows = gap.evaluation->session.positions[arc.position].readings.size();
     Jump jump{.place = {.position = arc.position, .reading = split->row, .field = "horizontal"}};
+    jump.isAtZero = split == arc.sightings.begin();
     jump.isLast = &arc == &arcs.back();  // they stand in the order taken
     if (!jump.isLast && std::distance(split, arc.sightings.end()) >= fewestSightings && split->row > 0)
       jump.before = RowRange{arc.position, 0, split->row};

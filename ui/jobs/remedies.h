@@ -18,8 +18,9 @@ struct RowRange {
 
 /// A jump of the orientation within a position.
 struct Jump {
-  Place place;          ///< the row before which it happened
-  bool isLast = false;  ///< no position was read after this one
+  Place place;            ///< the row before which it happened
+  bool isLast = false;    ///< no position was read after this one
+  bool isAtZero = false;  ///< between the position's pointing zero and its first place
   /// The rows before and after it, where those left over without them suffice for an arc; those before it
   /// only where a later position may stand as those after it.
   std::optional<RowRange> before = {}, after = {};

@@ -25,6 +25,8 @@ void addDiagnoseCommand(CLI::App& app, DiagnoseRequest& request) {
   diagnose
       ->add_option("--without", request.without, "An effect not to be considered; may be given several times")
       ->check(CLI::IsMember(diagnosableEffects()));
+  diagnose->add_flag("--with-reference", request.withReference,
+                     "Weigh the causes with the reference intersection and its σ, too; Δd never");
   diagnose->add_flag("--json", request.json, "Print one JSON document");
 }
 
@@ -37,10 +39,17 @@ Result<std::string> runDiagnose(const DiagnoseRequest& request) {
   if (!request.verticalAngle.empty())
     measurement.relation =
         request.verticalAngle == "planar" ? VerticalAngleRelation::Planar : VerticalAngleRelation::Exact;
+  if (request.withReference && !measurement.sigmaReference)
+    return Problem{
+        "--with-reference: state acceptance.reference_intersection_mm and acceptance.sigma_reference_mm in "
+        "the "
+        "session, or leave it out",
+        {.field = "acceptance.sigma_reference_mm"}};
   const SessionFit fit = fitSession(measurement);
   const Result<std::vector<Finding>> findings = findingsBeforehand(measurement, fit);
   if (!findings) return findings.problem();
-  const auto diagnosis = diagnose(measurement, fit, {.without = request.without});
+  const auto diagnosis =
+      diagnose(measurement, fit, {.without = request.without, .withReference = request.withReference});
   if (!diagnosis) return problemOf(diagnosis.problem());
   return request.json ? diagnosisJson(input.name, *diagnosis, *findings)
                       : diagnosisText(input.name, *diagnosis, *findings);

@@ -6,6 +6,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 #include "core/adjustment/arc/foot_point.h"
 #include "core/base/threads.h"
@@ -216,6 +217,7 @@ void addUnknowns(JointFit& fit, const std::vector<ArcApart>& arcs) {
     for (int i = 0; i < arcs[arc].unknowns(); ++i) {
       fit.unknowns.push_back({.kind = estimatedKinds[static_cast<std::size_t>(i)], .arc = arc});
       fit.values.push_back(values[i]);
+      fit.priorSigmas.push_back(std::numeric_limits<double>::infinity());
     }
   }
 }
@@ -256,7 +258,8 @@ void fillMatrices(JointFit& fit, const std::vector<ArcApart>& arcs) {
 }
 
 bool isUsualCase(const Measurement& measurement, const JointFitOptions& options) {
-  return measurement.radiusModel == RadiusModel::Free && options.terms.empty() && options.without.empty();
+  return measurement.radiusModel == RadiusModel::Free && options.terms.empty() && options.without.empty() &&
+         !options.isClosed;
 }
 
 }  // namespace

@@ -153,7 +153,8 @@ void countDegreesOfFreedom(JointFit& fit, const JointProblem& problem) {
 
 std::size_t JointFit::indexOf(const Unknown& unknown) const {
   auto found = std::ranges::find(unknowns, unknown);
-  if (found == unknowns.end() && unknown.kind == Unknown::Kind::Radius)
+  const bool mayBeShared = unknown.kind == Unknown::Kind::Radius || unknown.kind == Unknown::Kind::CentreX;
+  if (found == unknowns.end() && mayBeShared)
     found = std::ranges::find(unknowns, Unknown{.kind = unknown.kind, .arc = Unknown::everyArc});
   return static_cast<std::size_t>(found - unknowns.begin());
 }
@@ -189,9 +190,7 @@ JointFit fitJointlyInGeneral(const Measurement& measurement, const std::vector<C
   fit.unknowns = problem.estimated();
   for (std::size_t i = 0; i < fit.unknowns.size(); ++i)
     fit.values.push_back(problem.prior(i).value + minimum.state.unknowns[static_cast<Index>(i)]);
-  if (measurement.radiusModel == RadiusModel::Known)
-    fit.radiusPriorSigma =
-        problem.prior(fit.indexOf({.kind = Unknown::Kind::Radius, .arc = Unknown::everyArc})).sigma;
+  for (std::size_t i = 0; i < fit.unknowns.size(); ++i) fit.priorSigmas.push_back(problem.prior(i).sigma);
   fit.cofactor = plain(cofactor);
   fit.cofactorWithoutTerms = plain(withoutTerms(minimum.system.matrix, problem));
   fit.considered = problem.considered();

@@ -33,7 +33,7 @@ namespace alidade {
 struct Unknown {
   enum class Kind { CentreX, CentreY, Radius, HorizontalZero, VerticalZero, SliderZero, Distance, Error };
 
-  /// `arc` of a radius that both arcs share.
+  /// `arc` of a radius or x that both arcs share.
   static constexpr std::size_t everyArc = static_cast<std::size_t>(-1);
 
   Kind kind = Kind::CentreX;
@@ -80,6 +80,12 @@ struct JointFitOptions {
   std::vector<EstimatedTerm> terms = {};
   /// `Sighting::sequence` of the first row after the orientation jumped; the terms of a jump act from there.
   std::optional<std::size_t> jumpBefore = {};
+  /// Of the first row on which they act no longer, since its zero was sighted after the jump; absent: on all.
+  std::optional<std::size_t> jumpEnd = {};
+  /// As one rigid guideway turned about an axis along x has it, whatever the measurement's own model of the
+  /// radius: one radius and one x for both positions, and the pointing zeros estimated, as well known as
+  /// stated, since a wrong one leaves residuals then.
+  bool isClosed = false;
   /// Readings that take no part: they get no weight, a residual of 0 and a redundancy of 0. The slider
   /// reading of a visit is that of its first row which has one.
   std::vector<ReadingRef> without = {};
@@ -91,6 +97,9 @@ struct JointFitOptions {
 struct JointFit {
   std::vector<Unknown> unknowns;  ///< estimated
   std::vector<double> values;     ///< of the unknowns: mm, rad, or the unit of the term
+  /// With which each unknown was known beforehand: such as a known radius, or a zero of a closed model;
+  /// infinite where nothing is.
+  std::vector<double> priorSigmas;
   /// Covariance of the unknowns from the stated σ of circles and slider, and the priors, alone.
   SquareMatrix cofactor;
   /// The same with the error terms taken as known; equal where there are none.
@@ -110,11 +119,8 @@ struct JointFit {
   /// `Undetermined` where a number of the fit is not finite or a variance negative.
   FitStatus status = FitStatus::Undetermined;
 
-  /// σ of R0 behind a radius that is known; infinite where it is free.
-  double radiusPriorSigma = std::numeric_limits<double>::infinity();
-
-  /// Index of an unknown; `unknowns.size()` where it is not one of this fit. The radius of any arc is the
-  /// shared one where there is one.
+  /// Index of an unknown; `unknowns.size()` where it is not one of this fit. The radius or x of any arc is
+  /// the shared one where there is one.
   std::size_t indexOf(const Unknown& unknown) const;
   bool converged() const { return status == FitStatus::Converged; }
   /// Else `chiSquare`, `values` and whatever follows from them mean nothing.

@@ -54,6 +54,8 @@ JointProblem::JointProblem(const Measurement& measurement, const JointFitOptions
     : m_measurement(measurement),
       m_terms(options.terms),
       m_jumpBefore(options.jumpBefore),
+      m_jumpEnd(options.jumpEnd),
+      m_isClosed(options.isClosed),
       m_without(options.without) {
   for (std::size_t arc = 0; arc < measurement.arcs.size(); ++arc) {
     addArc(arc);
@@ -62,7 +64,8 @@ JointProblem::JointProblem(const Measurement& measurement, const JointFitOptions
       m_visits.push_back({arc, std::move(visit), slider});
     }
   }
-  if (measurement.radiusModel != RadiusModel::Free) addSharedRadius();
+  if (m_isClosed) estimate({.kind = Unknown::Kind::CentreX, .arc = Unknown::everyArc}, {});
+  if (sharesRadius()) estimate({.kind = Unknown::Kind::Radius, .arc = Unknown::everyArc}, radiusPrior());
   for (const EstimatedTerm& term : m_terms)
     estimate({.kind = Unknown::Kind::Error, .arc = 0, .term = term.term}, term.prior());
   consider({.kind = Unknown::Kind::Distance}, measurement.sigmaDistance);
@@ -72,23 +75,37 @@ JointProblem::JointProblem(const Measurement& measurement, const JointFitOptions
 
 void JointProblem::addArc(std::size_t arc) {
   using enum Unknown::Kind;
-  std::vector kinds{CentreX, CentreY};
-  if (m_measurement.radiusModel == RadiusModel::Free) kinds.push_back(Radius);
+  std::vector kinds{CentreY};
+  if (!m_isClosed) kinds.insert(kinds.begin(), CentreX);
+  if (!sharesRadius()) kinds.push_back(Radius);
   const auto& sightings = m_measurement.arcs[arc].sightings;
   if (std::ranges::any_of(sightings, [](const Sighting& s) { return s.slider.has_value(); }))
     kinds.push_back(SliderZero);
   for (const auto kind : kinds) estimate({.kind = kind, .arc = arc}, {});
-  consider({.kind = HorizontalZero, .arc = arc}, m_measurement.sigmaZeroHorizontal.radians());
-  consider({.kind = VerticalZero, .arc = arc}, m_measurement.sigmaZeroVertical.radians());
+  addZero({.kind = HorizontalZero, .arc = arc}, m_measurement.sigmaZeroHorizontal.radians());
+  addZero({.kind = VerticalZero, .arc = arc}, m_measurement.sigmaZeroVertical.radians());
 }
 
-void JointProblem::addSharedRadius() {
+void JointProblem::addZero(const Unknown& zero, double sigma) {
+  constexpr double exact = 1e-15;  // rad: its weight would be no number
+  if (m_isClosed && sigma > exact)
+    estimate(zero, {0, sigma});
+  else
+    consider(zero, sigma);
+}
+
+bool JointProblem::sharesRadius() const {
+  return m_isClosed || m_measurement.radiusModel != RadiusModel::Free;
+}
+
+Prior JointProblem::radiusPrior() const {
   // A radius taken as exact gets a nanometre: far below what any reading tells, far above rounding.
   constexpr double exact = 1e-6;
-  Prior prior;
+  const double sigma = m_measurement.sigmaRadius;
   if (m_measurement.radiusModel == RadiusModel::Known)
-    prior = {m_measurement.nominalRadius, std::max(m_measurement.sigmaRadius, exact)};
-  estimate({.kind = Unknown::Kind::Radius, .arc = Unknown::everyArc}, prior);
+    return {m_measurement.nominalRadius, std::max(sigma, exact)};
+  if (m_isClosed && sigma > 0) return {m_measurement.nominalRadius, std::max(sigma, exact)};
+  return {};
 }
 
 void JointProblem::estimate(const Unknown& unknown, const Prior& prior) {
@@ -127,7 +144,8 @@ JointState JointProblem::start(const std::vector<Circle>& circles) const {
     if (m_estimated[i].arc == Unknown::everyArc) {
       for (const Circle& c : circles)
         state.unknowns[static_cast<Index>(i)] +=
-            (c.radius - m_priors[i].value) / static_cast<double>(circles.size());
+            ((m_estimated[i].kind == CentreX ? c.x : c.radius) - m_priors[i].value) /
+            static_cast<double>(circles.size());
       continue;
     }
     const Circle& circle = circles[m_estimated[i].arc];
@@ -183,8 +201,7 @@ Jets JointProblem::jetsOf(const JointState& state, std::size_t arc) const {
   Jets jets;
   jets.pose.x = guideway(Jets::xSlot, CentreX, 0);
   jets.pose.y = guideway(Jets::ySlot, CentreY, 0);
-  const double radiusBase = m_measurement.radiusModel == RadiusModel::Known ? m_measurement.nominalRadius : 0;
-  jets.pose.radius = guideway(Jets::radiusSlot, Radius, radiusBase);
+  jets.pose.radius = guideway(Jets::radiusSlot, Radius, sharesRadius() ? radiusPrior().value : 0);
   jets.pose.sliderZero = guideway(Jets::sliderSlot, SliderZero, 0);
   jets.distance =
       Jets::template variable<GuidewayJet>(value(distanceSlot, m_measurement.distance), Jets::farSlot);
@@ -213,7 +230,8 @@ Pointing JointProblem::pointingOf(const ArcMeasurement& arc, const Sighting& sig
   pointing.elapsed = m_measurement.rows > 1 ? static_cast<double>(sighting.sequence) /
                                                   static_cast<double>(m_measurement.rows - 1)
                                             : 0;
-  pointing.afterJump = m_jumpBefore && sighting.sequence >= *m_jumpBefore;
+  pointing.afterJump =
+      m_jumpBefore && sighting.sequence >= *m_jumpBefore && (!m_jumpEnd || sighting.sequence < *m_jumpEnd);
   return pointing;
 }
 

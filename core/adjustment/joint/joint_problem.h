@@ -104,7 +104,10 @@ class JointProblem {
   int slots() const { return firstTermSlot + static_cast<int>(m_terms.size()); }
   Eigen::Index count() const { return static_cast<Eigen::Index>(m_estimated.size() + m_considered.size()); }
   void addArc(std::size_t arc);
-  void addSharedRadius();
+  void addZero(const Unknown& zero, double sigma);
+  bool sharesRadius() const;
+  /// Of a radius that both positions share.
+  Prior radiusPrior() const;
   void estimate(const Unknown& unknown, const Prior& prior);
   void consider(const Unknown& unknown, double sigma);
   void buildSlotMaps();
@@ -125,7 +128,8 @@ class JointProblem {
 
   const Measurement& m_measurement;
   std::vector<EstimatedTerm> m_terms;
-  std::optional<std::size_t> m_jumpBefore;
+  std::optional<std::size_t> m_jumpBefore, m_jumpEnd;
+  bool m_isClosed;
   std::vector<ReadingRef> m_without;
   std::vector<Unknown> m_estimated, m_considered;
   std::vector<Prior> m_priors;

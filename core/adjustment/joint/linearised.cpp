@@ -20,7 +20,10 @@ JointFitOptions withTerms(JointFitOptions options, const std::vector<ErrorTerm>&
   for (const ErrorTerm term : terms)
     if (std::ranges::find(options.terms, term, &EstimatedTerm::term) == options.terms.end())
       options.terms.push_back({term, std::numeric_limits<double>::infinity()});
-  if (!options.jumpBefore) options.jumpBefore = 0;
+  if (!options.jumpBefore) {
+    options.jumpBefore = 0;
+    options.jumpEnd.reset();
+  }
   return options;
 }
 
@@ -94,6 +97,11 @@ Linearised linearisedAt(const Measurement& measurement, const JointProblem& prob
 }
 
 }  // namespace
+
+bool Linearised::isClosed() const {
+  const Unknown shared{.kind = Unknown::Kind::CentreX, .arc = Unknown::everyArc};
+  return std::ranges::find(unknowns, shared) != unknowns.end();
+}
 
 std::vector<std::size_t> Linearised::uncertainUnknowns() const {
   std::vector<std::size_t> indices;

@@ -36,6 +36,12 @@ struct PriorRow {
   double derivative = 0, residual = 0;
 };
 
+/// An observation of several unknowns at once: a whitened equation over all of them.
+struct Condition {
+  std::vector<double> derivatives;  ///< by `Linearised::unknowns`
+  double residual = 0;
+};
+
 /// Whitened: everything is in units of the stated σ of the reading.
 struct Linearised {
   std::vector<LinearReading> readings;  ///< visit after visit
@@ -44,6 +50,7 @@ struct Linearised {
   /// Of each unknown, counted from where the fit has it, mm or rad: of a known radius and the considered ones
   /// as stated, σ 0 where that is exact.
   std::vector<Prior> priors;
+  std::vector<Condition> conditions;  ///< none of a linearised fit: for whoever knows more
   /// Where the fit has the terms.
   std::array<double, errorTermCount> termValues{};
   /// (∂reading/∂unknown)/σ, a column for each kind of unknown: of the reading's own arc.
@@ -52,6 +59,8 @@ struct Linearised {
   /// jump as if it had come before every reading.
   ReadingColumns perTerm;
 
+  /// Of a closed model: the positions are held against each other.
+  bool isClosed() const;
   double ofUnknown(std::size_t reading, std::size_t unknown) const {
     const LinearReading& own = readings[reading];
     const Unknown& by = unknowns[unknown];

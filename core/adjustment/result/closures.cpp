@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 #include "core/adjustment/result/intersection.h"
 #include "core/base/square.h"
 #include "core/base/statistics.h"
+#include "core/observation/half_turn.h"
 
 namespace alidade {
 
@@ -21,42 +23,77 @@ double scaledPart(const std::vector<BudgetEntry>& budget) {
   return std::sqrt(variance);
 }
 
+Misclosure combinationOf(const JointFit& fit, const std::vector<double>& weights, double scale) {
+  const double value = std::inner_product(weights.begin(), weights.end(), fit.values.begin(), 0.0);
+  const std::vector<BudgetEntry> budget = budgetOf(fit, weights, scale);
+  return {value, combined(budget), scaledPart(budget)};
+}
+
+/// Of all arcs.
+Misclosure meanRadius(const JointFit& fit, double scale) {
+  const auto isRadius = [](const Unknown& unknown) { return unknown.kind == Unknown::Kind::Radius; };
+  const auto count = static_cast<double>(std::ranges::count_if(fit.unknowns, isRadius));
+  std::vector<double> weights;
+  for (const Unknown& unknown : fit.unknowns) weights.push_back(isRadius(unknown) ? 1 / count : 0);
+  return combinationOf(fit, weights, scale);
+}
+
 }  // namespace
 
 std::string_view nameOf(Closure::Of of) {
-  return of == Closure::Of::Radius ? "radius" : "centre";
+  switch (of) {
+    case Closure::Of::Radius:
+      return "radius";
+    case Closure::Of::Centre:
+      return "centre";
+    case Closure::Of::NominalRadius:
+      return "nominal_radius";
+    case Closure::Of::Reference:
+      return "reference";
+  }
+  return "";
 }
 
 std::optional<Misclosure> misclosureOf(const JointFit& fit, Closure::Of of, std::size_t at0,
                                        std::size_t at180, double scale) {
   const auto kind = of == Closure::Of::Radius ? Unknown::Kind::Radius : Unknown::Kind::CentreX;
   std::vector<double> weights(fit.unknowns.size());
-  double value = 0;
   for (const auto& [arc, weight] : {std::pair(at180, 1.0), std::pair(at0, -1.0)}) {
     const auto own = std::ranges::find(fit.unknowns, Unknown{.kind = kind, .arc = arc});
     if (own == fit.unknowns.end()) return std::nullopt;
-    const auto index = static_cast<std::size_t>(own - fit.unknowns.begin());
-    weights[index] = weight;
-    value += weight * fit.values[index];
+    weights[static_cast<std::size_t>(own - fit.unknowns.begin())] = weight;
   }
-  const std::vector<BudgetEntry> budget = budgetOf(fit, weights, scale);
-  return Misclosure{value, combined(budget), scaledPart(budget)};
+  return combinationOf(fit, weights, scale);
 }
 
 std::vector<Closure> closuresOf(const Measurement& measurement, const JointFit& fit) {
-  const auto upper = arcAt(measurement, 0), lower = arcAt(measurement, 180);
-  if (!upper || !lower || !fit.isDetermined()) return {};
+  if (!fit.isDetermined() || fit.unknowns.empty()) return {};
   const NoiseScale noise = noiseScale(fit);
   std::vector<Closure> closures;
-  for (const Closure::Of of : {Closure::Of::Radius, Closure::Of::Centre}) {
-    const auto misclosure = misclosureOf(fit, of, *upper, *lower, noise.factor);
-    if (!misclosure) continue;
-    Closure closure{.of = of, .value = misclosure->value, .sigma = misclosure->sigma};
+  /// Held against `known`, with its σ.
+  const auto add = [&](Closure::Of of, const Misclosure& misclosure, double known, double sigma) {
+    Closure closure{
+        .of = of, .value = misclosure.value - known, .sigma = std::hypot(misclosure.sigma, sigma)};
     const DegreesOfFreedom freedom =
-        effectiveDegreesOfFreedom(closure.sigma, misclosure->scaledSigma, noise.degreesOfFreedom);
+        effectiveDegreesOfFreedom(closure.sigma, misclosure.scaledSigma, noise.degreesOfFreedom);
     const auto below = studentLowerTail(-closure.sigmas(), freedom);
     closure.chance = below ? 2 * *below : 1;
     closures.push_back(closure);
+  };
+  const auto upper = arcAt(measurement, 0), lower = arcAt(measurement, 180);
+  if (upper && lower)
+    for (const Closure::Of of : {Closure::Of::Radius, Closure::Of::Centre})
+      if (const auto misclosure = misclosureOf(fit, of, *upper, *lower, noise.factor))
+        add(of, *misclosure, 0, 0);
+  if (measurement.sigmaRadius > 0 && measurement.radiusModel != RadiusModel::Known)
+    add(Closure::Of::NominalRadius, meanRadius(fit, noise.factor), measurement.nominalRadius,
+        measurement.sigmaRadius);
+  if (upper && lower && measurement.sigmaReference) {
+    std::vector<double> weights(fit.unknowns.size());
+    weights[fit.indexOf({.kind = Unknown::Kind::CentreY, .arc = *upper})] = intersectionPerHeight(0);
+    weights[fit.indexOf({.kind = Unknown::Kind::CentreY, .arc = *lower})] = intersectionPerHeight(180);
+    add(Closure::Of::Reference, combinationOf(fit, weights, noise.factor), *measurement.referenceIntersection,
+        *measurement.sigmaReference);
   }
   return closures;
 }

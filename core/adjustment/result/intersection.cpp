@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "core/base/square.h"
@@ -42,21 +43,35 @@ double consideredShare(const JointFit& fit, const std::vector<double>& weights, 
   return std::sqrt(variance);
 }
 
-/// The root of the variance that a known radius brings: the gain of the adjustment on R0 times its σ.
-double knownRadiusShare(const JointFit& fit, const SquareMatrix& cofactor,
-                        const std::vector<double>& weights) {
-  if (std::isinf(fit.radiusPriorSigma)) return 0;
-  const std::size_t radius = fit.indexOf({.kind = Unknown::Kind::Radius});
-  double sum = 0;
-  for (std::size_t i = 0; i < weights.size(); ++i) sum += weights[i] * cofactor(i, radius);
-  return std::abs(sum) / fit.radiusPriorSigma;
+/// The variance that unknowns of a kind bring which are known beforehand, such as a known radius: the gain of
+/// the adjustment on what is known of each, times its σ.
+template <typename Meant>
+double varianceOfKnown(const JointFit& fit, const SquareMatrix& cofactor, const std::vector<double>& weights,
+                       const Meant& isMeant) {
+  double variance = 0;
+  for (std::size_t known = 0; known < fit.unknowns.size(); ++known) {
+    if (std::isinf(fit.priorSigmas[known]) || !isMeant(fit.unknowns[known])) continue;
+    double sum = 0;
+    for (std::size_t i = 0; i < weights.size(); ++i) sum += weights[i] * cofactor(i, known);
+    variance += square(sum / fit.priorSigmas[known]);
+  }
+  return variance;
+}
+
+bool isRadius(const Unknown& unknown) {
+  return unknown.kind == Unknown::Kind::Radius;
+}
+
+bool isZero(const Unknown& unknown) {
+  return unknown.kind == Unknown::Kind::HorizontalZero || unknown.kind == Unknown::Kind::VerticalZero;
 }
 
 /// The variance from readings, and priors of error terms, at their stated σ.
 double scalableVariance(const JointFit& fit, const SquareMatrix& cofactor,
                         const std::vector<double>& weights) {
+  const double known = varianceOfKnown(fit, cofactor, weights, std::not_fn(isTerm));
   // In this order of its arguments max() lets NaN pass: what is unknown is not nothing.
-  return std::max(quadraticForm(cofactor, weights) - square(knownRadiusShare(fit, cofactor, weights)), 0.0);
+  return std::max(quadraticForm(cofactor, weights) - known, 0.0);
 }
 
 std::vector<double> unit(const JointFit& fit, const Unknown& unknown) {
@@ -92,9 +107,13 @@ std::vector<BudgetEntry> budgetOf(const JointFit& fit, const std::vector<double>
   std::vector<BudgetEntry> budget{{UncertaintySource::Readings, scale * std::sqrt(withTermsKnown)}};
   if (hasTerms)
     budget.push_back({UncertaintySource::ModelEffects, scale * standardDeviation(together - withTermsKnown)});
-  if (!std::isinf(fit.radiusPriorSigma))
-    budget.push_back({UncertaintySource::KnownRadius, knownRadiusShare(fit, fit.cofactor, weights)});
-  budget.push_back({UncertaintySource::PointingZeros, consideredShare(fit, weights, false)});
+  const std::size_t radius = fit.indexOf({.kind = Unknown::Kind::Radius});
+  if (radius < fit.unknowns.size() && !std::isinf(fit.priorSigmas[radius]))
+    budget.push_back(
+        {UncertaintySource::KnownRadius, std::sqrt(varianceOfKnown(fit, fit.cofactor, weights, isRadius))});
+  budget.push_back({UncertaintySource::PointingZeros,
+                    std::hypot(consideredShare(fit, weights, false),
+                               std::sqrt(varianceOfKnown(fit, fit.cofactor, weights, isZero)))});
   budget.push_back({UncertaintySource::Distance, consideredShare(fit, weights, true)});
   return budget;
 }

@@ -46,8 +46,8 @@ void judgeClosure(std::vector<FitFinding>& findings, const SessionFit& fit, Clos
 void judgeKnownRadius(std::vector<FitFinding>& findings, const Measurement& measurement,
                       const SessionFit& fit) {
   if (measurement.radiusModel != RadiusModel::Known || fit.arcs.empty()) return;
-  const double prior = fit.joint.radiusPriorSigma;
   const std::size_t radius = fit.joint.indexOf({.kind = Unknown::Kind::Radius});
+  const double prior = fit.joint.priorSigmas[radius];
   std::vector<double> weights(fit.joint.unknowns.size());
   weights[radius] = 1;
   const double variance = fit.joint.cofactor(radius, radius);

@@ -15,6 +15,7 @@ namespace alidade {
 struct PriorOdds {
   double effect = 0.04;      ///< each
   double jump = 0.04;        ///< shared by all moments
+  double zeroSlip = 0.04;    ///< a jump between a zero and the first place; shared by the positions
   double grossError = 0.08;  ///< shared by all readings
   double noise = 0.04;       ///< larger than stated
   double shape = 0.04;       ///< shared by all shapes
@@ -23,7 +24,7 @@ struct PriorOdds {
 /// How components of one kind are offered to a set that takes one more.
 struct Offer {
   std::size_t offered = 0;  ///< only so many of them, the best; 0: each
-  bool oneAtMost = false;   ///< in a set
+  bool oneAtMost = false;   ///< in a set, of all kinds that say so
 };
 
 /// The components that an explanation may be made of, numbered through.

@@ -90,8 +90,8 @@ CauseParameter estimatedParameter(const GapModel& after, std::string_view name, 
                                   std::string_view unit) {
   const std::size_t i = after.fit.indexOf({.kind = Unknown::Kind::Error, .arc = 0, .term = term});
   const double factor = modelUnitsPer(unit);
-  return {std::string(name), after.fit.values[i] / factor,
-          std::sqrt(after.fit.cofactor(i, i)) * after.noise / factor, std::string(unit)};
+  return {std::string(name), after.fit.values[i] / factor, std::sqrt(after.fit.cofactor(i, i)) / factor,
+          std::string(unit)};
 }
 
 }  // namespace alidade

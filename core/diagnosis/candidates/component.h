@@ -42,6 +42,8 @@ class Component {
   virtual bool isEffect() const { return false; }
   /// A step of the orientation, of which a session has one at most.
   virtual bool isJump() const { return false; }
+  /// One that moves a whole position against its zero.
+  virtual bool isZeroSlip() const { return false; }
   /// Of no named cause.
   virtual bool isShape() const { return false; }
   /// The one that is off, an index into the leftover's readings; absent where the model is.

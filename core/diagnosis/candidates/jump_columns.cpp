@@ -1,6 +1,7 @@
 #include "core/diagnosis/candidates/jump_columns.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -8,13 +9,16 @@ namespace alidade {
 
 using Eigen::Index, Eigen::Matrix2d, Eigen::Matrix2Xd, Eigen::MatrixXd, Eigen::Vector2d, Eigen::VectorXd;
 
-JumpColumns::JumpColumns(const Leftover& leftover, std::vector<std::size_t> moments, double size)
+JumpColumns::JumpColumns(const Leftover& leftover, std::vector<Moment> moments, double size)
     : m_horizontal(leftover.column(ErrorTerm::HorizontalJump) * size),
       m_vertical(leftover.column(ErrorTerm::VerticalJump) * size),
       m_moments(std::move(moments)) {
-  for (Index i = 0; i < leftover.readings(); ++i)
-    m_last.push_back(std::ranges::upper_bound(m_moments, leftover.reading(i).sequence) - m_moments.begin() -
-                     1);
+  for (Index i = 0; i < leftover.readings(); ++i) {
+    const std::size_t row = leftover.reading(i).sequence;
+    const auto after = std::ranges::upper_bound(m_moments, row, {}, &Moment::first);
+    const bool touches = after != m_moments.begin() && row < std::prev(after)->end;
+    m_last.push_back(touches ? after - m_moments.begin() - 1 : -1);
+  }
 }
 
 Matrix2Xd JumpColumns::products(const VectorXd& overReadings) const {
@@ -25,7 +29,8 @@ Matrix2Xd JumpColumns::products(const VectorXd& overReadings) const {
     sums(0, last) += m_horizontal[i] * overReadings[i];
     sums(1, last) += m_vertical[i] * overReadings[i];
   }
-  for (Index m = sums.cols() - 1; m > 0; --m) sums.col(m - 1) += sums.col(m);
+  for (Index m = sums.cols() - 1; m > 0; --m)
+    if (goesOnFrom(static_cast<std::size_t>(m))) sums.col(m - 1) += sums.col(m);
   return sums;
 }
 
@@ -50,7 +55,8 @@ std::vector<Matrix2d> JumpColumns::visibleGrams(const Leftover& leftover) const 
       gramAt(last) += both * both.transpose() - share * share.transpose() + before * before.transpose();
     }
   }
-  for (std::size_t m = m_moments.size(); m-- > 1;) grams[m - 1] += grams[m];
+  for (std::size_t m = m_moments.size(); m-- > 1;)
+    if (goesOnFrom(m)) grams[m - 1] += grams[m];
   MatrixXd ofHorizontal = MatrixXd::Zero(leftover.basis().cols(), static_cast<Index>(m_moments.size())),
            ofVertical = ofHorizontal;
   for (Index i = 0; i < m_horizontal.size(); ++i) {
@@ -63,7 +69,7 @@ std::vector<Matrix2d> JumpColumns::visibleGrams(const Leftover& leftover) const 
     const auto h = ofHorizontal.col(m), v = ofVertical.col(m);
     const double both = h.dot(v);
     gramAt(m) -= Matrix2d{{h.squaredNorm(), both}, {both, v.squaredNorm()}};
-    if (m == 0) break;
+    if (m == 0 || !goesOnFrom(static_cast<std::size_t>(m))) continue;
     ofHorizontal.col(m - 1) += h;
     ofVertical.col(m - 1) += v;
   }

@@ -7,24 +7,33 @@
 
 namespace alidade {
 
-// Jumps of the orientation before any of many rows. A jump touches all readings from its row on, so its
-// inner products are sums from the end of the session: all moments together cost hardly more than one, and
-// no columns are kept.
+// Jumps of the orientation before any of many rows. A jump touches all readings from its row on, up to the
+// end of the session or to a zero sighted anew, so its inner products are sums from there: all moments
+// together cost hardly more than one, and no columns are kept.
 class JumpColumns {
  public:
-  /// `moments`: sequences of the first rows after a jump, ascending. `size`: of both its parts, rad.
-  JumpColumns(const Leftover& leftover, std::vector<std::size_t> moments, double size);
+  static constexpr std::size_t never = static_cast<std::size_t>(-1);
+  struct Moment {
+    std::size_t first;        ///< sequence of the first row after the jump
+    std::size_t end = never;  ///< of the first row on which it acts no longer
+  };
+
+  /// `moments`: ascending, their ends too. `size`: of both parts of a jump, rad.
+  JumpColumns(const Leftover& leftover, std::vector<Moment> moments, double size);
 
   /// Of the horizontal and the vertical column of every moment with a vector over the readings: 2 × moments.
   Eigen::Matrix2Xd products(const Eigen::VectorXd& overReadings) const;
   /// Of the visible parts of the two columns of every moment with one another. `leftover`: the same.
   std::vector<Eigen::Matrix2d> visibleGrams(const Leftover& leftover) const;
-  const std::vector<std::size_t>& moments() const { return m_moments; }
+  const std::vector<Moment>& moments() const { return m_moments; }
 
  private:
   Eigen::VectorXd m_horizontal, m_vertical;  ///< of a jump before every row
-  std::vector<Eigen::Index> m_last;  ///< of each reading: the last moment that comes before it, −1 for none
-  std::vector<std::size_t> m_moments;
+  std::vector<Eigen::Index> m_last;  ///< of each reading: the last moment that touches it, −1 for none
+  std::vector<Moment> m_moments;
+
+  /// What the moment touches, those before it touch, too, up to this one.
+  bool goesOnFrom(std::size_t moment) const { return m_moments[moment - 1].end == m_moments[moment].end; }
 };
 
 }  // namespace alidade

@@ -1,7 +1,9 @@
 #include "core/diagnosis/candidates/jump_components.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "core/effects/cause_ids.h"
@@ -35,8 +37,10 @@ const std::vector<Width>& JumpComponent::widths() const {
 MatrixXd JumpComponent::wholeColumns(const Leftover& leftover) const {
   MatrixXd columns(leftover.readings(), 2);
   columns << leftover.column(ErrorTerm::HorizontalJump), leftover.column(ErrorTerm::VerticalJump);
+  const auto [first, end] = moment();
   for (Index i = 0; i < columns.rows(); ++i)
-    if (leftover.reading(i).sequence < moment()) columns.row(i).setZero();
+    if (const std::size_t row = leftover.reading(i).sequence; row < first || row >= end)
+      columns.row(i).setZero();
   return columns * plausibleJump;
 }
 
@@ -55,7 +59,8 @@ Gain JumpComponent::gain(const TurnedColumns& columns, double variance) const {
 
 void JumpComponent::addTo(JointFitOptions& model, const Leftover&, const VectorXd&, double width) const {
   const double sigma = width * plausibleJump;
-  model.jumpBefore = moment();
+  model.jumpBefore = moment().first;
+  if (moment().end != JumpColumns::never) model.jumpEnd = moment().end;
   model.terms.push_back({ErrorTerm::HorizontalJump, sigma});
   model.terms.push_back({ErrorTerm::VerticalJump, sigma});
 }
@@ -63,62 +68,104 @@ void JumpComponent::addTo(JointFitOptions& model, const Leftover&, const VectorX
 std::vector<CauseParameter> JumpComponent::parameters(const GapModel& after) const {
   return {estimatedParameter(after, "horizontal step", ErrorTerm::HorizontalJump, "arcsec"),
           estimatedParameter(after, "vertical step", ErrorTerm::VerticalJump, "arcsec"),
-          {"before row", static_cast<double>(moment()) + 1, 0, "-"}};
+          {"before row", static_cast<double>(moment().first) + 1, 0, "-"}};
 }
 
 namespace {
 
-void sortAsSet(std::vector<std::size_t>& values) {
-  std::ranges::sort(values);
-  values.erase(std::unique(values.begin(), values.end()), values.end());
+/// Sequences of the rows of each arc, ascending.
+std::map<std::size_t, std::vector<std::size_t>> rowsOfArcs(const Leftover& leftover) {
+  std::map<std::size_t, std::vector<std::size_t>> arcs;
+  for (Index i = 0; i < leftover.readings(); ++i)
+    arcs[leftover.reading(i).arc].push_back(leftover.reading(i).sequence);
+  for (auto& [arc, rows] : arcs) {
+    std::ranges::sort(rows);
+    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+  }
+  return arcs;
 }
 
-/// Moments whose jump parts a row alone in its visit from the rest of its position, as its first or its last:
-/// all that could be seen of it is the one condition between the two circles of that row.
-std::map<std::size_t, std::size_t> rowsThatAloneShow(const Leftover& leftover) {
-  std::map<std::size_t, std::vector<std::size_t>> rowsOfArc;
-  std::vector<std::size_t> alone;
-  for (Index v = 0; v < leftover.visits(); ++v) {
-    const Leftover::Run visit = leftover.readingsOf(v);
-    for (Index i = visit.first; i < visit.end; ++i) {
-      const LinearReading& reading = leftover.reading(i);
-      rowsOfArc[reading.arc].push_back(reading.sequence);
-      if (visit.length() == 2) alone.push_back(reading.sequence);
-    }
-  }
-  const auto isAlone = [&](std::size_t row) { return std::ranges::find(alone, row) != alone.end(); };
-  std::map<std::size_t, std::size_t> rows;
-  for (auto& [arc, own] : rowsOfArc) {
-    sortAsSet(own);
-    if (own.size() < 2) continue;
-    if (isAlone(own.back())) rows.emplace(own.back(), own.back());
-    if (isAlone(own.front())) rows.emplace(own[1], own.front());
-  }
+std::set<std::size_t> rowsAloneInTheirVisit(const Leftover& leftover) {
+  std::set<std::size_t> rows;
+  for (Index v = 0; v < leftover.visits(); ++v)
+    if (const Leftover::Run visit = leftover.readingsOf(v); visit.length() == 2)
+      rows.insert(leftover.reading(visit.first).sequence);
   return rows;
+}
+
+/// Finds the row, alone in its visit, that a jump parts from all that could show the rest of it: what could
+/// be seen of the jump is the one condition between the two circles of that row.
+class ShownByOneRow {
+ public:
+  explicit ShownByOneRow(const Leftover& leftover)
+      : m_alone(rowsAloneInTheirVisit(leftover)),
+        m_arcs(rowsOfArcs(leftover)),
+        m_isClosed(leftover.equations().isClosed()) {}
+
+  std::optional<std::size_t> of(const JumpColumns::Moment& moment) const {
+    for (const auto& [arc, rows] : m_arcs) {
+      if (rows.size() < 2) continue;
+      // Where the positions are held against each other they show what moves a position as a whole.
+      const bool endsHere = moment.end == rows.back() + 1 || arc == m_arcs.rbegin()->first;
+      if (moment.first == rows.back() && (endsHere || !m_isClosed) && m_alone.contains(rows.back()))
+        return rows.back();
+      if (moment.first == rows[1] && !m_isClosed && m_alone.contains(rows.front())) return rows.front();
+    }
+    return std::nullopt;
+  }
+
+ private:
+  std::set<std::size_t> m_alone;
+  std::map<std::size_t, std::vector<std::size_t>> m_arcs;
+  bool m_isClosed;
+};
+
+std::vector<JumpComponent> componentsOf(const Leftover& leftover, std::vector<JumpColumns::Moment> moments) {
+  const ShownByOneRow shown(leftover);
+  const auto columns = std::make_shared<const JumpColumns>(leftover, std::move(moments), plausibleJump);
+  const std::vector<Eigen::Matrix2d> grams = columns->visibleGrams(leftover);
+  std::vector<JumpComponent> components;
+  for (std::size_t m = 0; m < grams.size(); ++m)
+    components.emplace_back(columns, m, grams[m], shown.of(columns->moments()[m]));
+  return components;
+}
+
+/// As many as are looked at.
+std::vector<JumpColumns::Moment> someOf(const std::vector<JumpColumns::Moment>& moments) {
+  constexpr std::size_t most = 400;
+  const std::size_t stride = moments.size() / most + 1;
+  std::vector<JumpColumns::Moment> some;
+  for (std::size_t m = 0; m < moments.size(); m += stride) some.push_back(moments[m]);
+  return some;
 }
 
 }  // namespace
 
 std::vector<JumpComponent> jumpComponents(const Leftover& leftover) {
-  constexpr std::size_t mostMoments = 400;
-  std::vector<std::size_t> rows;
-  for (Index i = 0; i < leftover.readings(); ++i) rows.push_back(leftover.reading(i).sequence);
-  sortAsSet(rows);
-  if (rows.size() < 3) return {};
-  rows.erase(rows.begin());  // before the first row there is no jump
-  const std::map<std::size_t, std::size_t> shownByOne = rowsThatAloneShow(leftover);
-  const std::size_t stride = rows.size() / mostMoments + 1;
-  std::vector<std::size_t> moments;
-  for (std::size_t m = 0; m < rows.size(); m += stride) moments.push_back(rows[m]);
-  const auto columns = std::make_shared<const JumpColumns>(leftover, std::move(moments), plausibleJump);
-  const std::vector<Eigen::Matrix2d> grams = columns->visibleGrams(leftover);
-  std::vector<JumpComponent> components;
-  for (std::size_t m = 0; m < grams.size(); ++m) {
-    const auto only = shownByOne.find(columns->moments()[m]);
-    components.emplace_back(columns, m, grams[m],
-                            only == shownByOne.end() ? std::nullopt : std::optional(only->second));
+  const bool isClosed = leftover.equations().isClosed();
+  const auto arcs = rowsOfArcs(leftover);
+  std::vector<JumpColumns::Moment> lasting, ofOnePosition;
+  for (auto arc = arcs.begin(); arc != arcs.end(); ++arc) {
+    const bool isLast = std::next(arc) == arcs.end();
+    for (const std::size_t row : arc->second) {
+      if (row == arc->second.front() && (isClosed || arc == arcs.begin())) continue;
+      lasting.push_back({row});
+      if (isClosed && !isLast) ofOnePosition.push_back({row, arc->second.back() + 1});
+    }
   }
+  if (lasting.size() < 2) return {};
+  std::vector<JumpComponent> components = componentsOf(leftover, someOf(lasting));
+  std::ranges::move(componentsOf(leftover, someOf(ofOnePosition)), std::back_inserter(components));
   return components;
+}
+
+std::vector<JumpComponent> zeroSlips(const Leftover& leftover) {
+  if (!leftover.equations().isClosed()) return {};
+  std::vector<JumpColumns::Moment> moments;
+  for (const auto& [arc, rows] : rowsOfArcs(leftover)) moments.push_back({rows.front(), rows.back() + 1});
+  std::vector<JumpComponent> slips = componentsOf(leftover, std::move(moments));
+  for (JumpComponent& slip : slips) slip.setZeroSlip();
+  return slips;
 }
 
 }  // namespace alidade

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include "core/diagnosis/candidates/component.h"
@@ -15,17 +16,18 @@ inline constexpr double plausibleJump = 60.0 / 3600 * std::numbers::pi / 180;
 /// The orientation jumps before a row.
 class JumpComponent final : public Component {
  public:
-  /// `columns`: of all moments, of which this is the `index`-th. `gram`: of its visible columns.
+  /// `columns`: of many moments, of which this is the `index`-th. `gram`: of its visible columns.
   JumpComponent(std::shared_ptr<const JumpColumns> columns, std::size_t index, Eigen::Matrix2d gram,
                 std::optional<std::size_t> onlyRow);
 
-  /// Sequence of the first row after it.
-  std::size_t moment() const { return m_columns->moments()[m_index]; }
+  /// Sequences of the first row after it, and of the first on which it acts no longer.
+  JumpColumns::Moment moment() const { return m_columns->moments()[m_index]; }
 
   std::string_view id() const override;
   ErrorSource source() const override { return ErrorSource::Time; }
   const std::vector<Width>& widths() const override;
   bool isJump() const override { return true; }
+  bool isZeroSlip() const override { return m_isZeroSlip; }
   std::optional<std::size_t> onlyRow() const override { return m_onlyRow; }
   Eigen::Map<const Eigen::MatrixXd> gram() const override { return {m_gram.data(), 2, 2}; }
   Eigen::MatrixXd wholeColumns(const Leftover& leftover) const override;
@@ -36,19 +38,30 @@ class JumpComponent final : public Component {
              double width) const override;
   std::vector<CauseParameter> parameters(const GapModel& after) const override;
 
+  void setZeroSlip() { m_isZeroSlip = true; }
+
  private:
   std::shared_ptr<const JumpColumns> m_columns;
   std::size_t m_index;
   Eigen::Matrix2d m_gram;
   std::optional<std::size_t> m_onlyRow;
+  bool m_isZeroSlip = false;
 };
 
 const std::vector<Width>& jumpWidths();
 /// Of a jump that shows: as of any, and now and then 30 times its plausible size.
 const std::vector<Width>& usualAndFarWiderJumpWidths();
 
-/// A jump before any row; of long sessions before every n-th. One that a single row alone in its visit
-/// would show leaves what a gross error of that row leaves, which is the commoner: it is for comparison only.
+/// A jump before any row; of long sessions before every n-th. Where the positions are held against each other
+/// (`Linearised::isClosed`), one that lasts to the end of the session and, before the last position, one that
+/// lasts to the end of its own, after which the zero was sighted anew; those before the first row of a
+/// position are `zeroSlips`. One that a single row alone in its visit would show leaves what a gross error of
+/// that row leaves, which is the commoner: it is for comparison only.
 std::vector<JumpComponent> jumpComponents(const Leftover& leftover);
+
+/// A jump between the pointing zero of a position and its first place, or a zero misread, which leaves the
+/// same: the whole position is moved against its zero. One for each position, where they are held against
+/// each other; else nothing would show it.
+std::vector<JumpComponent> zeroSlips(const Leftover& leftover);
 
 }  // namespace alidade

@@ -153,12 +153,12 @@ class Average {
 }  // namespace
 
 std::optional<IntersectionEstimate> modelAveragedIntersection(const Inquiry& inquiry, const Answer& answer) {
-  const std::optional<IntersectionEstimate> own = estimateOf(answer.after);
+  const std::optional<IntersectionEstimate> own = estimateOf(answer.measured);
   if (!own || answer.kind == Answer::Kind::Nothing || !(own->sigma > 0)) return own;
   Average average(inquiry, answer, *own);
   if (!answer.pattern) average.addExplanations();
   average.addRivals();
-  const double ofPattern = answer.pattern ? movedBy(answer.after, inquiry, *answer.pattern) : 0;
+  const double ofPattern = answer.pattern ? movedBy(answer.measured, inquiry, *answer.pattern) : 0;
   return average.estimate(ofPattern);
 }
 

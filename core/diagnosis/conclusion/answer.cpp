@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/diagnosis/gap/gap_size.h"
 #include "core/diagnosis/search/explained_model.h"
@@ -58,26 +59,37 @@ GapModel modelWith(const Inquiry& inquiry, const Explanation& explanation) {
   return alidade::modelWith(inquiry.base, explanation, inquiry.candidates, inquiry.leftover);
 }
 
+/// `closed`: the inquiry's with the explanation in it.
+GapModel measuredModel(const Inquiry& inquiry, const Explanation& explanation, const GapModel& closed) {
+  const auto isReading = [&](const Part& part) { return inquiry.of(part).grossErrorAt().has_value(); };
+  if (!closed.options.isClosed || !std::ranges::all_of(explanation.parts, isReading)) return closed;
+  if (explanation.parts.empty() && !explanation.noisy) return inquiry.own;
+  return alidade::modelWith(inquiry.own, explanation, inquiry.candidates, inquiry.leftover);
+}
+
 Answer nothingIn(const Inquiry& inquiry) {
-  return {Answer::Kind::Nothing, {}, {}, {}, inquiry.base};
+  return {Answer::Kind::Nothing, {}, {}, {}, inquiry.base, inquiry.own};
 }
 
 Answer knownAs(const Inquiry& inquiry, const Explanation& explanation) {
-  return {
-      Answer::Kind::Known, explanation, rivalsOf(inquiry, explanation), {}, modelWith(inquiry, explanation)};
+  GapModel after = modelWith(inquiry, explanation);
+  GapModel measured = measuredModel(inquiry, explanation, after);
+  return {Answer::Kind::Known, explanation,        rivalsOf(inquiry, explanation), {},
+          std::move(after),    std::move(measured)};
 }
 
 /// The likeliest pattern, and beside it what is as good as certain.
 Answer unknownAs(const Inquiry& inquiry, const Explanation& shaped) {
   constexpr double certain = 0.95;
   const std::vector<std::vector<Rival>> rivals = rivalsOf(inquiry, shaped);
-  Answer answer{Answer::Kind::Unknown, {}, {}, shaped.parts.back(), {}};
+  Answer answer{Answer::Kind::Unknown, {}, {}, shaped.parts.back(), {}, {}};
   for (std::size_t p = 0; p + 1 < shaped.parts.size(); ++p) {
     if (chanceOf(inquiry, shaped.parts[p], rivals[p]) < certain) continue;
     answer.explanation.parts.push_back(shaped.parts[p]);
     answer.rivals.push_back(rivals[p]);
   }
   answer.after = modelWith(inquiry, answer.explanation);
+  answer.measured = measuredModel(inquiry, answer.explanation, answer.after);
   return answer;
 }
 
@@ -91,7 +103,7 @@ bool isLikelier(const Inquiry& inquiry, const Answer& answer, double chance) {
 
 /// A gap that is real and that nothing explains.
 Answer unexplained(const Inquiry& inquiry) {
-  return {Answer::Kind::Unknown, {}, {}, {}, inquiry.base};
+  return {Answer::Kind::Unknown, {}, {}, {}, inquiry.base, inquiry.own};
 }
 
 Answer likeliestAnswer(const Inquiry& inquiry) {
@@ -118,7 +130,8 @@ Answer likeliestAnswer(const Inquiry& inquiry) {
 Answer conclude(const Inquiry& inquiry) {
   Answer answer = likeliestAnswer(inquiry);
   // In the linear model there was an answer; with it in the model itself the readings may fix nothing.
-  return answer.after.fit.isDetermined() ? answer : unexplained(inquiry);
+  const bool isDetermined = answer.after.fit.isDetermined() && answer.measured.fit.isDetermined();
+  return isDetermined ? answer : unexplained(inquiry);
 }
 
 std::vector<GapStep> stepsOf(const Inquiry& inquiry, const Answer& answer) {
@@ -129,7 +142,8 @@ std::vector<GapStep> stepsOf(const Inquiry& inquiry, const Answer& answer) {
     const bool isLast = soFar.parts.size() == whole.parts.size() && soFar.noisy == whole.noisy;
     const GapModel& model = isLast ? answer.after : modelWith(inquiry, soFar);
     if (!model.fit.isDetermined()) return;
-    steps.push_back({std::string(id), sizeOf(model), estimateOf(model)});
+    const GapModel measured = isLast ? answer.measured : measuredModel(inquiry, soFar, model);
+    steps.push_back({std::string(id), sizeOf(openedModelOf(measured, inquiry.own)), estimateOf(measured)});
   };
   for (const Part& part : whole.parts)
     if (inquiry.of(part).grossErrorAt()) soFar.parts.push_back(part);

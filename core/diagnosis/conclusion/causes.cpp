@@ -45,8 +45,11 @@ std::vector<Cause> causesOf(const Inquiry& inquiry, const Answer& answer) {
     }
     Cause cause = named(inquiry, component.id());
     cause.parameters = component.parameters(answer.after);
-    for (const Rival& rival : answer.rivals[p])
-      cause.indistinguishableFrom.emplace_back(inquiry.of(rival.part).id());
+    for (const Rival& rival : answer.rivals[p]) {
+      std::string id(inquiry.of(rival.part).id());
+      const auto& named = cause.indistinguishableFrom;
+      if (std::ranges::find(named, id) == named.end()) cause.indistinguishableFrom.push_back(std::move(id));
+    }
     causes.push_back(std::move(cause));
   }
   if (!grossErrors.empty()) {

@@ -118,6 +118,25 @@ std::vector<GapShare> sharesOfReadings(const Leftover& leftover, const Measureme
   return tally.shares();
 }
 
+std::vector<GapShare> sharesOfClosures(const GapModel& own) {
+  const auto upper = arcAt(*own.measurement, 0), lower = arcAt(*own.measurement, 180);
+  if (!upper || !lower) return {};
+  std::vector<GapShare> shares;
+  const auto add = [&](std::string_view of, double square, double expected) {
+    shares.push_back({"closure", std::string(of), std::max(0.0, square - expected)});
+  };
+  for (const Closure::Of of : {Closure::Of::Radius, Closure::Of::Centre})
+    if (const auto misclosure = misclosureOf(own.fit, of, *upper, *lower, 1))
+      add(nameOf(of), std::pow(misclosure->value / misclosure->sigma, 2), 1);
+  if (shares.empty()) return shares;
+  add("readings", own.fit.chiSquare, own.fit.degreesOfFreedom);
+  double sum = 0;
+  for (const GapShare& share : shares) sum += share.share;
+  for (GapShare& share : shares)
+    share.share = sum > 0 ? share.share / sum : 1.0 / static_cast<double>(shares.size());
+  return shares;
+}
+
 std::vector<GapShare> sharesOfFrames(const Inquiry& inquiry) {
   constexpr double negligible = 1e-6;
   const Leftover& leftover = inquiry.leftover;

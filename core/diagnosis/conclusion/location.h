@@ -20,4 +20,9 @@ std::vector<GapShare> sharesOfReadings(const Leftover& leftover, const Measureme
 /// tell the first two apart: they are one share, "guideway or instrument".
 std::vector<GapShare> sharesOfFrames(const Inquiry& inquiry);
 
+/// By closure: of χ² beyond what noise leaves, with the noise as stated, what the "readings" leave over in
+/// the model with the positions apart, and each closure of theirs ("radius", "centre"). Empty where there is
+/// none.
+std::vector<GapShare> sharesOfClosures(const GapModel& own);
+
 }  // namespace alidade

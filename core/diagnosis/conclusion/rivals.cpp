@@ -65,16 +65,21 @@ std::vector<Rival> jumps(const Inquiry& inquiry, const Explanation& explanation,
   return rivals;
 }
 
-/// Effects nearly like the part that explain something in its place.
-std::vector<Rival> effects(const Inquiry& inquiry, const Explanation& explanation, std::size_t index,
-                           Comparison& comparison) {
+/// Effects nearly like the part that explain something in its place, and in that of an effect a jump between
+/// a zero and the first place.
+std::vector<Rival> others(const Inquiry& inquiry, const Explanation& explanation, std::size_t index,
+                          Comparison& comparison) {
   const Part& part = explanation.parts[index];
   const Trace trace(inquiry.leftover, inquiry.of(part).signature(inquiry.leftover, part.weights));
   std::vector<Rival> rivals;
+  const auto isJump = [&](const Part& other) { return inquiry.of(other).isJump(); };
+  const bool hasJump = std::ranges::any_of(explanation.parts, isJump);  // one to a session
   for (std::size_t i = 0; i < inquiry.candidates.size(); ++i) {
     const auto isOther = [&](const Part& any) { return any.component != i; };
-    if (!inquiry.candidates[i].isEffect() || !std::ranges::all_of(explanation.parts, isOther)) continue;
-    const double difference = trace.differenceFrom(inquiry.candidates[i]) / explanation.noise;
+    const Component& candidate = inquiry.candidates[i];
+    const bool isMeant = candidate.isEffect() || (candidate.isZeroSlip() && !hasJump);
+    if (!isMeant || !std::ranges::all_of(explanation.parts, isOther)) continue;
+    const double difference = trace.differenceFrom(candidate) / explanation.noise;
     if (difference > clearlyDifferent) continue;
     Rival rival = comparison.with(index, i);
     if (rival.part.isSupported() && (difference < hardlyDifferent || isClose(rival)))
@@ -91,7 +96,7 @@ std::vector<std::vector<Rival>> rivalsOf(const Inquiry& inquiry, const Explanati
   for (std::size_t p = 0; p < rivals.size(); ++p) {
     const Component& component = inquiry.of(explanation.parts[p]);
     if (component.grossErrorAt()) rivals[p] = jumps(inquiry, explanation, p, comparison);
-    if (component.isEffect()) rivals[p] = effects(inquiry, explanation, p, comparison);
+    if (component.isEffect() || component.isJump()) rivals[p] = others(inquiry, explanation, p, comparison);
   }
   return rivals;
 }

@@ -23,6 +23,37 @@ Result<GapModel, NoModel> modelOf(const Measurement& measurement, SessionFit fit
   return model;
 }
 
+Measurement withNoise(Measurement measurement, double factor) {
+  for (Angle* sigma : {&measurement.sigmaHorizontal, &measurement.sigmaVertical, &measurement.sigmaSlider})
+    *sigma = *sigma * factor;
+  return measurement;
+}
+
+std::optional<GapModel> closedModelOf(const GapModel& own) {
+  if (!arcAt(*own.measurement, 0) || !arcAt(*own.measurement, 180)) return std::nullopt;
+  GapModel closed = own;
+  closed.options.isClosed = true;
+  closed.fit = fitJointly(*closed.measurement, closed.starts, closed.options);
+  if (!closed.fit.converged()) return std::nullopt;
+  return closed;
+}
+
+GapModel openedModelOf(const GapModel& closed, const GapModel& own) {
+  constexpr double held = 1e-6;  // of the σ of what is plausible
+  if (!closed.options.isClosed) return closed;
+  GapModel opened = closed;
+  opened.options.isClosed = false;
+  for (EstimatedTerm& term : opened.options.terms) {
+    if (std::ranges::find(own.options.terms, term.term, &EstimatedTerm::term) != own.options.terms.end())
+      continue;
+    const std::size_t index = closed.fit.indexOf({.kind = Unknown::Kind::Error, .arc = 0, .term = term.term});
+    const double value = closed.fit.values[index];
+    term = {term.term, term.priorSigma * held, value, value};
+  }
+  opened.fit = fitJointly(*opened.measurement, opened.starts, opened.options);
+  return opened;
+}
+
 Eigen::VectorXd influencePerSigma(const GapModel& model) {
   const std::vector<AdjustedReading>& readings = model.fit.readings;
   Eigen::VectorXd influence(static_cast<Eigen::Index>(readings.size()));

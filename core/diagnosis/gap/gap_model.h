@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/adjustment/joint/joint_fit.h"
@@ -18,12 +19,23 @@ struct GapModel {
   std::vector<Circle> starts;
   JointFitOptions options;
   JointFit fit;
-  double noise = 1;  ///< scale of the noise that was found
+  double noise = 1;  ///< of the stated one that was found; the σ of `measurement` and `fit` are larger by it
 };
+
+/// `measurement` with its readings scattering more than stated, by a factor.
+Measurement withNoise(Measurement measurement, double factor);
 
 /// The session's own model, by its fit. Fails where no arc could be fitted.
 Result<GapModel, NoModel> modelOf(const Measurement& measurement, SessionFit fit);
 Result<GapModel, NoModel> modelOf(const Measurement& measurement);
+
+/// The same as a rigid guideway turned about the axis has it (`JointFitOptions::isClosed`), so that what the
+/// positions must agree on is observed, too. Absent without both positions, or where it cannot be fitted.
+std::optional<GapModel> closedModelOf(const GapModel& own);
+
+/// The session's own model with the causes that `closed` has beyond it, held at their sizes there: what they
+/// leave in residuals and closures. `closed` itself where it is not closed.
+GapModel openedModelOf(const GapModel& closed, const GapModel& own);
 
 /// ∂Δd/∂reading of the model's fit, mm per σ of the reading, in the order of `JointFit::readings`.
 Eigen::VectorXd influencePerSigma(const GapModel& model);

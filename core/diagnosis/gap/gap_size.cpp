@@ -7,7 +7,7 @@
 
 namespace alidade {
 
-GapSize sizeOf(const GapModel& model) {
+double rmsOf(const GapModel& model) {
   double squares = 0;
   int count = 0;
   for (const AdjustedReading& reading : model.fit.readings) {
@@ -18,19 +18,23 @@ GapSize sizeOf(const GapModel& model) {
     squares += std::pow(Angle::fromRadians(reading.residual).arcseconds(), 2);
     ++count;
   }
-  const double f = model.fit.degreesOfFreedom, chiSquare = model.fit.chiSquare / (model.noise * model.noise);
-  const double rms = count > 0 ? std::sqrt(squares / count) : 0;
+  return count > 0 ? std::sqrt(squares / count) : 0;
+}
+
+GapSize sizeOf(const GapModel& model) {
+  const double rms = rmsOf(model), f = model.fit.degreesOfFreedom, chiSquare = model.fit.chiSquare;
   const std::optional<double> tail = chiSquareUpperTail(chiSquare, f);
   return tail ? GapSize{rms, chiSquare / f, *tail} : GapSize{.rms = rms};
 }
 
 double excessOf(const GapModel& model) {
-  return std::max(0.0, model.fit.chiSquare / (model.noise * model.noise) - model.fit.degreesOfFreedom);
+  return std::max(0.0, model.fit.chiSquare - model.fit.degreesOfFreedom);
 }
 
 std::vector<double> inSigma(const GapModel& model) {
   std::vector<double> list;
-  for (const AdjustedReading& reading : model.fit.readings) list.push_back(reading.residual / reading.sigma);
+  for (const AdjustedReading& reading : model.fit.readings)
+    list.push_back(reading.residual / reading.sigma * model.noise);
   return list;
 }
 

@@ -10,12 +10,15 @@ namespace alidade {
 
 // What a model leaves over, in numbers.
 
+/// Of the circle readings' residuals, arcseconds.
+double rmsOf(const GapModel& model);
+
 GapSize sizeOf(const GapModel& model);
 
 /// χ² beyond the degrees of freedom, with the model's noise, ≥ 0.
 double excessOf(const GapModel& model);
 
-/// Residuals/σ in the order of `JointFit::readings`.
+/// Residuals in their stated σ, in the order of `JointFit::readings`.
 std::vector<double> inSigma(const GapModel& model);
 
 /// Δd, where both positions are there.

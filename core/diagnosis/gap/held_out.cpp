@@ -30,11 +30,6 @@ struct Equations {
   std::vector<Row> rows;
 };
 
-bool isEstimated(const Unknown& unknown) {
-  using enum Unknown::Kind;
-  return unknown.kind != HorizontalZero && unknown.kind != VerticalZero && unknown.kind != Distance;
-}
-
 /// The rows of readings [first, end), one visit, outside their arc angle.
 void addVisit(Equations& equations, const Linearised& set, const MatrixXd& columns, std::size_t first,
               std::size_t end) {
@@ -66,7 +61,7 @@ Equations equationsOf(const GapModel& model) {
   const Linearised set = linearise(*model.measurement, model.fit, model.options, {});
   std::vector<std::size_t> estimated;
   for (std::size_t u = 0; u < set.unknowns.size(); ++u)
-    if (isEstimated(set.unknowns[u])) estimated.push_back(u);
+    if (model.fit.indexOf(set.unknowns[u]) < model.fit.unknowns.size()) estimated.push_back(u);
   const std::vector<EstimatedTerm>& terms = model.options.terms;
   const auto readings = static_cast<Index>(set.readings.size()),
              count = static_cast<Index>(estimated.size() + terms.size());

@@ -13,10 +13,10 @@ namespace alidade {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
-Leftover::Leftover(Linearised equations, const std::vector<EstimatedTerm>& inModel)
+Leftover::Leftover(Linearised equations, const std::vector<EstimatedTerm>& inModel, double noise)
     : m_equations(std::move(equations)) {
   markVisits();
-  MatrixXd base = layOutUnknowns(inModel);
+  MatrixXd base = layOutUnknowns(inModel, noise);
   eliminateArcAngles(base);
   const VectorXd scale = base.colwise().norm().cwiseMax(1e-300).cwiseInverse();
   base *= scale.asDiagonal();
@@ -51,10 +51,11 @@ void Leftover::markVisits() {
     m_endOfVisit[v] = std::max(m_endOfVisit[v], m_endOfVisit[v - 1]);
 }
 
-MatrixXd Leftover::layOutUnknowns(const std::vector<EstimatedTerm>& inModel) {
+MatrixXd Leftover::layOutUnknowns(const std::vector<EstimatedTerm>& inModel, double noise) {
   const std::vector<std::size_t> unknowns = m_equations.uncertainUnknowns();
   const std::vector<PriorRow> priors = m_equations.priorRows(unknowns, inModel);
-  const Index rows = readings() + std::ssize(priors);
+  const std::vector<Condition>& conditions = m_equations.conditions;
+  const Index rows = readings() + std::ssize(priors) + std::ssize(conditions);
   MatrixXd base = MatrixXd::Zero(rows, std::ssize(unknowns) + std::ssize(inModel));
   m_observed.resize(rows);
   for (Index i = 0; i < readings(); ++i) m_observed[i] = reading(i).residual;
@@ -65,9 +66,14 @@ MatrixXd Leftover::layOutUnknowns(const std::vector<EstimatedTerm>& inModel) {
     ++column;
   }
   for (const EstimatedTerm& term : inModel) base.col(column++).head(readings()) = this->column(term.term);
-  for (Index row = readings(); const PriorRow& prior : priors) {
-    base(row, static_cast<Index>(prior.column)) = prior.derivative;
-    m_observed[row++] = prior.residual;
+  Index row = readings();
+  for (const PriorRow& prior : priors) {
+    base(row, static_cast<Index>(prior.column)) = prior.derivative * noise;
+    m_observed[row++] = prior.residual * noise;
+  }
+  for (const Condition& condition : conditions) {
+    for (Index c = 0; const std::size_t u : unknowns) base(row, c++) = condition.derivatives[u] * noise;
+    m_observed[row++] = condition.residual * noise;
   }
   return base;
 }

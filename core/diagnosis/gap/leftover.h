@@ -20,10 +20,11 @@ namespace alidade {
 // hypothesis testing in linear models" (1999).
 class Leftover {
  public:
-  /// `inModel` are terms the fit estimates already.
-  explicit Leftover(Linearised equations, const std::vector<EstimatedTerm>& inModel = {});
+  /// `inModel` are terms the fit estimates already. `noise`: how much more than stated the readings are known
+  /// to scatter; what is known beforehand weighs more by it, in the readings' stated σ.
+  explicit Leftover(Linearised equations, const std::vector<EstimatedTerm>& inModel = {}, double noise = 1);
 
-  /// Readings, then an entry for each observation of a prior.
+  /// Readings, then an entry for each observation of a prior and each condition.
   Eigen::Index rows() const { return m_residual.size(); }
   Eigen::Index readings() const { return m_along.size(); }
   const LinearReading& reading(Eigen::Index i) const {
@@ -77,7 +78,7 @@ class Leftover {
   void eliminateArcAngles(Eigen::MatrixXd& columns) const;
   void markVisits();
   /// What the fit takes up; fills m_observed with what was observed.
-  Eigen::MatrixXd layOutUnknowns(const std::vector<EstimatedTerm>& inModel);
+  Eigen::MatrixXd layOutUnknowns(const std::vector<EstimatedTerm>& inModel, double noise);
 };
 
 }  // namespace alidade

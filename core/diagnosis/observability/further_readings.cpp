@@ -176,6 +176,7 @@ Linearised linearisedPlan(const GapModel& model, const Measurement& set,
   for (std::size_t arc = 0; arc < model.measurement->arcs.size(); ++arc)
     circles.push_back(model.fit.circleOf(arc));
   JointFitOptions options;
+  options.isClosed = model.options.isClosed;
   options.terms = model.options.terms;
   for (EstimatedTerm& term : options.terms) term.start = 0;
   return linearise(set, circles, options, terms);

@@ -77,7 +77,7 @@ struct Candidate {
 
 /// A part of the gap. The shares of one `by` add up to 1.
 struct GapShare {
-  std::string by;    ///< "frame", "position", "circle", "face", "round", "sector", "time"
+  std::string by;    ///< "frame", "position", "circle", "face", "round", "sector", "time", "closure"
   std::string of;    ///< in the order of their values
   double share = 0;  ///< of the leftover beyond the noise, 0…1
 };
@@ -138,6 +138,15 @@ struct Advice {
   bool ofUnseen = false;  ///< `separates`: what would show that does not yet, by `bySigma` or more
 };
 
+/// What it would take of an effect to explain how far Δd is from the reference.
+struct Required {
+  std::string effect;
+  double size = 0;  ///< of two numbers the length
+  std::string unit;
+  double plausibleSizes = 0;
+  double visibleSigma = 0;  ///< what it would leave in these readings, σ
+};
+
 /// A gap that fits no effect, by its shape.
 struct GapShape {
   std::string follows;  ///< "radius along the guideway", …
@@ -154,7 +163,10 @@ struct Diagnosis {
   std::vector<GapStep> steps;  ///< one for each cause, a gross_error first
   std::optional<IntersectionEstimate> before, afterwards;
   std::vector<ClosureStep> closures;
-  std::vector<UnseenEffect> unseen;           ///< the most dangerous first
+  std::vector<UnseenEffect> unseen;  ///< the most dangerous first
+  /// With a reference that has a σ: of the effects that these readings do not exclude at that size, the most
+  /// plausible first.
+  std::vector<Required> whatItWouldTake;
   std::vector<Advice> advice;                 ///< the most telling first
   std::optional<GapShape> shape;              ///< with NotInCatalogue
   std::vector<double> leftBefore, leftAfter;  ///< residuals/σ before and after, in the order of `readings`
@@ -167,6 +179,9 @@ bool isMisclosed(const Diagnosis& diagnosis);
 struct DiagnosisOptions {
   /// Ids of effects that are not considered.
   std::vector<std::string> without = {};
+  /// The reference intersection is evidence for the causes, where it is stated with its σ. It never is for
+  /// `Diagnosis::afterwards`.
+  bool withReference = false;
 };
 
 /// What `Diagnosis::afterwards` holds beyond the fit with the causes.

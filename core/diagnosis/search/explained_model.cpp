@@ -4,14 +4,32 @@
 
 namespace alidade {
 
+namespace {
+
+/// The larger the noise, the more weighs what is known beforehand: until χ² is what that noise gives.
+void findNoise(GapModel& model, const GapModel& base) {
+  constexpr int mostRounds = 20;
+  constexpr double settled = 1e-9;
+  for (int round = 0; round < mostRounds; ++round) {
+    if (!model.fit.isDetermined() || model.fit.degreesOfFreedom <= 0) return;
+    const double more = std::sqrt(model.fit.chiSquare / model.fit.degreesOfFreedom);
+    if (!(more > 0) || std::abs(more - 1) < settled) return;
+    model.noise *= more;
+    model.measurement =
+        std::make_shared<const Measurement>(withNoise(*base.measurement, model.noise / base.noise));
+    model.fit = fitJointly(*model.measurement, model.starts, model.options);
+  }
+}
+
+}  // namespace
+
 GapModel modelWith(const GapModel& base, const Explanation& explanation, const Candidates& candidates,
                    const Leftover& leftover) {
   GapModel model{base.measurement, base.starts, base.options, {}, base.noise};
   for (const Part& part : explanation.parts)
     candidates[part.component].addTo(model.options, leftover, part.weights, part.widthOfFit());
   model.fit = fitJointly(*model.measurement, model.starts, model.options);
-  if (explanation.noisy && model.fit.isDetermined() && model.fit.degreesOfFreedom > 0)
-    model.noise = std::sqrt(model.fit.chiSquare / model.fit.degreesOfFreedom);
+  if (explanation.noisy) findNoise(model, base);
   return model;
 }
 

@@ -4,12 +4,14 @@
 #include <cmath>
 #include <optional>
 
+#include "core/adjustment/result/intersection.h"
 #include "core/diagnosis/candidates/effect_components.h"
 #include "core/diagnosis/candidates/gross_error_components.h"
 #include "core/diagnosis/candidates/jump_components.h"
 #include "core/diagnosis/candidates/shape_components.h"
 #include "core/diagnosis/search/explained_model.h"
 #include "core/effects/cause_ids.h"
+#include "core/observation/half_turn.h"
 
 namespace alidade {
 
@@ -29,15 +31,17 @@ Candidates candidatesFor(const GapModel& base, const Leftover& leftover, const D
     candidates.add(std::move(components), each, offer);
   };
   candidates.add(effectsBeyond(base, leftover, leftOut), odds.effect);
-  if (considered(options, jumpId))
+  if (considered(options, jumpId)) {
     addSharing(odds.jump, jumpComponents(leftover), {.offered = 2, .oneAtMost = true});
+    addSharing(odds.zeroSlip, zeroSlips(leftover), {.offered = 2, .oneAtMost = true});
+  }
   addSharing(odds.shape, shapeComponents(leftover, *base.measurement, base.fit, options.without));
   if (considered(options, grossErrorId))
     addSharing(odds.grossError, grossErrorComponents(leftover), {.offered = 4});
   return candidates;
 }
 
-Inquiry searched(GapModel base, Leftover leftover, const DiagnosisOptions& options,
+Inquiry searched(GapModel own, GapModel base, Leftover leftover, const DiagnosisOptions& options,
                  const std::stop_token& stop) {
   SearchOptions search;
   search.noise = considered(options, noiseId);
@@ -45,7 +49,31 @@ Inquiry searched(GapModel base, Leftover leftover, const DiagnosisOptions& optio
   Candidates candidates;
   if (!stop.stop_requested()) candidates = candidatesFor(base, leftover, options, search.odds);
   std::vector<Explanation> explanations = explain(leftover, candidates, search);
-  return {std::move(base), std::move(leftover), std::move(candidates), std::move(explanations), {}, {}};
+  return {std::move(own),
+          std::move(base),
+          std::move(leftover),
+          std::move(candidates),
+          std::move(explanations),
+          {},
+          {}};
+}
+
+/// With the reference as an observation of Δd, where it is asked for and known.
+Linearised withReference(Linearised equations, const GapModel& base, const DiagnosisOptions& options) {
+  const Measurement& measurement = *base.measurement;
+  const auto upper = arcAt(measurement, 0), lower = arcAt(measurement, 180);
+  if (!options.withReference || !measurement.sigmaReference || !upper || !lower) return equations;
+  Condition condition{std::vector<double>(equations.unknowns.size()), *measurement.referenceIntersection};
+  for (const auto& [arc, axisDeg] : {std::pair(*upper, 0), std::pair(*lower, 180)}) {
+    const Unknown height{.kind = Unknown::Kind::CentreY, .arc = arc};
+    const auto index = std::ranges::find(equations.unknowns, height) - equations.unknowns.begin();
+    const double per = intersectionPerHeight(axisDeg);
+    condition.derivatives[static_cast<std::size_t>(index)] = per / *measurement.sigmaReference;
+    condition.residual -= per * base.fit.values[base.fit.indexOf(height)];
+  }
+  condition.residual /= *measurement.sigmaReference;
+  equations.conditions.push_back(std::move(condition));
+  return equations;
 }
 
 /// The likeliest causes but patterns, where one of them is so large that the fit without it, at which the
@@ -91,18 +119,39 @@ Linearised around(const GapModel& base, const GapModel& withCauses) {
   return equations;
 }
 
-Inquiry inquireOnce(GapModel base, const DiagnosisOptions& options, const std::stop_token& stop) {
+constexpr double knownNoiseTo = 0.2;  // natural logarithm
+
+/// The scale of the noise where that is as good as certain to be larger than stated, and pointing zeros known
+/// as stated weigh the more; else 1.
+double knownNoise(const Inquiry& inquiry) {
+  constexpr double certain = 0.95;
+  const bool isLarger = inquiry.base.options.isClosed && inquiry.explanations.front().noisy &&
+                        inquiry.probabilityOf(noiseId) > certain;
+  return isLarger ? inquiry.explanations.front().noise : 1;
+}
+
+Inquiry inquireOnce(GapModel own, const DiagnosisOptions& options, const std::stop_token& stop) {
   constexpr int mostRounds = 3;
-  Leftover leftover(linearise(*base.measurement, base.fit, base.options), base.options.terms);
-  Inquiry inquiry = searched(std::move(base), std::move(leftover), options, stop);
+  GapModel base = closedModelOf(own).value_or(own);
+  Leftover leftover(withReference(linearise(*base.measurement, base.fit, base.options), base, options),
+                    base.options.terms);
+  Inquiry inquiry = searched(std::move(own), std::move(base), std::move(leftover), options, stop);
+  double noise = 1;
   for (int round = 0; round < mostRounds && !stop.stop_requested(); ++round) {
+    if (const double found = knownNoise(inquiry); std::abs(std::log(found / noise)) > knownNoiseTo) {
+      noise = found;
+      Leftover noisy(inquiry.leftover.equations(), inquiry.base.options.terms, noise);
+      inquiry = searched(std::move(inquiry.own), std::move(inquiry.base), std::move(noisy), options, stop);
+      continue;
+    }
     const std::optional<Explanation> causes = largeCauses(inquiry);
     if (!causes) break;
     const GapModel withCauses = modelWith(inquiry.base, *causes, inquiry.candidates, inquiry.leftover);
     if (!withCauses.fit.converged()) break;
-    Leftover closer(around(inquiry.base, withCauses), inquiry.base.options.terms);
+    Leftover closer(withReference(around(inquiry.base, withCauses), withCauses, options),
+                    inquiry.base.options.terms, noise);
     const std::vector<Part> before = inquiry.explanations.front().parts;
-    inquiry = searched(std::move(inquiry.base), std::move(closer), options, stop);
+    inquiry = searched(std::move(inquiry.own), std::move(inquiry.base), std::move(closer), options, stop);
     if (std::ranges::all_of(
             before, [&](const Part& part) { return inquiry.explanations.front().has(part.component); }))
       break;
@@ -145,7 +194,7 @@ Inquiry inquire(GapModel model, const DiagnosisOptions& options, const std::stop
     const std::vector<LargeGrossError> found = largeGrossErrorsOf(inquiry);
     if (found.empty() || stop.stop_requested()) break;
     std::vector<LargeGrossError> all = inquiry.largeGrossErrors;
-    GapModel next = inquiry.base;
+    GapModel next = inquiry.own;
     for (const LargeGrossError& far : found) {
       all.push_back(far);
       next.options.without.push_back(readingRef(inquiry.leftover, far.reading));

@@ -22,7 +22,8 @@ struct LargeGrossError {
 
 /// The model it starts from, what it leaves over, and what explains that.
 struct Inquiry {
-  GapModel base;
+  GapModel own;   ///< the session's, whose result is measured
+  GapModel base;  ///< the same closed, where it can be
   Leftover leftover;
   Candidates candidates;
   std::vector<Explanation> explanations;          ///< the likeliest first

@@ -150,6 +150,8 @@ void Search::offer(const State& state, std::size_t index, std::vector<Growth>& g
     growths.push_back(growth);
   };
   const Beside all = beside(state, 0, m_table.size());
+  const auto isTheOne = [&](const Part& part) { return m_candidates.groupOf(part.component).oneAtMost; };
+  const bool hasOne = std::ranges::any_of(state.found.parts, isTheOne);
   for (const Candidates::Group& group : m_candidates.groups()) {
     if (group.offered > 0) continue;
     for (std::size_t i = group.first; i < group.first + group.count; ++i)
@@ -157,8 +159,7 @@ void Search::offer(const State& state, std::size_t index, std::vector<Growth>& g
         add(group, {.component = i, .gain = gainFor(i, all.some(m_table.first(i), m_table.count(i)))});
   }
   for (const Candidates::Group& group : m_candidates.groups()) {
-    const auto isIn = [&](const Part& part) { return group.has(part.component); };
-    if (group.offered == 0 || (group.oneAtMost && std::ranges::any_of(state.found.parts, isIn))) continue;
+    if (group.offered == 0 || (group.oneAtMost && hasOne)) continue;
     for (const Growth& growth : bestOf(group, all)) add(group, growth);
   }
 }

@@ -15,7 +15,7 @@ Visibility visibilityOfTrial(const test::Trial& trial) {
   Truth truth = test::truthOf(trial);
   truth.horizontalZero = trial.measurement.arcs[0].zeroHorizontal;
   const Result<Session> perfect = simulateWithoutNoise(*protocolByName(trial.protocol), truth, 1);
-  return *visibilityOf(*examine(*perfect).measurement, trial.kind);
+  return *visibilityInResiduals(*examine(*perfect).measurement, trial.kind);
 }
 
 // How far each effect shows, and what looks like it, was worked out by the ray tracer's own tools. Its places

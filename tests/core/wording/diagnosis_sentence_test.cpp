@@ -55,12 +55,14 @@ TEST(DiagnosisSentence, CallsEachCauseAsItIsAskedTo) {
       "the pattern “collimation along the way”.");
 }
 
-// Three places to each position: three conditions, three unknowns.
+// Three places in one position: three conditions, three unknowns.
 TEST(DiagnosisSentence, SaysWhereNothingChecksTheModel) {
   Protocol protocol = *protocolByName("paper");
   protocol.points = 3;
   protocol.step = Angle::fromDegrees(60);
-  const Diagnosis diagnosis = *diagnose(test::measurementOf(*simulate(protocol, drawTruth(1), 1)));
+  Session session = *simulate(protocol, drawTruth(1), 1);
+  session.positions.pop_back();
+  const Diagnosis diagnosis = *diagnose(test::measurementOf(session));
   EXPECT_EQ(diagnosis.verdict, DiagnosisVerdict::WithinNoise);  // no cause is named
   EXPECT_THAT(sentenceOf(diagnosis), HasSubstr("Nothing checks the model"));
   EXPECT_THAT(sentenceOf(diagnosis), Not(HasSubstr("agree")));

@@ -20,12 +20,18 @@ QString divisionName(const std::string& by) {
   if (by == "frame") return GapMap::tr("stays with");
   if (by == "position") return GapMap::tr("axis at");
   if (by == "time") return GapMap::tr("in time");
+  if (by == "closure") return GapMap::tr("shows in");
   if (by == "sector") return GapMap::tr("along the arc");
   return qText(by);
 }
 
 QString partName(const GapShare& share) {
   if (share.by == "position") return qText(share.of) + QChar(0x00b0);
+  if (share.by == "closure") {
+    if (share.of == "radius") return GapMap::tr("the radii");
+    if (share.of == "centre") return GapMap::tr("the centres");
+    return GapMap::tr("the residuals");
+  }
   if (share.by == "time") {
     const QString quarters[] = {GapMap::tr("1st quarter"), GapMap::tr("2nd quarter"),
                                 GapMap::tr("3rd quarter"), GapMap::tr("4th quarter")};

@@ -23,21 +23,21 @@ Candidates ofThreeKinds() {
   return candidates;
 }
 
-// 17 effects, a step before each row but the first of 136, and every reading.
+// 19 effects, a step before each row but the first of 136, and every reading.
 TEST(Candidates, AreNumberedThrough) {
   const Candidates candidates = ofThreeKinds();
   ASSERT_EQ(candidates.groups().size(), 3u);
-  EXPECT_EQ(candidates.size(), 17u + 135u + static_cast<std::size_t>(leftover().readings()));
+  EXPECT_EQ(candidates.size(), 19u + 135u + static_cast<std::size_t>(leftover().readings()));
   EXPECT_EQ(candidates[1].id(), "collimation");
-  EXPECT_TRUE(candidates[16].isEffect());
-  EXPECT_TRUE(candidates[17].isJump());
-  EXPECT_TRUE(candidates[17 + 134].isJump());
+  EXPECT_TRUE(candidates[18].isEffect());
+  EXPECT_TRUE(candidates[19].isJump());
+  EXPECT_TRUE(candidates[19 + 134].isJump());
   for (Eigen::Index i = 0; i < leftover().readings(); ++i)
-    EXPECT_EQ(candidates[152 + static_cast<std::size_t>(i)].grossErrorAt(), i);
-  EXPECT_EQ(candidates.groupOf(16).logPrior, std::log(0.04));
-  EXPECT_EQ(candidates.groupOf(17).logPrior, std::log(1e-3));
-  EXPECT_TRUE(candidates.groupOf(151).oneAtMost);
-  EXPECT_EQ(candidates.groupOf(152).offered, 4u);
+    EXPECT_EQ(candidates[154 + static_cast<std::size_t>(i)].grossErrorAt(), i);
+  EXPECT_EQ(candidates.groupOf(18).logPrior, std::log(0.04));
+  EXPECT_EQ(candidates.groupOf(19).logPrior, std::log(1e-3));
+  EXPECT_TRUE(candidates.groupOf(153).oneAtMost);
+  EXPECT_EQ(candidates.groupOf(154).offered, 4u);
 }
 
 TEST(Candidates, HaveMisreadingsWhereThoseWereAdded) {

@@ -23,7 +23,7 @@ namespace {
 /// diagnosis, the noise as stated.
 class Posterior {
  public:
-  explicit Posterior(const Measurement& measurement) : m_base(*modelOf(measurement)) {
+  explicit Posterior(const Measurement& measurement) : m_base(*closedModelOf(*modelOf(measurement))) {
     addNode(1, {}, {});
     addOne(tilt);
     addOne(drift);

@@ -12,26 +12,31 @@ namespace alidade {
 namespace {
 
 // Beside a fit of the whole model with the explanation's causes. The equations at the fit that the causes
-// have spoiled are wrong by some thousandths, so a move of forty σ by a fifth of σ.
+// have spoiled are wrong by some thousandths, so a move of forty σ by a fifth of σ. Larger noise also shifts
+// the weights between readings and zeros, which the equations have as stated: 5 % of σ.
 TEST(LinearMoves, AgreeWithAFitOfTheWholeModel) {
   int compared = 0, moved = 0;
   for (const test::Trial& trial : test::trials()) {
     const Inquiry inquiry = inquire(*modelOf(trial.measurement), {}, {});
     if (!inquiry.largeGrossErrors.empty()) continue;
     LinearMoves moves(inquiry);
-    const auto before = estimateOf(inquiry.base);
-    const double byNothing = moves.of({})->variance;
-    ASSERT_TRUE(before);
     for (const Explanation& explanation : inquiry.explanations) {
       if (explanation.shaped || explanation.chance < 0.01) continue;
       const std::optional<Move> move = moves.of(explanation);
       if (!move) continue;
+      // Larger noise weighs the readings less against the zeros, with or without causes.
+      Explanation nothing;
+      nothing.noisy = explanation.noisy;
+      nothing.noise = explanation.noise;
+      const auto before = estimateOf(modelWith(inquiry.base, nothing, inquiry.candidates, inquiry.leftover));
+      ASSERT_TRUE(before);
+      const double byNothing = moves.of(nothing)->variance;
       const auto fitted =
           estimateOf(modelWith(inquiry.base, explanation, inquiry.candidates, inquiry.leftover));
       const double shift = fitted->value - before->value;
       EXPECT_NEAR(move->shift, shift, 0.02 * fitted->sigma + 0.01 * std::abs(shift)) << trial.id;
       const double variance = before->sigma * before->sigma + move->variance - byNothing;
-      EXPECT_NEAR(std::sqrt(variance) / fitted->sigma, 1, 0.03) << trial.id;
+      EXPECT_NEAR(std::sqrt(variance) / fitted->sigma, 1, 0.05) << trial.id;
       ++compared;
       moved += std::abs(shift) > fitted->sigma;
     }

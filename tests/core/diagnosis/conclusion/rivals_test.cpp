@@ -69,7 +69,9 @@ TEST(Rivals, JumpStandsAgainstAGrossErrorOfEitherCircle) {
   }
   const PriorOdds odds;
   const double rows = 34, readings = 2 * rows;
-  const double expected = odds.jump / (rows - 1) * evidence(usualAndFarWiderJumpWidths(), shown, gain) /
+  // Before each row but the first of a position: to the end of the session, and in 0° to that of its own.
+  const double moments = 16 + 16 + 16;
+  const double expected = odds.jump / moments * evidence(usualAndFarWiderJumpWidths(), shown, gain) /
                           (odds.grossError / readings * ofGrossErrors);
   EXPECT_NEAR(answer.rivals[0][0].odds, expected, 0.1 * expected);
 }

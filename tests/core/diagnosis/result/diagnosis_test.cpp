@@ -85,8 +85,9 @@ TEST(DiagnosisResult, NamesLookAlikesOfAnyCauseAndThePatternFirst) {
 }
 
 // Sessions of an independent ray tracer. Nothing beyond the fit: a fit with the cause in the model says the
-// same, though with a prior of one plausible size where the diagnosis may take three. That moves Δd by less
-// than a hundredth of U, and U by 3 %. With a pattern or others in mind U is wider than any fit's.
+// same, though with a prior of one plausible size where the diagnosis may take three, and without what the
+// two positions must agree on. That moves Δd by less than a twentieth of U, and U by 5 %. With a pattern or
+// others in mind U is wider than any fit's.
 TEST(DiagnosisResult, HoldsNothingBeyondWhereAFitSaysTheSame) {
   std::array<int, 4> times{};
   for (const test::Trial& trial : test::trials()) {
@@ -102,8 +103,8 @@ TEST(DiagnosisResult, HoldsNothingBeyondWhereAFitSaysTheSame) {
     if (!named.empty()) measurement.effects = {named};
     const Intersection fitted = *fitSession(measurement).intersection;
     if (beyond == Beyond::Nothing) {
-      EXPECT_NEAR(diagnosis.afterwards->value, fitted.value, 0.01 * fitted.expanded);
-      EXPECT_NEAR(diagnosis.afterwards->expanded, fitted.expanded, 0.03 * fitted.expanded);
+      EXPECT_NEAR(diagnosis.afterwards->value, fitted.value, 0.05 * fitted.expanded);
+      EXPECT_NEAR(diagnosis.afterwards->expanded, fitted.expanded, 0.05 * fitted.expanded);
     } else {
       EXPECT_GT(diagnosis.afterwards->expanded, 1.01 * fitted.expanded);
     }

@@ -321,7 +321,7 @@ TEST(Gap, LeavesOutTheRowsOnOneSideOfAJump) {
   EXPECT_FALSE(readings[33].excluded);
   EXPECT_TRUE(readings[34].excluded && readings[67].excluded);
   // What is left of the one position was read before the knock, of the other after it.
-  EXPECT_THAT(bench.shown(), HasSubstr("The positions do not close\n"));
+  EXPECT_THAT(bench.shown(), HasSubstr("Jump of the orientation\n"));
 }
 
 TEST(Gap, LeavesOutOnlyTheRowsAfterAJumpInTheLastPosition) {

@@ -1,0 +1,84 @@
+#include "core/diagnosis/conclusion/required.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+
+#include "core/diagnosis/candidates/jump_components.h"
+#include "core/diagnosis/gap/gap_size.h"
+#include "core/diagnosis/observability/look_alikes.h"
+#include "core/effects/cause_ids.h"
+
+namespace alidade {
+
+namespace {
+
+using Eigen::MatrixXd, Eigen::VectorXd;
+
+constexpr double hardlyMoves = 1e-4;  // mm, of a plausible size
+
+/// Least in plausible sizes and σ of the readings together, of those that move Δd by `move` (mm). Empty where
+/// none does.
+VectorXd leastThatMoves(const Component& component, const VectorXd& influence, double move) {
+  MatrixXd cost = component.gram().topLeftCorner(influence.size(), influence.size());
+  cost.diagonal().array() += 1;
+  const VectorXd direction = cost.ldlt().solve(influence);
+  return direction * (move / influence.dot(direction));
+}
+
+/// How much worse than at their best size the readings are explained at this one, σ.
+double excludedBy(const Component& component, const VectorXd& products, const VectorXd& weights,
+                  double noise) {
+  const MatrixXd gram = component.gram().topLeftCorner(weights.size(), weights.size());
+  const VectorXd best = gram.completeOrthogonalDecomposition().solve(products);
+  const auto gained = [&](const VectorXd& at) { return at.dot(2 * products - gram * at); };
+  return std::sqrt(std::max(gained(best) - gained(weights), 0.0)) / noise;
+}
+
+Required requiredOf(const Component& component, const VectorXd& weights) {
+  Required required;
+  required.effect = component.id();
+  const Effect* effect = effectById(component.id());
+  required.unit = effect ? effect->parameters.front().unit : "arcsec";
+  const double unit = effect ? effect->parameters.front().plausible : plausibleJump / modelUnitsPer("arcsec");
+  required.plausibleSizes = weights.norm();
+  required.size = weights.norm() * unit;
+  if (weights.size() == 1) required.size = weights[0] * unit;
+  return required;
+}
+
+}  // namespace
+
+std::vector<Required> whatItWouldTake(const Inquiry& inquiry) {
+  std::vector<Required> list;
+  const Measurement& measurement = *inquiry.own.measurement;
+  const std::optional<IntersectionEstimate> own = estimateOf(inquiry.own);
+  if (!measurement.sigmaReference || !own) return list;
+  const double move = own->value - *measurement.referenceIntersection;
+  const VectorXd perReading = influencePerSigma(inquiry.base);
+  const SharedProducts influences(inquiry.leftover, perReading),
+      residual(inquiry.leftover, inquiry.leftover.residual());
+  const double noise = inquiry.explanations.front().noise;
+  for (std::size_t i = 0; i < inquiry.candidates.size(); ++i) {
+    const Component& component = inquiry.candidates[i];
+    const bool isMeant = component.isEffect() || component.isZeroSlip();
+    if (!isMeant || component.response() == Response::AllOrNothing) continue;
+    const VectorXd influence = component.wholeProducts(influences);
+    if (influence.norm() < hardlyMoves) continue;
+    const VectorXd weights = leastThatMoves(component, influence, move);
+    const VectorXd products = component.products(residual).head(weights.size());
+    if (excludedBy(component, products, weights, noise) > clearlyDifferent) continue;
+    Required required = requiredOf(component, weights);
+    required.visibleSigma = component.signatureLength(weights);
+    const auto same = std::ranges::find(list, required.effect, &Required::effect);
+    if (same == list.end())
+      list.push_back(std::move(required));
+    else if (required.plausibleSizes < same->plausibleSizes)
+      *same = std::move(required);
+  }
+  std::ranges::sort(list, {}, &Required::plausibleSizes);
+  return list;
+}
+
+}  // namespace alidade
