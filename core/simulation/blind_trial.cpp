@@ -34,6 +34,7 @@ class Draw {
 
   Result<BlindTrial> trial(const std::string& kind) {
     put(kind);
+    mayStateReference();
     Result<Session> session = simulate(m_protocol, m_truth, m_seed);
     if (!session) return session.problem();
     BlindTrial trial{*std::move(session), m_truth, sealed(std::to_string(m_seed), m_truth, visibility(kind))};
@@ -51,7 +52,7 @@ class Draw {
   void put(const std::string& kind) {
     if (kind == "none") return;
     if (kind == grossErrorId) return putGrossErrors();
-    if (kind == jumpId) return putJump();
+    if (kind == jumpId) return m_random.uniform() < 0.5 ? putJump() : putZeroSlip();
     if (kind == noiseId) {
       m_truth.noiseFactor = m_random.uniform(2, 4);
       return;
@@ -103,6 +104,23 @@ class Draw {
   void putJump() {
     const auto step = [&] { return Angle::fromArcseconds(sign() * m_random.uniform(20, 60)); };
     m_truth.jump = {.moment = m_random.uniform(0.15, 0.85), .horizontal = step(), .vertical = step()};
+  }
+
+  /// Its vertical part, which next to nothing shows, as large as the one that the closures show.
+  void putZeroSlip() {
+    const int axis =
+        m_protocol
+            .axes[static_cast<std::size_t>(m_random.whole(0, static_cast<int>(m_protocol.axes.size()) - 1))];
+    const double horizontal = sign() * m_random.uniform(20, 60), ratio = sign() * m_random.uniform(0.7, 1.4);
+    m_truth.zeroSlip = {.axisDeg = axis,
+                        .horizontal = Angle::fromArcseconds(horizontal),
+                        .vertical = Angle::fromArcseconds(ratio * horizontal)};
+  }
+
+  /// The setting is known in a quarter of the sessions.
+  void mayStateReference() {
+    constexpr double share = 0.25, sigma = 0.02;  // mm
+    if (m_random.uniform() < share) m_truth.sigmaReference = sigma;
   }
 
   /// Of no catalogue, and far from all that a catalogued effect could leave: a radius harmonic as often as
@@ -234,9 +252,10 @@ class Draw {
     return found ? std::optional(*found) : std::nullopt;
   }
 
-  /// Of an effect of the catalogue that is alone.
+  /// Of an effect of the catalogue, or of a zero that slipped.
   std::optional<Visibility> visibility(const std::string& kind) const {
-    return effectById(kind) && kind != relationId ? shownAs(kind) : std::nullopt;
+    const bool isAlone = effectById(kind) || m_truth.zeroSlip;
+    return isAlone && kind != relationId ? shownAs(kind) : std::nullopt;
   }
 };
 

@@ -65,6 +65,7 @@ class Simulator {
     state(session);
     for (std::size_t i = 0; i < m_protocol.axes.size(); ++i)
       session.positions.push_back(position(m_protocol.axes[i], i));
+    stateReference(session);
     const Examined examined = examine(session);
     if (!examined.problems.empty())
       return Problem{"these readings cannot be taken: " + examined.problems.front().text()};
@@ -97,6 +98,14 @@ class Simulator {
         m_truth.verticalCircle == VerticalCircle::Zenith ? "zenith" : "elevation";
   }
 
+  /// Behind all readings, whose noise is the same with and without it.
+  void stateReference(Session& session) {
+    if (!m_truth.sigmaReference) return;
+    const double reference = m_truth.intersection + *m_truth.sigmaReference * m_share * m_random.normal();
+    session.acceptance.referenceIntersectionMm = shortestText(std::round(reference * 1e4) / 1e4);
+    session.acceptance.sigmaReferenceMm = shortestText(*m_truth.sigmaReference);
+  }
+
   Position position(int axisDeg, std::size_t index) {
     const PerfectReadings perfect(
         m_truth, axisDeg, m_truth.horizontalZero + m_protocol.circleShift * static_cast<double>(index));
@@ -124,6 +133,11 @@ class Simulator {
     const double factor = m_truth.noiseFactor;
     circles.horizontal = circles.horizontal + noise(m_truth.sigmaHorizontal * factor);
     circles.vertical = circles.vertical + noise(m_truth.sigmaVertical * factor);
+    if (const auto& slip = m_truth.zeroSlip; slip && slip->axisDeg == axisDeg) {
+      circles.horizontal = circles.horizontal + slip->horizontal;
+      circles.vertical =
+          row.face == 1 ? circles.vertical + slip->vertical : circles.vertical - slip->vertical;
+    }
     for (const TrueGrossError& m : m_truth.grossErrors) {
       if (m.axisDeg != axisDeg || PlannedRow{m.round, m.point, m.face} != row) continue;
       circles.horizontal = circles.horizontal + m.horizontal;

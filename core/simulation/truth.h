@@ -24,6 +24,13 @@ struct OrientationJump {
   Angle horizontal, vertical;  ///< steps of the circle readings, of their face 1 equivalents
 };
 
+/// A jump between the pointing zero of a position and its first place, or that zero misread: all readings of
+/// the position stand shifted against it.
+struct TrueZeroSlip {
+  int axisDeg = 0;
+  Angle horizontal, vertical;  ///< of the circle readings, of their face 1 equivalents
+};
+
 /// A radial form error of any order, which no effect of the catalogue describes: A cos ns + B sin ns.
 struct FormHarmonic {
   int order = 7;
@@ -53,6 +60,7 @@ struct Truth {
 
   std::vector<TrueSize> effects;  ///< each term at most once
   std::optional<OrientationJump> jump = {};
+  std::optional<TrueZeroSlip> zeroSlip = {};
   std::optional<FormHarmonic> harmonic = {};
   std::optional<ForeignEffect> foreign = {};
   std::vector<TrueGrossError> grossErrors = {};
@@ -64,6 +72,8 @@ struct Truth {
   Angle sigmaHorizontal = Angle::fromArcseconds(2), sigmaVertical = Angle::fromArcseconds(2);
   Angle sigmaZero = Angle::fromArcseconds(2), sigmaSlider = Angle::fromArcseconds(5);
   VerticalCircle verticalCircle = VerticalCircle::Zenith;
+  std::optional<double> sigmaReference =
+      {};  ///< mm; with it the session states Δd, off by an error of that σ
 
   Angle placeSpread = Angle::fromArcseconds(60);  ///< 1σ of the slider's places about the planned ones
   Angle typingStep = Angle::fromArcseconds(0.1);  ///< readings are rounded to this

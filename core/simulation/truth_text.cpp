@@ -20,6 +20,7 @@ using OrderedJson = nlohmann::ordered_json;
 using Numbers = std::vector<double>;
 
 constexpr const char* harmonicId = "form_harmonic";
+constexpr const char* zeroSlipId = "zero_slip";
 
 /// "tilt about x" of plane_tilt is plane_tilt.x; an only parameter goes by its effect's id.
 std::string nameOf(const Effect& effect, const EffectParameter& parameter) {
@@ -56,6 +57,14 @@ std::optional<Problem> addJump(Truth& truth, const Numbers& numbers) {
     return wantsNumbers(jumpId,
                         "the moment (between 0 and 1), the horizontal and the vertical step (arcsec)");
   truth.jump = {numbers[0], Angle::fromArcseconds(numbers[1]), Angle::fromArcseconds(numbers[2])};
+  return std::nullopt;
+}
+
+std::optional<Problem> addZeroSlip(Truth& truth, const Numbers& numbers) {
+  if (numbers.size() != 3 || (numbers[0] != 0 && numbers[0] != 180))
+    return wantsNumbers(zeroSlipId, "the axis (0 or 180), the horizontal and the vertical step (arcsec)");
+  truth.zeroSlip = {static_cast<int>(numbers[0]), Angle::fromArcseconds(numbers[1]),
+                    Angle::fromArcseconds(numbers[2])};
   return std::nullopt;
 }
 
@@ -105,6 +114,8 @@ struct OtherEffect {
 
 constexpr std::array otherEffects = {
     OtherEffect{jumpId, "moment (0…1),horizontal,vertical (arcsec)", &addJump},
+    OtherEffect{zeroSlipId, "axis,horizontal,vertical (arcsec): a jump between its zero and its first place",
+                &addZeroSlip},
     OtherEffect{grossErrorId, "axis,round,point,face,horizontal,vertical (arcsec); may be repeated",
                 &addGrossError},
     OtherEffect{noiseId, "true noise over the stated", &addNoise},
@@ -129,6 +140,9 @@ OrderedJson effectsJson(const Truth& truth) {
   if (truth.jump)
     effects[jumpId] = {truth.jump->moment, truth.jump->horizontal.arcseconds(),
                        truth.jump->vertical.arcseconds()};
+  if (truth.zeroSlip)
+    effects[zeroSlipId] = {truth.zeroSlip->axisDeg == 0 ? 0 : 1, truth.zeroSlip->horizontal.arcseconds(),
+                           truth.zeroSlip->vertical.arcseconds()};
   if (truth.harmonic)
     effects[harmonicId] = {truth.harmonic->order, truth.harmonic->cosine, truth.harmonic->sine};
   if (truth.foreign)
@@ -197,7 +211,8 @@ std::vector<std::string> trueCauses(const Truth& truth) {
   const auto turns = [](const auto& step) {
     return step.horizontal.radians() != 0 || step.vertical.radians() != 0;
   };
-  if (truth.jump && turns(*truth.jump)) causes.emplace_back(jumpId);
+  if ((truth.jump && turns(*truth.jump)) || (truth.zeroSlip && turns(*truth.zeroSlip)))
+    causes.emplace_back(jumpId);
   if (std::ranges::any_of(truth.grossErrors, turns)) causes.emplace_back(grossErrorId);
   if (truth.noiseFactor > 1) causes.emplace_back(noiseId);
   if (truth.harmonic && (truth.harmonic->cosine != 0 || truth.harmonic->sine != 0))
@@ -225,7 +240,8 @@ std::string truthJson(const std::string& id, const Truth& truth) {
                       {"distance_mm", truth.distance},
                       {"blunders", blundersJson(truth)},
                       {"kind", kindOf(truth)},
-                      {"protocol", truth.protocol}};
+                      {"protocol", truth.protocol},
+                      {"reference", truth.sigmaReference.has_value()}};
   if (causes.size() > 1) json["causes"] = causes;
   if (truth.noiseFactor != 1)
     json["true_sigma_arcsec"] = truth.noiseFactor * truth.sigmaHorizontal.arcseconds();

@@ -33,7 +33,10 @@ class Draw {
     const auto protocols = namedProtocols();
     const Protocol& protocol = protocols[anyOf(protocols.size())];
     putEffects(protocol);
-    if (isThere(m_odds.jump)) putJump();
+    if (isThere(m_odds.jump))
+      putJump();
+    else if (isThere(m_odds.zeroSlip))
+      putZeroSlip();
     m_truth.noiseFactor = isThere(m_odds.noise) ? std::exp(m_random.uniform(std::log(1.25), std::log(20.0)))
                                                 : std::exp(0.1 * m_random.normal());
     if (isThere(m_odds.grossError)) putMisreading(protocol);
@@ -72,6 +75,13 @@ class Draw {
     m_truth.jump = {.moment = m_random.uniform(0, 1),
                     .horizontal = Angle::fromRadians(size * m_random.normal()),
                     .vertical = Angle::fromRadians(size * m_random.normal())};
+  }
+
+  void putZeroSlip() {
+    const double size = anyOf(jumpWidths()) * plausibleJump;
+    m_truth.zeroSlip = {.axisDeg = m_random.uniform() < 0.5 ? 0 : 180,
+                        .horizontal = Angle::fromRadians(size * m_random.normal()),
+                        .vertical = Angle::fromRadians(size * m_random.normal())};
   }
 
   void putMisreading(const Protocol& protocol) {

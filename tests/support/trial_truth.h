@@ -25,6 +25,9 @@ inline Truth truthOf(const Trial& trial) {
   put(VerticalDrift, "drift_v");
   put(PlaneTiltX, "plane_tilt_x");
   put(PlaneTiltY, "plane_tilt_y");
+  put(PlaneOffset, "plane_offset");
+  put(AxialShift, "axial_shift");
+  put(RadiusChange, "radius_change");
   put(EllipticityCosine, "ellip_c");
   put(EllipticitySine, "ellip_s");
   put(LobingCosine, "lobe3_c");
@@ -48,6 +51,9 @@ inline Truth truthOf(const Trial& trial) {
   if (effects.contains("jump"))
     truth.jump = {effects["jump"][0], Angle::fromArcseconds(effects["jump"][1]),
                   Angle::fromArcseconds(effects["jump"][2])};
+  if (effects.contains("zero_slip"))
+    truth.zeroSlip = {effects["zero_slip"][0] == 0 ? 0 : 180, Angle::fromArcseconds(effects["zero_slip"][1]),
+                      Angle::fromArcseconds(effects["zero_slip"][2])};
   if (effects.contains("harmonic"))
     truth.harmonic = {effects["harmonic"][0], effects["harmonic"][1], effects["harmonic"][2]};
 

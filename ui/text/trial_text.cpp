@@ -101,6 +101,11 @@ QStringList truthLines(const BlindTrial& trial) {
     lines.append(TrialText::tr("Knocked after %1 % of the rows: horizontal %2, vertical %3")
                      .arg(numberText(100 * truth.jump->moment, 0), signedSeconds(truth.jump->horizontal),
                           signedSeconds(truth.jump->vertical)));
+  if (truth.zeroSlip)
+    lines.append(
+        TrialText::tr("Knocked after the pointing zero at %1°: horizontal %2, vertical %3")
+            .arg(truth.zeroSlip->axisDeg)
+            .arg(signedSeconds(truth.zeroSlip->horizontal), signedSeconds(truth.zeroSlip->vertical)));
   if (truth.harmonic)
     lines.append(TrialText::tr("Radius + A cos %1s + B sin %1s with A = %2 mm, B = %3 mm")
                      .arg(truth.harmonic->order)
