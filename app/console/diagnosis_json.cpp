@@ -1,5 +1,6 @@
 #include "app/console/diagnosis_json.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "app/console/findings_output.h"
@@ -101,8 +102,11 @@ std::string diagnosisJson(const std::string& session, const Diagnosis& diagnosis
             {"visible_sigma", effect.visibleSigma}};
   });
   json["advice"] = listJson(diagnosis.advice, [](const Advice& advice) -> Json {
-    return {
-        {"measure", textOf(advice.measure)}, {"separates", advice.separates}, {"by_sigma", advice.bySigma}};
+    return {{"measure", textOf(advice.measures)},
+            {"separates", advice.separates},
+            {"by_sigma", advice.bySigma},
+            {"one_left", advice.ofUnseen ? Json() : Json(advice.oneLeft)},
+            {"anew", std::ranges::any_of(advice.measures, isReadAnew)}};
   });
   if (diagnosis.shape)
     json["shape"] = {{"follows", diagnosis.shape->follows}, {"share", diagnosis.shape->share}};

@@ -114,9 +114,13 @@ std::string adviceText(const Diagnosis& diagnosis) {
   if (diagnosis.advice.empty()) return "";
   std::string text = "\nWhat to measure next\n";
   for (const Advice& advice : diagnosis.advice)
-    text += paragraph("  " + textOf(advice.measure) + (advice.ofUnseen ? ": would show " : ": tells apart ") +
-                          listed(advice.separates) + ", by " + fixedText(advice.bySigma, 1) + " σ or more",
-                      4);
+    text += paragraph(
+        "  " + howTo(advice.measures) + (advice.ofUnseen ? ": would show " : ": tells apart every two of ") +
+            listed(advice.separates) + ", by " + fixedText(advice.bySigma, 1) + " σ or more" +
+            (advice.oneLeft > 0
+                 ? "; one answer is left with a probability of " + fixedText(100 * advice.oneLeft, 0) + " %"
+                 : std::string()),
+        4);
   return text;
 }
 

@@ -60,7 +60,7 @@ std::string adviceText(const PlanReview& review) {
   if (review.advice.empty()) return "\nNo further readings would show more.\n";
   std::string text = "\nWhat to add\n";
   for (const PlanAdvice& advice : review.advice) {
-    std::string line = "  " + textOf(advice.measure) + ":";
+    std::string line = "  " + howTo(advice.measures) + ":";
     if (!advice.reveals.empty()) line += " shows " + listed(advice.reveals) + ";";
     if (!advice.separates.empty()) {
       line += " tells";
@@ -107,7 +107,7 @@ std::string planJson(const std::string& session, const PlanReview& review,
   for (const PlannedEffect& effect : review.effects) effects.push_back(effectJson(review, effect));
   for (const PlanAdvice& entry : review.advice)
     advice.push_back(
-        {{"measure", textOf(entry.measure)}, {"reveals", entry.reveals}, {"separates", entry.separates}});
+        {{"measure", textOf(entry.measures)}, {"reveals", entry.reveals}, {"separates", entry.separates}});
   Json json = {{"session", session}, {"readings", review.readings}};
   json["sigma_mm"] = review.intersection ? Json(review.intersection->sigma) : Json();
   json["effects"] = std::move(effects);

@@ -91,6 +91,22 @@ std::vector<ClosureStep> closuresOf(const GapModel& own, const GapModel& opened,
   return steps;
 }
 
+/// The first part that looks like others, with those; none of gross errors.
+std::vector<PossibleCause> possibleCausesOf(const Inquiry& inquiry, const Answer& answer) {
+  const auto possible = [&](const Part& part, double odds) {
+    const Component& component = inquiry.of(part);
+    return PossibleCause{std::string(component.id()), part.weights, odds, component.slippedArc()};
+  };
+  for (std::size_t p = 0; p < answer.rivals.size(); ++p) {
+    const Part& part = answer.explanation.parts[p];
+    if (answer.rivals[p].empty() || inquiry.of(part).grossErrorAt()) continue;
+    std::vector<PossibleCause> group{possible(part, 1)};
+    for (const Rival& rival : answer.rivals[p]) group.push_back(possible(rival.part, rival.odds));
+    return group;
+  }
+  return {};
+}
+
 std::vector<ReadingDeviation> readingsOf(const GapModel& model) {
   std::vector<ReadingDeviation> readings;
   readings.reserve(model.fit.readings.size());
@@ -163,7 +179,7 @@ Result<Diagnosis, DiagnosisFault> diagnose(const Measurement& measurement, const
   diagnosis.leftAfter = inSigma(opened);
   diagnosis.readings = readingsOf(own);
   if (stop.stop_requested()) return stopped;
-  diagnosis.advice = adviceFor(inquiry, diagnosis.causes, unseen);
+  diagnosis.advice = adviceFor(inquiry, possibleCausesOf(inquiry, answer), diagnosis.causes, unseen);
   return diagnosis;
 }
 

@@ -103,8 +103,14 @@ std::vector<Planned> effectsInQuestion(const std::vector<Planned>& effects) {
 }
 
 /// `inQuestion`: those of the effects that there is something to be said of, and what is `shown` of them.
-PlanAdvice adviceOf(Measure measure, const VisibleTerms& shown, const std::vector<Planned>& inQuestion) {
-  PlanAdvice advice{measure, {}, {}};
+PlanAdvice adviceOf(const std::vector<Measure>& measures, const VisibleTerms& shown,
+                    const std::vector<Planned>& inQuestion) {
+  PlanAdvice advice{measures, {}, {}};
+  const auto plainestOf = [&](const std::string& id) -> VectorXd {
+    const auto found =
+        std::ranges::find(inQuestion, id, [](const Planned& planned) { return planned.summary.effect; });
+    return combinationOf(*found->effect) * found->plainest;
+  };
   for (const Planned& planned : inQuestion) {
     const MatrixXd combinations = combinationOf(*planned.effect);
     if (planned.summary.unseen && lengthOf(shown, combinations * planned.mostDangerous) > clearlyDifferent)
@@ -113,7 +119,8 @@ PlanAdvice adviceOf(Measure measure, const VisibleTerms& shown, const std::vecto
     for (const LookAlike& other : planned.summary.lookAlikes) {
       const std::pair pair(other.effect, planned.summary.effect);
       if (std::ranges::find(advice.separates, pair) == advice.separates.end() &&
-          linearDifferenceFrom(shown, plainest, *effectById(other.effect)) > clearlyDifferent)
+          linearDifferenceFrom(shown, plainest, *effectById(other.effect)) > clearlyDifferent &&
+          linearDifferenceFrom(shown, plainestOf(other.effect), *planned.effect) > clearlyDifferent)
         advice.separates.emplace_back(planned.summary.effect, other.effect);
     }
   }
@@ -122,6 +129,22 @@ PlanAdvice adviceOf(Measure measure, const VisibleTerms& shown, const std::vecto
         ->summary.influence;
   });
   return advice;
+}
+
+/// What tells most comes first, of as much the fewest measures. Several together only where no single one
+/// tells as much, and of those the first.
+void rank(std::vector<PlanAdvice>& list) {
+  const auto told = [](const PlanAdvice& advice) {
+    return std::pair(advice.reveals.size(), advice.separates.size());
+  };
+  std::ranges::stable_sort(list, {}, [](const PlanAdvice& advice) { return advice.measures.size(); });
+  std::ranges::stable_sort(list, std::greater{}, told);
+  bool isFirst = true;
+  std::erase_if(list, [&](const PlanAdvice& advice) {
+    const bool isUseless = advice.measures.size() > 1 && !isFirst;
+    isFirst = false;
+    return isUseless;
+  });
 }
 
 /// Of the same readings taken without any error.
@@ -153,12 +176,10 @@ Result<PlanReview, NoModel> reviewPlan(const Measurement& measurement, const Ses
   for (const Planned& planned : inQuestion) asked.push_back(planned.effect);
   FurtherTerms further(*model, leftover.equations(), asked);
   eachFurtherReadings(*model, [&](const FurtherReadings& plan) {
-    PlanAdvice advice = adviceOf(plan.measure, further.shownBy(plan), inQuestion);
+    PlanAdvice advice = adviceOf(plan.measures, further.shownBy(plan), inQuestion);
     if (!advice.reveals.empty() || !advice.separates.empty()) review.advice.push_back(std::move(advice));
   });
-  std::ranges::stable_sort(review.advice, std::greater{}, [](const PlanAdvice& advice) {
-    return std::pair(advice.reveals.size(), advice.separates.size());
-  });
+  rank(review.advice);
   return review;
 }
 

@@ -31,9 +31,10 @@ struct PlannedEffect {
 
 /// Readings to add, and what they would be good for.
 struct PlanAdvice {
-  Measure measure = Measure::BothFaces;
-  std::vector<std::string> reveals;                            ///< unseen so far, the most dangerous first
-  std::vector<std::pair<std::string, std::string>> separates;  ///< look-alikes so far
+  std::vector<Measure> measures;
+  std::vector<std::string> reveals;  ///< unseen so far, the most dangerous first
+  std::vector<std::pair<std::string, std::string>>
+      separates;  ///< look-alikes so far, told apart whichever it is
 };
 
 struct PlanReview {

@@ -1,5 +1,9 @@
 #include "core/wording/measure.h"
 
+#include <algorithm>
+
+#include "core/base/list_text.h"
+
 namespace alidade {
 
 std::string textOf(Measure measure) {
@@ -18,8 +22,20 @@ std::string textOf(Measure measure) {
       return "more of the arc";
     case Measure::ZeroSightedAgain:
       return "the pointing zero sighted again";
+    case Measure::DistanceInBoth:
+      return "the distance measured in both positions";
   }
   return "";
+}
+
+std::string textOf(const std::vector<Measure>& measures) {
+  std::vector<std::string> texts;
+  for (const Measure measure : measures) texts.push_back(textOf(measure));
+  return listed(texts, " and ");
+}
+
+std::string howTo(const std::vector<Measure>& measures) {
+  return textOf(measures) + (std::ranges::any_of(measures, isReadAnew) ? " (read anew)" : " (in addition)");
 }
 
 }  // namespace alidade

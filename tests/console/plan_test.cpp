@@ -51,7 +51,7 @@ TEST(Plan, SaysItInWordsToo) {
   EXPECT_EQ(run.exitCode, 0) << run.err;
   EXPECT_THAT(run.out, HasSubstr("vertical_drift"));
   EXPECT_THAT(run.out, HasSubstr("unseen"));
-  EXPECT_THAT(run.out, HasSubstr("the way back: shows"));
+  EXPECT_THAT(run.out, HasSubstr("the way back (read anew): shows"));
 }
 
 // Some thousand degrees of freedom and not a second of misfit, which is what a plan without noise leaves.

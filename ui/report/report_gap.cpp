@@ -74,7 +74,7 @@ void addUnseen(ReportSheet& sheet, const Gap& gap) {
   if (unseen.empty()) return;
   QStringList measures;
   for (const Advice& advice : gap.diagnosis->advice)
-    if (advice.ofUnseen) measures.append(qText(textOf(advice.measure)));
+    if (advice.ofUnseen) measures.append(qText(textOf(advice.measures)));
   const QString moves = QStringLiteral(
                             "The following effects would leave no clear trace in these readings, so U holds "
                             "nothing of them. A plausible size of each would move Δd by: %1.")

@@ -42,8 +42,8 @@ class Component {
   virtual bool isEffect() const { return false; }
   /// A step of the orientation, of which a session has one at most.
   virtual bool isJump() const { return false; }
-  /// One that moves a whole position against its zero.
-  virtual bool isZeroSlip() const { return false; }
+  /// The arc that a jump between its zero and its first place moves as a whole.
+  virtual std::optional<std::size_t> slippedArc() const { return std::nullopt; }
   /// Of no named cause.
   virtual bool isShape() const { return false; }
   /// The one that is off, an index into the leftover's readings; absent where the model is.

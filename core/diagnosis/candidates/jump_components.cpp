@@ -161,10 +161,11 @@ std::vector<JumpComponent> jumpComponents(const Leftover& leftover) {
 
 std::vector<JumpComponent> zeroSlips(const Leftover& leftover) {
   if (!leftover.equations().isClosed()) return {};
+  const auto arcs = rowsOfArcs(leftover);
   std::vector<JumpColumns::Moment> moments;
-  for (const auto& [arc, rows] : rowsOfArcs(leftover)) moments.push_back({rows.front(), rows.back() + 1});
+  for (const auto& [arc, rows] : arcs) moments.push_back({rows.front(), rows.back() + 1});
   std::vector<JumpComponent> slips = componentsOf(leftover, std::move(moments));
-  for (JumpComponent& slip : slips) slip.setZeroSlip();
+  for (auto slip = slips.begin(); const auto& [arc, rows] : arcs) (slip++)->setSlippedArc(arc);
   return slips;
 }
 

@@ -27,7 +27,7 @@ class JumpComponent final : public Component {
   ErrorSource source() const override { return ErrorSource::Time; }
   const std::vector<Width>& widths() const override;
   bool isJump() const override { return true; }
-  bool isZeroSlip() const override { return m_isZeroSlip; }
+  std::optional<std::size_t> slippedArc() const override { return m_slippedArc; }
   std::optional<std::size_t> onlyRow() const override { return m_onlyRow; }
   Eigen::Map<const Eigen::MatrixXd> gram() const override { return {m_gram.data(), 2, 2}; }
   Eigen::MatrixXd wholeColumns(const Leftover& leftover) const override;
@@ -38,14 +38,13 @@ class JumpComponent final : public Component {
              double width) const override;
   std::vector<CauseParameter> parameters(const GapModel& after) const override;
 
-  void setZeroSlip() { m_isZeroSlip = true; }
+  void setSlippedArc(std::size_t arc) { m_slippedArc = arc; }
 
  private:
   std::shared_ptr<const JumpColumns> m_columns;
   std::size_t m_index;
   Eigen::Matrix2d m_gram;
-  std::optional<std::size_t> m_onlyRow;
-  bool m_isZeroSlip = false;
+  std::optional<std::size_t> m_onlyRow, m_slippedArc;
 };
 
 const std::vector<Width>& jumpWidths();

@@ -62,7 +62,7 @@ std::vector<Required> whatItWouldTake(const Inquiry& inquiry) {
   const double noise = inquiry.explanations.front().noise;
   for (std::size_t i = 0; i < inquiry.candidates.size(); ++i) {
     const Component& component = inquiry.candidates[i];
-    const bool isMeant = component.isEffect() || component.isZeroSlip();
+    const bool isMeant = component.isEffect() || component.slippedArc();
     if (!isMeant || component.response() == Response::AllOrNothing) continue;
     const VectorXd influence = component.wholeProducts(influences);
     if (influence.norm() < hardlyMoves) continue;

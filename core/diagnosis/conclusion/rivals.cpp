@@ -77,7 +77,7 @@ std::vector<Rival> others(const Inquiry& inquiry, const Explanation& explanation
   for (std::size_t i = 0; i < inquiry.candidates.size(); ++i) {
     const auto isOther = [&](const Part& any) { return any.component != i; };
     const Component& candidate = inquiry.candidates[i];
-    const bool isMeant = candidate.isEffect() || (candidate.isZeroSlip() && !hasJump);
+    const bool isMeant = candidate.isEffect() || (candidate.slippedArc() && !hasJump);
     if (!isMeant || !std::ranges::all_of(explanation.parts, isOther)) continue;
     const double difference = trace.differenceFrom(candidate) / explanation.noise;
     if (difference > clearlyDifferent) continue;

@@ -2,47 +2,213 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <numbers>
+#include <utility>
 
 #include "core/diagnosis/candidates/jump_components.h"
 #include "core/diagnosis/observability/further_terms.h"
 #include "core/diagnosis/observability/look_alikes.h"
 #include "core/effects/cause_ids.h"
+#include "core/observation/observe.h"
 #include "core/observation/reading_ref.h"
 
 namespace alidade {
 
 namespace {
 
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
-/// What the cause is made of, at the size that was found.
-VectorXd combinationOf(const Cause& cause, const Effect& effect) {
-  VectorXd weights(static_cast<Eigen::Index>(effect.parameters.size()));
-  for (std::size_t p = 0; p < effect.parameters.size(); ++p)
-    weights[static_cast<Eigen::Index>(p)] = cause.parameters[p].value / effect.parameters[p].plausible;
-  return combinationOf(effect) * weights;
-}
-
-std::optional<Advice> separating(const Cause& cause, Measure measure, const VisibleTerms& terms) {
-  const Effect* own = effectById(cause.effect);
-  if (!own) return std::nullopt;
-  const VectorXd combination = combinationOf(cause, *own);
-  Advice advice{.measure = measure, .separates = {cause.effect}, .bySigma = lengthOf(terms, combination)};
-  for (const std::string& id : cause.indistinguishableFrom) {
-    const Effect* other = effectById(id);
-    const double difference = other ? linearDifferenceFrom(terms, combination, *other) : 0;
-    if (difference < clearlyDifferent) continue;
-    advice.separates.push_back(id);
-    advice.bySigma = std::min(advice.bySigma, difference);
+/// How far suspects would be apart: of each id the nearest of those that go by it.
+class Distances {
+ public:
+  template <typename Apart>
+  Distances(const std::vector<PossibleCause>& suspects, const Apart& apart) {
+    for (const PossibleCause& suspect : suspects) {
+      if (indexOf(suspect.id) == m_ids.size()) {
+        m_ids.push_back(suspect.id);
+        m_odds.push_back(0);
+      }
+      m_odds[indexOf(suspect.id)] += suspect.odds;
+    }
+    const auto count = static_cast<Index>(m_ids.size());
+    m_apart = MatrixXd::Constant(count, count, std::numeric_limits<double>::infinity());
+    for (const PossibleCause& one : suspects)
+      for (const PossibleCause& other : suspects) {
+        if (one.id == other.id) continue;
+        const auto i = static_cast<Index>(indexOf(one.id)), j = static_cast<Index>(indexOf(other.id));
+        m_apart(i, j) = m_apart(j, i) = std::min(m_apart(i, j), apart(one, other));
+      }
   }
-  if (advice.separates.size() < 2) return std::nullopt;
-  return advice;
+
+  /// Those of whom every two are apart, as many as there are, and of as many the likeliest.
+  Advice largestApart(std::vector<Measure> measures) const {
+    Advice advice{.measures = std::move(measures)};
+    double most = 0;
+    for (std::uint64_t set = 1; set < (std::uint64_t{1} << m_ids.size()); ++set) {
+      double least = std::numeric_limits<double>::infinity(), odds = 0;
+      std::vector<std::string> ids;
+      for (std::size_t i = 0; i < m_ids.size(); ++i) {
+        if (!(set >> i & 1)) continue;
+        ids.push_back(m_ids[i]);
+        odds += m_odds[i];
+        for (std::size_t j = 0; j < i; ++j)
+          if (set >> j & 1) least = std::min(least, m_apart(static_cast<Index>(i), static_cast<Index>(j)));
+      }
+      if (ids.size() < 2 || least < clearlyDifferent) continue;
+      const bool isBetter = std::pair(ids.size(), odds) > std::pair(advice.separates.size(), most);
+      if (!isBetter) continue;
+      most = odds;
+      advice.separates = std::move(ids);
+      advice.bySigma = least;
+    }
+    advice.oneLeft = oneLeft();
+    return advice;
+  }
+
+ private:
+  std::vector<std::string> m_ids;
+  std::vector<double> m_odds;
+  MatrixXd m_apart;  ///< σ; infinite on the diagonal
+
+  std::size_t indexOf(const std::string& id) const {
+    return static_cast<std::size_t>(std::ranges::find(m_ids, id) - m_ids.begin());
+  }
+
+  /// Each suspect, as often as it is likely, is taken for none of the others: clearly, one d σ away is in 2
+  /// Φ(d/2) − 1 of the cases.
+  double oneLeft() const {
+    double sum = 0, all = 0;
+    for (std::size_t i = 0; i < m_ids.size(); ++i) {
+      double chance = m_odds[i];
+      for (std::size_t j = 0; j < m_ids.size(); ++j)
+        if (i != j)
+          chance *= std::erf(m_apart(static_cast<Index>(i), static_cast<Index>(j)) / 2 / std::numbers::sqrt2);
+      sum += chance;
+      all += m_odds[i];
+    }
+    return all > 0 ? sum / all : 0;
+  }
+};
+
+/// Of effects by the terms that further readings show; jumps are told by none of them.
+double apartBy(const VisibleTerms& terms, const PossibleCause& one, const PossibleCause& other) {
+  const Effect *first = effectById(one.id), *second = effectById(other.id);
+  if (!first || !second) return 0;
+  return linearDifferenceFrom(terms, combinationOf(*first) * one.weights, *second);
 }
 
-std::optional<Advice> revealing(const std::vector<Detectability>& unseen, Measure measure,
+/// What a suspect would leave in sightings of the zero after the last place of each position, both circles of
+/// each, in σ of the difference of two sightings: a drift the way from the middle of the session, a jump what
+/// it moved, what belongs to the guideway nothing.
+VectorXd atTheZeros(const Measurement& measurement, const PossibleCause& suspect) {
+  VectorXd left = VectorXd::Zero(2 * std::ssize(measurement.arcs));
+  const Eigen::Vector2d sigmas =
+      std::numbers::sqrt2 * Eigen::Vector2d(statedSigma(measurement, ReadingKind::Horizontal).radians(),
+                                            statedSigma(measurement, ReadingKind::Vertical).radians());
+  const Effect* effect = effectById(suspect.id);
+  for (std::size_t arc = 0; arc < measurement.arcs.size(); ++arc) {
+    Eigen::Vector2d moved = Eigen::Vector2d::Zero();
+    if (suspect.arc == arc) moved = suspect.weights * plausibleJump;
+    if (effect && !measurement.arcs[arc].sightings.empty()) {
+      const double elapsed = static_cast<double>(measurement.arcs[arc].sightings.back().sequence + 1) /
+                             static_cast<double>(std::max<std::size_t>(measurement.rows, 1));
+      for (std::size_t p = 0; p < effect->parameters.size(); ++p) {
+        const double size = suspect.weights[static_cast<Index>(p)] * plausibleSize(effect->parameters[p]) *
+                            (elapsed - midSession);
+        if (effect->parameters[p].term == ErrorTerm::HorizontalDrift) moved[0] += size;
+        if (effect->parameters[p].term == ErrorTerm::VerticalDrift) moved[1] += size;
+      }
+    }
+    left.segment<2>(2 * static_cast<Index>(arc)) = moved.cwiseQuotient(sigmas);
+  }
+  return left;
+}
+
+/// Errors of the instrument's axes and circles do at the zero what they did when it was first sighted.
+Advice bySightingZeros(const Measurement& measurement, const std::vector<PossibleCause>& suspects) {
+  return Distances(suspects,
+                   [&](const PossibleCause& one, const PossibleCause& other) {
+                     return (atTheZeros(measurement, one) - atTheZeros(measurement, other)).norm();
+                   })
+      .largestApart({Measure::ZeroSightedAgain});
+}
+
+/// The difference of two measured distances, in its σ: that of one as stated, or a millimetre.
+double atTheDistances(const Measurement& measurement, const PossibleCause& suspect) {
+  constexpr double usualSigma = 1;  // mm
+  const double sigma = measurement.sigmaDistance > 0 ? measurement.sigmaDistance : usualSigma;
+  const Effect* effect = effectById(suspect.id);
+  if (!effect || effect->parameters.front().term != ErrorTerm::PlaneOffset) return 0;
+  return 2 * suspect.weights[0] * plausibleSize(effect->parameters.front()) / (sigma * std::numbers::sqrt2);
+}
+
+Advice byMeasuringDistances(const Measurement& measurement, const std::vector<PossibleCause>& suspects) {
+  return Distances(suspects,
+                   [&](const PossibleCause& one, const PossibleCause& other) {
+                     return std::abs(atTheDistances(measurement, one) - atTheDistances(measurement, other));
+                   })
+      .largestApart({Measure::DistanceInBoth});
+}
+
+/// What it costs to read so, in sessions.
+double effortOf(const std::vector<Measure>& measures) {
+  double sessions = 0, times = 1;
+  for (const Measure measure : measures) switch (measure) {
+      case Measure::ZeroSightedAgain:
+      case Measure::DistanceInBoth:
+        sessions += 0.1;
+        break;
+      case Measure::SliderReadings:
+        times *= 1.2;
+        break;
+      case Measure::BothFaces:
+      case Measure::WayBack:
+        times *= 2;
+        break;
+      case Measure::MoreOfTheArc:
+        times *= 1.5;
+        break;
+      case Measure::ShiftedCircle:
+        sessions += 1.2;
+        break;
+      case Measure::SecondStandOff:
+        sessions += 2;
+        break;
+    }
+  return times > 1 ? sessions + times : sessions;
+}
+
+/// The most probable to leave one answer first, to a twentieth, then the cheapest.
+void rank(std::vector<Advice>& list) {
+  const auto twentieths = [](const Advice& advice) { return std::lround(20 * advice.oneLeft); };
+  std::ranges::stable_sort(list, [&](const Advice& a, const Advice& b) {
+    if (twentieths(a) != twentieths(b)) return twentieths(a) > twentieths(b);
+    return effortOf(a.measures) < effortOf(b.measures);
+  });
+}
+
+/// Several measures together only where they leave one answer more often than each by itself, and of those
+/// the cheapest of the best.
+void keepUsefulCombinations(std::vector<Advice>& list) {
+  constexpr double notable = 0.05;
+  double single = 0;
+  for (const Advice& advice : list)
+    if (advice.measures.size() == 1) single = std::max(single, advice.oneLeft);
+  rank(list);
+  bool isTaken = false;
+  std::erase_if(list, [&](const Advice& advice) {
+    if (advice.measures.size() == 1) return false;
+    const bool isUseful = !isTaken && advice.oneLeft > single + notable;
+    isTaken = isTaken || isUseful;
+    return !isUseful;
+  });
+}
+
+std::optional<Advice> revealing(const std::vector<Detectability>& unseen, std::vector<Measure> measures,
                                 const VisibleTerms& terms) {
-  Advice advice{.measure = measure, .ofUnseen = true};
+  Advice advice{.measures = std::move(measures), .ofUnseen = true};
   for (const Detectability& detectability : unseen) {
     const Effect* effect = effectById(detectability.effect);
     if (!effect) continue;
@@ -62,7 +228,7 @@ std::optional<Advice> tellingFromJump(const Inquiry& inquiry, const std::vector<
     if (cause.readings.size() != 1 || cause.indistinguishableFrom.empty()) continue;
     const ReadingDeviation& reading = cause.readings.front();
     const double sigma = statedSigma(*inquiry.base.measurement, reading.kind).arcseconds();
-    return Advice{.measure = Measure::ZeroSightedAgain,
+    return Advice{.measures = {Measure::ZeroSightedAgain},
                   .separates = {cause.effect, cause.indistinguishableFrom.front()},
                   .bySigma = std::abs(reading.size) / (sigma * std::numbers::sqrt2)};
   }
@@ -76,39 +242,46 @@ std::optional<Advice> revealingJump(const Inquiry& inquiry, const std::vector<De
   const Measurement& measurement = *inquiry.base.measurement;
   const Eigen::Vector2d sigmas(statedSigma(measurement, ReadingKind::Horizontal).radians(),
                                statedSigma(measurement, ReadingKind::Vertical).radians());
-  return Advice{.measure = Measure::ZeroSightedAgain,
+  return Advice{.measures = {Measure::ZeroSightedAgain},
                 .separates = {jumpId},
                 .bySigma = (plausibleJump * jump->weights).cwiseQuotient(sigmas).norm() / std::numbers::sqrt2,
                 .ofUnseen = true};
 }
 
-/// The effects that the advice is about: the cause and its look-alikes, or else what could not be seen.
-std::vector<const Effect*> effectsAt(const Cause* unclear, const std::vector<Detectability>& unseen) {
-  std::vector<const Effect*> effects;
-  const auto add = [&](std::string_view id) {
-    if (const Effect* effect = effectById(id)) effects.push_back(effect);
+/// Of readings that tell suspects apart.
+std::vector<Advice> separating(const Inquiry& inquiry, const std::vector<PossibleCause>& suspects) {
+  std::vector<Advice> list;
+  const auto offer = [&](Advice advice) {
+    if (advice.separates.size() > 1) list.push_back(std::move(advice));
   };
-  if (unclear) {
-    add(unclear->effect);
-    for (const std::string& id : unclear->indistinguishableFrom) add(id);
-  } else {
-    for (const Detectability& detectability : unseen) add(detectability.effect);
-  }
-  return effects;
+  std::vector<const Effect*> effects;
+  for (const PossibleCause& suspect : suspects)
+    if (const Effect* effect = effectById(suspect.id)) effects.push_back(effect);
+  FurtherTerms further(inquiry.base, inquiry.leftover.equations(), effects);
+  eachFurtherReadings(inquiry.base, [&](const FurtherReadings& plan) {
+    const VisibleTerms terms = further.shownBy(plan);
+    const Distances distances(suspects, [&](const PossibleCause& one, const PossibleCause& other) {
+      return apartBy(terms, one, other);
+    });
+    offer(distances.largestApart(plan.measures));
+  });
+  offer(bySightingZeros(*inquiry.base.measurement, suspects));
+  offer(byMeasuringDistances(*inquiry.base.measurement, suspects));
+  keepUsefulCombinations(list);
+  return list;
 }
 
-/// Of readings: the most telling first.
-std::vector<Advice> furtherAdvice(const Inquiry& inquiry, const Cause* unclear,
-                                  const std::vector<Detectability>& unseen) {
-  const std::vector<const Effect*> effects = effectsAt(unclear, unseen);
+/// Of readings that show the unseen: the most telling first.
+std::vector<Advice> revealing(const Inquiry& inquiry, const std::vector<Detectability>& unseen) {
+  std::vector<const Effect*> effects;
+  for (const Detectability& detectability : unseen)
+    if (const Effect* effect = effectById(detectability.effect)) effects.push_back(effect);
   std::vector<Advice> list;
   if (effects.empty()) return list;
   FurtherTerms further(inquiry.base, inquiry.leftover.equations(), effects);
   eachFurtherReadings(inquiry.base, [&](const FurtherReadings& plan) {
-    const VisibleTerms terms = further.shownBy(plan);
-    const std::optional<Advice> advice =
-        unclear ? separating(*unclear, plan.measure, terms) : revealing(unseen, plan.measure, terms);
-    if (advice) list.push_back(*advice);
+    if (plan.measures.size() > 1) return;
+    if (const auto advice = revealing(unseen, plan.measures, further.shownBy(plan))) list.push_back(*advice);
   });
   std::ranges::sort(list, [](const Advice& a, const Advice& b) {
     return std::pair(a.separates.size(), a.bySigma) > std::pair(b.separates.size(), b.bySigma);
@@ -118,16 +291,19 @@ std::vector<Advice> furtherAdvice(const Inquiry& inquiry, const Cause* unclear,
 
 }  // namespace
 
-std::vector<Advice> adviceFor(const Inquiry& inquiry, const std::vector<Cause>& causes,
-                              const std::vector<Detectability>& unseen) {
-  const auto found = std::ranges::find_if(causes, [](const Cause& cause) {
-    return effectById(cause.effect) && !cause.indistinguishableFrom.empty();
-  });
-  std::vector<Advice> list = furtherAdvice(inquiry, found == causes.end() ? nullptr : &*found, unseen);
+std::vector<Advice> adviceFor(const Inquiry& inquiry, const std::vector<PossibleCause>& suspects,
+                              const std::vector<Cause>& causes, const std::vector<Detectability>& unseen) {
+  constexpr std::size_t most = 16;  // every set of them is looked at
+  const bool isUnclear = suspects.size() > 1 && suspects.size() <= most;
+  std::vector<Advice> list = isUnclear ? separating(inquiry, suspects) : revealing(inquiry, unseen);
+  const auto isZero = [](const Advice& advice) {
+    return advice.measures == std::vector{Measure::ZeroSightedAgain};
+  };
   if (const std::optional<Advice> zero = tellingFromJump(inquiry, causes)) {
     list.insert(list.begin(), *zero);
-  } else if (const std::optional<Advice> jump = revealingJump(inquiry, unseen)) {
-    list.insert(found == causes.end() ? list.begin() : list.end(), *jump);
+  } else if (const std::optional<Advice> jump = revealingJump(inquiry, unseen);
+             jump && std::ranges::none_of(list, isZero)) {
+    list.insert(isUnclear ? list.end() : list.begin(), *jump);
   }
   return list;
 }

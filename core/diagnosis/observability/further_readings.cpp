@@ -32,7 +32,7 @@ void renumber(Measurement& plan) {
 }
 
 FurtherReadings further(Measure measure, Measurement more) {
-  FurtherReadings readings{measure, {}};
+  FurtherReadings readings{{measure}, {}};
   readings.sets.push_back(std::move(more));
   return readings;
 }
@@ -142,6 +142,15 @@ std::optional<FurtherReadings> withMoreArc(const GapModel& model, Measurement mo
   return further(Measure::MoreOfTheArc, std::move(more));
 }
 
+/// One measure on top of others; absent where either is.
+template <typename Add>
+std::optional<FurtherReadings> together(const std::optional<FurtherReadings>& first, const Add& add) {
+  if (!first) return std::nullopt;
+  std::optional<FurtherReadings> both = add(first->sets.back());
+  if (both) both->measures.insert(both->measures.begin(), first->measures.begin(), first->measures.end());
+  return both;
+}
+
 }  // namespace
 
 Measurement readWithoutError(const GapModel& model) {
@@ -168,6 +177,12 @@ void eachFurtherReadings(const GapModel& model, const std::function<void(const F
   offer(withShiftedCircle(plan));
   offer(withSecondStandOff(model, plan));
   offer(withMoreArc(model, plan));
+  offer(together(withBothFaces(plan), withWayBack));
+  const auto slider = withSlider(model, plan);
+  offer(together(slider, withBothFaces));
+  offer(together(slider, withWayBack));
+  const auto both = together(slider, withBothFaces);
+  offer(together(both, withWayBack));
 }
 
 Linearised linearisedPlan(const GapModel& model, const Measurement& set,

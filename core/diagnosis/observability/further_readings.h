@@ -12,7 +12,7 @@ namespace alidade {
 
 /// A way to read more, and what would then have been read: one set-up or several.
 struct FurtherReadings {
-  Measure measure = Measure::BothFaces;
+  std::vector<Measure> measures;
   std::vector<Measurement> sets;
   bool besideSession = false;  ///< the first set is the session itself, read without error
 };
@@ -21,7 +21,8 @@ struct FurtherReadings {
 Measurement readWithoutError(const GapModel& model);
 
 /// The same session with the other face, the way back, the slider, a shifted circle, a second stand-off or
-/// more of the arc read along, one after the other; what it has already is not offered.
+/// more of the arc read along, one after the other, then faces, way back and slider in combination; what it
+/// has already is not offered.
 void eachFurtherReadings(const GapModel& model, const std::function<void(const FurtherReadings&)>& take);
 
 /// The equations of a set as planned; effects of the model are not there, but estimated along. With

@@ -20,6 +20,22 @@ std::string_view nameOf(DiagnosisVerdict verdict) {
   return "";
 }
 
+bool isReadAnew(Measure measure) {
+  switch (measure) {
+    case Measure::BothFaces:
+    case Measure::WayBack:
+    case Measure::SliderReadings:
+    case Measure::MoreOfTheArc:
+      return true;
+    case Measure::ShiftedCircle:
+    case Measure::SecondStandOff:
+    case Measure::ZeroSightedAgain:
+    case Measure::DistanceInBoth:
+      return false;
+  }
+  return false;
+}
+
 bool isMisclosed(const Diagnosis& diagnosis) {
   return std::ranges::any_of(diagnosis.closures, &ClosureStep::isOpen);
 }

@@ -128,15 +128,21 @@ enum class Measure {
   SecondStandOff,  ///< a second set from half as far again
   MoreOfTheArc,
   ZeroSightedAgain,
+  DistanceInBoth,  ///< the distance measured in both positions
 };
 
 /// Further readings and what they would tell apart.
 struct Advice {
-  Measure measure = Measure::BothFaces;
-  std::vector<std::string> separates = {};  ///< ids
+  std::vector<Measure> measures = {};       ///< all of them together
+  std::vector<std::string> separates = {};  ///< ids: every two of them, whichever is the cause
   double bySigma = 0;                       ///< difference of the least different two of them, σ
+  /// Probability that one answer is left of all that these readings cannot tell apart.
+  double oneLeft = 0;
   bool ofUnseen = false;  ///< `separates`: what would show that does not yet, by `bySigma` or more
 };
+
+/// The session has to be read anew for it; else what is read comes beside it.
+bool isReadAnew(Measure measure);
 
 /// What it would take of an effect to explain how far Δd is from the reference.
 struct Required {

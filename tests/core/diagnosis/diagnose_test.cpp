@@ -215,7 +215,7 @@ TEST(Diagnosis, AdvisesToSightTheZeroAgainWhereAKnockGoesUnseen) {
   ASSERT_THAT(diagnosis.unseen, testing::Contains(testing::Field(&UnseenEffect::effect, "orientation_jump")));
   ASSERT_FALSE(diagnosis.advice.empty());
   const Advice& first = diagnosis.advice.front();
-  EXPECT_EQ(first.measure, Measure::ZeroSightedAgain);
+  EXPECT_EQ(first.measures.front(), Measure::ZeroSightedAgain);
   EXPECT_THAT(first.separates, testing::ElementsAre("orientation_jump"));
   EXPECT_TRUE(first.ofUnseen);
   EXPECT_NEAR(first.bySigma, 60 / (2 * std::numbers::sqrt2), 1e-9);
@@ -225,12 +225,13 @@ TEST(Diagnosis, AdvisesToSightTheZeroAgainWhereAKnockGoesUnseen) {
 TEST(Diagnosis, AdvisesOfWhatIsUnseenWhereNothingIsFound) {
   const Diagnosis diagnosis = diagnosed(test::trialMeasurement("paper"));
   ASSERT_EQ(diagnosis.verdict, DiagnosisVerdict::WithinNoise);
-  EXPECT_THAT(diagnosis.advice, testing::Contains(testing::Field(&Advice::measure, Measure::BothFaces)));
+  EXPECT_THAT(diagnosis.advice,
+              testing::Contains(testing::Field(&Advice::measures, std::vector{Measure::BothFaces})));
   for (const Advice& advice : diagnosis.advice) {
-    EXPECT_TRUE(advice.ofUnseen) << static_cast<int>(advice.measure);
+    EXPECT_TRUE(advice.ofUnseen) << static_cast<int>(advice.measures.front());
     for (const std::string& id : advice.separates)
       EXPECT_THAT(diagnosis.unseen, testing::Contains(testing::Field(&UnseenEffect::effect, id)))
-          << static_cast<int>(advice.measure);
+          << static_cast<int>(advice.measures.front());
   }
 }
 

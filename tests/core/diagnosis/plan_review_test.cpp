@@ -97,17 +97,20 @@ TEST(PlanReview, AgreesWithTheDiagnosisOnWhatIsUnseen) {
 TEST(PlanReview, SaysWhatToAdd) {
   const PlanReview paper = reviewOf("paper");
   const auto advice = [&](Measure measure) -> const PlanAdvice& {
-    return *std::ranges::find(paper.advice, measure, &PlanAdvice::measure);
+    return *std::ranges::find(paper.advice, std::vector{measure}, &PlanAdvice::measures);
   };
   EXPECT_THAT(advice(Measure::WayBack).reveals, Contains("vertical_drift"));
   EXPECT_THAT(advice(Measure::WayBack).reveals, Contains("horizontal_drift"));
   EXPECT_THAT(advice(Measure::SliderReadings).reveals, Contains("plane_tilt"));
   EXPECT_THAT(advice(Measure::SliderReadings).separates,
-              Contains(testing::Pair("arc_lobing", "arc_ellipticity")));
+              Contains(testing::Pair("plane_offset", "plane_warp")));
+  // No single one tells as much as all together.
+  EXPECT_THAT(paper.advice.front().measures,
+              testing::UnorderedElementsAre(Measure::BothFaces, Measure::WayBack, Measure::SliderReadings));
   const PlanReview full = reviewOf("full");
-  EXPECT_THAT(full.advice,
-              Each(Field(&PlanAdvice::measure, testing::AllOf(Not(Measure::BothFaces), Not(Measure::WayBack),
-                                                              Not(Measure::SliderReadings)))));
+  for (const PlanAdvice& more : full.advice)
+    EXPECT_THAT(more.measures, Each(testing::AllOf(Not(Measure::BothFaces), Not(Measure::WayBack),
+                                                   Not(Measure::SliderReadings))));
 }
 
 // The readings of the paper are off by what no effect explains; the plan is the same with any readings.

@@ -61,11 +61,11 @@ TEST(BlindTrial, KeepsTheTruthSealedUntilItIsOpened) {
   EXPECT_FALSE(bench.button("open seal")->isEnabled());
   bench.press("draw");
   EXPECT_THAT(bench.shown(), HasSubstr("Sealed."));
-  EXPECT_THAT(bench.shown(), HasSubstr("One cause: a jump of the orientation"));
+  EXPECT_THAT(bench.shown(), HasSubstr("The gap is caused by a jump of the orientation"));
   EXPECT_THAT(bench.shown(), Not(HasSubstr("Knocked after")));
   EXPECT_THAT(bench.shown(), Not(HasSubstr("True Δd")));
   bench.press("open seal");
-  EXPECT_THAT(bench.shown(), HasSubstr("Right. It was a jump of the orientation, and so was the answer."));
+  EXPECT_THAT(bench.shown(), HasSubstr("Right. It is in the group named"));
   EXPECT_THAT(bench.shown(), HasSubstr("Knocked after"));
   EXPECT_THAT(bench.shown(), HasSubstr("Right: 1 of 1 (100 %)"));
   EXPECT_FALSE(bench.button("open seal")->isEnabled());

@@ -228,9 +228,12 @@ void GapPanel::showNext() {
   for (const Advice& advice : diagnosis.advice) {
     const QString figure = numberText(advice.bySigma, 1);
     const QString what = causeNames(advice.separates, tr("and")).toHtmlEscaped();
-    lines.append(QStringLiteral("• <b>%1</b>: ").arg(qText(textOf(advice.measure)).toHtmlEscaped()) +
-                 (advice.ofUnseen ? tr("would show %1 by %2 σ or more").arg(what, figure)
-                                  : tr("separates %1 by %2 σ or more").arg(what, figure)));
+    QString line = QStringLiteral("• <b>%1</b>: ").arg(qText(howTo(advice.measures)).toHtmlEscaped());
+    line += advice.ofUnseen ? tr("would show %1 by %2 σ or more").arg(what, figure)
+                            : tr("separates every two of %1 by %2 σ or more").arg(what, figure);
+    if (advice.oneLeft > 0)
+      line += tr("; one answer is left with a probability of %1 %").arg(numberText(100 * advice.oneLeft, 0));
+    lines.append(line);
   }
   m_next->setTextFormat(Qt::RichText);
   m_next->setText(lines.isEmpty() ? tr("No further reading of the usual kinds would tell more.")

@@ -18,22 +18,25 @@ namespace {
 using testing::ElementsAre;
 using enum Measure;
 
+/// Of one measure each.
 std::vector<FurtherReadings> plansOf(const GapModel& model) {
   std::vector<FurtherReadings> plans;
-  eachFurtherReadings(model, [&](const FurtherReadings& plan) { plans.push_back(plan); });
+  eachFurtherReadings(model, [&](const FurtherReadings& plan) {
+    if (plan.measures.size() == 1) plans.push_back(plan);
+  });
   return plans;
 }
 
 std::vector<Measure> measuresOf(const GapModel& model) {
   std::vector<Measure> measures;
-  for (const FurtherReadings& plan : plansOf(model)) measures.push_back(plan.measure);
+  for (const FurtherReadings& plan : plansOf(model)) measures.push_back(plan.measures.front());
   return measures;
 }
 
 /// What is added by one of the measures.
 Measurement with(const GapModel& model, Measure measure) {
   const std::vector<FurtherReadings> plans = plansOf(model);
-  return std::ranges::find(plans, measure, &FurtherReadings::measure)->sets.back();
+  return std::ranges::find(plans, std::vector{measure}, &FurtherReadings::measures)->sets.back();
 }
 
 /// How far the sighted point is from the circle, and the slider from where it stands, by the closed forms
@@ -115,11 +118,11 @@ TEST(FurtherReadings, AreReadWithoutError) {
     }
     for (const FurtherReadings& more : plansOf(model))
       for (const Measurement& set : more.sets) {
-        EXPECT_LT(farthestFromCircle(set, model), rounding) << static_cast<int>(more.measure);
+        EXPECT_LT(farthestFromCircle(set, model), rounding) << static_cast<int>(more.measures.front());
         std::size_t next = 0;
         for (const ArcMeasurement& arc : set.arcs)
           for (const Sighting& sighting : arc.sightings) EXPECT_EQ(sighting.sequence, next++);
-        EXPECT_EQ(set.rows, next) << static_cast<int>(more.measure);
+        EXPECT_EQ(set.rows, next) << static_cast<int>(more.measures.front());
       }
   }
 }
@@ -159,14 +162,14 @@ TEST(FurtherReadings, AddWhatTheirMeasureSays) {
 TEST(FurtherReadings, OfASetUpOfItsOwnComeBesideTheSession) {
   const GapModel model = *modelOf(test::trialMeasurement("paper"));
   for (const FurtherReadings& plan : plansOf(model)) {
-    const bool isOwn = plan.measure == ShiftedCircle || plan.measure == SecondStandOff;
-    EXPECT_EQ(plan.besideSession, isOwn) << static_cast<int>(plan.measure);
+    const bool isOwn = plan.measures.front() == ShiftedCircle || plan.measures.front() == SecondStandOff;
+    EXPECT_EQ(plan.besideSession, isOwn) << static_cast<int>(plan.measures.front());
     ASSERT_EQ(plan.sets.size(), isOwn ? 2u : 1u);
     const Measurement &first = plan.sets.front(), &last = plan.sets.back();
     EXPECT_EQ(first.distance, model.measurement->distance);
-    EXPECT_NEAR(last.distance / first.distance, plan.measure == SecondStandOff ? 1.5 : 1, 1e-12);
+    EXPECT_NEAR(last.distance / first.distance, plan.measures.front() == SecondStandOff ? 1.5 : 1, 1e-12);
     const Angle turn = last.arcs[1].zeroHorizontal - model.measurement->arcs[1].zeroHorizontal;
-    EXPECT_NEAR(turn.degrees(), plan.measure == ShiftedCircle ? 60 : 0, 1e-9);
+    EXPECT_NEAR(turn.degrees(), plan.measures.front() == ShiftedCircle ? 60 : 0, 1e-9);
   }
 }
 
@@ -190,6 +193,24 @@ TEST(FurtherReadings, AreLinearisedWithoutTheEffectsOfTheModel) {
     EXPECT_GT(sag, 0);
     EXPECT_EQ(warp, 0);
   }
+}
+
+// Slider, both faces and the way back together: four times the rows of the paper's plan, each with a slider
+// reading, each place in both faces and in two rounds.
+TEST(FurtherReadings, CombineFacesWayBackAndSlider) {
+  const GapModel model = *modelOf(test::trialMeasurement("paper"));
+  std::vector<std::vector<Measure>> combinations;
+  eachFurtherReadings(model, [&](const FurtherReadings& plan) {
+    if (plan.measures.size() > 1) combinations.push_back(plan.measures);
+    if (plan.measures.size() < 3) return;
+    const Measurement& all = plan.sets.back();
+    EXPECT_EQ(all.rows, 4 * model.measurement->rows);
+    for (const ArcMeasurement& arc : all.arcs) {
+      EXPECT_EQ(arc.sightings.back().round, 2);
+      for (const Sighting& sighting : arc.sightings) EXPECT_TRUE(sighting.slider);
+    }
+  });
+  EXPECT_EQ(combinations.size(), 4u);
 }
 
 }  // namespace

@@ -91,7 +91,7 @@ TEST(FurtherTerms, AreThoseOfAllSetsTogether) {
     FurtherTerms further(model, ofSession, someEffects());
     int besides = 0;
     eachFurtherReadings(model, [&](const FurtherReadings& plan) {
-      SCOPED_TRACE(static_cast<int>(plan.measure));
+      SCOPED_TRACE(static_cast<int>(plan.measures.front()));
       MatrixXd columns = shownBy(linearisedPlan(model, plan.sets.back()));
       if (plan.besideSession)
         columns = below(columns, shownBy(asRead ? ofSession : linearisedPlan(model, plan.sets.front())));
@@ -112,7 +112,7 @@ TEST(FurtherTerms, OfAShiftedCircleAreTwiceThoseOfTheSession) {
   FurtherTerms further(model, ofSession, someEffects());
   const MatrixXd columns = shownBy(ofSession);
   eachFurtherReadings(model, [&](const FurtherReadings& plan) {
-    if (plan.measure != Measure::ShiftedCircle) return;
+    if (plan.measures.front() != Measure::ShiftedCircle) return;
     const VisibleTerms shown = further.shownBy(plan);
     for (const ErrorTerm term : {ErrorTerm::VerticalDrift, ErrorTerm::Collimation, ErrorTerm::WarpSine}) {
       const auto t = static_cast<Index>(term);

@@ -139,7 +139,8 @@ TEST(Gap, ShowsWhatTheDiagnosisSays) {
   for (const GapStep& step : diagnosis.steps)
     EXPECT_THAT(bench.bars(), HasSubstr("rms " + numberText(step.size.rms, 2).toStdString() + "″, χ²/f " +
                                         numberText(step.size.reducedChiSquare, 2).toStdString()));
-  for (const Advice& advice : diagnosis.advice) EXPECT_THAT(bench.shown(), HasSubstr(textOf(advice.measure)));
+  for (const Advice& advice : diagnosis.advice)
+    EXPECT_THAT(bench.shown(), HasSubstr(textOf(advice.measures)));
   ASSERT_EQ(bench.candidates()->model()->rowCount(), static_cast<int>(diagnosis.candidates.size()));
   EXPECT_EQ(bench.candidate(0, 0), causeTitle(diagnosis.candidates[0].effect));
   EXPECT_EQ(bench.candidate(0, 1), numberText(diagnosis.candidates[0].logBayesFactor, 1));
