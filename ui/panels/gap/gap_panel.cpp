@@ -11,6 +11,7 @@
 #include "core/effects/catalogue.h"
 #include "core/wording/closures.h"
 #include "core/wording/measure.h"
+#include "ui/charts/gap/closure_bars.h"
 #include "ui/charts/gap/gap_map.h"
 #include "ui/charts/gap/gap_waterfall.h"
 #include "ui/panels/gap/cause_list.h"
@@ -53,7 +54,7 @@ GapPanel::GapPanel(QWidget* parent)
       m_map(new GapMap),
       m_candidates(nullptr),
       m_add(nullptr),
-      m_closures(new FigureGrid),
+      m_closures(new ClosureBars),
       m_closuresNote(wrappedLabel()),
       m_next(wrappedLabel()),
       m_unseen(new FigureGrid),
@@ -69,7 +70,7 @@ GapPanel::GapPanel(QWidget* parent)
               block(tr("Causes"), {m_causes}),
               block(tr("Before and after"), {m_waterfall, m_result, m_shrinkage}),
               block(tr("Where it lies"), {m_map}),
-              block(tr("What the positions must agree on"), {m_closures, m_closuresNote}),
+              block(tr("What must agree"), {m_closures, m_closuresNote}),
               block(tr("What to measure next"), {m_next}),
               block(tr("What would go unseen"), {m_unseen, m_unseenNote}),
               createCandidates()};
@@ -239,21 +240,15 @@ void GapPanel::showNext() {
 
 void GapPanel::showClosures() {
   const Diagnosis& diagnosis = *m_gap->diagnosis;
-  QVector<FigureGrid::Row> rows;
-  const auto figures = [](const Closure& closure) {
-    return QStringList{withStandardUncertainty(closure.value, closure.sigma, {}),
-                       numberText(closure.sigmas(), 1)};
-  };
-  for (const ClosureStep& step : diagnosis.closures) {
-    rows.append({qText(nameInWords(step.before.of)), figures(step.before)});
-    if (step.after && !diagnosis.causes.empty()) rows.append({tr("… with the causes"), figures(*step.after)});
-  }
-  m_closures->setVisible(!rows.isEmpty());
-  m_closures->setRows({tr("mm (u)"), tr("σ")}, rows);
+  m_closures->setGap(*m_gap);
+  m_closures->setVisible(!m_closures->isEmpty());
   const QString open = qText(misclosureSentence(diagnosis));
-  m_closuresNote->setText(rows.isEmpty()   ? tr("Both positions are needed to compare them.")
-                          : open.isEmpty() ? tr("One rigid arc turned about a level axis: they agree.")
-                                           : open);
+  const bool failed =
+      std::ranges::any_of(diagnosis.closures, [](const ClosureStep& step) { return fails(step.before); });
+  m_closuresNote->setText(m_closures->isEmpty() ? tr("Both positions are needed to compare them.")
+                          : !open.isEmpty()     ? open
+                          : failed              ? tr("With the causes in the model they agree.")
+                                                : tr("One rigid arc turned about a level axis: they agree."));
 }
 
 /// What a plausible size would do to Δd.

@@ -11,6 +11,7 @@ class QPushButton;
 namespace alidade::ui {
 
 class CauseList;
+class ClosureBars;
 class DataTable;
 class FigureGrid;
 class GapHeadline;
@@ -73,7 +74,7 @@ class GapPanel : public ScrollPage {
   GapMap* m_map;
   DataTable* m_candidates;
   QPushButton* m_add;
-  FigureGrid* m_closures;
+  ClosureBars* m_closures;
   QLabel* m_closuresNote;
   QLabel* m_next;
   FigureGrid* m_unseen;

@@ -13,6 +13,7 @@
 #include "core/session/session_file.h"
 #include "core/wording/measure.h"
 #include "tests/ui/support.h"
+#include "ui/charts/gap/closure_bars.h"
 #include "ui/charts/gap/gap_map.h"
 #include "ui/charts/gap/gap_waterfall.h"
 #include "ui/commands/change_field.h"
@@ -82,6 +83,7 @@ struct GapBench {
   }
   std::string bars() { return page()->findChild<GapWaterfall*>()->accessibleDescription().toStdString(); }
   std::string map() { return page()->findChild<GapMap*>()->accessibleDescription().toStdString(); }
+  std::string closures() { return page()->findChild<ClosureBars*>()->accessibleDescription().toStdString(); }
   DataTable* candidates() { return page()->findChild<DataTable*>(); }
   QString candidate(int row, int column) {
     return candidates()->model()->index(row, column).data().toString();
@@ -145,6 +147,16 @@ TEST(Gap, ShowsWhatTheDiagnosisSays) {
   EXPECT_EQ(bench.candidate(0, 1), numberText(diagnosis.candidates[0].logBayesFactor, 1));
   EXPECT_THAT(bench.map(), HasSubstr("stays with: "));
   EXPECT_THAT(bench.map(), HasSubstr("along the arc: 0…30° "));
+}
+
+TEST(Gap, DrawsWhatMustAgreeBeforeAndWithTheCauses) {
+  GapBench bench(samplePath(QStringLiteral("paper-table-1.alidade")));
+  const std::string says = bench.closures();
+  EXPECT_THAT(says, HasSubstr("R(180°) − R(0°) = 1.96 ± 0.29 mm, 13.2 σ; with the causes "));
+  EXPECT_THAT(says, HasSubstr("Δx(180°) − Δx(0°) = −0.65 ± 0.18 mm, 7.3 σ; with the causes "));
+  EXPECT_THAT(bench.shown(), HasSubstr("With the causes in the model they agree.\n"));
+  EXPECT_THAT(GapBench(cleanTrial).shown(),
+              HasSubstr("One rigid arc turned about a level axis: they agree.\n"));
 }
 
 TEST(Gap, AddsACauseToTheModelWithOneKeyAndShowsBeforeAndAfter) {
