@@ -24,4 +24,10 @@ QString requiredSizeText(const Required& required) {
   return withUnit(numberText(required.size, decimalsFor(std::abs(required.size))), unitText(required.unit));
 }
 
+QString plausibleSizesText(const Required& required) {
+  constexpr double least = 0.1;
+  return required.plausibleSizes < least ? QStringLiteral("< ") + plainNumberText(least)
+                                         : numberText(required.plausibleSizes, 1);
+}
+
 }  // namespace alidade::ui

@@ -16,5 +16,7 @@ QString closureSigmasText(const Closure& closure);
 
 /// "12.3″", "5.8 mm": the size with two digits, without the sign of its numbers in two directions.
 QString requiredSizeText(const Required& required);
+/// "2.4", "< 0.1": the same in plausible sizes.
+QString plausibleSizesText(const Required& required);
 
 }  // namespace alidade::ui

@@ -20,5 +20,14 @@ TEST(ClosureText, WritesTheSizeOfAnEffectWithItsUnit) {
   EXPECT_EQ(requiredSizeText({.effect = "scale", .size = 0.00123, .unit = "1"}), QStringLiteral("0.0012"));
 }
 
+TEST(ClosureText, NeverCallsAPlausibleSizeNothing) {
+  EXPECT_EQ(plausibleSizesText({.effect = "plane_tilt", .unit = "deg", .plausibleSizes = 2.44}),
+            QStringLiteral("2.4"));
+  EXPECT_EQ(plausibleSizesText({.effect = "plane_tilt", .unit = "deg", .plausibleSizes = 0.1}),
+            QStringLiteral("0.1"));
+  EXPECT_EQ(plausibleSizesText({.effect = "plane_tilt", .unit = "deg", .plausibleSizes = 0.03}),
+            QStringLiteral("< 0.1"));
+}
+
 }  // namespace
 }  // namespace alidade::ui
