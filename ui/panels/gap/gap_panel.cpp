@@ -66,7 +66,7 @@ GapPanel::GapPanel(QWidget* parent)
       m_required(new FigureGrid(nullptr, FigureGrid::Captions::Wrapped)),
       m_requiredNote(wrappedLabel()),
       m_next(wrappedLabel()),
-      m_unseen(new FigureGrid),
+      m_unseen(new FigureGrid(nullptr, FigureGrid::Captions::Wrapped)),
       m_unseenNote(wrappedLabel()) {
   setFocusPolicy(Qt::StrongFocus);
   column()->addLayout(m_grid);

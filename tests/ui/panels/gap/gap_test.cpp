@@ -227,6 +227,20 @@ TEST(Gap, TellsWhatItWouldTakeToExplainTheReference) {
                                              .toStdString()));
 }
 
+TEST(Gap, IsNoWiderThanItsPage) {
+  const auto session = loadSession(closurePath("292351").toStdString());
+  const auto gap =
+      std::make_shared<const Gap>(assessGap(std::make_shared<const Evaluation>(evaluateFit(*session))));
+  GapPanel page;
+  page.setGap(gap);
+  for (const int width : {340, 640, 900}) {  // the middle one is just enough for two columns
+    page.resize(width, 600);
+    page.show();
+    QCoreApplication::processEvents();
+    EXPECT_LE(page.widget()->minimumSizeHint().width(), page.viewport()->width()) << width;
+  }
+}
+
 TEST(Gap, AddsACauseToTheModelWithOneKeyAndShowsBeforeAndAfter) {
   GapBench bench(sagTrial);
   const std::string before =
