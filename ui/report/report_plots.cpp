@@ -44,7 +44,8 @@ QString arcCaption(const ArcPicture& picture) {
       text += QStringLiteral(" Grey: where they may lie at the tolerance of ± %1 mm.")
                   .arg(plainNumberText(*picture.intersection->tolerance));
     text += QStringLiteral(
-        " Δx leads from O2 to the cross above or below O1, where O2 would lie if the positions closed.");
+        " Δx leads from O2 to the cross where O2 would lie if the positions closed; without a cross it "
+        "does.");
   }
   return text;
 }
