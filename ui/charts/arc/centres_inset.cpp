@@ -189,12 +189,13 @@ void CentresInset::paintCentres(QPainter* painter) const {
     const QPointF at = place(centre);
     drawMarker(painter, m_style.marker(axisDeg, MarkerShape::Circle), at);
     painter->setPen(m_style.text);
-    const double reach = ellipse.reach().x * m_scale, line = metrics.height();
-    const double away = std::max(0.6 * line, (reach < line ? reach : 0) + 0.3 * line);
+    const double line = metrics.height(), width = metrics.horizontalAdvance(name);
     const bool leftSide = at.x() < m_picture.center().x();
-    painter->drawText(
-        at + QPointF(leftSide ? -metrics.horizontalAdvance(name) - away : away, metrics.ascent() * 0.4),
-        name);
+    const double room =
+        (leftSide ? at.x() - m_square.left() : m_square.right() - at.x()) - width - 0.3 * line;
+    const double clear = ellipse.reach().x * m_scale + 0.3 * line;
+    const double away = std::max(0.6 * line, clear < std::min(room, 4 * line) ? clear : 0);
+    painter->drawText(at + QPointF(leftSide ? -width - away : away, metrics.ascent() * 0.4), name);
   };
   draw(m_intersection->lowerCentre, m_intersection->lowerEllipse, 180, QStringLiteral("O2"));
   draw(m_intersection->upperCentre, m_intersection->upperEllipse, 0, QStringLiteral("O1"));
