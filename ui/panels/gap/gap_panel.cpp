@@ -80,8 +80,8 @@ GapPanel::GapPanel(QWidget* parent)
   m_withReferenceNote->setText(tr("Δd itself never rests on it."));
   m_withReference->setObjectName(QStringLiteral("with reference"));
   m_withReference->setToolTip(
-      tr("How far Δd is from the reference then helps to tell the causes apart. Δd with the causes rests on "
-         "the readings alone, and so does the report"));
+      tr("How far Δd is from the reference then helps to tell the causes apart.\n"
+         "Δd with the causes rests on the readings alone, and so does the report."));
   m_requiredBlock = block(tr("What it would take to explain Δd − reference"), {m_required, m_requiredNote});
   m_blocks = {
       m_headline,
