@@ -182,10 +182,12 @@ void MainWindow::connectParts() {
     m_lastChange = change.place;
     m_suspects->setStale();
     m_budget->stopOutdatedSimulation();
-    if (change.kind == SessionChange::Kind::Everything)
+    if (change.kind == SessionChange::Kind::Everything) {
+      m_gapJob.setWithReference(false);
       showNoGap();
-    else
+    } else {
       showGapAsOld();
+    }
     m_gapJob.cancel();
     m_job.request(m_document.session(), change);
     m_jobs->watch();
@@ -273,6 +275,15 @@ void MainWindow::connectGap() {
     commitPending();
     changeField(m_document, {.field = "model.vertical_angle"}, text.toStdString());
     m_gap->setFocus();
+  });
+  connect(m_gap, &GapPanel::referenceWanted, this, [this](bool wanted) {
+    commitPending();
+    m_gapJob.setWithReference(wanted);
+    showGapAsOld();
+    m_gap->setFocus();
+    if (m_job.isFitting()) return;  // what it finds is diagnosed
+    m_gapJob.request(m_shown);
+    m_jobs->watch();
   });
   const auto lead = [this] { m_details->showPage(m_details->indexOf(m_gap)); };
   connect(m_result, &ResultPanel::gapActivated, this, lead);

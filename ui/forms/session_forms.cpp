@@ -25,13 +25,14 @@ QWidget* stacked(std::initializer_list<QWidget*> parts) {
   return page;
 }
 
-/// Of use with a known radius only; what was typed stays, and stays within reach where it cannot be used.
-void enableRadiusSigma(const SessionDocument& document, FieldEdit& sigma) {
-  const auto enable = [&document, &sigma] {
-    sigma.setEnabled(document.session().model.radius == "known" || sigma.hasProblem());
+/// What no σ of R0 means hangs on how the radius is taken.
+void sayWhatNoSigmaMeans(const SessionDocument& document, FieldEdit& sigma) {
+  const auto say = [&document, &sigma] {
+    const bool isKnown = document.session().model.radius == "known";
+    sigma.setPlaceholderText(isKnown ? Forms::tr("0 (exact)") : Forms::tr("none"));
   };
-  QObject::connect(&document, &SessionDocument::changed, &sigma, enable);
-  enable();
+  QObject::connect(&document, &SessionDocument::changed, &sigma, say);
+  say();
 }
 
 }  // namespace
@@ -54,9 +55,12 @@ QWidget* createMeasurementForm(SessionDocument& document) {
            Forms::tr("Standard uncertainty of the distance; empty means exact")},
           {"geometry.radius_mm", Forms::tr("&Radius R0"), mm, Forms::tr("required"),
            Forms::tr("Nominal radius of the arc")},
-          {"geometry.sigma_radius_mm", Forms::tr("σ of R0"), mm, Forms::tr("0 (exact)"),
-           Forms::tr("Standard uncertainty of the nominal radius, of use where it is taken as known; empty "
-                     "means exact")},
+          {"geometry.sigma_radius_mm",
+           Forms::tr("σ of R0"),
+           mm,
+           {},
+           Forms::tr("Standard uncertainty of the nominal radius. A known radius takes it into the fit, and "
+                     "empty means exact; else R − R0 is a closure with it, and without it none")},
           {"model.radius",
            Forms::tr("R&adius is"),
            {},
@@ -78,6 +82,12 @@ QWidget* createMeasurementForm(SessionDocument& document) {
            {},
            Forms::tr("0.95"),
            Forms::tr("Coverage probability of the expanded uncertainty U, between 0 and 1")},
+          {"acceptance.reference_intersection_mm", Forms::tr("Reference Δd"), mm, Forms::tr("none"),
+           Forms::tr(
+               "What the device was set to, where known; shown beside the result, never part of a fit")},
+          {"acceptance.sigma_reference_mm", Forms::tr("σ of ref."), mm, Forms::tr("none"),
+           Forms::tr("How well the reference is known (1σ). With it the reference is a closure, and may help "
+                     "the diagnosis to tell causes apart; it never enters Δd")},
           {"model.vertical_angle",
            Forms::tr("Relation"),
            {},
@@ -85,15 +95,9 @@ QWidget* createMeasurementForm(SessionDocument& document) {
            Forms::tr("Exact: tan e = y/√(x²+L²), what a theodolite reads. Planar: tan e = y/L, as in the "
                      "published method"),
            relations},
-          {"acceptance.reference_intersection_mm", Forms::tr("Reference Δd"), mm, Forms::tr("none"),
-           Forms::tr(
-               "What the device was set to, where known; shown beside the result, never part of a fit")},
-          {"acceptance.sigma_reference_mm", Forms::tr("σ of Δd ref."), mm, Forms::tr("none"),
-           Forms::tr("How well the reference is known (1σ). With it the reference is a closure, and may help "
-                     "the diagnosis to tell causes apart; it never enters Δd")},
       },
       2);
-  enableRadiusSigma(document, *form->findChild<FieldEdit*>(QStringLiteral("geometry.sigma_radius_mm")));
+  sayWhatNoSigmaMeans(document, *form->findChild<FieldEdit*>(QStringLiteral("geometry.sigma_radius_mm")));
   return stacked({form});
 }
 

@@ -104,10 +104,12 @@ Gap noGap(SharedEvaluation evaluation, std::string reason) {
   return {.evaluation = std::move(evaluation), .diagnosis = {}, .reason = std::move(reason), .stages = {}};
 }
 
-Gap assessGap(const SharedEvaluation& evaluation, const std::stop_token& stop) {
+Gap assessGap(const SharedEvaluation& evaluation, const std::stop_token& stop, bool withReference) {
   Gap gap = noGap(evaluation, reasonForNone(*evaluation));
+  gap.isWithReference = withReference;
   if (!gap.reason.empty()) return gap;
-  auto diagnosis = diagnose(*gap.evaluation->examined.measurement, gap.evaluation->fit, {}, stop);
+  auto diagnosis = diagnose(*gap.evaluation->examined.measurement, gap.evaluation->fit,
+                            {.withReference = withReference}, stop);
   if (!diagnosis) {
     gap.reason = problemOf(diagnosis.problem()).what;
     return gap;

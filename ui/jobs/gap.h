@@ -34,6 +34,7 @@ struct Gap {
   std::string reason;            ///< why there is no diagnosis: a sentence
   std::vector<GapStage> stages;  ///< with a diagnosis: from the bare model to that with the causes
   double noiseRms = 0;           ///< rms that the stated noise leaves, arcseconds
+  bool isWithReference = false;  ///< asked for: the causes are weighed with the reference
 
   /// The stage of the session as it is: the last that is not proposed.
   const GapStage& asModelled() const;
@@ -52,9 +53,10 @@ struct Gap {
   std::vector<UnseenEffect> noticeablyUnseen() const;
 };
 
-/// Diagnoses the evaluation. Takes many times as long as a fit; asked to stop, it returns early, without a
-/// diagnosis.
-Gap assessGap(const SharedEvaluation& evaluation, const std::stop_token& stop = {});
+/// Diagnoses the evaluation, the causes weighed with the reference (`DiagnosisOptions::withReference`) or
+/// not. Takes many times as long as a fit; asked to stop, it returns early, without a diagnosis.
+Gap assessGap(const SharedEvaluation& evaluation, const std::stop_token& stop = {},
+              bool withReference = false);
 /// No diagnosis, for this reason.
 Gap noGap(SharedEvaluation evaluation, std::string reason);
 

@@ -28,9 +28,14 @@ void GapJob::setWatched(bool watched) {
   if (watched && m_rest.isActive()) m_rest.start(0);
 }
 
+void GapJob::setWithReference(bool withReference) {
+  if (std::exchange(m_isWithReference, withReference) != withReference) m_work.stop();
+}
+
 void GapJob::start() {
   if (m_work.isAtWork() || !m_wanted) return;
-  m_work.start([evaluation = m_wanted](const std::stop_token& stop) { return assessGap(evaluation, stop); },
+  m_work.start([evaluation = m_wanted, withReference = m_isWithReference](
+                   const std::stop_token& stop) { return assessGap(evaluation, stop, withReference); },
                [evaluation = m_wanted](const std::string& reason) {
                  return noGap(evaluation, tellFailure({"diagnosis", reason, evaluation->session}));
                });

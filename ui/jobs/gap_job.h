@@ -27,6 +27,8 @@ class GapJob : public QObject {
   /// Forgets what was requested: the session has changed.
   void cancel();
   void setWatched(bool watched);
+  /// From the next request on the causes are weighed with the reference, or no longer. Off at first.
+  void setWithReference(bool withReference);
   bool isIdle() const { return !m_wanted; }  ///< nothing is still to be delivered
   bool isAtWork() const { return m_work.isAtWork(); }
 
@@ -40,6 +42,7 @@ class GapJob : public QObject {
   QTimer m_rest;
   SharedEvaluation m_wanted;  ///< null where nothing is
   bool m_isWatched = false;
+  bool m_isWithReference = false;
   Background<Gap> m_work;
 };
 

@@ -63,6 +63,7 @@ bool paintReport(QBuffer& buffer, const Evaluation& evaluation, const ReportSour
   addPlots(sheet, evaluation);
   addReadings(sheet, evaluation);
   addGap(sheet, gap);
+  addClosures(sheet, gap);
   addUnseen(sheet, gap);
   if (!methodIsInFront) addMethod(sheet, evaluation);
   QPainter painter;

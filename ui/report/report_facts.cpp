@@ -56,7 +56,11 @@ std::vector<Fact> instrumentFacts(const Session& session) {
            QStringLiteral("%1, σ %2")
                .arg(stated(geometry.distanceMm, mm),
                     withUsual(geometry.sigmaDistanceMm, mm, QStringLiteral("exact")))},
-          {QStringLiteral("Nominal radius R0"), stated(geometry.radiusMm, mm)},
+          {QStringLiteral("Nominal radius R0"),
+           geometry.sigmaRadiusMm.empty()
+               ? stated(geometry.radiusMm, mm)
+               : QStringLiteral("%1, σ %2")
+                     .arg(stated(geometry.radiusMm, mm), stated(geometry.sigmaRadiusMm, mm))},
           {QStringLiteral("Vertical circle"),
            withUsual(geometry.verticalCircle, {}, QStringLiteral("zenith")) + planar}};
 }

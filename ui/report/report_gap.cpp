@@ -3,9 +3,11 @@
 #include <algorithm>
 
 #include "core/wording/beyond.h"
+#include "core/wording/closures.h"
 #include "core/wording/measure.h"
 #include "ui/report/report_table.h"
 #include "ui/text/cause_text.h"
+#include "ui/text/closure_text.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/quantity_text.h"
 
@@ -49,6 +51,62 @@ double heightOf(const ReportSheet& sheet, const Gap& gap) {
   return 16 + static_cast<double>(lines) * line + static_cast<double>(gap.stages.size() + 2) * row;
 }
 
+void addClosureTable(ReportSheet& sheet, const Gap& gap) {
+  constexpr auto right = Qt::AlignRight;
+  const double coverage = gap.evaluation->examined.measurement->coverage;
+  const bool hasCauses = !gap.diagnosis->causes.empty();
+  std::vector<ReportColumn> columns{{QStringLiteral("Closure"), 46},
+                                    {QStringLiteral("as modelled ± U"), 38, right},
+                                    {QStringLiteral("size"), 20, right}};
+  if (hasCauses) {
+    columns.push_back({QStringLiteral("with the causes ± U"), 42, right});
+    columns.push_back({QStringLiteral("size"), 20, right});
+  }
+  ReportTable table(sheet, columns);
+  table.head();
+  for (const ClosureStep& step : gap.diagnosis->closures) {
+    const TextStyle style = step.isOpen() ? type::body.inBold() : type::body;
+    std::vector<ReportCell> cells{{qText(nameInWords(step.before.of)), style},
+                                  {closureText(step.before, coverage), style},
+                                  {closureSigmasText(step.before), style}};
+    if (hasCauses) {
+      cells.emplace_back(step.after ? closureText(*step.after, coverage) : notStated(), style);
+      cells.emplace_back(step.after ? closureSigmasText(*step.after) : notStated(), style);
+    }
+    table.row(cells);
+  }
+  table.finish();
+}
+
+/// No less than heading, table and sentence take up, in mm.
+double closuresHeight(const ReportSheet& sheet, const Gap& gap, const QString& sentence) {
+  const double line = sheet.lineHeight(type::body);
+  const auto lines = sheet.lines(sentence, type::body, ReportSheet::width).size();
+  return 16 + static_cast<double>(lines) * line +
+         static_cast<double>(gap.diagnosis->closures.size() + 1) * (line + 1.5);
+}
+
+void addRequired(ReportSheet& sheet, const std::vector<Required>& list) {
+  if (list.empty()) return;
+  constexpr auto right = Qt::AlignRight;
+  const double row = sheet.lineHeight(type::body) + 1.5;
+  sheet.keepTogether(std::min(20 + static_cast<double>(list.size() + 1) * row, ReportSheet::height / 2));
+  sheet.heading(QStringLiteral("What it would take to explain Δd − reference"));
+  ReportTable table(sheet, {{QStringLiteral("Effect"), 70},
+                            {QStringLiteral("size"), 26, right},
+                            {QStringLiteral("plausible sizes"), 32, right},
+                            {QStringLiteral("leaves (σ)"), 28, right}});
+  table.head();
+  for (const Required& required : list)
+    table.row({causeTitle(required.effect), requiredSizeText(required), plausibleSizesText(required),
+               numberText(required.visibleSigma, 1)});
+  table.finish();
+  sheet.paragraph(QStringLiteral("Each by itself, of the effects that these readings do not exclude at that "
+                                 "size; leaves: what it would "
+                                 "leave in these readings."),
+                  type::small);
+}
+
 }  // namespace
 
 void addGap(ReportSheet& sheet, const Gap& gap) {
@@ -67,6 +125,22 @@ void addGap(ReportSheet& sheet, const Gap& gap) {
             "The figures of this report are those of the model as it is; nothing was added or left "
             "out because of the diagnosis. The verdict stands only where both accounts say so."),
         type::small);
+}
+
+void addClosures(ReportSheet& sheet, const Gap& gap) {
+  if (!gap.diagnosis || gap.diagnosis->closures.empty()) return;
+  const QString open = qText(misclosureSentence(*gap.diagnosis));
+  sheet.keepTogether(closuresHeight(sheet, gap, open));
+  sheet.heading(QStringLiteral("Closures: what must agree"));
+  addClosureTable(sheet, gap);
+  sheet.paragraph(
+      QStringLiteral("Half a turn of one rigid arc about an axis along x keeps its radius and leaves the "
+                     "centre's x alone; R0 and the reference count where their σ is stated. U at "
+                     "%1 %.")
+          .arg(plainNumberText(100 * gap.evaluation->examined.measurement->coverage)),
+      type::small);
+  if (!open.isEmpty()) sheet.paragraph(open);
+  addRequired(sheet, gap.diagnosis->whatItWouldTake);
 }
 
 void addUnseen(ReportSheet& sheet, const Gap& gap) {

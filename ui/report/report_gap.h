@@ -10,6 +10,11 @@ namespace alidade::ui {
 /// is told among the findings.
 void addGap(ReportSheet& sheet, const Gap& gap);
 
+/// What must agree, and by how much it does not, as modelled and with the causes; with a reference that has a
+/// σ also what it would take of each effect to explain how far Δd is from it. Nothing where nothing can be
+/// held against each other.
+void addClosures(ReportSheet& sheet, const Gap& gap);
+
 /// What Δd ± U cannot hold: effects that leave no clear trace in these readings, what a plausible size of
 /// each would move Δd by, and what further readings would show them.
 void addUnseen(ReportSheet& sheet, const Gap& gap);

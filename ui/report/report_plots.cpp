@@ -35,9 +35,17 @@ QString arcCaption(const ArcPicture& picture) {
           "180°. The strokes are the residuals, from the adjusted point on the arc, drawn %1.")
           .arg(exaggerationText(picture.exaggeration));
   if (picture.intersection) {
+    text +=
+        QStringLiteral(
+            " Inset: the arc centres O1 and O2 with the axis midway between them; the heavy line is Δd, the "
+            "bar at its end its expanded uncertainty U, the ellipses hold the centres at %1 %.")
+            .arg(plainNumberText(100 * picture.intersection->coverage));
+    if (picture.intersection->tolerance)
+      text += QStringLiteral(" Grey: where they may lie at the tolerance of ± %1 mm.")
+                  .arg(plainNumberText(*picture.intersection->tolerance));
     text += QStringLiteral(
-        " Inset: the arc centres O1 and O2 with the axis midway between them; the heavy line is Δd, "
-        "the bar at its end its expanded uncertainty U.");
+        " Δx leads from O2 to the cross where O2 would lie if the positions closed; without a cross it "
+        "does.");
   }
   return text;
 }

@@ -166,12 +166,14 @@ void addTwoFaces(ReportSheet& sheet, const TwoFaces& faces) {
 
 void addReference(ReportSheet& sheet, const Evaluation& evaluation, const Intersection& found) {
   const std::optional<double> reference = evaluation.examined.measurement->referenceIntersection;
+  const std::optional<double> sigma = evaluation.examined.measurement->sigmaReference;
   const QString difference =
       reference ? QStringLiteral("; difference Δd − reference = ") +
                       valueWithUncertainty(found.value - *reference, found.expanded, QStringLiteral("mm"))
                 : QString();
   sheet.paragraph(QStringLiteral("Reference intersection (never enters the fit): ") +
                   (reference ? plainNumberText(*reference) + QStringLiteral(" mm") : notStated()) +
+                  (sigma ? QStringLiteral(" (u %1 mm)").arg(plainNumberText(*sigma)) : QString()) +
                   difference);
 }
 

@@ -2,7 +2,11 @@
 
 #include <QComboBox>
 #include <QTest>
+#include <algorithm>
+#include <utility>
 
+#include "core/adjustment/result/closures.h"
+#include "core/adjustment/result/session_fit.h"
 #include "core/session/session_file.h"
 #include "tests/ui/support.h"
 #include "ui/commands/change_field.h"
@@ -36,14 +40,11 @@ struct RadiusBench {
 TEST(RadiusFields, ChooseHowTheRadiusIsTakenWithTheKeyboard) {
   RadiusBench bench;
   EXPECT_EQ(bench.model->currentData().toString(), QStringLiteral("free")) << "what an absent model means";
-  EXPECT_FALSE(bench.sigma->isEnabled());
   bench.model->setFocus();
   QTest::keyClick(bench.model, Qt::Key_Down);
   EXPECT_EQ(bench.session().model.radius, "common");
-  EXPECT_FALSE(bench.sigma->isEnabled());
   QTest::keyClick(bench.model, Qt::Key_Down);
   EXPECT_EQ(bench.session().model.radius, "known");
-  ASSERT_TRUE(bench.sigma->isEnabled());
   typeInto(*bench.sigma, QStringLiteral("0.05"));
   EXPECT_EQ(bench.session().geometry.sigmaRadiusMm, "0.05");
   const Examined meant = examine(bench.session());
@@ -68,17 +69,28 @@ TEST(RadiusFields, AreUndoneAndSaved) {
   EXPECT_EQ(bench.model->currentData().toString(), QStringLiteral("known"));
 }
 
-TEST(RadiusFields, KeepTheSigmaWhereItIsOfNoUse) {
+TEST(RadiusFields, TakeTheSigmaOfR0HoweverTheRadiusIsTaken) {
+  for (const char* radius : {"free", "common", "known"}) {
+    RadiusBench bench;
+    bench.choose(radius);
+    ASSERT_TRUE(bench.sigma->isEnabled()) << radius;
+    typeInto(*bench.sigma, QStringLiteral("0.05"));
+    EXPECT_EQ(readSession(writeSession(bench.session()))->geometry.sigmaRadiusMm, "0.05") << radius;
+    const auto measurement = examine(bench.session()).measurement;
+    const auto closures = closuresOf(*measurement, fitSession(*measurement).joint);
+    const bool isHeldAgainst =
+        std::ranges::any_of(closures, [](const Closure& c) { return c.of == Closure::Of::NominalRadius; });
+    EXPECT_EQ(isHeldAgainst, std::string(radius) != "known") << radius;
+  }
+}
+
+TEST(RadiusFields, SayWhatNoSigmaMeans) {
   RadiusBench bench;
+  EXPECT_EQ(bench.sigma->placeholderText(), QStringLiteral("none"));
   bench.choose("known");
-  changeField(bench.open->document(), {.field = "geometry.sigma_radius_mm"}, "0.1");
-  bench.choose("free");
-  EXPECT_FALSE(bench.sigma->isEnabled());
-  EXPECT_EQ(bench.sigma->text(), QStringLiteral("0.1"));
-  EXPECT_EQ(readSession(writeSession(bench.session()))->geometry.sigmaRadiusMm, "0.1");
-  bench.choose("known");
-  EXPECT_TRUE(bench.sigma->isEnabled());
-  EXPECT_EQ(bench.session().geometry.sigmaRadiusMm, "0.1");
+  EXPECT_EQ(bench.sigma->placeholderText(), QStringLiteral("0 (exact)"));
+  bench.choose("common");
+  EXPECT_EQ(bench.sigma->placeholderText(), QStringLiteral("none"));
 }
 
 TEST(RadiusFields, LeaveASigmaThatCannotBeUsedWithinReach) {
@@ -87,7 +99,25 @@ TEST(RadiusFields, LeaveASigmaThatCannotBeUsedWithinReach) {
   EXPECT_TRUE(bench.sigma->isEnabled()) << "without it there is no fit, so it can be mended";
   EXPECT_TRUE(bench.sigma->hasProblem());
   changeField(bench.open->document(), {.field = "geometry.sigma_radius_mm"}, "0.1");
-  EXPECT_FALSE(bench.sigma->isEnabled());
+  EXPECT_FALSE(bench.sigma->hasProblem());
+}
+
+TEST(RadiusFields, StandBesideWhatTheirSigmaIsOf) {
+  RadiusBench bench;
+  const std::pair<const char*, const char*> pairs[] = {
+      {"geometry.distance_mm", "geometry.sigma_distance_mm"},
+      {"geometry.radius_mm", "geometry.sigma_radius_mm"},
+      {"acceptance.reference_intersection_mm", "acceptance.sigma_reference_mm"}};
+  for (const auto& [value, sigma] : pairs) {
+    auto* left = bench.open->findChild<FieldEdit*>(QString::fromLatin1(value));
+    auto* right = bench.open->findChild<FieldEdit*>(QString::fromLatin1(sigma));
+    ASSERT_TRUE(left && right) << value;
+    EXPECT_EQ(left->y(), right->y()) << value;
+    EXPECT_LT(left->x(), right->x()) << value;
+    left->setFocus();
+    QTest::keyClick(left, Qt::Key_Tab);
+    EXPECT_TRUE(right->hasFocus()) << value;
+  }
 }
 
 }  // namespace

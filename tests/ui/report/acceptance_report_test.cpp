@@ -15,6 +15,7 @@
 #include "tests/ui/report/printed.h"
 #include "tests/ui/support.h"
 #include "ui/text/cause_text.h"
+#include "ui/text/closure_text.h"
 #include "ui/text/effect_text.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/quantity_text.h"
@@ -71,6 +72,45 @@ TEST(AcceptanceReport, TellsTheGapAndItsCause) {
   EXPECT_TRUE(Printed(session).contains("in the model: gravity sag"));
   const Session clean = *loadSession((folder + QStringLiteral("827247.alidade")).toStdString());
   EXPECT_FALSE(Printed(clean).contains("Gap between")) << "there is none";
+}
+
+TEST(AcceptanceReport, PrintsWhatMustAgreeBeforeAndWithTheCauses) {
+  const Session session = paperSession();
+  const Diagnosis diagnosis = *diagnose(*examine(session).measurement);
+  ASSERT_EQ(diagnosis.closures.size(), 2u);
+  const Printed report(session);
+  EXPECT_TRUE(report.contains("Closures: what must agree"));
+  for (const ClosureStep& step : diagnosis.closures) {
+    const QString row = closureText(step.before, 0.95) + u' ' + closureSigmasText(step.before) + u' ' +
+                        closureText(*step.after, 0.95) + u' ' + closureSigmasText(*step.after);
+    EXPECT_TRUE(report.text().contains(row)) << row.toStdString() << report.text().toStdString();
+  }
+  EXPECT_FALSE(report.contains("What it would take")) << "no σ of the reference is stated";
+  Session half = session;
+  half.positions.resize(1);
+  EXPECT_FALSE(Printed(half).contains("Closures: what must agree"));
+}
+
+TEST(AcceptanceReport, PrintsWhatItWouldTakeToExplainTheReference) {
+  const QString path = QStringLiteral(ALIDADE_REFERENCE_DIR "/closures/sessions/292351.alidade");
+  const Session session = *loadSession(path.toStdString());
+  const Diagnosis diagnosis = *diagnose(*examine(session).measurement);
+  ASSERT_GE(diagnosis.whatItWouldTake.size(), 2u);
+  const Printed report(session);
+  EXPECT_TRUE(report.contains("What it would take to explain Δd − reference"));
+  for (const Required& required : diagnosis.whatItWouldTake) {
+    const QString row = causeTitle(required.effect) + u' ' + requiredSizeText(required) + u' ' +
+                        plausibleSizesText(required) + u' ' + numberText(required.visibleSigma, 1);
+    EXPECT_TRUE(report.text().contains(row)) << row.toStdString() << report.text().toStdString();
+  }
+  EXPECT_TRUE(report.contains("(u 0.02 mm)")) << "σ of the reference";
+}
+
+TEST(AcceptanceReport, StatesTheSigmaOfR0WhereItIsStated) {
+  Session session = paperSession();
+  EXPECT_FALSE(Printed(session).contains("400 mm, σ"));
+  session.geometry.sigmaRadiusMm = "0.05";
+  EXPECT_TRUE(Printed(session).contains("400 mm, σ 0.05 mm"));
 }
 
 // A knock between the zero and the first place goes unseen by any plan, and sighting the zero again shows it;

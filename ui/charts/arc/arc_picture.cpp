@@ -112,18 +112,55 @@ std::vector<DrawnSighting> excludedSightings(const Session& session) {
   return excluded;
 }
 
-std::optional<DrawnIntersection> drawnIntersection(const SessionFit& fit) {
+/// Of the centre of arc `arc` of the joint fit.
+DrawnEllipse ellipseOfCentre(const SessionFit& fit, std::size_t arc) {
+  const auto variance = [&](double perX, double perY) {
+    std::vector<double> weights(fit.joint.unknowns.size());
+    weights[fit.joint.indexOf({.kind = Unknown::Kind::CentreX, .arc = arc})] = perX;
+    weights[fit.joint.indexOf({.kind = Unknown::Kind::CentreY, .arc = arc})] = perY;
+    const double sigma = combined(budgetOf(fit.joint, weights, fit.noise.factor));
+    return sigma * sigma;
+  };
+  const Intersection& found = *fit.intersection;
+  return ellipseOf(variance(1, 0), variance(0, 1), (variance(1, 1) - variance(1, -1)) / 4,
+                   ellipseFactor(found.coverage, found.effectiveDegreesOfFreedom));
+}
+
+std::optional<DrawnIntersection> drawnIntersection(const Measurement& measurement, const SessionFit& fit) {
   const ArcFit* upper = fit.arcAt(0);
   const ArcFit* lower = fit.arcAt(180);
   if (!fit.intersection || !upper || !lower) return {};
+  const auto indexOf = [&](const ArcFit* arc) { return static_cast<std::size_t>(arc - fit.arcs.data()); };
   return DrawnIntersection{.upperCentre = {upper->circle.x, upper->circle.y},
                            .lowerCentre = {lower->circle.x, lower->circle.y},
                            .value = fit.intersection->value,
                            .expanded = fit.intersection->expanded,
-                           .coverage = fit.intersection->coverage};
+                           .coverage = fit.intersection->coverage,
+                           .upperEllipse = ellipseOfCentre(fit, indexOf(upper)),
+                           .lowerEllipse = ellipseOfCentre(fit, indexOf(lower)),
+                           .tolerance = measurement.tolerance};
 }
 
 }  // namespace
+
+PlanePoint<double> DrawnEllipse::reach() const {
+  const double cosine = std::cos(direction), sine = std::sin(direction);
+  return {std::hypot(major * cosine, minor * sine), std::hypot(major * sine, minor * cosine)};
+}
+
+DrawnEllipse ellipseOf(double varianceX, double varianceY, double covariance, double scale) {
+  const double mean = (varianceX + varianceY) / 2;
+  const double spread = std::hypot((varianceX - varianceY) / 2, covariance);
+  return {.major = scale * std::sqrt(std::max(mean + spread, 0.0)),
+          .minor = scale * std::sqrt(std::max(mean - spread, 0.0)),
+          .direction = std::atan2(2 * covariance, varianceX - varianceY) / 2};
+}
+
+double ellipseFactor(double coverage, double degreesOfFreedom) {
+  // Of two dimensions Fisher's upper tail is (1 + k²/f)^(−f/2).
+  if (std::isinf(degreesOfFreedom)) return std::sqrt(-2 * std::log1p(-coverage));
+  return std::sqrt(degreesOfFreedom * std::expm1(-2 / degreesOfFreedom * std::log1p(-coverage)));
+}
 
 ArcPicture arcPicture(const Evaluation& evaluation) {
   ArcPicture picture;
@@ -141,7 +178,7 @@ ArcPicture arcPicture(const Evaluation& evaluation) {
     }
   }
   picture.excluded = excludedSightings(evaluation.session);
-  picture.intersection = drawnIntersection(evaluation.fit);
+  picture.intersection = drawnIntersection(measurement, evaluation.fit);
   picture.exaggeration = pickExaggeration(picture);
   return picture;
 }

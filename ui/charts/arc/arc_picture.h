@@ -29,10 +29,31 @@ struct DrawnArc {
   double firstAngle = 0, lastAngle = 0;
 };
 
+/// Where a centre is believed to lie at the coverage; mm, y up.
+struct DrawnEllipse {
+  double major = 0, minor = 0;  ///< semi-axes, ≥ 0; not finite where no ellipse is wide enough
+  double direction = 0;         ///< of the major one, from x towards y, radians
+
+  /// Half the width and half the height of the box around it.
+  PlanePoint<double> reach() const;
+};
+
+/// `varianceX`, `varianceY`, `covariance` of a point, mm²; `scale`: semi-axis in σ.
+DrawnEllipse ellipseOf(double varianceX, double varianceY, double covariance, double scale);
+
+/// Semi-axis of an ellipse in σ that holds a point with probability `coverage`: the root of twice Fisher's
+/// quantile, √5.99 at 95 % where nothing was estimated. `degreesOfFreedom`: effective, may be infinite.
+double ellipseFactor(double coverage, double degreesOfFreedom);
+
 /// Half the distance of the centres across the axis, with its expanded uncertainty; mm.
 struct DrawnIntersection {
   PlanePoint<double> upperCentre, lowerCentre;  ///< O1 (axis at 0°), O2 (axis at 180°)
   double value = 0, expanded = 0, coverage = 0.95;
+  DrawnEllipse upperEllipse = {}, lowerEllipse = {};
+  std::optional<double> tolerance = {};  ///< how far from the axis O1 and O2 may lie
+
+  /// Half a turn about an axis along x leaves x alone: where O2 would lie at its height.
+  PlanePoint<double> closedCentre() const { return {upperCentre.x, lowerCentre.y}; }
 };
 
 /// What the arc chart shows, in numbers.

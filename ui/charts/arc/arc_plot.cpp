@@ -108,7 +108,7 @@ QRectF ArcPlot::axisRange(const QSizeF& plotArea) const {
 
 void ArcPlot::placeExtras() {
   if (!m_picture->intersection) return;
-  // The largest square about the centres that leaves the points and their residuals free.
+  // The largest square about the centres that leaves the points, their residuals and the scales free.
   const PlanePoint<double> a = m_picture->intersection->upperCentre, b = m_picture->intersection->lowerCentre;
   const PlanePoint<double> centre{(a.x + b.x) / 2, (a.y + b.y) / 2};
   double reach = m_picture->arcs.front().circle.radius;
@@ -118,9 +118,13 @@ void ArcPlot::placeExtras() {
       reach = std::min(reach, std::max(std::abs(point.x - centre.x), std::abs(point.y - centre.y)));
     }
   }
-  const double side = 2 * 0.92 * reach * sceneFromAxes().m11();
-  QRectF square(0, 0, side, side);
-  square.moveCenter(sceneFromAxes().map(QPointF(centre.x, centre.y)));
+  const QPointF middle = sceneFromAxes().map(QPointF(centre.x, centre.y));
+  const QRectF area = plotArea();
+  const double half = std::max(
+      0.0, std::min({0.92 * reach * sceneFromAxes().m11(), middle.x() - area.left(),
+                     area.right() - middle.x(), middle.y() - area.top(), area.bottom() - middle.y()}));
+  QRectF square(0, 0, 2 * half, 2 * half);
+  square.moveCenter(middle);
   m_inset->setSquare(square);
 }
 

@@ -16,6 +16,17 @@ PlanePoint<double> middle(const DrawnIntersection& i) {
   return {(i.upperCentre.x + i.lowerCentre.x) / 2, (i.upperCentre.y + i.lowerCentre.y) / 2};
 }
 
+/// Of half the way from one centre to the other: how far from their middle the picture goes for the sake of
+/// what is drawn about them.
+constexpr double largestShare = 4;
+
+/// Half the box around the larger ellipse in each direction; 0 where none is wide enough.
+PlanePoint<double> ellipsesReach(const DrawnIntersection& i) {
+  const PlanePoint<double> a = i.upperEllipse.reach(), b = i.lowerEllipse.reach();
+  const double x = std::max(a.x, b.x), y = std::max(a.y, b.y);
+  return std::isfinite(x) && std::isfinite(y) ? PlanePoint<double>{x, y} : PlanePoint<double>{0, 0};
+}
+
 }  // namespace
 
 void CentresInset::setStyle(const PlotStyle& style) {
@@ -44,8 +55,14 @@ void CentresInset::updateScale() {
   if (m_picture.width() < 2 * line || m_picture.height() < 2 * line) return;
   const DrawnIntersection& i = *m_intersection;
   const double expanded = std::isfinite(i.expanded) ? i.expanded : 0;
-  const double halfWidth = std::abs(i.upperCentre.x - i.lowerCentre.x) / 2;
-  const double halfHeight = std::min(std::abs(i.value) + expanded, 4 * std::abs(i.value) + 1e-6);
+  const double apart = std::hypot(i.upperCentre.x - i.lowerCentre.x, 2 * i.value) / 2;
+  const PlanePoint<double> reach = ellipsesReach(i);
+  // What is uncertain is shown whole up to a size that leaves the centres apart.
+  const double halfWidth =
+      std::min(std::abs(i.upperCentre.x - i.lowerCentre.x) / 2 + reach.x, largestShare * apart + 1e-6);
+  double halfHeight = std::min(std::abs(i.value) + std::max(expanded, reach.y), largestShare * apart + 1e-6);
+  if (i.tolerance && *i.tolerance < largestShare * apart)
+    halfHeight = std::max(halfHeight, 1.1 * *i.tolerance);
   m_scale = std::min(m_picture.width() * 0.4 / std::max(halfWidth, 1e-6),
                      m_picture.height() * 0.46 / std::max(halfHeight, 1e-6));
 }
@@ -67,10 +84,13 @@ void CentresInset::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWi
   painter->drawRect(m_square);
   painter->save();
   painter->setClipRect(m_square, Qt::IntersectClip);
+  paintTolerance(painter);
   paintAxis(painter);
   // A bar longer than the picture is cut off: title and scale stay readable.
   painter->setClipRect(QRectF(m_square.left(), m_picture.top(), m_square.width(), m_picture.height()),
                        Qt::IntersectClip);
+  paintEllipses(painter);
+  paintClosure(painter);
   paintDistance(painter);
   painter->restore();
   paintCentres(painter);
@@ -89,6 +109,29 @@ void CentresInset::paintBare(QPainter* painter) const {
                     QStringLiteral("O1, O2"));
 }
 
+/// All of the picture where its edges lie beyond.
+void CentresInset::paintTolerance(QPainter* painter) const {
+  const double tolerance = m_intersection->tolerance.value_or(0) * m_scale;
+  if (tolerance <= 0) return;
+  const double unit = m_style.unit(), centre = m_picture.center().y();
+  const QRectF inside = m_square.adjusted(unit, unit, -unit, -unit);
+  const double top = std::max(centre - tolerance, inside.top());
+  const double bottom = std::min(centre + tolerance, inside.bottom());
+  painter->fillRect(QRectF(inside.left(), top, inside.width(), bottom - top), m_style.outerBand);
+  if (tolerance <= m_picture.height() / 2) {
+    painter->setPen(QPen(m_style.limit, unit, Qt::DotLine));
+    for (const double y : {top, bottom})
+      painter->drawLine(QPointF(inside.left(), y), QPointF(inside.right(), y));
+  }
+  const QFontMetricsF metrics(m_style.font);
+  const QString name = QStringLiteral("tolerance");
+  if (tolerance < 2.2 * metrics.height() || m_square.width() < 2.5 * metrics.horizontalAdvance(name)) return;
+  painter->setPen(m_style.mutedText);
+  painter->drawText(QPointF(m_square.right() - metrics.horizontalAdvance(name) - 0.4 * metrics.height(),
+                            std::min(bottom, m_picture.bottom()) - 0.3 * metrics.height()),
+                    name);
+}
+
 void CentresInset::paintAxis(QPainter* painter) const {
   painter->setPen(QPen(m_style.mutedText, m_style.unit(), Qt::DashDotLine));
   const double y = m_picture.center().y();
@@ -101,20 +144,61 @@ void CentresInset::paintAxis(QPainter* painter) const {
                     name);
 }
 
+void CentresInset::paintEllipses(QPainter* painter) const {
+  const auto draw = [&](const PlanePoint<double>& centre, const DrawnEllipse& ellipse, const QPen& pen) {
+    const double major = ellipse.major * m_scale, minor = ellipse.minor * m_scale;
+    // Far beyond the picture there is no line to be seen, and painting it may take for ever.
+    if (!std::isfinite(major) || minor > 4 * m_square.width() || major > 1000 * m_square.width()) return;
+    painter->save();
+    painter->translate(place(centre));
+    painter->rotate(-ellipse.direction * 180 / M_PI);
+    painter->setPen(pen);
+    painter->setBrush(Qt::NoBrush);
+    painter->drawEllipse(QPointF(), major, minor);
+    painter->restore();
+  };
+  const double width = 1.1 * m_style.unit();
+  draw(m_intersection->upperCentre, m_intersection->upperEllipse, QPen(m_style.upper, width));
+  draw(m_intersection->lowerCentre, m_intersection->lowerEllipse, QPen(m_style.lower, width, Qt::DashLine));
+}
+
+/// Not where O2's own marker would hide it.
+void CentresInset::paintClosure(QPainter* painter) const {
+  const QPointF wanted = place(m_intersection->closedCentre()), is = place(m_intersection->lowerCentre);
+  const double unit = m_style.unit(), away = is.x() - wanted.x();
+  if (std::abs(away) < 10 * unit) return;
+  painter->setPen(QPen(m_style.mutedText, unit, Qt::DotLine));
+  painter->drawLine(wanted, is);
+  drawMarker(painter,
+             {.shape = MarkerShape::Plus, .colour = m_style.mutedText, .inside = {}, .size = 9 * unit},
+             wanted);
+  const QFontMetricsF metrics(m_style.font);
+  const QString name = QStringLiteral("Δx");
+  if (std::abs(away) < 2 * metrics.horizontalAdvance(name)) return;
+  painter->setPen(m_style.mutedText);
+  painter->drawText(
+      QPointF((wanted.x() + is.x() - metrics.horizontalAdvance(name)) / 2, is.y() - 0.3 * metrics.height()),
+      name);
+}
+
 void CentresInset::paintCentres(QPainter* painter) const {
   const QFontMetricsF metrics(m_style.font);
-  const auto draw = [&](const PlanePoint<double>& centre, int axisDeg, const QString& name) {
+  // The names stand outside, since Δx runs inwards, and clear of ellipses that are not too large.
+  const auto draw = [&](const PlanePoint<double>& centre, const DrawnEllipse& ellipse, int axisDeg,
+                        const QString& name) {
     const QPointF at = place(centre);
-    Marker marker = m_style.marker(axisDeg, MarkerShape::Circle);
-    drawMarker(painter, marker, at);
+    drawMarker(painter, m_style.marker(axisDeg, MarkerShape::Circle), at);
     painter->setPen(m_style.text);
-    const bool leftSide = at.x() > m_picture.center().x();
-    const double shift =
-        leftSide ? -metrics.horizontalAdvance(name) - 0.6 * metrics.height() : 0.6 * metrics.height();
-    painter->drawText(at + QPointF(shift, metrics.ascent() * 0.4), name);
+    const double line = metrics.height(), width = metrics.horizontalAdvance(name);
+    const bool leftSide = at.x() < m_picture.center().x();
+    const double room =
+        (leftSide ? at.x() - m_square.left() : m_square.right() - at.x()) - width - 0.3 * line;
+    const double clear = ellipse.reach().x * m_scale + 0.3 * line;
+    const double away = std::max(0.6 * line, clear < std::min(room, 4 * line) ? clear : 0);
+    painter->drawText(at + QPointF(leftSide ? -width - away : away, metrics.ascent() * 0.4), name);
   };
-  draw(m_intersection->lowerCentre, 180, QStringLiteral("O2"));
-  draw(m_intersection->upperCentre, 0, QStringLiteral("O1"));
+  draw(m_intersection->lowerCentre, m_intersection->lowerEllipse, 180, QStringLiteral("O2"));
+  draw(m_intersection->upperCentre, m_intersection->upperEllipse, 0, QStringLiteral("O1"));
 }
 
 void CentresInset::paintDistance(QPainter* painter) const {

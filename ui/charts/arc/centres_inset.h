@@ -8,8 +8,10 @@
 
 namespace alidade::ui {
 
-/// The two arc centres under a magnifier: O1, O2, the axis midway between them, and the intersection Δd as
-/// the way from the axis to O1 with its expanded uncertainty. One scale in x and y, shown by a bar in mm.
+/// The two arc centres under a magnifier: O1 and O2 with the ellipses that hold them at the coverage, the
+/// axis midway between them, the band where they may lie at the tolerance, and the intersection Δd as the way
+/// from the axis to O1 with its expanded uncertainty. A cross stands where closure would want O2, a broken
+/// line leads to it. One scale in x and y, shown by a bar in mm.
 class CentresInset : public QGraphicsItem {
  public:
   using QGraphicsItem::QGraphicsItem;
@@ -30,7 +32,10 @@ class CentresInset : public QGraphicsItem {
  private:
   void updateScale();
   void paintBare(QPainter* painter) const;  // too small to enlarge anything: a plus where both centres are
+  void paintTolerance(QPainter* painter) const;
   void paintAxis(QPainter* painter) const;
+  void paintEllipses(QPainter* painter) const;
+  void paintClosure(QPainter* painter) const;
   void paintCentres(QPainter* painter) const;
   void paintDistance(QPainter* painter) const;
   void paintScaleBar(QPainter* painter) const;

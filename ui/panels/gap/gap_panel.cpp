@@ -1,5 +1,6 @@
 #include "ui/panels/gap/gap_panel.h"
 
+#include <QCheckBox>
 #include <QGridLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -7,10 +8,12 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/effects/catalogue.h"
 #include "core/wording/closures.h"
 #include "core/wording/measure.h"
+#include "ui/charts/gap/closure_bars.h"
 #include "ui/charts/gap/gap_map.h"
 #include "ui/charts/gap/gap_waterfall.h"
 #include "ui/panels/gap/cause_list.h"
@@ -18,6 +21,7 @@
 #include "ui/panels/parts/data_table.h"
 #include "ui/panels/parts/figure_grid.h"
 #include "ui/text/cause_text.h"
+#include "ui/text/closure_text.h"
 #include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/quantity_text.h"
@@ -34,7 +38,9 @@ QWidget* block(const QString& heading, std::initializer_list<QWidget*> parts) {
   auto* layout = new QVBoxLayout(frame);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(4);
-  layout->addWidget(panelHeading(heading));
+  QLabel* title = panelHeading(heading);
+  title->setWordWrap(true);
+  layout->addWidget(title);
   for (QWidget* part : parts) layout->addWidget(part);
   layout->addStretch();
   return frame;
@@ -53,10 +59,14 @@ GapPanel::GapPanel(QWidget* parent)
       m_map(new GapMap),
       m_candidates(nullptr),
       m_add(nullptr),
-      m_closures(new FigureGrid),
+      m_closures(new ClosureBars),
       m_closuresNote(wrappedLabel()),
+      m_withReference(new QCheckBox(tr("Weigh the causes with the reference"))),
+      m_withReferenceNote(wrappedLabel()),
+      m_required(new FigureGrid(nullptr, FigureGrid::Captions::Wrapped)),
+      m_requiredNote(wrappedLabel()),
       m_next(wrappedLabel()),
-      m_unseen(new FigureGrid),
+      m_unseen(new FigureGrid(nullptr, FigureGrid::Captions::Wrapped)),
       m_unseenNote(wrappedLabel()) {
   setFocusPolicy(Qt::StrongFocus);
   column()->addLayout(m_grid);
@@ -65,14 +75,24 @@ GapPanel::GapPanel(QWidget* parent)
   m_grid->setVerticalSpacing(6);
   m_shrinkage->setForegroundRole(QPalette::PlaceholderText);
   m_unseenNote->setForegroundRole(QPalette::PlaceholderText);
-  m_blocks = {m_headline,
-              block(tr("Causes"), {m_causes}),
-              block(tr("Before and after"), {m_waterfall, m_result, m_shrinkage}),
-              block(tr("Where it lies"), {m_map}),
-              block(tr("What the positions must agree on"), {m_closures, m_closuresNote}),
-              block(tr("What to measure next"), {m_next}),
-              block(tr("What would go unseen"), {m_unseen, m_unseenNote}),
-              createCandidates()};
+  m_requiredNote->setForegroundRole(QPalette::PlaceholderText);
+  m_withReferenceNote->setForegroundRole(QPalette::PlaceholderText);
+  m_withReferenceNote->setText(tr("Δd itself never rests on it."));
+  m_withReference->setObjectName(QStringLiteral("with reference"));
+  m_withReference->setToolTip(
+      tr("How far Δd is from the reference then helps to tell the causes apart.\n"
+         "Δd with the causes rests on the readings alone, and so does the report."));
+  m_requiredBlock = block(tr("What it would take to explain Δd − reference"), {m_required, m_requiredNote});
+  m_blocks = {
+      m_headline,
+      block(tr("Causes"), {m_causes}),
+      block(tr("Before and after"), {m_waterfall, m_result, m_shrinkage}),
+      block(tr("Where it lies"), {m_map}),
+      block(tr("What must agree"), {m_closures, m_closuresNote, m_withReference, m_withReferenceNote}),
+      m_requiredBlock,
+      block(tr("What to measure next"), {m_next}),
+      block(tr("What would go unseen"), {m_unseen, m_unseenNote}),
+      createCandidates()};
   connect(m_causes, &CauseList::effectsWanted, this, &GapPanel::effectsWanted);
   connect(m_causes, &CauseList::effectUnwanted, this, &GapPanel::effectUnwanted);
   connect(m_causes, &CauseList::relationWanted, this, &GapPanel::relationWanted);
@@ -80,6 +100,10 @@ GapPanel::GapPanel(QWidget* parent)
   connect(m_causes, &CauseList::exclusionWanted, this, &GapPanel::exclusionWanted);
   connect(m_causes, &CauseList::rowsExclusionWanted, this, &GapPanel::rowsExclusionWanted);
   connect(m_causes, &CauseList::noiseWanted, this, &GapPanel::noiseWanted);
+  connect(m_withReference, &QCheckBox::clicked, this, [this](bool wanted) {
+    m_returnsToReference = true;
+    emit referenceWanted(wanted);
+  });
   showVerdict();
 }
 
@@ -150,6 +174,8 @@ void GapPanel::setGap(const SharedGap& gap) {
   if (!m_candidates->currentIndex().isValid()) m_candidates->selectDataRows({0});
   showCandidate();
   showClosures();
+  showReference();
+  showRequired();
   showNext();
   showUnseen();
 }
@@ -177,6 +203,7 @@ void GapPanel::showVerdict() {
     const bool hasCauses = !gap->diagnosis->causes.empty() || gap->diagnosis->shape || gap->stages.size() > 1;
     m_blocks[1]->setVisible(hasCauses);
     m_blocks[3]->setVisible(gap->isOpen());
+    m_requiredBlock->setVisible(!gap->diagnosis->whatItWouldTake.empty());
   }
   arrange();
 }
@@ -242,21 +269,35 @@ void GapPanel::showNext() {
 
 void GapPanel::showClosures() {
   const Diagnosis& diagnosis = *m_gap->diagnosis;
-  QVector<FigureGrid::Row> rows;
-  const auto figures = [](const Closure& closure) {
-    return QStringList{withStandardUncertainty(closure.value, closure.sigma, {}),
-                       numberText(closure.sigmas(), 1)};
-  };
-  for (const ClosureStep& step : diagnosis.closures) {
-    rows.append({qText(nameInWords(step.before.of)), figures(step.before)});
-    if (step.after && !diagnosis.causes.empty()) rows.append({tr("… with the causes"), figures(*step.after)});
-  }
-  m_closures->setVisible(!rows.isEmpty());
-  m_closures->setRows({tr("mm (u)"), tr("σ")}, rows);
+  m_closures->setGap(*m_gap);
+  m_closures->setVisible(!m_closures->isEmpty());
   const QString open = qText(misclosureSentence(diagnosis));
-  m_closuresNote->setText(rows.isEmpty()   ? tr("Both positions are needed to compare them.")
-                          : open.isEmpty() ? tr("One rigid arc turned about a level axis: they agree.")
-                                           : open);
+  const bool failed =
+      std::ranges::any_of(diagnosis.closures, [](const ClosureStep& step) { return fails(step.before); });
+  m_closuresNote->setText(m_closures->isEmpty() ? tr("Both positions are needed to compare them.")
+                          : !open.isEmpty()     ? open
+                          : failed              ? tr("With the causes in the model they agree.")
+                                                : tr("One rigid arc turned about a level axis: they agree."));
+}
+
+/// The switch is there where the measurement says how well the reference is known.
+void GapPanel::showReference() {
+  m_withReference->setVisible(m_gap->evaluation->examined.measurement->sigmaReference.has_value());
+  m_withReferenceNote->setVisible(!m_withReference->isHidden());
+  m_withReference->setChecked(m_gap->isWithReference);
+  if (std::exchange(m_returnsToReference, false) && hasFocus()) m_withReference->setFocus();
+}
+
+void GapPanel::showRequired() {
+  QVector<FigureGrid::Row> rows;
+  for (const Required& required : m_gap->diagnosis->whatItWouldTake)
+    rows.append(
+        {causeTitle(required.effect),
+         {requiredSizeText(required), plausibleSizesText(required), numberText(required.visibleSigma, 1)}});
+  m_required->setRows({tr("size"), tr("plausible\nsizes"), tr("leaves\nσ")}, rows);
+  m_requiredNote->setText(
+      tr("Each by itself, of the effects that these readings do not exclude at that size; "
+         "the most plausible first."));
 }
 
 /// What a plausible size would do to Δd.

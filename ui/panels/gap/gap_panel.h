@@ -4,6 +4,7 @@
 #include "ui/jobs/remedies.h"
 #include "ui/panels/parts/scroll_page.h"
 
+class QCheckBox;
 class QGridLayout;
 class QLabel;
 class QPushButton;
@@ -11,6 +12,7 @@ class QPushButton;
 namespace alidade::ui {
 
 class CauseList;
+class ClosureBars;
 class DataTable;
 class FigureGrid;
 class GapHeadline;
@@ -42,6 +44,7 @@ class GapPanel : public ScrollPage {
   void exclusionWanted(const alidade::Place& place);
   void rowsExclusionWanted(const alidade::ui::RowRange& rows);
   void noiseWanted(const alidade::ui::StatedNoise& noise);
+  void referenceWanted(bool wanted);  ///< the causes are to be weighed with the reference, or without it
 
  protected:
   void hideEvent(QHideEvent* event) override;
@@ -55,6 +58,8 @@ class GapPanel : public ScrollPage {
   void showEffectOnResult();
   void showShrinkage();
   void showClosures();
+  void showReference();
+  void showRequired();
   void showNext();
   void showUnseen();
   void showCandidate();
@@ -73,12 +78,18 @@ class GapPanel : public ScrollPage {
   GapMap* m_map;
   DataTable* m_candidates;
   QPushButton* m_add;
-  FigureGrid* m_closures;
+  ClosureBars* m_closures;
   QLabel* m_closuresNote;
+  QCheckBox* m_withReference;
+  QLabel* m_withReferenceNote;
+  FigureGrid* m_required;
+  QLabel* m_requiredNote;
   QLabel* m_next;
   FigureGrid* m_unseen;
   QLabel* m_unseenNote;
-  QList<QWidget*> m_blocks;  ///< in the order of reading
+  QList<QWidget*> m_blocks;           ///< in the order of reading
+  QWidget* m_requiredBlock;           ///< one of them
+  bool m_returnsToReference = false;  ///< the keyboard, when the answer is there
 };
 
 }  // namespace alidade::ui

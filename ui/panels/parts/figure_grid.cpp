@@ -6,7 +6,8 @@
 
 namespace alidade::ui {
 
-FigureGrid::FigureGrid(QWidget* parent) : QWidget(parent), m_grid(new QGridLayout(this)) {
+FigureGrid::FigureGrid(QWidget* parent, Captions captions)
+    : QWidget(parent), m_grid(new QGridLayout(this)), m_captions(captions) {
   m_grid->setContentsMargins(0, 0, 0, 0);
   m_grid->setHorizontalSpacing(8);
   m_grid->setVerticalSpacing(3);
@@ -42,7 +43,8 @@ QLabel* FigureGrid::label(int row, int column) {
   if (QLayoutItem* item = m_grid->itemAtPosition(row, column)) return static_cast<QLabel*>(item->widget());
   auto* label = new QLabel;
   if (row == 0) label->setForegroundRole(QPalette::PlaceholderText);
-  if (column > 0) label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  if (column > 0) label->setAlignment(Qt::AlignRight | (row == 0 ? Qt::AlignBottom : Qt::AlignVCenter));
+  if (column == 0) label->setWordWrap(m_captions == Captions::Wrapped);
   if (row > 0 && column > 0) {
     label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     label->setFocusPolicy(Qt::ClickFocus);

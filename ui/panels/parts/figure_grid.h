@@ -22,7 +22,12 @@ class FigureGrid : public QWidget {
     QString toolTip = {};
   };
 
-  explicit FigureGrid(QWidget* parent = nullptr);
+  enum class Captions {
+    OnOneLine,
+    Wrapped,  ///< where there is no room for them beside the figures
+  };
+
+  explicit FigureGrid(QWidget* parent = nullptr, Captions captions = Captions::OnOneLine);
 
   void setRows(const QStringList& titles, const QVector<Row>& rows);
 
@@ -30,6 +35,7 @@ class FigureGrid : public QWidget {
   QLabel* label(int row, int column);
 
   QGridLayout* m_grid;
+  Captions m_captions;
 };
 
 /// The bold line above a grid.

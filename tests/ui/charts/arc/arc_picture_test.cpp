@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "core/session/session_file.h"
 #include "tests/ui/support.h"
@@ -108,6 +110,38 @@ TEST(ArcPicture, ShowsPointsWithoutAFit) {
   EXPECT_EQ(picture.sightings.size(), 4u);
   EXPECT_FALSE(picture.sightings[0].adjusted);
   EXPECT_DOUBLE_EQ(picture.exaggeration, 1);
+}
+
+TEST(ArcPicture, HoldsEachCentreInTheEllipseOfItsCovariance) {
+  const Evaluation evaluation = evaluate(paperSession());
+  const DrawnIntersection drawn = *arcPicture(evaluation).intersection;
+  const Intersection& found = *evaluation.fit.intersection;
+  const double factor = ellipseFactor(found.coverage, found.effectiveDegreesOfFreedom);
+  EXPECT_GT(factor, found.coverageFactor) << "two dimensions want more than one";
+  for (const auto& [ellipse, arc] : {std::pair(drawn.upperEllipse, 0), std::pair(drawn.lowerEllipse, 1)}) {
+    // The box around the ellipse is that of both σ, whatever their correlation.
+    EXPECT_NEAR(ellipse.reach().x, factor * evaluation.fit.sigmas[arc].x, 1e-9);
+    EXPECT_NEAR(ellipse.reach().y, factor * evaluation.fit.sigmas[arc].y, 1e-9);
+  }
+  EXPECT_EQ(drawn.tolerance, 2.5);
+  Session without = paperSession();
+  without.acceptance.toleranceMm.clear();
+  EXPECT_FALSE(arcPicture(evaluate(without)).intersection->tolerance);
+}
+
+TEST(ArcPicture, TurnsTheEllipseWithTheCorrelation) {
+  const DrawnEllipse ellipse = ellipseOf(2, 2, 1, 3);  // eigenvalues 3 and 1
+  EXPECT_NEAR(ellipse.major, 3 * std::sqrt(3), 1e-12);
+  EXPECT_NEAR(ellipse.minor, 3, 1e-12);
+  EXPECT_NEAR(ellipse.direction, M_PI / 4, 1e-12);
+  EXPECT_NEAR(ellipseOf(2, 2, -1, 3).direction, -M_PI / 4, 1e-12);
+  EXPECT_NEAR(std::abs(ellipseOf(1, 4, 0, 1).direction), M_PI / 2, 1e-12);
+}
+
+// χ² of two degrees of freedom at 95 % is 5.991, Fisher's quantile of 2 and 10 is 4.103.
+TEST(ArcPicture, WidensTheEllipseWhereTheScatterIsEstimated) {
+  EXPECT_NEAR(ellipseFactor(0.95, std::numeric_limits<double>::infinity()), std::sqrt(5.991), 1e-3);
+  EXPECT_NEAR(ellipseFactor(0.95, 10), std::sqrt(2 * 4.103), 1e-3);
 }
 
 }  // namespace

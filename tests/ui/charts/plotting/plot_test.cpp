@@ -146,6 +146,19 @@ TEST(ArcPlot, EnlargesTheCentresInTrueProportion) {
     EXPECT_FALSE(inset.boundingRect().contains(plot.sceneFromAxes().map(mark.at)));
 }
 
+TEST(ArcPlot, KeepsTheCentresInsideItsFrame) {
+  Session session = paperSession();
+  for (Position& position : session.positions)  // far above and below the centres, and nothing beside them
+    position.readings = {position.readings.begin() + 6, position.readings.begin() + 10};
+  ArcPlot plot;
+  plot.setStyle(testStyle());
+  plot.setEvaluation(evaluate(session));
+  for (const QSize& size : sizes) {
+    plot.arrange(size);
+    EXPECT_TRUE(plot.plotArea().contains(plot.inset().boundingRect())) << size.width();
+  }
+}
+
 TEST(ArcPlot, SaysWhenThereIsNothingToDraw) {
   ArcPlot plot;
   plot.setStyle(testStyle());

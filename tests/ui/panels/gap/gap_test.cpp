@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <QCheckBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QTemporaryDir>
@@ -13,6 +14,7 @@
 #include "core/session/session_file.h"
 #include "core/wording/measure.h"
 #include "tests/ui/support.h"
+#include "ui/charts/gap/closure_bars.h"
 #include "ui/charts/gap/gap_map.h"
 #include "ui/charts/gap/gap_waterfall.h"
 #include "ui/commands/change_field.h"
@@ -25,6 +27,7 @@
 #include "ui/panels/result/findings_panel.h"
 #include "ui/panels/window/page_tabs.h"
 #include "ui/text/cause_text.h"
+#include "ui/text/closure_text.h"
 #include "ui/text/quantity_text.h"
 
 namespace alidade::ui {
@@ -82,6 +85,7 @@ struct GapBench {
   }
   std::string bars() { return page()->findChild<GapWaterfall*>()->accessibleDescription().toStdString(); }
   std::string map() { return page()->findChild<GapMap*>()->accessibleDescription().toStdString(); }
+  std::string closures() { return page()->findChild<ClosureBars*>()->accessibleDescription().toStdString(); }
   DataTable* candidates() { return page()->findChild<DataTable*>(); }
   QString candidate(int row, int column) {
     return candidates()->model()->index(row, column).data().toString();
@@ -146,6 +150,96 @@ TEST(Gap, ShowsWhatTheDiagnosisSays) {
   EXPECT_EQ(bench.candidate(0, 1), numberText(diagnosis.candidates[0].logBayesFactor, 1));
   EXPECT_THAT(bench.map(), HasSubstr("stays with: "));
   EXPECT_THAT(bench.map(), HasSubstr("along the arc: 0…30° "));
+}
+
+TEST(Gap, DrawsWhatMustAgreeBeforeAndWithTheCauses) {
+  GapBench bench(samplePath(QStringLiteral("paper-table-1.alidade")));
+  const std::string says = bench.closures();
+  EXPECT_THAT(says, HasSubstr("R(180°) − R(0°) = 1.96 ± 0.29 mm, 13.2 σ; with the causes "));
+  EXPECT_THAT(says, HasSubstr("Δx(180°) − Δx(0°) = −0.65 ± 0.18 mm, 7.3 σ; with the causes "));
+  EXPECT_THAT(bench.shown(), HasSubstr("With the causes in the model they agree.\n"));
+  EXPECT_THAT(GapBench(cleanTrial).shown(),
+              HasSubstr("One rigid arc turned about a level axis: they agree.\n"));
+}
+
+QString closurePath(const char* name) {
+  return QStringLiteral(ALIDADE_REFERENCE_DIR "/closures/sessions/%1.alidade").arg(QString::fromLatin1(name));
+}
+
+/// The probability of the first cause, as the page says it.
+std::string probabilityText(const Session& session, bool withReference) {
+  const Diagnosis diagnosis = *diagnose(*examine(session).measurement, {.withReference = withReference});
+  return numberText(100 * diagnosis.causes.at(0).probability, 0).toStdString() + " %\n";
+}
+
+TEST(Gap, WeighsTheCausesWithTheReferenceWhileItIsAskedTo) {
+  GapBench bench(closurePath("640941"));
+  const auto box = [&] { return bench.page()->findChild<QCheckBox*>(QStringLiteral("with reference")); };
+  const Session& session = bench.open->document().session();
+  const std::string without = probabilityText(session, false), with = probabilityText(session, true);
+  ASSERT_NE(without, with);
+  ASSERT_TRUE(box()->isVisibleTo(bench.page()));
+  EXPECT_FALSE(box()->isChecked());
+  EXPECT_THAT(bench.shown(), HasSubstr(without));
+  const auto toggle = [&] {
+    box()->setFocus();
+    QTest::keyClick(box(), Qt::Key_Space);
+    bench.settle();
+  };
+  toggle();
+  EXPECT_TRUE(box()->isChecked());
+  EXPECT_TRUE(box()->isEnabled());
+  EXPECT_TRUE(box()->hasFocus()) << "the keyboard comes back to it";
+  EXPECT_THAT(bench.shown(), HasSubstr(with));
+  EXPECT_EQ(bench.open->document().undoStack().count(), 0) << "it is no part of the session";
+
+  changeField(bench.open->document(), {.field = "geometry.sigma_distance_mm"}, "0.5");
+  bench.settle();
+  EXPECT_TRUE(box()->isChecked()) << "an edit leaves it on";
+  bench.open->undo();
+  bench.settle();
+  toggle();
+  EXPECT_THAT(bench.shown(), HasSubstr(without));
+
+  toggle();
+  ASSERT_TRUE(bench.open->files().open(closurePath("067998")));
+  bench.settle();
+  EXPECT_FALSE(box()->isChecked()) << "another session starts without it";
+}
+
+TEST(Gap, OffersTheReferenceOnlyWithItsSigma) {
+  GapBench bench(closurePath("640941"));
+  const auto* box = bench.page()->findChild<QCheckBox*>(QStringLiteral("with reference"));
+  EXPECT_THAT(bench.shown(), HasSubstr("What it would take to explain Δd − reference\n"));
+  changeField(bench.open->document(), {.field = "acceptance.sigma_reference_mm"}, "");
+  bench.settle();
+  EXPECT_FALSE(box->isVisibleTo(bench.page()));
+  EXPECT_THAT(bench.shown(), Not(HasSubstr("What it would take")));
+}
+
+TEST(Gap, TellsWhatItWouldTakeToExplainTheReference) {
+  GapBench bench(closurePath("292351"));
+  const Diagnosis diagnosis = *diagnose(*examine(bench.open->document().session()).measurement);
+  ASSERT_GE(diagnosis.whatItWouldTake.size(), 2u);
+  for (const Required& required : diagnosis.whatItWouldTake)
+    EXPECT_THAT(bench.shown(), HasSubstr((causeTitle(required.effect) + u'\n' + requiredSizeText(required) +
+                                          u'\n' + plausibleSizesText(required) + u'\n' +
+                                          numberText(required.visibleSigma, 1) + u'\n')
+                                             .toStdString()));
+}
+
+TEST(Gap, IsNoWiderThanItsPage) {
+  const auto session = loadSession(closurePath("292351").toStdString());
+  const auto gap =
+      std::make_shared<const Gap>(assessGap(std::make_shared<const Evaluation>(evaluateFit(*session))));
+  GapPanel page;
+  page.setGap(gap);
+  for (const int width : {340, 640, 900}) {  // the middle one is just enough for two columns
+    page.resize(width, 600);
+    page.show();
+    QCoreApplication::processEvents();
+    EXPECT_LE(page.widget()->minimumSizeHint().width(), page.viewport()->width()) << width;
+  }
 }
 
 TEST(Gap, AddsACauseToTheModelWithOneKeyAndShowsBeforeAndAfter) {
@@ -553,6 +647,22 @@ TEST(GapJob, TakesUpAgainWhatWasStopped) {
   job.request(evaluation);
   ASSERT_TRUE(waitFor([&] { return job.isIdle(); }));
   EXPECT_EQ(hasDiagnosis, std::vector{true});
+}
+
+TEST(GapJob, AnswersAnewWithTheReference) {
+  const auto session = loadSession(closurePath("640941").toStdString());
+  const auto evaluation = std::make_shared<const Evaluation>(evaluateFit(*session));
+  GapJob job;
+  job.setWatched(true);
+  std::vector<bool> isWithReference;
+  QObject::connect(&job, &GapJob::assessed,
+                   [&](const SharedGap& gap) { isWithReference.push_back(gap->isWithReference); });
+  job.request(evaluation);
+  ASSERT_TRUE(waitFor([&] { return job.isAtWork(); }));
+  job.setWithReference(true);
+  job.request(evaluation);
+  ASSERT_TRUE(waitFor([&] { return job.isIdle(); }));
+  EXPECT_EQ(isWithReference, std::vector{true}) << "what was at work without it is not delivered";
 }
 
 TEST(GapJob, WaitsForRestUnlessWatched) {

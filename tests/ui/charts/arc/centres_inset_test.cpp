@@ -1,0 +1,123 @@
+#include "ui/charts/arc/centres_inset.h"
+
+#include <gtest/gtest.h>
+
+#include <QImage>
+#include <QPainter>
+#include <cmath>
+#include <limits>
+
+namespace alidade::ui {
+namespace {
+
+PlotStyle insetStyle() {
+  return printStyle(QStringLiteral("DejaVu Sans"));
+}
+
+/// O1 2 mm above and O2 2 mm below the axis, O2 1 mm to the right; ellipses of 0.6 mm by 0.3 mm.
+DrawnIntersection drawnIntersection() {
+  const DrawnEllipse ellipse{.major = 0.6, .minor = 0.3, .direction = 0};
+  return {.upperCentre = {-0.5, 2},
+          .lowerCentre = {0.5, -2},
+          .value = 2,
+          .expanded = 0.5,
+          .upperEllipse = ellipse,
+          .lowerEllipse = ellipse};
+}
+
+/// An inset of 400 by 400, painted.
+struct Painted {
+  explicit Painted(const DrawnIntersection& intersection) {
+    inset.setStyle(style);
+    inset.setSquare({0, 0, 400, 400});
+    inset.setIntersection(intersection);
+    image.fill(style.background);
+    QPainter painter(&image);
+    inset.paint(&painter, nullptr, nullptr);
+  }
+  QPointF at(double x, double y) const { return inset.place({x, y}); }
+  bool hasNear(double x, double y, const QColor& colour, int reach = 2) const {
+    const QPoint centre = at(x, y).toPoint();
+    for (int dy = -reach; dy <= reach; ++dy)
+      for (int dx = -reach; dx <= reach; ++dx) {
+        const QColor found = image.pixelColor(centre + QPoint(dx, dy));
+        const int off = std::abs(found.red() - colour.red()) + std::abs(found.green() - colour.green()) +
+                        std::abs(found.blue() - colour.blue());
+        if (off < 150) return true;
+      }
+    return false;
+  }
+  PlotStyle style = insetStyle();
+  CentresInset inset;
+  QImage image{400, 400, QImage::Format_RGB32};
+};
+
+TEST(CentresInset, DrawsTheEllipsesAboutTheCentres) {
+  const Painted painted(drawnIntersection());
+  for (const double side : {-1, 1}) {
+    EXPECT_TRUE(painted.hasNear(-0.5 + side * 0.6, 2, painted.style.upper));
+    EXPECT_FALSE(painted.hasNear(-0.5 + side * 0.45, 2, painted.style.upper));
+  }
+  DrawnIntersection upright = drawnIntersection();
+  upright.upperEllipse.direction = M_PI / 3;
+  const Painted turned(upright);
+  EXPECT_TRUE(
+      turned.hasNear(-0.5 + 0.6 * std::cos(M_PI / 3), 2 + 0.6 * std::sin(M_PI / 3), turned.style.upper))
+      << "towards y, which is up";
+  EXPECT_FALSE(
+      turned.hasNear(-0.5 + 0.6 * std::cos(M_PI / 3), 2 - 0.6 * std::sin(M_PI / 3), turned.style.upper));
+}
+
+TEST(CentresInset, KeepsTheCentresApartWhateverTheEllipses) {
+  const auto apart = [](double major, double minor) {
+    DrawnIntersection drawn = drawnIntersection();
+    drawn.upperEllipse = drawn.lowerEllipse = {.major = major, .minor = minor, .direction = 0.3};
+    const Painted painted(drawn);
+    return painted.at(0.5, -2).y() - painted.at(-0.5, 2).y();
+  };
+  const double usual = apart(0.6, 0.3);
+  EXPECT_NEAR(apart(1e-9, 1e-9), usual, 0.1 * usual);
+  for (const double huge : {50.0, 1e6, std::numeric_limits<double>::infinity()})
+    EXPECT_GT(apart(huge, 0.3), 60);
+  EXPECT_GT(apart(1e9, 1e9), 60);
+}
+
+TEST(CentresInset, ShowsModerateEllipsesWhole) {
+  DrawnIntersection drawn = drawnIntersection();
+  drawn.upperEllipse = {.major = 3, .minor = 0.3, .direction = M_PI / 2};
+  const Painted painted(drawn);
+  EXPECT_GT(painted.at(-0.5, 5).y(), 20);
+  EXPECT_TRUE(painted.hasNear(-0.5, 5, painted.style.upper, 3));
+}
+
+TEST(CentresInset, MarksWhereClosureWouldWantTheSecondCentre) {
+  const Painted painted(drawnIntersection());
+  EXPECT_TRUE(painted.hasNear(-0.5, -2, painted.style.mutedText));
+  DrawnIntersection closed = drawnIntersection();
+  closed.lowerCentre.x = closed.upperCentre.x = 0;
+  EXPECT_EQ(closed.closedCentre().x, 0);
+  EXPECT_EQ(closed.closedCentre().y, -2);
+  EXPECT_FALSE(Painted(closed).hasNear(0, -2, painted.style.mutedText, 3)) << "under the marker of O2";
+}
+
+TEST(CentresInset, ShowsWhereTheCentresMayLieAtTheTolerance) {
+  const auto colourAt = [](const DrawnIntersection& drawn, double x, double y) {
+    const Painted painted(drawn);
+    return painted.image.pixelColor(painted.at(x, y).toPoint());
+  };
+  const PlotStyle style = insetStyle();
+  DrawnIntersection drawn = drawnIntersection();
+  EXPECT_EQ(colourAt(drawn, -1.5, 1), style.background) << "none is stated";
+  drawn.tolerance = 2.4;
+  for (const double side : {-1, 1}) {
+    EXPECT_EQ(colourAt(drawn, -1.5, side * 2.3), style.outerBand);
+    EXPECT_EQ(colourAt(drawn, -1.5, side * 2.6), style.background);
+  }
+  drawn.tolerance = 30;
+  for (const double y : {-2.6, 1.0, 2.6}) EXPECT_EQ(colourAt(drawn, -1.5, y), style.outerBand);
+  EXPECT_EQ(Painted(drawn).inset.scale(), Painted(drawnIntersection()).inset.scale())
+      << "a wide tolerance does not shrink the centres";
+}
+
+}  // namespace
+}  // namespace alidade::ui

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "ui/charts/gap/bar_rows.h"
+#include "ui/jobs/gap.h"
+
+namespace alidade::ui {
+
+/// What must agree: for each closure its figures and a bar from zero to the misclosure, against the band of
+/// ± U; with causes in the model a hollow circle where it is then. Every length is in units of its own U, so
+/// that closures of any size stand below one another; what lies beyond the scale ends in an arrow.
+class ClosureBars : public BarRows {
+  Q_OBJECT
+
+ public:
+  static constexpr double scaleEnd = 4;  ///< U at either end
+
+  explicit ClosureBars(QWidget* parent = nullptr);
+
+  void setGap(const Gap& gap);
+  bool isEmpty() const { return m_rows.empty(); }
+  /// Of closure `row`: the strip that its bar is drawn in.
+  QRect strip(std::size_t row) const;
+  /// Where a misclosure of `inU` (in units of its U) stands on a strip; at its ends what lies beyond.
+  double x(double inU) const;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  int pictureHeight() const override;
+  QString aboutAt(const QPoint& point) const override;
+
+ private:
+  struct Value {
+    QString figures, sigmas;
+    double inU = 0;
+  };
+  struct Row {
+    QString name, about;
+    Value before;
+    std::optional<Value> after;
+  };
+
+  int lineHeight() const { return fontMetrics().height() + 1; }
+  int stripHeight() const { return fontMetrics().height() - 1; }
+  int top(std::size_t row) const;
+  int sigmasWidth() const;
+  void paintFigures(QPainter& painter, int top, const QString& caption, const Value& value) const;
+  void paintStrip(QPainter& painter, std::size_t row) const;
+  void paintScale(QPainter& painter) const;
+
+  std::vector<Row> m_rows;
+  double m_coverage = 0.95;
+};
+
+}  // namespace alidade::ui
