@@ -175,10 +175,12 @@ Result<PlanReview, NoModel> reviewPlan(const Measurement& measurement, const Ses
   std::vector<const Effect*> asked;
   for (const Planned& planned : inQuestion) asked.push_back(planned.effect);
   FurtherTerms further(*model, leftover.equations(), asked);
-  eachFurtherReadings(*model, [&](const FurtherReadings& plan) {
+  const auto tryOut = [&](const FurtherReadings& plan) {
     PlanAdvice advice = adviceOf(plan.measures, further.shownBy(plan), inQuestion);
     if (!advice.reveals.empty() || !advice.separates.empty()) review.advice.push_back(std::move(advice));
-  });
+  };
+  eachFurtherReadings(*model, tryOut);
+  eachCombination(*model, tryOut);
   rank(review.advice);
   return review;
 }

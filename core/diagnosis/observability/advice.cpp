@@ -258,15 +258,19 @@ std::vector<Advice> separating(const Inquiry& inquiry, const std::vector<Possibl
   for (const PossibleCause& suspect : suspects)
     if (const Effect* effect = effectById(suspect.id)) effects.push_back(effect);
   FurtherTerms further(inquiry.base, inquiry.leftover.equations(), effects);
-  eachFurtherReadings(inquiry.base, [&](const FurtherReadings& plan) {
+  const auto tryOut = [&](const FurtherReadings& plan) {
     const VisibleTerms terms = further.shownBy(plan);
     const Distances distances(suspects, [&](const PossibleCause& one, const PossibleCause& other) {
       return apartBy(terms, one, other);
     });
     offer(distances.largestApart(plan.measures));
-  });
+  };
+  eachFurtherReadings(inquiry.base, tryOut);
   offer(bySightingZeros(*inquiry.base.measurement, suspects));
   offer(byMeasuringDistances(*inquiry.base.measurement, suspects));
+  constexpr double sure = 0.95;
+  const auto isSure = [](const Advice& advice) { return advice.oneLeft > sure; };
+  if (std::ranges::none_of(list, isSure)) eachCombination(inquiry.base, tryOut);
   keepUsefulCombinations(list);
   return list;
 }
@@ -280,7 +284,6 @@ std::vector<Advice> revealing(const Inquiry& inquiry, const std::vector<Detectab
   if (effects.empty()) return list;
   FurtherTerms further(inquiry.base, inquiry.leftover.equations(), effects);
   eachFurtherReadings(inquiry.base, [&](const FurtherReadings& plan) {
-    if (plan.measures.size() > 1) return;
     if (const auto advice = revealing(unseen, plan.measures, further.shownBy(plan))) list.push_back(*advice);
   });
   std::ranges::sort(list, [](const Advice& a, const Advice& b) {

@@ -177,6 +177,13 @@ void eachFurtherReadings(const GapModel& model, const std::function<void(const F
   offer(withShiftedCircle(plan));
   offer(withSecondStandOff(model, plan));
   offer(withMoreArc(model, plan));
+}
+
+void eachCombination(const GapModel& model, const std::function<void(const FurtherReadings&)>& take) {
+  const Measurement plan = readWithoutError(model);
+  const auto offer = [&](const std::optional<FurtherReadings>& more) {
+    if (more) take(*more);
+  };
   offer(together(withBothFaces(plan), withWayBack));
   const auto slider = withSlider(model, plan);
   offer(together(slider, withBothFaces));

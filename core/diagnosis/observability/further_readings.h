@@ -21,9 +21,11 @@ struct FurtherReadings {
 Measurement readWithoutError(const GapModel& model);
 
 /// The same session with the other face, the way back, the slider, a shifted circle, a second stand-off or
-/// more of the arc read along, one after the other, then faces, way back and slider in combination; what it
-/// has already is not offered.
+/// more of the arc read along, one after the other; what it has already is not offered.
 void eachFurtherReadings(const GapModel& model, const std::function<void(const FurtherReadings&)>& take);
+
+/// With any two of the other face, the way back and the slider, and with all three.
+void eachCombination(const GapModel& model, const std::function<void(const FurtherReadings&)>& take);
 
 /// The equations of a set as planned; effects of the model are not there, but estimated along. With
 /// derivatives by them and by `terms`.

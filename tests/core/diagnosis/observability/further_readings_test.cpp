@@ -18,12 +18,9 @@ namespace {
 using testing::ElementsAre;
 using enum Measure;
 
-/// Of one measure each.
 std::vector<FurtherReadings> plansOf(const GapModel& model) {
   std::vector<FurtherReadings> plans;
-  eachFurtherReadings(model, [&](const FurtherReadings& plan) {
-    if (plan.measures.size() == 1) plans.push_back(plan);
-  });
+  eachFurtherReadings(model, [&](const FurtherReadings& plan) { plans.push_back(plan); });
   return plans;
 }
 
@@ -200,8 +197,8 @@ TEST(FurtherReadings, AreLinearisedWithoutTheEffectsOfTheModel) {
 TEST(FurtherReadings, CombineFacesWayBackAndSlider) {
   const GapModel model = *modelOf(test::trialMeasurement("paper"));
   std::vector<std::vector<Measure>> combinations;
-  eachFurtherReadings(model, [&](const FurtherReadings& plan) {
-    if (plan.measures.size() > 1) combinations.push_back(plan.measures);
+  eachCombination(model, [&](const FurtherReadings& plan) {
+    combinations.push_back(plan.measures);
     if (plan.measures.size() < 3) return;
     const Measurement& all = plan.sets.back();
     EXPECT_EQ(all.rows, 4 * model.measurement->rows);
