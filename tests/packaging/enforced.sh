@@ -36,7 +36,7 @@ offence() {
 }
 
 sound_tree
-for rule in format includes headers repository scripts; do must pass "$rule" "the sound tree"; done
+for rule in format includes names headers repository scripts; do must pass "$rule" "the sound tree"; done
 
 offence format core/base/one.cpp 'int  two( ) {return 2;}\n'
 offence includes core/base/one.h '#include "core/session/two.h"\n'
@@ -47,6 +47,11 @@ offence includes core/session/two.h '#include "ui/window.h"\n'
 offence includes app/console/main.cpp '#include <QString>\n'
 offence includes ui/window.h '#include "app/console/main.cpp"\n'
 offence headers core/session/two.h 'std::string text();\n'
+sound_tree
+printf '\nstruct Thing {\n  int size;\n};\n' | tee -a core/base/one.h >>ui/window.h
+must pass names 'a type of the core and one of the window'
+printf '\nclass Thing {\n};\n' >>core/session/two.h
+must fail names 'two types of one name in the core'
 offence repository README.md 'See /ho''me/someone/notes.\n'
 offence repository core/base/one.o 'code'
 offence repository hidden.png 'picture'

@@ -127,9 +127,12 @@ void CentresInset::paintTolerance(QPainter* painter) const {
   const QString name = QStringLiteral("tolerance");
   if (tolerance < 2.2 * metrics.height() || m_square.width() < 2.5 * metrics.horizontalAdvance(name)) return;
   painter->setPen(m_style.mutedText);
-  painter->drawText(QPointF(m_square.right() - metrics.horizontalAdvance(name) - 0.4 * metrics.height(),
-                            std::min(bottom, m_picture.bottom()) - 0.3 * metrics.height()),
-                    name);
+  // On the side where the name of O2 does not stand.
+  const bool leftSide = place(m_intersection->lowerCentre).x() >= m_picture.center().x();
+  const double margin = 0.4 * metrics.height();
+  const double left =
+      leftSide ? m_square.left() + margin : m_square.right() - metrics.horizontalAdvance(name) - margin;
+  painter->drawText(QPointF(left, std::min(bottom, m_picture.bottom()) - 0.3 * metrics.height()), name);
 }
 
 void CentresInset::paintAxis(QPainter* painter) const {
