@@ -82,6 +82,11 @@ LinearPart Component::linearPart(const TurnedColumns& columns, double variance) 
   return {};
 }
 
+double Component::widthOfFit(double width, const VectorXd& weights) const {
+  const auto count = static_cast<double>(std::max<Eigen::Index>(weights.size(), 1));
+  return std::max({1.0, width, std::sqrt(weights.squaredNorm() / count)});
+}
+
 std::vector<CauseParameter> Component::parameters(const GapModel&) const {
   return {};
 }

@@ -78,6 +78,10 @@ class Component {
   virtual Gain gain(const TurnedColumns& columns, double variance) const;
   LinearPart linearPart(const TurnedColumns& columns, double variance) const;
 
+  /// To estimate weights with that were found so, where `width` is the likeliest, in plausible sizes: that
+  /// they are larger than plausible is no misfit of the readings.
+  virtual double widthOfFit(double width, const Eigen::VectorXd& weights) const;
+
   /// Adds to a model what stands for it there. `weights`: to start from; `width`: to estimate it with; both
   /// in plausible sizes.
   virtual void addTo(JointFitOptions& model, const Leftover& leftover, const Eigen::VectorXd& weights,

@@ -1,6 +1,7 @@
 #include "core/diagnosis/candidates/jump_components.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <set>
@@ -55,6 +56,19 @@ Gain JumpComponent::gain(const TurnedColumns& columns, double variance) const {
   constexpr double shows = 10;  // natural logarithm
   const Gain usual = Component::gain(columns, variance);
   return usual.log > shows ? gainOf(usualAndFarWiderJumpWidths(), columns, variance) : usual;
+}
+
+/// What shows of a knock tells how hard it was, and so how far the part may go that does not show: the root
+/// of the mean square of the widths, each as likely as it makes the larger of the two steps.
+double JumpComponent::widthOfFit(double, const VectorXd& weights) const {
+  const double seen = weights.cwiseAbs().maxCoeff();
+  double square = 0, all = 0;
+  for (const Width& width : widths()) {
+    const double chance = std::exp(width.logChance - 0.5 * std::pow(seen / width.sigma, 2)) / width.sigma;
+    square += chance * width.sigma * width.sigma;
+    all += chance;
+  }
+  return std::max(seen, all > 0 ? std::sqrt(square / all) : 0);
 }
 
 void JumpComponent::addTo(JointFitOptions& model, const Leftover&, const VectorXd&, double width) const {

@@ -34,6 +34,7 @@ class JumpComponent final : public Component {
   void fillProducts(const SharedProducts& with, Eigen::Ref<Eigen::VectorXd> own) const override;
   Eigen::VectorXd wholeProducts(const SharedProducts& with) const override { return products(with); }
   Gain gain(const TurnedColumns& columns, double variance) const override;
+  double widthOfFit(double width, const Eigen::VectorXd& weights) const override;
   void addTo(JointFitOptions& model, const Leftover& leftover, const Eigen::VectorXd& weights,
              double width) const override;
   std::vector<CauseParameter> parameters(const GapModel& after) const override;

@@ -39,7 +39,7 @@ std::optional<Move> LinearMoves::of(const Explanation& explanation) {
     // Such as the other relation of the vertical circle, which is far from its equations at the fit.
     if (component.response() != Response::Linear) return std::nullopt;
     const bool isLeftOut = component.grossErrorAt().has_value();
-    const double width = part.widthOfFit();
+    const double width = component.widthOfFit(part.width, part.weights);
     const Columns& columns = columnsOf(part);
     const Index before = visible.cols(), more = columns.visible.cols();
     visible.conservativeResize(Eigen::NoChange, before + more);

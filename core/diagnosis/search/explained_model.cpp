@@ -26,8 +26,10 @@ void findNoise(GapModel& model, const GapModel& base) {
 GapModel modelWith(const GapModel& base, const Explanation& explanation, const Candidates& candidates,
                    const Leftover& leftover) {
   GapModel model{base.measurement, base.starts, base.options, {}, base.noise};
-  for (const Part& part : explanation.parts)
-    candidates[part.component].addTo(model.options, leftover, part.weights, part.widthOfFit());
+  for (const Part& part : explanation.parts) {
+    const Component& component = candidates[part.component];
+    component.addTo(model.options, leftover, part.weights, component.widthOfFit(part.width, part.weights));
+  }
   model.fit = fitJointly(*model.measurement, model.starts, model.options);
   if (explanation.noisy) findNoise(model, base);
   return model;

@@ -125,11 +125,6 @@ void addNoisy(std::vector<Explanation>& all, Search& search, const Leftover& lef
 
 }  // namespace
 
-double Part::widthOfFit() const {
-  const auto count = static_cast<double>(std::max<Eigen::Index>(weights.size(), 1));
-  return std::max({1.0, width, std::sqrt(weights.squaredNorm() / count)});
-}
-
 bool Part::isSupported() const {
   constexpr double something = 0.1;  // natural logarithm
   return logGain > something;

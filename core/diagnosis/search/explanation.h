@@ -22,8 +22,6 @@ struct Part {
   Eigen::VectorXd weights;    ///< in plausible sizes
   double logGain = 0;         ///< evidence it adds to the parts before it, natural
 
-  /// To estimate it with, in plausible sizes: that it is larger than plausible is no misfit of the readings.
-  double widthOfFit() const;
   /// The readings speak for it, by more than rounding.
   bool isSupported() const;
 };

@@ -8,6 +8,7 @@
 #include "core/diagnosis/diagnose.h"
 #include "core/diagnosis/search/inquiry.h"
 #include "core/simulation/simulate.h"
+#include "tests/support/trials.h"
 
 namespace alidade {
 namespace {
@@ -108,6 +109,23 @@ TEST(JumpComponents, LargeSlipIsNoStep) {
       *diagnose(*examine(*simulate(*protocolByName("paper-slider"), knockedBefore(17), 5)).measurement);
   ASSERT_FALSE(knocked.causes.empty());
   EXPECT_EQ(knocked.causes[0].effect, "orientation_jump");
+}
+
+// By Bayes' theorem, of steps normal around zero with a width of 0.3 or 1, as likely before: a step of which
+// 0.4 is seen is of the narrow kind with odds of e^(0.08 − 0.8889)/0.3. What is far larger than either is its
+// own width.
+TEST(JumpComponents, ThatAreSmallWhereTheyShowAreNotTakenForLargeElsewhere) {
+  const std::vector<JumpComponent> slips = zeroSlips(
+      Leftover(linearise(test::trialMeasurement("paper"),
+                         closedModelOf(*modelOf(test::trialMeasurement("paper")))->fit, {.isClosed = true})));
+  ASSERT_EQ(slips.size(), 2u);
+  const double odds = std::exp(0.08 - 0.16 / 0.18) / 0.3;
+  const double expected = std::sqrt((odds * 0.09 + 1) / (odds + 1));
+  for (const JumpComponent& slip : slips) {
+    EXPECT_NEAR(slip.widthOfFit(1, Eigen::Vector2d(-0.4, 0)), expected, 1e-12);
+    EXPECT_NEAR(slip.widthOfFit(0.3, Eigen::Vector2d(0.1, 0.4)), expected, 1e-12);
+    EXPECT_NEAR(slip.widthOfFit(1, Eigen::Vector2d(0, 20)), 20, 1e-12);
+  }
 }
 
 }  // namespace
