@@ -1,6 +1,5 @@
 #include "app/console/diagnosis_json.h"
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "app/console/findings_output.h"
@@ -106,7 +105,7 @@ std::string diagnosisJson(const std::string& session, const Diagnosis& diagnosis
             {"separates", advice.separates},
             {"by_sigma", advice.bySigma},
             {"one_left", advice.ofUnseen ? Json() : Json(advice.oneLeft)},
-            {"anew", std::ranges::any_of(advice.measures, isReadAnew)}};
+            {"anew", isReadAnew(advice.measures)}};
   });
   if (diagnosis.shape)
     json["shape"] = {{"follows", diagnosis.shape->follows}, {"share", diagnosis.shape->share}};

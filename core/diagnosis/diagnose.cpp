@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "core/base/statistics.h"
 #include "core/diagnosis/conclusion/afterwards.h"
 #include "core/diagnosis/conclusion/causes.h"
 #include "core/diagnosis/conclusion/location.h"
@@ -27,18 +26,11 @@ DiagnosisVerdict verdictOf(const Answer& answer, const std::vector<Cause>& cause
                                                       : DiagnosisVerdict::Ambiguous;
 }
 
-/// The answer as the session's own model has it.
-GapModel openedAnswer(const Inquiry& inquiry, const Answer& answer) {
-  return openedModelOf(answer.measured, inquiry.own);
-}
-
-/// `own`, `opened`: the session's model before and with the answer.
-Shrinkage shrinkageOf(const GapModel& own, const GapModel& opened, const Inquiry& inquiry,
-                      const Answer& answer) {
+Shrinkage shrinkageOf(const Inquiry& inquiry, const Answer& answer) {
   const GapModel& before = inquiry.ofAll().base;
   Shrinkage shrink;
-  const double rms = rmsOf(own), excess = excessOf(before);
-  if (rms > 0) shrink.inSample = 1 - rmsOf(opened) / rms;
+  const double rms = rmsOf(inquiry.ofAll().own), excess = excessOf(before);
+  if (rms > 0) shrink.inSample = 1 - rmsOf(answer.opened) / rms;
   if (excess > 0) shrink.ofExcess = std::clamp(1 - excessOf(answer.after) / excess, 0.0, 1.0);
   if (!answer.explanation.parts.empty() || !inquiry.largeGrossErrors.empty())
     shrink.heldOut = heldOutShrinkage(before, answer.after);
@@ -67,12 +59,8 @@ std::optional<GapShape> shapeOf(const Inquiry& inquiry) {
 std::optional<Closure> againstReference(const Measurement& measurement,
                                         const std::optional<IntersectionEstimate>& afterwards) {
   if (!afterwards) return std::nullopt;
-  Closure closure{.of = Closure::Of::Reference,
-                  .value = afterwards->value - *measurement.referenceIntersection,
-                  .sigma = std::hypot(afterwards->sigma, *measurement.sigmaReference)};
-  const auto below = studentLowerTail(-closure.sigmas(), afterwards->degreesOfFreedom);
-  closure.chance = below ? 2 * *below : 1;
-  return closure;
+  return closureOf(Closure::Of::Reference, afterwards->value - *measurement.referenceIntersection,
+                   std::hypot(afterwards->sigma, *measurement.sigmaReference), afterwards->degreesOfFreedom);
 }
 
 std::vector<ClosureStep> closuresOf(const GapModel& own, const GapModel& opened,
@@ -132,12 +120,12 @@ Result<Diagnosis, DiagnosisFault> diagnose(const Measurement& measurement, const
   if (!model) return DiagnosisFault(model.problem());
   const DiagnosisFault stopped = Stopped{};
   if (stop.stop_requested()) return stopped;
-  DiagnosisOptions withoutReference = options;
-  withoutReference.withReference = false;
   const bool heedsReference = options.withReference && measurement.sigmaReference;
   std::optional<IntersectionEstimate> found;
   std::vector<Required> required;
   if (heedsReference) {
+    DiagnosisOptions withoutReference = options;
+    withoutReference.withReference = false;
     const Inquiry plain = inquire(*model, withoutReference, stop);
     if (stop.stop_requested()) return stopped;
     found = modelAveragedIntersection(plain, conclude(plain));
@@ -157,17 +145,16 @@ Result<Diagnosis, DiagnosisFault> diagnose(const Measurement& measurement, const
   diagnosis.causes = causesOf(inquiry, answer);
   diagnosis.verdict = verdictOf(answer, diagnosis.causes);
   const GapModel& own = inquiry.ofAll().own;
-  const GapModel opened = openedAnswer(inquiry, answer);
   diagnosis.gap = sizeOf(own);
-  diagnosis.after = sizeOf(opened);
-  diagnosis.shrink = shrinkageOf(own, opened, inquiry, answer);
+  diagnosis.after = sizeOf(answer.opened);
+  diagnosis.shrink = shrinkageOf(inquiry, answer);
   diagnosis.candidates = candidatesOf(inquiry.ofAll());
   diagnosis.where = whereOf(inquiry, answer);
   if (stop.stop_requested()) return stopped;
   diagnosis.steps = stepsOf(inquiry, answer);
   diagnosis.before = estimateOf(own);
   diagnosis.afterwards = found;
-  diagnosis.closures = closuresOf(own, opened, diagnosis.afterwards);
+  diagnosis.closures = closuresOf(own, answer.opened, diagnosis.afterwards);
   const std::vector<Detectability> unseen =
       undetectableEffects(inquiry.leftover, inquiry.candidates, influencePerSigma(inquiry.base));
   for (const Detectability& detectability : unseen)
@@ -176,7 +163,7 @@ Result<Diagnosis, DiagnosisFault> diagnose(const Measurement& measurement, const
   if (answer.kind == Answer::Kind::Unknown) diagnosis.shape = shapeOf(inquiry);
   diagnosis.whatItWouldTake = std::move(required);
   diagnosis.leftBefore = inSigma(own);
-  diagnosis.leftAfter = inSigma(opened);
+  diagnosis.leftAfter = inSigma(answer.opened);
   diagnosis.readings = readingsOf(own);
   if (stop.stop_requested()) return stopped;
   diagnosis.advice = adviceFor(inquiry, possibleCausesOf(inquiry, answer), diagnosis.causes, unseen);

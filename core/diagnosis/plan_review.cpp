@@ -106,28 +106,29 @@ std::vector<Planned> effectsInQuestion(const std::vector<Planned>& effects) {
 PlanAdvice adviceOf(const std::vector<Measure>& measures, const VisibleTerms& shown,
                     const std::vector<Planned>& inQuestion) {
   PlanAdvice advice{measures, {}, {}};
-  const auto plainestOf = [&](const std::string& id) -> VectorXd {
-    const auto found =
-        std::ranges::find(inQuestion, id, [](const Planned& planned) { return planned.summary.effect; });
-    return combinationOf(*found->effect) * found->plainest;
+  const auto plannedAs = [&](const std::string& id) -> const Planned& {
+    return *std::ranges::find_if(inQuestion,
+                                 [&](const Planned& planned) { return planned.summary.effect == id; });
+  };
+  const auto plainestOf = [](const Planned& planned) -> VectorXd {
+    return combinationOf(*planned.effect) * planned.plainest;
   };
   for (const Planned& planned : inQuestion) {
-    const MatrixXd combinations = combinationOf(*planned.effect);
-    if (planned.summary.unseen && lengthOf(shown, combinations * planned.mostDangerous) > clearlyDifferent)
+    if (planned.summary.unseen &&
+        lengthOf(shown, combinationOf(*planned.effect) * planned.mostDangerous) > clearlyDifferent)
       advice.reveals.push_back(planned.summary.effect);
-    const VectorXd plainest = combinations * planned.plainest;
+    const VectorXd plainest = plainestOf(planned);
     for (const LookAlike& other : planned.summary.lookAlikes) {
       const std::pair pair(other.effect, planned.summary.effect);
       if (std::ranges::find(advice.separates, pair) == advice.separates.end() &&
           linearDifferenceFrom(shown, plainest, *effectById(other.effect)) > clearlyDifferent &&
-          linearDifferenceFrom(shown, plainestOf(other.effect), *planned.effect) > clearlyDifferent)
+          linearDifferenceFrom(shown, plainestOf(plannedAs(other.effect)), *planned.effect) >
+              clearlyDifferent)
         advice.separates.emplace_back(planned.summary.effect, other.effect);
     }
   }
-  std::ranges::sort(advice.reveals, std::greater{}, [&](const std::string& id) {
-    return std::ranges::find(inQuestion, id, [](const Planned& p) { return p.summary.effect; })
-        ->summary.influence;
-  });
+  std::ranges::sort(advice.reveals, std::greater{},
+                    [&](const std::string& id) { return plannedAs(id).summary.influence; });
   return advice;
 }
 

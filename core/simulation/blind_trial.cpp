@@ -68,6 +68,11 @@ class Draw {
     return rows[static_cast<std::size_t>(m_random.whole(0, static_cast<int>(rows.size()) - 1))];
   }
 
+  int anyAxis() {
+    const int last = static_cast<int>(m_protocol.axes.size()) - 1;
+    return m_protocol.axes[static_cast<std::size_t>(m_random.whole(0, last))];
+  }
+
   /// One or two readings, off by a slip of the tens or the minutes that shows: one along the arc may not.
   void putGrossErrors() {
     constexpr int tries = 200;
@@ -89,8 +94,7 @@ class Draw {
   TrueGrossError anyGrossError(const std::vector<PlannedRow>& rows) {
     constexpr double slips[] = {30, 60, 120, 300};  // arcseconds
     const PlannedRow& row = anyRow(rows);
-    const int last = static_cast<int>(m_protocol.axes.size()) - 1;
-    const int axis = m_protocol.axes[static_cast<std::size_t>(m_random.whole(0, last))];
+    const int axis = anyAxis();
     const Angle slip = Angle::fromArcseconds(sign() * slips[m_random.whole(0, 3)]);
     const bool horizontal = m_random.uniform() < 0.5;
     return {.axisDeg = axis,
@@ -108,9 +112,7 @@ class Draw {
 
   /// Its vertical part, which next to nothing shows, as large as the one that the closures show.
   void putZeroSlip() {
-    const int axis =
-        m_protocol
-            .axes[static_cast<std::size_t>(m_random.whole(0, static_cast<int>(m_protocol.axes.size()) - 1))];
+    const int axis = anyAxis();
     const double horizontal = sign() * m_random.uniform(20, 60), ratio = sign() * m_random.uniform(0.7, 1.4);
     m_truth.zeroSlip = {.axisDeg = axis,
                         .horizontal = Angle::fromArcseconds(horizontal),

@@ -1,7 +1,5 @@
 #include "core/wording/measure.h"
 
-#include <algorithm>
-
 #include "core/base/list_text.h"
 
 namespace alidade {
@@ -35,7 +33,7 @@ std::string textOf(const std::vector<Measure>& measures) {
 }
 
 std::string howTo(const std::vector<Measure>& measures) {
-  return textOf(measures) + (std::ranges::any_of(measures, isReadAnew) ? " (read anew)" : " (in addition)");
+  return textOf(measures) + (isReadAnew(measures) ? " (read anew)" : " (in addition)");
 }
 
 }  // namespace alidade

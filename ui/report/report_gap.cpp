@@ -102,8 +102,7 @@ void addRequired(ReportSheet& sheet, const std::vector<Required>& list) {
                numberText(required.visibleSigma, 1)});
   table.finish();
   sheet.paragraph(QStringLiteral("Each by itself, of the effects that these readings do not exclude at that "
-                                 "size; leaves: what it would "
-                                 "leave in these readings."),
+                                 "size; leaves: what it would leave in these readings."),
                   type::small);
 }
 

@@ -42,8 +42,7 @@ Result<std::string> runDiagnose(const DiagnoseRequest& request) {
   if (request.withReference && !measurement.sigmaReference)
     return Problem{
         "--with-reference: state acceptance.reference_intersection_mm and acceptance.sigma_reference_mm in "
-        "the "
-        "session, or leave it out",
+        "the session, or leave it out",
         {.field = "acceptance.sigma_reference_mm"}};
   const SessionFit fit = fitSession(measurement);
   const Result<std::vector<Finding>> findings = findingsBeforehand(measurement, fit);

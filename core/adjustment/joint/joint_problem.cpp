@@ -102,10 +102,8 @@ Prior JointProblem::radiusPrior() const {
   // A radius taken as exact gets a nanometre: far below what any reading tells, far above rounding.
   constexpr double exact = 1e-6;
   const double sigma = m_measurement.sigmaRadius;
-  if (m_measurement.radiusModel == RadiusModel::Known)
-    return {m_measurement.nominalRadius, std::max(sigma, exact)};
-  if (m_isClosed && sigma > 0) return {m_measurement.nominalRadius, std::max(sigma, exact)};
-  return {};
+  const bool isObserved = m_measurement.radiusModel == RadiusModel::Known || (m_isClosed && sigma > 0);
+  return isObserved ? Prior{m_measurement.nominalRadius, std::max(sigma, exact)} : Prior{};
 }
 
 void JointProblem::estimate(const Unknown& unknown, const Prior& prior) {

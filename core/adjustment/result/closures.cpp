@@ -8,7 +8,6 @@
 #include "core/adjustment/result/intersection.h"
 #include "core/base/square.h"
 #include "core/base/statistics.h"
-#include "core/observation/half_turn.h"
 
 namespace alidade {
 
@@ -54,6 +53,13 @@ std::string_view nameOf(Closure::Of of) {
   return "";
 }
 
+Closure closureOf(Closure::Of of, double value, double sigma, double degreesOfFreedom) {
+  Closure closure{.of = of, .value = value, .sigma = sigma};
+  const auto below = studentLowerTail(-closure.sigmas(), degreesOfFreedom);
+  closure.chance = below ? 2 * *below : 1;
+  return closure;
+}
+
 std::optional<Misclosure> misclosureOf(const JointFit& fit, Closure::Of of, std::size_t at0,
                                        std::size_t at180, double scale) {
   const auto kind = of == Closure::Of::Radius ? Unknown::Kind::Radius : Unknown::Kind::CentreX;
@@ -72,13 +78,10 @@ std::vector<Closure> closuresOf(const Measurement& measurement, const JointFit& 
   std::vector<Closure> closures;
   /// Held against `known`, with its σ.
   const auto add = [&](Closure::Of of, const Misclosure& misclosure, double known, double sigma) {
-    Closure closure{
-        .of = of, .value = misclosure.value - known, .sigma = std::hypot(misclosure.sigma, sigma)};
-    const DegreesOfFreedom freedom =
-        effectiveDegreesOfFreedom(closure.sigma, misclosure.scaledSigma, noise.degreesOfFreedom);
-    const auto below = studentLowerTail(-closure.sigmas(), freedom);
-    closure.chance = below ? 2 * *below : 1;
-    closures.push_back(closure);
+    const double together = std::hypot(misclosure.sigma, sigma);
+    closures.push_back(closureOf(
+        of, misclosure.value - known, together,
+        effectiveDegreesOfFreedom(together, misclosure.scaledSigma, noise.degreesOfFreedom).count()));
   };
   const auto upper = arcAt(measurement, 0), lower = arcAt(measurement, 180);
   if (upper && lower)
@@ -89,9 +92,7 @@ std::vector<Closure> closuresOf(const Measurement& measurement, const JointFit& 
     add(Closure::Of::NominalRadius, meanRadius(fit, noise.factor), measurement.nominalRadius,
         measurement.sigmaRadius);
   if (upper && lower && measurement.sigmaReference) {
-    std::vector<double> weights(fit.unknowns.size());
-    weights[fit.indexOf({.kind = Unknown::Kind::CentreY, .arc = *upper})] = intersectionPerHeight(0);
-    weights[fit.indexOf({.kind = Unknown::Kind::CentreY, .arc = *lower})] = intersectionPerHeight(180);
+    const std::vector<double> weights = intersectionWeights(fit, *upper, *lower);
     add(Closure::Of::Reference, combinationOf(fit, weights, noise.factor), *measurement.referenceIntersection,
         *measurement.sigmaReference);
   }

@@ -34,6 +34,9 @@ struct Closure {
   double sigmas() const { return std::abs(value) / sigma; }
 };
 
+/// With its chance by Student's distribution; `degreesOfFreedom` behind σ, may be infinite.
+Closure closureOf(Closure::Of of, double value, double sigma, double degreesOfFreedom);
+
 /// "radius", "centre", "nominal_radius", "reference".
 std::string_view nameOf(Closure::Of of);
 

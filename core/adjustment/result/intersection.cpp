@@ -153,6 +153,13 @@ ArcSigma arcSigma(const JointFit& fit, std::size_t arc, double scale, const ArcB
   return result;
 }
 
+std::vector<double> intersectionWeights(const JointFit& fit, std::size_t upper, std::size_t lower) {
+  std::vector<double> weights(fit.unknowns.size());
+  weights[fit.indexOf({.kind = Unknown::Kind::CentreY, .arc = upper})] = intersectionPerHeight(0);
+  weights[fit.indexOf({.kind = Unknown::Kind::CentreY, .arc = lower})] = intersectionPerHeight(180);
+  return weights;
+}
+
 std::optional<Intersection> intersect(const Measurement& measurement, const JointFit& fit) {
   const auto upper = arcAt(measurement, 0), lower = arcAt(measurement, 180);
   if (!upper || !lower || !fit.isDetermined()) return std::nullopt;
@@ -162,9 +169,7 @@ std::optional<Intersection> intersect(const Measurement& measurement, const Join
   const auto difference = [&](Unknown::Kind kind) {
     return fit.values[index(kind, *upper)] - fit.values[index(kind, *lower)];
   };
-  std::vector<double> weights(fit.unknowns.size());
-  weights[index(Unknown::Kind::CentreY, *upper)] = intersectionPerHeight(0);
-  weights[index(Unknown::Kind::CentreY, *lower)] = intersectionPerHeight(180);
+  const std::vector<double> weights = intersectionWeights(fit, *upper, *lower);
 
   const NoiseScale noise = noiseScale(fit);
   Intersection result;

@@ -71,6 +71,9 @@ struct Intersection {
   std::vector<BudgetEntry> budget;
 };
 
+/// ∂Δd/∂unknown of a fit whose arcs `upper` and `lower` are those at 0° and at 180°.
+std::vector<double> intersectionWeights(const JointFit& fit, std::size_t upper, std::size_t lower);
+
 /// Absent unless `measurement`, which was fitted, holds arcs at 0° and at 180°, and the fit is determined.
 std::optional<Intersection> intersect(const Measurement& measurement, const JointFit& fit);
 

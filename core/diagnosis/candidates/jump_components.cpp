@@ -88,8 +88,10 @@ std::vector<CauseParameter> JumpComponent::parameters(const GapModel& after) con
 namespace {
 
 /// Sequences of the rows of each arc, ascending.
-std::map<std::size_t, std::vector<std::size_t>> rowsOfArcs(const Leftover& leftover) {
-  std::map<std::size_t, std::vector<std::size_t>> arcs;
+using RowsOfArcs = std::map<std::size_t, std::vector<std::size_t>>;
+
+RowsOfArcs rowsOfArcs(const Leftover& leftover) {
+  RowsOfArcs arcs;
   for (Index i = 0; i < leftover.readings(); ++i)
     arcs[leftover.reading(i).arc].push_back(leftover.reading(i).sequence);
   for (auto& [arc, rows] : arcs) {
@@ -111,10 +113,9 @@ std::set<std::size_t> rowsAloneInTheirVisit(const Leftover& leftover) {
 /// be seen of the jump is the one condition between the two circles of that row.
 class ShownByOneRow {
  public:
-  explicit ShownByOneRow(const Leftover& leftover)
-      : m_alone(rowsAloneInTheirVisit(leftover)),
-        m_arcs(rowsOfArcs(leftover)),
-        m_isClosed(leftover.equations().isClosed()) {}
+  /// `arcs` have to live as long.
+  ShownByOneRow(const Leftover& leftover, const RowsOfArcs& arcs)
+      : m_alone(rowsAloneInTheirVisit(leftover)), m_arcs(arcs), m_isClosed(leftover.equations().isClosed()) {}
 
   std::optional<std::size_t> of(const JumpColumns::Moment& moment) const {
     for (const auto& [arc, rows] : m_arcs) {
@@ -130,12 +131,12 @@ class ShownByOneRow {
 
  private:
   std::set<std::size_t> m_alone;
-  std::map<std::size_t, std::vector<std::size_t>> m_arcs;
+  const RowsOfArcs& m_arcs;
   bool m_isClosed;
 };
 
-std::vector<JumpComponent> componentsOf(const Leftover& leftover, std::vector<JumpColumns::Moment> moments) {
-  const ShownByOneRow shown(leftover);
+std::vector<JumpComponent> componentsOf(const Leftover& leftover, std::vector<JumpColumns::Moment> moments,
+                                        const ShownByOneRow& shown) {
   const auto columns = std::make_shared<const JumpColumns>(leftover, std::move(moments), plausibleJump);
   const std::vector<Eigen::Matrix2d> grams = columns->visibleGrams(leftover);
   std::vector<JumpComponent> components;
@@ -157,7 +158,7 @@ std::vector<JumpColumns::Moment> someOf(const std::vector<JumpColumns::Moment>& 
 
 std::vector<JumpComponent> jumpComponents(const Leftover& leftover) {
   const bool isClosed = leftover.equations().isClosed();
-  const auto arcs = rowsOfArcs(leftover);
+  const RowsOfArcs arcs = rowsOfArcs(leftover);
   std::vector<JumpColumns::Moment> lasting, ofOnePosition;
   for (auto arc = arcs.begin(); arc != arcs.end(); ++arc) {
     const bool isLast = std::next(arc) == arcs.end();
@@ -168,17 +169,18 @@ std::vector<JumpComponent> jumpComponents(const Leftover& leftover) {
     }
   }
   if (lasting.size() < 2) return {};
-  std::vector<JumpComponent> components = componentsOf(leftover, someOf(lasting));
-  std::ranges::move(componentsOf(leftover, someOf(ofOnePosition)), std::back_inserter(components));
+  const ShownByOneRow shown(leftover, arcs);
+  std::vector<JumpComponent> components = componentsOf(leftover, someOf(lasting), shown);
+  std::ranges::move(componentsOf(leftover, someOf(ofOnePosition), shown), std::back_inserter(components));
   return components;
 }
 
 std::vector<JumpComponent> zeroSlips(const Leftover& leftover) {
   if (!leftover.equations().isClosed()) return {};
-  const auto arcs = rowsOfArcs(leftover);
+  const RowsOfArcs arcs = rowsOfArcs(leftover);
   std::vector<JumpColumns::Moment> moments;
   for (const auto& [arc, rows] : arcs) moments.push_back({rows.front(), rows.back() + 1});
-  std::vector<JumpComponent> slips = componentsOf(leftover, std::move(moments));
+  std::vector<JumpComponent> slips = componentsOf(leftover, std::move(moments), {leftover, arcs});
   for (auto slip = slips.begin(); const auto& [arc, rows] : arcs) (slip++)->setSlippedArc(arc);
   return slips;
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "core/diagnosis/gap/gap_size.h"
 #include "core/diagnosis/search/explained_model.h"
@@ -68,28 +67,25 @@ GapModel measuredModel(const Inquiry& inquiry, const Explanation& explanation, c
 }
 
 Answer nothingIn(const Inquiry& inquiry) {
-  return {Answer::Kind::Nothing, {}, {}, {}, inquiry.base, inquiry.own};
+  return {Answer::Kind::Nothing, {}, {}, {}, inquiry.base};
 }
 
 Answer knownAs(const Inquiry& inquiry, const Explanation& explanation) {
-  GapModel after = modelWith(inquiry, explanation);
-  GapModel measured = measuredModel(inquiry, explanation, after);
-  return {Answer::Kind::Known, explanation,        rivalsOf(inquiry, explanation), {},
-          std::move(after),    std::move(measured)};
+  return {
+      Answer::Kind::Known, explanation, rivalsOf(inquiry, explanation), {}, modelWith(inquiry, explanation)};
 }
 
 /// The likeliest pattern, and beside it what is as good as certain.
 Answer unknownAs(const Inquiry& inquiry, const Explanation& shaped) {
   constexpr double certain = 0.95;
   const std::vector<std::vector<Rival>> rivals = rivalsOf(inquiry, shaped);
-  Answer answer{Answer::Kind::Unknown, {}, {}, shaped.parts.back(), {}, {}};
+  Answer answer{Answer::Kind::Unknown, {}, {}, shaped.parts.back(), {}};
   for (std::size_t p = 0; p + 1 < shaped.parts.size(); ++p) {
     if (chanceOf(inquiry, shaped.parts[p], rivals[p]) < certain) continue;
     answer.explanation.parts.push_back(shaped.parts[p]);
     answer.rivals.push_back(rivals[p]);
   }
   answer.after = modelWith(inquiry, answer.explanation);
-  answer.measured = measuredModel(inquiry, answer.explanation, answer.after);
   return answer;
 }
 
@@ -103,7 +99,7 @@ bool isLikelier(const Inquiry& inquiry, const Answer& answer, double chance) {
 
 /// A gap that is real and that nothing explains.
 Answer unexplained(const Inquiry& inquiry) {
-  return {Answer::Kind::Unknown, {}, {}, {}, inquiry.base, inquiry.own};
+  return {Answer::Kind::Unknown, {}, {}, {}, inquiry.base};
 }
 
 Answer likeliestAnswer(const Inquiry& inquiry) {
@@ -129,9 +125,14 @@ Answer likeliestAnswer(const Inquiry& inquiry) {
 
 Answer conclude(const Inquiry& inquiry) {
   Answer answer = likeliestAnswer(inquiry);
+  answer.measured = measuredModel(inquiry, answer.explanation, answer.after);
   // In the linear model there was an answer; with it in the model itself the readings may fix nothing.
-  const bool isDetermined = answer.after.fit.isDetermined() && answer.measured.fit.isDetermined();
-  return isDetermined ? answer : unexplained(inquiry);
+  if (!answer.after.fit.isDetermined() || !answer.measured.fit.isDetermined()) {
+    answer = unexplained(inquiry);
+    answer.measured = inquiry.own;
+  }
+  answer.opened = openedModelOf(answer.measured, inquiry.own);
+  return answer;
 }
 
 std::vector<GapStep> stepsOf(const Inquiry& inquiry, const Answer& answer) {
@@ -142,7 +143,11 @@ std::vector<GapStep> stepsOf(const Inquiry& inquiry, const Answer& answer) {
     const bool isLast = soFar.parts.size() == whole.parts.size() && soFar.noisy == whole.noisy;
     const GapModel& model = isLast ? answer.after : modelWith(inquiry, soFar);
     if (!model.fit.isDetermined()) return;
-    const GapModel measured = isLast ? answer.measured : measuredModel(inquiry, soFar, model);
+    if (isLast) {
+      steps.push_back({std::string(id), sizeOf(answer.opened), estimateOf(answer.measured)});
+      return;
+    }
+    const GapModel measured = measuredModel(inquiry, soFar, model);
     steps.push_back({std::string(id), sizeOf(openedModelOf(measured, inquiry.own)), estimateOf(measured)});
   };
   for (const Part& part : whole.parts)

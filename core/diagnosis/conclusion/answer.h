@@ -19,7 +19,8 @@ struct Answer {
   std::optional<Part> pattern;             ///< of an Unknown: the likeliest; absent where nothing fits at all
   GapModel after;                          ///< with the explanation in the model
   /// Whose Δd is told: `after`, or the session's own model where nothing but readings and noise is blamed.
-  GapModel measured;
+  GapModel measured = {};
+  GapModel opened = {};  ///< what `measured` leaves in the session's own model (`openedModelOf`)
 };
 
 /// Whichever of nothing, known causes and a pattern of no known cause is the most likely as a whole; an

@@ -47,8 +47,8 @@ std::vector<Cause> causesOf(const Inquiry& inquiry, const Answer& answer) {
     cause.parameters = component.parameters(answer.after);
     for (const Rival& rival : answer.rivals[p]) {
       std::string id(inquiry.of(rival.part).id());
-      const auto& named = cause.indistinguishableFrom;
-      if (std::ranges::find(named, id) == named.end()) cause.indistinguishableFrom.push_back(std::move(id));
+      std::vector<std::string>& alike = cause.indistinguishableFrom;
+      if (std::ranges::find(alike, id) == alike.end()) alike.push_back(std::move(id));
     }
     causes.push_back(std::move(cause));
   }

@@ -52,26 +52,21 @@ std::optional<Move> LinearMoves::of(const Explanation& explanation) {
   }
 
   double chiSquare = leftover.chiSquare();
-  Move move;
-  const MatrixXd gram = visible.transpose() * visible;
+  // In variances of a reading: however large that is, what no reading shows of a cause stays as uncertain.
   const double ofNoise = explanation.noisy ? explanation.noise * explanation.noise : 1;
+  Move move{0, m_perReading.squaredNorm()};
   if (visible.cols() > 0) {
     const VectorXd right = visible.transpose() * leftover.residual();
-    MatrixXd matrix = gram;
+    MatrixXd matrix = visible.transpose() * visible;
     matrix.diagonal() += ofNoise * narrow;
-    const VectorXd weights = matrix.ldlt().solve(right);
+    const Eigen::LDLT<MatrixXd> factor(matrix);
+    const VectorXd weights = factor.solve(right);
     move.shift = -influence.dot(weights);
+    move.variance += influence.dot(factor.solve(influence));
     chiSquare -= right.dot(weights);
   }
   if (explanation.shaped) chiSquare = explanation.chiSquare;
-  // What no reading shows of a cause is as uncertain as it was, however much larger the noise is.
-  move.variance = ofNoise * m_perReading.squaredNorm();
-  if (visible.cols() > 0) {
-    MatrixXd matrix = gram / ofNoise;
-    matrix.diagonal() += narrow;
-    move.variance += influence.dot(matrix.ldlt().solve(influence));
-  }
-  move.variance *= std::pow(noiseScale(chiSquare / ofNoise, degreesOfFreedom).factor, 2);
+  move.variance *= ofNoise * std::pow(noiseScale(chiSquare / ofNoise, degreesOfFreedom).factor, 2);
   move.variance += ofPattern * ofPattern;
   if (!std::isfinite(move.shift) || !std::isfinite(move.variance)) return std::nullopt;
   return move;

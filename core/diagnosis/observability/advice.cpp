@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <utility>
@@ -99,14 +100,18 @@ double apartBy(const VisibleTerms& terms, const PossibleCause& one, const Possib
   return linearDifferenceFrom(terms, combinationOf(*first) * one.weights, *second);
 }
 
+/// σ of the difference of two sightings of a zero in both circles, rad.
+Eigen::Vector2d sigmasOfTwoSightings(const Measurement& measurement) {
+  return std::numbers::sqrt2 * Eigen::Vector2d(statedSigma(measurement, ReadingKind::Horizontal).radians(),
+                                               statedSigma(measurement, ReadingKind::Vertical).radians());
+}
+
 /// What a suspect would leave in sightings of the zero after the last place of each position, both circles of
 /// each, in σ of the difference of two sightings: a drift the way from the middle of the session, a jump what
 /// it moved, what belongs to the guideway nothing.
 VectorXd atTheZeros(const Measurement& measurement, const PossibleCause& suspect) {
   VectorXd left = VectorXd::Zero(2 * std::ssize(measurement.arcs));
-  const Eigen::Vector2d sigmas =
-      std::numbers::sqrt2 * Eigen::Vector2d(statedSigma(measurement, ReadingKind::Horizontal).radians(),
-                                            statedSigma(measurement, ReadingKind::Vertical).radians());
+  const Eigen::Vector2d sigmas = sigmasOfTwoSightings(measurement);
   const Effect* effect = effectById(suspect.id);
   for (std::size_t arc = 0; arc < measurement.arcs.size(); ++arc) {
     Eigen::Vector2d moved = Eigen::Vector2d::Zero();
@@ -239,13 +244,20 @@ std::optional<Advice> tellingFromJump(const Inquiry& inquiry, const std::vector<
 std::optional<Advice> revealingJump(const Inquiry& inquiry, const std::vector<Detectability>& unseen) {
   const auto jump = std::ranges::find(unseen, jumpId, &Detectability::effect);
   if (jump == unseen.end()) return std::nullopt;
-  const Measurement& measurement = *inquiry.base.measurement;
-  const Eigen::Vector2d sigmas(statedSigma(measurement, ReadingKind::Horizontal).radians(),
-                               statedSigma(measurement, ReadingKind::Vertical).radians());
+  const Eigen::Vector2d sigmas = sigmasOfTwoSightings(*inquiry.base.measurement);
   return Advice{.measures = {Measure::ZeroSightedAgain},
                 .separates = {jumpId},
-                .bySigma = (plausibleJump * jump->weights).cwiseQuotient(sigmas).norm() / std::numbers::sqrt2,
+                .bySigma = (plausibleJump * jump->weights).cwiseQuotient(sigmas).norm(),
                 .ofUnseen = true};
+}
+
+/// Those of the catalogue, by their id in the list.
+template <typename List, typename Id>
+std::vector<const Effect*> effectsIn(const List& list, const Id& id) {
+  std::vector<const Effect*> effects;
+  for (const auto& entry : list)
+    if (const Effect* effect = effectById(std::invoke(id, entry))) effects.push_back(effect);
+  return effects;
 }
 
 /// Of readings that tell suspects apart.
@@ -254,10 +266,7 @@ std::vector<Advice> separating(const Inquiry& inquiry, const std::vector<Possibl
   const auto offer = [&](Advice advice) {
     if (advice.separates.size() > 1) list.push_back(std::move(advice));
   };
-  std::vector<const Effect*> effects;
-  for (const PossibleCause& suspect : suspects)
-    if (const Effect* effect = effectById(suspect.id)) effects.push_back(effect);
-  FurtherTerms further(inquiry.base, inquiry.leftover.equations(), effects);
+  FurtherTerms further(inquiry.base, inquiry.leftover.equations(), effectsIn(suspects, &PossibleCause::id));
   const auto tryOut = [&](const FurtherReadings& plan) {
     const VisibleTerms terms = further.shownBy(plan);
     const Distances distances(suspects, [&](const PossibleCause& one, const PossibleCause& other) {
@@ -277,9 +286,7 @@ std::vector<Advice> separating(const Inquiry& inquiry, const std::vector<Possibl
 
 /// Of readings that show the unseen: the most telling first.
 std::vector<Advice> revealing(const Inquiry& inquiry, const std::vector<Detectability>& unseen) {
-  std::vector<const Effect*> effects;
-  for (const Detectability& detectability : unseen)
-    if (const Effect* effect = effectById(detectability.effect)) effects.push_back(effect);
+  const std::vector<const Effect*> effects = effectsIn(unseen, &Detectability::effect);
   std::vector<Advice> list;
   if (effects.empty()) return list;
   FurtherTerms further(inquiry.base, inquiry.leftover.equations(), effects);

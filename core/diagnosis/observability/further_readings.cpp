@@ -151,6 +151,12 @@ std::optional<FurtherReadings> together(const std::optional<FurtherReadings>& fi
   return both;
 }
 
+auto offering(const std::function<void(const FurtherReadings&)>& take) {
+  return [&take](const std::optional<FurtherReadings>& more) {
+    if (more) take(*more);
+  };
+}
+
 }  // namespace
 
 Measurement readWithoutError(const GapModel& model) {
@@ -168,9 +174,7 @@ Measurement readWithoutError(const GapModel& model) {
 
 void eachFurtherReadings(const GapModel& model, const std::function<void(const FurtherReadings&)>& take) {
   const Measurement plan = readWithoutError(model);
-  const auto offer = [&](const std::optional<FurtherReadings>& more) {
-    if (more) take(*more);
-  };
+  const auto offer = offering(take);
   offer(withBothFaces(plan));
   offer(withWayBack(plan));
   offer(withSlider(model, plan));
@@ -181,9 +185,7 @@ void eachFurtherReadings(const GapModel& model, const std::function<void(const F
 
 void eachCombination(const GapModel& model, const std::function<void(const FurtherReadings&)>& take) {
   const Measurement plan = readWithoutError(model);
-  const auto offer = [&](const std::optional<FurtherReadings>& more) {
-    if (more) take(*more);
-  };
+  const auto offer = offering(take);
   offer(together(withBothFaces(plan), withWayBack));
   const auto slider = withSlider(model, plan);
   offer(together(slider, withBothFaces));

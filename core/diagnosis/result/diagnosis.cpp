@@ -4,6 +4,26 @@
 
 namespace alidade {
 
+namespace {
+
+bool isReadAnewFor(Measure measure) {
+  switch (measure) {
+    case Measure::BothFaces:
+    case Measure::WayBack:
+    case Measure::SliderReadings:
+    case Measure::MoreOfTheArc:
+      return true;
+    case Measure::ShiftedCircle:
+    case Measure::SecondStandOff:
+    case Measure::ZeroSightedAgain:
+    case Measure::DistanceInBoth:
+      return false;
+  }
+  return false;
+}
+
+}  // namespace
+
 std::string_view nameOf(DiagnosisVerdict verdict) {
   switch (verdict) {
     case DiagnosisVerdict::WithinNoise:
@@ -20,20 +40,8 @@ std::string_view nameOf(DiagnosisVerdict verdict) {
   return "";
 }
 
-bool isReadAnew(Measure measure) {
-  switch (measure) {
-    case Measure::BothFaces:
-    case Measure::WayBack:
-    case Measure::SliderReadings:
-    case Measure::MoreOfTheArc:
-      return true;
-    case Measure::ShiftedCircle:
-    case Measure::SecondStandOff:
-    case Measure::ZeroSightedAgain:
-    case Measure::DistanceInBoth:
-      return false;
-  }
-  return false;
+bool isReadAnew(const std::vector<Measure>& measures) {
+  return std::ranges::any_of(measures, isReadAnewFor);
 }
 
 bool isMisclosed(const Diagnosis& diagnosis) {

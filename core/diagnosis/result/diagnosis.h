@@ -141,8 +141,8 @@ struct Advice {
   bool ofUnseen = false;  ///< `separates`: what would show that does not yet, by `bySigma` or more
 };
 
-/// The session has to be read anew for it; else what is read comes beside it.
-bool isReadAnew(Measure measure);
+/// The session has to be read anew for one of them; else what is read comes beside it.
+bool isReadAnew(const std::vector<Measure>& measures);
 
 /// What it would take of an effect to explain how far Δd is from the reference.
 struct Required {

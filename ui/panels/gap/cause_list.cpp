@@ -36,10 +36,8 @@ QString jumpText(const Session& session, const Jump& jump) {
   if (jump.isAtZero)
     return CauseList::tr(
         "It happened between a pointing zero and the first place after it, or that zero was misread; in "
-        "which "
-        "of the positions these readings do not tell. No model of a session holds a jump, so there is none "
-        "to "
-        "add: sight both zeros again and read the positions anew.");
+        "which of the positions these readings do not tell. No model of a session holds a jump, so there is "
+        "none to add: sight both zeros again and read the positions anew.");
   const QString row = spokenPlace(session, {.position = jump.place.position, .reading = jump.place.reading});
   QString text = CauseList::tr(
                      "It happened before %1. No model of a session holds a jump, so there is none to add: "
