@@ -18,8 +18,32 @@ Json sizeJson(const GapSize& size) {
 }
 
 Json readingJson(const ReadingDeviation& reading) {
-  return {{"axis_deg", reading.axisDeg}, {"round", reading.round},         {"point", reading.point},
-          {"face", reading.face},        {"circle", nameOf(reading.kind)}, {"size_arcsec", reading.size}};
+  Json json = {{"axis_deg", reading.axisDeg},    {"round", reading.round},
+               {"point", reading.point},         {"face", reading.face},
+               {"circle", nameOf(reading.kind)}, {"size_arcsec", reading.size}};
+  if (reading.time > 1) json["time"] = reading.time;
+  return json;
+}
+
+/// Of a centre or radius.
+std::string_view nameOf(Unknown::Kind quantity) {
+  if (quantity == Unknown::Kind::Radius) return "radius";
+  return quantity == Unknown::Kind::CentreX ? "x" : "y";
+}
+
+Json closureJson(const ClosureStep& step) {
+  Json json = {{"closure", nameOf(step.before.of)},
+               {"value_mm", step.before.value},
+               {"sigma_mm", step.before.sigma},
+               {"sigmas", step.before.sigmas()},
+               {"after_mm", step.after ? Json(step.after->value) : Json()},
+               {"after_sigmas", step.after ? Json(step.after->sigmas()) : Json()}};
+  if (const auto& repeated = step.before.repeated) {
+    json["axis_deg"] = repeated->axisDeg;
+    json["time"] = repeated->time;
+    json["of"] = nameOf(repeated->quantity);
+  }
+  return json;
 }
 
 Json causeJson(const Cause& cause) {
@@ -79,14 +103,7 @@ std::string diagnosisJson(const std::string& session, const Diagnosis& diagnosis
   });
   json["intersection"] = {{"before", estimateJson(diagnosis.before)},
                           {"after", estimateJson(diagnosis.afterwards)}};
-  json["closures"] = listJson(diagnosis.closures, [](const ClosureStep& step) -> Json {
-    return {{"closure", nameOf(step.before.of)},
-            {"value_mm", step.before.value},
-            {"sigma_mm", step.before.sigma},
-            {"sigmas", step.before.sigmas()},
-            {"after_mm", step.after ? Json(step.after->value) : Json()},
-            {"after_sigmas", step.after ? Json(step.after->sigmas()) : Json()}};
-  });
+  json["closures"] = listJson(diagnosis.closures, closureJson);
   if (!diagnosis.whatItWouldTake.empty())
     json["what_it_would_take"] = listJson(diagnosis.whatItWouldTake, [](const Required& required) -> Json {
       return {{"effect", required.effect},

@@ -13,6 +13,7 @@
 #include "core/wording/closures.h"
 #include "core/wording/diagnosis_sentence.h"
 #include "core/wording/measure.h"
+#include "core/wording/position_name.h"
 
 namespace alidade::console {
 
@@ -42,7 +43,7 @@ std::string gapText(const Diagnosis& diagnosis) {
 std::string readingText(const ReadingDeviation& reading) {
   return std::string(nameOf(reading.kind)) + " reading of point " + std::to_string(reading.point) +
          ", round " + std::to_string(reading.round) + ", face " + std::to_string(reading.face) + " at " +
-         std::to_string(reading.axisDeg) + "°, off by " + fixedText(reading.size, 1) + "″";
+         positionName(reading.axisDeg, reading.time) + ", off by " + fixedText(reading.size, 1) + "″";
 }
 
 /// With two digits of its σ.

@@ -22,17 +22,19 @@ using Json = nlohmann::ordered_json;
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();  // written as null
 
 Json arcJson(const ArcFit& arc, const ArcSigma& sigma) {
-  return {{"axis_deg", arc.axisDeg},
-          {"center_mm", {{"x", arc.circle.x}, {"y", arc.circle.y}}},
-          {"radius_mm", arc.circle.radius},
-          {"sigma_mm", {{"x", sigma.x}, {"y", sigma.y}, {"radius", sigma.radius}}},
-          {"correlation", {{"radius_x", sigma.radiusX}, {"radius_y", sigma.radiusY}}},
-          {"readings", arc.residuals.size()},
-          {"degrees_of_freedom", arc.degreesOfFreedom},
-          {"residual_rms_arcsec", arc.residualRms},
-          {"reduced_chi2", arc.degreesOfFreedom > 0 ? arc.reducedChiSquare() : undefined},
-          {"iterations", arc.iterations},
-          {"converged", arc.converged()}};
+  Json json = {{"axis_deg", arc.axisDeg},
+               {"center_mm", {{"x", arc.circle.x}, {"y", arc.circle.y}}},
+               {"radius_mm", arc.circle.radius},
+               {"sigma_mm", {{"x", sigma.x}, {"y", sigma.y}, {"radius", sigma.radius}}},
+               {"correlation", {{"radius_x", sigma.radiusX}, {"radius_y", sigma.radiusY}}},
+               {"readings", arc.residuals.size()},
+               {"degrees_of_freedom", arc.degreesOfFreedom},
+               {"residual_rms_arcsec", arc.residualRms},
+               {"reduced_chi2", arc.degreesOfFreedom > 0 ? arc.reducedChiSquare() : undefined},
+               {"iterations", arc.iterations},
+               {"converged", arc.converged()}};
+  if (arc.time > 1) json["time"] = arc.time;
+  return json;
 }
 
 Json asPrintedJson(const AsPrinted& printed) {
@@ -104,6 +106,7 @@ LongList reliabilityList(const Measurement& measurement, const SessionFit& fit) 
     const Sighting& sighting = (*sightings[reading.arc])[reading.sighting];
     const Reliability reliability = reliabilityOf(reading);
     take("axis_deg", fit.arcs[reading.arc].axisDeg);
+    if (fit.arcs[reading.arc].time > 1) take("time", fit.arcs[reading.arc].time);
     take("round", sighting.round);
     take("point", sighting.point);
     take("face", sighting.face);
@@ -131,6 +134,7 @@ LongList visitsList(const Measurement& measurement, const TwoFaces& faces) {
     const ArcMeasurement& arc = measurement.arcs[visit.arc];
     const Sighting& sighting = arc.sightings[visit.faceOne];
     take("axis_deg", arc.axisDeg);
+    if (arc.time > 1) take("time", arc.time);
     take("round", sighting.round);
     take("point", sighting.point);
     take("elevation_deg", visit.elevation.degrees());
@@ -165,17 +169,19 @@ Json suspectJson(const Suspect& suspect) {
   Json rivals = Json::array(), proposals = Json::array();
   for (const Place& rival : suspect.rivals) rivals.push_back(rival.path());
   for (const Proposal& proposal : suspect.proposals) proposals.push_back(proposalJson(proposal));
-  return {{"axis_deg", suspect.axisDeg},
-          {"point", suspect.point},
-          {"round", suspect.round},
-          {"face", suspect.face},
-          {"circle", nameOf(suspect.kind)},
-          {"size_arcsec", suspect.size.arcseconds()},
-          {"studentised", suspect.studentised},
-          {"suggestion", sentenceOf(suspect)},
-          {"where", suspect.where.path()},
-          {"rivals", std::move(rivals)},
-          {"proposals", std::move(proposals)}};
+  Json json = {{"axis_deg", suspect.axisDeg},
+               {"point", suspect.point},
+               {"round", suspect.round},
+               {"face", suspect.face},
+               {"circle", nameOf(suspect.kind)},
+               {"size_arcsec", suspect.size.arcseconds()},
+               {"studentised", suspect.studentised},
+               {"suggestion", sentenceOf(suspect)},
+               {"where", suspect.where.path()},
+               {"rivals", std::move(rivals)},
+               {"proposals", std::move(proposals)}};
+  if (suspect.time > 1) json["time"] = suspect.time;
+  return json;
 }
 
 Json spreadJson(const Spread& spread) {

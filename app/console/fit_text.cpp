@@ -11,6 +11,7 @@
 #include "core/wording/budget.h"
 #include "core/wording/diagnosis_sentence.h"
 #include "core/wording/findings.h"
+#include "core/wording/position_name.h"
 #include "core/wording/suspects.h"
 #include "core/wording/verdict.h"
 
@@ -21,7 +22,7 @@ namespace {
 using Rows = std::vector<std::vector<std::string>>;
 
 std::string arcName(const ArcFit& arc) {
-  return (arc.axisDeg == 0 ? "O1, axis " : "O2, axis ") + std::to_string(arc.axisDeg) + "°";
+  return (arc.axisDeg == 0 ? "O1, axis " : "O2, axis ") + positionName(arc.axisDeg, arc.time);
 }
 
 std::vector<std::string> arcRow(const ArcFit& arc) {
@@ -158,7 +159,7 @@ std::string effectsText(const std::vector<EffectEstimate>& effects) {
 std::string correlationText(const SessionFit& fit) {
   std::string text;
   for (std::size_t i = 0; i < fit.arcs.size(); ++i)
-    text += (text.empty() ? "" : "; ") + ("at " + std::to_string(fit.arcs[i].axisDeg)) + "° " +
+    text += (text.empty() ? "" : "; ") + ("at " + positionName(fit.arcs[i].axisDeg, fit.arcs[i].time)) + " " +
             fixedText(fit.sigmas[i].radiusX, 2) + " and " + fixedText(fit.sigmas[i].radiusY, 2);
   return "Correlation of the radius with x and y: " + text + "\n";
 }

@@ -4,6 +4,7 @@
 
 #include "app/console/text_layout.h"
 #include "core/base/number_text.h"
+#include "core/wording/position_name.h"
 
 namespace alidade::console {
 
@@ -33,7 +34,7 @@ std::string twoFacesText(const Measurement& measurement, const TwoFaces& faces) 
   for (const FaceDifference& visit : faces.visits) {
     const ArcMeasurement& arc = measurement.arcs[visit.arc];
     const Sighting& sighting = arc.sightings[visit.faceOne];
-    table.push_back({"  axis " + std::to_string(arc.axisDeg) + "°", std::to_string(sighting.round),
+    table.push_back({"  axis " + positionName(arc.axisDeg, arc.time), std::to_string(sighting.round),
                      std::to_string(sighting.point), fixedText(visit.elevation.degrees(), 3),
                      seconds(visit.doubleCollimation), seconds(visit.fromCourse), seconds(visit.index)});
   }

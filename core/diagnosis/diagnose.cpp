@@ -63,17 +63,27 @@ std::optional<Closure> againstReference(const Measurement& measurement,
                    std::hypot(afterwards->sigma, *measurement.sigmaReference), afterwards->degreesOfFreedom);
 }
 
+/// With the repeats.
+std::vector<Closure> closuresOf(const GapModel& model) {
+  std::vector<Closure> closures = closuresOf(*model.measurement, model.fit);
+  if (const auto apart = fitApart(*model.measurement, model.starts, model.options))
+    std::ranges::move(repeatsOf(*model.measurement, *apart), std::back_inserter(closures));
+  return closures;
+}
+
 std::vector<ClosureStep> closuresOf(const GapModel& own, const GapModel& opened,
                                     const std::optional<IntersectionEstimate>& afterwards) {
-  const std::vector<Closure> then = closuresOf(*opened.measurement, opened.fit);
+  const std::vector<Closure> then = closuresOf(opened);
   std::vector<ClosureStep> steps;
-  for (const Closure& closure : closuresOf(*own.measurement, own.fit)) {
+  for (const Closure& closure : closuresOf(own)) {
     steps.push_back({closure});
     if (closure.of == Closure::Of::Reference) {
       steps.back().after = againstReference(*own.measurement, afterwards);
       continue;
     }
-    const auto same = std::ranges::find(then, closure.of, &Closure::of);
+    const auto same = std::ranges::find_if(then, [&](const Closure& other) {
+      return other.of == closure.of && other.repeated == closure.repeated;
+    });
     if (same != then.end()) steps.back().after = *same;
   }
   return steps;
@@ -83,7 +93,8 @@ std::vector<ClosureStep> closuresOf(const GapModel& own, const GapModel& opened,
 std::vector<PossibleCause> possibleCausesOf(const Inquiry& inquiry, const Answer& answer) {
   const auto possible = [&](const Part& part, double odds) {
     const Component& component = inquiry.of(part);
-    return PossibleCause{std::string(component.id()), part.weights, odds, component.slippedArc()};
+    return PossibleCause{std::string(component.id()), part.weights, odds, component.slippedArc(),
+                         component.jumpMoment()};
   };
   for (std::size_t p = 0; p < answer.rivals.size(); ++p) {
     const Part& part = answer.explanation.parts[p];

@@ -109,29 +109,19 @@ class Examiner : private ProblemReporter {
     for (const Position& position : positions) m_measurement.rows += position.readings.size();
     doEach(threadsFor(m_measurement.rows), positions.size(),
            [&](std::size_t i) { examined[i] = examinePosition(positions[i], i, firsts[i], m_circle); });
-    std::map<int, std::size_t> positionOfAxis;
+    std::vector<std::optional<ArcMeasurement>> arcs(positions.size());
+    std::map<int, int> times;
     for (std::size_t i = 0; i < positions.size(); ++i) {
-      const std::optional<int> axis = axisOf(i, positionOfAxis);
+      const Place place{.position = i, .field = "axis_deg"};
+      const std::optional<int> axis = take(axisEntry(positions[i].axisDeg), place);
+      const int time = axis ? ++times[*axis] : 1;
       ExaminedPosition& own = examined[i];
       std::ranges::move(own.problems, std::back_inserter(m_problems));
       if (axis && own.zero && m_circle)
-        m_measurement.arcs.push_back(
-            {i, *axis, own.zero->horizontal, own.zero->vertical, std::move(own.sightings)});
+        arcs[i] = {i, *axis, own.zero->horizontal, own.zero->vertical, std::move(own.sightings), time};
     }
-    std::ranges::sort(m_measurement.arcs, {}, &ArcMeasurement::axisDeg);
-  }
-
-  /// Empty, and reported, where it is unusable or that of a position before.
-  std::optional<int> axisOf(std::size_t position, std::map<int, std::size_t>& positionOfAxis) {
-    const Place place{.position = position, .field = "axis_deg"};
-    const auto axis = take(axisEntry(m_session.positions[position].axisDeg), place);
-    if (!axis) return std::nullopt;
-    const auto [known, isNew] = positionOfAxis.emplace(*axis, position);
-    if (isNew) return *axis;
-    report({std::to_string(*axis) + "° is already the axis of position " + std::to_string(known->second + 1) +
-            ": change one of the two or join their readings"},
-           place);
-    return std::nullopt;
+    for (const std::size_t i : positionsAsTaken(m_session))
+      if (arcs[i]) m_measurement.arcs.push_back(*std::move(arcs[i]));
   }
 
   const Session& m_session;
@@ -141,6 +131,29 @@ class Examiner : private ProblemReporter {
 };
 
 }  // namespace
+
+std::vector<std::size_t> firstAtTheirAxes(const Measurement& measurement) {
+  std::vector<std::size_t> firsts;
+  for (const ArcMeasurement& arc : measurement.arcs) {
+    const auto first = std::ranges::find(measurement.arcs, arc.axisDeg, &ArcMeasurement::axisDeg);
+    firsts.push_back(static_cast<std::size_t>(first - measurement.arcs.begin()));
+  }
+  return firsts;
+}
+
+bool hasRepeats(const Measurement& measurement) {
+  const auto isAt = [&](int axisDeg) {
+    return std::ranges::count(measurement.arcs, axisDeg, &ArcMeasurement::axisDeg);
+  };
+  return isAt(0) > 1 || isAt(180) > 1;
+}
+
+bool hasBothAxes(const Measurement& measurement) {
+  const auto isAt = [&](int axisDeg) {
+    return std::ranges::find(measurement.arcs, axisDeg, &ArcMeasurement::axisDeg) != measurement.arcs.end();
+  };
+  return isAt(0) && isAt(180);
+}
 
 Examined examine(const Session& session) {
   return Examiner(session).examine();

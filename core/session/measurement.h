@@ -46,6 +46,7 @@ struct ArcMeasurement {
   int axisDeg = 0;                     ///< 0 or 180
   Angle zeroHorizontal, zeroVertical;  ///< α0 and β0 as read
   std::vector<Sighting> sightings;
+  int time = 1;  ///< the how many-th position of the session at this axis
 };
 
 /// What a session means: every value present, in range and in the reference frame o0. Lengths in mm.
@@ -64,10 +65,20 @@ struct Measurement {
   double coverage = 0.95;                       ///< in (0, 1)
   std::optional<double> referenceIntersection;  ///< mm
   std::optional<double> sigmaReference;         ///< mm, > 0; only with a reference, where stated
-  std::vector<ArcMeasurement> arcs;             ///< at most one per axis position, 0° first
+  std::vector<ArcMeasurement> arcs;             ///< of each position, in the order taken
   std::size_t rows = 0;                         ///< of the whole session, excluded ones too
   std::vector<std::string> effects;             ///< ids of model.effects, to be estimated along
 };
+
+/// Of each arc the first one at its axis, itself unless its position is one measured again: the arcs of one
+/// axis have one centre and radius.
+std::vector<std::size_t> firstAtTheirAxes(const Measurement& measurement);
+
+/// Is any axis measured more than once?
+bool hasRepeats(const Measurement& measurement);
+
+/// Are there arcs at 0° and at 180°, so that there is an intersection?
+bool hasBothAxes(const Measurement& measurement);
 
 /// A session examined: what can be used, and a sentence for everything that cannot, in the order of the file.
 struct Examined {
@@ -78,9 +89,8 @@ struct Examined {
 /// Works out what the texts of a session mean. Rows with an unusable entry, and positions with an unusable
 /// pointing zero, are left out of the measurement and reported. Rows without any entry are incomplete, so
 /// reported too. Excluded rows are not examined: they were excluded because they are of no use. Of two rows
-/// with the same point, round and face in one position, and of two positions with the same axis, the second
-/// is reported and left out. Where the coverage is unusable there is no tolerance either: no verdict rests on
-/// a level nobody chose.
+/// with the same point, round and face in one position the second is reported and left out. Where the
+/// coverage is unusable there is no tolerance either: no verdict rests on a level nobody chose.
 Examined examine(const Session& session);
 
 /// Is `text` usable as the value of the field at `where`? The sentence where it is not. For marking entries

@@ -1,22 +1,42 @@
 #include "core/session/row_order.h"
 
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <optional>
+
 #include "core/session/entry.h"
 
 namespace alidade {
 
+namespace {
+
+std::optional<int> axisOf(const Position& position) {
+  const Result<int> axis = axisEntry(position.axisDeg);
+  return axis ? std::optional(*axis) : std::nullopt;
+}
+
+}  // namespace
+
+std::vector<std::size_t> positionsAsTaken(const Session& session) {
+  std::vector<std::size_t> order(session.positions.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::map<int, int> times;
+  bool comesAgain = false;
+  for (const Position& position : session.positions)
+    if (const auto axis = axisOf(position)) comesAgain = ++times[*axis] > 1 || comesAgain;
+  if (!comesAgain)
+    std::ranges::stable_partition(order, [&](std::size_t i) { return axisOf(session.positions[i]) == 0; });
+  return order;
+}
+
 std::vector<std::size_t> firstSequences(const Session& session) {
-  const auto isFirst = [](const Position& position) {
-    const Result<int> axis = axisEntry(position.axisDeg);
-    return axis && *axis == 0;
-  };
   std::vector<std::size_t> first(session.positions.size());
   std::size_t rows = 0;
-  for (const bool wanted : {true, false})
-    for (std::size_t i = 0; i < first.size(); ++i) {
-      if (isFirst(session.positions[i]) != wanted) continue;
-      first[i] = rows;
-      rows += session.positions[i].readings.size();
-    }
+  for (const std::size_t i : positionsAsTaken(session)) {
+    first[i] = rows;
+    rows += session.positions[i].readings.size();
+  }
   return first;
 }
 

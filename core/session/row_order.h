@@ -7,8 +7,12 @@
 
 namespace alidade {
 
+/// Indices of the session's positions in the order taken: 0° first, whatever the order of the file; in the
+/// order of the file where an axis comes again.
+std::vector<std::size_t> positionsAsTaken(const Session& session);
+
 /// The number of each position's first row among all rows of the session in the order taken, excluded ones
-/// too. The position at 0° was taken first, whatever the order of the file; the others follow in that order.
+/// too.
 std::vector<std::size_t> firstSequences(const Session& session);
 
 }  // namespace alidade

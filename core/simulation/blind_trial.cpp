@@ -68,9 +68,10 @@ class Draw {
     return rows[static_cast<std::size_t>(m_random.whole(0, static_cast<int>(rows.size()) - 1))];
   }
 
-  int anyAxis() {
-    const int last = static_cast<int>(m_protocol.axes.size()) - 1;
-    return m_protocol.axes[static_cast<std::size_t>(m_random.whole(0, last))];
+  NumberedPosition anyPosition() {
+    const std::vector<int>& axes = m_protocol.axes;
+    const auto own = axes.begin() + m_random.whole(0, static_cast<int>(axes.size()) - 1);
+    return {*own, static_cast<int>(std::count(axes.begin(), own + 1, *own))};
   }
 
   /// One or two readings, off by a slip of the tens or the minutes that shows: one along the arc may not.
@@ -83,7 +84,8 @@ class Draw {
       m_truth.grossErrors = {anyGrossError(rows)};
       const TrueGrossError& one = m_truth.grossErrors.front();
       const bool again = std::ranges::any_of(errors, [&](const TrueGrossError& m) {
-        return std::tie(m.axisDeg, m.round, m.point) == std::tie(one.axisDeg, one.round, one.point);
+        return std::tie(m.axisDeg, m.time, m.round, m.point) ==
+               std::tie(one.axisDeg, one.time, one.round, one.point);
       });
       const std::optional<Visibility> shown = shownAs({});
       if (!again && shown && shown->sigma > clearVisibility) errors.push_back(one);
@@ -94,15 +96,16 @@ class Draw {
   TrueGrossError anyGrossError(const std::vector<PlannedRow>& rows) {
     constexpr double slips[] = {30, 60, 120, 300};  // arcseconds
     const PlannedRow& row = anyRow(rows);
-    const int axis = anyAxis();
+    const NumberedPosition position = anyPosition();
     const Angle slip = Angle::fromArcseconds(sign() * slips[m_random.whole(0, 3)]);
     const bool horizontal = m_random.uniform() < 0.5;
-    return {.axisDeg = axis,
+    return {.axisDeg = position.axisDeg,
             .round = row.round,
             .point = row.point,
             .face = row.face,
             .horizontal = horizontal ? slip : Angle(),
-            .vertical = horizontal ? Angle() : slip};
+            .vertical = horizontal ? Angle() : slip,
+            .time = position.time};
   }
 
   void putJump() {
@@ -112,11 +115,12 @@ class Draw {
 
   /// Its vertical part, which next to nothing shows, as large as the one that the closures show.
   void putZeroSlip() {
-    const int axis = anyAxis();
+    const NumberedPosition position = anyPosition();
     const double horizontal = sign() * m_random.uniform(20, 60), ratio = sign() * m_random.uniform(0.7, 1.4);
-    m_truth.zeroSlip = {.axisDeg = axis,
+    m_truth.zeroSlip = {.axisDeg = position.axisDeg,
                         .horizontal = Angle::fromArcseconds(horizontal),
-                        .vertical = Angle::fromArcseconds(ratio * horizontal)};
+                        .vertical = Angle::fromArcseconds(ratio * horizontal),
+                        .time = position.time};
   }
 
   /// The setting is known in a quarter of the sessions.

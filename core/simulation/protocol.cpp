@@ -27,6 +27,13 @@ std::vector<Protocol> makeProtocols() {
        .faces = BothAtEachPlace,
        .slider = true,
        .circleShift = Angle::fromDegrees(90)},
+      {.name = "again", .description = "as paper, 0° measured again after 180°", .axes = {0, 180, 0}},
+      {.name = "full-again",
+       .description = "as full, 0° measured again after 180°",
+       .rounds = 2,
+       .faces = BothAtEachPlace,
+       .slider = true,
+       .axes = {0, 180, 0}},
   };
 }
 

@@ -18,8 +18,7 @@ enum class FacePlan {
 
 /// A plan of readings: what is read, how often and in which order.
 ///
-/// In each position the slider runs through its places there in odd rounds and back in even ones. The
-/// position at 0° is taken first.
+/// In each position the slider runs through its places there in odd rounds and back in even ones.
 struct Protocol {
   std::string name;
   std::string description;
@@ -29,7 +28,7 @@ struct Protocol {
   int rounds = 1;                        ///< ≥ 1
   FacePlan faces = FacePlan::FaceOne;
   bool slider = false;               ///< the slider is read, once at each place
-  std::vector<int> axes = {0, 180};  ///< positions of the axis, each 0 or 180
+  std::vector<int> axes = {0, 180};  ///< of the positions in the order taken, each 0 or 180
   Angle circleShift = {};            ///< turn of the horizontal circle between the positions
 };
 

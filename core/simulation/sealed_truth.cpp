@@ -39,9 +39,11 @@ bool readGrossErrors(const Json& list, SealedTruth& truth) {
       if (!(std::abs(number) <= mostCells) || number != std::trunc(number)) return false;
       place[i] = static_cast<int>(number);
     }
-    addGrossError(
-        truth, {.axisDeg = place[0] == 0 ? 0 : 180, .round = place[1], .point = place[2], .face = place[3]},
-        blunder.at(4), blunder.at(5));
+    if (place[0] < 0) return false;
+    const auto [axisDeg, time] = NumberedPosition::of(place[0]);
+    addGrossError(truth,
+                  {.axisDeg = axisDeg, .round = place[1], .point = place[2], .face = place[3], .time = time},
+                  blunder.at(4), blunder.at(5));
   }
   std::ranges::sort(truth.grossErrors);
   return true;
@@ -111,7 +113,8 @@ SealedTruth sealed(const std::string& id, const Truth& truth, const std::optiona
     for (const LookAlike& other : visibility->lookAlikes) seal.lookAlikes.push_back(other.effect);
   }
   for (const TrueGrossError& m : truth.grossErrors)
-    addGrossError(seal, {.axisDeg = m.axisDeg, .round = m.round, .point = m.point, .face = m.face},
+    addGrossError(seal,
+                  {.axisDeg = m.axisDeg, .round = m.round, .point = m.point, .face = m.face, .time = m.time},
                   m.horizontal.radians(), m.vertical.radians());
   std::ranges::sort(seal.grossErrors);
   return seal;

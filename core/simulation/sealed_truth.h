@@ -16,6 +16,7 @@ namespace alidade {
 struct GrossErrorCell {
   int axisDeg = 0, round = 1, point = 1, face = 1;
   ReadingKind circle = ReadingKind::Horizontal;
+  int time = 1;  ///< the how many-th position at this axis
 
   auto operator<=>(const GrossErrorCell&) const = default;
 };
@@ -39,11 +40,11 @@ bool isOfNoCatalogue(const std::string& kind);
 SealedTruth sealed(const std::string& id, const Truth& truth, const std::optional<Visibility>& visibility);
 
 /// The truth file of a set of trials: a JSON object {id: {kind, intersection_mm, protocol, causes, blunders:
-/// [[position, round, point, face, horizontal, vertical], …], visible_sigma, look_alikes: [[id, cosine, σ],
-/// …]}, …}; kind and intersection_mm are required, other keys are passed over. In the order of the ids.
-/// Fails, with the id and the key, on what could not be scored: a value of the wrong type, a kind or cause
-/// that no answer can name, a gross_error without blunders, two_causes without causes; and where there is no
-/// truth.
+/// [[position, round, point, face, horizontal, vertical], …] with positions by `NumberedPosition`,
+/// visible_sigma, look_alikes: [[id, cosine, σ], …]}, …}; kind and intersection_mm are required, other keys
+/// are passed over. In the order of the ids. Fails, with the id and the key, on what could not be scored: a
+/// value of the wrong type, a kind or cause that no answer can name, a gross_error without blunders,
+/// two_causes without causes; and where there is no truth.
 Result<std::vector<SealedTruth>> readSealedTruths(const std::string& text);
 
 }  // namespace alidade

@@ -39,8 +39,9 @@ std::string typedOnCircle(Angle angle, const Angle& step) {
 }
 
 std::string rowName(const TrueGrossError& m) {
-  return "axis " + std::to_string(m.axisDeg) + "°, round " + std::to_string(m.round) + ", point " +
-         std::to_string(m.point) + ", face " + std::to_string(m.face);
+  return "axis " + std::to_string(m.axisDeg) + "°" + (m.time > 1 ? ", time " + std::to_string(m.time) : "") +
+         ", round " + std::to_string(m.round) + ", point " + std::to_string(m.point) + ", face " +
+         std::to_string(m.face);
 }
 
 /// Takes the rows of a session one after the other.
@@ -74,7 +75,7 @@ class Simulator {
 
  private:
   bool plans(const TrueGrossError& error) const {
-    return std::ranges::find(m_protocol.axes, error.axisDeg) != m_protocol.axes.end() &&
+    return error.time <= std::ranges::count(m_protocol.axes, error.axisDeg) &&
            std::ranges::find(m_plan, PlannedRow{error.round, error.point, error.face}) != m_plan.end();
   }
 
@@ -107,6 +108,8 @@ class Simulator {
   }
 
   Position position(int axisDeg, std::size_t index) {
+    m_time = static_cast<int>(std::count(
+        m_protocol.axes.begin(), m_protocol.axes.begin() + static_cast<std::ptrdiff_t>(index) + 1, axisDeg));
     const PerfectReadings perfect(
         m_truth, axisDeg, m_truth.horizontalZero + m_protocol.circleShift * static_cast<double>(index));
     Position position;
@@ -133,13 +136,13 @@ class Simulator {
     const double factor = m_truth.noiseFactor;
     circles.horizontal = circles.horizontal + noise(m_truth.sigmaHorizontal * factor);
     circles.vertical = circles.vertical + noise(m_truth.sigmaVertical * factor);
-    if (const auto& slip = m_truth.zeroSlip; slip && slip->axisDeg == axisDeg) {
+    if (const auto& slip = m_truth.zeroSlip; slip && slip->axisDeg == axisDeg && slip->time == m_time) {
       circles.horizontal = circles.horizontal + slip->horizontal;
       circles.vertical =
           row.face == 1 ? circles.vertical + slip->vertical : circles.vertical - slip->vertical;
     }
     for (const TrueGrossError& m : m_truth.grossErrors) {
-      if (m.axisDeg != axisDeg || PlannedRow{m.round, m.point, m.face} != row) continue;
+      if (m.axisDeg != axisDeg || m.time != m_time || PlannedRow{m.round, m.point, m.face} != row) continue;
       circles.horizontal = circles.horizontal + m.horizontal;
       circles.vertical = circles.vertical + m.vertical;
     }
@@ -165,6 +168,7 @@ class Simulator {
   Angle m_step;
   std::vector<PlannedRow> m_plan;
   std::size_t m_rows = 0, m_taken = 0;
+  int m_time = 1;  ///< the how many-th position at its axis
   Angle m_place;
   std::string m_slider;
 };

@@ -35,7 +35,8 @@ std::vector<GrossErrorCell> cellsOf(const Diagnosis& diagnosis) {
   std::vector<GrossErrorCell> cells;
   for (const Cause& cause : diagnosis.causes)
     for (const ReadingDeviation& reading : cause.readings)
-      cells.push_back({reading.axisDeg, reading.round, reading.point, reading.face, reading.kind});
+      cells.push_back(
+          {reading.axisDeg, reading.round, reading.point, reading.face, reading.kind, reading.time});
   std::ranges::sort(cells);
   return cells;
 }

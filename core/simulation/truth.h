@@ -29,6 +29,7 @@ struct OrientationJump {
 struct TrueZeroSlip {
   int axisDeg = 0;
   Angle horizontal, vertical;  ///< of the circle readings, of their face 1 equivalents
+  int time = 1;                ///< the how many-th position at this axis
 };
 
 /// A radial form error of any order, which no effect of the catalogue describes: A cos ns + B sin ns.
@@ -41,6 +42,15 @@ struct FormHarmonic {
 struct TrueGrossError {
   int axisDeg = 0, round = 1, point = 1, face = 1;
   Angle horizontal, vertical;  ///< added to the circle readings
+  int time = 1;                ///< the how many-th position at this axis
+};
+
+/// How truth files number positions, which take turns: 0 at 0°, 1 at 180°, 2 at 0° again, …
+struct NumberedPosition {
+  int axisDeg = 0, time = 1;
+
+  int number() const { return 2 * (time - 1) + (axisDeg == 0 ? 0 : 1); }
+  static NumberedPosition of(int number) { return {number % 2 == 0 ? 0 : 180, number / 2 + 1}; }
 };
 
 /// Everything a simulated session hangs on and that its fit does not know. Lengths in mm, o0.

@@ -60,11 +60,28 @@ std::optional<Problem> addJump(Truth& truth, const Numbers& numbers) {
   return std::nullopt;
 }
 
+bool isWhole(double number, double least) {
+  return number >= least && number == std::floor(number) && number < 1e9;
+}
+
+constexpr const char* timeToo = ", and where the axis is measured again the how many-th time is meant";
+
+/// `count` numbers, an axis first, and behind them maybe the how many-th time it is measured.
+bool areOfAxis(const Numbers& numbers, std::size_t count) {
+  if (numbers.size() != count && !(numbers.size() == count + 1 && isWhole(numbers.back(), 1))) return false;
+  return numbers[0] == 0 || numbers[0] == 180;
+}
+
+int timeIn(const Numbers& numbers, std::size_t count) {
+  return numbers.size() > count ? static_cast<int>(numbers[count]) : 1;
+}
+
 std::optional<Problem> addZeroSlip(Truth& truth, const Numbers& numbers) {
-  if (numbers.size() != 3 || (numbers[0] != 0 && numbers[0] != 180))
-    return wantsNumbers(zeroSlipId, "the axis (0 or 180), the horizontal and the vertical step (arcsec)");
+  if (!areOfAxis(numbers, 3))
+    return wantsNumbers(zeroSlipId, "the axis (0 or 180), the horizontal and the vertical step (arcsec)" +
+                                        std::string(timeToo));
   truth.zeroSlip = {static_cast<int>(numbers[0]), Angle::fromArcseconds(numbers[1]),
-                    Angle::fromArcseconds(numbers[2])};
+                    Angle::fromArcseconds(numbers[2]), timeIn(numbers, 3)};
   return std::nullopt;
 }
 
@@ -76,18 +93,14 @@ std::optional<Problem> addNoise(Truth& truth, const Numbers& numbers) {
   return std::nullopt;
 }
 
-bool isWhole(double number, double least) {
-  return number >= least && number == std::floor(number) && number < 1e9;
-}
-
 std::optional<Problem> addGrossError(Truth& truth, const Numbers& n) {
-  if (n.size() != 6 || (n[0] != 0 && n[0] != 180) || !isWhole(n[1], 1) || !isWhole(n[2], 0) ||
-      (n[3] != 1 && n[3] != 2))
+  if (!areOfAxis(n, 6) || !isWhole(n[1], 1) || !isWhole(n[2], 0) || (n[3] != 1 && n[3] != 2))
     return wantsNumbers(grossErrorId,
-                        "axis (0 or 180), round, point, face and the horizontal and vertical error (arcsec)");
+                        "axis (0 or 180), round, point, face and the horizontal and vertical error (arcsec)" +
+                            std::string(timeToo));
   truth.grossErrors.push_back({static_cast<int>(n[0]), static_cast<int>(n[1]), static_cast<int>(n[2]),
                                static_cast<int>(n[3]), Angle::fromArcseconds(n[4]),
-                               Angle::fromArcseconds(n[5])});
+                               Angle::fromArcseconds(n[5]), timeIn(n, 6)});
   return std::nullopt;
 }
 
@@ -114,9 +127,10 @@ struct OtherEffect {
 
 constexpr std::array otherEffects = {
     OtherEffect{jumpId, "moment (0…1),horizontal,vertical (arcsec)", &addJump},
-    OtherEffect{zeroSlipId, "axis,horizontal,vertical (arcsec): a jump between its zero and its first place",
+    OtherEffect{zeroSlipId,
+                "axis,horizontal,vertical[,time] (arcsec): a jump between its zero and its first place",
                 &addZeroSlip},
-    OtherEffect{grossErrorId, "axis,round,point,face,horizontal,vertical (arcsec); may be repeated",
+    OtherEffect{grossErrorId, "axis,round,point,face,horizontal,vertical[,time] (arcsec); may be repeated",
                 &addGrossError},
     OtherEffect{noiseId, "true noise over the stated", &addNoise},
     OtherEffect{harmonicId, "order,cosine,sine (mm): a form error outside the catalogue", &addHarmonic},
@@ -141,8 +155,8 @@ OrderedJson effectsJson(const Truth& truth) {
     effects[jumpId] = {truth.jump->moment, truth.jump->horizontal.arcseconds(),
                        truth.jump->vertical.arcseconds()};
   if (truth.zeroSlip)
-    effects[zeroSlipId] = {truth.zeroSlip->axisDeg == 0 ? 0 : 1, truth.zeroSlip->horizontal.arcseconds(),
-                           truth.zeroSlip->vertical.arcseconds()};
+    effects[zeroSlipId] = {NumberedPosition{truth.zeroSlip->axisDeg, truth.zeroSlip->time}.number(),
+                           truth.zeroSlip->horizontal.arcseconds(), truth.zeroSlip->vertical.arcseconds()};
   if (truth.harmonic)
     effects[harmonicId] = {truth.harmonic->order, truth.harmonic->cosine, truth.harmonic->sine};
   if (truth.foreign)
@@ -154,8 +168,8 @@ OrderedJson effectsJson(const Truth& truth) {
 OrderedJson blundersJson(const Truth& truth) {
   OrderedJson blunders = OrderedJson::array();
   for (const TrueGrossError& m : truth.grossErrors)
-    blunders.push_back({m.axisDeg == 0 ? 0 : 1, m.round, m.point, m.face, m.horizontal.arcseconds(),
-                        m.vertical.arcseconds()});
+    blunders.push_back({NumberedPosition{m.axisDeg, m.time}.number(), m.round, m.point, m.face,
+                        m.horizontal.arcseconds(), m.vertical.arcseconds()});
   return blunders;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/quantity_text.h"
+#include "core/wording/position_name.h"
 
 namespace alidade {
 
@@ -70,7 +71,7 @@ Words wordsOf(const ReadingsRepeat& finding) {
 
 Words wordsOf(const ArcFinding& finding) {
   Words words = std::visit([](const auto& kind) { return wordsOf(kind); }, finding.what);
-  words.text = std::to_string(finding.axisDeg) + "°: " + words.text;
+  words.text = positionName(finding.axisDeg, finding.time) + ": " + words.text;
   return words;
 }
 

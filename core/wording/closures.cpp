@@ -4,17 +4,32 @@
 
 #include "core/base/list_text.h"
 #include "core/base/quantity_text.h"
+#include "core/wording/position_name.h"
 
 namespace alidade {
 
-std::string nameInWords(Closure::Of of) {
-  switch (of) {
+namespace {
+
+std::string nameInWords(const Closure::Repeated& repeated) {
+  const std::string quantity = repeated.quantity == Unknown::Kind::Radius    ? "R"
+                               : repeated.quantity == Unknown::Kind::CentreX ? "Δx"
+                                                                             : "Δy";
+  return quantity + "(" + positionName(repeated.axisDeg, repeated.time) + ") − " + quantity + "(" +
+         positionName(repeated.axisDeg) + ")";
+}
+
+}  // namespace
+
+std::string nameInWords(const Closure& closure) {
+  switch (closure.of) {
     case Closure::Of::Radius:
       return "R(180°) − R(0°)";
     case Closure::Of::Centre:
       return "Δx(180°) − Δx(0°)";
     case Closure::Of::NominalRadius:
       return "R − R0";
+    case Closure::Of::Repeat:
+      return nameInWords(closure.repeated.value_or(Closure::Repeated{}));
     case Closure::Of::Reference:
       return "Δd − reference";
   }
@@ -23,7 +38,7 @@ std::string nameInWords(Closure::Of of) {
 
 std::string textOf(const Closure& closure) {
   const int decimals = decimalsFor(closure.sigma);
-  return nameInWords(closure.of) + " = " + displayText(closure.value, decimals) + " mm (u " +
+  return nameInWords(closure) + " = " + displayText(closure.value, decimals) + " mm (u " +
          displayText(closure.sigma, decimals) + "), " + displayText(closure.sigmas(), 1) + " σ";
 }
 
@@ -31,12 +46,13 @@ std::string misclosureSentence(const Diagnosis& diagnosis) {
   std::vector<std::string> ofPositions, ofKnown;
   for (const ClosureStep& step : diagnosis.closures) {
     const Closure::Of of = step.before.of;
-    const bool isOfPositions = of == Closure::Of::Radius || of == Closure::Of::Centre;
+    const bool isOfPositions =
+        of == Closure::Of::Radius || of == Closure::Of::Centre || of == Closure::Of::Repeat;
     if (step.isOpen()) (isOfPositions ? ofPositions : ofKnown).push_back(textOf(step.latest()));
   }
   std::string text;
   if (!ofPositions.empty())
-    text = "The two positions do not close: " + listed(ofPositions, " and ") +
+    text = "The positions do not close: " + listed(ofPositions, " and ") +
            ". What moved between them may have moved Δd: find it, or measure anew and sight the zeros again.";
   if (!ofKnown.empty())
     text += std::string(text.empty() ? "" : " ") +

@@ -7,7 +7,7 @@
 namespace alidade {
 
 /// "R(180°) − R(0°)".
-std::string nameInWords(Closure::Of of);
+std::string nameInWords(const Closure& closure);
 
 /// "R(180°) − R(0°) = 1.96 mm (u 0.28), 7.0 σ".
 std::string textOf(const Closure& closure);

@@ -22,6 +22,10 @@ std::string textOf(Measure measure) {
       return "the pointing zero sighted again";
     case Measure::DistanceInBoth:
       return "the distance measured in both positions";
+    case Measure::At0Again:
+      return "0° measured again";
+    case Measure::At180Again:
+      return "180° measured again";
   }
   return "";
 }

@@ -5,6 +5,7 @@
 #include "core/base/quantity_text.h"
 #include "core/base/visible_text.h"
 #include "core/wording/arc_fault.h"
+#include "core/wording/position_name.h"
 
 namespace alidade {
 
@@ -21,7 +22,7 @@ std::string beyondChance(double difference, const std::string& by, double bound)
 }  // namespace
 
 Words wordsOf(const ArcMissing& finding) {
-  return {"The arc at " + std::to_string(finding.axisDeg) + "° " + textOf(finding.why) + "."};
+  return {"The arc at " + positionName(finding.axisDeg, finding.time) + " " + textOf(finding.why) + "."};
 }
 
 Words wordsOf(const Undetermined& finding) {

@@ -2,6 +2,7 @@
 
 #include "core/base/number_text.h"
 #include "core/base/quantity_text.h"
+#include "core/wording/position_name.h"
 
 namespace alidade {
 
@@ -44,7 +45,7 @@ Words wordsOf(const ZeroOfOtherCircle& finding) {
   const bool zenith = finding.circle == VerticalCircle::Zenith;
   const std::string own =
       zenith ? "a zenith circle, which reads 90° there" : "an elevation circle, which reads 0° there";
-  return {"The pointing zero at " + std::to_string(finding.axisDeg) + "° has " +
+  return {"The pointing zero at " + positionName(finding.axisDeg, finding.time) + " has " +
               displayText(finding.vertical.degrees(), 2) +
               "° on the vertical circle, far from the horizon of " + own + ".",
           std::string("Check the kind of the vertical circle: as ") + (zenith ? "an elevation" : "a zenith") +
@@ -52,8 +53,9 @@ Words wordsOf(const ZeroOfOtherCircle& finding) {
 }
 
 Words wordsOf(const SlidersDiffer& finding) {
-  return {std::to_string(finding.axisDeg) + "°: rows " + std::to_string(finding.firstRow + 1) + " and " +
-              std::to_string(finding.otherRow + 1) + " are of one visit, yet their slider values differ by " +
+  return {positionName(finding.axisDeg, finding.time) + ": rows " + std::to_string(finding.firstRow + 1) +
+              " and " + std::to_string(finding.otherRow + 1) +
+              " are of one visit, yet their slider values differ by " +
               displayText(finding.apart.arcseconds(), 1) + "″; the first alone is used" +
               (finding.others > 0 ? ", here and in " + std::to_string(finding.others) + " more" : "") + ".",
           "The slider stands still during a visit: correct the value, or give the rows different points or "

@@ -5,6 +5,7 @@
 #include "core/base/angle_text.h"
 #include "core/base/quantity_text.h"
 #include "core/base/visible_text.h"
+#include "core/wording/position_name.h"
 
 namespace alidade {
 
@@ -26,7 +27,7 @@ std::string capitalised(std::string text) {
 
 /// "0°, point 5, vertical"; round and face where they are not 1.
 std::string nameOf(const Suspect& suspect) {
-  std::string name = std::to_string(suspect.axisDeg) + "°, point " + std::to_string(suspect.point);
+  std::string name = positionName(suspect.axisDeg, suspect.time) + ", point " + std::to_string(suspect.point);
   if (suspect.round != 1) name += ", round " + std::to_string(suspect.round);
   if (suspect.face != 1) name += ", face " + std::to_string(suspect.face);
   return name + ", " + suspect.where.field;

@@ -2,6 +2,7 @@
 
 #include "core/base/quantity_text.h"
 #include "core/wording/closures.h"
+#include "core/wording/position_name.h"
 #include "core/wording/setup_findings.h"
 
 namespace alidade {
@@ -12,7 +13,7 @@ namespace {
 std::string textOf(const LengthsInDoubt& doubt) {
   const std::string check = "check " + lengthsToCheck(doubt.distance, doubt.nominalRadius) + ".";
   if (!doubt.radius) return "no" + tooShortText(doubt.distance) + ": " + check;
-  return "the radius fitted at " + std::to_string(doubt.radius->axisDeg) + "° is " +
+  return "the radius fitted at " + positionName(doubt.radius->axisDeg, doubt.radius->time) + " is " +
          displayText(doubt.radius->percentOff, 0) +
          " % off the nominal one, and lengths that are so far from what they should be prove nothing: " +
          check;

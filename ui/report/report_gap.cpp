@@ -66,7 +66,7 @@ void addClosureTable(ReportSheet& sheet, const Gap& gap) {
   table.head();
   for (const ClosureStep& step : gap.diagnosis->closures) {
     const TextStyle style = step.isOpen() ? type::body.inBold() : type::body;
-    std::vector<ReportCell> cells{{qText(nameInWords(step.before.of)), style},
+    std::vector<ReportCell> cells{{qText(nameInWords(step.before)), style},
                                   {closureText(step.before, coverage), style},
                                   {closureSigmasText(step.before), style}};
     if (hasCauses) {

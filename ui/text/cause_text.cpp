@@ -9,6 +9,7 @@
 #include "core/wording/diagnosis_sentence.h"
 #include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
+#include "ui/text/position_text.h"
 #include "ui/text/quantity_text.h"
 
 namespace alidade::ui {
@@ -52,8 +53,8 @@ QString parameterText(const Cause& cause, const CauseParameter& parameter) {
 }
 
 QString deviationText(const ReadingDeviation& reading) {
-  QString text = GapText::tr("%1°, point %2, %3")
-                     .arg(reading.axisDeg)
+  QString text = GapText::tr("%1, point %2, %3")
+                     .arg(positionText(reading.axisDeg, reading.time))
                      .arg(reading.point)
                      .arg(qText(std::string(nameOf(reading.kind))));
   if (reading.round != 1) text += GapText::tr(", round %1").arg(reading.round);

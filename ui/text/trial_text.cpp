@@ -7,6 +7,7 @@
 #include "ui/text/cause_text.h"
 #include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
+#include "ui/text/position_text.h"
 #include "ui/text/quantity_text.h"
 
 namespace alidade::ui {
@@ -70,8 +71,8 @@ QString foreignText(const ForeignEffect& effect) {
 void addGrossErrors(QStringList& lines, const Truth& truth) {
   for (const TrueGrossError& error : truth.grossErrors) {
     const bool isHorizontal = error.horizontal.radians() != 0;
-    lines.append(TrialText::tr("Misread: %1°, round %2, point %3, face %4, %5 by %6")
-                     .arg(error.axisDeg)
+    lines.append(TrialText::tr("Misread: %1, round %2, point %3, face %4, %5 by %6")
+                     .arg(positionText(error.axisDeg, error.time))
                      .arg(error.round)
                      .arg(error.point)
                      .arg(error.face)
@@ -102,10 +103,10 @@ QStringList truthLines(const BlindTrial& trial) {
                      .arg(numberText(100 * truth.jump->moment, 0), signedSeconds(truth.jump->horizontal),
                           signedSeconds(truth.jump->vertical)));
   if (truth.zeroSlip)
-    lines.append(
-        TrialText::tr("Knocked after the pointing zero at %1°: horizontal %2, vertical %3")
-            .arg(truth.zeroSlip->axisDeg)
-            .arg(signedSeconds(truth.zeroSlip->horizontal), signedSeconds(truth.zeroSlip->vertical)));
+    lines.append(TrialText::tr("Knocked after the pointing zero at %1: horizontal %2, vertical %3")
+                     .arg(positionText(truth.zeroSlip->axisDeg, truth.zeroSlip->time),
+                          signedSeconds(truth.zeroSlip->horizontal),
+                          signedSeconds(truth.zeroSlip->vertical)));
   if (truth.harmonic)
     lines.append(TrialText::tr("Radius + A cos %1s + B sin %1s with A = %2 mm, B = %3 mm")
                      .arg(truth.harmonic->order)

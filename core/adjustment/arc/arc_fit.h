@@ -32,12 +32,14 @@ struct ArcFit {
   int axisDeg = 0;
   Circle circle;                            ///< y up
   std::vector<SightingResidual> residuals;  ///< in the order of the sightings
-  int degreesOfFreedom = 0;  ///< readings of angles − slider places − 3; 0 or less: no check on the noise
-  double chiSquare = 0;      ///< Σ (v/σ)² with the stated σ
-  double residualRms = 0;    ///< arcseconds, over all angle readings of the arc
-  Covariance3 cofactor{};    ///< covariance of (Δx, Δy, R) from the stated σ of the readings alone
+  int degreesOfFreedom =
+      0;  ///< readings of angles − slider places − unknowns; 0 or less: no check on the noise
+  double chiSquare = 0;    ///< Σ (v/σ)² with the stated σ
+  double residualRms = 0;  ///< arcseconds, over all angle readings of the arc
+  Covariance3 cofactor{};  ///< covariance of (Δx, Δy, R) from the stated σ of the readings alone
   int iterations = 0;
   FitStatus status = FitStatus::Undetermined;
+  int time = 1;  ///< as `ArcMeasurement::time`
 
   bool converged() const { return status == FitStatus::Converged; }
   double reducedChiSquare() const { return degreesOfFreedom > 0 ? chiSquare / degreesOfFreedom : 0; }

@@ -78,6 +78,7 @@ class SuspectSearch {
     Suspect suspect;
     suspect.where = where;
     suspect.axisDeg = m_trials.measurement().arcs[visit.arc].axisDeg;
+    suspect.time = m_trials.measurement().arcs[visit.arc].time;
     suspect.point = sighting.point;
     suspect.round = sighting.round;
     suspect.face = sighting.face;

@@ -25,6 +25,7 @@ struct Proposal {
 struct Suspect {
   Place where;  ///< position, reading and field of the cell
   int axisDeg = 0, point = 0, round = 1, face = 1;
+  int time = 1;  ///< as `ArcMeasurement::time`
   ReadingKind kind = ReadingKind::Horizontal;
   /// As typed minus what the other readings say it should be, as read on the circle; half a turn for a wrong
   /// face, NaN where what was typed is no angle.

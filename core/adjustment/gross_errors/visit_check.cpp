@@ -116,7 +116,7 @@ struct VisitCheck::Content {
   void takeOver(const JointFit& fit, std::size_t arc) {
     std::vector<std::size_t> indices;
     for (Unknown unknown : fit.unknowns) {
-      if (!unknown.concerns(arc)) continue;
+      if (!unknown.concerns(arc, fit.firsts)) continue;
       indices.push_back(fit.indexOf(unknown));
       if (unknown.arc != Unknown::everyArc) unknown.arc = 0;
       unknowns.push_back(unknown);
@@ -169,6 +169,7 @@ VisitCheck::VisitCheck(const Measurement& measurement, std::size_t arc,
   content.variance = std::max(fit.chiSquare / content.freedom, 1e-6);
   content.options = options;
   content.options.without.clear();
+  content.options.estimatesZeros = hasRepeats(measurement);
   content.takeOver(fit, arc);
   const auto value = [&](Unknown::Kind kind) { return fit.values[fit.indexOf({.kind = kind, .arc = arc})]; };
   content.circle = {value(Unknown::Kind::CentreX), value(Unknown::Kind::CentreY),

@@ -213,6 +213,7 @@ class ArcApart {
 
 void addUnknowns(JointFit& fit, const std::vector<ArcApart>& arcs) {
   for (std::size_t arc = 0; arc < arcs.size(); ++arc) {
+    fit.firsts.push_back(arc);
     const Vector4d values = arcs[arc].values();
     for (int i = 0; i < arcs[arc].unknowns(); ++i) {
       fit.unknowns.push_back({.kind = estimatedKinds[static_cast<std::size_t>(i)], .arc = arc});
@@ -259,7 +260,7 @@ void fillMatrices(JointFit& fit, const std::vector<ArcApart>& arcs) {
 
 bool isUsualCase(const Measurement& measurement, const JointFitOptions& options) {
   return measurement.radiusModel == RadiusModel::Free && options.terms.empty() && options.without.empty() &&
-         !options.isClosed;
+         !options.isClosed && !options.estimatesZeros && (options.isApart || !hasRepeats(measurement));
 }
 
 }  // namespace
@@ -288,9 +289,10 @@ std::optional<JointFit> fitJointlyFast(const Measurement& measurement, const std
   fit.readings.resize(readings);
   fit.arcAngles.resize(arcs.size());
   fit.misfits.resize(arcs.size());
+  const bool hasIntersection = hasBothAxes(measurement) && !hasRepeats(measurement);
   doEach(threads, arcs.size(), [&](std::size_t i) {
     const double perHeight = intersectionPerHeight(measurement.arcs[i].axisDeg);
-    arcs[i].fillReadings(fit, fit.readings.data() + firsts[i], arcs.size() == 2 ? perHeight : 0);
+    arcs[i].fillReadings(fit, fit.readings.data() + firsts[i], hasIntersection ? perHeight : 0);
   });
   for (std::size_t i = 0; i < arcs.size(); ++i) {
     fit.iterations = std::max(fit.iterations, arcs[i].iterations());

@@ -75,7 +75,7 @@ SquareMatrix plain(const MatrixXd& matrix) {
 /// ∂Δd/∂unknowns: half the difference of the heights of the centres at 0° and 180°.
 VectorXd intersectionGradient(const Measurement& measurement, const std::vector<Unknown>& unknowns) {
   VectorXd gradient = VectorXd::Zero(static_cast<Index>(unknowns.size()));
-  if (measurement.arcs.size() != 2) return gradient;
+  if (!hasBothAxes(measurement)) return gradient;
   for (std::size_t i = 0; i < unknowns.size(); ++i)
     if (unknowns[i].kind == Unknown::Kind::CentreY)
       gradient[static_cast<Index>(i)] = intersectionPerHeight(measurement.arcs[unknowns[i].arc].axisDeg);
@@ -142,9 +142,10 @@ void fillReadings(JointFit& fit, const Measurement& measurement, const JointProb
 void countDegreesOfFreedom(JointFit& fit, const JointProblem& problem) {
   for (std::size_t i = 0; i < fit.unknowns.size(); ++i) {
     if (problem.prior(i).isInformative()) continue;
-    const bool ofOneArc =
-        fit.unknowns[i].arc < fit.misfits.size() && fit.unknowns[i].kind != Unknown::Kind::Error;
-    --(ofOneArc ? fit.misfits[fit.unknowns[i].arc].degreesOfFreedom : fit.degreesOfFreedom);
+    const Unknown& unknown = fit.unknowns[i];
+    const bool isShared = unknown.arc == Unknown::everyArc || unknown.kind == Unknown::Kind::Error ||
+                          (unknown.isOfAxis() && std::ranges::count(fit.firsts, unknown.arc) > 1);
+    --(isShared ? fit.degreesOfFreedom : fit.misfits[unknown.arc].degreesOfFreedom);
   }
   for (const ArcMisfit& misfit : fit.misfits) fit.degreesOfFreedom += misfit.degreesOfFreedom;
 }
@@ -152,10 +153,11 @@ void countDegreesOfFreedom(JointFit& fit, const JointProblem& problem) {
 }  // namespace
 
 std::size_t JointFit::indexOf(const Unknown& unknown) const {
-  auto found = std::ranges::find(unknowns, unknown);
-  const bool mayBeShared = unknown.kind == Unknown::Kind::Radius || unknown.kind == Unknown::Kind::CentreX;
-  if (found == unknowns.end() && mayBeShared)
-    found = std::ranges::find(unknowns, Unknown{.kind = unknown.kind, .arc = Unknown::everyArc});
+  Unknown asked = unknown;
+  if (asked.isOfAxis() && asked.arc < firsts.size()) asked.arc = firsts[asked.arc];
+  auto found = std::ranges::find(unknowns, asked);
+  if (found == unknowns.end() && asked.isOfAxis() && asked.kind != Unknown::Kind::CentreY)
+    found = std::ranges::find(unknowns, Unknown{.kind = asked.kind, .arc = Unknown::everyArc});
   return static_cast<std::size_t>(found - unknowns.begin());
 }
 
@@ -188,6 +190,7 @@ JointFit fitJointlyInGeneral(const Measurement& measurement, const std::vector<C
 
   JointFit fit;
   fit.unknowns = problem.estimated();
+  fit.firsts = problem.firsts();
   for (std::size_t i = 0; i < fit.unknowns.size(); ++i)
     fit.values.push_back(problem.prior(i).value + minimum.state.unknowns[static_cast<Index>(i)]);
   for (std::size_t i = 0; i < fit.unknowns.size(); ++i) fit.priorSigmas.push_back(problem.prior(i).sigma);

@@ -15,9 +15,10 @@
 
 namespace alidade {
 
-// The situation: one or two arcs were sighted from one stand, in any mixture of rounds, faces, slider
-// readings and missing points. Both circles and the slider of each row are observations of the one forward
-// model (observe.h), and one least squares adjustment of all of them,
+// The situation: arcs at one or two rotations of the axis, some of them measured again, were sighted from one
+// stand, in any mixture of rounds, faces, slider readings and missing points. Both circles and the slider of
+// each row are observations of the one forward model (observe.h), and one least squares adjustment of all of
+// them,
 //
 //   minimise Σ (reading − model(unknowns))²/σ²,
 //
@@ -25,24 +26,32 @@ namespace alidade {
 // for each visit, which its faces share. Gauss-Newton with Levenberg's damping; the arc angles are eliminated
 // visit by visit, so the equations stay small however many points there are. Derivatives are automatic.
 //
+// The arcs of one axis share centre and radius. What is of one arc alone stands under its index, what arcs
+// share under that of the first of them (`firstAtTheirAxes`).
+//
 // The pointing zeros and the distance are observed as well, but the readings say next to nothing about them:
 // they keep the values read, and their σ are carried through to the result ("considered"), so that readings
-// which scatter more than stated cannot pull a zero along.
+// which scatter more than stated cannot pull a zero along. Where an axis is measured again its zeros
+// contradict each other; then all zeros are estimated, as well known as stated.
 
 /// What an unknown of the adjustment is.
 struct Unknown {
   enum class Kind { CentreX, CentreY, Radius, HorizontalZero, VerticalZero, SliderZero, Distance, Error };
 
-  /// `arc` of a radius or x that both arcs share.
+  /// `arc` of a radius or x that the arcs of both axes share.
   static constexpr std::size_t everyArc = static_cast<std::size_t>(-1);
 
   Kind kind = Kind::CentreX;
   std::size_t arc = 0;                      ///< index into the measurement's arcs; 0 for Distance and Error
   ErrorTerm term = ErrorTerm::Collimation;  ///< of an Error
 
-  /// One of the readings of arc `index` hangs on it.
-  bool concerns(std::size_t index) const {
-    return kind == Kind::Distance || kind == Kind::Error || arc == index || arc == everyArc;
+  /// Of the guideway at one rotation of the axis, whichever arc is sighted there.
+  bool isOfAxis() const { return kind == Kind::CentreX || kind == Kind::CentreY || kind == Kind::Radius; }
+  /// One of the readings of arc `index` hangs on it; `firsts`: of each arc the one it shares centre and
+  /// radius with.
+  bool concerns(std::size_t index, const std::vector<std::size_t>& firsts) const {
+    return kind == Kind::Distance || kind == Kind::Error || arc == everyArc ||
+           arc == (isOfAxis() ? firsts[index] : index);
   }
 
   bool operator==(const Unknown&) const = default;
@@ -72,7 +81,7 @@ struct AdjustedReading {
 /// What the readings of one arc leave over.
 struct ArcMisfit {
   double chiSquare = 0;      ///< Σ (v/σ)² over circles and slider
-  int degreesOfFreedom = 0;  ///< readings − visits − unknowns of the arc alone
+  int degreesOfFreedom = 0;  ///< readings − visits − unknowns of the arc alone, that have no prior
 };
 
 struct JointFitOptions {
@@ -86,6 +95,12 @@ struct JointFitOptions {
   /// radius: one radius and one x for both positions, and the pointing zeros estimated, as well known as
   /// stated, since a wrong one leaves residuals then.
   bool isClosed = false;
+  /// Each arc has a centre and a radius of its own, those of one axis, too, and keeps the zero read: to see
+  /// what they disagree by. Not of a closed one.
+  bool isApart = false;
+  /// The pointing zeros are estimated although nothing contradicts them: of a part of a session in which they
+  /// are.
+  bool estimatesZeros = false;
   /// Readings that take no part: they get no weight, a residual of 0 and a redundancy of 0. The slider
   /// reading of a visit is that of its first row which has one.
   std::vector<ReadingRef> without = {};
@@ -95,8 +110,9 @@ struct JointFitOptions {
 };
 
 struct JointFit {
-  std::vector<Unknown> unknowns;  ///< estimated
-  std::vector<double> values;     ///< of the unknowns: mm, rad, or the unit of the term
+  std::vector<Unknown> unknowns;    ///< estimated
+  std::vector<double> values;       ///< of the unknowns: mm, rad, or the unit of the term
+  std::vector<std::size_t> firsts;  ///< of each arc the one whose centre and radius it has
   /// With which each unknown was known beforehand: such as a known radius, or a zero of a closed model;
   /// infinite where nothing is.
   std::vector<double> priorSigmas;
@@ -119,8 +135,8 @@ struct JointFit {
   /// `Undetermined` where a number of the fit is not finite or a variance negative.
   FitStatus status = FitStatus::Undetermined;
 
-  /// Index of an unknown; `unknowns.size()` where it is not one of this fit. The radius or x of any arc is
-  /// the shared one where there is one.
+  /// Index of an unknown; `unknowns.size()` where it is not one of this fit. Centre and radius of any arc are
+  /// the shared ones where there are such.
   std::size_t indexOf(const Unknown& unknown) const;
   bool converged() const { return status == FitStatus::Converged; }
   /// Else `chiSquare`, `values` and whatever follows from them mean nothing.

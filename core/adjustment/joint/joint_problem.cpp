@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -56,7 +57,10 @@ JointProblem::JointProblem(const Measurement& measurement, const JointFitOptions
       m_jumpBefore(options.jumpBefore),
       m_jumpEnd(options.jumpEnd),
       m_isClosed(options.isClosed),
+      m_firsts(firstAtTheirAxes(measurement)),
       m_without(options.without) {
+  m_estimatesZeros = m_isClosed || options.estimatesZeros || (hasRepeats(measurement) && !options.isApart);
+  if (options.isApart) std::iota(m_firsts.begin(), m_firsts.end(), std::size_t{0});
   for (std::size_t arc = 0; arc < measurement.arcs.size(); ++arc) {
     addArc(arc);
     for (Visit& visit : visitsOf(measurement.arcs[arc])) {
@@ -75,9 +79,12 @@ JointProblem::JointProblem(const Measurement& measurement, const JointFitOptions
 
 void JointProblem::addArc(std::size_t arc) {
   using enum Unknown::Kind;
-  std::vector kinds{CentreY};
-  if (!m_isClosed) kinds.insert(kinds.begin(), CentreX);
-  if (!sharesRadius()) kinds.push_back(Radius);
+  std::vector<Unknown::Kind> kinds;
+  if (m_firsts[arc] == arc) {
+    if (!m_isClosed) kinds.push_back(CentreX);
+    kinds.push_back(CentreY);
+    if (!sharesRadius()) kinds.push_back(Radius);
+  }
   const auto& sightings = m_measurement.arcs[arc].sightings;
   if (std::ranges::any_of(sightings, [](const Sighting& s) { return s.slider.has_value(); }))
     kinds.push_back(SliderZero);
@@ -88,7 +95,7 @@ void JointProblem::addArc(std::size_t arc) {
 
 void JointProblem::addZero(const Unknown& zero, double sigma) {
   constexpr double exact = 1e-15;  // rad: its weight would be no number
-  if (m_isClosed && sigma > exact)
+  if (m_estimatesZeros && sigma > exact)
     estimate(zero, {0, sigma});
   else
     consider(zero, sigma);
@@ -128,32 +135,36 @@ void JointProblem::buildSlotMaps() {
           m_slotMaps[arc][term++] = index;
         else if (unknown.kind == Unknown::Kind::Distance)
           m_slotMaps[arc][distanceSlot] = index;
-        else if (unknown.concerns(arc))
+        else if (unknown.concerns(arc, m_firsts))
           m_slotMaps[arc][static_cast<std::size_t>(unknown.kind)] = index;
         ++index;
       }
   }
 }
 
+double JointProblem::meanOf(const Unknown& unknown, const std::vector<Circle>& circles) const {
+  double sum = 0;
+  int count = 0;
+  for (std::size_t arc = 0; arc < circles.size(); ++arc) {
+    if (!unknown.concerns(arc, m_firsts)) continue;
+    const Circle& circle = circles[arc];
+    sum += unknown.kind == Unknown::Kind::CentreX   ? circle.x
+           : unknown.kind == Unknown::Kind::CentreY ? circle.y
+                                                    : circle.radius;
+    ++count;
+  }
+  return sum / count;
+}
+
 JointState JointProblem::start(const std::vector<Circle>& circles) const {
   JointState state{VectorXd::Zero(count()), VectorXd::Zero(static_cast<Index>(m_visits.size()))};
   for (std::size_t i = 0; i < m_estimated.size(); ++i) {
     using enum Unknown::Kind;
-    if (m_estimated[i].arc == Unknown::everyArc) {
-      for (const Circle& c : circles)
-        state.unknowns[static_cast<Index>(i)] +=
-            ((m_estimated[i].kind == CentreX ? c.x : c.radius) - m_priors[i].value) /
-            static_cast<double>(circles.size());
-      continue;
-    }
-    const Circle& circle = circles[m_estimated[i].arc];
+    const Unknown& unknown = m_estimated[i];
     double& value = state.unknowns[static_cast<Index>(i)];
-    if (m_estimated[i].kind == CentreX) value = circle.x;
-    if (m_estimated[i].kind == CentreY) value = circle.y;
-    if (m_estimated[i].kind == Radius) value = circle.radius - m_priors[i].value;
+    if (unknown.isOfAxis()) value = meanOf(unknown, circles) - m_priors[i].value;
     for (const EstimatedTerm& term : m_terms)
-      if (m_estimated[i].kind == Error && m_estimated[i].term == term.term)
-        value = term.start - term.priorValue;
+      if (unknown.kind == Error && unknown.term == term.term) value = term.start - term.priorValue;
   }
   for (std::size_t v = 0; v < m_visits.size(); ++v) {
     const PlanePoint<double> place =

@@ -69,6 +69,8 @@ class JointProblem {
   /// not lost in rounding.
   const Prior& prior(std::size_t i) const { return m_priors[i]; }
   const std::vector<VisitOfArc>& visits() const { return m_visits; }
+  /// Of each arc the one whose centre and radius it has.
+  const std::vector<std::size_t>& firsts() const { return m_firsts; }
 
   JointState start(const std::vector<Circle>& circles) const;
   /// Where a fit of the same measurement ended; error terms that were not part of it are zero.
@@ -108,6 +110,8 @@ class JointProblem {
   bool sharesRadius() const;
   /// Of a radius that both positions share.
   Prior radiusPrior() const;
+  /// Of the circles that an unknown of a centre or radius is of.
+  double meanOf(const Unknown& unknown, const std::vector<Circle>& circles) const;
   void estimate(const Unknown& unknown, const Prior& prior);
   void consider(const Unknown& unknown, double sigma);
   void buildSlotMaps();
@@ -130,6 +134,8 @@ class JointProblem {
   std::vector<EstimatedTerm> m_terms;
   std::optional<std::size_t> m_jumpBefore, m_jumpEnd;
   bool m_isClosed;
+  std::vector<std::size_t> m_firsts;
+  bool m_estimatesZeros = false;
   std::vector<ReadingRef> m_without;
   std::vector<Unknown> m_estimated, m_considered;
   std::vector<Prior> m_priors;

@@ -52,6 +52,7 @@ Linearised linearisedAt(const Measurement& measurement, const JointProblem& prob
                         const std::vector<EstimatedTerm>& terms) {
   Linearised result;
   result.visits = problem.visits().size();
+  result.firsts = problem.firsts();
   for (std::size_t i = 0; i < problem.estimated().size(); ++i) {
     const Unknown& unknown = problem.estimated()[i];
     const double beyondPrior = state.unknowns[static_cast<Index>(i)];

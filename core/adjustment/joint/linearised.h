@@ -46,7 +46,8 @@ struct Condition {
 struct Linearised {
   std::vector<LinearReading> readings;  ///< visit after visit
   std::size_t visits = 0;
-  std::vector<Unknown> unknowns;  ///< circles, slider zeros, pointing zeros and distance; no error terms
+  std::vector<Unknown> unknowns;    ///< circles, slider zeros, pointing zeros and distance; no error terms
+  std::vector<std::size_t> firsts;  ///< of each arc the one whose centre and radius it has
   /// Of each unknown, counted from where the fit has it, mm or rad: of a known radius and the considered ones
   /// as stated, σ 0 where that is exact.
   std::vector<Prior> priors;
@@ -64,7 +65,9 @@ struct Linearised {
   double ofUnknown(std::size_t reading, std::size_t unknown) const {
     const LinearReading& own = readings[reading];
     const Unknown& by = unknowns[unknown];
-    return by.concerns(own.arc) ? perUnknown.at(own.kind, own.number, static_cast<std::size_t>(by.kind)) : 0;
+    return by.concerns(own.arc, firsts)
+               ? perUnknown.at(own.kind, own.number, static_cast<std::size_t>(by.kind))
+               : 0;
   }
   double ofTerm(std::size_t reading, ErrorTerm term) const {
     const LinearReading& own = readings[reading];

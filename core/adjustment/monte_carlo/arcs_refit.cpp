@@ -14,7 +14,7 @@ bool isAlone(const Measurement& fitted) {
   const auto hasSlider = [](const ArcMeasurement& arc) {
     return std::ranges::any_of(arc.sightings, [](const Sighting& s) { return s.slider.has_value(); });
   };
-  return estimatedTerms(fitted).empty() && fitted.radiusModel == RadiusModel::Free &&
+  return estimatedTerms(fitted).empty() && !hasRepeats(fitted) && fitted.radiusModel == RadiusModel::Free &&
          std::ranges::none_of(fitted.arcs, hasSlider);
 }
 

@@ -31,19 +31,26 @@ struct alignas(64) Pack {
   double at[side] = {};
 };
 
-/// What a visit hangs on: slider's zero, x, y, R, L, φ, then the error terms. The slider reads its zero
-/// along, so it is the one slot without second derivatives.
-constexpr std::size_t fixedSlots = 6, mostSlotsOfVisit = fixedSlots + errorTermCount;
+/// What a visit hangs on: slider's zero, x, y, R, L, φ, the pointing zeros where they are estimated, then the
+/// error terms. The slider reads its zero along, so it is the one slot without second derivatives.
+constexpr std::size_t fixedSlots = 6, zeroSlots = 2,
+                      mostSlotsOfVisit = fixedSlots + zeroSlots + errorTermCount;
 constexpr std::size_t sliderAt = 0, centreAt = 1, distanceAt = 4, phiAt = 5;
 
 /// Where `JointProblem` has them.
-std::vector<Index> slotsWith(std::size_t terms) {
+std::vector<Index> slotsWith(bool zeros, std::size_t terms) {
   using enum Unknown::Kind;
   std::vector<Index> slots;
   for (const auto kind : {SliderZero, CentreX, CentreY, Radius}) slots.push_back(static_cast<Index>(kind));
   slots.insert(slots.end(), {distanceSlot, phiSlot});
+  if (zeros)
+    for (const auto kind : {HorizontalZero, VerticalZero}) slots.push_back(static_cast<Index>(kind));
   for (std::size_t t = 0; t < terms; ++t) slots.push_back(static_cast<Index>(firstTermSlot + t));
   return slots;
+}
+
+bool isZero(const Unknown& unknown) {
+  return unknown.kind == Unknown::Kind::HorizontalZero || unknown.kind == Unknown::Kind::VerticalZero;
 }
 
 struct ReadingRow {
@@ -65,7 +72,9 @@ struct VisitBlock {
 class ExpandedModel {
  public:
   ExpandedModel(const RefitTask& task, const JointProblem& problem, const JointState& state)
-      : m_slots(slotsWith(task.plan.terms())), m_state(state) {
+      : m_firstTerm(fixedSlots + (std::ranges::any_of(problem.estimated(), isZero) ? zeroSlots : 0)),
+        m_slots(slotsWith(m_firstTerm > fixedSlots, task.plan.terms())),
+        m_state(state) {
     mapUnknowns(task, problem);
     addVisits(task, problem);
     addSecondDerivatives(task, problem);
@@ -87,16 +96,18 @@ class ExpandedModel {
   void mapUnknowns(const RefitTask& task, const JointProblem& problem) {
     const auto slotOf = [&](const Unknown& unknown) {
       if (unknown.kind == Unknown::Kind::SliderZero) return sliderAt;
+      if (unknown.kind == Unknown::Kind::HorizontalZero) return fixedSlots;
+      if (unknown.kind == Unknown::Kind::VerticalZero) return fixedSlots + 1;
       return centreAt + static_cast<std::size_t>(unknown.kind);  // x, y, R
     };
     m_unknowns.assign(task.fitted.arcs.size(), std::vector<int>(slots(), -1));
     for (std::size_t arc = 0; arc < m_unknowns.size(); ++arc) {
-      std::size_t term = fixedSlots;
+      std::size_t term = m_firstTerm;
       for (std::size_t i = 0; i < problem.estimated().size(); ++i) {
         const Unknown& unknown = problem.estimated()[i];
         if (unknown.kind == Unknown::Kind::Error)
           m_unknowns[arc][term++] = static_cast<int>(i);
-        else if (unknown.concerns(arc))
+        else if (unknown.concerns(arc, problem.firsts()))
           m_unknowns[arc][slotOf(unknown)] = static_cast<int>(i);
       }
     }
@@ -140,7 +151,8 @@ class ExpandedModel {
     constexpr double length = 0.1, angle = 1e-4;  // mm, rad
     if (slot == phiAt) return angle;
     if (slot < fixedSlots) return length;
-    return estimatedTerms(task.fitted)[slot - fixedSlots].priorSigma;
+    if (slot < m_firstTerm) return angle;
+    return estimatedTerms(task.fitted)[slot - m_firstTerm].priorSigma;
   }
 
   void addSecondDerivatives(const RefitTask& task, const JointProblem& problem) {
@@ -195,6 +207,7 @@ class ExpandedModel {
     visit.perAngle = 1 / mixed[phiAt];
   }
 
+  std::size_t m_firstTerm;
   std::vector<Index> m_slots;
   JointState m_state;
   std::vector<std::vector<int>> m_unknowns;
@@ -301,7 +314,7 @@ class ExpandedRefit : public Refit {
         if (isTerm)
           drawn = term->priorSigma * m_scale.at[l] *
                   m_normals[DrawPlan::firstTerm + static_cast<std::size_t>(term - m_terms.begin())].at[l];
-        else if (m_model->priorWeight(i) > 0)
+        else if (unknown.kind == Unknown::Kind::Radius && m_model->priorWeight(i) > 0)
           drawn = m_task.fitted.sigmaRadius * m_normals[DrawPlan::radius].at[l];
         m_priors[i].at[l] = drawn - m_model->beyondPrior(i);
       }
@@ -391,7 +404,7 @@ class ExpandedRefit : public Refit {
 
 std::shared_ptr<const ExpandedModel> expandedModel(const RefitTask& task) {
   constexpr std::size_t mostNumbers = 8'000'000;  // 64 MB
-  const std::size_t slots = fixedSlots + task.plan.terms();
+  const std::size_t slots = mostSlotsOfVisit - errorTermCount + task.plan.terms();
   if (task.fit.joint.readings.size() * slots * (slots + 1) > mostNumbers) return nullptr;
   const JointProblem problem(task.fitted, {.terms = estimatedTerms(task.fitted)});
   return std::make_shared<const ExpandedModel>(task, problem, problem.stateOf(task.fit.joint));

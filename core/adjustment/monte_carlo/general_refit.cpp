@@ -20,7 +20,8 @@ class GeneralRefit : public Refit {
     const auto hasSlider = [](const ArcMeasurement& arc) {
       return std::ranges::any_of(arc.sightings, [](const Sighting& s) { return s.slider.has_value(); });
     };
-    m_arcsApart = m_options.terms.empty() && task.fitted.radiusModel == RadiusModel::Free &&
+    m_arcsApart = m_options.terms.empty() && !hasRepeats(task.fitted) &&
+                  task.fitted.radiusModel == RadiusModel::Free &&
                   std::ranges::none_of(task.fitted.arcs, hasSlider);
   }
 

@@ -63,7 +63,9 @@ class Refits {
 class Columns {
  public:
   explicit Columns(const RefitTask& task) : m_values(task.centres() + (task.fit.intersection ? 1 : 0)) {
-    if (task.fit.intersection) m_upper = task.fitted.arcs[0].axisDeg == 0 ? 1 : 3;
+    if (!task.fit.intersection) return;
+    m_upper = 2 * arcAt(task.fitted, 0).value() + 1;
+    m_lower = 2 * arcAt(task.fitted, 180).value() + 1;
   }
 
   std::size_t draws() const { return m_values.front().size(); }
@@ -77,7 +79,7 @@ class Columns {
     const bool isThere = std::ranges::all_of(centres, [](double value) { return std::isfinite(value); });
     for (std::size_t i = 0; i < centres.size(); ++i) m_values[i][draw] = isThere ? centres[i] : missingCentre;
     if (m_values.size() > centres.size())
-      m_values.back()[draw] = isThere ? (centres[m_upper] - centres[4 - m_upper]) / 2 : missingCentre;
+      m_values.back()[draw] = isThere ? (centres[m_upper] - centres[m_lower]) / 2 : missingCentre;
   }
 
   void dropMissing() {
@@ -87,7 +89,7 @@ class Columns {
 
  private:
   std::vector<std::vector<double>> m_values;
-  std::size_t m_upper = 0;  ///< Δy at 0° among the centres
+  std::size_t m_upper = 0, m_lower = 0;  ///< Δy at 0° and at 180° among the centres
 };
 
 unsigned threadsOf(const MonteCarloOptions& options) {
@@ -207,8 +209,10 @@ MonteCarlo resultOf(Columns& columns, const RefitTask& task, std::size_t drawn,
   inParallel(
       std::min<unsigned>(threadsOf(options), static_cast<unsigned>(spreads.size())), spreads.size(),
       [&] { return [&](std::size_t i) { spreads[i] = spreadOf(columns.values()[i], result.coverage); }; });
-  for (std::size_t i = 0; i < task.fitted.arcs.size(); ++i)
-    result.centres.push_back({task.fitted.arcs[i].axisDeg, spreads[2 * i], spreads[2 * i + 1]});
+  const std::vector<std::size_t> firsts = firstAtTheirAxes(task.fitted);
+  for (std::size_t i = 0; i < firsts.size(); ++i)
+    if (firsts[i] == i)
+      result.centres.push_back({task.fitted.arcs[i].axisDeg, spreads[2 * i], spreads[2 * i + 1]});
   if (task.fit.intersection) {
     result.intersection = spreads.back();
     compare(result, *task.fit.intersection);

@@ -59,8 +59,8 @@ struct MonteCarlo {
   std::size_t draws = 0;   ///< that gave a result
   std::size_t failed = 0;  ///< whose fit did not settle or whose readings fixed no circle; left out
   std::uint64_t seed = 0;
-  double coverage = 0.95;  ///< of the intervals
-  std::vector<CentreSpread> centres;
+  double coverage = 0.95;             ///< of the intervals
+  std::vector<CentreSpread> centres;  ///< one for each axis
 
   /// Of Δd, with arcs at 0° and at 180°.
   std::optional<Spread> intersection;

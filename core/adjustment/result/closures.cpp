@@ -47,6 +47,8 @@ std::string_view nameOf(Closure::Of of) {
       return "centre";
     case Closure::Of::NominalRadius:
       return "nominal_radius";
+    case Closure::Of::Repeat:
+      return "repeat";
     case Closure::Of::Reference:
       return "reference";
   }
@@ -60,42 +62,74 @@ Closure closureOf(Closure::Of of, double value, double sigma, double degreesOfFr
   return closure;
 }
 
-std::optional<Misclosure> misclosureOf(const JointFit& fit, Closure::Of of, std::size_t at0,
-                                       std::size_t at180, double scale) {
-  const auto kind = of == Closure::Of::Radius ? Unknown::Kind::Radius : Unknown::Kind::CentreX;
+std::optional<Misclosure> misclosureOf(const JointFit& fit, Unknown::Kind quantity, std::size_t first,
+                                       std::size_t other, double scale) {
   std::vector<double> weights(fit.unknowns.size());
-  for (const auto& [arc, weight] : {std::pair(at180, 1.0), std::pair(at0, -1.0)}) {
-    const auto own = std::ranges::find(fit.unknowns, Unknown{.kind = kind, .arc = arc});
+  for (const auto& [arc, weight] : {std::pair(other, 1.0), std::pair(first, -1.0)}) {
+    const auto own = std::ranges::find(fit.unknowns, Unknown{.kind = quantity, .arc = arc});
     if (own == fit.unknowns.end()) return std::nullopt;
     weights[static_cast<std::size_t>(own - fit.unknowns.begin())] = weight;
   }
   return combinationOf(fit, weights, scale);
 }
 
+namespace {
+
+/// Held against `known`, with its σ.
+Closure closureOf(Closure::Of of, const Misclosure& misclosure, const NoiseScale& noise, double known = 0,
+                  double sigma = 0) {
+  const double together = std::hypot(misclosure.sigma, sigma);
+  return closureOf(
+      of, misclosure.value - known, together,
+      effectiveDegreesOfFreedom(together, misclosure.scaledSigma, noise.degreesOfFreedom).count());
+}
+
+}  // namespace
+
 std::vector<Closure> closuresOf(const Measurement& measurement, const JointFit& fit) {
   if (!fit.isDetermined() || fit.unknowns.empty()) return {};
   const NoiseScale noise = noiseScale(fit);
   std::vector<Closure> closures;
-  /// Held against `known`, with its σ.
-  const auto add = [&](Closure::Of of, const Misclosure& misclosure, double known, double sigma) {
-    const double together = std::hypot(misclosure.sigma, sigma);
-    closures.push_back(closureOf(
-        of, misclosure.value - known, together,
-        effectiveDegreesOfFreedom(together, misclosure.scaledSigma, noise.degreesOfFreedom).count()));
-  };
   const auto upper = arcAt(measurement, 0), lower = arcAt(measurement, 180);
   if (upper && lower)
-    for (const Closure::Of of : {Closure::Of::Radius, Closure::Of::Centre})
-      if (const auto misclosure = misclosureOf(fit, of, *upper, *lower, noise.factor))
-        add(of, *misclosure, 0, 0);
+    for (const auto& [of, quantity] : {std::pair(Closure::Of::Radius, Unknown::Kind::Radius),
+                                       std::pair(Closure::Of::Centre, Unknown::Kind::CentreX)})
+      if (const auto misclosure = misclosureOf(fit, quantity, *upper, *lower, noise.factor))
+        closures.push_back(closureOf(of, *misclosure, noise));
   if (measurement.sigmaRadius > 0 && measurement.radiusModel != RadiusModel::Known)
-    add(Closure::Of::NominalRadius, meanRadius(fit, noise.factor), measurement.nominalRadius,
-        measurement.sigmaRadius);
+    closures.push_back(closureOf(Closure::Of::NominalRadius, meanRadius(fit, noise.factor), noise,
+                                 measurement.nominalRadius, measurement.sigmaRadius));
   if (upper && lower && measurement.sigmaReference) {
     const std::vector<double> weights = intersectionWeights(fit, *upper, *lower);
-    add(Closure::Of::Reference, combinationOf(fit, weights, noise.factor), *measurement.referenceIntersection,
-        *measurement.sigmaReference);
+    closures.push_back(closureOf(Closure::Of::Reference, combinationOf(fit, weights, noise.factor), noise,
+                                 *measurement.referenceIntersection, *measurement.sigmaReference));
   }
+  return closures;
+}
+
+std::optional<JointFit> fitApart(const Measurement& measurement, const std::vector<Circle>& starts,
+                                 JointFitOptions options) {
+  if (!hasRepeats(measurement)) return std::nullopt;
+  options.isClosed = false;
+  options.isApart = true;
+  JointFit fit = fitJointly(measurement, starts, options);
+  if (!fit.converged()) return std::nullopt;
+  return fit;
+}
+
+std::vector<Closure> repeatsOf(const Measurement& measurement, const JointFit& apart) {
+  using enum Unknown::Kind;
+  const NoiseScale noise = noiseScale(apart);
+  const std::vector<std::size_t> firsts = firstAtTheirAxes(measurement);
+  std::vector<Closure> closures;
+  for (std::size_t arc = 0; arc < firsts.size(); ++arc)
+    for (const Unknown::Kind quantity : {CentreX, CentreY, Radius}) {
+      if (firsts[arc] == arc) continue;
+      const auto misclosure = misclosureOf(apart, quantity, firsts[arc], arc, noise.factor);
+      if (!misclosure) continue;
+      closures.push_back(closureOf(Closure::Of::Repeat, *misclosure, noise));
+      closures.back().repeated = {measurement.arcs[arc].axisDeg, measurement.arcs[arc].time, quantity};
+    }
   return closures;
 }
 

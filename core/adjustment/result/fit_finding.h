@@ -49,7 +49,7 @@ using What = std::variant<NotSettled, NothingChecks, ScattersMore, ScattersLess,
 
 }  // namespace arc_finding
 
-/// Of what was typed about the set-up.
+/// Of what was typed about the set-up. `time` is everywhere the how many-th position at its axis.
 namespace setup_finding {
 
 /// No theodolite focuses so near.
@@ -65,6 +65,7 @@ struct ZeroOfOtherCircle {
   int axisDeg = 0;
   Angle vertical;
   VerticalCircle circle = VerticalCircle::Zenith;
+  int time = 1;
 };
 /// In one visit; of several the most different.
 struct SlidersDiffer {
@@ -72,6 +73,7 @@ struct SlidersDiffer {
   std::size_t firstRow = 0, otherRow = 0;
   Angle apart;
   std::size_t others = 0;  ///< further ones
+  int time = 1;
 };
 
 }  // namespace setup_finding
@@ -83,6 +85,7 @@ namespace session_finding {
 struct ArcMissing {
   int axisDeg = 0;
   ArcFault why;
+  int time = 1;
 };
 /// Each arc is determined alone, but not all of them together.
 struct Undetermined {
@@ -115,6 +118,7 @@ struct PlanarRelation {};
 struct ArcFinding {
   int axisDeg = 0;
   arc_finding::What what;
+  int time = 1;
 };
 
 struct FitFinding {

@@ -25,11 +25,11 @@ bool holdsAxis(const Measurement& measurement, int axisDeg) {
 
 /// What the positions differ by where half a turn leaves it alone, if that is too much.
 template <typename Finding>
-void judgeClosure(std::vector<FitFinding>& findings, const SessionFit& fit, Closure::Of of) {
+void judgeClosure(std::vector<FitFinding>& findings, const SessionFit& fit, Unknown::Kind quantity) {
   const ArcFit *upper = fit.arcAt(0), *lower = fit.arcAt(180);
   if (!upper || !lower) return;
   const auto index = [&](const ArcFit* arc) { return static_cast<std::size_t>(arc - fit.arcs.data()); };
-  const auto misclosure = misclosureOf(fit.joint, of, index(upper), index(lower), fit.noise.factor);
+  const auto misclosure = misclosureOf(fit.joint, quantity, index(upper), index(lower), fit.noise.factor);
   if (!misclosure) return;
   const double difference = std::abs(misclosure->value), sigma = misclosure->sigma;
   constexpr double risk = 0.001;
@@ -98,8 +98,8 @@ std::vector<FitFinding> modelFindings(const Measurement& measurement) {
 
 std::vector<FitFinding> sessionFindings(const Measurement& measurement, const SessionFit& fit) {
   std::vector<FitFinding> findings = missingPositions(measurement);
-  judgeClosure<RadiiDiffer>(findings, fit, Closure::Of::Radius);
-  judgeClosure<CentresDiffer>(findings, fit, Closure::Of::Centre);
+  judgeClosure<RadiiDiffer>(findings, fit, Unknown::Kind::Radius);
+  judgeClosure<CentresDiffer>(findings, fit, Unknown::Kind::CentreX);
   judgeKnownRadius(findings, measurement, fit);
   judgeReference(findings, measurement, fit);
   std::ranges::move(modelFindings(measurement), std::back_inserter(findings));

@@ -17,7 +17,7 @@ namespace {
 
 FitFinding missing(const ArcMeasurement& arc, const ArcFault& why) {
   return {Severity::Error, Place{.position = arc.position, .reading = {}, .field = "readings"},
-          session_finding::ArcMissing{arc.axisDeg, why}};
+          session_finding::ArcMissing{arc.axisDeg, why, arc.time}};
 }
 
 /// The effects that the catalogue knows, each once.

@@ -37,7 +37,8 @@ void judgeSides(std::vector<FitFinding>& findings, const SessionFit& fit) {
   for (const ArcFit& arc : fit.arcs) {
     if (!isUpsideDown(arc)) continue;
     if (wrong.axesDeg.empty()) position = arc.position;
-    wrong.axesDeg.push_back(arc.axisDeg);
+    if (std::ranges::find(wrong.axesDeg, arc.axisDeg) == wrong.axesDeg.end())
+      wrong.axesDeg.push_back(arc.axisDeg);
   }
   if (wrong.axesDeg.empty()) return;
   findings.push_back(
@@ -55,9 +56,10 @@ void judgeVerticalCircle(std::vector<FitFinding>& findings, const Measurement& m
   constexpr double halfWay = 45;
   for (const ArcMeasurement& arc : measurement.arcs)
     if (fromHorizon(arc.zeroVertical, measurement.verticalCircle) > halfWay)
-      findings.push_back({Severity::Warning,
-                          Place{.position = arc.position, .reading = {}, .field = "pointing_zero.vertical"},
-                          ZeroOfOtherCircle{arc.axisDeg, arc.zeroVertical, measurement.verticalCircle}});
+      findings.push_back(
+          {Severity::Warning,
+           Place{.position = arc.position, .reading = {}, .field = "pointing_zero.vertical"},
+           ZeroOfOtherCircle{arc.axisDeg, arc.zeroVertical, measurement.verticalCircle, arc.time}});
 }
 
 /// A slider value that differs from the first of its visit.
@@ -85,9 +87,9 @@ void judgeSliders(std::vector<FitFinding>& findings, const ArcMeasurement& arc) 
   const std::vector<OtherSlider> others = otherSliders(arc);
   if (others.empty()) return;
   const OtherSlider& most = *std::ranges::max_element(others, {}, &OtherSlider::apart);
-  findings.push_back({Severity::Warning,
-                      Place{.position = arc.position, .reading = most.other, .field = "slider"},
-                      SlidersDiffer{arc.axisDeg, most.first, most.other, most.apart, others.size() - 1}});
+  findings.push_back(
+      {Severity::Warning, Place{.position = arc.position, .reading = most.other, .field = "slider"},
+       SlidersDiffer{arc.axisDeg, most.first, most.other, most.apart, others.size() - 1, arc.time}});
 }
 
 }  // namespace
@@ -99,7 +101,7 @@ std::optional<LengthsInDoubt> doubtfulLengths(const Measurement& measurement,
   for (const ArcFit& arc : arcs) {
     const double off = std::abs(arc.circle.radius - measurement.nominalRadius);
     if (off <= grosslyOff * measurement.nominalRadius + 3 * arc.radiusSigma()) continue;
-    doubt.radius = LengthsInDoubt::Radius{arc.axisDeg, 100 * off / measurement.nominalRadius};
+    doubt.radius = LengthsInDoubt::Radius{arc.axisDeg, 100 * off / measurement.nominalRadius, arc.time};
     return doubt;
   }
   return std::nullopt;

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/diagnosis/candidates/jump_moment.h"
 #include "core/diagnosis/candidates/shared_products.h"
 #include "core/diagnosis/evidence/gain.h"
 #include "core/diagnosis/gap/gap_model.h"
@@ -44,6 +45,8 @@ class Component {
   virtual bool isJump() const { return false; }
   /// The arc that a jump between its zero and its first place moves as a whole.
   virtual std::optional<std::size_t> slippedArc() const { return std::nullopt; }
+  /// Of a jump: on which rows it acts.
+  virtual std::optional<JumpMoment> jumpMoment() const { return std::nullopt; }
   /// Of no named cause.
   virtual bool isShape() const { return false; }
   /// The one that is off, an index into the leftover's readings; absent where the model is.

@@ -9,13 +9,13 @@ namespace alidade {
 
 using Eigen::Index, Eigen::Matrix2d, Eigen::Matrix2Xd, Eigen::MatrixXd, Eigen::Vector2d, Eigen::VectorXd;
 
-JumpColumns::JumpColumns(const Leftover& leftover, std::vector<Moment> moments, double size)
+JumpColumns::JumpColumns(const Leftover& leftover, std::vector<JumpMoment> moments, double size)
     : m_horizontal(leftover.column(ErrorTerm::HorizontalJump) * size),
       m_vertical(leftover.column(ErrorTerm::VerticalJump) * size),
       m_moments(std::move(moments)) {
   for (Index i = 0; i < leftover.readings(); ++i) {
     const std::size_t row = leftover.reading(i).sequence;
-    const auto after = std::ranges::upper_bound(m_moments, row, {}, &Moment::first);
+    const auto after = std::ranges::upper_bound(m_moments, row, {}, &JumpMoment::first);
     const bool touches = after != m_moments.begin() && row < std::prev(after)->end;
     m_last.push_back(touches ? after - m_moments.begin() - 1 : -1);
   }

@@ -38,10 +38,8 @@ const std::vector<Width>& JumpComponent::widths() const {
 MatrixXd JumpComponent::wholeColumns(const Leftover& leftover) const {
   MatrixXd columns(leftover.readings(), 2);
   columns << leftover.column(ErrorTerm::HorizontalJump), leftover.column(ErrorTerm::VerticalJump);
-  const auto [first, end] = moment();
   for (Index i = 0; i < columns.rows(); ++i)
-    if (const std::size_t row = leftover.reading(i).sequence; row < first || row >= end)
-      columns.row(i).setZero();
+    if (!moment().actsOn(leftover.reading(i).sequence)) columns.row(i).setZero();
   return columns * plausibleJump;
 }
 
@@ -74,7 +72,7 @@ double JumpComponent::widthOfFit(double, const VectorXd& weights) const {
 void JumpComponent::addTo(JointFitOptions& model, const Leftover&, const VectorXd&, double width) const {
   const double sigma = width * plausibleJump;
   model.jumpBefore = moment().first;
-  if (moment().end != JumpColumns::never) model.jumpEnd = moment().end;
+  if (moment().end != JumpMoment::never) model.jumpEnd = moment().end;
   model.terms.push_back({ErrorTerm::HorizontalJump, sigma});
   model.terms.push_back({ErrorTerm::VerticalJump, sigma});
 }
@@ -117,7 +115,7 @@ class ShownByOneRow {
   ShownByOneRow(const Leftover& leftover, const RowsOfArcs& arcs)
       : m_alone(rowsAloneInTheirVisit(leftover)), m_arcs(arcs), m_isClosed(leftover.equations().isClosed()) {}
 
-  std::optional<std::size_t> of(const JumpColumns::Moment& moment) const {
+  std::optional<std::size_t> of(const JumpMoment& moment) const {
     for (const auto& [arc, rows] : m_arcs) {
       if (rows.size() < 2) continue;
       // Where the positions are held against each other they show what moves a position as a whole.
@@ -135,7 +133,7 @@ class ShownByOneRow {
   bool m_isClosed;
 };
 
-std::vector<JumpComponent> componentsOf(const Leftover& leftover, std::vector<JumpColumns::Moment> moments,
+std::vector<JumpComponent> componentsOf(const Leftover& leftover, std::vector<JumpMoment> moments,
                                         const ShownByOneRow& shown) {
   const auto columns = std::make_shared<const JumpColumns>(leftover, std::move(moments), plausibleJump);
   const std::vector<Eigen::Matrix2d> grams = columns->visibleGrams(leftover);
@@ -146,10 +144,10 @@ std::vector<JumpComponent> componentsOf(const Leftover& leftover, std::vector<Ju
 }
 
 /// As many as are looked at.
-std::vector<JumpColumns::Moment> someOf(const std::vector<JumpColumns::Moment>& moments) {
+std::vector<JumpMoment> someOf(const std::vector<JumpMoment>& moments) {
   constexpr std::size_t most = 400;
   const std::size_t stride = moments.size() / most + 1;
-  std::vector<JumpColumns::Moment> some;
+  std::vector<JumpMoment> some;
   for (std::size_t m = 0; m < moments.size(); m += stride) some.push_back(moments[m]);
   return some;
 }
@@ -159,7 +157,7 @@ std::vector<JumpColumns::Moment> someOf(const std::vector<JumpColumns::Moment>& 
 std::vector<JumpComponent> jumpComponents(const Leftover& leftover) {
   const bool isClosed = leftover.equations().isClosed();
   const RowsOfArcs arcs = rowsOfArcs(leftover);
-  std::vector<JumpColumns::Moment> lasting, ofOnePosition;
+  std::vector<JumpMoment> lasting, ofOnePosition;
   for (auto arc = arcs.begin(); arc != arcs.end(); ++arc) {
     const bool isLast = std::next(arc) == arcs.end();
     for (const std::size_t row : arc->second) {
@@ -178,7 +176,7 @@ std::vector<JumpComponent> jumpComponents(const Leftover& leftover) {
 std::vector<JumpComponent> zeroSlips(const Leftover& leftover) {
   if (!leftover.equations().isClosed()) return {};
   const RowsOfArcs arcs = rowsOfArcs(leftover);
-  std::vector<JumpColumns::Moment> moments;
+  std::vector<JumpMoment> moments;
   for (const auto& [arc, rows] : arcs) moments.push_back({rows.front(), rows.back() + 1});
   std::vector<JumpComponent> slips = componentsOf(leftover, std::move(moments), {leftover, arcs});
   for (auto slip = slips.begin(); const auto& [arc, rows] : arcs) (slip++)->setSlippedArc(arc);

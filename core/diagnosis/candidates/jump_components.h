@@ -21,13 +21,14 @@ class JumpComponent final : public Component {
                 std::optional<std::size_t> onlyRow);
 
   /// Sequences of the first row after it, and of the first on which it acts no longer.
-  JumpColumns::Moment moment() const { return m_columns->moments()[m_index]; }
+  JumpMoment moment() const { return m_columns->moments()[m_index]; }
 
   std::string_view id() const override;
   ErrorSource source() const override { return ErrorSource::Time; }
   const std::vector<Width>& widths() const override;
   bool isJump() const override { return true; }
   std::optional<std::size_t> slippedArc() const override { return m_slippedArc; }
+  std::optional<JumpMoment> jumpMoment() const override { return moment(); }
   std::optional<std::size_t> onlyRow() const override { return m_onlyRow; }
   Eigen::Map<const Eigen::MatrixXd> gram() const override { return {m_gram.data(), 2, 2}; }
   Eigen::MatrixXd wholeColumns(const Leftover& leftover) const override;

@@ -36,10 +36,22 @@ std::string nameOf(Division by) {
   return "";
 }
 
-/// `value`: degrees of the axis or where a sector begins, a `ReadingKind`, or a number counted from 1.
+/// Of the positions in the order of their axes.
+constexpr int mostTimes = 1000;
+int positionNumber(const ArcMeasurement& arc) {
+  return mostTimes * arc.axisDeg + arc.time % mostTimes;
+}
+
+/// `value`: a `positionNumber`, the degrees where a sector begins, a `ReadingKind`, or a number counted from
+/// 1.
 std::string partName(Division by, int value) {
   if (by == Division::Circle) return std::string(nameOf(static_cast<ReadingKind>(value)));
   if (by == Division::Sector) return std::to_string(value) + "…" + std::to_string(value + sectorWidth) + "°";
+  if (by == Division::Position) {
+    const std::string name = std::to_string(value / mostTimes);
+    const int time = value % mostTimes;
+    return time > 1 ? name + ", time " + std::to_string(time) : name;
+  }
   if (by == Division::Time) return "quarter " + std::to_string(value);
   return std::to_string(value);
 }
@@ -109,7 +121,7 @@ std::vector<GapShare> sharesOfReadings(const Leftover& leftover, const Measureme
     const auto quarter = 4 * sighting.sequence / std::max<std::size_t>(measurement.rows, 1);
     const double s = sliderCoordinateOf(fit.arcAngles[reading.arc][reading.sighting], arc.axisDeg);
     const auto add = [&](Division by, int value) { tally.add(by, value, squares, expectations); };
-    add(Division::Position, arc.axisDeg);
+    add(Division::Position, positionNumber(arc));
     add(Division::Face, sighting.face);
     add(Division::Round, sighting.round);
     add(Division::Sector, sectorOf(s));
@@ -125,11 +137,18 @@ std::vector<GapShare> sharesOfClosures(const GapModel& own) {
   const auto add = [&](std::string_view of, double square, double expected) {
     shares.push_back({"closure", std::string(of), std::max(0.0, square - expected)});
   };
-  for (const Closure::Of of : {Closure::Of::Radius, Closure::Of::Centre})
-    if (const auto misclosure = misclosureOf(own.fit, of, *upper, *lower, 1))
+  for (const auto& [of, quantity] : {std::pair(Closure::Of::Radius, Unknown::Kind::Radius),
+                                     std::pair(Closure::Of::Centre, Unknown::Kind::CentreX)})
+    if (const auto misclosure = misclosureOf(own.fit, quantity, *upper, *lower, 1))
       add(nameOf(of), std::pow(misclosure->value / misclosure->sigma, 2), 1);
+  // What the positions of one axis disagree by is in the residuals of the fit that they share.
+  const std::optional<JointFit> apart = fitApart(*own.measurement, own.starts, own.options);
+  if (apart)
+    add(nameOf(Closure::Of::Repeat), own.fit.chiSquare - apart->chiSquare,
+        own.fit.degreesOfFreedom - apart->degreesOfFreedom);
   if (shares.empty()) return shares;
-  add("readings", own.fit.chiSquare, own.fit.degreesOfFreedom);
+  const JointFit& fit = apart ? *apart : own.fit;
+  add("readings", fit.chiSquare, fit.degreesOfFreedom);
   double sum = 0;
   for (const GapShare& share : shares) sum += share.share;
   for (GapShare& share : shares)

@@ -93,11 +93,33 @@ class Distances {
   }
 };
 
-/// Of effects by the terms that further readings show; jumps are told by none of them.
-double apartBy(const VisibleTerms& terms, const PossibleCause& one, const PossibleCause& other) {
-  const Effect *first = effectById(one.id), *second = effectById(other.id);
+/// The columns of a suspect among terms that were shown, scaled to plausible sizes; `moments`: of the jumps
+/// behind the terms. Absent where it is not among them.
+std::optional<MatrixXd> columnsOf(const PossibleCause& suspect, const VisibleTerms& terms,
+                                  const std::vector<JumpMoment>& moments) {
+  const Index size = terms.gram.rows();
+  if (const Effect* effect = effectById(suspect.id)) {
+    const MatrixXd ofTerms = combinationOf(*effect);
+    MatrixXd columns = MatrixXd::Zero(size, ofTerms.cols());
+    columns.topRows(ofTerms.rows()) = ofTerms;
+    return columns;
+  }
+  const auto own = std::ranges::find(moments, suspect.moment);
+  const auto first = static_cast<Index>(errorTermCount) + 2 * (own - moments.begin());
+  if (own == moments.end() || first >= size) return std::nullopt;
+  MatrixXd columns = MatrixXd::Zero(size, 2);
+  columns.middleRows<2>(first) = plausibleJump * Eigen::Matrix2d::Identity();
+  return columns;
+}
+
+/// By the terms, and the jumps, that further readings show.
+double apartBy(const VisibleTerms& terms, const std::vector<JumpMoment>& moments, const PossibleCause& one,
+               const PossibleCause& other) {
+  const auto first = columnsOf(one, terms, moments), second = columnsOf(other, terms, moments);
   if (!first || !second) return 0;
-  return linearDifferenceFrom(terms, combinationOf(*first) * one.weights, *second);
+  const Effect* effect = effectById(other.id);
+  return linearDifferenceFrom(terms, *first * one.weights, *second,
+                              effect ? effect->response : Response::Linear);
 }
 
 /// σ of the difference of two sightings of a zero in both circles, rad.
@@ -167,6 +189,10 @@ double effortOf(const std::vector<Measure>& measures) {
         break;
       case Measure::SliderReadings:
         times *= 1.2;
+        break;
+      case Measure::At0Again:
+      case Measure::At180Again:
+        sessions += 0.5;
         break;
       case Measure::BothFaces:
       case Measure::WayBack:
@@ -266,11 +292,15 @@ std::vector<Advice> separating(const Inquiry& inquiry, const std::vector<Possibl
   const auto offer = [&](Advice advice) {
     if (advice.separates.size() > 1) list.push_back(std::move(advice));
   };
-  FurtherTerms further(inquiry.base, inquiry.leftover.equations(), effectsIn(suspects, &PossibleCause::id));
+  std::vector<JumpMoment> moments;
+  for (const PossibleCause& suspect : suspects)
+    if (suspect.moment) moments.push_back(*suspect.moment);
+  FurtherTerms further(inquiry.base, inquiry.leftover.equations(), effectsIn(suspects, &PossibleCause::id),
+                       moments);
   const auto tryOut = [&](const FurtherReadings& plan) {
     const VisibleTerms terms = further.shownBy(plan);
     const Distances distances(suspects, [&](const PossibleCause& one, const PossibleCause& other) {
-      return apartBy(terms, one, other);
+      return apartBy(terms, moments, one, other);
     });
     offer(distances.largestApart(plan.measures));
   };

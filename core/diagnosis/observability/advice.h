@@ -19,6 +19,7 @@ struct PossibleCause {
   double odds = 1;          ///< against the first one
   std::optional<std::size_t> arc =
       {};  ///< of a jump between a zero and the first place: the measurement's arc
+  std::optional<JumpMoment> moment = {};  ///< of a jump
 };
 
 /// What further readings would tell apart, or where there are no two suspects, what would show of the effects

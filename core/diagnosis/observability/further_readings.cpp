@@ -142,6 +142,21 @@ std::optional<FurtherReadings> withMoreArc(const GapModel& model, Measurement mo
   return further(Measure::MoreOfTheArc, std::move(more));
 }
 
+/// With the position at an axis measured once more behind all others, to the same places. What drifts goes on
+/// drifting as it did.
+std::optional<FurtherReadings> withPositionAgain(const Measurement& plan, int axisDeg) {
+  const auto first = arcAt(plan, axisDeg);
+  if (!first || std::ranges::count(plan.arcs, axisDeg, &ArcMeasurement::axisDeg) > 1) return std::nullopt;
+  Measurement more = plan;
+  ArcMeasurement again = plan.arcs[*first];
+  ++again.time;
+  for (std::size_t i = 0; i < again.sightings.size(); ++i) again.sightings[i].sequence = plan.rows + i;
+  more.arcs.push_back(std::move(again));
+  FurtherReadings readings = further(axisDeg == 0 ? Measure::At0Again : Measure::At180Again, std::move(more));
+  readings.goesOn = true;
+  return readings;
+}
+
 /// One measure on top of others; absent where either is.
 template <typename Add>
 std::optional<FurtherReadings> together(const std::optional<FurtherReadings>& first, const Add& add) {
@@ -181,6 +196,8 @@ void eachFurtherReadings(const GapModel& model, const std::function<void(const F
   offer(withShiftedCircle(plan));
   offer(withSecondStandOff(model, plan));
   offer(withMoreArc(model, plan));
+  if (hasBothAxes(plan))
+    for (const int axisDeg : {0, 180}) offer(withPositionAgain(plan, axisDeg));
 }
 
 void eachCombination(const GapModel& model, const std::function<void(const FurtherReadings&)>& take) {
@@ -197,8 +214,8 @@ void eachCombination(const GapModel& model, const std::function<void(const Furth
 Linearised linearisedPlan(const GapModel& model, const Measurement& set,
                           const std::vector<ErrorTerm>& terms) {
   std::vector<Circle> circles;
-  for (std::size_t arc = 0; arc < model.measurement->arcs.size(); ++arc)
-    circles.push_back(model.fit.circleOf(arc));
+  for (const ArcMeasurement& arc : set.arcs)
+    circles.push_back(model.fit.circleOf(arcAt(*model.measurement, arc.axisDeg).value()));
   JointFitOptions options;
   options.isClosed = model.options.isClosed;
   options.terms = model.options.terms;

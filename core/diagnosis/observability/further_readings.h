@@ -15,13 +15,15 @@ struct FurtherReadings {
   std::vector<Measure> measures;
   std::vector<Measurement> sets;
   bool besideSession = false;  ///< the first set is the session itself, read without error
+  bool goesOn = false;  ///< the only set is the session with more behind it, its rows as numbered there
 };
 
 /// The session as it was planned: every reading without error.
 Measurement readWithoutError(const GapModel& model);
 
-/// The same session with the other face, the way back, the slider, a shifted circle, a second stand-off or
-/// more of the arc read along, one after the other; what it has already is not offered.
+/// The same session with the other face, the way back, the slider, a shifted circle, a second stand-off, more
+/// of the arc or one of its positions once more read along, one after the other; what it has already is not
+/// offered.
 void eachFurtherReadings(const GapModel& model, const std::function<void(const FurtherReadings&)>& take);
 
 /// With any two of the other face, the way back and the slider, and with all three.

@@ -6,8 +6,8 @@
 namespace alidade {
 
 FurtherTerms::FurtherTerms(const GapModel& model, const Linearised& ofSession,
-                           const std::vector<const Effect*>& effects)
-    : m_model(model), m_equations(ofSession) {
+                           const std::vector<const Effect*>& effects, std::vector<JumpMoment> moments)
+    : m_model(model), m_equations(ofSession), m_moments(std::move(moments)) {
   const auto add = [&](ErrorTerm term) {
     if (std::ranges::find(m_terms, term) == m_terms.end()) m_terms.push_back(term);
   };
@@ -17,6 +17,7 @@ FurtherTerms::FurtherTerms(const GapModel& model, const Linearised& ofSession,
 }
 
 VisibleTerms FurtherTerms::shownBy(const FurtherReadings& plan) {
+  if (plan.goesOn) return withEstimated(goingOn(plan.sets.back()), m_model.options.terms);
   VisibleTerms terms = ofSet(plan.sets.back());
   if (plan.besideSession) {
     if (!m_ofSession) m_ofSession = ofSession(plan.sets.front());
@@ -27,6 +28,12 @@ VisibleTerms FurtherTerms::shownBy(const FurtherReadings& plan) {
 
 VisibleTerms FurtherTerms::ofSet(const Measurement& set) const {
   return visibleTerms(linearisedPlan(m_model, set, m_terms), m_terms);
+}
+
+VisibleTerms FurtherTerms::goingOn(const Measurement& set) const {
+  std::vector<ErrorTerm> terms = m_terms;
+  if (!m_moments.empty()) terms.insert(terms.end(), {ErrorTerm::HorizontalJump, ErrorTerm::VerticalJump});
+  return visibleTerms(linearisedPlan(m_model, set, terms), m_terms, m_moments);
 }
 
 /// The session's own equations serve where it was fitted without effects and with all its readings.

@@ -31,13 +31,14 @@ void eliminateFirst(MatrixXd& gram, Index count, const VectorXd& whole) {
 
 using RowMajorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// The columns of a set, those unknowns that are not fixed, then the terms.
+/// The columns of a set, those unknowns that are not fixed, the terms, then the jumps.
 struct Columns {
   const Linearised& set;
   const std::vector<std::size_t>& unknowns;
   const std::vector<ErrorTerm>& terms;
+  const std::vector<JumpMoment>& moments;
 
-  Index count() const { return static_cast<Index>(unknowns.size() + terms.size()); }
+  Index count() const { return static_cast<Index>(unknowns.size() + terms.size() + 2 * moments.size()); }
   Index readings() const { return static_cast<Index>(set.readings.size()); }
   const LinearReading& reading(Index i) const { return set.readings[static_cast<std::size_t>(i)]; }
   bool areOfOneVisit(Index i, Index j) const { return reading(i).visit == reading(j).visit; }
@@ -51,6 +52,9 @@ void reduce(const Columns& columns, Index begin, Index end, RowMajorMatrix& rows
     double* row = rows.row(i - begin).data();
     for (const std::size_t unknown : columns.unknowns) *row++ = columns.set.ofUnknown(reading, unknown);
     for (const ErrorTerm term : columns.terms) *row++ = columns.set.ofTerm(reading, term);
+    for (const JumpMoment& moment : columns.moments)
+      for (const ErrorTerm step : {ErrorTerm::HorizontalJump, ErrorTerm::VerticalJump})
+        *row++ = moment.actsOn(columns.reading(i).sequence) ? columns.set.ofTerm(reading, step) : 0;
   }
   const auto along =
       VectorXd::NullaryExpr(end - begin, [&](Index i) { return columns.reading(begin + i).along; }).eval();
@@ -78,19 +82,24 @@ MatrixXd reducedGram(const Columns& columns) {
 
 }  // namespace
 
-VisibleTerms visibleTerms(const Linearised& set, const std::vector<ErrorTerm>& ofTerms) {
+VisibleTerms visibleTerms(const Linearised& set, const std::vector<ErrorTerm>& ofTerms,
+                          const std::vector<JumpMoment>& moments) {
   const std::vector<std::size_t> unknowns = set.uncertainUnknowns();
-  const auto count = static_cast<Index>(unknowns.size()), size = static_cast<Index>(errorTermCount);
-  MatrixXd gram = reducedGram({set, unknowns, ofTerms});
+  const auto count = static_cast<Index>(unknowns.size());
+  MatrixXd gram = reducedGram({set, unknowns, ofTerms, moments});
   for (Index u = 0; u < count; ++u) gram(u, u) += set.priors[unknowns[static_cast<std::size_t>(u)]].weight();
   const VectorXd whole = gram.diagonal();
   eliminateFirst(gram, count, whole);
+  std::vector<Index> places;  // of each column among the terms
+  for (const ErrorTerm term : ofTerms) places.push_back(static_cast<Index>(term));
+  const auto size = static_cast<Index>(errorTermCount + 2 * moments.size());
+  for (auto step = static_cast<Index>(errorTermCount); step < size; ++step) places.push_back(step);
   VisibleTerms terms{MatrixXd::Zero(size, size), VectorXd::Zero(size)};
-  for (std::size_t i = 0; i < ofTerms.size(); ++i) {
-    const auto term = static_cast<Index>(ofTerms[i]), own = count + static_cast<Index>(i);
-    terms.whole[term] = whole[own];
-    for (std::size_t j = 0; j < ofTerms.size(); ++j)
-      terms.gram(term, static_cast<Index>(ofTerms[j])) = gram(own, count + static_cast<Index>(j));
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const Index own = count + static_cast<Index>(i);
+    terms.whole[places[i]] = whole[own];
+    for (std::size_t j = 0; j < places.size(); ++j)
+      terms.gram(places[i], places[j]) = gram(own, count + static_cast<Index>(j));
   }
   return terms;
 }
@@ -128,17 +137,22 @@ double lengthOf(const VisibleTerms& terms, const VectorXd& combination) {
   return std::sqrt(std::max(combination.dot(terms.gram * combination), 0.0));
 }
 
-double linearDifferenceFrom(const VisibleTerms& terms, const VectorXd& combination, const Effect& effect) {
-  MatrixXd both(combination.size(), static_cast<Index>(effect.parameters.size()) + 1);
-  both << combinationOf(effect), combination;
+double linearDifferenceFrom(const VisibleTerms& terms, const VectorXd& combination, const MatrixXd& columns,
+                            Response response) {
+  MatrixXd both(combination.size(), columns.cols() + 1);
+  both << columns, combination;
   MatrixXd gram = both.transpose() * terms.gram * both;
-  const Index own = both.cols() - 1;
-  if (effect.response == Response::AllOrNothing) {
+  const Index own = columns.cols();
+  if (response == Response::AllOrNothing) {
     const double trace = gram(own, own), apart = trace - 2 * gram(0, own) + gram(0, 0);
     return std::sqrt(std::max(std::min(trace, apart), 0.0));
   }
   eliminateFirst(gram, own, both.cwiseAbs2().transpose() * terms.whole);
   return std::sqrt(std::max(gram(own, own), 0.0));
+}
+
+double linearDifferenceFrom(const VisibleTerms& terms, const VectorXd& combination, const Effect& effect) {
+  return linearDifferenceFrom(terms, combination, combinationOf(effect), effect.response);
 }
 
 }  // namespace alidade

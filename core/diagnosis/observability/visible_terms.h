@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/adjustment/joint/linearised.h"
+#include "core/diagnosis/candidates/jump_moment.h"
 #include "core/effects/catalogue.h"
 
 namespace alidade {
@@ -18,8 +19,10 @@ struct VisibleTerms {
   Eigen::VectorXd whole;  ///< squared lengths of the columns before anything was eliminated
 };
 
-/// Of one set of readings; zero but for `terms`.
-VisibleTerms visibleTerms(const Linearised& set, const std::vector<ErrorTerm>& terms);
+/// Of one set of readings; zero but for `terms`. Behind the terms the horizontal and the vertical step of a
+/// jump at each of `moments`, by which the set was differentiated then, rad.
+VisibleTerms visibleTerms(const Linearised& set, const std::vector<ErrorTerm>& terms,
+                          const std::vector<JumpMoment>& moments = {});
 /// Of both sets together.
 VisibleTerms operator+(const VisibleTerms& one, const VisibleTerms& other);
 /// With some of the terms estimated along with the unknowns.
@@ -31,9 +34,11 @@ Eigen::MatrixXd combinationOf(const Effect& effect);
 /// How far a combination of terms shows, σ.
 double lengthOf(const VisibleTerms& terms, const Eigen::VectorXd& combination);
 
-/// How far the nearest trace that the effect can leave, taken as linear, is from the trace of a combination
-/// of terms, σ. Of readings at hand `Trace::differenceFrom` says the same, with the effect bent where it
-/// bends.
+/// How far the nearest trace that an effect can leave, taken as linear, is from the trace of a combination
+/// of terms, σ. `columns`: of the effect, as `combinationOf` has them. Of readings at hand
+/// `Trace::differenceFrom` says the same, with the effect bent where it bends.
+double linearDifferenceFrom(const VisibleTerms& terms, const Eigen::VectorXd& combination,
+                            const Eigen::MatrixXd& columns, Response response);
 double linearDifferenceFrom(const VisibleTerms& terms, const Eigen::VectorXd& combination,
                             const Effect& effect);
 

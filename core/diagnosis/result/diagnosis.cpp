@@ -17,6 +17,8 @@ bool isReadAnewFor(Measure measure) {
     case Measure::SecondStandOff:
     case Measure::ZeroSightedAgain:
     case Measure::DistanceInBoth:
+    case Measure::At0Again:
+    case Measure::At180Again:
       return false;
   }
   return false;

@@ -58,6 +58,7 @@ struct ReadingDeviation {
   /// How far it is off, arcseconds: of a cause as read on the circle, of `Diagnosis::readings` as
   /// `AdjustedReading::residual`.
   double size = 0;
+  int time = 1;  ///< as `ArcMeasurement::time`
 };
 
 struct Cause {
@@ -129,6 +130,8 @@ enum class Measure {
   MoreOfTheArc,
   ZeroSightedAgain,
   DistanceInBoth,  ///< the distance measured in both positions
+  At0Again,        ///< the position at 0° once more behind all others, with its own pointing zero
+  At180Again,
 };
 
 /// Further readings and what they would tell apart.

@@ -219,7 +219,8 @@ ReadingDeviation deviationAt(const Measurement& measurement, const ReadingRef& r
           .point = sighting.point,
           .face = sighting.face,
           .kind = ref.kind,
-          .size = size};
+          .size = size,
+          .time = arc.time};
 }
 
 ReadingDeviation deviationAt(const Inquiry& inquiry, Eigen::Index reading, double sigmas) {

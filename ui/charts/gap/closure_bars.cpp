@@ -59,7 +59,7 @@ void ClosureBars::setGap(const Gap& gap) {
   QStringList spoken;
   for (const ClosureStep& step : gap.diagnosis->closures) {
     Row row{
-        .name = qText(nameInWords(step.before.of)), .about = {}, .before = valueOf(step.before), .after = {}};
+        .name = qText(nameInWords(step.before)), .about = {}, .before = valueOf(step.before), .after = {}};
     row.about = row.name + QStringLiteral(" = ") + spokenOf(row.before);
     if (step.after && !gap.diagnosis->causes.empty()) {
       row.after = valueOf(*step.after);

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstddef>
+
+namespace alidade {
+
+/// On which rows a jump of the orientation acts, by their sequence in the session.
+struct JumpMoment {
+  static constexpr std::size_t never = static_cast<std::size_t>(-1);
+
+  std::size_t first = 0;    ///< the first row after the jump
+  std::size_t end = never;  ///< the first on which it acts no longer, its zero being sighted anew
+
+  bool operator==(const JumpMoment&) const = default;
+  bool actsOn(std::size_t row) const { return row >= first && row < end; }
+};
+
+}  // namespace alidade
