@@ -159,8 +159,9 @@ std::string effectsText(const std::vector<EffectEstimate>& effects) {
 std::string correlationText(const SessionFit& fit) {
   std::string text;
   for (std::size_t i = 0; i < fit.arcs.size(); ++i)
-    text += (text.empty() ? "" : "; ") + ("at " + positionName(fit.arcs[i].axisDeg, fit.arcs[i].time)) + " " +
-            fixedText(fit.sigmas[i].radiusX, 2) + " and " + fixedText(fit.sigmas[i].radiusY, 2);
+    if (fit.arcs[i].time == 1)
+      text += (text.empty() ? "" : "; ") + ("at " + positionName(fit.arcs[i].axisDeg)) + " " +
+              fixedText(fit.sigmas[i].radiusX, 2) + " and " + fixedText(fit.sigmas[i].radiusY, 2);
   return "Correlation of the radius with x and y: " + text + "\n";
 }
 
@@ -169,6 +170,11 @@ std::string arcsText(const SessionFit& fit) {
   for (std::size_t i = 0; i < fit.arcs.size(); ++i) {
     const ArcSigma& sigma = fit.sigmas[i];
     rows.push_back(arcRow(fit.arcs[i]));
+    if (fit.arcs[i].time > 1) {  // what it shares stands there already
+      for (const std::size_t column : {1, 2, 3})
+        rows.back()[column] = "as at " + positionName(fit.arcs[i].axisDeg);
+      continue;
+    }
     rows.push_back({"  u", fixedText(sigma.x, 4), fixedText(sigma.y, 4), fixedText(sigma.radius, 4)});
   }
   return alignedColumns(rows) + correlationText(fit) + noiseText(fit.noise);

@@ -101,6 +101,8 @@ std::vector<PossibleCause> possibleCausesOf(const Inquiry& inquiry, const Answer
     if (answer.rivals[p].empty() || inquiry.of(part).grossErrorAt()) continue;
     std::vector<PossibleCause> group{possible(part, 1)};
     for (const Rival& rival : answer.rivals[p]) group.push_back(possible(rival.part, rival.odds));
+    for (const Rival& slip : otherSlips(inquiry, answer.explanation, p))
+      group.push_back(possible(slip.part, slip.odds));
     return group;
   }
   return {};

@@ -160,6 +160,29 @@ std::vector<EstimatedTerm> estimatedTerms(const Measurement& measurement) {
   return termsOf(knownEffects(measurement.effects));
 }
 
+namespace {
+
+/// Of the arcs at one axis, each fitted by itself.
+struct PublishedCentre {
+  PlanePoint<double> centre;
+  AsPrinted asPrinted;
+};
+
+std::optional<PublishedCentre> meanAt(const std::vector<PublishedFit>& arcs, int axisDeg) {
+  PublishedCentre mean{};
+  double count = 0;
+  for (const PublishedFit& fit : arcs) {
+    if (fit.arc.axisDeg != axisDeg) continue;
+    ++count;
+    mean.centre.x += (fit.arc.circle.x - mean.centre.x) / count;
+    mean.centre.y += (fit.arc.circle.y - mean.centre.y) / count;
+    mean.asPrinted.y += (fit.asPrinted.y - mean.asPrinted.y) / count;
+  }
+  return count > 0 ? std::optional(mean) : std::nullopt;
+}
+
+}  // namespace
+
 PublishedSessionFit fitSessionAsPublished(const Measurement& measurement) {
   PublishedSessionFit fit;
   for (const ArcMeasurement& arc : measurement.arcs) {
@@ -169,15 +192,12 @@ PublishedSessionFit fitSessionAsPublished(const Measurement& measurement) {
     else
       fit.findings.push_back(missing(arc, fitted.problem()));
   }
-  const auto at = [&](int axisDeg) {
-    return std::ranges::find_if(fit.arcs, [&](const PublishedFit& f) { return f.arc.axisDeg == axisDeg; });
-  };
-  const auto upper = at(0), lower = at(180);
   std::ranges::move(missingPositions(measurement), std::back_inserter(fit.findings));
-  if (upper == fit.arcs.end() || lower == fit.arcs.end()) return fit;
-  fit.intersection = (upper->arc.circle.y - lower->arc.circle.y) / 2;
+  const auto upper = meanAt(fit.arcs, 0), lower = meanAt(fit.arcs, 180);
+  if (!upper || !lower) return fit;
+  fit.intersection = (upper->centre.y - lower->centre.y) / 2;
   fit.intersectionAsPrinted = (upper->asPrinted.y - lower->asPrinted.y) / 2;
-  fit.inPlane = std::hypot(upper->arc.circle.x - lower->arc.circle.x, *fit.intersection * 2) / 2;
+  fit.inPlane = std::hypot(upper->centre.x - lower->centre.x, *fit.intersection * 2) / 2;
   return fit;
 }
 

@@ -19,14 +19,14 @@ struct EffectEstimate {
   double value = 0, sigma = 0;
 };
 
-/// Both arcs fitted rigorously, their intersection, and what the data say about themselves. A plain value:
+/// The arcs fitted rigorously, their intersection, and what the data say about themselves. A plain value:
 /// computed from a measurement, shown by console, window and report alike.
 struct SessionFit {
   std::vector<ArcFit> arcs;        ///< those that could be fitted, in the measurement's order
   JointFit joint;                  ///< of these arcs together; empty where there are none
-  std::vector<ArcSigma> sigmas;    ///< of each arc, scaled by the residuals of both
+  std::vector<ArcSigma> sigmas;    ///< of each arc, scaled by the residuals of all
   std::vector<ArcBudget> budgets;  ///< of each arc, behind `sigmas`
-  NoiseScale noise;                ///< s0, common to both arcs
+  NoiseScale noise;                ///< s0, common to all arcs
   std::optional<Intersection> intersection;
   std::vector<EffectEstimate> effects;
   /// Why no verdict rests on the lengths (`doubtfulLengths`); empty where nothing speaks against them.
@@ -34,7 +34,7 @@ struct SessionFit {
   std::optional<Verdict> verdict;  ///< with an intersection and a tolerance; undecided with lengths in doubt
   std::vector<FitFinding> findings;  ///< of the arcs and of the whole; an Error says why something is absent
 
-  const ArcFit* arcAt(int axisDeg) const;                   ///< null where there is none
+  const ArcFit* arcAt(int axisDeg) const;  ///< the first at this axis; null where there is none
   const ArcFit* arcOfPosition(std::size_t position) const;  ///< null where there is none
 };
 
@@ -48,7 +48,7 @@ Measurement fittedPart(const Measurement& measurement, const SessionFit& fit);
 /// The error terms of the effects that the measurement's model names, each with its plausible size as prior.
 std::vector<EstimatedTerm> estimatedTerms(const Measurement& measurement);
 
-/// The published method on both arcs, for comparison.
+/// The published method on each arc, for comparison; of an axis measured again Δd takes the mean centre.
 struct PublishedSessionFit {
   std::vector<PublishedFit> arcs;
   std::optional<double> intersection;           ///< Δd, y up, mm

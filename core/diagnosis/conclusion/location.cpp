@@ -179,7 +179,7 @@ std::vector<GapShare> sharesOfFrames(const Inquiry& inquiry) {
   }
   const double guideway = ofSource[ErrorSource::Guideway], instrument = ofSource[ErrorSource::Instrument];
   std::vector<GapShare> shares;
-  if (inquiry.base.measurement->arcs.size() > 1) {
+  if (hasBothAxes(*inquiry.base.measurement)) {
     shares.push_back({"frame", "guideway", guideway});
     shares.push_back({"frame", "instrument", instrument});
   } else {

@@ -65,20 +65,17 @@ std::vector<Rival> jumps(const Inquiry& inquiry, const Explanation& explanation,
   return rivals;
 }
 
-/// Effects nearly like the part that explain something in its place, and in that of an effect a jump between
-/// a zero and the first place.
-std::vector<Rival> others(const Inquiry& inquiry, const Explanation& explanation, std::size_t index,
-                          Comparison& comparison) {
+/// Candidates nearly like the part, of those meant, that explain something in its place.
+template <typename Meant>
+std::vector<Rival> nearlyLike(const Inquiry& inquiry, const Explanation& explanation, std::size_t index,
+                              Comparison& comparison, const Meant& isMeant) {
   const Part& part = explanation.parts[index];
   const Trace trace(inquiry.leftover, inquiry.of(part).signature(inquiry.leftover, part.weights));
   std::vector<Rival> rivals;
-  const auto isJump = [&](const Part& other) { return inquiry.of(other).isJump(); };
-  const bool hasJump = std::ranges::any_of(explanation.parts, isJump);  // one to a session
   for (std::size_t i = 0; i < inquiry.candidates.size(); ++i) {
     const auto isOther = [&](const Part& any) { return any.component != i; };
     const Component& candidate = inquiry.candidates[i];
-    const bool isMeant = candidate.isEffect() || (candidate.slippedArc() && !hasJump);
-    if (!isMeant || !std::ranges::all_of(explanation.parts, isOther)) continue;
+    if (!isMeant(candidate) || !std::ranges::all_of(explanation.parts, isOther)) continue;
     const double difference = trace.differenceFrom(candidate) / explanation.noise;
     if (difference > clearlyDifferent) continue;
     Rival rival = comparison.with(index, i);
@@ -88,7 +85,24 @@ std::vector<Rival> others(const Inquiry& inquiry, const Explanation& explanation
   return rivals;
 }
 
+/// Effects, and in place of an effect a jump between a zero and the first place.
+std::vector<Rival> others(const Inquiry& inquiry, const Explanation& explanation, std::size_t index,
+                          Comparison& comparison) {
+  const auto isJump = [&](const Part& other) { return inquiry.of(other).isJump(); };
+  const bool hasJump = std::ranges::any_of(explanation.parts, isJump);  // one to a session
+  return nearlyLike(inquiry, explanation, index, comparison, [&](const Component& candidate) {
+    return candidate.isEffect() || (candidate.slippedArc() && !hasJump);
+  });
+}
+
 }  // namespace
+
+std::vector<Rival> otherSlips(const Inquiry& inquiry, const Explanation& explanation, std::size_t part) {
+  if (!inquiry.of(explanation.parts[part]).isJump()) return {};
+  Comparison comparison(inquiry, explanation);
+  return nearlyLike(inquiry, explanation, part, comparison,
+                    [](const Component& candidate) { return candidate.slippedArc().has_value(); });
+}
 
 std::vector<std::vector<Rival>> rivalsOf(const Inquiry& inquiry, const Explanation& explanation) {
   std::vector<std::vector<Rival>> rivals(explanation.parts.size());

@@ -19,6 +19,10 @@ struct Rival {
 /// Of each part: effects; of a gross error the jump that only its row would show.
 std::vector<std::vector<Rival>> rivalsOf(const Inquiry& inquiry, const Explanation& explanation);
 
+/// Of a jump `part` of the explanation the jumps between another zero and its first place that leave nearly
+/// the same: it is one cause by any of them, but not to every further reading.
+std::vector<Rival> otherSlips(const Inquiry& inquiry, const Explanation& explanation, std::size_t part);
+
 /// That the part or one of its rivals is among the causes, whatever goes with it: 0…1.
 double chanceOf(const Inquiry& inquiry, const Part& part, const std::vector<Rival>& rivals);
 

@@ -150,7 +150,10 @@ std::optional<FurtherReadings> withPositionAgain(const Measurement& plan, int ax
   Measurement more = plan;
   ArcMeasurement again = plan.arcs[*first];
   ++again.time;
-  for (std::size_t i = 0; i < again.sightings.size(); ++i) again.sightings[i].sequence = plan.rows + i;
+  std::size_t next = plan.rows;
+  for (const ArcMeasurement& arc : plan.arcs)
+    for (const Sighting& sighting : arc.sightings) next = std::max(next, sighting.sequence + 1);
+  for (Sighting& sighting : again.sightings) sighting.sequence = next++;
   more.arcs.push_back(std::move(again));
   FurtherReadings readings = further(axisDeg == 0 ? Measure::At0Again : Measure::At180Again, std::move(more));
   readings.goesOn = true;
@@ -209,6 +212,9 @@ void eachCombination(const GapModel& model, const std::function<void(const Furth
   offer(together(slider, withWayBack));
   const auto both = together(slider, withBothFaces);
   offer(together(both, withWayBack));
+  if (hasBothAxes(plan))
+    offer(together(withPositionAgain(plan, 0),
+                   [](const Measurement& more) { return withPositionAgain(more, 180); }));
 }
 
 Linearised linearisedPlan(const GapModel& model, const Measurement& set,

@@ -26,7 +26,8 @@ Measurement readWithoutError(const GapModel& model);
 /// offered.
 void eachFurtherReadings(const GapModel& model, const std::function<void(const FurtherReadings&)>& take);
 
-/// With any two of the other face, the way back and the slider, and with all three.
+/// With any two of the other face, the way back and the slider, with all three, and with both positions once
+/// more.
 void eachCombination(const GapModel& model, const std::function<void(const FurtherReadings&)>& take);
 
 /// The equations of a set as planned; effects of the model are not there, but estimated along. With

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include <chrono>
 
 #include "core/session/session_file.h"
@@ -217,15 +219,55 @@ TEST(Measurement, LeavesOutAPositionWithoutUsableZero) {
   EXPECT_EQ(examined.measurement->arcs[0].position, 1u);
 }
 
-TEST(Measurement, KeepsTheFirstOfTwoPositionsWithOneAxis) {
+TEST(Measurement, NamesWhatIsNoPositionOfTheAxis) {
   Session session = soundSession();
-  session.positions[1].axisDeg = "0";
-  EXPECT_THAT(soleProblem(session).text(),
-              HasSubstr("positions[1].axis_deg: 0° is already the axis of position 1: change one"));
-  ASSERT_EQ(examine(session).measurement->arcs.size(), 1u);
-  EXPECT_EQ(examine(session).measurement->arcs[0].position, 0u);
   session.positions[1].axisDeg = "90";
   EXPECT_THAT(soleProblem(session).what, HasSubstr("“90” is no position of the axis: type 0 or 180"));
+}
+
+// Where an axis comes again the order of the file is that of the measurement, else 0° was taken first.
+TEST(Measurement, TakesAnAxisThatComesAgainInTheOrderOfTheFile) {
+  for (const std::vector<std::string>& axes :
+       {std::vector<std::string>{"0", "180", "0"}, {"180", "0", "180"}, {"0", "0"}, {"180", "0", "0", "0"}}) {
+    Session session = soundSession();
+    const Position one = session.positions[0];
+    session.positions.clear();
+    for (const std::string& axis : axes) {
+      session.positions.push_back(one);
+      session.positions.back().axisDeg = axis;
+    }
+    const Examined examined = examine(session);
+    EXPECT_TRUE(examined.problems.empty());
+    const Measurement& measurement = *examined.measurement;
+    ASSERT_EQ(measurement.arcs.size(), axes.size());
+    std::map<int, int> times;
+    std::size_t rows = 0;
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+      const ArcMeasurement& arc = measurement.arcs[i];
+      EXPECT_EQ(arc.position, i);
+      EXPECT_EQ(std::to_string(arc.axisDeg), axes[i]);
+      EXPECT_EQ(arc.time, ++times[arc.axisDeg]);
+      EXPECT_EQ(arc.sightings.front().sequence, rows);
+      rows += one.readings.size();
+    }
+    EXPECT_TRUE(hasRepeats(measurement));
+    EXPECT_EQ(hasBothAxes(measurement), axes.size() > 2);
+  }
+  const Measurement once = *examine(soundSession()).measurement;
+  EXPECT_FALSE(hasRepeats(once));
+  EXPECT_EQ(firstAtTheirAxes(once), (std::vector<std::size_t>{0, 1}));
+}
+
+// A position that cannot be used still counts: the next one at its axis was measured a second time.
+TEST(Measurement, CountsPositionsAtAnAxisWithThoseThatCannotBeUsed) {
+  Session session = soundSession();
+  session.positions.push_back(session.positions[0]);
+  session.positions[0].zero.vertical = "";
+  const Measurement measurement = *examine(session).measurement;
+  ASSERT_EQ(measurement.arcs.size(), 2u);
+  EXPECT_EQ(measurement.arcs[1].time, 2);
+  EXPECT_EQ(firstAtTheirAxes(measurement), (std::vector<std::size_t>{0, 1}));
+  EXPECT_FALSE(hasRepeats(measurement));
 }
 
 TEST(Measurement, KeepsTheFirstOfTwoRowsWithOnePointRoundAndFace) {

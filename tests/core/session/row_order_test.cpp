@@ -27,6 +27,13 @@ TEST(FirstSequences, PutsThePositionAtZeroFirst) {
   EXPECT_EQ(firstSequences(withAxes({{"180", 5}, {"0", 17}})), (Sequences{17, 0}));
 }
 
+TEST(FirstSequences, FollowTheFileWhereAnAxisComesAgain) {
+  EXPECT_EQ(firstSequences(withAxes({{"180", 5}, {"0", 17}, {"180", 2}})), (Sequences{0, 5, 22}));
+  EXPECT_EQ(firstSequences(withAxes({{"0", 3}, {"?", 5}, {"0", 7}})), (Sequences{0, 3, 8}));
+  EXPECT_EQ(positionsAsTaken(withAxes({{"180", 5}, {"0", 17}, {"180", 2}})), (Sequences{0, 1, 2}));
+  EXPECT_EQ(positionsAsTaken(withAxes({{"180", 5}, {"0", 17}, {"", 2}})), (Sequences{1, 0, 2}));
+}
+
 // What was typed wrongly keeps its place among the others.
 TEST(FirstSequences, KeepsTheOrderOfTheFileOtherwise) {
   EXPECT_EQ(firstSequences(withAxes({{"", 3}, {"180", 5}, {"0", 17}})), (Sequences{17, 20, 0}));

@@ -296,5 +296,44 @@ TEST(Simulate, KnockAtTheMomentOfARowComesBeforeIt) {
   EXPECT_NE(at.positions[1].readings, sessionKnockedAt(17.5).positions[1].readings);
 }
 
+/// What two sessions of one seed differ by in the horizontal circle, arcsec, position by position.
+std::vector<double> meanShifts(const Measurement& one, const Measurement& other) {
+  std::vector<double> shifts;
+  for (std::size_t arc = 0; arc < one.arcs.size(); ++arc) {
+    double sum = 0;
+    for (std::size_t i = 0; i < one.arcs[arc].sightings.size(); ++i)
+      sum += (other.arcs[arc].sightings[i].a - one.arcs[arc].sightings[i].a).arcseconds();
+    shifts.push_back(sum / static_cast<double>(one.arcs[arc].sightings.size()));
+  }
+  return shifts;
+}
+
+// 0°, 180°, 0°: each position with its own zero, and what is meant for the second at 0° found there alone.
+TEST(Simulate, MeasuresAPositionAgain) {
+  const Protocol& again = *protocolByName("again");
+  Truth truth = drawTruth(4);
+  const Measurement sound = test::measurementOf(*simulate(again, truth, 4));
+  ASSERT_EQ(sound.arcs.size(), 3u);
+  EXPECT_EQ(sound.arcs[2].axisDeg, 0);
+  EXPECT_EQ(sound.arcs[2].time, 2);
+  EXPECT_EQ(sound.rows, 3 * plannedRows(again).size());
+  EXPECT_NE(sound.arcs[0].zeroHorizontal.radians(), sound.arcs[2].zeroHorizontal.radians());
+  truth.zeroSlip = {.axisDeg = 0, .horizontal = Angle::fromArcseconds(30), .vertical = {}, .time = 2};
+  const std::vector<double> slipped = meanShifts(sound, test::measurementOf(*simulate(again, truth, 4)));
+  EXPECT_NEAR(slipped[0], 0, 0.1);  // rounded to 0.1″
+  EXPECT_NEAR(slipped[1], 0, 0.1);
+  EXPECT_NEAR(slipped[2], 30, 0.1);
+  truth.zeroSlip.reset();
+  truth.grossErrors = {
+      {.axisDeg = 0, .point = 3, .horizontal = Angle::fromArcseconds(17 * 60), .vertical = {}, .time = 2}};
+  const std::vector<double> misread = meanShifts(sound, test::measurementOf(*simulate(again, truth, 4)));
+  EXPECT_NEAR(misread[0], 0, 0.1);
+  EXPECT_NEAR(misread[2], 60, 0.1);
+  truth.grossErrors.front().time = 3;
+  const auto refused = simulate(again, truth, 4);
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.problem().what.find("time 3"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace alidade

@@ -73,6 +73,24 @@ TEST(TruthText, TakesWhatIsNoErrorTerm) {
   EXPECT_NEAR(json.at("true_sigma_arcsec").get<double>(), 5, 1e-9);
 }
 
+// 0 at 0°, 1 at 180°, 2 at 0° again: as a truth file numbers the positions.
+TEST(TruthText, TellsWhichPositionAtAnAxisIsMeant) {
+  const Truth truth =
+      with({"zero_slip=0,30,-40,2", "gross_error=180,1,11,1,60,0,2", "gross_error=0,1,3,1,0,60"});
+  ASSERT_TRUE(truth.zeroSlip);
+  EXPECT_EQ(truth.zeroSlip->time, 2);
+  const nlohmann::json json = documentOf(truth);
+  EXPECT_EQ(json.at("effects").at("zero_slip")[0], 2);
+  EXPECT_EQ(json.at("blunders")[0][0], 3);
+  EXPECT_EQ(json.at("blunders")[1][0], 0);
+  EXPECT_THAT(refusal("zero_slip=0,30,-40,0"), HasSubstr("how many-th time"));
+  EXPECT_THAT(refusal("gross_error=0,1,3,1,0,60,1.5"), HasSubstr("how many-th time"));
+  for (const int number : {0, 1, 2, 3, 4}) {
+    const auto [axisDeg, time] = NumberedPosition::of(number);
+    EXPECT_EQ((NumberedPosition{axisDeg, time}.number()), number);
+  }
+}
+
 TEST(TruthText, NamesTheKind) {
   EXPECT_EQ(documentOf({}).at("kind"), "none");
   for (const char* ofNoSize : {"collimation=0", "orientation_jump=0.4,0,0", "gross_error=180,1,11,1,0,0",

@@ -56,6 +56,36 @@ TEST(ExpandedRefit, FindsTheCirclesWhoseReadingsWereDrawn) {
     }
 }
 
+// Three arcs, of which two have one centre, and zeros that are estimated: as the fits themselves have it.
+// What was drawn of the zeros and the readings moves a centre by some σ; a thousandth is of third order.
+TEST(ExpandedRefit, AgreesWithTheGeneralOneOnPositionsMeasuredAgain) {
+  for (const bool sliders : {false, true}) {
+    Measurement measurement =
+        test::withPerfectArcs(test::uncertainMeasurement(), circlesRead, 9, 150, sliders);
+    measurement.arcs.push_back(measurement.arcs[0]);
+    measurement.arcs.back().time = 2;
+    measurement.arcs.back().position = 2;
+    for (Sighting& sighting : measurement.arcs.back().sightings) sighting.sequence = measurement.rows++;
+    measurement.effects = {"vertical_drift"};
+    const test::FittedForDraws fitted(measurement);
+    const RefitTask task = fitted.task();
+    std::vector<Draw> drawn(24);
+    for (std::size_t i = 0; i < drawn.size(); ++i) task.plan.drawInto(drawn[i], 5, i);
+    const std::vector<double> quick = test::centresOf(*expandedRefit(task, expandedModel(task)), task, drawn),
+                              general = test::centresOf(*generalRefit(task), task, drawn);
+    ASSERT_EQ(quick.size(), 6 * drawn.size());
+    double moved = 0;
+    for (std::size_t i = 0; i < quick.size(); ++i) {
+      const ArcSigma& sigma = task.fit.sigmas[i % 6 / 2];
+      EXPECT_NEAR(quick[i], general[i], 1e-3 * (i % 2 == 0 ? sigma.x : sigma.y));
+      moved = std::max(moved, std::abs(general[i] - (i % 2 == 0 ? task.fit.arcs[i % 6 / 2].circle.x
+                                                                : task.fit.arcs[i % 6 / 2].circle.y)) /
+                                  (i % 2 == 0 ? sigma.x : sigma.y));
+    }
+    EXPECT_GT(moved, 1) << "something was drawn";
+  }
+}
+
 // Targets that move along the arc, by 3.5 mm at its ends, leave its tangents by up to 0.015 mm: with
 // readings of 1′ the linear budget's Δd is off by a thirtieth of σ. What is left is of third order, below the
 // thousandth of σ that `propagateDistributions` asks for.

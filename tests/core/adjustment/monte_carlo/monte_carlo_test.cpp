@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "core/simulation/protocol.h"
+#include "core/simulation/simulate.h"
 #include "tests/support/paper_table.h"
 #include "tests/support/trials.h"
 
@@ -51,6 +53,25 @@ TEST(MonteCarlo, DrawsWhateverTheFitTakes) {
   // σ known to 2.2 % from 1000 draws; Student's width adds up to 2 %.
   EXPECT_NEAR(check.intersection->sigma, fit.intersection->sigma, 0.1 * fit.intersection->sigma);
   EXPECT_EQ(check.failed, 0u);
+}
+
+// A position measured again: one centre for each axis, zeros estimated. σ of 4000 draws is known to 1.1 %,
+// and Student's width of some 40 degrees of freedom adds 3 %.
+TEST(MonteCarlo, DrawsPositionsMeasuredAgain) {
+  for (const char* protocol : {"again", "full-again"}) {
+    const Measurement measurement =
+        test::measurementOf(*simulate(*protocolByName(protocol), drawTruth(3), 3));
+    const SessionFit fit = fitSession(measurement);
+    const MonteCarlo check = checked(measurement, {.draws = 4000});
+    ASSERT_TRUE(check.intersection);
+    EXPECT_NEAR(check.intersection->sigma, fit.intersection->sigma, 0.05 * fit.intersection->sigma);
+    EXPECT_NEAR(check.intersection->mean, fit.intersection->value, 0.08 * fit.intersection->sigma);
+    ASSERT_EQ(check.centres.size(), 2u) << "one for each axis";
+    EXPECT_EQ(check.centres[0].axisDeg, 0);
+    EXPECT_EQ(check.centres[1].axisDeg, 180);
+    EXPECT_NEAR(check.centres[0].x.sigma, fit.sigmas[0].x, 0.05 * fit.sigmas[0].x);
+    EXPECT_NEAR(check.centres[1].y.sigma, fit.sigmas[1].y, 0.05 * fit.sigmas[1].y);
+  }
 }
 
 TEST(MonteCarlo, IsTheSameOnAnyNumberOfThreads) {

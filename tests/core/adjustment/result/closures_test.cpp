@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -48,6 +49,36 @@ TEST(Closures, CarryTheZerosAndNotTheDistance) {
   EXPECT_NEAR(closures[0].sigma, of, 0.02 * of);
   const double ofZeros = std::sqrt(2) * 2405 * Angle::fromArcseconds(10).radians();
   EXPECT_NEAR(closures[1].sigma, std::hypot(ofCentre, ofZeros), 0.03 * ofZeros);  // the arc stands 400 mm off
+}
+
+// A position measured again through a zero that is off by (h, v) stands L h aside and L v higher, and its
+// radius is none the larger.
+TEST(Closures, TellWhatRepeatsDisagreeBy) {
+  Measurement measurement = withArcs({0, 1, 400}, {0, -1, 400});
+  std::ranges::reverse(measurement.arcs);
+  measurement.arcs.push_back(test::perfectArc(measurement, {0.5, 0.2, 400.4}, test::spread(9, 120)));
+  measurement.arcs.back().time = 2;
+  measurement.arcs.back().position = 2;
+  const SessionFit fit = fitSession(measurement);
+  std::vector<Circle> starts;
+  for (const ArcFit& arc : fit.arcs) starts.push_back(arc.circle);
+  const auto apart = fitApart(measurement, starts, {});
+  ASSERT_TRUE(apart);
+  const std::vector<Closure> repeats = repeatsOf(measurement, *apart);
+  ASSERT_EQ(repeats.size(), 3u);
+  const double expected[] = {0.5, -0.8, 0.4};
+  const Unknown::Kind quantities[] = {Unknown::Kind::CentreX, Unknown::Kind::CentreY, Unknown::Kind::Radius};
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(nameOf(repeats[i].of), "repeat");
+    EXPECT_EQ(repeats[i].repeated, (Closure::Repeated{0, 2, quantities[i]}));
+    EXPECT_NEAR(repeats[i].value, expected[i], 1e-7);
+    EXPECT_TRUE(fails(repeats[i]));
+  }
+  measurement.radiusModel = RadiusModel::Common;
+  EXPECT_EQ(repeatsOf(measurement, *fitApart(measurement, starts, {})).size(), 2u);
+  measurement.arcs.pop_back();
+  starts.pop_back();
+  EXPECT_FALSE(fitApart(measurement, starts, {}));
 }
 
 TEST(Closures, NeedBothPositionsAndWhatIsFreeInEach) {

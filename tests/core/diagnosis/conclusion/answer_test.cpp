@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "core/diagnosis/diagnose.h"
-#include "core/simulation/blind_trial.h"
 #include "core/simulation/simulate.h"
+#include "core/simulation/truth_text.h"
 #include "tests/support/trials.h"
 
 namespace alidade {
@@ -69,8 +69,9 @@ TEST(Answer, AveragesOverWhatLooksLikeOneOfSeveralCauses) {
 
 // A dent in the guideway: look-alikes of a cause are weighed with a pattern of 17 columns taken off before.
 TEST(Answer, WeighsLookAlikesBesideAPatternOfManyColumns) {
-  const BlindTrial trial = *drawBlindTrial({}, 5201871);
-  const Diagnosis diagnosis = *diagnose(*examine(trial.session).measurement);
+  Truth truth = drawTruth(5201871);
+  ASSERT_FALSE(addEffect(truth, "local_dent=-0.17728929671374516,29.111326086958027,12.777764569703326"));
+  const Diagnosis diagnosis = diagnosisOf(truth, "full");
   EXPECT_EQ(diagnosis.verdict, DiagnosisVerdict::NotInCatalogue);
   ASSERT_TRUE(diagnosis.shape);
   EXPECT_THAT(diagnosis.shape->follows, testing::HasSubstr("from place to place"));

@@ -42,7 +42,7 @@ double farthestFromCircle(const Measurement& set, const GapModel& model) {
   double farthest = 0;
   for (std::size_t arc = 0; arc < set.arcs.size(); ++arc)
     for (const Sighting& sighting : set.arcs[arc].sightings) {
-      const Circle circle = model.fit.circleOf(arc);
+      const Circle circle = model.fit.circleOf(set.arcs[arc].axisDeg == 0 ? 0 : 1);
       const double x = set.distance * std::tan(sighting.a.radians());
       const double horizontal =
           set.relation == VerticalAngleRelation::Exact ? std::hypot(x, set.distance) : set.distance;
@@ -84,14 +84,16 @@ Measurement mixedMeasurement(VerticalAngleRelation relation) {
 }
 
 TEST(FurtherReadings, OfferOnlyWhatASessionHasNot) {
-  EXPECT_THAT(measuresOf(*modelOf(test::trialMeasurement("paper"))),
-              ElementsAre(BothFaces, WayBack, SliderReadings, ShiftedCircle, SecondStandOff));
+  EXPECT_THAT(
+      measuresOf(*modelOf(test::trialMeasurement("paper"))),
+      ElementsAre(BothFaces, WayBack, SliderReadings, ShiftedCircle, SecondStandOff, At0Again, At180Again));
   EXPECT_THAT(measuresOf(*modelOf(test::trialMeasurement("two-face"))),
-              ElementsAre(SliderReadings, ShiftedCircle, SecondStandOff));
+              ElementsAre(SliderReadings, ShiftedCircle, SecondStandOff, At0Again, At180Again));
   EXPECT_THAT(measuresOf(*modelOf(test::trialMeasurement("full"))),
-              ElementsAre(ShiftedCircle, SecondStandOff));
+              ElementsAre(ShiftedCircle, SecondStandOff, At0Again, At180Again));
   EXPECT_THAT(measuresOf(*modelOf(mixedMeasurement(VerticalAngleRelation::Exact))),
-              ElementsAre(BothFaces, WayBack, SliderReadings, ShiftedCircle, SecondStandOff, MoreOfTheArc));
+              ElementsAre(BothFaces, WayBack, SliderReadings, ShiftedCircle, SecondStandOff, MoreOfTheArc,
+                          At0Again, At180Again));
 }
 
 // The fit of what is read without error is the fit at hand, and leaves nothing.
@@ -119,9 +121,34 @@ TEST(FurtherReadings, AreReadWithoutError) {
         std::size_t next = 0;
         for (const ArcMeasurement& arc : set.arcs)
           for (const Sighting& sighting : arc.sightings) EXPECT_EQ(sighting.sequence, next++);
-        EXPECT_EQ(set.rows, next) << static_cast<int>(more.measures.front());
+        // What goes on behind the session keeps its measure of time.
+        EXPECT_EQ(set.rows, more.goesOn ? plan.rows : next) << static_cast<int>(more.measures.front());
       }
   }
+}
+
+// A third position behind the two, to the places of the first at its axis, each row later than all others.
+TEST(FurtherReadings, MeasureAPositionAgain) {
+  const GapModel model = *modelOf(mixedMeasurement(VerticalAngleRelation::Exact));
+  for (const auto& [measure, axisDeg] : {std::pair(At0Again, 0), std::pair(At180Again, 180)}) {
+    const Measurement set = with(model, measure);
+    ASSERT_EQ(set.arcs.size(), 3u);
+    const ArcMeasurement &again = set.arcs[2], &first = set.arcs[axisDeg == 0 ? 0 : 1];
+    EXPECT_EQ(again.axisDeg, axisDeg);
+    EXPECT_EQ(again.time, 2);
+    ASSERT_EQ(again.sightings.size(), first.sightings.size());
+    EXPECT_EQ(again.sightings.front().sequence, model.measurement->rows);
+    EXPECT_EQ(again.sightings.back().a, first.sightings.back().a);
+    EXPECT_FALSE(isReadAnew({measure}));
+  }
+  std::vector<std::vector<Measure>> combinations;
+  eachCombination(model, [&](const FurtherReadings& plan) {
+    if (plan.goesOn) {
+      combinations.push_back(plan.measures);
+      EXPECT_EQ(plan.sets.back().arcs.size(), 4u);
+    }
+  });
+  EXPECT_EQ(combinations, (std::vector<std::vector<Measure>>{{At0Again, At180Again}}));
 }
 
 TEST(FurtherReadings, AddWhatTheirMeasureSays) {
@@ -207,7 +234,7 @@ TEST(FurtherReadings, CombineFacesWayBackAndSlider) {
       for (const Sighting& sighting : arc.sightings) EXPECT_TRUE(sighting.slider);
     }
   });
-  EXPECT_EQ(combinations.size(), 4u);
+  EXPECT_EQ(combinations.size(), 5u);
 }
 
 }  // namespace

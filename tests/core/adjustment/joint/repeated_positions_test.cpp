@@ -1,0 +1,171 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "core/adjustment/joint/fast_joint_fit.h"
+#include "core/adjustment/joint/joint_fit.h"
+#include "core/adjustment/joint/linearised.h"
+#include "core/adjustment/result/session_fit.h"
+#include "tests/support/perfect_session.h"
+
+// An axis that is measured again.
+
+namespace alidade {
+namespace {
+
+using enum Unknown::Kind;
+
+constexpr Circle at0{0.3, 1, 400.2}, at180{-0.1, -1, 400.5};
+
+/// 0°, 180°, 0° with zeros known to 2″, and of different numbers of points.
+Measurement measuredAgain(int points = 13) {
+  Measurement measurement = test::usualMeasurement();
+  measurement.sigmaZeroHorizontal = measurement.sigmaZeroVertical = Angle::fromArcseconds(2);
+  measurement.arcs = {test::perfectArc(measurement, at0, test::spread(points, 140)),
+                      test::perfectArc(measurement, at180, test::spread(points + 4, 150, -90), 180),
+                      test::perfectArc(measurement, at0, test::spread(points, 140))};
+  measurement.arcs[2].time = 2;
+  for (std::size_t i = 0; i < measurement.arcs.size(); ++i) {
+    measurement.arcs[i].position = i;
+    for (Sighting& sighting : measurement.arcs[i].sightings) sighting.sequence = measurement.rows++;
+  }
+  return measurement;
+}
+
+/// As if the zero of an arc had been read wrongly.
+void turn(ArcMeasurement& arc, double horizontalArcsec, double verticalArcsec) {
+  for (Sighting& sighting : arc.sightings) {
+    sighting.a = sighting.a + Angle::fromArcseconds(horizontalArcsec);
+    sighting.e = sighting.e + Angle::fromArcseconds(verticalArcsec);
+  }
+}
+
+double valueOf(const JointFit& fit, Unknown::Kind kind, std::size_t arc) {
+  return fit.values.at(fit.indexOf({.kind = kind, .arc = arc}));
+}
+
+TEST(RepeatedPositions, ShareOneCircle) {
+  const Measurement measurement = measuredAgain();
+  const SessionFit fit = fitSession(measurement);
+  ASSERT_EQ(fit.arcs.size(), 3u);
+  for (const std::size_t arc : {0, 2}) {
+    EXPECT_NEAR(fit.arcs[arc].circle.x, at0.x, 1e-8);
+    EXPECT_NEAR(fit.arcs[arc].circle.y, at0.y, 1e-8);
+    EXPECT_NEAR(fit.arcs[arc].circle.radius, at0.radius, 1e-8);
+  }
+  EXPECT_EQ(fit.arcs[2].time, 2);
+  EXPECT_NEAR(fit.intersection->value, 1, 1e-8);
+  // Two circles of each row less a place of each and two circles; the zeros are observed.
+  EXPECT_EQ(fit.joint.degreesOfFreedom, 2 * 43 - 43 - 6);
+}
+
+// Two zeros at one axis that differ by δ: whichever is right, the centre lies half way, each zero takes its
+// half but for what the readings' noise leaves to them, and Δd moves by half of what one zero would move it.
+// In closed form for zeros alone: a turn by δ moves a far centre by L δ.
+TEST(RepeatedPositions, MeetHalfWay) {
+  constexpr double moved = 20;
+  Measurement measurement = measuredAgain();
+  turn(measurement.arcs[2], moved, -moved);
+  const SessionFit fit = fitSession(measurement);
+  const double full = measurement.distance * Angle::fromArcseconds(moved).radians();
+  EXPECT_NEAR(fit.arcs[0].circle.x - at0.x, full / 2, 0.03 * full);  // the arc stands 400 mm off
+  EXPECT_NEAR(fit.intersection->value - 1, -full / 4, 0.03 * full);
+  const double first = valueOf(fit.joint, HorizontalZero, 0), again = valueOf(fit.joint, HorizontalZero, 2);
+  EXPECT_NEAR(Angle::fromRadians(first + again).arcseconds(), 0, 1e-3);
+  // Between what the zeros say, that there is no difference, and what the arcs alone say, by their weights.
+  const double told = std::abs(Angle::fromRadians(again - first).arcseconds());
+  const double ofZero = measurement.distance * measurement.sigmaZeroHorizontal.radians(),
+               ofArc = std::sqrt(fitArc(measurement, measurement.arcs[0])->cofactor[0][0]);
+  EXPECT_NEAR(told, moved * ofZero * ofZero / (ofZero * ofZero + ofArc * ofArc), 0.03 * moved);
+}
+
+// The second zero halves the variance that zeros bring to one of two centres: ½ √(2″²/2 + 2″²) L.
+TEST(RepeatedPositions, HalveTheVarianceOfTheirZeros) {
+  const Measurement measurement = measuredAgain();
+  const SessionFit fit = fitSession(measurement);
+  double ofZeros = 0;
+  for (const BudgetEntry& entry : fit.intersection->budget)
+    if (entry.source == UncertaintySource::PointingZeros) ofZeros = entry.sigma;
+  const double one = measurement.distance * Angle::fromArcseconds(2).radians();
+  EXPECT_NEAR(ofZeros, std::sqrt(1.5) / 2 * one, 0.03 * one);
+}
+
+// As often as stated: of 400 noisy sessions with zeros off by their σ the mean of (Δd error/σ)² is 1 within
+// four times √(2/400).
+TEST(RepeatedPositions, AreAsUncertainAsStated) {
+  std::mt19937_64 generator(7);
+  std::normal_distribution<double> normal;
+  double sum = 0;
+  constexpr int sessions = 400;
+  for (int i = 0; i < sessions; ++i) {
+    Measurement measurement = measuredAgain(5 + i % 9);
+    for (ArcMeasurement& arc : measurement.arcs) {
+      turn(arc, 2 * normal(generator), 2 * normal(generator));
+      test::addNoise(arc, measurement, generator);
+    }
+    const SessionFit fit = fitSession(measurement);
+    const double stated = std::sqrt(fit.intersection->sigma * fit.intersection->sigma);
+    sum += std::pow((fit.intersection->value - 1) / stated, 2);
+  }
+  EXPECT_NEAR(sum / sessions, 1, 4 * std::sqrt(2.0 / sessions) + 0.1);  // σ itself is estimated
+}
+
+// Apart, each is fitted as if alone, by the fast adjustment and by the general one.
+TEST(RepeatedPositions, CanBeFittedApart) {
+  Measurement measurement = measuredAgain();
+  turn(measurement.arcs[2], 10, 5);
+  std::vector<Circle> starts;
+  for (const ArcMeasurement& arc : measurement.arcs) starts.push_back(fitArc(measurement, arc)->circle);
+  const auto fast = fitJointlyFast(measurement, starts, {.isApart = true});
+  ASSERT_TRUE(fast);
+  const JointFit general = fitJointlyInGeneral(measurement, starts, {.isApart = true});
+  for (const JointFit* fit : {&*fast, &general})
+    for (std::size_t arc = 0; arc < 3; ++arc) {
+      EXPECT_NEAR(fit->circleOf(arc).x, starts[arc].x, 1e-8);
+      EXPECT_NEAR(fit->circleOf(arc).y, starts[arc].y, 1e-8);
+      EXPECT_NEAR(fit->circleOf(arc).radius, starts[arc].radius, 1e-8);
+    }
+  EXPECT_FALSE(fitJointlyFast(measurement, starts)) << "they have a centre in common";
+}
+
+// The derivatives of the readings by a shared centre are there for every arc that has it.
+TEST(RepeatedPositions, AllHangOnTheSharedUnknowns) {
+  const Measurement measurement = measuredAgain();
+  const SessionFit fit = fitSession(measurement);
+  const Linearised equations = linearise(measurement, fit.joint);
+  const auto x = static_cast<std::size_t>(
+      std::ranges::find(equations.unknowns, Unknown{.kind = CentreX, .arc = 0}) - equations.unknowns.begin());
+  for (std::size_t i = 0; i < equations.readings.size(); ++i)
+    if (equations.readings[i].kind == ReadingKind::Horizontal) {
+      EXPECT_EQ(equations.ofUnknown(i, x) != 0, measurement.arcs[equations.readings[i].arc].axisDeg == 0);
+    }
+}
+
+// 0° and 0° alone: one centre, and no intersection.
+TEST(RepeatedPositions, MakeNoIntersectionByThemselves) {
+  Measurement measurement = measuredAgain();
+  measurement.arcs.erase(measurement.arcs.begin() + 1);
+  const SessionFit fit = fitSession(measurement);
+  ASSERT_EQ(fit.arcs.size(), 2u);
+  EXPECT_NEAR(fit.arcs[1].circle.y, at0.y, 1e-8);
+  EXPECT_FALSE(fit.intersection);
+}
+
+// The published method has no common centre: Δd takes the mean.
+TEST(RepeatedPositions, AreAveragedByThePublishedMethod) {
+  Measurement measurement = measuredAgain();
+  turn(measurement.arcs[2], 0, 30);
+  const PublishedSessionFit all = fitSessionAsPublished(measurement);
+  const auto without = [&](std::ptrdiff_t arc) {
+    Measurement part = measurement;
+    part.arcs.erase(part.arcs.begin() + arc);
+    return fitSessionAsPublished(part);
+  };
+  EXPECT_NEAR(*all.intersection, (*without(0).intersection + *without(2).intersection) / 2, 1e-12);
+  EXPECT_NEAR(*all.intersectionAsPrinted,
+              (*without(0).intersectionAsPrinted + *without(2).intersectionAsPrinted) / 2, 1e-12);
+}
+
+}  // namespace
+}  // namespace alidade
