@@ -33,8 +33,8 @@ struct DrawnPlan {
 };
 
 /// `mostPoints` ≥ 3 places over 20° to 350° of arc, one to three rounds, one face, both or in turn, with or
-/// without slider; L from 0.5 to 50 m, R from 50 mm to 5 m but within 45° of the line of sight, both σ from
-/// 0.1″ to 60″. Without any effect.
+/// without slider, now and then an axis again; L from 0.5 to 50 m, R from 50 mm to 5 m but within 45° of the
+/// line of sight, both σ from 0.1″ to 60″. Without any effect.
 inline DrawnPlan drawnPlan(std::mt19937_64& random, int mostPoints, std::uint64_t seed) {
   DrawnPlan plan;
   Protocol& protocol = plan.protocol;
@@ -46,6 +46,7 @@ inline DrawnPlan drawnPlan(std::mt19937_64& random, int mostPoints, std::uint64_
   protocol.rounds = drawnCount(random, 1, 3);
   protocol.faces = static_cast<FacePlan>(drawnCount(random, 0, 2));
   protocol.slider = drawnChance(random, 0.5);
+  while (drawnChance(random, 0.2)) protocol.axes.push_back(drawnChance(random, 0.5) ? 0 : 180);
 
   Truth& truth = plan.truth;
   truth = drawTruth(seed);

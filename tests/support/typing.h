@@ -1,8 +1,8 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
+#include <numeric>
 #include <random>
 #include <string>
 #include <vector>
@@ -66,6 +66,8 @@ class Typing {
     m_session = m_whole;
     for (Position& position : m_session.positions) position.readings.clear();
     m_slips = drawnChance(m_random, 0.3) ? 0.3 : 0.05;
+    m_order.resize(m_whole.positions.size());
+    std::iota(m_order.begin(), m_order.end(), std::size_t{0});
     if (drawnChance(m_random, 0.3)) std::ranges::reverse(m_order);
   }
 
@@ -76,7 +78,6 @@ class Typing {
   bool next() {
     if (drawnChance(m_random, 0.15) && touchUp()) return true;
     for (const std::size_t p : m_order) {
-      if (p >= m_whole.positions.size()) continue;
       std::vector<Reading>& typed = m_session.positions[p].readings;
       const std::vector<Reading>& all = m_whole.positions[p].readings;
       if (typed.size() >= all.size()) continue;
@@ -93,7 +94,7 @@ class Typing {
  private:
   std::mt19937_64 m_random;
   Session m_whole, m_session;
-  std::array<std::size_t, 2> m_order{0, 1};
+  std::vector<std::size_t> m_order;  ///< of the positions
   double m_slips = 0;
 
   static std::vector<std::string*> cellsOf(Reading& row) {
@@ -129,6 +130,7 @@ class Typing {
       for (int count = drawnCount(m_random, 1, 4); count > 0; --count)
         m_whole.model.effects.emplace_back(oneOf(effectCatalogue()).id);
     if (drawnChance(m_random, 0.1)) m_whole.positions.resize(1);
+    if (drawnChance(m_random, 0.1)) m_whole.positions.push_back(oneOf(m_whole.positions));
   }
 
   bool touchUp() {

@@ -104,6 +104,8 @@ TEST(PlanReview, SaysWhatToAdd) {
   EXPECT_THAT(advice(Measure::SliderReadings).reveals, Contains("plane_tilt"));
   EXPECT_THAT(advice(Measure::SliderReadings).separates,
               Contains(testing::Pair("plane_offset", "plane_warp")));
+  for (const Measure measure : {Measure::At0Again, Measure::WayBack})
+    EXPECT_THAT(advice(measure).separates, Contains(testing::Pair("axial_shift", "horizontal_drift")));
   // No single one tells as much as all together.
   EXPECT_THAT(paper.advice.front().measures,
               testing::UnorderedElementsAre(Measure::BothFaces, Measure::WayBack, Measure::SliderReadings));

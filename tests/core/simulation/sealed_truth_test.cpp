@@ -99,9 +99,11 @@ TEST(SealedTruth, IsTheSameByWayOfAFile) {
   truth.protocol = "full";
   addEffect(truth, "gross_error=180,2,3,1,60,0");
   addEffect(truth, "gross_error=0,1,5,2,0,-30");
+  addEffect(truth, "gross_error=0,1,5,2,0,-30,2");
   const SealedTruth seal = sealed("4", truth, std::nullopt);
   const SealedTruth read = readSealedTruths(truthJson("4", truth))->front();
   EXPECT_EQ(read.kind, "gross_error");
+  ASSERT_EQ(read.grossErrors.size(), 3u);
   EXPECT_EQ(read.grossErrors, seal.grossErrors);
   EXPECT_EQ(read.causes, seal.causes);
   EXPECT_EQ(read.intersection, seal.intersection);

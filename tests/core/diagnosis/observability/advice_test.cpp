@@ -161,6 +161,52 @@ TEST(Advice, SightsTheZerosAgainToTellASlipFromADriftAndAShift) {
               0.05 * 30 / sigma);  // of axial shift and either; less of drift and slip
 }
 
+/// A jump between the zero and the first place of a position of the paper's plan.
+PossibleCause slipAt(std::size_t arc, double horizontal) {
+  PossibleCause slip = slipOf(arc, horizontal);
+  slip.moment = JumpMoment{17 * arc, 17 * (arc + 1)};
+  return slip;
+}
+
+// 0° again stands where it stood at first, whatever shifts when the guideway is turned, unless the first zero
+// slipped: against a shift, which takes up what 180° says, two zeros and two arcs of 17 readings tell its
+// 30″, √2 (2″ ⊕ 0.37 · 2″). A slip at 180° leaves there what a shift leaves.
+TEST(Advice, MeasuresAPositionAgainToTellASlipOfItsZeroFromAShift) {
+  const Inquiry inquiry = inquiryInto(*closedModelOf(modelBy(*protocolByName("paper"), {})));
+  const std::vector<Advice> ofFirst =
+      adviceFor(inquiry, {possibleCauseOf("axial_shift", 0.35), slipAt(0, 30)}, {}, {});
+  const Advice *again = adviceTo(Measure::At0Again, ofFirst), *other = adviceTo(Measure::At180Again, ofFirst);
+  ASSERT_TRUE(again);
+  EXPECT_FALSE(other) << "both 180° positions lie where a shift has them";
+  EXPECT_NEAR(again->bySigma, 30 / (2 * std::numbers::sqrt2 * std::hypot(1, 0.37)), 0.1 * again->bySigma);
+  EXPECT_GT(again->oneLeft, 0.99);
+  const std::vector<Advice> ofSecond =
+      adviceFor(inquiry, {possibleCauseOf("axial_shift", 0.35), slipAt(1, 30)}, {}, {});
+  EXPECT_FALSE(adviceTo(Measure::At0Again, ofSecond));
+  EXPECT_TRUE(adviceTo(Measure::At180Again, ofSecond));
+  // Either zero may have slipped: only both positions tell.
+  const std::vector<Advice> ofEither =
+      adviceFor(inquiry, {possibleCauseOf("axial_shift", 0.35), slipAt(0, 30), slipAt(1, -30)}, {}, {});
+  EXPECT_FALSE(adviceTo(Measure::At0Again, ofEither));
+  EXPECT_FALSE(adviceTo(Measure::At180Again, ofEither));
+}
+
+// A drift goes on as it did, so that over 51 rows instead of 34 it comes to half as much again: what a
+// session by the plan with 0° again shows apart, of readings without error, is what was promised. It is
+// linear: 2 %.
+TEST(Advice, MeasuresAPositionAgainToTellADriftFromAShift) {
+  const Inquiry inquiry = inquiryInto(*closedModelOf(modelBy(*protocolByName("paper"), {})));
+  const std::vector<Advice> list = adviceFor(
+      inquiry, {possibleCauseOf("axial_shift", 0.3), possibleCauseOf("horizontal_drift", 60)}, {}, {});
+  const Advice* again = adviceTo(Measure::At0Again, list);
+  ASSERT_TRUE(again);
+  const Protocol& plan = *protocolByName("again");
+  const double least =
+      std::min(shownApart(plan, {ErrorTerm::AxialShift, 0.3}, "horizontal_drift"),
+               shownApart(plan, {ErrorTerm::HorizontalDrift, 60 * 50 / 33.0}, "axial_shift"));
+  EXPECT_NEAR(again->bySigma, least, 0.02 * least);
+}
+
 // The distances differ by twice the offset of the plane, a radius that differs changes none.
 TEST(Advice, MeasuresTheDistanceInBothPositions) {
   Measurement measurement = *modelBy(*protocolByName("paper"), {}).measurement;

@@ -43,6 +43,31 @@ TEST(VisibleTerms, AreThoseOfProjectedColumns) {
   }
 }
 
+// The columns of a jump are those of one before every row, cut off at both ends of it.
+TEST(VisibleTerms, HoldJumpsBehindTheTerms) {
+  const Linearised set = equationsOf("full");
+  const Leftover leftover(set);
+  const std::vector<JumpMoment> moments{{5, 40}, {60}};
+  const VisibleTerms terms = visibleTerms(set, everyTerm(), moments);
+  const auto count = static_cast<Index>(errorTermCount);
+  ASSERT_EQ(terms.gram.rows(), count + 4);
+  MatrixXd columns(leftover.readings(), 5);
+  columns.col(4) = leftover.column(ErrorTerm::GravitySag);
+  for (Index m = 0; m < 2; ++m) {
+    columns.col(2 * m) = leftover.column(ErrorTerm::HorizontalJump);
+    columns.col(2 * m + 1) = leftover.column(ErrorTerm::VerticalJump);
+    for (Index i = 0; i < columns.rows(); ++i)
+      if (!moments[static_cast<std::size_t>(m)].actsOn(leftover.reading(i).sequence))
+        columns.row(i).segment(2 * m, 2).setZero();
+  }
+  const MatrixXd visible = leftover.visible(columns), gram = visible.transpose() * visible;
+  EXPECT_LT((terms.gram.bottomRightCorner(4, 4) - gram.topLeftCorner(4, 4)).cwiseAbs().maxCoeff(),
+            1e-9 * gram.topLeftCorner(4, 4).cwiseAbs().maxCoeff());
+  const auto sag = static_cast<Index>(ErrorTerm::GravitySag);
+  for (Index i = 0; i < 4; ++i)
+    EXPECT_NEAR(terms.gram(sag, count + i), gram(4, i), 1e-9 * std::sqrt(gram(4, 4) * gram(i, i)));
+}
+
 TEST(VisibleTerms, AddUpOverSetsWithUnknownsOfTheirOwn) {
   const Linearised one = equationsOf("full"), other = equationsOf("paper");
   EXPECT_LT(greatestError(visibleTerms(one, everyTerm()) + visibleTerms(other, everyTerm()),
