@@ -49,10 +49,6 @@ std::optional<Problem> turnedBehindTheEnd(const Recording& recording, const Impo
                  std::to_string(*options.turnedAtLine) + " on: give a line within the file"};
 }
 
-std::string positionName(const std::string& axis) {
-  return axis + "°";
-}
-
 /// Puts the sightings of a recording into a session.
 class Assembly {
  public:
@@ -68,6 +64,7 @@ class Assembly {
     takeHeadings();
     takeAxes();
     takeFaces();
+    takePositions();
     takeRounds();
     numberPoints();
     for (const RecordedSighting& sighting : m_recording.sightings) {
@@ -138,31 +135,88 @@ class Assembly {
       if (sighting.row.face.empty()) sighting.row.face = "1";
   }
 
+  /// Readings one after the other with the axis as it stands.
+  struct Turn {
+    std::string axis;
+    std::vector<RecordedSighting*> sightings;
+  };
+
+  std::vector<Turn> turns() {
+    std::vector<Turn> turns;
+    for (RecordedSighting& sighting : m_recording.sightings) {
+      if (turns.empty() || turns.back().axis != sighting.axis.text) turns.push_back({sighting.axis.text, {}});
+      turns.back().sightings.push_back(&sighting);
+    }
+    return turns;
+  }
+
+  /// Where the axis comes back and places are sighted that were sighted there before, with nothing that calls
+  /// it another round, the position is measured again, and the pointing zeros of that turn are its own.
+  void takePositions() {
+    std::vector<Turn> all = turns();
+    std::set<std::string> axes;
+    for (const Turn& turn : all) axes.insert(turn.axis);
+    if (axes.size() == all.size()) return;
+    std::map<std::string, std::set<Visited>> sighted;
+    std::map<std::string, int> times;
+    for (Turn& turn : all) {
+      std::set<Visited> own;
+      bool isAgain = false;
+      for (const RecordedSighting* sighting : turn.sightings) {
+        if (sighting->isZero || sighting->row.point.empty()) continue;
+        const Visited visit = visited(*sighting);
+        own.insert(visit);
+        isAgain = isAgain || sighted[turn.axis].contains(visit);
+      }
+      int& time = times[turn.axis];
+      if (time == 0 || isAgain) {
+        ++time;
+        sighted[turn.axis].clear();
+      }
+      sighted[turn.axis].merge(own);
+      for (RecordedSighting* sighting : turn.sightings) sighting->time = time;
+    }
+  }
+
   /// An entry as the number it means, so that 1 and 01 are one point.
   static std::string asNumber(const WholeRule& rule, const std::string& text) {
     const auto number = wholeEntry(rule, text);
     return number && *number ? std::to_string(**number) : text;
   }
 
+  /// Point, face and round of a sighting.
+  using Visited = std::tuple<std::string, std::string, std::string>;
+  static Visited visited(const RecordedSighting& sighting) {
+    return {asNumber(pointRule, sighting.row.point), asNumber(faceRule, sighting.row.face),
+            asNumber(roundRule, sighting.row.round)};
+  }
+
+  /// Which position a sighting is of.
+  using At = std::pair<std::string, int>;
+  static At positionOf(const RecordedSighting& sighting) { return {sighting.axis.text, sighting.time}; }
+  static std::string nameOf(const At& at) {
+    return at.first + "°" + (at.second > 1 ? ", time " + std::to_string(at.second) : "");
+  }
+
   /// Where the file says no round, the first that it does not state for this point and face.
   void takeRounds() {
-    using Visited = std::tuple<std::string, std::string, std::string>;
-    const auto visited = [](const RecordedSighting& sighting) {
-      return Visited{sighting.axis.text, asNumber(pointRule, sighting.row.point),
-                     asNumber(faceRule, sighting.row.face)};
+    using Place = std::tuple<At, std::string, std::string>;
+    const auto placeOf = [](const RecordedSighting& sighting) {
+      return Place{positionOf(sighting), asNumber(pointRule, sighting.row.point),
+                   asNumber(faceRule, sighting.row.face)};
     };
-    std::map<Visited, std::set<std::string>> stated;
+    std::map<Place, std::set<std::string>> stated;
     for (const RecordedSighting& sighting : m_recording.sightings)
       if (!sighting.isZero && !sighting.row.round.empty())
-        stated[visited(sighting)].insert(asNumber(roundRule, sighting.row.round));
-    std::map<Visited, int> last;
+        stated[placeOf(sighting)].insert(asNumber(roundRule, sighting.row.round));
+    std::map<Place, int> last;
     bool second = false;
     for (RecordedSighting& sighting : m_recording.sightings) {
       if (sighting.isZero || !sighting.row.round.empty() || sighting.row.point.empty()) continue;
-      const Visited visit = visited(sighting);
-      int& round = last[visit];
+      const Place place = placeOf(sighting);
+      int& round = last[place];
       do ++round;
-      while (stated[visit].contains(std::to_string(round)));
+      while (stated[place].contains(std::to_string(round)));
       second = second || round > 1;
       if (round > 1) sighting.row.round = std::to_string(round);
     }
@@ -176,15 +230,15 @@ class Assembly {
 
   /// In each position by itself.
   void numberPoints() {
-    std::map<std::string, std::vector<std::string>> names;
+    std::map<At, std::vector<std::string>> names;
     for (const RecordedSighting& sighting : m_recording.sightings)
-      if (!sighting.isZero) names[sighting.axis.text].push_back(sighting.row.point);
-    std::map<std::string, std::map<std::string, std::string>> numbers;
-    for (const auto& [axis, namesAtAxis] : names) numbers[axis] = pointNumbers(namesAtAxis);
+      if (!sighting.isZero) names[positionOf(sighting)].push_back(sighting.row.point);
+    std::map<At, std::map<std::string, std::string>> numbers;
+    for (const auto& [position, namesThere] : names) numbers[position] = pointNumbers(namesThere);
     bool renamed = false;
     for (RecordedSighting& sighting : m_recording.sightings) {
       if (sighting.isZero || sighting.row.point.empty()) continue;
-      const std::string& number = numbers.at(sighting.axis.text).at(sighting.row.point);
+      const std::string& number = numbers.at(positionOf(sighting)).at(sighting.row.point);
       if (number == sighting.row.point) continue;
       renamed = true;
       sighting.row.note = sighting.row.point + (sighting.row.note.empty() ? "" : ": " + sighting.row.note);
@@ -211,22 +265,24 @@ class Assembly {
     }
   }
 
-  /// The position of that axis, made where there is none.
-  Position& positionAt(const std::string& axis) {
+  /// The position of that axis, made where there is none, and those before it.
+  Position& positionAt(const At& at) {
     std::vector<Position>& positions = m_import.session.positions;
-    const Result<int> wanted = axisEntry(axis);
-    const auto found = std::find_if(positions.begin(), positions.end(), [&](const Position& position) {
+    const Result<int> wanted = axisEntry(at.first);
+    int time = 0;
+    for (Position& position : positions) {
       const Result<int> has = axisEntry(position.axisDeg);
-      return wanted && has ? *has == *wanted : position.axisDeg == axis;
-    });
-    if (found != positions.end()) return *found;
-    positions.push_back({.axisDeg = axis, .zero = {}, .readings = {}, .origin = {}});
+      if ((wanted && has ? *has == *wanted : position.axisDeg == at.first) && ++time == at.second)
+        return position;
+    }
+    for (; time < at.second; ++time)
+      positions.push_back({.axisDeg = at.first, .zero = {}, .readings = {}, .origin = {}});
     return positions.back();
   }
 
   void addReading(const RecordedSighting& sighting) {
     if (!axisEntry(sighting.axis.text)) return;  // reported already
-    positionAt(sighting.axis.text).readings.push_back(sighting.row);
+    positionAt(positionOf(sighting)).readings.push_back(sighting.row);
     ++m_import.rows;
   }
 
@@ -237,7 +293,7 @@ class Assembly {
   }
 
   void takeZeros() {
-    std::map<std::string, std::vector<const RecordedSighting*>> zeros;
+    std::map<At, std::vector<const RecordedSighting*>> zeros;
     for (const RecordedSighting& sighting : m_recording.sightings) {
       if (!sighting.isZero) continue;
       const std::string where = " of the pointing zero in line " + std::to_string(sighting.line);
@@ -248,22 +304,22 @@ class Assembly {
       if (sighting.row.excluded) {
         remark("the excluded sighting" + where + " is not used");
       } else {
-        zeros[sighting.axis.text].push_back(&sighting);
+        zeros[positionOf(sighting)].push_back(&sighting);
       }
     }
-    for (const auto& [axis, sightings] : zeros) takeZero(axis, sightings);
+    for (const auto& [position, sightings] : zeros) takeZero(position, sightings);
   }
 
-  void takeZero(const std::string& axis, const std::vector<const RecordedSighting*>& sightings) {
-    PointingZero& zero = positionAt(axis).zero;
+  void takeZero(const At& at, const std::vector<const RecordedSighting*>& sightings) {
+    PointingZero& zero = positionAt(at).zero;
     std::string lines;
     for (const RecordedSighting* sighting : sightings) {
       lines += lines.empty() ? (sightings.size() == 1 ? "line " : "lines ") : ", ";
       lines += std::to_string(sighting->line);
     }
     if (!zero.horizontal.empty() || !zero.vertical.empty())
-      return remark("the pointing zero at " + positionName(axis) + " stays as it was given; that of " +
-                    lines + " is not used");
+      return remark("the pointing zero at " + nameOf(at) + " stays as it was given; that of " + lines +
+                    " is not used");
     const RecordedSighting& first = *sightings.front();
     const auto mean = sightings.size() > 1 || first.row.face == "2" ? meanOf(sightings) : std::nullopt;
     if (!mean) {
@@ -274,7 +330,7 @@ class Assembly {
     const auto written = [](Angle angle) { return formatDms(angle, meanDecimals, AngleSigns::Typewriter); };
     zero.horizontal = written(wrapped(mean->horizontal, Angle::fromDegrees(180)));
     zero.vertical = written(mean->vertical);
-    remark("the pointing zero at " + positionName(axis) + " is the face 1 mean of " + lines);
+    remark("the pointing zero at " + nameOf(at) + " is the face 1 mean of " + lines);
   }
 
   /// In face 1; absent where one of the angles cannot be read, which `check` has said.
@@ -303,24 +359,44 @@ class Assembly {
     });
   }
 
-  /// A session has the position at 0° read first.
+  /// A session has the position at 0° read first, and where an axis comes again those that the file holds in
+  /// its order.
   void orderPositions() {
-    std::ranges::stable_sort(m_import.session.positions, {}, [](const Position& position) {
-      constexpr int behindAll = 360;
-      const Result<int> axis = axisEntry(position.axisDeg);
-      return axis ? *axis : behindAll;
-    });
-    std::vector<int> turns;
+    std::stable_sort(m_import.session.positions.begin(), m_import.session.positions.end(),
+                     [](const Position& a, const Position& b) { return rankOf(a) < rankOf(b); });
+    std::vector<At> turns;
     for (const RecordedSighting& sighting : m_recording.sightings) {
-      const Result<int> axis = axisEntry(sighting.axis.text);
-      if (axis && !sighting.isZero && (turns.empty() || turns.back() != *axis)) turns.push_back(*axis);
+      const bool isNew = turns.empty() || turns.back() != positionOf(sighting);
+      if (axisEntry(sighting.axis.text) && !sighting.isZero && isNew) turns.push_back(positionOf(sighting));
     }
-    if (turns.size() > 2)
+    const std::set<At> different(turns.begin(), turns.end());
+    const bool isAgain = std::ranges::any_of(different, [](const At& at) { return at.second > 1; });
+    if (turns.size() > different.size())
       remark("the positions of the axis alternate in the file; a session keeps the order within each only");
-    else if (turns.size() == 2 && turns.front() != 0)
+    else if (turns.size() == 2 && turns.front().first != "0" && !isAgain)
       remark(
           "180° was read before 0°, but a session takes 0° as read first: a drift or a jump between the "
           "positions would be taken the wrong way round");
+    if (isAgain) orderAsRead(turns);
+  }
+
+  static int rankOf(const Position& position) {
+    constexpr int behindAll = 360;
+    const Result<int> axis = axisEntry(position.axisDeg);
+    return axis ? *axis : behindAll;
+  }
+
+  void orderAsRead(const std::vector<At>& turns) {
+    std::vector<Position>& positions = m_import.session.positions;
+    std::vector<std::size_t> order;
+    const auto take = [&](std::size_t index) {
+      if (std::ranges::find(order, index) == order.end()) order.push_back(index);
+    };
+    for (const At& at : turns) take(static_cast<std::size_t>(&positionAt(at) - positions.data()));
+    for (std::size_t i = 0; i < positions.size(); ++i) take(i);
+    std::vector<Position> ordered;
+    for (const std::size_t index : order) ordered.push_back(std::move(positions[index]));
+    positions = std::move(ordered);
   }
 
   Recording m_recording;

@@ -36,6 +36,7 @@ struct RecordedSighting {
   /// Where the row's fields stand in the line, in the order of `rowFields`; as in LineProblem.
   std::array<std::size_t, rowFields.size()> columns{};
   bool isZero = false;  ///< of the pointing zero, not of the slider
+  int time = 1;         ///< the how many-th position at its axis it is of; who reads a file leaves it
 
   void enter(const RowField& field, std::string text, std::size_t column);
   std::size_t columnOf(const RowField& field) const;

@@ -100,6 +100,10 @@ int main(int argc, char** argv) {
       {.name = "full, trunnion tilt estimated along", .protocol = "full", .effect = "trunnion_tilt"},
       {.name = "paper-slider, drift estimated along", .protocol = "paper-slider", .effect = "vertical_drift"},
       {.name = "paper, ellipticity estimated along", .protocol = "paper", .effect = "arc_ellipticity"},
+      {.name = "again", .protocol = "again"},
+      {.name = "again, zeros of 10 arcsec", .protocol = "again", .sigmaZero = 10},
+      {.name = "again, noise 3 times the stated", .protocol = "again", .noiseFactor = 3},
+      {.name = "full-again", .protocol = "full-again"},
   };
   for (const Setting& setting : settings) run(setting, sessions, std::max(1u, threads));
   return 0;

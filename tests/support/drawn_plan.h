@@ -46,7 +46,7 @@ inline DrawnPlan drawnPlan(std::mt19937_64& random, int mostPoints, std::uint64_
   protocol.rounds = drawnCount(random, 1, 3);
   protocol.faces = static_cast<FacePlan>(drawnCount(random, 0, 2));
   protocol.slider = drawnChance(random, 0.5);
-  while (drawnChance(random, 0.2)) protocol.axes.push_back(drawnChance(random, 0.5) ? 0 : 180);
+  while (drawnChance(random, 0.1)) protocol.axes.push_back(drawnChance(random, 0.5) ? 0 : 180);
 
   Truth& truth = plan.truth;
   truth = drawTruth(seed);

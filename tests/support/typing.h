@@ -130,7 +130,7 @@ class Typing {
       for (int count = drawnCount(m_random, 1, 4); count > 0; --count)
         m_whole.model.effects.emplace_back(oneOf(effectCatalogue()).id);
     if (drawnChance(m_random, 0.1)) m_whole.positions.resize(1);
-    if (drawnChance(m_random, 0.1)) m_whole.positions.push_back(oneOf(m_whole.positions));
+    if (drawnChance(m_random, 0.05)) m_whole.positions.push_back(oneOf(m_whole.positions));
   }
 
   bool touchUp() {

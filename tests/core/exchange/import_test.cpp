@@ -144,6 +144,50 @@ TEST(Import, PutsThePositionsInTheOrderOfASession) {
               Contains(HasSubstr("alternate")));
 }
 
+std::string axesOf(const Import& import) {
+  std::string axes;
+  for (const Position& position : import.session.positions)
+    axes += position.axisDeg + "°:" + std::to_string(position.readings.size()) + " ";
+  return axes;
+}
+
+// Places that are sighted again after the axis has come back make another position, with the zeros sighted
+// then; further rounds and other places do not.
+TEST(Import, MakesAPositionOfEachTimeTheAxisComesBack) {
+  const auto of = [](const std::string& rows) { return imported("axis,point,round,face,Hz,V\n" + rows); };
+  const std::string first = "0,1,,,341°,88°\n0,2,,,342°,88°\n",
+                    other = "180,1,,,341°,91°\n180,2,,,342°,91°\n",
+                    again = "0,1,,,341°,87°\n0,2,,,342°,87°\n";
+  const Import thrice = of(first + other + again);
+  EXPECT_EQ(axesOf(thrice), "0°:2 180°:2 0°:2 ");
+  EXPECT_EQ(thrice.session.positions.at(2).readings.at(0).vertical, "87°");
+  EXPECT_EQ(thrice.session.positions.at(2).readings.at(0).round, "");
+  EXPECT_THAT(thrice.remarks, IsEmpty());
+  EXPECT_EQ(axesOf(of(other + first + other)), "180°:2 0°:2 180°:2 ") << "in the order of the file";
+  EXPECT_EQ(axesOf(of(first + other + again + other)), "0°:2 180°:2 0°:2 180°:2 ");
+  const Import rounds = of(first + other + "0,1,2,,341°,87°\n");
+  EXPECT_EQ(axesOf(rounds), "0°:3 180°:2 ");
+  EXPECT_THAT(rounds.remarks, Contains(HasSubstr("alternate")));
+  EXPECT_EQ(axesOf(of("0,1,,,341°,88°\n180,1,,,341°,91°\n0,2,,,341°,88°\n180,2,,,341°,91°\n")),
+            "0°:2 180°:2 ")
+      << "sorted by points";
+  EXPECT_EQ(axesOf(of("180,1,,,341°,91°\n0,1,,,341°,88°\n180,2,,,341°,91°\n")), "0°:1 180°:2 ");
+}
+
+TEST(Import, TakesTheZerosOfAPositionMeasuredAgain) {
+  const auto row = [](const std::string& axis, const std::string& name, const std::string& horizontal) {
+    return axis + "," + name + "," + horizontal + ",89°\n";
+  };
+  const Import import = imported("axis,point,Hz,V\n" + row("0", "zero", "332°") + row("0", "1", "341°") +
+                                 row("180", "zero", "333°") + row("180", "1", "341°") +
+                                 row("0", "zero", "334°") + row("0", "1", "341°"));
+  ASSERT_EQ(import.session.positions.size(), 3u);
+  EXPECT_EQ(import.session.positions[0].zero.horizontal, "332°");
+  EXPECT_EQ(import.session.positions[1].zero.horizontal, "333°");
+  EXPECT_EQ(import.session.positions[2].zero.horizontal, "334°");
+  EXPECT_EQ(import.session.positions[2].readings.size(), 1u);
+}
+
 TEST(Import, ListsReadingsThatWereTurnedIntoRemarks) {
   const auto remarks = [](const std::string& line) {
     return imported("axis,point,Hz [gon],V\n0,1,379.8,98.1gon\n" + line + "\n").remarks;
