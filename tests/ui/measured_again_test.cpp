@@ -10,7 +10,6 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "core/session/session_file.h"
 #include "core/simulation/simulate.h"
 #include "tests/ui/shown_texts.h"
 #include "tests/ui/support.h"
