@@ -459,7 +459,7 @@ void MainWindow::redo() {
 
 void MainWindow::addPosition(int axisDeg) {
   commitPending();
-  if (hasPosition(m_document.session(), axisDeg)) return;
+  if (!mayAddPosition(m_document.session(), axisDeg)) return;
   ui::addPosition(m_document, axisDeg);
   reveal({.position = m_lastChange.position, .field = "pointing_zero.horizontal"});
 }

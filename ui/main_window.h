@@ -53,7 +53,8 @@ class MainWindow : public QMainWindow {
   void commitPending();
   void undo();
   void redo();
-  /// Adds the position at `axisDeg` (0 or 180) where it is missing, and leads to its pointing zero.
+  /// Adds a position at `axisDeg` (0 or 180), one measured again where both are there, and leads to its
+  /// pointing zero.
   void addPosition(int axisDeg);
   void setColumnShown(ReadingColumn column, bool shown);
   /// Gives the pages below the picture its room, too.

@@ -161,18 +161,20 @@ void WindowActions::addSuspectActions(QMenu& menu) {
   m_tableActions << next << use;
 }
 
-/// Enabled where the position is missing.
+/// For a position that is missing; to measure one again where both are there.
 void WindowActions::addPositionActions(QMenu& menu) {
   menu.addSeparator();
   const SessionDocument& document = m_window.document();
   for (const int axisDeg : {0, 180}) {
-    QAction* action = addTo(menu, nullptr, tr("Add Position at %1°").arg(axisDeg), {}, this,
-                            [this, axisDeg] { m_window.addPosition(axisDeg); });
-    const auto enable = [&document, action, axisDeg] {
-      action->setEnabled(!hasPosition(document.session(), axisDeg));
+    QAction* action = addTo(menu, nullptr, {}, {}, this, [this, axisDeg] { m_window.addPosition(axisDeg); });
+    action->setObjectName(QStringLiteral("add position %1").arg(axisDeg));
+    const auto offer = [&document, action, axisDeg] {
+      const bool isThere = hasPosition(document.session(), axisDeg);
+      action->setText((isThere ? tr("Measure %1° Again") : tr("Add Position at %1°")).arg(axisDeg));
+      action->setEnabled(mayAddPosition(document.session(), axisDeg));
     };
-    connect(&document, &SessionDocument::changed, action, enable);
-    enable();
+    connect(&document, &SessionDocument::changed, action, offer);
+    offer();
   }
 }
 

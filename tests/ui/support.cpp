@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "core/session/session_file.h"
+#include "core/simulation/simulate.h"
 #include "ui/main_window.h"
 
 namespace alidade::ui {
@@ -39,6 +40,16 @@ Session paperSession() {
       loadSession(samplePath(QStringLiteral("paper-table-1.alidade")).toStdString());
   if (!session) throw std::runtime_error(session.problem().text());
   return *session;
+}
+
+Session sessionTakenAt(const std::vector<int>& axes) {
+  Protocol protocol = *protocolByName("paper");
+  protocol.axes = axes;
+  const Result<Session> simulated = simulate(protocol, drawTruth(5), 5);
+  if (!simulated) throw std::runtime_error(simulated.problem().text());
+  Session session = *simulated;
+  session.acceptance.toleranceMm = "2.5";
+  return session;
 }
 
 std::string paperTextWithEffects(const std::vector<std::string>& effects) {

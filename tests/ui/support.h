@@ -84,6 +84,8 @@ Session paperSession();
 /// The same with these effects of the model estimated along, as a file's text.
 std::string paperTextWithEffects(const std::vector<std::string>& effects);
 QString samplePath(const QString& name);
+/// A simulated session without errors, with positions at these axes in the order taken, and a tolerance.
+Session sessionTakenAt(const std::vector<int>& axes);
 
 /// Types `text` and ends it with `key`, wherever the keyboard is, the editor of a cell included.
 void typeInto(QWidget& widget, const QString& text, Qt::Key key = Qt::Key_Return);

@@ -10,9 +10,10 @@
 namespace alidade::ui {
 
 AddPosition::AddPosition(SessionDocument& document, int axisDeg)
-    : m_document(document), m_index(axisDeg == 0 ? 0 : document.session().positions.size()) {
+    : m_document(document),
+      m_index(axisDeg == 0 && !hasPosition(document.session(), 0) ? 0 : document.session().positions.size()) {
   m_position.axisDeg = std::to_string(axisDeg);
-  setText(QCoreApplication::translate("AddPosition", "Add position at %1°").arg(axisDeg));
+  setText(addPositionText(document.session(), axisDeg));
 }
 
 void AddPosition::undo() {
@@ -29,8 +30,19 @@ bool hasPosition(const Session& session, int axisDeg) {
   });
 }
 
+bool mayAddPosition(const Session& session, int axisDeg) {
+  return !hasPosition(session, axisDeg) || hasPosition(session, axisDeg == 0 ? 180 : 0);
+}
+
+QString addPositionText(const Session& session, int axisDeg) {
+  const QString text = hasPosition(session, axisDeg)
+                           ? QCoreApplication::translate("AddPosition", "Measure %1° again")
+                           : QCoreApplication::translate("AddPosition", "Add position at %1°");
+  return text.arg(axisDeg);
+}
+
 void addPosition(SessionDocument& document, int axisDeg) {
-  if (hasPosition(document.session(), axisDeg)) return;
+  if (!mayAddPosition(document.session(), axisDeg)) return;
   document.push(new AddPosition(document, axisDeg));
 }
 

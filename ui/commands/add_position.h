@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QString>
 #include <QUndoCommand>
 #include <cstddef>
 
@@ -9,8 +10,8 @@ namespace alidade::ui {
 
 class SessionDocument;
 
-/// Adds a position of the axis without readings. The one at 0° goes first, since it is taken first; the one
-/// at 180° goes last.
+/// Adds a position of the axis without readings. A missing one at 0° goes first, since it is taken first; one
+/// at 180°, or one measured again, goes last: positions measured again stand in the order taken.
 class AddPosition : public QUndoCommand {
  public:
   /// `axisDeg`: 0 or 180.
@@ -28,7 +29,13 @@ class AddPosition : public QUndoCommand {
 /// Has the session a position at `axisDeg`, 0 or 180? One whose axis cannot be understood is at neither.
 bool hasPosition(const Session& session, int axisDeg);
 
-/// Does nothing where the session has this position already.
+/// Where the position is missing, or where both are there: then the axis is measured again.
+bool mayAddPosition(const Session& session, int axisDeg);
+
+/// "Add position at 0°", "Measure 0° again": what adding it to this session is called.
+QString addPositionText(const Session& session, int axisDeg);
+
+/// Does nothing where it may not be added.
 void addPosition(SessionDocument& document, int axisDeg);
 
 }  // namespace alidade::ui

@@ -132,11 +132,14 @@ void addClosures(ReportSheet& sheet, const Gap& gap) {
   sheet.keepTogether(closuresHeight(sheet, gap, open));
   sheet.heading(QStringLiteral("Closures: what must agree"));
   addClosureTable(sheet, gap);
+  const Measurement& measurement = *gap.evaluation->examined.measurement;
   sheet.paragraph(
       QStringLiteral("Half a turn of one rigid arc about an axis along x keeps its radius and leaves the "
-                     "centre's x alone; R0 and the reference count where their σ is stated. U at "
-                     "%1 %.")
-          .arg(plainNumberText(100 * gap.evaluation->examined.measurement->coverage)),
+                     "centre's x alone%1; R0 and the reference count where their σ is stated. U at "
+                     "%2 %.")
+          .arg(
+              hasRepeats(measurement) ? QStringLiteral("; an arc measured again is where it was") : QString(),
+              plainNumberText(100 * measurement.coverage)),
       type::small);
   if (!open.isEmpty()) sheet.paragraph(open);
   addRequired(sheet, gap.diagnosis->whatItWouldTake);

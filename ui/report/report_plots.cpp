@@ -1,6 +1,7 @@
 #include "ui/report/report_plots.h"
 
 #include <QPainter>
+#include <algorithm>
 #include <memory>
 
 #include "ui/charts/arc/arc_plot.h"
@@ -25,6 +26,13 @@ void addPlot(ReportSheet& sheet, const std::shared_ptr<Plot>& plot, const Evalua
   sheet.skip(height + 1.5);
 }
 
+/// Says what the rings mean, where there are any.
+template <typename Drawn>
+QString ringsCaption(const std::vector<Drawn>& drawn) {
+  const bool any = std::any_of(drawn.begin(), drawn.end(), [](const Drawn& one) { return one.time > 1; });
+  return any ? QStringLiteral(" Ringed: the axis measured again.") : QString();
+}
+
 QString arcCaption(const ArcPicture& picture) {
   if (picture.arcs.empty())
     return QStringLiteral("Figure 1. Sighted points in the arc plane; no arc was fitted.");
@@ -32,8 +40,8 @@ QString arcCaption(const ArcPicture& picture) {
       QStringLiteral(
           "Figure 1. Fitted arcs and sighted points in true proportion, frame at the theodolite, x "
           "right, y up. Filled points and full line: axis at 0°; hollow points and broken line: "
-          "180°. The strokes are the residuals, from the adjusted point on the arc, drawn %1.")
-          .arg(exaggerationText(picture.exaggeration));
+          "180°.%1 The strokes are the residuals, from the adjusted point on the arc, drawn %2.")
+          .arg(ringsCaption(picture.sightings), exaggerationText(picture.exaggeration));
   if (picture.intersection) {
     text +=
         QStringLiteral(
@@ -55,9 +63,10 @@ QString residualCaption(const ResidualPicture& picture) {
   const auto sigma = [](double arcsec) { return plainNumberText(arcsec) + QChar(0x2033); };
   return QStringLiteral(
              "Figure 2. Residuals of the readings, observed minus adjusted, right and up positive, along the "
-             "slider coordinate. Circles: horizontal, diamonds: vertical; filled: axis at 0°, hollow: 180°. "
-             "Grey band: ±1σ, broken lines: ±3σ of the stated noise (σ = %1 horizontal, %2 vertical).")
-      .arg(sigma(picture.sigmaHorizontal), sigma(picture.sigmaVertical));
+             "slider coordinate. Circles: horizontal, diamonds: vertical; filled: axis at 0°, hollow: "
+             "180°.%1 "
+             "Grey band: ±1σ, broken lines: ±3σ of the stated noise (σ = %2 horizontal, %3 vertical).")
+      .arg(ringsCaption(picture.residuals), sigma(picture.sigmaHorizontal), sigma(picture.sigmaVertical));
 }
 
 }  // namespace

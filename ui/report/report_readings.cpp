@@ -7,6 +7,7 @@
 #include "ui/document/reading_column.h"
 #include "ui/report/report_table.h"
 #include "ui/text/entry_text.h"
+#include "ui/text/position_text.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/visible_text.h"
 
@@ -139,7 +140,7 @@ void addPosition(ReportSheet& sheet, const Evaluation& evaluation, std::size_t i
   const Position& position = evaluation.session.positions[index];
   const auto zero = [](const std::string& text) { return orNotStated(shortLine(text, longestCell)); };
   sheet.keepTogether(35);
-  sheet.heading(QStringLiteral("Readings with the axis at %1°").arg(zero(position.axisDeg)));
+  sheet.heading(QStringLiteral("Readings with the axis at ") + positionText(evaluation.session, index));
   sheet.paragraph(QStringLiteral("Pointing zero: horizontal α0 = %1, vertical β0 = %2")
                       .arg(zero(position.zero.horizontal), zero(position.zero.vertical)));
   sheet.skip(0.8);

@@ -9,6 +9,7 @@
 #include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/finding_text.h"
+#include "ui/text/position_text.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/spoken_place.h"
 #include "ui/text/verdict_text.h"
@@ -75,27 +76,29 @@ QString findingsLine(const Gap& gap) {
 
 void addArcs(ReportSheet& sheet, const SessionFit& fit) {
   constexpr auto right = Qt::AlignRight;
-  ReportTable table(sheet, {{QStringLiteral("Arc"), 21},
-                            {QStringLiteral("x (mm)"), 20, right},
-                            {QStringLiteral("u(x)"), 14, right},
-                            {QStringLiteral("y (mm)"), 20, right},
-                            {QStringLiteral("u(y)"), 14, right},
-                            {QStringLiteral("R (mm)"), 22, right},
-                            {QStringLiteral("u(R)"), 14, right},
-                            {QStringLiteral("rms"), 15, right},
-                            {QStringLiteral("χ²/f"), 15, right},
-                            {QStringLiteral("f"), 15, right}});
+  ReportTable table(sheet, {{QStringLiteral("Arc"), 28},
+                            {QStringLiteral("x (mm)"), 18, right},
+                            {QStringLiteral("u(x)"), 13, right},
+                            {QStringLiteral("y (mm)"), 18, right},
+                            {QStringLiteral("u(y)"), 13, right},
+                            {QStringLiteral("R (mm)"), 20, right},
+                            {QStringLiteral("u(R)"), 13, right},
+                            {QStringLiteral("n"), 11, right},
+                            {QStringLiteral("rms"), 14, right},
+                            {QStringLiteral("χ²/f"), 12, right},
+                            {QStringLiteral("f"), 10, right}});
   table.head();
   for (std::size_t i = 0; i < fit.arcs.size(); ++i) {
     const ArcFit& arc = fit.arcs[i];
     const ArcSigma& sigma = fit.sigmas[i];
     const int decimals = std::max({decimalsFor(sigma.x), decimalsFor(sigma.y), decimalsFor(sigma.radius)});
     const auto length = [decimals](double value) { return numberText(value, decimals); };
-    table.row({QStringLiteral("%1 at %2°")
-                   .arg(arc.axisDeg == 0 ? QStringLiteral("O1") : QStringLiteral("O2"))
-                   .arg(arc.axisDeg),
+    table.row({QStringLiteral("%1 at %2")
+                   .arg(arc.axisDeg == 0 ? QStringLiteral("O1") : QStringLiteral("O2"),
+                        positionText(arc.axisDeg, arc.time)),
                length(arc.circle.x), length(sigma.x), length(arc.circle.y), length(sigma.y),
-               length(arc.circle.radius), length(sigma.radius), arcsecText(arc.residualRms, 2),
+               length(arc.circle.radius), length(sigma.radius), QString::number(arc.residuals.size()),
+               arcsecText(arc.residualRms, 2),
                arc.degreesOfFreedom > 0 ? numberText(arc.reducedChiSquare(), 2) : notStated(),
                QString::number(arc.degreesOfFreedom)});
   }
@@ -246,9 +249,13 @@ void addResult(ReportSheet& sheet, const Evaluation& evaluation) {
   addArcs(sheet, fit);
   sheet.paragraph(
       QStringLiteral(
-          "Lengths in mm; u: standard uncertainty, scaled by s0 = %1; rms: of all residuals; χ²/f: with the "
-          "stated σ; f: redundancy.")
-          .arg(numberText(fit.noise.factor, 2)),
+          "Lengths in mm; u: standard uncertainty, scaled by s0 = %1; n: sightings; rms: of all residuals; "
+          "χ²/f: with the stated σ; f: redundancy.%2")
+          .arg(numberText(fit.noise.factor, 2),
+               hasRepeats(*evaluation.examined.measurement)
+                   ? QStringLiteral(
+                         " Positions at the same axis have one centre and radius, which their f leave out.")
+                   : QString()),
       type::small);
   addEffects(sheet, fit.effects);
   if (evaluation.twoFaces) addTwoFaces(sheet, *evaluation.twoFaces);

@@ -93,12 +93,17 @@ QString methodText(const Evaluation& evaluation) {
              "Each arc is fitted by rigorous orthogonal least squares on the angles read: the centre, the "
              "radius and the slider's place at each sighting are free, both circles carry errors of the "
              "stated σ. Horizontal angle tan a = x/L, vertical angle %1; frame at the theodolite, x right, "
-             "y up. The intersection Δd = (y(O1) − y(O2))/2 is half the distance of the arc centres at 0° "
+             "y up.%2 The intersection Δd = (y(O1) − y(O2))/2 is half the distance of the arc centres at 0° "
              "(O1) and 180° (O2) across the axis. The share of the readings in its uncertainty is scaled by "
              "their scatter (s0), pointing zeros and distance enter as stated; the expanded uncertainty U is "
              "k times the combined standard uncertainty, k from Student's distribution. Accepted: |Δd| + U ≤ "
              "tolerance; rejected: |Δd| − U > tolerance; otherwise undecided.")
-      .arg(relation);
+      .arg(relation,
+           measurement && hasRepeats(*measurement)
+               ? QStringLiteral(" Where an axis is measured again its positions have one centre and "
+                                "one radius, and all pointing zeros are estimated along, as well "
+                                "known as stated.")
+               : QString());
 }
 
 constexpr double signatureSpace = 10, signatureHeight = signatureSpace + 6;

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <QString>
+#include <cstddef>
 
+#include "core/session/session.h"
 #include "core/wording/position_name.h"
 #include "ui/text/entry_text.h"
 
@@ -11,5 +13,9 @@ namespace alidade::ui {
 inline QString positionText(int axisDeg, int time = 1) {
   return qText(positionName(axisDeg, time));
 }
+
+/// The name of a position of the session, counted in the order of its file; as typed where its axis cannot be
+/// understood.
+QString positionText(const Session& session, std::size_t position);
 
 }  // namespace alidade::ui

@@ -5,6 +5,7 @@
 
 #include "ui/document/field.h"
 #include "ui/text/entry_text.h"
+#include "ui/text/position_text.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {
@@ -19,7 +20,7 @@ QString spokenPlace(const Session& session, const Place& place) {
   QStringList parts;
   if (place.position && *place.position < session.positions.size()) {
     const Position& position = session.positions[*place.position];
-    parts.append(shortLine(position.axisDeg, longestName) + QChar(0x00b0));
+    parts.append(positionText(session, *place.position));
     if (place.reading && *place.reading < position.readings.size()) {
       const QString point = shortLine(qText(position.readings[*place.reading].point).trimmed(), longestName);
       const QString row = QStringLiteral("row %1").arg(*place.reading + 1);

@@ -7,8 +7,8 @@
 
 namespace alidade::ui {
 
-/// A place in a session as people call it: "0°, row 3 (point 7), vertical", "180°, pointing zero β0",
-/// "distance L". Rows count from 1. Empty for the session as a whole.
+/// A place in a session as people call it: "0°, row 3 (point 7), vertical", "180° again, pointing
+/// zero β0", "distance L". Rows count from 1. Empty for the session as a whole.
 QString spokenPlace(const Session& session, const Place& place);
 
 }  // namespace alidade::ui

@@ -50,10 +50,19 @@ std::vector<std::string> axesOf(const Session& session) {
 using Axes = std::vector<std::string>;
 
 QAction* addAction(const OpenWindow& open, int axisDeg) {
-  for (QAction* action : open.window->findChildren<QAction*>()) {
-    if (action->text() == QStringLiteral("Add Position at %1°").arg(axisDeg)) return action;
+  auto* action = open.window->findChild<QAction*>(QStringLiteral("add position %1").arg(axisDeg));
+  if (!action) throw std::runtime_error("no such action");
+  return action;
+}
+
+/// What the menu offers: "Add Position at 0°", "Measure 180° Again", in brackets where it cannot be chosen.
+QStringList offers(const OpenWindow& open) {
+  QStringList texts;
+  for (const int axisDeg : {0, 180}) {
+    const QAction* action = addAction(open, axisDeg);
+    texts.append(action->isEnabled() ? action->text() : QStringLiteral("(%1)").arg(action->text()));
   }
-  throw std::runtime_error("no such action");
+  return texts;
 }
 
 QPushButton& addButton(const OpenWindow& open, int axisDeg) {
@@ -87,15 +96,52 @@ TEST(AddPosition, PutsZeroFirstAndTakesItBack) {
   EXPECT_EQ(document.session(), after);
 }
 
-TEST(AddPosition, AddsNoneThatIsThere) {
+TEST(AddPosition, KnowsAnAxisHoweverItIsTyped) {
   SessionDocument document;
-  addPosition(document, 0);
-  addPosition(document, 180);
-  EXPECT_EQ(document.undoStack().count(), 0);
   changeField(document, {.position = 1, .field = "axis_deg"}, "180.0");
   EXPECT_TRUE(hasPosition(document.session(), 180));
   changeField(document, {.position = 1, .field = "axis_deg"}, "90");
   EXPECT_FALSE(hasPosition(document.session(), 180));
+}
+
+TEST(AddPosition, MeasuresNoneAgainWhileTheOtherIsMissing) {
+  const PartialFile file({"180"});
+  SessionDocument document;
+  ASSERT_FALSE(document.load(file.path()));
+  addPosition(document, 0);
+  EXPECT_EQ(document.undoStack().count(), 0);
+}
+
+TEST(AddPosition, PutsWhatIsMeasuredAgainLastAndTakesItBack) {
+  SessionDocument document;
+  document.startWith(paperSession());
+  const Session before = document.session();
+  addPosition(document, 0);
+  EXPECT_EQ(document.undoStack().undoText(), QStringLiteral("Measure 0° again"));
+  addPosition(document, 180);
+  addPosition(document, 0);
+  EXPECT_EQ(axesOf(document.session()), Axes({"0", "180", "0", "180", "0"}));
+  Position untyped;
+  untyped.axisDeg = "0";
+  EXPECT_EQ(document.session().positions.back(), untyped) << "nothing is typed for the user";
+  EXPECT_EQ(document.session().positions[0], before.positions[0]);
+  document.undoStack().undo();
+  EXPECT_EQ(axesOf(document.session()), Axes({"0", "180", "0", "180"}));
+  document.undoStack().setIndex(0);
+  EXPECT_EQ(document.session(), before);
+  EXPECT_FALSE(document.isModified());
+}
+
+// Where an axis comes again, the file has the order taken, and 0° need not be first.
+TEST(AddPosition, LeavesTheOrderOfTheFile) {
+  Session session = paperSession();
+  std::swap(session.positions[0], session.positions[1]);
+  SessionDocument document;
+  document.startWith(session);
+  addPosition(document, 0);
+  EXPECT_EQ(axesOf(document.session()), Axes({"180", "0", "0"}));
+  addPosition(document, 180);
+  EXPECT_EQ(axesOf(document.session()), Axes({"180", "0", "0", "180"}));
 }
 
 TEST(AddPosition, IsOfferedWhereOneIsMissing) {
@@ -103,13 +149,13 @@ TEST(AddPosition, IsOfferedWhereOneIsMissing) {
   OpenWindow open;
   const auto& tabs = *open->findChild<PositionTabs*>();
   EXPECT_EQ(shownTabs(tabs), QStringList({QStringLiteral("Axis at 0°"), QStringLiteral("Axis at 180°")}));
-  EXPECT_FALSE(addAction(open, 0)->isEnabled());
-  EXPECT_FALSE(addAction(open, 180)->isEnabled());
+  EXPECT_EQ(offers(open),
+            QStringList({QStringLiteral("Measure 0° Again"), QStringLiteral("Measure 180° Again")}));
   ASSERT_TRUE(open->files().open(file.path()));
   open.settle();
   EXPECT_EQ(shownTabs(tabs), QStringList({QStringLiteral("Axis at 0°"), QStringLiteral("180° missing")}));
-  EXPECT_FALSE(addAction(open, 0)->isEnabled());
-  EXPECT_TRUE(addAction(open, 180)->isEnabled());
+  EXPECT_EQ(offers(open),
+            QStringList({QStringLiteral("(Measure 0° Again)"), QStringLiteral("Add Position at 180°")}));
 }
 
 TEST(AddPosition, FollowsAnAxisThatIsTypedOver) {
@@ -118,11 +164,15 @@ TEST(AddPosition, FollowsAnAxisThatIsTypedOver) {
   changeField(open->document(), {.position = 1, .field = "axis_deg"}, "90");
   open.settle();
   EXPECT_EQ(shownTabs(tabs).last(), QStringLiteral("180° missing"));
-  EXPECT_TRUE(addAction(open, 180)->isEnabled());
+  EXPECT_EQ(offers(open).last(), QStringLiteral("Add Position at 180°"));
   open->undo();
   open.settle();
   EXPECT_EQ(shownTabs(tabs).last(), QStringLiteral("Axis at 180°"));
-  EXPECT_FALSE(addAction(open, 180)->isEnabled());
+  EXPECT_EQ(offers(open).last(), QStringLiteral("Measure 180° Again"));
+  changeField(open->document(), {.position = 1, .field = "axis_deg"}, "0");
+  open.settle();
+  EXPECT_EQ(shownTabs(tabs), QStringList({QStringLiteral("Axis at 0°"), QStringLiteral("0° again"),
+                                          QStringLiteral("180° missing")}));
 }
 
 TEST(AddPosition, LeadsFromTheButtonToThePointingZeroAndBack) {

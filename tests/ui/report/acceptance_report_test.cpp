@@ -241,6 +241,28 @@ TEST(AcceptanceReport, ListsEveryReadingWithItsResiduals) {
   }
 }
 
+TEST(AcceptanceReport, ListsPositionsMeasuredAgain) {
+  const Session session = sessionTakenAt({0, 180, 0, 180});
+  const Printed report(session);
+  const SessionFit fit = evaluate(session).fit;
+  const QString front = report.page(0);
+  for (const char* name : {"O1 at 0° ", "O2 at 180° ", "O1 at 0° again ", "O2 at 180° again "})
+    EXPECT_TRUE(front.contains(QString::fromUtf8(name))) << front.toStdString();
+  for (const ArcFit& arc : fit.arcs)
+    EXPECT_TRUE(front.contains(QStringLiteral(" 17 ") + arcsecText(arc.residualRms, 2)))
+        << front.toStdString();
+  for (const char* text : {"have one centre and radius, which their f leave out.",
+                           "all pointing zeros are estimated along", "an arc measured again is where it was"})
+    EXPECT_TRUE(report.text().simplified().contains(QString::fromUtf8(text))) << text;
+  for (const char* text : {"Readings with the axis at 0°\n", "Readings with the axis at 180°\n",
+                           "Readings with the axis at 0° again\n", "Readings with the axis at 180° again\n",
+                           "arc at 0° again", "180° again vertical", "Ringed: the axis measured again."})
+    EXPECT_TRUE(report.text().contains(QString::fromUtf8(text))) << text;
+  const QString usual = Printed(paperSession()).text().simplified();
+  for (const char* text : {"at 0° again", "Ringed", "leave out", "estimated along", "where it was"})
+    EXPECT_FALSE(usual.contains(QString::fromUtf8(text))) << text;
+}
+
 TEST(AcceptanceReport, IsVectorsWithEmbeddedFontsOnA4) {
   const Printed report(paperSession());
   EXPECT_TRUE(report.tool(QStringLiteral("pdfinfo")).contains(QStringLiteral("(A4)")));

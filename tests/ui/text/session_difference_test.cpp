@@ -56,6 +56,9 @@ TEST(SessionDifference, TellsOfRowsPutInAndTakenOut) {
   one.positions.pop_back();
   EXPECT_THAT(toldOf(mine, one), ElementsAre("180°: 17 rows | "));
   EXPECT_THAT(toldOf(one, mine), ElementsAre("180°:  | 17 rows"));
+  Session again = mine;
+  again.positions.emplace_back().axisDeg = "0";
+  EXPECT_THAT(toldOf(mine, again), ElementsAre("0° again:  | 0 rows"));
 }
 
 TEST(SessionDifference, KnowsThatEntriesDifferThatAreNotShown) {

@@ -18,6 +18,15 @@ TEST(SpokenPlace, NamesPlacesAsPeopleDo) {
   EXPECT_EQ(spokenPlace(session, {}), QString());
 }
 
+TEST(SpokenPlace, TellsAPositionMeasuredAgainFromTheFirst) {
+  Session session = paperSession();
+  session.positions.push_back(session.positions[0]);
+  EXPECT_EQ(spokenPlace(session, {.position = 2, .reading = 3, .field = "vertical"}),
+            QStringLiteral("0° again, row 4 (point 4), vertical"));
+  EXPECT_EQ(spokenPlace(session, {.position = 0, .reading = 3, .field = {}}),
+            QStringLiteral("0°, row 4 (point 4)"));
+}
+
 TEST(SpokenPlace, SurvivesPlacesThatAreGone) {
   EXPECT_EQ(spokenPlace(blankSession(), {.position = 7, .reading = 3, .field = "vertical"}),
             QStringLiteral("vertical"));

@@ -16,6 +16,7 @@ DrawnSighting drawnSighting(const Measurement& measurement, const ArcMeasurement
                             const Sighting& sighting) {
   return {.ref = {arc.position, sighting.row},
           .axisDeg = arc.axisDeg,
+          .time = arc.time,
           .point = sighting.point,
           .round = sighting.round,
           .face = sighting.face,
@@ -24,21 +25,27 @@ DrawnSighting drawnSighting(const Measurement& measurement, const ArcMeasurement
           .adjusted = {}};
 }
 
-/// The run of angles that covers all residuals, around their mean direction.
-DrawnArc drawnArc(const ArcFit& fit) {
+/// The run of angles that covers all residuals of the axis, around their mean direction. `first`: of the
+/// arcs at this axis, which share their circle.
+DrawnArc drawnArc(const SessionFit& fit, const ArcFit& first) {
   double sumCos = 0, sumSin = 0;
-  for (const SightingResidual& residual : fit.residuals) {
-    sumCos += std::cos(residual.arcAngle);
-    sumSin += std::sin(residual.arcAngle);
+  std::vector<double> angles;
+  for (const ArcFit& arc : fit.arcs) {
+    if (arc.axisDeg != first.axisDeg) continue;
+    for (const SightingResidual& residual : arc.residuals) {
+      angles.push_back(residual.arcAngle);
+      sumCos += std::cos(residual.arcAngle);
+      sumSin += std::sin(residual.arcAngle);
+    }
   }
   const Angle middle = Angle::fromRadians(std::atan2(sumSin, sumCos));
-  DrawnArc arc{fit.axisDeg, fit.circle, middle.radians(), middle.radians()};
-  for (const SightingResidual& residual : fit.residuals) {
-    const double angle = wrapped(Angle::fromRadians(residual.arcAngle), middle).radians();
-    arc.firstAngle = std::min(arc.firstAngle, angle);
-    arc.lastAngle = std::max(arc.lastAngle, angle);
+  DrawnArc drawn{first.axisDeg, first.circle, middle.radians(), middle.radians()};
+  for (const double arcAngle : angles) {
+    const double angle = wrapped(Angle::fromRadians(arcAngle), middle).radians();
+    drawn.firstAngle = std::min(drawn.firstAngle, angle);
+    drawn.lastAngle = std::max(drawn.lastAngle, angle);
   }
-  return arc;
+  return drawn;
 }
 
 /// Where the sighting would have met the arc plane without its residual, to where it did meet it.
@@ -174,7 +181,7 @@ ArcPicture arcPicture(const Evaluation& evaluation) {
     }
     if (const ArcFit* fit = evaluation.fit.arcOfPosition(arc.position)) {
       addAdjusted(picture, first, measurement, arc, *fit);
-      picture.arcs.push_back(drawnArc(*fit));
+      if (fit == evaluation.fit.arcAt(arc.axisDeg)) picture.arcs.push_back(drawnArc(evaluation.fit, *fit));
     }
   }
   picture.excluded = excludedSightings(evaluation.session);

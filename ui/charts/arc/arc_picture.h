@@ -14,6 +14,7 @@ namespace alidade::ui {
 struct DrawnSighting {
   SightingRef ref;
   int axisDeg = 0;
+  int time = 1;  ///< the how many-th position at this axis
   int point = 0, round = 1, face = 1;
   PlanePoint<double> sighted;                  ///< where the line of sight meets the arc plane
   std::optional<PlanePoint<double>> adjusted;  ///< the adjusted target on the arc; absent without a fit
@@ -22,7 +23,8 @@ struct DrawnSighting {
   PlanePoint<double> residual{};
 };
 
-/// A fitted arc over the angles it was sighted at, φ in radians, first < last, one run of at most a turn.
+/// The fitted arc of an axis over the angles it was sighted at, in all positions, φ in radians, first < last,
+/// one run of at most a turn.
 struct DrawnArc {
   int axisDeg = 0;
   Circle circle;
@@ -58,7 +60,7 @@ struct DrawnIntersection {
 
 /// What the arc chart shows, in numbers.
 struct ArcPicture {
-  std::vector<DrawnArc> arcs;
+  std::vector<DrawnArc> arcs;  ///< one for each axis
   std::vector<DrawnSighting> sightings;
   std::vector<DrawnSighting> excluded;  ///< rows left out by the user whose readings can be understood
   std::optional<DrawnIntersection> intersection;

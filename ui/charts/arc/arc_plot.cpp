@@ -3,15 +3,22 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/text/position_text.h"
 #include "ui/text/quantity_text.h"
 
 namespace alidade::ui {
 namespace {
 
-enum Kind : std::size_t { Upper, Lower, Excluded };
+enum Kind : std::size_t { Upper, Lower, UpperAgain, LowerAgain, Excluded };
 
 std::size_t arcIndex(int axisDeg) {
   return axisDeg == 0 ? Upper : Lower;
+}
+
+std::size_t kindOf(const DrawnSighting& sighting) {
+  const bool isUpper = sighting.axisDeg == 0;
+  if (sighting.time > 1) return isUpper ? UpperAgain : LowerAgain;
+  return isUpper ? Upper : Lower;
 }
 
 QList<QPointF> polyline(const DrawnArc& arc) {
@@ -57,7 +64,7 @@ void ArcPlot::showMarks() {
   marks.reserve(m_picture->sightings.size() + m_picture->excluded.size());
   for (const DrawnSighting& sighting : m_picture->sightings) {
     const QPointF at(sighting.sighted.x, sighting.sighted.y);
-    marks.push_back({at, arcIndex(sighting.axisDeg), sighting.ref});
+    marks.push_back({at, kindOf(sighting), sighting.ref});
     if (!sighting.adjusted) continue;
     const PlanePoint<double> end = m_picture->residualEnd(sighting);
     sticks.push_back(
@@ -71,12 +78,17 @@ void ArcPlot::showMarks() {
 
 void ArcPlot::showLegend() {
   std::vector<LegendEntry> entries;
-  const auto has = [&](int axisDeg) {
-    return std::any_of(m_picture->sightings.begin(), m_picture->sightings.end(),
-                       [axisDeg](const DrawnSighting& sighting) { return sighting.axisDeg == axisDeg; });
-  };
-  if (has(0)) entries.push_back({style().marker(0, MarkerShape::Circle), QStringLiteral("arc at 0°")});
-  if (has(180)) entries.push_back({style().marker(180, MarkerShape::Circle), QStringLiteral("arc at 180°")});
+  for (const int axisDeg : {0, 180}) {
+    for (const int time : {1, 2}) {
+      const bool any = std::any_of(m_picture->sightings.begin(), m_picture->sightings.end(),
+                                   [&](const DrawnSighting& sighting) {
+                                     return sighting.axisDeg == axisDeg && (sighting.time > 1) == (time > 1);
+                                   });
+      if (!any) continue;
+      entries.push_back({style().marker(axisDeg, MarkerShape::Circle, time),
+                         QStringLiteral("arc at ") + positionText(axisDeg, time)});
+    }
+  }
   if (!m_picture->excluded.empty()) entries.push_back({style().excludedMarker(), QStringLiteral("excluded")});
   if (!m_picture->arcs.empty()) {
     entries.push_back({QPen(style().text, 1.4 * style().unit()),
@@ -90,7 +102,8 @@ void ArcPlot::applyStyle() {
   m_arcs[Upper]->setPen(QPen(style().upper, 1.3 * unit));
   m_arcs[Lower]->setPen(QPen(style().lower, 1.3 * unit, Qt::DashLine));
   markerLayer().setMarkers({style().marker(0, MarkerShape::Circle), style().marker(180, MarkerShape::Circle),
-                            style().excludedMarker()});
+                            style().marker(0, MarkerShape::Circle, 2),
+                            style().marker(180, MarkerShape::Circle, 2), style().excludedMarker()});
   markerLayer().setPens({QPen(style().upper, 1.4 * unit), QPen(style().lower, 1.4 * unit)});
   m_inset->setStyle(style());
   showLegend();
@@ -140,8 +153,8 @@ const DrawnSighting* ArcPlot::sightingOf(const Mark& mark) const {
 QString ArcPlot::describe(const Mark& mark) const {
   const DrawnSighting* sighting = sightingOf(mark);
   if (!sighting) return {};
-  QString text = QStringLiteral("Axis at %1°, point %2, round %3, face %4\nx = %5, y = %6")
-                     .arg(sighting->axisDeg)
+  QString text = QStringLiteral("Axis at %1, point %2, round %3, face %4\nx = %5, y = %6")
+                     .arg(positionText(sighting->axisDeg, sighting->time))
                      .arg(sighting->point)
                      .arg(sighting->round)
                      .arg(sighting->face)

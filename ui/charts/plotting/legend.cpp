@@ -21,8 +21,8 @@ struct Measures {
 
 double signWidth(const LegendEntry& entry, const Measures& measures) {
   if (std::holds_alternative<std::monostate>(entry.sign)) return 0;
-  const bool marker = std::holds_alternative<Marker>(entry.sign);
-  return (marker ? measures.sign * 0.55 : measures.sign) + measures.gap;
+  const auto* marker = std::get_if<Marker>(&entry.sign);
+  return measures.sign * (!marker ? 1 : marker->ringed ? 0.75 : 0.55) + measures.gap;
 }
 
 }  // namespace

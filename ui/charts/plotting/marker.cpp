@@ -42,6 +42,10 @@ void drawMarker(QPainter* painter, const Marker& marker, const QPointF& at) {
     painter->setBrush(marker.filled ? marker.colour : marker.inside);
   }
   painter->drawPath(markerPath(marker.shape, marker.size * 0.9).translated(at));
+  if (!marker.ringed) return;
+  painter->setPen(QPen(marker.colour, marker.size / 6));
+  painter->setBrush(Qt::NoBrush);
+  painter->drawPath(markerPath(marker.shape, marker.size * 1.9).translated(at));
 }
 
 }  // namespace alidade::ui

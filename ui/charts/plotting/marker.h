@@ -15,7 +15,8 @@ struct Marker {
   QColor colour;  ///< of the outline, and of the inside where `filled`
   QColor inside;  ///< of a hollow marker; the plot's background
   bool filled = true;
-  double size = 7;  ///< across, in scene units
+  double size = 7;      ///< across, in scene units
+  bool ringed = false;  ///< with a ring of the same shape around it
 
   bool operator==(const Marker&) const = default;
 };

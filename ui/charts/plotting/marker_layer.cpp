@@ -20,7 +20,7 @@ bool isPixelDevice(const QPainter* painter) {
 }
 
 QPixmap markerPixmap(const Marker& marker, double pixelRatio) {
-  const int side = static_cast<int>(std::ceil(marker.size * 1.5)) + 2;
+  const int side = static_cast<int>(std::ceil(marker.size * (marker.ringed ? 2.6 : 1.5))) + 2;
   QPixmap pixmap(QSize(side, side) * pixelRatio);
   pixmap.setDevicePixelRatio(pixelRatio);
   pixmap.fill(Qt::transparent);

@@ -28,6 +28,7 @@ void addArc(ResidualPicture& picture, const ArcMeasurement& arc, const ArcFit& f
     if (!sighting) continue;
     DrawnResidual drawn{.ref = {arc.position, residual.row},
                         .axisDeg = arc.axisDeg,
+                        .time = arc.time,
                         .circle = CircleRead::Horizontal,
                         .point = sighting->point,
                         .round = sighting->round,

@@ -13,6 +13,7 @@ enum class CircleRead { Horizontal, Vertical };
 struct DrawnResidual {
   SightingRef ref;
   int axisDeg = 0;
+  int time = 1;  ///< the how many-th position at this axis
   CircleRead circle = CircleRead::Horizontal;
   int point = 0, round = 1, face = 1;
   double slider = 0;  ///< s in degrees: the arc angle φ at 0°, −φ at 180°, so that both run over 0…180°

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/text/position_text.h"
 #include "ui/text/quantity_text.h"
 
 namespace alidade::ui {
@@ -12,8 +13,25 @@ MarkerShape shapeOf(CircleRead circle) {
   return circle == CircleRead::Horizontal ? MarkerShape::Circle : MarkerShape::Diamond;
 }
 
-std::size_t kindOf(int axisDeg, CircleRead circle) {
-  return (axisDeg == 0 ? 0 : 2) + (circle == CircleRead::Horizontal ? 0 : 1);
+/// What is drawn with one marker.
+struct ResidualKind {
+  int axisDeg, time;
+  CircleRead circle;
+};
+
+constexpr std::array<ResidualKind, 8> residualKinds{{{0, 1, CircleRead::Horizontal},
+                                                     {0, 1, CircleRead::Vertical},
+                                                     {0, 2, CircleRead::Horizontal},
+                                                     {0, 2, CircleRead::Vertical},
+                                                     {180, 1, CircleRead::Horizontal},
+                                                     {180, 1, CircleRead::Vertical},
+                                                     {180, 2, CircleRead::Horizontal},
+                                                     {180, 2, CircleRead::Vertical}}};
+
+/// Index into `residualKinds`.
+std::size_t kindOf(const DrawnResidual& residual) {
+  return (residual.axisDeg == 0 ? 0 : 4) + (residual.time > 1 ? 2 : 0) +
+         (residual.circle == CircleRead::Horizontal ? 0 : 1);
 }
 
 QString circleName(CircleRead circle) {
@@ -47,8 +65,7 @@ void ResidualPlot::setEvaluation(const Evaluation& evaluation) {
   std::vector<Mark> marks;
   marks.reserve(m_picture->residuals.size());
   for (const DrawnResidual& residual : m_picture->residuals) {
-    marks.push_back(
-        {{residual.slider, residual.arcsec}, kindOf(residual.axisDeg, residual.circle), residual.ref});
+    marks.push_back({{residual.slider, residual.arcsec}, kindOf(residual), residual.ref});
   }
   markerLayer().setMarks(std::move(marks));
   showLegend();
@@ -57,15 +74,13 @@ void ResidualPlot::setEvaluation(const Evaluation& evaluation) {
 
 void ResidualPlot::showLegend() {
   std::vector<LegendEntry> entries;
-  for (const int axisDeg : {0, 180}) {
-    for (const CircleRead circle : {CircleRead::Horizontal, CircleRead::Vertical}) {
-      const bool any =
-          std::any_of(m_picture->residuals.begin(), m_picture->residuals.end(),
-                      [&](const DrawnResidual& r) { return r.axisDeg == axisDeg && r.circle == circle; });
-      if (!any) continue;
-      entries.push_back({style().marker(axisDeg, shapeOf(circle)),
-                         QStringLiteral("%1° %2").arg(axisDeg).arg(circleName(circle))});
-    }
+  std::array<bool, residualKinds.size()> isThere{};
+  for (const DrawnResidual& residual : m_picture->residuals) isThere[kindOf(residual)] = true;
+  for (std::size_t i = 0; i < residualKinds.size(); ++i) {
+    if (!isThere[i]) continue;
+    const auto& [axisDeg, time, circle] = residualKinds[i];
+    entries.push_back({style().marker(axisDeg, shapeOf(circle), time),
+                       positionText(axisDeg, time) + u' ' + circleName(circle)});
   }
   if (!m_picture->isEmpty()) {
     for (LegendEntry& entry : noiseEntries()) entries.push_back(std::move(entry));
@@ -104,11 +119,8 @@ void ResidualPlot::applyStyle() {
   }
   m_zero->setPen(QPen(style().frame, 0.8 * unit));
   std::vector<Marker> markers;
-  for (const int axisDeg : {0, 180}) {
-    for (const CircleRead circle : {CircleRead::Horizontal, CircleRead::Vertical}) {
-      markers.push_back(style().marker(axisDeg, shapeOf(circle)));
-    }
-  }
+  for (const auto& [axisDeg, time, circle] : residualKinds)
+    markers.push_back(style().marker(axisDeg, shapeOf(circle), time));
   markerLayer().setMarkers(std::move(markers));
   showLegend();
 }
@@ -153,9 +165,9 @@ void ResidualPlot::showNoise(const NoiseBand& band, double sigma, double left, d
 
 QString ResidualPlot::describe(const Mark& mark) const {
   for (const DrawnResidual& residual : m_picture->residuals) {
-    if (residual.ref != mark.ref || kindOf(residual.axisDeg, residual.circle) != mark.kind) continue;
-    return QStringLiteral("Axis at %1°, point %2, round %3, face %4\n%5 circle: %6″ at s = %7°")
-        .arg(residual.axisDeg)
+    if (residual.ref != mark.ref || kindOf(residual) != mark.kind) continue;
+    return QStringLiteral("Axis at %1, point %2, round %3, face %4\n%5 circle: %6″ at s = %7°")
+        .arg(positionText(residual.axisDeg, residual.time))
         .arg(residual.point)
         .arg(residual.round)
         .arg(residual.face)

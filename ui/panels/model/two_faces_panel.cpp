@@ -5,6 +5,7 @@
 #include "ui/panels/parts/data_table.h"
 #include "ui/panels/parts/figure_grid.h"
 #include "ui/text/effect_text.h"
+#include "ui/text/position_text.h"
 #include "ui/text/quantity_text.h"
 
 namespace alidade::ui {
@@ -43,8 +44,8 @@ DataTable* TwoFacesPanel::createTable() {
     };
   };
   return new DataTable({
-      {tr("Axis"), tr("Position of the axis"), QStringLiteral("180°"),
-       [this](int i) { return QString::number(row(i).axisDeg) + QChar(0x00b0); }},
+      {tr("Axis"), tr("Position of the axis"), QStringLiteral("180° again"),
+       [this](int i) { return positionText(row(i).axisDeg, row(i).time); }},
       {tr("Point"), tr("Number of the slider's place"), QStringLiteral("999"), whole(&Row::point)},
       {tr("Round"), tr("Round of readings"), {}, whole(&Row::round)},
       {tr("Elevation °"), tr("Above the pointing zero, mean of both faces"), QStringLiteral("−10.888"),
@@ -66,7 +67,8 @@ void TwoFacesPanel::setEvaluation(const Evaluation& evaluation) {
     for (const FaceDifference& difference : evaluation.twoFaces->visits) {
       const ArcMeasurement& arc = evaluation.examined.measurement->arcs[difference.arc];
       const Sighting& sighting = arc.sightings[difference.faceOne];
-      m_rows.push_back({arc.position, sighting.row, arc.axisDeg, sighting.round, sighting.point, difference});
+      m_rows.push_back(
+          {arc.position, sighting.row, arc.axisDeg, arc.time, sighting.round, sighting.point, difference});
     }
     showErrors(*evaluation.twoFaces);
   }

@@ -6,12 +6,14 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "core/session/entry.h"
 #include "ui/commands/add_position.h"
 #include "ui/document/session_document.h"
 #include "ui/forms/field_edit.h"
 #include "ui/panels/readings/readings_table.h"
 #include "ui/panels/result/findings_panel.h"
 #include "ui/settings/theme.h"
+#include "ui/text/position_text.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {
@@ -19,7 +21,6 @@ namespace alidade::ui {
 namespace {
 
 constexpr int axes[] = {0, 180};
-constexpr int longestAxis = 12;
 
 bool changesTabs(const SessionChange& change) {
   return change.kind == SessionChange::Kind::Everything || change.kind == SessionChange::Kind::Positions;
@@ -140,10 +141,11 @@ QWidget* PositionTabs::createZeroEntries(std::size_t position) {
 void PositionTabs::nameTabs() {
   const auto& positions = m_document.session().positions;
   for (int tab = 0; tab < static_cast<int>(positions.size()); ++tab) {
-    const std::string& axis = positions.at(static_cast<std::size_t>(tab)).axisDeg;
-    const QString name = axis == "0"     ? tr("Axis at &0°")
-                         : axis == "180" ? tr("Axis at &180°")
-                                         : tr("Axis at %1°").arg(menuText(shortLine(axis, longestAxis)));
+    const QString position = positionText(m_document.session(), static_cast<std::size_t>(tab));
+    const bool isFirst = position == positionText(0) || position == positionText(180);
+    const bool isAgain = !isFirst && axisEntry(positions[static_cast<std::size_t>(tab)].axisDeg);
+    const QString name = isAgain ? position  // in few words: tabs of five positions find room
+                                 : (isFirst ? tr("Axis at &%1") : tr("Axis at %1")).arg(menuText(position));
     if (tabText(tab) != name) setTabText(tab, name);
   }
 }

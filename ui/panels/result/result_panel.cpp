@@ -9,10 +9,12 @@
 #include <algorithm>
 
 #include "ui/panels/parts/figure_grid.h"
+#include "ui/panels/result/axis_misfit.h"
 #include "ui/panels/result/findings_panel.h"
 #include "ui/settings/theme.h"
 #include "ui/text/cause_text.h"
 #include "ui/text/entry_text.h"
+#include "ui/text/position_text.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/verdict_text.h"
 
@@ -20,10 +22,22 @@ namespace alidade::ui {
 
 namespace {
 
-/// As the captions say, with u in brackets.
+/// As the captions say, with u in brackets; to a tenth of a micrometre.
 QString figureAndU(double value, double u) {
-  const int decimals = decimalsFor(u);
+  const int decimals = std::min(decimalsFor(u), 4);
   return QStringLiteral("%1 (%2)").arg(numberText(value, decimals), numberText(u, decimals));
+}
+
+/// A line for each position where an axis is measured again, for a tool tip.
+template <typename Figure>
+QString eachPosition(const SessionFit& fit, Figure figure) {
+  QString text;
+  bool comesAgain = false;
+  for (const ArcFit& arc : fit.arcs) {
+    comesAgain = comesAgain || arc.time > 1;
+    text += u'\n' + positionText(arc.axisDeg, arc.time) + QStringLiteral(": ") + figure(arc);
+  }
+  return comesAgain ? text : QString();
 }
 
 /// A figure stays with its sign and unit when the line is full.
@@ -63,7 +77,7 @@ ResultPanel::ResultPanel(QWidget* parent)
       m_badge(new QLabel),
       m_sentence(wrappedLabel()),
       m_gapHint(wrappedLabel()),
-      m_arcs(new FigureGrid),
+      m_arcs(new FigureGrid(nullptr, FigureGrid::Captions::Wrapped)),
       m_compare(new QCheckBox(tr("&Compare with published method"))),
       m_comparison(new QWidget),
       m_published(new FigureGrid) {
@@ -76,6 +90,7 @@ ResultPanel::ResultPanel(QWidget* parent)
   badge.setPointSizeF(badge.pointSizeF() * 1.25);
   badge.setBold(true);
   m_badge->setFont(badge);
+  m_badge->setWordWrap(true);
 
   QVBoxLayout* layout = column();
   layout->addWidget(m_value);
@@ -173,16 +188,21 @@ void ResultPanel::setEvaluation(const Evaluation& evaluation) {
   showComparison(evaluation.published);
 }
 
-/// Wide enough for figures of the usual size, settled once: the window does not breathe with every edit.
+/// Wide enough for figures of the usual size, and for the longest beside captions in two lines; settled once:
+/// the window does not breathe with every edit.
 void ResultPanel::settleWidth() {
-  const QString figure = QStringLiteral("400.123 (0.123)");
-  m_arcs->setRows({tr("0°"), tr("180°")}, {{tr("Sightings used"), {figure, figure}}});
+  const auto widthOf = [](FigureGrid& grid, const QString& caption, const QString& figure) {
+    grid.setRows({tr("0°"), tr("180°")}, {{caption, {figure, figure}}});
+    return grid.minimumSizeHint().width();
+  };
+  FigureGrid onOneLine;
+  const int figures = std::max(widthOf(onOneLine, tr("|O1 − O2|/2  mm"), QStringLiteral("400.123 (0.123)")),
+                               widthOf(*m_arcs, tr("Redundancy"), QStringLiteral("400.1234 (0.1234)")));
   const QMargins margins = widget()->layout()->contentsMargins();
   const int bar = verticalScrollBar()->sizeHint().width();
   const int value =
       QFontMetrics(m_value->font()).horizontalAdvance(QStringLiteral("Δd = −2.167 ± 0.042 mm")) + 4;
-  setMinimumWidth(std::max(value, m_arcs->minimumSizeHint().width()) + margins.left() + margins.right() +
-                  bar + 2 * frameWidth());
+  setMinimumWidth(std::max(value, figures) + margins.left() + margins.right() + bar + 2 * frameWidth());
 }
 
 void ResultPanel::showHeadline(const Evaluation& evaluation) {
@@ -258,6 +278,9 @@ void ResultPanel::showArcs(const SessionFit& fit) {
     }
     return texts;
   };
+  const auto misfits = [&](auto&& figure) {
+    return figures([&](const ArcFit& arc, const ArcSigma&) { return figure(misfitAt(fit, arc.axisDeg)); });
+  };
   const QVector<FigureGrid::Row> rows = {
       {tr("Δx (u)  mm"),
        figures([](const ArcFit& a, const ArcSigma& s) { return figureAndU(a.circle.x, s.x); }),
@@ -268,18 +291,17 @@ void ResultPanel::showArcs(const SessionFit& fit) {
       {tr("R (u)  mm"),
        figures([](const ArcFit& a, const ArcSigma& s) { return figureAndU(a.circle.radius, s.radius); }),
        tr("Fitted radius with its standard uncertainty")},
-      {tr("Residual rms  ″"),
-       figures([](const ArcFit& a, const ArcSigma&) { return numberText(a.residualRms, 2); }),
-       tr("Root mean square of the residuals of all readings of the arc")},
-      {tr("Reduced χ²"), figures([](const ArcFit& a, const ArcSigma&) {
-         return a.degreesOfFreedom > 0 ? numberText(a.reducedChiSquare(), 2) : notStated();
+      {tr("Residual rms  ″"), misfits([](const AxisMisfit& m) { return numberText(m.residualRms, 2); }),
+       tr("Root mean square of the residuals of all readings of the arc") +
+           eachPosition(fit, [](const ArcFit& a) { return numberText(a.residualRms, 2); })},
+      {tr("Reduced χ²"), misfits([](const AxisMisfit& m) {
+         return m.degreesOfFreedom > 0 ? numberText(m.reducedChiSquare(), 2) : notStated();
        }),
        tr("About 1 where the readings scatter as stated")},
-      {tr("Sightings used"),
-       figures([](const ArcFit& a, const ArcSigma&) { return QString::number(a.residuals.size()); }),
-       {}},
+      {tr("Sightings used"), misfits([](const AxisMisfit& m) { return QString::number(m.sightings); }),
+       eachPosition(fit, [](const ArcFit& a) { return QString::number(a.residuals.size()); }).trimmed()},
       {tr("Redundancy"),
-       figures([](const ArcFit& a, const ArcSigma&) { return QString::number(a.degreesOfFreedom); }),
+       misfits([](const AxisMisfit& m) { return QString::number(m.degreesOfFreedom); }),
        {}},
       {tr("|O1 − O2|/2  mm"),
        {{}, fit.intersection ? numberText(fit.intersection->inPlane, 4) : notStated()},
@@ -289,12 +311,16 @@ void ResultPanel::showArcs(const SessionFit& fit) {
 }
 
 void ResultPanel::showComparison(const PublishedSessionFit& published) {
-  const PublishedFit* arcs[] = {nullptr, nullptr};
-  for (const PublishedFit& arc : published.arcs) arcs[arc.arc.axisDeg == 180 ? 1 : 0] = &arc;
   const auto figures = [&](double AsPrinted::*figure, int decimals) {
     QStringList texts;
-    for (const PublishedFit* arc : arcs) {
-      texts.append(arc ? numberText(arc->asPrinted.*figure, decimals) : notStated());
+    for (const int axisDeg : {0, 180}) {
+      double sum = 0, count = 0;  // the mean, as Δd is of the mean of what was measured again
+      for (const PublishedFit& arc : published.arcs) {
+        if (arc.arc.axisDeg != axisDeg) continue;
+        sum += arc.asPrinted.*figure;
+        ++count;
+      }
+      texts.append(count > 0 ? numberText(sum / count, decimals) : notStated());
     }
     return texts;
   };

@@ -93,6 +93,7 @@ void BudgetPanel::showCentres(const SessionFit& fit) {
   };
   for (std::size_t arc = 0; arc < fit.budgets.size(); ++arc) {
     const int axis = fit.arcs[arc].axisDeg;
+    if (&fit.arcs[arc] != fit.arcAt(axis)) continue;  // measured again: the same centre
     addColumn(QStringLiteral("Δx %1°").arg(axis), fit.budgets[arc].x, fit.sigmas[arc].radiusX);
     addColumn(QStringLiteral("Δy %1°").arg(axis), fit.budgets[arc].y, fit.sigmas[arc].radiusY);
   }

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "ui/panels/parts/data_table.h"
+#include "ui/text/position_text.h"
 #include "ui/text/quantity_text.h"
 
 namespace alidade::ui {
@@ -51,8 +52,8 @@ DataTable* ReliabilityPanel::createTable() {
     return [this, member](int index) { return QString::number(row(index).*member); };
   };
   return new DataTable({
-      {tr("Axis"), tr("Position of the axis"), QStringLiteral("180°"),
-       [this](int i) { return QString::number(row(i).axisDeg) + QChar(0x00b0); }},
+      {tr("Axis"), tr("Position of the axis"), QStringLiteral("180° again"),
+       [this](int i) { return positionText(row(i).axisDeg, row(i).time); }},
       {tr("Point"), tr("Number of the slider's place"), QStringLiteral("999"), whole(&Row::point)},
       {tr("Round"), tr("Round of readings"), {}, whole(&Row::round)},
       {tr("Face"), tr("Face of the theodolite"), {}, whole(&Row::face)},
@@ -101,7 +102,7 @@ ReliabilityPanel::Row ReliabilityPanel::row(int index) const {
 ReliabilityPanel::Row ReliabilityPanel::rowOf(const AdjustedReading& adjusted) const {
   const ArcMeasurement& measured = measuredArc(adjusted);
   const Sighting& sighting = measured.sightings[adjusted.sighting];
-  return {measured.position, sighting.row,  measured.axisDeg, sighting.round,
+  return {measured.position, sighting.row,  measured.axisDeg, measured.time,        sighting.round,
           sighting.point,    sighting.face, adjusted,         reliability(adjusted)};
 }
 
@@ -129,9 +130,9 @@ QString ReliabilityPanel::summary() const {
         .arg(readings().size());
   if (!worst) return {};
   const Row row = rowOf(*worst);
-  return tr("Every reading is checked. The dearest unfound error: %1°, point %2, %3, up to %4, moves Δd by "
+  return tr("Every reading is checked. The dearest unfound error: %1, point %2, %3, up to %4, moves Δd by "
             "%5.")
-      .arg(row.axisDeg)
+      .arg(positionText(row.axisDeg, row.time))
       .arg(row.point)
       .arg(circleText(row.adjusted.kind), arcsecText(row.reliability.minimalDetectableBias.arcseconds(), 0),
            lengthText(std::abs(row.reliability.influence), 3));

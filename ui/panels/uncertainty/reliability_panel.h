@@ -33,7 +33,7 @@ class ReliabilityPanel : public QWidget {
  private:
   struct Row {
     std::size_t position = 0, reading = 0;
-    int axisDeg = 0, round = 1, point = 0, face = 1;
+    int axisDeg = 0, time = 1, round = 1, point = 0, face = 1;
     AdjustedReading adjusted;
     Reliability reliability;
   };

@@ -42,6 +42,22 @@ TEST(ArcPicture, RunsTheArcsOverTheSightedAngles) {
   EXPECT_NEAR(picture.arcs[1].lastAngle * 180 / M_PI, -9.4, 0.2);
 }
 
+// The first time over the right half of the arc, then over the left one.
+TEST(ArcPicture, RunsAnArcOverAllPositionsOfItsAxis) {
+  Session session = sessionTakenAt({0, 180, 0});
+  session.positions[0].readings.resize(9);
+  auto& again = session.positions[2].readings;
+  again.erase(again.begin(), again.begin() + 8);
+  const ArcPicture picture = arcPicture(evaluate(session));
+  ASSERT_EQ(picture.arcs.size(), 2u) << "one for each axis";
+  EXPECT_NEAR(picture.arcs[0].firstAngle * 180 / M_PI, 10, 1);
+  EXPECT_NEAR(picture.arcs[0].lastAngle * 180 / M_PI, 170, 1);
+  ASSERT_EQ(picture.sightings.size(), 9u + 17 + 9);
+  EXPECT_EQ(picture.sightings.front().time, 1);
+  EXPECT_EQ(picture.sightings.back().time, 2);
+  for (const DrawnSighting& sighting : picture.sightings) EXPECT_TRUE(sighting.adjusted);
+}
+
 TEST(ArcPicture, ExaggeratesTheLargestResidualToATenthOfTheRadiusOrSo) {
   for (const char* scatter : {"none", "some"}) {
     Session session = paperSession();

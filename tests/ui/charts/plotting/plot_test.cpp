@@ -189,6 +189,56 @@ TEST(ResidualPlot, TellsFourKindsApartWithoutColour) {
   EXPECT_EQ(std::unique(kinds.begin(), kinds.end()), kinds.end());
 }
 
+TEST(Plot, TellsWhatIsMeasuredAgainByRingsAndInWords) {
+  const Evaluation evaluation = evaluate(sessionTakenAt({0, 180, 180, 180}));
+  ArcPlot arcs;
+  ResidualPlot residuals;
+  for (Plot* plot : {static_cast<Plot*>(&arcs), static_cast<Plot*>(&residuals)}) {
+    plot->setStyle(testStyle());
+    plot->setEvaluation(evaluation);
+    std::vector<Marker> markers;
+    for (const LegendEntry& entry : plot->legend().entries()) {
+      const auto* marker = std::get_if<Marker>(&entry.sign);
+      if (!marker) continue;
+      EXPECT_EQ(marker->ringed, entry.text.contains(QStringLiteral("again"))) << entry.text.toStdString();
+      for (const Marker& other : markers) EXPECT_FALSE(other == *marker);
+      markers.push_back(*marker);
+    }
+    EXPECT_TRUE(plot->describe(plot->markers().marks().back())
+                    .startsWith(QStringLiteral("Axis at 180° again (3), point 17,")))
+        << plot->describe(plot->markers().marks().back()).toStdString();
+    EXPECT_TRUE(
+        plot->describe(plot->markers().marks().front()).startsWith(QStringLiteral("Axis at 0°, point 1,")));
+  }
+  EXPECT_EQ(legendTexts(arcs).mid(0, 3),
+            QStringList({QStringLiteral("arc at 0°"), QStringLiteral("arc at 180°"),
+                         QStringLiteral("arc at 180° again")}));
+  EXPECT_EQ(legendTexts(residuals).mid(0, 6),
+            QStringList({QStringLiteral("0° horizontal"), QStringLiteral("0° vertical"),
+                         QStringLiteral("180° horizontal"), QStringLiteral("180° vertical"),
+                         QStringLiteral("180° again horizontal"), QStringLiteral("180° again vertical")}));
+}
+
+// From many marks on they are copied from a pixmap, rings and all.
+TEST(Plot, RingsManyMarksAsFew) {
+  Marker marker = testStyle().marker(180, MarkerShape::Diamond, 2);
+  const double reach = markerPath(marker.shape, marker.size * 1.9).boundingRect().width() / 2;
+  std::vector<QImage> images;
+  for (const std::size_t count : {std::size_t{1}, std::size_t{1000}}) {
+    MarkerLayer layer;
+    layer.setMarkers({marker});
+    layer.setMarks(std::vector<Mark>(count, Mark{{20, 20}, 0, {}}));
+    layer.setFrame({0, 0, 40, 40}, {});
+    QImage image(40, 40, QImage::Format_RGB32);
+    image.fill(Qt::white);
+    QPainter painter(&image);
+    layer.paint(&painter, nullptr, nullptr);
+    painter.end();
+    for (const QPointF way : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)})
+      EXPECT_TRUE(hasColourNear(image, QPointF(20, 20) + way * (reach - 0.5), marker.colour)) << count;
+  }
+}
+
 TEST(ResidualPlot, StatesTheNoiseItsBandShows) {
   ResidualPlot plot;
   const QSize size(700, 400);

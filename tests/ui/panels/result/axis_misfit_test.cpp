@@ -1,0 +1,44 @@
+#include "ui/panels/result/axis_misfit.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/ui/support.h"
+#include "ui/jobs/evaluation.h"
+
+namespace alidade::ui {
+namespace {
+
+TEST(AxisMisfit, IsThatOfItsArcWhereThereIsOne) {
+  const SessionFit fit = evaluate(paperSession()).fit;
+  for (const int axisDeg : {0, 180}) {
+    const AxisMisfit misfit = misfitAt(fit, axisDeg);
+    const ArcFit& arc = *fit.arcAt(axisDeg);
+    EXPECT_EQ(misfit.sightings, 17u);
+    EXPECT_EQ(misfit.degreesOfFreedom, arc.degreesOfFreedom);
+    EXPECT_DOUBLE_EQ(misfit.chiSquare, arc.chiSquare);
+    EXPECT_DOUBLE_EQ(misfit.residualRms, arc.residualRms);
+  }
+  EXPECT_EQ(misfitAt({}, 0).sightings, 0u);
+}
+
+/// Each sighting has two readings and one place; centre and radius, three numbers, are of both arcs at 0°.
+TEST(AxisMisfit, CountsWhatTheArcsOfAnAxisShareOnce) {
+  const SessionFit fit = evaluate(sessionTakenAt({0, 180, 0})).fit;
+  const AxisMisfit upper = misfitAt(fit, 0), lower = misfitAt(fit, 180);
+  EXPECT_EQ(upper.sightings, 34u);
+  EXPECT_EQ(upper.degreesOfFreedom, 34 - 3);
+  EXPECT_EQ(lower.degreesOfFreedom, 17 - 3);
+  EXPECT_EQ(upper.degreesOfFreedom + lower.degreesOfFreedom, fit.joint.degreesOfFreedom);
+  double squares = 0;
+  for (const ArcFit& arc : fit.arcs)
+    if (arc.axisDeg == 0)
+      for (const SightingResidual& residual : arc.residuals)
+        squares +=
+            std::pow(residual.horizontal.arcseconds(), 2) + std::pow(residual.vertical.arcseconds(), 2);
+  EXPECT_NEAR(upper.residualRms, std::sqrt(squares / 68), 1e-9);
+}
+
+}  // namespace
+}  // namespace alidade::ui
