@@ -8,7 +8,7 @@ from pathlib import Path
 from code import lines_of_code, masked
 from fault import draw, faults_of, rooms, shares
 from scratch import Scratch, Suite, copy_tree
-from trial import CAUGHT, SURVIVED, first_that_compiles
+from trial import CAUGHT, SURVIVED, first_that_compiles, nearness
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 COMPILER = sys.argv.pop(1) if len(sys.argv) > 1 and not sys.argv[1].startswith("-") else "c++"
@@ -135,6 +135,15 @@ class Trial(unittest.TestCase):
         self.assertEqual((fault.line, outcome), (2, CAUGHT))
         self.assertEqual((self.place / "core/base/twice.cpp").read_text(encoding="utf-8"), TWICE)
         self.assertIsNone(first_that_compiles([broken], self.scratch))
+
+    def test_asks_the_nearest_first_however_often_they_are_instantiated(self):
+        folder = self.place / "tests" / "core" / "base"
+        folder.mkdir(parents=True)
+        (folder / "twice_test.cpp").write_text("TEST_P(Doubled, Is) {}\nTYPED_TEST(Typed, Is) {}\n", encoding="utf-8")
+        (folder / "other_test.cpp").write_text("TEST(Other, Is) {}\n", encoding="utf-8")
+        near = nearness(self.faults[0], self.place)
+        names = ["All/Doubled.Is/0", "Typed/1.Is", "Other.Is", "Elsewhere.Is"]
+        self.assertEqual([near(name) for name in names], [0, 0, 1, 2])
 
 
 if __name__ == "__main__":

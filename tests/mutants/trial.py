@@ -12,7 +12,8 @@ def suites_in(place, folder):
     """The test suites that the sources of a folder of tests hold, by file."""
     named = {}
     for source in sorted((place / folder).rglob("*_test.cpp")) if (place / folder).is_dir() else []:
-        names = set(re.findall(r"^(?:TEST|TEST_F|TEST_P)\((\w+),", source.read_text(encoding="utf-8"), re.MULTILINE))
+        text = source.read_text(encoding="utf-8")
+        names = set(re.findall(r"^(?:TEST|TEST_F|TEST_P|TYPED_TEST)\((\w+),", text, re.MULTILINE))
         named[source.relative_to(place / "tests").as_posix()] = names
     return named
 
@@ -25,7 +26,12 @@ def nearness(fault, place):
         of_room |= names
         if PurePosixPath(path).name.startswith(stem):
             own |= names
-    return lambda test: 0 if test.split(".")[0] in own else 1 if test.split(".")[0] in of_room else 2
+
+    def of(test):
+        names = set(test.split(".")[0].split("/"))  # Prefix/Suite of TEST_P, Suite/0 of TYPED_TEST
+        return 0 if names & own else 1 if names & of_room else 2
+
+    return of
 
 
 def stages(fault, scratch):

@@ -10,6 +10,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QProcess>
+#include <QTabWidget>
 #include <QTemporaryDir>
 #include <QTest>
 #include <nlohmann/json.hpp>
@@ -121,6 +122,26 @@ TEST(MainWindow, ShowsNoVerdictThatTheDiagnosisContradicts) {
   EXPECT_THAT(resultOf(open), HasSubstr("Undecided\n"));
   EXPECT_THAT(resultOf(open), HasSubstr("Δd = 0.458 ± 0.039 mm"));
   EXPECT_THAT(resultOf(open), HasSubstr("Δd = 0.378 ± 0.035 mm with what the diagnosis found"));
+}
+
+// One entry is enough, among others of its form that can be used.
+TEST(MainWindow, MarksTheFormOfAnEntryThatCannotBeUsed) {
+  OpenWindow open;
+  loadPaper(open);
+  QLineEdit& distance = field(open, "geometry.distance_mm");
+  const auto isMarked = [&] {
+    for (const auto* tabs : open->findChildren<QTabWidget*>())
+      for (int tab = 0; tab < tabs->count(); ++tab)
+        if (tabs->widget(tab)->isAncestorOf(&distance)) return !tabs->tabIcon(tab).isNull();
+    return false;
+  };
+  EXPECT_FALSE(isMarked());
+  changeField(open->document(), {.field = "geometry.distance_mm"}, "far");
+  open.settle();
+  EXPECT_TRUE(isMarked());
+  open->undo();
+  open.settle();
+  EXPECT_FALSE(isMarked());
 }
 
 // What the report would print, too.

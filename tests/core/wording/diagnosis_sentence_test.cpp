@@ -12,6 +12,7 @@
 namespace alidade {
 namespace {
 
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -36,6 +37,27 @@ TEST(DiagnosisSentence, SaysShrinkOnlyOfWhatShrinks) {
             "residuals, counted alike, grow from 2.9″ to 3.0″.");
   EXPECT_THAT(sentenceOf(withOneCause(2.94, 2.93)), HasSubstr("shrink from 2.94″ to 2.93″."));
   EXPECT_THAT(sentenceOf(withOneCause(2.941, 2.938)), HasSubstr("stay at 2.94″."));
+}
+
+/// 10 σ off, and as good as none.
+const Closure open{.of = Closure::Of::Radius, .value = 1, .sigma = 0.1, .chance = 1e-23};
+const Closure closed{.of = Closure::Of::Radius, .value = 0.01, .sigma = 0.1, .chance = 0.92};
+
+TEST(DiagnosisSentence, SaysThatThePositionsCloseWhereTheyDidNotBefore) {
+  const auto sentence = [](double after, const ClosureStep& step) {
+    Diagnosis diagnosis = withOneCause(2.9, after);
+    diagnosis.closures = {step, {.before = closed}};
+    return sentenceOf(diagnosis);
+  };
+  const char *closes = "the two positions close", *shrinks = "the residuals shrink from 2.9″ to 2.1″.";
+  EXPECT_THAT(sentence(2.1, {.before = open, .after = closed}),
+              EndsWith(std::string("With it in the model ") + closes + ", and " + shrinks));
+  EXPECT_THAT(sentence(2.9, {.before = open, .after = closed}),
+              EndsWith(std::string("With it in the model ") + closes + "."));
+  EXPECT_THAT(sentence(2.1, {.before = open, .after = open}), EndsWith(std::string("model ") + shrinks));
+  EXPECT_THAT(sentence(2.1, {.before = open}), EndsWith(std::string("model ") + shrinks))
+      << "it is not known whether they do";
+  EXPECT_THAT(sentence(2.1, {.before = closed, .after = closed}), EndsWith(std::string("model ") + shrinks));
 }
 
 TEST(DiagnosisSentence, CallsEachCauseAsItIsAskedTo) {

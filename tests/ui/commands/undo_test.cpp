@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <QAction>
 #include <random>
 
 #include "core/session/session_file.h"
@@ -7,6 +8,7 @@
 #include "ui/commands/change_field.h"
 #include "ui/commands/edit_readings.h"
 #include "ui/document/session_document.h"
+#include "ui/main_window.h"
 #include "ui/models/readings_model.h"
 
 namespace alidade::ui {
@@ -116,6 +118,24 @@ TEST(Undo, LeavesNoStepForAnEditThatChangesNothing) {
   editor.setCell({17, ReadingColumn::Horizontal}, "");
   changeField(document, {.field = "title"}, session.title);
   EXPECT_EQ(document.undoStack().count(), 0);
+}
+
+TEST(Undo, IsOfferedWhereThereIsSomethingToTakeBack) {
+  OpenWindow open;
+  const auto isOffered = [&](const char* action) {
+    for (const QAction* found : open->findChildren<QAction*>())
+      if (found->text().startsWith(QString::fromLatin1(action))) return found->isEnabled();
+    ADD_FAILURE() << action;
+    return false;
+  };
+  EXPECT_FALSE(isOffered("&Undo"));
+  EXPECT_FALSE(isOffered("&Redo"));
+  changeField(open->document(), {.field = "title"}, "one");
+  EXPECT_TRUE(isOffered("&Undo"));
+  EXPECT_FALSE(isOffered("&Redo"));
+  open->undo();
+  EXPECT_FALSE(isOffered("&Undo"));
+  EXPECT_TRUE(isOffered("&Redo"));
 }
 
 }  // namespace

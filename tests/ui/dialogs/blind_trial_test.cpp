@@ -15,6 +15,7 @@
 #include "ui/main_window.h"
 #include "ui/panels/gap/gap_panel.h"
 #include "ui/panels/parts/data_table.h"
+#include "ui/settings/theme.h"
 #include "ui/text/cause_text.h"
 #include "ui/text/trial_text.h"
 
@@ -226,6 +227,29 @@ TEST(TrialText, NamesEveryKind) {
     const BlindTrial trial = *drawBlindTrial({.protocol = "full", .kinds = {kind.name}}, seed);
     const QStringList lines = truthLines(trial);
     EXPECT_EQ(lines.front() == QStringLiteral("Nothing was put in."), kind.name == "none") << kind.name;
+  }
+}
+
+TEST(BlindTrial, ColoursTheScoreForTheThemeItIsReadIn) {
+  TrialBench bench("full", "orientation_jump");
+  bench.press("draw");
+  bench.press("open seal");
+  const auto labels = bench.dialog.findChildren<QLabel*>();
+  const auto score = std::find_if(labels.begin(), labels.end(), [](const QLabel* label) {
+    return label->text().startsWith(QStringLiteral("Right. "));
+  });
+  ASSERT_NE(score, labels.end());
+  QPalette light = bench.dialog.palette(), dark = light;
+  light.setColor(QPalette::Window, Qt::white);
+  dark.setColor(QPalette::Window, QColor(0x20, 0x20, 0x20));
+  for (const auto& role : {QPalette::Base, QPalette::Button}) {
+    light.setColor(role, light.color(QPalette::Window));
+    dark.setColor(role, dark.color(QPalette::Window));
+  }
+  ASSERT_NE(stateColor(light, State::Good), stateColor(dark, State::Good));
+  for (const QPalette& palette : {dark, light}) {
+    bench.dialog.setPalette(palette);
+    EXPECT_EQ((*score)->palette().color(QPalette::WindowText), stateColor(palette, State::Good));
   }
 }
 

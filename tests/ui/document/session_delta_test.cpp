@@ -79,6 +79,8 @@ TEST(SessionDelta, HoldsTheRowsThatAreNew) {
   document.undoStack().undo();
   EXPECT_EQ(mirror.held, 1u);
   EXPECT_EQ(mirror.session, document.session());
+  document.startWith(paperSession());
+  EXPECT_EQ(mirror.held, 34u) << "17 rows of each position of another session";
 }
 
 TEST(FitRequest, CopiesTheWholeSessionOnlyWhereThatIsLess) {

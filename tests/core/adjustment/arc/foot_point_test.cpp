@@ -68,6 +68,23 @@ TEST_P(FootPointTest, IsFoundFromAFar) {
   }
 }
 
+// A point typed a degree off lies a tenth of the radius beside the arc, and each step is a tenth of the one
+// before: only the last of them are short enough.
+TEST_P(FootPointTest, IsFoundToRoundingFarFromTheArcToo) {
+  Direction<double> off = sighted(GetParam());
+  off.a -= Angle::fromDegrees(1).radians();
+  const VisitReading visit(off);
+  FootPoint settled = footPoint(viewOf(GetParam()), {circle}, visit);
+  for (int again = 0; again < 20; ++again) settled = footPoint(viewOf(GetParam()), {circle}, visit, settled);
+  for (const double away : {-0.5, -0.1, -1e-3, -1e-4, 1e-5, 0.02, 0.2}) {
+    FootPoint start;
+    start.phi = settled.phi + away;
+    start.cosine = std::cos(start.phi);
+    start.sine = std::sin(start.phi);
+    EXPECT_NEAR(footPoint(viewOf(GetParam()), {circle}, visit, start).phi, settled.phi, 1e-13) << away;
+  }
+}
+
 // With a slider reading 30″ off, of either sense, and two rows: no place beside the foot is any better.
 TEST_P(FootPointTest, WeighsTheSliderAlong) {
   for (const int axisDeg : {0, 180}) {

@@ -4,6 +4,7 @@
 
 #include <QImage>
 #include <QPainter>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -117,6 +118,22 @@ TEST(CentresInset, ShowsWhereTheCentresMayLieAtTheTolerance) {
   for (const double y : {-2.6, 1.0, 2.6}) EXPECT_EQ(colourAt(drawn, -1.5, y), style.outerBand);
   EXPECT_EQ(Painted(drawn).inset.scale(), Painted(drawnIntersection()).inset.scale())
       << "a wide tolerance does not shrink the centres";
+}
+
+TEST(CentresInset, EndsTheBarOfUAtBothEnds) {
+  const Painted painted(drawnIntersection());
+  // To the right of the bar, clear of it: where a cap alone reaches.
+  const auto isDarkBeside = [&](double y) {
+    const QPoint beside = painted.at(-0.5, y).toPoint() + QPoint(qRound(3 * painted.style.unit()), 0);
+    int darkest = 255;
+    for (int dy = -1; dy <= 1; ++dy)
+      darkest = std::min(darkest, painted.image.pixelColor(beside + QPoint(0, dy)).lightness());
+    return darkest < 128;
+  };
+  EXPECT_TRUE(isDarkBeside(2 + 0.5));
+  EXPECT_TRUE(isDarkBeside(2 - 0.5));
+  EXPECT_FALSE(isDarkBeside(2 - 0.75));
+  EXPECT_FALSE(isDarkBeside(2 + 0.75));
 }
 
 }  // namespace

@@ -130,5 +130,19 @@ TEST(ClosureBars, AreAbsentWithoutClosures) {
   EXPECT_TRUE(bars.accessibleDescription().isEmpty());
 }
 
+TEST(ClosureBars, TellTheirFiguresAtEveryPointOfTheirRows) {
+  struct Bars : ClosureBars {
+    using ClosureBars::aboutAt;
+  } bars;
+  bars.setGap(drawnGap());
+  bars.resize(400, bars.sizeHint().height());
+  EXPECT_TRUE(bars.aboutAt({200, 0}).startsWith(QStringLiteral("R(180°) − R(0°)")))
+      << "the first line of all";
+  EXPECT_TRUE(bars.aboutAt({200, bars.strip(0).bottom()}).startsWith(QStringLiteral("R(180°) − R(0°)")));
+  EXPECT_TRUE(bars.aboutAt({200, bars.strip(0).bottom() + 1}).isEmpty()) << "between two rows";
+  EXPECT_TRUE(bars.aboutAt(bars.strip(1).center()).contains(QStringLiteral("with the causes")));
+  EXPECT_TRUE(bars.aboutAt({200, bars.height() - 1}).isEmpty()) << "the scale";
+}
+
 }  // namespace
 }  // namespace alidade::ui

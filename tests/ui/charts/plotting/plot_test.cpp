@@ -6,6 +6,7 @@
 #include <QImage>
 #include <QPainter>
 #include <QtCharts/QChart>
+#include <QtCharts/QValueAxis>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -14,6 +15,7 @@
 #include "ui/charts/arc/arc_plot.h"
 #include "ui/charts/residuals/residual_plot.h"
 #include "ui/jobs/evaluation.h"
+#include "ui/text/quantity_text.h"
 
 namespace alidade::ui {
 namespace {
@@ -73,6 +75,25 @@ TEST(ArcPlot, KeepsCirclesRoundAtEverySize) {
     const double perY = (origin - chart.mapToPosition({0, 100}, series)).y() / 100;
     EXPECT_NEAR(perX / perY, 1, 0.01) << size.width() << " × " << size.height();
     EXPECT_GT(perX * 800, 0.35 * std::min(size.width(), size.height()));  // and fills the space there is
+  }
+}
+
+TEST(ArcPlot, HasOneStepOfTicksWithRoomForItsNumbers) {
+  ArcPlot plot;
+  plot.setStyle(testStyle());
+  plot.setEvaluation(evaluate(paperSession()));
+  const QFontMetricsF metrics(plot.style().font);
+  for (int size = 300; size < 900; size += 7) {
+    plot.arrange(QSize(size, size));
+    QCoreApplication::processEvents();
+    const auto axes = chartOf(plot).axes(Qt::Horizontal) + chartOf(plot).axes(Qt::Vertical);
+    ASSERT_EQ(axes.size(), 2);
+    auto *x = qobject_cast<QValueAxis*>(axes[0]), *y = qobject_cast<QValueAxis*>(axes[1]);
+    EXPECT_DOUBLE_EQ(x->tickInterval(), y->tickInterval()) << "a square of the grid is one";
+    const double apart = plot.plotArea().width() * x->tickInterval() / (x->max() - x->min());
+    EXPECT_GT(apart, 1.3 * metrics.horizontalAdvance(numberText(x->min(), 0)))
+        << "nearly a third of a number between two of them, at " << size;
+    EXPECT_GT(apart, 2.5 * metrics.height()) << size;
   }
 }
 
@@ -255,6 +276,25 @@ TEST(ResidualPlot, StatesTheNoiseItsBandShows) {
   plot.setEvaluation(evaluate(session));
   EXPECT_TRUE(legendTexts(plot).contains(QStringLiteral("±1σ horizontal, stated σ = 2″")));
   EXPECT_TRUE(legendTexts(plot).contains(QStringLiteral("±1σ vertical, stated σ = 5″")));
+}
+
+TEST(ResidualPlot, DrawsTheLineOfZeroUnderReadingsAlone) {
+  ResidualPlot plot;
+  const QSize size(700, 400);
+  plot.setStyle(testStyle());
+  plot.arrange(size);
+  const auto isBlankAtZero = [&] {
+    const QPoint at = plot.sceneFromAxes().map(QPointF(5, 0)).toPoint();  // clear of points and message
+    const QImage image = rendered(plot, size);
+    const auto isBlank = [&](int dy) { return image.pixelColor(at + QPoint(0, dy)) == QColor(Qt::white); };
+    return isBlank(-1) && isBlank(0) && isBlank(1);
+  };
+  plot.setEvaluation({});
+  EXPECT_TRUE(isBlankAtZero());
+  plot.setEvaluation(evaluate(paperSession()));
+  EXPECT_FALSE(isBlankAtZero());
+  plot.setEvaluation({});
+  EXPECT_TRUE(isBlankAtZero());
 }
 
 TEST(ResidualPlot, ShowsEveryResidual) {

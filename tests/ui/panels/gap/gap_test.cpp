@@ -479,6 +479,24 @@ TEST(Gap, SaysWhatIsMissingWhereThereIsNothingToDiagnose) {
   EXPECT_FALSE(page->findChild<GapWaterfall*>()->isVisibleTo(page));
 }
 
+TEST(Gap, HasNoTableOfWhatGoesUnseenWhereNothingDoes) {
+  Gap gap = assessGap(std::make_shared<const Evaluation>(evaluateFit(paperSession())));
+  ASSERT_TRUE(gap.diagnosis);
+  GapPanel page;
+  const auto shown = [&](const std::vector<UnseenEffect>& unseen) {
+    gap.diagnosis->unseen = unseen;
+    page.setGap(std::make_shared<const Gap>(gap));
+    QString texts;
+    for (const QLabel* label : page.findChildren<QLabel*>())
+      if (label->isVisibleTo(&page)) texts += label->text() + QLatin1Char('\n');
+    return texts.toStdString();
+  };
+  EXPECT_THAT(shown({{.effect = "trunnion_tilt", .influence = 100, .visibleSigma = 0.5}}),
+              HasSubstr("moves Δd  mm"));
+  EXPECT_THAT(shown({}), Not(HasSubstr("moves Δd  mm")));
+  EXPECT_THAT(shown({}), HasSubstr("No effect of plausible size could move Δd noticeably"));
+}
+
 TEST(Gap, OfThreeReadingsIsNone) {
   Session session = paperSession();
   for (Position& position : session.positions) position.readings.resize(3);
@@ -593,6 +611,19 @@ TEST(Gap, NothingIsCalledSoundBesideAReadingThatLooksMisread) {
   findings.setGapStale();
   EXPECT_EQ(findings.count(), 1) << "until something else is known";
   findings.setEvaluation(evaluation);
+  EXPECT_EQ(findings.count(), 0);
+}
+
+TEST(Gap, AProblemThatIsMendedIsNoLongerListedWhileTheDiagnosisIsAtWork) {
+  FindingsPanel findings;
+  Evaluation evaluation = evaluate(*loadSession(trialPath(cleanTrial).toStdString()));
+  const Evaluation sound = evaluation;
+  evaluation.examined.problems.push_back(
+      {.what = "is odd", .where = {.position = 0, .reading = 2, .field = "vertical"}});
+  findings.setEvaluation(evaluation);
+  ASSERT_EQ(findings.count(), 1);
+  findings.setGapStale();
+  findings.setEvaluation(sound);
   EXPECT_EQ(findings.count(), 0);
 }
 

@@ -169,6 +169,43 @@ TEST(ReadingsTable, SaysWhichPastedColumnsFoundNoRoom) {
   EXPECT_THAT(remark.toStdString(), testing::HasSubstr("2"));
 }
 
+TEST(ReadingsTable, GivesAnglesTheRoomThereIsUntilAColumnIsDrawnByHand) {
+  Bench bench(threeReadings());
+  const auto width = [&] { return bench.table.columnWidth(static_cast<int>(ReadingColumn::Horizontal)); };
+  bench.table.resize(200, 400);
+  const int least = width();
+  bench.table.resize(1200, 400);
+  const int most = width();
+  EXPECT_GT(most, least);
+  bench.table.resize(200, 400);
+  EXPECT_EQ(width(), least) << "as often as the table changes";
+  bench.table.resize(1200, 400);
+  EXPECT_EQ(width(), most);
+  bench.table.setColumnWidth(static_cast<int>(ReadingColumn::Horizontal), most + 7);
+  bench.table.resize(200, 400);
+  EXPECT_EQ(width(), most + 7) << "what was drawn by hand stays";
+}
+
+TEST(ReadingsTable, ShowsAllColumnsWithoutScrollingWhereTheirAnglesFit) {
+  Bench bench(threeReadings());
+  const auto width = [&] { return bench.table.columnWidth(static_cast<int>(ReadingColumn::Horizontal)); };
+  bench.table.resize(200, 400);
+  const int least = width();
+  bench.table.resize(1200, 400);
+  const int most = width();
+  int between = 0;
+  for (int size = 300; size < 1000; size += 10) {
+    bench.table.resize(size, 400);
+    if (width() == least || width() == most) continue;
+    ++between;
+    const int last = readingColumnCount - 1;
+    const int left = bench.table.viewport()->width() - bench.table.columnViewportPosition(last);
+    EXPECT_NEAR(left, bench.table.fontMetrics().horizontalAdvance(QStringLiteral("Note")) + 12, 2)
+        << size << ": notes keep the width of their heading";
+  }
+  EXPECT_GT(between, 0);
+}
+
 TEST(ReadingsTable, ExcludesAndUsesTheSelectedRowsInOneStep) {
   Bench bench(threeReadings());
   bench.select(0, ReadingColumn::Horizontal, 1, ReadingColumn::Vertical);

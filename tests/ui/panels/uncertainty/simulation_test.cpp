@@ -211,6 +211,10 @@ TEST(Simulation, SaysHowManyDrawsWouldTell) {
   check.lowDifference = 0.016;
   EXPECT_THAT(agreementSentence(check).toStdString(), HasSubstr(": about 6000 draws would tell."))
       << "the tolerance is the smaller room";
+  check.lowDifference = check.tolerance;
+  EXPECT_EQ(agreementWord(check), QStringLiteral("No disagreement, but too few draws to be sure."));
+  EXPECT_THAT(agreementSentence(check).toStdString(), HasSubstr(": about 6000 draws would tell."))
+      << "at the tolerance is within it";
   check.lowDifference = std::nextafter(check.tolerance, 1);
   EXPECT_THAT(agreementSentence(check).toStdString(),
               HasSubstr("; it would take more draws than can be asked for here to tell."));
