@@ -39,7 +39,7 @@ Shrinkage shrinkageOf(const Inquiry& inquiry, const Answer& answer) {
 
 std::vector<GapShare> whereOf(const Inquiry& inquiry, const Answer& answer) {
   std::vector<GapShare> shares = sharesOfFrames(inquiry);
-  std::ranges::move(sharesOfReadings(inquiry.ofAll().leftover, *inquiry.base.measurement, answer.after.fit),
+  std::ranges::move(sharesOfReadings(inquiry.ofAll().leftover, *inquiry.base.measurement, *answer.after.fit),
                     std::back_inserter(shares));
   std::ranges::move(sharesOfClosures(inquiry.ofAll().own), std::back_inserter(shares));
   return shares;
@@ -65,7 +65,7 @@ std::optional<Closure> againstReference(const Measurement& measurement,
 
 /// With the repeats.
 std::vector<Closure> closuresOf(const GapModel& model) {
-  std::vector<Closure> closures = closuresOf(*model.measurement, model.fit);
+  std::vector<Closure> closures = closuresOf(*model.measurement, *model.fit);
   if (const auto apart = fitApart(*model.measurement, model.starts, model.options))
     std::ranges::move(repeatsOf(*model.measurement, *apart), std::back_inserter(closures));
   return closures;
@@ -110,8 +110,8 @@ std::vector<PossibleCause> possibleCausesOf(const Inquiry& inquiry, const Answer
 
 std::vector<ReadingDeviation> readingsOf(const GapModel& model) {
   std::vector<ReadingDeviation> readings;
-  readings.reserve(model.fit.readings.size());
-  for (const AdjustedReading& reading : model.fit.readings)
+  readings.reserve(model.fit->readings.size());
+  for (const AdjustedReading& reading : model.fit->readings)
     readings.push_back(deviationAt(*model.measurement, {reading.arc, reading.sighting, reading.kind},
                                    Angle::fromRadians(reading.residual).arcseconds()));
   return readings;

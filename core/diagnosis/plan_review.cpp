@@ -166,10 +166,10 @@ Result<PlanReview, NoModel> reviewPlan(const Measurement& measurement, const Ses
   if (!own) return own.problem();
   const std::optional<GapModel> closed = closedModelOf(*own);
   const GapModel* const model = closed ? &*closed : &*own;
-  const Leftover leftover(linearise(*model->measurement, model->fit, model->options), model->options.terms);
+  const Leftover leftover(linearise(*model->measurement, *model->fit, model->options), model->options.terms);
   const std::vector<Planned> effects = plannedEffects(*model, leftover);
   PlanReview review{.effects = {}, .advice = {}, .intersection = estimateOf(*own)};
-  review.readings = model->fit.readings.size();
+  review.readings = model->fit->readings.size();
   for (const Planned& planned : effects) review.effects.push_back(planned.summary);
   const std::vector<Planned> inQuestion = effectsInQuestion(effects);
   if (inQuestion.empty()) return review;

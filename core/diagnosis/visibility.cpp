@@ -13,7 +13,7 @@ namespace alidade {
 namespace {
 
 Visibility visibilityIn(const GapModel& model, const std::string& held) {
-  const Leftover leftover(linearise(*model.measurement, model.fit, model.options), model.options.terms);
+  const Leftover leftover(linearise(*model.measurement, *model.fit, model.options), model.options.terms);
   const Trace trace(leftover, leftover.residual());
   Visibility visibility{.sigma = trace.length(), .lookAlikes = {}, .nearest = trace.length()};
   const auto compare = [&](const Component& other) {

@@ -108,7 +108,7 @@ double evidenceOf(const Component& component, const Leftover& leftover) {
 
 std::string idealAnswer(const Measurement& measurement, bool hasSlider) {
   const GapModel model = *modelOf(measurement);
-  const Leftover leftover(linearise(*model.measurement, model.fit, model.options), {});
+  const Leftover leftover(linearise(*model.measurement, *model.fit, model.options), {});
   std::vector<EffectComponent> components = effectsBeyond(model, leftover, {});
   std::erase_if(components, [&](const EffectComponent& component) {
     return !isHeld(component.id()) || (!hasSlider && component.id().starts_with("slider"));

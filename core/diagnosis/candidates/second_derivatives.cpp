@@ -29,7 +29,7 @@ using Differences = std::array<Direction<double>, 3>;
 class BentGuideway {
  public:
   BentGuideway(const GapModel& model, const Effect& effect) : m_model(model) {
-    const JointFit& fit = model.fit;
+    const JointFit& fit = *model.fit;
     for (std::size_t i = 0; i < fit.unknowns.size(); ++i)
       if (fit.unknowns[i].kind == Unknown::Kind::Error)
         (isOfGuideway(fit.unknowns[i].term) ? m_guideways.front() : m_instrument)
@@ -48,9 +48,9 @@ class BentGuideway {
   bool isOfPerfectInstrument() const { return m_instrument.isPerfect(); }
 
   Targets targets(const LinearReading& reading) const {
-    const Circle circle = m_model.fit.circleOf(reading.arc);
+    const Circle circle = m_model.fit->circleOf(reading.arc);
     const ArcPose<double> pose{circle.x, circle.y, circle.radius, 0, 0, 0};
-    const double phi = m_model.fit.arcAngles[reading.arc][reading.sighting];
+    const double phi = m_model.fit->arcAngles[reading.arc][reading.sighting];
     Targets targets;
     for (std::size_t n = 0; n < nodes.size(); ++n)
       targets[n] = targetAt(m_guideways[n], pose, m_model.measurement->distance, phi, arcOf(reading).axisDeg);

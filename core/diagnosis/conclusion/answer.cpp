@@ -127,7 +127,7 @@ Answer conclude(const Inquiry& inquiry) {
   Answer answer = likeliestAnswer(inquiry);
   answer.measured = measuredModel(inquiry, answer.explanation, answer.after);
   // In the linear model there was an answer; with it in the model itself the readings may fix nothing.
-  if (!answer.after.fit.isDetermined() || !answer.measured.fit.isDetermined()) {
+  if (!answer.after.fit->isDetermined() || !answer.measured.fit->isDetermined()) {
     answer = unexplained(inquiry);
     answer.measured = inquiry.own;
   }
@@ -142,7 +142,7 @@ std::vector<GapStep> stepsOf(const Inquiry& inquiry, const Answer& answer) {
   const auto note = [&](std::string_view id) {
     const bool isLast = soFar.parts.size() == whole.parts.size() && soFar.noisy == whole.noisy;
     const GapModel& model = isLast ? answer.after : modelWith(inquiry, soFar);
-    if (!model.fit.isDetermined()) return;
+    if (!model.fit->isDetermined()) return;
     if (isLast) {
       steps.push_back({std::string(id), sizeOf(answer.opened), estimateOf(answer.measured)});
       return;

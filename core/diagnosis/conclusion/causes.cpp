@@ -21,7 +21,7 @@ Cause named(const Inquiry& inquiry, std::string_view id) {
 
 Cause largerNoise(const Inquiry& inquiry, const GapModel& after) {
   Cause cause = named(inquiry, noiseId);
-  const double sigma = after.noise / std::sqrt(2.0 * std::max(1, after.fit.degreesOfFreedom));
+  const double sigma = after.noise / std::sqrt(2.0 * std::max(1, after.fit->degreesOfFreedom));
   cause.parameters.push_back({"ratio", after.noise, sigma, "1"});
   return cause;
 }

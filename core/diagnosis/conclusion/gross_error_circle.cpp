@@ -91,7 +91,7 @@ std::vector<ReadingDeviation> withLikelierCircles(const GapModel& model,
     if (!check.canCheck()) continue;
     const Correction correction(measurement, fit.circleOf(at.arc));
     const Sighting& read = measurement.arcs[at.arc].sightings[at.sighting];
-    const double phi = model.fit.arcAngles[at.arc][at.sighting];
+    const double phi = model.fit->arcAngles[at.arc][at.sighting];
     Sighting horizontal = read, vertical = read;
     if (!correction.correct(horizontal, ReadingKind::Horizontal, phi) ||
         !correction.correct(vertical, ReadingKind::Vertical, phi))

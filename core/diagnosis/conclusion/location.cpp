@@ -139,15 +139,15 @@ std::vector<GapShare> sharesOfClosures(const GapModel& own) {
   };
   for (const auto& [of, quantity] : {std::pair(Closure::Of::Radius, Unknown::Kind::Radius),
                                      std::pair(Closure::Of::Centre, Unknown::Kind::CentreX)})
-    if (const auto misclosure = misclosureOf(own.fit, quantity, *upper, *lower, 1))
+    if (const auto misclosure = misclosureOf(*own.fit, quantity, *upper, *lower, 1))
       add(nameOf(of), std::pow(misclosure->value / misclosure->sigma, 2), 1);
   // What the positions of one axis disagree by is in the residuals of the fit that they share.
   const std::optional<JointFit> apart = fitApart(*own.measurement, own.starts, own.options);
   if (apart)
-    add(nameOf(Closure::Of::Repeat), own.fit.chiSquare - apart->chiSquare,
-        own.fit.degreesOfFreedom - apart->degreesOfFreedom);
+    add(nameOf(Closure::Of::Repeat), own.fit->chiSquare - apart->chiSquare,
+        own.fit->degreesOfFreedom - apart->degreesOfFreedom);
   if (shares.empty()) return shares;
-  const JointFit& fit = apart ? *apart : own.fit;
+  const JointFit& fit = apart ? *apart : *own.fit;
   add("readings", fit.chiSquare, fit.degreesOfFreedom);
   double sum = 0;
   for (const GapShare& share : shares) sum += share.share;

@@ -6,11 +6,10 @@
 
 namespace alidade {
 
-Result<GapModel, NoModel> modelOf(const Measurement& measurement) {
-  return modelOf(measurement, fitSession(measurement));
-}
+namespace {
 
-Result<GapModel, NoModel> modelOf(const Measurement& measurement, SessionFit fit) {
+Result<GapModel, NoModel> modelBy(const Measurement& measurement, const SessionFit& fit,
+                                  std::shared_ptr<const JointFit> joint) {
   if (fit.arcs.empty()) {
     const auto error = std::ranges::find(fit.findings, Severity::Error, &FitFinding::severity);
     return error == fit.findings.end() ? NoModel{} : NoModel{*error};
@@ -18,9 +17,24 @@ Result<GapModel, NoModel> modelOf(const Measurement& measurement, SessionFit fit
   GapModel model{.measurement = std::make_shared<const Measurement>(fittedPart(measurement, fit)),
                  .starts = {},
                  .options = {.terms = estimatedTerms(measurement)},
-                 .fit = std::move(fit.joint)};
+                 .fit = std::move(joint)};
   for (const ArcFit& arc : fit.arcs) model.starts.push_back(arc.circle);
   return model;
+}
+
+}  // namespace
+
+Result<GapModel, NoModel> modelOf(const Measurement& measurement) {
+  const auto fit = std::make_shared<const SessionFit>(fitSession(measurement));
+  return modelBy(measurement, *fit, std::shared_ptr<const JointFit>(fit, &fit->joint));
+}
+
+Result<GapModel, NoModel> modelOf(const Measurement& measurement, const SessionFit& fit) {
+  return modelBy(measurement, fit, std::shared_ptr<const JointFit>(std::shared_ptr<void>(), &fit.joint));
+}
+
+void GapModel::refit() {
+  fit = std::make_shared<const JointFit>(fitJointly(*measurement, starts, options));
 }
 
 Measurement withNoise(Measurement measurement, double factor) {
@@ -33,8 +47,8 @@ std::optional<GapModel> closedModelOf(const GapModel& own) {
   if (!arcAt(*own.measurement, 0) || !arcAt(*own.measurement, 180)) return std::nullopt;
   GapModel closed = own;
   closed.options.isClosed = true;
-  closed.fit = fitJointly(*closed.measurement, closed.starts, closed.options);
-  if (!closed.fit.converged()) return std::nullopt;
+  closed.refit();
+  if (!closed.fit->converged()) return std::nullopt;
   return closed;
 }
 
@@ -46,16 +60,17 @@ GapModel openedModelOf(const GapModel& closed, const GapModel& own) {
   for (EstimatedTerm& term : opened.options.terms) {
     if (std::ranges::find(own.options.terms, term.term, &EstimatedTerm::term) != own.options.terms.end())
       continue;
-    const std::size_t index = closed.fit.indexOf({.kind = Unknown::Kind::Error, .arc = 0, .term = term.term});
-    const double value = closed.fit.values[index];
+    const std::size_t index =
+        closed.fit->indexOf({.kind = Unknown::Kind::Error, .arc = 0, .term = term.term});
+    const double value = closed.fit->values[index];
     term = {term.term, term.priorSigma * held, value, value};
   }
-  opened.fit = fitJointly(*opened.measurement, opened.starts, opened.options);
+  opened.refit();
   return opened;
 }
 
 Eigen::VectorXd influencePerSigma(const GapModel& model) {
-  const std::vector<AdjustedReading>& readings = model.fit.readings;
+  const std::vector<AdjustedReading>& readings = model.fit->readings;
   Eigen::VectorXd influence(static_cast<Eigen::Index>(readings.size()));
   for (Eigen::Index i = 0; i < influence.size(); ++i) {
     const AdjustedReading& reading = readings[static_cast<std::size_t>(i)];

@@ -18,15 +18,21 @@ struct GapModel {
   std::shared_ptr<const Measurement> measurement;  ///< the arcs that can be fitted
   std::vector<Circle> starts;
   JointFitOptions options;
-  JointFit fit;
+  std::shared_ptr<const JointFit> fit;  ///< of these; of a million rows too large for a copy in every answer
   double noise = 1;  ///< of the stated one that was found; the σ of `measurement` and `fit` are larger by it
+
+  /// Fits anew what was changed.
+  void refit();
 };
 
 /// `measurement` with its readings scattering more than stated, by a factor.
 Measurement withNoise(Measurement measurement, double factor);
 
-/// The session's own model, by its fit. Fails where no arc could be fitted.
-Result<GapModel, NoModel> modelOf(const Measurement& measurement, SessionFit fit);
+/// The session's own model, by its fit, which has to live as long as the model. Fails where no arc could be
+/// fitted.
+Result<GapModel, NoModel> modelOf(const Measurement& measurement, const SessionFit& fit);
+Result<GapModel, NoModel> modelOf(const Measurement& measurement, SessionFit&& fit) = delete;
+/// Fitted here, and kept with the model.
 Result<GapModel, NoModel> modelOf(const Measurement& measurement);
 
 /// The same as a rigid guideway turned about the axis has it (`JointFitOptions::isClosed`), so that what the

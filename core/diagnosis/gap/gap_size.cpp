@@ -10,7 +10,7 @@ namespace alidade {
 double rmsOf(const GapModel& model) {
   double squares = 0;
   int count = 0;
-  for (const AdjustedReading& reading : model.fit.readings) {
+  for (const AdjustedReading& reading : model.fit->readings) {
     const bool out =
         std::ranges::find(model.options.without, ReadingRef{reading.arc, reading.sighting, reading.kind}) !=
         model.options.without.end();
@@ -22,24 +22,24 @@ double rmsOf(const GapModel& model) {
 }
 
 GapSize sizeOf(const GapModel& model) {
-  const double rms = rmsOf(model), f = model.fit.degreesOfFreedom, chiSquare = model.fit.chiSquare;
+  const double rms = rmsOf(model), f = model.fit->degreesOfFreedom, chiSquare = model.fit->chiSquare;
   const std::optional<double> tail = chiSquareUpperTail(chiSquare, f);
   return tail ? GapSize{rms, chiSquare / f, *tail} : GapSize{.rms = rms};
 }
 
 double excessOf(const GapModel& model) {
-  return std::max(0.0, model.fit.chiSquare - model.fit.degreesOfFreedom);
+  return std::max(0.0, model.fit->chiSquare - model.fit->degreesOfFreedom);
 }
 
 std::vector<double> inSigma(const GapModel& model) {
   std::vector<double> list;
-  for (const AdjustedReading& reading : model.fit.readings)
+  for (const AdjustedReading& reading : model.fit->readings)
     list.push_back(reading.residual / reading.sigma * model.noise);
   return list;
 }
 
 std::optional<IntersectionEstimate> estimateOf(const GapModel& model) {
-  const std::optional<Intersection> found = intersect(*model.measurement, model.fit);
+  const std::optional<Intersection> found = intersect(*model.measurement, *model.fit);
   if (!found) return std::nullopt;
   return estimateOf(*found);
 }

@@ -58,10 +58,10 @@ void addVisit(Equations& equations, const Linearised& set, const MatrixXd& colum
 }
 
 Equations equationsOf(const GapModel& model) {
-  const Linearised set = linearise(*model.measurement, model.fit, model.options, {});
+  const Linearised set = linearise(*model.measurement, *model.fit, model.options, {});
   std::vector<std::size_t> estimated;
   for (std::size_t u = 0; u < set.unknowns.size(); ++u)
-    if (model.fit.indexOf(set.unknowns[u]) < model.fit.unknowns.size()) estimated.push_back(u);
+    if (model.fit->indexOf(set.unknowns[u]) < model.fit->unknowns.size()) estimated.push_back(u);
   const std::vector<EstimatedTerm>& terms = model.options.terms;
   const auto readings = static_cast<Index>(set.readings.size()),
              count = static_cast<Index>(estimated.size() + terms.size());

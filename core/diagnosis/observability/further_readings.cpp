@@ -14,7 +14,7 @@ namespace alidade {
 namespace {
 
 double arcAngle(const GapModel& model, std::size_t arc, std::size_t sighting) {
-  return model.fit.arcAngles[arc][sighting];
+  return model.fit->arcAngles[arc][sighting];
 }
 
 void sightPerfectly(Sighting& sighting, const Measurement& measurement, const Circle& circle, double phi) {
@@ -112,7 +112,7 @@ std::optional<FurtherReadings> withSecondStandOff(const GapModel& model, const M
   more.distance *= farther;
   for (std::size_t arc = 0; arc < more.arcs.size(); ++arc)
     for (std::size_t i = 0; i < more.arcs[arc].sightings.size(); ++i)
-      sightPerfectly(more.arcs[arc].sightings[i], more, model.fit.circleOf(arc), arcAngle(model, arc, i));
+      sightPerfectly(more.arcs[arc].sightings[i], more, model.fit->circleOf(arc), arcAngle(model, arc, i));
   return besides(plan, Measure::SecondStandOff, std::move(more));
 }
 
@@ -121,7 +121,7 @@ std::optional<FurtherReadings> withMoreArc(const GapModel& model, Measurement mo
   constexpr int points = 17;
   bool added = false;
   for (std::size_t arc = 0; arc < more.arcs.size(); ++arc) {
-    const auto& angles = model.fit.arcAngles[arc];
+    const auto& angles = model.fit->arcAngles[arc];
     const auto [least, most] = std::ranges::minmax(angles);
     if ((most - least) * 180 / std::numbers::pi > enough) continue;
     int point = 0;
@@ -132,7 +132,7 @@ std::optional<FurtherReadings> withMoreArc(const GapModel& model, Measurement mo
       if (phi >= least && phi <= most) continue;
       Sighting sighting;
       sighting.point = ++point;
-      sightPerfectly(sighting, more, model.fit.circleOf(arc), phi);
+      sightPerfectly(sighting, more, model.fit->circleOf(arc), phi);
       more.arcs[arc].sightings.push_back(sighting);
       added = true;
     }
@@ -183,7 +183,7 @@ Measurement readWithoutError(const GapModel& model) {
     for (std::size_t i = 0; i < plan.arcs[arc].sightings.size(); ++i) {
       Sighting& sighting = plan.arcs[arc].sightings[i];
       const double phi = arcAngle(model, arc, i);
-      sightPerfectly(sighting, plan, model.fit.circleOf(arc), phi);
+      sightPerfectly(sighting, plan, model.fit->circleOf(arc), phi);
       if (sighting.slider)
         sighting.slider = Angle::fromRadians(sliderCoordinateOf(phi, plan.arcs[arc].axisDeg));
     }
@@ -212,7 +212,8 @@ void eachCombination(const GapModel& model, const std::function<void(const Furth
   offer(together(slider, withWayBack));
   const auto both = together(slider, withBothFaces);
   offer(together(both, withWayBack));
-  if (hasBothAxes(plan))
+  constexpr std::size_t manyRows = 100'000;  // twice as many fill the memory, and tell nothing new of a zero
+  if (hasBothAxes(plan) && plan.rows < manyRows)
     offer(together(withPositionAgain(plan, 0),
                    [](const Measurement& more) { return withPositionAgain(more, 180); }));
 }
@@ -221,7 +222,7 @@ Linearised linearisedPlan(const GapModel& model, const Measurement& set,
                           const std::vector<ErrorTerm>& terms) {
   std::vector<Circle> circles;
   for (const ArcMeasurement& arc : set.arcs)
-    circles.push_back(model.fit.circleOf(arcAt(*model.measurement, arc.axisDeg).value()));
+    circles.push_back(model.fit->circleOf(arcAt(*model.measurement, arc.axisDeg).value()));
   JointFitOptions options;
   options.isClosed = model.options.isClosed;
   options.terms = model.options.terms;

@@ -54,11 +54,11 @@ struct CauseParameter {
 struct ReadingDeviation {
   std::size_t position = 0, row = 0;  ///< of the session
   int axisDeg = 0, round = 1, point = 0, face = 1;
+  int time = 1;  ///< as `ArcMeasurement::time`
   ReadingKind kind = ReadingKind::Horizontal;
   /// How far it is off, arcseconds: of a cause as read on the circle, of `Diagnosis::readings` as
   /// `AdjustedReading::residual`.
   double size = 0;
-  int time = 1;  ///< as `ArcMeasurement::time`
 };
 
 struct Cause {

@@ -11,13 +11,13 @@ void findNoise(GapModel& model, const GapModel& base) {
   constexpr int mostRounds = 20;
   constexpr double settled = 1e-9;
   for (int round = 0; round < mostRounds; ++round) {
-    if (!model.fit.isDetermined() || model.fit.degreesOfFreedom <= 0) return;
-    const double more = std::sqrt(model.fit.chiSquare / model.fit.degreesOfFreedom);
+    if (!model.fit->isDetermined() || model.fit->degreesOfFreedom <= 0) return;
+    const double more = std::sqrt(model.fit->chiSquare / model.fit->degreesOfFreedom);
     if (!(more > 0) || std::abs(more - 1) < settled) return;
     model.noise *= more;
     model.measurement =
         std::make_shared<const Measurement>(withNoise(*base.measurement, model.noise / base.noise));
-    model.fit = fitJointly(*model.measurement, model.starts, model.options);
+    model.refit();
   }
 }
 
@@ -30,7 +30,7 @@ GapModel modelWith(const GapModel& base, const Explanation& explanation, const C
     const Component& component = candidates[part.component];
     component.addTo(model.options, leftover, part.weights, component.widthOfFit(part.width, part.weights));
   }
-  model.fit = fitJointly(*model.measurement, model.starts, model.options);
+  model.refit();
   if (explanation.noisy) findNoise(model, base);
   return model;
 }

@@ -35,7 +35,7 @@ Candidates candidatesFor(const GapModel& base, const Leftover& leftover, const D
     addSharing(odds.jump, jumpComponents(leftover), {.offered = 2, .oneAtMost = true});
     addSharing(odds.zeroSlip, zeroSlips(leftover), {.offered = 2, .oneAtMost = true});
   }
-  addSharing(odds.shape, shapeComponents(leftover, *base.measurement, base.fit, options.without));
+  addSharing(odds.shape, shapeComponents(leftover, *base.measurement, *base.fit, options.without));
   if (considered(options, grossErrorId))
     addSharing(odds.grossError, grossErrorComponents(leftover), {.offered = 4});
   return candidates;
@@ -69,7 +69,7 @@ Linearised withReference(Linearised equations, const GapModel& base, const Diagn
     const auto index = std::ranges::find(equations.unknowns, height) - equations.unknowns.begin();
     const double per = intersectionPerHeight(axisDeg);
     condition.derivatives[static_cast<std::size_t>(index)] = per / *measurement.sigmaReference;
-    condition.residual -= per * base.fit.values[base.fit.indexOf(height)];
+    condition.residual -= per * base.fit->values[base.fit->indexOf(height)];
   }
   condition.residual /= *measurement.sigmaReference;
   equations.conditions.push_back(std::move(condition));
@@ -99,7 +99,7 @@ Linearised around(const GapModel& base, const GapModel& withCauses) {
     return isOfJump(term) || (effect && effect->response == Response::Bent);
   };
   JointFitOptions options = base.options;
-  JointFit fit = withCauses.fit;
+  JointFit fit = *withCauses.fit;
   for (const EstimatedTerm& added : withCauses.options.terms) {
     if (std::ranges::find(base.options.terms, added.term, &EstimatedTerm::term) != base.options.terms.end())
       continue;
@@ -133,7 +133,7 @@ double knownNoise(const Inquiry& inquiry) {
 Inquiry inquireOnce(GapModel own, const DiagnosisOptions& options, const std::stop_token& stop) {
   constexpr int mostRounds = 3;
   GapModel base = closedModelOf(own).value_or(own);
-  Leftover leftover(withReference(linearise(*base.measurement, base.fit, base.options), base, options),
+  Leftover leftover(withReference(linearise(*base.measurement, *base.fit, base.options), base, options),
                     base.options.terms);
   Inquiry inquiry = searched(std::move(own), std::move(base), std::move(leftover), options, stop);
   double noise = 1;
@@ -147,7 +147,7 @@ Inquiry inquireOnce(GapModel own, const DiagnosisOptions& options, const std::st
     const std::optional<Explanation> causes = largeCauses(inquiry);
     if (!causes) break;
     const GapModel withCauses = modelWith(inquiry.base, *causes, inquiry.candidates, inquiry.leftover);
-    if (!withCauses.fit.converged()) break;
+    if (!withCauses.fit->converged()) break;
     Leftover closer(withReference(around(inquiry.base, withCauses), withCauses, options),
                     inquiry.base.options.terms, noise);
     const std::vector<Part> before = inquiry.explanations.front().parts;
@@ -199,8 +199,8 @@ Inquiry inquire(GapModel model, const DiagnosisOptions& options, const std::stop
       all.push_back(far);
       next.options.without.push_back(readingRef(inquiry.leftover, far.reading));
     }
-    next.fit = fitJointly(*next.measurement, next.starts, next.options);
-    if (!next.fit.isDetermined()) break;
+    next.refit();
+    if (!next.fit->isDetermined()) break;
     if (!first) first = std::make_shared<const Inquiry>(std::move(inquiry));
     inquiry = inquireOnce(std::move(next), options, stop);
     inquiry.largeGrossErrors = std::move(all);
@@ -218,9 +218,9 @@ ReadingDeviation deviationAt(const Measurement& measurement, const ReadingRef& r
           .round = sighting.round,
           .point = sighting.point,
           .face = sighting.face,
+          .time = arc.time,
           .kind = ref.kind,
-          .size = size,
-          .time = arc.time};
+          .size = size};
 }
 
 ReadingDeviation deviationAt(const Inquiry& inquiry, Eigen::Index reading, double sigmas) {

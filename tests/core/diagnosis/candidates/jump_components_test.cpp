@@ -16,7 +16,7 @@ namespace {
 std::ptrdiff_t momentsSoughtBy(const std::string& protocol) {
   const Session session = *simulate(*protocolByName(protocol), drawTruth(5), 5);
   const GapModel model = *modelOf(*examine(session).measurement);
-  const Leftover leftover(linearise(*model.measurement, model.fit, model.options));
+  const Leftover leftover(linearise(*model.measurement, *model.fit, model.options));
   return std::ranges::count_if(jumpComponents(leftover), [](const Component& c) { return !c.onlyRow(); });
 }
 
@@ -115,9 +115,9 @@ TEST(JumpComponents, LargeSlipIsNoStep) {
 // 0.4 is seen is of the narrow kind with odds of e^(0.08 − 0.8889)/0.3. What is far larger than either is its
 // own width.
 TEST(JumpComponents, ThatAreSmallWhereTheyShowAreNotTakenForLargeElsewhere) {
-  const std::vector<JumpComponent> slips = zeroSlips(
-      Leftover(linearise(test::trialMeasurement("paper"),
-                         closedModelOf(*modelOf(test::trialMeasurement("paper")))->fit, {.isClosed = true})));
+  const std::vector<JumpComponent> slips = zeroSlips(Leftover(
+      linearise(test::trialMeasurement("paper"),
+                *closedModelOf(*modelOf(test::trialMeasurement("paper")))->fit, {.isClosed = true})));
   ASSERT_EQ(slips.size(), 2u);
   const double odds = std::exp(0.08 - 0.16 / 0.18) / 0.3;
   const double expected = std::sqrt((odds * 0.09 + 1) / (odds + 1));

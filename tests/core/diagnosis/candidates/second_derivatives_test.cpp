@@ -21,7 +21,7 @@ GapModel modelOfSession(const std::string& protocol, const std::vector<std::stri
 
 /// ∂reading/∂term by automatic derivatives, whitened, with the plane tilted.
 VectorXd derivative(const GapModel& model, ErrorTerm by, ErrorTerm tilt, double size) {
-  JointFit tilted = model.fit;
+  JointFit tilted = *model.fit;
   tilted.unknowns.push_back({.kind = Unknown::Kind::Error, .arc = 0, .term = tilt});
   tilted.values.push_back(size);
   const Linearised equations = linearise(*model.measurement, tilted, model.options);
@@ -41,7 +41,7 @@ TEST(SecondDerivatives, AreHowTheFirstOnesChange) {
                                           {"paper", {}}}) {
     SCOPED_TRACE(protocol);
     const GapModel model = modelOfSession(protocol, effects);
-    const Leftover leftover(linearise(*model.measurement, model.fit, model.options), model.options.terms);
+    const Leftover leftover(linearise(*model.measurement, *model.fit, model.options), model.options.terms);
     const MatrixXd columns = secondDerivatives(model, leftover, tilt);
     ASSERT_EQ(columns.rows(), leftover.readings());
     const std::array<std::pair<int, int>, 3> pairs{{{0, 0}, {0, 1}, {1, 1}}};

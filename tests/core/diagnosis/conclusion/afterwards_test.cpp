@@ -89,19 +89,19 @@ class Posterior {
       model.options.terms.push_back(
           {sizes[i].term, (at.empty() ? open : held) * unit(sizes[i]), value, value});
     }
-    model.fit = fitJointly(*model.measurement, model.starts, model.options);
+    model.refit();
     return model;
   }
 
   void addNode(double weight, const std::vector<Size>& sizes, const std::vector<double>& at) {
     const GapModel model = fitted(sizes, at);
     for (const double size : at) weight *= prior(size);
-    const Intersection found = *intersect(*model.measurement, model.fit);
+    const Intersection found = *intersect(*model.measurement, *model.fit);
     double variance = influencePerSigma(model).squaredNorm();
     for (const BudgetEntry& entry : found.budget)
       if (entry.source == UncertaintySource::PointingZeros) variance += entry.sigma * entry.sigma;
-    m_nodes.push_back({weight, model.fit.chiSquare, found.value, std::sqrt(variance)});
-    m_least = std::min(m_least, model.fit.chiSquare);
+    m_nodes.push_back({weight, model.fit->chiSquare, found.value, std::sqrt(variance)});
+    m_least = std::min(m_least, model.fit->chiSquare);
   }
 
   static std::size_t indexOf(const JointFit& fit, const Size& size) {
@@ -110,7 +110,7 @@ class Posterior {
 
   /// Around where the readings put it.
   void addOne(const Size& size) {
-    const JointFit fit = fitted({size}, {}).fit;
+    const JointFit fit = *fitted({size}, {}).fit;
     const std::size_t i = indexOf(fit, size);
     const double centre = fit.values[i] / unit(size), sigma = std::sqrt(fit.cofactor(i, i)) / unit(size);
     for (double u = -reach; u <= reach; u += step) addNode(odds * sigma * step, {size}, {centre + u * sigma});
@@ -118,7 +118,7 @@ class Posterior {
 
   /// Along the axes of what the readings leave open.
   void addBoth() {
-    const JointFit fit = fitted({tilt, drift}, {}).fit;
+    const JointFit fit = *fitted({tilt, drift}, {}).fit;
     const std::size_t i = indexOf(fit, tilt), j = indexOf(fit, drift);
     const double x = std::sqrt(fit.cofactor(i, i)) / unit(tilt);
     const double along = fit.cofactor(i, j) / (x * unit(tilt) * unit(drift));

@@ -51,7 +51,7 @@ std::vector<ReadingDeviation> judged(const Measurement& measurement, const std::
     model.options.without.push_back(ref);
     deviations.push_back(deviationAt(*model.measurement, ref, error.arcseconds));
   }
-  model.fit = fitJointly(*model.measurement, model.starts, model.options);
+  model.refit();
   return withLikelierCircles(model, deviations);
 }
 

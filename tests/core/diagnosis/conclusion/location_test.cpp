@@ -103,9 +103,9 @@ TEST(Location, IsWhatTheResidualsOfTheFitSay) {
   truth.sigmaZero = Angle();
   const Measurement measurement = test::measurementOf(*simulate(*protocolByName("full"), truth, 3));
   const GapModel model = *modelOf(measurement);
-  const Leftover leftover(linearise(*model.measurement, model.fit, model.options));
+  const Leftover leftover(linearise(*model.measurement, *model.fit, model.options));
   std::map<std::pair<std::string, std::string>, double> beyond;
-  for (const AdjustedReading& reading : model.fit.readings) {
+  for (const AdjustedReading& reading : model.fit->readings) {
     const ArcMeasurement& arc = measurement.arcs[reading.arc];
     const Sighting& row = arc.sightings[reading.sighting];
     const double own = std::pow(reading.residual / reading.sigma, 2) - reading.redundancy;
@@ -116,7 +116,7 @@ TEST(Location, IsWhatTheResidualsOfTheFitSay) {
   }
   std::map<std::string, double> all;
   for (auto& [part, square] : beyond) all[part.first] += square = std::max(square, 0.0);
-  const std::vector<GapShare> where = sharesOfReadings(leftover, measurement, model.fit);
+  const std::vector<GapShare> where = sharesOfReadings(leftover, measurement, *model.fit);
   for (const auto& [part, square] : beyond)
     EXPECT_NEAR(shareOf(where, part.first, part.second), square / all[part.first], 1e-6)
         << part.first << ' ' << part.second;

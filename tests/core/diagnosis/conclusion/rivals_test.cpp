@@ -60,9 +60,9 @@ TEST(Rivals, JumpStandsAgainstAGrossErrorOfEitherCircle) {
   const GapModel& base = inquiry.base;
   const JointFit without =
       fitJointly(*base.measurement, base.starts, {.without = {{0, lastRow, ReadingKind::Horizontal}}});
-  const double gain = base.fit.chiSquare - without.chiSquare;
+  const double gain = base.fit->chiSquare - without.chiSquare;
   double ofGrossErrors = 0, shown = 0;
-  for (const AdjustedReading& reading : base.fit.readings) {
+  for (const AdjustedReading& reading : base.fit->readings) {
     if (reading.arc != 0 || reading.sighting != lastRow) continue;
     ofGrossErrors += evidence(grossErrorWidths(), reading.redundancy, gain);
     shown += reading.redundancy * std::pow(plausibleJump / reading.sigma, 2);

@@ -64,7 +64,7 @@ GapModel modelBy(const std::string& protocol, bool plain) {
                            {0, 3, ReadingKind::Vertical},
                            {1, 5, ReadingKind::Vertical},
                            {1, 8, ReadingKind::Horizontal}};
-  model.fit = fitJointly(*model.measurement, model.starts, model.options);
+  model.refit();
   return model;
 }
 
@@ -74,7 +74,7 @@ TEST(Leftover, IsWhatIsOutsideOfAllThatTheFitTakesUp) {
     for (const bool plain : {true, false}) {
       SCOPED_TRACE(std::string(protocol) + (plain ? " plain" : ""));
       const GapModel model = modelBy(protocol, plain);
-      const Linearised set = linearise(*model.measurement, model.fit, model.options);
+      const Linearised set = linearise(*model.measurement, *model.fit, model.options);
       const Leftover leftover(set, model.options.terms);
       const Whole whole(set, model.options.terms);
       ASSERT_EQ(leftover.rows(), whole.observed.size());
@@ -97,17 +97,17 @@ TEST(Leftover, IsWhatIsOutsideOfAllThatTheFitTakesUp) {
 // the minimum, where the residuals are known to some 1e-7.
 TEST(Leftover, IsWhatTheFitLeavesWhereZerosAreExact) {
   Measurement measurement = test::trialMeasurement("full");
-  const double known = Leftover(linearise(measurement, modelOf(measurement)->fit)).chiSquare();
+  const double known = Leftover(linearise(measurement, *modelOf(measurement)->fit)).chiSquare();
   measurement.sigmaZeroHorizontal = measurement.sigmaZeroVertical = Angle();
   measurement.sigmaDistance = 0;
   const GapModel model = *modelOf(measurement);
-  const Leftover leftover(linearise(*model.measurement, model.fit));
+  const Leftover leftover(linearise(*model.measurement, *model.fit));
   EXPECT_EQ(leftover.rows(), leftover.readings());
-  EXPECT_EQ(leftover.degreesOfFreedom(), model.fit.degreesOfFreedom);
-  EXPECT_NEAR(leftover.chiSquare(), model.fit.chiSquare, 1e-7 * model.fit.chiSquare);
+  EXPECT_EQ(leftover.degreesOfFreedom(), model.fit->degreesOfFreedom);
+  EXPECT_NEAR(leftover.chiSquare(), model.fit->chiSquare, 1e-7 * model.fit->chiSquare);
   EXPECT_LT(known, leftover.chiSquare());  // a zero that is not exact takes up a little
   for (Index i = 0; i < leftover.readings(); ++i)
-    for (const AdjustedReading& reading : model.fit.readings)
+    for (const AdjustedReading& reading : model.fit->readings)
       if (ReadingRef{reading.arc, reading.sighting, reading.kind} == readingRef(leftover, i)) {
         EXPECT_NEAR(leftover.residual()[i], reading.residual / reading.sigma, 1e-6);
         EXPECT_NEAR(leftover.redundancy(i), reading.redundancy, 1e-9);
@@ -135,7 +135,7 @@ TEST(Leftover, SeesNothingOfWhatTheFitTakesUp) {
 // The slider's scale, where no slider is read, and nothing is known of it beforehand.
 TEST(Leftover, LosesNothingToWhatNoReadingSees) {
   const GapModel model = modelBy("paper", true);
-  const Linearised set = linearise(*model.measurement, model.fit);
+  const Linearised set = linearise(*model.measurement, *model.fit);
   const Leftover without(set), with(set, {{ErrorTerm::SliderScale, std::numeric_limits<double>::infinity()}});
   EXPECT_EQ(with.degreesOfFreedom(), without.degreesOfFreedom());
   EXPECT_LT(greatest(with.residual() - without.residual()), 1e-10);
@@ -145,7 +145,8 @@ TEST(Leftover, LosesNothingToWhatNoReadingSees) {
 TEST(Leftover, HasTheProductsOfEveryTerm) {
   const GapModel model = modelBy("paper-slider", false);
   const std::vector<ErrorTerm> some{ErrorTerm::VerticalIndex, ErrorTerm::SliderScale, ErrorTerm::GravitySag};
-  const Leftover leftover(linearise(*model.measurement, model.fit, model.options, some), model.options.terms);
+  const Leftover leftover(linearise(*model.measurement, *model.fit, model.options, some),
+                          model.options.terms);
   const VectorXd any = VectorXd::LinSpaced(leftover.rows(), -2, 1), products = leftover.productsOfTerms(any);
   ASSERT_EQ(products.size(), static_cast<Index>(errorTermCount));
   for (Index t = 0; t < products.size(); ++t) {
@@ -168,7 +169,7 @@ TEST(Leftover, ColumnsOfUnknownsAreThoseOfTheGeometry) {
                       test::perfectArc(measurement, {1, -0.5, 400}, test::spread(9, 150, -90), 180)};
   for (Sighting& sighting : measurement.arcs[1].sightings)
     sighting.slider = Angle::fromDegrees(170 - 150.0 * static_cast<double>(sighting.row) / 8);
-  const Leftover leftover(linearise(measurement, modelOf(measurement)->fit));
+  const Leftover leftover(linearise(measurement, *modelOf(measurement)->fit));
   ASSERT_EQ(leftover.readings(), 2 * 7 + 3 * 9);
   const VectorXd byX = leftover.column(Unknown::Kind::CentreX), byY = leftover.column(Unknown::Kind::CentreY),
                  bySlider = leftover.column(Unknown::Kind::SliderZero);

@@ -33,7 +33,7 @@ GapModel modelBy(const Protocol& protocol, const std::vector<TrueSize>& effects)
 
 /// Into a session of which nothing has been explained yet.
 Inquiry inquiryInto(GapModel model) {
-  Leftover leftover(linearise(*model.measurement, model.fit, model.options));
+  Leftover leftover(linearise(*model.measurement, *model.fit, model.options));
   return {model, std::move(model), std::move(leftover), {}, {}, {}, {}};
 }
 
@@ -104,7 +104,7 @@ std::vector<std::pair<Measure, Protocol>> moreThanThePaper() {
 double shownApart(const Protocol& protocol, const std::pair<ErrorTerm, double>& held,
                   const std::string& other) {
   const GapModel model = *closedModelOf(modelBy(protocol, {{held.first, held.second}}));
-  const Leftover leftover(linearise(*model.measurement, model.fit, model.options));
+  const Leftover leftover(linearise(*model.measurement, *model.fit, model.options));
   const Trace trace(leftover, leftover.residual());
   const std::vector<EffectComponent> effects = effectComponents(leftover, {});
   return trace.differenceFrom(*std::ranges::find(effects, other, &EffectComponent::id));
@@ -234,7 +234,7 @@ TEST(Advice, TellsWhatWouldShowTheUnseenWhereNothingIsToBeToldApart) {
       double least = 0;
       for (const auto& [id, size] :
            {std::pair{ErrorTerm::VerticalDrift, 15.0}, {ErrorTerm::HorizontalDrift, -15.0}}) {
-        const double visible = std::sqrt(modelBy(protocol, {{id, size}}).fit.chiSquare);
+        const double visible = std::sqrt(modelBy(protocol, {{id, size}}).fit->chiSquare);
         if (visible < clearlyDifferent) continue;
         least = shown.empty() ? visible : std::min(least, visible);
         shown.emplace_back(effectOf(id)->id);

@@ -42,7 +42,7 @@ double farthestFromCircle(const Measurement& set, const GapModel& model) {
   double farthest = 0;
   for (std::size_t arc = 0; arc < set.arcs.size(); ++arc)
     for (const Sighting& sighting : set.arcs[arc].sightings) {
-      const Circle circle = model.fit.circleOf(set.arcs[arc].axisDeg == 0 ? 0 : 1);
+      const Circle circle = model.fit->circleOf(set.arcs[arc].axisDeg == 0 ? 0 : 1);
       const double x = set.distance * std::tan(sighting.a.radians());
       const double horizontal =
           set.relation == VerticalAngleRelation::Exact ? std::hypot(x, set.distance) : set.distance;
@@ -105,9 +105,9 @@ TEST(FurtherReadings, AreReadWithoutError) {
     EXPECT_LT(farthestFromCircle(plan, model), rounding);
     EXPECT_GT(farthestFromCircle(measurement, model), 1e-3);
     const GapModel again = *modelOf(plan);
-    EXPECT_LT(again.fit.chiSquare, 1e-9);
+    EXPECT_LT(again.fit->chiSquare, 1e-9);
     for (std::size_t arc = 0; arc < 2; ++arc) {
-      EXPECT_NEAR(again.fit.circleOf(arc).y, model.fit.circleOf(arc).y, 1e-6);
+      EXPECT_NEAR(again.fit->circleOf(arc).y, model.fit->circleOf(arc).y, 1e-6);
       for (std::size_t i = 0; i < plan.arcs[arc].sightings.size(); ++i) {
         const Sighting &planned = plan.arcs[arc].sightings[i], &read = measurement.arcs[arc].sightings[i];
         EXPECT_EQ(planned.point, read.point);
@@ -201,7 +201,7 @@ TEST(FurtherReadings, OfASetUpOfItsOwnComeBesideTheSession) {
 TEST(FurtherReadings, AreLinearisedWithoutTheEffectsOfTheModel) {
   GapModel model = *modelOf(mixedMeasurement(VerticalAngleRelation::Exact));
   model.options.terms = {{ErrorTerm::TrunnionTilt, 1e-3, 0, 2e-3}};
-  model.fit = fitJointly(*model.measurement, model.starts, model.options);
+  model.refit();
   const std::vector<ErrorTerm> terms{ErrorTerm::GravitySag};
   for (const FurtherReadings& plan : plansOf(model)) {
     const Linearised set = linearisedPlan(model, plan.sets.back(), terms);

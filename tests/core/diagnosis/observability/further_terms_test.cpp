@@ -68,7 +68,7 @@ GapModel modelWith(const std::vector<EstimatedTerm>& terms, const std::vector<Re
   GapModel model = *modelOf(test::trialMeasurement("paper-slider"));
   model.options.terms = terms;
   model.options.without = without;
-  model.fit = fitJointly(*model.measurement, model.starts, model.options);
+  model.refit();
   return model;
 }
 
@@ -84,7 +84,7 @@ TEST(FurtherTerms, AreThoseOfAllSetsTogether) {
         {some, {}},
         {{}, {{0, 4, ReadingKind::Vertical}, {1, 9, ReadingKind::Horizontal}}}}) {
     const GapModel model = modelWith(terms, without);
-    const Linearised ofSession = linearise(*model.measurement, model.fit, model.options);
+    const Linearised ofSession = linearise(*model.measurement, *model.fit, model.options);
     const bool asRead = terms.empty() && without.empty();
     std::vector<ErrorTerm> known = asked;
     for (const EstimatedTerm& term : terms) known.push_back(term.term);
@@ -108,7 +108,7 @@ TEST(FurtherTerms, AreThoseOfAllSetsTogether) {
 // second set has its circle turned, which only an eccentricity minds.
 TEST(FurtherTerms, OfAShiftedCircleAreTwiceThoseOfTheSession) {
   const GapModel model = *modelOf(readWithoutError(*modelOf(test::trialMeasurement("full"))));
-  const Linearised ofSession = linearise(*model.measurement, model.fit);
+  const Linearised ofSession = linearise(*model.measurement, *model.fit);
   FurtherTerms further(model, ofSession, someEffects());
   const MatrixXd columns = shownBy(ofSession);
   eachFurtherReadings(model, [&](const FurtherReadings& plan) {

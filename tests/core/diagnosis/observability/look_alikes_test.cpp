@@ -20,7 +20,7 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::Vector2d, Eigen::VectorXd;
 /// What the effects of the catalogue leave in the readings of a session.
 struct Traces {
   GapModel model;
-  Leftover leftover{linearise(*model.measurement, model.fit, model.options)};
+  Leftover leftover{linearise(*model.measurement, *model.fit, model.options)};
   std::vector<EffectComponent> effects = effectsBeyond(model, leftover, {});
 
   explicit Traces(const std::string& protocol) : model(*modelOf(test::trialMeasurement(protocol))) {}

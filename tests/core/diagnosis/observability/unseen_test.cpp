@@ -30,7 +30,7 @@ double intersectionOf(const Measurement& measurement) {
 class Unseen : public ::testing::TestWithParam<const char*> {
  protected:
   GapModel model = *modelOf(measurementBy(GetParam(), "plane_tilt", Eigen::Vector2d::Zero()));
-  Leftover leftover{{linearise(*model.measurement, model.fit, model.options)}};
+  Leftover leftover{{linearise(*model.measurement, *model.fit, model.options)}};
   std::vector<EffectComponent> effects = effectsBeyond(model, leftover, {});
   Eigen::VectorXd influence = influencePerSigma(model);
   SharedProducts perReading{leftover, influence};

@@ -21,7 +21,7 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 class ColumnTableTest : public testing::TestWithParam<const char*> {
  protected:
   GapModel model = *modelOf(test::trialMeasurement(GetParam()));
-  Leftover leftover{linearise(*model.measurement, model.fit, model.options)};
+  Leftover leftover{linearise(*model.measurement, *model.fit, model.options)};
   Candidates candidates = candidatesFor();
   ColumnTable table{leftover, candidates};
 
@@ -45,7 +45,7 @@ class ColumnTableTest : public testing::TestWithParam<const char*> {
     Candidates all;
     all.add(jumpComponents(leftover), 1e-3);
     all.add(effectsBeyond(model, leftover, {}), 0.04);
-    all.add(shapeComponents(leftover, *model.measurement, model.fit, {}), 0.01);
+    all.add(shapeComponents(leftover, *model.measurement, *model.fit, {}), 0.01);
     all.add(grossErrorComponents(leftover), 1e-3);
     return all;
   }

@@ -68,7 +68,7 @@ TEST(FitAlone, GivesBackTheEffectThatASessionHolds) {
       truth.effects.push_back({parameter.term, 3 * parameter.plausible});
     const Session session = *simulateWithoutNoise(*protocolByName("full"), truth, 9);
     const GapModel model = *modelOf(*examine(session).measurement);
-    const Leftover leftover(linearise(*model.measurement, model.fit, model.options));
+    const Leftover leftover(linearise(*model.measurement, *model.fit, model.options));
     const std::vector<EffectComponent> effects = effectsBeyond(model, leftover, {});
     const SharedProducts residual(leftover, leftover.residual());
     bool isFound = false;

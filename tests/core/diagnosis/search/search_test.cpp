@@ -27,7 +27,7 @@ class SearchTest : public testing::TestWithParam<std::string> {
         {.axisDeg = 180, .point = 5, .horizontal = Angle::fromArcseconds(13), .vertical = Angle()}};
     const Session session = *simulate(*protocolByName(protocol), truth, 31);
     const GapModel model = *modelOf(*examine(session).measurement);
-    return Leftover(linearise(*model.measurement, model.fit, model.options));
+    return Leftover(linearise(*model.measurement, *model.fit, model.options));
   }
   static Candidates candidatesFor(const Leftover& leftover) {
     Candidates candidates;
