@@ -162,26 +162,26 @@ Result<PlanReview, NoModel> reviewPlan(const Measurement& measurement) {
 }
 
 Result<PlanReview, NoModel> reviewPlan(const Measurement& measurement, const SessionFit& fit) {
-  const auto own = plannedModel(measurement, fit);
+  auto own = plannedModel(measurement, fit);
   if (!own) return own.problem();
-  const std::optional<GapModel> closed = closedModelOf(*own);
-  const GapModel* const model = closed ? &*closed : &*own;
-  const Leftover leftover(linearise(*model->measurement, *model->fit, model->options), model->options.terms);
-  const std::vector<Planned> effects = plannedEffects(*model, leftover);
   PlanReview review{.effects = {}, .advice = {}, .intersection = estimateOf(*own)};
-  review.readings = model->fit->readings.size();
+  const GapModel model = closedModelOf(*own).value_or(*own);
+  own = NoModel{};  // of no more use, and as long as its readings
+  const Leftover leftover(linearise(*model.measurement, *model.fit, model.options), model.options.terms);
+  const std::vector<Planned> effects = plannedEffects(model, leftover);
+  review.readings = model.fit->readings.size();
   for (const Planned& planned : effects) review.effects.push_back(planned.summary);
   const std::vector<Planned> inQuestion = effectsInQuestion(effects);
   if (inQuestion.empty()) return review;
   std::vector<const Effect*> asked;
   for (const Planned& planned : inQuestion) asked.push_back(planned.effect);
-  FurtherTerms further(*model, leftover.equations(), asked);
+  FurtherTerms further(model, leftover.equations(), asked);
   const auto tryOut = [&](const FurtherReadings& plan) {
     PlanAdvice advice = adviceOf(plan.measures, further.shownBy(plan), inQuestion);
     if (!advice.reveals.empty() || !advice.separates.empty()) review.advice.push_back(std::move(advice));
   };
-  eachFurtherReadings(*model, tryOut);
-  eachCombination(*model, tryOut);
+  eachFurtherReadings(model, tryOut);
+  eachCombination(model, tryOut);
   rank(review.advice);
   return review;
 }

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <optional>
+#include <utility>
 
 #include "app/console/commands/option_checks.h"
 #include "app/console/findings_output.h"
@@ -19,11 +20,13 @@ namespace {
 
 constexpr const char* asManyAsItTakes = "auto";
 
-Result<std::string> rigorousAnswer(const FitRequest& request, const std::string& name, const Session& session,
-                                   const Measurement& measurement) {
+Result<std::string> rigorousAnswer(const FitRequest& request, SessionInput input) {
+  const Measurement& measurement = input.measurement;
   const SessionFit fit = fitSession(measurement);
   if (auto problem = absence(measurement, fit.arcs.size(), fit.findings)) return *std::move(problem);
-  FitAnswer answer{name, measurement, fit, findSuspects(session, measurement, fit, {.risk = request.risk})};
+  FitAnswer answer{input.name, measurement, fit,
+                   findSuspects(input.session, measurement, fit, {.risk = request.risk})};
+  input.session = {};  // of no more use, and as long as its rows
   if (!request.monteCarlo.empty()) {
     MonteCarloOptions options{.seed = request.seed};
     if (request.monteCarlo != asManyAsItTakes) options.draws = std::stoull(request.monteCarlo);
@@ -71,11 +74,10 @@ void addFitCommand(CLI::App& app, FitRequest& request) {
 Result<std::string> runFit(const FitRequest& request) {
   if (request.method == "published" && !request.monteCarlo.empty())
     return Problem{"the published method states no uncertainty to check: leave out --monte-carlo"};
-  const Result<SessionInput> input = readSessionInput(request.file);
+  Result<SessionInput> input = readSessionInput(request.file);
   if (!input) return input.problem();
-  return request.method == "published"
-             ? publishedAnswer(request, input->name, input->measurement)
-             : rigorousAnswer(request, input->name, input->session, input->measurement);
+  return request.method == "published" ? publishedAnswer(request, input->name, input->measurement)
+                                       : rigorousAnswer(request, *std::move(input));
 }
 
 }  // namespace alidade::console

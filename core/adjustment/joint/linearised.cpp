@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/adjustment/joint/joint_problem.h"
 
@@ -31,12 +32,12 @@ JointFitOptions withTerms(JointFitOptions options, const std::vector<ErrorTerm>&
 constexpr auto unknownKinds = static_cast<std::size_t>(Unknown::Kind::Error);
 static_assert(distanceSlot == static_cast<int>(Unknown::Kind::Distance));
 
-/// Room for the readings of all visits.
-void reserve(Linearised& result, const std::vector<VisitOfArc>& visits) {
+/// Room for the readings of visits, from `first` to before `end`.
+void reserve(Linearised& result, const std::vector<VisitOfArc>& visits, std::size_t first, std::size_t end) {
   std::size_t rows = 0, sliders = 0;
-  for (const VisitOfArc& visit : visits) {
-    rows += visit.visit.sightings.size();
-    sliders += visit.slider ? 1 : 0;
+  for (std::size_t v = first; v < end; ++v) {
+    rows += visits[v].visit.sightings.size();
+    sliders += visits[v].slider ? 1 : 0;
   }
   result.readings.reserve(2 * rows + sliders);
   result.perUnknown = ReadingColumns(unknownKinds);
@@ -48,8 +49,8 @@ void reserve(Linearised& result, const std::vector<VisitOfArc>& visits) {
   }
 }
 
-Linearised linearisedAt(const Measurement& measurement, const JointProblem& problem, const JointState& state,
-                        const std::vector<EstimatedTerm>& terms) {
+/// What is known of the unknowns and terms, without a reading.
+Linearised withoutReadings(const JointProblem& problem, const JointState& state) {
   Linearised result;
   result.visits = problem.visits().size();
   result.firsts = problem.firsts();
@@ -69,32 +70,45 @@ Linearised linearisedAt(const Measurement& measurement, const JointProblem& prob
     const double sigma = problem.consideredSigma(i);
     result.priors.push_back({0, sigma < asGoodAsZero ? 0 : sigma});
   }
-  reserve(result, problem.visits());
+  return result;
+}
+
+/// In pieces of so many visits.
+void linearise(const Measurement& measurement, const JointProblem& problem, const JointState& state,
+               const std::vector<EstimatedTerm>& terms, std::size_t pieceLength,
+               const std::function<void(Linearised)>& take) {
+  const std::vector<VisitOfArc>& visits = problem.visits();
+  Linearised piece;
   std::array<std::uint32_t, readingKinds> counts{};
   problem.eachVisit(state, [&](std::size_t v, const VisitEquations& equations) {
-    const std::size_t arc = problem.visits()[v].arc;
+    if (v % pieceLength == 0) {
+      piece = withoutReadings(problem, state);
+      reserve(piece, visits, v, std::min(v + pieceLength, visits.size()));
+      counts = {};
+    }
+    const std::size_t arc = visits[v].arc;
     for (Index row = 0; row < equations.residual.size(); ++row) {
       const ReadingRef cell = problem.cellOf(v, row);
       const std::uint32_t number = counts[static_cast<std::size_t>(cell.kind)]++;
       const std::size_t sequence = measurement.arcs[arc].sightings[cell.sighting].sequence;
-      result.readings.push_back({.sighting = static_cast<std::uint32_t>(cell.sighting),
-                                 .visit = static_cast<std::uint32_t>(v),
-                                 .sequence = static_cast<std::uint32_t>(sequence),
-                                 .number = number,
-                                 .arc = static_cast<std::uint16_t>(arc),
-                                 .kind = cell.kind,
-                                 .takesPart = !equations.jacobian.row(row).isZero(0),
-                                 .sigma = statedSigma(measurement, cell.kind).radians(),
-                                 .residual = equations.residual[row],
-                                 .along = equations.along[row]});
+      piece.readings.push_back({.sighting = static_cast<std::uint32_t>(cell.sighting),
+                                .visit = static_cast<std::uint32_t>(v),
+                                .sequence = static_cast<std::uint32_t>(sequence),
+                                .number = number,
+                                .arc = static_cast<std::uint16_t>(arc),
+                                .kind = cell.kind,
+                                .takesPart = !equations.jacobian.row(row).isZero(0),
+                                .sigma = statedSigma(measurement, cell.kind).radians(),
+                                .residual = equations.residual[row],
+                                .along = equations.along[row]});
       for (std::size_t slot = 0; slot < unknownKinds; ++slot)
-        result.perUnknown.append(cell.kind, number, slot, equations.jacobian(row, static_cast<Index>(slot)));
+        piece.perUnknown.append(cell.kind, number, slot, equations.jacobian(row, static_cast<Index>(slot)));
       for (std::size_t t = 0; t < terms.size(); ++t)
-        result.perTerm.append(cell.kind, number, static_cast<std::size_t>(terms[t].term),
-                              equations.jacobian(row, static_cast<Index>(firstTermSlot + t)));
+        piece.perTerm.append(cell.kind, number, static_cast<std::size_t>(terms[t].term),
+                             equations.jacobian(row, static_cast<Index>(firstTermSlot + t)));
     }
+    if ((v + 1) % pieceLength == 0 || v + 1 == visits.size()) take(std::move(piece));
   });
-  return result;
 }
 
 }  // namespace
@@ -137,14 +151,21 @@ Linearised linearise(const Measurement& measurement, const JointFit& fit, const 
                      const std::vector<ErrorTerm>& terms) {
   const JointFitOptions extended = withTerms(options, terms);
   const JointProblem problem(measurement, extended);
-  return linearisedAt(measurement, problem, problem.stateOf(fit), extended.terms);
+  const JointState state = problem.stateOf(fit);
+  if (problem.visits().empty()) return withoutReadings(problem, state);
+  Linearised whole;
+  linearise(measurement, problem, state, extended.terms, problem.visits().size(),
+            [&](Linearised all) { whole = std::move(all); });
+  return whole;
 }
 
-Linearised linearise(const Measurement& measurement, const std::vector<Circle>& circles,
-                     const JointFitOptions& options, const std::vector<ErrorTerm>& terms) {
+void linearise(const Measurement& measurement, const std::vector<Circle>& circles,
+               const JointFitOptions& options, const std::vector<ErrorTerm>& terms,
+               const std::function<void(const Linearised& piece)>& take) {
+  constexpr std::size_t pieceLength = 50'000;  // visits: some ten megabytes
   const JointFitOptions extended = withTerms(options, terms);
   const JointProblem problem(measurement, extended);
-  return linearisedAt(measurement, problem, problem.start(circles), extended.terms);
+  linearise(measurement, problem, problem.start(circles), extended.terms, pieceLength, take);
 }
 
 }  // namespace alidade

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "core/adjustment/joint/joint_fit.h"
@@ -89,7 +90,10 @@ Linearised linearise(const Measurement& measurement, const JointFit& fit, const 
                      const std::vector<ErrorTerm>& terms = everyTerm());
 
 /// Where no fit is needed, since the readings lie on these circles, one for each arc: planned ones, say.
-Linearised linearise(const Measurement& measurement, const std::vector<Circle>& circles,
-                     const JointFitOptions& options = {}, const std::vector<ErrorTerm>& terms = everyTerm());
+/// Handed on in pieces of whole visits, each as if the readings of the others were not asked for: all
+/// equations of a large plan would fill the memory.
+void linearise(const Measurement& measurement, const std::vector<Circle>& circles,
+               const JointFitOptions& options, const std::vector<ErrorTerm>& terms,
+               const std::function<void(const Linearised& piece)>& take);
 
 }  // namespace alidade

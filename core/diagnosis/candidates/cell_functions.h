@@ -25,6 +25,8 @@ class CellFunctions {
   void scale(double factor) { m_factor *= factor; }
 
   Eigen::VectorXd column(Eigen::Index function) const;
+  /// The values in `length` cells, cells × functions.
+  Eigen::MatrixXd piece(Eigen::Index first, Eigen::Index length) const;
   Eigen::MatrixXd dense() const { return piece(0, cells()); }
   /// Of each function: its inner product with a vector over the cells.
   Eigen::VectorXd products(const Eigen::VectorXd& overCells) const;
@@ -36,9 +38,6 @@ class CellFunctions {
   std::shared_ptr<const std::vector<Eigen::Index>> m_groups;
   std::vector<Eigen::Index> m_chosen;  ///< columns of the matrix, or groups
   double m_factor = 1;
-
-  /// The values in `length` cells.
-  Eigen::MatrixXd piece(Eigen::Index first, Eigen::Index length) const;
 };
 
 }  // namespace alidade

@@ -1,6 +1,7 @@
 #include "core/diagnosis/candidates/effect_components.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "core/diagnosis/candidates/second_derivatives.h"
@@ -83,27 +84,41 @@ std::vector<CauseParameter> EffectComponent::parameters(const GapModel& after) c
   return parameters;
 }
 
-std::vector<EffectComponent> effectComponents(const Leftover& leftover,
-                                              const std::vector<std::string>& leftOut) {
-  std::vector<const Effect*> effects;
-  Index count = 0;
-  for (const Effect& effect : effectCatalogue()) {
-    if (std::ranges::find(leftOut, effect.id) != leftOut.end()) continue;
-    effects.push_back(&effect);
-    count += static_cast<Index>(effect.parameters.size());
-  }
+namespace {
+
+/// Of some effects, whose columns are made visible in one go: `count` of them.
+void addComponents(const Leftover& leftover, std::span<const Effect* const> effects, Index count,
+                   std::vector<EffectComponent>& components) {
   MatrixXd columns(leftover.readings(), count);
   Index first = 0;
   for (const Effect* effect : effects)
     for (const EffectParameter& parameter : effect->parameters)
       columns.col(first++) = leftover.column(parameter.term) * plausibleSize(parameter);
   columns = leftover.visible(columns);
-  std::vector<EffectComponent> components;
   first = 0;
   for (const Effect* effect : effects) {
     const auto own = columns.middleCols(first, static_cast<Index>(effect->parameters.size()));
     components.emplace_back(*effect, own.transpose().lazyProduct(own));
     first += own.cols();
+  }
+}
+
+}  // namespace
+
+std::vector<EffectComponent> effectComponents(const Leftover& leftover,
+                                              const std::vector<std::string>& leftOut) {
+  std::vector<const Effect*> effects;
+  for (const Effect& effect : effectCatalogue())
+    if (std::ranges::find(leftOut, effect.id) == leftOut.end()) effects.push_back(&effect);
+  std::vector<EffectComponent> components;
+  constexpr Index mostNumbers = 4'000'000;  // at once: all columns of a large session would fill the memory
+  const Index most = mostNumbers / std::max(leftover.readings(), Index{1});
+  for (auto next = effects.begin(); next != effects.end();) {
+    const auto first = next;
+    Index count = 0;
+    do count += static_cast<Index>((*next++)->parameters.size());
+    while (next != effects.end() && count < most);
+    addComponents(leftover, {first, next}, count, components);
   }
   return components;
 }

@@ -30,10 +30,8 @@ void addSquare(Matrix&& sum, const MatrixXd& columns, double factor) {
     sum.template selfadjointView<Eigen::Upper>().rankUpdate(columns.transpose(), factor);
 }
 
-/// The Gram matrix, of which the upper half is given, less what lies along the arc angles and in the span of
-/// the unknowns.
-MatrixXd visiblePart(MatrixXd gram, const MatrixXd& along, const MatrixXd& taken) {
-  addSquare(gram, along, -1);
+/// The Gram matrix, of which the upper half is given, less what lies in the span of the unknowns.
+MatrixXd visiblePart(MatrixXd gram, const MatrixXd& taken) {
   addSquare(gram, taken, -1);
   gram.triangularView<Eigen::StrictlyLower>() = gram.transpose();
   return gram;
@@ -72,25 +70,37 @@ VectorXd Carrier::spread(const VectorXd& overCells) const {
   return spread;
 }
 
-MatrixXd Carrier::alongVisits(const Leftover& leftover, const MatrixXd& functions) const {
-  MatrixXd sums = MatrixXd::Zero(leftover.visits(), functions.cols());
+MatrixXd Carrier::alongVisits(const Leftover& leftover, Index first, const MatrixXd& functions) const {
+  if (functions.rows() == 0) return MatrixXd(0, functions.cols());
+  const Index firstVisit = visitOf(leftover, first);
+  MatrixXd sums =
+      MatrixXd::Zero(visitOf(leftover, first + functions.rows() - 1) - firstVisit + 1, functions.cols());
   for (Index f = 0; f < functions.cols(); ++f)
-    for (Index cell = 0; cell < cells(); ++cell)
-      sums(visitOf(leftover, cell), f) += m_along[cell] * functions(cell, f);
+    for (Index i = 0; i < functions.rows(); ++i)
+      sums(visitOf(leftover, first + i) - firstVisit, f) += m_along[first + i] * functions(i, f);
   return sums;
 }
 
-MatrixXd Carrier::taken(const Leftover& leftover, const MatrixXd& functions) const {
+MatrixXd Carrier::taken(const Leftover& leftover, Index first, const MatrixXd& functions) const {
   constexpr Index pieceLength = 512;  // readings: what they spread to stays in the cache
   MatrixXd sums = MatrixXd::Zero(leftover.basis().cols(), functions.cols());
-  auto next = m_moved.begin();
-  for (Index first = 0, end = readings(); first < end; first += pieceLength) {
-    MatrixXd spread = MatrixXd::Zero(std::min(pieceLength, end - first), functions.cols());
-    for (; next != m_moved.end() && next->reading < first + spread.rows(); ++next)
-      spread.row(next->reading - first) = next->value * functions.row(cellOf(*next));
-    sums += innerProducts(leftover.basis().middleRows(first, spread.rows()), spread);
+  if (functions.rows() == 0) return sums;
+  const Index last = first + functions.rows(), end = last < cells() ? m_cells->readingOf(last) : readings();
+  Index begin = m_cells->readingOf(first);
+  auto next = std::ranges::lower_bound(m_moved, begin, {}, &Moved::reading);
+  for (; begin < end; begin += pieceLength) {
+    MatrixXd spread = MatrixXd::Zero(std::min(pieceLength, end - begin), functions.cols());
+    for (; next != m_moved.end() && next->reading < begin + spread.rows(); ++next)
+      spread.row(next->reading - begin) = next->value * functions.row(cellOf(*next) - first);
+    sums += innerProducts(leftover.basis().middleRows(begin, spread.rows()), spread);
   }
   return sums;
+}
+
+Index Carrier::lastOfVisit(const Leftover& leftover, Index cell) const {
+  const Index visit = visitOf(leftover, cell);
+  while (cell + 1 < cells() && visitOf(leftover, cell + 1) == visit) ++cell;
+  return cell;
 }
 
 MatrixXd Carrier::visibleGramOfGroups(const Leftover& leftover, const std::vector<Index>& groups,
@@ -108,7 +118,7 @@ MatrixXd Carrier::visibleGramOfGroups(const Leftover& leftover, const std::vecto
     if (const Index group = groups[cellOf(moved)]; group >= 0)
       taken.col(group) += moved.value * leftover.basisOfRow(moved.reading);
   if (!hasOneCellPerVisit) takeOffAlongVisits(leftover, gram, groups);
-  return visiblePart(std::move(gram), MatrixXd(0, count), taken);
+  return visiblePart(std::move(gram), taken);
 }
 
 /// In pieces: a group for every visit would fill the memory.
@@ -160,34 +170,62 @@ double Pattern::normalise() {
   return factor;
 }
 
-/// Columnsᵀ columns less what lies along the arc angle of each visit and in the span of the unknowns.
+MatrixXd Pattern::piece(Index firstCell, Index length) const {
+  MatrixXd side(length, columns());
+  Index first = 0;
+  for (const Part& part : parts) {
+    side.middleCols(first, part.functions.count()) = part.functions.piece(firstCell, length);
+    first += part.functions.count();
+  }
+  return side;
+}
+
+/// Columnsᵀ columns less what lies along the arc angle of each visit and in the span of the unknowns. In
+/// pieces: the functions of every cell would fill the memory.
 MatrixXd Pattern::visibleGram(const Leftover& leftover) const {
+  constexpr Index pieceLength = 4096;  // cells
   const Index count = columns();
   const VectorXd outside =
       parts.size() == 1 ? parts.front().carrier->squaresOutsideArcAngles(leftover) : VectorXd();
   const bool isOfVisits = outside.size() > 0;
-  MatrixXd gram = MatrixXd::Zero(count, count),
-           along = MatrixXd::Zero(isOfVisits ? 0 : leftover.visits(), count),
-           taken(leftover.basis().cols(), count);
-  Index first = 0;
-  for (const auto& [carrier, ofPart] : parts) {
-    MatrixXd functions = ofPart.dense();
-    const Index own = functions.cols();
-    const VectorXd& squares = isOfVisits ? outside : carrier->squares();
-    if (!isOfVisits) along.middleCols(first, own) = carrier->alongVisits(leftover, functions);
-    taken.middleCols(first, own) = carrier->taken(leftover, functions);
-    Index before = 0;
-    for (const auto& [other, others] : parts) {
-      if (before == first) break;
-      gram.block(before, first, others.count(), own) =
-          innerProducts(others.dense(), other->productsWith(*carrier).asDiagonal() * functions);
-      before += others.count();
+  struct Product {
+    Index columns;  // of the former of two parts
+    VectorXd sums;
+  };
+  std::vector<Product> products;
+  for (std::size_t one = 0; one < parts.size(); ++one)
+    for (std::size_t other = 0; other < one; ++other)
+      products.push_back(
+          {parts[other].functions.count(), parts[other].carrier->productsWith(*parts[one].carrier)});
+  MatrixXd gram = MatrixXd::Zero(count, count), taken = MatrixXd::Zero(leftover.basis().cols(), count);
+  const Index cells = parts.empty() ? 0 : parts.front().functions.cells();
+  for (Index begin = 0, end = 0; begin < cells; begin = end) {
+    end = parts.front().carrier->lastOfVisit(leftover, std::min(begin + pieceLength, cells) - 1) + 1;
+    const MatrixXd functions = piece(begin, end - begin);
+    MatrixXd along(0, count);
+    auto product = products.begin();
+    Index first = 0;
+    for (const auto& [carrier, ofPart] : parts) {
+      const MatrixXd own = functions.middleCols(first, ofPart.count());
+      taken.middleCols(first, own.cols()) += carrier->taken(leftover, begin, own);
+      if (!isOfVisits) {
+        const MatrixXd sums = carrier->alongVisits(leftover, begin, own);
+        along.conservativeResize(sums.rows(), count);
+        along.middleCols(first, own.cols()) = sums;
+      }
+      for (Index before = 0; before < first; ++product) {
+        const MatrixXd others = functions.middleCols(before, product->columns);
+        const MatrixXd weighted = product->sums.segment(begin, end - begin).asDiagonal() * own;
+        gram.block(before, first, others.cols(), own.cols()) += innerProducts(others, weighted);
+        before += others.cols();
+      }
+      const auto squares = (isOfVisits ? outside : carrier->squares()).segment(begin, end - begin);
+      addSquare(gram.block(first, first, own.cols(), own.cols()), squares.cwiseSqrt().asDiagonal() * own, 1);
+      first += own.cols();
     }
-    functions = squares.cwiseSqrt().asDiagonal() * functions;
-    addSquare(gram.block(first, first, own, own), functions, 1);
-    first += own;
+    addSquare(gram, along, -1);
   }
-  return visiblePart(std::move(gram), along, taken);
+  return visiblePart(std::move(gram), taken);
 }
 
 }  // namespace alidade

@@ -33,10 +33,15 @@ class Carrier {
   Eigen::VectorXd gathered(const Eigen::VectorXd& overReadings) const;
   /// Values times what is given for each cell, over the readings.
   Eigen::VectorXd spread(const Eigen::VectorXd& overCells) const;
-  /// Functions (cells × functions) summed over each visit, as far as they lie along its arc angle.
-  Eigen::MatrixXd alongVisits(const Leftover& leftover, const Eigen::MatrixXd& functions) const;
-  /// Inner products of functions with what the fit takes up: unknowns × functions.
-  Eigen::MatrixXd taken(const Leftover& leftover, const Eigen::MatrixXd& functions) const;
+  /// Functions of the cells from `first` on (cells × functions) summed over each visit, as far as they lie
+  /// along its arc angle. The cells begin and end with a visit.
+  Eigen::MatrixXd alongVisits(const Leftover& leftover, Eigen::Index first,
+                              const Eigen::MatrixXd& functions) const;
+  /// Inner products of functions of the cells from `first` on with what the fit takes up: unknowns ×
+  /// functions.
+  Eigen::MatrixXd taken(const Leftover& leftover, Eigen::Index first, const Eigen::MatrixXd& functions) const;
+  /// The last cell of the visit that a cell belongs to.
+  Eigen::Index lastOfVisit(const Leftover& leftover, Eigen::Index cell) const;
   /// Inner products of the visible parts of one function for each group of cells: 1 in the group, 0
   /// elsewhere. `groups`: of each cell, numbered from 0 to `count`; −1 for none.
   Eigen::MatrixXd visibleGramOfGroups(const Leftover& leftover, const std::vector<Eigen::Index>& groups,
@@ -78,6 +83,10 @@ struct Pattern {
   double normalise();
   /// The inner products of the visible parts of the columns with one another.
   Eigen::MatrixXd visibleGram(const Leftover& leftover) const;
+
+ private:
+  /// The functions of some cells, side by side.
+  Eigen::MatrixXd piece(Eigen::Index firstCell, Eigen::Index length) const;
 };
 
 }  // namespace alidade

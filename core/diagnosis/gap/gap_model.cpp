@@ -8,29 +8,46 @@ namespace alidade {
 
 namespace {
 
-Result<GapModel, NoModel> modelBy(const Measurement& measurement, const SessionFit& fit,
-                                  std::shared_ptr<const JointFit> joint) {
-  if (fit.arcs.empty()) {
-    const auto error = std::ranges::find(fit.findings, Severity::Error, &FitFinding::severity);
-    return error == fit.findings.end() ? NoModel{} : NoModel{*error};
-  }
-  GapModel model{.measurement = std::make_shared<const Measurement>(fittedPart(measurement, fit)),
-                 .starts = {},
-                 .options = {.terms = estimatedTerms(measurement)},
-                 .fit = std::move(joint)};
-  for (const ArcFit& arc : fit.arcs) model.starts.push_back(arc.circle);
-  return model;
+template <typename T>
+std::shared_ptr<const T> borrowed(const T& value) {
+  return {std::shared_ptr<void>(), &value};
+}
+
+bool everyArcIsFitted(const Measurement& measurement, const SessionFit& fit) {
+  return std::ranges::all_of(measurement.arcs,
+                             [&](const ArcMeasurement& arc) { return fit.arcOfPosition(arc.position); });
 }
 
 }  // namespace
 
 Result<GapModel, NoModel> modelOf(const Measurement& measurement) {
-  const auto fit = std::make_shared<const SessionFit>(fitSession(measurement));
-  return modelBy(measurement, *fit, std::shared_ptr<const JointFit>(fit, &fit->joint));
+  struct Kept {
+    Measurement measurement;
+    SessionFit fit;
+  };
+  const auto kept = std::make_shared<const Kept>(measurement, fitSession(measurement));
+  const Result<GapModel, NoModel> borrowing = modelOf(kept->measurement, kept->fit);
+  if (!borrowing) return borrowing;
+  GapModel model = *borrowing;
+  model.fit = std::shared_ptr<const JointFit>(kept, &kept->fit.joint);
+  if (model.measurement.get() == &kept->measurement)
+    model.measurement = std::shared_ptr<const Measurement>(kept, &kept->measurement);
+  return model;
 }
 
 Result<GapModel, NoModel> modelOf(const Measurement& measurement, const SessionFit& fit) {
-  return modelBy(measurement, fit, std::shared_ptr<const JointFit>(std::shared_ptr<void>(), &fit.joint));
+  if (fit.arcs.empty()) {
+    const auto error = std::ranges::find(fit.findings, Severity::Error, &FitFinding::severity);
+    return error == fit.findings.end() ? NoModel{} : NoModel{*error};
+  }
+  GapModel model{.measurement = everyArcIsFitted(measurement, fit)
+                                    ? borrowed(measurement)
+                                    : std::make_shared<const Measurement>(fittedPart(measurement, fit)),
+                 .starts = {},
+                 .options = {.terms = estimatedTerms(measurement)},
+                 .fit = borrowed(fit.joint)};
+  for (const ArcFit& arc : fit.arcs) model.starts.push_back(arc.circle);
+  return model;
 }
 
 void GapModel::refit() {

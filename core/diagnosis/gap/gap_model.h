@@ -28,10 +28,11 @@ struct GapModel {
 /// `measurement` with its readings scattering more than stated, by a factor.
 Measurement withNoise(Measurement measurement, double factor);
 
-/// The session's own model, by its fit, which has to live as long as the model. Fails where no arc could be
+/// The session's own model, by its fit; both have to live as long as the model. Fails where no arc could be
 /// fitted.
 Result<GapModel, NoModel> modelOf(const Measurement& measurement, const SessionFit& fit);
-Result<GapModel, NoModel> modelOf(const Measurement& measurement, SessionFit&& fit) = delete;
+Result<GapModel, NoModel> modelOf(const Measurement&& measurement, const SessionFit& fit) = delete;
+Result<GapModel, NoModel> modelOf(const Measurement& measurement, const SessionFit&& fit) = delete;
 /// Fitted here, and kept with the model.
 Result<GapModel, NoModel> modelOf(const Measurement& measurement);
 

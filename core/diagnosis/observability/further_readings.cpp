@@ -218,8 +218,8 @@ void eachCombination(const GapModel& model, const std::function<void(const Furth
                    [](const Measurement& more) { return withPositionAgain(more, 180); }));
 }
 
-Linearised linearisedPlan(const GapModel& model, const Measurement& set,
-                          const std::vector<ErrorTerm>& terms) {
+void linearisePlan(const GapModel& model, const Measurement& set, const std::vector<ErrorTerm>& terms,
+                   const std::function<void(const Linearised& piece)>& take) {
   std::vector<Circle> circles;
   for (const ArcMeasurement& arc : set.arcs)
     circles.push_back(model.fit->circleOf(arcAt(*model.measurement, arc.axisDeg).value()));
@@ -227,7 +227,7 @@ Linearised linearisedPlan(const GapModel& model, const Measurement& set,
   options.isClosed = model.options.isClosed;
   options.terms = model.options.terms;
   for (EstimatedTerm& term : options.terms) term.start = 0;
-  return linearise(set, circles, options, terms);
+  linearise(set, circles, options, terms, take);
 }
 
 }  // namespace alidade

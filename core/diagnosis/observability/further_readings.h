@@ -31,8 +31,8 @@ void eachFurtherReadings(const GapModel& model, const std::function<void(const F
 void eachCombination(const GapModel& model, const std::function<void(const FurtherReadings&)>& take);
 
 /// The equations of a set as planned; effects of the model are not there, but estimated along. With
-/// derivatives by them and by `terms`.
-Linearised linearisedPlan(const GapModel& model, const Measurement& set,
-                          const std::vector<ErrorTerm>& terms = everyTerm());
+/// derivatives by them and by `terms`. In pieces, as `linearise` hands them on.
+void linearisePlan(const GapModel& model, const Measurement& set, const std::vector<ErrorTerm>& terms,
+                   const std::function<void(const Linearised& piece)>& take);
 
 }  // namespace alidade

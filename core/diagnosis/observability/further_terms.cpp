@@ -27,13 +27,17 @@ VisibleTerms FurtherTerms::shownBy(const FurtherReadings& plan) {
 }
 
 VisibleTerms FurtherTerms::ofSet(const Measurement& set) const {
-  return visibleTerms(linearisedPlan(m_model, set, m_terms), m_terms);
+  VisibleTermsOfSet sum(m_terms);
+  linearisePlan(m_model, set, m_terms, [&](const Linearised& piece) { sum.add(piece); });
+  return sum.sum();
 }
 
 VisibleTerms FurtherTerms::goingOn(const Measurement& set) const {
   std::vector<ErrorTerm> terms = m_terms;
   if (!m_moments.empty()) terms.insert(terms.end(), {ErrorTerm::HorizontalJump, ErrorTerm::VerticalJump});
-  return visibleTerms(linearisedPlan(m_model, set, terms), m_terms, m_moments);
+  VisibleTermsOfSet sum(m_terms, m_moments);
+  linearisePlan(m_model, set, terms, [&](const Linearised& piece) { sum.add(piece); });
+  return sum.sum();
 }
 
 /// The session's own equations serve where it was fitted without effects and with all its readings.

@@ -82,19 +82,29 @@ MatrixXd reducedGram(const Columns& columns) {
 
 }  // namespace
 
-VisibleTerms visibleTerms(const Linearised& set, const std::vector<ErrorTerm>& ofTerms,
-                          const std::vector<JumpMoment>& moments) {
-  const std::vector<std::size_t> unknowns = set.uncertainUnknowns();
-  const auto count = static_cast<Index>(unknowns.size());
-  MatrixXd gram = reducedGram({set, unknowns, ofTerms, moments});
-  for (Index u = 0; u < count; ++u) gram(u, u) += set.priors[unknowns[static_cast<std::size_t>(u)]].weight();
+void VisibleTermsOfSet::add(const Linearised& piece) {
+  const std::vector<std::size_t> unknowns = piece.uncertainUnknowns();
+  const MatrixXd gram = reducedGram({piece, unknowns, m_terms, m_moments});
+  if (m_gram.size() == 0) {
+    m_gram = gram;
+    for (const std::size_t unknown : unknowns) m_priors.push_back(piece.priors[unknown]);
+  } else {
+    m_gram += gram;
+  }
+}
+
+VisibleTerms VisibleTermsOfSet::sum() const {
+  const auto size = static_cast<Index>(errorTermCount + 2 * m_moments.size());
+  VisibleTerms terms{MatrixXd::Zero(size, size), VectorXd::Zero(size)};
+  if (m_gram.size() == 0) return terms;
+  const auto count = static_cast<Index>(m_priors.size());
+  MatrixXd gram = m_gram;
+  for (Index u = 0; u < count; ++u) gram(u, u) += m_priors[static_cast<std::size_t>(u)].weight();
   const VectorXd whole = gram.diagonal();
   eliminateFirst(gram, count, whole);
   std::vector<Index> places;  // of each column among the terms
-  for (const ErrorTerm term : ofTerms) places.push_back(static_cast<Index>(term));
-  const auto size = static_cast<Index>(errorTermCount + 2 * moments.size());
+  for (const ErrorTerm term : m_terms) places.push_back(static_cast<Index>(term));
   for (auto step = static_cast<Index>(errorTermCount); step < size; ++step) places.push_back(step);
-  VisibleTerms terms{MatrixXd::Zero(size, size), VectorXd::Zero(size)};
   for (std::size_t i = 0; i < places.size(); ++i) {
     const Index own = count + static_cast<Index>(i);
     terms.whole[places[i]] = whole[own];
@@ -102,6 +112,13 @@ VisibleTerms visibleTerms(const Linearised& set, const std::vector<ErrorTerm>& o
       terms.gram(places[i], places[j]) = gram(own, count + static_cast<Index>(j));
   }
   return terms;
+}
+
+VisibleTerms visibleTerms(const Linearised& set, const std::vector<ErrorTerm>& terms,
+                          const std::vector<JumpMoment>& moments) {
+  VisibleTermsOfSet sum(terms, moments);
+  sum.add(set);
+  return sum.sum();
 }
 
 VisibleTerms operator+(const VisibleTerms& one, const VisibleTerms& other) {

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <utility>
 #include <vector>
 
 #include "core/adjustment/joint/linearised.h"
+#include "core/adjustment/numerics/prior.h"
 #include "core/diagnosis/candidates/jump_moment.h"
 #include "core/effects/catalogue.h"
 
@@ -19,8 +21,26 @@ struct VisibleTerms {
   Eigen::VectorXd whole;  ///< squared lengths of the columns before anything was eliminated
 };
 
-/// Of one set of readings; zero but for `terms`. Behind the terms the horizontal and the vertical step of a
-/// jump at each of `moments`, by which the set was differentiated then, rad.
+/// Of one set of readings, whose equations come in pieces of whole visits.
+class VisibleTermsOfSet {
+ public:
+  /// Zero but for `terms`. Behind the terms the horizontal and the vertical step of a jump at each of
+  /// `moments`, by which the set was differentiated then, rad.
+  explicit VisibleTermsOfSet(std::vector<ErrorTerm> terms, std::vector<JumpMoment> moments = {})
+      : m_terms(std::move(terms)), m_moments(std::move(moments)) {}
+
+  void add(const Linearised& piece);
+  /// With what is known beforehand of the unknowns; every piece was added.
+  VisibleTerms sum() const;
+
+ private:
+  std::vector<ErrorTerm> m_terms;
+  std::vector<JumpMoment> m_moments;
+  std::vector<Prior> m_priors;  ///< of the unknowns that are not known exactly, common to all pieces
+  Eigen::MatrixXd m_gram;       ///< of these unknowns, the terms and the jumps, outside the arc angles
+};
+
+/// Of a set in one piece.
 VisibleTerms visibleTerms(const Linearised& set, const std::vector<ErrorTerm>& terms,
                           const std::vector<JumpMoment>& moments = {});
 /// Of both sets together.

@@ -4,7 +4,9 @@
 
 #include <cmath>
 
+#include "core/session/measurement.h"
 #include "tests/support/full_leftover.h"
+#include "tests/support/large_session.h"
 
 namespace alidade {
 namespace {
@@ -94,6 +96,32 @@ TEST(Pattern, OfGroupsIsThatOfTheirIndicatorFunctions) {
               1e-12 * columns.squaredNorm());
     EXPECT_LT(greatest(Pattern{{{sag, functions}}}.visibleGram(leftover()) - gram),
               1e-12 * columns.squaredNorm());
+  }
+}
+
+// Ten thousand cells are summed in three pieces.
+TEST(Pattern, IsTheSameInPieces) {
+  const Measurement measurement = *examine(test::largeSession(10'000)).measurement;
+  const Leftover large(linearise(measurement, fitSession(measurement).joint));
+  for (const bool isOfVisits : {false, true}) {
+    const auto cells = std::make_shared<Cells>(large.readings(), [&](Index i, Index j) {
+      return large.reading(i).visit == large.reading(j).visit &&
+             (isOfVisits || large.reading(i).kind == large.reading(j).kind);
+    });
+    const auto carrier = std::make_shared<Carrier>(large, large.column(ErrorTerm::GravitySag), cells);
+    const auto other = std::make_shared<Carrier>(large, large.column(ErrorTerm::Collimation), cells);
+    const MatrixXf functions = someFunctions(carrier->cells(), 2);
+    MatrixXd columns(large.readings(), 4);
+    for (Index f = 0; f < 2; ++f) {
+      columns.col(f) = carrier->spread(functions.col(f).cast<double>());
+      columns.col(2 + f) = other->spread(functions.col(f).cast<double>());
+    }
+    const MatrixXd visible = large.visible(columns), gram = visible.transpose() * visible;
+    const double digits = 1e-12 * columns.squaredNorm();
+    EXPECT_LT(greatest(Pattern{{{carrier, functions}, {other, functions}}}.visibleGram(large) - gram),
+              digits);
+    EXPECT_LT(greatest(Pattern{{{carrier, functions}}}.visibleGram(large) - gram.topLeftCorner(2, 2)),
+              digits);
   }
 }
 

@@ -45,11 +45,12 @@ TEST(GapModel, StartsAndOptionsLeadToItsFit) {
 
 TEST(GapModel, FailsWithTheFirstErrorOfTheFit) {
   SessionFit fit;
-  EXPECT_FALSE(modelOf(Measurement(), fit).problem().why);
+  const Measurement empty, measurement = test::trialMeasurement("paper");
+  EXPECT_FALSE(modelOf(empty, fit).problem().why);
   fit.findings = {{Severity::Note, {}, session_finding::PlanarRelation{}},
                   {Severity::Error, {}, session_finding::PositionMissing{180}},
                   {Severity::Error, {}, session_finding::UnknownEffect{"gremlins"}}};
-  const auto refused = modelOf(test::trialMeasurement("paper"), fit);
+  const auto refused = modelOf(measurement, fit);
   ASSERT_FALSE(refused);
   ASSERT_TRUE(refused.problem().why);
   EXPECT_TRUE(std::holds_alternative<session_finding::PositionMissing>(refused.problem().why->what));

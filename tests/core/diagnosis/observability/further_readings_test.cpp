@@ -9,6 +9,7 @@
 #include <random>
 #include <vector>
 
+#include "tests/support/linearised_plan.h"
 #include "tests/support/perfect_session.h"
 #include "tests/support/trials.h"
 
@@ -204,7 +205,7 @@ TEST(FurtherReadings, AreLinearisedWithoutTheEffectsOfTheModel) {
   model.refit();
   const std::vector<ErrorTerm> terms{ErrorTerm::GravitySag};
   for (const FurtherReadings& plan : plansOf(model)) {
-    const Linearised set = linearisedPlan(model, plan.sets.back(), terms);
+    const Linearised set = test::linearisedPlan(model, plan.sets.back(), terms);
     EXPECT_EQ(set.termValues[static_cast<std::size_t>(ErrorTerm::TrunnionTilt)], 0);
     double tilt = 0, sag = 0, warp = 0;
     for (std::size_t i = 0; i < set.readings.size(); ++i) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tests/support/full_leftover.h"
+#include "tests/support/linearised_plan.h"
 #include "tests/support/trials.h"
 
 namespace alidade {
@@ -92,9 +93,10 @@ TEST(FurtherTerms, AreThoseOfAllSetsTogether) {
     int besides = 0;
     eachFurtherReadings(model, [&](const FurtherReadings& plan) {
       SCOPED_TRACE(static_cast<int>(plan.measures.front()));
-      MatrixXd columns = shownBy(linearisedPlan(model, plan.sets.back()));
+      MatrixXd columns = shownBy(test::linearisedPlan(model, plan.sets.back()));
       if (plan.besideSession)
-        columns = below(columns, shownBy(asRead ? ofSession : linearisedPlan(model, plan.sets.front())));
+        columns =
+            below(columns, shownBy(asRead ? ofSession : test::linearisedPlan(model, plan.sets.front())));
       besides += plan.besideSession;
       const VisibleTerms shown = further.shownBy(plan);
       expectShown(shown, besideEstimated(columns, terms), known);

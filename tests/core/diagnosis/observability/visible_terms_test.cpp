@@ -6,7 +6,10 @@
 
 #include "core/adjustment/result/session_fit.h"
 #include "core/diagnosis/candidates/effect_components.h"
+#include "core/diagnosis/observability/further_readings.h"
 #include "core/diagnosis/observability/look_alikes.h"
+#include "core/session/measurement.h"
+#include "tests/support/large_session.h"
 #include "tests/support/trials.h"
 
 namespace alidade {
@@ -73,6 +76,24 @@ TEST(VisibleTerms, AddUpOverSetsWithUnknownsOfTheirOwn) {
   EXPECT_LT(greatestError(visibleTerms(one, everyTerm()) + visibleTerms(other, everyTerm()),
                           gramOf(Leftover(one)) + gramOf(Leftover(other))),
             digits);
+}
+
+// Readings of 60 000 visits come in two pieces; the second has the same unknowns.
+TEST(VisibleTerms, AddUpOverThePiecesOfASet) {
+  const Session session = test::largeSession(60'000);
+  const GapModel model = *modelOf(*examine(session).measurement);
+  const std::vector<ErrorTerm> terms{ErrorTerm::Collimation, ErrorTerm::GravitySag,
+                                     ErrorTerm::HorizontalDrift};
+  VisibleTermsOfSet sum(terms);
+  int pieces = 0;
+  linearisePlan(model, *model.measurement, terms, [&](const Linearised& piece) {
+    sum.add(piece);
+    ++pieces;
+  });
+  EXPECT_EQ(pieces, 2);
+  const Linearised whole = linearise(*model.measurement, *model.fit, model.options, terms);
+  EXPECT_LT(greatestError(sum.sum(), visibleTerms(whole, terms).gram),
+            1e-6);  // they are not quite at one place
 }
 
 TEST(VisibleTerms, LoseWhatEstimatedTermsTakeUp) {

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "core/diagnosis/observability/further_readings.h"
+
+namespace alidade::test {
+
+/// Of a set small enough for one piece.
+inline Linearised linearisedPlan(const GapModel& model, const Measurement& set,
+                                 const std::vector<ErrorTerm>& terms = everyTerm()) {
+  Linearised whole;
+  linearisePlan(model, set, terms, [&](const Linearised& piece) { whole = piece; });
+  return whole;
+}
+
+}  // namespace alidade::test
