@@ -103,6 +103,7 @@ std::string diagnosisJson(const std::string& session, const Diagnosis& diagnosis
   });
   json["intersection"] = {{"before", estimateJson(diagnosis.before)},
                           {"after", estimateJson(diagnosis.afterwards)}};
+  if (diagnosis.measured) json["intersection"]["as_found"] = estimateJson(diagnosis.measured->estimate);
   json["closures"] = listJson(diagnosis.closures, closureJson);
   if (!diagnosis.whatItWouldTake.empty())
     json["what_it_would_take"] = listJson(diagnosis.whatItWouldTake, [](const Required& required) -> Json {

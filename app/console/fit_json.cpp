@@ -84,6 +84,31 @@ Json budgetJson(const std::vector<BudgetEntry>& entries) {
   return budget;
 }
 
+Json sizeJson(const PlausibleSize& size) {
+  return {{"name", size.name}, {"sigma", size.sigma}, {"unit", size.unit}};
+}
+
+Json budgetJson(const std::vector<UncertaintyShare>& shares) {
+  double variance = 0;
+  for (const UncertaintyShare& share : shares) variance += share.sigma * share.sigma;
+  Json budget = Json::array();
+  for (const UncertaintyShare& share : shares) {
+    Json entry = {{"source", textOf(share)},
+                  {"type", textOf(share.type)},
+                  {"distribution", "normal"},
+                  {"sigma_mm", share.sigma},
+                  {"from", textOf(share.from)},
+                  {"degrees_of_freedom", share.degreesOfFreedom},
+                  {"share", variance > 0 ? share.sigma * share.sigma / variance : undefined}};
+    if (!share.sizes.empty()) {
+      entry["sizes"] = Json::array();
+      for (const PlausibleSize& size : share.sizes) entry["sizes"].push_back(sizeJson(size));
+    }
+    budget.push_back(std::move(entry));
+  }
+  return budget;
+}
+
 Json arcBudgetJson(const ArcBudget& budget) {
   return {{"x", budgetJson(budget.x)}, {"y", budgetJson(budget.y)}, {"radius", budgetJson(budget.radius)}};
 }
@@ -232,11 +257,13 @@ std::string fitJson(const FitAnswer& answer) {
   }
   document["noise_scale"] = fit.noise.factor;
   if (fit.intersection) document["intersection"] = intersectionJson(*fit.intersection);
-  if (answer.diagnosis && answer.diagnosis->afterwards)
-    document["intersection_as_found"] = asFoundJson(*answer.diagnosis->afterwards, measurement.coverage);
+  const auto measured = answer.diagnosis ? answer.diagnosis->measured : std::nullopt;
+  if (measured) document["intersection_as_found"] = asFoundJson(measured->estimate, measurement.coverage);
   if (const auto decision = decideAcceptance(measurement, fit, answer.found()))
     document["decision"] = decisionJson(answer, *decision);
-  document["budget"] = fit.intersection ? budgetJson(fit.intersection->budget) : Json::array();
+  const Json ofFit = fit.intersection ? budgetJson(fit.intersection->budget) : Json::array();
+  document["budget"] = measured ? budgetJson(measured->budget) : ofFit;
+  if (measured) document["budget_of_fit"] = ofFit;
   if (answer.check) document["monte_carlo"] = monteCarloJson(*answer.check);
   document["effects"] = Json::array();
   for (const EffectEstimate& estimate : fit.effects) document["effects"].push_back(effectJson(estimate));

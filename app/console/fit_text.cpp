@@ -61,19 +61,27 @@ std::string coverageText(const Intersection& intersection) {
 
 std::string intersectionText(const Measurement& measurement, const Intersection& intersection) {
   return "\nIntersection Δd = " + fixedText(intersection.value, 6) + " mm ± " +
-         fixedText(intersection.expanded, 4) + " mm " + coverageText(intersection) +
+         fixedText(intersection.expanded, 4) + " mm " + coverageText(intersection) + ", of the fit alone" +
          "\nCentres apart in the plane: |O1 - O2|/2 = " + fixedText(intersection.inPlane, 6) + " mm\n" +
          referenceLine(measurement, intersection.value);
 }
 
-/// Beside the Δd of the session's own model, where a gap is more than noise.
-std::string asFoundText(const FitAnswer& answer) {
+std::string measuredText(const FitAnswer& answer) {
+  if (!answer.diagnosis || !answer.fit.intersection) return "";
+  const auto& measured = answer.diagnosis->measured;
+  if (!measured) return "\nWith what was found below, these readings do not determine Δd.\n";
+  return "\nMeasured: Δd = " + fixedText(measured->estimate.value, 4) + " mm ± " +
+         fixedText(measured->estimate.expanded, 4) + " mm (" + percent(answer.measurement.coverage) +
+         " coverage)\n" +
+         paragraph(
+             "Every effect of the catalogue takes part, as large as these readings and what is plausible "
+             "leave it.");
+}
+
+/// Where it is more than noise.
+std::string gapText(const FitAnswer& answer) {
   if (!answer.diagnosis || !isMoreThanNoise(*answer.diagnosis)) return "";
-  const auto& found = answer.diagnosis->afterwards;
-  return (found ? "With what was found below: Δd = " + fixedText(found->value, 6) + " mm ± " +
-                      fixedText(found->expanded, 4) + " mm\n"
-                : std::string("With what was found below, these readings do not determine Δd.\n")) +
-         "\n" + paragraph("Gap: " + sentenceOf(*answer.diagnosis) + " `alidade-cli diagnose` says more.");
+  return "\n" + paragraph("Gap: " + sentenceOf(*answer.diagnosis) + " `alidade-cli diagnose` says more.");
 }
 
 std::string verdictText(const FitAnswer& answer) {
@@ -83,13 +91,26 @@ std::string verdictText(const FitAnswer& answer) {
                           verdictSentence(answer.measurement, answer.fit, answer.found(), *decision));
 }
 
+std::string budgetText(const MeasuredIntersection& measured) {
+  const double sigma = measured.estimate.sigma, negligible = 1e-3;  // of the variance
+  Rows rows{{"Standard uncertainty of Δd as measured", "u (mm)", "share", "type", "1σ", "from"}};
+  for (const UncertaintyShare& share : measured.budget) {
+    const double part = share.sigma * share.sigma / (sigma * sigma);
+    if (!(part > negligible)) continue;
+    rows.push_back({"  " + textOf(share), fixedText(share.sigma, 4), fixedText(100 * part, 1) + " %",
+                    textOf(share.type), sizesText(share), textOf(share.from)});
+  }
+  rows.push_back({"  together", fixedText(sigma, 4)});
+  return "\n" + alignedColumns(rows);
+}
+
 std::string budgetText(const Intersection& intersection) {
   Rows rows;
   for (const BudgetEntry& entry : intersection.budget) {
     rows.push_back({"  " + textOf(entry.source), fixedText(entry.sigma, 4) + " mm"});
   }
   rows.push_back({"  together", fixedText(intersection.sigma, 4) + " mm"});
-  return "\nStandard uncertainty of Δd\n" + alignedColumns(rows);
+  return "\nStandard uncertainty of Δd, of the fit alone\n" + alignedColumns(rows);
 }
 
 std::vector<std::string> spreadRow(const std::string& name, const Spread& spread) {
@@ -216,7 +237,8 @@ std::string fitText(const FitAnswer& answer) {
       "Rigorous fit: orthogonal least squares on the readings of both circles; x right, y up\n\n" +
       arcsText(fit);
   if (fit.intersection) text += intersectionText(measurement, *fit.intersection);
-  text += asFoundText(answer) + verdictText(answer);
+  text += measuredText(answer) + verdictText(answer) + gapText(answer);
+  if (answer.diagnosis && answer.diagnosis->measured) text += budgetText(*answer.diagnosis->measured);
   if (fit.intersection) text += budgetText(*fit.intersection);
   if (answer.check) text += monteCarloText(*answer.check);
   text += effectsText(fit.effects);

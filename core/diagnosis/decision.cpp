@@ -23,6 +23,10 @@ std::optional<double> conformanceOf(const IntersectionEstimate& estimate, double
   return within / all;
 }
 
+std::optional<IntersectionEstimate> estimateOf(const std::optional<MeasuredIntersection>& measured) {
+  return measured ? std::optional(measured->estimate) : std::nullopt;
+}
+
 /// Undecided where the causes leave Δd undetermined.
 Verdict verdictOf(const std::optional<IntersectionEstimate>& found, double tolerance) {
   return found ? decide(found->value, found->expanded, tolerance) : Verdict::Undecided;
@@ -40,10 +44,14 @@ std::optional<AcceptanceDecision> decideAcceptance(const Measurement& measuremen
   if (!fit.verdict) return std::nullopt;
   AcceptanceDecision decision{.asModelled = *fit.verdict};
   const double tolerance = *measurement.tolerance;
-  if (diagnosis) decision.asFound = verdictOf(diagnosis->afterwards, tolerance);
-  decision.showsBoth = diagnosis && (isMoreThanNoise(*diagnosis) || decision.asFound != decision.asModelled);
+  if (diagnosis) decision.asFound = verdictOf(estimateOf(diagnosis->measured), tolerance);
+  decision.showsBoth = diagnosis != nullptr;
   if (fit.lengthsInDoubt) {
     decision.obstacle = AcceptanceDecision::Obstacle::Lengths;
+    return decision;
+  }
+  if (measurement.coverage < leastCoverageOfVerdict) {
+    decision.obstacle = AcceptanceDecision::Obstacle::Coverage;
     return decision;
   }
   if (decision.asFound.value_or(decision.asModelled) != decision.asModelled) {
@@ -60,8 +68,8 @@ std::optional<AcceptanceDecision> decideAcceptance(const Measurement& measuremen
   }
   if (!diagnosis)
     decision.conformance = conformanceOf(estimateOf(*fit.intersection), tolerance);
-  else if (diagnosis->afterwards)
-    decision.conformance = conformanceOf(*diagnosis->afterwards, tolerance);
+  else if (diagnosis->measured)
+    decision.conformance = conformanceOf(diagnosis->measured->estimate, tolerance);
   return decision;
 }
 

@@ -7,6 +7,9 @@
 
 namespace alidade {
 
+/// A guard band of a lower coverage guards against nothing.
+constexpr double leastCoverageOfVerdict = 0.9;
+
 /// The verdict of an acceptance in the light of the diagnosis: accept or reject only where the session's own
 /// model and what was found beside it both say so, and the two positions agree on what they must.
 struct AcceptanceDecision {
@@ -15,17 +18,19 @@ struct AcceptanceDecision {
     None,
     Uncertainty,    ///< U, on both accounts
     Lengths,        ///< in doubt, so the verdict is withheld
+    Coverage,       ///< U is stated at a coverage too low for a verdict
     Contradiction,  ///< the two accounts do not say the same
     Misclosure,     ///< the positions disagree where they must not, and nothing found accounts for it
   };
 
   Verdict verdict = Verdict::Undecided;
   Verdict asModelled = Verdict::Undecided;  ///< by Δd ± U of the session's own model
-  std::optional<Verdict> asFound = {};      ///< by `Diagnosis::afterwards`; absent without a diagnosis
+  std::optional<Verdict> asFound = {};      ///< by `Diagnosis::measured`; absent without a diagnosis
   Obstacle obstacle = Obstacle::Uncertainty;
-  /// A gap that is more than noise, or two accounts that differ: both belong beside the verdict.
+  /// There are two accounts, that of the fit alone and that of the measurement: both belong beside the
+  /// verdict.
   bool showsBoth = false;
-  /// Probability that |Δd| is within the tolerance, 0…1, by what is believed of Δd afterwards, or without a
+  /// Probability that |Δd| is within the tolerance, 0…1, by what is believed of Δd as measured, or without a
   /// diagnosis by the fit (JCGM 106:2012, 7.4). Absent where the verdict is withheld, a closure fails, or U
   /// has no end.
   std::optional<double> conformance = {};

@@ -55,12 +55,13 @@ std::optional<GapShape> shapeOf(const Inquiry& inquiry) {
                   shape.signatureSquare(pattern.weights) / inquiry.leftover.chiSquare()};
 }
 
-/// Of the reference what is left of it is what Δd afterwards leaves.
+/// Of the reference what is left of it is what Δd as measured leaves.
 std::optional<Closure> againstReference(const Measurement& measurement,
-                                        const std::optional<IntersectionEstimate>& afterwards) {
-  if (!afterwards) return std::nullopt;
-  return closureOf(Closure::Of::Reference, afterwards->value - *measurement.referenceIntersection,
-                   std::hypot(afterwards->sigma, *measurement.sigmaReference), afterwards->degreesOfFreedom);
+                                        const std::optional<MeasuredIntersection>& measured) {
+  if (!measured) return std::nullopt;
+  const IntersectionEstimate& estimate = measured->estimate;
+  return closureOf(Closure::Of::Reference, estimate.value - *measurement.referenceIntersection,
+                   std::hypot(estimate.sigma, *measurement.sigmaReference), estimate.degreesOfFreedom);
 }
 
 /// With the repeats.
@@ -72,13 +73,13 @@ std::vector<Closure> closuresOf(const GapModel& model) {
 }
 
 std::vector<ClosureStep> closuresOf(const GapModel& own, const GapModel& opened,
-                                    const std::optional<IntersectionEstimate>& afterwards) {
+                                    const std::optional<MeasuredIntersection>& measured) {
   const std::vector<Closure> then = closuresOf(opened);
   std::vector<ClosureStep> steps;
   for (const Closure& closure : closuresOf(own)) {
     steps.push_back({closure});
     if (closure.of == Closure::Of::Reference) {
-      steps.back().after = againstReference(*own.measurement, afterwards);
+      steps.back().after = againstReference(*own.measurement, measured);
       continue;
     }
     const auto same = std::ranges::find_if(then, [&](const Closure& other) {
@@ -135,13 +136,16 @@ Result<Diagnosis, DiagnosisFault> diagnose(const Measurement& measurement, const
   if (stop.stop_requested()) return stopped;
   const bool heedsReference = options.withReference && measurement.sigmaReference;
   std::optional<IntersectionEstimate> found;
+  std::optional<MeasuredIntersection> measured;
   std::vector<Required> required;
   if (heedsReference) {
     DiagnosisOptions withoutReference = options;
     withoutReference.withReference = false;
     const Inquiry plain = inquire(*model, withoutReference, stop);
     if (stop.stop_requested()) return stopped;
-    found = modelAveragedIntersection(plain, conclude(plain));
+    const Answer plainly = conclude(plain);
+    found = modelAveragedIntersection(plain, plainly);
+    measured = measuredIntersection(plain, plainly);
     required = whatItWouldTake(plain);
   }
   const Inquiry inquiry = inquire(*std::move(model), options, stop);
@@ -151,6 +155,7 @@ Result<Diagnosis, DiagnosisFault> diagnose(const Measurement& measurement, const
 
   if (!heedsReference) {
     found = modelAveragedIntersection(inquiry, answer);
+    measured = measuredIntersection(inquiry, answer);
     required = whatItWouldTake(inquiry);
   }
 
@@ -167,7 +172,8 @@ Result<Diagnosis, DiagnosisFault> diagnose(const Measurement& measurement, const
   diagnosis.steps = stepsOf(inquiry, answer);
   diagnosis.before = estimateOf(own);
   diagnosis.afterwards = found;
-  diagnosis.closures = closuresOf(own, answer.opened, diagnosis.afterwards);
+  diagnosis.measured = std::move(measured);
+  diagnosis.closures = closuresOf(own, answer.opened, diagnosis.measured);
   const std::vector<Detectability> unseen =
       undetectableEffects(inquiry.leftover, inquiry.candidates, influencePerSigma(inquiry.base));
   for (const Detectability& detectability : unseen)

@@ -72,6 +72,7 @@ class Examiner : private ProblemReporter {
     if (!zero) m_usable = false;
     const bool stated = zero && *zero;
     const Angle sigmaZero = stated ? Angle::fromArcseconds(**zero) : Angle();
+    m_measurement.zerosAreReadings = !stated;
     m_measurement.sigmaZeroHorizontal = stated ? sigmaZero : m_measurement.sigmaHorizontal;
     m_measurement.sigmaZeroVertical = stated ? sigmaZero : m_measurement.sigmaVertical;
     m_measurement.sigmaSlider = sigma("instrument.sigma_slider_arcsec", instrument.sigmaSliderArcsec);

@@ -58,7 +58,9 @@ struct Measurement {
   RadiusModel radiusModel = RadiusModel::Free;
   Angle sigmaHorizontal, sigmaVertical;          ///< of a circle reading, > 0
   Angle sigmaZeroHorizontal, sigmaZeroVertical;  ///< of the pointing zero, ≥ 0
-  Angle sigmaSlider;                             ///< > 0
+  /// No σ of the zeros is stated: they are single readings of the circles, and scatter as these do.
+  bool zerosAreReadings = false;
+  Angle sigmaSlider;  ///< > 0
   VerticalCircle verticalCircle = VerticalCircle::Zenith;
   VerticalAngleRelation relation = VerticalAngleRelation::Exact;
   std::optional<double> tolerance;              ///< mm, > 0

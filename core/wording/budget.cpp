@@ -1,6 +1,23 @@
 #include "core/wording/budget.h"
 
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "core/base/quantity_text.h"
+
 namespace alidade {
+
+namespace {
+
+double roundedTo(double value, int digits) {
+  if (!(value > 0) || !std::isfinite(value)) return value;
+  const double step = std::pow(10, std::floor(std::log10(value)) + 1 - digits);
+  // Divided by a whole number where that is one, so that no digits of a power of ten show.
+  return step < 1 ? std::round(value / step) / std::round(1 / step) : std::round(value / step) * step;
+}
+
+}  // namespace
 
 std::string textOf(UncertaintySource source) {
   switch (source) {
@@ -8,6 +25,8 @@ std::string textOf(UncertaintySource source) {
       return "readings";
     case UncertaintySource::ModelEffects:
       return "model effects";
+    case UncertaintySource::PlausibleSizes:
+      return "plausible sizes";
     case UncertaintySource::KnownRadius:
       return "known radius";
     case UncertaintySource::PointingZeros:
@@ -16,6 +35,43 @@ std::string textOf(UncertaintySource source) {
       return "distance";
   }
   return "";
+}
+
+std::string textOf(const UncertaintyShare& share) {
+  if (share.source != UncertaintySource::PlausibleSizes) return textOf(share.source);
+  return share.effect.empty() ? "what else may explain the readings" : share.effect;
+}
+
+std::string textOf(UncertaintyShare::From from) {
+  switch (from) {
+    case UncertaintyShare::From::Scatter:
+      return "scatter of the readings";
+    case UncertaintyShare::From::Stated:
+      return "as stated";
+    case UncertaintyShare::From::Default:
+      return "default of the catalogue";
+    case UncertaintyShare::From::Diagnosis:
+      return "diagnosis";
+  }
+  return "";
+}
+
+std::string textOf(UncertaintyShare::Type type) {
+  return type == UncertaintyShare::Type::A ? "A" : "B";
+}
+
+std::string sizesText(const UncertaintyShare& share) {
+  if (share.sizes.empty()) return "";
+  std::vector<std::string> sizes;
+  for (const PlausibleSize& size : share.sizes) {
+    constexpr int digits = 3;
+    std::string text = displayShortest(roundedTo(size.sigma, digits));
+    if (sizes.empty() || sizes.back() != text) sizes.push_back(std::move(text));
+  }
+  const std::string& unit = share.sizes.front().unit;
+  std::string list;
+  for (const std::string& size : sizes) list += (list.empty() ? "" : ", ") + size;
+  return unit.size() > 1 ? list + " " + unit : list;
 }
 
 }  // namespace alidade

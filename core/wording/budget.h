@@ -3,10 +3,20 @@
 #include <string>
 
 #include "core/adjustment/result/intersection.h"
+#include "core/diagnosis/result/diagnosis.h"
 
 namespace alidade {
 
 /// "readings", "model effects", "known radius", "pointing zeros", "distance".
 std::string textOf(UncertaintySource source);
+
+/// Its source: "readings", "plane_warp", "what else may explain the readings".
+std::string textOf(const UncertaintyShare& share);
+/// Where its size comes from: "scatter of the readings", "as stated", "default of the catalogue".
+std::string textOf(UncertaintyShare::From from);
+/// "A" or "B".
+std::string textOf(UncertaintyShare::Type type);
+/// 1σ of an effect's numbers with their unit, "30 arcsec", "10, 10 arcsec"; empty of another source.
+std::string sizesText(const UncertaintyShare& share);
 
 }  // namespace alidade

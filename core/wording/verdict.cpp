@@ -1,6 +1,7 @@
 #include "core/wording/verdict.h"
 
 #include "core/base/quantity_text.h"
+#include "core/wording/budget.h"
 #include "core/wording/closures.h"
 #include "core/wording/position_name.h"
 #include "core/wording/setup_findings.h"
@@ -52,22 +53,30 @@ std::string agreement(Verdict verdict, const std::string& limit) {
   return "; both lie " + standing(verdict, limit) + ", their uncertainty included.";
 }
 
+/// What brings the most to U, and what to do about it.
+std::string wayOut(const Diagnosis& diagnosis) {
+  const UncertaintyShare& most = diagnosis.measured->budget.front();
+  if (isMoreThanNoise(diagnosis) || most.effect.empty())
+    return "Add to the model what was found, or measure what the diagnosis advises.";
+  return "The most of U comes from " + textOf(most) + ", as large as is plausible: measure what shows it.";
+}
+
 std::string bothAccounts(const Measurement& measurement, const Intersection& modelled,
                          const Diagnosis& diagnosis, const AcceptanceDecision& decision) {
   const std::string limit = limitText(*measurement.tolerance);
   const std::string first =
-      "As modelled, the intersection is " + lengthText(modelled.value, modelled.expanded);
-  if (!diagnosis.afterwards)
+      "By the fit alone, the intersection is " + lengthText(modelled.value, modelled.expanded);
+  if (!diagnosis.measured)
     return first + ", " + standing(decision.asModelled, limit) +
            "; but with what the diagnosis found, these readings do not determine it.";
-  const std::string second = "with what the diagnosis found, it is " +
-                             lengthText(diagnosis.afterwards->value, diagnosis.afterwards->expanded);
+  const IntersectionEstimate& measured = diagnosis.measured->estimate;
+  const std::string second =
+      "with all that these readings leave possible, it is " + lengthText(measured.value, measured.expanded);
   const std::string coverage = coverageText(measurement.coverage);
   if (decision.asModelled == decision.asFound)
     return first + "; " + second + coverage + agreement(decision.asModelled, limit);
   return first + ", " + standing(decision.asModelled, limit) + "; " + second + coverage + ", " +
-         standing(*decision.asFound, "it") +
-         ". Add to the model what was found, or measure what the diagnosis advises.";
+         standing(*decision.asFound, "it") + ". " + wayOut(diagnosis);
 }
 
 }  // namespace
@@ -82,6 +91,9 @@ std::string probabilityText(double probability) {
 std::string verdictSentence(const Measurement& measurement, const SessionFit& fit, const Diagnosis* diagnosis,
                             const AcceptanceDecision& decision) {
   if (fit.lengthsInDoubt) return "The verdict is withheld: " + textOf(*fit.lengthsInDoubt);
+  if (decision.obstacle == AcceptanceDecision::Obstacle::Coverage)
+    return "There is no verdict at a coverage of " + displayShortest(measurement.coverage * 100) +
+           " %: state acceptance.coverage as " + displayShortest(leastCoverageOfVerdict) + " or more.";
   const std::string rests = decision.showsBoth
                                 ? bothAccounts(measurement, *fit.intersection, *diagnosis, decision)
                                 : verdictSentence(fit.intersection->value, fit.intersection->expanded,
@@ -89,7 +101,7 @@ std::string verdictSentence(const Measurement& measurement, const SessionFit& fi
   if (decision.obstacle == AcceptanceDecision::Obstacle::Misclosure)
     return misclosureSentence(*diagnosis) + ' ' + rests;
   if (!decision.conformance) return rests;
-  return rests + (decision.showsBoth ? " By what was found, it conforms" : " It conforms") +
+  return rests + (decision.showsBoth ? " By all that is possible, it conforms" : " It conforms") +
          " with a probability of " + probabilityText(*decision.conformance) + ".";
 }
 

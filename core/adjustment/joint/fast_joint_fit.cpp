@@ -224,6 +224,7 @@ void addUnknowns(JointFit& fit, const std::vector<ArcApart>& arcs) {
 }
 
 void addConsidered(JointFit& fit, const Measurement& measurement) {
+  fit.zerosAreReadings = measurement.zerosAreReadings;
   for (std::size_t arc = 0; arc < measurement.arcs.size(); ++arc) {
     fit.considered.push_back({.kind = Kind::HorizontalZero, .arc = arc});
     fit.considered.push_back({.kind = Kind::VerticalZero, .arc = arc});

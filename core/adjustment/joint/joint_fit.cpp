@@ -196,6 +196,7 @@ JointFit fitJointlyInGeneral(const Measurement& measurement, const std::vector<C
   for (std::size_t i = 0; i < fit.unknowns.size(); ++i) fit.priorSigmas.push_back(problem.prior(i).sigma);
   fit.cofactor = plain(cofactor);
   fit.cofactorWithoutTerms = plain(withoutTerms(minimum.system.matrix, problem));
+  fit.zerosAreReadings = measurement.zerosAreReadings;
   fit.considered = problem.considered();
   for (std::size_t i = 0; i < fit.considered.size(); ++i)
     fit.consideredSigmas.push_back(problem.consideredSigma(i));

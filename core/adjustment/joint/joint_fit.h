@@ -121,6 +121,7 @@ struct JointFit {
   /// The same with the error terms taken as known; equal where there are none.
   SquareMatrix cofactorWithoutTerms;
 
+  bool zerosAreReadings = false;         ///< of the measurement
   std::vector<Unknown> considered;       ///< zeros and distance
   std::vector<double> consideredSigmas;  ///< rad, mm; may be 0
   /// ∂unknown/∂considered, unknowns × considered, row by row.

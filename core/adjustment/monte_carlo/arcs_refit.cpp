@@ -51,8 +51,8 @@ class ArcsRefit : public Refit {
     std::size_t next = 0;
     for (const Draw& draw : draws) {
       const double* zeros = &draw.normals[m_task.plan.zeros(arc)];
-      const double zeroA = read.sigmaZeroHorizontal.radians() * zeros[0],
-                   zeroE = read.sigmaZeroVertical.radians() * zeros[1];
+      const double zeroA = read.sigmaZeroHorizontal.radians() * draw.zeroScale * zeros[0],
+                   zeroE = read.sigmaZeroVertical.radians() * draw.zeroScale * zeros[1];
       for (const Visit& visit : visits) {
         double noiseA = 0, noiseE = 0;
         for (const std::size_t sighting : visit.sightings) {

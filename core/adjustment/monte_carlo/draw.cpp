@@ -24,7 +24,10 @@ double drawChiSquare(RandomSource& random, double freedom) {
 }  // namespace
 
 DrawPlan::DrawPlan(const Measurement& fitted, const NoiseScale& noise)
-    : m_noise(noise), m_terms(estimatedTerms(fitted).size()), m_count(firstTerm + m_terms) {
+    : m_noise(noise),
+      m_zerosScatter(fitted.zerosAreReadings && noise.factor > 1),
+      m_terms(estimatedTerms(fitted).size()),
+      m_count(firstTerm + m_terms) {
   for (const ArcMeasurement& arc : fitted.arcs) {
     m_zeros.push_back(m_count);
     m_count += 2;
@@ -46,6 +49,7 @@ double DrawPlan::drawScale(RandomSource& random) const {
 void DrawPlan::drawInto(Draw& draw, std::uint64_t seed, std::uint64_t number) const {
   RandomSource random(seed, number);
   draw.scale = drawScale(random);
+  draw.zeroScale = m_zerosScatter ? draw.scale : 1;
   draw.normals.resize(m_count);
   for (double& normal : draw.normals) normal = zigguratNormal(random);
 }

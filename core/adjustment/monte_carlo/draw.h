@@ -14,7 +14,8 @@ namespace alidade {
 /// One draw of all that is uncertain about a session, in units of its σ. The numbers stand in the order of
 /// `DrawPlan`.
 struct Draw {
-  double scale = 1;  ///< of the noise of readings and of the priors of effects: s0, and Student's share in it
+  double scale = 1;      ///< of the noise of readings: s0, and Student's share in it
+  double zeroScale = 1;  ///< of the noise of the pointing zeros
   std::vector<double> normals;
 };
 
@@ -39,6 +40,7 @@ class DrawPlan {
   double drawScale(RandomSource& random) const;
 
   NoiseScale m_noise;
+  bool m_zerosScatter = false;
   std::size_t m_terms = 0, m_count = 0;
   std::vector<std::size_t> m_zeros;
   std::vector<std::vector<std::size_t>> m_readings;

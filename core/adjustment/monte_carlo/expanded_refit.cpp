@@ -295,6 +295,9 @@ class ExpandedRefit : public Refit {
       const Draw& draw = draws[l < draws.size() ? l : 0];
       m_scale.at[l] = draw.scale;
       for (std::size_t i = 0; i < m_normals.size(); ++i) m_normals[i].at[l] = draw.normals[i];
+      for (std::size_t arc = 0; arc < m_task.fitted.arcs.size(); ++arc)
+        for (const std::size_t zero : {m_task.plan.zeros(arc), m_task.plan.zeros(arc) + 1})
+          m_normals[zero].at[l] *= draw.zeroScale;
       m_distance.at[l] = m_task.fitted.sigmaDistance * draw.normals[DrawPlan::distance];
     }
     std::ranges::fill(m_unknowns, Pack{});
@@ -312,7 +315,7 @@ class ExpandedRefit : public Refit {
       for (std::size_t l = 0; l < side; ++l) {
         double drawn = 0;
         if (isTerm)
-          drawn = term->priorSigma * m_scale.at[l] *
+          drawn = term->priorSigma *
                   m_normals[DrawPlan::firstTerm + static_cast<std::size_t>(term - m_terms.begin())].at[l];
         else if (unknown.kind == Unknown::Kind::Radius && m_model->priorWeight(i) > 0)
           drawn = m_task.fitted.sigmaRadius * m_normals[DrawPlan::radius].at[l];

@@ -40,15 +40,15 @@ class GeneralRefit : public Refit {
     if (read.radiusModel == RadiusModel::Known)
       m_drawn.nominalRadius = read.nominalRadius + read.sigmaRadius * draw.normals[DrawPlan::radius];
     for (std::size_t t = 0; t < m_options.terms.size(); ++t)
-      m_options.terms[t].priorValue =
-          m_options.terms[t].priorSigma * draw.scale * draw.normals[DrawPlan::firstTerm + t];
+      m_options.terms[t].priorValue = m_options.terms[t].priorSigma * draw.normals[DrawPlan::firstTerm + t];
     for (std::size_t arc = 0; arc < read.arcs.size(); ++arc) takeArc(draw, arc);
   }
 
   void takeArc(const Draw& draw, std::size_t arc) {
     const Measurement& read = m_task.fitted;
     const double* zeros = &draw.normals[m_task.plan.zeros(arc)];
-    const Angle zeroA = read.sigmaZeroHorizontal * zeros[0], zeroE = read.sigmaZeroVertical * zeros[1];
+    const Angle zeroA = read.sigmaZeroHorizontal * (draw.zeroScale * zeros[0]),
+                zeroE = read.sigmaZeroVertical * (draw.zeroScale * zeros[1]);
     for (std::size_t i = 0; i < read.arcs[arc].sightings.size(); ++i) {
       const Sighting& sighting = read.arcs[arc].sightings[i];
       const double* noise = &draw.normals[m_task.plan.readings(arc, i)];

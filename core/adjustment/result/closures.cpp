@@ -13,15 +13,6 @@ namespace alidade {
 
 namespace {
 
-/// The root of the variance that is known by the scatter only.
-double scaledPart(const std::vector<BudgetEntry>& budget) {
-  double variance = 0;
-  for (const BudgetEntry& entry : budget)
-    if (entry.source == UncertaintySource::Readings || entry.source == UncertaintySource::ModelEffects)
-      variance += square(entry.sigma);
-  return std::sqrt(variance);
-}
-
 Misclosure combinationOf(const JointFit& fit, const std::vector<double>& weights, double scale) {
   const double value = std::inner_product(weights.begin(), weights.end(), fit.values.begin(), 0.0);
   const std::vector<BudgetEntry> budget = budgetOf(fit, weights, scale);

@@ -30,8 +30,8 @@ bool isTerm(const Unknown& unknown) {
   return unknown.kind == Unknown::Kind::Error;
 }
 
-/// The root of the variance that one kind of considered quantity brings.
-double consideredShare(const JointFit& fit, const std::vector<double>& weights, bool distance) {
+/// The variance that one kind of considered quantity brings.
+double consideredVariance(const JointFit& fit, const std::vector<double>& weights, bool distance) {
   double variance = 0;
   for (std::size_t c = 0; c < fit.considered.size(); ++c) {
     if ((fit.considered[c].kind == Unknown::Kind::Distance) != distance) continue;
@@ -40,7 +40,7 @@ double consideredShare(const JointFit& fit, const std::vector<double>& weights, 
       rate += weights[i] * fit.perConsidered[i * fit.considered.size() + c];
     variance += square(rate * fit.consideredSigmas[c]);
   }
-  return std::sqrt(variance);
+  return variance;
 }
 
 /// The variance that unknowns of a kind bring which are known beforehand, such as a known radius: the gain of
@@ -66,10 +66,14 @@ bool isZero(const Unknown& unknown) {
   return unknown.kind == Unknown::Kind::HorizontalZero || unknown.kind == Unknown::Kind::VerticalZero;
 }
 
-/// The variance from readings, and priors of error terms, at their stated σ.
-double scalableVariance(const JointFit& fit, const SquareMatrix& cofactor,
-                        const std::vector<double>& weights) {
-  const double known = varianceOfKnown(fit, cofactor, weights, std::not_fn(isTerm));
+bool isAny(const Unknown&) {
+  return true;
+}
+
+/// The variance from readings at their stated σ.
+double varianceOfReadings(const JointFit& fit, const SquareMatrix& cofactor,
+                          const std::vector<double>& weights) {
+  const double known = varianceOfKnown(fit, cofactor, weights, isAny);
   // In this order of its arguments max() lets NaN pass: what is unknown is not nothing.
   return std::max(quadraticForm(cofactor, weights) - known, 0.0);
 }
@@ -100,27 +104,42 @@ NoiseScale noiseScale(const JointFit& fit) {
 }
 
 std::vector<BudgetEntry> budgetOf(const JointFit& fit, const std::vector<double>& weights, double scale) {
-  const double together = scalableVariance(fit, fit.cofactor, weights);
+  const double together = varianceOfReadings(fit, fit.cofactor, weights);
   const bool hasTerms = std::ranges::any_of(fit.unknowns, isTerm);
   const double withTermsKnown =
-      hasTerms ? std::min(together, scalableVariance(fit, fit.cofactorWithoutTerms, weights)) : together;
-  std::vector<BudgetEntry> budget{{UncertaintySource::Readings, scale * std::sqrt(withTermsKnown)}};
-  if (hasTerms)
-    budget.push_back({UncertaintySource::ModelEffects, scale * standardDeviation(together - withTermsKnown)});
+      hasTerms ? std::min(together, varianceOfReadings(fit, fit.cofactorWithoutTerms, weights)) : together;
+  const auto estimated = [&](UncertaintySource source, double variance) {
+    const double sigma = scale * standardDeviation(variance);
+    return BudgetEntry{source, sigma, sigma};
+  };
+  std::vector<BudgetEntry> budget{estimated(UncertaintySource::Readings, withTermsKnown)};
+  if (hasTerms) {
+    budget.push_back(estimated(UncertaintySource::ModelEffects, together - withTermsKnown));
+    budget.push_back(
+        {UncertaintySource::PlausibleSizes, std::sqrt(varianceOfKnown(fit, fit.cofactor, weights, isTerm))});
+  }
   const std::size_t radius = fit.indexOf({.kind = Unknown::Kind::Radius});
   if (radius < fit.unknowns.size() && !std::isinf(fit.priorSigmas[radius]))
     budget.push_back(
         {UncertaintySource::KnownRadius, std::sqrt(varianceOfKnown(fit, fit.cofactor, weights, isRadius))});
-  budget.push_back({UncertaintySource::PointingZeros,
-                    std::hypot(consideredShare(fit, weights, false),
-                               std::sqrt(varianceOfKnown(fit, fit.cofactor, weights, isZero)))});
-  budget.push_back({UncertaintySource::Distance, consideredShare(fit, weights, true)});
+  const double ofZeros = std::sqrt(consideredVariance(fit, weights, false) +
+                                   varianceOfKnown(fit, fit.cofactor, weights, isZero));
+  const bool zerosScatter = fit.zerosAreReadings && scale > 1;
+  budget.push_back({UncertaintySource::PointingZeros, zerosScatter ? scale * ofZeros : ofZeros,
+                    zerosScatter ? scale * ofZeros : 0});
+  budget.push_back({UncertaintySource::Distance, std::sqrt(consideredVariance(fit, weights, true))});
   return budget;
 }
 
 double combined(const std::vector<BudgetEntry>& budget) {
   double variance = 0;
   for (const BudgetEntry& entry : budget) variance += square(entry.sigma);
+  return std::sqrt(variance);
+}
+
+double scaledPart(const std::vector<BudgetEntry>& budget) {
+  double variance = 0;
+  for (const BudgetEntry& entry : budget) variance += square(entry.scaled);
   return std::sqrt(variance);
 }
 
@@ -177,8 +196,8 @@ std::optional<Intersection> intersect(const Measurement& measurement, const Join
   result.inPlane = std::hypot(difference(Unknown::Kind::CentreX), difference(Unknown::Kind::CentreY)) / 2;
   result.budget = budgetOf(fit, weights, noise.factor);
   result.sigma = combined(result.budget);
-  const double scaled = noise.factor * std::sqrt(scalableVariance(fit, fit.cofactor, weights));
-  const DegreesOfFreedom effective = effectiveDegreesOfFreedom(result.sigma, scaled, noise.degreesOfFreedom);
+  const DegreesOfFreedom effective =
+      effectiveDegreesOfFreedom(result.sigma, scaledPart(result.budget), noise.degreesOfFreedom);
   result.effectiveDegreesOfFreedom = effective.count();
   result.coverage = measurement.coverage;
   result.coverageFactor = coverageFactor(result.coverage, effective);

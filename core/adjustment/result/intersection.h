@@ -23,22 +23,27 @@ struct NoiseScale {
 NoiseScale noiseScale(const JointFit& fit);
 NoiseScale noiseScale(double chiSquare, int degreesOfFreedom);
 
-enum class UncertaintySource { Readings, ModelEffects, KnownRadius, PointingZeros, Distance };
+enum class UncertaintySource { Readings, ModelEffects, PlausibleSizes, KnownRadius, PointingZeros, Distance };
 
 /// A share of the standard uncertainty of a result.
 struct BudgetEntry {
   UncertaintySource source = UncertaintySource::Readings;
-  double sigma = 0;  ///< mm
+  double sigma = 0;   ///< mm
+  double scaled = 0;  ///< the part of it that is known by the scatter of the readings alone, mm
 };
 
 /// The budget of a linear combination of the unknowns (`weights`, one for each): the readings, and what
-/// estimating error terms along costs on top (listed only if there are any), scaled by `scale`; the radius
-/// where it is known, the pointing zeros, one for each position and independent, and the distance, common to
-/// both, as stated.
+/// estimating error terms along costs on top, scaled by `scale`; what the readings do not tell of the terms,
+/// by their plausible sizes (both listed only if there are any); the radius where it is known, the pointing
+/// zeros, one for each position and independent, and the distance, common to both, as stated. Zeros of which
+/// no σ is stated (`Measurement::zerosAreReadings`) scatter as the circles do, and never less than stated for
+/// these.
 std::vector<BudgetEntry> budgetOf(const JointFit& fit, const std::vector<double>& weights, double scale);
 
 /// The root of the sum of squares.
 double combined(const std::vector<BudgetEntry>& budget);
+/// The same of what is known by the scatter alone.
+double scaledPart(const std::vector<BudgetEntry>& budget);
 
 /// Standard uncertainties of one arc's quantities, mm, and how the centre hangs on the radius.
 struct ArcSigma {

@@ -71,9 +71,11 @@ std::vector<EffectEstimate> estimatesOf(const JointFit& joint, const std::vector
   for (const Effect* effect : effects) {
     for (const EffectParameter& parameter : effect->parameters) {
       const std::size_t i = joint.indexOf({.kind = Unknown::Kind::Error, .arc = 0, .term = parameter.term});
+      std::vector<double> weights(joint.unknowns.size());
+      weights[i] = 1;
       const double factor = modelUnitsPer(parameter.unit);
       estimates.push_back({std::string(effect->id), std::string(parameter.name), std::string(parameter.unit),
-                           joint.values[i] / factor, scale * std::sqrt(joint.cofactor(i, i)) / factor});
+                           joint.values[i] / factor, combined(budgetOf(joint, weights, scale)) / factor});
     }
   }
   return estimates;

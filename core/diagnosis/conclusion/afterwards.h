@@ -13,4 +13,8 @@ namespace alidade {
 /// causes, and what the pattern moves Δd by is part of σ.
 std::optional<IntersectionEstimate> modelAveragedIntersection(const Inquiry& inquiry, const Answer& answer);
 
+/// Δd as it was measured: the same, with every effect of the catalogue there besides, as large as it may be
+/// (`everyEffect`), in one rigid guideway. Whether these effects are there is not asked.
+std::optional<MeasuredIntersection> measuredIntersection(const Inquiry& inquiry, const Answer& answer);
+
 }  // namespace alidade

@@ -5,13 +5,48 @@
 #include <cmath>
 
 #include "core/adjustment/result/intersection.h"
+#include "core/diagnosis/gap/every_effect.h"
+#include "core/diagnosis/observability/visible_terms.h"
+#include "core/effects/catalogue.h"
 
 namespace alidade {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
-LinearMoves::LinearMoves(const Inquiry& inquiry)
-    : m_inquiry(inquiry), m_perReading(influencePerSigma(inquiry.base)) {}
+LinearMoves::LinearMoves(const Inquiry& inquiry, Besides besides)
+    : m_inquiry(inquiry), m_perReading(influencePerSigma(inquiry.base)) {
+  if (besides == Besides::EveryEffect) addEffects();
+}
+
+void LinearMoves::addEffects() {
+  const Leftover& leftover = m_inquiry.leftover;
+  std::vector<ErrorTerm> terms;
+  for (const EstimatedTerm& term : everyEffect(*m_inquiry.base.measurement)) {
+    const auto& own = m_inquiry.base.options.terms;
+    if (std::ranges::find(own, term.term, &EstimatedTerm::term) != own.end()) continue;
+    m_effects.terms.push_back(term);
+    terms.push_back(term.term);
+  }
+  const auto count = static_cast<Index>(terms.size());
+  const VisibleTerms visible = visibleTerms(leftover.equations(), terms);
+  const auto& effects = m_effects.terms;
+  const auto at = [&](Index i) { return effects[static_cast<std::size_t>(i)]; };
+  const auto place = [&](Index i) { return static_cast<Index>(at(i).term); };
+  m_effects.gram = MatrixXd::NullaryExpr(count, count, [&](Index i, Index j) {
+    return visible.gram(place(i), place(j)) * at(i).priorSigma * at(j).priorSigma;
+  });
+  m_effects.mean = VectorXd::NullaryExpr(count, [&](Index i) { return at(i).priorValue / at(i).priorSigma; });
+  m_effects.right = productsOfEffects(leftover.residual());
+  m_effects.influence = productsOfEffects(m_perReading);
+}
+
+VectorXd LinearMoves::productsOfEffects(const VectorXd& overReadings) const {
+  const VectorXd products = m_inquiry.leftover.productsOfTerms(overReadings);
+  return VectorXd::NullaryExpr(static_cast<Index>(m_effects.terms.size()), [&](Index i) {
+    const EstimatedTerm& term = m_effects.terms[static_cast<std::size_t>(i)];
+    return products[static_cast<Index>(term.term)] * term.priorSigma;
+  });
+}
 
 const LinearMoves::Columns& LinearMoves::columnsOf(const Part& part) {
   const auto [entry, isNew] = m_columns.try_emplace(part.component);
@@ -21,55 +56,128 @@ const LinearMoves::Columns& LinearMoves::columnsOf(const Part& part) {
   const MatrixXd whole = m_inquiry.of(part).wholeColumns(leftover);
   columns.influence = whole.transpose() * m_perReading;
   columns.visible = leftover.visible(whole);
+  columns.withEffects.resize(static_cast<Index>(m_effects.terms.size()), whole.cols());
+  if (!m_effects.terms.empty())
+    for (Index i = 0; i < whole.cols(); ++i)
+      columns.withEffects.col(i) = productsOfEffects(columns.visible.col(i));
   return columns;
 }
 
-std::optional<Move> LinearMoves::of(const Explanation& explanation) {
+bool LinearMoves::isBesides(const Component& component) const {
+  const Effect* effect = effectById(component.id());
+  if (!effect) return false;
+  return std::ranges::find(m_effects.terms, effect->parameters.front().term, &EstimatedTerm::term) !=
+         m_effects.terms.end();
+}
+
+std::optional<LinearMoves::System> LinearMoves::systemOf(const Explanation& explanation) {
   const Leftover& leftover = m_inquiry.leftover;
-  MatrixXd visible(leftover.rows(), 0);
-  VectorXd influence, narrow;  // 1/width²
-  double ofPattern = 0;
-  int degreesOfFreedom = leftover.degreesOfFreedom();
+  // What is there besides stands first.
+  const auto besides = static_cast<Index>(m_effects.terms.size());
+  MatrixXd visible(leftover.rows(), 0), withEffects(besides, 0);
+  System system{.influence = m_effects.influence, .narrow = VectorXd::Ones(besides)};
   for (const Part& part : explanation.parts) {
     const Component& component = m_inquiry.of(part);
-    if (component.isShape()) {
-      ofPattern = m_perReading.dot(component.times(leftover, part.weights));
-      continue;
-    }
+    if (component.isShape()) continue;
     // Such as the other relation of the vertical circle, which is far from its equations at the fit.
     if (component.response() != Response::Linear) return std::nullopt;
     const bool isLeftOut = component.grossErrorAt().has_value();
-    const double width = component.widthOfFit(part.width, part.weights);
+    double width = component.widthOfFit(part.width, part.weights);
+    if (isBesides(component)) {
+      if (width <= 1) continue;
+      width = std::sqrt(width * width - 1);  // of what it may be beyond
+    }
     const Columns& columns = columnsOf(part);
-    const Index before = visible.cols(), more = columns.visible.cols();
+    const Index before = visible.cols(), more = columns.visible.cols(), all = besides + before + more;
     visible.conservativeResize(Eigen::NoChange, before + more);
     visible.rightCols(more) = columns.visible;
-    influence.conservativeResize(before + more);
-    narrow.conservativeResize(before + more);
-    influence.tail(more) = columns.influence;
-    narrow.tail(more).setConstant(isLeftOut ? 0 : 1 / (width * width));
-    degreesOfFreedom -= isLeftOut ? 1 : 0;
+    withEffects.conservativeResize(Eigen::NoChange, before + more);
+    withEffects.rightCols(more) = columns.withEffects;
+    system.influence.conservativeResize(all);
+    system.narrow.conservativeResize(all);
+    system.influence.tail(more) = columns.influence;
+    system.narrow.tail(more).setConstant(isLeftOut ? 0 : 1 / (width * width));
+    system.leftOut += isLeftOut ? 1 : 0;
   }
+  const Index own = visible.cols(), all = besides + own;
+  system.ofNoise = explanation.noisy ? explanation.noise * explanation.noise : 1;
+  system.gram.resize(all, all);
+  system.right.resize(all);
+  if (besides > 0) {
+    system.gram.topLeftCorner(besides, besides) = m_effects.gram;
+    system.gram.topRightCorner(besides, own) = withEffects;
+    system.gram.bottomLeftCorner(own, besides) = withEffects.transpose();
+    system.right.head(besides) = m_effects.right + system.ofNoise * m_effects.mean;
+  }
+  system.gram.bottomRightCorner(own, own) = visible.transpose() * visible;
+  system.right.tail(own) = visible.transpose() * leftover.residual();
+  system.chiSquare = leftover.chiSquare() + system.ofNoise * m_effects.mean.squaredNorm();
+  return system;
+}
 
-  double chiSquare = leftover.chiSquare();
-  // In variances of a reading: however large that is, what no reading shows of a cause stays as uncertain.
-  const double ofNoise = explanation.noisy ? explanation.noise * explanation.noise : 1;
-  Move move{0, m_perReading.squaredNorm()};
-  if (visible.cols() > 0) {
-    const VectorXd right = visible.transpose() * leftover.residual();
-    MatrixXd matrix = visible.transpose() * visible;
-    matrix.diagonal() += ofNoise * narrow;
-    const Eigen::LDLT<MatrixXd> factor(matrix);
-    const VectorXd weights = factor.solve(right);
-    move.shift = -influence.dot(weights);
-    move.variance += influence.dot(factor.solve(influence));
-    chiSquare -= right.dot(weights);
+std::optional<Move> LinearMoves::of(const Explanation& explanation) {
+  const std::optional<System> found = systemOf(explanation);
+  if (!found) return std::nullopt;
+  const System& system = *found;
+  double chiSquare = system.chiSquare, ofReadings = m_perReading.squaredNorm(), ofWidths = 0, ofPattern = 0;
+  Move move;
+  if (system.right.size() > 0) {
+    const Eigen::LDLT<MatrixXd> factor(system.matrix());
+    const VectorXd weights = factor.solve(system.right), perWeight = factor.solve(system.influence);
+    move.shift = -system.influence.dot(weights);
+    ofReadings += perWeight.dot(system.gram * perWeight);
+    ofWidths = system.ofNoise * system.ofNoise * system.narrow.dot(perWeight.cwiseAbs2());
+    chiSquare -= system.right.dot(weights);
   }
+  for (const Part& part : explanation.parts)
+    if (m_inquiry.of(part).isShape())
+      ofPattern = m_perReading.dot(m_inquiry.of(part).times(m_inquiry.leftover, part.weights));
   if (explanation.shaped) chiSquare = explanation.chiSquare;
-  move.variance *= ofNoise * std::pow(noiseScale(chiSquare / ofNoise, degreesOfFreedom).factor, 2);
-  move.variance += ofPattern * ofPattern;
+  const int degreesOfFreedom = m_inquiry.leftover.degreesOfFreedom() - system.leftOut;
+  ofReadings *= system.ofNoise * std::pow(noiseScale(chiSquare / system.ofNoise, degreesOfFreedom).factor, 2);
+  move.variance = ofReadings + ofWidths + ofPattern * ofPattern;
   if (!std::isfinite(move.shift) || !std::isfinite(move.variance)) return std::nullopt;
   return move;
+}
+
+std::optional<double> LinearMoves::logEvidenceOfEffects(const Explanation& explanation) {
+  std::optional<System> system = systemOf(explanation);
+  if (!system) return std::nullopt;
+  for (const Part& part : explanation.parts)
+    if (m_inquiry.of(part).isShape()) addPattern(*system, part);
+  const auto besides = static_cast<Index>(m_effects.terms.size()), own = system->right.size() - besides;
+  const MatrixXd matrix = system->matrix();
+  // ln of ∫ exp(−χ²/2) over the weights, but for what both have in common.
+  const auto logEvidence = [&](const MatrixXd& part, const VectorXd& right) {
+    if (right.size() == 0) return 0.0;
+    const Eigen::LDLT<MatrixXd> factor(part);
+    return right.dot(factor.solve(right)) / system->ofNoise / 2 -
+           factor.vectorD().array().max(1e-300).log().sum() / 2;
+  };
+  const double together = logEvidence(matrix, system->right),
+               alone = logEvidence(matrix.bottomRightCorner(own, own), system->right.tail(own)),
+               ofPriors = static_cast<double>(besides) * std::log(system->ofNoise) / 2 -
+                          m_effects.mean.squaredNorm() / 2;
+  const double gain = together - alone + ofPriors;
+  return std::isfinite(gain) ? std::optional(gain) : std::nullopt;
+}
+
+/// As it was found, of any size.
+void LinearMoves::addPattern(System& system, const Part& part) {
+  const Leftover& leftover = m_inquiry.leftover;
+  const VectorXd signature = leftover.visible(VectorXd(m_inquiry.of(part).times(leftover, part.weights)));
+  const Index before = system.right.size(), besides = static_cast<Index>(m_effects.terms.size());
+  VectorXd with = VectorXd::Zero(before);
+  with.head(besides) = productsOfEffects(signature);
+  system.gram.conservativeResize(before + 1, before + 1);
+  system.gram.col(before).head(before) = with;
+  system.gram.row(before).head(before) = with.transpose();
+  system.gram(before, before) = signature.squaredNorm();
+  for (VectorXd* vector : {&system.right, &system.narrow, &system.influence}) {
+    vector->conservativeResize(before + 1);
+    (*vector)[before] = 0;
+  }
+  system.right[before] = signature.dot(leftover.residual());
 }
 
 }  // namespace alidade

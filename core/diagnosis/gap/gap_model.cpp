@@ -57,6 +57,9 @@ void GapModel::refit() {
 Measurement withNoise(Measurement measurement, double factor) {
   for (Angle* sigma : {&measurement.sigmaHorizontal, &measurement.sigmaVertical, &measurement.sigmaSlider})
     *sigma = *sigma * factor;
+  if (measurement.zerosAreReadings)
+    for (Angle* sigma : {&measurement.sigmaZeroHorizontal, &measurement.sigmaZeroVertical})
+      *sigma = *sigma * factor;
   return measurement;
 }
 

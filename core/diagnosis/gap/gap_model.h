@@ -25,7 +25,8 @@ struct GapModel {
   void refit();
 };
 
-/// `measurement` with its readings scattering more than stated, by a factor.
+/// `measurement` with its readings scattering more than stated, by a factor; its zeros, too, where they are
+/// readings.
 Measurement withNoise(Measurement measurement, double factor);
 
 /// The session's own model, by its fit; both have to live as long as the model. Fails where no arc could be

@@ -95,6 +95,32 @@ struct IntersectionEstimate {
 /// The same of the session's own model.
 IntersectionEstimate estimateOf(const Intersection& intersection);
 
+/// 1σ of what is plausible or known of one number of an effect.
+struct PlausibleSize {
+  std::string name;
+  double sigma = 0;
+  std::string unit;  ///< as in the catalogue
+};
+
+/// A share of the standard uncertainty of Δd as it was measured. Each is taken as normally distributed.
+struct UncertaintyShare {
+  enum class Type { A, B };  ///< by statistics of these readings, or by other knowledge (JCGM 100, 3.3.4)
+  enum class From { Scatter, Stated, Default, Diagnosis };  ///< where its size comes from
+
+  UncertaintySource source = UncertaintySource::PlausibleSizes;
+  std::string effect = {};  ///< id, with PlausibleSizes; empty: what else may explain the readings
+  Type type = Type::B;
+  From from = From::Stated;
+  double sigma = 0;                       ///< mm
+  std::vector<PlausibleSize> sizes = {};  ///< of an effect
+  double degreesOfFreedom = std::numeric_limits<double>::infinity();
+};
+
+struct MeasuredIntersection {
+  IntersectionEstimate estimate;
+  std::vector<UncertaintyShare> budget;  ///< the greatest first; the squares add up to that of σ
+};
+
 /// The gap as it shrinks, cause by cause.
 struct GapStep {
   std::string effect;  ///< added in this step
@@ -170,7 +196,10 @@ struct Diagnosis {
   std::vector<Candidate> candidates;  ///< the best first
   std::vector<GapShare> where;
   std::vector<GapStep> steps;  ///< one for each cause, a gross_error first
+  /// `afterwards`: with the causes found, and nothing besides.
   std::optional<IntersectionEstimate> before, afterwards;
+  /// With whatever else may be there: the result of the measurement.
+  std::optional<MeasuredIntersection> measured;
   std::vector<ClosureStep> closures;
   std::vector<UnseenEffect> unseen;  ///< the most dangerous first
   /// With a reference that has a σ: of the effects that these readings do not exclude at that size, the most

@@ -1,0 +1,49 @@
+#include "core/diagnosis/gap/every_effect.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/effects/catalogue.h"
+
+namespace alidade {
+
+namespace {
+
+bool hasSliderReadings(const Measurement& measurement) {
+  return std::ranges::any_of(measurement.arcs, [](const ArcMeasurement& arc) {
+    return std::ranges::any_of(arc.sightings, [](const Sighting& s) { return s.slider.has_value(); });
+  });
+}
+
+bool isOfSlider(ErrorTerm term) {
+  return term == ErrorTerm::SliderScale || term == ErrorTerm::SliderSine;
+}
+
+}  // namespace
+
+std::vector<EstimatedTerm> everyEffect(const Measurement& measurement) {
+  const bool hasSlider = hasSliderReadings(measurement);
+  std::vector<EstimatedTerm> terms;
+  for (const Effect& effect : effectCatalogue()) {
+    if (effect.response == Response::AllOrNothing) continue;
+    for (const EffectParameter& parameter : effect.parameters)
+      if (hasSlider || !isOfSlider(parameter.term))
+        terms.push_back({parameter.term, plausibleSize(parameter)});
+  }
+  return terms;
+}
+
+GapModel withEveryEffect(GapModel model) {
+  const std::vector<std::string>& own = model.measurement->effects;
+  for (const EstimatedTerm& term : everyEffect(*model.measurement)) {
+    const auto there = std::ranges::find(model.options.terms, term.term, &EstimatedTerm::term);
+    if (there == model.options.terms.end())
+      model.options.terms.push_back(term);
+    else if (std::ranges::find(own, effectOf(term.term)->id) == own.end())
+      there->priorSigma = std::max(there->priorSigma, term.priorSigma);
+  }
+  model.refit();
+  return model;
+}
+
+}  // namespace alidade
