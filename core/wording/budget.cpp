@@ -45,11 +45,11 @@ std::string textOf(const UncertaintyShare& share) {
 std::string textOf(UncertaintyShare::From from) {
   switch (from) {
     case UncertaintyShare::From::Scatter:
-      return "scatter of the readings";
+      return "scatter";
     case UncertaintyShare::From::Stated:
-      return "as stated";
+      return "stated";
     case UncertaintyShare::From::Default:
-      return "default of the catalogue";
+      return "default";
     case UncertaintyShare::From::Diagnosis:
       return "diagnosis";
   }

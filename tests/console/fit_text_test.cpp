@@ -26,18 +26,19 @@ TEST(FitText, TellsCentresRadiiAndIntersectionOfThePapersReadings) {
   EXPECT_THAT(text,
               ContainsRegex("Correlation of the radius with x and y: at 0° 0\\.00 and -0\\.48; at 180°"));
   EXPECT_THAT(
-      text,
-      ContainsRegex("Verdict: accept\\. As modelled, the intersection is 1\\.31 mm ± 0\\.21 mm; with what"));
+      text, ContainsRegex(
+                "Verdict: accept\\. By the fit alone, the intersection is 1\\.31 mm ± 0\\.21 mm; with all"));
   EXPECT_THAT(text, HasSubstr("set to 2 mm; Δd differs by -0.6924 mm"));
 }
 
-TEST(FitText, TellsWhatTheDiagnosisFoundBesideTheModel) {
-  const std::string two = ALIDADE_SAMPLES_DIR "/two-causes.alidade";
-  EXPECT_THAT(textOf(two), ContainsRegex("Intersection Δd = 0\\.458[0-9]* mm ± 0\\.0[0-9]+ mm"));
-  EXPECT_THAT(textOf(two),
-              ContainsRegex("With what was found below: Δd = 0\\.37[78][0-9]* mm ± 0\\.0[0-9]+ mm"));
-  EXPECT_THAT(textOf(two), HasSubstr("\nGap: The gap has several causes: "));
-  EXPECT_THAT(textOf(ALIDADE_SAMPLES_DIR "/noisy-readings.alidade"), Not(HasSubstr("With what was found")))
+// Δd is 0.40 mm.
+TEST(FitText, TellsWhatWasMeasuredBesideTheFitAlone) {
+  const std::string two = textOf(ALIDADE_SAMPLES_DIR "/two-causes.alidade");
+  EXPECT_THAT(two, ContainsRegex("Intersection Δd = 0\\.458[0-9]* mm ± 0\\.0[0-9]+ mm .*, of the fit alone"));
+  EXPECT_THAT(two, ContainsRegex("Measured: Δd = 0\\.41[0-9]* mm ± 0\\.0[78][0-9]* mm"));
+  EXPECT_THAT(two, ContainsRegex("  arc_ellipticity +0\\.01[0-9]* +[0-9.]+ % +B +0\\.05 mm +default"));
+  EXPECT_THAT(two, HasSubstr("\nGap: The gap has several causes: "));
+  EXPECT_THAT(textOf(ALIDADE_SAMPLES_DIR "/noisy-readings.alidade"), Not(HasSubstr("\nGap: ")))
       << "noise alone";
 }
 

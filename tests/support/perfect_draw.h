@@ -120,8 +120,7 @@ class DrawnDrift {
     constexpr double scale = 1.6, normal = -0.8;
     const Measurement& measurement = task().fitted;
     Measurement wanted = withPerfectArcs(measurement, drawn, places, spanDegrees);
-    addVerticalDrift(wanted,
-                     Angle::fromRadians(estimatedTerms(measurement).at(0).priorSigma) * (scale * normal));
+    addVerticalDrift(wanted, Angle::fromRadians(estimatedTerms(measurement).at(0).priorSigma) * normal);
     m_draw = drawOf(task(), wanted, scale, seed);
     m_draw.normals[DrawPlan::firstTerm] = normal;
   }

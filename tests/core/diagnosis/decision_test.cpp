@@ -22,11 +22,12 @@ Diagnosis found(const std::string& cause, double value, double expanded) {
   Diagnosis diagnosis;
   diagnosis.verdict = DiagnosisVerdict::SingleCause;
   diagnosis.causes.emplace_back().effect = cause;
-  diagnosis.afterwards = IntersectionEstimate{value,
-                                              expanded / factor,
-                                              expanded,
-                                              {{1, value, expanded / factor}},
-                                              std::numeric_limits<double>::infinity()};
+  diagnosis.measured.emplace().estimate = {value,
+                                           expanded / factor,
+                                           expanded,
+                                           {{1, value, expanded / factor}},
+                                           std::numeric_limits<double>::infinity()};
+  diagnosis.measured->budget = {{.effect = "plane_warp", .sigma = expanded / factor}};
   return diagnosis;
 }
 
@@ -78,26 +79,40 @@ TEST_F(Decision, NeedsBothAccounts) {
 
 TEST_F(Decision, IsOpenWhereTheCausesLeaveTheIntersectionUndetermined) {
   Diagnosis diagnosis = found("collimation", 0, 0.1);
-  diagnosis.afterwards.reset();
+  diagnosis.measured.reset();
   const AcceptanceDecision decision = at(2.5, &diagnosis);
   EXPECT_EQ(decision.verdict, Verdict::Undecided);
   EXPECT_EQ(decision.obstacle, Obstacle::Contradiction);
   EXPECT_EQ(decision.conformance, std::nullopt);
 }
 
-TEST_F(Decision, ShowsOneAccountWhereTheGapIsNoise) {
-  Diagnosis diagnosis = found(std::string(noiseId), 1.3, 0.2);
-  EXPECT_FALSE(isMoreThanNoise(diagnosis));
-  EXPECT_FALSE(at(2.5, &diagnosis).showsBoth);
-  diagnosis = found(std::string(noiseId), 2.4, 0.2);  // and both where they do not say the same
+TEST_F(Decision, ShowsBothAccountsWhereThereAreTwo) {
+  EXPECT_FALSE(at(2.5, nullptr).showsBoth);
+  const Diagnosis diagnosis = found(std::string(noiseId), 1.3, 0.2);
   EXPECT_TRUE(at(2.5, &diagnosis).showsBoth);
-  diagnosis = found("gravity_sag", 1.3, 0.2);
-  EXPECT_TRUE(isMoreThanNoise(diagnosis));
-  EXPECT_TRUE(at(2.5, &diagnosis).showsBoth);
-  diagnosis = {};
+}
+
+TEST_F(Decision, TellsNoiseFromWhatIsMore) {
+  EXPECT_FALSE(isMoreThanNoise(found(std::string(noiseId), 1.3, 0.2)));
+  EXPECT_TRUE(isMoreThanNoise(found("gravity_sag", 1.3, 0.2)));
+  Diagnosis diagnosis;
   EXPECT_FALSE(isMoreThanNoise(diagnosis));
   diagnosis.verdict = DiagnosisVerdict::NotInCatalogue;
   EXPECT_TRUE(isMoreThanNoise(diagnosis));
+}
+
+// U at a coverage of 1 % is next to nothing, and would accept whatever lies below the limit.
+TEST_F(Decision, NeedsACoverage) {
+  for (const auto& [coverage, obstacle] :
+       {std::pair(0.01, Obstacle::Coverage), std::pair(0.89, Obstacle::Coverage),
+        std::pair(0.9, Obstacle::None), std::pair(0.99, Obstacle::None)}) {
+    measurement.coverage = coverage;
+    const Diagnosis diagnosis = found("collimation", 1.3, 0.2);
+    const AcceptanceDecision decision = at(2.5, &diagnosis);
+    EXPECT_EQ(decision.obstacle, obstacle) << coverage;
+    EXPECT_EQ(decision.verdict, obstacle == Obstacle::None ? Verdict::Accept : Verdict::Undecided);
+    EXPECT_EQ(decision.conformance.has_value(), obstacle == Obstacle::None);
+  }
 }
 
 // At the limit ± U of a normal distribution lie 2.5 % and 97.5 %, at the limit half of it; two accounts by
@@ -108,10 +123,10 @@ TEST_F(Decision, StatesTheProbabilityOfConformance) {
   EXPECT_NEAR(*at(2, &diagnosis).conformance, 0.975, rounding);
   EXPECT_NEAR(*at(1.7, &diagnosis).conformance, 0.5, rounding);
   EXPECT_NEAR(*at(1.4, &diagnosis).conformance, 0.025, rounding);
-  diagnosis.afterwards->accounts = {{3, 0, 0.01}, {1, 5, 0.01}};
+  diagnosis.measured->estimate.accounts = {{3, 0, 0.01}, {1, 5, 0.01}};
   EXPECT_NEAR(*at(1, &diagnosis).conformance, 0.75, rounding);
-  diagnosis.afterwards->degreesOfFreedom = 1;  // Cauchy's distribution: half of it within ± 1
-  diagnosis.afterwards->accounts = {{1, 2, 0.5}};
+  diagnosis.measured->estimate.degreesOfFreedom = 1;  // Cauchy's distribution: half of it within ± 1
+  diagnosis.measured->estimate.accounts = {{1, 2, 0.5}};
   EXPECT_NEAR(*at(2.5, &diagnosis).conformance, 0.75 - std::atan(0.5 / 4.5) / std::numbers::pi, rounding);
   const Intersection modelled = *fitSession(measurement).intersection;
   EXPECT_NEAR(*at(modelled.value + modelled.expanded, nullptr).conformance, 0.975, rounding);

@@ -43,22 +43,34 @@ TEST(VerdictSentence, PutsBothAccountsSideBySide) {
   Diagnosis diagnosis;
   diagnosis.verdict = DiagnosisVerdict::SingleCause;
   diagnosis.causes.emplace_back().effect = "gravity_sag";
-  diagnosis.afterwards =
-      IntersectionEstimate{1.9, 0.1, 0.2, {{1, 1.9, 0.1}}, std::numeric_limits<double>::infinity()};
+  diagnosis.measured.emplace().estimate = {
+      1.9, 0.1, 0.2, {{1, 1.9, 0.1}}, std::numeric_limits<double>::infinity()};
+  diagnosis.measured->budget = {{.effect = "plane_warp", .sigma = 0.1}};
   EXPECT_EQ(
       sentenceOf(measurement, fit, &diagnosis),
-      "As modelled, the intersection is 1.31 mm ± 0.21 mm, within the tolerance of ± 1.6 mm; with what the "
-      "diagnosis found, it is 1.90 mm ± 0.20 mm (95 % coverage), outside it. Add to the model what was "
-      "found, or measure what the diagnosis advises. By what was found, it conforms with a probability of "
-      "0.1 %.");
-  diagnosis.afterwards->value = 1.3;
+      "By the fit alone, the intersection is 1.31 mm ± 0.21 mm, within the tolerance of ± 1.6 mm; with all "
+      "that these readings leave possible, it is 1.90 mm ± 0.20 mm (95 % coverage), outside it. Add to the "
+      "model what was found, or measure what the diagnosis advises. By all that is possible, it conforms "
+      "with a probability of 0.1 %.");
+  diagnosis.measured->estimate.value = 1.3;
   EXPECT_THAT(sentenceOf(measurement, fit, &diagnosis),
               HasSubstr("; both lie within the tolerance of ± 1.6 mm, their uncertainty included."));
-  diagnosis.afterwards->value = 1.5;
+  diagnosis.measured->estimate.value = 1.5;
   EXPECT_THAT(sentenceOf(measurement, fit, &diagnosis),
               HasSubstr("(95 % coverage), not clearly within or outside it."));
-  diagnosis.afterwards.reset();
+  diagnosis.verdict = DiagnosisVerdict::WithinNoise;
+  diagnosis.causes.clear();
+  EXPECT_THAT(sentenceOf(measurement, fit, &diagnosis), HasSubstr("The most of U comes from plane_warp"));
+  diagnosis.measured.reset();
   EXPECT_THAT(sentenceOf(measurement, fit, &diagnosis), HasSubstr("these readings do not determine it."));
+}
+
+TEST(VerdictSentence, AsksForACoverage) {
+  Measurement measurement = test::paperMeasurement();
+  measurement.tolerance = 2.5;
+  measurement.coverage = 0.5;
+  EXPECT_EQ(sentenceOf(measurement, fitSession(measurement)),
+            "There is no verdict at a coverage of 50 %: state acceptance.coverage as 0.9 or more.");
 }
 
 TEST(VerdictSentence, SaysWhyItIsWithheld) {
