@@ -7,6 +7,7 @@
 #include "core/diagnosis/conclusion/afterwards.h"
 #include "core/diagnosis/conclusion/causes.h"
 #include "core/diagnosis/conclusion/location.h"
+#include "core/diagnosis/conclusion/measured.h"
 #include "core/diagnosis/conclusion/required.h"
 #include "core/diagnosis/gap/gap_size.h"
 #include "core/diagnosis/gap/held_out.h"

@@ -2,18 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <utility>
 
-#include "core/adjustment/result/intersection.h"
 #include "core/base/normal_mixture.h"
 #include "core/base/random_source.h"
-#include "core/diagnosis/conclusion/linear_move.h"
 #include "core/diagnosis/evidence/gain.h"
 #include "core/diagnosis/gap/every_effect.h"
 #include "core/diagnosis/gap/gap_size.h"
 #include "core/diagnosis/search/explained_model.h"
-#include "core/effects/catalogue.h"
 
 namespace alidade {
 
@@ -49,8 +45,8 @@ double movedBy(const GapModel& model, const Inquiry& inquiry, const Part& patter
 /// Collects what else may be the case.
 class Average {
  public:
-  Average(const Inquiry& inquiry, const Answer& answer, const IntersectionEstimate& own, Besides besides)
-      : m_inquiry(inquiry), m_answer(answer), m_own(own), m_besides(besides), m_moves(inquiry, besides) {
+  Average(const Inquiry& inquiry, const Answer& answer, const IntersectionEstimate& own, LinearMoves& moves)
+      : m_inquiry(inquiry), m_answer(answer), m_own(own), m_moves(moves) {
     m_ofAnswer = m_moves.of(answer.explanation);
     m_alternatives.push_back({1, answer.explanation, {}});
   }
@@ -103,30 +99,25 @@ class Average {
     }
   }
 
-  /// With every effect there besides, less is left to be explained: weighs again what was found, and adds
-  /// that nothing else is there.
-  void weighBesideEffects() {
+  /// With every effect there besides, it may be that nothing else is: at most as likely as that something is,
+  /// since what is out of the ordinary would leave the ordinary little to say.
+  void addNothingElse() {
     const auto isAnswer = [&](const Explanation& explanation) {
       return m_answer.pattern ? explanation.shaped : areAlike(explanation, m_answer.explanation);
     };
     const auto own = std::ranges::find_if(m_inquiry.explanations, isAnswer);
-    const auto gain = own == m_inquiry.explanations.end() ? std::nullopt : m_moves.logEvidenceOfEffects(*own);
-    if (!gain) return;
-    for (Alternative& alternative : m_alternatives) {
-      Explanation with = alternative.explanation;
-      if (m_answer.pattern) with.parts.push_back(*m_answer.pattern);
-      if (&alternative == &m_alternatives.front()) continue;
-      if (const auto other = m_moves.logEvidenceOfEffects(with)) alternative.odds *= oddsOf(*other - *gain);
-    }
+    if (own == m_inquiry.explanations.end()) return;
     const Explanation nothing;
+    const auto gain = m_moves.logEvidenceOfEffects(*own), ofNothing = m_moves.logEvidenceOfEffects(nothing);
+    const auto difference = isLarge(*m_inquiry.base.measurement) ? differenceOf(nothing) : byFit(nothing);
+    if (!gain || !ofNothing || !difference) return;
     std::erase_if(m_alternatives, [&](const Alternative& alternative) {
-      return areAlike(alternative.explanation, nothing) && &alternative != &m_alternatives.front();
+      return alternative.explanation.parts.empty() && !alternative.explanation.noisy && alternative.odds < 1;
     });
-    const auto ofNothing = m_moves.logEvidenceOfEffects(nothing);
-    const auto difference = byFit(nothing);
-    if (ofNothing && difference)
-      m_alternatives.push_back(
-          {oddsOf(*ofNothing - *gain - own->logPosteriorOdds), nothing, *difference, false});
+    double something = 0;
+    for (const Alternative& alternative : m_alternatives) something += alternative.odds;
+    const double odds = oddsOf(*ofNothing - *gain - own->logPosteriorOdds);
+    m_alternatives.push_back({std::min(odds, something), nothing, *difference, false});
   }
 
   IntersectionEstimate estimate(double ofPattern) const {
@@ -156,8 +147,7 @@ class Average {
   const Inquiry& m_inquiry;
   const Answer& m_answer;
   IntersectionEstimate m_own;
-  Besides m_besides;
-  LinearMoves m_moves;
+  LinearMoves& m_moves;
   std::optional<Move> m_ofAnswer;
   std::vector<Alternative> m_alternatives;  ///< the answer first
 
@@ -176,7 +166,7 @@ class Average {
       explanation.parts.pop_back();
     }
     GapModel model = modelWith(m_inquiry.base, explanation, m_inquiry.candidates, m_inquiry.leftover);
-    if (m_besides == Besides::EveryEffect) model = withEveryEffect(std::move(model));
+    if (m_moves.besides() == Besides::EveryEffect) model = withEveryEffect(std::move(model));
     const std::optional<IntersectionEstimate> other = estimateOf(model);
     if (!other) return std::nullopt;
     return Difference{other->value - m_own.value,
@@ -184,78 +174,23 @@ class Average {
   }
 };
 
-IntersectionEstimate averaged(const Inquiry& inquiry, const Answer& answer, const IntersectionEstimate& own,
-                              Besides besides) {
-  if (answer.kind == Answer::Kind::Nothing || !(own.sigma > 0)) return own;
-  Average average(inquiry, answer, own, besides);
-  if (!answer.pattern) average.addExplanations();
-  average.addRivals();
-  if (besides == Besides::EveryEffect) average.weighBesideEffects();
-  return average.estimate(answer.pattern ? movedBy(answer.measured, inquiry, *answer.pattern) : 0);
-}
-
-/// What each part of the catalogue brings to the variance of Δd, that of the readings left aside.
-std::vector<UncertaintyShare> sharesOfEffects(const GapModel& model) {
-  const JointFit& fit = *model.fit;
-  const std::vector<double> weights =
-      intersectionWeights(fit, arcAt(*model.measurement, 0).value(), arcAt(*model.measurement, 180).value());
-  std::vector<UncertaintyShare> shares;
-  for (const Effect& effect : effectCatalogue()) {
-    UncertaintyShare share{.effect = std::string(effect.id), .from = UncertaintyShare::From::Default};
-    for (const EffectParameter& parameter : effect.parameters) {
-      const std::size_t index = fit.indexOf({.kind = Unknown::Kind::Error, .arc = 0, .term = parameter.term});
-      if (index == fit.unknowns.size()) continue;
-      if (fit.priorSigmas[index] > plausibleSize(parameter)) share.from = UncertaintyShare::From::Diagnosis;
-      double gain = 0;
-      for (std::size_t i = 0; i < weights.size(); ++i) gain += weights[i] * fit.cofactor(i, index);
-      share.sigma = std::hypot(share.sigma, gain / fit.priorSigmas[index]);
-      share.sizes.push_back({std::string(parameter.name),
-                             fit.priorSigmas[index] / modelUnitsPer(parameter.unit),
-                             std::string(parameter.unit)});
-    }
-    if (!share.sizes.empty()) shares.push_back(std::move(share));
-  }
-  return shares;
-}
-
-std::vector<UncertaintyShare> budgetOf(const GapModel& model, const IntersectionEstimate& averaged) {
-  const Intersection own = *intersect(*model.measurement, *model.fit);
-  std::vector<UncertaintyShare> shares = sharesOfEffects(model);
-  double ofReadings = 0;
-  for (const BudgetEntry& entry : own.budget) {
-    if (entry.source == UncertaintySource::PlausibleSizes) continue;
-    if (entry.source == UncertaintySource::Readings || entry.source == UncertaintySource::ModelEffects)
-      ofReadings = std::hypot(ofReadings, entry.sigma);
-    else
-      shares.push_back({.source = entry.source, .sigma = entry.sigma});
-  }
-  using enum UncertaintyShare::From;
-  const double degreesOfFreedom = noiseScale(*model.fit).degreesOfFreedom;
-  shares.push_back({.source = UncertaintySource::Readings,
-                    .type = UncertaintyShare::Type::A,
-                    .from = std::isfinite(degreesOfFreedom) ? Scatter : Stated,
-                    .sigma = ofReadings,
-                    .degreesOfFreedom = degreesOfFreedom});
-  const double beyond = averaged.sigma * averaged.sigma - own.sigma * own.sigma;
-  if (beyond > 0) shares.push_back({.from = UncertaintyShare::From::Diagnosis, .sigma = std::sqrt(beyond)});
-  std::ranges::stable_sort(shares, std::greater(), &UncertaintyShare::sigma);
-  return shares;
-}
-
 }  // namespace
 
-std::optional<MeasuredIntersection> measuredIntersection(const Inquiry& inquiry, const Answer& answer) {
-  const GapModel model = withEveryEffect(answer.after);
-  const std::optional<IntersectionEstimate> own = estimateOf(model);
-  if (!own) return std::nullopt;
-  const IntersectionEstimate estimate = averaged(inquiry, answer, *own, Besides::EveryEffect);
-  return MeasuredIntersection{estimate, budgetOf(model, estimate)};
+IntersectionEstimate averaged(const Inquiry& inquiry, const Answer& answer, const IntersectionEstimate& own,
+                              LinearMoves& moves) {
+  if (answer.kind == Answer::Kind::Nothing || !(own.sigma > 0)) return own;
+  Average average(inquiry, answer, own, moves);
+  if (!answer.pattern) average.addExplanations();
+  average.addRivals();
+  if (moves.besides() == Besides::EveryEffect) average.addNothingElse();
+  return average.estimate(answer.pattern ? movedBy(answer.measured, inquiry, *answer.pattern) : 0);
 }
 
 std::optional<IntersectionEstimate> modelAveragedIntersection(const Inquiry& inquiry, const Answer& answer) {
   const std::optional<IntersectionEstimate> own = estimateOf(answer.measured);
   if (!own) return own;
-  return averaged(inquiry, answer, *own, Besides::Nothing);
+  LinearMoves moves(inquiry);
+  return averaged(inquiry, answer, *own, moves);
 }
 
 }  // namespace alidade

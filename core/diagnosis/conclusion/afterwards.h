@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "core/diagnosis/conclusion/answer.h"
+#include "core/diagnosis/conclusion/linear_move.h"
 
 namespace alidade {
 
@@ -13,8 +14,9 @@ namespace alidade {
 /// causes, and what the pattern moves Δd by is part of σ.
 std::optional<IntersectionEstimate> modelAveragedIntersection(const Inquiry& inquiry, const Answer& answer);
 
-/// Δd as it was measured: the same, with every effect of the catalogue there besides, as large as it may be
-/// (`everyEffect`), in one rigid guideway. Whether these effects are there is not asked.
-std::optional<MeasuredIntersection> measuredIntersection(const Inquiry& inquiry, const Answer& answer);
+/// `own`, the Δd of a model with the answer, averaged over the same. `moves`: with what is in that model
+/// besides the answer; where that is every effect, it may also be that nothing else is there.
+IntersectionEstimate averaged(const Inquiry& inquiry, const Answer& answer, const IntersectionEstimate& own,
+                              LinearMoves& moves);
 
 }  // namespace alidade

@@ -14,7 +14,7 @@ namespace alidade {
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 LinearMoves::LinearMoves(const Inquiry& inquiry, Besides besides)
-    : m_inquiry(inquiry), m_perReading(influencePerSigma(inquiry.base)) {
+    : m_inquiry(inquiry), m_besides(besides), m_perReading(influencePerSigma(inquiry.base)) {
   if (besides == Besides::EveryEffect) addEffects();
 }
 
@@ -127,6 +127,8 @@ std::optional<Move> LinearMoves::of(const Explanation& explanation) {
     move.shift = -system.influence.dot(weights);
     ofReadings += perWeight.dot(system.gram * perWeight);
     ofWidths = system.ofNoise * system.ofNoise * system.narrow.dot(perWeight.cwiseAbs2());
+    for (Index i = 0; i < static_cast<Index>(m_effects.terms.size()); ++i)
+      move.ofEffects.push_back(std::pow(system.ofNoise * perWeight[i], 2));
     chiSquare -= system.right.dot(weights);
   }
   for (const Part& part : explanation.parts)

@@ -19,6 +19,7 @@ namespace alidade {
 struct Move {
   double shift = 0;     ///< of the fit's Δd, mm
   double variance = 0;  ///< from readings, scaled by what is left over, and components; no zeros, mm²
+  std::vector<double> ofEffects = {};  ///< what is known of each effect besides brings to it, mm²
 };
 
 /// Whether every other effect of the catalogue is there as well, as large as it may be (`everyEffect`).
@@ -27,6 +28,10 @@ enum class Besides { Nothing, EveryEffect };
 class LinearMoves {
  public:
   explicit LinearMoves(const Inquiry& inquiry, Besides besides = Besides::Nothing);
+
+  Besides besides() const { return m_besides; }
+  /// What is there besides.
+  const std::vector<EstimatedTerm>& effects() const { return m_effects.terms; }
 
   /// With the widths that `modelWith` takes. A pattern does not shift Δd, what it may move it by is in the
   /// variance. Absent where a part is not linear, or a gross error cannot be told. An effect of the
@@ -62,6 +67,7 @@ class LinearMoves {
   };
 
   const Inquiry& m_inquiry;
+  Besides m_besides;
   Eigen::VectorXd m_perReading;  ///< ∂Δd/∂reading, mm per σ
   Effects m_effects;
   std::map<std::size_t, Columns> m_columns;

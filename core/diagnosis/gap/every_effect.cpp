@@ -33,6 +33,11 @@ std::vector<EstimatedTerm> everyEffect(const Measurement& measurement) {
   return terms;
 }
 
+bool isLarge(const Measurement& measurement) {
+  constexpr std::size_t many = 5000;
+  return measurement.rows > many;
+}
+
 GapModel withEveryEffect(GapModel model) {
   const std::vector<std::string>& own = model.measurement->effects;
   for (const EstimatedTerm& term : everyEffect(*model.measurement)) {

@@ -14,6 +14,9 @@ namespace alidade {
 /// matter of the model, and the slider's effects are there only where it is read.
 std::vector<EstimatedTerm> everyEffect(const Measurement& measurement);
 
+/// So many rows that a fit of every effect along would take longer than anybody waits.
+bool isLarge(const Measurement& measurement);
+
 /// A model with every effect estimated along; what is estimated already, no narrower than it is.
 GapModel withEveryEffect(GapModel model);
 

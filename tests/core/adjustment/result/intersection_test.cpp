@@ -138,6 +138,32 @@ TEST(Intersection, PaysForAnEffectThatIsEstimatedAlong) {
   EXPECT_NEAR(fit.intersection->sigma, std::sqrt(variance(0) + variance(1)), 1e-9);
 }
 
+// What is plausible is no reading: however these scatter, an effect that they do not show is as uncertain as
+// it was before, 1 mm of a plane's offset, and Table I does not show it.
+TEST(Intersection, TakesPlausibleSizesAsTheyAre) {
+  Measurement measurement = test::paperMeasurement();
+  measurement.effects = {"plane_offset"};
+  const SessionFit fit = fitSession(measurement);
+  EXPECT_GT(fit.noise.factor, 6);
+  EXPECT_NEAR(fit.effects.at(0).value, 0, 0.01);
+  EXPECT_NEAR(fit.effects.at(0).sigma, 1, 0.01);
+}
+
+// The zeros of Table I scatter as its readings, 6.91 times the 2″ of the circles, where no σ of theirs is
+// stated; and no less than stated where the readings scatter less.
+TEST(Intersection, HasZerosScatterAsTheReadingsWhereNothingIsStatedOfThem) {
+  Measurement measurement = test::paperMeasurement();
+  measurement.sigmaZeroHorizontal = measurement.sigmaZeroVertical = Angle::fromArcseconds(2);
+  const auto ofZeros = [&](bool areReadings) {
+    measurement.zerosAreReadings = areReadings;
+    return share(*fitSession(measurement).intersection, UncertaintySource::PointingZeros);
+  };
+  EXPECT_NEAR(ofZeros(true) / ofZeros(false), fitSession(measurement).noise.factor, 1e-9);
+  measurement.sigmaHorizontal = measurement.sigmaVertical = Angle::fromArcseconds(20);
+  EXPECT_LT(fitSession(measurement).noise.factor, 1);
+  EXPECT_EQ(ofZeros(true), ofZeros(false));
+}
+
 TEST(Intersection, NeedsBothPositions) {
   Measurement measurement = test::paperMeasurement();
   measurement.arcs.pop_back();

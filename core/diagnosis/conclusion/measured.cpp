@@ -1,0 +1,140 @@
+#include "core/diagnosis/conclusion/measured.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "core/adjustment/result/intersection.h"
+#include "core/base/square.h"
+#include "core/diagnosis/conclusion/afterwards.h"
+#include "core/diagnosis/conclusion/linear_move.h"
+#include "core/diagnosis/gap/every_effect.h"
+#include "core/diagnosis/gap/gap_size.h"
+#include "core/effects/catalogue.h"
+
+namespace alidade {
+
+namespace {
+
+/// How well a term is known beforehand, and the variance of Δd that comes of it, mm².
+struct TermShare {
+  double priorSigma = 0, variance = 0;
+};
+
+/// One account of the readings: Δd with every effect besides the answer, and what its variance is made of.
+struct Account {
+  IntersectionEstimate estimate;
+  std::map<ErrorTerm, TermShare> terms;
+  std::vector<BudgetEntry> others;  ///< the same source may come twice
+  NoiseScale noise;
+};
+
+std::optional<Account> byFit(const Answer& answer) {
+  const GapModel model = withEveryEffect(answer.after);
+  const JointFit& fit = *model.fit;
+  const std::optional<Intersection> found = intersect(*model.measurement, fit);
+  if (!found) return std::nullopt;
+  Account account{estimateOf(*found), {}, {}, noiseScale(fit)};
+  const std::vector<double> weights =
+      intersectionWeights(fit, *arcAt(*model.measurement, 0), *arcAt(*model.measurement, 180));
+  for (std::size_t index = 0; index < fit.unknowns.size(); ++index) {
+    const Unknown& unknown = fit.unknowns[index];
+    if (unknown.kind != Unknown::Kind::Error) continue;
+    double gain = 0;
+    for (std::size_t i = 0; i < weights.size(); ++i) gain += weights[i] * fit.cofactor(i, index);
+    const double prior = fit.priorSigmas[index];
+    account.terms[unknown.term] = {prior, square(gain / prior)};
+  }
+  std::ranges::copy_if(found->budget, std::back_inserter(account.others), [](const BudgetEntry& entry) {
+    return entry.source != UncertaintySource::PlausibleSizes;
+  });
+  return account;
+}
+
+/// From the answer's own fit by what the effects add to it.
+std::optional<Account> byMoves(const Inquiry& inquiry, const Answer& answer, LinearMoves& moves) {
+  LinearMoves alone(inquiry);
+  const std::optional<Move> with = moves.of(answer.explanation), without = alone.of(answer.explanation);
+  const std::optional<Intersection> found = intersect(*answer.after.measurement, *answer.after.fit);
+  if (!with || !without || !found) return std::nullopt;
+  Account account{estimateOf(*found), {}, found->budget, noiseScale(*answer.after.fit)};
+  IntersectionEstimate& estimate = account.estimate;
+  const double factor = estimate.expanded / estimate.sigma;
+  double ofTerms = 0;
+  for (std::size_t i = 0; i < with->ofEffects.size(); ++i) {
+    const EstimatedTerm& term = moves.effects()[i];
+    account.terms[term.term] = {term.priorSigma, with->ofEffects[i]};
+    ofTerms += with->ofEffects[i];
+  }
+  estimate.value += with->shift - without->shift;
+  const double more = std::max(with->variance - without->variance, ofTerms);
+  estimate.sigma = std::sqrt(square(estimate.sigma) + more);
+  estimate.expanded = factor * estimate.sigma;
+  estimate.accounts = {{1, estimate.value, estimate.sigma}};
+  account.others.push_back({UncertaintySource::ModelEffects, std::sqrt(more - ofTerms)});
+  return account;
+}
+
+std::vector<UncertaintyShare> sharesOfEffects(const Account& account) {
+  std::vector<UncertaintyShare> shares;
+  for (const Effect& effect : effectCatalogue()) {
+    UncertaintyShare share{.effect = std::string(effect.id), .from = UncertaintyShare::From::Default};
+    double variance = 0;
+    for (const EffectParameter& parameter : effect.parameters) {
+      const auto term = account.terms.find(parameter.term);
+      if (term == account.terms.end()) continue;
+      const auto& [priorSigma, ofTerm] = term->second;
+      if (priorSigma > plausibleSize(parameter)) share.from = UncertaintyShare::From::Diagnosis;
+      variance += ofTerm;
+      share.sizes.push_back({std::string(parameter.name), priorSigma / modelUnitsPer(parameter.unit),
+                             std::string(parameter.unit)});
+    }
+    share.sigma = std::sqrt(variance);
+    if (!share.sizes.empty()) shares.push_back(std::move(share));
+  }
+  return shares;
+}
+
+std::vector<UncertaintyShare> budgetOf(const Account& account, const IntersectionEstimate& averaged) {
+  using enum UncertaintyShare::From;
+  std::vector<UncertaintyShare> shares = sharesOfEffects(account);
+  const double degreesOfFreedom = account.noise.degreesOfFreedom;
+  for (const BudgetEntry& entry : account.others) {
+    const bool isOfReadings =
+        entry.source == UncertaintySource::Readings || entry.source == UncertaintySource::ModelEffects;
+    if (isOfReadings)
+      shares.push_back({.source = entry.source,
+                        .type = UncertaintyShare::Type::A,
+                        .from = std::isfinite(degreesOfFreedom) ? Scatter : Stated,
+                        .sigma = entry.sigma,
+                        .degreesOfFreedom = degreesOfFreedom});
+    else
+      shares.push_back({.source = entry.source, .sigma = entry.sigma});
+  }
+  const double beyond = square(averaged.sigma) - square(account.estimate.sigma);
+  if (beyond > 0) shares.push_back({.from = Diagnosis, .sigma = std::sqrt(beyond)});
+  // What else may be the case may be surer: then all shares are less in proportion.
+  if (beyond < 0)
+    for (UncertaintyShare& share : shares) share.sigma *= averaged.sigma / account.estimate.sigma;
+  std::ranges::stable_sort(shares, std::greater(), &UncertaintyShare::sigma);
+  return shares;
+}
+
+}  // namespace
+
+std::optional<MeasuredIntersection> measuredIntersection(const Inquiry& inquiry, const Answer& answer) {
+  const Measurement& measurement = *inquiry.base.measurement;
+  if (!arcAt(measurement, 0) || !arcAt(measurement, 180)) return std::nullopt;
+  LinearMoves moves(inquiry, Besides::EveryEffect);
+  std::optional<Account> account;
+  if (isLarge(measurement)) account = byMoves(inquiry, answer, moves);
+  if (!account) account = byFit(answer);
+  if (!account) return std::nullopt;
+  const IntersectionEstimate estimate = averaged(inquiry, answer, account->estimate, moves);
+  return MeasuredIntersection{estimate, budgetOf(*account, estimate)};
+}
+
+}  // namespace alidade

@@ -1,0 +1,121 @@
+#include "core/diagnosis/conclusion/measured.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <string>
+
+#include "core/base/random_source.h"
+#include "core/diagnosis/diagnose.h"
+#include "core/diagnosis/gap/every_effect.h"
+#include "core/effects/catalogue.h"
+#include "core/simulation/protocol.h"
+#include "core/simulation/simulate.h"
+#include "tests/support/large_session.h"
+#include "tests/support/trials.h"
+
+namespace alidade {
+namespace {
+
+/// With each number of the catalogue drawn so many plausible sizes wide.
+Truth withEveryEffectThere(std::uint64_t seed, double sizes, bool slider) {
+  constexpr std::uint64_t stream = 55;  // apart from those of guideway and noise
+  Truth truth = drawTruth(seed);
+  RandomSource random(seed, stream);
+  for (const Effect& effect : effectCatalogue()) {
+    if (effect.response == Response::AllOrNothing || (!slider && effect.id.starts_with("slider"))) continue;
+    for (const EffectParameter& parameter : effect.parameters)
+      truth.effects.push_back({parameter.term, sizes * random.normal() * parameter.plausible});
+  }
+  return truth;
+}
+
+struct Coverage {
+  int sessions = 0, ofFit = 0, ofMeasured = 0;
+};
+
+Coverage coverageOf(const char* name, int sessions, double sizes) {
+  const Protocol& protocol = *protocolByName(name);
+  Coverage coverage;
+  for (int i = 0; i < sessions; ++i) {
+    const auto seed = static_cast<std::uint64_t>(900'000 + i);
+    const Truth truth = withEveryEffectThere(seed, sizes, protocol.slider);
+    const Measurement measurement = *examine(*simulate(protocol, truth, seed)).measurement;
+    const SessionFit fit = fitSession(measurement);
+    const IntersectionEstimate measured = diagnose(measurement, fit)->measured->estimate;
+    const auto isWithin = [&](double value, double expanded) {
+      return std::abs(value - truth.intersection) <= expanded;
+    };
+    ++coverage.sessions;
+    coverage.ofFit += isWithin(fit.intersection->value, fit.intersection->expanded);
+    coverage.ofMeasured += isWithin(measured.value, measured.expanded);
+  }
+  return coverage;
+}
+
+// Every effect there as large as is plausible: of 4000 such sessions 96.6 to 98.5 % are covered, by plan. Of
+// 40 by each plan at least 36 are, but in one of ten thousand runs. The fit alone covers a quarter to four
+// fifths.
+TEST(MeasuredIntersection, CoversWhateverMayBeThere) {
+  for (const char* plan : {"paper", "paper-slider", "two-face", "full", "again"}) {
+    const Coverage coverage = coverageOf(plan, 40, 1);
+    EXPECT_GE(coverage.ofMeasured, 35) << plan;
+    EXPECT_GT(coverage.ofMeasured, coverage.ofFit) << plan;
+  }
+}
+
+TEST(MeasuredIntersection, IsSharedOutByItsSources) {
+  for (const test::Trial& trial : test::trials()) {
+    const auto diagnosis = diagnose(trial.measurement);
+    ASSERT_TRUE(diagnosis->measured) << trial.id;
+    const auto& [estimate, budget] = *diagnosis->measured;
+    double variance = 0;
+    std::map<std::string, int> times;
+    for (const UncertaintyShare& share : budget) {
+      variance += share.sigma * share.sigma;
+      EXPECT_TRUE(std::isfinite(share.sigma) && share.sigma >= 0) << trial.id;
+      EXPECT_EQ(share.type == UncertaintyShare::Type::A, share.source == UncertaintySource::Readings ||
+                                                             share.source == UncertaintySource::ModelEffects);
+      if (share.effect.empty()) continue;
+      EXPECT_EQ(++times[share.effect], 1) << trial.id;
+    }
+    EXPECT_NEAR(std::sqrt(variance), estimate.sigma, 1e-9 * estimate.sigma) << trial.id;
+    EXPECT_TRUE(std::ranges::is_sorted(budget, std::greater(), &UncertaintyShare::sigma)) << trial.id;
+    EXPECT_GE(estimate.expanded, 1.9 * estimate.sigma) << trial.id;
+  }
+}
+
+// What a plan shows of an effect need not be feared: by the perfect readings of each.
+TEST(MeasuredIntersection, IsSurerByAPlanThatShowsMore) {
+  const auto expandedBy = [](const char* plan) {
+    const Session session = *simulateWithoutNoise(*protocolByName(plan), drawTruth(3), 3);
+    return diagnose(*examine(session).measurement)->measured->estimate.expanded;
+  };
+  EXPECT_LT(expandedBy("paper-slider"), expandedBy("paper"));
+  EXPECT_LT(expandedBy("two-face"), expandedBy("paper"));
+  EXPECT_LT(expandedBy("full"), 0.5 * expandedBy("two-face"));
+}
+
+// A large session's effects are taken as linear: beside their fit, of which there are rows enough for either.
+TEST(MeasuredIntersection, IsTheSameAsLinear) {
+  Measurement measurement = *examine(test::largeSession(5100)).measurement;
+  ASSERT_TRUE(isLarge(measurement));
+  const IntersectionEstimate linear = diagnose(measurement)->measured->estimate;
+  measurement.rows = 100;  // says that they are few
+  ASSERT_FALSE(isLarge(measurement));
+  const IntersectionEstimate fitted = diagnose(measurement)->measured->estimate;
+  EXPECT_NEAR(linear.value, fitted.value, 0.02 * fitted.sigma);
+  EXPECT_NEAR(linear.sigma / fitted.sigma, 1, 0.02);
+}
+
+TEST(MeasuredIntersection, NeedsBothPositions) {
+  Measurement measurement = test::trialMeasurement("paper");
+  measurement.arcs.pop_back();
+  EXPECT_FALSE(diagnose(measurement)->measured);
+}
+
+}  // namespace
+}  // namespace alidade

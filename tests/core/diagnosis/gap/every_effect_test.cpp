@@ -1,0 +1,66 @@
+#include "core/diagnosis/gap/every_effect.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/diagnosis/gap/gap_size.h"
+#include "core/effects/catalogue.h"
+#include "tests/support/trials.h"
+
+namespace alidade {
+namespace {
+
+bool has(const std::vector<EstimatedTerm>& terms, ErrorTerm term) {
+  return std::ranges::find(terms, term, &EstimatedTerm::term) != terms.end();
+}
+
+TEST(EveryEffect, IsAsLargeAsIsPlausible) {
+  const std::vector<EstimatedTerm> terms = everyEffect(test::trialMeasurement("paper-slider"));
+  std::size_t numbers = 0;
+  for (const Effect& effect : effectCatalogue())
+    for (const EffectParameter& parameter : effect.parameters) {
+      const bool isModel = effect.response == Response::AllOrNothing;
+      EXPECT_EQ(has(terms, parameter.term), !isModel) << effect.id;
+      if (isModel) continue;
+      ++numbers;
+      const EstimatedTerm& term = *std::ranges::find(terms, parameter.term, &EstimatedTerm::term);
+      EXPECT_EQ(term.priorSigma, plausibleSize(parameter));
+      EXPECT_EQ(term.priorValue, 0);
+    }
+  EXPECT_EQ(terms.size(), numbers);
+}
+
+TEST(EveryEffect, HasThoseOfTheSliderWhereItIsRead) {
+  EXPECT_FALSE(has(everyEffect(test::trialMeasurement("paper")), ErrorTerm::SliderScale));
+  EXPECT_TRUE(has(everyEffect(test::trialMeasurement("full")), ErrorTerm::SliderSine));
+}
+
+// What is in the model already keeps its width where that is the wider one, or its session's own.
+TEST(EveryEffect, NarrowsNothingDown) {
+  Measurement measurement = test::trialMeasurement("two-face");
+  measurement.effects = {"collimation"};
+  GapModel model = *closedModelOf(*modelOf(measurement));
+  model.options.terms.push_back({ErrorTerm::TrunnionTilt, 1});
+  model.options.terms.push_back({ErrorTerm::GravitySag, 1e-6});
+  const GapModel with = withEveryEffect(model);
+  const auto widthOf = [](const GapModel& of, ErrorTerm term) {
+    return std::ranges::find(of.options.terms, term, &EstimatedTerm::term)->priorSigma;
+  };
+  EXPECT_EQ(widthOf(with, ErrorTerm::Collimation), widthOf(model, ErrorTerm::Collimation));
+  EXPECT_EQ(widthOf(with, ErrorTerm::TrunnionTilt), 1);
+  EXPECT_EQ(widthOf(with, ErrorTerm::GravitySag), 0.05);
+  EXPECT_EQ(with.options.terms.size(), everyEffect(measurement).size());
+  EXPECT_GT(estimateOf(with)->sigma, estimateOf(*closedModelOf(*modelOf(measurement)))->sigma);
+}
+
+TEST(EveryEffect, IsTakenAsLinearInManyRows) {
+  Measurement measurement;
+  measurement.rows = 5000;
+  EXPECT_FALSE(isLarge(measurement));
+  measurement.rows = 5001;
+  EXPECT_TRUE(isLarge(measurement));
+}
+
+}  // namespace
+}  // namespace alidade
