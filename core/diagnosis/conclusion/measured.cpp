@@ -14,6 +14,7 @@
 #include "core/diagnosis/gap/every_effect.h"
 #include "core/diagnosis/gap/gap_size.h"
 #include "core/effects/catalogue.h"
+#include "core/effects/cause_ids.h"
 
 namespace alidade {
 
@@ -95,6 +96,13 @@ std::vector<UncertaintyShare> sharesOfEffects(const Account& account) {
     share.sigma = std::sqrt(variance);
     if (!share.sizes.empty()) shares.push_back(std::move(share));
   }
+  double ofJump = 0;
+  for (const auto& [term, share] : account.terms)
+    if (!effectOf(term)) ofJump += share.variance;
+  if (ofJump > 0)
+    shares.push_back({.effect = std::string(jumpId),
+                      .from = UncertaintyShare::From::Diagnosis,
+                      .sigma = std::sqrt(ofJump)});
   return shares;
 }
 
