@@ -100,6 +100,7 @@ Json budgetJson(const std::vector<UncertaintyShare>& shares) {
                   {"from", textOf(share.from)},
                   {"degrees_of_freedom", share.degreesOfFreedom},
                   {"share", variance > 0 ? share.sigma * share.sigma / variance : undefined}};
+    if (!share.reference.empty()) entry["reference"] = share.reference;
     if (!share.sizes.empty()) {
       entry["sizes"] = Json::array();
       for (const PlausibleSize& size : share.sizes) entry["sizes"].push_back(sizeJson(size));

@@ -8,6 +8,7 @@
 #include "app/console/two_faces_text.h"
 #include "core/base/number_text.h"
 #include "core/base/quantity_text.h"
+#include "core/base/visible_text.h"
 #include "core/wording/budget.h"
 #include "core/wording/diagnosis_sentence.h"
 #include "core/wording/findings.h"
@@ -98,7 +99,8 @@ std::string budgetText(const MeasuredIntersection& measured) {
     const double part = share.sigma * share.sigma / (sigma * sigma);
     if (!(part > negligible)) continue;
     rows.push_back({"  " + textOf(share), fixedText(share.sigma, 4), fixedText(100 * part, 1) + " %",
-                    textOf(share.type), sizesText(share), textOf(share.from)});
+                    textOf(share.type), sizesText(share),
+                    share.reference.empty() ? textOf(share.from) : visibleText(share.reference)});
   }
   rows.push_back({"  together", fixedText(sigma, 4)});
   return "\n" + alignedColumns(rows);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cassert>
 #include <chrono>
+#include <cmath>
 #include <limits>
 
 #include "core/base/angle_text.h"
@@ -20,6 +21,9 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double longestMm = 1e6;
 // Finer than any circle reads; far below, evidence and weights lose their digits.
 constexpr double leastSigmaArcsec = 0.001, largestSigmaArcsec = 3600;
+
+// In any unit of the catalogue; far below, weights lose their digits.
+constexpr double leastKnownSigma = 1e-6, largestKnown = 1e6;
 
 enum class Bound { Included, Excluded };
 
@@ -110,6 +114,22 @@ Result<std::optional<double>> numberEntry(std::string_view field, const std::str
     return Problem{quotation(text) + " is out of range: it must be " + rule->range};
   }
   return std::optional(*value);
+}
+
+Result<double> knownValueEntry(const std::string& text) {
+  if (isBlank(text)) return 0.0;
+  const Result<double> value = parseNumber(text);
+  if (value && !(std::abs(*value) < largestKnown))
+    return Problem{quotation(text) + " is out of range: it must be below 1000000 in size"};
+  return value;
+}
+
+Result<double> knownSigmaEntry(const std::string& text) {
+  if (isBlank(text)) return Problem{"is empty: type the standard uncertainty of what is known"};
+  const Result<double> sigma = parseNumber(text);
+  if (sigma && !(*sigma >= leastKnownSigma && *sigma < largestKnown))
+    return Problem{quotation(text) + " is out of range: it must be at least 0.000001 and below 1000000"};
+  return sigma;
 }
 
 Result<std::optional<int>> wholeEntry(const WholeRule& rule, const std::string& text) {

@@ -16,6 +16,11 @@ namespace alidade {
 /// none. `field` is named as for `entryProblem`; asking for a field that holds no number is a bug.
 Result<std::optional<double>> numberEntry(std::string_view field, const std::string& text);
 
+/// What is known of a number of an effect, in any unit; empty: 0.
+Result<double> knownValueEntry(const std::string& text);
+/// Its standard uncertainty, > 0.
+Result<double> knownSigmaEntry(const std::string& text);
+
 /// A whole number from `low` to `high`.
 struct WholeRule {
   int low, high;

@@ -38,6 +38,8 @@ class Examiner : private ProblemReporter {
       m_usable = false;
     }
     m_measurement.effects = m_session.model.effects;
+    examineKnown("instrument.known", m_session.instrument.known);
+    examineKnown("device.known", m_session.device.known);
     examinePositions();
 
     Examined examined;
@@ -100,6 +102,18 @@ class Examiner : private ProblemReporter {
     m_measurement.referenceIntersection = reference.value_or(std::nullopt);
     if (m_measurement.referenceIntersection)
       m_measurement.sigmaReference = sigmaReference.value_or(std::nullopt);
+  }
+
+  void examineKnown(const std::string& list, const std::vector<KnownSize>& known) {
+    for (std::size_t i = 0; i < known.size(); ++i) {
+      const KnownSize& size = known[i];
+      const std::string entry = list + "[" + std::to_string(i) + "]";
+      const auto value = take(knownValueEntry(size.value), {.field = entry + ".value"});
+      const auto sigma = take(knownSigmaEntry(size.sigma), {.field = entry + ".sigma"});
+      if (value && sigma)
+        m_measurement.known.push_back(
+            {{.field = entry}, size.effect, size.parameter, size.unit, size.from, *value, *sigma});
+    }
   }
 
   /// Positions at once where they are long; what is wrong with them, in the order of the file.

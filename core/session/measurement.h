@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/angle.h"
+#include "core/base/place.h"
 #include "core/base/problem.h"
 #include "core/session/session.h"
 
@@ -49,6 +50,14 @@ struct ArcMeasurement {
   int time = 1;  ///< the how many-th position of the session at this axis
 };
 
+/// What is known beforehand of one number of an effect, as it stands at `where`. Which number of the
+/// catalogue is meant, if any: `parameterMeant` (known_sizes.h).
+struct KnownNumber {
+  Place where = {};
+  std::string effect = {}, parameter = {}, unit = {}, from = {};
+  double value = 0, sigma = 0;  ///< in that unit, σ > 0
+};
+
 /// What a session means: every value present, in range and in the reference frame o0. Lengths in mm.
 struct Measurement {
   double distance = 0;       ///< L > 0
@@ -70,6 +79,7 @@ struct Measurement {
   std::vector<ArcMeasurement> arcs;             ///< of each position, in the order taken
   std::size_t rows = 0;                         ///< of the whole session, excluded ones too
   std::vector<std::string> effects;             ///< ids of model.effects, to be estimated along
+  std::vector<KnownNumber> known;               ///< of the instrument, then of the device
 };
 
 /// Of each arc the first one at its axis, itself unless its position is one measured again: the arcs of one

@@ -46,8 +46,22 @@ struct Position {
   bool operator==(const Position&) const = default;
 };
 
+/// What is known of one number of an effect beforehand: from a certificate, from a check of the instrument.
+struct KnownSize {
+  std::string effect = {};     ///< id of the catalogue
+  std::string parameter = {};  ///< which of its numbers; empty where it has one
+  std::string value = {};      ///< empty: 0
+  std::string sigma = {};      ///< standard uncertainty; required
+  std::string unit = {};       ///< that of the catalogue
+  std::string from = {};       ///< where it is known from
+  JsonOrigin origin = {};
+
+  bool operator==(const KnownSize&) const = default;
+};
+
 struct Device {
   std::string name, serial;
+  std::vector<KnownSize> known = {};
   JsonOrigin origin;
 
   bool operator==(const Device&) const = default;
@@ -59,6 +73,7 @@ struct Instrument {
   std::string sigmaVerticalArcsec;    ///< empty: 2
   std::string sigmaZeroArcsec;        ///< empty: as the circles'
   std::string sigmaSliderArcsec;      ///< empty: 5
+  std::vector<KnownSize> known = {};
   JsonOrigin origin;
 
   bool operator==(const Instrument&) const = default;

@@ -95,6 +95,11 @@ class ObjectReader {
     return none;
   }
 
+  /// One object of a list.
+  ObjectReader member(const char* key, std::size_t index, const Json& json) const {
+    return {json, placeOf(std::string(key) + "[" + std::to_string(index) + "]"), m_problem};
+  }
+
   bool require(std::string_view key, const char* remedy) const {
     if (find(key)) return true;
     if (m_json.is_object()) report(std::string("is missing: ") + remedy, placeOf(key));
@@ -171,8 +176,28 @@ void checkVersion(const ObjectReader& reader) {
   }
 }
 
+KnownSize readKnownSize(const ObjectReader& reader) {
+  return {.effect = reader.text("effect"),
+          .parameter = reader.text("parameter"),
+          .value = reader.number("value"),
+          .sigma = reader.number("sigma"),
+          .unit = reader.text("unit"),
+          .from = reader.text("from"),
+          .origin = reader.origin()};
+}
+
+std::vector<KnownSize> readKnown(const ObjectReader& reader) {
+  std::vector<KnownSize> known;
+  for (const Json& entry : reader.list("known"))
+    known.push_back(readKnownSize(reader.member("known", known.size(), entry)));
+  return known;
+}
+
 Device readDevice(const ObjectReader& reader) {
-  return {.name = reader.text("name"), .serial = reader.text("serial"), .origin = reader.origin()};
+  return {.name = reader.text("name"),
+          .serial = reader.text("serial"),
+          .known = readKnown(reader),
+          .origin = reader.origin({"known"})};
 }
 
 Instrument readInstrument(const ObjectReader& reader) {
@@ -182,7 +207,8 @@ Instrument readInstrument(const ObjectReader& reader) {
           .sigmaVerticalArcsec = reader.number("sigma_vertical_arcsec"),
           .sigmaZeroArcsec = reader.number("sigma_zero_arcsec"),
           .sigmaSliderArcsec = reader.number("sigma_slider_arcsec"),
-          .origin = reader.origin()};
+          .known = readKnown(reader),
+          .origin = reader.origin({"known"})};
 }
 
 Environment readEnvironment(const ObjectReader& reader) {

@@ -86,10 +86,26 @@ class ObjectWriter {
   Json m_json;
 };
 
+Json knownJson(const std::vector<KnownSize>& known) {
+  Json entries = Json::array();
+  for (const KnownSize& size : known) {
+    ObjectWriter writer(size.origin);
+    writer.text("effect", size.effect);
+    writer.text("parameter", size.parameter);
+    writer.number("value", size.value);
+    writer.number("sigma", size.sigma);
+    writer.text("unit", size.unit);
+    writer.text("from", size.from);
+    entries.push_back(writer.take());
+  }
+  return entries;
+}
+
 Json deviceJson(const Device& device) {
   ObjectWriter writer(device.origin);
   writer.text("name", device.name);
   writer.text("serial", device.serial);
+  writer.part("known", knownJson(device.known));
   return writer.take();
 }
 
@@ -101,6 +117,7 @@ Json instrumentJson(const Instrument& instrument) {
   writer.number("sigma_vertical_arcsec", instrument.sigmaVerticalArcsec);
   writer.number("sigma_zero_arcsec", instrument.sigmaZeroArcsec);
   writer.number("sigma_slider_arcsec", instrument.sigmaSliderArcsec);
+  writer.part("known", knownJson(instrument.known));
   return writer.take();
 }
 

@@ -50,6 +50,8 @@ std::string textOf(UncertaintyShare::From from) {
       return "stated";
     case UncertaintyShare::From::Default:
       return "default";
+    case UncertaintyShare::From::Known:
+      return "known";
     case UncertaintyShare::From::Diagnosis:
       return "diagnosis";
   }

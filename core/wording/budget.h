@@ -12,7 +12,7 @@ std::string textOf(UncertaintySource source);
 
 /// Its source: "readings", "plane_warp", "what else may explain the readings".
 std::string textOf(const UncertaintyShare& share);
-/// Where its size comes from: "scatter", "stated", "default" of the catalogue, "diagnosis".
+/// Where its size comes from: "scatter", "stated", "default" of the catalogue, "known", "diagnosis".
 std::string textOf(UncertaintyShare::From from);
 /// "A" or "B".
 std::string textOf(UncertaintyShare::Type type);

@@ -70,6 +70,15 @@ Words wordsOf(const UnknownEffect& finding) {
       "Read the result as one without it, or correct the name."};
 }
 
+Words wordsOf(const KnownOfNothing& finding) {
+  const std::string which = finding.parameter.empty() ? "" : ", " + quotation(finding.parameter) + ",";
+  return {
+      "What is known of " + quotation(finding.effect) + which + " in " + quotation(finding.unit) +
+          " is of no number of the catalogue.",
+      "Name an effect, which of its numbers where it has two, and the unit as the catalogue has them; until "
+      "then its plausible size is taken."};
+}
+
 Words wordsOf(const PlanarRelation&) {
   return {"The model takes the vertical circle to read y/L, which no theodolite does.",
           "Set the vertical angle to exact, unless the planar relation is to be studied."};

@@ -13,6 +13,7 @@ Words wordsOf(const session_finding::CentresDiffer& finding);
 Words wordsOf(const session_finding::KnownRadiusContradicted& finding);
 Words wordsOf(const session_finding::OffReference& finding);
 Words wordsOf(const session_finding::UnknownEffect& finding);
+Words wordsOf(const session_finding::KnownOfNothing& finding);
 Words wordsOf(const session_finding::PlanarRelation& finding);
 
 }  // namespace alidade

@@ -110,6 +110,10 @@ struct OffReference {
 struct UnknownEffect {
   std::string id;
 };
+/// What is known is of no number of the catalogue.
+struct KnownOfNothing {
+  std::string effect, parameter, unit;
+};
 /// The vertical circle is taken to read y/L.
 struct PlanarRelation {};
 
@@ -127,7 +131,7 @@ struct FitFinding {
       setup_finding::ZeroOfOtherCircle, setup_finding::SlidersDiffer, session_finding::ArcMissing,
       session_finding::Undetermined, session_finding::PositionMissing, session_finding::RadiiDiffer,
       session_finding::CentresDiffer, session_finding::KnownRadiusContradicted, session_finding::OffReference,
-      session_finding::UnknownEffect, session_finding::PlanarRelation>;
+      session_finding::UnknownEffect, session_finding::KnownOfNothing, session_finding::PlanarRelation>;
 
   Severity severity = Severity::Warning;  ///< Error: an arc, or all of them, are not there because of this
   Place where;

@@ -7,6 +7,7 @@
 #include "core/adjustment/result/closures.h"
 #include "core/base/statistics.h"
 #include "core/effects/catalogue.h"
+#include "core/effects/known_sizes.h"
 
 namespace alidade {
 
@@ -91,6 +92,10 @@ std::vector<FitFinding> modelFindings(const Measurement& measurement) {
   std::vector<FitFinding> findings;
   for (const std::string& id : measurement.effects)
     if (!effectById(id)) findings.push_back({Severity::Warning, fieldOf("model.effects"), UnknownEffect{id}});
+  for (const KnownNumber& known : measurement.known)
+    if (!parameterMeant(known))
+      findings.push_back(
+          {Severity::Warning, known.where, KnownOfNothing{known.effect, known.parameter, known.unit}});
   if (measurement.relation == VerticalAngleRelation::Planar)
     findings.push_back({Severity::Warning, fieldOf("model.vertical_angle"), PlanarRelation{}});
   return findings;

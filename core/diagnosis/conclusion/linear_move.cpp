@@ -66,8 +66,9 @@ const LinearMoves::Columns& LinearMoves::columnsOf(const Part& part) {
 bool LinearMoves::isBesides(const Component& component) const {
   const Effect* effect = effectById(component.id());
   if (!effect) return false;
-  return std::ranges::find(m_effects.terms, effect->parameters.front().term, &EstimatedTerm::term) !=
-         m_effects.terms.end();
+  const EffectParameter& first = effect->parameters.front();
+  const auto term = std::ranges::find(m_effects.terms, first.term, &EstimatedTerm::term);
+  return term != m_effects.terms.end() && term->priorSigma >= plausibleSize(first);
 }
 
 std::optional<LinearMoves::System> LinearMoves::systemOf(const Explanation& explanation) {

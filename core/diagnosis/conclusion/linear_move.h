@@ -76,7 +76,7 @@ class LinearMoves {
   void addEffects();
   std::optional<System> systemOf(const Explanation& explanation);
   void addPattern(System& system, const Part& part);
-  /// It is an effect that is there besides, too.
+  /// It is an effect that is there besides, too, as wide as is plausible.
   bool isBesides(const Component& component) const;
   /// Inner products with each column of what is there besides.
   Eigen::VectorXd productsOfEffects(const Eigen::VectorXd& overReadings) const;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "core/diagnosis/gap/gap_size.h"
 #include "core/effects/catalogue.h"
 #include "core/effects/cause_ids.h"
+#include "core/effects/known_sizes.h"
 
 namespace alidade {
 
@@ -79,7 +81,7 @@ std::optional<Account> byMoves(const Inquiry& inquiry, const Answer& answer, Lin
   return account;
 }
 
-std::vector<UncertaintyShare> sharesOfEffects(const Account& account) {
+std::vector<UncertaintyShare> sharesOfEffects(const Account& account, const Measurement& measurement) {
   std::vector<UncertaintyShare> shares;
   for (const Effect& effect : effectCatalogue()) {
     UncertaintyShare share{.effect = std::string(effect.id), .from = UncertaintyShare::From::Default};
@@ -88,7 +90,13 @@ std::vector<UncertaintyShare> sharesOfEffects(const Account& account) {
       const auto term = account.terms.find(parameter.term);
       if (term == account.terms.end()) continue;
       const auto& [priorSigma, ofTerm] = term->second;
-      if (priorSigma > plausibleSize(parameter)) share.from = UncertaintyShare::From::Diagnosis;
+      const std::optional<KnownPrior> known = knownOf(measurement, parameter);
+      if (priorSigma > (known ? known->sigma : plausibleSize(parameter))) {
+        share.from = UncertaintyShare::From::Diagnosis;
+      } else if (known) {
+        share.from = UncertaintyShare::From::Known;
+        share.reference = known->from;
+      }
       variance += ofTerm;
       share.sizes.push_back({std::string(parameter.name), priorSigma / modelUnitsPer(parameter.unit),
                              std::string(parameter.unit)});
@@ -106,9 +114,10 @@ std::vector<UncertaintyShare> sharesOfEffects(const Account& account) {
   return shares;
 }
 
-std::vector<UncertaintyShare> budgetOf(const Account& account, const IntersectionEstimate& averaged) {
+std::vector<UncertaintyShare> budgetOf(const Account& account, const Measurement& measurement,
+                                       const IntersectionEstimate& averaged) {
   using enum UncertaintyShare::From;
-  std::vector<UncertaintyShare> shares = sharesOfEffects(account);
+  std::vector<UncertaintyShare> shares = sharesOfEffects(account, measurement);
   const double degreesOfFreedom = account.noise.degreesOfFreedom;
   for (const BudgetEntry& entry : account.others) {
     const bool isOfReadings =
@@ -142,7 +151,7 @@ std::optional<MeasuredIntersection> measuredIntersection(const Inquiry& inquiry,
   if (!account) account = byFit(answer);
   if (!account) return std::nullopt;
   const IntersectionEstimate estimate = averaged(inquiry, answer, account->estimate, moves);
-  return MeasuredIntersection{estimate, budgetOf(*account, estimate)};
+  return MeasuredIntersection{estimate, budgetOf(*account, measurement, estimate)};
 }
 
 }  // namespace alidade

@@ -1,9 +1,11 @@
 #include "core/diagnosis/gap/every_effect.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "core/effects/catalogue.h"
+#include "core/effects/known_sizes.h"
 
 namespace alidade {
 
@@ -26,9 +28,12 @@ std::vector<EstimatedTerm> everyEffect(const Measurement& measurement) {
   std::vector<EstimatedTerm> terms;
   for (const Effect& effect : effectCatalogue()) {
     if (effect.response == Response::AllOrNothing) continue;
-    for (const EffectParameter& parameter : effect.parameters)
-      if (hasSlider || !isOfSlider(parameter.term))
-        terms.push_back({parameter.term, plausibleSize(parameter)});
+    for (const EffectParameter& parameter : effect.parameters) {
+      if (!hasSlider && isOfSlider(parameter.term)) continue;
+      const std::optional<KnownPrior> known = knownOf(measurement, parameter);
+      terms.push_back(known ? EstimatedTerm{parameter.term, known->sigma, known->value, known->value}
+                            : EstimatedTerm{parameter.term, plausibleSize(parameter)});
+    }
   }
   return terms;
 }

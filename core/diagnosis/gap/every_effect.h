@@ -9,9 +9,9 @@ namespace alidade {
 // Whether an effect is there is one question; how large it may be, whether or not the readings show it, is
 // another, and the one that an uncertainty answers.
 
-/// The error terms of every effect of the catalogue that a session's readings may hold, each as well known as
-/// it is: at 1σ of its plausible size about zero. The other relation of the vertical circle is a
-/// matter of the model, and the slider's effects are there only where it is read.
+/// The error terms of every effect of the catalogue that a session's readings may hold, each
+/// as is known of it (`knownOf`), or at 1σ of its plausible size about zero. The other relation of the
+/// vertical circle is a matter of the model, and the slider's effects are there only where it is read.
 std::vector<EstimatedTerm> everyEffect(const Measurement& measurement);
 
 /// So many rows that a fit of every effect along would take longer than anybody waits.

@@ -105,13 +105,14 @@ struct PlausibleSize {
 /// A share of the standard uncertainty of Δd as it was measured. Each is taken as normally distributed.
 struct UncertaintyShare {
   enum class Type { A, B };  ///< by statistics of these readings, or by other knowledge (JCGM 100, 3.3.4)
-  enum class From { Scatter, Stated, Default, Diagnosis };  ///< where its size comes from
+  enum class From { Scatter, Stated, Default, Known, Diagnosis };  ///< where its size comes from
 
   UncertaintySource source = UncertaintySource::PlausibleSizes;
   std::string effect = {};  ///< id, with PlausibleSizes; empty: what else may explain the readings
   Type type = Type::B;
   From from = From::Stated;
   double sigma = 0;                       ///< mm
+  std::string reference = {};             ///< where a known size is known from, as the session says it
   std::vector<PlausibleSize> sizes = {};  ///< of an effect
   double degreesOfFreedom = std::numeric_limits<double>::infinity();
 };

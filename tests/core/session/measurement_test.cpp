@@ -104,7 +104,9 @@ TEST(Measurement, SigmaOfTheZeroIsByDefaultThatOfEachCircle) {
   session.instrument.sigmaZeroArcsec = "";
   EXPECT_DOUBLE_EQ(examine(session).measurement->sigmaZeroHorizontal.arcseconds(), 1);
   EXPECT_DOUBLE_EQ(examine(session).measurement->sigmaZeroVertical.arcseconds(), 3);
+  EXPECT_TRUE(examine(session).measurement->zerosAreReadings);
   session.instrument.sigmaZeroArcsec = "0";
+  EXPECT_FALSE(examine(session).measurement->zerosAreReadings);
   EXPECT_EQ(examine(session).measurement->sigmaZeroHorizontal.radians(), 0);
   EXPECT_EQ(examine(session).measurement->sigmaZeroVertical.radians(), 0);
 }
@@ -217,6 +219,37 @@ TEST(Measurement, LeavesOutAPositionWithoutUsableZero) {
               HasSubstr("positions[0].pointing_zero.vertical: is empty: type an angle"));
   ASSERT_EQ(examined.measurement->arcs.size(), 1u);
   EXPECT_EQ(examined.measurement->arcs[0].position, 1u);
+}
+
+TEST(Measurement, HasWhatIsKnownOfTheInstrumentThenOfTheDevice) {
+  Session session = soundSession();
+  session.device.known = {{.effect = "plane_warp", .parameter = "sine", .sigma = "0.1", .unit = "mm"}};
+  session.instrument.known = {
+      {.effect = "collimation", .value = "-3.2", .sigma = "0.5", .unit = "arcsec", .from = "check"}};
+  const std::vector<KnownNumber> known = examine(session).measurement->known;
+  ASSERT_EQ(known.size(), 2u);
+  EXPECT_EQ(known[0].where.path(), "instrument.known[0]");
+  EXPECT_EQ(known[0].effect + known[0].unit + known[0].from, "collimationarcseccheck");
+  EXPECT_EQ(known[0].value, -3.2);
+  EXPECT_EQ(known[0].sigma, 0.5);
+  EXPECT_EQ(known[1].parameter, "sine");
+  EXPECT_EQ(known[1].value, 0) << "left empty";
+}
+
+TEST(Measurement, NamesWhatCannotBeKnownSo) {
+  for (const auto& [value, sigma, where, what] :
+       {std::tuple("1", "", "instrument.known[0].sigma", "is empty: type the standard uncertainty"),
+        std::tuple("1", "0", "instrument.known[0].sigma", "“0” is out of range"),
+        std::tuple("1", "-2", "instrument.known[0].sigma", "“-2” is out of range"),
+        std::tuple("x", "1", "instrument.known[0].value", "“x”"),
+        std::tuple("2e6", "1", "instrument.known[0].value", "“2e6” is out of range")}) {
+    Session session = soundSession();
+    session.instrument.known = {{.effect = "collimation", .value = value, .sigma = sigma, .unit = "arcsec"}};
+    const Problem problem = soleProblem(session);
+    EXPECT_EQ(problem.where.path(), where);
+    EXPECT_THAT(problem.what, HasSubstr(what));
+    EXPECT_TRUE(examine(session).measurement->known.empty());
+  }
 }
 
 TEST(Measurement, NamesWhatIsNoPositionOfTheAxis) {

@@ -80,8 +80,8 @@ TEST(SessionFile, ReadsEveryKey) {
   ASSERT_TRUE(read) << read.problem().text();
   const Session& s = *read;
   EXPECT_EQ(s.title + s.notes + s.operatorName + s.place + s.measuredOn, "Table Inop2018-01-01");
-  EXPECT_EQ(s.device, (Device{"d", "1", {}}));
-  EXPECT_EQ(s.instrument, (Instrument{"i", "2", "2", "2.5", "1", "5", {}}));
+  EXPECT_EQ(s.device, (Device{"d", "1", {}, {}}));
+  EXPECT_EQ(s.instrument, (Instrument{"i", "2", "2", "2.5", "1", "5", {}, {}}));
   EXPECT_EQ(s.environment, (Environment{"20", {}}));
   EXPECT_EQ(s.geometry, (Geometry{"2405", "1", "400", "0.1", "zenith", {}}));
   EXPECT_EQ(s.acceptance, (Acceptance{"2.5", "0.95", "2", "0.02", {}}));
@@ -290,6 +290,37 @@ TEST(SessionFile, KeepsWhatItDoesNotKnowAmongTheEffects) {
   session.model.effects = {"moonlight", "7", "collimation"};
   json["model"]["effects"] = {"moonlight", 7, "collimation"};
   EXPECT_EQ(Json::parse(writeSession(session)), json);
+}
+
+TEST(SessionFile, KeepsWhatIsKnownOfInstrumentAndDevice) {
+  Json json = completeSession();
+  const Json collimation = {{"effect", "collimation"}, {"value", 3.2},    {"sigma", 0.5},
+                            {"unit", "arcsec"},        {"from", "check"}, {"colour", "red"}};
+  json["instrument"]["known"] = {collimation};
+  json["device"]["known"] = {
+      {{"effect", "plane_tilt"}, {"parameter", "tilt about x"}, {"sigma", 0.01}, {"unit", "deg"}}};
+  Session session = *readSession(json.dump());
+  EXPECT_EQ(session.instrument.known,
+            (std::vector<KnownSize>{{"collimation", "", "3.2", "0.5", "arcsec", "check", {}}}));
+  EXPECT_EQ(session.device.known,
+            (std::vector<KnownSize>{{"plane_tilt", "tilt about x", "", "0.01", "deg", "", {}}}));
+  EXPECT_EQ(Json::parse(writeSession(session)), json);
+  session.instrument.known[0].sigma = "0.25";
+  session.device.known.clear();
+  json["instrument"]["known"][0]["sigma"] = 0.25;
+  json["device"]["known"] = Json::array();
+  EXPECT_EQ(Json::parse(writeSession(session)), json);
+  json["instrument"]["known"] = {7};
+  EXPECT_THAT(sentenceOn(json), HasSubstr("instrument.known[0]"));
+  json["instrument"]["known"] = {{{"effect", 7}}};
+  EXPECT_THAT(sentenceOn(json), HasSubstr("instrument.known[0].effect"));
+}
+
+TEST(SessionFile, WritesNothingKnownUntilThereIsSomething) {
+  Session session = blankSession();
+  EXPECT_FALSE(Json::parse(writeSession(session))["instrument"].contains("known"));
+  session.instrument.known = {{.effect = "collimation", .sigma = "1", .unit = "arcsec"}};
+  EXPECT_EQ(readSession(writeSession(session))->instrument.known, session.instrument.known);
 }
 
 TEST(SessionFile, WritesNoListOfEffectsUntilThereIsOne) {

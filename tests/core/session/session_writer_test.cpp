@@ -45,8 +45,8 @@ TEST(SessionWriter, SpellsOutEverythingThatASessionHolds) {
   session.operatorName = "o";
   session.place = "p";
   session.measuredOn = "2018-01-01";
-  session.device = {"d", "1", {}};
-  session.instrument = {"i", "2", "2,5", "3", "about 1", "5.0", {}};
+  session.device = {"d", "1", {}, {}};
+  session.instrument = {"i", "2", "2,5", "3", "about 1", "5.0", {}, {}};
   session.environment = {"-3", {}};
   session.geometry = {"2405", "0.5", "400", "0", "elevation", {}};
   session.acceptance = {"2.5", "0.95", "-1", "0.1", {}};

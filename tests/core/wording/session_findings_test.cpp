@@ -42,6 +42,8 @@ TEST(SessionFindingsInWords, BlameEffectsOnlyWhereThereAreAny) {
 // Whatever was typed.
 TEST(SessionFindingsInWords, QuoteWhatIsNoEffect) {
   EXPECT_THAT(wordsOf(UnknownEffect{"moon\x1blight"}).text, HasSubstr("“moon\\u001blight”, which is no"));
+  EXPECT_EQ(wordsOf(KnownOfNothing{"plane_tilt", "x", "mm"}).text,
+            "What is known of “plane_tilt”, “x”, in “mm” is of no number of the catalogue.");
 }
 
 }  // namespace

@@ -95,6 +95,15 @@ TEST(SessionFit, NamesWhatItCannotEstimate) {
   EXPECT_EQ(fit.effects[0].effect, "trunnion_tilt");
 }
 
+TEST(SessionFit, NamesWhatIsKnownOfNothing) {
+  Measurement measurement = test::paperMeasurement();
+  measurement.known = {{.effect = "collimation", .unit = "arcsec", .sigma = 1},
+                       {.where = {.field = "instrument.known[1]"}, .effect = "collimation", .unit = "mm"}};
+  const SessionFit fit = fitSession(measurement);
+  ASSERT_TRUE(found<KnownOfNothing>(fit.findings));
+  EXPECT_EQ(found<KnownOfNothing>(fit.findings)->unit, "mm");
+}
+
 // Far more unknowns than these readings tell: priors hold them, and an answer comes with its larger
 // uncertainty.
 TEST(SessionFit, EstimatesTheWholeCatalogueAtOnce) {

@@ -111,6 +111,29 @@ TEST(MeasuredIntersection, IsTheSameAsLinear) {
   EXPECT_NEAR(linear.sigma / fitted.sigma, 1, 0.02);
 }
 
+// What a certificate says of the effect that matters most takes its share away, and says so.
+TEST(MeasuredIntersection, IsSurerByWhatIsKnown) {
+  Measurement measurement = test::trialMeasurement("two-face");
+  const MeasuredIntersection before = *diagnose(measurement)->measured;
+  const auto shareOf = [](const MeasuredIntersection& measured) {
+    return *std::ranges::find(measured.budget, std::string("arc_ellipticity"), &UncertaintyShare::effect);
+  };
+  ASSERT_GT(shareOf(before).sigma, 0.5 * before.estimate.sigma);
+  for (const char* number : {"cosine", "sine"})
+    measurement.known.push_back({.effect = "arc_ellipticity",
+                                 .parameter = number,
+                                 .unit = "mm",
+                                 .from = "certificate 17",
+                                 .value = 0,
+                                 .sigma = 0.001});
+  const MeasuredIntersection after = *diagnose(measurement)->measured;
+  EXPECT_LT(after.estimate.expanded, 0.7 * before.estimate.expanded);
+  EXPECT_LT(shareOf(after).sigma, 0.05 * shareOf(before).sigma);
+  EXPECT_EQ(shareOf(before).from, UncertaintyShare::From::Default);
+  EXPECT_EQ(shareOf(after).from, UncertaintyShare::From::Known);
+  EXPECT_EQ(shareOf(after).reference, "certificate 17");
+}
+
 TEST(MeasuredIntersection, NeedsBothPositions) {
   Measurement measurement = test::trialMeasurement("paper");
   measurement.arcs.pop_back();

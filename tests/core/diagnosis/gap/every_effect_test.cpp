@@ -54,6 +54,16 @@ TEST(EveryEffect, NarrowsNothingDown) {
   EXPECT_GT(estimateOf(with)->sigma, estimateOf(*closedModelOf(*modelOf(measurement)))->sigma);
 }
 
+TEST(EveryEffect, IsAsLargeAsIsKnownOfIt) {
+  Measurement measurement = test::trialMeasurement("paper");
+  measurement.known = {{.effect = "plane_offset", .unit = "mm", .value = 0.3, .sigma = 0.02}};
+  const std::vector<EstimatedTerm> terms = everyEffect(measurement);
+  const EstimatedTerm& offset = *std::ranges::find(terms, ErrorTerm::PlaneOffset, &EstimatedTerm::term);
+  EXPECT_EQ(offset.priorValue, 0.3);
+  EXPECT_NEAR(offset.priorSigma, 0.02, 1e-12);
+  EXPECT_EQ(terms.size(), everyEffect(test::trialMeasurement("paper")).size());
+}
+
 TEST(EveryEffect, IsTakenAsLinearInManyRows) {
   Measurement measurement;
   measurement.rows = 5000;

@@ -1,0 +1,48 @@
+#include "core/effects/known_sizes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace alidade {
+namespace {
+
+constexpr double arcsec = std::numbers::pi / 180 / 3600;
+
+TEST(KnownSizes, AreOfTheNumberTheyName) {
+  const EffectParameter* collimation = parameterMeant({.effect = "collimation", .unit = "arcsec"});
+  ASSERT_TRUE(collimation);
+  EXPECT_EQ(collimation->term, ErrorTerm::Collimation);
+  const EffectParameter* tilt =
+      parameterMeant({.effect = "plane_tilt", .parameter = "tilt about y", .unit = "deg"});
+  ASSERT_TRUE(tilt);
+  EXPECT_EQ(tilt->term, ErrorTerm::PlaneTiltY);
+}
+
+TEST(KnownSizes, AreOfNothingElse) {
+  for (const KnownNumber& known :
+       {KnownNumber{.effect = "moonlight", .unit = "arcsec"},
+        KnownNumber{.effect = "collimation", .unit = "mm"},
+        KnownNumber{.effect = "collimation", .parameter = "tilt", .unit = "arcsec"},
+        KnownNumber{.effect = "plane_tilt", .unit = "deg"},  // which of two?
+        KnownNumber{.effect = "vertical_angle_relation", .unit = "-"}})
+    EXPECT_FALSE(parameterMeant(known)) << known.effect << known.parameter;
+}
+
+// 3 ± 1 and 5 ± 2 weigh 4 to 1: 3.4 ± 2/√5.
+TEST(KnownSizes, AreWeighedTogether) {
+  Measurement measurement;
+  const EffectParameter& collimation = effectById("collimation")->parameters.front();
+  EXPECT_FALSE(knownOf(measurement, collimation));
+  measurement.known = {{.effect = "collimation", .unit = "arcsec", .from = "a", .value = 3, .sigma = 1},
+                       {.effect = "collimation", .unit = "arcsec", .from = "b", .value = 5, .sigma = 2},
+                       {.effect = "trunnion_tilt", .unit = "arcsec", .value = 9, .sigma = 0.1}};
+  const KnownPrior known = *knownOf(measurement, collimation);
+  EXPECT_NEAR(known.value, 3.4 * arcsec, 1e-12);
+  EXPECT_NEAR(known.sigma, 2 / std::sqrt(5) * arcsec, 1e-12);
+  EXPECT_EQ(known.from, "a; b");
+}
+
+}  // namespace
+}  // namespace alidade
