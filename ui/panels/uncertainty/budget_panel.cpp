@@ -23,7 +23,7 @@ BudgetPanel::BudgetPanel(const SessionDocument& document, QWidget* parent)
       m_intersection(new FigureGrid),
       m_simulation(new SimulationBox(document)),
       m_centresTitle(panelHeading(tr("Standard uncertainty of the centres  mm"))),
-      m_centres(new FigureGrid),
+      m_centres(new FigureGrid(nullptr, FigureGrid::Captions::Wrapped)),
       m_note(new QLabel) {
   m_note->setWordWrap(true);
   for (QLabel* note : {m_note, m_measuredNote}) note->setForegroundRole(QPalette::PlaceholderText);
