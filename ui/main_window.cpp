@@ -358,6 +358,7 @@ void MainWindow::showGap(const SharedGap& gap) {
   const QString headline = gap->isOpen() ? gapHeadline(*gap->diagnosis) : QString();
   m_gap->setGap(gap);
   m_result->setGap(*gap);
+  m_budget->setGap(*gap);
   m_findings->setGap(headline);
   m_details->setTabIcon(m_details->indexOf(m_gap),
                         gap->isOpen() ? themeIcon(QStringLiteral("warning")) : QIcon());
@@ -369,6 +370,7 @@ void MainWindow::showGapAsOld() {
   if (std::exchange(m_isGapOld, true)) return;
   m_gap->setStale();
   m_result->setGapStale();
+  m_budget->setGapStale();
   m_findings->setGapStale();
   const int page = m_details->indexOf(m_gap);
   const QIcon icon = m_details->tabIcon(page);
@@ -379,6 +381,7 @@ void MainWindow::showGapAsOld() {
 void MainWindow::showNoGap() {
   m_gap->clear();
   m_result->clearGap();
+  m_budget->clearGap();
   m_findings->clearGap();
   m_details->setTabIcon(m_details->indexOf(m_gap), QIcon());
   m_isGapOld = false;

@@ -1,7 +1,6 @@
 #include "core/wording/verdict.h"
 
 #include "core/base/quantity_text.h"
-#include "core/wording/budget.h"
 #include "core/wording/closures.h"
 #include "core/wording/position_name.h"
 #include "core/wording/setup_findings.h"
@@ -54,15 +53,17 @@ std::string agreement(Verdict verdict, const std::string& limit) {
 }
 
 /// What brings the most to U, and what to do about it.
-std::string wayOut(const Diagnosis& diagnosis) {
+std::string wayOut(const Diagnosis& diagnosis, const CauseNamer& name) {
   const UncertaintyShare& most = diagnosis.measured->budget.front();
   if (isMoreThanNoise(diagnosis) || most.effect.empty())
     return "Add to the model what was found, or measure what the diagnosis advises.";
-  return "The most of U comes from " + textOf(most) + ", as large as is plausible: measure what shows it.";
+  return "The most of U comes from " + name(most.effect) +
+         ", as large as is plausible: measure what shows it.";
 }
 
 std::string bothAccounts(const Measurement& measurement, const Intersection& modelled,
-                         const Diagnosis& diagnosis, const AcceptanceDecision& decision) {
+                         const Diagnosis& diagnosis, const AcceptanceDecision& decision,
+                         const CauseNamer& name) {
   const std::string limit = limitText(*measurement.tolerance);
   const std::string first =
       "By the fit alone, the intersection is " + lengthText(modelled.value, modelled.expanded);
@@ -76,7 +77,7 @@ std::string bothAccounts(const Measurement& measurement, const Intersection& mod
   if (decision.asModelled == decision.asFound)
     return first + "; " + second + coverage + agreement(decision.asModelled, limit);
   return first + ", " + standing(decision.asModelled, limit) + "; " + second + coverage + ", " +
-         standing(*decision.asFound, "it") + ". " + wayOut(diagnosis);
+         standing(*decision.asFound, "it") + ". " + wayOut(diagnosis, name);
 }
 
 }  // namespace
@@ -89,13 +90,13 @@ std::string probabilityText(double probability) {
 }
 
 std::string verdictSentence(const Measurement& measurement, const SessionFit& fit, const Diagnosis* diagnosis,
-                            const AcceptanceDecision& decision) {
+                            const AcceptanceDecision& decision, const CauseNamer& name) {
   if (fit.lengthsInDoubt) return "The verdict is withheld: " + textOf(*fit.lengthsInDoubt);
   if (decision.obstacle == AcceptanceDecision::Obstacle::Coverage)
     return "There is no verdict at a coverage of " + displayShortest(measurement.coverage * 100) +
            " %: state acceptance.coverage as " + displayShortest(leastCoverageOfVerdict) + " or more.";
   const std::string rests = decision.showsBoth
-                                ? bothAccounts(measurement, *fit.intersection, *diagnosis, decision)
+                                ? bothAccounts(measurement, *fit.intersection, *diagnosis, decision, name)
                                 : verdictSentence(fit.intersection->value, fit.intersection->expanded,
                                                   *measurement.tolerance, measurement.coverage);
   if (decision.obstacle == AcceptanceDecision::Obstacle::Misclosure)

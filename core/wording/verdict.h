@@ -3,6 +3,7 @@
 #include <string>
 
 #include "core/diagnosis/decision.h"
+#include "core/wording/diagnosis_sentence.h"
 
 namespace alidade {
 
@@ -10,9 +11,9 @@ namespace alidade {
 
 /// What the verdict rests on, or why it is withheld, and how probably |Δd| is within the tolerance; with both
 /// accounts of Δd where they belong beside it. `fit`, `diagnosis` (null: none was made) and `decision` are of
-/// `measurement`.
+/// `measurement`; effects are called as `name` has it.
 std::string verdictSentence(const Measurement& measurement, const SessionFit& fit, const Diagnosis* diagnosis,
-                            const AcceptanceDecision& decision);
+                            const AcceptanceDecision& decision, const CauseNamer& name = byId);
 
 /// "97.3 %", "more than 99.9 %": of 0…1.
 std::string probabilityText(double probability);

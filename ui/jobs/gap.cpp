@@ -81,10 +81,16 @@ bool Gap::isNoiseAlone() const {
   return isOpen() && !isMoreThanNoise(*diagnosis);
 }
 
+std::optional<double> Gap::expandedUncertainty() const {
+  if (const MeasuredIntersection* result = measured()) return result->estimate.expanded;
+  return diagnosis && diagnosis->before ? std::optional(diagnosis->before->expanded) : std::nullopt;
+}
+
 std::vector<UnseenEffect> Gap::unseenBeyondU() const {
-  if (!diagnosis || !diagnosis->before) return {};
+  const std::optional<double> expanded = expandedUncertainty();
+  if (!expanded) return {};
   std::vector<UnseenEffect> effects = diagnosis->unseen;
-  std::erase_if(effects, [&](const UnseenEffect& e) { return e.influence <= diagnosis->before->expanded; });
+  std::erase_if(effects, [&](const UnseenEffect& e) { return e.influence <= *expanded; });
   return effects;
 }
 
@@ -92,7 +98,7 @@ std::vector<UnseenEffect> Gap::noticeablyUnseen() const {
   constexpr std::size_t most = 8;
   constexpr double noticeable = 0.02;
   if (!diagnosis) return {};
-  const double expanded = diagnosis->before ? diagnosis->before->expanded : 0;
+  const double expanded = expandedUncertainty().value_or(0);
   std::vector<UnseenEffect> effects = diagnosis->unseen;
   std::erase_if(effects,
                 [&](const UnseenEffect& effect) { return effect.influence < noticeable * expanded; });

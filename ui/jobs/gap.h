@@ -43,6 +43,12 @@ struct Gap {
     return diagnosis && (diagnosis->verdict != DiagnosisVerdict::WithinNoise || isMisclosed(*diagnosis));
   }
   const Diagnosis* found() const { return diagnosis ? &*diagnosis : nullptr; }
+  /// The result of the measurement; null without a diagnosis, and where these readings do not determine Δd.
+  const MeasuredIntersection* measured() const {
+    return diagnosis && diagnosis->measured ? &*diagnosis->measured : nullptr;
+  }
+  /// U of the result: as measured, or else of the fit alone. Absent without a diagnosis, or without Δd.
+  std::optional<double> expandedUncertainty() const;
   /// Nothing but noise larger than stated.
   bool isNoiseAlone() const;
   /// Effects that leave no clear trace and of which a plausible size moves Δd by more than U: what the result

@@ -12,9 +12,11 @@
 #include "ui/report/report_gap.h"
 #include "ui/report/report_plots.h"
 #include "ui/report/report_readings.h"
+#include "ui/report/report_result.h"
 #include "ui/report/report_sheet.h"
 #include "ui/report/report_summary.h"
 #include "ui/text/encoded_path.h"
+#include "ui/text/simulation_text.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {
@@ -62,6 +64,9 @@ bool paintReport(QBuffer& buffer, const Evaluation& evaluation, const ReportSour
   const bool methodIsInFront = addSummary(sheet, gap, options);
   addPlots(sheet, evaluation);
   addReadings(sheet, evaluation);
+  addUncertainty(sheet, gap);
+  if (options.simulated && options.simulated->intersection)
+    sheet.paragraph(simulationParagraph(*options.simulated));
   addGap(sheet, gap);
   addClosures(sheet, gap);
   addUnseen(sheet, gap);

@@ -29,6 +29,9 @@ void addStages(ReportSheet& sheet, const Gap& gap) {
     table.row({QString::fromStdString(beyond), arcsecText(gap.diagnosis->after.rms, 2),
                numberText(gap.diagnosis->after.reducedChiSquare, 2),
                estimateText(gap.diagnosis->afterwards)});
+  const MeasuredIntersection* measured = gap.measured();
+  table.row({QStringLiteral("measured: every effect at its plausible size"), notStated(), notStated(),
+             estimateText(measured ? std::optional(measured->estimate) : std::nullopt)});
   table.finish();
 }
 
@@ -121,8 +124,9 @@ void addGap(ReportSheet& sheet, const Gap& gap) {
   if (gap.isOpen())
     sheet.paragraph(
         QStringLiteral(
-            "The figures of this report are those of the model as it is; nothing was added or left "
-            "out because of the diagnosis. The verdict stands only where both accounts say so."),
+            "The figures of this report are those of the model as it is, but for what is said to be "
+            "measured; nothing was added or left out because of the diagnosis. The verdict stands only where "
+            "both accounts say so."),
         type::small);
 }
 
@@ -152,8 +156,9 @@ void addUnseen(ReportSheet& sheet, const Gap& gap) {
   for (const Advice& advice : gap.diagnosis->advice)
     if (advice.ofUnseen) measures.append(qText(textOf(advice.measures)));
   const QString moves = QStringLiteral(
-                            "The following effects would leave no clear trace in these readings, so U holds "
-                            "nothing of them. A plausible size of each would move Δd by: %1.")
+                            "The following effects would leave no clear trace in these readings, so U of the "
+                            "fit alone holds nothing of them; U as measured holds what its budget lists. A "
+                            "plausible size of each would move Δd by: %1.")
                             .arg(unseenText(unseen));
   const QString remedy = QStringLiteral("Further readings would show some of them: %1.")
                              .arg(measures.join(QStringLiteral("; ")));

@@ -46,7 +46,8 @@ QString arcCaption(const ArcPicture& picture) {
     text +=
         QStringLiteral(
             " Inset: the arc centres O1 and O2 with the axis midway between them; the heavy line is Δd, the "
-            "bar at its end its expanded uncertainty U, the ellipses hold the centres at %1 %.")
+            "bar at its end its expanded uncertainty U of the fit alone, the ellipses hold the centres at %1 "
+            "%.")
             .arg(plainNumberText(100 * picture.intersection->coverage));
     if (picture.intersection->tolerance)
       text += QStringLiteral(" Grey: where they may lie at the tolerance of ± %1 mm.")

@@ -5,6 +5,7 @@
 
 #include "core/wording/budget.h"
 #include "ui/report/report_table.h"
+#include "ui/text/budget_text.h"
 #include "ui/text/cause_text.h"
 #include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
@@ -19,6 +20,7 @@ namespace {
 
 const QColor red(0xb0, 0x00, 0x20);
 const QColor pale(0xf2, 0xf2, 0xf2);
+constexpr double rowHeight = 4.5;  // mm, about
 const TextStyle wordStyle{.points = 15, .bold = true};
 const TextStyle valueStyle{.points = 11, .bold = true};
 
@@ -26,35 +28,41 @@ QString percent(double share) {
   return plainNumberText(std::round(share * 1e6) / 1e4) + QStringLiteral(" %");
 }
 
-QString degreesOfFreedomText(double degrees) {
-  return std::isfinite(degrees) ? numberText(degrees, degrees < 10 ? 1 : 0) : QStringLiteral("∞");
-}
-
-QString intersectionLine(const Evaluation& evaluation) {
-  if (!evaluation.fit.intersection) return {};
-  const Intersection& found = *evaluation.fit.intersection;
+QString toleranceText(const Evaluation& evaluation) {
   const std::optional<double> tolerance = evaluation.examined.measurement->tolerance;
-  return QStringLiteral("Δd = %1     tolerance %2")
-      .arg(valueWithUncertainty(found.value, found.expanded, QStringLiteral("mm")),
-           tolerance ? QStringLiteral("± ") + plainNumberText(*tolerance) + QStringLiteral(" mm")
-                     : notStated() + QStringLiteral(" (no tolerance stated)"));
+  return tolerance ? QStringLiteral("tolerance ± ") + plainNumberText(*tolerance) + QStringLiteral(" mm")
+                   : QStringLiteral("tolerance ") + notStated() + QStringLiteral(" (no tolerance stated)");
 }
 
-/// Beside the line above, where the gap is more than noise.
-QString asFoundLine(const Gap& gap) {
-  if (!gap.isOpen() || gap.isNoiseAlone() || !gap.evaluation->fit.intersection) return {};
-  const auto& found = gap.diagnosis->afterwards;
-  return QStringLiteral("with what the diagnosis found: %1")
-      .arg(found ? QStringLiteral("Δd = ") +
-                       valueWithUncertainty(found->value, found->expanded, QStringLiteral("mm"))
-                 : QStringLiteral("not determined by these readings"));
+/// The result of the measurement, and below it what the fit alone has; without a diagnosis that only.
+QStringList intersectionLines(const Gap& gap) {
+  const auto& fitted = gap.evaluation->fit.intersection;
+  if (!fitted) return {};
+  const QString ofFit =
+      QStringLiteral("Δd = ") + valueWithUncertainty(fitted->value, fitted->expanded, QStringLiteral("mm"));
+  const QString tolerance = QStringLiteral("     ") + toleranceText(*gap.evaluation);
+  if (!gap.diagnosis) return {ofFit + QStringLiteral(" of the fit alone") + tolerance};
+  const MeasuredIntersection* measured = gap.measured();
+  const QString first = measured ? QStringLiteral("Measured: Δd = ") +
+                                       valueWithUncertainty(measured->estimate.value,
+                                                            measured->estimate.expanded, QStringLiteral("mm"))
+                                 : QStringLiteral("Measured: these readings do not determine Δd");
+  return {first + tolerance, QStringLiteral("of the fit alone: ") + ofFit};
 }
 
-QString coverageLine(const Intersection& found) {
-  return QStringLiteral("U = k·u with k = %1, coverage %2, %3 effective degrees of freedom; u = %4")
-      .arg(numberText(found.coverageFactor, 2), percent(found.coverage),
-           degreesOfFreedomText(found.effectiveDegreesOfFreedom),
-           lengthText(found.sigma, decimalsFor(found.sigma)));
+QString coverageLine(const Gap& gap) {
+  const Intersection& fitted = *gap.evaluation->fit.intersection;
+  const auto degrees = [](double f) {
+    return degreesOfFreedomText(f) + QStringLiteral(" effective degrees of freedom");
+  };
+  const auto u = [](double sigma) { return QStringLiteral("u = ") + lengthText(sigma, decimalsFor(sigma)); };
+  QString line = QStringLiteral("U: coverage %1. ").arg(percent(fitted.coverage));
+  if (const MeasuredIntersection* measured = gap.measured())
+    line += QStringLiteral("As measured: %1, %2. ")
+                .arg(u(measured->estimate.sigma), degrees(measured->estimate.degreesOfFreedom));
+  return line + QStringLiteral("Of the fit alone: U = k·u with k = %1, %2, %3.")
+                    .arg(numberText(fitted.coverageFactor, 2), u(fitted.sigma),
+                         degrees(fitted.effectiveDegreesOfFreedom));
 }
 
 QString problemText(const Session& session, const Problem& problem) {
@@ -105,21 +113,56 @@ void addArcs(ReportSheet& sheet, const SessionFit& fit) {
   table.finish();
 }
 
+void addBudget(ReportSheet& sheet, const MeasuredIntersection& measured, double coverage) {
+  constexpr auto right = Qt::AlignRight;
+  const QVector<BudgetLine> lines = budgetLines(measured);
+  const IntersectionEstimate& found = measured.estimate;
+  sheet.keepTogether(static_cast<double>(lines.size() + 5) * rowHeight);
+  sheet.heading(QStringLiteral("Uncertainty of the intersection as measured"));
+  ReportTable table(sheet, {{QStringLiteral("Source"), 62},
+                            {QStringLiteral("1σ of its size"), 24, right},
+                            {QStringLiteral("type"), 10, right},
+                            {QStringLiteral("  from"), 40},
+                            {QStringLiteral("u (mm)"), 16, right},
+                            {QStringLiteral("of variance"), 18, right}});
+  table.head();
+  const int decimals = decimalsFor(found.sigma) + 1;
+  for (const BudgetLine& line : lines)
+    table.row({line.source, line.sizes, line.type,
+               line.from.isEmpty() ? QString() : QStringLiteral("  ") + line.from,
+               numberText(line.sigma, decimals), shareText(line.sigma, found.sigma)});
+  const TextStyle bold = type::body.inBold();
+  table.row({{QStringLiteral("combined standard uncertainty u"), bold},
+             {},
+             {},
+             {},
+             {numberText(found.sigma, decimals), bold},
+             {QStringLiteral("100.0 %"), bold}});
+  table.row({{QStringLiteral("expanded uncertainty U (%1)").arg(percent(coverage)), bold},
+             {},
+             {},
+             {},
+             {numberText(found.expanded, decimals), bold},
+             {}});
+  table.finish();
+  sheet.paragraph(
+      QStringLiteral("Every effect of the catalogue takes part, as large as these readings and what is "
+                     "plausible leave it. Type A: by the scatter of these readings; B: by other knowledge."),
+      type::small);
+}
+
 void addBudget(ReportSheet& sheet, const Intersection& found) {
   constexpr auto right = Qt::AlignRight;
-  sheet.keepTogether((found.budget.size() + 4) * 4.5);
-  sheet.heading(QStringLiteral("Uncertainty of the intersection"));
+  sheet.keepTogether(static_cast<double>(found.budget.size() + 4) * rowHeight);
+  sheet.heading(QStringLiteral("Uncertainty of the intersection of the fit alone"));
   ReportTable table(sheet, {{QStringLiteral("Source"), 62},
                             {QStringLiteral("u (mm)"), 26, right},
                             {QStringLiteral("share of variance"), 34, right}});
   table.head();
   const int decimals = decimalsFor(found.sigma) + 1;
-  const double variance = found.sigma * found.sigma;
-  for (const BudgetEntry& entry : found.budget) {
-    const double share = variance > 0 ? entry.sigma * entry.sigma / variance : 0;
+  for (const BudgetEntry& entry : found.budget)
     table.row({qText(textOf(entry.source)), numberText(entry.sigma, decimals),
-               numberText(100 * share, 1) + QStringLiteral(" %")});
-  }
+               shareText(entry.sigma, found.sigma)});
   const TextStyle bold = type::body.inBold();
   table.row({{QStringLiteral("combined standard uncertainty u"), bold},
              {numberText(found.sigma, decimals), bold},
@@ -167,12 +210,18 @@ void addTwoFaces(ReportSheet& sheet, const TwoFaces& faces) {
   sheet.paragraph(text + u'.');
 }
 
-void addReference(ReportSheet& sheet, const Evaluation& evaluation, const Intersection& found) {
-  const std::optional<double> reference = evaluation.examined.measurement->referenceIntersection;
-  const std::optional<double> sigma = evaluation.examined.measurement->sigmaReference;
+/// Against the result of the measurement, where there is one.
+void addReference(ReportSheet& sheet, const Gap& gap) {
+  const Measurement& measurement = *gap.evaluation->examined.measurement;
+  const std::optional<double> reference = measurement.referenceIntersection;
+  const std::optional<double> sigma = measurement.sigmaReference;
+  const MeasuredIntersection* measured = gap.measured();
+  const IntersectionEstimate found =
+      measured ? measured->estimate : estimateOf(*gap.evaluation->fit.intersection);
   const QString difference =
       reference ? QStringLiteral("; difference Δd − reference = ") +
-                      valueWithUncertainty(found.value - *reference, found.expanded, QStringLiteral("mm"))
+                      valueWithUncertainty(found.value - *reference, found.expanded, QStringLiteral("mm")) +
+                      (measured ? QStringLiteral(" as measured") : QStringLiteral(" of the fit alone"))
                 : QString();
   sheet.paragraph(QStringLiteral("Reference intersection (never enters the fit): ") +
                   (reference ? plainNumberText(*reference) + QStringLiteral(" mm") : notStated()) +
@@ -192,13 +241,11 @@ void addVerdict(ReportSheet& sheet, const Gap& gap) {
     TextStyle style;
   };
   std::vector<Part> parts{{sheet.lines(verdict.word, wordStyle, inner), wordStyle}};
-  const QString value = intersectionLine(evaluation);
-  if (!value.isEmpty()) parts.push_back({sheet.lines(value, valueStyle, inner), valueStyle});
-  const QString found = asFoundLine(gap);
-  if (!found.isEmpty()) parts.push_back({sheet.lines(found, valueStyle, inner), valueStyle});
+  for (const QString& line : intersectionLines(gap))
+    parts.push_back({sheet.lines(line, valueStyle, inner), valueStyle});
   parts.push_back({sheet.lines(verdict.sentence, type::body, inner), type::body});
-  if (const auto& modelled = evaluation.fit.intersection)
-    parts.push_back({sheet.lines(coverageLine(*modelled), type::label, inner), type::label});
+  if (evaluation.fit.intersection)
+    parts.push_back({sheet.lines(coverageLine(gap), type::label, inner), type::label});
   const QString unseen = unseenBeyondUText(gap);
   if (!unseen.isEmpty()) parts.push_back({sheet.lines(unseen, type::body, inner), type::body});
   const QString findings = findingsLine(gap);
@@ -239,7 +286,8 @@ void addProblems(ReportSheet& sheet, const Evaluation& evaluation) {
   }
 }
 
-void addResult(ReportSheet& sheet, const Evaluation& evaluation) {
+void addResult(ReportSheet& sheet, const Gap& gap) {
+  const Evaluation& evaluation = *gap.evaluation;
   const SessionFit& fit = evaluation.fit;
   sheet.heading(QStringLiteral("Arc centres and radii"));
   if (fit.arcs.empty()) {
@@ -263,8 +311,14 @@ void addResult(ReportSheet& sheet, const Evaluation& evaluation) {
   sheet.skip(1);
   sheet.paragraph(QStringLiteral("Half the distance of the centres in the plane, |O1 − O2|/2 = ") +
                   lengthText(fit.intersection->inPlane, decimalsFor(fit.intersection->sigma)));
-  addReference(sheet, evaluation, *fit.intersection);
-  addBudget(sheet, *fit.intersection);
+  addReference(sheet, gap);
+}
+
+void addUncertainty(ReportSheet& sheet, const Gap& gap) {
+  const auto& fitted = gap.evaluation->fit.intersection;
+  if (!fitted) return;
+  if (const MeasuredIntersection* measured = gap.measured()) addBudget(sheet, *measured, fitted->coverage);
+  addBudget(sheet, *fitted);
 }
 
 }  // namespace alidade::ui

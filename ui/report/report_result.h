@@ -11,7 +11,10 @@ void addVerdict(ReportSheet& sheet, const Gap& gap);
 /// Every entry that could not be used, beside a red bar; nothing where all could.
 void addProblems(ReportSheet& sheet, const Evaluation& evaluation);
 
-/// Both arcs with standard uncertainties, the intersection, the budget, and the reference where one is given.
-void addResult(ReportSheet& sheet, const Evaluation& evaluation);
+/// Both arcs with standard uncertainties, the intersection, and the reference where one is given.
+void addResult(ReportSheet& sheet, const Gap& gap);
+
+/// The budget of the measurement, then that of the fit alone; nothing without an intersection.
+void addUncertainty(ReportSheet& sheet, const Gap& gap);
 
 }  // namespace alidade::ui

@@ -9,7 +9,6 @@
 #include "ui/text/entry_text.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/quantity_text.h"
-#include "ui/text/simulation_text.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {
@@ -95,9 +94,12 @@ QString methodText(const Evaluation& evaluation) {
              "stated σ. Horizontal angle tan a = x/L, vertical angle %1; frame at the theodolite, x right, "
              "y up.%2 The intersection Δd = (y(O1) − y(O2))/2 is half the distance of the arc centres at 0° "
              "(O1) and 180° (O2) across the axis. The share of the readings in its uncertainty is scaled by "
-             "their scatter (s0), pointing zeros and distance enter as stated; the expanded uncertainty U is "
-             "k times the combined standard uncertainty, k from Student's distribution. Accepted: |Δd| + U ≤ "
-             "tolerance; rejected: |Δd| − U > tolerance; otherwise undecided.")
+             "their scatter (s0), pointing zeros and distance enter as stated; the expanded uncertainty U of "
+             "the fit alone is k times the combined standard uncertainty, k from Student's distribution. As "
+             "measured, every effect of the catalogue takes part, known beforehand to 1σ of its "
+             "plausible size, and U also holds what else may explain the readings. Accepted: |Δd| + U ≤ "
+             "tolerance; rejected: |Δd| − U > tolerance, by the fit alone and as measured; otherwise "
+             "undecided.")
       .arg(relation,
            measurement && hasRepeats(*measurement)
                ? QStringLiteral(" Where an axis is measured again its positions have one centre and "
@@ -135,9 +137,7 @@ bool addSummary(ReportSheet& sheet, const Gap& gap, const ReportOptions& options
   addFacts(sheet, evaluation, options.date);
   addVerdict(sheet, gap);
   addProblems(sheet, evaluation);
-  addResult(sheet, evaluation);
-  if (options.simulated && options.simulated->intersection)
-    sheet.paragraph(simulationParagraph(*options.simulated));
+  addResult(sheet, gap);
   addFindings(sheet, gap);
   if (!evaluation.session.notes.empty()) {
     sheet.heading(QStringLiteral("Notes"));

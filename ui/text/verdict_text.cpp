@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/wording/verdict.h"
+#include "ui/text/cause_text.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/quantity_text.h"
@@ -52,15 +53,16 @@ VerdictText verdictText(const Evaluation& evaluation, const Diagnosis* diagnosis
   if (!decision)
     return {.word = VerdictWords::tr("No verdict"),
             .sentence = VerdictWords::tr("No tolerance stated, so nothing to decide against.")};
+  const auto sentence = [&] {
+    return qText(verdictSentence(measurement, fit, diagnosis, *decision,
+                                 [](const std::string& id) { return causeName(id).toStdString(); }));
+  };
   if (!isFinal) {
     decision->conformance.reset();
     return {.word = VerdictWords::tr("%1 as modelled").arg(wordOf(decision->verdict)),
-            .sentence = qText(verdictSentence(measurement, fit, diagnosis, *decision)) + u' ' +
-                        VerdictWords::tr("Not final: the diagnosis is still to speak.")};
+            .sentence = sentence() + u' ' + VerdictWords::tr("Not final: the diagnosis is still to speak.")};
   }
-  return {.word = wordOf(decision->verdict),
-          .sentence = qText(verdictSentence(measurement, fit, diagnosis, *decision)),
-          .verdict = decision->verdict};
+  return {.word = wordOf(decision->verdict), .sentence = sentence(), .verdict = decision->verdict};
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "core/wording/suspects.h"
 #include "tests/ui/report/printed.h"
 #include "tests/ui/support.h"
+#include "ui/text/budget_text.h"
 #include "ui/text/cause_text.h"
 #include "ui/text/closure_text.h"
 #include "ui/text/effect_text.h"
@@ -63,7 +64,9 @@ TEST(AcceptanceReport, TellsTheGapAndItsCause) {
        {parameterText(diagnosis.causes[0], diagnosis.causes[0].parameters[0]),
         QStringLiteral("as modelled ") + arcsecText(diagnosis.gap.rms, 2), estimateText(diagnosis.before),
         QStringLiteral("+ gravity sag ") + arcsecText(diagnosis.after.rms, 2),
-        estimateText(diagnosis.afterwards)})
+        estimateText(diagnosis.afterwards),
+        QStringLiteral("measured: every effect at its plausible size — — ") +
+            estimateText(diagnosis.measured->estimate)})
     EXPECT_TRUE(report.text().contains(text)) << text.toStdString() << report.text().toStdString();
   const QString paper = Printed(paperSession()).text().simplified();
   EXPECT_TRUE(paper.contains(QStringLiteral("With them in the model the two positions close.")))
@@ -140,17 +143,77 @@ TEST(AcceptanceReport, PutsBothAccountsAndWhatIsUnseenBesideTheVerdict) {
   session.acceptance.toleranceMm = "0.415";
   const QString contradicted = Printed(session).page(0).simplified();
   EXPECT_TRUE(contradicted.contains(QStringLiteral("Undecided"))) << contradicted.toStdString();
-  EXPECT_TRUE(contradicted.contains(QStringLiteral("with what the diagnosis found: Δd = 0.378 ± 0.035 mm")));
+  EXPECT_TRUE(contradicted.contains(
+      QStringLiteral("Measured: Δd = 0.414 ± 0.079 mm tolerance ± 0.415 mm of the fit alone: Δd = 0.458 ± "
+                     "0.039 mm")))
+      << contradicted.toStdString();
   EXPECT_FALSE(contradicted.contains(QStringLiteral("Rejected")));
 
   const Session sound = *simulate(*protocolByName("paper"), drawTruth(1), 1);
   const Diagnosis diagnosis = *diagnose(*examine(sound).measurement);
-  ASSERT_GT(diagnosis.unseen.front().influence, diagnosis.before->expanded);
+  ASSERT_GT(diagnosis.unseen.front().influence, diagnosis.measured->estimate.expanded);
   const QString front = Printed(sound).page(0).simplified();
   EXPECT_TRUE(
       front.contains(QStringLiteral("moves Δd by more than U: ") + causeName(diagnosis.unseen[0].effect)))
       << front.toStdString();
   EXPECT_FALSE(front.contains(QStringLiteral("nothing in the data speaks against")));
+}
+
+/// The first page, with what is known of the gap.
+QString frontPage(const Gap& gap) {
+  const QTemporaryDir folder;
+  const QString path = folder.filePath(QStringLiteral("report.pdf"));
+  ReportOptions options;
+  options.gap = std::make_shared<const Gap>(gap);
+  EXPECT_TRUE(writeAcceptanceReport(*gap.evaluation, Printed::savedSource(), path, options));
+  return printedText(path).section(u'\f', 0, 0).simplified();
+}
+
+TEST(AcceptanceReport, StatesNoMoreOfTheMeasurementThanIsKnown) {
+  Gap gap = assessGap(std::make_shared<const Evaluation>(evaluateFit(paperSession())));
+  gap.diagnosis->measured.reset();
+  EXPECT_TRUE(
+      frontPage(gap).contains(QStringLiteral("Measured: these readings do not determine Δd tolerance ± 2.5 "
+                                             "mm of the fit alone: Δd = 1.31 ± 0.21 mm")))
+      << frontPage(gap).toStdString();
+  const QString undiagnosed = frontPage(noGap(gap.evaluation, "Stopped."));
+  EXPECT_TRUE(undiagnosed.contains(QStringLiteral("Δd = 1.31 ± 0.21 mm of the fit alone tolerance ± 2.5 mm")))
+      << undiagnosed.toStdString();
+  EXPECT_FALSE(undiagnosed.contains(QStringLiteral("Measured:")));
+}
+
+// An effect that U as measured holds is not beyond it, though it is beyond U of the fit alone.
+TEST(AcceptanceReport, TellsAsUnseenOnlyWhatIsBeyondUAsMeasured) {
+  const Gap gap = assessGap(std::make_shared<const Evaluation>(evaluateFit(paperSession())));
+  ASSERT_TRUE(gap.measured());
+  const double measured = gap.measured()->estimate.expanded;
+  ASSERT_GT(measured, gap.diagnosis->before->expanded);
+  const auto isBetween = [&](const UnseenEffect& effect) {
+    return effect.influence > gap.diagnosis->before->expanded && effect.influence <= measured;
+  };
+  ASSERT_TRUE(std::ranges::any_of(gap.diagnosis->unseen, isBetween));
+  EXPECT_TRUE(gap.unseenBeyondU().empty());
+  EXPECT_FALSE(Printed(paperSession()).page(0).contains(QStringLiteral("more than U")));
+}
+
+TEST(AcceptanceReport, PrintsTheBudgetOfTheMeasurementAboveThatOfTheFit) {
+  const Session session = paperSession();
+  const Diagnosis diagnosis = *diagnose(*examine(session).measurement);
+  const Printed report(session);
+  const QString text = report.text().simplified();
+  const double sigma = diagnosis.measured->estimate.sigma;
+  const int decimals = decimalsFor(sigma) + 1;
+  for (const BudgetLine& line : budgetLines(*diagnosis.measured)) {
+    const QString row = QStringList({line.source, line.sizes, line.type, line.from,
+                                     numberText(line.sigma, decimals), shareText(line.sigma, sigma)})
+                            .join(u' ')
+                            .simplified();
+    EXPECT_TRUE(text.contains(row)) << row.toStdString() << text.toStdString();
+  }
+  const auto asMeasured = text.indexOf(QStringLiteral("Uncertainty of the intersection as measured"));
+  EXPECT_GE(asMeasured, 0);
+  EXPECT_GT(text.indexOf(QStringLiteral("Uncertainty of the intersection of the fit alone")), asMeasured);
+  EXPECT_FALSE(text.contains(QStringLiteral("arc_ellipticity"))) << "names, not ids";
 }
 
 TEST(AcceptanceReport, CountsTheGapAmongTheFindings) {

@@ -15,6 +15,11 @@ VerdictText verdictAt(const char* tolerance) {
   return verdictText(evaluate(session), nullptr);
 }
 
+MeasuredIntersection measuredAt(double value) {
+  return {.estimate = {value, 0.1, 0.2, {{1, value, 0.1}}, std::numeric_limits<double>::infinity()},
+          .budget = {{.effect = "plane_warp", .sigma = 0.1}}};
+}
+
 TEST(VerdictText, SaysTheDecisionInAWord) {
   EXPECT_EQ(verdictAt("2.5").word, QStringLiteral("Accepted"));
   EXPECT_EQ(verdictAt("2.5").verdict, Verdict::Accept);
@@ -30,12 +35,22 @@ TEST(VerdictText, HeedsTheDiagnosis) {
   const Evaluation evaluation = evaluate(session);
   Diagnosis diagnosis;
   diagnosis.verdict = DiagnosisVerdict::NotInCatalogue;
-  diagnosis.afterwards =
-      IntersectionEstimate{2.4, 0.1, 0.2, {{1, 2.4, 0.1}}, std::numeric_limits<double>::infinity()};
+  diagnosis.measured = measuredAt(2.4);
   EXPECT_EQ(verdictText(evaluation, &diagnosis).word, QStringLiteral("Undecided"));
   EXPECT_TRUE(verdictText(evaluation, &diagnosis).sentence.contains(QStringLiteral("2.40 mm ± 0.20 mm")));
-  diagnosis.afterwards->value = 2.2;
+  diagnosis.measured->estimate.value = 2.2;
   EXPECT_EQ(verdictText(evaluation, &diagnosis).word, QStringLiteral("Accepted"));
+}
+
+TEST(VerdictText, NamesWhatBringsTheMostToU) {
+  Session session = paperSession();
+  session.acceptance.toleranceMm = "2.5";
+  Diagnosis diagnosis;
+  diagnosis.measured = measuredAt(2.4);
+  const VerdictText text = verdictText(evaluate(session), &diagnosis);
+  EXPECT_EQ(text.word, QStringLiteral("Undecided"));
+  EXPECT_TRUE(text.sentence.contains(QStringLiteral("The most of U comes from plane warp, ")))
+      << text.sentence.toStdString();
 }
 
 TEST(VerdictText, AcceptsNothingBeforeTheDiagnosis) {

@@ -208,24 +208,27 @@ void GapPanel::showVerdict() {
   arrange();
 }
 
-/// Δd side by side: without the effects of the model, as modelled, with the causes.
+/// Δd without the effects of the model, as modelled, with the causes, as measured.
 void GapPanel::showEffectOnResult() {
   const Diagnosis& diagnosis = *m_gap->diagnosis;
   const GapStage &bare = m_gap->stages.front(), &modelled = m_gap->asModelled();
-  QStringList titles, values;
-  const auto add = [&](const QString& title, const std::optional<IntersectionEstimate>& estimate) {
-    titles.append(title);
-    values.append(estimateText(estimate));
+  QVector<FigureGrid::Row> rows;
+  const auto add = [&](const QString& caption, const std::optional<IntersectionEstimate>& estimate,
+                       const QString& toolTip) {
+    rows.append({caption, {estimateText(estimate)}, toolTip});
   };
-  if (&bare != &modelled) add(tr("before"), bare.intersection);
-  add(tr("as modelled"), modelled.intersection);
-  if (diagnosis.shape || !diagnosis.steps.empty())
-    add(diagnosis.shape ? tr("with the pattern") : tr("with the causes"), diagnosis.afterwards);
-  m_result->setRows(titles,
-                    {{tr("Δd ± U  mm"), values,
-                      tr("Before: without the effects of the model. With the causes: averaged over "
-                         "what else may be the case, each as likely as it is. With the pattern: U holds what "
-                         "it may move Δd by")}});
+  if (&bare != &modelled) add(tr("before"), bare.intersection, tr("Without the effects of the model"));
+  add(tr("as modelled"), modelled.intersection, {});
+  if (diagnosis.shape)
+    add(tr("with the pattern"), diagnosis.afterwards, tr("U holds what it may move Δd by"));
+  else if (!diagnosis.steps.empty())
+    add(tr("with the causes"), diagnosis.afterwards,
+        tr("Averaged over what else may be the case, each as likely as it is"));
+  const MeasuredIntersection* measured = m_gap->measured();
+  add(tr("measured"), measured ? std::optional(measured->estimate) : std::nullopt,
+      tr("Every effect of the catalogue takes part, as large as these readings and what is plausible leave "
+         "it"));
+  m_result->setRows({tr("Δd ± U  mm")}, rows);
 }
 
 void GapPanel::showShrinkage() {

@@ -72,7 +72,7 @@ ResultPanel::ResultPanel(QWidget* parent)
       m_value(new QLabel),
       m_valueNote(wrappedLabel()),
       m_unseen(wrappedLabel()),
-      m_asFound(wrappedLabel()),
+      m_measured(wrappedLabel()),
       m_badgeIcon(new QLabel),
       m_badge(new QLabel),
       m_sentence(wrappedLabel()),
@@ -82,9 +82,9 @@ ResultPanel::ResultPanel(QWidget* parent)
       m_comparison(new QWidget),
       m_published(new FigureGrid) {
   QFont large = font();
-  large.setPointSizeF(large.pointSizeF() * 1.75);
+  large.setPointSizeF(large.pointSizeF() * 1.5);
   large.setBold(true);
-  m_value->setFont(large);
+  for (QLabel* figure : {m_value, m_measured}) figure->setFont(large);
   m_value->setTextInteractionFlags(Qt::TextSelectableByMouse);
   QFont badge = font();
   badge.setPointSizeF(badge.pointSizeF() * 1.25);
@@ -95,7 +95,7 @@ ResultPanel::ResultPanel(QWidget* parent)
   QVBoxLayout* layout = column();
   layout->addWidget(m_value);
   layout->addWidget(m_valueNote);
-  layout->addWidget(m_asFound);
+  layout->addWidget(m_measured);
   auto* badgeRow = new QHBoxLayout;
   badgeRow->addWidget(m_badgeIcon);
   badgeRow->addWidget(m_badge, 1);
@@ -119,10 +119,7 @@ ResultPanel::ResultPanel(QWidget* parent)
   layout->addWidget(m_comparison);
   layout->addStretch();
   m_comparison->hide();
-  m_asFound->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  QFont found = font();
-  found.setBold(true);
-  m_asFound->setFont(found);
+  m_measured->setTextInteractionFlags(Qt::TextSelectableByMouse);
   m_gapHint->setTextFormat(Qt::RichText);
   m_gapHint->setObjectName(QStringLiteral("gap hint"));
   m_gapHint->setAlignment(Qt::AlignLeft | Qt::AlignTop);
@@ -141,8 +138,8 @@ void ResultPanel::setComparisonShown(bool shown) {
 void ResultPanel::setGap(const Gap& gap) {
   const VerdictText text = verdictText(*gap.evaluation, gap.found());
   if (gap.evaluation->fit.intersection) showVerdict(text.word, text.sentence, text.verdict);
-  for (QLabel* label : {m_asFound, m_unseen}) keepRoom(*label, false);
-  showAsFound(gap);
+  for (QLabel* label : {m_measured, m_unseen}) keepRoom(*label, false);
+  showMeasured(gap);
   m_unseen->setText(unbroken(unseenBeyondUText(gap)));
   m_unseen->setVisible(!m_unseen->text().isEmpty());
   m_gapHeadline = gap.isOpen() ? gapHeadline(*gap.diagnosis) : QString();
@@ -154,27 +151,33 @@ void ResultPanel::setGap(const Gap& gap) {
 }
 
 void ResultPanel::clearGap() {
-  for (QLabel* label : {m_asFound, m_unseen}) keepRoom(*label, false);
+  for (QLabel* label : {m_measured, m_unseen}) keepRoom(*label, false);
   m_gapHeadline.clear();
   m_gapHint->hide();
-  m_asFound->hide();
+  m_measured->hide();
   m_unseen->hide();
 }
 
-/// Where the gap is more than noise.
-void ResultPanel::showAsFound(const Gap& gap) {
-  const bool isToShow = gap.isOpen() && !gap.isNoiseAlone() && gap.evaluation->fit.intersection;
-  m_asFound->setVisible(isToShow);
+void ResultPanel::showMeasured(const Gap& gap) {
+  const bool isToShow = gap.diagnosis && gap.evaluation->fit.intersection;
+  m_measured->setVisible(isToShow);
+  m_measured->setToolTip({});
   if (!isToShow) return;
-  const auto& found = gap.diagnosis->afterwards;
-  m_asFound->setText(found ? tr("Δd = %1 with what the diagnosis found")
-                                 .arg(valueWithUncertainty(found->value, found->expanded, tr("mm")))
-                           : tr("With what the diagnosis found, these readings do not determine Δd."));
+  const MeasuredIntersection* measured = gap.measured();
+  if (!measured) return m_measured->setText(tr("Measured:\nthese readings do not determine Δd"));
+  const IntersectionEstimate& found = measured->estimate;
+  m_measured->setText(
+      tr("Measured:\nΔd = %1").arg(valueWithUncertainty(found.value, found.expanded, tr("mm"))));
+  m_measured->setToolTip(
+      tr("Δd = %1 mm, U = %2 mm at %3 % coverage.\nEvery effect of the catalogue takes part, as large as "
+         "these readings and what is plausible leave it. What each brings is on the page Budget.")
+          .arg(numberText(found.value, 6), numberText(found.expanded, 6),
+               plainNumberText(100 * gap.evaluation->examined.measurement->coverage)));
 }
 
 /// What stands below stays where it is.
 void ResultPanel::setGapStale() {
-  for (QLabel* label : {m_asFound, m_unseen}) keepRoom(*label, !label->isHidden());
+  for (QLabel* label : {m_measured, m_unseen}) keepRoom(*label, !label->isHidden());
   if (m_gapHeadline.isEmpty()) return;
   m_gapHint->setMinimumHeight(m_gapHint->height());
   m_gapHint->setForegroundRole(QPalette::PlaceholderText);
@@ -216,10 +219,11 @@ void ResultPanel::showHeadline(const Evaluation& evaluation) {
       valueWithUncertainty(intersection->value, intersection->expanded, tr("mm"))));
   m_value->setToolTip(tr("Δd = %1 mm, U = %2 mm")
                           .arg(numberText(intersection->value, 6), numberText(intersection->expanded, 6)));
-  QString note =
-      tr("U at %1 % coverage (k = %2); u = %3")
-          .arg(plainNumberText(intersection->coverage * 100), numberText(intersection->coverageFactor, 2),
-               lengthText(intersection->sigma, decimalsFor(intersection->sigma)));
+  QString note = unbroken(tr("Of the fit alone, U at %1 % coverage (k = %2); u = %3")
+                              .arg(plainNumberText(intersection->coverage * 100),
+                                   numberText(intersection->coverageFactor, 2),
+                                   lengthText(intersection->sigma, decimalsFor(intersection->sigma))));
+  note.replace(QStringLiteral("u = "), QStringLiteral("u%1=%1").arg(QChar(QChar::Nbsp)));
   const auto& measurement = evaluation.examined.measurement;
   if (measurement && measurement->referenceIntersection) {
     note += tr("\nReference %1, difference %2")

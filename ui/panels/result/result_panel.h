@@ -39,7 +39,7 @@ class ResultPanel : public ScrollPage {
   void showHeadline(const Evaluation& evaluation);
   void showVerdict(const Evaluation& evaluation);
   void showVerdict(const QString& word, const QString& sentence, std::optional<Verdict> verdict);
-  void showAsFound(const Gap& gap);
+  void showMeasured(const Gap& gap);
   void showArcs(const SessionFit& fit);
   void showComparison(const PublishedSessionFit& published);
   void colorVerdict();
@@ -50,8 +50,8 @@ class ResultPanel : public ScrollPage {
   QString m_iconName, m_gapHeadline;
   QLabel* m_value;
   QLabel* m_valueNote;
-  QLabel* m_unseen;   ///< what may move Δd by more than U unseen
-  QLabel* m_asFound;  ///< Δd with what was found, beside that of the session's own model
+  QLabel* m_unseen;    ///< what may move Δd by more than U unseen
+  QLabel* m_measured;  ///< Δd as it was measured, beside that of the fit alone
   QLabel* m_badgeIcon;
   QLabel* m_badge;
   QLabel* m_sentence;

@@ -8,30 +8,33 @@
 #include "core/wording/budget.h"
 #include "ui/panels/parts/figure_grid.h"
 #include "ui/panels/uncertainty/simulation_box.h"
+#include "ui/text/budget_text.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/quantity_text.h"
 
 namespace alidade::ui {
 
-namespace {
-
-QString shareText(double part, double whole) {
-  return whole > 0 ? numberText(100 * part * part / (whole * whole), 1) + QStringLiteral(" %") : notStated();
-}
-
-}  // namespace
-
 BudgetPanel::BudgetPanel(const SessionDocument& document, QWidget* parent)
     : ScrollPage(tr("Budget"), parent),
-      m_intersectionTitle(panelHeading(tr("Standard uncertainty of Δd"))),
+      m_measuredTitle(panelHeading(tr("Standard uncertainty of Δd, as measured"))),
+      m_measured(new FigureGrid(nullptr, FigureGrid::Captions::Wrapped)),
+      m_measuredNote(wrappedLabel()),
+      m_intersectionTitle(panelHeading(tr("Standard uncertainty of Δd, fit alone"))),
       m_intersection(new FigureGrid),
       m_simulation(new SimulationBox(document)),
       m_centresTitle(panelHeading(tr("Standard uncertainty of the centres  mm"))),
-      m_centres(new FigureGrid),
+      m_centres(new FigureGrid(nullptr, FigureGrid::Captions::Wrapped)),
       m_note(new QLabel) {
   m_note->setWordWrap(true);
-  m_note->setForegroundRole(QPalette::PlaceholderText);
+  for (QLabel* note : {m_note, m_measuredNote}) note->setForegroundRole(QPalette::PlaceholderText);
+  m_measuredNote->setText(
+      tr("1σ: how large each effect may plausibly be; share: of the variance. A: by the scatter of these "
+         "readings; B: by other "
+         "knowledge."));
   QVBoxLayout* layout = column();
+  layout->addWidget(m_measuredTitle);
+  layout->addWidget(m_measured);
+  layout->addWidget(m_measuredNote);
   layout->addWidget(m_intersectionTitle);
   layout->addWidget(m_intersection);
   layout->addWidget(m_simulation);
@@ -40,6 +43,7 @@ BudgetPanel::BudgetPanel(const SessionDocument& document, QWidget* parent)
   layout->addSpacing(6);
   layout->addWidget(m_note);
   layout->addStretch();
+  clearGap();
   connect(m_simulation, &SimulationBox::checked, this, &BudgetPanel::checked);
 }
 
@@ -59,6 +63,39 @@ void BudgetPanel::setEvaluation(const SharedEvaluation& evaluation) {
                 .arg(numberText(fit.noise.factor, 2))
           : tr("All parts rest on the stated noise.");
   m_note->setText(fit.arcs.empty() ? tr("No arc is fitted yet, so there is nothing to account for.") : scale);
+}
+
+void BudgetPanel::setGap(const Gap& gap) {
+  showMeasured(gap.measured());
+}
+
+/// Told as of before; what stands below stays where it is.
+void BudgetPanel::setGapStale() {
+  for (QWidget* part : std::initializer_list<QWidget*>{m_measuredTitle, m_measured, m_measuredNote})
+    part->setEnabled(false);
+}
+
+void BudgetPanel::clearGap() {
+  showMeasured(nullptr);
+}
+
+void BudgetPanel::showMeasured(const MeasuredIntersection* measured) {
+  for (QWidget* part : std::initializer_list<QWidget*>{m_measuredTitle, m_measured, m_measuredNote}) {
+    part->setEnabled(true);
+    part->setVisible(measured);
+  }
+  if (!measured) return;
+  const IntersectionEstimate& found = measured->estimate;
+  QVector<FigureGrid::Row> rows;
+  for (const BudgetLine& line : budgetLines(*measured))
+    rows.append({line.source,
+                 {line.sizes, line.type, numberText(line.sigma, 4), shareText(line.sigma, found.sigma)},
+                 line.from.isEmpty() ? QString() : tr("Size from: %1").arg(line.from)});
+  rows.append({tr("combined, u"), {{}, {}, numberText(found.sigma, 4), {}}});
+  rows.append({tr("expanded, U"),
+               {{}, {}, numberText(found.expanded, 4), {}},
+               tr("%1 effective degrees of freedom").arg(degreesOfFreedomText(found.degreesOfFreedom))});
+  m_measured->setRows({tr("1σ"), tr("type"), tr("mm"), tr("share")}, rows);
 }
 
 void BudgetPanel::showIntersection(const SessionFit& fit) {

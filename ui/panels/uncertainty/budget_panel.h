@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/jobs/gap.h"
 #include "ui/jobs/simulation_job.h"
 #include "ui/panels/parts/scroll_page.h"
 
@@ -11,8 +12,9 @@ class FigureGrid;
 class SessionDocument;
 class SimulationBox;
 
-/// Where the uncertainty comes from: readings, model effects, pointing zeros and distance, for Δd and for
-/// each coordinate of the centres. Checked by simulation where that is wanted.
+/// Where the uncertainty comes from: for Δd as it was measured, every effect of the catalogue; for Δd of the
+/// fit alone and for each coordinate of the centres, readings, model effects, pointing zeros and distance.
+/// The fit checked by simulation where that is wanted.
 class BudgetPanel : public ScrollPage {
   Q_OBJECT
 
@@ -20,6 +22,12 @@ class BudgetPanel : public ScrollPage {
   explicit BudgetPanel(const SessionDocument& document, QWidget* parent = nullptr);
 
   void setEvaluation(const SharedEvaluation& evaluation);
+  /// What the diagnosis of the session as it is found.
+  void setGap(const Gap& gap);
+  /// The session has changed: what is said of the measurement is of before.
+  void setGapStale();
+  /// Another session: nothing is known of its measurement yet.
+  void clearGap();
   /// The session has changed: stops a simulation at work where that is no longer of it.
   void stopOutdatedSimulation();
 
@@ -27,9 +35,13 @@ class BudgetPanel : public ScrollPage {
   void checked(const alidade::ui::SharedBudgetCheck& check);
 
  private:
+  void showMeasured(const MeasuredIntersection* measured);
   void showIntersection(const SessionFit& fit);
   void showCentres(const SessionFit& fit);
 
+  QLabel* m_measuredTitle;
+  FigureGrid* m_measured;
+  QLabel* m_measuredNote;
   QLabel* m_intersectionTitle;
   FigureGrid* m_intersection;
   SimulationBox* m_simulation;

@@ -138,8 +138,10 @@ TEST(Gap, ShowsWhatTheDiagnosisSays) {
   for (const Cause& cause : diagnosis.causes)
     for (const CauseParameter& parameter : cause.parameters)
       EXPECT_THAT(bench.shown(), HasSubstr(parameterText(cause, parameter).toStdString()));
-  EXPECT_THAT(bench.shown(), HasSubstr(estimateText(diagnosis.before).toStdString() + "\n" +
-                                       estimateText(diagnosis.afterwards).toStdString() + "\n"));
+  EXPECT_THAT(bench.shown(),
+              HasSubstr("as modelled\n" + estimateText(diagnosis.before).toStdString() +
+                        "\nwith the causes\n" + estimateText(diagnosis.afterwards).toStdString() +
+                        "\nmeasured\n" + estimateText(diagnosis.measured->estimate).toStdString() + "\n"));
   for (const GapStep& step : diagnosis.steps)
     EXPECT_THAT(bench.bars(), HasSubstr("rms " + numberText(step.size.rms, 2).toStdString() + "″, χ²/f " +
                                         numberText(step.size.reducedChiSquare, 2).toStdString()));
@@ -253,7 +255,7 @@ TEST(Gap, AddsACauseToTheModelWithOneKeyAndShowsBeforeAndAfter) {
   EXPECT_THAT(bench.bars(), HasSubstr("in the model: gravity sag: "));
   const Intersection after = evaluate(bench.open->document().session()).fit.intersection.value();
   EXPECT_THAT(bench.shown(),
-              HasSubstr("before\nas modelled\nΔd ± U  mm\n" + before + "\n" +
+              HasSubstr("Δd ± U  mm\nbefore\n" + before + "\nas modelled\n" +
                         valueWithUncertainty(after.value, after.expanded, {}).trimmed().toStdString()));
   EXPECT_FALSE(bench.button("add gravity_sag"));
   EXPECT_TRUE(bench.page()->hasFocus()) << "the keyboard stays on the page";

@@ -166,7 +166,8 @@ TEST(Simulation, IsToldOnPaperOfTheSessionItIsOf) {
   changeField(bench.open->document(), {.field = "operator"}, "M. Ruiz");
   bench.open.settle();
   EXPECT_THAT(bench.shown(), HasSubstr("simulated")) << "nothing that enters a fit has changed";
-  EXPECT_TRUE(bench.report().contains(QStringLiteral("Checked by simulation (JCGM 101, 2000 draws)")));
+  EXPECT_TRUE(bench.report().contains(
+      QStringLiteral("Checked by simulation (JCGM 101, 2000 draws), the fit alone: ")));
 
   ReadingsEditor(bench.open->document(), 1).setExcluded({3}, true);
   bench.open.settle();

@@ -1,0 +1,102 @@
+#include <gmock/gmock.h>
+
+#include <QLabel>
+
+#include "tests/ui/support.h"
+#include "ui/document/session_document.h"
+#include "ui/jobs/gap.h"
+#include "ui/main_window.h"
+#include "ui/panels/result/result_panel.h"
+#include "ui/panels/uncertainty/budget_panel.h"
+#include "ui/text/budget_text.h"
+#include "ui/text/quantity_text.h"
+
+// The page of the budget has that of the measurement, as soon as the diagnosis is there.
+
+namespace alidade::ui {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+const char* const asMeasured = "Standard uncertainty of Δd, as measured\n";
+
+std::string shownBy(const QWidget* page) {
+  QString texts;
+  for (const QLabel* label : page->findChildren<QLabel*>())
+    if (label->isVisibleTo(page)) texts += label->text() + u'\n';
+  return texts.toStdString();
+}
+
+Gap paperGap() {
+  return assessGap(std::make_shared<const Evaluation>(evaluateFit(paperSession())));
+}
+
+QLabel* labelOf(const QWidget& page, const QString& text) {
+  for (QLabel* label : page.findChildren<QLabel*>())
+    if (label->text() == text) return label;
+  return nullptr;
+}
+
+TEST(BudgetOfTheMeasurement, StandsAboveThatOfTheFitAlone) {
+  const Gap gap = paperGap();
+  const SessionDocument document;
+  BudgetPanel page(document);
+  page.setEvaluation(gap.evaluation);
+  EXPECT_THAT(shownBy(&page), Not(HasSubstr(asMeasured)));
+  page.setGap(gap);
+  const std::string shown = shownBy(&page);
+  const IntersectionEstimate& found = gap.measured()->estimate;
+  for (const BudgetLine& line : budgetLines(*gap.measured()))
+    EXPECT_THAT(shown, HasSubstr(QStringLiteral("%1\n%2\n%3\n%4\n%5\n")
+                                     .arg(line.source, line.sizes, line.type, numberText(line.sigma, 4),
+                                          shareText(line.sigma, found.sigma))
+                                     .toStdString()));
+  EXPECT_THAT(shown, HasSubstr(numberText(found.expanded, 4).toStdString()));
+  EXPECT_THAT(shown, Not(HasSubstr("_"))) << "names, not ids";
+  EXPECT_LT(shown.find(asMeasured), shown.find("Standard uncertainty of Δd, fit alone\n"));
+}
+
+TEST(BudgetOfTheMeasurement, IsGreyWhileItIsOldAndGoesWithTheSession) {
+  const Gap gap = paperGap();
+  const SessionDocument document;
+  BudgetPanel page(document);
+  page.setEvaluation(gap.evaluation);
+  page.setGap(gap);
+  const QLabel* source = labelOf(page, QStringLiteral("what else may explain the readings"));
+  ASSERT_TRUE(source);
+  EXPECT_TRUE(source->isEnabled());
+  page.setGapStale();
+  EXPECT_FALSE(source->isEnabled());
+  EXPECT_TRUE(source->isVisibleTo(&page)) << "what stands below stays where it is";
+  page.setGap(gap);
+  EXPECT_TRUE(source->isEnabled());
+  page.clearGap();
+  EXPECT_FALSE(source->isVisibleTo(&page));
+}
+
+TEST(BudgetOfTheMeasurement, FollowsTheDiagnosisInTheWindow) {
+  OpenWindow open;
+  ASSERT_TRUE(open->files().open(samplePath(QStringLiteral("paper-table-1.alidade"))));
+  open.settle();
+  ASSERT_TRUE(waitFor([&] { return open->gapJob().isIdle(); }));
+  const auto* page = open->findChild<BudgetPanel*>();
+  EXPECT_THAT(shownBy(page), HasSubstr(asMeasured));
+  open->document().startWith({});
+  EXPECT_THAT(shownBy(page), Not(HasSubstr(asMeasured)));
+}
+
+TEST(BudgetOfTheMeasurement, IsNoWiderThanItsPage) {
+  const Gap gap = paperGap();
+  const SessionDocument document;
+  BudgetPanel page(document);
+  page.setEvaluation(gap.evaluation);
+  page.setGap(gap);
+  page.resize(ResultPanel().minimumWidth(), 400);  // it stands beside that page
+  page.show();
+  QCoreApplication::processEvents();
+  EXPECT_LE(page.widget()->minimumSizeHint().width(), page.viewport()->width());
+}
+
+}  // namespace
+}  // namespace alidade::ui
