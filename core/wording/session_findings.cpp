@@ -58,9 +58,9 @@ Words wordsOf(const KnownRadiusContradicted& finding) {
 }
 
 Words wordsOf(const OffReference& finding) {
-  return {"The intersection differs from the reference " + displayShortest(finding.reference) + " mm by " +
-              displayText(finding.difference, 3) + " mm, more than its expanded uncertainty of " +
-              displayText(finding.expanded, 3) + " mm.",
+  return {"By the fit alone the intersection differs from the reference " +
+              displayShortest(finding.reference) + " mm by " + displayText(finding.difference, 3) +
+              " mm, more than its expanded uncertainty of " + displayText(finding.expanded, 3) + " mm.",
           "Nothing was fitted to the reference; find what separates the two."};
 }
 

@@ -108,7 +108,7 @@ std::string verdictSentence(const Measurement& measurement, const SessionFit& fi
 
 std::string verdictSentence(double value, double expanded, double tolerance, double coverage) {
   const std::string measured =
-      "The intersection was measured as " + lengthText(value, expanded) + coverageText(coverage);
+      "By the fit alone, the intersection is " + lengthText(value, expanded) + coverageText(coverage);
   const std::string limit = limitText(tolerance);
   switch (decide(value, expanded, tolerance)) {
     case Verdict::Accept:

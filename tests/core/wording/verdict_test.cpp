@@ -13,10 +13,10 @@ namespace {
 using testing::HasSubstr;
 
 TEST(VerdictSentence, StatesTheNumbersItRestsOn) {
-  EXPECT_EQ(
-      verdictSentence(1.30764, 0.2117, 2.5, 0.95),
-      "The intersection was measured as 1.31 mm ± 0.21 mm (95 % coverage); it lies within the tolerance of "
-      "± 2.5 mm, its uncertainty included.");
+  EXPECT_EQ(verdictSentence(1.30764, 0.2117, 2.5, 0.95),
+            "By the fit alone, the intersection is 1.31 mm ± 0.21 mm (95 % coverage); it lies within the "
+            "tolerance of "
+            "± 2.5 mm, its uncertainty included.");
   EXPECT_THAT(verdictSentence(1, 0.01, 0.5, 0.95), HasSubstr("lies outside"));
   EXPECT_THAT(verdictSentence(1, 0.01, 1, 0.95), HasSubstr("cannot be said"));
 }
