@@ -118,6 +118,15 @@ TEST(EffectCatalogue, KnowsWhichEffectsBend) {
   }
 }
 
+// The numbers of one effect are its parts along two directions, of which neither is the likelier.
+TEST(EffectCatalogue, ExpectsAsMuchInEitherDirection) {
+  for (const Effect& effect : effectCatalogue())
+    for (const EffectParameter& parameter : effect.parameters) {
+      EXPECT_EQ(parameter.plausible, effect.parameters[0].plausible) << effect.id;
+      EXPECT_EQ(parameter.unit, effect.parameters[0].unit) << effect.id;
+    }
+}
+
 TEST(EffectCatalogue, FindsEffectsByTheirId) {
   ASSERT_NE(effectById("trunnion_tilt"), nullptr);
   EXPECT_EQ(effectById("trunnion_tilt")->parameters[0].term, TrunnionTilt);
