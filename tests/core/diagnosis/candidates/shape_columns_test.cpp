@@ -48,6 +48,23 @@ TEST(ShapeColumns, MoveWhatTheyAreNamedAfter) {
   }
 }
 
+ErrorSource sourceNamedBy(std::string_view id) {
+  for (const std::string_view word : {"with time", "from round to round"})
+    if (holds(id, word)) return ErrorSource::Time;
+  for (const std::string_view word : {"with azimuth", "with elevation", "difference of the faces"})
+    if (holds(id, word)) return ErrorSource::Instrument;
+  return ErrorSource::Guideway;
+}
+
+TEST(ShapeColumns, ComeFromTheSourceTheirNameSays) {
+  std::set<ErrorSource> found;
+  for (const ShapeComponent& shape : shapes()) {
+    EXPECT_EQ(shape.source(), sourceNamedBy(shape.id())) << shape.id();
+    found.insert(shape.source());
+  }
+  EXPECT_EQ(found, (std::set{ErrorSource::Guideway, ErrorSource::Instrument, ErrorSource::Time}));
+}
+
 // Second to eighth harmonics of a scale that turns by s: cos ns and sin ns, times what one unit does to the
 // slider's readings, alone. Patterns are kept in single precision.
 TEST(ShapeColumns, FollowTheScaleInHarmonics) {
