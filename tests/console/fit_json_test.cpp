@@ -174,7 +174,7 @@ TEST(FitJson, DecidesByTheGuardBand) {
 }
 
 // Two causes were put in, Δd is 0.40 mm; the model without them says 0.458 ± 0.039 mm, and with all that may
-// be there it is 0.414 ± 0.079 mm. Between the two no verdict stands.
+// be there it is 0.414 ± 0.078 mm. Between the two no verdict stands.
 TEST(FitJson, DecidesNothingThatTheDiagnosisContradicts) {
   const TemporaryFolder folder;
   const auto answerAt = [&](double tolerance, std::vector<std::string> more) {

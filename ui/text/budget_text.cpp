@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <cmath>
 
+#include "core/base/visible_text.h"
 #include "core/wording/budget.h"
 #include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
@@ -34,14 +35,14 @@ BudgetLine lineOf(const UncertaintyShare& share) {
   return {.source = sourceText(share),
           .sizes = sizesAsWritten(share),
           .type = qText(textOf(share.type)),
-          .from = qText(textOf(share.from)),
+          .from = qText(share.reference.empty() ? textOf(share.from) : visibleText(share.reference)),
           .sigma = share.sigma};
 }
 
 }  // namespace
 
 QVector<BudgetLine> budgetLines(const MeasuredIntersection& measured) {
-  constexpr double negligible = 1e-3;
+  constexpr double negligible = 5e-3;
   const double variance = measured.estimate.sigma * measured.estimate.sigma;
   QVector<BudgetLine> lines;
   std::vector<UncertaintyShare> others;

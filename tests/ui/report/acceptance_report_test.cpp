@@ -144,7 +144,7 @@ TEST(AcceptanceReport, PutsBothAccountsAndWhatIsUnseenBesideTheVerdict) {
   const QString contradicted = Printed(session).page(0).simplified();
   EXPECT_TRUE(contradicted.contains(QStringLiteral("Undecided"))) << contradicted.toStdString();
   EXPECT_TRUE(contradicted.contains(
-      QStringLiteral("Measured: Δd = 0.414 ± 0.079 mm tolerance ± 0.415 mm of the fit alone: Δd = 0.458 ± "
+      QStringLiteral("Measured: Δd = 0.414 ± 0.078 mm tolerance ± 0.415 mm of the fit alone: Δd = 0.458 ± "
                      "0.039 mm")))
       << contradicted.toStdString();
   EXPECT_FALSE(contradicted.contains(QStringLiteral("Rejected")));

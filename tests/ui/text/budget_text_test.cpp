@@ -25,15 +25,20 @@ TEST(BudgetText, NamesEachSourceWithItsSizeAndUnit) {
   ASSERT_EQ(lines.size(), 3);
   EXPECT_EQ(lines[0].source, QStringLiteral("horizontal circle eccentricity"));
   EXPECT_EQ(lines[0].sizes, QStringLiteral("10, 12″"));
-  EXPECT_EQ(lines[0].from, QStringLiteral("default of the catalogue"));
+  EXPECT_EQ(lines[0].from, QStringLiteral("default"));
   EXPECT_EQ(lines[1].source, QStringLiteral("what else may explain the readings"));
   EXPECT_EQ(lines[1].type, QStringLiteral("B"));
   EXPECT_EQ(lines[2].source, QStringLiteral("readings"));
   EXPECT_EQ(lines[2].type, QStringLiteral("A"));
   EXPECT_TRUE(lines[2].sizes.isEmpty());
+  const QVector<BudgetLine> known = budgetLines(measuredBy({{.effect = "collimation",
+                                                             .from = UncertaintyShare::From::Known,
+                                                             .sigma = 1,
+                                                             .reference = "check\x1b 7"}}));
+  EXPECT_EQ(known[0].from, QStringLiteral("check\\u001b 7")) << "as the session says it";
 }
 
-TEST(BudgetText, GathersWhatIsBelowAThousandthOfTheVariance) {
+TEST(BudgetText, GathersWhatIsBelowHalfAPercentOfTheVariance) {
   const UncertaintyShare little{.effect = "plane_warp", .sigma = 0.03},
       less{.effect = "arc_lobing", .sigma = 0.04};
   const QVector<BudgetLine> lines =
