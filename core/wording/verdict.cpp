@@ -55,7 +55,7 @@ std::string agreement(Verdict verdict, const std::string& limit) {
 /// What brings the most to U, and what to do about it.
 std::string wayOut(const Diagnosis& diagnosis, const CauseNamer& name) {
   const UncertaintyShare& most = diagnosis.measured->budget.front();
-  if (isMoreThanNoise(diagnosis) || most.effect.empty())
+  if (most.effect.empty() || most.from == UncertaintyShare::From::Diagnosis)
     return "Add to the model what was found, or measure what the diagnosis advises.";
   return "The most of U comes from " + name(most.effect) +
          ", as large as is plausible: measure what shows it.";

@@ -45,7 +45,7 @@ TEST(VerdictSentence, PutsBothAccountsSideBySide) {
   diagnosis.causes.emplace_back().effect = "gravity_sag";
   diagnosis.measured.emplace().estimate = {
       1.9, 0.1, 0.2, {{1, 1.9, 0.1}}, std::numeric_limits<double>::infinity()};
-  diagnosis.measured->budget = {{.effect = "plane_warp", .sigma = 0.1}};
+  diagnosis.measured->budget = {{.from = UncertaintyShare::From::Diagnosis, .sigma = 0.1}};
   EXPECT_EQ(
       sentenceOf(measurement, fit, &diagnosis),
       "By the fit alone, the intersection is 1.31 mm ± 0.21 mm, within the tolerance of ± 1.6 mm; with all "
@@ -58,8 +58,8 @@ TEST(VerdictSentence, PutsBothAccountsSideBySide) {
   diagnosis.measured->estimate.value = 1.5;
   EXPECT_THAT(sentenceOf(measurement, fit, &diagnosis),
               HasSubstr("(95 % coverage), not clearly within or outside it."));
-  diagnosis.verdict = DiagnosisVerdict::WithinNoise;
-  diagnosis.causes.clear();
+  diagnosis.measured->budget = {
+      {.effect = "plane_warp", .from = UncertaintyShare::From::Default, .sigma = 0.1}};
   EXPECT_THAT(sentenceOf(measurement, fit, &diagnosis), HasSubstr("The most of U comes from plane_warp"));
   diagnosis.measured.reset();
   EXPECT_THAT(sentenceOf(measurement, fit, &diagnosis), HasSubstr("these readings do not determine it."));
