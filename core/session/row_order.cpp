@@ -26,7 +26,8 @@ std::vector<std::size_t> positionsAsTaken(const Session& session) {
   for (const Position& position : session.positions)
     if (const auto axis = axisOf(position)) comesAgain = ++times[*axis] > 1 || comesAgain;
   if (!comesAgain)
-    std::ranges::stable_partition(order, [&](std::size_t i) { return axisOf(session.positions[i]) == 0; });
+    std::stable_partition(order.begin(), order.end(),
+                          [&](std::size_t i) { return axisOf(session.positions[i]) == 0; });
   return order;
 }
 

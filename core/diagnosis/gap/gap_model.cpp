@@ -25,7 +25,7 @@ Result<GapModel, NoModel> modelOf(const Measurement& measurement) {
     Measurement measurement;
     SessionFit fit;
   };
-  const auto kept = std::make_shared<const Kept>(measurement, fitSession(measurement));
+  const auto kept = std::make_shared<const Kept>(Kept{measurement, fitSession(measurement)});
   const Result<GapModel, NoModel> borrowing = modelOf(kept->measurement, kept->fit);
   if (!borrowing) return borrowing;
   GapModel model = *borrowing;
