@@ -33,6 +33,7 @@ Truth drawn(const Row& row, const Protocol& protocol, std::uint64_t seed) {
   constexpr std::uint64_t stream = 55;  // apart from those of guideway and noise
   Truth truth = drawTruth(seed);
   truth.noiseFactor = row.noise;
+  truth.sigmaZero = truth.sigmaZero * row.noise;  // it scatters as the circles do
   RandomSource random(seed, stream);
   for (const Effect& effect : effectCatalogue()) {
     if (effect.response == Response::AllOrNothing || (!protocol.slider && effect.id.starts_with("slider")))
