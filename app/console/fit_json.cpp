@@ -88,11 +88,10 @@ Json sizeJson(const PlausibleSize& size) {
   return {{"name", size.name}, {"sigma", size.sigma}, {"unit", size.unit}};
 }
 
-Json budgetJson(const std::vector<UncertaintyShare>& shares) {
-  double variance = 0;
-  for (const UncertaintyShare& share : shares) variance += share.sigma * share.sigma;
+Json budgetJson(const MeasuredIntersection& measured) {
+  const double variance = measured.estimate.sigma * measured.estimate.sigma;
   Json budget = Json::array();
-  for (const UncertaintyShare& share : shares) {
+  for (const UncertaintyShare& share : measured.budget) {
     Json entry = {{"source", textOf(share)},
                   {"type", textOf(share.type)},
                   {"distribution", "normal"},
@@ -263,7 +262,7 @@ std::string fitJson(const FitAnswer& answer) {
   if (const auto decision = decideAcceptance(measurement, fit, answer.found()))
     document["decision"] = decisionJson(answer, *decision);
   const Json ofFit = fit.intersection ? budgetJson(fit.intersection->budget) : Json::array();
-  document["budget"] = measured ? budgetJson(measured->budget) : ofFit;
+  document["budget"] = measured ? budgetJson(*measured) : ofFit;
   if (measured) document["budget_of_fit"] = ofFit;
   if (answer.check) document["monte_carlo"] = monteCarloJson(*answer.check);
   document["effects"] = Json::array();

@@ -63,4 +63,8 @@ const Sighting* sliderOf(const ArcMeasurement& arc, const Visit& visit) {
   return nullptr;
 }
 
+bool hasSliderReadings(const ArcMeasurement& arc) {
+  return std::ranges::any_of(arc.sightings, [](const Sighting& s) { return s.slider.has_value(); });
+}
+
 }  // namespace alidade

@@ -26,6 +26,9 @@ struct Visit {
 /// The visits of an arc, ordered by their first row.
 std::vector<Visit> visitsOf(const ArcMeasurement& arc);
 
+/// Is the slider read anywhere on the arc?
+bool hasSliderReadings(const ArcMeasurement& arc);
+
 /// The row whose slider value counts: the first of the visit that has one; null where none has.
 const Sighting* sliderOf(const ArcMeasurement& arc, const Visit& visit);
 

@@ -156,18 +156,20 @@ std::vector<std::size_t> firstAtTheirAxes(const Measurement& measurement) {
   return firsts;
 }
 
+namespace {
+
+auto arcsAt(const Measurement& measurement, int axisDeg) {
+  return std::ranges::count(measurement.arcs, axisDeg, &ArcMeasurement::axisDeg);
+}
+
+}  // namespace
+
 bool hasRepeats(const Measurement& measurement) {
-  const auto isAt = [&](int axisDeg) {
-    return std::ranges::count(measurement.arcs, axisDeg, &ArcMeasurement::axisDeg);
-  };
-  return isAt(0) > 1 || isAt(180) > 1;
+  return arcsAt(measurement, 0) > 1 || arcsAt(measurement, 180) > 1;
 }
 
 bool hasBothAxes(const Measurement& measurement) {
-  const auto isAt = [&](int axisDeg) {
-    return std::ranges::find(measurement.arcs, axisDeg, &ArcMeasurement::axisDeg) != measurement.arcs.end();
-  };
-  return isAt(0) && isAt(180);
+  return arcsAt(measurement, 0) > 0 && arcsAt(measurement, 180) > 0;
 }
 
 Examined examine(const Session& session) {

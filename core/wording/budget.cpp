@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/list_text.h"
 #include "core/base/quantity_text.h"
 
 namespace alidade {
@@ -62,18 +63,20 @@ std::string textOf(UncertaintyShare::Type type) {
   return type == UncertaintyShare::Type::A ? "A" : "B";
 }
 
-std::string sizesText(const UncertaintyShare& share) {
-  if (share.sizes.empty()) return "";
-  std::vector<std::string> sizes;
+std::string numbersText(const UncertaintyShare& share) {
+  constexpr int digits = 3;
+  std::vector<std::string> numbers;
   for (const PlausibleSize& size : share.sizes) {
-    constexpr int digits = 3;
     std::string text = displayShortest(roundedTo(size.sigma, digits));
-    if (sizes.empty() || sizes.back() != text) sizes.push_back(std::move(text));
+    if (numbers.empty() || numbers.back() != text) numbers.push_back(std::move(text));
   }
-  const std::string& unit = share.sizes.front().unit;
-  std::string list;
-  for (const std::string& size : sizes) list += (list.empty() ? "" : ", ") + size;
-  return unit.size() > 1 ? list + " " + unit : list;
+  return listed(numbers, ", ");
+}
+
+std::string sizesText(const UncertaintyShare& share) {
+  const std::string numbers = numbersText(share);
+  if (share.sizes.empty() || share.sizes.front().unit.size() < 2) return numbers;
+  return numbers + " " + share.sizes.front().unit;
 }
 
 }  // namespace alidade

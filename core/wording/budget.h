@@ -16,7 +16,9 @@ std::string textOf(const UncertaintyShare& share);
 std::string textOf(UncertaintyShare::From from);
 /// "A" or "B".
 std::string textOf(UncertaintyShare::Type type);
-/// 1σ of an effect's numbers with their unit, "30 arcsec", "10, 10 arcsec"; empty of another source.
+/// 1σ of an effect's numbers, one where they are alike: "30", "10, 12"; empty of another source.
+std::string numbersText(const UncertaintyShare& share);
+/// The same with their unit: "30 arcsec", "10, 12 arcsec".
 std::string sizesText(const UncertaintyShare& share);
 
 }  // namespace alidade

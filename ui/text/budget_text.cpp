@@ -22,13 +22,9 @@ QString sourceText(const UncertaintyShare& share) {
 }
 
 QString sizesAsWritten(const UncertaintyShare& share) {
-  QString text = qText(sizesText(share));
-  if (share.sizes.empty()) return text;
-  const std::string& unit = share.sizes.front().unit;
-  const QString asWritten = u' ' + qText(unit);
-  if (unitText(unit).isEmpty() || !text.endsWith(asWritten)) return text;
-  text.chop(asWritten.size());
-  return withUnit(text, unitText(unit));
+  if (share.sizes.empty()) return {};
+  const QString unit = unitText(share.sizes.front().unit);
+  return unit.isEmpty() ? qText(sizesText(share)) : withUnit(qText(numbersText(share)), unit);
 }
 
 BudgetLine lineOf(const UncertaintyShare& share) {

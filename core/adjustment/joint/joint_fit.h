@@ -47,6 +47,7 @@ struct Unknown {
 
   /// Of the guideway at one rotation of the axis, whichever arc is sighted there.
   bool isOfAxis() const { return kind == Kind::CentreX || kind == Kind::CentreY || kind == Kind::Radius; }
+  bool isPointingZero() const { return kind == Kind::HorizontalZero || kind == Kind::VerticalZero; }
   /// One of the readings of arc `index` hangs on it; `firsts`: of each arc the one it shares centre and
   /// radius with.
   bool concerns(std::size_t index, const std::vector<std::size_t>& firsts) const {

@@ -85,9 +85,7 @@ void JointProblem::addArc(std::size_t arc) {
     kinds.push_back(CentreY);
     if (!sharesRadius()) kinds.push_back(Radius);
   }
-  const auto& sightings = m_measurement.arcs[arc].sightings;
-  if (std::ranges::any_of(sightings, [](const Sighting& s) { return s.slider.has_value(); }))
-    kinds.push_back(SliderZero);
+  if (hasSliderReadings(m_measurement.arcs[arc])) kinds.push_back(SliderZero);
   for (const auto kind : kinds) estimate({.kind = kind, .arc = arc}, {});
   addZero({.kind = HorizontalZero, .arc = arc}, m_measurement.sigmaZeroHorizontal.radians());
   addZero({.kind = VerticalZero, .arc = arc}, m_measurement.sigmaZeroVertical.radians());

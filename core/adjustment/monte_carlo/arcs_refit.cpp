@@ -8,15 +8,12 @@
 
 namespace alidade {
 
-namespace {
-
-bool isAlone(const Measurement& fitted) {
-  const auto hasSlider = [](const ArcMeasurement& arc) {
-    return std::ranges::any_of(arc.sightings, [](const Sighting& s) { return s.slider.has_value(); });
-  };
+bool haveNothingInCommon(const Measurement& fitted) {
   return estimatedTerms(fitted).empty() && !hasRepeats(fitted) && fitted.radiusModel == RadiusModel::Free &&
-         std::ranges::none_of(fitted.arcs, hasSlider);
+         std::ranges::none_of(fitted.arcs, hasSliderReadings);
 }
+
+namespace {
 
 class ArcsRefit : public Refit {
  public:
@@ -25,7 +22,8 @@ class ArcsRefit : public Refit {
   }
 
   static bool serves(const RefitTask& task) {
-    return isAlone(task.fitted) && std::ranges::all_of(task.fitted.arcs, [](const ArcMeasurement& arc) {
+    return haveNothingInCommon(task.fitted) &&
+           std::ranges::all_of(task.fitted.arcs, [](const ArcMeasurement& arc) {
              const std::vector<Visit> visits = visitsOf(arc);
              return std::ranges::all_of(
                  visits, [&](const Visit& visit) { return visit.mean.rows == visits.front().mean.rows; });

@@ -49,10 +49,6 @@ std::vector<Index> slotsWith(bool zeros, std::size_t terms) {
   return slots;
 }
 
-bool isZero(const Unknown& unknown) {
-  return unknown.kind == Unknown::Kind::HorizontalZero || unknown.kind == Unknown::Kind::VerticalZero;
-}
-
 struct ReadingRow {
   std::size_t noise = 0;            ///< its number among a draw's
   std::optional<std::size_t> zero;  ///< that of the pointing zero it is counted from
@@ -72,7 +68,8 @@ struct VisitBlock {
 class ExpandedModel {
  public:
   ExpandedModel(const RefitTask& task, const JointProblem& problem, const JointState& state)
-      : m_firstTerm(fixedSlots + (std::ranges::any_of(problem.estimated(), isZero) ? zeroSlots : 0)),
+      : m_firstTerm(fixedSlots +
+                    (std::ranges::any_of(problem.estimated(), &Unknown::isPointingZero) ? zeroSlots : 0)),
         m_slots(slotsWith(m_firstTerm > fixedSlots, task.plan.terms())),
         m_state(state) {
     mapUnknowns(task, problem);

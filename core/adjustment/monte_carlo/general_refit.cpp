@@ -17,12 +17,7 @@ class GeneralRefit : public Refit {
         m_options{
             .terms = estimatedTerms(task.fitted), .maximumIterations = 300, .tolerance = farBelowScatter} {
     for (const ArcFit& arc : task.fit.arcs) m_starts.push_back(arc.circle);
-    const auto hasSlider = [](const ArcMeasurement& arc) {
-      return std::ranges::any_of(arc.sightings, [](const Sighting& s) { return s.slider.has_value(); });
-    };
-    m_arcsApart = m_options.terms.empty() && !hasRepeats(task.fitted) &&
-                  task.fitted.radiusModel == RadiusModel::Free &&
-                  std::ranges::none_of(task.fitted.arcs, hasSlider);
+    m_arcsApart = haveNothingInCommon(task.fitted);
   }
 
   void refit(std::span<const Draw> draws, std::span<double> centres) override {

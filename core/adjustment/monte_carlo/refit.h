@@ -35,11 +35,14 @@ class Refit {
   virtual void refit(std::span<const Draw> draws, std::span<double> centres) = 0;
 };
 
+/// Each arc may be fitted by itself: one instrument without effects, free radii, no slider, no axis again.
+bool haveNothingInCommon(const Measurement& fitted);
+
 /// By the fits that the session itself goes through. Slow, and right whatever was drawn.
 std::unique_ptr<Refit> generalRefit(const RefitTask& task);
 
-/// By `fitArcsFast`, a lane for each draw, where the arcs have nothing in common and every visit of an arc as
-/// many rows: one instrument without effects, free radii, no slider. Null elsewhere. What that refuses is
+/// By `fitArcsFast`, a lane for each draw, where the arcs have nothing in common (`haveNothingInCommon`) and
+/// every visit of an arc as many rows. Null elsewhere. What that refuses is
 /// fitted in general.
 std::unique_ptr<Refit> arcsRefit(const RefitTask& task);
 

@@ -43,27 +43,18 @@ double consideredVariance(const JointFit& fit, const std::vector<double>& weight
   return variance;
 }
 
-/// The variance that unknowns of a kind bring which are known beforehand, such as a known radius: the gain of
-/// the adjustment on what is known of each, times its σ.
+/// The variance that unknowns of a kind bring which are known beforehand, such as a known radius.
 template <typename Meant>
 double varianceOfKnown(const JointFit& fit, const SquareMatrix& cofactor, const std::vector<double>& weights,
                        const Meant& isMeant) {
   double variance = 0;
-  for (std::size_t known = 0; known < fit.unknowns.size(); ++known) {
-    if (std::isinf(fit.priorSigmas[known]) || !isMeant(fit.unknowns[known])) continue;
-    double sum = 0;
-    for (std::size_t i = 0; i < weights.size(); ++i) sum += weights[i] * cofactor(i, known);
-    variance += square(sum / fit.priorSigmas[known]);
-  }
+  for (std::size_t known = 0; known < fit.unknowns.size(); ++known)
+    if (std::invoke(isMeant, fit.unknowns[known])) variance += varianceOfPrior(fit, cofactor, weights, known);
   return variance;
 }
 
 bool isRadius(const Unknown& unknown) {
   return unknown.kind == Unknown::Kind::Radius;
-}
-
-bool isZero(const Unknown& unknown) {
-  return unknown.kind == Unknown::Kind::HorizontalZero || unknown.kind == Unknown::Kind::VerticalZero;
 }
 
 bool isAny(const Unknown&) {
@@ -103,6 +94,14 @@ NoiseScale noiseScale(const JointFit& fit) {
   return noiseScale(fit.chiSquare, fit.degreesOfFreedom);
 }
 
+double varianceOfPrior(const JointFit& fit, const SquareMatrix& cofactor, const std::vector<double>& weights,
+                       std::size_t unknown) {
+  if (std::isinf(fit.priorSigmas[unknown])) return 0;
+  double gain = 0;
+  for (std::size_t i = 0; i < weights.size(); ++i) gain += weights[i] * cofactor(i, unknown);
+  return square(gain / fit.priorSigmas[unknown]);
+}
+
 std::vector<BudgetEntry> budgetOf(const JointFit& fit, const std::vector<double>& weights, double scale) {
   const double together = varianceOfReadings(fit, fit.cofactor, weights);
   const bool hasTerms = std::ranges::any_of(fit.unknowns, isTerm);
@@ -123,7 +122,7 @@ std::vector<BudgetEntry> budgetOf(const JointFit& fit, const std::vector<double>
     budget.push_back(
         {UncertaintySource::KnownRadius, std::sqrt(varianceOfKnown(fit, fit.cofactor, weights, isRadius))});
   const double ofZeros = std::sqrt(consideredVariance(fit, weights, false) +
-                                   varianceOfKnown(fit, fit.cofactor, weights, isZero));
+                                   varianceOfKnown(fit, fit.cofactor, weights, &Unknown::isPointingZero));
   const bool zerosScatter = fit.zerosAreReadings && scale > 1;
   budget.push_back({UncertaintySource::PointingZeros, zerosScatter ? scale * ofZeros : ofZeros,
                     zerosScatter ? scale * ofZeros : 0});

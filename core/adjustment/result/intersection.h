@@ -32,6 +32,12 @@ struct BudgetEntry {
   double scaled = 0;  ///< the part of it that is known by the scatter of the readings alone, mm
 };
 
+/// The variance that what is known beforehand of one unknown brings to a linear combination of all
+/// (`weights`): the gain of the adjustment on it times its σ, squared; 0 where nothing is known. `cofactor`:
+/// of the fit, with or without its terms.
+double varianceOfPrior(const JointFit& fit, const SquareMatrix& cofactor, const std::vector<double>& weights,
+                       std::size_t unknown);
+
 /// The budget of a linear combination of the unknowns (`weights`, one for each): the readings, and what
 /// estimating error terms along costs on top, scaled by `scale`; what the readings do not tell of the terms,
 /// by their plausible sizes (both listed only if there are any); the radius where it is known, the pointing

@@ -46,10 +46,8 @@ std::optional<Account> byFit(const Answer& answer) {
   for (std::size_t index = 0; index < fit.unknowns.size(); ++index) {
     const Unknown& unknown = fit.unknowns[index];
     if (unknown.kind != Unknown::Kind::Error) continue;
-    double gain = 0;
-    for (std::size_t i = 0; i < weights.size(); ++i) gain += weights[i] * fit.cofactor(i, index);
-    const double prior = fit.priorSigmas[index];
-    account.terms[unknown.term] = {prior, square(gain / prior)};
+    account.terms[unknown.term] = {fit.priorSigmas[index],
+                                   varianceOfPrior(fit, fit.cofactor, weights, index)};
   }
   std::ranges::copy_if(found->budget, std::back_inserter(account.others), [](const BudgetEntry& entry) {
     return entry.source != UncertaintySource::PlausibleSizes;
@@ -144,7 +142,7 @@ std::vector<UncertaintyShare> budgetOf(const Account& account, const Measurement
 
 std::optional<MeasuredIntersection> measuredIntersection(const Inquiry& inquiry, const Answer& answer) {
   const Measurement& measurement = *inquiry.base.measurement;
-  if (!arcAt(measurement, 0) || !arcAt(measurement, 180)) return std::nullopt;
+  if (!hasBothAxes(measurement)) return std::nullopt;
   LinearMoves moves(inquiry, Besides::EveryEffect);
   std::optional<Account> account;
   if (isLarge(measurement)) account = byMoves(inquiry, answer, moves);

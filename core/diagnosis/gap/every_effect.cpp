@@ -6,16 +6,11 @@
 
 #include "core/effects/catalogue.h"
 #include "core/effects/known_sizes.h"
+#include "core/observation/visits.h"
 
 namespace alidade {
 
 namespace {
-
-bool hasSliderReadings(const Measurement& measurement) {
-  return std::ranges::any_of(measurement.arcs, [](const ArcMeasurement& arc) {
-    return std::ranges::any_of(arc.sightings, [](const Sighting& s) { return s.slider.has_value(); });
-  });
-}
 
 bool isOfSlider(ErrorTerm term) {
   return term == ErrorTerm::SliderScale || term == ErrorTerm::SliderSine;
@@ -24,7 +19,7 @@ bool isOfSlider(ErrorTerm term) {
 }  // namespace
 
 std::vector<EstimatedTerm> everyEffect(const Measurement& measurement) {
-  const bool hasSlider = hasSliderReadings(measurement);
+  const bool hasSlider = std::ranges::any_of(measurement.arcs, hasSliderReadings);
   std::vector<EstimatedTerm> terms;
   for (const Effect& effect : effectCatalogue()) {
     if (effect.response == Response::AllOrNothing) continue;

@@ -64,7 +64,7 @@ Measurement withNoise(Measurement measurement, double factor) {
 }
 
 std::optional<GapModel> closedModelOf(const GapModel& own) {
-  if (!arcAt(*own.measurement, 0) || !arcAt(*own.measurement, 180)) return std::nullopt;
+  if (!hasBothAxes(*own.measurement)) return std::nullopt;
   GapModel closed = own;
   closed.options.isClosed = true;
   closed.refit();

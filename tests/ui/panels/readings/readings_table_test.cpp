@@ -169,34 +169,43 @@ TEST(ReadingsTable, SaysWhichPastedColumnsFoundNoRoom) {
   EXPECT_THAT(remark.toStdString(), testing::HasSubstr("2"));
 }
 
+/// Of a column of angles in a narrow table and in a wide one, which it stays.
+struct AngleWidths {
+  explicit AngleWidths(ReadingsTable& table) : m_table(table) {
+    m_table.resize(200, 400);
+    least = now();
+    m_table.resize(1200, 400);
+    most = now();
+  }
+
+  int now() const { return m_table.columnWidth(static_cast<int>(ReadingColumn::Horizontal)); }
+
+  int least = 0, most = 0;
+
+ private:
+  ReadingsTable& m_table;
+};
+
 TEST(ReadingsTable, GivesAnglesTheRoomThereIsUntilAColumnIsDrawnByHand) {
   Bench bench(threeReadings());
-  const auto width = [&] { return bench.table.columnWidth(static_cast<int>(ReadingColumn::Horizontal)); };
+  const AngleWidths widths(bench.table);
+  EXPECT_GT(widths.most, widths.least);
   bench.table.resize(200, 400);
-  const int least = width();
+  EXPECT_EQ(widths.now(), widths.least) << "as often as the table changes";
   bench.table.resize(1200, 400);
-  const int most = width();
-  EXPECT_GT(most, least);
+  EXPECT_EQ(widths.now(), widths.most);
+  bench.table.setColumnWidth(static_cast<int>(ReadingColumn::Horizontal), widths.most + 7);
   bench.table.resize(200, 400);
-  EXPECT_EQ(width(), least) << "as often as the table changes";
-  bench.table.resize(1200, 400);
-  EXPECT_EQ(width(), most);
-  bench.table.setColumnWidth(static_cast<int>(ReadingColumn::Horizontal), most + 7);
-  bench.table.resize(200, 400);
-  EXPECT_EQ(width(), most + 7) << "what was drawn by hand stays";
+  EXPECT_EQ(widths.now(), widths.most + 7) << "what was drawn by hand stays";
 }
 
 TEST(ReadingsTable, ShowsAllColumnsWithoutScrollingWhereTheirAnglesFit) {
   Bench bench(threeReadings());
-  const auto width = [&] { return bench.table.columnWidth(static_cast<int>(ReadingColumn::Horizontal)); };
-  bench.table.resize(200, 400);
-  const int least = width();
-  bench.table.resize(1200, 400);
-  const int most = width();
+  const AngleWidths widths(bench.table);
   int between = 0;
   for (int size = 300; size < 1000; size += 10) {
     bench.table.resize(size, 400);
-    if (width() == least || width() == most) continue;
+    if (widths.now() == widths.least || widths.now() == widths.most) continue;
     ++between;
     const int last = readingColumnCount - 1;
     const int left = bench.table.viewport()->width() - bench.table.columnViewportPosition(last);

@@ -32,6 +32,15 @@ Gap paperGap() {
   return assessGap(std::make_shared<const Evaluation>(evaluateFit(paperSession())));
 }
 
+/// Of Table I, before its diagnosis is there.
+struct PaperPage {
+  PaperPage() { panel.setEvaluation(gap.evaluation); }
+
+  Gap gap = paperGap();
+  SessionDocument document;
+  BudgetPanel panel{document};
+};
+
 QLabel* labelOf(const QWidget& page, const QString& text) {
   for (QLabel* label : page.findChildren<QLabel*>())
     if (label->text() == text) return label;
@@ -39,10 +48,8 @@ QLabel* labelOf(const QWidget& page, const QString& text) {
 }
 
 TEST(BudgetOfTheMeasurement, StandsAboveThatOfTheFitAlone) {
-  const Gap gap = paperGap();
-  const SessionDocument document;
-  BudgetPanel page(document);
-  page.setEvaluation(gap.evaluation);
+  PaperPage paper;
+  auto& [gap, document, page] = paper;
   EXPECT_THAT(shownBy(&page), Not(HasSubstr(asMeasured)));
   page.setGap(gap);
   const std::string shown = shownBy(&page);
@@ -58,10 +65,8 @@ TEST(BudgetOfTheMeasurement, StandsAboveThatOfTheFitAlone) {
 }
 
 TEST(BudgetOfTheMeasurement, IsGreyWhileItIsOldAndGoesWithTheSession) {
-  const Gap gap = paperGap();
-  const SessionDocument document;
-  BudgetPanel page(document);
-  page.setEvaluation(gap.evaluation);
+  PaperPage paper;
+  auto& [gap, document, page] = paper;
   page.setGap(gap);
   const QLabel* source = labelOf(page, QStringLiteral("what else may explain the readings"));
   ASSERT_TRUE(source);
@@ -87,10 +92,8 @@ TEST(BudgetOfTheMeasurement, FollowsTheDiagnosisInTheWindow) {
 }
 
 TEST(BudgetOfTheMeasurement, IsNoWiderThanItsPage) {
-  const Gap gap = paperGap();
-  const SessionDocument document;
-  BudgetPanel page(document);
-  page.setEvaluation(gap.evaluation);
+  PaperPage paper;
+  auto& [gap, document, page] = paper;
   page.setGap(gap);
   page.resize(ResultPanel().minimumWidth(), 400);  // it stands beside that page
   page.show();
