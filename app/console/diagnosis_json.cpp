@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/console/attainable_json.h"
 #include "app/console/findings_output.h"
 #include "app/console/json_text.h"
 #include "core/wording/diagnosis_sentence.h"
@@ -125,6 +126,7 @@ std::string diagnosisJson(const std::string& session, const Diagnosis& diagnosis
             {"one_left", advice.ofUnseen ? Json() : Json(advice.oneLeft)},
             {"anew", isReadAnew(advice.measures)}};
   });
+  json["attainable"] = attainableJson(diagnosis.attainable);
   if (diagnosis.shape)
     json["shape"] = {{"follows", diagnosis.shape->follows}, {"share", diagnosis.shape->share}};
   json["findings"] = findingsJson(findings);

@@ -9,11 +9,14 @@
 #include "core/base/number_text.h"
 #include "core/base/quantity_text.h"
 #include "core/effects/cause_ids.h"
+#include "core/wording/attainable.h"
 #include "core/wording/beyond.h"
+#include "core/wording/cause_prior.h"
 #include "core/wording/closures.h"
 #include "core/wording/diagnosis_sentence.h"
 #include "core/wording/measure.h"
 #include "core/wording/position_name.h"
+#include "core/wording/verdict.h"
 
 namespace alidade::console {
 
@@ -51,8 +54,16 @@ std::string sizeText(double value, double sigma) {
   return fixedText(value, decimalsFor(sigma, 0));
 }
 
+/// What the probability takes for granted.
+std::string givenText(const Cause& cause) {
+  const std::string plausible = plausibleSizeText(cause.effect);
+  return ", given the catalogue" +
+         (plausible.empty() ? "" : " and a plausible size of " + plausible + " (1σ)");
+}
+
 std::string causeText(const Cause& cause) {
-  std::string text = "\nCause: " + cause.effect + ", probability " + fixedText(cause.probability, 3) + "\n";
+  std::string text = "\nCause: " + cause.effect + ", probability " + shortProbabilityText(cause.probability) +
+                     givenText(cause) + "\n";
   for (const CauseParameter& parameter : cause.parameters)
     text += "  " + parameter.name + " " + sizeText(parameter.value, parameter.sigma) +
             (parameter.unit.size() > 1 ? " " + parameter.unit : "") +
@@ -119,10 +130,15 @@ std::string adviceText(const Diagnosis& diagnosis) {
         "  " + howTo(advice.measures) + (advice.ofUnseen ? ": would show " : ": tells apart every two of ") +
             listed(advice.separates) + ", by " + fixedText(advice.bySigma, 1) + " σ or more" +
             (advice.oneLeft > 0
-                 ? "; one answer is left with a probability of " + fixedText(100 * advice.oneLeft, 0) + " %"
+                 ? "; one answer is left with a probability of " + shortProbabilityText(advice.oneLeft)
                  : std::string()),
         4);
   return text;
+}
+
+std::string attainableText(const Diagnosis& diagnosis) {
+  const std::string sentence = attainableSentence(diagnosis.attainable);
+  return sentence.empty() ? sentence : "\nWhat U could be\n" + paragraph("  " + sentence, 2);
 }
 
 std::string unseenText(const Diagnosis& diagnosis) {
@@ -143,7 +159,7 @@ std::string diagnosisText(const std::string& session, const Diagnosis& diagnosis
   for (const Cause& cause : diagnosis.causes) text += causeText(cause);
   if (diagnosis.verdict != DiagnosisVerdict::WithinNoise) text += whereText(diagnosis);
   return text + closuresText(diagnosis) + whatItWouldTakeText(diagnosis) + adviceText(diagnosis) +
-         unseenText(diagnosis) + findingsText(findings);
+         attainableText(diagnosis) + unseenText(diagnosis) + findingsText(findings);
 }
 
 }  // namespace alidade::console

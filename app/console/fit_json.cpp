@@ -52,7 +52,14 @@ Json intersectionJson(const Intersection& intersection) {
           {"coverage", intersection.coverage},
           {"coverage_factor", intersection.coverageFactor},
           {"effective_degrees_of_freedom", intersection.effectiveDegreesOfFreedom},
-          {"in_plane_mm", intersection.inPlane}};
+          {"in_plane_mm", intersection.inPlane},
+          {"in_plane_sigma_mm", intersection.inPlaneSigma},
+          {"in_plane_expanded_mm", intersection.inPlaneExpanded}};
+}
+
+Json lengthJson(const std::optional<MeasuredLength>& length) {
+  if (!length) return nullptr;
+  return {{"value_mm", length->value}, {"sigma_mm", length->sigma}, {"expanded_mm", length->expanded}};
 }
 
 /// The keys of `intersectionJson`; an average over accounts has no degrees of freedom, and no part along x.
@@ -63,12 +70,15 @@ Json asFoundJson(const IntersectionEstimate& found, double coverage) {
           {"coverage", coverage},
           {"coverage_factor", found.sigma > 0 ? found.expanded / found.sigma : undefined},
           {"effective_degrees_of_freedom", undefined},
-          {"in_plane_mm", undefined}};
+          {"in_plane_mm", undefined},
+          {"in_plane_sigma_mm", undefined},
+          {"in_plane_expanded_mm", undefined}};
 }
 
 Json decisionJson(const FitAnswer& answer, const AcceptanceDecision& decision) {
   const bool isOpen = decision.verdict == Verdict::Undecided;
   return {{"tolerance_mm", answer.measurement.tolerance.value()},
+          {"measurand", decision.measurand == Measurand::Distance ? "distance" : "intersection"},
           {"verdict", verdictName(decision.verdict)},
           {"conformance_probability", decision.conformance.value_or(undefined)},
           {"as_modelled", verdictName(decision.asModelled)},
@@ -258,7 +268,11 @@ std::string fitJson(const FitAnswer& answer) {
   document["noise_scale"] = fit.noise.factor;
   if (fit.intersection) document["intersection"] = intersectionJson(*fit.intersection);
   const auto measured = answer.diagnosis ? answer.diagnosis->measured : std::nullopt;
-  if (measured) document["intersection_as_found"] = asFoundJson(measured->estimate, measurement.coverage);
+  if (measured) {
+    document["intersection_as_found"] = asFoundJson(measured->estimate, measurement.coverage);
+    document["across_plane"] = lengthJson(measured->across);
+    document["distance_from_axis"] = lengthJson(measured->distance);
+  }
   if (const auto decision = decideAcceptance(measurement, fit, answer.found()))
     document["decision"] = decisionJson(answer, *decision);
   const Json ofFit = fit.intersection ? budgetJson(fit.intersection->budget) : Json::array();

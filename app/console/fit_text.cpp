@@ -9,6 +9,8 @@
 #include "core/base/number_text.h"
 #include "core/base/quantity_text.h"
 #include "core/base/visible_text.h"
+#include "core/wording/across.h"
+#include "core/wording/attainable.h"
 #include "core/wording/budget.h"
 #include "core/wording/diagnosis_sentence.h"
 #include "core/wording/findings.h"
@@ -63,7 +65,8 @@ std::string coverageText(const Intersection& intersection) {
 std::string intersectionText(const Measurement& measurement, const Intersection& intersection) {
   return "\nIntersection Δd = " + fixedText(intersection.value, 6) + " mm ± " +
          fixedText(intersection.expanded, 4) + " mm " + coverageText(intersection) + ", of the fit alone" +
-         "\nCentres apart in the plane: |O1 - O2|/2 = " + fixedText(intersection.inPlane, 6) + " mm\n" +
+         "\nCentres apart in the plane: |O1 - O2|/2 = " + fixedText(intersection.inPlane, 6) + " mm ± " +
+         fixedText(intersection.inPlaneExpanded, 4) + " mm\n" +
          referenceLine(measurement, intersection.value);
 }
 
@@ -75,8 +78,11 @@ std::string measuredText(const FitAnswer& answer) {
          fixedText(measured->estimate.expanded, 4) + " mm (" + percent(answer.measurement.coverage) +
          " coverage)\n" +
          paragraph(
-             "Every effect of the catalogue takes part, as large as these readings and what is plausible "
-             "leave it.");
+             std::string(
+                 "Every effect of the catalogue takes part, as large as these readings and what is plausible "
+                 "leave it. ") +
+             acrossSentence(*measured)) +
+         paragraph(attainableSentence(answer.diagnosis->attainable));
 }
 
 /// Where it is more than noise.

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/console/attainable_json.h"
 #include "app/console/findings_output.h"
 #include "app/console/json_text.h"
 #include "app/console/text_layout.h"
@@ -9,6 +10,8 @@
 #include "core/base/number_text.h"
 #include "core/base/quantity_text.h"
 #include "core/effects/catalogue.h"
+#include "core/wording/attainable.h"
+#include "core/wording/cause_prior.h"
 #include "core/wording/measure.h"
 
 namespace alidade::console {
@@ -17,13 +20,6 @@ namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
 using Json = nlohmann::ordered_json;
-
-/// "30 arcsec"; the unit of a pure number is left out.
-std::string plausibleText(const std::string& id) {
-  const EffectParameter& parameter = effectById(id)->parameters.front();
-  return shortestText(parameter.plausible) +
-         (parameter.unit.size() > 1 ? " " + std::string(parameter.unit) : "");
-}
 
 std::string visibilityText(const PlannedEffect& effect) {
   const std::string most = fixedText(effect.mostVisible, 1);
@@ -39,7 +35,7 @@ std::string influenceText(const PlanReview& review, const PlannedEffect& effect)
 std::string effectsText(const PlanReview& review) {
   Rows rows{{"  effect", "plausible", "shows by (σ)", "moves Δd by (mm)", ""}};
   for (const PlannedEffect& effect : review.effects)
-    rows.push_back({"  " + effect.effect, plausibleText(effect.effect), visibilityText(effect),
+    rows.push_back({"  " + effect.effect, plausibleSizeText(effect.effect), visibilityText(effect),
                     influenceText(review, effect), effect.unseen ? "unseen" : ""});
   return "\nEffects of plausible size\n" + alignedColumns(rows);
 }
@@ -96,9 +92,10 @@ std::string planText(const std::string& session, const PlanReview& review,
                      const std::vector<Finding>& findings) {
   std::string text = heading(session) + "\n" + counted(review.readings, "reading") + " of circles and slider";
   if (const auto& estimate = review.intersection)
-    text += "; with the noise stated Δd would be known to " + fixedText(estimate->sigma, 4) + " mm (1σ)";
-  return text + "\n" + effectsText(review) + lookAlikesText(review) + adviceText(review) +
-         findingsText(findings);
+    text += "; with the noise stated Δd would be known to " + fixedText(estimate->sigma, 4) +
+            " mm (1σ) by a fit alone.";
+  text += "\n" + paragraph(attainableSentence(review.attainable));
+  return text + effectsText(review) + lookAlikesText(review) + adviceText(review) + findingsText(findings);
 }
 
 std::string planJson(const std::string& session, const PlanReview& review,
@@ -110,6 +107,7 @@ std::string planJson(const std::string& session, const PlanReview& review,
         {{"measure", textOf(entry.measures)}, {"reveals", entry.reveals}, {"separates", entry.separates}});
   Json json = {{"session", session}, {"readings", review.readings}};
   json["sigma_mm"] = review.intersection ? Json(review.intersection->sigma) : Json();
+  json["attainable"] = attainableJson(review.attainable);
   json["effects"] = std::move(effects);
   json["advice"] = std::move(advice);
   json["findings"] = findingsJson(findings);

@@ -1,35 +1,48 @@
 #include "core/diagnosis/decision.h"
 
-#include "core/base/statistics.h"
+#include "core/diagnosis/conformance.h"
 #include "core/effects/cause_ids.h"
 
 namespace alidade {
 
 namespace {
 
-/// Absent without degrees of freedom or an uncertainty.
-std::optional<double> conformanceOf(const IntersectionEstimate& estimate, double tolerance) {
-  double within = 0, all = 0;
-  for (const NormalPart& account : estimate.accounts) {
-    const auto below = [&](double limit) {
-      return studentLowerTail((limit - account.mean) / account.sigma, estimate.degreesOfFreedom);
-    };
-    const std::optional<double> high = below(tolerance), low = below(-tolerance);
-    if (!high || !low) return std::nullopt;
-    within += account.share * (*high - *low);
-    all += account.share;
-  }
-  if (!(all > 0)) return std::nullopt;
-  return within / all;
+/// Undecided where the causes leave the measurand undetermined. Of a part alone no more can be said than that
+/// it is too long.
+Verdict verdictOf(const std::optional<MeasuredIntersection>& measured, const Measurement& measurement) {
+  if (!measured) return Verdict::Undecided;
+  const auto decided = [&](const auto& length) {
+    return decide(length.value, length.expanded, *measurement.tolerance);
+  };
+  const Verdict inPlane = decided(measured->estimate);
+  if (measurement.measurand == Measurand::Intersection) return inPlane;
+  if (measured->distance) return decided(*measured->distance);
+  return inPlane == Verdict::Reject ? inPlane : Verdict::Undecided;
 }
 
-std::optional<IntersectionEstimate> estimateOf(const std::optional<MeasuredIntersection>& measured) {
-  return measured ? std::optional(measured->estimate) : std::nullopt;
+/// Of a distance the fit knows a part, which may be short enough where the whole is not.
+bool contradict(const AcceptanceDecision& decision) {
+  if (decision.measurand == Measurand::Distance)
+    return decision.asFound == Verdict::Accept && decision.asModelled != Verdict::Accept;
+  return decision.asFound.value_or(decision.asModelled) != decision.asModelled;
 }
 
-/// Undecided where the causes leave Δd undetermined.
-Verdict verdictOf(const std::optional<IntersectionEstimate>& found, double tolerance) {
-  return found ? decide(found->value, found->expanded, tolerance) : Verdict::Undecided;
+/// A part of the distance is neither measured nor too long by itself.
+bool isAcrossMissing(const AcceptanceDecision& decision, const Diagnosis* diagnosis) {
+  const bool isMeasured = diagnosis && diagnosis->measured && diagnosis->measured->across;
+  return decision.measurand == Measurand::Distance && !isMeasured &&
+         decision.asFound.value_or(decision.asModelled) != Verdict::Reject;
+}
+
+std::optional<double> conformanceOf(const Measurement& measurement, const SessionFit& fit,
+                                    const Diagnosis* diagnosis) {
+  const double tolerance = *measurement.tolerance;
+  if (!diagnosis) return conformanceOf(estimateOf(*fit.intersection), tolerance);
+  if (!diagnosis->measured) return std::nullopt;
+  const MeasuredIntersection& measured = *diagnosis->measured;
+  return measurement.measurand == Measurand::Distance && measured.across
+             ? conformanceOf(measured.estimate, *measured.across, tolerance)
+             : conformanceOf(measured.estimate, tolerance);
 }
 
 }  // namespace
@@ -42,9 +55,8 @@ bool isMoreThanNoise(const Diagnosis& diagnosis) {
 std::optional<AcceptanceDecision> decideAcceptance(const Measurement& measurement, const SessionFit& fit,
                                                    const Diagnosis* diagnosis) {
   if (!fit.verdict) return std::nullopt;
-  AcceptanceDecision decision{.asModelled = *fit.verdict};
-  const double tolerance = *measurement.tolerance;
-  if (diagnosis) decision.asFound = verdictOf(estimateOf(diagnosis->measured), tolerance);
+  AcceptanceDecision decision{.measurand = measurement.measurand, .asModelled = *fit.verdict};
+  if (diagnosis) decision.asFound = verdictOf(diagnosis->measured, measurement);
   decision.showsBoth = diagnosis != nullptr;
   if (fit.lengthsInDoubt) {
     decision.obstacle = AcceptanceDecision::Obstacle::Lengths;
@@ -54,10 +66,12 @@ std::optional<AcceptanceDecision> decideAcceptance(const Measurement& measuremen
     decision.obstacle = AcceptanceDecision::Obstacle::Coverage;
     return decision;
   }
-  if (decision.asFound.value_or(decision.asModelled) != decision.asModelled) {
+  if (isAcrossMissing(decision, diagnosis)) {
+    decision.obstacle = AcceptanceDecision::Obstacle::AcrossUnknown;
+  } else if (contradict(decision)) {
     decision.obstacle = AcceptanceDecision::Obstacle::Contradiction;
   } else {
-    decision.verdict = decision.asModelled;
+    decision.verdict = decision.asFound.value_or(decision.asModelled);
     if (decision.verdict != Verdict::Undecided) decision.obstacle = AcceptanceDecision::Obstacle::None;
   }
   if (diagnosis && isMisclosed(*diagnosis)) {
@@ -66,10 +80,8 @@ std::optional<AcceptanceDecision> decideAcceptance(const Measurement& measuremen
       decision.obstacle = AcceptanceDecision::Obstacle::Misclosure;
     return decision;
   }
-  if (!diagnosis)
-    decision.conformance = conformanceOf(estimateOf(*fit.intersection), tolerance);
-  else if (diagnosis->measured)
-    decision.conformance = conformanceOf(diagnosis->measured->estimate, tolerance);
+  if (decision.obstacle != AcceptanceDecision::Obstacle::AcrossUnknown)
+    decision.conformance = conformanceOf(measurement, fit, diagnosis);
   return decision;
 }
 

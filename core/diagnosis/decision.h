@@ -20,19 +20,22 @@ struct AcceptanceDecision {
     Lengths,        ///< in doubt, so the verdict is withheld
     Coverage,       ///< U is stated at a coverage too low for a verdict
     Contradiction,  ///< the two accounts do not say the same
+    AcrossUnknown,  ///< the tolerance is of the distance from the axis, of which a part was not measured
     Misclosure,     ///< the positions disagree where they must not, and nothing found accounts for it
   };
 
+  Measurand measurand = Measurand::Intersection;  ///< that is within the tolerance or not
   Verdict verdict = Verdict::Undecided;
-  Verdict asModelled = Verdict::Undecided;  ///< by Δd ± U of the session's own model
-  std::optional<Verdict> asFound = {};      ///< by `Diagnosis::measured`; absent without a diagnosis
+  /// By Δd ± U of the session's own model, which knows no more of a distance from the axis.
+  Verdict asModelled = Verdict::Undecided;
+  std::optional<Verdict> asFound = {};  ///< by `Diagnosis::measured`; absent without a diagnosis
   Obstacle obstacle = Obstacle::Uncertainty;
   /// There are two accounts, that of the fit alone and that of the measurement: both belong beside the
   /// verdict.
   bool showsBoth = false;
-  /// Probability that |Δd| is within the tolerance, 0…1, by what is believed of Δd as measured, or without a
-  /// diagnosis by the fit (JCGM 106:2012, 7.4). Absent where the verdict is withheld, a closure fails, or U
-  /// has no end.
+  /// Probability that the measurand is within the tolerance, 0…1, by what is believed of it as measured, or
+  /// of Δd without a diagnosis by the fit (`conformanceOf`). Absent where the verdict is withheld, a closure
+  /// fails, U has no end, or a part was not measured.
   std::optional<double> conformance = {};
 
   bool operator==(const AcceptanceDecision&) const = default;

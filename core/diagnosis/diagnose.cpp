@@ -12,6 +12,7 @@
 #include "core/diagnosis/gap/gap_size.h"
 #include "core/diagnosis/gap/held_out.h"
 #include "core/diagnosis/observability/advice.h"
+#include "core/diagnosis/observability/attainable.h"
 #include "core/diagnosis/observability/unseen.h"
 #include "core/effects/cause_ids.h"
 
@@ -187,6 +188,10 @@ Result<Diagnosis, DiagnosisFault> diagnose(const Measurement& measurement, const
   diagnosis.readings = readingsOf(own);
   if (stop.stop_requested()) return stopped;
   diagnosis.advice = adviceFor(inquiry, possibleCausesOf(inquiry, answer), diagnosis.causes, unseen);
+  if (stop.stop_requested()) return stopped;
+  if (options.withAttainable && answer.kind != Answer::Kind::Unknown)
+    diagnosis.attainable =
+        attainableUncertainties(answer.after, std::max(1.0, noiseScale(*answer.after.fit).factor));
   return diagnosis;
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/diagnosis/candidates/effect_components.h"
 #include "core/diagnosis/gap/gap_size.h"
+#include "core/diagnosis/observability/attainable.h"
 #include "core/diagnosis/observability/further_terms.h"
 #include "core/diagnosis/observability/look_alikes.h"
 #include "core/diagnosis/observability/unseen.h"
@@ -171,6 +172,7 @@ Result<PlanReview, NoModel> reviewPlan(const Measurement& measurement, const Ses
   const std::vector<Planned> effects = plannedEffects(model, leftover);
   review.readings = model.fit->readings.size();
   for (const Planned& planned : effects) review.effects.push_back(planned.summary);
+  review.attainable = attainableUncertainties(model, 1);
   const std::vector<Planned> inQuestion = effectsInQuestion(effects);
   if (inQuestion.empty()) return review;
   std::vector<const Effect*> asked;

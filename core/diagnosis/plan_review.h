@@ -42,6 +42,8 @@ struct PlanReview {
   std::vector<PlanAdvice> advice;                    ///< the most useful first
   std::optional<IntersectionEstimate> intersection;  ///< Δd of the plan with the noise as stated
   std::size_t readings = 0;                          ///< circle and slider readings
+  /// U of the measurement as planned, then with what would bring it down the most; empty without Δd.
+  std::vector<AttainableUncertainty> attainable = {};
 };
 
 /// Fails where no arc can be fitted to places like these. `fit` is that of the measurement.

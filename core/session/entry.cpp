@@ -167,6 +167,19 @@ Result<VerticalCircle> verticalCircleEntry(const std::string& text) {
   return Problem{quotation(text) + " is no kind of vertical circle: choose zenith or elevation"};
 }
 
+Result<PointingZeros> pointingZerosEntry(const std::string& text) {
+  if (text.empty()) return PointingZeros::Unstated;
+  if (text == "each") return PointingZeros::Each;
+  if (text == "one") return PointingZeros::One;
+  return Problem{quotation(text) + " is no way to sight the pointing zeros: choose each or one"};
+}
+
+Result<Measurand> measurandEntry(const std::string& text) {
+  if (text.empty() || text == "intersection") return Measurand::Intersection;
+  if (text == "distance") return Measurand::Distance;
+  return Problem{quotation(text) + " is nothing that a tolerance limits: choose intersection or distance"};
+}
+
 Result<VerticalAngleRelation> verticalAngleEntry(const std::string& text) {
   if (text.empty() || text == "exact") return VerticalAngleRelation::Exact;
   if (text == "planar") return VerticalAngleRelation::Planar;
@@ -212,6 +225,8 @@ std::optional<std::string> entryProblem(const Session& session, const std::strin
   if (field == "pointing_zero.vertical") return sentence(angleEntry(verticalRule, text, circle));
   if (field == "axis_deg") return sentence(axisEntry(text));
   if (field == "geometry.vertical_circle") return sentence(verticalCircleEntry(text));
+  if (field == "geometry.pointing_zeros") return sentence(pointingZerosEntry(text));
+  if (field == "acceptance.measurand") return sentence(measurandEntry(text));
   if (field == "model.vertical_angle") return sentence(verticalAngleEntry(text));
   if (field == "model.radius") return sentence(radiusModelEntry(text));
   if (field == "measured_on") return sentence(dateProblem(text));

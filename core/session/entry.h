@@ -47,6 +47,8 @@ Result<std::optional<Angle>> angleEntry(const AngleRule& rule, const std::string
 Result<int> axisEntry(const std::string& text);
 
 Result<VerticalCircle> verticalCircleEntry(const std::string& text);
+Result<Measurand> measurandEntry(const std::string& text);
+Result<PointingZeros> pointingZerosEntry(const std::string& text);
 Result<VerticalAngleRelation> verticalAngleEntry(const std::string& text);
 Result<RadiusModel> radiusModelEntry(const std::string& text);
 

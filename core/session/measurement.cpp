@@ -1,6 +1,7 @@
 #include "core/session/measurement.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <utility>
@@ -89,15 +90,20 @@ class Examiner : private ProblemReporter {
     m_circle = take(verticalCircleEntry(geometry.verticalCircle), {.field = "geometry.vertical_circle"});
     if (m_circle) m_measurement.verticalCircle = *m_circle;
     m_usable = m_usable && m_circle;
+    const auto zeros = take(pointingZerosEntry(geometry.pointingZeros), {.field = "geometry.pointing_zeros"});
+    if (zeros) m_measurement.pointingZeros = *zeros;
+    m_usable = m_usable && zeros;
   }
 
   void examineAcceptance() {
     const Acceptance& acceptance = m_session.acceptance;
     const auto tolerance = number("acceptance.tolerance_mm", acceptance.toleranceMm);
     const auto coverage = number("acceptance.coverage", acceptance.coverage);
+    const auto measurand = take(measurandEntry(acceptance.measurand), {.field = "acceptance.measurand"});
     const auto reference = number("acceptance.reference_intersection_mm", acceptance.referenceIntersectionMm);
     const auto sigmaReference = number("acceptance.sigma_reference_mm", acceptance.sigmaReferenceMm);
-    m_measurement.tolerance = coverage ? tolerance.value_or(std::nullopt) : std::nullopt;
+    m_measurement.tolerance = coverage && measurand ? tolerance.value_or(std::nullopt) : std::nullopt;
+    if (measurand) m_measurement.measurand = *measurand;
     if (coverage) m_measurement.coverage = coverage->value_or(m_measurement.coverage);
     m_measurement.referenceIntersection = reference.value_or(std::nullopt);
     if (m_measurement.referenceIntersection)
@@ -137,6 +143,19 @@ class Examiner : private ProblemReporter {
     }
     for (const std::size_t i : positionsAsTaken(m_session))
       if (arcs[i]) m_measurement.arcs.push_back(*std::move(arcs[i]));
+    examineZeros();
+  }
+
+  /// Zeros that differ are not one.
+  void examineZeros() {
+    if (!m_measurement.hasOneZero() || m_measurement.arcs.size() < 2 || hasAlikeZeros(m_measurement)) return;
+    m_measurement.pointingZeros = PointingZeros::Each;
+    const auto firstOfPositions = std::ranges::find_if(
+        m_problems, [](const Problem& problem) { return problem.where.position.has_value(); });
+    m_problems.insert(firstOfPositions,
+                      {"is stated as one, but the positions have different zeros: give all of them the same "
+                       "α0 and β0, or state each",
+                       {.field = "geometry.pointing_zeros"}});
   }
 
   const Session& m_session;
@@ -158,6 +177,13 @@ std::vector<std::size_t> firstAtTheirAxes(const Measurement& measurement) {
 
 namespace {
 
+/// Up to how their texts are written.
+bool haveSameZero(const ArcMeasurement& one, const ArcMeasurement& other) {
+  constexpr double rounding = 1e-6;  // arcsec
+  const auto areAlike = [](Angle a, Angle b) { return std::abs(wrapped(a - b).arcseconds()) < rounding; };
+  return areAlike(one.zeroHorizontal, other.zeroHorizontal) && areAlike(one.zeroVertical, other.zeroVertical);
+}
+
 auto arcsAt(const Measurement& measurement, int axisDeg) {
   return std::ranges::count(measurement.arcs, axisDeg, &ArcMeasurement::axisDeg);
 }
@@ -166,6 +192,13 @@ auto arcsAt(const Measurement& measurement, int axisDeg) {
 
 bool hasRepeats(const Measurement& measurement) {
   return arcsAt(measurement, 0) > 1 || arcsAt(measurement, 180) > 1;
+}
+
+bool hasAlikeZeros(const Measurement& measurement) {
+  const std::vector<ArcMeasurement>& arcs = measurement.arcs;
+  return arcs.size() > 1 && std::ranges::all_of(arcs, [&](const ArcMeasurement& arc) {
+           return haveSameZero(arc, arcs.front());
+         });
 }
 
 bool hasBothAxes(const Measurement& measurement) {

@@ -13,6 +13,12 @@
 
 namespace alidade {
 
+enum class PointingZeros {
+  Unstated,  ///< taken as Each
+  Each,      ///< every position has its own
+  One,       ///< sighted once, for all positions
+};
+
 enum class VerticalCircle { Zenith, Elevation };
 
 /// How a vertical circle reading follows from the target (x, y, −L).
@@ -26,6 +32,12 @@ enum class RadiusModel {
   Free,    ///< each position has its own
   Common,  ///< one for both positions, as of one rigid guideway
   Known,   ///< one for both, observed beforehand: R0 with its σ
+};
+
+/// What a tolerance limits: of the distance of the arc's centre from the axis …
+enum class Measurand {
+  Intersection,  ///< … the component in the plane of the arc, Δd
+  Distance,      ///< … all of it, across the plane, too
 };
 
 /// One row of readings, reduced: face 1 equivalent, from the pointing zero, right and up positive, |a|, |e| <
@@ -69,17 +81,22 @@ struct Measurement {
   Angle sigmaZeroHorizontal, sigmaZeroVertical;  ///< of the pointing zero, ≥ 0
   /// No σ of the zeros is stated: they are single readings of the circles, and scatter as these do.
   bool zerosAreReadings = false;
+  PointingZeros pointingZeros = PointingZeros::Unstated;
   Angle sigmaSlider;  ///< > 0
   VerticalCircle verticalCircle = VerticalCircle::Zenith;
   VerticalAngleRelation relation = VerticalAngleRelation::Exact;
-  std::optional<double> tolerance;              ///< mm, > 0
-  double coverage = 0.95;                       ///< in (0, 1)
-  std::optional<double> referenceIntersection;  ///< mm
-  std::optional<double> sigmaReference;         ///< mm, > 0; only with a reference, where stated
-  std::vector<ArcMeasurement> arcs;             ///< of each position, in the order taken
-  std::size_t rows = 0;                         ///< of the whole session, excluded ones too
-  std::vector<std::string> effects;             ///< ids of model.effects, to be estimated along
-  std::vector<KnownNumber> known;               ///< of the instrument, then of the device
+  std::optional<double> tolerance;                ///< mm, > 0
+  Measurand measurand = Measurand::Intersection;  ///< that it is of
+  double coverage = 0.95;                         ///< in (0, 1)
+  std::optional<double> referenceIntersection;    ///< mm
+  std::optional<double> sigmaReference;           ///< mm, > 0; only with a reference, where stated
+  std::vector<ArcMeasurement> arcs;               ///< of each position, in the order taken
+  std::size_t rows = 0;                           ///< of the whole session, excluded ones too
+  std::vector<std::string> effects;               ///< ids of model.effects, to be estimated along
+  std::vector<KnownNumber> known;                 ///< of the instrument, then of the device
+
+  /// One zero, wrong by the same in every arc.
+  bool hasOneZero() const { return pointingZeros == PointingZeros::One; }
 };
 
 /// Of each arc the first one at its axis, itself unless its position is one measured again: the arcs of one
@@ -88,6 +105,9 @@ std::vector<std::size_t> firstAtTheirAxes(const Measurement& measurement);
 
 /// Is any axis measured more than once?
 bool hasRepeats(const Measurement& measurement);
+
+/// Have all arcs the same pointing zero? False of a single arc.
+bool hasAlikeZeros(const Measurement& measurement);
 
 /// Are there arcs at 0° and at 180°, so that there is an intersection?
 bool hasBothAxes(const Measurement& measurement);

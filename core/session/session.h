@@ -92,14 +92,16 @@ struct Geometry {
   std::string radiusMm;         ///< nominal R0; required
   std::string sigmaRadiusMm;    ///< of R0 where the model takes it as known; empty: 0, taken as exact
   std::string verticalCircle;   ///< "zenith" or "elevation"; empty: zenith
+  std::string pointingZeros;    ///< "each": sighted in each position; "one": once, for all; empty: each
   JsonOrigin origin;
 
   bool operator==(const Geometry&) const = default;
 };
 
 struct Acceptance {
-  std::string toleranceMm;              ///< empty: no verdict
-  std::string coverage;                 ///< in (0, 1); empty: 0.95
+  std::string toleranceMm;  ///< empty: no verdict
+  std::string measurand;    ///< of the tolerance: "intersection" or "distance"; empty: intersection
+  std::string coverage;     ///< in (0, 1); empty: 0.95
   std::string referenceIntersectionMm;  ///< what the device was set to, where known; never enters a fit
   std::string sigmaReferenceMm;         ///< of the reference; empty: not stated
   JsonOrigin origin;

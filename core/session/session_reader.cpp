@@ -222,11 +222,13 @@ Geometry readGeometry(const ObjectReader& reader) {
           .radiusMm = reader.requiredNumber("radius_mm", "add the nominal radius of the arc in mm"),
           .sigmaRadiusMm = reader.number("sigma_radius_mm"),
           .verticalCircle = reader.text("vertical_circle"),
+          .pointingZeros = reader.text("pointing_zeros"),
           .origin = reader.origin()};
 }
 
 Acceptance readAcceptance(const ObjectReader& reader) {
   return {.toleranceMm = reader.number("tolerance_mm"),
+          .measurand = reader.text("measurand"),
           .coverage = reader.number("coverage"),
           .referenceIntersectionMm = reader.number("reference_intersection_mm"),
           .sigmaReferenceMm = reader.number("sigma_reference_mm"),

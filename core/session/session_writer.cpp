@@ -134,12 +134,14 @@ Json geometryJson(const Geometry& geometry) {
   writer.number("radius_mm", geometry.radiusMm, Presence::Required);
   writer.number("sigma_radius_mm", geometry.sigmaRadiusMm);
   writer.text("vertical_circle", geometry.verticalCircle);
+  writer.text("pointing_zeros", geometry.pointingZeros);
   return writer.take();
 }
 
 Json acceptanceJson(const Acceptance& acceptance) {
   ObjectWriter writer(acceptance.origin);
   writer.number("tolerance_mm", acceptance.toleranceMm);
+  writer.text("measurand", acceptance.measurand);
   writer.number("coverage", acceptance.coverage);
   writer.number("reference_intersection_mm", acceptance.referenceIntersectionMm);
   writer.number("sigma_reference_mm", acceptance.sigmaReferenceMm);

@@ -80,13 +80,14 @@ std::string sentenceOf(const Diagnosis& diagnosis, const CauseNamer& name) {
                "more places.";
       return "The readings agree with the model within their stated noise: there is no gap to explain.";
     case DiagnosisVerdict::SingleCause:
-      return "The gap is caused by " + causesNamed(diagnosis, name) + "." + shrunk(diagnosis);
+      return "The gap is best explained by " + causesNamed(diagnosis, name) + "." + shrunk(diagnosis);
     case DiagnosisVerdict::Ambiguous:
-      return "The gap is caused by " + causesNamed(diagnosis, name) +
+      return "The gap is best explained by " + causesNamed(diagnosis, name) +
              " or by what these readings cannot tell from it: " +
              named(diagnosis.causes.front().indistinguishableFrom, " or ", name) + "." + shrunk(diagnosis);
     case DiagnosisVerdict::SeveralCauses:
-      return "The gap has several causes: " + causesNamed(diagnosis, name) + "." + shrunk(diagnosis);
+      return "The gap is best explained by several causes together: " + causesNamed(diagnosis, name) + "." +
+             shrunk(diagnosis);
     case DiagnosisVerdict::NotInCatalogue:
       return (diagnosis.causes.empty()
                   ? "The gap is real, and no effect of the catalogue explains it"

@@ -62,4 +62,13 @@ Words wordsOf(const SlidersDiffer& finding) {
           "rounds."};
 }
 
+Words wordsOf(const ZerosAlike& finding) {
+  const std::string all = finding.positions > 2 ? "All positions" : "Both positions";
+  return {
+      all +
+          " have the same pointing zero: sighted once it is wrong by the same everywhere, which cancels in "
+          "Δd, sighted in each it would hardly be read alike.",
+      "State geometry.pointing_zeros: one, if it was sighted once, or each."};
+}
+
 }  // namespace alidade

@@ -1,5 +1,7 @@
 #include "core/wording/verdict.h"
 
+#include <cmath>
+
 #include "core/base/quantity_text.h"
 #include "core/wording/closures.h"
 #include "core/wording/position_name.h"
@@ -19,8 +21,8 @@ std::string textOf(const LengthsInDoubt& doubt) {
          check;
 }
 
-std::string lengthText(double value, double expanded) {
-  const int decimals = decimalsFor(expanded);
+std::string lengthText(double value, double expanded, double tolerance) {
+  const int decimals = decimalsToDecide(value, expanded, tolerance);
   return displayText(value, decimals) + " mm ± " + displayText(expanded, decimals) + " mm";
 }
 
@@ -64,15 +66,16 @@ std::string wayOut(const Diagnosis& diagnosis, const CauseNamer& name) {
 std::string bothAccounts(const Measurement& measurement, const Intersection& modelled,
                          const Diagnosis& diagnosis, const AcceptanceDecision& decision,
                          const CauseNamer& name) {
-  const std::string limit = limitText(*measurement.tolerance);
+  const double tolerance = *measurement.tolerance;
+  const std::string limit = limitText(tolerance);
   const std::string first =
-      "By the fit alone, the intersection is " + lengthText(modelled.value, modelled.expanded);
+      "By the fit alone, the intersection is " + lengthText(modelled.value, modelled.expanded, tolerance);
   if (!diagnosis.measured)
     return first + ", " + standing(decision.asModelled, limit) +
            "; but with what the diagnosis found, these readings do not determine it.";
   const IntersectionEstimate& measured = diagnosis.measured->estimate;
-  const std::string second =
-      "with all that these readings leave possible, it is " + lengthText(measured.value, measured.expanded);
+  const std::string second = "with all that these readings leave possible, it is " +
+                             lengthText(measured.value, measured.expanded, tolerance);
   const std::string coverage = coverageText(measurement.coverage);
   if (decision.asModelled == decision.asFound)
     return first + "; " + second + coverage + agreement(decision.asModelled, limit);
@@ -80,13 +83,73 @@ std::string bothAccounts(const Measurement& measurement, const Intersection& mod
          standing(*decision.asFound, "it") + ". " + wayOut(diagnosis, name);
 }
 
+/// Of the distance from the axis as a whole, whose parts are known.
+std::string distanceText(const Measurement& measurement, const MeasuredIntersection& measured,
+                         const AcceptanceDecision& decision) {
+  const double tolerance = *measurement.tolerance;
+  const auto part = [&](const auto& length) { return lengthText(length.value, length.expanded, tolerance); };
+  return "As measured, the distance of the arc's centre from the axis is " + part(*measured.distance) +
+         coverageText(measurement.coverage) + ": " + part(measured.estimate) +
+         " in the plane of the arc (Δd), " + part(*measured.across) + " across it (Δz); it lies " +
+         standing(decision.asFound.value_or(Verdict::Undecided), limitText(tolerance)) +
+         ", its uncertainty included.";
+}
+
+/// What a tolerance of Δd does not judge.
+std::string acrossText(const Measurement& measurement, const Diagnosis* diagnosis) {
+  if (measurement.measurand != Measurand::Intersection || !diagnosis || !diagnosis->measured) return "";
+  const auto& across = diagnosis->measured->across;
+  if (!across || std::abs(across->value) <= across->expanded) return "";
+  const int decimals = decimalsFor(across->expanded);
+  return " This judges the plane of the arc alone: across it, its centre lies " +
+         displayText(std::abs(across->value), decimals) + " mm ± " + displayText(across->expanded, decimals) +
+         " mm off the axis.";
+}
+
+/// What the verdict rests on.
+std::string accountsText(const Measurement& measurement, const SessionFit& fit, const Diagnosis* diagnosis,
+                         const AcceptanceDecision& decision, const CauseNamer& name) {
+  if (decision.measurand == Measurand::Distance && diagnosis && diagnosis->measured &&
+      diagnosis->measured->distance)
+    return distanceText(measurement, *diagnosis->measured, decision);
+  if (decision.showsBoth) return bothAccounts(measurement, *fit.intersection, *diagnosis, decision, name);
+  return verdictSentence(fit.intersection->value, fit.intersection->expanded, *measurement.tolerance,
+                         measurement.coverage);
+}
+
+/// Nothing is certain.
+std::string boundedText(double probability, const std::string& more, const std::string& less, int decimals) {
+  constexpr double nearlyCertain = 0.9995;
+  if (probability >= nearlyCertain) return more + "99.9 %";
+  if (probability < 1 - nearlyCertain) return less + "0.1 %";
+  return displayText(probability * 100, decimals) + " %";
+}
+
 }  // namespace
 
+int decimalsToDecide(double value, double expanded, double tolerance) {
+  constexpr int most = 9;
+  // In units of the last digit, where what is rounded is whole: 1.308 + 0.211 is no more than 1.519.
+  const auto decideRounded = [&](int decimals) {
+    constexpr double fine = 1e6;
+    const double one = std::pow(10, decimals);
+    return decide(std::round(value * one), std::round(expanded * one),
+                  std::round(tolerance * one * fine) / fine);
+  };
+  const Verdict verdict = decide(value, expanded, tolerance);
+  int decimals = decimalsFor(expanded);
+  while (decimals < most && decideRounded(decimals) != verdict) ++decimals;
+  return decimals;
+}
+
 std::string probabilityText(double probability) {
-  constexpr double nearlyCertain = 0.9995;
-  if (probability >= nearlyCertain) return "more than 99.9 %";
-  if (probability < 1 - nearlyCertain) return "less than 0.1 %";
-  return displayText(probability * 100, 1) + " %";
+  return boundedText(probability, "more than ", "less than ", 1);
+}
+
+std::string shortProbabilityText(double probability) {
+  constexpr double nearAnEnd = 0.01;
+  const bool isNearAnEnd = probability > 1 - nearAnEnd || probability < nearAnEnd;
+  return boundedText(probability, "> ", "< ", isNearAnEnd ? 1 : 0);
 }
 
 std::string verdictSentence(const Measurement& measurement, const SessionFit& fit, const Diagnosis* diagnosis,
@@ -95,10 +158,13 @@ std::string verdictSentence(const Measurement& measurement, const SessionFit& fi
   if (decision.obstacle == AcceptanceDecision::Obstacle::Coverage)
     return "There is no verdict at a coverage of " + displayShortest(measurement.coverage * 100) +
            " %: state acceptance.coverage as " + displayShortest(leastCoverageOfVerdict) + " or more.";
-  const std::string rests = decision.showsBoth
-                                ? bothAccounts(measurement, *fit.intersection, *diagnosis, decision, name)
-                                : verdictSentence(fit.intersection->value, fit.intersection->expanded,
-                                                  *measurement.tolerance, measurement.coverage);
+  const std::string rests =
+      accountsText(measurement, fit, diagnosis, decision, name) + acrossText(measurement, diagnosis);
+  if (decision.obstacle == AcceptanceDecision::Obstacle::AcrossUnknown)
+    return "The tolerance is of the distance from the axis as a whole, and how far the arc's centre lies off "
+           "it across the plane of the arc was not measured: read both positions over more of the arc, or "
+           "state it (device.known: plane_offset). " +
+           rests;
   if (decision.obstacle == AcceptanceDecision::Obstacle::Misclosure)
     return misclosureSentence(*diagnosis) + ' ' + rests;
   if (!decision.conformance) return rests;
@@ -107,8 +173,8 @@ std::string verdictSentence(const Measurement& measurement, const SessionFit& fi
 }
 
 std::string verdictSentence(double value, double expanded, double tolerance, double coverage) {
-  const std::string measured =
-      "By the fit alone, the intersection is " + lengthText(value, expanded) + coverageText(coverage);
+  const std::string measured = "By the fit alone, the intersection is " +
+                               lengthText(value, expanded, tolerance) + coverageText(coverage);
   const std::string limit = limitText(tolerance);
   switch (decide(value, expanded, tolerance)) {
     case Verdict::Accept:

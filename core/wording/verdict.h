@@ -15,8 +15,14 @@ namespace alidade {
 std::string verdictSentence(const Measurement& measurement, const SessionFit& fit, const Diagnosis* diagnosis,
                             const AcceptanceDecision& decision, const CauseNamer& name = byId);
 
-/// "97.3 %", "more than 99.9 %": of 0…1.
+/// "97.3 %", "more than 99.9 %": of 0…1, within a sentence.
 std::string probabilityText(double probability);
+/// "97 %", "99.3 %", "> 99.9 %": in a table or a list.
+std::string shortProbabilityText(double probability);
+
+/// The decimals of value and U, mm, that show two digits of U, and so many more that the rounded numbers
+/// decide against `tolerance` as the numbers themselves do (`decide`).
+int decimalsToDecide(double value, double expanded, double tolerance);
 
 /// What `decide` decides, with the numbers it rests on. `expanded` ≥ 0, `tolerance` > 0, `coverage` in (0,
 /// 1).

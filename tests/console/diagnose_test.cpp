@@ -37,7 +37,7 @@ TEST(Diagnose, AnswersWithTheKeysOfTheContract) {
   EXPECT_GT(answer.at("shrink").at("held_out").get<double>(), 0.5);
   for (const char* when : {"before", "after"})
     EXPECT_TRUE(answer.at("intersection").at(when).at("value_mm").is_number());
-  for (const char* key : {"candidates", "where", "unseen", "advice"})
+  for (const char* key : {"candidates", "where", "unseen", "advice", "attainable"})
     EXPECT_FALSE(answer.at(key).empty()) << key;
   EXPECT_NEAR(answer.at("gap").at("reduced_chi2").get<double>(), 580.23, 0.01);  // the planar fit's own χ²
 }

@@ -102,8 +102,11 @@ TEST(FitJson, HasTheKeysOfTheContract) {
     EXPECT_TRUE(fit["intersection"][key].is_number()) << key;
   }
   EXPECT_EQ(keysOf(fit["decision"]),
-            (std::set<std::string>{"tolerance_mm", "verdict", "conformance_probability", "as_modelled",
-                                   "as_found", "reason"}));
+            (std::set<std::string>{"tolerance_mm", "measurand", "verdict", "conformance_probability",
+                                   "as_modelled", "as_found", "reason"}));
+  EXPECT_EQ(fit["decision"]["measurand"], "intersection");
+  for (const char* length : {"across_plane", "distance_from_axis"})
+    EXPECT_EQ(keysOf(fit[length]), (std::set<std::string>{"value_mm", "sigma_mm", "expanded_mm"}));
   EXPECT_EQ(keysOf(fit["intersection_as_found"]), keysOf(fit["intersection"]));
   EXPECT_TRUE(fit["suspects"].is_array());
   EXPECT_EQ(fit["arcs"][0]["readings"], 17);

@@ -28,6 +28,11 @@ TEST(Plan, ReviewsAPlanThatHasBeenRead) {
     for (const char* key : {"effect", "plausible", "visible_sigma", "look_alikes", "influence_mm", "unseen"})
       EXPECT_TRUE(effect.contains(key)) << key;
   EXPECT_FALSE(review.at("advice").empty());
+  const Json& attainable = review.at("attainable");
+  EXPECT_EQ(attainable.at(0).at("measure"), "");
+  EXPECT_EQ(attainable.at(0).at("known"), "");
+  for (std::size_t i = 1; i < attainable.size(); ++i)
+    EXPECT_LT(attainable[i].at("expanded_mm"), attainable[0].at("expanded_mm"));
 }
 
 // Unread rows are spread over the same range as the paper's, so about the same shows: 10 %, and 0.1 σ.
@@ -44,6 +49,8 @@ TEST(Plan, ReviewsAPlanThatHasNotBeenRead) {
     EXPECT_NEAR(unread["effects"][i]["visible_sigma"]["most"].get<double>(), expected, 0.1 * expected + 0.1)
         << read["effects"][i]["effect"];
   }
+  const double expanded = read["attainable"][0]["expanded_mm"];
+  EXPECT_NEAR(unread["attainable"][0]["expanded_mm"].get<double>(), expanded, 0.1 * expanded);
 }
 
 TEST(Plan, SaysItInWordsToo) {
@@ -52,6 +59,7 @@ TEST(Plan, SaysItInWordsToo) {
   EXPECT_THAT(run.out, HasSubstr("vertical_drift"));
   EXPECT_THAT(run.out, HasSubstr("unseen"));
   EXPECT_THAT(run.out, HasSubstr("the way back (read anew): shows"));
+  EXPECT_THAT(run.out, HasSubstr("\nSessions like this one come to U = "));
 }
 
 // Some thousand degrees of freedom and not a second of misfit, which is what a plan without noise leaves.

@@ -60,6 +60,8 @@ constexpr Field fields[] = {
                                                             QT_TRANSLATE_NOOP("Field", "σ of the radius")),
     ofSession<&Session::geometry, &Geometry::verticalCircle>("geometry.vertical_circle",
                                                              QT_TRANSLATE_NOOP("Field", "vertical circle")),
+    ofSession<&Session::geometry, &Geometry::pointingZeros>("geometry.pointing_zeros",
+                                                            QT_TRANSLATE_NOOP("Field", "pointing zeros")),
     ofSession<&Session::acceptance, &Acceptance::toleranceMm>("acceptance.tolerance_mm",
                                                               QT_TRANSLATE_NOOP("Field", "tolerance")),
     ofSession<&Session::acceptance, &Acceptance::coverage>("acceptance.coverage",
@@ -68,6 +70,8 @@ constexpr Field fields[] = {
         "acceptance.reference_intersection_mm", QT_TRANSLATE_NOOP("Field", "reference intersection")),
     ofSession<&Session::acceptance, &Acceptance::sigmaReferenceMm>(
         "acceptance.sigma_reference_mm", QT_TRANSLATE_NOOP("Field", "σ of the reference")),
+    ofSession<&Session::acceptance, &Acceptance::measurand>(
+        "acceptance.measurand", QT_TRANSLATE_NOOP("Field", "what the tolerance limits")),
     ofSession<&Session::model, &Model::verticalAngle>("model.vertical_angle",
                                                       QT_TRANSLATE_NOOP("Field", "vertical angle relation")),
     ofSession<&Session::model, &Model::radius>("model.radius", QT_TRANSLATE_NOOP("Field", "radius model")),

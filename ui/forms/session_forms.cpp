@@ -46,6 +46,8 @@ QWidget* createMeasurementForm(SessionDocument& document) {
   const QVector<Choice> radii = {{QStringLiteral("free"), Forms::tr("Free")},
                                  {QStringLiteral("common"), Forms::tr("Common")},
                                  {QStringLiteral("known"), Forms::tr("Known")}};
+  const QVector<Choice> measurands = {{QStringLiteral("intersection"), Forms::tr("Δd")},
+                                      {QStringLiteral("distance"), Forms::tr("Distance")}};
   auto* form = new FieldForm(
       document,
       {
@@ -68,8 +70,6 @@ QWidget* createMeasurementForm(SessionDocument& document) {
            Forms::tr("Free: each arc has its own. Common: one for both arcs. Known: R0 with its σ takes part "
                      "as one more observation"),
            radii},
-          {"acceptance.tolerance_mm", Forms::tr("&Tolerance"), mm, Forms::tr("none"),
-           Forms::tr("Largest acceptable intersection; without it there is no verdict")},
           {"geometry.vertical_circle",
            Forms::tr("Vert&ical circle"),
            {},
@@ -77,17 +77,6 @@ QWidget* createMeasurementForm(SessionDocument& document) {
            Forms::tr(
                "What the vertical circle reads: zenith angles grow downwards, elevation angles upwards"),
            circles},
-          {"acceptance.coverage",
-           Forms::tr("Covera&ge"),
-           {},
-           Forms::tr("0.95"),
-           Forms::tr("Coverage probability of the expanded uncertainty U, between 0 and 1")},
-          {"acceptance.reference_intersection_mm", Forms::tr("Reference Δd"), mm, Forms::tr("none"),
-           Forms::tr(
-               "What the device was set to, where known; shown beside the result, never part of a fit")},
-          {"acceptance.sigma_reference_mm", Forms::tr("σ of ref."), mm, Forms::tr("none"),
-           Forms::tr("How well the reference is known (1σ). With it the reference is a closure, and may help "
-                     "the diagnosis to tell causes apart; it never enters Δd")},
           {"model.vertical_angle",
            Forms::tr("Relation"),
            {},
@@ -95,6 +84,27 @@ QWidget* createMeasurementForm(SessionDocument& document) {
            Forms::tr("Exact: tan e = y/√(x²+L²), what a theodolite reads. Planar: tan e = y/L, as in the "
                      "published method"),
            relations},
+          {"acceptance.tolerance_mm", Forms::tr("&Tolerance"), mm, Forms::tr("none"),
+           Forms::tr("Largest acceptable intersection; without it there is no verdict")},
+          {"acceptance.measurand",
+           Forms::tr("Limits"),
+           {},
+           {},
+           Forms::tr(
+               "What the tolerance limits: the intersection Δd, which is the part in the plane of the arc "
+               "of the distance of its centre from the axis, or that distance as a whole"),
+           measurands},
+          {"acceptance.reference_intersection_mm", Forms::tr("Reference Δd"), mm, Forms::tr("none"),
+           Forms::tr(
+               "What the device was set to, where known; shown beside the result, never part of a fit")},
+          {"acceptance.sigma_reference_mm", Forms::tr("σ of ref."), mm, Forms::tr("none"),
+           Forms::tr("How well the reference is known (1σ). With it the reference is a closure, and may help "
+                     "the diagnosis to tell causes apart; it never enters Δd")},
+          {"acceptance.coverage",
+           Forms::tr("Covera&ge"),
+           {},
+           Forms::tr("0.95"),
+           Forms::tr("Coverage probability of the expanded uncertainty U, between 0 and 1")},
       },
       2);
   sayWhatNoSigmaMeans(document, *form->findChild<FieldEdit*>(QStringLiteral("geometry.sigma_radius_mm")));
@@ -103,21 +113,32 @@ QWidget* createMeasurementForm(SessionDocument& document) {
 
 QWidget* createInstrumentForm(SessionDocument& document) {
   const QString seconds = Forms::tr("″");
+  const QVector<Choice> zeros = {{{}, Forms::tr("Not stated")},
+                                 {QStringLiteral("each"), Forms::tr("Each")},
+                                 {QStringLiteral("one"), Forms::tr("One for all")}};
   return stacked({new FieldForm(
       document,
       {
           {"instrument.name", Forms::tr("Instr&ument"), {}, Forms::tr("model"), {}, {}, true},
           {"instrument.serial", Forms::tr("Serial no."), {}, {}, {}},
+          {"geometry.pointing_zeros",
+           Forms::tr("Pointing zeros"),
+           {},
+           {},
+           Forms::tr(
+               "Each: sighted anew in every position. One: sighted once for all, so that an error of it "
+               "cancels in Δd"),
+           zeros},
           {"instrument.sigma_zero_arcsec", Forms::tr("σ pointing &zero"), seconds,
            Forms::tr("as the circles"), Forms::tr("Standard uncertainty of the pointing zeros α0 and β0")},
+          {"instrument.sigma_slider_arcsec", Forms::tr("σ slider"), seconds, Forms::tr("5"),
+           Forms::tr("Standard deviation of one slider reading")},
           {"instrument.sigma_horizontal_arcsec", Forms::tr("σ ho&rizontal circle"), seconds, Forms::tr("2"),
            Forms::tr("Stated standard deviation of one horizontal reading")},
           {"instrument.sigma_vertical_arcsec", Forms::tr("σ vertical circle"), seconds, Forms::tr("2"),
            Forms::tr("Stated standard deviation of one vertical reading")},
           {"device.name", Forms::tr("Dev&ice"), {}, Forms::tr("simulator measured"), {}, {}, true},
           {"device.serial", Forms::tr("Serial no."), {}, {}, {}},
-          {"instrument.sigma_slider_arcsec", Forms::tr("σ slider"), seconds, Forms::tr("5"),
-           Forms::tr("Standard deviation of one slider reading")},
       },
       2)});
 }

@@ -115,7 +115,7 @@ Gap assessGap(const SharedEvaluation& evaluation, const std::stop_token& stop, b
   gap.isWithReference = withReference;
   if (!gap.reason.empty()) return gap;
   auto diagnosis = diagnose(*gap.evaluation->examined.measurement, gap.evaluation->fit,
-                            {.withReference = withReference}, stop);
+                            {.withReference = withReference, .withAttainable = true}, stop);
   if (!diagnosis) {
     gap.reason = problemOf(diagnosis.problem()).what;
     return gap;

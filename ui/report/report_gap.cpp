@@ -5,6 +5,7 @@
 #include "core/wording/beyond.h"
 #include "core/wording/closures.h"
 #include "core/wording/measure.h"
+#include "core/wording/verdict.h"
 #include "ui/report/report_table.h"
 #include "ui/text/cause_text.h"
 #include "ui/text/closure_text.h"
@@ -35,6 +36,15 @@ void addStages(ReportSheet& sheet, const Gap& gap) {
   table.finish();
 }
 
+/// " (1σ: collimation 30″)".
+QString plausibleSizes(const Diagnosis& diagnosis) {
+  QStringList sizes;
+  for (const Cause& cause : diagnosis.causes)
+    if (const QString size = plausibleText(cause.effect); !size.isEmpty())
+      sizes.append(causeName(cause.effect) + u' ' + size);
+  return sizes.isEmpty() ? QString() : QStringLiteral(" (1σ: %1)").arg(sizes.join(QStringLiteral(", ")));
+}
+
 /// "Collimation, −3.53″ (u 0.17); probability 79 %."
 QString causeLine(const Cause& cause) {
   QStringList parts{causeTitle(cause.effect)};
@@ -42,7 +52,7 @@ QString causeLine(const Cause& cause) {
     if (parameter.sigma > 0) parts.append(parameterText(cause, parameter));
   for (const ReadingDeviation& reading : cause.readings) parts.append(deviationText(reading));
   return parts.join(QStringLiteral("; ")) +
-         QStringLiteral("; probability %1 %.").arg(numberText(100 * cause.probability, 1));
+         QStringLiteral("; probability %1.").arg(qText(shortProbabilityText(cause.probability)));
 }
 
 /// No less than the section takes up, in mm.
@@ -119,6 +129,11 @@ void addGap(ReportSheet& sheet, const Gap& gap) {
   sheet.paragraph(gapSentence(gap));
   for (const Cause& cause : gap.diagnosis->causes)
     sheet.paragraph(QStringLiteral("– ") + causeLine(cause), type::body, 3);
+  if (!gap.diagnosis->causes.empty())
+    sheet.paragraph(
+        QStringLiteral("Probabilities: given the catalogue and how large its effects plausibly are%1.")
+            .arg(plausibleSizes(*gap.diagnosis)),
+        type::small);
   sheet.skip(1);
   addStages(sheet, gap);
   if (gap.isOpen())

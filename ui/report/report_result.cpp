@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/wording/across.h"
 #include "core/wording/budget.h"
 #include "ui/report/report_table.h"
 #include "ui/text/budget_text.h"
@@ -38,15 +39,15 @@ QString toleranceText(const Evaluation& evaluation) {
 QStringList intersectionLines(const Gap& gap) {
   const auto& fitted = gap.evaluation->fit.intersection;
   if (!fitted) return {};
-  const QString ofFit =
-      QStringLiteral("Δd = ") + valueWithUncertainty(fitted->value, fitted->expanded, QStringLiteral("mm"));
+  const Measurement& measurement = *gap.evaluation->examined.measurement;
+  const QString ofFit = intersectionText(measurement, fitted->value, fitted->expanded);
   const QString tolerance = QStringLiteral("     ") + toleranceText(*gap.evaluation);
   if (!gap.diagnosis) return {ofFit + QStringLiteral(" of the fit alone") + tolerance};
   const MeasuredIntersection* measured = gap.measured();
-  const QString first = measured ? QStringLiteral("Measured: Δd = ") +
-                                       valueWithUncertainty(measured->estimate.value,
-                                                            measured->estimate.expanded, QStringLiteral("mm"))
-                                 : QStringLiteral("Measured: these readings do not determine Δd");
+  const QString first =
+      measured ? QStringLiteral("Measured: ") +
+                     intersectionText(measurement, measured->estimate.value, measured->estimate.expanded)
+               : QStringLiteral("Measured: these readings do not determine Δd");
   return {first + tolerance, QStringLiteral("of the fit alone: ") + ofFit};
 }
 
@@ -113,7 +114,8 @@ void addArcs(ReportSheet& sheet, const SessionFit& fit) {
   table.finish();
 }
 
-void addBudget(ReportSheet& sheet, const MeasuredIntersection& measured, double coverage) {
+void addBudget(ReportSheet& sheet, const MeasuredIntersection& measured, const QString& attainable,
+               double coverage) {
   constexpr auto right = Qt::AlignRight;
   const QVector<BudgetLine> lines = budgetLines(measured);
   const IntersectionEstimate& found = measured.estimate;
@@ -146,8 +148,10 @@ void addBudget(ReportSheet& sheet, const MeasuredIntersection& measured, double 
              {}});
   table.finish();
   sheet.paragraph(
-      QStringLiteral("Every effect of the catalogue takes part, as large as these readings and what is "
-                     "plausible leave it. Type A: by the scatter of these readings; B: by other knowledge."),
+      QStringLiteral(
+          "Every effect of the catalogue takes part, as large as these readings and what is "
+          "plausible leave it. Type A: by the scatter of these readings; B: by other knowledge. ") +
+          attainable,
       type::small);
 }
 
@@ -309,15 +313,19 @@ void addResult(ReportSheet& sheet, const Gap& gap) {
   if (evaluation.twoFaces) addTwoFaces(sheet, *evaluation.twoFaces);
   if (!fit.intersection) return;
   sheet.skip(1);
-  sheet.paragraph(QStringLiteral("Half the distance of the centres in the plane, |O1 − O2|/2 = ") +
-                  lengthText(fit.intersection->inPlane, decimalsFor(fit.intersection->sigma)));
+  sheet.paragraph(
+      QStringLiteral("Half the distance of the centres in the plane, |O1 − O2|/2 = ") +
+      valueWithUncertainty(fit.intersection->inPlane, fit.intersection->inPlaneExpanded,
+                           QStringLiteral("mm")) +
+      (gap.measured() ? QStringLiteral(". ") + qText(acrossSentence(*gap.measured())) : QString()));
   addReference(sheet, gap);
 }
 
 void addUncertainty(ReportSheet& sheet, const Gap& gap) {
   const auto& fitted = gap.evaluation->fit.intersection;
   if (!fitted) return;
-  if (const MeasuredIntersection* measured = gap.measured()) addBudget(sheet, *measured, fitted->coverage);
+  if (const MeasuredIntersection* measured = gap.measured())
+    addBudget(sheet, *measured, attainableText(gap), fitted->coverage);
   addBudget(sheet, *fitted);
 }
 

@@ -5,6 +5,7 @@
 
 #include "core/effects/catalogue.h"
 #include "core/effects/cause_ids.h"
+#include "core/wording/attainable.h"
 #include "core/wording/closures.h"
 #include "core/wording/diagnosis_sentence.h"
 #include "ui/text/effect_text.h"
@@ -149,6 +150,19 @@ QString unseenBeyondUText(const Gap& gap) {
   effects.resize(effects.size() - more);
   return GapText::tr("Unseen though a plausible size moves Δd by more than U: %1%2.")
       .arg(unseenText(effects), more > 0 ? GapText::tr("; and %1 more").arg(more) : QString());
+}
+
+QString plausibleText(const std::string& id) {
+  const Effect* effect = effectById(id);
+  if (!effect) return {};
+  const EffectParameter& parameter = effect->parameters.front();
+  return withUnit(plainNumberText(parameter.plausible), unitText(std::string(parameter.unit)));
+}
+
+QString attainableText(const Gap& gap) {
+  if (!gap.diagnosis) return {};
+  return qText(attainableSentence(gap.diagnosis->attainable,
+                                  [](const std::string& id) { return causeName(id).toStdString(); }));
 }
 
 QString estimateText(const std::optional<IntersectionEstimate>& estimate) {

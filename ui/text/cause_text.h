@@ -21,6 +21,9 @@ QString parameterText(const Cause& cause, const CauseParameter& parameter);
 QString deviationText(const ReadingDeviation& reading);
 Place placeOf(const ReadingDeviation& reading);
 
+/// 1σ of what is plausible of an effect: "30″", "0.05 mm"; empty for what is none of the catalogue.
+QString plausibleText(const std::string& id);
+
 /// The verdict in a few words: "One cause: collimation".
 QString gapHeadline(const Diagnosis& diagnosis);
 /// The verdict in whole sentences.
@@ -39,5 +42,8 @@ QString stageText(const Gap& gap, const GapStage& stage);
 
 /// "−2.1675 ± 0.0421 mm", "—" where there is none.
 QString estimateText(const std::optional<IntersectionEstimate>& estimate);
+
+/// What U could be with more read or known (`attainableSentence`); may be empty.
+QString attainableText(const Gap& gap);
 
 }  // namespace alidade::ui

@@ -53,7 +53,10 @@ QString dmsText(Angle angle, int decimals) {
 }
 
 QString valueWithUncertainty(double value, double uncertainty, const QString& unit) {
-  const int decimals = decimalsFor(uncertainty);
+  return valueWithUncertainty(value, uncertainty, unit, decimalsFor(uncertainty));
+}
+
+QString valueWithUncertainty(double value, double uncertainty, const QString& unit, int decimals) {
   const QString tail = unit.isEmpty() ? QString() : u' ' + unit;
   return numberText(value, decimals) + QStringLiteral(" ± ") + numberText(uncertainty, decimals) + tail;
 }

@@ -36,6 +36,8 @@ QString dmsText(Angle angle, int decimals = 0);
 
 /// "1.308 ± 0.022 mm": the uncertainty with two significant digits, the value to the same decimals.
 QString valueWithUncertainty(double value, double uncertainty, const QString& unit);
+/// With so many decimals.
+QString valueWithUncertainty(double value, double uncertainty, const QString& unit, int decimals);
 
 /// "× 500".
 QString exaggerationText(double factor);

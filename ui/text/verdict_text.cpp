@@ -75,4 +75,10 @@ VerdictText verdictAsModelled(const Evaluation& evaluation) {
   return verdictText(evaluation, nullptr, false);
 }
 
+QString intersectionText(const Measurement& measurement, double value, double expanded) {
+  const int decimals = measurement.tolerance ? decimalsToDecide(value, expanded, *measurement.tolerance)
+                                             : decimalsFor(expanded);
+  return QStringLiteral("Δd = ") + valueWithUncertainty(value, expanded, QStringLiteral("mm"), decimals);
+}
+
 }  // namespace alidade::ui

@@ -21,4 +21,8 @@ VerdictText verdictText(const Evaluation& evaluation, const Diagnosis* diagnosis
 /// Until the diagnosis has spoken: neither accept nor reject.
 VerdictText verdictAsModelled(const Evaluation& evaluation);
 
+/// "Δd = 1.31 ± 0.21 mm": beside a tolerance with so many digits that they do not say otherwise than the
+/// verdict.
+QString intersectionText(const Measurement& measurement, double value, double expanded);
+
 }  // namespace alidade::ui

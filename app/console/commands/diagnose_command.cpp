@@ -48,7 +48,8 @@ Result<std::string> runDiagnose(const DiagnoseRequest& request) {
   const Result<std::vector<Finding>> findings = findingsBeforehand(measurement, fit);
   if (!findings) return findings.problem();
   const auto diagnosis =
-      diagnose(measurement, fit, {.without = request.without, .withReference = request.withReference});
+      diagnose(measurement, fit,
+               {.without = request.without, .withReference = request.withReference, .withAttainable = true});
   if (!diagnosis) return problemOf(diagnosis.problem());
   return request.json ? diagnosisJson(input.name, *diagnosis, *findings)
                       : diagnosisText(input.name, *diagnosis, *findings);

@@ -35,7 +35,7 @@ Result<std::string> rigorousAnswer(const FitRequest& request, SessionInput input
       return Problem{"so few draws of these readings fix a circle that nothing can be said of them"};
   }
   if (request.diagnosis)
-    if (Result<Diagnosis, DiagnosisFault> diagnosis = diagnose(measurement, fit))
+    if (Result<Diagnosis, DiagnosisFault> diagnosis = diagnose(measurement, fit, {.withAttainable = true}))
       answer.diagnosis = *std::move(diagnosis);
   return request.json ? fitJson(answer) : fitText(answer);
 }

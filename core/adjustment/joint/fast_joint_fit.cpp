@@ -225,7 +225,9 @@ void addUnknowns(JointFit& fit, const std::vector<ArcApart>& arcs) {
 
 void addConsidered(JointFit& fit, const Measurement& measurement) {
   fit.zerosAreReadings = measurement.zerosAreReadings;
-  for (std::size_t arc = 0; arc < measurement.arcs.size(); ++arc) {
+  const std::size_t zeros = measurement.hasOneZero() ? 1 : measurement.arcs.size();
+  for (std::size_t zero = 0; zero < zeros; ++zero) {
+    const std::size_t arc = measurement.hasOneZero() ? Unknown::everyArc : zero;
     fit.considered.push_back({.kind = Kind::HorizontalZero, .arc = arc});
     fit.considered.push_back({.kind = Kind::VerticalZero, .arc = arc});
     fit.consideredSigmas.push_back(measurement.sigmaZeroHorizontal.radians());
@@ -250,8 +252,9 @@ void fillMatrices(JointFit& fit, const std::vector<ArcApart>& arcs) {
       for (std::size_t j = 0; j < count; ++j)
         fit.cofactor.values[(first + i) * size + first + j] = cofactor(row, static_cast<int>(j));
       double* rates = &fit.perConsidered[(first + i) * width];
-      rates[2 * arc] = perConsidered(row, 0);
-      rates[2 * arc + 1] = perConsidered(row, 1);
+      const std::size_t zero = fit.considered.front().arc == Unknown::everyArc ? 0 : 2 * arc;
+      rates[zero] = perConsidered(row, 0);
+      rates[zero + 1] = perConsidered(row, 1);
       rates[width - 1] = perConsidered(row, 2);
     }
     first += count;

@@ -38,7 +38,7 @@ namespace alidade {
 struct Unknown {
   enum class Kind { CentreX, CentreY, Radius, HorizontalZero, VerticalZero, SliderZero, Distance, Error };
 
-  /// `arc` of a radius or x that the arcs of both axes share.
+  /// `arc` of a radius or x that the arcs of both axes share, and of a zero that all arcs have.
   static constexpr std::size_t everyArc = static_cast<std::size_t>(-1);
 
   Kind kind = Kind::CentreX;

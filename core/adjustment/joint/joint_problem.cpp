@@ -87,8 +87,10 @@ void JointProblem::addArc(std::size_t arc) {
   }
   if (hasSliderReadings(m_measurement.arcs[arc])) kinds.push_back(SliderZero);
   for (const auto kind : kinds) estimate({.kind = kind, .arc = arc}, {});
-  addZero({.kind = HorizontalZero, .arc = arc}, m_measurement.sigmaZeroHorizontal.radians());
-  addZero({.kind = VerticalZero, .arc = arc}, m_measurement.sigmaZeroVertical.radians());
+  if (m_measurement.hasOneZero() && arc > 0) return;
+  const std::size_t of = m_measurement.hasOneZero() ? Unknown::everyArc : arc;
+  addZero({.kind = HorizontalZero, .arc = of}, m_measurement.sigmaZeroHorizontal.radians());
+  addZero({.kind = VerticalZero, .arc = of}, m_measurement.sigmaZeroVertical.radians());
 }
 
 void JointProblem::addZero(const Unknown& zero, double sigma) {

@@ -29,8 +29,9 @@ DrawPlan::DrawPlan(const Measurement& fitted, const NoiseScale& noise)
       m_terms(estimatedTerms(fitted).size()),
       m_count(firstTerm + m_terms) {
   for (const ArcMeasurement& arc : fitted.arcs) {
-    m_zeros.push_back(m_count);
-    m_count += 2;
+    const bool isAnothers = fitted.hasOneZero() && !m_zeros.empty();
+    m_zeros.push_back(isAnothers ? m_zeros.front() : m_count);
+    if (!isAnothers) m_count += 2;
     std::vector<std::size_t>& readings = m_readings.emplace_back();
     readings.reserve(arc.sightings.size());
     for (const Sighting& sighting : arc.sightings) {

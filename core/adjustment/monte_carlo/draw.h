@@ -20,7 +20,7 @@ struct Draw {
 };
 
 /// Which numbers a draw is made of: distance, known radius, the priors of error terms; then arc by arc both
-/// zeros, and sighting by sighting both circles and, where there is one, the slider.
+/// zeros where they are its own, and sighting by sighting both circles and, where there is one, the slider.
 class DrawPlan {
  public:
   /// `fit` is what `fitSession` made of the measurement.

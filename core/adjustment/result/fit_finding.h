@@ -75,6 +75,10 @@ struct SlidersDiffer {
   std::size_t others = 0;  ///< further ones
   int time = 1;
 };
+/// Of all positions, and the session does not say whether they are one.
+struct ZerosAlike {
+  std::size_t positions = 2;
+};
 
 }  // namespace setup_finding
 
@@ -126,12 +130,14 @@ struct ArcFinding {
 };
 
 struct FitFinding {
-  using What = std::variant<
-      ArcFinding, setup_finding::DistanceTooShort, setup_finding::PlacesOnTheWrongSide,
-      setup_finding::ZeroOfOtherCircle, setup_finding::SlidersDiffer, session_finding::ArcMissing,
-      session_finding::Undetermined, session_finding::PositionMissing, session_finding::RadiiDiffer,
-      session_finding::CentresDiffer, session_finding::KnownRadiusContradicted, session_finding::OffReference,
-      session_finding::UnknownEffect, session_finding::KnownOfNothing, session_finding::PlanarRelation>;
+  using What =
+      std::variant<ArcFinding, setup_finding::DistanceTooShort, setup_finding::PlacesOnTheWrongSide,
+                   setup_finding::ZeroOfOtherCircle, setup_finding::SlidersDiffer, setup_finding::ZerosAlike,
+                   session_finding::ArcMissing, session_finding::Undetermined,
+                   session_finding::PositionMissing, session_finding::RadiiDiffer,
+                   session_finding::CentresDiffer, session_finding::KnownRadiusContradicted,
+                   session_finding::OffReference, session_finding::UnknownEffect,
+                   session_finding::KnownOfNothing, session_finding::PlanarRelation>;
 
   Severity severity = Severity::Warning;  ///< Error: an arc, or all of them, are not there because of this
   Place where;

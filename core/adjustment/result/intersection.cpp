@@ -5,6 +5,7 @@
 #include <functional>
 #include <limits>
 
+#include "core/adjustment/result/uncertain_length.h"
 #include "core/base/square.h"
 #include "core/base/statistics.h"
 #include "core/observation/half_turn.h"
@@ -69,13 +70,13 @@ double varianceOfReadings(const JointFit& fit, const SquareMatrix& cofactor,
   return std::max(quadraticForm(cofactor, weights) - known, 0.0);
 }
 
-std::vector<double> unit(const JointFit& fit, const Unknown& unknown) {
+}  // namespace
+
+std::vector<double> unitWeights(const JointFit& fit, const Unknown& unknown) {
   std::vector<double> weights(fit.unknowns.size());
   weights.at(fit.indexOf(unknown)) = 1;
   return weights;
 }
-
-}  // namespace
 
 std::optional<std::size_t> arcAt(const Measurement& measurement, int axisDeg) {
   const auto found = std::ranges::find(measurement.arcs, axisDeg, &ArcMeasurement::axisDeg);
@@ -130,6 +131,17 @@ std::vector<BudgetEntry> budgetOf(const JointFit& fit, const std::vector<double>
   return budget;
 }
 
+double covarianceOf(const JointFit& fit, const std::vector<double>& one, const std::vector<double>& other,
+                    double scale) {
+  double covariance = 0;
+  std::vector<double> weights(one.size());
+  for (const double sign : {1.0, -1.0}) {
+    for (std::size_t i = 0; i < weights.size(); ++i) weights[i] = one[i] + sign * other[i];
+    covariance += sign * square(combined(budgetOf(fit, weights, scale))) / 4;
+  }
+  return covariance;
+}
+
 double combined(const std::vector<BudgetEntry>& budget) {
   double variance = 0;
   for (const BudgetEntry& entry : budget) variance += square(entry.sigma);
@@ -144,7 +156,7 @@ double scaledPart(const std::vector<BudgetEntry>& budget) {
 
 ArcBudget arcBudget(const JointFit& fit, std::size_t arc, double scale) {
   const auto budget = [&](Unknown::Kind kind) {
-    return budgetOf(fit, unit(fit, {.kind = kind, .arc = arc}), scale);
+    return budgetOf(fit, unitWeights(fit, {.kind = kind, .arc = arc}), scale);
   };
   return {budget(Unknown::Kind::CentreX), budget(Unknown::Kind::CentreY), budget(Unknown::Kind::Radius)};
 }
@@ -155,14 +167,9 @@ ArcSigma arcSigma(const JointFit& fit, std::size_t arc, double scale) {
 
 ArcSigma arcSigma(const JointFit& fit, std::size_t arc, double scale, const ArcBudget& budget) {
   ArcSigma result{combined(budget.x), combined(budget.y), combined(budget.radius)};
-  // cov(a, b) = (var(a + b) − var(a − b))/4, source by source as in the budget.
   const auto correlation = [&](Unknown::Kind kind, double sigmaOfKind) {
-    double covariance = 0;
-    for (const double sign : {1.0, -1.0}) {
-      std::vector<double> weights = unit(fit, {.kind = Unknown::Kind::Radius, .arc = arc});
-      weights[fit.indexOf({.kind = kind, .arc = arc})] = sign;
-      covariance += sign * square(combined(budgetOf(fit, weights, scale))) / 4;
-    }
+    const double covariance = covarianceOf(fit, unitWeights(fit, {.kind = Unknown::Kind::Radius, .arc = arc}),
+                                           unitWeights(fit, {.kind = kind, .arc = arc}), scale);
     const double product = sigmaOfKind * result.radius;
     return product > 0 ? std::clamp(covariance / product, -1.0, 1.0) : 0;
   };
@@ -178,6 +185,18 @@ std::vector<double> intersectionWeights(const JointFit& fit, std::size_t upper, 
   return weights;
 }
 
+namespace {
+
+/// Of (O1 − O2)/2 along x, which is one and the same for both where they share it.
+std::vector<double> halfApartWeights(const JointFit& fit, std::size_t upper, std::size_t lower) {
+  std::vector<double> weights(fit.unknowns.size());
+  weights[fit.indexOf({.kind = Unknown::Kind::CentreX, .arc = upper})] += 0.5;
+  weights[fit.indexOf({.kind = Unknown::Kind::CentreX, .arc = lower})] -= 0.5;
+  return weights;
+}
+
+}  // namespace
+
 std::optional<Intersection> intersect(const Measurement& measurement, const JointFit& fit) {
   const auto upper = arcAt(measurement, 0), lower = arcAt(measurement, 180);
   if (!upper || !lower || !fit.isDetermined()) return std::nullopt;
@@ -192,7 +211,6 @@ std::optional<Intersection> intersect(const Measurement& measurement, const Join
   const NoiseScale noise = noiseScale(fit);
   Intersection result;
   result.value = difference(Unknown::Kind::CentreY) / 2;
-  result.inPlane = std::hypot(difference(Unknown::Kind::CentreX), difference(Unknown::Kind::CentreY)) / 2;
   result.budget = budgetOf(fit, weights, noise.factor);
   result.sigma = combined(result.budget);
   const DegreesOfFreedom effective =
@@ -201,6 +219,15 @@ std::optional<Intersection> intersect(const Measurement& measurement, const Join
   result.coverage = measurement.coverage;
   result.coverageFactor = coverageFactor(result.coverage, effective);
   result.expanded = result.coverageFactor * result.sigma;
+  const std::vector<double> along = halfApartWeights(fit, *upper, *lower);
+  const UncertainLength apart = lengthOf({.x = difference(Unknown::Kind::CentreX) / 2,
+                                          .y = result.value,
+                                          .varianceX = square(combined(budgetOf(fit, along, noise.factor))),
+                                          .varianceY = square(result.sigma),
+                                          .covariance = covarianceOf(fit, along, weights, noise.factor)});
+  result.inPlane = apart.value;
+  result.inPlaneSigma = apart.sigma;
+  result.inPlaneExpanded = result.coverageFactor * apart.sigma;
   return result;
 }
 

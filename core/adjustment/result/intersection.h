@@ -46,6 +46,11 @@ double varianceOfPrior(const JointFit& fit, const SquareMatrix& cofactor, const 
 /// these.
 std::vector<BudgetEntry> budgetOf(const JointFit& fit, const std::vector<double>& weights, double scale);
 
+/// The covariance of two linear combinations of the unknowns, by their budgets: cov(a, b) = (var(a + b) −
+/// var(a − b))/4.
+double covarianceOf(const JointFit& fit, const std::vector<double>& one, const std::vector<double>& other,
+                    double scale);
+
 /// The root of the sum of squares.
 double combined(const std::vector<BudgetEntry>& budget);
 /// The same of what is known by the scatter alone.
@@ -79,8 +84,12 @@ struct Intersection {
   double coverageFactor = 0;             ///< k: Student's quantile at the effective degrees of freedom
   double effectiveDegreesOfFreedom = 0;  ///< Welch-Satterthwaite; infinite where nothing was estimated
   double inPlane = 0;                    ///< |O1 − O2|/2
+  double inPlaneSigma = 0, inPlaneExpanded = 0;
   std::vector<BudgetEntry> budget;
 };
+
+/// 1 for this unknown of the fit, 0 for the others.
+std::vector<double> unitWeights(const JointFit& fit, const Unknown& unknown);
 
 /// ∂Δd/∂unknown of a fit whose arcs `upper` and `lower` are those at 0° and at 180°.
 std::vector<double> intersectionWeights(const JointFit& fit, std::size_t upper, std::size_t lower);

@@ -62,6 +62,15 @@ void judgeVerticalCircle(std::vector<FitFinding>& findings, const Measurement& m
            ZeroOfOtherCircle{arc.axisDeg, arc.zeroVertical, measurement.verticalCircle, arc.time}});
 }
 
+void judgeZeros(std::vector<FitFinding>& findings, const Measurement& measurement) {
+  const bool areExact =
+      measurement.sigmaZeroHorizontal.radians() == 0 && measurement.sigmaZeroVertical.radians() == 0;
+  if (measurement.pointingZeros != PointingZeros::Unstated || areExact || !hasAlikeZeros(measurement)) return;
+  findings.push_back({Severity::Note,
+                      Place{.position = {}, .reading = {}, .field = "geometry.pointing_zeros"},
+                      ZerosAlike{measurement.arcs.size()}});
+}
+
 /// A slider value that differs from the first of its visit.
 struct OtherSlider {
   std::size_t first, other;  // rows
@@ -112,6 +121,7 @@ std::vector<FitFinding> setupFindings(const Measurement& measurement, const Sess
   judgeDistance(findings, measurement);
   judgeSides(findings, fit);
   judgeVerticalCircle(findings, measurement);
+  judgeZeros(findings, measurement);
   for (const ArcMeasurement& arc : measurement.arcs) judgeSliders(findings, arc);
   return findings;
 }

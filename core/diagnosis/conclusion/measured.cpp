@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "core/adjustment/result/intersection.h"
+#include "core/adjustment/result/uncertain_length.h"
 #include "core/base/square.h"
+#include "core/base/statistics.h"
 #include "core/diagnosis/conclusion/afterwards.h"
 #include "core/diagnosis/conclusion/linear_move.h"
 #include "core/diagnosis/gap/every_effect.h"
@@ -27,13 +29,59 @@ struct TermShare {
   double priorSigma = 0, variance = 0;
 };
 
+/// Across the plane, and its covariance with Δd, mm².
+struct Across {
+  MeasuredLength length;
+  double covariance = 0;
+};
+
 /// One account of the readings: Δd with every effect besides the answer, and what its variance is made of.
 struct Account {
   IntersectionEstimate estimate;
   std::map<ErrorTerm, TermShare> terms;
   std::vector<BudgetEntry> others;  ///< the same source may come twice
   NoiseScale noise;
+  std::optional<Across> across = {};
 };
+
+/// What the estimate of the plane's offset is without what was plausible beforehand, of which it holds the
+/// share g = Q/p²: (value − g p₀)/(1 − g). A size that is known stays.
+std::optional<Across> acrossOf(const GapModel& model, const std::vector<double>& weights) {
+  constexpr double nothingBut = 0.95;  // what is plausible
+  constexpr ErrorTerm offset = ErrorTerm::PlaneOffset;
+  const JointFit& fit = *model.fit;
+  const auto term = std::ranges::find(model.options.terms, offset, &EstimatedTerm::term);
+  if (term == model.options.terms.end()) return std::nullopt;
+  const Unknown unknown{.kind = Unknown::Kind::Error, .arc = 0, .term = offset};
+  const std::size_t index = fit.indexOf(unknown);
+  const std::vector<double> own = unitWeights(fit, unknown);
+  const NoiseScale noise = noiseScale(fit);
+  const std::vector<BudgetEntry> budget = budgetOf(fit, own, noise.factor);
+  const bool isKnown = knownOf(*model.measurement, effectOf(offset)->parameters.front()).has_value();
+  const double ofPrior = isKnown ? 0 : fit.cofactor(index, index) / square(term->priorSigma);
+  if (!(ofPrior < nothingBut)) return std::nullopt;
+  double withPrior = 0;
+  for (std::size_t i = 0; i < weights.size(); ++i) withPrior += weights[i] * fit.cofactor(i, index);
+  const double ofReadings = 1 - ofPrior;
+  const double variance = square(combined(budget)) - square(ofPrior * term->priorSigma);
+  const double sigma = std::sqrt(std::max(variance, 0.0)) / ofReadings;
+  const DegreesOfFreedom freedom = effectiveDegreesOfFreedom(
+      sigma, std::min(scaledPart(budget) / ofReadings, sigma), noise.degreesOfFreedom);
+  return Across{{(fit.values[index] - ofPrior * term->priorValue) / ofReadings, sigma,
+                 coverageFactor(model.measurement->coverage, freedom) * sigma},
+                (covarianceOf(fit, weights, own, noise.factor) - ofPrior * withPrior) / ofReadings};
+}
+
+MeasuredLength distanceOf(const IntersectionEstimate& inPlane, const Across& across) {
+  const UncertainLength length = lengthOf({.x = inPlane.value,
+                                           .y = across.length.value,
+                                           .varianceX = square(inPlane.sigma),
+                                           .varianceY = square(across.length.sigma),
+                                           .covariance = across.covariance});
+  const double factor =
+      std::max(inPlane.expanded / inPlane.sigma, across.length.expanded / across.length.sigma);
+  return {length.value, length.sigma, factor * length.sigma};
+}
 
 std::optional<Account> byFit(const Answer& answer) {
   const GapModel model = withEveryEffect(answer.after);
@@ -52,6 +100,7 @@ std::optional<Account> byFit(const Answer& answer) {
   std::ranges::copy_if(found->budget, std::back_inserter(account.others), [](const BudgetEntry& entry) {
     return entry.source != UncertaintySource::PlausibleSizes;
   });
+  account.across = acrossOf(model, weights);
   return account;
 }
 
@@ -149,7 +198,12 @@ std::optional<MeasuredIntersection> measuredIntersection(const Inquiry& inquiry,
   if (!account) account = byFit(answer);
   if (!account) return std::nullopt;
   const IntersectionEstimate estimate = averaged(inquiry, answer, account->estimate, moves);
-  return MeasuredIntersection{estimate, budgetOf(*account, measurement, estimate)};
+  MeasuredIntersection measured{estimate, budgetOf(*account, measurement, estimate)};
+  if (account->across) {
+    measured.across = account->across->length;
+    measured.distance = distanceOf(estimate, *account->across);
+  }
+  return measured;
 }
 
 }  // namespace alidade

@@ -117,9 +117,19 @@ struct UncertaintyShare {
   double degreesOfFreedom = std::numeric_limits<double>::infinity();
 };
 
+/// A length, mm, with its standard and its expanded uncertainty.
+struct MeasuredLength {
+  double value = 0, sigma = 0, expanded = 0;
+};
+
 struct MeasuredIntersection {
   IntersectionEstimate estimate;
-  std::vector<UncertaintyShare> budget;  ///< the greatest first; the squares add up to that of σ
+  std::vector<UncertaintyShare> budget = {};  ///< the greatest first; the squares add up to that of σ
+  /// How far the arc's centre lies off the axis across the plane of the arc, at 0° towards the observer: by
+  /// the readings, whose radii it makes differ, or by what is known of it, never by what is plausible. Absent
+  /// where neither tells.
+  std::optional<MeasuredLength> across = {};
+  std::optional<MeasuredLength> distance = {};  ///< of the centre from the axis as a whole, with `across`
 };
 
 /// The gap as it shrinks, cause by cause.
@@ -183,6 +193,13 @@ struct Required {
   double visibleSigma = 0;  ///< what it would leave in these readings, σ
 };
 
+/// U of Δd as sessions like this one have it, with more read or known.
+struct AttainableUncertainty {
+  std::vector<Measure> measures = {};  ///< taken besides
+  std::string known = {};              ///< an effect whose size is known, by a certificate say
+  double expanded = 0;                 ///< U, mm
+};
+
 /// A gap that fits no effect, by its shape.
 struct GapShape {
   std::string follows;  ///< "radius along the guideway", …
@@ -206,7 +223,9 @@ struct Diagnosis {
   /// With a reference that has a σ: of the effects that these readings do not exclude at that size, the most
   /// plausible first.
   std::vector<Required> whatItWouldTake;
-  std::vector<Advice> advice;                 ///< the most telling first
+  std::vector<Advice> advice;  ///< the most telling first
+  /// Where it was asked for: first with nothing more (`attainableUncertainties`). Empty with NotInCatalogue.
+  std::vector<AttainableUncertainty> attainable;
   std::optional<GapShape> shape;              ///< with NotInCatalogue
   std::vector<double> leftBefore, leftAfter;  ///< residuals/σ before and after, in the order of `readings`
   std::vector<ReadingDeviation> readings;     ///< all that took part, `size` their residual before
@@ -221,6 +240,8 @@ struct DiagnosisOptions {
   /// The reference intersection is evidence for the causes, where it is stated with its σ. It never is for
   /// `Diagnosis::afterwards`.
   bool withReference = false;
+  /// `Diagnosis::attainable` is worked out, which takes two thirds as long as all the rest.
+  bool withAttainable = false;
 };
 
 /// What `Diagnosis::afterwards` holds beyond the fit with the causes.

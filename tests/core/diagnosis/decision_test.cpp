@@ -155,6 +155,29 @@ TEST_F(Decision, IsWithheldWithLengthsInDoubt) {
   EXPECT_EQ(decision.conformance, std::nullopt);
 }
 
+// Of a distance from the axis the fit knows the part in the plane, 1.308 ± 0.211 mm, and the rest comes
+// across it: √(1.3² + 2²) = 2.385 mm.
+TEST_F(Decision, OfTheDistanceFromTheAxisNeedsWhatLiesAcross) {
+  measurement.measurand = Measurand::Distance;
+  Diagnosis diagnosis = found("collimation", 1.3, 0.2);
+  for (const Diagnosis* unmeasured : {static_cast<const Diagnosis*>(nullptr), &std::as_const(diagnosis)}) {
+    EXPECT_EQ(at(2.5, unmeasured).verdict, Verdict::Undecided);
+    EXPECT_EQ(at(2.5, unmeasured).obstacle, Obstacle::AcrossUnknown);
+    EXPECT_EQ(at(2.5, unmeasured).conformance, std::nullopt);
+    EXPECT_EQ(at(0.5, unmeasured).verdict, Verdict::Reject) << "too far off in the plane alone";
+  }
+  diagnosis.measured->across = MeasuredLength{2, 0.1, 0.2};
+  diagnosis.measured->distance = MeasuredLength{2.385, 0.1, 0.2};
+  EXPECT_EQ(at(2.6, &diagnosis).verdict, Verdict::Accept);
+  EXPECT_EQ(at(2.5, &diagnosis).verdict, Verdict::Undecided);
+  EXPECT_EQ(at(2.5, &diagnosis).obstacle, Obstacle::Uncertainty);
+  EXPECT_EQ(at(2.1, &diagnosis).verdict, Verdict::Reject) << "though what the fit knows of it is within";
+  EXPECT_EQ(at(2.1, &diagnosis).asModelled, Verdict::Accept);
+  EXPECT_NEAR(*at(2.385, &diagnosis).conformance, 0.5, 0.02);
+  measurement.measurand = Measurand::Intersection;
+  EXPECT_EQ(at(2.1, &diagnosis).verdict, Verdict::Accept);
+}
+
 TEST_F(Decision, NeedsATolerance) {
   measurement.tolerance.reset();
   EXPECT_EQ(decideAcceptance(measurement, fitSession(measurement), nullptr), std::nullopt);

@@ -8,6 +8,7 @@
 #include <chrono>
 
 #include "core/session/session_file.h"
+#include "tests/support/paper_table.h"
 
 namespace alidade {
 namespace {
@@ -361,6 +362,7 @@ TEST(Measurement, IsAbsentWithoutDistanceRadiusSigmaOrModel) {
   EXPECT_TRUE(broken([](Session& s) { s.instrument.sigmaZeroArcsec = "-1"; }));
   EXPECT_TRUE(broken([](Session& s) { s.instrument.sigmaSliderArcsec = "x"; }));
   EXPECT_TRUE(broken([](Session& s) { s.geometry.verticalCircle = "nadir"; }));
+  EXPECT_TRUE(broken([](Session& s) { s.geometry.pointingZeros = "none"; }));
   EXPECT_TRUE(broken([](Session& s) { s.model.verticalAngle = "round"; }));
 }
 
@@ -372,6 +374,31 @@ TEST(Measurement, StandsWithoutVerdictWhereToleranceOrCoverageIsUnusable) {
   session.acceptance.toleranceMm = "1";
   session.acceptance.coverage = "95";
   EXPECT_THAT(soleProblem(session).what, HasSubstr("it must be between 0 and 1, such as 0.95"));
+  EXPECT_FALSE(examine(session).measurement->tolerance);
+}
+
+TEST(Measurement, HasOneZeroWhereItIsStatedAndTheSameEverywhere) {
+  Session session = test::paperSession();
+  EXPECT_FALSE(examine(session).measurement->hasOneZero());
+  session.geometry.pointingZeros = "one";
+  session.positions[0].readings[0].horizontal = "x";
+  const Examined differing = examine(session);
+  ASSERT_EQ(differing.problems.size(), 2u);
+  EXPECT_THAT(differing.problems[0].text(),
+              HasSubstr("geometry.pointing_zeros: is stated as one, but the positions have different zeros"));
+  EXPECT_FALSE(differing.measurement->hasOneZero());
+  session.positions[1].zero = session.positions[0].zero;
+  EXPECT_TRUE(examine(session).measurement->hasOneZero());
+}
+
+TEST(Measurement, HasATolerancesMeasurand) {
+  Session session = test::paperSession();
+  EXPECT_EQ(examine(session).measurement->measurand, Measurand::Intersection);
+  session.acceptance.measurand = "distance";
+  EXPECT_EQ(examine(session).measurement->measurand, Measurand::Distance);
+  session.acceptance.measurand = "height";
+  EXPECT_THAT(soleProblem(session).text(), HasSubstr("acceptance.measurand: “height” is nothing that a "
+                                                     "tolerance limits: choose intersection or distance"));
   EXPECT_FALSE(examine(session).measurement->tolerance);
 }
 

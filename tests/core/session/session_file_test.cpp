@@ -28,8 +28,8 @@ Json completeSession() {
                    "sigma_zero_arcsec": 1, "sigma_slider_arcsec": 5},
     "environment": {"temperature_c": 20.0},
     "geometry": {"distance_mm": 2405, "sigma_distance_mm": 1.0, "radius_mm": 400, "sigma_radius_mm": 0.1,
-                 "vertical_circle": "zenith"},
-    "acceptance": {"tolerance_mm": 2.5, "coverage": 0.95, "reference_intersection_mm": 2.0, "sigma_reference_mm": 0.02},
+                 "vertical_circle": "zenith", "pointing_zeros": "each"},
+    "acceptance": {"tolerance_mm": 2.5, "measurand": "distance", "coverage": 0.95, "reference_intersection_mm": 2.0, "sigma_reference_mm": 0.02},
     "model": {"vertical_angle": "exact", "radius": "known", "effects": ["trunnion_tilt"]},
     "positions": [
       {"axis_deg": 0, "pointing_zero": {"horizontal": "332°32'54\"", "vertical": 89.99916},
@@ -83,8 +83,8 @@ TEST(SessionFile, ReadsEveryKey) {
   EXPECT_EQ(s.device, (Device{"d", "1", {}, {}}));
   EXPECT_EQ(s.instrument, (Instrument{"i", "2", "2", "2.5", "1", "5", {}, {}}));
   EXPECT_EQ(s.environment, (Environment{"20", {}}));
-  EXPECT_EQ(s.geometry, (Geometry{"2405", "1", "400", "0.1", "zenith", {}}));
-  EXPECT_EQ(s.acceptance, (Acceptance{"2.5", "0.95", "2", "0.02", {}}));
+  EXPECT_EQ(s.geometry, (Geometry{"2405", "1", "400", "0.1", "zenith", "each", {}}));
+  EXPECT_EQ(s.acceptance, (Acceptance{"2.5", "distance", "0.95", "2", "0.02", {}}));
   EXPECT_EQ(s.model, (Model{"exact", "known", {"trunnion_tilt"}, {}}));
   ASSERT_EQ(s.positions.size(), 2u);
   EXPECT_EQ(s.positions[0].axisDeg, "0");

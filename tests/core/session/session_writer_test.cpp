@@ -48,8 +48,8 @@ TEST(SessionWriter, SpellsOutEverythingThatASessionHolds) {
   session.device = {"d", "1", {}, {}};
   session.instrument = {"i", "2", "2,5", "3", "about 1", "5.0", {}, {}};
   session.environment = {"-3", {}};
-  session.geometry = {"2405", "0.5", "400", "0", "elevation", {}};
-  session.acceptance = {"2.5", "0.95", "-1", "0.1", {}};
+  session.geometry = {"2405", "0.5", "400", "0", "elevation", "one", {}};
+  session.acceptance = {"2.5", "distance", "0.95", "-1", "0.1", {}};
   session.model = {"planar", "known", {"b", "a"}, {}};
   Position& position = session.positions.emplace_back();
   position.axisDeg = "180";
@@ -62,8 +62,8 @@ TEST(SessionWriter, SpellsOutEverythingThatASessionHolds) {
                    "sigma_zero_arcsec": "about 1", "sigma_slider_arcsec": 5},
     "environment": {"temperature_c": -3},
     "geometry": {"distance_mm": 2405, "sigma_distance_mm": 0.5, "radius_mm": 400, "sigma_radius_mm": 0,
-                 "vertical_circle": "elevation"},
-    "acceptance": {"tolerance_mm": 2.5, "coverage": 0.95, "reference_intersection_mm": -1, "sigma_reference_mm": 0.1},
+                 "vertical_circle": "elevation", "pointing_zeros": "one"},
+    "acceptance": {"tolerance_mm": 2.5, "measurand": "distance", "coverage": 0.95, "reference_intersection_mm": -1, "sigma_reference_mm": 0.1},
     "model": {"vertical_angle": "planar", "radius": "known", "effects": ["b", "a"]},
     "positions": [{"axis_deg": 180, "pointing_zero": {"horizontal": "1°", "vertical": "90 0 0"}, "readings": [
       {"point": 1, "round": 2, "face": "x", "horizontal": "10", "vertical": "20", "slider": "30",

@@ -31,10 +31,12 @@ Diagnosis withOneCause(double before, double after) {
 
 TEST(DiagnosisSentence, SaysShrinkOnlyOfWhatShrinks) {
   EXPECT_EQ(sentenceOf(withOneCause(2.9, 2.1)),
-            "The gap is caused by collimation. With it in the model the residuals shrink from 2.9″ to 2.1″.");
-  EXPECT_EQ(sentenceOf(withOneCause(2.9, 3)),
-            "The gap is caused by collimation. With it in the model reduced χ² goes from 7.25 to 1.02; the "
-            "residuals, counted alike, grow from 2.9″ to 3.0″.");
+            "The gap is best explained by collimation. With it in the model the residuals shrink from 2.9″ "
+            "to 2.1″.");
+  EXPECT_EQ(
+      sentenceOf(withOneCause(2.9, 3)),
+      "The gap is best explained by collimation. With it in the model reduced χ² goes from 7.25 to 1.02; the "
+      "residuals, counted alike, grow from 2.9″ to 3.0″.");
   EXPECT_THAT(sentenceOf(withOneCause(2.94, 2.93)), HasSubstr("shrink from 2.94″ to 2.93″."));
   EXPECT_THAT(sentenceOf(withOneCause(2.941, 2.938)), HasSubstr("stay at 2.94″."));
 }

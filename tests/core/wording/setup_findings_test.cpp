@@ -7,7 +7,7 @@ namespace alidade {
 namespace {
 
 using namespace setup_finding;
-using testing::HasSubstr;
+using testing::HasSubstr, testing::StartsWith;
 
 TEST(SetupFindingsInWords, NameTheLengthsAsTyped) {
   const Words words = wordsOf(DistanceTooShort{2.405, 0.4});
@@ -41,6 +41,11 @@ TEST(SetupFindingsInWords, CountTheOtherSliderValues) {
             "is used.");
   differ.others = 2;
   EXPECT_THAT(wordsOf(differ).text, HasSubstr("the first alone is used, here and in 2 more."));
+}
+
+TEST(SetupFindingsInWords, AskWhetherZerosThatAreAlikeAreOne) {
+  EXPECT_THAT(wordsOf(ZerosAlike{}).text, StartsWith("Both positions have the same pointing zero"));
+  EXPECT_THAT(wordsOf(ZerosAlike{3}).text, StartsWith("All positions have the same pointing zero"));
 }
 
 }  // namespace

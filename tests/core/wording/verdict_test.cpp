@@ -3,14 +3,19 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
+#include <random>
+#include <string>
 
+#include "core/base/number_text.h"
+#include "core/base/quantity_text.h"
 #include "tests/support/paper_table.h"
 
 namespace alidade {
 namespace {
 
-using testing::HasSubstr;
+using testing::AllOf, testing::HasSubstr;
 
 TEST(VerdictSentence, StatesTheNumbersItRestsOn) {
   EXPECT_EQ(verdictSentence(1.30764, 0.2117, 2.5, 0.95),
@@ -19,6 +24,27 @@ TEST(VerdictSentence, StatesTheNumbersItRestsOn) {
             "± 2.5 mm, its uncertainty included.");
   EXPECT_THAT(verdictSentence(1, 0.01, 0.5, 0.95), HasSubstr("lies outside"));
   EXPECT_THAT(verdictSentence(1, 0.01, 1, 0.95), HasSubstr("cannot be said"));
+}
+
+// As printed before, "1.31 mm ± 0.21 mm" within ± 1.519 mm contradicted itself.
+TEST(VerdictSentence, RoundsSoThatItDoesNotContradictItself) {
+  EXPECT_THAT(verdictSentence(1.3076, 0.2111, 1.519, 0.95),
+              AllOf(HasSubstr("1.308 mm ± 0.211 mm"), HasSubstr("lies within")));
+  std::mt19937_64 generator(1);
+  std::uniform_real_distribution<double> share(0, 1);
+  for (int i = 0; i < 10'000; ++i) {
+    const double expanded = std::pow(10, -4 * share(generator)), value = 4 * share(generator) - 2;
+    // As somebody would type it.
+    const double sum = std::abs(value) + expanded * (1 + 1e-2 * (share(generator) - 0.5));
+    const double tolerance = std::round(sum * 1e5) / 1e5;
+    const int decimals = decimalsToDecide(value, expanded, tolerance);
+    EXPECT_GE(decimals, decimalsFor(expanded));
+    // By the numbers as they are printed, which a double holds to far less than a nanometre.
+    const double printed =
+        std::abs(std::stod(fixedText(value, decimals))) + std::stod(fixedText(expanded, decimals));
+    EXPECT_EQ(printed <= tolerance + 1e-12, decide(value, expanded, tolerance) == Verdict::Accept)
+        << value << " " << expanded << " " << tolerance;
+  }
 }
 
 /// Of what the session's own model and, where there is one, a diagnosis say.
@@ -65,6 +91,31 @@ TEST(VerdictSentence, PutsBothAccountsSideBySide) {
   EXPECT_THAT(sentenceOf(measurement, fit, &diagnosis), HasSubstr("these readings do not determine it."));
 }
 
+TEST(VerdictSentence, NamesWhatItIsAbout) {
+  Measurement measurement = test::paperMeasurement();
+  measurement.tolerance = 2.6;
+  const SessionFit fit = fitSession(measurement);
+  Diagnosis diagnosis;
+  diagnosis.measured.emplace().estimate = {
+      1.3, 0.1, 0.2, {{1, 1.3, 0.1}}, std::numeric_limits<double>::infinity()};
+  diagnosis.measured->budget = {{.from = UncertaintyShare::From::Diagnosis, .sigma = 0.1}};
+  measurement.measurand = Measurand::Distance;
+  EXPECT_THAT(sentenceOf(measurement, fit, &diagnosis),
+              HasSubstr("how far the arc's centre lies off it across the plane of the arc was not measured"));
+  diagnosis.measured->across = MeasuredLength{-2, 0.1, 0.2};
+  diagnosis.measured->distance = MeasuredLength{2.386, 0.1, 0.2};
+  EXPECT_THAT(
+      sentenceOf(measurement, fit, &diagnosis),
+      HasSubstr("As measured, the distance of the arc's centre from the axis is 2.39 mm ± 0.20 mm (95 % "
+                "coverage): 1.30 mm ± 0.20 mm in the plane of the arc (Δd), −2.00 mm ± 0.20 mm across "
+                "it (Δz); it lies within the tolerance of ± 2.6 mm, its uncertainty included."));
+  measurement.measurand = Measurand::Intersection;
+  EXPECT_THAT(
+      sentenceOf(measurement, fit, &diagnosis),
+      HasSubstr(" This judges the plane of the arc alone: across it, its centre lies 2.00 mm ± 0.20 mm "
+                "off the axis."));
+}
+
 TEST(VerdictSentence, AsksForACoverage) {
   Measurement measurement = test::paperMeasurement();
   measurement.tolerance = 2.5;
@@ -92,6 +143,10 @@ TEST(ProbabilityText, ClaimsNoCertainty) {
   EXPECT_EQ(probabilityText(0.973), "97.3 %");
   EXPECT_EQ(probabilityText(1), "more than 99.9 %");
   EXPECT_EQ(probabilityText(0), "less than 0.1 %");
+  EXPECT_EQ(shortProbabilityText(0.973), "97 %");
+  EXPECT_EQ(shortProbabilityText(0.993), "99.3 %");
+  EXPECT_EQ(shortProbabilityText(1), "> 99.9 %");
+  EXPECT_EQ(shortProbabilityText(0), "< 0.1 %");
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ TEST(BlindTrial, KeepsTheTruthSealedUntilItIsOpened) {
   EXPECT_FALSE(bench.button("open seal")->isEnabled());
   bench.press("draw");
   EXPECT_THAT(bench.shown(), HasSubstr("Sealed."));
-  EXPECT_THAT(bench.shown(), HasSubstr("The gap is caused by a jump of the orientation"));
+  EXPECT_THAT(bench.shown(), HasSubstr("The gap is best explained by a jump of the orientation"));
   EXPECT_THAT(bench.shown(), Not(HasSubstr("Knocked after")));
   EXPECT_THAT(bench.shown(), Not(HasSubstr("True Δd")));
   bench.press("open seal");

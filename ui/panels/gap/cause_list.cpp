@@ -7,6 +7,7 @@
 
 #include "core/effects/catalogue.h"
 #include "core/effects/cause_ids.h"
+#include "core/wording/verdict.h"
 #include "ui/settings/theme.h"
 #include "ui/text/cause_text.h"
 #include "ui/text/effect_text.h"
@@ -18,9 +19,12 @@ namespace alidade::ui {
 
 namespace {
 
-QString probabilityText(double probability) {
-  if (probability > 0.9995) return CauseList::tr("certain");
-  return numberText(100 * probability, probability > 0.99 ? 1 : 0) + QStringLiteral(" %");
+/// What a probability takes for granted.
+QString givenText(const std::string& id) {
+  const QString plausible = plausibleText(id);
+  const QString given = CauseList::tr("Probability that it is among the causes, given the catalogue");
+  return plausible.isEmpty() ? given
+                             : given + CauseList::tr("\nand a plausible size of %1 (1σ)").arg(plausible);
 }
 
 QString parametersText(const Cause& cause) {
@@ -80,7 +84,7 @@ void CauseList::setGap(const Gap& gap) {
     if (stage.kind == GapStage::Kind::InModel) addEffectOfModel(gap, stage.effect);
 }
 
-void CauseList::addTitle(const QString& text, const QString& figure) {
+void CauseList::addTitle(const QString& text, const QString& figure, const QString& toolTip) {
   m_buttons = nullptr;
   auto* row = new QWidget;
   auto* layout = new QHBoxLayout(row);
@@ -90,7 +94,7 @@ void CauseList::addTitle(const QString& text, const QString& figure) {
   bold.setBold(true);
   title->setFont(bold);
   auto* beside = new QLabel(figure);
-  beside->setToolTip(tr("Probability that it is among the causes"));
+  beside->setToolTip(toolTip);
   beside->setForegroundRole(QPalette::PlaceholderText);
   layout->addWidget(title);
   layout->addStretch();
@@ -123,7 +127,7 @@ QPushButton* CauseList::addButton(const QString& text, const QString& name) {
 }
 
 void CauseList::addCause(const Gap& gap, const Cause& cause) {
-  addTitle(causeTitle(cause.effect), probabilityText(cause.probability));
+  addTitle(causeTitle(cause.effect), qText(shortProbabilityText(cause.probability)), givenText(cause.effect));
   addText(parametersText(cause));
   if (const Effect* effect = effectById(cause.effect))
     addText(capitalised(qText(std::string(effect->description))) + u'.', true);

@@ -39,7 +39,7 @@ class CauseList : public QWidget {
   void addCause(const Gap& gap, const Cause& cause);
   void addEffectOfModel(const Gap& gap, const std::string& id);
   void addShape(const GapShape& shape);
-  void addTitle(const QString& text, const QString& figure);
+  void addTitle(const QString& text, const QString& figure, const QString& toolTip = {});
   void addText(const QString& text, bool isQuiet = false);
   /// A button in the row of the cause at work.
   QPushButton* addButton(const QString& text, const QString& name);

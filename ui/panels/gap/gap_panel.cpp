@@ -13,6 +13,7 @@
 #include "core/effects/catalogue.h"
 #include "core/wording/closures.h"
 #include "core/wording/measure.h"
+#include "core/wording/verdict.h"
 #include "ui/charts/gap/closure_bars.h"
 #include "ui/charts/gap/gap_map.h"
 #include "ui/charts/gap/gap_waterfall.h"
@@ -262,7 +263,8 @@ void GapPanel::showNext() {
     line += advice.ofUnseen ? tr("would show %1 by %2 σ or more").arg(what, figure)
                             : tr("separates every two of %1 by %2 σ or more").arg(what, figure);
     if (advice.oneLeft > 0)
-      line += tr("; one answer is left with a probability of %1 %").arg(numberText(100 * advice.oneLeft, 0));
+      line += tr("; one answer is left with a probability of %1")
+                  .arg(qText(shortProbabilityText(advice.oneLeft)));
     lines.append(line);
   }
   m_next->setTextFormat(Qt::RichText);

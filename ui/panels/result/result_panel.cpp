@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "core/wording/across.h"
 #include "ui/panels/parts/figure_grid.h"
 #include "ui/panels/result/axis_misfit.h"
 #include "ui/panels/result/findings_panel.h"
@@ -167,12 +168,14 @@ void ResultPanel::showMeasured(const Gap& gap) {
   if (!measured) return m_measured->setText(tr("Measured:\nthese readings do not determine Δd"));
   const IntersectionEstimate& found = measured->estimate;
   m_measured->setText(
-      tr("Measured:\nΔd = %1").arg(valueWithUncertainty(found.value, found.expanded, tr("mm"))));
+      tr("Measured:\n%1")
+          .arg(intersectionText(*gap.evaluation->examined.measurement, found.value, found.expanded)));
   m_measured->setToolTip(
       tr("Δd = %1 mm, U = %2 mm at %3 % coverage.\nEvery effect of the catalogue takes part, as large as "
-         "these readings and what is plausible leave it. What each brings is on the page Budget.")
+         "these readings and what is plausible leave it. What each brings is on the page Budget.\n%4")
           .arg(numberText(found.value, 6), numberText(found.expanded, 6),
-               plainNumberText(100 * gap.evaluation->examined.measurement->coverage)));
+               plainNumberText(100 * gap.evaluation->examined.measurement->coverage),
+               qText(acrossSentence(*measured))));
 }
 
 /// What stands below stays where it is.
@@ -215,8 +218,8 @@ void ResultPanel::showHeadline(const Evaluation& evaluation) {
     m_valueNote->setText(whatIsMissing(evaluation));
     return;
   }
-  m_value->setText(QStringLiteral("Δd = %1").arg(
-      valueWithUncertainty(intersection->value, intersection->expanded, tr("mm"))));
+  m_value->setText(
+      intersectionText(*evaluation.examined.measurement, intersection->value, intersection->expanded));
   m_value->setToolTip(tr("Δd = %1 mm, U = %2 mm")
                           .arg(numberText(intersection->value, 6), numberText(intersection->expanded, 6)));
   QString note = unbroken(tr("Of the fit alone, U at %1 % coverage (k = %2); u = %3")
@@ -307,9 +310,11 @@ void ResultPanel::showArcs(const SessionFit& fit) {
       {tr("Redundancy"),
        misfits([](const AxisMisfit& m) { return QString::number(m.degreesOfFreedom); }),
        {}},
-      {tr("|O1 − O2|/2  mm"),
-       {{}, fit.intersection ? numberText(fit.intersection->inPlane, 4) : notStated()},
-       tr("Half the distance of the centres, across and along the axis")},
+      {tr("|O1 − O2|/2 (u)  mm"),
+       {{},
+        fit.intersection ? figureAndU(fit.intersection->inPlane, fit.intersection->inPlaneSigma)
+                         : notStated()},
+       tr("Half the distance of the centres in the plane of the arc, with its standard uncertainty")},
   };
   m_arcs->setRows({tr("0°"), tr("180°")}, rows);
 }

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/wording/across.h"
 #include "core/wording/budget.h"
 #include "ui/panels/parts/figure_grid.h"
 #include "ui/panels/uncertainty/simulation_box.h"
 #include "ui/text/budget_text.h"
+#include "ui/text/cause_text.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/quantity_text.h"
 
@@ -27,10 +29,6 @@ BudgetPanel::BudgetPanel(const SessionDocument& document, QWidget* parent)
       m_note(new QLabel) {
   m_note->setWordWrap(true);
   for (QLabel* note : {m_note, m_measuredNote}) note->setForegroundRole(QPalette::PlaceholderText);
-  m_measuredNote->setText(
-      tr("1σ: how large each effect may plausibly be; share: of the variance. A: by the scatter of these "
-         "readings; B: by other "
-         "knowledge."));
   QVBoxLayout* layout = column();
   layout->addWidget(m_measuredTitle);
   layout->addWidget(m_measured);
@@ -67,6 +65,13 @@ void BudgetPanel::setEvaluation(const SharedEvaluation& evaluation) {
 
 void BudgetPanel::setGap(const Gap& gap) {
   showMeasured(gap.measured());
+  if (!gap.measured()) return;
+  QStringList notes{
+      tr("1σ: how large each effect may plausibly be; share: of the variance. A: by the scatter of these "
+         "readings; B: by other knowledge."),
+      qText(acrossSentence(*gap.measured()))};
+  if (const QString attainable = attainableText(gap); !attainable.isEmpty()) notes.append(attainable);
+  m_measuredNote->setText(notes.join(u'\n'));
 }
 
 /// Told as of before; what stands below stays where it is.

@@ -156,6 +156,25 @@ TEST(SetupFindings, NameExchangedPositions) {
   EXPECT_EQ(found<PlacesOnTheWrongSide>(findings)->axesDeg.size(), 1u);
 }
 
+TEST(SetupFindings, AskWhetherAlikeZerosAreOne) {
+  Session session = test::paperSession();
+  EXPECT_FALSE(found<ZerosAlike>(findingsOf(session)));
+  session.positions[1].zero = {"332°32'54.0\"", "89 59 57", {}};  // the first, written otherwise
+  const auto findings = findingsOf(session);
+  ASSERT_TRUE(found<ZerosAlike>(findings));
+  EXPECT_EQ(found<ZerosAlike>(findings)->positions, 2u);
+  for (const char* stated : {"one", "each"}) {
+    session.geometry.pointingZeros = stated;
+    EXPECT_FALSE(found<ZerosAlike>(findingsOf(session))) << stated;
+  }
+  session.geometry.pointingZeros.clear();
+  session.instrument.sigmaZeroArcsec = "0";  // exact, so nothing cancels
+  EXPECT_FALSE(found<ZerosAlike>(findingsOf(session)));
+  session.instrument.sigmaZeroArcsec.clear();
+  session.positions.pop_back();
+  EXPECT_FALSE(found<ZerosAlike>(findingsOf(session)));
+}
+
 TEST(SetupFindings, NameTheRowsOfDifferentSliderValues) {
   Session session = facesWithSlider();
   session.positions[1].readings[5].slider = "31°";  // point 3, whose other row says 30°

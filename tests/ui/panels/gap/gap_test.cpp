@@ -739,8 +739,8 @@ TEST(CauseText, NamesEverythingADiagnosisMayName) {
                          .parameters = {{.name = "size", .value = 2, .sigma = 0.1, .unit = "1"}},
                          .indistinguishableFrom = {},
                          .readings = {}}};
-    EXPECT_TRUE(
-        diagnosisText(diagnosis).startsWith(QStringLiteral("The gap is caused by ") + causeName(id) + u'.'))
+    EXPECT_TRUE(diagnosisText(diagnosis).startsWith(QStringLiteral("The gap is best explained by ") +
+                                                    causeName(id) + u'.'))
         << id;
   }
 }

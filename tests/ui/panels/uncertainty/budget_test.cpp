@@ -2,6 +2,7 @@
 
 #include <QLabel>
 
+#include "core/wording/across.h"
 #include "tests/ui/support.h"
 #include "ui/document/session_document.h"
 #include "ui/jobs/gap.h"
@@ -60,6 +61,8 @@ TEST(BudgetOfTheMeasurement, StandsAboveThatOfTheFitAlone) {
                                           shareText(line.sigma, found.sigma))
                                      .toStdString()));
   EXPECT_THAT(shown, HasSubstr(numberText(found.expanded, 4).toStdString()));
+  EXPECT_THAT(shown, HasSubstr(acrossSentence(*gap.measured())));
+  EXPECT_THAT(shown, HasSubstr("Sessions like this one come to U = "));
   EXPECT_THAT(shown, Not(HasSubstr("_"))) << "names, not ids";
   EXPECT_LT(shown.find(asMeasured), shown.find("Standard uncertainty of Δd, fit alone\n"));
 }

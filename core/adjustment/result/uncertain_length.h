@@ -1,0 +1,19 @@
+#pragma once
+
+namespace alidade {
+
+/// A vector in a plane, mm, whose components are uncertain, mm².
+struct UncertainVector {
+  double x = 0, y = 0;
+  double varianceX = 0, varianceY = 0, covariance = 0;
+};
+
+struct UncertainLength {
+  double value = 0, sigma = 0;  ///< mm, ≥ 0
+};
+
+/// To second order (JCGM 100:2008, 5.1.2, note), since a short vector is uncertain across itself, too:
+/// u² = u∥² + u⊥⁴/2|v|², where that is less than u∥² + u⊥².
+UncertainLength lengthOf(const UncertainVector& vector);
+
+}  // namespace alidade

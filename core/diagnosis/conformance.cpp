@@ -1,0 +1,42 @@
+#include "core/diagnosis/conformance.h"
+
+#include <cmath>
+
+#include "core/base/square.h"
+#include "core/base/statistics.h"
+
+namespace alidade {
+
+std::optional<double> conformanceOf(const IntersectionEstimate& estimate, double tolerance) {
+  double within = 0, all = 0;
+  for (const NormalPart& account : estimate.accounts) {
+    const auto below = [&](double limit) {
+      return studentLowerTail((limit - account.mean) / account.sigma, estimate.degreesOfFreedom);
+    };
+    const std::optional<double> high = below(tolerance), low = below(-tolerance);
+    if (!high || !low) return std::nullopt;
+    within += account.share * (*high - *low);
+    all += account.share;
+  }
+  if (!(all > 0)) return std::nullopt;
+  return within / all;
+}
+
+std::optional<double> conformanceOf(const IntersectionEstimate& inPlane, const MeasuredLength& across,
+                                    double tolerance) {
+  constexpr int steps = 1000;  // equally probable ones of Δz: the sum is right to 0.1 %
+  double sum = 0;
+  for (int i = 0; i < steps; ++i) {
+    const double rank = (2.0 * i + 1) / steps - 1;  // −1…1
+    const double quantile =
+        rank == 0 ? 0 : std::copysign(coverageFactor(std::abs(rank), inPlane.degreesOfFreedom), rank);
+    const double z = across.value + across.sigma * quantile;
+    if (!(std::abs(z) < tolerance)) continue;
+    const auto within = conformanceOf(inPlane, std::sqrt(square(tolerance) - square(z)));
+    if (!within) return std::nullopt;
+    sum += *within;
+  }
+  return sum / steps;
+}
+
+}  // namespace alidade

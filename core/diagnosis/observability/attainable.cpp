@@ -1,0 +1,116 @@
+#include "core/diagnosis/observability/attainable.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "core/adjustment/result/intersection.h"
+#include "core/base/square.h"
+#include "core/diagnosis/gap/every_effect.h"
+#include "core/diagnosis/observability/further_readings.h"
+#include "core/effects/catalogue.h"
+
+namespace alidade {
+
+namespace {
+
+/// Of what it was: less is not worth the trouble.
+constexpr double worthIt = 0.9;
+
+/// The model of a set that was read without error, with every effect; what jumped did so once.
+GapModel plannedModel(const GapModel& model, const Measurement& set, double noise) {
+  GapModel planned;
+  planned.measurement = std::make_shared<const Measurement>(withNoise(set, noise));
+  planned.options.isClosed = model.options.isClosed;
+  for (const ArcMeasurement& arc : set.arcs)
+    planned.starts.push_back(model.fit->circleOf(arcAt(*model.measurement, arc.axisDeg).value()));
+  for (EstimatedTerm term : model.options.terms) {
+    if (!effectOf(term.term)) continue;
+    term.start = term.priorValue = 0;
+    planned.options.terms.push_back(term);
+  }
+  return withEveryEffect(std::move(planned));
+}
+
+std::optional<Intersection> intersectionOf(const GapModel& planned) {
+  return planned.fit->converged() ? intersect(*planned.measurement, *planned.fit) : std::nullopt;
+}
+
+/// What knowing the numbers of an effect takes off the variance of Δd, mm²: cᵀ S⁻¹ c by their covariances c
+/// with Δd and S with each other.
+double varianceUpTo(const GapModel& planned, const Effect& effect) {
+  const JointFit& fit = *planned.fit;
+  const std::vector<double> weights =
+      intersectionWeights(fit, *arcAt(*planned.measurement, 0), *arcAt(*planned.measurement, 180));
+  std::vector<std::size_t> own;
+  for (std::size_t i = 0; i < fit.unknowns.size(); ++i)
+    if (fit.unknowns[i].kind == Unknown::Kind::Error && effectOf(fit.unknowns[i].term) == &effect)
+      own.push_back(i);
+  const auto count = static_cast<Eigen::Index>(own.size());
+  Eigen::MatrixXd among(count, count);
+  Eigen::VectorXd withIntersection = Eigen::VectorXd::Zero(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const std::size_t row = own[static_cast<std::size_t>(i)];
+    for (Eigen::Index j = 0; j < count; ++j)
+      among(i, j) = fit.cofactor(row, own[static_cast<std::size_t>(j)]);
+    for (std::size_t j = 0; j < weights.size(); ++j) withIntersection[i] += weights[j] * fit.cofactor(row, j);
+  }
+  if (count == 0) return 0;
+  return std::max(withIntersection.dot(among.ldlt().solve(withIntersection)), 0.0);
+}
+
+/// Of each effect that is worth a certificate.
+std::vector<AttainableUncertainty> withKnownEffects(const GapModel& planned, const Intersection& found) {
+  std::vector<AttainableUncertainty> list;
+  for (const Effect& effect : effectCatalogue()) {
+    const double left = 1 - varianceUpTo(planned, effect) / square(found.sigma);
+    const double expanded = found.expanded * std::sqrt(std::max(left, 0.0));
+    if (expanded <= worthIt * found.expanded)
+      list.push_back({.measures = {}, .known = std::string(effect.id), .expanded = expanded});
+  }
+  return list;
+}
+
+bool isOneMoreOf(const std::vector<Measure>& some, const std::vector<Measure>& more) {
+  return more.size() > some.size() && std::ranges::all_of(some, [&](Measure measure) {
+           return std::ranges::find(more, measure) != more.end();
+         });
+}
+
+/// Whether it brings enough, and more than any part of it alone.
+bool isWorthIt(const AttainableUncertainty& attainable, const std::vector<AttainableUncertainty>& all) {
+  return std::ranges::all_of(all, [&](const AttainableUncertainty& other) {
+    return !isOneMoreOf(other.measures, attainable.measures) ||
+           attainable.expanded <= worthIt * other.expanded;
+  });
+}
+
+}  // namespace
+
+std::vector<AttainableUncertainty> attainableUncertainties(const GapModel& model, double noise) {
+  if (!hasBothAxes(*model.measurement) || isLarge(*model.measurement)) return {};
+  const GapModel planned = plannedModel(model, readWithoutError(model), noise);
+  const std::optional<Intersection> asPlanned = intersectionOf(planned);
+  if (!asPlanned) return {};
+  std::vector<AttainableUncertainty> tried{{{}, {}, asPlanned->expanded}}, list = tried;
+  const auto tryOut = [&](const FurtherReadings& plan) {
+    if (plan.sets.size() > 1) return;
+    if (const auto found = intersectionOf(plannedModel(model, plan.sets.front(), noise)))
+      tried.push_back({plan.measures, {}, found->expanded});
+  };
+  eachFurtherReadings(model, tryOut);
+  eachCombination(model, tryOut);
+  std::copy_if(tried.begin() + 1, tried.end(), std::back_inserter(list),
+               [&](const AttainableUncertainty& attainable) { return isWorthIt(attainable, tried); });
+  std::ranges::move(withKnownEffects(planned, *asPlanned), std::back_inserter(list));
+  std::stable_sort(
+      list.begin() + 1, list.end(),
+      [](const AttainableUncertainty& a, const AttainableUncertainty& b) { return a.expanded < b.expanded; });
+  return list;
+}
+
+}  // namespace alidade

@@ -1,0 +1,55 @@
+#include "core/wording/attainable.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "core/base/list_text.h"
+#include "core/base/quantity_text.h"
+#include "core/wording/measure.h"
+
+namespace alidade {
+
+namespace {
+
+/// Two that take the fewest measures, then the one that brings the most.
+std::vector<AttainableUncertainty> fewOf(std::vector<AttainableUncertainty> list) {
+  if (list.empty()) return list;
+  const auto best = *std::ranges::min_element(list, {}, &AttainableUncertainty::expanded);
+  std::ranges::stable_sort(list, {}, [](const AttainableUncertainty& one) {
+    return std::pair(one.measures.size(), one.expanded);
+  });
+  const auto isBest = [&](const AttainableUncertainty& one) {
+    return one.measures == best.measures && one.known == best.known;
+  };
+  constexpr std::size_t cheap = 2;
+  const bool isThere =
+      std::any_of(list.begin(), list.begin() + std::min<std::ptrdiff_t>(cheap, std::ssize(list)), isBest);
+  list.resize(std::min(cheap, list.size()));
+  if (!isThere) list.push_back(best);
+  return list;
+}
+
+}  // namespace
+
+std::string attainableSentence(const std::vector<AttainableUncertainty>& attainable, const CauseNamer& name) {
+  if (attainable.empty()) return "";
+  const double least = std::ranges::min(attainable, {}, &AttainableUncertainty::expanded).expanded;
+  const auto lengthText = [decimals = decimalsFor(least)](double expanded) {
+    return displayText(expanded, decimals) + " mm";
+  };
+  std::vector<AttainableUncertainty> measured, known;
+  for (auto one = attainable.begin() + 1; one != attainable.end(); ++one)
+    (one->known.empty() ? measured : known).push_back(*one);
+  std::string text = "Sessions like this one come to U = " + lengthText(attainable.front().expanded);
+  for (const std::vector<AttainableUncertainty>& list : {fewOf(measured), fewOf(known)}) {
+    std::vector<std::string> texts;
+    for (const AttainableUncertainty& one : list)
+      texts.push_back("with " + (one.known.empty() ? textOf(one.measures) : name(one.known) + " known") +
+                      " to " + lengthText(one.expanded));
+    if (!texts.empty()) text += "; " + listed(texts, ", ");
+  }
+  return text + ".";
+}
+
+}  // namespace alidade

@@ -1,0 +1,29 @@
+#include "core/wording/attainable.h"
+
+#include <gtest/gtest.h>
+
+namespace alidade {
+namespace {
+
+TEST(AttainableSentence, NamesTheCheapestAndTheBest) {
+  EXPECT_EQ(attainableSentence({}), "");
+  EXPECT_EQ(attainableSentence({{.expanded = 0.234}}), "Sessions like this one come to U = 0.23 mm.");
+  EXPECT_EQ(
+      attainableSentence({{.expanded = 0.234},
+                          {.measures = {Measure::SliderReadings, Measure::BothFaces}, .expanded = 0.0712},
+                          {.known = "plane_warp", .expanded = 0.15},
+                          {.measures = {Measure::BothFaces}, .expanded = 0.18},
+                          {.measures = {Measure::SliderReadings}, .expanded = 0.2},
+                          {.measures = {Measure::MoreOfTheArc}, .expanded = 0.21}}),
+      "Sessions like this one come to U = 0.234 mm; with both faces to 0.180 mm, with slider readings to "
+      "0.200 mm, with slider readings and both faces to 0.071 mm; with plane_warp known to 0.150 mm.");
+  EXPECT_EQ(
+      attainableSentence({{.expanded = 2},
+                          {.measures = {Measure::SliderReadings}, .expanded = 1},
+                          {.measures = {Measure::SliderReadings, Measure::BothFaces}, .expanded = 1.5}}),
+      "Sessions like this one come to U = 2.0 mm; with slider readings to 1.0 mm, with slider readings and "
+      "both faces to 1.5 mm.");
+}
+
+}  // namespace
+}  // namespace alidade

@@ -1,0 +1,19 @@
+#include "core/wording/cause_prior.h"
+
+#include <gtest/gtest.h>
+
+#include "core/effects/cause_ids.h"
+
+namespace alidade {
+namespace {
+
+// As the catalogue of effects has them.
+TEST(PlausibleSize, IsThatOfTheCatalogue) {
+  EXPECT_EQ(plausibleSizeText("trunnion_tilt"), "30 arcsec");
+  EXPECT_EQ(plausibleSizeText("arc_lobing"), "0.05 mm");
+  EXPECT_EQ(plausibleSizeText("slider_scale"), "0.0005");
+  EXPECT_EQ(plausibleSizeText(std::string(jumpId)), "");
+}
+
+}  // namespace
+}  // namespace alidade
