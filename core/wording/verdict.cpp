@@ -1,9 +1,12 @@
 #include "core/wording/verdict.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/base/quantity_text.h"
 #include "core/wording/closures.h"
+#include "core/wording/measure.h"
 #include "core/wording/position_name.h"
 #include "core/wording/setup_findings.h"
 
@@ -59,8 +62,16 @@ std::string wayOut(const Diagnosis& diagnosis, const CauseNamer& name) {
   const UncertaintyShare& most = diagnosis.measured->budget.front();
   if (most.effect.empty() || most.from == UncertaintyShare::From::Diagnosis)
     return "Add to the model what was found, or measure what the diagnosis advises.";
-  return "The most of U comes from " + name(most.effect) +
-         ", as large as is plausible: measure what shows it.";
+  const auto& attainable = diagnosis.attainable;
+  const auto easiest = std::ranges::min_element(attainable, {}, [](const AttainableUncertainty& one) {
+    constexpr std::size_t noMeasure = 99;
+    return std::pair(one.measures.empty() ? noMeasure : one.measures.size(), one.expanded);
+  });
+  const bool isThere = easiest != attainable.end() && !easiest->measures.empty();
+  return "The most of U comes from " + name(most.effect) + ", as large as is plausible: " +
+         (isThere ? "with " + textOf(easiest->measures) + " U would come to some " +
+                        displayText(easiest->expanded, decimalsFor(easiest->expanded)) + " mm."
+                  : "measure what shows it.");
 }
 
 std::string bothAccounts(const Measurement& measurement, const Intersection& modelled,

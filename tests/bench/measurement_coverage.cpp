@@ -43,7 +43,8 @@ test::DrawnPlan planOf(const Protocol* protocol, std::uint64_t seed) {
 void putEffects(Truth& truth, const Row& row, const Protocol& protocol, std::uint64_t seed) {
   constexpr std::uint64_t stream = 55;  // apart from those of guideway and noise
   truth.noiseFactor = row.noise;
-  truth.sigmaZero = truth.sigmaZero * row.noise;  // it scatters as the circles do
+  if (row.noise != 1)  // and the zeros, of which nothing is stated, scatter as the circles do
+    truth.sigmaZero = std::min(truth.sigmaHorizontal, truth.sigmaVertical) * row.noise;
   RandomSource random(seed, stream);
   for (const Effect& effect : effectCatalogue()) {
     if (effect.response == Response::AllOrNothing || (!protocol.slider && effect.id.starts_with("slider")))

@@ -86,7 +86,15 @@ TEST(VerdictSentence, PutsBothAccountsSideBySide) {
               HasSubstr("(95 % coverage), not clearly within or outside it."));
   diagnosis.measured->budget = {
       {.effect = "plane_warp", .from = UncertaintyShare::From::Default, .sigma = 0.1}};
-  EXPECT_THAT(sentenceOf(measurement, fit, &diagnosis), HasSubstr("The most of U comes from plane_warp"));
+  EXPECT_THAT(
+      sentenceOf(measurement, fit, &diagnosis),
+      HasSubstr("The most of U comes from plane_warp, as large as is plausible: measure what shows it."));
+  diagnosis.attainable = {{.expanded = 0.2},
+                          {.known = "plane_warp", .expanded = 0.05},
+                          {.measures = {Measure::BothFaces, Measure::WayBack}, .expanded = 0.1},
+                          {.measures = {Measure::SliderReadings}, .expanded = 0.15}};
+  EXPECT_THAT(sentenceOf(measurement, fit, &diagnosis),
+              HasSubstr("as large as is plausible: with slider readings U would come to some 0.15 mm."));
   diagnosis.measured.reset();
   EXPECT_THAT(sentenceOf(measurement, fit, &diagnosis), HasSubstr("these readings do not determine it."));
 }
