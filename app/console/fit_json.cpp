@@ -7,6 +7,7 @@
 #include "app/console/findings_output.h"
 #include "app/console/json_text.h"
 #include "core/adjustment/joint/reliability.h"
+#include "core/adjustment/result/input_reliability.h"
 #include "core/adjustment/result/two_faces.h"
 #include "core/wording/budget.h"
 #include "core/wording/findings.h"
@@ -131,15 +132,52 @@ Json effectJson(const EffectEstimate& estimate) {
           {"unit", estimate.unit}};
 }
 
-LongList reliabilityList(const Measurement& measurement, const SessionFit& fit) {
+Json readingTestJson(const Detection& detection) {
+  return {{"risk", detection.test.risk},
+          {"power", detection.power},
+          {"tests", detection.test.tests},
+          {"degrees_of_freedom", std::max(detection.test.degreesOfFreedom, 0)},
+          {"critical_value", detection.test.criticalValue()}};
+}
+
+std::string inputName(const Unknown& input) {
+  if (input.kind == Unknown::Kind::HorizontalZero) return "horizontal_zero";
+  if (input.kind == Unknown::Kind::VerticalZero) return "vertical_zero";
+  return input.kind == Unknown::Kind::Radius ? "radius" : "distance";
+}
+
+Json inputJson(const InputReliability& reliability, const SessionFit& fit) {
+  const bool isAngle = reliability.input.isPointingZero();
+  const double unit = isAngle ? Angle::fromArcseconds(1).radians() : 1;
+  Json json = {{"input", inputName(reliability.input)},
+               {"unit", isAngle ? "arcsec" : "mm"},
+               {"sigma", reliability.sigma / unit},
+               {"redundancy", reliability.redundancy},
+               {"minimal_detectable_bias", Json()},
+               {"influence_mm_per_unit", fit.intersection ? reliability.perInput * unit : undefined}};
+  if (!isAngle) return json;
+  const ArcFit& arc = fit.arcs[reliability.input.arc];
+  json["axis_deg"] = arc.axisDeg;
+  if (arc.time > 1) json["time"] = arc.time;
+  return json;
+}
+
+Json inputsJson(const Measurement& measurement, const SessionFit& fit) {
+  Json json = Json::array();
+  for (const InputReliability& reliability : reliabilityOfInputs(measurement, fit))
+    json.push_back(inputJson(reliability, fit));
+  return json;
+}
+
+LongList reliabilityList(const Measurement& measurement, const SessionFit& fit, const Detection& detection) {
   std::vector<const std::vector<Sighting>*> sightings;  // of each fitted arc
   for (const ArcFit& arc : fit.arcs)
     sightings.push_back(
         &std::ranges::find(measurement.arcs, arc.position, &ArcMeasurement::position)->sightings);
-  const auto members = [&fit, sightings](std::size_t i, const TakeMember& take) {
+  const auto members = [&fit, sightings, detection](std::size_t i, const TakeMember& take) {
     const AdjustedReading& reading = fit.joint.readings[i];
     const Sighting& sighting = (*sightings[reading.arc])[reading.sighting];
-    const Reliability reliability = reliabilityOf(reading);
+    const Reliability reliability = reliabilityOf(reading, detection);
     take("axis_deg", fit.arcs[reading.arc].axisDeg);
     if (fit.arcs[reading.arc].time > 1) take("time", fit.arcs[reading.arc].time);
     take("round", sighting.round);
@@ -147,6 +185,7 @@ LongList reliabilityList(const Measurement& measurement, const SessionFit& fit) 
     take("face", sighting.face);
     take("circle", nameOf(reading.kind));
     take("residual_arcsec", Angle::fromRadians(reading.residual).arcseconds());
+    take("standardised_residual", reading.standardised(detection.scale));
     take("redundancy", reading.redundancy);
     take("minimal_detectable_bias_arcsec", reliability.minimalDetectableBias.arcseconds());
     take("influence_mm", fit.intersection ? reliability.influence : undefined);
@@ -281,8 +320,11 @@ std::string fitJson(const FitAnswer& answer) {
   if (answer.check) document["monte_carlo"] = monteCarloJson(*answer.check);
   document["effects"] = Json::array();
   for (const EffectEstimate& estimate : fit.effects) document["effects"].push_back(effectJson(estimate));
+  const Detection detection = detectionIn(fit.joint, fit.noise.factor);
+  document["reading_test"] = readingTestJson(detection);
   document["reliability"] = Json::array();
-  std::vector<LongList> lists{reliabilityList(measurement, fit)};
+  document["input_reliability"] = inputsJson(measurement, fit);
+  std::vector<LongList> lists{reliabilityList(measurement, fit, detection)};
   const std::optional<TwoFaces> faces = compareFaces(measurement);
   if (faces) {
     document["two_faces"] = twoFacesJson(*faces);

@@ -297,7 +297,14 @@ TEST(FitJson, ListsTheReliabilityOfEveryReading) {
   EXPECT_NEAR(redundancy, 28, 1e-9);
   EXPECT_EQ(keysOf(fit["reliability"][0]),
             (std::set<std::string>{"axis_deg", "round", "point", "face", "circle", "residual_arcsec",
-                                   "redundancy", "minimal_detectable_bias_arcsec", "influence_mm"}));
+                                   "standardised_residual", "redundancy", "minimal_detectable_bias_arcsec",
+                                   "influence_mm"}));
+  const Json& first = fit["reliability"][0];
+  EXPECT_NEAR(first["minimal_detectable_bias_arcsec"].get<double>(), 89.8, 0.05);
+  EXPECT_NEAR(first["standardised_residual"].get<double>(),
+              first["residual_arcsec"].get<double>() /
+                  (fit["noise_scale"].get<double>() * 2 * std::sqrt(first["redundancy"].get<double>())),
+              1e-9);
   // At the top of the arc an error of the horizontal circle runs along the arc: the vertical circle is
   // checked far better.
   const Json &horizontal = fit["reliability"][16], &vertical = fit["reliability"][17];
@@ -305,6 +312,33 @@ TEST(FitJson, ListsTheReliabilityOfEveryReading) {
   EXPECT_EQ(horizontal["circle"], "horizontal");
   EXPECT_GT(horizontal["minimal_detectable_bias_arcsec"].get<double>(),
             10 * vertical["minimal_detectable_bias_arcsec"].get<double>());
+}
+
+// 34 places, each checked across the arc alone; 28 degrees of freedom less that of the shift tested.
+// Student's t with 27 exceeds 4.1522 by 1 − 0.99^(1/34) (incomplete beta function in 20 digits).
+TEST(FitJson, StatesTheTestOfMisreadReadings) {
+  const Json test = fitOf(paperSession)["reading_test"];
+  EXPECT_EQ(keysOf(test),
+            (std::set<std::string>{"risk", "power", "tests", "degrees_of_freedom", "critical_value"}));
+  EXPECT_EQ(test["tests"], 34);
+  EXPECT_EQ(test["degrees_of_freedom"], 27);
+  EXPECT_NEAR(test["critical_value"].get<double>(), 4.1522, 0.0001);
+}
+
+TEST(FitJson, ListsWhatWasEnteredOnceAndNothingChecks) {
+  const Json inputs = fitOf(paperSession)["input_reliability"];
+  std::vector<std::string> names;
+  for (const Json& input : inputs) {
+    names.push_back(input["input"]);
+    EXPECT_EQ(input["redundancy"], 0);
+    EXPECT_TRUE(input["minimal_detectable_bias"].is_null());
+    EXPECT_TRUE(input["influence_mm_per_unit"].is_number());
+  }
+  EXPECT_THAT(names, ::testing::ElementsAre("horizontal_zero", "vertical_zero", "horizontal_zero",
+                                            "vertical_zero", "distance"));
+  EXPECT_EQ(inputs[3]["axis_deg"], 180);
+  EXPECT_EQ(inputs[3]["unit"], "arcsec");
+  EXPECT_EQ(inputs[4]["unit"], "mm");
 }
 
 // A session of an independent ray tracer, whose trunnion axis is tilted by −143.457″.

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "core/adjustment/gross_errors/suspects.h"
-#include "core/adjustment/joint/reliability.h"
 #include "core/adjustment/monte_carlo/monte_carlo.h"
 #include "core/adjustment/result/session_fit.h"
 #include "core/adjustment/result/two_faces.h"

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -24,6 +25,10 @@ struct SightingResidual {
   double arcAngle = 0;  ///< φ of the adjusted target, radians in (−π, π]
   Angle horizontal;     ///< v_a
   Angle vertical;       ///< v_e, up positive for either kind of vertical circle
+  /// Of both, w = v/(s0 σ √r) by the fit of the whole session. NaN where no other reading checks the reading,
+  /// and of an arc fitted alone.
+  double horizontalStandardised = std::numeric_limits<double>::quiet_NaN();
+  double verticalStandardised = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// One fitted arc. Published and rigorous fit both answer with it.

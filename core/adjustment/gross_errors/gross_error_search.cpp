@@ -9,6 +9,7 @@
 
 #include "core/adjustment/arc/robust_start.h"
 #include "core/adjustment/joint/joint_problem.h"
+#include "core/adjustment/joint/reading_test.h"
 #include "core/adjustment/numerics/arc_angle_step.h"
 #include "core/base/statistics.h"
 
@@ -17,9 +18,6 @@ namespace alidade {
 namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
-
-/// Below this share of its error showing a reading is not tested: its shift could be anything.
-constexpr double leastRedundancy = 1e-4;
 
 /// A reading in the linear theory of the joint fit, whitened.
 struct TestedReading {
@@ -271,7 +269,8 @@ class Search {
     if (k == m_projector->readings().size()) return;
     if (static_cast<int>(calls()) + 2 > m_fit.degreesOfFreedom || m_shifts.size() >= m_options.most) return;
     const std::vector<std::size_t> cells = called();
-    if (remainingRedundancy(cells, calledProjector(cells).inverse(), k) < leastRedundancy) return;
+    if (remainingRedundancy(cells, calledProjector(cells).inverse(), k) < ReadingTest::leastRedundancy)
+      return;
     take(cell);
   }
 
@@ -314,24 +313,12 @@ class Search {
 
   int freedom() const { return m_fit.degreesOfFreedom - static_cast<int>(m_shifts.size()); }
 
-  /// How many different tests there are: both circles of a visit of one row tell the same.
-  double tests() const {
-    double count = 0;
-    const auto& readings = m_projector->readings();
-    for (std::size_t i = 0; i < readings.size();) {
-      std::size_t end = i, testable = 0;
-      for (; end < readings.size() && readings[end].visit == readings[i].visit; ++end)
-        if ((*m_projector)(end, end) > leastRedundancy) ++testable;
-      count += static_cast<double>(std::min(testable, end - i == 2 ? std::size_t{1} : testable));
-      i = end;
-    }
-    return std::max(count + static_cast<double>(m_leftOut.size()), 1.0);
-  }
-
-  /// Šidák's bound for |t| with `freedom` degrees.
+  /// Bound for |t| with `freedom` degrees.
   double critical(int freedom) const {
-    const double outside = -std::expm1(std::log1p(-m_options.risk) / tests());
-    return coverageFactor(1 - outside, freedom);
+    return ReadingTest{.risk = m_options.risk,
+                       .tests = differentTests(m_fit.readings) + static_cast<int>(m_leftOut.size()),
+                       .degreesOfFreedom = freedom}
+        .criticalValue();
   }
 
   void takeBackInsignificant() {
@@ -372,7 +359,7 @@ class Search {
     for (std::size_t k = 0; k < readings.size(); ++k) {
       if (std::ranges::find(cells, k) != cells.end()) continue;
       const double redundancy = remainingRedundancy(cells, m_inverse, k);
-      if (redundancy < leastRedundancy) continue;
+      if (redundancy < ReadingTest::leastRedundancy) continue;
       const double drop = readings[k].residual * readings[k].residual / redundancy;
       if (drop <= most) continue;
       most = drop;
@@ -401,7 +388,7 @@ class Search {
           std::ranges::find(others, k) != others.end())
         continue;
       const double redundancy = remainingRedundancy(others, inverse, k);
-      if (redundancy < leastRedundancy) continue;
+      if (redundancy < ReadingTest::leastRedundancy) continue;
       VectorXd a(inverse.rows()), b(inverse.rows());
       for (std::size_t j = 0; j < others.size(); ++j) {
         a[static_cast<Index>(j)] = (*m_projector)(others[j], self);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/adjustment/joint/joint_fit.h"
+#include "core/adjustment/joint/reading_test.h"
 #include "core/base/angle.h"
 #include "core/session/measurement.h"
 
@@ -17,8 +18,7 @@ namespace alidade {
 // taken off, so that linear theory holds however large they are.
 //
 // The noise is not taken as stated: the scale is that of the readings neither called nor tested, so the test
-// value is Student's t. With m readings tested at the risk α in all, each is tested at 1 − (1 − α)^(1/m)
-// (Z. Šidák, J. Am. Stat. Assoc. 62 (1967)). Source of the test: W. Baarda, "A testing procedure for use in
+// value is Student's t (`ReadingTest`). Source of the test: W. Baarda, "A testing procedure for use in
 // geodetic networks" (1968); A. J. Pope, "The statistics of residuals and the detection of outliers" (1976).
 //
 // What cannot be found: an error along the arc in a visit without a second face or slider reading, because
@@ -37,7 +37,7 @@ struct GrossError {
 };
 
 struct GrossErrorOptions {
-  double risk = 0.01;        ///< of naming any reading of a sound session, in (0, 1)
+  double risk = ReadingTest::usualRisk;  ///< of naming any reading of a sound session, in (0, 1)
   JointFitOptions fit = {};  ///< terms estimated along, readings left out, … as for the joint fit
   std::size_t most = 12;     ///< at most so many are named
   /// The fit of all readings with these options, where it is known already; may be null.

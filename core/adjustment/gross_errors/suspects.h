@@ -5,6 +5,7 @@
 
 #include "core/adjustment/gross_errors/corrections.h"
 #include "core/adjustment/joint/joint_fit.h"
+#include "core/adjustment/joint/reading_test.h"
 #include "core/adjustment/result/session_fit.h"
 #include "core/base/angle.h"
 #include "core/base/place.h"
@@ -36,7 +37,7 @@ struct Suspect {
 };
 
 struct SuspectOptions {
-  double risk = 0.01;  ///< of naming any reading of a sound session, in (0, 1)
+  double risk = ReadingTest::usualRisk;  ///< of naming any reading of a sound session, in (0, 1)
 };
 
 /// The readings of a fitted session that look misread, the most certain first; nothing is changed or left out

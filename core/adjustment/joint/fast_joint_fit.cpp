@@ -6,6 +6,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "core/adjustment/arc/foot_point.h"
@@ -132,7 +133,8 @@ class ArcApart {
       const auto add = [&](std::size_t sighting, ReadingKind kind, double residual, double whitening) {
         const auto row = static_cast<int>(kind);
         const double sigma = statedSigma(m_measurement, kind).radians(), rate = perReading[row] * whitening;
-        *next++ = {m_index, sighting, kind, residual, sigma, redundancy[row], rate};
+        const auto visit = static_cast<std::uint32_t>(v);
+        *next++ = {m_index, sighting, kind, visit, residual, sigma, redundancy[row], rate};
         misfit.chiSquare += residual * whitening * residual * whitening;
         ++misfit.degreesOfFreedom;
       };

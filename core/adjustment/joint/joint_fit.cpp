@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -113,9 +114,10 @@ void fillReadings(JointFit& fit, const Measurement& measurement, const JointProb
     cofactors.push_back(problem.gathered(cofactor, arc));
     gradients.push_back(problem.gathered(gradient, arc));
   }
-  for (std::size_t v = 0; v < problem.visits().size(); ++v) {
+  for (std::size_t v = 0, first = 0; v < problem.visits().size(); ++v) {
     const VisitEquations& equations = all[v];
     const std::size_t arc = problem.visits()[v].arc;
+    if (arc != problem.visits()[first].arc) first = v;
     ArcMisfit& misfit = fit.misfits[arc];
     misfit.chiSquare += equations.residual.squaredNorm();
     const VisitEquations::Jacobian columns = JointProblem::reduced(equations);
@@ -124,7 +126,10 @@ void fillReadings(JointFit& fit, const Measurement& measurement, const JointProb
       const Slots reduced = columns.row(row).transpose();
       const Slots turned = cofactors[arc].lazyProduct(reduced);
       const ReadingRef cell = problem.cellOf(v, row);
-      AdjustedReading reading{.arc = cell.arc, .sighting = cell.sighting, .kind = cell.kind};
+      AdjustedReading reading{.arc = cell.arc,
+                              .sighting = cell.sighting,
+                              .kind = cell.kind,
+                              .visit = static_cast<std::uint32_t>(v - first)};
       reading.sigma = statedSigma(measurement, cell.kind).radians();
       reading.residual = equations.residual[row] * reading.sigma;
       const bool takesPart = !equations.jacobian.row(row).isZero(0);

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -73,10 +75,20 @@ struct AdjustedReading {
   std::size_t arc = 0;       ///< index into the measurement's arcs
   std::size_t sighting = 0;  ///< index into the arc's sightings; of a slider reading the row it stands in
   ReadingKind kind = ReadingKind::Horizontal;
-  double residual = 0;    ///< observed minus adjusted, rad; up positive for the vertical circle
-  double sigma = 0;       ///< stated, rad
-  double redundancy = 0;  ///< share of an error of this reading that shows in its own residual, 0…1
-  double perReading = 0;  ///< ∂Δd/∂reading, mm per rad; 0 without an intersection
+  std::uint32_t visit = 0;  ///< number among the visits of its arc
+  double residual = 0;      ///< observed minus adjusted, rad; up positive for the vertical circle
+  double sigma = 0;         ///< stated, rad
+  double redundancy = 0;    ///< share of an error of this reading that shows in its own residual, 0…1
+  double perReading = 0;    ///< ∂Δd/∂reading, mm per rad; 0 without an intersection
+
+  /// Another reading checks it: its redundancy is more than the rounding of one of 0.
+  bool isChecked() const { return redundancy >= 1e-9; }
+  /// The standardised residual w = v/(s0 σ √r) at noise `scale` times (s0 > 0) the stated one: of variance 1
+  /// where the reading is sound (Baarda 1968). NaN where nothing checks the reading.
+  double standardised(double scale) const {
+    return isChecked() ? residual / (scale * sigma * std::sqrt(redundancy))
+                       : std::numeric_limits<double>::quiet_NaN();
+  }
 };
 
 /// What the readings of one arc leave over.

@@ -1,32 +1,24 @@
 #include "core/adjustment/joint/reliability.h"
 
 #include <cmath>
-#include <limits>
-
-#include "core/base/statistics.h"
 
 namespace alidade {
 
-namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
-/// The shift of a normal variable that exceeds the two-sided bound with the stated chance.
-double detectableShift(const DetectionLevel& level) {
-  return coverageFactor(1 - level.risk, infinite) + coverageFactor(2 * level.power - 1, infinite);
+Detection detectionIn(const JointFit& fit, double scale, double power) {
+  Detection detection{
+      .test = {.tests = differentTests(fit.readings), .degreesOfFreedom = fit.degreesOfFreedom - 1},
+      .power = power,
+      .scale = scale};
+  detection.shift = detection.test.detectableShift(power);
+  return detection;
 }
 
-}  // namespace
-
-Reliability reliabilityOf(const AdjustedReading& reading, const DetectionLevel& level) {
-  constexpr double unchecked = 1e-9;  // rounding of a redundancy of 0
-  if (reading.redundancy < unchecked)
-    return {Angle::fromRadians(infinite),
-            reading.perReading == 0 ? 0 : std::copysign(infinite, reading.perReading)};
-  static const double usualShift = detectableShift({});  // quantiles take longer than all the rest
-  const double shift = level == DetectionLevel{} ? usualShift : detectableShift(level);
-  const double bias = shift * reading.sigma / std::sqrt(reading.redundancy);
-  return {Angle::fromRadians(bias), bias * reading.perReading};
+Reliability reliabilityOf(const AdjustedReading& reading, const Detection& detection) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const double bias = reading.isChecked()
+                          ? detection.shift * detection.scale * reading.sigma / std::sqrt(reading.redundancy)
+                          : infinite;
+  return {Angle::fromRadians(bias), reading.perReading == 0 ? 0 : bias * reading.perReading};
 }
 
 }  // namespace alidade

@@ -38,15 +38,18 @@ std::vector<EstimatedTerm> termsOf(const std::vector<const Effect*>& effects) {
   return terms;
 }
 
-/// Circle, residuals and misfit of every arc as the joint adjustment leaves them.
-void takeOver(std::vector<ArcFit>& arcs, const JointFit& joint) {
+/// Circle, residuals and misfit of every arc as the joint adjustment leaves them; `scale`: s0.
+void takeOver(std::vector<ArcFit>& arcs, const JointFit& joint, double scale) {
   std::vector<double> squares(arcs.size());
   for (const AdjustedReading& reading : joint.readings) {
     SightingResidual& residual = arcs[reading.arc].residuals[reading.sighting];
     residual.arcAngle = joint.arcAngles[reading.arc][reading.sighting];
     if (reading.kind == ReadingKind::Slider) continue;
     const Angle left = Angle::fromRadians(reading.residual);
-    (reading.kind == ReadingKind::Horizontal ? residual.horizontal : residual.vertical) = left;
+    const bool isHorizontal = reading.kind == ReadingKind::Horizontal;
+    (isHorizontal ? residual.horizontal : residual.vertical) = left;
+    (isHorizontal ? residual.horizontalStandardised : residual.verticalStandardised) =
+        reading.standardised(scale);
     squares[reading.arc] += left.arcseconds() * left.arcseconds();
   }
   for (std::size_t i = 0; i < arcs.size(); ++i) {
@@ -96,8 +99,8 @@ bool adjust(SessionFit& fit, const Measurement& fitted) {
   const std::vector<const Effect*> effects = knownEffects(fitted.effects);
   fit.joint = fitJointly(fitted, starts, {.terms = termsOf(effects)});
   if (!fit.joint.isDetermined()) return false;
-  takeOver(fit.arcs, fit.joint);
   fit.noise = noiseScale(fit.joint);
+  takeOver(fit.arcs, fit.joint, fit.noise.factor);
   for (std::size_t i = 0; i < fit.arcs.size(); ++i) {
     fit.budgets.push_back(arcBudget(fit.joint, i, fit.noise.factor));
     fit.sigmas.push_back(arcSigma(fit.joint, i, fit.noise.factor, fit.budgets.back()));

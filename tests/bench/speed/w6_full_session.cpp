@@ -11,8 +11,9 @@ namespace alidade::bench {
 namespace {
 
 double smallestDetectable(const JointFit& fit) {
+  const Detection detection = detectionIn(fit, 1);
   double sum = 0;
-  for (const AdjustedReading& reading : fit.readings) sum += reliabilityOf(reading).influence;
+  for (const AdjustedReading& reading : fit.readings) sum += reliabilityOf(reading, detection).influence;
   return sum;
 }
 

@@ -1,0 +1,61 @@
+#include "core/adjustment/result/input_reliability.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/square.h"
+
+namespace alidade {
+
+namespace {
+
+bool isInput(const Unknown& unknown) {
+  return unknown.isPointingZero() || unknown.kind == Unknown::Kind::Radius;
+}
+
+/// ∂Δd/∂unknowns; zeros without an intersection.
+std::vector<double> weightsOfIntersection(const SessionFit& fit) {
+  if (!fit.intersection) return std::vector<double>(fit.joint.unknowns.size());
+  const auto indexAt = [&](int axisDeg) {
+    return static_cast<std::size_t>(std::ranges::find(fit.arcs, axisDeg, &ArcFit::axisDeg) -
+                                    fit.arcs.begin());
+  };
+  return intersectionWeights(fit.joint, indexAt(0), indexAt(180));
+}
+
+/// Of what is as entered, on the unknown that it is in the equations (`ArcPose`): a zero stands there by its
+/// error, against which the readings are reduced, and up is the other way round on a zenith circle.
+double perEntered(const Unknown& unknown, const Measurement& measurement) {
+  if (!unknown.isPointingZero()) return 1;
+  const bool countsUp =
+      unknown.kind == Unknown::Kind::VerticalZero && measurement.verticalCircle == VerticalCircle::Elevation;
+  return countsUp ? 1 : -1;
+}
+
+}  // namespace
+
+std::vector<InputReliability> reliabilityOfInputs(const Measurement& measurement, const SessionFit& fit) {
+  const JointFit& joint = fit.joint;
+  const std::vector<double> weights = weightsOfIntersection(fit);
+  std::vector<InputReliability> inputs;
+  for (std::size_t i = 0; i < joint.unknowns.size(); ++i) {
+    const Unknown& unknown = joint.unknowns[i];
+    if (!isInput(unknown) || std::isinf(joint.priorSigmas[i])) continue;
+    const double variance = square(joint.priorSigmas[i]);
+    double rate = 0;
+    for (std::size_t j = 0; j < weights.size(); ++j) rate += weights[j] * joint.cofactor(j, i) / variance;
+    inputs.push_back({unknown, joint.priorSigmas[i],
+                      std::clamp(1 - joint.cofactor(i, i) / variance, 0.0, 1.0),
+                      rate * perEntered(unknown, measurement)});
+  }
+  for (std::size_t c = 0; c < joint.considered.size(); ++c) {
+    double rate = 0;
+    for (std::size_t i = 0; i < weights.size(); ++i)
+      rate += weights[i] * joint.perConsidered[i * joint.considered.size() + c];
+    inputs.push_back({joint.considered[c], joint.consideredSigmas[c], 0,
+                      rate * perEntered(joint.considered[c], measurement)});
+  }
+  return inputs;
+}
+
+}  // namespace alidade
