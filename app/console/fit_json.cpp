@@ -155,7 +155,7 @@ Json inputJson(const InputReliability& reliability, const SessionFit& fit) {
                {"redundancy", reliability.redundancy},
                {"minimal_detectable_bias", Json()},
                {"influence_mm_per_unit", fit.intersection ? reliability.perInput * unit : undefined}};
-  if (!isAngle) return json;
+  if (!isAngle || reliability.input.arc == Unknown::everyArc) return json;
   const ArcFit& arc = fit.arcs[reliability.input.arc];
   json["axis_deg"] = arc.axisDeg;
   if (arc.time > 1) json["time"] = arc.time;

@@ -341,6 +341,22 @@ TEST(FitJson, ListsWhatWasEnteredOnceAndNothingChecks) {
   EXPECT_EQ(inputs[4]["unit"], "mm");
 }
 
+// Their error is the same in both positions, and cancels: less than a tenth of what each of two moves Δd by.
+TEST(FitJson, ListsZerosThatAreOneOnce) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("one.alidade", changedPaperSession([](auto& session) {
+                                         session["geometry"]["pointing_zeros"] = "one";
+                                         session["positions"][1]["pointing_zero"] =
+                                             session["positions"][0]["pointing_zero"];
+                                       }));
+  const Json inputs = fitOf(file)["input_reliability"], apart = fitOf(paperSession)["input_reliability"];
+  ASSERT_EQ(inputs.size(), 3u);
+  EXPECT_EQ(inputs[1]["input"], "vertical_zero");
+  EXPECT_FALSE(inputs[1].contains("axis_deg"));
+  EXPECT_LT(std::abs(inputs[1]["influence_mm_per_unit"].get<double>()),
+            0.1 * std::abs(apart[1]["influence_mm_per_unit"].get<double>()));
+}
+
 // A session of an independent ray tracer, whose trunnion axis is tilted by −143.457″.
 TEST(FitJson, EstimatesTheEffectsThatTheModelNames) {
   std::ifstream file(std::string(ALIDADE_REFERENCE_DIR) + "/trials/sessions/290231.alidade");
