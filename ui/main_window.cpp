@@ -117,6 +117,7 @@ QWidget* MainWindow::createEntryColumn() {
   m_forms->addTab(createMeasurementForm(m_document), tr("&Measurement"));
   m_forms->addTab(createInstrumentForm(m_document), tr("I&nstrument"));
   m_forms->addTab(createSessionForm(m_document), tr("Se&ssion"));
+  m_forms->addTab(createLaboratoryForm(m_document), tr("La&boratory"));
   m_forms->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   m_positions = new PositionTabs(m_document);
   m_findings = new FindingsPanel;

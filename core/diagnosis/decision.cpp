@@ -1,5 +1,7 @@
 #include "core/diagnosis/decision.h"
 
+#include <algorithm>
+
 #include "core/base/statistics.h"
 #include "core/effects/cause_ids.h"
 
@@ -7,12 +9,13 @@ namespace alidade {
 
 namespace {
 
-/// Absent without degrees of freedom or an uncertainty.
-std::optional<double> conformanceOf(const IntersectionEstimate& estimate, double tolerance) {
+/// Of Δd + `shift` within the tolerance. Absent without degrees of freedom or an uncertainty.
+std::optional<double> conformanceOf(const IntersectionEstimate& estimate, double tolerance,
+                                    double shift = 0) {
   double within = 0, all = 0;
   for (const NormalPart& account : estimate.accounts) {
     const auto below = [&](double limit) {
-      return studentLowerTail((limit - account.mean) / account.sigma, estimate.degreesOfFreedom);
+      return studentLowerTail((limit - shift - account.mean) / account.sigma, estimate.degreesOfFreedom);
     };
     const std::optional<double> high = below(tolerance), low = below(-tolerance);
     if (!high || !low) return std::nullopt;
@@ -33,6 +36,19 @@ Verdict verdictOf(const std::optional<IntersectionEstimate>& found, double toler
 }
 
 }  // namespace
+
+std::optional<double> greatestRisk(const IntersectionEstimate& estimate, double tolerance) {
+  double greatest = 0;
+  const auto within = [&](double edge) { return conformanceOf(estimate, tolerance, edge - estimate.value); };
+  for (const double side : {-1.0, 1.0}) {
+    const auto accepted = within(side * (tolerance - estimate.expanded)),
+               rejected = within(side * (tolerance + estimate.expanded));
+    if (!accepted || !rejected) return std::nullopt;
+    if (estimate.expanded <= tolerance) greatest = std::max(greatest, 1 - *accepted);
+    greatest = std::max(greatest, *rejected);
+  }
+  return greatest;
+}
 
 bool isMoreThanNoise(const Diagnosis& diagnosis) {
   if (diagnosis.verdict == DiagnosisVerdict::WithinNoise) return false;

@@ -43,6 +43,14 @@ struct AcceptanceDecision {
 std::optional<AcceptanceDecision> decideAcceptance(const Measurement& measurement, const SessionFit& fit,
                                                    const Diagnosis* diagnosis);
 
+/// The greatest probability, 0…1, that a guarded verdict (`decide`) at this tolerance (mm, > 0) is wrong:
+/// that |Δd| is beyond it though accepted at its very edge, |Δd| + U = tolerance, or within it though
+/// rejected at |Δd| − U = tolerance. What is believed of Δd is as wide and as skew there as in `estimate`; (1
+/// − coverage)/2 where it is symmetric and U far below the tolerance. Absent where U has no end.
+///
+/// Source: JCGM 106:2012, 8.3, decision rules based on guard bands; ILAC-G8:09/2019, 4.2, w = U.
+std::optional<double> greatestRisk(const IntersectionEstimate& estimate, double tolerance);
+
 /// Model and readings disagree by more than noise that is larger than stated.
 bool isMoreThanNoise(const Diagnosis& diagnosis);
 

@@ -95,6 +95,11 @@ QWidget* createMeasurementForm(SessionDocument& document) {
            Forms::tr("Exact: tan e = y/√(x²+L²), what a theodolite reads. Planar: tan e = y/L, as in the "
                      "published method"),
            relations},
+          {"geometry.distance_from",
+           Forms::tr("L measured"),
+           {},
+           Forms::tr("how"),
+           Forms::tr("How the distance was measured, and its traceability; for the report")},
       },
       2);
   sayWhatNoSigmaMeans(document, *form->findChild<FieldEdit*>(QStringLiteral("geometry.sigma_radius_mm")));
@@ -108,6 +113,16 @@ QWidget* createInstrumentForm(SessionDocument& document) {
       {
           {"instrument.name", Forms::tr("Instr&ument"), {}, Forms::tr("model"), {}, {}, true},
           {"instrument.serial", Forms::tr("Serial no."), {}, {}, {}},
+          {"instrument.certificate",
+           Forms::tr("Certificate"),
+           {},
+           {},
+           Forms::tr("Calibration certificate of the instrument, for the report")},
+          {"instrument.traceability",
+           Forms::tr("Circles &traceable"),
+           {},
+           Forms::tr("to"),
+           Forms::tr("To which standards the circles are traceable, and through whom; for the report")},
           {"instrument.sigma_zero_arcsec", Forms::tr("σ pointing &zero"), seconds,
            Forms::tr("as the circles"), Forms::tr("Standard uncertainty of the pointing zeros α0 and β0")},
           {"instrument.sigma_horizontal_arcsec", Forms::tr("σ ho&rizontal circle"), seconds, Forms::tr("2"),
@@ -118,6 +133,34 @@ QWidget* createInstrumentForm(SessionDocument& document) {
           {"device.serial", Forms::tr("Serial no."), {}, {}, {}},
           {"instrument.sigma_slider_arcsec", Forms::tr("σ slider"), seconds, Forms::tr("5"),
            Forms::tr("Standard deviation of one slider reading")},
+      },
+      2)});
+}
+
+QWidget* createLaboratoryForm(SessionDocument& document) {
+  return stacked({new FieldForm(
+      document,
+      {
+          {"report.number",
+           Forms::tr("Re&port no."),
+           {},
+           {},
+           Forms::tr("Unique number of the report, printed on each of its pages")},
+          {"report.authorised_by",
+           Forms::tr("Au&thorised by"),
+           {},
+           {},
+           Forms::tr("Who answers for the report")},
+          {"report.laboratory", Forms::tr("&Laboratory"), {}, Forms::tr("name and address"), {}, {}, true},
+          {"report.customer", Forms::tr("C&ustomer"), {}, Forms::tr("name and address"), {}, {}, true},
+          {"report.rule_agreed_by",
+           Forms::tr("Rule a&greed by"),
+           {},
+           Forms::tr("who, and where it is written"),
+           Forms::tr("With whom the decision rule was agreed: accept only where |Δd| + U is within the "
+                     "tolerance, reject only where |Δd| − U is beyond it"),
+           {},
+           true},
       },
       2)});
 }

@@ -132,6 +132,33 @@ TEST_F(Decision, StatesTheProbabilityOfConformance) {
   EXPECT_NEAR(*at(modelled.value + modelled.expanded, nullptr).conformance, 0.975, rounding);
 }
 
+// Of a normal distribution 2.5 % lie beyond either end of U at 95 %, and 5 % beyond both where these are the
+// limits of the tolerance. Student's has half of it beyond ±1 with one degree of freedom.
+TEST(GreatestRisk, IsThatAtTheEdgesOfTheGuardBand) {
+  constexpr double rounding = 1e-5;
+  IntersectionEstimate estimate = found("collimation", 1.7, 0.3).measured->estimate;
+  EXPECT_NEAR(*greatestRisk(estimate, 2.5), 0.025, rounding);
+  EXPECT_NEAR(*greatestRisk(estimate, 0.3), 0.05, rounding);
+  EXPECT_NEAR(*greatestRisk(estimate, 0.2), 0.025, rounding) << "nothing is accepted, too much rejected";
+  estimate.expanded = 0;
+  EXPECT_NEAR(*greatestRisk(estimate, 2.5), 0.5, rounding) << "no guard";
+  estimate = {.value = 0, .sigma = 1, .expanded = 1, .accounts = {{1, 0, 1}}, .degreesOfFreedom = 1};
+  EXPECT_NEAR(*greatestRisk(estimate, 1e6), 0.25, rounding);
+  estimate.degreesOfFreedom = 0;
+  EXPECT_FALSE(greatestRisk(estimate, 2.5));
+}
+
+// One account in twenty lies above by more than U, none below: accepted at the upper edge, all of it is
+// beyond.
+TEST(GreatestRisk, IsThatOfTheHeavierSide) {
+  const IntersectionEstimate estimate{.value = 0,
+                                      .sigma = 0.5,
+                                      .expanded = 1,
+                                      .accounts = {{19, 0, 0.01}, {1, 2, 0.01}},
+                                      .degreesOfFreedom = std::numeric_limits<double>::infinity()};
+  EXPECT_NEAR(*greatestRisk(estimate, 10), 0.05, 1e-9);
+}
+
 TEST_F(Decision, IsOpenWhereThePositionsDoNotClose) {
   const Closure failing{Closure::Of::Centre, 0.65, 0.09, 1e-9}, sound{Closure::Of::Centre, 0.05, 0.09, 0.6};
   Diagnosis diagnosis = found("collimation", 1.3, 0.2);

@@ -50,6 +50,7 @@ TEST(RowFields, SurviveTheFile) {
                       .radiusMm = "400",
                       .sigmaRadiusMm = {},
                       .verticalCircle = {},
+                      .distanceFrom = {},
                       .origin = {}};
   const Result<Session> read = readSession(writeSession(session));
   ASSERT_TRUE(read) << read.problem().text();
