@@ -29,6 +29,7 @@
 #include "ui/main_window_actions.h"
 #include "ui/panels/gap/gap_panel.h"
 #include "ui/panels/model/effects_panel.h"
+#include "ui/panels/model/known_sizes_panel.h"
 #include "ui/panels/model/two_faces_panel.h"
 #include "ui/panels/readings/position_tabs.h"
 #include "ui/panels/readings/readings_table.h"
@@ -116,6 +117,7 @@ QWidget* MainWindow::createEntryColumn() {
   m_forms->addTab(createMeasurementForm(m_document), tr("&Measurement"));
   m_forms->addTab(createInstrumentForm(m_document), tr("I&nstrument"));
   m_forms->addTab(createSessionForm(m_document), tr("Se&ssion"));
+  m_forms->addTab(createLaboratoryForm(m_document), tr("La&boratory"));
   m_forms->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   m_positions = new PositionTabs(m_document);
   m_findings = new FindingsPanel;
@@ -168,6 +170,12 @@ PageTabs* MainWindow::createDetails() {
   });
   pages->addPage(faces, tr("Two Faces"),
                  [](const Evaluation& evaluation) { return evaluation.twoFaces.has_value(); });
+  m_known = new KnownSizesPanel(m_document);
+  pages->addPage(m_known, tr("Known Sizes"), [](const SharedEvaluation&) {});
+  connect(m_effects, &EffectsPanel::knownWanted, this, [this](const std::string& effect) {
+    m_known->reveal(effect);
+    m_details->showPage(m_details->indexOf(m_known));
+  });
   connect(m_positions, &PositionTabs::rowEntered, residuals, &ResidualChart::setHighlighted);
   connect(m_positions, &PositionTabs::rowEntered, reliability, &ReliabilityPanel::setCurrentReading);
   const auto select = [this](std::size_t position, std::size_t row) { selectReading(position, row); };
@@ -412,6 +420,7 @@ void MainWindow::markForms() {
                                    [](const FieldBinding* binding) { return !binding->problem().isEmpty(); });
     markTab(*m_forms, tab, wrong);
   }
+  markTab(*m_details, m_details->indexOf(m_known), m_known->hasProblem());
 }
 
 void MainWindow::reveal(const Place& place, bool takeFocus) {
@@ -430,6 +439,12 @@ void MainWindow::reveal(const Place& place, bool takeFocus) {
 
 void MainWindow::revealField(const Place& place, bool takeFocus) {
   if (place.field == "model.effects") return m_figures->setCurrentWidget(m_effects);
+  if (const auto known = knownAt(place)) {
+    m_known->reveal(*known);
+    m_details->setCurrentWidget(m_known);
+    if (takeFocus) m_known->setFocus();
+    return;
+  }
   for (const FieldBinding* binding : findChildren<FieldBinding*>()) {
     if (binding->place() != place) continue;
     for (QWidget* page = binding->widget(); page; page = page->parentWidget()) {
@@ -445,6 +460,7 @@ void MainWindow::revealField(const Place& place, bool takeFocus) {
 
 void MainWindow::commitPending() {
   if (ReadingsTable* table = currentTable()) table->commitOpenEditor();
+  m_known->commitOpenEditor();
   for (FieldBinding* binding : findChildren<FieldBinding*>()) emit binding->commitWanted();
 }
 

@@ -24,6 +24,7 @@ class EffectsPanel;
 class FindingsPanel;
 class GapPanel;
 class JobStatus;
+class KnownSizesPanel;
 class PageTabs;
 class PositionTabs;
 class ReadingsTable;
@@ -120,6 +121,7 @@ class MainWindow : public QMainWindow {
   PageTabs* m_figures = nullptr;  ///< beside the picture: narrow pages of figures
   PageTabs* m_details = nullptr;  ///< below it: charts and tables of single readings
   EffectsPanel* m_effects = nullptr;
+  KnownSizesPanel* m_known = nullptr;
   ResultPanel* m_result = nullptr;
   BudgetPanel* m_budget = nullptr;
   GapPanel* m_gap = nullptr;

@@ -183,7 +183,7 @@ void WindowActions::attachTo(ReadingsTable* table) const {
   table->setContextMenuPolicy(Qt::ActionsContextMenu);
 }
 
-/// The clipboard belongs to the text that has the focus, otherwise to the table.
+/// The clipboard belongs to the text or table that has the focus, otherwise to the readings.
 void WindowActions::useClipboard(Clipboard way) {
   QWidget* focus = QApplication::focusWidget();
   const auto apply = [way](auto& target) {
@@ -197,6 +197,8 @@ void WindowActions::useClipboard(Clipboard way) {
     apply(*text);
   } else if (auto* label = qobject_cast<QLabel*>(focus); label && label->hasSelectedText()) {
     if (way == Clipboard::Copy) QApplication::clipboard()->setText(label->selectedText());
+  } else if (auto* own = qobject_cast<EntryTable*>(focus)) {
+    apply(*own);
   } else if (ReadingsTable* table = m_window.currentTable()) {
     apply(*table);
   }

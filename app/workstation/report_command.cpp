@@ -6,6 +6,7 @@
 #include "ui/dialogs/report_source.h"
 #include "ui/document/session_document.h"
 #include "ui/jobs/evaluation.h"
+#include "ui/report/empty_fields.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade {
@@ -24,6 +25,9 @@ int write(const QString& path, const QString& reportPath) {
   if (!evaluation.examined.problems.empty()) return refuse(path, evaluation.examined.problems.front());
   const auto written = ui::writeAcceptanceReport(evaluation, ui::reportSource(document), reportPath);
   if (!written) return refuse(path, written.problem());
+  if (const QStringList empty = ui::emptyReportFields(document.session()); !empty.isEmpty())
+    QTextStream(stderr) << ui::visibleLine(path) << ": The report leaves out what the session leaves empty: "
+                        << empty.join(QStringLiteral(", ")) << ".\n";
   return 0;
 }
 

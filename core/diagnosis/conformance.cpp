@@ -1,5 +1,6 @@
 #include "core/diagnosis/conformance.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/square.h"
@@ -7,11 +8,11 @@
 
 namespace alidade {
 
-std::optional<double> conformanceOf(const IntersectionEstimate& estimate, double tolerance) {
+std::optional<double> conformanceOf(const IntersectionEstimate& estimate, double tolerance, double shift) {
   double within = 0, all = 0;
   for (const NormalPart& account : estimate.accounts) {
     const auto below = [&](double limit) {
-      return studentLowerTail((limit - account.mean) / account.sigma, estimate.degreesOfFreedom);
+      return studentLowerTail((limit - shift - account.mean) / account.sigma, estimate.degreesOfFreedom);
     };
     const std::optional<double> high = below(tolerance), low = below(-tolerance);
     if (!high || !low) return std::nullopt;
@@ -37,6 +38,19 @@ std::optional<double> conformanceOf(const IntersectionEstimate& inPlane, const M
     sum += *within;
   }
   return sum / steps;
+}
+
+std::optional<double> greatestRisk(const IntersectionEstimate& estimate, double tolerance) {
+  double greatest = 0;
+  const auto within = [&](double edge) { return conformanceOf(estimate, tolerance, edge - estimate.value); };
+  for (const double side : {-1.0, 1.0}) {
+    const auto accepted = within(side * (tolerance - estimate.expanded)),
+               rejected = within(side * (tolerance + estimate.expanded));
+    if (!accepted || !rejected) return std::nullopt;
+    if (estimate.expanded <= tolerance) greatest = std::max(greatest, 1 - *accepted);
+    greatest = std::max(greatest, *rejected);
+  }
+  return greatest;
 }
 
 }  // namespace alidade

@@ -9,11 +9,19 @@ namespace alidade {
 // How probably a measurand lies within its tolerance, 0…1, by what is believed of it (JCGM 106:2012, 7.4).
 // Absent without degrees of freedom or an uncertainty.
 
-/// |Δd| ≤ `tolerance`, mm.
-std::optional<double> conformanceOf(const IntersectionEstimate& estimate, double tolerance);
+/// |Δd + shift| ≤ `tolerance`, mm.
+std::optional<double> conformanceOf(const IntersectionEstimate& estimate, double tolerance, double shift = 0);
 
 /// √(Δd² + Δz²) ≤ `tolerance`, mm, Δz as uncertain as Student's variable and independent of Δd.
 std::optional<double> conformanceOf(const IntersectionEstimate& inPlane, const MeasuredLength& across,
                                     double tolerance);
+
+/// The greatest probability, 0…1, that a guarded verdict (`decide`) at this tolerance (mm, > 0) is wrong:
+/// that |Δd| is beyond it though accepted at its very edge, |Δd| + U = tolerance, or within it though
+/// rejected at |Δd| − U = tolerance. What is believed of Δd is as wide and as skew there as in `estimate`; (1
+/// − coverage)/2 where it is symmetric and U far below the tolerance. Absent where U has no end.
+///
+/// Source: JCGM 106:2012, 8.3, decision rules based on guard bands; ILAC-G8:09/2019, 4.2, w = U.
+std::optional<double> greatestRisk(const IntersectionEstimate& estimate, double tolerance);
 
 }  // namespace alidade

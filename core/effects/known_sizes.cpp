@@ -5,14 +5,23 @@
 
 namespace alidade {
 
-const EffectParameter* parameterMeant(const KnownNumber& known) {
-  const Effect* effect = effectById(known.effect);
-  if (!effect || effect->response == Response::AllOrNothing) return nullptr;
-  const bool isOnly = effect->parameters.size() == 1 && known.parameter.empty();
-  const auto meant = std::ranges::find_if(effect->parameters, [&](const EffectParameter& parameter) {
-    return (isOnly || parameter.name == known.parameter) && parameter.unit == known.unit;
+bool hasSizes(const Effect& effect) {
+  return effect.response != Response::AllOrNothing;
+}
+
+const EffectParameter* parameterMeant(std::string_view effect, std::string_view parameter,
+                                      std::string_view unit) {
+  const Effect* of = effectById(effect);
+  if (!of || !hasSizes(*of)) return nullptr;
+  const bool isOnly = of->parameters.size() == 1 && parameter.empty();
+  const auto meant = std::ranges::find_if(of->parameters, [&](const EffectParameter& each) {
+    return (isOnly || each.name == parameter) && each.unit == unit;
   });
-  return meant == effect->parameters.end() ? nullptr : &*meant;
+  return meant == of->parameters.end() ? nullptr : &*meant;
+}
+
+const EffectParameter* parameterMeant(const KnownNumber& known) {
+  return parameterMeant(known.effect, known.parameter, known.unit);
 }
 
 std::optional<KnownPrior> knownOf(const Measurement& measurement, const EffectParameter& parameter) {

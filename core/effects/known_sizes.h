@@ -2,14 +2,20 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "core/effects/catalogue.h"
 #include "core/session/measurement.h"
 
 namespace alidade {
 
-/// The number of the catalogue that is meant, by effect, name where the effect has two, and unit. Null where
-/// there is none: the other relation of the vertical circle cannot be known by a size.
+/// Can it be known by a size? The other relation of the vertical circle cannot: it is there or not.
+bool hasSizes(const Effect& effect);
+
+/// The number of the catalogue that is meant, by effect, name where the effect has two (else it may be
+/// empty), and unit. Null where there is none.
+const EffectParameter* parameterMeant(std::string_view effect, std::string_view parameter,
+                                      std::string_view unit);
 const EffectParameter* parameterMeant(const KnownNumber& known);
 
 /// What is known beforehand of a number of the catalogue, in the unit of its term: rad, mm or 1.

@@ -221,6 +221,8 @@ std::optional<std::string> entryProblem(const Session& session, const std::strin
     const RowField* own = rowFieldNamed(std::string_view(field).substr(ofRows.size()));
     return own ? sentence(entryProblem(*own, text, circle)) : std::nullopt;
   }
+  if (field.ends_with(".known.value")) return sentence(knownValueEntry(text));
+  if (field.ends_with(".known.sigma")) return sentence(knownSigmaEntry(text));
   if (field == "pointing_zero.horizontal") return sentence(angleEntry(horizontalRule, text, circle));
   if (field == "pointing_zero.vertical") return sentence(angleEntry(verticalRule, text, circle));
   if (field == "axis_deg") return sentence(axisEntry(text));

@@ -128,7 +128,7 @@ Examined examine(const Session& session);
 /// Is `text` usable as the value of the field at `where`? The sentence where it is not. For marking entries
 /// in place: the same rules as `examine`, without the checks that need other entries. `field` is a name of
 /// the session file without indices: `geometry.distance_mm`, `pointing_zero.vertical`, `readings.horizontal`,
-/// `readings.face`, `acceptance.coverage`, `axis_deg`, `measured_on`, …
+/// `readings.face`, `acceptance.coverage`, `axis_deg`, `measured_on`, `device.known.sigma`, …
 std::optional<std::string> entryProblem(const Session& session, const std::string& field,
                                         const std::string& text);
 

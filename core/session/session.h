@@ -69,6 +69,8 @@ struct Device {
 
 struct Instrument {
   std::string name, serial;
+  std::string certificate;            ///< of its calibration
+  std::string traceability;           ///< of its circles: to which standards, by whom
   std::string sigmaHorizontalArcsec;  ///< empty: 2
   std::string sigmaVerticalArcsec;    ///< empty: 2
   std::string sigmaZeroArcsec;        ///< empty: as the circles'
@@ -93,6 +95,7 @@ struct Geometry {
   std::string sigmaRadiusMm;    ///< of R0 where the model takes it as known; empty: 0, taken as exact
   std::string verticalCircle;   ///< "zenith" or "elevation"; empty: zenith
   std::string pointingZeros;    ///< "each": sighted in each position; "one": once, for all; empty: each
+  std::string distanceFrom;     ///< how L was measured, and its traceability
   JsonOrigin origin;
 
   bool operator==(const Geometry&) const = default;
@@ -118,8 +121,20 @@ struct Model {
   bool operator==(const Model&) const = default;
 };
 
+/// What a laboratory prints on a report beside the measurement; nothing of it enters a fit.
+struct ReportEntries {
+  std::string number;                ///< unique; on every page
+  std::string laboratory, customer;  ///< who measured, and for whom
+  std::string authorisedBy;          ///< who answers for the report
+  std::string ruleAgreedBy;          ///< with whom the decision rule was agreed
+  JsonOrigin origin;
+
+  bool operator==(const ReportEntries&) const = default;
+};
+
 struct Session {
   std::string title, notes, operatorName, place, measuredOn;
+  ReportEntries report;
   Device device;
   Instrument instrument;
   Environment environment;

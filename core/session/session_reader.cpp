@@ -176,6 +176,15 @@ void checkVersion(const ObjectReader& reader) {
   }
 }
 
+ReportEntries readReport(const ObjectReader& reader) {
+  return {.number = reader.text("number"),
+          .laboratory = reader.text("laboratory"),
+          .customer = reader.text("customer"),
+          .authorisedBy = reader.text("authorised_by"),
+          .ruleAgreedBy = reader.text("rule_agreed_by"),
+          .origin = reader.origin()};
+}
+
 KnownSize readKnownSize(const ObjectReader& reader) {
   return {.effect = reader.text("effect"),
           .parameter = reader.text("parameter"),
@@ -203,6 +212,8 @@ Device readDevice(const ObjectReader& reader) {
 Instrument readInstrument(const ObjectReader& reader) {
   return {.name = reader.text("name"),
           .serial = reader.text("serial"),
+          .certificate = reader.text("certificate"),
+          .traceability = reader.text("traceability"),
           .sigmaHorizontalArcsec = reader.number("sigma_horizontal_arcsec"),
           .sigmaVerticalArcsec = reader.number("sigma_vertical_arcsec"),
           .sigmaZeroArcsec = reader.number("sigma_zero_arcsec"),
@@ -223,6 +234,7 @@ Geometry readGeometry(const ObjectReader& reader) {
           .sigmaRadiusMm = reader.number("sigma_radius_mm"),
           .verticalCircle = reader.text("vertical_circle"),
           .pointingZeros = reader.text("pointing_zeros"),
+          .distanceFrom = reader.text("distance_from"),
           .origin = reader.origin()};
 }
 
@@ -279,6 +291,7 @@ Session readDocument(const ObjectReader& reader, SessionRows& rows, std::optiona
   session.operatorName = reader.text("operator");
   session.place = reader.text("place");
   session.measuredOn = reader.text("measured_on");
+  session.report = readReport(reader.object("report"));
   session.device = readDevice(reader.object("device"));
   session.instrument = readInstrument(reader.object("instrument"));
   session.environment = readEnvironment(reader.object("environment"));
@@ -293,8 +306,8 @@ Session readDocument(const ObjectReader& reader, SessionRows& rows, std::optiona
     const std::size_t index = session.positions.size();
     session.positions.push_back(readPosition(position, index, rows.take(index), problem));
   }
-  session.origin =
-      reader.origin({"device", "instrument", "environment", "geometry", "acceptance", "model", "positions"});
+  session.origin = reader.origin(
+      {"report", "device", "instrument", "environment", "geometry", "acceptance", "model", "positions"});
   return session;
 }
 

@@ -101,6 +101,16 @@ Json knownJson(const std::vector<KnownSize>& known) {
   return entries;
 }
 
+Json reportJson(const ReportEntries& report) {
+  ObjectWriter writer(report.origin);
+  writer.text("number", report.number);
+  writer.text("laboratory", report.laboratory);
+  writer.text("customer", report.customer);
+  writer.text("authorised_by", report.authorisedBy);
+  writer.text("rule_agreed_by", report.ruleAgreedBy);
+  return writer.take();
+}
+
 Json deviceJson(const Device& device) {
   ObjectWriter writer(device.origin);
   writer.text("name", device.name);
@@ -113,6 +123,8 @@ Json instrumentJson(const Instrument& instrument) {
   ObjectWriter writer(instrument.origin);
   writer.text("name", instrument.name);
   writer.text("serial", instrument.serial);
+  writer.text("certificate", instrument.certificate);
+  writer.text("traceability", instrument.traceability);
   writer.number("sigma_horizontal_arcsec", instrument.sigmaHorizontalArcsec);
   writer.number("sigma_vertical_arcsec", instrument.sigmaVerticalArcsec);
   writer.number("sigma_zero_arcsec", instrument.sigmaZeroArcsec);
@@ -135,6 +147,7 @@ Json geometryJson(const Geometry& geometry) {
   writer.number("sigma_radius_mm", geometry.sigmaRadiusMm);
   writer.text("vertical_circle", geometry.verticalCircle);
   writer.text("pointing_zeros", geometry.pointingZeros);
+  writer.text("distance_from", geometry.distanceFrom);
   return writer.take();
 }
 
@@ -195,6 +208,7 @@ std::string writeSession(const Session& session) {
   writer.text("operator", session.operatorName);
   writer.text("place", session.place);
   writer.text("measured_on", session.measuredOn);
+  writer.part("report", reportJson(session.report));
   writer.part("device", deviceJson(session.device));
   writer.part("instrument", instrumentJson(session.instrument));
   writer.part("environment", environmentJson(session.environment));

@@ -16,14 +16,21 @@ inline std::string allHostileTexts() {
 }
 
 /// The text of a session that can still be fitted, with `text` in every entry that is free: names, notes, an
-/// effect of no catalogue, keys that the program does not know.
+/// effect of no catalogue, sizes known of nothing, keys that the program does not know.
 inline std::string hostileSession(const std::string& session, const std::string& text) {
   using Json = nlohmann::ordered_json;
   Json json = Json::parse(session);
   for (const char* key : {"title", "notes", "operator", "place"}) json[key] = text;
   for (const char* part : {"device", "instrument"})
     for (const char* key : {"name", "serial"}) json[part][key] = text;
+  for (const char* key : {"number", "laboratory", "customer", "authorised_by", "rule_agreed_by"})
+    json["report"][key] = text;
+  for (const char* key : {"certificate", "traceability"}) json["instrument"][key] = text;
+  json["geometry"]["distance_from"] = text;
   json["model"]["effects"] = {text};
+  json["instrument"]["known"] = Json::array(
+      {Json({{"effect", "collimation"}, {"sigma", 1}, {"unit", "arcsec"}, {"from", text}}),
+       Json({{"effect", text}, {"parameter", text}, {"sigma", 1}, {"unit", text}, {"from", text}})});
   for (Json* object : {&json, &json["geometry"], &json["positions"][0]}) (*object)[text] = {{text, text}};
   for (Json& position : json["positions"])
     for (Json& row : position["readings"])

@@ -23,6 +23,7 @@
 #include "ui/panels/readings/readings_table.h"
 #include "ui/panels/result/findings_panel.h"
 #include "ui/panels/result/result_panel.h"
+#include "ui/report/empty_fields.h"
 #include "ui/settings/recent_files.h"
 #include "ui/text/quantity_text.h"
 
@@ -344,6 +345,18 @@ TEST(MainWindow, WritesTheAcceptanceReport) {
   ASSERT_TRUE(report.open(QIODevice::ReadOnly));
   EXPECT_TRUE(report.readAll().startsWith("%PDF-1."));
   EXPECT_TRUE(open.dialogs->unusableEntries.isEmpty()) << "nothing to ask about";
+  ASSERT_EQ(open.dialogs->emptyFields.size(), 1);
+  EXPECT_EQ(open.dialogs->emptyFields[0], emptyReportFields(paperSession()));
+}
+
+TEST(MainWindow, WritesNoReportWhereEmptyFieldsAreToBeFilledIn) {
+  const QTemporaryDir folder;
+  OpenWindow open;
+  loadPaper(open);
+  open.dialogs->reportPath = folder.filePath(QStringLiteral("report.pdf"));
+  open.dialogs->writeAnyway = false;
+  EXPECT_FALSE(open->files().exportReport());
+  EXPECT_FALSE(QFile::exists(open.dialogs->reportPath));
 }
 
 TEST(MainWindow, AsksBeforeAReportWithoutVerdict) {
@@ -399,6 +412,11 @@ TEST(Workstation, WritesAReportWithoutADisplay) {
     return program.exitCode();
   };
   EXPECT_EQ(run({QStringLiteral("--report"), out, samplePath(paper)}), 0);
+  const QString told = QString::fromUtf8(program.readAllStandardError());
+  EXPECT_EQ(told.toStdString(),
+            QStringLiteral("%1: The report leaves out what the session leaves empty: %2.\n")
+                .arg(samplePath(paper), emptyReportFields(paperSession()).join(QStringLiteral(", ")))
+                .toStdString());
   EXPECT_GT(QFile(out).size(), 10000);
   EXPECT_EQ(run({QStringLiteral("--report"), out, QStringLiteral("/absent.alidade")}), 2);
   EXPECT_EQ(program.readAllStandardError().count('\n'), 1);

@@ -60,7 +60,7 @@ TEST(Mnemonics, LeadToOneThingWhateverIsInFront) {
   ASSERT_TRUE(waitFor([&] { return open->gapJob().isIdle(); }));
   auto* forms = open->findChild<QTabWidget*>(QStringLiteral("forms"));
   ASSERT_TRUE(forms);
-  ASSERT_EQ(forms->count(), 3);
+  ASSERT_EQ(forms->count(), 4);
   const QList<PageTabs*> tabs = open->pageTabs();
   int shown = 0;
   for (int form = 0; form < forms->count(); ++form)
@@ -76,7 +76,7 @@ TEST(Mnemonics, LeadToOneThingWhateverIsInFront) {
         EXPECT_EQ(mnemonics.twice(), "") << "form " << form << ", pages " << figure << ", " << detail;
         ++shown;
       }
-  EXPECT_EQ(shown, 3 * 3 * 4);
+  EXPECT_EQ(shown, 4 * 3 * 5);
 }
 
 TEST(Mnemonics, LeadToOneThingInMenusAndInTheBlindTrial) {

@@ -27,6 +27,8 @@ class ScriptedDialogs : public Dialogs {
   QStringList othersAsked;  ///< sessions that undo or redo leads to: whether they may be lost
   bool exportAnyway = false;
   QList<int> unusableEntries;  ///< as told by each question whether to export anyway
+  bool writeAnyway = true;
+  QList<QStringList> emptyFields;  ///< as told by each question whether to write anyway
   QStringList problems;
   bool goOn = false;      ///< with a file that is open elsewhere
   QStringList elsewhere;  ///< names of such files, as asked about
@@ -62,6 +64,10 @@ class ScriptedDialogs : public Dialogs {
   bool askReportWithoutVerdict(int entries) override {
     unusableEntries.append(entries);
     return exportAnyway;
+  }
+  bool askReportWithEmptyFields(const QStringList& fields) override {
+    emptyFields.append(fields);
+    return writeAnyway;
   }
   void showProblem(const QString&, const QString& text) override { problems.append(text); }
 };

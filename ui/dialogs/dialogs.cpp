@@ -114,6 +114,18 @@ bool Dialogs::askReportWithoutVerdict(int entries) {
   return box.clickedButton() == anyway;
 }
 
+bool Dialogs::askReportWithEmptyFields(const QStringList& fields) {
+  QMessageBox box(QMessageBox::Information, DialogsText::tr("Export acceptance report"),
+                  DialogsText::tr("The session leaves empty what a laboratory would state: %1.")
+                      .arg(fields.join(QStringLiteral(", "))),
+                  QMessageBox::Cancel, m_parent);
+  box.setInformativeText(DialogsText::tr("The report leaves it out."));
+  QPushButton* anyway = box.addButton(DialogsText::tr("&Write Anyway"), QMessageBox::AcceptRole);
+  box.setDefaultButton(anyway);
+  box.exec();
+  return box.clickedButton() == anyway;
+}
+
 bool Dialogs::askOpenElsewhere(const QString& name, const QString& holder) {
   QMessageBox box(QMessageBox::Warning, DialogsText::tr("Open elsewhere"),
                   DialogsText::tr("“%1” is open in another window (%2).").arg(name, holder),

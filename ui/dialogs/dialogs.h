@@ -2,6 +2,7 @@
 
 #include <QPointer>
 #include <QString>
+#include <QStringList>
 #include <QWidget>
 #include <memory>
 
@@ -32,6 +33,8 @@ class Dialogs {
   virtual QString askReportPath(const QString& suggestion);
   /// Shall a report be written although `entries` > 0 entries cannot be used?
   virtual bool askReportWithoutVerdict(int entries);
+  /// Shall a report be written that will not state these, which the session leaves empty?
+  virtual bool askReportWithEmptyFields(const QStringList& fields);
   /// Shall a file be opened, or be written to, that another window has open? `holder` says which.
   virtual bool askOpenElsewhere(const QString& name, const QString& holder);
   virtual ChangedFileAnswer askChangedFile(const ChangedFile& file);

@@ -17,6 +17,7 @@
 #include "ui/document/session_document.h"
 #include "ui/jobs/evaluation.h"
 #include "ui/jobs/failed_job.h"
+#include "ui/report/empty_fields.h"
 #include "ui/settings/recent_files.h"
 #include "ui/text/encoded_path.h"
 #include "ui/text/entry_text.h"
@@ -243,6 +244,8 @@ bool FileFlow::writeReport() {
   const Evaluation& evaluation = *gap->evaluation;
   const auto unusable = static_cast<int>(evaluation.examined.problems.size());
   if (unusable > 0 && !m_dialogs.askReportWithoutVerdict(unusable)) return false;
+  const QStringList empty = emptyReportFields(evaluation.session);
+  if (!empty.isEmpty() && !m_dialogs.askReportWithEmptyFields(empty)) return false;
   const QString path = m_dialogs.askReportPath(suggestedPath(QStringLiteral("pdf")));
   if (path.isEmpty() || tellWhereNoFile(tr("Export acceptance report"), path)) return false;
   const auto busy = m_dialogs.busy(tr("Writing the report…"));

@@ -33,6 +33,16 @@ constexpr Field fields[] = {
     ofSession<&Session::operatorName>("operator", QT_TRANSLATE_NOOP("Field", "operator")),
     ofSession<&Session::place>("place", QT_TRANSLATE_NOOP("Field", "place")),
     ofSession<&Session::measuredOn>("measured_on", QT_TRANSLATE_NOOP("Field", "date")),
+    ofSession<&Session::report, &ReportEntries::number>("report.number",
+                                                        QT_TRANSLATE_NOOP("Field", "report number")),
+    ofSession<&Session::report, &ReportEntries::laboratory>("report.laboratory",
+                                                            QT_TRANSLATE_NOOP("Field", "laboratory")),
+    ofSession<&Session::report, &ReportEntries::customer>("report.customer",
+                                                          QT_TRANSLATE_NOOP("Field", "customer")),
+    ofSession<&Session::report, &ReportEntries::authorisedBy>("report.authorised_by",
+                                                              QT_TRANSLATE_NOOP("Field", "authorised by")),
+    ofSession<&Session::report, &ReportEntries::ruleAgreedBy>(
+        "report.rule_agreed_by", QT_TRANSLATE_NOOP("Field", "decision rule agreed by")),
     ofSession<&Session::device, &Device::name>("device.name", QT_TRANSLATE_NOOP("Field", "device")),
     ofSession<&Session::device, &Device::serial>("device.serial",
                                                  QT_TRANSLATE_NOOP("Field", "device serial number")),
@@ -40,6 +50,10 @@ constexpr Field fields[] = {
                                                        QT_TRANSLATE_NOOP("Field", "instrument")),
     ofSession<&Session::instrument, &Instrument::serial>(
         "instrument.serial", QT_TRANSLATE_NOOP("Field", "instrument serial number")),
+    ofSession<&Session::instrument, &Instrument::certificate>(
+        "instrument.certificate", QT_TRANSLATE_NOOP("Field", "instrument certificate")),
+    ofSession<&Session::instrument, &Instrument::traceability>(
+        "instrument.traceability", QT_TRANSLATE_NOOP("Field", "traceability of the circles")),
     ofSession<&Session::instrument, &Instrument::sigmaHorizontalArcsec>(
         "instrument.sigma_horizontal_arcsec", QT_TRANSLATE_NOOP("Field", "σ of the horizontal circle")),
     ofSession<&Session::instrument, &Instrument::sigmaVerticalArcsec>(
@@ -62,6 +76,8 @@ constexpr Field fields[] = {
                                                              QT_TRANSLATE_NOOP("Field", "vertical circle")),
     ofSession<&Session::geometry, &Geometry::pointingZeros>("geometry.pointing_zeros",
                                                             QT_TRANSLATE_NOOP("Field", "pointing zeros")),
+    ofSession<&Session::geometry, &Geometry::distanceFrom>(
+        "geometry.distance_from", QT_TRANSLATE_NOOP("Field", "how the distance was measured")),
     ofSession<&Session::acceptance, &Acceptance::toleranceMm>("acceptance.tolerance_mm",
                                                               QT_TRANSLATE_NOOP("Field", "tolerance")),
     ofSession<&Session::acceptance, &Acceptance::coverage>("acceptance.coverage",

@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "ui/document/field.h"
+#include "ui/document/known_entry.h"
 
 namespace alidade::ui {
 
@@ -30,6 +31,8 @@ SessionDelta::SessionDelta(const Session& after, const SessionChange& change) : 
     case SessionChange::Kind::Field:
       if (fieldNamed(place.field))
         m_news = fieldText(after, place);
+      else if (const auto known = knownAt(place))
+        m_news = knownBy(after, known->ref.owner);
       else
         m_news = after.model.effects;
       break;
@@ -49,6 +52,8 @@ void SessionDelta::applyTo(Session& session) const {
     session = *whole;
   } else if (const auto* effects = std::get_if<Effects>(&m_news)) {
     session.model.effects = *effects;
+  } else if (const auto* known = std::get_if<Known>(&m_news)) {
+    knownBy(session, knownAt(m_change.place)->ref.owner) = *known;
   } else if (const auto* text = std::get_if<std::string>(&m_news)) {
     fieldNamed(m_change.place.field)->at(session, m_change.place.position.value_or(0)) = *text;
   } else {

@@ -24,9 +24,10 @@ class SessionDelta {
  private:
   using Rows = std::vector<Reading>;
   using Effects = std::vector<std::string>;
+  using Known = std::vector<KnownSize>;
 
   SessionChange m_change;
-  std::variant<Session, std::string, Effects, Rows> m_news;
+  std::variant<Session, std::string, Effects, Known, Rows> m_news;
 };
 
 }  // namespace alidade::ui

@@ -7,6 +7,7 @@
 #include "core/session/session_file.h"
 #include "ui/document/disposal.h"
 #include "ui/document/field.h"
+#include "ui/document/known_entry.h"
 
 namespace alidade::ui {
 
@@ -93,6 +94,21 @@ void SessionDocument::putEffects(const std::vector<std::string>& effects) {
   const SessionChange change{.kind = SessionChange::Kind::Field, .place = {.field = "model.effects"}};
   emit aboutToChange(change);
   m_session.model.effects = effects;
+  emit changed(change);
+}
+
+void SessionDocument::putKnown(const Place& place, bool isThere, const std::optional<KnownSize>& size) {
+  const KnownRef ref = knownAt(place).value().ref;
+  const SessionChange change{.kind = SessionChange::Kind::Field, .place = place};
+  emit aboutToChange(change);
+  std::vector<KnownSize>& list = knownBy(m_session, ref.owner);
+  const auto at = std::next(list.begin(), static_cast<std::ptrdiff_t>(ref.index));
+  if (isThere && size)
+    *at = *size;
+  else if (size)
+    list.insert(at, *size);
+  else
+    list.erase(at);
   emit changed(change);
 }
 

@@ -72,11 +72,14 @@ class SessionDocument : public QObject {
   friend class AddPosition;
   friend class ChangeEffects;
   friend class ChangeField;
+  friend class ChangeKnown;
   friend class ReplaceReadings;
   friend class ReplaceSession;
 
   void putField(const Place& place, const std::string& text);
   void putEffects(const std::vector<std::string>& effects);
+  /// `size` in the place of the entry at `place` where that `isThere`, else before it; absent: it goes.
+  void putKnown(const Place& place, bool isThere, const std::optional<KnownSize>& size);
   void patchReadings(std::size_t position, const ReadingsPatch& patch);
   void revertReadings(std::size_t position, const ReadingsPatch& patch);
   void insertPosition(std::size_t index, const Position& position);

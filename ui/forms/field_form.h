@@ -37,5 +37,6 @@ class FieldForm : public QWidget {
 QWidget* createMeasurementForm(SessionDocument& document);
 QWidget* createInstrumentForm(SessionDocument& document);
 QWidget* createSessionForm(SessionDocument& document);
+QWidget* createLaboratoryForm(SessionDocument& document);
 
 }  // namespace alidade::ui

@@ -84,6 +84,11 @@ QWidget* createMeasurementForm(SessionDocument& document) {
            Forms::tr("Exact: tan e = y/√(x²+L²), what a theodolite reads. Planar: tan e = y/L, as in the "
                      "published method"),
            relations},
+          {"acceptance.coverage",
+           Forms::tr("Covera&ge"),
+           {},
+           Forms::tr("0.95"),
+           Forms::tr("Coverage probability of the expanded uncertainty U, between 0 and 1")},
           {"acceptance.tolerance_mm", Forms::tr("&Tolerance"), mm, Forms::tr("none"),
            Forms::tr("Largest acceptable intersection; without it there is no verdict")},
           {"acceptance.measurand",
@@ -100,11 +105,6 @@ QWidget* createMeasurementForm(SessionDocument& document) {
           {"acceptance.sigma_reference_mm", Forms::tr("σ of ref."), mm, Forms::tr("none"),
            Forms::tr("How well the reference is known (1σ). With it the reference is a closure, and may help "
                      "the diagnosis to tell causes apart; it never enters Δd")},
-          {"acceptance.coverage",
-           Forms::tr("Covera&ge"),
-           {},
-           Forms::tr("0.95"),
-           Forms::tr("Coverage probability of the expanded uncertainty U, between 0 and 1")},
       },
       2);
   sayWhatNoSigmaMeans(document, *form->findChild<FieldEdit*>(QStringLiteral("geometry.sigma_radius_mm")));
@@ -119,8 +119,14 @@ QWidget* createInstrumentForm(SessionDocument& document) {
   return stacked({new FieldForm(
       document,
       {
-          {"instrument.name", Forms::tr("Instr&ument"), {}, Forms::tr("model"), {}, {}, true},
+          {"instrument.name", Forms::tr("Instr&ument"), {}, Forms::tr("model"), {}},
           {"instrument.serial", Forms::tr("Serial no."), {}, {}, {}},
+          {"instrument.sigma_horizontal_arcsec", Forms::tr("σ ho&rizontal circle"), seconds, Forms::tr("2"),
+           Forms::tr("Stated standard deviation of one horizontal reading")},
+          {"instrument.sigma_vertical_arcsec", Forms::tr("σ vertical circle"), seconds, Forms::tr("2"),
+           Forms::tr("Stated standard deviation of one vertical reading")},
+          {"instrument.sigma_zero_arcsec", Forms::tr("σ pointing &zero"), seconds,
+           Forms::tr("as the circles"), Forms::tr("Standard uncertainty of the pointing zeros α0 and β0")},
           {"geometry.pointing_zeros",
            Forms::tr("Pointing zeros"),
            {},
@@ -129,16 +135,53 @@ QWidget* createInstrumentForm(SessionDocument& document) {
                "Each: sighted anew in every position. One: sighted once for all, so that an error of it "
                "cancels in Δd"),
            zeros},
-          {"instrument.sigma_zero_arcsec", Forms::tr("σ pointing &zero"), seconds,
-           Forms::tr("as the circles"), Forms::tr("Standard uncertainty of the pointing zeros α0 and β0")},
           {"instrument.sigma_slider_arcsec", Forms::tr("σ slider"), seconds, Forms::tr("5"),
            Forms::tr("Standard deviation of one slider reading")},
-          {"instrument.sigma_horizontal_arcsec", Forms::tr("σ ho&rizontal circle"), seconds, Forms::tr("2"),
-           Forms::tr("Stated standard deviation of one horizontal reading")},
-          {"instrument.sigma_vertical_arcsec", Forms::tr("σ vertical circle"), seconds, Forms::tr("2"),
-           Forms::tr("Stated standard deviation of one vertical reading")},
-          {"device.name", Forms::tr("Dev&ice"), {}, Forms::tr("simulator measured"), {}, {}, true},
+          {"instrument.certificate",
+           Forms::tr("Certificate"),
+           {},
+           {},
+           Forms::tr("Calibration certificate of the instrument, for the report")},
+          {"instrument.traceability",
+           Forms::tr("Circles &traceable"),
+           {},
+           Forms::tr("to"),
+           Forms::tr("To which standards the circles are traceable, and through whom; for the report")},
+          {"geometry.distance_from",
+           Forms::tr("L measured"),
+           {},
+           Forms::tr("how"),
+           Forms::tr("How the distance was measured, and its traceability; for the report")},
+          {"device.name", Forms::tr("Dev&ice"), {}, Forms::tr("simulator measured"), {}},
           {"device.serial", Forms::tr("Serial no."), {}, {}, {}},
+      },
+      2)});
+}
+
+QWidget* createLaboratoryForm(SessionDocument& document) {
+  return stacked({new FieldForm(
+      document,
+      {
+          {"report.number",
+           Forms::tr("Re&port no."),
+           {},
+           {},
+           Forms::tr("Unique number of the report, printed on each of its pages")},
+          {"report.authorised_by",
+           Forms::tr("Au&thorised by"),
+           {},
+           {},
+           Forms::tr("Who answers for the report")},
+          {"report.laboratory", Forms::tr("&Laboratory"), {}, Forms::tr("name and address"), {}, {}, true},
+          {"report.customer", Forms::tr("C&ustomer"), {}, Forms::tr("name and address"), {}, {}, true},
+          {"report.rule_agreed_by",
+           Forms::tr("Rule a&greed by"),
+           {},
+           Forms::tr("who, and where it is written"),
+           Forms::tr("With whom the decision rule was agreed: accept only where |Δd| + U is within the "
+                     "tolerance, reject only where |Δd| − U is beyond it"),
+           {},
+           true},
       },
       2)});
 }

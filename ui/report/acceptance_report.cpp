@@ -41,8 +41,10 @@ QString fingerprint(const Evaluation& evaluation, const ReportSource& source) {
 }
 
 ReportFrame frameFor(const Evaluation& evaluation, const ReportSource& source, const ReportOptions& options) {
+  const QString number = QString::fromStdString(evaluation.session.report.number).trimmed();
   return {
-      .product = QStringLiteral("Alidade · Acceptance report"),
+      .product = QStringLiteral("Alidade " ALIDADE_VERSION " · Acceptance report") +
+                 (number.isEmpty() ? number : QStringLiteral(" · No. ") + number),
       .session = sessionName(evaluation, source),
       .fileName = source.fileName.isEmpty() ? QStringLiteral("session not saved to a file") : source.fileName,
       .fingerprint = fingerprint(evaluation, source),
@@ -61,16 +63,18 @@ bool paintReport(QBuffer& buffer, const Evaluation& evaluation, const ReportSour
   ReportSheet sheet(writer, frameFor(evaluation, source, options));
   sheet.setWatch(options.goesOn);
   const Gap gap = options.gap ? *options.gap : assessGap(std::make_shared<const Evaluation>(evaluation));
-  const bool methodIsInFront = addSummary(sheet, gap, options);
+  FrontPage front = addSummary(sheet, gap, options);
   addPlots(sheet, evaluation);
   addReadings(sheet, evaluation);
+  if (!front.hasMethod) front.hasMethod = addMethodInTheRest(sheet, evaluation);
   addUncertainty(sheet, gap);
   if (options.simulated && options.simulated->intersection)
     sheet.paragraph(simulationParagraph(*options.simulated));
   addGap(sheet, gap);
   addClosures(sheet, gap);
   addUnseen(sheet, gap);
-  if (!methodIsInFront) addMethod(sheet, evaluation);
+  if (!front.hasMethod) addMethod(sheet, evaluation);
+  if (!front.isSigned) addSignatures(sheet, evaluation.session);
   QPainter painter;
   if (!painter.begin(&writer)) return false;
   const bool isWhole = sheet.paint(painter);

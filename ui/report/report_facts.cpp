@@ -3,91 +3,141 @@
 #include <algorithm>
 #include <vector>
 
-#include "ui/text/quantity_text.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {
 namespace {
 
-struct Fact {
-  QString label, value;
-};
+constexpr double labelWidth = 31;  // mm
 
-QString stated(const std::string& text, const QString& unit = {}) {
+/// As the session has it, short; empty where it is not given.
+QString given(const std::string& text, const QString& unit = {}) {
   constexpr int longest = 120;
   const QString value = shortLine(QString::fromStdString(text).trimmed(), longest);
-  return value.isEmpty() ? notStated() : value + unit;
+  return value.isEmpty() ? value : value + unit;
 }
 
-/// A dash and what the fit takes instead where nothing is stated.
-QString withUsual(const std::string& text, const QString& unit, const QString& usual) {
-  return QString::fromStdString(text).trimmed().isEmpty()
-             ? notStated() + QStringLiteral(" (taken as ") + usual + u')'
-             : stated(text, unit);
-}
+/// Of a σ: as stated in the session, or what is taken where it states none.
+struct Provenance {
+  QString value, from;
+
+  Provenance(const std::string& text, const QString& unit, const QString& usual)
+      : value(given(text, unit)), from(QStringLiteral("stated")) {
+    if (!value.isEmpty()) return;
+    value = usual;
+    from = QStringLiteral("default");
+  }
+  QString text() const { return QStringLiteral("%1 (%2)").arg(value, from); }
+};
 
 QString nameAndSerial(const std::string& name, const std::string& serial) {
-  return stated(name) + QStringLiteral(", serial ") + stated(serial);
+  QStringList parts;
+  if (const QString text = given(name); !text.isEmpty()) parts.append(text);
+  if (const QString text = given(serial); !text.isEmpty()) parts.append(QStringLiteral("serial ") + text);
+  return parts.join(QStringLiteral(", "));
 }
 
-std::vector<Fact> objectFacts(const Session& session, const QDateTime& date) {
-  return {{QStringLiteral("Device"), nameAndSerial(session.device.name, session.device.serial)},
-          {QStringLiteral("Operator"), stated(session.operatorName)},
-          {QStringLiteral("Place"), stated(session.place)},
-          {QStringLiteral("Measured on"), stated(session.measuredOn)},
-          {QStringLiteral("Report made"), date.toString(QStringLiteral("yyyy-MM-dd HH:mm"))},
-          {QStringLiteral("Temperature"), stated(session.environment.temperatureC, QStringLiteral(" °C"))}};
+QString sigmaOfCircles(const Instrument& instrument) {
+  const QString arcsec(QChar(0x2033)), usual = QStringLiteral("2″");
+  const Provenance horizontal(instrument.sigmaHorizontalArcsec, arcsec, usual),
+      vertical(instrument.sigmaVerticalArcsec, arcsec, usual);
+  const bool isAlike = horizontal.from == vertical.from;
+  return QStringLiteral("horizontal %1, vertical %2")
+      .arg(isAlike ? horizontal.value : horizontal.text(), vertical.text());
 }
 
-std::vector<Fact> instrumentFacts(const Session& session) {
+bool readsSlider(const Session& session) {
+  return std::ranges::any_of(session.positions, [](const Position& position) {
+    return std::ranges::any_of(position.readings,
+                               [](const Reading& row) { return !row.excluded && !row.slider.empty(); });
+  });
+}
+
+QString lengthWithSigma(const std::string& length, const Provenance& sigma) {
+  const QString value = given(length, QStringLiteral(" mm"));
+  return value.isEmpty() ? value : QStringLiteral("%1, %2").arg(value, sigma.text());
+}
+
+/// Its σ is of use where the radius is known, or as a closure where it is stated.
+QString nominalRadius(const Session& session) {
+  const Geometry& geometry = session.geometry;
+  const QString mm = QStringLiteral(" mm");
+  const std::string sigma = given(geometry.sigmaRadiusMm).toStdString();
+  if (sigma.empty() && session.model.radius != "known") return given(geometry.radiusMm, mm);
+  return lengthWithSigma(geometry.radiusMm,
+                         {sigma.empty() ? sigma : "σ " + sigma, mm, QStringLiteral("taken as exact")});
+}
+
+std::vector<LabelledText> objectFacts(const Session& session, const QDateTime& date) {
+  return {{QStringLiteral("Laboratory"), given(session.report.laboratory)},
+          {QStringLiteral("Customer"), given(session.report.customer)},
+          {QStringLiteral("Device"), nameAndSerial(session.device.name, session.device.serial)},
+          {QStringLiteral("Operator"), given(session.operatorName)},
+          {QStringLiteral("Place"), given(session.place)},
+          {QStringLiteral("Measured on"), given(session.measuredOn)},
+          {QStringLiteral("Report made"), date.toString(QStringLiteral("yyyy-MM-dd HH:mm"))}};
+}
+
+std::vector<LabelledText> instrumentFacts(const Session& session) {
   const Instrument& instrument = session.instrument;
   const Geometry& geometry = session.geometry;
-  const QString arcsec(QChar(0x2033)), mm = QStringLiteral(" mm"), usual = QStringLiteral("2″");
+  const QString arcsec(QChar(0x2033)), mm = QStringLiteral(" mm");
+  const std::string sigma = given(geometry.sigmaDistanceMm).toStdString();
   const QString planar =
       session.model.verticalAngle == "planar" ? QStringLiteral(", planar relation") : QString();
-  return {{QStringLiteral("Instrument"), nameAndSerial(instrument.name, instrument.serial)},
-          {QStringLiteral("σ of the circles"),
-           QStringLiteral("horizontal %1, vertical %2")
-               .arg(withUsual(instrument.sigmaHorizontalArcsec, arcsec, usual),
-                    withUsual(instrument.sigmaVerticalArcsec, arcsec, usual))},
-          {QStringLiteral("σ pointing zero"),
-           withUsual(instrument.sigmaZeroArcsec, arcsec, QStringLiteral("that of the circles"))},
-          {QStringLiteral("Distance L"),
-           QStringLiteral("%1, σ %2")
-               .arg(stated(geometry.distanceMm, mm),
-                    withUsual(geometry.sigmaDistanceMm, mm, QStringLiteral("exact")))},
-          {QStringLiteral("Nominal radius R0"),
-           geometry.sigmaRadiusMm.empty()
-               ? stated(geometry.radiusMm, mm)
-               : QStringLiteral("%1, σ %2")
-                     .arg(stated(geometry.radiusMm, mm), stated(geometry.sigmaRadiusMm, mm))},
-          {QStringLiteral("Vertical circle"),
-           withUsual(geometry.verticalCircle, {}, QStringLiteral("zenith")) + planar}};
+  std::vector<LabelledText> facts{
+      {QStringLiteral("Instrument"), nameAndSerial(instrument.name, instrument.serial)},
+      {QStringLiteral("Certificate"), given(instrument.certificate)},
+      {QStringLiteral("Circles traceable"), given(instrument.traceability)},
+      {QStringLiteral("σ of the circles"), sigmaOfCircles(instrument)},
+      {QStringLiteral("σ pointing zero"),
+       Provenance(instrument.sigmaZeroArcsec, arcsec, QStringLiteral("that of the circles")).text()}};
+  if (readsSlider(session))
+    facts.push_back({QStringLiteral("σ of the slider"),
+                     Provenance(instrument.sigmaSliderArcsec, arcsec, QStringLiteral("5″")).text()});
+  facts.push_back({QStringLiteral("Distance L"),
+                   lengthWithSigma(geometry.distanceMm, {sigma.empty() ? sigma : "σ " + sigma, mm,
+                                                         QStringLiteral("taken as exact")})});
+  facts.push_back({QStringLiteral("L measured"), given(geometry.distanceFrom)});
+  facts.push_back({QStringLiteral("Nominal radius R0"), nominalRadius(session)});
+  facts.push_back({QStringLiteral("Vertical circle"),
+                   Provenance(geometry.verticalCircle, {}, QStringLiteral("zenith")).value + planar});
+  return facts;
 }
 
-double addColumn(ReportSheet& sheet, const std::vector<Fact>& facts, double left, double top,
-                 double available) {
-  constexpr double labelWidth = 33;
-  for (const Fact& fact : facts) {
-    sheet.text(fact.label, type::label, left, top, labelWidth);
-    for (const QString& line : sheet.lines(fact.value, type::body, available - labelWidth)) {
-      sheet.text(line, type::body, left + labelWidth, top, available - labelWidth);
-      top += sheet.lineHeight(type::body);
+}  // namespace
+
+double placeLabelled(ReportSheet& sheet, const std::vector<LabelledText>& texts, double left, double top,
+                     double available) {
+  const TextStyle& style = type::detail;
+  const TextStyle label = style.inColour(type::label.colour);
+  for (const LabelledText& labelled : texts) {
+    if (labelled.text.isEmpty()) continue;
+    sheet.text(labelled.label, label, left, top, labelWidth);
+    for (const QString& line : sheet.lines(labelled.text, style, available - labelWidth)) {
+      sheet.text(line, style, left + labelWidth, top, available - labelWidth);
+      top += sheet.lineHeight(style);
     }
   }
   return top;
 }
 
-}  // namespace
+double labelledHeight(const ReportSheet& sheet, const std::vector<LabelledText>& texts, double available) {
+  qsizetype lines = 0;
+  for (const LabelledText& labelled : texts)
+    if (!labelled.text.isEmpty())
+      lines += sheet.lines(labelled.text, type::detail, available - labelWidth).size();
+  return static_cast<double>(lines) * sheet.lineHeight(type::detail);
+}
 
 void addFacts(ReportSheet& sheet, const Evaluation& evaluation, const QDateTime& date) {
   constexpr double column = 83;
   const Session& session = evaluation.session;
-  const std::vector<Fact> right = instrumentFacts(session);
   sheet.skip(2.5);
   const double top = sheet.y();
-  const double leftEnd = addColumn(sheet, objectFacts(session, date), 0, top, column);
-  const double rightEnd = addColumn(sheet, right, ReportSheet::width - column, top, column);
+  const double leftEnd = placeLabelled(sheet, objectFacts(session, date), 0, top, column);
+  const double rightEnd =
+      placeLabelled(sheet, instrumentFacts(session), ReportSheet::width - column, top, column);
   sheet.skip(std::max(leftEnd, rightEnd) - top);
 }
 

@@ -35,7 +35,7 @@ QString angleCell(const std::string& typed) {
   QString primes = text;
   primes.replace(u'\'', QChar(0x2032)).replace(u'"', QChar(0x2033));
   const QString normal = shortLine(shownAngle(typed).trimmed(), longestCell);
-  if (normal == primes || normal == text) return orNotStated(text);
+  if (normal == primes || normal == text) return text;
   return text + QStringLiteral("\n= ") + normal;
 }
 
@@ -76,7 +76,7 @@ QString typedCell(const Reading& row, const RowField& field) {
   const std::string& text = row.*field.text;
   if (isAngle(field)) return angleCell(text);
   const QString typed = shortLine(qText(text).trimmed(), longestCell);
-  return orNotStated(typed.isEmpty() ? qText(usualText(field)) : typed);
+  return typed.isEmpty() ? qText(usualText(field)) : typed;
 }
 
 class PositionTable {
@@ -138,7 +138,9 @@ class PositionTable {
 
 void addPosition(ReportSheet& sheet, const Evaluation& evaluation, std::size_t index) {
   const Position& position = evaluation.session.positions[index];
-  const auto zero = [](const std::string& text) { return orNotStated(shortLine(text, longestCell)); };
+  const auto zero = [](const std::string& text) {
+    return text.empty() ? QStringLiteral("not given") : shortLine(text, longestCell);
+  };
   sheet.keepTogether(35);
   sheet.heading(QStringLiteral("Readings with the axis at ") + positionText(evaluation.session, index));
   sheet.paragraph(QStringLiteral("Pointing zero: horizontal α0 = %1, vertical β0 = %2")

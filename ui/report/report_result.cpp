@@ -32,7 +32,7 @@ QString percent(double share) {
 QString toleranceText(const Evaluation& evaluation) {
   const std::optional<double> tolerance = evaluation.examined.measurement->tolerance;
   return tolerance ? QStringLiteral("tolerance ± ") + plainNumberText(*tolerance) + QStringLiteral(" mm")
-                   : QStringLiteral("tolerance ") + notStated() + QStringLiteral(" (no tolerance stated)");
+                   : QStringLiteral("no tolerance stated");
 }
 
 /// The result of the measurement, and below it what the fit alone has; without a diagnosis that only.
@@ -214,23 +214,21 @@ void addTwoFaces(ReportSheet& sheet, const TwoFaces& faces) {
   sheet.paragraph(text + u'.');
 }
 
-/// Against the result of the measurement, where there is one.
+/// Where one is given, against the result of the measurement, where there is one.
 void addReference(ReportSheet& sheet, const Gap& gap) {
   const Measurement& measurement = *gap.evaluation->examined.measurement;
   const std::optional<double> reference = measurement.referenceIntersection;
+  if (!reference) return;
   const std::optional<double> sigma = measurement.sigmaReference;
   const MeasuredIntersection* measured = gap.measured();
   const IntersectionEstimate found =
       measured ? measured->estimate : estimateOf(*gap.evaluation->fit.intersection);
-  const QString difference =
-      reference ? QStringLiteral("; difference Δd − reference = ") +
-                      valueWithUncertainty(found.value - *reference, found.expanded, QStringLiteral("mm")) +
-                      (measured ? QStringLiteral(" as measured") : QStringLiteral(" of the fit alone"))
-                : QString();
-  sheet.paragraph(QStringLiteral("Reference intersection (never enters the fit): ") +
-                  (reference ? plainNumberText(*reference) + QStringLiteral(" mm") : notStated()) +
-                  (sigma ? QStringLiteral(" (u %1 mm)").arg(plainNumberText(*sigma)) : QString()) +
-                  difference);
+  sheet.paragraph(
+      QStringLiteral("Reference (never enters the fit): %1 mm%2; Δd − reference = %3 %4")
+          .arg(plainNumberText(*reference),
+               sigma ? QStringLiteral(" (u %1 mm)").arg(plainNumberText(*sigma)) : QString(),
+               valueWithUncertainty(found.value - *reference, found.expanded, QStringLiteral("mm")),
+               measured ? QStringLiteral("as measured") : QStringLiteral("of the fit alone")));
 }
 
 }  // namespace

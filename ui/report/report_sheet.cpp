@@ -156,8 +156,9 @@ void ReportSheet::paintFrame(QPainter& painter, int page) {
     painter.drawLine(QPointF(0, y) * m_unit, QPointF(width, y) * m_unit);
   };
   const double step = lineHeight(type::small);
-  paintLine(painter, m_frame.product, type::small, 0, headerTop, width, Qt::AlignLeft);
-  paintLine(painter, elided(m_frame.session, width * 0.6, Qt::ElideRight), type::small, 0, headerTop, width,
+  paintLine(painter, elided(m_frame.product, width * 0.53, Qt::ElideRight), type::small, 0, headerTop, width,
+            Qt::AlignLeft);
+  paintLine(painter, elided(m_frame.session, width * 0.44, Qt::ElideRight), type::small, 0, headerTop, width,
             Qt::AlignRight);
   rule(headerTop + step + 0.6);
   rule(footerTop);

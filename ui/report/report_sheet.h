@@ -16,7 +16,7 @@ namespace alidade::ui {
 
 /// What stands at the top and the foot of every page.
 struct ReportFrame {
-  QString product;      ///< top left
+  QString product;      ///< top left; shortened where it is too long
   QString session;      ///< top right; shortened where it is too long
   QString fileName;     ///< foot, left; shortened where it is too long
   QString fingerprint;  ///< foot, second line; monospaced

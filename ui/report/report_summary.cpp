@@ -5,6 +5,7 @@
 #include "core/wording/suspects.h"
 #include "ui/report/report_facts.h"
 #include "ui/report/report_result.h"
+#include "ui/report/report_terms.h"
 #include "ui/text/cause_text.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/finding_text.h"
@@ -14,6 +15,13 @@
 namespace alidade::ui {
 namespace {
 
+/// "No. 2026-117"; empty where there is none.
+QString reportNumber(const Session& session) {
+  constexpr int longest = 40;
+  const QString number = shortLine(qText(session.report.number).trimmed(), longest);
+  return number.isEmpty() ? number : QStringLiteral("No. ") + number;
+}
+
 void addTitle(ReportSheet& sheet, const Session& session) {
   const double title = sheet.lineHeight(type::title);
   sheet.text(QStringLiteral("Acceptance report"), type::title, 0, sheet.y(), ReportSheet::width);
@@ -21,7 +29,15 @@ void addTitle(ReportSheet& sheet, const Session& session) {
              sheet.y() + title - sheet.lineHeight(type::label) - 1, ReportSheet::width, Qt::AlignRight);
   sheet.skip(title + 0.5);
   constexpr int longest = 300;
-  sheet.paragraph(orNotStated(shortLine(session.title, longest)), type::subtitle);
+  const QString number = reportNumber(session), name = shortLine(session.title, longest);
+  if (!number.isEmpty()) {
+    sheet.text(number, type::subtitle, 0, sheet.y(), ReportSheet::width, Qt::AlignRight);
+    constexpr double between = 6;
+    const double taken =
+        sheet.textWidth(name, type::subtitle) + between + sheet.textWidth(number, type::subtitle);
+    if (name.isEmpty() || taken > ReportSheet::width) sheet.skip(sheet.lineHeight(type::subtitle));
+  }
+  if (!name.isEmpty()) sheet.paragraph(name, type::subtitle);
 }
 
 QString severityName(Severity severity) {
@@ -54,22 +70,21 @@ void addFindings(ReportSheet& sheet, const Gap& gap) {
   sheet.heading(QStringLiteral("Findings"));
   if (!misread && findings.empty() && !gap.isOpen()) {
     const bool isSound = gap.diagnosis && gap.unseenBeyondU().empty();
-    sheet.paragraph(!evaluation.fit.intersection ? notStated()
+    sheet.paragraph(!evaluation.fit.intersection ? QStringLiteral("None.")
                     : isSound ? QStringLiteral("None: nothing in the data speaks against the result.")
                               : QStringLiteral("None in the data, but see above what they would not show."));
   }
-  const TextStyle findingStyle{.points = 8};
   constexpr double indent = 17;
   const auto add = [&](const Finding& finding) {
-    sheet.keepTogether(sheet.lineHeight(findingStyle));
-    sheet.text(severityName(finding.severity), findingStyle.inBold(), 0, sheet.y(), indent);
+    sheet.keepTogether(sheet.lineHeight(type::detail));
+    sheet.text(severityName(finding.severity), type::detail.inBold(), 0, sheet.y(), indent);
     const QString remedy = qText(finding.remedy);
-    sheet.paragraph(qText(finding.text) + (remedy.isEmpty() ? QString() : u' ' + remedy), findingStyle,
+    sheet.paragraph(qText(finding.text) + (remedy.isEmpty() ? QString() : u' ' + remedy), type::detail,
                     indent);
   };
   if (misread) {
     add(*misread);
-    addSuspects(sheet, evaluation.suspects, findingStyle, indent);
+    addSuspects(sheet, evaluation.suspects, type::detail, indent);
   }
   for (const Finding& finding : findings) add(finding);
   if (!gap.isOpen()) return;
@@ -78,9 +93,9 @@ void addFindings(ReportSheet& sheet, const Gap& gap) {
           ? gapSentence(gap)
           : QStringLiteral("Model and readings disagree, see “Gap between model and readings”. %1.")
                 .arg(gapHeadline(*gap.diagnosis));
-  sheet.keepTogether(sheet.lineHeight(findingStyle));
-  sheet.text(severityName(Severity::Warning), findingStyle.inBold(), 0, sheet.y(), indent);
-  sheet.paragraph(says, findingStyle, indent);
+  sheet.keepTogether(sheet.lineHeight(type::detail));
+  sheet.text(severityName(Severity::Warning), type::detail.inBold(), 0, sheet.y(), indent);
+  sheet.paragraph(says, type::detail, indent);
 }
 
 QString methodText(const Evaluation& evaluation) {
@@ -97,9 +112,7 @@ QString methodText(const Evaluation& evaluation) {
              "their scatter (s0), pointing zeros and distance enter as stated; the expanded uncertainty U of "
              "the fit alone is k times the combined standard uncertainty, k from Student's distribution. As "
              "measured, every effect of the catalogue takes part, known beforehand to 1σ of its "
-             "plausible size, and U also holds what else may explain the readings. Accepted: |Δd| + U ≤ "
-             "tolerance; rejected: |Δd| − U > tolerance, by the fit alone and as measured; otherwise "
-             "undecided.")
+             "plausible size, and U also holds what else may explain the readings.")
       .arg(relation,
            measurement && hasRepeats(*measurement)
                ? QStringLiteral(" Where an axis is measured again its positions have one centre and "
@@ -108,20 +121,12 @@ QString methodText(const Evaluation& evaluation) {
                : QString());
 }
 
-constexpr double signatureSpace = 10, signatureHeight = signatureSpace + 6;
+constexpr double signatureSpace = 8, signatureHeight = signatureSpace + 5;
 
-void addSignatures(ReportSheet& sheet) {
-  constexpr double line = 78;
-  sheet.keepTogether(signatureHeight);
-  sheet.skip(signatureSpace);
-  const double y = sheet.y();
-  for (const auto& [left, text] :
-       {std::pair(0.0, QStringLiteral("Operator, date")),
-        std::pair(ReportSheet::width - line, QStringLiteral("Approved by, date"))}) {
-    sheet.rule(left, y, left + line, y, 0.2);
-    sheet.text(text, type::label, left, y + 0.8, line);
-  }
-  sheet.skip(signatureHeight - signatureSpace);
+QString signatureText(const QString& role, const std::string& name) {
+  constexpr int longest = 36;
+  const QString who = shortLine(qText(name).trimmed(), longest);
+  return (who.isEmpty() ? role : role + QStringLiteral(": ") + who) + QStringLiteral(", date");
 }
 
 double methodHeight(const ReportSheet& sheet, const Evaluation& evaluation) {
@@ -131,11 +136,12 @@ double methodHeight(const ReportSheet& sheet, const Evaluation& evaluation) {
 
 }  // namespace
 
-bool addSummary(ReportSheet& sheet, const Gap& gap, const ReportOptions& options) {
+FrontPage addSummary(ReportSheet& sheet, const Gap& gap, const ReportOptions& options) {
   const Evaluation& evaluation = *gap.evaluation;
   addTitle(sheet, evaluation.session);
   addFacts(sheet, evaluation, options.date);
   addVerdict(sheet, gap);
+  addTerms(sheet, gap);
   addProblems(sheet, evaluation);
   addResult(sheet, gap);
   addFindings(sheet, gap);
@@ -143,10 +149,33 @@ bool addSummary(ReportSheet& sheet, const Gap& gap, const ReportOptions& options
     sheet.heading(QStringLiteral("Notes"));
     sheet.paragraph(QString::fromStdString(evaluation.session.notes));
   }
-  const bool hasRoom = sheet.room() >= methodHeight(sheet, evaluation) + signatureHeight;
-  if (hasRoom) addMethod(sheet, evaluation);
-  addSignatures(sheet);
-  return hasRoom;
+  const bool hasMethod = sheet.room() >= methodHeight(sheet, evaluation) + signatureHeight;
+  if (hasMethod) addMethod(sheet, evaluation);
+  const bool isSigned = sheet.room() >= signatureHeight;
+  if (isSigned) addSignatures(sheet, evaluation.session);
+  return {hasMethod, isSigned};
+}
+
+void addSignatures(ReportSheet& sheet, const Session& session) {
+  constexpr double line = 78;
+  sheet.keepTogether(signatureHeight);
+  sheet.skip(signatureSpace);
+  const double y = sheet.y();
+  for (const auto& [left, text] :
+       {std::pair(0.0, signatureText(QStringLiteral("Operator"), session.operatorName)),
+        std::pair(ReportSheet::width - line,
+                  signatureText(QStringLiteral("Authorised by"), session.report.authorisedBy))}) {
+    sheet.rule(left, y, left + line, y, 0.2);
+    sheet.text(text, type::label, left, y + 0.8, line);
+  }
+  sheet.skip(signatureHeight - signatureSpace);
+}
+
+bool addMethodInTheRest(ReportSheet& sheet, const Evaluation& evaluation) {
+  const bool isRest = sheet.room() < ReportSheet::height / 2;
+  if (!isRest || sheet.room() < methodHeight(sheet, evaluation)) return false;
+  addMethod(sheet, evaluation);
+  return true;
 }
 
 void addMethod(ReportSheet& sheet, const Evaluation& evaluation) {

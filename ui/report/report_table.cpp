@@ -5,7 +5,7 @@
 namespace alidade::ui {
 namespace {
 
-constexpr double gap =
+constexpr double cellGap =
     1.2;  // mm between the text of neighbouring columns and above and below a row's text / 2
 constexpr double above = 0.35;
 
@@ -58,7 +58,7 @@ void ReportTable::finish() {
 double ReportTable::rowHeight(const std::vector<ReportCell>& cells, std::vector<QStringList>& lines) const {
   double height = 0;
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    lines.push_back(m_sheet.lines(cells[i].text, cells[i].style, m_columns[i].width - gap));
+    lines.push_back(m_sheet.lines(cells[i].text, cells[i].style, m_columns[i].width - cellGap));
     height = std::max(height, lines.back().size() * m_sheet.lineHeight(cells[i].style));
   }
   return height + 2 * above;
@@ -70,7 +70,7 @@ void ReportTable::place(const std::vector<ReportCell>& cells, const std::vector<
     const bool right = m_columns[i].alignment & Qt::AlignRight;
     double top = m_sheet.y() + above;
     for (const QString& line : lines[i]) {
-      m_sheet.text(line, cells[i].style, left + (right ? gap : 0), top, m_columns[i].width - gap,
+      m_sheet.text(line, cells[i].style, left + (right ? cellGap : 0), top, m_columns[i].width - cellGap,
                    m_columns[i].alignment);
       top += m_sheet.lineHeight(cells[i].style);
     }

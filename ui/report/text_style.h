@@ -26,6 +26,7 @@ inline const TextStyle title{.points = 17, .bold = true};
 inline const TextStyle subtitle{.points = 11};
 inline const TextStyle heading{.points = 10, .bold = true};
 inline const TextStyle body{};
+inline const TextStyle detail{.points = 8};
 inline const TextStyle label{.colour = QColor(0x50, 0x50, 0x50)};
 inline const TextStyle tableHead{.points = 7.5, .bold = true, .colour = QColor(0x50, 0x50, 0x50)};
 inline const TextStyle small{.points = 7};

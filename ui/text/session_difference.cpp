@@ -7,6 +7,7 @@
 #include "core/session/session_file.h"
 #include "ui/document/field.h"
 #include "ui/text/entry_text.h"
+#include "ui/text/known_text.h"
 #include "ui/text/spoken_place.h"
 
 namespace alidade::ui {
@@ -24,6 +25,7 @@ class Comparison {
   SessionDifference result() {
     compareFields();
     compare({.field = "model.effects"}, effects(m_mine), effects(m_theirs));
+    for (const KnownOwner owner : {KnownOwner::Instrument, KnownOwner::Device}) compareKnown(owner);
     const std::size_t common = std::min(m_mine.positions.size(), m_theirs.positions.size());
     for (std::size_t i = 0; i < common; ++i) compareRows(i);
     for (std::size_t i = common; i < m_mine.positions.size(); ++i)
@@ -53,6 +55,17 @@ class Comparison {
         place.position = i;
         compare(place, field.get(m_mine, i), field.get(m_theirs, i));
       }
+    }
+  }
+
+  void compareKnown(KnownOwner owner) {
+    const std::size_t entries = std::max(knownBy(m_mine, owner).size(), knownBy(m_theirs, owner).size());
+    for (std::size_t i = 0; i < entries; ++i) {
+      const KnownRef ref{owner, i};
+      const KnownSize *mine = knownSize(m_mine, ref), *theirs = knownSize(m_theirs, ref);
+      if (mine && theirs && *mine == *theirs) continue;
+      add(mine ? m_mine : m_theirs, placeOf(ref), mine ? knownText(*mine) : QString(),
+          theirs ? knownText(*theirs) : QString());
     }
   }
 

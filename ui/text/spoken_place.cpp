@@ -5,6 +5,7 @@
 
 #include "ui/document/field.h"
 #include "ui/text/entry_text.h"
+#include "ui/text/known_text.h"
 #include "ui/text/position_text.h"
 #include "ui/text/visible_text.h"
 
@@ -27,7 +28,9 @@ QString spokenPlace(const Session& session, const Place& place) {
       parts.append(point.isEmpty() ? row : row + QStringLiteral(" (point %1)").arg(point));
     }
   }
-  if (!place.field.empty()) {
+  if (const auto known = knownAt(place); known && knownSize(session, known->ref)) {
+    parts.append(spokenKnown(session, *known));
+  } else if (!place.field.empty()) {
     const Field* field = place.reading ? nullptr : fieldNamed(place.field);
     parts.append(field ? QCoreApplication::translate("Field", field->noun) : qText(place.field));
   }

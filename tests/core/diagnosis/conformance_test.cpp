@@ -9,7 +9,8 @@ namespace alidade {
 namespace {
 
 IntersectionEstimate normal(double value, double sigma) {
-  return {value, sigma, 2 * sigma, {{1, value, sigma}}, std::numeric_limits<double>::infinity()};
+  return {
+      value, sigma, 1.959963984540054 * sigma, {{1, value, sigma}}, std::numeric_limits<double>::infinity()};
 }
 
 // By the normal distribution: Φ(2) − Φ(−6) of 1 ± 0.5 (1σ) within ± 2.
@@ -35,6 +36,33 @@ TEST(Conformance, OfTheDistanceKnowsASurePart) {
   EXPECT_NEAR(*conformanceOf(normal(0.5, 0.3), {3, 1e-9, 2e-9}, 5), *conformanceOf(normal(0.5, 0.3), 4),
               1e-6);
   EXPECT_EQ(*conformanceOf(normal(0.5, 0.3), {6, 1e-9, 2e-9}, 5), 0);
+}
+
+// Of a normal distribution 2.5 % lie beyond either end of U at 95 %, and 5 % beyond both where these are the
+// limits of the tolerance. Student's has half of it beyond ±1 with one degree of freedom.
+TEST(GreatestRisk, IsThatAtTheEdgesOfTheGuardBand) {
+  constexpr double rounding = 1e-5;
+  IntersectionEstimate estimate = normal(1.7, 0.3 / 1.959963984540054);
+  EXPECT_NEAR(*greatestRisk(estimate, 2.5), 0.025, rounding);
+  EXPECT_NEAR(*greatestRisk(estimate, 0.3), 0.05, rounding);
+  EXPECT_NEAR(*greatestRisk(estimate, 0.2), 0.025, rounding) << "nothing is accepted, too much rejected";
+  estimate.expanded = 0;
+  EXPECT_NEAR(*greatestRisk(estimate, 2.5), 0.5, rounding) << "no guard";
+  estimate = {.value = 0, .sigma = 1, .expanded = 1, .accounts = {{1, 0, 1}}, .degreesOfFreedom = 1};
+  EXPECT_NEAR(*greatestRisk(estimate, 1e6), 0.25, rounding);
+  estimate.degreesOfFreedom = 0;
+  EXPECT_FALSE(greatestRisk(estimate, 2.5));
+}
+
+// One account in twenty lies above by more than U, none below: accepted at the upper edge, all of it is
+// beyond.
+TEST(GreatestRisk, IsThatOfTheHeavierSide) {
+  const IntersectionEstimate estimate{.value = 0,
+                                      .sigma = 0.5,
+                                      .expanded = 1,
+                                      .accounts = {{19, 0, 0.01}, {1, 2, 0.01}},
+                                      .degreesOfFreedom = std::numeric_limits<double>::infinity()};
+  EXPECT_NEAR(*greatestRisk(estimate, 10), 0.05, 1e-9);
 }
 
 }  // namespace

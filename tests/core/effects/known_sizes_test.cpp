@@ -30,6 +30,11 @@ TEST(KnownSizes, AreOfNothingElse) {
     EXPECT_FALSE(parameterMeant(known)) << known.effect << known.parameter;
 }
 
+TEST(KnownSizes, AreOfEffectsThatHaveASize) {
+  EXPECT_TRUE(hasSizes(*effectById("collimation")));
+  EXPECT_FALSE(hasSizes(*effectById("vertical_angle_relation"))) << "it is so or not";
+}
+
 // 3 ± 1 and 5 ± 2 weigh 4 to 1: 3.4 ± 2/√5.
 TEST(KnownSizes, AreWeighedTogether) {
   Measurement measurement;

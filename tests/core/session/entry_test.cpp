@@ -33,6 +33,10 @@ TEST(Entry, UsableTextsHaveNoProblem) {
            {"model.radius", ""},
            {"model.radius", "common"},
            {"geometry.sigma_radius_mm", "0"},
+           {"instrument.known.value", ""},
+           {"instrument.known.sigma", "0.5"},
+           {"device.known.value", "-3"},
+           {"device.known.from", "anything"},
            {"measured_on", ""},
            {"measured_on", "2020-02-29"},
            {"title", "anything at all"}}) {
@@ -51,6 +55,9 @@ TEST(Entry, UnusableTextsAreExplained) {
   EXPECT_THAT(sentence("acceptance.coverage", "1"), HasSubstr("must be between 0 and 1"));
   EXPECT_THAT(sentence("readings.horizontal", ""), HasSubstr("is empty: type an angle"));
   EXPECT_THAT(sentence("readings.horizontal", "360"), HasSubstr("lies outside 0°…360°"));
+  EXPECT_THAT(sentence("device.known.value", "1e6"), HasSubstr("must be below 1000000 in size"));
+  EXPECT_THAT(sentence("instrument.known.sigma", "-1"), HasSubstr("“-1” is out of range"));
+  EXPECT_THAT(sentence("instrument.known.sigma", ""), HasSubstr("type the standard uncertainty"));
   EXPECT_THAT(sentence("readings.face", "3"), HasSubstr("“3” is no face: type 1 or 2"));
   EXPECT_THAT(sentence("readings.round", "0"), HasSubstr("rounds count from 1"));
   EXPECT_THAT(sentence("readings.point", "-1"), HasSubstr("points count from 0"));

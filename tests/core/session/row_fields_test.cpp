@@ -51,6 +51,7 @@ TEST(RowFields, SurviveTheFile) {
                       .sigmaRadiusMm = {},
                       .verticalCircle = {},
                       .pointingZeros = {},
+                      .distanceFrom = {},
                       .origin = {}};
   const Result<Session> read = readSession(writeSession(session));
   ASSERT_TRUE(read) << read.problem().text();

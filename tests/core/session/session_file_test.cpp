@@ -23,12 +23,13 @@ Json completeSession() {
   return Json::parse(R"({
     "format": "alidade-session", "version": 1,
     "title": "Table I", "notes": "n", "operator": "o", "place": "p", "measured_on": "2018-01-01",
+    "report": {"number": "17", "laboratory": "l", "customer": "c", "authorised_by": "a", "rule_agreed_by": "r"},
     "device": {"name": "d", "serial": "1"},
-    "instrument": {"name": "i", "serial": "2", "sigma_horizontal_arcsec": 2, "sigma_vertical_arcsec": 2.5,
+    "instrument": {"name": "i", "serial": "2", "certificate": "3", "traceability": "t", "sigma_horizontal_arcsec": 2, "sigma_vertical_arcsec": 2.5,
                    "sigma_zero_arcsec": 1, "sigma_slider_arcsec": 5},
     "environment": {"temperature_c": 20.0},
     "geometry": {"distance_mm": 2405, "sigma_distance_mm": 1.0, "radius_mm": 400, "sigma_radius_mm": 0.1,
-                 "vertical_circle": "zenith", "pointing_zeros": "each"},
+                 "vertical_circle": "zenith", "pointing_zeros": "each", "distance_from": "tape"},
     "acceptance": {"tolerance_mm": 2.5, "measurand": "distance", "coverage": 0.95, "reference_intersection_mm": 2.0, "sigma_reference_mm": 0.02},
     "model": {"vertical_angle": "exact", "radius": "known", "effects": ["trunnion_tilt"]},
     "positions": [
@@ -80,10 +81,11 @@ TEST(SessionFile, ReadsEveryKey) {
   ASSERT_TRUE(read) << read.problem().text();
   const Session& s = *read;
   EXPECT_EQ(s.title + s.notes + s.operatorName + s.place + s.measuredOn, "Table Inop2018-01-01");
+  EXPECT_EQ(s.report, (ReportEntries{"17", "l", "c", "a", "r", {}}));
   EXPECT_EQ(s.device, (Device{"d", "1", {}, {}}));
-  EXPECT_EQ(s.instrument, (Instrument{"i", "2", "2", "2.5", "1", "5", {}, {}}));
+  EXPECT_EQ(s.instrument, (Instrument{"i", "2", "3", "t", "2", "2.5", "1", "5", {}, {}}));
   EXPECT_EQ(s.environment, (Environment{"20", {}}));
-  EXPECT_EQ(s.geometry, (Geometry{"2405", "1", "400", "0.1", "zenith", "each", {}}));
+  EXPECT_EQ(s.geometry, (Geometry{"2405", "1", "400", "0.1", "zenith", "each", "tape", {}}));
   EXPECT_EQ(s.acceptance, (Acceptance{"2.5", "distance", "0.95", "2", "0.02", {}}));
   EXPECT_EQ(s.model, (Model{"exact", "known", {"trunnion_tilt"}, {}}));
   ASSERT_EQ(s.positions.size(), 2u);
@@ -123,8 +125,8 @@ TEST(SessionFile, LosesNothingOfUnknownKeysAtEveryLevel) {
       R"({"z": [1, [2, {"deep": null}], {}], "a": "\u0000 \" \\ ″ 𝛼 \u2028", "big": 1e300, "tiny": -1e-300,
           "int": -9223372036854775808, "uint": 18446744073709551615, "zero": -0.0, "": true})");
   for (const char* level :
-       {"", "/device", "/instrument", "/environment", "/geometry", "/acceptance", "/model", "/positions/0",
-        "/positions/0/pointing_zero", "/positions/0/readings/0"}) {
+       {"", "/report", "/device", "/instrument", "/environment", "/geometry", "/acceptance", "/model",
+        "/positions/0", "/positions/0/pointing_zero", "/positions/0/readings/0"}) {
     json[Json::json_pointer(std::string(level) + "/x-unknown")] = unknown;
   }
   expectLossless(json.dump());
@@ -321,6 +323,22 @@ TEST(SessionFile, WritesNothingKnownUntilThereIsSomething) {
   EXPECT_FALSE(Json::parse(writeSession(session))["instrument"].contains("known"));
   session.instrument.known = {{.effect = "collimation", .sigma = "1", .unit = "arcsec"}};
   EXPECT_EQ(readSession(writeSession(session))->instrument.known, session.instrument.known);
+}
+
+TEST(SessionFile, WritesNothingOfAReportUntilThereIsSomething) {
+  Session session = blankSession();
+  const Json empty = Json::parse(writeSession(session));
+  EXPECT_FALSE(empty.contains("report"));
+  for (const char* key : {"certificate", "traceability"}) EXPECT_FALSE(empty["instrument"].contains(key));
+  EXPECT_FALSE(empty["geometry"].contains("distance_from"));
+  session.report.customer = "c";
+  EXPECT_EQ(Json::parse(writeSession(session))["report"].dump(), R"({"customer":"c"})");
+  EXPECT_EQ(readSession(writeSession(session))->report, session.report);
+  Json json = completeSession();
+  json["report"] = {{"number", "17"}, {"seal", "red"}};
+  Session sealed = *readSession(json.dump());
+  sealed.report.number.clear();
+  EXPECT_EQ(Json::parse(writeSession(sealed))["report"].dump(), R"({"seal":"red"})");
 }
 
 TEST(SessionFile, WritesNoListOfEffectsUntilThereIsOne) {

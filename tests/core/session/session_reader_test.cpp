@@ -21,7 +21,7 @@ Json rowOf(unsigned point) {
 /// A document as the parser leaves it: its rows are handed on apart.
 Json soundDocument() {
   return Json::parse(R"({
-    "format": "alidade-session", "version": 1, "title": "t", "device": {"name": "d"},
+    "format": "alidade-session", "version": 1, "title": "t", "report": {"number": "1"}, "device": {"name": "d"},
     "instrument": {"sigma_zero_arcsec": 1}, "environment": {"temperature_c": 20},
     "geometry": {"distance_mm": 2405, "radius_mm": 400}, "acceptance": {"coverage": 0.9},
     "model": {"radius": "common", "effects": []},
@@ -159,6 +159,7 @@ TEST(SessionFromJson, NamesTheFirstThingWrong) {
                                       {"/environment", "environment"},
                                       {"/instrument/sigma_zero_arcsec", "instrument.sigma_zero_arcsec"},
                                       {"/device/name", "device.name"},
+                                      {"/report/number", "report.number"},
                                       {"/title", "title"},
                                       {"/version", "version"},
                                       {"/format", "format"}}) {
@@ -176,7 +177,7 @@ TEST(SessionFromJson, PutsEachValueIntoOneOrigin) {
   ASSERT_TRUE(session) << session.problem().text();
   Json expected = json;
   for (const char* part :
-       {"device", "instrument", "environment", "geometry", "acceptance", "model", "positions"})
+       {"report", "device", "instrument", "environment", "geometry", "acceptance", "model", "positions"})
     expected[part] = nullptr;
   EXPECT_EQ(session->origin.object().dump(), expected.dump());
   EXPECT_EQ(session->geometry.origin.object().dump(), json["geometry"].dump());

@@ -45,10 +45,11 @@ TEST(SessionWriter, SpellsOutEverythingThatASessionHolds) {
   session.operatorName = "o";
   session.place = "p";
   session.measuredOn = "2018-01-01";
+  session.report = {"17", "l", "c", "a", "r", {}};
   session.device = {"d", "1", {}, {}};
-  session.instrument = {"i", "2", "2,5", "3", "about 1", "5.0", {}, {}};
+  session.instrument = {"i", "2", "c", "t", "2,5", "3", "about 1", "5.0", {}, {}};
   session.environment = {"-3", {}};
-  session.geometry = {"2405", "0.5", "400", "0", "elevation", "one", {}};
+  session.geometry = {"2405", "0.5", "400", "0", "elevation", "one", "laser", {}};
   session.acceptance = {"2.5", "distance", "0.95", "-1", "0.1", {}};
   session.model = {"planar", "known", {"b", "a"}, {}};
   Position& position = session.positions.emplace_back();
@@ -57,12 +58,14 @@ TEST(SessionWriter, SpellsOutEverythingThatASessionHolds) {
   position.readings = {{"1", "2", "x", "10", "20", "30", true, "r", {}}, {}};
   const Json expected = Json::parse(R"({
     "format": "alidade-session", "version": 1, "title": "t", "notes": "n", "operator": "o", "place": "p",
-    "measured_on": "2018-01-01", "device": {"name": "d", "serial": "1"},
-    "instrument": {"name": "i", "serial": "2", "sigma_horizontal_arcsec": 2.5, "sigma_vertical_arcsec": 3,
+    "measured_on": "2018-01-01",
+    "report": {"number": "17", "laboratory": "l", "customer": "c", "authorised_by": "a", "rule_agreed_by": "r"},
+    "device": {"name": "d", "serial": "1"},
+    "instrument": {"name": "i", "serial": "2", "certificate": "c", "traceability": "t", "sigma_horizontal_arcsec": 2.5, "sigma_vertical_arcsec": 3,
                    "sigma_zero_arcsec": "about 1", "sigma_slider_arcsec": 5},
     "environment": {"temperature_c": -3},
     "geometry": {"distance_mm": 2405, "sigma_distance_mm": 0.5, "radius_mm": 400, "sigma_radius_mm": 0,
-                 "vertical_circle": "elevation", "pointing_zeros": "one"},
+                 "vertical_circle": "elevation", "pointing_zeros": "one", "distance_from": "laser"},
     "acceptance": {"tolerance_mm": 2.5, "measurand": "distance", "coverage": 0.95, "reference_intersection_mm": -1, "sigma_reference_mm": 0.1},
     "model": {"vertical_angle": "planar", "radius": "known", "effects": ["b", "a"]},
     "positions": [{"axis_deg": 180, "pointing_zero": {"horizontal": "1°", "vertical": "90 0 0"}, "readings": [

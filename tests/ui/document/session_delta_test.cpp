@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "core/session/session_file.h"
@@ -10,6 +11,7 @@
 #include "ui/commands/add_position.h"
 #include "ui/commands/change_effects.h"
 #include "ui/commands/change_field.h"
+#include "ui/commands/change_known.h"
 #include "ui/commands/edit_readings.h"
 #include "ui/document/session_document.h"
 #include "ui/jobs/fit_request.h"
@@ -57,6 +59,14 @@ TEST(SessionDelta, LeavesACopyAsTheDocumentIs) {
   expectSame("fields");
   setEffect(document, "collimation", true);
   expectSame("effects");
+  const auto collimation = [&] {
+    const std::vector<KnownRow> rows = knownRows(document.session());
+    return *std::ranges::find_if(rows, [](const KnownRow& row) { return row.effect->id == "collimation"; });
+  };
+  for (const char* text : {"1", ""}) {
+    typeKnown(document, collimation(), knownCells[1], text);
+    expectSame("a known size");
+  }
   for (int step = 0; step < 60; ++step) {
     document.undoStack().setIndex(
         static_cast<int>(random() % static_cast<unsigned>(document.undoStack().count() + 1)));

@@ -22,6 +22,7 @@ class MonkeyDialogs : public ScriptedDialogs {
   QString askSavePath(const QString&) override { return fresh(QStringLiteral("saved-%1.alidade")); }
   QString askReportPath(const QString&) override { return fresh(QStringLiteral("report-%1.pdf")); }
   bool askReportWithoutVerdict(int) override { return m_chance.oneIn(3); }
+  bool askReportWithEmptyFields(const QStringList&) override { return !m_chance.oneIn(5); }
   void showProblem(const QString&, const QString&) override {}
 
   /// Any file of the folder, now and then one that is not there.

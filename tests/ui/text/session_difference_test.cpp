@@ -40,6 +40,17 @@ TEST(SessionDifference, NamesEachEntryThatDiffers) {
   EXPECT_EQ(told[4], "180°, row 4 (point 4), excluded: no | yes");
 }
 
+TEST(SessionDifference, NamesWhatIsKnownOtherwise) {
+  Session mine = paperSession(), theirs = mine;
+  mine.instrument.known = {{.effect = "collimation", .value = "3.2", .sigma = "0.5", .unit = "arcsec"}};
+  theirs.instrument.known = {{.effect = "collimation", .sigma = "0.5", .unit = "arcsec", .from = "check"},
+                             {.effect = "trunnion_tilt", .sigma = "1", .unit = "arcsec"}};
+  EXPECT_THAT(toldOf(mine, theirs),
+              ElementsAre("known size of collimation: collimation 3.2 u 0.5 arcsec | collimation u 0.5 "
+                          "arcsec, check",
+                          "known size of trunnion tilt:  | trunnion_tilt u 1 arcsec"));
+}
+
 // A row put in shifts all that follow; only it differs.
 TEST(SessionDifference, TellsOfRowsPutInAndTakenOut) {
   const Session mine = paperSession();

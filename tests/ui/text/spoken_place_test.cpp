@@ -18,6 +18,16 @@ TEST(SpokenPlace, NamesPlacesAsPeopleDo) {
   EXPECT_EQ(spokenPlace(session, {}), QString());
 }
 
+TEST(SpokenPlace, NamesWhatIsKnownByTheNumber) {
+  Session session = paperSession();
+  session.device.known = {{.effect = "plane_tilt", .parameter = "tilt about x", .unit = "deg"},
+                          {.effect = "moon\u202Elight"}};
+  const auto spoken = [&](const char* field) { return spokenPlace(session, {.field = field}).toStdString(); };
+  EXPECT_EQ(spoken("device.known[0].sigma"), "known size of plane tilt, tilt about x, u");
+  EXPECT_EQ(spoken("device.known[1]"), "known size of moon\\u202elight");
+  EXPECT_EQ(spoken("device.known[2].sigma"), "device.known[2].sigma") << "it is gone";
+}
+
 TEST(SpokenPlace, TellsAPositionMeasuredAgainFromTheFirst) {
   Session session = paperSession();
   session.positions.push_back(session.positions[0]);

@@ -2,6 +2,7 @@
 
 #include <QHeaderView>
 #include <QLabel>
+#include <QPushButton>
 #include <QSignalBlocker>
 #include <QTreeWidget>
 #include <QVBoxLayout>
@@ -68,11 +69,15 @@ EffectsPanel::EffectsPanel(SessionDocument& document, QWidget* parent)
   m_about->setSizePolicy(policy);
   m_about->setMinimumHeight(4 * fontMetrics().lineSpacing());
   m_about->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  auto* known = new QPushButton(tr("What Is Known of It…"));
+  known->setToolTip(tr("Type what a certificate or a check says of the effect"));
+  connect(known, &QPushButton::clicked, this, &EffectsPanel::askForKnown);
   setFocusProxy(m_list);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(6, 6, 6, 6);
   layout->addWidget(m_list, 1);
   layout->addWidget(m_about);
+  layout->addWidget(known, 0, Qt::AlignLeft);
   connect(m_list, &QTreeWidget::itemChanged, this, &EffectsPanel::handIn);
   connect(m_list, &QTreeWidget::currentItemChanged, this, &EffectsPanel::explain);
   connect(&document, &SessionDocument::changed, this, [this](const SessionChange& change) {
@@ -153,6 +158,12 @@ void EffectsPanel::explain(const QTreeWidgetItem* item) {
       top ? top->toolTip(0)
           : tr("A ticked effect is estimated along with the arcs. What that costs is in the budget "
                "under “model effects”."));
+}
+
+void EffectsPanel::askForKnown() {
+  const QTreeWidgetItem* item = m_list->currentItem();
+  const QTreeWidgetItem* top = item && item->parent() ? item->parent() : item;
+  emit knownWanted(top ? idOf(*top) : std::string());
 }
 
 }  // namespace alidade::ui

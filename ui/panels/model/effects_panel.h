@@ -22,12 +22,17 @@ class EffectsPanel : public QWidget {
 
   void setEvaluation(const Evaluation& evaluation);
 
+ signals:
+  /// What is known of the effect beforehand is to be typed; empty: of none in particular.
+  void knownWanted(const std::string& effect);
+
  private:
   QTreeWidgetItem* addItem(const std::string& id, const QString& name);
   void addUnknown();
   void refreshTicks();
   void handIn(QTreeWidgetItem* item);
   void explain(const QTreeWidgetItem* item);
+  void askForKnown();
 
   SessionDocument& m_document;
   QTreeWidget* m_list;

@@ -26,20 +26,9 @@ ReadingColumn columnOf(const QModelIndex& index) {
 }  // namespace
 
 ReadingsTable::ReadingsTable(SessionDocument& document, std::size_t position, QWidget* parent)
-    : QTableView(parent),
-      m_model(document, position),
-      m_editor(document, position),
-      m_delegate(new ReadingDelegate(this)) {
+    : EntryTable(new ReadingDelegate, parent), m_model(document, position), m_editor(document, position) {
   setModel(&m_model);
-  setItemDelegate(m_delegate);
-  setEditTriggers(AnyKeyPressed | DoubleClicked | EditKeyPressed);
-  setSelectionMode(ExtendedSelection);
-  setAlternatingRowColors(true);
-  setWordWrap(false);
-  setHorizontalScrollMode(ScrollPerPixel);
-  setTabKeyNavigation(false);
   setAccessibleName(tr("Readings"));
-  connect(m_delegate, &ReadingDelegate::keyOnward, this, &ReadingsTable::goOnward);
   connect(&document, &SessionDocument::changed, this, &ReadingsTable::showColumnsUsedBy);
   layOutColumns();
   showUsedColumns();
@@ -86,7 +75,7 @@ void ReadingsTable::fitAngles() {
 }
 
 void ReadingsTable::resizeEvent(QResizeEvent* event) {
-  QTableView::resizeEvent(event);
+  EntryTable::resizeEvent(event);
   fitAngles();
 }
 
@@ -125,71 +114,24 @@ void ReadingsTable::selectCell(int row, ReadingColumn column) {
   goTo(cell);
 }
 
-/// Selects the cell alone, whichever modifier keys are held.
-void ReadingsTable::goTo(const QModelIndex& cell) {
-  selectionModel()->setCurrentIndex(cell, QItemSelectionModel::ClearAndSelect);
-  scrollTo(cell);
-}
-
-void ReadingsTable::commitOpenEditor() {
-  m_delegate->commitOpenEditor();
-}
-
 void ReadingsTable::currentChanged(const QModelIndex& current, const QModelIndex& previous) {
-  QTableView::currentChanged(current, previous);
+  EntryTable::currentChanged(current, previous);
   if (current.isValid() && current.row() != previous.row() && current.row() < m_model.readingCount()) {
     emit rowEntered(static_cast<std::size_t>(current.row()));
   }
 }
 
-void ReadingsTable::keyPressEvent(QKeyEvent* event) {
-  if (state() == EditingState) {
-    QTableView::keyPressEvent(event);
-    return;
-  }
-  const int key = event->key();
-  if (handleEditKey(event)) {
-    event->accept();
-  } else if (key == Qt::Key_Return || key == Qt::Key_Enter) {
-    goOnward(Qt::Key_Return);
-  } else {
-    QTableView::keyPressEvent(event);
-  }
-}
-
-/// Tab and Shift+Tab go from cell to cell and out of the table at its ends.
-bool ReadingsTable::focusNextPrevChild(bool next) {
-  const int key = next ? Qt::Key_Tab : Qt::Key_Backtab;
-  if (state() == EditingState || !onward(currentIndex(), key).isValid())
-    return QTableView::focusNextPrevChild(next);
-  goOnward(key);
-  return true;
-}
-
 bool ReadingsTable::handleEditKey(const QKeyEvent* event) {
-  if (event->matches(QKeySequence::Copy)) {
-    copy();
-  } else if (event->matches(QKeySequence::Cut)) {
-    cut();
-  } else if (event->matches(QKeySequence::Paste)) {
-    paste();
-  } else if (event->matches(QKeySequence::Delete)) {
-    clearCells();
-  } else if (event->key() == Qt::Key_Space && event->modifiers() == Qt::NoModifier) {
+  if (event->key() == Qt::Key_Space && event->modifiers() == Qt::NoModifier) {
     toggleExcluded();
   } else if (event->key() == Qt::Key_Minus && event->modifiers() & Qt::ControlModifier) {
     deleteSelected();
   } else if (event->key() == Qt::Key_I && event->modifiers() == Qt::ControlModifier) {
     insertAbove();
   } else {
-    return false;
+    return EntryTable::handleEditKey(event);
   }
   return true;
-}
-
-void ReadingsTable::goOnward(int key) {
-  const QModelIndex next = onward(currentIndex(), key);
-  if (next.isValid()) goTo(next);
 }
 
 /// Where a key that ends an entry leads. Return: from horizontal to vertical to the next row's horizontal,
@@ -213,21 +155,6 @@ QModelIndex ReadingsTable::onward(const QModelIndex& from, int key) const {
   }
   if (key == Qt::Key_Tab) return neighbour(from, 1);
   return cell(from.row() + 1, column);
-}
-
-/// The next or previous shown cell that can be typed in; invalid at either end of the table.
-QModelIndex ReadingsTable::neighbour(const QModelIndex& from, int step) const {
-  int row = from.row(), column = from.column();
-  while (true) {
-    column += step;
-    if (column < 0 || column >= readingColumnCount) {
-      row += step;
-      column = step > 0 ? 0 : readingColumnCount - 1;
-    }
-    if (row < 0 || row > m_model.readingCount()) return {};
-    if (!isColumnHidden(column) && readingText(static_cast<ReadingColumn>(column))) break;
-  }
-  return m_model.index(row, column);
 }
 
 std::vector<std::size_t> ReadingsTable::selectedRows() const {

@@ -1,19 +1,16 @@
 #pragma once
 
-#include <QTableView>
 #include <vector>
 
 #include "ui/commands/edit_readings.h"
 #include "ui/models/readings_model.h"
+#include "ui/panels/parts/entry_table.h"
 
 namespace alidade::ui {
 
-class ReadingDelegate;
-
-/// The table of one position, made for the bench: typing overwrites, Enter and Tab hand in and go onward from
-/// horizontal to vertical to the next row, blocks are copied from and pasted to spreadsheets. Every edit is
-/// one undo step.
-class ReadingsTable : public QTableView {
+/// The table of one position, made for the bench: Enter and Tab go onward from horizontal to vertical to the
+/// next row, blocks are copied from and pasted to spreadsheets.
+class ReadingsTable : public EntryTable {
   Q_OBJECT
 
  public:
@@ -22,12 +19,11 @@ class ReadingsTable : public QTableView {
   ReadingsModel& readings() { return m_model; }
   void setColumnShown(ReadingColumn column, bool shown);  ///< a column in use stays shown
   void selectCell(int row, ReadingColumn column);
-  void commitOpenEditor();
 
-  void copy() const;
-  void cut();
-  void paste();
-  void clearCells();
+  void copy() const override;
+  void cut() override;
+  void paste() override;
+  void clearCells() override;
   void insertAbove();
   void deleteSelected();
   void
@@ -38,17 +34,12 @@ class ReadingsTable : public QTableView {
   void remark(const QString& text);  ///< for the status line
 
  protected:
-  void keyPressEvent(QKeyEvent* event) override;
-  bool focusNextPrevChild(bool next) override;
+  bool handleEditKey(const QKeyEvent* event) override;
+  QModelIndex onward(const QModelIndex& from, int key) const override;
   void currentChanged(const QModelIndex& current, const QModelIndex& previous) override;
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  bool handleEditKey(const QKeyEvent* event);
-  void goTo(const QModelIndex& cell);
-  void goOnward(int key);
-  QModelIndex onward(const QModelIndex& from, int key) const;
-  QModelIndex neighbour(const QModelIndex& from, int step) const;
   std::vector<std::size_t> selectedRows() const;
   std::vector<ReadingCell> selectedCells() const;
   std::vector<ReadingColumn> columnsFrom(int column) const;
@@ -60,7 +51,6 @@ class ReadingsTable : public QTableView {
 
   ReadingsModel m_model;
   ReadingsEditor m_editor;
-  ReadingDelegate* m_delegate;
   std::vector<ReadingColumn> m_wanted;  ///< optional columns the user asked for
   bool m_isFitting = false;             ///< widths are being set here
   bool m_isFitted = true;               ///< not by the user

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "ui/document/field.h"
+#include "ui/document/known_entry.h"
 #include "ui/document/reading_column.h"
 #include "ui/settings/theme.h"
 #include "ui/text/entry_text.h"
@@ -29,6 +30,10 @@ QString problemText(const Session& session, const Problem& problem) {
 }  // namespace
 
 bool isMissing(const Session& session, const Place& place) {
+  if (const auto known = knownAt(place)) {
+    const KnownSize* size = knownSize(session, known->ref);
+    return size && known->member == "sigma" && size->sigma.empty();
+  }
   if (!place.position || !place.reading) return fieldNamed(place.field) && fieldText(session, place).empty();
   const Reading& reading = session.positions.at(*place.position).readings.at(*place.reading);
   const auto text = readingText(readingColumn(place.field));

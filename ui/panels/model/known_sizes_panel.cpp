@@ -1,0 +1,49 @@
+#include "ui/panels/model/known_sizes_panel.h"
+
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include "ui/panels/model/known_sizes_table.h"
+
+namespace alidade::ui {
+
+KnownSizesPanel::KnownSizesPanel(SessionDocument& document, QWidget* parent)
+    : QWidget(parent), m_table(new KnownSizesTable(document)), m_about(new QLabel) {
+  auto* lead = new QLabel(tr(
+      "What a certificate or a check says takes the place of the default in the uncertainty as measured."));
+  for (QLabel* label : {lead, m_about}) {
+    label->setWordWrap(true);
+    label->setSizePolicy(QSizePolicy::Ignored,
+                         QSizePolicy::Preferred);  // a long word must not widen the page
+  }
+  m_about->setMinimumHeight(2 * fontMetrics().lineSpacing());
+  m_about->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  m_about->setTextFormat(Qt::PlainText);
+  connect(m_table, &KnownSizesTable::currentTold, m_about, &QLabel::setText);
+  m_about->setText(m_table->currentIndex().data(Qt::ToolTipRole).toString());
+  setFocusProxy(m_table);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(6, 6, 6, 6);
+  layout->setSpacing(4);
+  layout->addWidget(lead);
+  layout->addWidget(m_table, 1);
+  layout->addWidget(m_about);
+}
+
+void KnownSizesPanel::commitOpenEditor() {
+  m_table->commitOpenEditor();
+}
+
+bool KnownSizesPanel::hasProblem() const {
+  return m_table->sizes().hasProblem();
+}
+
+void KnownSizesPanel::reveal(const KnownPlace& place) {
+  m_table->reveal(m_table->sizes().cellOf(place));
+}
+
+void KnownSizesPanel::reveal(const std::string& effect) {
+  m_table->reveal(m_table->sizes().cellOf(effect));
+}
+
+}  // namespace alidade::ui

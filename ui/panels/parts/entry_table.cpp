@@ -1,0 +1,88 @@
+#include "ui/panels/parts/entry_table.h"
+
+#include <QKeyEvent>
+
+#include "ui/panels/parts/cell_delegate.h"
+
+namespace alidade::ui {
+
+EntryTable::EntryTable(CellDelegate* delegate, QWidget* parent) : QTableView(parent), m_delegate(delegate) {
+  delegate->setParent(this);
+  setItemDelegate(delegate);
+  setEditTriggers(AnyKeyPressed | DoubleClicked | EditKeyPressed);
+  setSelectionMode(ExtendedSelection);
+  setAlternatingRowColors(true);
+  setWordWrap(false);
+  setHorizontalScrollMode(ScrollPerPixel);
+  setTabKeyNavigation(false);
+  connect(m_delegate, &CellDelegate::keyOnward, this, &EntryTable::goOnward);
+}
+
+void EntryTable::commitOpenEditor() {
+  m_delegate->commitOpenEditor();
+}
+
+void EntryTable::goTo(const QModelIndex& cell) {
+  selectionModel()->setCurrentIndex(cell, QItemSelectionModel::ClearAndSelect);
+  scrollTo(cell);
+}
+
+void EntryTable::keyPressEvent(QKeyEvent* event) {
+  if (state() == EditingState) {
+    QTableView::keyPressEvent(event);
+    return;
+  }
+  const int key = event->key();
+  if (handleEditKey(event)) {
+    event->accept();
+  } else if (key == Qt::Key_Return || key == Qt::Key_Enter) {
+    goOnward(Qt::Key_Return);
+  } else {
+    QTableView::keyPressEvent(event);
+  }
+}
+
+/// Tab and Shift+Tab go from cell to cell and out of the table at its ends.
+bool EntryTable::focusNextPrevChild(bool next) {
+  const int key = next ? Qt::Key_Tab : Qt::Key_Backtab;
+  if (state() == EditingState || !onward(currentIndex(), key).isValid())
+    return QTableView::focusNextPrevChild(next);
+  goOnward(key);
+  return true;
+}
+
+bool EntryTable::handleEditKey(const QKeyEvent* event) {
+  if (event->matches(QKeySequence::Copy)) {
+    copy();
+  } else if (event->matches(QKeySequence::Cut)) {
+    cut();
+  } else if (event->matches(QKeySequence::Paste)) {
+    paste();
+  } else if (event->matches(QKeySequence::Delete)) {
+    clearCells();
+  } else {
+    return false;
+  }
+  return true;
+}
+
+void EntryTable::goOnward(int key) {
+  const QModelIndex next = onward(currentIndex(), key);
+  if (next.isValid()) goTo(next);
+}
+
+QModelIndex EntryTable::neighbour(const QModelIndex& from, int step) const {
+  int row = from.row(), column = from.column();
+  while (true) {
+    column += step;
+    if (column < 0 || column >= model()->columnCount()) {
+      row += step;
+      column = step > 0 ? 0 : model()->columnCount() - 1;
+    }
+    if (row < 0 || row >= model()->rowCount()) return {};
+    const QModelIndex cell = model()->index(row, column);
+    if (!isColumnHidden(column) && cell.flags().testFlag(Qt::ItemIsEditable)) return cell;
+  }
+}
+
+}  // namespace alidade::ui

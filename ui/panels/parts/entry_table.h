@@ -1,0 +1,45 @@
+#pragma once
+
+#include <QTableView>
+
+namespace alidade::ui {
+
+class CellDelegate;
+
+/// A table to type into, made for the keyboard: typing overwrites, Enter and Tab hand in and go onward, Tab
+/// out of the table at its ends. Every edit is one undo step.
+class EntryTable : public QTableView {
+  Q_OBJECT
+
+ public:
+  void commitOpenEditor();
+
+  virtual void copy() const = 0;
+  virtual void cut() = 0;
+  virtual void paste() = 0;
+  virtual void clearCells() = 0;
+
+ protected:
+  /// `delegate` becomes the table's.
+  EntryTable(CellDelegate* delegate, QWidget* parent);
+
+  void keyPressEvent(QKeyEvent* event) override;
+  bool focusNextPrevChild(bool next) override;
+  /// Does what the key stands for. False: it stands for nothing.
+  virtual bool handleEditKey(const QKeyEvent* event);
+  /// Where Return, Tab or Backtab leads; invalid: out of the table.
+  virtual QModelIndex onward(const QModelIndex& from, int key) const = 0;
+
+  /// Selects the cell alone, whichever modifier keys are held.
+  void goTo(const QModelIndex& cell);
+  /// The next (`step` 1) or previous (−1) shown cell that can be typed in; invalid at either end of the
+  /// table.
+  QModelIndex neighbour(const QModelIndex& from, int step) const;
+
+ private:
+  void goOnward(int key);
+
+  CellDelegate* m_delegate;
+};
+
+}  // namespace alidade::ui
