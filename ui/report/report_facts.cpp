@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/observation/visits.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {
@@ -46,11 +47,9 @@ QString sigmaOfCircles(const Instrument& instrument) {
       .arg(isAlike ? horizontal.value : horizontal.text(), vertical.text());
 }
 
-bool readsSlider(const Session& session) {
-  return std::ranges::any_of(session.positions, [](const Position& position) {
-    return std::ranges::any_of(position.readings,
-                               [](const Reading& row) { return !row.excluded && !row.slider.empty(); });
-  });
+bool readsSlider(const Evaluation& evaluation) {
+  const auto& measurement = evaluation.examined.measurement;
+  return measurement && std::ranges::any_of(measurement->arcs, hasSliderReadings);
 }
 
 QString lengthWithSigma(const std::string& length, const Provenance& sigma) {
@@ -78,7 +77,8 @@ std::vector<LabelledText> objectFacts(const Session& session, const QDateTime& d
           {QStringLiteral("Report made"), date.toString(QStringLiteral("yyyy-MM-dd HH:mm"))}};
 }
 
-std::vector<LabelledText> instrumentFacts(const Session& session) {
+std::vector<LabelledText> instrumentFacts(const Evaluation& evaluation) {
+  const Session& session = evaluation.session;
   const Instrument& instrument = session.instrument;
   const Geometry& geometry = session.geometry;
   const QString arcsec(QChar(0x2033)), mm = QStringLiteral(" mm");
@@ -92,7 +92,7 @@ std::vector<LabelledText> instrumentFacts(const Session& session) {
       {QStringLiteral("σ of the circles"), sigmaOfCircles(instrument)},
       {QStringLiteral("σ pointing zero"),
        Provenance(instrument.sigmaZeroArcsec, arcsec, QStringLiteral("that of the circles")).text()}};
-  if (readsSlider(session))
+  if (readsSlider(evaluation))
     facts.push_back({QStringLiteral("σ of the slider"),
                      Provenance(instrument.sigmaSliderArcsec, arcsec, QStringLiteral("5″")).text()});
   facts.push_back({QStringLiteral("Distance L"),
@@ -137,7 +137,7 @@ void addFacts(ReportSheet& sheet, const Evaluation& evaluation, const QDateTime&
   const double top = sheet.y();
   const double leftEnd = placeLabelled(sheet, objectFacts(session, date), 0, top, column);
   const double rightEnd =
-      placeLabelled(sheet, instrumentFacts(session), ReportSheet::width - column, top, column);
+      placeLabelled(sheet, instrumentFacts(evaluation), ReportSheet::width - column, top, column);
   sheet.skip(std::max(leftEnd, rightEnd) - top);
 }
 
