@@ -195,7 +195,10 @@ TEST(MeasuredAgain, IsNamedOnThePages) {
   const auto* reliability = open->findChild<ReliabilityPanel*>()->findChild<DataTable*>();
   const auto axisAt = [&](int row) { return reliability->model()->index(row, 0).data().toString(); };
   EXPECT_EQ(axisAt(0), QStringLiteral("0°"));
-  EXPECT_EQ(axisAt(reliability->model()->rowCount() - 1), QStringLiteral("180° again"));
+  const int readings = reliability->model()->rowCount() - 9;  // two zeros of each position, the distance
+  EXPECT_EQ(axisAt(readings - 1), QStringLiteral("180° again"));
+  EXPECT_EQ(axisAt(readings + 7), QStringLiteral("180° again")) << "its vertical zero";
+  EXPECT_EQ(axisAt(readings + 8), QStringLiteral("—")) << "the distance is that of all";
   const std::string budget = textsOf(*open->findChild<BudgetPanel*>());
   EXPECT_THAT(budget, HasSubstr("\nΔx 0°\nΔy 0°\nΔx 180°\nΔy 180°\n"));
   EXPECT_THAT(budget, Not(HasSubstr("Δy 180°\nΔx"))) << "centres once for each axis";

@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -127,9 +128,19 @@ QString ReadingsModel::toolTip(int row, ReadingColumn column) const {
   const QString doubt = suspicion(row, column);
   if (!doubt.isEmpty()) return tr("Looks misread: %1").arg(doubt);
   if (reading(row).excluded) return tr("Excluded: kept, but no part of the fit");
-  if (!readingText(column)) return {};
+  if (!readingText(column)) return residualTip(row, column);
   const QString typed = qText(reading(row).*readingText(column));
   return isAngle(column) ? tr("As typed: %1").arg(tipText(typed)) : tipText(typed);
+}
+
+QString ReadingsModel::residualTip(int row, ReadingColumn column) const {
+  const SightingResidual* residual = m_notes.residual(static_cast<std::size_t>(row));
+  if (!residual) return {};
+  const double standardised = column == ReadingColumn::HorizontalResidual ? residual->horizontalStandardised
+                                                                          : residual->verticalStandardised;
+  if (std::isnan(standardised))
+    return tr("No other reading checks this one: its residual says nothing of it");
+  return tr("Standardised residual w = v/(s0 σ √r): %1").arg(signedNumberText(standardised, 2));
 }
 
 QVariant ReadingsModel::headerData(int section, Qt::Orientation orientation, int role) const {

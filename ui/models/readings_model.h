@@ -58,6 +58,7 @@ class ReadingsModel : public QAbstractTableModel {
   QString suspicion(int row, ReadingColumn column) const;
   bool isIncomplete(int row, ReadingColumn column) const;
   QString toolTip(int row, ReadingColumn column) const;
+  QString residualTip(int row, ReadingColumn column) const;
   QVariant pendingRowData(ReadingColumn column, int role) const;
   QString columnTitle(ReadingColumn column) const;
   bool isMine(const SessionChange& change) const;

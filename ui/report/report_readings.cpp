@@ -14,20 +14,8 @@
 namespace alidade::ui {
 namespace {
 
-constexpr double largeResidual = 3;  // times s0 σ
+constexpr double largeResidual = 3;  // standardised
 constexpr int longestCell = 60;      // characters; more is cut, for paper has no tool tip
-
-/// The limits beyond which a residual is marked, arcseconds; infinite where nothing was fitted.
-struct Limits {
-  double horizontal = INFINITY, vertical = INFINITY;
-};
-
-Limits limitsOf(const Evaluation& evaluation) {
-  if (!evaluation.examined.measurement) return {};
-  const double factor = largeResidual * evaluation.fit.noise.factor;
-  return {factor * evaluation.examined.measurement->sigmaHorizontal.arcseconds(),
-          factor * evaluation.examined.measurement->sigmaVertical.arcseconds()};
-}
 
 /// As typed, and below it in degrees, minutes and seconds where it was typed in another way.
 QString angleCell(const std::string& typed) {
@@ -47,11 +35,12 @@ std::vector<ReportColumn> columns() {
     if (info.printedTitle)
       columns.push_back({QString::fromUtf8(info.printedTitle), info.printedWidth,
                          isFreeText(info.column) ? Qt::AlignLeft : right});
-  columns.push_back({QStringLiteral("Arc angle\nφ (°)"), 18, right});
-  columns.push_back({QStringLiteral("v horiz.\n(″)"), 17, right});
-  columns.push_back({QString(), 4});
-  columns.push_back({QStringLiteral("v vert.\n(″)"), 15, right});
-  columns.push_back({QString(), 4});
+  columns.push_back({QStringLiteral("φ\n(°)"), 17.5, right});
+  for (const char* residual : {"v horiz.\n(″)", "v vert.\n(″)"}) {
+    columns.push_back({QString::fromUtf8(residual), 14, right});
+    columns.push_back({QStringLiteral("w"), 10.5, right});
+  }
+  columns.push_back({QString(), 2});
   double taken = 0;
   for (const ReportColumn& column : columns) taken += column.width;
   columns.push_back({QStringLiteral("Remark"), ReportSheet::width - taken});
@@ -85,7 +74,6 @@ class PositionTable {
       : m_sheet(sheet),
         m_table(sheet, columns()),
         m_position(evaluation.session.positions[position]),
-        m_limits(limitsOf(evaluation)),
         m_unusable(unusableRows(evaluation, position)),
         m_residuals(m_position.readings.size(), nullptr) {
     const ArcFit* fit = evaluation.fit.arcOfPosition(position);
@@ -104,6 +92,13 @@ class PositionTable {
   }
 
  private:
+  static void addResidual(std::vector<ReportCell>& cells, Angle residual, double standardised) {
+    const double arcseconds = residual.arcseconds();
+    cells.emplace_back(signedNumberText(arcseconds, std::abs(arcseconds) < 1000 ? 1 : 0));
+    const QString mark = std::abs(standardised) > largeResidual ? QStringLiteral("*") : QString();
+    cells.emplace_back(signedNumberText(standardised, 1) + mark);
+  }
+
   void addRow(std::size_t row) {
     const Reading& reading = m_position.readings[row];
     const SightingResidual* residual = m_residuals[row];
@@ -113,17 +108,13 @@ class PositionTable {
     for (const ReadingColumnInfo& info : allReadingColumns())
       if (info.printedTitle) cells.emplace_back(typedCell(reading, *info.field), style);
     if (residual) {
-      const double horizontal = residual->horizontal.arcseconds(), vertical = residual->vertical.arcseconds();
       cells.emplace_back(numberText(Angle::fromRadians(residual->arcAngle).degrees(), 3));
-      cells.emplace_back(signedNumberText(horizontal, 1));
-      cells.emplace_back(std::abs(horizontal) > m_limits.horizontal ? QStringLiteral("*") : QString());
-      cells.emplace_back(signedNumberText(vertical, 1));
-      cells.emplace_back(std::abs(vertical) > m_limits.vertical ? QStringLiteral("*") : QString());
+      addResidual(cells, residual->horizontal, residual->horizontalStandardised);
+      addResidual(cells, residual->vertical, residual->verticalStandardised);
     } else {
-      for (const QString& text : {notStated(), notStated(), QString(), notStated(), QString()}) {
-        cells.emplace_back(text, style);
-      }
+      for (int i = 0; i < 5; ++i) cells.emplace_back(notStated(), style);
     }
+    cells.emplace_back();  // room beside the numbers
     cells.emplace_back(remark(reading, unusable), style);
     m_table.row(cells, visibleLine(qText(reading.note).trimmed()));
   }
@@ -131,7 +122,6 @@ class PositionTable {
   ReportSheet& m_sheet;
   ReportTable m_table;
   const Position& m_position;
-  Limits m_limits;
   std::set<std::size_t> m_unusable;
   std::vector<const SightingResidual*> m_residuals;
 };
@@ -155,15 +145,14 @@ void addPosition(ReportSheet& sheet, const Evaluation& evaluation, std::size_t i
 
 QString footnote(const Evaluation& evaluation) {
   QString text = QStringLiteral(
-      "v: residual, observed minus adjusted, right and up positive. φ: from +x, "
+      "v: residual, observed minus adjusted, right and up positive. φ: arc angle from +x, "
       "counter-clockwise as the observer sees it.");
   if (evaluation.fit.arcs.empty()) return text;
-  const Limits limits = limitsOf(evaluation);
   return text + QStringLiteral(
-                    " * marks residuals larger than 3 s0 σ (%1 horizontal, %2 vertical; s0 = %3), for "
-                    "information: no reading is left out because of its residual.")
-                    .arg(arcsecText(limits.horizontal), arcsecText(limits.vertical),
-                         numberText(evaluation.fit.noise.factor, 2));
+                    " w = v/(s0 σ √r): standardised residual, s0 = %1; — where no other reading checks the "
+                    "reading. * marks residuals with |w| > %2, for information: no reading is left out "
+                    "because of its residual.")
+                    .arg(numberText(evaluation.fit.noise.factor, 2), plainNumberText(largeResidual));
 }
 
 }  // namespace

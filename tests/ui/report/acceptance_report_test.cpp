@@ -420,12 +420,14 @@ TEST(AcceptanceReport, ListsEveryReadingWithItsResiduals) {
     for (const SightingResidual& residual : evaluation.fit.arcOfPosition(position)->residuals) {
       const Reading& reading = session.positions[position].readings[residual.row];
       const QString row =
-          QStringLiteral("%1 1 1 %2 %3 %4 %5 %6")
+          QStringLiteral("%1 1 1 %2 %3 %4 %5 %6 %7 %8")
               .arg(QString::fromStdString(reading.point), QString::fromStdString(reading.horizontal),
                    QString::fromStdString(reading.vertical),
                    numberText(Angle::fromRadians(residual.arcAngle).degrees(), 3),
                    signedNumberText(residual.horizontal.arcseconds(), 1),
-                   signedNumberText(residual.vertical.arcseconds(), 1));
+                   signedNumberText(residual.horizontalStandardised, 1),
+                   signedNumberText(residual.vertical.arcseconds(), 1),
+                   signedNumberText(residual.verticalStandardised, 1));
       EXPECT_TRUE(text.contains(row)) << row.toStdString();
     }
   }
@@ -516,7 +518,7 @@ TEST(AcceptanceReport, MarksExcludedRowsAndPrintsTheirNotes) {
   session.positions[1].readings[4].excluded = true;
   session.positions[1].readings[4].note = "tripod was touched";
   const Printed report(session);
-  EXPECT_TRUE(report.contains("5 1 1 338°44'15\" 97°16'03\" — — — excluded"));
+  EXPECT_TRUE(report.contains("5 1 1 338°44'15\" 97°16'03\" — — — — — excluded"));
   EXPECT_TRUE(report.contains("tripod was touched"));
 }
 
@@ -554,7 +556,7 @@ TEST(AcceptanceReport, NeverLooksAcceptedWithUnusableEntries) {
   EXPECT_TRUE(report.contains("0°, row 3 (point 3), vertical: "));
   EXPECT_TRUE(report.contains("71 minutes"));
   EXPECT_TRUE(report.contains("180°, row 6 (point 6), horizontal: "));
-  EXPECT_TRUE(report.contains("abc 98°14'26\" — — — unusable"));
+  EXPECT_TRUE(report.contains("abc 98°14'26\" — — — — — unusable"));
   session.positions[1].readings[5].excluded = true;
   EXPECT_TRUE(Printed(session).contains("No verdict: 1 entry could not be used"));
 }

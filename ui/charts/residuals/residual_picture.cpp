@@ -34,10 +34,12 @@ void addArc(ResidualPicture& picture, const ArcMeasurement& arc, const ArcFit& f
                         .round = sighting->round,
                         .face = sighting->face,
                         .slider = sliderDegrees(residual.arcAngle, arc.axisDeg),
-                        .arcsec = residual.horizontal.arcseconds()};
+                        .arcsec = residual.horizontal.arcseconds(),
+                        .standardised = residual.horizontalStandardised};
     picture.residuals.push_back(drawn);
     drawn.circle = CircleRead::Vertical;
     drawn.arcsec = residual.vertical.arcseconds();
+    drawn.standardised = residual.verticalStandardised;
     picture.residuals.push_back(drawn);
   }
 }

@@ -17,7 +17,8 @@ struct DrawnResidual {
   CircleRead circle = CircleRead::Horizontal;
   int point = 0, round = 1, face = 1;
   double slider = 0;  ///< s in degrees: the arc angle φ at 0°, −φ at 180°, so that both run over 0…180°
-  double arcsec = 0;  ///< observed minus adjusted; right and up positive
+  double arcsec = 0;        ///< observed minus adjusted; right and up positive
+  double standardised = 0;  ///< w = v/(s0 σ √r); NaN where no other reading checks this one
 };
 
 /// What the residual chart shows, in numbers.

@@ -166,13 +166,14 @@ void ResidualPlot::showNoise(const NoiseBand& band, double sigma, double left, d
 QString ResidualPlot::describe(const Mark& mark) const {
   for (const DrawnResidual& residual : m_picture->residuals) {
     if (residual.ref != mark.ref || kindOf(residual) != mark.kind) continue;
-    return QStringLiteral("Axis at %1, point %2, round %3, face %4\n%5 circle: %6″ at s = %7°")
+    return QStringLiteral(
+               "Axis at %1, point %2, round %3, face %4\n%5 circle: %6″ at s = %7°, standardised w = %8")
         .arg(positionText(residual.axisDeg, residual.time))
         .arg(residual.point)
         .arg(residual.round)
         .arg(residual.face)
         .arg(circleName(residual.circle), signedNumberText(residual.arcsec, 1),
-             numberText(residual.slider, 2));
+             numberText(residual.slider, 2), signedNumberText(residual.standardised, 2));
   }
   return {};
 }

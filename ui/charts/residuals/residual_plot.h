@@ -10,9 +10,9 @@
 
 namespace alidade::ui {
 
-/// The residual of every reading in arcseconds along the arc, with ±1σ (band) and ±3σ (dashed) of the stated
-/// noise. Colour and filling tell the axis position, a ring that it was measured again, the shape tells the
-/// circle, so the kinds stay apart in grey.
+/// The residual of every reading in arcseconds along the arc (standardised where one is pointed at), with ±1σ
+/// (band) and ±3σ (dashed) of the stated noise. Colour and filling tell the axis position, a ring that it was
+/// measured again, the shape tells the circle, so the kinds stay apart in grey.
 class ResidualPlot : public Plot {
   Q_OBJECT
 

@@ -4,6 +4,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "ui/panels/parts/data_table.h"
@@ -26,6 +27,28 @@ QString circleText(ReadingKind kind) {
   return ReliabilityPanel::tr("slider");
 }
 
+QString inputText(const Unknown& input) {
+  if (input.kind == Unknown::Kind::HorizontalZero) return ReliabilityPanel::tr("horizontal zero");
+  if (input.kind == Unknown::Kind::VerticalZero) return ReliabilityPanel::tr("vertical zero");
+  return input.kind == Unknown::Kind::Radius ? ReliabilityPanel::tr("known radius")
+                                             : ReliabilityPanel::tr("distance");
+}
+
+QString axisText(const InputReliability& reliability, const SessionFit& fit) {
+  if (!reliability.input.isPointingZero()) return notStated();
+  if (reliability.input.arc == Unknown::everyArc) return ReliabilityPanel::tr("all");
+  const ArcFit& arc = fit.arcs[reliability.input.arc];
+  return positionText(arc.axisDeg, arc.time);
+}
+
+QString influenceText(const InputReliability& reliability, const SessionFit& fit) {
+  if (!fit.intersection) return notStated();
+  if (!reliability.input.isPointingZero())
+    return ReliabilityPanel::tr("%1 per mm").arg(signedNumberText(reliability.perInput, 4));
+  const double perArcsecond = reliability.perInput * Angle::fromArcseconds(1).radians();
+  return ReliabilityPanel::tr("%1 per ″").arg(signedNumberText(perArcsecond, 4));
+}
+
 }  // namespace
 
 ReliabilityPanel::ReliabilityPanel(QWidget* parent)
@@ -42,46 +65,77 @@ ReliabilityPanel::ReliabilityPanel(QWidget* parent)
   layout->setContentsMargins(6, 6, 6, 6);
   layout->addWidget(m_summary);
   layout->addWidget(m_table, 1);
-  connect(m_table, &DataTable::rowActivated, this,
-          [this](int index) { emit sightingActivated(row(index).position, row(index).reading); });
+  connect(m_table, &DataTable::rowActivated, this, [this](int index) {
+    if (!input(index)) emit sightingActivated(row(index).position, row(index).reading);
+  });
   m_summary->hide();
 }
 
 DataTable* ReliabilityPanel::createTable() {
-  const auto whole = [this](int Row::*member) {
-    return [this, member](int index) { return QString::number(row(index).*member); };
+  using Text = std::function<QString(const Row&)>;
+  const auto ofReading = [this](const Text& text) {
+    return [this, text](int i) { return input(i) ? notStated() : text(row(i)); };
+  };
+  const auto whole = [&](int Row::*member) {
+    return ofReading([member](const Row& row) { return QString::number(row.*member); });
   };
   return new DataTable({
       {tr("Axis"), tr("Position of the axis"), QStringLiteral("180° again"),
-       [this](int i) { return positionText(row(i).axisDeg, row(i).time); }},
+       [this](int i) {
+         if (!input(i)) return positionText(row(i).axisDeg, row(i).time);
+         return axisText(*input(i), m_evaluation->fit);
+       }},
       {tr("Point"), tr("Number of the slider's place"), QStringLiteral("999"), whole(&Row::point)},
       {tr("Round"), tr("Round of readings"), {}, whole(&Row::round)},
       {tr("Face"), tr("Face of the theodolite"), {}, whole(&Row::face)},
-      {tr("Circle"), tr("What was read"), tr("horizontal"),
-       [this](int i) { return circleText(row(i).adjusted.kind); }},
+      {tr("Reading"), tr("What was read; behind all readings, what was entered once"), tr("horizontal zero"),
+       [this](int i) { return input(i) ? inputText(input(i)->input) : circleText(row(i).adjusted.kind); }},
       {tr("Residual ″"), tr("Observed − adjusted; right and up positive"), QStringLiteral("−188.8"),
-       [this](int i) { return numberText(Angle::fromRadians(row(i).adjusted.residual).arcseconds(), 1); }},
+       ofReading([](const Row& row) {
+         return numberText(Angle::fromRadians(row.adjusted.residual).arcseconds(), 1);
+       })},
+      {tr("w"), tr("Standardised residual v/(s0 σ √r): of a sound reading it scatters by 1"),
+       QStringLiteral("−18.88"), ofReading([this](const Row& row) {
+         return numberText(row.adjusted.standardised(m_detection.scale), 2);
+       })},
       {tr("Redundancy"),
-       tr("Share of an error of this reading that shows in its own residual, 0 to 1"),
+       tr("Share of an error that shows in the reading's own residual, 0 to 1; 0: nothing checks it"),
        {},
-       [this](int i) { return numberText(row(i).adjusted.redundancy, 2); }},
+       [this](int i) { return numberText(input(i) ? input(i)->redundancy : row(i).adjusted.redundancy, 2); }},
       {tr("Detectable ″"),
-       tr("Minimal detectable bias: the smallest error that a test of the residual finds with 80 % chance at "
-          "0.1 % risk of a false alarm, with the stated σ"),
+       tr("Minimal detectable bias: the smallest error that the search for misread readings finds with 80 % "
+          "chance, at 1 % risk of naming any sound reading of the session, in the noise s0 σ"),
        QStringLiteral("1888.8"),
-       [this](int i) { return numberText(row(i).reliability.minimalDetectableBias.arcseconds(), 1); }},
-      {tr("Moves Δd by mm"), tr("What an error of that size, unfound, does to the intersection"),
-       QStringLiteral("−0.0888"),
-       [this](int i) { return signedNumberText(row(i).reliability.influence, 4); }},
+       [this](int i) {
+         const double bias = input(i) ? INFINITY : row(i).reliability.minimalDetectableBias.arcseconds();
+         return std::isfinite(bias) ? numberText(bias, 1) : tr("none");
+       }},
+      {tr("Moves Δd by mm"),
+       tr("What an error of that size, unfound, does to the intersection; of what was entered once, an error "
+          "of one unit"),
+       QStringLiteral("−0.0888 per mm"),
+       [this](int i) {
+         if (!input(i)) return signedNumberText(row(i).reliability.influence, 4);
+         return influenceText(*input(i), m_evaluation->fit);
+       }},
   });
 }
 
 void ReliabilityPanel::setEvaluation(const SharedEvaluation& evaluation) {
   m_evaluation = evaluation;
+  const SessionFit& fit = evaluation->fit;
+  m_detection = detectionIn(fit.joint, fit.noise.factor);
+  m_inputs.clear();
+  if (!fit.arcs.empty()) m_inputs = reliabilityOfInputs(*evaluation->examined.measurement, fit);
   m_summary->setText(summary());
   m_summary->setVisible(!readings().empty());
-  m_table->setRows(static_cast<int>(readings().size()));
+  m_table->setRows(static_cast<int>(readings().size() + m_inputs.size()));
   showCurrent();
+}
+
+const InputReliability* ReliabilityPanel::input(int index) const {
+  const auto place = static_cast<std::size_t>(index);
+  return place < readings().size() ? nullptr : &m_inputs[place - readings().size()];
 }
 
 const std::vector<AdjustedReading>& ReliabilityPanel::readings() const {
@@ -107,28 +161,33 @@ ReliabilityPanel::Row ReliabilityPanel::rowOf(const AdjustedReading& adjusted) c
 }
 
 Reliability ReliabilityPanel::reliability(const AdjustedReading& adjusted) const {
-  Reliability reliability = reliabilityOf(adjusted);
+  Reliability reliability = reliabilityOf(adjusted, m_detection);
   if (!m_evaluation->fit.intersection) reliability.influence = std::numeric_limits<double>::quiet_NaN();
   return reliability;
 }
 
-/// The reading whose unfound error would cost most.
 QString ReliabilityPanel::summary() const {
-  std::size_t unchecked = 0;
-  const AdjustedReading* worst = nullptr;
-  double most = 0;
-  for (const AdjustedReading& adjusted : readings()) {
-    const Reliability known = reliability(adjusted);
-    if (!std::isfinite(known.minimalDetectableBias.radians())) ++unchecked;
-    if (!(std::abs(known.influence) > most)) continue;
-    most = std::abs(known.influence);
-    worst = &adjusted;
-  }
-  if (unchecked > 0)
+  return summaryOfReadings() + u' ' + summaryOfInputs();
+}
+
+/// The reading whose unfound error would cost most.
+QString ReliabilityPanel::summaryOfReadings() const {
+  if (!std::isfinite(m_detection.shift))
+    return tr("Too few readings: none is checked well enough by the others to tell that it is misread.");
+  const auto isUnchecked = [](const AdjustedReading& adjusted) { return !adjusted.isChecked(); };
+  if (const auto unchecked = std::count_if(readings().begin(), readings().end(), isUnchecked); unchecked > 0)
     return tr("%1 of %2 readings are checked by no other: an error in them would not show.")
         .arg(unchecked)
         .arg(readings().size());
-  if (!worst) return {};
+  const AdjustedReading* worst = nullptr;
+  double most = 0;
+  for (const AdjustedReading& adjusted : readings()) {
+    const double influence = std::abs(reliability(adjusted).influence);
+    if (!(influence > most)) continue;
+    most = influence;
+    worst = &adjusted;
+  }
+  if (!worst) return tr("Every reading is checked.");
   const Row row = rowOf(*worst);
   return tr("Every reading is checked. The dearest unfound error: %1, point %2, %3, up to %4, moves Δd by "
             "%5.")
@@ -136,6 +195,17 @@ QString ReliabilityPanel::summary() const {
       .arg(row.point)
       .arg(circleText(row.adjusted.kind), arcsecText(row.reliability.minimalDetectableBias.arcseconds(), 0),
            lengthText(std::abs(row.reliability.influence), 3));
+}
+
+QString ReliabilityPanel::summaryOfInputs() const {
+  const auto isUnchecked = [this](auto isMeant) {
+    return std::any_of(m_inputs.begin(), m_inputs.end(), [&](const InputReliability& input) {
+      return isMeant(input.input) && !(input.redundancy > 0);
+    });
+  };
+  const bool zeros = isUnchecked([](const Unknown& input) { return input.isPointingZero(); });
+  return zeros ? tr("Nothing checks the pointing zeros and the distance: see the last rows.")
+               : tr("Nothing checks the distance: see the last row.");
 }
 
 void ReliabilityPanel::setCurrentReading(std::size_t position, std::size_t row) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/adjustment/joint/reliability.h"
+#include "core/adjustment/result/input_reliability.h"
 #include "ui/jobs/fit_job.h"
 
 class QLabel;
@@ -14,9 +15,9 @@ namespace alidade::ui {
 
 class DataTable;
 
-/// How well every reading is checked by the others: redundancy, the smallest error that would be found, and
-/// what such an error, unfound, does to Δd. Follows the row that is selected among the readings, and leads to
-/// it.
+/// How well every reading is checked by the others: redundancy, standardised residual, the smallest error
+/// that would be found, and what such an error, unfound, does to Δd. Behind the readings stands what was
+/// entered once. Follows the row that is selected among the readings, and leads to it.
 class ReliabilityPanel : public QWidget {
   Q_OBJECT
 
@@ -31,6 +32,7 @@ class ReliabilityPanel : public QWidget {
   void sightingActivated(std::size_t position, std::size_t row);
 
  private:
+  /// Of a reading.
   struct Row {
     std::size_t position = 0, reading = 0;
     int axisDeg = 0, time = 1, round = 1, point = 0, face = 1;
@@ -44,11 +46,17 @@ class ReliabilityPanel : public QWidget {
   Row row(int index) const;
   Row rowOf(const AdjustedReading& adjusted) const;
   Reliability reliability(const AdjustedReading& adjusted) const;
+  /// What stands in row `index` of the table, if it is not of a reading.
+  const InputReliability* input(int index) const;
   DataTable* createTable();
   void showCurrent();
   QString summary() const;
+  QString summaryOfReadings() const;
+  QString summaryOfInputs() const;
 
   SharedEvaluation m_evaluation;  ///< never null
+  Detection m_detection;
+  std::vector<InputReliability> m_inputs;
   std::optional<std::pair<std::size_t, std::size_t>> m_current;
   QLabel* m_summary;
   DataTable* m_table;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/ui/support.h"
+#include "ui/charts/residuals/residual_plot.h"
 
 namespace alidade::ui {
 namespace {
@@ -19,6 +20,18 @@ TEST(ResidualPicture, HoldsBothCirclesOfEveryRow) {
   EXPECT_EQ(vertical.circle, CircleRead::Vertical);
   EXPECT_DOUBLE_EQ(horizontal.arcsec, first.horizontal.arcseconds());
   EXPECT_DOUBLE_EQ(vertical.arcsec, first.vertical.arcseconds());
+  EXPECT_DOUBLE_EQ(horizontal.standardised, first.horizontalStandardised);
+  EXPECT_DOUBLE_EQ(vertical.standardised, first.verticalStandardised);
+}
+
+// The first reading of Table I: 25.19″ of 2″ stated, s0 = 6.912, r = 0.6117.
+TEST(ResidualPlot, TellsTheStandardisedResidualOfAReading) {
+  ResidualPlot plot;
+  plot.setEvaluation(evaluate(paperSession()));
+  EXPECT_TRUE(
+      plot.describe(plot.markers().marks().front())
+          .endsWith(QStringLiteral("horizontal circle: +25.2″ at s = 10.33°, standardised w = +2.33")))
+      << plot.describe(plot.markers().marks().front()).toStdString();
 }
 
 TEST(ResidualPicture, SharesOneSliderCoordinate) {

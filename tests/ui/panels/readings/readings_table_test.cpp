@@ -267,6 +267,33 @@ TEST(ReadingsTable, LeavesTheTableByTabFromTheEmptyRow) {
   EXPECT_EQ(bench.readings().size(), 3u);
 }
 
+// The first reading of Table I: 25.19″ of 2″ stated, s0 = 6.912, r = 0.6117.
+TEST(ReadingsModel, TellsTheStandardisedResidual) {
+  SessionDocument document;
+  document.startWith(paperSession());
+  ReadingsModel model(document, 0);
+  const auto tip = [&](int row) {
+    return model.index(row, static_cast<int>(ReadingColumn::HorizontalResidual))
+        .data(Qt::ToolTipRole)
+        .toString();
+  };
+  EXPECT_TRUE(tip(0).isEmpty()) << "nothing is fitted";
+  model.setEvaluation(std::make_shared<const Evaluation>(evaluateFit(paperSession())));
+  EXPECT_EQ(tip(0), QStringLiteral("Standardised residual w = v/(s0 σ √r): +2.33"));
+}
+
+TEST(ReadingsModel, SaysWhereNoOtherReadingChecksOne) {
+  Session session = paperSession();
+  auto& readings = session.positions[0].readings;
+  readings = {readings[0], readings[8], readings[16]};
+  SessionDocument document;
+  document.startWith(session);
+  ReadingsModel model(document, 0);
+  model.setEvaluation(std::make_shared<const Evaluation>(evaluateFit(session)));
+  EXPECT_EQ(model.index(0, static_cast<int>(ReadingColumn::HorizontalResidual)).data(Qt::ToolTipRole),
+            QStringLiteral("No other reading checks this one: its residual says nothing of it"));
+}
+
 TEST(ReadingsModel, TellsOnlyOfCellsThatSaySomethingElse) {
   SessionDocument document;
   document.startWith(paperSession());

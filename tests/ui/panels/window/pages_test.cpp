@@ -124,11 +124,13 @@ TEST(Reliability, ListsEveryReadingAndFollowsTheTable) {
   auto* page = bringToFront<ReliabilityPanel>(open);
   const auto* table = page->findChild<DataTable*>();
   const SessionFit fit = evaluate(paperSession()).fit;
-  ASSERT_EQ(table->model()->rowCount(), static_cast<int>(fit.joint.readings.size()));
-  const Reliability first = reliabilityOf(fit.joint.readings.front());
-  EXPECT_EQ(cell(table, 0, 6), numberText(fit.joint.readings.front().redundancy, 2));
-  EXPECT_EQ(cell(table, 0, 7), numberText(first.minimalDetectableBias.arcseconds(), 1));
-  EXPECT_EQ(cell(table, 0, 8), signedNumberText(first.influence, 4));
+  ASSERT_EQ(table->model()->rowCount(), 68 + 5) << "readings, two zeros of each position, the distance";
+  const AdjustedReading& reading = fit.joint.readings.front();
+  const Reliability first = reliabilityOf(reading, detectionIn(fit.joint, fit.noise.factor));
+  EXPECT_EQ(cell(table, 0, 6), numberText(reading.standardised(fit.noise.factor), 2));
+  EXPECT_EQ(cell(table, 0, 7), numberText(reading.redundancy, 2));
+  EXPECT_EQ(cell(table, 0, 8), QStringLiteral("89.8"));
+  EXPECT_EQ(cell(table, 0, 9), signedNumberText(first.influence, 4));
 
   open->reveal({.position = 1, .reading = 4, .field = "vertical"});
   const QModelIndexList selected = table->selectionModel()->selectedRows();
@@ -137,6 +139,47 @@ TEST(Reliability, ListsEveryReadingAndFollowsTheTable) {
     EXPECT_EQ(cell(table, index.row(), 0), QStringLiteral("180°"));
     EXPECT_EQ(cell(table, index.row(), 1), QStringLiteral("5"));
   }
+}
+
+// An error of β0 turns its arc about the theodolite by as much: L = 2405 mm lifts it by 0.0117 mm for each ″
+// but for the arc's own height, and Δd is half of the difference of both. On a zenith circle a β0 too large
+// lifts, so at 180° it lowers Δd.
+TEST(Reliability, ShowsWhatNothingChecks) {
+  OpenWindow open;
+  ASSERT_TRUE(open->files().open(samplePath(QStringLiteral("paper-table-1.alidade"))));
+  open.settle();
+  auto* page = bringToFront<ReliabilityPanel>(open);
+  EXPECT_THAT(shownBy(page), HasSubstr("Nothing checks the pointing zeros and the distance"));
+  auto* table = page->findChild<DataTable*>();
+  const auto rowOf = [&](int row) {
+    QStringList texts;
+    for (int column = 0; column < table->model()->columnCount(); ++column)
+      texts.push_back(cell(table, row, column));
+    return texts.join(u'|');
+  };
+  EXPECT_EQ(rowOf(69), QStringLiteral("0°|—|—|—|vertical zero|—|—|0.00|none|+0.0060 per ″"));
+  EXPECT_EQ(rowOf(71), QStringLiteral("180°|—|—|—|vertical zero|—|—|0.00|none|−0.0060 per ″"));
+  EXPECT_TRUE(rowOf(72).startsWith(QStringLiteral("—|—|—|—|distance|—|—|0.00|none|")))
+      << rowOf(72).toStdString();
+  const int before = open->currentTable()->currentIndex().row();
+  table->setCurrentIndex(table->model()->index(72, 0));
+  QTest::keyClick(table, Qt::Key_Return);
+  EXPECT_EQ(open->currentTable()->currentIndex().row(), before) << "it is no row of readings";
+}
+
+// Three places fix a circle and leave nothing to check them by.
+TEST(Reliability, SaysWhereTooFewReadingsAreThereToTestOne) {
+  Session session = paperSession();
+  for (Position& position : session.positions)
+    position.readings = {position.readings[0], position.readings[8], position.readings[16]};
+  OpenWindow open;
+  open->document().startWith(session);
+  open.settle();
+  auto* page = bringToFront<ReliabilityPanel>(open);
+  EXPECT_THAT(shownBy(page), HasSubstr("Too few readings"));
+  const auto* table = page->findChild<DataTable*>();
+  EXPECT_EQ(cell(table, 0, 6), QStringLiteral("—"));
+  EXPECT_EQ(cell(table, 0, 8), QStringLiteral("none"));
 }
 
 TEST(Reliability, LeadsBackToTheReading) {
