@@ -1,8 +1,14 @@
 #include "core/wording/across.h"
 
+#include <cmath>
+
 #include "core/base/quantity_text.h"
 
 namespace alidade {
+
+bool liesOff(const MeasuredIntersection& measured) {
+  return measured.across && std::abs(measured.across->value) > measured.across->expanded;
+}
 
 std::string acrossSentence(const MeasuredIntersection& measured) {
   if (!measured.across)

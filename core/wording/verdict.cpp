@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/quantity_text.h"
+#include "core/wording/across.h"
 #include "core/wording/closures.h"
 #include "core/wording/measure.h"
 #include "core/wording/position_name.h"
@@ -110,7 +111,7 @@ std::string distanceText(const Measurement& measurement, const MeasuredIntersect
 std::string acrossText(const Measurement& measurement, const Diagnosis* diagnosis) {
   if (measurement.measurand != Measurand::Intersection || !diagnosis || !diagnosis->measured) return "";
   const auto& across = diagnosis->measured->across;
-  if (!across || std::abs(across->value) <= across->expanded) return "";
+  if (!liesOff(*diagnosis->measured)) return "";
   const int decimals = decimalsFor(across->expanded);
   return " This judges the plane of the arc alone: across it, its centre lies " +
          displayText(std::abs(across->value), decimals) + " mm ± " + displayText(across->expanded, decimals) +

@@ -53,15 +53,13 @@ QStringList intersectionLines(const Gap& gap) {
 
 QString coverageLine(const Gap& gap) {
   const Intersection& fitted = *gap.evaluation->fit.intersection;
-  const auto degrees = [](double f) {
-    return degreesOfFreedomText(f) + QStringLiteral(" effective degrees of freedom");
-  };
+  const auto degrees = [](double f) { return QStringLiteral("ν = ") + degreesOfFreedomText(f); };
   const auto u = [](double sigma) { return QStringLiteral("u = ") + lengthText(sigma, decimalsFor(sigma)); };
   QString line = QStringLiteral("U: coverage %1. ").arg(percent(fitted.coverage));
   if (const MeasuredIntersection* measured = gap.measured())
     line += QStringLiteral("As measured: %1, %2. ")
                 .arg(u(measured->estimate.sigma), degrees(measured->estimate.degreesOfFreedom));
-  return line + QStringLiteral("Of the fit alone: U = k·u with k = %1, %2, %3.")
+  return line + QStringLiteral("Of the fit alone: k = %1, %2, %3.")
                     .arg(numberText(fitted.coverageFactor, 2), u(fitted.sigma),
                          degrees(fitted.effectiveDegreesOfFreedom));
 }
@@ -214,6 +212,13 @@ void addTwoFaces(ReportSheet& sheet, const TwoFaces& faces) {
   sheet.paragraph(text + u'.');
 }
 
+/// What lies across the plane, unless the verdict tells it.
+QString acrossText(const Gap& gap) {
+  const MeasuredIntersection* measured = gap.measured();
+  if (!measured || (gap.evaluation->examined.measurement->tolerance && liesOff(*measured))) return {};
+  return u' ' + qText(acrossSentence(*measured));
+}
+
 /// Where one is given, against the result of the measurement, where there is one.
 void addReference(ReportSheet& sheet, const Gap& gap) {
   const Measurement& measurement = *gap.evaluation->examined.measurement;
@@ -311,11 +316,10 @@ void addResult(ReportSheet& sheet, const Gap& gap) {
   if (evaluation.twoFaces) addTwoFaces(sheet, *evaluation.twoFaces);
   if (!fit.intersection) return;
   sheet.skip(1);
-  sheet.paragraph(
-      QStringLiteral("Half the distance of the centres in the plane, |O1 − O2|/2 = ") +
-      valueWithUncertainty(fit.intersection->inPlane, fit.intersection->inPlaneExpanded,
-                           QStringLiteral("mm")) +
-      (gap.measured() ? QStringLiteral(". ") + qText(acrossSentence(*gap.measured())) : QString()));
+  sheet.paragraph(QStringLiteral("Half the distance of the centres in the plane, |O1 − O2|/2 = ") +
+                  valueWithUncertainty(fit.intersection->inPlane, fit.intersection->inPlaneExpanded,
+                                       QStringLiteral("mm")) +
+                  u'.' + acrossText(gap));
   addReference(sheet, gap);
 }
 

@@ -167,6 +167,20 @@ TEST(Reliability, ShowsWhatNothingChecks) {
   EXPECT_EQ(open->currentTable()->currentIndex().row(), before) << "it is no row of readings";
 }
 
+TEST(Reliability, ListsAZeroThatAllPositionsHaveOnce) {
+  Session session = paperSession();
+  session.geometry.pointingZeros = "one";
+  session.positions[1].zero = session.positions[0].zero;
+  OpenWindow open;
+  open->document().startWith(session);
+  open.settle();
+  auto* table = bringToFront<ReliabilityPanel>(open)->findChild<DataTable*>();
+  EXPECT_EQ(table->model()->rowCount(), 71);  // 68 readings, α0, β0 and L
+  EXPECT_EQ(cell(table, 68, 0), QStringLiteral("all"));
+  EXPECT_EQ(cell(table, 69, 4), QStringLiteral("vertical zero"));
+  EXPECT_EQ(cell(table, 70, 4), QStringLiteral("distance"));
+}
+
 // Three places fix a circle and leave nothing to check them by.
 TEST(Reliability, SaysWhereTooFewReadingsAreThereToTestOne) {
   Session session = paperSession();
