@@ -79,7 +79,7 @@ Json asFoundJson(const IntersectionEstimate& found, double coverage) {
 Json decisionJson(const FitAnswer& answer, const AcceptanceDecision& decision) {
   const bool isOpen = decision.verdict == Verdict::Undecided;
   return {{"tolerance_mm", answer.measurement.tolerance.value()},
-          {"measurand", decision.measurand == Measurand::Distance ? "distance" : "intersection"},
+          {"measurand", answer.measurement.measurand == Measurand::Distance ? "distance" : "intersection"},
           {"verdict", verdictName(decision.verdict)},
           {"conformance_probability", decision.conformance.value_or(undefined)},
           {"as_modelled", verdictName(decision.asModelled)},

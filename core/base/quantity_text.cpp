@@ -35,4 +35,8 @@ int decimalsFor(double uncertainty, int fallback) {
   return std::clamp(1 - static_cast<int>(std::floor(std::log10(uncertainty / roundsUp))), 0, mostDecimals);
 }
 
+std::string lengthWithUncertainty(double value, double expanded, int decimals) {
+  return displayText(value, decimals) + " mm ± " + displayText(expanded, decimals) + " mm";
+}
+
 }  // namespace alidade

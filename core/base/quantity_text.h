@@ -13,6 +13,9 @@ std::string displayText(double value, int decimals);
 /// The shortest text that says the same number: "2405", "0.95", "−2.5".
 std::string displayShortest(double value);
 
+/// "1.31 mm ± 0.21 mm".
+std::string lengthWithUncertainty(double value, double expanded, int decimals);
+
 /// The decimals that show `uncertainty` (> 0) with two significant digits: 3 for 0.0147, 2 for 0.0996, 0 for
 /// 12 and more. `fallback` where the uncertainty is zero or not finite.
 int decimalsFor(double uncertainty, int fallback = 4);

@@ -21,16 +21,16 @@ Verdict verdictOf(const std::optional<MeasuredIntersection>& measured, const Mea
 }
 
 /// Of a distance the fit knows a part, which may be short enough where the whole is not.
-bool contradict(const AcceptanceDecision& decision) {
-  if (decision.measurand == Measurand::Distance)
+bool contradict(const AcceptanceDecision& decision, Measurand measurand) {
+  if (measurand == Measurand::Distance)
     return decision.asFound == Verdict::Accept && decision.asModelled != Verdict::Accept;
   return decision.asFound.value_or(decision.asModelled) != decision.asModelled;
 }
 
 /// A part of the distance is neither measured nor too long by itself.
-bool isAcrossMissing(const AcceptanceDecision& decision, const Diagnosis* diagnosis) {
+bool isAcrossMissing(const AcceptanceDecision& decision, Measurand measurand, const Diagnosis* diagnosis) {
   const bool isMeasured = diagnosis && diagnosis->measured && diagnosis->measured->across;
-  return decision.measurand == Measurand::Distance && !isMeasured &&
+  return measurand == Measurand::Distance && !isMeasured &&
          decision.asFound.value_or(decision.asModelled) != Verdict::Reject;
 }
 
@@ -55,7 +55,7 @@ bool isMoreThanNoise(const Diagnosis& diagnosis) {
 std::optional<AcceptanceDecision> decideAcceptance(const Measurement& measurement, const SessionFit& fit,
                                                    const Diagnosis* diagnosis) {
   if (!fit.verdict) return std::nullopt;
-  AcceptanceDecision decision{.measurand = measurement.measurand, .asModelled = *fit.verdict};
+  AcceptanceDecision decision{.asModelled = *fit.verdict};
   if (diagnosis) decision.asFound = verdictOf(diagnosis->measured, measurement);
   decision.showsBoth = diagnosis != nullptr;
   if (fit.lengthsInDoubt) {
@@ -66,9 +66,9 @@ std::optional<AcceptanceDecision> decideAcceptance(const Measurement& measuremen
     decision.obstacle = AcceptanceDecision::Obstacle::Coverage;
     return decision;
   }
-  if (isAcrossMissing(decision, diagnosis)) {
+  if (isAcrossMissing(decision, measurement.measurand, diagnosis)) {
     decision.obstacle = AcceptanceDecision::Obstacle::AcrossUnknown;
-  } else if (contradict(decision)) {
+  } else if (contradict(decision, measurement.measurand)) {
     decision.obstacle = AcceptanceDecision::Obstacle::Contradiction;
   } else {
     decision.verdict = decision.asFound.value_or(decision.asModelled);

@@ -24,7 +24,6 @@ struct AcceptanceDecision {
     Misclosure,     ///< the positions disagree where they must not, and nothing found accounts for it
   };
 
-  Measurand measurand = Measurand::Intersection;  ///< that is within the tolerance or not
   Verdict verdict = Verdict::Undecided;
   /// By Δd ± U of the session's own model, which knows no more of a distance from the axis.
   Verdict asModelled = Verdict::Undecided;

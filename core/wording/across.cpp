@@ -13,9 +13,9 @@ bool liesOff(const MeasuredIntersection& measured) {
 std::string acrossSentence(const MeasuredIntersection& measured) {
   if (!measured.across)
     return "How far the arc's centre lies off the axis across the plane of the arc was not measured.";
-  const int decimals = decimalsFor(measured.across->expanded);
-  return "Across the plane of the arc its centre lies Δz = " + displayText(measured.across->value, decimals) +
-         " mm ± " + displayText(measured.across->expanded, decimals) + " mm off the axis.";
+  const auto& [value, sigma, expanded] = *measured.across;
+  return "Across the plane of the arc its centre lies Δz = " +
+         lengthWithUncertainty(value, expanded, decimalsFor(expanded)) + " off the axis.";
 }
 
 }  // namespace alidade

@@ -12,13 +12,15 @@ namespace alidade {
 
 namespace {
 
-/// Two that take the fewest measures, then the one that brings the most.
+bool isEasier(const AttainableUncertainty& one, const AttainableUncertainty& other) {
+  return std::pair(one.measures.size(), one.expanded) < std::pair(other.measures.size(), other.expanded);
+}
+
+/// The two easiest, then the one that brings the most.
 std::vector<AttainableUncertainty> fewOf(std::vector<AttainableUncertainty> list) {
   if (list.empty()) return list;
   const auto best = *std::ranges::min_element(list, {}, &AttainableUncertainty::expanded);
-  std::ranges::stable_sort(list, {}, [](const AttainableUncertainty& one) {
-    return std::pair(one.measures.size(), one.expanded);
-  });
+  std::ranges::stable_sort(list, isEasier);
   const auto isBest = [&](const AttainableUncertainty& one) {
     return one.measures == best.measures && one.known == best.known;
   };
@@ -50,6 +52,13 @@ std::string attainableSentence(const std::vector<AttainableUncertainty>& attaina
     if (!texts.empty()) text += "; " + listed(texts, ", ");
   }
   return text + ".";
+}
+
+const AttainableUncertainty* easiestMeasured(const std::vector<AttainableUncertainty>& attainable) {
+  const AttainableUncertainty* easiest = nullptr;
+  for (const AttainableUncertainty& one : attainable)
+    if (!one.measures.empty() && (!easiest || isEasier(one, *easiest))) easiest = &one;
+  return easiest;
 }
 
 }  // namespace alidade

@@ -14,4 +14,7 @@ namespace alidade {
 std::string attainableSentence(const std::vector<AttainableUncertainty>& attainable,
                                const CauseNamer& name = byId);
 
+/// What takes the fewest further measures, of as many what brings U down the most; null where nothing does.
+const AttainableUncertainty* easiestMeasured(const std::vector<AttainableUncertainty>& attainable);
+
 }  // namespace alidade

@@ -1,11 +1,10 @@
 #include "core/wording/verdict.h"
 
-#include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "core/base/quantity_text.h"
 #include "core/wording/across.h"
+#include "core/wording/attainable.h"
 #include "core/wording/closures.h"
 #include "core/wording/measure.h"
 #include "core/wording/position_name.h"
@@ -26,8 +25,7 @@ std::string textOf(const LengthsInDoubt& doubt) {
 }
 
 std::string lengthText(double value, double expanded, double tolerance) {
-  const int decimals = decimalsToDecide(value, expanded, tolerance);
-  return displayText(value, decimals) + " mm ± " + displayText(expanded, decimals) + " mm";
+  return lengthWithUncertainty(value, expanded, decimalsToDecide(value, expanded, tolerance));
 }
 
 std::string limitText(double tolerance) {
@@ -63,14 +61,9 @@ std::string wayOut(const Diagnosis& diagnosis, const CauseNamer& name) {
   const UncertaintyShare& most = diagnosis.measured->budget.front();
   if (most.effect.empty() || most.from == UncertaintyShare::From::Diagnosis)
     return "Add to the model what was found, or measure what the diagnosis advises.";
-  const auto& attainable = diagnosis.attainable;
-  const auto easiest = std::ranges::min_element(attainable, {}, [](const AttainableUncertainty& one) {
-    constexpr std::size_t noMeasure = 99;
-    return std::pair(one.measures.empty() ? noMeasure : one.measures.size(), one.expanded);
-  });
-  const bool isThere = easiest != attainable.end() && !easiest->measures.empty();
+  const AttainableUncertainty* easiest = easiestMeasured(diagnosis.attainable);
   return "The most of U comes from " + name(most.effect) + ", as large as is plausible: " +
-         (isThere ? "with " + textOf(easiest->measures) + " U would come to some " +
+         (easiest ? "with " + textOf(easiest->measures) + " U would come to some " +
                         displayText(easiest->expanded, decimalsFor(easiest->expanded)) + " mm."
                   : "measure what shows it.");
 }
@@ -109,19 +102,19 @@ std::string distanceText(const Measurement& measurement, const MeasuredIntersect
 
 /// What a tolerance of Δd does not judge.
 std::string acrossText(const Measurement& measurement, const Diagnosis* diagnosis) {
-  if (measurement.measurand != Measurand::Intersection || !diagnosis || !diagnosis->measured) return "";
-  const auto& across = diagnosis->measured->across;
-  if (!liesOff(*diagnosis->measured)) return "";
-  const int decimals = decimalsFor(across->expanded);
+  if (measurement.measurand != Measurand::Intersection || !diagnosis || !diagnosis->measured ||
+      !liesOff(*diagnosis->measured))
+    return "";
+  const MeasuredLength& across = *diagnosis->measured->across;
   return " This judges the plane of the arc alone: across it, its centre lies " +
-         displayText(std::abs(across->value), decimals) + " mm ± " + displayText(across->expanded, decimals) +
-         " mm off the axis.";
+         lengthWithUncertainty(std::abs(across.value), across.expanded, decimalsFor(across.expanded)) +
+         " off the axis.";
 }
 
 /// What the verdict rests on.
 std::string accountsText(const Measurement& measurement, const SessionFit& fit, const Diagnosis* diagnosis,
                          const AcceptanceDecision& decision, const CauseNamer& name) {
-  if (decision.measurand == Measurand::Distance && diagnosis && diagnosis->measured &&
+  if (measurement.measurand == Measurand::Distance && diagnosis && diagnosis->measured &&
       diagnosis->measured->distance)
     return distanceText(measurement, *diagnosis->measured, decision);
   if (decision.showsBoth) return bothAccounts(measurement, *fit.intersection, *diagnosis, decision, name);

@@ -184,7 +184,7 @@ QString KnownSizesModel::cellText(const KnownRow& row, Column column) const {
     case Column::Owner:
       return ownerName(shownOwner(row));
     case Column::Default:
-      return row.parameter ? withUnit(plainNumberText(row.parameter->plausible), unitOf(row)) : QString();
+      return row.parameter ? plausibleText(*row.parameter) : QString();
     case Column::Value:
     case Column::Sigma: {
       const QString shown = shortLine(typed(row, *typedInto(column)), longestText);

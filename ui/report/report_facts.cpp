@@ -52,19 +52,19 @@ bool readsSlider(const Evaluation& evaluation) {
   return measurement && std::ranges::any_of(measurement->arcs, hasSliderReadings);
 }
 
-QString lengthWithSigma(const std::string& length, const Provenance& sigma) {
-  const QString value = given(length, QStringLiteral(" mm"));
-  return value.isEmpty() ? value : QStringLiteral("%1, %2").arg(value, sigma.text());
+QString lengthWithSigma(const std::string& length, const std::string& sigma) {
+  const QString mm = QStringLiteral(" mm"), value = given(length, mm), stated = given(sigma);
+  const Provenance from(stated.isEmpty() ? std::string() : "σ " + stated.toStdString(), mm,
+                        QStringLiteral("taken as exact"));
+  return value.isEmpty() ? value : QStringLiteral("%1, %2").arg(value, from.text());
 }
 
 /// Its σ is of use where the radius is known, or as a closure where it is stated.
 QString nominalRadius(const Session& session) {
   const Geometry& geometry = session.geometry;
-  const QString mm = QStringLiteral(" mm");
-  const std::string sigma = given(geometry.sigmaRadiusMm).toStdString();
-  if (sigma.empty() && session.model.radius != "known") return given(geometry.radiusMm, mm);
-  return lengthWithSigma(geometry.radiusMm,
-                         {sigma.empty() ? sigma : "σ " + sigma, mm, QStringLiteral("taken as exact")});
+  if (given(geometry.sigmaRadiusMm).isEmpty() && session.model.radius != "known")
+    return given(geometry.radiusMm, QStringLiteral(" mm"));
+  return lengthWithSigma(geometry.radiusMm, geometry.sigmaRadiusMm);
 }
 
 std::vector<LabelledText> objectFacts(const Session& session, const QDateTime& date) {
@@ -81,8 +81,7 @@ std::vector<LabelledText> instrumentFacts(const Evaluation& evaluation) {
   const Session& session = evaluation.session;
   const Instrument& instrument = session.instrument;
   const Geometry& geometry = session.geometry;
-  const QString arcsec(QChar(0x2033)), mm = QStringLiteral(" mm");
-  const std::string sigma = given(geometry.sigmaDistanceMm).toStdString();
+  const QString arcsec(QChar(0x2033));
   const QString planar =
       session.model.verticalAngle == "planar" ? QStringLiteral(", planar relation") : QString();
   std::vector<LabelledText> facts{
@@ -95,9 +94,8 @@ std::vector<LabelledText> instrumentFacts(const Evaluation& evaluation) {
   if (readsSlider(evaluation))
     facts.push_back({QStringLiteral("σ of the slider"),
                      Provenance(instrument.sigmaSliderArcsec, arcsec, QStringLiteral("5″")).text()});
-  facts.push_back({QStringLiteral("Distance L"),
-                   lengthWithSigma(geometry.distanceMm, {sigma.empty() ? sigma : "σ " + sigma, mm,
-                                                         QStringLiteral("taken as exact")})});
+  facts.push_back(
+      {QStringLiteral("Distance L"), lengthWithSigma(geometry.distanceMm, geometry.sigmaDistanceMm)});
   facts.push_back({QStringLiteral("L measured"), given(geometry.distanceFrom)});
   facts.push_back({QStringLiteral("Nominal radius R0"), nominalRadius(session)});
   facts.push_back({QStringLiteral("Vertical circle"),

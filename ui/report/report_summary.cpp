@@ -111,9 +111,8 @@ QString methodText(const Evaluation& evaluation) {
              "(O1) and 180° (O2) across the axis. The share of the readings in its uncertainty is scaled by "
              "their scatter (s0), pointing zeros and distance enter as stated; the expanded uncertainty U of "
              "the fit alone is k times the combined standard uncertainty, k from Student's distribution with "
-             "ν effective degrees of freedom. As "
-             "measured, every effect of the catalogue takes part, known beforehand to 1σ of its "
-             "plausible size, and U also holds what else may explain the readings.")
+             "ν effective degrees of freedom. As measured, every effect of the catalogue takes part, known "
+             "beforehand to 1σ of its plausible size, and U also holds what else may explain the readings.")
       .arg(relation,
            measurement && hasRepeats(*measurement)
                ? QStringLiteral(" Where an axis is measured again its positions have one centre and "

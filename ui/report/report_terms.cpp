@@ -47,8 +47,7 @@ QString ruleText(const Gap& gap) {
   if (isOfDistance(gap))
     return QStringLiteral(
                "Accepted: d + U ≤ %1 as measured, and |Δd| + U ≤ %1 by the fit alone; rejected: d − U > %1; "
-               "else "
-               "undecided. Guard band w = U (coverage %2 %)")
+               "else undecided. Guard band w = U (coverage %2 %)")
                .arg(tolerance, plainNumberText(100 * measurement->coverage)) +
            end;
   QString text = QStringLiteral(

@@ -31,6 +31,10 @@ QString causeName(const std::string& id) {
   return effectName(id);
 }
 
+std::string causeNameInCore(const std::string& id) {
+  return causeName(id).toStdString();
+}
+
 QString causeTitle(const std::string& id) {
   QString name = causeName(id);
   for (const QString& article : {QStringLiteral("a "), QStringLiteral("the ")})
@@ -89,7 +93,7 @@ QString gapHeadline(const Diagnosis& diagnosis) {
 }
 
 QString diagnosisText(const Diagnosis& diagnosis) {
-  return qText(sentenceOf(diagnosis, [](const std::string& id) { return causeName(id).toStdString(); }));
+  return qText(sentenceOf(diagnosis, causeNameInCore));
 }
 
 QString gapSentence(const Gap& gap) {
@@ -154,15 +158,12 @@ QString unseenBeyondUText(const Gap& gap) {
 
 QString plausibleText(const std::string& id) {
   const Effect* effect = effectById(id);
-  if (!effect) return {};
-  const EffectParameter& parameter = effect->parameters.front();
-  return withUnit(plainNumberText(parameter.plausible), unitText(std::string(parameter.unit)));
+  return effect ? plausibleText(effect->parameters.front()) : QString();
 }
 
 QString attainableText(const Gap& gap) {
   if (!gap.diagnosis) return {};
-  return qText(attainableSentence(gap.diagnosis->attainable,
-                                  [](const std::string& id) { return causeName(id).toStdString(); }));
+  return qText(attainableSentence(gap.diagnosis->attainable, causeNameInCore));
 }
 
 QString estimateText(const std::optional<IntersectionEstimate>& estimate) {

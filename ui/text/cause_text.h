@@ -9,6 +9,8 @@ namespace alidade::ui {
 /// Anything a diagnosis may name, as it stands within a sentence: "trunnion tilt", "a jump of the
 /// orientation", "misread values", "noise larger than stated".
 QString causeName(const std::string& id);
+/// The same for sentences of the core.
+std::string causeNameInCore(const std::string& id);
 /// With a capital.
 QString causeTitle(const std::string& id);
 /// "a, b or c"; `last` stands before the last one.
@@ -21,7 +23,7 @@ QString parameterText(const Cause& cause, const CauseParameter& parameter);
 QString deviationText(const ReadingDeviation& reading);
 Place placeOf(const ReadingDeviation& reading);
 
-/// 1σ of what is plausible of an effect: "30″", "0.05 mm"; empty for what is none of the catalogue.
+/// 1σ of what is plausible of an effect's first number, empty for what is none of the catalogue.
 QString plausibleText(const std::string& id);
 
 /// The verdict in a few words: "One cause: collimation".

@@ -46,6 +46,10 @@ QString withStandardUncertainty(double value, double u, const QString& unit) {
       .arg(withUnit(numberText(value, decimals), unit), numberText(u, decimals));
 }
 
+QString plausibleText(const EffectParameter& parameter) {
+  return withUnit(plainNumberText(parameter.plausible), unitText(std::string(parameter.unit)));
+}
+
 QString effectUnitText(const EffectEstimate& estimate) {
   return unitText(estimate.unit);
 }

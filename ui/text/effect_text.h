@@ -3,6 +3,7 @@
 #include <QString>
 
 #include "core/adjustment/result/session_fit.h"
+#include "core/effects/catalogue.h"
 
 namespace alidade::ui {
 
@@ -23,6 +24,8 @@ QString withStandardUncertainty(double value, double u, const QString& unit);
 
 /// The unit of the catalogue as it is written: "″" for "arcsec", "°" for "deg", empty for a bare number.
 QString unitText(const std::string& unit);
+/// 1σ of what is plausible of a number: "30″", "0.05 mm".
+QString plausibleText(const EffectParameter& parameter);
 QString effectUnitText(const EffectEstimate& estimate);
 
 }  // namespace alidade::ui

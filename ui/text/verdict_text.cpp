@@ -54,15 +54,17 @@ VerdictText verdictText(const Evaluation& evaluation, const Diagnosis* diagnosis
     return {.word = VerdictWords::tr("No verdict"),
             .sentence = VerdictWords::tr("No tolerance stated, so nothing to decide against.")};
   const auto sentence = [&] {
-    return qText(verdictSentence(measurement, fit, diagnosis, *decision,
-                                 [](const std::string& id) { return causeName(id).toStdString(); }));
+    return qText(verdictSentence(measurement, fit, diagnosis, *decision, causeNameInCore));
   };
   if (!isFinal) {
     decision->conformance.reset();
     return {.word = VerdictWords::tr("%1 as modelled").arg(wordOf(decision->verdict)),
             .sentence = sentence() + u' ' + VerdictWords::tr("Not final: the diagnosis is still to speak.")};
   }
-  return {.word = wordOf(decision->verdict), .sentence = sentence(), .verdict = decision->verdict};
+  return {.word = wordOf(decision->verdict),
+          .sentence = sentence(),
+          .verdict = decision->verdict,
+          .tellsAcross = tellsAcross(diagnosis, *decision)};
 }
 
 }  // namespace

@@ -17,8 +17,7 @@ bool isInput(const Unknown& unknown) {
 std::vector<double> weightsOfIntersection(const SessionFit& fit) {
   if (!fit.intersection) return std::vector<double>(fit.joint.unknowns.size());
   const auto indexAt = [&](int axisDeg) {
-    return static_cast<std::size_t>(std::ranges::find(fit.arcs, axisDeg, &ArcFit::axisDeg) -
-                                    fit.arcs.begin());
+    return static_cast<std::size_t>(fit.arcAt(axisDeg) - fit.arcs.data());
   };
   return intersectionWeights(fit.joint, indexAt(0), indexAt(180));
 }
@@ -42,19 +41,13 @@ std::vector<InputReliability> reliabilityOfInputs(const Measurement& measurement
     const Unknown& unknown = joint.unknowns[i];
     if (!isInput(unknown) || std::isinf(joint.priorSigmas[i])) continue;
     const double variance = square(joint.priorSigmas[i]);
-    double rate = 0;
-    for (std::size_t j = 0; j < weights.size(); ++j) rate += weights[j] * joint.cofactor(j, i) / variance;
-    inputs.push_back({unknown, joint.priorSigmas[i],
-                      std::clamp(1 - joint.cofactor(i, i) / variance, 0.0, 1.0),
-                      rate * perEntered(unknown, measurement)});
+    inputs.push_back(
+        {unknown, joint.priorSigmas[i], std::clamp(1 - joint.cofactor(i, i) / variance, 0.0, 1.0),
+         covarianceWith(joint.cofactor, weights, i) / variance * perEntered(unknown, measurement)});
   }
-  for (std::size_t c = 0; c < joint.considered.size(); ++c) {
-    double rate = 0;
-    for (std::size_t i = 0; i < weights.size(); ++i)
-      rate += weights[i] * joint.perConsidered[i * joint.considered.size() + c];
+  for (std::size_t c = 0; c < joint.considered.size(); ++c)
     inputs.push_back({joint.considered[c], joint.consideredSigmas[c], 0,
-                      rate * perEntered(joint.considered[c], measurement)});
-  }
+                      ratePerConsidered(joint, weights, c) * perEntered(joint.considered[c], measurement)});
   return inputs;
 }
 

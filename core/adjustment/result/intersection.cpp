@@ -36,10 +36,7 @@ double consideredVariance(const JointFit& fit, const std::vector<double>& weight
   double variance = 0;
   for (std::size_t c = 0; c < fit.considered.size(); ++c) {
     if ((fit.considered[c].kind == Unknown::Kind::Distance) != distance) continue;
-    double rate = 0;
-    for (std::size_t i = 0; i < weights.size(); ++i)
-      rate += weights[i] * fit.perConsidered[i * fit.considered.size() + c];
-    variance += square(rate * fit.consideredSigmas[c]);
+    variance += square(ratePerConsidered(fit, weights, c) * fit.consideredSigmas[c]);
   }
   return variance;
 }
@@ -95,12 +92,23 @@ NoiseScale noiseScale(const JointFit& fit) {
   return noiseScale(fit.chiSquare, fit.degreesOfFreedom);
 }
 
+double covarianceWith(const SquareMatrix& cofactor, const std::vector<double>& weights, std::size_t unknown) {
+  double covariance = 0;
+  for (std::size_t i = 0; i < weights.size(); ++i) covariance += weights[i] * cofactor(i, unknown);
+  return covariance;
+}
+
+double ratePerConsidered(const JointFit& fit, const std::vector<double>& weights, std::size_t index) {
+  double rate = 0;
+  for (std::size_t i = 0; i < weights.size(); ++i)
+    rate += weights[i] * fit.perConsidered[i * fit.considered.size() + index];
+  return rate;
+}
+
 double varianceOfPrior(const JointFit& fit, const SquareMatrix& cofactor, const std::vector<double>& weights,
                        std::size_t unknown) {
   if (std::isinf(fit.priorSigmas[unknown])) return 0;
-  double gain = 0;
-  for (std::size_t i = 0; i < weights.size(); ++i) gain += weights[i] * cofactor(i, unknown);
-  return square(gain / fit.priorSigmas[unknown]);
+  return square(covarianceWith(cofactor, weights, unknown) / fit.priorSigmas[unknown]);
 }
 
 std::vector<BudgetEntry> budgetOf(const JointFit& fit, const std::vector<double>& weights, double scale) {

@@ -32,6 +32,12 @@ struct BudgetEntry {
   double scaled = 0;  ///< the part of it that is known by the scatter of the readings alone, mm
 };
 
+/// wᵀ Q e_u: the covariance of a linear combination of the unknowns (`weights`) with one of them.
+double covarianceWith(const SquareMatrix& cofactor, const std::vector<double>& weights, std::size_t unknown);
+
+/// The change of a linear combination of the unknowns by `JointFit::considered[index]`.
+double ratePerConsidered(const JointFit& fit, const std::vector<double>& weights, std::size_t index);
+
 /// The variance that what is known beforehand of one unknown brings to a linear combination of all
 /// (`weights`): the gain of the adjustment on it times its σ, squared; 0 where nothing is known. `cofactor`:
 /// of the fit, with or without its terms.

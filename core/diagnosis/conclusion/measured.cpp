@@ -60,8 +60,7 @@ std::optional<Across> acrossOf(const GapModel& model, const std::vector<double>&
   const bool isKnown = knownOf(*model.measurement, effectOf(offset)->parameters.front()).has_value();
   const double ofPrior = isKnown ? 0 : fit.cofactor(index, index) / square(term->priorSigma);
   if (!(ofPrior < nothingBut)) return std::nullopt;
-  double withPrior = 0;
-  for (std::size_t i = 0; i < weights.size(); ++i) withPrior += weights[i] * fit.cofactor(i, index);
+  const double withPrior = covarianceWith(fit.cofactor, weights, index);
   const double ofReadings = 1 - ofPrior;
   const double variance = square(combined(budget)) - square(ofPrior * term->priorSigma);
   const double sigma = std::sqrt(std::max(variance, 0.0)) / ofReadings;

@@ -22,7 +22,7 @@ std::vector<EstimatedTerm> everyEffect(const Measurement& measurement) {
   const bool hasSlider = std::ranges::any_of(measurement.arcs, hasSliderReadings);
   std::vector<EstimatedTerm> terms;
   for (const Effect& effect : effectCatalogue()) {
-    if (effect.response == Response::AllOrNothing) continue;
+    if (!hasSizes(effect)) continue;
     for (const EffectParameter& parameter : effect.parameters) {
       if (!hasSlider && isOfSlider(parameter.term)) continue;
       const std::optional<KnownPrior> known = knownOf(measurement, parameter);

@@ -50,16 +50,16 @@ double varianceUpTo(const GapModel& planned, const Effect& effect) {
   for (std::size_t i = 0; i < fit.unknowns.size(); ++i)
     if (fit.unknowns[i].kind == Unknown::Kind::Error && effectOf(fit.unknowns[i].term) == &effect)
       own.push_back(i);
+  if (own.empty()) return 0;
   const auto count = static_cast<Eigen::Index>(own.size());
   Eigen::MatrixXd among(count, count);
-  Eigen::VectorXd withIntersection = Eigen::VectorXd::Zero(count);
+  Eigen::VectorXd withIntersection(count);
   for (Eigen::Index i = 0; i < count; ++i) {
     const std::size_t row = own[static_cast<std::size_t>(i)];
     for (Eigen::Index j = 0; j < count; ++j)
       among(i, j) = fit.cofactor(row, own[static_cast<std::size_t>(j)]);
-    for (std::size_t j = 0; j < weights.size(); ++j) withIntersection[i] += weights[j] * fit.cofactor(row, j);
+    withIntersection[i] = covarianceWith(fit.cofactor, weights, row);
   }
-  if (count == 0) return 0;
   return std::max(withIntersection.dot(among.ldlt().solve(withIntersection)), 0.0);
 }
 

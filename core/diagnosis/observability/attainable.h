@@ -11,9 +11,8 @@ namespace alidade {
 /// model has it, every effect of the catalogue about as large as is plausible or known, what the model has
 /// found as uncertain as it was before. The first is that of the readings as they are; then, the least first,
 /// with more read or an effect known, what brings it down to nine tenths or less; of measures taken together
-/// each has to bring as much. Empty without both positions, or where there are so many rows that nobody would
-/// wait for it
-/// (`isLarge`).
+/// each has to bring as much. Empty without both positions, or where there are so many rows (`isLarge`) that
+/// nobody would wait for it.
 std::vector<AttainableUncertainty> attainableUncertainties(const GapModel& model, double noise);
 
 }  // namespace alidade

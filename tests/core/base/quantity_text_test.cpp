@@ -26,5 +26,10 @@ TEST(QuantityText, ShowsUncertaintiesWithTwoSignificantDigits) {
   EXPECT_EQ(decimalsFor(std::numeric_limits<double>::infinity(), 2), 2);
 }
 
+TEST(LengthWithUncertainty, HasTheSameDecimalsInBoth) {
+  EXPECT_EQ(lengthWithUncertainty(-1.30764, 0.2109, 2), "−1.31 mm ± 0.21 mm");
+  EXPECT_EQ(lengthWithUncertainty(1, 0.5, 4), "1.0000 mm ± 0.5000 mm");
+}
+
 }  // namespace
 }  // namespace alidade

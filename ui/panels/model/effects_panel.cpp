@@ -32,8 +32,7 @@ QString aboutText(const Effect& effect) {
   QStringList sizes;
   for (const EffectParameter& parameter : effect.parameters) {
     if (parameter.unit == "-") continue;  // it is so or not
-    const QString size =
-        withUnit(plainNumberText(parameter.plausible), unitText(std::string(parameter.unit)));
+    const QString size = plausibleText(parameter);
     if (!sizes.contains(size)) sizes.append(size);
   }
   QStringList sentences{capitalised(qText(std::string(effect.description)))};
