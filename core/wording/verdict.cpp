@@ -147,6 +147,12 @@ int decimalsToDecide(double value, double expanded, double tolerance) {
   return decimals;
 }
 
+bool tellsAcross(const Diagnosis* diagnosis, const AcceptanceDecision& decision) {
+  using enum AcceptanceDecision::Obstacle;
+  const bool isWithheld = decision.obstacle == Lengths || decision.obstacle == Coverage;
+  return !isWithheld && diagnosis && diagnosis->measured && liesOff(*diagnosis->measured);
+}
+
 std::string probabilityText(double probability) {
   return boundedText(probability, "more than ", "less than ", 1);
 }

@@ -15,6 +15,10 @@ namespace alidade {
 std::string verdictSentence(const Measurement& measurement, const SessionFit& fit, const Diagnosis* diagnosis,
                             const AcceptanceDecision& decision, const CauseNamer& name = byId);
 
+/// Does that sentence tell what lies across the plane of the arc? Not where the verdict is withheld, nor
+/// where it is no more than its uncertainty.
+bool tellsAcross(const Diagnosis* diagnosis, const AcceptanceDecision& decision);
+
 /// "97.3 %", "more than 99.9 %": of 0…1, within a sentence.
 std::string probabilityText(double probability);
 /// "97 %", "99.3 %", "> 99.9 %": in a table or a list.

@@ -215,7 +215,7 @@ void addTwoFaces(ReportSheet& sheet, const TwoFaces& faces) {
 /// What lies across the plane, unless the verdict tells it.
 QString acrossText(const Gap& gap) {
   const MeasuredIntersection* measured = gap.measured();
-  if (!measured || (gap.evaluation->examined.measurement->tolerance && liesOff(*measured))) return {};
+  if (!measured || verdictText(*gap.evaluation, gap.found()).tellsAcross) return {};
   return u' ' + qText(acrossSentence(*measured));
 }
 

@@ -14,6 +14,7 @@ struct VerdictText {
   QString word;                         ///< "Accepted", "Rejected", "Undecided", or that there is none
   QString sentence;                     ///< with the numbers it rests on, or why there is none
   std::optional<Verdict> verdict = {};  ///< absent where there is none
+  bool tellsAcross = false;             ///< the sentence has what lies across the plane of the arc
 };
 
 /// `diagnosis` is of the evaluation; null: there was none.

@@ -118,6 +118,8 @@ TEST(VerdictSentence, NamesWhatItIsAbout) {
                 "coverage): 1.30 mm ± 0.20 mm in the plane of the arc (Δd), −2.00 mm ± 0.20 mm across "
                 "it (Δz); it lies within the tolerance of ± 2.6 mm, its uncertainty included."));
   measurement.measurand = Measurand::Intersection;
+  EXPECT_TRUE(tellsAcross(&diagnosis, *decideAcceptance(measurement, fit, &diagnosis)));
+  EXPECT_FALSE(tellsAcross(nullptr, *decideAcceptance(measurement, fit, nullptr)));
   EXPECT_THAT(
       sentenceOf(measurement, fit, &diagnosis),
       HasSubstr(" This judges the plane of the arc alone: across it, its centre lies 2.00 mm ± 0.20 mm "

@@ -42,6 +42,21 @@ TEST(AcceptanceReport, PrintsTheResultWithItsUncertaintyAndVerdict) {
   }
 }
 
+// Once: with the verdict where that tells it, else with the centres.
+TEST(AcceptanceReport, TellsWhatLiesAcrossThePlane) {
+  const auto front = [](const char* coverage) {
+    Session session = paperSession();
+    session.acceptance.coverage = coverage;
+    return Printed(session).page(0);
+  };
+  const QString ofVerdict = QStringLiteral("across it, its centre lies 5.9 mm ± 1.2 mm off the axis"),
+                ofCentres = QStringLiteral("its centre lies Δz = −5.9 mm ± ");
+  EXPECT_TRUE(front("0.95").contains(ofVerdict));
+  EXPECT_FALSE(front("0.95").contains(ofCentres));
+  EXPECT_FALSE(front("0.8").contains(ofVerdict)) << "the verdict is withheld";
+  EXPECT_TRUE(front("0.8").contains(QStringLiteral("lies Δz = −5.9"))) << front("0.8").toStdString();
+}
+
 TEST(AcceptanceReport, PrintsTheModelEffectsThatWereEstimatedAlong) {
   const Session session = *readSession(paperTextWithEffects({"trunnion_tilt"}));
   const EffectEstimate effect = evaluate(session).fit.effects.at(0);
