@@ -447,6 +447,7 @@ void MainWindow::revealField(const Place& place, bool takeFocus) {
   }
   for (const FieldBinding* binding : findChildren<FieldBinding*>()) {
     if (binding->place() != place) continue;
+    m_positions->uncover(place);
     for (QWidget* page = binding->widget(); page; page = page->parentWidget()) {
       for (QTabWidget* tabs : {m_forms, static_cast<QTabWidget*>(m_positions)}) {
         if (tabs->indexOf(page) >= 0) tabs->setCurrentWidget(page);

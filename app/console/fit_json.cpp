@@ -22,6 +22,22 @@ using Json = nlohmann::ordered_json;
 
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();  // written as null
 
+/// Of the pointing zero, as the mean of its sightings.
+Json zeroJson(const Measurement& measurement, const ArcMeasurement& arc) {
+  const ZeroSightings& zero = arc.zero;
+  Json moved = nullptr;
+  if (zero.moved)
+    moved = {{"horizontal_arcsec", zero.moved->horizontal.arcseconds()},
+             {"vertical_arcsec", zero.moved->vertical.arcseconds()}};
+  return {{"horizontal_deg", wrapped(arc.zeroHorizontal, Angle::fromDegrees(180)).degrees()},
+          {"vertical_deg", arc.zeroVertical.degrees()},
+          {"sightings", zero.count},
+          {"both_faces", zero.isInBothFaces},
+          {"sigma_horizontal_arcsec", measurement.sigmaOfZeroHorizontal(arc).arcseconds()},
+          {"sigma_vertical_arcsec", measurement.sigmaOfZeroVertical(arc).arcseconds()},
+          {"moved", std::move(moved)}};
+}
+
 Json arcJson(const ArcFit& arc, const ArcSigma& sigma) {
   Json json = {{"axis_deg", arc.axisDeg},
                {"center_mm", {{"x", arc.circle.x}, {"y", arc.circle.y}}},
@@ -303,6 +319,8 @@ std::string fitJson(const FitAnswer& answer) {
   for (std::size_t i = 0; i < fit.arcs.size(); ++i) {
     document["arcs"].push_back(arcJson(fit.arcs[i], fit.sigmas[i]));
     document["arcs"].back()["budget"] = arcBudgetJson(fit.budgets[i]);
+    const auto read = std::ranges::find(measurement.arcs, fit.arcs[i].position, &ArcMeasurement::position);
+    document["arcs"].back()["pointing_zero"] = zeroJson(measurement, *read);
   }
   document["noise_scale"] = fit.noise.factor;
   if (fit.intersection) document["intersection"] = intersectionJson(*fit.intersection);

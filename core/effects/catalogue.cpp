@@ -131,6 +131,13 @@ constexpr std::vector<Effect> makeCatalogue() {
        ErrorSource::Guideway,
        Linear,
        {{"sine", SliderSine, "arcsec", 60}}},
+      {"setup_shift",
+       "instrument or axis is displaced between the first position and those after it",
+       "fasten instrument and machine to one foundation, and measure the first position again at the end",
+       ErrorSource::Time,
+       Linear,
+       {{"shift along x", SetupShiftX, "mm", 0.05}, {"shift along y", SetupShiftY, "mm", 0.05}},
+       false},
   };
 }
 
@@ -178,6 +185,13 @@ const std::vector<Effect>& catalogue() {
 
 std::span<const Effect> effectCatalogue() {
   return catalogue();
+}
+
+std::vector<const Effect*> soughtEffects() {
+  std::vector<const Effect*> sought;
+  for (const Effect& effect : catalogue())
+    if (effect.isSought) sought.push_back(&effect);
+  return sought;
 }
 
 const Effect* effectById(std::string_view id) {

@@ -40,10 +40,16 @@ struct Effect {
   ErrorSource source;
   Response response;
   std::vector<EffectParameter> parameters;
+  /// By the diagnosis as a cause of a gap. Where no reading tells an effect from another, it takes part in
+  /// the uncertainty alone.
+  bool isSought = true;
 };
 
 /// Every effect that is a linear combination of error terms, in the order of the catalogue.
 std::span<const Effect> effectCatalogue();
+
+/// Those that a gap may be put down to, in the same order.
+std::vector<const Effect*> soughtEffects();
 
 /// Null where no effect has this id.
 const Effect* effectById(std::string_view id);

@@ -24,6 +24,8 @@ enum class ErrorTerm : std::size_t {
   VerticalDrift,           ///< the same for the vertical circle; zenith readings grow with positive drift
   HorizontalJump,          ///< step of the orientation at the moment of the jump
   VerticalJump,
+  SetupShiftX,        ///< of what is sighted against the instrument, +x, in every position after the first
+  SetupShiftY,        ///< +y
   PlaneTiltX,         ///< the arc plane turned about +x through the arc centre
   PlaneTiltY,         ///< about +y
   PlaneOffset,        ///< the arc plane off the rotation axis: nearer by this at 0°, farther at 180°

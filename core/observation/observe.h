@@ -48,6 +48,7 @@ struct Pointing {
   int face = 1;
   double elapsed = 0;         ///< share of the session gone by when it was taken, 0…1
   bool afterJump = false;     ///< taken after the orientation jumped
+  bool isSetUpAgain = false;  ///< of a place in a position after the first
   double horizontalZero = 0;  ///< α0 and β0 as read, rad: the circle positions at which eccentricity acts
   double verticalZero = 0;
   VerticalCircle circle = VerticalCircle::Zenith;
@@ -89,12 +90,15 @@ SpacePoint<T> targetAt(const ErrorTerms<T>& errors, const ArcPose<T>& arc, const
 /// The direction to `target` as read on the circles in `pointing`'s face, as its face 1 equivalent before the
 /// zero is taken off: azimuth a from the perpendicular of the arc plane and elevation e, rad.
 template <typename T>
-Direction<T> circleDirection(const ErrorTerms<T>& errors, const SpacePoint<T>& target,
-                             const Pointing& pointing) {
+Direction<T> circleDirection(const ErrorTerms<T>& errors, SpacePoint<T> target, const Pointing& pointing) {
   using std::asin, std::atan2, std::cos, std::sin, std::sqrt;
   using enum ErrorTerm;
   if (errors.isPerfect()) return observe(PlanePoint<T>{target.x, target.y}, T(-target.z), pointing.relation);
   const double side = pointing.face == 1 ? 1 : -1;
+  if (pointing.isSetUpAgain) {
+    target.x += errors[SetupShiftX];
+    target.y += errors[SetupShiftY];
+  }
 
   // Into the leaning instrument: turned back about z, then about x.
   const T ct = cos(errors[VerticalAxisTiltZ]), st = sin(errors[VerticalAxisTiltZ]);

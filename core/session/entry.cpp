@@ -38,6 +38,7 @@ struct NumberRule {
 };
 
 constexpr const char* lengthRange = "above 0 and below 1000000 mm";
+constexpr const char* expansionRange = "from -1000 to below 1000, in millionths per kelvin";
 constexpr const char* sigmaRange = "at least 0.001 and below 3600 arcseconds";
 
 constexpr std::array numberRules = {
@@ -54,6 +55,7 @@ constexpr std::array numberRules = {
     NumberRule{"instrument.sigma_slider_arcsec", leastSigmaArcsec, Bound::Included, largestSigmaArcsec, 5,
                sigmaRange},
     NumberRule{"environment.temperature_c", -273.15, Bound::Included, 1000, {}, "a temperature in °C"},
+    NumberRule{"environment.sigma_temperature_c", 0, Bound::Included, 1000, 0, "0 or more and below 1000 K"},
     NumberRule{"geometry.distance_mm",
                0,
                Bound::Excluded,
@@ -72,6 +74,8 @@ constexpr std::array numberRules = {
                "type the nominal radius of the arc in mm"},
     NumberRule{"geometry.sigma_radius_mm", 0, Bound::Included, longestMm, 0,
                "0 or more and below 1000000 mm"},
+    NumberRule{"geometry.distance_expansion_ppm_per_k", -1000, Bound::Included, 1000, 0, expansionRange},
+    NumberRule{"geometry.radius_expansion_ppm_per_k", -1000, Bound::Included, 1000, 0, expansionRange},
     NumberRule{"acceptance.tolerance_mm", 0, Bound::Excluded, longestMm, {}, lengthRange},
     NumberRule{"acceptance.coverage", 0, Bound::Excluded, 1, 0.95, "between 0 and 1, such as 0.95"},
     NumberRule{
@@ -225,6 +229,8 @@ std::optional<std::string> entryProblem(const Session& session, const std::strin
   if (field.ends_with(".known.sigma")) return sentence(knownSigmaEntry(text));
   if (field == "pointing_zero.horizontal") return sentence(angleEntry(horizontalRule, text, circle));
   if (field == "pointing_zero.vertical") return sentence(angleEntry(verticalRule, text, circle));
+  if (field.starts_with("pointing_zero.") && !text.empty())
+    return sentence(angleEntry(field.ends_with(".horizontal") ? horizontalRule : verticalRule, text, circle));
   if (field == "axis_deg") return sentence(axisEntry(text));
   if (field == "geometry.vertical_circle") return sentence(verticalCircleEntry(text));
   if (field == "geometry.pointing_zeros") return sentence(pointingZerosEntry(text));

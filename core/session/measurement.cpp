@@ -24,8 +24,10 @@ class Examiner : private ProblemReporter {
   Examined examine() {
     if (auto problem = dateProblem(m_session.measuredOn)) report(*problem, {.field = "measured_on"});
     examineInstrument();
-    number("environment.temperature_c", m_session.environment.temperatureC);
+    const auto temperature = number("environment.temperature_c", m_session.environment.temperatureC);
+    const auto sigma = number("environment.sigma_temperature_c", m_session.environment.sigmaTemperatureC);
     examineGeometry();
+    expand(temperature.value_or(std::nullopt), sigma && *sigma ? **sigma : 0);
     examineAcceptance();
     if (auto relation =
             take(verticalAngleEntry(m_session.model.verticalAngle), {.field = "model.vertical_angle"})) {
@@ -95,6 +97,35 @@ class Examiner : private ProblemReporter {
     m_usable = m_usable && zeros;
   }
 
+  /// From 20 °C, for which the lengths are stated, to the temperature of the session.
+  void expand(const std::optional<double>& temperature, double sigmaTemperature) {
+    const Geometry& geometry = m_session.geometry;
+    const auto toTemperature = [&](const char* field, const std::string& text, double& length,
+                                   double& sigma) {
+      constexpr double reference = 20, millionth = 1e-6;
+      const auto coefficient = number(field, text);
+      if (!coefficient) m_usable = false;
+      if (!coefficient || **coefficient == 0) return 0.0;
+      if (!temperature) {
+        report({"has nothing to act on: type the temperature (environment.temperature_c), or clear the "
+                "coefficient"},
+               {.field = field});
+        return 0.0;
+      }
+      const double perKelvin = length * **coefficient * millionth;
+      const double change = perKelvin * (*temperature - reference);
+      length += change;
+      sigma = std::hypot(sigma, perKelvin * sigmaTemperature);
+      return change;
+    };
+    m_measurement.distanceExpansion =
+        toTemperature("geometry.distance_expansion_ppm_per_k", geometry.distanceExpansionPpmPerK,
+                      m_measurement.distance, m_measurement.sigmaDistance);
+    m_measurement.radiusExpansion =
+        toTemperature("geometry.radius_expansion_ppm_per_k", geometry.radiusExpansionPpmPerK,
+                      m_measurement.nominalRadius, m_measurement.sigmaRadius);
+  }
+
   void examineAcceptance() {
     const Acceptance& acceptance = m_session.acceptance;
     const auto tolerance = number("acceptance.tolerance_mm", acceptance.toleranceMm);
@@ -126,10 +157,12 @@ class Examiner : private ProblemReporter {
   void examinePositions() {
     const std::vector<Position>& positions = m_session.positions;
     const std::vector<std::size_t> firsts = firstSequences(m_session);
+    const ExaminedZeros zeros = zerosOf();
     std::vector<ExaminedPosition> examined(positions.size());
     for (const Position& position : positions) m_measurement.rows += position.readings.size();
-    doEach(threadsFor(m_measurement.rows), positions.size(),
-           [&](std::size_t i) { examined[i] = examinePosition(positions[i], i, firsts[i], m_circle); });
+    doEach(threadsFor(m_measurement.rows), positions.size(), [&](std::size_t i) {
+      examined[i] = examinePosition(positions[i], i, firsts[i], zeros.ofPositions[i], m_circle);
+    });
     std::vector<std::optional<ArcMeasurement>> arcs(positions.size());
     std::map<int, int> times;
     for (std::size_t i = 0; i < positions.size(); ++i) {
@@ -138,24 +171,27 @@ class Examiner : private ProblemReporter {
       const int time = axis ? ++times[*axis] : 1;
       ExaminedPosition& own = examined[i];
       std::ranges::move(own.problems, std::back_inserter(m_problems));
-      if (axis && own.zero && m_circle)
-        arcs[i] = {i, *axis, own.zero->horizontal, own.zero->vertical, std::move(own.sightings), time};
+      const auto& zero = zeros.ofPositions[i].direction;
+      if (axis && zero)
+        arcs[i] = {i,    *axis,          zero->horizontal, zero->vertical, std::move(own.sightings),
+                   time, zero->sightings};
     }
     for (const std::size_t i : positionsAsTaken(m_session))
       if (arcs[i]) m_measurement.arcs.push_back(*std::move(arcs[i]));
-    examineZeros();
   }
 
   /// Zeros that differ are not one.
-  void examineZeros() {
-    if (!m_measurement.hasOneZero() || m_measurement.arcs.size() < 2 || hasAlikeZeros(m_measurement)) return;
+  ExaminedZeros zerosOf() {
+    ExaminedZeros zeros = examineZeros(m_session, m_circle, m_measurement.pointingZeros,
+                                       m_measurement.sigmaZeroHorizontal, m_measurement.sigmaZeroVertical);
+    m_measurement.zeroScatter = zeros.scatter;
+    if (!zeros.isOneOfSeveral) return zeros;
     m_measurement.pointingZeros = PointingZeros::Each;
-    const auto firstOfPositions = std::ranges::find_if(
-        m_problems, [](const Problem& problem) { return problem.where.position.has_value(); });
-    m_problems.insert(firstOfPositions,
-                      {"is stated as one, but the positions have different zeros: give all of them the same "
-                       "α0 and β0, or state each",
-                       {.field = "geometry.pointing_zeros"}});
+    report(
+        {"is stated as one, but the positions have different zeros: give all of them the same α0 and β0, or "
+         "state each"},
+        {.field = "geometry.pointing_zeros"});
+    return zeros;
   }
 
   const Session& m_session;

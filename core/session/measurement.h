@@ -53,13 +53,29 @@ struct Sighting {
   std::optional<Angle> slider;
 };
 
+/// How a pointing zero was sighted, that is the mean of some sightings.
+struct ZeroSightings {
+  int count = 1;
+  bool isInBothFaces = false;   ///< which weigh alike; else in face 1
+  double factor = 1;            ///< σ of the mean over that of a single sighting
+  bool isSpanning = false;      ///< before and after the readings: a drift counts from the middle of them
+  bool hasLeftOutFace = false;  ///< face 2 was left out, since not all positions have it
+  /// By what it moved from before to after, as face 1 reads it; where it was sighted both times in one face.
+  struct Move {
+    Angle horizontal, vertical;
+    double factor = 1;  ///< σ of either over that of a single sighting
+  };
+  std::optional<Move> moved = {};
+};
+
 /// What was read in one position of the axis, excluded and unusable rows left out.
 struct ArcMeasurement {
   std::size_t position = 0;            ///< index into the session's positions
   int axisDeg = 0;                     ///< 0 or 180
-  Angle zeroHorizontal, zeroVertical;  ///< α0 and β0 as read
+  Angle zeroHorizontal, zeroVertical;  ///< α0 and β0 as read, as face 1 has them
   std::vector<Sighting> sightings;
   int time = 1;  ///< the how many-th position of the session at this axis
+  ZeroSightings zero = {};
 };
 
 /// What is known beforehand of one number of an effect, as it stands at `where`. Which number of the
@@ -76,11 +92,16 @@ struct Measurement {
   double sigmaDistance = 0;  ///< ≥ 0
   double nominalRadius = 0;  ///< R0 > 0
   double sigmaRadius = 0;    ///< of R0, ≥ 0; of use where the radius is known, and as a closure
+  /// By what L and R0 are longer than stated, at the temperature of the session instead of 20 °C; already in
+  /// both.
+  double distanceExpansion = 0, radiusExpansion = 0;
   RadiusModel radiusModel = RadiusModel::Free;
   Angle sigmaHorizontal, sigmaVertical;          ///< of a circle reading, > 0
-  Angle sigmaZeroHorizontal, sigmaZeroVertical;  ///< of the pointing zero, ≥ 0
-  /// No σ of the zeros is stated: they are single readings of the circles, and scatter as these do.
+  Angle sigmaZeroHorizontal, sigmaZeroVertical;  ///< of one sighting of a pointing zero, ≥ 0
+  /// No σ of the zeros is stated: their sightings are readings of the circles, and scatter as these do.
   bool zerosAreReadings = false;
+  /// By how much sightings of one zero differ from one to the next more than their σ has it; ≥ 1.
+  double zeroScatter = 1;
   PointingZeros pointingZeros = PointingZeros::Unstated;
   Angle sigmaSlider;  ///< > 0
   VerticalCircle verticalCircle = VerticalCircle::Zenith;
@@ -97,6 +118,14 @@ struct Measurement {
 
   /// One zero, wrong by the same in every arc.
   bool hasOneZero() const { return pointingZeros == PointingZeros::One; }
+
+  /// Of the mean of the sightings of an arc's zero, as they scatter.
+  Angle sigmaOfZeroHorizontal(const ArcMeasurement& arc) const {
+    return sigmaZeroHorizontal * (zeroScatter * arc.zero.factor);
+  }
+  Angle sigmaOfZeroVertical(const ArcMeasurement& arc) const {
+    return sigmaZeroVertical * (zeroScatter * arc.zero.factor);
+  }
 };
 
 /// Of each arc the first one at its axis, itself unless its position is one measured again: the arcs of one

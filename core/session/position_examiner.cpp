@@ -39,11 +39,16 @@ struct HashOfVisitFace {
 class PositionExaminer : private ProblemReporter {
  public:
   PositionExaminer(const Position& position, std::size_t index, std::size_t firstSequence,
-                   const std::optional<VerticalCircle>& circle)
-      : m_position(position), m_index(index), m_firstSequence(firstSequence), m_circle(circle) {}
+                   const ExaminedZero& zero, const std::optional<VerticalCircle>& circle)
+      : m_position(position),
+        m_index(index),
+        m_firstSequence(firstSequence),
+        m_zero(zero.direction),
+        m_circle(circle) {
+    m_problems = zero.problems;
+  }
 
   ExaminedPosition examine() {
-    m_examined.zero = examineZero();
     const std::vector<Reading>& rows = m_position.readings;
     m_rowOfVisitFace.reserve(rows.size());
     m_examined.sightings.reserve(rows.size());
@@ -79,15 +84,6 @@ class PositionExaminer : private ProblemReporter {
     return valueOf(angleEntry(rule, text, circleForRanges()), place, field).value_or(std::nullopt);
   }
 
-  std::optional<ZeroDirection> examineZero() {
-    const Place place{.position = m_index};
-    const PointingZero& zero = m_position.zero;
-    const auto horizontal = angle(horizontalRule, zero.horizontal, place, "pointing_zero.horizontal");
-    const auto vertical = angle(verticalRule, zero.vertical, place, "pointing_zero.vertical");
-    if (!horizontal || !vertical) return std::nullopt;
-    return ZeroDirection{*horizontal, *vertical};
-  }
-
   /// The row reduced from the zero; empty where it cannot be used or there is nothing to reduce it from.
   std::optional<Sighting> examineRow(const Reading& row, const Place& place) {
     if (isBlank(row)) {
@@ -102,13 +98,13 @@ class PositionExaminer : private ProblemReporter {
     const auto horizontal = angle(horizontalRule, row.horizontal, place, "horizontal");
     const auto vertical = angle(verticalRule, row.vertical, place, "vertical");
     const std::size_t beforeReduction = m_problems.size();
-    if (horizontal && vertical && m_examined.zero && m_circle && beforeReduction == before) {
-      reduce(inFaceOne(*horizontal, *vertical, sighting.face, *m_circle), *m_examined.zero, sighting);
+    if (horizontal && vertical && m_zero && m_circle && beforeReduction == before) {
+      reduce(inFaceOne(*horizontal, *vertical, sighting.face, *m_circle), *m_zero, sighting);
       checkWidth(sighting.a, row.horizontal, place, "horizontal");
       checkWidth(sighting.e, row.vertical, place, "vertical");
     }
     sighting.slider = angle(sliderRule, row.slider, place, "slider");
-    if (m_problems.size() > before || !m_examined.zero) return std::nullopt;
+    if (m_problems.size() > before || !m_zero) return std::nullopt;
     return sighting;
   }
 
@@ -146,6 +142,7 @@ class PositionExaminer : private ProblemReporter {
 
   const Position& m_position;
   const std::size_t m_index, m_firstSequence;
+  const std::optional<ZeroDirection> m_zero;
   const std::optional<VerticalCircle> m_circle;
   ExaminedPosition m_examined;
   std::unordered_map<VisitFace, std::size_t, HashOfVisitFace> m_rowOfVisitFace;
@@ -154,8 +151,8 @@ class PositionExaminer : private ProblemReporter {
 }  // namespace
 
 ExaminedPosition examinePosition(const Position& position, std::size_t index, std::size_t firstSequence,
-                                 const std::optional<VerticalCircle>& circle) {
-  return PositionExaminer(position, index, firstSequence, circle).examine();
+                                 const ExaminedZero& zero, const std::optional<VerticalCircle>& circle) {
+  return PositionExaminer(position, index, firstSequence, zero, circle).examine();
 }
 
 }  // namespace alidade

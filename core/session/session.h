@@ -29,13 +29,35 @@ struct Reading {
   bool operator==(const Reading&) const = default;
 };
 
+/// A further sighting of a pointing zero; both texts empty: there was none.
+struct ZeroSighting {
+  std::string horizontal, vertical;
+  JsonOrigin origin = {};
+
+  bool operator==(const ZeroSighting&) const = default;
+};
+
 struct PointingZero {
-  std::string horizontal;  ///< α0: circle reading of the direction perpendicular to the arc plane
-  std::string vertical;    ///< β0
-  JsonOrigin origin;
+  std::string horizontal;        ///< α0: circle reading of the direction perpendicular to the arc plane
+  std::string vertical;          ///< β0; both in face 1, before the readings of the position
+  ZeroSighting faceTwo = {};     ///< before them in face 2
+  ZeroSighting after = {};       ///< after them in face 1
+  ZeroSighting afterInTwo = {};  ///< after them in face 2
+  JsonOrigin origin = {};
 
   bool operator==(const PointingZero&) const = default;
 };
+
+/// Where a further sighting of a pointing zero stands.
+struct ZeroSlot {
+  const char* key;  ///< in the session file, within `pointing_zero`
+  ZeroSighting PointingZero::*sighting;
+  int face;
+  bool isAfter;
+};
+inline constexpr ZeroSlot furtherZeros[] = {{"face_2", &PointingZero::faceTwo, 2, false},
+                                            {"after", &PointingZero::after, 1, true},
+                                            {"after_face_2", &PointingZero::afterInTwo, 2, true}};
 
 struct Position {
   std::string axisDeg;  ///< rotation of the axis: 0 or 180
@@ -83,6 +105,7 @@ struct Instrument {
 
 struct Environment {
   std::string temperatureC;
+  std::string sigmaTemperatureC;  ///< standard uncertainty; empty: 0
   JsonOrigin origin;
 
   bool operator==(const Environment&) const = default;
@@ -96,6 +119,8 @@ struct Geometry {
   std::string verticalCircle;   ///< "zenith" or "elevation"; empty: zenith
   std::string pointingZeros;    ///< "each": sighted in each position; "one": once, for all; empty: each
   std::string distanceFrom;     ///< how L was measured, and its traceability
+  std::string distanceExpansionPpmPerK;  ///< of L, as stated for 20 °C; empty: 0, as it is at the temperature
+  std::string radiusExpansionPpmPerK;    ///< of R0 likewise
   JsonOrigin origin;
 
   bool operator==(const Geometry&) const = default;

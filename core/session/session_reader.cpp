@@ -223,7 +223,9 @@ Instrument readInstrument(const ObjectReader& reader) {
 }
 
 Environment readEnvironment(const ObjectReader& reader) {
-  return {.temperatureC = reader.number("temperature_c"), .origin = reader.origin()};
+  return {.temperatureC = reader.number("temperature_c"),
+          .sigmaTemperatureC = reader.number("sigma_temperature_c"),
+          .origin = reader.origin()};
 }
 
 Geometry readGeometry(const ObjectReader& reader) {
@@ -235,6 +237,8 @@ Geometry readGeometry(const ObjectReader& reader) {
           .verticalCircle = reader.text("vertical_circle"),
           .pointingZeros = reader.text("pointing_zeros"),
           .distanceFrom = reader.text("distance_from"),
+          .distanceExpansionPpmPerK = reader.number("distance_expansion_ppm_per_k"),
+          .radiusExpansionPpmPerK = reader.number("radius_expansion_ppm_per_k"),
           .origin = reader.origin()};
 }
 
@@ -256,9 +260,15 @@ Model readModel(const ObjectReader& reader) {
 
 PointingZero readPointingZero(const ObjectReader& reader) {
   constexpr const char* remedy = "add the reading of the direction perpendicular to the arc plane";
-  return {.horizontal = reader.requiredAngle("horizontal", remedy),
-          .vertical = reader.requiredAngle("vertical", remedy),
-          .origin = reader.origin()};
+  PointingZero zero;
+  zero.horizontal = reader.requiredAngle("horizontal", remedy);
+  zero.vertical = reader.requiredAngle("vertical", remedy);
+  for (const ZeroSlot& slot : furtherZeros) {
+    const ObjectReader own = reader.object(slot.key);
+    zero.*slot.sighting = {own.angle("horizontal"), own.angle("vertical"), own.origin()};
+  }
+  zero.origin = reader.origin({"face_2", "after", "after_face_2"});
+  return zero;
 }
 
 void readRow(const ObjectReader& reader, Reading& row) {

@@ -136,6 +136,7 @@ Json instrumentJson(const Instrument& instrument) {
 Json environmentJson(const Environment& environment) {
   ObjectWriter writer(environment.origin);
   writer.number("temperature_c", environment.temperatureC);
+  writer.number("sigma_temperature_c", environment.sigmaTemperatureC);
   return writer.take();
 }
 
@@ -148,6 +149,8 @@ Json geometryJson(const Geometry& geometry) {
   writer.text("vertical_circle", geometry.verticalCircle);
   writer.text("pointing_zeros", geometry.pointingZeros);
   writer.text("distance_from", geometry.distanceFrom);
+  writer.number("distance_expansion_ppm_per_k", geometry.distanceExpansionPpmPerK);
+  writer.number("radius_expansion_ppm_per_k", geometry.radiusExpansionPpmPerK);
   return writer.take();
 }
 
@@ -173,6 +176,13 @@ Json pointingZeroJson(const PointingZero& zero) {
   ObjectWriter writer(zero.origin);
   writer.angle("horizontal", zero.horizontal, Presence::Required);
   writer.angle("vertical", zero.vertical, Presence::Required);
+  for (const ZeroSlot& slot : furtherZeros) {
+    const ZeroSighting& sighting = zero.*slot.sighting;
+    ObjectWriter own(sighting.origin);
+    own.angle("horizontal", sighting.horizontal);
+    own.angle("vertical", sighting.vertical);
+    writer.part(slot.key, own.take());
+  }
   return writer.take();
 }
 

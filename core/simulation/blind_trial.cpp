@@ -197,10 +197,10 @@ class Draw {
 
   /// Of the catalogue, that the protocol can show at all.
   const Effect& anyEffect() {
-    const auto effects = effectCatalogue();
+    const std::vector<const Effect*> effects = soughtEffects();
     while (true) {
       const Effect& effect =
-          effects[static_cast<std::size_t>(m_random.whole(0, static_cast<int>(effects.size()) - 1))];
+          *effects[static_cast<std::size_t>(m_random.whole(0, static_cast<int>(effects.size()) - 1))];
       if (effect.response != Response::AllOrNothing && (m_protocol.slider || !isOfSlider(effect)))
         return effect;
     }
@@ -270,9 +270,10 @@ std::vector<TrialKind> makeKinds() {
                                {noiseId, 0.05}, {"two_causes", 0.05}, {"unknown", 0.08}};
   double rest = 1;
   for (const TrialKind& kind : kinds) rest -= kind.weight;
-  const double others = static_cast<double>(effectCatalogue().size()) - 1;
-  for (const Effect& effect : effectCatalogue())
-    if (effect.id != relationId) kinds.push_back({std::string(effect.id), rest / others});
+  const std::vector<const Effect*> effects = soughtEffects();
+  const double others = static_cast<double>(effects.size()) - 1;
+  for (const Effect* effect : effects)
+    if (effect->id != relationId) kinds.push_back({std::string(effect->id), rest / others});
   return kinds;
 }
 

@@ -114,15 +114,28 @@ class Simulator {
         m_truth, axisDeg, m_truth.horizontalZero + m_protocol.circleShift * static_cast<double>(index));
     Position position;
     position.axisDeg = std::to_string(axisDeg);
-    const CircleReadings zero = perfect.zero();
-    position.zero.horizontal = typedOnCircle(zero.horizontal + noise(m_truth.sigmaZero), m_step);
-    position.zero.vertical = typedOnCircle(zero.vertical + noise(m_truth.sigmaZero), m_step);
+    const bool inFull = m_truth.sightsZerosInFull;
+    const ZeroSighting first = zero(inFull ? perfect.zero(1, moment(m_plan.front())) : perfect.zero());
+    position.zero.horizontal = first.horizontal;
+    position.zero.vertical = first.vertical;
+    if (inFull) position.zero.faceTwo = zero(perfect.zero(2, moment(m_plan.front())));
     for (std::size_t i = 0; i < m_plan.size(); ++i) {
       if (i == 0 || m_plan[i].point != m_plan[i - 1].point || m_plan[i].round != m_plan[i - 1].round)
         moveSlider(perfect, m_plan[i].point);
       position.readings.push_back(reading(perfect, axisDeg, m_plan[i]));
     }
+    if (!inFull) return position;
+    --m_taken;  // with the last row
+    position.zero.after = zero(perfect.zero(1, moment(m_plan.back())));
+    position.zero.afterInTwo = zero(perfect.zero(2, moment(m_plan.back())));
+    ++m_taken;
     return position;
+  }
+
+  ZeroSighting zero(const CircleReadings& circles) {
+    const Angle horizontal = circles.horizontal + noise(m_truth.sigmaZero);
+    return {typedOnCircle(horizontal, m_step),
+            typedOnCircle(circles.vertical + noise(m_truth.sigmaZero), m_step)};
   }
 
   void moveSlider(const PerfectReadings& perfect, int point) {
@@ -158,7 +171,8 @@ class Simulator {
 
   Moment moment(const PlannedRow& row) const {
     const double elapsed = m_rows > 1 ? static_cast<double>(m_taken) / static_cast<double>(m_rows - 1) : 0;
-    return {elapsed, m_truth.jump && elapsed >= m_truth.jump->moment, row.round % 2 == 0};
+    return {elapsed, m_truth.jump && elapsed >= m_truth.jump->moment, row.round % 2 == 0,
+            m_taken >= m_plan.size()};
   }
 
   const Protocol& m_protocol;
@@ -187,6 +201,7 @@ Pointing PerfectReadings::pointing(int face, const Moment& moment) const {
   pointing.face = face;
   pointing.elapsed = moment.elapsed;
   pointing.afterJump = moment.afterJump;
+  pointing.isSetUpAgain = moment.isSetUpAgain;
   pointing.horizontalZero = m_horizontalZero.radians();
   pointing.verticalZero = m_truth.verticalZero.radians();
   pointing.circle = m_truth.verticalCircle;
@@ -217,9 +232,11 @@ CircleReadings PerfectReadings::onCircles(const Direction<double>& direction, in
           Angle::fromDegrees(zenith ? 360 : 180) - faceOne.vertical};
 }
 
-CircleReadings PerfectReadings::zero() const {
+CircleReadings PerfectReadings::zero(int face, const Moment& moment) const {
   const SpacePoint<double> straightAhead{0, 0, -m_truth.distance};
-  return onCircles(circleDirection(m_errors, straightAhead, pointing(1, {.elapsed = midSession})), 1);
+  Pointing asDirection = pointing(face, moment);
+  asDirection.isSetUpAgain = false;
+  return onCircles(circleDirection(m_errors, straightAhead, asDirection), face);
 }
 
 CircleReadings PerfectReadings::target(Angle s, int face, const Moment& moment) const {

@@ -22,9 +22,10 @@ struct CircleReadings {
 
 /// When a row is taken.
 struct Moment {
-  double elapsed = 0;      ///< share of the session's rows gone by, 0…1
-  bool afterJump = false;  ///< after the truth's jump
-  bool wayBack = false;    ///< in an even round
+  double elapsed = 0;         ///< share of the session's rows gone by, 0…1
+  bool afterJump = false;     ///< after the truth's jump
+  bool wayBack = false;       ///< in an even round
+  bool isSetUpAgain = false;  ///< in a position after the first
 };
 
 /// The readings of a truth without noise and gross errors, one position at a time.
@@ -33,7 +34,8 @@ class PerfectReadings {
   /// `horizontalZero`: the circle's reading in the direction perpendicular to the arc plane.
   PerfectReadings(const Truth& truth, int axisDeg, Angle horizontalZero);
 
-  CircleReadings zero() const;
+  /// Of the pointing zero; by default as a zero counts that is sighted once.
+  CircleReadings zero(int face = 1, const Moment& moment = {.elapsed = midSession}) const;
   /// With the slider at coordinate `s` (equal to φ at 0°, to −φ at 180°).
   CircleReadings target(Angle s, int face, const Moment& moment) const;
   Angle slider(Angle s) const;

@@ -85,6 +85,10 @@ struct Truth {
   std::optional<double> sigmaReference =
       {};  ///< mm; with it the session states Δd, off by an error of that σ
 
+  /// Each zero is sighted in both faces, before the rows of its position and after them; drift and jump act
+  /// on these as they do on the rows.
+  bool sightsZerosInFull = false;
+
   Angle placeSpread = Angle::fromArcseconds(60);  ///< 1σ of the slider's places about the planned ones
   Angle typingStep = Angle::fromArcseconds(0.1);  ///< readings are rounded to this
 };

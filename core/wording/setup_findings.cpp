@@ -71,4 +71,27 @@ Words wordsOf(const ZerosAlike& finding) {
       "State geometry.pointing_zeros: one, if it was sighted once, or each."};
 }
 
+Words wordsOf(const ZeroMoved& finding) {
+  const auto moved = [](Angle move, Angle sigma) {
+    return displayText(move.arcseconds(), 1) + "″ ± " + displayText(sigma.arcseconds(), 1) + "″";
+  };
+  return {positionName(finding.axisDeg, finding.time) + ": the pointing zero moved by " +
+              moved(finding.horizontal, finding.sigmaHorizontal) + " horizontally and " +
+              moved(finding.vertical, finding.sigmaVertical) +
+              " vertically (1σ) while the position was read" +
+              (finding.scatter > 1
+                   ? "; U takes the zeros to scatter " + displayText(finding.scatter, 1) + " times as stated"
+                   : "") +
+              ".",
+          "Look for a knock of the tripod or an orientation that drifts, and observe the position again."};
+}
+
+Words wordsOf(const ZeroFaceLeftOut& finding) {
+  return {
+      positionName(finding.axisDeg, finding.time) +
+          ": the sightings of the pointing zero in face 2 are left out, since not every position has one: "
+          "collimation and index would not cancel.",
+      "Sight the zeros of all positions in both faces."};
+}
+
 }  // namespace alidade

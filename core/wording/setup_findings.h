@@ -12,6 +12,8 @@ Words wordsOf(const setup_finding::PlacesOnTheWrongSide& finding);
 Words wordsOf(const setup_finding::ZeroOfOtherCircle& finding);
 Words wordsOf(const setup_finding::SlidersDiffer& finding);
 Words wordsOf(const setup_finding::ZerosAlike& finding);
+Words wordsOf(const setup_finding::ZeroMoved& finding);
+Words wordsOf(const setup_finding::ZeroFaceLeftOut& finding);
 
 /// " theodolite sights anything at a distance of 2.4 mm": after "no".
 std::string tooShortText(double distance);

@@ -16,8 +16,9 @@
 
 // How often Δd ± U covers the true Δd, of the fit alone and as measured, in sessions that hold every effect
 // of the catalogue, drawn about zero as wide as plausible, half and twice as wide, none at all, and one at a
-// time; and with noise three times the stated and zeros of which no σ is stated. By every named plan, and by
-// plans and set-ups drawn anew for each session. Stated coverage 95 %.
+// time; and with noise three times the stated and zeros of which no σ is stated; both with zeros sighted in
+// both faces, before and after, too. By every named plan, and by plans and set-ups drawn anew for each
+// session. Stated coverage 95 %.
 //
 //   alidade_measurement_coverage [SESSIONS [SEED]]
 
@@ -30,6 +31,7 @@ struct Row {
   double sizes = 1;
   std::string_view only = {};  ///< id of the effect that alone is there; empty: every one
   double noise = 1;
+  bool zerosInFull = false;
 };
 
 /// Drawn where `protocol` is null.
@@ -43,6 +45,7 @@ test::DrawnPlan planOf(const Protocol* protocol, std::uint64_t seed) {
 void putEffects(Truth& truth, const Row& row, const Protocol& protocol, std::uint64_t seed) {
   constexpr std::uint64_t stream = 55;  // apart from those of guideway and noise
   truth.noiseFactor = row.noise;
+  truth.sightsZerosInFull = row.zerosInFull;
   if (row.noise != 1)  // and the zeros, of which nothing is stated, scatter as the circles do
     truth.sigmaZero = std::min(truth.sigmaHorizontal, truth.sigmaVertical) * row.noise;
   RandomSource random(seed, stream);
@@ -97,11 +100,14 @@ void print(const Row& row, const Protocol* protocol, int sessions, std::uint64_t
 int main(int argc, char** argv) {
   const int sessions = argc > 1 ? std::atoi(argv[1]) : 500;
   const auto seed = argc > 2 ? static_cast<std::uint64_t>(std::atoll(argv[2])) : 1;
-  std::vector<Row> rows{{.name = "every effect, 1 sigma"},
-                        {.name = "every effect, 1/2 sigma", .sizes = 0.5},
-                        {.name = "every effect, 2 sigma", .sizes = 2},
-                        {.name = "none", .sizes = 0},
-                        {.name = "noise 3 times, zeros unstated", .sizes = 0, .noise = 3}};
+  std::vector<Row> rows{
+      {.name = "every effect, 1 sigma"},
+      {.name = "every effect, 1/2 sigma", .sizes = 0.5},
+      {.name = "every effect, 2 sigma", .sizes = 2},
+      {.name = "none", .sizes = 0},
+      {.name = "noise 3 times, zeros unstated", .sizes = 0, .noise = 3},
+      {.name = "every effect, zeros in full", .zerosInFull = true},
+      {.name = "noise 3 times, zeros in full", .sizes = 0, .noise = 3, .zerosInFull = true}};
   for (const Effect& effect : effectCatalogue())
     if (effect.response != Response::AllOrNothing)
       rows.push_back({.name = std::string(effect.id), .only = effect.id});

@@ -94,9 +94,9 @@ TEST(FitJson, HasTheKeysOfTheContract) {
   EXPECT_EQ(fit["method"], "rigorous");
   EXPECT_THAT(fit["session"].get<std::string>(), Not(::testing::IsEmpty()));
   EXPECT_EQ(keysOf(fit["arcs"][0]),
-            (std::set<std::string>{"axis_deg", "center_mm", "radius_mm", "sigma_mm", "correlation", "budget",
-                                   "readings", "degrees_of_freedom", "residual_rms_arcsec", "reduced_chi2",
-                                   "iterations", "converged"}));
+            (std::set<std::string>{"axis_deg", "pointing_zero", "center_mm", "radius_mm", "sigma_mm",
+                                   "correlation", "budget", "readings", "degrees_of_freedom",
+                                   "residual_rms_arcsec", "reduced_chi2", "iterations", "converged"}));
   EXPECT_EQ(keysOf(fit["arcs"][0]["sigma_mm"]), (std::set<std::string>{"x", "y", "radius"}));
   for (const char* key : {"value_mm", "sigma_mm", "expanded_mm", "coverage", "in_plane_mm"}) {
     EXPECT_TRUE(fit["intersection"][key].is_number()) << key;

@@ -64,6 +64,8 @@ constexpr Field fields[] = {
         "instrument.sigma_slider_arcsec", QT_TRANSLATE_NOOP("Field", "σ of the slider")),
     ofSession<&Session::environment, &Environment::temperatureC>("environment.temperature_c",
                                                                  QT_TRANSLATE_NOOP("Field", "temperature")),
+    ofSession<&Session::environment, &Environment::sigmaTemperatureC>(
+        "environment.sigma_temperature_c", QT_TRANSLATE_NOOP("Field", "σ of the temperature")),
     ofSession<&Session::geometry, &Geometry::distanceMm>("geometry.distance_mm",
                                                          QT_TRANSLATE_NOOP("Field", "distance L")),
     ofSession<&Session::geometry, &Geometry::sigmaDistanceMm>(
@@ -78,6 +80,10 @@ constexpr Field fields[] = {
                                                             QT_TRANSLATE_NOOP("Field", "pointing zeros")),
     ofSession<&Session::geometry, &Geometry::distanceFrom>(
         "geometry.distance_from", QT_TRANSLATE_NOOP("Field", "how the distance was measured")),
+    ofSession<&Session::geometry, &Geometry::distanceExpansionPpmPerK>(
+        "geometry.distance_expansion_ppm_per_k", QT_TRANSLATE_NOOP("Field", "expansion of the distance")),
+    ofSession<&Session::geometry, &Geometry::radiusExpansionPpmPerK>(
+        "geometry.radius_expansion_ppm_per_k", QT_TRANSLATE_NOOP("Field", "expansion of the radius")),
     ofSession<&Session::acceptance, &Acceptance::toleranceMm>("acceptance.tolerance_mm",
                                                               QT_TRANSLATE_NOOP("Field", "tolerance")),
     ofSession<&Session::acceptance, &Acceptance::coverage>("acceptance.coverage",
@@ -96,6 +102,20 @@ constexpr Field fields[] = {
                                                            QT_TRANSLATE_NOOP("Field", "pointing zero α0")),
     ofPosition<&Position::zero, &PointingZero::vertical>("pointing_zero.vertical",
                                                          QT_TRANSLATE_NOOP("Field", "pointing zero β0")),
+    ofPosition<&Position::zero, &PointingZero::faceTwo, &ZeroSighting::horizontal>(
+        "pointing_zero.face_2.horizontal", QT_TRANSLATE_NOOP("Field", "pointing zero α0 in face 2")),
+    ofPosition<&Position::zero, &PointingZero::faceTwo, &ZeroSighting::vertical>(
+        "pointing_zero.face_2.vertical", QT_TRANSLATE_NOOP("Field", "pointing zero β0 in face 2")),
+    ofPosition<&Position::zero, &PointingZero::after, &ZeroSighting::horizontal>(
+        "pointing_zero.after.horizontal", QT_TRANSLATE_NOOP("Field", "pointing zero α0 after the readings")),
+    ofPosition<&Position::zero, &PointingZero::after, &ZeroSighting::vertical>(
+        "pointing_zero.after.vertical", QT_TRANSLATE_NOOP("Field", "pointing zero β0 after the readings")),
+    ofPosition<&Position::zero, &PointingZero::afterInTwo, &ZeroSighting::horizontal>(
+        "pointing_zero.after_face_2.horizontal",
+        QT_TRANSLATE_NOOP("Field", "pointing zero α0 after the readings in face 2")),
+    ofPosition<&Position::zero, &PointingZero::afterInTwo, &ZeroSighting::vertical>(
+        "pointing_zero.after_face_2.vertical",
+        QT_TRANSLATE_NOOP("Field", "pointing zero β0 after the readings in face 2")),
 };
 
 }  // namespace

@@ -71,7 +71,7 @@ QWidget* createMeasurementForm(SessionDocument& document) {
                      "as one more observation"),
            radii},
           {"geometry.vertical_circle",
-           Forms::tr("Vert&ical circle"),
+           Forms::tr("Vert. c&ircle"),
            {},
            {},
            Forms::tr(
@@ -99,7 +99,7 @@ QWidget* createMeasurementForm(SessionDocument& document) {
                "What the tolerance limits: the intersection Δd, which is the part in the plane of the arc "
                "of the distance of its centre from the axis, or that distance as a whole"),
            measurands},
-          {"acceptance.reference_intersection_mm", Forms::tr("Reference Δd"), mm, Forms::tr("none"),
+          {"acceptance.reference_intersection_mm", Forms::tr("Reference"), mm, Forms::tr("none"),
            Forms::tr(
                "What the device was set to, where known; shown beside the result, never part of a fit")},
           {"acceptance.sigma_reference_mm", Forms::tr("σ of ref."), mm, Forms::tr("none"),
@@ -113,7 +113,7 @@ QWidget* createMeasurementForm(SessionDocument& document) {
 
 QWidget* createInstrumentForm(SessionDocument& document) {
   const QString seconds = Forms::tr("″");
-  const QVector<Choice> zeros = {{{}, Forms::tr("Not stated")},
+  const QVector<Choice> zeros = {{{}, Forms::tr("Unstated")},
                                  {QStringLiteral("each"), Forms::tr("Each")},
                                  {QStringLiteral("one"), Forms::tr("One for all")}};
   return stacked({new FieldForm(
@@ -129,16 +129,20 @@ QWidget* createInstrumentForm(SessionDocument& document) {
                "Each: sighted anew in every position. One: sighted once for all, so that an error of it "
                "cancels in Δd"),
            zeros},
-          {"instrument.sigma_horizontal_arcsec", Forms::tr("σ ho&rizontal circle"), seconds, Forms::tr("2"),
+          {"instrument.sigma_horizontal_arcsec", Forms::tr("σ ho&rizontal"), seconds, Forms::tr("2"),
            Forms::tr("Stated standard deviation of one horizontal reading")},
-          {"instrument.sigma_vertical_arcsec", Forms::tr("σ vertical circle"), seconds, Forms::tr("2"),
+          {"instrument.sigma_vertical_arcsec", Forms::tr("σ vertical"), seconds, Forms::tr("2"),
            Forms::tr("Stated standard deviation of one vertical reading")},
-          {"instrument.sigma_zero_arcsec", Forms::tr("σ pointing &zero"), seconds,
-           Forms::tr("as the circles"), Forms::tr("Standard uncertainty of the pointing zeros α0 and β0")},
+          {"instrument.sigma_zero_arcsec", Forms::tr("σ of &zeros"), seconds, Forms::tr("as the circles"),
+           Forms::tr("Standard uncertainty of one sighting of the pointing zeros α0 and β0")},
           {"instrument.sigma_slider_arcsec", Forms::tr("σ slider"), seconds, Forms::tr("5"),
            Forms::tr("Standard deviation of one slider reading")},
           {"device.name", Forms::tr("Dev&ice"), {}, Forms::tr("simulator measured"), {}, {}, true},
           {"device.serial", Forms::tr("Serial no."), {}, {}, {}},
+          {"geometry.radius_expansion_ppm_per_k", Forms::tr("R0 expands"), Forms::tr("ppm/K"),
+           Forms::tr("none"),
+           Forms::tr("By how much R0 grows with each kelvin above 20 °C, for which it is "
+                     "stated: 11.5 for steel")},
       },
       2)});
 }
@@ -189,20 +193,30 @@ QWidget* createLaboratoryForm(SessionDocument& document) {
 }
 
 QWidget* createSessionForm(SessionDocument& document) {
-  auto* form =
-      new FieldForm(document,
-                    {
-                        {"title", Forms::tr("T&itle"), {}, {}, {}, {}, true},
-                        {"operator", Forms::tr("Operator"), {}, {}, {}},
-                        {"place", Forms::tr("&Place"), {}, {}, {}},
-                        {"measured_on",
-                         Forms::tr("D&ate"),
-                         {},
-                         Forms::tr("YYYY-MM-DD"),
-                         Forms::tr("Day of the measurement")},
-                        {"environment.temperature_c", Forms::tr("&Temperature"), Forms::tr("°C"), {}, {}},
-                    },
-                    2);
+  auto* form = new FieldForm(
+      document,
+      {
+          {"title", Forms::tr("T&itle"), {}, {}, {}, {}, true},
+          {"operator", Forms::tr("Operator"), {}, {}, {}},
+          {"place", Forms::tr("&Place"), {}, {}, {}},
+          {"measured_on",
+           Forms::tr("D&ate"),
+           {},
+           Forms::tr("YYYY-MM-DD"),
+           Forms::tr("Day of the measurement")},
+          {"environment.temperature_c",
+           Forms::tr("&Temp."),
+           Forms::tr("°C"),
+           {},
+           Forms::tr("Temperature of the device and of the air")},
+          {"environment.sigma_temperature_c", Forms::tr("σ of temp."), Forms::tr("K"), Forms::tr("0 (exact)"),
+           Forms::tr("Standard uncertainty of the temperature")},
+          {"geometry.distance_expansion_ppm_per_k", Forms::tr("L expands"), Forms::tr("ppm/K"),
+           Forms::tr("none"),
+           Forms::tr("By how much L grows with each kelvin above 20 °C, for which it is stated; "
+                     "empty where it is as measured at this temperature")},
+      },
+      2);
   auto* notes = new FieldNotes(document, {.field = "notes"});
   notes->setObjectName(QStringLiteral("notes"));
   notes->setAccessibleName(Forms::tr("Notes"));

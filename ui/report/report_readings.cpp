@@ -10,6 +10,7 @@
 #include "ui/text/position_text.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/visible_text.h"
+#include "ui/text/zero_text.h"
 
 namespace alidade::ui {
 namespace {
@@ -135,6 +136,20 @@ void addPosition(ReportSheet& sheet, const Evaluation& evaluation, std::size_t i
   sheet.heading(QStringLiteral("Readings with the axis at ") + positionText(evaluation.session, index));
   sheet.paragraph(QStringLiteral("Pointing zero: horizontal α0 = %1, vertical β0 = %2")
                       .arg(zero(position.zero.horizontal), zero(position.zero.vertical)));
+  QStringList further;
+  for (const ZeroSlot& slot : furtherZeros) {
+    const ZeroSighting& sighting = position.zero.*slot.sighting;
+    if (sighting.horizontal.empty() && sighting.vertical.empty()) continue;
+    further.append(
+        QStringLiteral("%1 in face %2: %3, %4")
+            .arg(slot.isAfter ? QStringLiteral("after the readings") : QStringLiteral("before them"))
+            .arg(slot.face)
+            .arg(zero(sighting.horizontal), zero(sighting.vertical)));
+  }
+  if (!further.isEmpty()) {
+    sheet.paragraph(QStringLiteral("Sighted again ") + further.join(QStringLiteral("; ")));
+    if (const QString mean = meanZeroText(evaluation.examined, index); !mean.isEmpty()) sheet.paragraph(mean);
+  }
   sheet.skip(0.8);
   if (position.readings.empty()) {
     sheet.paragraph(QStringLiteral("No readings."));

@@ -130,9 +130,28 @@ QString correctionsText(const Evaluation& evaluation) {
   return parts.isEmpty() ? QStringLiteral("none") : parts.join(QStringLiteral("; "));
 }
 
-QString temperatureText(const Session& session) {
-  const QString typed = shortLine(qText(session.environment.temperatureC).trimmed(), longestText);
-  return typed.isEmpty() ? typed : typed + QStringLiteral(" °C; its effect on R and L is not corrected");
+/// The temperature, and what it does to the lengths.
+QString temperatureText(const Evaluation& evaluation) {
+  const Environment& environment = evaluation.session.environment;
+  const auto typed = [](const std::string& text) { return shortLine(qText(text).trimmed(), longestText); };
+  QString text = typed(environment.temperatureC);
+  if (text.isEmpty()) return text;
+  text += QStringLiteral(" °C");
+  if (const QString sigma = typed(environment.sigmaTemperatureC); !sigma.isEmpty())
+    text += QStringLiteral(" (σ %1 K)").arg(sigma);
+  const auto& measurement = evaluation.examined.measurement;
+  QStringList changes;
+  const auto tell = [&](const QString& length, double change) {
+    if (change == 0) return;
+    changes.append(QStringLiteral("%1 %2 mm").arg(length, signedNumberText(change, 3)));
+  };
+  if (measurement) {
+    tell(QStringLiteral("L"), measurement->distanceExpansion);
+    tell(QStringLiteral("R0"), measurement->radiusExpansion);
+  }
+  if (changes.isEmpty()) return text + QStringLiteral("; no expansion of L and R0 is stated");
+  return text + QStringLiteral("; against 20 °C, for which they are stated, ") +
+         changes.join(QStringLiteral(" and "));
 }
 
 }  // namespace
@@ -145,7 +164,7 @@ void addTerms(ReportSheet& sheet, const Gap& gap) {
       {QStringLiteral("Decision rule"), ruleText(gap)},
       {QStringLiteral("Exclusions"), exclusionsText(evaluation.session)},
       {QStringLiteral("Corrections"), correctionsText(evaluation)},
-      {QStringLiteral("Temperature"), temperatureText(evaluation.session)},
+      {QStringLiteral("Temperature"), temperatureText(evaluation)},
       {QStringLiteral("Scope"), QStringLiteral("The results relate only to the item measured.")}};
   sheet.keepTogether(labelledHeight(sheet, terms, ReportSheet::width));
   sheet.skip(placeLabelled(sheet, terms, 0, sheet.y(), ReportSheet::width) - sheet.y());

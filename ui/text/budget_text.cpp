@@ -38,7 +38,7 @@ BudgetLine lineOf(const UncertaintyShare& share) {
 }  // namespace
 
 QVector<BudgetLine> budgetLines(const MeasuredIntersection& measured) {
-  constexpr double negligible = 5e-3;
+  constexpr double negligible = 1e-2;
   const double variance = measured.estimate.sigma * measured.estimate.sigma;
   QVector<BudgetLine> lines;
   std::vector<UncertaintyShare> others;

@@ -16,7 +16,7 @@ struct BudgetLine {
   double sigma = 0;  ///< mm
 };
 
-/// The greatest share first; those below half a percent of the variance together in the last line.
+/// The greatest share first; those below one percent of the variance together in the last line.
 QVector<BudgetLine> budgetLines(const MeasuredIntersection& measured);
 
 /// "63.1 %": of the variance.

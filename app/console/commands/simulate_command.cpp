@@ -99,6 +99,7 @@ Truth truthOf(const SimulateRequest& request) {
   setIf(truth.sigmaZero, request.sigmaZero ? request.sigmaZero : request.sigma);
   setIf(truth.sigmaSlider, request.sigmaSlider);
   setIf(truth.typingStep, request.typingStep);
+  truth.sightsZerosInFull = request.zerosInFull;
   if (request.verticalCircle == "elevation") {
     truth.verticalCircle = VerticalCircle::Elevation;
     truth.verticalZero = Angle();
@@ -136,6 +137,8 @@ void addSimulateCommand(CLI::App& app, SimulateRequest& request) {
   simulate->add_option("--vertical-circle", request.verticalCircle, "zenith or elevation")
       ->check(CLI::IsMember({"zenith", "elevation"}))
       ->capture_default_str();
+  simulate->add_flag("--zeros-in-full", request.zerosInFull,
+                     "Sight each pointing zero in both faces, before and after its position");
   simulate->footer(footer());
 }
 

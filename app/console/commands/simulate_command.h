@@ -26,6 +26,7 @@ struct SimulateRequest {
   std::optional<double> sigmaDistance;                                                       ///< mm
   std::optional<double> sigma, sigmaZero, sigmaSlider, typingStep;                           ///< arcseconds
   std::string verticalCircle = "zenith";  ///< or "elevation"
+  bool zerosInFull = false;
 };
 
 /// Adds `simulate --out FILE --truth FILE [--seed N] [--effect NAME=VALUE]… [--protocol NAME] …`, which fills

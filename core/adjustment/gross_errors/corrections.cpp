@@ -101,26 +101,28 @@ std::vector<Correction> correctionsOf(const Session& session, std::size_t positi
   return Corrections(session, position, row).all();
 }
 
-RowReader::RowReader(const Session& session) : m_session(session), m_firstSequences(firstSequences(session)) {
+RowReader::RowReader(const Session& session) : m_firstSequences(firstSequences(session)) {
   m_alone.instrument = session.instrument;
+  m_alone.environment = session.environment;
   m_alone.geometry = session.geometry;
   m_alone.model = session.model;
-  m_alone.positions.resize(1);
-  m_alone.positions[0].readings.resize(1);
+  for (const Position& position : session.positions)  // all: which faces of a zero count hangs on the others
+    m_alone.positions.push_back(
+        {.axisDeg = position.axisDeg, .zero = position.zero, .readings = {}, .origin = {}});
 }
 
 std::optional<Sighting> RowReader::read(std::size_t position, std::size_t row, const Reading& reading) {
-  Position& alone = m_alone.positions[0];
-  alone.axisDeg = m_session.positions[position].axisDeg;
-  alone.zero = m_session.positions[position].zero;
-  alone.readings[0] = reading;
+  Position& alone = m_alone.positions[position];
+  alone.readings = {reading};
   // A point without a number is named by its row.
   if (reading.point.empty()) alone.readings[0].point = std::to_string(row + 1);
   const Examined examined = examine(m_alone);
-  if (!examined.measurement || examined.measurement->arcs.size() != 1 ||
-      examined.measurement->arcs[0].sightings.size() != 1)
-    return std::nullopt;
-  Sighting sighting = examined.measurement->arcs[0].sightings[0];
+  alone.readings.clear();
+  if (!examined.measurement) return std::nullopt;
+  const auto& arcs = examined.measurement->arcs;
+  const auto own = std::ranges::find(arcs, position, &ArcMeasurement::position);
+  if (own == arcs.end() || own->sightings.size() != 1) return std::nullopt;
+  Sighting sighting = own->sightings[0];
   sighting.row = row;
   sighting.sequence = m_firstSequences[position] + row;
   return sighting;

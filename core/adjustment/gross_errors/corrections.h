@@ -42,7 +42,6 @@ class RowReader {
   std::optional<Sighting> read(std::size_t position, std::size_t row, const Reading& reading);
 
  private:
-  const Session& m_session;
   std::vector<std::size_t> m_firstSequences;  ///< of each position
   Session m_alone;                            ///< the session with one row
 };

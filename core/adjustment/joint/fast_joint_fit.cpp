@@ -227,13 +227,14 @@ void addUnknowns(JointFit& fit, const std::vector<ArcApart>& arcs) {
 
 void addConsidered(JointFit& fit, const Measurement& measurement) {
   fit.zerosAreReadings = measurement.zerosAreReadings;
+  fit.zeroScatter = measurement.zeroScatter;
   const std::size_t zeros = measurement.hasOneZero() ? 1 : measurement.arcs.size();
   for (std::size_t zero = 0; zero < zeros; ++zero) {
     const std::size_t arc = measurement.hasOneZero() ? Unknown::everyArc : zero;
     fit.considered.push_back({.kind = Kind::HorizontalZero, .arc = arc});
     fit.considered.push_back({.kind = Kind::VerticalZero, .arc = arc});
-    fit.consideredSigmas.push_back(measurement.sigmaZeroHorizontal.radians());
-    fit.consideredSigmas.push_back(measurement.sigmaZeroVertical.radians());
+    fit.consideredSigmas.push_back(measurement.sigmaOfZeroHorizontal(measurement.arcs[zero]).radians());
+    fit.consideredSigmas.push_back(measurement.sigmaOfZeroVertical(measurement.arcs[zero]).radians());
   }
   fit.considered.push_back({.kind = Kind::Distance});
   fit.consideredSigmas.push_back(measurement.sigmaDistance);

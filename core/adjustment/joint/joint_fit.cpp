@@ -202,6 +202,7 @@ JointFit fitJointlyInGeneral(const Measurement& measurement, const std::vector<C
   fit.cofactor = plain(cofactor);
   fit.cofactorWithoutTerms = plain(withoutTerms(minimum.system.matrix, problem));
   fit.zerosAreReadings = measurement.zerosAreReadings;
+  fit.zeroScatter = measurement.zeroScatter;
   fit.considered = problem.considered();
   for (std::size_t i = 0; i < fit.considered.size(); ++i)
     fit.consideredSigmas.push_back(problem.consideredSigma(i));

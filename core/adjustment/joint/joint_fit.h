@@ -135,6 +135,7 @@ struct JointFit {
   SquareMatrix cofactorWithoutTerms;
 
   bool zerosAreReadings = false;         ///< of the measurement
+  double zeroScatter = 1;                ///< of the measurement, and in the σ of its zeros
   std::vector<Unknown> considered;       ///< zeros and distance
   std::vector<double> consideredSigmas;  ///< rad, mm; may be 0
   /// ∂unknown/∂considered, unknowns × considered, row by row.

@@ -89,8 +89,9 @@ void JointProblem::addArc(std::size_t arc) {
   for (const auto kind : kinds) estimate({.kind = kind, .arc = arc}, {});
   if (m_measurement.hasOneZero() && arc > 0) return;
   const std::size_t of = m_measurement.hasOneZero() ? Unknown::everyArc : arc;
-  addZero({.kind = HorizontalZero, .arc = of}, m_measurement.sigmaZeroHorizontal.radians());
-  addZero({.kind = VerticalZero, .arc = of}, m_measurement.sigmaZeroVertical.radians());
+  const ArcMeasurement& own = m_measurement.arcs[arc];
+  addZero({.kind = HorizontalZero, .arc = of}, m_measurement.sigmaOfZeroHorizontal(own).radians());
+  addZero({.kind = VerticalZero, .arc = of}, m_measurement.sigmaOfZeroVertical(own).radians());
 }
 
 void JointProblem::addZero(const Unknown& zero, double sigma) {
@@ -218,9 +219,21 @@ Jets JointProblem::jetsOf(const JointState& state, std::size_t arc) const {
   jets.verticalZero = value(static_cast<std::size_t>(VerticalZero), 0);
   for (std::size_t t = 0; t < m_terms.size(); ++t)
     jets.set(m_terms[t].term, value(firstTermSlot + t, m_terms[t].priorValue));
-  jets.zero = circleDirection(jets.instrumentErrors, Jets::asTarget(0, 0, -jets.distance.value()),
-                              zeroPointing(m_measurement.arcs[arc]));
+  const auto straightAhead = Jets::asTarget(0, 0, -jets.distance.value());
+  Pointing pointing = zeroPointing(m_measurement.arcs[arc]);
+  jets.zero = circleDirection(jets.instrumentErrors, straightAhead, pointing);
+  if (m_measurement.arcs[arc].zero.isInBothFaces) {
+    pointing.face = 2;
+    const auto inTwo = circleDirection(jets.instrumentErrors, straightAhead, pointing);
+    jets.zero.a = (jets.zero.a + inTwo.a) / 2.0;
+    jets.zero.e = (jets.zero.e + inTwo.e) / 2.0;
+  }
   return jets;
+}
+
+double JointProblem::elapsedAt(std::size_t sequence) const {
+  return m_measurement.rows > 1 ? static_cast<double>(sequence) / static_cast<double>(m_measurement.rows - 1)
+                                : 0;
 }
 
 Pointing JointProblem::zeroPointing(const ArcMeasurement& arc) const {
@@ -230,15 +243,17 @@ Pointing JointProblem::zeroPointing(const ArcMeasurement& arc) const {
   pointing.circle = m_measurement.verticalCircle;
   pointing.relation = m_measurement.relation;
   pointing.elapsed = midSession;
+  if (arc.zero.isSpanning && !arc.sightings.empty())
+    pointing.elapsed =
+        (elapsedAt(arc.sightings.front().sequence) + elapsedAt(arc.sightings.back().sequence)) / 2;
   return pointing;
 }
 
 Pointing JointProblem::pointingOf(const ArcMeasurement& arc, const Sighting& sighting) const {
   Pointing pointing = zeroPointing(arc);
   pointing.face = sighting.face;
-  pointing.elapsed = m_measurement.rows > 1 ? static_cast<double>(sighting.sequence) /
-                                                  static_cast<double>(m_measurement.rows - 1)
-                                            : 0;
+  pointing.elapsed = elapsedAt(sighting.sequence);
+  pointing.isSetUpAgain = &arc != m_measurement.arcs.data();
   pointing.afterJump =
       m_jumpBefore && sighting.sequence >= *m_jumpBefore && (!m_jumpEnd || sighting.sequence < *m_jumpEnd);
   return pointing;

@@ -126,6 +126,7 @@ class JointProblem {
   /// Calls `fill` with the jets of its arc for each visit.
   template <typename Fill>
   void withJetsOfEachVisit(const JointState& state, const Fill& fill) const;
+  double elapsedAt(std::size_t sequence) const;
   Pointing zeroPointing(const ArcMeasurement& arc) const;
   Pointing pointingOf(const ArcMeasurement& arc, const Sighting& sighting) const;
   bool takesPart(std::size_t arc, std::size_t sighting, ReadingKind kind) const;

@@ -46,11 +46,12 @@ class ArcsRefit : public Refit {
     const std::vector<Visit>& visits = m_visits[arc];
     m_a.resize(draws.size() * visits.size());
     m_e.resize(m_a.size());
+    const double sigmaA = read.sigmaOfZeroHorizontal(read.arcs[arc]).radians(),
+                 sigmaE = read.sigmaOfZeroVertical(read.arcs[arc]).radians();
     std::size_t next = 0;
     for (const Draw& draw : draws) {
       const double* zeros = &draw.normals[m_task.plan.zeros(arc)];
-      const double zeroA = read.sigmaZeroHorizontal.radians() * draw.zeroScale * zeros[0],
-                   zeroE = read.sigmaZeroVertical.radians() * draw.zeroScale * zeros[1];
+      const double zeroA = sigmaA * draw.zeroScale * zeros[0], zeroE = sigmaE * draw.zeroScale * zeros[1];
       for (const Visit& visit : visits) {
         double noiseA = 0, noiseE = 0;
         for (const std::size_t sighting : visit.sightings) {

@@ -25,7 +25,7 @@ double drawChiSquare(RandomSource& random, double freedom) {
 
 DrawPlan::DrawPlan(const Measurement& fitted, const NoiseScale& noise)
     : m_noise(noise),
-      m_zerosScatter(fitted.zerosAreReadings && noise.factor > 1),
+      m_zeroScatter(fitted.zerosAreReadings && noise.factor > fitted.zeroScatter ? fitted.zeroScatter : 0),
       m_terms(estimatedTerms(fitted).size()),
       m_count(firstTerm + m_terms) {
   for (const ArcMeasurement& arc : fitted.arcs) {
@@ -50,7 +50,7 @@ double DrawPlan::drawScale(RandomSource& random) const {
 void DrawPlan::drawInto(Draw& draw, std::uint64_t seed, std::uint64_t number) const {
   RandomSource random(seed, number);
   draw.scale = drawScale(random);
-  draw.zeroScale = m_zerosScatter ? draw.scale : 1;
+  draw.zeroScale = m_zeroScatter > 0 ? draw.scale / m_zeroScatter : 1;
   draw.normals.resize(m_count);
   for (double& normal : draw.normals) normal = zigguratNormal(random);
 }

@@ -40,7 +40,7 @@ class DrawPlan {
   double drawScale(RandomSource& random) const;
 
   NoiseScale m_noise;
-  bool m_zerosScatter = false;
+  double m_zeroScatter = 0;  ///< in the σ of zeros that scatter as the readings do; 0: they do not
   std::size_t m_terms = 0, m_count = 0;
   std::vector<std::size_t> m_zeros;
   std::vector<std::vector<std::size_t>> m_readings;

@@ -118,11 +118,12 @@ class ExpandedModel {
   void addVisits(const RefitTask& task, const JointProblem& problem) {
     const std::vector<VisitEquations> all = problem.equationsOf(m_state);
     const Measurement& read = task.fitted;
-    const std::array zeroSigmas{read.sigmaZeroHorizontal, read.sigmaZeroVertical};
     for (std::size_t v = 0; v < all.size(); ++v) {
       const std::size_t arc = problem.visits()[v].arc;
       VisitBlock& visit = m_visits.emplace_back();
       visit.arc = arc;
+      const std::array zeroSigmas{read.sigmaOfZeroHorizontal(read.arcs[arc]),
+                                  read.sigmaOfZeroVertical(read.arcs[arc])};
       visit.firstRow = m_rows.size();
       visit.rows = static_cast<std::size_t>(all[v].residual.size());
       for (Index row = 0; row < all[v].residual.size(); ++row) {

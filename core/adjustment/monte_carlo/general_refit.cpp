@@ -42,8 +42,8 @@ class GeneralRefit : public Refit {
   void takeArc(const Draw& draw, std::size_t arc) {
     const Measurement& read = m_task.fitted;
     const double* zeros = &draw.normals[m_task.plan.zeros(arc)];
-    const Angle zeroA = read.sigmaZeroHorizontal * (draw.zeroScale * zeros[0]),
-                zeroE = read.sigmaZeroVertical * (draw.zeroScale * zeros[1]);
+    const Angle zeroA = read.sigmaOfZeroHorizontal(read.arcs[arc]) * (draw.zeroScale * zeros[0]),
+                zeroE = read.sigmaOfZeroVertical(read.arcs[arc]) * (draw.zeroScale * zeros[1]);
     for (std::size_t i = 0; i < read.arcs[arc].sightings.size(); ++i) {
       const Sighting& sighting = read.arcs[arc].sightings[i];
       const double* noise = &draw.normals[m_task.plan.readings(arc, i)];

@@ -79,6 +79,17 @@ struct SlidersDiffer {
 struct ZerosAlike {
   std::size_t positions = 2;
 };
+/// From before the readings of the position to after them, more than sightings scatter.
+struct ZeroMoved {
+  int axisDeg = 0, time = 1;
+  Angle horizontal, vertical;            ///< as face 1 reads it
+  Angle sigmaHorizontal, sigmaVertical;  ///< of these
+  double scatter = 1;                    ///< by which U takes zeros to scatter more than stated
+};
+/// In face 2, since other positions have no zero in it.
+struct ZeroFaceLeftOut {
+  int axisDeg = 0, time = 1;
+};
 
 }  // namespace setup_finding
 
@@ -130,14 +141,13 @@ struct ArcFinding {
 };
 
 struct FitFinding {
-  using What =
-      std::variant<ArcFinding, setup_finding::DistanceTooShort, setup_finding::PlacesOnTheWrongSide,
-                   setup_finding::ZeroOfOtherCircle, setup_finding::SlidersDiffer, setup_finding::ZerosAlike,
-                   session_finding::ArcMissing, session_finding::Undetermined,
-                   session_finding::PositionMissing, session_finding::RadiiDiffer,
-                   session_finding::CentresDiffer, session_finding::KnownRadiusContradicted,
-                   session_finding::OffReference, session_finding::UnknownEffect,
-                   session_finding::KnownOfNothing, session_finding::PlanarRelation>;
+  using What = std::variant<
+      ArcFinding, setup_finding::DistanceTooShort, setup_finding::PlacesOnTheWrongSide,
+      setup_finding::ZeroOfOtherCircle, setup_finding::SlidersDiffer, setup_finding::ZerosAlike,
+      setup_finding::ZeroMoved, setup_finding::ZeroFaceLeftOut, session_finding::ArcMissing,
+      session_finding::Undetermined, session_finding::PositionMissing, session_finding::RadiiDiffer,
+      session_finding::CentresDiffer, session_finding::KnownRadiusContradicted, session_finding::OffReference,
+      session_finding::UnknownEffect, session_finding::KnownOfNothing, session_finding::PlanarRelation>;
 
   Severity severity = Severity::Warning;  ///< Error: an arc, or all of them, are not there because of this
   Place where;

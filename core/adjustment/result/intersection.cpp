@@ -132,9 +132,9 @@ std::vector<BudgetEntry> budgetOf(const JointFit& fit, const std::vector<double>
         {UncertaintySource::KnownRadius, std::sqrt(varianceOfKnown(fit, fit.cofactor, weights, isRadius))});
   const double ofZeros = std::sqrt(consideredVariance(fit, weights, false) +
                                    varianceOfKnown(fit, fit.cofactor, weights, &Unknown::isPointingZero));
-  const bool zerosScatter = fit.zerosAreReadings && scale > 1;
-  budget.push_back({UncertaintySource::PointingZeros, zerosScatter ? scale * ofZeros : ofZeros,
-                    zerosScatter ? scale * ofZeros : 0});
+  const bool zerosScatter = fit.zerosAreReadings && scale > fit.zeroScatter;
+  const double asTheyScatter = zerosScatter ? scale / fit.zeroScatter * ofZeros : ofZeros;
+  budget.push_back({UncertaintySource::PointingZeros, asTheyScatter, zerosScatter ? asTheyScatter : 0});
   budget.push_back({UncertaintySource::Distance, std::sqrt(consideredVariance(fit, weights, true))});
   return budget;
 }

@@ -71,6 +71,37 @@ void judgeZeros(std::vector<FitFinding>& findings, const Measurement& measuremen
                       ZerosAlike{measurement.arcs.size()}});
 }
 
+/// Beyond what two sightings differ by in one case of a thousand.
+void judgeMoves(std::vector<FitFinding>& findings, const Measurement& measurement, const SessionFit& fit) {
+  constexpr double farthest = 3.29;
+  const double scale = measurement.zerosAreReadings ? std::max(1.0, fit.noise.factor) : 1;
+  for (const ArcMeasurement& arc : measurement.arcs) {
+    if (!arc.zero.moved) continue;
+    const auto& [horizontal, vertical, factor] = *arc.zero.moved;
+    const Angle sigmaHorizontal = measurement.sigmaZeroHorizontal * (scale * factor),
+                sigmaVertical = measurement.sigmaZeroVertical * (scale * factor);
+    const auto isFar = [](Angle move, Angle sigma) {
+      return std::abs(move.radians()) > farthest * sigma.radians();
+    };
+    if (!isFar(horizontal, sigmaHorizontal) && !isFar(vertical, sigmaVertical)) continue;
+    findings.push_back(
+        {Severity::Warning,
+         Place{.position = arc.position, .reading = {}, .field = "pointing_zero.after.horizontal"},
+         ZeroMoved{arc.axisDeg, arc.time, horizontal, vertical, sigmaHorizontal, sigmaVertical,
+                   measurement.zeroScatter}});
+  }
+}
+
+void judgeZeroFaces(std::vector<FitFinding>& findings, const Measurement& measurement) {
+  const auto found = std::ranges::find_if(measurement.arcs,
+                                          [](const ArcMeasurement& arc) { return arc.zero.hasLeftOutFace; });
+  if (found == measurement.arcs.end()) return;
+  findings.push_back(
+      {Severity::Note,
+       Place{.position = found->position, .reading = {}, .field = "pointing_zero.face_2.horizontal"},
+       ZeroFaceLeftOut{found->axisDeg, found->time}});
+}
+
 /// A slider value that differs from the first of its visit.
 struct OtherSlider {
   std::size_t first, other;  // rows
@@ -122,6 +153,8 @@ std::vector<FitFinding> setupFindings(const Measurement& measurement, const Sess
   judgeSides(findings, fit);
   judgeVerticalCircle(findings, measurement);
   judgeZeros(findings, measurement);
+  judgeMoves(findings, measurement, fit);
+  judgeZeroFaces(findings, measurement);
   for (const ArcMeasurement& arc : measurement.arcs) judgeSliders(findings, arc);
   return findings;
 }

@@ -21,7 +21,8 @@ std::optional<LengthsInDoubt> doubtfulLengths(const Measurement& measurement,
 
 /// Findings on the set-up of a fit that stands, `measurement` being the fitted part: too short a distance,
 /// places on the wrong side of their centre (0° has them above, 180° below), a pointing zero where the other
-/// kind of vertical circle has it, different slider values in one visit.
+/// kind of vertical circle has it, one that moved while the position was read or whose face 2 is left out,
+/// different slider values in one visit.
 std::vector<FitFinding> setupFindings(const Measurement& measurement, const SessionFit& fit);
 
 }  // namespace alidade

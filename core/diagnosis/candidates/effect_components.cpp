@@ -109,7 +109,7 @@ std::vector<EffectComponent> effectComponents(const Leftover& leftover,
                                               const std::vector<std::string>& leftOut) {
   std::vector<const Effect*> effects;
   for (const Effect& effect : effectCatalogue())
-    if (std::ranges::find(leftOut, effect.id) == leftOut.end()) effects.push_back(&effect);
+    if (effect.isSought && std::ranges::find(leftOut, effect.id) == leftOut.end()) effects.push_back(&effect);
   std::vector<EffectComponent> components;
   constexpr Index mostNumbers = 4'000'000;  // at once: all columns of a large session would fill the memory
   const Index most = mostNumbers / std::max(leftover.readings(), Index{1});

@@ -57,9 +57,10 @@ void GapModel::refit() {
 Measurement withNoise(Measurement measurement, double factor) {
   for (Angle* sigma : {&measurement.sigmaHorizontal, &measurement.sigmaVertical, &measurement.sigmaSlider})
     *sigma = *sigma * factor;
-  if (measurement.zerosAreReadings)
-    for (Angle* sigma : {&measurement.sigmaZeroHorizontal, &measurement.sigmaZeroVertical})
-      *sigma = *sigma * factor;
+  if (!measurement.zerosAreReadings) return measurement;
+  for (Angle* sigma : {&measurement.sigmaZeroHorizontal, &measurement.sigmaZeroVertical})
+    *sigma = *sigma * factor;
+  measurement.zeroScatter = std::max(1.0, measurement.zeroScatter / factor);
   return measurement;
 }
 

@@ -25,6 +25,7 @@ Pointing pointing(int face) {
   Pointing p;
   p.face = face;
   p.elapsed = 0.7;
+  p.isSetUpAgain = true;
   p.horizontalZero = 0.4;
   p.verticalZero = std::numbers::pi / 2 + 1e-5;
   return p;

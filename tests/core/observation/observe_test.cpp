@@ -84,6 +84,7 @@ class ReadingModel {
     pointing.face = sighting->face;
     pointing.elapsed = static_cast<double>(sighting->sequence) / static_cast<double>(m_measurement.rows - 1);
     pointing.afterJump = true;
+    pointing.isSetUpAgain = &arc != m_measurement.arcs.data();
     return pointing;
   }
 
@@ -138,6 +139,8 @@ TEST_P(DerivativeTest, OfEveryUnknownMeetsTheNumericOne) {
 TEST_P(DerivativeTest, OfEveryErrorTermMeetsTheNumericOne) {
   const std::map<ErrorTerm, double> steps = {{VerticalAngleRelation, 0.01},
                                              {PlaneOffset, 0.3},
+                                             {SetupShiftX, 0.3},
+                                             {SetupShiftY, 0.3},
                                              {EllipticityCosine, 0.3},
                                              {EllipticitySine, 0.3},
                                              {LobingCosine, 0.3},

@@ -126,8 +126,8 @@ TEST_P(Reduced, IsRightAndUpPositive) {
   Session session = soundSession();
   session.geometry.verticalCircle = given.circle;
   session.positions.resize(1);
-  session.positions[0].zero = {
-      .horizontal = given.zeroHorizontal, .vertical = given.zeroVertical, .origin = {}};
+  session.positions[0].zero.horizontal = given.zeroHorizontal;
+  session.positions[0].zero.vertical = given.zeroVertical;
   session.positions[0].readings = {row("1", given.horizontal, given.vertical, given.face)};
   const Examined examined = examine(session);
   ASSERT_TRUE(examined.problems.empty()) << examined.problems[0].text();
@@ -389,6 +389,32 @@ TEST(Measurement, HasOneZeroWhereItIsStatedAndTheSameEverywhere) {
   EXPECT_FALSE(differing.measurement->hasOneZero());
   session.positions[1].zero = session.positions[0].zero;
   EXPECT_TRUE(examine(session).measurement->hasOneZero());
+}
+
+// Closed form: L (1 + α (T − 20 K)), and σ(L) with L α σ(T) beside it.
+TEST(Measurement, TakesLengthsToTheTemperatureOfTheSession) {
+  Session session = soundSession();
+  const Measurement stated = *examine(session).measurement;
+  session.environment.temperatureC = "27.5";
+  EXPECT_EQ(examine(session).measurement->distance, stated.distance) << "no coefficient is stated";
+  session.environment.sigmaTemperatureC = "2";
+  session.geometry.distanceExpansionPpmPerK = "-1.5";
+  session.geometry.radiusExpansionPpmPerK = "11.5";
+  const Measurement warm = *examine(session).measurement;
+  EXPECT_NEAR(warm.distanceExpansion, stated.distance * -1.5e-6 * 7.5, 1e-12);
+  EXPECT_NEAR(warm.distance, stated.distance + warm.distanceExpansion, 1e-9);
+  EXPECT_NEAR(warm.sigmaDistance, std::hypot(stated.sigmaDistance, stated.distance * 1.5e-6 * 2), 1e-12);
+  EXPECT_NEAR(warm.nominalRadius, stated.nominalRadius * (1 + 11.5e-6 * 7.5), 1e-9);
+  EXPECT_NEAR(warm.sigmaRadius, std::hypot(stated.sigmaRadius, stated.nominalRadius * 11.5e-6 * 2), 1e-12);
+  session.environment.temperatureC.clear();
+  const Examined without = examine(session);
+  ASSERT_EQ(without.problems.size(), 2u);
+  EXPECT_THAT(
+      without.problems[0].text(),
+      HasSubstr("geometry.distance_expansion_ppm_per_k: has nothing to act on: type the temperature"));
+  EXPECT_EQ(without.measurement->distance, stated.distance);
+  session.geometry.distanceExpansionPpmPerK = "5000";
+  EXPECT_FALSE(examine(session).measurement);
 }
 
 TEST(Measurement, HasATolerancesMeasurand) {

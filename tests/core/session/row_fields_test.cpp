@@ -45,14 +45,8 @@ TEST(RowFields, AreWrittenInTheOrderOfTheFile) {
 TEST(RowFields, SurviveTheFile) {
   Session session = sessionOfOneRow(nonsense);
   session.positions[0].readings[0].excluded = true;
-  session.geometry = {.distanceMm = "2405",
-                      .sigmaDistanceMm = {},
-                      .radiusMm = "400",
-                      .sigmaRadiusMm = {},
-                      .verticalCircle = {},
-                      .pointingZeros = {},
-                      .distanceFrom = {},
-                      .origin = {}};
+  session.geometry.distanceMm = "2405";
+  session.geometry.radiusMm = "400";
   const Result<Session> read = readSession(writeSession(session));
   ASSERT_TRUE(read) << read.problem().text();
   EXPECT_EQ(read->positions[0].readings, session.positions[0].readings);

@@ -48,13 +48,13 @@ TEST(SessionWriter, SpellsOutEverythingThatASessionHolds) {
   session.report = {"17", "l", "c", "a", "r", {}};
   session.device = {"d", "1", {}, {}};
   session.instrument = {"i", "2", "c", "t", "2,5", "3", "about 1", "5.0", {}, {}};
-  session.environment = {"-3", {}};
-  session.geometry = {"2405", "0.5", "400", "0", "elevation", "one", "laser", {}};
+  session.environment = {"-3", "0.5", {}};
+  session.geometry = {"2405", "0.5", "400", "0", "elevation", "one", "laser", "1", "11.5", {}};
   session.acceptance = {"2.5", "distance", "0.95", "-1", "0.1", {}};
   session.model = {"planar", "known", {"b", "a"}, {}};
   Position& position = session.positions.emplace_back();
   position.axisDeg = "180";
-  position.zero = {"1°", "90 0 0", {}};
+  position.zero = {"1°", "90 0 0", {"181 0 0", "270 0 1"}, {"1 0 1", ""}, {"", "x"}, {}};
   position.readings = {{"1", "2", "x", "10", "20", "30", true, "r", {}}, {}};
   const Json expected = Json::parse(R"({
     "format": "alidade-session", "version": 1, "title": "t", "notes": "n", "operator": "o", "place": "p",
@@ -63,12 +63,14 @@ TEST(SessionWriter, SpellsOutEverythingThatASessionHolds) {
     "device": {"name": "d", "serial": "1"},
     "instrument": {"name": "i", "serial": "2", "certificate": "c", "traceability": "t", "sigma_horizontal_arcsec": 2.5, "sigma_vertical_arcsec": 3,
                    "sigma_zero_arcsec": "about 1", "sigma_slider_arcsec": 5},
-    "environment": {"temperature_c": -3},
+    "environment": {"temperature_c": -3, "sigma_temperature_c": 0.5},
     "geometry": {"distance_mm": 2405, "sigma_distance_mm": 0.5, "radius_mm": 400, "sigma_radius_mm": 0,
-                 "vertical_circle": "elevation", "pointing_zeros": "one", "distance_from": "laser"},
+                 "vertical_circle": "elevation", "pointing_zeros": "one", "distance_from": "laser", "distance_expansion_ppm_per_k": 1, "radius_expansion_ppm_per_k": 11.5},
     "acceptance": {"tolerance_mm": 2.5, "measurand": "distance", "coverage": 0.95, "reference_intersection_mm": -1, "sigma_reference_mm": 0.1},
     "model": {"vertical_angle": "planar", "radius": "known", "effects": ["b", "a"]},
-    "positions": [{"axis_deg": 180, "pointing_zero": {"horizontal": "1°", "vertical": "90 0 0"}, "readings": [
+    "positions": [{"axis_deg": 180, "pointing_zero": {"horizontal": "1°", "vertical": "90 0 0",
+      "face_2": {"horizontal": "181 0 0", "vertical": "270 0 1"}, "after": {"horizontal": "1 0 1"},
+      "after_face_2": {"vertical": "x"}}, "readings": [
       {"point": 1, "round": 2, "face": "x", "horizontal": "10", "vertical": "20", "slider": "30",
        "excluded": true, "note": "r"},
       {"horizontal": "", "vertical": ""}]}]})");

@@ -48,5 +48,24 @@ TEST(SetupFindingsInWords, AskWhetherZerosThatAreAlikeAreOne) {
   EXPECT_THAT(wordsOf(ZerosAlike{3}).text, StartsWith("All positions have the same pointing zero"));
 }
 
+TEST(SetupFindingsInWords, SayHowFarAZeroMoved) {
+  ZeroMoved moved{.axisDeg = 180,
+                  .horizontal = Angle::fromArcseconds(-1),
+                  .vertical = Angle::fromArcseconds(12.34),
+                  .sigmaHorizontal = Angle::fromArcseconds(2.8),
+                  .sigmaVertical = Angle::fromArcseconds(2.8)};
+  EXPECT_EQ(
+      wordsOf(moved).text,
+      "180°: the pointing zero moved by −1.0″ ± 2.8″ horizontally and 12.3″ ± 2.8″ vertically (1σ) while the "
+      "position was read.");
+  moved.scatter = 3.14;
+  EXPECT_THAT(wordsOf(moved).text, HasSubstr("; U takes the zeros to scatter 3.1 times as stated."));
+}
+
+TEST(SetupFindingsInWords, NameThePositionWhoseFaceTwoIsLeftOut) {
+  EXPECT_THAT(wordsOf(ZeroFaceLeftOut{.axisDeg = 0, .time = 2}).text,
+              StartsWith("0° again: the sightings of the pointing zero in face 2 are left out"));
+}
+
 }  // namespace
 }  // namespace alidade

@@ -160,7 +160,7 @@ TEST(AcceptanceReport, PutsBothAccountsAndWhatIsUnseenBesideTheVerdict) {
   const QString contradicted = Printed(session).page(0).simplified();
   EXPECT_TRUE(contradicted.contains(QStringLiteral("Undecided"))) << contradicted.toStdString();
   EXPECT_TRUE(contradicted.contains(
-      QStringLiteral("Measured: Δd = 0.414 ± 0.078 mm tolerance ± 0.415 mm of the fit alone: Δd = 0.458 ± "
+      QStringLiteral("Measured: Δd = 0.413 ± 0.092 mm tolerance ± 0.415 mm of the fit alone: Δd = 0.458 ± "
                      "0.039 mm")))
       << contradicted.toStdString();
   EXPECT_FALSE(contradicted.contains(QStringLiteral("Rejected")));
@@ -337,9 +337,9 @@ TEST(AcceptanceReport, PrintsWhatALaboratoryStates) {
        {"Table I No. 2026-117", "Length Laboratory,", "Motion Simulators Ltd.,",
         "Rotatable arc guideway, serial A-7", "Theodolite T2, serial 31415", "K-2026-0815 of 2026-01-20",
         "national angle standard,", "steel tape 12, certificate L-88", "Hall 3, pillar 2", "2026-03-13",
-        "Agreed by: the customer, order 4711 of 2026-02-02",
-        "20.4 °C; its effect on R and L is not corrected", "Operator: J. Doe, date",
-        "Authorised by: R. Roe, date", "The results relate only to the item measured."})
+        "Agreed by: the customer, order 4711 of 2026-02-02", "20.4 °C; no expansion of L and R0 is stated",
+        "Operator: J. Doe, date", "Authorised by: R. Roe, date",
+        "The results relate only to the item measured."})
     EXPECT_TRUE(front.contains(QString::fromUtf8(text))) << text << "\n" << front.toStdString();
 }
 

@@ -87,6 +87,7 @@ double pickExaggeration(const ArcPicture& picture) {
 Session excludedAlone(const Session& session, std::vector<std::vector<std::size_t>>& rows) {
   Session alone;
   alone.instrument = session.instrument;
+  alone.environment = session.environment;
   alone.geometry = session.geometry;
   alone.model = session.model;
   for (const Position& position : session.positions) {

@@ -1,6 +1,5 @@
 #include "ui/panels/readings/position_tabs.h"
 
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -9,8 +8,8 @@
 #include "core/session/entry.h"
 #include "ui/commands/add_position.h"
 #include "ui/document/session_document.h"
-#include "ui/forms/field_edit.h"
 #include "ui/panels/readings/readings_table.h"
+#include "ui/panels/readings/zero_entries.h"
 #include "ui/panels/result/findings_panel.h"
 #include "ui/settings/theme.h"
 #include "ui/text/position_text.h"
@@ -37,6 +36,7 @@ PositionTabs::PositionTabs(SessionDocument& document, QWidget* parent)
   connect(&document, &SessionDocument::changed, this, [this](const SessionChange& change) {
     if (changesTabs(change)) rebuild();
     if (change.kind == SessionChange::Kind::Field) nameTabs();
+    followZeros();
   });
   // Later, since a field is also handed in while the current tab changes.
   connect(&document, &SessionDocument::changed, this, &PositionTabs::showMissing, Qt::QueuedConnection);
@@ -47,6 +47,7 @@ PositionTabs::PositionTabs(SessionDocument& document, QWidget* parent)
 void PositionTabs::clearPositions() {
   const std::size_t positions = m_tables.size();
   m_tables.clear();
+  m_zeros.clear();
   for (std::size_t i = 0; i < positions; ++i) delete widget(0);
 }
 
@@ -57,6 +58,7 @@ void PositionTabs::rebuild() {
   nameTabs();
   showMissing();
   showPosition(0);
+  followZeros();
   for (ReadingsTable* table : m_tables) emit tableCreated(table);
 }
 
@@ -100,42 +102,24 @@ QWidget* PositionTabs::createPage(std::size_t position) {
   auto* page = new QWidget;
   auto* layout = new QVBoxLayout(page);
   layout->setContentsMargins(6, 6, 6, 6);
-  layout->addWidget(createZeroEntries(position));
+  auto* zero = new ZeroEntries(m_document, position);
+  zero->showFurther(m_showsZeros);
+  connect(zero, &ZeroEntries::furtherWanted, this, &PositionTabs::showFurtherZeros);
+  m_zeros.push_back(zero);
+  layout->addWidget(zero);
   layout->addWidget(table, 1);
   return page;
 }
 
-QWidget* PositionTabs::createZeroEntries(std::size_t position) {
-  auto* row = new QWidget;
-  auto* layout = new QHBoxLayout(row);
-  layout->setContentsMargins(0, 0, 0, 0);
-  const auto add = [&](const char* field, const QString& caption, const QString& spoken, const QString& hint,
-                       FieldEdit::Shows shows) {
-    auto* entry = new FieldEdit(m_document, {.position = position, .field = field}, shows);
-    entry->setObjectName(QStringLiteral("%1 %2").arg(QString::fromLatin1(field)).arg(position));
-    entry->setAccessibleName(spoken);
-    entry->setHint(hint);
-    auto* label = new QLabel(caption);
-    label->setBuddy(entry);
-    layout->addWidget(label);
-    layout->addWidget(entry, shows == FieldEdit::Shows::Angle ? 1 : 0);
-    return entry;
-  };
-  add("pointing_zero.horizontal", tr("&α0"), tr("Pointing zero, horizontal"),
-      tr("Horizontal circle reading of the direction perpendicular to the plane of the arc"),
-      FieldEdit::Shows::Angle)
-      ->setPlaceholderText(tr("required"));
-  layout->addSpacing(6);
-  add("pointing_zero.vertical", tr("&β0"), tr("Pointing zero, vertical"),
-      tr("Vertical circle reading of the direction perpendicular to the plane of the arc"),
-      FieldEdit::Shows::Angle)
-      ->setPlaceholderText(tr("required"));
-  layout->addSpacing(6);
-  FieldEdit* axis = add("axis_deg", tr("A&xis"), tr("Position of the axis in degrees"),
-                        tr("Rotation of the axis: 0 or 180 degrees"), FieldEdit::Shows::AsTyped);
-  axis->setFixedWidth(56);
-  layout->addWidget(new QLabel(tr("°")));
-  return row;
+/// Shown in all positions or in none.
+void PositionTabs::showFurtherZeros(bool shown) {
+  m_showsZeros = shown;
+  for (ZeroEntries* zero : m_zeros) zero->showFurther(shown);
+}
+
+/// A sighting that is there is shown.
+void PositionTabs::followZeros() {
+  if (!m_showsZeros && std::ranges::any_of(m_zeros, &ZeroEntries::hasFurther)) showFurtherZeros(true);
 }
 
 void PositionTabs::nameTabs() {
@@ -160,6 +144,7 @@ ReadingsTable* PositionTabs::currentTable() const {
 
 void PositionTabs::setEvaluation(const SharedEvaluation& evaluation) {
   for (ReadingsTable* table : m_tables) table->readings().setEvaluation(evaluation);
+  for (ZeroEntries* zero : m_zeros) zero->setEvaluation(*evaluation);
   for (int tab = 0; tab < static_cast<int>(m_tables.size()); ++tab) {
     const auto& problems = evaluation->examined.problems;
     const bool wrong = std::any_of(problems.begin(), problems.end(), [&](const Problem& problem) {
@@ -179,6 +164,12 @@ void PositionTabs::showPosition(std::size_t position) {
   for (int tab = static_cast<int>(position); tab < count(); ++tab) {
     if (isTabVisible(tab)) return setCurrentIndex(tab);
   }
+}
+
+void PositionTabs::uncover(const Place& place) {
+  if (place.field.starts_with("pointing_zero.") &&
+      std::ranges::count(place.field, '.') > 1)  // not the first sighting
+    showFurtherZeros(true);
 }
 
 void PositionTabs::selectCell(std::size_t position, std::size_t row, ReadingColumn column) {

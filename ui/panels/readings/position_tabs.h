@@ -12,6 +12,7 @@ namespace alidade::ui {
 
 class ReadingsTable;
 class SessionDocument;
+class ZeroEntries;
 
 /// A tab for each position of the axis: its pointing zero above its readings. Behind them a tab for each
 /// position that is missing, with a button that adds it.
@@ -27,6 +28,8 @@ class PositionTabs : public QTabWidget {
   void setColumnShown(ReadingColumn column, bool shown);
   /// The tab of the position, or that of a missing one where there are not so many.
   void showPosition(std::size_t position);
+  /// Makes sure that the entry of a field is not hidden.
+  void uncover(const Place& place);
   void selectCell(std::size_t position, std::size_t row, ReadingColumn column);
 
  signals:
@@ -41,11 +44,14 @@ class PositionTabs : public QTabWidget {
   void createMissingPage(int axisDeg);
   void showMissing();
   QWidget* createPage(std::size_t position);
-  QWidget* createZeroEntries(std::size_t position);
+  void showFurtherZeros(bool shown);
+  void followZeros();
   void nameTabs();
 
   SessionDocument& m_document;
   std::vector<ReadingsTable*> m_tables;
+  std::vector<ZeroEntries*> m_zeros;
+  bool m_showsZeros = false;
   std::map<ReadingColumn, bool> m_shown;
 };
 

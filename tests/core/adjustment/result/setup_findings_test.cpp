@@ -159,7 +159,8 @@ TEST(SetupFindings, NameExchangedPositions) {
 TEST(SetupFindings, AskWhetherAlikeZerosAreOne) {
   Session session = test::paperSession();
   EXPECT_FALSE(found<ZerosAlike>(findingsOf(session)));
-  session.positions[1].zero = {"332°32'54.0\"", "89 59 57", {}};  // the first, written otherwise
+  session.positions[1].zero.horizontal = "332°32'54.0\"";
+  session.positions[1].zero.vertical = "89 59 57";  // the first, written otherwise
   const auto findings = findingsOf(session);
   ASSERT_TRUE(found<ZerosAlike>(findings));
   EXPECT_EQ(found<ZerosAlike>(findings)->positions, 2u);
@@ -173,6 +174,36 @@ TEST(SetupFindings, AskWhetherAlikeZerosAreOne) {
   session.instrument.sigmaZeroArcsec.clear();
   session.positions.pop_back();
   EXPECT_FALSE(found<ZerosAlike>(findingsOf(session)));
+}
+
+TEST(SetupFindings, TellOfAZeroThatMovedAndOfAFaceLeftOut) {
+  Session session = test::paperSession();
+  const auto typed = [](const Angle& angle) { return formatDms(angle, 1); };
+  const Measurement measurement = *examine(session).measurement;
+  const ArcMeasurement& arc = measurement.arcs[1];
+  const auto after = [&](double arcseconds) {
+    session.positions[1].zero.after = {typed(arc.zeroHorizontal),
+                                       typed(arc.zeroVertical + Angle::fromArcseconds(arcseconds))};
+  };
+  after(9);  // 3.2 of 2″ √2
+  EXPECT_FALSE(found<ZeroMoved>(findingsOf(session)));
+  after(-10);
+  const auto moving = findingsOf(session);
+  const auto* moved = found<ZeroMoved>(moving);
+  ASSERT_TRUE(moved);
+  EXPECT_EQ(moved->axisDeg, 180);
+  EXPECT_NEAR(moved->vertical.arcseconds(), -10, 0.06);
+  EXPECT_NEAR(moved->sigmaVertical.arcseconds(), 2 * std::sqrt(2), 1e-9);
+  EXPECT_EQ(moving.front().where.path(), "positions[1].pointing_zero.after.horizontal");
+  session.instrument.sigmaZeroArcsec.clear();  // as the readings scatter, seven times as stated
+  EXPECT_FALSE(found<ZeroMoved>(findingsOf(session)));
+
+  EXPECT_FALSE(found<ZeroFaceLeftOut>(findingsOf(session)));
+  session.positions[0].zero.faceTwo = {typed(measurement.arcs[0].zeroHorizontal - Angle::fromDegrees(180)),
+                                       typed(Angle::fromDegrees(360) - measurement.arcs[0].zeroVertical)};
+  const auto oneFace = findingsOf(session);
+  ASSERT_TRUE(found<ZeroFaceLeftOut>(oneFace));
+  EXPECT_EQ(found<ZeroFaceLeftOut>(oneFace)->axisDeg, 0);
 }
 
 TEST(SetupFindings, NameTheRowsOfDifferentSliderValues) {

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <QWidget>
+#include <cstddef>
+#include <vector>
+
+#include "ui/forms/field_edit.h"
+#include "ui/jobs/evaluation.h"
+
+class QGridLayout;
+class QLabel;
+class QToolButton;
+
+namespace alidade::ui {
+
+/// The pointing zero and the axis of one position; on demand below it the further sightings of the zero, in
+/// face 2 and after the readings, with the mean of all.
+class ZeroEntries : public QWidget {
+  Q_OBJECT
+
+ public:
+  ZeroEntries(SessionDocument& document, std::size_t position, QWidget* parent = nullptr);
+
+  void setEvaluation(const Evaluation& evaluation);
+  void showFurther(bool shown);
+  bool hasFurther() const;  ///< has the session a text of a further sighting?
+
+ signals:
+  void furtherWanted(bool shown);
+
+ private:
+  FieldEdit* addEntry(int row, int column, const std::string& field, const QString& spoken,
+                      const QString& hint, FieldEdit::Shows shows = FieldEdit::Shows::Angle);
+  QLabel* addCaption(int row, int column, const QString& caption, QWidget* buddy);
+  void addFurther(int row, const std::string& key, const QString& caption, const QString& when);
+
+  SessionDocument& m_document;
+  const std::size_t m_position;
+  QGridLayout* m_layout;
+  QToolButton* m_toggle;
+  QLabel* m_mean;
+  std::vector<QWidget*> m_further;
+};
+
+}  // namespace alidade::ui

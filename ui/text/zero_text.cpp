@@ -1,0 +1,44 @@
+#include "ui/text/zero_text.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+
+#include "ui/text/quantity_text.h"
+
+namespace alidade::ui {
+
+namespace {
+
+struct ZeroText {
+  Q_DECLARE_TR_FUNCTIONS(ZeroText)
+};
+
+QString arcsecondsText(Angle angle) {
+  return numberText(angle.arcseconds(), 1) + u'″';
+}
+
+QString textOf(const Measurement& measurement, const ArcMeasurement& arc) {
+  const ZeroSightings& zero = arc.zero;
+  const Angle horizontal = wrapped(arc.zeroHorizontal, Angle::fromDegrees(180));
+  QString text = ZeroText::tr("Mean of %1 sightings: α0 %2 ± %3, β0 %4 ± %5 (1σ)")
+                     .arg(QString::number(zero.count), dmsText(horizontal, 1),
+                          arcsecondsText(measurement.sigmaOfZeroHorizontal(arc)),
+                          dmsText(arc.zeroVertical, 1), arcsecondsText(measurement.sigmaOfZeroVertical(arc)));
+  if (zero.moved)
+    text += ZeroText::tr("; moved by %1 and %2 meanwhile")
+                .arg(arcsecondsText(zero.moved->horizontal), arcsecondsText(zero.moved->vertical));
+  if (zero.hasLeftOutFace) text += ZeroText::tr("; without face 2, which not every position has");
+  return text;
+}
+
+}  // namespace
+
+QString meanZeroText(const Examined& examined, std::size_t position) {
+  if (!examined.measurement) return {};
+  const auto& arcs = examined.measurement->arcs;
+  const auto found = std::ranges::find(arcs, position, &ArcMeasurement::position);
+  if (found == arcs.end() || (found->zero.count == 1 && !found->zero.hasLeftOutFace)) return {};
+  return textOf(*examined.measurement, *found);
+}
+
+}  // namespace alidade::ui
