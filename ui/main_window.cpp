@@ -28,6 +28,7 @@
 #include "ui/jobs/failed_job.h"
 #include "ui/main_window_actions.h"
 #include "ui/panels/gap/gap_panel.h"
+#include "ui/panels/journal/journal_panel.h"
 #include "ui/panels/model/effects_panel.h"
 #include "ui/panels/model/known_sizes_panel.h"
 #include "ui/panels/model/two_faces_panel.h"
@@ -172,6 +173,11 @@ PageTabs* MainWindow::createDetails() {
                  [](const Evaluation& evaluation) { return evaluation.twoFaces.has_value(); });
   m_known = new KnownSizesPanel(m_document);
   pages->addPage(m_known, tr("Known Sizes"), [](const SharedEvaluation&) {});
+  auto* journal = new JournalPanel;
+  pages->addPage(
+      journal, tr("Journal"),
+      [journal](const SharedEvaluation& evaluation) { journal->setEvaluation(evaluation); },
+      [](const Evaluation& evaluation) { return !evaluation.session.journal.empty(); });
   connect(m_effects, &EffectsPanel::knownWanted, this, [this](const std::string& effect) {
     m_known->reveal(effect);
     m_details->showPage(m_details->indexOf(m_known));

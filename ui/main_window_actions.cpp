@@ -73,6 +73,7 @@ void WindowActions::createFileMenu(QToolBar& bar) {
   menu.addSeparator();
   bar.addAction(addTo(menu, "save", tr("&Save"), QKeySequence::Save, this, [&files] { files.save(); }));
   addTo(menu, nullptr, tr("Save &As…"), QKeySequence::SaveAs, this, [&files] { files.saveAs(); });
+  addTo(menu, nullptr, tr("Sea&l…"), {}, this, [&files] { files.seal(); });
   menu.addSeparator();
   bar.addAction(addTo(menu, "report", tr("&Export Acceptance Report…"), QKeySequence(tr("Ctrl+E")), this,
                       [&files] { files.exportReport(); }));

@@ -10,12 +10,18 @@ namespace alidade::console {
 
 /// A session and what it means.
 struct SessionInput {
-  std::string name;  ///< its title, or its file's name
+  std::string name;
   Session session;
   Measurement measurement;
 };
 
-/// `file` is a path, or - for standard input. `prepare` is done to the session before it is examined. Fails
+/// `file` is a path, or - for standard input.
+Result<Session> readSessionOf(const std::string& file);
+
+/// Its title, or its file's name.
+std::string nameOf(const Session& session, const std::string& file);
+
+/// `prepare` is done to the session before it is examined. Fails
 /// with the first thing that is wrong in the session.
 Result<SessionInput> readSessionInput(const std::string& file, Session (*prepare)(Session) = nullptr);
 

@@ -25,7 +25,8 @@ class Layout {
   }
 
   void write(const Json& json, std::string_view path, std::size_t depth) {
-    const bool oneLine = path == "/positions/[]/readings/[]" || path == "/positions/[]/pointing_zero";
+    const bool oneLine =
+        path == "/positions/[]/readings/[]" || path == "/positions/[]/pointing_zero" || path == "/journal/[]";
     if (m_rows && path == "/positions/[]" && json.is_object()) {
       writeOnLines(json, path, depth);
       ++m_position;

@@ -22,8 +22,8 @@ constexpr std::size_t memberCount() {
     return sizeof...(Members);
 }
 
-static_assert(memberCount<Reading>() == rowFields.size() + 1,
-              "each member of a row but its origin has its line in rowFields");
+static_assert(memberCount<Reading>() == rowFields.size() + 2,
+              "each member of a row but its origin and first texts has its line in rowFields");
 static_assert(std::ranges::all_of(rowFields,
                                   [](const RowField& field) { return !field.text != !field.flag; }));
 

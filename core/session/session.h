@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "core/session/first_texts.h"
+#include "core/session/journal.h"
 #include "core/session/json_origin.h"
 
 namespace alidade {
@@ -24,6 +26,7 @@ struct Reading {
   std::string slider;      ///< slider coordinate; may be empty
   bool excluded = false;   ///< kept and shown, but no part of any fit
   std::string note;
+  FirstTexts asRead;  ///< of what was changed since it was entered
   JsonOrigin origin;
 
   bool operator==(const Reading&) const = default;
@@ -167,6 +170,7 @@ struct Session {
   Acceptance acceptance;
   Model model;
   std::vector<Position> positions;
+  std::vector<JournalEntry> journal;  ///< changes of entries that stood, in their order
   JsonOrigin origin;
 
   bool operator==(const Session&) const = default;

@@ -271,6 +271,27 @@ PointingZero readPointingZero(const ObjectReader& reader) {
   return zero;
 }
 
+void readFirstTexts(const ObjectReader& reader, Reading& row) {
+  for (const RowField& field : rowFields)
+    if (field.text && reader.find(field.key))
+      row.asRead.set(field.key, reader.value(field.key, kindOf(field)));
+}
+
+JournalEntry readJournalEntry(const ObjectReader& reader) {
+  return {.at = reader.text("at"),
+          .by = reader.text("by"),
+          .place = reader.text("place"),
+          .axis = reader.text("axis_deg"),
+          .point = reader.text("point"),
+          .round = reader.text("round"),
+          .face = reader.text("face"),
+          .from = reader.text("from"),
+          .to = reader.text("to"),
+          .why = reader.text("why"),
+          .hash = reader.text("hash"),
+          .origin = reader.origin()};
+}
+
 void readRow(const ObjectReader& reader, Reading& row) {
   for (const RowField& field : rowFields) {
     if (field.flag)
@@ -278,6 +299,7 @@ void readRow(const ObjectReader& reader, Reading& row) {
     else if (!field.remedy || reader.require(field.key, field.remedy))
       row.*field.text = reader.value(field.key, kindOf(field));
   }
+  if (reader.find("as_read")) readFirstTexts(reader.object("as_read"), row);
 }
 
 Position readPosition(const Json& json, std::size_t index, RowsRead rows, std::optional<Problem>& problem) {
@@ -316,8 +338,10 @@ Session readDocument(const ObjectReader& reader, SessionRows& rows, std::optiona
     const std::size_t index = session.positions.size();
     session.positions.push_back(readPosition(position, index, rows.take(index), problem));
   }
-  session.origin = reader.origin(
-      {"report", "device", "instrument", "environment", "geometry", "acceptance", "model", "positions"});
+  for (const Json& entry : reader.list("journal"))
+    session.journal.push_back(readJournalEntry(reader.member("journal", session.journal.size(), entry)));
+  session.origin = reader.origin({"report", "device", "instrument", "environment", "geometry", "acceptance",
+                                  "model", "positions", "journal"});
   return session;
 }
 

@@ -56,6 +56,14 @@ class ObjectWriter {
     if (wanted || m_json.contains(key)) m_json[key] = std::move(value);
   }
 
+  /// Left out where it is empty.
+  void partIfAny(const char* key, Json value) {
+    if (value.empty())
+      m_json.erase(key);
+    else
+      m_json[key] = std::move(value);
+  }
+
   /// How many rows there are, for the layout, which asks for each.
   void rows(const char* key, std::size_t count, Presence presence) {
     if (count > 0 || presence == Presence::Required || m_json.contains(key)) m_json[key] = count;
@@ -186,6 +194,15 @@ Json pointingZeroJson(const PointingZero& zero) {
   return writer.take();
 }
 
+Json firstTextsJson(const FirstTexts& texts) {
+  Json json = Json::object();
+  for (const auto& [key, text] : texts.all()) {
+    const RowField* field = rowFieldNamed(key);
+    json[key] = valueOf(text, field ? kindOf(*field) : ValueKind::Text);
+  }
+  return json;
+}
+
 Json rowJson(const Reading& row) {
   ObjectWriter writer(row.origin);
   for (const RowField& field : rowFields) {
@@ -195,7 +212,28 @@ Json rowJson(const Reading& row) {
       writer.set(field.key, row.*field.text, kindOf(field),
                  field.remedy ? Presence::Required : Presence::Optional);
   }
+  writer.partIfAny("as_read", firstTextsJson(row.asRead));
   return writer.take();
+}
+
+Json journalJson(const std::vector<JournalEntry>& journal) {
+  Json entries = Json::array();
+  for (const JournalEntry& entry : journal) {
+    ObjectWriter writer(entry.origin);
+    writer.text("at", entry.at);
+    writer.text("by", entry.by);
+    writer.text("place", entry.place);
+    writer.text("axis_deg", entry.axis);
+    writer.text("point", entry.point);
+    writer.text("round", entry.round);
+    writer.text("face", entry.face);
+    writer.text("from", entry.from);
+    writer.text("to", entry.to);
+    writer.text("why", entry.why);
+    writer.text("hash", entry.hash);
+    entries.push_back(writer.take());
+  }
+  return entries;
 }
 
 Json positionJson(const Position& position) {
@@ -228,6 +266,7 @@ std::string writeSession(const Session& session) {
   Json positions = Json::array();
   for (const Position& position : session.positions) positions.push_back(positionJson(position));
   writer.part("positions", std::move(positions), Presence::Required);
+  writer.partIfAny("journal", journalJson(session.journal));
   return layoutJson(writer.take(), [&](std::size_t position, std::size_t row) {
     return rowJson(session.positions[position].readings[row]);
   });

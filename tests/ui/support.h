@@ -29,6 +29,8 @@ class ScriptedDialogs : public Dialogs {
   QList<int> unusableEntries;  ///< as told by each question whether to export anyway
   bool writeAnyway = true;
   QList<QStringList> emptyFields;  ///< as told by each question whether to write anyway
+  QString sealedBy;                ///< the answer to who seals
+  QString sealSuggested;           ///< as asked
   QStringList problems;
   bool goOn = false;      ///< with a file that is open elsewhere
   QStringList elsewhere;  ///< names of such files, as asked about
@@ -68,6 +70,10 @@ class ScriptedDialogs : public Dialogs {
   bool askReportWithEmptyFields(const QStringList& fields) override {
     emptyFields.append(fields);
     return writeAnyway;
+  }
+  QString askSeal(const QString& suggestion) override {
+    sealSuggested = suggestion;
+    return sealedBy;
   }
   void showProblem(const QString&, const QString& text) override { problems.append(text); }
 };

@@ -10,17 +10,25 @@
 namespace alidade::ui {
 
 AddPosition::AddPosition(SessionDocument& document, int axisDeg)
-    : m_document(document),
+    : JournalledCommand(document, addPositionText(document.session(), axisDeg)),
       m_index(axisDeg == 0 && !hasPosition(document.session(), 0) ? 0 : document.session().positions.size()) {
   m_position.axisDeg = std::to_string(axisDeg);
-  setText(addPositionText(document.session(), axisDeg));
+  setEntries(journal().judge(place(), {}, m_position.axisDeg));
 }
 
-void AddPosition::undo() {
-  m_document.removePosition(m_index);
+void AddPosition::apply() {
+  document().insertPosition(m_index, m_position);
 }
-void AddPosition::redo() {
-  m_document.insertPosition(m_index, m_position);
+void AddPosition::revert() {
+  document().removePosition(m_index);
+}
+
+Place AddPosition::place() const {
+  return {.position = m_index};
+}
+
+std::vector<JournalEntry> AddPosition::allEntries() const {
+  return journal().asStanding(place(), {}, m_position.axisDeg);
 }
 
 bool hasPosition(const Session& session, int axisDeg) {

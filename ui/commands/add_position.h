@@ -1,10 +1,11 @@
 #pragma once
 
 #include <QString>
-#include <QUndoCommand>
 #include <cstddef>
 
+#include "core/base/place.h"
 #include "core/session/session.h"
+#include "ui/commands/journalled_command.h"
 
 namespace alidade::ui {
 
@@ -12,16 +13,17 @@ class SessionDocument;
 
 /// Adds a position of the axis without readings. A missing one at 0° goes first, since it is taken first; one
 /// at 180°, or one measured again, goes last: positions measured again stand in the order taken.
-class AddPosition : public QUndoCommand {
+class AddPosition : public JournalledCommand {
  public:
   /// `axisDeg`: 0 or 180.
   AddPosition(SessionDocument& document, int axisDeg);
 
-  void undo() override;
-  void redo() override;
-
  private:
-  SessionDocument& m_document;
+  void apply() override;
+  void revert() override;
+  std::vector<JournalEntry> allEntries() const override;
+  Place place() const;
+
   std::size_t m_index;
   Position m_position;
 };

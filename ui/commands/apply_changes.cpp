@@ -33,7 +33,8 @@ void applyChanges(SessionDocument& document, const std::vector<CellChange>& chan
       patches.emplace(position, std::move(patch));
   const bool isMany = patches.size() > 1;
   if (isMany) document.beginTogether(undoText);
-  for (auto& [position, patch] : patches) patchReadings(document, position, std::move(patch), undoText);
+  for (auto& [position, patch] : patches)
+    patchReadings(document, position, std::move(patch), undoText, journal_reasons::suggestion);
   if (isMany) document.endTogether();
 }
 

@@ -9,16 +9,36 @@
 
 namespace alidade::ui {
 
-ChangeEffects::ChangeEffects(SessionDocument& document, std::vector<std::string> effects, const QString& text)
-    : m_document(document), m_before(document.session().model.effects), m_after(std::move(effects)) {
-  setText(text);
+namespace {
+
+Place effectsPlace() {
+  return {.field = "model.effects"};
 }
 
-void ChangeEffects::undo() {
-  m_document.putEffects(m_before);
+std::string listed(const std::vector<std::string>& effects) {
+  std::string text;
+  for (const std::string& effect : effects) text += (text.empty() ? "" : ", ") + effect;
+  return text;
 }
-void ChangeEffects::redo() {
-  m_document.putEffects(m_after);
+
+}  // namespace
+
+ChangeEffects::ChangeEffects(SessionDocument& document, std::vector<std::string> effects, const QString& text)
+    : JournalledCommand(document, text),
+      m_before(document.session().model.effects),
+      m_after(std::move(effects)) {
+  setEntries(journal().judge(effectsPlace(), listed(m_before), listed(m_after)));
+}
+
+void ChangeEffects::apply() {
+  document().putEffects(m_after);
+}
+void ChangeEffects::revert() {
+  document().putEffects(m_before);
+}
+
+std::vector<JournalEntry> ChangeEffects::allEntries() const {
+  return journal().asStanding(effectsPlace(), listed(m_before), listed(m_after));
 }
 
 void setEffect(SessionDocument& document, const std::string& id, bool isEstimated) {

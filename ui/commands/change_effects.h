@@ -1,23 +1,24 @@
 #pragma once
 
-#include <QUndoCommand>
 #include <string>
 #include <vector>
+
+#include "ui/commands/journalled_command.h"
 
 namespace alidade::ui {
 
 class SessionDocument;
 
 /// Sets the list of the model's effects that are estimated along.
-class ChangeEffects : public QUndoCommand {
+class ChangeEffects : public JournalledCommand {
  public:
   ChangeEffects(SessionDocument& document, std::vector<std::string> effects, const QString& text);
 
-  void undo() override;
-  void redo() override;
-
  private:
-  SessionDocument& m_document;
+  void apply() override;
+  void revert() override;
+  std::vector<JournalEntry> allEntries() const override;
+
   std::vector<std::string> m_before, m_after;
 };
 

@@ -8,20 +8,32 @@
 
 namespace alidade::ui {
 
+namespace {
+
+QString undoText(const Place& place) {
+  const QString noun = QCoreApplication::translate("Field", fieldNamed(place.field)->noun);
+  return QCoreApplication::translate("ChangeField", "Change %1").arg(noun);
+}
+
+}  // namespace
+
 ChangeField::ChangeField(SessionDocument& document, const Place& place, std::string text)
-    : m_document(document),
+    : JournalledCommand(document, undoText(place)),
       m_place(place),
       m_before(fieldText(document.session(), place)),
       m_after(std::move(text)) {
-  const QString noun = QCoreApplication::translate("Field", fieldNamed(place.field)->noun);
-  setText(QCoreApplication::translate("ChangeField", "Change %1").arg(noun));
+  setEntries(journal().judge(m_place, m_before, m_after));
 }
 
-void ChangeField::undo() {
-  m_document.putField(m_place, m_before);
+void ChangeField::apply() {
+  document().putField(m_place, m_after);
 }
-void ChangeField::redo() {
-  m_document.putField(m_place, m_after);
+void ChangeField::revert() {
+  document().putField(m_place, m_before);
+}
+
+std::vector<JournalEntry> ChangeField::allEntries() const {
+  return journal().asStanding(m_place, m_before, m_after);
 }
 
 void changeField(SessionDocument& document, const Place& place, const std::string& text) {

@@ -1,24 +1,24 @@
 #pragma once
 
-#include <QUndoCommand>
 #include <string>
 
 #include "core/base/place.h"
+#include "ui/commands/journalled_command.h"
 
 namespace alidade::ui {
 
 class SessionDocument;
 
 /// Sets one field of the session; see `fieldNamed` for those there are.
-class ChangeField : public QUndoCommand {
+class ChangeField : public JournalledCommand {
  public:
   ChangeField(SessionDocument& document, const Place& place, std::string text);
 
-  void undo() override;
-  void redo() override;
-
  private:
-  SessionDocument& m_document;
+  void apply() override;
+  void revert() override;
+  std::vector<JournalEntry> allEntries() const override;
+
   Place m_place;
   std::string m_before, m_after;
 };

@@ -23,20 +23,33 @@ bool saysNothing(const KnownSize& size) {
   return std::ranges::all_of(knownCells, [&](const KnownCell& cell) { return (size.*cell.text).empty(); });
 }
 
+/// `trunnion_tilt: 12 ± 2 arcsec, certificate K-7`.
+std::string said(const std::optional<KnownSize>& size) {
+  if (!size) return {};
+  std::string text = size->effect;
+  if (!size->parameter.empty()) text += ' ' + size->parameter;
+  text += ": " + (size->value.empty() ? "0" : size->value) + " ± " + size->sigma + ' ' + size->unit;
+  return size->from.empty() ? text : text + ", " + size->from;
+}
+
 }  // namespace
 
 ChangeKnown::ChangeKnown(SessionDocument& document, const KnownRef& ref, std::string_view member,
                          std::optional<KnownSize> after, const QString& text)
-    : m_document(document), m_place(placeOf(ref, member)), m_after(std::move(after)) {
+    : JournalledCommand(document, text), m_place(placeOf(ref, member)), m_after(std::move(after)) {
   if (const KnownSize* before = knownSize(document.session(), ref)) m_before = *before;
-  setText(text);
+  setEntries(journal().judge(placeOf(ref), said(m_before), said(m_after)));
 }
 
-void ChangeKnown::undo() {
-  m_document.putKnown(m_place, m_after.has_value(), m_before);
+void ChangeKnown::apply() {
+  document().putKnown(m_place, m_before.has_value(), m_after);
 }
-void ChangeKnown::redo() {
-  m_document.putKnown(m_place, m_before.has_value(), m_after);
+void ChangeKnown::revert() {
+  document().putKnown(m_place, m_after.has_value(), m_before);
+}
+
+std::vector<JournalEntry> ChangeKnown::allEntries() const {
+  return journal().asStanding(placeOf(knownAt(m_place).value().ref), said(m_before), said(m_after));
 }
 
 void typeKnown(SessionDocument& document, const KnownRow& row, const KnownCell& cell,

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <QUndoCommand>
 #include <optional>
 #include <string>
 
+#include "ui/commands/journalled_command.h"
 #include "ui/document/known_entry.h"
 
 namespace alidade::ui {
@@ -12,17 +12,17 @@ class SessionDocument;
 
 /// Puts another entry in the place of one that says what is known, adds one at the end of its list, or takes
 /// one away.
-class ChangeKnown : public QUndoCommand {
+class ChangeKnown : public JournalledCommand {
  public:
   /// `member` is what was typed: there undo leads. `after` absent: the entry goes.
   ChangeKnown(SessionDocument& document, const KnownRef& ref, std::string_view member,
               std::optional<KnownSize> after, const QString& text);
 
-  void undo() override;
-  void redo() override;
-
  private:
-  SessionDocument& m_document;
+  void apply() override;
+  void revert() override;
+  std::vector<JournalEntry> allEntries() const override;
+
   Place m_place;
   std::optional<KnownSize> m_before, m_after;
 };

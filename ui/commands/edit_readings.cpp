@@ -58,25 +58,27 @@ void ReadingsEditor::setCell(const ReadingCell& cell, const std::string& text) {
     Reading reading = following(readings());
     reading.*readingText(cell.column) = text;
     replaceReadings(m_document, m_position, readings().size(), 0, {reading},
-                    tr("Add point %1").arg(qText(reading.point)));
+                    tr("Add point %1").arg(qText(reading.point)), journal_reasons::retyped);
     return;
   }
   const QString point = qText(readings()[cell.row].point);
   enterTexts({{cell.row, cell.column, text}},
              point.isEmpty() ? tr("Change %1").arg(noun(cell.column))
-                             : tr("Change %1 of point %2").arg(noun(cell.column), point));
+                             : tr("Change %1 of point %2").arg(noun(cell.column), point),
+             journal_reasons::retyped);
 }
 
 void ReadingsEditor::insertBlank(std::size_t row) {
   replaceReadings(m_document, m_position, std::min(row, readings().size()), 0, {Reading{}},
-                  tr("Insert reading"));
+                  tr("Insert reading"), journal_reasons::inserted);
 }
 
 void ReadingsEditor::remove(const std::vector<std::size_t>& rows) {
   ReadingsPatch patch = ReadingsPatch::removing(readings(), rows);
   const std::size_t count = patch.rowCount();
   patchReadings(m_document, m_position, std::move(patch),
-                count == 1 ? tr("Delete reading") : tr("Delete %1 readings").arg(count));
+                count == 1 ? tr("Delete reading") : tr("Delete %1 readings").arg(count),
+                journal_reasons::deleted);
 }
 
 void ReadingsEditor::setExcluded(const std::vector<std::size_t>& rows, bool excluded) {
@@ -87,7 +89,8 @@ void ReadingsEditor::setExcluded(const std::vector<std::size_t>& rows, bool excl
       texts.push_back({row, ReadingColumn::Used, excluded ? "0" : "1"});
   const QString one = excluded ? tr("Exclude reading") : tr("Use reading");
   const QString many = excluded ? tr("Exclude %1 readings") : tr("Use %1 readings");
-  enterTexts(texts, texts.size() == 1 ? one : many.arg(texts.size()));
+  enterTexts(texts, texts.size() == 1 ? one : many.arg(texts.size()),
+             excluded ? journal_reasons::excluded : journal_reasons::usedAgain);
 }
 
 void ReadingsEditor::clear(const std::vector<ReadingCell>& cells, bool cut) {
@@ -95,7 +98,7 @@ void ReadingsEditor::clear(const std::vector<ReadingCell>& cells, bool cut) {
   texts.reserve(cells.size());
   for (const ReadingCell& cell : cells)
     if (readingText(cell.column)) texts.push_back({cell.row, cell.column, {}});
-  enterTexts(texts, cut ? tr("Cut") : tr("Clear"));
+  enterTexts(texts, cut ? tr("Cut") : tr("Clear"), journal_reasons::cleared);
 }
 
 std::size_t ReadingsEditor::paste(const ReadingBlock& block, std::size_t row,
@@ -121,12 +124,13 @@ std::size_t ReadingsEditor::paste(const ReadingBlock& block, std::size_t row,
   }
   const bool isReadings = block.size() > 1 || widest > 1;
   patchReadings(m_document, m_position, ReadingsPatch(rows, texts, std::move(appended)),
-                isReadings ? tr("Paste %1 readings").arg(block.size()) : tr("Paste"));
+                isReadings ? tr("Paste %1 readings").arg(block.size()) : tr("Paste"),
+                journal_reasons::pasted);
   return widest - std::min(widest, columns.size());
 }
 
-void ReadingsEditor::enterTexts(const std::vector<NewText>& texts, const QString& undoText) {
-  patchReadings(m_document, m_position, ReadingsPatch(readings(), texts), undoText);
+void ReadingsEditor::enterTexts(const std::vector<NewText>& texts, const QString& undoText, const char* why) {
+  patchReadings(m_document, m_position, ReadingsPatch(readings(), texts), undoText, why);
 }
 
 }  // namespace alidade::ui

@@ -48,7 +48,7 @@ class ReadingsEditor {
 
  private:
   const std::vector<Reading>& readings() const;
-  void enterTexts(const std::vector<NewText>& texts, const QString& undoText);
+  void enterTexts(const std::vector<NewText>& texts, const QString& undoText, const char* why);
 
   SessionDocument& m_document;
   std::size_t m_position;

@@ -2,33 +2,39 @@
 
 #include <utility>
 
+#include "ui/document/journal_entries.h"
 #include "ui/document/session_document.h"
 
 namespace alidade::ui {
 
 ReplaceReadings::ReplaceReadings(SessionDocument& document, std::size_t position, ReadingsPatch patch,
-                                 const QString& text)
-    : m_document(document), m_position(position), m_patch(std::move(patch)) {
-  setText(text);
+                                 const QString& text, const char* why)
+    : JournalledCommand(document, text), m_position(position), m_patch(std::move(patch)), m_why(why) {
+  setEntries(journal().judge(m_position, m_patch, m_why));
 }
 
-void ReplaceReadings::undo() {
-  m_document.revertReadings(m_position, m_patch);
+void ReplaceReadings::apply() {
+  document().patchReadings(m_position, m_patch);
 }
-void ReplaceReadings::redo() {
-  m_document.patchReadings(m_position, m_patch);
+void ReplaceReadings::revert() {
+  document().revertReadings(m_position, m_patch);
 }
 
-void patchReadings(SessionDocument& document, std::size_t position, ReadingsPatch patch,
-                   const QString& text) {
+std::vector<JournalEntry> ReplaceReadings::allEntries() const {
+  return entriesOf(document().session(), m_position, m_patch, m_why,
+                   [](std::size_t, ReadingColumn) { return true; });
+}
+
+void patchReadings(SessionDocument& document, std::size_t position, ReadingsPatch patch, const QString& text,
+                   const char* why) {
   if (patch.isEmpty()) return;
-  document.push(new ReplaceReadings(document, position, std::move(patch), text));
+  document.push(new ReplaceReadings(document, position, std::move(patch), text, why));
 }
 
 void replaceReadings(SessionDocument& document, std::size_t position, std::size_t first, std::size_t removed,
-                     const std::vector<Reading>& inserted, const QString& text) {
+                     const std::vector<Reading>& inserted, const QString& text, const char* why) {
   const std::vector<Reading>& rows = document.session().positions.at(position).readings;
-  patchReadings(document, position, ReadingsPatch::replacing(rows, first, removed, inserted), text);
+  patchReadings(document, position, ReadingsPatch::replacing(rows, first, removed, inserted), text, why);
 }
 
 }  // namespace alidade::ui

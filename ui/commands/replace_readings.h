@@ -1,9 +1,9 @@
 #pragma once
 
-#include <QUndoCommand>
 #include <cstddef>
 #include <vector>
 
+#include "ui/commands/journalled_command.h"
 #include "ui/document/readings_patch.h"
 
 namespace alidade::ui {
@@ -13,24 +13,27 @@ class SessionDocument;
 /// Makes a patch of the rows of one position. Serves every edit of a table: typing a cell, inserting,
 /// deleting, pasting, excluding. Holds the patch alone, so that ten thousand steps weigh no more than what
 /// they changed.
-class ReplaceReadings : public QUndoCommand {
+class ReplaceReadings : public JournalledCommand {
  public:
-  ReplaceReadings(SessionDocument& document, std::size_t position, ReadingsPatch patch, const QString& text);
-
-  void undo() override;
-  void redo() override;
+  ReplaceReadings(SessionDocument& document, std::size_t position, ReadingsPatch patch, const QString& text,
+                  const char* why);
 
  private:
-  SessionDocument& m_document;
+  void apply() override;
+  void revert() override;
+  std::vector<JournalEntry> allEntries() const override;
+
   std::size_t m_position;
   ReadingsPatch m_patch;
+  const char* m_why;
 };
 
-/// Does nothing where the patch changes nothing.
-void patchReadings(SessionDocument& document, std::size_t position, ReadingsPatch patch, const QString& text);
+/// Does nothing where the patch changes nothing. `why`: one of `journal_reasons`.
+void patchReadings(SessionDocument& document, std::size_t position, ReadingsPatch patch, const QString& text,
+                   const char* why);
 
 /// Puts `inserted` in the place of the `removed` rows from `first` on.
 void replaceReadings(SessionDocument& document, std::size_t position, std::size_t first, std::size_t removed,
-                     const std::vector<Reading>& inserted, const QString& text);
+                     const std::vector<Reading>& inserted, const QString& text, const char* why);
 
 }  // namespace alidade::ui

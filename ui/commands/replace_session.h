@@ -3,6 +3,7 @@
 #include <QUndoCommand>
 
 #include "core/session/session.h"
+#include "ui/document/journal_keeper.h"
 
 namespace alidade::ui {
 
@@ -19,6 +20,7 @@ class ReplaceSession : public QUndoCommand {
  private:
   SessionDocument& m_document;
   Session m_other;  ///< the one that is not at work
+  JournalKeeper::State m_otherState;
 };
 
 }  // namespace alidade::ui

@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QCoreApplication>
 #include <QFileDialog>
+#include <QInputDialog>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QRegularExpression>
@@ -124,6 +125,17 @@ bool Dialogs::askReportWithEmptyFields(const QStringList& fields) {
   box.setDefaultButton(anyway);
   box.exec();
   return box.clickedButton() == anyway;
+}
+
+QString Dialogs::askSeal(const QString& suggestion) {
+  return QInputDialog::getText(
+             m_parent, DialogsText::tr("Seal"),
+             DialogsText::tr(
+                 "The journal will hold who seals this session and a digest of all that it says.\n"
+                 "It can be edited afterwards, as a revision, and every edit is told.\n\n"
+                 "Sealed by:"),
+             QLineEdit::Normal, suggestion)
+      .trimmed();
 }
 
 bool Dialogs::askOpenElsewhere(const QString& name, const QString& holder) {

@@ -35,6 +35,8 @@ class Dialogs {
   virtual bool askReportWithoutVerdict(int entries);
   /// Shall a report be written that will not state these, which the session leaves empty?
   virtual bool askReportWithEmptyFields(const QStringList& fields);
+  /// Who seals the session; empty: cancelled.
+  virtual QString askSeal(const QString& suggestion);
   /// Shall a file be opened, or be written to, that another window has open? `holder` says which.
   virtual bool askOpenElsewhere(const QString& name, const QString& holder);
   virtual ChangedFileAnswer askChangedFile(const ChangedFile& file);

@@ -10,6 +10,7 @@
 #include "core/exchange/import.h"
 #include "core/session/row_fields.h"
 #include "ui/commands/replace_session.h"
+#include "ui/commands/seal_session.h"
 #include "ui/dialogs/dialogs.h"
 #include "ui/dialogs/import_notes.h"
 #include "ui/dialogs/in_background.h"
@@ -226,6 +227,17 @@ std::optional<ChangedFileAnswer> FileFlow::askAboutChange() {
     m_document.markSaved(m_document.path(), theirs.sha256);
   }
   return answer;
+}
+
+bool FileFlow::seal() {
+  emit commitWanted();
+  const Session& session = m_document.session();
+  const std::string& who =
+      session.report.authorisedBy.empty() ? session.operatorName : session.report.authorisedBy;
+  const QString by = m_dialogs.askSeal(qText(who));
+  if (by.isEmpty()) return false;
+  m_document.push(new SealSession(m_document, by.toStdString()));
+  return save();
 }
 
 bool FileFlow::exportReport() {

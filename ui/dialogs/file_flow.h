@@ -37,6 +37,8 @@ class FileFlow : public QObject {
   bool importReadings(const QString& path);
   bool save();
   bool saveAs();
+  /// Seals the session and saves it. False: it was not sealed, or not saved.
+  bool seal();
   bool exportReport();
   /// Where others wrote the session's file: shows what differs, and does what the user wants.
   void settleChange();

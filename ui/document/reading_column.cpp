@@ -120,12 +120,14 @@ constexpr bool isEachInItsPlace() {
 }
 static_assert(isEachInItsPlace(), "one line for each ReadingColumn, in their order");
 
+#ifndef __SANITIZE_ADDRESS__  // where GCC 12 takes no comparison of addresses as constant
 static_assert(std::ranges::all_of(rowFields,
                                   [](const RowField& field) {
                                     return std::ranges::count(columns, &field, &ReadingColumnInfo::field) ==
                                            1;
                                   }),
               "each field of a row has its column");
+#endif
 
 }  // namespace
 

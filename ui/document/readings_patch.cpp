@@ -64,8 +64,32 @@ RowSpan ReadingsPatch::span() const {
   return {first, before, before + m_new.size() - m_gone.size()};
 }
 
+std::optional<std::size_t> ReadingsPatch::onlyRow() const {
+  const RowSpan changed = span();
+  const bool isOne = m_gone.empty() && m_new.size() <= 1 && changed.before + m_new.size() <= 1;
+  return isOne ? std::optional(changed.first) : std::nullopt;
+}
+
+void ReadingsPatch::keepFirstTexts(const std::vector<Reading>& rows,
+                                   const std::function<bool(std::size_t row, ReadingColumn column)>& stands) {
+  for (Cell& cell : m_cells) {
+    if (!readingText(cell.column) || isFreeText(cell.column)) continue;
+    const auto first = rows[cell.row].asRead.of(infoOf(cell.column).field->key);
+    if (!first && stands(cell.row, cell.column))
+      cell.first = First::Kept;
+    else if (first == cell.after)
+      cell.first = First::Dropped;
+  }
+}
+
 void ReadingsPatch::apply(std::vector<Reading>& rows) const {
-  for (const Cell& cell : m_cells) enter(rows[cell.row], cell.column, cell.after);
+  for (const Cell& cell : m_cells) {
+    enter(rows[cell.row], cell.column, cell.after);
+    if (cell.first == First::Untouched) continue;
+    const std::string_view field = infoOf(cell.column).field->key;
+    FirstTexts& texts = rows[cell.row].asRead;
+    cell.first == First::Kept ? texts.set(field, cell.before) : texts.drop(field);
+  }
   eraseGone(rows);
   rows.insert(at(rows, std::min(m_newFirst, rows.size())), m_new.begin(), m_new.end());
 }
@@ -73,7 +97,13 @@ void ReadingsPatch::apply(std::vector<Reading>& rows) const {
 void ReadingsPatch::revert(std::vector<Reading>& rows) const {
   if (!m_new.empty()) rows.erase(at(rows, m_newFirst), at(rows, m_newFirst + m_new.size()));
   bringBackGone(rows);
-  for (const Cell& cell : m_cells) enter(rows[cell.row], cell.column, cell.before);
+  for (const Cell& cell : m_cells) {
+    enter(rows[cell.row], cell.column, cell.before);
+    if (cell.first == First::Untouched) continue;
+    const std::string_view field = infoOf(cell.column).field->key;
+    FirstTexts& texts = rows[cell.row].asRead;
+    cell.first == First::Kept ? texts.drop(field) : texts.set(field, cell.after);
+  }
 }
 
 void ReadingsPatch::eraseGone(std::vector<Reading>& rows) const {

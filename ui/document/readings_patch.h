@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +27,19 @@ struct RowSpan {
 /// rows that go, rows that come. Of a cell in a hundred thousand rows it holds two texts.
 class ReadingsPatch {
  public:
+  /// What the row's first text of the cell becomes.
+  enum class First { Untouched, Kept, Dropped };
+  struct Cell {
+    std::size_t row = 0;
+    ReadingColumn column = ReadingColumn::Horizontal;
+    std::string before, after;
+    First first = First::Untouched;
+  };
+  struct Row {
+    std::size_t index = 0;
+    Reading reading;
+  };
+
   ReadingsPatch() = default;
   /// New texts for cells of `rows`, and further rows after the last. Cells elsewhere are passed over.
   ReadingsPatch(const std::vector<Reading>& rows, const std::vector<NewText>& texts,
@@ -40,27 +55,29 @@ class ReadingsPatch {
   std::size_t cellCount() const { return m_cells.size(); }
   std::size_t rowCount() const { return m_gone.size() + m_new.size(); }  ///< held whole
 
+  const std::vector<Cell>& cells() const { return m_cells; }  ///< of rows there before and after
+  const std::vector<Row>& gone() const { return m_gone; }     ///< ascending, by their numbers before
+  const std::vector<Reading>& added() const { return m_new; }
+  std::size_t addedFirst() const { return m_newFirst; }  ///< number of the first of `added`
+  /// The row that alone is changed or added; absent where there are several, or one goes.
+  std::optional<std::size_t> onlyRow() const;
+
+  /// Cells whose text stands keep it, the first time they are changed, as the first text of their row; where
+  /// it comes back there is none any more. Before `apply`, with the same rows.
+  void keepFirstTexts(const std::vector<Reading>& rows,
+                      const std::function<bool(std::size_t row, ReadingColumn column)>& stands);
+
   void apply(std::vector<Reading>& rows) const;
   void revert(std::vector<Reading>& rows) const;
 
  private:
-  struct Cell {
-    std::size_t row = 0;
-    ReadingColumn column = ReadingColumn::Horizontal;
-    std::string before, after;
-  };
-  struct Row {
-    std::size_t index = 0;
-    Reading reading;
-  };
-
   void addCell(const std::vector<Reading>& rows, const NewText& text);
   void eraseGone(std::vector<Reading>& rows) const;
   void bringBackGone(std::vector<Reading>& rows) const;
 
-  std::vector<Cell> m_cells;   ///< of rows that are there before and after, by the same number
-  std::vector<Row> m_gone;     ///< ascending, by their numbers before
-  std::size_t m_newFirst = 0;  ///< number of the first of
+  std::vector<Cell> m_cells;
+  std::vector<Row> m_gone;
+  std::size_t m_newFirst = 0;
   std::vector<Reading> m_new;
 };
 

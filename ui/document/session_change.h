@@ -19,6 +19,7 @@ struct SessionChange {
   Place place = {};
   std::size_t removed = 0;
   std::size_t inserted = 0;
+  std::size_t journalKept = 0;  ///< entries of the journal that are as before; all behind them are new
 };
 
 }  // namespace alidade::ui

@@ -14,6 +14,10 @@ auto rowAt(auto& rows, std::size_t row) {
   return std::next(rows.begin(), static_cast<std::ptrdiff_t>(row));
 }
 
+auto entryAt(auto& journal, std::size_t entry) {
+  return rowAt(journal, std::min(entry, journal.size()));
+}
+
 void replaceRows(std::vector<Reading>& rows, const SessionChange& change, const std::vector<Reading>& news) {
   const std::size_t first = *change.place.reading, kept = std::min(change.removed, news.size());
   std::copy_n(news.begin(), kept, rowAt(rows, first));
@@ -25,7 +29,8 @@ void replaceRows(std::vector<Reading>& rows, const SessionChange& change, const 
 
 }  // namespace
 
-SessionDelta::SessionDelta(const Session& after, const SessionChange& change) : m_change(change) {
+SessionDelta::SessionDelta(const Session& after, const SessionChange& change)
+    : m_change(change), m_journal(entryAt(after.journal, change.journalKept), after.journal.end()) {
   const Place& place = change.place;
   switch (change.kind) {
     case SessionChange::Kind::Field:
@@ -50,7 +55,11 @@ SessionDelta::SessionDelta(const Session& after, const SessionChange& change) : 
 void SessionDelta::applyTo(Session& session) const {
   if (const auto* whole = std::get_if<Session>(&m_news)) {
     session = *whole;
-  } else if (const auto* effects = std::get_if<Effects>(&m_news)) {
+    return;
+  }
+  session.journal.erase(entryAt(session.journal, m_change.journalKept), session.journal.end());
+  session.journal.insert(session.journal.end(), m_journal.begin(), m_journal.end());
+  if (const auto* effects = std::get_if<Effects>(&m_news)) {
     session.model.effects = *effects;
   } else if (const auto* known = std::get_if<Known>(&m_news)) {
     knownBy(session, knownAt(m_change.place)->ref.owner) = *known;

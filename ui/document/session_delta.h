@@ -27,6 +27,7 @@ class SessionDelta {
   using Known = std::vector<KnownSize>;
 
   SessionChange m_change;
+  std::vector<JournalEntry> m_journal;  ///< new entries
   std::variant<Session, std::string, Effects, Known, Rows> m_news;
 };
 

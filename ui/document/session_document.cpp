@@ -32,17 +32,20 @@ QString SessionDocument::displayName() const {
 
 void SessionDocument::push(QUndoCommand* command) {
   m_files.dropFrom(m_undoStack.index());
+  m_journal.dropFrom(m_undoStack.index());
   m_undoStack.push(command);
 }
 
 void SessionDocument::pushAnother(QUndoCommand* command) {
   m_files.dropFrom(m_undoStack.index());
+  m_journal.dropFrom(m_undoStack.index());
   m_files.beginAnother(m_undoStack.index());
   m_undoStack.push(command);
 }
 
 void SessionDocument::beginTogether(const QString& undoText) {
   m_files.dropFrom(m_undoStack.index());
+  m_journal.dropFrom(m_undoStack.index());
   m_undoStack.beginMacro(undoText);
 }
 
@@ -77,21 +80,28 @@ std::optional<Problem> SessionDocument::save(const QString& path) {
 void SessionDocument::markSaved(const QString& path, const QByteArray& sha256) {
   const QString absolute = QFileInfo(path).absoluteFilePath();
   m_files.setSaved(m_undoStack.index(), absolute);
+  m_journal.setFiled(m_undoStack.index());
   m_knownSha256[absolute] = sha256;
   emit identityChanged();
+}
+
+SessionChange SessionDocument::told(SessionChange change) {
+  change.journalKept = m_journal.takeKept();
+  return change;
 }
 
 void SessionDocument::putField(const Place& place, const std::string& text) {
   const Field* field = fieldNamed(place.field);
   Q_ASSERT(field);
-  const SessionChange change{.kind = SessionChange::Kind::Field, .place = place};
+  const SessionChange change = told({.kind = SessionChange::Kind::Field, .place = place});
   emit aboutToChange(change);
   field->at(m_session, place.position.value_or(0)) = text;
   emit changed(change);
 }
 
 void SessionDocument::putEffects(const std::vector<std::string>& effects) {
-  const SessionChange change{.kind = SessionChange::Kind::Field, .place = {.field = "model.effects"}};
+  const SessionChange change =
+      told({.kind = SessionChange::Kind::Field, .place = {.field = "model.effects"}});
   emit aboutToChange(change);
   m_session.model.effects = effects;
   emit changed(change);
@@ -99,7 +109,7 @@ void SessionDocument::putEffects(const std::vector<std::string>& effects) {
 
 void SessionDocument::putKnown(const Place& place, bool isThere, const std::optional<KnownSize>& size) {
   const KnownRef ref = knownAt(place).value().ref;
-  const SessionChange change{.kind = SessionChange::Kind::Field, .place = place};
+  const SessionChange change = told({.kind = SessionChange::Kind::Field, .place = place});
   emit aboutToChange(change);
   std::vector<KnownSize>& list = knownBy(m_session, ref.owner);
   const auto at = std::next(list.begin(), static_cast<std::ptrdiff_t>(ref.index));
@@ -114,7 +124,7 @@ void SessionDocument::putKnown(const Place& place, bool isThere, const std::opti
 
 void SessionDocument::patchReadings(std::size_t position, const ReadingsPatch& patch) {
   const RowSpan span = patch.span();
-  const SessionChange change = changeOf(position, span.first, span.before, span.after);
+  const SessionChange change = told(changeOf(position, span.first, span.before, span.after));
   emit aboutToChange(change);
   patch.apply(m_session.positions.at(position).readings);
   emit changed(change);
@@ -122,15 +132,15 @@ void SessionDocument::patchReadings(std::size_t position, const ReadingsPatch& p
 
 void SessionDocument::revertReadings(std::size_t position, const ReadingsPatch& patch) {
   const RowSpan span = patch.span();
-  const SessionChange change = changeOf(position, span.first, span.after, span.before);
+  const SessionChange change = told(changeOf(position, span.first, span.after, span.before));
   emit aboutToChange(change);
   patch.revert(m_session.positions.at(position).readings);
   emit changed(change);
 }
 
 void SessionDocument::insertPosition(std::size_t index, const Position& position) {
-  const SessionChange change{
-      .kind = SessionChange::Kind::Positions, .place = {.position = index}, .inserted = 1};
+  const SessionChange change =
+      told({.kind = SessionChange::Kind::Positions, .place = {.position = index}, .inserted = 1});
   emit aboutToChange(change);
   m_session.positions.insert(std::next(m_session.positions.begin(), static_cast<std::ptrdiff_t>(index)),
                              position);
@@ -138,17 +148,24 @@ void SessionDocument::insertPosition(std::size_t index, const Position& position
 }
 
 void SessionDocument::removePosition(std::size_t index) {
-  const SessionChange change{
-      .kind = SessionChange::Kind::Positions, .place = {.position = index}, .removed = 1};
+  const SessionChange change =
+      told({.kind = SessionChange::Kind::Positions, .place = {.position = index}, .removed = 1});
   emit aboutToChange(change);
   m_session.positions.erase(std::next(m_session.positions.begin(), static_cast<std::ptrdiff_t>(index)));
   emit changed(change);
 }
 
-void SessionDocument::exchangeSession(Session& session) {
+void SessionDocument::exchangeSession(Session& session, JournalKeeper::State& state) {
   emit aboutToChange({});
   std::swap(m_session, session);
+  m_journal.exchange(state);
   emit changed({});
+}
+
+void SessionDocument::tellOfJournal() {
+  const SessionChange change = told({.kind = SessionChange::Kind::Field, .place = {.field = "journal"}});
+  emit aboutToChange(change);
+  emit changed(change);
 }
 
 void SessionDocument::replaceAll(Session session, const QString& path) {
@@ -156,6 +173,7 @@ void SessionDocument::replaceAll(Session session, const QString& path) {
   sharedAside(std::exchange(m_session, std::move(session)));
   m_undoStack.clear();
   m_files.restart(path);
+  m_journal.restart(path.isEmpty());
   emit changed({});
   emit identityChanged();
 }

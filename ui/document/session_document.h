@@ -10,6 +10,7 @@
 #include "core/base/problem.h"
 #include "core/session/session.h"
 #include "ui/document/filed_session.h"
+#include "ui/document/journal_keeper.h"
 #include "ui/document/readings_patch.h"
 #include "ui/document/session_change.h"
 #include "ui/document/session_files.h"
@@ -73,9 +74,12 @@ class SessionDocument : public QObject {
   friend class ChangeEffects;
   friend class ChangeField;
   friend class ChangeKnown;
+  friend class JournalledCommand;
   friend class ReplaceReadings;
   friend class ReplaceSession;
+  friend class SealSession;
 
+  SessionChange told(SessionChange change);  ///< with what it is to the journal
   void putField(const Place& place, const std::string& text);
   void putEffects(const std::vector<std::string>& effects);
   /// `size` in the place of the entry at `place` where that `isThere`, else before it; absent: it goes.
@@ -84,11 +88,13 @@ class SessionDocument : public QObject {
   void revertReadings(std::size_t position, const ReadingsPatch& patch);
   void insertPosition(std::size_t index, const Position& position);
   void removePosition(std::size_t index);
-  void exchangeSession(Session& session);  ///< with the one at work
+  void exchangeSession(Session& session, JournalKeeper::State& state);  ///< with the one at work
+  void tellOfJournal();                                                 ///< that it alone has changed
   void replaceAll(Session session, const QString& path);
 
   Session m_session;
   QUndoStack m_undoStack;
+  JournalKeeper m_journal{m_session};
   SessionFiles m_files;
   QHash<QString, QByteArray> m_knownSha256;  ///< by path
 };

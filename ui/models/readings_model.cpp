@@ -9,6 +9,7 @@
 #include "ui/commands/edit_readings.h"
 #include "ui/document/session_document.h"
 #include "ui/text/entry_text.h"
+#include "ui/text/journal_text.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/visible_text.h"
 
@@ -78,6 +79,8 @@ QVariant ReadingsModel::data(const QModelIndex& index, int role) const {
       return isIncomplete(row, column);
     case ExcludedRole:
       return reading(row).excluded;
+    case ChangedRole:
+      return infoOf(column).field && reading(row).asRead.of(infoOf(column).field->key).has_value();
     default:
       return {};
   }
@@ -121,7 +124,23 @@ bool ReadingsModel::isIncomplete(int row, ReadingColumn column) const {
   return isRequired(column) && (reading(row).*readingText(column)).empty();
 }
 
+QString ReadingsModel::changeTip(int row, ReadingColumn column) const {
+  const RowField* field = infoOf(column).field;
+  const auto first = field ? reading(row).asRead.of(field->key) : std::nullopt;
+  if (!first) return {};
+  const QString text = tr("First entered as %1").arg(tipText(qText(*first)));
+  const Session& session = m_document.session();
+  const JournalEntry* entry = lastChange(session, m_position, static_cast<std::size_t>(row), *field);
+  return entry ? text + QStringLiteral("; ") + changeText(*entry) : text;
+}
+
 QString ReadingsModel::toolTip(int row, ReadingColumn column) const {
+  const QString change = changeTip(row, column);
+  const QString other = otherTip(row, column);
+  return change.isEmpty() || other.isEmpty() ? change + other : other + QStringLiteral("\n") + change;
+}
+
+QString ReadingsModel::otherTip(int row, ReadingColumn column) const {
   const QString trouble = problem(row, column);
   if (!trouble.isEmpty()) return trouble;
   if (isIncomplete(row, column)) return tr("Still to be read; until then the row is no part of the fit");

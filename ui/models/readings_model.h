@@ -23,6 +23,7 @@ class ReadingsModel : public QAbstractTableModel {
     SuspectRole,                     ///< QString: why the reading looks misread
     IncompleteRole,                  ///< bool: an entry still to be made
     ExcludedRole,                    ///< bool: the row is kept out of the fit
+    ChangedRole,                     ///< bool: it is not as it was first entered
     PendingRowRole,                  ///< bool: the empty row at the end
   };
 
@@ -58,6 +59,9 @@ class ReadingsModel : public QAbstractTableModel {
   QString suspicion(int row, ReadingColumn column) const;
   bool isIncomplete(int row, ReadingColumn column) const;
   QString toolTip(int row, ReadingColumn column) const;
+  QString otherTip(int row, ReadingColumn column) const;
+  /// Empty where the cell is as it was first entered.
+  QString changeTip(int row, ReadingColumn column) const;
   QString residualTip(int row, ReadingColumn column) const;
   QVariant pendingRowData(ReadingColumn column, int role) const;
   QString columnTitle(ReadingColumn column) const;

@@ -10,6 +10,7 @@
 #include "core/base/atomic_file.h"
 #include "core/session/session_file.h"
 #include "ui/report/report_gap.h"
+#include "ui/report/report_journal.h"
 #include "ui/report/report_plots.h"
 #include "ui/report/report_readings.h"
 #include "ui/report/report_result.h"
@@ -66,6 +67,7 @@ bool paintReport(QBuffer& buffer, const Evaluation& evaluation, const ReportSour
   FrontPage front = addSummary(sheet, gap, options);
   addPlots(sheet, evaluation);
   addReadings(sheet, evaluation);
+  addJournal(sheet, evaluation.session);
   if (!front.hasMethod) front.hasMethod = addMethodInTheRest(sheet, evaluation);
   addUncertainty(sheet, gap);
   if (options.simulated && options.simulated->intersection)

@@ -1,5 +1,6 @@
 #include "ui/report/report_readings.h"
 
+#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -62,6 +63,17 @@ QString remark(const Reading& reading, bool unusable) {
   return unusable ? QStringLiteral("unusable") : QString();
 }
 
+/// The note, and what the reading was before it was changed.
+QString remarks(const Reading& reading) {
+  QStringList parts;
+  if (const QString note = visibleLine(qText(reading.note).trimmed()); !note.isEmpty()) parts.append(note);
+  for (const auto& [key, text] : reading.asRead.all())
+    parts.append(QStringLiteral("%1 first entered as %2")
+                     .arg(QCoreApplication::translate("ReadingColumn", infoOf(readingColumn(key)).noun),
+                          shortLine(text, longestCell)));
+  return parts.join(QStringLiteral("; "));
+}
+
 QString typedCell(const Reading& row, const RowField& field) {
   const std::string& text = row.*field.text;
   if (isAngle(field)) return angleCell(text);
@@ -117,7 +129,7 @@ class PositionTable {
     }
     cells.emplace_back();  // room beside the numbers
     cells.emplace_back(remark(reading, unusable), style);
-    m_table.row(cells, visibleLine(qText(reading.note).trimmed()));
+    m_table.row(cells, remarks(reading));
   }
 
   ReportSheet& m_sheet;

@@ -6,6 +6,7 @@
 #include "core/diagnosis/conformance.h"
 #include "core/diagnosis/decision.h"
 #include "core/effects/known_sizes.h"
+#include "core/wording/journal.h"
 #include "ui/report/report_facts.h"
 #include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
@@ -127,7 +128,19 @@ QString correctionsText(const Evaluation& evaluation) {
     if (const QStringList known = knownSizes(*measurement); !known.isEmpty())
       parts.append(QStringLiteral("as measured, what is known beforehand: ") +
                    known.join(QStringLiteral(", ")));
-  return parts.isEmpty() ? QStringLiteral("none") : parts.join(QStringLiteral("; "));
+  const QString text = parts.isEmpty() ? QStringLiteral("none") : parts.join(QStringLiteral("; "));
+  return evaluation.session.journal.empty() ? text + QStringLiteral("; nothing was changed after it stood")
+                                            : text;
+}
+
+/// Empty where nothing was changed.
+QString changesText(const Session& session) {
+  if (session.journal.empty()) return {};
+  const QString summary = visibleLine(journalSummary(session));
+  const auto count = session.journal.size();
+  const QString entries = count == 1 ? QStringLiteral("one entry in the journal, see below")
+                                     : QStringLiteral("%1 entries in the journal, see below").arg(count);
+  return summary.isEmpty() ? entries : summary + u' ' + entries.left(1).toUpper() + entries.mid(1) + u'.';
 }
 
 /// The temperature, and what it does to the lengths.
@@ -164,6 +177,7 @@ void addTerms(ReportSheet& sheet, const Gap& gap) {
       {QStringLiteral("Decision rule"), ruleText(gap)},
       {QStringLiteral("Exclusions"), exclusionsText(evaluation.session)},
       {QStringLiteral("Corrections"), correctionsText(evaluation)},
+      {QStringLiteral("Changes"), changesText(evaluation.session)},
       {QStringLiteral("Temperature"), temperatureText(evaluation)},
       {QStringLiteral("Scope"), QStringLiteral("The results relate only to the item measured.")}};
   sheet.keepTogether(labelledHeight(sheet, terms, ReportSheet::width));

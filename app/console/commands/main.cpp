@@ -10,6 +10,7 @@
 #include "app/console/commands/diagnose_command.h"
 #include "app/console/commands/fit_command.h"
 #include "app/console/commands/import_command.h"
+#include "app/console/commands/journal_command.h"
 #include "app/console/commands/plan_command.h"
 #include "app/console/commands/simulate_command.h"
 #include "app/console/commands/trial_command.h"
@@ -63,6 +64,8 @@ int run(int argc, char** argv, std::string& subject) {
   addPlanCommand(app, planRequest);
   TrialRequest trialRequest;
   addTrialCommand(app, trialRequest);
+  JournalRequest journalRequest;
+  addJournalCommand(app, journalRequest);
   ImportRequest importRequest;
   addImportCommand(app, importRequest);
   app.footer("Exit codes: 0 done, 2 bad input or call, 1 anything else.");
@@ -85,6 +88,7 @@ int run(int argc, char** argv, std::string& subject) {
     return give(runCommand(request), subject);
   };
   if (app.got_subcommand("plan")) return giveFrom(planRequest, runPlan);
+  if (app.got_subcommand("journal")) return giveFrom(journalRequest, runJournal);
   if (app.got_subcommand("diagnose")) return giveFrom(diagnoseRequest, runDiagnose);
   return giveFrom(fitRequest, runFit);
 }

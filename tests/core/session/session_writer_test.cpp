@@ -55,7 +55,7 @@ TEST(SessionWriter, SpellsOutEverythingThatASessionHolds) {
   Position& position = session.positions.emplace_back();
   position.axisDeg = "180";
   position.zero = {"1°", "90 0 0", {"181 0 0", "270 0 1"}, {"1 0 1", ""}, {"", "x"}, {}};
-  position.readings = {{"1", "2", "x", "10", "20", "30", true, "r", {}}, {}};
+  position.readings = {{"1", "2", "x", "10", "20", "30", true, "r", {}, {}}, {}};
   const Json expected = Json::parse(R"({
     "format": "alidade-session", "version": 1, "title": "t", "notes": "n", "operator": "o", "place": "p",
     "measured_on": "2018-01-01",

@@ -103,7 +103,10 @@ void Monkey::openWindow() {
 }
 
 std::string Monkey::sessionText() const {
-  return m_window ? writeSession(m_window->document().session()) : std::string();
+  if (!m_window) return {};
+  Session session = m_window->document().session();
+  session.journal.clear();  // where undo leads over a save, it tells of it
+  return writeSession(session);
 }
 
 void Monkey::say(const QString& deed) {

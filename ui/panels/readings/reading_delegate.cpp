@@ -9,6 +9,23 @@
 
 namespace alidade::ui {
 
+namespace {
+
+/// The sign of a cell that is not as it was first entered.
+void paintCorner(QPainter& painter, const QStyleOptionViewItem& option) {
+  constexpr int side = 7;
+  const QPoint corner = option.rect.topRight() + QPoint(1, 0);
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Qt::NoPen);
+  const bool isSelected = option.state.testFlag(QStyle::State_Selected);
+  painter.setBrush(option.palette.color(isSelected ? QPalette::HighlightedText : QPalette::Link));
+  painter.drawPolygon(QPolygon({corner - QPoint(side, 0), corner, corner + QPoint(0, side)}));
+  painter.restore();
+}
+
+}  // namespace
+
 bool ReadingDelegate::editorEvent(QEvent* event, QAbstractItemModel* model,
                                   const QStyleOptionViewItem& option, const QModelIndex& index) {
   const QVariant checked = index.data(Qt::CheckStateRole);
@@ -40,6 +57,7 @@ void ReadingDelegate::paint(QPainter* painter, const QStyleOptionViewItem& optio
                             const QModelIndex& index) const {
   if (static_cast<ReadingColumn>(index.column()) != ReadingColumn::Used) {
     CellDelegate::paint(painter, option, index);
+    if (index.data(ReadingsModel::ChangedRole).toBool()) paintCorner(*painter, option);
     return;
   }
   QStyleOptionViewItem cell = option;

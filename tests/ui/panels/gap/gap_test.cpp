@@ -272,7 +272,10 @@ TEST(Gap, WhatWasAddedIsUndoneRedoneAndSaved) {
   EXPECT_THAT(loadSession(path.toStdString())->model.effects, ElementsAre("gravity_sag"));
   bench.open->undo();
   bench.settle();
-  EXPECT_EQ(bench.open->document().session(), original);
+  Session undone = bench.open->document().session();
+  EXPECT_EQ(undone.journal.size(), 1U) << "the file has it";
+  undone.journal.clear();
+  EXPECT_EQ(undone, original);
   EXPECT_THAT(bench.shown(), HasSubstr("One cause: gravity sag\n"));
   bench.open->redo();
   bench.settle();

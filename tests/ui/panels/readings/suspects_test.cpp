@@ -61,10 +61,10 @@ TEST(Suspects, AreMarkedInTheTableWithMoreThanColour) {
   const QString doubt =
       bench.cell(slippedRow, ReadingColumn::Vertical, ReadingsModel::SuspectRole).toString();
   EXPECT_THAT(doubt.toStdString(), HasSubstr("point 4, vertical"));
-  EXPECT_EQ(bench.cell(slippedRow, ReadingColumn::Vertical, Qt::ToolTipRole).toString(),
-            QStringLiteral("Looks misread: ") + doubt);
-  EXPECT_EQ(bench.cell(slippedRow, ReadingColumn::Vertical, Qt::AccessibleDescriptionRole).toString(),
-            QStringLiteral("Looks misread: ") + doubt);
+  for (const int role : {int{Qt::ToolTipRole}, int{Qt::AccessibleDescriptionRole}})
+    EXPECT_TRUE(bench.cell(slippedRow, ReadingColumn::Vertical, role)
+                    .toString()
+                    .startsWith(QStringLiteral("Looks misread: ") + doubt));
   EXPECT_TRUE(
       bench.cell(slippedRow, ReadingColumn::Horizontal, ReadingsModel::SuspectRole).toString().isEmpty());
   EXPECT_TRUE(

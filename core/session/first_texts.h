@@ -1,0 +1,47 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace alidade {
+
+/// The texts of a row as they were first entered, of those fields that were changed since; by their names in
+/// the session file. Empty in almost every row, where it takes no room; copies share what they hold.
+class FirstTexts {
+ public:
+  using Texts = std::map<std::string, std::string, std::less<>>;
+
+  const Texts& all() const {
+    static const Texts none;
+    return m_texts ? *m_texts : none;
+  }
+  bool empty() const { return !m_texts; }
+
+  /// Absent where the field stands as it was entered.
+  std::optional<std::string> of(std::string_view field) const {
+    const auto found = all().find(field);
+    return found == all().end() ? std::nullopt : std::optional(found->second);
+  }
+
+  void set(std::string_view field, std::string text) {
+    Texts texts = all();
+    texts.insert_or_assign(std::string(field), std::move(text));
+    m_texts = std::make_shared<const Texts>(std::move(texts));
+  }
+
+  void drop(std::string_view field) {
+    Texts texts = all();
+    if (const auto found = texts.find(field); found != texts.end()) texts.erase(found);
+    m_texts = texts.empty() ? nullptr : std::make_shared<const Texts>(std::move(texts));
+  }
+
+  bool operator==(const FirstTexts& other) const { return all() == other.all(); }
+
+ private:
+  std::shared_ptr<const Texts> m_texts;  ///< null: none
+};
+
+}  // namespace alidade

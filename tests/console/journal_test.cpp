@@ -1,0 +1,68 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "core/session/session_file.h"
+#include "tests/console/console.h"
+
+// `alidade-cli journal`: what was changed in a session after it stood.
+
+namespace alidade::test {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using testing::HasSubstr;
+
+std::string sealedSession() {
+  Session session = *loadSession(paperSession);
+  enterInJournal(session.journal, {.at = "2026-03-14T15:09:26Z",
+                                   .by = "J. Doe\x1b[31m",
+                                   .place = "positions[0].readings[4].vertical",
+                                   .axis = "0",
+                                   .point = "5",
+                                   .from = "82°30'39\"",
+                                   .to = "82°40'39\"",
+                                   .why = "suggestion"});
+  enterInJournal(session.journal, sealingEntry(session, "R. Roe", "2026-03-15T08:00:00Z"));
+  return writeSession(session);
+}
+
+ProgramRun journalOf(const std::string& session, const std::vector<std::string>& options = {}) {
+  std::vector<std::string> arguments{"journal", "-"};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  return runProgram({.program = ALIDADE_CLI, .arguments = arguments, .input = session});
+}
+
+TEST(JournalCommand, ListsTheChangesAndTheSeal) {
+  const ProgramRun run = journalOf(sealedSession());
+  EXPECT_EQ(run.exitCode, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("2026-03-14 15:09 UTC positions[0].readings[4].vertical (point 5): "
+                                 "“82°30'39\"” became"));
+  EXPECT_THAT(run.out, HasSubstr("suggestion accepted, J. Doe\\u001b[31m"));
+  EXPECT_THAT(run.out, HasSubstr("Sealed 2026-03-15 08:00 UTC by R. Roe and unchanged since."));
+  const Json json = Json::parse(journalOf(sealedSession(), {"--json"}).out);
+  EXPECT_EQ(json["whole"], true);
+  EXPECT_EQ(json["sealed"]["unchanged"], true);
+  EXPECT_EQ(json["entries"].size(), 2U);
+  EXPECT_EQ(json["entries"][0]["to"], "82°40'39\"");
+}
+
+TEST(JournalCommand, TellsWhatTheJournalDoesNot) {
+  std::string text = sealedSession();
+  const auto at = text.find("341");
+  ASSERT_NE(at, std::string::npos);
+  text.replace(at, 3, "342");
+  const Json json = Json::parse(journalOf(text, {"--json"}).out);
+  EXPECT_EQ(json["whole"], true);
+  EXPECT_EQ(json["sealed"]["unchanged"], false);
+}
+
+TEST(JournalCommand, SaysWhereNothingWasChanged) {
+  const ProgramRun run = alidadeCli({"journal", paperSession});
+  EXPECT_EQ(run.exitCode, 0);
+  EXPECT_THAT(run.out, HasSubstr("Nothing that stood was changed."));
+}
+
+}  // namespace
+}  // namespace alidade::test

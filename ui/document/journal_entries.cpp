@@ -1,0 +1,119 @@
+#include "ui/document/journal_entries.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include "core/base/place.h"
+
+namespace alidade::ui {
+
+namespace {
+
+constexpr std::size_t mostEntries = 1000;
+
+/// All that is typed in a row, for one that goes or comes: `horizontal 341°52'24", vertical …`.
+std::string rowText(const Reading& row) {
+  std::string text;
+  for (const RowField& field : rowFields) {
+    if (!field.text || (row.*field.text).empty()) continue;
+    if (!text.empty()) text += ", ";
+    text += std::string(field.key) + ' ' + row.*field.text;
+  }
+  if (row.excluded) text += ", excluded";
+  return text;
+}
+
+class PatchEntries {
+ public:
+  PatchEntries(const Session& session, std::size_t position, const char* why, const Stands& stands)
+      : m_session(session), m_position(position), m_why(why), m_stands(stands) {}
+
+  void addCell(const ReadingsPatch::Cell& cell) {
+    if (!m_stands(cell.row, cell.column)) return;
+    const auto& rows = m_session.positions.at(m_position).readings;
+    JournalEntry entry = of(rows.at(cell.row), cell.row, infoOf(cell.column).field->key);
+    const bool isFlag = !readingText(cell.column);
+    entry.from = isFlag ? usedText(cell.before) : cell.before;
+    entry.to = isFlag ? usedText(cell.after) : cell.after;
+    m_entries.push_back(std::move(entry));
+  }
+
+  void addRow(const Reading& row, std::size_t index, bool isGone) {
+    if (isBlank(row) || !m_stands(isGone ? index : asAdded, ReadingColumn::Horizontal)) return;
+    JournalEntry entry = of(row, index, {});
+    (isGone ? entry.from : entry.to) = rowText(row);
+    m_entries.push_back(std::move(entry));
+  }
+
+  std::vector<JournalEntry> take() {
+    if (m_entries.size() <= mostEntries) return std::move(m_entries);
+    JournalEntry together = of({}, {}, "readings");
+    together.from = std::to_string(m_entries.size()) + " entries";
+    together.to = std::to_string(m_entries.size()) + " entries";
+    return {together};
+  }
+
+ private:
+  static std::string usedText(const std::string& text) { return text == "0" ? "excluded" : "used"; }
+
+  JournalEntry of(const Reading& row, std::optional<std::size_t> index, std::string_view field) const {
+    JournalEntry entry;
+    entry.place = Place{.position = m_position, .reading = index, .field = std::string(field)}.path();
+    entry.axis = m_session.positions.at(m_position).axisDeg;
+    entry.point = row.point;
+    entry.round = row.round;
+    entry.face = row.face;
+    entry.why = m_why;
+    return entry;
+  }
+
+  const Session& m_session;
+  std::size_t m_position;
+  const char* m_why;
+  const Stands& m_stands;
+  std::vector<JournalEntry> m_entries;
+};
+
+}  // namespace
+
+std::vector<JournalEntry> entriesOf(const Session& session, std::size_t position, const ReadingsPatch& patch,
+                                    const char* why, const Stands& stands) {
+  PatchEntries entries(session, position, why, stands);
+  for (const ReadingsPatch::Cell& cell : patch.cells()) entries.addCell(cell);
+  for (const ReadingsPatch::Row& row : patch.gone()) entries.addRow(row.reading, row.index, true);
+  std::size_t index = patch.addedFirst();
+  for (const Reading& row : patch.added()) entries.addRow(row, index++, false);
+  return entries.take();
+}
+
+JournalEntry entryOf(const Session& session, const Place& field, std::string from, std::string to) {
+  JournalEntry entry;
+  entry.place = field.path();
+  if (field.position && *field.position < session.positions.size())
+    entry.axis = session.positions[*field.position].axisDeg;
+  entry.from = std::move(from);
+  entry.to = std::move(to);
+  entry.why = journal_reasons::retyped;
+  return entry;
+}
+
+std::vector<JournalEntry> reversed(const std::vector<JournalEntry>& entries) {
+  std::vector<JournalEntry> back(entries.rbegin(), entries.rend());
+  for (JournalEntry& entry : back) {
+    std::swap(entry.from, entry.to);
+    entry.why = journal_reasons::undone;
+    entry.hash.clear();
+  }
+  return back;
+}
+
+bool isOfMeasurement(const Place& field) {
+  constexpr std::array<std::string_view, 6> saidAbout = {"title", "notes",       "operator",
+                                                         "place", "measured_on", "report."};
+  return std::ranges::none_of(saidAbout,
+                              [&](std::string_view name) { return field.field.starts_with(name); });
+}
+
+}  // namespace alidade::ui

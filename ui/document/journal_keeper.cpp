@@ -1,0 +1,105 @@
+#include "ui/document/journal_keeper.h"
+
+#include <QDateTime>
+#include <algorithm>
+#include <utility>
+
+namespace alidade::ui {
+
+namespace {
+
+std::string now() {
+  return QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
+}
+
+bool isSameChange(const JournalEntry& a, const JournalEntry& b) {
+  return a.place == b.place && a.from == b.from && a.to == b.to && a.why == b.why;
+}
+
+}  // namespace
+
+JournalKeeper::State JournalKeeper::stateOf(const Session& session, bool isNew) {
+  State state{.filed = session.journal.size()};
+  if (!isNew) state.open.close();
+  return state;
+}
+
+void JournalKeeper::restart(bool isNew) {
+  m_state = stateOf(m_session, isNew);
+  m_kept = m_session.journal.size();
+}
+
+void JournalKeeper::exchange(State& state) {
+  std::swap(m_state, state);
+  m_state.open.closeRow();
+  m_kept = m_session.journal.size();
+}
+
+void JournalKeeper::setFiled(int undoIndex) {
+  m_state.open.close();
+  m_state.filed = m_session.journal.size();
+  m_state.filedIndex = undoIndex;
+}
+
+void JournalKeeper::dropFrom(int undoIndex) {
+  m_state.filedIndex = std::min(m_state.filedIndex, undoIndex);
+}
+
+std::vector<JournalEntry> JournalKeeper::judge(std::size_t position, ReadingsPatch& patch, const char* why) {
+  const std::vector<Reading>& rows = m_session.positions.at(position).readings;
+  const auto stands = [&, sealed = isSealed()](std::size_t row, ReadingColumn column) {
+    if (sealed) return true;
+    if (row >= rows.size() || m_state.open.isOpen(position, row, column)) return false;
+    if (column == ReadingColumn::Note) return false;
+    const auto text = readingText(column);
+    return !text || !(rows[row].*text).empty();
+  };
+  auto entries = entriesOf(m_session, position, patch, why, stands);
+  patch.keepFirstTexts(rows, stands);
+  m_state.open.enter(position, rows, patch);
+  return entries;
+}
+
+std::vector<JournalEntry> JournalKeeper::judge(const Place& field, const std::string& from,
+                                               const std::string& to) {
+  const bool stands = isSealed() || (!from.empty() && !m_state.open.isOpen(field));
+  m_state.open.enter(field, from.empty());
+  return stands ? asStanding(field, from, to) : std::vector<JournalEntry>();
+}
+
+std::vector<JournalEntry> JournalKeeper::asStanding(const Place& field, const std::string& from,
+                                                    const std::string& to) const {
+  if (!isSealed() && !isOfMeasurement(field)) return {};
+  return {entryOf(m_session, field, from, to)};
+}
+
+std::size_t JournalKeeper::takeKept() {
+  return std::exchange(m_kept, m_session.journal.size());
+}
+
+void JournalKeeper::enter(std::vector<JournalEntry> entries) {
+  for (JournalEntry& entry : entries) {
+    entry.at = now();
+    if (entry.by.empty()) entry.by = m_session.operatorName;
+    enterInJournal(m_session.journal, std::move(entry));
+  }
+}
+
+void JournalKeeper::takeBack(const std::vector<JournalEntry>& entries) {
+  m_state.open.closeRow();
+  if (!isTail(entries)) {
+    enter(reversed(entries));
+    return;
+  }
+  m_session.journal.resize(m_session.journal.size() - entries.size());
+  m_kept = std::min(m_kept, m_session.journal.size());
+}
+
+bool JournalKeeper::isTail(const std::vector<JournalEntry>& entries) const {
+  const auto& journal = m_session.journal;
+  return journal.size() >= m_state.filed + entries.size() &&
+         std::equal(entries.begin(), entries.end(),
+                    journal.end() - static_cast<std::ptrdiff_t>(entries.size()), isSameChange);
+}
+
+}  // namespace alidade::ui

@@ -1,0 +1,72 @@
+#include "ui/panels/journal/journal_panel.h"
+
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include "core/wording/journal.h"
+#include "ui/panels/parts/data_table.h"
+#include "ui/text/journal_text.h"
+#include "ui/text/visible_text.h"
+
+namespace alidade::ui {
+
+namespace {
+
+constexpr int longestCell = 200;
+
+}  // namespace
+
+JournalPanel::JournalPanel(QWidget* parent)
+    : QWidget(parent),
+      m_evaluation(std::make_shared<const Evaluation>()),
+      m_summary(new QLabel),
+      m_table(createTable()) {
+  m_summary->setObjectName(QStringLiteral("journal summary"));
+  m_summary->setWordWrap(true);
+  m_summary->setTextFormat(Qt::PlainText);
+  m_summary->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  m_table->setAccessibleName(tr("Journal of changes"));
+  m_table->setPlaceholder(tr("Nothing that stood was changed."));
+  setFocusProxy(m_table);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(6, 6, 6, 6);
+  layout->addWidget(m_summary);
+  layout->addWidget(m_table, 1);
+  m_summary->hide();
+}
+
+const JournalEntry& JournalPanel::entry(int row) const {
+  const auto& journal = m_evaluation->session.journal;
+  return journal[journal.size() - 1 - static_cast<std::size_t>(row)];
+}
+
+DataTable* JournalPanel::createTable() {
+  const auto left = Qt::AlignLeft;
+  const auto text = [this](std::string JournalEntry::*member) {
+    return [this, member](int row) { return shortLine(entry(row).*member, longestCell); };
+  };
+  return new DataTable({
+      {tr("When (UTC)"), tr("Universal time"), QStringLiteral("2026-08-28 28:28"),
+       [this](int row) { return visibleLine(timeText(entry(row).at)); }, left},
+      {tr("What"), tr("As it was called then"), tr("180°, row 28 (point 28), horizontal circle reading"),
+       [this](int row) { return journalPlace(entry(row)); }, left},
+      {tr("From"), tr("As it stood"), QStringLiteral("341°52′24.5″"), text(&JournalEntry::from), left},
+      {tr("To"), tr("What it became"), QStringLiteral("341°52′24.5″"), text(&JournalEntry::to), left},
+      {tr("Why"),
+       {},
+       tr("suggestion accepted"),
+       [this](int row) { return visibleLine(reasonText(entry(row))); },
+       left},
+      {tr("Who"), tr("The operator, as the session had it then"), QStringLiteral("J. Doe-Weatherby"),
+       text(&JournalEntry::by), left},
+  });
+}
+
+void JournalPanel::setEvaluation(const SharedEvaluation& evaluation) {
+  m_evaluation = evaluation;
+  m_summary->setText(visibleLine(journalSummary(evaluation->session)));
+  m_summary->setVisible(!m_summary->text().isEmpty());
+  m_table->setRows(static_cast<int>(evaluation->session.journal.size()));
+}
+
+}  // namespace alidade::ui

@@ -1,0 +1,41 @@
+#include "ui/report/report_journal.h"
+
+#include <algorithm>
+
+#include "core/wording/journal.h"
+#include "ui/report/report_table.h"
+#include "ui/text/journal_text.h"
+#include "ui/text/visible_text.h"
+
+namespace alidade::ui {
+
+void addJournal(ReportSheet& sheet, const Session& session) {
+  constexpr std::size_t mostEntries = 200;
+  constexpr int longestText = 60;
+  const std::vector<JournalEntry>& journal = session.journal;
+  if (journal.empty()) return;
+  sheet.keepTogether(35);
+  sheet.heading(QStringLiteral("Journal of changes"));
+  if (const QString summary = visibleLine(journalSummary(session)); !summary.isEmpty())
+    sheet.paragraph(summary);
+  sheet.skip(0.8);
+  ReportTable table(sheet, {{QStringLiteral("When (UTC)"), 28},
+                            {QStringLiteral("What"), 50},
+                            {QStringLiteral("From"), 28},
+                            {QStringLiteral("To"), 28},
+                            {QStringLiteral("Why"), 22},
+                            {QStringLiteral("Who"), ReportSheet::width - 156}});
+  table.head();
+  const std::size_t left = journal.size() - std::min(journal.size(), mostEntries);
+  for (std::size_t i = left; i < journal.size(); ++i) {
+    const JournalEntry& entry = journal[i];
+    table.row({visibleLine(timeText(entry.at)), journalPlace(entry), shortLine(entry.from, longestText),
+               shortLine(entry.to, longestText), visibleLine(reasonText(entry)),
+               shortLine(entry.by, longestText)});
+  }
+  table.finish();
+  if (left > 0)
+    sheet.paragraph(QStringLiteral("%1 earlier entries are in the session file.").arg(left), type::small);
+}
+
+}  // namespace alidade::ui

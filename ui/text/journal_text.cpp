@@ -1,0 +1,74 @@
+#include "ui/text/journal_text.h"
+
+#include <QCoreApplication>
+#include <QRegularExpression>
+#include <QStringList>
+#include <algorithm>
+
+#include "core/base/place.h"
+#include "core/wording/journal.h"
+#include "ui/document/field.h"
+#include "ui/document/reading_column.h"
+#include "ui/text/entry_text.h"
+#include "ui/text/visible_text.h"
+
+namespace alidade::ui {
+
+namespace {
+
+struct JournalText {
+  Q_DECLARE_TR_FUNCTIONS(Journal)
+};
+
+QString fieldNoun(const QString& name, bool isOfRow) {
+  if (name.isEmpty()) return {};
+  const std::string plain = name.toStdString();
+  if (isOfRow) {
+    const RowField* field = rowFieldNamed(plain);
+    if (!field) return visibleLine(name);
+    const ReadingColumnInfo& info = infoOf(field->flag ? ReadingColumn::Used : readingColumn(plain));
+    return QCoreApplication::translate("ReadingColumn", info.noun);
+  }
+  const Field* field = fieldNamed(plain);
+  return field ? QCoreApplication::translate("Field", field->noun) : visibleLine(name);
+}
+
+}  // namespace
+
+QString journalPlace(const JournalEntry& entry) {
+  static const QRegularExpression pattern(
+      QStringLiteral("^positions\\[(\\d+)\\](?:\\.readings\\[(\\d+)\\])?(?:\\.(.+))?$"));
+  const auto match = pattern.match(qText(entry.place));
+  if (!match.hasMatch()) return fieldNoun(qText(entry.place), false);
+  QStringList parts{visibleLine(entry.axis) + u'°'};
+  const bool isOfRow = !match.captured(2).isEmpty();
+  if (isOfRow) {
+    const QString row = JournalText::tr("row %1").arg(match.captured(2).toULongLong() + 1);
+    const QString point = shortLine(entry.point, 20);
+    parts.append(point.isEmpty() ? row : row + JournalText::tr(" (point %1)").arg(point));
+  }
+  if (const QString noun = fieldNoun(match.captured(3), isOfRow); !noun.isEmpty()) parts.append(noun);
+  return parts.join(QStringLiteral(", "));
+}
+
+QString changeText(const JournalEntry& entry) {
+  QStringList parts{visibleLine(reasonText(entry))};
+  if (!entry.by.empty()) parts.append(shortLine(entry.by, 60));
+  parts.append(visibleLine(timeText(entry.at)) + QStringLiteral(" UTC"));
+  return parts.join(QStringLiteral(", "));
+}
+
+const JournalEntry* lastChange(const Session& session, std::size_t position, std::size_t row,
+                               const RowField& field) {
+  const std::vector<Reading>& rows = session.positions.at(position).readings;
+  const std::string& now = rows.at(row).*field.text;
+  const std::string name = '.' + std::string(field.key);
+  const std::string of = Place{.position = position}.path() + ".readings[";
+  const auto found = std::find_if(session.journal.rbegin(), session.journal.rend(), [&](const auto& entry) {
+    return entry.to == now && entry.point == rows[row].point && entry.round == rows[row].round &&
+           entry.face == rows[row].face && entry.place.starts_with(of) && entry.place.ends_with(name);
+  });
+  return found == session.journal.rend() ? nullptr : &*found;
+}
+
+}  // namespace alidade::ui
