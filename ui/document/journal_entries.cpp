@@ -41,7 +41,7 @@ class PatchEntries {
   }
 
   void addRow(const Reading& row, std::size_t index, bool isGone) {
-    if (isBlank(row) || !m_stands(isGone ? index : asAdded, ReadingColumn::Horizontal)) return;
+    if (!hasStanding(row, isGone ? index : asAdded)) return;
     JournalEntry entry = of(row, index, {});
     (isGone ? entry.from : entry.to) = rowText(row);
     m_entries.push_back(std::move(entry));
@@ -56,6 +56,13 @@ class PatchEntries {
   }
 
  private:
+  bool hasStanding(const Reading& row, std::size_t index) const {
+    return std::ranges::any_of(rowFields, [&](const RowField& field) {
+      return field.text && !(row.*field.text).empty() &&
+             m_stands(index, readingColumn(std::string(field.key)));
+    });
+  }
+
   static std::string usedText(const std::string& text) { return text == "0" ? "excluded" : "used"; }
 
   JournalEntry of(const Reading& row, std::optional<std::size_t> index, std::string_view field) const {

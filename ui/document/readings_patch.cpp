@@ -75,7 +75,7 @@ void ReadingsPatch::keepFirstTexts(const std::vector<Reading>& rows,
   for (Cell& cell : m_cells) {
     if (!readingText(cell.column) || isFreeText(cell.column)) continue;
     const auto first = rows[cell.row].asRead.of(infoOf(cell.column).field->key);
-    if (!first && stands(cell.row, cell.column))
+    if (!first && !cell.before.empty() && stands(cell.row, cell.column))
       cell.first = First::Kept;
     else if (first == cell.after)
       cell.first = First::Dropped;

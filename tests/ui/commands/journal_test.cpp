@@ -147,6 +147,19 @@ TEST(JournalOfEdits, TellsOfEachWayToChangeReadings) {
                                            "point 2, round 1, face 1, horizontal 1° > , deleted"));
 }
 
+TEST(JournalOfEdits, TellsOfARowThatGoesWhicheverOfItsCellsWasRead) {
+  Bench bench;
+  const std::size_t end = bench.document.session().positions[0].readings.size();
+  bench.type(end, "80 00 00", ReadingColumn::Vertical);
+  bench.editor().remove({end});
+  EXPECT_THAT(bench.journal(), IsEmpty()) << "still being typed";
+  bench.type(end, "80 00 00", ReadingColumn::Vertical);
+  bench.save();
+  bench.editor().remove({end});
+  ASSERT_EQ(bench.journal().size(), 1U);
+  EXPECT_THAT(bench.journal()[0], testing::HasSubstr("vertical 80 00 00 > , deleted"));
+}
+
 TEST(JournalOfEdits, OfAThousandRowsSaysHowManyAndEachKeepsItsFirstText) {
   Bench bench;
   ReadingBlock block;
@@ -200,9 +213,11 @@ TEST(JournalOfEdits, AfterASealTellsOfEveryEdit) {
   bench.type(end, "300 00 00");
   bench.type(end, "80 00 00", ReadingColumn::Vertical);
   addPosition(bench.document, 0);
-  EXPECT_EQ(bench.journal().size(), 5U);
+  bench.type(2, "12.5", ReadingColumn::Slider);
+  EXPECT_EQ(bench.journal().size(), 6U);
+  EXPECT_TRUE(bench.row(2).asRead.empty()) << "nothing had been read there";
   EXPECT_FALSE(isAsSealed(bench.document.session(), *seal()));
-  for (int i = 0; i < 4; ++i) bench.undo();
+  for (int i = 0; i < 5; ++i) bench.undo();
   EXPECT_TRUE(isAsSealed(bench.document.session(), *seal()));
 }
 

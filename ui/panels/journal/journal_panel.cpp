@@ -48,7 +48,7 @@ DataTable* JournalPanel::createTable() {
   return new DataTable({
       {tr("When (UTC)"), tr("Universal time"), QStringLiteral("2026-08-28 28:28"),
        [this](int row) { return visibleLine(timeText(entry(row).at)); }, left},
-      {tr("What"), tr("As it was called then"), tr("180°, row 28 (point 28), horizontal circle reading"),
+      {tr("What"), tr("As it was called then"), tr("180°, row 28 (point 28), vertical"),
        [this](int row) { return journalPlace(entry(row)); }, left},
       {tr("From"), tr("As it stood"), QStringLiteral("341°52′24.5″"), text(&JournalEntry::from), left},
       {tr("To"), tr("What it became"), QStringLiteral("341°52′24.5″"), text(&JournalEntry::to), left},
