@@ -18,19 +18,22 @@ JournalKeeper& JournalledCommand::journal() const {
 
 void JournalledCommand::undo() {
   if (journal().isFiled(m_index)) {
-    m_undone = reversed(allEntries());
-    journal().enter(m_undone);
+    std::vector<JournalEntry> undone = reversed(allEntries());
+    m_toldUndone = undone.size();
+    journal().enter(std::move(undone));
   } else {
-    journal().takeBack(m_entries);
+    m_entries = journal().takeBack(std::exchange(m_told, 0));
   }
   revert();
 }
 
 void JournalledCommand::redo() {
-  if (m_undone.empty())
-    journal().enter(m_entries);
-  else
-    journal().takeBack(std::exchange(m_undone, {}));
+  if (m_toldUndone > 0) {
+    journal().takeBack(std::exchange(m_toldUndone, 0));
+  } else {
+    m_told = m_entries.size();
+    journal().enter(std::exchange(m_entries, {}));
+  }
   apply();
 }
 

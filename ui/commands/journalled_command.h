@@ -2,6 +2,7 @@
 
 #include <QString>
 #include <QUndoCommand>
+#include <cstddef>
 #include <vector>
 
 #include "core/session/journal.h"
@@ -33,8 +34,9 @@ class JournalledCommand : public QUndoCommand {
 
  private:
   SessionDocument& m_document;
-  int m_index;  ///< on the undo stack
-  std::vector<JournalEntry> m_entries, m_undone;
+  int m_index;                               ///< on the undo stack
+  std::vector<JournalEntry> m_entries;       ///< while it is not done; else they are in the journal alone
+  std::size_t m_told = 0, m_toldUndone = 0;  ///< entries in the journal
 };
 
 }  // namespace alidade::ui

@@ -12,10 +12,6 @@ std::string now() {
   return QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
 }
 
-bool isSameChange(const JournalEntry& a, const JournalEntry& b) {
-  return a.place == b.place && a.from == b.from && a.to == b.to && a.why == b.why;
-}
-
 }  // namespace
 
 JournalKeeper::State JournalKeeper::stateOf(const Session& session, bool isNew) {
@@ -85,21 +81,18 @@ void JournalKeeper::enter(std::vector<JournalEntry> entries) {
   }
 }
 
-void JournalKeeper::takeBack(const std::vector<JournalEntry>& entries) {
+std::vector<JournalEntry> JournalKeeper::takeBack(std::size_t count) {
   m_state.open.closeRow();
-  if (!isTail(entries)) {
-    enter(reversed(entries));
-    return;
+  auto& journal = m_session.journal;
+  const auto first = journal.end() - static_cast<std::ptrdiff_t>(count);
+  std::vector<JournalEntry> last(first, journal.end());
+  if (journal.size() < m_state.filed + count) {
+    enter(reversed(last));
+    return {};
   }
-  m_session.journal.resize(m_session.journal.size() - entries.size());
-  m_kept = std::min(m_kept, m_session.journal.size());
-}
-
-bool JournalKeeper::isTail(const std::vector<JournalEntry>& entries) const {
-  const auto& journal = m_session.journal;
-  return journal.size() >= m_state.filed + entries.size() &&
-         std::equal(entries.begin(), entries.end(),
-                    journal.end() - static_cast<std::ptrdiff_t>(entries.size()), isSameChange);
+  journal.erase(first, journal.end());
+  m_kept = std::min(m_kept, journal.size());
+  return last;
 }
 
 }  // namespace alidade::ui

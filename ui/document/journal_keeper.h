@@ -48,12 +48,11 @@ class JournalKeeper {
 
   /// With time and operator.
   void enter(std::vector<JournalEntry> entries);
-  /// Takes them out, where they are the last and in no file; else enters the reverse.
-  void takeBack(const std::vector<JournalEntry>& entries);
+  /// Takes the last `count` out and answers with them, where they are in no file; else enters their reverse.
+  std::vector<JournalEntry> takeBack(std::size_t count);
 
  private:
   bool isSealed() const { return sealOf(m_session.journal).has_value(); }
-  bool isTail(const std::vector<JournalEntry>& entries) const;
 
   Session& m_session;
   State m_state;
