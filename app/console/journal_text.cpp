@@ -27,18 +27,10 @@ std::string journalText(const std::string& name, const Session& session) {
 std::string journalJson(const std::string& name, const Session& session) {
   using Json = nlohmann::ordered_json;
   Json entries = Json::array();
-  for (const JournalEntry& entry : session.journal)
-    entries.push_back({{"at", entry.at},
-                       {"by", entry.by},
-                       {"place", entry.place},
-                       {"axis_deg", entry.axis},
-                       {"point", entry.point},
-                       {"round", entry.round},
-                       {"face", entry.face},
-                       {"from", entry.from},
-                       {"to", entry.to},
-                       {"why", entry.why},
-                       {"hash", entry.hash}});
+  for (const JournalEntry& entry : session.journal) {
+    Json& json = entries.emplace_back(Json::object());
+    for (const JournalField& field : journalFields) json[field.key] = entry.*field.text;
+  }
   Json sealed = nullptr;
   if (const auto seal = sealOf(session.journal))
     sealed = {{"at", seal->at},

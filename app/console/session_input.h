@@ -21,8 +21,7 @@ Result<Session> readSessionOf(const std::string& file);
 /// Its title, or its file's name.
 std::string nameOf(const Session& session, const std::string& file);
 
-/// `prepare` is done to the session before it is examined. Fails
-/// with the first thing that is wrong in the session.
+/// `prepare` is done to the session before it is examined. Fails with the first thing that is wrong in it.
 Result<SessionInput> readSessionInput(const std::string& file, Session (*prepare)(Session) = nullptr);
 
 }  // namespace alidade::console

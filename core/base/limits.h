@@ -9,7 +9,7 @@ namespace alidade::limits {
 
 // How much the programs take in, wherever it comes from: a file, standard input or the window. Whatever is
 // beyond gets one sentence before it can exhaust the memory. Reading anything takes less than 2 GB; a million
-// rows are fitted within some 1.2 GB and diagnosed within some 4.5 GB.
+// rows are fitted and diagnosed within 2 GB.
 
 /// Of a file or of standard input: the most rows at 256 bytes each, several times what a row takes.
 inline constexpr std::size_t mostBytes = std::size_t{512} << 20;

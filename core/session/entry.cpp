@@ -165,6 +165,18 @@ Result<int> axisEntry(const std::string& text) {
   return Problem{quotation(text) + " is no position of the axis: type 0 or 180"};
 }
 
+Result<CircleUnit> circleUnitEntry(const std::string& text) {
+  if (text.empty() || text == "dms") return CircleUnit::Dms;
+  if (text == "degrees") return CircleUnit::Degrees;
+  if (text == "gon") return CircleUnit::Gon;
+  return Problem{quotation(text) + " is no unit of angles: choose dms, degrees or gon"};
+}
+
+CircleUnit circleUnitOf(const Session& session) {
+  const auto unit = circleUnitEntry(session.instrument.angleUnit);
+  return unit ? *unit : CircleUnit::Dms;
+}
+
 Result<VerticalCircle> verticalCircleEntry(const std::string& text) {
   if (text.empty() || text == "zenith") return VerticalCircle::Zenith;
   if (text == "elevation") return VerticalCircle::Elevation;
@@ -232,6 +244,7 @@ std::optional<std::string> entryProblem(const Session& session, const std::strin
   if (field.starts_with("pointing_zero.") && !text.empty())
     return sentence(angleEntry(field.ends_with(".horizontal") ? horizontalRule : verticalRule, text, circle));
   if (field == "axis_deg") return sentence(axisEntry(text));
+  if (field == "instrument.angle_unit") return sentence(circleUnitEntry(text));
   if (field == "geometry.vertical_circle") return sentence(verticalCircleEntry(text));
   if (field == "geometry.pointing_zeros") return sentence(pointingZerosEntry(text));
   if (field == "acceptance.measurand") return sentence(measurandEntry(text));

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "core/base/angle.h"
+#include "core/base/circle_unit.h"
 #include "core/base/result.h"
 #include "core/session/measurement.h"
 
@@ -45,6 +46,11 @@ Result<std::optional<Angle>> angleEntry(const AngleRule& rule, const std::string
 
 /// 0 or 180.
 Result<int> axisEntry(const std::string& text);
+
+/// "dms", also empty, "degrees" or "gon".
+Result<CircleUnit> circleUnitEntry(const std::string& text);
+/// That of the session's instrument; degrees, minutes and seconds where its text means nothing.
+CircleUnit circleUnitOf(const Session& session);
 
 Result<VerticalCircle> verticalCircleEntry(const std::string& text);
 Result<Measurand> measurandEntry(const std::string& text);

@@ -31,9 +31,9 @@ std::string sha256(std::string_view bytes) {
 }  // namespace
 
 std::string journalHash(const std::string& before, const JournalEntry& entry) {
-  const auto list =
-      nlohmann::ordered_json::array({before, entry.at, entry.by, entry.place, entry.axis, entry.point,
-                                     entry.round, entry.face, entry.from, entry.to, entry.why});
+  auto list = nlohmann::ordered_json::array({before});
+  for (const JournalField& field : journalFields)
+    if (field.text != &JournalEntry::hash) list.push_back(entry.*field.text);
   return sha256(list.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 

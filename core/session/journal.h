@@ -27,6 +27,19 @@ struct JournalEntry {
   bool operator==(const JournalEntry&) const = default;
 };
 
+/// A text of an entry and its key in files.
+struct JournalField {
+  const char* key;
+  std::string JournalEntry::*text;
+};
+
+/// In the order of the struct, the hash last.
+inline constexpr JournalField journalFields[] = {
+    {"at", &JournalEntry::at},         {"by", &JournalEntry::by},       {"place", &JournalEntry::place},
+    {"axis_deg", &JournalEntry::axis}, {"point", &JournalEntry::point}, {"round", &JournalEntry::round},
+    {"face", &JournalEntry::face},     {"from", &JournalEntry::from},   {"to", &JournalEntry::to},
+    {"why", &JournalEntry::why},       {"hash", &JournalEntry::hash}};
+
 /// Why an entry was changed.
 namespace journal_reasons {
 inline constexpr const char* retyped = "retyped";
@@ -42,7 +55,7 @@ inline constexpr const char* sealed = "sealed";  ///< from: the revision, `to`: 
 }  // namespace journal_reasons
 
 /// The hash of `entry` where `before` is that of the entry before it, empty for the first: SHA-256 over the
-/// compact JSON list of `before` and the entry's texts in the order of the struct.
+/// compact JSON list of `before` and the entry's texts in the order of `journalFields`.
 std::string journalHash(const std::string& before, const JournalEntry& entry);
 
 /// Adds the entry with its hash.

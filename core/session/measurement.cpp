@@ -80,6 +80,8 @@ class Examiner : private ProblemReporter {
     m_measurement.zerosAreReadings = !stated;
     m_measurement.sigmaZeroHorizontal = stated ? sigmaZero : m_measurement.sigmaHorizontal;
     m_measurement.sigmaZeroVertical = stated ? sigmaZero : m_measurement.sigmaVertical;
+    const auto unit = take(circleUnitEntry(instrument.angleUnit), {.field = "instrument.angle_unit"});
+    if (unit) m_measurement.angleUnit = *unit;
     m_measurement.sigmaSlider = sigma("instrument.sigma_slider_arcsec", instrument.sigmaSliderArcsec);
   }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/angle.h"
+#include "core/base/circle_unit.h"
 #include "core/base/place.h"
 #include "core/base/problem.h"
 #include "core/session/session.h"
@@ -105,6 +106,7 @@ struct Measurement {
   PointingZeros pointingZeros = PointingZeros::Unstated;
   Angle sigmaSlider;  ///< > 0
   VerticalCircle verticalCircle = VerticalCircle::Zenith;
+  CircleUnit angleUnit = CircleUnit::Dms;  ///< in which angles are shown
   VerticalAngleRelation relation = VerticalAngleRelation::Exact;
   std::optional<double> tolerance;                ///< mm, > 0
   Measurand measurand = Measurand::Intersection;  ///< that it is of

@@ -94,8 +94,10 @@ struct Device {
 
 struct Instrument {
   std::string name, serial;
-  std::string certificate;            ///< of its calibration
-  std::string traceability;           ///< of its circles: to which standards, by whom
+  std::string certificate;   ///< of its calibration
+  std::string traceability;  ///< of its circles: to which standards, by whom
+  std::string
+      angleUnit;  ///< of angles typed without one, and in which they are shown: "dms", "degrees", "gon"
   std::string sigmaHorizontalArcsec;  ///< empty: 2
   std::string sigmaVerticalArcsec;    ///< empty: 2
   std::string sigmaZeroArcsec;        ///< empty: as the circles'

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <utility>
+#include <vector>
 
 #include "core/base/visible_text.h"
 #include "core/session/row_fields.h"
@@ -124,7 +125,7 @@ class ObjectReader {
   }
 
   /// The origin without the values of `parts`, which have origins of their own.
-  JsonOrigin origin(std::initializer_list<const char*> parts = {}) const {
+  JsonOrigin origin(const std::vector<const char*>& parts = {}) const {
     if (!m_json.is_object()) return {};
     Json kept = Json::object();
     auto& members = kept.get_ref<Json::object_t&>();
@@ -214,6 +215,7 @@ Instrument readInstrument(const ObjectReader& reader) {
           .serial = reader.text("serial"),
           .certificate = reader.text("certificate"),
           .traceability = reader.text("traceability"),
+          .angleUnit = reader.text("angle_unit"),
           .sigmaHorizontalArcsec = reader.number("sigma_horizontal_arcsec"),
           .sigmaVerticalArcsec = reader.number("sigma_vertical_arcsec"),
           .sigmaZeroArcsec = reader.number("sigma_zero_arcsec"),
@@ -263,11 +265,13 @@ PointingZero readPointingZero(const ObjectReader& reader) {
   PointingZero zero;
   zero.horizontal = reader.requiredAngle("horizontal", remedy);
   zero.vertical = reader.requiredAngle("vertical", remedy);
+  std::vector<const char*> parts;
   for (const ZeroSlot& slot : furtherZeros) {
     const ObjectReader own = reader.object(slot.key);
     zero.*slot.sighting = {own.angle("horizontal"), own.angle("vertical"), own.origin()};
+    parts.push_back(slot.key);
   }
-  zero.origin = reader.origin({"face_2", "after", "after_face_2"});
+  zero.origin = reader.origin(parts);
   return zero;
 }
 
@@ -278,18 +282,10 @@ void readFirstTexts(const ObjectReader& reader, Reading& row) {
 }
 
 JournalEntry readJournalEntry(const ObjectReader& reader) {
-  return {.at = reader.text("at"),
-          .by = reader.text("by"),
-          .place = reader.text("place"),
-          .axis = reader.text("axis_deg"),
-          .point = reader.text("point"),
-          .round = reader.text("round"),
-          .face = reader.text("face"),
-          .from = reader.text("from"),
-          .to = reader.text("to"),
-          .why = reader.text("why"),
-          .hash = reader.text("hash"),
-          .origin = reader.origin()};
+  JournalEntry entry;
+  for (const JournalField& field : journalFields) entry.*field.text = reader.text(field.key);
+  entry.origin = reader.origin();
+  return entry;
 }
 
 void readRow(const ObjectReader& reader, Reading& row) {

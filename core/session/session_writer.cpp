@@ -133,6 +133,7 @@ Json instrumentJson(const Instrument& instrument) {
   writer.text("serial", instrument.serial);
   writer.text("certificate", instrument.certificate);
   writer.text("traceability", instrument.traceability);
+  writer.text("angle_unit", instrument.angleUnit);
   writer.number("sigma_horizontal_arcsec", instrument.sigmaHorizontalArcsec);
   writer.number("sigma_vertical_arcsec", instrument.sigmaVerticalArcsec);
   writer.number("sigma_zero_arcsec", instrument.sigmaZeroArcsec);
@@ -220,17 +221,7 @@ Json journalJson(const std::vector<JournalEntry>& journal) {
   Json entries = Json::array();
   for (const JournalEntry& entry : journal) {
     ObjectWriter writer(entry.origin);
-    writer.text("at", entry.at);
-    writer.text("by", entry.by);
-    writer.text("place", entry.place);
-    writer.text("axis_deg", entry.axis);
-    writer.text("point", entry.point);
-    writer.text("round", entry.round);
-    writer.text("face", entry.face);
-    writer.text("from", entry.from);
-    writer.text("to", entry.to);
-    writer.text("why", entry.why);
-    writer.text("hash", entry.hash);
+    for (const JournalField& field : journalFields) writer.text(field.key, entry.*field.text);
     entries.push_back(writer.take());
   }
   return entries;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/base/number_text.h"
+#include "core/session/entry.h"
 #include "ui/commands/replace_readings.h"
 #include "ui/document/session_document.h"
 #include "ui/text/entry_text.h"
@@ -19,9 +20,9 @@ bool meansExcluded(const QString& cell) {
 }
 
 /// A cell of a block as the column's text.
-std::string pastedText(ReadingColumn column, const QString& cell) {
+std::string pastedText(ReadingColumn column, const QString& cell, CircleUnit unit) {
   if (column == ReadingColumn::Used) return meansExcluded(cell) ? "0" : "1";
-  return cell.toStdString();
+  return isAngle(column) ? completedAngle(cell.toStdString(), unit) : cell.toStdString();
 }
 
 /// The reading after `last`, which is number `count`; null: there is none.
@@ -52,13 +53,15 @@ Reading ReadingsEditor::following(const std::vector<Reading>& rows) {
   return readingAfter(rows.empty() ? nullptr : &rows.back(), rows.size());
 }
 
-void ReadingsEditor::setCell(const ReadingCell& cell, const std::string& text) {
+void ReadingsEditor::setCell(const ReadingCell& cell, const std::string& typed) {
+  const std::string text =
+      isAngle(cell.column) ? completedAngle(typed, circleUnitOf(m_document.session())) : typed;
   if (cell.row >= readings().size()) {
     if (text.empty()) return;
     Reading reading = following(readings());
     reading.*readingText(cell.column) = text;
     replaceReadings(m_document, m_position, readings().size(), 0, {reading},
-                    tr("Add point %1").arg(qText(reading.point)), journal_reasons::retyped);
+                    tr("Add point %1").arg(qText(reading.point)), journal_reasons::inserted);
     return;
   }
   const QString point = qText(readings()[cell.row].point);
@@ -108,6 +111,7 @@ std::size_t ReadingsEditor::paste(const ReadingBlock& block, std::size_t row,
   std::vector<Reading> appended;
   std::size_t widest = 0;
   row = std::min(row, rows.size());
+  const CircleUnit unit = circleUnitOf(m_document.session());
   Reading last = rows.empty() ? Reading{} : rows.back();  // with what is pasted over it
   for (const QStringList& cells : block) {
     const auto width = static_cast<std::size_t>(cells.size());
@@ -115,7 +119,7 @@ std::size_t ReadingsEditor::paste(const ReadingBlock& block, std::size_t row,
     const bool isNew = row >= rows.size();
     if (isNew) appended.push_back(readingAfter(row > 0 ? &last : nullptr, row));
     for (std::size_t i = 0; i < std::min(width, columns.size()); ++i) {
-      std::string text = pastedText(columns[i], cells[static_cast<qsizetype>(i)]);
+      std::string text = pastedText(columns[i], cells[static_cast<qsizetype>(i)], unit);
       if (isNew || row + 1 == rows.size()) enter(isNew ? appended.back() : last, columns[i], text);
       if (!isNew) texts.push_back({row, columns[i], std::move(text)});
     }

@@ -54,6 +54,8 @@ constexpr Field fields[] = {
         "instrument.certificate", QT_TRANSLATE_NOOP("Field", "instrument certificate")),
     ofSession<&Session::instrument, &Instrument::traceability>(
         "instrument.traceability", QT_TRANSLATE_NOOP("Field", "traceability of the circles")),
+    ofSession<&Session::instrument, &Instrument::angleUnit>("instrument.angle_unit",
+                                                            QT_TRANSLATE_NOOP("Field", "unit of angles")),
     ofSession<&Session::instrument, &Instrument::sigmaHorizontalArcsec>(
         "instrument.sigma_horizontal_arcsec", QT_TRANSLATE_NOOP("Field", "σ of the horizontal circle")),
     ofSession<&Session::instrument, &Instrument::sigmaVerticalArcsec>(

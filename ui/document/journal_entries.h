@@ -21,7 +21,7 @@ using Stands = std::function<bool(std::size_t row, ReadingColumn column)>;
 
 /// The entries that tell of a patch of the rows of one position, in the order of its cells and rows, without
 /// time, operator and hash. Of an edit of more than a thousand cells or rows it is one that counts them: each
-/// changed row keeps its first texts itself. `rows` as before or after the patch.
+/// changed row keeps its first texts itself.
 std::vector<JournalEntry> entriesOf(const Session& session, std::size_t position, const ReadingsPatch& patch,
                                     const char* why, const Stands& stands);
 

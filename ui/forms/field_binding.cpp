@@ -3,6 +3,7 @@
 #include <QWidget>
 #include <utility>
 
+#include "core/session/entry.h"
 #include "core/session/measurement.h"
 #include "ui/commands/change_field.h"
 #include "ui/document/field.h"
@@ -14,7 +15,8 @@ namespace alidade::ui {
 FieldBinding::FieldBinding(SessionDocument& document, Place place, QWidget* widget)
     : QObject(widget), m_document(document), m_place(std::move(place)) {
   connect(&document, &SessionDocument::changed, this, [this](const SessionChange& change) {
-    const bool mine = change.kind == SessionChange::Kind::Field && change.place == m_place;
+    const bool mine = change.kind == SessionChange::Kind::Field &&
+                      (change.place == m_place || change.place.field == "instrument.angle_unit");
     if (mine || change.kind == SessionChange::Kind::Everything) emit refreshed();
   });
 }
@@ -36,6 +38,10 @@ QString FieldBinding::problem() const {
 
 void FieldBinding::enter(const QString& text) {
   changeField(m_document, m_place, text.toStdString());
+}
+
+CircleUnit FieldBinding::angleUnit() const {
+  return circleUnitOf(m_document.session());
 }
 
 }  // namespace alidade::ui

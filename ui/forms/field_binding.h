@@ -3,6 +3,7 @@
 #include <QObject>
 #include <QString>
 
+#include "core/base/circle_unit.h"
 #include "core/base/place.h"
 
 namespace alidade::ui {
@@ -22,6 +23,7 @@ class FieldBinding : public QObject {
   QString text() const;     ///< as typed
   QString problem() const;  ///< why the text cannot be used; empty where it can, or where there is none
   void enter(const QString& text);
+  CircleUnit angleUnit() const;  ///< of the session
 
  signals:
   void refreshed();

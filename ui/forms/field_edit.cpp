@@ -31,7 +31,8 @@ void FieldEdit::setHint(const QString& hint) {
 void FieldEdit::commit() {
   if (!isModified()) return;
   setModified(false);
-  m_binding->enter(text().trimmed());
+  const std::string typed = text().trimmed().toStdString();
+  m_binding->enter(qText(m_shows == Shows::Angle ? completedAngle(typed, m_binding->angleUnit()) : typed));
   refresh();
 }
 
@@ -39,7 +40,9 @@ void FieldEdit::refresh() {
   if (isModified()) return;
   const QString typed = m_binding->text();
   const bool asAngle = m_shows == Shows::Angle;
-  const QString shown = hasFocus() ? typed : asAngle ? shownAngle(typed.toStdString()) : visibleLine(typed);
+  const QString shown = hasFocus() ? typed
+                        : asAngle  ? shownAngle(typed.toStdString(), m_binding->angleUnit())
+                                   : visibleLine(typed);
   if (text() != shown) {
     setText(shown);
     setCursorPosition(0);

@@ -116,6 +116,9 @@ QWidget* createInstrumentForm(SessionDocument& document) {
   const QVector<Choice> zeros = {{{}, Forms::tr("Unstated")},
                                  {QStringLiteral("each"), Forms::tr("Each")},
                                  {QStringLiteral("one"), Forms::tr("One for all")}};
+  const QVector<Choice> units = {{QStringLiteral("dms"), Forms::tr("° ′ ″")},
+                                 {QStringLiteral("degrees"), Forms::tr("Degrees")},
+                                 {QStringLiteral("gon"), Forms::tr("Gon")}};
   return stacked({new FieldForm(
       document,
       {
@@ -129,6 +132,14 @@ QWidget* createInstrumentForm(SessionDocument& document) {
                "Each: sighted anew in every position. One: sighted once for all, so that an error of it "
                "cancels in Δd"),
            zeros},
+          {"instrument.angle_unit",
+           Forms::tr("Angles in"),
+           {},
+           {},
+           Forms::tr("What the instrument shows. A bare number such as 379.8592 is typed and pasted in this "
+                     "unit, and angles are shown in it; seconds, or what has a sign of its own, may be typed "
+                     "in any"),
+           units},
           {"instrument.sigma_horizontal_arcsec", Forms::tr("σ ho&rizontal"), seconds, Forms::tr("2"),
            Forms::tr("Stated standard deviation of one horizontal reading")},
           {"instrument.sigma_vertical_arcsec", Forms::tr("σ vertical"), seconds, Forms::tr("2"),

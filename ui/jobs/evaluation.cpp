@@ -4,6 +4,7 @@
 
 #include "core/base/failure.h"
 #include "core/base/threads.h"
+#include "core/wording/journal.h"
 #include "ui/charts/arc/arc_picture.h"
 #include "ui/charts/residuals/residual_picture.h"
 
@@ -20,7 +21,6 @@ void fit(Evaluation& evaluation, const std::stop_token& stop) {
                                          evaluation.published = fitSessionAsPublished(measurement);
                                          evaluation.twoFaces = compareFaces(measurement);
                                        }});
-  evaluation.isSearched = evaluation.fit.arcs.empty();
 }
 
 void draw(Evaluation& evaluation) {
@@ -40,14 +40,17 @@ Evaluation evaluateFit(Session session, const std::stop_token& stop) {
   if (stop.stop_requested()) return evaluation;
   if (evaluation.examined.measurement) fit(evaluation, stop);
   if (stop.stop_requested()) return evaluation;
+  evaluation.isSearched = evaluation.fit.arcs.empty() && evaluation.session.journal.empty();
   draw(evaluation);
   return evaluation;
 }
 
 Evaluation withSuspects(Evaluation evaluation, const std::stop_token& stop) {
   if (std::exchange(evaluation.isSearched, true)) return evaluation;
-  evaluation.suspects =
-      findSuspects(evaluation.session, *evaluation.examined.measurement, evaluation.fit, {}, stop);
+  if (!evaluation.fit.arcs.empty())
+    evaluation.suspects =
+        findSuspects(evaluation.session, *evaluation.examined.measurement, evaluation.fit, {}, stop);
+  if (!stop.stop_requested()) evaluation.journal = journalSummary(evaluation.session);
   return evaluation;
 }
 
@@ -58,12 +61,14 @@ Evaluation failedEvaluation(Session session, const std::string& failure) {
   if (!isExamined) evaluation.examined.problems.clear();
   evaluation.examined.measurement.reset();
   evaluation.failure = failure;
+  evaluation.journal = journalSummary(evaluation.session);
   return evaluation;
 }
 
 Evaluation withoutSuspects(Evaluation evaluation, const std::string& failure) {
   evaluation.isSearched = true;
   evaluation.searchFailure = failure;
+  evaluation.journal = journalSummary(evaluation.session);
   return evaluation;
 }
 

@@ -26,7 +26,8 @@ struct Evaluation {
   PublishedSessionFit published;     ///< likewise
   std::optional<TwoFaces> twoFaces;  ///< where visits were read in both faces
   std::vector<Suspect> suspects;     ///< readings that look misread, the most certain first
-  bool isSearched = true;            ///< false: `suspects` are still to be found
+  bool isSearched = true;            ///< false: `suspects` and `journal` are still to come
+  std::string journal = {};          ///< `journalSummary`, which may have to write the session
   std::string failure = {};          ///< why there is no fit although there could be one: sentences
   std::string searchFailure = {};    ///< why the search for suspects came to nothing: sentences
   /// What the charts show of it, worked out where the fit was; null in an evaluation put together by hand.
@@ -34,9 +35,10 @@ struct Evaluation {
   std::shared_ptr<const ResidualPicture> residuals = {};
 };
 
-/// All but the suspects, whose search takes several times as long. Asked to stop, it returns early with less.
+/// All but the suspects, whose search takes several times as long, and the summary of the journal. Asked to
+/// stop, it returns early with less.
 Evaluation evaluateFit(Session session, const std::stop_token& stop = {});
-/// The same with the suspects.
+/// The same with both.
 Evaluation withSuspects(Evaluation evaluation, const std::stop_token& stop = {});
 /// In place of a fit that broke down: the session and what is wrong with its entries, nothing fitted.
 Evaluation failedEvaluation(Session session, const std::string& failure);

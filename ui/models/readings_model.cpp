@@ -6,6 +6,8 @@
 #include <iterator>
 #include <utility>
 
+#include "core/base/angle_text.h"
+#include "core/session/entry.h"
 #include "ui/commands/edit_readings.h"
 #include "ui/document/session_document.h"
 #include "ui/text/entry_text.h"
@@ -104,7 +106,8 @@ QString ReadingsModel::cellText(int row, ReadingColumn column) const {
     return numberText((horizontal ? residual->horizontal : residual->vertical).arcseconds(), 1);
   }
   const std::string& typed = reading(row).*readingText(column);
-  return isAngle(column) ? shortLine(shownAngle(typed), longestCell) : shortLine(typed, longestCell);
+  return shortLine(isAngle(column) ? shownAngle(typed, m_unit, decimalsIn(column)) : qText(typed),
+                   longestCell);
 }
 
 QString ReadingsModel::problem(int row, ReadingColumn column) const {
@@ -202,9 +205,35 @@ bool ReadingsModel::setData(const QModelIndex& index, const QVariant& value, int
   return true;
 }
 
+int ReadingsModel::decimalsIn(ReadingColumn column) const {
+  const auto found = m_decimals.find(column);
+  return found == m_decimals.end() ? 0 : found->second;
+}
+
+/// All angles of a column are written as finely as the finest of its first thousand rows. True: some are
+/// written in another way now.
+bool ReadingsModel::followAngles(const Session& session) {
+  constexpr std::size_t most = 1000;
+  if (m_position >= session.positions.size()) return false;
+  const auto& rows = session.positions[m_position].readings;
+  const auto before = std::pair(m_unit, m_decimals);
+  m_unit = circleUnitOf(session);
+  m_decimals.clear();
+  for (const ReadingColumnInfo& info : allReadingColumns()) {
+    if (!isAngle(info.column)) continue;
+    int& finest = m_decimals[info.column];
+    for (std::size_t row = 0; row < std::min(rows.size(), most); ++row)
+      if (const Result<Angle> angle = parseAngle(rows[row].*readingText(info.column)))
+        finest = std::max(finest, decimalsOf(*angle, m_unit));
+  }
+  return before != std::pair(m_unit, m_decimals);
+}
+
 /// Cells that say the same as before are not painted again.
 void ReadingsModel::setEvaluation(SharedEvaluation evaluation) {
-  const RowNotes::News news = m_notes.setEvaluation(std::move(evaluation));
+  const bool isShownAlike = !followAngles(evaluation->session);
+  const RowNotes::News news = std::max(m_notes.setEvaluation(std::move(evaluation)),
+                                       isShownAlike ? RowNotes::News::None : RowNotes::News::Everything);
   const auto at = [this](ReadingColumn column, int row) { return index(row, static_cast<int>(column)); };
   if (news == RowNotes::News::Everything)
     emit dataChanged(index(0, 0), index(rowCount() - 1, readingColumnCount - 1));

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <QAbstractTableModel>
+#include <map>
 #include <vector>
 
+#include "core/base/circle_unit.h"
 #include "ui/document/reading_column.h"
 #include "ui/models/row_notes.h"
 
@@ -66,12 +68,16 @@ class ReadingsModel : public QAbstractTableModel {
   QVariant pendingRowData(ReadingColumn column, int role) const;
   QString columnTitle(ReadingColumn column) const;
   bool isMine(const SessionChange& change) const;
+  int decimalsIn(ReadingColumn column) const;
+  bool followAngles(const Session& session);
   void beginChange(const SessionChange& change);
   void endChange(const SessionChange& change);
 
   SessionDocument& m_document;
   std::size_t m_position;
   RowNotes m_notes;
+  CircleUnit m_unit = CircleUnit::Dms;      ///< in which angles are shown
+  std::map<ReadingColumn, int> m_decimals;  ///< of seconds, by column
 };
 
 }  // namespace alidade::ui

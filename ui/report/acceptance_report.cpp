@@ -67,7 +67,7 @@ bool paintReport(QBuffer& buffer, const Evaluation& evaluation, const ReportSour
   FrontPage front = addSummary(sheet, gap, options);
   addPlots(sheet, evaluation);
   addReadings(sheet, evaluation);
-  addJournal(sheet, evaluation.session);
+  addJournal(sheet, evaluation);
   if (!front.hasMethod) front.hasMethod = addMethodInTheRest(sheet, evaluation);
   addUncertainty(sheet, gap);
   if (options.simulated && options.simulated->intersection)

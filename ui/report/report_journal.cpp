@@ -9,15 +9,14 @@
 
 namespace alidade::ui {
 
-void addJournal(ReportSheet& sheet, const Session& session) {
+void addJournal(ReportSheet& sheet, const Evaluation& evaluation) {
   constexpr std::size_t mostEntries = 200;
   constexpr int longestText = 60;
-  const std::vector<JournalEntry>& journal = session.journal;
+  const std::vector<JournalEntry>& journal = evaluation.session.journal;
   if (journal.empty()) return;
   sheet.keepTogether(35);
   sheet.heading(QStringLiteral("Journal of changes"));
-  if (const QString summary = visibleLine(journalSummary(session)); !summary.isEmpty())
-    sheet.paragraph(summary);
+  if (const QString summary = visibleLine(evaluation.journal); !summary.isEmpty()) sheet.paragraph(summary);
   sheet.skip(0.8);
   ReportTable table(sheet, {{QStringLiteral("When (UTC)"), 28},
                             {QStringLiteral("What"), 50},

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/session/entry.h"
 #include "ui/document/reading_column.h"
 #include "ui/report/report_table.h"
 #include "ui/text/entry_text.h"
@@ -19,12 +20,12 @@ namespace {
 constexpr double largeResidual = 3;  // standardised
 constexpr int longestCell = 60;      // characters; more is cut, for paper has no tool tip
 
-/// As typed, and below it in degrees, minutes and seconds where it was typed in another way.
-QString angleCell(const std::string& typed) {
+/// As typed, and below it in the session's unit where it was typed in another way.
+QString angleCell(const std::string& typed, CircleUnit unit) {
   const QString text = shortLine(qText(typed).trimmed(), longestCell);
   QString primes = text;
   primes.replace(u'\'', QChar(0x2032)).replace(u'"', QChar(0x2033));
-  const QString normal = shortLine(shownAngle(typed).trimmed(), longestCell);
+  const QString normal = shortLine(shownAngle(typed, unit).trimmed(), longestCell);
   if (normal == primes || normal == text) return text;
   return text + QStringLiteral("\n= ") + normal;
 }
@@ -74,9 +75,9 @@ QString remarks(const Reading& reading) {
   return parts.join(QStringLiteral("; "));
 }
 
-QString typedCell(const Reading& row, const RowField& field) {
+QString typedCell(const Reading& row, const RowField& field, CircleUnit unit) {
   const std::string& text = row.*field.text;
-  if (isAngle(field)) return angleCell(text);
+  if (isAngle(field)) return angleCell(text, unit);
   const QString typed = shortLine(qText(text).trimmed(), longestCell);
   return typed.isEmpty() ? qText(usualText(field)) : typed;
 }
@@ -87,6 +88,7 @@ class PositionTable {
       : m_sheet(sheet),
         m_table(sheet, columns()),
         m_position(evaluation.session.positions[position]),
+        m_unit(circleUnitOf(evaluation.session)),
         m_unusable(unusableRows(evaluation, position)),
         m_residuals(m_position.readings.size(), nullptr) {
     const ArcFit* fit = evaluation.fit.arcOfPosition(position);
@@ -119,7 +121,7 @@ class PositionTable {
     const TextStyle style = reading.excluded ? type::label : unusable ? type::body.inBold() : type::body;
     std::vector<ReportCell> cells;
     for (const ReadingColumnInfo& info : allReadingColumns())
-      if (info.printedTitle) cells.emplace_back(typedCell(reading, *info.field), style);
+      if (info.printedTitle) cells.emplace_back(typedCell(reading, *info.field, m_unit), style);
     if (residual) {
       cells.emplace_back(numberText(Angle::fromRadians(residual->arcAngle).degrees(), 3));
       addResidual(cells, residual->horizontal, residual->horizontalStandardised);
@@ -135,6 +137,7 @@ class PositionTable {
   ReportSheet& m_sheet;
   ReportTable m_table;
   const Position& m_position;
+  CircleUnit m_unit;
   std::set<std::size_t> m_unusable;
   std::vector<const SightingResidual*> m_residuals;
 };

@@ -6,7 +6,6 @@
 #include "core/diagnosis/conformance.h"
 #include "core/diagnosis/decision.h"
 #include "core/effects/known_sizes.h"
-#include "core/wording/journal.h"
 #include "ui/report/report_facts.h"
 #include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
@@ -134,10 +133,10 @@ QString correctionsText(const Evaluation& evaluation) {
 }
 
 /// Empty where nothing was changed.
-QString changesText(const Session& session) {
-  if (session.journal.empty()) return {};
-  const QString summary = visibleLine(journalSummary(session));
-  const auto count = session.journal.size();
+QString changesText(const Evaluation& evaluation) {
+  if (evaluation.session.journal.empty()) return {};
+  const QString summary = visibleLine(evaluation.journal);
+  const auto count = evaluation.session.journal.size();
   const QString entries = count == 1 ? QStringLiteral("one entry in the journal, see below")
                                      : QStringLiteral("%1 entries in the journal, see below").arg(count);
   return summary.isEmpty() ? entries : summary + u' ' + entries.left(1).toUpper() + entries.mid(1) + u'.';
@@ -177,7 +176,7 @@ void addTerms(ReportSheet& sheet, const Gap& gap) {
       {QStringLiteral("Decision rule"), ruleText(gap)},
       {QStringLiteral("Exclusions"), exclusionsText(evaluation.session)},
       {QStringLiteral("Corrections"), correctionsText(evaluation)},
-      {QStringLiteral("Changes"), changesText(evaluation.session)},
+      {QStringLiteral("Changes"), changesText(evaluation)},
       {QStringLiteral("Temperature"), temperatureText(evaluation)},
       {QStringLiteral("Scope"), QStringLiteral("The results relate only to the item measured.")}};
   sheet.keepTogether(labelledHeight(sheet, terms, ReportSheet::width));

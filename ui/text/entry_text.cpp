@@ -1,6 +1,6 @@
 #include "ui/text/entry_text.h"
 
-#include <cmath>
+#include <algorithm>
 
 #include "core/base/angle_text.h"
 #include "ui/text/quantity_text.h"
@@ -8,21 +8,10 @@
 
 namespace alidade::ui {
 
-namespace {
-
-/// Decimals of seconds that show `angle` to a thousandth of a second without trailing noughts.
-int secondsDecimals(Angle angle) {
-  const auto milliseconds = std::llround(std::abs(angle.arcseconds()) * 1000);
-  if (milliseconds % 1000 == 0) return 0;
-  if (milliseconds % 100 == 0) return 1;
-  return milliseconds % 10 == 0 ? 2 : 3;
-}
-
-}  // namespace
-
-QString shownAngle(const std::string& typed) {
+QString shownAngle(const std::string& typed, CircleUnit unit, int leastDecimals) {
   const Result<Angle> angle = parseAngle(typed);
-  return angle ? dmsText(*angle, secondsDecimals(*angle)) : visibleLine(typed);
+  return angle ? angleText(*angle, unit, std::max(leastDecimals, decimalsOf(*angle, unit)))
+               : visibleLine(typed);
 }
 
 }  // namespace alidade::ui

@@ -10,15 +10,12 @@
 #include "ui/document/field.h"
 #include "ui/document/reading_column.h"
 #include "ui/text/entry_text.h"
+#include "ui/text/spoken_place.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {
 
 namespace {
-
-struct JournalText {
-  Q_DECLARE_TR_FUNCTIONS(Journal)
-};
 
 QString fieldNoun(const QString& name, bool isOfRow) {
   if (name.isEmpty()) return {};
@@ -42,11 +39,7 @@ QString journalPlace(const JournalEntry& entry) {
   if (!match.hasMatch()) return fieldNoun(qText(entry.place), false);
   QStringList parts{visibleLine(entry.axis) + u'°'};
   const bool isOfRow = !match.captured(2).isEmpty();
-  if (isOfRow) {
-    const QString row = JournalText::tr("row %1").arg(match.captured(2).toULongLong() + 1);
-    const QString point = shortLine(entry.point, 20);
-    parts.append(point.isEmpty() ? row : row + JournalText::tr(" (point %1)").arg(point));
-  }
+  if (isOfRow) parts.append(spokenRow(match.captured(2).toULongLong(), entry.point));
   if (const QString noun = fieldNoun(match.captured(3), isOfRow); !noun.isEmpty()) parts.append(noun);
   return parts.join(QStringLiteral(", "));
 }

@@ -8,12 +8,12 @@
 
 namespace alidade::ui {
 
-QString proposalText(const Proposal& proposal) {
+QString proposalText(const Proposal& proposal, CircleUnit unit) {
   QStringList texts;
   for (const CellChange& change : proposal.changes)
     texts.append(change.where.field == "face"
                      ? QCoreApplication::translate("Proposal", "face %1").arg(visibleLine(change.text))
-                     : shownAngle(change.text));
+                     : shownAngle(change.text, unit));
   return texts.join(QCoreApplication::translate("Proposal", " and "));
 }
 

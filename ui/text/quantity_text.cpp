@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/angle_text.h"
 #include "core/base/quantity_text.h"
 
 namespace alidade::ui {
@@ -48,8 +47,9 @@ QString arcsecText(double arcseconds, int decimals) {
   return numberText(arcseconds, decimals) + QChar(0x2033);
 }
 
-QString dmsText(Angle angle, int decimals) {
-  return std::isfinite(angle.radians()) ? QString::fromStdString(formatDms(angle, decimals)) : notStated();
+QString angleText(Angle angle, CircleUnit unit, int decimals) {
+  return std::isfinite(angle.radians()) ? QString::fromStdString(formatAngle(angle, unit, decimals))
+                                        : notStated();
 }
 
 QString valueWithUncertainty(double value, double uncertainty, const QString& unit) {

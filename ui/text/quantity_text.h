@@ -3,6 +3,7 @@
 #include <QString>
 
 #include "core/base/angle.h"
+#include "core/base/circle_unit.h"
 #include "core/base/quantity_text.h"
 
 namespace alidade::ui {
@@ -31,8 +32,8 @@ QString lengthText(double millimetres, int decimals = 4);
 /// "9.4″".
 QString arcsecText(double arcseconds, int decimals = 1);
 
-/// "341°52′24″"; not wrapped.
-QString dmsText(Angle angle, int decimals = 0);
+/// "341°52′24″", or in another unit (`formatAngle`); not wrapped. `decimals` of seconds.
+QString angleText(Angle angle, CircleUnit unit = CircleUnit::Dms, int decimals = 0);
 
 /// "1.308 ± 0.022 mm": the uncertainty with two significant digits, the value to the same decimals.
 QString valueWithUncertainty(double value, double uncertainty, const QString& unit);

@@ -17,16 +17,19 @@ constexpr int longestName = 20;
 
 }  // namespace
 
+QString spokenRow(std::size_t row, const std::string& point) {
+  const QString name = shortLine(qText(point).trimmed(), longestName);
+  const QString text = QStringLiteral("row %1").arg(row + 1);
+  return name.isEmpty() ? text : text + QStringLiteral(" (point %1)").arg(name);
+}
+
 QString spokenPlace(const Session& session, const Place& place) {
   QStringList parts;
   if (place.position && *place.position < session.positions.size()) {
     const Position& position = session.positions[*place.position];
     parts.append(positionText(session, *place.position));
-    if (place.reading && *place.reading < position.readings.size()) {
-      const QString point = shortLine(qText(position.readings[*place.reading].point).trimmed(), longestName);
-      const QString row = QStringLiteral("row %1").arg(*place.reading + 1);
-      parts.append(point.isEmpty() ? row : row + QStringLiteral(" (point %1)").arg(point));
-    }
+    if (place.reading && *place.reading < position.readings.size())
+      parts.append(spokenRow(*place.reading, position.readings[*place.reading].point));
   }
   if (const auto known = knownAt(place); known && knownSize(session, known->ref)) {
     parts.append(spokenKnown(session, *known));

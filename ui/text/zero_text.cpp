@@ -21,9 +21,10 @@ QString textOf(const Measurement& measurement, const ArcMeasurement& arc) {
   const ZeroSightings& zero = arc.zero;
   const Angle horizontal = wrapped(arc.zeroHorizontal, Angle::fromDegrees(180));
   QString text = ZeroText::tr("Mean of %1 sightings: α0 %2 ± %3, β0 %4 ± %5 (1σ)")
-                     .arg(QString::number(zero.count), dmsText(horizontal, 1),
+                     .arg(QString::number(zero.count), angleText(horizontal, measurement.angleUnit, 1),
                           arcsecondsText(measurement.sigmaOfZeroHorizontal(arc)),
-                          dmsText(arc.zeroVertical, 1), arcsecondsText(measurement.sigmaOfZeroVertical(arc)));
+                          angleText(arc.zeroVertical, measurement.angleUnit, 1),
+                          arcsecondsText(measurement.sigmaOfZeroVertical(arc)));
   if (zero.moved)
     text += ZeroText::tr("; moved by %1 and %2 meanwhile")
                 .arg(arcsecondsText(zero.moved->horizontal), arcsecondsText(zero.moved->vertical));

@@ -25,7 +25,7 @@ Json completeSession() {
     "title": "Table I", "notes": "n", "operator": "o", "place": "p", "measured_on": "2018-01-01",
     "report": {"number": "17", "laboratory": "l", "customer": "c", "authorised_by": "a", "rule_agreed_by": "r"},
     "device": {"name": "d", "serial": "1"},
-    "instrument": {"name": "i", "serial": "2", "certificate": "3", "traceability": "t", "sigma_horizontal_arcsec": 2, "sigma_vertical_arcsec": 2.5,
+    "instrument": {"name": "i", "serial": "2", "certificate": "3", "traceability": "t", "angle_unit": "gon", "sigma_horizontal_arcsec": 2, "sigma_vertical_arcsec": 2.5,
                    "sigma_zero_arcsec": 1, "sigma_slider_arcsec": 5},
     "environment": {"temperature_c": 20.0},
     "geometry": {"distance_mm": 2405, "sigma_distance_mm": 1.0, "radius_mm": 400, "sigma_radius_mm": 0.1,
@@ -83,7 +83,7 @@ TEST(SessionFile, ReadsEveryKey) {
   EXPECT_EQ(s.title + s.notes + s.operatorName + s.place + s.measuredOn, "Table Inop2018-01-01");
   EXPECT_EQ(s.report, (ReportEntries{"17", "l", "c", "a", "r", {}}));
   EXPECT_EQ(s.device, (Device{"d", "1", {}, {}}));
-  EXPECT_EQ(s.instrument, (Instrument{"i", "2", "3", "t", "2", "2.5", "1", "5", {}, {}}));
+  EXPECT_EQ(s.instrument, (Instrument{"i", "2", "3", "t", "gon", "2", "2.5", "1", "5", {}, {}}));
   EXPECT_EQ(s.environment, (Environment{"20", "", {}}));
   EXPECT_EQ(s.geometry, (Geometry{"2405", "1", "400", "0.1", "zenith", "each", "tape", "", "", {}}));
   EXPECT_EQ(s.acceptance, (Acceptance{"2.5", "distance", "0.95", "2", "0.02", {}}));
@@ -329,7 +329,8 @@ TEST(SessionFile, WritesNothingOfAReportUntilThereIsSomething) {
   Session session = blankSession();
   const Json empty = Json::parse(writeSession(session));
   EXPECT_FALSE(empty.contains("report"));
-  for (const char* key : {"certificate", "traceability"}) EXPECT_FALSE(empty["instrument"].contains(key));
+  for (const char* key : {"certificate", "traceability", "angle_unit"})
+    EXPECT_FALSE(empty["instrument"].contains(key));
   EXPECT_FALSE(empty["geometry"].contains("distance_from"));
   session.report.customer = "c";
   EXPECT_EQ(Json::parse(writeSession(session))["report"].dump(), R"({"customer":"c"})");

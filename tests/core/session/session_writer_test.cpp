@@ -47,7 +47,7 @@ TEST(SessionWriter, SpellsOutEverythingThatASessionHolds) {
   session.measuredOn = "2018-01-01";
   session.report = {"17", "l", "c", "a", "r", {}};
   session.device = {"d", "1", {}, {}};
-  session.instrument = {"i", "2", "c", "t", "2,5", "3", "about 1", "5.0", {}, {}};
+  session.instrument = {"i", "2", "c", "t", "degrees", "2,5", "3", "about 1", "5.0", {}, {}};
   session.environment = {"-3", "0.5", {}};
   session.geometry = {"2405", "0.5", "400", "0", "elevation", "one", "laser", "1", "11.5", {}};
   session.acceptance = {"2.5", "distance", "0.95", "-1", "0.1", {}};
@@ -61,7 +61,7 @@ TEST(SessionWriter, SpellsOutEverythingThatASessionHolds) {
     "measured_on": "2018-01-01",
     "report": {"number": "17", "laboratory": "l", "customer": "c", "authorised_by": "a", "rule_agreed_by": "r"},
     "device": {"name": "d", "serial": "1"},
-    "instrument": {"name": "i", "serial": "2", "certificate": "c", "traceability": "t", "sigma_horizontal_arcsec": 2.5, "sigma_vertical_arcsec": 3,
+    "instrument": {"name": "i", "serial": "2", "certificate": "c", "traceability": "t", "angle_unit": "degrees", "sigma_horizontal_arcsec": 2.5, "sigma_vertical_arcsec": 3,
                    "sigma_zero_arcsec": "about 1", "sigma_slider_arcsec": 5},
     "environment": {"temperature_c": -3, "sigma_temperature_c": 0.5},
     "geometry": {"distance_mm": 2405, "sigma_distance_mm": 0.5, "radius_mm": 400, "sigma_radius_mm": 0,

@@ -38,7 +38,7 @@ TEST(QuantityText, HidesWhatConversionsDoToTypedNumbers) {
 TEST(QuantityText, PutsUnitsWhereTheyBelong) {
   EXPECT_EQ(lengthText(401.954264), QStringLiteral("401.9543 mm"));
   EXPECT_EQ(arcsecText(-9.375), QStringLiteral("−9.4″"));
-  EXPECT_EQ(dmsText(Angle::fromDegrees(341.873333333)), QStringLiteral("341°52′24″"));
+  EXPECT_EQ(angleText(Angle::fromDegrees(341.873333333)), QStringLiteral("341°52′24″"));
   EXPECT_EQ(plainNumberText(2405), QStringLiteral("2405"));
   EXPECT_EQ(exaggerationText(500), QStringLiteral("× 500"));
 }

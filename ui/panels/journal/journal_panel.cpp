@@ -64,7 +64,9 @@ DataTable* JournalPanel::createTable() {
 
 void JournalPanel::setEvaluation(const SharedEvaluation& evaluation) {
   m_evaluation = evaluation;
-  m_summary->setText(visibleLine(journalSummary(evaluation->session)));
+  m_summary->setText(evaluation->isSearched || evaluation->session.journal.empty()
+                         ? visibleLine(evaluation->journal)
+                         : tr("Checking the journal…"));
   m_summary->setVisible(!m_summary->text().isEmpty());
   m_table->setRows(static_cast<int>(evaluation->session.journal.size()));
 }

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/session/entry.h"
 #include "core/wording/suspects.h"
 #include "ui/settings/theme.h"
 #include "ui/text/entry_text.h"
@@ -89,6 +90,7 @@ void SuspectBar::setEvaluation(const Evaluation& evaluation) {
   if (!evaluation.isSearched) return setStale();
   const Place before = m_index < m_suspects.size() ? m_suspects[m_index].where : Place{};
   m_suspects = evaluation.suspects;
+  m_unit = circleUnitOf(evaluation.session);
   m_isStale = false;
   const auto same = std::find_if(m_suspects.begin(), m_suspects.end(),
                                  [&](const Suspect& suspect) { return suspect.where == before; });
@@ -124,7 +126,7 @@ void SuspectBar::showCurrent() {
   const bool hasMeaning = !suspect->proposals.empty();
   m_use->setVisible(hasMeaning);
   if (hasMeaning) {
-    m_use->setText(tr("Use %1 (F8)").arg(proposalText(suspect->proposals.front())));
+    m_use->setText(tr("Use %1 (F8)").arg(proposalText(suspect->proposals.front(), m_unit)));
     m_use->setToolTip(qText(sentenceOf(suspect->proposals.front())));
   }
   fitText();
@@ -145,7 +147,8 @@ void SuspectBar::fitText() {
 void SuspectBar::fillOthers(const Suspect& suspect) {
   m_others->menu()->clear();
   for (std::size_t i = 1; i < suspect.proposals.size(); ++i) {
-    QAction* action = m_others->menu()->addAction(tr("Use %1").arg(proposalText(suspect.proposals[i])));
+    QAction* action =
+        m_others->menu()->addAction(tr("Use %1").arg(proposalText(suspect.proposals[i], m_unit)));
     action->setToolTip(qText(sentenceOf(suspect.proposals[i])));
     connect(action, &QAction::triggered, this, [this, i] { useProposal(static_cast<int>(i)); });
   }

@@ -51,6 +51,7 @@ class SuspectBar : public QFrame {
   void fillOthers(const Suspect& suspect);
 
   std::vector<Suspect> m_suspects;
+  CircleUnit m_unit = CircleUnit::Dms;  ///< in which proposals are shown
   std::size_t m_index = 0;
   bool m_isStale = true, m_isVisited = false;
   QLabel* m_text;
