@@ -81,7 +81,8 @@ TEST(Suspects, AreLedToAndCorrectedByTheKeyboardInOneUndoStep) {
   ASSERT_TRUE(bench.bar().hasProposal());
   QTest::keyClick(bench.open.window.get(), Qt::Key_F8);
   bench.open.settle();
-  EXPECT_EQ(shownAngle(bench.readings()[slippedRow].vertical), shownAngle(bench.typed));
+  EXPECT_EQ(shownAngle(bench.readings()[slippedRow].vertical, CircleUnit::Dms),
+            shownAngle(bench.typed, CircleUnit::Dms));
   EXPECT_EQ(bench.open->document().undoStack().count(), 1);
   EXPECT_FALSE(bench.bar().isVisible()) << "nothing looks misread any more";
   bench.open->undo();
@@ -94,7 +95,7 @@ TEST(Suspects, OfferTheReadingAndItsExclusionOneClickAway) {
   SuspectBench bench;
   const auto* use = bench.bar().findChild<QPushButton*>(QStringLiteral("use proposal"));
   ASSERT_TRUE(use->isVisible());
-  EXPECT_THAT(use->text().toStdString(), HasSubstr(shownAngle(bench.typed).toStdString()));
+  EXPECT_THAT(use->text().toStdString(), HasSubstr(shownAngle(bench.typed, CircleUnit::Dms).toStdString()));
   QTest::mouseClick(bench.bar().findChild<QPushButton*>(QStringLiteral("exclude suspect")), Qt::LeftButton);
   bench.open.settle();
   EXPECT_TRUE(bench.readings()[slippedRow].excluded);
