@@ -2,7 +2,10 @@
 
 #include <QApplication>
 #include <QCloseEvent>
+#include <QKeyEvent>
+#include <QLabel>
 #include <QMimeData>
+#include <QScreen>
 #include <QSettings>
 #include <QSplitter>
 #include <QStatusBar>
@@ -13,6 +16,7 @@
 #include <numeric>
 #include <utility>
 
+#include "core/session/entry.h"
 #include "ui/charts/arc/arc_chart.h"
 #include "ui/charts/residuals/residual_chart.h"
 #include "ui/commands/add_position.h"
@@ -23,6 +27,7 @@
 #include "ui/commands/state_noise.h"
 #include "ui/dialogs/blind_trial_dialog.h"
 #include "ui/dialogs/safekeeping.h"
+#include "ui/document/field.h"
 #include "ui/forms/field_binding.h"
 #include "ui/forms/field_form.h"
 #include "ui/jobs/failed_job.h"
@@ -39,12 +44,16 @@
 #include "ui/panels/result/result_panel.h"
 #include "ui/panels/uncertainty/budget_panel.h"
 #include "ui/panels/uncertainty/reliability_panel.h"
+#include "ui/panels/window/bench_display.h"
 #include "ui/panels/window/changed_file_bar.h"
 #include "ui/panels/window/job_status.h"
 #include "ui/panels/window/page_tabs.h"
+#include "ui/panels/window/stray_digits.h"
+#include "ui/settings/entry_tone.h"
 #include "ui/settings/theme.h"
 #include "ui/text/cause_text.h"
 #include "ui/text/entry_text.h"
+#include "ui/text/next_reading_text.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {
@@ -93,14 +102,19 @@ MainWindow::MainWindow(std::unique_ptr<Dialogs> dialogs)
   setCentralWidget(stacked(m_changedFile, columns));
   m_actions = new WindowActions(*this, *m_dialogs);
   m_jobs = new JobStatus(m_job, m_gapJob);
+  m_next = new QLabel;
+  m_next->setObjectName(QStringLiteral("next reading"));
+  statusBar()->addPermanentWidget(m_next);
   statusBar()->addPermanentWidget(m_jobs);
   setAcceptDrops(true);
   resize(1280, 800);
   connectParts();
   restoreLayout();
+  fitOnScreen();
   showTitle();
   m_job.request(m_document.session());
   m_jobs->watch();
+  goToNextEntry();
 }
 
 MainWindow::~MainWindow() {
@@ -126,7 +140,15 @@ QWidget* MainWindow::createEntryColumn() {
   m_suspects = new SuspectBar;
 
   QWidget* top = stacked(m_forms, m_positions);
-  QWidget* bottom = stacked(m_suspects, m_findings);
+  auto* count = new QLabel;
+  count->setObjectName(QStringLiteral("findings count"));
+  count->setForegroundRole(QPalette::PlaceholderText);
+  count->hide();
+  connect(m_findings, &FindingsPanel::counted, count, [count](const QString& text) {
+    count->setText(text);
+    count->setVisible(!text.isEmpty());
+  });
+  QWidget* bottom = stacked(m_suspects, stacked(count, m_findings));
   QSplitter* column = split(Qt::Vertical, "entries", {top, bottom}, {620, 90});
   QWidget* entries = padded(column, {6, 6, 0, 6});
   entries->setMinimumWidth(440);  // every placeholder of the forms
@@ -173,10 +195,10 @@ PageTabs* MainWindow::createDetails() {
                  [](const Evaluation& evaluation) { return evaluation.twoFaces.has_value(); });
   m_known = new KnownSizesPanel(m_document);
   pages->addPage(m_known, tr("Known Sizes"), [](const SharedEvaluation&) {});
-  auto* journal = new JournalPanel;
+  m_journal = new JournalPanel;
   pages->addPage(
-      journal, tr("Journal"),
-      [journal](const SharedEvaluation& evaluation) { journal->setEvaluation(evaluation); },
+      m_journal, tr("Journal"),
+      [this](const SharedEvaluation& evaluation) { m_journal->setEvaluation(evaluation); },
       [](const Evaluation& evaluation) { return !evaluation.session.journal.empty(); });
   connect(m_effects, &EffectsPanel::knownWanted, this, [this](const std::string& effect) {
     m_known->reveal(effect);
@@ -221,9 +243,22 @@ void MainWindow::connectParts() {
   for (std::size_t i = 0; m_positions->table(i); ++i) m_actions->attachTo(m_positions->table(i));
   connect(m_positions, &PositionTabs::rowEntered, m_arcChart, &ArcChart::setHighlighted);
   connect(m_arcChart, &ArcChart::sightingActivated, this, &MainWindow::selectReading);
+  connectEntry();
   connectSuspects();
   connectGap();
   connectFile();
+}
+
+/// What is typed finds its place, and what is read is held against what was expected.
+void MainWindow::connectEntry() {
+  connect(new StrayDigits(*this), &StrayDigits::typed, this, [this](QKeyEvent* event) { takeDigit(*event); });
+  connect(m_positions, &PositionTabs::entered, this, &MainWindow::tellOfEntry);
+  connect(m_positions, &QTabWidget::currentChanged, this, &MainWindow::showNext);
+  connect(&m_document, &SessionDocument::changed, this, [this](const SessionChange& change) {
+    if (change.kind != SessionChange::Kind::Everything) return;
+    m_figures->setCurrentWidget(m_result);  // on the verdict
+    QMetaObject::invokeMethod(this, &MainWindow::goToNextEntry, Qt::QueuedConnection);
+  });
 }
 
 void MainWindow::connectFile() {
@@ -318,6 +353,75 @@ ReadingsTable* MainWindow::currentTable() const {
   return m_positions->currentTable();
 }
 
+void MainWindow::goToAxis(int axisDeg) {
+  commitPending();
+  const auto& positions = m_document.session().positions;
+  const int count = static_cast<int>(positions.size());
+  const bool isThere = currentTable() && currentTable()->hasFocus();
+  // From the one in front on where the keyboard is in it, else from the first.
+  const int begin = isThere ? m_positions->currentIndex() + 1 : 0;
+  for (int i = 0; i < count; ++i) {
+    const int position = (begin + i) % count;
+    const auto axis = axisEntry(positions[static_cast<std::size_t>(position)].axisDeg);
+    if (!axis || *axis != axisDeg) continue;
+    return goToNextEntryOf(static_cast<std::size_t>(position));
+  }
+  addPosition(axisDeg);
+}
+
+void MainWindow::goToNextEntry() {
+  for (const char* field : {"geometry.distance_mm", "geometry.radius_mm"})
+    if (const Place place{.field = field}; fieldText(m_document.session(), place).empty())
+      return reveal(place);
+  if (currentTable()) goToNextEntryOf(static_cast<std::size_t>(m_positions->currentIndex()));
+}
+
+/// Its pointing zero where that is missing.
+void MainWindow::goToNextEntryOf(std::size_t position) {
+  m_positions->showPosition(position);
+  for (const char* field : {"pointing_zero.horizontal", "pointing_zero.vertical"})
+    if (const Place place{.position = position, .field = field};
+        fieldText(m_document.session(), place).empty())
+      return reveal(place);
+  currentTable()->goToNextEntry();
+  currentTable()->setFocus(Qt::ShortcutFocusReason);
+}
+
+/// What was typed where nothing takes it goes to the entry that is to be made next.
+void MainWindow::takeDigit(QKeyEvent& event) {
+  goToNextEntry();
+  QWidget* entry = QApplication::focusWidget();
+  if (!entry || entry->window() != this)
+    return statusBar()->showMessage(tr("Nothing takes “%1” here.").arg(event.text()), 8000);
+  QKeyEvent again(event.type(), event.key(), event.modifiers(), event.text());
+  QCoreApplication::sendEvent(entry, &again);
+}
+
+void MainWindow::tellOfEntry(const QString& doubt) {
+  if (m_bench) m_bench->setDoubt(doubt);
+  if (doubt.isEmpty()) return;
+  statusBar()->showMessage(doubt, 15000);
+  if (hasTone()) QApplication::beep();
+}
+
+void MainWindow::showNext() {
+  const int position = m_positions->currentIndex();
+  const bool has = m_shown && position >= 0 && position < static_cast<int>(m_shown->next.size());
+  m_next->setText(
+      has ? nextReadingText(m_shown->next[static_cast<std::size_t>(position)], circleUnitOf(m_shown->session))
+          : QString());
+  if (m_bench) m_bench->setPosition(static_cast<std::size_t>(std::max(0, position)));
+}
+
+void MainWindow::setLargeDisplayShown(bool shown) {
+  if (!m_bench && shown) {
+    m_bench = new BenchDisplay(this);
+    m_bench->setEvaluation(m_shown);
+  }
+  if (m_bench) m_bench->setVisible(shown);
+  showNext();
+}
+
 void MainWindow::setColumnShown(ReadingColumn column, bool shown) {
   m_positions->setColumnShown(column, shown);
 }
@@ -354,6 +458,8 @@ void MainWindow::showTitle() {
 
 void MainWindow::showEvaluation(const SharedEvaluation& evaluation) {
   m_shown = evaluation;
+  if (m_bench) m_bench->setEvaluation(evaluation);
+  showNext();
   showSuspects(evaluation);
   m_arcChart->setEvaluation(*evaluation);
   m_figures->setEvaluation(evaluation);
@@ -361,11 +467,12 @@ void MainWindow::showEvaluation(const SharedEvaluation& evaluation) {
   markForms();
 }
 
-/// Only what tells of suspects: the figures have not changed.
+/// Only what comes after the fit: the figures have not changed.
 void MainWindow::showSuspects(const SharedEvaluation& evaluation) {
   m_positions->setEvaluation(evaluation);
   m_suspects->setEvaluation(*evaluation);
   m_findings->setEvaluation(*evaluation);
+  m_journal->setSummary(*evaluation);
 }
 
 void MainWindow::showGap(const SharedGap& gap) {
@@ -514,6 +621,13 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 void MainWindow::dropEvent(QDropEvent* event) {
   event->acceptProposedAction();
   m_files.open(event->mimeData()->urls().value(0).toLocalFile());
+}
+
+/// Frame and all; what was remembered may be of a larger screen.
+void MainWindow::fitOnScreen() {
+  constexpr QSize frame(16, 40);
+  const QRect room = screen()->availableGeometry();
+  resize(size().boundedTo(room.size() - frame));
 }
 
 void MainWindow::restoreLayout() {

@@ -11,12 +11,15 @@
 #include "ui/jobs/gap_job.h"
 #include "ui/recovery/file_watch.h"
 
+class QKeyEvent;
+class QLabel;
 class QSplitter;
 class QTabWidget;
 
 namespace alidade::ui {
 
 class ArcChart;
+class BenchDisplay;
 class BlindTrialDialog;
 class BudgetPanel;
 class ChangedFileBar;
@@ -24,6 +27,7 @@ class EffectsPanel;
 class FindingsPanel;
 class GapPanel;
 class JobStatus;
+class JournalPanel;
 class KnownSizesPanel;
 class PageTabs;
 class PositionTabs;
@@ -57,6 +61,12 @@ class MainWindow : public QMainWindow {
   /// Adds a position at `axisDeg` (0 or 180), one measured again where both are there, and leads to its
   /// pointing zero.
   void addPosition(int axisDeg);
+  /// Leads to the next entry of the readings at `axisDeg` (0 or 180); asked again where it is there already,
+  /// to those of the next position at that axis.
+  void goToAxis(int axisDeg);
+  /// Leads to what is to be typed next: a length that is missing, a pointing zero, a reading.
+  void goToNextEntry();
+  void setLargeDisplayShown(bool shown);
   void setColumnShown(ReadingColumn column, bool shown);
   /// Gives the pages below the picture its room, too.
   void setDetailsEnlarged(bool enlarged);
@@ -84,11 +94,16 @@ class MainWindow : public QMainWindow {
   PageTabs* createFigures();
   PageTabs* createDetails();
   void connectParts();
+  void connectEntry();
   void connectSuspects();
   void connectGap();
   void connectFile();
   void excludeRow(const Place& place);
   void selectReading(std::size_t position, std::size_t row);
+  void goToNextEntryOf(std::size_t position);
+  void takeDigit(QKeyEvent& event);
+  void tellOfEntry(const QString& doubt);
+  void showNext();
   void showTitle();
   void showEvaluation(const SharedEvaluation& evaluation);
   void showSuspects(const SharedEvaluation& evaluation);
@@ -98,6 +113,7 @@ class MainWindow : public QMainWindow {
   void stopJobs();
   void markForms();
   void revealField(const Place& place, bool takeFocus);
+  void fitOnScreen();
   void restoreLayout();
   void saveLayout() const;
 
@@ -125,7 +141,10 @@ class MainWindow : public QMainWindow {
   ResultPanel* m_result = nullptr;
   BudgetPanel* m_budget = nullptr;
   GapPanel* m_gap = nullptr;
+  JournalPanel* m_journal = nullptr;
   JobStatus* m_jobs = nullptr;
+  QLabel* m_next = nullptr;                   ///< what is to be read next, in the status bar
+  BenchDisplay* m_bench = nullptr;            ///< null until it is wanted
   SharedEvaluation m_shown;                   ///< the newest; null before the first
   BlindTrialDialog* m_blindTrials = nullptr;  ///< null until it is wanted
 };

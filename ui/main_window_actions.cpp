@@ -18,6 +18,7 @@
 #include "ui/panels/readings/readings_table.h"
 #include "ui/panels/readings/suspect_bar.h"
 #include "ui/panels/window/page_tabs.h"
+#include "ui/settings/entry_tone.h"
 #include "ui/settings/recent_files.h"
 #include "ui/settings/theme.h"
 #include "ui/text/visible_text.h"
@@ -139,6 +140,8 @@ void WindowActions::createEditMenu(QToolBar& bar) {
   exclude->setToolTip(tr("Exclude or use the selected readings (Space)"));
   m_tableActions = {cut, copy, paste, insert, remove, exclude, clear};
   addSuspectActions(menu);
+  menu.addSeparator();
+  addEntryActions(menu);
   addPositionActions(menu);
   bar.addActions({undo, redo});
   bar.addSeparator();
@@ -160,6 +163,26 @@ void WindowActions::addSuspectActions(QMenu& menu) {
   connect(suspects, &SuspectBar::suspectsChanged, next, enable);
   enable();
   m_tableActions << next << use;
+}
+
+/// Rows to be read in the order of sighting, and the way to the entries from anywhere.
+void WindowActions::addEntryActions(QMenu& menu) {
+  QMenu* rows = menu.addMenu(tr("Add Ro&ws"));
+  const std::pair<QString, FurtherRows> ways[] = {{tr("&Way Back"), FurtherRows::WayBack},
+                                                  {tr("Way Back in Other &Face"), FurtherRows::WayBackInTwo},
+                                                  {tr("Another &Round"), FurtherRows::AnotherRound}};
+  for (const auto& [text, which] : ways)
+    addTo(*rows, nullptr, text, {}, this, [this, way = which] {
+      m_window.commitPending();
+      if (ReadingsTable* table = m_window.currentTable()) table->layOut(way);
+    });
+  m_tableActions << rows->menuAction();
+  menu.addSeparator();
+  addTo(menu, nullptr, tr("&Next Entry"), QKeySequence(Qt::Key_F6), this,
+        [this] { m_window.goToNextEntry(); });
+  for (const auto& [axisDeg, keys] : {std::pair(0, tr("Alt+0")), std::pair(180, tr("Alt+1"))})
+    addTo(menu, nullptr, tr("Readings at %1°").arg(axisDeg), QKeySequence(keys), this,
+          [this, axis = axisDeg] { m_window.goToAxis(axis); });
 }
 
 /// For a position that is missing; to measure one again where both are there.
@@ -217,6 +240,13 @@ void WindowActions::createViewMenu() {
   }
   addPageActions(menu);
   addEnlargeAction(menu);
+  menu.addSeparator();
+  addTo(menu, nullptr, tr("Lar&ge Display"), QKeySequence(Qt::Key_F9), this,
+        [this] { m_window.setLargeDisplayShown(true); });
+  QAction* tone = addTo(menu, nullptr, tr("&Tone for Unexpected Readings"), {}, this, [] {});
+  tone->setCheckable(true);
+  tone->setChecked(hasTone());
+  connect(tone, &QAction::toggled, this, [](bool sounds) { setTone(sounds); });
   menu.addSeparator();
   auto* themes = new QActionGroup(this);
   const std::pair<QString, Theme> choices[] = {

@@ -27,6 +27,7 @@ class WindowActions : public QObject {
 
   void createFileMenu(QToolBar& bar);
   void createEditMenu(QToolBar& bar);
+  void addEntryActions(QMenu& menu);
   void addPositionActions(QMenu& menu);
   void addSuspectActions(QMenu& menu);
   void createViewMenu();

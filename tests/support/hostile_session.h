@@ -25,7 +25,7 @@ inline std::string hostileSession(const std::string& session, const std::string&
     for (const char* key : {"name", "serial"}) json[part][key] = text;
   for (const char* key : {"number", "laboratory", "customer", "authorised_by", "rule_agreed_by"})
     json["report"][key] = text;
-  for (const char* key : {"certificate", "traceability", "angle_unit"}) json["instrument"][key] = text;
+  for (const char* key : {"certificate", "traceability"}) json["instrument"][key] = text;
   json["geometry"]["distance_from"] = text;
   json["model"]["effects"] = {text};
   json["instrument"]["known"] = Json::array(

@@ -49,16 +49,12 @@ QString ReadingsEditor::noun(ReadingColumn column) {
   return QCoreApplication::translate("ReadingColumn", infoOf(column).noun);
 }
 
-Reading ReadingsEditor::following(const std::vector<Reading>& rows) {
-  return readingAfter(rows.empty() ? nullptr : &rows.back(), rows.size());
-}
-
 void ReadingsEditor::setCell(const ReadingCell& cell, const std::string& typed) {
   const std::string text =
       isAngle(cell.column) ? completedAngle(typed, circleUnitOf(m_document.session())) : typed;
   if (cell.row >= readings().size()) {
     if (text.empty()) return;
-    Reading reading = following(readings());
+    Reading reading = followingReading(m_document.session(), m_position);
     reading.*readingText(cell.column) = text;
     replaceReadings(m_document, m_position, readings().size(), 0, {reading},
                     tr("Add point %1").arg(qText(reading.point)), journal_reasons::inserted);
@@ -74,6 +70,13 @@ void ReadingsEditor::setCell(const ReadingCell& cell, const std::string& typed) 
 void ReadingsEditor::insertBlank(std::size_t row) {
   replaceReadings(m_document, m_position, std::min(row, readings().size()), 0, {Reading{}},
                   tr("Insert reading"), journal_reasons::inserted);
+}
+
+void ReadingsEditor::layOut(FurtherRows which) {
+  const std::vector<Reading> further = furtherRows(readings(), which);
+  if (further.empty()) return;
+  replaceReadings(m_document, m_position, readings().size(), 0, further,
+                  tr("Add %1 rows").arg(further.size()), journal_reasons::inserted);
 }
 
 void ReadingsEditor::remove(const std::vector<std::size_t>& rows) {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/session/sighting_order.h"
 #include "ui/commands/reading_block.h"
 #include "ui/document/reading_column.h"
 #include "ui/document/readings_patch.h"
@@ -44,8 +45,8 @@ class ReadingsEditor {
   /// What undo texts and messages call a cell of this column; empty for the residuals.
   static QString noun(ReadingColumn column);
 
-  /// The reading that would follow `rows`: the next point, in the same round and face.
-  static Reading following(const std::vector<Reading>& rows);
+  /// Appends rows to be read (`furtherRows`).
+  void layOut(FurtherRows which);
 
  private:
   const std::vector<Reading>& readings() const;

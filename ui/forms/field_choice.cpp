@@ -1,8 +1,10 @@
 #include "ui/forms/field_choice.h"
 
+#include <QKeyEvent>
 #include <QWheelEvent>
 
 #include "ui/forms/field_binding.h"
+#include "ui/forms/next_entry.h"
 #include "ui/settings/theme.h"
 #include "ui/text/visible_text.h"
 
@@ -43,6 +45,15 @@ void FieldChoice::refresh() {
   const QString problem = m_binding->problem();
   setToolTip(problem.isEmpty() ? m_hint : problem);
   setAccessibleDescription(toolTip());
+}
+
+void FieldChoice::keyPressEvent(QKeyEvent* event) {
+  const bool isReturn = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+  QWidget* next = isReturn ? nextEntry(this) : nullptr;
+  if (next)
+    next->setFocus(Qt::TabFocusReason);
+  else
+    QComboBox::keyPressEvent(event);
 }
 
 void FieldChoice::wheelEvent(QWheelEvent* event) {

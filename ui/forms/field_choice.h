@@ -28,7 +28,8 @@ class FieldChoice : public QComboBox {
   void setHint(const QString& hint);
 
  protected:
-  void wheelEvent(QWheelEvent* event) override;  ///< scrolls the form, never the choice
+  void keyPressEvent(QKeyEvent* event) override;  ///< Enter goes on to the next entry
+  void wheelEvent(QWheelEvent* event) override;   ///< scrolls the form, never the choice
 
  private:
   void refresh();

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "ui/forms/field_binding.h"
+#include "ui/forms/next_entry.h"
 #include "ui/settings/theme.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/visible_text.h"
@@ -81,6 +82,8 @@ void FieldEdit::keyPressEvent(QKeyEvent* event) {
     return;
   }
   QLineEdit::keyPressEvent(event);
+  if (event->key() != Qt::Key_Return && event->key() != Qt::Key_Enter) return;
+  if (QWidget* next = nextEntry(this)) next->setFocus(Qt::TabFocusReason);
 }
 
 void FieldEdit::focusInEvent(QFocusEvent* event) {

@@ -41,6 +41,9 @@ Evaluation evaluateFit(Session session, const std::stop_token& stop) {
   if (evaluation.examined.measurement) fit(evaluation, stop);
   if (stop.stop_requested()) return evaluation;
   evaluation.isSearched = evaluation.fit.arcs.empty() && evaluation.session.journal.empty();
+  evaluation.next = nextReadings(
+      evaluation.session, evaluation.examined.measurement ? &*evaluation.examined.measurement : nullptr,
+      evaluation.fit);
   draw(evaluation);
   return evaluation;
 }

@@ -48,6 +48,15 @@ void dropOldest(const QDir& folder) {
   while (records.size() > mostRecords) QFile::remove(folder.filePath(records.takeFirst()));
 }
 
+/// Several things may fail within a millisecond.
+QString unusedName(const QDir& folder, const QString& name) {
+  const QString suffix = QStringLiteral(".json");
+  QString path = folder.filePath(name + suffix);
+  for (int i = 2; QFile::exists(path); ++i)
+    path = folder.filePath(name + QStringLiteral("-%1").arg(i) + suffix);
+  return path;
+}
+
 /// The path of the record; empty where it could not be written.
 QString written(const FailedJob& failed) {
   const QDir folder(problemsFolder());
@@ -55,8 +64,7 @@ QString written(const FailedJob& failed) {
   const QDateTime now = QDateTime::currentDateTime();
   QString job = qText(failed.job);
   job.replace(QLatin1Char(' '), QLatin1Char('-'));
-  const QString path =
-      folder.filePath(now.toString(QStringLiteral("yyyyMMdd-HHmmss-zzz-")) + job + QStringLiteral(".json"));
+  const QString path = unusedName(folder, now.toString(QStringLiteral("yyyyMMdd-HHmmss-zzz-")) + job);
   const QByteArray record = recordOf(failed, now);
   const auto problem =
       writeFile(encodedPath(path), {record.constData(), static_cast<std::size_t>(record.size())});

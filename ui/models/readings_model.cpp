@@ -8,6 +8,7 @@
 
 #include "core/base/angle_text.h"
 #include "core/session/entry.h"
+#include "core/session/sighting_order.h"
 #include "ui/commands/edit_readings.h"
 #include "ui/document/session_document.h"
 #include "ui/text/entry_text.h"
@@ -91,7 +92,7 @@ QVariant ReadingsModel::data(const QModelIndex& index, int role) const {
 QVariant ReadingsModel::pendingRowData(ReadingColumn column, int role) const {
   if (role == PendingRowRole) return true;
   if (role == Qt::DisplayRole && column == ReadingColumn::Point) {
-    return shortLine(ReadingsEditor::following(readings()).point, longestCell);
+    return shortLine(followingReading(m_document.session(), m_position).point, longestCell);
   }
   if (role == Qt::ToolTipRole) return tr("Type here to add a reading");
   return {};
@@ -120,11 +121,34 @@ QString ReadingsModel::problem(int row, ReadingColumn column) const {
 }
 
 QString ReadingsModel::suspicion(int row, ReadingColumn column) const {
-  return m_notes.suspicion(static_cast<std::size_t>(row), column);
+  const QString suspicion = m_notes.suspicion(static_cast<std::size_t>(row), column);
+  if (!suspicion.isEmpty()) return tr("Looks misread: %1").arg(suspicion);
+  const auto doubt = m_doubts.find({static_cast<std::size_t>(row), column});
+  return doubt != m_doubts.end() && doubt->second.of == reading(row).*readingText(column) ? doubt->second.text
+                                                                                          : QString();
+}
+
+void ReadingsModel::setDoubt(std::size_t row, ReadingColumn column, const QString& doubt) {
+  if (row >= readings().size()) return;
+  if (doubt.isEmpty())
+    m_doubts.erase({row, column});
+  else
+    m_doubts[{row, column}] = {readings()[row].*readingText(column), doubt};
+  const QModelIndex cell = index(static_cast<int>(row), static_cast<int>(column));
+  emit dataChanged(cell, cell);
 }
 
 bool ReadingsModel::isIncomplete(int row, ReadingColumn column) const {
   return isRequired(column) && (reading(row).*readingText(column)).empty();
+}
+
+ReadingsModel::OpenCell ReadingsModel::firstOpenCell() const {
+  const auto row = std::ranges::find_if(readings(), [](const Reading& reading) {
+    return !reading.excluded && (reading.horizontal.empty() || reading.vertical.empty());
+  });
+  const bool isHalf = row != readings().end() && !row->horizontal.empty();
+  return {static_cast<int>(row - readings().begin()),
+          isHalf ? ReadingColumn::Vertical : ReadingColumn::Horizontal};
 }
 
 QString ReadingsModel::changeTip(int row, ReadingColumn column) const {
@@ -148,7 +172,7 @@ QString ReadingsModel::otherTip(int row, ReadingColumn column) const {
   if (!trouble.isEmpty()) return trouble;
   if (isIncomplete(row, column)) return tr("Still to be read; until then the row is no part of the fit");
   const QString doubt = suspicion(row, column);
-  if (!doubt.isEmpty()) return tr("Looks misread: %1").arg(doubt);
+  if (!doubt.isEmpty()) return doubt;
   if (reading(row).excluded) return tr("Excluded: kept, but no part of the fit");
   if (!readingText(column)) return residualTip(row, column);
   const QString typed = qText(reading(row).*readingText(column));
@@ -221,10 +245,11 @@ bool ReadingsModel::followAngles(const Session& session) {
   m_decimals.clear();
   for (const ReadingColumnInfo& info : allReadingColumns()) {
     if (!isAngle(info.column)) continue;
-    int& finest = m_decimals[info.column];
+    int finest = 0;
     for (std::size_t row = 0; row < std::min(rows.size(), most); ++row)
       if (const Result<Angle> angle = parseAngle(rows[row].*readingText(info.column)))
         finest = std::max(finest, decimalsOf(*angle, m_unit));
+    if (finest > 0) m_decimals[info.column] = finest;
   }
   return before != std::pair(m_unit, m_decimals);
 }
@@ -286,6 +311,8 @@ void ReadingsModel::endChange(const SessionChange& change) {
   if (!isMine(change)) return;
   const std::size_t first = *change.place.reading;
   m_notes.replaceRows(first, change.removed, change.inserted);
+  if (change.removed != change.inserted)
+    m_doubts.erase(m_doubts.lower_bound({first, ReadingColumn::Used}), m_doubts.end());
   if (change.removed > change.inserted) endRemoveRows();
   if (change.removed < change.inserted) endInsertRows();
   emit dataChanged(

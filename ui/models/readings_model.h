@@ -2,6 +2,7 @@
 
 #include <QAbstractTableModel>
 #include <map>
+#include <utility>
 #include <vector>
 
 #include "core/base/circle_unit.h"
@@ -22,7 +23,7 @@ class ReadingsModel : public QAbstractTableModel {
  public:
   enum Role {
     ProblemRole = Qt::UserRole + 1,  ///< QString: why the entry cannot be used
-    SuspectRole,                     ///< QString: why the reading looks misread
+    SuspectRole,                     ///< QString: why the reading looks misread, or is not what was expected
     IncompleteRole,                  ///< bool: an entry still to be made
     ExcludedRole,                    ///< bool: the row is kept out of the fit
     ChangedRole,                     ///< bool: it is not as it was first entered
@@ -41,9 +42,20 @@ class ReadingsModel : public QAbstractTableModel {
   Qt::ItemFlags flags(const QModelIndex& index) const override;
   bool setData(const QModelIndex& index, const QVariant& value, int role) override;
 
+  struct OpenCell {
+    int row = 0;
+    ReadingColumn column = ReadingColumn::Horizontal;
+  };
+  /// The first circle still to be read; in the empty row where there is none.
+  OpenCell firstOpenCell() const;
+
   /// Tells of the residuals, or of all cells where problems or suspects changed: a view asks for those in
   /// sight.
   void setEvaluation(SharedEvaluation evaluation);
+
+  /// What speaks against a reading as it stands; kept until the cell is changed, or rows come or go before
+  /// it.
+  void setDoubt(std::size_t row, ReadingColumn column, const QString& doubt);
 
   /// Says the column anything that is not understood without it? A round or face 1 does not.
   bool isUsed(ReadingColumn column) const;
@@ -76,6 +88,11 @@ class ReadingsModel : public QAbstractTableModel {
   SessionDocument& m_document;
   std::size_t m_position;
   RowNotes m_notes;
+  struct Doubt {
+    std::string of;  ///< as typed
+    QString text;
+  };
+  std::map<std::pair<std::size_t, ReadingColumn>, Doubt> m_doubts;
   CircleUnit m_unit = CircleUnit::Dms;      ///< in which angles are shown
   std::map<ReadingColumn, int> m_decimals;  ///< of seconds, by column
 };

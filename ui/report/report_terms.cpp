@@ -139,7 +139,7 @@ QString changesText(const Evaluation& evaluation) {
   const auto count = evaluation.session.journal.size();
   const QString entries = count == 1 ? QStringLiteral("one entry in the journal, see below")
                                      : QStringLiteral("%1 entries in the journal, see below").arg(count);
-  return summary.isEmpty() ? entries : summary + u' ' + entries.left(1).toUpper() + entries.mid(1) + u'.';
+  return summary.isEmpty() ? entries : summary + u' ' + capitalised(entries) + u'.';
 }
 
 /// The temperature, and what it does to the lengths.

@@ -1,6 +1,8 @@
 #include "ui/settings/theme.h"
 
 #include <QApplication>
+#include <QCursor>
+#include <QEvent>
 #include <QFont>
 #include <QLabel>
 #include <QPainter>
@@ -59,6 +61,25 @@ QPalette darkPalette() {
                    "#7fb2ec");
 }
 
+/// Breaks the lines of a tool tip where one would run across half the screen.
+class TipShaper : public QObject {
+ public:
+  using QObject::QObject;
+
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    constexpr int widest = 420;
+    auto* tip = static_cast<QLabel*>(watched);
+    const bool isSized = event->type() == QEvent::Show || event->type() == QEvent::Resize;
+    if (!isSized || tip->width() <= widest || tip->wordWrap()) return false;
+    tip->setWordWrap(true);
+    tip->resize(widest, tip->heightForWidth(widest));
+    // A tip as wide as it was may have been moved away from the pointer, to stay on the screen.
+    const int pointer = QCursor::pos().x();
+    if (pointer > tip->geometry().right()) tip->move(pointer - widest, tip->y());
+    return false;
+  }
+};
+
 /// Fusion without the light line it draws above a tool bar, which glares on dark colours, and with a frame
 /// round check boxes that is seen on them: Fusion draws it darker than the window.
 class WorkstationStyle : public QProxyStyle {
@@ -73,6 +94,30 @@ class WorkstationStyle : public QProxyStyle {
     QProxyStyle::polish(widget);
     auto* label = qobject_cast<QLabel*>(widget);
     if (label && label->textFormat() == Qt::AutoText) label->setTextFormat(Qt::PlainText);
+    if (label && label->inherits("QTipLabel")) label->installEventFilter(&m_tips);
+  }
+
+  /// The signs of message boxes are the program's own, as everywhere.
+  QIcon standardIcon(StandardPixmap which, const QStyleOption* option, const QWidget* widget) const override {
+    switch (which) {
+      case SP_MessageBoxInformation:
+        return themeIcon(QStringLiteral("note"));
+      case SP_MessageBoxQuestion:
+        return themeIcon(QStringLiteral("undecided"));
+      case SP_MessageBoxWarning:
+        return themeIcon(QStringLiteral("warning"));
+      case SP_MessageBoxCritical:
+        return themeIcon(QStringLiteral("problem"));
+      default:
+        return QProxyStyle::standardIcon(which, option, widget);
+    }
+  }
+
+  /// Buttons of dialogs say in words what they do.
+  int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                QStyleHintReturn* data) const override {
+    return hint == SH_DialogButtonBox_ButtonsHaveIcons ? 0
+                                                       : QProxyStyle::styleHint(hint, option, widget, data);
   }
 
   void drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
@@ -92,6 +137,9 @@ class WorkstationStyle : public QProxyStyle {
     framed.palette.setColor(QPalette::Window, option->palette.color(QPalette::PlaceholderText));
     QProxyStyle::drawPrimitive(element, &framed, painter, widget);
   }
+
+ private:
+  TipShaper m_tips;
 };
 
 }  // namespace

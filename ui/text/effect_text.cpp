@@ -26,7 +26,7 @@ QString effectText(const EffectEstimate& estimate, const QString& separator) {
 }
 
 QString capitalised(QString text) {
-  if (!text.isEmpty()) text[0] = text[0].toUpper();
+  if (!text.isEmpty() && text[0].script() == QChar::Script_Latin) text[0] = text[0].toUpper();
   return text;
 }
 

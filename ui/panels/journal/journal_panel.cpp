@@ -64,11 +64,14 @@ DataTable* JournalPanel::createTable() {
 
 void JournalPanel::setEvaluation(const SharedEvaluation& evaluation) {
   m_evaluation = evaluation;
-  m_summary->setText(evaluation->isSearched || evaluation->session.journal.empty()
-                         ? visibleLine(evaluation->journal)
+  m_table->setRows(static_cast<int>(evaluation->session.journal.size()));
+}
+
+void JournalPanel::setSummary(const Evaluation& evaluation) {
+  m_summary->setText(evaluation.isSearched || evaluation.session.journal.empty()
+                         ? visibleLine(evaluation.journal)
                          : tr("Checking the journal…"));
   m_summary->setVisible(!m_summary->text().isEmpty());
-  m_table->setRows(static_cast<int>(evaluation->session.journal.size()));
 }
 
 }  // namespace alidade::ui

@@ -18,6 +18,8 @@ class JournalPanel : public QWidget {
   explicit JournalPanel(QWidget* parent = nullptr);
 
   void setEvaluation(const SharedEvaluation& evaluation);
+  /// What it comes to, which is known once misread readings are searched for.
+  void setSummary(const Evaluation& evaluation);
 
  private:
   const JournalEntry& entry(int row) const;

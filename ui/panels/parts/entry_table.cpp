@@ -1,5 +1,6 @@
 #include "ui/panels/parts/entry_table.h"
 
+#include <QApplication>
 #include <QKeyEvent>
 
 #include "ui/panels/parts/cell_delegate.h"
@@ -37,9 +38,25 @@ void EntryTable::keyPressEvent(QKeyEvent* event) {
     event->accept();
   } else if (key == Qt::Key_Return || key == Qt::Key_Enter) {
     goOnward(Qt::Key_Return);
+  } else if (isLost(*event)) {
+    QApplication::beep();
+    emit remark(tr("Nothing was entered: this cell takes no numbers."));
   } else {
     QTableView::keyPressEvent(event);
   }
+}
+
+/// A digit in a cell that takes none.
+bool EntryTable::isLost(const QKeyEvent& event) const {
+  const bool isDigit = event.text().size() == 1 && event.text().front().isDigit();
+  return isDigit && currentIndex().isValid() && !currentIndex().flags().testFlag(Qt::ItemIsEditable);
+}
+
+/// Qt would begin at the first column, whatever is in it.
+void EntryTable::focusInEvent(QFocusEvent* event) {
+  const QModelIndex first = firstCell();
+  if (!currentIndex().isValid() && first.isValid() && event->reason() != Qt::MouseFocusReason) goTo(first);
+  QTableView::focusInEvent(event);
 }
 
 /// Tab and Shift+Tab go from cell to cell and out of the table at its ends.

@@ -32,12 +32,19 @@ class EntryTable : public QTableView {
 
   /// Selects the cell alone, whichever modifier keys are held.
   void goTo(const QModelIndex& cell);
+  /// Where the keyboard begins as long as no cell is current.
+  virtual QModelIndex firstCell() const { return {}; }
+  void focusInEvent(QFocusEvent* event) override;
   /// The next (`step` 1) or previous (−1) shown cell that can be typed in; invalid at either end of the
   /// table.
   QModelIndex neighbour(const QModelIndex& from, int step) const;
 
+ signals:
+  void remark(const QString& text);  ///< for the status line
+
  private:
   void goOnward(int key);
+  bool isLost(const QKeyEvent& event) const;
 
   CellDelegate* m_delegate;
 };

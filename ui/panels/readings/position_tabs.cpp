@@ -8,6 +8,7 @@
 #include "core/session/entry.h"
 #include "ui/commands/add_position.h"
 #include "ui/document/session_document.h"
+#include "ui/panels/readings/entry_watch.h"
 #include "ui/panels/readings/readings_table.h"
 #include "ui/panels/readings/zero_entries.h"
 #include "ui/panels/result/findings_panel.h"
@@ -28,7 +29,7 @@ bool changesTabs(const SessionChange& change) {
 }  // namespace
 
 PositionTabs::PositionTabs(SessionDocument& document, QWidget* parent)
-    : QTabWidget(parent), m_document(document) {
+    : QTabWidget(parent), m_document(document), m_watch(new EntryWatch(document, this)) {
   setDocumentMode(false);
   connect(&document, &SessionDocument::aboutToChange, this, [this](const SessionChange& change) {
     if (changesTabs(change)) clearPositions();
@@ -42,6 +43,13 @@ PositionTabs::PositionTabs(SessionDocument& document, QWidget* parent)
   connect(&document, &SessionDocument::changed, this, &PositionTabs::showMissing, Qt::QueuedConnection);
   for (const int axisDeg : axes) createMissingPage(axisDeg);
   rebuild();
+  connect(
+      m_watch, &EntryWatch::entered, this,
+      [this](std::size_t position, std::size_t row, ReadingColumn column, const QString& doubt) {
+        if (ReadingsTable* readings = table(position)) readings->readings().setDoubt(row, column, doubt);
+        emit entered(doubt);
+      },
+      Qt::QueuedConnection);  // once the tables know of the edit
 }
 
 void PositionTabs::clearPositions() {
@@ -129,8 +137,10 @@ void PositionTabs::nameTabs() {
     const bool isFirst = position == positionText(0) || position == positionText(180);
     const bool isAgain = !isFirst && axisEntry(positions[static_cast<std::size_t>(tab)].axisDeg);
     const QString name = isAgain ? position  // in few words: tabs of five positions find room
-                                 : (isFirst ? tr("Axis at &%1") : tr("Axis at %1")).arg(menuText(position));
+                                 : tr("Axis at %1").arg(menuText(position));
     if (tabText(tab) != name) setTabText(tab, name);
+    const auto axis = axisEntry(positions[static_cast<std::size_t>(tab)].axisDeg);
+    setTabToolTip(tab, axis ? tr("To its readings with Alt+%1").arg(*axis == 0 ? 0 : 1) : QString());
   }
 }
 
@@ -143,6 +153,7 @@ ReadingsTable* PositionTabs::currentTable() const {
 }
 
 void PositionTabs::setEvaluation(const SharedEvaluation& evaluation) {
+  m_watch->setEvaluation(evaluation);
   for (ReadingsTable* table : m_tables) table->readings().setEvaluation(evaluation);
   for (ZeroEntries* zero : m_zeros) zero->setEvaluation(*evaluation);
   for (int tab = 0; tab < static_cast<int>(m_tables.size()); ++tab) {

@@ -10,6 +10,7 @@
 
 namespace alidade::ui {
 
+class EntryWatch;
 class ReadingsTable;
 class SessionDocument;
 class ZeroEntries;
@@ -37,6 +38,8 @@ class PositionTabs : public QTabWidget {
   void remark(const QString& text);
   void tableCreated(alidade::ui::ReadingsTable* table);
   void positionWanted(int axisDeg);
+  /// A circle was read that was to be read next; `doubt` is empty where it is as expected (`EntryWatch`).
+  void entered(const QString& doubt);
 
  private:
   void clearPositions();
@@ -49,6 +52,7 @@ class PositionTabs : public QTabWidget {
   void nameTabs();
 
   SessionDocument& m_document;
+  EntryWatch* m_watch;
   std::vector<ReadingsTable*> m_tables;
   std::vector<ZeroEntries*> m_zeros;
   bool m_showsZeros = false;

@@ -114,6 +114,21 @@ void ReadingsTable::selectCell(int row, ReadingColumn column) {
   goTo(cell);
 }
 
+QModelIndex ReadingsTable::nextEntryCell() const {
+  const ReadingsModel::OpenCell cell = m_model.firstOpenCell();
+  return m_model.index(cell.row, static_cast<int>(cell.column));
+}
+
+void ReadingsTable::goToNextEntry() {
+  goTo(nextEntryCell());
+}
+
+QModelIndex ReadingsTable::firstCell() const {
+  const QModelIndex next = nextEntryCell();
+  return next.row() < m_model.readingCount() ? next
+                                             : m_model.index(0, static_cast<int>(ReadingColumn::Horizontal));
+}
+
 void ReadingsTable::currentChanged(const QModelIndex& current, const QModelIndex& previous) {
   EntryTable::currentChanged(current, previous);
   if (current.isValid() && current.row() != previous.row() && current.row() < m_model.readingCount()) {
@@ -230,6 +245,12 @@ void ReadingsTable::insertAbove() {
   const int row = std::clamp(currentIndex().row(), 0, m_model.readingCount());
   m_editor.insertBlank(static_cast<std::size_t>(row));
   selectCell(row, ReadingColumn::Horizontal);
+}
+
+void ReadingsTable::layOut(FurtherRows which) {
+  const int first = m_model.readingCount();
+  m_editor.layOut(which);
+  if (m_model.readingCount() > first) selectCell(first, ReadingColumn::Horizontal);
 }
 
 void ReadingsTable::deleteSelected() {

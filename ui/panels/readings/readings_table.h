@@ -19,23 +19,27 @@ class ReadingsTable : public EntryTable {
   ReadingsModel& readings() { return m_model; }
   void setColumnShown(ReadingColumn column, bool shown);  ///< a column in use stays shown
   void selectCell(int row, ReadingColumn column);
+  /// Makes the first cell still to be read the current one: horizontal or vertical, in the empty row where
+  /// all others are complete.
+  void goToNextEntry();
 
   void copy() const override;
   void cut() override;
   void paste() override;
   void clearCells() override;
   void insertAbove();
+  void layOut(FurtherRows which);
   void deleteSelected();
   void
   toggleExcluded();  ///< uses the selected rows where the first of them is excluded, otherwise excludes them
 
  signals:
   void rowEntered(std::size_t row);  ///< the current cell came to another row with a reading
-  void remark(const QString& text);  ///< for the status line
 
  protected:
   bool handleEditKey(const QKeyEvent* event) override;
   QModelIndex onward(const QModelIndex& from, int key) const override;
+  QModelIndex firstCell() const override;
   void currentChanged(const QModelIndex& current, const QModelIndex& previous) override;
   void resizeEvent(QResizeEvent* event) override;
 
@@ -48,6 +52,7 @@ class ReadingsTable : public EntryTable {
   void showUsedColumns();
   void showColumnsUsedBy(const SessionChange& change);
   void fitAngles();
+  QModelIndex nextEntryCell() const;
 
   ReadingsModel m_model;
   ReadingsEditor m_editor;

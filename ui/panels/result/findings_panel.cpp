@@ -9,6 +9,7 @@
 #include "ui/document/known_entry.h"
 #include "ui/document/reading_column.h"
 #include "ui/settings/theme.h"
+#include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/spoken_place.h"
@@ -20,11 +21,19 @@ namespace {
 
 /// "Distance L is empty: …", "0°, row 4 (point 4), vertical: “83 99 34” has …".
 QString problemText(const Session& session, const Problem& problem) {
-  QString place = spokenPlace(session, problem.where);
+  const QString place = spokenPlace(session, problem.where);
   const QString what = qText(problem.what);
   if (place.isEmpty()) return what;
-  place.replace(0, 1, place.at(0).toUpper());
-  return place + (what.startsWith(QStringLiteral("is ")) ? QStringLiteral(" ") : QStringLiteral(": ")) + what;
+  return capitalised(place) +
+         (what.startsWith(QStringLiteral("is ")) ? QStringLiteral(" ") : QStringLiteral(": ")) + what;
+}
+
+/// The worst first.
+int rankOf(const QString& icon) {
+  static const QStringList order{QStringLiteral("problem"), QStringLiteral("incomplete"),
+                                 QStringLiteral("warning")};
+  const auto rank = order.indexOf(icon);
+  return static_cast<int>(rank < 0 ? order.size() : rank);
 }
 
 }  // namespace
@@ -77,17 +86,17 @@ void FindingsPanel::clearGap() {
   m_found.clear();
   m_entries.clear();
   clear();
+  emit counted({});
 }
 
 /// Leaves the list alone where it says the same as before: scroll position and current line stay. So does
 /// that all is sound until something else is known.
 void FindingsPanel::refresh() {
   std::vector<Entry> entries = m_found;
-  // What cannot be used comes first; of what the data say, the gap.
-  const auto place = std::find_if(entries.begin(), entries.end(), [](const Entry& entry) {
-    return entry.icon != QStringLiteral("problem") && entry.icon != QStringLiteral("incomplete");
+  if (!m_gapHeadline.isEmpty()) entries.insert(entries.begin(), gapEntry());
+  std::ranges::stable_sort(entries, {}, [](const Entry& entry) {
+    return entry.isGap ? rankOf(QStringLiteral("warning")) : rankOf(entry.icon);
   });
-  if (!m_gapHeadline.isEmpty()) entries.insert(place, gapEntry());
   const bool isAllKnown = m_isSearched && m_gapState == GapState::Known;
   if (isAllKnown && entries.empty() && !m_hasSuspects)
     entries.push_back({QStringLiteral("accept"), tr("Sound"), tr("No problems.")});
@@ -95,6 +104,23 @@ void FindingsPanel::refresh() {
   clear();
   m_entries = std::move(entries);
   for (const Entry& entry : m_entries) add(entry);
+  emit counted(countText());
+}
+
+QString FindingsPanel::countText() const {
+  if (m_entries.size() < 2) return {};
+  const auto count = [this](const char* icon) {
+    return static_cast<int>(std::ranges::count(m_entries, QString::fromLatin1(icon), &Entry::icon));
+  };
+  QStringList parts;
+  const auto tell = [&parts](int number, const QString& one, const QString& many) {
+    if (number > 0) parts.append(number == 1 ? one : many.arg(number));
+  };
+  tell(count("problem"), tr("1 problem"), tr("%1 problems"));
+  tell(count("incomplete"), tr("1 missing entry"), tr("%1 missing entries"));
+  tell(count("warning"), tr("1 warning"), tr("%1 warnings"));
+  tell(count("note") + count("none"), tr("1 note"), tr("%1 notes"));
+  return parts.join(QStringLiteral(", "));
 }
 
 FindingsPanel::Entry FindingsPanel::gapEntry() const {

@@ -28,6 +28,8 @@ class FindingsPanel : public QListWidget {
 
  signals:
   void placeActivated(const alidade::Place& place);
+  /// How many there are of what kind: "2 problems, 1 warning"; empty where there is one or none.
+  void counted(const QString& text);
   void gapActivated();
 
  protected:
@@ -48,6 +50,7 @@ class FindingsPanel : public QListWidget {
   static std::vector<Entry> problemEntries(const Evaluation& evaluation, bool missing);
   Entry gapEntry() const;
   void refresh();
+  QString countText() const;
   bool saysSound() const;
   void add(const Entry& entry);
   void activate(int row);

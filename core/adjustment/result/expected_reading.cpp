@@ -1,0 +1,160 @@
+#include "core/adjustment/result/expected_reading.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "core/observation/guideway.h"
+#include "core/observation/half_turn.h"
+#include "core/session/face.h"
+
+namespace alidade {
+
+namespace {
+
+// A collimation or index error of some minutes is no slip of a finger, nor is a mark missed by some
+// millimetres: from one position to the other, those of the published table by 1.3 mm of 400.
+constexpr Angle sameVisit = Angle::fromArcseconds(360);
+constexpr Angle samePoint = Angle::fromArcseconds(900);
+constexpr double centreShare =
+    0.02;                          // of the radius, by which the centre may lie off the middle of the field
+constexpr double stepShare = 0.5;  // of the step from point to point, by which a guessed place may be off
+
+/// Where the slider stood at a point: s, rad, as the mean of directions.
+struct PlaceOfPoint {
+  double cosines = 0, sines = 0;
+
+  void add(double s) {
+    cosines += std::cos(s);
+    sines += std::sin(s);
+  }
+  double s() const { return std::atan2(sines, cosines); }
+};
+
+using Places = std::map<int, PlaceOfPoint>;
+
+/// s = first + step · point.
+struct Line {
+  double first = 0, step = 0;
+};
+
+/// Through places evenly spaced by their points.
+std::optional<Line> lineThrough(const Places& places) {
+  constexpr std::size_t fewest = 3;
+  constexpr double evenly = 0.2;  // of a step
+  if (places.size() < fewest) return {};
+  const auto count = static_cast<double>(places.size());
+  double meanPoint = 0, meanS = 0;
+  for (const auto& [point, place] : places) {
+    meanPoint += point / count;
+    meanS += place.s() / count;
+  }
+  double products = 0, squares = 0;
+  for (const auto& [point, place] : places) {
+    products += (point - meanPoint) * (place.s() - meanS);
+    squares += (point - meanPoint) * (point - meanPoint);
+  }
+  const Line line{meanS - products / squares * meanPoint, products / squares};
+  const bool isEven = std::ranges::all_of(places, [&](const auto& known) {
+    return std::abs(known.second.s() - line.first - line.step * known.first) < evenly * std::abs(line.step);
+  });
+  return isEven ? std::optional(line) : std::nullopt;
+}
+
+bool isNear(const Places& places, int point) {
+  const double first = places.begin()->first, last = places.rbegin()->first;
+  return point >= first - (last - first) / 2 && point <= last + (last - first) / 2;
+}
+
+/// What a place is expected from.
+struct Coordinate {
+  double s = 0;
+  Angle tolerance;
+};
+
+class Expectations {
+ public:
+  Expectations(const Measurement& measurement, const SessionFit& fit)
+      : m_measurement(measurement), m_fit(fit) {
+    for (const ArcMeasurement& arc : measurement.arcs)
+      for (const Sighting& sighting : arc.sightings)
+        m_places[sighting.point].add(coordinateOf(arc, sighting));
+    m_line = lineThrough(m_places);
+  }
+
+  std::optional<ExpectedReading> of(const SightingToCome& sighting) const {
+    const auto arc = std::ranges::find(m_measurement.arcs, sighting.position, &ArcMeasurement::position);
+    if (arc == m_measurement.arcs.end()) return {};
+    const auto place = placeOf(*arc, sighting);
+    return place ? std::optional(reading(*arc, sighting, *place)) : std::nullopt;
+  }
+
+ private:
+  /// Fitted, here or elsewhere, else nominal.
+  Circle circleOf(const ArcMeasurement& arc) const {
+    if (const ArcFit* own = m_fit.arcOfPosition(arc.position)) return own->circle;
+    if (!m_fit.arcs.empty()) return m_fit.arcs.front().circle;
+    return {0, 0, m_measurement.nominalRadius};
+  }
+
+  double coordinateOf(const ArcMeasurement& arc, const Sighting& sighting) const {
+    const PlanePoint<double> point = sightedPoint({sighting.a.radians(), sighting.e.radians()},
+                                                  m_measurement.distance, m_measurement.relation);
+    return sliderCoordinateOf(nearestArcAngle(circleOf(arc), point), arc.axisDeg);
+  }
+
+  std::optional<Coordinate> placeOf(const ArcMeasurement& arc, const SightingToCome& wanted) const {
+    for (const Sighting& sighting : arc.sightings)
+      if (sighting.point == wanted.point && sighting.round == wanted.round)
+        return Coordinate{coordinateOf(arc, sighting), sameVisit};
+    if (const auto known = m_places.find(wanted.point); known != m_places.end())
+      return Coordinate{known->second.s(), samePoint};
+    if (!m_line || !isNear(m_places, wanted.point)) return {};
+    const double atTheodolite = std::abs(m_line->step) * m_measurement.nominalRadius / m_measurement.distance;
+    return Coordinate{m_line->first + m_line->step * wanted.point,
+                      samePoint + Angle::fromRadians(stepShare * atTheodolite)};
+  }
+
+  ExpectedReading reading(const ArcMeasurement& arc, const SightingToCome& sighting,
+                          const Coordinate& place) const {
+    const Circle circle = circleOf(arc);
+    const PlanePoint<double> target =
+        targetOnArc(circle.x, circle.y, circle.radius, arcAngleOf(place.s, arc.axisDeg));
+    const Direction<double> direction = observe(target, m_measurement.distance, m_measurement.relation);
+    const bool isZenith = m_measurement.verticalCircle == VerticalCircle::Zenith;
+    const Angle e = Angle::fromRadians(direction.e);
+    const FaceOneReading circles =  // the way to face 2 is the way back from it, but for whole turns
+        inFaceOne(arc.zeroHorizontal + Angle::fromRadians(direction.a),
+                  isZenith ? arc.zeroVertical - e : arc.zeroVertical + e, sighting.face,
+                  m_measurement.verticalCircle);
+    const bool isFitted = m_fit.arcOfPosition(arc.position) != nullptr;
+    const Angle ofCentre =
+        Angle::fromRadians(isFitted ? 0 : centreShare * m_measurement.nominalRadius / m_measurement.distance);
+    return {sighting, wrapped(circles.horizontal, Angle::fromDegrees(180)),
+            wrapped(circles.vertical, Angle::fromDegrees(isZenith ? 180 : 90)), place.tolerance + ofCentre};
+  }
+
+  const Measurement& m_measurement;
+  const SessionFit& m_fit;
+  Places m_places;
+  std::optional<Line> m_line;
+};
+
+}  // namespace
+
+std::optional<ExpectedReading> expectedReading(const Measurement& measurement, const SessionFit& fit,
+                                               const SightingToCome& sighting) {
+  return expectedReadings(measurement, fit, {sighting}).front();
+}
+
+std::vector<std::optional<ExpectedReading>> expectedReadings(const Measurement& measurement,
+                                                             const SessionFit& fit,
+                                                             const std::vector<SightingToCome>& sightings) {
+  const Expectations expectations(measurement, fit);
+  std::vector<std::optional<ExpectedReading>> expected;
+  for (const SightingToCome& sighting : sightings) expected.push_back(expectations.of(sighting));
+  return expected;
+}
+
+}  // namespace alidade

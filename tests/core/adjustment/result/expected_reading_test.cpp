@@ -1,0 +1,72 @@
+#include "core/adjustment/result/expected_reading.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/angle_text.h"
+#include "tests/support/trials.h"
+
+namespace alidade {
+namespace {
+
+/// The session as it was before the row was typed.
+std::optional<ExpectedReading> beforeRow(const Session& session, std::size_t position, std::size_t row) {
+  Session typed = session;
+  typed.positions[position].readings.resize(row);
+  for (std::size_t later = position + 1; later < typed.positions.size(); ++later)
+    typed.positions[later].readings.clear();
+  const Examined examined = examine(typed);
+  if (!examined.measurement) return {};
+  const Reading& next = session.positions[position].readings[row];
+  const auto number = [](const std::string& text) { return text.empty() ? 1 : std::stoi(text); };
+  return expectedReading(*examined.measurement, fitSession(*examined.measurement),
+                         {position, number(next.point), number(next.round), number(next.face)});
+}
+
+/// By how much either circle was read elsewhere.
+Angle missOf(const ExpectedReading& expected, const Reading& read) {
+  const auto miss = [](Angle angle, const std::string& typed) {
+    return std::abs(wrapped(*parseAngle(typed) - angle).radians());
+  };
+  return Angle::fromRadians(
+      std::max(miss(expected.horizontal, read.horizontal), miss(expected.vertical, read.vertical)));
+}
+
+TEST(ExpectedReading, IsNearEveryReadingOfThePaperFromTheFourthOn) {
+  const Session session = test::paperSession();
+  for (std::size_t position = 0; position < 2; ++position)
+    for (std::size_t row = 0; row < 17; ++row) {
+      const auto expected = beforeRow(session, position, row);
+      ASSERT_EQ(expected.has_value(), position == 1 || row >= 3) << position << " " << row;
+      if (!expected) continue;
+      const Angle miss = missOf(*expected, session.positions[position].readings[row]);
+      EXPECT_LT(miss, expected->tolerance) << position << " " << row;
+      // 1.3° is the least step from point to point: what is a place off is told.
+      EXPECT_LT(expected->tolerance.degrees(), 1.3);
+    }
+}
+
+/// A reading of a session that was read by another program under a known truth is never called an accident;
+/// but where one was misread on purpose.
+TEST(ExpectedReading, ToleratesEveryReadingOfTheTrialsAsTheyAreTaken) {
+  int known = 0, unknown = 0;
+  for (const test::Trial& trial : test::trials()) {
+    if (trial.kind == "misread") continue;
+    const Session session =
+        *loadSession(std::string(ALIDADE_REFERENCE_DIR) + "/trials/sessions/" + trial.id + ".alidade");
+    for (std::size_t position = 0; position < session.positions.size(); ++position)
+      for (std::size_t row = 0; row < session.positions[position].readings.size(); row += 5) {
+        const auto expected = beforeRow(session, position, row);
+        ++(expected ? known : unknown);
+        if (!expected) continue;
+        EXPECT_LT(missOf(*expected, session.positions[position].readings[row]), expected->tolerance)
+            << trial.id << " " << position << " " << row;
+      }
+  }
+  EXPECT_GT(known, 4 * unknown);
+}
+
+}  // namespace
+}  // namespace alidade

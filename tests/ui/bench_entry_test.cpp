@@ -1,0 +1,230 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QStatusBar>
+#include <QTabBar>
+#include <QTest>
+
+#include "tests/ui/support.h"
+#include "ui/commands/change_field.h"
+#include "ui/commands/edit_readings.h"
+#include "ui/main_window.h"
+#include "ui/models/readings_model.h"
+#include "ui/panels/readings/position_tabs.h"
+#include "ui/panels/readings/readings_table.h"
+#include "ui/panels/window/bench_display.h"
+#include "ui/panels/window/page_tabs.h"
+#include "ui/text/entry_text.h"
+
+// A session typed as one does at the instrument: with the keyboard alone, looking at the circles.
+
+namespace alidade::ui {
+namespace {
+
+using testing::HasSubstr;
+
+/// Types into whatever has the keyboard.
+void type(const QString& text, Qt::Key key = Qt::Key_Return) {
+  typeInto(*QApplication::focusWidget(), text, key);
+}
+
+std::string focusName() {
+  const QWidget* focus = QApplication::focusWidget();
+  return focus ? focus->objectName().toStdString() : "nothing";
+}
+
+void press(MainWindow& window, Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
+  QTest::keyClick(&window, key, modifiers);
+  QCoreApplication::processEvents();
+}
+
+struct EntryBench {
+  OpenWindow open;
+
+  EntryBench() { QApplication::setActiveWindow(open.window.get()); }
+
+  const Session& session() { return open->document().session(); }
+  ReadingsTable& table() { return *open->currentTable(); }
+  int currentColumn() { return table().currentIndex().column(); }
+  void start(const Session& session) {
+    open->document().startWith(session);
+    open.settle();
+    QCoreApplication::processEvents();
+  }
+};
+
+constexpr int horizontalColumn = static_cast<int>(ReadingColumn::Horizontal);
+
+TEST(BenchEntry, APaperSessionIsTypedWithoutTheMouse) {
+  const Session paper = paperSession();
+  EntryBench bench;
+  EXPECT_EQ(focusName(), "geometry.distance_mm") << "where typing begins";
+  type(qText(paper.geometry.distanceMm));
+  EXPECT_EQ(focusName(), "geometry.sigma_distance_mm");
+  type({});
+  type(qText(paper.geometry.radiusMm));
+  press(*bench.open.window, Qt::Key_F6);
+  for (const std::size_t position : {0U, 1U}) {
+    if (position == 1) press(*bench.open.window, Qt::Key_1, Qt::AltModifier);
+    const Position& read = paper.positions[position];
+    EXPECT_EQ(focusName(), "pointing_zero.horizontal " + std::to_string(position));
+    type(qText(read.zero.horizontal));
+    type(qText(read.zero.vertical));
+    EXPECT_EQ(focusName(), "readings" + std::to_string(position)) << "past the axis, which is right";
+    for (const Reading& row : read.readings) {
+      type(qText(row.horizontal));
+      type(qText(row.vertical));
+    }
+  }
+  bench.open.settle();
+  for (const std::size_t position : {0U, 1U}) {
+    const Position &typed = bench.session().positions[position], &read = paper.positions[position];
+    EXPECT_EQ(typed.zero.horizontal, read.zero.horizontal);
+    ASSERT_EQ(typed.readings.size(), read.readings.size());
+    for (std::size_t row = 0; row < read.readings.size(); ++row) {
+      EXPECT_EQ(typed.readings[row].point, read.readings[row].point);
+      EXPECT_EQ(typed.readings[row].horizontal, read.readings[row].horizontal);
+      EXPECT_EQ(typed.readings[row].vertical, read.readings[row].vertical);
+    }
+  }
+}
+
+TEST(BenchEntry, TabFromTheAxisReachesTheFirstReading) {
+  EntryBench bench;
+  Session session = paperSession();
+  for (Position& position : session.positions) position.readings.clear();
+  bench.start(session);
+  bench.open->reveal({.position = 0, .field = "axis_deg"});
+  ASSERT_EQ(focusName(), "axis_deg 0");
+  for (int i = 0; i < 5 && QApplication::focusWidget() != &bench.table(); ++i)
+    press(*bench.open.window, Qt::Key_Tab);
+  EXPECT_EQ(focusName(), "readings0");
+  EXPECT_EQ(bench.currentColumn(), horizontalColumn);
+  EXPECT_EQ(bench.table().currentIndex().row(), 0);
+}
+
+TEST(BenchEntry, AltAndADigitLeadToTheReadingsFromAnywhere) {
+  EntryBench bench;
+  bench.start(sessionTakenAt({0, 180, 0}));
+  auto& tabs = *bench.open->findChild<PositionTabs*>();
+  const auto press0 = [&] { press(*bench.open.window, Qt::Key_0, Qt::AltModifier); };
+  tabs.setCurrentIndex(1);
+  bench.open->pageTabs().first()->tabBar()->setFocus();
+  press0();
+  EXPECT_EQ(tabs.currentIndex(), 0);
+  EXPECT_EQ(QApplication::focusWidget(), &bench.table());
+  press0();
+  EXPECT_EQ(tabs.currentIndex(), 2) << "on to the next position at that axis";
+  press0();
+  EXPECT_EQ(tabs.currentIndex(), 0);
+  press(*bench.open.window, Qt::Key_1, Qt::AltModifier);
+  EXPECT_EQ(tabs.currentIndex(), 1);
+}
+
+TEST(BenchEntry, DigitsTypedWhereNothingTakesThemGoToTheNextEntry) {
+  EntryBench bench;
+  Session session = paperSession();
+  session.positions[0].readings[4].vertical.clear();
+  bench.start(session);
+  QWidget* nowhere = bench.open->pageTabs().last()->tabBar();
+  nowhere->setFocus();
+  QTest::keyClicks(nowhere, QStringLiteral("8"));
+  ASSERT_TRUE(qobject_cast<QLineEdit*>(QApplication::focusWidget()));
+  QTest::keyClicks(QApplication::focusWidget(), QStringLiteral("24039"));
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+  EXPECT_EQ(bench.session().positions[0].readings[4].vertical, "824039");
+}
+
+TEST(BenchEntry, ACellThatTakesNoNumbersSaysSo) {
+  EntryBench bench;
+  bench.start(paperSession());
+  bench.table().setFocus();
+  bench.table().selectCell(2, ReadingColumn::HorizontalResidual);
+  QTest::keyClicks(&bench.table(), QStringLiteral("3"));
+  EXPECT_THAT(bench.open->statusBar()->currentMessage().toStdString(), HasSubstr("takes no numbers"));
+  EXPECT_EQ(bench.session(), paperSession());
+}
+
+TEST(BenchEntry, AReadingFarFromWhatIsExpectedIsMarkedAtOnce) {
+  EntryBench bench;
+  Session session = paperSession();
+  const std::string right = session.positions[1].readings[6].vertical;
+  session.positions[1].readings.resize(6);
+  bench.start(session);
+  press(*bench.open.window, Qt::Key_1, Qt::AltModifier);
+  const auto* next = bench.open->findChild<QLabel*>(QStringLiteral("next reading"));
+  EXPECT_THAT(next->text().toStdString(), HasSubstr("point 7, about 335°4"));
+  type(qText(paperSession().positions[1].readings[6].horizontal));
+  bench.open.settle();
+  type(QStringLiteral("88 57 26"));  // the paper has 98 57 26
+  QCoreApplication::processEvents();
+  const auto doubt = [&] {
+    return bench.table()
+        .model()
+        ->index(6, static_cast<int>(ReadingColumn::Vertical))
+        .data(ReadingsModel::SuspectRole);
+  };
+  EXPECT_THAT(doubt().toString().toStdString(), HasSubstr("was read where about 99°"));
+  EXPECT_THAT(bench.open->statusBar()->currentMessage().toStdString(), HasSubstr("Look again"));
+  bench.open.settle();
+  ReadingsEditor(bench.open->document(), 1).setCell({6, ReadingColumn::Vertical}, right);
+  bench.open.settle();
+  EXPECT_EQ(doubt().toString(), QString());
+}
+
+TEST(BenchEntry, TheWayBackIsLaidOutInOneStep) {
+  EntryBench bench;
+  bench.start(paperSession());
+  bench.table().layOut(FurtherRows::WayBackInTwo);
+  const auto& rows = bench.session().positions[0].readings;
+  ASSERT_EQ(rows.size(), 34U);
+  EXPECT_EQ(rows[17].point, "17");
+  EXPECT_EQ(rows[17].face, "2");
+  EXPECT_EQ(bench.table().currentIndex().row(), 17);
+  bench.open.settle();
+  const auto* next = bench.open->findChild<QLabel*>(QStringLiteral("next reading"));
+  EXPECT_THAT(next->text().toStdString(), HasSubstr("point 17, round 2, face 2, about 143°"));
+  bench.open->undo();
+  EXPECT_EQ(bench.session(), paperSession());
+}
+
+TEST(BenchEntry, TheLargeDisplayShowsWhatIsNext) {
+  EntryBench bench;
+  Session session = paperSession();
+  session.positions[1].readings.resize(9);
+  bench.start(session);
+  bench.open->setLargeDisplayShown(true);
+  press(*bench.open.window, Qt::Key_1, Qt::AltModifier);
+  const auto* display = bench.open->findChild<BenchDisplay*>();
+  std::string texts;
+  for (const QLabel* label : display->findChildren<QLabel*>()) texts += label->text().toStdString() + "\n";
+  EXPECT_THAT(texts, HasSubstr("180°: Point 10"));
+  EXPECT_THAT(texts, HasSubstr("Δd = "));
+  EXPECT_THAT(texts, HasSubstr("330°"));
+}
+
+TEST(BenchEntry, GonIsTypedAndShownWhereTheInstrumentHasIt) {
+  EntryBench bench;
+  Session session = paperSession();
+  session.instrument.angleUnit = "gon";
+  bench.start(session);
+  const auto shown = [&](int row) {
+    return bench.table().model()->index(row, horizontalColumn).data().toString().toStdString();
+  };
+  EXPECT_EQ(shown(0), "379.85926 gon");
+  press(*bench.open.window, Qt::Key_0, Qt::AltModifier);
+  type(QStringLiteral("358.1234"));
+  EXPECT_EQ(bench.session().positions[0].readings.back().horizontal, "358.1234gon");
+  bench.open.settle();
+  EXPECT_EQ(shown(17), "358.12340 gon") << "as finely as the others";
+  changeField(bench.open->document(), {.field = "instrument.angle_unit"}, "degrees");
+  bench.open.settle();
+  EXPECT_EQ(shown(0), "341.87333°");
+}
+
+}  // namespace
+}  // namespace alidade::ui

@@ -1,0 +1,58 @@
+#include "ui/jobs/next_reading.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/session/row_fields.h"
+#include "core/session/sighting_order.h"
+
+namespace alidade::ui {
+
+namespace {
+
+constexpr std::size_t mostTyped = 10'000;
+
+bool isOpen(const Reading& row) {
+  return !row.excluded && (row.horizontal.empty() || row.vertical.empty());
+}
+
+NextReading nextOf(const Session& session, std::size_t position) {
+  const std::vector<Reading>& rows = session.positions[position].readings;
+  const auto open = std::ranges::find_if(rows, isOpen);
+  const bool isInTable = open != rows.end();
+  return {static_cast<std::size_t>(open - rows.begin()),
+          isInTable ? *open : followingReading(session, position)};
+}
+
+std::optional<SightingToCome> sightingOf(const NextReading& next, std::size_t position) {
+  const auto point = wholeEntry(pointRule, next.sighting.point);
+  const auto round = wholeEntry(roundRule, next.sighting.round);
+  const auto face = wholeEntry(faceRule, next.sighting.face);
+  if (!point || !*point || !round || !face) return {};
+  return SightingToCome{position, **point, **round, **face};
+}
+
+}  // namespace
+
+std::vector<NextReading> nextReadings(const Session& session, const Measurement* measurement,
+                                      const SessionFit& fit) {
+  std::vector<NextReading> next;
+  std::size_t rows = 0;
+  for (const Position& position : session.positions) rows += position.readings.size();
+  if (rows > mostTyped) return next;
+  std::vector<SightingToCome> sightings;
+  std::vector<std::size_t> positions;
+  for (std::size_t i = 0; i < session.positions.size(); ++i) {
+    next.push_back(nextOf(session, i));
+    if (const auto sighting = sightingOf(next.back(), i)) {
+      sightings.push_back(*sighting);
+      positions.push_back(i);
+    }
+  }
+  if (!measurement) return next;
+  const auto expected = expectedReadings(*measurement, fit, sightings);
+  for (std::size_t i = 0; i < positions.size(); ++i) next[positions[i]].expected = expected[i];
+  return next;
+}
+
+}  // namespace alidade::ui

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "core/adjustment/result/expected_reading.h"
+#include "core/session/session.h"
+
+namespace alidade::ui {
+
+/// What is to be read next in a position.
+struct NextReading {
+  std::size_t row = 0;  ///< the first still to be read; the one after the last where all are
+  Reading sighting;     ///< its point, round and face
+  std::optional<ExpectedReading> expected = {};
+};
+
+/// Of every position, with the readings expected there where `measurement` is not null. Sessions of more rows
+/// than anyone types are given none.
+std::vector<NextReading> nextReadings(const Session& session, const Measurement* measurement,
+                                      const SessionFit& fit);
+
+}  // namespace alidade::ui

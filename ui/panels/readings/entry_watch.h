@@ -1,0 +1,39 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <cstddef>
+
+#include "ui/document/reading_column.h"
+#include "ui/jobs/fit_job.h"
+
+namespace alidade::ui {
+
+class SessionDocument;
+struct SessionChange;
+
+/// Holds each reading, as it is typed, against what was expected there before it was: a slip of the finger
+/// shows while the telescope still points at the place.
+class EntryWatch : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit EntryWatch(SessionDocument& document, QObject* parent = nullptr);
+
+  void setEvaluation(const SharedEvaluation& evaluation) { m_before = evaluation; }
+
+ signals:
+  /// A circle of the row that was to be read next has been read; `doubt` says what speaks against it, empty
+  /// where it is as expected, or nothing was.
+  void entered(std::size_t position, std::size_t row, alidade::ui::ReadingColumn column,
+               const QString& doubt);
+
+ private:
+  void look(const SessionChange& change);
+  QString doubtOf(const NextReading& next, ReadingColumn column, const std::string& typed) const;
+
+  SessionDocument& m_document;
+  SharedEvaluation m_before;  ///< null before the first
+};
+
+}  // namespace alidade::ui

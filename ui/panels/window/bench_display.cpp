@@ -1,0 +1,126 @@
+#include "ui/panels/window/bench_display.h"
+
+#include <QKeyEvent>
+#include <QLabel>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "core/session/entry.h"
+#include "ui/settings/theme.h"
+#include "ui/text/next_reading_text.h"
+#include "ui/text/position_text.h"
+#include "ui/text/quantity_text.h"
+#include "ui/text/verdict_text.h"
+
+namespace alidade::ui {
+
+namespace {
+
+/// Of the height of the window, for each line.
+constexpr double placeShare = 0.10, anglesShare = 0.17, resultShare = 0.11, lastShare = 0.055;
+
+void setHeight(QLabel& label, double pixels) {
+  QFont font = label.font();
+  font.setPixelSize(std::max(8, static_cast<int>(pixels)));
+  label.setFont(font);
+}
+
+/// No wider than the window.
+void setHeightWithin(QLabel& label, double pixels, int width) {
+  setHeight(label, pixels);
+  const int wide = label.sizeHint().width();
+  if (wide > width && width > 0) setHeight(label, pixels * width / wide);
+}
+
+}  // namespace
+
+BenchDisplay::BenchDisplay(QWidget* parent)
+    : QWidget(parent, Qt::Window),
+      m_place(new QLabel),
+      m_angles(new QLabel),
+      m_last(new QLabel),
+      m_result(new QLabel) {
+  setWindowTitle(tr("Large Display"));
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(24, 16, 24, 16);
+  for (QLabel* label : {m_place, m_angles, m_last, m_result}) {
+    label->setAlignment(Qt::AlignCenter);
+    label->setTextInteractionFlags(Qt::NoTextInteraction);
+    layout->addWidget(label, label == m_angles ? 2 : 1);
+  }
+  m_place->setAccessibleName(tr("Next place"));
+  m_angles->setAccessibleName(tr("Expected reading"));
+  m_last->setAccessibleName(tr("Reading entered last"));
+  m_result->setAccessibleName(tr("Result so far"));
+  m_last->setWordWrap(true);
+  QFont bold = m_angles->font();
+  bold.setBold(true);
+  m_angles->setFont(bold);
+  resize(900, 560);
+  setMinimumSize(320, 220);
+}
+
+void BenchDisplay::setEvaluation(const SharedEvaluation& evaluation) {
+  m_evaluation = evaluation;
+  refresh();
+}
+
+void BenchDisplay::setPosition(std::size_t position) {
+  m_position = position;
+  refresh();
+}
+
+void BenchDisplay::setDoubt(const QString& doubt) {
+  m_doubt = doubt;
+  refresh();
+}
+
+void BenchDisplay::refresh() {
+  if (isHidden() || !m_evaluation) return;
+  const Session& session = m_evaluation->session;
+  const CircleUnit unit = circleUnitOf(session);
+  const bool hasNext = m_position < m_evaluation->next.size();
+  const NextReading* next = hasNext ? &m_evaluation->next[m_position] : nullptr;
+  m_place->setText(next ? tr("%1: %2").arg(positionText(session, m_position), sightingText(next->sighting))
+                        : tr("No position is being read"));
+  m_angles->setText(next && next->expected
+                        ? tr("%1   %2").arg(coarseAngleText(next->expected->horizontal, unit),
+                                            coarseAngleText(next->expected->vertical, unit))
+                        : notStated());
+  m_last->setText(m_doubt);
+  QPalette warning = palette();
+  warning.setColor(QPalette::WindowText, stateColor(palette(), State::Bad));
+  m_last->setPalette(warning);
+  const auto& intersection = m_evaluation->fit.intersection;
+  m_result->setText(intersection ? intersectionText(*m_evaluation->examined.measurement, intersection->value,
+                                                    intersection->expanded)
+                                 : tr("Δd = —"));
+  fitText();
+}
+
+void BenchDisplay::fitText() {
+  const int width = contentsRect().width() - 48;
+  setHeightWithin(*m_place, placeShare * height(), width);
+  setHeightWithin(*m_angles, anglesShare * height(), width);
+  setHeightWithin(*m_result, resultShare * height(), width);
+  setHeight(*m_last, lastShare * height());
+}
+
+void BenchDisplay::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  refresh();
+}
+
+void BenchDisplay::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  fitText();
+}
+
+void BenchDisplay::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape)
+    close();
+  else
+    QWidget::keyPressEvent(event);
+}
+
+}  // namespace alidade::ui

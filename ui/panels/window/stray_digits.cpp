@@ -1,0 +1,51 @@
+#include "ui/panels/window/stray_digits.h"
+
+#include <QAbstractSpinBox>
+#include <QApplication>
+#include <QComboBox>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QScopedValueRollback>
+#include <QTextEdit>
+
+#include "ui/panels/parts/entry_table.h"
+
+namespace alidade::ui {
+
+namespace {
+
+/// What an angle or a length begins with.
+bool beginsANumber(const QKeyEvent& event) {
+  const auto modifiers = event.modifiers() & ~Qt::KeypadModifier;
+  const QString text = event.text();
+  return modifiers == Qt::NoModifier && text.size() == 1 && text.front().isDigit();
+}
+
+bool takesText(const QWidget* widget) {
+  const auto* lines = qobject_cast<const QPlainTextEdit*>(widget);
+  const auto* page = qobject_cast<const QTextEdit*>(widget);
+  const auto* choice = qobject_cast<const QComboBox*>(widget);
+  return qobject_cast<const QLineEdit*>(widget) || qobject_cast<const QAbstractSpinBox*>(widget) ||
+         qobject_cast<const EntryTable*>(widget) || (lines && !lines->isReadOnly()) ||
+         (page && !page->isReadOnly()) || (choice && choice->isEditable());
+}
+
+}  // namespace
+
+StrayDigits::StrayDigits(QWidget& window) : QObject(&window), m_window(window) {
+  qApp->installEventFilter(this);
+}
+
+bool StrayDigits::eventFilter(QObject* watched, QEvent* event) {
+  if (m_isTold || event->type() != QEvent::KeyPress) return false;
+  auto* key = static_cast<QKeyEvent*>(event);
+  const auto* widget = qobject_cast<QWidget*>(watched);
+  if (!widget || widget->window() != &m_window || !beginsANumber(*key) || takesText(widget)) return false;
+  if (widget != QApplication::focusWidget() && widget != &m_window) return false;
+  const QScopedValueRollback telling(m_isTold, true);  // where it was led to may not take it either
+  emit typed(key);
+  return true;
+}
+
+}  // namespace alidade::ui

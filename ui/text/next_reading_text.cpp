@@ -1,0 +1,58 @@
+#include "ui/text/next_reading_text.h"
+
+#include <QCoreApplication>
+#include <cmath>
+
+#include "core/session/row_fields.h"
+#include "ui/text/effect_text.h"
+#include "ui/text/entry_text.h"
+#include "ui/text/quantity_text.h"
+#include "ui/text/visible_text.h"
+
+namespace alidade::ui {
+
+namespace {
+
+struct NextReadingText {
+  Q_DECLARE_TR_FUNCTIONS(NextReading)
+};
+
+constexpr int longestKey = 20;
+
+/// Empty where it is what an empty entry stands for.
+QString unusual(const RowField& field, const std::string& text) {
+  return text == usualText(field) ? QString() : shortLine(text, longestKey);
+}
+
+QString keysText(const Reading& sighting) {
+  QString text = NextReadingText::tr("point %1").arg(shortLine(sighting.point, longestKey));
+  if (const QString round = unusual(rowField(&Reading::round), sighting.round); !round.isEmpty())
+    text += NextReadingText::tr(", round %1").arg(round);
+  if (const QString face = unusual(rowField(&Reading::face), sighting.face); !face.isEmpty())
+    text += NextReadingText::tr(", face %1").arg(face);
+  return text;
+}
+
+}  // namespace
+
+QString coarseAngleText(Angle angle, CircleUnit unit) {
+  if (unit == CircleUnit::Gon) return numberText(angle.degrees() / 0.9, 2) + QStringLiteral(" gon");
+  if (unit == CircleUnit::Degrees) return numberText(angle.degrees(), 2) + u'°';
+  const auto minutes = std::llround(std::abs(angle.degrees()) * 60);
+  const QString sign = angle.radians() < 0 && minutes > 0 ? QString(QChar(0x2212)) : QString();
+  return sign + QStringLiteral("%1°%2′").arg(minutes / 60).arg(minutes % 60, 2, 10, QLatin1Char('0'));
+}
+
+QString sightingText(const Reading& sighting) {
+  return capitalised(keysText(sighting));
+}
+
+QString nextReadingText(const NextReading& next, CircleUnit unit) {
+  const QString text = NextReadingText::tr("Next: %1").arg(keysText(next.sighting));
+  if (!next.expected) return text;
+  return NextReadingText::tr("%1, about %2 and %3")
+      .arg(text, coarseAngleText(next.expected->horizontal, unit),
+           coarseAngleText(next.expected->vertical, unit));
+}
+
+}  // namespace alidade::ui
