@@ -144,6 +144,7 @@ QWidget* MainWindow::createEntryColumn() {
   count->setObjectName(QStringLiteral("findings count"));
   count->setForegroundRole(QPalette::PlaceholderText);
   count->hide();
+  m_findings->setMinimumHeight(3 * fontMetrics().lineSpacing());
   connect(m_findings, &FindingsPanel::counted, count, [count](const QString& text) {
     count->setText(text);
     count->setVisible(!text.isEmpty());
@@ -257,7 +258,7 @@ void MainWindow::connectEntry() {
   connect(&m_document, &SessionDocument::changed, this, [this](const SessionChange& change) {
     if (change.kind != SessionChange::Kind::Everything) return;
     m_figures->setCurrentWidget(m_result);  // on the verdict
-    QMetaObject::invokeMethod(this, &MainWindow::goToNextEntry, Qt::QueuedConnection);
+    goToNextEntry();
   });
 }
 

@@ -12,7 +12,9 @@
 #include <QToolBar>
 #include <QToolButton>
 
+#include "core/session/entry.h"
 #include "ui/commands/add_position.h"
+#include "ui/commands/change_field.h"
 #include "ui/main_window.h"
 #include "ui/panels/readings/position_tabs.h"
 #include "ui/panels/readings/readings_table.h"
@@ -178,7 +180,7 @@ void WindowActions::addEntryActions(QMenu& menu) {
     });
   m_tableActions << rows->menuAction();
   menu.addSeparator();
-  addTo(menu, nullptr, tr("&Next Entry"), QKeySequence(Qt::Key_F6), this,
+  addTo(menu, nullptr, tr("To Next Entr&y"), QKeySequence(Qt::Key_F6), this,
         [this] { m_window.goToNextEntry(); });
   for (const auto& [axisDeg, keys] : {std::pair(0, tr("Alt+0")), std::pair(180, tr("Alt+1"))})
     addTo(menu, nullptr, tr("Readings at %1°").arg(axisDeg), QKeySequence(keys), this,
@@ -238,6 +240,7 @@ void WindowActions::createViewMenu() {
     connect(action, &QAction::toggled, this,
             [this, which = info.column](bool shown) { m_window.setColumnShown(which, shown); });
   }
+  addUnitActions(menu);
   addPageActions(menu);
   addEnlargeAction(menu);
   menu.addSeparator();
@@ -258,6 +261,29 @@ void WindowActions::createViewMenu() {
     connect(action, &QAction::triggered, this, [which = theme] { applyTheme(which); });
   }
   menu.addActions(themes->actions());
+}
+
+/// What the instrument shows: bare numbers are typed in it, and angles are shown in it.
+void WindowActions::addUnitActions(QMenu& menu) {
+  SessionDocument& document = m_window.document();
+  QMenu* units = menu.addMenu(tr("A&ngles in"));
+  auto* group = new QActionGroup(this);
+  const std::pair<QString, const char*> choices[] = {
+      {tr("Degrees, &Minutes, Seconds"), "dms"}, {tr("&Decimal Degrees"), "degrees"}, {tr("&Gon"), "gon"}};
+  for (const auto& [text, unit] : choices) {
+    QAction* action = group->addAction(text);
+    action->setCheckable(true);
+    connect(action, &QAction::triggered, this, [this, &document, text = unit] {
+      m_window.commitPending();
+      changeField(document, {.field = "instrument.angle_unit"}, text);
+    });
+    const auto show = [action, &document, own = circleUnitEntry(unit)] {
+      action->setChecked(circleUnitOf(document.session()) == *own);
+    };
+    connect(&document, &SessionDocument::changed, action, show);
+    show();
+  }
+  units->addActions(group->actions());
 }
 
 /// Every page by its number, Ctrl+1 and so on; those that have nothing to show are disabled.

@@ -31,6 +31,7 @@ class WindowActions : public QObject {
   void addPositionActions(QMenu& menu);
   void addSuspectActions(QMenu& menu);
   void createViewMenu();
+  void addUnitActions(QMenu& menu);
   void addPageActions(QMenu& menu);
   void addEnlargeAction(QMenu& menu);
   void createToolsMenu();

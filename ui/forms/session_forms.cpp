@@ -1,4 +1,5 @@
 #include <QCoreApplication>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QVBoxLayout>
 
@@ -116,22 +117,11 @@ QWidget* createInstrumentForm(SessionDocument& document) {
   const QVector<Choice> zeros = {{{}, Forms::tr("Unstated")},
                                  {QStringLiteral("each"), Forms::tr("Each")},
                                  {QStringLiteral("one"), Forms::tr("One for all")}};
-  const QVector<Choice> units = {{QStringLiteral("dms"), Forms::tr("° ′ ″")},
-                                 {QStringLiteral("degrees"), Forms::tr("Degrees")},
-                                 {QStringLiteral("gon"), Forms::tr("Gon")}};
   return stacked({new FieldForm(
       document,
       {
           {"instrument.name", Forms::tr("Instr&ument"), {}, Forms::tr("model"), {}, {}, true},
           {"instrument.serial", Forms::tr("Serial no."), {}, {}, {}},
-          {"instrument.angle_unit",
-           Forms::tr("Angles in"),
-           {},
-           {},
-           Forms::tr("What the instrument shows. A bare number such as 379.8592 is typed and pasted in this "
-                     "unit, and angles are shown in it; seconds, or what has a sign of its own, may be typed "
-                     "in any"),
-           units},
           {"geometry.pointing_zeros",
            Forms::tr("Pointing zeros"),
            {},
@@ -140,20 +130,20 @@ QWidget* createInstrumentForm(SessionDocument& document) {
                "Each: sighted anew in every position. One: sighted once for all, so that an error of it "
                "cancels in Δd"),
            zeros},
-          {"instrument.sigma_zero_arcsec", Forms::tr("σ of &zeros"), seconds, Forms::tr("as the circles"),
-           Forms::tr("Standard uncertainty of one sighting of the pointing zeros α0 and β0")},
           {"instrument.sigma_horizontal_arcsec", Forms::tr("σ ho&rizontal"), seconds, Forms::tr("2"),
            Forms::tr("Stated standard deviation of one horizontal reading")},
           {"instrument.sigma_vertical_arcsec", Forms::tr("σ vertical"), seconds, Forms::tr("2"),
            Forms::tr("Stated standard deviation of one vertical reading")},
+          {"instrument.sigma_zero_arcsec", Forms::tr("σ of &zeros"), seconds, Forms::tr("as the circles"),
+           Forms::tr("Standard uncertainty of one sighting of the pointing zeros α0 and β0")},
           {"instrument.sigma_slider_arcsec", Forms::tr("σ slider"), seconds, Forms::tr("5"),
            Forms::tr("Standard deviation of one slider reading")},
+          {"device.name", Forms::tr("Dev&ice"), {}, Forms::tr("simulator measured"), {}, {}, true},
+          {"device.serial", Forms::tr("Serial no."), {}, {}, {}},
           {"geometry.radius_expansion_ppm_per_k", Forms::tr("R0 expands"), Forms::tr("ppm/K"),
            Forms::tr("none"),
            Forms::tr("By how much R0 grows with each kelvin above 20 °C, for which it is "
                      "stated: 11.5 for steel")},
-          {"device.name", Forms::tr("Dev&ice"), {}, Forms::tr("simulator measured"), {}, {}},
-          {"device.serial", Forms::tr("Serial no."), {}, {}, {}},
       },
       2)});
 }
@@ -231,10 +221,16 @@ QWidget* createSessionForm(SessionDocument& document) {
   auto* notes = new FieldNotes(document, {.field = "notes"});
   notes->setObjectName(QStringLiteral("notes"));
   notes->setAccessibleName(Forms::tr("Notes"));
+  notes->setFixedHeight(notes->fontMetrics().lineSpacing() * 2 + 14);
   auto* caption = new QLabel(Forms::tr("Notes"));
   caption->setBuddy(notes);
-  notes->setFixedHeight(notes->fontMetrics().lineSpacing() * 2 + 14);
-  return stacked({form, caption, notes});
+  caption->setAlignment(Qt::AlignTop);
+  auto* row = new QWidget;
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(caption);
+  layout->addWidget(notes, 1);
+  return stacked({form, row});
 }
 
 }  // namespace alidade::ui

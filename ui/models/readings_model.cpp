@@ -37,6 +37,7 @@ ReadingsModel::ReadingsModel(SessionDocument& document, std::size_t position, QO
     : QAbstractTableModel(parent), m_document(document), m_position(position), m_notes(position) {
   connect(&document, &SessionDocument::aboutToChange, this, &ReadingsModel::beginChange);
   connect(&document, &SessionDocument::changed, this, &ReadingsModel::endChange);
+  followAngles(document.session());
 }
 
 const std::vector<Reading>& ReadingsModel::readings() const {

@@ -40,9 +40,11 @@ StrayDigits::StrayDigits(QWidget& window) : QObject(&window), m_window(window) {
 bool StrayDigits::eventFilter(QObject* watched, QEvent* event) {
   if (m_isTold || event->type() != QEvent::KeyPress) return false;
   auto* key = static_cast<QKeyEvent*>(event);
+  // What its receiver ignores comes again to its parents.
+  const QWidget* focus = QApplication::focusWidget();
   const auto* widget = qobject_cast<QWidget*>(watched);
-  if (!widget || widget->window() != &m_window || !beginsANumber(*key) || takesText(widget)) return false;
-  if (widget != QApplication::focusWidget() && widget != &m_window) return false;
+  if (!widget || widget != (focus ? focus : &m_window) || widget->window() != &m_window) return false;
+  if (!beginsANumber(*key) || takesText(widget)) return false;
   const QScopedValueRollback telling(m_isTold, true);  // where it was led to may not take it either
   emit typed(key);
   return true;
