@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QMimeData>
 #include <QScreen>
+#include <QScrollArea>
 #include <QSettings>
 #include <QSplitter>
 #include <QStatusBar>
@@ -24,6 +25,8 @@
 #include "ui/commands/change_effects.h"
 #include "ui/commands/change_field.h"
 #include "ui/commands/edit_readings.h"
+#include "ui/commands/move_rows.h"
+#include "ui/commands/remove_position.h"
 #include "ui/commands/state_noise.h"
 #include "ui/dialogs/blind_trial_dialog.h"
 #include "ui/dialogs/safekeeping.h"
@@ -37,6 +40,7 @@
 #include "ui/panels/model/effects_panel.h"
 #include "ui/panels/model/known_sizes_panel.h"
 #include "ui/panels/model/two_faces_panel.h"
+#include "ui/panels/readings/find_bar.h"
 #include "ui/panels/readings/position_tabs.h"
 #include "ui/panels/readings/readings_table.h"
 #include "ui/panels/readings/suspect_bar.h"
@@ -77,6 +81,28 @@ QWidget* padded(QWidget* content, const QMargins& margins) {
   layout->setContentsMargins(margins);
   layout->addWidget(content);
   return frame;
+}
+
+/// All of it where there is room, else a part to be scrolled.
+class Scrolled : public QScrollArea {
+ public:
+  explicit Scrolled(QWidget* content) {
+    setFrameShape(QFrame::NoFrame);
+    setWidgetResizable(true);
+    setFocusPolicy(Qt::NoFocus);
+    setWidget(content);
+    content->setAutoFillBackground(false);
+    viewport()->setAutoFillBackground(false);
+  }
+
+  QSize sizeHint() const override { return widget()->sizeHint(); }
+  QSize minimumSizeHint() const override {
+    return {0, std::min(widget()->minimumSizeHint().height(), 5 * fontMetrics().height())};
+  }
+};
+
+QWidget* scrolled(QWidget* content) {
+  return new Scrolled(content);
 }
 
 /// The lower one takes all the room that is left.
@@ -129,17 +155,18 @@ MainWindow::~MainWindow() {
 QWidget* MainWindow::createEntryColumn() {
   m_forms = new QTabWidget;
   m_forms->setObjectName(QStringLiteral("forms"));
-  m_forms->addTab(createMeasurementForm(m_document), tr("&Measurement"));
-  m_forms->addTab(createInstrumentForm(m_document), tr("I&nstrument"));
-  m_forms->addTab(createSessionForm(m_document), tr("Se&ssion"));
-  m_forms->addTab(createLaboratoryForm(m_document), tr("La&boratory"));
-  m_forms->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+  m_forms->addTab(scrolled(createMeasurementForm(m_document)), tr("&Measurement"));
+  m_forms->addTab(scrolled(createInstrumentForm(m_document)), tr("I&nstrument"));
+  m_forms->addTab(scrolled(createSessionForm(m_document)), tr("Se&ssion"));
+  m_forms->addTab(scrolled(createLaboratoryForm(m_document)), tr("La&boratory"));
+  m_forms->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
   m_positions = new PositionTabs(m_document);
   m_findings = new FindingsPanel;
 
   m_suspects = new SuspectBar;
 
-  QWidget* top = stacked(m_forms, m_positions);
+  m_find = new FindBar;
+  QWidget* top = stacked(m_forms, stacked(m_find, m_positions));
   auto* count = new QLabel;
   count->setObjectName(QStringLiteral("findings count"));
   count->setForegroundRole(QPalette::PlaceholderText);
@@ -152,14 +179,14 @@ QWidget* MainWindow::createEntryColumn() {
   QWidget* bottom = stacked(m_suspects, stacked(count, m_findings));
   QSplitter* column = split(Qt::Vertical, "entries", {top, bottom}, {620, 90});
   QWidget* entries = padded(column, {6, 6, 0, 6});
-  entries->setMinimumWidth(440);  // every placeholder of the forms
-  entries->setMaximumWidth(760);  // every column of readings, and a note
+  entries->setMinimumWidth(isNarrow() ? 400 : 440);  // every placeholder of the forms
+  entries->setMaximumWidth(760);                     // every column of readings, and a note
   return entries;
 }
 
 QWidget* MainWindow::createResultColumn() {
   m_arcChart = new ArcChart;
-  m_arcChart->setMinimumWidth(210);
+  m_arcChart->setMinimumSize(isNarrow() ? 150 : 210, 150);
   m_figures = createFigures();
   m_details = createDetails();
   m_top = split(Qt::Horizontal, "arcs", {m_arcChart, m_figures}, {450, 330});
@@ -186,6 +213,7 @@ PageTabs* MainWindow::createDetails() {
   auto* residuals = new ResidualChart;
   auto* reliability = new ReliabilityPanel;
   auto* faces = new TwoFacesPanel;
+  residuals->setMinimumSize(240, 130);
   pages->addPage(residuals, tr("Residuals"));
   m_gap = new GapPanel;
   pages->addPage(m_gap, tr("Gap"), [](const SharedEvaluation&) {});
@@ -250,10 +278,56 @@ void MainWindow::connectParts() {
   connectFile();
 }
 
+void MainWindow::removePosition() {
+  commitPending();
+  const int position = m_positions->currentIndex();
+  if (currentTable()) ui::removePosition(m_document, static_cast<std::size_t>(position));
+}
+
+void MainWindow::moveReadings() {
+  commitPending();
+  const ReadingsTable* table = currentTable();
+  const auto count = m_document.session().positions.size();
+  if (!table || count < 2) return;
+  const auto from = static_cast<std::size_t>(m_positions->currentIndex()), to = (from + 1) % count;
+  const std::vector<std::size_t> rows = table->selectedRows();
+  const std::size_t first = m_document.session().positions[to].readings.size();
+  moveRows(m_document, from, rows, to);
+  if (m_document.session().positions[to].readings.size() > first) selectReading(to, first);
+}
+
+void MainWindow::find() {
+  m_find->start();
+}
+
+void MainWindow::findAgain(bool forward) {
+  m_found.isEmpty() ? find() : findText(m_found, forward);
+}
+
+void MainWindow::findText(const QString& text, bool forward) {
+  commitPending();
+  m_found = text;
+  const ReadingsTable* table = currentTable();
+  const QModelIndex current = table ? table->currentIndex() : QModelIndex();
+  Place from{.position = static_cast<std::size_t>(std::max(0, m_positions->currentIndex())), .reading = 0};
+  if (current.isValid()) {
+    from.reading = static_cast<std::size_t>(current.row());
+    const RowField* field = infoOf(static_cast<ReadingColumn>(current.column())).field;
+    if (field) from.field = std::string(field->key);
+  }
+  const auto place = findInReadings(m_document.session(), from, text, forward);
+  m_find->tell(place ? QString() : tr("Not found"));
+  if (place) reveal(*place, !m_find->isVisible());
+}
+
 /// What is typed finds its place, and what is read is held against what was expected.
 void MainWindow::connectEntry() {
   connect(new StrayDigits(*this), &StrayDigits::typed, this, [this](QKeyEvent* event) { takeDigit(*event); });
   connect(m_positions, &PositionTabs::entered, this, &MainWindow::tellOfEntry);
+  connect(m_find, &FindBar::wanted, this, &MainWindow::findText);
+  connect(m_find, &FindBar::closed, this, [this] {
+    if (currentTable()) currentTable()->setFocus();
+  });
   connect(m_positions, &QTabWidget::currentChanged, this, &MainWindow::showNext);
   connect(&m_document, &SessionDocument::changed, this, [this](const SessionChange& change) {
     if (change.kind != SessionChange::Kind::Everything) return;
@@ -406,12 +480,11 @@ void MainWindow::tellOfEntry(const QString& doubt) {
 }
 
 void MainWindow::showNext() {
-  const int position = m_positions->currentIndex();
-  const bool has = m_shown && position >= 0 && position < static_cast<int>(m_shown->next.size());
-  m_next->setText(
-      has ? nextReadingText(m_shown->next[static_cast<std::size_t>(position)], circleUnitOf(m_shown->session))
-          : QString());
-  if (m_bench) m_bench->setPosition(static_cast<std::size_t>(std::max(0, position)));
+  const auto position = static_cast<std::size_t>(std::max(0, m_positions->currentIndex()));
+  const bool isKnown = m_shown && position < m_shown->next.size() && m_shown->next[position];
+  m_next->setText(isKnown ? nextReadingText(*m_shown->next[position], circleUnitOf(m_shown->session))
+                          : QString());
+  if (m_bench) m_bench->setPosition(position);
 }
 
 void MainWindow::setLargeDisplayShown(bool shown) {
@@ -622,6 +695,11 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 void MainWindow::dropEvent(QDropEvent* event) {
   event->acceptProposedAction();
   m_files.open(event->mimeData()->urls().value(0).toLocalFile());
+}
+
+/// A screen of 1920 pixels at scale 2 has 960.
+bool MainWindow::isNarrow() const {
+  return screen()->availableGeometry().width() < 1000;
 }
 
 /// Frame and all; what was remembered may be of a larger screen.

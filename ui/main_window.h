@@ -24,6 +24,7 @@ class BlindTrialDialog;
 class BudgetPanel;
 class ChangedFileBar;
 class EffectsPanel;
+class FindBar;
 class FindingsPanel;
 class GapPanel;
 class JobStatus;
@@ -61,6 +62,12 @@ class MainWindow : public QMainWindow {
   /// Adds a position at `axisDeg` (0 or 180), one measured again where both are there, and leads to its
   /// pointing zero.
   void addPosition(int axisDeg);
+  /// Takes out the position in front.
+  void removePosition();
+  /// Takes the selected readings to the next position.
+  void moveReadings();
+  void find();  ///< asks for a text in the readings
+  void findAgain(bool forward);
   /// Leads to the next entry of the readings at `axisDeg` (0 or 180); asked again where it is there already,
   /// to those of the next position at that axis.
   void goToAxis(int axisDeg);
@@ -104,6 +111,7 @@ class MainWindow : public QMainWindow {
   void takeDigit(QKeyEvent& event);
   void tellOfEntry(const QString& doubt);
   void showNext();
+  void findText(const QString& text, bool forward);
   void showTitle();
   void showEvaluation(const SharedEvaluation& evaluation);
   void showSuspects(const SharedEvaluation& evaluation);
@@ -114,6 +122,7 @@ class MainWindow : public QMainWindow {
   void markForms();
   void revealField(const Place& place, bool takeFocus);
   void fitOnScreen();
+  bool isNarrow() const;
   void restoreLayout();
   void saveLayout() const;
 
@@ -131,6 +140,8 @@ class MainWindow : public QMainWindow {
   QTabWidget* m_forms = nullptr;
   PositionTabs* m_positions = nullptr;
   SuspectBar* m_suspects = nullptr;
+  FindBar* m_find = nullptr;
+  QString m_found;  ///< the text looked for last
   FindingsPanel* m_findings = nullptr;
   ArcChart* m_arcChart = nullptr;
   QSplitter* m_top = nullptr;     ///< the picture and the pages beside it

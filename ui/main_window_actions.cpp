@@ -1,5 +1,6 @@
 #include "ui/main_window_actions.h"
 
+#include <QAbstractItemView>
 #include <QActionGroup>
 #include <QApplication>
 #include <QClipboard>
@@ -23,6 +24,7 @@
 #include "ui/settings/entry_tone.h"
 #include "ui/settings/recent_files.h"
 #include "ui/settings/theme.h"
+#include "ui/text/position_text.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {
@@ -75,12 +77,20 @@ void WindowActions::createFileMenu(QToolBar& bar) {
   });
   menu.addSeparator();
   bar.addAction(addTo(menu, "save", tr("&Save"), QKeySequence::Save, this, [&files] { files.save(); }));
-  addTo(menu, nullptr, tr("Save &As…"), QKeySequence::SaveAs, this, [&files] { files.saveAs(); });
+  addTo(menu, nullptr, tr("Save &As…"), QKeySequence(tr("Ctrl+Shift+S")), this, [&files] { files.saveAs(); });
+  QAction* revert = addTo(menu, nullptr, tr("Rever&t"), {}, this, [&files] { files.revert(); });
+  const SessionDocument& document = m_window.document();
+  const auto mayRevert = [revert, &document] {
+    revert->setEnabled(document.isModified() && !document.path().isEmpty());
+  };
+  connect(&document, &SessionDocument::identityChanged, revert, mayRevert);
+  mayRevert();
   addTo(menu, nullptr, tr("Sea&l…"), {}, this, [&files] { files.seal(); });
   menu.addSeparator();
   bar.addAction(addTo(menu, "report", tr("&Export Acceptance Report…"), QKeySequence(tr("Ctrl+E")), this,
                       [&files] { files.exportReport(); }));
   menu.addSeparator();
+  addTo(menu, nullptr, tr("&Close"), QKeySequence(tr("Ctrl+W")), this, [&files] { files.startNew(); });
   addTo(menu, nullptr, tr("&Quit"), QKeySequence(tr("Ctrl+Q")), this, [this] { m_window.close(); });
 }
 
@@ -124,6 +134,13 @@ void WindowActions::createEditMenu(QToolBar& bar) {
       addTo(menu, nullptr, tr("&Copy"), QKeySequence::Copy, this, [this] { useClipboard(Clipboard::Copy); });
   QAction* paste = addTo(menu, nullptr, tr("&Paste"), QKeySequence::Paste, this,
                          [this] { useClipboard(Clipboard::Paste); });
+  addTo(menu, nullptr, tr("Select &All"), QKeySequence::SelectAll, this, [this] { selectAll(); });
+  menu.addSeparator();
+  addTo(menu, nullptr, tr("&Find…"), QKeySequence::Find, this, [this] { m_window.find(); });
+  for (const bool forward : {true, false})
+    addTo(menu, nullptr, forward ? tr("Find Next") : tr("Find Previous"),
+          forward ? QKeySequence(Qt::Key_F3) : QKeySequence(Qt::SHIFT | Qt::Key_F3), this,
+          [this, forward] { m_window.findAgain(forward); });
   menu.addSeparator();
   const auto onTable = [this](void (ReadingsTable::*call)()) {
     return [this, call] {
@@ -202,6 +219,25 @@ void WindowActions::addPositionActions(QMenu& menu) {
     connect(&document, &SessionDocument::changed, action, offer);
     offer();
   }
+  QAction* remove =
+      addTo(menu, nullptr, tr("Delete Position"), {}, this, [this] { m_window.removePosition(); });
+  QAction* move = addTo(menu, nullptr, {}, {}, this, [this] { m_window.moveReadings(); });
+  m_tableActions << move;
+  connect(&menu, &QMenu::aboutToShow, this, [this, &document, remove, move] {
+    const auto* tabs = m_window.findChild<PositionTabs*>();
+    const auto& positions = document.session().positions;
+    const auto at = static_cast<std::size_t>(std::max(0, tabs->currentIndex()));
+    const bool isThere = m_window.currentTable() != nullptr;
+    remove->setEnabled(isThere);
+    remove->setText(isThere ? tr("Delete Position %1").arg(menuText(positionText(document.session(), at)))
+                            : tr("Delete Position"));
+    move->setEnabled(isThere && positions.size() > 1);
+    move->setText(move->isEnabled()
+                      ? tr("Move Readings to %1")
+                            .arg(menuText(positionText(document.session(), (at + 1) % positions.size())))
+                      : tr("Move Readings"));
+  });
+  move->setText(tr("Move Readings"));
 }
 
 void WindowActions::attachTo(ReadingsTable* table) const {
@@ -228,6 +264,18 @@ void WindowActions::useClipboard(Clipboard way) {
   } else if (ReadingsTable* table = m_window.currentTable()) {
     apply(*table);
   }
+}
+
+/// Of the text or table that has the focus, otherwise of the readings.
+void WindowActions::selectAll() {
+  QWidget* focus = QApplication::focusWidget();
+  if (auto* line = qobject_cast<QLineEdit*>(focus)) return line->selectAll();
+  if (auto* text = qobject_cast<QPlainTextEdit*>(focus)) return text->selectAll();
+  auto* view = qobject_cast<QAbstractItemView*>(focus);
+  if (!view) view = m_window.currentTable();
+  if (!view) return;
+  view->setFocus();
+  view->selectAll();
 }
 
 void WindowActions::createViewMenu() {

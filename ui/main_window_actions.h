@@ -38,6 +38,7 @@ class WindowActions : public QObject {
   void createHelpMenu(Dialogs& dialogs);
   void fillRecentMenu(QMenu& menu);
   void useClipboard(Clipboard way);
+  void selectAll();
 
   MainWindow& m_window;
   QAction* m_enlarge = nullptr;

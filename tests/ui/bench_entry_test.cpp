@@ -93,6 +93,14 @@ TEST(BenchEntry, APaperSessionIsTypedWithoutTheMouse) {
   }
 }
 
+/// A screen of 1920 by 1080 pixels has half of them at scale 2, less frame and title.
+TEST(BenchEntry, TheWindowFitsASmallScreenAtScaleTwo) {
+  EntryBench bench;
+  bench.start(paperSession());
+  EXPECT_LE(bench.open->minimumSizeHint().width(), 960 - 16);
+  EXPECT_LE(bench.open->minimumSizeHint().height(), 540 - 40);
+}
+
 TEST(BenchEntry, TabFromTheAxisReachesTheFirstReading) {
   EntryBench bench;
   Session session = paperSession();

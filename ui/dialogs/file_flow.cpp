@@ -168,6 +168,25 @@ bool FileFlow::saveAs() {
   return !path.isEmpty() && saveTo(path);
 }
 
+bool FileFlow::revert() {
+  emit commitWanted();
+  const QString path = m_document.path();
+  if (path.isEmpty() || !m_document.isModified() || tellWhereNoFile(tr("Revert"), path)) return false;
+  const QString name = visibleLine(m_document.displayName());
+  auto file = inBackground<Result<FiledSession>>(*m_dialogs.busy(tr("Opening “%1”…").arg(name)),
+                                                 [path](const std::stop_token&) { return readFiled(path); });
+  if (!file) return false;
+  if (!*file) {
+    m_dialogs.showProblem(tr("Revert"),
+                          tr("“%1” cannot be opened.\n\n%2").arg(name, visibleLine(file->problem().text())));
+    return false;
+  }
+  m_document.push(new ReplaceSession(m_document, (*file)->session, tr("Revert")));
+  m_document.markSaved(path, (*file)->sha256);
+  emit remark(tr("As in %1; Undo brings back what was changed.").arg(QDir::toNativeSeparators(path)));
+  return true;
+}
+
 bool FileFlow::saveTo(const QString& path) {
   if (tellWhereNoFile(tr("Save session"), path)) return false;
   if (!isSameFile(encodedPath(path), encodedPath(m_document.path()))) return mayShare(path) && write(path);

@@ -37,6 +37,8 @@ class FileFlow : public QObject {
   bool importReadings(const QString& path);
   bool save();
   bool saveAs();
+  /// Brings the session back as it is in its file, as one undo step. False: it was not, or has no file.
+  bool revert();
   /// Seals the session and saves it. False: it was not sealed, or not saved.
   bool seal();
   bool exportReport();

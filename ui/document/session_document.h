@@ -75,6 +75,7 @@ class SessionDocument : public QObject {
   friend class ChangeField;
   friend class ChangeKnown;
   friend class JournalledCommand;
+  friend class RemovePosition;
   friend class ReplaceReadings;
   friend class ReplaceSession;
   friend class SealSession;

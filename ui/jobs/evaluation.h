@@ -23,15 +23,15 @@ struct ResidualPicture;
 struct Evaluation {
   Session session;
   Examined examined;
-  SessionFit fit;                      ///< as made where `examined.measurement` is absent
-  PublishedSessionFit published;       ///< likewise
-  std::optional<TwoFaces> twoFaces;    ///< where visits were read in both faces
-  std::vector<Suspect> suspects;       ///< readings that look misread, the most certain first
-  bool isSearched = true;              ///< false: `suspects` and `journal` are still to come
-  std::string journal = {};            ///< `journalSummary`, which may have to write the session
-  std::string failure = {};            ///< why there is no fit although there could be one: sentences
-  std::string searchFailure = {};      ///< why the search for suspects came to nothing: sentences
-  std::vector<NextReading> next = {};  ///< of each position
+  SessionFit fit;                    ///< as made where `examined.measurement` is absent
+  PublishedSessionFit published;     ///< likewise
+  std::optional<TwoFaces> twoFaces;  ///< where visits were read in both faces
+  std::vector<Suspect> suspects;     ///< readings that look misread, the most certain first
+  bool isSearched = true;            ///< false: `suspects` and `journal` are still to come
+  std::string journal = {};          ///< `journalSummary`, which may have to write the session
+  std::string failure = {};          ///< why there is no fit although there could be one: sentences
+  std::string searchFailure = {};    ///< why the search for suspects came to nothing: sentences
+  std::vector<std::optional<NextReading>> next = {};  ///< of each position
   /// What the charts show of it, worked out where the fit was; null in an evaluation put together by hand.
   std::shared_ptr<const ArcPicture> arcs = {};
   std::shared_ptr<const ResidualPicture> residuals = {};

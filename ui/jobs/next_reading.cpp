@@ -16,12 +16,25 @@ bool isOpen(const Reading& row) {
   return !row.excluded && (row.horizontal.empty() || row.vertical.empty());
 }
 
-NextReading nextOf(const Session& session, std::size_t position) {
+/// All that another position has: nothing says that more is to come.
+bool isComplete(const Session& session, std::size_t position) {
+  const std::vector<Reading>& rows = session.positions[position].readings;
+  const auto isSame = [](const Reading& a, const Reading& b) {
+    return a.point == b.point && a.round == b.round && a.face == b.face;
+  };
+  for (std::size_t i = 0; i < session.positions.size(); ++i)
+    if (i != position && !rows.empty() && std::ranges::equal(rows, session.positions[i].readings, isSame))
+      return true;
+  return false;
+}
+
+std::optional<NextReading> nextOf(const Session& session, std::size_t position) {
   const std::vector<Reading>& rows = session.positions[position].readings;
   const auto open = std::ranges::find_if(rows, isOpen);
   const bool isInTable = open != rows.end();
-  return {static_cast<std::size_t>(open - rows.begin()),
-          isInTable ? *open : followingReading(session, position)};
+  if (!isInTable && isComplete(session, position)) return {};
+  return NextReading{static_cast<std::size_t>(open - rows.begin()),
+                     isInTable ? *open : followingReading(session, position)};
 }
 
 std::optional<SightingToCome> sightingOf(const NextReading& next, std::size_t position) {
@@ -34,9 +47,9 @@ std::optional<SightingToCome> sightingOf(const NextReading& next, std::size_t po
 
 }  // namespace
 
-std::vector<NextReading> nextReadings(const Session& session, const Measurement* measurement,
-                                      const SessionFit& fit) {
-  std::vector<NextReading> next;
+std::vector<std::optional<NextReading>> nextReadings(const Session& session, const Measurement* measurement,
+                                                     const SessionFit& fit) {
+  std::vector<std::optional<NextReading>> next;
   std::size_t rows = 0;
   for (const Position& position : session.positions) rows += position.readings.size();
   if (rows > mostTyped) return next;
@@ -44,14 +57,15 @@ std::vector<NextReading> nextReadings(const Session& session, const Measurement*
   std::vector<std::size_t> positions;
   for (std::size_t i = 0; i < session.positions.size(); ++i) {
     next.push_back(nextOf(session, i));
-    if (const auto sighting = sightingOf(next.back(), i)) {
+    if (!next.back()) continue;
+    if (const auto sighting = sightingOf(*next.back(), i)) {
       sightings.push_back(*sighting);
       positions.push_back(i);
     }
   }
   if (!measurement) return next;
   const auto expected = expectedReadings(*measurement, fit, sightings);
-  for (std::size_t i = 0; i < positions.size(); ++i) next[positions[i]].expected = expected[i];
+  for (std::size_t i = 0; i < positions.size(); ++i) next[positions[i]]->expected = expected[i];
   return next;
 }
 

@@ -16,9 +16,9 @@ struct NextReading {
   std::optional<ExpectedReading> expected = {};
 };
 
-/// Of every position, with the readings expected there where `measurement` is not null. Sessions of more rows
-/// than anyone types are given none.
-std::vector<NextReading> nextReadings(const Session& session, const Measurement* measurement,
-                                      const SessionFit& fit);
+/// Of every position, with the readings expected there where `measurement` is not null; absent where it has
+/// all that another position has. Sessions of more rows than anyone types are given none.
+std::vector<std::optional<NextReading>> nextReadings(const Session& session, const Measurement* measurement,
+                                                     const SessionFit& fit);
 
 }  // namespace alidade::ui

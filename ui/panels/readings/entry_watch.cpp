@@ -19,7 +19,8 @@ void EntryWatch::look(const SessionChange& change) {
   if (change.kind != SessionChange::Kind::Readings || change.inserted != 1 || !m_before) return;
   const std::size_t position = *change.place.position, row = *change.place.reading;
   if (position >= m_before->next.size() || position >= m_before->session.positions.size()) return;
-  const NextReading& next = m_before->next[position];
+  if (!m_before->next[position]) return;
+  const NextReading& next = *m_before->next[position];
   const auto& rowsBefore = m_before->session.positions[position].readings;
   if (next.row != row) return;
   const Reading before = row < rowsBefore.size() ? rowsBefore[row] : Reading();

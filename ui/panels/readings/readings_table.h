@@ -19,6 +19,7 @@ class ReadingsTable : public EntryTable {
   ReadingsModel& readings() { return m_model; }
   void setColumnShown(ReadingColumn column, bool shown);  ///< a column in use stays shown
   void selectCell(int row, ReadingColumn column);
+  std::vector<std::size_t> selectedRows() const;  ///< ascending, those with a reading
   /// Makes the first cell still to be read the current one: horizontal or vertical, in the empty row where
   /// all others are complete.
   void goToNextEntry();
@@ -44,7 +45,6 @@ class ReadingsTable : public EntryTable {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  std::vector<std::size_t> selectedRows() const;
   std::vector<ReadingCell> selectedCells() const;
   std::vector<ReadingColumn> columnsFrom(int column) const;
   void layOutColumns();

@@ -1,5 +1,6 @@
 #include "ui/panels/window/bench_display.h"
 
+#include <QCoreApplication>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QVBoxLayout>
@@ -41,6 +42,7 @@ BenchDisplay::BenchDisplay(QWidget* parent)
       m_last(new QLabel),
       m_result(new QLabel) {
   setWindowTitle(tr("Large Display"));
+  setAttribute(Qt::WA_ShowWithoutActivating);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(24, 16, 24, 16);
   for (QLabel* label : {m_place, m_angles, m_last, m_result}) {
@@ -79,10 +81,10 @@ void BenchDisplay::refresh() {
   if (isHidden() || !m_evaluation) return;
   const Session& session = m_evaluation->session;
   const CircleUnit unit = circleUnitOf(session);
-  const bool hasNext = m_position < m_evaluation->next.size();
-  const NextReading* next = hasNext ? &m_evaluation->next[m_position] : nullptr;
+  const bool hasNext = m_position < m_evaluation->next.size() && m_evaluation->next[m_position];
+  const NextReading* next = hasNext ? &*m_evaluation->next[m_position] : nullptr;
   m_place->setText(next ? tr("%1: %2").arg(positionText(session, m_position), sightingText(next->sighting))
-                        : tr("No position is being read"));
+                        : tr("All is read that was to be"));
   m_angles->setText(next && next->expected
                         ? tr("%1   %2").arg(coarseAngleText(next->expected->horizontal, unit),
                                             coarseAngleText(next->expected->vertical, unit))
@@ -117,10 +119,11 @@ void BenchDisplay::resizeEvent(QResizeEvent* event) {
 }
 
 void BenchDisplay::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_Escape)
-    close();
-  else
-    QWidget::keyPressEvent(event);
+  if (event->key() == Qt::Key_Escape) return void(close());
+  QWidget* window = parentWidget();
+  window->activateWindow();
+  QWidget* entry = window->focusWidget() ? window->focusWidget() : window;
+  QCoreApplication::sendEvent(entry, event);
 }
 
 }  // namespace alidade::ui

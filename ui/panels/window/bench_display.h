@@ -9,7 +9,8 @@ class QLabel;
 namespace alidade::ui {
 
 /// What one wants to read from the tripod, in letters as large as the window lets them be: the next place
-/// with the angles expected there, what was last entered and whether it is as expected, and Δd so far.
+/// with the angles expected there, what was last entered and whether it is as expected, and Δd so far. Never
+/// takes the keyboard: what is typed into it goes to the window.
 class BenchDisplay : public QWidget {
   Q_OBJECT
 

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "ui/commands/journalled_command.h"
+
+namespace alidade::ui {
+
+/// Takes a position out of the session, with its pointing zero and all its readings.
+class RemovePosition : public JournalledCommand {
+ public:
+  RemovePosition(SessionDocument& document, std::size_t index);
+
+ private:
+  void apply() override;
+  void revert() override;
+  std::vector<JournalEntry> allEntries() const override { return m_all; }
+
+  std::size_t m_index;
+  Position m_position;
+  std::vector<JournalEntry> m_all;  ///< worked out while the position is there
+};
+
+/// Does nothing where there is no such position.
+void removePosition(SessionDocument& document, std::size_t index);
+
+}  // namespace alidade::ui
