@@ -16,6 +16,7 @@
 #include "core/session/entry.h"
 #include "ui/commands/add_position.h"
 #include "ui/commands/change_field.h"
+#include "ui/dialogs/command_palette.h"
 #include "ui/main_window.h"
 #include "ui/panels/readings/position_tabs.h"
 #include "ui/panels/readings/readings_table.h"
@@ -375,6 +376,10 @@ void WindowActions::createToolsMenu() {
   QMenu& menu = *m_window.menuBar()->addMenu(tr("T&ools"));
   addTo(menu, nullptr, tr("&Blind Trial…"), QKeySequence(tr("Ctrl+B")), this,
         [this] { m_window.showBlindTrials(); });
+  addTo(menu, nullptr, tr("&Commands…"), QKeySequence(tr("Ctrl+Shift+P")), this, [this] {
+    CommandPalette palette(*m_window.menuBar(), &m_window);
+    if (QAction* command = palette.ask()) command->trigger();
+  });
 }
 
 void WindowActions::createHelpMenu(Dialogs& dialogs) {
