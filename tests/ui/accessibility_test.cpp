@@ -1,0 +1,62 @@
+#include <gtest/gtest.h>
+
+#include <QAccessible>
+#include <QAction>
+#include <QMenuBar>
+#include <QTabWidget>
+#include <set>
+
+#include "tests/ui/support.h"
+#include "ui/main_window.h"
+#include "ui/panels/window/page_tabs.h"
+
+// What a screen reader says: every control that Tab reaches has a name and a role.
+
+namespace alidade::ui {
+namespace {
+
+/// Those in sight that have none.
+void gatherNameless(const QWidget& window, std::set<std::string>& nameless) {
+  for (QWidget* widget : window.findChildren<QWidget*>()) {
+    if (!widget->isVisible() || !(widget->focusPolicy() & Qt::TabFocus) || widget->focusProxy()) continue;
+    QAccessibleInterface* spoken = QAccessible::queryAccessibleInterface(widget);
+    if (spoken && !spoken->text(QAccessible::Name).isEmpty() && spoken->role() != QAccessible::NoRole)
+      continue;
+    nameless.insert(widget->metaObject()->className() + std::string(" ") +
+                    widget->objectName().toStdString() + " in " +
+                    widget->parentWidget()->metaObject()->className());
+  }
+}
+
+TEST(Accessibility, EveryControlOfEveryPageHasANameAndARole) {
+  OpenWindow open;
+  ASSERT_TRUE(open->files().open(samplePath(QStringLiteral("two-faces.alidade"))));
+  open.settle();
+  ASSERT_TRUE(waitFor([&] { return open->gapJob().isIdle(); }));
+  std::set<std::string> nameless;
+  for (QTabWidget* tabs : open->findChildren<QTabWidget*>())
+    for (int page = 0; page < tabs->count(); ++page) {
+      if (!tabs->isTabVisible(page)) continue;
+      tabs->setCurrentIndex(page);
+      QCoreApplication::processEvents();
+      gatherNameless(*open.window, nameless);
+    }
+  for (const std::string& widget : nameless) ADD_FAILURE() << widget;
+}
+
+TEST(Accessibility, CellsOfTheReadingsAreSpokenWithWhatTheyMean) {
+  OpenWindow open;
+  open->document().startWith(paperSession());
+  open.settle();
+  QWidget* table = open->findChild<QWidget*>(QStringLiteral("readings0"));
+  QAccessibleInterface* spoken = QAccessible::queryAccessibleInterface(table);
+  ASSERT_TRUE(spoken && spoken->tableInterface());
+  EXPECT_EQ(spoken->role(), QAccessible::Table);
+  EXPECT_EQ(spoken->tableInterface()->rowCount(), 18) << "and the empty one";
+  QAccessibleInterface* cell = spoken->tableInterface()->cellAt(0, 4);
+  ASSERT_TRUE(cell);
+  EXPECT_EQ(cell->text(QAccessible::Name).toStdString(), "341°52′24″");
+}
+
+}  // namespace
+}  // namespace alidade::ui
