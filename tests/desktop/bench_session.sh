@@ -21,6 +21,7 @@ trap clean EXIT
 
 fail() {
   echo "$*"
+  [[ ! -s $work/out ]] || sed 's/^/the window said: /' "$work/out"
   exit 1
 }
 
