@@ -74,6 +74,16 @@ QSplitter* split(Qt::Orientation orientation, const char* name, std::initializer
   return splitter;
 }
 
+/// Empty where anything else is among them.
+QStringList filesIn(const QMimeData& data) {
+  QStringList paths;
+  for (const QUrl& url : data.urls()) {
+    if (!url.isLocalFile()) return {};
+    paths.append(url.toLocalFile());
+  }
+  return paths;
+}
+
 /// A splitter's own margins do not count in its minimum size; a layout's do.
 QWidget* padded(QWidget* content, const QMargins& margins) {
   auto* frame = new QWidget;
@@ -688,13 +698,13 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-  const QList<QUrl> urls = event->mimeData()->urls();
-  if (urls.size() == 1 && urls.first().isLocalFile()) event->acceptProposedAction();
+  if (!filesIn(*event->mimeData()).isEmpty()) event->acceptProposedAction();
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
   event->acceptProposedAction();
-  m_files.open(event->mimeData()->urls().value(0).toLocalFile());
+  const QStringList paths = filesIn(*event->mimeData());
+  paths.size() == 1 ? m_files.open(paths.first()) : m_files.importReadings(paths);
 }
 
 /// A screen of 1920 pixels at scale 2 has 960.

@@ -72,6 +72,7 @@ void WindowActions::createFileMenu(QToolBar& bar) {
   fillRecentMenu(*recent);
   addTo(menu, nullptr, tr("&Import Readings…"), QKeySequence(tr("Ctrl+Shift+I")), this,
         [&files] { files.importReadings(); });
+  addTo(menu, nullptr, tr("Import from Clip&board…"), {}, this, [&files] { files.importClipboard(); });
   addTo(menu, nullptr, tr("Reco&ver Unsaved Changes…"), {}, this, [this] {
     if (!m_window.offerRecovery())
       m_window.statusBar()->showMessage(tr("There are no unsaved changes to recover"));
@@ -135,6 +136,8 @@ void WindowActions::createEditMenu(QToolBar& bar) {
       addTo(menu, nullptr, tr("&Copy"), QKeySequence::Copy, this, [this] { useClipboard(Clipboard::Copy); });
   QAction* paste = addTo(menu, nullptr, tr("&Paste"), QKeySequence::Paste, this,
                          [this] { useClipboard(Clipboard::Paste); });
+  addTo(menu, nullptr, tr("Paste as Readings…"), QKeySequence(tr("Ctrl+Shift+V")), this,
+        [this] { m_window.files().importClipboard(); });
   addTo(menu, nullptr, tr("Select &All"), QKeySequence::SelectAll, this, [this] { selectAll(); });
   menu.addSeparator();
   addTo(menu, nullptr, tr("&Find…"), QKeySequence::Find, this, [this] { m_window.find(); });

@@ -16,7 +16,10 @@ std::string journalText(const std::string& name, const Session& session) {
   for (const JournalEntry& entry : session.journal) {
     std::string line = timeText(entry.at) + " UTC " + (entry.place.empty() ? "the session" : entry.place);
     if (!entry.point.empty()) line += " (point " + entry.point + ")";
-    line += ": " + quotation(entry.from) + " became " + quotation(entry.to) + ", " + reasonText(entry);
+    if (entry.why == journal_reasons::imported)
+      line += ": imported from " + visibleText(entry.to);
+    else
+      line += ": " + quotation(entry.from) + " became " + quotation(entry.to) + ", " + reasonText(entry);
     if (!entry.by.empty()) line += ", " + entry.by;
     text += paragraph(line, 2);
   }

@@ -1,7 +1,6 @@
 #include "core/exchange/csv_reader.h"
 
 #include <algorithm>
-#include <initializer_list>
 #include <optional>
 #include <utility>
 
@@ -10,110 +9,33 @@
 #include "core/base/list_text.h"
 #include "core/base/visible_text.h"
 #include "core/exchange/csv_table.h"
+#include "core/exchange/words.h"
 
 namespace alidade {
 
 namespace {
 
-/// What a column of the table holds.
-struct Column {
-  const RowField* field;  ///< of the row; null: how the axis stood
-
-  bool operator==(const Column&) const = default;
-};
-
-constexpr std::string_view axisHeadings = "axis position pos axisposition rotation";
-
-struct Heading {
-  std::optional<Column> column;
-  AngleUnit unit = AngleUnit::Unstated;
-  std::string verticalCircle;  ///< that the name speaks of; may be empty
-};
-
-std::string lowerCase(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return text;
-}
-
-bool isOneOf(std::string_view word, std::initializer_list<std::string_view> words) {
-  return std::find(words.begin(), words.end(), word) != words.end();
-}
-
-/// The words of a column's name: letters and signs other than separators, in small letters.
-std::vector<std::string> wordsOf(const std::string& name) {
-  std::vector<std::string> words;
-  bool inWord = false;
-  for (const char c : lowerCase(name)) {
-    const bool parts = std::string_view(" _-./:[](){}").find(c) != std::string_view::npos;
-    if (!parts && !inWord) words.emplace_back();
-    if (!parts) words.back() += c;
-    inWord = !parts;
-  }
-  return words;
-}
-
-std::optional<AngleUnit> unitNamed(std::string_view word) {
-  if (isOneOf(word, {"gon", "grad", "gons", "g"})) return AngleUnit::Gon;
-  if (isOneOf(word, {"deg", "degree", "degrees", "°", "dd"})) return AngleUnit::Degrees;
-  if (isOneOf(word, {"dms", "dmmss", "mmss", "ddmmss", "dddmmss"})) return AngleUnit::Dms;
-  return std::nullopt;
-}
-
-/// Is it one of these words with blanks between them?
-bool isAmong(std::string_view words, std::string_view word) {
-  return (" " + std::string(words) + " ").find(" " + std::string(word) + " ") != std::string::npos;
-}
-
-std::optional<Column> columnNamed(std::string_view word) {
-  if (isAmong(axisHeadings, word)) return Column{nullptr};
-  for (const RowField& field : rowFields)
-    if (isAmong(field.headings, word)) return Column{&field};
-  return std::nullopt;
-}
-
-Heading headingOf(const std::string& name) {
-  Heading heading;
-  bool counts = false, strange = false;
-  for (const std::string& word : wordsOf(name)) {
-    if (const auto column = columnNamed(word); column && !heading.column) {
-      heading.column = column;
-      if (word == "elevation") heading.verticalCircle = "elevation";
-      if (word == "zenith" || word == "zenithdistance") heading.verticalCircle = "zenith";
-    } else if (const auto unit = unitNamed(word)) {
-      heading.unit = *unit;
-    } else if (isOneOf(word, {"no", "nr", "number", "id", "name"})) {
-      counts = true;
-    } else if (!column && !isOneOf(word, {"angle", "circle", "reading", "readings", "of", "the", "typed"})) {
-      strange = true;
-    }
-  }
-  if (!heading.column && counts) heading.column = Column{&rowField(&Reading::point)};
-  if (strange) heading.column.reset();
-  return heading;
-}
-
-std::string titleOf(Column column) {
-  return column.field ? std::string(column.field->key) : "axis";
-}
-
 /// Goes through a table row by row.
 class CsvReader {
  public:
-  CsvReader(AngleUnit unit, const std::string& zeroPoint) : m_unit(unit), m_zeroPoint(lowerCase(zeroPoint)) {
+  CsvReader(const TableLayout& layout, const std::string& zeroPoint)
+      : m_layout(layout), m_zeroPoint(lowerCase(zeroPoint)) {
     if (m_zeroPoint.empty()) m_zeroPoint = "zero";
   }
 
   Recording read(std::string_view text) {
     m_recording.format = "CSV";
-    CsvTable table(text);
-    std::vector<std::string> names;
+    CsvTable table = m_layout.separator ? CsvTable(text, m_layout.separator) : CsvTable(text);
+    std::size_t rows = 0;
+    if (m_layout.headRows == 0 && !takeColumns(CsvRow{.line = 1, .isRemark = false, .cells = {}}))
+      return std::move(m_recording);
     while (const auto row = table.next()) {
       if (row->isRemark) {
         takeRemark(*row);
-      } else if (names.empty()) {
-        for (const CsvCell& cell : row->cells) names.push_back(cell.text);
-        if (!readHeadings(*row)) return std::move(m_recording);
+      } else if (++rows < m_layout.headRows) {
+        continue;
+      } else if (rows == m_layout.headRows) {
+        if (!takeColumns(*row)) return std::move(m_recording);
       } else {
         readRow(*row);
       }
@@ -124,10 +46,10 @@ class CsvReader {
       m_recording.problems = {*problem};
       return std::move(m_recording);
     }
-    if (names.empty()) return std::move(m_recording);
+    if (m_columns.empty()) return std::move(m_recording);
     for (std::size_t i = 0; i < m_unusedCells.size(); ++i)
       if (m_unusedCells[i] > 0)
-        m_recording.unused.push_back("the column " + quotation(names[i]) +
+        m_recording.unused.push_back("the column " + nameOf(i) +
                                      " is not used: " + counted(m_unusedCells[i], "value"));
     for (const CsvRow& row : m_earlyRemarks)
       if (holdsReading(row)) tellOfRemark(row.line);
@@ -143,7 +65,7 @@ class CsvReader {
   /// Before the columns are known it waits; a thousand are more than any heading has.
   void takeRemark(const CsvRow& row) {
     constexpr std::size_t mostEarly = 1000;
-    if (m_headings.empty()) {
+    if (m_columns.empty()) {
       if (m_earlyRemarks.size() < mostEarly) m_earlyRemarks.push_back(row);
     } else if (holdsReading(row)) {
       m_remarksWithReading.push_back(row.line);
@@ -155,28 +77,46 @@ class CsvReader {
                                  " begins with # and is not used, though it holds a reading");
   }
 
-  bool has(Column column) const {
-    return std::any_of(m_headings.begin(), m_headings.end(),
-                       [column](const Heading& heading) { return heading.column == column; });
+  bool has(TableColumn column) const {
+    return std::any_of(m_columns.begin(), m_columns.end(),
+                       [column](const ColumnName& name) { return name.column == column; });
   }
 
-  bool readHeadings(const CsvRow& row) {
-    for (const CsvCell& cell : row.cells) {
-      const Heading heading = headingOf(cell.text);
-      if (heading.column && has(*heading.column)) {
-        refuse(row.line, cell.column,
-               quotation(cell.text) + " is a second column for “" + titleOf(*heading.column) +
+  std::string nameOf(std::size_t column) const {
+    const bool isNamed = column < m_names.size() && !m_names[column].empty();
+    return isNamed ? quotation(m_names[column]) : std::to_string(column + 1);
+  }
+
+  /// What the names say, unless the layout says it.
+  bool takeColumns(const CsvRow& names) {
+    const std::size_t count =
+        m_layout.columns.empty() ? names.cells.size() : std::max(m_layout.columns.size(), names.cells.size());
+    for (std::size_t i = 0; i < count; ++i) {
+      const CsvCell cell = i < names.cells.size() ? names.cells[i] : CsvCell{};
+      ColumnName name = columnName(cell.text);
+      if (!m_layout.columns.empty())
+        name.column = i < m_layout.columns.size() ? tableColumn(m_layout.columns[i]) : std::nullopt;
+      if (name.column && has(*name.column)) {
+        refuse(names.line, cell.column,
+               (cell.text.empty() ? "column " + std::to_string(i + 1) : quotation(cell.text)) +
+                   " is a second column for “" + std::string(name.column->key()) +
                    "”: rename or remove one of the two");
         return false;
       }
-      m_headings.push_back(heading);
-      if (!heading.verticalCircle.empty()) m_recording.verticalCircle = heading.verticalCircle;
+      const bool isCircle = name.column && name.column->field == &rowField(&Reading::vertical);
+      if (isCircle && !name.verticalCircle.empty()) m_recording.verticalCircle = name.verticalCircle;
+      m_names.push_back(cell.text);
+      m_columns.push_back(std::move(name));
     }
-    m_unusedCells.resize(m_headings.size());
+    m_unusedCells.resize(m_columns.size());
+    return hasCircles(names.line);
+  }
+
+  bool hasCircles(std::size_t line) {
     for (const RowField& field : rowFields) {
       if (!field.remedy || has({&field})) continue;
-      refuse(row.line, 0,
-             "no column is named “" + titleOf({&field}) +
+      refuse(line, 0,
+             "no column is named “" + std::string(field.key) +
                  "”: begin with a row of names such as axis;point;face;horizontal;vertical");
       return false;
     }
@@ -189,16 +129,15 @@ class CsvReader {
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
       const CsvCell& cell = row.cells[i];
       if (cell.text.empty()) continue;
-      if (i >= m_headings.size())
+      if (i >= m_columns.size())
         return refuse(row.line, cell.column,
                       quotation(cell.text) +
                           " stands beyond the last named column: name its column, or put "
                           "double quotes around the entry that holds a separator");
-      if (!m_headings[i].column)
+      if (!m_columns[i].column)
         ++m_unusedCells[i];
-      else if (!readCell(m_headings[i], cell, sighting))
-        return refuse(row.line, cell.column,
-                      quotation(cell.text) + " is neither yes nor no: type one of them");
+      else if (const auto why = readCell(m_columns[i], cell, sighting))
+        return refuse(row.line, cell.column, quotation(cell.text) + *why);
     }
     sighting.isZero = lowerCase(sighting.row.point) == m_zeroPoint;
     m_recording.sightings.push_back(std::move(sighting));
@@ -207,35 +146,47 @@ class CsvReader {
   /// Of a row that was set aside: are both circles read in it?
   bool holdsReading(const CsvRow& row) const {
     const auto isReadable = [&](std::size_t i) {
-      const AngleUnit unit = m_headings[i].unit == AngleUnit::Unstated ? m_unit : m_headings[i].unit;
-      return static_cast<bool>(parseAngle(withUnit(row.cells[i].text, unit)));
+      return static_cast<bool>(parseAngle(withUnit(row.cells[i].text, unitOf(m_columns[i]))));
     };
     int circles = 0;
-    for (std::size_t i = 0; i < std::min(row.cells.size(), m_headings.size()); ++i) {
-      const auto column = m_headings[i].column;
+    for (std::size_t i = 0; i < std::min(row.cells.size(), m_columns.size()); ++i) {
+      const auto column = m_columns[i].column;
       const bool isCircle = column && column->field && column->field->remedy;
       if (isCircle && isReadable(i)) ++circles;
     }
     return circles == 2;
   }
 
-  /// False where the cell is to say yes or no and does not.
-  bool readCell(const Heading& heading, const CsvCell& cell, RecordedSighting& sighting) const {
-    const RowField* field = heading.column->field;
+  AngleUnit unitOf(const ColumnName& column) const {
+    return column.unit == AngleUnit::Unstated ? m_layout.unit : column.unit;
+  }
+
+  /// Why the cell cannot be used, behind its quotation.
+  std::optional<std::string> readCell(const ColumnName& column, const CsvCell& cell,
+                                      RecordedSighting& sighting) const {
+    const RowField* field = column.column->field;
     if (!field) {
       sighting.axis = {axisOf(cell.text), cell.column};
     } else if (field->text) {
-      sighting.enter(*field, textOf(*field, heading.unit, cell.text), cell.column);
+      if (isAngle(*field) && cell.text.find(otherSign()) != std::string::npos)
+        return " has another decimal sign than the one that was stated: choose either of them";
+      sighting.enter(*field, textOf(*field, unitOf(column), cell.text), cell.column);
     } else {
       const auto flag = flagOf(cell.text);
-      sighting.row.*field->flag = flag.value_or(false);
-      return flag.has_value();
+      if (!flag) return " is neither yes nor no: type one of them";
+      sighting.row.*field->flag = *flag;
     }
-    return true;
+    return std::nullopt;
   }
 
-  std::string textOf(const RowField& field, AngleUnit unit, const std::string& cell) const {
-    if (isAngle(field)) return withUnit(cell, unit == AngleUnit::Unstated ? m_unit : unit);
+  /// The decimal sign that is not to be; where either may be, none.
+  char otherSign() const {
+    if (m_layout.decimalSign == DecimalSign::Point) return ',';
+    return m_layout.decimalSign == DecimalSign::Comma ? '.' : '\0';
+  }
+
+  static std::string textOf(const RowField& field, AngleUnit unit, const std::string& cell) {
+    if (isAngle(field)) return withUnit(cell, unit);
     return field.text == &Reading::face ? faceOf(cell) : cell;
   }
 
@@ -259,9 +210,10 @@ class CsvReader {
     return text;
   }
 
-  AngleUnit m_unit;
+  const TableLayout& m_layout;
   std::string m_zeroPoint;
-  std::vector<Heading> m_headings;
+  std::vector<std::string> m_names;  ///< in the file
+  std::vector<ColumnName> m_columns;
   std::vector<std::size_t> m_unusedCells;
   std::vector<CsvRow> m_earlyRemarks;             ///< before the row of names
   std::vector<std::size_t> m_remarksWithReading;  ///< lines of those after it
@@ -270,8 +222,14 @@ class CsvReader {
 
 }  // namespace
 
+Recording readTable(std::string_view text, const TableLayout& layout, const std::string& zeroPoint) {
+  return CsvReader(layout, zeroPoint).read(text);
+}
+
 Recording readCsv(std::string_view text, AngleUnit unit, const std::string& zeroPoint) {
-  return CsvReader(unit, zeroPoint).read(text);
+  TableLayout layout;
+  layout.unit = unit;
+  return readTable(text, layout, zeroPoint);
 }
 
 }  // namespace alidade

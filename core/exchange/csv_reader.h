@@ -4,21 +4,25 @@
 #include <string_view>
 
 #include "core/exchange/recording.h"
+#include "core/exchange/table_layout.h"
 
 namespace alidade {
 
-/// Reads a table of rows (csv_table.h) whose first line names the columns, in any order: the fields of a row,
-/// each by one of its `headings` (row_fields.h), and `axis` or `position`, 0 or 180. Both circles are needed.
-/// A cell may say more than an entry of a session:
+/// Reads a table of rows (csv_table.h) whose columns are named by its first row, in any order, or by
+/// `layout`: the fields of a row, each by one of its `headings` (row_fields.h), and `axis` or `position`, 0
+/// or 180. Both circles are needed. A cell may say more than an entry of a session:
 ///
 ///   point      a name; ZERO, or `zeroPoint`, is the pointing zero; the column may be called `no` or `number`
 ///   face       I, II, L, R, left, right
 ///   excluded   1, yes, true or x; 0, no or false; empty: no
 ///
-/// Capitals, blanks, _ and words such as “angle”, “circle” and “reading” do not matter. A unit in a name,
-/// `Hz [gon]` or `v_deg`, holds for the plain numbers of its column; otherwise `unit` does. `elevation` says
-/// that the vertical circle reads elevations. Other columns are listed in `unused`, and so are lines that
-/// begin with # where both circles are read in them.
+/// A unit in a name, `Hz [gon]` or `v_deg`, holds for the plain numbers of its column; otherwise that of the
+/// layout does. `elevation` says that the vertical circle reads elevations. Where the layout states the
+/// decimal sign, a circle's number with the other one is refused. Other columns are listed in `unused`, and
+/// so are lines that begin with # where both circles are read in them.
+Recording readTable(std::string_view text, const TableLayout& layout, const std::string& zeroPoint = {});
+
+/// As its first row names the columns.
 Recording readCsv(std::string_view text, AngleUnit unit = AngleUnit::Unstated,
                   const std::string& zeroPoint = {});
 

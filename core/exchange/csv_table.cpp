@@ -5,6 +5,7 @@
 
 #include "core/base/limits.h"
 #include "core/exchange/text_lines.h"
+#include "core/exchange/words.h"
 
 namespace alidade {
 
@@ -28,12 +29,6 @@ char separatorOf(std::string_view text) {
     break;
   }
   return ',';
-}
-
-std::string trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(blanks);
-  if (first == std::string_view::npos) return {};
-  return std::string(text.substr(first, text.find_last_not_of(blanks) - first + 1));
 }
 
 bool isEmpty(const CsvRow& row) {
@@ -100,18 +95,31 @@ std::string_view CsvTable::restOfLine() const {
 }
 
 void CsvTable::skipBlanks() {
-  while (!atEnd() && m_text[m_at] != m_separator && blanks.find(m_text[m_at]) != std::string_view::npos)
+  while (!atEnd() && (m_text[m_at] != m_separator || m_separator == ' ') &&
+         blanks.find(m_text[m_at]) != std::string_view::npos)
     ++m_at;
 }
 
 /// Past a separator or the end of the line; true where another cell of this row follows.
 bool CsvTable::goOn() {
-  if (m_at == m_text.size()) return false;
-  if (m_text[m_at] == m_separator) {
+  if (m_at < m_text.size() && isSeparator(m_text[m_at])) return passSeparator();
+  if (m_at < m_text.size()) passLineEnd();
+  return false;
+}
+
+bool CsvTable::isSeparator(char c) const {
+  return c == m_separator || (m_separator == ' ' && c == '\t');
+}
+
+/// Blanks at the end of a line part nothing.
+bool CsvTable::passSeparator() {
+  if (m_separator != ' ') {
     ++m_at;
     return true;
   }
-  passLineEnd();
+  skipBlanks();
+  if (!atEnd()) return true;
+  if (m_at < m_text.size()) passLineEnd();
   return false;
 }
 
@@ -135,7 +143,7 @@ bool CsvTable::readCell(CsvRow& row) {
     }
   }
   const std::size_t start = m_at;
-  while (!atEnd() && m_text[m_at] != m_separator) ++m_at;
+  while (!atEnd() && !isSeparator(m_text[m_at])) ++m_at;
   cell.text = trimmed(cell.text + std::string(m_text.substr(start, m_at - start)));
   if (!isInRowsLine) cell.column = 0;
   row.cells.push_back(std::move(cell));

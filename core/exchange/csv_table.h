@@ -22,7 +22,8 @@ struct CsvRow {
 };
 
 /// Takes a table apart row by row (RFC 4180): cells are parted by tabs, semicolons or commas, whichever of
-/// these stands in the first row (in this order); a cell that begins with a double quote ends at the next
+/// these stands in the first row (in this order), or by `separator`, where a blank stands for any number of
+/// blanks and tabs; a cell that begins with a double quote ends at the next
 /// single one and may hold anything, a quote inside doubled. Quotes elsewhere are the seconds of angles and
 /// stay. Rows without any content are left out; lines that begin with # (and are not a first column of that
 /// name) are remarks, taken apart without it. Ends early, with a problem, on a quote left open, but in a
@@ -30,19 +31,20 @@ struct CsvRow {
 class CsvTable {
  public:
   explicit CsvTable(std::string_view text);
+  CsvTable(std::string_view text, char separator) : m_text(text), m_separator(separator) {}
 
   std::optional<CsvRow> next();
   const std::optional<LineProblem>& problem() const { return m_problem; }
 
  private:
-  CsvTable(std::string_view text, char separator) : m_text(text), m_separator(separator) {}
-
   CsvRow takeRemark();
   bool readRow(CsvRow& row);
   bool readCell(CsvRow& row);
   bool readQuoted(std::string& content);
   bool isFull(const CsvRow& row);
   bool goOn();
+  bool isSeparator(char c) const;
+  bool passSeparator();
   void passLineEnd();
   void skipBlanks();
   bool atEnd() const;

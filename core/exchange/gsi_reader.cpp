@@ -1,11 +1,10 @@
 #include "core/exchange/gsi_reader.h"
 
 #include <algorithm>
-#include <map>
 
-#include "core/base/limits.h"
 #include "core/base/typed_text.h"
 #include "core/base/visible_text.h"
+#include "core/exchange/field_book.h"
 #include "core/exchange/gsi_word.h"
 
 namespace alidade {
@@ -15,39 +14,10 @@ namespace {
 constexpr int pointIndex = 11, serialIndex = 12, typeIndex = 13, dateIndex = 17, horizontalIndex = 21,
               verticalIndex = 22, codeIndex = 41, codeNumberIndex = 42;
 
-std::string upperCase(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
-  return text;
-}
-
 const GsiWord* wordOf(const std::vector<GsiWord>& words, int index) {
   const auto found =
       std::find_if(words.begin(), words.end(), [index](const GsiWord& word) { return word.index == index; });
   return found == words.end() ? nullptr : &*found;
-}
-
-/// "000180" as "180", "" as "0".
-std::string withoutZeros(const std::string& digits) {
-  const std::size_t first = digits.find_first_not_of('0');
-  return first == std::string::npos ? "0" : digits.substr(first);
-}
-
-/// A code block in words: `name` in capitals and the number behind it.
-struct Code {
-  std::string name, number;
-};
-
-Code codeOf(const std::vector<GsiWord>& words) {
-  const std::string text = upperCase(gsiText(*wordOf(words, codeIndex)));
-  const std::size_t digits = text.find_last_not_of("0123456789") + 1;
-  Code code{text.substr(0, digits), text.substr(digits)};
-  const GsiWord* more = wordOf(words, codeNumberIndex);
-  if (code.number.empty() && more) code.number = gsiText(*more);
-  if (code.name == "POS" || code.name == "POSITION") code.name = "AXIS";
-  const bool isAxis = code.name.empty() && (withoutZeros(code.number) == "0" || code.number == "180");
-  if (isAxis) code.name = "AXIS";
-  return code;
 }
 
 /// DDMMYYYY as year-month-day; empty where it is none.
@@ -60,7 +30,7 @@ std::string dateOf(const std::string& digits) {
 /// Goes through a file block by block.
 class GsiReader {
  public:
-  explicit GsiReader(const std::string& zeroPoint) : m_zeroPoint(upperCase(zeroPoint)) {}
+  explicit GsiReader(const std::string& zeroPoint) : m_book(zeroPoint) {}
 
   Recording read(std::string_view text) {
     bool wide = false;
@@ -68,43 +38,20 @@ class GsiReader {
     while (const auto line = lines.next()) {
       wide = wide || line->text.starts_with('*');
       readLine(*line);
-      if (m_recording.problems.size() >= limits::mostProblems) break;
-      if (m_recording.sightings.size() <= limits::mostRows) continue;
-      m_recording.problems = {{line->number, 0, limits::beyondTheRows()}};
-      break;
+      if (m_book.isFull(line->number)) break;
     }
-    m_recording.format = wide ? "GSI-16" : "GSI-8";
-    for (const auto& [what, use] : m_unused) m_recording.unused.push_back(what + sentence(use));
-    return std::move(m_recording);
+    return m_book.finish(wide ? "GSI-16" : "GSI-8");
   }
 
  private:
-  struct Unused {
-    std::size_t count = 0, firstLine = 0;
-  };
-
-  static std::string sentence(const Unused& unused) {
-    const std::string first = "line " + std::to_string(unused.firstLine);
-    if (unused.count == 1) return " is not used: " + first;
-    return " is not used: " + std::to_string(unused.count) + " times, first in " + first;
-  }
-
-  void setAside(const std::string& what, std::size_t line) {
-    const bool isNew = m_unused.size() >= limits::mostKinds && !m_unused.contains(what);
-    Unused& use = m_unused[isNew ? "what else has no place in a session" : what];
-    if (use.count++ == 0) use.firstLine = line;
-  }
-
   void readLine(const TextLine& line) {
     const std::size_t first = line.text.find_first_not_of(" \t");
     if (first == std::string_view::npos) return;
     if (std::string_view("#@?%").find(line.text[first]) != std::string_view::npos)
-      return setAside("the line " + quotation(line.text.substr(first)), line.number);
+      return m_book.setAside("the line " + quotation(line.text.substr(first)), line.number);
     const auto parsed = gsiWords(line);
-    if (const auto* problem = std::get_if<LineProblem>(&parsed)) {
-      m_recording.problems.push_back(*problem);
-      return;
-    }
+    if (const auto* problem = std::get_if<LineProblem>(&parsed))
+      return m_book.refuse(problem->line, problem->column, problem->what);
     const auto& words = std::get<std::vector<GsiWord>>(parsed);
     if (wordOf(words, codeIndex)) {
       readCode(words, line.number);
@@ -116,52 +63,35 @@ class GsiReader {
   }
 
   void readCode(const std::vector<GsiWord>& words, std::size_t line) {
-    const Code code = codeOf(words);
-    const std::string number = withoutZeros(code.number);
-    if (code.name == "AXIS" && (number == "0" || number == "180")) {
-      m_axis = number;
-      m_round.clear();
-    } else if (code.name == "ROUND" && !code.number.empty()) {
-      m_round = number;
-    } else if (code.name == "ZERO") {
-      m_zeroComes = true;
-    } else {
-      setAside("the code block " + quotation(gsiText(*wordOf(words, codeIndex))), line);
-      return;
-    }
+    const std::string code = gsiText(*wordOf(words, codeIndex));
+    const GsiWord* more = wordOf(words, codeNumberIndex);
+    const auto mark = fieldMark(code, more ? gsiText(*more) : std::string());
+    if (!mark) return m_book.setAside("the code block " + quotation(code), line);
+    m_book.take(*mark);
     for (const GsiWord& word : words)
-      if (word.index != codeIndex && word.index != codeNumberIndex) setAside(gsiWordName(word.index), line);
+      if (word.index != codeIndex && word.index != codeNumberIndex)
+        m_book.setAside(gsiWordName(word.index), line);
   }
 
   void readHeading(const GsiWord& word, std::size_t line) {
-    const std::string text = gsiText(word);
+    const std::string text = gsiText(word), name = gsiWordName(word.index);
+    Recording& recording = m_book.recording();
     if (word.index == serialIndex) {
-      keep(m_recording.instrumentSerial, text, word, line);
+      m_book.keep(recording.instrumentSerial, text, name, line);
     } else if (word.index == typeIndex) {
-      keep(m_recording.instrumentName, text, word, line);
+      m_book.keep(recording.instrumentName, text, name, line);
     } else if (const std::string date = dateOf(text); word.index == dateIndex && !date.empty()) {
-      keep(m_recording.measuredOn, date, word, line);
+      m_book.keep(recording.measuredOn, date, name, line);
     } else if (word.index == pointIndex) {
-      setAside("point " + quotation(text) + " without angles", line);
+      m_book.setAside("point " + quotation(text) + " without angles", line);
     } else {
-      setAside(gsiWordName(word.index), line);
-    }
-  }
-
-  /// The first value counts; another one is listed.
-  void keep(std::string& value, const std::string& text, const GsiWord& word, std::size_t line) {
-    if (value.empty() || value == text) {
-      value = text;
-    } else {
-      setAside(gsiWordName(word.index) + " " + quotation(text), line);
+      m_book.setAside(name, line);
     }
   }
 
   void readSighting(const std::vector<GsiWord>& words, std::size_t line) {
     RecordedSighting sighting;
     sighting.line = line;
-    sighting.axis.text = m_axis;
-    sighting.row.round = m_round;
     bool point = false;
     for (const GsiWord& word : words) {
       if (word.index == pointIndex && !point) {
@@ -178,14 +108,9 @@ class GsiReader {
     const bool hasHorizontal = sighting.columnOf(rowField(&Reading::horizontal)) > 0;
     if (!hasHorizontal || sighting.columnOf(rowField(&Reading::vertical)) == 0) {
       const std::string missing = hasHorizontal ? "vertical circle (word 22)" : "horizontal circle (word 21)";
-      m_recording.problems.push_back({line, 0, "has no " + missing + ": add the word or delete the line"});
-      return;
+      return m_book.refuse(line, 0, "has no " + missing + ": add the word or delete the line");
     }
-    const std::string name = upperCase(sighting.row.point);
-    sighting.isZero =
-        m_zeroComes || (m_zeroPoint.empty() ? name == "0" || name == "ZERO" : name == m_zeroPoint);
-    m_zeroComes = false;
-    m_recording.sightings.push_back(std::move(sighting));
+    m_book.add(std::move(sighting));
   }
 
   /// The circle that a word is of; null where it is of none.
@@ -197,7 +122,7 @@ class GsiReader {
   bool takeAngle(const GsiWord& word, std::size_t line, const RowField& circle, RecordedSighting& sighting) {
     const auto angle = gsiAngle(word, line);
     if (const auto* problem = std::get_if<LineProblem>(&angle)) {
-      m_recording.problems.push_back(*problem);
+      m_book.refuse(problem->line, problem->column, problem->what);
       return false;
     }
     sighting.enter(circle, std::get<std::string>(angle), word.column);
@@ -210,11 +135,7 @@ class GsiReader {
     note += text;
   }
 
-  std::string m_zeroPoint;
-  std::string m_axis, m_round;
-  bool m_zeroComes = false;
-  std::map<std::string, Unused> m_unused;
-  Recording m_recording;
+  FieldBook m_book;
 };
 
 }  // namespace

@@ -25,7 +25,7 @@ std::string endingNumber(const std::string& name) {
 
 }  // namespace
 
-std::map<std::string, std::string> pointNumbers(const std::vector<std::string>& names) {
+std::map<std::string, std::string> pointNumbers(const std::vector<std::string>& names, int first) {
   std::vector<std::string> distinct;
   std::set<std::string> known;
   for (const std::string& name : names)
@@ -39,7 +39,8 @@ std::map<std::string, std::string> pointNumbers(const std::vector<std::string>& 
     unique = unique && !numbers[name].empty() && taken.insert(numbers[name]).second;
   }
   if (unique || std::all_of(distinct.begin(), distinct.end(), isNumber)) return numbers;
-  for (std::size_t i = 0; i < distinct.size(); ++i) numbers[distinct[i]] = std::to_string(i + 1);
+  for (std::size_t i = 0; i < distinct.size(); ++i)
+    numbers[distinct[i]] = std::to_string(i + static_cast<std::size_t>(first));
   return numbers;
 }
 

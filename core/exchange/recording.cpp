@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/base/typed_text.h"
+#include "core/base/visible_text.h"
 
 namespace alidade {
 
@@ -33,7 +34,8 @@ std::size_t indexOf(const RowField& field) {
 }  // namespace
 
 std::string LineProblem::text() const {
-  std::string place = "line " + std::to_string(line);
+  std::string place = file.empty() ? std::string() : quotation(file) + ", ";
+  place += "line " + std::to_string(line);
   if (column > 0) place += ", column " + std::to_string(column);
   return place + ": " + what;
 }

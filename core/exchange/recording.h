@@ -14,8 +14,9 @@ struct LineProblem {
   std::size_t line = 0;    ///< from 1
   std::size_t column = 0;  ///< character of the line, from 1; 0: the line as a whole
   std::string what;
+  std::string file = {};  ///< its name, where there are several
 
-  std::string text() const;  ///< `line 3, column 12: …`
+  std::string text() const;  ///< `line 3, column 12: …`, with the file in front
 
   bool operator==(const LineProblem&) const = default;
 };
@@ -35,8 +36,9 @@ struct RecordedSighting {
   Reading row;  ///< angles in a notation of `parseAngle`
   /// Where the row's fields stand in the line, in the order of `rowFields`; as in LineProblem.
   std::array<std::size_t, rowFields.size()> columns{};
-  bool isZero = false;  ///< of the pointing zero, not of the slider
-  int time = 1;         ///< the how many-th position at its axis it is of; who reads a file leaves it
+  bool isZero = false;   ///< of the pointing zero, not of the slider
+  int time = 1;          ///< the how many-th position at its axis it is of; who reads a file leaves it
+  std::size_t file = 0;  ///< index of its file among several; likewise
 
   void enter(const RowField& field, std::string text, std::size_t column);
   std::size_t columnOf(const RowField& field) const;

@@ -1,34 +1,14 @@
 #include "core/session/journal.h"
 
-#include <openssl/evp.h>
-
 #include <algorithm>
-#include <array>
 #include <nlohmann/json.hpp>
-#include <string_view>
 
 #include "core/base/number_text.h"
+#include "core/base/sha256.h"
 #include "core/session/session.h"
 #include "core/session/session_file.h"
 
 namespace alidade {
-
-namespace {
-
-std::string sha256(std::string_view bytes) {
-  std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
-  unsigned int size = 0;
-  EVP_Digest(bytes.data(), bytes.size(), digest.data(), &size, EVP_sha256(), nullptr);
-  constexpr std::string_view digits = "0123456789abcdef";
-  std::string text;
-  for (unsigned int i = 0; i < size; ++i) {
-    text += digits[digest[i] >> 4U];
-    text += digits[digest[i] & 0xFU];
-  }
-  return text;
-}
-
-}  // namespace
 
 std::string journalHash(const std::string& before, const JournalEntry& entry) {
   auto list = nlohmann::ordered_json::array({before});

@@ -50,9 +50,10 @@ inline constexpr const char* excluded = "excluded";
 inline constexpr const char* usedAgain = "used_again";
 inline constexpr const char* deleted = "deleted";
 inline constexpr const char* inserted = "inserted";
-inline constexpr const char* moved = "moved";    ///< to another position
-inline constexpr const char* undone = "undone";  ///< after it had been saved
-inline constexpr const char* sealed = "sealed";  ///< from: the revision, `to`: the digest of the content
+inline constexpr const char* moved = "moved";        ///< to another position
+inline constexpr const char* imported = "imported";  ///< `to`: rows of which file, lines and SHA-256
+inline constexpr const char* undone = "undone";      ///< after it had been saved
+inline constexpr const char* sealed = "sealed";      ///< from: the revision, `to`: the digest of the content
 }  // namespace journal_reasons
 
 /// The hash of `entry` where `before` is that of the entry before it, empty for the first: SHA-256 over the

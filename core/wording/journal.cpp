@@ -18,6 +18,7 @@ constexpr std::array reasons{std::pair{journal_reasons::retyped, "retyped"},
                              std::pair{journal_reasons::deleted, "deleted"},
                              std::pair{journal_reasons::inserted, "inserted"},
                              std::pair{journal_reasons::moved, "moved to another position"},
+                             std::pair{journal_reasons::imported, "imported"},
                              std::pair{journal_reasons::undone, "undone"},
                              std::pair{journal_reasons::sealed, "sealed"}};
 

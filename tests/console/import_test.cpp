@@ -117,6 +117,64 @@ TEST_F(ImportTest, NeverWritesOverTheFileItReads) {
   EXPECT_THAT(contentOf(csv), StartsWith("Hz,V"));
 }
 
+const std::string plain = "1;341.5224;88.1649\n2;341.2601;86.4124\n";
+
+TEST_F(ImportTest, TakesSeveralFilesWithTheirPositionsAndRounds) {
+  const std::string a = folder.file("a.csv", "point,Hz,V\n1,341°,88°\n"),
+                    b = folder.file("b.csv", "point,Hz,V\n1,341°,91°\n");
+  const ProgramRun run =
+      alidadeCli({"import", a, b, a, "--axis", "0,180,0", "--round", "-,-,2", "--out", session});
+  EXPECT_EQ(run.exitCode, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("3 rows from CSV (2 at 0°, 1 at 180°)"));
+  const Json written = Json::parse(contentOf(session));
+  EXPECT_EQ(written["positions"][0]["readings"][1]["round"], 2);
+  ASSERT_EQ(written["journal"].size(), 3u);
+  EXPECT_THAT(written["journal"][2]["to"].get<std::string>(),
+              HasSubstr("“b.csv”, line 2: 1 row from row 1 on; SHA-256 "));
+  EXPECT_THAT(alidadeCli({"journal", session}).out, HasSubstr("imported from “b.csv”"));
+  expectRefusal(alidadeCli({"import", a, b, "--axis", "0", "--out", session}));
+  expectRefusal(alidadeCli({"import", a, "--axis", "90", "--out", session}));
+}
+
+TEST_F(ImportTest, TakesATableWithoutNames) {
+  const std::string table = folder.file("a.txt", plain);
+  expectRefusal(import(table));
+  const ProgramRun run = import(table, {"--columns", "point,horizontal,vertical", "--head-rows", "0",
+                                        "--unit", "dms", "--axis", "180"});
+  EXPECT_EQ(run.exitCode, 0) << run.err;
+  const Json written = Json::parse(contentOf(session));
+  EXPECT_EQ(written["positions"][0]["axis_deg"], 180);
+  EXPECT_EQ(written["positions"][0]["readings"][0]["horizontal"], "341 52 24");
+  expectRefusal(import(table, {"--columns", "point,colour,vertical"}));
+  expectRefusal(import(table, {"--columns", "point,horizontal,vertical", "--head-rows", "0", "--unit", "dms",
+                               "--decimal", "comma"}));
+}
+
+TEST_F(ImportTest, AddsToASession) {
+  const std::string more = folder.file("more.csv", "point,Hz,V\n1,341°,88°\n");
+  const ProgramRun run = import(more, {"--add-to", paperSession, "--axis", "0", "--round", "2"});
+  EXPECT_EQ(run.exitCode, 0) << run.err;
+  const Json written = Json::parse(contentOf(session)), paper = Json::parse(contentOf(paperSession));
+  EXPECT_EQ(written["positions"][0]["readings"].size(), paper["positions"][0]["readings"].size() + 1);
+  EXPECT_EQ(written["positions"][1].dump(), paper["positions"][1].dump());
+  EXPECT_EQ(written["title"], paper["title"]);
+  expectRefusal(alidadeCli({"import", more, "--add-to", session, "--out", session}));
+}
+
+TEST_F(ImportTest, ReadsFilesOfTrimbleAndSokkia) {
+  const std::string m5 =
+      folder.file("a.m5",
+                  "For M5|Adr 00001|PI1                           2|                      |Hz "
+                  "        7.5439 DMS |V1        89.1413 DMS | \r\n");
+  EXPECT_THAT(import(m5, {"--axis", "0"}).out, HasSubstr("1 row from M5"));
+  const std::string sdr =
+      folder.file("a.sdr",
+                  "00NMSDR33 V04-04.02 000004-Oct-26 10:00 211111\r\n09F1ST1             101        "
+                  "                     101.23450000    87.43210000\r\n");
+  EXPECT_THAT(import(sdr, {"--axis", "0"}).out, HasSubstr("1 row from SDR33"));
+  EXPECT_EQ(Json::parse(contentOf(session))["positions"][0]["readings"][0]["vertical"], "101.23450000gon");
+}
+
 TEST_F(ImportTest, ReadsStandardInput) {
   const ProgramRun run = runProgram({.program = ALIDADE_CLI,
                                      .arguments = {"import", "-", "--out", session},

@@ -27,6 +27,7 @@
 #include "ui/commands/edit_readings.h"
 #include "ui/forms/field_edit.h"
 #include "ui/forms/field_notes.h"
+#include "ui/import/import_page.h"
 #include "ui/main_window.h"
 #include "ui/panels/window/page_tabs.h"
 #include "ui/settings/recent_files.h"
@@ -120,6 +121,9 @@ TEST_F(HostileTextsTest, AreTextInTheNameOfAFile) {
   OpenWindow open;
   open.dialogs->discardOther = true;
   open.dialogs->saveAnswer = Dialogs::SaveAnswer::Discard;
+  open.dialogs->onImport = [](ImportPage& page) {
+    expectAllVisible(page, QStringLiteral("page of an import"));
+  };
   for (const test::HostileText& hostile : test::hostileTexts) {
     const std::string name(hostile.text);
     ASSERT_TRUE(open->files().open(file(name, writeSession(paperSession()))));
@@ -128,12 +132,13 @@ TEST_F(HostileTextsTest, AreTextInTheNameOfAFile) {
     EXPECT_FALSE(test::firstForbidden(open->statusBar()->currentMessage().toStdString(), ""));
     EXPECT_FALSE(open->files().open(file("not a session " + name, all)));
     EXPECT_FALSE(open->files().open(file("no readings " + name + ".csv", all)));
-    EXPECT_TRUE(open->files().open(file("r " + name + ".csv", "horizontal;vertical\n10;90\n")));
+    EXPECT_TRUE(open->files().open(file("r " + name + ".csv", "axis;horizontal;vertical\n0;10;90\n")));
     expectAllVisible(*open.window, QString::fromUtf8(hostile.what));
     open->undo();
     EXPECT_FALSE(open->files().open(folder.filePath(of("missing " + name))));
   }
-  EXPECT_GE(open.dialogs->problems.size(), 3 * static_cast<qsizetype>(test::hostileTexts.size()));
+  EXPECT_GE(open.dialogs->problems.size(), 2 * static_cast<qsizetype>(test::hostileTexts.size()));
+  EXPECT_GE(open.dialogs->importsAsked, 2 * static_cast<int>(test::hostileTexts.size()));
   for (const QString& problem : open.dialogs->problems)
     EXPECT_FALSE(test::firstForbidden(problem.toStdString())) << problem.toStdString();
 }

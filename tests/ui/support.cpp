@@ -2,12 +2,15 @@
 
 #include <QApplication>
 #include <QElapsedTimer>
+#include <QPointer>
+#include <QScopeGuard>
 #include <QTest>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "core/session/session_file.h"
 #include "core/simulation/simulate.h"
+#include "ui/import/import_page.h"
 #include "ui/main_window.h"
 
 namespace alidade::ui {
@@ -89,6 +92,23 @@ bool waitFor(const std::function<bool()>& done) {
     QCoreApplication::processEvents(QEventLoop::AllEvents, 10);
   }
   return true;
+}
+
+std::optional<ImportDecision> ScriptedDialogs::askImport(ImportRequest request) {
+  ++importsAsked;
+  const QPointer<QWidget> before = QApplication::activeWindow();
+  ImportPage page(std::move(request));
+  const auto leave = qScopeGuard([&] {
+    page.hide();
+    if (before) before->activateWindow();
+  });
+  page.show();
+  const auto settle = [&page] { return waitFor([&page] { return page.isSettled(); }); };
+  if (!settle()) return std::nullopt;
+  if (onImport) onImport(page);
+  if (!settle() || !page.obstacle().isEmpty()) return std::nullopt;
+  page.accept();
+  return page.decision();
 }
 
 }  // namespace alidade::ui

@@ -14,6 +14,7 @@ class QWidget;
 
 namespace alidade::ui {
 
+class ImportPage;
 class MainWindow;
 class ReadingsTable;
 
@@ -21,7 +22,10 @@ class ReadingsTable;
 class ScriptedDialogs : public Dialogs {
  public:
   SaveAnswer saveAnswer = SaveAnswer::Cancel;
-  QString openPath, importPath, savePath, reportPath;
+  QString openPath, savePath, reportPath;
+  QString importPath;                         ///< several: one a line
+  std::function<void(ImportPage&)> onImport;  ///< chooses in the page before it is accepted where it can be
+  int importsAsked = 0;
   int saveQuestions = 0;
   bool discardOther = false;
   QStringList othersAsked;  ///< sessions that undo or redo leads to: whether they may be lost
@@ -60,7 +64,10 @@ class ScriptedDialogs : public Dialogs {
     return discardOther;
   }
   QString askOpenPath(const QString&) override { return openPath; }
-  QString askImportPath(const QString&) override { return importPath; }
+  QStringList askImportPaths(const QString&) override {
+    return importPath.isEmpty() ? QStringList() : importPath.split(u'\n');
+  }
+  std::optional<ImportDecision> askImport(ImportRequest request) override;
   QString askSavePath(const QString&) override { return savePath; }
   QString askReportPath(const QString&) override { return reportPath; }
   bool askReportWithoutVerdict(int entries) override {

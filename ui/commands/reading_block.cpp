@@ -2,6 +2,10 @@
 
 #include <QRegularExpression>
 #include <algorithm>
+#include <string>
+#include <utility>
+
+#include "core/exchange/table_layout.h"
 
 namespace alidade::ui {
 
@@ -21,7 +25,52 @@ bool isEmptyRow(const QStringList& row) {
   return std::all_of(row.begin(), row.end(), [](const QString& cell) { return cell.isEmpty(); });
 }
 
+/// Of a column that says what is excluded: as `ReadingColumn::Used` has it.
+QString usedText(const QString& excluded) {
+  static const QStringList words = {QStringLiteral("1"), QStringLiteral("yes"), QStringLiteral("true"),
+                                    QStringLiteral("x")};
+  return words.contains(excluded.toLower()) ? QStringLiteral("0") : QStringLiteral("1");
+}
+
 }  // namespace
+
+std::optional<NamedBlock> namedBlock(const ReadingBlock& block) {
+  if (block.size() < 2) return std::nullopt;
+  std::vector<std::string> names;
+  for (const QString& cell : block.first()) names.push_back(cell.toStdString());
+  if (!areColumnNames(names)) return std::nullopt;
+  NamedBlock named;
+  std::vector<std::pair<qsizetype, ColumnName>> taken;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const ColumnName name = columnName(names[i]);
+    const RowField* field = name.column ? name.column->field : nullptr;
+    const auto column =
+        field && field->flag ? ReadingColumn::Used : readingColumn(field ? std::string(field->key) : "");
+    const bool isNew =
+        field && std::find(named.columns.begin(), named.columns.end(), column) == named.columns.end();
+    if (isNew) {
+      named.columns.push_back(column);
+      taken.emplace_back(static_cast<qsizetype>(i), name);
+    } else if (!names[i].empty()) {
+      named.unplaced.append(block.first()[static_cast<qsizetype>(i)]);
+    }
+  }
+  if (taken.empty()) return std::nullopt;
+  for (const QStringList& cells : block.mid(1)) {
+    QStringList row;
+    for (const auto& [at, name] : taken) {
+      const QString cell = cells.value(at);
+      if (name.column->field->flag)
+        row.append(usedText(cell));
+      else
+        row.append(isAngle(*name.column->field)
+                       ? QString::fromStdString(withUnit(cell.toStdString(), name.unit))
+                       : cell);
+    }
+    named.rows.append(row);
+  }
+  return named;
+}
 
 ReadingBlock parseBlock(const QString& text) {
   static const QRegularExpression lineEnd(QStringLiteral("\r\n|\r|\n"));

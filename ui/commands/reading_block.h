@@ -3,6 +3,10 @@
 #include <QString>
 #include <QStringList>
 #include <QVector>
+#include <optional>
+#include <vector>
+
+#include "ui/document/reading_column.h"
 
 namespace alidade::ui {
 
@@ -13,6 +17,16 @@ using ReadingBlock = QVector<QStringList>;
 /// where there is no tab. A cell in double quotes, inner quotes doubled, is unquoted. Empty rows at the end
 /// are dropped, blanks around cells trimmed.
 ReadingBlock parseBlock(const QString& text);
+
+/// A block whose first row named its columns.
+struct NamedBlock {
+  ReadingBlock rows;                   ///< without the names; plain numbers with the unit of their column
+  std::vector<ReadingColumn> columns;  ///< what the cells of each row are, in turn
+  QStringList unplaced;                ///< names of columns that a position has none for
+};
+
+/// Absent where the first row names no columns (`areColumnNames`), or stands alone.
+std::optional<NamedBlock> namedBlock(const ReadingBlock& block);
 
 /// The reverse: tabs and LF. Tabs and line ends inside a cell become blanks.
 QString blockText(const ReadingBlock& block);

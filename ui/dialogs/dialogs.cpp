@@ -8,6 +8,7 @@
 #include <QPushButton>
 #include <QRegularExpression>
 
+#include "ui/import/import_page.h"
 #include "ui/settings/theme.h"
 #include "ui/text/visible_text.h"
 
@@ -85,10 +86,14 @@ QString Dialogs::askOpenPath(const QString& folder) {
   return QFileDialog::getOpenFileName(m_parent, DialogsText::tr("Open session"), folder, sessionFilter());
 }
 
-QString Dialogs::askImportPath(const QString& folder) {
-  return QFileDialog::getOpenFileName(
+QStringList Dialogs::askImportPaths(const QString& folder) {
+  return QFileDialog::getOpenFileNames(
       m_parent, DialogsText::tr("Import readings"), folder,
-      DialogsText::tr("Readings (*.gsi *.GSI *.csv *.CSV *.tsv *.txt);;All files (*)"));
+      DialogsText::tr("Readings (%1);;All files (*)").arg(readingsPatterns()));
+}
+
+std::optional<ImportDecision> Dialogs::askImport(ImportRequest request) {
+  return ImportPage(std::move(request), m_parent).ask();
 }
 
 QString Dialogs::askSavePath(const QString& suggestion) {
@@ -198,6 +203,8 @@ void Dialogs::showShortcuts() {
       {DialogsText::tr("Ctrl+I, Ctrl+−"), DialogsText::tr("inserts a row above; deletes the selected rows")},
       {DialogsText::tr("Ctrl+C, Ctrl+X, Ctrl+V"),
        DialogsText::tr("copies, cuts, pastes blocks, also with spreadsheets")},
+      {DialogsText::tr("Ctrl+Shift+V"),
+       DialogsText::tr("imports the clipboard, and asks how it is to be taken")},
       {DialogsText::tr("Ctrl+Z, Ctrl+Shift+Z"), DialogsText::tr("undo, redo")},
       {DialogsText::tr("3415224"), DialogsText::tr("is 341°52′24″ on the number pad")},
   };

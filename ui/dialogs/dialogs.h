@@ -5,6 +5,7 @@
 #include <QStringList>
 #include <QWidget>
 #include <memory>
+#include <optional>
 
 #include "ui/dialogs/busy.h"
 
@@ -12,6 +13,9 @@
 #include "ui/dialogs/recovery_dialog.h"
 
 namespace alidade::ui {
+
+struct ImportDecision;
+struct ImportRequest;
 
 /// The questions the program asks. Virtual, so that tests can answer.
 class Dialogs {
@@ -28,7 +32,9 @@ class Dialogs {
   virtual bool askDiscardOther(const QString& name, Way way);
   /// Empty: cancelled.
   virtual QString askOpenPath(const QString& folder);
-  virtual QString askImportPath(const QString& folder);
+  virtual QStringList askImportPaths(const QString& folder);
+  /// How the readings are to be taken; absent: cancelled.
+  virtual std::optional<ImportDecision> askImport(ImportRequest request);
   virtual QString askSavePath(const QString& suggestion);
   virtual QString askReportPath(const QString& suggestion);
   /// Shall a report be written although `entries` > 0 entries cannot be used?

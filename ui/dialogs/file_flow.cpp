@@ -1,21 +1,23 @@
 #include "ui/dialogs/file_flow.h"
 
+#include <QApplication>
+#include <QClipboard>
+#include <QDateTime>
 #include <QDir>
 #include <QFileInfo>
 #include <algorithm>
 
 #include "core/base/failure.h"
-#include "core/base/file_bytes.h"
 #include "core/base/file_target.h"
-#include "core/exchange/import.h"
-#include "core/session/row_fields.h"
+#include "ui/commands/import_readings.h"
 #include "ui/commands/replace_session.h"
 #include "ui/commands/seal_session.h"
 #include "ui/dialogs/dialogs.h"
-#include "ui/dialogs/import_notes.h"
 #include "ui/dialogs/in_background.h"
 #include "ui/dialogs/report_source.h"
+#include "ui/document/disposal.h"
 #include "ui/document/session_document.h"
+#include "ui/import/import_page.h"
 #include "ui/jobs/evaluation.h"
 #include "ui/jobs/failed_job.h"
 #include "ui/report/empty_fields.h"
@@ -28,28 +30,13 @@ namespace alidade::ui {
 
 namespace {
 
-/// Rows that somebody began count too: what was typed is not put aside.
-bool hasReadings(const Session& session) {
-  return std::any_of(session.positions.begin(), session.positions.end(), [](const Position& position) {
-    return !std::all_of(position.readings.begin(), position.readings.end(), isBlank);
-  });
-}
-
-Session withoutRows(Session session) {
-  for (Position& position : session.positions) position.readings.clear();
-  return session;
-}
-
-Result<Import> readImport(const QString& path, const ImportOptions& options) {
-  const Result<std::string> bytes = readFile(encodedPath(path));
-  if (!bytes) return bytes.problem();
-  Result<Import> import = alidade::importReadings(*bytes, options);
-  if (import && import->session.title.empty()) {
-    Import titled = *std::move(import);
-    titled.session.title = QFileInfo(path).completeBaseName().toStdString();
-    return titled;
+/// Into the journal of a new session.
+void enterOrigins(Session& session, std::vector<JournalEntry> origins) {
+  for (JournalEntry& entry : origins) {
+    entry.at = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
+    entry.by = session.operatorName;
+    enterInJournal(session.journal, std::move(entry));
   }
-  return import;
 }
 
 /// Nothing unsaved is lost, or the user wants it lost.
@@ -87,47 +74,56 @@ bool FileFlow::open() {
 }
 
 bool FileFlow::open(const QString& path) {
-  if (isReadingsFile(path)) return importReadings(path);
+  if (isReadingsFile(path)) return importReadings(QStringList(path));
   return mayLeave() && load(path);
 }
 
 bool FileFlow::importReadings() {
-  const QString path = m_dialogs.askImportPath(QFileInfo(m_document.path()).absolutePath());
-  return !path.isEmpty() && importReadings(path);
+  const QStringList paths = m_dialogs.askImportPaths(QFileInfo(m_document.path()).absolutePath());
+  return !paths.isEmpty() && importReadings(paths);
 }
 
-bool FileFlow::importReadings(const QString& path) {
-  if (tellWhereNoFile(tr("Import readings"), path)) return false;
-  emit commitWanted();
-  const bool intoPresent = !hasReadings(m_document.session());
-  ImportOptions options;
-  if (intoPresent) options.base = withoutRows(m_document.session());
-  const QString name = visibleLine(QFileInfo(path).fileName());
-  const auto read = inBackground<Result<Import>>(
-      *m_dialogs.busy(tr("Reading “%1”…").arg(name)),
-      [path, options](const std::stop_token&) { return readImport(path, options); });
-  if (!read) return false;
-  const Result<Import>& import = *read;
-  if (!import) {
-    m_dialogs.showProblem(
-        tr("Import readings"),
-        tr("“%1” cannot be imported.\n\n%2").arg(name, visibleLine(import.problem().text())));
+bool FileFlow::importReadings(const QStringList& paths) {
+  for (const QString& path : paths)
+    if (tellWhereNoFile(tr("Import readings"), path)) return false;
+  const QString name =
+      paths.size() == 1 ? visibleLine(QFileInfo(paths.first()).fileName()) : tr("%1 files").arg(paths.size());
+  const auto sources = inBackground<Result<std::vector<ImportSource>>>(
+      *m_dialogs.busy(tr("Reading %1…").arg(paths.size() == 1 ? u'“' + name + u'”' : name)),
+      [paths](const std::stop_token&) { return readSources(paths); });
+  return sources && importFrom(*sources, name);
+}
+
+bool FileFlow::importClipboard() {
+  const QString name = tr("clipboard");
+  const std::string text = QApplication::clipboard()->text().toStdString();
+  const auto sources = inBackground<Result<std::vector<ImportSource>>>(
+      *m_dialogs.busy(tr("Reading the clipboard…")),
+      [name, text](const std::stop_token&) { return textSource(name, text); });
+  return sources && importFrom(*sources, name);
+}
+
+bool FileFlow::importFrom(const Result<std::vector<ImportSource>>& sources, const QString& name) {
+  if (!sources) {
+    m_dialogs.showProblem(tr("Import readings"), qText(sources.problem().text()));
     return false;
   }
-  if (!(intoPresent || mayLeaveChanges()) || !mayDropRedo()) return false;
-  auto* replace = new ReplaceSession(m_document, import->session, tr("Import %1").arg(name));
-  intoPresent ? m_document.push(replace) : m_document.pushAnother(replace);
-  tellOf(*import, name);
+  emit commitWanted();
+  auto decision =
+      m_dialogs.askImport({.sources = *sources, .session = sharedAside(Session(m_document.session()))});
+  if (!decision) return false;
+  if (!(decision->isAdded || mayLeaveChanges()) || !mayDropRedo()) return false;
+  const QString text = tr("Import %1").arg(name);
+  if (decision->isAdded) {
+    m_document.push(
+        new ImportReadings(m_document, std::move(decision->session), std::move(decision->origins), text));
+  } else {
+    enterOrigins(decision->session, std::move(decision->origins));
+    m_document.pushAnother(new ReplaceSession(m_document, std::move(decision->session), text));
+  }
+  emit remark(decision->rows == 1 ? tr("1 row of readings imported from %1").arg(name)
+                                  : tr("%1 rows of readings imported from %2").arg(decision->rows).arg(name));
   return true;
-}
-
-void FileFlow::tellOf(const Import& import, const QString& name) {
-  const QString done = import.rows == 1
-                           ? tr("1 row of readings imported from %1").arg(name)
-                           : tr("%1 rows of readings imported from %2").arg(import.rows).arg(name);
-  emit remark(done);
-  const QString notes = importNotes(import);
-  if (!notes.isEmpty()) m_dialogs.showProblem(tr("Import readings"), done + QStringLiteral(".\n\n") + notes);
 }
 
 /// A pipe has no end, and a device may have none: the window would wait for it. What is not there at all is

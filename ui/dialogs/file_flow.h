@@ -5,12 +5,12 @@
 #include <optional>
 
 #include "ui/dialogs/changed_file.h"
+#include "ui/import/import_source.h"
 #include "ui/jobs/gap_job.h"
 #include "ui/jobs/simulation_job.h"
 #include "ui/recovery/file_lock.h"
 
 namespace alidade {
-struct Import;
 struct Session;
 }  // namespace alidade
 
@@ -32,9 +32,10 @@ class FileFlow : public QObject {
   bool open();
   bool open(const QString& path);  ///< a session, or a file of readings to import
   bool importReadings();
-  /// The readings of a GSI or CSV file: put into the session at work where this has none yet, otherwise into
-  /// a new one. Undone, the session is back as it was before, in its file.
-  bool importReadings(const QString& path);
+  /// The readings of files of instruments or tables, as the user wants them: into the session at work, or
+  /// into a new one. Undone, the session is back as it was before, in its file.
+  bool importReadings(const QStringList& paths);
+  bool importClipboard();
   bool save();
   bool saveAs();
   /// Brings the session back as it is in its file, as one undo step. False: it was not, or has no file.
@@ -59,7 +60,7 @@ class FileFlow : public QObject {
  private:
   bool load(const QString& path);
   bool writeReport();
-  void tellOf(const Import& import, const QString& name);
+  bool importFrom(const Result<std::vector<ImportSource>>& sources, const QString& name);
   bool saveTo(const QString& path);
   bool write(const QString& path);
   bool mayShare(const QString& path);

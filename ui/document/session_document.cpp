@@ -162,6 +162,14 @@ void SessionDocument::exchangeSession(Session& session, JournalKeeper::State& st
   emit changed({});
 }
 
+void SessionDocument::exchangeContent(Session& session) {
+  const SessionChange change = told({});
+  emit aboutToChange(change);
+  std::swap(m_session, session);
+  std::swap(m_session.journal, session.journal);
+  emit changed(change);
+}
+
 void SessionDocument::tellOfJournal() {
   const SessionChange change = told({.kind = SessionChange::Kind::Field, .place = {.field = "journal"}});
   emit aboutToChange(change);

@@ -74,6 +74,7 @@ class SessionDocument : public QObject {
   friend class ChangeEffects;
   friend class ChangeField;
   friend class ChangeKnown;
+  friend class ImportReadings;
   friend class JournalledCommand;
   friend class RemovePosition;
   friend class ReplaceReadings;
@@ -90,6 +91,7 @@ class SessionDocument : public QObject {
   void insertPosition(std::size_t index, const Position& position);
   void removePosition(std::size_t index);
   void exchangeSession(Session& session, JournalKeeper::State& state);  ///< with the one at work
+  void exchangeContent(Session& session);                               ///< likewise, but not the journal
   void tellOfJournal();                                                 ///< that it alone has changed
   void replaceAll(Session session, const QString& path);
 

@@ -1,6 +1,9 @@
 #include "app/console/commands/import_command.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <ctime>
 #include <filesystem>
 #include <optional>
 #include <utility>
@@ -8,11 +11,16 @@
 #include "app/console/channels.h"
 #include "app/console/commands/option_checks.h"
 #include "app/console/output_file.h"
+#include "app/console/session_input.h"
 #include "core/base/file_bytes.h"
 #include "core/base/file_target.h"
 #include "core/base/list_text.h"
+#include "core/base/sha256.h"
 #include "core/base/visible_text.h"
 #include "core/exchange/import.h"
+#include "core/exchange/import_journal.h"
+#include "core/exchange/recognise.h"
+#include "core/exchange/text_lines.h"
 #include "core/session/measurement.h"
 #include "core/session/row_fields.h"
 #include "core/session/session_file.h"
@@ -21,12 +29,13 @@ namespace alidade::console {
 
 namespace {
 
-constexpr const char* aboutGsi =
-    "How a GSI file tells more than angles: code block 0 or 180 (or AXIS0, AXIS180) names the position of "
-    "the\n"
-    "axis for what follows, ROUND2 the round; point 0 or ZERO, or what follows code block ZERO, is the "
-    "pointing\n"
-    "zero. A CSV table begins with the names of its columns:\n";
+constexpr const char* aboutInstruments =
+    "Read are Leica GSI-8 and GSI-16, Zeiss and Trimble M5, Sokkia SDR33 and SDR2x, and tables; the content\n"
+    "tells which.\n"
+    "How the file of an instrument tells more than angles, in GSI by code blocks, in M5 by texts, in SDR by\n"
+    "notes:  0 or 180 (or AXIS0, AXIS180) is the position of the axis for what follows, ROUND2 the round;\n"
+    "point 0 or ZERO, or what follows ZERO, is the pointing zero. A CSV table begins with the names of its "
+    "columns:\n";
 
 constexpr const char* aboutCsv =
     "horizontal and vertical are needed, point ZERO is the pointing zero. A unit in a name, such as Hz "
@@ -37,7 +46,7 @@ constexpr const char* aboutCsv =
 std::string about() {
   std::string columns = "axis";
   for (const RowField& field : rowFields) columns += ", " + std::string(field.key);
-  return aboutGsi + columns + ";\n" + aboutCsv;
+  return aboutInstruments + columns + ";\n" + aboutCsv;
 }
 
 /// The entry of an option in the field of the session it is for.
@@ -58,10 +67,21 @@ std::optional<Problem> checkZero(const char* option, const PointingZero& zero, V
   return std::nullopt;
 }
 
+std::vector<Position>::iterator firstAt(int axis, Session& session) {
+  return std::ranges::find_if(session.positions, [axis](const Position& position) {
+    const Result<int> has = axisEntry(position.axisDeg);
+    return has && *has == axis;
+  });
+}
+
 /// What kind the circle is, a column's name may tell as well: here the wider range holds.
 std::optional<Problem> setZero(const char* option, const std::vector<std::string>& given, AngleUnit unit,
-                               PointingZero& zero) {
+                               int axis, Session& session) {
   if (given.empty()) return std::nullopt;
+  const auto found = firstAt(axis, session);
+  if (found == session.positions.end())
+    return Problem{std::string(option) + ": the session has no position at " + std::to_string(axis) + "°"};
+  PointingZero& zero = found->zero;
   zero.horizontal = withUnit(given.at(0), unit);
   zero.vertical = withUnit(given.at(1), unit);
   return checkZero(option, zero, VerticalCircle::Elevation);
@@ -72,10 +92,11 @@ std::optional<Problem> checkZeros(const ImportRequest& request, const ImportOpti
                                   const Session& session) {
   const auto circle = verticalCircleEntry(session.geometry.verticalCircle);
   if (!circle) return std::nullopt;
-  const std::vector<Position>& positions = options.base.positions;
+  Session base = options.base;
   std::optional<Problem> problem;
-  if (!request.zero0.empty()) problem = checkZero("--zero-0", positions.at(0).zero, *circle);
-  if (!problem && !request.zero180.empty()) problem = checkZero("--zero-180", positions.at(1).zero, *circle);
+  if (!request.zero0.empty()) problem = checkZero("--zero-0", firstAt(0, base)->zero, *circle);
+  if (!problem && !request.zero180.empty())
+    problem = checkZero("--zero-180", firstAt(180, base)->zero, *circle);
   return problem;
 }
 
@@ -89,10 +110,87 @@ Result<std::string> readBytes(const std::string& file) {
   return file == "-" ? readStandardInput() : readFile(file);
 }
 
-Result<Import> importFrom(const std::string& file, const ImportOptions& options) {
-  const Result<std::string> bytes = readBytes(file);
-  if (!bytes) return bytes.problem();
-  return importReadings(*bytes, options);
+std::string nameOf(const std::string& file) {
+  return file == "-" ? "standard input" : std::filesystem::path(file).filename().string();
+}
+
+/// One of `entries` for each file, - for none.
+Result<std::string> entryFor(const char* option, const std::vector<std::string>& entries, std::size_t file,
+                             std::size_t files) {
+  if (entries.empty()) return std::string();
+  if (entries.size() != files)
+    return Problem{std::string(option) + ": give one for each of the " + counted(files, "file") +
+                   ", - where the file says it"};
+  return entries[file] == "-" ? std::string() : entries[file];
+}
+
+/// What the options say of a table; absent where they leave it to the table.
+std::optional<TableLayout> layoutOf(const ImportRequest& request, std::string_view bytes) {
+  if (request.columns.empty() && !request.headRows && request.decimalSign.empty()) return std::nullopt;
+  TableLayout layout;
+  const Result<std::string> text = utf8Text(bytes);
+  if (const auto recognised = text ? recognise(*text) : Result<Recognised>(text.problem())) {
+    layout.separator = recognised->table.separator;
+    layout.headRows = recognised->table.headRows;
+  }
+  if (request.headRows) layout.headRows = *request.headRows;
+  for (const std::string& column : request.columns) layout.columns.push_back(column == "-" ? "" : column);
+  if (request.decimalSign == "point") layout.decimalSign = DecimalSign::Point;
+  if (request.decimalSign == "comma") layout.decimalSign = DecimalSign::Comma;
+  layout.unit = unitOf(request.unit);
+  return layout;
+}
+
+/// The files as they are to be taken; `bytes` are kept by the caller.
+Result<std::vector<ReadingsFile>> filesOf(const ImportRequest& request, const ImportOptions& options,
+                                          const std::vector<std::string>& bytes) {
+  std::vector<ReadingsFile> files;
+  const std::size_t count = request.files.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const Result<std::string> axis = entryFor("--axis", request.axes, i, count),
+                              round = entryFor("--round", request.rounds, i, count);
+    if (!axis) return axis.problem();
+    if (!round) return round.problem();
+    files.push_back({.name = nameOf(request.files[i]),
+                     .bytes = bytes[i],
+                     .axis = *axis,
+                     .round = *round,
+                     .turnedAtLine = options.turnedAtLine,
+                     .table = layoutOf(request, bytes[i])});
+  }
+  return files;
+}
+
+Result<std::vector<std::string>> readAll(const std::vector<std::string>& files) {
+  std::vector<std::string> bytes;
+  for (const std::string& file : files) {
+    Result<std::string> read = readBytes(file);
+    if (!read)
+      return files.size() == 1 ? read.problem() : Problem{quotation(file) + " " + read.problem().what};
+    bytes.push_back(*std::move(read));
+  }
+  return bytes;
+}
+
+std::string now() {
+  const std::time_t time = std::time(nullptr);
+  std::tm parts{};
+  gmtime_r(&time, &parts);
+  std::array<char, sizeof "0000-00-00T00:00:00Z"> text{};
+  std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &parts);
+  return text.data();
+}
+
+/// Where its rows came from.
+void enterOrigins(Session& session, const Import& import, const std::vector<ReadingsFile>& files) {
+  const std::string at = now();
+  std::vector<ImportedFile> read;
+  for (const ReadingsFile& file : files) read.push_back({file.name, sha256(file.bytes)});
+  for (JournalEntry& entry : importEntries(import, read)) {
+    entry.at = at;
+    entry.by = session.operatorName;
+    enterInJournal(session.journal, std::move(entry));
+  }
 }
 
 std::string listOf(const Session& session) {
@@ -107,9 +205,11 @@ std::string listOf(const Session& session) {
 
 void addImportCommand(CLI::App& app, ImportRequest& request) {
   CLI::App* import = app.add_subcommand(
-      "import", "A session from a file of readings: Leica GSI-8, GSI-16, or a table (CSV).");
-  import->add_option("FILE", request.file, "File to read; - reads standard input")->required();
+      "import", "A session from files of readings: Leica GSI, Trimble M5, Sokkia SDR, or tables (CSV).");
+  import->add_option("FILE", request.files, "Files to read, in the order taken; - reads standard input")
+      ->required();
   import->add_option("--out", request.out, "Session file to write (*.alidade)")->required();
+  import->add_option("--add-to", request.addTo, "Session whose readings they are added to");
   import->add_option("--title", request.title, "Title of the session; else the file's name")
       ->check(textCheck());
   import->add_option("--distance", request.distance, "Theodolite to arc plane, mm");
@@ -127,23 +227,54 @@ void addImportCommand(CLI::App& app, ImportRequest& request) {
                    "Line from which on the axis stood at 180°, where the file does not say")
       ->check(wholeFrom(1, 1'000'000'000));
   import
-      ->add_option("--unit", request.unit,
-                   "Unit of plain numbers in a table: deg, gon, or dms (341.5224 is 341°52'24\")")
-      ->check(CLI::IsMember({"deg", "gon", "dms"}));
-  import->add_option("--vertical-circle", request.verticalCircle, "zenith or elevation; else zenith")
-      ->check(CLI::IsMember({"zenith", "elevation"}));
-  import->footer(about());
+      ->add_option("--axis", request.axes,
+                   "Position of the axis of each FILE, 0 or 180, parted by commas; - as it says")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember({"0", "180", "-"}));
+  import->add_option("--round", request.rounds, "Round of each FILE, parted by commas; - as it says")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check([](const std::string& text) {
+        return text == "-" ? std::string() : wholeFrom(1, 1'000'000'000)(text);
+});
+  import->add_option("--columns", request.columns, "What the columns of a table hold, in turn; - for nothing")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check([](const std::string& key) {
+        return key == "-" || tableColumn(key) ? std::string() : quotation(key) + " is no column of readings";
+  }  // namespace alidade::console
+);
+import->add_option("--head-rows", request.headRows, "Rows of a table before its readings")
+    ->check(wholeFrom(0, 1000));
+import->add_option("--decimal", request.decimalSign, "Decimal sign of a table: point or comma; else either")
+    ->check(CLI::IsMember({"point", "comma"}));
+import
+    ->add_option("--unit", request.unit,
+                 "Unit of plain numbers in a table: deg, gon, or dms (341.5224 is 341°52'24\")")
+    ->check(CLI::IsMember({"deg", "gon", "dms"}));
+import->add_option("--vertical-circle", request.verticalCircle, "zenith or elevation; else zenith")
+    ->check(CLI::IsMember({"zenith", "elevation"}));
+import->footer(about());
 }
 
 Result<ImportOptions> importOptions(const ImportRequest& request) {
-  if (isSameFile(request.file, request.out))
-    return Problem{"--out names the file that is read: give the session a file of its own"};
+  std::vector<std::string> read = request.files;
+  if (!request.addTo.empty()) read.push_back(request.addTo);
+  for (const std::string& file : read)
+    if (isSameFile(file, request.out))
+      return Problem{"--out names the file that is read: give the session a file of its own"};
   ImportOptions options;
+  if (!request.addTo.empty()) {
+    Result<Session> session = readSessionOf(request.addTo);
+    if (!session) return Problem{"--add-to: " + session.problem().text()};
+    options.base = *std::move(session);
+  }
   options.unit = unitOf(request.unit);
   options.zeroPoint = request.zeroPoint;
   if (request.turnedAtLine > 0) options.turnedAtLine = request.turnedAtLine;
   Session& base = options.base;
-  base.title = request.title;
+  if (!request.title.empty()) base.title = request.title;
   if (!request.verticalCircle.empty()) base.geometry.verticalCircle = request.verticalCircle;
   Geometry& geometry = base.geometry;
   Instrument& instrument = base.instrument;
@@ -159,15 +290,19 @@ Result<ImportOptions> importOptions(const ImportRequest& request) {
            setNumber("--sigma", "instrument.sigma_vertical_arcsec", request.sigma,
                      instrument.sigmaVerticalArcsec),
            setNumber("--sigma", "instrument.sigma_zero_arcsec", request.sigma, instrument.sigmaZeroArcsec),
-           setZero("--zero-0", request.zero0, options.unit, base.positions.at(0).zero),
-           setZero("--zero-180", request.zero180, options.unit, base.positions.at(1).zero),
+           setZero("--zero-0", request.zero0, options.unit, 0, base),
+           setZero("--zero-180", request.zero180, options.unit, 180, base),
        })
     if (problem) return *problem;
   return options;
 }
 
 Result<ImportAnswer> runImport(const ImportRequest& request, const ImportOptions& options) {
-  Result<Import> import = importFrom(request.file, options);
+  const Result<std::vector<std::string>> bytes = readAll(request.files);
+  if (!bytes) return bytes.problem();
+  const Result<std::vector<ReadingsFile>> files = filesOf(request, options, *bytes);
+  if (!files) return files.problem();
+  Result<Import> import = importReadings(*files, options);
   if (!import) return import.problem();
   if (const auto& problems = import->problems; !problems.empty()) {
     const std::string more =
@@ -176,9 +311,11 @@ Result<ImportAnswer> runImport(const ImportRequest& request, const ImportOptions
   }
   if (auto problem = checkZeros(request, options, import->session)) return *std::move(problem);
   Session session = import->session;
-  if (session.title.empty() && request.file != "-")
-    session.title = wellFormed(std::filesystem::path(request.file).stem().string());
-  if (auto problem = writeOutputs({{"--out", request.out, writeSession(session)}}, request.file))
+  const std::string& first = request.files.front();
+  if (session.title.empty() && first != "-")
+    session.title = wellFormed(std::filesystem::path(first).stem().string());
+  enterOrigins(session, *import, *files);
+  if (auto problem = writeOutputs({{"--out", request.out, writeSession(session)}}, first))
     return *std::move(problem);
 
   ImportAnswer answer;

@@ -42,7 +42,7 @@ int give(const alidade::Result<std::string>& answer, const std::string& subject)
 int giveImport(const ImportRequest& request, std::string& subject) {
   const auto options = importOptions(request);
   if (!options) return refuse(subject, options.problem().text());
-  subject = inputName(request.file);
+  subject = request.files.size() == 1 ? inputName(request.files.front()) : "alidade-cli import";
   const alidade::Result<ImportAnswer> answer = runImport(request, *options);
   if (!answer) return refuse(subject, answer.problem().text());
   for (const std::string& remark : answer->remarks) notify(subject, remark);

@@ -277,7 +277,7 @@ void expectSound(const std::string& text) {
   EXPECT_EQ(writeSession(*again), writeSession(import->session)) << text;
 }
 
-// 3000 files, each with up to eight bytes of a sound one changed, dropped or doubled.
+// 6000 files, each with up to eight bytes of a sound one changed, dropped or doubled.
 TEST(Import, SurvivesDamagedFiles) {
   std::mt19937 random(20180101);
   const auto below = [&random](std::size_t count) { return random() % count; };
@@ -285,7 +285,15 @@ TEST(Import, SurvivesDamagedFiles) {
   const std::string gsi = gsiOf("0", "33232500", "08959580") + "41....+00000180\n" +
                           gsiOf("A1", "34152240", "08816490") +
                           "*110001+0000000000000001 31..00+0000000000002405\n";
-  for (const std::string& whole : {gsi, paperCsv().substr(0, 300)}) {
+  const std::string m5 =
+      "For M5|Adr 00003|TI  AXIS 180                   |22             16      |\r\n"
+      "For M5|Adr 00004|PI1                           2|SD          7.674 m   |Hz         7.5439 DMS |V1     "
+      "   "
+      "89.1413 DMS | \r\n";
+  const std::string sdr =
+      "00NMSDR33 V04-04.02 000004-Oct-26 10:00 211111\r\n13NMAXIS 180\r\n09F1ST1             101             "
+      "63.2140         101.23450000    87.43210000     SLIDE           \r\n";
+  for (const std::string& whole : {gsi, paperCsv().substr(0, 300), m5, sdr}) {
     for (int i = 0; i < 1500; ++i) {
       std::string text = whole;
       for (std::size_t change = 1 + below(8); change > 0 && !text.empty(); --change) {

@@ -5,6 +5,7 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QLineEdit>
+#include <QRadioButton>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -12,12 +13,12 @@
 #include "tests/ui/support.h"
 #include "ui/commands/change_field.h"
 #include "ui/commands/edit_readings.h"
-#include "ui/dialogs/import_notes.h"
+#include "ui/import/import_page.h"
 #include "ui/main_window.h"
 #include "ui/panels/readings/readings_table.h"
 
 // File ▸ Import Readings: undoable, into the session at work where this has none yet, otherwise into a new
-// one.
+// one where that is chosen. What the page asks: import_page_test.cpp.
 
 namespace alidade::ui {
 namespace {
@@ -26,6 +27,13 @@ using testing::HasSubstr;
 
 class ImportFlow : public ::testing::Test {
  protected:
+  /// What has readings is put aside for a new session.
+  ImportFlow() {
+    open.dialogs->onImport = [](ImportPage& page) {
+      page.findChild<QRadioButton*>(QStringLiteral("import replace"))->click();
+    };
+  }
+
   QString file(const QString& name, const QByteArray& content) const {
     const QString path = folder.filePath(name);
     QFile out(path);
@@ -101,6 +109,7 @@ TEST_F(ImportFlow, UndoneLeadsBackToTheSessionBefore) {
   const Session imported = open->document().session();
   EXPECT_EQ(imported.title, "arc");
 
+  ASSERT_TRUE(QTest::qWaitForWindowActive(open.window.get()));
   const auto undo = [&] { QTest::keyClick(open.window.get(), Qt::Key_Z, Qt::ControlModifier); };
   undo();
   open.settle();
@@ -125,7 +134,7 @@ TEST_F(ImportFlow, KeepsEachSessionInItsFile) {
                 second = folder.filePath(QStringLiteral("second.alidade"));
   ASSERT_TRUE(open->files().open(samplePath(QStringLiteral("paper-table-1.alidade"))));
   ASSERT_FALSE(open->document().save(first));
-  ASSERT_TRUE(open->files().importReadings(file(QStringLiteral("arc.csv"), table)));
+  ASSERT_TRUE(open->files().importReadings({file(QStringLiteral("arc.csv"), table)}));
   ASSERT_FALSE(open->document().save(second));
   EXPECT_FALSE(open->document().isModified());
   open->undo();
@@ -146,9 +155,9 @@ TEST_F(ImportFlow, KeepsEachSessionInItsFile) {
 
 TEST_F(ImportFlow, UndoneIsNotLeftWithoutAsking) {
   ASSERT_TRUE(open->files().open(samplePath(QStringLiteral("paper-table-1.alidade"))));
-  ASSERT_TRUE(open->files().importReadings(file(QStringLiteral("arc.csv"), table)));
+  ASSERT_TRUE(open->files().importReadings({file(QStringLiteral("arc.csv"), table)}));
   undoWhatWasTypedAndTheImport();
-  EXPECT_FALSE(open->files().importReadings(file(QStringLiteral("next.csv"), table)));
+  EXPECT_FALSE(open->files().importReadings({file(QStringLiteral("next.csv"), table)}));
   EXPECT_EQ(open.dialogs->othersAsked.count(QStringLiteral("redo to ")), 3);
   open->redo();
   open->redo();
@@ -164,7 +173,7 @@ TEST_F(ImportFlow, UndoneIsNotLeftWithoutAsking) {
 
 TEST_F(ImportFlow, UndoneIsNotLeftWithWhatWasTypedAfterItWasSaved) {
   ASSERT_TRUE(open->files().open(samplePath(QStringLiteral("paper-table-1.alidade"))));
-  ASSERT_TRUE(open->files().importReadings(file(QStringLiteral("arc.csv"), table)));
+  ASSERT_TRUE(open->files().importReadings({file(QStringLiteral("arc.csv"), table)}));
   ASSERT_FALSE(open->document().save(folder.filePath(QStringLiteral("arc.alidade"))));
   undoWhatWasTypedAndTheImport();
   EXPECT_FALSE(open->files().open(samplePath(QStringLiteral("clean-session.alidade"))));
@@ -182,10 +191,10 @@ TEST_F(ImportFlow, UndoneIsNotDroppedByTheNextImport) {
   changeField(open->document(), {.field = "title"}, "Begun");
   ReadingsEditor(open->document(), 0).setCell({0, ReadingColumn::Horizontal}, "341 52 24");
   open.dialogs->saveAnswer = Dialogs::SaveAnswer::Discard;
-  ASSERT_TRUE(open->files().importReadings(file(QStringLiteral("arc.csv"), table)));
+  ASSERT_TRUE(open->files().importReadings({file(QStringLiteral("arc.csv"), table)}));
   changeField(open->document(), {.field = "geometry.distance_mm"}, "2411");
   for (int i = 0; i < 3; ++i) open->undo();
-  EXPECT_FALSE(open->files().importReadings(file(QStringLiteral("next.csv"), table)))
+  EXPECT_FALSE(open->files().importReadings({file(QStringLiteral("next.csv"), table)}))
       << "there are no readings yet, so nothing else is put aside";
   EXPECT_EQ(open.dialogs->othersAsked, QStringList(QStringLiteral("redo to ")));
   for (int i = 0; i < 3; ++i) open->redo();
@@ -196,7 +205,7 @@ TEST_F(ImportFlow, SavedOverTheFileOfTheSessionBeforeLeavesThatInNone) {
   const QString path = folder.filePath(QStringLiteral("first.alidade"));
   ASSERT_TRUE(open->files().open(samplePath(QStringLiteral("paper-table-1.alidade"))));
   ASSERT_FALSE(open->document().save(path));
-  ASSERT_TRUE(open->files().importReadings(file(QStringLiteral("arc.csv"), table)));
+  ASSERT_TRUE(open->files().importReadings({file(QStringLiteral("arc.csv"), table)}));
   ASSERT_FALSE(open->document().save(folder.filePath(QStringLiteral("./first.alidade"))));
   open->undo();
   EXPECT_TRUE(open->document().isModified());
@@ -208,7 +217,7 @@ TEST_F(ImportFlow, SavedOverTheFileOfTheSessionBeforeLeavesThatInNone) {
 
 TEST_F(ImportFlow, UndoneIsLeftWhereThatIsWanted) {
   ASSERT_TRUE(open->files().open(samplePath(QStringLiteral("paper-table-1.alidade"))));
-  ASSERT_TRUE(open->files().importReadings(file(QStringLiteral("arc.csv"), table)));
+  ASSERT_TRUE(open->files().importReadings({file(QStringLiteral("arc.csv"), table)}));
   open->undo();
   open.dialogs->discardOther = true;
   EXPECT_TRUE(open->files().startNew());
@@ -217,33 +226,14 @@ TEST_F(ImportFlow, UndoneIsLeftWhereThatIsWanted) {
   EXPECT_EQ(open.dialogs->othersAsked.size(), 1) << "nothing is left to redo";
 }
 
-TEST_F(ImportFlow, SaysWhatCouldNotBeRead) {
-  EXPECT_TRUE(open->files().open(file(QStringLiteral("arc.gsi"),
-                                      "110001+00000001 21.322+37985926 22.322+09808000 31..00+00002405\n"
-                                      "110002+00000002 21.324+34171260 22.324+08641240\nbroken\n")));
-  EXPECT_THAT(notes(), HasSubstr("2 rows of readings imported from arc.gsi."));
-  EXPECT_THAT(notes(), HasSubstr("Line 3, column 1: “broken” is no GSI word"));
-  EXPECT_THAT(notes(), HasSubstr("has 71 minutes"));
-  EXPECT_THAT(notes(), HasSubstr("Slope distance is not used"));
-  EXPECT_EQ(open->document().session().positions.at(0).readings.at(1).horizontal, "341°71'26.0\"");
-}
-
 TEST_F(ImportFlow, LeavesTheSessionWhereNothingCanBeRead) {
   ASSERT_TRUE(open->files().open(samplePath(QStringLiteral("paper-table-1.alidade"))));
-  EXPECT_FALSE(open->files().open(file(QStringLiteral("empty.csv"), "Hz,V\n")));
+  EXPECT_FALSE(open->files().open(file(QStringLiteral("empty.csv"), "# nothing\n")));
   EXPECT_FALSE(open->files().open(folder.filePath(QStringLiteral("missing.gsi"))));
   EXPECT_THAT(notes(), HasSubstr("“empty.csv” cannot be imported."));
   EXPECT_THAT(notes(), HasSubstr("cannot be opened"));
+  EXPECT_EQ(open.dialogs->importsAsked, 0);
   EXPECT_EQ(open->document().session().title, "Table I");
-}
-
-TEST(ImportNotes, AreADozenAtMost) {
-  Import import;
-  for (std::size_t line = 1; line <= 20; ++line) import.problems.push_back({line, 0, "is odd"});
-  const QString notes = importNotes(import);
-  EXPECT_EQ(notes.count(QLatin1Char('\n')), 12);
-  EXPECT_TRUE(notes.endsWith(QStringLiteral("And 8 more."))) << notes.toStdString();
-  EXPECT_EQ(importNotes({}), QString());
 }
 
 }  // namespace

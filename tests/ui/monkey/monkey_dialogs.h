@@ -18,7 +18,10 @@ class MonkeyDialogs : public ScriptedDialogs {
   }
   bool askDiscardOther(const QString&, Way) override { return !m_chance.oneIn(3); }
   QString askOpenPath(const QString&) override { return present(QStringLiteral("*.alidade")); }
-  QString askImportPath(const QString&) override { return present(QStringLiteral("readings*")); }
+  QStringList askImportPaths(const QString&) override {
+    const QString path = present(QStringLiteral("readings*"));
+    return path.isEmpty() ? QStringList() : QStringList(path);
+  }
   QString askSavePath(const QString&) override { return fresh(QStringLiteral("saved-%1.alidade")); }
   QString askReportPath(const QString&) override { return fresh(QStringLiteral("report-%1.pdf")); }
   bool askReportWithoutVerdict(int) override { return m_chance.oneIn(3); }

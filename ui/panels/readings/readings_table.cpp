@@ -10,6 +10,7 @@
 
 #include "ui/document/session_document.h"
 #include "ui/panels/readings/reading_delegate.h"
+#include "ui/text/visible_text.h"
 
 namespace alidade::ui {
 
@@ -228,6 +229,14 @@ void ReadingsTable::paste() {
   QModelIndex corner = currentIndex();
   for (const QItemSelectionRange& range : selectionModel()->selection())
     corner = m_model.index(std::min(corner.row(), range.top()), std::min(corner.column(), range.left()));
+  const auto firstRow = static_cast<std::size_t>(corner.isValid() ? corner.row() : m_model.readingCount());
+  if (const auto named = namedBlock(block)) {
+    m_editor.paste(named->rows, firstRow, named->columns);
+    if (!named->unplaced.isEmpty())
+      emit remark(tr("Columns of the clipboard that were not pasted: %1.")
+                      .arg(shortLine(named->unplaced.join(QStringLiteral(", ")), 200)));
+    return;
+  }
   if (!corner.isValid())
     corner = m_model.index(m_model.readingCount(), static_cast<int>(ReadingColumn::Horizontal));
   const std::size_t left =

@@ -160,6 +160,38 @@ TEST(ReadingsTable, CopiesWhatWasTypedAndPastesItBackUnchanged) {
   EXPECT_EQ(bench.readings(), before);
 }
 
+TEST(ReadingsTable, PastesByTheNamesInTheFirstRow) {
+  Bench bench;
+  QString remark;
+  QObject::connect(&bench.table, &ReadingsTable::remark, [&](const QString& text) { remark = text; });
+  bench.table.selectCell(0, ReadingColumn::Vertical);
+  QApplication::clipboard()->setText(
+      QStringLiteral("Temp\tV [gon]\tPoint No\tHz\tskip\n20.5\t98,0811\t7\t341 52 24\t\n"
+                     "20.6\t97,54\t9\t341 26 01\tyes\n"));
+  bench.table.paste();
+  ASSERT_EQ(bench.readings().size(), 2u);
+  EXPECT_EQ(bench.readings()[0].point, "7");
+  EXPECT_EQ(bench.readings()[0].horizontal, "341 52 24");
+  EXPECT_EQ(bench.readings()[0].vertical, "98,0811gon");
+  EXPECT_FALSE(bench.readings()[0].excluded);
+  EXPECT_TRUE(bench.readings()[1].excluded);
+  EXPECT_THAT(remark.toStdString(), testing::HasSubstr("Temp"));
+  bench.document.undoStack().undo();
+  EXPECT_TRUE(bench.readings().empty());
+}
+
+TEST(ReadingsTable, PastesTextThatIsNoNameAsItStands) {
+  Bench bench(threeReadings());
+  bench.table.selectCell(0, ReadingColumn::Note);
+  QApplication::clipboard()->setText(QStringLiteral("note"));
+  bench.table.paste();
+  EXPECT_EQ(bench.readings()[0].note, "note") << "a single cell";
+  QApplication::clipboard()->setText(QStringLiteral("wind\nsun"));
+  bench.table.paste();
+  EXPECT_EQ(bench.readings()[0].note, "wind");
+  EXPECT_EQ(bench.readings()[1].note, "sun");
+}
+
 TEST(ReadingsTable, SaysWhichPastedColumnsFoundNoRoom) {
   Bench bench(threeReadings());
   QString remark;

@@ -1,0 +1,363 @@
+#include "core/exchange/assembly.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "core/base/angle_text.h"
+#include "core/base/limits.h"
+#include "core/base/list_text.h"
+#include "core/base/number_text.h"
+#include "core/base/visible_text.h"
+#include "core/exchange/point_numbers.h"
+#include "core/exchange/visits.h"
+#include "core/exchange/zero_means.h"
+#include "core/session/face.h"
+#include "core/session/row_fields.h"
+
+namespace alidade {
+
+namespace {
+
+bool hasRows(const Session& session) {
+  return std::ranges::any_of(session.positions,
+                             [](const Position& position) { return !position.readings.empty(); });
+}
+
+class Assembly {
+ public:
+  Assembly(std::vector<Recording> recordings, const std::vector<ReadingsFile>& files,
+           const ImportOptions& options)
+      : m_files(files), m_options(options), m_isAdded(hasRows(options.base)) {
+    m_import.session = options.base;
+    for (std::size_t i = 0; i < recordings.size(); ++i) take(recordings[i], i);
+    m_recordings = std::move(recordings);
+  }
+
+  Import assemble() {
+    takeHeadings();
+    takeFaces();
+    takePositions(m_sightings, m_options.base);
+    if (takeRounds(m_sightings, m_options.base))
+      remark("points that come again in the same position and face are put into further rounds");
+    numberPoints();
+    for (const RecordedSighting& sighting : m_sightings) {
+      check(sighting);
+      if (!sighting.isZero) addReading(sighting);
+    }
+    takeZeros();
+    if (!m_isAdded) {
+      dropEmptyPositions();
+      orderPositions();
+    }
+    tellOrigins();
+    std::stable_sort(m_problems.begin(), m_problems.end(), [](const auto& a, const auto& b) {
+      return std::tie(a.first, a.second.line, a.second.column) <
+             std::tie(b.first, b.second.line, b.second.column);
+    });
+    for (auto& [file, problem] : m_problems) m_import.problems.push_back(std::move(problem));
+    return std::move(m_import);
+  }
+
+ private:
+  void remark(const std::string& sentence) { m_import.remarks.push_back(sentence); }
+
+  bool areSeveral() const { return m_files.size() > 1; }
+  /// In front of what is said of one of several files.
+  std::string ofFile(std::size_t file) const {
+    return areSeveral() ? quotation(m_files[file].name) + ": " : std::string();
+  }
+  std::string lineOf(const RecordedSighting& sighting) const {
+    return (areSeveral() ? quotation(m_files[sighting.file].name) + " line " : "line ") +
+           std::to_string(sighting.line);
+  }
+
+  void take(Recording& recording, std::size_t file) {
+    if (m_import.format.find(recording.format) == std::string::npos)
+      m_import.format += (m_import.format.empty() ? "" : ", ") + recording.format;
+    for (LineProblem& problem : recording.problems) {
+      if (areSeveral()) problem.file = m_files[file].name;
+      m_problems.emplace_back(file, std::move(problem));
+    }
+    for (const std::string& sentence : recording.unused) remark(ofFile(file) + sentence);
+    takeAxes(recording, file);
+    const std::string& round = m_files[file].round;
+    for (RecordedSighting& sighting : recording.sightings) {
+      sighting.file = file;
+      if (!round.empty() && !sighting.isZero) sighting.row.round = round;
+      m_sightings.push_back(std::move(sighting));
+    }
+    recording.sightings = {};
+  }
+
+  static void fill(std::string& text, const std::string& value) {
+    if (text.empty()) text = value;
+  }
+
+  void takeHeadings() {
+    Session& session = m_import.session;
+    for (const Recording& recording : m_recordings) {
+      fill(session.instrument.name, recording.instrumentName);
+      fill(session.instrument.serial, recording.instrumentSerial);
+      fill(session.measuredOn, recording.measuredOn);
+      const std::string& named = recording.verticalCircle;
+      if (named.empty()) continue;
+      std::string& stated = session.geometry.verticalCircle;
+      if (!stated.empty() && stated != named)
+        remark("the vertical circle is stated as " + quotation(stated) + ", but the file says " + named +
+               ": the file is followed");
+      stated = named;
+    }
+    const Result<VerticalCircle> circle = verticalCircleEntry(session.geometry.verticalCircle);
+    if (circle) m_circle = *circle;
+  }
+
+  void takeAxes(Recording& recording, std::size_t file) {
+    std::vector<RecordedSighting>& sightings = recording.sightings;
+    const ReadingsFile& wanted = m_files[file];
+    const bool told = std::any_of(sightings.begin(), sightings.end(), [](const RecordedSighting& sighting) {
+      return !sighting.axis.text.empty();
+    });
+    std::string last = "0";
+    for (RecordedSighting& sighting : sightings) {
+      if (!wanted.axis.empty()) sighting.axis = {wanted.axis, 0};
+      if (!told && wanted.turnedAtLine) last = sighting.line < *wanted.turnedAtLine ? "0" : "180";
+      if (sighting.axis.text.empty()) sighting.axis.text = last;
+      last = sighting.axis.text;
+      if (const Result<int> axis = axisEntry(last)) sighting.axis.text = std::to_string(*axis);
+    }
+    if (!wanted.axis.empty()) return;
+    if (!told && !wanted.turnedAtLine) {
+      m_import.unplaced.push_back(file);
+      remark(ofFile(file) + std::string(putAtZero));
+    }
+    if (told && wanted.turnedAtLine)
+      remark(ofFile(file) + "the file itself says how the axis stood: that is what counts");
+  }
+
+  /// Where the file says no face, face 2 is where the telescope is turned through.
+  void takeFaces() {
+    bool second = false;
+    for (RecordedSighting& sighting : m_sightings) {
+      const Result<Angle> vertical = parseAngle(sighting.row.vertical);
+      if (sighting.row.face.empty() && vertical && isFaceTwo(*vertical, m_circle)) sighting.row.face = "2";
+      second = second || sighting.row.face == "2";
+    }
+    if (!second) return;
+    for (RecordedSighting& sighting : m_sightings)
+      if (sighting.row.face.empty()) sighting.row.face = "1";
+  }
+
+  /// Behind those that the position has already.
+  int firstNumberAt(const PositionKey& key) const {
+    int largest = 0;
+    if (const Position* position = m_isAdded ? positionIn(m_options.base, key) : nullptr)
+      for (const Reading& row : position->readings)
+        if (const Result<int> number = parseWhole(row.point)) largest = std::max(largest, *number);
+    return largest + 1;
+  }
+
+  /// In each position by itself.
+  void numberPoints() {
+    std::map<PositionKey, std::vector<std::string>> names;
+    for (const RecordedSighting& sighting : m_sightings)
+      if (!sighting.isZero) names[positionOf(sighting)].push_back(sighting.row.point);
+    std::map<PositionKey, std::map<std::string, std::string>> numbers;
+    for (const auto& [position, namesThere] : names)
+      numbers[position] = pointNumbers(namesThere, firstNumberAt(position));
+    bool renamed = false;
+    for (RecordedSighting& sighting : m_sightings) {
+      if (sighting.isZero || sighting.row.point.empty()) continue;
+      const std::string& number = numbers.at(positionOf(sighting)).at(sighting.row.point);
+      if (number == sighting.row.point) continue;
+      renamed = true;
+      sighting.row.note = sighting.row.point + (sighting.row.note.empty() ? "" : ": " + sighting.row.note);
+      sighting.row.point = number;
+    }
+    if (renamed) remark("points with names are numbered; their names stand in the notes");
+  }
+
+  void report(const RecordedSighting& sighting, std::size_t column, std::string_view name,
+              const Problem& problem) {
+    if (m_problems.size() >= limits::mostProblems) return;
+    const std::string& file = areSeveral() ? m_files[sighting.file].name : std::string();
+    m_problems.emplace_back(sighting.file, LineProblem{.line = sighting.line,
+                                                       .column = column,
+                                                       .what = std::string(name) + " " + problem.what,
+                                                       .file = file});
+  }
+
+  /// The rules of the session file, told by line and column.
+  void check(const RecordedSighting& sighting) {
+    if (const auto axis = axisEntry(sighting.axis.text); !axis)
+      report(sighting, sighting.axis.column, "axis", axis.problem());
+    if (sighting.row.excluded) return;
+    for (const RowField& field : rowFields) {
+      const bool isNameOfZero = sighting.isZero && field.text == &Reading::point;
+      if (!field.text || isNameOfZero) continue;
+      if (const auto problem = entryProblem(field, sighting.row.*field.text, m_circle))
+        report(sighting, sighting.columnOf(field), field.key, *problem);
+    }
+  }
+
+  /// The position of that axis, made where there is none, and those before it.
+  Position& positionAt(const PositionKey& at) {
+    std::vector<Position>& positions = m_import.session.positions;
+    const Result<int> wanted = axisEntry(at.first);
+    int time = 0;
+    for (Position& position : positions) {
+      const Result<int> has = axisEntry(position.axisDeg);
+      if ((wanted && has ? *has == *wanted : position.axisDeg == at.first) && ++time == at.second)
+        return position;
+    }
+    for (; time < at.second; ++time)
+      positions.push_back({.axisDeg = at.first, .zero = {}, .readings = {}, .origin = {}});
+    return positions.back();
+  }
+
+  void addReading(const RecordedSighting& sighting) {
+    if (!axisEntry(sighting.axis.text)) return;  // reported already
+    const PositionKey key = positionOf(sighting);
+    positionAt(key).readings.push_back(sighting.row);
+    m_lines[key].emplace_back(sighting.file, sighting.line);
+    ++m_import.rows;
+  }
+
+  /// Does the field name or measure a pointing zero?
+  static bool isOfZero(const RowField& field) {
+    return field.text == &Reading::point || field.text == &Reading::round || field.text == &Reading::face ||
+           field.text == &Reading::horizontal || field.text == &Reading::vertical;
+  }
+
+  void takeZeros() {
+    std::map<PositionKey, std::vector<const RecordedSighting*>> zeros;
+    for (const RecordedSighting& sighting : m_sightings) {
+      if (!sighting.isZero) continue;
+      const std::string where = " of the pointing zero in " + lineOf(sighting);
+      for (const RowField& field : rowFields)
+        if (field.text && !isOfZero(field) && !(sighting.row.*field.text).empty())
+          remark("the " + std::string(field.key) + " " + quotation(sighting.row.*field.text) + where +
+                 " is not used");
+      if (sighting.row.excluded) {
+        remark("the excluded sighting" + where + " is not used");
+      } else {
+        zeros[positionOf(sighting)].push_back(&sighting);
+      }
+    }
+    for (const auto& [position, sightings] : zeros) takeZero(position, sightings);
+  }
+
+  void takeZero(const PositionKey& at, const std::vector<const RecordedSighting*>& sightings) {
+    PointingZero& zero = positionAt(at).zero;
+    std::string lines;
+    for (const RecordedSighting* sighting : sightings) {
+      const std::string one = lineOf(*sighting), number = std::to_string(sighting->line);
+      if (lines.empty())
+        lines = sightings.size() > 1 && !areSeveral() ? "lines " + number : one;
+      else
+        lines += ", " + (areSeveral() ? one : number);
+    }
+    if (!zero.horizontal.empty() || !zero.vertical.empty())
+      return remark("the pointing zero at " + nameOf(at) + " stays as it was given; that of " + lines +
+                    " is not used");
+    const ZeroMean mean = zeroMean(sightings, m_circle);
+    zero.horizontal = mean.horizontal;
+    zero.vertical = mean.vertical;
+    if (mean.isMean) remark("the pointing zero at " + nameOf(at) + " is the face 1 mean of " + lines);
+  }
+
+  /// A position the file says nothing of, and nothing was typed for, was not measured.
+  void dropEmptyPositions() {
+    std::erase_if(m_import.session.positions, [](const Position& position) {
+      return position.readings.empty() && position.zero.horizontal.empty() && position.zero.vertical.empty();
+    });
+  }
+
+  /// A session has the position at 0° read first, and where an axis comes again those that the file holds in
+  /// its order.
+  void orderPositions() {
+    std::stable_sort(m_import.session.positions.begin(), m_import.session.positions.end(),
+                     [](const Position& a, const Position& b) { return rankOf(a) < rankOf(b); });
+    std::vector<PositionKey> turns;
+    for (const RecordedSighting& sighting : m_sightings) {
+      const bool isNew = turns.empty() || turns.back() != positionOf(sighting);
+      if (axisEntry(sighting.axis.text) && !sighting.isZero && isNew) turns.push_back(positionOf(sighting));
+    }
+    const std::set<PositionKey> different(turns.begin(), turns.end());
+    const bool isAgain = std::ranges::any_of(different, [](const PositionKey& at) { return at.second > 1; });
+    if (turns.size() > different.size())
+      remark("the positions of the axis alternate in the file; a session keeps the order within each only");
+    else if (turns.size() == 2 && turns.front().first != "0" && !isAgain)
+      remark(
+          "180° was read before 0°, but a session takes 0° as read first: a drift or a jump between the "
+          "positions would be taken the wrong way round");
+    if (isAgain) orderAsRead(turns);
+  }
+
+  static int rankOf(const Position& position) {
+    constexpr int behindAll = 360;
+    const Result<int> axis = axisEntry(position.axisDeg);
+    return axis ? *axis : behindAll;
+  }
+
+  void orderAsRead(const std::vector<PositionKey>& turns) {
+    std::vector<Position>& positions = m_import.session.positions;
+    std::vector<std::size_t> order;
+    const auto take = [&](std::size_t index) {
+      if (std::ranges::find(order, index) == order.end()) order.push_back(index);
+    };
+    for (const PositionKey& at : turns) take(static_cast<std::size_t>(&positionAt(at) - positions.data()));
+    for (std::size_t i = 0; i < positions.size(); ++i) take(i);
+    std::vector<Position> ordered;
+    ordered.reserve(order.size());
+    for (const std::size_t index : order) ordered.push_back(std::move(positions[index]));
+    positions = std::move(ordered);
+  }
+
+  void tellOrigins() {
+    for (const auto& [key, lines] : m_lines) {
+      const Position& position = positionAt(key);
+      const auto index = static_cast<std::size_t>(&position - m_import.session.positions.data());
+      std::size_t row = position.readings.size() - lines.size();
+      for (const auto& [file, line] : lines) {
+        std::vector<ImportedRows>& origins = m_import.origins;
+        const bool goesOn =
+            !origins.empty() && origins.back().position == index && origins.back().file == file;
+        if (!goesOn)
+          origins.push_back({.position = index, .firstRow = row, .count = 0, .file = file, .lines = {}});
+        ImportedRows& rows = origins.back();
+        ++rows.count;
+        ++row;
+        if (!rows.lines.empty() && rows.lines.back().second + 1 == line)
+          rows.lines.back().second = line;
+        else
+          rows.lines.emplace_back(line, line);
+      }
+    }
+    std::stable_sort(m_import.origins.begin(), m_import.origins.end(),
+                     [](const ImportedRows& a, const ImportedRows& b) {
+                       return std::tie(a.position, a.firstRow) < std::tie(b.position, b.firstRow);
+                     });
+  }
+
+  const std::vector<ReadingsFile>& m_files;
+  const ImportOptions& m_options;
+  bool m_isAdded;  ///< to the readings of a session
+  std::vector<Recording> m_recordings;
+  std::vector<RecordedSighting> m_sightings;                    ///< of all files, in their order
+  std::vector<std::pair<std::size_t, LineProblem>> m_problems;  ///< with the index of the file
+  std::map<PositionKey, std::vector<std::pair<std::size_t, std::size_t>>> m_lines;  ///< file and line by row
+  VerticalCircle m_circle = VerticalCircle::Zenith;
+  Import m_import;
+};
+
+}  // namespace
+
+Import assemble(std::vector<Recording> recordings, const std::vector<ReadingsFile>& files,
+                const ImportOptions& options) {
+  return Assembly(std::move(recordings), files, options).assemble();
+}
+
+}  // namespace alidade

@@ -1,0 +1,71 @@
+#include "core/exchange/field_book.h"
+
+#include <utility>
+
+#include "core/base/limits.h"
+#include "core/base/visible_text.h"
+
+namespace alidade {
+
+void FieldBook::take(const FieldMark& mark) {
+  switch (mark.kind) {
+    case FieldMark::Kind::Axis:
+      m_axis = mark.number;
+      m_round.clear();
+      break;
+    case FieldMark::Kind::Round:
+      m_round = mark.number;
+      break;
+    case FieldMark::Kind::Zero:
+      m_zeroComes = true;
+  }
+}
+
+void FieldBook::add(RecordedSighting sighting) {
+  sighting.axis.text = m_axis;
+  sighting.row.round = m_round;
+  const std::string name = upperCase(sighting.row.point);
+  sighting.isZero =
+      m_zeroComes || (m_zeroPoint.empty() ? name == "0" || name == "ZERO" : name == m_zeroPoint);
+  m_zeroComes = false;
+  m_recording.sightings.push_back(std::move(sighting));
+}
+
+void FieldBook::refuse(std::size_t line, std::size_t column, const std::string& what) {
+  m_recording.problems.push_back({line, column, what});
+}
+
+void FieldBook::setAside(const std::string& what, std::size_t line) {
+  const bool isNew = m_unused.size() >= limits::mostKinds && !m_unused.contains(what);
+  Unused& use = m_unused[isNew ? "what else has no place in a session" : what];
+  if (use.count++ == 0) use.firstLine = line;
+}
+
+void FieldBook::keep(std::string& value, const std::string& text, const std::string& name, std::size_t line) {
+  if (value.empty() || value == text) {
+    value = text;
+  } else {
+    setAside(name + " " + quotation(text), line);
+  }
+}
+
+bool FieldBook::isFull(std::size_t line) {
+  if (m_recording.problems.size() >= limits::mostProblems) return true;
+  if (m_recording.sightings.size() <= limits::mostRows) return false;
+  m_recording.problems = {{line, 0, limits::beyondTheRows()}};
+  return true;
+}
+
+std::string FieldBook::sentence(const Unused& unused) {
+  const std::string first = "line " + std::to_string(unused.firstLine);
+  if (unused.count == 1) return " is not used: " + first;
+  return " is not used: " + std::to_string(unused.count) + " times, first in " + first;
+}
+
+Recording FieldBook::finish(const std::string& format) {
+  m_recording.format = format;
+  for (const auto& [what, use] : m_unused) m_recording.unused.push_back(what + sentence(use));
+  return std::move(m_recording);
+}
+
+}  // namespace alidade

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+
+#include "core/exchange/field_mark.h"
+#include "core/exchange/recording.h"
+#include "core/exchange/words.h"
+
+namespace alidade {
+
+/// A recording in the making from the file of an instrument, which says by marks how the axis stood, which
+/// round it was and what was the pointing zero. Where `zeroPoint` is empty, points 0 and ZERO are the zero.
+class FieldBook {
+ public:
+  explicit FieldBook(const std::string& zeroPoint) : m_zeroPoint(upperCase(zeroPoint)) {}
+
+  void take(const FieldMark& mark);
+  /// With axis, round and zero as the marks before it have them.
+  void add(RecordedSighting sighting);
+  void refuse(std::size_t line, std::size_t column, const std::string& what);
+  /// A session has no place for it; told once for each kind.
+  void setAside(const std::string& what, std::size_t line);
+  /// The first value counts; another one is set aside as `name` with it.
+  void keep(std::string& value, const std::string& text, const std::string& name, std::size_t line);
+  /// Reads nothing further: there are more rows or problems than are worked on.
+  bool isFull(std::size_t line);
+
+  Recording& recording() { return m_recording; }
+  Recording finish(const std::string& format);
+
+ private:
+  struct Unused {
+    std::size_t count = 0, firstLine = 0;
+  };
+
+  static std::string sentence(const Unused& unused);
+
+  std::string m_zeroPoint;
+  std::string m_axis, m_round;
+  bool m_zeroComes = false;
+  std::map<std::string, Unused> m_unused;
+  Recording m_recording;
+};
+
+}  // namespace alidade

@@ -1,0 +1,225 @@
+#include "core/exchange/m5_reader.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "core/base/number_text.h"
+#include "core/base/visible_text.h"
+#include "core/exchange/exact_angle.h"
+#include "core/exchange/field_book.h"
+#include "core/exchange/text_lines.h"
+#include "core/exchange/words.h"
+
+namespace alidade {
+
+namespace {
+
+constexpr std::size_t pointWidth = 12;
+
+struct Block {
+  std::string_view text;
+  std::size_t column = 0;
+};
+
+/// A number with its type and unit, as `Hz        34.9078        gon`.
+struct Value {
+  std::string type, number, unit;
+  std::size_t column = 0;  ///< of the number; of the block where it has none
+};
+
+std::vector<Block> blocksOf(std::string_view line) {
+  std::vector<Block> blocks;
+  for (std::size_t column = 1;;) {
+    const std::string_view text = line.substr(0, line.find('|'));
+    blocks.push_back({text, column});
+    if (text.size() == line.size()) return blocks;
+    column += characterCount(text) + 1;
+    line.remove_prefix(text.size() + 1);
+  }
+}
+
+std::vector<Block> wordsIn(const Block& block) {
+  std::vector<Block> words;
+  std::size_t at = 0;
+  while ((at = block.text.find_first_not_of(" \t", at)) != std::string_view::npos) {
+    const std::size_t end = std::min(block.text.find_first_of(" \t", at), block.text.size());
+    words.push_back(
+        {block.text.substr(at, end - at), block.column + characterCount(block.text.substr(0, at))});
+    at = end;
+  }
+  return words;
+}
+
+/// Instruments number by types what they are, and name by others what they measured.
+Value valueOf(const Block& block) {
+  const std::vector<Block> words = wordsIn(block);
+  if (words.empty()) return {.type = {}, .number = {}, .unit = {}, .column = block.column};
+  Value value{.type = std::string(words[0].text), .number = {}, .unit = {}, .column = block.column};
+  if (words.size() < 2) return value;
+  value.column = words[1].column;
+  const std::size_t last = words.size() > 2 ? words.size() - 1 : words.size();
+  for (std::size_t i = 1; i < last; ++i) value.number += (i > 1 ? " " : "") + std::string(words[i].text);
+  if (last < words.size()) value.unit = std::string(words[last].text);
+  return value;
+}
+
+/// Goes through a file line by line.
+class M5Reader {
+ public:
+  explicit M5Reader(const std::string& zeroPoint) : m_book(zeroPoint) {}
+
+  Recording read(std::string_view text) {
+    TextLines lines(text);
+    while (const auto line = lines.next()) {
+      readLine(*line);
+      if (m_book.isFull(line->number)) break;
+    }
+    return m_book.finish("M5");
+  }
+
+ private:
+  void readLine(const TextLine& line) {
+    const std::size_t first = line.text.find_first_not_of(" \t");
+    if (first == std::string_view::npos || line.text.substr(first).starts_with("END")) return;
+    if (std::string_view("!#").find(line.text[first]) != std::string_view::npos)
+      return m_book.setAside("the line " + quotation(line.text.substr(first)), line.number);
+    constexpr std::size_t fewest = 4;  // format, address, text, one number
+    const std::vector<Block> blocks = blocksOf(line.text);
+    if (!looksLikeM5(line.text) || blocks.size() < fewest)
+      return m_book.refuse(line.number, 0,
+                           quotation(line.text) +
+                               " is no line such as For M5|Adr …|PI1 …|Hz …: transfer the file anew, or mend "
+                               "or delete the line");
+    const std::string_view kind = blocks[2].text.substr(0, 2);
+    std::vector<Value> values;
+    for (std::size_t i = 3; i < std::min<std::size_t>(blocks.size(), 6); ++i)
+      values.push_back(valueOf(blocks[i]));
+    if (blocks.size() > 6 && trimmed(blocks[6].text) == "e")
+      return m_book.refuse(line.number, blocks[6].column,
+                           "is marked with e, an error of the instrument: measure it again");
+    if (kind == "PI") {
+      readPoint(blocks[2], values, line.number);
+    } else {
+      readText(blocks[2], values, line.number);
+    }
+  }
+
+  /// A text that is no mark is of what follows, such as the programs of the instrument: adjustments hold
+  /// angles, too, and are no sightings.
+  void readText(const Block& block, const std::vector<Value>& values, std::size_t line) {
+    const std::string text = trimmed(block.text.substr(std::min<std::size_t>(block.text.size(), 3)));
+    Recording& recording = m_book.recording();
+    bool isHeading = text == "START" || text == "END";
+    for (const Value& value : values) {
+      if (value.type == "01") m_book.keep(recording.instrumentName, nameOf(value), "instrument", line);
+      if (value.type == "02") m_book.keep(recording.instrumentSerial, nameOf(value), "instrument", line);
+      if (value.type == "22") takePlaceOfPoint(value);
+      isHeading = isHeading || (!value.type.empty() && text.empty());
+    }
+    if (text.empty() || isHeading) return;
+    if (const auto mark = fieldMark(text)) return m_book.take(*mark);
+    m_book.setAside("the text " + quotation(text), line);
+  }
+
+  /// 01 and 02 have no unit: `M3 5"DR` is one name.
+  static std::string nameOf(const Value& value) {
+    return value.unit.empty() ? value.number : value.number + " " + value.unit;
+  }
+
+  void takePlaceOfPoint(const Value& value) {
+    const Result<int> place = parseWhole(value.number);
+    if (place && *place >= 1) m_placeOfPoint = static_cast<std::size_t>(*place - 1);
+  }
+
+  void readPoint(const Block& block, const std::vector<Value>& values, std::size_t line) {
+    RecordedSighting sighting;
+    sighting.line = line;
+    takePoint(block, sighting);
+    bool isSighting = false;
+    for (const Value& value : values) {
+      const bool isVertical = value.type.size() == 2 && value.type[0] == 'V';
+      if (value.type == "Hz" || isVertical) {
+        isSighting = true;
+        if (!takeAngle(value, line, sighting)) return;
+      }
+    }
+    if (!isSighting) return m_book.setAside("a line without angles", line);
+    for (const auto& [circle, type] : {std::pair(&Reading::horizontal, "horizontal circle (Hz)"),
+                                       std::pair(&Reading::vertical, "vertical circle (V1)")})
+      if (sighting.columnOf(rowField(circle)) == 0)
+        return m_book.refuse(
+            line, 0,
+            "has no " + std::string(type) + ": let the instrument record Hz and V, or delete the line");
+    for (const Value& value : values)
+      if (value.type == "SD" || value.type == "HD" || value.type == "D") m_book.setAside("distance", line);
+    m_book.add(std::move(sighting));
+  }
+
+  void takePoint(const Block& block, RecordedSighting& sighting) const {
+    const RowField& point = rowField(&Reading::point);
+    constexpr std::size_t heading = 4;  // "PI1 "
+    std::string_view text = block.text;
+    text.remove_prefix(std::min(heading, text.size()));
+    if (m_placeOfPoint && *m_placeOfPoint < text.size()) {
+      const std::string name = trimmed(text.substr(*m_placeOfPoint, pointWidth));
+      if (!name.empty()) {
+        sighting.enter(point, name, block.column + heading + *m_placeOfPoint);
+        sighting.row.note = trimmed(text.substr(0, *m_placeOfPoint));
+        return;
+      }
+    }
+    const std::vector<Block> words = wordsIn({text, block.column + heading});
+    if (words.empty()) return;
+    sighting.enter(point, std::string(words.back().text), words.back().column);
+    sighting.row.note = trimmed(text.substr(0, text.rfind(words.back().text)));
+  }
+
+  bool takeAngle(const Value& value, std::size_t line, RecordedSighting& sighting) {
+    const auto refuse = [&](const std::string& why) {
+      m_book.refuse(line, value.column, why);
+      return false;
+    };
+    const bool isHorizontal = value.type == "Hz";
+    const RowField& circle = rowField(isHorizontal ? &Reading::horizontal : &Reading::vertical);
+    if (sighting.columnOf(circle) > 0)
+      return refuse(quotation(value.type) + " is a second reading of its circle");
+    if (!isHorizontal && value.type != "V1" && value.type != "V3")
+      return refuse(quotation(value.type) +
+                    " is neither a zenith angle (V1) nor a height angle (V3): set the instrument to one of "
+                    "them and record anew");
+    const auto angle = exactAngle(value.number, value.unit);
+    if (!angle)
+      return refuse(quotation(value.number + " " + value.unit) +
+                    " is no angle in gon, DEG, DMS or mil: transfer the file anew");
+    if (!isHorizontal) {
+      std::string& circleKind = m_book.recording().verticalCircle;
+      const std::string own = value.type == "V1" ? "zenith" : "elevation";
+      if (!circleKind.empty() && circleKind != own)
+        return refuse("“" + value.type + "” stands in a file that began with the other kind of vertical " +
+                      "angle: import the two in files of their own");
+      circleKind = own;
+    }
+    sighting.enter(circle, *angle, value.column);
+    return true;
+  }
+
+  FieldBook m_book;
+  std::optional<std::size_t> m_placeOfPoint;  ///< in the text of a point, from 0
+};
+
+}  // namespace
+
+bool looksLikeM5(std::string_view line) {
+  line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+  constexpr std::string_view begin = "For M5|";
+  return line.size() > begin.size() && line.starts_with("For") && (line[3] == ' ' || line[3] == '_') &&
+         line.substr(4, 3) == "M5|";
+}
+
+Recording readM5(std::string_view text, const std::string& zeroPoint) {
+  return M5Reader(zeroPoint).read(text);
+}
+
+}  // namespace alidade

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <QAbstractTableModel>
+#include <memory>
+
+#include "core/session/measurement.h"
+#include "ui/import/import_choice.h"
+
+namespace alidade::ui {
+
+/// The rows of an import as they will stand, with the lines they come from.
+class ImportPreview : public QAbstractTableModel {
+  Q_OBJECT
+
+ public:
+  enum class Column { Position, Origin, Used, Point, Round, Face, Horizontal, Vertical, Slider, Note };
+  static constexpr int columns = static_cast<int>(Column::Note) + 1;
+
+  using QAbstractTableModel::QAbstractTableModel;
+
+  /// Null: nothing.
+  void setReading(std::shared_ptr<const ImportReading> reading);
+  bool isShown(Column column) const;  ///< else it says nothing
+
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+ private:
+  struct Row {
+    const ImportedRows* origin;
+    std::size_t offset;  ///< in it
+    const Reading* reading;
+  };
+
+  Row rowAt(int row) const;
+  QString text(const Row& row, Column column) const;
+  QString problem(const Row& row, Column column) const;
+
+  std::shared_ptr<const ImportReading> m_reading;
+  std::vector<std::size_t> m_begins;  ///< of each origin
+  VerticalCircle m_circle = VerticalCircle::Zenith;
+  CircleUnit m_unit = CircleUnit::Dms;
+};
+
+}  // namespace alidade::ui
