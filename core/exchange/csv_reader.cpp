@@ -8,8 +8,10 @@
 #include "core/base/angle_text.h"
 #include "core/base/limits.h"
 #include "core/base/list_text.h"
+#include "core/base/number_text.h"
 #include "core/base/visible_text.h"
 #include "core/exchange/csv_table.h"
+#include "core/exchange/csv_text.h"
 
 namespace alidade {
 
@@ -17,12 +19,13 @@ namespace {
 
 /// What a column of the table holds.
 struct Column {
-  const RowField* field;  ///< of the row; null: how the axis stood
+  const RowField* field;  ///< of the row; null: how the axis stood, or the how many-th time
+  bool isTurn = false;
 
   bool operator==(const Column&) const = default;
 };
 
-constexpr std::string_view axisHeadings = "axis position pos axisposition rotation";
+constexpr std::string_view axisHeadings = "axis position pos axisposition rotation", turnHeadings = "turn";
 
 struct Heading {
   std::optional<Column> column;
@@ -67,6 +70,7 @@ bool isAmong(std::string_view words, std::string_view word) {
 
 std::optional<Column> columnNamed(std::string_view word) {
   if (isAmong(axisHeadings, word)) return Column{nullptr};
+  if (isAmong(turnHeadings, word)) return Column{nullptr, true};
   for (const RowField& field : rowFields)
     if (isAmong(field.headings, word)) return Column{&field};
   return std::nullopt;
@@ -94,7 +98,7 @@ Heading headingOf(const std::string& name) {
 }
 
 std::string titleOf(Column column) {
-  return column.field ? std::string(column.field->key) : "axis";
+  return column.field ? std::string(column.field->key) : column.isTurn ? "turn" : "axis";
 }
 
 /// Goes through a table row by row.
@@ -198,7 +202,9 @@ class CsvReader {
         ++m_unusedCells[i];
       else if (!readCell(m_headings[i], cell, sighting))
         return refuse(row.line, cell.column,
-                      quotation(cell.text) + " is neither yes nor no: type one of them");
+                      quotation(cell.text) + (m_headings[i].column->isTurn
+                                                  ? " is no turn: turns of the axis count from 1"
+                                                  : " is neither yes nor no: type one of them"));
     }
     sighting.isZero = lowerCase(sighting.row.point) == m_zeroPoint;
     m_recording.sightings.push_back(std::move(sighting));
@@ -219,13 +225,18 @@ class CsvReader {
     return circles == 2;
   }
 
-  /// False where the cell is to say yes or no and does not.
-  bool readCell(const Heading& heading, const CsvCell& cell, RecordedSighting& sighting) const {
+  /// False where the cell is to count or to say yes or no, and does not.
+  bool readCell(const Heading& heading, const CsvCell& cell, RecordedSighting& sighting) {
     const RowField* field = heading.column->field;
-    if (!field) {
-      sighting.axis = {axisOf(cell.text), cell.column};
+    if (heading.column->isTurn) {
+      const Result<int> turn = parseWhole(cell.text);
+      if (!turn || *turn < 1) return false;
+      sighting.time = *turn;
+      m_recording.tellsTurns = true;
+    } else if (!field) {
+      sighting.axis = {axisOf(fromPlainCell(cell.text)), cell.column};
     } else if (field->text) {
-      sighting.enter(*field, textOf(*field, heading.unit, cell.text), cell.column);
+      sighting.enter(*field, textOf(*field, heading.unit, fromPlainCell(cell.text)), cell.column);
     } else {
       const auto flag = flagOf(cell.text);
       sighting.row.*field->flag = flag.value_or(false);

@@ -153,6 +153,7 @@ class Assembly {
   /// Where the axis comes back and places are sighted that were sighted there before, with nothing that calls
   /// it another round, the position is measured again, and the pointing zeros of that turn are its own.
   void takePositions() {
+    if (m_recording.tellsTurns) return countTurns();
     std::vector<Turn> all = turns();
     std::set<std::string> axes;
     for (const Turn& turn : all) axes.insert(turn.axis);
@@ -176,6 +177,18 @@ class Assembly {
       sighted[turn.axis].merge(own);
       for (RecordedSighting* sighting : turn.sightings) sighting->time = time;
     }
+  }
+
+  /// The turns that the file tells, without gaps.
+  void countTurns() {
+    std::map<std::string, std::map<int, int>> numbers;
+    for (const RecordedSighting& sighting : m_recording.sightings) numbers[sighting.axis.text][sighting.time];
+    for (auto& [axis, turns] : numbers) {
+      int count = 0;
+      for (auto& [told, number] : turns) number = ++count;
+    }
+    for (RecordedSighting& sighting : m_recording.sightings)
+      sighting.time = numbers.at(sighting.axis.text).at(sighting.time);
   }
 
   /// An entry as the number it means, so that 1 and 01 are one point.

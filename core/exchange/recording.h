@@ -36,7 +36,7 @@ struct RecordedSighting {
   /// Where the row's fields stand in the line, in the order of `rowFields`; as in LineProblem.
   std::array<std::size_t, rowFields.size()> columns{};
   bool isZero = false;  ///< of the pointing zero, not of the slider
-  int time = 1;         ///< the how many-th position at its axis it is of; who reads a file leaves it
+  int time = 1;  ///< the how many-th position at its axis it is of, where `tellsTurns`; else to be found
 
   void enter(const RowField& field, std::string text, std::size_t column);
   std::size_t columnOf(const RowField& field) const;
@@ -51,6 +51,7 @@ struct Recording {
   std::string instrumentName, instrumentSerial;
   std::string measuredOn;             ///< year-month-day
   std::string verticalCircle;         ///< "zenith", "elevation", or empty where the file does not say
+  bool tellsTurns = false;            ///< the file says which position at its axis a row is of
   std::vector<LineProblem> problems;  ///< lines that cannot be read; nothing of them is in `sightings`
   std::vector<std::string> unused;    ///< a sentence for each kind of thing a session has no place for
 };

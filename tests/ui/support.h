@@ -21,7 +21,8 @@ class ReadingsTable;
 class ScriptedDialogs : public Dialogs {
  public:
   SaveAnswer saveAnswer = SaveAnswer::Cancel;
-  QString openPath, importPath, savePath, reportPath;
+  QString openPath, importPath, savePath, reportPath, exportPath;
+  QString exportSuggested;  ///< as asked last
   int saveQuestions = 0;
   bool discardOther = false;
   QStringList othersAsked;  ///< sessions that undo or redo leads to: whether they may be lost
@@ -63,6 +64,10 @@ class ScriptedDialogs : public Dialogs {
   QString askImportPath(const QString&) override { return importPath; }
   QString askSavePath(const QString&) override { return savePath; }
   QString askReportPath(const QString&) override { return reportPath; }
+  QString askExportPath(const QString&, const QString& suggestion, const QString&) override {
+    exportSuggested = suggestion;
+    return exportPath;
+  }
   bool askReportWithoutVerdict(int entries) override {
     unusableEntries.append(entries);
     return exportAnyway;

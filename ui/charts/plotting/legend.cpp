@@ -22,7 +22,7 @@ struct Measures {
 double signWidth(const LegendEntry& entry, const Measures& measures) {
   if (std::holds_alternative<std::monostate>(entry.sign)) return 0;
   const auto* marker = std::get_if<Marker>(&entry.sign);
-  return measures.sign * (!marker ? 1 : marker->ringed ? 0.75 : 0.55) + measures.gap;
+  return measures.sign * (!marker ? 1 : marker->ringed || marker->struck ? 0.75 : 0.55) + measures.gap;
 }
 
 }  // namespace
