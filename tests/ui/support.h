@@ -104,6 +104,9 @@ QString samplePath(const QString& name);
 /// A simulated session without errors, with positions at these axes in the order taken, and a tolerance.
 Session sessionTakenAt(const std::vector<int>& axes);
 
+/// A simulated session, its places read there and back in both faces.
+Session sessionInTwoFaces();
+
 /// Types `text` and ends it with `key`, wherever the keyboard is, the editor of a cell included.
 void typeInto(QWidget& widget, const QString& text, Qt::Key key = Qt::Key_Return);
 

@@ -59,7 +59,7 @@ void CentresInset::updateScale() {
   const double line = QFontMetricsF(m_style.font).height();
   m_picture = m_square.adjusted(1.2 * line, 2.6 * line, -1.2 * line, -1.9 * line);
   m_isCompact = m_picture.width() < 2 * line || m_picture.height() < 2 * line;
-  if (m_isCompact) m_picture = m_square.adjusted(0.4 * line, 1.3 * line, -0.4 * line, -1.5 * line);
+  if (m_isCompact) m_picture = m_square.adjusted(0.4 * line, 0.4 * line, -0.4 * line, -1.5 * line);
   if (m_picture.width() < 2 * line || m_picture.height() < 1.5 * line) return;
   const DrawnIntersection& i = *m_intersection;
   const double expanded = std::isfinite(i.expanded) ? i.expanded : 0;
@@ -238,8 +238,14 @@ void CentresInset::paintDistance(QPainter* painter) const {
 
 void CentresInset::paintScaleBar(QPainter* painter) const {
   const QFontMetricsF metrics(m_style.font);
-  const double length = roundDown125(m_square.width() * 0.4 / m_scale);
-  const QString text = plainNumberText(length) + QStringLiteral(" mm");
+  double length = roundDown125(m_square.width() * 0.4 / m_scale);
+  QString text;
+  // Shorter where its figure has no room beside it.
+  for (int tries = 0; tries < 4; ++tries, length = roundDown125(0.9 * length)) {
+    text = plainNumberText(length) + QStringLiteral(" mm");
+    const double beside = metrics.horizontalAdvance(text) + 1.4 * metrics.height();
+    if (length * m_scale + beside <= m_square.width()) break;
+  }
   const double y = m_square.bottom() - 0.75 * metrics.height();
   const double left = m_square.left() + 0.6 * metrics.height();
   const double right = left + length * m_scale;
@@ -251,6 +257,7 @@ void CentresInset::paintScaleBar(QPainter* painter) const {
 }
 
 void CentresInset::paintTitle(QPainter* painter) const {
+  if (m_isCompact) return;
   const QFontMetricsF metrics(m_style.font);
   const double room = m_square.width() - 0.8 * metrics.height();
   QPointF at(m_square.left() + 0.4 * metrics.height(),
@@ -265,7 +272,6 @@ void CentresInset::paintTitle(QPainter* painter) const {
                   QStringLiteral("Centres")},
       QStringList{QStringLiteral("Δd = ") + value + coverage, QStringLiteral("Δd = ") + value, value}};
   for (const QStringList& wordings : lines) {
-    if (m_isCompact && &wordings == &lines.front()) continue;
     const auto fits = std::find_if(wordings.begin(), wordings.end(), [&](const QString& text) {
       return metrics.horizontalAdvance(text) <= room;
     });

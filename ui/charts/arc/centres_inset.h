@@ -47,7 +47,7 @@ class CentresInset : public QGraphicsItem {
   std::optional<DrawnIntersection> m_intersection;
   QRectF m_square;
   QRectF m_picture;          // where the centres may lie; the rest is text
-  bool m_isCompact = false;  // where there is little room, the value alone is the title
+  bool m_isCompact = false;  // where there is little room there is no title
   double m_scale = 0;
 };
 
