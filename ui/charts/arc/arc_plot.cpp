@@ -100,6 +100,7 @@ QPointF ArcPlot::shiftOf(const DrawnSighting& sighting) const {
 void ArcPlot::drawMarks() {
   m_drawn = m_choice.among(m_picture->kinds);
   m_slots = RowSlots(m_picture->kinds, m_drawn);
+  m_unit = style().unit();
   std::vector<Mark> marks;
   std::vector<Stick> sticks;
   marks.reserve(m_picture->sightings.size() + m_picture->excluded.size());
@@ -147,6 +148,7 @@ void ArcPlot::showLegend() {
 
 void ArcPlot::applyStyle() {
   const double unit = style().unit();
+  if (unit != m_unit) drawMarks();
   for (QLineSeries* piece : m_arcs[Upper]) piece->setPen(QPen(style().upper, 1.3 * unit));
   for (QLineSeries* piece : m_arcs[Lower]) piece->setPen(QPen(style().lower, 1.3 * unit, Qt::DashLine));
   std::vector<Marker> markers{style().marker(0, MarkerShape::Circle),

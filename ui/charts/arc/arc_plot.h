@@ -53,6 +53,7 @@ class ArcPlot : public Plot {
   RowChoice m_choice;
   RowChoice m_drawn;  // what of it the picture has
   RowSlots m_slots;
+  double m_unit = 0;                                           // of the style that the marks stand apart in
   std::array<std::array<QLineSeries*, mostPieces>, 2> m_arcs;  // axis at 0°, at 180°; owned by the chart
   CentresInset* m_inset;                                       // owned by the chart
 };

@@ -166,13 +166,23 @@ void CentresInset::paintEllipses(QPainter* painter) const {
     if (!std::isfinite(major) || minor > 4 * m_square.width() || major > 1000 * m_square.width()) return;
     const QTransform turned = QTransform::fromTranslate(place(centre).x(), place(centre).y())
                                   .rotate(-ellipse.direction * 180 / M_PI);
+    painter->setPen(pen);
+    painter->setBrush(Qt::NoBrush);
+    const PlanePoint<double> reach = ellipse.reach();
+    const QPointF corner(reach.x * m_scale, reach.y * m_scale);
+    if (frame().contains(QRectF(place(centre) - corner, place(centre) + corner))) {
+      painter->save();
+      painter->setTransform(turned, true);
+      painter->drawEllipse(QPointF(), major, minor);
+      painter->restore();
+      return;
+    }
     constexpr int steps = 360;
     QList<QPointF> points;
     for (int i = 0; i <= steps; ++i) {
       const double angle = 2 * M_PI * i / steps;
       points.append(turned.map(QPointF(major * std::cos(angle), minor * std::sin(angle))));
     }
-    painter->setPen(pen);
     for (const QList<QPointF>& piece : clipped(points, frame())) painter->drawPolyline(piece);
   };
   const double width = 1.1 * m_style.unit();

@@ -89,7 +89,7 @@ void ResidualPlot::draw() {
   const std::vector<ResidualPoint> points = residualPoints(*m_picture, m_drawn);
   std::vector<Mark> marks;
   marks.reserve(points.size());
-  const double unit = style().unit();
+  const double unit = m_unit = style().unit();
   for (const ResidualPoint& point : points) {
     const DrawnResidual& residual = m_picture->residuals[point.index];
     marks.push_back({point.at,
@@ -227,6 +227,7 @@ std::vector<LegendEntry> ResidualPlot::noiseEntries() const {
 
 void ResidualPlot::applyStyle() {
   const double unit = style().unit();
+  if (unit != m_unit) return draw();  // which ends here
   for (std::size_t i = 0; i < m_bands.size(); ++i) {
     m_bands[i].area->setPen(Qt::NoPen);
     m_bands[i].area->setBrush(i + 1 == m_bands.size() ? style().band : style().outerBand);

@@ -68,6 +68,7 @@ class ResidualPlot : public Plot {
   ResidualChoice m_drawn;  ///< what of it the picture has
   ResidualKinds m_kinds;
   RowSlots m_slots;
+  double m_unit = 0;  // of the style that the marks stand apart in
   NormalEnvelope m_envelope;
   std::vector<StatedNoise> m_noise;  // the largest σ first
   std::size_t m_unchecked = 0;       // chosen, but without a standardised residual
