@@ -89,9 +89,10 @@ TEST_F(Export, ResultAndGapAreWhatTheConsolePrints) {
 
 TEST_F(Export, HoldsWhatIsHalfTyped) {
   openSample(QStringLiteral("paper-table-1.alidade"));
-  ReadingsEditor(open->document(), 0).setCell({0, ReadingColumn::Note}, "=1+1");
+  open->reveal({.position = 0, .reading = 3, .field = "vertical"});
+  QTest::keyClicks(open->currentTable(), QStringLiteral("85 10 07"));  // and no Enter
   exportAs(QStringLiteral("Readings (CSV)…"), QStringLiteral("rows.csv"));
-  EXPECT_TRUE(bytesOf(QStringLiteral("rows.csv")).contains(",'=1+1\n"));
+  EXPECT_TRUE(bytesOf(QStringLiteral("rows.csv")).contains(",85 10 07,"));
 }
 
 TEST_F(Export, ResidualsAndBudgetAreTables) {

@@ -235,8 +235,8 @@ QString ArcPlot::summary() const {
 
 QString ArcPlot::standard() const {
   return m_picture->intersection && m_picture->intersection->tolerance
-             ? tr("Good: marks on both arcs, strokes that point every way, O1 and O2 within the tolerance.")
-             : tr("Good: marks on both arcs, strokes that point every way, O1 and O2 close to the axis.");
+             ? tr("Good: strokes point every way, O1 and O2 lie within the tolerance.")
+             : tr("Good: strokes point every way, O1 and O2 lie close to the axis.");
 }
 
 std::string ArcPlot::csv() const {
