@@ -30,10 +30,9 @@ PaintedPicture BarRows::picture() {
 }
 
 void BarRows::contextMenuEvent(QContextMenuEvent* event) {
-  auto* menu = new QMenu(this);
-  m_files->addTo(*menu);
-  connect(menu, &QMenu::aboutToHide, menu, &QObject::deleteLater);
-  menu->popup(event->globalPos());
+  m_menu = std::make_unique<QMenu>(this);
+  m_files->addTo(*m_menu);
+  m_menu->popup(event->globalPos());
 }
 
 void BarRows::keyPressEvent(QKeyEvent* event) {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <QMenu>
 #include <QWidget>
+#include <memory>
 
 #include "ui/charts/plotting/chart_files.h"
 
@@ -36,6 +38,7 @@ class BarRows : public QWidget, public ChartSource {
  private:
   QString m_fileName;
   ChartFiles* m_files;
+  std::unique_ptr<QMenu> m_menu;  ///< the last that was opened
 };
 
 }  // namespace alidade::ui

@@ -299,9 +299,8 @@ void PlotWidget::contextMenuEvent(QContextMenuEvent* event) {
 
 void PlotWidget::showMenu(const QPoint& globalPlace) {
   endDrag();
-  QMenu* menu = makeMenu().release();  // a child; goes when it is closed
-  connect(menu, &QMenu::aboutToHide, menu, &QObject::deleteLater);
-  menu->popup(globalPlace);
+  m_menu = makeMenu();
+  m_menu->popup(globalPlace);
 }
 
 std::unique_ptr<QMenu> PlotWidget::makeMenu() {

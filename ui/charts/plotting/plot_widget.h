@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QMenu>
 #include <QWidget>
 #include <cstddef>
 #include <memory>
@@ -7,7 +8,6 @@
 #include "ui/charts/plotting/chart_files.h"
 
 class QGraphicsView;
-class QMenu;
 class QMouseEvent;
 class QRubberBand;
 class QToolButton;
@@ -92,6 +92,8 @@ class PlotWidget : public QWidget, public ChartSource {
   QToolButton* m_menuButton;
   ChartFiles* m_files;
   QRubberBand* m_band;
+  /// Stays until the next one is wanted: what was chosen in it may ask for a file meanwhile.
+  std::unique_ptr<QMenu> m_menu;
   Drag m_drag = Drag::None;
   QPoint m_pressed, m_dragged;
 };

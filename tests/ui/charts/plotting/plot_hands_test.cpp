@@ -7,6 +7,7 @@
 #include <QClipboard>
 #include <QGraphicsView>
 #include <QMenu>
+#include <QPointer>
 #include <QRubberBand>
 #include <QSignalSpy>
 #include <QTest>
@@ -313,6 +314,22 @@ TYPED_TEST(PlotHands, CsvHasARowForEveryPoint) {
     ++rows;
   }
   EXPECT_EQ(rows, this->plot().markers().marks().size());
+}
+
+// A dialog for the file is a loop of events within the menu's own call.
+TYPED_TEST(PlotHands, ItsMenuOutlastsTheDialogsThatItOpens) {
+  QContextMenuEvent byKey(QContextMenuEvent::Keyboard, QPoint(3, 3), this->chart.mapToGlobal(QPoint(3, 3)));
+  QApplication::sendEvent(&this->chart, &byKey);
+  QPointer<QMenu> menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+  ASSERT_TRUE(menu);
+  bool wasThere = false;
+  QObject::connect(&this->chart.files(), &ChartFiles::fileWanted, &this->chart, [&] {
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    wasThere = menu;
+  });
+  menu->setActiveAction(actionOf(*menu, QStringLiteral("Save as PNG…")));
+  QTest::keyClick(menu, Qt::Key_Return);
+  EXPECT_TRUE(wasThere);
 }
 
 TYPED_TEST(PlotHands, AMenuOpensByKeyAndButton) {
