@@ -59,7 +59,7 @@ void CentresInset::updateScale() {
   const double line = QFontMetricsF(m_style.font).height();
   m_picture = m_square.adjusted(1.2 * line, 2.6 * line, -1.2 * line, -1.9 * line);
   m_isCompact = m_picture.width() < 2 * line || m_picture.height() < 2 * line;
-  if (m_isCompact) m_picture = m_square.adjusted(0.4 * line, 0.4 * line, -0.4 * line, -1.5 * line);
+  if (m_isCompact) m_picture = m_square.adjusted(0.4 * line, 0.4 * line, -0.4 * line, -1.9 * line);
   if (m_picture.width() < 2 * line || m_picture.height() < 1.5 * line) return;
   const DrawnIntersection& i = *m_intersection;
   const double expanded = std::isfinite(i.expanded) ? i.expanded : 0;
@@ -248,22 +248,26 @@ void CentresInset::paintDistance(QPainter* painter) const {
 
 void CentresInset::paintScaleBar(QPainter* painter) const {
   const QFontMetricsF metrics(m_style.font);
+  const double margin = (m_isCompact ? 0.3 : 0.6) * metrics.height(), gap = 0.4 * metrics.height();
+  const auto textOf = [](double millimetres) { return plainNumberText(millimetres) + QStringLiteral(" mm"); };
+  const auto fits = [&](double millimetres) {
+    const double beside = metrics.horizontalAdvance(textOf(millimetres)) + margin + gap;
+    return millimetres * m_scale + beside <= m_square.width();
+  };
   double length = roundDown125(m_square.width() * 0.4 / m_scale);
-  QString text;
-  // Shorter where its figure has no room beside it.
-  for (int tries = 0; tries < 4; ++tries, length = roundDown125(0.9 * length)) {
-    text = plainNumberText(length) + QStringLiteral(" mm");
-    const double beside = metrics.horizontalAdvance(text) + 1.4 * metrics.height();
-    if (length * m_scale + beside <= m_square.width()) break;
-  }
-  const double y = m_square.bottom() - 0.75 * metrics.height();
-  const double left = m_square.left() + 0.6 * metrics.height();
+  // Shorter where its figure, which stands above a compact one, has no room beside it.
+  if (const double half = roundDown125(0.9 * length); !m_isCompact && !fits(length) && fits(half))
+    length = half;
+  const QString text = textOf(length);
+  const double y = m_square.bottom() - (m_isCompact ? 0.4 : 0.75) * metrics.height();
+  const double left = m_square.left() + margin;
   const double right = left + length * m_scale;
   const double tick = 0.25 * metrics.height();
   painter->setPen(QPen(m_style.text, 1.2 * m_style.unit()));
   painter->drawLine(QPointF(left, y), QPointF(right, y));
   for (const double x : {left, right}) painter->drawLine(QPointF(x, y - tick), QPointF(x, y + tick));
-  painter->drawText(QPointF(right + 0.5 * metrics.height(), y + metrics.ascent() * 0.4), text);
+  painter->drawText(m_isCompact ? QPointF(left, y - tick) : QPointF(right + gap, y + metrics.ascent() * 0.4),
+                    text);
 }
 
 void CentresInset::paintTitle(QPainter* painter) const {

@@ -206,7 +206,7 @@ void Plot::rearrange() {
   const double pad = QFontMetricsF(m_style.font).height() * 0.5;
   m_scene.setSceneRect(QRectF({}, m_size));
   m_legend->setPos(pad, pad);
-  const double legendHeight = m_legend->layOut(m_size.width() - 2 * pad - m_corner);
+  const double legendHeight = m_legend->layOut(m_size.width() - 2 * pad, m_corner);
   m_chart->setMargins(QMarginsF(pad, pad + legendHeight, pad, pad).toMargins());
   m_chart->resize(m_size);
   fitRangeToPlotArea();

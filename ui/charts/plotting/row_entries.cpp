@@ -21,12 +21,10 @@ std::vector<LegendEntry> rowEntries(const PlotStyle& style, const RowKinds& kind
     marker.inside = style.background;
     marker.filled = false;
     marker.struck = true;
-    entries.push_back({marker, RowEntriesText::tr("struck: face 2")});
+    entries.push_back({marker, RowEntriesText::tr("face 2")});
   }
   if (areApart && kinds.rounds.size() > 1 && !choice.round)
-    entries.push_back(
-        {{},
-         RowEntriesText::tr("rounds %1…%2 side by side").arg(kinds.rounds.front()).arg(kinds.rounds.back())});
+    entries.push_back({{}, RowEntriesText::tr("rounds side by side")});
   if (const QString only = choice.text(); !only.isEmpty()) entries.push_back({{}, only});
   return entries;
 }
