@@ -21,7 +21,7 @@ bool looksLikeFormula(std::string_view text) {
 
 std::string asPlainCell(std::string_view text) {
   if (!looksLikeFormula(text)) return std::string(text);
-  const std::string own(text);
+  std::string own(text);
   if (own.front() != '\'' && (parseNumber(own) || parseAngle(own))) return own;
   return "'" + own;
 }

@@ -32,7 +32,7 @@ std::size_t kindOf(const DrawnSighting& sighting) {
 QList<QPointF> polyline(const DrawnArc& arc, double sagitta) {
   const double step = std::sqrt(8 * sagitta / arc.circle.radius);
   const double wanted = std::ceil((arc.lastAngle - arc.firstAngle) / step);
-  const int steps = static_cast<int>(std::clamp(wanted, 60.0, 20000.0));
+  const int steps = wanted > 60 ? static_cast<int>(std::min(wanted, 20000.0)) : 60;  // of no number, too
   QList<QPointF> points;
   for (int i = 0; i <= steps; ++i) {
     const double angle = arc.firstAngle + (arc.lastAngle - arc.firstAngle) * i / steps;
