@@ -230,7 +230,6 @@ void PlotWidget::keyPressEvent(QKeyEvent* event) {
       return zoomAtCurrent(zoomStep);
     case Qt::Key_Minus:
       return zoomAtCurrent(1 / zoomStep);
-    case Qt::Key_0:
     case Qt::Key_Home:
       return m_plot->showWhole();
     case Qt::Key_Return:
@@ -310,7 +309,7 @@ std::unique_ptr<QMenu> PlotWidget::makeMenu() {
   menu->addAction(tr("Zoom &In\t+"), this, [this] { zoomAtCurrent(zoomStep); });
   menu->addAction(tr("Zoom &Out\t−"), this, [this] { zoomAtCurrent(1 / zoomStep); })
       ->setEnabled(m_plot->isZoomed());
-  menu->addAction(tr("Show &Whole\t0"), this, [this] { m_plot->showWhole(); })
+  menu->addAction(tr("Show &Whole\tHome"), this, [this] { m_plot->showWhole(); })
       ->setEnabled(m_plot->isZoomed());
   addChoices(*menu);
   return menu;

@@ -21,8 +21,8 @@ struct Mark;
 
 /// A plot on the screen: follows the widget's size, palette and font, tells the point under the mouse, and
 /// hands on a click on one. It is enlarged by the wheel, by a band drawn around a part, and by + and −; moved
-/// with the middle button, Shift and the left one, or Shift and arrows; whole again by a double click, 0 or
-/// Home. Arrows lead from point to point, which is told to screen readers as its value; Enter activates it. A
+/// with the middle button, Shift and the left one, or Shift and arrows; whole again by a double click or Home;
+/// digits are left to the readings. Arrows lead from point to point, which is told to screen readers as its value; Enter activates it. A
 /// menu offers all this, pictures and numbers; below stands what a good one looks like.
 class PlotWidget : public QWidget, public ChartSource {
   Q_OBJECT
