@@ -29,6 +29,7 @@
 #include "ui/commands/remove_position.h"
 #include "ui/commands/state_noise.h"
 #include "ui/dialogs/blind_trial_dialog.h"
+#include "ui/dialogs/export_flow.h"
 #include "ui/dialogs/safekeeping.h"
 #include "ui/document/field.h"
 #include "ui/forms/field_binding.h"
@@ -130,6 +131,7 @@ QWidget* stacked(QWidget* upper, QWidget* lower) {
 MainWindow::MainWindow(std::unique_ptr<Dialogs> dialogs)
     : m_dialogs(dialogs ? std::move(dialogs) : std::make_unique<Dialogs>(this)),
       m_files(m_document, *m_dialogs),
+      m_exports(new ExportFlow(m_document, *m_dialogs, this)),
       m_watch(m_document) {
   QWidget* entries = createEntryColumn();
   QWidget* results = createResultColumn();
@@ -246,7 +248,6 @@ PageTabs* MainWindow::createDetails() {
   connect(m_positions, &PositionTabs::rowEntered, residuals, &ResidualChart::setHighlighted);
   connect(m_positions, &PositionTabs::rowEntered, reliability, &ReliabilityPanel::setCurrentReading);
   const auto select = [this](std::size_t position, std::size_t row) { selectReading(position, row); };
-  connect(residuals, &ResidualChart::sightingActivated, this, select);
   connect(reliability, &ReliabilityPanel::sightingActivated, this, select);
   connect(faces, &TwoFacesPanel::sightingActivated, this, select);
   return pages;
@@ -281,8 +282,8 @@ void MainWindow::connectParts() {
   connect(m_positions, &PositionTabs::tableCreated, m_actions, &WindowActions::attachTo);
   for (std::size_t i = 0; m_positions->table(i); ++i) m_actions->attachTo(m_positions->table(i));
   connect(m_positions, &PositionTabs::rowEntered, m_arcChart, &ArcChart::setHighlighted);
-  connect(m_arcChart, &ArcChart::sightingActivated, this, &MainWindow::selectReading);
   connectEntry();
+  connectCharts();
   connectSuspects();
   connectGap();
   connectFile();
@@ -350,6 +351,23 @@ void MainWindow::connectFile() {
   connect(&m_watch, &FileWatch::changedElsewhere, this,
           [this](bool is) { is ? m_changedFile->tellOf(m_document.displayName()) : m_changedFile->hide(); });
   connect(m_changedFile, &ChangedFileBar::comparisonWanted, &m_files, &FileFlow::settleChange);
+}
+
+void MainWindow::connectCharts() {
+  connect(m_exports, &ExportFlow::commitWanted, this, &MainWindow::commitPending);
+  connect(m_exports, &ExportFlow::remark, this,
+          [this](const QString& text) { statusBar()->showMessage(visibleLine(text), 8000); });
+  for (ChartFiles* files : findChildren<ChartFiles*>())
+    connect(files, &ChartFiles::fileWanted, m_exports, &ExportFlow::saveChart);
+  for (PlotWidget* chart : findChildren<PlotWidget*>()) {
+    connect(chart, &PlotWidget::sightingActivated, this, &MainWindow::selectReading);
+    connect(chart, &PlotWidget::sightingStepped, this, [this](std::size_t position, std::size_t row) {
+      reveal({.position = position, .reading = row}, false);
+    });
+    connect(&m_document, &SessionDocument::changed, chart, [chart](const SessionChange& change) {
+      if (change.kind == SessionChange::Kind::Everything) chart->showWhole();
+    });
+  }
 }
 
 void MainWindow::keepIn(const QString& folder) {

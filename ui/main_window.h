@@ -24,6 +24,7 @@ class BlindTrialDialog;
 class BudgetPanel;
 class ChangedFileBar;
 class EffectsPanel;
+class ExportFlow;
 class FindBar;
 class FindingsPanel;
 class GapPanel;
@@ -49,6 +50,7 @@ class MainWindow : public QMainWindow {
 
   SessionDocument& document() { return m_document; }
   FileFlow& files() { return m_files; }
+  ExportFlow& exports() { return *m_exports; }
   FitJob& job() { return m_job; }
   GapJob& gapJob() { return m_gapJob; }
   ReadingsTable* currentTable() const;
@@ -105,6 +107,7 @@ class MainWindow : public QMainWindow {
   void connectSuspects();
   void connectGap();
   void connectFile();
+  void connectCharts();
   void excludeRow(const Place& place);
   void selectReading(std::size_t position, std::size_t row);
   void goToNextEntryOf(std::size_t position);
@@ -129,6 +132,7 @@ class MainWindow : public QMainWindow {
   std::unique_ptr<Dialogs> m_dialogs;
   SessionDocument m_document;
   FileFlow m_files;
+  ExportFlow* m_exports;
   FileWatch m_watch;
   Safekeeping* m_safekeeping = nullptr;  ///< null until `keepIn`
   FitJob m_job;

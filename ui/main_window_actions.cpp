@@ -17,6 +17,7 @@
 #include "ui/commands/add_position.h"
 #include "ui/commands/change_field.h"
 #include "ui/dialogs/command_palette.h"
+#include "ui/dialogs/export_flow.h"
 #include "ui/main_window.h"
 #include "ui/panels/readings/position_tabs.h"
 #include "ui/panels/readings/readings_table.h"
@@ -91,9 +92,23 @@ void WindowActions::createFileMenu(QToolBar& bar) {
   menu.addSeparator();
   bar.addAction(addTo(menu, "report", tr("&Export Acceptance Report…"), QKeySequence(tr("Ctrl+E")), this,
                       [&files] { files.exportReport(); }));
+  addExportMenu(menu);
   menu.addSeparator();
   addTo(menu, nullptr, tr("&Close"), QKeySequence(tr("Ctrl+W")), this, [&files] { files.startNew(); });
   addTo(menu, nullptr, tr("&Quit"), QKeySequence(tr("Ctrl+Q")), this, [this] { m_window.close(); });
+}
+
+/// What other programs read.
+void WindowActions::addExportMenu(QMenu& menu) {
+  QMenu& exports = *menu.addMenu(tr("E&xport"));
+  const std::pair<QString, bool (ExportFlow::*)()> kinds[] = {
+      {tr("&Readings (CSV)…"), &ExportFlow::exportReadings},
+      {tr("Re&siduals (CSV)…"), &ExportFlow::exportResiduals},
+      {tr("R&esult (JSON)…"), &ExportFlow::exportResult},
+      {tr("&Gap (JSON)…"), &ExportFlow::exportGap},
+      {tr("&Budget (CSV)…"), &ExportFlow::exportBudget}};
+  for (const auto& [text, call] : kinds)
+    addTo(exports, nullptr, text, {}, this, [this, call = call] { (m_window.exports().*call)(); });
 }
 
 void WindowActions::fillRecentMenu(QMenu& menu) {

@@ -26,6 +26,7 @@ class WindowActions : public QObject {
   enum class Clipboard { Cut, Copy, Paste };
 
   void createFileMenu(QToolBar& bar);
+  void addExportMenu(QMenu& menu);
   void createEditMenu(QToolBar& bar);
   void addEntryActions(QMenu& menu);
   void addPositionActions(QMenu& menu);

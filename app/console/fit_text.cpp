@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "app/console/findings_output.h"
+#include "app/console/findings_text.h"
 #include "app/console/text_layout.h"
 #include "app/console/two_faces_text.h"
 #include "core/base/number_text.h"

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "app/console/fit_answer.h"
 #include "core/adjustment/result/session_fit.h"
+#include "core/answers/fit_answer.h"
 #include "core/session/measurement.h"
 
 namespace alidade::console {

@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "app/console/json_text.h"
 #include "app/console/text_layout.h"
+#include "core/answers/json_text.h"
 #include "core/base/visible_text.h"
 #include "core/wording/journal.h"
 

@@ -2,10 +2,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/console/attainable_json.h"
-#include "app/console/findings_output.h"
-#include "app/console/json_text.h"
+#include "app/console/findings_text.h"
 #include "app/console/text_layout.h"
+#include "core/answers/attainable_json.h"
+#include "core/answers/findings_json.h"
+#include "core/answers/json_text.h"
 #include "core/base/list_text.h"
 #include "core/base/number_text.h"
 #include "core/base/quantity_text.h"

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/console/json_text.h"
 #include "app/console/text_layout.h"
+#include "core/answers/json_text.h"
 #include "core/base/number_text.h"
 #include "core/base/quantity_text.h"
 

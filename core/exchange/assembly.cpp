@@ -39,7 +39,10 @@ class Assembly {
   Import assemble() {
     takeHeadings();
     takeFaces();
-    takePositions(m_sightings, m_options.base);
+    if (m_tellsTurns && !m_isAdded)
+      countTurns();
+    else
+      takePositions(m_sightings, m_options.base);
     if (takeRounds(m_sightings, m_options.base))
       remark("points that come again in the same position and face are put into further rounds");
     numberPoints();
@@ -64,6 +67,18 @@ class Assembly {
  private:
   void remark(const std::string& sentence) { m_import.remarks.push_back(sentence); }
 
+  /// The turns that the file tells, without gaps.
+  void countTurns() {
+    std::map<std::string, std::map<int, int>> numbers;
+    for (const RecordedSighting& sighting : m_sightings) numbers[sighting.axis.text][sighting.time];
+    for (auto& [axis, turns] : numbers) {
+      int count = 0;
+      for (auto& [told, number] : turns) number = ++count;
+    }
+    for (RecordedSighting& sighting : m_sightings)
+      sighting.time = numbers.at(sighting.axis.text).at(sighting.time);
+  }
+
   bool areSeveral() const { return m_files.size() > 1; }
   /// In front of what is said of one of several files.
   std::string ofFile(std::size_t file) const {
@@ -82,6 +97,7 @@ class Assembly {
       m_problems.emplace_back(file, std::move(problem));
     }
     for (const std::string& sentence : recording.unused) remark(ofFile(file) + sentence);
+    m_tellsTurns = m_tellsTurns || recording.tellsTurns;
     takeAxes(recording, file);
     const std::string& round = m_files[file].round;
     for (RecordedSighting& sighting : recording.sightings) {
@@ -344,7 +360,8 @@ class Assembly {
 
   const std::vector<ReadingsFile>& m_files;
   const ImportOptions& m_options;
-  bool m_isAdded;  ///< to the readings of a session
+  bool m_tellsTurns = false;  ///< a file says which position at its axis a row is of
+  bool m_isAdded;             ///< to the readings of a session
   std::vector<Recording> m_recordings;
   std::vector<RecordedSighting> m_sightings;                    ///< of all files, in their order
   std::vector<std::pair<std::size_t, LineProblem>> m_problems;  ///< with the index of the file

@@ -7,8 +7,10 @@
 #include "core/base/angle_text.h"
 #include "core/base/limits.h"
 #include "core/base/list_text.h"
+#include "core/base/number_text.h"
 #include "core/base/visible_text.h"
 #include "core/exchange/csv_table.h"
+#include "core/exchange/csv_text.h"
 #include "core/exchange/words.h"
 
 namespace alidade {
@@ -163,14 +165,19 @@ class CsvReader {
 
   /// Why the cell cannot be used, behind its quotation.
   std::optional<std::string> readCell(const ColumnName& column, const CsvCell& cell,
-                                      RecordedSighting& sighting) const {
+                                      RecordedSighting& sighting) {
     const RowField* field = column.column->field;
-    if (!field) {
-      sighting.axis = {axisOf(cell.text), cell.column};
+    if (column.column->isTurn) {
+      const Result<int> turn = parseWhole(cell.text);
+      if (!turn || *turn < 1) return " is no turn: turns of the axis count from 1";
+      sighting.time = *turn;
+      m_recording.tellsTurns = true;
+    } else if (!field) {
+      sighting.axis = {axisOf(fromPlainCell(cell.text)), cell.column};
     } else if (field->text) {
       if (isAngle(*field) && cell.text.find(otherSign()) != std::string::npos)
         return " has another decimal sign than the one that was stated: choose either of them";
-      sighting.enter(*field, textOf(*field, unitOf(column), cell.text), cell.column);
+      sighting.enter(*field, textOf(*field, unitOf(column), fromPlainCell(cell.text)), cell.column);
     } else {
       const auto flag = flagOf(cell.text);
       if (!flag) return " is neither yes nor no: type one of them";

@@ -10,7 +10,9 @@ namespace alidade {
 
 /// Reads a table of rows (csv_table.h) whose columns are named by its first row, in any order, or by
 /// `layout`: the fields of a row, each by one of its `headings` (row_fields.h), and `axis` or `position`, 0
-/// or 180. Both circles are needed. A cell may say more than an entry of a session:
+/// or 180. `turn` is the how many-th position at its axis. Both circles are needed. An
+/// apostrophe that kept a spreadsheet from taking a text for a formula (csv_text.h) is taken off. A cell may
+/// say more than an entry of a session:
 ///
 ///   point      a name; ZERO, or `zeroPoint`, is the pointing zero; the column may be called `no` or `number`
 ///   face       I, II, L, R, left, right

@@ -36,9 +36,9 @@ struct RecordedSighting {
   Reading row;  ///< angles in a notation of `parseAngle`
   /// Where the row's fields stand in the line, in the order of `rowFields`; as in LineProblem.
   std::array<std::size_t, rowFields.size()> columns{};
-  bool isZero = false;   ///< of the pointing zero, not of the slider
-  int time = 1;          ///< the how many-th position at its axis it is of; who reads a file leaves it
-  std::size_t file = 0;  ///< index of its file among several; likewise
+  bool isZero = false;  ///< of the pointing zero, not of the slider
+  int time = 1;  ///< the how many-th position at its axis it is of, where `tellsTurns`; else to be found
+  std::size_t file = 0;  ///< index of its file among several; who reads a file leaves it
 
   void enter(const RowField& field, std::string text, std::size_t column);
   std::size_t columnOf(const RowField& field) const;
@@ -53,6 +53,7 @@ struct Recording {
   std::string instrumentName, instrumentSerial;
   std::string measuredOn;             ///< year-month-day
   std::string verticalCircle;         ///< "zenith", "elevation", or empty where the file does not say
+  bool tellsTurns = false;            ///< the file says which position at its axis a row is of
   std::vector<LineProblem> problems;  ///< lines that cannot be read; nothing of them is in `sightings`
   std::vector<std::string> unused;    ///< a sentence for each kind of thing a session has no place for
 };

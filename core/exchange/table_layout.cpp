@@ -8,7 +8,7 @@ namespace alidade {
 
 namespace {
 
-constexpr std::string_view axisHeadings = "axis position pos axisposition rotation";
+constexpr std::string_view axisHeadings = "axis position pos axisposition rotation", turnHeadings = "turn";
 
 /// The words of a column's name: letters and signs other than separators, in small letters.
 std::vector<std::string> partsOfName(const std::string& name) {
@@ -37,6 +37,7 @@ bool isAmong(std::string_view words, std::string_view word) {
 
 std::optional<TableColumn> columnNamed(std::string_view word) {
   if (isAmong(axisHeadings, word)) return TableColumn{nullptr};
+  if (isAmong(turnHeadings, word)) return TableColumn{nullptr, true};
   for (const RowField& field : rowFields)
     if (isAmong(field.headings, word)) return TableColumn{&field};
   return std::nullopt;
@@ -46,6 +47,7 @@ std::optional<TableColumn> columnNamed(std::string_view word) {
 
 std::optional<TableColumn> tableColumn(std::string_view key) {
   if (key == "axis") return TableColumn{nullptr};
+  if (key == "turn") return TableColumn{nullptr, true};
   const RowField* field = rowFieldNamed(key);
   return field ? std::optional(TableColumn{field}) : std::nullopt;
 }

@@ -16,8 +16,8 @@ enum class DecimalSign { Either, Point, Comma };
 struct TableLayout {
   char separator = '\0';     ///< tab, ; , or a blank for any number of them; 0: as the first row has it
   std::size_t headRows = 1;  ///< rows before the first of readings; the last of them names the columns
-  /// What each column holds: the key of a field of a row, "axis", or nothing of use. Empty: as their names
-  /// say.
+  /// What each column holds: the key of a field of a row, "axis", "turn", or nothing of use. Empty: as their
+  /// names say.
   std::vector<std::string> columns = {};
   AngleUnit unit = AngleUnit::Unstated;           ///< of plain numbers in columns whose name has none
   DecimalSign decimalSign = DecimalSign::Either;  ///< of angles
@@ -25,11 +25,12 @@ struct TableLayout {
   bool operator==(const TableLayout&) const = default;
 };
 
-/// What a column of a table holds: a field of a row, or how the axis stood.
+/// What a column of a table holds: a field of a row, how the axis stood, or the how many-th position at it.
 struct TableColumn {
-  const RowField* field = nullptr;  ///< null: how the axis stood
+  const RowField* field = nullptr;  ///< null: how the axis stood, or its turn
+  bool isTurn = false;
 
-  std::string_view key() const { return field ? field->key : "axis"; }
+  std::string_view key() const { return field ? field->key : isTurn ? "turn" : "axis"; }
   bool operator==(const TableColumn&) const = default;
 };
 

@@ -2,12 +2,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/console/diagnosis_json.h"
 #include "app/console/diagnosis_text.h"
-#include "app/console/findings_output.h"
-#include "app/console/fit_json.h"
 #include "app/console/fit_text.h"
 #include "app/console/plan_text.h"
+#include "core/answers/beforehand.h"
+#include "core/answers/diagnosis_json.h"
+#include "core/answers/fit_json.h"
 #include "core/base/utf8.h"
 #include "core/diagnosis/diagnose.h"
 #include "core/wording/diagnosis_fault.h"
@@ -35,21 +35,20 @@ void fit(const Session& session, const Measurement& measurement) {
   const std::vector<Suspect> suspects = findSuspects(session, measurement, fit);
   test::expectSuspects(session, suspects);
   requireText(console::fitText({name, measurement, fit, suspects}));
-  requireJson(console::fitJson({name, measurement, fit, suspects}));
+  requireJson(fitJson({name, measurement, fit, suspects}));
   const PublishedSessionFit published = fitSessionAsPublished(measurement);
   requireText(console::fitText(name, measurement, published));
-  requireJson(console::fitJson(name, measurement, published));
+  requireJson(fitJson(name, measurement, published));
 }
 
 void diagnoseIt(const Measurement& measurement) {
   const auto diagnosis = diagnose(measurement);
   if (!diagnosis) return test::expectSentence(problemOf(diagnosis.problem()).text());
   test::expectDiagnosis(*diagnosis);
-  const Result<std::vector<Finding>> findings =
-      console::findingsBeforehand(measurement, fitSession(measurement));
+  const Result<std::vector<Finding>> findings = findingsBeforehand(measurement, fitSession(measurement));
   if (!findings) return test::expectSentence(findings.problem().text());
   requireText(console::diagnosisText(name, *diagnosis, *findings));
-  requireJson(console::diagnosisJson(name, *diagnosis, *findings));
+  requireJson(diagnosisJson(name, *diagnosis, *findings));
 }
 
 void review(const Session& session) {
@@ -58,7 +57,7 @@ void review(const Session& session) {
   const auto review = reviewPlan(*planned.measurement);
   if (!review) return test::expectSentence(problemOf(review.problem()).text());
   const Result<std::vector<Finding>> findings =
-      console::findingsBeforehand(*planned.measurement, fitSession(*planned.measurement));
+      findingsBeforehand(*planned.measurement, fitSession(*planned.measurement));
   if (!findings) return test::expectSentence(findings.problem().text());
   requireText(console::planText(name, *review, *findings));
   requireJson(console::planJson(name, *review, *findings));

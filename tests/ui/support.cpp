@@ -55,6 +55,12 @@ Session sessionTakenAt(const std::vector<int>& axes) {
   return session;
 }
 
+Session sessionInTwoFaces() {
+  const Result<Session> simulated = simulate(*protocolByName("full"), drawTruth(5), 5);
+  if (!simulated) throw std::runtime_error(simulated.problem().text());
+  return *simulated;
+}
+
 std::string paperTextWithEffects(const std::vector<std::string>& effects) {
   auto json = nlohmann::ordered_json::parse(writeSession(paperSession()));
   json["model"]["effects"] = effects;

@@ -22,7 +22,8 @@ class ReadingsTable;
 class ScriptedDialogs : public Dialogs {
  public:
   SaveAnswer saveAnswer = SaveAnswer::Cancel;
-  QString openPath, savePath, reportPath;
+  QString openPath, savePath, reportPath, exportPath;
+  QString exportSuggested;                    ///< as asked last
   QString importPath;                         ///< several: one a line
   std::function<void(ImportPage&)> onImport;  ///< chooses in the page before it is accepted where it can be
   int importsAsked = 0;
@@ -70,6 +71,10 @@ class ScriptedDialogs : public Dialogs {
   std::optional<ImportDecision> askImport(ImportRequest request) override;
   QString askSavePath(const QString&) override { return savePath; }
   QString askReportPath(const QString&) override { return reportPath; }
+  QString askExportPath(const QString&, const QString& suggestion, const QString&) override {
+    exportSuggested = suggestion;
+    return exportPath;
+  }
   bool askReportWithoutVerdict(int entries) override {
     unusableEntries.append(entries);
     return exportAnyway;
@@ -105,6 +110,9 @@ std::string paperTextWithEffects(const std::vector<std::string>& effects);
 QString samplePath(const QString& name);
 /// A simulated session without errors, with positions at these axes in the order taken, and a tolerance.
 Session sessionTakenAt(const std::vector<int>& axes);
+
+/// A simulated session, its places read there and back in both faces.
+Session sessionInTwoFaces();
 
 /// Types `text` and ends it with `key`, wherever the keyboard is, the editor of a cell included.
 void typeInto(QWidget& widget, const QString& text, Qt::Key key = Qt::Key_Return);

@@ -106,6 +106,11 @@ QString Dialogs::askReportPath(const QString& suggestion) {
                   DialogsText::tr("PDF (*.pdf)"), QStringLiteral("pdf"));
 }
 
+QString Dialogs::askExportPath(const QString& title, const QString& suggestion, const QString& suffix) {
+  return saveFile(m_parent, title, suggestion, QStringLiteral("%1 (*.%2)").arg(suffix.toUpper(), suffix),
+                  suffix);
+}
+
 bool Dialogs::askReportWithoutVerdict(int entries) {
   const QString count = entries == 1 ? DialogsText::tr("1 entry cannot be used.")
                                      : DialogsText::tr("%1 entries cannot be used.").arg(entries);

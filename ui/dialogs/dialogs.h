@@ -37,6 +37,8 @@ class Dialogs {
   virtual std::optional<ImportDecision> askImport(ImportRequest request);
   virtual QString askSavePath(const QString& suggestion);
   virtual QString askReportPath(const QString& suggestion);
+  /// `suffix`: "csv", "json", "svg" or "png".
+  virtual QString askExportPath(const QString& title, const QString& suggestion, const QString& suffix);
   /// Shall a report be written although `entries` > 0 entries cannot be used?
   virtual bool askReportWithoutVerdict(int entries);
   /// Shall a report be written that will not state these, which the session leaves empty?

@@ -33,6 +33,14 @@ QString ringsCaption(const std::vector<Drawn>& drawn) {
   return any ? QStringLiteral(" Ringed: the axis measured again.") : QString();
 }
 
+/// Says how rounds and faces are told apart, where there are several.
+QString rowsCaption(const RowKinds& kinds) {
+  QString text;
+  if (kinds.hasTwoFaces()) text += QStringLiteral(" Struck through: face 2.");
+  if (kinds.rounds.size() > 1) text += QStringLiteral(" Rounds stand side by side.");
+  return text;
+}
+
 QString arcCaption(const ArcPicture& picture) {
   if (picture.arcs.empty())
     return QStringLiteral("Figure 1. Sighted points in the arc plane; no arc was fitted.");
@@ -41,7 +49,8 @@ QString arcCaption(const ArcPicture& picture) {
           "Figure 1. Fitted arcs and sighted points in true proportion, frame at the theodolite, x "
           "right, y up. Filled points and full line: axis at 0°; hollow points and broken line: "
           "180°.%1 The strokes are the residuals, from the adjusted point on the arc, drawn %2.")
-          .arg(ringsCaption(picture.sightings), exaggerationText(picture.exaggeration));
+          .arg(ringsCaption(picture.sightings) + rowsCaption(picture.kinds),
+               exaggerationText(picture.exaggeration));
   if (picture.intersection) {
     text +=
         QStringLiteral(
@@ -67,7 +76,8 @@ QString residualCaption(const ResidualPicture& picture) {
              "slider coordinate. Circles: horizontal, diamonds: vertical; filled: axis at 0°, hollow: "
              "180°.%1 "
              "Grey band: ±1σ, broken lines: ±3σ of the stated noise (σ = %2 horizontal, %3 vertical).")
-      .arg(ringsCaption(picture.residuals), sigma(picture.sigmaHorizontal), sigma(picture.sigmaVertical));
+      .arg(ringsCaption(picture.residuals) + rowsCaption(picture.kinds), sigma(picture.sigmaHorizontal),
+           sigma(picture.sigmaVertical));
 }
 
 }  // namespace

@@ -3,10 +3,10 @@
 #include <CLI/CLI.hpp>
 #include <utility>
 
-#include "app/console/diagnosis_json.h"
 #include "app/console/diagnosis_text.h"
-#include "app/console/findings_output.h"
 #include "app/console/session_input.h"
+#include "core/answers/beforehand.h"
+#include "core/answers/diagnosis_json.h"
 #include "core/diagnosis/diagnose.h"
 #include "core/effects/cause_ids.h"
 #include "core/wording/diagnosis_fault.h"

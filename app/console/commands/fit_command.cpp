@@ -5,13 +5,13 @@
 #include <utility>
 
 #include "app/console/commands/option_checks.h"
-#include "app/console/findings_output.h"
-#include "app/console/fit_json.h"
 #include "app/console/fit_text.h"
 #include "app/console/session_input.h"
 #include "core/adjustment/gross_errors/suspects.h"
 #include "core/adjustment/monte_carlo/monte_carlo.h"
 #include "core/adjustment/result/session_fit.h"
+#include "core/answers/beforehand.h"
+#include "core/answers/fit_json.h"
 #include "core/diagnosis/diagnose.h"
 
 namespace alidade::console {

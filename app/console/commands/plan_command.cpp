@@ -3,9 +3,9 @@
 #include <CLI/CLI.hpp>
 #include <utility>
 
-#include "app/console/findings_output.h"
 #include "app/console/plan_text.h"
 #include "app/console/session_input.h"
+#include "core/answers/beforehand.h"
 #include "core/simulation/planned_session.h"
 #include "core/wording/diagnosis_fault.h"
 

@@ -24,6 +24,9 @@ class MonkeyDialogs : public ScriptedDialogs {
   }
   QString askSavePath(const QString&) override { return fresh(QStringLiteral("saved-%1.alidade")); }
   QString askReportPath(const QString&) override { return fresh(QStringLiteral("report-%1.pdf")); }
+  QString askExportPath(const QString&, const QString&, const QString& suffix) override {
+    return fresh(QStringLiteral("export-%1.") + suffix);
+  }
   bool askReportWithoutVerdict(int) override { return m_chance.oneIn(3); }
   bool askReportWithEmptyFields(const QStringList&) override { return !m_chance.oneIn(5); }
   void showProblem(const QString&, const QString&) override {}

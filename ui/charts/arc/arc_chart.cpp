@@ -1,6 +1,9 @@
 #include "ui/charts/arc/arc_chart.h"
 
+#include <QMenu>
+
 #include "ui/charts/arc/arc_plot.h"
+#include "ui/charts/plotting/row_menu.h"
 #include "ui/jobs/evaluation.h"
 
 namespace alidade::ui {
@@ -11,6 +14,17 @@ ArcChart::ArcChart(ArcPlot* plot, QWidget* parent)
     : PlotWidget(std::unique_ptr<Plot>(plot), parent), m_plot(plot) {
   setAccessibleName(QStringLiteral("Arcs and sighted points"));
   setEvaluation({});
+}
+
+void ArcChart::choose(const RowChoice& choice) {
+  m_plot->setChoice(choice);
+  tell();
+}
+
+void ArcChart::addChoices(QMenu& menu) {
+  menu.addSeparator();
+  const RowKinds& kinds = m_plot->picture().kinds;
+  addRowChoices(menu, kinds, m_plot->choice().among(kinds), [this](const RowChoice& rows) { choose(rows); });
 }
 
 }  // namespace alidade::ui

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/charts/plotting/plot_widget.h"
+#include "ui/charts/plotting/row_choice.h"
 
 namespace alidade::ui {
 
@@ -14,6 +15,12 @@ class ArcChart : public PlotWidget {
   explicit ArcChart(QWidget* parent = nullptr);
 
   ArcPlot* plot() const { return m_plot; }
+  void choose(const RowChoice& choice);
+
+  QString fileName() const override { return QStringLiteral("arcs"); }
+
+ protected:
+  void addChoices(QMenu& menu) override;
 
  private:
   explicit ArcChart(ArcPlot* plot, QWidget* parent);

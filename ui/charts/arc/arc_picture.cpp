@@ -186,6 +186,8 @@ ArcPicture arcPicture(const Evaluation& evaluation) {
     }
   }
   picture.excluded = excludedSightings(evaluation.session);
+  picture.kinds = RowKinds::of(picture.sightings);
+  for (const DrawnSighting& sighting : picture.excluded) picture.kinds.add(sighting.round, sighting.face);
   picture.intersection = drawnIntersection(measurement, evaluation.fit);
   picture.exaggeration = pickExaggeration(picture);
   return picture;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/observation/guideway.h"
+#include "ui/charts/plotting/row_choice.h"
 #include "ui/charts/plotting/sighting_ref.h"
 #include "ui/jobs/evaluation.h"
 
@@ -63,6 +64,7 @@ struct ArcPicture {
   std::vector<DrawnArc> arcs;  ///< one for each axis
   std::vector<DrawnSighting> sightings;
   std::vector<DrawnSighting> excluded;  ///< rows left out by the user whose readings can be understood
+  RowKinds kinds;                       ///< of all of them
   std::optional<DrawnIntersection> intersection;
   double exaggeration =
       1;  ///< of the residuals: 1, 2, 5, 10, … so that the largest is at most 16 % of the radius

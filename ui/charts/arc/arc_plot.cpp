@@ -2,14 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "core/exchange/csv_text.h"
+#include "ui/charts/plotting/clipping.h"
+#include "ui/charts/plotting/row_entries.h"
 #include "ui/text/position_text.h"
 #include "ui/text/quantity_text.h"
 
 namespace alidade::ui {
 namespace {
 
+/// Of face 2 they follow in the same order.
 enum Kind : std::size_t { Upper, Lower, UpperAgain, LowerAgain, Excluded };
+constexpr std::size_t kindsOfAFace = Excluded + 1;
 
 std::size_t arcIndex(int axisDeg) {
   return axisDeg == 0 ? Upper : Lower;
@@ -17,12 +23,16 @@ std::size_t arcIndex(int axisDeg) {
 
 std::size_t kindOf(const DrawnSighting& sighting) {
   const bool isUpper = sighting.axisDeg == 0;
-  if (sighting.time > 1) return isUpper ? UpperAgain : LowerAgain;
-  return isUpper ? Upper : Lower;
+  const std::size_t ofFaceOne =
+      sighting.time > 1 ? (isUpper ? UpperAgain : LowerAgain) : (isUpper ? Upper : Lower);
+  return ofFaceOne + (sighting.face == 2 ? kindsOfAFace : 0);
 }
 
-QList<QPointF> polyline(const DrawnArc& arc) {
-  constexpr int steps = 240;  // deviates from the circle by less than 1/10 000 of the radius
+/// That deviates from the circle by less than `sagitta` mm.
+QList<QPointF> polyline(const DrawnArc& arc, double sagitta) {
+  const double step = std::sqrt(8 * sagitta / arc.circle.radius);
+  const double wanted = std::ceil((arc.lastAngle - arc.firstAngle) / step);
+  const int steps = wanted > 60 ? static_cast<int>(std::min(wanted, 20000.0)) : 60;  // of no number, too
   QList<QPointF> points;
   for (int i = 0; i <= steps; ++i) {
     const double angle = arc.firstAngle + (arc.lastAngle - arc.firstAngle) * i / steps;
@@ -34,11 +44,17 @@ QList<QPointF> polyline(const DrawnArc& arc) {
 
 }  // namespace
 
-ArcPlot::ArcPlot(QObject* parent)
-    : Plot(parent), m_arcs{new QLineSeries, new QLineSeries}, m_inset(new CentresInset(chart())) {
-  for (QLineSeries* series : m_arcs) addSeries(series);
+ArcPlot::ArcPlot(QObject* parent) : Plot(parent), m_inset(new CentresInset(chart())) {
+  for (auto& pieces : m_arcs)
+    for (QLineSeries*& piece : pieces) addSeries(piece = new QLineSeries);
   m_inset->setZValue(90);
-  setTitles(QStringLiteral("x (mm)"), QStringLiteral("y (mm)"));
+}
+
+/// Where there is little room, one title says it for both.
+void ArcPlot::adaptTo(const QSizeF& size) {
+  const bool isNarrow = size.width() < 300 * style().unit();
+  setTitles(isNarrow ? QStringLiteral("x, y (mm)") : QStringLiteral("x (mm)"),
+            isNarrow ? QString() : QStringLiteral("y (mm)"));
 }
 
 void ArcPlot::setEvaluation(const Evaluation& evaluation) {
@@ -46,34 +62,65 @@ void ArcPlot::setEvaluation(const Evaluation& evaluation) {
   m_extent = m_picture->extent();
   setMessage(m_picture->isEmpty() ? QStringLiteral("No usable readings yet.") : QString());
   m_inset->setIntersection(m_picture->intersection);
-  showArcs();
-  showMarks();
+  drawMarks();
   showLegend();
   rearrange();
 }
 
-void ArcPlot::showArcs() {
-  std::array<QList<QPointF>, 2> points;
-  for (const DrawnArc& arc : m_picture->arcs) points[arcIndex(arc.axisDeg)] = polyline(arc);
-  for (std::size_t i = 0; i < points.size(); ++i) m_arcs[i]->replace(points[i]);
+void ArcPlot::setChoice(const RowChoice& choice) {
+  if (choice == m_choice) return;
+  m_choice = choice;
+  drawMarks();
+  showLegend();
+  rearrange();
 }
 
-void ArcPlot::showMarks() {
+/// As finely as the screen shows them, and what of them is in sight.
+void ArcPlot::showArcs() {
+  const QRectF range = sceneFromAxes().inverted().mapRect(plotArea());
+  const double sagitta = 0.1 * range.width() / std::max(1.0, plotArea().width());
+  std::array<QList<QList<QPointF>>, 2> pieces;
+  for (const DrawnArc& arc : m_picture->arcs)
+    pieces[arcIndex(arc.axisDeg)] = clipped(polyline(arc, sagitta), range);
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    for (std::size_t piece = 0; piece < mostPieces; ++piece)
+      m_arcs[i][piece]->replace(pieces[i].value(static_cast<qsizetype>(piece)));
+}
+
+/// Along the arc.
+QPointF ArcPlot::shiftOf(const DrawnSighting& sighting) const {
+  const double shift = m_slots.shift(sighting.round, sighting.face) * style().unit();
+  if (shift == 0) return {};
+  const auto arc = std::ranges::find(m_picture->arcs, sighting.axisDeg, &DrawnArc::axisDeg);
+  const Circle circle = arc == m_picture->arcs.end() ? Circle() : arc->circle;
+  const double angle = std::atan2(sighting.sighted.y - circle.y, sighting.sighted.x - circle.x);
+  return {-shift * std::sin(angle), -shift * std::cos(angle)};
+}
+
+void ArcPlot::drawMarks() {
+  m_drawn = m_choice.among(m_picture->kinds);
+  m_slots = RowSlots(m_picture->kinds, m_drawn);
+  m_unit = style().unit();
   std::vector<Mark> marks;
   std::vector<Stick> sticks;
   marks.reserve(m_picture->sightings.size() + m_picture->excluded.size());
-  for (const DrawnSighting& sighting : m_picture->sightings) {
-    const QPointF at(sighting.sighted.x, sighting.sighted.y);
-    marks.push_back({at, kindOf(sighting), sighting.ref});
+  for (std::size_t i = 0; i < m_picture->sightings.size(); ++i) {
+    const DrawnSighting& sighting = m_picture->sightings[i];
+    if (!isDrawn(sighting)) continue;
+    const QPointF at(sighting.sighted.x, sighting.sighted.y), shift = shiftOf(sighting);
+    marks.push_back({at, kindOf(sighting), sighting.ref, i, shift});
     if (!sighting.adjusted) continue;
     const PlanePoint<double> end = m_picture->residualEnd(sighting);
-    sticks.push_back(
-        {QLineF(sighting.adjusted->x, sighting.adjusted->y, end.x, end.y), arcIndex(sighting.axisDeg)});
+    sticks.push_back({QLineF(sighting.adjusted->x, sighting.adjusted->y, end.x, end.y),
+                      arcIndex(sighting.axisDeg), shift});
   }
-  for (const DrawnSighting& sighting : m_picture->excluded) {
-    marks.push_back({{sighting.sighted.x, sighting.sighted.y}, Excluded, sighting.ref});
+  for (std::size_t i = 0; i < m_picture->excluded.size(); ++i) {
+    const DrawnSighting& sighting = m_picture->excluded[i];
+    if (isDrawn(sighting))
+      marks.push_back(
+          {{sighting.sighted.x, sighting.sighted.y}, Excluded, sighting.ref, i, shiftOf(sighting)});
   }
-  markerLayer().setMarks(std::move(marks), std::move(sticks));
+  showMarks(std::move(marks), std::move(sticks));
 }
 
 void ArcPlot::showLegend() {
@@ -94,16 +141,25 @@ void ArcPlot::showLegend() {
     entries.push_back({QPen(style().text, 1.4 * style().unit()),
                        QStringLiteral("residuals ") + exaggerationText(m_picture->exaggeration)});
   }
+  for (LegendEntry& entry : rowEntries(style(), m_picture->kinds, m_drawn, m_slots.areApart()))
+    entries.push_back(std::move(entry));
   legendItem().setEntries(std::move(entries));
 }
 
 void ArcPlot::applyStyle() {
   const double unit = style().unit();
-  m_arcs[Upper]->setPen(QPen(style().upper, 1.3 * unit));
-  m_arcs[Lower]->setPen(QPen(style().lower, 1.3 * unit, Qt::DashLine));
-  markerLayer().setMarkers({style().marker(0, MarkerShape::Circle), style().marker(180, MarkerShape::Circle),
-                            style().marker(0, MarkerShape::Circle, 2),
-                            style().marker(180, MarkerShape::Circle, 2), style().excludedMarker()});
+  if (unit != m_unit) drawMarks();
+  for (QLineSeries* piece : m_arcs[Upper]) piece->setPen(QPen(style().upper, 1.3 * unit));
+  for (QLineSeries* piece : m_arcs[Lower]) piece->setPen(QPen(style().lower, 1.3 * unit, Qt::DashLine));
+  std::vector<Marker> markers{style().marker(0, MarkerShape::Circle),
+                              style().marker(180, MarkerShape::Circle),
+                              style().marker(0, MarkerShape::Circle, 2),
+                              style().marker(180, MarkerShape::Circle, 2), style().excludedMarker()};
+  for (std::size_t kind = 0; kind < kindsOfAFace; ++kind) {
+    markers.push_back(markers[kind]);
+    markers.back().struck = kind != Excluded;
+  }
+  markerLayer().setMarkers(std::move(markers));
   markerLayer().setPens({QPen(style().upper, 1.4 * unit), QPen(style().lower, 1.4 * unit)});
   m_inset->setStyle(style());
   showLegend();
@@ -120,7 +176,11 @@ QRectF ArcPlot::axisRange(const QSizeF& plotArea) const {
 }
 
 void ArcPlot::placeExtras() {
-  if (!m_picture->intersection) return;
+  showArcs();
+  if (m_picture->intersection) placeInset();
+}
+
+void ArcPlot::placeInset() {
   // The largest square about the centres that leaves the points, their residuals and the scales free.
   const PlanePoint<double> a = m_picture->intersection->upperCentre, b = m_picture->intersection->lowerCentre;
   const PlanePoint<double> centre{(a.x + b.x) / 2, (a.y + b.y) / 2};
@@ -142,12 +202,8 @@ void ArcPlot::placeExtras() {
 }
 
 const DrawnSighting* ArcPlot::sightingOf(const Mark& mark) const {
-  for (const auto* list : {&m_picture->sightings, &m_picture->excluded}) {
-    for (const DrawnSighting& sighting : *list) {
-      if (sighting.ref == mark.ref) return &sighting;
-    }
-  }
-  return nullptr;
+  const auto& list = mark.kind == Excluded ? m_picture->excluded : m_picture->sightings;
+  return mark.index < list.size() ? &list[mark.index] : nullptr;
 }
 
 QString ArcPlot::describe(const Mark& mark) const {
@@ -175,6 +231,30 @@ QString ArcPlot::summary() const {
       .arg(m_picture->sightings.size())
       .arg(m_picture->arcs.size())
       .arg(exaggerationText(m_picture->exaggeration));
+}
+
+QString ArcPlot::standard() const {
+  return m_picture->intersection && m_picture->intersection->tolerance
+             ? tr("Good: strokes point every way, O1 and O2 lie within the tolerance.")
+             : tr("Good: strokes point every way, O1 and O2 lie close to the axis.");
+}
+
+std::string ArcPlot::csv() const {
+  CsvText csv{"axis_deg", "turn", "point",         "round",         "face",          "excluded",
+              "x_mm",     "y_mm", "adjusted_x_mm", "adjusted_y_mm", "residual_x_mm", "residual_y_mm"};
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  for (const Mark& mark : markers().marks()) {
+    const DrawnSighting& sighting = *sightingOf(mark);
+    const bool isAdjusted = sighting.adjusted.has_value();
+    csv.count(sighting.axisDeg).count(sighting.time).count(sighting.point).count(sighting.round);
+    csv.count(sighting.face).word(mark.kind == Excluded ? "yes" : "");
+    csv.number(sighting.sighted.x).number(sighting.sighted.y);
+    csv.number(isAdjusted ? sighting.adjusted->x : none).number(isAdjusted ? sighting.adjusted->y : none);
+    csv.number(isAdjusted ? sighting.residual.x : none)
+        .number(isAdjusted ? sighting.residual.y : none)
+        .endRow();
+  }
+  return csv.text();
 }
 
 }  // namespace alidade::ui

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "ui/charts/plotting/clipping.h"
 #include "ui/charts/plotting/round_numbers.h"
 #include "ui/text/quantity_text.h"
 
@@ -19,6 +20,11 @@ PlanePoint<double> middle(const DrawnIntersection& i) {
 /// Of half the way from one centre to the other: how far from their middle the picture goes for the sake of
 /// what is drawn about them.
 constexpr double largestShare = 4;
+
+/// A line of the picture, as far as it is in the frame.
+void drawWithin(QPainter* painter, const QRectF& frame, const QPointF& from, const QPointF& to) {
+  if (const auto part = clipped(QLineF(from, to), frame)) painter->drawLine(*part);
+}
 
 /// Half the box around the larger ellipse in each direction; 0 where none is wide enough.
 PlanePoint<double> ellipsesReach(const DrawnIntersection& i) {
@@ -52,7 +58,9 @@ void CentresInset::updateScale() {
   if (!m_intersection || m_square.isEmpty() || m_style.font.pixelSize() <= 0) return;
   const double line = QFontMetricsF(m_style.font).height();
   m_picture = m_square.adjusted(1.2 * line, 2.6 * line, -1.2 * line, -1.9 * line);
-  if (m_picture.width() < 2 * line || m_picture.height() < 2 * line) return;
+  m_isCompact = m_picture.width() < 2 * line || m_picture.height() < 2 * line;
+  if (m_isCompact) m_picture = m_square.adjusted(0.4 * line, 0.4 * line, -0.4 * line, -1.9 * line);
+  if (m_picture.width() < 2 * line || m_picture.height() < 1.5 * line) return;
   const DrawnIntersection& i = *m_intersection;
   const double expanded = std::isfinite(i.expanded) ? i.expanded : 0;
   const double apart = std::hypot(i.upperCentre.x - i.lowerCentre.x, 2 * i.value) / 2;
@@ -65,6 +73,10 @@ void CentresInset::updateScale() {
     halfHeight = std::max(halfHeight, 1.1 * *i.tolerance);
   m_scale = std::min(m_picture.width() * 0.4 / std::max(halfWidth, 1e-6),
                      m_picture.height() * 0.46 / std::max(halfHeight, 1e-6));
+}
+
+QRectF CentresInset::frame() const {
+  return {m_square.left(), m_picture.top(), m_square.width(), m_picture.height()};
 }
 
 QPointF CentresInset::place(const PlanePoint<double>& point) const {
@@ -87,8 +99,7 @@ void CentresInset::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWi
   paintTolerance(painter);
   paintAxis(painter);
   // A bar longer than the picture is cut off: title and scale stay readable.
-  painter->setClipRect(QRectF(m_square.left(), m_picture.top(), m_square.width(), m_picture.height()),
-                       Qt::IntersectClip);
+  painter->setClipRect(frame(), Qt::IntersectClip);
   paintEllipses(painter);
   paintClosure(painter);
   paintDistance(painter);
@@ -139,6 +150,7 @@ void CentresInset::paintAxis(QPainter* painter) const {
   painter->setPen(QPen(m_style.mutedText, m_style.unit(), Qt::DashDotLine));
   const double y = m_picture.center().y();
   painter->drawLine(QPointF(m_square.left(), y), QPointF(m_square.right(), y));
+  if (m_isCompact) return;
   const QFontMetricsF metrics(m_style.font);
   const QString name = QStringLiteral("axis");
   painter->setPen(m_style.mutedText);
@@ -152,13 +164,26 @@ void CentresInset::paintEllipses(QPainter* painter) const {
     const double major = ellipse.major * m_scale, minor = ellipse.minor * m_scale;
     // Far beyond the picture there is no line to be seen, and painting it may take for ever.
     if (!std::isfinite(major) || minor > 4 * m_square.width() || major > 1000 * m_square.width()) return;
-    painter->save();
-    painter->translate(place(centre));
-    painter->rotate(-ellipse.direction * 180 / M_PI);
+    const QTransform turned = QTransform::fromTranslate(place(centre).x(), place(centre).y())
+                                  .rotate(-ellipse.direction * 180 / M_PI);
     painter->setPen(pen);
     painter->setBrush(Qt::NoBrush);
-    painter->drawEllipse(QPointF(), major, minor);
-    painter->restore();
+    const PlanePoint<double> reach = ellipse.reach();
+    const QPointF corner(reach.x * m_scale, reach.y * m_scale);
+    if (frame().contains(QRectF(place(centre) - corner, place(centre) + corner))) {
+      painter->save();
+      painter->setTransform(turned, true);
+      painter->drawEllipse(QPointF(), major, minor);
+      painter->restore();
+      return;
+    }
+    constexpr int steps = 360;
+    QList<QPointF> points;
+    for (int i = 0; i <= steps; ++i) {
+      const double angle = 2 * M_PI * i / steps;
+      points.append(turned.map(QPointF(major * std::cos(angle), minor * std::sin(angle))));
+    }
+    for (const QList<QPointF>& piece : clipped(points, frame())) painter->drawPolyline(piece);
   };
   const double width = 1.1 * m_style.unit();
   draw(m_intersection->upperCentre, m_intersection->upperEllipse, QPen(m_style.upper, width));
@@ -171,10 +196,11 @@ void CentresInset::paintClosure(QPainter* painter) const {
   const double unit = m_style.unit(), away = is.x() - wanted.x();
   if (std::abs(away) < 10 * unit) return;
   painter->setPen(QPen(m_style.mutedText, unit, Qt::DotLine));
-  painter->drawLine(wanted, is);
-  drawMarker(painter,
-             {.shape = MarkerShape::Plus, .colour = m_style.mutedText, .inside = {}, .size = 9 * unit},
-             wanted);
+  drawWithin(painter, frame(), wanted, is);
+  if (frame().contains(wanted))
+    drawMarker(painter,
+               {.shape = MarkerShape::Plus, .colour = m_style.mutedText, .inside = {}, .size = 9 * unit},
+               wanted);
   const QFontMetricsF metrics(m_style.font);
   const QString name = QStringLiteral("Δx");
   if (std::abs(away) < 2 * metrics.horizontalAdvance(name)) return;
@@ -210,31 +236,42 @@ void CentresInset::paintDistance(QPainter* painter) const {
   const double axis = m_picture.center().y();
   const double reach = std::isfinite(m_intersection->expanded) ? m_intersection->expanded * m_scale : 0;
   painter->setPen(QPen(m_style.text, 2.4 * unit, Qt::SolidLine, Qt::FlatCap));
-  painter->drawLine(QPointF(centre.x(), axis), centre);
+  drawWithin(painter, frame(), QPointF(centre.x(), axis), centre);
   // U as an error bar about the end of Δd.
   painter->setPen(QPen(m_style.text, unit));
-  painter->drawLine(centre - QPointF(0, reach), centre + QPointF(0, reach));
+  drawWithin(painter, frame(), centre - QPointF(0, reach), centre + QPointF(0, reach));
   for (const double end : {-reach, reach}) {
     const QPointF at = centre + QPointF(0, end);
-    painter->drawLine(at - QPointF(4 * unit, 0), at + QPointF(4 * unit, 0));
+    drawWithin(painter, frame(), at - QPointF(4 * unit, 0), at + QPointF(4 * unit, 0));
   }
 }
 
 void CentresInset::paintScaleBar(QPainter* painter) const {
   const QFontMetricsF metrics(m_style.font);
-  const double length = roundDown125(m_square.width() * 0.4 / m_scale);
-  const QString text = plainNumberText(length) + QStringLiteral(" mm");
-  const double y = m_square.bottom() - 0.75 * metrics.height();
-  const double left = m_square.left() + 0.6 * metrics.height();
+  const double margin = (m_isCompact ? 0.3 : 0.6) * metrics.height(), gap = 0.4 * metrics.height();
+  const auto textOf = [](double millimetres) { return plainNumberText(millimetres) + QStringLiteral(" mm"); };
+  const auto fits = [&](double millimetres) {
+    const double beside = metrics.horizontalAdvance(textOf(millimetres)) + margin + gap;
+    return millimetres * m_scale + beside <= m_square.width();
+  };
+  double length = roundDown125(m_square.width() * 0.4 / m_scale);
+  // Shorter where its figure, which stands above a compact one, has no room beside it.
+  if (const double half = roundDown125(0.9 * length); !m_isCompact && !fits(length) && fits(half))
+    length = half;
+  const QString text = textOf(length);
+  const double y = m_square.bottom() - (m_isCompact ? 0.4 : 0.75) * metrics.height();
+  const double left = m_square.left() + margin;
   const double right = left + length * m_scale;
   const double tick = 0.25 * metrics.height();
   painter->setPen(QPen(m_style.text, 1.2 * m_style.unit()));
   painter->drawLine(QPointF(left, y), QPointF(right, y));
   for (const double x : {left, right}) painter->drawLine(QPointF(x, y - tick), QPointF(x, y + tick));
-  painter->drawText(QPointF(right + 0.5 * metrics.height(), y + metrics.ascent() * 0.4), text);
+  painter->drawText(m_isCompact ? QPointF(left, y - tick) : QPointF(right + gap, y + metrics.ascent() * 0.4),
+                    text);
 }
 
 void CentresInset::paintTitle(QPainter* painter) const {
+  if (m_isCompact) return;
   const QFontMetricsF metrics(m_style.font);
   const double room = m_square.width() - 0.8 * metrics.height();
   QPointF at(m_square.left() + 0.4 * metrics.height(),

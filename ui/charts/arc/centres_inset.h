@@ -31,6 +31,8 @@ class CentresInset : public QGraphicsItem {
 
  private:
   void updateScale();
+  /// What the picture may reach into: text stands above and below it.
+  QRectF frame() const;
   void paintBare(QPainter* painter) const;  // too small to enlarge anything: a plus where both centres are
   void paintTolerance(QPainter* painter) const;
   void paintAxis(QPainter* painter) const;
@@ -44,7 +46,8 @@ class CentresInset : public QGraphicsItem {
   PlotStyle m_style;
   std::optional<DrawnIntersection> m_intersection;
   QRectF m_square;
-  QRectF m_picture;  // where the centres may lie; the rest is text
+  QRectF m_picture;          // where the centres may lie; the rest is text
+  bool m_isCompact = false;  // where there is little room there is no title
   double m_scale = 0;
 };
 

@@ -1,22 +1,32 @@
 #pragma once
 
+#include <QMenu>
 #include <QWidget>
+#include <memory>
+
+#include "ui/charts/plotting/chart_files.h"
 
 namespace alidade::ui {
 
 /// A painted picture of bars below one another, as high as its rows and as wide as there is room, which tells
-/// at the pointer what it shows there.
-class BarRows : public QWidget {
+/// at the pointer what it shows there. A menu, also of the keyboard, offers the picture and its numbers.
+class BarRows : public QWidget, public ChartSource {
   Q_OBJECT
 
  public:
-  explicit BarRows(const QString& accessibleName, QWidget* parent = nullptr);
+  /// `fileName`: without suffix.
+  BarRows(const QString& accessibleName, const QString& fileName, QWidget* parent = nullptr);
+
+  QString fileName() const override { return m_fileName; }
+  PaintedPicture picture() override;
 
   QSize sizeHint() const override { return {420, pictureHeight()}; }
   QSize minimumSizeHint() const override { return {260, pictureHeight()}; }
 
  protected:
   bool event(QEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
   int rowHeight() const { return fontMetrics().height() + 9; }
   /// The rows are others: `spoken` is what they say.
   void changeTo(const QString& spoken);
@@ -24,6 +34,11 @@ class BarRows : public QWidget {
   virtual int pictureHeight() const = 0;
   /// What to tell at `point`; empty: nothing.
   virtual QString aboutAt(const QPoint& point) const = 0;
+
+ private:
+  QString m_fileName;
+  ChartFiles* m_files;
+  std::unique_ptr<QMenu> m_menu;  ///< the last that was opened
 };
 
 }  // namespace alidade::ui

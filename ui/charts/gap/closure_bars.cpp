@@ -4,7 +4,9 @@
 #include <QPainterPath>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "core/exchange/csv_text.h"
 #include "core/wording/closures.h"
 #include "ui/charts/plotting/plot_style.h"
 #include "ui/text/closure_text.h"
@@ -43,7 +45,23 @@ Marker circle(const PlotStyle& style) {
 
 }  // namespace
 
-ClosureBars::ClosureBars(QWidget* parent) : BarRows(tr("What must agree"), parent) {}
+ClosureBars::ClosureBars(QWidget* parent)
+    : BarRows(tr("What must agree"), QStringLiteral("closures"), parent) {}
+
+std::string ClosureBars::numbers() const {
+  CsvText csv{"closure",  "misclosure_mm",  "sigma_mm",         "expanded_mm", "misclosure_per_expanded",
+              "after_mm", "after_sigma_mm", "after_expanded_mm"};
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  for (const Row& row : m_rows) {
+    const Closure& before = row.before.closure;
+    csv.typed(row.name.toStdString()).number(before.value).number(before.sigma);
+    csv.number(expandedOf(before, m_coverage)).number(row.before.inU);
+    csv.number(row.after ? row.after->closure.value : none)
+        .number(row.after ? row.after->closure.sigma : none);
+    csv.number(row.after ? expandedOf(row.after->closure, m_coverage) : none).endRow();
+  }
+  return csv.text();
+}
 
 void ClosureBars::setGap(const Gap& gap) {
   m_rows.clear();
@@ -51,7 +69,8 @@ void ClosureBars::setGap(const Gap& gap) {
   const auto valueOf = [&](const Closure& closure) {
     return Value{.figures = closureText(closure, m_coverage),
                  .sigmas = closureSigmasText(closure),
-                 .inU = closure.value / expandedOf(closure, m_coverage)};
+                 .inU = closure.value / expandedOf(closure, m_coverage),
+                 .closure = closure};
   };
   const auto spokenOf = [](const Value& value) {
     return value.figures + QStringLiteral(", ") + value.sigmas;

@@ -20,6 +20,7 @@ class ClosureBars : public BarRows {
   explicit ClosureBars(QWidget* parent = nullptr);
 
   void setGap(const Gap& gap);
+  std::string numbers() const override;
   bool isEmpty() const { return m_rows.empty(); }
   /// Of closure `row`: the strip that its bar is drawn in.
   QRect strip(std::size_t row) const;
@@ -35,6 +36,7 @@ class ClosureBars : public BarRows {
   struct Value {
     QString figures, sigmas;
     double inU = 0;
+    Closure closure = {};
   };
   struct Row {
     QString name, about;

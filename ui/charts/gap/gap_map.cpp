@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/exchange/csv_text.h"
 #include "ui/charts/plotting/plot_style.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/quantity_text.h"
@@ -60,7 +61,15 @@ QColor mixed(const QColor& a, const QColor& b, double shareOfB) {
 
 }  // namespace
 
-GapMap::GapMap(QWidget* parent) : BarRows(tr("Where the gap lies"), parent) {}
+GapMap::GapMap(QWidget* parent) : BarRows(tr("Where the gap lies"), QStringLiteral("gap-where"), parent) {}
+
+std::string GapMap::numbers() const {
+  CsvText csv{"by", "part", "share"};
+  for (const Bar& bar : m_bars)
+    for (const Part& part : bar.parts)
+      csv.typed(bar.by.toStdString()).typed(part.name.toStdString()).number(part.share).endRow();
+  return csv.text();
+}
 
 void GapMap::setShares(const std::vector<GapShare>& shares) {
   m_bars.clear();

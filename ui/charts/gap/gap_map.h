@@ -16,6 +16,7 @@ class GapMap : public BarRows {
   explicit GapMap(QWidget* parent = nullptr);
 
   void setShares(const std::vector<GapShare>& shares);
+  std::string numbers() const override;
 
  protected:
   void paintEvent(QPaintEvent* event) override;

@@ -2,7 +2,9 @@
 
 #include <QPainter>
 #include <algorithm>
+#include <limits>
 
+#include "core/exchange/csv_text.h"
 #include "ui/charts/plotting/plot_style.h"
 #include "ui/charts/plotting/round_numbers.h"
 #include "ui/text/cause_text.h"
@@ -28,7 +30,21 @@ struct GapWaterfall::Layout {
   }
 };
 
-GapWaterfall::GapWaterfall(QWidget* parent) : BarRows(tr("The gap before and after each cause"), parent) {}
+GapWaterfall::GapWaterfall(QWidget* parent)
+    : BarRows(tr("The gap before and after each cause"), QStringLiteral("gap"), parent) {}
+
+std::string GapWaterfall::numbers() const {
+  CsvText csv{"stage", "rms_arcsec", "reduced_chi2", "intersection_mm", "expanded_mm"};
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  for (const Bar& bar : m_bars) {
+    const auto& found = bar.stage.intersection;
+    csv.typed(bar.label.toStdString()).number(bar.stage.rms).number(bar.stage.reducedChiSquare);
+    csv.number(found ? found->value : none).number(found ? found->expanded : none).endRow();
+  }
+  csv.typed(tr("what the stated noise leaves").toStdString()).number(m_noise);
+  csv.word("").word("").word("").endRow();
+  return csv.text();
+}
 
 void GapWaterfall::setGap(const Gap& gap) {
   m_bars.clear();
@@ -40,6 +56,7 @@ void GapWaterfall::setGap(const Gap& gap) {
             .rms = numberText(stage.rms, stage.rms < 100 ? 2 : 0),
             .chiSquare = numberText(stage.reducedChiSquare, stage.reducedChiSquare < 100 ? 2 : 0),
             .about = {},
+            .stage = stage,
             .before = before,
             .after = stage.rms,
             .isModelled = stage.kind != GapStage::Kind::Proposed};

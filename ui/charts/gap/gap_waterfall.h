@@ -17,6 +17,7 @@ class GapWaterfall : public BarRows {
   explicit GapWaterfall(QWidget* parent = nullptr);
 
   void setGap(const Gap& gap);
+  std::string numbers() const override;
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -26,6 +27,7 @@ class GapWaterfall : public BarRows {
  private:
   struct Bar {
     QString label, rms, chiSquare, about;
+    GapStage stage;
     double before = 0, after = 0;  ///< arcseconds
     bool isModelled = true;
   };

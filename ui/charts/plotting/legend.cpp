@@ -22,7 +22,7 @@ struct Measures {
 double signWidth(const LegendEntry& entry, const Measures& measures) {
   if (std::holds_alternative<std::monostate>(entry.sign)) return 0;
   const auto* marker = std::get_if<Marker>(&entry.sign);
-  return measures.sign * (!marker ? 1 : marker->ringed ? 0.75 : 0.55) + measures.gap;
+  return measures.sign * (!marker ? 1 : marker->ringed || marker->struck ? 0.75 : 0.55) + measures.gap;
 }
 
 }  // namespace
@@ -38,7 +38,7 @@ void Legend::setEntries(std::vector<LegendEntry> entries) {
   update();
 }
 
-double Legend::layOut(double width) {
+double Legend::layOut(double width, double corner) {
   const Measures measures(m_style.font);
   const QFontMetricsF metrics(m_style.font);
   prepareGeometryChange();
@@ -47,7 +47,8 @@ double Legend::layOut(double width) {
   double bottom = 0;
   for (const LegendEntry& entry : m_entries) {
     const double needed = signWidth(entry, measures) + metrics.horizontalAdvance(entry.text);
-    if (at.x() > 0 && at.x() + needed > width) at = QPointF(0, at.y() + measures.line);
+    if (at.x() > 0 && at.x() + needed > width - (at.y() > 0 ? 0 : corner))
+      at = QPointF(0, at.y() + measures.line);
     m_places.push_back(at);
     at.rx() += needed + measures.between;
     bottom = at.y() + measures.line;

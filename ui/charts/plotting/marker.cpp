@@ -17,6 +17,11 @@ QPainterPath markerPath(MarkerShape shape, double size) {
       path.addPolygon(QPolygonF({{0, -d}, {d, 0}, {0, d}, {-d, 0}, {0, -d}}));
       break;
     }
+    case MarkerShape::Square: {
+      const double d = r * 0.9;
+      path.addRect(QRectF(-d, -d, 2 * d, 2 * d));
+      break;
+    }
     case MarkerShape::Cross:
       path.moveTo(-r, -r);
       path.lineTo(r, r);
@@ -42,6 +47,10 @@ void drawMarker(QPainter* painter, const Marker& marker, const QPointF& at) {
     painter->setBrush(marker.filled ? marker.colour : marker.inside);
   }
   painter->drawPath(markerPath(marker.shape, marker.size * 0.9).translated(at));
+  if (marker.struck) {
+    const QPointF end(0.85 * marker.size, -0.85 * marker.size);
+    painter->drawLine(at - end, at + end);
+  }
   if (!marker.ringed) return;
   painter->setPen(QPen(marker.colour, marker.size / 6));
   painter->setBrush(Qt::NoBrush);

@@ -7,7 +7,7 @@ class QPainter;
 
 namespace alidade::ui {
 
-enum class MarkerShape { Circle, Diamond, Cross, Plus };
+enum class MarkerShape { Circle, Diamond, Square, Cross, Plus };
 
 /// How a kind of point is drawn. Filled and hollow markers and the shapes stay apart in grey.
 struct Marker {
@@ -17,6 +17,7 @@ struct Marker {
   bool filled = true;
   double size = 7;      ///< across, in scene units
   bool ringed = false;  ///< with a ring of the same shape around it
+  bool struck = false;  ///< with a slanting stroke through it
 
   bool operator==(const Marker&) const = default;
 };

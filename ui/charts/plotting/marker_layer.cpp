@@ -20,7 +20,10 @@ bool isPixelDevice(const QPainter* painter) {
 }
 
 QPixmap markerPixmap(const Marker& marker, double pixelRatio) {
-  const int side = static_cast<int>(std::ceil(marker.size * (marker.ringed ? 2.6 : 1.5))) + 2;
+  const int side = static_cast<int>(std::ceil(marker.size * (marker.ringed   ? 2.6
+                                                             : marker.struck ? 2.1
+                                                                             : 1.5))) +
+                   2;
   QPixmap pixmap(QSize(side, side) * pixelRatio);
   pixmap.setDevicePixelRatio(pixelRatio);
   pixmap.fill(Qt::transparent);
@@ -50,6 +53,7 @@ void MarkerLayer::setHighlightPen(const QPen& pen) {
 void MarkerLayer::setMarks(std::vector<Mark> marks, std::vector<Stick> sticks) {
   m_marks = std::move(marks);
   m_sticks = std::move(sticks);
+  m_current.reset();
   m_isPlaced = false;
   update();
 }
@@ -59,6 +63,12 @@ void MarkerLayer::setFrame(const QRectF& plotArea, const QTransform& sceneFromAx
   m_plotArea = plotArea;
   m_sceneFromAxes = sceneFromAxes;
   m_isPlaced = false;
+}
+
+void MarkerLayer::setCurrent(std::optional<std::size_t> mark) {
+  if (mark == m_current) return;
+  m_current = mark;
+  update();
 }
 
 void MarkerLayer::setHighlighted(std::optional<SightingRef> ref) {
@@ -103,6 +113,7 @@ void MarkerLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWid
     paintMarks(painter);
   }
   paintHighlight(painter);
+  paintCurrent(painter);
   painter->restore();
 }
 
@@ -111,6 +122,7 @@ void MarkerLayer::paintSticks(QPainter* painter) const {
     QList<QLineF> lines;
     for (const Stick& stick : m_placedSticks)
       if (stick.kind == kind) lines.append(stick.line);
+    if (lines.isEmpty()) continue;
     painter->setPen(m_pens[kind]);
     painter->drawLines(lines);
   }
@@ -136,7 +148,7 @@ void MarkerLayer::paintManyMarks(QPainter* painter) const {
 void MarkerLayer::paintHighlight(QPainter* painter) const {
   if (!m_highlighted) return;
   for (const Mark& mark : m_marks) {
-    if (mark.ref != *m_highlighted) continue;
+    if (mark.ref != *m_highlighted || !m_plotArea.contains(scenePosition(mark))) continue;
     Marker marker = m_markers[mark.kind];
     marker.size *= 1.6;
     const QPointF at = scenePosition(mark);
@@ -145,6 +157,15 @@ void MarkerLayer::paintHighlight(QPainter* painter) const {
     painter->setBrush(Qt::NoBrush);
     painter->drawEllipse(at, marker.size, marker.size);
   }
+}
+
+void MarkerLayer::paintCurrent(QPainter* painter) const {
+  if (!m_current) return;
+  const Mark& mark = m_marks[*m_current];
+  const double reach = 1.9 * m_markers[mark.kind].size;
+  painter->setPen(m_highlightPen);
+  painter->setBrush(Qt::NoBrush);
+  painter->drawRect(QRectF(-reach, -reach, 2 * reach, 2 * reach).translated(scenePosition(mark)));
 }
 
 }  // namespace alidade::ui

@@ -26,11 +26,14 @@ class MarkerLayer : public QGraphicsItem {
   /// The plot area in scene units and the transform from axis units into it.
   void setFrame(const QRectF& plotArea, const QTransform& sceneFromAxes);
   void setHighlighted(std::optional<SightingRef> ref);
+  /// Frames one of `marks()`; none of others set later.
+  void setCurrent(std::optional<std::size_t> mark);
 
   const std::vector<Mark>& marks() const { return m_marks; }
   const std::vector<Stick>& sticks() const { return m_sticks; }
   std::optional<SightingRef> highlighted() const { return m_highlighted; }
-  QPointF scenePosition(const Mark& mark) const { return m_sceneFromAxes.map(mark.at); }
+  std::optional<std::size_t> current() const { return m_current; }
+  QPointF scenePosition(const Mark& mark) const { return m_sceneFromAxes.map(mark.at) + mark.shift; }
   /// How many marks and sticks the last painting took.
   std::size_t paintedCount() const { return m_placed.size() + m_placedSticks.size(); }
   /// The mark nearest to a place in the plot, where one lies within `reach` scene units; null otherwise.
@@ -45,6 +48,7 @@ class MarkerLayer : public QGraphicsItem {
   void paintMarks(QPainter* painter) const;
   void paintManyMarks(QPainter* painter) const;
   void paintHighlight(QPainter* painter) const;
+  void paintCurrent(QPainter* painter) const;
 
   std::vector<Marker> m_markers;
   std::vector<QPen> m_pens;
@@ -54,6 +58,7 @@ class MarkerLayer : public QGraphicsItem {
   QRectF m_plotArea;
   QTransform m_sceneFromAxes;
   std::optional<SightingRef> m_highlighted;
+  std::optional<std::size_t> m_current;
   bool m_isPlaced = false;            ///< what follows is of these marks in this frame
   std::vector<PlacedMark> m_placed;   ///< the marks to paint
   std::vector<Stick> m_placedSticks;  ///< in scene units

@@ -3,8 +3,11 @@
 #include <QFontMetricsF>
 #include <QGraphicsLayout>
 #include <QLocale>
+#include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <tuple>
 
 #include "ui/charts/plotting/round_numbers.h"
 #include "ui/text/quantity_text.h"
@@ -54,8 +57,8 @@ void Plot::addSeries(QAbstractSeries* series) {
 }
 
 void Plot::setTitles(const QString& x, const QString& y) {
-  m_x->setTitleText(x);
-  m_y->setTitleText(y);
+  if (m_x->titleText() != x) m_x->setTitleText(x);
+  if (m_y->titleText() != y) m_y->setTitleText(y);
 }
 
 void Plot::setStyle(const PlotStyle& style) {
@@ -94,6 +97,104 @@ void Plot::setMessage(const QString& message) {
   for (QValueAxis* axis : {m_x, m_y}) axis->setGridLineVisible(message.isEmpty());
 }
 
+void Plot::setCorner(double width) {
+  if (width == m_corner) return;
+  m_corner = width;
+  rearrange();
+}
+
+void Plot::showMarks(std::vector<Mark> marks, std::vector<Stick> sticks) {
+  std::optional<Mark> kept;
+  if (const Mark* mark = current()) kept = *mark;
+  markerLayer().setMarks(std::move(marks), std::move(sticks));
+  m_alongX.clear();
+  m_alongY.clear();
+  if (!kept) return;
+  const auto& now = m_markers->marks();
+  const auto isSame = [&](const Mark& mark) { return mark.ref == kept->ref && mark.kind == kept->kind; };
+  const auto found = std::ranges::find_if(now, isSame);
+  if (found != now.end()) m_markers->setCurrent(static_cast<std::size_t>(found - now.begin()));
+}
+
+void Plot::zoom(double factor, const QPointF& about) {
+  if (m_plotArea.isEmpty() || !(factor > 0)) return;
+  const bool isBeside = about.x()<m_plotArea.left(), isBelow = about.y()> m_plotArea.bottom();
+  const bool both = hasEqualScales() || isBeside == isBelow;
+  const QSizeF factors(both || isBelow ? factor : 1, both || isBeside ? factor : 1);
+  const QPointF at(std::clamp(about.x(), m_plotArea.left(), m_plotArea.right()),
+                   std::clamp(about.y(), m_plotArea.top(), m_plotArea.bottom()));
+  m_view.zoom(factors, m_sceneFromAxes.inverted().map(at), shownRange(), m_whole);
+  rearrange();
+}
+
+void Plot::zoomTo(const QRectF& part) {
+  if (part.isEmpty() || m_plotArea.isEmpty()) return;
+  m_view.show(m_sceneFromAxes.inverted().mapRect(part & m_plotArea), m_whole);
+  rearrange();
+}
+
+void Plot::move(const QPointF& by) {
+  if (m_plotArea.isEmpty()) return;
+  const QTransform axesFromScene = m_sceneFromAxes.inverted();
+  m_view.move(axesFromScene.map(QPointF()) - axesFromScene.map(by), shownRange(), m_whole);
+  rearrange();
+}
+
+void Plot::showWhole() {
+  if (!isZoomed()) return;
+  m_view.reset();
+  rearrange();
+}
+
+QRectF Plot::shownRange() const {
+  return m_sceneFromAxes.inverted().mapRect(m_plotArea);
+}
+
+const Mark* Plot::current() const {
+  const auto index = m_markers->current();
+  return index ? &m_markers->marks()[*index] : nullptr;
+}
+
+const std::vector<std::uint32_t>& Plot::orderAlong(bool isVertical) {
+  std::vector<std::uint32_t>& order = isVertical ? m_alongY : m_alongX;
+  const auto& marks = m_markers->marks();
+  if (order.size() == marks.size()) return order;
+  order.resize(marks.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::ranges::stable_sort(order, {}, [&](std::uint32_t i) {
+    const Mark& mark = marks[i];
+    return isVertical ? std::tuple(mark.at.y(), mark.at.x(), 0.0)
+                      : std::tuple(mark.at.x(), mark.shift.x(), mark.at.y());
+  });
+  return order;
+}
+
+const Mark* Plot::step(Step step) {
+  const auto& marks = m_markers->marks();
+  if (marks.empty()) return nullptr;
+  const auto& order = orderAlong(step == Step::Up || step == Step::Down);
+  const bool isOn = step == Step::Right || step == Step::Up;
+  std::size_t next = isOn ? 0 : order.size() - 1;
+  if (const auto index = m_markers->current()) {
+    const auto at = static_cast<std::size_t>(std::ranges::find(order, *index) - order.begin());
+    next = isOn ? std::min(at + 1, order.size() - 1) : at - std::min<std::size_t>(at, 1);
+  } else if (const auto row = m_markers->highlighted()) {
+    const auto found = std::ranges::find(order, *row, [&](std::uint32_t i) { return marks[i].ref; });
+    if (found != order.end()) next = static_cast<std::size_t>(found - order.begin());
+  }
+  m_markers->setCurrent(order[next]);
+  if (isZoomed()) {
+    m_view.include(marks[order[next]].at, shownRange(), m_whole);
+    rearrange();
+  }
+  return current();
+}
+
+void Plot::paint(QPainter* painter) {
+  painter->setRenderHint(QPainter::Antialiasing);
+  m_scene.render(painter, QRectF({}, m_size), QRectF({}, m_size));
+}
+
 void Plot::arrange(const QSizeF& size) {
   m_size = size;
   rearrange();
@@ -101,10 +202,11 @@ void Plot::arrange(const QSizeF& size) {
 
 void Plot::rearrange() {
   if (m_size.isEmpty() || m_style.font.pixelSize() <= 0) return;
+  adaptTo(m_size);
   const double pad = QFontMetricsF(m_style.font).height() * 0.5;
   m_scene.setSceneRect(QRectF({}, m_size));
   m_legend->setPos(pad, pad);
-  const double legendHeight = m_legend->layOut(m_size.width() - 2 * pad);
+  const double legendHeight = m_legend->layOut(m_size.width() - 2 * pad, m_corner);
   m_chart->setMargins(QMarginsF(pad, pad + legendHeight, pad, pad).toMargins());
   m_chart->resize(m_size);
   fitRangeToPlotArea();
@@ -121,7 +223,8 @@ void Plot::fitRangeToPlotArea() {
     const QRectF area = m_chart->plotArea();
     if (area.width() < 1 || area.height() < 1 || (pass > 0 && area == m_plotArea)) return;
     m_plotArea = area;
-    applyRange(axisRange(area.size()));
+    m_whole = axisRange(area.size());
+    applyRange(m_view.within(m_whole, hasEqualScales()));
   }
 }
 
@@ -133,9 +236,12 @@ void Plot::applyRange(const QRectF& range) {
   m_sceneFromAxes = transform;
   const QFontMetricsF metrics(m_style.font);
   const double furthest = std::max({std::abs(range.left()), std::abs(range.right()), 1.0});
-  const double xSpacing = metrics.horizontalAdvance(numberText(-furthest, 0)) * 1.35;
+  const auto stepFor = [&](int decimals) {
+    const double spacing = metrics.horizontalAdvance(numberText(-furthest, decimals)) * 1.35;
+    return roundUp125(range.width() * spacing / m_plotArea.width());
+  };
   const double ySpacing = metrics.height() * 2.6;
-  double xStep = roundUp125(range.width() * xSpacing / m_plotArea.width());
+  double xStep = stepFor(std::min(decimalsOfStep(stepFor(0)), 9));
   double yStep = roundUp125(range.height() * ySpacing / m_plotArea.height());
   if (hasEqualScales()) xStep = yStep = std::max(xStep, yStep);
   applyTicks(m_x, xStep);

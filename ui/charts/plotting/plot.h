@@ -4,11 +4,14 @@
 #include <QObject>
 #include <QtCharts/QChart>
 #include <QtCharts/QValueAxis>
+#include <cstdint>
 #include <optional>
+#include <string>
 
 #include "ui/charts/plotting/legend.h"
 #include "ui/charts/plotting/marker_layer.h"
 #include "ui/charts/plotting/plot_style.h"
+#include "ui/charts/plotting/view_range.h"
 
 namespace alidade::ui {
 
@@ -38,12 +41,37 @@ class Plot : public QObject {
   /// The sentence in the middle of an empty plot; empty where there is something to see.
   QString message() const { return m_message; }
 
+  bool isZoomed() const { return !m_view.isWhole(); }
+  /// Enlarges where `factor` > 1, about a place in the scene: beside the plot area along the axis there
+  /// alone.
+  void zoom(double factor, const QPointF& about);
+  /// Of what is in sight, in scene units.
+  void zoomTo(const QRectF& part);
+  void move(const QPointF& by);
+  void showWhole();
+
+  /// Leads on from point to point; without a current one from the highlighted row, or from that end of the
+  /// plot. Null: there are none.
+  enum class Step { Left, Right, Down, Up };
+  const Mark* step(Step step);
+  const Mark* current() const;
+  void clearCurrent() { m_markers->setCurrent({}); }
+
+  /// What is in sight, as it is, at (0, 0) of the painter.
+  void paint(QPainter* painter);
+
   /// The point at a place in the scene; null where there is none near.
   const Mark* markAt(const QPointF& scene) const;
   /// What a pointing hand wants to know of one of `markers().marks()`; plain text.
   virtual QString describe(const Mark& mark) const = 0;
   /// The picture in a few words, for screen readers.
   virtual QString summary() const = 0;
+  /// What a good one looks like: a sentence.
+  virtual QString standard() const = 0;
+  /// What is drawn, zoomed or not, as a table with the units in the names of its columns (`CsvText`).
+  virtual std::string csv() const = 0;
+  /// Room at the top right that the legend leaves free, in scene units.
+  void setCorner(double width);
 
  protected:
   /// Colours, pens and markers of what the plot itself adds.
@@ -52,9 +80,13 @@ class Plot : public QObject {
   virtual QRectF axisRange(const QSizeF& plotArea) const = 0;
   /// A millimetre is as long in x as in y, and so are the ticks.
   virtual bool hasEqualScales() const { return false; }
+  /// Called before it is laid out in this size, in scene units.
+  virtual void adaptTo(const QSizeF&) {}
   /// Called when the frame is known: place what follows it.
   virtual void placeExtras() {}
 
+  /// In their places; the current point stays that of the same reading.
+  void showMarks(std::vector<Mark> marks, std::vector<Stick> sticks = {});
   void setMessage(const QString& message);
   void setTitles(const QString& x, const QString& y);
   void rearrange();
@@ -69,6 +101,8 @@ class Plot : public QObject {
   void applyRange(const QRectF& range);
   void applyTicks(QValueAxis* axis, double step) const;
   void fitRangeToPlotArea();
+  QRectF shownRange() const;
+  const std::vector<std::uint32_t>& orderAlong(bool isVertical);
 
   PlotStyle m_style;
   QGraphicsScene m_scene;
@@ -81,6 +115,10 @@ class Plot : public QObject {
   QString m_message;
   QSizeF m_size;
   QRectF m_plotArea;
+  QRectF m_whole;  ///< range that shows everything
+  ViewRange m_view;
+  double m_corner = 0;
+  std::vector<std::uint32_t> m_alongX, m_alongY;  ///< marks in the order of x and y; empty: not known
   QTransform m_sceneFromAxes;
 };
 

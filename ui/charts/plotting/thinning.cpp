@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/charts/plotting/clipping.h"
+
 namespace alidade::ui {
 namespace {
 
@@ -77,7 +79,7 @@ std::vector<PlacedMark> thinned(const std::vector<Mark>& marks, const QTransform
   std::vector<PlacedMark> placed;
   placed.reserve(marks.size());
   for (const Mark& mark : marks) {
-    const QPointF at = sceneFromAxes.map(mark.at);
+    const QPointF at = sceneFromAxes.map(mark.at) + mark.shift;
     if (raster.area.contains(at)) placed.push_back({at, mark.kind});
   }
   if (placed.size() <= fewMarks) return placed;
@@ -98,7 +100,10 @@ std::vector<Stick> thinned(const std::vector<Stick>& sticks, const QTransform& s
                            const Raster& raster) {
   std::vector<Stick> placed;
   placed.reserve(sticks.size());
-  for (const Stick& stick : sticks) placed.push_back({sceneFromAxes.map(stick.line), stick.kind});
+  for (const Stick& stick : sticks) {
+    const auto line = clipped(sceneFromAxes.map(stick.line).translated(stick.shift), raster.area);
+    if (line) placed.push_back({*line, stick.kind});
+  }
   if (placed.size() <= fewSticks) return placed;
   Cells longest(raster, 8 * kindsOf(placed));
   for (std::size_t i = 0; i < placed.size(); ++i) {

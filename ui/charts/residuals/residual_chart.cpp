@@ -1,5 +1,8 @@
 #include "ui/charts/residuals/residual_chart.h"
 
+#include <QMenu>
+
+#include "ui/charts/plotting/row_menu.h"
 #include "ui/charts/residuals/residual_plot.h"
 #include "ui/jobs/evaluation.h"
 
@@ -9,8 +12,65 @@ ResidualChart::ResidualChart(QWidget* parent) : ResidualChart(new ResidualPlot, 
 
 ResidualChart::ResidualChart(ResidualPlot* plot, QWidget* parent)
     : PlotWidget(std::unique_ptr<Plot>(plot), parent), m_plot(plot) {
-  setAccessibleName(QStringLiteral("Residuals along the arc"));
+  setAccessibleName(tr("Residuals"));
+  m_plot->setChoice(keptResidualChoice());
   setEvaluation({});
+}
+
+void ResidualChart::choose(const ResidualChoice& choice) {
+  keep(choice);
+  m_plot->setChoice(choice);
+  tell();
+}
+
+void ResidualChart::addChoices(QMenu& menu) {
+  using Over = ResidualChoice::Over;
+  menu.addSeparator();
+  const ResidualChoice& now = m_plot->choice();
+  const std::pair<Over, QString> overs[] = {{Over::Slider, tr("Over the Slider Coordinate &s")},
+                                            {Over::Order, tr("Over &Time, in the Order Read")},
+                                            {Over::Elevation, tr("Over the &Elevation")},
+                                            {Over::Azimuth, tr("Over the &Azimuth")},
+                                            {Over::Normal, tr("Normal &Quantiles")}};
+  QMenu& over = *menu.addMenu(tr("&Draw"));
+  for (const auto& [which, text] : overs)
+    addChoice(over, text, now.over == which, [this, now, over = which] {
+      ResidualChoice choice = now;
+      choice.over = over;
+      choose(choice);
+    });
+  QMenu& unit = *menu.addMenu(tr("&Unit"));
+  unit.setEnabled(now.over != Over::Normal);
+  for (const bool isStandardised : {false, true})
+    addChoice(unit, isStandardised ? tr("&Standardised") : tr("&Arcseconds"),
+              now.showsStandardised() == isStandardised, [this, now, isStandardised] {
+                ResidualChoice choice = now;
+                choice.isStandardised = isStandardised;
+                choose(choice);
+              });
+  addCircles(*menu.addMenu(tr("&Circles")));
+  addRowChoices(menu, m_plot->picture().kinds, now.rows.among(m_plot->picture().kinds),
+                [this, now](const RowChoice& rows) {
+                  ResidualChoice choice = now;
+                  choice.rows = rows;
+                  choose(choice);
+                });
+}
+
+/// One of them is always drawn.
+void ResidualChart::addCircles(QMenu& menu) {
+  const std::pair<QString, bool ResidualChoice::*> circles[] = {
+      {tr("&Horizontal"), &ResidualChoice::horizontal},
+      {tr("&Vertical"), &ResidualChoice::vertical},
+      {tr("&Slider"), &ResidualChoice::slider}};
+  const ResidualChoice& now = m_plot->choice();
+  const int drawn = int{now.horizontal} + int{now.vertical} + int{now.slider};
+  for (const auto& [text, circle] : circles)
+    addChoice(menu, text, now.*circle, [this, now, circle = circle] {
+      ResidualChoice choice = now;
+      choice.*circle = !(now.*circle);
+      choose(choice);
+    })->setEnabled(drawn > 1 || !(now.*circle));
 }
 
 }  // namespace alidade::ui

@@ -1,12 +1,14 @@
 #pragma once
 
 #include "ui/charts/plotting/plot_widget.h"
+#include "ui/charts/residuals/residual_choice.h"
 
 namespace alidade::ui {
 
 class ResidualPlot;
 
-/// The residuals of every reading along the arc, on the screen.
+/// The residuals of the readings on the screen; what of them is drawn is chosen in the menu and kept in the
+/// user's settings.
 class ResidualChart : public PlotWidget {
   Q_OBJECT
 
@@ -14,9 +16,18 @@ class ResidualChart : public PlotWidget {
   explicit ResidualChart(QWidget* parent = nullptr);
 
   ResidualPlot* plot() const { return m_plot; }
+  /// Draws it, and keeps it for the next window.
+  void choose(const ResidualChoice& choice);
+
+  QString fileName() const override { return QStringLiteral("residuals"); }
+
+ protected:
+  void addChoices(QMenu& menu) override;
 
  private:
   explicit ResidualChart(ResidualPlot* plot, QWidget* parent);
+
+  void addCircles(QMenu& menu);
 
   ResidualPlot* m_plot;  // owned by the base
 };

@@ -21,27 +21,56 @@ const Sighting* sightingOf(const ArcMeasurement& arc, std::size_t index, std::si
   return found == arc.sightings.end() ? nullptr : &*found;
 }
 
+DrawnResidual drawnResidual(const ArcMeasurement& arc, const Sighting& sighting, double arcAngle) {
+  return {.ref = {arc.position, sighting.row},
+          .axisDeg = arc.axisDeg,
+          .time = arc.time,
+          .circle = CircleRead::Horizontal,
+          .point = sighting.point,
+          .round = sighting.round,
+          .face = sighting.face,
+          .order = sighting.sequence + 1,
+          .elevation = sighting.e.degrees(),
+          .azimuth = sighting.a.degrees(),
+          .slider = sliderDegrees(arcAngle, arc.axisDeg)};
+}
+
 void addArc(ResidualPicture& picture, const ArcMeasurement& arc, const ArcFit& fit) {
   for (std::size_t i = 0; i < fit.residuals.size(); ++i) {
     const SightingResidual& residual = fit.residuals[i];
     const Sighting* sighting = sightingOf(arc, i, residual.row);
     if (!sighting) continue;
-    DrawnResidual drawn{.ref = {arc.position, residual.row},
-                        .axisDeg = arc.axisDeg,
-                        .time = arc.time,
-                        .circle = CircleRead::Horizontal,
-                        .point = sighting->point,
-                        .round = sighting->round,
-                        .face = sighting->face,
-                        .slider = sliderDegrees(residual.arcAngle, arc.axisDeg),
-                        .arcsec = residual.horizontal.arcseconds(),
-                        .standardised = residual.horizontalStandardised};
+    DrawnResidual drawn = drawnResidual(arc, *sighting, residual.arcAngle);
+    drawn.arcsec = residual.horizontal.arcseconds();
+    drawn.standardised = residual.horizontalStandardised;
     picture.residuals.push_back(drawn);
     drawn.circle = CircleRead::Vertical;
     drawn.arcsec = residual.vertical.arcseconds();
     drawn.standardised = residual.verticalStandardised;
     picture.residuals.push_back(drawn);
   }
+}
+
+/// Of the slider, which only the fit of all positions together takes for observed.
+void addSliders(ResidualPicture& picture, const Measurement& measurement, const SessionFit& fit) {
+  for (const AdjustedReading& reading : fit.joint.readings) {
+    if (reading.kind != ReadingKind::Slider) continue;
+    const ArcFit& fitted = fit.arcs[reading.arc];
+    const auto arc = std::ranges::find(measurement.arcs, fitted.position, &ArcMeasurement::position);
+    DrawnResidual drawn =
+        drawnResidual(*arc, arc->sightings[reading.sighting], fitted.residuals[reading.sighting].arcAngle);
+    drawn.circle = CircleRead::Slider;
+    drawn.arcsec = Angle::fromRadians(reading.residual).arcseconds();
+    drawn.standardised = reading.standardised(fit.noise.factor);
+    picture.residuals.push_back(drawn);
+  }
+}
+
+void sortByStandardised(ResidualPicture& picture) {
+  for (std::uint32_t i = 0; i < picture.residuals.size(); ++i)
+    if (std::isfinite(picture.residuals[i].standardised)) picture.byStandardised.push_back(i);
+  std::ranges::stable_sort(picture.byStandardised, {},
+                           [&](std::uint32_t i) { return picture.residuals[i].standardised; });
 }
 
 }  // namespace
@@ -52,9 +81,13 @@ ResidualPicture residualPicture(const Evaluation& evaluation) {
   const Measurement& measurement = *evaluation.examined.measurement;
   picture.sigmaHorizontal = measurement.sigmaHorizontal.arcseconds();
   picture.sigmaVertical = measurement.sigmaVertical.arcseconds();
+  picture.sigmaSlider = measurement.sigmaSlider.arcseconds();
   for (const ArcMeasurement& arc : measurement.arcs) {
     if (const ArcFit* fit = evaluation.fit.arcOfPosition(arc.position)) addArc(picture, arc, *fit);
   }
+  addSliders(picture, measurement, evaluation.fit);
+  sortByStandardised(picture);
+  picture.kinds = RowKinds::of(picture.residuals);
   return picture;
 }
 
@@ -64,8 +97,14 @@ bool ResidualPicture::oneSigma() const {
 
 double ResidualPicture::largestResidual() const {
   double largest = 0;
-  for (const DrawnResidual& residual : residuals) largest = std::max(largest, std::abs(residual.arcsec));
+  for (const DrawnResidual& residual : residuals)
+    if (residual.circle != CircleRead::Slider) largest = std::max(largest, std::abs(residual.arcsec));
   return largest;
+}
+
+double ResidualPicture::sigmaOf(CircleRead circle) const {
+  if (circle == CircleRead::Slider) return sigmaSlider;
+  return circle == CircleRead::Horizontal ? sigmaHorizontal : sigmaVertical;
 }
 
 }  // namespace alidade::ui

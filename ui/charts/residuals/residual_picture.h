@@ -1,13 +1,13 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "ui/charts/plotting/sighting_ref.h"
+#include "ui/charts/residuals/residual_choice.h"
 #include "ui/jobs/evaluation.h"
 
 namespace alidade::ui {
-
-enum class CircleRead { Horizontal, Vertical };
 
 /// The residual of one reading of one circle.
 struct DrawnResidual {
@@ -16,6 +16,8 @@ struct DrawnResidual {
   int time = 1;  ///< the how many-th position at this axis
   CircleRead circle = CircleRead::Horizontal;
   int point = 0, round = 1, face = 1;
+  std::size_t order = 1;              ///< of its row among all of the session, as taken, from 1
+  double elevation = 0, azimuth = 0;  ///< e and a of the sighting, degrees, up and right positive
   double slider = 0;  ///< s in degrees: the arc angle φ at 0°, −φ at 180°, so that both run over 0…180°
   double arcsec = 0;        ///< observed minus adjusted; right and up positive
   double standardised = 0;  ///< w = v/(s0 σ √r); NaN where no other reading checks this one
@@ -23,14 +25,19 @@ struct DrawnResidual {
 
 /// What the residual chart shows, in numbers.
 struct ResidualPicture {
-  std::vector<DrawnResidual> residuals;  ///< horizontal and vertical of each row in turn
-  double sigmaHorizontal = 0;            ///< stated, arcseconds; 0 while nothing is known
+  /// Horizontal and vertical of each row in turn, then those of the slider.
+  std::vector<DrawnResidual> residuals;
+  std::vector<std::uint32_t> byStandardised;  ///< indices of those that have one, the least first
+  RowKinds kinds;                             ///< of all of them
+  double sigmaHorizontal = 0;                 ///< stated, arcseconds; 0 while nothing is known
   double sigmaVertical = 0;
+  double sigmaSlider = 0;
 
   bool isEmpty() const { return residuals.empty(); }
   bool oneSigma() const;  ///< both circles have the same
   double largestSigma() const { return sigmaHorizontal > sigmaVertical ? sigmaHorizontal : sigmaVertical; }
-  double largestResidual() const;  ///< of the absolute values, arcseconds
+  double largestResidual() const;  ///< of the absolute values of both circles, arcseconds
+  double sigmaOf(CircleRead circle) const;
 };
 
 ResidualPicture residualPicture(const Evaluation& evaluation);

@@ -2,50 +2,40 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <tuple>
 
+#include "core/exchange/csv_text.h"
+#include "ui/charts/plotting/clipping.h"
+#include "ui/charts/plotting/row_entries.h"
 #include "ui/text/position_text.h"
 #include "ui/text/quantity_text.h"
 
 namespace alidade::ui {
 namespace {
 
-MarkerShape shapeOf(CircleRead circle) {
-  return circle == CircleRead::Horizontal ? MarkerShape::Circle : MarkerShape::Diamond;
+using Over = ResidualChoice::Over;
+
+constexpr std::array<Qt::PenStyle, 3> limitStyles{Qt::DashDotLine, Qt::DotLine, Qt::DashLine};
+
+bool isAlike(double a, double b) {
+  return std::abs(a - b) <= 1e-9 * std::max(a, b);
 }
 
-/// What is drawn with one marker.
-struct ResidualKind {
-  int axisDeg, time;
-  CircleRead circle;
-};
-
-constexpr std::array<ResidualKind, 8> residualKinds{{{0, 1, CircleRead::Horizontal},
-                                                     {0, 1, CircleRead::Vertical},
-                                                     {0, 2, CircleRead::Horizontal},
-                                                     {0, 2, CircleRead::Vertical},
-                                                     {180, 1, CircleRead::Horizontal},
-                                                     {180, 1, CircleRead::Vertical},
-                                                     {180, 2, CircleRead::Horizontal},
-                                                     {180, 2, CircleRead::Vertical}}};
-
-/// Index into `residualKinds`.
-std::size_t kindOf(const DrawnResidual& residual) {
-  return (residual.axisDeg == 0 ? 0 : 4) + (residual.time > 1 ? 2 : 0) +
-         (residual.circle == CircleRead::Horizontal ? 0 : 1);
+QList<QPointF> inside(const QList<QPointF>& points, const QRectF& range) {
+  const auto pieces = clipped(points, range);
+  return pieces.isEmpty() ? QList<QPointF>() : pieces.first();
 }
-
-QString circleName(CircleRead circle) {
-  return circle == CircleRead::Horizontal ? QStringLiteral("horizontal") : QStringLiteral("vertical");
-}
-
-constexpr std::array<Qt::PenStyle, 2> limitStyles{Qt::DotLine, Qt::DashLine};
 
 }  // namespace
 
 ResidualPlot::ResidualPlot(QObject* parent)
-    : Plot(parent), m_bands{addNoiseBand(), addNoiseBand()}, m_zero(new QLineSeries) {
-  addSeries(m_zero);
-  setTitles(QStringLiteral("slider coordinate s (°): φ at 0°, −φ at 180°"), QStringLiteral("residual (″)"));
+    : Plot(parent),
+      m_bands{addNoiseBand(), addNoiseBand(), addNoiseBand()},
+      m_normal(addNoiseBand()),
+      m_line(new QLineSeries) {
+  addSeries(m_line);
+  showTitles();
 }
 
 ResidualPlot::NoiseBand ResidualPlot::addNoiseBand() {
@@ -60,80 +50,198 @@ ResidualPlot::NoiseBand ResidualPlot::addNoiseBand() {
 void ResidualPlot::setEvaluation(const Evaluation& evaluation) {
   m_picture = evaluation.residuals ? evaluation.residuals
                                    : std::make_shared<const ResidualPicture>(residualPicture(evaluation));
-  m_extent = extent();
-  setMessage(m_picture->isEmpty() ? QStringLiteral("No arc fitted yet: no residuals.") : QString());
+  draw();
+}
+
+void ResidualPlot::setChoice(const ResidualChoice& choice) {
+  if (choice == m_choice) return;
+  m_choice = choice;
+  showTitles();
+  showWhole();
+  draw();
+}
+
+void ResidualPlot::showTitles() {
+  const auto x = [this] {
+    switch (m_choice.over) {
+      case Over::Order:
+        return tr("row in the order read (time)");
+      case Over::Elevation:
+        return tr("elevation e (°), up positive");
+      case Over::Azimuth:
+        return tr("azimuth a (°), right positive");
+      case Over::Normal:
+        return tr("normal quantile");
+      case Over::Slider:
+        break;
+    }
+    return tr("slider coordinate s (°): φ at 0°, −φ at 180°");
+  };
+  setTitles(x(), m_choice.showsStandardised() ? tr("standardised residual w") : tr("residual (″)"));
+}
+
+void ResidualPlot::draw() {
+  m_drawn = m_choice;
+  m_drawn.rows = m_choice.rows.among(m_picture->kinds);
+  m_slots =
+      isOver(Over::Order) || isOver(Over::Normal) ? RowSlots() : RowSlots(m_picture->kinds, m_drawn.rows);
+  m_kinds = {};
+  const std::vector<ResidualPoint> points = residualPoints(*m_picture, m_drawn);
   std::vector<Mark> marks;
-  marks.reserve(m_picture->residuals.size());
-  for (const DrawnResidual& residual : m_picture->residuals) {
-    marks.push_back({{residual.slider, residual.arcsec}, kindOf(residual), residual.ref});
+  marks.reserve(points.size());
+  const double unit = m_unit = style().unit();
+  for (const ResidualPoint& point : points) {
+    const DrawnResidual& residual = m_picture->residuals[point.index];
+    marks.push_back({point.at,
+                     m_kinds.take(residual),
+                     residual.ref,
+                     point.index,
+                     {unit * m_slots.shift(residual.round, residual.face), 0}});
   }
-  markerLayer().setMarks(std::move(marks));
-  showLegend();
+  m_unchecked =
+      m_drawn.showsStandardised()
+          ? static_cast<std::size_t>(std::ranges::count_if(m_picture->residuals,
+                                                           [&](const DrawnResidual& one) {
+                                                             return m_drawn.takes(one.circle) &&
+                                                                    m_drawn.rows.takes(one.round, one.face) &&
+                                                                    !std::isfinite(one.standardised);
+                                                           }))
+          : 0;
+  m_envelope = isOver(Over::Normal) ? normalEnvelope(marks.size()) : NormalEnvelope();
+  setMessage(m_picture->isEmpty() ? tr("No arc fitted yet: no residuals.")
+             : marks.empty()      ? tr("Nothing of what is chosen to be drawn was read.")
+                                  : QString());
+  showMarks(std::move(marks));
+  reckonNoise();
+  reckonExtent();
+  applyStyle();
   rearrange();
+}
+
+void ResidualPlot::reckonNoise() {
+  m_noise.clear();
+  if (markers().marks().empty() || isOver(Over::Normal)) return;
+  if (m_drawn.isStandardised) {
+    m_noise.push_back({1, {}});
+    return;
+  }
+  for (const CircleRead circle : {CircleRead::Horizontal, CircleRead::Vertical, CircleRead::Slider}) {
+    if (!m_drawn.takes(circle)) continue;
+    if (circle == CircleRead::Slider && std::ranges::none_of(m_kinds.all(), [](const ResidualKind& kind) {
+          return kind.circle == CircleRead::Slider;
+        }))
+      continue;
+    const double sigma = m_picture->sigmaOf(circle);
+    const auto same =
+        std::ranges::find_if(m_noise, [&](const StatedNoise& one) { return isAlike(one.sigma, sigma); });
+    if (same == m_noise.end())
+      m_noise.push_back({sigma, {circleName(circle)}});
+    else
+      same->circles.append(circleName(circle));
+  }
+  std::ranges::stable_sort(m_noise, std::greater(), &StatedNoise::sigma);
+}
+
+void ResidualPlot::reckonExtent() {
+  const auto& marks = markers().marks();
+  double left = std::numeric_limits<double>::infinity(), right = -left, largest = 0;
+  for (const Mark& mark : marks) {
+    left = std::min(left, mark.at.x());
+    right = std::max(right, mark.at.x());
+    largest = std::max(largest, std::abs(mark.at.y()));
+  }
+  if (isOver(Over::Slider)) {
+    left = std::min(0.0, left - 5);
+    right = std::max(180.0, right + 5);
+  } else if (marks.empty()) {
+    left = 0;
+    right = 1;
+  } else {
+    const double beside = std::max(0.05 * (right - left), isOver(Over::Order) ? 1 : 1e-3);
+    left -= beside;
+    right += beside;
+  }
+  double reach = largest;
+  for (const StatedNoise& noise : m_noise) reach = std::max(reach, 3 * noise.sigma);
+  for (const QPointF& point : m_envelope.upper) reach = std::max(reach, std::abs(point.y()));
+  reach *= 1.12;
+  if (!(reach > 0) || !std::isfinite(reach)) reach = 10;
+  m_extent = QRectF(left, -reach, right - left, 2 * reach);
 }
 
 void ResidualPlot::showLegend() {
   std::vector<LegendEntry> entries;
-  std::array<bool, residualKinds.size()> isThere{};
-  for (const DrawnResidual& residual : m_picture->residuals) isThere[kindOf(residual)] = true;
-  for (std::size_t i = 0; i < residualKinds.size(); ++i) {
-    if (!isThere[i]) continue;
-    const auto& [axisDeg, time, circle] = residualKinds[i];
-    entries.push_back({style().marker(axisDeg, shapeOf(circle), time),
-                       positionText(axisDeg, time) + u' ' + circleName(circle)});
-  }
-  if (!m_picture->isEmpty()) {
+  if (!markers().marks().empty()) {
+    entries = kindEntries();
     for (LegendEntry& entry : noiseEntries()) entries.push_back(std::move(entry));
   }
   legendItem().setEntries(std::move(entries));
 }
 
+std::vector<LegendEntry> ResidualPlot::kindEntries() const {
+  std::vector<ResidualKind> kinds = m_kinds.all();
+  for (ResidualKind& kind : kinds) kind.isFaceTwo = false;
+  const auto key = [](const ResidualKind& kind) {
+    return std::tuple(kind.axisDeg, kind.isAgain, kind.circle);
+  };
+  std::ranges::sort(kinds, {}, key);
+  const auto twice = std::ranges::unique(kinds, {}, key);
+  kinds.erase(twice.begin(), twice.end());
+  std::vector<LegendEntry> entries;
+  for (const ResidualKind& kind : kinds) entries.push_back({kind.marker(style()), kind.text()});
+  for (LegendEntry& entry : rowEntries(style(), m_picture->kinds, m_drawn.rows, m_slots.areApart()))
+    entries.push_back(std::move(entry));
+  if (m_unchecked > 0) entries.push_back({{}, tr("not drawn: %1 that nothing checks").arg(m_unchecked)});
+  return entries;
+}
+
 std::vector<LegendEntry> ResidualPlot::noiseEntries() const {
   const double unit = style().unit();
-  const auto limitPen = [&](std::size_t band) { return QPen(style().limit, 1.2 * unit, limitStyles[band]); };
-  const auto sigmaText = [](double sigma) { return plainNumberText(sigma) + QChar(0x2033); };
-  if (m_picture->oneSigma()) {
-    const QString sigma = sigmaText(m_picture->sigmaHorizontal);
-    return {{style().band, QStringLiteral("±1σ, stated σ = ") + sigma}, {limitPen(1), QStringLiteral("±3σ")}};
+  const auto limit = [&](Qt::PenStyle pen) { return QPen(style().limit, 1.2 * unit, pen); };
+  if (isOver(Over::Normal)) {
+    std::vector<LegendEntry> entries{{QPen(style().frame, unit), tr("normal")}};
+    if (!m_envelope.lower.isEmpty())
+      entries.insert(entries.begin(), {style().band, tr("95 % of normal values")});
+    return entries;
   }
-  const bool verticalLarger = m_picture->sigmaVertical > m_picture->sigmaHorizontal;
-  const QString larger = verticalLarger ? QStringLiteral("vertical") : QStringLiteral("horizontal");
-  const QString smaller = verticalLarger ? QStringLiteral("horizontal") : QStringLiteral("vertical");
-  const double smallSigma = std::min(m_picture->sigmaHorizontal, m_picture->sigmaVertical);
-  return {{style().band, QStringLiteral("±1σ %1, stated σ = %2").arg(smaller, sigmaText(smallSigma))},
-          {limitPen(1), QStringLiteral("±3σ")},
-          {style().outerBand,
-           QStringLiteral("±1σ %1, stated σ = %2").arg(larger, sigmaText(m_picture->largestSigma()))},
-          {limitPen(0), QStringLiteral("±3σ")}};
+  std::vector<LegendEntry> entries;
+  // The smallest σ first.
+  for (std::size_t i = m_noise.size(); i-- > 0;) {
+    const StatedNoise& noise = m_noise[i];
+    const QColor colour = i + 1 == m_noise.size() ? style().band : style().outerBand;
+    const QPen pen = limit(limitStyles[i + mostBands - m_noise.size()]);
+    if (m_drawn.isStandardised) {
+      entries.push_back({colour, tr("±1")});
+      entries.push_back({pen, tr("±3: beyond it 3 of 1000")});
+      continue;
+    }
+    const QString sigma = plainNumberText(noise.sigma) + QChar(0x2033);
+    entries.push_back(
+        {colour, m_noise.size() == 1
+                     ? tr("±1σ, stated σ = %1").arg(sigma)
+                     : tr("±1σ %1, stated σ = %2").arg(noise.circles.join(QStringLiteral(", ")), sigma)});
+    entries.push_back({pen, tr("±3σ")});
+  }
+  return entries;
 }
 
 void ResidualPlot::applyStyle() {
   const double unit = style().unit();
-  const std::array<QColor, 2> colours{style().outerBand, style().band};
+  if (unit != m_unit) return draw();  // which ends here
   for (std::size_t i = 0; i < m_bands.size(); ++i) {
     m_bands[i].area->setPen(Qt::NoPen);
-    m_bands[i].area->setBrush(colours[i]);
+    m_bands[i].area->setBrush(i + 1 == m_bands.size() ? style().band : style().outerBand);
     for (QLineSeries* limit : {m_bands[i].upperLimit, m_bands[i].lowerLimit}) {
       limit->setPen(QPen(style().limit, 1.2 * unit, limitStyles[i]));
     }
   }
-  m_zero->setPen(QPen(style().frame, 0.8 * unit));
-  std::vector<Marker> markers;
-  for (const auto& [axisDeg, time, circle] : residualKinds)
-    markers.push_back(style().marker(axisDeg, shapeOf(circle), time));
-  markerLayer().setMarkers(std::move(markers));
+  m_normal.area->setPen(Qt::NoPen);
+  m_normal.area->setBrush(style().band);
+  m_line->setPen(QPen(style().frame, 0.8 * unit));
+  std::vector<Marker> drawn;
+  for (const ResidualKind& kind : m_kinds.all()) drawn.push_back(kind.marker(style()));
+  markerLayer().setMarkers(std::move(drawn));
   showLegend();
-}
-
-QRectF ResidualPlot::extent() const {
-  double left = 0, right = 180;
-  for (const DrawnResidual& residual : m_picture->residuals) {
-    left = std::min(left, residual.slider - 5);
-    right = std::max(right, residual.slider + 5);
-  }
-  double reach = std::max(m_picture->largestResidual(), 3 * m_picture->largestSigma()) * 1.12;
-  if (!(reach > 0) || !std::isfinite(reach)) reach = 10;
-  return QRectF(left, -reach, right - left, 2 * reach);
 }
 
 QRectF ResidualPlot::axisRange(const QSizeF&) const {
@@ -142,47 +250,118 @@ QRectF ResidualPlot::axisRange(const QSizeF&) const {
 
 void ResidualPlot::placeExtras() {
   const QRectF range = sceneFromAxes().inverted().mapRect(plotArea());
-  const double larger = m_picture->isEmpty() ? 0 : m_picture->largestSigma();
-  const double smaller =
-      m_picture->isEmpty() ? 0 : std::min(m_picture->sigmaHorizontal, m_picture->sigmaVertical);
-  showNoise(m_bands[0], m_picture->oneSigma() ? 0 : larger, range.left(), range.right());
-  showNoise(m_bands[1], smaller, range.left(), range.right());
-  m_zero->replace(QList<QPointF>{{range.left(), 0}, {range.right(), 0}});
-  m_zero->setVisible(!m_picture->isEmpty());
+  const std::size_t first = mostBands - m_noise.size();
+  for (std::size_t i = 0; i < mostBands; ++i)
+    showNoise(m_bands[i], i < first ? 0 : m_noise[i - first].sigma, range);
+  showEnvelope(range);
+  const bool isNormal = isOver(Over::Normal);
+  const double reach = std::max(std::abs(range.left()), std::abs(range.right()));
+  m_line->replace(inside(isNormal ? QList<QPointF>{{-reach, -reach}, {reach, reach}}
+                                  : QList<QPointF>{{range.left(), 0}, {range.right(), 0}},
+                         range));
+  m_line->setVisible(!markers().marks().empty());
 }
 
-void ResidualPlot::showNoise(const NoiseBand& band, double sigma, double left, double right) {
-  band.top->replace(QList<QPointF>{{left, sigma}, {right, sigma}});
-  band.bottom->replace(QList<QPointF>{{left, -sigma}, {right, -sigma}});
-  band.upperLimit->replace(QList<QPointF>{{left, 3 * sigma}, {right, 3 * sigma}});
-  band.lowerLimit->replace(QList<QPointF>{{left, -3 * sigma}, {right, -3 * sigma}});
-  for (QAbstractSeries* series :
-       {static_cast<QAbstractSeries*>(band.area), static_cast<QAbstractSeries*>(band.upperLimit),
-        static_cast<QAbstractSeries*>(band.lowerLimit)}) {
-    series->setVisible(sigma > 0);
-  }
+/// `sigma`: 0 for none.
+void ResidualPlot::showNoise(const NoiseBand& band, double sigma, const QRectF& range) {
+  const auto level = [&](double y) { return QList<QPointF>{{range.left(), y}, {range.right(), y}}; };
+  const double high = std::clamp(sigma, range.top(), range.bottom());
+  const double low = std::clamp(-sigma, range.top(), range.bottom());
+  band.top->replace(level(high));
+  band.bottom->replace(level(low));
+  band.upperLimit->replace(level(3 * sigma));
+  band.lowerLimit->replace(level(-3 * sigma));
+  band.area->setVisible(high > low);
+  band.upperLimit->setVisible(sigma > 0 && 3 * sigma <= range.bottom());
+  band.lowerLimit->setVisible(sigma > 0 && -3 * sigma >= range.top());
+}
+
+void ResidualPlot::showEnvelope(const QRectF& range) {
+  const auto cut = [&](const QList<QPointF>& curve) {
+    QList<QPointF> points = inside(curve, {range.left(), -1e9, range.width(), 2e9});
+    for (QPointF& point : points) point.setY(std::clamp(point.y(), range.top(), range.bottom()));
+    return points;
+  };
+  m_normal.top->replace(cut(m_envelope.upper));
+  m_normal.bottom->replace(cut(m_envelope.lower));
+  m_normal.area->setVisible(m_normal.top->count() > 1 && m_normal.bottom->count() > 1);
+  m_normal.upperLimit->setVisible(false);
+  m_normal.lowerLimit->setVisible(false);
 }
 
 QString ResidualPlot::describe(const Mark& mark) const {
-  for (const DrawnResidual& residual : m_picture->residuals) {
-    if (residual.ref != mark.ref || kindOf(residual) != mark.kind) continue;
-    return QStringLiteral(
-               "Axis at %1, point %2, round %3, face %4\n%5 circle: %6″ at s = %7°, standardised w = %8")
-        .arg(positionText(residual.axisDeg, residual.time))
-        .arg(residual.point)
-        .arg(residual.round)
-        .arg(residual.face)
-        .arg(circleName(residual.circle), signedNumberText(residual.arcsec, 1),
-             numberText(residual.slider, 2), signedNumberText(residual.standardised, 2));
-  }
-  return {};
+  if (mark.index >= m_picture->residuals.size()) return {};
+  const DrawnResidual& residual = m_picture->residuals[mark.index];
+  QString text = QStringLiteral("Axis at %1, point %2, round %3, face %4\n")
+                     .arg(positionText(residual.axisDeg, residual.time))
+                     .arg(residual.point)
+                     .arg(residual.round)
+                     .arg(residual.face);
+  const QString value = signedNumberText(residual.arcsec, 1);
+  text += residual.circle == CircleRead::Slider
+              ? tr("slider: %1″").arg(value)
+              : tr("%1 circle: %2″").arg(circleName(residual.circle), value);
+  if (isOver(Over::Order)) text += tr(", row %1 read").arg(residual.order);
+  if (isOver(Over::Elevation)) text += tr(" at e = %1°").arg(numberText(residual.elevation, 3));
+  if (isOver(Over::Azimuth)) text += tr(" at a = %1°").arg(numberText(residual.azimuth, 3));
+  if (isOver(Over::Slider) || isOver(Over::Normal))
+    text += tr(" at s = %1°").arg(numberText(residual.slider, 2));
+  text += tr(", standardised w = %1").arg(signedNumberText(residual.standardised, 2));
+  if (isOver(Over::Normal)) text += tr(", normal quantile %1").arg(signedNumberText(mark.at.x(), 2));
+  return text;
 }
 
 QString ResidualPlot::summary() const {
-  if (m_picture->isEmpty()) return message();
-  return QStringLiteral("Residuals of %1 readings, at most %2")
-      .arg(m_picture->residuals.size())
-      .arg(arcsecText(m_picture->largestResidual()));
+  if (!message().isEmpty()) return message();
+  double largest = 0;
+  for (const Mark& mark : markers().marks()) largest = std::max(largest, std::abs(mark.at.y()));
+  return tr("Residuals of %1 readings, at most %2")
+      .arg(markers().marks().size())
+      .arg(m_choice.showsStandardised() ? numberText(largest, 2) : arcsecText(largest));
+}
+
+QString ResidualPlot::standard() const {
+  switch (m_choice.over) {
+    case Over::Order:
+      return tr("Good: the same even band from the first row to the last; no drift, no step between rounds.");
+    case Over::Normal:
+      return tr(
+          "Good: the marks follow the line inside the band; one that leaves it at an end may be misread.");
+    case Over::Slider:
+    case Over::Elevation:
+    case Over::Azimuth:
+      break;
+  }
+  return m_choice.isStandardised ? tr("Good: an even band about 0, two of three within ±1, hardly one beyond "
+                                      "±3; no wave, no slope.")
+                                 : tr("Good: an even band about 0, two of three within ±1σ, hardly one "
+                                      "beyond ±3σ; no wave, no slope.");
+}
+
+std::string ResidualPlot::csv() const {
+  const bool isNormal = isOver(Over::Normal);
+  CsvText csv{"axis_deg",
+              "turn",
+              "point",
+              "round",
+              "face",
+              "reading",
+              "order",
+              "s_deg",
+              "elevation_deg",
+              "azimuth_deg",
+              "residual_arcsec",
+              "standardised_residual",
+              isNormal ? "normal_quantile" : "sigma_arcsec"};
+  for (const Mark& mark : markers().marks()) {
+    const DrawnResidual& residual = m_picture->residuals[mark.index];
+    csv.count(residual.axisDeg).count(residual.time).count(residual.point).count(residual.round);
+    csv.count(residual.face).word(nameOf(residual.circle)).count(static_cast<long long>(residual.order));
+    csv.number(residual.slider).number(residual.elevation).number(residual.azimuth);
+    csv.number(residual.arcsec).number(residual.standardised);
+    csv.number(isNormal ? mark.at.x() : m_picture->sigmaOf(residual.circle)).endRow();
+  }
+  return csv.text();
 }
 
 }  // namespace alidade::ui

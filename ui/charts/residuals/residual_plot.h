@@ -6,13 +6,16 @@
 #include <memory>
 
 #include "ui/charts/plotting/plot.h"
+#include "ui/charts/residuals/residual_kinds.h"
 #include "ui/charts/residuals/residual_picture.h"
+#include "ui/charts/residuals/residual_points.h"
 
 namespace alidade::ui {
 
-/// The residual of every reading in arcseconds along the arc (standardised where one is pointed at), with ±1σ
-/// (band) and ±3σ (dashed) of the stated noise. Colour and filling tell the axis position, a ring that it was
-/// measured again, the shape tells the circle, so the kinds stay apart in grey.
+/// The residuals that are chosen, in arcseconds or standardised, along the arc, in the order read, over an
+/// angle, or over their normal quantiles, with what they should keep within: ±1σ (band) and ±3σ (dashed) of
+/// the stated noise or of 1, or the envelope of normal values. Rounds and faces stand side by side. The kinds
+/// of readings stay apart in grey (ResidualKind).
 class ResidualPlot : public Plot {
   Q_OBJECT
 
@@ -20,10 +23,14 @@ class ResidualPlot : public Plot {
   explicit ResidualPlot(QObject* parent = nullptr);
 
   void setEvaluation(const Evaluation& evaluation) override;
+  void setChoice(const ResidualChoice& choice);
   QString describe(const Mark& mark) const override;
   QString summary() const override;
+  QString standard() const override;
+  std::string csv() const override;
 
   const ResidualPicture& picture() const { return *m_picture; }
+  const ResidualChoice& choice() const { return m_choice; }
 
  protected:
   void applyStyle() override;
@@ -31,24 +38,45 @@ class ResidualPlot : public Plot {
   void placeExtras() override;
 
  private:
-  /// ±1σ and ±3σ of one circle, or of both where they are the same.
+  static constexpr std::size_t mostBands = 3;
+
+  /// ±σ and ±3σ of one circle, or of those for which it is the same.
   struct NoiseBand {
     QLineSeries *top, *bottom;
     QAreaSeries* area;
     QLineSeries *upperLimit, *lowerLimit;
   };
+  struct StatedNoise {
+    double sigma = 0;  ///< arcseconds; of standardised residuals 1
+    QStringList circles;
+  };
 
   NoiseBand addNoiseBand();
-  void showNoise(const NoiseBand& band, double sigma, double left, double right);
-  QRectF extent() const;
+  void showNoise(const NoiseBand& band, double sigma, const QRectF& range);
+  void showEnvelope(const QRectF& range);
+  void draw();
+  void reckonExtent();
+  void reckonNoise();
+  void showTitles();
   void showLegend();
+  std::vector<LegendEntry> kindEntries() const;
   std::vector<LegendEntry> noiseEntries() const;
+  bool isOver(ResidualChoice::Over over) const { return m_choice.over == over; }
 
   std::shared_ptr<const ResidualPicture> m_picture = std::make_shared<const ResidualPicture>();
-  QRectF m_extent{0, -10, 180, 20};  // of the picture: s in degrees, residuals in arcseconds
-  std::array<NoiseBand, 2>
-      m_bands;  // the larger σ first, so that the smaller is drawn over it; owned by the chart
-  QLineSeries* m_zero;
+  ResidualChoice m_choice;
+  ResidualChoice m_drawn;  ///< what of it the picture has
+  ResidualKinds m_kinds;
+  RowSlots m_slots;
+  double m_unit = 0;  // of the style that the marks stand apart in
+  NormalEnvelope m_envelope;
+  std::vector<StatedNoise> m_noise;  // the largest σ first
+  std::size_t m_unchecked = 0;       // chosen, but without a standardised residual
+  QRectF m_extent{0, -10, 180, 20};  // of what is drawn
+  std::array<NoiseBand, mostBands>
+      m_bands;          // the largest σ first, so that smaller ones are drawn over it; owned by the chart
+  NoiseBand m_normal;   // where normal values lie; likewise
+  QLineSeries* m_line;  // zero, or what is normal
 };
 
 }  // namespace alidade::ui

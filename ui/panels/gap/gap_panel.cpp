@@ -47,6 +47,14 @@ QWidget* block(const QString& heading, std::initializer_list<QWidget*> parts) {
   return frame;
 }
 
+/// What a good picture looks like.
+QLabel* standard(const QString& sentence) {
+  QLabel* label = wrappedLabel();
+  label->setForegroundRole(QPalette::PlaceholderText);
+  label->setText(sentence);
+  return label;
+}
+
 }  // namespace
 
 GapPanel::GapPanel(QWidget* parent)
@@ -84,16 +92,20 @@ GapPanel::GapPanel(QWidget* parent)
       tr("How far Δd is from the reference then helps to tell the causes apart.\n"
          "Δd with the causes rests on the readings alone, and so does the report."));
   m_requiredBlock = block(tr("What it would take to explain Δd − reference"), {m_required, m_requiredNote});
-  m_blocks = {
-      m_headline,
-      block(tr("Causes"), {m_causes}),
-      block(tr("Before and after"), {m_waterfall, m_result, m_shrinkage}),
-      block(tr("Where it lies"), {m_map}),
-      block(tr("What must agree"), {m_closures, m_closuresNote, m_withReference, m_withReferenceNote}),
-      m_requiredBlock,
-      block(tr("What to measure next"), {m_next}),
-      block(tr("What would go unseen"), {m_unseen, m_unseenNote}),
-      createCandidates()};
+  m_blocks = {m_headline,
+              block(tr("Causes"), {m_causes}),
+              block(tr("Before and after"),
+                    {m_waterfall, standard(tr("Good: the last bar ends at the broken line of the noise.")),
+                     m_result, m_shrinkage}),
+              block(tr("Where it lies"),
+                    {m_map, standard(tr("Good: no part stands out; one that does is where to look."))}),
+              block(tr("What must agree"),
+                    {m_closures, standard(tr("Good: every bar ends inside the grey band of ± U.")),
+                     m_closuresNote, m_withReference, m_withReferenceNote}),
+              m_requiredBlock,
+              block(tr("What to measure next"), {m_next}),
+              block(tr("What would go unseen"), {m_unseen, m_unseenNote}),
+              createCandidates()};
   connect(m_causes, &CauseList::effectsWanted, this, &GapPanel::effectsWanted);
   connect(m_causes, &CauseList::effectUnwanted, this, &GapPanel::effectUnwanted);
   connect(m_causes, &CauseList::relationWanted, this, &GapPanel::relationWanted);

@@ -2,11 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <QApplication>
 #include <QImage>
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "tests/ui/support.h"
+#include "ui/charts/arc/arc_plot.h"
+#include "ui/jobs/evaluation.h"
 
 namespace alidade::ui {
 namespace {
@@ -134,6 +139,19 @@ TEST(CentresInset, EndsTheBarOfUAtBothEnds) {
   EXPECT_TRUE(isDarkBeside(2 - 0.5));
   EXPECT_FALSE(isDarkBeside(2 - 0.75));
   EXPECT_FALSE(isDarkBeside(2 + 0.75));
+}
+
+// In a window of 1024 × 700 the picture of the arcs is some 210 × 260.
+TEST(CentresInset, IsThereInASmallPicture) {
+  ArcPlot plot;
+  plot.setStyle(screenStyle(QApplication::palette(), QApplication::font()));
+  plot.setEvaluation(evaluate(paperSession()));
+  plot.arrange({208, 262});
+  EXPECT_GT(plot.inset().scale(), 0);
+  EXPECT_TRUE(plot.plotArea().contains(plot.inset().boundingRect()));
+  const DrawnIntersection& drawn = *plot.picture().intersection;
+  for (const auto& centre : {drawn.upperCentre, drawn.lowerCentre})
+    EXPECT_TRUE(plot.inset().boundingRect().contains(plot.inset().place(centre)));
 }
 
 }  // namespace

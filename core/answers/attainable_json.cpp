@@ -1,10 +1,10 @@
-#include "app/console/attainable_json.h"
+#include "core/answers/attainable_json.h"
 
 #include <nlohmann/json.hpp>
 
 #include "core/wording/measure.h"
 
-namespace alidade::console {
+namespace alidade {
 
 nlohmann::ordered_json attainableJson(const std::vector<AttainableUncertainty>& attainable) {
   auto json = nlohmann::ordered_json::array();
@@ -13,4 +13,4 @@ nlohmann::ordered_json attainableJson(const std::vector<AttainableUncertainty>& 
   return json;
 }
 
-}  // namespace alidade::console
+}  // namespace alidade

@@ -1,11 +1,11 @@
-#include "app/console/json_text.h"
+#include "core/answers/json_text.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <nlohmann/json.hpp>
 
-namespace alidade::console {
+namespace alidade {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -44,4 +44,4 @@ TEST(JsonText, TakesADocumentWithoutLongLists) {
 }
 
 }  // namespace
-}  // namespace alidade::console
+}  // namespace alidade

@@ -1,11 +1,11 @@
-#include "app/console/json_text.h"
+#include "core/answers/json_text.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string_view>
 #include <utility>
 
-namespace alidade::console {
+namespace alidade {
 
 namespace {
 
@@ -91,4 +91,4 @@ std::string jsonText(const Json& document, const std::vector<LongList>& lists) {
   return JsonText(lists).of(document);
 }
 
-}  // namespace alidade::console
+}  // namespace alidade

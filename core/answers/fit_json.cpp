@@ -1,20 +1,20 @@
-#include "app/console/fit_json.h"
+#include "core/answers/fit_json.h"
 
 #include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "app/console/findings_output.h"
-#include "app/console/json_text.h"
 #include "core/adjustment/joint/reliability.h"
 #include "core/adjustment/result/input_reliability.h"
 #include "core/adjustment/result/two_faces.h"
+#include "core/answers/findings_json.h"
+#include "core/answers/json_text.h"
 #include "core/wording/budget.h"
 #include "core/wording/findings.h"
 #include "core/wording/suspects.h"
 #include "core/wording/verdict.h"
 
-namespace alidade::console {
+namespace alidade {
 
 namespace {
 
@@ -372,4 +372,4 @@ std::string fitJson(const std::string& name, const Measurement& measurement, con
   return jsonText(document);
 }
 
-}  // namespace alidade::console
+}  // namespace alidade

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace alidade::console {
+namespace alidade {
 
 /// Takes a member of an object: its key, and a number, text or null.
 using TakeMember = std::function<void(const char* key, const nlohmann::ordered_json& value)>;
@@ -23,4 +23,4 @@ struct LongList {
 /// replaced, what is no number is null.
 std::string jsonText(const nlohmann::ordered_json& document, const std::vector<LongList>& lists = {});
 
-}  // namespace alidade::console
+}  // namespace alidade

@@ -6,11 +6,11 @@
 #include "core/base/finding.h"
 #include "core/diagnosis/result/diagnosis.h"
 
-namespace alidade::console {
+namespace alidade {
 
 /// One JSON document: lengths in mm, angles in arcseconds, parameters in the units of the catalogue, null for
 /// what is no number. `session` names it, `findings` were made beforehand.
 std::string diagnosisJson(const std::string& session, const Diagnosis& diagnosis,
                           const std::vector<Finding>& findings);
 
-}  // namespace alidade::console
+}  // namespace alidade

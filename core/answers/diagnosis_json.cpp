@@ -1,14 +1,14 @@
-#include "app/console/diagnosis_json.h"
+#include "core/answers/diagnosis_json.h"
 
 #include <nlohmann/json.hpp>
 
-#include "app/console/attainable_json.h"
-#include "app/console/findings_output.h"
-#include "app/console/json_text.h"
+#include "core/answers/attainable_json.h"
+#include "core/answers/findings_json.h"
+#include "core/answers/json_text.h"
 #include "core/wording/diagnosis_sentence.h"
 #include "core/wording/measure.h"
 
-namespace alidade::console {
+namespace alidade {
 
 namespace {
 
@@ -133,4 +133,4 @@ std::string diagnosisJson(const std::string& session, const Diagnosis& diagnosis
   return jsonText(json);
 }
 
-}  // namespace alidade::console
+}  // namespace alidade

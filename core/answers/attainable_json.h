@@ -5,9 +5,9 @@
 
 #include "core/diagnosis/result/diagnosis.h"
 
-namespace alidade::console {
+namespace alidade {
 
 /// `[{"measure": "", "known": "", "expanded_mm": 0.23}, {"measure": "slider readings", …}, …]`
 nlohmann::ordered_json attainableJson(const std::vector<AttainableUncertainty>& attainable);
 
-}  // namespace alidade::console
+}  // namespace alidade

@@ -10,7 +10,7 @@
 #include "core/diagnosis/result/diagnosis.h"
 #include "core/session/measurement.h"
 
-namespace alidade::console {
+namespace alidade {
 
 /// What the rigorous fit of a session is answered with. Must not outlive what it refers to.
 struct FitAnswer {
@@ -24,4 +24,4 @@ struct FitAnswer {
   const Diagnosis* found() const { return diagnosis ? &*diagnosis : nullptr; }
 };
 
-}  // namespace alidade::console
+}  // namespace alidade

@@ -1,9 +1,7 @@
 #pragma once
 
 #include <cstddef>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "core/adjustment/result/session_fit.h"
@@ -12,13 +10,7 @@
 #include "core/base/result.h"
 #include "core/session/measurement.h"
 
-namespace alidade::console {
-
-/// The block "Findings"; empty where there are none.
-std::string findingsText(const std::vector<Finding>& findings);
-
-/// Severity, text, remedy and place of each.
-nlohmann::ordered_json findingsJson(const std::vector<Finding>& findings);
+namespace alidade {
 
 /// Why not every arc of the measurement was fitted, `fitted` of them were: the first error found. Empty where
 /// every one was.
@@ -29,4 +21,4 @@ std::optional<Problem> absence(const Measurement& measurement, std::size_t fitte
 /// reason; else what has to be known about positions, set-up and model. `fit` is that of the measurement.
 Result<std::vector<Finding>> findingsBeforehand(const Measurement& measurement, const SessionFit& fit);
 
-}  // namespace alidade::console
+}  // namespace alidade

@@ -2,11 +2,11 @@
 
 #include <string>
 
-#include "app/console/fit_answer.h"
 #include "core/adjustment/result/session_fit.h"
+#include "core/answers/fit_answer.h"
 #include "core/session/measurement.h"
 
-namespace alidade::console {
+namespace alidade {
 
 // The JSON document of `alidade-cli fit --json`, ending in a newline. Lengths in mm, y up, residuals in
 // arcseconds. `intersection` is absent without arcs at 0° and 180°, `decision` without a tolerance or an
@@ -16,4 +16,4 @@ namespace alidade::console {
 std::string fitJson(const FitAnswer& answer);
 std::string fitJson(const std::string& name, const Measurement& measurement, const PublishedSessionFit& fit);
 
-}  // namespace alidade::console
+}  // namespace alidade

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstddef>
+
+namespace alidade {
+
+// The i-th smallest of n independent values of a standard normal distribution (1 ≤ i ≤ n; i may
+// lie between two of them), for the plot of normal quantiles.
+
+/// About where it is to be expected: the quantile of (i − 3/8)/(n + 1/4) (Blom, "Statistical Estimates and
+/// Transformed Beta-Variables", 1958).
+double normalScore(double rank, std::size_t count);
+
+/// What it lies below with `probability` in (0, 1).
+double normalOrderQuantile(double probability, double rank, std::size_t count);
+
+}  // namespace alidade

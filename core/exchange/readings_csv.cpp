@@ -1,0 +1,97 @@
+#include "core/exchange/readings_csv.h"
+
+#include <algorithm>
+#include <map>
+#include <vector>
+
+#include "core/exchange/csv_text.h"
+#include "core/session/measurement.h"
+#include "core/session/row_fields.h"
+
+namespace alidade {
+
+namespace {
+
+/// Of each position, the how many-th it is at its axis.
+std::vector<int> turnsOf(const Session& session) {
+  std::map<std::string, int> count;
+  std::vector<int> turns;
+  for (const Position& position : session.positions) {
+    const Result<int> axis = axisEntry(position.axisDeg);
+    turns.push_back(++count[axis ? std::to_string(*axis) : position.axisDeg]);
+  }
+  return turns;
+}
+
+class ReadingsTable {
+ public:
+  explicit ReadingsTable(const Session& session)
+      : m_session(session),
+        m_turns(turnsOf(session)),
+        m_hasTurns(std::ranges::any_of(m_turns, [](int turn) { return turn > 1; })),
+        m_csv(m_hasTurns ? CsvText{"axis", "turn", "point", "round", "face", "horizontal", verticalName(),
+                                   "slider", "excluded", "note"}
+                         : CsvText{"axis", "point", "round", "face", "horizontal", verticalName(), "slider",
+                                   "excluded", "note"}) {}
+
+  std::string written() {
+    for (m_position = 0; m_position < m_session.positions.size(); ++m_position) {
+      const Position& position = m_session.positions[m_position];
+      addZero("1", position.zero.horizontal, position.zero.vertical);
+      addZeros(position.zero, false);
+      for (std::size_t row = 0; row < position.readings.size(); ++row)
+        if (!isBlank(position.readings[row])) addRow(position.readings[row], std::to_string(row + 1));
+      addZeros(position.zero, true);
+    }
+    return m_csv.text();
+  }
+
+ private:
+  std::string_view verticalName() const {
+    const Result<VerticalCircle> circle = verticalCircleEntry(m_session.geometry.verticalCircle);
+    return circle && *circle == VerticalCircle::Elevation ? "elevation" : "zenith";
+  }
+
+  CsvText& beginRow() {
+    m_csv.typed(m_session.positions[m_position].axisDeg);
+    if (m_hasTurns) m_csv.count(m_turns[m_position]);
+    return m_csv;
+  }
+
+  void addZeros(const PointingZero& zero, bool isAfter) {
+    for (const ZeroSlot& slot : furtherZeros)
+      if (slot.isAfter == isAfter)
+        addZero(slot.face == 2 ? "2" : "1", (zero.*slot.sighting).horizontal, (zero.*slot.sighting).vertical);
+  }
+
+  void addZero(std::string_view face, const std::string& horizontal, const std::string& vertical) {
+    if (horizontal.empty() && vertical.empty()) return;
+    beginRow().word("ZERO").word("").word(face).typed(horizontal).typed(vertical);
+    m_csv.word("").word("").word("").endRow();
+  }
+
+  void addRow(const Reading& row, const std::string& number) {
+    const auto orUsual = [](const std::string& text, const RowField& field) {
+      return text.empty() ? usualText(field) : text;
+    };
+    beginRow().typed(row.point.empty() ? number : row.point);
+    m_csv.typed(orUsual(row.round, rowField(&Reading::round)));
+    m_csv.typed(orUsual(row.face, rowField(&Reading::face)));
+    m_csv.typed(row.horizontal).typed(row.vertical).typed(row.slider);
+    m_csv.word(row.excluded ? "yes" : "").typed(row.note).endRow();
+  }
+
+  const Session& m_session;
+  std::vector<int> m_turns;
+  bool m_hasTurns;
+  CsvText m_csv;
+  std::size_t m_position = 0;
+};
+
+}  // namespace
+
+std::string readingsCsv(const Session& session) {
+  return ReadingsTable(session).written();
+}
+
+}  // namespace alidade

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <functional>
+
+#include "ui/charts/plotting/row_choice.h"
+
+class QAction;
+class QMenu;
+
+namespace alidade::ui {
+
+/// An entry that can be chosen, alone or as one of several.
+QAction* addChoice(QMenu& menu, const QString& text, bool isChosen, const std::function<void()>& choose);
+
+/// Menus of the rounds and faces that there are, where there are several; `choose` is told the new choice.
+void addRowChoices(QMenu& menu, const RowKinds& kinds, const RowChoice& choice,
+                   const std::function<void(const RowChoice&)>& choose);
+
+}  // namespace alidade::ui

@@ -1,0 +1,60 @@
+#include "ui/charts/residuals/residual_choice.h"
+
+#include <QCoreApplication>
+#include <QSettings>
+
+namespace alidade::ui {
+namespace {
+
+struct ChoiceText {
+  Q_DECLARE_TR_FUNCTIONS(ResidualChoice)
+};
+
+QString key(const char* name) {
+  return QStringLiteral("charts/residuals/") + QString::fromLatin1(name);
+}
+
+/// 0: all.
+std::optional<int> numberIn(const QSettings& settings, const char* name) {
+  const int number = settings.value(key(name), 0).toInt();
+  return number > 0 ? std::optional(number) : std::nullopt;
+}
+
+}  // namespace
+
+QString circleName(CircleRead circle) {
+  if (circle == CircleRead::Slider) return ChoiceText::tr("slider");
+  return circle == CircleRead::Horizontal ? ChoiceText::tr("horizontal") : ChoiceText::tr("vertical");
+}
+
+const char* nameOf(CircleRead circle) {
+  if (circle == CircleRead::Slider) return "slider";
+  return circle == CircleRead::Horizontal ? "horizontal" : "vertical";
+}
+
+ResidualChoice keptResidualChoice() {
+  const QSettings settings;
+  ResidualChoice choice;
+  const int last = static_cast<int>(ResidualChoice::Over::Normal);
+  const int over = settings.value(key("over"), 0).toInt();
+  choice.over = static_cast<ResidualChoice::Over>(over >= 0 && over <= last ? over : 0);
+  choice.isStandardised = settings.value(key("standardised"), false).toBool();
+  choice.rows = {.round = numberIn(settings, "round"), .face = numberIn(settings, "face")};
+  choice.horizontal = settings.value(key("horizontal"), true).toBool();
+  choice.vertical = settings.value(key("vertical"), true).toBool();
+  choice.slider = settings.value(key("slider"), false).toBool();
+  return choice;
+}
+
+void keep(const ResidualChoice& choice) {
+  QSettings settings;
+  settings.setValue(key("over"), static_cast<int>(choice.over));
+  settings.setValue(key("standardised"), choice.isStandardised);
+  settings.setValue(key("round"), choice.rows.round.value_or(0));
+  settings.setValue(key("face"), choice.rows.face.value_or(0));
+  settings.setValue(key("horizontal"), choice.horizontal);
+  settings.setValue(key("vertical"), choice.vertical);
+  settings.setValue(key("slider"), choice.slider);
+}
+
+}  // namespace alidade::ui

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "ui/charts/plotting/row_choice.h"
+
+namespace alidade::ui {
+
+enum class CircleRead { Horizontal, Vertical, Slider };
+
+/// "horizontal", in the user's language, and as tables have it.
+QString circleName(CircleRead circle);
+const char* nameOf(CircleRead circle);
+
+/// What the residual chart draws, and over what.
+struct ResidualChoice {
+  enum class Over {
+    Slider,     ///< the slider coordinate s
+    Order,      ///< the order in which the rows were read: time
+    Elevation,  ///< e, from the pointing zero
+    Azimuth,    ///< a, from the pointing zero
+    Normal,     ///< the normal quantile of their rank, standardised
+  };
+
+  Over over = Over::Slider;
+  bool isStandardised = false;
+  RowChoice rows = {};
+  bool horizontal = true, vertical = true, slider = false;
+
+  bool operator==(const ResidualChoice&) const = default;
+  bool takes(CircleRead circle) const {
+    return circle == CircleRead::Horizontal ? horizontal : circle == CircleRead::Vertical ? vertical : slider;
+  }
+  /// Residuals in units of their own scatter, w, are drawn.
+  bool showsStandardised() const { return isStandardised || over == Over::Normal; }
+};
+
+/// As it was last kept in the user's settings; what is not there is as usual.
+ResidualChoice keptResidualChoice();
+void keep(const ResidualChoice& choice);
+
+}  // namespace alidade::ui

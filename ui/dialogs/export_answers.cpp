@@ -1,0 +1,73 @@
+#include "ui/dialogs/export_answers.h"
+
+#include <utility>
+
+#include "core/adjustment/gross_errors/suspects.h"
+#include "core/answers/beforehand.h"
+#include "core/answers/budget_csv.h"
+#include "core/answers/diagnosis_json.h"
+#include "core/answers/fit_json.h"
+#include "core/answers/residuals_csv.h"
+#include "core/diagnosis/diagnose.h"
+#include "core/wording/diagnosis_fault.h"
+
+namespace alidade::ui {
+namespace {
+
+struct Fitted {
+  Measurement measurement;
+  SessionFit fit;
+};
+
+Result<Fitted> fitted(const Session& session) {
+  Examined examined = examine(session);
+  if (!examined.problems.empty()) {
+    Problem first = examined.problems.front();
+    if (examined.problems.size() > 1)
+      first.what += " (and " + std::to_string(examined.problems.size() - 1) + " more)";
+    return first;
+  }
+  Measurement measurement = std::move(examined.measurement).value();
+  SessionFit fit = fitSession(measurement);
+  if (auto problem = absence(measurement, fit.arcs.size(), fit.findings)) return *std::move(problem);
+  return Fitted{std::move(measurement), std::move(fit)};
+}
+
+Result<Diagnosis, DiagnosisFault> diagnosed(const Fitted& of) {
+  return diagnose(of.measurement, of.fit, {.withAttainable = true});
+}
+
+}  // namespace
+
+Result<std::string> residualsAnswer(const Session& session, const std::string&) {
+  const Result<Fitted> of = fitted(session);
+  if (!of) return of.problem();
+  return residualsCsv(of->measurement, of->fit);
+}
+
+Result<std::string> resultAnswer(const Session& session, const std::string& name) {
+  const Result<Fitted> of = fitted(session);
+  if (!of) return of.problem();
+  FitAnswer answer{name, of->measurement, of->fit, findSuspects(session, of->measurement, of->fit)};
+  if (auto diagnosis = diagnosed(*of)) answer.diagnosis = *std::move(diagnosis);
+  return fitJson(answer);
+}
+
+Result<std::string> gapAnswer(const Session& session, const std::string& name) {
+  const Result<Fitted> of = fitted(session);
+  if (!of) return of.problem();
+  const Result<std::vector<Finding>> findings = findingsBeforehand(of->measurement, of->fit);
+  if (!findings) return findings.problem();
+  const auto diagnosis = diagnosed(*of);
+  if (!diagnosis) return problemOf(diagnosis.problem());
+  return diagnosisJson(name, *diagnosis, *findings);
+}
+
+Result<std::string> budgetAnswer(const Session& session, const std::string&) {
+  const Result<Fitted> of = fitted(session);
+  if (!of) return of.problem();
+  const auto diagnosis = diagnosed(*of);
+  return budgetCsv(of->fit, diagnosis ? &*diagnosis : nullptr);
+}
+
+}  // namespace alidade::ui
