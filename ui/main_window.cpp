@@ -5,6 +5,7 @@
 #include <QMimeData>
 #include <QSettings>
 #include <QSplitter>
+#include <QStackedWidget>
 #include <QStatusBar>
 #include <QTabWidget>
 #include <QUrl>
@@ -43,6 +44,8 @@
 #include "ui/panels/window/job_status.h"
 #include "ui/panels/window/page_tabs.h"
 #include "ui/settings/theme.h"
+#include "ui/start/samples.h"
+#include "ui/start/start_page.h"
 #include "ui/text/cause_text.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/visible_text.h"
@@ -90,7 +93,9 @@ MainWindow::MainWindow(std::unique_ptr<Dialogs> dialogs)
   QWidget* results = createResultColumn();
   QSplitter* columns = split(Qt::Horizontal, "columns", {entries, results}, {504, 776});
   m_changedFile = new ChangedFileBar;
-  setCentralWidget(stacked(m_changedFile, columns));
+  m_stack = new QStackedWidget;
+  m_stack->addWidget(stacked(m_changedFile, columns));
+  setCentralWidget(m_stack);
   m_actions = new WindowActions(*this, *m_dialogs);
   m_jobs = new JobStatus(m_job, m_gapJob);
   statusBar()->addPermanentWidget(m_jobs);
@@ -122,7 +127,9 @@ QWidget* MainWindow::createEntryColumn() {
   m_forms->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   m_positions = new PositionTabs(m_document);
   m_findings = new FindingsPanel;
-
+  for (int form = 0; form < m_forms->count(); ++form)
+    m_forms->widget(form)->setProperty(
+        "helpTopic", form == 0 || form == 1 ? QStringLiteral("first") : QStringLiteral("report"));
   m_suspects = new SuspectBar;
 
   QWidget* top = stacked(m_forms, m_positions);
@@ -230,6 +237,48 @@ void MainWindow::connectFile() {
   connect(&m_watch, &FileWatch::changedElsewhere, this,
           [this](bool is) { is ? m_changedFile->tellOf(m_document.displayName()) : m_changedFile->hide(); });
   connect(m_changedFile, &ChangedFileBar::comparisonWanted, &m_files, &FileFlow::settleChange);
+}
+
+void MainWindow::createStart() {
+  m_start = new StartPage;
+  m_stack->addWidget(m_start);
+  connect(m_start, &StartPage::newWanted, &m_files, [this] { m_files.startNew(); });
+  connect(m_start, &StartPage::openWanted, &m_files, [this] { m_files.open(); });
+  connect(m_start, &StartPage::importWanted, &m_files, [this] { m_files.importReadings(); });
+  connect(m_start, &StartPage::fileWanted, &m_files, [this](const QString& path) { m_files.open(path); });
+  connect(m_start, &StartPage::guideWanted, m_actions, &WindowActions::showFirstSteps);
+  connect(m_start, &StartPage::sampleWanted, this, [this](const QString& name) {
+    const Result<Session> sample = readSample(name);
+    if (sample)
+      m_files.startWith(*sample);
+    else
+      m_dialogs->showProblem(tr("Open sample"), visibleLine(sample.problem().text()));
+  });
+  connect(m_start, &StartPage::sessionWanted, this, [this](const QString& typed) {
+    hideStart();
+    if (QWidget* entry = focusWidget(); entry && !typed.isEmpty()) {
+      QKeyEvent press(QEvent::KeyPress, 0, Qt::NoModifier, typed);
+      QApplication::sendEvent(entry, &press);
+    }
+  });
+  connect(&m_document, &SessionDocument::changed, m_start, [this] { hideStart(); });
+}
+
+void MainWindow::showStart() {
+  if (!m_start) createStart();
+  m_start->refresh();
+  m_stack->setCurrentWidget(m_start);
+  m_start->focusFirst();
+}
+
+/// The keyboard goes to the first entry, unless it is somewhere already.
+void MainWindow::hideStart() {
+  if (!m_start || m_stack->currentWidget() != m_start) return;
+  m_stack->setCurrentIndex(0);
+  for (FieldBinding* binding : m_forms->currentWidget()->findChildren<FieldBinding*>()) {
+    binding->widget()->setFocus(Qt::TabFocusReason);
+    break;
+  }
 }
 
 void MainWindow::keepIn(const QString& folder) {
@@ -436,6 +485,7 @@ void MainWindow::reveal(const Place& place, bool takeFocus) {
   }
   const ReadingsTable* table = m_positions->table(*place.position);
   if (!table) return;
+  hideStart();
   const bool keepColumn = place.field.empty() && table->currentIndex().isValid();
   m_positions->selectCell(
       *place.position, *place.reading,

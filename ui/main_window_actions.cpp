@@ -13,6 +13,8 @@
 #include <QToolButton>
 
 #include "ui/commands/add_position.h"
+#include "ui/help/help_topics.h"
+#include "ui/help/help_window.h"
 #include "ui/main_window.h"
 #include "ui/panels/readings/position_tabs.h"
 #include "ui/panels/readings/readings_table.h"
@@ -77,6 +79,9 @@ void WindowActions::createFileMenu(QToolBar& bar) {
   menu.addSeparator();
   bar.addAction(addTo(menu, "report", tr("&Export Acceptance Report…"), QKeySequence(tr("Ctrl+E")), this,
                       [&files] { files.exportReport(); }));
+  addTo(menu, nullptr, tr("Print Previe&w…"), {}, this, [&files] { files.previewReport(); });
+  addTo(menu, nullptr, tr("&Print…"), QKeySequence::Print, this, [&files] { files.printReport(); });
+  addTo(menu, nullptr, tr("Page Set&up…"), {}, this, [&files] { files.setUpPage(); });
   menu.addSeparator();
   addTo(menu, nullptr, tr("&Quit"), QKeySequence(tr("Ctrl+Q")), this, [this] { m_window.close(); });
 }
@@ -238,6 +243,7 @@ void WindowActions::addPageActions(QMenu& menu) {
     for (int page = 0; page < tabs->count(); ++page) {
       QAction* action = addTo(menu, nullptr, tabs->tabText(page),
                               QKeySequence(Qt::CTRL | (Qt::Key_1 + number++)), this, [this, tabs, page] {
+                                m_window.hideStart();
                                 if (tabs->isHidden()) m_enlarge->setChecked(false);
                                 tabs->showPage(page);
                               });
@@ -275,9 +281,30 @@ void WindowActions::createToolsMenu() {
 
 void WindowActions::createHelpMenu(Dialogs& dialogs) {
   QMenu& menu = *m_window.menuBar()->addMenu(tr("&Help"));
-  addTo(menu, nullptr, tr("&Keys of the Table"), QKeySequence::HelpContents, this,
-        [&dialogs] { dialogs.showShortcuts(); });
+  QAction* guide =
+      addTo(menu, nullptr, tr("&Guide"), QKeySequence::HelpContents, this, [this] { showHelp(); });
+  guide->setShortcutContext(Qt::ApplicationShortcut);  // from the window of blind trials, too
+  addTo(menu, nullptr, tr("&First Measurement"), {}, this, [this] { showFirstSteps(); });
+  addTo(menu, nullptr, tr("&Keys of the Table"), {}, this, [&dialogs] { dialogs.showShortcuts(); });
+  menu.addSeparator();
+  addTo(menu, nullptr, tr("&Start Page"), {}, this, [this] {
+    m_window.commitPending();
+    m_window.showStart();
+  });
   addTo(menu, nullptr, tr("&About Alidade"), {}, this, [&dialogs] { dialogs.showAbout(); });
+}
+
+void WindowActions::showHelp() {
+  showGuide(helpTopicOf(QApplication::focusWidget()));
+}
+
+void WindowActions::showFirstSteps() {
+  showGuide(firstHelpTopic());
+}
+
+void WindowActions::showGuide(const QString& topic) {
+  if (!m_guide) m_guide = new HelpWindow(&m_window);
+  m_guide->showTopic(topic);
 }
 
 }  // namespace alidade::ui
