@@ -9,6 +9,7 @@
 #include <QScrollArea>
 #include <QSettings>
 #include <QSplitter>
+#include <QStackedWidget>
 #include <QStatusBar>
 #include <QTabWidget>
 #include <QUrl>
@@ -56,6 +57,8 @@
 #include "ui/panels/window/stray_digits.h"
 #include "ui/settings/entry_tone.h"
 #include "ui/settings/theme.h"
+#include "ui/start/samples.h"
+#include "ui/start/start_page.h"
 #include "ui/text/cause_text.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/next_reading_text.h"
@@ -137,7 +140,9 @@ MainWindow::MainWindow(std::unique_ptr<Dialogs> dialogs)
   QWidget* results = createResultColumn();
   QSplitter* columns = split(Qt::Horizontal, "columns", {entries, results}, {504, 776});
   m_changedFile = new ChangedFileBar;
-  setCentralWidget(stacked(m_changedFile, columns));
+  m_stack = new QStackedWidget;
+  m_stack->addWidget(stacked(m_changedFile, columns));
+  setCentralWidget(m_stack);
   m_actions = new WindowActions(*this, *m_dialogs);
   m_jobs = new JobStatus(m_job, m_gapJob);
   m_next = new QLabel;
@@ -174,7 +179,9 @@ QWidget* MainWindow::createEntryColumn() {
   m_forms->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
   m_positions = new PositionTabs(m_document);
   m_findings = new FindingsPanel;
-
+  for (int form = 0; form < m_forms->count(); ++form)
+    m_forms->widget(form)->setProperty(
+        "helpTopic", form == 0 || form == 1 ? QStringLiteral("first") : QStringLiteral("report"));
   m_suspects = new SuspectBar;
 
   m_find = new FindBar;
@@ -368,6 +375,45 @@ void MainWindow::connectCharts() {
       if (change.kind == SessionChange::Kind::Everything) chart->showWhole();
     });
   }
+}
+
+void MainWindow::createStart() {
+  m_start = new StartPage;
+  m_stack->addWidget(m_start);
+  connect(m_start, &StartPage::newWanted, &m_files, [this] { m_files.startNew(); });
+  connect(m_start, &StartPage::openWanted, &m_files, [this] { m_files.open(); });
+  connect(m_start, &StartPage::importWanted, &m_files, [this] { m_files.importReadings(); });
+  connect(m_start, &StartPage::fileWanted, &m_files, [this](const QString& path) { m_files.open(path); });
+  connect(m_start, &StartPage::guideWanted, m_actions, &WindowActions::showFirstSteps);
+  connect(m_start, &StartPage::sampleWanted, this, [this](const QString& name) {
+    const Result<Session> sample = readSample(name);
+    if (sample)
+      m_files.startWith(*sample);
+    else
+      m_dialogs->showProblem(tr("Open sample"), visibleLine(sample.problem().text()));
+  });
+  connect(m_start, &StartPage::sessionWanted, this, [this](const QString& typed) {
+    hideStart();
+    if (QWidget* entry = focusWidget(); entry && !typed.isEmpty()) {
+      QKeyEvent press(QEvent::KeyPress, 0, Qt::NoModifier, typed);
+      QApplication::sendEvent(entry, &press);
+    }
+  });
+  connect(&m_document, &SessionDocument::changed, m_start, [this] { hideStart(); });
+}
+
+void MainWindow::showStart() {
+  if (!m_start) createStart();
+  m_start->refresh();
+  m_stack->setCurrentWidget(m_start);
+  m_start->focusFirst();
+}
+
+/// The keyboard goes to the first entry, unless it is somewhere already.
+void MainWindow::hideStart() {
+  if (!m_start || m_stack->currentWidget() != m_start) return;
+  m_stack->setCurrentIndex(0);
+  goToNextEntry();
 }
 
 void MainWindow::keepIn(const QString& folder) {
@@ -645,6 +691,7 @@ void MainWindow::reveal(const Place& place, bool takeFocus) {
   }
   const ReadingsTable* table = m_positions->table(*place.position);
   if (!table) return;
+  hideStart();
   const bool keepColumn = place.field.empty() && table->currentIndex().isValid();
   m_positions->selectCell(
       *place.position, *place.reading,

@@ -14,6 +14,7 @@
 class QKeyEvent;
 class QLabel;
 class QSplitter;
+class QStackedWidget;
 class QTabWidget;
 
 namespace alidade::ui {
@@ -36,6 +37,7 @@ class PositionTabs;
 class ReadingsTable;
 class ResultPanel;
 class Safekeeping;
+class StartPage;
 class SuspectBar;
 class WindowActions;
 
@@ -83,6 +85,9 @@ class MainWindow : public QMainWindow {
   void keepIn(const QString& folder);
   /// Offers unsaved changes that a crashed window left behind. False: there are none.
   bool offerRecovery();
+  /// Shows what to begin with in place of the session, until there is one to work on.
+  void showStart();
+  void hideStart();
   /// Opens the dialog of blind trials, which stays open beside the window.
   void showBlindTrials();
   /// Tells, and records with the session, that the window threw while it handled an event.
@@ -108,6 +113,7 @@ class MainWindow : public QMainWindow {
   void connectGap();
   void connectFile();
   void connectCharts();
+  void createStart();
   void excludeRow(const Place& place);
   void selectReading(std::size_t position, std::size_t row);
   void goToNextEntryOf(std::size_t position);
@@ -140,6 +146,8 @@ class MainWindow : public QMainWindow {
   Place m_lastChange;
   bool m_isGapOld = false;  ///< what is shown is the diagnosis of an earlier state
   WindowActions* m_actions = nullptr;
+  QStackedWidget* m_stack = nullptr;  ///< the session at work, or the start page
+  StartPage* m_start = nullptr;       ///< null until it is wanted
   ChangedFileBar* m_changedFile = nullptr;
   QTabWidget* m_forms = nullptr;
   PositionTabs* m_positions = nullptr;

@@ -18,6 +18,8 @@
 #include "ui/commands/change_field.h"
 #include "ui/dialogs/command_palette.h"
 #include "ui/dialogs/export_flow.h"
+#include "ui/help/help_topics.h"
+#include "ui/help/help_window.h"
 #include "ui/main_window.h"
 #include "ui/panels/readings/position_tabs.h"
 #include "ui/panels/readings/readings_table.h"
@@ -93,6 +95,9 @@ void WindowActions::createFileMenu(QToolBar& bar) {
   bar.addAction(addTo(menu, "report", tr("&Export Acceptance Report…"), QKeySequence(tr("Ctrl+E")), this,
                       [&files] { files.exportReport(); }));
   addExportMenu(menu);
+  addTo(menu, nullptr, tr("Print Previe&w…"), {}, this, [&files] { files.previewReport(); });
+  addTo(menu, nullptr, tr("&Print…"), QKeySequence::Print, this, [&files] { files.printReport(); });
+  addTo(menu, nullptr, tr("Page Set&up…"), {}, this, [&files] { files.setUpPage(); });
   menu.addSeparator();
   addTo(menu, nullptr, tr("&Close"), QKeySequence(tr("Ctrl+W")), this, [&files] { files.startNew(); });
   addTo(menu, nullptr, tr("&Quit"), QKeySequence(tr("Ctrl+Q")), this, [this] { m_window.close(); });
@@ -361,6 +366,7 @@ void WindowActions::addPageActions(QMenu& menu) {
     for (int page = 0; page < tabs->count(); ++page) {
       QAction* action = addTo(menu, nullptr, tabs->tabText(page),
                               QKeySequence(Qt::CTRL | (Qt::Key_1 + number++)), this, [this, tabs, page] {
+                                m_window.hideStart();
                                 if (tabs->isHidden()) m_enlarge->setChecked(false);
                                 tabs->showPage(page);
                               });
@@ -402,9 +408,30 @@ void WindowActions::createToolsMenu() {
 
 void WindowActions::createHelpMenu(Dialogs& dialogs) {
   QMenu& menu = *m_window.menuBar()->addMenu(tr("&Help"));
-  addTo(menu, nullptr, tr("&Keys of the Table"), QKeySequence::HelpContents, this,
-        [&dialogs] { dialogs.showShortcuts(); });
+  QAction* guide =
+      addTo(menu, nullptr, tr("&Guide"), QKeySequence::HelpContents, this, [this] { showHelp(); });
+  guide->setShortcutContext(Qt::ApplicationShortcut);  // from the window of blind trials, too
+  addTo(menu, nullptr, tr("&First Measurement"), {}, this, [this] { showFirstSteps(); });
+  addTo(menu, nullptr, tr("&Keys of the Table"), {}, this, [&dialogs] { dialogs.showShortcuts(); });
+  menu.addSeparator();
+  addTo(menu, nullptr, tr("&Start Page"), {}, this, [this] {
+    m_window.commitPending();
+    m_window.showStart();
+  });
   addTo(menu, nullptr, tr("&About Alidade"), {}, this, [&dialogs] { dialogs.showAbout(); });
+}
+
+void WindowActions::showHelp() {
+  showGuide(helpTopicOf(QApplication::focusWidget()));
+}
+
+void WindowActions::showFirstSteps() {
+  showGuide(firstHelpTopic());
+}
+
+void WindowActions::showGuide(const QString& topic) {
+  if (!m_guide) m_guide = new HelpWindow(&m_window);
+  m_guide->showTopic(topic);
 }
 
 }  // namespace alidade::ui

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <QPointer>
 
 class QAction;
 class QMenu;
@@ -9,6 +10,7 @@ class QToolBar;
 namespace alidade::ui {
 
 class Dialogs;
+class HelpWindow;
 class MainWindow;
 class ReadingsTable;
 
@@ -19,6 +21,9 @@ class WindowActions : public QObject {
  public:
   WindowActions(MainWindow& window, Dialogs& dialogs);
 
+  /// The guide, at what it says of where the keyboard is.
+  void showHelp();
+  void showFirstSteps();
   /// Gives a table the menu of its edits.
   void attachTo(ReadingsTable* table) const;
 
@@ -38,11 +43,13 @@ class WindowActions : public QObject {
   void createToolsMenu();
   void createHelpMenu(Dialogs& dialogs);
   void fillRecentMenu(QMenu& menu);
+  void showGuide(const QString& topic);
   void useClipboard(Clipboard way);
   void selectAll();
 
   MainWindow& m_window;
   QAction* m_enlarge = nullptr;
+  QPointer<HelpWindow> m_guide;  ///< null until it is wanted
   QList<QAction*> m_tableActions;
 };
 

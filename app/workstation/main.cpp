@@ -38,6 +38,7 @@ int openWindow(ui::Application& application, const QString& path) {
   QObject::connect(&application, &ui::Application::failed, &window, &ui::MainWindow::tellFailure);
   window.keepIn(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) +
                 QStringLiteral("/unsaved"));
+  if (path.isEmpty()) window.showStart();
   window.show();
   QMetaObject::invokeMethod(
       &window,

@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QPointer>
+#include <QPrinter>
 #include <QScopeGuard>
 #include <QTest>
 #include <nlohmann/json.hpp>
@@ -14,6 +15,20 @@
 #include "ui/main_window.h"
 
 namespace alidade::ui {
+
+bool ScriptedDialogs::printsTo(QPrinter& printer, const QString& path) {
+  if (path.isEmpty()) return false;
+  printer.setOutputFormat(QPrinter::PdfFormat);
+  printer.setOutputFileName(path);
+  return true;
+}
+
+PreviewAnswer ScriptedDialogs::showPreview(QPrinter& printer, const std::function<void(QPrinter&)>& paint) {
+  const int preview = previews++;
+  if (printsTo(printer, previewPaths.value(preview))) paint(printer);
+  const auto index = static_cast<std::size_t>(preview);
+  return index < previewAnswers.size() ? previewAnswers[index] : PreviewAnswer::Close;
+}
 
 OpenWindow::OpenWindow() {
   auto scripted = std::make_unique<ScriptedDialogs>();

@@ -31,11 +31,18 @@ class ScriptedDialogs : public Dialogs {
   bool discardOther = false;
   QStringList othersAsked;  ///< sessions that undo or redo leads to: whether they may be lost
   bool exportAnyway = false;
-  QList<int> unusableEntries;  ///< as told by each question whether to export anyway
+  QList<int> unusableEntries;  ///< as told by each question before a report
   bool writeAnyway = true;
-  QList<QStringList> emptyFields;  ///< as told by each question whether to write anyway
-  QString sealedBy;                ///< the answer to who seals
-  QString sealSuggested;           ///< as asked
+  QList<QStringList> emptyFields;               ///< as told by each question before a report
+  std::optional<ReportChoice> reportChoice;     ///< absent: as remembered
+  std::vector<ReportQuestion> reportQuestions;  ///< as asked
+  std::optional<ReportPaper> paper;             ///< absent: cancelled
+  QString printPath;                            ///< of the PDF that is printed into; empty: cancelled
+  QStringList previewPaths;                     ///< likewise of each preview
+  std::vector<PreviewAnswer> previewAnswers;    ///< to each preview; then: closed
+  int previews = 0;
+  QString sealedBy;       ///< the answer to who seals
+  QString sealSuggested;  ///< as asked
   QStringList problems;
   bool goOn = false;      ///< with a file that is open elsewhere
   QStringList elsewhere;  ///< names of such files, as asked about
@@ -75,19 +82,27 @@ class ScriptedDialogs : public Dialogs {
     exportSuggested = suggestion;
     return exportPath;
   }
-  bool askReportWithoutVerdict(int entries) override {
-    unusableEntries.append(entries);
-    return exportAnyway;
+  std::optional<ReportChoice> askReport(const ReportQuestion& question) override {
+    reportQuestions.push_back(question);
+    if (question.unusable > 0) unusableEntries.append(question.unusable);
+    if (!question.emptyFields.isEmpty()) emptyFields.append(question.emptyFields);
+    if ((question.unusable > 0 && !exportAnyway) || !writeAnyway) return {};
+    return reportChoice.value_or(question.choice);
   }
-  bool askReportWithEmptyFields(const QStringList& fields) override {
-    emptyFields.append(fields);
-    return writeAnyway;
+  bool askPaper(ReportPaper& asked) override {
+    asked = paper.value_or(asked);
+    return paper.has_value();
   }
+  bool askPrinter(QPrinter& printer) override { return printsTo(printer, printPath); }
+  PreviewAnswer showPreview(QPrinter& printer, const std::function<void(QPrinter&)>& paint) override;
   QString askSeal(const QString& suggestion) override {
     sealSuggested = suggestion;
     return sealedBy;
   }
   void showProblem(const QString&, const QString& text) override { problems.append(text); }
+
+ private:
+  static bool printsTo(QPrinter& printer, const QString& path);
 };
 
 /// A shown window whose dialogs are scripted. Leaves nothing behind.

@@ -5,9 +5,12 @@
 #include <QFileDialog>
 #include <QInputDialog>
 #include <QMessageBox>
+#include <QPrintDialog>
+#include <QPrinter>
 #include <QPushButton>
 #include <QRegularExpression>
 
+#include "ui/dialogs/paper_form.h"
 #include "ui/import/import_page.h"
 #include "ui/settings/theme.h"
 #include "ui/text/visible_text.h"
@@ -83,7 +86,10 @@ bool Dialogs::askDiscardOther(const QString& name, Way way) {
 }
 
 QString Dialogs::askOpenPath(const QString& folder) {
-  return QFileDialog::getOpenFileName(m_parent, DialogsText::tr("Open session"), folder, sessionFilter());
+  return QFileDialog::getOpenFileName(
+      m_parent, DialogsText::tr("Open session"), folder,
+      DialogsText::tr("Sessions and reports (*.alidade *.pdf);;Sessions (*.alidade);;"
+                      "Reports with a session in them (*.pdf);;All files (*)"));
 }
 
 QStringList Dialogs::askImportPaths(const QString& folder) {
@@ -111,30 +117,25 @@ QString Dialogs::askExportPath(const QString& title, const QString& suggestion, 
                   suffix);
 }
 
-bool Dialogs::askReportWithoutVerdict(int entries) {
-  const QString count = entries == 1 ? DialogsText::tr("1 entry cannot be used.")
-                                     : DialogsText::tr("%1 entries cannot be used.").arg(entries);
-  const QString report = entries == 1 ? DialogsText::tr("The report will list it and give no verdict.")
-                                      : DialogsText::tr("The report will list them and give no verdict.");
-  QMessageBox box(QMessageBox::Warning, DialogsText::tr("Export acceptance report"), count,
-                  QMessageBox::Cancel, m_parent);
-  box.setInformativeText(report + QLatin1Char(' ') + DialogsText::tr("Export it anyway?"));
-  const QAbstractButton* anyway = box.addButton(DialogsText::tr("&Export"), QMessageBox::AcceptRole);
-  box.setDefaultButton(QMessageBox::Cancel);
-  box.exec();
-  return box.clickedButton() == anyway;
+std::optional<ReportChoice> Dialogs::askReport(const ReportQuestion& question) {
+  ReportDialog dialog(question, m_parent);
+  if (dialog.exec() != QDialog::Accepted) return {};
+  return dialog.choice();
 }
 
-bool Dialogs::askReportWithEmptyFields(const QStringList& fields) {
-  QMessageBox box(QMessageBox::Information, DialogsText::tr("Export acceptance report"),
-                  DialogsText::tr("The session leaves empty what a laboratory would state: %1.")
-                      .arg(fields.join(QStringLiteral(", "))),
-                  QMessageBox::Cancel, m_parent);
-  box.setInformativeText(DialogsText::tr("The report leaves it out."));
-  QPushButton* anyway = box.addButton(DialogsText::tr("&Write Anyway"), QMessageBox::AcceptRole);
-  box.setDefaultButton(anyway);
-  box.exec();
-  return box.clickedButton() == anyway;
+bool Dialogs::askPaper(ReportPaper& paper) {
+  return ui::askPaper(m_parent, paper);
+}
+
+bool Dialogs::askPrinter(QPrinter& printer) {
+  QPrintDialog dialog(&printer, m_parent);
+  dialog.setWindowTitle(DialogsText::tr("Print acceptance report"));
+  dialog.setOption(QAbstractPrintDialog::PrintPageRange, false);
+  return dialog.exec() == QDialog::Accepted;
+}
+
+PreviewAnswer Dialogs::showPreview(QPrinter& printer, const std::function<void(QPrinter&)>& paint) {
+  return PrintPreview(printer, paint, m_parent).ask();
 }
 
 QString Dialogs::askSeal(const QString& suggestion) {

@@ -4,13 +4,17 @@
 #include <QString>
 #include <QStringList>
 #include <QWidget>
+#include <functional>
 #include <memory>
 #include <optional>
 
 #include "ui/dialogs/busy.h"
-
 #include "ui/dialogs/changed_file.h"
+#include "ui/dialogs/print_preview.h"
 #include "ui/dialogs/recovery_dialog.h"
+#include "ui/dialogs/report_dialog.h"
+
+class QPrinter;
 
 namespace alidade::ui {
 
@@ -39,10 +43,13 @@ class Dialogs {
   virtual QString askReportPath(const QString& suggestion);
   /// `suffix`: "csv", "json", "svg" or "png".
   virtual QString askExportPath(const QString& title, const QString& suggestion, const QString& suffix);
-  /// Shall a report be written although `entries` > 0 entries cannot be used?
-  virtual bool askReportWithoutVerdict(int entries);
-  /// Shall a report be written that will not state these, which the session leaves empty?
-  virtual bool askReportWithEmptyFields(const QStringList& fields);
+  /// What the report shall hold, and on which paper; absent: cancelled.
+  virtual std::optional<ReportChoice> askReport(const ReportQuestion& question);
+  /// False: cancelled.
+  virtual bool askPaper(ReportPaper& paper);
+  virtual bool askPrinter(QPrinter& printer);
+  /// Shows what `paint` paints; answers with what is wanted next.
+  virtual PreviewAnswer showPreview(QPrinter& printer, const std::function<void(QPrinter&)>& paint);
   /// Who seals the session; empty: cancelled.
   virtual QString askSeal(const QString& suggestion);
   /// Shall a file be opened, or be written to, that another window has open? `holder` says which.

@@ -7,20 +7,17 @@
 #include <QFileInfo>
 #include <algorithm>
 
-#include "core/base/failure.h"
+#include "core/base/file_bytes.h"
 #include "core/base/file_target.h"
 #include "ui/commands/import_readings.h"
 #include "ui/commands/replace_session.h"
 #include "ui/commands/seal_session.h"
 #include "ui/dialogs/dialogs.h"
 #include "ui/dialogs/in_background.h"
-#include "ui/dialogs/report_source.h"
 #include "ui/document/disposal.h"
 #include "ui/document/session_document.h"
 #include "ui/import/import_page.h"
-#include "ui/jobs/evaluation.h"
-#include "ui/jobs/failed_job.h"
-#include "ui/report/empty_fields.h"
+#include "ui/report/attached_session.h"
 #include "ui/settings/recent_files.h"
 #include "ui/text/encoded_path.h"
 #include "ui/text/entry_text.h"
@@ -47,7 +44,9 @@ bool mayDrop(Dialogs& dialogs, const std::optional<QString>& path, Dialogs::Way 
 }  // namespace
 
 FileFlow::FileFlow(SessionDocument& document, Dialogs& dialogs, QObject* parent)
-    : QObject(parent), m_document(document), m_dialogs(dialogs) {
+    : QObject(parent), m_document(document), m_dialogs(dialogs), m_reports(document, dialogs) {
+  connect(&m_reports, &ReportFlow::commitWanted, this, &FileFlow::commitWanted);
+  connect(&m_reports, &ReportFlow::remark, this, &FileFlow::remark);
   connect(&document, &SessionDocument::identityChanged, this, [this] { m_lock.hold(m_document.path()); });
 }
 
@@ -137,7 +136,9 @@ bool FileFlow::tellWhereNoFile(const QString& title, const QString& path) {
 }
 
 bool FileFlow::load(const QString& path) {
-  if (tellWhereNoFile(tr("Open session"), path) || !mayShare(path)) return false;
+  if (tellWhereNoFile(tr("Open session"), path)) return false;
+  if (isPdfFile(path)) return loadAttached(path);
+  if (!mayShare(path)) return false;
   const QString name = visibleLine(QFileInfo(path).fileName());
   auto file = inBackground<Result<FiledSession>>(*m_dialogs.busy(tr("Opening “%1”…").arg(name)),
                                                  [path](const std::stop_token&) { return readFiled(path); });
@@ -150,6 +151,24 @@ bool FileFlow::load(const QString& path) {
   m_document.startFrom(**std::move(file), path);
   RecentFiles::add(path);
   emit recentFilesChanged();
+  return true;
+}
+
+/// Into no file: the report stays as it is, and saving asks for a name.
+bool FileFlow::loadAttached(const QString& path) {
+  const QString name = visibleLine(QFileInfo(path).fileName());
+  const auto session =
+      inBackground<Result<Session>>(*m_dialogs.busy(tr("Opening the session in “%1”…").arg(name)),
+                                    [path](const std::stop_token&) { return readAttachedSession(path); });
+  if (!session) return false;
+  if (!*session) {
+    m_dialogs.showProblem(
+        tr("Open report"),
+        tr("“%1” cannot be opened.\n\n%2").arg(name, visibleLine(session->problem().text())));
+    return false;
+  }
+  m_document.startWithStanding(**session);
+  emit remark(tr("The session attached to %1; it is in no file of its own yet").arg(name));
   return true;
 }
 
@@ -256,57 +275,15 @@ bool FileFlow::seal() {
 }
 
 bool FileFlow::exportReport() {
-  emit commitWanted();
-  bool isWritten = false;
-  const auto failure = failureOf([&] { isWritten = writeReport(); });
-  if (failure)
-    m_dialogs.showProblem(tr("Export acceptance report"),
-                          qText(tellFailure({"acceptance report", *failure, m_document.session()})));
-  return isWritten;
+  return m_reports.exportPdf(suggestedPath(QStringLiteral("pdf")));
 }
 
-bool FileFlow::writeReport() {
-  const SharedGap gap = diagnosed();
-  if (!gap) return false;
-  const Evaluation& evaluation = *gap->evaluation;
-  const auto unusable = static_cast<int>(evaluation.examined.problems.size());
-  if (unusable > 0 && !m_dialogs.askReportWithoutVerdict(unusable)) return false;
-  const QStringList empty = emptyReportFields(evaluation.session);
-  if (!empty.isEmpty() && !m_dialogs.askReportWithEmptyFields(empty)) return false;
-  const QString path = m_dialogs.askReportPath(suggestedPath(QStringLiteral("pdf")));
-  if (path.isEmpty() || tellWhereNoFile(tr("Export acceptance report"), path)) return false;
-  const auto busy = m_dialogs.busy(tr("Writing the report…"));
-  bool isStopped = false;
-  ReportOptions options;
-  options.gap = gap;
-  options.goesOn = [&](double done) {
-    isStopped = isStopped || !busy->goesOn(done);
-    return !isStopped;
-  };
-  if (m_check && m_check->isOf(m_document.session())) options.simulated = m_check->simulated;
-  const Result<QString> written = writeAcceptanceReport(evaluation, reportSource(m_document), path, options);
-  if (isStopped) {
-    emit remark(tr("Stopped: no report was written."));
-    return false;
-  }
-  if (!written) {
-    m_dialogs.showProblem(tr("Export acceptance report"), visibleLine(written.problem().text()));
-    return false;
-  }
-  emit remark(tr("Report written to %1").arg(QDir::toNativeSeparators(*written)));
-  return true;
+bool FileFlow::printReport() {
+  return m_reports.print();
 }
 
-/// The session at work with all that a report says of it; null: the user stopped it.
-SharedGap FileFlow::diagnosed() const {
-  const auto busy = m_dialogs.busy(tr("Fitting and diagnosing for the report…"));
-  const auto gap = inBackground<Gap>(*busy, [session = m_document.session()](const std::stop_token& stop) {
-    const auto evaluation =
-        std::make_shared<const Evaluation>(withSuspects(evaluateFit(session, stop), stop));
-    return stop.stop_requested() ? Gap{.evaluation = evaluation, .diagnosis = {}, .reason = {}, .stages = {}}
-                                 : assessGap(evaluation, stop);
-  });
-  return gap ? std::make_shared<const Gap>(*gap) : nullptr;
+bool FileFlow::previewReport() {
+  return m_reports.preview(suggestedPath(QStringLiteral("pdf")));
 }
 
 bool FileFlow::mayLeave() {

@@ -5,9 +5,8 @@
 #include <optional>
 
 #include "ui/dialogs/changed_file.h"
+#include "ui/dialogs/report_flow.h"
 #include "ui/import/import_source.h"
-#include "ui/jobs/gap_job.h"
-#include "ui/jobs/simulation_job.h"
 #include "ui/recovery/file_lock.h"
 
 namespace alidade {
@@ -30,7 +29,8 @@ class FileFlow : public QObject {
   bool startNew();
   bool startWith(const Session& session);  ///< as a new session, in no file yet
   bool open();
-  bool open(const QString& path);  ///< a session, or a file of readings to import
+  /// A session, a report with the session attached, or a file of readings to import.
+  bool open(const QString& path);
   bool importReadings();
   /// The readings of files of instruments or tables, as the user wants them: into the session at work, or
   /// into a new one. Undone, the session is back as it was before, in its file.
@@ -43,12 +43,15 @@ class FileFlow : public QObject {
   /// Seals the session and saves it. False: it was not sealed, or not saved.
   bool seal();
   bool exportReport();
+  bool printReport();
+  bool previewReport();
+  void setUpPage() { m_reports.setUpPage(); }
   /// Where others wrote the session's file: shows what differs, and does what the user wants.
   void settleChange();
   /// Other windows see in this folder which files are open here, and the other way round.
   void setLockFolder(const QString& folder);
   /// A check of the uncertainty, for reports of the session that it is of.
-  void setBudgetCheck(const SharedBudgetCheck& check) { m_check = check; }
+  void setBudgetCheck(const SharedBudgetCheck& check) { m_reports.setBudgetCheck(check); }
   /// May the session be left, and those that undo and redo lead to? Saves first where the user wants it.
   bool mayLeave();
 
@@ -59,14 +62,13 @@ class FileFlow : public QObject {
 
  private:
   bool load(const QString& path);
-  bool writeReport();
   bool importFrom(const Result<std::vector<ImportSource>>& sources, const QString& name);
+  bool loadAttached(const QString& path);
   bool saveTo(const QString& path);
   bool write(const QString& path);
   bool mayShare(const QString& path);
   std::optional<ChangedFileAnswer> askAboutChange();
   bool tellWhereNoFile(const QString& title, const QString& path);
-  SharedGap diagnosed() const;
   bool mayLeaveChanges();
   bool mayDropRedo();
   bool mayDropUndo();
@@ -75,7 +77,7 @@ class FileFlow : public QObject {
   SessionDocument& m_document;
   Dialogs& m_dialogs;
   FileLock m_lock;
-  SharedBudgetCheck m_check;  ///< null: none was made
+  ReportFlow m_reports;
 };
 
 }  // namespace alidade::ui

@@ -1,14 +1,24 @@
 #include "ui/dialogs/report_source.h"
 
-#include "ui/document/filed_session.h"
+#include <QCryptographicHash>
+#include <QFileInfo>
+
+#include "core/base/file_bytes.h"
 #include "ui/document/session_document.h"
+#include "ui/text/encoded_path.h"
 
 namespace alidade::ui {
 
 ReportSource reportSource(const SessionDocument& document) {
-  const QByteArray ofFile = document.isModified() ? QByteArray() : sha256OfFile(document.path());
   const QString name = document.path().isEmpty() ? QString() : document.displayName();
-  return {name, ofFile, !ofFile.isEmpty(), document.paths()};
+  ReportSource source{.fileName = name, .sha256 = {}, .saved = false, .paths = document.paths(), .bytes = {}};
+  if (document.isModified() || !QFileInfo(document.path()).isFile()) return source;
+  const Result<std::string> bytes = readFile(encodedPath(document.path()));
+  if (!bytes) return source;
+  source.bytes = QByteArray::fromStdString(*bytes);
+  source.sha256 = QCryptographicHash::hash(source.bytes, QCryptographicHash::Sha256);
+  source.saved = source.sha256 == document.knownSha256();  // else somebody else wrote it
+  return source;
 }
 
 }  // namespace alidade::ui

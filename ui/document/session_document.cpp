@@ -50,11 +50,15 @@ void SessionDocument::beginTogether(const QString& undoText) {
 }
 
 void SessionDocument::startNew() {
-  replaceAll(blankSession(), {});
+  replaceAll(blankSession(), {}, true);
 }
 
 void SessionDocument::startWith(Session session) {
-  replaceAll(std::move(session), {});
+  replaceAll(std::move(session), {}, true);
+}
+
+void SessionDocument::startWithStanding(Session session) {
+  replaceAll(std::move(session), {}, false);
 }
 
 std::optional<Problem> SessionDocument::load(const QString& path) {
@@ -67,7 +71,7 @@ std::optional<Problem> SessionDocument::load(const QString& path) {
 void SessionDocument::startFrom(FiledSession file, const QString& path) {
   const QString absolute = QFileInfo(path).absoluteFilePath();
   m_knownSha256[absolute] = file.sha256;
-  replaceAll(std::move(file.session), absolute);
+  replaceAll(std::move(file.session), absolute, false);
 }
 
 std::optional<Problem> SessionDocument::save(const QString& path) {
@@ -176,12 +180,12 @@ void SessionDocument::tellOfJournal() {
   emit changed(change);
 }
 
-void SessionDocument::replaceAll(Session session, const QString& path) {
+void SessionDocument::replaceAll(Session session, const QString& path, bool isNew) {
   emit aboutToChange({});
   sharedAside(std::exchange(m_session, std::move(session)));
   m_undoStack.clear();
   m_files.restart(path);
-  m_journal.restart(path.isEmpty());
+  m_journal.restart(isNew);
   emit changed({});
   emit identityChanged();
 }

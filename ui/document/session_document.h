@@ -53,6 +53,8 @@ class SessionDocument : public QObject {
   void startNew();
   /// A session that is in no file yet.
   void startWith(Session session);
+  /// Likewise, but one whose entries stand: it was in a file before, and changes of it are told.
+  void startWithStanding(Session session);
   /// Absent: loaded. A session with entries that mean nothing loads; one that is no session does not, and the
   /// document stays as it was.
   [[nodiscard]] std::optional<Problem> load(const QString& path);
@@ -93,7 +95,7 @@ class SessionDocument : public QObject {
   void exchangeSession(Session& session, JournalKeeper::State& state);  ///< with the one at work
   void exchangeContent(Session& session);                               ///< likewise, but not the journal
   void tellOfJournal();                                                 ///< that it alone has changed
-  void replaceAll(Session session, const QString& path);
+  void replaceAll(Session session, const QString& path, bool isNew);
 
   Session m_session;
   QUndoStack m_undoStack;

@@ -2,13 +2,14 @@
 
 #include <QBuffer>
 #include <QCryptographicHash>
-#include <QPageLayout>
 #include <QPainter>
 #include <QPdfWriter>
 #include <memory>
 
 #include "core/base/atomic_file.h"
 #include "core/session/session_file.h"
+#include "ui/report/attached_session.h"
+#include "ui/report/pdf_archive.h"
 #include "ui/report/report_gap.h"
 #include "ui/report/report_journal.h"
 #include "ui/report/report_plots.h"
@@ -17,6 +18,7 @@
 #include "ui/report/report_sheet.h"
 #include "ui/report/report_summary.h"
 #include "ui/text/encoded_path.h"
+#include "ui/text/entry_text.h"
 #include "ui/text/simulation_text.h"
 #include "ui/text/visible_text.h"
 
@@ -52,50 +54,88 @@ ReportFrame frameFor(const Evaluation& evaluation, const ReportSource& source, c
       .date = options.date.toString(QStringLiteral("yyyy-MM-dd HH:mm"))};
 }
 
-bool paintReport(QBuffer& buffer, const Evaluation& evaluation, const ReportSource& source,
-                 const ReportOptions& options) {
-  QPdfWriter writer(&buffer);
-  writer.setPdfVersion(QPagedPaintDevice::PdfVersion_A1b);
-  writer.setResolution(1200);
-  writer.setPageLayout(QPageLayout(QPageSize(QPageSize::A4), QPageLayout::Portrait, QMarginsF(0, 0, 0, 0)));
-  writer.setTitle(QStringLiteral("Acceptance report: ") +
-                  shortLine(sessionName(evaluation, source), longestTitle));
-  writer.setCreator(QStringLiteral("Alidade " ALIDADE_VERSION));
-  ReportSheet sheet(writer, frameFor(evaluation, source, options));
-  sheet.setWatch(options.goesOn);
-  const Gap gap = options.gap ? *options.gap : assessGap(std::make_shared<const Evaluation>(evaluation));
+void layOut(ReportSheet& sheet, const Gap& gap, const ReportOptions& options) {
+  const Evaluation& evaluation = *gap.evaluation;
+  const auto prints = [&](ReportPart part) { return isPrinted(part, options.contents, gap); };
   FrontPage front = addSummary(sheet, gap, options);
-  addPlots(sheet, evaluation);
-  addReadings(sheet, evaluation);
-  addJournal(sheet, evaluation);
+  addPlots(sheet, evaluation, prints(ReportPart::Arcs), prints(ReportPart::Residuals));
+  prints(ReportPart::Readings) ? addReadings(sheet, evaluation) : addRemarkableReadings(sheet, evaluation);
+  if (prints(ReportPart::Journal)) addJournal(sheet, evaluation);
   if (!front.hasMethod) front.hasMethod = addMethodInTheRest(sheet, evaluation);
-  addUncertainty(sheet, gap);
-  if (options.simulated && options.simulated->intersection)
-    sheet.paragraph(simulationParagraph(*options.simulated));
-  addGap(sheet, gap);
-  addClosures(sheet, gap);
-  addUnseen(sheet, gap);
+  if (prints(ReportPart::Budget)) {
+    addUncertainty(sheet, gap);
+    if (options.simulated && options.simulated->intersection)
+      sheet.paragraph(simulationParagraph(*options.simulated));
+  }
+  if (prints(ReportPart::Gap)) addGap(sheet, gap);
+  if (prints(ReportPart::Closures)) addClosures(sheet, gap);
+  if (prints(ReportPart::Unseen)) addUnseen(sheet, gap);
   if (!front.hasMethod) addMethod(sheet, evaluation);
   if (!front.isSigned) addSignatures(sheet, evaluation.session);
-  QPainter painter;
-  if (!painter.begin(&writer)) return false;
-  const bool isWhole = sheet.paint(painter);
-  return painter.end() && isWhole;
+  sheet.balance();
+}
+
+/// Its author is who answers for it: the laboratory, or else the operator.
+PdfInformation informationOf(const Evaluation& evaluation, const ReportSource& source,
+                             const ReportOptions& options) {
+  const auto typed = [](const std::string& text) { return shortLine(qText(text).trimmed(), longestTitle); };
+  const QString laboratory = typed(evaluation.session.report.laboratory);
+  return {.title = reportTitle(evaluation, source),
+          .author = laboratory.isEmpty() ? typed(evaluation.session.operatorName) : laboratory,
+          .creator = QStringLiteral("Alidade " ALIDADE_VERSION),
+          .date = options.date};
+}
+
+std::vector<PdfAttachment> attachmentsOf(const Evaluation& evaluation, const ReportSource& source,
+                                         const ReportOptions& options) {
+  std::vector<PdfAttachment> attachments;
+  if (!options.hasSession) return attachments;
+  const bool isFile = source.saved && !source.bytes.isEmpty();
+  attachments.push_back(
+      {.fileName = attachedName(source.fileName),
+       .description = QStringLiteral("The session of this report, to be opened with Alidade"),
+       .bytes = isFile ? source.bytes.toStdString() : writeSession(evaluation.session),
+       .relationship = "/Source"});
+  return attachments;
 }
 
 }  // namespace
+
+QString reportTitle(const Evaluation& evaluation, const ReportSource& source) {
+  return QStringLiteral("Acceptance report: ") + shortLine(sessionName(evaluation, source), longestTitle);
+}
+
+bool paintAcceptanceReport(QPagedPaintDevice& device, const Evaluation& evaluation,
+                           const ReportSource& source, const ReportOptions& options) {
+  ReportSheet sheet(device, frameFor(evaluation, source, options), options.paper.margins);
+  sheet.setWatch(options.goesOn);
+  const Gap gap = options.gap ? *options.gap : assessGap(std::make_shared<const Evaluation>(evaluation));
+  layOut(sheet, gap, options);
+  QPainter painter;
+  if (!painter.begin(&device)) return false;
+  const bool isWhole = sheet.paint(painter);
+  return painter.end() && isWhole;
+}
 
 Result<QString> writeAcceptanceReport(const Evaluation& evaluation, const ReportSource& source,
                                       const QString& outPath, const ReportOptions& options) {
   QBuffer buffer;
   buffer.open(QIODevice::WriteOnly);
-  if (!paintReport(buffer, evaluation, source, options))
-    return Problem{QStringLiteral("%1 cannot be written: painting failed").arg(outPath).toStdString()};
-  const QByteArray& pdf = buffer.data();
-  const std::string_view bytes(pdf.constData(), static_cast<std::size_t>(pdf.size()));
+  {
+    QPdfWriter writer(&buffer);
+    writer.setPdfVersion(QPagedPaintDevice::PdfVersion_A1b);
+    writer.setResolution(1200);
+    writer.setPageLayout(options.paper.layout());
+    if (!paintAcceptanceReport(writer, evaluation, source, options))
+      return Problem{QStringLiteral("%1 cannot be written: painting failed").arg(outPath).toStdString()};
+  }
+  const QByteArray& painted = buffer.data();
+  const std::string pdf =
+      archivedPdf({painted.constData(), static_cast<std::size_t>(painted.size())},
+                  informationOf(evaluation, source, options), attachmentsOf(evaluation, source, options));
   std::vector<std::string> inputs;
   for (const QString& path : source.paths) inputs.push_back(encodedPath(path));
-  if (auto problem = writeFile(encodedPath(outPath), bytes, inputs)) return *std::move(problem);
+  if (auto problem = writeFile(encodedPath(outPath), pdf, inputs)) return *std::move(problem);
   return outPath;
 }
 

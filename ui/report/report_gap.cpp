@@ -103,7 +103,7 @@ void addRequired(ReportSheet& sheet, const std::vector<Required>& list) {
   if (list.empty()) return;
   constexpr auto right = Qt::AlignRight;
   const double row = sheet.lineHeight(type::body) + 1.5;
-  sheet.keepTogether(std::min(20 + static_cast<double>(list.size() + 1) * row, ReportSheet::height / 2));
+  sheet.keepTogether(std::min(20 + static_cast<double>(list.size() + 1) * row, sheet.height() / 2));
   sheet.heading(QStringLiteral("What it would take to explain Δd − reference"));
   ReportTable table(sheet, {{QStringLiteral("Effect"), 70},
                             {QStringLiteral("size"), 26, right},
@@ -123,7 +123,7 @@ void addRequired(ReportSheet& sheet, const std::vector<Required>& list) {
 
 void addGap(ReportSheet& sheet, const Gap& gap) {
   if (!gap.diagnosis || gap.isNoiseAlone() || (!gap.isOpen() && gap.stages.size() < 2)) return;
-  sheet.keepTogether(std::min(heightOf(sheet, gap), ReportSheet::height / 2));
+  sheet.keepTogether(std::min(heightOf(sheet, gap), sheet.height() / 2));
   sheet.heading(QStringLiteral("Gap between model and readings"));
   sheet.paragraph(gapHeadline(*gap.diagnosis) + u'.', type::body.inBold());
   sheet.paragraph(gapSentence(gap));

@@ -68,30 +68,47 @@ QString arcCaption(const ArcPicture& picture) {
   return text;
 }
 
-QString residualCaption(const ResidualPicture& picture) {
-  if (picture.isEmpty()) return QStringLiteral("Figure 2. No residuals, since no arc was fitted.");
+QString residualCaption(const ResidualPicture& picture, int figure) {
+  if (picture.isEmpty())
+    return QStringLiteral("Figure %1. No residuals, since no arc was fitted.").arg(figure);
   const auto sigma = [](double arcsec) { return plainNumberText(arcsec) + QChar(0x2033); };
   return QStringLiteral(
-             "Figure 2. Residuals of the readings, observed minus adjusted, right and up positive, along the "
+             "Figure %4. Residuals of the readings, observed minus adjusted, right and up positive, along "
+             "the "
              "slider coordinate. Circles: horizontal, diamonds: vertical; filled: axis at 0°, hollow: "
              "180°.%1 "
              "Grey band: ±1σ, broken lines: ±3σ of the stated noise (σ = %2 horizontal, %3 vertical).")
       .arg(ringsCaption(picture.residuals) + rowsCaption(picture.kinds), sigma(picture.sigmaHorizontal),
-           sigma(picture.sigmaVertical));
+           sigma(picture.sigmaVertical), QString::number(figure));
 }
 
 }  // namespace
 
-void addPlots(ReportSheet& sheet, const Evaluation& evaluation) {
-  const auto arcs = std::make_shared<ArcPlot>();
+void addPlots(ReportSheet& sheet, const Evaluation& evaluation, bool hasArcs, bool hasResiduals) {
+  if (!hasArcs && !hasResiduals) return;
+  const double lacking = 252 - sheet.height();  // of A4's
+  const double arcsHeight = 126 - 0.6 * lacking, residualsHeight = 86 - 0.4 * lacking;
+  constexpr double aroundPlot = 25;  // heading and caption
+  if (hasArcs && hasResiduals)
+    sheet.newPage();
+  else
+    sheet.keepTogether((hasArcs ? arcsHeight : residualsHeight) + aroundPlot);
+  sheet.heading(!hasResiduals ? QStringLiteral("Arcs")
+                : hasArcs     ? QStringLiteral("Arcs and residuals")
+                              : QStringLiteral("Residuals"));
+  if (hasArcs) {
+    const auto arcs = std::make_shared<ArcPlot>();
+    addPlot(sheet, arcs, evaluation, arcsHeight);
+    sheet.paragraph(arcCaption(arcs->picture()), type::small);
+  }
+  if (!hasResiduals) return;
+  if (hasArcs) {
+    sheet.skip(3);
+    sheet.mayBreak();
+  }
   const auto residuals = std::make_shared<ResidualPlot>();
-  sheet.newPage();
-  sheet.heading(QStringLiteral("Arcs and residuals"));
-  addPlot(sheet, arcs, evaluation, 126);
-  sheet.paragraph(arcCaption(arcs->picture()), type::small);
-  sheet.skip(3);
-  addPlot(sheet, residuals, evaluation, 86);
-  sheet.paragraph(residualCaption(residuals->picture()), type::small);
+  addPlot(sheet, residuals, evaluation, residualsHeight);
+  sheet.paragraph(residualCaption(residuals->picture(), hasArcs ? 2 : 1), type::small);
 }
 
 }  // namespace alidade::ui

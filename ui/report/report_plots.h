@@ -5,7 +5,8 @@
 
 namespace alidade::ui {
 
-/// A page with both plots as vectors, drawn by the code that draws them on the screen, with captions.
-void addPlots(ReportSheet& sheet, const Evaluation& evaluation);
+/// The plots that are wanted as vectors, drawn by the code that draws them on the screen, with captions; both
+/// on a page of their own.
+void addPlots(ReportSheet& sheet, const Evaluation& evaluation, bool hasArcs, bool hasResiduals);
 
 }  // namespace alidade::ui

@@ -82,6 +82,12 @@ QString typedCell(const Reading& row, const RowField& field, CircleUnit unit) {
   return typed.isEmpty() ? qText(usualText(field)) : typed;
 }
 
+enum class Rows { All, Remarkable };
+
+bool isRemarkable(const Reading& row, bool unusable) {
+  return unusable || row.excluded || !row.asRead.all().empty();
+}
+
 class PositionTable {
  public:
   PositionTable(ReportSheet& sheet, const Evaluation& evaluation, std::size_t position)
@@ -96,12 +102,12 @@ class PositionTable {
     for (const SightingResidual& residual : fit->residuals) m_residuals[residual.row] = &residual;
   }
 
-  void add() {
+  void add(Rows which) {
     m_table.head();
     const std::size_t rows = m_position.readings.size();
     for (std::size_t row = 0; row < rows; ++row) {
       if (!m_sheet.goesOn(static_cast<double>(row) / static_cast<double>(rows))) return;
-      addRow(row);
+      if (which == Rows::All || isRemarkable(m_position.readings[row], m_unusable.contains(row))) addRow(row);
     }
     m_table.finish();
   }
@@ -170,7 +176,7 @@ void addPosition(ReportSheet& sheet, const Evaluation& evaluation, std::size_t i
     sheet.paragraph(QStringLiteral("No readings."));
     return;
   }
-  PositionTable(sheet, evaluation, index).add();
+  PositionTable(sheet, evaluation, index).add(Rows::All);
 }
 
 QString footnote(const Evaluation& evaluation) {
@@ -185,12 +191,33 @@ QString footnote(const Evaluation& evaluation) {
                     .arg(numberText(evaluation.fit.noise.factor, 2), plainNumberText(largeResidual));
 }
 
+bool hasRemarkable(const Evaluation& evaluation, std::size_t position) {
+  const std::set<std::size_t> unusable = unusableRows(evaluation, position);
+  const std::vector<Reading>& rows = evaluation.session.positions[position].readings;
+  for (std::size_t row = 0; row < rows.size(); ++row)
+    if (isRemarkable(rows[row], unusable.contains(row))) return true;
+  return false;
+}
+
 }  // namespace
 
 void addReadings(ReportSheet& sheet, const Evaluation& evaluation) {
   sheet.newPage();
   for (std::size_t i = 0; i < evaluation.session.positions.size(); ++i) addPosition(sheet, evaluation, i);
   sheet.paragraph(footnote(evaluation), type::small);
+}
+
+void addRemarkableReadings(ReportSheet& sheet, const Evaluation& evaluation) {
+  bool isAny = false;
+  for (std::size_t i = 0; i < evaluation.session.positions.size(); ++i) {
+    if (!hasRemarkable(evaluation, i)) continue;
+    sheet.keepTogether(35);
+    sheet.heading(QStringLiteral("Readings changed, excluded or not usable, with the axis at ") +
+                  positionText(evaluation.session, i));
+    PositionTable(sheet, evaluation, i).add(Rows::Remarkable);
+    isAny = true;
+  }
+  if (isAny) sheet.paragraph(footnote(evaluation), type::small);
 }
 
 }  // namespace alidade::ui

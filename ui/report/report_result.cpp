@@ -285,6 +285,7 @@ void addProblems(ReportSheet& sheet, const Evaluation& evaluation) {
         sheet.lines(problemText(evaluation.session, problem), style, ReportSheet::width - 4);
     const double height = lines.size() * sheet.lineHeight(style);
     sheet.keepTogether(height);
+    if (&problem != &evaluation.examined.problems.front()) sheet.mayBreak();
     bar(sheet.y(), sheet.y() + height);
     for (const QString& line : lines) {
       sheet.text(line, style, 4, sheet.y(), ReportSheet::width - 4);

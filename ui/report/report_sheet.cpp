@@ -1,19 +1,20 @@
 #include "ui/report/report_sheet.h"
 
 #include <QFontMetricsF>
+#include <QPageLayout>
 #include <QPagedPaintDevice>
 #include <QPainter>
 #include <QRegularExpression>
 #include <QTextLayout>
+#include <algorithm>
 
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {
 namespace {
 
-constexpr double margin = 20;
 constexpr double headerTop = -9;  // mm above the text area
-constexpr double footerTop = 255;
+constexpr double footerGap = 3;   // mm below it
 
 /// The same text of the same length that may not be broken between a number and its sign or unit.
 QString keptTogether(QString text) {
@@ -23,12 +24,28 @@ QString keptTogether(QString text) {
 
 }  // namespace
 
-ReportSheet::ReportSheet(QPagedPaintDevice& device, ReportFrame frame)
-    : m_device(device), m_frame(std::move(frame)), m_unit(device.logicalDpiX() / 25.4), m_pages(1) {}
+ReportSheet::ReportSheet(QPagedPaintDevice& device, ReportFrame frame, const QMarginsF& margins)
+    : m_device(device), m_frame(std::move(frame)) {
+  const QPageLayout layout = device.pageLayout();
+  const QSizeF upright = layout.pageSize().size(QPageSize::Millimeter);
+  const QSizeF paper = layout.orientation() == QPageLayout::Portrait ? upright : upright.transposed();
+  const double available = paper.width() - margins.left() - margins.right();
+  const double deviceUnit = device.logicalDpiX() / 25.4;
+  m_scale = std::min(1.0, available / width);
+  m_unit = deviceUnit * m_scale;
+  m_height = (paper.height() - margins.top() - margins.bottom()) / m_scale;
+  m_origin = QPointF(margins.left() + (available - width * m_scale) / 2, margins.top()) * deviceUnit;
+}
 
 void ReportSheet::newPage() {
-  m_pages.emplace_back();
+  m_pages.add(m_y);
   m_y = 0;
+}
+
+QFont ReportSheet::fontOf(const TextStyle& style) const {
+  QFont font = style.font();
+  font.setPointSizeF(style.points * m_scale);
+  return font;
 }
 
 void ReportSheet::keepTogether(double needed) {
@@ -43,7 +60,7 @@ QStringList ReportSheet::lines(const QString& text, const TextStyle& style, doub
       result.append(part);
       continue;
     }
-    QTextLayout layout(keptTogether(part), style.font(), &m_device);
+    QTextLayout layout(keptTogether(part), fontOf(style), &m_device);
     QTextOption option;
     option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
     layout.setTextOption(option);
@@ -58,15 +75,15 @@ QStringList ReportSheet::lines(const QString& text, const TextStyle& style, doub
 }
 
 double ReportSheet::lineHeight(const TextStyle& style) const {
-  return QFontMetricsF(style.font(), &m_device).height() * 1.12 / m_unit;
+  return QFontMetricsF(fontOf(style), &m_device).height() * 1.12 / m_unit;
 }
 
 double ReportSheet::textWidth(const QString& text, const TextStyle& style) const {
-  return QFontMetricsF(style.font(), &m_device).horizontalAdvance(text) / m_unit;
+  return QFontMetricsF(fontOf(style), &m_device).horizontalAdvance(text) / m_unit;
 }
 
 void ReportSheet::draw(Drawing drawing) {
-  m_pages.back().push_back(std::move(drawing));
+  m_pages.draw(std::move(drawing));
 }
 
 QRectF ReportSheet::inDeviceUnits(const QRectF& millimetres) const {
@@ -83,7 +100,7 @@ void ReportSheet::text(const QString& line, const TextStyle& style, double left,
 
 void ReportSheet::paintLine(QPainter& painter, const QString& line, const TextStyle& style, double left,
                             double top, double available, Qt::Alignment alignment) const {
-  const QFont font = style.font();
+  const QFont font = fontOf(style);
   const QFontMetricsF metrics(font, &m_device);
   const double slack = available * m_unit - metrics.horizontalAdvance(line);
   double x = left * m_unit;
@@ -115,16 +132,21 @@ void ReportSheet::outline(const QRectF& area, double thickness, const QColor& co
 
 void ReportSheet::heading(const QString& text) {
   keepTogether(20);  // never alone at the foot of a page
-  if (m_y > 0) skip(2.8);
+  if (m_y > 0) skip(ReportPages::sectionGap);
+  m_pages.mayBreak(m_y, ReportPages::Before::Section);
   this->text(text, type::heading, 0, m_y, width);
   skip(lineHeight(type::heading) + 0.8);
 }
 
 void ReportSheet::paragraph(const QString& text, const TextStyle& style, double indent) {
   const double advance = lineHeight(style);
-  for (const QString& line : lines(text, style, width - indent)) {
-    keepTogether(advance);
-    this->text(line, style, indent, m_y, width - indent);
+  const QStringList broken = lines(text, style, width - indent);
+  const qsizetype count = broken.size();
+  for (qsizetype i = 0; i < count; ++i) {
+    const qsizetype kept = i == 0 ? (count <= 3 ? count : 2) : i == count - 2 ? 2 : 1;
+    keepTogether(static_cast<double>(kept) * advance);
+    if (i >= 2 && count - i >= 2) mayBreak();
+    this->text(broken[i], style, indent, m_y, width - indent);
     skip(advance);
   }
 }
@@ -134,10 +156,11 @@ bool ReportSheet::paint(QPainter& painter) {
     if (m_watch && !m_watch(0.5 + 0.5 * page / pageCount())) return false;
     if (page > 0) m_device.newPage();
     painter.save();
-    painter.translate(margin * m_unit, margin * m_unit);
+    painter.translate(m_origin);
     paintFrame(painter, page);
-    for (const Drawing& drawing : m_pages[page]) {
+    for (const auto& [drawing, lower] : m_pages.drawings(static_cast<std::size_t>(page))) {
       painter.save();
+      painter.translate(0, lower * m_unit);
       drawing(painter);
       painter.restore();
     }
@@ -148,7 +171,7 @@ bool ReportSheet::paint(QPainter& painter) {
 
 void ReportSheet::paintFrame(QPainter& painter, int page) {
   const auto elided = [&](const QString& text, double available, Qt::TextElideMode mode) {
-    return QFontMetricsF(type::small.font(), &m_device)
+    return QFontMetricsF(fontOf(type::small), &m_device)
         .elidedText(visibleLine(text), mode, available * m_unit);
   };
   const auto rule = [&](double y) {
@@ -161,6 +184,7 @@ void ReportSheet::paintFrame(QPainter& painter, int page) {
   paintLine(painter, elided(m_frame.session, width * 0.44, Qt::ElideRight), type::small, 0, headerTop, width,
             Qt::AlignRight);
   rule(headerTop + step + 0.6);
+  const double footerTop = m_height + footerGap;
   rule(footerTop);
   const double first = footerTop + 1;
   paintLine(painter, elided(m_frame.fileName, width * 0.68, Qt::ElideMiddle), type::small, 0, first, width,

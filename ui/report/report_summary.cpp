@@ -1,5 +1,6 @@
 #include "ui/report/report_summary.h"
 
+#include <QPainter>
 #include <algorithm>
 
 #include "core/wording/suspects.h"
@@ -22,12 +23,29 @@ QString reportNumber(const Session& session) {
   return number.isEmpty() ? number : QStringLiteral("No. ") + number;
 }
 
-void addTitle(ReportSheet& sheet, const Session& session) {
-  const double title = sheet.lineHeight(type::title);
+/// At the right, as large as it may be; answers how high it is.
+double addLogo(ReportSheet& sheet, const QImage& logo) {
+  if (logo.isNull()) return 0;
+  constexpr double mostWidth = 60, mostHeight = 15;
+  const QSizeF size = QSizeF(logo.size()).scaled(mostWidth, mostHeight, Qt::KeepAspectRatio);
+  const QRectF area(QPointF(ReportSheet::width - size.width(), sheet.y()), size);
+  sheet.draw([logo, target = sheet.inDeviceUnits(area)](QPainter& painter) {
+    painter.setRenderHint(QPainter::LosslessImageRendering);
+    painter.drawImage(target, logo);
+  });
+  return size.height();
+}
+
+/// The subtitle stands at the right, or below the title where a logo is there.
+void addTitle(ReportSheet& sheet, const Session& session, const QImage& logo) {
+  const double title = sheet.lineHeight(type::title), subtitle = sheet.lineHeight(type::label);
+  const double logoHeight = addLogo(sheet, logo);
+  const bool hasLogo = logoHeight > 0;
   sheet.text(QStringLiteral("Acceptance report"), type::title, 0, sheet.y(), ReportSheet::width);
   sheet.text(QStringLiteral("Intersection of a rotatable arc guideway"), type::label, 0,
-             sheet.y() + title - sheet.lineHeight(type::label) - 1, ReportSheet::width, Qt::AlignRight);
-  sheet.skip(title + 0.5);
+             sheet.y() + title - (hasLogo ? 0.5 : subtitle + 1), ReportSheet::width,
+             hasLogo ? Qt::AlignLeft : Qt::AlignRight);
+  sheet.skip(hasLogo ? std::max(logoHeight, title + subtitle) + 1.5 : title + 0.5);
   constexpr int longest = 300;
   const QString number = reportNumber(session), name = shortLine(session.title, longest);
   if (!number.isEmpty()) {
@@ -86,7 +104,10 @@ void addFindings(ReportSheet& sheet, const Gap& gap) {
     add(*misread);
     addSuspects(sheet, evaluation.suspects, type::detail, indent);
   }
-  for (const Finding& finding : findings) add(finding);
+  for (const Finding& finding : findings) {
+    if (&finding != &findings.front()) sheet.mayBreak();
+    add(finding);
+  }
   if (!gap.isOpen()) return;
   const QString says =
       gap.isNoiseAlone()
@@ -138,10 +159,10 @@ double methodHeight(const ReportSheet& sheet, const Evaluation& evaluation) {
 
 FrontPage addSummary(ReportSheet& sheet, const Gap& gap, const ReportOptions& options) {
   const Evaluation& evaluation = *gap.evaluation;
-  addTitle(sheet, evaluation.session);
+  addTitle(sheet, evaluation.session, options.logo);
   addFacts(sheet, evaluation, options.date);
   addVerdict(sheet, gap);
-  addTerms(sheet, gap);
+  addTerms(sheet, gap, options.contents);
   addProblems(sheet, evaluation);
   addResult(sheet, gap);
   addFindings(sheet, gap);
@@ -149,11 +170,17 @@ FrontPage addSummary(ReportSheet& sheet, const Gap& gap, const ReportOptions& op
     sheet.heading(QStringLiteral("Notes"));
     sheet.paragraph(QString::fromStdString(evaluation.session.notes));
   }
-  const bool hasMethod = sheet.room() >= methodHeight(sheet, evaluation) + signatureHeight;
-  if (hasMethod) addMethod(sheet, evaluation);
-  const bool isSigned = sheet.room() >= signatureHeight;
-  if (isSigned) addSignatures(sheet, evaluation.session);
-  return {hasMethod, isSigned};
+  FrontPage front{.hasMethod = !isPrinted(ReportPart::Method, options.contents, gap),
+                  .isSigned = !isPrinted(ReportPart::Signatures, options.contents, gap)};
+  if (!front.hasMethod && sheet.room() >= methodHeight(sheet, evaluation) + signatureHeight) {
+    addMethod(sheet, evaluation);
+    front.hasMethod = true;
+  }
+  if (!front.isSigned && sheet.room() >= signatureHeight) {
+    addSignatures(sheet, evaluation.session);
+    front.isSigned = true;
+  }
+  return front;
 }
 
 void addSignatures(ReportSheet& sheet, const Session& session) {
@@ -172,7 +199,7 @@ void addSignatures(ReportSheet& sheet, const Session& session) {
 }
 
 bool addMethodInTheRest(ReportSheet& sheet, const Evaluation& evaluation) {
-  const bool isRest = sheet.room() < ReportSheet::height / 2;
+  const bool isRest = sheet.room() < sheet.height() / 2;
   if (!isRest || sheet.room() < methodHeight(sheet, evaluation)) return false;
   addMethod(sheet, evaluation);
   return true;

@@ -6,7 +6,7 @@
 
 namespace alidade::ui {
 
-/// What a front page may have no room for.
+/// What a front page may have no room for; true, too, where it is left out.
 struct FrontPage {
   bool hasMethod = false, isSigned = false;
 };

@@ -22,10 +22,13 @@ void ReportTable::head() {
   std::vector<QStringList> lines;
   const double height = rowHeight(cells, lines);
   m_sheet.keepTogether(height + 10);
-  place(cells, lines);
-  m_sheet.skip(height);
-  m_sheet.rule(0, m_sheet.y(), m_width, m_sheet.y(), 0.25);
-  m_sheet.skip(0.5);
+  m_head = m_sheet.head([&] {
+    place(cells, lines);
+    m_sheet.skip(height);
+    m_sheet.rule(0, m_sheet.y(), m_width, m_sheet.y(), 0.25);
+    m_sheet.skip(0.5);
+  });
+  m_rows = 0;
 }
 
 void ReportTable::row(const std::vector<ReportCell>& cells, const QString& note) {
@@ -36,10 +39,12 @@ void ReportTable::row(const std::vector<ReportCell>& cells, const QString& note)
       note.isEmpty() ? QStringList() : m_sheet.lines(note, type::small, m_width - indent);
   const double noteLine = m_sheet.lineHeight(type::small);
   const double whole = height + noteLines.size() * noteLine;
-  if (m_sheet.room() < std::min(whole, ReportSheet::height / 2)) {
+  if (m_sheet.room() < std::min(whole, m_sheet.height() / 2)) {
     m_sheet.newPage();
     head();
+    m_sheet.beginsWith(m_head);
   }
+  if (m_rows++ >= 2) m_sheet.mayBreak(m_head);
   place(cells, lines);
   m_sheet.skip(height);
   for (const QString& line : noteLines) {

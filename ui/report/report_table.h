@@ -41,6 +41,8 @@ class ReportTable {
   ReportSheet& m_sheet;
   std::vector<ReportColumn> m_columns;
   double m_width = 0;
+  ReportPages::SharedHead m_head;
+  int m_rows = 0;  ///< below the head on this page
 };
 
 }  // namespace alidade::ui

@@ -133,12 +133,15 @@ QString correctionsText(const Evaluation& evaluation) {
 }
 
 /// Empty where nothing was changed.
-QString changesText(const Evaluation& evaluation) {
+QString changesText(const Evaluation& evaluation, bool isJournalPrinted) {
   if (evaluation.session.journal.empty()) return {};
   const QString summary = visibleLine(evaluation.journal);
   const auto count = evaluation.session.journal.size();
-  const QString entries = count == 1 ? QStringLiteral("one entry in the journal, see below")
-                                     : QStringLiteral("%1 entries in the journal, see below").arg(count);
+  const QString where =
+      isJournalPrinted ? QStringLiteral(", see below") : QStringLiteral(" of the session, left out here");
+  const QString entries = (count == 1 ? QStringLiteral("one entry in the journal")
+                                      : QStringLiteral("%1 entries in the journal").arg(count)) +
+                          where;
   return summary.isEmpty() ? entries : summary + u' ' + capitalised(entries) + u'.';
 }
 
@@ -168,7 +171,7 @@ QString temperatureText(const Evaluation& evaluation) {
 
 }  // namespace
 
-void addTerms(ReportSheet& sheet, const Gap& gap) {
+void addTerms(ReportSheet& sheet, const Gap& gap, const ReportContents& contents) {
   const Evaluation& evaluation = *gap.evaluation;
   sheet.skip(1);
   const std::vector<LabelledText> terms{
@@ -176,8 +179,9 @@ void addTerms(ReportSheet& sheet, const Gap& gap) {
       {QStringLiteral("Decision rule"), ruleText(gap)},
       {QStringLiteral("Exclusions"), exclusionsText(evaluation.session)},
       {QStringLiteral("Corrections"), correctionsText(evaluation)},
-      {QStringLiteral("Changes"), changesText(evaluation)},
+      {QStringLiteral("Changes"), changesText(evaluation, isPrinted(ReportPart::Journal, contents, gap))},
       {QStringLiteral("Temperature"), temperatureText(evaluation)},
+      {QStringLiteral("Left out"), leftOutTitles(contents, gap).join(QStringLiteral(", "))},
       {QStringLiteral("Scope"), QStringLiteral("The results relate only to the item measured.")}};
   sheet.keepTogether(labelledHeight(sheet, terms, ReportSheet::width));
   sheet.skip(placeLabelled(sheet, terms, 0, sheet.y(), ReportSheet::width) - sheet.y());

@@ -14,15 +14,19 @@ constexpr qsizetype limit = 10;
 
 QStringList RecentFiles::existing() {
   QStringList files;
-  for (const QString& path : QSettings().value(key).toStringList()) {
+  for (const QString& path : all()) {
     if (QFileInfo::exists(path)) files.append(path);
   }
   return files;
 }
 
+QStringList RecentFiles::all() {
+  return QSettings().value(key).toStringList();
+}
+
 void RecentFiles::add(const QString& path) {
   const QString absolute = QFileInfo(path).absoluteFilePath();
-  QStringList files = QSettings().value(key).toStringList();
+  QStringList files = all();
   files.removeAll(absolute);
   files.prepend(absolute);
   QSettings().setValue(key, files.mid(0, limit));

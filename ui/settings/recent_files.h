@@ -9,6 +9,7 @@ class RecentFiles {
  public:
   /// Files that cannot be found now (a drive that is not plugged in) are left out, but not forgotten.
   static QStringList existing();
+  static QStringList all();
   static void add(const QString& path);
   static void clear();
 };

@@ -17,18 +17,26 @@ class MonkeyDialogs : public ScriptedDialogs {
                                              SaveAnswer::Cancel});
   }
   bool askDiscardOther(const QString&, Way) override { return !m_chance.oneIn(3); }
-  QString askOpenPath(const QString&) override { return present(QStringLiteral("*.alidade")); }
+  QString askOpenPath(const QString&) override {
+    return present(m_chance.oneIn(6) ? QStringLiteral("*.pdf") : QStringLiteral("*.alidade"));
+  }
   QStringList askImportPaths(const QString&) override {
     const QString path = present(QStringLiteral("readings*"));
     return path.isEmpty() ? QStringList() : QStringList(path);
   }
-  QString askSavePath(const QString&) override { return fresh(QStringLiteral("saved-%1.alidade")); }
-  QString askReportPath(const QString&) override { return fresh(QStringLiteral("report-%1.pdf")); }
   QString askExportPath(const QString&, const QString&, const QString& suffix) override {
     return fresh(QStringLiteral("export-%1.") + suffix);
   }
-  bool askReportWithoutVerdict(int) override { return m_chance.oneIn(3); }
-  bool askReportWithEmptyFields(const QStringList&) override { return !m_chance.oneIn(5); }
+  QString askSavePath(const QString&) override { return fresh(QStringLiteral("saved-%1.alidade")); }
+  QString askReportPath(const QString&) override { return fresh(QStringLiteral("report-%1.pdf")); }
+  std::optional<ReportChoice> askReport(const ReportQuestion& question) override {
+    if (m_chance.oneIn(4)) return {};
+    ReportChoice choice = question.choice;
+    choice.contents.leftOut.clear();
+    for (const ReportPartInfo& part : allReportParts())
+      if (m_chance.oneIn(4)) choice.contents.leftOut.insert(part.part);
+    return choice;
+  }
   void showProblem(const QString&, const QString&) override {}
 
   /// Any file of the folder, now and then one that is not there.

@@ -24,7 +24,16 @@ QString printedText(const QString& path) {
 }
 
 Printed::Printed(const Session& session, const ReportSource& source) {
-  const Result<QString> written = writeAcceptanceReport(evaluate(session), source, path(), {.date = date()});
+  write(session, source, {.date = date()});
+}
+
+Printed::Printed(const Session& session, ReportOptions options) {
+  options.date = date();
+  write(session, savedSource(), options);
+}
+
+void Printed::write(const Session& session, const ReportSource& source, const ReportOptions& options) {
+  const Result<QString> written = writeAcceptanceReport(evaluate(session), source, path(), options);
   if (!written) throw std::runtime_error(written.problem().text());
   m_pages = printedText(path()).split(u'\f', Qt::SkipEmptyParts);
 }

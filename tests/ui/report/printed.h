@@ -16,6 +16,7 @@ QString printedText(const QString& path);
 class Printed {
  public:
   explicit Printed(const Session& session, const ReportSource& source = savedSource());
+  Printed(const Session& session, ReportOptions options);
 
   QString path() const { return m_folder.filePath(QStringLiteral("report.pdf")); }
   int pageCount() const { return static_cast<int>(m_pages.size()); }
@@ -31,6 +32,8 @@ class Printed {
   static QDateTime date() { return QDateTime(QDate(2026, 3, 14), QTime(15, 9)); }
 
  private:
+  void write(const Session& session, const ReportSource& source, const ReportOptions& options);
+
   QTemporaryDir m_folder;
   QStringList m_pages;
 };

@@ -1,0 +1,105 @@
+#include "ui/dialogs/report_dialog.h"
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QImage>
+#include <QLabel>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+
+#include "tests/ui/shown_texts.h"
+#include "ui/dialogs/dialogs.h"
+
+namespace alidade::ui {
+namespace {
+
+ReportQuestion question() {
+  return {.there = {ReportPart::Arcs, ReportPart::Readings, ReportPart::Gap}};
+}
+
+QString shownBy(const QDialog& dialog) {
+  QStringList texts;
+  for (const QLabel* label : dialog.findChildren<QLabel*>()) texts.append(label->text());
+  return texts.join(u'\n');
+}
+
+/// Whether it is written where the dialog is left by `key`.
+bool answerBy(Qt::Key key, const ReportQuestion& asked) {
+  QTimer::singleShot(0, [&] { QTest::keyClick(QApplication::activeModalWidget(), key); });
+  return Dialogs().askReport(asked).has_value();
+}
+
+TEST(ReportDialog, ListsWhatIsEmptyAndWritesTheReportByDefault) {
+  ReportQuestion asked = question();
+  asked.emptyFields = QStringList{QStringLiteral("report number"), QStringLiteral("customer")};
+  const ReportDialog dialog(asked);
+  EXPECT_TRUE(shownBy(dialog).contains(QStringLiteral("report number, customer")));
+  EXPECT_TRUE(answerBy(Qt::Key_Return, asked));
+  EXPECT_FALSE(answerBy(Qt::Key_Escape, asked));
+}
+
+TEST(ReportDialog, CancelsByDefaultWhereThereWillBeNoVerdict) {
+  ReportQuestion asked = question();
+  EXPECT_FALSE(shownBy(ReportDialog(asked)).contains(QStringLiteral("cannot be used")));
+  asked.unusable = 2;
+  EXPECT_TRUE(shownBy(ReportDialog(asked)).contains(QStringLiteral("2 entries cannot be used.")));
+  EXPECT_FALSE(answerBy(Qt::Key_Return, asked));
+}
+
+TEST(ReportDialog, AnswersWithWhatIsChosen) {
+  ReportQuestion asked = question();
+  asked.choice.contents.leftOut = {ReportPart::Arcs, ReportPart::Journal};
+  ReportDialog dialog(asked);
+  EXPECT_EQ(dialog.choice(), asked.choice);
+  const auto box = [&](const char* id) { return dialog.findChild<QCheckBox*>(QString::fromLatin1(id)); };
+  EXPECT_FALSE(box("arcs")->isChecked());
+  EXPECT_FALSE(box("journal")) << "there is none in this report";
+  box("arcs")->click();
+  box("readings")->click();
+  box("session")->click();
+  auto* paper = dialog.findChild<QComboBox*>(QStringLiteral("paper"));
+  paper->setCurrentIndex(paper->findData(QPageSize::Letter));
+  dialog.findChildren<QDoubleSpinBox*>().front()->setValue(33);
+  const ReportChoice choice = dialog.choice();
+  EXPECT_EQ(choice.contents.leftOut, (std::set{ReportPart::Journal, ReportPart::Readings}))
+      << "what another report may have stays as it was chosen";
+  EXPECT_EQ(choice.paper.size, QPageSize::Letter);
+  EXPECT_EQ(choice.paper.margins, QMarginsF(33, 20, 20, 25));
+  EXPECT_FALSE(choice.hasSession);
+}
+
+TEST(ReportDialog, HoldsOnToWhatMayNotBeLeftOut) {
+  ReportQuestion asked = question();
+  asked.choice.contents.leftOut = {ReportPart::Gap};
+  asked.mustStand = {ReportPart::Gap};
+  ReportDialog dialog(asked);
+  const auto* gap = dialog.findChild<QCheckBox*>(QStringLiteral("gap"));
+  EXPECT_TRUE(gap->isChecked());
+  EXPECT_FALSE(gap->isEnabled());
+  EXPECT_TRUE(gap->text().contains(QStringLiteral("model and readings disagree")));
+}
+
+TEST(ReportDialog, ShowsTheLogoOrWhyItCannotBeUsed) {
+  const QTemporaryDir folder;
+  ReportQuestion asked = question();
+  asked.choice.logoPath = folder.filePath(QStringLiteral("logo\u202e<b>.png"));
+  QImage(30, 20, QImage::Format_ARGB32).save(asked.choice.logoPath);
+  ReportDialog dialog(asked);
+  dialog.show();
+  EXPECT_TRUE(shownBy(dialog).contains(QStringLiteral("logo\\u202e<b>.png")));
+  expectAllVisible(dialog, QStringLiteral("report dialog"));
+  asked.choice.logoPath = folder.filePath(QStringLiteral("none.png"));
+  ReportDialog without(asked);
+  EXPECT_TRUE(shownBy(without).contains(QStringLiteral("there is no such file")));
+  without.findChild<QPushButton*>(QStringLiteral("no logo"))->click();
+  EXPECT_EQ(without.choice().logoPath, QString());
+}
+
+}  // namespace
+}  // namespace alidade::ui

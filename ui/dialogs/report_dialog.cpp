@@ -1,0 +1,189 @@
+#include "ui/dialogs/report_dialog.h"
+
+#include <QCheckBox>
+#include <QCoreApplication>
+#include <QDialogButtonBox>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QGroupBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "ui/dialogs/paper_form.h"
+#include "ui/dialogs/plain_label.h"
+#include "ui/report/report_logo.h"
+#include "ui/settings/theme.h"
+#include "ui/text/visible_text.h"
+
+namespace alidade::ui {
+
+namespace {
+
+constexpr QSize logoSize(170, 44);  // pixels
+
+bool holds(const std::vector<ReportPart>& parts, ReportPart part) {
+  return std::ranges::find(parts, part) != parts.end();
+}
+
+QWidget* warning(const QString& text) {
+  auto* row = new QWidget;
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(0, 0, 0, 0);
+  auto* icon = new QLabel;
+  icon->setPixmap(themeIcon(QStringLiteral("warning")).pixmap(16, 16));
+  layout->addWidget(icon, 0, Qt::AlignTop);
+  layout->addWidget(createPlainLabel(text), 1);
+  return row;
+}
+
+}  // namespace
+
+ReportDialog::ReportDialog(const ReportQuestion& question, QWidget* parent)
+    : QDialog(parent), m_question(question) {
+  setWindowTitle(tr("Acceptance report"));
+  auto* columns = new QHBoxLayout;
+  columns->addWidget(createContents(), 1);
+  columns->addWidget(createSheet(), 1);
+  auto* layout = new QVBoxLayout(this);
+  layout->addWidget(createLacks());
+  layout->addLayout(columns, 1);
+  layout->addWidget(createButtons());
+  setMinimumWidth(640);
+}
+
+/// What it cannot say, before anything can be chosen.
+QWidget* ReportDialog::createLacks() {
+  auto* lacks = new QWidget;
+  auto* layout = new QVBoxLayout(lacks);
+  layout->setContentsMargins(0, 0, 0, 0);
+  if (const int count = m_question.unusable; count > 0)
+    layout->addWidget(warning(
+        count == 1
+            ? tr("1 entry cannot be used. The report will list it and give no verdict.")
+            : tr("%1 entries cannot be used. The report will list them and give no verdict.").arg(count)));
+  if (!m_question.emptyFields.isEmpty())
+    layout->addWidget(warning(tr("The session leaves empty what a laboratory would state: %1. The report "
+                                 "leaves it out; it is filled in on the forms of the window.")
+                                  .arg(m_question.emptyFields.join(QStringLiteral(", ")))));
+  return lacks;
+}
+
+QWidget* ReportDialog::createContents() {
+  auto* group = new QGroupBox(tr("What the report holds"));
+  auto* layout = new QVBoxLayout(group);
+  layout->addWidget(createPlainLabel(
+      tr("Always: result, U and verdict, findings, terms, excluded and changed readings, notes.")));
+  for (const ReportPartInfo& info : allReportParts()) {
+    if (!holds(m_question.there, info.part)) continue;
+    auto* box = new QCheckBox(QCoreApplication::translate("ReportPart", info.title));
+    box->setObjectName(QString::fromLatin1(info.id));
+    const bool must = holds(m_question.mustStand, info.part);
+    box->setChecked(must || !m_question.choice.contents.leftOut.contains(info.part));
+    box->setEnabled(!must);
+    if (must) box->setText(tr("%1 (model and readings disagree)").arg(box->text()));
+    layout->addWidget(box);
+    m_parts[info.part] = box;
+  }
+  m_session = new QCheckBox(tr("Session file and results, &attached to the PDF"));
+  m_session->setObjectName(QStringLiteral("session"));
+  m_session->setToolTip(tr("The window opens the session out of the PDF again. All readings are in it."));
+  m_session->setChecked(m_question.choice.hasSession);
+  m_session->setVisible(m_question.way == ReportQuestion::Way::Export);
+  layout->addSpacing(6);
+  layout->addWidget(m_session);
+  layout->addStretch();
+  return group;
+}
+
+QWidget* ReportDialog::createSheet() {
+  auto* side = new QWidget;
+  auto* layout = new QVBoxLayout(side);
+  layout->setContentsMargins(0, 0, 0, 0);
+  auto* page = new QGroupBox(tr("Page"));
+  m_paper = new PaperForm(m_question.choice.paper);
+  auto* pageLayout = new QVBoxLayout(page);
+  pageLayout->addWidget(m_paper);
+  layout->addWidget(page);
+  layout->addWidget(createLogo());
+  layout->addStretch();
+  return side;
+}
+
+QWidget* ReportDialog::createLogo() {
+  auto* group = new QGroupBox(tr("Logo of the laboratory"));
+  m_logo = new QLabel;
+  m_logo->setMinimumSize(logoSize);
+  m_logo->setAlignment(Qt::AlignCenter);
+  m_logoName = createPlainLabel({});
+  auto* choose = new QPushButton(tr("C&hoose…"));
+  auto* none = new QPushButton(tr("&Without"));
+  none->setObjectName(QStringLiteral("no logo"));
+  m_noLogo = none;
+  connect(choose, &QPushButton::clicked, this, &ReportDialog::chooseLogo);
+  connect(none, &QPushButton::clicked, this, [this] { setLogo({}); });
+  auto* buttons = new QHBoxLayout;
+  buttons->addWidget(choose);
+  buttons->addWidget(none);
+  buttons->addStretch();
+  auto* layout = new QVBoxLayout(group);
+  layout->addWidget(m_logo);
+  layout->addWidget(m_logoName);
+  layout->addLayout(buttons);
+  setLogo(m_question.choice.logoPath);
+  return group;
+}
+
+void ReportDialog::chooseLogo() {
+  const QString path = QFileDialog::getOpenFileName(
+      this, tr("Logo of the laboratory"), QFileInfo(m_logoPath).absolutePath(),
+      tr("Pictures (*.png *.svg *.jpg *.jpeg *.bmp *.gif *.webp);;All files (*)"));
+  if (!path.isEmpty()) setLogo(path);
+}
+
+/// Shown as it is printed: on white.
+void ReportDialog::setLogo(const QString& path) {
+  m_logoPath = path;
+  m_noLogo->setEnabled(!path.isEmpty());
+  m_logo->clear();
+  m_logo->setStyleSheet({});
+  if (path.isEmpty()) {
+    m_logoName->setText(tr("None"));
+    return;
+  }
+  const Result<QImage> logo = readLogo(path);
+  m_logoName->setText(logo ? shortLine(QFileInfo(path).fileName(), 40)
+                           : visibleLine(logo.problem().what) + u'.');
+  if (!logo) return;
+  m_logo->setStyleSheet(QStringLiteral("background: white;"));
+  m_logo->setPixmap(
+      QPixmap::fromImage(logo->scaled(logoSize, Qt::KeepAspectRatio, Qt::SmoothTransformation)));
+}
+
+QWidget* ReportDialog::createButtons() {
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+  const QString texts[] = {tr("&Export…"), tr("P&rint…"), tr("&Show")};
+  QPushButton* go = buttons->addButton(texts[static_cast<int>(m_question.way)], QDialogButtonBox::AcceptRole);
+  QPushButton* cancel = buttons->button(QDialogButtonBox::Cancel);
+  (m_question.unusable > 0 ? cancel : go)->setDefault(true);
+  (m_question.unusable > 0 ? cancel : go)->setFocus();
+  connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  return buttons;
+}
+
+ReportChoice ReportDialog::choice() const {
+  ReportChoice choice = m_question.choice;
+  for (const auto& [part, box] : m_parts) {
+    if (!box->isEnabled()) continue;
+    box->isChecked() ? (void)choice.contents.leftOut.erase(part) : (void)choice.contents.leftOut.insert(part);
+  }
+  choice.paper = m_paper->paper();
+  choice.logoPath = m_logoPath;
+  choice.hasSession = m_session->isChecked();
+  return choice;
+}
+
+}  // namespace alidade::ui

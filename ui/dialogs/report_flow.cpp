@@ -1,0 +1,209 @@
+#include "ui/dialogs/report_flow.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QPrinter>
+
+#include "core/base/failure.h"
+#include "ui/dialogs/dialogs.h"
+#include "ui/dialogs/in_background.h"
+#include "ui/dialogs/report_source.h"
+#include "ui/document/session_document.h"
+#include "ui/jobs/evaluation.h"
+#include "ui/jobs/failed_job.h"
+#include "ui/report/empty_fields.h"
+#include "ui/report/report_logo.h"
+#include "ui/settings/report_settings.h"
+#include "ui/text/entry_text.h"
+#include "ui/text/visible_text.h"
+
+namespace alidade::ui {
+
+namespace {
+
+/// Painted on from corner to corner, as a PDF is.
+void setPaper(QPrinter& printer, const ReportPaper& paper, const QString& title) {
+  printer.setDocName(title);
+  printer.setFullPage(true);
+  printer.setPageLayout(paper.layout());
+}
+
+}  // namespace
+
+ReportFlow::ReportFlow(SessionDocument& document, Dialogs& dialogs, QObject* parent)
+    : QObject(parent), m_document(document), m_dialogs(dialogs) {}
+
+bool ReportFlow::guarded(const QString& title, const std::function<bool()>& work) {
+  emit commitWanted();
+  bool isDone = false;
+  const auto failure = failureOf([&] { isDone = work(); });
+  if (failure)
+    m_dialogs.showProblem(title, qText(tellFailure({"acceptance report", *failure, m_document.session()})));
+  return isDone;
+}
+
+bool ReportFlow::exportPdf(const QString& suggestion) {
+  return guarded(tr("Export acceptance report"), [&] {
+    const SharedGap gap = diagnosed();
+    return gap && exportOf(gap, suggestion);
+  });
+}
+
+bool ReportFlow::print() {
+  return guarded(tr("Print acceptance report"), [&] {
+    const SharedGap gap = diagnosed();
+    return gap && printOf(gap);
+  });
+}
+
+bool ReportFlow::preview(const QString& suggestion) {
+  return guarded(tr("Print preview"), [&] {
+    const SharedGap gap = diagnosed();
+    return gap && previewOf(gap, suggestion);
+  });
+}
+
+void ReportFlow::setUpPage() {
+  ReportChoice choice = rememberedReportChoice();
+  if (m_dialogs.askPaper(choice.paper)) rememberReportChoice(choice);
+}
+
+std::optional<ReportChoice> ReportFlow::ask(const Gap& gap, ReportQuestion::Way way) {
+  const Evaluation& evaluation = *gap.evaluation;
+  ReportQuestion question{.way = way,
+                          .choice = rememberedReportChoice(),
+                          .emptyFields = emptyReportFields(evaluation.session),
+                          .unusable = static_cast<int>(evaluation.examined.problems.size())};
+  for (const ReportPartInfo& info : allReportParts()) {
+    if (isThere(info.part, gap)) question.there.push_back(info.part);
+    if (mustStand(info.part, gap)) question.mustStand.push_back(info.part);
+  }
+  const std::optional<ReportChoice> choice = m_dialogs.askReport(question);
+  if (choice) rememberReportChoice(*choice);
+  return choice;
+}
+
+std::optional<ReportOptions> ReportFlow::optionsFor(const SharedGap& gap, const ReportChoice& choice) {
+  ReportOptions options;
+  options.contents = choice.contents;
+  options.paper = choice.paper;
+  options.hasSession = choice.hasSession;
+  options.gap = gap;
+  if (m_check && m_check->isOf(m_document.session())) options.simulated = m_check->simulated;
+  if (choice.logoPath.isEmpty()) return options;
+  const Result<QImage> logo = readLogo(choice.logoPath);
+  if (!logo) {
+    m_dialogs.showProblem(
+        tr("Acceptance report"),
+        tr("%1. Choose another in the dialog of the report, or none.").arg(visibleLine(logo.problem().what)));
+    return {};
+  }
+  options.logo = *logo;
+  return options;
+}
+
+bool ReportFlow::exportOf(const SharedGap& gap, const QString& suggestion) {
+  const QString title = tr("Export acceptance report");
+  const auto choice = ask(*gap, ReportQuestion::Way::Export);
+  if (!choice) return false;
+  auto options = optionsFor(gap, *choice);
+  if (!options) return false;
+  const QString path = m_dialogs.askReportPath(suggestion);
+  if (path.isEmpty()) return false;
+  if (const QFileInfo file(path); file.exists() && !file.isFile()) {
+    m_dialogs.showProblem(title, tr("“%1” is no file: choose a file.").arg(visibleLine(path)));
+    return false;
+  }
+  const auto busy = m_dialogs.busy(tr("Writing the report…"));
+  bool isStopped = false;
+  options->goesOn = [&](double done) {
+    isStopped = isStopped || !busy->goesOn(done);
+    return !isStopped;
+  };
+  const Result<QString> written =
+      writeAcceptanceReport(*gap->evaluation, reportSource(m_document), path, *options);
+  if (isStopped) {
+    emit remark(tr("Stopped: no report was written."));
+    return false;
+  }
+  if (!written) {
+    m_dialogs.showProblem(title, visibleLine(written.problem().text()));
+    return false;
+  }
+  emit remark(tr("Report written to %1").arg(QDir::toNativeSeparators(*written)));
+  return true;
+}
+
+bool ReportFlow::printOf(const SharedGap& gap) {
+  const auto choice = ask(*gap, ReportQuestion::Way::Print);
+  if (!choice) return false;
+  auto options = optionsFor(gap, *choice);
+  if (!options) return false;
+  const ReportSource source = reportSource(m_document);
+  QPrinter printer(QPrinter::HighResolution);
+  setPaper(printer, choice->paper, reportTitle(*gap->evaluation, source));
+  if (!m_dialogs.askPrinter(printer)) return false;
+  printer.setFullPage(true);  // whichever printer was chosen
+  const auto busy = m_dialogs.busy(tr("Printing the report…"));
+  bool isStopped = false;
+  options->goesOn = [&](double done) {
+    isStopped = isStopped || !busy->goesOn(done);
+    return !isStopped;
+  };
+  const bool isPrinted = paintAcceptanceReport(printer, *gap->evaluation, source, *options);
+  if (isStopped) {
+    printer.abort();
+    emit remark(tr("Stopped: the report may be printed in part."));
+  } else if (!isPrinted) {
+    m_dialogs.showProblem(tr("Print acceptance report"),
+                          tr("The printer “%1” cannot be printed on: choose another, or export a PDF.")
+                              .arg(visibleLine(printer.printerName())));
+  } else {
+    emit remark(tr("Report sent to the printer"));
+  }
+  return isPrinted && !isStopped;
+}
+
+bool ReportFlow::previewOf(const SharedGap& gap, const QString& suggestion) {
+  ReportChoice choice = rememberedReportChoice();
+  const ReportSource source = reportSource(m_document);
+  while (true) {
+    auto options = optionsFor(gap, choice);
+    if (!options) {
+      choice.logoPath.clear();
+      options = optionsFor(gap, choice);
+    }
+    QPrinter printer(QPrinter::HighResolution);
+    setPaper(printer, choice.paper, reportTitle(*gap->evaluation, source));
+    const PreviewAnswer answer = m_dialogs.showPreview(
+        printer, [&](QPrinter& on) { paintAcceptanceReport(on, *gap->evaluation, source, *options); });
+    switch (answer) {
+      case PreviewAnswer::Close:
+        return true;
+      case PreviewAnswer::Print:
+        return printOf(gap);
+      case PreviewAnswer::Export:
+        return exportOf(gap, suggestion);
+      case PreviewAnswer::Contents:
+        choice = ask(*gap, ReportQuestion::Way::Preview).value_or(choice);
+        break;
+      case PreviewAnswer::Page:
+        if (m_dialogs.askPaper(choice.paper)) rememberReportChoice(choice);
+        break;
+    }
+  }
+}
+
+/// The session at work with all that a report says of it; null: the user stopped it.
+SharedGap ReportFlow::diagnosed() const {
+  const auto busy = m_dialogs.busy(tr("Fitting and diagnosing for the report…"));
+  const auto gap = inBackground<Gap>(*busy, [session = m_document.session()](const std::stop_token& stop) {
+    const auto evaluation =
+        std::make_shared<const Evaluation>(withSuspects(evaluateFit(session, stop), stop));
+    return stop.stop_requested() ? Gap{.evaluation = evaluation, .diagnosis = {}, .reason = {}, .stages = {}}
+                                 : assessGap(evaluation, stop);
+  });
+  return gap ? std::make_shared<const Gap>(*gap) : nullptr;
+}
+
+}  // namespace alidade::ui

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <functional>
+#include <optional>
+
+#include "ui/dialogs/report_dialog.h"
+#include "ui/jobs/gap_job.h"
+#include "ui/jobs/simulation_job.h"
+#include "ui/report/acceptance_report.h"
+
+namespace alidade::ui {
+
+class Dialogs;
+class SessionDocument;
+
+/// From the session at work to its report: as a PDF, on paper, or to look at, with the one question before
+/// it.
+class ReportFlow : public QObject {
+  Q_OBJECT
+
+ public:
+  ReportFlow(SessionDocument& document, Dialogs& dialogs, QObject* parent = nullptr);
+
+  /// Each is true where it was done, false where it failed (the user was told why) or was cancelled.
+  /// `suggestion` is a path to begin with.
+  bool exportPdf(const QString& suggestion);
+  bool print();
+  bool preview(const QString& suggestion);
+  void setUpPage();  ///< for reports to come
+  /// A check of the uncertainty, for reports of the session that it is of.
+  void setBudgetCheck(const SharedBudgetCheck& check) { m_check = check; }
+
+ signals:
+  void commitWanted();               ///< what is half typed belongs into the session before it is used
+  void remark(const QString& text);  ///< for the status line
+
+ private:
+  bool guarded(const QString& title, const std::function<bool()>& work);
+  SharedGap diagnosed() const;
+  /// What is chosen for the report of `gap`, and remembered; absent: cancelled.
+  std::optional<ReportChoice> ask(const Gap& gap, ReportQuestion::Way way);
+  /// With the logo; absent: it cannot be used, which was told.
+  std::optional<ReportOptions> optionsFor(const SharedGap& gap, const ReportChoice& choice);
+  bool exportOf(const SharedGap& gap, const QString& suggestion);
+  bool printOf(const SharedGap& gap);
+  bool previewOf(const SharedGap& gap, const QString& suggestion);
+
+  SessionDocument& m_document;
+  Dialogs& m_dialogs;
+  SharedBudgetCheck m_check;
+};
+
+}  // namespace alidade::ui

@@ -1,0 +1,85 @@
+#include "ui/help/help_topics.h"
+
+#include <QMetaObject>
+#include <QVariant>
+#include <QWidget>
+
+namespace alidade::ui {
+
+namespace {
+
+struct ClassTopic {
+  const char* className;
+  const char* topic;
+};
+
+constexpr ClassTopic classTopics[] = {
+    {"alidade::ui::PositionTabs", "entering"},
+    {"alidade::ui::ReadingsTable", "entering"},
+    {"alidade::ui::ZeroEntries", "entering#zeros"},
+    {"alidade::ui::SuspectBar", "entering#misread"},
+    {"alidade::ui::FindingsPanel", "result#findings"},
+    {"alidade::ui::ArcChart", "result#picture"},
+    {"alidade::ui::ResidualChart", "result#residuals"},
+    {"alidade::ui::ResultPanel", "result"},
+    {"alidade::ui::BudgetPanel", "uncertainty"},
+    {"alidade::ui::SimulationBox", "uncertainty#simulation"},
+    {"alidade::ui::ReliabilityPanel", "uncertainty#reliability"},
+    {"alidade::ui::TwoFacesPanel", "uncertainty#faces"},
+    {"alidade::ui::EffectsPanel", "known-sizes#effects"},
+    {"alidade::ui::KnownSizesPanel", "known-sizes"},
+    {"alidade::ui::GapPanel", "gap"},
+    {"alidade::ui::BlindTrialDialog", "gap#trials"},
+    {"alidade::ui::JournalPanel", "report#journal"},
+    {"alidade::ui::ChangedFileBar", "files#others"},
+    {"alidade::ui::StartPage", "first"},
+};
+
+QString topicOfClass(const QMetaObject* type) {
+  for (; type; type = type->superClass())
+    for (const ClassTopic& known : classTopics)
+      if (qstrcmp(known.className, type->className()) == 0) return QString::fromLatin1(known.topic);
+  return {};
+}
+
+}  // namespace
+
+const std::vector<HelpPage>& allHelpPages() {
+  static const std::vector<HelpPage> pages{
+      {"first", QT_TRANSLATE_NOOP("HelpPage", "First measurement in ten steps")},
+      {"entering", QT_TRANSLATE_NOOP("HelpPage", "Entering readings")},
+      {"result", QT_TRANSLATE_NOOP("HelpPage", "The result and its verdict")},
+      {"gap", QT_TRANSLATE_NOOP("HelpPage", "How to read the gap")},
+      {"uncertainty", QT_TRANSLATE_NOOP("HelpPage", "Uncertainty and reliability")},
+      {"known-sizes", QT_TRANSLATE_NOOP("HelpPage", "Known sizes and effects")},
+      {"report", QT_TRANSLATE_NOOP("HelpPage", "Report, journal and seal")},
+      {"files", QT_TRANSLATE_NOOP("HelpPage", "Files and recovery")},
+      {"words", QT_TRANSLATE_NOOP("HelpPage", "Words and symbols")}};
+  return pages;
+}
+
+QUrl helpUrl(const QString& topic) {
+  QUrl url(QStringLiteral("qrc:/help/%1.html").arg(topic.section(u'#', 0, 0)));
+  if (const QString place = topic.section(u'#', 1); !place.isEmpty()) url.setFragment(place);
+  return url;
+}
+
+QString helpTopicOf(const QWidget* widget) {
+  for (; widget; widget = widget->parentWidget()) {
+    if (const QString own = widget->property("helpTopic").toString(); !own.isEmpty()) return own;
+    if (const QString known = topicOfClass(widget->metaObject()); !known.isEmpty()) return known;
+  }
+  return firstHelpTopic();
+}
+
+QString firstHelpTopic() {
+  return QString::fromLatin1(allHelpPages().front().id);
+}
+
+QStringList helpTopicsOfClasses() {
+  QStringList topics;
+  for (const ClassTopic& known : classTopics) topics.append(QString::fromLatin1(known.topic));
+  return topics;
+}
+
+}  // namespace alidade::ui

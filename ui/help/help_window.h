@@ -1,0 +1,37 @@
+#pragma once
+
+#include <QWidget>
+
+class QLabel;
+class QLineEdit;
+class QListWidget;
+class QTextBrowser;
+
+namespace alidade::ui {
+
+/// The guide: contents, one page, and a search in it. Stays open beside the window.
+class HelpWindow : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit HelpWindow(QWidget* parent = nullptr);
+
+  void showTopic(const QString& topic);
+  QTextBrowser& browser() const { return *m_browser; }
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  QWidget* createBar();
+  void find(bool backward);
+  void followPage();
+  void style();
+
+  QListWidget* m_contents;
+  QTextBrowser* m_browser;
+  QLineEdit* m_search = nullptr;
+  QLabel* m_notFound = nullptr;
+};
+
+}  // namespace alidade::ui

@@ -1,0 +1,38 @@
+#include "ui/report/report_logo.h"
+
+#include <QFileInfo>
+#include <QImageReader>
+#include <QPainter>
+
+namespace alidade::ui {
+
+namespace {
+
+constexpr QSize most(1400, 350);  // 600 dots per inch on the sheet
+
+Problem refused(const QString& path, const QString& why) {
+  return Problem{QStringLiteral("the logo “%1” cannot be used: %2").arg(path, why).toStdString()};
+}
+
+}  // namespace
+
+Result<QImage> readLogo(const QString& path) {
+  if (!QFileInfo(path).isFile()) return refused(path, QStringLiteral("there is no such file"));
+  QImageReader reader(path);
+  reader.setDecideFormatFromContent(true);
+  reader.setAutoTransform(true);
+  const QSize size = reader.size();
+  const bool isLarger = size.width() > most.width() || size.height() > most.height();
+  if (size.isValid() && (isLarger || reader.format() == "svg"))
+    reader.setScaledSize(size.scaled(most, Qt::KeepAspectRatio));
+  QImage read = reader.read();
+  if (read.isNull()) return refused(path, reader.errorString());
+  if (read.width() > most.width() || read.height() > most.height())
+    read = read.scaled(most, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+  QImage logo(read.size(), QImage::Format_RGB32);
+  logo.fill(Qt::white);
+  QPainter(&logo).drawImage(0, 0, read);
+  return logo;
+}
+
+}  // namespace alidade::ui

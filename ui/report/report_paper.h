@@ -1,0 +1,26 @@
+#pragma once
+
+#include <QMarginsF>
+#include <QPageLayout>
+#include <QPageSize>
+
+namespace alidade::ui {
+
+/// The paper of a report: always upright, the text within its margins. The page's head and foot stand in the
+/// upper and the lower margin.
+struct ReportPaper {
+  QPageSize::PageSizeId size = QPageSize::A4;
+  QMarginsF margins{20, 20, 20, 25};  ///< mm
+
+  /// Of each margin, in mm: head and foot need room, and so does the text.
+  static constexpr double leastMargin = 15, mostMargin = 40;
+
+  bool operator==(const ReportPaper& other) const { return size == other.size && margins == other.margins; }
+
+  /// Of a device that is painted on from corner to corner.
+  QPageLayout layout() const {
+    return QPageLayout(QPageSize(size), QPageLayout::Portrait, QMarginsF(0, 0, 0, 0));
+  }
+};
+
+}  // namespace alidade::ui

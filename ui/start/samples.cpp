@@ -1,0 +1,40 @@
+#include "ui/start/samples.h"
+
+#include <QFile>
+
+#include "core/session/session_file.h"
+
+namespace alidade::ui {
+
+const std::vector<Sample>& allSamples() {
+  static const std::vector<Sample> samples{
+      {"paper-table-1", QT_TRANSLATE_NOOP("Sample", "Table I of the paper"),
+       QT_TRANSLATE_NOOP("Sample", "A whole measurement, with a gap: two radii that differ by 2 mm")},
+      {"clean-session", QT_TRANSLATE_NOOP("Sample", "A clean session"),
+       QT_TRANSLATE_NOOP("Sample", "Nothing but noise: what a sound fit looks like")},
+      {"misreading", QT_TRANSLATE_NOOP("Sample", "One reading misread"),
+       QT_TRANSLATE_NOOP("Sample", "Ten minutes wrong at one point: named, with what was meant")},
+      {"two-faces", QT_TRANSLATE_NOOP("Sample", "Both faces"),
+       QT_TRANSLATE_NOOP("Sample", "Collimation and trunnion tilt found, and Δd free of them")},
+      {"trunnion-tilt", QT_TRANSLATE_NOOP("Sample", "A tilted trunnion axis"),
+       QT_TRANSLATE_NOOP("Sample", "One cause, found with its size")},
+      {"look-alikes", QT_TRANSLATE_NOOP("Sample", "The same fault, one face"),
+       QT_TRANSLATE_NOOP("Sample", "Ambiguous: what leaves the same trace, and what to read next")},
+      {"two-causes", QT_TRANSLATE_NOOP("Sample", "Two causes at once"),
+       QT_TRANSLATE_NOOP("Sample", "A trunnion tilt and a vertical circle that drifts")},
+      {"knocked-tripod", QT_TRANSLATE_NOOP("Sample", "A knocked tripod"),
+       QT_TRANSLATE_NOOP("Sample", "A jump after 25 of 36 readings")},
+      {"noisy-readings", QT_TRANSLATE_NOOP("Sample", "Noise larger than stated"),
+       QT_TRANSLATE_NOOP("Sample", "6″ where 2″ are stated, and nothing else wrong")},
+      {"unknown-form", QT_TRANSLATE_NOOP("Sample", "A guideway out of shape"),
+       QT_TRANSLATE_NOOP("Sample", "A gap that is described and not pinned on the nearest effect")}};
+  return samples;
+}
+
+Result<Session> readSample(const QString& name) {
+  QFile file(QStringLiteral(":/samples/%1.alidade").arg(name));
+  if (!file.open(QIODevice::ReadOnly)) return Problem{"There is no such sample"};
+  return readSession(file.readAll().toStdString());
+}
+
+}  // namespace alidade::ui
