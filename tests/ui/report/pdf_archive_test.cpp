@@ -181,7 +181,9 @@ TEST(PdfArchive, ReadsTornFilesWithoutHarm) {
   int refused = 0;
   for (std::size_t cut = 0; cut < whole.size(); cut += whole.size() / 60) {
     const auto read = attachedSessionText(std::string_view(whole).substr(0, cut));
-    if (!read) EXPECT_FALSE(read.problem().what.empty());
+    if (!read) {
+      EXPECT_FALSE(read.problem().what.empty());
+    }
     refused += !read;
   }
   EXPECT_GT(refused, 50);

@@ -46,7 +46,9 @@ TEST(ReportContents, LeavesOutThePartsThatAreNotWantedAndSaysSo) {
     const std::string text = textWithout(session, {part});
     EXPECT_THAT(text, Not(HasSubstr(head)));
     for (const auto& [other, otherHead] : heads)
-      if (other != part) EXPECT_THAT(text, HasSubstr(otherHead)) << "without " << head;
+      if (other != part) {
+        EXPECT_THAT(text, HasSubstr(otherHead)) << "without " << head;
+      }
     const auto info =
         std::ranges::find(allReportParts(), part, [](const ReportPartInfo& one) { return one.part; });
     EXPECT_THAT(text, HasSubstr(std::string("Left out ") + info->title));
@@ -59,7 +61,7 @@ TEST(ReportContents, NeverLeavesOutWhatSpeaksAgainstTheResult) {
   session.positions[1].readings[4].excluded = true;
   session.positions[1].readings[4].note = "tripod was touched";
   const Session changed = session;
-  session.positions[0].readings[5].asRead.keep("vertical", "81°00'00\"");
+  session.positions[0].readings[5].asRead.set("vertical", "81°00'00\"");
   const std::string text = textWithout(session, everything());
   for (const char* kept : {"No verdict: 1 entry could not be used",
                            "0°, row 3 (point 3), vertical: ", "1 × “tripod was touched”",
@@ -74,12 +76,12 @@ TEST(ReportContents, NeverLeavesOutWhatSpeaksAgainstTheResult) {
 
 TEST(ReportContents, SaysThatTheJournalIsLeftOut) {
   Session session = paperSession();
-  session.journal.push_back({.at = "2026-03-02T10:00:00Z",
-                             .by = "J. Doe",
-                             .kind = "changed",
-                             .position = 0,
-                             .from = "1",
-                             .to = "2"});
+  enterInJournal(session.journal, {.at = "2026-03-02T10:00:00Z",
+                                   .by = "J. Doe",
+                                   .place = "positions[0].readings[0].vertical",
+                                   .from = "1",
+                                   .to = "2",
+                                   .why = journal_reasons::retyped});
   EXPECT_THAT(textWithout(session, {}), HasSubstr("Journal of changes"));
   const std::string text = textWithout(session, {ReportPart::Journal});
   EXPECT_THAT(text, HasSubstr("in the journal of the session, left out here"));
