@@ -62,7 +62,7 @@ TEST_F(Export, ReadingsCanBeImportedAgain) {
   EXPECT_TRUE(open->statusBar()->currentMessage().contains(QStringLiteral("rows.csv")));
   const Session written = open->document().session();
   open->files().startNew();
-  ASSERT_TRUE(open->files().importReadings(pathOf(QStringLiteral("rows.csv"))));
+  ASSERT_TRUE(open->files().importReadings({pathOf(QStringLiteral("rows.csv"))}));
   const Session& read = open->document().session();
   ASSERT_EQ(read.positions.size(), written.positions.size());
   for (std::size_t p = 0; p < written.positions.size(); ++p) {
