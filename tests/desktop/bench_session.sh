@@ -50,6 +50,7 @@ DISPLAY=:$(cat "$work/display")
 export DISPLAY
 openbox >/dev/null 2>&1 &
 started+=($!)
+wait_for "a window manager" xdotool get_desktop
 
 "$workstation" >"$work/out" 2>&1 &
 started+=($!)
