@@ -119,7 +119,9 @@ QWidget* ReportDialog::createLogo() {
   m_logo->setAlignment(Qt::AlignCenter);
   m_logoName = createPlainLabel({});
   auto* choose = new QPushButton(tr("C&hoose…"));
+  choose->setAutoDefault(false);
   auto* none = new QPushButton(tr("&Without"));
+  none->setAutoDefault(false);
   none->setObjectName(QStringLiteral("no logo"));
   m_noLogo = none;
   connect(choose, &QPushButton::clicked, this, &ReportDialog::chooseLogo);
@@ -163,7 +165,7 @@ void ReportDialog::setLogo(const QString& path) {
 }
 
 QWidget* ReportDialog::createButtons() {
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);  // a default belongs to a dialog
   const QString texts[] = {tr("&Export…"), tr("P&rint…"), tr("&Show")};
   QPushButton* go = buttons->addButton(texts[static_cast<int>(m_question.way)], QDialogButtonBox::AcceptRole);
   QPushButton* cancel = buttons->button(QDialogButtonBox::Cancel);
