@@ -20,6 +20,8 @@
 #include "ui/dialogs/export_flow.h"
 #include "ui/help/help_topics.h"
 #include "ui/help/help_window.h"
+#include "ui/language/language_scope.h"
+#include "ui/language/languages.h"
 #include "ui/main_window.h"
 #include "ui/panels/readings/position_tabs.h"
 #include "ui/panels/readings/readings_table.h"
@@ -316,7 +318,7 @@ void WindowActions::createViewMenu() {
   addPageActions(menu);
   addEnlargeAction(menu);
   menu.addSeparator();
-  addTo(menu, nullptr, tr("Lar&ge Display"), QKeySequence(Qt::Key_F9), this,
+  addTo(menu, nullptr, tr("Large D&isplay"), QKeySequence(Qt::Key_F9), this,
         [this] { m_window.setLargeDisplayShown(true); });
   QAction* tone = addTo(menu, nullptr, tr("&Tone for Unexpected Readings"), {}, this, [] {});
   tone->setCheckable(true);
@@ -333,6 +335,26 @@ void WindowActions::createViewMenu() {
     connect(action, &QAction::triggered, this, [which = theme] { applyTheme(which); });
   }
   menu.addActions(themes->actions());
+  addLanguageActions(menu);
+}
+
+/// Each in its own language, for who cannot read the one that is spoken.
+void WindowActions::addLanguageActions(QMenu& menu) {
+  QMenu* languages = menu.addMenu(tr("Langua&ge"));
+  auto* group = new QActionGroup(this);
+  const auto add = [&](const QString& text, const QString& id) {
+    QAction* action = group->addAction(text);
+    action->setCheckable(true);
+    action->setChecked(rememberedLanguage() == id);
+    connect(action, &QAction::triggered, this, [this, id] {
+      rememberLanguage(id);
+      const LanguageScope scope(languageOr(id));
+      m_window.statusBar()->showMessage(tr("The language changes when Alidade is started again."), 15000);
+    });
+  };
+  add(tr("As the &Desktop"), {});
+  for (const LanguageInfo& language : allLanguages()) add(language.name, language.id);
+  languages->addActions(group->actions());
 }
 
 /// What the instrument shows: bare numbers are typed in it, and angles are shown in it.

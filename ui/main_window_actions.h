@@ -38,6 +38,7 @@ class WindowActions : public QObject {
   void addSuspectActions(QMenu& menu);
   void createViewMenu();
   void addUnitActions(QMenu& menu);
+  void addLanguageActions(QMenu& menu);
   void addPageActions(QMenu& menu);
   void addEnlargeAction(QMenu& menu);
   void createToolsMenu();

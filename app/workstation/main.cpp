@@ -9,6 +9,7 @@
 #include "app/workstation/report_command.h"
 #include "core/base/failure.h"
 #include "ui/application.h"
+#include "ui/language/languages.h"
 #include "ui/main_window.h"
 #include "ui/settings/theme.h"
 #include "ui/settings/visible_log.h"
@@ -18,17 +19,25 @@ namespace {
 
 using namespace alidade;
 
-/// Calls with an option of ours never open a window, so they must not need a display either.
+/// Calls with most options of ours never open a window, so they must not need a display either.
 bool needsNoDisplay(int argc, char** argv) {
   return std::any_of(argv + 1, argv + argc, [](const char* argument) {
     const QByteArray text(argument);
-    return (text.startsWith("--") && text != "--platform") || text == "-h" || text == "-v";
+    const bool isForWindow = text == "--platform" || text.startsWith("--language");
+    return (text.startsWith("--") && !isForWindow) || text == "-h" || text == "-v";
   });
 }
 
 int badCall(const QString& sentence) {
   QTextStream(stderr) << "alidade: " << ui::visibleLine(sentence) << '\n';
   return 2;
+}
+
+/// "en or zh_CN".
+QString languageIds() {
+  QStringList ids;
+  for (const ui::LanguageInfo& language : ui::allLanguages()) ids.append(language.id);
+  return ids.join(QStringLiteral(" or "));
 }
 
 /// The file is opened from within the event loop: what it throws ends nothing.
@@ -67,12 +76,23 @@ int run(int argc, char** argv) {
                                   QStringLiteral("Write the acceptance report of FILE and open no window."),
                                   QStringLiteral("OUT.pdf"));
   parser.addOption(report);
+  const QCommandLineOption language(
+      QStringLiteral("language"),
+      QStringLiteral("Language of window and report: %1. Else as chosen in the window, or as the desktop.")
+          .arg(languageIds()),
+      QStringLiteral("ID"));
+  parser.addOption(language);
   parser.addPositionalArgument(QStringLiteral("FILE"),
                                QStringLiteral("Session to open, or GSI or CSV file to import."),
                                QStringLiteral("[FILE]"));
   if (!parser.parse(QApplication::arguments())) return badCall(parser.errorText());
   if (parser.isSet(help)) parser.showHelp();
   if (parser.isSet(version)) parser.showVersion();
+
+  const QString wanted = parser.value(language);
+  if (parser.isSet(language) && ui::languageOr(wanted) != wanted)
+    return badCall(QStringLiteral("--language: “%1” is not %2").arg(wanted, languageIds()));
+  ui::speak(wanted.isEmpty() ? ui::rememberedLanguage() : wanted);
 
   const QStringList files = parser.positionalArguments();
   if (files.size() > 1)

@@ -111,6 +111,7 @@ std::vector<JournalEntry> reversed(const std::vector<JournalEntry>& entries) {
   for (JournalEntry& entry : back) {
     std::swap(entry.from, entry.to);
     entry.why = journal_reasons::undone;
+    entry.at.clear();
     entry.hash.clear();
   }
   return back;

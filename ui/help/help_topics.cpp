@@ -4,6 +4,8 @@
 #include <QVariant>
 #include <QWidget>
 
+#include "ui/language/languages.h"
+
 namespace alidade::ui {
 
 namespace {
@@ -59,7 +61,7 @@ const std::vector<HelpPage>& allHelpPages() {
 }
 
 QUrl helpUrl(const QString& topic) {
-  QUrl url(QStringLiteral("qrc:/help/%1.html").arg(topic.section(u'#', 0, 0)));
+  QUrl url(QStringLiteral("qrc:/help/%1/%2.html").arg(spokenLanguage(), topic.section(u'#', 0, 0)));
   if (const QString place = topic.section(u'#', 1); !place.isEmpty()) url.setFragment(place);
   return url;
 }

@@ -10,7 +10,7 @@ namespace alidade::ui {
 
 /// A page of the guide.
 struct HelpPage {
-  const char* id;     ///< its file in `:/help`, without suffix
+  const char* id;     ///< its file in the folder of each language in `:/help`, without suffix
   const char* title;  ///< in the context `HelpPage`
 };
 

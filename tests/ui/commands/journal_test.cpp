@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <QTemporaryDir>
+#include <QTest>
 
 #include "core/session/journal.h"
 #include "tests/ui/support.h"
@@ -112,6 +113,16 @@ TEST(JournalOfEdits, UndoneBeforeItWasSavedLeavesNoTrace) {
   EXPECT_FALSE(bench.document.isModified());
   for (int i = 0; i < 3; ++i) bench.redo();
   EXPECT_EQ(bench.journal().size(), 4U);
+}
+
+TEST(JournalOfEdits, RedoneInALaterSecondIsWhatItWas) {
+  Bench bench;
+  bench.type(3, "340 00 00");
+  const Session changed = bench.document.session();
+  bench.undo();
+  QTest::qWait(1100);
+  bench.redo();
+  EXPECT_EQ(bench.document.session(), changed);
 }
 
 TEST(JournalOfEdits, UndoneAfterItWasSavedIsTold) {

@@ -7,6 +7,7 @@
 #include <QTabBar>
 #include <QTest>
 
+#include "tests/ui/language/speaking.h"
 #include "tests/ui/support.h"
 #include "ui/help/help_window.h"
 #include "ui/main_window.h"
@@ -16,8 +17,9 @@
 namespace alidade::ui {
 namespace {
 
+/// In the language that is spoken.
 QString pageText(const QString& id) {
-  QFile page(QStringLiteral(":/help/%1.html").arg(id));
+  QFile page(QStringLiteral(":/help/%1/%2.html").arg(spokenLanguage(), id));
   return page.open(QIODevice::ReadOnly) ? QString::fromUtf8(page.readAll()) : QString();
 }
 
@@ -27,7 +29,13 @@ bool isThere(const QString& topic) {
   return !text.isEmpty() && (place.isEmpty() || text.contains(QStringLiteral("name=\"%1\"").arg(place)));
 }
 
-TEST(HelpTopics, EachLinkOfEachPageLeadsSomewhere) {
+class HelpTopics : public testing::TestWithParam<const char*> {
+  Speaking m_speaking{QString::fromLatin1(GetParam())};
+};
+
+INSTANTIATE_TEST_SUITE_P(Languages, HelpTopics, testing::Values("en", "zh_CN"));
+
+TEST_P(HelpTopics, EachLinkOfEachPageLeadsSomewhere) {
   static const QRegularExpression link(QStringLiteral("href=\"([^\"]*)\""));
   int links = 0;
   for (const HelpPage& page : allHelpPages()) {
@@ -43,7 +51,7 @@ TEST(HelpTopics, EachLinkOfEachPageLeadsSomewhere) {
   EXPECT_GT(links, 15);
 }
 
-TEST(HelpTopics, EachTopicOfAPanelIsWritten) {
+TEST_P(HelpTopics, EachTopicOfAPanelIsWritten) {
   for (const QString& topic : helpTopicsOfClasses()) EXPECT_TRUE(isThere(topic)) << topic.toStdString();
   OpenWindow open;
   for (const QWidget* widget : open->findChildren<QWidget*>())

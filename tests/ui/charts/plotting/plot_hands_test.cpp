@@ -273,7 +273,7 @@ TYPED_TEST(PlotHands, ZoomedSvgDrawsNothingBesideItsFrame) {
     if (xml.readNext() != QXmlStreamReader::StartElement) continue;
     if (xml.name() == QStringLiteral("g")) {
       const QString text = xml.attributes().value(QStringLiteral("transform")).toString();
-      const QStringList parts = text.mid(text.indexOf(u'(') + 1).chopped(1).split(u',');
+      const QStringList parts = text.section(u'(', 1).section(u')', 0, 0).split(u',');
       if (parts.size() == 6)
         matrix = QTransform(parts[0].toDouble(), parts[1].toDouble(), parts[2].toDouble(),
                             parts[3].toDouble(), parts[4].toDouble(), parts[5].toDouble());
