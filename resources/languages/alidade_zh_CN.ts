@@ -13,134 +13,7 @@
     </message>
 </context>
 <context>
-    <name>BlindTrial</name>
-    <message>
-        <source>A dent of the radius, %1 at s = %2°</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A horizontal circle with %2 periods a turn, %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>An instrument that settles, %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A distance that grows by %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Refraction, %1 · sin 2e</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Backlash of the horizontal circle, %1 on the way back</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A warp of order %2 out of the plane, %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Misread: %1, round %2, point %3, face %4, %5 by %6</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>horizontal</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>vertical</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>nothing</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>several causes</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>an effect of no catalogue</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>no gap</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>no known cause</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Knocked after %1 % of the rows: horizontal %2, vertical %3</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Knocked after the pointing zero at %1: horizontal %2, vertical %3</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Radius + A cos %1s + B sin %1s with A = %2 mm, B = %3 mm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Noise %1 times the stated</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Nothing was put in.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>It shows by %1 σ of the readings</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>; there it looks like %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>or</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>True Δd = %1 mm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>It was %1; the answer was %2.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Named, faint as it is.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Too faint to be expected.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>It is in the group named, and the group is no larger than it must be.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>It was %1, and so was the answer.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source> Δd with the causes covers the true one.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source> Δd with the causes misses the true one.</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>Budget</name>
+    <name>BudgetText</name>
     <message>
         <source>%1 others</source>
         <translation type="unfinished"></translation>
@@ -183,7 +56,7 @@
     </message>
 </context>
 <context>
-    <name>ChangedFile</name>
+    <name>ChangedFileText</name>
     <message>
         <source>“%1” was written by another program or window since it was last read or saved here.</source>
         <translation type="unfinished"></translation>
@@ -222,7 +95,22 @@
     </message>
 </context>
 <context>
-    <name>Dialogs</name>
+    <name>ChoiceText</name>
+    <message>
+        <source>slider</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>horizontal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>vertical</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>DialogsText</name>
     <message>
         <source>Sessions (*.alidade);;All files (*)</source>
         <translation type="unfinished"></translation>
@@ -448,7 +336,7 @@ Sealed by:</source>
     </message>
 </context>
 <context>
-    <name>DifferenceTable</name>
+    <name>DifferenceText</name>
     <message>
         <source>Entry</source>
         <translation type="unfinished"></translation>
@@ -1048,7 +936,7 @@ Sealed by:</source>
     </message>
 </context>
 <context>
-    <name>Gap</name>
+    <name>GapText</name>
     <message>
         <source>a jump of the orientation</source>
         <translation type="unfinished"></translation>
@@ -1194,15 +1082,6 @@ Sealed by:</source>
     </message>
 </context>
 <context>
-    <name>ImportSource</name>
-    <message>
-        <source>“%1” cannot be imported.
-
-%2</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
     <name>Known</name>
     <message>
         <source>an effect without a name</source>
@@ -1221,7 +1100,7 @@ Sealed by:</source>
     </message>
 </context>
 <context>
-    <name>NextReading</name>
+    <name>NextReadingText</name>
     <message>
         <source>point %1</source>
         <translation type="unfinished"></translation>
@@ -1495,22 +1374,7 @@ Sealed by:</source>
     </message>
 </context>
 <context>
-    <name>ResidualChoice</name>
-    <message>
-        <source>slider</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>horizontal</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>vertical</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>RowChoice</name>
+    <name>RowChoiceText</name>
     <message>
         <source>round %1</source>
         <translation type="unfinished"></translation>
@@ -1525,7 +1389,7 @@ Sealed by:</source>
     </message>
 </context>
 <context>
-    <name>RowEntries</name>
+    <name>RowEntriesText</name>
     <message>
         <source>face 2</source>
         <translation type="unfinished"></translation>
@@ -1536,7 +1400,11 @@ Sealed by:</source>
     </message>
 </context>
 <context>
-    <name>RowMenu</name>
+    <name>RowMenuText</name>
+    <message>
+        <source>and %1 further</source>
+        <translation type="unfinished"></translation>
+    </message>
     <message>
         <source>&amp;Rounds</source>
         <translation type="unfinished"></translation>
@@ -1559,13 +1427,6 @@ Sealed by:</source>
     </message>
     <message>
         <source>Face %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>RowMenuText</name>
-    <message>
-        <source>and %1 further</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1660,38 +1521,7 @@ Sealed by:</source>
     </message>
 </context>
 <context>
-    <name>SessionDifference</name>
-    <message>
-        <source>entries that are not shown</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 rows</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>yes</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>no</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>a row</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>1 entry differs</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 entries differ</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>Simulation</name>
+    <name>SimulationText</name>
     <message>
         <source> By chance alone an end is uncertain by %1</source>
         <translation type="unfinished"></translation>
@@ -1738,6 +1568,15 @@ Sealed by:</source>
     </message>
 </context>
 <context>
+    <name>SourceText</name>
+    <message>
+        <source>“%1” cannot be imported.
+
+%2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>StateNoise</name>
     <message>
         <source>State σ of the circles</source>
@@ -1758,9 +1597,164 @@ Sealed by:</source>
         <source> What is needed to report this is in %1.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>entries that are not shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 rows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a row</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 entry differs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 entries differ</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
-    <name>Verdict</name>
+    <name>TrialText</name>
+    <message>
+        <source>A dent of the radius, %1 at s = %2°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A horizontal circle with %2 periods a turn, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An instrument that settles, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A distance that grows by %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Refraction, %1 · sin 2e</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Backlash of the horizontal circle, %1 on the way back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A warp of order %2 out of the plane, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Misread: %1, round %2, point %3, face %4, %5 by %6</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>horizontal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>vertical</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>several causes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an effect of no catalogue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no gap</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no known cause</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Knocked after %1 % of the rows: horizontal %2, vertical %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Knocked after the pointing zero at %1: horizontal %2, vertical %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radius + A cos %1s + B sin %1s with A = %2 mm, B = %3 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Noise %1 times the stated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was put in.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It shows by %1 σ of the readings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>; there it looks like %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>or</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>True Δd = %1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It was %1; the answer was %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Named, faint as it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Too faint to be expected.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is in the group named, and the group is no larger than it must be.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It was %1, and so was the answer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> Δd with the causes covers the true one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> Δd with the causes misses the true one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>VerdictWords</name>
     <message>
         <source>Accepted</source>
         <translation type="unfinished"></translation>

@@ -16,7 +16,7 @@ namespace alidade::ui {
 namespace {
 
 struct ChangedFileText {
-  Q_DECLARE_TR_FUNCTIONS(ChangedFile)
+  Q_DECLARE_TR_FUNCTIONS(ChangedFileText)
 };
 
 QString explanation(const ChangedFile& file) {

@@ -20,7 +20,7 @@ namespace alidade::ui {
 namespace {
 
 struct DialogsText {
-  Q_DECLARE_TR_FUNCTIONS(Dialogs)
+  Q_DECLARE_TR_FUNCTIONS(DialogsText)
 };
 
 constexpr int longestName = 60;

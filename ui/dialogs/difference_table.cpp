@@ -12,7 +12,7 @@ namespace alidade::ui {
 namespace {
 
 struct DifferenceText {
-  Q_DECLARE_TR_FUNCTIONS(DifferenceTable)
+  Q_DECLARE_TR_FUNCTIONS(DifferenceText)
 };
 
 QString orNothing(const QString& text) {

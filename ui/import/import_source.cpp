@@ -15,7 +15,7 @@ namespace alidade::ui {
 namespace {
 
 struct SourceText {
-  Q_DECLARE_TR_FUNCTIONS(ImportSource)
+  Q_DECLARE_TR_FUNCTIONS(SourceText)
 };
 
 const QStringList& suffixes() {

@@ -24,7 +24,7 @@ namespace {
 constexpr int mostRecords = 50;
 
 struct Text {
-  Q_DECLARE_TR_FUNCTIONS(FailedJob)
+  Q_DECLARE_TR_FUNCTIONS(Text)
 };
 
 /// The session goes in as its file would have it: Qt's JSON knows neither the order of keys nor all digits.

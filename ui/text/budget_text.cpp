@@ -14,7 +14,7 @@ namespace alidade::ui {
 namespace {
 
 struct BudgetText {
-  Q_DECLARE_TR_FUNCTIONS(Budget)
+  Q_DECLARE_TR_FUNCTIONS(BudgetText)
 };
 
 QString sourceText(const UncertaintyShare& share) {

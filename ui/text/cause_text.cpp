@@ -18,7 +18,7 @@ namespace alidade::ui {
 namespace {
 
 struct GapText {
-  Q_DECLARE_TR_FUNCTIONS(Gap)
+  Q_DECLARE_TR_FUNCTIONS(GapText)
 };
 
 }  // namespace

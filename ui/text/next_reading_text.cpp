@@ -14,7 +14,7 @@ namespace alidade::ui {
 namespace {
 
 struct NextReadingText {
-  Q_DECLARE_TR_FUNCTIONS(NextReading)
+  Q_DECLARE_TR_FUNCTIONS(NextReadingText)
 };
 
 constexpr int longestKey = 20;

@@ -15,7 +15,7 @@ namespace alidade::ui {
 namespace {
 
 struct Text {
-  Q_DECLARE_TR_FUNCTIONS(SessionDifference)
+  Q_DECLARE_TR_FUNCTIONS(Text)
 };
 
 class Comparison {

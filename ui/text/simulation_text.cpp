@@ -12,7 +12,7 @@ namespace alidade::ui {
 namespace {
 
 struct SimulationText {
-  Q_DECLARE_TR_FUNCTIONS(Simulation)
+  Q_DECLARE_TR_FUNCTIONS(SimulationText)
 };
 
 double worstDifference(const MonteCarlo& check) {

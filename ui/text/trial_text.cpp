@@ -15,7 +15,7 @@ namespace alidade::ui {
 namespace {
 
 struct TrialText {
-  Q_DECLARE_TR_FUNCTIONS(BlindTrial)
+  Q_DECLARE_TR_FUNCTIONS(TrialText)
 };
 
 QString signedSeconds(Angle angle) {

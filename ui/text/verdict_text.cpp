@@ -14,7 +14,7 @@ namespace alidade::ui {
 namespace {
 
 struct VerdictWords {
-  Q_DECLARE_TR_FUNCTIONS(Verdict)
+  Q_DECLARE_TR_FUNCTIONS(VerdictWords)
 };
 
 QString wordOf(Verdict verdict) {

@@ -8,7 +8,7 @@ namespace alidade::ui {
 namespace {
 
 struct RowChoiceText {
-  Q_DECLARE_TR_FUNCTIONS(RowChoice)
+  Q_DECLARE_TR_FUNCTIONS(RowChoiceText)
 };
 
 constexpr double apart = 5, widest = 24;  // units

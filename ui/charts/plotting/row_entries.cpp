@@ -6,7 +6,7 @@ namespace alidade::ui {
 namespace {
 
 struct RowEntriesText {
-  Q_DECLARE_TR_FUNCTIONS(RowEntries)
+  Q_DECLARE_TR_FUNCTIONS(RowEntriesText)
 };
 
 }  // namespace

@@ -8,7 +8,7 @@ namespace alidade::ui {
 namespace {
 
 struct RowMenuText {
-  Q_DECLARE_TR_FUNCTIONS(RowMenu)
+  Q_DECLARE_TR_FUNCTIONS(RowMenuText)
 };
 
 constexpr std::size_t mostListed = 50;

@@ -7,7 +7,7 @@ namespace alidade::ui {
 namespace {
 
 struct ChoiceText {
-  Q_DECLARE_TR_FUNCTIONS(ResidualChoice)
+  Q_DECLARE_TR_FUNCTIONS(ChoiceText)
 };
 
 QString key(const char* name) {
