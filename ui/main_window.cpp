@@ -6,14 +6,12 @@
 #include <QLabel>
 #include <QMimeData>
 #include <QScreen>
-#include <QScrollArea>
 #include <QSettings>
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QTabWidget>
 #include <QUrl>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <numeric>
 #include <utility>
@@ -33,6 +31,8 @@
 #include "ui/dialogs/export_flow.h"
 #include "ui/dialogs/safekeeping.h"
 #include "ui/document/field.h"
+#include "ui/entry/entry_guide.h"
+#include "ui/entry/readings_finder.h"
 #include "ui/forms/field_binding.h"
 #include "ui/forms/field_form.h"
 #include "ui/jobs/failed_job.h"
@@ -42,6 +42,7 @@
 #include "ui/panels/model/effects_panel.h"
 #include "ui/panels/model/known_sizes_panel.h"
 #include "ui/panels/model/two_faces_panel.h"
+#include "ui/panels/parts/frames.h"
 #include "ui/panels/readings/find_bar.h"
 #include "ui/panels/readings/position_tabs.h"
 #include "ui/panels/readings/readings_table.h"
@@ -50,33 +51,19 @@
 #include "ui/panels/result/result_panel.h"
 #include "ui/panels/uncertainty/budget_panel.h"
 #include "ui/panels/uncertainty/reliability_panel.h"
-#include "ui/panels/window/bench_display.h"
 #include "ui/panels/window/changed_file_bar.h"
 #include "ui/panels/window/job_status.h"
 #include "ui/panels/window/page_tabs.h"
-#include "ui/panels/window/stray_digits.h"
-#include "ui/settings/entry_tone.h"
 #include "ui/settings/theme.h"
 #include "ui/start/samples.h"
 #include "ui/start/start_page.h"
 #include "ui/text/cause_text.h"
 #include "ui/text/entry_text.h"
-#include "ui/text/next_reading_text.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {
 
 namespace {
-
-QSplitter* split(Qt::Orientation orientation, const char* name, std::initializer_list<QWidget*> parts,
-                 const QList<int>& sizes) {
-  auto* splitter = new QSplitter(orientation);
-  splitter->setObjectName(QString::fromLatin1(name));
-  splitter->setChildrenCollapsible(false);
-  for (QWidget* part : parts) splitter->addWidget(part);
-  splitter->setSizes(sizes);
-  return splitter;
-}
 
 /// Empty where anything else is among them.
 QStringList filesIn(const QMimeData& data) {
@@ -86,47 +73,6 @@ QStringList filesIn(const QMimeData& data) {
     paths.append(url.toLocalFile());
   }
   return paths;
-}
-
-/// A splitter's own margins do not count in its minimum size; a layout's do.
-QWidget* padded(QWidget* content, const QMargins& margins) {
-  auto* frame = new QWidget;
-  auto* layout = new QVBoxLayout(frame);
-  layout->setContentsMargins(margins);
-  layout->addWidget(content);
-  return frame;
-}
-
-/// All of it where there is room, else a part to be scrolled.
-class Scrolled : public QScrollArea {
- public:
-  explicit Scrolled(QWidget* content) {
-    setFrameShape(QFrame::NoFrame);
-    setWidgetResizable(true);
-    setFocusPolicy(Qt::NoFocus);
-    setWidget(content);
-    content->setAutoFillBackground(false);
-    viewport()->setAutoFillBackground(false);
-  }
-
-  QSize sizeHint() const override { return widget()->sizeHint(); }
-  QSize minimumSizeHint() const override {
-    return {0, std::min(widget()->minimumSizeHint().height(), 5 * fontMetrics().height())};
-  }
-};
-
-QWidget* scrolled(QWidget* content) {
-  return new Scrolled(content);
-}
-
-/// The lower one takes all the room that is left.
-QWidget* stacked(QWidget* upper, QWidget* lower) {
-  auto* stack = new QWidget;
-  auto* layout = new QVBoxLayout(stack);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(upper);
-  layout->addWidget(lower, 1);
-  return stack;
 }
 
 }  // namespace
@@ -144,6 +90,7 @@ MainWindow::MainWindow(std::unique_ptr<Dialogs> dialogs)
   m_stack->addWidget(stacked(m_changedFile, columns));
   setCentralWidget(m_stack);
   m_actions = new WindowActions(*this, *m_dialogs);
+  m_entry = new EntryGuide(m_document, *m_positions, *this);
   m_jobs = new JobStatus(m_job, m_gapJob);
   m_next = new QLabel;
   m_next->setObjectName(QStringLiteral("next reading"));
@@ -157,7 +104,7 @@ MainWindow::MainWindow(std::unique_ptr<Dialogs> dialogs)
   showTitle();
   m_job.request(m_document.session());
   m_jobs->watch();
-  goToNextEntry();
+  m_entry->goToNextEntry();
 }
 
 MainWindow::~MainWindow() {
@@ -184,8 +131,9 @@ QWidget* MainWindow::createEntryColumn() {
         "helpTopic", form == 0 || form == 1 ? QStringLiteral("first") : QStringLiteral("report"));
   m_suspects = new SuspectBar;
 
-  m_find = new FindBar;
-  QWidget* top = stacked(m_forms, stacked(m_find, m_positions));
+  auto* find = new FindBar;
+  m_finder = new ReadingsFinder(m_document, *m_positions, *find);
+  QWidget* top = stacked(m_forms, stacked(find, m_positions));
   auto* count = new QLabel;
   count->setObjectName(QStringLiteral("findings count"));
   count->setForegroundRole(QPalette::PlaceholderText);
@@ -314,43 +262,21 @@ void MainWindow::moveReadings() {
   if (m_document.session().positions[to].readings.size() > first) selectReading(to, first);
 }
 
-void MainWindow::find() {
-  m_find->start();
-}
-
-void MainWindow::findAgain(bool forward) {
-  m_found.isEmpty() ? find() : findText(m_found, forward);
-}
-
-void MainWindow::findText(const QString& text, bool forward) {
-  commitPending();
-  m_found = text;
-  const ReadingsTable* table = currentTable();
-  const QModelIndex current = table ? table->currentIndex() : QModelIndex();
-  Place from{.position = static_cast<std::size_t>(std::max(0, m_positions->currentIndex())), .reading = 0};
-  if (current.isValid()) {
-    from.reading = static_cast<std::size_t>(current.row());
-    const RowField* field = infoOf(static_cast<ReadingColumn>(current.column())).field;
-    if (field) from.field = std::string(field->key);
-  }
-  const auto place = findInReadings(m_document.session(), from, text, forward);
-  m_find->tell(place ? QString() : tr("Not found"));
-  if (place) reveal(*place, !m_find->isVisible());
-}
-
 /// What is typed finds its place, and what is read is held against what was expected.
 void MainWindow::connectEntry() {
-  connect(new StrayDigits(*this), &StrayDigits::typed, this, [this](QKeyEvent* event) { takeDigit(*event); });
-  connect(m_positions, &PositionTabs::entered, this, &MainWindow::tellOfEntry);
-  connect(m_find, &FindBar::wanted, this, &MainWindow::findText);
-  connect(m_find, &FindBar::closed, this, [this] {
-    if (currentTable()) currentTable()->setFocus();
-  });
-  connect(m_positions, &QTabWidget::currentChanged, this, &MainWindow::showNext);
+  const auto show = [this](const Place& place) { reveal(place); };
+  connect(m_entry, &EntryGuide::commitWanted, this, &MainWindow::commitPending);
+  connect(m_entry, &EntryGuide::revealWanted, this, show);
+  connect(m_entry, &EntryGuide::positionWanted, this, &MainWindow::addPosition);
+  connect(m_entry, &EntryGuide::nextChanged, m_next, &QLabel::setText);
+  connect(m_entry, &EntryGuide::remark, this,
+          [this](const QString& text) { statusBar()->showMessage(text, 15000); });
+  connect(m_finder, &ReadingsFinder::commitWanted, this, &MainWindow::commitPending);
+  connect(m_finder, &ReadingsFinder::found, this, &MainWindow::reveal);
   connect(&m_document, &SessionDocument::changed, this, [this](const SessionChange& change) {
     if (change.kind != SessionChange::Kind::Everything) return;
     m_figures->setCurrentWidget(m_result);  // on the verdict
-    goToNextEntry();
+    m_entry->goToNextEntry();
   });
 }
 
@@ -413,7 +339,7 @@ void MainWindow::showStart() {
 void MainWindow::hideStart() {
   if (!m_start || m_stack->currentWidget() != m_start) return;
   m_stack->setCurrentIndex(0);
-  goToNextEntry();
+  m_entry->goToNextEntry();
 }
 
 void MainWindow::keepIn(const QString& folder) {
@@ -502,74 +428,6 @@ ReadingsTable* MainWindow::currentTable() const {
   return m_positions->currentTable();
 }
 
-void MainWindow::goToAxis(int axisDeg) {
-  commitPending();
-  const auto& positions = m_document.session().positions;
-  const int count = static_cast<int>(positions.size());
-  const bool isThere = currentTable() && currentTable()->hasFocus();
-  // From the one in front on where the keyboard is in it, else from the first.
-  const int begin = isThere ? m_positions->currentIndex() + 1 : 0;
-  for (int i = 0; i < count; ++i) {
-    const int position = (begin + i) % count;
-    const auto axis = axisEntry(positions[static_cast<std::size_t>(position)].axisDeg);
-    if (!axis || *axis != axisDeg) continue;
-    return goToNextEntryOf(static_cast<std::size_t>(position));
-  }
-  addPosition(axisDeg);
-}
-
-void MainWindow::goToNextEntry() {
-  for (const char* field : {"geometry.distance_mm", "geometry.radius_mm"})
-    if (const Place place{.field = field}; fieldText(m_document.session(), place).empty())
-      return reveal(place);
-  if (currentTable()) goToNextEntryOf(static_cast<std::size_t>(m_positions->currentIndex()));
-}
-
-/// Its pointing zero where that is missing.
-void MainWindow::goToNextEntryOf(std::size_t position) {
-  m_positions->showPosition(position);
-  for (const char* field : {"pointing_zero.horizontal", "pointing_zero.vertical"})
-    if (const Place place{.position = position, .field = field};
-        fieldText(m_document.session(), place).empty())
-      return reveal(place);
-  currentTable()->goToNextEntry();
-  currentTable()->setFocus(Qt::ShortcutFocusReason);
-}
-
-/// What was typed where nothing takes it goes to the entry that is to be made next.
-void MainWindow::takeDigit(QKeyEvent& event) {
-  goToNextEntry();
-  QWidget* entry = QApplication::focusWidget();
-  if (!entry || entry->window() != this)
-    return statusBar()->showMessage(tr("Nothing takes “%1” here.").arg(event.text()), 8000);
-  QKeyEvent again(event.type(), event.key(), event.modifiers(), event.text());
-  QCoreApplication::sendEvent(entry, &again);
-}
-
-void MainWindow::tellOfEntry(const QString& doubt) {
-  if (m_bench) m_bench->setDoubt(doubt);
-  if (doubt.isEmpty()) return;
-  statusBar()->showMessage(doubt, 15000);
-  if (hasTone()) QApplication::beep();
-}
-
-void MainWindow::showNext() {
-  const auto position = static_cast<std::size_t>(std::max(0, m_positions->currentIndex()));
-  const bool isKnown = m_shown && position < m_shown->next.size() && m_shown->next[position];
-  m_next->setText(isKnown ? nextReadingText(*m_shown->next[position], circleUnitOf(m_shown->session))
-                          : QString());
-  if (m_bench) m_bench->setPosition(position);
-}
-
-void MainWindow::setLargeDisplayShown(bool shown) {
-  if (!m_bench && shown) {
-    m_bench = new BenchDisplay(this);
-    m_bench->setEvaluation(m_shown);
-  }
-  if (m_bench) m_bench->setVisible(shown);
-  showNext();
-}
-
 void MainWindow::setColumnShown(ReadingColumn column, bool shown) {
   m_positions->setColumnShown(column, shown);
 }
@@ -606,8 +464,7 @@ void MainWindow::showTitle() {
 
 void MainWindow::showEvaluation(const SharedEvaluation& evaluation) {
   m_shown = evaluation;
-  if (m_bench) m_bench->setEvaluation(evaluation);
-  showNext();
+  m_entry->setEvaluation(evaluation);
   showSuspects(evaluation);
   m_arcChart->setEvaluation(*evaluation);
   m_figures->setEvaluation(evaluation);

@@ -11,7 +11,6 @@
 #include "ui/jobs/gap_job.h"
 #include "ui/recovery/file_watch.h"
 
-class QKeyEvent;
 class QLabel;
 class QSplitter;
 class QStackedWidget;
@@ -20,13 +19,12 @@ class QTabWidget;
 namespace alidade::ui {
 
 class ArcChart;
-class BenchDisplay;
 class BlindTrialDialog;
 class BudgetPanel;
 class ChangedFileBar;
 class EffectsPanel;
+class EntryGuide;
 class ExportFlow;
-class FindBar;
 class FindingsPanel;
 class GapPanel;
 class JobStatus;
@@ -34,6 +32,7 @@ class JournalPanel;
 class KnownSizesPanel;
 class PageTabs;
 class PositionTabs;
+class ReadingsFinder;
 class ReadingsTable;
 class ResultPanel;
 class Safekeeping;
@@ -55,6 +54,8 @@ class MainWindow : public QMainWindow {
   ExportFlow& exports() { return *m_exports; }
   FitJob& job() { return m_job; }
   GapJob& gapJob() { return m_gapJob; }
+  EntryGuide& entry() { return *m_entry; }
+  ReadingsFinder& finder() { return *m_finder; }
   ReadingsTable* currentTable() const;
 
   /// Leads to an entry: its tab, its row, and the keyboard where `takeFocus`.
@@ -70,14 +71,6 @@ class MainWindow : public QMainWindow {
   void removePosition();
   /// Takes the selected readings to the next position.
   void moveReadings();
-  void find();  ///< asks for a text in the readings
-  void findAgain(bool forward);
-  /// Leads to the next entry of the readings at `axisDeg` (0 or 180); asked again where it is there already,
-  /// to those of the next position at that axis.
-  void goToAxis(int axisDeg);
-  /// Leads to what is to be typed next: a length that is missing, a pointing zero, a reading.
-  void goToNextEntry();
-  void setLargeDisplayShown(bool shown);
   void setColumnShown(ReadingColumn column, bool shown);
   /// Gives the pages below the picture its room, too.
   void setDetailsEnlarged(bool enlarged);
@@ -116,11 +109,6 @@ class MainWindow : public QMainWindow {
   void createStart();
   void excludeRow(const Place& place);
   void selectReading(std::size_t position, std::size_t row);
-  void goToNextEntryOf(std::size_t position);
-  void takeDigit(QKeyEvent& event);
-  void tellOfEntry(const QString& doubt);
-  void showNext();
-  void findText(const QString& text, bool forward);
   void showTitle();
   void showEvaluation(const SharedEvaluation& evaluation);
   void showSuspects(const SharedEvaluation& evaluation);
@@ -152,8 +140,6 @@ class MainWindow : public QMainWindow {
   QTabWidget* m_forms = nullptr;
   PositionTabs* m_positions = nullptr;
   SuspectBar* m_suspects = nullptr;
-  FindBar* m_find = nullptr;
-  QString m_found;  ///< the text looked for last
   FindingsPanel* m_findings = nullptr;
   ArcChart* m_arcChart = nullptr;
   QSplitter* m_top = nullptr;     ///< the picture and the pages beside it
@@ -166,8 +152,9 @@ class MainWindow : public QMainWindow {
   GapPanel* m_gap = nullptr;
   JournalPanel* m_journal = nullptr;
   JobStatus* m_jobs = nullptr;
-  QLabel* m_next = nullptr;                   ///< what is to be read next, in the status bar
-  BenchDisplay* m_bench = nullptr;            ///< null until it is wanted
+  QLabel* m_next = nullptr;  ///< what is to be read next, in the status bar
+  EntryGuide* m_entry = nullptr;
+  ReadingsFinder* m_finder = nullptr;
   SharedEvaluation m_shown;                   ///< the newest; null before the first
   BlindTrialDialog* m_blindTrials = nullptr;  ///< null until it is wanted
 };

@@ -18,6 +18,8 @@
 #include "ui/commands/change_field.h"
 #include "ui/dialogs/command_palette.h"
 #include "ui/dialogs/export_flow.h"
+#include "ui/entry/entry_guide.h"
+#include "ui/entry/readings_finder.h"
 #include "ui/help/help_topics.h"
 #include "ui/help/help_window.h"
 #include "ui/language/language_scope.h"
@@ -162,11 +164,11 @@ void WindowActions::createEditMenu(QToolBar& bar) {
         [this] { m_window.files().importClipboard(); });
   addTo(menu, nullptr, tr("Select &All"), QKeySequence::SelectAll, this, [this] { selectAll(); });
   menu.addSeparator();
-  addTo(menu, nullptr, tr("&Find…"), QKeySequence::Find, this, [this] { m_window.find(); });
+  addTo(menu, nullptr, tr("&Find…"), QKeySequence::Find, this, [this] { m_window.finder().find(); });
   for (const bool forward : {true, false})
     addTo(menu, nullptr, forward ? tr("Find Next") : tr("Find Previous"),
           forward ? QKeySequence(Qt::Key_F3) : QKeySequence(Qt::SHIFT | Qt::Key_F3), this,
-          [this, forward] { m_window.findAgain(forward); });
+          [this, forward] { m_window.finder().findAgain(forward); });
   menu.addSeparator();
   const auto onTable = [this](void (ReadingsTable::*call)()) {
     return [this, call] {
@@ -224,10 +226,10 @@ void WindowActions::addEntryActions(QMenu& menu) {
   m_tableActions << rows->menuAction();
   menu.addSeparator();
   addTo(menu, nullptr, tr("To Next Entr&y"), QKeySequence(Qt::Key_F6), this,
-        [this] { m_window.goToNextEntry(); });
+        [this] { m_window.entry().goToNextEntry(); });
   for (const auto& [axisDeg, keys] : {std::pair(0, tr("Alt+0")), std::pair(180, tr("Alt+1"))})
     addTo(menu, nullptr, tr("Readings at %1°").arg(axisDeg), QKeySequence(keys), this,
-          [this, axis = axisDeg] { m_window.goToAxis(axis); });
+          [this, axis = axisDeg] { m_window.entry().goToAxis(axis); });
 }
 
 /// For a position that is missing; to measure one again where both are there.
@@ -319,7 +321,7 @@ void WindowActions::createViewMenu() {
   addEnlargeAction(menu);
   menu.addSeparator();
   addTo(menu, nullptr, tr("Large D&isplay"), QKeySequence(Qt::Key_F9), this,
-        [this] { m_window.setLargeDisplayShown(true); });
+        [this] { m_window.entry().setLargeDisplayShown(true); });
   QAction* tone = addTo(menu, nullptr, tr("&Tone for Unexpected Readings"), {}, this, [] {});
   tone->setCheckable(true);
   tone->setChecked(hasTone());

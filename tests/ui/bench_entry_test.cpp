@@ -12,11 +12,12 @@
 #include "tests/ui/support.h"
 #include "ui/commands/change_field.h"
 #include "ui/commands/edit_readings.h"
+#include "ui/entry/bench_display.h"
+#include "ui/entry/entry_guide.h"
 #include "ui/main_window.h"
 #include "ui/models/readings_model.h"
 #include "ui/panels/readings/position_tabs.h"
 #include "ui/panels/readings/readings_table.h"
-#include "ui/panels/window/bench_display.h"
 #include "ui/panels/window/page_tabs.h"
 #include "ui/text/entry_text.h"
 
@@ -205,7 +206,7 @@ TEST(BenchEntry, TheLargeDisplayShowsWhatIsNext) {
   Session session = paperSession();
   session.positions[1].readings.resize(9);
   bench.start(session);
-  bench.open->setLargeDisplayShown(true);
+  bench.open->entry().setLargeDisplayShown(true);
   press(*bench.open.window, Qt::Key_1, Qt::AltModifier);
   const auto* display = bench.open->findChild<BenchDisplay*>();
   std::string texts;

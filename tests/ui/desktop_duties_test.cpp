@@ -14,6 +14,7 @@
 #include "ui/commands/move_rows.h"
 #include "ui/commands/remove_position.h"
 #include "ui/dialogs/file_flow.h"
+#include "ui/entry/readings_finder.h"
 #include "ui/main_window.h"
 #include "ui/panels/readings/find_bar.h"
 #include "ui/panels/readings/readings_table.h"
@@ -136,7 +137,7 @@ TEST(FindBar, LeadsToWhatIsTypedAndBackToTheTable) {
   OpenWindow open;
   open->document().startWith(paperSession());
   open.settle();
-  open->find();
+  open->finder().find();
   auto* line = open->findChild<QLineEdit*>(QStringLiteral("find"));
   ASSERT_TRUE(line->isVisible());
   typeInto(*line, QStringLiteral("98 57"));

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "ui/document/session_document.h"
-#include "ui/forms/next_entry.h"
+#include "ui/entry/next_entry.h"
 #include "ui/text/zero_text.h"
 
 namespace alidade::ui {

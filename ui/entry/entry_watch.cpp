@@ -1,4 +1,4 @@
-#include "ui/panels/readings/entry_watch.h"
+#include "ui/entry/entry_watch.h"
 
 #include <cmath>
 

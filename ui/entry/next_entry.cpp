@@ -1,4 +1,4 @@
-#include "ui/forms/next_entry.h"
+#include "ui/entry/next_entry.h"
 
 #include <QAbstractItemView>
 #include <QComboBox>

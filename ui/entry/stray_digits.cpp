@@ -1,4 +1,4 @@
-#include "ui/panels/window/stray_digits.h"
+#include "ui/entry/stray_digits.h"
 
 #include <QAbstractSpinBox>
 #include <QApplication>

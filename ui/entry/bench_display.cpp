@@ -1,4 +1,4 @@
-#include "ui/panels/window/bench_display.h"
+#include "ui/entry/bench_display.h"
 
 #include <QCoreApplication>
 #include <QKeyEvent>

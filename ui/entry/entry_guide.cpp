@@ -1,0 +1,103 @@
+#include "ui/entry/entry_guide.h"
+
+#include <QApplication>
+#include <QKeyEvent>
+#include <algorithm>
+
+#include "core/session/entry.h"
+#include "ui/document/field.h"
+#include "ui/document/session_document.h"
+#include "ui/entry/bench_display.h"
+#include "ui/entry/stray_digits.h"
+#include "ui/panels/readings/position_tabs.h"
+#include "ui/panels/readings/readings_table.h"
+#include "ui/settings/entry_tone.h"
+#include "ui/text/next_reading_text.h"
+
+namespace alidade::ui {
+
+EntryGuide::EntryGuide(SessionDocument& document, PositionTabs& positions, QWidget& window)
+    : QObject(&window), m_document(document), m_positions(positions), m_window(window) {
+  connect(new StrayDigits(window), &StrayDigits::typed, this,
+          [this](QKeyEvent* event) { takeDigit(*event); });
+  connect(&positions, &PositionTabs::entered, this, &EntryGuide::tellOfEntry);
+  connect(&positions, &QTabWidget::currentChanged, this, &EntryGuide::showNext);
+}
+
+void EntryGuide::goToAxis(int axisDeg) {
+  emit commitWanted();
+  const auto& positions = m_document.session().positions;
+  const int count = static_cast<int>(positions.size());
+  const ReadingsTable* table = m_positions.currentTable();
+  // From the one in front on where the keyboard is in it, else from the first.
+  const int begin = table && table->hasFocus() ? m_positions.currentIndex() + 1 : 0;
+  for (int i = 0; i < count; ++i) {
+    const int position = (begin + i) % count;
+    const auto axis = axisEntry(positions[static_cast<std::size_t>(position)].axisDeg);
+    if (!axis || *axis != axisDeg) continue;
+    return goToNextEntryOf(static_cast<std::size_t>(position));
+  }
+  emit positionWanted(axisDeg);
+}
+
+void EntryGuide::goToNextEntry() {
+  for (const char* field : {"geometry.distance_mm", "geometry.radius_mm"})
+    if (const Place place{.field = field}; fieldText(m_document.session(), place).empty())
+      return emit revealWanted(place);
+  if (m_positions.currentTable()) goToNextEntryOf(static_cast<std::size_t>(m_positions.currentIndex()));
+}
+
+/// Its pointing zero where that is missing.
+void EntryGuide::goToNextEntryOf(std::size_t position) {
+  m_positions.showPosition(position);
+  for (const char* field : {"pointing_zero.horizontal", "pointing_zero.vertical"})
+    if (const Place place{.position = position, .field = field};
+        fieldText(m_document.session(), place).empty())
+      return emit revealWanted(place);
+  ReadingsTable* table = m_positions.currentTable();
+  table->goToNextEntry();
+  table->setFocus(Qt::ShortcutFocusReason);
+}
+
+/// What was typed where nothing takes it goes to the entry that is to be made next.
+void EntryGuide::takeDigit(QKeyEvent& event) {
+  goToNextEntry();
+  QWidget* entry = QApplication::focusWidget();
+  if (!entry || entry->window() != &m_window)
+    return emit remark(tr("Nothing takes “%1” here.").arg(event.text()));
+  QKeyEvent again(event.type(), event.key(), event.modifiers(), event.text());
+  QCoreApplication::sendEvent(entry, &again);
+}
+
+void EntryGuide::tellOfEntry(const QString& doubt) {
+  if (m_bench) m_bench->setDoubt(doubt);
+  if (doubt.isEmpty()) return;
+  emit remark(doubt);
+  if (hasTone()) QApplication::beep();
+}
+
+void EntryGuide::showNext() {
+  const auto position = static_cast<std::size_t>(std::max(0, m_positions.currentIndex()));
+  const bool isKnown = m_evaluation && position < m_evaluation->next.size() && m_evaluation->next[position];
+  emit nextChanged(isKnown
+                       ? nextReadingText(*m_evaluation->next[position], circleUnitOf(m_evaluation->session))
+                       : QString());
+  if (m_bench) m_bench->setPosition(position);
+}
+
+void EntryGuide::setEvaluation(const SharedEvaluation& evaluation) {
+  m_evaluation = evaluation;
+  if (m_bench) m_bench->setEvaluation(evaluation);
+  showNext();
+}
+
+void EntryGuide::setLargeDisplayShown(bool shown) {
+  if (!m_bench && shown) {
+    m_bench = new BenchDisplay(&m_window);
+    m_bench->setEvaluation(m_evaluation);
+  }
+  if (m_bench) m_bench->setVisible(shown);
+  showNext();
+}
+
+}  // namespace alidade::ui
