@@ -8,11 +8,12 @@
 
 #include "core/base/angle_text.h"
 #include "core/base/limits.h"
-#include "core/base/list_text.h"
 #include "core/base/number_text.h"
+#include "core/base/phrase.h"
 #include "core/base/visible_text.h"
 #include "core/exchange/point_numbers.h"
 #include "core/exchange/visits.h"
+#include "core/exchange/words.h"
 #include "core/exchange/zero_means.h"
 #include "core/session/face.h"
 #include "core/session/row_fields.h"
@@ -44,7 +45,7 @@ class Assembly {
     else
       takePositions(m_sightings, m_options.base);
     if (takeRounds(m_sightings, m_options.base))
-      remark("points that come again in the same position and face are put into further rounds");
+      remark(Phrase::of("points that come again in the same position and face are put into further rounds"));
     numberPoints();
     for (const RecordedSighting& sighting : m_sightings) {
       check(sighting);
@@ -85,8 +86,8 @@ class Assembly {
     return areSeveral() ? quotation(m_files[file].name) + ": " : std::string();
   }
   std::string lineOf(const RecordedSighting& sighting) const {
-    return (areSeveral() ? quotation(m_files[sighting.file].name) + " line " : "line ") +
-           std::to_string(sighting.line);
+    return areSeveral() ? Phrase::of("%1 line %2", quotation(m_files[sighting.file].name), sighting.line)
+                        : Phrase::of("line %1", sighting.line);
   }
 
   void take(Recording& recording, std::size_t file) {
@@ -122,8 +123,8 @@ class Assembly {
       if (named.empty()) continue;
       std::string& stated = session.geometry.verticalCircle;
       if (!stated.empty() && stated != named)
-        remark("the vertical circle is stated as " + quotation(stated) + ", but the file says " + named +
-               ": the file is followed");
+        remark(Phrase::of("the vertical circle is stated as %1, but the file says %2: the file is followed",
+                          quotation(stated), spokenKey(named)));
       stated = named;
     }
     const Result<VerticalCircle> circle = verticalCircleEntry(session.geometry.verticalCircle);
@@ -147,10 +148,10 @@ class Assembly {
     if (!wanted.axis.empty()) return;
     if (!told && !wanted.turnedAtLine) {
       m_import.unplaced.push_back(file);
-      remark(ofFile(file) + std::string(putAtZero));
+      remark(ofFile(file) + Phrase::of(putAtZero));
     }
     if (told && wanted.turnedAtLine)
-      remark(ofFile(file) + "the file itself says how the axis stood: that is what counts");
+      remark(ofFile(file) + Phrase::of("the file itself says how the axis stood: that is what counts"));
   }
 
   /// Where the file says no face, face 2 is where the telescope is turned through.
@@ -192,7 +193,7 @@ class Assembly {
       sighting.row.note = sighting.row.point + (sighting.row.note.empty() ? "" : ": " + sighting.row.note);
       sighting.row.point = number;
     }
-    if (renamed) remark("points with names are numbered; their names stand in the notes");
+    if (renamed) remark(Phrase::of("points with names are numbered; their names stand in the notes"));
   }
 
   void report(const RecordedSighting& sighting, std::size_t column, std::string_view name,
@@ -201,7 +202,7 @@ class Assembly {
     const std::string& file = areSeveral() ? m_files[sighting.file].name : std::string();
     m_problems.emplace_back(sighting.file, LineProblem{.line = sighting.line,
                                                        .column = column,
-                                                       .what = std::string(name) + " " + problem.what,
+                                                       .what = spokenKey(name) + " " + problem.what,
                                                        .file = file});
   }
 
@@ -251,13 +252,12 @@ class Assembly {
     std::map<PositionKey, std::vector<const RecordedSighting*>> zeros;
     for (const RecordedSighting& sighting : m_sightings) {
       if (!sighting.isZero) continue;
-      const std::string where = " of the pointing zero in " + lineOf(sighting);
       for (const RowField& field : rowFields)
         if (field.text && !isOfZero(field) && !(sighting.row.*field.text).empty())
-          remark("the " + std::string(field.key) + " " + quotation(sighting.row.*field.text) + where +
-                 " is not used");
+          remark(Phrase::of("the %1 %2 of the pointing zero in %3 is not used", spokenKey(field.key),
+                            quotation(sighting.row.*field.text), lineOf(sighting)));
       if (sighting.row.excluded) {
-        remark("the excluded sighting" + where + " is not used");
+        remark(Phrase::of("the excluded sighting of the pointing zero in %1 is not used", lineOf(sighting)));
       } else {
         zeros[positionOf(sighting)].push_back(&sighting);
       }
@@ -271,17 +271,19 @@ class Assembly {
     for (const RecordedSighting* sighting : sightings) {
       const std::string one = lineOf(*sighting), number = std::to_string(sighting->line);
       if (lines.empty())
-        lines = sightings.size() > 1 && !areSeveral() ? "lines " + number : one;
+        lines = sightings.size() > 1 && !areSeveral() ? number : one;
       else
         lines += ", " + (areSeveral() ? one : number);
     }
+    if (sightings.size() > 1 && !areSeveral()) lines = Phrase::of("lines %1", lines);
     if (!zero.horizontal.empty() || !zero.vertical.empty())
-      return remark("the pointing zero at " + nameOf(at) + " stays as it was given; that of " + lines +
-                    " is not used");
+      return remark(Phrase::of("the pointing zero at %1 stays as it was given; that of %2 is not used",
+                               nameOf(at), lines));
     const ZeroMean mean = zeroMean(sightings, m_circle);
     zero.horizontal = mean.horizontal;
     zero.vertical = mean.vertical;
-    if (mean.isMean) remark("the pointing zero at " + nameOf(at) + " is the face 1 mean of " + lines);
+    if (mean.isMean)
+      remark(Phrase::of("the pointing zero at %1 is the face 1 mean of %2", nameOf(at), lines));
   }
 
   /// A position the file says nothing of, and nothing was typed for, was not measured.
@@ -304,11 +306,12 @@ class Assembly {
     const std::set<PositionKey> different(turns.begin(), turns.end());
     const bool isAgain = std::ranges::any_of(different, [](const PositionKey& at) { return at.second > 1; });
     if (turns.size() > different.size())
-      remark("the positions of the axis alternate in the file; a session keeps the order within each only");
+      remark(Phrase::of(
+          "the positions of the axis alternate in the file; a session keeps the order within each only"));
     else if (turns.size() == 2 && turns.front().first != "0" && !isAgain)
-      remark(
+      remark(Phrase::of(
           "180° was read before 0°, but a session takes 0° as read first: a drift or a jump between the "
-          "positions would be taken the wrong way round");
+          "positions would be taken the wrong way round"));
     if (isAgain) orderAsRead(turns);
   }
 

@@ -6,8 +6,8 @@
 
 #include "core/base/angle_text.h"
 #include "core/base/limits.h"
-#include "core/base/list_text.h"
 #include "core/base/number_text.h"
+#include "core/base/phrase.h"
 #include "core/base/visible_text.h"
 #include "core/exchange/csv_table.h"
 #include "core/exchange/csv_text.h"
@@ -51,8 +51,10 @@ class CsvReader {
     if (m_columns.empty()) return std::move(m_recording);
     for (std::size_t i = 0; i < m_unusedCells.size(); ++i)
       if (m_unusedCells[i] > 0)
-        m_recording.unused.push_back("the column " + nameOf(i) +
-                                     " is not used: " + counted(m_unusedCells[i], "value"));
+        m_recording.unused.push_back(
+            m_unusedCells[i] == 1
+                ? Phrase::of("the column %1 is not used: 1 value", nameOf(i))
+                : Phrase::of("the column %1 is not used: %2 values", nameOf(i), m_unusedCells[i]));
     for (const CsvRow& row : m_earlyRemarks)
       if (holdsReading(row)) tellOfRemark(row.line);
     for (const std::size_t line : m_remarksWithReading) tellOfRemark(line);
@@ -75,8 +77,8 @@ class CsvReader {
   }
 
   void tellOfRemark(std::size_t line) {
-    m_recording.unused.push_back("line " + std::to_string(line) +
-                                 " begins with # and is not used, though it holds a reading");
+    m_recording.unused.push_back(
+        Phrase::of("line %1 begins with # and is not used, though it holds a reading", line));
   }
 
   bool has(TableColumn column) const {
@@ -100,9 +102,9 @@ class CsvReader {
         name.column = i < m_layout.columns.size() ? tableColumn(m_layout.columns[i]) : std::nullopt;
       if (name.column && has(*name.column)) {
         refuse(names.line, cell.column,
-               (cell.text.empty() ? "column " + std::to_string(i + 1) : quotation(cell.text)) +
-                   " is a second column for “" + std::string(name.column->key()) +
-                   "”: rename or remove one of the two");
+               Phrase::of("%1 is a second column for “%2”: rename or remove one of the two",
+                          cell.text.empty() ? Phrase::of("column %1", i + 1) : quotation(cell.text),
+                          name.column->key()));
         return false;
       }
       const bool isCircle = name.column && name.column->field == &rowField(&Reading::vertical);
@@ -118,8 +120,9 @@ class CsvReader {
     for (const RowField& field : rowFields) {
       if (!field.remedy || has({&field})) continue;
       refuse(line, 0,
-             "no column is named “" + std::string(field.key) +
-                 "”: begin with a row of names such as axis;point;face;horizontal;vertical");
+             Phrase::of("no column is named “%1”: begin with a row of names such as "
+                        "axis;point;face;horizontal;vertical",
+                        field.key));
       return false;
     }
     return true;
@@ -132,14 +135,15 @@ class CsvReader {
       const CsvCell& cell = row.cells[i];
       if (cell.text.empty()) continue;
       if (i >= m_columns.size())
-        return refuse(row.line, cell.column,
-                      quotation(cell.text) +
-                          " stands beyond the last named column: name its column, or put "
-                          "double quotes around the entry that holds a separator");
+        return refuse(
+            row.line, cell.column,
+            Phrase::of("%1 stands beyond the last named column: name its column, or put double quotes "
+                       "around the entry that holds a separator",
+                       quotation(cell.text)));
       if (!m_columns[i].column)
         ++m_unusedCells[i];
       else if (const auto why = readCell(m_columns[i], cell, sighting))
-        return refuse(row.line, cell.column, quotation(cell.text) + *why);
+        return refuse(row.line, cell.column, *why);
     }
     sighting.isZero = lowerCase(sighting.row.point) == m_zeroPoint;
     m_recording.sightings.push_back(std::move(sighting));
@@ -163,24 +167,26 @@ class CsvReader {
     return column.unit == AngleUnit::Unstated ? m_layout.unit : column.unit;
   }
 
-  /// Why the cell cannot be used, behind its quotation.
+  /// Why the cell cannot be used.
   std::optional<std::string> readCell(const ColumnName& column, const CsvCell& cell,
                                       RecordedSighting& sighting) {
     const RowField* field = column.column->field;
     if (column.column->isTurn) {
       const Result<int> turn = parseWhole(cell.text);
-      if (!turn || *turn < 1) return " is no turn: turns of the axis count from 1";
+      if (!turn || *turn < 1)
+        return Phrase::of("%1 is no turn: turns of the axis count from 1", quotation(cell.text));
       sighting.time = *turn;
       m_recording.tellsTurns = true;
     } else if (!field) {
       sighting.axis = {axisOf(fromPlainCell(cell.text)), cell.column};
     } else if (field->text) {
       if (isAngle(*field) && cell.text.find(otherSign()) != std::string::npos)
-        return " has another decimal sign than the one that was stated: choose either of them";
+        return Phrase::of("%1 has another decimal sign than the one that was stated: choose either of them",
+                          quotation(cell.text));
       sighting.enter(*field, textOf(*field, unitOf(column), fromPlainCell(cell.text)), cell.column);
     } else {
       const auto flag = flagOf(cell.text);
-      if (!flag) return " is neither yes nor no: type one of them";
+      if (!flag) return Phrase::of("%1 is neither yes nor no: type one of them", quotation(cell.text));
       sighting.row.*field->flag = *flag;
     }
     return std::nullopt;

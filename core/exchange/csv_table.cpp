@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/base/limits.h"
+#include "core/base/phrase.h"
 #include "core/exchange/text_lines.h"
 #include "core/exchange/words.h"
 
@@ -61,9 +62,10 @@ bool CsvTable::readRow(CsvRow& row) {
 
 bool CsvTable::isFull(const CsvRow& row) {
   if (row.cells.size() < limits::mostColumns) return false;
-  m_problem = LineProblem{m_line, column(),
-                          "has more than " + limits::asCount(limits::mostColumns) +
-                              " columns: a table of readings has some ten, save it anew"};
+  m_problem =
+      LineProblem{m_line, column(),
+                  Phrase::of("has more than %1 columns: a table of readings has some ten, save it anew",
+                             limits::asCount(limits::mostColumns))};
   return true;
 }
 
@@ -135,8 +137,9 @@ bool CsvTable::readCell(CsvRow& row) {
   CsvCell cell{{}, column()};
   const bool isInRowsLine = m_line == row.line;
   if (m_at < m_text.size() && m_text[m_at] == '"') {
-    const LineProblem open{m_line, cell.column,
-                           "the double quote is never closed: close it, or write the cell without it"};
+    const LineProblem open{
+        m_line, cell.column,
+        Phrase::of("the double quote is never closed: close it, or write the cell without it")};
     if (!readQuoted(cell.text)) {
       m_problem = open;
       return false;

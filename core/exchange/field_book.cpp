@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/base/limits.h"
+#include "core/base/phrase.h"
 #include "core/base/visible_text.h"
 
 namespace alidade {
@@ -37,7 +38,7 @@ void FieldBook::refuse(std::size_t line, std::size_t column, const std::string& 
 
 void FieldBook::setAside(const std::string& what, std::size_t line) {
   const bool isNew = m_unused.size() >= limits::mostKinds && !m_unused.contains(what);
-  Unused& use = m_unused[isNew ? "what else has no place in a session" : what];
+  Unused& use = m_unused[isNew ? Phrase::of("what else has no place in a session") : what];
   if (use.count++ == 0) use.firstLine = line;
 }
 
@@ -56,15 +57,15 @@ bool FieldBook::isFull(std::size_t line) {
   return true;
 }
 
-std::string FieldBook::sentence(const Unused& unused) {
-  const std::string first = "line " + std::to_string(unused.firstLine);
-  if (unused.count == 1) return " is not used: " + first;
-  return " is not used: " + std::to_string(unused.count) + " times, first in " + first;
+std::string FieldBook::sentence(const std::string& what, const Unused& unused) {
+  return unused.count == 1
+             ? Phrase::of("%1 is not used: line %2", what, unused.firstLine)
+             : Phrase::of("%1 is not used: %2 times, first in line %3", what, unused.count, unused.firstLine);
 }
 
 Recording FieldBook::finish(const std::string& format) {
   m_recording.format = format;
-  for (const auto& [what, use] : m_unused) m_recording.unused.push_back(what + sentence(use));
+  for (const auto& [what, use] : m_unused) m_recording.unused.push_back(sentence(what, use));
   return std::move(m_recording);
 }
 

@@ -35,7 +35,7 @@ class FieldBook {
     std::size_t count = 0, firstLine = 0;
   };
 
-  static std::string sentence(const Unused& unused);
+  static std::string sentence(const std::string& what, const Unused& unused);
 
   std::string m_zeroPoint;
   std::string m_axis, m_round;

@@ -3,6 +3,7 @@
 #include <map>
 #include <string_view>
 
+#include "core/base/phrase.h"
 #include "core/base/typed_text.h"
 
 namespace alidade {
@@ -30,7 +31,7 @@ std::string kindOf(std::string_view sentence) {
 }  // namespace
 
 std::string ProblemGroup::text() const {
-  return first.text() + (count == 1 ? "" : " (and " + std::to_string(count - 1) + " more of this kind)");
+  return count == 1 ? first.text() : Phrase::of("%1 (and %2 more of this kind)", first.text(), count - 1);
 }
 
 std::vector<ProblemGroup> grouped(const std::vector<LineProblem>& problems) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/phrase.h"
 #include "core/base/typed_text.h"
 #include "core/base/visible_text.h"
 #include "core/exchange/field_book.h"
@@ -48,7 +49,7 @@ class GsiReader {
     const std::size_t first = line.text.find_first_not_of(" \t");
     if (first == std::string_view::npos) return;
     if (std::string_view("#@?%").find(line.text[first]) != std::string_view::npos)
-      return m_book.setAside("the line " + quotation(line.text.substr(first)), line.number);
+      return m_book.setAside(Phrase::of("the line %1", quotation(line.text.substr(first))), line.number);
     const auto parsed = gsiWords(line);
     if (const auto* problem = std::get_if<LineProblem>(&parsed))
       return m_book.refuse(problem->line, problem->column, problem->what);
@@ -66,7 +67,7 @@ class GsiReader {
     const std::string code = gsiText(*wordOf(words, codeIndex));
     const GsiWord* more = wordOf(words, codeNumberIndex);
     const auto mark = fieldMark(code, more ? gsiText(*more) : std::string());
-    if (!mark) return m_book.setAside("the code block " + quotation(code), line);
+    if (!mark) return m_book.setAside(Phrase::of("the code block %1", quotation(code)), line);
     m_book.take(*mark);
     for (const GsiWord& word : words)
       if (word.index != codeIndex && word.index != codeNumberIndex)
@@ -83,7 +84,7 @@ class GsiReader {
     } else if (const std::string date = dateOf(text); word.index == dateIndex && !date.empty()) {
       m_book.keep(recording.measuredOn, date, name, line);
     } else if (word.index == pointIndex) {
-      m_book.setAside("point " + quotation(text) + " without angles", line);
+      m_book.setAside(Phrase::of("point %1 without angles", quotation(text)), line);
     } else {
       m_book.setAside(name, line);
     }
@@ -107,8 +108,10 @@ class GsiReader {
     }
     const bool hasHorizontal = sighting.columnOf(rowField(&Reading::horizontal)) > 0;
     if (!hasHorizontal || sighting.columnOf(rowField(&Reading::vertical)) == 0) {
-      const std::string missing = hasHorizontal ? "vertical circle (word 22)" : "horizontal circle (word 21)";
-      return m_book.refuse(line, 0, "has no " + missing + ": add the word or delete the line");
+      return m_book.refuse(
+          line, 0,
+          hasHorizontal ? Phrase::of("has no vertical circle (word 22): add the word or delete the line")
+                        : Phrase::of("has no horizontal circle (word 21): add the word or delete the line"));
     }
     m_book.add(std::move(sighting));
   }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/limits.h"
+#include "core/base/phrase.h"
 #include "core/base/typed_text.h"
 #include "core/base/visible_text.h"
 
@@ -51,32 +52,32 @@ std::string sexagesimal(std::uint64_t units) {
 }
 
 constexpr std::array<std::pair<int, const char*>, 26> wordNames = {{
-    {11, "point"},
-    {12, "serial number"},
-    {13, "instrument type"},
-    {16, "station"},
-    {17, "date"},
-    {18, "time"},
-    {19, "time"},
-    {21, "horizontal circle"},
-    {22, "vertical circle"},
-    {25, "difference of the horizontal circle"},
-    {31, "slope distance"},
-    {32, "horizontal distance"},
-    {33, "height difference"},
-    {41, "code"},
-    {51, "ppm and prism constant"},
-    {52, "number of measurements"},
-    {53, "signal strength"},
-    {58, "prism constant"},
-    {59, "ppm"},
-    {81, "easting"},
-    {82, "northing"},
-    {83, "height"},
-    {84, "station easting"},
-    {85, "station northing"},
-    {86, "station height"},
-    {87, "reflector height"},
+    {11, PHRASE_LATER("Phrase", "point")},
+    {12, PHRASE_LATER("Phrase", "serial number")},
+    {13, PHRASE_LATER("Phrase", "instrument type")},
+    {16, PHRASE_LATER("Phrase", "station")},
+    {17, PHRASE_LATER("Phrase", "date")},
+    {18, PHRASE_LATER("Phrase", "time")},
+    {19, PHRASE_LATER("Phrase", "time")},
+    {21, PHRASE_LATER("Phrase", "horizontal circle")},
+    {22, PHRASE_LATER("Phrase", "vertical circle")},
+    {25, PHRASE_LATER("Phrase", "difference of the horizontal circle")},
+    {31, PHRASE_LATER("Phrase", "slope distance")},
+    {32, PHRASE_LATER("Phrase", "horizontal distance")},
+    {33, PHRASE_LATER("Phrase", "height difference")},
+    {41, PHRASE_LATER("Phrase", "code")},
+    {51, PHRASE_LATER("Phrase", "ppm and prism constant")},
+    {52, PHRASE_LATER("Phrase", "number of measurements")},
+    {53, PHRASE_LATER("Phrase", "signal strength")},
+    {58, PHRASE_LATER("Phrase", "prism constant")},
+    {59, PHRASE_LATER("Phrase", "ppm")},
+    {81, PHRASE_LATER("Phrase", "easting")},
+    {82, PHRASE_LATER("Phrase", "northing")},
+    {83, PHRASE_LATER("Phrase", "height")},
+    {84, PHRASE_LATER("Phrase", "station easting")},
+    {85, PHRASE_LATER("Phrase", "station northing")},
+    {86, PHRASE_LATER("Phrase", "station height")},
+    {87, PHRASE_LATER("Phrase", "reflector height")},
 }};
 
 }  // namespace
@@ -102,20 +103,25 @@ std::variant<std::vector<GsiWord>, LineProblem> gsiWords(const TextLine& line) {
   while (!rest.empty() || (marked && words.empty())) {
     const std::string shown = quotation(rest.substr(0, std::min(rest.find_first_of(" \t"), rest.size())));
     if (!beginsWord(rest))
-      return LineProblem{line.number, column,
-                         shown +
-                             " is no GSI word such as 21.102+17920860: transfer the file anew, or mend "
-                             "or delete the line"};
+      return LineProblem{
+          line.number, column,
+          Phrase::of("%1 is no GSI word such as 21.102+17920860: transfer the file anew, or mend "
+                     "or delete the line",
+                     shown)};
     const std::size_t width = dataWidth(rest, marked);
     if (width == 0)
-      return LineProblem{line.number, column,
-                         shown + " has neither 8 nor 16 characters of data" +
-                             (marked ? ", and a block that starts with * has 16" : "") +
-                             ": transfer the file anew, or mend or delete the line"};
+      return LineProblem{
+          line.number, column,
+          marked ? Phrase::of("%1 has neither 8 nor 16 characters of data, and a block that starts "
+                              "with * has 16: transfer the file anew, or mend or delete the line",
+                              shown)
+                 : Phrase::of("%1 has neither 8 nor 16 characters of data: transfer the file anew, "
+                              "or mend or delete the line",
+                              shown)};
     if (words.size() == limits::mostColumns)
       return LineProblem{
           line.number, column,
-          "has more than " + limits::asCount(limits::mostColumns) + " words: transfer the file anew"};
+          Phrase::of("has more than %1 words: transfer the file anew", limits::asCount(limits::mostColumns))};
     words.push_back(
         {(rest[0] - '0') * 10 + (rest[1] - '0'), rest[5], rest[6], rest.substr(dataAt, width), column});
     skip(dataAt + width);
@@ -138,8 +144,9 @@ std::variant<std::string, LineProblem> gsiAngle(const GsiWord& word, std::size_t
   std::uint64_t units = 0;
   const char* end = word.data.data() + word.data.size();
   const auto [stop, error] = std::from_chars(word.data.data(), end, units);
-  if (error != std::errc() || stop != end) return refuse("is not made of digits: transfer the file anew");
-  if (units >= mostUnits) return refuse("is larger than a circle: transfer the file anew");
+  if (error != std::errc() || stop != end)
+    return refuse(Phrase::of("is not made of digits: transfer the file anew"));
+  if (units >= mostUnits) return refuse(Phrase::of("is larger than a circle: transfer the file anew"));
   const std::string sign = word.sign == '-' ? "-" : "";
   switch (word.unit) {
     case '2':
@@ -151,19 +158,21 @@ std::variant<std::string, LineProblem> gsiAngle(const GsiWord& word, std::size_t
     case '5':  // 10⁻⁴ mil, 6400 to a turn: 5625·10⁻⁹ degrees
       return sign + withDecimals(units * 5625, 1'000'000'000, 9) + "°";
     default:
-      return refuse(std::string("has no unit of an angle: position 6 of the word is “") + word.unit +
-                    "”, and 2 is gon, 3 decimal degrees, 4 degrees minutes seconds, 5 mil");
+      return refuse(
+          Phrase::of("has no unit of an angle: position 6 of the word is “%1”, and 2 is gon, 3 decimal "
+                     "degrees, 4 degrees minutes seconds, 5 mil",
+                     std::string(1, word.unit)));
   }
 }
 
 std::string gsiWordName(int index) {
   const auto* const known = std::find_if(wordNames.begin(), wordNames.end(),
                                          [index](const auto& name) { return name.first == index; });
-  if (known != wordNames.end()) return known->second;
-  if (index == 88) return "instrument height";
-  if (index >= 42 && index <= 49) return "information " + std::to_string(index - 41);
-  if (index >= 71 && index <= 79) return "remark " + std::to_string(index - 70);
-  return "word " + std::to_string(index);
+  if (known != wordNames.end()) return Phrase::of(known->second);
+  if (index == 88) return Phrase::of("instrument height");
+  if (index >= 42 && index <= 49) return Phrase::of("information %1", index - 41);
+  if (index >= 71 && index <= 79) return Phrase::of("remark %1", index - 70);
+  return Phrase::of("word %1", index);
 }
 
 }  // namespace alidade

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/limits.h"
+#include "core/base/phrase.h"
 #include "core/base/visible_text.h"
 #include "core/exchange/assembly.h"
 #include "core/exchange/csv_reader.h"
@@ -50,8 +51,9 @@ Result<Recording> readRecording(const ReadingsFile& file, const ImportOptions& o
 std::optional<Problem> turnedBehindTheEnd(const Recording& recording, const ReadingsFile& file) {
   const std::size_t last = std::ranges::max_element(recording.sightings, {}, &RecordedSighting::line)->line;
   if (!file.turnedAtLine || *file.turnedAtLine <= last) return std::nullopt;
-  return Problem{"has its last reading in line " + std::to_string(last) + ", so none is at 180° from line " +
-                 std::to_string(*file.turnedAtLine) + " on: give a line within the file"};
+  return Problem{Phrase::of(
+      "has its last reading in line %1, so none is at 180° from line %2 on: give a line within the file",
+      last, *file.turnedAtLine)};
 }
 
 Result<Recording> readFileOf(const ReadingsFile& file, const ImportOptions& options) {
@@ -59,7 +61,8 @@ Result<Recording> readFileOf(const ReadingsFile& file, const ImportOptions& opti
   if (!recording) return recording;
   if (recording->sightings.empty()) {
     if (!recording->problems.empty()) return Problem{recording->problems.front().text()};
-    return Problem{"holds no readings with a horizontal and a vertical circle: choose another file"};
+    return Problem{
+        Phrase::of("holds no readings with a horizontal and a vertical circle: choose another file")};
   }
   if (auto problem = turnedBehindTheEnd(*recording, file)) return *std::move(problem);
   return recording;
@@ -77,9 +80,10 @@ std::optional<Problem> twoKindsOfCircle(const std::vector<Recording>& recordings
   for (const Recording& recording : recordings) {
     if (recording.verticalCircle.empty()) continue;
     if (!kind.empty() && kind != recording.verticalCircle)
-      return Problem{"holds vertical readings of a circle of the kind " + recording.verticalCircle +
-                     ", the readings before it are of the kind " + kind +
-                     ": a session has one, so import it into a session of its own"};
+      return Problem{Phrase::of(
+          "holds vertical readings of a circle of the kind %1, the readings before it are of the kind %2: a "
+          "session has one, so import it into a session of its own",
+          spokenKey(recording.verticalCircle), spokenKey(kind))};
     kind = recording.verticalCircle;
   }
   return std::nullopt;
@@ -102,7 +106,7 @@ Result<Import> importReadings(const std::vector<ReadingsFile>& files, const Impo
     recordings.push_back(*std::move(recording));
     if (const auto problem = twoKindsOfCircle(recordings, options)) return named(*problem);
   }
-  if (recordings.empty()) return Problem{"no file was chosen: choose one"};
+  if (recordings.empty()) return Problem{Phrase::of("no file was chosen: choose one")};
   return assemble(std::move(recordings), files, options);
 }
 

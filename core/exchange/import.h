@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/phrase.h"
 #include "core/base/result.h"
 #include "core/exchange/recording.h"
 #include "core/exchange/table_layout.h"
@@ -55,8 +56,8 @@ struct Import {
 };
 
 /// The end of the remark on a file of `unplaced`.
-inline constexpr std::string_view putAtZero =
-    "nothing in the file says how the axis stood: all its readings are put at 0°";
+inline constexpr const char* putAtZero =
+    PHRASE_LATER("Phrase", "nothing in the file says how the axis stood: all its readings are put at 0°");
 
 /// Readings of a theodolite, from the bytes of GSI, M5 and SDR files (gsi_reader.h, m5_reader.h,
 /// sdr_reader.h) and tables (csv_reader.h); the content tells which. Sightings of the pointing zero become

@@ -1,6 +1,5 @@
 #include "core/exchange/import_journal.h"
 
-#include "core/base/list_text.h"
 #include "core/base/place.h"
 #include "core/base/visible_text.h"
 
@@ -27,8 +26,9 @@ std::vector<JournalEntry> importEntries(const Import& import, const std::vector<
     entry.axis = import.session.positions.at(rows.position).axisDeg;
     const bool isOne = rows.lines.size() == 1 && rows.lines[0].first == rows.lines[0].second;
     entry.to = "“" + wellFormed(files.at(rows.file).name) + (isOne ? "”, line " : "”, lines ") +
-               linesText(rows) + ": " + counted(rows.count, "row") + " from row " +
-               std::to_string(rows.firstRow + 1) + " on; SHA-256 " + files.at(rows.file).sha256;
+               linesText(rows) + ": " + std::to_string(rows.count) + (rows.count == 1 ? " row" : " rows") +
+               " from row " + std::to_string(rows.firstRow + 1) + " on; SHA-256 " +
+               files.at(rows.file).sha256;
     entry.why = journal_reasons::imported;
     entries.push_back(std::move(entry));
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/number_text.h"
+#include "core/base/phrase.h"
 #include "core/base/visible_text.h"
 #include "core/exchange/exact_angle.h"
 #include "core/exchange/field_book.h"
@@ -84,21 +85,22 @@ class M5Reader {
     const std::size_t first = line.text.find_first_not_of(" \t");
     if (first == std::string_view::npos || line.text.substr(first).starts_with("END")) return;
     if (std::string_view("!#").find(line.text[first]) != std::string_view::npos)
-      return m_book.setAside("the line " + quotation(line.text.substr(first)), line.number);
+      return m_book.setAside(Phrase::of("the line %1", quotation(line.text.substr(first))), line.number);
     constexpr std::size_t fewest = 4;  // format, address, text, one number
     const std::vector<Block> blocks = blocksOf(line.text);
     if (!looksLikeM5(line.text) || blocks.size() < fewest)
-      return m_book.refuse(line.number, 0,
-                           quotation(line.text) +
-                               " is no line such as For M5|Adr …|PI1 …|Hz …: transfer the file anew, or mend "
-                               "or delete the line");
+      return m_book.refuse(
+          line.number, 0,
+          Phrase::of("%1 is no line such as For M5|Adr …|PI1 …|Hz …: transfer the file anew, or "
+                     "mend or delete the line",
+                     quotation(line.text)));
     const std::string_view kind = blocks[2].text.substr(0, 2);
     std::vector<Value> values;
     for (std::size_t i = 3; i < std::min<std::size_t>(blocks.size(), 6); ++i)
       values.push_back(valueOf(blocks[i]));
     if (blocks.size() > 6 && trimmed(blocks[6].text) == "e")
       return m_book.refuse(line.number, blocks[6].column,
-                           "is marked with e, an error of the instrument: measure it again");
+                           Phrase::of("is marked with e, an error of the instrument: measure it again"));
     if (kind == "PI") {
       readPoint(blocks[2], values, line.number);
     } else {
@@ -113,14 +115,16 @@ class M5Reader {
     Recording& recording = m_book.recording();
     bool isHeading = text == "START" || text == "END";
     for (const Value& value : values) {
-      if (value.type == "01") m_book.keep(recording.instrumentName, nameOf(value), "instrument", line);
-      if (value.type == "02") m_book.keep(recording.instrumentSerial, nameOf(value), "instrument", line);
+      if (value.type == "01")
+        m_book.keep(recording.instrumentName, nameOf(value), Phrase::of("instrument"), line);
+      if (value.type == "02")
+        m_book.keep(recording.instrumentSerial, nameOf(value), Phrase::of("instrument"), line);
       if (value.type == "22") takePlaceOfPoint(value);
       isHeading = isHeading || (!value.type.empty() && text.empty());
     }
     if (text.empty() || isHeading) return;
     if (const auto mark = fieldMark(text)) return m_book.take(*mark);
-    m_book.setAside("the text " + quotation(text), line);
+    m_book.setAside(Phrase::of("the text %1", quotation(text)), line);
   }
 
   /// 01 and 02 have no unit: `M3 5"DR` is one name.
@@ -145,15 +149,19 @@ class M5Reader {
         if (!takeAngle(value, line, sighting)) return;
       }
     }
-    if (!isSighting) return m_book.setAside("a line without angles", line);
-    for (const auto& [circle, type] : {std::pair(&Reading::horizontal, "horizontal circle (Hz)"),
-                                       std::pair(&Reading::vertical, "vertical circle (V1)")})
-      if (sighting.columnOf(rowField(circle)) == 0)
-        return m_book.refuse(
-            line, 0,
-            "has no " + std::string(type) + ": let the instrument record Hz and V, or delete the line");
+    if (!isSighting) return m_book.setAside(Phrase::of("a line without angles"), line);
+    const bool hasHorizontal = sighting.columnOf(rowField(&Reading::horizontal)) > 0;
+    if (!hasHorizontal || sighting.columnOf(rowField(&Reading::vertical)) == 0)
+      return m_book.refuse(
+          line, 0,
+          hasHorizontal
+              ? Phrase::of(
+                    "has no vertical circle (V1): let the instrument record Hz and V, or delete the line")
+              : Phrase::of(
+                    "has no horizontal circle (Hz): let the instrument record Hz and V, or delete the line"));
     for (const Value& value : values)
-      if (value.type == "SD" || value.type == "HD" || value.type == "D") m_book.setAside("distance", line);
+      if (value.type == "SD" || value.type == "HD" || value.type == "D")
+        m_book.setAside(Phrase::of("distance"), line);
     m_book.add(std::move(sighting));
   }
 
@@ -184,21 +192,24 @@ class M5Reader {
     const bool isHorizontal = value.type == "Hz";
     const RowField& circle = rowField(isHorizontal ? &Reading::horizontal : &Reading::vertical);
     if (sighting.columnOf(circle) > 0)
-      return refuse(quotation(value.type) + " is a second reading of its circle");
+      return refuse(Phrase::of("%1 is a second reading of its circle", quotation(value.type)));
     if (!isHorizontal && value.type != "V1" && value.type != "V3")
-      return refuse(quotation(value.type) +
-                    " is neither a zenith angle (V1) nor a height angle (V3): set the instrument to one of "
-                    "them and record anew");
+      return refuse(
+          Phrase::of("%1 is neither a zenith angle (V1) nor a height angle (V3): set the instrument to "
+                     "one of them and record anew",
+                     quotation(value.type)));
     const auto angle = exactAngle(value.number, value.unit);
     if (!angle)
-      return refuse(quotation(value.number + " " + value.unit) +
-                    " is no angle in gon, DEG, DMS or mil: transfer the file anew");
+      return refuse(Phrase::of("%1 is no angle in gon, DEG, DMS or mil: transfer the file anew",
+                               quotation(value.number + " " + value.unit)));
     if (!isHorizontal) {
       std::string& circleKind = m_book.recording().verticalCircle;
       const std::string own = value.type == "V1" ? "zenith" : "elevation";
       if (!circleKind.empty() && circleKind != own)
-        return refuse("“" + value.type + "” stands in a file that began with the other kind of vertical " +
-                      "angle: import the two in files of their own");
+        return refuse(
+            Phrase::of("“%1” stands in a file that began with the other kind of vertical angle: import "
+                       "the two in files of their own",
+                       value.type));
       circleKind = own;
     }
     sighting.enter(circle, *angle, value.column);

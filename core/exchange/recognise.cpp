@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/phrase.h"
 #include "core/exchange/gsi_reader.h"
 #include "core/exchange/gsi_word.h"
 #include "core/exchange/m5_reader.h"
@@ -22,7 +23,8 @@ std::string_view beginningOf(std::string_view text) {
   return text.substr(0, std::min(text.find_last_of("\r\n"), text.size() - 1) + 1);
 }
 
-Recognised ofInstrument(FileFormat format, const char* name, const char* why, const Recording& beginning) {
+Recognised ofInstrument(FileFormat format, const char* name, const std::string& why,
+                        const Recording& beginning) {
   Recognised found;
   found.format = format;
   found.name = name;
@@ -58,18 +60,21 @@ Result<Recognised> recognise(std::string_view text) {
     if (first == std::string_view::npos ||
         std::string_view("#@?%!").find(line.text[first]) != std::string_view::npos)
       continue;
-    if (line.text[first] == '{') return Problem{"is no file of readings but JSON: open it as a session"};
+    if (line.text[first] == '{')
+      return Problem{Phrase::of("is no file of readings but JSON: open it as a session")};
     if (looksLikeSdr(line.text.substr(first)))
-      return ofInstrument(FileFormat::Sdr, "Sokkia SDR", "it begins with the heading of a Sokkia SDR file",
-                          readSdr(beginning));
+      return ofInstrument(FileFormat::Sdr, "Sokkia SDR",
+                          Phrase::of("it begins with the heading of a Sokkia SDR file"), readSdr(beginning));
     if (looksLikeM5(line.text))
-      return ofInstrument(FileFormat::M5, "Trimble M5", "its lines begin with For M5", readM5(beginning));
+      return ofInstrument(FileFormat::M5, "Trimble M5", Phrase::of("its lines begin with For M5"),
+                          readM5(beginning));
     if (looksLikeGsi(line.text))
-      return ofInstrument(FileFormat::Gsi, "Leica GSI", "its lines are made of words such as 21.102+17920860",
+      return ofInstrument(FileFormat::Gsi, "Leica GSI",
+                          Phrase::of("its lines are made of words such as 21.102+17920860"),
                           readGsi(beginning));
     return recogniseTable(beginning);
   }
-  return Problem{"holds no readings: choose a file of an instrument (GSI, M5, SDR) or a table"};
+  return Problem{Phrase::of("holds no readings: choose a file of an instrument (GSI, M5, SDR) or a table")};
 }
 
 }  // namespace alidade

@@ -8,6 +8,7 @@
 #include "core/base/angle_text.h"
 #include "core/base/limits.h"
 #include "core/base/number_text.h"
+#include "core/base/phrase.h"
 #include "core/exchange/csv_table.h"
 #include "core/exchange/text_lines.h"
 
@@ -81,13 +82,14 @@ class TableRecognition {
     for (const char separator : {'\t', ';'})
       if (line.find(separator) != std::string_view::npos || evenColumns(separator) > 1) {
         m_found.table.separator = separator;
-        return reason(separator == '\t' ? "tabs part the columns" : "semicolons part the columns");
+        return reason(separator == '\t' ? Phrase::of("tabs part the columns")
+                                        : Phrase::of("semicolons part the columns"));
       }
     const bool isNamed = areColumnNames(firstRow(','));
     const std::size_t byBlanks = evenColumns(' ');
     const bool areBlanks = !isNamed && byBlanks > 1 && wholeAngles(' ') > wholeAngles(',');
     m_found.table.separator = areBlanks ? ' ' : ',';
-    reason(areBlanks ? "blanks part the columns" : "commas part the columns");
+    reason(areBlanks ? Phrase::of("blanks part the columns") : Phrase::of("commas part the columns"));
   }
 
   std::string_view firstLine() const {
@@ -133,10 +135,10 @@ class TableRecognition {
     m_found.table.headRows = first;
     if (first > 0 && !m_rows.empty()) m_found.titles = m_rows[first - 1];
     if (first == 0) {
-      reason("no row names the columns");
+      reason(Phrase::of("no row names the columns"));
     } else {
-      reason(first == 1 ? "the first row names the columns"
-                        : "row " + std::to_string(first) + " names the columns");
+      reason(first == 1 ? Phrase::of("the first row names the columns")
+                        : Phrase::of("row %1 names the columns", first));
     }
   }
 
@@ -194,7 +196,7 @@ class TableRecognition {
         columns[i] = "point";
       }
     }
-    reason("the columns are guessed from what stands in them: check them");
+    reason(Phrase::of("the columns are guessed from what stands in them: check them"));
   }
 
   template <typename Is>
@@ -233,7 +235,8 @@ class TableRecognition {
       }
     if (hasPoint == hasComma) return;
     m_found.table.decimalSign = hasComma ? DecimalSign::Comma : DecimalSign::Point;
-    reason(hasComma ? "decimals stand behind a comma" : "decimals stand behind a point");
+    reason(hasComma ? Phrase::of("decimals stand behind a comma")
+                    : Phrase::of("decimals stand behind a point"));
   }
 
   /// The plain numbers of a circle whose name tells no unit.
@@ -263,20 +266,19 @@ class TableRecognition {
     const auto largest = std::max_element(all.begin(), all.end());
     if (*largest >= 360) {
       m_found.table.unit = AngleUnit::Gon;
-      return reason("gon, as " + fixedText(*largest, 4) + " is more than 360");
+      return reason(Phrase::of("gon, as %1 is more than 360", fixedText(*largest, 4)));
     }
     const bool mayBeDms = std::all_of(all.begin(), all.end(), isSexagesimal);
     const double fromGon = spreadAround(vertical, 100), fromDegrees = spreadAround(vertical, 90);
     if (!vertical.empty() && fromGon < fromDegrees / 2) {
       m_found.table.unit = AngleUnit::Gon;
-      return reason("gon, as the vertical readings lie around 100 or 300: check it");
+      return reason(Phrase::of("gon, as the vertical readings lie around 100 or 300: check it"));
     }
     if (!vertical.empty() && fromDegrees < fromGon / 2 && !mayBeDms) {
       m_found.table.unit = AngleUnit::Degrees;
-      return reason(
+      return reason(Phrase::of(
           "decimal degrees, as the vertical readings lie around 90 or 270 and hold more than 59 where "
-          "minutes "
-          "would stand: check it");
+          "minutes would stand: check it"));
     }
   }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/phrase.h"
 #include "core/base/typed_text.h"
 #include "core/base/visible_text.h"
 
@@ -34,10 +35,9 @@ std::size_t indexOf(const RowField& field) {
 }  // namespace
 
 std::string LineProblem::text() const {
-  std::string place = file.empty() ? std::string() : quotation(file) + ", ";
-  place += "line " + std::to_string(line);
-  if (column > 0) place += ", column " + std::to_string(column);
-  return place + ": " + what;
+  const std::string told = column > 0 ? Phrase::of("line %1, column %2: %3", line, column, what)
+                                      : Phrase::of("line %1: %2", line, what);
+  return file.empty() ? told : quotation(file) + ", " + told;
 }
 
 void RecordedSighting::enter(const RowField& field, std::string text, std::size_t column) {

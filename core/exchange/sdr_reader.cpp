@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/base/phrase.h"
 #include "core/base/utf8.h"
 #include "core/base/visible_text.h"
 #include "core/exchange/exact_angle.h"
@@ -71,14 +72,16 @@ class SdrReader {
     if (type == "01") return readInstrument(line);
     if (type == "09") return readObservation(line, from);
     if (type == "13") return from == "TS" ? void() : readNote(line);  // the time
-    if (type == "08") return m_book.setAside("a record of coordinates (08)", line.number);
-    if (type == "02" && m_hasStation) return m_book.setAside("another record of a station (02)", line.number);
+    if (type == "08") return m_book.setAside(Phrase::of("a record of coordinates (08)"), line.number);
+    if (type == "02" && m_hasStation)
+      return m_book.setAside(Phrase::of("another record of a station (02)"), line.number);
     m_hasStation = m_hasStation || type == "02";
     constexpr std::string_view passed = "02 03 05 06 07 10 11 12";  // station, target, program's own
     if (type.size() == 2 && passed.find(type) != std::string_view::npos) return;
-    m_book.refuse(line.number, 0,
-                  quotation(line.text) +
-                      " is no record of an SDR file: transfer the file anew, or mend or delete the line");
+    m_book.refuse(
+        line.number, 0,
+        Phrase::of("%1 is no record of an SDR file: transfer the file anew, or mend or delete the line",
+                   quotation(line.text)));
   }
 
   void readHeading(const TextLine& line) {
@@ -87,15 +90,17 @@ class SdrReader {
     m_isElevation.reset();
     const std::string unit = fieldOf(line.text, {41, 41}), direction = fieldOf(line.text, {46, 46});
     if (unit != "1" && unit != "2")
-      return refuse(line, 41,
-                    quotation(unit) +
-                        " is no unit of angles that is read here: 1 is degrees, 2 gon; "
-                        "set the instrument to one of them and transfer anew");
+      return refuse(
+          line, 41,
+          Phrase::of("%1 is no unit of angles that is read here: 1 is degrees, 2 gon; set the instrument "
+                     "to one of them and transfer anew",
+                     quotation(unit)));
     if (!direction.empty() && direction != "1")
-      return refuse(line, 46,
-                    quotation(direction) +
-                        " stands for angles that grow to the left: set the instrument to the right "
-                        "and measure anew");
+      return refuse(
+          line, 46,
+          Phrase::of("%1 stands for angles that grow to the left: set the instrument to the right and "
+                     "measure anew",
+                     quotation(direction)));
     m_unit = unit == "1" ? "deg" : "gon";
   }
 
@@ -103,15 +108,17 @@ class SdrReader {
     Recording& recording = m_book.recording();
     const std::string name = fieldOf(line.text, {6, 21}), serial = fieldOf(line.text, {22, 27}),
                       circle = fieldOf(line.text, {51, 51});
-    if (!name.empty()) m_book.keep(recording.instrumentName, name, "instrument", line.number);
-    if (!serial.empty()) m_book.keep(recording.instrumentSerial, serial, "instrument", line.number);
+    if (!name.empty()) m_book.keep(recording.instrumentName, name, Phrase::of("instrument"), line.number);
+    if (!serial.empty())
+      m_book.keep(recording.instrumentSerial, serial, Phrase::of("instrument"), line.number);
     if (circle == "1" || circle == "2") m_isElevation = circle == "2";
   }
 
   void readObservation(const TextLine& line, std::string_view from) {
-    if (from == "MC") return m_book.setAside("a corrected mean, no reading of circles (09MC)", line.number);
+    if (from == "MC")
+      return m_book.setAside(Phrase::of("a corrected mean, no reading of circles (09MC)"), line.number);
     if (from != "F1" && from != "F2" && from != "MD")
-      return m_book.setAside("an observation that is not raw (09" + std::string(from) + ")", line.number);
+      return m_book.setAside(Phrase::of("an observation that is not raw (09%1)", from), line.number);
     const SightingColumns& at = m_is33 ? columnsOf33 : columnsOf2x;
     RecordedSighting sighting;
     sighting.line = line.number;
@@ -126,15 +133,19 @@ class SdrReader {
   }
 
   bool takeAngle(const TextLine& line, Columns columns, const RowField& circle, RecordedSighting& sighting) {
-    const std::string number = fieldOf(line.text, columns), name(circle.key);
+    const std::string number = fieldOf(line.text, columns);
     if (number.empty()) {
-      refuse(line, columns.first, "has no " + name + " reading: delete the line, or sight the point again");
+      refuse(line, columns.first,
+             circle.text == &Reading::horizontal
+                 ? Phrase::of("has no horizontal reading: delete the line, or sight the point again")
+                 : Phrase::of("has no vertical reading: delete the line, or sight the point again"));
       return false;
     }
     const auto angle = exactAngle(number, *m_unit);
     if (!angle) {
       refuse(line, columns.first,
-             quotation(number) + " is no number: transfer the file anew, or mend or delete the line");
+             Phrase::of("%1 is no number: transfer the file anew, or mend or delete the line",
+                        quotation(number)));
       return false;
     }
     sighting.enter(circle, *angle, columns.first);
@@ -147,9 +158,10 @@ class SdrReader {
     std::string& known = m_book.recording().verticalCircle;
     const std::string own = *m_isElevation ? "elevation" : "zenith";
     if (!known.empty() && known != own) {
-      m_book.refuse(line, 0,
-                    "is of an instrument with the other kind of vertical circle: import the jobs in files of "
-                    "their own");
+      m_book.refuse(
+          line, 0,
+          Phrase::of("is of an instrument with the other kind of vertical circle: import the jobs in "
+                     "files of their own"));
       return false;
     }
     known = own;
@@ -159,7 +171,7 @@ class SdrReader {
   void readNote(const TextLine& line) {
     const std::string note = fieldOf(line.text, {5, 64});
     if (const auto mark = fieldMark(note)) return m_book.take(*mark);
-    if (!note.empty()) m_book.setAside("the note " + quotation(note), line.number);
+    if (!note.empty()) m_book.setAside(Phrase::of("the note %1", quotation(note)), line.number);
   }
 
   FieldBook m_book;

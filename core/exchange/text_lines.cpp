@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/limits.h"
+#include "core/base/phrase.h"
 #include "core/base/utf8.h"
 
 namespace alidade {
@@ -68,9 +69,9 @@ std::size_t characterCount(std::string_view text) {
 
 Result<std::string> utf8Text(std::string_view bytes) {
   if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"))
-    return Problem{"is UTF-16: save it as UTF-8 text"};
+    return Problem{Phrase::of("is UTF-16: save it as UTF-8 text")};
   if (bytes.find('\0') != std::string_view::npos)
-    return Problem{"is no text: choose a GSI file, or a table saved as CSV"};
+    return Problem{Phrase::of("is no text: choose a GSI file, or a table saved as CSV")};
   if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
   return firstIllFormedByte(bytes) ? fromWindows(bytes) : std::string(bytes);
 }

@@ -5,6 +5,7 @@
 #include <set>
 #include <tuple>
 
+#include "core/base/phrase.h"
 #include "core/session/row_fields.h"
 
 namespace alidade {
@@ -83,7 +84,7 @@ PositionKey positionOf(const RecordedSighting& sighting) {
 }
 
 std::string nameOf(const PositionKey& key) {
-  return key.first + "°" + (key.second > 1 ? ", time " + std::to_string(key.second) : "");
+  return key.second > 1 ? Phrase::of("%1°, time %2", key.first, key.second) : key.first + "°";
 }
 
 const Position* positionIn(const Session& session, const PositionKey& key) {

@@ -1,6 +1,9 @@
 #include "core/exchange/words.h"
 
 #include <algorithm>
+#include <iterator>
+
+#include "core/base/phrase.h"
 
 namespace alidade {
 
@@ -20,6 +23,19 @@ std::string trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t");
   if (first == std::string_view::npos) return {};
   return std::string(text.substr(first, text.find_last_not_of(" \t") - first + 1));
+}
+
+std::string spokenKey(std::string_view key) {
+  static constexpr const char* keys[] = {
+      PHRASE_LATER("Phrase", "axis"),       PHRASE_LATER("Phrase", "point"),
+      PHRASE_LATER("Phrase", "round"),      PHRASE_LATER("Phrase", "face"),
+      PHRASE_LATER("Phrase", "horizontal"), PHRASE_LATER("Phrase", "vertical"),
+      PHRASE_LATER("Phrase", "slider"),     PHRASE_LATER("Phrase", "excluded"),
+      PHRASE_LATER("Phrase", "note"),       PHRASE_LATER("Phrase", "zenith"),
+      PHRASE_LATER("Phrase", "elevation"),
+  };
+  const auto* const known = std::find(std::begin(keys), std::end(keys), key);
+  return known == std::end(keys) ? std::string(key) : Phrase::of(*known);
 }
 
 bool isOneOf(std::string_view word, std::initializer_list<std::string_view> words) {

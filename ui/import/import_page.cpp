@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/phrase.h"
 #include "core/base/limits.h"
 #include "core/exchange/import_journal.h"
 #include "core/session/entry.h"
@@ -292,7 +293,7 @@ QStringList ImportPage::remarks() const {
         }))
       remarks.append(tr("“%1” was imported into this session before.").arg(shortLine(source.name, 40)));
   for (const std::string& remark : m_shown->import->remarks)
-    if (!remark.ends_with(putAtZero)) remarks.append(capitalised(visibleLine(remark)) + u'.');
+    if (!remark.ends_with(Phrase::of(putAtZero))) remarks.append(capitalised(visibleLine(remark)) + u'.');
   return remarks;
 }
 
