@@ -449,8 +449,9 @@ void MainWindow::showBlindTrials() {
 }
 
 void MainWindow::tellFailure(const QString& reason) {
-  const std::string told =
-      ui::tellFailure({.job = "window", .reason = reason.toStdString(), .session = m_document.session()});
+  const std::string told = ui::tellFailure({.job = QT_TRANSLATE_NOOP("Job", "window"),
+                                            .reason = reason.toStdString(),
+                                            .session = m_document.session()});
   m_dialogs->showProblem(tr("Something went wrong"), qText(told));
 }
 

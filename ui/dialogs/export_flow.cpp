@@ -6,6 +6,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/failure.h"
+#include "core/base/phrase.h"
 #include "core/exchange/readings_csv.h"
 #include "core/session/row_fields.h"
 #include "ui/charts/plotting/chart_files.h"
@@ -37,7 +38,7 @@ bool ExportFlow::exportReadings() {
       tr("Export readings"), QStringLiteral("readings"), QStringLiteral("csv"),
       [](const Session& session, const std::string&) -> Result<std::string> {
         if (!hasRows(session))
-          return Problem{"there are no readings to export; enter those of the axis positions"};
+          return Problem{Phrase::of("there are no readings to export; enter those of the axis positions")};
         return readingsCsv(session);
       });
 }
@@ -75,7 +76,7 @@ bool ExportFlow::exportAnswer(const QString& title, const QString& what, const Q
         [session, name, answer](const std::stop_token&) { return answer(session, name); });
   });
   if (failure) {
-    m_dialogs.showProblem(title, qText(tellFailure({what.toStdString() + " export", *failure, session})));
+    m_dialogs.showProblem(title, qText(tellFailure({QT_TRANSLATE_NOOP("Job", "export"), *failure, session})));
     return false;
   }
   if (!made) return false;
@@ -93,9 +94,10 @@ bool ExportFlow::writeTo(const QString& title, const QString& what, const QStrin
   if (path.isEmpty()) return false;
   std::vector<std::string> inputs;
   for (const QString& input : m_document.paths()) inputs.push_back(encodedPath(input));
-  const auto problem = bytes.empty()
-                           ? std::optional(Problem{"the picture cannot be made: make the window smaller"})
-                           : writeFile(encodedPath(path), bytes, inputs);
+  const auto problem =
+      bytes.empty()
+          ? std::optional(Problem{Phrase::of("the picture cannot be made: make the window smaller")})
+          : writeFile(encodedPath(path), bytes, inputs);
   if (problem) {
     m_dialogs.showProblem(title, visibleLine(problem->text()));
     return false;

@@ -38,7 +38,9 @@ bool ReportFlow::guarded(const QString& title, const std::function<bool()>& work
   bool isDone = false;
   const auto failure = failureOf([&] { isDone = work(); });
   if (failure)
-    m_dialogs.showProblem(title, qText(tellFailure({"acceptance report", *failure, m_document.session()})));
+    m_dialogs.showProblem(
+        title,
+        qText(tellFailure({QT_TRANSLATE_NOOP("Job", "acceptance report"), *failure, m_document.session()})));
   return isDone;
 }
 

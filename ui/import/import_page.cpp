@@ -14,8 +14,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/base/phrase.h"
 #include "core/base/limits.h"
+#include "core/base/phrase.h"
 #include "core/exchange/import_journal.h"
 #include "core/session/entry.h"
 #include "core/session/row_fields.h"
@@ -242,7 +242,8 @@ void ImportPage::read() {
       },
       [](const std::string& reason) {
         return ImportReading{.import = {},
-                             .problem = tellFailure({.job = "reading of the files", .reason = reason})};
+                             .problem = tellFailure({.job = QT_TRANSLATE_NOOP("Job", "reading of the files"),
+                                                     .reason = reason})};
       });
 }
 

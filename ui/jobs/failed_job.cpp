@@ -90,15 +90,18 @@ std::string tellFailure(const FailedJob& failed) {
   std::string told = "The " + failed.job + " failed: " + failed.reason + ".";
   failureOf([&] {
     const QString path = writtenOnce(failed);
-    told = Text::tr("The %1 failed: %2. Nothing typed is lost; save the session and go on.")
-               .arg(qText(failed.job), qText(failed.reason))
-               .toStdString();
-    const QString lead =
-        path.isEmpty()
-            ? Text::tr(" What is needed to report this could not be written to %1.")
-                  .arg(QDir::toNativeSeparators(problemsFolder()))
-            : Text::tr(" What is needed to report this is in %1.").arg(QDir::toNativeSeparators(path));
-    told += lead.toStdString();
+    const QString job = QCoreApplication::translate("Job", failed.job.c_str()), reason = qText(failed.reason);
+    told =
+        (path.isEmpty()
+             ? Text::tr(
+                   "The %1 failed: %2. Nothing typed is lost; save the session and go on. What is needed to "
+                   "report this could not be written to %3.")
+                   .arg(job, reason, QDir::toNativeSeparators(problemsFolder()))
+             : Text::tr(
+                   "The %1 failed: %2. Nothing typed is lost; save the session and go on. What is needed to "
+                   "report this is in %3.")
+                   .arg(job, reason, QDir::toNativeSeparators(path)))
+            .toStdString();
   });
   return told;
 }

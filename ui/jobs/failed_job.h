@@ -11,7 +11,7 @@ namespace alidade::ui {
 
 /// Work that broke down, with what is needed to find out why.
 struct FailedJob {
-  std::string job;                         ///< as in "The … failed"
+  std::string job;                         ///< as in "The … failed", in the context `Job`
   std::string reason;                      ///< as `thrownReason` has it
   std::optional<Session> session = {};     ///< as typed; absent where the work had none
   std::optional<std::uint64_t> seed = {};  ///< of random draws

@@ -44,7 +44,7 @@ void FitJob::fit(FitRequest request) {
   m_fit.start([wanted](const std::stop_token& stop) { return evaluateFit(wanted(), stop); },
               [wanted](const std::string& reason) {
                 Session session = wanted();
-                const std::string failure = tellFailure({"fit", reason, session});
+                const std::string failure = tellFailure({QT_TRANSLATE_NOOP("Job", "fit"), reason, session});
                 return failedEvaluation(std::move(session), failure);
               });
 }
@@ -65,12 +65,15 @@ void FitJob::search() {
   const auto answer = [fitted = m_fitted](Evaluation searched) {
     return Search{fitted, sharedAside(std::move(searched))};
   };
-  m_search.start([answer, fitted = m_fitted](
-                     const std::stop_token& stop) { return answer(withSuspects(*fitted, stop)); },
-                 [answer, fitted = m_fitted](const std::string& reason) {
-                   return answer(withoutSuspects(
-                       *fitted, tellFailure({"search for misread readings", reason, fitted->session})));
-                 });
+  m_search.start(
+      [answer, fitted = m_fitted](const std::stop_token& stop) {
+        return answer(withSuspects(*fitted, stop));
+      },
+      [answer, fitted = m_fitted](const std::string& reason) {
+        return answer(withoutSuspects(
+            *fitted,
+            tellFailure({QT_TRANSLATE_NOOP("Job", "search for misread readings"), reason, fitted->session})));
+      });
 }
 
 void FitJob::stopSearch() {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/phrase.h"
 #include "core/diagnosis/decision.h"
 #include "core/diagnosis/diagnose.h"
 #include "core/effects/catalogue.h"
@@ -41,11 +42,15 @@ std::string reasonForNone(const Evaluation& evaluation) {
   const SessionFit& fit = evaluation.fit;
   if (!evaluation.failure.empty()) return evaluation.failure;
   if (fit.arcs.empty())
-    return "There is nothing to compare yet: type the distance L, the radius R0, a pointing zero and at "
-           "least three readings of its arc.";
+    return Phrase::of(
+        "There is nothing to compare yet: type the distance L, the radius R0, a pointing zero and at least "
+        "three "
+        "readings of its arc.");
   if (fit.joint.degreesOfFreedom <= 0)
-    return "These readings fix the arc and leave nothing over. Type further readings: each of them shows how "
-           "far the model holds.";
+    return Phrase::of(
+        "These readings fix the arc and leave nothing over. Type further readings: each of them shows how "
+        "far the "
+        "model holds.");
   return {};
 }
 

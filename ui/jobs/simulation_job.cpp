@@ -33,8 +33,9 @@ void SimulationJob::start(const SharedEvaluation& evaluation, std::size_t draws)
                                                               evaluation->fit, options, stop)};
       },
       [evaluation, seed = options.seed](const std::string& reason) {
-        return BudgetCheck{evaluation, std::nullopt,
-                           tellFailure({"simulation", reason, evaluation->session, seed})};
+        return BudgetCheck{
+            evaluation, std::nullopt,
+            tellFailure({QT_TRANSLATE_NOOP("Job", "simulation"), reason, evaluation->session, seed})};
       });
 }
 

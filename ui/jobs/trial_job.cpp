@@ -38,13 +38,15 @@ void TrialJob::stop() {
 }
 
 void TrialJob::next() {
-  m_work.start([options = m_options,
-                seed = m_seed](const std::stop_token& stop) { return diagnoseTrial(options, seed, stop); },
-               [seed = m_seed](const std::string& reason) {
-                 DiagnosedTrial failed;
-                 failed.problem = tellFailure({"blind trial", reason, std::nullopt, seed});
-                 return failed;
-               });
+  m_work.start(
+      [options = m_options, seed = m_seed](const std::stop_token& stop) {
+        return diagnoseTrial(options, seed, stop);
+      },
+      [seed = m_seed](const std::string& reason) {
+        DiagnosedTrial failed;
+        failed.problem = tellFailure({QT_TRANSLATE_NOOP("Job", "blind trial"), reason, std::nullopt, seed});
+        return failed;
+      });
 }
 
 void TrialJob::finish(const SharedTrial& trial) {

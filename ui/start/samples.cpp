@@ -2,6 +2,7 @@
 
 #include <QFile>
 
+#include "core/base/phrase.h"
 #include "core/session/session_file.h"
 
 namespace alidade::ui {
@@ -33,7 +34,7 @@ const std::vector<Sample>& allSamples() {
 
 Result<Session> readSample(const QString& name) {
   QFile file(QStringLiteral(":/samples/%1.alidade").arg(name));
-  if (!file.open(QIODevice::ReadOnly)) return Problem{"There is no such sample"};
+  if (!file.open(QIODevice::ReadOnly)) return Problem{Phrase::of("There is no such sample")};
   return readSession(file.readAll().toStdString());
 }
 

@@ -45,7 +45,8 @@ QString causeTitle(const std::string& id) {
 QString causeNames(const std::vector<std::string>& ids, const QString& last) {
   QString text;
   for (std::size_t i = 0; i < ids.size(); ++i) {
-    if (i > 0) text += i + 1 == ids.size() ? u' ' + last + u' ' : QStringLiteral(", ");
+    if (i > 0)
+      text += i + 1 == ids.size() ? u' ' + last + u' ' : GapText::tr(", ", "between parts of a list");
     text += causeName(ids[i]);
   }
   return text;

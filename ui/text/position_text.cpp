@@ -1,5 +1,6 @@
 #include "ui/text/position_text.h"
 
+#include <QCoreApplication>
 #include <algorithm>
 
 #include "core/session/entry.h"
@@ -11,6 +12,10 @@ namespace alidade::ui {
 namespace {
 
 constexpr int longestAxis = 20;
+
+struct PositionText {
+  Q_DECLARE_TR_FUNCTIONS(PositionText)
+};
 
 }  // namespace
 
@@ -25,6 +30,14 @@ QString positionText(const Session& session, std::size_t position) {
   const auto before = std::count_if(session.positions.begin(), own,
                                     [&](const Position& other) { return axisOf(other) == axisDeg; });
   return positionText(axisDeg, 1 + static_cast<int>(before));
+}
+
+QString sightingText(int axisDeg, int time, int point, int round, int face) {
+  return PositionText::tr("Axis at %1, point %2, round %3, face %4")
+      .arg(positionText(axisDeg, time))
+      .arg(point)
+      .arg(round)
+      .arg(face);
 }
 
 }  // namespace alidade::ui

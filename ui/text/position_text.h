@@ -18,4 +18,7 @@ inline QString positionText(int axisDeg, int time = 1) {
 /// understood.
 QString positionText(const Session& session, std::size_t position);
 
+/// "Axis at 0°, point 3, round 1, face 2".
+QString sightingText(int axisDeg, int time, int point, int round, int face);
+
 }  // namespace alidade::ui

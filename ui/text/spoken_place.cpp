@@ -15,12 +15,17 @@ namespace {
 
 constexpr int longestName = 20;
 
+struct PlaceText {
+  Q_DECLARE_TR_FUNCTIONS(PlaceText)
+};
+
 }  // namespace
 
 QString spokenRow(std::size_t row, const std::string& point) {
   const QString name = shortLine(qText(point).trimmed(), longestName);
-  const QString text = QStringLiteral("row %1").arg(row + 1);
-  return name.isEmpty() ? text : text + QStringLiteral(" (point %1)").arg(name);
+  const QString number = QString::number(row + 1);
+  return name.isEmpty() ? PlaceText::tr("row %1").arg(number)
+                        : PlaceText::tr("row %1 (point %2)").arg(number, name);
 }
 
 QString spokenPlace(const Session& session, const Place& place) {

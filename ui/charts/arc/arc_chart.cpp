@@ -12,7 +12,7 @@ ArcChart::ArcChart(QWidget* parent) : ArcChart(new ArcPlot, parent) {}
 
 ArcChart::ArcChart(ArcPlot* plot, QWidget* parent)
     : PlotWidget(std::unique_ptr<Plot>(plot), parent), m_plot(plot) {
-  setAccessibleName(QStringLiteral("Arcs and sighted points"));
+  setAccessibleName(tr("Arcs and sighted points"));
   setEvaluation({});
 }
 

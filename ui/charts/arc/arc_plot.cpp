@@ -60,7 +60,7 @@ void ArcPlot::adaptTo(const QSizeF& size) {
 void ArcPlot::setEvaluation(const Evaluation& evaluation) {
   m_picture = evaluation.arcs ? evaluation.arcs : std::make_shared<const ArcPicture>(arcPicture(evaluation));
   m_extent = m_picture->extent();
-  setMessage(m_picture->isEmpty() ? QStringLiteral("No usable readings yet.") : QString());
+  setMessage(m_picture->isEmpty() ? tr("No usable readings yet.") : QString());
   m_inset->setIntersection(m_picture->intersection);
   drawMarks();
   showLegend();
@@ -133,13 +133,13 @@ void ArcPlot::showLegend() {
                                    });
       if (!any) continue;
       entries.push_back({style().marker(axisDeg, MarkerShape::Circle, time),
-                         QStringLiteral("arc at ") + positionText(axisDeg, time)});
+                         tr("arc at %1").arg(positionText(axisDeg, time))});
     }
   }
-  if (!m_picture->excluded.empty()) entries.push_back({style().excludedMarker(), QStringLiteral("excluded")});
+  if (!m_picture->excluded.empty()) entries.push_back({style().excludedMarker(), tr("excluded")});
   if (!m_picture->arcs.empty()) {
     entries.push_back({QPen(style().text, 1.4 * style().unit()),
-                       QStringLiteral("residuals ") + exaggerationText(m_picture->exaggeration)});
+                       tr("residuals %1").arg(exaggerationText(m_picture->exaggeration))});
   }
   for (LegendEntry& entry : rowEntries(style(), m_picture->kinds, m_drawn, m_slots.areApart()))
     entries.push_back(std::move(entry));
@@ -209,25 +209,23 @@ const DrawnSighting* ArcPlot::sightingOf(const Mark& mark) const {
 QString ArcPlot::describe(const Mark& mark) const {
   const DrawnSighting* sighting = sightingOf(mark);
   if (!sighting) return {};
-  QString text = QStringLiteral("Axis at %1, point %2, round %3, face %4\nx = %5, y = %6")
-                     .arg(positionText(sighting->axisDeg, sighting->time))
-                     .arg(sighting->point)
-                     .arg(sighting->round)
-                     .arg(sighting->face)
-                     .arg(lengthText(sighting->sighted.x, 3), lengthText(sighting->sighted.y, 3));
+  QString text =
+      sightingText(sighting->axisDeg, sighting->time, sighting->point, sighting->round, sighting->face) +
+      QStringLiteral("\nx = %1, y = %2")
+          .arg(lengthText(sighting->sighted.x, 3), lengthText(sighting->sighted.y, 3));
   if (sighting->adjusted) {
     const PlanePoint<double>& foot = *sighting->adjusted;
     const double off = std::hypot(sighting->sighted.x - foot.x, sighting->sighted.y - foot.y);
-    text += QStringLiteral("\n%1 from the adjusted point").arg(lengthText(off, 3));
+    text += u'\n' + tr("%1 from the adjusted point").arg(lengthText(off, 3));
   } else if (mark.kind == Excluded) {
-    text += QStringLiteral("\nexcluded from the fit");
+    text += u'\n' + tr("excluded from the fit");
   }
   return text;
 }
 
 QString ArcPlot::summary() const {
   if (m_picture->isEmpty()) return message();
-  return QStringLiteral("%1 sighted points, %2 fitted arcs, residuals drawn %3")
+  return tr("%1 sighted points, %2 fitted arcs, residuals drawn %3")
       .arg(m_picture->sightings.size())
       .arg(m_picture->arcs.size())
       .arg(exaggerationText(m_picture->exaggeration));

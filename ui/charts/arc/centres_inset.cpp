@@ -1,5 +1,6 @@
 #include "ui/charts/arc/centres_inset.h"
 
+#include <QCoreApplication>
 #include <QFontMetricsF>
 #include <QPainter>
 #include <algorithm>
@@ -12,6 +13,10 @@
 
 namespace alidade::ui {
 namespace {
+
+struct InsetText {
+  Q_DECLARE_TR_FUNCTIONS(InsetText)
+};
 
 PlanePoint<double> middle(const DrawnIntersection& i) {
   return {(i.upperCentre.x + i.lowerCentre.x) / 2, (i.upperCentre.y + i.lowerCentre.y) / 2};
@@ -135,7 +140,7 @@ void CentresInset::paintTolerance(QPainter* painter) const {
       painter->drawLine(QPointF(inside.left(), y), QPointF(inside.right(), y));
   }
   const QFontMetricsF metrics(m_style.font);
-  const QString name = QStringLiteral("tolerance");
+  const QString name = InsetText::tr("tolerance");
   if (tolerance < 2.2 * metrics.height() || m_square.width() < 2.5 * metrics.horizontalAdvance(name)) return;
   painter->setPen(m_style.mutedText);
   // On the side where the name of O2 does not stand.
@@ -152,7 +157,7 @@ void CentresInset::paintAxis(QPainter* painter) const {
   painter->drawLine(QPointF(m_square.left(), y), QPointF(m_square.right(), y));
   if (m_isCompact) return;
   const QFontMetricsF metrics(m_style.font);
-  const QString name = QStringLiteral("axis");
+  const QString name = InsetText::tr("axis");
   painter->setPen(m_style.mutedText);
   painter->drawText(QPointF(m_square.right() - metrics.horizontalAdvance(name) - 0.4 * metrics.height(),
                             y - 0.25 * metrics.height()),
@@ -282,8 +287,8 @@ void CentresInset::paintTitle(QPainter* painter) const {
   const QString value = valueWithUncertainty(i.value, i.expanded, QStringLiteral("mm"));
   const QString coverage = QStringLiteral(" (%1 %)").arg(plainNumberText(i.coverage * 100));
   const std::array<QStringList, 2> lines{
-      QStringList{QStringLiteral("Centres and axis, enlarged"), QStringLiteral("Centres, enlarged"),
-                  QStringLiteral("Centres")},
+      QStringList{InsetText::tr("Centres and axis, enlarged"), InsetText::tr("Centres, enlarged"),
+                  InsetText::tr("Centres")},
       QStringList{QStringLiteral("Δd = ") + value + coverage, QStringLiteral("Δd = ") + value, value}};
   for (const QStringList& wordings : lines) {
     const auto fits = std::find_if(wordings.begin(), wordings.end(), [&](const QString& text) {

@@ -292,12 +292,9 @@ void ResidualPlot::showEnvelope(const QRectF& range) {
 QString ResidualPlot::describe(const Mark& mark) const {
   if (mark.index >= m_picture->residuals.size()) return {};
   const DrawnResidual& residual = m_picture->residuals[mark.index];
-  QString text = QStringLiteral("Axis at %1, point %2, round %3, face %4\n")
-                     .arg(positionText(residual.axisDeg, residual.time))
-                     .arg(residual.point)
-                     .arg(residual.round)
-                     .arg(residual.face);
+  QString text = sightingText(residual.axisDeg, residual.time, residual.point, residual.round, residual.face);
   const QString value = signedNumberText(residual.arcsec, 1);
+  text += u'\n';
   text += residual.circle == CircleRead::Slider
               ? tr("slider: %1″").arg(value)
               : tr("%1 circle: %2″").arg(circleName(residual.circle), value);
