@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
 
 namespace alidade {
@@ -12,10 +13,11 @@ bool liesOff(const MeasuredIntersection& measured) {
 
 std::string acrossSentence(const MeasuredIntersection& measured) {
   if (!measured.across)
-    return "How far the arc's centre lies off the axis across the plane of the arc was not measured.";
+    return Phrase::of(
+        "How far the arc's centre lies off the axis across the plane of the arc was not measured.");
   const auto& [value, sigma, expanded] = *measured.across;
-  return "Across the plane of the arc its centre lies Δz = " +
-         lengthWithUncertainty(value, expanded, decimalsFor(expanded)) + " off the axis.";
+  return Phrase::of("Across the plane of the arc its centre lies Δz = %1 off the axis.",
+                    lengthWithUncertainty(value, expanded, decimalsFor(expanded)));
 }
 
 }  // namespace alidade

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
 #include "core/wording/position_name.h"
 
@@ -14,57 +15,61 @@ namespace {
 
 /// χ² as evidence.
 std::string scatterText(double reducedChiSquare, int degreesOfFreedom) {
-  return "(reduced χ² " + displayText(reducedChiSquare, 2) + " with " + std::to_string(degreesOfFreedom) +
-         " degrees of freedom)";
+  return Phrase::of("(reduced χ² %1 with %2 degrees of freedom)", displayText(reducedChiSquare, 2),
+                    degreesOfFreedom);
 }
 
 Words wordsOf(const NotSettled& finding) {
-  return {"the fit did not settle within " + std::to_string(finding.iterations) +
-              " iterations; its result is provisional.",
-          "Check the readings for large errors."};
+  return {Phrase::of("the fit did not settle within %1 iterations; its result is provisional.",
+                     finding.iterations),
+          Phrase::of("Check the readings for large errors.")};
 }
 
 Words wordsOf(const NothingChecks&) {
   return {
-      "the readings just fix the circle; nothing checks them, and the uncertainty rests on the stated "
-      "noise alone.",
-      "Sight more places."};
+      Phrase::of(
+          "the readings just fix the circle; nothing checks them, and the uncertainty rests on the stated "
+          "noise alone."),
+      Phrase::of("Sight more places.")};
 }
 
 Words wordsOf(const ScattersMore& finding) {
-  return {"the readings scatter " + displayText(std::sqrt(finding.reducedChiSquare), 1) +
-              " times their stated noise " + scatterText(finding.reducedChiSquare, finding.degreesOfFreedom) +
-              ".",
-          "Look for misread values or an effect that the model does not hold; U is scaled by the scatter."};
+  return {Phrase::of("the readings scatter %1 times their stated noise %2.",
+                     displayText(std::sqrt(finding.reducedChiSquare), 1),
+                     scatterText(finding.reducedChiSquare, finding.degreesOfFreedom)),
+          Phrase::of("Look for misread values or an effect that the model does not hold; U is scaled by the "
+                     "scatter.")};
 }
 
 Words wordsOf(const ScattersLess& finding) {
-  return {"the readings agree far better than their stated noise " +
-              scatterText(finding.reducedChiSquare, finding.degreesOfFreedom) + ".",
-          "Check the stated σ, and that the readings were not copied from one another."};
+  return {Phrase::of("the readings agree far better than their stated noise %1.",
+                     scatterText(finding.reducedChiSquare, finding.degreesOfFreedom)),
+          Phrase::of("Check the stated σ, and that the readings were not copied from one another.")};
 }
 
 Words wordsOf(const RadiusPoorlyKnown& finding) {
-  return {"an arc of " + displayText(finding.span.degrees(), 1) + "° fixes the radius only to u = " +
-              displayText(finding.sigma, 1) + " mm, and the centre hardly better.",
-          "Sight places over a longer arc."};
+  return {Phrase::of("an arc of %1° fixes the radius only to u = %2 mm, and the centre hardly better.",
+                     displayText(finding.span.degrees(), 1), displayText(finding.sigma, 1)),
+          Phrase::of("Sight places over a longer arc.")};
 }
 
 Words wordsOf(const RadiusFarFromNominal& finding) {
-  return {"the fitted radius " + displayText(finding.fitted, 1) + " mm is far from the nominal " +
-              displayText(finding.nominal, 1) + " mm.",
-          "Check the distance L and the nominal radius R0: the fitted lengths are proportional to L."};
+  return {Phrase::of("the fitted radius %1 mm is far from the nominal %2 mm.", displayText(finding.fitted, 1),
+                     displayText(finding.nominal, 1)),
+          Phrase::of(
+              "Check the distance L and the nominal radius R0: the fitted lengths are proportional to L.")};
 }
 
 Words wordsOf(const ReadingsRepeat& finding) {
   constexpr std::size_t named = 3;
   std::string rows;
   for (std::size_t i = 0; i < std::min(named, finding.rows.size()); ++i)
-    rows += (rows.empty() ? "" : ", ") + std::to_string(finding.rows[i].first + 1) + " and " +
-            std::to_string(finding.rows[i].second + 1);
+    rows += (rows.empty() ? "" : Phrase::of(", ")) +
+            Phrase::of("%1 and %2", finding.rows[i].first + 1, finding.rows[i].second + 1);
   if (finding.rows.size() > named) rows += ", …";
-  return {"the same pair of readings stands twice, in rows " + rows + ".",
-          "If a row was entered twice, exclude one: a copy makes the result look surer than it is."};
+  return {
+      Phrase::of("the same pair of readings stands twice, in rows %1.", rows),
+      Phrase::of("If a row was entered twice, exclude one: a copy makes the result look surer than it is.")};
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/list_text.h"
+#include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
 #include "core/wording/measure.h"
 
@@ -43,15 +44,17 @@ std::string attainableSentence(const std::vector<AttainableUncertainty>& attaina
   std::vector<AttainableUncertainty> measured, known;
   for (auto one = attainable.begin() + 1; one != attainable.end(); ++one)
     (one->known.empty() ? measured : known).push_back(*one);
-  std::string text = "Sessions like this one come to U = " + lengthText(attainable.front().expanded);
+  std::string text =
+      Phrase::of("Sessions like this one come to U = %1", lengthText(attainable.front().expanded));
   for (const std::vector<AttainableUncertainty>& list : {fewOf(measured), fewOf(known)}) {
     std::vector<std::string> texts;
     for (const AttainableUncertainty& one : list)
-      texts.push_back("with " + (one.known.empty() ? textOf(one.measures) : name(one.known) + " known") +
-                      " to " + lengthText(one.expanded));
-    if (!texts.empty()) text += "; " + listed(texts, ", ");
+      texts.push_back(one.known.empty()
+                          ? Phrase::of("with %1 to %2", textOf(one.measures), lengthText(one.expanded))
+                          : Phrase::of("with %1 known to %2", name(one.known), lengthText(one.expanded)));
+    if (!texts.empty()) text = Phrase::of("%1; %2", text, listed(texts));
   }
-  return text + ".";
+  return Phrase::of("%1.", text);
 }
 
 const AttainableUncertainty* easiestMeasured(const std::vector<AttainableUncertainty>& attainable) {

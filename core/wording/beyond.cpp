@@ -1,5 +1,7 @@
 #include "core/wording/beyond.h"
 
+#include "core/base/phrase.h"
+
 namespace alidade {
 
 std::string textOf(Beyond beyond) {
@@ -7,11 +9,11 @@ std::string textOf(Beyond beyond) {
     case Beyond::Nothing:
       break;
     case Beyond::Pattern:
-      return "with what the pattern may move it by";
+      return Phrase::of("with what the pattern may move it by");
     case Beyond::LookAlikes:
-      return "averaged over what looks alike";
+      return Phrase::of("averaged over what looks alike");
     case Beyond::Others:
-      return "averaged over what else may be";
+      return Phrase::of("averaged over what else may be");
   }
   return "";
 }

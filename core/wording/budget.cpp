@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/list_text.h"
+#include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
 
 namespace alidade {
@@ -23,38 +24,38 @@ double roundedTo(double value, int digits) {
 std::string textOf(UncertaintySource source) {
   switch (source) {
     case UncertaintySource::Readings:
-      return "readings";
+      return Phrase::of("readings");
     case UncertaintySource::ModelEffects:
-      return "model effects";
+      return Phrase::of("model effects");
     case UncertaintySource::PlausibleSizes:
-      return "plausible sizes";
+      return Phrase::of("plausible sizes");
     case UncertaintySource::KnownRadius:
-      return "known radius";
+      return Phrase::of("known radius");
     case UncertaintySource::PointingZeros:
-      return "pointing zeros";
+      return Phrase::of("pointing zeros");
     case UncertaintySource::Distance:
-      return "distance";
+      return Phrase::of("distance");
   }
   return "";
 }
 
 std::string textOf(const UncertaintyShare& share) {
   if (share.source != UncertaintySource::PlausibleSizes) return textOf(share.source);
-  return share.effect.empty() ? "what else may explain the readings" : share.effect;
+  return share.effect.empty() ? Phrase::of("what else may explain the readings") : share.effect;
 }
 
 std::string textOf(UncertaintyShare::From from) {
   switch (from) {
     case UncertaintyShare::From::Scatter:
-      return "scatter";
+      return Phrase::of("scatter");
     case UncertaintyShare::From::Stated:
-      return "stated";
+      return Phrase::of("stated");
     case UncertaintyShare::From::Default:
-      return "default";
+      return Phrase::of("default");
     case UncertaintyShare::From::Known:
-      return "known";
+      return Phrase::of("known");
     case UncertaintyShare::From::Diagnosis:
-      return "diagnosis";
+      return Phrase::of("diagnosis");
   }
   return "";
 }
@@ -70,7 +71,7 @@ std::string numbersText(const UncertaintyShare& share) {
     std::string text = displayShortest(roundedTo(size.sigma, digits));
     if (numbers.empty() || numbers.back() != text) numbers.push_back(std::move(text));
   }
-  return listed(numbers, ", ");
+  return listed(numbers);
 }
 
 std::string sizesText(const UncertaintyShare& share) {

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/base/list_text.h"
+#include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
 #include "core/wording/position_name.h"
 
@@ -31,7 +32,7 @@ std::string nameInWords(const Closure& closure) {
     case Closure::Of::Repeat:
       return nameInWords(closure.repeated.value_or(Closure::Repeated{}));
     case Closure::Of::Reference:
-      return "Δd − reference";
+      return Phrase::of("Δd − reference");
   }
   return {};
 }
@@ -52,12 +53,17 @@ std::string misclosureSentence(const Diagnosis& diagnosis) {
   }
   std::string text;
   if (!ofPositions.empty())
-    text = "The positions do not close: " + listed(ofPositions, " and ") +
-           ". What moved between them may have moved Δd: find it, or measure anew and sight the zeros again.";
+    text = Phrase::of(
+        "The positions do not close: %1. What moved between them may have moved Δd: find it, or measure anew "
+        "and "
+        "sight the zeros again.",
+        listed(ofPositions, Phrase::of(" and ")));
   if (!ofKnown.empty())
     text += std::string(text.empty() ? "" : " ") +
-            "The result disagrees with what is known: " + listed(ofKnown, " and ") +
-            ". Check what is known, and find what separates the two.";
+            Phrase::of(
+                "The result disagrees with what is known: %1. Check what is known, and find what separates "
+                "the two.",
+                listed(ofKnown, Phrase::of(" and ")));
   return text;
 }
 

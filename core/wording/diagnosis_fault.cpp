@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "core/base/phrase.h"
 #include "core/wording/findings.h"
 
 namespace alidade {
@@ -9,17 +10,17 @@ namespace alidade {
 namespace {
 
 Problem kindProblem(const NoModel& fault) {
-  if (!fault.why) return {"there are no readings; enter those of the axis positions"};
+  if (!fault.why) return {Phrase::of("there are no readings; enter those of the axis positions")};
   Finding finding = inWords(*fault.why);
   return {std::move(finding.text), std::move(finding.where)};
 }
 
 Problem kindProblem(const UnknownCause& fault) {
-  return {"there is no effect “" + fault.id + "” in the catalogue"};
+  return {Phrase::of("there is no effect “%1” in the catalogue", fault.id)};
 }
 
 Problem kindProblem(const Stopped&) {
-  return {"the diagnosis was stopped"};
+  return {Phrase::of("the diagnosis was stopped")};
 }
 
 }  // namespace

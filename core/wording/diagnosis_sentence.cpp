@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/list_text.h"
+#include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
 #include "core/effects/cause_ids.h"
 
@@ -16,21 +17,26 @@ bool shrinks(const Diagnosis& diagnosis) {
   return diagnosis.causes.front().effect != noiseId;
 }
 
-std::string from(double before, double after, int decimals) {
-  return "from " + displayText(before, decimals) + "″ to " + displayText(after, decimals) + "″";
-}
-
 /// Where the circles' σ differ much, χ² may fall while the residuals, in arcseconds, do not.
 std::string change(const GapSize& before, const GapSize& after) {
   const auto differ = [&](int decimals) {
     return displayText(before.rms, decimals) != displayText(after.rms, decimals);
   };
-  const std::string figures = from(before.rms, after.rms, differ(1) ? 1 : 2);
-  if (after.rms < before.rms && differ(2)) return "the residuals shrink " + figures;
-  const std::string residuals = differ(2) ? "grow " + figures : "stay at " + displayText(after.rms, 2) + "″";
-  if (std::isnan(after.reducedChiSquare)) return "the residuals " + residuals;
-  return "reduced χ² goes from " + displayText(before.reducedChiSquare, 2) + " to " +
-         displayText(after.reducedChiSquare, 2) + "; the residuals, counted alike, " + residuals;
+  const int decimals = differ(1) ? 1 : 2;
+  const std::string from = displayText(before.rms, decimals), to = displayText(after.rms, decimals);
+  if (after.rms < before.rms && differ(2))
+    return Phrase::of("the residuals shrink from %1″ to %2″", from, to);
+  const std::string same = displayText(after.rms, 2);
+  if (std::isnan(after.reducedChiSquare))
+    return differ(2) ? Phrase::of("the residuals grow from %1″ to %2″", from, to)
+                     : Phrase::of("the residuals stay at %1″", same);
+  const std::string fewer = displayText(before.reducedChiSquare, 2),
+                    more = displayText(after.reducedChiSquare, 2);
+  return differ(2)
+             ? Phrase::of("reduced χ² goes from %1 to %2; the residuals, counted alike, grow from %3″ to %4″",
+                          fewer, more, from, to)
+             : Phrase::of("reduced χ² goes from %1 to %2; the residuals, counted alike, stay at %3″", fewer,
+                          more, same);
 }
 
 /// What the positions must agree on, and did not, they agree on with the causes.
@@ -42,16 +48,17 @@ bool closes(const Diagnosis& diagnosis) {
 std::string shrunk(const Diagnosis& diagnosis) {
   const std::string& first = diagnosis.causes.front().effect;
   if (!shrinks(diagnosis))
-    return " The readings scatter " + displayText(diagnosis.causes.front().parameters.front().value, 1) +
-           " times as much as stated, without a pattern.";
-  const std::string with = first == grossErrorId && diagnosis.causes.size() == 1
-                               ? " Without the readings blamed "
-                           : diagnosis.causes.size() == 1 ? " With it in the model "
-                                                          : " With them in the model ";
+    return Phrase::of("The readings scatter %1 times as much as stated, without a pattern.",
+                      displayText(diagnosis.causes.front().parameters.front().value, 1));
   const std::string residuals = change(diagnosis.gap, diagnosis.after);
-  if (!closes(diagnosis)) return with + residuals + ".";
   const bool changes = displayText(diagnosis.gap.rms, 1) != displayText(diagnosis.after.rms, 1);
-  return with + "the two positions close" + (changes ? ", and " + residuals : std::string()) + ".";
+  const std::string effect = !closes(diagnosis) ? residuals
+                             : changes          ? Phrase::of("the two positions close, and %1", residuals)
+                                                : Phrase::of("the two positions close");
+  if (first == grossErrorId && diagnosis.causes.size() == 1)
+    return Phrase::of("Without the readings blamed %1.", effect);
+  return diagnosis.causes.size() == 1 ? Phrase::of("With it in the model %1.", effect)
+                                      : Phrase::of("With them in the model %1.", effect);
 }
 
 std::string named(const std::vector<std::string>& ids, std::string_view last, const CauseNamer& name) {
@@ -63,10 +70,33 @@ std::string named(const std::vector<std::string>& ids, std::string_view last, co
 std::string causesNamed(const Diagnosis& diagnosis, const CauseNamer& name) {
   std::vector<std::string> ids;
   for (const Cause& cause : diagnosis.causes) ids.push_back(cause.effect);
-  return named(ids, " and ", name);
+  return named(ids, Phrase::of(" and "), name);
+}
+
+std::string unexplained(const Diagnosis& diagnosis, const CauseNamer& name) {
+  const std::string causes = causesNamed(diagnosis, name);
+  if (!diagnosis.shape)
+    return causes.empty()
+               ? Phrase::of("The gap is real, and no effect of the catalogue explains it.")
+               : Phrase::of("Beside %1 the gap is real, and no effect of the catalogue explains the rest.",
+                            causes);
+  const std::string pattern = patternName(*diagnosis.shape);
+  return causes.empty()
+             ? Phrase::of(
+                   "The gap is real, and no effect of the catalogue explains it; it follows the pattern "
+                   "“%1”.",
+                   pattern)
+             : Phrase::of(
+                   "Beside %1 the gap is real, and no effect of the catalogue explains the rest; it follows "
+                   "the pattern “%2”.",
+                   causes, pattern);
 }
 
 }  // namespace
+
+std::string patternName(const GapShape& shape) {
+  return Phrase::of(shape.follows.c_str());
+}
 
 std::string byId(const std::string& id) {
   return id;
@@ -76,25 +106,25 @@ std::string sentenceOf(const Diagnosis& diagnosis, const CauseNamer& name) {
   switch (diagnosis.verdict) {
     case DiagnosisVerdict::WithinNoise:
       if (std::isnan(diagnosis.gap.pValue))
-        return "Nothing checks the model: these readings just fix the circles and leave nothing over. Sight "
-               "more places.";
-      return "The readings agree with the model within their stated noise: there is no gap to explain.";
+        return Phrase::of(
+            "Nothing checks the model: these readings just fix the circles and leave nothing over. Sight "
+            "more "
+            "places.");
+      return Phrase::of(
+          "The readings agree with the model within their stated noise: there is no gap to explain.");
     case DiagnosisVerdict::SingleCause:
-      return "The gap is best explained by " + causesNamed(diagnosis, name) + "." + shrunk(diagnosis);
+      return Phrase::of("The gap is best explained by %1. %2", causesNamed(diagnosis, name),
+                        shrunk(diagnosis));
     case DiagnosisVerdict::Ambiguous:
-      return "The gap is best explained by " + causesNamed(diagnosis, name) +
-             " or by what these readings cannot tell from it: " +
-             named(diagnosis.causes.front().indistinguishableFrom, " or ", name) + "." + shrunk(diagnosis);
+      return Phrase::of(
+          "The gap is best explained by %1 or by what these readings cannot tell from it: %2. %3",
+          causesNamed(diagnosis, name),
+          named(diagnosis.causes.front().indistinguishableFrom, Phrase::of(" or "), name), shrunk(diagnosis));
     case DiagnosisVerdict::SeveralCauses:
-      return "The gap is best explained by several causes together: " + causesNamed(diagnosis, name) + "." +
-             shrunk(diagnosis);
+      return Phrase::of("The gap is best explained by several causes together: %1. %2",
+                        causesNamed(diagnosis, name), shrunk(diagnosis));
     case DiagnosisVerdict::NotInCatalogue:
-      return (diagnosis.causes.empty()
-                  ? "The gap is real, and no effect of the catalogue explains it"
-                  : "Beside " + causesNamed(diagnosis, name) +
-                        " the gap is real, and no effect of the catalogue explains the rest") +
-             (diagnosis.shape ? "; it follows the pattern “" + diagnosis.shape->follows + "”."
-                              : std::string("."));
+      return unexplained(diagnosis, name);
   }
   return {};
 }

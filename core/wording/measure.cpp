@@ -1,31 +1,32 @@
 #include "core/wording/measure.h"
 
 #include "core/base/list_text.h"
+#include "core/base/phrase.h"
 
 namespace alidade {
 
 std::string textOf(Measure measure) {
   switch (measure) {
     case Measure::BothFaces:
-      return "both faces";
+      return Phrase::of("both faces");
     case Measure::WayBack:
-      return "the way back";
+      return Phrase::of("the way back");
     case Measure::SliderReadings:
-      return "slider readings";
+      return Phrase::of("slider readings");
     case Measure::ShiftedCircle:
-      return "a second set with the horizontal circle shifted by 60°";
+      return Phrase::of("a second set with the horizontal circle shifted by 60°");
     case Measure::SecondStandOff:
-      return "a second set from half as far again";
+      return Phrase::of("a second set from half as far again");
     case Measure::MoreOfTheArc:
-      return "more of the arc";
+      return Phrase::of("more of the arc");
     case Measure::ZeroSightedAgain:
-      return "the pointing zero sighted again";
+      return Phrase::of("the pointing zero sighted again");
     case Measure::DistanceInBoth:
-      return "the distance measured in both positions";
+      return Phrase::of("the distance measured in both positions");
     case Measure::At0Again:
-      return "0° measured again";
+      return Phrase::of("0° measured again");
     case Measure::At180Again:
-      return "180° measured again";
+      return Phrase::of("180° measured again");
   }
   return "";
 }
@@ -33,11 +34,12 @@ std::string textOf(Measure measure) {
 std::string textOf(const std::vector<Measure>& measures) {
   std::vector<std::string> texts;
   for (const Measure measure : measures) texts.push_back(textOf(measure));
-  return listed(texts, " and ");
+  return listed(texts, Phrase::of(" and "));
 }
 
 std::string howTo(const std::vector<Measure>& measures) {
-  return textOf(measures) + (isReadAnew(measures) ? " (read anew)" : " (in addition)");
+  return isReadAnew(measures) ? Phrase::of("%1 (read anew)", textOf(measures))
+                              : Phrase::of("%1 (in addition)", textOf(measures));
 }
 
 }  // namespace alidade

@@ -1,12 +1,12 @@
 #include "core/wording/position_name.h"
 
+#include "core/base/phrase.h"
+
 namespace alidade {
 
 std::string positionName(int axisDeg, int time) {
-  std::string name = std::to_string(axisDeg) + "°";
-  if (time > 1) name += " again";
-  if (time > 2) name += " (" + std::to_string(time) + ")";
-  return name;
+  if (time < 2) return std::to_string(axisDeg) + "°";
+  return time == 2 ? Phrase::of("%1° again", axisDeg) : Phrase::of("%1° again (%2)", axisDeg, time);
 }
 
 }  // namespace alidade

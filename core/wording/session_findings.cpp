@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
 #include "core/base/visible_text.h"
 #include "core/wording/arc_fault.h"
@@ -13,75 +14,87 @@ using namespace session_finding;
 
 namespace {
 
-/// "1.959 mm, more than their noise allows (0.544 mm at 0.1 % risk)".
-std::string beyondChance(double difference, const std::string& by, double bound) {
-  return displayText(difference, 3) + " mm, more than " + by + " (" + displayText(bound, 3) +
-         " mm at 0.1 % risk).";
+std::string threeDecimals(double millimetres) {
+  return displayText(millimetres, 3);
 }
 
 }  // namespace
 
 Words wordsOf(const ArcMissing& finding) {
-  return {"The arc at " + positionName(finding.axisDeg, finding.time) + " " + textOf(finding.why) + "."};
+  return {Phrase::of("The arc at %1 %2.", positionName(finding.axisDeg, finding.time), textOf(finding.why))};
 }
 
 Words wordsOf(const Undetermined& finding) {
-  return {std::string("The readings of all positions do not determine the circles") +
-              (finding.hasEffects ? " and the effects of the model together" : " together") + ".",
-          std::string("Look for misread values, sight more places over a longer arc") +
-              (finding.hasEffects ? ", or take effects out of the model." : ".")};
+  if (finding.hasEffects)
+    return {
+        Phrase::of("The readings of all positions do not determine the circles and the effects of the model "
+                   "together."),
+        Phrase::of("Look for misread values, sight more places over a longer arc, or take effects out of the "
+                   "model.")};
+  return {Phrase::of("The readings of all positions do not determine the circles together."),
+          Phrase::of("Look for misread values, sight more places over a longer arc.")};
 }
 
 Words wordsOf(const PositionMissing& finding) {
-  return {"There is no usable position at " + std::to_string(finding.axisDeg) + "°, so no intersection.",
-          "The intersection is half the distance of the arc centres at 0° and 180°: measure both."};
+  return {
+      Phrase::of("There is no usable position at %1°, so no intersection.", finding.axisDeg),
+      Phrase::of("The intersection is half the distance of the arc centres at 0° and 180°: measure both.")};
 }
 
 Words wordsOf(const RadiiDiffer& finding) {
-  return {"The radii of the one rigid arc at 0° and 180° differ by " +
-              beyondChance(finding.difference, "their noise allows", finding.bound),
-          "Look for a cause outside the model, such as a plane off the axis."};
+  return {Phrase::of(
+              "The radii of the one rigid arc at 0° and 180° differ by %1 mm, more than their noise allows "
+              "(%2 mm at 0.1 % risk).",
+              threeDecimals(finding.difference), threeDecimals(finding.bound)),
+          Phrase::of("Look for a cause outside the model, such as a plane off the axis.")};
 }
 
 Words wordsOf(const CentresDiffer& finding) {
-  return {"Along the axis the centres at 0° and 180° differ by " +
-              beyondChance(finding.difference, "readings and zeros allow", finding.bound),
-          "Look for a knock or a drift since a zero, or play along the axis."};
+  return {Phrase::of(
+              "Along the axis the centres at 0° and 180° differ by %1 mm, more than readings and zeros allow "
+              "(%2 mm at 0.1 % risk).",
+              threeDecimals(finding.difference), threeDecimals(finding.bound)),
+          Phrase::of("Look for a knock or a drift since a zero, or play along the axis.")};
 }
 
 Words wordsOf(const KnownRadiusContradicted& finding) {
-  return {"The readings do not agree with the known radius of " + displayShortest(finding.nominal) +
-              " mm: they pull it by " + displayText(finding.pulledBy, 4) + " mm, where " +
-              displayText(finding.bound, 4) +
-              " mm is the most that their noise and its σ allow at 0.1 % risk.",
-          "Check R0, its σ and the distance, or let the radius be free."};
+  return {
+      Phrase::of(
+          "The readings do not agree with the known radius of %1 mm: they pull it by %2 mm, where %3 mm is "
+          "the most that their noise and its σ allow at 0.1 % risk.",
+          displayShortest(finding.nominal), displayText(finding.pulledBy, 4), displayText(finding.bound, 4)),
+      Phrase::of("Check R0, its σ and the distance, or let the radius be free.")};
 }
 
 Words wordsOf(const OffReference& finding) {
-  return {"By the fit alone the intersection differs from the reference " +
-              displayShortest(finding.reference) + " mm by " + displayText(finding.difference, 3) +
-              " mm, more than its expanded uncertainty of " + displayText(finding.expanded, 3) + " mm.",
-          "Nothing was fitted to the reference; find what separates the two."};
+  return {
+      Phrase::of("By the fit alone the intersection differs from the reference %1 mm by %2 mm, more than its "
+                 "expanded uncertainty of %3 mm.",
+                 displayShortest(finding.reference), threeDecimals(finding.difference),
+                 threeDecimals(finding.expanded)),
+      Phrase::of("Nothing was fitted to the reference; find what separates the two.")};
 }
 
 Words wordsOf(const UnknownEffect& finding) {
-  return {
-      "The session's model names " + quotation(finding.id) + ", which is no effect that can be estimated.",
-      "Read the result as one without it, or correct the name."};
+  return {Phrase::of("The session's model names %1, which is no effect that can be estimated.",
+                     quotation(finding.id)),
+          Phrase::of("Read the result as one without it, or correct the name.")};
 }
 
 Words wordsOf(const KnownOfNothing& finding) {
-  const std::string which = finding.parameter.empty() ? "" : ", " + quotation(finding.parameter) + ",";
-  return {
-      "What is known of " + quotation(finding.effect) + which + " in " + quotation(finding.unit) +
-          " is of no number of the catalogue.",
-      "Name an effect, which of its numbers where it has two, and the unit as the catalogue has them; until "
-      "then its plausible size is taken."};
+  const std::string effect = quotation(finding.effect), unit = quotation(finding.unit);
+  return {finding.parameter.empty()
+              ? Phrase::of("What is known of %1 in %2 is of no number of the catalogue.", effect, unit)
+              : Phrase::of("What is known of %1, %2, in %3 is of no number of the catalogue.", effect,
+                           quotation(finding.parameter), unit),
+          Phrase::of("Name an effect, which of its numbers where it has two, and the unit as the catalogue "
+                     "has them; until "
+                     "then its plausible size is taken.")};
 }
 
 Words wordsOf(const PlanarRelation&) {
-  return {"The model takes the vertical circle to read y/L, which no theodolite does.",
-          "Set the vertical angle to exact, unless the planar relation is to be studied."};
+  return {Phrase::of("The model takes the vertical circle to read y/L, which no theodolite does."),
+          Phrase::of("Set the vertical angle to exact, unless the planar relation is to be studied.")};
 }
 
 }  // namespace alidade

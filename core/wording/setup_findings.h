@@ -15,8 +15,6 @@ Words wordsOf(const setup_finding::ZerosAlike& finding);
 Words wordsOf(const setup_finding::ZeroMoved& finding);
 Words wordsOf(const setup_finding::ZeroFaceLeftOut& finding);
 
-/// " theodolite sights anything at a distance of 2.4 mm": after "no".
-std::string tooShortText(double distance);
 /// The two lengths as typed, mm, and where they stand: after "check".
 std::string lengthsToCheck(double distance, double nominalRadius);
 

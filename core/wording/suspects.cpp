@@ -1,8 +1,11 @@
 #include "core/wording/suspects.h"
 
 #include <cmath>
+#include <vector>
 
 #include "core/base/angle_text.h"
+#include "core/base/list_text.h"
+#include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
 #include "core/base/visible_text.h"
 #include "core/wording/position_name.h"
@@ -20,6 +23,14 @@ std::string signedSize(Angle size) {
   return sign + (std::abs(seconds) < 120 ? displayText(seconds, 1) + "″" : formatDms(size));
 }
 
+/// "vertical" for people.
+std::string fieldName(const std::string& field) {
+  if (field == "horizontal") return Phrase::of("horizontal");
+  if (field == "vertical") return Phrase::of("vertical");
+  if (field == "slider") return Phrase::of("slider");
+  return field == "face" ? Phrase::of("face") : field;
+}
+
 std::string capitalised(std::string text) {
   if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
   return text;
@@ -27,10 +38,12 @@ std::string capitalised(std::string text) {
 
 /// "0°, point 5, vertical"; round and face where they are not 1.
 std::string nameOf(const Suspect& suspect) {
-  std::string name = positionName(suspect.axisDeg, suspect.time) + ", point " + std::to_string(suspect.point);
-  if (suspect.round != 1) name += ", round " + std::to_string(suspect.round);
-  if (suspect.face != 1) name += ", face " + std::to_string(suspect.face);
-  return name + ", " + suspect.where.field;
+  std::vector<std::string> parts{positionName(suspect.axisDeg, suspect.time),
+                                 Phrase::of("point %1", suspect.point)};
+  if (suspect.round != 1) parts.push_back(Phrase::of("round %1", suspect.round));
+  if (suspect.face != 1) parts.push_back(Phrase::of("face %1", suspect.face));
+  parts.push_back(fieldName(suspect.where.field));
+  return listed(parts);
 }
 
 }  // namespace
@@ -38,61 +51,67 @@ std::string nameOf(const Suspect& suspect) {
 std::string slipName(EntrySlip slip) {
   switch (slip) {
     case EntrySlip::DigitsSwapped:
-      return "two digits swapped";
+      return Phrase::of("two digits swapped");
     case EntrySlip::OneDigitWrong:
-      return "one digit wrong";
+      return Phrase::of("one digit wrong");
     case EntrySlip::DegreeOff:
-      return "one degree off";
+      return Phrase::of("one degree off");
     case EntrySlip::TenMinutesOff:
-      return "ten minutes off";
+      return Phrase::of("ten minutes off");
     case EntrySlip::MinuteOff:
-      return "one minute off";
+      return Phrase::of("one minute off");
     case EntrySlip::TenSecondsOff:
-      return "ten seconds off";
+      return Phrase::of("ten seconds off");
     case EntrySlip::CirclesSwapped:
-      return "the two circles swapped";
+      return Phrase::of("the two circles swapped");
     case EntrySlip::WrongFace:
-      return "the wrong face";
+      return Phrase::of("the wrong face");
     case EntrySlip::NeighbouringRow:
-      return "swapped with the neighbouring row";
+      return Phrase::of("swapped with the neighbouring row");
   }
   return "";
 }
 
 std::string sentenceOf(const Proposal& proposal) {
-  std::string sentence;
+  std::vector<std::string> changes;
   for (const CellChange& change : proposal.changes) {
     const bool otherRow = change.where.reading != proposal.changes.front().where.reading;
-    sentence += (sentence.empty() ? "" : ", ") +
-                (sentence.empty() ? capitalised(change.where.field) : change.where.field) +
-                (otherRow ? " of row " + std::to_string(*change.where.reading + 1) : "") + " " +
-                (change.typed.empty() ? "(empty)" : shortened(change.typed, longestTyped)) + " → " +
-                change.text;
+    const std::string name = fieldName(change.where.field),
+                      cell = otherRow ? Phrase::of("%1 of row %2", name, *change.where.reading + 1) : name;
+    changes.push_back((changes.empty() ? capitalised(cell) : cell) + " " +
+                      (change.typed.empty() ? Phrase::of("(empty)") : shortened(change.typed, longestTyped)) +
+                      " → " + change.text);
   }
-  return sentence + ": " + slipName(proposal.slip) + "; residual then " + signedSize(proposal.residual) + ".";
+  return Phrase::of("%1: %2; residual then %3.", listed(changes), slipName(proposal.slip),
+                    signedSize(proposal.residual));
 }
 
 std::string sentenceOf(const Suspect& suspect) {
-  const std::string fault = suspect.where.field == "face"           ? "the other face"
-                            : std::isfinite(suspect.size.radians()) ? "off by " + signedSize(suspect.size)
-                                                                    : "no angle";
-  return nameOf(suspect) + ": " + fault + ". " +
-         (suspect.proposals.empty() ? "No single slip explains it: read it again."
-                                    : "Probably meant: " + sentenceOf(suspect.proposals.front()));
+  const std::string fault = suspect.where.field == "face" ? Phrase::of("the other face")
+                            : std::isfinite(suspect.size.radians())
+                                ? Phrase::of("off by %1", signedSize(suspect.size))
+                                : Phrase::of("no angle");
+  return suspect.proposals.empty()
+             ? Phrase::of("%1: %2. No single slip explains it: read it again.", nameOf(suspect), fault)
+             : Phrase::of("%1: %2. Probably meant: %3", nameOf(suspect), fault,
+                          sentenceOf(suspect.proposals.front()));
 }
 
 std::optional<Finding> suspectsFinding(const std::vector<Suspect>& suspects) {
   if (suspects.empty()) return std::nullopt;
   std::string names;
-  for (const Suspect& suspect : suspects) names += (names.empty() ? "" : "; ") + nameOf(suspect);
+  for (const Suspect& suspect : suspects) names += (names.empty() ? "" : Phrase::of("; ")) + nameOf(suspect);
   const bool one = suspects.size() == 1;
-  const std::string it = one ? "it" : "them";
   return Finding{
       Severity::Warning,
-      (one ? "A reading looks misread: " : std::to_string(suspects.size()) + " readings look misread: ") +
-          names + ".",
-      "Check " + it + " in the field book, then correct or exclude " + it +
-          "; until then every usable reading takes part in the result.",
+      one ? Phrase::of("A reading looks misread: %1.", names)
+          : Phrase::of("%1 readings look misread: %2.", suspects.size(), names),
+      one ? Phrase::of("Check it in the field book, then correct or exclude it; until then every usable "
+                       "reading takes "
+                       "part in the result.")
+          : Phrase::of(
+                "Check them in the field book, then correct or exclude them; until then every usable reading "
+                "takes part in the result."),
       one ? suspects.front().where : Place{}};
 }
 

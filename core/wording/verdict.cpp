@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/base/number_text.h"
+#include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
 #include "core/wording/across.h"
 #include "core/wording/attainable.h"
@@ -14,14 +16,18 @@ namespace alidade {
 
 namespace {
 
-/// What speaks against the lengths, and what to check.
-std::string textOf(const LengthsInDoubt& doubt) {
-  const std::string check = "check " + lengthsToCheck(doubt.distance, doubt.nominalRadius) + ".";
-  if (!doubt.radius) return "no" + tooShortText(doubt.distance) + ": " + check;
-  return "the radius fitted at " + positionName(doubt.radius->axisDeg, doubt.radius->time) + " is " +
-         displayText(doubt.radius->percentOff, 0) +
-         " % off the nominal one, and lengths that are so far from what they should be prove nothing: " +
-         check;
+/// Why there is no verdict, and what to check.
+std::string withheldBy(const LengthsInDoubt& doubt) {
+  const std::string lengths = lengthsToCheck(doubt.distance, doubt.nominalRadius);
+  if (!doubt.radius)
+    return Phrase::of(
+        "The verdict is withheld: no theodolite sights anything at a distance of %1 mm: check %2.",
+        shortestText(doubt.distance), lengths);
+  return Phrase::of(
+      "The verdict is withheld: the radius fitted at %1 is %2 % off the nominal one, and lengths that "
+      "are so far from what they should be prove nothing: check %3.",
+      positionName(doubt.radius->axisDeg, doubt.radius->time), displayText(doubt.radius->percentOff, 0),
+      lengths);
 }
 
 std::string lengthText(double value, double expanded, double tolerance) {
@@ -29,43 +35,54 @@ std::string lengthText(double value, double expanded, double tolerance) {
 }
 
 std::string limitText(double tolerance) {
-  return "the tolerance of ± " + displayShortest(tolerance) + " mm";
+  return Phrase::of("the tolerance of ± %1 mm", displayShortest(tolerance));
 }
 
-/// " (95 % coverage)".
-std::string coverageText(double coverage) {
-  return " (" + displayShortest(coverage * 100) + " % coverage)";
+/// "1.31 mm ± 0.21 mm (95 % coverage)".
+std::string withCoverage(const std::string& length, double coverage) {
+  return Phrase::of("%1 (%2 % coverage)", length, displayShortest(coverage * 100));
 }
 
 /// Of one account: where it lies.
 std::string standing(Verdict verdict, const std::string& limit) {
   switch (verdict) {
     case Verdict::Accept:
-      return "within " + limit;
+      return Phrase::of("within %1", limit);
     case Verdict::Reject:
-      return "outside " + limit;
+      return Phrase::of("outside %1", limit);
     case Verdict::Undecided:
       break;
   }
-  return "not clearly within or outside " + limit;
+  return Phrase::of("not clearly within or outside %1", limit);
 }
 
-std::string agreement(Verdict verdict, const std::string& limit) {
+std::string agreement(const std::string& first, const std::string& second, Verdict verdict,
+                      const std::string& limit) {
   if (verdict == Verdict::Undecided)
-    return "; with these uncertainties it cannot be said whether it lies within " + limit + ".";
-  return "; both lie " + standing(verdict, limit) + ", their uncertainty included.";
+    return Phrase::of(
+        "By the fit alone, the intersection is %1; with all that these readings leave possible, it is "
+        "%2; with these uncertainties it cannot be said whether it lies within %3.",
+        first, second, limit);
+  return Phrase::of(
+      "By the fit alone, the intersection is %1; with all that these readings leave possible, it is %2; "
+      "both lie %3, their uncertainty included.",
+      first, second, standing(verdict, limit));
 }
 
 /// What brings the most to U, and what to do about it.
 std::string wayOut(const Diagnosis& diagnosis, const CauseNamer& name) {
   const UncertaintyShare& most = diagnosis.measured->budget.front();
   if (most.effect.empty() || most.from == UncertaintyShare::From::Diagnosis)
-    return "Add to the model what was found, or measure what the diagnosis advises.";
+    return Phrase::of("Add to the model what was found, or measure what the diagnosis advises.");
   const AttainableUncertainty* easiest = easiestMeasured(diagnosis.attainable);
-  return "The most of U comes from " + name(most.effect) + ", as large as is plausible: " +
-         (easiest ? "with " + textOf(easiest->measures) + " U would come to some " +
-                        displayText(easiest->expanded, decimalsFor(easiest->expanded)) + " mm."
-                  : "measure what shows it.");
+  return easiest
+             ? Phrase::of(
+                   "The most of U comes from %1, as large as is plausible: with %2 U would come to some %3 "
+                   "mm.",
+                   name(most.effect), textOf(easiest->measures),
+                   displayText(easiest->expanded, decimalsFor(easiest->expanded)))
+             : Phrase::of("The most of U comes from %1, as large as is plausible: measure what shows it.",
+                          name(most.effect));
 }
 
 std::string bothAccounts(const Measurement& measurement, const Intersection& modelled,
@@ -73,19 +90,21 @@ std::string bothAccounts(const Measurement& measurement, const Intersection& mod
                          const CauseNamer& name) {
   const double tolerance = *measurement.tolerance;
   const std::string limit = limitText(tolerance);
-  const std::string first =
-      "By the fit alone, the intersection is " + lengthText(modelled.value, modelled.expanded, tolerance);
+  const std::string first = lengthText(modelled.value, modelled.expanded, tolerance);
   if (!diagnosis.measured)
-    return first + ", " + standing(decision.asModelled, limit) +
-           "; but with what the diagnosis found, these readings do not determine it.";
+    return Phrase::of(
+        "By the fit alone, the intersection is %1, %2; but with what the diagnosis found, these readings "
+        "do not determine it.",
+        first, standing(decision.asModelled, limit));
   const IntersectionEstimate& measured = diagnosis.measured->estimate;
-  const std::string second = "with all that these readings leave possible, it is " +
-                             lengthText(measured.value, measured.expanded, tolerance);
-  const std::string coverage = coverageText(measurement.coverage);
-  if (decision.asModelled == decision.asFound)
-    return first + "; " + second + coverage + agreement(decision.asModelled, limit);
-  return first + ", " + standing(decision.asModelled, limit) + "; " + second + coverage + ", " +
-         standing(*decision.asFound, "it") + ". " + wayOut(diagnosis, name);
+  const std::string second =
+      withCoverage(lengthText(measured.value, measured.expanded, tolerance), measurement.coverage);
+  if (decision.asModelled == decision.asFound) return agreement(first, second, decision.asModelled, limit);
+  return Phrase::of(
+      "By the fit alone, the intersection is %1, %2; with all that these readings leave possible, it is "
+      "%3, %4. %5",
+      first, standing(decision.asModelled, limit), second, standing(*decision.asFound, Phrase::of("it")),
+      wayOut(diagnosis, name));
 }
 
 /// Of the distance from the axis as a whole, whose parts are known.
@@ -93,11 +112,11 @@ std::string distanceText(const Measurement& measurement, const MeasuredIntersect
                          const AcceptanceDecision& decision) {
   const double tolerance = *measurement.tolerance;
   const auto part = [&](const auto& length) { return lengthText(length.value, length.expanded, tolerance); };
-  return "As measured, the distance of the arc's centre from the axis is " + part(*measured.distance) +
-         coverageText(measurement.coverage) + ": " + part(measured.estimate) +
-         " in the plane of the arc (Δd), " + part(*measured.across) + " across it (Δz); it lies " +
-         standing(decision.asFound.value_or(Verdict::Undecided), limitText(tolerance)) +
-         ", its uncertainty included.";
+  return Phrase::of(
+      "As measured, the distance of the arc's centre from the axis is %1: %2 in the plane of the arc "
+      "(Δd), %3 across it (Δz); it lies %4, its uncertainty included.",
+      withCoverage(part(*measured.distance), measurement.coverage), part(measured.estimate),
+      part(*measured.across), standing(decision.asFound.value_or(Verdict::Undecided), limitText(tolerance)));
 }
 
 /// What a tolerance of Δd does not judge.
@@ -106,9 +125,10 @@ std::string acrossText(const Measurement& measurement, const Diagnosis* diagnosi
       !liesOff(*diagnosis->measured))
     return "";
   const MeasuredLength& across = *diagnosis->measured->across;
-  return " This judges the plane of the arc alone: across it, its centre lies " +
-         lengthWithUncertainty(std::abs(across.value), across.expanded, decimalsFor(across.expanded)) +
-         " off the axis.";
+  return " " +
+         Phrase::of(
+             "This judges the plane of the arc alone: across it, its centre lies %1 off the axis.",
+             lengthWithUncertainty(std::abs(across.value), across.expanded, decimalsFor(across.expanded)));
 }
 
 /// What the verdict rests on.
@@ -125,8 +145,8 @@ std::string accountsText(const Measurement& measurement, const SessionFit& fit, 
 /// Nothing is certain.
 std::string boundedText(double probability, const std::string& more, const std::string& less, int decimals) {
   constexpr double nearlyCertain = 0.9995;
-  if (probability >= nearlyCertain) return more + "99.9 %";
-  if (probability < 1 - nearlyCertain) return less + "0.1 %";
+  if (probability >= nearlyCertain) return more;
+  if (probability < 1 - nearlyCertain) return less;
   return displayText(probability * 100, decimals) + " %";
 }
 
@@ -154,48 +174,57 @@ bool tellsAcross(const Diagnosis* diagnosis, const AcceptanceDecision& decision)
 }
 
 std::string probabilityText(double probability) {
-  return boundedText(probability, "more than ", "less than ", 1);
+  return boundedText(probability, Phrase::of("more than 99.9 %"), Phrase::of("less than 0.1 %"), 1);
 }
 
 std::string shortProbabilityText(double probability) {
   constexpr double nearAnEnd = 0.01;
   const bool isNearAnEnd = probability > 1 - nearAnEnd || probability < nearAnEnd;
-  return boundedText(probability, "> ", "< ", isNearAnEnd ? 1 : 0);
+  return boundedText(probability, "> 99.9 %", "< 0.1 %", isNearAnEnd ? 1 : 0);
 }
 
 std::string verdictSentence(const Measurement& measurement, const SessionFit& fit, const Diagnosis* diagnosis,
                             const AcceptanceDecision& decision, const CauseNamer& name) {
-  if (fit.lengthsInDoubt) return "The verdict is withheld: " + textOf(*fit.lengthsInDoubt);
+  if (fit.lengthsInDoubt) return withheldBy(*fit.lengthsInDoubt);
   if (decision.obstacle == AcceptanceDecision::Obstacle::Coverage)
-    return "There is no verdict at a coverage of " + displayShortest(measurement.coverage * 100) +
-           " %: state acceptance.coverage as " + displayShortest(leastCoverageOfVerdict) + " or more.";
+    return Phrase::of("There is no verdict at a coverage of %1 %: state acceptance.coverage as %2 or more.",
+                      displayShortest(measurement.coverage * 100), displayShortest(leastCoverageOfVerdict));
   const std::string rests =
       accountsText(measurement, fit, diagnosis, decision, name) + acrossText(measurement, diagnosis);
   if (decision.obstacle == AcceptanceDecision::Obstacle::AcrossUnknown)
-    return "The tolerance is of the distance from the axis as a whole, and how far the arc's centre lies off "
-           "it across the plane of the arc was not measured: read both positions over more of the arc, or "
-           "state it (device.known: plane_offset). " +
-           rests;
+    return Phrase::of(
+        "The tolerance is of the distance from the axis as a whole, and how far the arc's centre lies "
+        "off it across the plane of the arc was not measured: read both positions over more of the arc, "
+        "or state it (device.known: plane_offset). %1",
+        rests);
   if (decision.obstacle == AcceptanceDecision::Obstacle::Misclosure)
     return misclosureSentence(*diagnosis) + ' ' + rests;
   if (!decision.conformance) return rests;
-  return rests + (decision.showsBoth ? " By all that is possible, it conforms" : " It conforms") +
-         " with a probability of " + probabilityText(*decision.conformance) + ".";
+  const std::string probability = probabilityText(*decision.conformance);
+  return decision.showsBoth ? Phrase::of("%1 By all that is possible, it conforms with a probability of %2.",
+                                         rests, probability)
+                            : Phrase::of("%1 It conforms with a probability of %2.", rests, probability);
 }
 
 std::string verdictSentence(double value, double expanded, double tolerance, double coverage) {
-  const std::string measured = "By the fit alone, the intersection is " +
-                               lengthText(value, expanded, tolerance) + coverageText(coverage);
+  const std::string measured = withCoverage(lengthText(value, expanded, tolerance), coverage);
   const std::string limit = limitText(tolerance);
   switch (decide(value, expanded, tolerance)) {
     case Verdict::Accept:
-      return measured + "; it lies within " + limit + ", its uncertainty included.";
+      return Phrase::of(
+          "By the fit alone, the intersection is %1; it lies within %2, its uncertainty included.", measured,
+          limit);
     case Verdict::Reject:
-      return measured + "; it lies outside " + limit + ", its uncertainty included.";
+      return Phrase::of(
+          "By the fit alone, the intersection is %1; it lies outside %2, its uncertainty included.", measured,
+          limit);
     case Verdict::Undecided:
       break;
   }
-  return measured + "; with this uncertainty it cannot be said whether it lies within " + limit + ".";
+  return Phrase::of(
+      "By the fit alone, the intersection is %1; with this uncertainty it cannot be said whether it lies "
+      "within %2.",
+      measured, limit);
 }
 
 }  // namespace alidade

@@ -10,6 +10,7 @@
 #include <tuple>
 #include <utility>
 
+#include "core/base/phrase.h"
 #include "core/observation/half_turn.h"
 
 namespace alidade {
@@ -279,44 +280,54 @@ std::vector<ShapeComponent> shapeComponents(const Leftover& leftover, const Meas
       radialOrders.push_back(order);
   for (int order = 1; order <= 8; ++order)
     if (order != 2 || isLeft(ErrorTerm::WarpCosine)) planeOrders.push_back(order);
-  maker.addHarmonics("radius along the guideway", radial, harmonics, radialOrders);
-  maker.addHarmonics("guideway out of its plane", offPlane, harmonics, planeOrders);
-  maker.addHarmonics("slider readings along the scale", slider, harmonics, {2, 3, 4, 5, 6, 7, 8});
+  maker.addHarmonics(PHRASE_LATER("Phrase", "radius along the guideway"), radial, harmonics, radialOrders);
+  maker.addHarmonics(PHRASE_LATER("Phrase", "guideway out of its plane"), offPlane, harmonics, planeOrders);
+  maker.addHarmonics(PHRASE_LATER("Phrase", "slider readings along the scale"), slider, harmonics,
+                     {2, 3, 4, 5, 6, 7, 8});
   const auto point = [&](Index i) { return all.rowOf(i).point; };
-  maker.addGroups("radius from place to place, turning with the guideway", radial, all.visits, point);
-  maker.addGroups("guideway out of its plane from place to place", offPlane, all.visits, point);
-  maker.addGroups("slider readings from place to place", slider, all.visits, point);
+  maker.addGroups(PHRASE_LATER("Phrase", "radius from place to place, turning with the guideway"), radial,
+                  all.visits, point);
+  maker.addGroups(PHRASE_LATER("Phrase", "guideway out of its plane from place to place"), offPlane,
+                  all.visits, point);
+  maker.addGroups(PHRASE_LATER("Phrase", "slider readings from place to place"), slider, all.visits, point);
   const auto place = [&](Index i) { return std::pair(all.at(i).arc, all.rowOf(i).point); };
-  maker.addGroups("radius from place to place in each position", radial, all.visits, place);
+  maker.addGroups(PHRASE_LATER("Phrase", "radius from place to place in each position"), radial, all.visits,
+                  place);
   maker.startSource(ErrorSource::Time);
   const CellFunctions waves = smooth(all.elapsed, wavesOf(all.rows->count()));
-  maker.addOrientations(
-      {"horizontal orientation with time", "vertical orientation with time", "orientation with time"},
-      horizontal, vertical, waves);
-  maker.addOrientation("orientation settling with time", horizontal, vertical, settling(all.elapsed));
+  maker.addOrientations({PHRASE_LATER("Phrase", "horizontal orientation with time"),
+                         PHRASE_LATER("Phrase", "vertical orientation with time"),
+                         PHRASE_LATER("Phrase", "orientation with time")},
+                        horizontal, vertical, waves);
+  maker.addOrientation(PHRASE_LATER("Phrase", "orientation settling with time"), horizontal, vertical,
+                       settling(all.elapsed));
   std::vector<Index> slowest;
   for (Index wave = 0; wave < std::min<Index>(4, waves.count()); ++wave) slowest.push_back(wave);
   // The target nearer, whichever way the guideway is turned.
   const auto isTurned = [&](Index i) { return all.arcOf(i).axisDeg != 0; };
-  maker.add("distance with time", all.ofInstrument(leftover.column(ErrorTerm::PlaneOffset), isTurned),
-            waves.chosen(slowest));
+  maker.add(PHRASE_LATER("Phrase", "distance with time"),
+            all.ofInstrument(leftover.column(ErrorTerm::PlaneOffset), isTurned), waves.chosen(slowest));
   maker.startSource(ErrorSource::Guideway);
-  maker.add("slider readings along the scale", slider, smooth(toUnit(all.s), 6));
+  maker.add(PHRASE_LATER("Phrase", "slider readings along the scale"), slider, smooth(toUnit(all.s), 6));
   maker.startSource(ErrorSource::Instrument);
   const CellFunctions alongAzimuth = smooth(toUnit(all.a), 6), alongElevation = smooth(toUnit(all.e), 6);
-  maker.add("horizontal readings with azimuth", horizontal, alongAzimuth);
-  maker.add("vertical readings with elevation", vertical, alongElevation);
-  maker.add("horizontal readings with elevation", horizontal, alongElevation);
-  maker.add("vertical readings with azimuth", vertical, alongAzimuth);
+  maker.add(PHRASE_LATER("Phrase", "horizontal readings with azimuth"), horizontal, alongAzimuth);
+  maker.add(PHRASE_LATER("Phrase", "vertical readings with elevation"), vertical, alongElevation);
+  maker.add(PHRASE_LATER("Phrase", "horizontal readings with elevation"), horizontal, alongElevation);
+  maker.add(PHRASE_LATER("Phrase", "vertical readings with azimuth"), vertical, alongAzimuth);
   const auto isFace2 = [&](Index i) { return all.rowOf(i).face != 1; };
-  maker.add("difference of the faces, horizontal", all.ofInstrument(ofHorizontal, isFace2), alongElevation);
-  maker.add("difference of the faces, vertical", all.ofInstrument(ofVertical, isFace2), alongElevation);
+  maker.add(PHRASE_LATER("Phrase", "difference of the faces, horizontal"),
+            all.ofInstrument(ofHorizontal, isFace2), alongElevation);
+  maker.add(PHRASE_LATER("Phrase", "difference of the faces, vertical"),
+            all.ofInstrument(ofVertical, isFace2), alongElevation);
   maker.startSource(ErrorSource::Time);
   const auto block = [&](Index i) {
     return std::tuple(all.at(i).arc, all.rowOf(i).round, all.rowOf(i).face);
   };
-  maker.addGroups("horizontal orientation from round to round", horizontal, all.rows, block);
-  maker.addGroups("vertical orientation from round to round", vertical, all.rows, block);
+  maker.addGroups(PHRASE_LATER("Phrase", "horizontal orientation from round to round"), horizontal, all.rows,
+                  block);
+  maker.addGroups(PHRASE_LATER("Phrase", "vertical orientation from round to round"), vertical, all.rows,
+                  block);
   return maker.take();
 }
 

@@ -7,6 +7,7 @@
 
 #include "core/effects/catalogue.h"
 #include "core/effects/cause_ids.h"
+#include "core/wording/diagnosis_sentence.h"
 #include "core/wording/verdict.h"
 #include "ui/settings/theme.h"
 #include "ui/text/cause_text.h"
@@ -244,7 +245,7 @@ void CauseList::addShape(const GapShape& shape) {
   addTitle(tr("Shape of the gap"), numberText(100 * shape.share, 0) + QStringLiteral(" %"));
   addText(tr("It follows the pattern “%1”, which takes up %2 % of the gap. No effect of the catalogue makes "
              "it, so nothing can be added to the model: look at what in the set-up has this shape.")
-              .arg(qText(shape.follows), numberText(100 * shape.share, 0)));
+              .arg(qText(patternName(shape)), numberText(100 * shape.share, 0)));
 }
 
 void CauseList::addEffectOfModel(const Gap& gap, const std::string& id) {
