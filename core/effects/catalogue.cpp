@@ -24,6 +24,7 @@ constexpr std::vector<Effect> makeCatalogue() {
        PHRASE_LATER("Phrase", "set the session's vertical angle relation right"),
        ErrorSource::Instrument,
        AllOrNothing,
+       //: how much of the effect is there
        {{PHRASE_LATER("Phrase", "share"), VerticalAngleRelation, "-", 1}}},
       {"collimation",
        PHRASE_LATER("Phrase", "collimation"),
@@ -38,6 +39,7 @@ constexpr std::vector<Effect> makeCatalogue() {
        PHRASE_LATER("Phrase", "observe in both faces"),
        ErrorSource::Instrument,
        Linear,
+       //: the size of a tilt
        {{PHRASE_LATER("Phrase", "tilt"), TrunnionTilt, "arcsec", 30}}},
       {"vertical_index",
        PHRASE_LATER("Phrase", "vertical index"),
@@ -45,6 +47,7 @@ constexpr std::vector<Effect> makeCatalogue() {
        PHRASE_LATER("Phrase", "observe in both faces"),
        ErrorSource::Instrument,
        Linear,
+       //: the error of a circle's index
        {{PHRASE_LATER("Phrase", "index"), VerticalIndex, "arcsec", 30}}},
       {"vertical_axis_tilt",
        PHRASE_LATER("Phrase", "vertical axis tilt"),
@@ -60,7 +63,9 @@ constexpr std::vector<Effect> makeCatalogue() {
        PHRASE_LATER("Phrase", "observe in both faces, or repeat with a shifted circle"),
        ErrorSource::Instrument,
        Linear,
+       //: the part of a wave that goes as the sine
        {{PHRASE_LATER("Phrase", "sine"), HorizontalCircleSine, "arcsec", 10},
+        //: the part of a wave that goes as the cosine
         {PHRASE_LATER("Phrase", "cosine"), HorizontalCircleCosine, "arcsec", 10}}},
       {"vertical_circle_eccentricity",
        PHRASE_LATER("Phrase", "vertical circle eccentricity"),
@@ -76,6 +81,7 @@ constexpr std::vector<Effect> makeCatalogue() {
        PHRASE_LATER("Phrase", "observe there and back, and let the instrument settle"),
        ErrorSource::Time,
        Linear,
+       //: how far something drifts
        {{PHRASE_LATER("Phrase", "drift"), HorizontalDrift, "arcsec", 15}}},
       {"vertical_drift",
        PHRASE_LATER("Phrase", "vertical drift"),
@@ -100,6 +106,7 @@ constexpr std::vector<Effect> makeCatalogue() {
        PHRASE_LATER("Phrase", "measure the distance in both positions"),
        ErrorSource::Guideway,
        Linear,
+       //: how far something lies off
        {{PHRASE_LATER("Phrase", "offset"), PlaneOffset, "mm", 1}}},
       {"axial_shift",
        PHRASE_LATER("Phrase", "axial shift"),
@@ -107,6 +114,7 @@ constexpr std::vector<Effect> makeCatalogue() {
        PHRASE_LATER("Phrase", "sight the zero again before and after turning, and look at the axial bearing"),
        ErrorSource::Guideway,
        Linear,
+       //: how far something shifts
        {{PHRASE_LATER("Phrase", "shift"), AxialShift, "mm", 0.2}}},
       {"radius_change",
        PHRASE_LATER("Phrase", "radius change"),
@@ -114,6 +122,7 @@ constexpr std::vector<Effect> makeCatalogue() {
        PHRASE_LATER("Phrase", "measure the distance in both positions, and look for play and temperature"),
        ErrorSource::Guideway,
        Linear,
+       //: how much something changes
        {{PHRASE_LATER("Phrase", "change"), RadiusChange, "mm", 0.1}}},
       {"arc_ellipticity",
        PHRASE_LATER("Phrase", "arc ellipticity"),
@@ -137,6 +146,7 @@ constexpr std::vector<Effect> makeCatalogue() {
        PHRASE_LATER("Phrase", "read the slider, and stiffen the guideway"),
        ErrorSource::Guideway,
        Linear,
+       //: how far something sags
        {{PHRASE_LATER("Phrase", "sag"), GravitySag, "mm", 0.05}}},
       {"plane_warp",
        PHRASE_LATER("Phrase", "plane warp"),
@@ -152,6 +162,7 @@ constexpr std::vector<Effect> makeCatalogue() {
        PHRASE_LATER("Phrase", "calibrate the slider"),
        ErrorSource::Guideway,
        Linear,
+       //: how much a scale is stretched
        {{PHRASE_LATER("Phrase", "scale"), SliderScale, "1", 5e-4}}},
       {"slider_eccentricity",
        PHRASE_LATER("Phrase", "slider eccentricity"),
