@@ -9,4 +9,4 @@ into=${3:-$list}
 [[ $into == "$list" ]] || cp -- "$list" "$into"
 cd -- "$root"
 "$lupdate" -silent -I . -no-obsolete -locations none -tr-function-alias tr+=of -tr-function-alias QT_TRANSLATE_NOOP+=PHRASE_LATER \
-  -source-language en -target-language zh_CN core ui app/workstation -ts "$into"
+  -tr-function-alias Q_DECLARE_TR_FUNCTIONS+=PHRASE_CONTEXT -source-language en -target-language zh_CN core ui app/workstation -ts "$into"

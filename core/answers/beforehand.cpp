@@ -5,6 +5,7 @@
 
 #include "core/adjustment/result/session_findings.h"
 #include "core/adjustment/result/setup_findings.h"
+#include "core/base/phrase.h"
 #include "core/wording/findings.h"
 
 namespace alidade {
@@ -14,9 +15,11 @@ std::optional<Problem> absence(const Measurement& measurement, std::size_t fitte
   if (fitted > 0 && fitted == measurement.arcs.size()) return std::nullopt;
   const auto error = std::ranges::find(findings, Severity::Error, &FitFinding::severity);
   if (error == findings.end())
-    return Problem{"there are no readings to fit; enter those of the axis positions"};
+    return Problem{Phrase::of("there are no readings to fit; enter those of the axis positions")};
   const Finding finding = inWords(*error);
-  return Problem{finding.remedy.empty() ? finding.text : finding.text + " " + finding.remedy, finding.where};
+  //: two sentences, what was found and what to do about it
+  return Problem{finding.remedy.empty() ? finding.text : Phrase::of("%1 %2", finding.text, finding.remedy),
+                 finding.where};
 }
 
 Result<std::vector<Finding>> findingsBeforehand(const Measurement& measurement, const SessionFit& fit) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/number_text.h"
+#include "core/base/phrase.h"
 #include "core/base/typed_text.h"
 #include "core/base/visible_text.h"
 
@@ -15,7 +16,6 @@ namespace alidade {
 namespace {
 
 constexpr std::string_view degreeSign = "°";
-constexpr const char* exampleOfAnAngle = "type an angle such as 341°52'24\"";
 
 /// Degrees, minutes and seconds as typed: one to three unsigned decimal numbers, the missing ones taken as
 /// zero.
@@ -64,27 +64,33 @@ class AngleReader {
   }
 
   Result<Angle> read() const {
-    if (plainSigns(m_typed).empty()) return Problem{std::string("is empty: ") + exampleOfAnAngle};
+    if (plainSigns(m_typed).empty())
+      return Problem{Phrase::of("is empty: type an angle such as 341°52'24\"")};
     if (endsWithLetters(m_body, "gon")) return readUnit(3, &Angle::fromGon);
     if (endsWithLetters(m_body, "deg")) return readUnit(3, &Angle::fromDegrees);
     if (endsWithLetters(m_body, "g")) return readUnit(1, &Angle::fromGon);
     if (m_body.find(degreeSign) != std::string::npos) return readSigned();
     if (m_body.find_first_of("'\"") != std::string::npos) {
-      return refuse("has no degrees: type them too, such as 0°52'24\"");
+      return Problem{Phrase::of("%1 has no degrees: type them too, such as 0°52'24\"", quoted())};
     }
     if (isDecimal(m_body)) return readBare();
     return readSeparated();
   }
 
  private:
-  Problem refuse(const std::string& why) const { return {quotation(m_typed) + " " + why}; }
-  Problem notAnAngle() const { return refuse(std::string("is not an angle: ") + exampleOfAnAngle); }
+  std::string quoted() const { return quotation(m_typed); }
+  Problem notAnAngle() const {
+    return {Phrase::of("%1 is not an angle: type an angle such as 341°52'24\"", quoted())};
+  }
+  Problem tooLarge() const {
+    return {Phrase::of("%1 is too large for an angle: check the digits", quoted())};
+  }
 
   Result<Angle> readUnit(std::size_t unitLength, Angle (*make)(double)) const {
     const std::string number = trimmed(std::string_view(m_body).substr(0, m_body.size() - unitLength));
     if (!isDecimal(number)) return notAnAngle();
     const Result<double> value = parseNumber(number);
-    if (!value) return refuse("is too large for an angle: check the digits");
+    if (!value) return tooLarge();
     return make(m_negative ? -*value : *value);
   }
 
@@ -124,15 +130,15 @@ class AngleReader {
       const std::size_t degrees = digits.size() - 4;
       return fromParts({m_body.substr(0, degrees), m_body.substr(degrees, 2), m_body.substr(degrees + 2)});
     }
-    if (sign != std::string::npos) return refuse(ambiguousDecimal(digits, m_body.substr(sign + 1)));
+    if (sign != std::string::npos) return Problem{ambiguousDecimal(digits, m_body.substr(sign + 1))};
     if (digits.size() <= 3) return fromParts({digits});
     if (digits.size() == 4) {
       const std::string degrees = minus() + digits.substr(0, 2), minutes = digits.substr(2);
-      return refuse("is ambiguous: type " + degrees + " " + minutes + " 00 or " + degrees + "°" + minutes +
-                    "'");
+      return Problem{Phrase::of("%1 is ambiguous: type %2 %3 00 or %2°%3'", quoted(), degrees, minutes)};
     }
-    return refuse(
-        "has too many digits: type degrees, minutes and seconds as DDDMMSS or with blanks between them");
+    return Problem{Phrase::of(
+        "%1 has too many digits: type degrees, minutes and seconds as DDDMMSS or with blanks between them",
+        quoted())};
   }
 
   std::string minus() const { return m_negative ? "-" : ""; }
@@ -140,9 +146,10 @@ class AngleReader {
   /// Names both meanings where both are angles: 341.5224 is 341.5224° or 341 52 24.
   std::string ambiguousDecimal(const std::string& degrees, std::string decimals) const {
     if (degrees.size() > 3 || decimals.size() > 12) {
-      return "may mean decimal degrees or degrees, minutes and seconds: put a degree sign behind decimal "
-             "degrees, "
-             "or blanks between degrees, minutes and seconds";
+      return Phrase::of(
+          "%1 may mean decimal degrees or degrees, minutes and seconds: put a degree sign behind decimal "
+          "degrees, or blanks between degrees, minutes and seconds",
+          quoted());
     }
     const std::string asDegrees = minus() + degrees + "." + decimals + "°";
     decimals.resize(std::max<std::size_t>(decimals.size(), 4), '0');
@@ -150,8 +157,13 @@ class AngleReader {
     if (decimals.size() > 4) seconds += "." + decimals.substr(4);
     const std::string asParts = minus() + degrees + " " + decimals.substr(0, 2) + " " + seconds;
     const bool bothAngles = decimals[0] < '6' && decimals[2] < '6';
-    return "may mean decimal degrees or degrees, minutes and seconds: type " + asDegrees +
-           (bothAngles ? " or " + asParts : " or put blanks between degrees, minutes and seconds");
+    if (bothAngles)
+      return Phrase::of("%1 may mean decimal degrees or degrees, minutes and seconds: type %2 or %3",
+                        quoted(), asDegrees, asParts);
+    return Phrase::of(
+        "%1 may mean decimal degrees or degrees, minutes and seconds: type %2 or put blanks between degrees, "
+        "minutes and seconds",
+        quoted(), asDegrees);
   }
 
   /// Parts parted by one kind of separator.
@@ -160,7 +172,8 @@ class AngleReader {
     for (const char c : std::string_view("-:/")) {
       if (m_body.find(c) != std::string::npos) separators += c;
     }
-    if (separators.size() > 1) return refuse("mixes separators: use one kind, such as 341 52 24");
+    if (separators.size() > 1)
+      return Problem{Phrase::of("%1 mixes separators: use one kind, such as 341 52 24", quoted())};
     if (separators.size() == 1) return fromParts(split(m_body, separators[0]));
     if (m_body.find(' ') != std::string::npos) {
       Parts parts = split(m_body, ' ');
@@ -174,19 +187,23 @@ class AngleReader {
   }
 
   Result<Angle> fromParts(const Parts& parts) const {
-    if (parts.size() > 3) return refuse("has more than three parts: type degrees, minutes and seconds");
+    if (parts.size() > 3)
+      return Problem{Phrase::of("%1 has more than three parts: type degrees, minutes and seconds", quoted())};
     double values[3] = {0, 0, 0};
     for (std::size_t i = 0; i < parts.size(); ++i) {
       if (!isDecimal(parts[i])) return notAnAngle();
       if (i + 1 < parts.size() && !isWhole(parts[i])) {
-        return refuse("has decimals before its last part: only the last part may have decimals");
+        return Problem{Phrase::of(
+            "%1 has decimals before its last part: only the last part may have decimals", quoted())};
       }
       const Result<double> value = parseNumber(parts[i]);
-      if (!value) return refuse("is too large for an angle: check the digits");
+      if (!value) return tooLarge();
       values[i] = *value;
     }
-    if (values[1] >= 60) return refuse("has " + parts[1] + " minutes: minutes go from 0 to 59");
-    if (values[2] >= 60) return refuse("has " + parts[2] + " seconds: seconds stay below 60");
+    if (values[1] >= 60)
+      return Problem{Phrase::of("%1 has %2 minutes: minutes go from 0 to 59", quoted(), parts[1])};
+    if (values[2] >= 60)
+      return Problem{Phrase::of("%1 has %2 seconds: seconds stay below 60", quoted(), parts[2])};
     const double degrees = values[0] + values[1] / 60 + values[2] / 3600;
     return Angle::fromDegrees(m_negative ? -degrees : degrees);
   }

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/base/file_target.h"
+#include "core/base/phrase.h"
 
 namespace alidade {
 
@@ -117,7 +118,8 @@ int Passage::syncFolder() const {
 }
 
 Problem unwritable(const FileContent& file, const std::string& why) {
-  return {file.path + " cannot be written: " + why};
+  //: a file and why: "the disk is full: make room there or choose another folder"
+  return {Phrase::of("%1 cannot be written: %2", file.path, why)};
 }
 
 std::string namedInput(const std::string& input) {
@@ -131,7 +133,7 @@ std::optional<Problem> plan(const FileContent& file, const std::vector<std::stri
   const bool isRead = std::any_of(inputs.begin(), inputs.end(), [&](const std::string& input) {
     return isSameFile(file.path, namedInput(input));
   });
-  if (isRead) return unwritable(file, "it is the file that is read: choose another name");
+  if (isRead) return unwritable(file, Phrase::of("it is the file that is read: choose another name"));
   passages.emplace_back(file, *std::move(target), calls);
   return std::nullopt;
 }

@@ -3,17 +3,19 @@
 #include <exception>
 #include <new>
 
+#include "core/base/phrase.h"
+
 namespace alidade {
 
 std::string thrownReason() {
   try {
     throw;
   } catch (const std::bad_alloc&) {
-    return "out of memory";
+    return Phrase::of("out of memory");
   } catch (const std::exception& error) {
-    return "a fault in the program (" + std::string(error.what()) + ")";
+    return Phrase::of("a fault in the program (%1)", error.what());
   } catch (...) {
-    return "a fault in the program (of a kind that says nothing)";
+    return Phrase::of("a fault in the program (of a kind that says nothing)");
   }
 }
 

@@ -7,13 +7,14 @@
 #include <iostream>
 
 #include "core/base/limits.h"
+#include "core/base/phrase.h"
 
 namespace alidade {
 
 namespace {
 
-/// Reads up to the limit and one byte more.
-Result<std::string> readBounded(std::istream& stream, const char* remedy) {
+/// Reads up to the limit and one byte more. `whyBroken`: what to say where it breaks off.
+Result<std::string> readBounded(std::istream& stream, const std::string& whyBroken) {
   constexpr std::size_t chunk = std::size_t{1} << 16;
   std::string bytes;
   while (stream && bytes.size() <= limits::mostBytes) {
@@ -22,7 +23,7 @@ Result<std::string> readBounded(std::istream& stream, const char* remedy) {
     stream.read(bytes.data() + size, chunk);
     bytes.resize(size + static_cast<std::size_t>(stream.gcount()));
   }
-  if (stream.bad()) return Problem{std::string("cannot be read to its end: ") + remedy};
+  if (stream.bad()) return Problem{whyBroken};
   if (bytes.size() > limits::mostBytes) return limits::tooManyBytes();
   return bytes;
 }
@@ -31,17 +32,18 @@ Result<std::string> readBounded(std::istream& stream, const char* remedy) {
 
 Result<std::string> readFile(const std::string& path) {
   std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) return Problem{"is a folder: choose a file in it"};
+  if (std::filesystem::is_directory(path, ignored))
+    return Problem{Phrase::of("is a folder: choose a file in it")};
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   if (!file)
-    return Problem{"cannot be opened (" + std::string(std::strerror(errno)) +
-                   "): check its name and your rights"};
-  return readBounded(file, "check the medium it is on");
+    return Problem{//: what the system says is wrong, in parentheses
+                   Phrase::of("cannot be opened (%1): check its name and your rights", std::strerror(errno))};
+  return readBounded(file, Phrase::of("cannot be read to its end: check the medium it is on"));
 }
 
 Result<std::string> readStandardInput() {
-  return readBounded(std::cin, "check the program it comes from");
+  return readBounded(std::cin, "cannot be read to its end: check the program it comes from");
 }
 
 }  // namespace alidade

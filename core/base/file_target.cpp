@@ -9,6 +9,8 @@
 #include <filesystem>
 #include <system_error>
 
+#include "core/base/phrase.h"
+
 namespace alidade {
 
 namespace {
@@ -40,9 +42,10 @@ Result<FileTarget> standing(const fs::path& path, const struct stat& status) {
     target.kind = FileTarget::Kind::Direct;
     return target;
   }
-  if (!S_ISREG(status.st_mode)) return Problem{"something stands there that is no file: choose another name"};
+  if (!S_ISREG(status.st_mode))
+    return Problem{Phrase::of("something stands there that is no file: choose another name")};
   if (faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0)
-    return Problem{"the file is read-only: choose another name, or make it writable"};
+    return Problem{Phrase::of("the file is read-only: choose another name, or make it writable")};
   return target;
 }
 
@@ -55,7 +58,7 @@ std::string FileTarget::folder() const {
 Result<FileTarget> fileTarget(const std::string& path) {
   constexpr int mostLinks = 40;
   fs::path place(path);
-  if (place.empty()) return Problem{"it has no name: give one"};
+  if (place.empty()) return Problem{Phrase::of("it has no name: give one")};
   if (!place.has_filename()) return Problem{whyUnwritable(EISDIR)};
   for (int link = 0; link < mostLinks; ++link) {
     if (const auto descriptor = ownDescriptor(place))
@@ -79,27 +82,28 @@ Result<FileTarget> fileTarget(const std::string& path) {
 std::string whyUnwritable(int error) {
   switch (error) {
     case ENOSPC:
-      return "the disk is full: make room there or choose another folder";
+      return Phrase::of("the disk is full: make room there or choose another folder");
     case EDQUOT:
-      return "your share of the disk is used up: make room there or choose another folder";
+      return Phrase::of("your share of the disk is used up: make room there or choose another folder");
     case EFBIG:
-      return "it would be larger than files may be there: choose another folder";
+      return Phrase::of("it would be larger than files may be there: choose another folder");
     case EACCES:
     case EPERM:
-      return "you may not write there: choose another folder";
+      return Phrase::of("you may not write there: choose another folder");
     case EROFS:
-      return "the disk can only be read: choose another folder";
+      return Phrase::of("the disk can only be read: choose another folder");
     case ENOENT:
     case ENOTDIR:
-      return "its folder is not there: choose another folder";
+      return Phrase::of("its folder is not there: choose another folder");
     case EISDIR:
-      return "a folder stands there: choose another name";
+      return Phrase::of("a folder stands there: choose another name");
     case ENAMETOOLONG:
-      return "its name is too long: choose a shorter one";
+      return Phrase::of("its name is too long: choose a shorter one");
     case ELOOP:
-      return "its links lead in a circle: choose another name";
+      return Phrase::of("its links lead in a circle: choose another name");
     default:
-      return std::generic_category().message(error) + ": choose another name or folder";
+      //: what the system says is wrong
+      return Phrase::of("%1: choose another name or folder", std::generic_category().message(error));
   }
 }
 

@@ -1,5 +1,7 @@
 #include "core/base/limits.h"
 
+#include "core/base/phrase.h"
+
 namespace alidade::limits {
 
 std::string asMebibytes(std::size_t bytes) {
@@ -14,15 +16,17 @@ std::string asCount(std::size_t count) {
 }
 
 Problem tooManyBytes() {
-  return {"is larger than " + asMebibytes(mostBytes) + ": choose another file"};
+  return {Phrase::of("is larger than %1: choose another file", asMebibytes(mostBytes))};
 }
 
 Problem tooManyRows() {
-  return {"holds more than " + asCount(mostRows) + " rows of readings: divide them into several sessions"};
+  return {Phrase::of("holds more than %1 rows of readings: divide them into several sessions",
+                     asCount(mostRows))};
 }
 
 std::string beyondTheRows() {
-  return "comes after " + asCount(mostRows) + " rows of readings, and no more are read: divide the file";
+  return Phrase::of("comes after %1 rows of readings, and no more are read: divide the file",
+                    asCount(mostRows));
 }
 
 }  // namespace alidade::limits

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/base/phrase.h"
 #include "core/base/typed_text.h"
 #include "core/base/visible_text.h"
 
@@ -46,21 +47,21 @@ bool isPlainWhole(std::string_view text) {
 }
 
 std::string whyNoNumber(std::string_view typed, std::string_view plain, std::size_t end) {
-  if (end == 0) return quotation(typed) + " is not a number: type one such as 2405 or 2405.5";
+  if (end == 0) return Phrase::of("%1 is not a number: type one such as 2405 or 2405.5", quotation(typed));
   const std::string_view rest = plain.substr(end);
   if (rest.find_first_of("0123456789") != std::string_view::npos) {
-    return quotation(typed) +
-           " is not one number: type digits with one decimal sign and nothing between them";
+    return Phrase::of("%1 is not one number: type digits with one decimal sign and nothing between them",
+                      quotation(typed));
   }
-  return quotation(typed) + " has more than a number: leave out " +
-         quotation(rest.substr(rest.find_first_not_of(' '))) + " (the unit is fixed)";
+  return Phrase::of("%1 has more than a number: leave out %2 (the unit is fixed)", quotation(typed),
+                    quotation(rest.substr(rest.find_first_not_of(' '))));
 }
 
 }  // namespace
 
 Result<double> parseNumber(std::string_view text) {
   std::string plain = plainSigns(text);
-  if (plain.empty()) return Problem{"is empty: type a number"};
+  if (plain.empty()) return Problem{Phrase::of("is empty: type a number")};
   const std::size_t end = numberEnd(plain);
   if (end < plain.size()) return Problem{whyNoNumber(text, plain, end)};
 
@@ -69,7 +70,8 @@ Result<double> parseNumber(std::string_view text) {
   double value = 0;
   const auto [last, error] = std::from_chars(first, plain.data() + plain.size(), value);
   if (error != std::errc{} || !std::isfinite(value)) {
-    return Problem{quotation(text) + " is too large or too small to be worked with: check the exponent"};
+    return Problem{
+        Phrase::of("%1 is too large or too small to be worked with: check the exponent", quotation(text))};
   }
   return value;
 }
@@ -81,14 +83,14 @@ Result<int> parseWhole(std::string_view text) {
     return value;
   }
   const std::string plain = plainSigns(text);
-  if (plain.empty()) return Problem{"is empty: type a whole number"};
+  if (plain.empty()) return Problem{Phrase::of("is empty: type a whole number")};
   const std::size_t first = skipSign(plain, 0);
   const std::size_t last = skipDigits(plain, first);
   if (last < plain.size() || last == first) {
-    return Problem{quotation(text) + " is not a whole number: type digits alone"};
+    return Problem{Phrase::of("%1 is not a whole number: type digits alone", quotation(text))};
   }
   if (last - first > mostWholeDigits) {
-    return Problem{quotation(text) + " has more than nine digits: type a smaller number"};
+    return Problem{Phrase::of("%1 has more than nine digits: type a smaller number", quotation(text))};
   }
   int value = 0;
   std::from_chars(plain.data() + first, plain.data() + last, value);

@@ -6,6 +6,9 @@
 #include <utility>
 #include <vector>
 
+/// The context in which the lists of translations have the texts of a class, whatever namespace it is in.
+#define PHRASE_CONTEXT(context)
+
 namespace alidade {
 
 /// What stands in a phrase in the place of a mark.
@@ -27,6 +30,8 @@ class PhraseValue {
 /// text for an English one in its place. Whole phrases with marks, so that another language can order the
 /// words as it does; never sentences added up from pieces.
 struct Phrase {
+  PHRASE_CONTEXT(Phrase)
+
   /// `english`, or what the interpreter has for it, with "%1" … "%9" replaced by the values in their order.
   /// Marks that have no value, and percent signs before anything else, stay as they are; a value is not
   /// looked through for marks.

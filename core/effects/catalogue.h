@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -10,7 +11,7 @@ namespace alidade {
 
 /// One number of an effect.
 struct EffectParameter {
-  std::string_view name;  ///< "tilt about x"
+  std::string_view name;  ///< "tilt about x": in files; `parameterName` gives it out to people
   ErrorTerm term;
   std::string_view unit;  ///< "arcsec", "deg", "mm", "1" or "-"
   double plausible;       ///< 1σ, in that unit
@@ -34,9 +35,11 @@ enum class Response {
 
 /// A physical effect of the catalogue: a few error terms of the forward model that belong together.
 struct Effect {
-  std::string_view id;           ///< part of the file format
-  std::string_view description;  ///< what it is, in a phrase
-  std::string_view remedy;       ///< what to do about it at the machine, in a phrase
+  std::string_view id;  ///< part of the file format
+  // For `Phrase::of`.
+  const char* name;         ///< "plane tilt"
+  const char* description;  ///< what it is, in a phrase
+  const char* remedy;       ///< what to do about it at the machine, in a phrase
   ErrorSource source;
   Response response;
   std::vector<EffectParameter> parameters;
@@ -59,6 +62,9 @@ const Effect* effectOf(ErrorTerm term);
 
 /// Radians, mm or 1 per `unit`: the factor from the unit to the model's own.
 double modelUnitsPer(std::string_view unit);
+
+/// What people call a number of an effect, or of another cause, whose name in files is `name`.
+std::string parameterName(std::string_view name);
 
 /// 1σ of what is plausible, in the unit of the term: rad, mm or 1.
 double plausibleSize(const EffectParameter& parameter);

@@ -1,5 +1,7 @@
 #include "core/observation/reading_ref.h"
 
+#include "core/base/phrase.h"
+
 namespace alidade {
 
 std::string_view nameOf(ReadingKind kind) {
@@ -12,6 +14,21 @@ std::string_view nameOf(ReadingKind kind) {
       break;
   }
   return "slider";
+}
+
+std::string inWords(ReadingKind kind) {
+  switch (kind) {
+    case ReadingKind::Horizontal:
+      //: the kind of a reading, in a list: "0°, point 11, horizontal"
+      return Phrase::of("horizontal");
+    case ReadingKind::Vertical:
+      //: the kind of a reading, in a list: "0°, point 11, vertical"
+      return Phrase::of("vertical");
+    case ReadingKind::Slider:
+      break;
+  }
+  //: the kind of a reading, in a list: "0°, point 11, slider"
+  return Phrase::of("slider");
 }
 
 Angle statedSigma(const Measurement& measurement, ReadingKind kind) {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 #include "core/base/angle.h"
@@ -14,6 +15,8 @@ inline constexpr std::size_t readingKinds = 3;
 
 /// "horizontal", "vertical" or "slider": as in files and results.
 std::string_view nameOf(ReadingKind kind);
+/// The same for people.
+std::string inWords(ReadingKind kind);
 
 /// Which reading of a measurement is meant.
 struct ReadingRef {

@@ -9,6 +9,7 @@
 
 #include "core/base/angle_text.h"
 #include "core/base/number_text.h"
+#include "core/base/phrase.h"
 #include "core/base/typed_text.h"
 #include "core/base/visible_text.h"
 #include "core/session/row_fields.h"
@@ -33,54 +34,69 @@ struct NumberRule {
   Bound lowBound;
   double high;  ///< always excluded
   std::optional<double> fallback;
-  const char* range;          ///< what the value must be, behind "must be "
-  const char* ask = nullptr;  ///< what to type, where the field may not be empty
+  const char* refusal;              ///< of a number out of range, for `Phrase::of` with the number
+  const char* whenEmpty = nullptr;  ///< for `Phrase::of`, where the field may not be empty
 };
 
-constexpr const char* lengthRange = "above 0 and below 1000000 mm";
-constexpr const char* expansionRange = "from -1000 to below 1000, in millionths per kelvin";
-constexpr const char* sigmaRange = "at least 0.001 and below 3600 arcseconds";
+constexpr const char* noLength =
+    PHRASE_LATER("Phrase", "%1 is out of range: it must be above 0 and below 1000000 mm");
+constexpr const char* noSigmaOfLength =
+    PHRASE_LATER("Phrase", "%1 is out of range: it must be 0 or more and below 1000000 mm");
+constexpr const char* noExpansion = PHRASE_LATER(
+    "Phrase", "%1 is out of range: it must be from -1000 to below 1000, in millionths per kelvin");
+constexpr const char* noSigma =
+    PHRASE_LATER("Phrase", "%1 is out of range: it must be at least 0.001 and below 3600 arcseconds");
 
 constexpr std::array numberRules = {
     NumberRule{"instrument.sigma_horizontal_arcsec", leastSigmaArcsec, Bound::Included, largestSigmaArcsec, 2,
-               sigmaRange},
+               noSigma},
     NumberRule{"instrument.sigma_vertical_arcsec", leastSigmaArcsec, Bound::Included, largestSigmaArcsec, 2,
-               sigmaRange},
+               noSigma},
     NumberRule{"instrument.sigma_zero_arcsec",
                0,
                Bound::Included,
                largestSigmaArcsec,
                {},
-               "0 or more and below 3600 arcseconds"},
+               PHRASE_LATER("Phrase", "%1 is out of range: it must be 0 or more and below 3600 arcseconds")},
     NumberRule{"instrument.sigma_slider_arcsec", leastSigmaArcsec, Bound::Included, largestSigmaArcsec, 5,
-               sigmaRange},
-    NumberRule{"environment.temperature_c", -273.15, Bound::Included, 1000, {}, "a temperature in °C"},
-    NumberRule{"environment.sigma_temperature_c", 0, Bound::Included, 1000, 0, "0 or more and below 1000 K"},
-    NumberRule{"geometry.distance_mm",
-               0,
-               Bound::Excluded,
-               longestMm,
+               noSigma},
+    NumberRule{"environment.temperature_c",
+               -273.15,
+               Bound::Included,
+               1000,
                {},
-               lengthRange,
-               "type the distance from the theodolite to the arc plane in mm"},
-    NumberRule{"geometry.sigma_distance_mm", 0, Bound::Included, longestMm, 0,
-               "0 or more and below 1000000 mm"},
+               PHRASE_LATER("Phrase", "%1 is out of range: it must be a temperature in °C")},
+    NumberRule{"environment.sigma_temperature_c", 0, Bound::Included, 1000, 0,
+               PHRASE_LATER("Phrase", "%1 is out of range: it must be 0 or more and below 1000 K")},
+    NumberRule{
+        "geometry.distance_mm",
+        0,
+        Bound::Excluded,
+        longestMm,
+        {},
+        noLength,
+        PHRASE_LATER("Phrase", "is empty: type the distance from the theodolite to the arc plane in mm")},
+    NumberRule{"geometry.sigma_distance_mm", 0, Bound::Included, longestMm, 0, noSigmaOfLength},
     NumberRule{"geometry.radius_mm",
                0,
                Bound::Excluded,
                longestMm,
                {},
-               lengthRange,
-               "type the nominal radius of the arc in mm"},
-    NumberRule{"geometry.sigma_radius_mm", 0, Bound::Included, longestMm, 0,
-               "0 or more and below 1000000 mm"},
-    NumberRule{"geometry.distance_expansion_ppm_per_k", -1000, Bound::Included, 1000, 0, expansionRange},
-    NumberRule{"geometry.radius_expansion_ppm_per_k", -1000, Bound::Included, 1000, 0, expansionRange},
-    NumberRule{"acceptance.tolerance_mm", 0, Bound::Excluded, longestMm, {}, lengthRange},
-    NumberRule{"acceptance.coverage", 0, Bound::Excluded, 1, 0.95, "between 0 and 1, such as 0.95"},
-    NumberRule{
-        "acceptance.reference_intersection_mm", -infinite, Bound::Excluded, infinite, {}, "a length in mm"},
-    NumberRule{"acceptance.sigma_reference_mm", 0, Bound::Excluded, longestMm, {}, lengthRange},
+               noLength,
+               PHRASE_LATER("Phrase", "is empty: type the nominal radius of the arc in mm")},
+    NumberRule{"geometry.sigma_radius_mm", 0, Bound::Included, longestMm, 0, noSigmaOfLength},
+    NumberRule{"geometry.distance_expansion_ppm_per_k", -1000, Bound::Included, 1000, 0, noExpansion},
+    NumberRule{"geometry.radius_expansion_ppm_per_k", -1000, Bound::Included, 1000, 0, noExpansion},
+    NumberRule{"acceptance.tolerance_mm", 0, Bound::Excluded, longestMm, {}, noLength},
+    NumberRule{"acceptance.coverage", 0, Bound::Excluded, 1, 0.95,
+               PHRASE_LATER("Phrase", "%1 is out of range: it must be between 0 and 1, such as 0.95")},
+    NumberRule{"acceptance.reference_intersection_mm",
+               -infinite,
+               Bound::Excluded,
+               infinite,
+               {},
+               PHRASE_LATER("Phrase", "%1 is out of range: it must be a length in mm")},
+    NumberRule{"acceptance.sigma_reference_mm", 0, Bound::Excluded, longestMm, {}, noLength},
 };
 
 const NumberRule* ruleFor(std::string_view field) {
@@ -108,14 +124,14 @@ Result<std::optional<double>> numberEntry(std::string_view field, const std::str
   const NumberRule* rule = ruleFor(field);
   assert(rule);
   if (isBlank(text)) {
-    if (rule->ask) return Problem{std::string("is empty: ") + rule->ask};
+    if (rule->whenEmpty) return Problem{Phrase::of(rule->whenEmpty)};
     return rule->fallback;
   }
   const Result<double> value = parseNumber(text);
   if (!value) return value.problem();
   const bool aboveLow = rule->lowBound == Bound::Included ? *value >= rule->low : *value > rule->low;
   if (!aboveLow || !(*value < rule->high)) {
-    return Problem{quotation(text) + " is out of range: it must be " + rule->range};
+    return Problem{Phrase::of(rule->refusal, quotation(text))};
   }
   return std::optional(*value);
 }
@@ -124,15 +140,16 @@ Result<double> knownValueEntry(const std::string& text) {
   if (isBlank(text)) return 0.0;
   const Result<double> value = parseNumber(text);
   if (value && !(std::abs(*value) < largestKnown))
-    return Problem{quotation(text) + " is out of range: it must be below 1000000 in size"};
+    return Problem{Phrase::of("%1 is out of range: it must be below 1000000 in size", quotation(text))};
   return value;
 }
 
 Result<double> knownSigmaEntry(const std::string& text) {
-  if (isBlank(text)) return Problem{"is empty: type the standard uncertainty of what is known"};
+  if (isBlank(text)) return Problem{Phrase::of("is empty: type the standard uncertainty of what is known")};
   const Result<double> sigma = parseNumber(text);
   if (sigma && !(*sigma >= leastKnownSigma && *sigma < largestKnown))
-    return Problem{quotation(text) + " is out of range: it must be at least 0.000001 and below 1000000"};
+    return Problem{
+        Phrase::of("%1 is out of range: it must be at least 0.000001 and below 1000000", quotation(text))};
   return sigma;
 }
 
@@ -140,7 +157,7 @@ Result<std::optional<int>> wholeEntry(const WholeRule& rule, const std::string& 
   if (isBlank(text)) return rule.fallback;
   const Result<int> value = parseWhole(text);
   if (!value) return value.problem();
-  if (*value < rule.low || *value > rule.high) return Problem{quotation(text) + " " + rule.refusal};
+  if (*value < rule.low || *value > rule.high) return Problem{Phrase::of(rule.refusal, quotation(text))};
   return std::optional(*value);
 }
 
@@ -154,22 +171,22 @@ Result<std::optional<Angle>> angleEntry(const AngleRule& rule, const std::string
   if (*angle >= low && (*angle < high || (rule.isHighIncluded && *angle == high)))
     return std::optional(*angle);
   const std::string lowest = lowDegrees < 0 ? "−" + fixedText(-lowDegrees, 0) : "0";
-  return Problem{quotation(text) + " lies outside " + lowest + "°…" + fixedText(rule.high, 0) +
-                 "°: check the degrees"};
+  return Problem{Phrase::of("%1 lies outside %2°…%3°: check the degrees", quotation(text), lowest,
+                            fixedText(rule.high, 0))};
 }
 
 Result<int> axisEntry(const std::string& text) {
-  if (isBlank(text)) return Problem{"is empty: type the rotation of the axis, 0 or 180"};
+  if (isBlank(text)) return Problem{Phrase::of("is empty: type the rotation of the axis, 0 or 180")};
   const Result<double> value = parseNumber(text);
   if (value && (*value == 0 || *value == 180)) return static_cast<int>(*value);
-  return Problem{quotation(text) + " is no position of the axis: type 0 or 180"};
+  return Problem{Phrase::of("%1 is no position of the axis: type 0 or 180", quotation(text))};
 }
 
 Result<CircleUnit> circleUnitEntry(const std::string& text) {
   if (text.empty() || text == "dms") return CircleUnit::Dms;
   if (text == "degrees") return CircleUnit::Degrees;
   if (text == "gon") return CircleUnit::Gon;
-  return Problem{quotation(text) + " is no unit of angles: choose dms, degrees or gon"};
+  return Problem{Phrase::of("%1 is no unit of angles: choose dms, degrees or gon", quotation(text))};
 }
 
 CircleUnit circleUnitOf(const Session& session) {
@@ -180,38 +197,42 @@ CircleUnit circleUnitOf(const Session& session) {
 Result<VerticalCircle> verticalCircleEntry(const std::string& text) {
   if (text.empty() || text == "zenith") return VerticalCircle::Zenith;
   if (text == "elevation") return VerticalCircle::Elevation;
-  return Problem{quotation(text) + " is no kind of vertical circle: choose zenith or elevation"};
+  return Problem{Phrase::of("%1 is no kind of vertical circle: choose zenith or elevation", quotation(text))};
 }
 
 Result<PointingZeros> pointingZerosEntry(const std::string& text) {
   if (text.empty()) return PointingZeros::Unstated;
   if (text == "each") return PointingZeros::Each;
   if (text == "one") return PointingZeros::One;
-  return Problem{quotation(text) + " is no way to sight the pointing zeros: choose each or one"};
+  return Problem{Phrase::of("%1 is no way to sight the pointing zeros: choose each or one", quotation(text))};
 }
 
 Result<Measurand> measurandEntry(const std::string& text) {
   if (text.empty() || text == "intersection") return Measurand::Intersection;
   if (text == "distance") return Measurand::Distance;
-  return Problem{quotation(text) + " is nothing that a tolerance limits: choose intersection or distance"};
+  return Problem{
+      Phrase::of("%1 is nothing that a tolerance limits: choose intersection or distance", quotation(text))};
 }
 
 Result<VerticalAngleRelation> verticalAngleEntry(const std::string& text) {
   if (text.empty() || text == "exact") return VerticalAngleRelation::Exact;
   if (text == "planar") return VerticalAngleRelation::Planar;
-  return Problem{quotation(text) + " is no relation for the vertical angle: choose exact or planar"};
+  return Problem{
+      Phrase::of("%1 is no relation for the vertical angle: choose exact or planar", quotation(text))};
 }
 
 Result<RadiusModel> radiusModelEntry(const std::string& text) {
   if (text.empty() || text == "free") return RadiusModel::Free;
   if (text == "common") return RadiusModel::Common;
   if (text == "known") return RadiusModel::Known;
-  return Problem{quotation(text) + " is no way to take the radius: choose free, common or known"};
+  return Problem{
+      Phrase::of("%1 is no way to take the radius: choose free, common or known", quotation(text))};
 }
 
 std::optional<Problem> dateProblem(const std::string& text) {
   if (text.empty()) return std::nullopt;
-  const Problem problem{quotation(text) + " is no date: type year-month-day, such as 2018-01-31"};
+  const Problem problem{
+      Phrase::of("%1 is no date: type year-month-day, such as 2018-01-31", quotation(text))};
   if (text.size() != 10 || text[4] != '-' || text[7] != '-') return problem;
   const auto part = [&text](std::size_t at, std::size_t length) -> std::optional<int> {
     const std::string digits = text.substr(at, length);

@@ -26,7 +26,7 @@ Result<double> knownSigmaEntry(const std::string& text);
 struct WholeRule {
   int low, high;
   std::optional<int> fallback;  ///< what an empty text stands for; absent: for nothing
-  const char* refusal;          ///< said behind a number out of range
+  const char* refusal;          ///< of a number out of range, for `Phrase::of` with the number
 };
 
 /// An angle in the range of a circle, in degrees; `low` is included.

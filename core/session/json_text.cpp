@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/limits.h"
+#include "core/base/phrase.h"
 #include "core/base/utf8.h"
 #include "core/base/visible_text.h"
 
@@ -25,7 +26,8 @@ std::string lineAndColumn(std::string_view text, std::size_t byte) {
   std::string_view onLine = lineStart == std::string_view::npos ? before : before.substr(lineStart + 1);
   std::size_t column = 1;
   for (; !onLine.empty(); ++column) onLine.remove_prefix(firstCharacter(onLine).length);
-  return "line " + std::to_string(line) + ", column " + std::to_string(column);
+  //: a place in a file
+  return Phrase::of("line %1, column %2", line, column);
 }
 
 /// Builds the document from the parser's events, but for the rows of readings, which are handed on one by
@@ -56,8 +58,9 @@ class DocumentBuilder : public Json::json_sax_t {
     level.key = std::move(name);
     if (isTooLong(level.key)) return false;
     if (!stoodBefore(level)) return true;
-    problem =
-        Problem{"stands twice in one object: delete one of the two, so that neither is lost unseen", place()};
+    problem = Problem{
+        Phrase::of("stands twice in one object: delete one of the two, so that neither is lost unseen"),
+        place()};
     return false;
   }
 
@@ -90,8 +93,8 @@ class DocumentBuilder : public Json::json_sax_t {
 
   bool isTooLong(const std::string& text) {
     if (text.size() <= limits::longestText) return false;
-    problem = Problem{"holds a text of more than " + limits::asMebibytes(limits::longestText) +
-                          ": shorten it, or keep it in a file of its own",
+    problem = Problem{Phrase::of("holds a text of more than %1: shorten it, or keep it in a file of its own",
+                                 limits::asMebibytes(limits::longestText)),
                       m_levels.empty() ? Place() : place()};
     if (problem->where.field.size() > limits::longestText) problem->where = {};
     return true;
@@ -120,9 +123,9 @@ class DocumentBuilder : public Json::json_sax_t {
 
   bool open(Json empty) {
     if (m_levels.size() >= limits::deepestNesting) {
-      problem = Problem{"is nested more than " + std::to_string(limits::deepestNesting) +
-                            " levels deep: this is no session file",
-                        Place{.position = {}, .reading = {}, .field = m_levels.front().key}};
+      problem = Problem{
+          Phrase::of("is nested more than %1 levels deep: this is no session file", limits::deepestNesting),
+          Place{.position = {}, .reading = {}, .field = m_levels.front().key}};
       return false;
     }
     if (hasTooMany()) return false;
@@ -172,8 +175,9 @@ class DocumentBuilder : public Json::json_sax_t {
     const bool isInRow = m_levels.size() > 3 && m_levels[3].holdsRows;
     if (!isInRow) m_valuesBesideRows = m_values + 1;
     if (++m_values <= limits::mostValues) return false;
-    problem = Problem{"holds more than " + limits::asCount(limits::mostValues) +
-                      " values besides its rows of readings: this is no session file"};
+    problem =
+        Problem{Phrase::of("holds more than %1 values besides its rows of readings: this is no session file",
+                           limits::asCount(limits::mostValues))};
     return true;
   }
 
@@ -201,17 +205,20 @@ class DocumentBuilder : public Json::json_sax_t {
     const bool overflow = std::string_view(error.what()).find("number overflow") != std::string_view::npos;
     const std::size_t at = std::min(byte > 0 ? byte - 1 : 0, m_text.size());
     if (overflow)
-      return "has a number too large to be worked with before " + lineAndColumn(m_text, at) +
-             ": check its exponent";
+      return Phrase::of("has a number too large to be worked with before %1: check its exponent",
+                        lineAndColumn(m_text, at));
     if (m_isWhole)
-      return "goes on after its end, at " + lineAndColumn(m_text, at) +
-             ": a session file holds one JSON document, delete what follows it";
+      return Phrase::of(
+          "goes on after its end, at %1: a session file holds one JSON document, delete what follows it",
+          lineAndColumn(m_text, at));
     if (m_text.find_first_not_of(" \t\r\n", at) == std::string_view::npos) {
-      return "ends too early, at " + lineAndColumn(m_text, m_text.size()) +
-             ": the file is cut short, restore a complete copy";
+      return Phrase::of("ends too early, at %1: the file is cut short, restore a complete copy",
+                        lineAndColumn(m_text, m_text.size()));
     }
-    return "is not JSON at " + lineAndColumn(m_text, at) + ", at " + quotation(lastToken) +
-           ": look there for a missing comma, colon, bracket or quotation mark";
+    return Phrase::of(
+        //: %1: line 3, column 7; %2: what stands there
+        "is not JSON at %1, at %2: look there for a missing comma, colon, bracket or quotation mark",
+        lineAndColumn(m_text, at), quotation(lastToken));
   }
 
   std::string_view m_text;
@@ -227,11 +234,11 @@ class DocumentBuilder : public Json::json_sax_t {
 std::optional<Problem> parseJson(std::string_view text, Json& json, const TakeRow& takeRow) {
   if (text.substr(0, byteOrderMark.size()) == byteOrderMark) text.remove_prefix(byteOrderMark.size());
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
-    return Problem{"is empty: choose a session file"};
+    return Problem{Phrase::of("is empty: choose a session file")};
   }
   if (const auto byte = firstIllFormedByte(text)) {
-    return Problem{"is not UTF-8 text at " + lineAndColumn(text, *byte) +
-                   ": save the file with UTF-8 encoding"};
+    return Problem{
+        Phrase::of("is not UTF-8 text at %1: save the file with UTF-8 encoding", lineAndColumn(text, *byte))};
   }
   DocumentBuilder builder(text, json, takeRow);
   if (Json::sax_parse(text.begin(), text.end(), &builder)) return std::nullopt;

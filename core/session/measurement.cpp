@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "core/base/phrase.h"
 #include "core/base/threads.h"
 #include "core/session/entry.h"
 #include "core/session/position_examiner.h"
@@ -109,9 +110,10 @@ class Examiner : private ProblemReporter {
       if (!coefficient) m_usable = false;
       if (!coefficient || **coefficient == 0) return 0.0;
       if (!temperature) {
-        report({"has nothing to act on: type the temperature (environment.temperature_c), or clear the "
-                "coefficient"},
-               {.field = field});
+        report(
+            {Phrase::of("has nothing to act on: type the temperature (environment.temperature_c), or clear "
+                        "the coefficient")},
+            {.field = field});
         return 0.0;
       }
       const double perKelvin = length * **coefficient * millionth;
@@ -190,8 +192,8 @@ class Examiner : private ProblemReporter {
     if (!zeros.isOneOfSeveral) return zeros;
     m_measurement.pointingZeros = PointingZeros::Each;
     report(
-        {"is stated as one, but the positions have different zeros: give all of them the same α0 and β0, or "
-         "state each"},
+        {Phrase::of("is stated as one, but the positions have different zeros: give all of them the same α0 "
+                    "and β0, or state each")},
         {.field = "geometry.pointing_zeros"});
     return zeros;
   }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/number_text.h"
+#include "core/base/phrase.h"
 #include "core/base/visible_text.h"
 #include "core/session/entry.h"
 #include "core/session/face.h"
@@ -87,7 +88,8 @@ class PositionExaminer : private ProblemReporter {
   /// The row reduced from the zero; empty where it cannot be used or there is nothing to reduce it from.
   std::optional<Sighting> examineRow(const Reading& row, const Place& place) {
     if (isBlank(row)) {
-      report({"is empty, as is the whole row: type its readings or delete the row"}, at(place, "horizontal"));
+      report({Phrase::of("is empty, as is the whole row: type its readings or delete the row")},
+             at(place, "horizontal"));
       return std::nullopt;
     }
     const std::size_t before = m_problems.size();
@@ -120,9 +122,9 @@ class PositionExaminer : private ProblemReporter {
     const auto [first, isNew] =
         m_rowOfVisitFace.emplace(VisitFace{sighting.round, sighting.point, sighting.face}, *place.reading);
     if (isNew) return;
-    report({"point " + std::to_string(sighting.point) + ", round " + std::to_string(sighting.round) +
-            ", face " + std::to_string(sighting.face) + " is already in row " +
-            std::to_string(first->second + 1) + ": give it another point or round, or exclude one"},
+    report({Phrase::of("point %1, round %2, face %3 is already in row %4: give it another point or round, or "
+                       "exclude one",
+                       sighting.point, sighting.round, sighting.face, first->second + 1)},
            at(place, "point"));
   }
 
@@ -135,8 +137,9 @@ class PositionExaminer : private ProblemReporter {
   void checkWidth(Angle reduced, const std::string& text, const Place& place, const char* field) {
     const double degrees = std::abs(reduced.degrees());
     if (degrees < widestDegrees) return;
-    report({quotation(text) + " lies " + fixedText(degrees, 0) +
-            "° from the pointing zero, beyond the edge of the arc plane: check the degrees and the face"},
+    report({Phrase::of("%1 lies %2° from the pointing zero, beyond the edge of the arc plane: check the "
+                       "degrees and the face",
+                       quotation(text), fixedText(degrees, 0))},
            at(place, field));
   }
 

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <variant>
 
+#include "core/base/phrase.h"
 #include "core/session/entry.h"
 #include "core/session/session.h"
 #include "core/session/value_text.h"
@@ -18,10 +19,10 @@ namespace alidade {
 // in the window and the one in the report go through these fields.
 
 inline constexpr WholeRule pointRule{
-    0, std::numeric_limits<int>::max(), {}, "is no point: points count from 0"};
+    0, std::numeric_limits<int>::max(), {}, PHRASE_LATER("Phrase", "%1 is no point: points count from 0")};
 inline constexpr WholeRule roundRule{1, std::numeric_limits<int>::max(), 1,
-                                     "is no round: rounds count from 1"};
-inline constexpr WholeRule faceRule{1, 2, 1, "is no face: type 1 or 2"};
+                                     PHRASE_LATER("Phrase", "%1 is no round: rounds count from 1")};
+inline constexpr WholeRule faceRule{1, 2, 1, PHRASE_LATER("Phrase", "%1 is no face: type 1 or 2")};
 
 // Of the circles, for pointing zeros too.
 inline constexpr AngleRule horizontalRule{.low = 0, .lowOfElevation = 0, .high = 360};
@@ -41,7 +42,7 @@ struct RowField {
   std::string Reading::*text;     ///< null for a flag
   bool Reading::*flag = nullptr;  ///< null for a text
   RowRule rule;                   ///< of the text
-  const char* remedy = nullptr;   ///< what to do where a file lacks the field; null: it may be absent
+  const char* remedy = nullptr;   ///< where a file lacks the field, for `Phrase::of`; null: it may be absent
   /// Words that name its column in a table, in small letters, with a blank between them.
   std::string_view headings;
 };
@@ -58,12 +59,12 @@ inline constexpr std::array rowFields{
     RowField{.key = "horizontal",
              .text = &Reading::horizontal,
              .rule = horizontalRule,
-             .remedy = "add the reading of the horizontal circle",
+             .remedy = PHRASE_LATER("Phrase", "add the reading of the horizontal circle"),
              .headings = "horizontal hz h ha hor alpha α direction"},
     RowField{.key = "vertical",
              .text = &Reading::vertical,
              .rule = verticalRule,
-             .remedy = "add the reading of the vertical circle",
+             .remedy = PHRASE_LATER("Phrase", "add the reading of the vertical circle"),
              .headings = "vertical v va vert beta β zenith zenithdistance elevation"},
     RowField{
         .key = "slider", .text = &Reading::slider, .rule = sliderRule, .headings = "slider s coordinate"},

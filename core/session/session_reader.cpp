@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/phrase.h"
 #include "core/base/visible_text.h"
 #include "core/session/row_fields.h"
 #include "core/session/value_text.h"
@@ -19,6 +20,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::uint64_t newestVersion = 1, largestExactInteger = std::uint64_t{1} << 53;
 
+/// For "must be a number, not a list".
 std::string typeOf(const Json& value) {
   switch (value.type()) {
     case Json::value_t::null:
@@ -26,13 +28,13 @@ std::string typeOf(const Json& value) {
     case Json::value_t::boolean:
       return value.get<bool>() ? "true" : "false";
     case Json::value_t::object:
-      return "an object";
+      return Phrase::of("an object");
     case Json::value_t::array:
-      return "a list";
+      return Phrase::of("a list");
     case Json::value_t::string:
-      return "a text";
+      return Phrase::of("a text");
     default:
-      return "a number";
+      return Phrase::of("a number");
   }
 }
 
@@ -50,7 +52,7 @@ class ObjectReader {
  public:
   ObjectReader(const Json& json, Place where, std::optional<Problem>& problem)
       : m_json(json), m_where(std::move(where)), m_problem(problem) {
-    if (!json.is_object()) report("must be an object in braces, not " + typeOf(json), m_where);
+    if (!json.is_object()) report(Phrase::of("must be an object in braces, not %1", typeOf(json)), m_where);
   }
 
   /// The text that a value of this kind is kept as; empty where there is none.
@@ -58,7 +60,8 @@ class ObjectReader {
     const Json* found = find(key);
     if (!found) return {};
     auto text = textOf(*found, kind);
-    if (!text) report("must be " + wantedType(kind) + ", not " + typeOf(*found), placeOf(key));
+    //: two kinds of value: "a number", "a list"
+    if (!text) report(Phrase::of("must be %1, not %2", wantedType(kind), typeOf(*found)), placeOf(key));
     return text.value_or("");
   }
 
@@ -76,7 +79,8 @@ class ObjectReader {
   bool flag(std::string_view key) const {
     const Json* found = find(key);
     if (!found) return false;
-    if (!found->is_boolean()) report("must be true or false, not " + typeOf(*found), placeOf(key));
+    if (!found->is_boolean())
+      report(Phrase::of("must be true or false, not %1", typeOf(*found)), placeOf(key));
     return found->is_boolean() && found->get<bool>();
   }
 
@@ -92,7 +96,7 @@ class ObjectReader {
     const Json* found = find(key);
     if (!found) return none;
     if (found->is_array()) return *found;
-    report("must be a list in square brackets, not " + typeOf(*found), placeOf(key));
+    report(Phrase::of("must be a list in square brackets, not %1", typeOf(*found)), placeOf(key));
     return none;
   }
 
@@ -103,7 +107,8 @@ class ObjectReader {
 
   bool require(std::string_view key, const char* remedy) const {
     if (find(key)) return true;
-    if (m_json.is_object()) report(std::string("is missing: ") + remedy, placeOf(key));
+    //: what to do about it: "add the rotation of the axis, 0 or 180"
+    if (m_json.is_object()) report(Phrase::of("is missing: %1", Phrase::of(remedy)), placeOf(key));
     return false;
   }
 
@@ -144,13 +149,16 @@ class ObjectReader {
 
 void checkFormat(const ObjectReader& reader) {
   const Json* format = reader.find("format");
-  if (!format || *format != "alidade-session") {
-    const std::string found =
-        format && format->is_string() ? quotation(format->get_ref<const std::string&>()) + " is" : "is";
-    reader.report(format ? found + " not \"alidade-session\": choose a session file"
-                         : "is missing: this is no session file, which says \"format\": \"alidade-session\"",
-                  reader.placeOf("format"));
-  }
+  if (format && *format == "alidade-session") return;
+  std::string what;
+  if (!format)
+    what = Phrase::of("is missing: this is no session file, which says \"format\": \"alidade-session\"");
+  else if (format->is_string())
+    what = Phrase::of("%1 is not \"alidade-session\": choose a session file",
+                      quotation(format->get_ref<const std::string&>()));
+  else
+    what = Phrase::of("is not \"alidade-session\": choose a session file");
+  reader.report(what, reader.placeOf("format"));
 }
 
 /// 1.0 is 1, too: JSON knows one kind of number.
@@ -160,19 +168,18 @@ bool isWhole(const Json& value) {
 }
 
 void checkVersion(const ObjectReader& reader) {
-  if (!reader.require("version", "add \"version\": 1")) return;
+  if (!reader.require("version", PHRASE_LATER("Phrase", "add \"version\": 1"))) return;
   const Json& version = *reader.find("version");
   const std::string known = std::to_string(newestVersion);
   if (!isWhole(version)) {
-    reader.report("must be the whole number " + known + ", not " +
-                      (version.is_number() ? version.dump() : typeOf(version)),
-                  reader.placeOf("version"));
+    const std::string found = version.is_number() ? version.dump() : typeOf(version);
+    reader.report(Phrase::of("must be the whole number %1, not %2", known, found), reader.placeOf("version"));
   } else if (version > newestVersion) {
-    reader.report(
-        version.dump() + " is newer than this program reads (" + known + "): open it with a newer Alidade",
-        reader.placeOf("version"));
+    reader.report(Phrase::of("%1 is newer than this program reads (%2): open it with a newer Alidade",
+                             version.dump(), known),
+                  reader.placeOf("version"));
   } else if (version != newestVersion) {
-    reader.report(version.dump() + " is no version of a session file: it must be " + known,
+    reader.report(Phrase::of("%1 is no version of a session file: it must be %2", version.dump(), known),
                   reader.placeOf("version"));
   }
 }
@@ -231,10 +238,12 @@ Environment readEnvironment(const ObjectReader& reader) {
 }
 
 Geometry readGeometry(const ObjectReader& reader) {
-  return {.distanceMm = reader.requiredNumber("distance_mm",
-                                              "add the distance from the theodolite to the arc plane in mm"),
+  return {.distanceMm = reader.requiredNumber(
+              "distance_mm",
+              PHRASE_LATER("Phrase", "add the distance from the theodolite to the arc plane in mm")),
           .sigmaDistanceMm = reader.number("sigma_distance_mm"),
-          .radiusMm = reader.requiredNumber("radius_mm", "add the nominal radius of the arc in mm"),
+          .radiusMm = reader.requiredNumber(
+              "radius_mm", PHRASE_LATER("Phrase", "add the nominal radius of the arc in mm")),
           .sigmaRadiusMm = reader.number("sigma_radius_mm"),
           .verticalCircle = reader.text("vertical_circle"),
           .pointingZeros = reader.text("pointing_zeros"),
@@ -261,7 +270,8 @@ Model readModel(const ObjectReader& reader) {
 }
 
 PointingZero readPointingZero(const ObjectReader& reader) {
-  constexpr const char* remedy = "add the reading of the direction perpendicular to the arc plane";
+  constexpr const char* remedy =
+      PHRASE_LATER("Phrase", "add the reading of the direction perpendicular to the arc plane");
   PointingZero zero;
   zero.horizontal = reader.requiredAngle("horizontal", remedy);
   zero.vertical = reader.requiredAngle("vertical", remedy);
@@ -301,8 +311,11 @@ void readRow(const ObjectReader& reader, Reading& row) {
 Position readPosition(const Json& json, std::size_t index, RowsRead rows, std::optional<Problem>& problem) {
   const ObjectReader reader(json, {.position = index}, problem);
   Position position;
-  position.axisDeg = reader.requiredNumber("axis_deg", "add the rotation of the axis, 0 or 180");
-  reader.require("pointing_zero", "add the circle readings of the direction perpendicular to the arc plane");
+  position.axisDeg =
+      reader.requiredNumber("axis_deg", PHRASE_LATER("Phrase", "add the rotation of the axis, 0 or 180"));
+  reader.require(
+      "pointing_zero",
+      PHRASE_LATER("Phrase", "add the circle readings of the direction perpendicular to the arc plane"));
   if (problem) return position;
   position.zero = readPointingZero(reader.object("pointing_zero"));
   reader.list("readings");  // must be one
@@ -323,12 +336,13 @@ Session readDocument(const ObjectReader& reader, SessionRows& rows, std::optiona
   session.device = readDevice(reader.object("device"));
   session.instrument = readInstrument(reader.object("instrument"));
   session.environment = readEnvironment(reader.object("environment"));
-  if (reader.require("geometry", "add the distance and the nominal radius")) {
+  if (reader.require("geometry", PHRASE_LATER("Phrase", "add the distance and the nominal radius"))) {
     session.geometry = readGeometry(reader.object("geometry"));
   }
   session.acceptance = readAcceptance(reader.object("acceptance"));
   session.model = readModel(reader.object("model"));
-  reader.require("positions", "add the list of the positions of the axis, which may be empty");
+  reader.require("positions",
+                 PHRASE_LATER("Phrase", "add the list of the positions of the axis, which may be empty"));
   for (const Json& position : reader.list("positions")) {
     if (problem) break;
     const std::size_t index = session.positions.size();
@@ -383,7 +397,7 @@ RowsRead SessionRows::take(std::size_t position) {
 Result<Session> sessionFromJson(const Json& document, SessionRows rows) {
   std::optional<Problem> problem;
   if (!document.is_object()) {
-    return Problem{"is " + typeOf(document) + ", not an object in braces: this is no session file"};
+    return Problem{Phrase::of("is %1, not an object in braces: this is no session file", typeOf(document))};
   }
   const ObjectReader reader(document, {}, problem);
   checkFormat(reader);

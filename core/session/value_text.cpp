@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/number_text.h"
+#include "core/base/phrase.h"
 
 namespace alidade {
 
@@ -51,11 +52,11 @@ std::vector<std::string> entriesOf(const nlohmann::ordered_json& list) {
 std::string wantedType(ValueKind kind) {
   switch (kind) {
     case ValueKind::Text:
-      return "a text in quotation marks";
+      return Phrase::of("a text in quotation marks");
     case ValueKind::Number:
-      return "a number";
+      return Phrase::of("a number");
     case ValueKind::Angle:
-      return "an angle, a text such as \"341 52 24\" or a number of degrees";
+      return Phrase::of("an angle, a text such as \"341 52 24\" or a number of degrees");
   }
   return {};
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/number_text.h"
+#include "core/base/phrase.h"
 #include "core/base/square.h"
 #include "core/base/visible_text.h"
 #include "core/session/entry.h"
@@ -84,9 +85,11 @@ class ZeroExaminer : private ProblemReporter {
   bool checkDistance(Angle from, const std::string& text, const std::string& field) {
     const double degrees = std::abs(from.degrees());
     if (degrees <= farthestApart) return true;
-    report({quotation(text) + " lies " + fixedText(degrees, 1) +
-            "° from the pointing zero as it was sighted first: check the degrees and the face"},
-           {.position = m_position, .field = field});
+    report(
+        {Phrase::of("%1 lies %2° from the pointing zero as it was sighted first: check the degrees and the "
+                    "face",
+                    quotation(text), fixedText(degrees, 1))},
+        {.position = m_position, .field = field});
     return false;
   }
 

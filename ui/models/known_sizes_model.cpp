@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/phrase.h"
 #include "core/session/measurement.h"
 #include "core/wording/session_findings.h"
 #include "ui/commands/change_known.h"
@@ -222,7 +223,7 @@ QString KnownSizesModel::about(const QModelIndex& index) const {
   if (row.isFurther)
     return tr("The session says more than once what is known of this number: all of it is weighed together.");
   return tr("%1. What is known of it belongs to the %2.")
-      .arg(capitalised(qText(std::string(row.effect->description))), ownerName(ownerOf(*row.effect)));
+      .arg(capitalised(qText(Phrase::of(row.effect->description))), ownerName(ownerOf(*row.effect)));
 }
 
 /// Entries behind one that came or went move on in their list: what changed is where one is there or no

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <algorithm>
 
+#include "core/base/list_text.h"
 #include "core/effects/catalogue.h"
 #include "core/effects/cause_ids.h"
 #include "core/wording/attainable.h"
@@ -43,29 +44,27 @@ QString causeTitle(const std::string& id) {
 }
 
 QString causeNames(const std::vector<std::string>& ids, const QString& last) {
-  QString text;
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    if (i > 0)
-      text += i + 1 == ids.size() ? u' ' + last + u' ' : GapText::tr(", ", "between parts of a list");
-    text += causeName(ids[i]);
-  }
-  return text;
+  std::vector<std::string> names;
+  for (const std::string& id : ids) names.push_back(causeNameInCore(id));
+  return qText(listed(names, last.toStdString()));
 }
 
 QString parameterText(const Cause& cause, const CauseParameter& parameter) {
   const QString figure = withStandardUncertainty(parameter.value, parameter.sigma, unitText(parameter.unit));
-  const QString name = qText(parameter.name);
-  return effectName(cause.effect).endsWith(name) ? figure : name + u' ' + figure;
+  if (isNamedBy(cause.effect, parameter.name)) return figure;
+  //: a number of an effect and its size: sag −0.298 mm (u 0.009)
+  return GapText::tr("%1 %2").arg(qText(parameterName(parameter.name)), figure);
 }
 
 QString deviationText(const ReadingDeviation& reading) {
-  QString text = GapText::tr("%1, point %2, %3")
-                     .arg(positionText(reading.axisDeg, reading.time))
-                     .arg(reading.point)
-                     .arg(qText(std::string(nameOf(reading.kind))));
-  if (reading.round != 1) text += GapText::tr(", round %1").arg(reading.round);
-  if (reading.face != 1) text += GapText::tr(", face %1").arg(reading.face);
-  return text + GapText::tr(": off by %1").arg(signedNumberText(reading.size, 1) + QChar(0x2033));
+  std::vector<std::string> where{positionText(reading.axisDeg, reading.time).toStdString(),
+                                 GapText::tr("point %1").arg(reading.point).toStdString(),
+                                 inWords(reading.kind)};
+  if (reading.round != 1) where.push_back(GapText::tr("round %1").arg(reading.round).toStdString());
+  if (reading.face != 1) where.push_back(GapText::tr("face %1").arg(reading.face).toStdString());
+  //: a reading and its error: 0°, point 11, horizontal: off by +29.0″
+  return GapText::tr("%1: off by %2")
+      .arg(qText(listed(where)), signedNumberText(reading.size, 1) + QChar(0x2033));
 }
 
 Place placeOf(const ReadingDeviation& reading) {
@@ -107,7 +106,7 @@ QString gapSentence(const Gap& gap) {
     for (const GapStage& stage : gap.stages)
       if (stage.kind == GapStage::Kind::InModel) effects.push_back(stage.effect);
     text += GapText::tr(" The model holds %1; without, the residuals are %2 instead of %3.")
-                .arg(causeNames(effects, GapText::tr("and")), arcsecText(bare.rms),
+                .arg(causeNames(effects, GapText::tr(" and ")), arcsecText(bare.rms),
                      arcsecText(gap.asModelled().rms));
   }
   return text;
@@ -134,9 +133,9 @@ QString stageText(const Gap& gap, const GapStage& stage) {
     return gap.asModelled().kind == GapStage::Kind::Bare ? GapText::tr("as modelled")
                                                          : GapText::tr("without model effects");
   if (stage.effect == grossErrorId) return withoutGrossErrors(gap, stage);
-  const QString name = causeTitle(stage.effect);
-  return (stage.kind == GapStage::Kind::InModel ? GapText::tr("in the model: ") : QStringLiteral("+ ")) +
-         name.left(1).toLower() + name.mid(1);
+  const QString title = causeTitle(stage.effect), name = title.left(1).toLower() + title.mid(1);
+  return stage.kind == GapStage::Kind::InModel ? GapText::tr("in the model: %1").arg(name)
+                                               : QStringLiteral("+ ") + name;
 }
 
 QString unseenText(const std::vector<UnseenEffect>& effects) {
@@ -153,8 +152,11 @@ QString unseenBeyondUText(const Gap& gap) {
   if (effects.empty()) return {};
   const std::size_t more = effects.size() - std::min(effects.size(), mostNamed);
   effects.resize(effects.size() - more);
-  return GapText::tr("Unseen though a plausible size moves Δd by more than U: %1%2.")
-      .arg(unseenText(effects), more > 0 ? GapText::tr("; and %1 more").arg(more) : QString());
+  if (more == 0)
+    return GapText::tr("Unseen though a plausible size moves Δd by more than U: %1.")
+        .arg(unseenText(effects));
+  return GapText::tr("Unseen though a plausible size moves Δd by more than U: %1; and %2 more.")
+      .arg(unseenText(effects), QString::number(more));
 }
 
 QString plausibleText(const std::string& id) {

@@ -13,7 +13,7 @@ QString causeName(const std::string& id);
 std::string causeNameInCore(const std::string& id);
 /// With a capital.
 QString causeTitle(const std::string& id);
-/// "a, b or c"; `last` stands before the last one.
+/// "a, b or c"; `last` parts the last two, with its blanks: " or ".
 QString causeNames(const std::vector<std::string>& ids, const QString& last);
 
 /// "sag −0.298 mm (u 0.009)"; just the number where the name says no more than the effect's.

@@ -1,5 +1,6 @@
 #include "ui/text/effect_text.h"
 
+#include "core/base/phrase.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/visible_text.h"
@@ -16,13 +17,18 @@ bool isSign(const QString& unit) {
 }  // namespace
 
 QString effectName(const std::string& id) {
+  if (const Effect* effect = effectById(id)) return qText(Phrase::of(effect->name));
   return visibleLine(id).replace(QLatin1Char('_'), QLatin1Char(' '));
 }
 
 QString effectText(const EffectEstimate& estimate, const QString& separator) {
   const QString effect = effectName(estimate.effect);
-  const QString name = qText(estimate.name);
-  return effect.endsWith(name) ? effect : effect + separator + name;
+  if (isNamedBy(estimate.effect, estimate.name)) return effect;
+  return effect + separator + qText(parameterName(estimate.name));
+}
+
+bool isNamedBy(const std::string& effect, const std::string& parameter) {
+  return effect.ends_with(parameter);
 }
 
 QString capitalised(QString text) {

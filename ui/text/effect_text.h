@@ -14,6 +14,9 @@ QString effectName(const std::string& id);
 /// `separator` stands before the number's own name where the effect has several.
 QString effectText(const EffectEstimate& estimate, const QString& separator = QStringLiteral(", "));
 
+/// Does the effect's name say already which number it is, as "slider scale" does of "scale"?
+bool isNamedBy(const std::string& effect, const std::string& parameter);
+
 /// The text with a capital first letter.
 QString capitalised(QString text);
 

@@ -22,10 +22,13 @@ QString signedSeconds(Angle angle) {
   return signedNumberText(angle.arcseconds(), 1) + QChar(0x2033);
 }
 
-/// "+12.3″".
-QString sizeText(const EffectParameter& parameter, double value) {
+/// "+12.3″", "tilt about x +0.10°".
+QString sizeText(const Effect& effect, const EffectParameter& parameter, double value) {
   const int decimals = std::min(9, decimalsFor(parameter.plausible) + 1);
-  return withUnit(signedNumberText(value, decimals), unitText(std::string(parameter.unit)));
+  const QString size = withUnit(signedNumberText(value, decimals), unitText(std::string(parameter.unit)));
+  if (effect.parameters.size() == 1) return size;
+  //: a number of an effect and its size: tilt about x +0.10°
+  return TrialText::tr("%1 %2").arg(qText(parameterName(parameter.name)), size);
 }
 
 void addEffects(QStringList& lines, const Truth& truth) {
@@ -33,13 +36,11 @@ void addEffects(QStringList& lines, const Truth& truth) {
     QStringList sizes;
     for (const EffectParameter& parameter : effect.parameters)
       for (const TrueSize& size : truth.effects)
-        if (size.term == parameter.term)
-          sizes.append(
-              (effect.parameters.size() > 1 ? qText(std::string(parameter.name)) + u' ' : QString()) +
-              sizeText(parameter, size.value));
+        if (size.term == parameter.term) sizes.append(sizeText(effect, parameter, size.value));
     if (!sizes.isEmpty())
-      lines.append(causeTitle(std::string(effect.id)) + QStringLiteral(": ") +
-                   sizes.join(QStringLiteral(", ")));
+      //: an effect and its sizes
+      lines.append(
+          TrialText::tr("%1: %2").arg(causeTitle(std::string(effect.id)), sizes.join(QStringLiteral(", "))));
   }
 }
 
@@ -119,7 +120,7 @@ QStringList truthLines(const BlindTrial& trial) {
     QString shows = TrialText::tr("It shows by %1 σ of the readings").arg(numberText(*trial.seal.visible, 1));
     if (!trial.seal.lookAlikes.empty())
       shows += TrialText::tr("; there it looks like %1")
-                   .arg(causeNames(trial.seal.lookAlikes, TrialText::tr("or")));
+                   .arg(causeNames(trial.seal.lookAlikes, TrialText::tr(" or ")));
     lines.append(shows + u'.');
   }
   lines.append(TrialText::tr("True Δd = %1 mm").arg(numberText(trial.seal.intersection, 4)));

@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "core/base/phrase.h"
 #include "core/effects/cause_ids.h"
 
 namespace alidade {
@@ -78,9 +79,11 @@ void JumpComponent::addTo(JointFitOptions& model, const Leftover&, const VectorX
 }
 
 std::vector<CauseParameter> JumpComponent::parameters(const GapModel& after) const {
-  return {estimatedParameter(after, "horizontal step", ErrorTerm::HorizontalJump, "arcsec"),
-          estimatedParameter(after, "vertical step", ErrorTerm::VerticalJump, "arcsec"),
-          {"before row", static_cast<double>(moment().first) + 1, 0, "-"}};
+  return {
+      estimatedParameter(after, PHRASE_LATER("Phrase", "horizontal step"), ErrorTerm::HorizontalJump,
+                         "arcsec"),
+      estimatedParameter(after, PHRASE_LATER("Phrase", "vertical step"), ErrorTerm::VerticalJump, "arcsec"),
+      {"before row", static_cast<double>(moment().first) + 1, 0, "-"}};
 }
 
 namespace {

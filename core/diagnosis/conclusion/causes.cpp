@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/phrase.h"
 #include "core/diagnosis/conclusion/gross_error_circle.h"
 #include "core/effects/cause_ids.h"
 #include "core/observation/reading_ref.h"
@@ -22,7 +23,8 @@ Cause named(const Inquiry& inquiry, std::string_view id) {
 Cause largerNoise(const Inquiry& inquiry, const GapModel& after) {
   Cause cause = named(inquiry, noiseId);
   const double sigma = after.noise / std::sqrt(2.0 * std::max(1, after.fit->degreesOfFreedom));
-  cause.parameters.push_back({"ratio", after.noise, sigma, "1"});
+  //: true noise over the stated
+  cause.parameters.push_back({PHRASE_LATER("Phrase", "ratio"), after.noise, sigma, "1"});
   return cause;
 }
 

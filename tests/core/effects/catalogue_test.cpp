@@ -2,10 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include "core/adjustment/result/session_fit.h"
+#include "core/base/phrase.h"
 #include "core/base/statistics.h"
 #include "core/observation/observe.h"
 #include "tests/support/trials.h"
@@ -93,6 +96,28 @@ TEST(EffectCatalogue, FindsTheEffectOfATerm) {
   EXPECT_EQ(effectOf(PlaneTiltY)->id, "plane_tilt");
   EXPECT_EQ(effectOf(SliderSine)->id, "slider_eccentricity");
   for (const ErrorTerm term : {HorizontalJump, VerticalJump}) EXPECT_EQ(effectOf(term), nullptr);
+}
+
+// Who reads a result in English finds the id of an effect by its name.
+TEST(EffectCatalogue, CallsEffectsAsTheirIdsDo) {
+  for (const Effect& effect : effectCatalogue()) {
+    std::string id = effect.name;
+    std::ranges::replace(id, ' ', '_');
+    EXPECT_EQ(id, effect.id);
+  }
+}
+
+std::string shouted(const char* english) {
+  return std::string(english) + "!";
+}
+
+TEST(EffectCatalogue, GivesOutTheNamesOfNumbersInTheLanguageOfTheProgram) {
+  for (const EffectParameter& parameter : allParameters())
+    EXPECT_EQ(parameterName(parameter.name), parameter.name);
+  Phrase::setInterpreter(shouted);
+  const std::string name = parameterName(effectById("plane_tilt")->parameters[0].name);
+  Phrase::setInterpreter(nullptr);
+  EXPECT_EQ(name, "tilt about x!");
 }
 
 /// By how much three plausible sizes of an effect change a reading otherwise than three times what one does,

@@ -13,6 +13,11 @@ TEST(ReadingRef, KindsAreNamedAsInFiles) {
   EXPECT_EQ(nameOf(ReadingKind::Slider), "slider");
 }
 
+TEST(ReadingRef, KindsAreCalledSoByPeopleToo) {
+  for (const auto kind : {ReadingKind::Horizontal, ReadingKind::Vertical, ReadingKind::Slider})
+    EXPECT_EQ(inWords(kind), nameOf(kind));
+}
+
 TEST(ReadingRef, SigmaIsThatOfTheKind) {
   Measurement measurement = test::usualMeasurement();
   measurement.sigmaHorizontal = Angle::fromArcseconds(1);

@@ -5,6 +5,7 @@
 #include <QPushButton>
 #include <algorithm>
 
+#include "core/base/phrase.h"
 #include "core/effects/catalogue.h"
 #include "core/effects/cause_ids.h"
 #include "core/wording/diagnosis_sentence.h"
@@ -23,9 +24,11 @@ namespace {
 /// What a probability takes for granted.
 QString givenText(const std::string& id) {
   const QString plausible = plausibleText(id);
-  const QString given = CauseList::tr("Probability that it is among the causes, given the catalogue");
-  return plausible.isEmpty() ? given
-                             : given + CauseList::tr("\nand a plausible size of %1 (1σ)").arg(plausible);
+  if (plausible.isEmpty())
+    return CauseList::tr("Probability that it is among the causes, given the catalogue");
+  return CauseList::tr(
+             "Probability that it is among the causes, given the catalogue\nand a plausible size of %1 (1σ)")
+      .arg(plausible);
 }
 
 QString parametersText(const Cause& cause) {
@@ -131,10 +134,11 @@ void CauseList::addCause(const Gap& gap, const Cause& cause) {
   addTitle(causeTitle(cause.effect), qText(shortProbabilityText(cause.probability)), givenText(cause.effect));
   addText(parametersText(cause));
   if (const Effect* effect = effectById(cause.effect))
-    addText(capitalised(qText(std::string(effect->description))) + u'.', true);
+    //: what an effect is, as a sentence of its own
+    addText(tr("%1.").arg(capitalised(qText(Phrase::of(effect->description)))), true);
   if (!cause.indistinguishableFrom.empty() && gap.diagnosis->causes.size() > 1)
-    addText(
-        tr("These readings cannot tell it from %1.").arg(causeNames(cause.indistinguishableFrom, tr("or"))));
+    addText(tr("These readings cannot tell it from %1.")
+                .arg(causeNames(cause.indistinguishableFrom, tr(" or "))));
   if (cause.effect == grossErrorId) return addGrossErrors(cause);
   if (cause.effect == jumpId) return addJump(gap, cause);
   if (cause.effect == noiseId) return addNoise(gap, cause);
@@ -189,7 +193,7 @@ void CauseList::addGrossErrors(const Cause& cause) {
     addText(
         tr("Perhaps %1 right beside it, which would move Δd: read the position again before a row is left "
            "out.")
-            .arg(causeNames(cause.indistinguishableFrom, tr("or"))));
+            .arg(causeNames(cause.indistinguishableFrom, tr(" or "))));
   for (const ReadingDeviation& reading : cause.readings) {
     m_buttons = nullptr;
     addText(deviationText(reading));

@@ -270,7 +270,7 @@ void GapPanel::showNext() {
   QStringList lines;
   for (const Advice& advice : diagnosis.advice) {
     const QString figure = numberText(advice.bySigma, 1);
-    const QString what = causeNames(advice.separates, tr("and")).toHtmlEscaped();
+    const QString what = causeNames(advice.separates, tr(" and ")).toHtmlEscaped();
     QString line = QStringLiteral("• <b>%1</b>: ").arg(qText(howTo(advice.measures)).toHtmlEscaped());
     line += advice.ofUnseen ? tr("would show %1 by %2 σ or more").arg(what, figure)
                             : tr("separates every two of %1 by %2 σ or more").arg(what, figure);

@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "core/base/phrase.h"
 #include "core/effects/catalogue.h"
 #include "ui/commands/change_effects.h"
 #include "ui/document/session_document.h"
@@ -35,11 +36,11 @@ QString aboutText(const Effect& effect) {
     const QString size = plausibleText(parameter);
     if (!sizes.contains(size)) sizes.append(size);
   }
-  QStringList sentences{capitalised(qText(std::string(effect.description)))};
-  if (!sizes.isEmpty())
-    sentences.append(EffectsPanel::tr("Plausible size (1σ) %1").arg(sizes.join(QStringLiteral(", "))));
-  sentences.append(EffectsPanel::tr("Remedy: %1").arg(qText(std::string(effect.remedy))));
-  return sentences.join(QStringLiteral(". ")) + u'.';
+  const QString what = capitalised(qText(Phrase::of(effect.description)));
+  const QString remedy = qText(Phrase::of(effect.remedy));
+  if (sizes.isEmpty()) return EffectsPanel::tr("%1. Remedy: %2.").arg(what, remedy);
+  return EffectsPanel::tr("%1. Plausible size (1σ) %2. Remedy: %3.")
+      .arg(what, sizes.join(QStringLiteral(", ")), remedy);
 }
 
 QString sizeText(const EffectEstimate& estimate) {
@@ -143,7 +144,7 @@ void EffectsPanel::setEvaluation(const Evaluation& evaluation) {
       if (effectById(id)->parameters.size() == 1) {
         item->setText(1, sizeText(estimate));
       } else {
-        auto* child = new QTreeWidgetItem(item, {qText(estimate.name), sizeText(estimate)});
+        auto* child = new QTreeWidgetItem(item, {qText(parameterName(estimate.name)), sizeText(estimate)});
         child->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
       }
     }

@@ -24,8 +24,9 @@ QString problemText(const Session& session, const Problem& problem) {
   const QString place = spokenPlace(session, problem.where);
   const QString what = qText(problem.what);
   if (place.isEmpty()) return what;
-  return capitalised(place) +
-         (what.startsWith(QStringLiteral("is ")) ? QStringLiteral(" ") : QStringLiteral(": ")) + what;
+  //: a place and what is wrong with what stands there, as a predicate and as a sentence
+  return (what.startsWith(QStringLiteral("is ")) ? FindingsPanel::tr("%1 %2") : FindingsPanel::tr("%1: %2"))
+      .arg(capitalised(place), what);
 }
 
 /// The worst first.
