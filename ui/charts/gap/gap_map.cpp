@@ -17,13 +17,32 @@ QString percentText(double share) {
   return numberText(100 * share, 0) + QStringLiteral(" %");
 }
 
+/// What the diagnosis calls ways to divide the readings, and their parts, where that stands as it is.
+constexpr const char* words[] = {QT_TRANSLATE_NOOP("alidade::ui::GapMap", "circle"),
+                                 QT_TRANSLATE_NOOP("alidade::ui::GapMap", "face"),
+                                 QT_TRANSLATE_NOOP("alidade::ui::GapMap", "round"),
+                                 QT_TRANSLATE_NOOP("alidade::ui::GapMap", "horizontal"),
+                                 QT_TRANSLATE_NOOP("alidade::ui::GapMap", "vertical"),
+                                 QT_TRANSLATE_NOOP("alidade::ui::GapMap", "slider"),
+                                 QT_TRANSLATE_NOOP("alidade::ui::GapMap", "guideway"),
+                                 QT_TRANSLATE_NOOP("alidade::ui::GapMap", "instrument"),
+                                 QT_TRANSLATE_NOOP("alidade::ui::GapMap", "guideway or instrument"),
+                                 QT_TRANSLATE_NOOP("alidade::ui::GapMap", "time"),
+                                 QT_TRANSLATE_NOOP("alidade::ui::GapMap", "readings"),
+                                 QT_TRANSLATE_NOOP("alidade::ui::GapMap", "noise")};
+
+QString inWords(const std::string& text) {
+  const auto word = std::ranges::find(words, text);
+  return word == std::end(words) ? qText(text) : GapMap::tr(*word);
+}
+
 QString divisionName(const std::string& by) {
   if (by == "frame") return GapMap::tr("stays with");
   if (by == "position") return GapMap::tr("axis at");
   if (by == "time") return GapMap::tr("in time");
   if (by == "closure") return GapMap::tr("shows in");
   if (by == "sector") return GapMap::tr("along the arc");
-  return qText(by);
+  return inWords(by);
 }
 
 QString partName(const GapShare& share) {
@@ -39,7 +58,7 @@ QString partName(const GapShare& share) {
     const int quarter = qText(share.of).right(1).toInt();
     if (quarter >= 1 && quarter <= 4) return quarters[quarter - 1];
   }
-  return qText(share.of);
+  return inWords(share.of);
 }
 
 /// "90…120°" comes after "60…90°"; words stay in their order.
