@@ -5,1566 +5,3913 @@
     <name>AddPosition</name>
     <message>
         <source>Measure %1° again</source>
-        <translation type="unfinished"></translation>
+        <translation>复测 %1°</translation>
     </message>
     <message>
         <source>Add position at %1°</source>
-        <translation type="unfinished"></translation>
+        <translation>添加轴位 %1°</translation>
     </message>
 </context>
 <context>
     <name>BudgetText</name>
     <message>
         <source>%1 others</source>
-        <translation type="unfinished"></translation>
+        <translation>其他 %1 项</translation>
     </message>
     <message>
         <source>many</source>
-        <translation type="unfinished"></translation>
+        <translation>很多</translation>
     </message>
 </context>
 <context>
     <name>Busy</name>
     <message>
         <source>Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>停止</translation>
     </message>
 </context>
 <context>
     <name>ChangeEffects</name>
     <message>
         <source>Estimate %1</source>
-        <translation type="unfinished"></translation>
+        <translation>估计%1</translation>
     </message>
     <message>
         <source>Leave out %1</source>
-        <translation type="unfinished"></translation>
+        <translation>去掉%1</translation>
     </message>
 </context>
 <context>
     <name>ChangeField</name>
     <message>
         <source>Change %1</source>
-        <translation type="unfinished"></translation>
+        <translation>更改%1</translation>
     </message>
 </context>
 <context>
     <name>ChangeKnown</name>
     <message>
         <source>Change what is known of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>更改%1 的已知值</translation>
     </message>
 </context>
 <context>
     <name>ChangedFileText</name>
     <message>
         <source>“%1” was written by another program or window since it was last read or saved here.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”自上次在此读取或保存以来，已被其他程序或窗口写入。</translation>
     </message>
     <message>
         <source>It is no session now: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>它现在不是会话：%1</translation>
     </message>
     <message>
         <source>The file was changed</source>
-        <translation type="unfinished"></translation>
+        <translation>文件已更改</translation>
     </message>
     <message>
         <source>Here</source>
-        <translation type="unfinished"></translation>
+        <translation>此处</translation>
     </message>
     <message>
         <source>In the file</source>
-        <translation type="unfinished"></translation>
+        <translation>文件中</translation>
     </message>
     <message>
         <source>Reload takes over what is in the file; undo brings back what is here. Overwrite replaces what is in the file, and that cannot be undone.</source>
-        <translation type="unfinished"></translation>
+        <translation>重新载入采用文件中的内容；撤销可恢复此处的内容。覆盖将替换文件中的内容，且无法撤销。</translation>
     </message>
     <message>
         <source>&amp;Reload</source>
-        <translation type="unfinished"></translation>
+        <translation>重新载入(&amp;R)</translation>
     </message>
     <message>
         <source>Save &amp;As…</source>
-        <translation type="unfinished"></translation>
+        <translation>另存为(&amp;A)…</translation>
     </message>
     <message>
         <source>&amp;Overwrite</source>
-        <translation type="unfinished"></translation>
+        <translation>覆盖(&amp;O)</translation>
     </message>
 </context>
 <context>
     <name>ChoiceText</name>
     <message>
         <source>slider</source>
-        <translation type="unfinished"></translation>
+        <translation>滑块</translation>
     </message>
     <message>
         <source>horizontal</source>
-        <translation type="unfinished"></translation>
+        <translation>水平</translation>
     </message>
     <message>
         <source>vertical</source>
-        <translation type="unfinished"></translation>
+        <translation>竖直</translation>
     </message>
 </context>
 <context>
     <name>DialogsText</name>
     <message>
         <source>Sessions (*.alidade);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>会话 (*.alidade);;所有文件 (*)</translation>
     </message>
     <message>
         <source>Unsaved changes</source>
-        <translation type="unfinished"></translation>
+        <translation>未保存的更改</translation>
     </message>
     <message>
         <source>“%1” has unsaved changes.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”有未保存的更改。</translation>
     </message>
     <message>
         <source>Discarded changes cannot be brought back.</source>
-        <translation type="unfinished"></translation>
+        <translation>放弃的更改无法恢复。</translation>
     </message>
     <message>
         <source>An import that was undone has not been saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>被撤销的导入尚未保存。</translation>
     </message>
     <message>
         <source>The session before the import has not been saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>导入之前的会话尚未保存。</translation>
     </message>
     <message>
         <source>“%1” has unsaved changes, too.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”也有未保存的更改。</translation>
     </message>
     <message>
         <source>Redo brings it back with all that was typed into it, to be saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>重做可将其连同录入的全部内容恢复，以便保存。</translation>
     </message>
     <message>
         <source>Undo leads back to it with all that was typed into it, to be saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>撤销可回到该会话及录入的全部内容，以便保存。</translation>
     </message>
     <message>
         <source>Discarded, that cannot be brought back.</source>
-        <translation type="unfinished"></translation>
+        <translation>放弃后无法恢复。</translation>
     </message>
     <message>
         <source>Open session</source>
-        <translation type="unfinished"></translation>
+        <translation>打开会话</translation>
     </message>
     <message>
         <source>Sessions and reports (*.alidade *.pdf);;Sessions (*.alidade);;Reports with a session in them (*.pdf);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>会话和报告 (*.alidade *.pdf);;会话 (*.alidade);;内含会话的报告 (*.pdf);;所有文件 (*)</translation>
     </message>
     <message>
         <source>Import readings</source>
-        <translation type="unfinished"></translation>
+        <translation>导入读数</translation>
     </message>
     <message>
         <source>Readings (%1);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>读数 (%1);;所有文件 (*)</translation>
     </message>
     <message>
         <source>Save session as</source>
-        <translation type="unfinished"></translation>
+        <translation>会话另存为</translation>
     </message>
     <message>
         <source>Export acceptance report</source>
-        <translation type="unfinished"></translation>
+        <translation>导出验收报告</translation>
     </message>
     <message>
         <source>PDF (*.pdf)</source>
-        <translation type="unfinished"></translation>
+        <translation>PDF (*.pdf)</translation>
     </message>
     <message>
         <source>Print acceptance report</source>
-        <translation type="unfinished"></translation>
+        <translation>打印验收报告</translation>
     </message>
     <message>
         <source>Seal</source>
-        <translation type="unfinished"></translation>
+        <translation>封存</translation>
     </message>
     <message>
         <source>The journal will hold who seals this session and a digest of all that it says.
 It can be edited afterwards, as a revision, and every edit is told.
 
 Sealed by:</source>
-        <translation type="unfinished"></translation>
+        <translation>更改日志将记录由谁封存本会话，以及其全部内容的摘要。
+此后仍可作为修订编辑，每次编辑都会被记载。
+
+封存人：</translation>
     </message>
     <message>
         <source>Open elsewhere</source>
-        <translation type="unfinished"></translation>
+        <translation>已在别处打开</translation>
     </message>
     <message>
         <source>“%1” is open in another window (%2).</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”已在另一窗口（%2）打开。</translation>
     </message>
     <message>
         <source>What is saved in one of the two is not in the other. Before either overwrites the other&apos;s changes, it asks.</source>
-        <translation type="unfinished"></translation>
+        <translation>在其中一处保存的内容不在另一处。任何一方覆盖对方的更改之前都会询问。</translation>
     </message>
     <message>
         <source>&amp;Go On</source>
-        <translation type="unfinished"></translation>
+        <translation>继续(&amp;G)</translation>
     </message>
     <message>
         <source>About Alidade</source>
-        <translation type="unfinished"></translation>
+        <translation>关于 Alidade</translation>
     </message>
     <message>
         <source>&lt;h3&gt;Alidade %1&lt;/h3&gt;&lt;p&gt;A measurement workstation for rotatable arc guideways: sightings in, intersection and verdict out.&lt;/p&gt;&lt;p&gt;Licence: GNU General Public License, version 3 or later. It comes without any warranty.&lt;/p&gt;&lt;p&gt;Built with Qt %2.&lt;/p&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;h3&gt;Alidade %1&lt;/h3&gt;&lt;p&gt;可转动弧形导轨的测量工作站：输入照准读数，得出相交度和判定。&lt;/p&gt;&lt;p&gt;许可证：GNU 通用公共许可证第 3 版或更新版本。不提供任何担保。&lt;/p&gt;&lt;p&gt;使用 Qt %2 构建。&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Type</source>
-        <translation type="unfinished"></translation>
+        <translation>直接输入</translation>
     </message>
     <message>
         <source>overwrites the cell</source>
-        <translation type="unfinished"></translation>
+        <translation>覆盖单元格</translation>
     </message>
     <message>
         <source>Enter</source>
-        <translation type="unfinished"></translation>
+        <translation>Enter</translation>
     </message>
     <message>
         <source>hands in; on to vertical, then to the next row</source>
-        <translation type="unfinished"></translation>
+        <translation>提交；转到竖直读数，然后到下一行</translation>
     </message>
     <message>
         <source>Tab, Shift+Tab</source>
-        <translation type="unfinished"></translation>
+        <translation>Tab, Shift+Tab</translation>
     </message>
     <message>
         <source>the same, through all shown columns; back</source>
-        <translation type="unfinished"></translation>
+        <translation>同上，经过所有显示的列；反向</translation>
     </message>
     <message>
         <source>F2</source>
-        <translation type="unfinished"></translation>
+        <translation>F2</translation>
     </message>
     <message>
         <source>edits what was typed</source>
-        <translation type="unfinished"></translation>
+        <translation>编辑已录入的内容</translation>
     </message>
     <message>
         <source>Esc</source>
-        <translation type="unfinished"></translation>
+        <translation>Esc</translation>
     </message>
     <message>
         <source>takes back what is half typed</source>
-        <translation type="unfinished"></translation>
+        <translation>撤回未录入完的内容</translation>
     </message>
     <message>
         <source>Space</source>
-        <translation type="unfinished"></translation>
+        <translation>Space</translation>
     </message>
     <message>
         <source>excludes or uses the selected rows</source>
-        <translation type="unfinished"></translation>
+        <translation>排除或使用所选的行</translation>
     </message>
     <message>
         <source>F7</source>
-        <translation type="unfinished"></translation>
+        <translation>F7</translation>
     </message>
     <message>
         <source>leads to the next reading that looks misread</source>
-        <translation type="unfinished"></translation>
+        <translation>转到下一个像是误读的读数</translation>
     </message>
     <message>
         <source>F8</source>
-        <translation type="unfinished"></translation>
+        <translation>F8</translation>
     </message>
     <message>
         <source>puts in the reading that was probably meant</source>
-        <translation type="unfinished"></translation>
+        <translation>采用可能正确的读数</translation>
     </message>
     <message>
         <source>Delete</source>
-        <translation type="unfinished"></translation>
+        <translation>Delete</translation>
     </message>
     <message>
         <source>clears the selected cells</source>
-        <translation type="unfinished"></translation>
+        <translation>清除所选单元格</translation>
     </message>
     <message>
         <source>Ctrl+I, Ctrl+−</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+I, Ctrl+−</translation>
     </message>
     <message>
         <source>inserts a row above; deletes the selected rows</source>
-        <translation type="unfinished"></translation>
+        <translation>在上方插入行；删除所选的行</translation>
     </message>
     <message>
         <source>Ctrl+C, Ctrl+X, Ctrl+V</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+C, Ctrl+X, Ctrl+V</translation>
     </message>
     <message>
         <source>copies, cuts, pastes blocks, also with spreadsheets</source>
-        <translation type="unfinished"></translation>
+        <translation>复制、剪切、粘贴区块，也可与电子表格交换</translation>
     </message>
     <message>
         <source>Ctrl+Shift+V</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Shift+V</translation>
     </message>
     <message>
         <source>imports the clipboard, and asks how it is to be taken</source>
-        <translation type="unfinished"></translation>
+        <translation>导入剪贴板，并询问如何采用</translation>
     </message>
     <message>
         <source>Ctrl+Z, Ctrl+Shift+Z</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Z, Ctrl+Shift+Z</translation>
     </message>
     <message>
         <source>undo, redo</source>
-        <translation type="unfinished"></translation>
+        <translation>撤销、重做</translation>
     </message>
     <message>
         <source>3415224</source>
-        <translation type="unfinished"></translation>
+        <translation>3415224</translation>
     </message>
     <message>
         <source>is 341°52′24″ on the number pad</source>
-        <translation type="unfinished"></translation>
+        <translation>在数字键盘上即 341°52′24″</translation>
     </message>
     <message>
         <source>Keys of the table</source>
-        <translation type="unfinished"></translation>
+        <translation>表格按键</translation>
     </message>
 </context>
 <context>
     <name>DifferenceText</name>
     <message>
         <source>Entry</source>
-        <translation type="unfinished"></translation>
+        <translation>输入项</translation>
     </message>
     <message>
         <source>and %1 more</source>
-        <translation type="unfinished"></translation>
+        <translation>以及另外 %1 项</translation>
     </message>
 </context>
 <context>
     <name>Field</name>
     <message>
         <source>title</source>
-        <translation type="unfinished"></translation>
+        <translation>标题</translation>
     </message>
     <message>
         <source>notes</source>
-        <translation type="unfinished"></translation>
+        <translation>备注</translation>
     </message>
     <message>
         <source>operator</source>
-        <translation type="unfinished"></translation>
+        <translation>操作者</translation>
     </message>
     <message>
         <source>place</source>
-        <translation type="unfinished"></translation>
+        <translation>地点</translation>
     </message>
     <message>
         <source>date</source>
-        <translation type="unfinished"></translation>
+        <translation>日期</translation>
     </message>
     <message>
         <source>report number</source>
-        <translation type="unfinished"></translation>
+        <translation>报告编号</translation>
     </message>
     <message>
         <source>laboratory</source>
-        <translation type="unfinished"></translation>
+        <translation>实验室</translation>
     </message>
     <message>
         <source>customer</source>
-        <translation type="unfinished"></translation>
+        <translation>客户</translation>
     </message>
     <message>
         <source>authorised by</source>
-        <translation type="unfinished"></translation>
+        <translation>批准人</translation>
     </message>
     <message>
         <source>decision rule agreed by</source>
-        <translation type="unfinished"></translation>
+        <translation>判定规则的约定方</translation>
     </message>
     <message>
         <source>device</source>
-        <translation type="unfinished"></translation>
+        <translation>设备</translation>
     </message>
     <message>
         <source>device serial number</source>
-        <translation type="unfinished"></translation>
+        <translation>设备序列号</translation>
     </message>
     <message>
         <source>instrument</source>
-        <translation type="unfinished"></translation>
+        <translation>仪器</translation>
     </message>
     <message>
         <source>instrument serial number</source>
-        <translation type="unfinished"></translation>
+        <translation>仪器序列号</translation>
     </message>
     <message>
         <source>instrument certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>仪器证书</translation>
     </message>
     <message>
         <source>traceability of the circles</source>
-        <translation type="unfinished"></translation>
+        <translation>度盘的溯源性</translation>
     </message>
     <message>
         <source>unit of angles</source>
-        <translation type="unfinished"></translation>
+        <translation>角度单位</translation>
     </message>
     <message>
         <source>σ of the horizontal circle</source>
-        <translation type="unfinished"></translation>
+        <translation>水平度盘的 σ</translation>
     </message>
     <message>
         <source>σ of the vertical circle</source>
-        <translation type="unfinished"></translation>
+        <translation>竖直度盘的 σ</translation>
     </message>
     <message>
         <source>σ of the pointing zero</source>
-        <translation type="unfinished"></translation>
+        <translation>瞄准零位的 σ</translation>
     </message>
     <message>
         <source>σ of the slider</source>
-        <translation type="unfinished"></translation>
+        <translation>滑块的 σ</translation>
     </message>
     <message>
         <source>temperature</source>
-        <translation type="unfinished"></translation>
+        <translation>温度</translation>
     </message>
     <message>
         <source>σ of the temperature</source>
-        <translation type="unfinished"></translation>
+        <translation>温度的 σ</translation>
     </message>
     <message>
         <source>distance L</source>
-        <translation type="unfinished"></translation>
+        <translation>距离 L</translation>
     </message>
     <message>
         <source>σ of the distance</source>
-        <translation type="unfinished"></translation>
+        <translation>距离的 σ</translation>
     </message>
     <message>
         <source>nominal radius</source>
-        <translation type="unfinished"></translation>
+        <translation>名义半径</translation>
     </message>
     <message>
         <source>σ of the radius</source>
-        <translation type="unfinished"></translation>
+        <translation>半径的 σ</translation>
     </message>
     <message>
         <source>vertical circle</source>
-        <translation type="unfinished"></translation>
+        <translation>竖直度盘</translation>
     </message>
     <message>
         <source>pointing zeros</source>
-        <translation type="unfinished"></translation>
+        <translation>瞄准零位</translation>
     </message>
     <message>
         <source>how the distance was measured</source>
-        <translation type="unfinished"></translation>
+        <translation>距离的测量方法</translation>
     </message>
     <message>
         <source>expansion of the distance</source>
-        <translation type="unfinished"></translation>
+        <translation>距离的膨胀</translation>
     </message>
     <message>
         <source>expansion of the radius</source>
-        <translation type="unfinished"></translation>
+        <translation>半径的膨胀</translation>
     </message>
     <message>
         <source>tolerance</source>
-        <translation type="unfinished"></translation>
+        <translation>允差</translation>
     </message>
     <message>
         <source>coverage</source>
-        <translation type="unfinished"></translation>
+        <translation>包含概率</translation>
     </message>
     <message>
         <source>reference intersection</source>
-        <translation type="unfinished"></translation>
+        <translation>参考相交度</translation>
     </message>
     <message>
         <source>σ of the reference</source>
-        <translation type="unfinished"></translation>
+        <translation>参考值的 σ</translation>
     </message>
     <message>
         <source>what the tolerance limits</source>
-        <translation type="unfinished"></translation>
+        <translation>允差所限制的量</translation>
     </message>
     <message>
         <source>vertical angle relation</source>
-        <translation type="unfinished"></translation>
+        <translation>竖直角关系式</translation>
     </message>
     <message>
         <source>radius model</source>
-        <translation type="unfinished"></translation>
+        <translation>半径模型</translation>
     </message>
     <message>
         <source>axis position</source>
-        <translation type="unfinished"></translation>
+        <translation>轴位</translation>
     </message>
     <message>
         <source>pointing zero α0</source>
-        <translation type="unfinished"></translation>
+        <translation>瞄准零位 α0</translation>
     </message>
     <message>
         <source>pointing zero β0</source>
-        <translation type="unfinished"></translation>
+        <translation>瞄准零位 β0</translation>
     </message>
     <message>
         <source>pointing zero α0 in face 2</source>
-        <translation type="unfinished"></translation>
+        <translation>盘右瞄准零位 α0</translation>
     </message>
     <message>
         <source>pointing zero β0 in face 2</source>
-        <translation type="unfinished"></translation>
+        <translation>盘右瞄准零位 β0</translation>
     </message>
     <message>
         <source>pointing zero α0 after the readings</source>
-        <translation type="unfinished"></translation>
+        <translation>读数后瞄准零位 α0</translation>
     </message>
     <message>
         <source>pointing zero β0 after the readings</source>
-        <translation type="unfinished"></translation>
+        <translation>读数后瞄准零位 β0</translation>
     </message>
     <message>
         <source>pointing zero α0 after the readings in face 2</source>
-        <translation type="unfinished"></translation>
+        <translation>盘右读数后瞄准零位 α0</translation>
     </message>
     <message>
         <source>pointing zero β0 after the readings in face 2</source>
-        <translation type="unfinished"></translation>
+        <translation>盘右读数后瞄准零位 β0</translation>
     </message>
 </context>
 <context>
     <name>FileLock</name>
     <message>
         <source>process %1</source>
-        <translation type="unfinished"></translation>
+        <translation>进程 %1</translation>
     </message>
 </context>
 <context>
     <name>Forms</name>
     <message>
         <source>0 (exact)</source>
-        <translation type="unfinished"></translation>
+        <translation>0（精确）</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>无</translation>
     </message>
     <message>
         <source>mm</source>
-        <translation type="unfinished"></translation>
+        <translation>mm</translation>
     </message>
     <message>
         <source>Zenith</source>
-        <translation type="unfinished"></translation>
+        <translation>天顶距</translation>
     </message>
     <message>
         <source>Elevation</source>
-        <translation type="unfinished"></translation>
+        <translation>高度角</translation>
     </message>
     <message>
         <source>Exact</source>
-        <translation type="unfinished"></translation>
+        <translation>精确</translation>
     </message>
     <message>
         <source>Planar</source>
-        <translation type="unfinished"></translation>
+        <translation>平面</translation>
     </message>
     <message>
         <source>Free</source>
-        <translation type="unfinished"></translation>
+        <translation>自由</translation>
     </message>
     <message>
         <source>Common</source>
-        <translation type="unfinished"></translation>
+        <translation>公共</translation>
     </message>
     <message>
         <source>Known</source>
-        <translation type="unfinished"></translation>
+        <translation>已知</translation>
     </message>
     <message>
         <source>Δd</source>
-        <translation type="unfinished"></translation>
+        <translation>Δd</translation>
     </message>
     <message>
         <source>Distance</source>
-        <translation type="unfinished"></translation>
+        <translation>距离</translation>
     </message>
     <message>
         <source>Distance &amp;L</source>
-        <translation type="unfinished"></translation>
+        <translation>距离 L(&amp;L)</translation>
     </message>
     <message>
         <source>required</source>
-        <translation type="unfinished"></translation>
+        <translation>必填</translation>
     </message>
     <message>
         <source>From the theodolite&apos;s centre to the plane of the arc</source>
-        <translation type="unfinished"></translation>
+        <translation>从经纬仪中心到圆弧平面</translation>
     </message>
     <message>
         <source>σ of L</source>
-        <translation type="unfinished"></translation>
+        <translation>L 的 σ</translation>
     </message>
     <message>
         <source>Standard uncertainty of the distance; empty means exact</source>
-        <translation type="unfinished"></translation>
+        <translation>距离的标准不确定度；空表示精确</translation>
     </message>
     <message>
         <source>&amp;Radius R0</source>
-        <translation type="unfinished"></translation>
+        <translation>半径 R0(&amp;R)</translation>
     </message>
     <message>
         <source>Nominal radius of the arc</source>
-        <translation type="unfinished"></translation>
+        <translation>圆弧的名义半径</translation>
     </message>
     <message>
         <source>σ of R0</source>
-        <translation type="unfinished"></translation>
+        <translation>R0 的 σ</translation>
     </message>
     <message>
         <source>Standard uncertainty of the nominal radius. A known radius takes it into the fit, and empty means exact; else R − R0 is a closure with it, and without it none</source>
-        <translation type="unfinished"></translation>
+        <translation>名义半径的标准不确定度。已知半径将其带入拟合，空表示精确；否则有它时 R − R0 为闭合差，没有则不是</translation>
     </message>
     <message>
         <source>R&amp;adius is</source>
-        <translation type="unfinished"></translation>
+        <translation>半径为(&amp;A)</translation>
     </message>
     <message>
         <source>Free: each arc has its own. Common: one for both arcs. Known: R0 with its σ takes part as one more observation</source>
-        <translation type="unfinished"></translation>
+        <translation>自由：每个圆弧各有半径。公共：两个圆弧共用一个。已知：R0 及其 σ 作为一个附加观测值参与</translation>
     </message>
     <message>
         <source>Vert. c&amp;ircle</source>
-        <translation type="unfinished"></translation>
+        <translation>竖直度盘(&amp;I)</translation>
     </message>
     <message>
         <source>What the vertical circle reads: zenith angles grow downwards, elevation angles upwards</source>
-        <translation type="unfinished"></translation>
+        <translation>竖直度盘的读数：天顶距向下增大，高度角向上增大</translation>
     </message>
     <message>
         <source>Relation</source>
-        <translation type="unfinished"></translation>
+        <translation>关系式</translation>
     </message>
     <message>
         <source>Exact: tan e = y/√(x²+L²), what a theodolite reads. Planar: tan e = y/L, as in the published method</source>
-        <translation type="unfinished"></translation>
+        <translation>精确：tan e = y/√(x²+L²)，即经纬仪所读。平面：tan e = y/L，即已发表的方法</translation>
     </message>
     <message>
         <source>Covera&amp;ge</source>
-        <translation type="unfinished"></translation>
+        <translation>包含概率(&amp;G)</translation>
     </message>
     <message>
         <source>0.95</source>
-        <translation type="unfinished"></translation>
+        <translation>0.95</translation>
     </message>
     <message>
         <source>Coverage probability of the expanded uncertainty U, between 0 and 1</source>
-        <translation type="unfinished"></translation>
+        <translation>扩展不确定度 U 的包含概率，在 0 和 1 之间</translation>
     </message>
     <message>
         <source>&amp;Tolerance</source>
-        <translation type="unfinished"></translation>
+        <translation>允差(&amp;T)</translation>
     </message>
     <message>
         <source>Largest acceptable intersection; without it there is no verdict</source>
-        <translation type="unfinished"></translation>
+        <translation>可接受的最大相交度；没有允差则不作判定</translation>
     </message>
     <message>
         <source>Limits</source>
-        <translation type="unfinished"></translation>
+        <translation>限制</translation>
     </message>
     <message>
         <source>What the tolerance limits: the intersection Δd, which is the part in the plane of the arc of the distance of its centre from the axis, or that distance as a whole</source>
-        <translation type="unfinished"></translation>
+        <translation>允差所限制的量：相交度 Δd，即圆心到回转轴的距离在圆弧平面内的部分，或整个距离</translation>
     </message>
     <message>
         <source>Reference</source>
-        <translation type="unfinished"></translation>
+        <translation>参考值</translation>
     </message>
     <message>
         <source>What the device was set to, where known; shown beside the result, never part of a fit</source>
-        <translation type="unfinished"></translation>
+        <translation>设备的设定值（如已知）；显示在结果旁，从不参与拟合</translation>
     </message>
     <message>
         <source>σ of ref.</source>
-        <translation type="unfinished"></translation>
+        <translation>参考值的 σ</translation>
     </message>
     <message>
         <source>How well the reference is known (1σ). With it the reference is a closure, and may help the diagnosis to tell causes apart; it never enters Δd</source>
-        <translation type="unfinished"></translation>
+        <translation>参考值已知的程度（1σ）。有它时参考值为闭合差，可帮助诊断区分原因；它从不进入 Δd</translation>
     </message>
     <message>
         <source>″</source>
-        <translation type="unfinished"></translation>
+        <translation>″</translation>
     </message>
     <message>
         <source>Unstated</source>
-        <translation type="unfinished"></translation>
+        <translation>未说明</translation>
     </message>
     <message>
         <source>Each</source>
-        <translation type="unfinished"></translation>
+        <translation>各自照准</translation>
     </message>
     <message>
         <source>One for all</source>
-        <translation type="unfinished"></translation>
+        <translation>共用一个</translation>
     </message>
     <message>
         <source>Instr&amp;ument</source>
-        <translation type="unfinished"></translation>
+        <translation>仪器(&amp;U)</translation>
     </message>
     <message>
         <source>model</source>
-        <translation type="unfinished"></translation>
+        <translation>型号</translation>
     </message>
     <message>
         <source>Serial no.</source>
-        <translation type="unfinished"></translation>
+        <translation>序列号</translation>
     </message>
     <message>
         <source>Pointing zeros</source>
-        <translation type="unfinished"></translation>
+        <translation>瞄准零位</translation>
     </message>
     <message>
         <source>Each: sighted anew in every position. One: sighted once for all, so that an error of it cancels in Δd</source>
-        <translation type="unfinished"></translation>
+        <translation>各自照准：在每个轴位重新照准。共用一个：为所有轴位只照准一次，其误差在 Δd 中抵消</translation>
     </message>
     <message>
         <source>σ ho&amp;rizontal</source>
-        <translation type="unfinished"></translation>
+        <translation>水平 σ(&amp;R)</translation>
     </message>
     <message>
         <source>2</source>
-        <translation type="unfinished"></translation>
+        <translation>2</translation>
     </message>
     <message>
         <source>Stated standard deviation of one horizontal reading</source>
-        <translation type="unfinished"></translation>
+        <translation>声明的单次水平读数的标准偏差</translation>
     </message>
     <message>
         <source>σ vertical</source>
-        <translation type="unfinished"></translation>
+        <translation>竖直 σ</translation>
     </message>
     <message>
         <source>Stated standard deviation of one vertical reading</source>
-        <translation type="unfinished"></translation>
+        <translation>声明的单次竖直读数的标准偏差</translation>
     </message>
     <message>
         <source>σ of &amp;zeros</source>
-        <translation type="unfinished"></translation>
+        <translation>零位 σ(&amp;Z)</translation>
     </message>
     <message>
         <source>as the circles</source>
-        <translation type="unfinished"></translation>
+        <translation>同度盘</translation>
     </message>
     <message>
         <source>Standard uncertainty of one sighting of the pointing zeros α0 and β0</source>
-        <translation type="unfinished"></translation>
+        <translation>一次照准瞄准零位 α0 和 β0 的标准不确定度</translation>
     </message>
     <message>
         <source>σ slider</source>
-        <translation type="unfinished"></translation>
+        <translation>滑块 σ</translation>
     </message>
     <message>
         <source>5</source>
-        <translation type="unfinished"></translation>
+        <translation>5</translation>
     </message>
     <message>
         <source>Standard deviation of one slider reading</source>
-        <translation type="unfinished"></translation>
+        <translation>单次滑块读数的标准偏差</translation>
     </message>
     <message>
         <source>Dev&amp;ice</source>
-        <translation type="unfinished"></translation>
+        <translation>设备(&amp;I)</translation>
     </message>
     <message>
         <source>simulator measured</source>
-        <translation type="unfinished"></translation>
+        <translation>被测的模拟器</translation>
     </message>
     <message>
         <source>R0 expands</source>
-        <translation type="unfinished"></translation>
+        <translation>R0 的膨胀</translation>
     </message>
     <message>
         <source>ppm/K</source>
-        <translation type="unfinished"></translation>
+        <translation>ppm/K</translation>
     </message>
     <message>
         <source>By how much R0 grows with each kelvin above 20 °C, for which it is stated: 11.5 for steel</source>
-        <translation type="unfinished"></translation>
+        <translation>温度每高出其标注温度 20 °C 一开尔文，R0 增长多少：钢为 11.5</translation>
     </message>
     <message>
         <source>Re&amp;port no.</source>
-        <translation type="unfinished"></translation>
+        <translation>报告编号(&amp;P)</translation>
     </message>
     <message>
         <source>Unique number of the report, printed on each of its pages</source>
-        <translation type="unfinished"></translation>
+        <translation>报告的唯一编号，印在每一页上</translation>
     </message>
     <message>
         <source>Au&amp;thorised by</source>
-        <translation type="unfinished"></translation>
+        <translation>批准人(&amp;T)</translation>
     </message>
     <message>
         <source>Who answers for the report</source>
-        <translation type="unfinished"></translation>
+        <translation>对报告负责的人</translation>
     </message>
     <message>
         <source>&amp;Laboratory</source>
-        <translation type="unfinished"></translation>
+        <translation>实验室(&amp;L)</translation>
     </message>
     <message>
         <source>name and address</source>
-        <translation type="unfinished"></translation>
+        <translation>名称和地址</translation>
     </message>
     <message>
         <source>C&amp;ustomer</source>
-        <translation type="unfinished"></translation>
+        <translation>客户(&amp;U)</translation>
     </message>
     <message>
         <source>Rule a&amp;greed by</source>
-        <translation type="unfinished"></translation>
+        <translation>规则约定方(&amp;G)</translation>
     </message>
     <message>
         <source>who, and where it is written</source>
-        <translation type="unfinished"></translation>
+        <translation>何人，载于何处</translation>
     </message>
     <message>
         <source>With whom the decision rule was agreed: accept only where |Δd| + U is within the tolerance, reject only where |Δd| − U is beyond it</source>
-        <translation type="unfinished"></translation>
+        <translation>与谁约定判定规则：仅当 |Δd| + U 在允差之内时接受，仅当 |Δd| − U 超出允差时拒绝</translation>
     </message>
     <message>
         <source>Certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>证书</translation>
     </message>
     <message>
         <source>Calibration certificate of the instrument, for the report</source>
-        <translation type="unfinished"></translation>
+        <translation>仪器的校准证书，供报告使用</translation>
     </message>
     <message>
         <source>L measured</source>
-        <translation type="unfinished"></translation>
+        <translation>L 的测量</translation>
     </message>
     <message>
         <source>how</source>
-        <translation type="unfinished"></translation>
+        <translation>方法</translation>
     </message>
     <message>
         <source>How the distance was measured, and its traceability; for the report</source>
-        <translation type="unfinished"></translation>
+        <translation>距离的测量方法及其溯源性；供报告使用</translation>
     </message>
     <message>
         <source>Circles traceable</source>
-        <translation type="unfinished"></translation>
+        <translation>度盘溯源</translation>
     </message>
     <message>
         <source>to</source>
-        <translation type="unfinished"></translation>
+        <translation>至</translation>
     </message>
     <message>
         <source>To which standards the circles are traceable, and through whom; for the report</source>
-        <translation type="unfinished"></translation>
+        <translation>度盘溯源到何种标准、经由何处；供报告使用</translation>
     </message>
     <message>
         <source>T&amp;itle</source>
-        <translation type="unfinished"></translation>
+        <translation>标题(&amp;I)</translation>
     </message>
     <message>
         <source>Operator</source>
-        <translation type="unfinished"></translation>
+        <translation>操作者</translation>
     </message>
     <message>
         <source>&amp;Place</source>
-        <translation type="unfinished"></translation>
+        <translation>地点(&amp;P)</translation>
     </message>
     <message>
         <source>D&amp;ate</source>
-        <translation type="unfinished"></translation>
+        <translation>日期(&amp;A)</translation>
     </message>
     <message>
         <source>YYYY-MM-DD</source>
-        <translation type="unfinished"></translation>
+        <translation>年-月-日</translation>
     </message>
     <message>
         <source>Day of the measurement</source>
-        <translation type="unfinished"></translation>
+        <translation>测量日期</translation>
     </message>
     <message>
         <source>&amp;Temp.</source>
-        <translation type="unfinished"></translation>
+        <translation>温度(&amp;T)</translation>
     </message>
     <message>
         <source>°C</source>
-        <translation type="unfinished"></translation>
+        <translation>°C</translation>
     </message>
     <message>
         <source>Temperature of the device and of the air</source>
-        <translation type="unfinished"></translation>
+        <translation>设备和空气的温度</translation>
     </message>
     <message>
         <source>σ of temp.</source>
-        <translation type="unfinished"></translation>
+        <translation>温度的 σ</translation>
     </message>
     <message>
         <source>K</source>
-        <translation type="unfinished"></translation>
+        <translation>K</translation>
     </message>
     <message>
         <source>Standard uncertainty of the temperature</source>
-        <translation type="unfinished"></translation>
+        <translation>温度的标准不确定度</translation>
     </message>
     <message>
         <source>L expands</source>
-        <translation type="unfinished"></translation>
+        <translation>L 的膨胀</translation>
     </message>
     <message>
         <source>By how much L grows with each kelvin above 20 °C, for which it is stated; empty where it is as measured at this temperature</source>
-        <translation type="unfinished"></translation>
+        <translation>温度每高出其标注温度 20 °C 一开尔文，L 增长多少；若 L 就是在该温度下测得，则留空</translation>
     </message>
     <message>
         <source>Notes</source>
-        <translation type="unfinished"></translation>
+        <translation>备注</translation>
     </message>
 </context>
 <context>
     <name>GapText</name>
     <message>
         <source>a jump of the orientation</source>
-        <translation type="unfinished"></translation>
+        <translation>定向的突跳</translation>
     </message>
     <message>
         <source>misread values</source>
-        <translation type="unfinished"></translation>
+        <translation>误读值</translation>
     </message>
     <message>
         <source>noise larger than stated</source>
-        <translation type="unfinished"></translation>
+        <translation>大于声明的噪声</translation>
     </message>
     <message>
         <source>the vertical angle relation</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1, point %2, %3</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>, round %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>, face %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>: off by %1</source>
-        <translation type="unfinished"></translation>
+        <translation>竖直角关系式</translation>
     </message>
     <message>
         <source>The positions do not close</source>
-        <translation type="unfinished"></translation>
+        <translation>各轴位不闭合</translation>
     </message>
     <message>
         <source>No gap: within the noise</source>
-        <translation type="unfinished"></translation>
+        <translation>无差距：在噪声之内</translation>
     </message>
     <message>
         <source>One cause: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>一个原因：%1</translation>
     </message>
     <message>
         <source>One of %1 causes that look alike here</source>
-        <translation type="unfinished"></translation>
+        <translation>此处难以区分的 %1 个原因之一</translation>
     </message>
     <message>
         <source>%1 causes</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个原因</translation>
     </message>
     <message>
         <source>A gap of no known cause</source>
-        <translation type="unfinished"></translation>
+        <translation>原因不明的差距</translation>
     </message>
     <message>
         <source>An unknown cause beside %1</source>
-        <translation type="unfinished"></translation>
+        <translation>除%1 外还有未知原因</translation>
     </message>
     <message>
         <source>An unknown cause beside %1 known ones</source>
-        <translation type="unfinished"></translation>
+        <translation>除 %1 个已知原因外还有未知原因</translation>
     </message>
     <message>
         <source> The model holds %1; without, the residuals are %2 instead of %3.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>and</source>
-        <translation type="unfinished"></translation>
+        <translation>模型包含%1；若不包含，残差为 %2 而不是 %3。</translation>
     </message>
     <message>
         <source>without the misread value</source>
-        <translation type="unfinished"></translation>
+        <translation>去掉误读值</translation>
     </message>
     <message>
         <source>without 1 misread value</source>
-        <translation type="unfinished"></translation>
+        <translation>去掉 1 个误读值</translation>
     </message>
     <message>
         <source>without %1 misread values</source>
-        <translation type="unfinished"></translation>
+        <translation>去掉 %1 个误读值</translation>
     </message>
     <message>
         <source>as modelled</source>
-        <translation type="unfinished"></translation>
+        <translation>按模型</translation>
     </message>
     <message>
         <source>without model effects</source>
-        <translation type="unfinished"></translation>
+        <translation>不含模型效应</translation>
     </message>
     <message>
-        <source>in the model: </source>
-        <translation type="unfinished"></translation>
+        <source>%1 %2</source>
+        <extracomment>a number of an effect and its size: sag −0.298 mm (u 0.009)</extracomment>
+        <translation>%1 %2</translation>
     </message>
     <message>
-        <source>Unseen though a plausible size moves Δd by more than U: %1%2.</source>
-        <translation type="unfinished"></translation>
+        <source>point %1</source>
+        <translation>测点 %1</translation>
     </message>
     <message>
-        <source>; and %1 more</source>
-        <translation type="unfinished"></translation>
+        <source>round %1</source>
+        <translation>测回 %1</translation>
+    </message>
+    <message>
+        <source>face %1</source>
+        <translation>盘位 %1</translation>
+    </message>
+    <message>
+        <source>%1: off by %2</source>
+        <extracomment>a reading and its error: 0°, point 11, horizontal: off by +29.0″</extracomment>
+        <translation>%1：偏差 %2</translation>
+    </message>
+    <message>
+        <source> and </source>
+        <translation>和</translation>
+    </message>
+    <message>
+        <source>in the model: %1</source>
+        <translation>已在模型中：%1</translation>
+    </message>
+    <message>
+        <source>Unseen though a plausible size moves Δd by more than U: %1.</source>
+        <translation>合理大小即可使 Δd 移动超过 U，却无法看出：%1。</translation>
+    </message>
+    <message>
+        <source>Unseen though a plausible size moves Δd by more than U: %1; and %2 more.</source>
+        <translation>合理大小即可使 Δd 移动超过 U，却无法看出：%1；以及另外 %2 个。</translation>
     </message>
 </context>
 <context>
     <name>HelpPage</name>
     <message>
         <source>First measurement in ten steps</source>
-        <translation type="unfinished"></translation>
+        <translation>十步完成第一次测量</translation>
     </message>
     <message>
         <source>Entering readings</source>
-        <translation type="unfinished"></translation>
+        <translation>录入读数</translation>
     </message>
     <message>
         <source>The result and its verdict</source>
-        <translation type="unfinished"></translation>
+        <translation>结果及其判定</translation>
     </message>
     <message>
         <source>How to read the gap</source>
-        <translation type="unfinished"></translation>
+        <translation>如何理解差距</translation>
     </message>
     <message>
         <source>Uncertainty and reliability</source>
-        <translation type="unfinished"></translation>
+        <translation>不确定度与可靠性</translation>
     </message>
     <message>
         <source>Known sizes and effects</source>
-        <translation type="unfinished"></translation>
+        <translation>已知量值与效应</translation>
     </message>
     <message>
         <source>Report, journal and seal</source>
-        <translation type="unfinished"></translation>
+        <translation>报告、日志与封存</translation>
     </message>
     <message>
         <source>Files and recovery</source>
-        <translation type="unfinished"></translation>
+        <translation>文件与恢复</translation>
     </message>
     <message>
         <source>Words and symbols</source>
-        <translation type="unfinished"></translation>
+        <translation>术语与符号</translation>
+    </message>
+</context>
+<context>
+    <name>InsetText</name>
+    <message>
+        <source>tolerance</source>
+        <translation>允差</translation>
+    </message>
+    <message>
+        <source>axis</source>
+        <translation>轴</translation>
+    </message>
+    <message>
+        <source>Centres and axis, enlarged</source>
+        <translation>圆心与轴（放大）</translation>
+    </message>
+    <message>
+        <source>Centres, enlarged</source>
+        <translation>圆心（放大）</translation>
+    </message>
+    <message>
+        <source>Centres</source>
+        <translation>圆心</translation>
+    </message>
+</context>
+<context>
+    <name>Job</name>
+    <message>
+        <source>export</source>
+        <translation>导出</translation>
+    </message>
+    <message>
+        <source>acceptance report</source>
+        <translation>验收报告</translation>
+    </message>
+    <message>
+        <source>reading of the files</source>
+        <translation>文件读取</translation>
+    </message>
+    <message>
+        <source>fit</source>
+        <translation>拟合</translation>
+    </message>
+    <message>
+        <source>search for misread readings</source>
+        <translation>误读读数的查找</translation>
+    </message>
+    <message>
+        <source>diagnosis</source>
+        <translation>诊断</translation>
+    </message>
+    <message>
+        <source>simulation</source>
+        <translation>模拟</translation>
+    </message>
+    <message>
+        <source>blind trial</source>
+        <translation>盲测</translation>
+    </message>
+    <message>
+        <source>window</source>
+        <translation>窗口</translation>
     </message>
 </context>
 <context>
     <name>Known</name>
     <message>
         <source>an effect without a name</source>
-        <translation type="unfinished"></translation>
+        <translation>没有名称的效应</translation>
     </message>
     <message>
         <source>known size of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的已知量值</translation>
     </message>
 </context>
 <context>
     <name>MoveRows</name>
     <message>
         <source>Move %1 readings to %2</source>
-        <translation type="unfinished"></translation>
+        <translation>将 %1 个读数移到 %2</translation>
     </message>
 </context>
 <context>
     <name>NextReadingText</name>
     <message>
         <source>point %1</source>
-        <translation type="unfinished"></translation>
+        <translation>测点 %1</translation>
     </message>
     <message>
         <source>, round %1</source>
-        <translation type="unfinished"></translation>
+        <translation>，测回 %1</translation>
     </message>
     <message>
         <source>, face %1</source>
-        <translation type="unfinished"></translation>
+        <translation>，盘位 %1</translation>
     </message>
     <message>
         <source>Next: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>下一读数：%1</translation>
     </message>
     <message>
         <source>%1, about %2 and %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，约 %2 和 %3</translation>
+    </message>
+</context>
+<context>
+    <name>Phrase</name>
+    <message>
+        <source>there are no readings to fit; enter those of the axis positions</source>
+        <translation>没有可拟合的读数；请录入各轴位的读数</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <extracomment>two sentences, what was found and what to do about it</extracomment>
+        <translation>%1%2</translation>
+    </message>
+    <message>
+        <source>is empty: type an angle such as 341°52&apos;24&quot;</source>
+        <translation>为空：请输入角度，例如 341°52&apos;24&quot;</translation>
+    </message>
+    <message>
+        <source>%1 has no degrees: type them too, such as 0°52&apos;24&quot;</source>
+        <translation>%1 没有度：请一并输入度，例如 0°52&apos;24&quot;</translation>
+    </message>
+    <message>
+        <source>%1 is not an angle: type an angle such as 341°52&apos;24&quot;</source>
+        <translation>%1 不是角度：请输入角度，例如 341°52&apos;24&quot;</translation>
+    </message>
+    <message>
+        <source>%1 is too large for an angle: check the digits</source>
+        <translation>%1 作为角度过大：请检查数字</translation>
+    </message>
+    <message>
+        <source>%1 is ambiguous: type %2 %3 00 or %2°%3&apos;</source>
+        <translation>%1 有歧义：请输入 %2 %3 00 或 %2°%3&apos;</translation>
+    </message>
+    <message>
+        <source>%1 has too many digits: type degrees, minutes and seconds as DDDMMSS or with blanks between them</source>
+        <translation>%1 的位数过多：请按 DDDMMSS 或用空格分隔输入度、分、秒</translation>
+    </message>
+    <message>
+        <source>%1 may mean decimal degrees or degrees, minutes and seconds: put a degree sign behind decimal degrees, or blanks between degrees, minutes and seconds</source>
+        <translation>%1 可能是十进制度，也可能是度分秒：十进制度请加度符号，度分秒请用空格分隔</translation>
+    </message>
+    <message>
+        <source>%1 may mean decimal degrees or degrees, minutes and seconds: type %2 or %3</source>
+        <translation>%1 可能是十进制度，也可能是度分秒：请输入 %2 或 %3</translation>
+    </message>
+    <message>
+        <source>%1 may mean decimal degrees or degrees, minutes and seconds: type %2 or put blanks between degrees, minutes and seconds</source>
+        <translation>%1 可能是十进制度，也可能是度分秒：请输入 %2，或在度、分、秒之间加空格</translation>
+    </message>
+    <message>
+        <source>%1 mixes separators: use one kind, such as 341 52 24</source>
+        <translation>%1 混用了分隔符：请只用一种，例如 341 52 24</translation>
+    </message>
+    <message>
+        <source>%1 has more than three parts: type degrees, minutes and seconds</source>
+        <translation>%1 超过三部分：请输入度、分、秒</translation>
+    </message>
+    <message>
+        <source>%1 has decimals before its last part: only the last part may have decimals</source>
+        <translation>%1 在最后一部分之前就有小数：只有最后一部分可以有小数</translation>
+    </message>
+    <message>
+        <source>%1 has %2 minutes: minutes go from 0 to 59</source>
+        <translation>%1 有 %2 分：分的范围为 0 到 59</translation>
+    </message>
+    <message>
+        <source>%1 has %2 seconds: seconds stay below 60</source>
+        <translation>%1 有 %2 秒：秒必须小于 60</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2</source>
+        <extracomment>a file and why: &quot;the disk is full: make room there or choose another folder&quot;</extracomment>
+        <translation>%1 无法写入：%2</translation>
+    </message>
+    <message>
+        <source>it is the file that is read: choose another name</source>
+        <translation>这正是所读取的文件：请换一个名称</translation>
+    </message>
+    <message>
+        <source>out of memory</source>
+        <translation>内存不足</translation>
+    </message>
+    <message>
+        <source>a fault in the program (%1)</source>
+        <translation>程序故障（%1）</translation>
+    </message>
+    <message>
+        <source>a fault in the program (of a kind that says nothing)</source>
+        <translation>程序故障（类型不明）</translation>
+    </message>
+    <message>
+        <source>is a folder: choose a file in it</source>
+        <translation>是文件夹：请选择其中的文件</translation>
+    </message>
+    <message>
+        <source>cannot be opened (%1): check its name and your rights</source>
+        <extracomment>what the system says is wrong, in parentheses</extracomment>
+        <translation>无法打开（%1）：请检查名称和您的权限</translation>
+    </message>
+    <message>
+        <source>cannot be read to its end: check the medium it is on</source>
+        <translation>无法完整读取：请检查其所在的存储介质</translation>
+    </message>
+    <message>
+        <source>something stands there that is no file: choose another name</source>
+        <translation>该处存在的不是文件：请换一个名称</translation>
+    </message>
+    <message>
+        <source>the file is read-only: choose another name, or make it writable</source>
+        <translation>文件为只读：请换一个名称，或使其可写</translation>
+    </message>
+    <message>
+        <source>it has no name: give one</source>
+        <translation>没有名称：请指定名称</translation>
+    </message>
+    <message>
+        <source>the disk is full: make room there or choose another folder</source>
+        <translation>磁盘已满：请腾出空间或选择其他文件夹</translation>
+    </message>
+    <message>
+        <source>your share of the disk is used up: make room there or choose another folder</source>
+        <translation>您的磁盘配额已用完：请腾出空间或选择其他文件夹</translation>
+    </message>
+    <message>
+        <source>it would be larger than files may be there: choose another folder</source>
+        <translation>将超过该处允许的文件大小：请选择其他文件夹</translation>
+    </message>
+    <message>
+        <source>you may not write there: choose another folder</source>
+        <translation>您无权写入该处：请选择其他文件夹</translation>
+    </message>
+    <message>
+        <source>the disk can only be read: choose another folder</source>
+        <translation>该磁盘只能读取：请选择其他文件夹</translation>
+    </message>
+    <message>
+        <source>its folder is not there: choose another folder</source>
+        <translation>其文件夹不存在：请选择其他文件夹</translation>
+    </message>
+    <message>
+        <source>a folder stands there: choose another name</source>
+        <translation>该处已有同名文件夹：请换一个名称</translation>
+    </message>
+    <message>
+        <source>its name is too long: choose a shorter one</source>
+        <translation>名称过长：请选择较短的名称</translation>
+    </message>
+    <message>
+        <source>its links lead in a circle: choose another name</source>
+        <translation>其链接形成循环：请换一个名称</translation>
+    </message>
+    <message>
+        <source>%1: choose another name or folder</source>
+        <extracomment>what the system says is wrong</extracomment>
+        <translation>%1：请换一个名称或文件夹</translation>
+    </message>
+    <message>
+        <source>is larger than %1: choose another file</source>
+        <translation>大于 %1：请选择其他文件</translation>
+    </message>
+    <message>
+        <source>holds more than %1 rows of readings: divide them into several sessions</source>
+        <translation>含有超过 %1 行读数：请分成多个会话</translation>
+    </message>
+    <message>
+        <source>comes after %1 rows of readings, and no more are read: divide the file</source>
+        <translation>位于 %1 行读数之后，此后不再读取：请拆分文件</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <extracomment>between the entries of a list</extracomment>
+        <translation>、</translation>
+    </message>
+    <message>
+        <source>%1 is not a number: type one such as 2405 or 2405.5</source>
+        <translation>%1 不是数：请输入例如 2405 或 2405.5 的数</translation>
+    </message>
+    <message>
+        <source>%1 is not one number: type digits with one decimal sign and nothing between them</source>
+        <translation>%1 不是单个数：请只输入数字和一个小数点符号，中间不加其他字符</translation>
+    </message>
+    <message>
+        <source>%1 has more than a number: leave out %2 (the unit is fixed)</source>
+        <translation>%1 不只是数：请去掉 %2（单位是固定的）</translation>
+    </message>
+    <message>
+        <source>is empty: type a number</source>
+        <translation>为空：请输入数</translation>
+    </message>
+    <message>
+        <source>%1 is too large or too small to be worked with: check the exponent</source>
+        <translation>%1 过大或过小，无法计算：请检查指数</translation>
+    </message>
+    <message>
+        <source>is empty: type a whole number</source>
+        <translation>为空：请输入整数</translation>
+    </message>
+    <message>
+        <source>%1 is not a whole number: type digits alone</source>
+        <translation>%1 不是整数：请只输入数字</translation>
+    </message>
+    <message>
+        <source>%1 has more than nine digits: type a smaller number</source>
+        <translation>%1 超过九位：请输入较小的数</translation>
+    </message>
+    <message>
+        <source>horizontal step</source>
+        <translation>水平阶跃</translation>
+    </message>
+    <message>
+        <source>vertical step</source>
+        <translation>竖直阶跃</translation>
+    </message>
+    <message>
+        <source>radius along the guideway</source>
+        <translation>沿导轨的半径</translation>
+    </message>
+    <message>
+        <source>guideway out of its plane</source>
+        <translation>导轨偏离其平面</translation>
+    </message>
+    <message>
+        <source>slider readings along the scale</source>
+        <translation>沿刻度的滑块读数</translation>
+    </message>
+    <message>
+        <source>radius from place to place, turning with the guideway</source>
+        <translation>逐位置的半径，随导轨转动</translation>
+    </message>
+    <message>
+        <source>guideway out of its plane from place to place</source>
+        <translation>逐位置偏离平面的导轨</translation>
+    </message>
+    <message>
+        <source>slider readings from place to place</source>
+        <translation>逐位置的滑块读数</translation>
+    </message>
+    <message>
+        <source>radius from place to place in each position</source>
+        <translation>各轴位中逐位置的半径</translation>
+    </message>
+    <message>
+        <source>horizontal orientation with time</source>
+        <translation>随时间变化的水平定向</translation>
+    </message>
+    <message>
+        <source>vertical orientation with time</source>
+        <translation>随时间变化的竖直定向</translation>
+    </message>
+    <message>
+        <source>orientation with time</source>
+        <translation>随时间变化的定向</translation>
+    </message>
+    <message>
+        <source>orientation settling with time</source>
+        <translation>随时间趋于稳定的定向</translation>
+    </message>
+    <message>
+        <source>distance with time</source>
+        <translation>随时间变化的距离</translation>
+    </message>
+    <message>
+        <source>horizontal readings with azimuth</source>
+        <translation>随方位角变化的水平读数</translation>
+    </message>
+    <message>
+        <source>vertical readings with elevation</source>
+        <translation>随高度角变化的竖直读数</translation>
+    </message>
+    <message>
+        <source>horizontal readings with elevation</source>
+        <translation>随高度角变化的水平读数</translation>
+    </message>
+    <message>
+        <source>vertical readings with azimuth</source>
+        <translation>随方位角变化的竖直读数</translation>
+    </message>
+    <message>
+        <source>difference of the faces, horizontal</source>
+        <translation>两盘位之差，水平</translation>
+    </message>
+    <message>
+        <source>difference of the faces, vertical</source>
+        <translation>两盘位之差，竖直</translation>
+    </message>
+    <message>
+        <source>horizontal orientation from round to round</source>
+        <translation>逐测回的水平定向</translation>
+    </message>
+    <message>
+        <source>vertical orientation from round to round</source>
+        <translation>逐测回的竖直定向</translation>
+    </message>
+    <message>
+        <source>ratio</source>
+        <extracomment>true noise over the stated</extracomment>
+        <translation>比值</translation>
+    </message>
+    <message>
+        <source>vertical angle relation</source>
+        <translation>竖直角关系式</translation>
+    </message>
+    <message>
+        <source>the vertical circle follows the other relation between height and angle (y/L instead of y/√(x²+L²), or the reverse)</source>
+        <translation>竖直度盘遵循另一种高度与角度的关系（y/L 而非 y/√(x²+L²)，或相反）</translation>
+    </message>
+    <message>
+        <source>set the session&apos;s vertical angle relation right</source>
+        <translation>改正会话的竖直角关系式</translation>
+    </message>
+    <message>
+        <source>share</source>
+        <extracomment>how much of the effect is there</extracomment>
+        <translation>份额</translation>
+    </message>
+    <message>
+        <source>collimation</source>
+        <translation>视准误差</translation>
+    </message>
+    <message>
+        <source>the line of sight is not perpendicular to the trunnion axis</source>
+        <translation>视线与横轴不垂直</translation>
+    </message>
+    <message>
+        <source>observe in both faces, or adjust the reticle</source>
+        <translation>双盘位观测，或校正分划板</translation>
+    </message>
+    <message>
+        <source>trunnion tilt</source>
+        <translation>横轴倾斜</translation>
+    </message>
+    <message>
+        <source>the trunnion axis is not perpendicular to the vertical axis</source>
+        <translation>横轴与竖轴不垂直</translation>
+    </message>
+    <message>
+        <source>observe in both faces</source>
+        <translation>双盘位观测</translation>
+    </message>
+    <message>
+        <source>tilt</source>
+        <extracomment>the size of a tilt</extracomment>
+        <translation>倾斜量</translation>
+    </message>
+    <message>
+        <source>vertical index</source>
+        <translation>竖盘指标差</translation>
+    </message>
+    <message>
+        <source>the vertical circle&apos;s index is off</source>
+        <translation>竖直度盘的指标有偏差</translation>
+    </message>
+    <message>
+        <source>index</source>
+        <extracomment>the error of a circle&apos;s index</extracomment>
+        <translation>指标差</translation>
+    </message>
+    <message>
+        <source>vertical axis tilt</source>
+        <translation>竖轴倾斜</translation>
+    </message>
+    <message>
+        <source>the vertical axis is not plumb</source>
+        <translation>竖轴不铅垂</translation>
+    </message>
+    <message>
+        <source>level the instrument, or switch its compensator on</source>
+        <translation>整平仪器，或打开补偿器</translation>
+    </message>
+    <message>
+        <source>tilt about x</source>
+        <translation>绕 x 的倾斜</translation>
+    </message>
+    <message>
+        <source>tilt about z</source>
+        <translation>绕 z 的倾斜</translation>
+    </message>
+    <message>
+        <source>horizontal circle eccentricity</source>
+        <translation>水平度盘偏心</translation>
+    </message>
+    <message>
+        <source>the horizontal circle is not centred on its axis</source>
+        <translation>水平度盘中心与其轴不重合</translation>
+    </message>
+    <message>
+        <source>observe in both faces, or repeat with a shifted circle</source>
+        <translation>双盘位观测，或变换度盘位置重复观测</translation>
+    </message>
+    <message>
+        <source>sine</source>
+        <extracomment>the part of a wave that goes as the sine</extracomment>
+        <translation>正弦项</translation>
+    </message>
+    <message>
+        <source>cosine</source>
+        <extracomment>the part of a wave that goes as the cosine</extracomment>
+        <translation>余弦项</translation>
+    </message>
+    <message>
+        <source>vertical circle eccentricity</source>
+        <translation>竖直度盘偏心</translation>
+    </message>
+    <message>
+        <source>the vertical circle is not centred on its axis</source>
+        <translation>竖直度盘中心与其轴不重合</translation>
+    </message>
+    <message>
+        <source>horizontal drift</source>
+        <translation>水平漂移</translation>
+    </message>
+    <message>
+        <source>the horizontal orientation turns steadily during the session</source>
+        <translation>水平定向在测量过程中持续转动</translation>
+    </message>
+    <message>
+        <source>observe there and back, and let the instrument settle</source>
+        <translation>往返观测，并让仪器稳定</translation>
+    </message>
+    <message>
+        <source>drift</source>
+        <extracomment>how far something drifts</extracomment>
+        <translation>漂移量</translation>
+    </message>
+    <message>
+        <source>vertical drift</source>
+        <translation>竖直漂移</translation>
+    </message>
+    <message>
+        <source>the vertical orientation turns steadily during the session</source>
+        <translation>竖直定向在测量过程中持续转动</translation>
+    </message>
+    <message>
+        <source>plane tilt</source>
+        <translation>平面倾斜</translation>
+    </message>
+    <message>
+        <source>the arc plane is not perpendicular to the zero direction</source>
+        <translation>圆弧平面与零方向不垂直</translation>
+    </message>
+    <message>
+        <source>read the slider, and determine the pointing zero anew</source>
+        <translation>读取滑块，并重新测定瞄准零位</translation>
+    </message>
+    <message>
+        <source>tilt about y</source>
+        <translation>绕 y 的倾斜</translation>
+    </message>
+    <message>
+        <source>plane offset</source>
+        <translation>平面偏移</translation>
+    </message>
+    <message>
+        <source>the arc plane lies off the rotation axis, so the distance differs between the positions</source>
+        <translation>圆弧平面偏离回转轴，因此各轴位的距离不同</translation>
+    </message>
+    <message>
+        <source>measure the distance in both positions</source>
+        <translation>在两个轴位都测量距离</translation>
+    </message>
+    <message>
+        <source>offset</source>
+        <extracomment>how far something lies off</extracomment>
+        <translation>偏移量</translation>
+    </message>
+    <message>
+        <source>axial shift</source>
+        <translation>轴向移动</translation>
+    </message>
+    <message>
+        <source>the guideway moves along its axis when it is turned</source>
+        <translation>导轨转动时沿其轴移动</translation>
+    </message>
+    <message>
+        <source>sight the zero again before and after turning, and look at the axial bearing</source>
+        <translation>转动前后重新照准零位，并检查轴向轴承</translation>
+    </message>
+    <message>
+        <source>shift</source>
+        <extracomment>how far something shifts</extracomment>
+        <translation>移动量</translation>
+    </message>
+    <message>
+        <source>radius change</source>
+        <translation>半径变化</translation>
+    </message>
+    <message>
+        <source>the radius differs between the positions</source>
+        <translation>各轴位的半径不同</translation>
+    </message>
+    <message>
+        <source>measure the distance in both positions, and look for play and temperature</source>
+        <translation>在两个轴位都测量距离，并检查间隙和温度</translation>
+    </message>
+    <message>
+        <source>change</source>
+        <extracomment>how much something changes</extracomment>
+        <translation>变化量</translation>
+    </message>
+    <message>
+        <source>arc ellipticity</source>
+        <translation>圆弧椭圆度</translation>
+    </message>
+    <message>
+        <source>the guideway is elliptic</source>
+        <translation>导轨呈椭圆形</translation>
+    </message>
+    <message>
+        <source>read the slider to map its form</source>
+        <translation>读取滑块以测绘其形状</translation>
+    </message>
+    <message>
+        <source>arc lobing</source>
+        <translation>圆弧三棱度</translation>
+    </message>
+    <message>
+        <source>the guideway has three lobes</source>
+        <translation>导轨呈三棱形</translation>
+    </message>
+    <message>
+        <source>gravity sag</source>
+        <translation>重力下垂</translation>
+    </message>
+    <message>
+        <source>the slider sags under its weight, whichever way the guideway is turned</source>
+        <translation>滑块因自重下垂，与导轨转向无关</translation>
+    </message>
+    <message>
+        <source>read the slider, and stiffen the guideway</source>
+        <translation>读取滑块，并加强导轨刚度</translation>
+    </message>
+    <message>
+        <source>sag</source>
+        <extracomment>how far something sags</extracomment>
+        <translation>下垂量</translation>
+    </message>
+    <message>
+        <source>plane warp</source>
+        <translation>平面翘曲</translation>
+    </message>
+    <message>
+        <source>the guideway is warped out of its plane</source>
+        <translation>导轨翘曲而偏离其平面</translation>
+    </message>
+    <message>
+        <source>observe from a second stand-off</source>
+        <translation>从另一测站距离观测</translation>
+    </message>
+    <message>
+        <source>slider scale</source>
+        <translation>滑块刻度比例</translation>
+    </message>
+    <message>
+        <source>the slider&apos;s scale is stretched</source>
+        <translation>滑块的刻度被拉伸</translation>
+    </message>
+    <message>
+        <source>calibrate the slider</source>
+        <translation>校准滑块</translation>
+    </message>
+    <message>
+        <source>scale</source>
+        <extracomment>how much a scale is stretched</extracomment>
+        <translation>比例</translation>
+    </message>
+    <message>
+        <source>slider eccentricity</source>
+        <translation>滑块偏心</translation>
+    </message>
+    <message>
+        <source>the slider&apos;s scale is not centred on the arc</source>
+        <translation>滑块刻度中心与圆弧圆心不重合</translation>
+    </message>
+    <message>
+        <source>setup shift</source>
+        <translation>设站移动</translation>
+    </message>
+    <message>
+        <source>instrument or axis is displaced between the first position and those after it</source>
+        <translation>仪器或回转轴在第一轴位与其后轴位之间发生位移</translation>
+    </message>
+    <message>
+        <source>fasten instrument and machine to one foundation, and measure the first position again at the end</source>
+        <translation>将仪器和机器固定在同一基础上，并在最后复测第一轴位</translation>
+    </message>
+    <message>
+        <source>shift along x</source>
+        <translation>沿 x 的位移</translation>
+    </message>
+    <message>
+        <source>shift along y</source>
+        <translation>沿 y 的位移</translation>
+    </message>
+    <message>
+        <source>points that come again in the same position and face are put into further rounds</source>
+        <translation>同一轴位和盘位中重复出现的测点归入后续测回</translation>
+    </message>
+    <message>
+        <source>%1 line %2</source>
+        <translation>%1 第 %2 行</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>第 %1 行</translation>
+    </message>
+    <message>
+        <source>the vertical circle is stated as %1, but the file says %2: the file is followed</source>
+        <translation>声明的竖直度盘为 %1，但文件为 %2：以文件为准</translation>
+    </message>
+    <message>
+        <source>the file itself says how the axis stood: that is what counts</source>
+        <translation>文件本身说明了轴的位置：以此为准</translation>
+    </message>
+    <message>
+        <source>points with names are numbered; their names stand in the notes</source>
+        <translation>有名称的测点已编号；其名称记在备注中</translation>
+    </message>
+    <message>
+        <source>the %1 %2 of the pointing zero in %3 is not used</source>
+        <translation>%3 中瞄准零位的%1 %2 未使用</translation>
+    </message>
+    <message>
+        <source>the excluded sighting of the pointing zero in %1 is not used</source>
+        <translation>%1 中被排除的瞄准零位照准未使用</translation>
+    </message>
+    <message>
+        <source>lines %1</source>
+        <translation>第 %1 行</translation>
+    </message>
+    <message>
+        <source>the pointing zero at %1 stays as it was given; that of %2 is not used</source>
+        <translation>%1 的瞄准零位保持原有值；%2 的未使用</translation>
+    </message>
+    <message>
+        <source>the pointing zero at %1 is the face 1 mean of %2</source>
+        <translation>%1 的瞄准零位为 %2 的盘左平均值</translation>
+    </message>
+    <message>
+        <source>the positions of the axis alternate in the file; a session keeps the order within each only</source>
+        <translation>文件中轴位交替出现；会话只保留各轴位内的顺序</translation>
+    </message>
+    <message>
+        <source>180° was read before 0°, but a session takes 0° as read first: a drift or a jump between the positions would be taken the wrong way round</source>
+        <translation>180° 先于 0° 读取，但会话认为 0° 先读：两轴位之间的漂移或突跳会被反向理解</translation>
+    </message>
+    <message>
+        <source>the column %1 is not used: 1 value</source>
+        <translation>列 %1 未使用：1 个值</translation>
+    </message>
+    <message>
+        <source>the column %1 is not used: %2 values</source>
+        <translation>列 %1 未使用：%2 个值</translation>
+    </message>
+    <message>
+        <source>line %1 begins with # and is not used, though it holds a reading</source>
+        <translation>第 %1 行以 # 开头，虽含读数但未使用</translation>
+    </message>
+    <message>
+        <source>%1 is a second column for “%2”: rename or remove one of the two</source>
+        <translation>%1 是“%2”的第二列：请改名或删除其中之一</translation>
+    </message>
+    <message>
+        <source>column %1</source>
+        <translation>第 %1 列</translation>
+    </message>
+    <message>
+        <source>no column is named “%1”: begin with a row of names such as axis;point;face;horizontal;vertical</source>
+        <translation>没有名为“%1”的列：请以列名行开头，例如 axis;point;face;horizontal;vertical</translation>
+    </message>
+    <message>
+        <source>%1 stands beyond the last named column: name its column, or put double quotes around the entry that holds a separator</source>
+        <translation>%1 超出最后一个有名称的列：请为该列命名，或给含分隔符的内容加双引号</translation>
+    </message>
+    <message>
+        <source>%1 is no turn: turns of the axis count from 1</source>
+        <translation>%1 不是转次：轴的转次从 1 开始</translation>
+    </message>
+    <message>
+        <source>%1 has another decimal sign than the one that was stated: choose either of them</source>
+        <translation>%1 的小数点符号与声明的不同：请选择任意一种</translation>
+    </message>
+    <message>
+        <source>%1 is neither yes nor no: type one of them</source>
+        <translation>%1 既不是 yes 也不是 no：请输入其中之一</translation>
+    </message>
+    <message>
+        <source>has more than %1 columns: a table of readings has some ten, save it anew</source>
+        <translation>超过 %1 列：读数表一般只有十列左右，请重新保存</translation>
+    </message>
+    <message>
+        <source>the double quote is never closed: close it, or write the cell without it</source>
+        <translation>双引号没有闭合：请闭合，或不用引号书写该单元格</translation>
+    </message>
+    <message>
+        <source>what else has no place in a session</source>
+        <translation>会话中无处存放的其他内容</translation>
+    </message>
+    <message>
+        <source>%1 is not used: line %2</source>
+        <translation>%1未使用：第 %2 行</translation>
+    </message>
+    <message>
+        <source>%1 is not used: %2 times, first in line %3</source>
+        <translation>%1未使用：%2 次，首次在第 %3 行</translation>
+    </message>
+    <message>
+        <source>%1 (and %2 more of this kind)</source>
+        <translation>%1（另有 %2 处同类问题）</translation>
+    </message>
+    <message>
+        <source>the line %1</source>
+        <translation>该行 %1</translation>
+    </message>
+    <message>
+        <source>the code block %1</source>
+        <translation>代码块 %1</translation>
+    </message>
+    <message>
+        <source>point %1 without angles</source>
+        <translation>没有角度的点 %1</translation>
+    </message>
+    <message>
+        <source>has no vertical circle (word 22): add the word or delete the line</source>
+        <translation>缺少竖直度盘（字 22）：请补上该字或删除该行</translation>
+    </message>
+    <message>
+        <source>has no horizontal circle (word 21): add the word or delete the line</source>
+        <translation>缺少水平度盘（字 21）：请补上该字或删除该行</translation>
+    </message>
+    <message>
+        <source>point</source>
+        <translation>测点</translation>
+    </message>
+    <message>
+        <source>serial number</source>
+        <translation>序列号</translation>
+    </message>
+    <message>
+        <source>instrument type</source>
+        <translation>仪器型号</translation>
+    </message>
+    <message>
+        <source>station</source>
+        <translation>测站</translation>
+    </message>
+    <message>
+        <source>date</source>
+        <translation>日期</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>horizontal circle</source>
+        <translation>水平度盘</translation>
+    </message>
+    <message>
+        <source>vertical circle</source>
+        <translation>竖直度盘</translation>
+    </message>
+    <message>
+        <source>difference of the horizontal circle</source>
+        <translation>水平度盘读数差</translation>
+    </message>
+    <message>
+        <source>slope distance</source>
+        <translation>斜距</translation>
+    </message>
+    <message>
+        <source>horizontal distance</source>
+        <translation>平距</translation>
+    </message>
+    <message>
+        <source>height difference</source>
+        <translation>高差</translation>
+    </message>
+    <message>
+        <source>code</source>
+        <translation>代码</translation>
+    </message>
+    <message>
+        <source>ppm and prism constant</source>
+        <translation>ppm 和棱镜常数</translation>
+    </message>
+    <message>
+        <source>number of measurements</source>
+        <translation>测量次数</translation>
+    </message>
+    <message>
+        <source>signal strength</source>
+        <translation>信号强度</translation>
+    </message>
+    <message>
+        <source>prism constant</source>
+        <translation>棱镜常数</translation>
+    </message>
+    <message>
+        <source>ppm</source>
+        <translation>ppm</translation>
+    </message>
+    <message>
+        <source>easting</source>
+        <translation>东坐标</translation>
+    </message>
+    <message>
+        <source>northing</source>
+        <translation>北坐标</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>高程</translation>
+    </message>
+    <message>
+        <source>station easting</source>
+        <translation>测站东坐标</translation>
+    </message>
+    <message>
+        <source>station northing</source>
+        <translation>测站北坐标</translation>
+    </message>
+    <message>
+        <source>station height</source>
+        <translation>测站高程</translation>
+    </message>
+    <message>
+        <source>reflector height</source>
+        <translation>棱镜高</translation>
+    </message>
+    <message>
+        <source>%1 is no GSI word such as 21.102+17920860: transfer the file anew, or mend or delete the line</source>
+        <translation>%1 不是 21.102+17920860 那样的 GSI 字：请重新传输文件，或改正、删除该行</translation>
+    </message>
+    <message>
+        <source>%1 has neither 8 nor 16 characters of data, and a block that starts with * has 16: transfer the file anew, or mend or delete the line</source>
+        <translation>%1 的数据既不是 8 个也不是 16 个字符，而以 * 开头的块应为 16 个：请重新传输文件，或改正、删除该行</translation>
+    </message>
+    <message>
+        <source>%1 has neither 8 nor 16 characters of data: transfer the file anew, or mend or delete the line</source>
+        <translation>%1 的数据既不是 8 个也不是 16 个字符：请重新传输文件，或改正、删除该行</translation>
+    </message>
+    <message>
+        <source>has more than %1 words: transfer the file anew</source>
+        <translation>超过 %1 个字：请重新传输文件</translation>
+    </message>
+    <message>
+        <source>is not made of digits: transfer the file anew</source>
+        <translation>不是由数字组成：请重新传输文件</translation>
+    </message>
+    <message>
+        <source>is larger than a circle: transfer the file anew</source>
+        <translation>大于一个整圆：请重新传输文件</translation>
+    </message>
+    <message>
+        <source>has no unit of an angle: position 6 of the word is “%1”, and 2 is gon, 3 decimal degrees, 4 degrees minutes seconds, 5 mil</source>
+        <translation>没有角度单位：该字的第 6 位为“%1”，而 2 为 gon，3 为十进制度，4 为度分秒，5 为密位</translation>
+    </message>
+    <message>
+        <source>instrument height</source>
+        <translation>仪器高</translation>
+    </message>
+    <message>
+        <source>information %1</source>
+        <translation>信息 %1</translation>
+    </message>
+    <message>
+        <source>remark %1</source>
+        <translation>备注 %1</translation>
+    </message>
+    <message>
+        <source>word %1</source>
+        <translation>字 %1</translation>
+    </message>
+    <message>
+        <source>has its last reading in line %1, so none is at 180° from line %2 on: give a line within the file</source>
+        <translation>最后一个读数在第 %1 行，因此从第 %2 行起没有 180° 的读数：请指定文件内的行</translation>
+    </message>
+    <message>
+        <source>holds no readings with a horizontal and a vertical circle: choose another file</source>
+        <translation>没有带水平度盘和竖直度盘的读数：请选择其他文件</translation>
+    </message>
+    <message>
+        <source>holds vertical readings of a circle of the kind %1, the readings before it are of the kind %2: a session has one, so import it into a session of its own</source>
+        <translation>含有%1类竖直度盘的读数，而之前的读数为%2类：一个会话只有一种，请导入到单独的会话</translation>
+    </message>
+    <message>
+        <source>no file was chosen: choose one</source>
+        <translation>未选择文件：请选择文件</translation>
+    </message>
+    <message>
+        <source>nothing in the file says how the axis stood: all its readings are put at 0°</source>
+        <translation>文件中没有说明轴的位置：其所有读数归入 0°</translation>
+    </message>
+    <message>
+        <source>%1 is no line such as For M5|Adr …|PI1 …|Hz …: transfer the file anew, or mend or delete the line</source>
+        <translation>%1 不是 For M5|Adr …|PI1 …|Hz … 那样的行：请重新传输文件，或改正、删除该行</translation>
+    </message>
+    <message>
+        <source>is marked with e, an error of the instrument: measure it again</source>
+        <translation>标有 e，即仪器错误：请重新测量</translation>
+    </message>
+    <message>
+        <source>instrument</source>
+        <translation>仪器</translation>
+    </message>
+    <message>
+        <source>the text %1</source>
+        <translation>文字 %1</translation>
+    </message>
+    <message>
+        <source>a line without angles</source>
+        <translation>没有角度的行</translation>
+    </message>
+    <message>
+        <source>has no vertical circle (V1): let the instrument record Hz and V, or delete the line</source>
+        <translation>缺少竖直度盘（V1）：让仪器记录 Hz 和 V，或删除该行</translation>
+    </message>
+    <message>
+        <source>has no horizontal circle (Hz): let the instrument record Hz and V, or delete the line</source>
+        <translation>缺少水平度盘（Hz）：让仪器记录 Hz 和 V，或删除该行</translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation>距离</translation>
+    </message>
+    <message>
+        <source>%1 is a second reading of its circle</source>
+        <translation>%1 是其度盘的第二个读数</translation>
+    </message>
+    <message>
+        <source>%1 is neither a zenith angle (V1) nor a height angle (V3): set the instrument to one of them and record anew</source>
+        <translation>%1 既不是天顶距（V1）也不是高度角（V3）：请将仪器设为其中之一并重新记录</translation>
+    </message>
+    <message>
+        <source>%1 is no angle in gon, DEG, DMS or mil: transfer the file anew</source>
+        <translation>%1 不是以 gon、DEG、DMS 或密位表示的角度：请重新传输文件</translation>
+    </message>
+    <message>
+        <source>“%1” stands in a file that began with the other kind of vertical angle: import the two in files of their own</source>
+        <translation>“%1”所在的文件以另一种竖直角开头：请将两者分文件导入</translation>
+    </message>
+    <message>
+        <source>is no file of readings but JSON: open it as a session</source>
+        <translation>不是读数文件而是 JSON：请作为会话打开</translation>
+    </message>
+    <message>
+        <source>it begins with the heading of a Sokkia SDR file</source>
+        <translation>它以 Sokkia SDR 文件的标题开头</translation>
+    </message>
+    <message>
+        <source>its lines begin with For M5</source>
+        <translation>其各行以 For M5 开头</translation>
+    </message>
+    <message>
+        <source>its lines are made of words such as 21.102+17920860</source>
+        <translation>其各行由 21.102+17920860 这样的字组成</translation>
+    </message>
+    <message>
+        <source>holds no readings: choose a file of an instrument (GSI, M5, SDR) or a table</source>
+        <translation>没有读数：请选择仪器文件（GSI、M5、SDR）或表格</translation>
+    </message>
+    <message>
+        <source>tabs part the columns</source>
+        <translation>各列以制表符分隔</translation>
+    </message>
+    <message>
+        <source>semicolons part the columns</source>
+        <translation>各列以分号分隔</translation>
+    </message>
+    <message>
+        <source>blanks part the columns</source>
+        <translation>各列以空格分隔</translation>
+    </message>
+    <message>
+        <source>commas part the columns</source>
+        <translation>各列以逗号分隔</translation>
+    </message>
+    <message>
+        <source>no row names the columns</source>
+        <translation>没有列名行</translation>
+    </message>
+    <message>
+        <source>the first row names the columns</source>
+        <translation>第一行为列名</translation>
+    </message>
+    <message>
+        <source>row %1 names the columns</source>
+        <translation>第 %1 行为列名</translation>
+    </message>
+    <message>
+        <source>the columns are guessed from what stands in them: check them</source>
+        <translation>各列是根据内容猜测的：请检查</translation>
+    </message>
+    <message>
+        <source>decimals stand behind a comma</source>
+        <translation>小数以逗号分隔</translation>
+    </message>
+    <message>
+        <source>decimals stand behind a point</source>
+        <translation>小数以小数点分隔</translation>
+    </message>
+    <message>
+        <source>gon, as %1 is more than 360</source>
+        <translation>gon，因为 %1 大于 360</translation>
+    </message>
+    <message>
+        <source>gon, as the vertical readings lie around 100 or 300: check it</source>
+        <translation>gon，因为竖直读数在 100 或 300 附近：请检查</translation>
+    </message>
+    <message>
+        <source>decimal degrees, as the vertical readings lie around 90 or 270 and hold more than 59 where minutes would stand: check it</source>
+        <translation>十进制度，因为竖直读数在 90 或 270 附近，且分的位置上超过 59：请检查</translation>
+    </message>
+    <message>
+        <source>line %1, column %2: %3</source>
+        <translation>第 %1 行第 %2 列：%3</translation>
+    </message>
+    <message>
+        <source>line %1: %2</source>
+        <translation>第 %1 行：%2</translation>
+    </message>
+    <message>
+        <source>a record of coordinates (08)</source>
+        <translation>坐标记录（08）</translation>
+    </message>
+    <message>
+        <source>another record of a station (02)</source>
+        <translation>另一条测站记录（02）</translation>
+    </message>
+    <message>
+        <source>%1 is no record of an SDR file: transfer the file anew, or mend or delete the line</source>
+        <translation>%1 不是 SDR 文件的记录：请重新传输文件，或改正、删除该行</translation>
+    </message>
+    <message>
+        <source>%1 is no unit of angles that is read here: 1 is degrees, 2 gon; set the instrument to one of them and transfer anew</source>
+        <translation>%1 不是此处可读的角度单位：1 为度，2 为 gon；请将仪器设为其中之一并重新传输</translation>
+    </message>
+    <message>
+        <source>%1 stands for angles that grow to the left: set the instrument to the right and measure anew</source>
+        <translation>%1 表示角度向左增大：请将仪器设为向右并重新测量</translation>
+    </message>
+    <message>
+        <source>a corrected mean, no reading of circles (09MC)</source>
+        <translation>改正后的平均值，不是度盘读数（09MC）</translation>
+    </message>
+    <message>
+        <source>an observation that is not raw (09%1)</source>
+        <translation>非原始的观测（09%1）</translation>
+    </message>
+    <message>
+        <source>has no horizontal reading: delete the line, or sight the point again</source>
+        <translation>缺少水平读数：请删除该行，或重新照准该点</translation>
+    </message>
+    <message>
+        <source>has no vertical reading: delete the line, or sight the point again</source>
+        <translation>缺少竖直读数：请删除该行，或重新照准该点</translation>
+    </message>
+    <message>
+        <source>%1 is no number: transfer the file anew, or mend or delete the line</source>
+        <translation>%1 不是数：请重新传输文件，或改正、删除该行</translation>
+    </message>
+    <message>
+        <source>is of an instrument with the other kind of vertical circle: import the jobs in files of their own</source>
+        <translation>来自另一种竖直度盘的仪器：请将各作业分文件导入</translation>
+    </message>
+    <message>
+        <source>the note %1</source>
+        <translation>备注 %1</translation>
+    </message>
+    <message>
+        <source>is UTF-16: save it as UTF-8 text</source>
+        <translation>是 UTF-16：请另存为 UTF-8 文本</translation>
+    </message>
+    <message>
+        <source>is no text: choose a GSI file, or a table saved as CSV</source>
+        <translation>不是文本：请选择 GSI 文件，或保存为 CSV 的表格</translation>
+    </message>
+    <message>
+        <source>%1°, time %2</source>
+        <translation>%1°，第 %2 次</translation>
+    </message>
+    <message>
+        <source>axis</source>
+        <translation>轴位</translation>
+    </message>
+    <message>
+        <source>round</source>
+        <translation>测回</translation>
+    </message>
+    <message>
+        <source>face</source>
+        <translation>盘位</translation>
+    </message>
+    <message>
+        <source>horizontal</source>
+        <extracomment>the kind of a reading, in a list: &quot;0°, point 11, horizontal&quot;</extracomment>
+        <translation>水平</translation>
+    </message>
+    <message>
+        <source>vertical</source>
+        <extracomment>the kind of a reading, in a list: &quot;0°, point 11, vertical&quot;</extracomment>
+        <translation>竖直</translation>
+    </message>
+    <message>
+        <source>slider</source>
+        <extracomment>the kind of a reading, in a list: &quot;0°, point 11, slider&quot;</extracomment>
+        <translation>滑块</translation>
+    </message>
+    <message>
+        <source>excluded</source>
+        <translation>排除</translation>
+    </message>
+    <message>
+        <source>note</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>zenith</source>
+        <translation>天顶距</translation>
+    </message>
+    <message>
+        <source>elevation</source>
+        <translation>高度角</translation>
+    </message>
+    <message>
+        <source>%1 is out of range: it must be above 0 and below 1000000 mm</source>
+        <translation>%1 超出范围：必须大于 0 且小于 1000000 mm</translation>
+    </message>
+    <message>
+        <source>%1 is out of range: it must be 0 or more and below 1000000 mm</source>
+        <translation>%1 超出范围：必须不小于 0 且小于 1000000 mm</translation>
+    </message>
+    <message>
+        <source>%1 is out of range: it must be from -1000 to below 1000, in millionths per kelvin</source>
+        <translation>%1 超出范围：必须从 -1000 到小于 1000，单位为每开尔文百万分之一</translation>
+    </message>
+    <message>
+        <source>%1 is out of range: it must be at least 0.001 and below 3600 arcseconds</source>
+        <translation>%1 超出范围：必须不小于 0.001 且小于 3600 角秒</translation>
+    </message>
+    <message>
+        <source>%1 is out of range: it must be 0 or more and below 3600 arcseconds</source>
+        <translation>%1 超出范围：必须不小于 0 且小于 3600 角秒</translation>
+    </message>
+    <message>
+        <source>%1 is out of range: it must be a temperature in °C</source>
+        <translation>%1 超出范围：必须是以 °C 表示的温度</translation>
+    </message>
+    <message>
+        <source>%1 is out of range: it must be 0 or more and below 1000 K</source>
+        <translation>%1 超出范围：必须不小于 0 且小于 1000 K</translation>
+    </message>
+    <message>
+        <source>is empty: type the distance from the theodolite to the arc plane in mm</source>
+        <translation>为空：请输入经纬仪到圆弧平面的距离，单位 mm</translation>
+    </message>
+    <message>
+        <source>is empty: type the nominal radius of the arc in mm</source>
+        <translation>为空：请输入圆弧的名义半径，单位 mm</translation>
+    </message>
+    <message>
+        <source>%1 is out of range: it must be between 0 and 1, such as 0.95</source>
+        <translation>%1 超出范围：必须在 0 和 1 之间，例如 0.95</translation>
+    </message>
+    <message>
+        <source>%1 is out of range: it must be a length in mm</source>
+        <translation>%1 超出范围：必须是以 mm 表示的长度</translation>
+    </message>
+    <message>
+        <source>%1 is out of range: it must be below 1000000 in size</source>
+        <translation>%1 超出范围：绝对值必须小于 1000000</translation>
+    </message>
+    <message>
+        <source>is empty: type the standard uncertainty of what is known</source>
+        <translation>为空：请输入已知量值的标准不确定度</translation>
+    </message>
+    <message>
+        <source>%1 is out of range: it must be at least 0.000001 and below 1000000</source>
+        <translation>%1 超出范围：必须不小于 0.000001 且小于 1000000</translation>
+    </message>
+    <message>
+        <source>%1 lies outside %2°…%3°: check the degrees</source>
+        <translation>%1 在 %2°…%3° 之外：请检查度数</translation>
+    </message>
+    <message>
+        <source>is empty: type the rotation of the axis, 0 or 180</source>
+        <translation>为空：请输入轴的转角，0 或 180</translation>
+    </message>
+    <message>
+        <source>%1 is no position of the axis: type 0 or 180</source>
+        <translation>%1 不是轴位：请输入 0 或 180</translation>
+    </message>
+    <message>
+        <source>%1 is no unit of angles: choose dms, degrees or gon</source>
+        <translation>%1 不是角度单位：请选择 dms、degrees 或 gon</translation>
+    </message>
+    <message>
+        <source>%1 is no kind of vertical circle: choose zenith or elevation</source>
+        <translation>%1 不是竖直度盘的类型：请选择 zenith 或 elevation</translation>
+    </message>
+    <message>
+        <source>%1 is no way to sight the pointing zeros: choose each or one</source>
+        <translation>%1 不是照准瞄准零位的方式：请选择 each 或 one</translation>
+    </message>
+    <message>
+        <source>%1 is nothing that a tolerance limits: choose intersection or distance</source>
+        <translation>%1 不是允差所限制的量：请选择 intersection 或 distance</translation>
+    </message>
+    <message>
+        <source>%1 is no relation for the vertical angle: choose exact or planar</source>
+        <translation>%1 不是竖直角的关系式：请选择 exact 或 planar</translation>
+    </message>
+    <message>
+        <source>%1 is no way to take the radius: choose free, common or known</source>
+        <translation>%1 不是半径的处理方式：请选择 free、common 或 known</translation>
+    </message>
+    <message>
+        <source>%1 is no date: type year-month-day, such as 2018-01-31</source>
+        <translation>%1 不是日期：请输入年-月-日，例如 2018-01-31</translation>
+    </message>
+    <message>
+        <source>line %1, column %2</source>
+        <extracomment>a place in a file</extracomment>
+        <translation>第 %1 行第 %2 列</translation>
+    </message>
+    <message>
+        <source>stands twice in one object: delete one of the two, so that neither is lost unseen</source>
+        <translation>在同一对象中出现两次：请删除其中之一，以免不知不觉丢失</translation>
+    </message>
+    <message>
+        <source>holds a text of more than %1: shorten it, or keep it in a file of its own</source>
+        <translation>含有超过 %1 的文本：请缩短，或另存为单独的文件</translation>
+    </message>
+    <message>
+        <source>is nested more than %1 levels deep: this is no session file</source>
+        <translation>嵌套超过 %1 层：这不是会话文件</translation>
+    </message>
+    <message>
+        <source>holds more than %1 values besides its rows of readings: this is no session file</source>
+        <translation>除读数行外含有超过 %1 个值：这不是会话文件</translation>
+    </message>
+    <message>
+        <source>has a number too large to be worked with before %1: check its exponent</source>
+        <translation>在%1之前有一个大到无法计算的数：请检查其指数</translation>
+    </message>
+    <message>
+        <source>goes on after its end, at %1: a session file holds one JSON document, delete what follows it</source>
+        <translation>在%1处结束之后仍有内容：会话文件只含一个 JSON 文档，请删除其后的内容</translation>
+    </message>
+    <message>
+        <source>ends too early, at %1: the file is cut short, restore a complete copy</source>
+        <translation>在%1处过早结束：文件被截断，请恢复完整的副本</translation>
+    </message>
+    <message>
+        <source>is not JSON at %1, at %2: look there for a missing comma, colon, bracket or quotation mark</source>
+        <translation>在%1的 %2 处不是 JSON：请查看该处是否缺少逗号、冒号、括号或引号</translation>
+    </message>
+    <message>
+        <source>is empty: choose a session file</source>
+        <translation>为空：请选择会话文件</translation>
+    </message>
+    <message>
+        <source>is not UTF-8 text at %1: save the file with UTF-8 encoding</source>
+        <translation>在%1处不是 UTF-8 文本：请以 UTF-8 编码保存文件</translation>
+    </message>
+    <message>
+        <source>has nothing to act on: type the temperature (environment.temperature_c), or clear the coefficient</source>
+        <translation>没有作用对象：请输入温度（environment.temperature_c），或清除该系数</translation>
+    </message>
+    <message>
+        <source>is stated as one, but the positions have different zeros: give all of them the same α0 and β0, or state each</source>
+        <translation>声明为 one，但各轴位的零位不同：请给所有轴位相同的 α0 和 β0，或声明 each</translation>
+    </message>
+    <message>
+        <source>is empty, as is the whole row: type its readings or delete the row</source>
+        <translation>为空，整行也为空：请输入其读数或删除该行</translation>
+    </message>
+    <message>
+        <source>point %1, round %2, face %3 is already in row %4: give it another point or round, or exclude one</source>
+        <translation>测点 %1、测回 %2、盘位 %3 已在第 %4 行：请给它另一个测点或测回，或排除其一</translation>
+    </message>
+    <message>
+        <source>%1 lies %2° from the pointing zero, beyond the edge of the arc plane: check the degrees and the face</source>
+        <translation>%1 距瞄准零位 %2°，超出圆弧平面的边缘：请检查度数和盘位</translation>
+    </message>
+    <message>
+        <source>%1 is no point: points count from 0</source>
+        <translation>%1 不是测点：测点从 0 开始</translation>
+    </message>
+    <message>
+        <source>%1 is no round: rounds count from 1</source>
+        <translation>%1 不是测回：测回从 1 开始</translation>
+    </message>
+    <message>
+        <source>%1 is no face: type 1 or 2</source>
+        <translation>%1 不是盘位：请输入 1 或 2</translation>
+    </message>
+    <message>
+        <source>add the reading of the horizontal circle</source>
+        <translation>请补上水平度盘读数</translation>
+    </message>
+    <message>
+        <source>add the reading of the vertical circle</source>
+        <translation>请补上竖直度盘读数</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>对象</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>列表</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>文本</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>数</translation>
+    </message>
+    <message>
+        <source>must be an object in braces, not %1</source>
+        <translation>必须是花括号中的对象，而不是%1</translation>
+    </message>
+    <message>
+        <source>must be %1, not %2</source>
+        <extracomment>two kinds of value: &quot;a number&quot;, &quot;a list&quot;</extracomment>
+        <translation>必须是%1，而不是%2</translation>
+    </message>
+    <message>
+        <source>must be true or false, not %1</source>
+        <translation>必须是 true 或 false，而不是%1</translation>
+    </message>
+    <message>
+        <source>must be a list in square brackets, not %1</source>
+        <translation>必须是方括号中的列表，而不是%1</translation>
+    </message>
+    <message>
+        <source>is missing: %1</source>
+        <extracomment>what to do about it: &quot;add the rotation of the axis, 0 or 180&quot;</extracomment>
+        <translation>缺失：%1</translation>
+    </message>
+    <message>
+        <source>is missing: this is no session file, which says &quot;format&quot;: &quot;alidade-session&quot;</source>
+        <translation>缺失：这不是会话文件，会话文件写有 &quot;format&quot;: &quot;alidade-session&quot;</translation>
+    </message>
+    <message>
+        <source>%1 is not &quot;alidade-session&quot;: choose a session file</source>
+        <translation>%1 不是 &quot;alidade-session&quot;：请选择会话文件</translation>
+    </message>
+    <message>
+        <source>is not &quot;alidade-session&quot;: choose a session file</source>
+        <translation>不是 &quot;alidade-session&quot;：请选择会话文件</translation>
+    </message>
+    <message>
+        <source>add &quot;version&quot;: 1</source>
+        <translation>请加上 &quot;version&quot;: 1</translation>
+    </message>
+    <message>
+        <source>must be the whole number %1, not %2</source>
+        <translation>必须是整数 %1，而不是 %2</translation>
+    </message>
+    <message>
+        <source>%1 is newer than this program reads (%2): open it with a newer Alidade</source>
+        <translation>%1 比本程序可读的版本（%2）更新：请用更新的 Alidade 打开</translation>
+    </message>
+    <message>
+        <source>%1 is no version of a session file: it must be %2</source>
+        <translation>%1 不是会话文件的版本：必须是 %2</translation>
+    </message>
+    <message>
+        <source>add the distance from the theodolite to the arc plane in mm</source>
+        <translation>请补上经纬仪到圆弧平面的距离，单位 mm</translation>
+    </message>
+    <message>
+        <source>add the nominal radius of the arc in mm</source>
+        <translation>请补上圆弧的名义半径，单位 mm</translation>
+    </message>
+    <message>
+        <source>add the reading of the direction perpendicular to the arc plane</source>
+        <translation>请补上垂直于圆弧平面方向的读数</translation>
+    </message>
+    <message>
+        <source>add the rotation of the axis, 0 or 180</source>
+        <translation>请补上轴的转角，0 或 180</translation>
+    </message>
+    <message>
+        <source>add the circle readings of the direction perpendicular to the arc plane</source>
+        <translation>请补上垂直于圆弧平面方向的度盘读数</translation>
+    </message>
+    <message>
+        <source>add the distance and the nominal radius</source>
+        <translation>请补上距离和名义半径</translation>
+    </message>
+    <message>
+        <source>add the list of the positions of the axis, which may be empty</source>
+        <translation>请补上轴位列表，可以为空</translation>
+    </message>
+    <message>
+        <source>is %1, not an object in braces: this is no session file</source>
+        <translation>是%1，而不是花括号中的对象：这不是会话文件</translation>
+    </message>
+    <message>
+        <source>a text in quotation marks</source>
+        <translation>引号中的文本</translation>
+    </message>
+    <message>
+        <source>an angle, a text such as &quot;341 52 24&quot; or a number of degrees</source>
+        <translation>角度，即例如 &quot;341 52 24&quot; 的文本或以度表示的数</translation>
+    </message>
+    <message>
+        <source>%1 lies %2° from the pointing zero as it was sighted first: check the degrees and the face</source>
+        <translation>%1 距首次照准的瞄准零位 %2°：请检查度数和盘位</translation>
+    </message>
+    <message>
+        <source>How far the arc&apos;s centre lies off the axis across the plane of the arc was not measured.</source>
+        <translation>圆心在垂直于圆弧平面方向上偏离回转轴多少未经测量。</translation>
+    </message>
+    <message>
+        <source>Across the plane of the arc its centre lies Δz = %1 off the axis.</source>
+        <translation>在垂直于圆弧平面的方向上，圆心偏离回转轴 Δz = %1。</translation>
+    </message>
+    <message>
+        <source>has readings of 1 place; a circle needs three, and five or more for a check: sight more places</source>
+        <translation>只有 1 个位置的读数；圆需要三个，要检核则需五个以上：请照准更多位置</translation>
+    </message>
+    <message>
+        <source>has readings of %1 places; a circle needs three, and five or more for a check: sight more places</source>
+        <translation>有 %1 个位置的读数；圆需要三个，要检核则需五个以上：请照准更多位置</translation>
+    </message>
+    <message>
+        <source>has readings of only 1 different place, the others repeat them; a circle needs three: move the slider between the points</source>
+        <translation>只有 1 个不同位置的读数，其余为重复；圆需要三个：请在各测点之间移动滑块</translation>
+    </message>
+    <message>
+        <source>has readings of only %1 different places, the others repeat them; a circle needs three: move the slider between the points</source>
+        <translation>只有 %1 个不同位置的读数，其余为重复；圆需要三个：请在各测点之间移动滑块</translation>
+    </message>
+    <message>
+        <source>has readings that lie on a straight line, which fixes no circle: check them, and sight places over a longer arc</source>
+        <translation>的读数位于一条直线上，无法确定圆：请检查这些读数，并在更长的弧段上照准</translation>
+    </message>
+    <message>
+        <source>spans only %1° of arc: its sagitta drowns in the reading noise, so neither radius nor centre can be told: sight places over a longer arc</source>
+        <translation>只跨越 %1° 的弧：其矢高淹没在读数噪声中，半径和圆心都无法确定：请在更长的弧段上照准</translation>
+    </message>
+    <message>
+        <source>has readings that tell neither radius nor centre: look for misread values, the degrees first, and check the stated σ of the circles</source>
+        <translation>的读数既不能确定半径也不能确定圆心：请查找误读，先查度数，并检查声明的度盘 σ</translation>
+    </message>
+    <message>
+        <source>has readings of %1 places; the published method needs five: sight more places</source>
+        <translation>有 %1 个位置的读数；已发表的方法需要五个：请照准更多位置</translation>
+    </message>
+    <message>
+        <source>has readings that leave the published system without a unique solution: sight places over a longer arc</source>
+        <translation>的读数使已发表方法的方程组没有唯一解：请在更长的弧段上照准</translation>
+    </message>
+    <message>
+        <source>has readings from which the published method finds no circle: check L, R0 and the readings</source>
+        <translation>的读数无法用已发表的方法求得圆：请检查 L、R0 和读数</translation>
+    </message>
+    <message>
+        <source>(reduced χ² %1 with %2 degrees of freedom)</source>
+        <translation>（约化 χ² 为 %1，自由度 %2）</translation>
+    </message>
+    <message>
+        <source>the fit did not settle within %1 iterations; its result is provisional.</source>
+        <translation>拟合在 %1 次迭代内未收敛；其结果是暂时的。</translation>
+    </message>
+    <message>
+        <source>Check the readings for large errors.</source>
+        <translation>请检查读数中是否有大误差。</translation>
+    </message>
+    <message>
+        <source>the readings just fix the circle; nothing checks them, and the uncertainty rests on the stated noise alone.</source>
+        <translation>读数刚好确定圆；没有任何检核，不确定度仅依赖于声明的噪声。</translation>
+    </message>
+    <message>
+        <source>Sight more places.</source>
+        <translation>请照准更多位置。</translation>
+    </message>
+    <message>
+        <source>the readings scatter %1 times their stated noise %2.</source>
+        <translation>读数的离散是声明噪声的 %1 倍%2。</translation>
+    </message>
+    <message>
+        <source>Look for misread values or an effect that the model does not hold; U is scaled by the scatter.</source>
+        <translation>请查找误读，或模型未包含的效应；U 已按离散放大。</translation>
+    </message>
+    <message>
+        <source>the readings agree far better than their stated noise %1.</source>
+        <translation>读数之间的一致性远好于声明的噪声%1。</translation>
+    </message>
+    <message>
+        <source>Check the stated σ, and that the readings were not copied from one another.</source>
+        <translation>请检查声明的 σ，并确认读数不是互相抄录的。</translation>
+    </message>
+    <message>
+        <source>an arc of %1° fixes the radius only to u = %2 mm, and the centre hardly better.</source>
+        <translation>%1° 的弧只能把半径确定到 u = %2 mm，圆心也好不了多少。</translation>
+    </message>
+    <message>
+        <source>Sight places over a longer arc.</source>
+        <translation>请在更长的弧段上照准。</translation>
+    </message>
+    <message>
+        <source>the fitted radius %1 mm is far from the nominal %2 mm.</source>
+        <translation>拟合半径 %1 mm 与名义值 %2 mm 相差很大。</translation>
+    </message>
+    <message>
+        <source>Check the distance L and the nominal radius R0: the fitted lengths are proportional to L.</source>
+        <translation>请检查距离 L 和名义半径 R0：拟合的长度与 L 成正比。</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 与 %2</translation>
+    </message>
+    <message>
+        <source>the same pair of readings stands twice, in rows %1.</source>
+        <translation>同一对读数出现两次，在第 %1 行。</translation>
+    </message>
+    <message>
+        <source>If a row was entered twice, exclude one: a copy makes the result look surer than it is.</source>
+        <translation>如果某行录入了两次，请排除其一：副本会使结果看起来比实际更可靠。</translation>
+    </message>
+    <message>
+        <source>Sessions like this one come to U = %1</source>
+        <translation>与本会话类似的测量可达到 U = %1</translation>
+    </message>
+    <message>
+        <source>with %1 to %2</source>
+        <translation>加上%1 则为 %2</translation>
+    </message>
+    <message>
+        <source>with %1 known to %2</source>
+        <translation>已知%1 则为 %2</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1；%2</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1。</translation>
+    </message>
+    <message>
+        <source>with what the pattern may move it by</source>
+        <translation>计入该规律可能引起的移动</translation>
+    </message>
+    <message>
+        <source>averaged over what looks alike</source>
+        <translation>对相似原因取平均</translation>
+    </message>
+    <message>
+        <source>averaged over what else may be</source>
+        <translation>对其他可能取平均</translation>
+    </message>
+    <message>
+        <source>readings</source>
+        <translation>读数</translation>
+    </message>
+    <message>
+        <source>model effects</source>
+        <translation>模型效应</translation>
+    </message>
+    <message>
+        <source>plausible sizes</source>
+        <translation>合理大小</translation>
+    </message>
+    <message>
+        <source>known radius</source>
+        <translation>已知半径</translation>
+    </message>
+    <message>
+        <source>pointing zeros</source>
+        <translation>瞄准零位</translation>
+    </message>
+    <message>
+        <source>what else may explain the readings</source>
+        <translation>其他可能解释读数的原因</translation>
+    </message>
+    <message>
+        <source>scatter</source>
+        <translation>离散</translation>
+    </message>
+    <message>
+        <source>stated</source>
+        <translation>声明</translation>
+    </message>
+    <message>
+        <source>default</source>
+        <translation>默认</translation>
+    </message>
+    <message>
+        <source>known</source>
+        <translation>已知</translation>
+    </message>
+    <message>
+        <source>diagnosis</source>
+        <translation>诊断</translation>
+    </message>
+    <message>
+        <source>Δd − reference</source>
+        <translation>Δd − 参考值</translation>
+    </message>
+    <message>
+        <source>The positions do not close: %1. What moved between them may have moved Δd: find it, or measure anew and sight the zeros again.</source>
+        <translation>各轴位不闭合：%1。两者之间的变动可能已使 Δd 改变：请找出原因，或重新测量并再次照准零位。</translation>
+    </message>
+    <message>
+        <source> and </source>
+        <translation>和</translation>
+    </message>
+    <message>
+        <source>The result disagrees with what is known: %1. Check what is known, and find what separates the two.</source>
+        <translation>结果与已知值不符：%1。请检查已知值，并找出两者差异的原因。</translation>
+    </message>
+    <message>
+        <source>there are no readings; enter those of the axis positions</source>
+        <translation>没有读数；请录入各轴位的读数</translation>
+    </message>
+    <message>
+        <source>there is no effect “%1” in the catalogue</source>
+        <translation>目录中没有效应“%1”</translation>
+    </message>
+    <message>
+        <source>the diagnosis was stopped</source>
+        <translation>诊断已停止</translation>
+    </message>
+    <message>
+        <source>the residuals shrink from %1″ to %2″</source>
+        <translation>残差由 %1″ 减小到 %2″</translation>
+    </message>
+    <message>
+        <source>the residuals grow from %1″ to %2″</source>
+        <translation>残差由 %1″ 增大到 %2″</translation>
+    </message>
+    <message>
+        <source>the residuals stay at %1″</source>
+        <translation>残差保持在 %1″</translation>
+    </message>
+    <message>
+        <source>reduced χ² goes from %1 to %2; the residuals, counted alike, grow from %3″ to %4″</source>
+        <translation>约化 χ² 由 %1 变为 %2；按同样方式计算的残差由 %3″ 增大到 %4″</translation>
+    </message>
+    <message>
+        <source>reduced χ² goes from %1 to %2; the residuals, counted alike, stay at %3″</source>
+        <translation>约化 χ² 由 %1 变为 %2；按同样方式计算的残差保持在 %3″</translation>
+    </message>
+    <message>
+        <source>The readings scatter %1 times as much as stated, without a pattern.</source>
+        <translation>读数的离散是声明的 %1 倍，且没有规律。</translation>
+    </message>
+    <message>
+        <source>the two positions close, and %1</source>
+        <translation>两个轴位闭合，并且%1</translation>
+    </message>
+    <message>
+        <source>the two positions close</source>
+        <translation>两个轴位闭合</translation>
+    </message>
+    <message>
+        <source>Without the readings blamed %1.</source>
+        <translation>去掉被指出的读数后，%1。</translation>
+    </message>
+    <message>
+        <source>With it in the model %1.</source>
+        <translation>计入模型后，%1。</translation>
+    </message>
+    <message>
+        <source>With them in the model %1.</source>
+        <translation>一并计入模型后，%1。</translation>
+    </message>
+    <message>
+        <source>The gap is real, and no effect of the catalogue explains it.</source>
+        <translation>差距确实存在，目录中没有效应可以解释。</translation>
+    </message>
+    <message>
+        <source>Beside %1 the gap is real, and no effect of the catalogue explains the rest.</source>
+        <translation>除%1 之外差距确实存在，目录中没有效应可以解释其余部分。</translation>
+    </message>
+    <message>
+        <source>The gap is real, and no effect of the catalogue explains it; it follows the pattern “%1”.</source>
+        <translation>差距确实存在，目录中没有效应可以解释；它遵循规律“%1”。</translation>
+    </message>
+    <message>
+        <source>Beside %1 the gap is real, and no effect of the catalogue explains the rest; it follows the pattern “%2”.</source>
+        <translation>除%1 之外差距确实存在，目录中没有效应可以解释其余部分；它遵循规律“%2”。</translation>
+    </message>
+    <message>
+        <source>Nothing checks the model: these readings just fix the circles and leave nothing over. Sight more places.</source>
+        <translation>模型没有任何检核：这些读数刚好确定圆，没有多余观测。请照准更多位置。</translation>
+    </message>
+    <message>
+        <source>The readings agree with the model within their stated noise: there is no gap to explain.</source>
+        <translation>读数在声明的噪声范围内与模型一致：没有需要解释的差距。</translation>
+    </message>
+    <message>
+        <source>The gap is best explained by %1. %2</source>
+        <translation>差距最好由%1 解释。%2</translation>
+    </message>
+    <message>
+        <source>The gap is best explained by %1 or by what these readings cannot tell from it: %2. %3</source>
+        <translation>差距最好由%1 解释，或由这些读数无法与之区分的%2 解释。%3</translation>
+    </message>
+    <message>
+        <source> or </source>
+        <translation>或</translation>
+    </message>
+    <message>
+        <source>The gap is best explained by several causes together: %1. %2</source>
+        <translation>差距最好由多个原因共同解释：%1。%2</translation>
+    </message>
+    <message>
+        <source>retyped</source>
+        <translation>重新录入</translation>
+    </message>
+    <message>
+        <source>suggestion accepted</source>
+        <translation>采纳建议</translation>
+    </message>
+    <message>
+        <source>cleared</source>
+        <translation>清除</translation>
+    </message>
+    <message>
+        <source>pasted over</source>
+        <translation>粘贴覆盖</translation>
+    </message>
+    <message>
+        <source>used again</source>
+        <translation>恢复使用</translation>
+    </message>
+    <message>
+        <source>deleted</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>inserted</source>
+        <translation>插入</translation>
+    </message>
+    <message>
+        <source>moved to another position</source>
+        <translation>移到另一轴位</translation>
+    </message>
+    <message>
+        <source>imported</source>
+        <translation>导入</translation>
+    </message>
+    <message>
+        <source>undone</source>
+        <translation>撤销</translation>
+    </message>
+    <message>
+        <source>sealed</source>
+        <translation>封存</translation>
+    </message>
+    <message>
+        <source>Sealed %1 UTC by %2</source>
+        <translation>%1 UTC 由 %2 封存</translation>
+    </message>
+    <message>
+        <source>Revision %1 sealed %2 UTC by %3</source>
+        <translation>修订 %1 于 %2 UTC 由 %3 封存</translation>
+    </message>
+    <message>
+        <source>%1; one change since: a revision that nobody has sealed.</source>
+        <translation>%1；此后有一处更改：尚无人封存的修订。</translation>
+    </message>
+    <message>
+        <source>%1; %2 changes since: a revision that nobody has sealed.</source>
+        <translation>%1；此后有 %2 处更改：尚无人封存的修订。</translation>
+    </message>
+    <message>
+        <source>%1 and unchanged since.</source>
+        <translation>%1，此后未更改。</translation>
+    </message>
+    <message>
+        <source>%1; its content is not what was sealed, and the journal does not tell of the change.</source>
+        <translation>%1；其内容与封存时不符，而更改日志中没有记载。</translation>
+    </message>
+    <message>
+        <source>One reading was changed after entry.</source>
+        <translation>有 1 个读数在录入后被更改。</translation>
+    </message>
+    <message>
+        <source>%1 readings were changed after entry.</source>
+        <translation>有 %1 个读数在录入后被更改。</translation>
+    </message>
+    <message>
+        <source>The journal does not hold together from entry %1 on: it, or one before it, was changed outside this program.</source>
+        <translation>更改日志从第 %1 条起不再连贯：该条或其前一条曾在本程序之外被更改。</translation>
+    </message>
+    <message>
+        <source>both faces</source>
+        <translation>双盘位</translation>
+    </message>
+    <message>
+        <source>the way back</source>
+        <translation>返测</translation>
+    </message>
+    <message>
+        <source>slider readings</source>
+        <translation>滑块读数</translation>
+    </message>
+    <message>
+        <source>a second set with the horizontal circle shifted by 60°</source>
+        <translation>水平度盘变换 60° 的第二组观测</translation>
+    </message>
+    <message>
+        <source>a second set from half as far again</source>
+        <translation>距离增加一半处的第二组观测</translation>
+    </message>
+    <message>
+        <source>more of the arc</source>
+        <translation>更长的弧段</translation>
+    </message>
+    <message>
+        <source>the pointing zero sighted again</source>
+        <translation>重新照准的瞄准零位</translation>
+    </message>
+    <message>
+        <source>the distance measured in both positions</source>
+        <translation>两个轴位都测量的距离</translation>
+    </message>
+    <message>
+        <source>0° measured again</source>
+        <translation>复测 0°</translation>
+    </message>
+    <message>
+        <source>180° measured again</source>
+        <translation>复测 180°</translation>
+    </message>
+    <message>
+        <source>%1 (read anew)</source>
+        <translation>%1（重新读取）</translation>
+    </message>
+    <message>
+        <source>%1 (in addition)</source>
+        <translation>%1（补充观测）</translation>
+    </message>
+    <message>
+        <source>%1° again</source>
+        <translation>%1° 复测</translation>
+    </message>
+    <message>
+        <source>%1° again (%2)</source>
+        <translation>%1° 复测（%2）</translation>
+    </message>
+    <message>
+        <source>The arc at %1 %2.</source>
+        <translation>%1 的圆弧%2。</translation>
+    </message>
+    <message>
+        <source>The readings of all positions do not determine the circles and the effects of the model together.</source>
+        <translation>所有轴位的读数不能同时确定圆和模型效应。</translation>
+    </message>
+    <message>
+        <source>Look for misread values, sight more places over a longer arc, or take effects out of the model.</source>
+        <translation>请查找误读，在更长的弧段上照准更多位置，或从模型中去掉效应。</translation>
+    </message>
+    <message>
+        <source>The readings of all positions do not determine the circles together.</source>
+        <translation>所有轴位的读数不能共同确定圆。</translation>
+    </message>
+    <message>
+        <source>Look for misread values, sight more places over a longer arc.</source>
+        <translation>请查找误读，在更长的弧段上照准更多位置。</translation>
+    </message>
+    <message>
+        <source>There is no usable position at %1°, so no intersection.</source>
+        <translation>%1° 没有可用的轴位，因此没有相交度。</translation>
+    </message>
+    <message>
+        <source>The intersection is half the distance of the arc centres at 0° and 180°: measure both.</source>
+        <translation>相交度是 0° 和 180° 两圆心距离的一半：请测量两者。</translation>
+    </message>
+    <message>
+        <source>The radii of the one rigid arc at 0° and 180° differ by %1 mm, more than their noise allows (%2 mm at 0.1 % risk).</source>
+        <translation>同一刚性圆弧在 0° 和 180° 的半径相差 %1 mm，超过其噪声所允许的范围（0.1 % 风险下为 %2 mm）。</translation>
+    </message>
+    <message>
+        <source>Look for a cause outside the model, such as a plane off the axis.</source>
+        <translation>请查找模型之外的原因，例如平面偏离轴。</translation>
+    </message>
+    <message>
+        <source>Along the axis the centres at 0° and 180° differ by %1 mm, more than readings and zeros allow (%2 mm at 0.1 % risk).</source>
+        <translation>沿轴方向 0° 和 180° 的圆心相差 %1 mm，超过读数和零位所允许的范围（0.1 % 风险下为 %2 mm）。</translation>
+    </message>
+    <message>
+        <source>Look for a knock or a drift since a zero, or play along the axis.</source>
+        <translation>请查找照准零位以来的碰动或漂移，或沿轴的间隙。</translation>
+    </message>
+    <message>
+        <source>The readings do not agree with the known radius of %1 mm: they pull it by %2 mm, where %3 mm is the most that their noise and its σ allow at 0.1 % risk.</source>
+        <translation>读数与已知半径 %1 mm 不符：读数将其拉动 %2 mm，而在 0.1 % 风险下其噪声和 σ 最多允许 %3 mm。</translation>
+    </message>
+    <message>
+        <source>Check R0, its σ and the distance, or let the radius be free.</source>
+        <translation>请检查 R0、其 σ 和距离，或让半径自由。</translation>
+    </message>
+    <message>
+        <source>By the fit alone the intersection differs from the reference %1 mm by %2 mm, more than its expanded uncertainty of %3 mm.</source>
+        <translation>仅按拟合，相交度与参考值 %1 mm 相差 %2 mm，大于其扩展不确定度 %3 mm。</translation>
+    </message>
+    <message>
+        <source>Nothing was fitted to the reference; find what separates the two.</source>
+        <translation>没有任何量是按参考值拟合的；请找出两者差异的原因。</translation>
+    </message>
+    <message>
+        <source>The session&apos;s model names %1, which is no effect that can be estimated.</source>
+        <translation>会话的模型中有 %1，它不是可以估计的效应。</translation>
+    </message>
+    <message>
+        <source>Read the result as one without it, or correct the name.</source>
+        <translation>请按不含它来理解结果，或改正其名称。</translation>
+    </message>
+    <message>
+        <source>What is known of %1 in %2 is of no number of the catalogue.</source>
+        <translation>关于 %1（单位 %2）的已知值不属于目录中的任何量。</translation>
+    </message>
+    <message>
+        <source>What is known of %1, %2, in %3 is of no number of the catalogue.</source>
+        <translation>关于 %1 的 %2（单位 %3）的已知值不属于目录中的任何量。</translation>
+    </message>
+    <message>
+        <source>Name an effect, which of its numbers where it has two, and the unit as the catalogue has them; until then its plausible size is taken.</source>
+        <translation>请按目录给出效应名称、（有两个量时）其中的量以及单位；在此之前采用其合理大小。</translation>
+    </message>
+    <message>
+        <source>The model takes the vertical circle to read y/L, which no theodolite does.</source>
+        <translation>模型认为竖直度盘读取 y/L，没有经纬仪如此读数。</translation>
+    </message>
+    <message>
+        <source>Set the vertical angle to exact, unless the planar relation is to be studied.</source>
+        <translation>请将竖直角设为 exact，除非要研究平面关系式。</translation>
+    </message>
+    <message>
+        <source>at 0° below</source>
+        <translation>0° 时在下方</translation>
+    </message>
+    <message>
+        <source>at %1° above</source>
+        <translation>%1° 时在上方</translation>
+    </message>
+    <message>
+        <source>the distance L (geometry.distance_mm: %1) and the nominal radius R0 (geometry.radius_mm: %2), both in mm</source>
+        <translation>距离 L（geometry.distance_mm：%1）和名义半径 R0（geometry.radius_mm：%2），均以 mm 为单位</translation>
+    </message>
+    <message>
+        <source>No theodolite sights anything at a distance of %1 mm.</source>
+        <translation>没有经纬仪能在 %1 mm 的距离上照准。</translation>
+    </message>
+    <message>
+        <source>Check %1: the fitted lengths are proportional to the distance.</source>
+        <translation>请检查%1：拟合的长度与距离成正比。</translation>
+    </message>
+    <message>
+        <source>Most places lie %1 the fitted centre, where an arc at 0° has them above and one at 180° below: Δd may have the wrong sign.</source>
+        <translation>大多数位置%1（相对拟合圆心），而 0° 的圆弧应在圆心上方，180° 的应在下方：Δd 的符号可能有误。</translation>
+    </message>
+    <message>
+        <source>Check the kind of the vertical circle, and whether the positions are exchanged.</source>
+        <translation>请检查竖直度盘的类型，以及轴位是否互换。</translation>
+    </message>
+    <message>
+        <source>Check the axis of this position, its pointing zero and its readings.</source>
+        <translation>请检查该轴位的轴角、瞄准零位和读数。</translation>
+    </message>
+    <message>
+        <source>The pointing zero at %1 has %2° on the vertical circle, far from the horizon of a zenith circle, which reads 90° there.</source>
+        <translation>%1 的瞄准零位在竖直度盘上为 %2°，远离天顶距度盘的水平线（该处读数为 90°）。</translation>
+    </message>
+    <message>
+        <source>Check the kind of the vertical circle: as an elevation circle its readings grow the other way, which turns the sign of Δd.</source>
+        <translation>请检查竖直度盘的类型：若为高度角度盘，其读数方向相反，Δd 的符号随之改变。</translation>
+    </message>
+    <message>
+        <source>The pointing zero at %1 has %2° on the vertical circle, far from the horizon of an elevation circle, which reads 0° there.</source>
+        <translation>%1 的瞄准零位在竖直度盘上为 %2°，远离高度角度盘的水平线（该处读数为 0°）。</translation>
+    </message>
+    <message>
+        <source>Check the kind of the vertical circle: as a zenith circle its readings grow the other way, which turns the sign of Δd.</source>
+        <translation>请检查竖直度盘的类型：若为天顶距度盘，其读数方向相反，Δd 的符号随之改变。</translation>
+    </message>
+    <message>
+        <source>%1: rows %2 and %3 are of one visit, yet their slider values differ by %4″; the first alone is used, here and in %5 more.</source>
+        <translation>%1：第 %2 行和第 %3 行属于同一次停靠，但滑块值相差 %4″；此处及另外 %5 处只使用第一个。</translation>
+    </message>
+    <message>
+        <source>%1: rows %2 and %3 are of one visit, yet their slider values differ by %4″; the first alone is used.</source>
+        <translation>%1：第 %2 行和第 %3 行属于同一次停靠，但滑块值相差 %4″；只使用第一个。</translation>
+    </message>
+    <message>
+        <source>The slider stands still during a visit: correct the value, or give the rows different points or rounds.</source>
+        <translation>一次停靠中滑块静止不动：请改正该值，或给各行不同的测点或测回。</translation>
+    </message>
+    <message>
+        <source>All positions have the same pointing zero: sighted once it is wrong by the same everywhere, which cancels in Δd, sighted in each it would hardly be read alike.</source>
+        <translation>所有轴位的瞄准零位相同：若只照准一次，其误差处处相同，在 Δd 中抵消；若各自照准，读数几乎不可能一样。</translation>
+    </message>
+    <message>
+        <source>Both positions have the same pointing zero: sighted once it is wrong by the same everywhere, which cancels in Δd, sighted in each it would hardly be read alike.</source>
+        <translation>两个轴位的瞄准零位相同：若只照准一次，其误差处处相同，在 Δd 中抵消；若各自照准，读数几乎不可能一样。</translation>
+    </message>
+    <message>
+        <source>State geometry.pointing_zeros: one, if it was sighted once, or each.</source>
+        <translation>请声明 geometry.pointing_zeros：只照准一次为 one，否则为 each。</translation>
+    </message>
+    <message>
+        <source>%1: the pointing zero moved by %2 horizontally and %3 vertically (1σ) while the position was read; U takes the zeros to scatter %4 times as stated.</source>
+        <translation>%1：读取该轴位期间，瞄准零位水平移动 %2，竖直移动 %3（1σ）；U 按零位离散为声明的 %4 倍计算。</translation>
+    </message>
+    <message>
+        <source>%1: the pointing zero moved by %2 horizontally and %3 vertically (1σ) while the position was read.</source>
+        <translation>%1：读取该轴位期间，瞄准零位水平移动 %2，竖直移动 %3（1σ）。</translation>
+    </message>
+    <message>
+        <source>Look for a knock of the tripod or an orientation that drifts, and observe the position again.</source>
+        <translation>请查找三脚架的碰动或定向的漂移，并重新观测该轴位。</translation>
+    </message>
+    <message>
+        <source>%1: the sightings of the pointing zero in face 2 are left out, since not every position has one: collimation and index would not cancel.</source>
+        <translation>%1：盘右的瞄准零位照准未采用，因为并非每个轴位都有：视准误差和指标差无法抵消。</translation>
+    </message>
+    <message>
+        <source>Sight the zeros of all positions in both faces.</source>
+        <translation>请在双盘位照准所有轴位的零位。</translation>
+    </message>
+    <message>
+        <source>point %1</source>
+        <translation>测点 %1</translation>
+    </message>
+    <message>
+        <source>round %1</source>
+        <translation>测回 %1</translation>
+    </message>
+    <message>
+        <source>face %1</source>
+        <translation>盘位 %1</translation>
+    </message>
+    <message>
+        <source>two digits swapped</source>
+        <translation>两位数字颠倒</translation>
+    </message>
+    <message>
+        <source>one digit wrong</source>
+        <translation>一位数字错误</translation>
+    </message>
+    <message>
+        <source>one degree off</source>
+        <translation>差一度</translation>
+    </message>
+    <message>
+        <source>ten minutes off</source>
+        <translation>差十分</translation>
+    </message>
+    <message>
+        <source>one minute off</source>
+        <translation>差一分</translation>
+    </message>
+    <message>
+        <source>ten seconds off</source>
+        <translation>差十秒</translation>
+    </message>
+    <message>
+        <source>the two circles swapped</source>
+        <translation>两个度盘互换</translation>
+    </message>
+    <message>
+        <source>the wrong face</source>
+        <translation>盘位错误</translation>
+    </message>
+    <message>
+        <source>swapped with the neighbouring row</source>
+        <translation>与相邻行互换</translation>
+    </message>
+    <message>
+        <source>%1 of row %2</source>
+        <translation>第 %2 行的%1</translation>
+    </message>
+    <message>
+        <source>(empty)</source>
+        <translation>（空）</translation>
+    </message>
+    <message>
+        <source>%1: %2; residual then %3.</source>
+        <translation>%1：%2；此时残差为 %3。</translation>
+    </message>
+    <message>
+        <source>the other face</source>
+        <translation>应为另一盘位</translation>
+    </message>
+    <message>
+        <source>off by %1</source>
+        <translation>偏差 %1</translation>
+    </message>
+    <message>
+        <source>no angle</source>
+        <translation>不是角度</translation>
+    </message>
+    <message>
+        <source>%1: %2. No single slip explains it: read it again.</source>
+        <translation>%1：%2。没有单一的笔误能解释：请重新读取。</translation>
+    </message>
+    <message>
+        <source>%1: %2. Probably meant: %3</source>
+        <translation>%1：%2。可能应为：%3</translation>
+    </message>
+    <message>
+        <source>; </source>
+        <translation>；</translation>
+    </message>
+    <message>
+        <source>A reading looks misread: %1.</source>
+        <translation>有一个读数像是误读：%1。</translation>
+    </message>
+    <message>
+        <source>%1 readings look misread: %2.</source>
+        <translation>有 %1 个读数像是误读：%2。</translation>
+    </message>
+    <message>
+        <source>Check it in the field book, then correct or exclude it; until then every usable reading takes part in the result.</source>
+        <translation>请对照手簿检查，然后改正或排除；在此之前所有可用读数都参与计算。</translation>
+    </message>
+    <message>
+        <source>Check them in the field book, then correct or exclude them; until then every usable reading takes part in the result.</source>
+        <translation>请对照手簿检查，然后改正或排除；在此之前所有可用读数都参与计算。</translation>
+    </message>
+    <message>
+        <source>The verdict is withheld: no theodolite sights anything at a distance of %1 mm: check %2.</source>
+        <translation>暂不判定：没有经纬仪能在 %1 mm 的距离上照准：请检查%2。</translation>
+    </message>
+    <message>
+        <source>The verdict is withheld: the radius fitted at %1 is %2 % off the nominal one, and lengths that are so far from what they should be prove nothing: check %3.</source>
+        <translation>暂不判定：%1 的拟合半径与名义值相差 %2 %，长度偏差如此之大则不能证明任何事：请检查%3。</translation>
+    </message>
+    <message>
+        <source>the tolerance of ± %1 mm</source>
+        <translation>允差 ± %1 mm</translation>
+    </message>
+    <message>
+        <source>%1 (%2 % coverage)</source>
+        <translation>%1（包含概率 %2 %）</translation>
+    </message>
+    <message>
+        <source>within %1</source>
+        <translation>在%1 之内</translation>
+    </message>
+    <message>
+        <source>outside %1</source>
+        <translation>在%1 之外</translation>
+    </message>
+    <message>
+        <source>not clearly within or outside %1</source>
+        <translation>不能明确判断在%1 之内或之外</translation>
+    </message>
+    <message>
+        <source>By the fit alone, the intersection is %1; with all that these readings leave possible, it is %2; with these uncertainties it cannot be said whether it lies within %3.</source>
+        <translation>仅按拟合，相交度为 %1；考虑这些读数所留下的一切可能，为 %2；在这样的不确定度下不能断定是否在%3 之内。</translation>
+    </message>
+    <message>
+        <source>By the fit alone, the intersection is %1; with all that these readings leave possible, it is %2; both lie %3, their uncertainty included.</source>
+        <translation>仅按拟合，相交度为 %1；考虑这些读数所留下的一切可能，为 %2；计入不确定度，两者都%3。</translation>
+    </message>
+    <message>
+        <source>Add to the model what was found, or measure what the diagnosis advises.</source>
+        <translation>请将所发现的效应加入模型，或按诊断的建议测量。</translation>
+    </message>
+    <message>
+        <source>The most of U comes from %1, as large as is plausible: with %2 U would come to some %3 mm.</source>
+        <translation>U 主要来自%1（按合理大小计）：加上%2，U 约为 %3 mm。</translation>
+    </message>
+    <message>
+        <source>The most of U comes from %1, as large as is plausible: measure what shows it.</source>
+        <translation>U 主要来自%1（按合理大小计）：请测量能显示它的量。</translation>
+    </message>
+    <message>
+        <source>By the fit alone, the intersection is %1, %2; but with what the diagnosis found, these readings do not determine it.</source>
+        <translation>仅按拟合，相交度为 %1，%2；但考虑诊断所发现的，这些读数不能确定它。</translation>
+    </message>
+    <message>
+        <source>By the fit alone, the intersection is %1, %2; with all that these readings leave possible, it is %3, %4. %5</source>
+        <translation>仅按拟合，相交度为 %1，%2；考虑这些读数所留下的一切可能，为 %3，%4。%5</translation>
+    </message>
+    <message>
+        <source>it</source>
+        <translation>该限</translation>
+    </message>
+    <message>
+        <source>As measured, the distance of the arc&apos;s centre from the axis is %1: %2 in the plane of the arc (Δd), %3 across it (Δz); it lies %4, its uncertainty included.</source>
+        <translation>实测圆心到回转轴的距离为 %1：其中圆弧平面内为 %2（Δd），垂直于平面为 %3（Δz）；计入不确定度，它%4。</translation>
+    </message>
+    <message>
+        <source>This judges the plane of the arc alone: across it, its centre lies %1 off the axis.</source>
+        <translation>这只判定圆弧平面之内：在垂直方向上，圆心偏离回转轴 %1。</translation>
+    </message>
+    <message>
+        <source>more than 99.9 %</source>
+        <translation>大于 99.9 %</translation>
+    </message>
+    <message>
+        <source>less than 0.1 %</source>
+        <translation>小于 0.1 %</translation>
+    </message>
+    <message>
+        <source>There is no verdict at a coverage of %1 %: state acceptance.coverage as %2 or more.</source>
+        <translation>包含概率为 %1 % 时不作判定：请将 acceptance.coverage 设为 %2 或更大。</translation>
+    </message>
+    <message>
+        <source>The tolerance is of the distance from the axis as a whole, and how far the arc&apos;s centre lies off it across the plane of the arc was not measured: read both positions over more of the arc, or state it (device.known: plane_offset). %1</source>
+        <translation>允差针对到回转轴的整个距离，而圆心在垂直于圆弧平面方向上的偏离未经测量：请在更长的弧段上读取两个轴位，或声明它（device.known: plane_offset）。%1</translation>
+    </message>
+    <message>
+        <source>%1 By all that is possible, it conforms with a probability of %2.</source>
+        <translation>%1考虑一切可能，其合格概率为 %2。</translation>
+    </message>
+    <message>
+        <source>%1 It conforms with a probability of %2.</source>
+        <translation>%1其合格概率为 %2。</translation>
+    </message>
+    <message>
+        <source>By the fit alone, the intersection is %1; it lies within %2, its uncertainty included.</source>
+        <translation>仅按拟合，相交度为 %1；计入不确定度，它在%2 之内。</translation>
+    </message>
+    <message>
+        <source>By the fit alone, the intersection is %1; it lies outside %2, its uncertainty included.</source>
+        <translation>仅按拟合，相交度为 %1；计入不确定度，它在%2 之外。</translation>
+    </message>
+    <message>
+        <source>By the fit alone, the intersection is %1; with this uncertainty it cannot be said whether it lies within %2.</source>
+        <translation>仅按拟合，相交度为 %1；在这样的不确定度下不能断定是否在%2 之内。</translation>
+    </message>
+    <message>
+        <source>there are no readings to export; enter those of the axis positions</source>
+        <translation>没有可导出的读数；请录入各轴位的读数</translation>
+    </message>
+    <message>
+        <source>the picture cannot be made: make the window smaller</source>
+        <translation>无法生成图片：请缩小窗口</translation>
+    </message>
+    <message>
+        <source>There is nothing to compare yet: type the distance L, the radius R0, a pointing zero and at least three readings of its arc.</source>
+        <translation>尚无可比较的内容：请输入距离 L、半径 R0、一个瞄准零位和该圆弧的至少三个读数。</translation>
+    </message>
+    <message>
+        <source>These readings fix the arc and leave nothing over. Type further readings: each of them shows how far the model holds.</source>
+        <translation>这些读数刚好确定圆弧，没有多余观测。请录入更多读数：每个读数都能检验模型是否成立。</translation>
+    </message>
+    <message>
+        <source>is no record of unsaved changes</source>
+        <translation>不是未保存更改的记录</translation>
+    </message>
+    <message>
+        <source>There is no such sample</source>
+        <translation>没有这个示例</translation>
+    </message>
+</context>
+<context>
+    <name>PlaceText</name>
+    <message>
+        <source>row %1</source>
+        <translation>第 %1 行</translation>
+    </message>
+    <message>
+        <source>row %1 (point %2)</source>
+        <translation>第 %1 行（测点 %2）</translation>
+    </message>
+</context>
+<context>
+    <name>PositionText</name>
+    <message>
+        <source>Axis at %1, point %2, round %3, face %4</source>
+        <translation>轴位 %1，测点 %2，测回 %3，盘位 %4</translation>
     </message>
 </context>
 <context>
     <name>Proposal</name>
     <message>
         <source>face %1</source>
-        <translation type="unfinished"></translation>
+        <translation>盘位 %1</translation>
     </message>
     <message>
         <source> and </source>
-        <translation type="unfinished"></translation>
+        <translation>和</translation>
     </message>
 </context>
 <context>
     <name>ReadingColumn</name>
     <message>
         <source>Use</source>
-        <translation type="unfinished"></translation>
+        <translation>使用</translation>
     </message>
     <message>
         <source>Rows without a tick are kept, but are no part of the fit</source>
-        <translation type="unfinished"></translation>
+        <translation>未勾选的行保留，但不参与拟合</translation>
     </message>
     <message>
         <source>use</source>
-        <translation type="unfinished"></translation>
+        <translation>使用</translation>
     </message>
     <message>
         <source>Point</source>
-        <translation type="unfinished"></translation>
+        <translation>测点</translation>
     </message>
     <message>
         <source>Number of the slider&apos;s place</source>
-        <translation type="unfinished"></translation>
+        <translation>滑块位置的编号</translation>
     </message>
     <message>
         <source>point number</source>
-        <translation type="unfinished"></translation>
+        <translation>测点编号</translation>
     </message>
     <message>
         <source>Round</source>
-        <translation type="unfinished"></translation>
+        <translation>测回</translation>
     </message>
     <message>
         <source>Round of readings; empty means 1</source>
-        <translation type="unfinished"></translation>
+        <translation>读数的测回；空表示 1</translation>
     </message>
     <message>
         <source>round</source>
-        <translation type="unfinished"></translation>
+        <translation>测回</translation>
     </message>
     <message>
         <source>&amp;Round Column</source>
-        <translation type="unfinished"></translation>
+        <translation>测回列(&amp;R)</translation>
     </message>
     <message>
         <source>Face</source>
-        <translation type="unfinished"></translation>
+        <translation>盘位</translation>
     </message>
     <message>
         <source>Face of the theodolite, 1 or 2; empty means 1</source>
-        <translation type="unfinished"></translation>
+        <translation>经纬仪的盘位，1 或 2；空表示 1</translation>
     </message>
     <message>
         <source>face</source>
-        <translation type="unfinished"></translation>
+        <translation>盘位</translation>
     </message>
     <message>
         <source>&amp;Face Column</source>
-        <translation type="unfinished"></translation>
+        <translation>盘位列(&amp;F)</translation>
     </message>
     <message>
         <source>Horizontal α</source>
-        <translation type="unfinished"></translation>
+        <translation>水平 α</translation>
     </message>
     <message>
         <source>Reading of the horizontal circle, degrees minutes seconds; 3415224 is 341°52′24″</source>
-        <translation type="unfinished"></translation>
+        <translation>水平度盘读数，度分秒；3415224 即 341°52′24″</translation>
     </message>
     <message>
         <source>horizontal reading</source>
-        <translation type="unfinished"></translation>
+        <translation>水平读数</translation>
     </message>
     <message>
         <source>Zenith β</source>
-        <translation type="unfinished"></translation>
+        <translation>天顶距 β</translation>
     </message>
     <message>
         <source>Reading of the vertical circle, degrees minutes seconds</source>
-        <translation type="unfinished"></translation>
+        <translation>竖直度盘读数，度分秒</translation>
     </message>
     <message>
         <source>vertical reading</source>
-        <translation type="unfinished"></translation>
+        <translation>竖直读数</translation>
     </message>
     <message>
         <source>Slider s</source>
-        <translation type="unfinished"></translation>
+        <translation>滑块 s</translation>
     </message>
     <message>
         <source>Slider coordinate where it was read, degrees minutes seconds</source>
-        <translation type="unfinished"></translation>
+        <translation>所读处的滑块坐标，度分秒</translation>
     </message>
     <message>
         <source>slider reading</source>
-        <translation type="unfinished"></translation>
+        <translation>滑块读数</translation>
     </message>
     <message>
         <source>&amp;Slider Column</source>
-        <translation type="unfinished"></translation>
+        <translation>滑块列(&amp;S)</translation>
     </message>
     <message>
         <source>vα ″</source>
-        <translation type="unfinished"></translation>
+        <translation>vα ″</translation>
     </message>
     <message>
         <source>Residual of the horizontal reading in arcseconds: observed − adjusted, right positive</source>
-        <translation type="unfinished"></translation>
+        <translation>水平读数的残差，单位角秒：观测值 − 平差值，向右为正</translation>
     </message>
     <message>
         <source>vβ ″</source>
-        <translation type="unfinished"></translation>
+        <translation>vβ ″</translation>
     </message>
     <message>
         <source>Residual of the vertical reading in arcseconds: observed − adjusted, up positive</source>
-        <translation type="unfinished"></translation>
+        <translation>竖直读数的残差，单位角秒：观测值 − 平差值，向上为正</translation>
     </message>
     <message>
         <source>Note</source>
-        <translation type="unfinished"></translation>
+        <translation>备注</translation>
     </message>
     <message>
         <source>Free text</source>
-        <translation type="unfinished"></translation>
+        <translation>自由文本</translation>
     </message>
     <message>
         <source>note</source>
-        <translation type="unfinished"></translation>
+        <translation>备注</translation>
     </message>
 </context>
 <context>
     <name>ReadingsEditor</name>
     <message>
         <source>Add point %1</source>
-        <translation type="unfinished"></translation>
+        <translation>添加测点 %1</translation>
     </message>
     <message>
         <source>Change %1</source>
-        <translation type="unfinished"></translation>
+        <translation>更改%1</translation>
     </message>
     <message>
         <source>Change %1 of point %2</source>
-        <translation type="unfinished"></translation>
+        <translation>更改测点 %2 的%1</translation>
     </message>
     <message>
         <source>Insert reading</source>
-        <translation type="unfinished"></translation>
+        <translation>插入读数</translation>
     </message>
     <message>
         <source>Add %1 rows</source>
-        <translation type="unfinished"></translation>
+        <translation>添加 %1 行</translation>
     </message>
     <message>
         <source>Delete reading</source>
-        <translation type="unfinished"></translation>
+        <translation>删除读数</translation>
     </message>
     <message>
         <source>Delete %1 readings</source>
-        <translation type="unfinished"></translation>
+        <translation>删除 %1 个读数</translation>
     </message>
     <message>
         <source>Exclude reading</source>
-        <translation type="unfinished"></translation>
+        <translation>排除读数</translation>
     </message>
     <message>
         <source>Use reading</source>
-        <translation type="unfinished"></translation>
+        <translation>使用读数</translation>
     </message>
     <message>
         <source>Exclude %1 readings</source>
-        <translation type="unfinished"></translation>
+        <translation>排除 %1 个读数</translation>
     </message>
     <message>
         <source>Use %1 readings</source>
-        <translation type="unfinished"></translation>
+        <translation>使用 %1 个读数</translation>
     </message>
     <message>
         <source>Cut</source>
-        <translation type="unfinished"></translation>
+        <translation>剪切</translation>
     </message>
     <message>
         <source>Clear</source>
-        <translation type="unfinished"></translation>
+        <translation>清除</translation>
     </message>
     <message>
         <source>Paste %1 readings</source>
-        <translation type="unfinished"></translation>
+        <translation>粘贴 %1 个读数</translation>
     </message>
     <message>
         <source>Paste</source>
-        <translation type="unfinished"></translation>
+        <translation>粘贴</translation>
     </message>
 </context>
 <context>
     <name>RemovePosition</name>
     <message>
         <source>Delete position %1</source>
-        <translation type="unfinished"></translation>
+        <translation>删除轴位 %1</translation>
     </message>
 </context>
 <context>
     <name>ReportPart</name>
     <message>
         <source>Picture of the arcs</source>
-        <translation type="unfinished"></translation>
+        <translation>圆弧图</translation>
     </message>
     <message>
         <source>Picture of the residuals</source>
-        <translation type="unfinished"></translation>
+        <translation>残差图</translation>
     </message>
     <message>
         <source>Readings</source>
-        <translation type="unfinished"></translation>
+        <translation>读数</translation>
     </message>
     <message>
         <source>Journal of changes</source>
-        <translation type="unfinished"></translation>
+        <translation>更改日志</translation>
     </message>
     <message>
         <source>Method</source>
-        <translation type="unfinished"></translation>
+        <translation>方法</translation>
     </message>
     <message>
         <source>Budget of the uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>不确定度预算</translation>
     </message>
     <message>
         <source>Gap between model and readings</source>
-        <translation type="unfinished"></translation>
+        <translation>模型与读数的差距</translation>
     </message>
     <message>
         <source>Closures</source>
-        <translation type="unfinished"></translation>
+        <translation>闭合差</translation>
     </message>
     <message>
         <source>What these readings would not show</source>
-        <translation type="unfinished"></translation>
+        <translation>这些读数看不出的效应</translation>
     </message>
     <message>
         <source>Lines to sign</source>
-        <translation type="unfinished"></translation>
+        <translation>签字栏</translation>
     </message>
 </context>
 <context>
     <name>RowChoiceText</name>
     <message>
         <source>round %1</source>
-        <translation type="unfinished"></translation>
+        <translation>测回 %1</translation>
     </message>
     <message>
         <source>face %1</source>
-        <translation type="unfinished"></translation>
+        <translation>盘位 %1</translation>
     </message>
     <message>
         <source>only %1</source>
-        <translation type="unfinished"></translation>
+        <translation>仅%1</translation>
     </message>
 </context>
 <context>
     <name>RowEntriesText</name>
     <message>
         <source>face 2</source>
-        <translation type="unfinished"></translation>
+        <translation>盘右</translation>
     </message>
     <message>
         <source>rounds side by side</source>
-        <translation type="unfinished"></translation>
+        <translation>测回并列</translation>
     </message>
 </context>
 <context>
     <name>RowMenuText</name>
     <message>
         <source>and %1 further</source>
-        <translation type="unfinished"></translation>
+        <translation>以及另外 %1 个</translation>
     </message>
     <message>
         <source>&amp;Rounds</source>
-        <translation type="unfinished"></translation>
+        <translation>测回(&amp;R)</translation>
     </message>
     <message>
         <source>All Rounds</source>
-        <translation type="unfinished"></translation>
+        <translation>所有测回</translation>
     </message>
     <message>
         <source>Round %1</source>
-        <translation type="unfinished"></translation>
+        <translation>测回 %1</translation>
     </message>
     <message>
         <source>&amp;Faces</source>
-        <translation type="unfinished"></translation>
+        <translation>盘位(&amp;F)</translation>
     </message>
     <message>
         <source>Both Faces</source>
-        <translation type="unfinished"></translation>
+        <translation>双盘位</translation>
     </message>
     <message>
         <source>Face %1</source>
-        <translation type="unfinished"></translation>
+        <translation>盘位 %1</translation>
     </message>
 </context>
 <context>
     <name>Sample</name>
     <message>
         <source>Table I of the paper</source>
-        <translation type="unfinished"></translation>
+        <translation>论文的表 I</translation>
     </message>
     <message>
         <source>A whole measurement, with a gap: two radii that differ by 2 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>一次完整的测量，带有差距：两个半径相差 2 mm</translation>
     </message>
     <message>
         <source>A clean session</source>
-        <translation type="unfinished"></translation>
+        <translation>无误差的会话</translation>
     </message>
     <message>
         <source>Nothing but noise: what a sound fit looks like</source>
-        <translation type="unfinished"></translation>
+        <translation>只有噪声：良好拟合的样子</translation>
     </message>
     <message>
         <source>One reading misread</source>
-        <translation type="unfinished"></translation>
+        <translation>一个误读的读数</translation>
     </message>
     <message>
         <source>Ten minutes wrong at one point: named, with what was meant</source>
-        <translation type="unfinished"></translation>
+        <translation>一个测点错了十分：指出它，并给出应有的读数</translation>
     </message>
     <message>
         <source>Both faces</source>
-        <translation type="unfinished"></translation>
+        <translation>双盘位</translation>
     </message>
     <message>
         <source>Collimation and trunnion tilt found, and Δd free of them</source>
-        <translation type="unfinished"></translation>
+        <translation>找出视准误差和横轴倾斜，Δd 不受其影响</translation>
     </message>
     <message>
         <source>A tilted trunnion axis</source>
-        <translation type="unfinished"></translation>
+        <translation>横轴倾斜</translation>
     </message>
     <message>
         <source>One cause, found with its size</source>
-        <translation type="unfinished"></translation>
+        <translation>一个原因，连同其大小一并找出</translation>
     </message>
     <message>
         <source>The same fault, one face</source>
-        <translation type="unfinished"></translation>
+        <translation>同样的故障，单盘位</translation>
     </message>
     <message>
         <source>Ambiguous: what leaves the same trace, and what to read next</source>
-        <translation type="unfinished"></translation>
+        <translation>难以区分：留下同样痕迹的原因，以及接下来该读什么</translation>
     </message>
     <message>
         <source>Two causes at once</source>
-        <translation type="unfinished"></translation>
+        <translation>两个原因同时存在</translation>
     </message>
     <message>
         <source>A trunnion tilt and a vertical circle that drifts</source>
-        <translation type="unfinished"></translation>
+        <translation>横轴倾斜和竖直度盘漂移</translation>
     </message>
     <message>
         <source>A knocked tripod</source>
-        <translation type="unfinished"></translation>
+        <translation>三脚架碰动</translation>
     </message>
     <message>
         <source>A jump after 25 of 36 readings</source>
-        <translation type="unfinished"></translation>
+        <translation>36 个读数中第 25 个之后的突跳</translation>
     </message>
     <message>
         <source>Noise larger than stated</source>
-        <translation type="unfinished"></translation>
+        <translation>噪声大于声明值</translation>
     </message>
     <message>
         <source>6″ where 2″ are stated, and nothing else wrong</source>
-        <translation type="unfinished"></translation>
+        <translation>声明 2″ 而实为 6″，其他均无问题</translation>
     </message>
     <message>
         <source>A guideway out of shape</source>
-        <translation type="unfinished"></translation>
+        <translation>导轨变形</translation>
     </message>
     <message>
         <source>A gap that is described and not pinned on the nearest effect</source>
-        <translation type="unfinished"></translation>
+        <translation>只描述差距，而不归咎于最接近的效应</translation>
     </message>
 </context>
 <context>
     <name>SealSession</name>
     <message>
         <source>Seal the session</source>
-        <translation type="unfinished"></translation>
+        <translation>封存会话</translation>
     </message>
 </context>
 <context>
     <name>SimulationText</name>
     <message>
         <source> By chance alone an end is uncertain by %1</source>
-        <translation type="unfinished"></translation>
+        <translation>仅凭偶然，一个端点的不确定度就有 %1</translation>
     </message>
     <message>
         <source>: about %1 draws would tell.</source>
-        <translation type="unfinished"></translation>
+        <translation>：约需 %1 次抽样才能判断。</translation>
     </message>
     <message>
         <source>; it would take more draws than can be asked for here to tell.</source>
-        <translation type="unfinished"></translation>
+        <translation>；所需抽样次数超过此处可设的上限，无法判断。</translation>
     </message>
     <message>
         <source>Agrees.</source>
-        <translation type="unfinished"></translation>
+        <translation>一致。</translation>
     </message>
     <message>
         <source>Does not agree.</source>
-        <translation type="unfinished"></translation>
+        <translation>不一致。</translation>
     </message>
     <message>
         <source>Too few draws to tell.</source>
-        <translation type="unfinished"></translation>
+        <translation>抽样次数太少，无法判断。</translation>
     </message>
     <message>
         <source>No disagreement, but too few draws to be sure.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有不一致，但抽样次数太少，不能确定。</translation>
     </message>
     <message>
         <source>The ends of Δd ± U differ from those simulated by %1 and %2; the tolerance is %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Δd ± U 的端点与模拟值相差 %1 和 %2；容许差为 %3。</translation>
     </message>
     <message>
         <source> Rely on the simulated interval.</source>
-        <translation type="unfinished"></translation>
+        <translation>请采用模拟区间。</translation>
     </message>
     <message>
         <source> Draws without a result, left out: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有结果而略去的抽样：%1。</translation>
     </message>
     <message>
         <source>Checked by simulation (JCGM 101, %1 draws), the fit alone: Δd = %2, u = %3, %4 % from %5 to %6. %7 %8</source>
-        <translation type="unfinished"></translation>
+        <translation>经模拟检验（JCGM 101，%1 次抽样），仅拟合：Δd = %2，u = %3，%4 % 从 %5 到 %6。%7 %8</translation>
     </message>
 </context>
 <context>
@@ -1573,2116 +3920,2228 @@ Sealed by:</source>
         <source>“%1” cannot be imported.
 
 %2</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”无法导入。
+
+%2</translation>
     </message>
 </context>
 <context>
     <name>StateNoise</name>
     <message>
         <source>State σ of the circles</source>
-        <translation type="unfinished"></translation>
+        <translation>声明度盘的 σ</translation>
     </message>
 </context>
 <context>
     <name>Text</name>
     <message>
-        <source>The %1 failed: %2. Nothing typed is lost; save the session and go on.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source> What is needed to report this could not be written to %1.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source> What is needed to report this is in %1.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>entries that are not shown</source>
-        <translation type="unfinished"></translation>
+        <translation>未显示的输入项</translation>
     </message>
     <message>
         <source>%1 rows</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 行</translation>
     </message>
     <message>
         <source>yes</source>
-        <translation type="unfinished"></translation>
+        <translation>是</translation>
     </message>
     <message>
         <source>no</source>
-        <translation type="unfinished"></translation>
+        <translation>否</translation>
     </message>
     <message>
         <source>a row</source>
-        <translation type="unfinished"></translation>
+        <translation>一行</translation>
     </message>
     <message>
         <source>1 entry differs</source>
-        <translation type="unfinished"></translation>
+        <translation>1 处输入项不同</translation>
     </message>
     <message>
         <source>%1 entries differ</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 处输入项不同</translation>
+    </message>
+    <message>
+        <source>The %1 failed: %2. Nothing typed is lost; save the session and go on. What is needed to report this could not be written to %3.</source>
+        <translation>%1失败：%2。录入的内容没有丢失；请保存会话后继续。报告此问题所需的信息无法写入 %3。</translation>
+    </message>
+    <message>
+        <source>The %1 failed: %2. Nothing typed is lost; save the session and go on. What is needed to report this is in %3.</source>
+        <translation>%1失败：%2。录入的内容没有丢失；请保存会话后继续。报告此问题所需的信息在 %3。</translation>
     </message>
 </context>
 <context>
     <name>TrialText</name>
     <message>
         <source>A dent of the radius, %1 at s = %2°</source>
-        <translation type="unfinished"></translation>
+        <translation>半径凹陷，在 s = %2° 处为 %1</translation>
     </message>
     <message>
         <source>A horizontal circle with %2 periods a turn, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>水平度盘每圈 %2 个周期，%1</translation>
     </message>
     <message>
         <source>An instrument that settles, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>仪器趋于稳定，%1</translation>
     </message>
     <message>
         <source>A distance that grows by %1</source>
-        <translation type="unfinished"></translation>
+        <translation>距离增长 %1</translation>
     </message>
     <message>
         <source>Refraction, %1 · sin 2e</source>
-        <translation type="unfinished"></translation>
+        <translation>折光，%1 · sin 2e</translation>
     </message>
     <message>
         <source>Backlash of the horizontal circle, %1 on the way back</source>
-        <translation type="unfinished"></translation>
+        <translation>水平度盘的回程差，返测时为 %1</translation>
     </message>
     <message>
         <source>A warp of order %2 out of the plane, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>偏离平面的 %2 阶翘曲，%1</translation>
     </message>
     <message>
         <source>Misread: %1, round %2, point %3, face %4, %5 by %6</source>
-        <translation type="unfinished"></translation>
+        <translation>误读：%1，测回 %2，测点 %3，盘位 %4，%5 偏差 %6</translation>
     </message>
     <message>
         <source>horizontal</source>
-        <translation type="unfinished"></translation>
+        <translation>水平</translation>
     </message>
     <message>
         <source>vertical</source>
-        <translation type="unfinished"></translation>
+        <translation>竖直</translation>
     </message>
     <message>
         <source>nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>无</translation>
     </message>
     <message>
         <source>several causes</source>
-        <translation type="unfinished"></translation>
+        <translation>多个原因</translation>
     </message>
     <message>
         <source>an effect of no catalogue</source>
-        <translation type="unfinished"></translation>
+        <translation>目录之外的效应</translation>
     </message>
     <message>
         <source>no gap</source>
-        <translation type="unfinished"></translation>
+        <translation>无差距</translation>
     </message>
     <message>
         <source>no known cause</source>
-        <translation type="unfinished"></translation>
+        <translation>无已知原因</translation>
     </message>
     <message>
         <source>Knocked after %1 % of the rows: horizontal %2, vertical %3</source>
-        <translation type="unfinished"></translation>
+        <translation>在 %1 % 的行之后碰动：水平 %2，竖直 %3</translation>
     </message>
     <message>
         <source>Knocked after the pointing zero at %1: horizontal %2, vertical %3</source>
-        <translation type="unfinished"></translation>
+        <translation>在 %1 的瞄准零位之后碰动：水平 %2，竖直 %3</translation>
     </message>
     <message>
         <source>Radius + A cos %1s + B sin %1s with A = %2 mm, B = %3 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>半径 + A cos %1s + B sin %1s，A = %2 mm，B = %3 mm</translation>
     </message>
     <message>
         <source>Noise %1 times the stated</source>
-        <translation type="unfinished"></translation>
+        <translation>噪声为声明值的 %1 倍</translation>
     </message>
     <message>
         <source>Nothing was put in.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有加入任何效应。</translation>
     </message>
     <message>
         <source>It shows by %1 σ of the readings</source>
-        <translation type="unfinished"></translation>
+        <translation>它的显著程度为读数的 %1 σ</translation>
     </message>
     <message>
         <source>; there it looks like %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>or</source>
-        <translation type="unfinished"></translation>
+        <translation>；此处它看起来像%1</translation>
     </message>
     <message>
         <source>True Δd = %1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>真实 Δd = %1 mm</translation>
     </message>
     <message>
         <source>It was %1; the answer was %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>真实为%1；回答为%2。</translation>
     </message>
     <message>
         <source>Named, faint as it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>虽微弱但仍被指出。</translation>
     </message>
     <message>
         <source>Too faint to be expected.</source>
-        <translation type="unfinished"></translation>
+        <translation>太微弱，不可期望找出。</translation>
     </message>
     <message>
         <source>It is in the group named, and the group is no larger than it must be.</source>
-        <translation type="unfinished"></translation>
+        <translation>它在所指出的组内，且该组没有超出必要的范围。</translation>
     </message>
     <message>
         <source>It was %1, and so was the answer.</source>
-        <translation type="unfinished"></translation>
+        <translation>真实为%1，回答亦然。</translation>
     </message>
     <message>
         <source> Δd with the causes covers the true one.</source>
-        <translation type="unfinished"></translation>
+        <translation>计入原因的 Δd 覆盖真值。</translation>
     </message>
     <message>
         <source> Δd with the causes misses the true one.</source>
-        <translation type="unfinished"></translation>
+        <translation>计入原因的 Δd 未覆盖真值。</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <extracomment>a number of an effect and its size: tilt about x +0.10°</extracomment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>an effect and its sizes</extracomment>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source> or </source>
+        <translation>或</translation>
     </message>
 </context>
 <context>
     <name>VerdictWords</name>
     <message>
         <source>Accepted</source>
-        <translation type="unfinished"></translation>
+        <translation>接受</translation>
     </message>
     <message>
         <source>Rejected</source>
-        <translation type="unfinished"></translation>
+        <translation>拒绝</translation>
     </message>
     <message>
         <source>Undecided</source>
-        <translation type="unfinished"></translation>
+        <translation>未定</translation>
     </message>
     <message>
         <source>The intersection needs an arc at 0° and an arc at 180°; not both are there.</source>
-        <translation type="unfinished"></translation>
+        <translation>相交度需要 0° 和 180° 各一个圆弧；两者并不齐全。</translation>
     </message>
     <message>
         <source>No verdict: 1 entry could not be used</source>
-        <translation type="unfinished"></translation>
+        <translation>不作判定：有 1 个输入项无法使用</translation>
     </message>
     <message>
         <source>No verdict: %1 entries could not be used</source>
-        <translation type="unfinished"></translation>
+        <translation>不作判定：有 %1 个输入项无法使用</translation>
     </message>
     <message>
         <source>What cannot be used is listed with its place. Correct it or exclude its reading: what is stated here rests on the others alone.</source>
-        <translation type="unfinished"></translation>
+        <translation>无法使用的项已连同位置列出。请改正或排除其读数：此处所述仅依据其余读数。</translation>
     </message>
     <message>
         <source>No result</source>
-        <translation type="unfinished"></translation>
+        <translation>没有结果</translation>
     </message>
     <message>
         <source>No verdict</source>
-        <translation type="unfinished"></translation>
+        <translation>不作判定</translation>
     </message>
     <message>
         <source>No tolerance stated, so nothing to decide against.</source>
-        <translation type="unfinished"></translation>
+        <translation>未给出允差，因此无从判定。</translation>
     </message>
     <message>
         <source>%1 as modelled</source>
-        <translation type="unfinished"></translation>
+        <translation>按模型为%1</translation>
     </message>
     <message>
         <source>Not final: the diagnosis is still to speak.</source>
-        <translation type="unfinished"></translation>
+        <translation>尚未最终确定：诊断尚未给出结论。</translation>
     </message>
 </context>
 <context>
     <name>ZeroText</name>
     <message>
         <source>Mean of %1 sightings: α0 %2 ± %3, β0 %4 ± %5 (1σ)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 次照准的平均值：α0 %2 ± %3，β0 %4 ± %5（1σ）</translation>
     </message>
     <message>
         <source>; moved by %1 and %2 meanwhile</source>
-        <translation type="unfinished"></translation>
+        <translation>；期间移动 %1 和 %2</translation>
     </message>
     <message>
         <source>; without face 2, which not every position has</source>
-        <translation type="unfinished"></translation>
+        <translation>；不含盘右，因为并非每个轴位都有</translation>
+    </message>
+</context>
+<context>
+    <name>alidade::ui::ArcChart</name>
+    <message>
+        <source>Arcs and sighted points</source>
+        <translation>圆弧和照准点</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::ArcPlot</name>
     <message>
         <source>Good: strokes point every way, O1 and O2 lie within the tolerance.</source>
-        <translation type="unfinished"></translation>
+        <translation>良好：短线指向各个方向，O1 和 O2 在允差之内。</translation>
     </message>
     <message>
         <source>Good: strokes point every way, O1 and O2 lie close to the axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>良好：短线指向各个方向，O1 和 O2 靠近轴。</translation>
+    </message>
+    <message>
+        <source>No usable readings yet.</source>
+        <translation>尚无可用读数。</translation>
+    </message>
+    <message>
+        <source>arc at %1</source>
+        <translation>圆弧 %1</translation>
+    </message>
+    <message>
+        <source>excluded</source>
+        <translation>排除</translation>
+    </message>
+    <message>
+        <source>residuals %1</source>
+        <translation>残差 %1</translation>
+    </message>
+    <message>
+        <source>%1 from the adjusted point</source>
+        <translation>距平差点 %1</translation>
+    </message>
+    <message>
+        <source>excluded from the fit</source>
+        <translation>已从拟合中排除</translation>
+    </message>
+    <message>
+        <source>%1 sighted points, %2 fitted arcs, residuals drawn %3</source>
+        <translation>%1 个照准点，%2 个拟合圆弧，残差绘制 %3</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::BenchDisplay</name>
     <message>
         <source>Large Display</source>
-        <translation type="unfinished"></translation>
+        <translation>大字显示</translation>
     </message>
     <message>
         <source>Next place</source>
-        <translation type="unfinished"></translation>
+        <translation>下一位置</translation>
     </message>
     <message>
         <source>Expected reading</source>
-        <translation type="unfinished"></translation>
+        <translation>预期读数</translation>
     </message>
     <message>
         <source>Reading entered last</source>
-        <translation type="unfinished"></translation>
+        <translation>最后录入的读数</translation>
     </message>
     <message>
         <source>Result so far</source>
-        <translation type="unfinished"></translation>
+        <translation>目前结果</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：%2</translation>
     </message>
     <message>
         <source>All is read that was to be</source>
-        <translation type="unfinished"></translation>
+        <translation>应读的都已读完</translation>
     </message>
     <message>
         <source>%1   %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1   %2</translation>
     </message>
     <message>
         <source>Δd = —</source>
-        <translation type="unfinished"></translation>
+        <translation>Δd = —</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::BlindTrialDialog</name>
     <message>
         <source>Blind Trial</source>
-        <translation type="unfinished"></translation>
+        <translation>盲测</translation>
     </message>
     <message>
         <source>any plan</source>
-        <translation type="unfinished"></translation>
+        <translation>任意方案</translation>
     </message>
     <message>
         <source>anything, or nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>任意效应，或无</translation>
     </message>
     <message>
         <source>clearly, by 6 to 25 σ</source>
-        <translation type="unfinished"></translation>
+        <translation>明显，6 至 25 σ</translation>
     </message>
     <message>
         <source>faintly, by 2 to 6 σ</source>
-        <translation type="unfinished"></translation>
+        <translation>微弱，2 至 6 σ</translation>
     </message>
     <message>
         <source>The same number and choices give the same trial; each draw goes on by one</source>
-        <translation type="unfinished"></translation>
+        <translation>相同的编号和选择给出相同的盲测；每抽取一次编号加一</translation>
     </message>
     <message>
         <source>What is drawn</source>
-        <translation type="unfinished"></translation>
+        <translation>抽取内容</translation>
     </message>
     <message>
         <source>&amp;Plan</source>
-        <translation type="unfinished"></translation>
+        <translation>方案(&amp;P)</translation>
     </message>
     <message>
         <source>&amp;Truth</source>
-        <translation type="unfinished"></translation>
+        <translation>真值(&amp;T)</translation>
     </message>
     <message>
         <source>S&amp;hows</source>
-        <translation type="unfinished"></translation>
+        <translation>显著程度(&amp;H)</translation>
     </message>
     <message>
         <source>&amp;Number</source>
-        <translation type="unfinished"></translation>
+        <translation>编号(&amp;N)</translation>
     </message>
     <message>
         <source>Truth</source>
-        <translation type="unfinished"></translation>
+        <translation>真值</translation>
     </message>
     <message>
         <source>&amp;Draw a trial</source>
-        <translation type="unfinished"></translation>
+        <translation>抽取一个盲测(&amp;D)</translation>
     </message>
     <message>
         <source>&amp;Open the seal</source>
-        <translation type="unfinished"></translation>
+        <translation>启封(&amp;O)</translation>
     </message>
     <message>
         <source>Sho&amp;w in the window</source>
-        <translation type="unfinished"></translation>
+        <translation>在窗口中显示(&amp;W)</translation>
     </message>
     <message>
         <source>Opens the session of the trial as a new one, its truth still sealed</source>
-        <translation type="unfinished"></translation>
+        <translation>将该盲测的会话作为新会话打开，其真值仍然密封</translation>
     </message>
     <message>
         <source>Number of trials at a stretch</source>
-        <translation type="unfinished"></translation>
+        <translation>一次进行的盲测个数</translation>
     </message>
     <message>
         <source>&amp;Close</source>
-        <translation type="unfinished"></translation>
+        <translation>关闭(&amp;C)</translation>
     </message>
     <message>
         <source>Diagnosis</source>
-        <translation type="unfinished"></translation>
+        <translation>诊断</translation>
     </message>
     <message>
         <source>Diagnosis of trial %1, plan %2</source>
-        <translation type="unfinished"></translation>
+        <translation>盲测 %1 的诊断，方案 %2</translation>
     </message>
     <message>
         <source>No trial drawn yet</source>
-        <translation type="unfinished"></translation>
+        <translation>尚未抽取盲测</translation>
     </message>
     <message>
         <source>A session is simulated by the plan from a truth that nobody sees. The diagnosis knows the readings alone; then you open the seal.</source>
-        <translation type="unfinished"></translation>
+        <translation>按方案由无人可见的真值模拟出一个会话。诊断只知道读数；然后由您启封。</translation>
     </message>
     <message>
         <source>Right. </source>
-        <translation type="unfinished"></translation>
+        <translation>正确。</translation>
     </message>
     <message>
         <source>Wrong. </source>
-        <translation type="unfinished"></translation>
+        <translation>错误。</translation>
     </message>
     <message>
         <source>Sealed. The diagnosis has answered: open the seal to see what was put in.</source>
-        <translation type="unfinished"></translation>
+        <translation>已密封。诊断已作答：启封即可看到加入了什么。</translation>
     </message>
     <message>
         <source>&amp;Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>停止(&amp;S)</translation>
     </message>
     <message>
         <source>Dr&amp;aw many, open all:</source>
-        <translation type="unfinished"></translation>
+        <translation>抽取多个并全部启封(&amp;A)：</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::BudgetPanel</name>
     <message>
         <source>Budget</source>
-        <translation type="unfinished"></translation>
+        <translation>预算</translation>
     </message>
     <message>
         <source>Standard uncertainty of Δd, as measured</source>
-        <translation type="unfinished"></translation>
+        <translation>Δd 的标准不确定度，实测</translation>
     </message>
     <message>
         <source>Standard uncertainty of Δd, fit alone</source>
-        <translation type="unfinished"></translation>
+        <translation>Δd 的标准不确定度，仅拟合</translation>
     </message>
     <message>
         <source>Standard uncertainty of the centres  mm</source>
-        <translation type="unfinished"></translation>
+        <translation>圆心的标准不确定度  mm</translation>
     </message>
     <message>
         <source>What comes from the readings is scaled by their scatter, %1 times the stated noise. Pointing zeros and distance enter as stated.</source>
-        <translation type="unfinished"></translation>
+        <translation>来自读数的部分按其离散放大，为声明噪声的 %1 倍。瞄准零位和距离按声明计入。</translation>
     </message>
     <message>
         <source>All parts rest on the stated noise.</source>
-        <translation type="unfinished"></translation>
+        <translation>所有部分都基于声明的噪声。</translation>
     </message>
     <message>
         <source>No arc is fitted yet, so there is nothing to account for.</source>
-        <translation type="unfinished"></translation>
+        <translation>尚未拟合出圆弧，因此没有可列的内容。</translation>
     </message>
     <message>
         <source>1σ: how large each effect may plausibly be; share: of the variance. A: by the scatter of these readings; B: by other knowledge.</source>
-        <translation type="unfinished"></translation>
+        <translation>1σ：各效应的合理大小；占比：占方差。A：由这些读数的离散得出；B：由其他知识得出。</translation>
     </message>
     <message>
         <source>Size from: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>大小来源：%1</translation>
     </message>
     <message>
         <source>combined, u</source>
-        <translation type="unfinished"></translation>
+        <translation>合成，u</translation>
     </message>
     <message>
         <source>expanded, U</source>
-        <translation type="unfinished"></translation>
+        <translation>扩展，U</translation>
     </message>
     <message>
         <source>%1 effective degrees of freedom</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个有效自由度</translation>
     </message>
     <message>
         <source>1σ</source>
-        <translation type="unfinished"></translation>
+        <translation>1σ</translation>
     </message>
     <message>
         <source>type</source>
-        <translation type="unfinished"></translation>
+        <translation>类型</translation>
     </message>
     <message>
         <source>mm</source>
-        <translation type="unfinished"></translation>
+        <translation>mm</translation>
     </message>
     <message>
         <source>share</source>
-        <translation type="unfinished"></translation>
+        <translation>占比</translation>
     </message>
     <message>
         <source>k σ with k = %1</source>
-        <translation type="unfinished"></translation>
+        <translation>k σ，k = %1</translation>
     </message>
     <message>
         <source>of variance</source>
-        <translation type="unfinished"></translation>
+        <translation>占方差</translation>
     </message>
     <message>
         <source>correlation with R</source>
-        <translation type="unfinished"></translation>
+        <translation>与 R 的相关</translation>
     </message>
     <message>
         <source>How far a wrong radius takes the centre along, −1 to 1: on half an arc it decides the height</source>
-        <translation type="unfinished"></translation>
+        <translation>错误的半径会把圆心带动多少，−1 到 1：半个圆弧时它决定高度</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::CauseList</name>
     <message>
         <source>Probability that it is among the causes, given the catalogue</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>
-and a plausible size of %1 (1σ)</source>
-        <translation type="unfinished"></translation>
+        <translation>给定目录时它在原因之列的概率</translation>
     </message>
     <message>
         <source>It happened between a pointing zero and the first place after it, or that zero was misread; in which of the positions these readings do not tell. No model of a session holds a jump, so there is none to add: sight both zeros again and read the positions anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>它发生在瞄准零位与其后第一个位置之间，或者是该零位被误读；这些读数不能说明是在哪个轴位。会话的模型都不含突跳，因此没有可加入的：请重新照准两个零位并重新读取各轴位。</translation>
     </message>
     <message>
         <source>It happened before %1. No model of a session holds a jump, so there is none to add: look after the stand, sight the pointing zero anew and read this position again.</source>
-        <translation type="unfinished"></translation>
+        <translation>它发生在 %1 之前。会话的模型都不含突跳，因此没有可加入的：请检查支架，重新照准瞄准零位并再次读取该轴位。</translation>
     </message>
     <message>
         <source> Or leave out the rows before the jump, if the pointing zero of the next position was not sighted after it.</source>
-        <translation type="unfinished"></translation>
+        <translation>如果下一轴位的瞄准零位不是在突跳之后照准的，也可去掉突跳之前的行。</translation>
     </message>
     <message>
         <source> Or leave out the rows from there on.</source>
-        <translation type="unfinished"></translation>
+        <translation>也可去掉从该处起的行。</translation>
     </message>
     <message>
         <source> Or leave out the rows from there on, if it was.</source>
-        <translation type="unfinished"></translation>
+        <translation>若是如此，也可去掉从该处起的行。</translation>
     </message>
     <message>
         <source> Or leave out the rows from there on, if the pointing zero of the next position was sighted after it.</source>
-        <translation type="unfinished"></translation>
+        <translation>如果下一轴位的瞄准零位是在突跳之后照准的，也可去掉从该处起的行。</translation>
     </message>
     <message>
         <source>These readings cannot tell it from %1.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>or</source>
-        <translation type="unfinished"></translation>
+        <translation>这些读数无法将它与%1 区分。</translation>
     </message>
     <message>
         <source>Take exact vertical angles</source>
-        <translation type="unfinished"></translation>
+        <translation>采用精确竖直角</translation>
     </message>
     <message>
         <source>Take planar vertical angles</source>
-        <translation type="unfinished"></translation>
+        <translation>采用平面竖直角</translation>
     </message>
     <message>
         <source>Sets the relation of the vertical angle in the form of the measurement: no effect has to be estimated then</source>
-        <translation type="unfinished"></translation>
+        <translation>在测量表单中设置竖直角的关系式：这样就不必估计效应</translation>
     </message>
     <message>
         <source>Add to the model</source>
-        <translation type="unfinished"></translation>
+        <translation>加入模型</translation>
     </message>
     <message>
         <source>Estimates %1 along with the arcs; undone by Ctrl+Z</source>
-        <translation type="unfinished"></translation>
+        <translation>将%1 与圆弧一并估计；可用 Ctrl+Z 撤销</translation>
     </message>
     <message>
         <source>Add %1 to the model</source>
-        <translation type="unfinished"></translation>
+        <translation>将%1 加入模型</translation>
     </message>
     <message>
         <source>Add both</source>
-        <translation type="unfinished"></translation>
+        <translation>两者都加入</translation>
     </message>
     <message>
         <source>Add all %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个都加入</translation>
     </message>
     <message>
         <source>Estimates all that look alike here, each within its plausible size: U then covers whichever it is</source>
-        <translation type="unfinished"></translation>
+        <translation>一并估计此处难以区分的所有原因，各在其合理大小之内：无论是哪一个，U 都涵盖</translation>
     </message>
     <message>
         <source>Add both to the model</source>
-        <translation type="unfinished"></translation>
+        <translation>将两者都加入模型</translation>
     </message>
     <message>
         <source>Add all %1 to the model</source>
-        <translation type="unfinished"></translation>
+        <translation>将 %1 个都加入模型</translation>
     </message>
     <message>
         <source>Perhaps %1 right beside it, which would move Δd: read the position again before a row is left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>也许是紧邻的%1，它会使 Δd 移动：去掉任何行之前请再次读取该轴位。</translation>
     </message>
     <message>
         <source>Go to the reading</source>
-        <translation type="unfinished"></translation>
+        <translation>转到该读数</translation>
     </message>
     <message>
         <source>Exclude the row</source>
-        <translation type="unfinished"></translation>
+        <translation>排除该行</translation>
     </message>
     <message>
         <source>Leaves the row out of the fit; what was typed stays</source>
-        <translation type="unfinished"></translation>
+        <translation>将该行从拟合中去掉；录入的内容保留</translation>
     </message>
     <message>
         <source>Exclude the rows before</source>
-        <translation type="unfinished"></translation>
+        <translation>排除之前的行</translation>
     </message>
     <message>
         <source>Exclude the rows from there on</source>
-        <translation type="unfinished"></translation>
+        <translation>排除从该处起的行</translation>
     </message>
     <message>
         <source>Leaves the rows out of the fit; what was typed stays</source>
-        <translation type="unfinished"></translation>
+        <translation>将这些行从拟合中去掉；录入的内容保留</translation>
     </message>
     <message>
         <source>Nothing to add to the model: U rests on the scatter of the readings already. If the instrument and the place are no better than this, state the larger σ.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有可加入模型的：U 已基于读数的离散。如果仪器和场地不过如此，请声明更大的 σ。</translation>
     </message>
     <message>
         <source>%1 and %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 与 %2</translation>
     </message>
     <message>
         <source>State σ = %1</source>
-        <translation type="unfinished"></translation>
+        <translation>声明 σ = %1</translation>
     </message>
     <message>
         <source>Sets σ of the horizontal and the vertical circle in the form of the instrument; σ of the pointing zero follows unless it was typed</source>
-        <translation type="unfinished"></translation>
+        <translation>在仪器表单中设置水平和竖直度盘的 σ；瞄准零位的 σ 若未录入则随之改变</translation>
     </message>
     <message>
         <source>Shape of the gap</source>
-        <translation type="unfinished"></translation>
+        <translation>差距的形状</translation>
     </message>
     <message>
         <source>It follows the pattern “%1”, which takes up %2 % of the gap. No effect of the catalogue makes it, so nothing can be added to the model: look at what in the set-up has this shape.</source>
-        <translation type="unfinished"></translation>
+        <translation>它遵循规律“%1”，占差距的 %2 %。目录中没有效应会造成它，因此没有可加入模型的：请检查装置中什么具有这种形状。</translation>
     </message>
     <message>
         <source>in the model</source>
-        <translation type="unfinished"></translation>
+        <translation>已在模型中</translation>
     </message>
     <message>
         <source>Take out of the model</source>
-        <translation type="unfinished"></translation>
+        <translation>从模型中去掉</translation>
     </message>
     <message>
         <source>Take %1 out of the model</source>
-        <translation type="unfinished"></translation>
+        <translation>将%1 从模型中去掉</translation>
+    </message>
+    <message>
+        <source>Probability that it is among the causes, given the catalogue
+and a plausible size of %1 (1σ)</source>
+        <translation>给定目录和合理大小 %1（1σ）时，
+它在原因之列的概率</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <extracomment>what an effect is, as a sentence of its own</extracomment>
+        <translation>%1。</translation>
+    </message>
+    <message>
+        <source> or </source>
+        <translation>或</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::ChangedFileBar</name>
     <message>
         <source>Changed file</source>
-        <translation type="unfinished"></translation>
+        <translation>文件已更改</translation>
     </message>
     <message>
         <source>Compare…</source>
-        <translation type="unfinished"></translation>
+        <translation>比较…</translation>
     </message>
     <message>
         <source>Shows what differs, and offers to reload, to save elsewhere or to overwrite</source>
-        <translation type="unfinished"></translation>
+        <translation>显示有何不同，并可重新载入、另存或覆盖</translation>
     </message>
     <message>
         <source>Hide</source>
-        <translation type="unfinished"></translation>
+        <translation>隐藏</translation>
     </message>
     <message>
         <source>You are asked again before the file is overwritten</source>
-        <translation type="unfinished"></translation>
+        <translation>覆盖文件之前会再次询问</translation>
     </message>
     <message>
         <source>“%1” was written by another program or window.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”已被其他程序或窗口写入。</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::ChartFiles</name>
     <message>
         <source>&amp;Copy Picture	Ctrl+C</source>
-        <translation type="unfinished"></translation>
+        <translation>复制图片(&amp;C)	Ctrl+C</translation>
     </message>
     <message>
         <source>Save as &amp;SVG…</source>
-        <translation type="unfinished"></translation>
+        <translation>另存为 SVG(&amp;S)…</translation>
     </message>
     <message>
         <source>Save as &amp;PNG…</source>
-        <translation type="unfinished"></translation>
+        <translation>另存为 PNG(&amp;P)…</translation>
     </message>
     <message>
         <source>Save &amp;Numbers as CSV…</source>
-        <translation type="unfinished"></translation>
+        <translation>数据另存为 CSV(&amp;N)…</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::ClosureBars</name>
     <message>
         <source>What must agree</source>
-        <translation type="unfinished"></translation>
+        <translation>必须一致的量</translation>
     </message>
     <message>
         <source>; with the causes %1</source>
-        <translation type="unfinished"></translation>
+        <translation>；计入原因后为 %1</translation>
     </message>
     <message>
         <source>with the causes</source>
-        <translation type="unfinished"></translation>
+        <translation>计入原因</translation>
     </message>
     <message>
         <source>band: ± U at %1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>带：± U，%1 %</translation>
     </message>
     <message>
         <source>; arrow: beyond %1 U</source>
-        <translation type="unfinished"></translation>
+        <translation>；箭头：超过 %1 U</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::CommandPalette</name>
     <message>
         <source>Commands</source>
-        <translation type="unfinished"></translation>
+        <translation>命令</translation>
     </message>
     <message>
         <source>Type a part of the command&apos;s name</source>
-        <translation type="unfinished"></translation>
+        <translation>请输入命令名称的一部分</translation>
     </message>
     <message>
         <source>Command</source>
-        <translation type="unfinished"></translation>
+        <translation>命令</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::EffectsPanel</name>
     <message>
-        <source>Plausible size (1σ) %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Remedy: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Effects estimated along</source>
-        <translation type="unfinished"></translation>
+        <translation>一并估计的效应</translation>
     </message>
     <message>
         <source>Estimate along</source>
-        <translation type="unfinished"></translation>
+        <translation>一并估计</translation>
     </message>
     <message>
         <source>Size</source>
-        <translation type="unfinished"></translation>
+        <translation>大小</translation>
     </message>
     <message>
         <source>What Is Known of It…</source>
-        <translation type="unfinished"></translation>
+        <translation>有关的已知值…</translation>
     </message>
     <message>
         <source>Type what a certificate or a check says of the effect</source>
-        <translation type="unfinished"></translation>
+        <translation>请输入证书或检查对该效应的说明</translation>
     </message>
     <message>
         <source>“%1” is no effect of the catalogue; it is kept, but not estimated.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”不是目录中的效应；它被保留，但不估计。</translation>
     </message>
     <message>
         <source>A ticked effect is estimated along with the arcs. What that costs is in the budget under “model effects”.</source>
-        <translation type="unfinished"></translation>
+        <translation>勾选的效应与圆弧一并估计。其代价见预算中的“模型效应”。</translation>
+    </message>
+    <message>
+        <source>%1. Remedy: %2.</source>
+        <translation>%1。补救：%2。</translation>
+    </message>
+    <message>
+        <source>%1. Plausible size (1σ) %2. Remedy: %3.</source>
+        <translation>%1。合理大小（1σ）%2。补救：%3。</translation>
+    </message>
+</context>
+<context>
+    <name>alidade::ui::EntryGuide</name>
+    <message>
+        <source>Nothing takes “%1” here.</source>
+        <translation>此处没有接收“%1”的输入项。</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::EntryTable</name>
     <message>
         <source>Nothing was entered: this cell takes no numbers.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有录入任何内容：该单元格不接受数字。</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::EntryWatch</name>
     <message>
         <source>%1: %2 was read where about %3 was expected. Look again.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：读数为 %2，而预期约为 %3。请再看一次。</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::ExportFlow</name>
     <message>
         <source>Export readings</source>
-        <translation type="unfinished"></translation>
+        <translation>导出读数</translation>
     </message>
     <message>
         <source>Export residuals</source>
-        <translation type="unfinished"></translation>
+        <translation>导出残差</translation>
     </message>
     <message>
         <source>Export result</source>
-        <translation type="unfinished"></translation>
+        <translation>导出结果</translation>
     </message>
     <message>
         <source>Export gap</source>
-        <translation type="unfinished"></translation>
+        <translation>导出差距</translation>
     </message>
     <message>
         <source>Export budget</source>
-        <translation type="unfinished"></translation>
+        <translation>导出预算</translation>
     </message>
     <message>
         <source>Save chart</source>
-        <translation type="unfinished"></translation>
+        <translation>保存图表</translation>
     </message>
     <message>
         <source>Computing what is exported…</source>
-        <translation type="unfinished"></translation>
+        <translation>正在计算要导出的内容…</translation>
     </message>
     <message>
         <source>There is nothing to export yet.
 
 %1</source>
-        <translation type="unfinished"></translation>
+        <translation>尚无可导出的内容。
+
+%1</translation>
     </message>
     <message>
         <source>Written to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>已写入 %1</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::FileFlow</name>
     <message>
         <source>Import readings</source>
-        <translation type="unfinished"></translation>
+        <translation>导入读数</translation>
     </message>
     <message>
         <source>%1 files</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个文件</translation>
     </message>
     <message>
         <source>Reading %1…</source>
-        <translation type="unfinished"></translation>
+        <translation>正在读取 %1…</translation>
     </message>
     <message>
         <source>clipboard</source>
-        <translation type="unfinished"></translation>
+        <translation>剪贴板</translation>
     </message>
     <message>
         <source>Reading the clipboard…</source>
-        <translation type="unfinished"></translation>
+        <translation>正在读取剪贴板…</translation>
     </message>
     <message>
         <source>Import %1</source>
-        <translation type="unfinished"></translation>
+        <translation>导入 %1</translation>
     </message>
     <message>
         <source>1 row of readings imported from %1</source>
-        <translation type="unfinished"></translation>
+        <translation>已从 %1 导入 1 行读数</translation>
     </message>
     <message>
         <source>%1 rows of readings imported from %2</source>
-        <translation type="unfinished"></translation>
+        <translation>已从 %2 导入 %1 行读数</translation>
     </message>
     <message>
         <source>a folder</source>
-        <translation type="unfinished"></translation>
+        <translation>文件夹</translation>
     </message>
     <message>
         <source>a pipe or a device</source>
-        <translation type="unfinished"></translation>
+        <translation>管道或设备</translation>
     </message>
     <message>
         <source>“%1” is %2: choose a file.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”是%2：请选择文件。</translation>
     </message>
     <message>
         <source>Open session</source>
-        <translation type="unfinished"></translation>
+        <translation>打开会话</translation>
     </message>
     <message>
         <source>Opening “%1”…</source>
-        <translation type="unfinished"></translation>
+        <translation>正在打开“%1”…</translation>
     </message>
     <message>
         <source>“%1” cannot be opened.
 
 %2</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”无法打开。
+
+%2</translation>
     </message>
     <message>
         <source>Opening the session in “%1”…</source>
-        <translation type="unfinished"></translation>
+        <translation>正在打开“%1”中的会话…</translation>
     </message>
     <message>
         <source>Open report</source>
-        <translation type="unfinished"></translation>
+        <translation>打开报告</translation>
     </message>
     <message>
         <source>The session attached to %1; it is in no file of its own yet</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 中所附的会话；它尚未保存在单独的文件中</translation>
     </message>
     <message>
         <source>Revert</source>
-        <translation type="unfinished"></translation>
+        <translation>还原</translation>
     </message>
     <message>
         <source>As in %1; Undo brings back what was changed.</source>
-        <translation type="unfinished"></translation>
+        <translation>与 %1 中一致；撤销可恢复所做的更改。</translation>
     </message>
     <message>
         <source>Save session</source>
-        <translation type="unfinished"></translation>
+        <translation>保存会话</translation>
     </message>
     <message>
         <source>Saving “%1”…</source>
-        <translation type="unfinished"></translation>
+        <translation>正在保存“%1”…</translation>
     </message>
     <message>
         <source>Saved %1</source>
-        <translation type="unfinished"></translation>
+        <translation>已保存 %1</translation>
     </message>
     <message>
         <source>Looking at “%1”…</source>
-        <translation type="unfinished"></translation>
+        <translation>正在查看“%1”…</translation>
     </message>
     <message>
         <source>Reload</source>
-        <translation type="unfinished"></translation>
+        <translation>重新载入</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::FindBar</name>
     <message>
         <source>Find in the readings</source>
-        <translation type="unfinished"></translation>
+        <translation>在读数中查找</translation>
     </message>
     <message>
         <source>Previous (Shift+F3)</source>
-        <translation type="unfinished"></translation>
+        <translation>上一个 (Shift+F3)</translation>
     </message>
     <message>
         <source>Next (F3)</source>
-        <translation type="unfinished"></translation>
+        <translation>下一个 (F3)</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::FindingsPanel</name>
     <message>
         <source>Problems and findings</source>
-        <translation type="unfinished"></translation>
+        <translation>问题与提示</translation>
     </message>
     <message>
         <source>Sound</source>
-        <translation type="unfinished"></translation>
+        <translation>良好</translation>
     </message>
     <message>
         <source>No problems.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有问题。</translation>
     </message>
     <message>
         <source>1 problem</source>
-        <translation type="unfinished"></translation>
+        <translation>1 个问题</translation>
     </message>
     <message>
         <source>%1 problems</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个问题</translation>
     </message>
     <message>
         <source>1 missing entry</source>
-        <translation type="unfinished"></translation>
+        <translation>1 个缺项</translation>
     </message>
     <message>
         <source>%1 missing entries</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个缺项</translation>
     </message>
     <message>
         <source>1 warning</source>
-        <translation type="unfinished"></translation>
+        <translation>1 个警告</translation>
     </message>
     <message>
         <source>%1 warnings</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个警告</translation>
     </message>
     <message>
         <source>1 note</source>
-        <translation type="unfinished"></translation>
+        <translation>1 个提示</translation>
     </message>
     <message>
         <source>%1 notes</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个提示</translation>
     </message>
     <message>
         <source>Before what was changed since: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>在此后的更改之前：%1。</translation>
     </message>
     <message>
         <source>Model and readings disagree, see “Gap”. %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>模型与读数不符，见“差距”。%1。</translation>
     </message>
     <message>
         <source>Before</source>
-        <translation type="unfinished"></translation>
+        <translation>之前</translation>
     </message>
     <message>
         <source>Warning</source>
-        <translation type="unfinished"></translation>
+        <translation>警告</translation>
     </message>
     <message>
         <source>Note</source>
-        <translation type="unfinished"></translation>
+        <translation>提示</translation>
     </message>
     <message>
         <source>Error</source>
-        <translation type="unfinished"></translation>
+        <translation>错误</translation>
     </message>
     <message>
         <source>Missing</source>
-        <translation type="unfinished"></translation>
+        <translation>缺项</translation>
     </message>
     <message>
         <source>Problem</source>
-        <translation type="unfinished"></translation>
+        <translation>问题</translation>
     </message>
     <message>
         <source>%1 further entries are missing; those after the ones above are listed when these are made.</source>
-        <translation type="unfinished"></translation>
+        <translation>还缺 %1 项；上述各项补齐后，将列出其后的项。</translation>
     </message>
     <message>
         <source>%1 further entries cannot be used; those after the ones above are listed when these are mended.</source>
-        <translation type="unfinished"></translation>
+        <translation>还有 %1 项无法使用；上述各项改正后，将列出其后的项。</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <extracomment>a place and what is wrong with what stands there, as a predicate and as a sentence</extracomment>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::GapHeadline</name>
     <message>
         <source>No diagnosis</source>
-        <translation type="unfinished"></translation>
+        <translation>没有诊断</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::GapMap</name>
     <message>
         <source>stays with</source>
-        <translation type="unfinished"></translation>
+        <translation>固定于</translation>
     </message>
     <message>
         <source>axis at</source>
-        <translation type="unfinished"></translation>
+        <translation>轴位</translation>
     </message>
     <message>
         <source>in time</source>
-        <translation type="unfinished"></translation>
+        <translation>时间上</translation>
     </message>
     <message>
         <source>shows in</source>
-        <translation type="unfinished"></translation>
+        <translation>显示于</translation>
     </message>
     <message>
         <source>along the arc</source>
-        <translation type="unfinished"></translation>
+        <translation>沿弧</translation>
     </message>
     <message>
         <source>the radii</source>
-        <translation type="unfinished"></translation>
+        <translation>半径</translation>
     </message>
     <message>
         <source>the centres</source>
-        <translation type="unfinished"></translation>
+        <translation>圆心</translation>
     </message>
     <message>
         <source>the residuals</source>
-        <translation type="unfinished"></translation>
+        <translation>残差</translation>
     </message>
     <message>
         <source>1st quarter</source>
-        <translation type="unfinished"></translation>
+        <translation>第 1 四分段</translation>
     </message>
     <message>
         <source>2nd quarter</source>
-        <translation type="unfinished"></translation>
+        <translation>第 2 四分段</translation>
     </message>
     <message>
         <source>3rd quarter</source>
-        <translation type="unfinished"></translation>
+        <translation>第 3 四分段</translation>
     </message>
     <message>
         <source>4th quarter</source>
-        <translation type="unfinished"></translation>
+        <translation>第 4 四分段</translation>
     </message>
     <message>
         <source>Where the gap lies</source>
-        <translation type="unfinished"></translation>
+        <translation>差距所在</translation>
     </message>
     <message>
         <source>%1 %2: %3 of the gap</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %2：占差距的 %3</translation>
+    </message>
+    <message>
+        <source>circle</source>
+        <translation>度盘</translation>
+    </message>
+    <message>
+        <source>face</source>
+        <translation>盘位</translation>
+    </message>
+    <message>
+        <source>round</source>
+        <translation>测回</translation>
+    </message>
+    <message>
+        <source>horizontal</source>
+        <translation>水平</translation>
+    </message>
+    <message>
+        <source>vertical</source>
+        <translation>竖直</translation>
+    </message>
+    <message>
+        <source>slider</source>
+        <translation>滑块</translation>
+    </message>
+    <message>
+        <source>guideway</source>
+        <translation>导轨</translation>
+    </message>
+    <message>
+        <source>instrument</source>
+        <translation>仪器</translation>
+    </message>
+    <message>
+        <source>guideway or instrument</source>
+        <translation>导轨或仪器</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>readings</source>
+        <translation>读数</translation>
+    </message>
+    <message>
+        <source>noise</source>
+        <translation>噪声</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::GapPanel</name>
     <message>
         <source>Gap between model and readings</source>
-        <translation type="unfinished"></translation>
+        <translation>模型与读数的差距</translation>
     </message>
     <message>
         <source>Weigh the causes with the reference</source>
-        <translation type="unfinished"></translation>
+        <translation>用参考值权衡原因</translation>
     </message>
     <message>
         <source>Δd itself never rests on it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Δd 本身从不依赖于它。</translation>
     </message>
     <message>
         <source>How far Δd is from the reference then helps to tell the causes apart.
 Δd with the causes rests on the readings alone, and so does the report.</source>
-        <translation type="unfinished"></translation>
+        <translation>Δd 与参考值相差多少有助于区分各原因。
+计入原因的 Δd 只依据读数，报告也是如此。</translation>
     </message>
     <message>
         <source>What it would take to explain Δd − reference</source>
-        <translation type="unfinished"></translation>
+        <translation>解释 Δd − 参考值所需的大小</translation>
     </message>
     <message>
         <source>Causes</source>
-        <translation type="unfinished"></translation>
+        <translation>原因</translation>
     </message>
     <message>
         <source>Before and after</source>
-        <translation type="unfinished"></translation>
+        <translation>之前与之后</translation>
     </message>
     <message>
         <source>Good: the last bar ends at the broken line of the noise.</source>
-        <translation type="unfinished"></translation>
+        <translation>良好：最后一条止于噪声虚线处。</translation>
     </message>
     <message>
         <source>Where it lies</source>
-        <translation type="unfinished"></translation>
+        <translation>所在之处</translation>
     </message>
     <message>
         <source>Good: no part stands out; one that does is where to look.</source>
-        <translation type="unfinished"></translation>
+        <translation>良好：没有突出的部分；突出之处即应检查之处。</translation>
     </message>
     <message>
         <source>What must agree</source>
-        <translation type="unfinished"></translation>
+        <translation>必须一致的量</translation>
     </message>
     <message>
         <source>Good: every bar ends inside the grey band of ± U.</source>
-        <translation type="unfinished"></translation>
+        <translation>良好：每一条都止于 ± U 灰带之内。</translation>
     </message>
     <message>
         <source>What to measure next</source>
-        <translation type="unfinished"></translation>
+        <translation>接下来测量什么</translation>
     </message>
     <message>
         <source>What would go unseen</source>
-        <translation type="unfinished"></translation>
+        <translation>什么看不出来</translation>
     </message>
     <message>
         <source>Effect</source>
-        <translation type="unfinished"></translation>
+        <translation>效应</translation>
     </message>
     <message>
         <source>What may cause the gap</source>
-        <translation type="unfinished"></translation>
+        <translation>可能造成差距的原因</translation>
     </message>
     <message>
         <source>Vertical angle relation</source>
-        <translation type="unfinished"></translation>
+        <translation>竖直角关系式</translation>
     </message>
     <message>
         <source>ln B</source>
-        <translation type="unfinished"></translation>
+        <translation>ln B</translation>
     </message>
     <message>
         <source>Natural logarithm of the Bayes factor against no effect at all: above 0 it explains the readings better, above 5 far better, below 0 worse</source>
-        <translation type="unfinished"></translation>
+        <translation>相对于没有任何效应的贝叶斯因子的自然对数：大于 0 说明它更能解释读数，大于 5 则好得多，小于 0 则更差</translation>
     </message>
     <message>
         <source>Visible σ</source>
-        <translation type="unfinished"></translation>
+        <translation>可见 σ</translation>
     </message>
     <message>
         <source>How much of the readings it explains, in σ of one reading</source>
-        <translation type="unfinished"></translation>
+        <translation>它解释了多少读数，以单个读数的 σ 计</translation>
     </message>
     <message>
         <source>Role</source>
-        <translation type="unfinished"></translation>
+        <translation>作用</translation>
     </message>
     <message>
         <source>What the diagnosis makes of it</source>
-        <translation type="unfinished"></translation>
+        <translation>诊断对它的判断</translation>
     </message>
     <message>
         <source>look-alike</source>
-        <translation type="unfinished"></translation>
+        <translation>相似原因</translation>
     </message>
     <message>
         <source>cause</source>
-        <translation type="unfinished"></translation>
+        <translation>原因</translation>
     </message>
     <message>
         <source>in the model</source>
-        <translation type="unfinished"></translation>
+        <translation>已在模型中</translation>
     </message>
     <message>
         <source>Candidates</source>
-        <translation type="unfinished"></translation>
+        <translation>候选</translation>
     </message>
     <message>
         <source>No candidates.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有候选。</translation>
     </message>
     <message>
         <source>Candidates, each by itself</source>
-        <translation type="unfinished"></translation>
+        <translation>候选，逐个考虑</translation>
     </message>
     <message>
         <source>No diagnosis</source>
-        <translation type="unfinished"></translation>
+        <translation>没有诊断</translation>
     </message>
     <message>
         <source>The readings are compared with the model as soon as there are any.</source>
-        <translation type="unfinished"></translation>
+        <translation>一有读数即与模型比较。</translation>
     </message>
     <message>
         <source>before</source>
-        <translation type="unfinished"></translation>
+        <translation>之前</translation>
     </message>
     <message>
         <source>Without the effects of the model</source>
-        <translation type="unfinished"></translation>
+        <translation>不含模型效应</translation>
     </message>
     <message>
         <source>as modelled</source>
-        <translation type="unfinished"></translation>
+        <translation>按模型</translation>
     </message>
     <message>
         <source>with the pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>计入规律</translation>
     </message>
     <message>
         <source>U holds what it may move Δd by</source>
-        <translation type="unfinished"></translation>
+        <translation>U 包含它可能使 Δd 移动的量</translation>
     </message>
     <message>
         <source>with the causes</source>
-        <translation type="unfinished"></translation>
+        <translation>计入原因</translation>
     </message>
     <message>
         <source>Averaged over what else may be the case, each as likely as it is</source>
-        <translation type="unfinished"></translation>
+        <translation>对其他可能情况按其可能性取平均</translation>
     </message>
     <message>
         <source>measured</source>
-        <translation type="unfinished"></translation>
+        <translation>实测</translation>
     </message>
     <message>
         <source>Every effect of the catalogue takes part, as large as these readings and what is plausible leave it</source>
-        <translation type="unfinished"></translation>
+        <translation>目录中的每个效应都参与，其大小为这些读数和合理范围所允许</translation>
     </message>
     <message>
         <source>Δd ± U  mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Δd ± U  mm</translation>
     </message>
     <message>
         <source>The residuals shrink by %1 %, by %2 % on readings held out of the fit.</source>
-        <translation type="unfinished"></translation>
+        <translation>残差减小 %1 %，在留出拟合之外的读数上减小 %2 %。</translation>
     </message>
     <message>
         <source>The residuals shrink by %1 %; there are too few readings to hold any out of the fit.</source>
-        <translation type="unfinished"></translation>
+        <translation>残差减小 %1 %；读数太少，无法留出任何读数。</translation>
     </message>
     <message>
         <source>U holds what the pattern may move Δd by; what causes it is not known.</source>
-        <translation type="unfinished"></translation>
+        <translation>U 包含该规律可能使 Δd 移动的量；其原因不明。</translation>
     </message>
     <message>
         <source>Δd with the causes is averaged over all that may be the case, each as likely as it is; the first alone would state a U that is too small.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>and</source>
-        <translation type="unfinished"></translation>
+        <translation>计入原因的 Δd 对所有可能情况按其可能性取平均；只取第一个会使 U 偏小。</translation>
     </message>
     <message>
         <source>would show %1 by %2 σ or more</source>
-        <translation type="unfinished"></translation>
+        <translation>能以 %2 σ 或更高的程度显示%1</translation>
     </message>
     <message>
         <source>separates every two of %1 by %2 σ or more</source>
-        <translation type="unfinished"></translation>
+        <translation>能以 %2 σ 或更高的程度两两区分%1</translation>
     </message>
     <message>
         <source>; one answer is left with a probability of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>；只剩一种答案的概率为 %1</translation>
     </message>
     <message>
         <source>No further reading of the usual kinds would tell more.</source>
-        <translation type="unfinished"></translation>
+        <translation>常见种类的进一步读数不会说明更多。</translation>
     </message>
     <message>
         <source>Both positions are needed to compare them.</source>
-        <translation type="unfinished"></translation>
+        <translation>需要两个轴位才能比较。</translation>
     </message>
     <message>
         <source>With the causes in the model they agree.</source>
-        <translation type="unfinished"></translation>
+        <translation>原因计入模型后，它们一致。</translation>
     </message>
     <message>
         <source>One rigid arc turned about a level axis: they agree.</source>
-        <translation type="unfinished"></translation>
+        <translation>同一刚性圆弧绕水平轴转动：它们一致。</translation>
     </message>
     <message>
         <source>size</source>
-        <translation type="unfinished"></translation>
+        <translation>大小</translation>
     </message>
     <message>
         <source>plausible
 sizes</source>
-        <translation type="unfinished"></translation>
+        <translation>合理
+大小</translation>
     </message>
     <message>
         <source>leaves
 σ</source>
-        <translation type="unfinished"></translation>
+        <translation>余留
+σ</translation>
     </message>
     <message>
         <source>Each by itself, of the effects that these readings do not exclude at that size; the most plausible first.</source>
-        <translation type="unfinished"></translation>
+        <translation>逐个考虑这些读数在该大小下未能排除的效应；最合理者在前。</translation>
     </message>
     <message>
         <source>moves Δd  mm</source>
-        <translation type="unfinished"></translation>
+        <translation>使 Δd 移动  mm</translation>
     </message>
     <message>
         <source>leaves  σ</source>
-        <translation type="unfinished"></translation>
+        <translation>余留  σ</translation>
     </message>
     <message>
         <source>No effect of plausible size could move Δd noticeably without leaving a trace.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有合理大小的效应能明显移动 Δd 而不留痕迹。</translation>
     </message>
     <message>
         <source>At their plausible size, without a clear trace in these readings.</source>
-        <translation type="unfinished"></translation>
+        <translation>在其合理大小下，在这些读数中没有明显痕迹。</translation>
     </message>
     <message>
         <source>A&amp;dd to the model</source>
-        <translation type="unfinished"></translation>
+        <translation>加入模型(&amp;D)</translation>
     </message>
     <message>
         <source>A&amp;dd %1 to the model</source>
-        <translation type="unfinished"></translation>
+        <translation>将%1 加入模型(&amp;D)</translation>
     </message>
     <message>
         <source>%1: nothing to add to the model</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：没有可加入模型的</translation>
+    </message>
+    <message>
+        <source> and </source>
+        <translation>和</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::GapWaterfall</name>
     <message>
         <source>The gap before and after each cause</source>
-        <translation type="unfinished"></translation>
+        <translation>加入各原因前后的差距</translation>
     </message>
     <message>
         <source>what the stated noise leaves</source>
-        <translation type="unfinished"></translation>
+        <translation>声明的噪声所留下的</translation>
     </message>
     <message>
         <source>%1: rms %2″, χ²/f %3, Δd = %4 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：均方根 %2″，χ²/f %3，Δd = %4 mm</translation>
     </message>
     <message>
         <source>rms ″</source>
-        <translation type="unfinished"></translation>
+        <translation>均方根 ″</translation>
     </message>
     <message>
         <source>χ²/f</source>
-        <translation type="unfinished"></translation>
+        <translation>χ²/f</translation>
     </message>
     <message>
         <source>what the stated noise leaves: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>声明的噪声所留下的：%1</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::HelpWindow</name>
     <message>
         <source>Guide</source>
-        <translation type="unfinished"></translation>
+        <translation>指南</translation>
     </message>
     <message>
         <source>Pages of the guide</source>
-        <translation type="unfinished"></translation>
+        <translation>指南的各页</translation>
     </message>
     <message>
         <source>← Back</source>
-        <translation type="unfinished"></translation>
+        <translation>← 后退</translation>
     </message>
     <message>
         <source>Back (Alt+Left)</source>
-        <translation type="unfinished"></translation>
+        <translation>后退 (Alt+Left)</translation>
     </message>
     <message>
         <source>Forward →</source>
-        <translation type="unfinished"></translation>
+        <translation>前进 →</translation>
     </message>
     <message>
         <source>Forward (Alt+Right)</source>
-        <translation type="unfinished"></translation>
+        <translation>前进 (Alt+Right)</translation>
     </message>
     <message>
         <source>Find in this page (Ctrl+F)</source>
-        <translation type="unfinished"></translation>
+        <translation>在本页中查找 (Ctrl+F)</translation>
     </message>
     <message>
         <source>Not in this page</source>
-        <translation type="unfinished"></translation>
+        <translation>本页中没有</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::ImportFiles</name>
     <message>
         <source>File</source>
-        <translation type="unfinished"></translation>
+        <translation>文件</translation>
     </message>
     <message>
         <source>Taken as</source>
-        <translation type="unfinished"></translation>
+        <translation>识别为</translation>
     </message>
     <message>
         <source>Position</source>
-        <translation type="unfinished"></translation>
+        <translation>轴位</translation>
     </message>
     <message>
         <source>180° from line</source>
-        <translation type="unfinished"></translation>
+        <translation>180° 起始行</translation>
     </message>
     <message>
         <source>Round</source>
-        <translation type="unfinished"></translation>
+        <translation>测回</translation>
     </message>
     <message>
         <source>Files to import</source>
-        <translation type="unfinished"></translation>
+        <translation>要导入的文件</translation>
     </message>
     <message>
         <source>180° from this line of “%1” on</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”从该行起为 180°</translation>
     </message>
     <message>
         <source>Position of “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”的轴位</translation>
     </message>
     <message>
         <source>Round of “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”的测回</translation>
     </message>
     <message>
         <source>As the file says</source>
-        <translation type="unfinished"></translation>
+        <translation>按文件所述</translation>
     </message>
     <message>
         <source>Choose…</source>
-        <translation type="unfinished"></translation>
+        <translation>请选择…</translation>
     </message>
     <message>
         <source>All at 0°</source>
-        <translation type="unfinished"></translation>
+        <translation>全部为 0°</translation>
     </message>
     <message>
         <source>All at 180°</source>
-        <translation type="unfinished"></translation>
+        <translation>全部为 180°</translation>
     </message>
     <message>
         <source>0°, then 180°</source>
-        <translation type="unfinished"></translation>
+        <translation>先 0°，后 180°</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::ImportLayout</name>
     <message>
         <source>Columns of the file:</source>
-        <translation type="unfinished"></translation>
+        <translation>文件的列：</translation>
     </message>
     <message>
         <source>P&amp;osition:</source>
-        <translation type="unfinished"></translation>
+        <translation>轴位(&amp;O)：</translation>
     </message>
     <message>
         <source>&amp;Point:</source>
-        <translation type="unfinished"></translation>
+        <translation>测点(&amp;P)：</translation>
     </message>
     <message>
         <source>&amp;Round:</source>
-        <translation type="unfinished"></translation>
+        <translation>测回(&amp;R)：</translation>
     </message>
     <message>
         <source>&amp;Face:</source>
-        <translation type="unfinished"></translation>
+        <translation>盘位(&amp;F)：</translation>
     </message>
     <message>
         <source>&amp;Horizontal:</source>
-        <translation type="unfinished"></translation>
+        <translation>水平(&amp;H)：</translation>
     </message>
     <message>
         <source>&amp;Vertical:</source>
-        <translation type="unfinished"></translation>
+        <translation>竖直(&amp;V)：</translation>
     </message>
     <message>
         <source>&amp;Slider:</source>
-        <translation type="unfinished"></translation>
+        <translation>滑块(&amp;S)：</translation>
     </message>
     <message>
         <source>E&amp;xcluded:</source>
-        <translation type="unfinished"></translation>
+        <translation>排除(&amp;X)：</translation>
     </message>
     <message>
         <source>&amp;Note:</source>
-        <translation type="unfinished"></translation>
+        <translation>备注(&amp;N)：</translation>
     </message>
     <message>
         <source>As written</source>
-        <translation type="unfinished"></translation>
+        <translation>按原样</translation>
     </message>
     <message>
         <source>Decimal degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>十进制度</translation>
     </message>
     <message>
         <source>Gon</source>
-        <translation type="unfinished"></translation>
+        <translation>百分度 (gon)</translation>
     </message>
     <message>
         <source>Degrees.minutes seconds</source>
-        <translation type="unfinished"></translation>
+        <translation>度.分秒</translation>
     </message>
     <message>
         <source>Of plain numbers in columns that name no unit. With degrees.minutes seconds 341.5224 is 341°52′24″</source>
-        <translation type="unfinished"></translation>
+        <translation>用于列名未注明单位的纯数字。按度.分秒，341.5224 即 341°52′24″</translation>
     </message>
     <message>
         <source>Either</source>
-        <translation type="unfinished"></translation>
+        <translation>任意</translation>
     </message>
     <message>
         <source>Point</source>
-        <translation type="unfinished"></translation>
+        <translation>小数点</translation>
     </message>
     <message>
         <source>Comma</source>
-        <translation type="unfinished"></translation>
+        <translation>逗号</translation>
     </message>
     <message>
         <source>The last of them names the columns</source>
-        <translation type="unfinished"></translation>
+        <translation>其中最后一行为列名</translation>
     </message>
     <message>
         <source>&amp;Unit:</source>
-        <translation type="unfinished"></translation>
+        <translation>单位(&amp;U)：</translation>
     </message>
     <message>
         <source>&amp;Decimals:</source>
-        <translation type="unfinished"></translation>
+        <translation>小数(&amp;D)：</translation>
     </message>
     <message>
         <source>Rows &amp;before:</source>
-        <translation type="unfinished"></translation>
+        <translation>之前的行(&amp;B)：</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>无</translation>
     </message>
     <message>
         <source>column %1</source>
-        <translation type="unfinished"></translation>
+        <translation>第 %1 列</translation>
     </message>
     <message>
         <source>Below it stands as you took such a file the last time.</source>
-        <translation type="unfinished"></translation>
+        <translation>以下按您上次导入此类文件的方式给出。</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::ImportPage</name>
     <message>
         <source>Import readings</source>
-        <translation type="unfinished"></translation>
+        <translation>导入读数</translation>
     </message>
     <message>
         <source>Pointing zeros</source>
-        <translation type="unfinished"></translation>
+        <translation>瞄准零位</translation>
     </message>
     <message>
         <source>ZERO</source>
-        <translation type="unfinished"></translation>
+        <translation>ZERO</translation>
     </message>
     <message>
         <source>Sightings of the point of this name are of the pointing zero</source>
-        <translation type="unfinished"></translation>
+        <translation>照准此名称的点即照准瞄准零位</translation>
     </message>
     <message>
         <source>Na&amp;me in the files:</source>
-        <translation type="unfinished"></translation>
+        <translation>文件中的名称(&amp;M)：</translation>
     </message>
     <message>
         <source>The readings as they will stand</source>
-        <translation type="unfinished"></translation>
+        <translation>导入后的读数</translation>
     </message>
     <message>
         <source>As they &amp;will stand:</source>
-        <translation type="unfinished"></translation>
+        <translation>导入后的读数(&amp;W)：</translation>
     </message>
     <message>
         <source>&amp;Add to the readings of this session</source>
-        <translation type="unfinished"></translation>
+        <translation>添加到本会话的读数(&amp;A)</translation>
     </message>
     <message>
         <source>Replace: begin a new session wi&amp;th them</source>
-        <translation type="unfinished"></translation>
+        <translation>替换：以其开始新会话(&amp;T)</translation>
     </message>
     <message>
         <source>What cannot be used, and remarks</source>
-        <translation type="unfinished"></translation>
+        <translation>无法使用的内容与说明</translation>
     </message>
     <message>
         <source>&amp;Import</source>
-        <translation type="unfinished"></translation>
+        <translation>导入(&amp;I)</translation>
     </message>
     <message>
         <source>Layout of “%1” and those like it</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”及同类文件的格式</translation>
     </message>
     <message>
         <source>Layout of “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”的格式</translation>
     </message>
     <message>
         <source>And %1 more.</source>
-        <translation type="unfinished"></translation>
+        <translation>以及另外 %1 项。</translation>
     </message>
     <message>
         <source>“%1” was imported into this session before.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”此前已导入本会话。</translation>
     </message>
     <message>
         <source>Choose the columns of the horizontal and the vertical circle of “%1”.</source>
-        <translation type="unfinished"></translation>
+        <translation>请选择“%1”的水平度盘列和竖直度盘列。</translation>
     </message>
     <message>
         <source>Choose the unit of the angles of “%1”: it does not say.</source>
-        <translation type="unfinished"></translation>
+        <translation>请选择“%1”的角度单位：文件没有说明。</translation>
     </message>
     <message>
         <source>Choose the position that “%1” was read at: it does not say.</source>
-        <translation type="unfinished"></translation>
+        <translation>请选择读取“%1”时的轴位：文件没有说明。</translation>
     </message>
     <message>
         <source>There are no readings besides the pointing zeros.</source>
-        <translation type="unfinished"></translation>
+        <translation>除瞄准零位外没有读数。</translation>
     </message>
     <message>
         <source>1 row of readings</source>
-        <translation type="unfinished"></translation>
+        <translation>1 行读数</translation>
     </message>
     <message>
         <source>%1 rows of readings</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 行读数</translation>
     </message>
     <message>
         <source>; 1 entry or line cannot be used</source>
-        <translation type="unfinished"></translation>
+        <translation>；有 1 项或 1 行无法使用</translation>
     </message>
     <message>
         <source>; %1 entries or lines cannot be used</source>
-        <translation type="unfinished"></translation>
+        <translation>；有 %1 项或行无法使用</translation>
     </message>
     <message>
         <source>Reading…</source>
-        <translation type="unfinished"></translation>
+        <translation>正在读取…</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::ImportPreview</name>
     <message>
         <source>?</source>
-        <translation type="unfinished"></translation>
+        <translation>？</translation>
     </message>
     <message>
         <source>no</source>
-        <translation type="unfinished"></translation>
+        <translation>否</translation>
     </message>
     <message>
         <source>yes</source>
-        <translation type="unfinished"></translation>
+        <translation>是</translation>
     </message>
     <message>
         <source>Position</source>
-        <translation type="unfinished"></translation>
+        <translation>轴位</translation>
     </message>
     <message>
         <source>Line</source>
-        <translation type="unfinished"></translation>
+        <translation>行</translation>
     </message>
     <message>
         <source>Used</source>
-        <translation type="unfinished"></translation>
+        <translation>使用</translation>
     </message>
     <message>
         <source>Point</source>
-        <translation type="unfinished"></translation>
+        <translation>测点</translation>
     </message>
     <message>
         <source>Round</source>
-        <translation type="unfinished"></translation>
+        <translation>测回</translation>
     </message>
     <message>
         <source>Face</source>
-        <translation type="unfinished"></translation>
+        <translation>盘位</translation>
     </message>
     <message>
         <source>Horizontal α</source>
-        <translation type="unfinished"></translation>
+        <translation>水平 α</translation>
     </message>
     <message>
         <source>Zenith β</source>
-        <translation type="unfinished"></translation>
+        <translation>天顶距 β</translation>
     </message>
     <message>
         <source>Elevation β</source>
-        <translation type="unfinished"></translation>
+        <translation>高度角 β</translation>
     </message>
     <message>
         <source>Slider s</source>
-        <translation type="unfinished"></translation>
+        <translation>滑块 s</translation>
     </message>
     <message>
         <source>Note</source>
-        <translation type="unfinished"></translation>
+        <translation>备注</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::ImportZeros</name>
     <message>
         <source>Horizontal</source>
-        <translation type="unfinished"></translation>
+        <translation>水平</translation>
     </message>
     <message>
         <source>Vertical</source>
-        <translation type="unfinished"></translation>
+        <translation>竖直</translation>
     </message>
     <message>
         <source>&amp;Zero at %1:</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的零位(&amp;Z)：</translation>
     </message>
     <message>
         <source>Zero at %1:</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的零位：</translation>
     </message>
     <message>
         <source>Horizontal pointing zero at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的水平瞄准零位</translation>
     </message>
     <message>
         <source>Vertical pointing zero at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的竖直瞄准零位</translation>
     </message>
     <message>
         <source>type it, or later</source>
-        <translation type="unfinished"></translation>
+        <translation>请录入，或稍后再录</translation>
     </message>
     <message>
         <source>As the files or the session have it</source>
-        <translation type="unfinished"></translation>
+        <translation>按文件或会话所有</translation>
     </message>
     <message>
         <source>Pointing zero at %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的瞄准零位：%2</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::JobStatus</name>
     <message>
         <source>Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>停止</translation>
     </message>
     <message>
         <source>Leaves it at the fit; the next edit takes all up again</source>
-        <translation type="unfinished"></translation>
+        <translation>停在拟合结果；下次编辑会重新开始全部计算</translation>
     </message>
     <message>
         <source>Fitting…</source>
-        <translation type="unfinished"></translation>
+        <translation>正在拟合…</translation>
     </message>
     <message>
         <source>Diagnosing…</source>
-        <translation type="unfinished"></translation>
+        <translation>正在诊断…</translation>
     </message>
     <message>
         <source>Looking for misread readings…</source>
-        <translation type="unfinished"></translation>
+        <translation>正在查找误读…</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::JournalPanel</name>
     <message>
         <source>Journal of changes</source>
-        <translation type="unfinished"></translation>
+        <translation>更改日志</translation>
     </message>
     <message>
         <source>Nothing that stood was changed.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有更改过已成立的内容。</translation>
     </message>
     <message>
         <source>When (UTC)</source>
-        <translation type="unfinished"></translation>
+        <translation>时间 (UTC)</translation>
     </message>
     <message>
         <source>Universal time</source>
-        <translation type="unfinished"></translation>
+        <translation>世界时</translation>
     </message>
     <message>
         <source>What</source>
-        <translation type="unfinished"></translation>
+        <translation>内容</translation>
     </message>
     <message>
         <source>As it was called then</source>
-        <translation type="unfinished"></translation>
+        <translation>当时的名称</translation>
     </message>
     <message>
         <source>180°, row 28 (point 28), vertical</source>
-        <translation type="unfinished"></translation>
+        <translation>180°，第 28 行（测点 28），竖直</translation>
     </message>
     <message>
         <source>From</source>
-        <translation type="unfinished"></translation>
+        <translation>由</translation>
     </message>
     <message>
         <source>As it stood</source>
-        <translation type="unfinished"></translation>
+        <translation>原有内容</translation>
     </message>
     <message>
         <source>To</source>
-        <translation type="unfinished"></translation>
+        <translation>变为</translation>
     </message>
     <message>
         <source>What it became</source>
-        <translation type="unfinished"></translation>
+        <translation>更改后的内容</translation>
     </message>
     <message>
         <source>Why</source>
-        <translation type="unfinished"></translation>
+        <translation>原因</translation>
     </message>
     <message>
         <source>suggestion accepted</source>
-        <translation type="unfinished"></translation>
+        <translation>采纳建议</translation>
     </message>
     <message>
         <source>Who</source>
-        <translation type="unfinished"></translation>
+        <translation>操作者</translation>
     </message>
     <message>
         <source>The operator, as the session had it then</source>
-        <translation type="unfinished"></translation>
+        <translation>会话当时记载的操作者</translation>
     </message>
     <message>
         <source>Checking the journal…</source>
-        <translation type="unfinished"></translation>
+        <translation>正在检查更改日志…</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::KnownSizesModel</name>
     <message>
         <source>device</source>
-        <translation type="unfinished"></translation>
+        <translation>设备</translation>
     </message>
     <message>
         <source>instrument</source>
-        <translation type="unfinished"></translation>
+        <translation>仪器</translation>
     </message>
     <message>
         <source>Effect</source>
-        <translation type="unfinished"></translation>
+        <translation>效应</translation>
     </message>
     <message>
         <source>Belongs to</source>
-        <translation type="unfinished"></translation>
+        <translation>归属</translation>
     </message>
     <message>
         <source>Default u</source>
-        <translation type="unfinished"></translation>
+        <translation>默认 u</translation>
     </message>
     <message>
         <source>Value</source>
-        <translation type="unfinished"></translation>
+        <translation>值</translation>
     </message>
     <message>
         <source>u</source>
-        <translation type="unfinished"></translation>
+        <translation>u</translation>
     </message>
     <message>
         <source>Known from</source>
-        <translation type="unfinished"></translation>
+        <translation>已知来源</translation>
     </message>
     <message>
         <source>Number of an effect of the catalogue</source>
-        <translation type="unfinished"></translation>
+        <translation>目录中某效应的一个量</translation>
     </message>
     <message>
         <source>Where the session keeps what is known of it</source>
-        <translation type="unfinished"></translation>
+        <translation>会话在何处保存其已知值</translation>
     </message>
     <message>
         <source>Plausible size (1σ), taken where nothing is known</source>
-        <translation type="unfinished"></translation>
+        <translation>合理大小（1σ），在没有已知值时采用</translation>
     </message>
     <message>
         <source>What is known, in the unit of the default; empty: 0</source>
-        <translation type="unfinished"></translation>
+        <translation>已知的值，单位与默认值相同；空：0</translation>
     </message>
     <message>
         <source>Its standard uncertainty, in the unit of the default; empty: the default</source>
-        <translation type="unfinished"></translation>
+        <translation>其标准不确定度，单位与默认值相同；空：默认值</translation>
     </message>
     <message>
         <source>Certificate or check: the budget names it</source>
-        <translation type="unfinished"></translation>
+        <translation>证书或检查：预算中会列出</translation>
     </message>
     <message>
         <source>%1 (once more)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1（再次）</translation>
     </message>
     <message>
         <source>default</source>
-        <translation type="unfinished"></translation>
+        <translation>默认</translation>
     </message>
     <message>
         <source>Type the standard uncertainty of what is known; until then the default is taken.</source>
-        <translation type="unfinished"></translation>
+        <translation>请输入已知值的标准不确定度；在此之前采用默认值。</translation>
     </message>
     <message>
         <source>The session says more than once what is known of this number: all of it is weighed together.</source>
-        <translation type="unfinished"></translation>
+        <translation>会话中对该量的已知值不止一处：全部加权合并。</translation>
     </message>
     <message>
         <source>%1. What is known of it belongs to the %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1。有关它的已知值归属于%2。</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::KnownSizesPanel</name>
     <message>
         <source>What a certificate or a check says takes the place of the default in the uncertainty as measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>证书或检查所述的值在实测不确定度中取代默认值。</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::KnownSizesTable</name>
     <message>
         <source>Known sizes of effects</source>
-        <translation type="unfinished"></translation>
+        <translation>各效应的已知量值</translation>
     </message>
     <message>
         <source>Paste what is known</source>
-        <translation type="unfinished"></translation>
+        <translation>粘贴已知值</translation>
     </message>
     <message>
         <source>Clear what is known</source>
-        <translation type="unfinished"></translation>
+        <translation>清除已知值</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::MainWindow</name>
     <message>
         <source>&amp;Measurement</source>
-        <translation type="unfinished"></translation>
+        <translation>测量(&amp;M)</translation>
     </message>
     <message>
         <source>I&amp;nstrument</source>
-        <translation type="unfinished"></translation>
+        <translation>仪器(&amp;N)</translation>
     </message>
     <message>
         <source>Se&amp;ssion</source>
-        <translation type="unfinished"></translation>
+        <translation>会话(&amp;S)</translation>
     </message>
     <message>
         <source>La&amp;boratory</source>
-        <translation type="unfinished"></translation>
+        <translation>实验室(&amp;B)</translation>
     </message>
     <message>
         <source>Result</source>
-        <translation type="unfinished"></translation>
+        <translation>结果</translation>
     </message>
     <message>
         <source>Budget</source>
-        <translation type="unfinished"></translation>
+        <translation>预算</translation>
     </message>
     <message>
         <source>Effects</source>
-        <translation type="unfinished"></translation>
+        <translation>效应</translation>
     </message>
     <message>
         <source>Residuals</source>
-        <translation type="unfinished"></translation>
+        <translation>残差</translation>
     </message>
     <message>
         <source>Gap</source>
-        <translation type="unfinished"></translation>
+        <translation>差距</translation>
     </message>
     <message>
         <source>Reliability</source>
-        <translation type="unfinished"></translation>
+        <translation>可靠性</translation>
     </message>
     <message>
         <source>Two Faces</source>
-        <translation type="unfinished"></translation>
+        <translation>双盘位</translation>
     </message>
     <message>
         <source>Known Sizes</source>
-        <translation type="unfinished"></translation>
+        <translation>已知量值</translation>
     </message>
     <message>
         <source>Journal</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Not found</source>
-        <translation type="unfinished"></translation>
+        <translation>日志</translation>
     </message>
     <message>
         <source>Open sample</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Nothing takes “%1” here.</source>
-        <translation type="unfinished"></translation>
+        <translation>打开示例</translation>
     </message>
     <message>
         <source>Something went wrong</source>
-        <translation type="unfinished"></translation>
+        <translation>出了问题</translation>
     </message>
     <message>
         <source>%1[*] — Alidade</source>
-        <translation type="unfinished"></translation>
+        <translation>%1[*] — Alidade</translation>
     </message>
     <message>
         <source>Stopped: misread readings were not looked for.</source>
-        <translation type="unfinished"></translation>
+        <translation>已停止：未查找误读。</translation>
     </message>
     <message>
         <source>The diagnosis was stopped. The next edit takes it up again.</source>
-        <translation type="unfinished"></translation>
+        <translation>诊断已停止。下次编辑会重新开始。</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::PaperForm</name>
     <message>
         <source>A4 (210 × 297 mm)</source>
-        <translation type="unfinished"></translation>
+        <translation>A4（210 × 297 mm）</translation>
     </message>
     <message>
         <source>Letter (216 × 279 mm)</source>
-        <translation type="unfinished"></translation>
+        <translation>Letter（216 × 279 mm）</translation>
     </message>
     <message>
         <source>&amp;Paper</source>
-        <translation type="unfinished"></translation>
+        <translation>纸张(&amp;P)</translation>
     </message>
     <message>
         <source>Le&amp;ft margin</source>
-        <translation type="unfinished"></translation>
+        <translation>左边距(&amp;F)</translation>
     </message>
     <message>
         <source>T&amp;op</source>
-        <translation type="unfinished"></translation>
+        <translation>上(&amp;O)</translation>
     </message>
     <message>
         <source>R&amp;ight</source>
-        <translation type="unfinished"></translation>
+        <translation>右(&amp;I)</translation>
     </message>
     <message>
         <source>Botto&amp;m</source>
-        <translation type="unfinished"></translation>
+        <translation>下(&amp;M)</translation>
     </message>
     <message>
         <source> mm</source>
-        <translation type="unfinished"></translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source>Page setup of the report</source>
-        <translation type="unfinished"></translation>
+        <translation>报告的页面设置</translation>
     </message>
     <message>
         <source>The report is printed upright; wide margins print it smaller.</source>
-        <translation type="unfinished"></translation>
+        <translation>报告按纵向打印；页边距大则印得较小。</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::PlotWidget</name>
     <message>
         <source>Menu of the chart</source>
-        <translation type="unfinished"></translation>
+        <translation>图表菜单</translation>
     </message>
     <message>
         <source>Copy or save the chart, enlarge it, choose what is drawn (right click)</source>
-        <translation type="unfinished"></translation>
+        <translation>复制或保存图表、放大、选择绘制内容（右键单击）</translation>
     </message>
     <message>
         <source>Zoom &amp;In	+</source>
-        <translation type="unfinished"></translation>
+        <translation>放大(&amp;I)	+</translation>
     </message>
     <message>
         <source>Zoom &amp;Out	−</source>
-        <translation type="unfinished"></translation>
+        <translation>缩小(&amp;O)	−</translation>
     </message>
     <message>
         <source>Show &amp;Whole	Home</source>
-        <translation type="unfinished"></translation>
+        <translation>显示全部(&amp;W)	Home</translation>
     </message>
 </context>
 <context>
@@ -3690,1758 +6149,1773 @@ sizes</source>
     <message>
         <source>The session has no position with the axis at %1°.
 Δd needs the arc at 0° and at 180°.</source>
-        <translation type="unfinished"></translation>
+        <translation>会话中没有轴在 %1° 的轴位。
+Δd 需要 0° 和 180° 的圆弧。</translation>
     </message>
     <message>
         <source>Add position at %1°</source>
-        <translation type="unfinished"></translation>
+        <translation>添加轴位 %1°</translation>
     </message>
     <message>
         <source>%1° missing</source>
-        <translation type="unfinished"></translation>
+        <translation>缺少 %1°</translation>
     </message>
     <message>
         <source>Axis at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>轴位 %1</translation>
     </message>
     <message>
         <source>To its readings with Alt+%1</source>
-        <translation type="unfinished"></translation>
+        <translation>按 Alt+%1 转到其读数</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::PrintPreview</name>
     <message>
         <source>Print preview</source>
-        <translation type="unfinished"></translation>
+        <translation>打印预览</translation>
     </message>
     <message>
         <source>Print…</source>
-        <translation type="unfinished"></translation>
+        <translation>打印…</translation>
     </message>
     <message>
         <source>Export…</source>
-        <translation type="unfinished"></translation>
+        <translation>导出…</translation>
     </message>
     <message>
         <source>Ctrl+E</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+E</translation>
     </message>
     <message>
         <source>Contents…</source>
-        <translation type="unfinished"></translation>
+        <translation>内容…</translation>
     </message>
     <message>
         <source>Page Setup…</source>
-        <translation type="unfinished"></translation>
+        <translation>页面设置…</translation>
     </message>
     <message>
         <source>Back</source>
-        <translation type="unfinished"></translation>
+        <translation>上一页</translation>
     </message>
     <message>
         <source>Next</source>
-        <translation type="unfinished"></translation>
+        <translation>下一页</translation>
     </message>
     <message>
         <source>Whole Page</source>
-        <translation type="unfinished"></translation>
+        <translation>整页</translation>
     </message>
     <message>
         <source>Ctrl+0</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+0</translation>
     </message>
     <message>
         <source>Width</source>
-        <translation type="unfinished"></translation>
+        <translation>页宽</translation>
     </message>
     <message>
         <source>Ctrl+1</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+1</translation>
     </message>
     <message>
         <source>Larger</source>
-        <translation type="unfinished"></translation>
+        <translation>放大</translation>
     </message>
     <message>
         <source>Smaller</source>
-        <translation type="unfinished"></translation>
+        <translation>缩小</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished"></translation>
+        <translation>关闭</translation>
     </message>
     <message>
         <source>Page %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>第 %1 页，共 %2 页</translation>
+    </message>
+</context>
+<context>
+    <name>alidade::ui::ReadingsFinder</name>
+    <message>
+        <source>Not found</source>
+        <translation>未找到</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::ReadingsModel</name>
     <message>
         <source>Type here to add a reading</source>
-        <translation type="unfinished"></translation>
+        <translation>在此输入以添加读数</translation>
     </message>
     <message>
         <source>Looks misread: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>像是误读：%1</translation>
     </message>
     <message>
         <source>First entered as %1</source>
-        <translation type="unfinished"></translation>
+        <translation>最初录入为 %1</translation>
     </message>
     <message>
         <source>Still to be read; until then the row is no part of the fit</source>
-        <translation type="unfinished"></translation>
+        <translation>尚待读取；在此之前该行不参与拟合</translation>
     </message>
     <message>
         <source>Excluded: kept, but no part of the fit</source>
-        <translation type="unfinished"></translation>
+        <translation>已排除：保留，但不参与拟合</translation>
     </message>
     <message>
         <source>As typed: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>录入的内容：%1</translation>
     </message>
     <message>
         <source>No other reading checks this one: its residual says nothing of it</source>
-        <translation type="unfinished"></translation>
+        <translation>没有其他读数检核此读数：其残差说明不了它</translation>
     </message>
     <message>
         <source>Standardised residual w = v/(s0 σ √r): %1</source>
-        <translation type="unfinished"></translation>
+        <translation>标准化残差 w = v/(s0 σ √r)：%1</translation>
     </message>
     <message>
         <source>Elevation β</source>
-        <translation type="unfinished"></translation>
+        <translation>高度角 β</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::ReadingsTable</name>
     <message>
         <source>Readings</source>
-        <translation type="unfinished"></translation>
+        <translation>读数</translation>
     </message>
     <message>
         <source>Columns of the clipboard that were not pasted: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>剪贴板中未粘贴的列：%1。</translation>
     </message>
-    <message numerus="yes">
-        <source>The last %n column(s) of the clipboard found no room and were not pasted.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-        </translation>
+    <message>
+        <source>The last column of the clipboard found no room and was not pasted.</source>
+        <translation>剪贴板的最后一列没有位置，未粘贴。</translation>
+    </message>
+    <message>
+        <source>The last %1 columns of the clipboard found no room and were not pasted.</source>
+        <translation>剪贴板的最后 %1 列没有位置，未粘贴。</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::RecoveryDialog</name>
     <message>
         <source>Unsaved changes were kept</source>
-        <translation type="unfinished"></translation>
+        <translation>保留有未保存的更改</translation>
     </message>
     <message>
         <source>Alidade ended without saving. Recovered, the changes are back in the window, unsaved; the file stays as it is until you save.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alidade 未保存就结束了。恢复后，更改将回到窗口中，仍未保存；在您保存之前文件保持不变。</translation>
     </message>
     <message>
         <source>Kept, unsaved</source>
-        <translation type="unfinished"></translation>
+        <translation>保留的（未保存）</translation>
     </message>
     <message>
         <source>In the file</source>
-        <translation type="unfinished"></translation>
+        <translation>文件中</translation>
     </message>
     <message>
         <source>&amp;Recover</source>
-        <translation type="unfinished"></translation>
+        <translation>恢复(&amp;R)</translation>
     </message>
     <message>
         <source>&amp;Later</source>
-        <translation type="unfinished"></translation>
+        <translation>以后(&amp;L)</translation>
     </message>
     <message>
         <source>Keeps the changes; File, Recover Unsaved Changes… offers them again</source>
-        <translation type="unfinished"></translation>
+        <translation>保留这些更改；“文件”菜单中的“恢复未保存的更改…”会再次提供</translation>
     </message>
     <message>
         <source>&amp;Discard…</source>
-        <translation type="unfinished"></translation>
+        <translation>放弃(&amp;D)…</translation>
     </message>
     <message>
         <source>Discard unsaved changes</source>
-        <translation type="unfinished"></translation>
+        <translation>放弃未保存的更改</translation>
     </message>
     <message>
         <source>The kept changes of “%1” cannot be brought back.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”保留的更改将无法恢复。</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::RecoveryKeeper</name>
     <message>
         <source>Unsaved changes would be lost in a crash: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>未保存的更改在崩溃时会丢失：%1</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::ReliabilityPanel</name>
     <message>
         <source>horizontal</source>
-        <translation type="unfinished"></translation>
+        <translation>水平</translation>
     </message>
     <message>
         <source>vertical</source>
-        <translation type="unfinished"></translation>
+        <translation>竖直</translation>
     </message>
     <message>
         <source>slider</source>
-        <translation type="unfinished"></translation>
+        <translation>滑块</translation>
     </message>
     <message>
         <source>horizontal zero</source>
-        <translation type="unfinished"></translation>
+        <translation>水平零位</translation>
     </message>
     <message>
         <source>vertical zero</source>
-        <translation type="unfinished"></translation>
+        <translation>竖直零位</translation>
     </message>
     <message>
         <source>known radius</source>
-        <translation type="unfinished"></translation>
+        <translation>已知半径</translation>
     </message>
     <message>
         <source>distance</source>
-        <translation type="unfinished"></translation>
+        <translation>距离</translation>
     </message>
     <message>
         <source>all</source>
-        <translation type="unfinished"></translation>
+        <translation>全部</translation>
     </message>
     <message>
         <source>%1 per mm</source>
-        <translation type="unfinished"></translation>
+        <translation>每 mm %1</translation>
     </message>
     <message>
         <source>%1 per ″</source>
-        <translation type="unfinished"></translation>
+        <translation>每 ″ %1</translation>
     </message>
     <message>
         <source>Reliability of every reading</source>
-        <translation type="unfinished"></translation>
+        <translation>每个读数的可靠性</translation>
     </message>
     <message>
         <source>No fit yet: the readings are listed here once they fix an arc.</source>
-        <translation type="unfinished"></translation>
+        <translation>尚无拟合：一旦读数确定圆弧，即列于此处。</translation>
     </message>
     <message>
         <source>Axis</source>
-        <translation type="unfinished"></translation>
+        <translation>轴位</translation>
     </message>
     <message>
         <source>Position of the axis</source>
-        <translation type="unfinished"></translation>
+        <translation>轴的位置</translation>
     </message>
     <message>
         <source>Point</source>
-        <translation type="unfinished"></translation>
+        <translation>测点</translation>
     </message>
     <message>
         <source>Number of the slider&apos;s place</source>
-        <translation type="unfinished"></translation>
+        <translation>滑块位置的编号</translation>
     </message>
     <message>
         <source>Round</source>
-        <translation type="unfinished"></translation>
+        <translation>测回</translation>
     </message>
     <message>
         <source>Round of readings</source>
-        <translation type="unfinished"></translation>
+        <translation>读数的测回</translation>
     </message>
     <message>
         <source>Face</source>
-        <translation type="unfinished"></translation>
+        <translation>盘位</translation>
     </message>
     <message>
         <source>Face of the theodolite</source>
-        <translation type="unfinished"></translation>
+        <translation>经纬仪的盘位</translation>
     </message>
     <message>
         <source>Reading</source>
-        <translation type="unfinished"></translation>
+        <translation>读数</translation>
     </message>
     <message>
         <source>What was read; behind all readings, what was entered once</source>
-        <translation type="unfinished"></translation>
+        <translation>所读的内容；所有读数之后是只录入一次的内容</translation>
     </message>
     <message>
         <source>Residual ″</source>
-        <translation type="unfinished"></translation>
+        <translation>残差 ″</translation>
     </message>
     <message>
         <source>Observed − adjusted; right and up positive</source>
-        <translation type="unfinished"></translation>
+        <translation>观测值 − 平差值；向右、向上为正</translation>
     </message>
     <message>
         <source>w</source>
-        <translation type="unfinished"></translation>
+        <translation>w</translation>
     </message>
     <message>
         <source>Standardised residual v/(s0 σ √r): of a sound reading it scatters by 1</source>
-        <translation type="unfinished"></translation>
+        <translation>标准化残差 v/(s0 σ √r)：正常读数的离散为 1</translation>
     </message>
     <message>
         <source>Redundancy</source>
-        <translation type="unfinished"></translation>
+        <translation>多余观测分量</translation>
     </message>
     <message>
         <source>Share of an error that shows in the reading&apos;s own residual, 0 to 1; 0: nothing checks it</source>
-        <translation type="unfinished"></translation>
+        <translation>误差显示在该读数自身残差中的份额，0 到 1；0：没有任何检核</translation>
     </message>
     <message>
         <source>Detectable ″</source>
-        <translation type="unfinished"></translation>
+        <translation>可检测 ″</translation>
     </message>
     <message>
         <source>Minimal detectable bias: the smallest error that the search for misread readings finds with 80 % chance, at 1 % risk of naming any sound reading of the session, in the noise s0 σ</source>
-        <translation type="unfinished"></translation>
+        <translation>最小可检测偏差：查找误读时以 80 % 的概率能发现的最小误差，误指会话中任一正常读数的风险为 1 %，噪声为 s0 σ</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>无</translation>
     </message>
     <message>
         <source>Moves Δd by mm</source>
-        <translation type="unfinished"></translation>
+        <translation>使 Δd 移动 mm</translation>
     </message>
     <message>
         <source>What an error of that size, unfound, does to the intersection; of what was entered once, an error of one unit</source>
-        <translation type="unfinished"></translation>
+        <translation>该大小的误差未被发现时对相交度的影响；对只录入一次的内容，则为一个单位的误差</translation>
     </message>
     <message>
         <source>Too few readings: none is checked well enough by the others to tell that it is misread.</source>
-        <translation type="unfinished"></translation>
+        <translation>读数太少：没有一个读数被其他读数充分检核到能判断误读。</translation>
     </message>
     <message>
         <source>%1 of %2 readings are checked by no other: an error in them would not show.</source>
-        <translation type="unfinished"></translation>
+        <translation>%2 个读数中有 %1 个没有其他读数检核：其中的误差不会显现。</translation>
     </message>
     <message>
         <source>Every reading is checked.</source>
-        <translation type="unfinished"></translation>
+        <translation>每个读数都有检核。</translation>
     </message>
     <message>
         <source>Every reading is checked. The dearest unfound error: %1, point %2, %3, up to %4, moves Δd by %5.</source>
-        <translation type="unfinished"></translation>
+        <translation>每个读数都有检核。代价最大的未发现误差：%1，测点 %2，%3，可达 %4，使 Δd 移动 %5。</translation>
     </message>
     <message>
         <source>Nothing checks the pointing zeros and the distance: see the last rows.</source>
-        <translation type="unfinished"></translation>
+        <translation>瞄准零位和距离没有任何检核：见最后几行。</translation>
     </message>
     <message>
         <source>Nothing checks the distance: see the last row.</source>
-        <translation type="unfinished"></translation>
+        <translation>距离没有任何检核：见最后一行。</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::ReportDialog</name>
     <message>
         <source>Acceptance report</source>
-        <translation type="unfinished"></translation>
+        <translation>验收报告</translation>
     </message>
     <message>
         <source>1 entry cannot be used. The report will list it and give no verdict.</source>
-        <translation type="unfinished"></translation>
+        <translation>有 1 个输入项无法使用。报告将列出它，且不作判定。</translation>
     </message>
     <message>
         <source>%1 entries cannot be used. The report will list them and give no verdict.</source>
-        <translation type="unfinished"></translation>
+        <translation>有 %1 个输入项无法使用。报告将列出它们，且不作判定。</translation>
     </message>
     <message>
         <source>The session leaves empty what a laboratory would state: %1. The report leaves it out; it is filled in on the forms of the window.</source>
-        <translation type="unfinished"></translation>
+        <translation>会话中未填写实验室应说明的内容：%1。报告将略去；可在窗口的表单中填写。</translation>
     </message>
     <message>
         <source>What the report holds</source>
-        <translation type="unfinished"></translation>
+        <translation>报告包含的内容</translation>
     </message>
     <message>
         <source>Always: result, U and verdict, findings, terms, excluded and changed readings, notes.</source>
-        <translation type="unfinished"></translation>
+        <translation>始终包含：结果、U 与判定、提示、术语、排除和更改的读数、备注。</translation>
     </message>
     <message>
         <source>%1 (model and readings disagree)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1（模型与读数不符）</translation>
     </message>
     <message>
         <source>Session file and results, &amp;attached to the PDF</source>
-        <translation type="unfinished"></translation>
+        <translation>会话文件和结果，附于 PDF(&amp;A)</translation>
     </message>
     <message>
         <source>The window opens the session out of the PDF again. All readings are in it.</source>
-        <translation type="unfinished"></translation>
+        <translation>窗口可从 PDF 中再次打开该会话。其中包含所有读数。</translation>
     </message>
     <message>
         <source>Page</source>
-        <translation type="unfinished"></translation>
+        <translation>页面</translation>
     </message>
     <message>
         <source>Logo of the laboratory</source>
-        <translation type="unfinished"></translation>
+        <translation>实验室徽标</translation>
     </message>
     <message>
         <source>C&amp;hoose…</source>
-        <translation type="unfinished"></translation>
+        <translation>选择(&amp;H)…</translation>
     </message>
     <message>
         <source>&amp;Without</source>
-        <translation type="unfinished"></translation>
+        <translation>不用(&amp;W)</translation>
     </message>
     <message>
         <source>Pictures (*.png *.svg *.jpg *.jpeg *.bmp *.gif *.webp);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>图片 (*.png *.svg *.jpg *.jpeg *.bmp *.gif *.webp);;所有文件 (*)</translation>
     </message>
     <message>
         <source>None</source>
-        <translation type="unfinished"></translation>
+        <translation>无</translation>
     </message>
     <message>
         <source>&amp;Export…</source>
-        <translation type="unfinished"></translation>
+        <translation>导出(&amp;E)…</translation>
     </message>
     <message>
         <source>P&amp;rint…</source>
-        <translation type="unfinished"></translation>
+        <translation>打印(&amp;R)…</translation>
     </message>
     <message>
         <source>&amp;Show</source>
-        <translation type="unfinished"></translation>
+        <translation>显示(&amp;S)</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::ReportFlow</name>
     <message>
         <source>Export acceptance report</source>
-        <translation type="unfinished"></translation>
+        <translation>导出验收报告</translation>
     </message>
     <message>
         <source>Print acceptance report</source>
-        <translation type="unfinished"></translation>
+        <translation>打印验收报告</translation>
     </message>
     <message>
         <source>Print preview</source>
-        <translation type="unfinished"></translation>
+        <translation>打印预览</translation>
     </message>
     <message>
         <source>Acceptance report</source>
-        <translation type="unfinished"></translation>
+        <translation>验收报告</translation>
     </message>
     <message>
         <source>%1. Choose another in the dialog of the report, or none.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1。请在报告对话框中另选一个，或不用。</translation>
     </message>
     <message>
         <source>“%1” is no file: choose a file.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”不是文件：请选择文件。</translation>
     </message>
     <message>
         <source>Writing the report…</source>
-        <translation type="unfinished"></translation>
+        <translation>正在写入报告…</translation>
     </message>
     <message>
         <source>Stopped: no report was written.</source>
-        <translation type="unfinished"></translation>
+        <translation>已停止：没有写入报告。</translation>
     </message>
     <message>
         <source>Report written to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>报告已写入 %1</translation>
     </message>
     <message>
         <source>Printing the report…</source>
-        <translation type="unfinished"></translation>
+        <translation>正在打印报告…</translation>
     </message>
     <message>
         <source>Stopped: the report may be printed in part.</source>
-        <translation type="unfinished"></translation>
+        <translation>已停止：报告可能只打印了一部分。</translation>
     </message>
     <message>
         <source>The printer “%1” cannot be printed on: choose another, or export a PDF.</source>
-        <translation type="unfinished"></translation>
+        <translation>无法在打印机“%1”上打印：请另选一台，或导出 PDF。</translation>
     </message>
     <message>
         <source>Report sent to the printer</source>
-        <translation type="unfinished"></translation>
+        <translation>报告已发送到打印机</translation>
     </message>
     <message>
         <source>Fitting and diagnosing for the report…</source>
-        <translation type="unfinished"></translation>
+        <translation>正在为报告拟合和诊断…</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::ResidualChart</name>
     <message>
         <source>Residuals</source>
-        <translation type="unfinished"></translation>
+        <translation>残差</translation>
     </message>
     <message>
         <source>Over the Slider Coordinate &amp;s</source>
-        <translation type="unfinished"></translation>
+        <translation>按滑块坐标 s(&amp;S)</translation>
     </message>
     <message>
         <source>Over &amp;Time, in the Order Read</source>
-        <translation type="unfinished"></translation>
+        <translation>按时间（读取顺序）(&amp;T)</translation>
     </message>
     <message>
         <source>Over the &amp;Elevation</source>
-        <translation type="unfinished"></translation>
+        <translation>按高度角(&amp;E)</translation>
     </message>
     <message>
         <source>Over the &amp;Azimuth</source>
-        <translation type="unfinished"></translation>
+        <translation>按方位角(&amp;A)</translation>
     </message>
     <message>
         <source>Normal &amp;Quantiles</source>
-        <translation type="unfinished"></translation>
+        <translation>正态分位数(&amp;Q)</translation>
     </message>
     <message>
         <source>&amp;Draw</source>
-        <translation type="unfinished"></translation>
+        <translation>绘制(&amp;D)</translation>
     </message>
     <message>
         <source>&amp;Unit</source>
-        <translation type="unfinished"></translation>
+        <translation>单位(&amp;U)</translation>
     </message>
     <message>
         <source>&amp;Standardised</source>
-        <translation type="unfinished"></translation>
+        <translation>标准化(&amp;S)</translation>
     </message>
     <message>
         <source>&amp;Arcseconds</source>
-        <translation type="unfinished"></translation>
+        <translation>角秒(&amp;A)</translation>
     </message>
     <message>
         <source>&amp;Circles</source>
-        <translation type="unfinished"></translation>
+        <translation>度盘(&amp;C)</translation>
     </message>
     <message>
         <source>&amp;Horizontal</source>
-        <translation type="unfinished"></translation>
+        <translation>水平(&amp;H)</translation>
     </message>
     <message>
         <source>&amp;Vertical</source>
-        <translation type="unfinished"></translation>
+        <translation>竖直(&amp;V)</translation>
     </message>
     <message>
         <source>&amp;Slider</source>
-        <translation type="unfinished"></translation>
+        <translation>滑块(&amp;S)</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::ResidualPlot</name>
     <message>
         <source>row in the order read (time)</source>
-        <translation type="unfinished"></translation>
+        <translation>按读取顺序的行（时间）</translation>
     </message>
     <message>
         <source>elevation e (°), up positive</source>
-        <translation type="unfinished"></translation>
+        <translation>高度角 e (°)，向上为正</translation>
     </message>
     <message>
         <source>azimuth a (°), right positive</source>
-        <translation type="unfinished"></translation>
+        <translation>方位角 a (°)，向右为正</translation>
     </message>
     <message>
         <source>normal quantile</source>
-        <translation type="unfinished"></translation>
+        <translation>正态分位数</translation>
     </message>
     <message>
         <source>slider coordinate s (°): φ at 0°, −φ at 180°</source>
-        <translation type="unfinished"></translation>
+        <translation>滑块坐标 s (°)：0° 时为 φ，180° 时为 −φ</translation>
     </message>
     <message>
         <source>standardised residual w</source>
-        <translation type="unfinished"></translation>
+        <translation>标准化残差 w</translation>
     </message>
     <message>
         <source>residual (″)</source>
-        <translation type="unfinished"></translation>
+        <translation>残差 (″)</translation>
     </message>
     <message>
         <source>No arc fitted yet: no residuals.</source>
-        <translation type="unfinished"></translation>
+        <translation>尚未拟合圆弧：没有残差。</translation>
     </message>
     <message>
         <source>Nothing of what is chosen to be drawn was read.</source>
-        <translation type="unfinished"></translation>
+        <translation>所选绘制的内容没有读数。</translation>
     </message>
     <message>
         <source>not drawn: %1 that nothing checks</source>
-        <translation type="unfinished"></translation>
+        <translation>未绘制：%1 个没有检核的读数</translation>
     </message>
     <message>
         <source>normal</source>
-        <translation type="unfinished"></translation>
+        <translation>正态</translation>
     </message>
     <message>
         <source>95 % of normal values</source>
-        <translation type="unfinished"></translation>
+        <translation>95 % 的正态值</translation>
     </message>
     <message>
         <source>±1</source>
-        <translation type="unfinished"></translation>
+        <translation>±1</translation>
     </message>
     <message>
         <source>±3: beyond it 3 of 1000</source>
-        <translation type="unfinished"></translation>
+        <translation>±3：1000 个中有 3 个超出</translation>
     </message>
     <message>
         <source>±1σ, stated σ = %1</source>
-        <translation type="unfinished"></translation>
+        <translation>±1σ，声明的 σ = %1</translation>
     </message>
     <message>
         <source>±1σ %1, stated σ = %2</source>
-        <translation type="unfinished"></translation>
+        <translation>±1σ %1，声明的 σ = %2</translation>
     </message>
     <message>
         <source>±3σ</source>
-        <translation type="unfinished"></translation>
+        <translation>±3σ</translation>
     </message>
     <message>
         <source>slider: %1″</source>
-        <translation type="unfinished"></translation>
+        <translation>滑块：%1″</translation>
     </message>
     <message>
         <source>%1 circle: %2″</source>
-        <translation type="unfinished"></translation>
+        <translation>%1度盘：%2″</translation>
     </message>
     <message>
         <source>, row %1 read</source>
-        <translation type="unfinished"></translation>
+        <translation>，第 %1 行读取</translation>
     </message>
     <message>
         <source> at e = %1°</source>
-        <translation type="unfinished"></translation>
+        <translation>，位于 e = %1°</translation>
     </message>
     <message>
         <source> at a = %1°</source>
-        <translation type="unfinished"></translation>
+        <translation>，位于 a = %1°</translation>
     </message>
     <message>
         <source> at s = %1°</source>
-        <translation type="unfinished"></translation>
+        <translation>，位于 s = %1°</translation>
     </message>
     <message>
         <source>, standardised w = %1</source>
-        <translation type="unfinished"></translation>
+        <translation>，标准化 w = %1</translation>
     </message>
     <message>
         <source>, normal quantile %1</source>
-        <translation type="unfinished"></translation>
+        <translation>，正态分位数 %1</translation>
     </message>
     <message>
         <source>Residuals of %1 readings, at most %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个读数的残差，最大 %2</translation>
     </message>
     <message>
         <source>Good: the same even band from the first row to the last; no drift, no step between rounds.</source>
-        <translation type="unfinished"></translation>
+        <translation>良好：从第一行到最后一行为同样均匀的带；没有漂移，测回之间没有阶跃。</translation>
     </message>
     <message>
         <source>Good: the marks follow the line inside the band; one that leaves it at an end may be misread.</source>
-        <translation type="unfinished"></translation>
+        <translation>良好：各点在带内沿直线分布；在一端离开直线者可能是误读。</translation>
     </message>
     <message>
         <source>Good: an even band about 0, two of three within ±1, hardly one beyond ±3; no wave, no slope.</source>
-        <translation type="unfinished"></translation>
+        <translation>良好：围绕 0 的均匀带，三分之二在 ±1 之内，几乎没有超出 ±3 的；没有波动，没有倾斜。</translation>
     </message>
     <message>
         <source>Good: an even band about 0, two of three within ±1σ, hardly one beyond ±3σ; no wave, no slope.</source>
-        <translation type="unfinished"></translation>
+        <translation>良好：围绕 0 的均匀带，三分之二在 ±1σ 之内，几乎没有超出 ±3σ 的；没有波动，没有倾斜。</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::ResultPanel</name>
     <message>
         <source>Result</source>
-        <translation type="unfinished"></translation>
+        <translation>结果</translation>
     </message>
     <message>
         <source>&amp;Compare with published method</source>
-        <translation type="unfinished"></translation>
+        <translation>与已发表的方法比较(&amp;C)</translation>
     </message>
     <message>
         <source>Arcs</source>
-        <translation type="unfinished"></translation>
+        <translation>圆弧</translation>
     </message>
     <message>
         <source>As printed: y points down for zenith angles, ΔR is the last increment, θ are no tilts. The method takes tan e = y/L, which no theodolite reads; do not accept by it.</source>
-        <translation type="unfinished"></translation>
+        <translation>按所发表：对天顶距 y 向下，ΔR 为最后一次增量，θ 不是倾斜。该方法采用 tan e = y/L，没有经纬仪如此读数；请勿据此验收。</translation>
     </message>
     <message>
         <source>Model and readings disagree: &lt;a href=&quot;gap&quot;&gt;%1&lt;/a&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>模型与读数不符：&lt;a href=&quot;gap&quot;&gt;%1&lt;/a&gt;</translation>
     </message>
     <message>
         <source>Measured:
 these readings do not determine Δd</source>
-        <translation type="unfinished"></translation>
+        <translation>实测：
+这些读数不能确定 Δd</translation>
     </message>
     <message>
         <source>Measured:
 %1</source>
-        <translation type="unfinished"></translation>
+        <translation>实测：
+%1</translation>
     </message>
     <message>
         <source>Δd = %1 mm, U = %2 mm at %3 % coverage.
 Every effect of the catalogue takes part, as large as these readings and what is plausible leave it. What each brings is on the page Budget.
 %4</source>
-        <translation type="unfinished"></translation>
+        <translation>Δd = %1 mm，U = %2 mm，包含概率 %3 %。
+目录中的每个效应都参与，其大小为这些读数和合理范围所允许。各自的贡献见“预算”页。
+%4</translation>
     </message>
     <message>
         <source>Before what was changed since: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>在此后的更改之前：%1</translation>
     </message>
     <message>
         <source>0°</source>
-        <translation type="unfinished"></translation>
+        <translation>0°</translation>
     </message>
     <message>
         <source>180°</source>
-        <translation type="unfinished"></translation>
+        <translation>180°</translation>
     </message>
     <message>
         <source>|O1 − O2|/2  mm</source>
-        <translation type="unfinished"></translation>
+        <translation>|O1 − O2|/2  mm</translation>
     </message>
     <message>
         <source>Redundancy</source>
-        <translation type="unfinished"></translation>
+        <translation>多余观测数</translation>
     </message>
     <message>
         <source>Δd = %1 mm, U = %2 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Δd = %1 mm，U = %2 mm</translation>
     </message>
     <message>
         <source>Of the fit alone, U at %1 % coverage (k = %2); u = %3</source>
-        <translation type="unfinished"></translation>
+        <translation>仅拟合，U 的包含概率为 %1 %（k = %2）；u = %3</translation>
     </message>
     <message>
         <source>
 Reference %1, difference %2</source>
-        <translation type="unfinished"></translation>
+        <translation>
+参考值 %1，相差 %2</translation>
     </message>
     <message>
         <source>Some entries cannot be used. They are marked and listed with the reason.</source>
-        <translation type="unfinished"></translation>
+        <translation>有些输入项无法使用。它们已标出，并连同原因列出。</translation>
     </message>
     <message>
         <source>Δd needs both arcs: type the pointing zero and at least three readings at 0° and at 180°.</source>
-        <translation type="unfinished"></translation>
+        <translation>Δd 需要两个圆弧：请录入 0° 和 180° 的瞄准零位及至少三个读数。</translation>
     </message>
     <message>
         <source>Type the distance L, the nominal radius R0, the pointing zeros and at least three readings of the arc at 0° and at 180°.</source>
-        <translation type="unfinished"></translation>
+        <translation>请录入距离 L、名义半径 R0、瞄准零位，以及圆弧在 0° 和 180° 的至少三个读数。</translation>
     </message>
     <message>
         <source>No result</source>
-        <translation type="unfinished"></translation>
+        <translation>没有结果</translation>
     </message>
     <message>
         <source>Δx (u)  mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Δx (u)  mm</translation>
     </message>
     <message>
         <source>Centre of the arc, right positive, with its standard uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>圆弧圆心，向右为正，及其标准不确定度</translation>
     </message>
     <message>
         <source>Δy (u)  mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Δy (u)  mm</translation>
     </message>
     <message>
         <source>Centre of the arc, up positive, with its standard uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>圆弧圆心，向上为正，及其标准不确定度</translation>
     </message>
     <message>
         <source>R (u)  mm</source>
-        <translation type="unfinished"></translation>
+        <translation>R (u)  mm</translation>
     </message>
     <message>
         <source>Fitted radius with its standard uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>拟合半径及其标准不确定度</translation>
     </message>
     <message>
         <source>Residual rms  ″</source>
-        <translation type="unfinished"></translation>
+        <translation>残差均方根  ″</translation>
     </message>
     <message>
         <source>Root mean square of the residuals of all readings of the arc</source>
-        <translation type="unfinished"></translation>
+        <translation>圆弧所有读数残差的均方根</translation>
     </message>
     <message>
         <source>Reduced χ²</source>
-        <translation type="unfinished"></translation>
+        <translation>约化 χ²</translation>
     </message>
     <message>
         <source>About 1 where the readings scatter as stated</source>
-        <translation type="unfinished"></translation>
+        <translation>读数按声明离散时约为 1</translation>
     </message>
     <message>
         <source>Sightings used</source>
-        <translation type="unfinished"></translation>
+        <translation>使用的照准数</translation>
     </message>
     <message>
         <source>|O1 − O2|/2 (u)  mm</source>
-        <translation type="unfinished"></translation>
+        <translation>|O1 − O2|/2 (u)  mm</translation>
     </message>
     <message>
         <source>Half the distance of the centres in the plane of the arc, with its standard uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>圆弧平面内两圆心距离的一半，及其标准不确定度</translation>
     </message>
     <message>
         <source>Δx  mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Δx  mm</translation>
     </message>
     <message>
         <source>Δy  mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Δy  mm</translation>
     </message>
     <message>
         <source>ΔR  mm</source>
-        <translation type="unfinished"></translation>
+        <translation>ΔR  mm</translation>
     </message>
     <message>
         <source>Δθx  rad</source>
-        <translation type="unfinished"></translation>
+        <translation>Δθx  rad</translation>
     </message>
     <message>
         <source>Δθy  rad</source>
-        <translation type="unfinished"></translation>
+        <translation>Δθy  rad</translation>
     </message>
     <message>
         <source>Δd as printed  mm</source>
-        <translation type="unfinished"></translation>
+        <translation>按所发表的 Δd  mm</translation>
     </message>
     <message>
         <source>Δd with y up  mm</source>
-        <translation type="unfinished"></translation>
+        <translation>y 向上的 Δd  mm</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::Safekeeping</name>
     <message>
         <source>in no file yet</source>
-        <translation type="unfinished"></translation>
+        <translation>尚未存入文件</translation>
     </message>
     <message>
         <source>in %1</source>
-        <translation type="unfinished"></translation>
+        <translation>在 %1 中</translation>
     </message>
     <message>
         <source>which is no longer there</source>
-        <translation type="unfinished"></translation>
+        <translation>该文件已不存在</translation>
     </message>
     <message>
         <source>which cannot be read any more</source>
-        <translation type="unfinished"></translation>
+        <translation>该文件已无法读取</translation>
     </message>
     <message>
         <source>which was changed since</source>
-        <translation type="unfinished"></translation>
+        <translation>该文件此后已更改</translation>
     </message>
     <message>
         <source>Untitled</source>
-        <translation type="unfinished"></translation>
+        <translation>未命名</translation>
     </message>
     <message>
         <source>%1; kept on %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1；保存于 %2</translation>
     </message>
     <message>
         <source>Unsaved changes in %1 cannot be read: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 中未保存的更改无法读取：%2</translation>
     </message>
     <message>
         <source>Recover unsaved changes</source>
-        <translation type="unfinished"></translation>
+        <translation>恢复未保存的更改</translation>
     </message>
     <message>
         <source>Recovered %1; not saved yet</source>
-        <translation type="unfinished"></translation>
+        <translation>已恢复 %1；尚未保存</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::SessionDocument</name>
     <message>
         <source>Untitled</source>
-        <translation type="unfinished"></translation>
+        <translation>未命名</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::SimulationBox</name>
     <message>
         <source>Draws</source>
-        <translation type="unfinished"></translation>
+        <translation>抽样次数</translation>
     </message>
     <message>
         <source>Check by simulation</source>
-        <translation type="unfinished"></translation>
+        <translation>模拟检验</translation>
     </message>
     <message>
         <source>as many as it takes</source>
-        <translation type="unfinished"></translation>
+        <translation>按需要的次数</translation>
     </message>
     <message>
         <source>The more draws, the better known the ends of the interval. With 0 as many are made as it takes to tell whether the propagated uncertainty holds</source>
-        <translation type="unfinished"></translation>
+        <translation>抽样次数越多，区间端点越准。为 0 时，抽样到足以判断传播的不确定度是否成立为止</translation>
     </message>
     <message>
         <source>Draws every reading, pointing zero and length from its distribution and fits anew, each time (JCGM 101)</source>
-        <translation type="unfinished"></translation>
+        <translation>每次从各读数、瞄准零位和长度的分布中抽样并重新拟合（JCGM 101）</translation>
     </message>
     <message>
         <source>Draws made</source>
-        <translation type="unfinished"></translation>
+        <translation>已完成的抽样</translation>
     </message>
     <message>
         <source>Stopped, for the session has changed.</source>
-        <translation type="unfinished"></translation>
+        <translation>会话已更改，因此停止。</translation>
     </message>
     <message>
         <source>Stopped.</source>
-        <translation type="unfinished"></translation>
+        <translation>已停止。</translation>
     </message>
     <message>
         <source>Too few of the draws gave a result.</source>
-        <translation type="unfinished"></translation>
+        <translation>有结果的抽样太少。</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>停止</translation>
     </message>
     <message>
         <source>Run</source>
-        <translation type="unfinished"></translation>
+        <translation>运行</translation>
     </message>
     <message>
         <source>Does the propagated uncertainty hold? Not checked yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>传播的不确定度是否成立？尚未检验。</translation>
     </message>
     <message>
         <source>propagated</source>
-        <translation type="unfinished"></translation>
+        <translation>传播</translation>
     </message>
     <message>
         <source>simulated</source>
-        <translation type="unfinished"></translation>
+        <translation>模拟</translation>
     </message>
     <message>
         <source>Δd  mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Δd  mm</translation>
     </message>
     <message>
         <source>Simulated: the mean of the draws</source>
-        <translation type="unfinished"></translation>
+        <translation>模拟：各次抽样的平均值</translation>
     </message>
     <message>
         <source>u  mm</source>
-        <translation type="unfinished"></translation>
+        <translation>u  mm</translation>
     </message>
     <message>
         <source>Where the noise is known by the scatter alone, the draws spread a little more; U has it in k</source>
-        <translation type="unfinished"></translation>
+        <translation>噪声仅由离散得知时，抽样的散布略大；U 已在 k 中计入</translation>
     </message>
     <message>
         <source>%1 % from  mm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 % 起于  mm</translation>
     </message>
     <message>
         <source>Propagated: Δd − U. Simulated: as many draws lie below as above the other end</source>
-        <translation type="unfinished"></translation>
+        <translation>传播：Δd − U。模拟：低于此端与高于另一端的抽样数相同</translation>
     </message>
     <message>
         <source>to  mm</source>
-        <translation type="unfinished"></translation>
+        <translation>止于  mm</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::StartPage</name>
     <message>
         <source>Recent files</source>
-        <translation type="unfinished"></translation>
+        <translation>最近的文件</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>名称</translation>
     </message>
     <message>
         <source>Folder</source>
-        <translation type="unfinished"></translation>
+        <translation>文件夹</translation>
     </message>
     <message>
         <source>Changed</source>
-        <translation type="unfinished"></translation>
+        <translation>更改时间</translation>
     </message>
     <message>
         <source>Samples</source>
-        <translation type="unfinished"></translation>
+        <translation>示例</translation>
     </message>
     <message>
         <source>Sample</source>
-        <translation type="unfinished"></translation>
+        <translation>示例</translation>
     </message>
     <message>
         <source>What it shows</source>
-        <translation type="unfinished"></translation>
+        <translation>内容说明</translation>
     </message>
     <message>
         <source>Alidade</source>
-        <translation type="unfinished"></translation>
+        <translation>Alidade</translation>
     </message>
     <message>
         <source>Does the centre of a rotatable arc lie on its axis? The readings of a theodolite in, the intersection with its uncertainty and a verdict out.</source>
-        <translation type="unfinished"></translation>
+        <translation>可转动圆弧的圆心是否在其轴上？输入经纬仪读数，得出相交度及其不确定度和判定。</translation>
     </message>
     <message>
         <source>New session</source>
-        <translation type="unfinished"></translation>
+        <translation>新建会话</translation>
     </message>
     <message>
         <source>Open a session or report…</source>
-        <translation type="unfinished"></translation>
+        <translation>打开会话或报告…</translation>
     </message>
     <message>
         <source>Import readings…</source>
-        <translation type="unfinished"></translation>
+        <translation>导入读数…</translation>
     </message>
     <message>
         <source>Guide: ten steps</source>
-        <translation type="unfinished"></translation>
+        <translation>指南：十步</translation>
     </message>
     <message>
         <source>Typing begins a session, Esc leads back to it, F1 is help.</source>
-        <translation type="unfinished"></translation>
+        <translation>直接输入即开始会话，Esc 返回会话，F1 为帮助。</translation>
     </message>
     <message>
         <source>not found</source>
-        <translation type="unfinished"></translation>
+        <translation>未找到</translation>
     </message>
     <message>
         <source>No files yet</source>
-        <translation type="unfinished"></translation>
+        <translation>尚无文件</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::SuspectBar</name>
     <message>
         <source>Exclude row</source>
-        <translation type="unfinished"></translation>
+        <translation>排除该行</translation>
     </message>
     <message>
         <source>Readings that look misread</source>
-        <translation type="unfinished"></translation>
+        <translation>像是误读的读数</translation>
     </message>
     <message>
         <source>Other</source>
-        <translation type="unfinished"></translation>
+        <translation>其他</translation>
     </message>
     <message>
         <source>What else may have been meant</source>
-        <translation type="unfinished"></translation>
+        <translation>可能的其他读数</translation>
     </message>
     <message>
         <source>Keeps the row, but takes it out of the fit</source>
-        <translation type="unfinished"></translation>
+        <translation>保留该行，但不参与拟合</translation>
     </message>
     <message>
         <source>Next (F7)</source>
-        <translation type="unfinished"></translation>
+        <translation>下一个 (F7)</translation>
     </message>
     <message>
         <source>Leads to the reading in the table; asked again, to the next</source>
-        <translation type="unfinished"></translation>
+        <translation>转到表格中的该读数；再次点击则转到下一个</translation>
     </message>
     <message>
         <source>Looking for misread readings…</source>
-        <translation type="unfinished"></translation>
+        <translation>正在查找误读…</translation>
     </message>
     <message>
         <source>Use %1 (F8)</source>
-        <translation type="unfinished"></translation>
+        <translation>采用 %1 (F8)</translation>
     </message>
     <message>
         <source>%1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>第 %1 个，共 %2 个</translation>
     </message>
     <message>
         <source>Use %1</source>
-        <translation type="unfinished"></translation>
+        <translation>采用 %1</translation>
     </message>
     <message>
         <source>Correct point %1</source>
-        <translation type="unfinished"></translation>
+        <translation>改正测点 %1</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::TrialList</name>
     <message>
         <source>Score so far</source>
-        <translation type="unfinished"></translation>
+        <translation>目前得分</translation>
     </message>
     <message>
         <source>Trial</source>
-        <translation type="unfinished"></translation>
+        <translation>盲测</translation>
     </message>
     <message>
         <source>Its number</source>
-        <translation type="unfinished"></translation>
+        <translation>其编号</translation>
     </message>
     <message>
         <source>Plan</source>
-        <translation type="unfinished"></translation>
+        <translation>方案</translation>
     </message>
     <message>
         <source>Plan of readings</source>
-        <translation type="unfinished"></translation>
+        <translation>读数方案</translation>
     </message>
     <message>
         <source>Truth</source>
-        <translation type="unfinished"></translation>
+        <translation>真值</translation>
     </message>
     <message>
         <source>What was put in</source>
-        <translation type="unfinished"></translation>
+        <translation>所加入的效应</translation>
     </message>
     <message>
         <source>vertical circle eccentricity</source>
-        <translation type="unfinished"></translation>
+        <translation>竖直度盘偏心</translation>
     </message>
     <message>
         <source>sealed</source>
-        <translation type="unfinished"></translation>
+        <translation>密封</translation>
     </message>
     <message>
         <source>Score</source>
-        <translation type="unfinished"></translation>
+        <translation>得分</translation>
     </message>
     <message>
         <source>Whether the diagnosis was right</source>
-        <translation type="unfinished"></translation>
+        <translation>诊断是否正确</translation>
     </message>
     <message>
         <source>wrong</source>
-        <translation type="unfinished"></translation>
+        <translation>错误</translation>
     </message>
     <message>
         <source>right</source>
-        <translation type="unfinished"></translation>
+        <translation>正确</translation>
     </message>
     <message>
         <source>Trials drawn</source>
-        <translation type="unfinished"></translation>
+        <translation>已抽取的盲测</translation>
     </message>
     <message>
         <source>Every trial is listed here as it is drawn.</source>
-        <translation type="unfinished"></translation>
+        <translation>每个盲测抽取后即列于此处。</translation>
     </message>
     <message>
         <source>Right</source>
-        <translation type="unfinished"></translation>
+        <translation>正确</translation>
     </message>
     <message>
         <source>false alarms</source>
-        <translation type="unfinished"></translation>
+        <translation>误报</translation>
     </message>
     <message>
         <source>Δd ± U covers</source>
-        <translation type="unfinished"></translation>
+        <translation>Δd ± U 覆盖</translation>
     </message>
     <message>
         <source>No seal was opened yet</source>
-        <translation type="unfinished"></translation>
+        <translation>尚未启封</translation>
     </message>
     <message>
         <source>still sealed: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>仍密封：%1</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::TwoFacesPanel</name>
     <message>
         <source>Two-face table</source>
-        <translation type="unfinished"></translation>
+        <translation>双盘位表</translation>
     </message>
     <message>
         <source>Axis</source>
-        <translation type="unfinished"></translation>
+        <translation>轴位</translation>
     </message>
     <message>
         <source>Position of the axis</source>
-        <translation type="unfinished"></translation>
+        <translation>轴的位置</translation>
     </message>
     <message>
         <source>Point</source>
-        <translation type="unfinished"></translation>
+        <translation>测点</translation>
     </message>
     <message>
         <source>Number of the slider&apos;s place</source>
-        <translation type="unfinished"></translation>
+        <translation>滑块位置的编号</translation>
     </message>
     <message>
         <source>Round</source>
-        <translation type="unfinished"></translation>
+        <translation>测回</translation>
     </message>
     <message>
         <source>Round of readings</source>
-        <translation type="unfinished"></translation>
+        <translation>读数的测回</translation>
     </message>
     <message>
         <source>Elevation °</source>
-        <translation type="unfinished"></translation>
+        <translation>高度角 °</translation>
     </message>
     <message>
         <source>Above the pointing zero, mean of both faces</source>
-        <translation type="unfinished"></translation>
+        <translation>高于瞄准零位，两盘位平均</translation>
     </message>
     <message>
         <source>2c ″</source>
-        <translation type="unfinished"></translation>
+        <translation>2c ″</translation>
     </message>
     <message>
         <source>α1 − (α2 ± 180°): twice collimation and trunnion tilt, c/cos e + i·tan e</source>
-        <translation type="unfinished"></translation>
+        <translation>α1 − (α2 ± 180°)：视准误差和横轴倾斜的两倍，c/cos e + i·tan e</translation>
     </message>
     <message>
         <source>Off its course ″</source>
-        <translation type="unfinished"></translation>
+        <translation>偏离走势 ″</translation>
     </message>
     <message>
         <source>2c as read minus that of the fitted collimation and trunnion tilt</source>
-        <translation type="unfinished"></translation>
+        <translation>所读的 2c 减去拟合的视准误差和横轴倾斜所得的 2c</translation>
     </message>
     <message>
         <source>Index ″</source>
-        <translation type="unfinished"></translation>
+        <translation>指标差 ″</translation>
     </message>
     <message>
         <source>What the vertical circle reads too much in both faces: half of β1 + β2 over the full sum</source>
-        <translation type="unfinished"></translation>
+        <translation>竖直度盘在两盘位多读的量：β1 + β2 超出整圆部分的一半</translation>
     </message>
     <message>
         <source>Collimation c</source>
-        <translation type="unfinished"></translation>
+        <translation>视准误差 c</translation>
     </message>
     <message>
         <source>Trunnion tilt i</source>
-        <translation type="unfinished"></translation>
+        <translation>横轴倾斜 i</translation>
     </message>
     <message>
         <source>Vertical index j</source>
-        <translation type="unfinished"></translation>
+        <translation>竖盘指标差 j</translation>
     </message>
     <message>
         <source>From both faces</source>
-        <translation type="unfinished"></translation>
+        <translation>由两盘位得出</translation>
     </message>
     <message>
         <source>With standard uncertainty; signs of face 1. A trunnion tilt needs three visits at different elevations</source>
-        <translation type="unfinished"></translation>
+        <translation>附标准不确定度；符号按盘左。横轴倾斜需要在不同高度角的三次停靠</translation>
     </message>
     <message>
         <source>Scatter against the stated σ</source>
-        <translation type="unfinished"></translation>
+        <translation>离散与声明的 σ 之比</translation>
     </message>
     <message>
         <source>About × 1 where the differences of the faces scatter as stated</source>
-        <translation type="unfinished"></translation>
+        <translation>两盘位之差按声明离散时约为 × 1</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::WindowActions</name>
     <message>
         <source>Tools</source>
-        <translation type="unfinished"></translation>
+        <translation>工具</translation>
     </message>
     <message>
         <source>&amp;File</source>
-        <translation type="unfinished"></translation>
+        <translation>文件(&amp;F)</translation>
     </message>
     <message>
         <source>&amp;New</source>
-        <translation type="unfinished"></translation>
+        <translation>新建(&amp;N)</translation>
     </message>
     <message>
         <source>&amp;Open…</source>
-        <translation type="unfinished"></translation>
+        <translation>打开(&amp;O)…</translation>
     </message>
     <message>
         <source>Open &amp;Recent</source>
-        <translation type="unfinished"></translation>
+        <translation>打开最近的文件(&amp;R)</translation>
     </message>
     <message>
         <source>&amp;Import Readings…</source>
-        <translation type="unfinished"></translation>
+        <translation>导入读数(&amp;I)…</translation>
     </message>
     <message>
         <source>Ctrl+Shift+I</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Shift+I</translation>
     </message>
     <message>
         <source>Import from Clip&amp;board…</source>
-        <translation type="unfinished"></translation>
+        <translation>从剪贴板导入(&amp;B)…</translation>
     </message>
     <message>
         <source>Reco&amp;ver Unsaved Changes…</source>
-        <translation type="unfinished"></translation>
+        <translation>恢复未保存的更改(&amp;V)…</translation>
     </message>
     <message>
         <source>There are no unsaved changes to recover</source>
-        <translation type="unfinished"></translation>
+        <translation>没有可恢复的未保存更改</translation>
     </message>
     <message>
         <source>&amp;Save</source>
-        <translation type="unfinished"></translation>
+        <translation>保存(&amp;S)</translation>
     </message>
     <message>
         <source>Save &amp;As…</source>
-        <translation type="unfinished"></translation>
+        <translation>另存为(&amp;A)…</translation>
     </message>
     <message>
         <source>Ctrl+Shift+S</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Shift+S</translation>
     </message>
     <message>
         <source>Rever&amp;t</source>
-        <translation type="unfinished"></translation>
+        <translation>还原(&amp;T)</translation>
     </message>
     <message>
         <source>Sea&amp;l…</source>
-        <translation type="unfinished"></translation>
+        <translation>封存(&amp;L)…</translation>
     </message>
     <message>
         <source>&amp;Export Acceptance Report…</source>
-        <translation type="unfinished"></translation>
+        <translation>导出验收报告(&amp;E)…</translation>
     </message>
     <message>
         <source>Ctrl+E</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+E</translation>
     </message>
     <message>
         <source>Print Previe&amp;w…</source>
-        <translation type="unfinished"></translation>
+        <translation>打印预览(&amp;W)…</translation>
     </message>
     <message>
         <source>&amp;Print…</source>
-        <translation type="unfinished"></translation>
+        <translation>打印(&amp;P)…</translation>
     </message>
     <message>
         <source>Page Set&amp;up…</source>
-        <translation type="unfinished"></translation>
+        <translation>页面设置(&amp;U)…</translation>
     </message>
     <message>
         <source>&amp;Close</source>
-        <translation type="unfinished"></translation>
+        <translation>关闭(&amp;C)</translation>
     </message>
     <message>
         <source>Ctrl+W</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+W</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
-        <translation type="unfinished"></translation>
+        <translation>退出(&amp;Q)</translation>
     </message>
     <message>
         <source>Ctrl+Q</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Q</translation>
     </message>
     <message>
         <source>E&amp;xport</source>
-        <translation type="unfinished"></translation>
+        <translation>导出(&amp;X)</translation>
     </message>
     <message>
         <source>&amp;Readings (CSV)…</source>
-        <translation type="unfinished"></translation>
+        <translation>读数 (CSV)(&amp;R)…</translation>
     </message>
     <message>
         <source>Re&amp;siduals (CSV)…</source>
-        <translation type="unfinished"></translation>
+        <translation>残差 (CSV)(&amp;S)…</translation>
     </message>
     <message>
         <source>R&amp;esult (JSON)…</source>
-        <translation type="unfinished"></translation>
+        <translation>结果 (JSON)(&amp;E)…</translation>
     </message>
     <message>
         <source>&amp;Gap (JSON)…</source>
-        <translation type="unfinished"></translation>
+        <translation>差距 (JSON)(&amp;G)…</translation>
     </message>
     <message>
         <source>&amp;Budget (CSV)…</source>
-        <translation type="unfinished"></translation>
+        <translation>预算 (CSV)(&amp;B)…</translation>
     </message>
     <message>
         <source>No files yet</source>
-        <translation type="unfinished"></translation>
+        <translation>尚无文件</translation>
     </message>
     <message>
         <source>&amp;Forget These</source>
-        <translation type="unfinished"></translation>
+        <translation>清除此列表(&amp;F)</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
-        <translation type="unfinished"></translation>
+        <translation>编辑(&amp;E)</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>撤销(&amp;U)</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>重做(&amp;R)</translation>
     </message>
     <message>
         <source>&amp;Undo: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>撤销：%1(&amp;U)</translation>
     </message>
     <message>
         <source>&amp;Redo: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>重做：%1(&amp;R)</translation>
     </message>
     <message>
         <source>Cu&amp;t</source>
-        <translation type="unfinished"></translation>
+        <translation>剪切(&amp;T)</translation>
     </message>
     <message>
         <source>&amp;Copy</source>
-        <translation type="unfinished"></translation>
+        <translation>复制(&amp;C)</translation>
     </message>
     <message>
         <source>&amp;Paste</source>
-        <translation type="unfinished"></translation>
+        <translation>粘贴(&amp;P)</translation>
     </message>
     <message>
         <source>Paste as Readings…</source>
-        <translation type="unfinished"></translation>
+        <translation>粘贴为读数…</translation>
     </message>
     <message>
         <source>Ctrl+Shift+V</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Shift+V</translation>
     </message>
     <message>
         <source>Select &amp;All</source>
-        <translation type="unfinished"></translation>
+        <translation>全选(&amp;A)</translation>
     </message>
     <message>
         <source>&amp;Find…</source>
-        <translation type="unfinished"></translation>
+        <translation>查找(&amp;F)…</translation>
     </message>
     <message>
         <source>Find Next</source>
-        <translation type="unfinished"></translation>
+        <translation>查找下一个</translation>
     </message>
     <message>
         <source>Find Previous</source>
-        <translation type="unfinished"></translation>
+        <translation>查找上一个</translation>
     </message>
     <message>
         <source>&amp;Insert Reading Above</source>
-        <translation type="unfinished"></translation>
+        <translation>在上方插入读数(&amp;I)</translation>
     </message>
     <message>
         <source>Ctrl+I</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+I</translation>
     </message>
     <message>
         <source>&amp;Delete Readings</source>
-        <translation type="unfinished"></translation>
+        <translation>删除读数(&amp;D)</translation>
     </message>
     <message>
         <source>Ctrl+-</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+-</translation>
     </message>
     <message>
         <source>E&amp;xclude or Use	Space</source>
-        <translation type="unfinished"></translation>
+        <translation>排除或使用(&amp;X)	Space</translation>
     </message>
     <message>
         <source>C&amp;lear Cells	Del</source>
-        <translation type="unfinished"></translation>
+        <translation>清除单元格(&amp;L)	Del</translation>
     </message>
     <message>
         <source>Exclude or use the selected readings (Space)</source>
-        <translation type="unfinished"></translation>
+        <translation>排除或使用所选读数 (Space)</translation>
     </message>
     <message>
         <source>&amp;Next Misread Reading</source>
-        <translation type="unfinished"></translation>
+        <translation>下一个误读读数(&amp;N)</translation>
     </message>
     <message>
         <source>Use Proposed Readin&amp;g</source>
-        <translation type="unfinished"></translation>
+        <translation>采用建议的读数(&amp;G)</translation>
     </message>
     <message>
         <source>Add Ro&amp;ws</source>
-        <translation type="unfinished"></translation>
+        <translation>添加行(&amp;W)</translation>
     </message>
     <message>
         <source>&amp;Way Back</source>
-        <translation type="unfinished"></translation>
+        <translation>返测(&amp;W)</translation>
     </message>
     <message>
         <source>Way Back in Other &amp;Face</source>
-        <translation type="unfinished"></translation>
+        <translation>另一盘位返测(&amp;F)</translation>
     </message>
     <message>
         <source>Another &amp;Round</source>
-        <translation type="unfinished"></translation>
+        <translation>再一测回(&amp;R)</translation>
     </message>
     <message>
         <source>To Next Entr&amp;y</source>
-        <translation type="unfinished"></translation>
+        <translation>转到下一输入项(&amp;Y)</translation>
     </message>
     <message>
         <source>Alt+0</source>
-        <translation type="unfinished"></translation>
+        <translation>Alt+0</translation>
     </message>
     <message>
         <source>Alt+1</source>
-        <translation type="unfinished"></translation>
+        <translation>Alt+1</translation>
     </message>
     <message>
         <source>Readings at %1°</source>
-        <translation type="unfinished"></translation>
+        <translation>%1° 的读数</translation>
     </message>
     <message>
         <source>Measure %1° Again</source>
-        <translation type="unfinished"></translation>
+        <translation>复测 %1°</translation>
     </message>
     <message>
         <source>Add Position at %1°</source>
-        <translation type="unfinished"></translation>
+        <translation>添加轴位 %1°</translation>
     </message>
     <message>
         <source>Delete Position</source>
-        <translation type="unfinished"></translation>
+        <translation>删除轴位</translation>
     </message>
     <message>
         <source>Delete Position %1</source>
-        <translation type="unfinished"></translation>
+        <translation>删除轴位 %1</translation>
     </message>
     <message>
         <source>Move Readings to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>将读数移到 %1</translation>
     </message>
     <message>
         <source>Move Readings</source>
-        <translation type="unfinished"></translation>
+        <translation>移动读数</translation>
     </message>
     <message>
         <source>&amp;View</source>
-        <translation type="unfinished"></translation>
+        <translation>视图(&amp;V)</translation>
     </message>
     <message>
         <source>A column that the session uses is always shown</source>
-        <translation type="unfinished"></translation>
+        <translation>会话使用的列始终显示</translation>
     </message>
     <message>
         <source>&amp;Tone for Unexpected Readings</source>
-        <translation type="unfinished"></translation>
+        <translation>意外读数提示音(&amp;T)</translation>
     </message>
     <message>
         <source>S&amp;ystem Colours</source>
-        <translation type="unfinished"></translation>
+        <translation>系统颜色(&amp;Y)</translation>
     </message>
     <message>
         <source>&amp;Light</source>
-        <translation type="unfinished"></translation>
+        <translation>浅色(&amp;L)</translation>
     </message>
     <message>
         <source>&amp;Dark</source>
-        <translation type="unfinished"></translation>
+        <translation>深色(&amp;D)</translation>
     </message>
     <message>
         <source>A&amp;ngles in</source>
-        <translation type="unfinished"></translation>
+        <translation>角度单位(&amp;N)</translation>
     </message>
     <message>
         <source>Degrees, &amp;Minutes, Seconds</source>
-        <translation type="unfinished"></translation>
+        <translation>度分秒(&amp;M)</translation>
     </message>
     <message>
         <source>&amp;Decimal Degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>十进制度(&amp;D)</translation>
     </message>
     <message>
         <source>&amp;Gon</source>
-        <translation type="unfinished"></translation>
+        <translation>百分度 gon(&amp;G)</translation>
     </message>
     <message>
         <source>&amp;Enlarge Lower Pages</source>
-        <translation type="unfinished"></translation>
+        <translation>放大下方页面(&amp;E)</translation>
     </message>
     <message>
         <source>Ctrl+0</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+0</translation>
     </message>
     <message>
         <source>Enlarge over the picture, or back (Ctrl+0)</source>
-        <translation type="unfinished"></translation>
+        <translation>放大覆盖图形，或恢复 (Ctrl+0)</translation>
     </message>
     <message>
         <source>Enlarge lower pages</source>
-        <translation type="unfinished"></translation>
+        <translation>放大下方页面</translation>
     </message>
     <message>
         <source>T&amp;ools</source>
-        <translation type="unfinished"></translation>
+        <translation>工具(&amp;O)</translation>
     </message>
     <message>
         <source>&amp;Blind Trial…</source>
-        <translation type="unfinished"></translation>
+        <translation>盲测(&amp;B)…</translation>
     </message>
     <message>
         <source>Ctrl+B</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+B</translation>
     </message>
     <message>
         <source>&amp;Commands…</source>
-        <translation type="unfinished"></translation>
+        <translation>命令(&amp;C)…</translation>
     </message>
     <message>
         <source>Ctrl+Shift+P</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Shift+P</translation>
     </message>
     <message>
         <source>&amp;Help</source>
-        <translation type="unfinished"></translation>
+        <translation>帮助(&amp;H)</translation>
     </message>
     <message>
         <source>&amp;Guide</source>
-        <translation type="unfinished"></translation>
+        <translation>指南(&amp;G)</translation>
     </message>
     <message>
         <source>&amp;First Measurement</source>
-        <translation type="unfinished"></translation>
+        <translation>第一次测量(&amp;F)</translation>
     </message>
     <message>
         <source>&amp;Keys of the Table</source>
-        <translation type="unfinished"></translation>
+        <translation>表格按键(&amp;K)</translation>
     </message>
     <message>
         <source>&amp;Start Page</source>
-        <translation type="unfinished"></translation>
+        <translation>起始页(&amp;S)</translation>
     </message>
     <message>
         <source>&amp;About Alidade</source>
-        <translation type="unfinished"></translation>
+        <translation>关于 Alidade(&amp;A)</translation>
     </message>
     <message>
         <source>Large D&amp;isplay</source>
-        <translation type="unfinished"></translation>
+        <translation>大字显示(&amp;I)</translation>
     </message>
     <message>
         <source>Langua&amp;ge</source>
-        <translation type="unfinished"></translation>
+        <translation>语言(&amp;G)</translation>
     </message>
     <message>
         <source>The language changes when Alidade is started again.</source>
-        <translation type="unfinished"></translation>
+        <translation>语言在 Alidade 下次启动时更改。</translation>
     </message>
     <message>
         <source>As the &amp;Desktop</source>
-        <translation type="unfinished"></translation>
+        <translation>与桌面相同(&amp;D)</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::ZeroEntries</name>
     <message>
         <source>required</source>
-        <translation type="unfinished"></translation>
+        <translation>必填</translation>
     </message>
     <message>
         <source>Pointing zero, horizontal</source>
-        <translation type="unfinished"></translation>
+        <translation>瞄准零位，水平</translation>
     </message>
     <message>
         <source>Horizontal circle reading of the direction perpendicular to the plane of the arc, in face 1 before the readings of this position</source>
-        <translation type="unfinished"></translation>
+        <translation>垂直于圆弧平面方向的水平度盘读数，盘左，在该轴位读数之前</translation>
     </message>
     <message>
         <source>&amp;α0</source>
-        <translation type="unfinished"></translation>
+        <translation>α0(&amp;α)</translation>
     </message>
     <message>
         <source>Pointing zero, vertical</source>
-        <translation type="unfinished"></translation>
+        <translation>瞄准零位，竖直</translation>
     </message>
     <message>
         <source>Vertical circle reading of the direction perpendicular to the plane of the arc, in face 1 before the readings of this position</source>
-        <translation type="unfinished"></translation>
+        <translation>垂直于圆弧平面方向的竖直度盘读数，盘左，在该轴位读数之前</translation>
     </message>
     <message>
         <source>&amp;β0</source>
-        <translation type="unfinished"></translation>
+        <translation>β0(&amp;β)</translation>
     </message>
     <message>
         <source>Position of the axis in degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>轴的位置，单位度</translation>
     </message>
     <message>
         <source>Rotation of the axis: 0 or 180 degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>轴的转角：0 或 180 度</translation>
     </message>
     <message>
         <source>A&amp;xis</source>
-        <translation type="unfinished"></translation>
+        <translation>轴位(&amp;X)</translation>
     </message>
     <message>
         <source>°</source>
-        <translation type="unfinished"></translation>
+        <translation>°</translation>
     </message>
     <message>
         <source>Further sightings of the pointing zero: in face 2, and after the readings</source>
-        <translation type="unfinished"></translation>
+        <translation>瞄准零位的其他照准：盘右，以及读数之后</translation>
     </message>
     <message>
         <source>Further sightings of the pointing zero</source>
-        <translation type="unfinished"></translation>
+        <translation>瞄准零位的其他照准</translation>
     </message>
     <message>
         <source>Face 2</source>
-        <translation type="unfinished"></translation>
+        <translation>盘右</translation>
     </message>
     <message>
         <source>in face 2 before the readings of this position</source>
-        <translation type="unfinished"></translation>
+        <translation>盘右，在该轴位读数之前</translation>
     </message>
     <message>
         <source>After</source>
-        <translation type="unfinished"></translation>
+        <translation>之后</translation>
     </message>
     <message>
         <source>in face 1 after the readings of this position</source>
-        <translation type="unfinished"></translation>
+        <translation>盘左，在该轴位读数之后</translation>
     </message>
     <message>
         <source>After, face 2</source>
-        <translation type="unfinished"></translation>
+        <translation>之后，盘右</translation>
     </message>
     <message>
         <source>in face 2 after the readings of this position</source>
-        <translation type="unfinished"></translation>
+        <translation>盘右，在该轴位读数之后</translation>
     </message>
     <message>
         <source>Pointing zero, horizontal, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>瞄准零位，水平，%1</translation>
     </message>
     <message>
         <source>Horizontal circle reading of the pointing zero %1</source>
-        <translation type="unfinished"></translation>
+        <translation>瞄准零位的水平度盘读数，%1</translation>
     </message>
     <message>
         <source>Pointing zero, vertical, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>瞄准零位，竖直，%1</translation>
     </message>
     <message>
         <source>Vertical circle reading of the pointing zero %1</source>
-        <translation type="unfinished"></translation>
+        <translation>瞄准零位的竖直度盘读数，%1</translation>
     </message>
 </context>
 </TS>

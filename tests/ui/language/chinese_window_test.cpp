@@ -33,15 +33,15 @@ QStringList englishIn(const QString& text) {
   static const QSet<QString> meant{
       // units, symbols, functions
       u"mm"_s, u"ppm"_s, u"gon"_s, u"ln"_s, u"sin"_s, u"cos"_s, u"tan"_s, u"atan"_s, u"DMS"_s, u"dms"_s,
-      u"deg"_s, u"mgon"_s, u"mrad"_s,
+      u"deg"_s, u"mgon"_s, u"mrad"_s, u"rad"_s,
       // keys
       u"Ctrl"_s, u"Shift"_s, u"Alt"_s, u"Tab"_s, u"Enter"_s, u"Esc"_s, u"Space"_s, u"Del"_s, u"Ins"_s,
       u"Home"_s, u"End"_s, u"Up"_s, u"Down"_s, u"Left"_s, u"Right"_s, u"PgUp"_s, u"PgDown"_s, u"Return"_s,
       u"Backspace"_s, u"Delete"_s, u"Page"_s,
       // formats and standards
       u"GSI"_s, u"CSV"_s, u"PDF"_s, u"JSON"_s, u"SVG"_s, u"PNG"_s, u"SDR"_s, u"SHA"_s, u"UTF"_s, u"ISO"_s,
-      u"IEC"_s, u"JCGM"_s, u"ILAC"_s, u"GUM"_s, u"alidade"_s, u"txt"_s, u"gsi"_s, u"csv"_s, u"pdf"_s,
-      u"json"_s, u"svg"_s, u"png"_s,
+      u"IEC"_s, u"JCGM"_s, u"ILAC"_s, u"GUM"_s, u"alidade"_s, u"txt"_s, u"gsi"_s, u"UTC"_s, u"csv"_s,
+      u"pdf"_s, u"json"_s, u"svg"_s, u"png"_s,
       // names
       u"Alidade"_s, u"Leica"_s, u"Trimble"_s, u"Sokkia"_s, u"English"_s, u"DejaVu"_s, u"Sans"_s, u"Letter"_s};
   QStringList words;
