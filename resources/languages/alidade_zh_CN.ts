@@ -4295,7 +4295,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>&amp;Truth</source>
-        <translation>真值(&amp;T)</translation>
+        <translation>真实情况(&amp;T)</translation>
     </message>
     <message>
         <source>S&amp;hows</source>
@@ -4307,7 +4307,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>Truth</source>
-        <translation>真值</translation>
+        <translation>真实情况</translation>
     </message>
     <message>
         <source>&amp;Draw a trial</source>
@@ -5351,7 +5351,7 @@ sizes</source>
     <message>
         <source>leaves
 σ</source>
-        <translation>余留
+        <translation>留痕
 σ</translation>
     </message>
     <message>
@@ -5364,7 +5364,7 @@ sizes</source>
     </message>
     <message>
         <source>leaves  σ</source>
-        <translation>余留  σ</translation>
+        <translation>留痕  σ</translation>
     </message>
     <message>
         <source>No effect of plausible size could move Δd noticeably without leaving a trace.</source>
@@ -7278,7 +7278,7 @@ Reference %1, difference %2</source>
     </message>
     <message>
         <source>Truth</source>
-        <translation>真值</translation>
+        <translation>真实情况</translation>
     </message>
     <message>
         <source>What was put in</source>
@@ -7335,6 +7335,10 @@ Reference %1, difference %2</source>
     <message>
         <source>still sealed: %1</source>
         <translation>仍密封：%1</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 (%4 %)</source>
+        <translation>%1：%3 个中 %2 个（%4 %）</translation>
     </message>
 </context>
 <context>

@@ -18,7 +18,7 @@ namespace {
 QString tallyText(const QString& name, const Tally& tally) {
   const double share =
       tally.count > 0 ? 100.0 * static_cast<double>(tally.hits) / static_cast<double>(tally.count) : 0;
-  return QStringLiteral("%1: %2 of %3 (%4 %)")
+  return TrialList::tr("%1: %2 of %3 (%4 %)")
       .arg(name)
       .arg(tally.hits)
       .arg(tally.count)

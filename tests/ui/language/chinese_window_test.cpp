@@ -8,6 +8,7 @@
 #include "tests/ui/support.h"
 #include "ui/main_window.h"
 #include "ui/panels/window/page_tabs.h"
+#include "ui/settings/recent_files.h"
 
 // A text that no translator was asked for shows as English in a window that speaks Chinese.
 
@@ -62,6 +63,8 @@ void expectChinese(QWidget& window, const std::string& when) {
 
 class ChineseWindow : public testing::TestWithParam<const char*> {
  protected:
+  ChineseWindow() { RecentFiles::clear(); }
+
   Speaking speaking{QStringLiteral("zh_CN")};
 };
 
