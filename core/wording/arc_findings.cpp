@@ -76,7 +76,7 @@ Words wordsOf(const ReadingsRepeat& finding) {
 
 Words wordsOf(const ArcFinding& finding) {
   Words words = std::visit([](const auto& kind) { return wordsOf(kind); }, finding.what);
-  words.text = positionName(finding.axisDeg, finding.time) + ": " + words.text;
+  words.text = Phrase::of("%1: %2", positionName(finding.axisDeg, finding.time), words.text);
   return words;
 }
 

@@ -131,6 +131,11 @@ std::string acrossText(const Measurement& measurement, const Diagnosis* diagnosi
              lengthWithUncertainty(std::abs(across.value), across.expanded, decimalsFor(across.expanded)));
 }
 
+/// One sentence after the other; the second may be empty.
+std::string inTurn(const std::string& first, const std::string& second) {
+  return second.empty() ? first : Phrase::of("%1 %2", first, second);
+}
+
 /// What the verdict rests on.
 std::string accountsText(const Measurement& measurement, const SessionFit& fit, const Diagnosis* diagnosis,
                          const AcceptanceDecision& decision, const CauseNamer& name) {
@@ -190,7 +195,7 @@ std::string verdictSentence(const Measurement& measurement, const SessionFit& fi
     return Phrase::of("There is no verdict at a coverage of %1 %: state acceptance.coverage as %2 or more.",
                       displayShortest(measurement.coverage * 100), displayShortest(leastCoverageOfVerdict));
   const std::string rests =
-      accountsText(measurement, fit, diagnosis, decision, name) + acrossText(measurement, diagnosis);
+      inTurn(accountsText(measurement, fit, diagnosis, decision, name), acrossText(measurement, diagnosis));
   if (decision.obstacle == AcceptanceDecision::Obstacle::AcrossUnknown)
     return Phrase::of(
         "The tolerance is of the distance from the axis as a whole, and how far the arc's centre lies "
@@ -198,7 +203,7 @@ std::string verdictSentence(const Measurement& measurement, const SessionFit& fi
         "or state it (device.known: plane_offset). %1",
         rests);
   if (decision.obstacle == AcceptanceDecision::Obstacle::Misclosure)
-    return misclosureSentence(*diagnosis) + ' ' + rests;
+    return inTurn(misclosureSentence(*diagnosis), rests);
   if (!decision.conformance) return rests;
   const std::string probability = probabilityText(*decision.conformance);
   return decision.showsBoth ? Phrase::of("%1 By all that is possible, it conforms with a probability of %2.",

@@ -7843,7 +7843,7 @@ Reference %1, difference %2</source>
     </message>
     <message>
         <source>&amp;α0</source>
-        <translation>α0(&amp;α)</translation>
+        <translation>&amp;α0</translation>
     </message>
     <message>
         <source>Pointing zero, vertical</source>
@@ -7855,7 +7855,7 @@ Reference %1, difference %2</source>
     </message>
     <message>
         <source>&amp;β0</source>
-        <translation>β0(&amp;β)</translation>
+        <translation>&amp;β0</translation>
     </message>
     <message>
         <source>Position of the axis in degrees</source>
