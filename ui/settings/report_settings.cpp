@@ -26,12 +26,19 @@ ReportPaper storedPaper(const QSettings& settings) {
   return paper;
 }
 
+QString storedLanguage(const QSettings& settings) {
+  const QString stored = settings.value(group + QStringLiteral("language")).toString();
+  const auto isStored = [&](const ReportLanguage& one) { return stored == QString::fromLatin1(one.code); };
+  return std::ranges::any_of(reportLanguages, isStored) ? stored : QString();
+}
+
 }  // namespace
 
 ReportChoice rememberedReportChoice() {
   const QSettings settings;
   ReportChoice choice{.paper = storedPaper(settings),
                       .logoPath = settings.value(group + QStringLiteral("logo")).toString(),
+                      .language = storedLanguage(settings),
                       .hasSession = settings.value(group + QStringLiteral("session"), true).toBool()};
   const QStringList leftOut = settings.value(group + QStringLiteral("leftOut")).toStringList();
   for (const ReportPartInfo& info : allReportParts())
@@ -54,6 +61,7 @@ void rememberReportChoice(const ReportChoice& choice) {
   put("marginRight", choice.paper.margins.right());
   put("marginBottom", choice.paper.margins.bottom());
   put("logo", choice.logoPath);
+  put("language", choice.language);
   put("session", choice.hasSession);
 }
 
