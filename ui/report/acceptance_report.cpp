@@ -4,6 +4,7 @@
 #include <QCryptographicHash>
 #include <QPainter>
 #include <QPdfWriter>
+#include <future>
 #include <memory>
 
 #include "core/base/atomic_file.h"
@@ -99,17 +100,26 @@ std::string nameInResults(const Session& session, const ReportSource& source) {
   return session.title.empty() ? source.fileName.toStdString() : session.title;
 }
 
-std::vector<PdfAttachment> attachmentsOf(const Gap& gap, const ReportSource& source,
-                                         const ReportOptions& options) {
+/// Long with many readings: made beside the pages. None where nothing is to be attached.
+std::future<std::optional<std::string>> resultsBeside(const ReportOptions& options,
+                                                      const ReportSource& source) {
+  return std::async(std::launch::async, [gap = options.gap, isWanted = options.hasSession,
+                                         name = nameInResults(options.gap->evaluation->session, source)] {
+    return isWanted ? resultsJson(*gap, name) : std::nullopt;
+  });
+}
+
+std::vector<PdfAttachment> attachmentsOf(const ReportSource& source, const ReportOptions& options,
+                                         std::optional<std::string> results) {
   std::vector<PdfAttachment> attachments;
   if (!options.hasSession) return attachments;
-  const Session& session = gap.evaluation->session;
+  const Session& session = options.gap->evaluation->session;
   const bool isFile = source.saved && !source.bytes.isEmpty();
   attachments.push_back({.fileName = attachedName(source.fileName),
                          .description = Report::tr("The session of this report, to be opened with Alidade"),
                          .bytes = isFile ? source.bytes.toStdString() : writeSession(session),
                          .relationship = "/Source"});
-  if (auto results = resultsJson(gap, nameInResults(session, source)))
+  if (results)
     attachments.push_back({.fileName = QStringLiteral("results.json"),
                            .description = Report::tr("The results of this report, to be read by programs"),
                            .bytes = *std::move(results),
@@ -151,6 +161,7 @@ bool paintPages(QPagedPaintDevice& device, const Evaluation& evaluation, const R
 
 Result<QString> writePdf(const Evaluation& evaluation, const ReportSource& source, const QString& outPath,
                          const ReportOptions& options) {
+  auto results = resultsBeside(options, source);
   QBuffer buffer;
   buffer.open(QIODevice::WriteOnly);
   {
@@ -164,7 +175,7 @@ Result<QString> writePdf(const Evaluation& evaluation, const ReportSource& sourc
   const QByteArray& painted = buffer.data();
   const std::string pdf =
       archivedPdf({painted.constData(), static_cast<std::size_t>(painted.size())},
-                  informationOf(evaluation, source, options), attachmentsOf(*options.gap, source, options));
+                  informationOf(evaluation, source, options), attachmentsOf(source, options, results.get()));
   std::vector<std::string> inputs;
   for (const QString& path : source.paths) inputs.push_back(encodedPath(path));
   if (auto problem = writeFile(encodedPath(outPath), pdf, inputs)) return *std::move(problem);

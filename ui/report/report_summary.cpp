@@ -38,24 +38,26 @@ double addLogo(ReportSheet& sheet, const QImage& logo) {
   return size.height();
 }
 
-/// The subtitle stands at the right, or below the title where a logo is there.
+/// The subtitle stands at the right, or below the title where a logo is there or both are too long.
 void addTitle(ReportSheet& sheet, const Session& session, const QImage& logo) {
   const double title = sheet.lineHeight(type::title), subtitle = sheet.lineHeight(type::label);
   const double logoHeight = addLogo(sheet, logo);
-  const bool hasLogo = logoHeight > 0;
-  sheet.text(Report::tr("Acceptance report"), type::title, 0, sheet.y(), ReportSheet::width);
-  sheet.text(Report::tr("Intersection of a rotatable arc guideway"), type::label, 0,
-             sheet.y() + title - (hasLogo ? 0.5 : subtitle + 1), ReportSheet::width,
-             hasLogo ? Qt::AlignLeft : Qt::AlignRight);
-  sheet.skip(hasLogo ? std::max(logoHeight, title + subtitle) + 1.5 : title + 0.5);
+  const QString says = Report::tr("Acceptance report"),
+                ofWhat = Report::tr("Intersection of a rotatable arc guideway");
+  constexpr double beside = 6;
+  const double taken = sheet.textWidth(says, type::title) + beside + sheet.textWidth(ofWhat, type::label);
+  const bool isBelow = logoHeight > 0 || taken > ReportSheet::width;
+  sheet.text(says, type::title, 0, sheet.y(), ReportSheet::width);
+  sheet.text(ofWhat, type::label, 0, sheet.y() + title - (isBelow ? 0.5 : subtitle + 1), ReportSheet::width,
+             isBelow ? Qt::AlignLeft : Qt::AlignRight);
+  sheet.skip(isBelow ? std::max(logoHeight, title + subtitle) + 1.5 : title + 0.5);
   constexpr int longest = 300;
   const QString number = reportNumber(session), name = shortLine(session.title, longest);
   if (!number.isEmpty()) {
     sheet.text(number, type::subtitle, 0, sheet.y(), ReportSheet::width, Qt::AlignRight);
-    constexpr double between = 6;
-    const double taken =
-        sheet.textWidth(name, type::subtitle) + between + sheet.textWidth(number, type::subtitle);
-    if (name.isEmpty() || taken > ReportSheet::width) sheet.skip(sheet.lineHeight(type::subtitle));
+    const double both =
+        sheet.textWidth(name, type::subtitle) + beside + sheet.textWidth(number, type::subtitle);
+    if (name.isEmpty() || both > ReportSheet::width) sheet.skip(sheet.lineHeight(type::subtitle));
   }
   if (!name.isEmpty()) sheet.paragraph(name, type::subtitle);
 }
@@ -71,6 +73,14 @@ QString severityName(Severity severity) {
       break;
   }
   return Report::tr("Error");
+}
+
+/// Where findings begin beside how serious they are.
+double findingsIndent(const ReportSheet& sheet) {
+  double indent = 17;
+  for (const Severity severity : {Severity::Note, Severity::Warning, Severity::Error})
+    indent = std::max(indent, sheet.textWidth(severityName(severity), type::detail.inBold()) + 2);
+  return indent;
 }
 
 constexpr std::size_t mostSuspects = 10;
@@ -95,7 +105,7 @@ void addFindings(ReportSheet& sheet, const Gap& gap) {
                     : isSound ? Report::tr("None: nothing in the data speaks against the result.")
                               : Report::tr("None in the data, but see above what they would not show."));
   }
-  constexpr double indent = 17;
+  const double indent = findingsIndent(sheet);
   const auto add = [&](const Finding& finding) {
     sheet.keepTogether(sheet.lineHeight(type::detail));
     sheet.text(severityName(finding.severity), type::detail.inBold(), 0, sheet.y(), indent);
