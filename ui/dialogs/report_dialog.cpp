@@ -15,6 +15,7 @@
 
 #include "ui/dialogs/paper_form.h"
 #include "ui/dialogs/plain_label.h"
+#include "ui/language/languages.h"
 #include "ui/report/report_logo.h"
 #include "ui/settings/theme.h"
 #include "ui/text/visible_text.h"
@@ -122,8 +123,7 @@ void ReportDialog::addLanguage() {
   m_language = new QComboBox;
   m_language->setObjectName(QStringLiteral("language"));
   m_language->addItem(tr("Like the window"), QString());
-  for (const ReportLanguage& language : reportLanguages)
-    m_language->addItem(QString::fromUtf8(language.name), QString::fromLatin1(language.code));
+  for (const LanguageInfo& language : allLanguages()) m_language->addItem(language.name, language.id);
   m_language->setCurrentIndex(std::max(0, m_language->findData(m_question.choice.language)));
   m_paper->addRow(new QLabel(tr("&Language")), m_language);
 }

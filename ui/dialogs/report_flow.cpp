@@ -12,6 +12,7 @@
 #include "ui/jobs/evaluation.h"
 #include "ui/jobs/failed_job.h"
 #include "ui/language/language_scope.h"
+#include "ui/language/languages.h"
 #include "ui/report/empty_fields.h"
 #include "ui/report/report_logo.h"
 #include "ui/settings/report_settings.h"
@@ -206,7 +207,7 @@ bool ReportFlow::previewOf(const SharedGap& gap, const QString& suggestion) {
 }
 
 SharedGap ReportFlow::spokenIn(const QString& language, const SharedGap& gap) {
-  if (language.isEmpty()) return gap;
+  if (language.isEmpty() || language == spokenLanguage()) return gap;
   if (m_spoken.of != gap || m_spoken.language != language || !m_spoken.gap)
     m_spoken = {language, gap, diagnosed(language)};
   return m_spoken.gap;

@@ -10,6 +10,7 @@
 #include "core/base/atomic_file.h"
 #include "core/session/session_file.h"
 #include "ui/language/language_scope.h"
+#include "ui/language/languages.h"
 #include "ui/report/attached_session.h"
 #include "ui/report/pdf_archive.h"
 #include "ui/report/report_gap.h"
@@ -131,11 +132,12 @@ std::vector<PdfAttachment> attachmentsOf(const ReportSource& source, const Repor
 /// own.
 template <typename Work>
 auto inLanguageOf(const ReportOptions& options, Work work) {
+  const QString before = spokenLanguage();
   const LanguageScope language(options.language);
   ReportOptions within = options;
   if (options.goesOn)
-    within.goesOn = [&options](double done) {
-      const LanguageScope ofTheWindow{QString()};
+    within.goesOn = [&options, &before](double done) {
+      const LanguageScope ofTheWindow(before);
       return options.goesOn(done);
     };
   return work(within);

@@ -35,7 +35,7 @@ struct ReportOptions {
   ReportContents contents = {};
   ReportPaper paper = {};
   QImage logo = {};                          ///< of the laboratory; null: none
-  QString language = {};                     ///< "en", "zh_CN"; empty: that of the window
+  QString language = {};                     ///< id of a `LanguageInfo`; empty: that of the window
   bool hasSession = true;                    ///< attaches session and results to the file
   std::optional<MonteCarlo> simulated = {};  ///< of the same evaluation: told beside the budget
   /// Of the same evaluation, whose sentences were made in the same language; null: it is assessed here.

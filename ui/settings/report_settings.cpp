@@ -3,6 +3,8 @@
 #include <QSettings>
 #include <algorithm>
 
+#include "ui/language/languages.h"
+
 namespace alidade::ui {
 
 namespace {
@@ -28,8 +30,8 @@ ReportPaper storedPaper(const QSettings& settings) {
 
 QString storedLanguage(const QSettings& settings) {
   const QString stored = settings.value(group + QStringLiteral("language")).toString();
-  const auto isStored = [&](const ReportLanguage& one) { return stored == QString::fromLatin1(one.code); };
-  return std::ranges::any_of(reportLanguages, isStored) ? stored : QString();
+  const bool isOurs = std::ranges::find(allLanguages(), stored, &LanguageInfo::id) != allLanguages().end();
+  return isOurs ? stored : QString();
 }
 
 }  // namespace

@@ -1,12 +1,15 @@
 #include <gtest/gtest.h>
 
 #include <QFile>
+#include <QSet>
 #include <QSettings>
 #include <QTemporaryDir>
 
+#include "tests/ui/language/speaking.h"
 #include "tests/ui/support.h"
 #include "ui/dialogs/report_flow.h"
 #include "ui/document/session_document.h"
+#include "ui/jobs/evaluation.h"
 #include "ui/settings/report_settings.h"
 
 namespace alidade::ui {
@@ -74,6 +77,29 @@ TEST_F(ReportLanguageTest, IsDiagnosedInOnceForPreviewAndPrint) {
   EXPECT_EQ(dialogs.diagnoses(), 2);
   ASSERT_TRUE(flow.print()) << "anew for the next report: the session may be another";
   EXPECT_EQ(dialogs.diagnoses(), 4);
+}
+
+TEST_F(ReportLanguageTest, ThatTheWindowSpeaksIsNotDiagnosedInAgain) {
+  choose("en");
+  ASSERT_TRUE(flow.exportPdf({}));
+  EXPECT_EQ(dialogs.diagnoses(), 1);
+  const Speaking speaking(QStringLiteral("zh_CN"));
+  ASSERT_TRUE(flow.exportPdf({}));
+  EXPECT_EQ(dialogs.diagnoses(), 3);
+}
+
+// While a report is written the window is alive, and what it shows then stays.
+TEST_F(ReportLanguageTest, IsNotThatOfTheWindowMeanwhile) {
+  QSet<QString> heard;
+  ReportOptions options;
+  options.language = QStringLiteral("zh_CN");
+  options.goesOn = [&](double) {
+    heard.insert(spokenLanguage());
+    return true;
+  };
+  ASSERT_TRUE(writeAcceptanceReport(evaluate(document.session()), {}, dialogs.reportPath, options));
+  EXPECT_EQ(heard, QSet<QString>{QStringLiteral("en")});
+  EXPECT_EQ(spokenLanguage(), QStringLiteral("en"));
 }
 
 }  // namespace
