@@ -41,6 +41,14 @@ PaperForm::PaperForm(const ReportPaper& paper, QWidget* parent) : QWidget(parent
   grid->setColumnStretch(3, 1);
 }
 
+void PaperForm::addRow(QLabel* label, QWidget* entry) {
+  auto* grid = static_cast<QGridLayout*>(layout());
+  const int row = grid->rowCount();
+  label->setBuddy(entry);
+  grid->addWidget(label, row, 0);
+  grid->addWidget(entry, row, 1, 1, 3);
+}
+
 ReportPaper PaperForm::paper() const {
   return {
       static_cast<QPageSize::PageSizeId>(m_size->currentData().toInt()),

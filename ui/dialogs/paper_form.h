@@ -7,6 +7,7 @@
 
 class QComboBox;
 class QDoubleSpinBox;
+class QLabel;
 
 namespace alidade::ui {
 
@@ -18,6 +19,8 @@ class PaperForm : public QWidget {
   explicit PaperForm(const ReportPaper& paper, QWidget* parent = nullptr);
 
   ReportPaper paper() const;
+  /// Below the others, in line with them.
+  void addRow(QLabel* label, QWidget* entry);
 
  private:
   QComboBox* m_size;

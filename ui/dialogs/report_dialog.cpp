@@ -1,6 +1,7 @@
 #include "ui/dialogs/report_dialog.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QCoreApplication>
 #include <QDialogButtonBox>
 #include <QFileDialog>
@@ -14,6 +15,7 @@
 
 #include "ui/dialogs/paper_form.h"
 #include "ui/dialogs/plain_label.h"
+#include "ui/language/languages.h"
 #include "ui/report/report_logo.h"
 #include "ui/settings/theme.h"
 #include "ui/text/visible_text.h"
@@ -64,10 +66,13 @@ QWidget* ReportDialog::createLacks() {
         count == 1
             ? tr("1 entry cannot be used. The report will list it and give no verdict.")
             : tr("%1 entries cannot be used. The report will list them and give no verdict.").arg(count)));
-  if (!m_question.emptyFields.isEmpty())
+  if (!m_question.emptyFields.isEmpty()) {
+    //: between the names of a list
+    const QString fields = m_question.emptyFields.join(tr(", "));
     layout->addWidget(warning(tr("The session leaves empty what a laboratory would state: %1. The report "
                                  "leaves it out; it is filled in on the forms of the window.")
-                                  .arg(m_question.emptyFields.join(QStringLiteral(", ")))));
+                                  .arg(fields)));
+  }
   return lacks;
 }
 
@@ -106,10 +111,21 @@ QWidget* ReportDialog::createSheet() {
   m_paper = new PaperForm(m_question.choice.paper);
   auto* pageLayout = new QVBoxLayout(page);
   pageLayout->addWidget(m_paper);
+  addLanguage();
   layout->addWidget(page);
   layout->addWidget(createLogo());
   layout->addStretch();
   return side;
+}
+
+/// Languages stand under their own names.
+void ReportDialog::addLanguage() {
+  m_language = new QComboBox;
+  m_language->setObjectName(QStringLiteral("language"));
+  m_language->addItem(tr("Like the window"), QString());
+  for (const LanguageInfo& language : allLanguages()) m_language->addItem(language.name, language.id);
+  m_language->setCurrentIndex(std::max(0, m_language->findData(m_question.choice.language)));
+  m_paper->addRow(new QLabel(tr("&Language")), m_language);
 }
 
 QWidget* ReportDialog::createLogo() {
@@ -184,6 +200,7 @@ ReportChoice ReportDialog::choice() const {
   }
   choice.paper = m_paper->paper();
   choice.logoPath = m_logoPath;
+  choice.language = m_language->currentData().toString();
   choice.hasSession = m_session->isChecked();
   return choice;
 }

@@ -8,6 +8,7 @@
 #include "ui/report/report_choice.h"
 
 class QCheckBox;
+class QComboBox;
 class QLabel;
 
 namespace alidade::ui {
@@ -39,6 +40,7 @@ class ReportDialog : public QDialog {
   QWidget* createContents();
   QWidget* createSheet();
   QWidget* createLacks();
+  void addLanguage();
   QWidget* createLogo();
   QWidget* createButtons();
   void chooseLogo();
@@ -48,6 +50,7 @@ class ReportDialog : public QDialog {
   std::map<ReportPart, QCheckBox*> m_parts;
   QCheckBox* m_session = nullptr;
   PaperForm* m_paper = nullptr;
+  QComboBox* m_language = nullptr;
   QLabel *m_logo = nullptr, *m_logoName = nullptr;
   QWidget* m_noLogo = nullptr;  ///< the button that takes it away
   QString m_logoPath;

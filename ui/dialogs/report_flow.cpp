@@ -11,6 +11,8 @@
 #include "ui/document/session_document.h"
 #include "ui/jobs/evaluation.h"
 #include "ui/jobs/failed_job.h"
+#include "ui/language/language_scope.h"
+#include "ui/language/languages.h"
 #include "ui/report/empty_fields.h"
 #include "ui/report/report_logo.h"
 #include "ui/settings/report_settings.h"
@@ -37,6 +39,7 @@ bool ReportFlow::guarded(const QString& title, const std::function<bool()>& work
   emit commitWanted();
   bool isDone = false;
   const auto failure = failureOf([&] { isDone = work(); });
+  m_spoken = {};
   if (failure)
     m_dialogs.showProblem(
         title,
@@ -89,6 +92,7 @@ std::optional<ReportOptions> ReportFlow::optionsFor(const SharedGap& gap, const 
   ReportOptions options;
   options.contents = choice.contents;
   options.paper = choice.paper;
+  options.language = choice.language;
   options.hasSession = choice.hasSession;
   options.gap = gap;
   if (m_check && m_check->isOf(m_document.session())) options.simulated = m_check->simulated;
@@ -108,7 +112,9 @@ bool ReportFlow::exportOf(const SharedGap& gap, const QString& suggestion) {
   const QString title = tr("Export acceptance report");
   const auto choice = ask(*gap, ReportQuestion::Way::Export);
   if (!choice) return false;
-  auto options = optionsFor(gap, *choice);
+  const SharedGap spoken = spokenIn(choice->language, gap);
+  if (!spoken) return false;
+  auto options = optionsFor(spoken, *choice);
   if (!options) return false;
   const QString path = m_dialogs.askReportPath(suggestion);
   if (path.isEmpty()) return false;
@@ -123,7 +129,7 @@ bool ReportFlow::exportOf(const SharedGap& gap, const QString& suggestion) {
     return !isStopped;
   };
   const Result<QString> written =
-      writeAcceptanceReport(*gap->evaluation, reportSource(m_document), path, *options);
+      writeAcceptanceReport(*spoken->evaluation, reportSource(m_document), path, *options);
   if (isStopped) {
     emit remark(tr("Stopped: no report was written."));
     return false;
@@ -139,11 +145,13 @@ bool ReportFlow::exportOf(const SharedGap& gap, const QString& suggestion) {
 bool ReportFlow::printOf(const SharedGap& gap) {
   const auto choice = ask(*gap, ReportQuestion::Way::Print);
   if (!choice) return false;
-  auto options = optionsFor(gap, *choice);
+  const SharedGap spoken = spokenIn(choice->language, gap);
+  if (!spoken) return false;
+  auto options = optionsFor(spoken, *choice);
   if (!options) return false;
   const ReportSource source = reportSource(m_document);
   QPrinter printer(QPrinter::HighResolution);
-  setPaper(printer, choice->paper, reportTitle(*gap->evaluation, source));
+  setPaper(printer, choice->paper, reportTitle(*spoken->evaluation, source));
   if (!m_dialogs.askPrinter(printer)) return false;
   printer.setFullPage(true);  // whichever printer was chosen
   const auto busy = m_dialogs.busy(tr("Printing the report…"));
@@ -152,7 +160,7 @@ bool ReportFlow::printOf(const SharedGap& gap) {
     isStopped = isStopped || !busy->goesOn(done);
     return !isStopped;
   };
-  const bool isPrinted = paintAcceptanceReport(printer, *gap->evaluation, source, *options);
+  const bool isPrinted = paintAcceptanceReport(printer, *spoken->evaluation, source, *options);
   if (isStopped) {
     printer.abort();
     emit remark(tr("Stopped: the report may be printed in part."));
@@ -170,15 +178,17 @@ bool ReportFlow::previewOf(const SharedGap& gap, const QString& suggestion) {
   ReportChoice choice = rememberedReportChoice();
   const ReportSource source = reportSource(m_document);
   while (true) {
-    auto options = optionsFor(gap, choice);
+    const SharedGap spoken = spokenIn(choice.language, gap);
+    if (!spoken) return false;
+    auto options = optionsFor(spoken, choice);
     if (!options) {
       choice.logoPath.clear();
-      options = optionsFor(gap, choice);
+      options = optionsFor(spoken, choice);
     }
     QPrinter printer(QPrinter::HighResolution);
-    setPaper(printer, choice.paper, reportTitle(*gap->evaluation, source));
+    setPaper(printer, choice.paper, reportTitle(*spoken->evaluation, source));
     const PreviewAnswer answer = m_dialogs.showPreview(
-        printer, [&](QPrinter& on) { paintAcceptanceReport(on, *gap->evaluation, source, *options); });
+        printer, [&](QPrinter& on) { paintAcceptanceReport(on, *spoken->evaluation, source, *options); });
     switch (answer) {
       case PreviewAnswer::Close:
         return true;
@@ -196,15 +206,26 @@ bool ReportFlow::previewOf(const SharedGap& gap, const QString& suggestion) {
   }
 }
 
-/// The session at work with all that a report says of it; null: the user stopped it.
-SharedGap ReportFlow::diagnosed() const {
+SharedGap ReportFlow::spokenIn(const QString& language, const SharedGap& gap) {
+  if (language.isEmpty() || language == spokenLanguage()) return gap;
+  if (m_spoken.of != gap || m_spoken.language != language || !m_spoken.gap)
+    m_spoken = {language, gap, diagnosed(language)};
+  return m_spoken.gap;
+}
+
+/// The session at work with all that a report says of it, its sentences in `language`; null: the user stopped
+/// it.
+SharedGap ReportFlow::diagnosed(const QString& language) const {
   const auto busy = m_dialogs.busy(tr("Fitting and diagnosing for the report…"));
-  const auto gap = inBackground<Gap>(*busy, [session = m_document.session()](const std::stop_token& stop) {
-    const auto evaluation =
-        std::make_shared<const Evaluation>(withSuspects(evaluateFit(session, stop), stop));
-    return stop.stop_requested() ? Gap{.evaluation = evaluation, .diagnosis = {}, .reason = {}, .stages = {}}
-                                 : assessGap(evaluation, stop);
-  });
+  const auto gap =
+      inBackground<Gap>(*busy, [session = m_document.session(), language](const std::stop_token& stop) {
+        const LanguageScope scope(language);
+        const auto evaluation =
+            std::make_shared<const Evaluation>(withSuspects(evaluateFit(session, stop), stop));
+        return stop.stop_requested()
+                   ? Gap{.evaluation = evaluation, .diagnosis = {}, .reason = {}, .stages = {}}
+                   : assessGap(evaluation, stop);
+      });
   return gap ? std::make_shared<const Gap>(*gap) : nullptr;
 }
 

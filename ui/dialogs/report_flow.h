@@ -38,10 +38,13 @@ class ReportFlow : public QObject {
 
  private:
   bool guarded(const QString& title, const std::function<bool()>& work);
-  SharedGap diagnosed() const;
+  SharedGap diagnosed(const QString& language = {}) const;
+  /// The same as `gap`, whose sentences were made for the window, in the language of the report: diagnosed
+  /// anew where that is another. Null: the user stopped it.
+  SharedGap spokenIn(const QString& language, const SharedGap& gap);
   /// What is chosen for the report of `gap`, and remembered; absent: cancelled.
   std::optional<ReportChoice> ask(const Gap& gap, ReportQuestion::Way way);
-  /// With the logo; absent: it cannot be used, which was told.
+  /// For a report of `gap`, with the logo; absent: it cannot be used, which was told.
   std::optional<ReportOptions> optionsFor(const SharedGap& gap, const ReportChoice& choice);
   bool exportOf(const SharedGap& gap, const QString& suggestion);
   bool printOf(const SharedGap& gap);
@@ -50,6 +53,10 @@ class ReportFlow : public QObject {
   SessionDocument& m_document;
   Dialogs& m_dialogs;
   SharedBudgetCheck m_check;
+  struct Spoken {
+    QString language;
+    SharedGap of, gap;
+  } m_spoken;  ///< what `spokenIn` made last, as long as a report is at work
 };
 
 }  // namespace alidade::ui

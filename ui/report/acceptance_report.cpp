@@ -4,10 +4,13 @@
 #include <QCryptographicHash>
 #include <QPainter>
 #include <QPdfWriter>
+#include <future>
 #include <memory>
 
 #include "core/base/atomic_file.h"
 #include "core/session/session_file.h"
+#include "ui/language/language_scope.h"
+#include "ui/language/languages.h"
 #include "ui/report/attached_session.h"
 #include "ui/report/pdf_archive.h"
 #include "ui/report/report_gap.h"
@@ -15,8 +18,10 @@
 #include "ui/report/report_plots.h"
 #include "ui/report/report_readings.h"
 #include "ui/report/report_result.h"
+#include "ui/report/report_results.h"
 #include "ui/report/report_sheet.h"
 #include "ui/report/report_summary.h"
+#include "ui/report/report_text.h"
 #include "ui/text/encoded_path.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/simulation_text.h"
@@ -30,7 +35,7 @@ constexpr int longestTitle = 300;
 QString sessionName(const Evaluation& evaluation, const ReportSource& source) {
   const QString title = QString::fromStdString(evaluation.session.title).trimmed();
   if (!title.isEmpty()) return title;
-  return source.fileName.isEmpty() ? QStringLiteral("untitled session") : source.fileName;
+  return source.fileName.isEmpty() ? Report::tr("untitled session") : source.fileName;
 }
 
 QString fingerprint(const Evaluation& evaluation, const ReportSource& source) {
@@ -39,19 +44,24 @@ QString fingerprint(const Evaluation& evaluation, const ReportSource& source) {
   }
   const QByteArray content = QByteArray::fromStdString(writeSession(evaluation.session));
   const QByteArray digest = QCryptographicHash::hash(content, QCryptographicHash::Sha256);
-  return QStringLiteral("unsaved changes: SHA-256 of the session's content ") +
-         QString::fromLatin1(digest.toHex());
+  return Report::tr("unsaved changes: SHA-256 of the session's content %1")
+      .arg(QString::fromLatin1(digest.toHex()));
+}
+
+/// What wrote the report, and its number where it has one.
+QString productLine(const Session& session) {
+  const QString version = QStringLiteral(ALIDADE_VERSION);
+  const QString number = QString::fromStdString(session.report.number).trimmed();
+  return number.isEmpty() ? Report::tr("Alidade %1 · Acceptance report").arg(version)
+                          : Report::tr("Alidade %1 · Acceptance report · No. %2").arg(version, number);
 }
 
 ReportFrame frameFor(const Evaluation& evaluation, const ReportSource& source, const ReportOptions& options) {
-  const QString number = QString::fromStdString(evaluation.session.report.number).trimmed();
-  return {
-      .product = QStringLiteral("Alidade " ALIDADE_VERSION " · Acceptance report") +
-                 (number.isEmpty() ? number : QStringLiteral(" · No. ") + number),
-      .session = sessionName(evaluation, source),
-      .fileName = source.fileName.isEmpty() ? QStringLiteral("session not saved to a file") : source.fileName,
-      .fingerprint = fingerprint(evaluation, source),
-      .date = options.date.toString(QStringLiteral("yyyy-MM-dd HH:mm"))};
+  return {.product = productLine(evaluation.session),
+          .session = sessionName(evaluation, source),
+          .fileName = source.fileName.isEmpty() ? Report::tr("session not saved to a file") : source.fileName,
+          .fingerprint = fingerprint(evaluation, source),
+          .date = options.date.toString(QStringLiteral("yyyy-MM-dd HH:mm"))};
 }
 
 void layOut(ReportSheet& sheet, const Gap& gap, const ReportOptions& options) {
@@ -86,39 +96,74 @@ PdfInformation informationOf(const Evaluation& evaluation, const ReportSource& s
           .date = options.date};
 }
 
-std::vector<PdfAttachment> attachmentsOf(const Evaluation& evaluation, const ReportSource& source,
-                                         const ReportOptions& options) {
+/// As alidade-cli calls the session of the file.
+std::string nameInResults(const Session& session, const ReportSource& source) {
+  return session.title.empty() ? source.fileName.toStdString() : session.title;
+}
+
+/// Long with many readings: made beside the pages. None where nothing is to be attached.
+std::future<std::optional<std::string>> resultsBeside(const ReportOptions& options,
+                                                      const ReportSource& source) {
+  return std::async(std::launch::async, [gap = options.gap, isWanted = options.hasSession,
+                                         name = nameInResults(options.gap->evaluation->session, source)] {
+    return isWanted ? resultsJson(*gap, name) : std::nullopt;
+  });
+}
+
+std::vector<PdfAttachment> attachmentsOf(const ReportSource& source, const ReportOptions& options,
+                                         std::optional<std::string> results) {
   std::vector<PdfAttachment> attachments;
   if (!options.hasSession) return attachments;
+  const Session& session = options.gap->evaluation->session;
   const bool isFile = source.saved && !source.bytes.isEmpty();
-  attachments.push_back(
-      {.fileName = attachedName(source.fileName),
-       .description = QStringLiteral("The session of this report, to be opened with Alidade"),
-       .bytes = isFile ? source.bytes.toStdString() : writeSession(evaluation.session),
-       .relationship = "/Source"});
+  attachments.push_back({.fileName = attachedName(source.fileName),
+                         .description = Report::tr("The session of this report, to be opened with Alidade"),
+                         .bytes = isFile ? source.bytes.toStdString() : writeSession(session),
+                         .relationship = "/Source"});
+  if (results)
+    attachments.push_back({.fileName = QStringLiteral("results.json"),
+                           .description = Report::tr("The results of this report, to be read by programs"),
+                           .bytes = *std::move(results),
+                           .relationship = "/Data"});
   return attachments;
 }
 
-}  // namespace
-
-QString reportTitle(const Evaluation& evaluation, const ReportSource& source) {
-  return QStringLiteral("Acceptance report: ") + shortLine(sessionName(evaluation, source), longestTitle);
+/// Where a report is given its language. The window, which lives on while `work` asks `goesOn`, keeps its
+/// own.
+template <typename Work>
+auto inLanguageOf(const ReportOptions& options, Work work) {
+  const QString before = spokenLanguage();
+  const LanguageScope language(options.language);
+  ReportOptions within = options;
+  if (options.goesOn)
+    within.goesOn = [&options, &before](double done) {
+      const LanguageScope ofTheWindow(before);
+      return options.goesOn(done);
+    };
+  return work(within);
 }
 
-bool paintAcceptanceReport(QPagedPaintDevice& device, const Evaluation& evaluation,
-                           const ReportSource& source, const ReportOptions& options) {
+/// With the gap, which is assessed where there is none.
+ReportOptions withGap(ReportOptions options, const Evaluation& evaluation) {
+  if (!options.gap)
+    options.gap = std::make_shared<const Gap>(assessGap(std::make_shared<const Evaluation>(evaluation)));
+  return options;
+}
+
+bool paintPages(QPagedPaintDevice& device, const Evaluation& evaluation, const ReportSource& source,
+                const ReportOptions& options) {
   ReportSheet sheet(device, frameFor(evaluation, source, options), options.paper.margins);
   sheet.setWatch(options.goesOn);
-  const Gap gap = options.gap ? *options.gap : assessGap(std::make_shared<const Evaluation>(evaluation));
-  layOut(sheet, gap, options);
+  layOut(sheet, *options.gap, options);
   QPainter painter;
   if (!painter.begin(&device)) return false;
   const bool isWhole = sheet.paint(painter);
   return painter.end() && isWhole;
 }
 
-Result<QString> writeAcceptanceReport(const Evaluation& evaluation, const ReportSource& source,
-                                      const QString& outPath, const ReportOptions& options) {
+Result<QString> writePdf(const Evaluation& evaluation, const ReportSource& source, const QString& outPath,
+                         const ReportOptions& options) {
+  auto results = resultsBeside(options, source);
   QBuffer buffer;
   buffer.open(QIODevice::WriteOnly);
   {
@@ -126,17 +171,37 @@ Result<QString> writeAcceptanceReport(const Evaluation& evaluation, const Report
     writer.setPdfVersion(QPagedPaintDevice::PdfVersion_A1b);
     writer.setResolution(1200);
     writer.setPageLayout(options.paper.layout());
-    if (!paintAcceptanceReport(writer, evaluation, source, options))
-      return Problem{QStringLiteral("%1 cannot be written: painting failed").arg(outPath).toStdString()};
+    if (!paintPages(writer, evaluation, source, options))
+      return Problem{Report::tr("%1 cannot be written: painting failed").arg(outPath).toStdString()};
   }
   const QByteArray& painted = buffer.data();
   const std::string pdf =
       archivedPdf({painted.constData(), static_cast<std::size_t>(painted.size())},
-                  informationOf(evaluation, source, options), attachmentsOf(evaluation, source, options));
+                  informationOf(evaluation, source, options), attachmentsOf(source, options, results.get()));
   std::vector<std::string> inputs;
   for (const QString& path : source.paths) inputs.push_back(encodedPath(path));
   if (auto problem = writeFile(encodedPath(outPath), pdf, inputs)) return *std::move(problem);
   return outPath;
+}
+
+}  // namespace
+
+QString reportTitle(const Evaluation& evaluation, const ReportSource& source) {
+  return Report::tr("Acceptance report: %1").arg(shortLine(sessionName(evaluation, source), longestTitle));
+}
+
+bool paintAcceptanceReport(QPagedPaintDevice& device, const Evaluation& evaluation,
+                           const ReportSource& source, const ReportOptions& options) {
+  return inLanguageOf(options, [&](const ReportOptions& within) {
+    return paintPages(device, evaluation, source, withGap(within, evaluation));
+  });
+}
+
+Result<QString> writeAcceptanceReport(const Evaluation& evaluation, const ReportSource& source,
+                                      const QString& outPath, const ReportOptions& options) {
+  return inLanguageOf(options, [&](const ReportOptions& within) {
+    return writePdf(evaluation, source, outPath, withGap(within, evaluation));
+  });
 }
 
 }  // namespace alidade::ui

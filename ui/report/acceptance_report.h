@@ -35,20 +35,22 @@ struct ReportOptions {
   ReportContents contents = {};
   ReportPaper paper = {};
   QImage logo = {};                          ///< of the laboratory; null: none
-  bool hasSession = true;                    ///< attaches the session to the file
+  QString language = {};                     ///< id of a `LanguageInfo`; empty: that of the window
+  bool hasSession = true;                    ///< attaches session and results to the file
   std::optional<MonteCarlo> simulated = {};  ///< of the same evaluation: told beside the budget
-  std::shared_ptr<const Gap> gap = {};       ///< of the same evaluation; null: it is assessed here
+  /// Of the same evaluation, whose sentences were made in the same language; null: it is assessed here.
+  std::shared_ptr<const Gap> gap = {};
   /// Asked often while the report is written, with the share that is done; false stops it, which is then the
-  /// reason why there is none.
+  /// reason why there is none. It is asked in the window's language.
   std::function<bool(double done)> goesOn = {};
 };
 
-/// Writes the acceptance report, a PDF/A-3b of vectors and embedded fonts, with the session's file and its
-/// results attached: result and verdict, what the diagnosis of the gap says, both plots, every reading, as
-/// far as that is not left out. It is also written where there is no result; then it says why and carries no
-/// verdict. The file is replaced only when all is written, and never one of `source`. The same report of the
-/// same date has the same bytes. Answers with the path, or says why it could not be written. Needs a
-/// QApplication, on any platform plugin, and its thread.
+/// Writes the acceptance report, a PDF/A-3b of vectors and embedded fonts, with the session's file and, where
+/// there are any, its results (results.json) attached: result and verdict, what the diagnosis of the gap
+/// says, both plots, every reading, as far as that is not left out. It is also written where there is no
+/// result; then it says why and carries no verdict. The file is replaced only when all is written, and never
+/// one of `source`. The same report of the same date has the same bytes. Answers with the path, or says why
+/// it could not be written. Needs a QApplication, on any platform plugin, and its thread.
 Result<QString> writeAcceptanceReport(const Evaluation& evaluation, const ReportSource& source,
                                       const QString& outPath, const ReportOptions& options = {});
 

@@ -12,6 +12,7 @@
 #include "core/base/file_bytes.h"
 #include "core/base/limits.h"
 #include "core/session/session_file.h"
+#include "ui/report/report_text.h"
 #include "ui/text/encoded_path.h"
 
 namespace alidade::ui {
@@ -40,16 +41,18 @@ class Taken : public Pipeline {
   bool m_isTooMuch = false;
 };
 
-Problem unreadable(const std::string& why) {
-  return Problem{"The PDF cannot be read (" + why + ")"};
+Problem problemOf(const QString& text) {
+  return Problem{text.toStdString()};
 }
 
 Result<std::string> contentOf(QPDFObjectHandle stream) {
   Taken taken;
-  if (!stream.isStream()) return unreadable("the session attached to it is missing");
+  if (!stream.isStream())
+    return problemOf(Report::tr("The PDF cannot be read (the session attached to it is missing)"));
   const bool isWhole = stream.pipeStreamData(&taken, nullptr, 0, qpdf_dl_generalized, true);
   if (taken.isTooMuch()) return limits::tooManyBytes();
-  if (!isWhole) return unreadable("the session attached to it is damaged");
+  if (!isWhole)
+    return problemOf(Report::tr("The PDF cannot be read (the session attached to it is damaged)"));
   return std::move(taken.text());
 }
 
@@ -58,8 +61,8 @@ Result<std::string> sessionIn(QPDF& pdf) {
   for (const auto& [name, file] : files.getEmbeddedFiles())
     if (QString::fromStdString(file->getFilename()).endsWith(suffix, Qt::CaseInsensitive))
       return contentOf(file->getEmbeddedFileStream());
-  return Problem{
-      "No session is attached to this PDF: a report of Alidade holds its session unless that was left out"};
+  return problemOf(Report::tr(
+      "No session is attached to this PDF: a report of Alidade holds its session unless that was left out"));
 }
 
 }  // namespace
@@ -83,7 +86,7 @@ Result<std::string> attachedSessionText(std::string_view pdf) {
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& failure) {
-    return unreadable(failure.what());
+    return problemOf(Report::tr("The PDF cannot be read (%1)").arg(QString::fromUtf8(failure.what())));
   }
 }
 

@@ -12,7 +12,8 @@ struct ReportChoice {
   ReportContents contents = {};
   ReportPaper paper = {};
   QString logoPath = {};   ///< of an image; empty: none
-  bool hasSession = true;  ///< the session is attached to the PDF
+  QString language = {};   ///< id of a `LanguageInfo`; empty: that of the window
+  bool hasSession = true;  ///< session and results are attached to the PDF
 
   bool operator==(const ReportChoice&) const = default;
 };

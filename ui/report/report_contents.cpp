@@ -1,6 +1,6 @@
 #include "ui/report/report_contents.h"
 
-#include <QtGlobal>
+#include <QCoreApplication>
 
 namespace alidade::ui {
 
@@ -49,7 +49,7 @@ QStringList leftOutTitles(const ReportContents& contents, const Gap& gap) {
   QStringList titles;
   for (const ReportPartInfo& info : allReportParts())
     if (isThere(info.part, gap) && !isPrinted(info.part, contents, gap))
-      titles.append(QString::fromUtf8(info.title));
+      titles.append(QCoreApplication::translate("ReportPart", info.title));
   return titles;
 }
 

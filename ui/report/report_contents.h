@@ -27,7 +27,7 @@ enum class ReportPart {
 struct ReportPartInfo {
   ReportPart part;
   const char* id;     ///< in the settings
-  const char* title;  ///< as printed; for the window in the context `ReportPart`
+  const char* title;  ///< as printed and in the window, in the context `ReportPart`
 };
 
 /// In the order of the report.

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/observation/visits.h"
+#include "ui/report/report_text.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {
@@ -20,30 +21,32 @@ QString given(const std::string& text, const QString& unit = {}) {
 
 /// Of a σ: as stated in the session, or what is taken where it states none.
 struct Provenance {
-  QString value, from;
+  QString value;
+  bool isStated;
 
   Provenance(const std::string& text, const QString& unit, const QString& usual)
-      : value(given(text, unit)), from(QStringLiteral("stated")) {
-    if (!value.isEmpty()) return;
-    value = usual;
-    from = QStringLiteral("default");
+      : value(given(text, unit)), isStated(!value.isEmpty()) {
+    if (!isStated) value = usual;
   }
-  QString text() const { return QStringLiteral("%1 (%2)").arg(value, from); }
+  QString text() const {
+    //: of a standard uncertainty: it stands in the session, or is what the program takes
+    return (isStated ? Report::tr("%1 (stated)") : Report::tr("%1 (default)")).arg(value);
+  }
 };
 
 QString nameAndSerial(const std::string& name, const std::string& serial) {
   QStringList parts;
   if (const QString text = given(name); !text.isEmpty()) parts.append(text);
-  if (const QString text = given(serial); !text.isEmpty()) parts.append(QStringLiteral("serial ") + text);
-  return parts.join(QStringLiteral(", "));
+  if (const QString text = given(serial); !text.isEmpty()) parts.append(Report::tr("serial %1").arg(text));
+  return Report::list(parts);
 }
 
 QString sigmaOfCircles(const Instrument& instrument) {
   const QString arcsec(QChar(0x2033)), usual = QStringLiteral("2″");
   const Provenance horizontal(instrument.sigmaHorizontalArcsec, arcsec, usual),
       vertical(instrument.sigmaVerticalArcsec, arcsec, usual);
-  const bool isAlike = horizontal.from == vertical.from;
-  return QStringLiteral("horizontal %1, vertical %2")
+  const bool isAlike = horizontal.isStated == vertical.isStated;
+  return Report::tr("horizontal %1, vertical %2")
       .arg(isAlike ? horizontal.value : horizontal.text(), vertical.text());
 }
 
@@ -53,10 +56,10 @@ bool readsSlider(const Evaluation& evaluation) {
 }
 
 QString lengthWithSigma(const std::string& length, const std::string& sigma) {
-  const QString mm = QStringLiteral(" mm"), value = given(length, mm), stated = given(sigma);
-  const Provenance from(stated.isEmpty() ? std::string() : "σ " + stated.toStdString(), mm,
-                        QStringLiteral("taken as exact"));
-  return value.isEmpty() ? value : QStringLiteral("%1, %2").arg(value, from.text());
+  const QString value = given(length, QStringLiteral(" mm")), stated = given(sigma);
+  if (value.isEmpty()) return value;
+  return stated.isEmpty() ? Report::tr("%1, taken as exact (default)").arg(value)
+                          : Report::tr("%1, σ %2 mm (stated)").arg(value, stated);
 }
 
 /// Its σ is of use where the radius is known, or as a closure where it is stated.
@@ -67,14 +70,25 @@ QString nominalRadius(const Session& session) {
   return lengthWithSigma(geometry.radiusMm, geometry.sigmaRadiusMm);
 }
 
+/// What it reads, as typed where that is neither; zenith where nothing is typed.
+QString verticalCircle(const Session& session) {
+  const QString typed = given(session.geometry.verticalCircle);
+  const bool isZenith = typed.isEmpty() || typed == QStringLiteral("zenith");
+  //: what the vertical circle reads: zenith angles
+  QString reads = isZenith ? Report::tr("zenith") : typed;
+  //: what the vertical circle reads: elevation angles
+  if (typed == QStringLiteral("elevation")) reads = Report::tr("elevation");
+  return session.model.verticalAngle == "planar" ? Report::tr("%1, planar relation").arg(reads) : reads;
+}
+
 std::vector<LabelledText> objectFacts(const Session& session, const QDateTime& date) {
-  return {{QStringLiteral("Laboratory"), given(session.report.laboratory)},
-          {QStringLiteral("Customer"), given(session.report.customer)},
-          {QStringLiteral("Device"), nameAndSerial(session.device.name, session.device.serial)},
-          {QStringLiteral("Operator"), given(session.operatorName)},
-          {QStringLiteral("Place"), given(session.place)},
-          {QStringLiteral("Measured on"), given(session.measuredOn)},
-          {QStringLiteral("Report made"), date.toString(QStringLiteral("yyyy-MM-dd HH:mm"))}};
+  return {{Report::tr("Laboratory"), given(session.report.laboratory)},
+          {Report::tr("Customer"), given(session.report.customer)},
+          {Report::tr("Device"), nameAndSerial(session.device.name, session.device.serial)},
+          {Report::tr("Operator"), given(session.operatorName)},
+          {Report::tr("Place"), given(session.place)},
+          {Report::tr("Measured on"), given(session.measuredOn)},
+          {Report::tr("Report made"), date.toString(QStringLiteral("yyyy-MM-dd HH:mm"))}};
 }
 
 std::vector<LabelledText> instrumentFacts(const Evaluation& evaluation) {
@@ -82,40 +96,54 @@ std::vector<LabelledText> instrumentFacts(const Evaluation& evaluation) {
   const Instrument& instrument = session.instrument;
   const Geometry& geometry = session.geometry;
   const QString arcsec(QChar(0x2033));
-  const QString planar =
-      session.model.verticalAngle == "planar" ? QStringLiteral(", planar relation") : QString();
   std::vector<LabelledText> facts{
-      {QStringLiteral("Instrument"), nameAndSerial(instrument.name, instrument.serial)},
-      {QStringLiteral("Certificate"), given(instrument.certificate)},
-      {QStringLiteral("Circles traceable"), given(instrument.traceability)},
-      {QStringLiteral("σ of the circles"), sigmaOfCircles(instrument)},
-      {QStringLiteral("σ pointing zero"),
-       Provenance(instrument.sigmaZeroArcsec, arcsec, QStringLiteral("that of the circles")).text()}};
+      {Report::tr("Instrument"), nameAndSerial(instrument.name, instrument.serial)},
+      {Report::tr("Certificate"), given(instrument.certificate)},
+      {Report::tr("Circles traceable"), given(instrument.traceability)},
+      {Report::tr("σ of the circles"), sigmaOfCircles(instrument)},
+      {Report::tr("σ pointing zero"), Provenance(instrument.sigmaZeroArcsec, arcsec,
+                                                 //: a standard uncertainty: as that of the circles
+                                                 Report::tr("that of the circles"))
+                                          .text()}};
   if (readsSlider(evaluation))
-    facts.push_back({QStringLiteral("σ of the slider"),
+    facts.push_back({Report::tr("σ of the slider"),
                      Provenance(instrument.sigmaSliderArcsec, arcsec, QStringLiteral("5″")).text()});
-  facts.push_back(
-      {QStringLiteral("Distance L"), lengthWithSigma(geometry.distanceMm, geometry.sigmaDistanceMm)});
-  facts.push_back({QStringLiteral("L measured"), given(geometry.distanceFrom)});
-  facts.push_back({QStringLiteral("Nominal radius R0"), nominalRadius(session)});
-  facts.push_back({QStringLiteral("Vertical circle"),
-                   Provenance(geometry.verticalCircle, {}, QStringLiteral("zenith")).value + planar});
+  facts.push_back({Report::tr("Distance L"), lengthWithSigma(geometry.distanceMm, geometry.sigmaDistanceMm)});
+  facts.push_back({Report::tr("L measured"), given(geometry.distanceFrom)});
+  facts.push_back({Report::tr("Nominal radius R0"), nominalRadius(session)});
+  facts.push_back({Report::tr("Vertical circle"), verticalCircle(session)});
   return facts;
+}
+
+struct LabelledLines {
+  QStringList label, text;
+
+  qsizetype count() const { return std::max(label.size(), text.size()); }
+};
+
+const TextStyle labelStyle = type::detail.inColour(type::label.colour);
+
+LabelledLines linesOf(const ReportSheet& sheet, const LabelledText& labelled, double available) {
+  constexpr double between = 1;  // mm
+  return {sheet.lines(labelled.label, labelStyle, labelWidth - between),
+          sheet.lines(labelled.text, type::detail, available - labelWidth)};
 }
 
 }  // namespace
 
 double placeLabelled(ReportSheet& sheet, const std::vector<LabelledText>& texts, double left, double top,
                      double available) {
-  const TextStyle& style = type::detail;
-  const TextStyle label = style.inColour(type::label.colour);
+  const double line = sheet.lineHeight(type::detail);
   for (const LabelledText& labelled : texts) {
     if (labelled.text.isEmpty()) continue;
-    sheet.text(labelled.label, label, left, top, labelWidth);
-    for (const QString& line : sheet.lines(labelled.text, style, available - labelWidth)) {
-      sheet.text(line, style, left + labelWidth, top, available - labelWidth);
-      top += sheet.lineHeight(style);
-    }
+    const LabelledLines lines = linesOf(sheet, labelled, available);
+    const auto place = [&](const QStringList& broken, const TextStyle& style, double at, double width) {
+      for (qsizetype i = 0; i < broken.size(); ++i)
+        sheet.text(broken[i], style, at, top + static_cast<double>(i) * line, width);
+    };
+    place(lines.label, labelStyle, left, labelWidth);
+    place(lines.text, type::detail, left + labelWidth, available - labelWidth);
+    top += static_cast<double>(lines.count()) * line;
   }
   return top;
 }
@@ -123,8 +151,7 @@ double placeLabelled(ReportSheet& sheet, const std::vector<LabelledText>& texts,
 double labelledHeight(const ReportSheet& sheet, const std::vector<LabelledText>& texts, double available) {
   qsizetype lines = 0;
   for (const LabelledText& labelled : texts)
-    if (!labelled.text.isEmpty())
-      lines += sheet.lines(labelled.text, type::detail, available - labelWidth).size();
+    if (!labelled.text.isEmpty()) lines += linesOf(sheet, labelled, available).count();
   return static_cast<double>(lines) * sheet.lineHeight(type::detail);
 }
 

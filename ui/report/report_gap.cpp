@@ -7,6 +7,7 @@
 #include "core/wording/measure.h"
 #include "core/wording/verdict.h"
 #include "ui/report/report_table.h"
+#include "ui/report/report_text.h"
 #include "ui/text/cause_text.h"
 #include "ui/text/closure_text.h"
 #include "ui/text/entry_text.h"
@@ -18,8 +19,8 @@ namespace {
 
 void addStages(ReportSheet& sheet, const Gap& gap) {
   constexpr auto right = Qt::AlignRight;
-  ReportTable table(sheet, {{QStringLiteral("Model"), 78},
-                            {QStringLiteral("rms"), 20, right},
+  ReportTable table(sheet, {{Report::tr("Model"), 78},
+                            {Report::tr("rms"), 20, right},
                             {QStringLiteral("χ²/f"), 20, right},
                             {QStringLiteral("Δd ± U (mm)"), 38, right}});
   table.head();
@@ -31,18 +32,22 @@ void addStages(ReportSheet& sheet, const Gap& gap) {
                numberText(gap.diagnosis->after.reducedChiSquare, 2),
                estimateText(gap.diagnosis->afterwards)});
   const MeasuredIntersection* measured = gap.measured();
-  table.row({QStringLiteral("measured: every effect at its plausible size"), notStated(), notStated(),
+  table.row({Report::tr("measured: every effect at its plausible size"), notStated(), notStated(),
              estimateText(measured ? std::optional(measured->estimate) : std::nullopt)});
   table.finish();
 }
 
-/// " (1σ: collimation 30″)".
-QString plausibleSizes(const Diagnosis& diagnosis) {
+/// How the probabilities are meant, with the plausible sizes.
+QString probabilityNote(const Diagnosis& diagnosis) {
   QStringList sizes;
   for (const Cause& cause : diagnosis.causes)
     if (const QString size = plausibleText(cause.effect); !size.isEmpty())
       sizes.append(causeName(cause.effect) + u' ' + size);
-  return sizes.isEmpty() ? QString() : QStringLiteral(" (1σ: %1)").arg(sizes.join(QStringLiteral(", ")));
+  if (sizes.isEmpty())
+    return Report::tr("Probabilities: given the catalogue and how large its effects plausibly are.");
+  //: %1: effects with their sizes, "collimation 30″, refraction 2″"
+  return Report::tr("Probabilities: given the catalogue and how large its effects plausibly are (1σ: %1).")
+      .arg(Report::list(sizes));
 }
 
 /// "Collimation, −3.53″ (u 0.17); probability 79 %."
@@ -51,8 +56,9 @@ QString causeLine(const Cause& cause) {
   for (const CauseParameter& parameter : cause.parameters)
     if (parameter.sigma > 0) parts.append(parameterText(cause, parameter));
   for (const ReadingDeviation& reading : cause.readings) parts.append(deviationText(reading));
-  return parts.join(QStringLiteral("; ")) +
-         QStringLiteral("; probability %1.").arg(qText(shortProbabilityText(cause.probability)));
+  //: %1: a cause with its numbers
+  return Report::tr("%1; probability %2.")
+      .arg(Report::clauses(parts), qText(shortProbabilityText(cause.probability)));
 }
 
 /// No less than the section takes up, in mm.
@@ -68,12 +74,12 @@ void addClosureTable(ReportSheet& sheet, const Gap& gap) {
   constexpr auto right = Qt::AlignRight;
   const double coverage = gap.evaluation->examined.measurement->coverage;
   const bool hasCauses = !gap.diagnosis->causes.empty();
-  std::vector<ReportColumn> columns{{QStringLiteral("Closure"), 46},
-                                    {QStringLiteral("as modelled ± U"), 38, right},
-                                    {QStringLiteral("size"), 20, right}};
+  std::vector<ReportColumn> columns{{Report::tr("Closure"), 46},
+                                    {Report::tr("as modelled ± U"), 38, right},
+                                    {Report::tr("size"), 20, right}};
   if (hasCauses) {
-    columns.push_back({QStringLiteral("with the causes ± U"), 42, right});
-    columns.push_back({QStringLiteral("size"), 20, right});
+    columns.push_back({Report::tr("with the causes ± U"), 42, right});
+    columns.push_back({Report::tr("size"), 20, right});
   }
   ReportTable table(sheet, columns);
   table.head();
@@ -104,18 +110,18 @@ void addRequired(ReportSheet& sheet, const std::vector<Required>& list) {
   constexpr auto right = Qt::AlignRight;
   const double row = sheet.lineHeight(type::body) + 1.5;
   sheet.keepTogether(std::min(20 + static_cast<double>(list.size() + 1) * row, sheet.height() / 2));
-  sheet.heading(QStringLiteral("What it would take to explain Δd − reference"));
-  ReportTable table(sheet, {{QStringLiteral("Effect"), 70},
-                            {QStringLiteral("size"), 26, right},
-                            {QStringLiteral("plausible sizes"), 32, right},
-                            {QStringLiteral("leaves (σ)"), 28, right}});
+  sheet.heading(Report::tr("What it would take to explain Δd − reference"));
+  ReportTable table(sheet, {{Report::tr("Effect"), 70},
+                            {Report::tr("size"), 26, right},
+                            {Report::tr("plausible sizes"), 32, right},
+                            {Report::tr("leaves (σ)"), 28, right}});
   table.head();
   for (const Required& required : list)
     table.row({causeTitle(required.effect), requiredSizeText(required), plausibleSizesText(required),
                numberText(required.visibleSigma, 1)});
   table.finish();
-  sheet.paragraph(QStringLiteral("Each by itself, of the effects that these readings do not exclude at that "
-                                 "size; leaves: what it would leave in these readings."),
+  sheet.paragraph(Report::tr("Each by itself, of the effects that these readings do not exclude at that "
+                             "size; leaves: what it would leave in these readings."),
                   type::small);
 }
 
@@ -124,21 +130,18 @@ void addRequired(ReportSheet& sheet, const std::vector<Required>& list) {
 void addGap(ReportSheet& sheet, const Gap& gap) {
   if (!gap.diagnosis || gap.isNoiseAlone() || (!gap.isOpen() && gap.stages.size() < 2)) return;
   sheet.keepTogether(std::min(heightOf(sheet, gap), sheet.height() / 2));
-  sheet.heading(QStringLiteral("Gap between model and readings"));
-  sheet.paragraph(gapHeadline(*gap.diagnosis) + u'.', type::body.inBold());
+  sheet.heading(Report::tr("Gap between model and readings"));
+  //: a headline as a sentence
+  sheet.paragraph(Report::tr("%1.").arg(gapHeadline(*gap.diagnosis)), type::body.inBold());
   sheet.paragraph(gapSentence(gap));
   for (const Cause& cause : gap.diagnosis->causes)
     sheet.paragraph(QStringLiteral("– ") + causeLine(cause), type::body, 3);
-  if (!gap.diagnosis->causes.empty())
-    sheet.paragraph(
-        QStringLiteral("Probabilities: given the catalogue and how large its effects plausibly are%1.")
-            .arg(plausibleSizes(*gap.diagnosis)),
-        type::small);
+  if (!gap.diagnosis->causes.empty()) sheet.paragraph(probabilityNote(*gap.diagnosis), type::small);
   sheet.skip(1);
   addStages(sheet, gap);
   if (gap.isOpen())
     sheet.paragraph(
-        QStringLiteral(
+        Report::tr(
             "The figures of this report are those of the model as it is, but for what is said to be "
             "measured; nothing was added or left out because of the diagnosis. The verdict stands only where "
             "both accounts say so."),
@@ -149,17 +152,19 @@ void addClosures(ReportSheet& sheet, const Gap& gap) {
   if (!gap.diagnosis || gap.diagnosis->closures.empty()) return;
   const QString open = qText(misclosureSentence(*gap.diagnosis));
   sheet.keepTogether(closuresHeight(sheet, gap, open));
-  sheet.heading(QStringLiteral("Closures: what must agree"));
+  sheet.heading(Report::tr("Closures: what must agree"));
   addClosureTable(sheet, gap);
   const Measurement& measurement = *gap.evaluation->examined.measurement;
-  sheet.paragraph(
-      QStringLiteral("Half a turn of one rigid arc about an axis along x keeps its radius and leaves the "
-                     "centre's x alone%1; R0 and the reference count where their σ is stated. U at "
-                     "%2 %.")
-          .arg(
-              hasRepeats(measurement) ? QStringLiteral("; an arc measured again is where it was") : QString(),
-              plainNumberText(100 * measurement.coverage)),
-      type::small);
+  const QString says =
+      hasRepeats(measurement)
+          ? Report::tr(
+                "Half a turn of one rigid arc about an axis along x keeps its radius and leaves the "
+                "centre's x alone; an arc measured again is where it was; R0 and the reference count "
+                "where their σ is stated. U at %1 %.")
+          : Report::tr(
+                "Half a turn of one rigid arc about an axis along x keeps its radius and leaves the "
+                "centre's x alone; R0 and the reference count where their σ is stated. U at %1 %.");
+  sheet.paragraph(says.arg(plainNumberText(100 * measurement.coverage)), type::small);
   if (!open.isEmpty()) sheet.paragraph(open);
   addRequired(sheet, gap.diagnosis->whatItWouldTake);
 }
@@ -170,17 +175,18 @@ void addUnseen(ReportSheet& sheet, const Gap& gap) {
   QStringList measures;
   for (const Advice& advice : gap.diagnosis->advice)
     if (advice.ofUnseen) measures.append(qText(textOf(advice.measures)));
-  const QString moves = QStringLiteral(
-                            "The following effects would leave no clear trace in these readings, so U of the "
-                            "fit alone holds nothing of them; U as measured holds what its budget lists. A "
-                            "plausible size of each would move Δd by: %1.")
-                            .arg(unseenText(unseen));
-  const QString remedy = QStringLiteral("Further readings would show some of them: %1.")
-                             .arg(measures.join(QStringLiteral("; ")));
-  const QString text = measures.isEmpty() ? moves : moves + u' ' + remedy;
+  QStringList sentences{
+      Report::tr("The following effects would leave no clear trace in these readings, so U of the fit alone "
+                 "holds nothing of them; U as measured holds what its budget lists. A plausible size of each "
+                 "would move Δd by: %1.")
+          .arg(unseenText(unseen))};
+  if (!measures.isEmpty())
+    sentences.append(
+        Report::tr("Further readings would show some of them: %1.").arg(Report::clauses(measures)));
+  const QString text = Report::sentences(sentences);
   const auto lines = sheet.lines(text, type::body, ReportSheet::width).size();
   sheet.keepTogether(16 + static_cast<double>(lines) * sheet.lineHeight(type::body));
-  sheet.heading(QStringLiteral("What these readings would not show"));
+  sheet.heading(Report::tr("What these readings would not show"));
   sheet.paragraph(text);
 }
 

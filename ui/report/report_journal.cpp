@@ -4,6 +4,7 @@
 
 #include "core/wording/journal.h"
 #include "ui/report/report_table.h"
+#include "ui/report/report_text.h"
 #include "ui/text/journal_text.h"
 #include "ui/text/visible_text.h"
 
@@ -15,15 +16,16 @@ void addJournal(ReportSheet& sheet, const Evaluation& evaluation) {
   const std::vector<JournalEntry>& journal = evaluation.session.journal;
   if (journal.empty()) return;
   sheet.keepTogether(35);
-  sheet.heading(QStringLiteral("Journal of changes"));
+  sheet.heading(Report::tr("Journal of changes"));
   if (const QString summary = visibleLine(evaluation.journal); !summary.isEmpty()) sheet.paragraph(summary);
   sheet.skip(0.8);
-  ReportTable table(sheet, {{QStringLiteral("When (UTC)"), 28},
-                            {QStringLiteral("What"), 50},
-                            {QStringLiteral("From"), 28},
-                            {QStringLiteral("To"), 28},
-                            {QStringLiteral("Why"), 22},
-                            {QStringLiteral("Who"), ReportSheet::width - 156}});
+  //: heads of the journal: when, what, from which text, to which, why and by whom it was changed
+  ReportTable table(sheet, {{Report::tr("When (UTC)"), 28},
+                            {Report::tr("What"), 50},
+                            {Report::tr("From"), 28},
+                            {Report::tr("To"), 28},
+                            {Report::tr("Why"), 22},
+                            {Report::tr("Who"), ReportSheet::width - 156}});
   table.head();
   const std::size_t left = journal.size() - std::min(journal.size(), mostEntries);
   for (std::size_t i = left; i < journal.size(); ++i) {
@@ -34,7 +36,9 @@ void addJournal(ReportSheet& sheet, const Evaluation& evaluation) {
   }
   table.finish();
   if (left > 0)
-    sheet.paragraph(QStringLiteral("%1 earlier entries are in the session file.").arg(left), type::small);
+    sheet.paragraph(left == 1 ? Report::tr("1 earlier entry is in the session file.")
+                              : Report::tr("%1 earlier entries are in the session file.").arg(left),
+                    type::small);
 }
 
 }  // namespace alidade::ui

@@ -4,20 +4,23 @@
 #include <QImageReader>
 #include <QPainter>
 
+#include "ui/report/report_text.h"
+
 namespace alidade::ui {
 
 namespace {
 
 constexpr QSize most(1400, 350);  // 600 dots per inch on the sheet
 
-Problem refused(const QString& path, const QString& why) {
-  return Problem{QStringLiteral("the logo “%1” cannot be used: %2").arg(path, why).toStdString()};
+Problem refused(const QString& text) {
+  return Problem{text.toStdString()};
 }
 
 }  // namespace
 
 Result<QImage> readLogo(const QString& path) {
-  if (!QFileInfo(path).isFile()) return refused(path, QStringLiteral("there is no such file"));
+  if (!QFileInfo(path).isFile())
+    return refused(Report::tr("the logo “%1” cannot be used: there is no such file").arg(path));
   QImageReader reader(path);
   reader.setDecideFormatFromContent(true);
   reader.setAutoTransform(true);
@@ -26,7 +29,8 @@ Result<QImage> readLogo(const QString& path) {
   if (size.isValid() && (isLarger || reader.format() == "svg"))
     reader.setScaledSize(size.scaled(most, Qt::KeepAspectRatio));
   QImage read = reader.read();
-  if (read.isNull()) return refused(path, reader.errorString());
+  if (read.isNull())
+    return refused(Report::tr("the logo “%1” cannot be used: %2").arg(path, reader.errorString()));
   if (read.width() > most.width() || read.height() > most.height())
     read = read.scaled(most, Qt::KeepAspectRatio, Qt::SmoothTransformation);
   QImage logo(read.size(), QImage::Format_RGB32);

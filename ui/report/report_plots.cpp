@@ -6,6 +6,7 @@
 
 #include "ui/charts/arc/arc_plot.h"
 #include "ui/charts/residuals/residual_plot.h"
+#include "ui/report/report_text.h"
 #include "ui/text/quantity_text.h"
 
 namespace alidade::ui {
@@ -26,60 +27,62 @@ void addPlot(ReportSheet& sheet, const std::shared_ptr<Plot>& plot, const Evalua
   sheet.skip(height + 1.5);
 }
 
-/// Says what the rings mean, where there are any.
+/// Say what the rings mean, and how faces and rounds are told apart, where there are any.
 template <typename Drawn>
-QString ringsCaption(const std::vector<Drawn>& drawn) {
-  const bool any = std::any_of(drawn.begin(), drawn.end(), [](const Drawn& one) { return one.time > 1; });
-  return any ? QStringLiteral(" Ringed: the axis measured again.") : QString();
+QStringList markSentences(const std::vector<Drawn>& drawn, const RowKinds& kinds) {
+  const bool isRinged =
+      std::any_of(drawn.begin(), drawn.end(), [](const Drawn& one) { return one.time > 1; });
+  QStringList sentences;
+  if (isRinged) sentences.append(Report::tr("Ringed: the axis measured again."));
+  if (kinds.hasTwoFaces()) sentences.append(Report::tr("Struck through: face 2."));
+  if (kinds.rounds.size() > 1) sentences.append(Report::tr("Rounds stand side by side."));
+  return sentences;
 }
 
-/// Says how rounds and faces are told apart, where there are several.
-QString rowsCaption(const RowKinds& kinds) {
-  QString text;
-  if (kinds.hasTwoFaces()) text += QStringLiteral(" Struck through: face 2.");
-  if (kinds.rounds.size() > 1) text += QStringLiteral(" Rounds stand side by side.");
-  return text;
+QStringList insetSentences(const DrawnIntersection& intersection) {
+  QStringList sentences{
+      Report::tr("Inset: the arc centres O1 and O2 with the axis midway between them; the heavy line is Δd, "
+                 "the bar at its end its expanded uncertainty U of the fit alone, the ellipses hold the "
+                 "centres at %1 %.")
+          .arg(plainNumberText(100 * intersection.coverage))};
+  if (intersection.tolerance)
+    sentences.append(Report::tr("Grey: where they may lie at the tolerance of ± %1 mm.")
+                         .arg(plainNumberText(*intersection.tolerance)));
+  sentences.append(
+      Report::tr("Δx leads from O2 to the cross where O2 would lie if the positions closed; without a cross "
+                 "it does."));
+  return sentences;
 }
 
 QString arcCaption(const ArcPicture& picture) {
   if (picture.arcs.empty())
-    return QStringLiteral("Figure 1. Sighted points in the arc plane; no arc was fitted.");
-  QString text =
-      QStringLiteral(
-          "Figure 1. Fitted arcs and sighted points in true proportion, frame at the theodolite, x "
-          "right, y up. Filled points and full line: axis at 0°; hollow points and broken line: "
-          "180°.%1 The strokes are the residuals, from the adjusted point on the arc, drawn %2.")
-          .arg(ringsCaption(picture.sightings) + rowsCaption(picture.kinds),
-               exaggerationText(picture.exaggeration));
-  if (picture.intersection) {
-    text +=
-        QStringLiteral(
-            " Inset: the arc centres O1 and O2 with the axis midway between them; the heavy line is Δd, the "
-            "bar at its end its expanded uncertainty U of the fit alone, the ellipses hold the centres at %1 "
-            "%.")
-            .arg(plainNumberText(100 * picture.intersection->coverage));
-    if (picture.intersection->tolerance)
-      text += QStringLiteral(" Grey: where they may lie at the tolerance of ± %1 mm.")
-                  .arg(plainNumberText(*picture.intersection->tolerance));
-    text += QStringLiteral(
-        " Δx leads from O2 to the cross where O2 would lie if the positions closed; without a cross it "
-        "does.");
-  }
-  return text;
+    return Report::tr("Figure 1. Sighted points in the arc plane; no arc was fitted.");
+  QStringList sentences{
+      Report::tr("Figure 1. Fitted arcs and sighted points in true proportion, frame at the theodolite, x "
+                 "right, y up. Filled points and full line: axis at 0°; hollow points and broken line: "
+                 "180°.")};
+  sentences += markSentences(picture.sightings, picture.kinds);
+  sentences.append(
+      //: %1: how many times as long, "× 500"
+      Report::tr("The strokes are the residuals, from the adjusted point on the arc, drawn %1.")
+          .arg(exaggerationText(picture.exaggeration)));
+  if (picture.intersection) sentences += insetSentences(*picture.intersection);
+  return Report::sentences(sentences);
 }
 
 QString residualCaption(const ResidualPicture& picture, int figure) {
-  if (picture.isEmpty())
-    return QStringLiteral("Figure %1. No residuals, since no arc was fitted.").arg(figure);
+  if (picture.isEmpty()) return Report::tr("Figure %1. No residuals, since no arc was fitted.").arg(figure);
   const auto sigma = [](double arcsec) { return plainNumberText(arcsec) + QChar(0x2033); };
-  return QStringLiteral(
-             "Figure %4. Residuals of the readings, observed minus adjusted, right and up positive, along "
-             "the "
-             "slider coordinate. Circles: horizontal, diamonds: vertical; filled: axis at 0°, hollow: "
-             "180°.%1 "
-             "Grey band: ±1σ, broken lines: ±3σ of the stated noise (σ = %2 horizontal, %3 vertical).")
-      .arg(ringsCaption(picture.residuals) + rowsCaption(picture.kinds), sigma(picture.sigmaHorizontal),
-           sigma(picture.sigmaVertical), QString::number(figure));
+  QStringList sentences{
+      Report::tr("Figure %1. Residuals of the readings, observed minus adjusted, right and up positive, "
+                 "along the slider coordinate. Circles: horizontal, diamonds: vertical; filled: axis at 0°, "
+                 "hollow: 180°.")
+          .arg(figure)};
+  sentences += markSentences(picture.residuals, picture.kinds);
+  sentences.append(Report::tr("Grey band: ±1σ, broken lines: ±3σ of the stated noise (σ = %1 horizontal, %2 "
+                              "vertical).")
+                       .arg(sigma(picture.sigmaHorizontal), sigma(picture.sigmaVertical)));
+  return Report::sentences(sentences);
 }
 
 }  // namespace
@@ -93,9 +96,9 @@ void addPlots(ReportSheet& sheet, const Evaluation& evaluation, bool hasArcs, bo
     sheet.newPage();
   else
     sheet.keepTogether((hasArcs ? arcsHeight : residualsHeight) + aroundPlot);
-  sheet.heading(!hasResiduals ? QStringLiteral("Arcs")
-                : hasArcs     ? QStringLiteral("Arcs and residuals")
-                              : QStringLiteral("Residuals"));
+  sheet.heading(!hasResiduals ? Report::tr("Arcs")
+                : hasArcs     ? Report::tr("Arcs and residuals")
+                              : Report::tr("Residuals"));
   if (hasArcs) {
     const auto arcs = std::make_shared<ArcPlot>();
     addPlot(sheet, arcs, evaluation, arcsHeight);

@@ -8,6 +8,7 @@
 #include "core/session/entry.h"
 #include "ui/document/reading_column.h"
 #include "ui/report/report_table.h"
+#include "ui/report/report_text.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/position_text.h"
 #include "ui/text/quantity_text.h"
@@ -36,17 +37,18 @@ std::vector<ReportColumn> columns() {
   std::vector<ReportColumn> columns;
   for (const ReadingColumnInfo& info : allReadingColumns())
     if (info.printedTitle)
-      columns.push_back({QString::fromUtf8(info.printedTitle), info.printedWidth,
+      columns.push_back({QCoreApplication::translate("ReadingColumn", info.printedTitle), info.printedWidth,
                          isFreeText(info.column) ? Qt::AlignLeft : right});
   columns.push_back({QStringLiteral("φ\n(°)"), 17.5, right});
-  for (const char* residual : {"v horiz.\n(″)", "v vert.\n(″)"}) {
-    columns.push_back({QString::fromUtf8(residual), 14, right});
+  //: heads of narrow columns: the residual of the horizontal, then that of the vertical circle
+  for (const QString& residual : {Report::tr("v horiz.\n(″)"), Report::tr("v vert.\n(″)")}) {
+    columns.push_back({residual, 14, right});
     columns.push_back({QStringLiteral("w"), 10.5, right});
   }
   columns.push_back({QString(), 2});
   double taken = 0;
   for (const ReportColumn& column : columns) taken += column.width;
-  columns.push_back({QStringLiteral("Remark"), ReportSheet::width - taken});
+  columns.push_back({Report::tr("Remark"), ReportSheet::width - taken});
   return columns;
 }
 
@@ -60,8 +62,8 @@ std::set<std::size_t> unusableRows(const Evaluation& evaluation, std::size_t pos
 }
 
 QString remark(const Reading& reading, bool unusable) {
-  if (reading.excluded) return QStringLiteral("excluded");
-  return unusable ? QStringLiteral("unusable") : QString();
+  if (reading.excluded) return Report::tr("excluded");
+  return unusable ? Report::tr("unusable") : QString();
 }
 
 /// The note, and what the reading was before it was changed.
@@ -69,10 +71,12 @@ QString remarks(const Reading& reading) {
   QStringList parts;
   if (const QString note = visibleLine(qText(reading.note).trimmed()); !note.isEmpty()) parts.append(note);
   for (const auto& [key, text] : reading.asRead.all())
-    parts.append(QStringLiteral("%1 first entered as %2")
-                     .arg(QCoreApplication::translate("ReadingColumn", infoOf(readingColumn(key)).noun),
-                          shortLine(text, longestCell)));
-  return parts.join(QStringLiteral("; "));
+    parts.append(
+        //: %1: what was read, as "vertical reading"; %2: as it was typed at first
+        Report::tr("%1 first entered as %2")
+            .arg(QCoreApplication::translate("ReadingColumn", infoOf(readingColumn(key)).noun),
+                 shortLine(text, longestCell)));
+  return Report::clauses(parts);
 }
 
 QString typedCell(const Reading& row, const RowField& field, CircleUnit unit) {
@@ -151,44 +155,45 @@ class PositionTable {
 void addPosition(ReportSheet& sheet, const Evaluation& evaluation, std::size_t index) {
   const Position& position = evaluation.session.positions[index];
   const auto zero = [](const std::string& text) {
-    return text.empty() ? QStringLiteral("not given") : shortLine(text, longestCell);
+    return text.empty() ? Report::tr("not given") : shortLine(text, longestCell);
   };
   sheet.keepTogether(35);
-  sheet.heading(QStringLiteral("Readings with the axis at ") + positionText(evaluation.session, index));
-  sheet.paragraph(QStringLiteral("Pointing zero: horizontal α0 = %1, vertical β0 = %2")
+  sheet.heading(Report::tr("Readings with the axis at %1").arg(positionText(evaluation.session, index)));
+  sheet.paragraph(Report::tr("Pointing zero: horizontal α0 = %1, vertical β0 = %2")
                       .arg(zero(position.zero.horizontal), zero(position.zero.vertical)));
   QStringList further;
   for (const ZeroSlot& slot : furtherZeros) {
     const ZeroSighting& sighting = position.zero.*slot.sighting;
     if (sighting.horizontal.empty() && sighting.vertical.empty()) continue;
-    further.append(
-        QStringLiteral("%1 in face %2: %3, %4")
-            .arg(slot.isAfter ? QStringLiteral("after the readings") : QStringLiteral("before them"))
-            .arg(slot.face)
-            .arg(zero(sighting.horizontal), zero(sighting.vertical)));
+    const QString says = slot.isAfter ? Report::tr("after the readings in face %1: %2, %3")
+                                      : Report::tr("before them in face %1: %2, %3");
+    further.append(says.arg(QString::number(slot.face), zero(sighting.horizontal), zero(sighting.vertical)));
   }
   if (!further.isEmpty()) {
-    sheet.paragraph(QStringLiteral("Sighted again ") + further.join(QStringLiteral("; ")));
+    //: %1: "before them in face 2: 170°, 90°; after the readings in face 1: …"
+    sheet.paragraph(Report::tr("Sighted again %1").arg(Report::clauses(further)));
     if (const QString mean = meanZeroText(evaluation.examined, index); !mean.isEmpty()) sheet.paragraph(mean);
   }
   sheet.skip(0.8);
   if (position.readings.empty()) {
-    sheet.paragraph(QStringLiteral("No readings."));
+    sheet.paragraph(Report::tr("No readings."));
     return;
   }
   PositionTable(sheet, evaluation, index).add(Rows::All);
 }
 
 QString footnote(const Evaluation& evaluation) {
-  QString text = QStringLiteral(
-      "v: residual, observed minus adjusted, right and up positive. φ: arc angle from +x, "
-      "counter-clockwise as the observer sees it.");
-  if (evaluation.fit.arcs.empty()) return text;
-  return text + QStringLiteral(
-                    " w = v/(s0 σ √r): standardised residual, s0 = %1; — where no other reading checks the "
-                    "reading. * marks residuals with |w| > %2, for information: no reading is left out "
-                    "because of its residual.")
-                    .arg(numberText(evaluation.fit.noise.factor, 2), plainNumberText(largeResidual));
+  QStringList sentences{
+      Report::tr("v: residual, observed minus adjusted, right and up positive. φ: arc angle from +x, "
+                 "counter-clockwise as the observer sees it.")};
+  if (!evaluation.fit.arcs.empty())
+    sentences.append(
+        Report::tr(
+            "w = v/(s0 σ √r): standardised residual, s0 = %1; — where no other reading checks the "
+            "reading. * marks residuals with |w| > %2, for information: no reading is left out because "
+            "of its residual.")
+            .arg(numberText(evaluation.fit.noise.factor, 2), plainNumberText(largeResidual)));
+  return Report::sentences(sentences);
 }
 
 bool hasRemarkable(const Evaluation& evaluation, std::size_t position) {
@@ -212,8 +217,8 @@ void addRemarkableReadings(ReportSheet& sheet, const Evaluation& evaluation) {
   for (std::size_t i = 0; i < evaluation.session.positions.size(); ++i) {
     if (!hasRemarkable(evaluation, i)) continue;
     sheet.keepTogether(35);
-    sheet.heading(QStringLiteral("Readings changed, excluded or not usable, with the axis at ") +
-                  positionText(evaluation.session, i));
+    sheet.heading(Report::tr("Readings changed, excluded or not usable, with the axis at %1")
+                      .arg(positionText(evaluation.session, i)));
     PositionTable(sheet, evaluation, i).add(Rows::Remarkable);
     isAny = true;
   }

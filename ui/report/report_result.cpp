@@ -6,6 +6,7 @@
 #include "core/wording/across.h"
 #include "core/wording/budget.h"
 #include "ui/report/report_table.h"
+#include "ui/report/report_text.h"
 #include "ui/text/budget_text.h"
 #include "ui/text/cause_text.h"
 #include "ui/text/effect_text.h"
@@ -31,8 +32,8 @@ QString percent(double share) {
 
 QString toleranceText(const Evaluation& evaluation) {
   const std::optional<double> tolerance = evaluation.examined.measurement->tolerance;
-  return tolerance ? QStringLiteral("tolerance ± ") + plainNumberText(*tolerance) + QStringLiteral(" mm")
-                   : QStringLiteral("no tolerance stated");
+  return tolerance ? Report::tr("tolerance ± %1 mm").arg(plainNumberText(*tolerance))
+                   : Report::tr("no tolerance stated");
 }
 
 /// The result of the measurement, and below it what the fit alone has; without a diagnosis that only.
@@ -42,31 +43,35 @@ QStringList intersectionLines(const Gap& gap) {
   const Measurement& measurement = *gap.evaluation->examined.measurement;
   const QString ofFit = intersectionText(measurement, fitted->value, fitted->expanded);
   const QString tolerance = QStringLiteral("     ") + toleranceText(*gap.evaluation);
-  if (!gap.diagnosis) return {ofFit + QStringLiteral(" of the fit alone") + tolerance};
+  if (!gap.diagnosis) return {Report::tr("%1 of the fit alone").arg(ofFit) + tolerance};
   const MeasuredIntersection* measured = gap.measured();
   const QString first =
-      measured ? QStringLiteral("Measured: ") +
-                     intersectionText(measurement, measured->estimate.value, measured->estimate.expanded)
-               : QStringLiteral("Measured: these readings do not determine Δd");
-  return {first + tolerance, QStringLiteral("of the fit alone: ") + ofFit};
+      measured
+          ? Report::tr("Measured: %1")
+                .arg(intersectionText(measurement, measured->estimate.value, measured->estimate.expanded))
+          : Report::tr("Measured: these readings do not determine Δd");
+  return {first + tolerance, Report::tr("of the fit alone: %1").arg(ofFit)};
 }
 
 QString coverageLine(const Gap& gap) {
   const Intersection& fitted = *gap.evaluation->fit.intersection;
-  const auto degrees = [](double f) { return QStringLiteral("ν = ") + degreesOfFreedomText(f); };
-  const auto u = [](double sigma) { return QStringLiteral("u = ") + lengthText(sigma, decimalsFor(sigma)); };
-  QString line = QStringLiteral("U: coverage %1. ").arg(percent(fitted.coverage));
+  const auto u = [](double sigma) { return lengthText(sigma, decimalsFor(sigma)); };
+  QStringList sentences{Report::tr("U: coverage %1.").arg(percent(fitted.coverage))};
   if (const MeasuredIntersection* measured = gap.measured())
-    line += QStringLiteral("As measured: %1, %2. ")
-                .arg(u(measured->estimate.sigma), degrees(measured->estimate.degreesOfFreedom));
-  return line + QStringLiteral("Of the fit alone: k = %1, %2, %3.")
-                    .arg(numberText(fitted.coverageFactor, 2), u(fitted.sigma),
-                         degrees(fitted.effectiveDegreesOfFreedom));
+    sentences.append(
+        Report::tr("As measured: u = %1, ν = %2.")
+            .arg(u(measured->estimate.sigma), degreesOfFreedomText(measured->estimate.degreesOfFreedom)));
+  sentences.append(Report::tr("Of the fit alone: k = %1, u = %2, ν = %3.")
+                       .arg(numberText(fitted.coverageFactor, 2), u(fitted.sigma),
+                            degreesOfFreedomText(fitted.effectiveDegreesOfFreedom)));
+  return Report::sentences(sentences);
 }
 
 QString problemText(const Session& session, const Problem& problem) {
   const QString place = spokenPlace(session, problem.where);
-  return (place.isEmpty() ? QString() : place + QStringLiteral(": ")) + qText(problem.what);
+  if (place.isEmpty()) return qText(problem.what);
+  //: a place, and what is wrong there
+  return Report::tr("%1: %2").arg(place, qText(problem.what));
 }
 
 /// Points to the findings, so that a verdict is never read without them.
@@ -77,13 +82,13 @@ QString findingsLine(const Gap& gap) {
                     [](const Finding& finding) { return finding.severity != Severity::Note; }) +
       (gap.evaluation->suspects.empty() ? 0 : 1) + (gap.isOpen() ? 1 : 0);
   if (serious == 0) return {};
-  return serious == 1 ? QStringLiteral("1 finding: see below.")
-                      : QStringLiteral("%1 findings: see below.").arg(serious);
+  return serious == 1 ? Report::tr("1 finding: see below.")
+                      : Report::tr("%1 findings: see below.").arg(serious);
 }
 
 void addArcs(ReportSheet& sheet, const SessionFit& fit) {
   constexpr auto right = Qt::AlignRight;
-  ReportTable table(sheet, {{QStringLiteral("Arc"), 28},
+  ReportTable table(sheet, {{Report::tr("Arc"), 28},
                             {QStringLiteral("x (mm)"), 18, right},
                             {QStringLiteral("u(x)"), 13, right},
                             {QStringLiteral("y (mm)"), 18, right},
@@ -91,7 +96,7 @@ void addArcs(ReportSheet& sheet, const SessionFit& fit) {
                             {QStringLiteral("R (mm)"), 20, right},
                             {QStringLiteral("u(R)"), 13, right},
                             {QStringLiteral("n"), 11, right},
-                            {QStringLiteral("rms"), 14, right},
+                            {Report::tr("rms"), 14, right},
                             {QStringLiteral("χ²/f"), 12, right},
                             {QStringLiteral("f"), 10, right}});
   table.head();
@@ -100,7 +105,8 @@ void addArcs(ReportSheet& sheet, const SessionFit& fit) {
     const ArcSigma& sigma = fit.sigmas[i];
     const int decimals = std::max({decimalsFor(sigma.x), decimalsFor(sigma.y), decimalsFor(sigma.radius)});
     const auto length = [decimals](double value) { return numberText(value, decimals); };
-    table.row({QStringLiteral("%1 at %2")
+    //: an arc and the position of its axis: "O1 at 0°"
+    table.row({Report::tr("%1 at %2")
                    .arg(arc.axisDeg == 0 ? QStringLiteral("O1") : QStringLiteral("O2"),
                         positionText(arc.axisDeg, arc.time)),
                length(arc.circle.x), length(sigma.x), length(arc.circle.y), length(sigma.y),
@@ -116,60 +122,61 @@ void addBudget(ReportSheet& sheet, const MeasuredIntersection& measured, const Q
                double coverage) {
   constexpr auto right = Qt::AlignRight;
   const QVector<BudgetLine> lines = budgetLines(measured);
+  const QString beside = QStringLiteral("  ");  // room beside the column before
   const IntersectionEstimate& found = measured.estimate;
   sheet.keepTogether(static_cast<double>(lines.size() + 5) * rowHeight);
-  sheet.heading(QStringLiteral("Uncertainty of the intersection as measured"));
-  ReportTable table(sheet, {{QStringLiteral("Source"), 62},
-                            {QStringLiteral("1σ of its size"), 24, right},
-                            {QStringLiteral("type"), 10, right},
-                            {QStringLiteral("  from"), 40},
+  sheet.heading(Report::tr("Uncertainty of the intersection as measured"));
+  //: heads of the budget: what of, how large it may be, type A or B, where that is known from, share
+  ReportTable table(sheet, {{Report::tr("Source"), 62},
+                            {Report::tr("1σ of its size"), 24, right},
+                            {Report::tr("type"), 10, right},
+                            {beside + Report::tr("from"), 40},
                             {QStringLiteral("u (mm)"), 16, right},
-                            {QStringLiteral("of variance"), 18, right}});
+                            {Report::tr("of variance"), 18, right}});
   table.head();
   const int decimals = decimalsFor(found.sigma) + 1;
   for (const BudgetLine& line : lines)
-    table.row({line.source, line.sizes, line.type,
-               line.from.isEmpty() ? QString() : QStringLiteral("  ") + line.from,
+    table.row({line.source, line.sizes, line.type, line.from.isEmpty() ? QString() : beside + line.from,
                numberText(line.sigma, decimals), shareText(line.sigma, found.sigma)});
   const TextStyle bold = type::body.inBold();
-  table.row({{QStringLiteral("combined standard uncertainty u"), bold},
+  table.row({{Report::tr("combined standard uncertainty u"), bold},
              {},
              {},
              {},
              {numberText(found.sigma, decimals), bold},
              {QStringLiteral("100.0 %"), bold}});
-  table.row({{QStringLiteral("expanded uncertainty U (%1)").arg(percent(coverage)), bold},
+  table.row({{Report::tr("expanded uncertainty U (%1)").arg(percent(coverage)), bold},
              {},
              {},
              {},
              {numberText(found.expanded, decimals), bold},
              {}});
   table.finish();
-  sheet.paragraph(
-      QStringLiteral(
-          "Every effect of the catalogue takes part, as large as these readings and what is "
-          "plausible leave it. Type A: by the scatter of these readings; B: by other knowledge. ") +
-          attainable,
-      type::small);
+  sheet.paragraph(Report::sentences(
+                      {Report::tr("Every effect of the catalogue takes part, as large as these readings and "
+                                  "what is plausible leave it. Type A: by the scatter of these readings; B: "
+                                  "by other knowledge."),
+                       attainable}),
+                  type::small);
 }
 
 void addBudget(ReportSheet& sheet, const Intersection& found) {
   constexpr auto right = Qt::AlignRight;
   sheet.keepTogether(static_cast<double>(found.budget.size() + 4) * rowHeight);
-  sheet.heading(QStringLiteral("Uncertainty of the intersection of the fit alone"));
-  ReportTable table(sheet, {{QStringLiteral("Source"), 62},
+  sheet.heading(Report::tr("Uncertainty of the intersection of the fit alone"));
+  ReportTable table(sheet, {{Report::tr("Source"), 62},
                             {QStringLiteral("u (mm)"), 26, right},
-                            {QStringLiteral("share of variance"), 34, right}});
+                            {Report::tr("share of variance"), 34, right}});
   table.head();
   const int decimals = decimalsFor(found.sigma) + 1;
   for (const BudgetEntry& entry : found.budget)
     table.row({qText(textOf(entry.source)), numberText(entry.sigma, decimals),
                shareText(entry.sigma, found.sigma)});
   const TextStyle bold = type::body.inBold();
-  table.row({{QStringLiteral("combined standard uncertainty u"), bold},
+  table.row({{Report::tr("combined standard uncertainty u"), bold},
              {numberText(found.sigma, decimals), bold},
              {QStringLiteral("100.0 %"), bold}});
-  table.row({{QStringLiteral("expanded uncertainty U (%1)").arg(percent(found.coverage)), bold},
+  table.row({{Report::tr("expanded uncertainty U (%1)").arg(percent(found.coverage)), bold},
              {numberText(found.expanded, decimals), bold},
              {}});
   table.finish();
@@ -179,11 +186,11 @@ void addEffects(ReportSheet& sheet, const std::vector<EffectEstimate>& effects) 
   if (effects.empty()) return;
   constexpr auto right = Qt::AlignRight;
   sheet.keepTogether((static_cast<double>(effects.size()) + 3) * 4.5);
-  sheet.heading(QStringLiteral("Model effects"));
-  ReportTable table(sheet, {{QStringLiteral("Estimated along with the arcs"), 80},
-                            {QStringLiteral("value"), 30, right},
+  sheet.heading(Report::tr("Model effects"));
+  ReportTable table(sheet, {{Report::tr("Estimated along with the arcs"), 80},
+                            {Report::tr("value"), 30, right},
                             {QStringLiteral("u"), 30, right},
-                            {QStringLiteral("unit"), 16, right}});
+                            {Report::tr("unit"), 16, right}});
   table.head();
   for (const EffectEstimate& estimate : effects) {
     const int decimals = decimalsFor(estimate.sigma);
@@ -193,30 +200,32 @@ void addEffects(ReportSheet& sheet, const std::vector<EffectEstimate>& effects) 
   table.finish();
 }
 
-QString errorText(const QString& name, const InstrumentError& error) {
-  return name + QStringLiteral(" = ") +
-         withStandardUncertainty(error.value.arcseconds(), error.sigma.arcseconds(), QStringLiteral("″"));
+QString errorText(const InstrumentError& error) {
+  return withStandardUncertainty(error.value.arcseconds(), error.sigma.arcseconds(), QStringLiteral("″"));
 }
 
 /// What the differences of the faces say about the instrument, in a sentence.
 void addTwoFaces(ReportSheet& sheet, const TwoFaces& faces) {
-  QStringList parts{errorText(QStringLiteral("collimation c"), faces.collimation)};
-  if (faces.trunnionTilt) parts << errorText(QStringLiteral("trunnion tilt i"), *faces.trunnionTilt);
-  parts << errorText(QStringLiteral("vertical index j"), faces.index);
-  QString text =
-      QStringLiteral("Both faces, %1 visits: ").arg(faces.visits.size()) + parts.join(QStringLiteral(", "));
-  if (faces.horizontal.degreesOfFreedom > 0 && faces.vertical.degreesOfFreedom > 0)
-    text += QStringLiteral("; scatter against the stated σ: horizontal × %1, vertical × %2")
-                .arg(numberText(faces.horizontal.ratio(), 2), numberText(faces.vertical.ratio(), 2));
+  QStringList parts{Report::tr("collimation c = %1").arg(errorText(faces.collimation))};
+  if (faces.trunnionTilt) parts << Report::tr("trunnion tilt i = %1").arg(errorText(*faces.trunnionTilt));
+  parts << Report::tr("vertical index j = %1").arg(errorText(faces.index));
+  const QString visits = QString::number(faces.visits.size()), errors = Report::list(parts);
   sheet.skip(1);
-  sheet.paragraph(text + u'.');
+  if (faces.horizontal.degreesOfFreedom > 0 && faces.vertical.degreesOfFreedom > 0)
+    sheet.paragraph(Report::tr("Both faces, %1 visits: %2; scatter against the stated σ: horizontal × %3, "
+                               "vertical × %4.")
+                        .arg(visits, errors, numberText(faces.horizontal.ratio(), 2),
+                             numberText(faces.vertical.ratio(), 2)));
+  else
+    //: %2: errors of the instrument, "collimation c = −3.2″ (u 0.4)"
+    sheet.paragraph(Report::tr("Both faces, %1 visits: %2.").arg(visits, errors));
 }
 
 /// What lies across the plane, unless the verdict tells it.
 QString acrossText(const Gap& gap) {
   const MeasuredIntersection* measured = gap.measured();
   if (!measured || verdictText(*gap.evaluation, gap.found()).tellsAcross) return {};
-  return u' ' + qText(acrossSentence(*measured));
+  return qText(acrossSentence(*measured));
 }
 
 /// Where one is given, against the result of the measurement, where there is one.
@@ -228,12 +237,15 @@ void addReference(ReportSheet& sheet, const Gap& gap) {
   const MeasuredIntersection* measured = gap.measured();
   const IntersectionEstimate found =
       measured ? measured->estimate : estimateOf(*gap.evaluation->fit.intersection);
+  const QString given = plainNumberText(*reference) + QStringLiteral(" mm") +
+                        (sigma ? QStringLiteral(" (u %1 mm)").arg(plainNumberText(*sigma)) : QString());
+  const QString says =
+      measured ? Report::tr("Reference (never enters the fit): %1; Δd − reference = %2 as measured")
+               : Report::tr(
+                     "Reference (never enters the fit): %1; Δd − reference = %2 of the fit "
+                     "alone");
   sheet.paragraph(
-      QStringLiteral("Reference (never enters the fit): %1 mm%2; Δd − reference = %3 %4")
-          .arg(plainNumberText(*reference),
-               sigma ? QStringLiteral(" (u %1 mm)").arg(plainNumberText(*sigma)) : QString(),
-               valueWithUncertainty(found.value - *reference, found.expanded, QStringLiteral("mm")),
-               measured ? QStringLiteral("as measured") : QStringLiteral("of the fit alone")));
+      says.arg(given, valueWithUncertainty(found.value - *reference, found.expanded, QStringLiteral("mm"))));
 }
 
 }  // namespace
@@ -256,7 +268,8 @@ void addVerdict(ReportSheet& sheet, const Gap& gap) {
   const QString unseen = unseenBeyondUText(gap);
   if (!unseen.isEmpty()) parts.push_back({sheet.lines(unseen, type::body, inner), type::body});
   const QString findings = findingsLine(gap);
-  if (!findings.isEmpty()) parts.push_back({{findings}, type::body.inBold()});
+  if (!findings.isEmpty())
+    parts.push_back({sheet.lines(findings, type::body.inBold(), inner), type::body.inBold()});
   double height = inset;
   for (const Part& part : parts) height += part.lines.size() * sheet.lineHeight(part.style) + 0.4;
   sheet.skip(3.5);
@@ -278,7 +291,7 @@ void addVerdict(ReportSheet& sheet, const Gap& gap) {
 void addProblems(ReportSheet& sheet, const Evaluation& evaluation) {
   if (evaluation.examined.problems.empty()) return;
   const TextStyle style = type::body.inBold().inColour(red);
-  sheet.heading(QStringLiteral("Entries that could not be used"));
+  sheet.heading(Report::tr("Entries that could not be used"));
   const auto bar = [&](double top, double bottom) { sheet.rule(0.5, top, 0.5, bottom, 1, red); };
   for (const Problem& problem : evaluation.examined.problems) {
     const QStringList lines =
@@ -297,30 +310,29 @@ void addProblems(ReportSheet& sheet, const Evaluation& evaluation) {
 void addResult(ReportSheet& sheet, const Gap& gap) {
   const Evaluation& evaluation = *gap.evaluation;
   const SessionFit& fit = evaluation.fit;
-  sheet.heading(QStringLiteral("Arc centres and radii"));
+  sheet.heading(Report::tr("Arc centres and radii"));
   if (fit.arcs.empty()) {
-    sheet.paragraph(QStringLiteral("No arc could be fitted."));
+    sheet.paragraph(Report::tr("No arc could be fitted."));
     return;
   }
   addArcs(sheet, fit);
-  sheet.paragraph(
-      QStringLiteral(
-          "Lengths in mm; u: standard uncertainty, scaled by s0 = %1; n: sightings; rms: of all residuals; "
-          "χ²/f: with the stated σ; f: redundancy.%2")
-          .arg(numberText(fit.noise.factor, 2),
-               hasRepeats(*evaluation.examined.measurement)
-                   ? QStringLiteral(
-                         " Positions at the same axis have one centre and radius, which their f leave out.")
-                   : QString()),
-      type::small);
+  QStringList units{
+      Report::tr("Lengths in mm; u: standard uncertainty, scaled by s0 = %1; n: sightings; rms: "
+                 "of all residuals; χ²/f: with the stated σ; f: redundancy.")
+          .arg(numberText(fit.noise.factor, 2))};
+  if (hasRepeats(*evaluation.examined.measurement))
+    units.append(
+        Report::tr("Positions at the same axis have one centre and radius, which their f leave out."));
+  sheet.paragraph(Report::sentences(units), type::small);
   addEffects(sheet, fit.effects);
   if (evaluation.twoFaces) addTwoFaces(sheet, *evaluation.twoFaces);
   if (!fit.intersection) return;
   sheet.skip(1);
-  sheet.paragraph(QStringLiteral("Half the distance of the centres in the plane, |O1 − O2|/2 = ") +
-                  valueWithUncertainty(fit.intersection->inPlane, fit.intersection->inPlaneExpanded,
-                                       QStringLiteral("mm")) +
-                  u'.' + acrossText(gap));
+  const QString inPlane =
+      Report::tr("Half the distance of the centres in the plane, |O1 − O2|/2 = %1.")
+          .arg(valueWithUncertainty(fit.intersection->inPlane, fit.intersection->inPlaneExpanded,
+                                    QStringLiteral("mm")));
+  sheet.paragraph(Report::sentences({inPlane, acrossText(gap)}));
   addReference(sheet, gap);
 }
 

@@ -8,6 +8,7 @@
 #include <QTextLayout>
 #include <algorithm>
 
+#include "ui/report/report_text.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {
@@ -80,6 +81,11 @@ double ReportSheet::lineHeight(const TextStyle& style) const {
 
 double ReportSheet::textWidth(const QString& text, const TextStyle& style) const {
   return QFontMetricsF(fontOf(style), &m_device).horizontalAdvance(text) / m_unit;
+}
+
+QString ReportSheet::elided(const QString& text, const TextStyle& style, double available,
+                            Qt::TextElideMode mode) const {
+  return QFontMetricsF(fontOf(style), &m_device).elidedText(visibleLine(text), mode, available * m_unit);
 }
 
 void ReportSheet::draw(Drawing drawing) {
@@ -170,26 +176,22 @@ bool ReportSheet::paint(QPainter& painter) {
 }
 
 void ReportSheet::paintFrame(QPainter& painter, int page) {
-  const auto elided = [&](const QString& text, double available, Qt::TextElideMode mode) {
-    return QFontMetricsF(fontOf(type::small), &m_device)
-        .elidedText(visibleLine(text), mode, available * m_unit);
-  };
   const auto rule = [&](double y) {
     painter.setPen(QPen(Qt::black, 0.15 * m_unit));
     painter.drawLine(QPointF(0, y) * m_unit, QPointF(width, y) * m_unit);
   };
   const double step = lineHeight(type::small);
-  paintLine(painter, elided(m_frame.product, width * 0.53, Qt::ElideRight), type::small, 0, headerTop, width,
+  paintLine(painter, elided(m_frame.product, type::small, width * 0.53), type::small, 0, headerTop, width,
             Qt::AlignLeft);
-  paintLine(painter, elided(m_frame.session, width * 0.44, Qt::ElideRight), type::small, 0, headerTop, width,
+  paintLine(painter, elided(m_frame.session, type::small, width * 0.44), type::small, 0, headerTop, width,
             Qt::AlignRight);
   rule(headerTop + step + 0.6);
   const double footerTop = m_height + footerGap;
   rule(footerTop);
   const double first = footerTop + 1;
-  paintLine(painter, elided(m_frame.fileName, width * 0.68, Qt::ElideMiddle), type::small, 0, first, width,
-            Qt::AlignLeft);
-  const QString pages = QStringLiteral("page %1 of %2").arg(page + 1).arg(pageCount());
+  paintLine(painter, elided(m_frame.fileName, type::small, width * 0.68, Qt::ElideMiddle), type::small, 0,
+            first, width, Qt::AlignLeft);
+  const QString pages = Report::tr("page %1 of %2").arg(page + 1).arg(pageCount());
   paintLine(painter, m_frame.date + QStringLiteral("   ") + pages, type::small, 0, first, width,
             Qt::AlignRight);
   paintLine(painter, m_frame.fingerprint, type::fine, 0, first + step, width, Qt::AlignLeft);

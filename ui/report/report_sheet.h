@@ -66,6 +66,9 @@ class ReportSheet {
   QStringList lines(const QString& text, const TextStyle& style, double available) const;
   double lineHeight(const TextStyle& style) const;
   double textWidth(const QString& text, const TextStyle& style) const;
+  /// One line no wider than `available`, shortened where it is too long.
+  QString elided(const QString& text, const TextStyle& style, double available,
+                 Qt::TextElideMode mode = Qt::ElideRight) const;
 
   /// One line of text into the current page, its top at `top`; `alignment` horizontally within left…left +
   /// available.

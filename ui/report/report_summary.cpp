@@ -7,6 +7,7 @@
 #include "ui/report/report_facts.h"
 #include "ui/report/report_result.h"
 #include "ui/report/report_terms.h"
+#include "ui/report/report_text.h"
 #include "ui/text/cause_text.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/finding_text.h"
@@ -20,7 +21,8 @@ namespace {
 QString reportNumber(const Session& session) {
   constexpr int longest = 40;
   const QString number = shortLine(qText(session.report.number).trimmed(), longest);
-  return number.isEmpty() ? number : QStringLiteral("No. ") + number;
+  //: the number of a report
+  return number.isEmpty() ? number : Report::tr("No. %1").arg(number);
 }
 
 /// At the right, as large as it may be; answers how high it is.
@@ -36,38 +38,49 @@ double addLogo(ReportSheet& sheet, const QImage& logo) {
   return size.height();
 }
 
-/// The subtitle stands at the right, or below the title where a logo is there.
+/// The subtitle stands at the right, or below the title where a logo is there or both are too long.
 void addTitle(ReportSheet& sheet, const Session& session, const QImage& logo) {
   const double title = sheet.lineHeight(type::title), subtitle = sheet.lineHeight(type::label);
   const double logoHeight = addLogo(sheet, logo);
-  const bool hasLogo = logoHeight > 0;
-  sheet.text(QStringLiteral("Acceptance report"), type::title, 0, sheet.y(), ReportSheet::width);
-  sheet.text(QStringLiteral("Intersection of a rotatable arc guideway"), type::label, 0,
-             sheet.y() + title - (hasLogo ? 0.5 : subtitle + 1), ReportSheet::width,
-             hasLogo ? Qt::AlignLeft : Qt::AlignRight);
-  sheet.skip(hasLogo ? std::max(logoHeight, title + subtitle) + 1.5 : title + 0.5);
+  const QString says = Report::tr("Acceptance report"),
+                ofWhat = Report::tr("Intersection of a rotatable arc guideway");
+  constexpr double beside = 6;
+  const double taken = sheet.textWidth(says, type::title) + beside + sheet.textWidth(ofWhat, type::label);
+  const bool isBelow = logoHeight > 0 || taken > ReportSheet::width;
+  sheet.text(says, type::title, 0, sheet.y(), ReportSheet::width);
+  sheet.text(ofWhat, type::label, 0, sheet.y() + title - (isBelow ? 0.5 : subtitle + 1), ReportSheet::width,
+             isBelow ? Qt::AlignLeft : Qt::AlignRight);
+  sheet.skip(isBelow ? std::max(logoHeight, title + subtitle) + 1.5 : title + 0.5);
   constexpr int longest = 300;
   const QString number = reportNumber(session), name = shortLine(session.title, longest);
   if (!number.isEmpty()) {
     sheet.text(number, type::subtitle, 0, sheet.y(), ReportSheet::width, Qt::AlignRight);
-    constexpr double between = 6;
-    const double taken =
-        sheet.textWidth(name, type::subtitle) + between + sheet.textWidth(number, type::subtitle);
-    if (name.isEmpty() || taken > ReportSheet::width) sheet.skip(sheet.lineHeight(type::subtitle));
+    const double both =
+        sheet.textWidth(name, type::subtitle) + beside + sheet.textWidth(number, type::subtitle);
+    if (name.isEmpty() || both > ReportSheet::width) sheet.skip(sheet.lineHeight(type::subtitle));
   }
   if (!name.isEmpty()) sheet.paragraph(name, type::subtitle);
 }
 
 QString severityName(Severity severity) {
   switch (severity) {
+    //: how serious a finding is: Note, Warning or Error
     case Severity::Note:
-      return QStringLiteral("Note");
+      return Report::tr("Note");
     case Severity::Warning:
-      return QStringLiteral("Warning");
+      return Report::tr("Warning");
     case Severity::Error:
       break;
   }
-  return QStringLiteral("Error");
+  return Report::tr("Error");
+}
+
+/// Where findings begin beside how serious they are.
+double findingsIndent(const ReportSheet& sheet) {
+  double indent = 17;
+  for (const Severity severity : {Severity::Note, Severity::Warning, Severity::Error})
+    indent = std::max(indent, sheet.textWidth(severityName(severity), type::detail.inBold()) + 2);
+  return indent;
 }
 
 constexpr std::size_t mostSuspects = 10;
@@ -78,27 +91,26 @@ void addSuspects(ReportSheet& sheet, const std::vector<Suspect>& suspects, const
   for (std::size_t i = 0; i < std::min(suspects.size(), mostSuspects); ++i)
     sheet.paragraph(QStringLiteral("– ") + qText(sentenceOf(suspects[i])), style, indent);
   if (suspects.size() > mostSuspects)
-    sheet.paragraph(QStringLiteral("– and %1 more.").arg(suspects.size() - mostSuspects), style, indent);
+    sheet.paragraph(Report::tr("– and %1 more.").arg(suspects.size() - mostSuspects), style, indent);
 }
 
 void addFindings(ReportSheet& sheet, const Gap& gap) {
   const Evaluation& evaluation = *gap.evaluation;
   const auto misread = suspectsFinding(evaluation.suspects);
   const std::vector<Finding> findings = findingsOf(evaluation);
-  sheet.heading(QStringLiteral("Findings"));
+  sheet.heading(Report::tr("Findings"));
   if (!misread && findings.empty() && !gap.isOpen()) {
     const bool isSound = gap.diagnosis && gap.unseenBeyondU().empty();
-    sheet.paragraph(!evaluation.fit.intersection ? QStringLiteral("None.")
-                    : isSound ? QStringLiteral("None: nothing in the data speaks against the result.")
-                              : QStringLiteral("None in the data, but see above what they would not show."));
+    sheet.paragraph(!evaluation.fit.intersection ? Report::tr("None.")
+                    : isSound ? Report::tr("None: nothing in the data speaks against the result.")
+                              : Report::tr("None in the data, but see above what they would not show."));
   }
-  constexpr double indent = 17;
+  const double indent = findingsIndent(sheet);
   const auto add = [&](const Finding& finding) {
     sheet.keepTogether(sheet.lineHeight(type::detail));
     sheet.text(severityName(finding.severity), type::detail.inBold(), 0, sheet.y(), indent);
     const QString remedy = qText(finding.remedy);
-    sheet.paragraph(qText(finding.text) + (remedy.isEmpty() ? QString() : u' ' + remedy), type::detail,
-                    indent);
+    sheet.paragraph(Report::sentences({qText(finding.text), remedy}), type::detail, indent);
   };
   if (misread) {
     add(*misread);
@@ -112,7 +124,7 @@ void addFindings(ReportSheet& sheet, const Gap& gap) {
   const QString says =
       gap.isNoiseAlone()
           ? gapSentence(gap)
-          : QStringLiteral("Model and readings disagree, see “Gap between model and readings”. %1.")
+          : Report::tr("Model and readings disagree, see “Gap between model and readings”. %1.")
                 .arg(gapHeadline(*gap.diagnosis));
   sheet.keepTogether(sheet.lineHeight(type::detail));
   sheet.text(severityName(Severity::Warning), type::detail.inBold(), 0, sheet.y(), indent);
@@ -122,32 +134,37 @@ void addFindings(ReportSheet& sheet, const Gap& gap) {
 QString methodText(const Evaluation& evaluation) {
   const auto& measurement = evaluation.examined.measurement;
   const bool planar = measurement && measurement->relation == VerticalAngleRelation::Planar;
-  const QString relation = planar ? QStringLiteral("tan e = y/L (planar, as published)")
-                                  : QStringLiteral("tan e = y/√(x² + L²) (exact)");
-  return QStringLiteral(
-             "Each arc is fitted by rigorous orthogonal least squares on the angles read: the centre, the "
-             "radius and the slider's place at each sighting are free, both circles carry errors of the "
-             "stated σ. Horizontal angle tan a = x/L, vertical angle %1; frame at the theodolite, x right, "
-             "y up.%2 The intersection Δd = (y(O1) − y(O2))/2 is half the distance of the arc centres at 0° "
-             "(O1) and 180° (O2) across the axis. The share of the readings in its uncertainty is scaled by "
-             "their scatter (s0), pointing zeros and distance enter as stated; the expanded uncertainty U of "
-             "the fit alone is k times the combined standard uncertainty, k from Student's distribution with "
-             "ν effective degrees of freedom. As measured, every effect of the catalogue takes part, known "
-             "beforehand to 1σ of its plausible size, and U also holds what else may explain the readings.")
-      .arg(relation,
-           measurement && hasRepeats(*measurement)
-               ? QStringLiteral(" Where an axis is measured again its positions have one centre and "
-                                "one radius, and all pointing zeros are estimated along, as well "
-                                "known as stated.")
-               : QString());
+  const QString relation =
+      planar ? Report::tr("tan e = y/L (planar, as published)") : Report::tr("tan e = y/√(x² + L²) (exact)");
+  QStringList sentences{
+      Report::tr(
+          "Each arc is fitted by rigorous orthogonal least squares on the angles read: the centre, the "
+          "radius and the slider's place at each sighting are free, both circles carry errors of the "
+          "stated σ. Horizontal angle tan a = x/L, vertical angle %1; frame at the theodolite, x "
+          "right, y up.")
+          .arg(relation)};
+  if (measurement && hasRepeats(*measurement))
+    sentences.append(
+        Report::tr("Where an axis is measured again its positions have one centre and one radius, and all "
+                   "pointing zeros are estimated along, as well known as stated."));
+  sentences.append(Report::tr(
+      "The intersection Δd = (y(O1) − y(O2))/2 is half the distance of the arc centres at 0° (O1) "
+      "and 180° (O2) across the axis. The share of the readings in its uncertainty is scaled by "
+      "their scatter (s0), pointing zeros and distance enter as stated; the expanded uncertainty U "
+      "of the fit alone is k times the combined standard uncertainty, k from Student's "
+      "distribution with ν effective degrees of freedom. As measured, every effect of the "
+      "catalogue takes part, known beforehand to 1σ of its plausible size, and U also holds what "
+      "else may explain the readings."));
+  return Report::sentences(sentences);
 }
 
 constexpr double signatureSpace = 8, signatureHeight = signatureSpace + 5;
 
-QString signatureText(const QString& role, const std::string& name) {
+/// Whose signature stands on a line; `named` where the session states it.
+QString signatureText(const QString& unnamed, const QString& named, const std::string& name) {
   constexpr int longest = 36;
   const QString who = shortLine(qText(name).trimmed(), longest);
-  return (who.isEmpty() ? role : role + QStringLiteral(": ") + who) + QStringLiteral(", date");
+  return who.isEmpty() ? unnamed : named.arg(who);
 }
 
 double methodHeight(const ReportSheet& sheet, const Evaluation& evaluation) {
@@ -167,7 +184,7 @@ FrontPage addSummary(ReportSheet& sheet, const Gap& gap, const ReportOptions& op
   addResult(sheet, gap);
   addFindings(sheet, gap);
   if (!evaluation.session.notes.empty()) {
-    sheet.heading(QStringLiteral("Notes"));
+    sheet.heading(Report::tr("Notes"));
     sheet.paragraph(QString::fromStdString(evaluation.session.notes));
   }
   FrontPage front{.hasMethod = !isPrinted(ReportPart::Method, options.contents, gap),
@@ -188,12 +205,15 @@ void addSignatures(ReportSheet& sheet, const Session& session) {
   sheet.keepTogether(signatureHeight);
   sheet.skip(signatureSpace);
   const double y = sheet.y();
+  //: below a line to be signed and dated; %1: the name
+  const QString operators = Report::tr("Operator: %1, date"),
+                authorised = Report::tr("Authorised by: %1, date");
   for (const auto& [left, text] :
-       {std::pair(0.0, signatureText(QStringLiteral("Operator"), session.operatorName)),
-        std::pair(ReportSheet::width - line,
-                  signatureText(QStringLiteral("Authorised by"), session.report.authorisedBy))}) {
+       {std::pair(0.0, signatureText(Report::tr("Operator, date"), operators, session.operatorName)),
+        std::pair(ReportSheet::width - line, signatureText(Report::tr("Authorised by, date"), authorised,
+                                                           session.report.authorisedBy))}) {
     sheet.rule(left, y, left + line, y, 0.2);
-    sheet.text(text, type::label, left, y + 0.8, line);
+    sheet.text(sheet.elided(text, type::label, line), type::label, left, y + 0.8, line);
   }
   sheet.skip(signatureHeight - signatureSpace);
 }
@@ -207,7 +227,7 @@ bool addMethodInTheRest(ReportSheet& sheet, const Evaluation& evaluation) {
 
 void addMethod(ReportSheet& sheet, const Evaluation& evaluation) {
   sheet.keepTogether(methodHeight(sheet, evaluation));
-  sheet.heading(QStringLiteral("Method"));
+  sheet.heading(Report::tr("Method"));
   sheet.paragraph(methodText(evaluation), type::small);
 }
 

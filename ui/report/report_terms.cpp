@@ -7,6 +7,7 @@
 #include "core/diagnosis/decision.h"
 #include "core/effects/known_sizes.h"
 #include "ui/report/report_facts.h"
+#include "ui/report/report_text.h"
 #include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/known_text.h"
@@ -25,14 +26,45 @@ bool isOfDistance(const Gap& gap) {
 }
 
 QString measurandText(const Gap& gap) {
-  const QString inPlane = QStringLiteral(
-      "Intersection Δd = (y(O1) − y(O2))/2: half the difference of the heights of the arc centres at 0° (O1) "
-      "and at 180° (O2), y up; positive where the centre is the higher one at 0°.");
-  if (!isOfDistance(gap)) return inPlane;
-  return inPlane +
-         QStringLiteral(
-             " The tolerance is of the distance d = √(Δd² + Δz²) of the centre from the axis, Δz across "
-             "the plane of the arc.");
+  QStringList sentences{
+      Report::tr("Intersection Δd = (y(O1) − y(O2))/2: half the difference of the heights of the arc centres "
+                 "at 0° (O1) and at 180° (O2), y up; positive where the centre is the higher one at 0°.")};
+  if (isOfDistance(gap))
+    sentences.append(
+        Report::tr("The tolerance is of the distance d = √(Δd² + Δz²) of the centre from the axis, Δz across "
+                   "the plane of the arc."));
+  return Report::sentences(sentences);
+}
+
+/// What is accepted and what rejected, as a sentence.
+QString acceptanceRule(const Gap& gap, const QString& tolerance) {
+  if (isOfDistance(gap))
+    return Report::tr(
+               "Accepted: d + U ≤ %1 as measured, and |Δd| + U ≤ %1 by the fit alone; rejected: d − U > "
+               "%1; else undecided.")
+        .arg(tolerance);
+  if (gap.diagnosis)
+    return Report::tr(
+               "Accepted: |Δd| + U ≤ %1; rejected: |Δd| − U > %1; by the fit alone and as measured; "
+               "else undecided.")
+        .arg(tolerance);
+  return Report::tr("Accepted: |Δd| + U ≤ %1; rejected: |Δd| − U > %1; by the fit alone; else undecided.")
+      .arg(tolerance);
+}
+
+/// The guard band as a sentence, with the risk of a verdict where it is known.
+QString guardBand(const Gap& gap, double tolerance, double coverage) {
+  const QString share = plainNumberText(100 * coverage);
+  const MeasuredIntersection* measured = gap.measured();
+  const auto risk = isOfDistance(gap) ? std::nullopt
+                                      : greatestRisk(measured ? measured->estimate
+                                                              : estimateOf(*gap.evaluation->fit.intersection),
+                                                     tolerance);
+  if (!risk) return Report::tr("Guard band w = U (coverage %1 %).").arg(share);
+  return Report::tr(
+             "Guard band w = U (coverage %1 %): a verdict is wrong with a probability of at most %2 % "
+             "(JCGM 106, ILAC-G8).")
+      .arg(share, numberText(100 * *risk, 1));
 }
 
 /// Empty where no verdict is to be had: without a tolerance, a result or a coverage that guards.
@@ -41,26 +73,12 @@ QString ruleText(const Gap& gap) {
   const auto& measurement = evaluation.examined.measurement;
   const auto& fitted = evaluation.fit.intersection;
   if (!fitted || !measurement->tolerance || measurement->coverage < leastCoverageOfVerdict) return {};
-  const QString tolerance = plainNumberText(*measurement->tolerance) + QStringLiteral(" mm");
+  const double tolerance = *measurement->tolerance;
+  QStringList sentences{acceptanceRule(gap, plainNumberText(tolerance) + QStringLiteral(" mm")),
+                        guardBand(gap, tolerance, measurement->coverage)};
   const QString agreed = shortLine(qText(evaluation.session.report.ruleAgreedBy).trimmed(), longestText);
-  const QString end = agreed.isEmpty() ? QStringLiteral(".") : QStringLiteral(". Agreed by: ") + agreed;
-  if (isOfDistance(gap))
-    return QStringLiteral(
-               "Accepted: d + U ≤ %1 as measured, and |Δd| + U ≤ %1 by the fit alone; rejected: d − U > %1; "
-               "else undecided. Guard band w = U (coverage %2 %)")
-               .arg(tolerance, plainNumberText(100 * measurement->coverage)) +
-           end;
-  QString text = QStringLiteral(
-                     "Accepted: |Δd| + U ≤ %1; rejected: |Δd| − U > %1; by the fit alone%2; else "
-                     "undecided. Guard band w = U (coverage %3 %)")
-                     .arg(tolerance, gap.diagnosis ? QStringLiteral(" and as measured") : QString(),
-                          plainNumberText(100 * measurement->coverage));
-  const MeasuredIntersection* measured = gap.measured();
-  if (const auto risk =
-          greatestRisk(measured ? measured->estimate : estimateOf(*fitted), *measurement->tolerance))
-    text += QStringLiteral(": a verdict is wrong with a probability of at most %1 % (JCGM 106, ILAC-G8)")
-                .arg(numberText(100 * *risk, 1));
-  return text + end;
+  if (!agreed.isEmpty()) sentences.append(Report::tr("Agreed by: %1").arg(agreed));
+  return Report::sentences(sentences);
 }
 
 /// How many rows were left out for the same reason, in the order of the file.
@@ -83,7 +101,7 @@ QString exclusionsText(const Session& session) {
   std::size_t rows = 0;
   for (const Position& position : session.positions) rows += position.readings.size();
   const auto reasons = reasonsOf(session);
-  if (reasons.empty()) return QStringLiteral("none of %1 rows of readings").arg(rows);
+  if (reasons.empty()) return Report::tr("none of %1 rows of readings").arg(rows);
   int count = 0, further = 0;
   QStringList parts;
   for (const auto& [note, times] : reasons) {
@@ -92,14 +110,14 @@ QString exclusionsText(const Session& session) {
       further += times;
       continue;
     }
-    parts.append(QStringLiteral("%1 × %2").arg(times).arg(note.isEmpty() ? QStringLiteral("without a note")
-                                                                         : u'“' + note + u'”'));
+    //: %1: how many rows of readings were left out, %2: the note beside them
+    parts.append(note.isEmpty() ? Report::tr("%1 × without a note").arg(times)
+                                : Report::tr("%1 × “%2”").arg(QString::number(times), note));
   }
-  if (further > 0) parts.append(QStringLiteral("%1 × for other reasons").arg(further));
-  return QStringLiteral("%1 of %2 rows of readings: %3")
-      .arg(count)
-      .arg(rows)
-      .arg(parts.join(QStringLiteral(", ")));
+  if (further > 0) parts.append(Report::tr("%1 × for other reasons").arg(further));
+  //: %3: how many for which reason
+  return Report::tr("%1 of %2 rows of readings: %3")
+      .arg(QString::number(count), QString::number(rows), Report::list(parts));
 }
 
 /// "collimation 3.20″": what the session says a number is, where it says other than nothing.
@@ -121,28 +139,34 @@ QString correctionsText(const Evaluation& evaluation) {
   for (const EffectEstimate& effect : evaluation.fit.effects)
     if (const QString name = effectName(effect.effect); !estimated.contains(name)) estimated.append(name);
   if (!estimated.isEmpty())
-    parts.append(
-        QStringLiteral("%1, estimated along with the arcs").arg(estimated.join(QStringLiteral(", "))));
+    //: %1: effects
+    parts.append(Report::tr("%1, estimated along with the arcs").arg(Report::list(estimated)));
   if (const auto& measurement = evaluation.examined.measurement)
     if (const QStringList known = knownSizes(*measurement); !known.isEmpty())
-      parts.append(QStringLiteral("as measured, what is known beforehand: ") +
-                   known.join(QStringLiteral(", ")));
-  const QString text = parts.isEmpty() ? QStringLiteral("none") : parts.join(QStringLiteral("; "));
-  return evaluation.session.journal.empty() ? text + QStringLiteral("; nothing was changed after it stood")
-                                            : text;
+      parts.append(Report::tr("as measured, what is known beforehand: %1").arg(Report::list(known)));
+  //: corrections: none
+  if (parts.isEmpty()) parts.append(Report::tr("none"));
+  if (evaluation.session.journal.empty()) parts.append(Report::tr("nothing was changed after it stood"));
+  return Report::clauses(parts);
+}
+
+QString entriesText(std::size_t count, bool isJournalPrinted) {
+  if (count == 1)
+    return isJournalPrinted ? Report::tr("one entry in the journal, see below")
+                            : Report::tr("one entry in the journal of the session, left out here");
+  return (isJournalPrinted ? Report::tr("%1 entries in the journal, see below")
+                           : Report::tr("%1 entries in the journal of the session, left out here"))
+      .arg(count);
 }
 
 /// Empty where nothing was changed.
 QString changesText(const Evaluation& evaluation, bool isJournalPrinted) {
   if (evaluation.session.journal.empty()) return {};
   const QString summary = visibleLine(evaluation.journal);
-  const auto count = evaluation.session.journal.size();
-  const QString where =
-      isJournalPrinted ? QStringLiteral(", see below") : QStringLiteral(" of the session, left out here");
-  const QString entries = (count == 1 ? QStringLiteral("one entry in the journal")
-                                      : QStringLiteral("%1 entries in the journal").arg(count)) +
-                          where;
-  return summary.isEmpty() ? entries : summary + u' ' + capitalised(entries) + u'.';
+  const QString entries = entriesText(evaluation.session.journal.size(), isJournalPrinted);
+  if (summary.isEmpty()) return entries;
+  //: a clause as a sentence
+  return Report::sentences({summary, Report::tr("%1.").arg(capitalised(entries))});
 }
 
 /// The temperature, and what it does to the lengths.
@@ -164,9 +188,12 @@ QString temperatureText(const Evaluation& evaluation) {
     tell(QStringLiteral("L"), measurement->distanceExpansion);
     tell(QStringLiteral("R0"), measurement->radiusExpansion);
   }
-  if (changes.isEmpty()) return text + QStringLiteral("; no expansion of L and R0 is stated");
-  return text + QStringLiteral("; against 20 °C, for which they are stated, ") +
-         changes.join(QStringLiteral(" and "));
+  //: %1: the temperature
+  if (changes.isEmpty()) return Report::tr("%1; no expansion of L and R0 is stated").arg(text);
+  //: the changes of two lengths: "L 0.101 mm" and "R0 0.032 mm"
+  const QString both = changes.size() == 1 ? changes[0] : Report::tr("%1 and %2").arg(changes[0], changes[1]);
+  //: %1: the temperature, %2: what L and R0 change by
+  return Report::tr("%1; against 20 °C, for which they are stated, %2").arg(text, both);
 }
 
 }  // namespace
@@ -175,14 +202,14 @@ void addTerms(ReportSheet& sheet, const Gap& gap, const ReportContents& contents
   const Evaluation& evaluation = *gap.evaluation;
   sheet.skip(1);
   const std::vector<LabelledText> terms{
-      {QStringLiteral("Measurand"), measurandText(gap)},
-      {QStringLiteral("Decision rule"), ruleText(gap)},
-      {QStringLiteral("Exclusions"), exclusionsText(evaluation.session)},
-      {QStringLiteral("Corrections"), correctionsText(evaluation)},
-      {QStringLiteral("Changes"), changesText(evaluation, isPrinted(ReportPart::Journal, contents, gap))},
-      {QStringLiteral("Temperature"), temperatureText(evaluation)},
-      {QStringLiteral("Left out"), leftOutTitles(contents, gap).join(QStringLiteral(", "))},
-      {QStringLiteral("Scope"), QStringLiteral("The results relate only to the item measured.")}};
+      {Report::tr("Measurand"), measurandText(gap)},
+      {Report::tr("Decision rule"), ruleText(gap)},
+      {Report::tr("Exclusions"), exclusionsText(evaluation.session)},
+      {Report::tr("Corrections"), correctionsText(evaluation)},
+      {Report::tr("Changes"), changesText(evaluation, isPrinted(ReportPart::Journal, contents, gap))},
+      {Report::tr("Temperature"), temperatureText(evaluation)},
+      {Report::tr("Left out"), Report::list(leftOutTitles(contents, gap))},
+      {Report::tr("Scope"), Report::tr("The results relate only to the item measured.")}};
   sheet.keepTogether(labelledHeight(sheet, terms, ReportSheet::width));
   sheet.skip(placeLabelled(sheet, terms, 0, sheet.y(), ReportSheet::width) - sheet.y());
 }

@@ -3,6 +3,8 @@
 #include <QSettings>
 #include <algorithm>
 
+#include "ui/language/languages.h"
+
 namespace alidade::ui {
 
 namespace {
@@ -26,12 +28,19 @@ ReportPaper storedPaper(const QSettings& settings) {
   return paper;
 }
 
+QString storedLanguage(const QSettings& settings) {
+  const QString stored = settings.value(group + QStringLiteral("language")).toString();
+  const bool isOurs = std::ranges::find(allLanguages(), stored, &LanguageInfo::id) != allLanguages().end();
+  return isOurs ? stored : QString();
+}
+
 }  // namespace
 
 ReportChoice rememberedReportChoice() {
   const QSettings settings;
   ReportChoice choice{.paper = storedPaper(settings),
                       .logoPath = settings.value(group + QStringLiteral("logo")).toString(),
+                      .language = storedLanguage(settings),
                       .hasSession = settings.value(group + QStringLiteral("session"), true).toBool()};
   const QStringList leftOut = settings.value(group + QStringLiteral("leftOut")).toStringList();
   for (const ReportPartInfo& info : allReportParts())
@@ -54,6 +63,7 @@ void rememberReportChoice(const ReportChoice& choice) {
   put("marginRight", choice.paper.margins.right());
   put("marginBottom", choice.paper.margins.bottom());
   put("logo", choice.logoPath);
+  put("language", choice.language);
   put("session", choice.hasSession);
 }
 

@@ -12,6 +12,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
+#include <algorithm>
 
 #include "tests/ui/shown_texts.h"
 #include "ui/dialogs/dialogs.h"
@@ -72,6 +73,22 @@ TEST(ReportDialog, AnswersWithWhatIsChosen) {
   EXPECT_EQ(choice.paper.size, QPageSize::Letter);
   EXPECT_EQ(choice.paper.margins, QMarginsF(33, 20, 20, 25));
   EXPECT_FALSE(choice.hasSession);
+  EXPECT_EQ(choice.language, QString());
+}
+
+TEST(ReportDialog, OffersTheLanguagesUnderTheirOwnNames) {
+  ReportQuestion asked = question();
+  asked.choice.language = QStringLiteral("zh_CN");
+  ReportDialog dialog(asked);
+  auto* language = dialog.findChild<QComboBox*>(QStringLiteral("language"));
+  EXPECT_EQ(language->currentText(), QStringLiteral("简体中文"));
+  EXPECT_EQ(dialog.choice(), asked.choice);
+  language->setCurrentText(QStringLiteral("English"));
+  EXPECT_EQ(dialog.choice().language, QStringLiteral("en"));
+  language->setCurrentText(QStringLiteral("Like the window"));
+  EXPECT_EQ(dialog.choice().language, QString());
+  const auto labels = dialog.findChildren<QLabel*>();
+  EXPECT_TRUE(std::ranges::any_of(labels, [&](const QLabel* label) { return label->buddy() == language; }));
 }
 
 TEST(ReportDialog, HoldsOnToWhatMayNotBeLeftOut) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <QFile>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "core/session/session_file.h"
@@ -139,16 +140,19 @@ TEST(PdfArchive, EmbedsEveryFontUnderTheNameOfItsSubset) {
 TEST(PdfArchive, HoldsFilesAsTheStandardWantsThem) {
   const Structure structure(laboratoryReport());
   const auto files = structure.ofType("/Filespec");
-  ASSERT_FALSE(files.empty());
+  ASSERT_EQ(files.size(), 2u);
+  std::map<json, json> relationships;
   EXPECT_EQ(structure.at(structure.catalog().at("/AF")).size(), files.size());  // 6.8
   for (const json& file : files) {
     for (const char* key : {"/F", "/UF", "/Desc", "/EF", "/AFRelationship"})
       EXPECT_TRUE(file.contains(key)) << key;
+    relationships[file.at("/UF")] = file.at("/AFRelationship");
     const json stream = structure.at(file.at("/EF").at("/F"));
     EXPECT_EQ(stream.at("/Subtype"), "/application/json");
     EXPECT_TRUE(stream.at("/Params").contains("/ModDate"));
   }
-  EXPECT_EQ(files.front().at("/UF"), "u:paper-table-1.alidade");
+  EXPECT_EQ(relationships,
+            (std::map<json, json>{{"u:paper-table-1.alidade", "/Source"}, {"u:results.json", "/Data"}}));
 }
 
 TEST(PdfArchive, OfTheSameReportHasTheSameBytes) {

@@ -13,6 +13,7 @@ TEST(ReportSettings, ComeBackAsTheyWereChosen) {
   ReportChoice choice{.contents = {{ReportPart::Journal, ReportPart::Budget}},
                       .paper = {QPageSize::Letter, {15, 22, 30, 40}},
                       .logoPath = QStringLiteral("/somewhere/ü logo.svg"),
+                      .language = QStringLiteral("zh_CN"),
                       .hasSession = false};
   rememberReportChoice(choice);
   EXPECT_EQ(rememberedReportChoice(), choice);
@@ -26,12 +27,14 @@ TEST(ReportSettings, TakeNothingForGranted) {
   QSettings settings;
   settings.setValue(QStringLiteral("report/leftOut"), QStringList{QStringLiteral("verdict")});
   settings.setValue(QStringLiteral("report/paper"), QStringLiteral("A0"));
+  settings.setValue(QStringLiteral("report/language"), QStringLiteral("la"));
   settings.setValue(QStringLiteral("report/marginLeft"), QStringLiteral("wide"));
   settings.setValue(QStringLiteral("report/marginTop"), -5);
   settings.setValue(QStringLiteral("report/marginRight"), 4000);
   settings.sync();
   const ReportChoice choice = rememberedReportChoice();
   EXPECT_EQ(choice.contents, ReportContents());
+  EXPECT_EQ(choice.language, QString());
   EXPECT_EQ(choice.paper.size, QPageSize::A4);
   EXPECT_EQ(choice.paper.margins, QMarginsF(20, ReportPaper::leastMargin, ReportPaper::mostMargin, 25));
   QSettings().remove(QStringLiteral("report"));

@@ -1,0 +1,106 @@
+#include <gtest/gtest.h>
+
+#include <QFile>
+#include <QSet>
+#include <QSettings>
+#include <QTemporaryDir>
+
+#include "tests/ui/language/speaking.h"
+#include "tests/ui/support.h"
+#include "ui/dialogs/report_flow.h"
+#include "ui/document/session_document.h"
+#include "ui/jobs/evaluation.h"
+#include "ui/settings/report_settings.h"
+
+namespace alidade::ui {
+namespace {
+
+/// Knows what was waited for.
+class WatchedDialogs : public ScriptedDialogs {
+ public:
+  std::unique_ptr<Busy> busy(const QString& doing, Busy::Way way) override {
+    waits.append(doing);
+    return ScriptedDialogs::busy(doing, way);
+  }
+  qsizetype diagnoses() const { return waits.filter(QStringLiteral("diagnosing")).size(); }
+
+  QStringList waits;
+};
+
+class ReportLanguageTest : public testing::Test {
+ protected:
+  ReportLanguageTest() {
+    forget();
+    EXPECT_FALSE(document.load(samplePath(QStringLiteral("paper-table-1.alidade"))));
+    dialogs.reportPath = folder.filePath(QStringLiteral("report.pdf"));
+  }
+  ~ReportLanguageTest() override { forget(); }
+
+  static void forget() { QSettings().remove(QStringLiteral("report")); }
+  void choose(const char* language) {
+    ReportChoice choice;
+    choice.language = QString::fromLatin1(language);
+    dialogs.reportChoice = choice;
+  }
+
+  QTemporaryDir folder;
+  WatchedDialogs dialogs;
+  SessionDocument document;
+  ReportFlow flow{document, dialogs};
+};
+
+TEST_F(ReportLanguageTest, OfTheWindowTakesWhatWasDiagnosedForTheQuestion) {
+  choose("");
+  ASSERT_TRUE(flow.exportPdf({}));
+  EXPECT_EQ(dialogs.diagnoses(), 1);
+}
+
+// Sentences of a diagnosis are made with it.
+TEST_F(ReportLanguageTest, OtherThanTheWindowsIsDiagnosedInAndRemembered) {
+  choose("zh_CN");
+  ASSERT_TRUE(flow.exportPdf({}));
+  EXPECT_EQ(dialogs.diagnoses(), 2);
+  EXPECT_TRUE(QFile::exists(dialogs.reportPath));
+  EXPECT_EQ(rememberedReportChoice().language, QStringLiteral("zh_CN"));
+}
+
+TEST_F(ReportLanguageTest, IsDiagnosedInOnceForPreviewAndPrint) {
+  choose("zh_CN");
+  rememberReportChoice(*dialogs.reportChoice);
+  dialogs.previewPaths =
+      QStringList{folder.filePath(QStringLiteral("1.pdf")), folder.filePath(QStringLiteral("2.pdf"))};
+  dialogs.previewAnswers = {PreviewAnswer::Page, PreviewAnswer::Print};
+  dialogs.printPath = folder.filePath(QStringLiteral("printed.pdf"));
+  ASSERT_TRUE(flow.preview({}));
+  EXPECT_EQ(dialogs.previews, 2);
+  EXPECT_TRUE(QFile::exists(dialogs.printPath));
+  EXPECT_EQ(dialogs.diagnoses(), 2);
+  ASSERT_TRUE(flow.print()) << "anew for the next report: the session may be another";
+  EXPECT_EQ(dialogs.diagnoses(), 4);
+}
+
+TEST_F(ReportLanguageTest, ThatTheWindowSpeaksIsNotDiagnosedInAgain) {
+  choose("en");
+  ASSERT_TRUE(flow.exportPdf({}));
+  EXPECT_EQ(dialogs.diagnoses(), 1);
+  const Speaking speaking(QStringLiteral("zh_CN"));
+  ASSERT_TRUE(flow.exportPdf({}));
+  EXPECT_EQ(dialogs.diagnoses(), 3);
+}
+
+// While a report is written the window is alive, and what it shows then stays.
+TEST_F(ReportLanguageTest, IsNotThatOfTheWindowMeanwhile) {
+  QSet<QString> heard;
+  ReportOptions options;
+  options.language = QStringLiteral("zh_CN");
+  options.goesOn = [&](double) {
+    heard.insert(spokenLanguage());
+    return true;
+  };
+  ASSERT_TRUE(writeAcceptanceReport(evaluate(document.session()), {}, dialogs.reportPath, options));
+  EXPECT_EQ(heard, QSet<QString>{QStringLiteral("en")});
+  EXPECT_EQ(spokenLanguage(), QStringLiteral("en"));
+}
+
+}  // namespace
+}  // namespace alidade::ui

@@ -1,0 +1,24 @@
+#include "ui/report/report_results.h"
+
+#include "core/adjustment/gross_errors/suspects.h"
+#include "core/answers/beforehand.h"
+#include "core/answers/fit_json.h"
+#include "ui/language/language_scope.h"
+
+namespace alidade::ui {
+
+std::optional<std::string> resultsJson(const Gap& gap, const std::string& name) {
+  const LanguageScope english(QStringLiteral("en"));
+  const Evaluation& evaluation = *gap.evaluation;
+  const auto& measurement = evaluation.examined.measurement;
+  if (!measurement || !evaluation.examined.problems.empty()) return std::nullopt;
+  if (!evaluation.failure.empty() || !evaluation.searchFailure.empty()) return std::nullopt;
+  if (absence(*measurement, evaluation.fit.arcs.size(), evaluation.fit.findings)) return std::nullopt;
+  FitAnswer answer{name, *measurement, evaluation.fit, evaluation.suspects};
+  if (!evaluation.isSearched)
+    answer.suspects = findSuspects(evaluation.session, *measurement, evaluation.fit);
+  answer.diagnosis = gap.diagnosis;
+  return fitJson(answer);
+}
+
+}  // namespace alidade::ui

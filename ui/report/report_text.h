@@ -1,0 +1,31 @@
+#pragma once
+
+#include <QCoreApplication>
+#include <QStringList>
+
+namespace alidade::ui {
+
+/// The texts of the report, and how its phrases stand side by side.
+struct Report {
+  Q_DECLARE_TR_FUNCTIONS(Report)
+
+ public:
+  /// "collimation, trunnion tilt": names in a row.
+  static QString list(const QStringList& names) {
+    //: between the names of a list
+    return names.join(tr(", "));
+  }
+  /// "estimated along with the arcs; nothing was changed".
+  static QString clauses(const QStringList& parts) {
+    //: between clauses
+    return parts.join(tr("; "));
+  }
+  /// One after another, those that are there.
+  static QString sentences(QStringList parts) {
+    parts.removeAll(QString());
+    //: between sentences; may be left as it is
+    return parts.join(tr(" "));
+  }
+};
+
+}  // namespace alidade::ui
