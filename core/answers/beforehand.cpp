@@ -17,9 +17,7 @@ std::optional<Problem> absence(const Measurement& measurement, std::size_t fitte
   if (error == findings.end())
     return Problem{Phrase::of("there are no readings to fit; enter those of the axis positions")};
   const Finding finding = inWords(*error);
-  //: two sentences, what was found and what to do about it
-  return Problem{finding.remedy.empty() ? finding.text : Phrase::of("%1 %2", finding.text, finding.remedy),
-                 finding.where};
+  return Problem{sentencesOf(finding), finding.where};
 }
 
 Result<std::vector<Finding>> findingsBeforehand(const Measurement& measurement, const SessionFit& fit) {

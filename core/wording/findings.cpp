@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "core/base/phrase.h"
 #include "core/wording/arc_findings.h"
 #include "core/wording/session_findings.h"
 #include "core/wording/setup_findings.h"
@@ -25,6 +26,11 @@ std::vector<Finding> inWords(const std::vector<FitFinding>& findings, const std:
   std::vector<Finding> worded = inWords(findings);
   if (auto finding = suspectsFinding(suspects)) worded.insert(worded.begin(), *std::move(finding));
   return worded;
+}
+
+std::string inTurn(const std::string& first, const std::string& second) {
+  //: two sentences, such as what was found and what to do about it
+  return second.empty() ? first : Phrase::of("%1 %2", first, second);
 }
 
 }  // namespace alidade

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "core/adjustment/gross_errors/suspects.h"
@@ -14,5 +15,13 @@ std::vector<Finding> inWords(const std::vector<FitFinding>& findings);
 
 /// The same after the one that names the suspects, where there are any.
 std::vector<Finding> inWords(const std::vector<FitFinding>& findings, const std::vector<Suspect>& suspects);
+
+/// One sentence after the other; the second may be empty.
+std::string inTurn(const std::string& first, const std::string& second);
+
+/// What was found, and what to do about it.
+inline std::string sentencesOf(const Finding& finding) {
+  return inTurn(finding.text, finding.remedy);
+}
 
 }  // namespace alidade

@@ -8,6 +8,7 @@
 #include "core/wording/across.h"
 #include "core/wording/attainable.h"
 #include "core/wording/closures.h"
+#include "core/wording/findings.h"
 #include "core/wording/measure.h"
 #include "core/wording/position_name.h"
 #include "core/wording/setup_findings.h"
@@ -129,11 +130,6 @@ std::string acrossText(const Measurement& measurement, const Diagnosis* diagnosi
          Phrase::of(
              "This judges the plane of the arc alone: across it, its centre lies %1 off the axis.",
              lengthWithUncertainty(std::abs(across.value), across.expanded, decimalsFor(across.expanded)));
-}
-
-/// One sentence after the other; the second may be empty.
-std::string inTurn(const std::string& first, const std::string& second) {
-  return second.empty() ? first : Phrase::of("%1 %2", first, second);
 }
 
 /// What the verdict rests on.

@@ -1201,7 +1201,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>%1 %2</source>
-        <extracomment>two sentences, what was found and what to do about it</extracomment>
+        <extracomment>two sentences, such as what was found and what to do about it</extracomment>
         <translation>%1%2</translation>
     </message>
     <message>
@@ -3450,6 +3450,10 @@ Sealed by:</source>
         <source>There is no such sample</source>
         <translation>没有这个示例</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
 </context>
 <context>
     <name>PlaceText</name>
@@ -3606,6 +3610,18 @@ Sealed by:</source>
         <source>note</source>
         <translation>备注</translation>
     </message>
+    <message>
+        <source>Horizontal
+as read</source>
+        <translation>水平
+读数</translation>
+    </message>
+    <message>
+        <source>Vertical
+as read</source>
+        <translation>竖直
+读数</translation>
+    </message>
 </context>
 <context>
     <name>ReadingsEditor</name>
@@ -3675,6 +3691,871 @@ Sealed by:</source>
     <message>
         <source>Delete position %1</source>
         <translation>删除轴位 %1</translation>
+    </message>
+</context>
+<context>
+    <name>Report</name>
+    <message>
+        <source>untitled session</source>
+        <translation>未命名会话</translation>
+    </message>
+    <message>
+        <source>unsaved changes: SHA-256 of the session&apos;s content %1</source>
+        <translation>未保存的更改：会话内容的 SHA-256 %1</translation>
+    </message>
+    <message>
+        <source>Alidade %1 · Acceptance report</source>
+        <translation>Alidade %1 · 验收报告</translation>
+    </message>
+    <message>
+        <source>Alidade %1 · Acceptance report · No. %2</source>
+        <translation>Alidade %1 · 验收报告 · 编号 %2</translation>
+    </message>
+    <message>
+        <source>session not saved to a file</source>
+        <translation>会话未保存到文件</translation>
+    </message>
+    <message>
+        <source>The session of this report, to be opened with Alidade</source>
+        <translation>本报告的会话，可用 Alidade 打开</translation>
+    </message>
+    <message>
+        <source>The results of this report, to be read by programs</source>
+        <translation>本报告的结果，供程序读取</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: painting failed</source>
+        <translation>%1 无法写入：绘制失败</translation>
+    </message>
+    <message>
+        <source>Acceptance report: %1</source>
+        <translation>验收报告：%1</translation>
+    </message>
+    <message>
+        <source>The PDF cannot be read (the session attached to it is missing)</source>
+        <translation>无法读取该 PDF（所附会话缺失）</translation>
+    </message>
+    <message>
+        <source>The PDF cannot be read (the session attached to it is damaged)</source>
+        <translation>无法读取该 PDF（所附会话已损坏）</translation>
+    </message>
+    <message>
+        <source>No session is attached to this PDF: a report of Alidade holds its session unless that was left out</source>
+        <translation>该 PDF 未附会话：Alidade 的报告含有其会话，除非被略去</translation>
+    </message>
+    <message>
+        <source>The PDF cannot be read (%1)</source>
+        <translation>无法读取该 PDF（%1）</translation>
+    </message>
+    <message>
+        <source>%1 (stated)</source>
+        <extracomment>of a standard uncertainty: it stands in the session, or is what the program takes</extracomment>
+        <translation>%1（声明）</translation>
+    </message>
+    <message>
+        <source>%1 (default)</source>
+        <translation>%1（默认）</translation>
+    </message>
+    <message>
+        <source>serial %1</source>
+        <translation>序列号 %1</translation>
+    </message>
+    <message>
+        <source>horizontal %1, vertical %2</source>
+        <translation>水平 %1，竖直 %2</translation>
+    </message>
+    <message>
+        <source>%1, taken as exact (default)</source>
+        <translation>%1，视为精确（默认）</translation>
+    </message>
+    <message>
+        <source>%1, σ %2 mm (stated)</source>
+        <translation>%1，σ %2 mm（声明）</translation>
+    </message>
+    <message>
+        <source>zenith</source>
+        <extracomment>what the vertical circle reads: zenith angles</extracomment>
+        <translation>天顶距</translation>
+    </message>
+    <message>
+        <source>elevation</source>
+        <extracomment>what the vertical circle reads: elevation angles</extracomment>
+        <translation>高度角</translation>
+    </message>
+    <message>
+        <source>%1, planar relation</source>
+        <translation>%1，平面关系式</translation>
+    </message>
+    <message>
+        <source>Laboratory</source>
+        <translation>实验室</translation>
+    </message>
+    <message>
+        <source>Customer</source>
+        <translation>客户</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>设备</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>操作者</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>地点</translation>
+    </message>
+    <message>
+        <source>Measured on</source>
+        <translation>测量日期</translation>
+    </message>
+    <message>
+        <source>Report made</source>
+        <translation>报告日期</translation>
+    </message>
+    <message>
+        <source>Instrument</source>
+        <translation>仪器</translation>
+    </message>
+    <message>
+        <source>Certificate</source>
+        <translation>证书</translation>
+    </message>
+    <message>
+        <source>Circles traceable</source>
+        <translation>度盘溯源</translation>
+    </message>
+    <message>
+        <source>σ of the circles</source>
+        <translation>度盘的 σ</translation>
+    </message>
+    <message>
+        <source>σ pointing zero</source>
+        <translation>瞄准零位的 σ</translation>
+    </message>
+    <message>
+        <source>that of the circles</source>
+        <extracomment>a standard uncertainty: as that of the circles</extracomment>
+        <translation>同度盘</translation>
+    </message>
+    <message>
+        <source>σ of the slider</source>
+        <translation>滑块的 σ</translation>
+    </message>
+    <message>
+        <source>Distance L</source>
+        <translation>距离 L</translation>
+    </message>
+    <message>
+        <source>L measured</source>
+        <translation>L 的测量</translation>
+    </message>
+    <message>
+        <source>Nominal radius R0</source>
+        <translation>名义半径 R0</translation>
+    </message>
+    <message>
+        <source>Vertical circle</source>
+        <translation>竖直度盘</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>模型</translation>
+    </message>
+    <message>
+        <source>rms</source>
+        <translation>均方根</translation>
+    </message>
+    <message>
+        <source>measured: every effect at its plausible size</source>
+        <translation>实测：每个效应取其合理大小</translation>
+    </message>
+    <message>
+        <source>Probabilities: given the catalogue and how large its effects plausibly are.</source>
+        <translation>概率：以目录及其效应的合理大小为前提。</translation>
+    </message>
+    <message>
+        <source>Probabilities: given the catalogue and how large its effects plausibly are (1σ: %1).</source>
+        <extracomment>%1: effects with their sizes, &quot;collimation 30″, refraction 2″&quot;</extracomment>
+        <translation>概率：以目录及其效应的合理大小（1σ：%1）为前提。</translation>
+    </message>
+    <message>
+        <source>%1; probability %2.</source>
+        <extracomment>%1: a cause with its numbers</extracomment>
+        <translation>%1；概率 %2。</translation>
+    </message>
+    <message>
+        <source>Closure</source>
+        <translation>闭合差</translation>
+    </message>
+    <message>
+        <source>as modelled ± U</source>
+        <translation>按模型 ± U</translation>
+    </message>
+    <message>
+        <source>size</source>
+        <translation>大小</translation>
+    </message>
+    <message>
+        <source>with the causes ± U</source>
+        <translation>计入原因 ± U</translation>
+    </message>
+    <message>
+        <source>What it would take to explain Δd − reference</source>
+        <translation>解释 Δd − 参考值所需的大小</translation>
+    </message>
+    <message>
+        <source>Effect</source>
+        <translation>效应</translation>
+    </message>
+    <message>
+        <source>plausible sizes</source>
+        <translation>合理大小</translation>
+    </message>
+    <message>
+        <source>leaves (σ)</source>
+        <translation>留痕 (σ)</translation>
+    </message>
+    <message>
+        <source>Each by itself, of the effects that these readings do not exclude at that size; leaves: what it would leave in these readings.</source>
+        <translation>逐个考虑这些读数在该大小下未能排除的效应；留痕：它会在这些读数中留下的痕迹。</translation>
+    </message>
+    <message>
+        <source>Gap between model and readings</source>
+        <translation>模型与读数的差距</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <extracomment>a headline as a sentence
+----------
+a clause as a sentence</extracomment>
+        <translation>%1。</translation>
+    </message>
+    <message>
+        <source>The figures of this report are those of the model as it is, but for what is said to be measured; nothing was added or left out because of the diagnosis. The verdict stands only where both accounts say so.</source>
+        <translation>除注明为实测者外，本报告的数字均为按现有模型所得；没有因诊断而增加或略去任何内容。只有两种陈述都如此时，判定才成立。</translation>
+    </message>
+    <message>
+        <source>Closures: what must agree</source>
+        <translation>闭合差：必须一致的量</translation>
+    </message>
+    <message>
+        <source>Half a turn of one rigid arc about an axis along x keeps its radius and leaves the centre&apos;s x alone; an arc measured again is where it was; R0 and the reference count where their σ is stated. U at %1 %.</source>
+        <translation>同一刚性圆弧绕 x 方向的轴转半圈，其半径不变，圆心的 x 不动；复测的圆弧仍在原处；声明了 σ 时，R0 和参考值也计入。U 的包含概率为 %1 %。</translation>
+    </message>
+    <message>
+        <source>Half a turn of one rigid arc about an axis along x keeps its radius and leaves the centre&apos;s x alone; R0 and the reference count where their σ is stated. U at %1 %.</source>
+        <translation>同一刚性圆弧绕 x 方向的轴转半圈，其半径不变，圆心的 x 不动；声明了 σ 时，R0 和参考值也计入。U 的包含概率为 %1 %。</translation>
+    </message>
+    <message>
+        <source>The following effects would leave no clear trace in these readings, so U of the fit alone holds nothing of them; U as measured holds what its budget lists. A plausible size of each would move Δd by: %1.</source>
+        <translation>以下效应在这些读数中不会留下明显痕迹，因此仅拟合的 U 不包含它们；实测的 U 包含其预算所列各项。各自的合理大小会使 Δd 移动：%1。</translation>
+    </message>
+    <message>
+        <source>Further readings would show some of them: %1.</source>
+        <translation>进一步的读数可显示其中一些：%1。</translation>
+    </message>
+    <message>
+        <source>What these readings would not show</source>
+        <translation>这些读数看不出的效应</translation>
+    </message>
+    <message>
+        <source>Journal of changes</source>
+        <translation>更改日志</translation>
+    </message>
+    <message>
+        <source>When (UTC)</source>
+        <extracomment>heads of the journal: when, what, from which text, to which, why and by whom it was changed</extracomment>
+        <translation>时间 (UTC)</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>内容</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>由</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>变为</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>原因</translation>
+    </message>
+    <message>
+        <source>Who</source>
+        <translation>操作者</translation>
+    </message>
+    <message>
+        <source>1 earlier entry is in the session file.</source>
+        <translation>会话文件中还有 1 条更早的记录。</translation>
+    </message>
+    <message>
+        <source>%1 earlier entries are in the session file.</source>
+        <translation>会话文件中还有 %1 条更早的记录。</translation>
+    </message>
+    <message>
+        <source>the logo “%1” cannot be used: there is no such file</source>
+        <translation>徽标“%1”无法使用：没有这个文件</translation>
+    </message>
+    <message>
+        <source>the logo “%1” cannot be used: %2</source>
+        <translation>徽标“%1”无法使用：%2</translation>
+    </message>
+    <message>
+        <source>Ringed: the axis measured again.</source>
+        <translation>带圈：复测的轴位。</translation>
+    </message>
+    <message>
+        <source>Struck through: face 2.</source>
+        <translation>带划线：盘右。</translation>
+    </message>
+    <message>
+        <source>Rounds stand side by side.</source>
+        <translation>各测回并列。</translation>
+    </message>
+    <message>
+        <source>Inset: the arc centres O1 and O2 with the axis midway between them; the heavy line is Δd, the bar at its end its expanded uncertainty U of the fit alone, the ellipses hold the centres at %1 %.</source>
+        <translation>插图：圆心 O1 和 O2，轴在其正中；粗线为 Δd，其端部的误差棒为仅拟合的扩展不确定度 U，椭圆以 %1 % 包含圆心。</translation>
+    </message>
+    <message>
+        <source>Grey: where they may lie at the tolerance of ± %1 mm.</source>
+        <translation>灰色：允差 ± %1 mm 时圆心可在的范围。</translation>
+    </message>
+    <message>
+        <source>Δx leads from O2 to the cross where O2 would lie if the positions closed; without a cross it does.</source>
+        <translation>Δx 由 O2 指向十字，即各轴位闭合时 O2 应在之处；没有十字则已闭合。</translation>
+    </message>
+    <message>
+        <source>Figure 1. Sighted points in the arc plane; no arc was fitted.</source>
+        <translation>图 1. 圆弧平面内的照准点；没有拟合出圆弧。</translation>
+    </message>
+    <message>
+        <source>Figure 1. Fitted arcs and sighted points in true proportion, frame at the theodolite, x right, y up. Filled points and full line: axis at 0°; hollow points and broken line: 180°.</source>
+        <translation>图 1. 拟合圆弧和照准点，按真实比例，坐标系在经纬仪处，x 向右，y 向上。实心点和实线：轴在 0°；空心点和虚线：180°。</translation>
+    </message>
+    <message>
+        <source>The strokes are the residuals, from the adjusted point on the arc, drawn %1.</source>
+        <extracomment>%1: how many times as long, &quot;× 500&quot;</extracomment>
+        <translation>短线为残差，自圆弧上的平差点起，绘制 %1。</translation>
+    </message>
+    <message>
+        <source>Figure %1. No residuals, since no arc was fitted.</source>
+        <translation>图 %1. 没有残差，因为没有拟合出圆弧。</translation>
+    </message>
+    <message>
+        <source>Figure %1. Residuals of the readings, observed minus adjusted, right and up positive, along the slider coordinate. Circles: horizontal, diamonds: vertical; filled: axis at 0°, hollow: 180°.</source>
+        <translation>图 %1. 读数的残差，观测值减平差值，向右、向上为正，沿滑块坐标绘制。圆形：水平，菱形：竖直；实心：轴在 0°，空心：180°。</translation>
+    </message>
+    <message>
+        <source>Grey band: ±1σ, broken lines: ±3σ of the stated noise (σ = %1 horizontal, %2 vertical).</source>
+        <translation>灰带：±1σ，虚线：±3σ，声明的噪声（水平 σ = %1，竖直 σ = %2）。</translation>
+    </message>
+    <message>
+        <source>Arcs</source>
+        <translation>圆弧</translation>
+    </message>
+    <message>
+        <source>Arcs and residuals</source>
+        <translation>圆弧和残差</translation>
+    </message>
+    <message>
+        <source>Residuals</source>
+        <translation>残差</translation>
+    </message>
+    <message>
+        <source>v horiz.
+(″)</source>
+        <extracomment>heads of narrow columns: the residual of the horizontal, then that of the vertical circle</extracomment>
+        <translation>v 水平
+(″)</translation>
+    </message>
+    <message>
+        <source>v vert.
+(″)</source>
+        <translation>v 竖直
+(″)</translation>
+    </message>
+    <message>
+        <source>Remark</source>
+        <translation>说明</translation>
+    </message>
+    <message>
+        <source>excluded</source>
+        <translation>排除</translation>
+    </message>
+    <message>
+        <source>unusable</source>
+        <translation>无法使用</translation>
+    </message>
+    <message>
+        <source>%1 first entered as %2</source>
+        <extracomment>%1: what was read, as &quot;vertical reading&quot;; %2: as it was typed at first</extracomment>
+        <translation>%1最初录入为 %2</translation>
+    </message>
+    <message>
+        <source>not given</source>
+        <translation>未给出</translation>
+    </message>
+    <message>
+        <source>Readings with the axis at %1</source>
+        <translation>轴位 %1 的读数</translation>
+    </message>
+    <message>
+        <source>Pointing zero: horizontal α0 = %1, vertical β0 = %2</source>
+        <translation>瞄准零位：水平 α0 = %1，竖直 β0 = %2</translation>
+    </message>
+    <message>
+        <source>after the readings in face %1: %2, %3</source>
+        <translation>读数之后，盘位 %1：%2，%3</translation>
+    </message>
+    <message>
+        <source>before them in face %1: %2, %3</source>
+        <translation>读数之前，盘位 %1：%2，%3</translation>
+    </message>
+    <message>
+        <source>Sighted again %1</source>
+        <extracomment>%1: &quot;before them in face 2: 170°, 90°; after the readings in face 1: …&quot;</extracomment>
+        <translation>再次照准：%1</translation>
+    </message>
+    <message>
+        <source>No readings.</source>
+        <translation>没有读数。</translation>
+    </message>
+    <message>
+        <source>v: residual, observed minus adjusted, right and up positive. φ: arc angle from +x, counter-clockwise as the observer sees it.</source>
+        <translation>v：残差，观测值减平差值，向右、向上为正。φ：自 +x 起的圆弧角，观测者看去逆时针为正。</translation>
+    </message>
+    <message>
+        <source>w = v/(s0 σ √r): standardised residual, s0 = %1; — where no other reading checks the reading. * marks residuals with |w| &gt; %2, for information: no reading is left out because of its residual.</source>
+        <translation>w = v/(s0 σ √r)：标准化残差，s0 = %1；— 表示没有其他读数检核该读数。* 标出 |w| &gt; %2 的残差，仅供参考：没有读数因残差而被去掉。</translation>
+    </message>
+    <message>
+        <source>Readings changed, excluded or not usable, with the axis at %1</source>
+        <translation>轴位 %1 中更改、排除或无法使用的读数</translation>
+    </message>
+    <message>
+        <source>tolerance ± %1 mm</source>
+        <translation>允差 ± %1 mm</translation>
+    </message>
+    <message>
+        <source>no tolerance stated</source>
+        <translation>未给出允差</translation>
+    </message>
+    <message>
+        <source>%1 of the fit alone</source>
+        <translation>仅拟合为 %1</translation>
+    </message>
+    <message>
+        <source>Measured: %1</source>
+        <translation>实测：%1</translation>
+    </message>
+    <message>
+        <source>Measured: these readings do not determine Δd</source>
+        <translation>实测：这些读数不能确定 Δd</translation>
+    </message>
+    <message>
+        <source>of the fit alone: %1</source>
+        <translation>仅拟合：%1</translation>
+    </message>
+    <message>
+        <source>U: coverage %1.</source>
+        <translation>U：包含概率 %1。</translation>
+    </message>
+    <message>
+        <source>As measured: u = %1, ν = %2.</source>
+        <translation>实测：u = %1，ν = %2。</translation>
+    </message>
+    <message>
+        <source>Of the fit alone: k = %1, u = %2, ν = %3.</source>
+        <translation>仅拟合：k = %1，u = %2，ν = %3。</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>a place, and what is wrong there</extracomment>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>1 finding: see below.</source>
+        <translation>1 条提示：见下文。</translation>
+    </message>
+    <message>
+        <source>%1 findings: see below.</source>
+        <translation>%1 条提示：见下文。</translation>
+    </message>
+    <message>
+        <source>Arc</source>
+        <translation>圆弧</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <extracomment>an arc and the position of its axis: &quot;O1 at 0°&quot;</extracomment>
+        <translation>%1，%2</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the intersection as measured</source>
+        <translation>实测相交度的不确定度</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <extracomment>heads of the budget: what of, how large it may be, type A or B, where that is known from, share</extracomment>
+        <translation>来源</translation>
+    </message>
+    <message>
+        <source>1σ of its size</source>
+        <translation>其大小的 1σ</translation>
+    </message>
+    <message>
+        <source>type</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>出自</translation>
+    </message>
+    <message>
+        <source>of variance</source>
+        <translation>占方差</translation>
+    </message>
+    <message>
+        <source>combined standard uncertainty u</source>
+        <translation>合成标准不确定度 u</translation>
+    </message>
+    <message>
+        <source>expanded uncertainty U (%1)</source>
+        <translation>扩展不确定度 U（%1）</translation>
+    </message>
+    <message>
+        <source>Every effect of the catalogue takes part, as large as these readings and what is plausible leave it. Type A: by the scatter of these readings; B: by other knowledge.</source>
+        <translation>目录中的每个效应都参与，其大小为这些读数和合理范围所允许。A 类：由这些读数的离散得出；B 类：由其他知识得出。</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the intersection of the fit alone</source>
+        <translation>仅拟合的相交度的不确定度</translation>
+    </message>
+    <message>
+        <source>share of variance</source>
+        <translation>占方差的份额</translation>
+    </message>
+    <message>
+        <source>Model effects</source>
+        <translation>模型效应</translation>
+    </message>
+    <message>
+        <source>Estimated along with the arcs</source>
+        <translation>与圆弧一并估计</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>值</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>单位</translation>
+    </message>
+    <message>
+        <source>collimation c = %1</source>
+        <translation>视准误差 c = %1</translation>
+    </message>
+    <message>
+        <source>trunnion tilt i = %1</source>
+        <translation>横轴倾斜 i = %1</translation>
+    </message>
+    <message>
+        <source>vertical index j = %1</source>
+        <translation>竖盘指标差 j = %1</translation>
+    </message>
+    <message>
+        <source>Both faces, %1 visits: %2; scatter against the stated σ: horizontal × %3, vertical × %4.</source>
+        <translation>双盘位，%1 次停靠：%2；离散与声明的 σ 之比：水平 × %3，竖直 × %4。</translation>
+    </message>
+    <message>
+        <source>Both faces, %1 visits: %2.</source>
+        <extracomment>%2: errors of the instrument, &quot;collimation c = −3.2″ (u 0.4)&quot;</extracomment>
+        <translation>双盘位，%1 次停靠：%2。</translation>
+    </message>
+    <message>
+        <source>Reference (never enters the fit): %1; Δd − reference = %2 as measured</source>
+        <translation>参考值（从不进入拟合）：%1；实测的 Δd − 参考值 = %2</translation>
+    </message>
+    <message>
+        <source>Reference (never enters the fit): %1; Δd − reference = %2 of the fit alone</source>
+        <translation>参考值（从不进入拟合）：%1；仅拟合的 Δd − 参考值 = %2</translation>
+    </message>
+    <message>
+        <source>Entries that could not be used</source>
+        <translation>无法使用的输入项</translation>
+    </message>
+    <message>
+        <source>Arc centres and radii</source>
+        <translation>圆心和半径</translation>
+    </message>
+    <message>
+        <source>No arc could be fitted.</source>
+        <translation>没有拟合出圆弧。</translation>
+    </message>
+    <message>
+        <source>Lengths in mm; u: standard uncertainty, scaled by s0 = %1; n: sightings; rms: of all residuals; χ²/f: with the stated σ; f: redundancy.</source>
+        <translation>长度以 mm 为单位；u：标准不确定度，按 s0 = %1 放大；n：照准数；rms：所有残差的均方根；χ²/f：按声明的 σ；f：多余观测数。</translation>
+    </message>
+    <message>
+        <source>Positions at the same axis have one centre and radius, which their f leave out.</source>
+        <translation>同一轴角的各轴位共有一个圆心和半径，其 f 未计入。</translation>
+    </message>
+    <message>
+        <source>Half the distance of the centres in the plane, |O1 − O2|/2 = %1.</source>
+        <translation>平面内两圆心距离的一半，|O1 − O2|/2 = %1。</translation>
+    </message>
+    <message>
+        <source>page %1 of %2</source>
+        <translation>第 %1 页，共 %2 页</translation>
+    </message>
+    <message>
+        <source>No. %1</source>
+        <extracomment>the number of a report</extracomment>
+        <translation>编号 %1</translation>
+    </message>
+    <message>
+        <source>Acceptance report</source>
+        <translation>验收报告</translation>
+    </message>
+    <message>
+        <source>Intersection of a rotatable arc guideway</source>
+        <translation>可转动弧形导轨的相交度</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <extracomment>how serious a finding is: Note, Warning or Error</extracomment>
+        <translation>提示</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>警告</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>错误</translation>
+    </message>
+    <message>
+        <source>– and %1 more.</source>
+        <translation>– 以及另外 %1 条。</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>提示</translation>
+    </message>
+    <message>
+        <source>None.</source>
+        <translation>无。</translation>
+    </message>
+    <message>
+        <source>None: nothing in the data speaks against the result.</source>
+        <translation>无：数据中没有对结果不利之处。</translation>
+    </message>
+    <message>
+        <source>None in the data, but see above what they would not show.</source>
+        <translation>数据中没有，但请见上文所述它们看不出的效应。</translation>
+    </message>
+    <message>
+        <source>Model and readings disagree, see “Gap between model and readings”. %1.</source>
+        <translation>模型与读数不符，见“模型与读数的差距”。%1。</translation>
+    </message>
+    <message>
+        <source>tan e = y/L (planar, as published)</source>
+        <translation>tan e = y/L（平面，按所发表）</translation>
+    </message>
+    <message>
+        <source>tan e = y/√(x² + L²) (exact)</source>
+        <translation>tan e = y/√(x² + L²)（精确）</translation>
+    </message>
+    <message>
+        <source>Each arc is fitted by rigorous orthogonal least squares on the angles read: the centre, the radius and the slider&apos;s place at each sighting are free, both circles carry errors of the stated σ. Horizontal angle tan a = x/L, vertical angle %1; frame at the theodolite, x right, y up.</source>
+        <translation>每个圆弧对所读角度作严格的正交最小二乘拟合：圆心、半径和每次照准时滑块的位置均为自由量，两个度盘都带有声明的 σ 的误差。水平角 tan a = x/L，竖直角 %1；坐标系在经纬仪处，x 向右，y 向上。</translation>
+    </message>
+    <message>
+        <source>Where an axis is measured again its positions have one centre and one radius, and all pointing zeros are estimated along, as well known as stated.</source>
+        <translation>复测的轴位共有一个圆心和一个半径，所有瞄准零位按声明的精度一并估计。</translation>
+    </message>
+    <message>
+        <source>The intersection Δd = (y(O1) − y(O2))/2 is half the distance of the arc centres at 0° (O1) and 180° (O2) across the axis. The share of the readings in its uncertainty is scaled by their scatter (s0), pointing zeros and distance enter as stated; the expanded uncertainty U of the fit alone is k times the combined standard uncertainty, k from Student&apos;s distribution with ν effective degrees of freedom. As measured, every effect of the catalogue takes part, known beforehand to 1σ of its plausible size, and U also holds what else may explain the readings.</source>
+        <translation>相交度 Δd = (y(O1) − y(O2))/2 是 0°（O1）和 180°（O2）两圆心在垂直于轴方向上距离的一半。读数对其不确定度的贡献按离散（s0）放大，瞄准零位和距离按声明计入；仅拟合的扩展不确定度 U 为合成标准不确定度的 k 倍，k 取自有效自由度为 ν 的 t 分布。实测时目录中的每个效应都参与，事先已知至其合理大小的 1σ，U 还包含其他可能解释读数的原因。</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>Operator: %1, date</source>
+        <extracomment>below a line to be signed and dated; %1: the name</extracomment>
+        <translation>操作者：%1，日期</translation>
+    </message>
+    <message>
+        <source>Authorised by: %1, date</source>
+        <translation>批准人：%1，日期</translation>
+    </message>
+    <message>
+        <source>Operator, date</source>
+        <translation>操作者，日期</translation>
+    </message>
+    <message>
+        <source>Authorised by, date</source>
+        <translation>批准人，日期</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>方法</translation>
+    </message>
+    <message>
+        <source>Intersection Δd = (y(O1) − y(O2))/2: half the difference of the heights of the arc centres at 0° (O1) and at 180° (O2), y up; positive where the centre is the higher one at 0°.</source>
+        <translation>相交度 Δd = (y(O1) − y(O2))/2：0°（O1）和 180°（O2）两圆心高度之差的一半，y 向上；0° 时圆心较高则为正。</translation>
+    </message>
+    <message>
+        <source>The tolerance is of the distance d = √(Δd² + Δz²) of the centre from the axis, Δz across the plane of the arc.</source>
+        <translation>允差针对圆心到轴的距离 d = √(Δd² + Δz²)，Δz 垂直于圆弧平面。</translation>
+    </message>
+    <message>
+        <source>Accepted: d + U ≤ %1 as measured, and |Δd| + U ≤ %1 by the fit alone; rejected: d − U &gt; %1; else undecided.</source>
+        <translation>接受：实测 d + U ≤ %1，且仅拟合 |Δd| + U ≤ %1；拒绝：d − U &gt; %1；否则未定。</translation>
+    </message>
+    <message>
+        <source>Accepted: |Δd| + U ≤ %1; rejected: |Δd| − U &gt; %1; by the fit alone and as measured; else undecided.</source>
+        <translation>接受：|Δd| + U ≤ %1；拒绝：|Δd| − U &gt; %1；仅拟合和实测均如此；否则未定。</translation>
+    </message>
+    <message>
+        <source>Accepted: |Δd| + U ≤ %1; rejected: |Δd| − U &gt; %1; by the fit alone; else undecided.</source>
+        <translation>接受：|Δd| + U ≤ %1；拒绝：|Δd| − U &gt; %1；按仅拟合；否则未定。</translation>
+    </message>
+    <message>
+        <source>Guard band w = U (coverage %1 %).</source>
+        <translation>保护带 w = U（包含概率 %1 %）。</translation>
+    </message>
+    <message>
+        <source>Guard band w = U (coverage %1 %): a verdict is wrong with a probability of at most %2 % (JCGM 106, ILAC-G8).</source>
+        <translation>保护带 w = U（包含概率 %1 %）：误判的概率不超过 %2 %（JCGM 106，ILAC-G8）。</translation>
+    </message>
+    <message>
+        <source>Agreed by: %1</source>
+        <translation>约定方：%1</translation>
+    </message>
+    <message>
+        <source>none of %1 rows of readings</source>
+        <translation>%1 行读数中没有</translation>
+    </message>
+    <message>
+        <source>%1 × without a note</source>
+        <extracomment>%1: how many rows of readings were left out, %2: the note beside them</extracomment>
+        <translation>%1 × 无备注</translation>
+    </message>
+    <message>
+        <source>%1 × “%2”</source>
+        <translation>%1 × “%2”</translation>
+    </message>
+    <message>
+        <source>%1 × for other reasons</source>
+        <translation>%1 × 其他原因</translation>
+    </message>
+    <message>
+        <source>%1 of %2 rows of readings: %3</source>
+        <extracomment>%3: how many for which reason</extracomment>
+        <translation>%2 行读数中的 %1 行：%3</translation>
+    </message>
+    <message>
+        <source>%1, estimated along with the arcs</source>
+        <extracomment>%1: effects</extracomment>
+        <translation>%1，与圆弧一并估计</translation>
+    </message>
+    <message>
+        <source>as measured, what is known beforehand: %1</source>
+        <translation>实测时，事先已知的：%1</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <extracomment>corrections: none</extracomment>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>nothing was changed after it stood</source>
+        <translation>成立之后没有更改</translation>
+    </message>
+    <message>
+        <source>one entry in the journal, see below</source>
+        <translation>更改日志中有一条记录，见下文</translation>
+    </message>
+    <message>
+        <source>one entry in the journal of the session, left out here</source>
+        <translation>会话的更改日志中有一条记录，此处略去</translation>
+    </message>
+    <message>
+        <source>%1 entries in the journal, see below</source>
+        <translation>更改日志中有 %1 条记录，见下文</translation>
+    </message>
+    <message>
+        <source>%1 entries in the journal of the session, left out here</source>
+        <translation>会话的更改日志中有 %1 条记录，此处略去</translation>
+    </message>
+    <message>
+        <source>%1; no expansion of L and R0 is stated</source>
+        <extracomment>%1: the temperature</extracomment>
+        <translation>%1；未给出 L 和 R0 的膨胀系数</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <extracomment>the changes of two lengths: &quot;L 0.101 mm&quot; and &quot;R0 0.032 mm&quot;</extracomment>
+        <translation>%1 和 %2</translation>
+    </message>
+    <message>
+        <source>%1; against 20 °C, for which they are stated, %2</source>
+        <extracomment>%1: the temperature, %2: what L and R0 change by</extracomment>
+        <translation>%1；相对于其标注温度 20 °C，%2</translation>
+    </message>
+    <message>
+        <source>Measurand</source>
+        <translation>被测量</translation>
+    </message>
+    <message>
+        <source>Decision rule</source>
+        <translation>判定规则</translation>
+    </message>
+    <message>
+        <source>Exclusions</source>
+        <translation>排除</translation>
+    </message>
+    <message>
+        <source>Corrections</source>
+        <translation>改正</translation>
+    </message>
+    <message>
+        <source>Changes</source>
+        <translation>更改</translation>
+    </message>
+    <message>
+        <source>Temperature</source>
+        <translation>温度</translation>
+    </message>
+    <message>
+        <source>Left out</source>
+        <translation>略去</translation>
+    </message>
+    <message>
+        <source>Scope</source>
+        <translation>范围</translation>
+    </message>
+    <message>
+        <source>The results relate only to the item measured.</source>
+        <translation>结果仅与被测对象有关。</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <extracomment>between the names of a list</extracomment>
+        <translation>、</translation>
+    </message>
+    <message>
+        <source>; </source>
+        <extracomment>between clauses</extracomment>
+        <translation>；</translation>
     </message>
 </context>
 <context>
@@ -6583,6 +7464,19 @@ sizes</source>
     <message>
         <source>&amp;Show</source>
         <translation>显示(&amp;S)</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <extracomment>between the names of a list</extracomment>
+        <translation>、</translation>
+    </message>
+    <message>
+        <source>Like the window</source>
+        <translation>与窗口相同</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>语言(&amp;L)</translation>
     </message>
 </context>
 <context>

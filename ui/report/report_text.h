@@ -3,6 +3,9 @@
 #include <QCoreApplication>
 #include <QStringList>
 
+#include "core/wording/findings.h"
+#include "ui/text/entry_text.h"
+
 namespace alidade::ui {
 
 /// The texts of the report, and how its phrases stand side by side.
@@ -23,8 +26,10 @@ struct Report {
   /// One after another, those that are there.
   static QString sentences(QStringList parts) {
     parts.removeAll(QString());
-    //: between sentences; may be left as it is
-    return parts.join(tr(" "));
+    QString text;
+    for (const QString& part : parts)
+      text = text.isEmpty() ? part : qText(inTurn(text.toStdString(), part.toStdString()));
+    return text;
   }
 };
 

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "core/wording/findings.h"
 #include "ui/document/field.h"
 #include "ui/document/known_entry.h"
 #include "ui/document/reading_column.h"
@@ -142,8 +143,7 @@ std::vector<FindingsPanel::Entry> FindingsPanel::entriesOf(const Evaluation& eva
     const QString icons[] = {QStringLiteral("note"), QStringLiteral("warning"), QStringLiteral("problem")};
     const QString spoken[] = {tr("Note"), tr("Warning"), tr("Error")};
     const auto severity = static_cast<std::size_t>(finding.severity);
-    const QString remedy = finding.remedy.empty() ? QString() : QLatin1Char(' ') + qText(finding.remedy);
-    entries.push_back({icons[severity], spoken[severity], qText(finding.text) + remedy, finding.where});
+    entries.push_back({icons[severity], spoken[severity], qText(sentencesOf(finding)), finding.where});
   }
   return entries;
 }
