@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <utility>
 
+#include "app/console/commands/batch_options.h"
 #include "app/console/diagnosis_text.h"
 #include "app/console/session_input.h"
 #include "core/answers/beforehand.h"
@@ -16,8 +17,10 @@ namespace alidade::console {
 void addDiagnoseCommand(CLI::App& app, DiagnoseRequest& request) {
   CLI::App* diagnose = app.add_subcommand(
       "diagnose", "Where model and readings disagree, what causes it, and how far the gap shrinks.");
-  diagnose->add_option("FILE", request.file, "Session to diagnose (*.alidade); - reads standard input")
+  diagnose->add_option("FILE", request.files, "Session to diagnose (*.alidade); - reads standard input")
       ->required();
+  diagnose->add_flag("--each", request.each,
+                     "Diagnose each of several files, or of a folder of them, by itself");
   diagnose
       ->add_option("--vertical-angle", request.verticalAngle,
                    "Take this relation of the vertical circle for the model, whatever the session says")
@@ -27,11 +30,11 @@ void addDiagnoseCommand(CLI::App& app, DiagnoseRequest& request) {
       ->check(CLI::IsMember(diagnosableEffects()));
   diagnose->add_flag("--with-reference", request.withReference,
                      "Weigh the causes with the reference intersection and its σ, too; Δd never");
-  diagnose->add_flag("--json", request.json, "Print one JSON document");
+  addBatchOptions(*diagnose, request.batch);
 }
 
-Result<std::string> runDiagnose(const DiagnoseRequest& request) {
-  Result<SessionInput> read = readSessionInput(request.file);
+Result<std::string> runDiagnose(const DiagnoseRequest& request, const std::string& file) {
+  Result<SessionInput> read = readSessionInput(file);
   if (!read) return read.problem();
   SessionInput input = *std::move(read);
   input.session = {};  // of no more use, and as long as its rows
@@ -51,8 +54,8 @@ Result<std::string> runDiagnose(const DiagnoseRequest& request) {
       diagnose(measurement, fit,
                {.without = request.without, .withReference = request.withReference, .withAttainable = true});
   if (!diagnosis) return problemOf(diagnosis.problem());
-  return request.json ? diagnosisJson(input.name, *diagnosis, *findings)
-                      : diagnosisText(input.name, *diagnosis, *findings);
+  return request.batch.json ? diagnosisJson(input.name, *diagnosis, *findings)
+                            : diagnosisText(input.name, *diagnosis, *findings);
 }
 
 }  // namespace alidade::console
