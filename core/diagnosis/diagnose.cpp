@@ -20,14 +20,6 @@ namespace alidade {
 
 namespace {
 
-DiagnosisVerdict verdictOf(const Answer& answer, const std::vector<Cause>& causes) {
-  if (answer.kind == Answer::Kind::Unknown) return DiagnosisVerdict::NotInCatalogue;
-  if (causes.empty()) return DiagnosisVerdict::WithinNoise;
-  if (causes.size() > 1) return DiagnosisVerdict::SeveralCauses;
-  return causes.front().indistinguishableFrom.empty() ? DiagnosisVerdict::SingleCause
-                                                      : DiagnosisVerdict::Ambiguous;
-}
-
 Shrinkage shrinkageOf(const Inquiry& inquiry, const Answer& answer) {
   const GapModel& before = inquiry.ofAll().base;
   Shrinkage shrink;

@@ -26,6 +26,10 @@ struct DiagnoseRequest {
 /// [--threads N] [--progress] [--json]`, which fills in `request`.
 void addDiagnoseCommand(CLI::App& app, DiagnoseRequest& request);
 
+/// What many files come to together: every session among them that can be used, each other with a line on
+/// stderr and `BadInput`.
+int giveSeries(const DiagnoseRequest& request);
+
 /// The answer to one file in text or JSON. Fails where the session cannot be used or an effect is unknown.
 Result<std::string> runDiagnose(const DiagnoseRequest& request, const std::string& file);
 

@@ -63,8 +63,7 @@ int giveDiagnosis(const DiagnoseRequest& request, std::string& subject) {
   if (request.each)
     return answerEach(
         request.files, [&](const std::string& file) { return runDiagnose(request, file); }, request.batch);
-  if (request.files.size() > 1)
-    return refuse("alidade-cli", "diagnose takes one session: say --each to have each of them diagnosed");
+  if (namesMany(request.files)) return giveSeries(request);
   subject = inputName(request.files.front());
   return give(runDiagnose(request, request.files.front()), subject);
 }
