@@ -83,7 +83,7 @@ struct ArcMeasurement {
 /// catalogue is meant, if any: `parameterMeant` (known_sizes.h).
 struct KnownNumber {
   Place where = {};
-  std::string effect = {}, parameter = {}, unit = {}, from = {};
+  std::string effect = {}, parameter = {}, unit = {}, from = {}, date = {};
   double value = 0, sigma = 0;  ///< in that unit, σ > 0
 };
 
