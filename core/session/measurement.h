@@ -85,6 +85,9 @@ struct KnownNumber {
   Place where = {};
   std::string effect = {}, parameter = {}, unit = {}, from = {}, date = {};
   double value = 0, sigma = 0;  ///< in that unit, σ > 0
+  /// Chance that it holds no longer: the instrument was knocked or adjusted since. Of such records, one in
+  /// fifty.
+  double staleChance = 0.02;
 };
 
 /// What a session means: every value present, in range and in the reference frame o0. Lengths in mm.
