@@ -5,6 +5,7 @@ set -euo pipefail
 
 cli=$1
 folder=$2
+here=$(dirname -- "${BASH_SOURCE[0]}")
 truth=$(mktemp)
 trap 'rm -f -- "$truth"' EXIT
 
@@ -32,3 +33,20 @@ sample knocked-tripod --seed 5 --protocol there-and-back --points 9 --intersecti
 sample noisy-readings --seed 6 --protocol two-face --points 9 --rounds 1 --intersection 0.4 \
   --effect underestimated_noise=3 --title "Noise larger than stated" \
   --notes "Simulated: the readings scatter by 6 arcseconds where 2 are stated, and nothing else is wrong."
+sample known-instrument --seed 7 --protocol two-face --points 9 --rounds 1 --intersection 0.4 \
+  --effect collimation=3 --effect trunnion_tilt=25 --effect vertical_index=-4 --instrument "$here/t-1.alidade-instrument" \
+  --title "As the record says" \
+  --notes "Simulated: the trunnion axis is tilted by 25 arcseconds, which the instrument's record says. With what is known nothing is left to explain."
+sample stale-record --seed 8 --protocol two-face --points 9 --rounds 1 --intersection 0.4 \
+  --effect collimation=41 --effect trunnion_tilt=25 --effect vertical_index=-4 --instrument "$here/t-1.alidade-instrument" \
+  --title "Knocked since the record" \
+  --notes "Simulated: the record says a collimation of 3.2 arcseconds; the instrument was knocked since, and it is 41 arcseconds."
+
+# One theodolite on four guideways, each read twice.
+mkdir -p -- "$folder/series"
+for n in 1 2 3 4 5 6 7 8; do
+  sample "series/session-$n" --seed $((40 + n)) --protocol paper --points 17 \
+    --effect trunnion_tilt=26 --instrument-serial T-7 --device-serial "G-$(((n - 1) % 4 + 1))" --measured-on "2026-0$n-15" \
+    --title "Guideway G-$(((n - 1) % 4 + 1)) in month $n" \
+    --notes "Simulated: the trunnion axis of theodolite T-7 is tilted by 26 arcseconds, too little to show in one session of one face."
+done

@@ -37,10 +37,10 @@ std::string together(const SeriesDiagnosis& series, const CauseNamer& name) {
   for (const SharedCause& cause : series.causes)
     if (!isOfOne(cause)) shared.push_back(ofOwner(cause, name));
   if (shared.empty())
-    return Phrase::of("The %1 sessions share no effect that shows beyond their stated noise.",
+    return Phrase::of("The sessions (%1) share no effect that shows beyond their stated noise.",
                       series.sessions.size());
-  std::string text = Phrase::of("The %1 sessions together are best explained by %2.", series.sessions.size(),
-                                listed(shared, Phrase::of(" and ")));
+  std::string text = Phrase::of("The sessions (%1) together are best explained by %2.",
+                                series.sessions.size(), listed(shared, Phrase::of(" and ")));
   for (const SharedCause& cause : series.causes) {
     if (isOfOne(cause)) continue;
     if (cause.isDrifting)
@@ -93,22 +93,29 @@ std::string sentenceOf(const SeriesAdvice& advice, const CauseNamer& name) {
     case SeriesAdvice::What::OtherInstrument:
       return advice.instrument.empty()
                  ? Phrase::of(
-                       "Measure guideway %1 with another instrument: %2 sessions tell %3 apart, by %4 σ.",
+                       "Measure guideway %1 with another instrument: tells %3 apart by %4 σ (sessions "
+                       "needed: %2).",
                        orAnother(advice.guideway), advice.sessions, them, sigmas)
-                 : Phrase::of("Measure guideway %1 with instrument %2: %3 sessions tell %4 apart, by %5 σ.",
-                              orAnother(advice.guideway), advice.instrument, advice.sessions, them, sigmas);
+                 : Phrase::of(
+                       "Measure guideway %1 with instrument %2: tells %4 apart by %5 σ (sessions needed: "
+                       "%3).",
+                       orAnother(advice.guideway), advice.instrument, advice.sessions, them, sigmas);
     case SeriesAdvice::What::OtherGuideway:
       return advice.guideway.empty()
                  ? Phrase::of(
-                       "Measure another guideway with instrument %1: %2 sessions tell %3 apart, by %4 σ.",
+                       "Measure another guideway with instrument %1: tells %3 apart by %4 σ (sessions "
+                       "needed: %2).",
                        orAnother(advice.instrument), advice.sessions, them, sigmas)
-                 : Phrase::of("Measure guideway %1 with instrument %2: %3 sessions tell %4 apart, by %5 σ.",
-                              advice.guideway, orAnother(advice.instrument), advice.sessions, them, sigmas);
+                 : Phrase::of(
+                       "Measure guideway %1 with instrument %2: tells %4 apart by %5 σ (sessions needed: "
+                       "%3).",
+                       advice.guideway, orAnother(advice.instrument), advice.sessions, them, sigmas);
     case SeriesAdvice::What::Again:
       if (!advice.instrument.empty())
-        return Phrase::of("Measure with instrument %1 again: with %2 more sessions %3 would show by %4 σ.",
-                          advice.instrument, advice.sessions, them, sigmas);
-      return Phrase::of("Measure guideway %1 again: with %2 more sessions %3 would show by %4 σ.",
+        return Phrase::of(
+            "Measure with instrument %1 again: %3 would show by %4 σ (more sessions needed: %2).",
+            advice.instrument, advice.sessions, them, sigmas);
+      return Phrase::of("Measure guideway %1 again: %3 would show by %4 σ (more sessions needed: %2).",
                         orAnother(advice.guideway), advice.sessions, them, sigmas);
   }
   return {};

@@ -15,7 +15,7 @@ namespace alidade {
 std::string ownerText(const SharedCause& cause);
 /// What the sessions come to together.
 std::string sentenceOf(const SeriesDiagnosis& series, const CauseNamer& name = byId);
-/// "Measure guideway G-1 with instrument T-2: two sessions tell A and B apart, by 4.3 σ."
+/// "Measure guideway G-1 with instrument T-2: tells A and B apart by 4.3 σ (sessions needed: 2)."
 std::string sentenceOf(const SeriesAdvice& advice, const CauseNamer& name = byId);
 /// Sessions whose owners are not known, and sessions that do not share what others do.
 std::vector<Finding> findingsOf(const SeriesDiagnosis& series, const CauseNamer& name = byId);

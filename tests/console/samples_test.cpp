@@ -63,7 +63,9 @@ INSTANTIATE_TEST_SUITE_P(
                       Story{"two-causes", "several-causes", {"trunnion_tilt", "vertical_drift"}, {}},
                       Story{"unknown-form", "not-in-catalogue", {}, {}},
                       Story{"knocked-tripod", "single-cause", {"orientation_jump"}, {}},
-                      Story{"noisy-readings", "single-cause", {"underestimated_noise"}, {}}),
+                      Story{"noisy-readings", "single-cause", {"underestimated_noise"}, {}},
+                      Story{"known-instrument", "within-noise", {}, {}},
+                      Story{"stale-record", "single-cause", {"collimation"}, {}}),
     [](const auto& story) {
       std::string name = story.param.name;
       std::erase(name, '-');
@@ -96,11 +98,32 @@ TEST(Samples, RecipeMakesThemByteByByte) {
        .arguments = {"bash", (samples / "make.sh").string(), ALIDADE_CLI, folder.path().string()}});
   ASSERT_EQ(run.exitCode, 0) << run.err;
   std::size_t made = 0;
-  for (const auto& entry : fs::directory_iterator(folder.path())) {
-    EXPECT_EQ(contentOf(entry.path()), contentOf(samples / entry.path().filename())) << entry.path();
+  for (const auto& entry : fs::recursive_directory_iterator(folder.path())) {
+    if (entry.is_directory()) continue;
+    EXPECT_EQ(contentOf(entry.path()), contentOf(samples / fs::relative(entry.path(), folder.path())))
+        << entry.path();
     ++made;
   }
-  EXPECT_EQ(made, 6u);
+  EXPECT_EQ(made, 16u);
+}
+
+// What eight sessions of one theodolite show together, and hardly any of them alone.
+TEST(Samples, SeriesNamesWhatItsSessionsShare) {
+  const ProgramRun run = alidadeCli({"diagnose", (samples / "series").string(), "--json"});
+  ASSERT_EQ(run.exitCode, 0) << run.err;
+  const Json answer = Json::parse(run.out);
+  ASSERT_EQ(answer["series"]["causes"].size(), 1u);
+  const Json& cause = answer["series"]["causes"][0];
+  EXPECT_EQ(cause["effect"], "trunnion_tilt");
+  EXPECT_EQ(cause["serial"], "T-7");
+  EXPECT_NEAR(cause["parameters"][0]["value"].get<double>(), 26,
+              3 * cause["parameters"][0]["sigma"].get<double>());
+  std::size_t alone = 0;
+  for (const Json& session : answer["sessions"]) {
+    alone += session["alone"]["verdict"] == "within-noise" ? 0 : 1;
+    EXPECT_EQ(session["verdict"], "within-noise") << session["session"];
+  }
+  EXPECT_LE(alone, 3u);
 }
 
 }  // namespace

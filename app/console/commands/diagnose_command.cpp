@@ -79,11 +79,13 @@ void addDiagnoseCommand(CLI::App& app, DiagnoseRequest& request) {
       ->check(CLI::IsMember(diagnosableEffects()));
   diagnose->add_flag("--with-reference", request.withReference,
                      "Weigh the causes with the reference intersection and its σ, too; Δd never");
+  diagnose->add_option("--instrument", request.instrument,
+                       "Take what this instrument record says (*.alidade-instrument), for this run");
   addBatchOptions(*diagnose, request.batch);
 }
 
 Result<std::string> runDiagnose(const DiagnoseRequest& request, const std::string& file) {
-  Result<SessionInput> read = readSessionInput(file);
+  Result<SessionInput> read = readSessionInput(file, request.instrument);
   if (!read) return read.problem();
   SessionInput input = *std::move(read);
   input.session = {};  // of no more use, and as long as its rows
@@ -119,7 +121,7 @@ int giveSeries(const DiagnoseRequest& request) {
       read[i] = Result<SeriesSession>(*file.problem);
       return;
     }
-    Result<SessionInput> found = readSessionInput(file.path);
+    Result<SessionInput> found = readSessionInput(file.path, request.instrument);
     if (!found) {
       read[i] = Result<SeriesSession>(found.problem());
       return;

@@ -18,12 +18,13 @@ struct DiagnoseRequest {
   bool each = false;               ///< every file by itself, folders of them, too
   std::string verticalAngle;       ///< exact or planar; empty: as the session says
   std::vector<std::string> without;
+  std::string instrument;  ///< path of an instrument record; empty: none
   bool withReference = false;
   BatchOptions batch = {};
 };
 
 /// Adds `diagnose FILE… [--each] [--vertical-angle exact|planar] [--without EFFECT]… [--with-reference]
-/// [--threads N] [--progress] [--json]`, which fills in `request`.
+/// [--instrument RECORD] [--threads N] [--progress] [--json]`, which fills in `request`.
 void addDiagnoseCommand(CLI::App& app, DiagnoseRequest& request);
 
 /// What many files come to together: every session among them that can be used, each other with a line on

@@ -22,13 +22,13 @@ struct FitRequest {
   /// Draws to check the uncertainty with: a number, or `auto`, as many as it takes; empty: none.
   std::string monteCarlo;
   std::uint64_t seed = 1;  ///< of the draws
+  std::string instrument;  ///< path of an instrument record; empty: none
   bool diagnosis = true;   ///< of the gap between model and readings, which the verdict heeds
   BatchOptions batch = {};
 };
 
 /// Adds `fit FILE… [--method rigorous|published] [--risk P] [--monte-carlo N|auto [--seed S]]
-/// [--no-diagnosis]
-/// [--threads N] [--progress] [--json]`, which fills in `request`.
+/// [--no-diagnosis] [--instrument RECORD] [--threads N] [--progress] [--json]`, which fills in `request`.
 void addFitCommand(CLI::App& app, FitRequest& request);
 
 /// The fit of one file as text or JSON. Fails where the session cannot be read, where any entry of it is

@@ -17,6 +17,7 @@ namespace alidade::console {
 struct SimulateRequest {
   std::string out, truth;    ///< files to write
   std::string title, notes;  ///< of the session; empty: named after the seed, and none
+  std::string instrumentSerial, deviceSerial, measuredOn;  ///< likewise; empty: none
   std::uint64_t seed = 1;
   std::string protocol = "paper";
   std::vector<std::string> effects;
@@ -26,6 +27,7 @@ struct SimulateRequest {
   std::optional<double> sigmaDistance;                                                       ///< mm
   std::optional<double> sigma, sigmaZero, sigmaSlider, typingStep;                           ///< arcseconds
   std::string verticalCircle = "zenith";  ///< or "elevation"
+  std::string instrument;                 ///< path of an instrument record; empty: none
   bool zerosInFull = false;
 };
 

@@ -8,6 +8,11 @@
 
 namespace alidade {
 
+/// Of one effect, or two: there are many, so none of them takes room on the heap.
+inline constexpr int mostColumns = 5;
+using EffectMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, mostColumns, mostColumns>;
+using EffectVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, mostColumns, 1>;
+
 /// The normal equations of one session under one account of what it holds by itself, in variances of its
 /// noise. Made for one effect, or for two, at a time: those of all effects together are many.
 class SessionSums {
@@ -22,12 +27,12 @@ class SessionSums {
   void scaleNoise(double factor) { m_noise = factor; }
   double noise() const { return m_noise; }
 
-  Eigen::MatrixXd normal(std::size_t account, const EffectColumns& a, const EffectColumns& b) const;
-  Eigen::VectorXd right(std::size_t account, const EffectColumns& effect) const;
+  EffectMatrix normal(std::size_t account, const EffectColumns& a, const EffectColumns& b) const;
+  EffectVector right(std::size_t account, const EffectColumns& effect) const;
   /// ln of what the account is believed with, against nothing with the noise as it is.
   double logOdds(std::size_t account) const;
   /// CᵀC of two effects, without any account and with the noise stated.
-  Eigen::MatrixXd plainNormal(const EffectColumns& a, const EffectColumns& b) const;
+  EffectMatrix plainNormal(const EffectColumns& a, const EffectColumns& b) const;
 
  private:
   const SessionEvidence* m_evidence;
@@ -37,7 +42,7 @@ class SessionSums {
 };
 
 /// A block of a symmetric matrix of which the lower triangle is kept row by row.
-Eigen::MatrixXd blockOf(const std::vector<double>& lowerTriangle, const EffectColumns& a,
-                        const EffectColumns& b);
+EffectMatrix blockOf(const std::vector<double>& lowerTriangle, const EffectColumns& a,
+                     const EffectColumns& b);
 
 }  // namespace alidade

@@ -58,10 +58,10 @@ void addProducts(const Eigen::RowVectorXd& a, const Eigen::RowVectorXd& b, const
 
 }  // namespace
 
-VectorXd SharedPart::weightsIn(std::size_t index) const {
+EffectVector SharedPart::weightsIn(std::size_t index) const {
   const auto count = static_cast<Index>(block.columns().count);
   const Eigen::RowVectorXd features = block.featuresOf(index);
-  VectorXd own = VectorXd::Zero(count);
+  EffectVector own = EffectVector::Zero(count);
   for (Index j = 0; j < features.size(); ++j) own += features[j] * weights.segment(j * count, count);
   return own;
 }
@@ -79,8 +79,8 @@ SharedSearch::Sums SharedSearch::sumsOf(const EffectBlock& block, const std::vec
   for (std::size_t i = 0; i < block.sessions.size(); ++i) {
     const std::size_t s = block.sessions[i];
     if (counts && !counts(s)) continue;
-    const MatrixXd normal = m_sessions[s].normal(accounts[s], block.columns(), block.columns());
-    const VectorXd right = m_sessions[s].right(accounts[s], block.columns());
+    const EffectMatrix normal = m_sessions[s].normal(accounts[s], block.columns(), block.columns());
+    const EffectVector right = m_sessions[s].right(accounts[s], block.columns());
     const Eigen::RowVectorXd features = block.featuresOf(i);
     addProducts(features, features, [&](Index j, Index l, double product) {
       sums.normal.block(j * count, l * count, count, count) += product * normal;
@@ -97,7 +97,7 @@ MatrixXd SharedSearch::across(const EffectBlock& a, const EffectBlock& b,
   forCommon(a, b, [&](std::size_t i, std::size_t j) {
     const std::size_t s = a.sessions[i];
     if (counts && !counts(s)) return;
-    const MatrixXd normal = m_sessions[s].normal(accounts[s], a.columns(), b.columns());
+    const EffectMatrix normal = m_sessions[s].normal(accounts[s], a.columns(), b.columns());
     addProducts(a.featuresOf(i), b.featuresOf(j), [&](Index k, Index l, double product) {
       sum.block(k * ofA, l * ofB, ofA, ofB) += product * normal;
     });
@@ -180,21 +180,26 @@ SharedSet SharedSearch::fitted(const std::vector<EffectBlock>& blocks,
 
 double SharedSearch::accountsOf(const SharedSet& set) const {
   double sum = 0;
-  const SharedSet nothing;
   for (std::size_t s = 0; s < m_sessions.size(); ++s) {
     const std::vector<double> odds = accountOdds(s, set);
     // What is chosen, as the sizes were found with it, and what else may be.
-    const double own = accountOdds(s, nothing)[set.accounts[s]];
-    sum += own + logSumOf(odds) - odds[set.accounts[s]];
+    const std::size_t chosen = set.accounts[s];
+    sum += ownOdds(s, chosen) + logSumOf(odds) - odds[chosen];
   }
   return sum;
+}
+
+/// Of an account, before anything that is shared.
+double SharedSearch::ownOdds(std::size_t session, std::size_t account) const {
+  const double each = -std::log(static_cast<double>(m_sessions.size()));
+  return m_sessions[session].logOdds(account) + (account > 0 ? each : 0);
 }
 
 std::vector<double> SharedSearch::accountOdds(std::size_t session, const SharedSet& set) const {
   const SessionSums& own = m_sessions[session];
   struct Share {
     const EffectColumns* columns;
-    VectorXd weights;
+    EffectVector weights;
   };
   std::vector<Share> shares;
   for (const SharedPart& part : set.parts) {
@@ -204,14 +209,13 @@ std::vector<double> SharedSearch::accountOdds(std::size_t session, const SharedS
     shares.push_back(
         {&part.block.columns(), part.weightsIn(static_cast<std::size_t>(found - sessions.begin()))});
   }
-  const double each = -std::log(static_cast<double>(m_sessions.size()));
   std::vector<double> odds(own.accounts());
   for (std::size_t k = 0; k < odds.size(); ++k) {
-    odds[k] = own.logOdds(k) + (k > 0 ? each : 0);
+    odds[k] = ownOdds(session, k);
     for (const Share& a : shares) {
       odds[k] += own.right(k, *a.columns).dot(a.weights);
       for (const Share& b : shares)
-        odds[k] -= 0.5 * a.weights.dot(own.normal(k, *a.columns, *b.columns) * b.weights);
+        odds[k] -= 0.5 * a.weights.dot(own.normal(k, *a.columns, *b.columns).lazyProduct(b.weights));
     }
   }
   return odds;
@@ -316,8 +320,10 @@ std::vector<SharedSet> SharedSearch::grown() const {
         blocks.push_back(m_blocks[growth.block]);
         if (isFound(blocks)) continue;
         SharedSet made = madeOf(blocks, plain);
-        SharedSet other = madeOf(blocks, set.accounts);
-        if (other.logPosteriorOdds > made.logPosteriorOdds) made = std::move(other);
+        if (plain != set.accounts) {
+          SharedSet other = madeOf(blocks, set.accounts);
+          if (other.logPosteriorOdds > made.logPosteriorOdds) made = std::move(other);
+        }
         if (!std::isfinite(made.logPosteriorOdds)) continue;
         found.push_back(made);
         if (made.logPosteriorOdds > set.logPosteriorOdds) next.push_back(std::move(made));

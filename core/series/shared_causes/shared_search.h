@@ -28,7 +28,7 @@ struct SharedPart {
   Eigen::VectorXd weights = {};  ///< so taken
 
   /// In the index-th of its sessions.
-  Eigen::VectorXd weightsIn(std::size_t index) const;
+  EffectVector weightsIn(std::size_t index) const;
 };
 
 struct SharedSet {
@@ -88,6 +88,7 @@ class SharedSearch {
   std::vector<std::size_t> likeliestAccounts(const SharedSet& set, bool withPatterns) const;
   std::vector<Growth> promising(const SharedSet& set) const;
   double accountsOf(const SharedSet& set) const;
+  double ownOdds(std::size_t session, std::size_t account) const;
   bool mayTake(const SharedSet& set, const EffectBlock& block) const;
 };
 

@@ -1,0 +1,94 @@
+#include "ui/series/diagnosis_panel.h"
+
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QSignalSpy>
+#include <QTableWidget>
+
+#include "ui/series/diagnosis_job.h"
+
+namespace alidade::ui {
+namespace {
+
+SharedSeriesDiagnosis trunnionOfTwo() {
+  SeriesDiagnosis series;
+  series.verdict = DiagnosisVerdict::Ambiguous;
+  SharedCause cause;
+  cause.cause.effect = "trunnion_tilt";
+  cause.cause.probability = 0.97;
+  cause.cause.parameters = {{"tilt", 12, 1.5, "arcsec"}};
+  cause.cause.indistinguishableFrom = {"plane_warp"};
+  cause.owner = CauseOwner::Instrument;
+  cause.serial = "T-1";
+  cause.sessions = {0, 1};
+  cause.visibleInOne = 2;
+  cause.visibleTogether = 2.8;
+  series.causes = {cause};
+  for (const char* name : {"first", "second"}) {
+    SeriesMember member;
+    member.name = name;
+    member.instrument = "T-1";
+    member.guideway = "G-1";
+    member.file = series.sessions.size() + 5;
+    series.sessions.push_back(member);
+  }
+  series.advice = {{.what = SeriesAdvice::What::OtherInstrument,
+                    .guideway = "G-1",
+                    .separates = {"trunnion_tilt", "plane_warp"},
+                    .bySigma = 4.5,
+                    .sessions = 5}};
+  return std::make_shared<const SeriesDiagnosis>(std::move(series));
+}
+
+bool says(const QWidget& panel, const QString& text) {
+  for (const QLabel* label : panel.findChildren<QLabel*>())
+    if (label->text().contains(text)) return true;
+  return false;
+}
+
+TEST(DiagnosisPanel, ShowsWhatIsSharedAndWhose) {
+  DiagnosisPanel panel;
+  panel.setDiagnosis(trunnionOfTwo());
+  ASSERT_EQ(panel.causes()->rowCount(), 1);
+  EXPECT_EQ(panel.causes()->item(0, 0)->text(), "Trunnion tilt");
+  EXPECT_EQ(panel.causes()->item(0, 1)->text(), "instrument T-1");
+  EXPECT_TRUE(panel.causes()->item(0, 2)->text().contains("12.0″"))
+      << panel.causes()->item(0, 2)->text().toStdString();
+  EXPECT_EQ(panel.causes()->item(0, 6)->text(), "plane warp");
+  ASSERT_EQ(panel.sessions()->rowCount(), 2);
+  EXPECT_EQ(panel.sessions()->item(1, 0)->text(), "second");
+  EXPECT_TRUE(says(panel, "trunnion tilt of instrument T-1"));
+  EXPECT_TRUE(says(panel, "Measure guideway G-1 with another instrument"));
+}
+
+TEST(DiagnosisPanel, HandsOutTheSessionThatIsActivated) {
+  DiagnosisPanel panel;
+  panel.setDiagnosis(trunnionOfTwo());
+  std::size_t wanted = 0;
+  QObject::connect(&panel, &DiagnosisPanel::sessionWanted, [&](std::size_t file) { wanted = file; });
+  emit panel.sessions()->itemActivated(panel.sessions()->item(1, 0));
+  EXPECT_EQ(wanted, 6u);
+}
+
+TEST(DiagnosisPanel, SaysWhyThereIsNone) {
+  DiagnosisPanel panel;
+  panel.setDiagnosis(trunnionOfTwo());
+  panel.setDiagnosis(nullptr, "because");
+  EXPECT_EQ(panel.causes()->rowCount(), 0);
+  EXPECT_EQ(panel.sessions()->rowCount(), 0);
+  EXPECT_TRUE(says(panel, "because"));
+}
+
+TEST(SeriesDiagnosisJob, LeavesOutWhatCannotBeUsed) {
+  const std::string series = ALIDADE_REFERENCE_DIR "/series/series-06/";
+  const SeriesAnswer answer =
+      diagnoseTogether({series + "01.alidade", series + "gone.alidade", series + "02.alidade"}, {});
+  ASSERT_TRUE(answer.diagnosis);
+  EXPECT_EQ(answer.diagnosis->sessions.size(), 2u);
+  ASSERT_EQ(answer.files.size(), 2u);
+  EXPECT_EQ(answer.files.back(), series + "02.alidade");
+}
+
+}  // namespace
+}  // namespace alidade::ui

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <QWidget>
+#include <memory>
+
+#include "core/series/shared_causes/series_diagnosis.h"
+
+class QLabel;
+class QTableWidget;
+
+namespace alidade::ui {
+
+using SharedSeriesDiagnosis = std::shared_ptr<const SeriesDiagnosis>;
+
+/// What sessions share: the sentence that says so, the causes with their owners, each session alone and in
+/// the light of the others, and which to measure next.
+class DiagnosisPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit DiagnosisPanel(QWidget* parent = nullptr);
+
+  /// Null: there is none, and `reason` says why.
+  void setDiagnosis(const SharedSeriesDiagnosis& diagnosis, const QString& reason = {});
+
+  QTableWidget* causes() const { return m_causes; }
+  QTableWidget* sessions() const { return m_sessions; }
+
+ signals:
+  /// A session was activated: its index in what was handed in for diagnosis.
+  void sessionWanted(std::size_t file);
+
+ private:
+  QTableWidget* table(const QStringList& titles, const QString& name);
+  void showCauses();
+  void showSessions();
+  void showAdvice();
+
+  SharedSeriesDiagnosis m_diagnosis;
+  QLabel *m_sentence, *m_gap, *m_advice;
+  QTableWidget *m_causes, *m_sessions;
+};
+
+}  // namespace alidade::ui
