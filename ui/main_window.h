@@ -53,6 +53,7 @@ class MainWindow : public QMainWindow {
   FileFlow& files() { return m_files; }
   ExportFlow& exports() { return *m_exports; }
   FitJob& job() { return m_job; }
+  FitJob& fitJob() { return m_job; }
   GapJob& gapJob() { return m_gapJob; }
   EntryGuide& entry() { return *m_entry; }
   ReadingsFinder& finder() { return *m_finder; }
@@ -118,8 +119,10 @@ class MainWindow : public QMainWindow {
   void stopJobs();
   void markForms();
   void revealField(const Place& place, bool takeFocus);
+  QSize firstSize() const;
   void fitOnScreen();
   bool isNarrow() const;
+  bool isLow() const;
   void restoreLayout();
   void saveLayout() const;
 

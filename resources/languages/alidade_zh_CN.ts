@@ -337,6 +337,10 @@ Sealed by:</source>
         <source>Keys of the table</source>
         <translation>表格按键</translation>
     </message>
+    <message>
+        <source>Font of the window</source>
+        <translation>窗口字体</translation>
+    </message>
 </context>
 <context>
     <name>DifferenceText</name>
@@ -4807,6 +4811,14 @@ a clause as a sentence</extracomment>
     </message>
 </context>
 <context>
+    <name>SpokenCell</name>
+    <message>
+        <source>%1: empty</source>
+        <extracomment>of a cell of a table: the name of its column</extracomment>
+        <translation>%1：空</translation>
+    </message>
+</context>
+<context>
     <name>StateNoise</name>
     <message>
         <source>State σ of the circles</source>
@@ -5613,6 +5625,10 @@ and a plausible size of %1 (1σ)</source>
     <message>
         <source>%1. Plausible size (1σ) %2. Remedy: %3.</source>
         <translation>%1。合理大小（1σ）%2。补救：%3。</translation>
+    </message>
+    <message>
+        <source>no size of its own</source>
+        <translation>没有自己的大小</translation>
     </message>
 </context>
 <context>
@@ -6958,6 +6974,22 @@ sizes</source>
         <source>The diagnosis was stopped. The next edit takes it up again.</source>
         <translation>诊断已停止。下次编辑会重新开始。</translation>
     </message>
+    <message>
+        <source>Forms of the session</source>
+        <translation>会话表单</translation>
+    </message>
+    <message>
+        <source>Positions of the axis</source>
+        <translation>轴位</translation>
+    </message>
+    <message>
+        <source>Pages of the result</source>
+        <translation>结果页</translation>
+    </message>
+    <message>
+        <source>Pages of the details</source>
+        <translation>详细页</translation>
+    </message>
 </context>
 <context>
     <name>alidade::ui::PaperForm</name>
@@ -7161,6 +7193,18 @@ sizes</source>
     <message>
         <source>Elevation β</source>
         <translation>高度角 β</translation>
+    </message>
+    <message>
+        <source>excluded</source>
+        <translation>排除</translation>
+    </message>
+    <message>
+        <source>used</source>
+        <translation>使用</translation>
+    </message>
+    <message>
+        <source>%1: to be added</source>
+        <translation>%1：待添加</translation>
     </message>
 </context>
 <context>
@@ -8719,6 +8763,30 @@ Reference %1, difference %2</source>
     <message>
         <source>As the &amp;Desktop</source>
         <translation>与桌面相同(&amp;D)</translation>
+    </message>
+    <message>
+        <source>F&amp;ont</source>
+        <translation>字体(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Larger</source>
+        <translation>更大(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt++</source>
+        <translation>Ctrl+Alt++</translation>
+    </message>
+    <message>
+        <source>&amp;Smaller</source>
+        <translation>更小(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+-</source>
+        <translation>Ctrl+Alt+-</translation>
+    </message>
+    <message>
+        <source>&amp;Choose…</source>
+        <translation>选择(&amp;C)…</translation>
     </message>
 </context>
 <context>
