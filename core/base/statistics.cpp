@@ -40,13 +40,6 @@ std::optional<double> chiSquareUpperTail(Misfit chiSquare, DegreesOfFreedom degr
       complement(boost::math::chi_squared_distribution<double, Quiet>(f), chiSquare.squared())));
 }
 
-std::optional<double> chiSquareLimit(double tail, DegreesOfFreedom degreesOfFreedom) {
-  assert(tail > 0 && tail < 1);
-  if (!degreesOfFreedom.areThere() || degreesOfFreedom.areInfinite()) return std::nullopt;
-  return known(boost::math::quantile(
-      complement(boost::math::chi_squared_distribution<double, Quiet>(degreesOfFreedom.count()), tail)));
-}
-
 std::optional<double> fUpperTail(Misfit misfit, DegreesOfFreedom numerator, DegreesOfFreedom denominator) {
   if (!misfit.isKnown() || !numerator.areThere() || !denominator.areThere()) return std::nullopt;
   if (denominator.areInfinite()) return chiSquareUpperTail(misfit, numerator);

@@ -44,10 +44,6 @@ class DegreesOfFreedom {
 /// Probability that χ² exceeds a misfit. Absent where the misfit is unknown or nothing checks it.
 std::optional<double> chiSquareUpperTail(Misfit chiSquare, DegreesOfFreedom degreesOfFreedom);
 
-/// The value that χ² exceeds with probability `tail` in (0, 1). Absent without degrees of freedom, or where
-/// they are infinite.
-std::optional<double> chiSquareLimit(double tail, DegreesOfFreedom degreesOfFreedom);
-
 /// Probability that F exceeds a misfit of `numerator` conditions divided by their number. Absent where the
 /// misfit is unknown or either has no degrees of freedom.
 std::optional<double> fUpperTail(Misfit misfit, DegreesOfFreedom numerator, DegreesOfFreedom denominator);

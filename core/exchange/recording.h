@@ -64,7 +64,7 @@ struct Recording {
   std::vector<std::string> unusedBySession;
   std::vector<LineProblem> distanceProblems;  ///< distances that cannot be read; the rest of the line stands
   std::map<std::string, std::size_t> stationIndices;  ///< of `stations`
-  std::vector<std::string> stations{{}};      ///< their names; the first, without one, is where none is said
+  std::vector<std::string> stations{{}};  ///< their names; the first, without one, is where none is said
 
   /// The index of a station, which is new where it is not known.
   std::size_t stationNamed(const std::string& name);

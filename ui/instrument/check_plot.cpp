@@ -12,7 +12,7 @@ namespace alidade::ui {
 
 namespace {
 
-constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t ofNone = std::numeric_limits<std::size_t>::max();
 constexpr int kinds = 5, longestName = 40;
 
 }  // namespace
@@ -57,9 +57,9 @@ void CheckPlot::addCourse(const StationCheck& station, std::size_t before) {
   for (std::size_t j = 0; j < station.course.size(); ++j) {
     const RoundCourse& round = station.course[j];
     const auto x = static_cast<double>(before + j + 1);
-    add({x, round.collimation - station.collimation.value, Kind::Collimation, &station, j, none});
-    add({x, round.index - station.index.value, Kind::Index, &station, j, none});
-    add({x, round.orientation, Kind::Orientation, &station, j, none});
+    add({x, round.collimation - station.collimation.value, Kind::Collimation, &station, j, ofNone});
+    add({x, round.index - station.index.value, Kind::Index, &station, j, ofNone});
+    add({x, round.orientation, Kind::Orientation, &station, j, ofNone});
   }
 }
 
@@ -77,7 +77,7 @@ void CheckPlot::addResiduals(const StationCheck& station, std::size_t before) {
 void CheckPlot::addDistances(const StationCheck& station) {
   for (std::size_t k = 0; k < station.perTarget.size(); ++k)
     if (const TargetMean& target = station.perTarget[k]; target.distanceM > 0)
-      add({target.distanceM, target.collimation, Kind::Collimation, &station, none, k});
+      add({target.distanceM, target.collimation, Kind::Collimation, &station, ofNone, k});
 }
 
 void CheckPlot::draw() {
@@ -188,9 +188,9 @@ QString CheckPlot::describe(const Mark& mark) const {
   if (mark.index >= m_points.size()) return {};
   const Point& point = m_points[mark.index];
   QStringList where{shortLine(point.station->station, longestName)};
-  if (point.round != none)
+  if (point.round != ofNone)
     where.append(tr("round %1").arg(shortLine(point.station->course[point.round].name, longestName)));
-  if (point.target != none)
+  if (point.target != ofNone)
     where.append(tr("target %1").arg(shortLine(point.station->perTarget[point.target].name, longestName)));
   if (m_view == View::Distance) where.append(numberText(point.x, 2) + QStringLiteral(" m"));
   return where.join(QStringLiteral(", ")) + u'\n' +
@@ -223,8 +223,8 @@ std::string CheckPlot::csv() const {
                                     "zenith_residual"};
   for (const Point& point : m_points) {
     csv.typed(point.station->station);
-    csv.typed(point.round == none ? std::string() : point.station->course[point.round].name);
-    csv.typed(point.target == none ? std::string() : point.station->perTarget[point.target].name);
+    csv.typed(point.round == ofNone ? std::string() : point.station->course[point.round].name);
+    csv.typed(point.target == ofNone ? std::string() : point.station->perTarget[point.target].name);
     csv.word(names[static_cast<int>(point.kind)]);
     csv.number(m_view == View::Distance ? point.x : std::round(point.x)).number(point.y).endRow();
   }

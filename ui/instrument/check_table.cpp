@@ -12,7 +12,7 @@ namespace alidade::ui {
 
 namespace {
 
-constexpr int longestName = 60;
+constexpr int longestStation = 60;
 
 QString scatterText(const CheckScatter& scatter) {
   if (!(scatter.dof > 0)) return notStated();
@@ -49,7 +49,7 @@ DataTable* CheckTable::createTable() {
   auto* table = new DataTable(
       {{tr("Station"), tr("Evaluated one by one; the last row holds all of them"),
         QStringLiteral("Pillar 12 east"),
-        text([](const StationCheck& s) { return shortLine(s.station, longestName); },
+        text([](const StationCheck& s) { return shortLine(s.station, longestStation); },
              [](const InstrumentCheck&) { return tr("all, pooled"); }),
         Qt::AlignLeft},
        {tr("Rounds"), tr("Complete rounds × targets"), QStringLiteral("12 × 12"),

@@ -163,11 +163,9 @@ bool InstrumentDialog::exportCsv() {
 bool InstrumentDialog::saveRecord() {
   std::string date = m_answer->measuredOn;
   if (date.empty() || dateProblem(date)) date = QDate::currentDate().toString(Qt::ISODate).toStdString();
-  const InstrumentRecord record =
-      checkedRecord(*m_answer->check, m_answer->instrumentName, m_answer->instrumentSerial, date);
   const QString name = m_answer->instrumentSerial.empty() ? checkName() : qText(m_answer->instrumentSerial);
   return write(tr("Save instrument record"), name, QStringLiteral("alidade-instrument"),
-               writeInstrumentRecord(record));
+               checkedRecord(*m_answer->check, m_answer->instrumentName, m_answer->instrumentSerial, date));
 }
 
 QString InstrumentDialog::checkName() const {

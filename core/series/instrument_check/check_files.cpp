@@ -279,13 +279,7 @@ class CheckFiles {
       *angle = **entry;
     }
     reading.face = isFaceTwo(wrapped(reading.vertical, Angle::fromDegrees(180)), m_result.circle) ? 2 : 1;
-    if (!row.face.empty() && !(countsFromZero && row.face == "0")) {
-      const auto face = wholeEntry(faceRule, row.face);
-      if (!face) return refuse(rowField(&Reading::face), face.problem().what);
-      if (**face + (countsFromZero ? 1 : 0) != reading.face) ++m_otherFaces;
-    } else if (row.face == "0" && reading.face != 1) {
-      ++m_otherFaces;
-    }
+    noteFace(row.face, countsFromZero, reading.face);
     reading.station = m_firstStation[m_file] + sighting.station;
     const auto [target, isNew] = m_targets.try_emplace(row.point, m_result.targets.size());
     if (isNew) m_result.targets.push_back(row.point);
@@ -294,6 +288,13 @@ class CheckFiles {
     reading.distanceM = slopeOf(sighting, reading);
     m_result.readings.push_back(std::move(reading));
     return std::nullopt;
+  }
+
+  /// What the file calls the face is compared only: the circle knows.
+  void noteFace(const std::string& stated, bool countsFromZero, int face) {
+    if (stated.empty()) return;
+    const Result<int> number = parseWhole(stated);
+    if (!number || *number + (countsFromZero ? 1 : 0) != face) ++m_otherFaces;
   }
 
   double slopeOf(const RecordedSighting& sighting, const FaceReading& reading) const {

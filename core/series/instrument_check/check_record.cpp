@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>
 #include <vector>
 
-#include "core/base/number_text.h"
+#include "core/answers/json_text.h"
 #include "core/base/square.h"
 #include "core/series/instrument_check/check_findings.h"
 
@@ -47,26 +48,24 @@ std::optional<Estimate> weighted(const std::vector<Estimate>& estimates) {
   return Estimate{mean, std::max(1.0, spread) / std::sqrt(weights)};
 }
 
-std::string arcsecText(double value) {
-  constexpr int decimals = 3;
-  return fixedText(value, decimals);
-}
-
-std::string sigmaText(const CheckScatter& scatter) {
-  const double s = scatter.s();
-  return s > 0 ? arcsecText(s * std::numbers::sqrt2) : std::string();
+/// To a thousandth of a second.
+double rounded(double value) {
+  constexpr double perArcsecond = 1000;
+  return std::round(value * perArcsecond) / perArcsecond;
 }
 
 }  // namespace
 
-InstrumentRecord checkedRecord(const InstrumentCheck& check, const std::string& name,
-                               const std::string& serial, const std::string& date) {
-  InstrumentRecord record;
-  record.name = name;
-  record.serial = serial;
-  record.date = date;
-  record.sigmaHorizontalArcsec = sigmaText(check.direction);
-  record.sigmaVerticalArcsec = sigmaText(check.vertical);
+std::string checkedRecord(const InstrumentCheck& check, const std::string& name, const std::string& serial,
+                          const std::string& date) {
+  using Json = nlohmann::ordered_json;
+  Json record = {
+      {"format", "alidade-instrument"}, {"version", 1}, {"name", name}, {"serial", serial}, {"date", date}};
+  const auto addSigma = [&record](const char* key, const CheckScatter& scatter) {
+    if (scatter.s() > 0) record[key] = rounded(scatter.s() * std::numbers::sqrt2);
+  };
+  addSigma("sigma_horizontal_arcsec", check.direction);
+  addSigma("sigma_vertical_arcsec", check.vertical);
   std::vector<Estimate> collimations, indices, tilts;
   for (const StationCheck& station : check.stations) {
     if (station.pairs() == 0) continue;
@@ -74,19 +73,21 @@ InstrumentRecord checkedRecord(const InstrumentCheck& check, const std::string& 
     indices.push_back({station.index.value, station.index.u});
     if (showsTilt(station)) tilts.push_back({station.tilt->other, station.tilt->uOther});
   }
-  const auto add = [&](const char* effect, const std::vector<Estimate>& estimates) {
+  record["known"] = Json::array();
+  const auto addKnown = [&](const char* effect, const std::vector<Estimate>& estimates) {
+    constexpr double leastU = 1e-3;
     if (const auto known = weighted(estimates))
-      record.known.push_back({.effect = effect,
-                              .value = arcsecText(known->value),
-                              .sigma = arcsecText(std::max(known->u, 1e-3)),
-                              .unit = "arcsec",
-                              .from = "instrument check after ISO 17123-3",
-                              .date = date});
+      record["known"].push_back({{"effect", effect},
+                                 {"value", rounded(known->value)},
+                                 {"sigma", std::max(rounded(known->u), leastU)},
+                                 {"unit", "arcsec"},
+                                 {"from", "instrument check after ISO 17123-3"},
+                                 {"date", date}});
   };
-  add("collimation", collimations);
-  add("trunnion_tilt", tilts);
-  add("vertical_index", indices);
-  return record;
+  addKnown("collimation", collimations);
+  addKnown("trunnion_tilt", tilts);
+  addKnown("vertical_index", indices);
+  return jsonText(record);
 }
 
 }  // namespace alidade

@@ -1,5 +1,6 @@
 #include "core/series/instrument_check/instrument_check.h"
 
+#include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 #include <limits>
 
@@ -41,12 +42,16 @@ Together together(const std::vector<StationCheck>& stations, PairMean StationChe
   return {{mean, std::sqrt(variance / count), std::sqrt(variance), dof}, p.value_or(nothing)};
 }
 
+/// The value that χ² of `dof` > 0 degrees of freedom exceeds with probability `tail`.
+double chiSquareLimit(double tail, double dof) {
+  return boost::math::quantile(complement(boost::math::chi_squared_distribution<double>(dof), tail));
+}
+
 std::optional<SigmaTest> testedAgainst(std::optional<double> sigma, const CheckScatter& scatter) {
   if (!sigma || !(*sigma > 0)) return std::nullopt;
-  const auto limit = chiSquareLimit(levelOfTests, scatter.dof);
   const auto p = chiSquareUpperTail(scatter.sumOfSquares / square(*sigma), scatter.dof);
-  if (!limit || !p) return std::nullopt;
-  return SigmaTest{*sigma, *sigma * std::sqrt(*limit / scatter.dof), *p};
+  if (!p) return std::nullopt;
+  return SigmaTest{*sigma, *sigma * std::sqrt(chiSquareLimit(levelOfTests, scatter.dof) / scatter.dof), *p};
 }
 
 double differ(const CheckScatter& one, const CheckScatter& two) {

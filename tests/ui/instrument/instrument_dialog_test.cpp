@@ -115,6 +115,22 @@ TEST(InstrumentDialog, WritesWhatTheConsolePrints) {
   EXPECT_EQ(bench.dialogs.problems.size(), 1);
 }
 
+TEST(InstrumentDialog, SavesWhatSessionsMayTake) {
+  CheckBench bench;
+  bench.open(samplePath(sample));
+  const QTemporaryDir folder;
+  bench.dialogs.exportPath = folder.filePath(QStringLiteral("t2.alidade-instrument"));
+  ASSERT_TRUE(bench.dialog.saveRecord());
+  EXPECT_TRUE(bench.dialogs.exportSuggested.endsWith(QStringLiteral("/123456.alidade-instrument")));
+  QFile file(bench.dialogs.exportPath);
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  const auto record = nlohmann::ordered_json::parse(file.readAll().toStdString());
+  EXPECT_EQ(record["format"], "alidade-instrument");
+  EXPECT_EQ(record["serial"], "123456");
+  EXPECT_EQ(record["date"], "2026-03-14");
+  EXPECT_EQ(record["known"].size(), 3U);
+}
+
 TEST(InstrumentDialog, TellsWhatCannotBeRead) {
   CheckBench bench;
   bench.open(samplePath(QStringLiteral("paper-table-1.alidade")));

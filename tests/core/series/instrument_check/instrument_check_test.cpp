@@ -92,7 +92,7 @@ TEST(InstrumentCheck, SaysWhatItFinds) {
   EXPECT_THAT(sentences(checkInstrument({station("P", {.eccentricityMm = 1, .noise = 0.5}, 6, 1)})),
               HasSubstr("goes with 1/D"));
   EXPECT_THAT(sentences(checkInstrument({station("P", {.index = 30, .noise = 0.5}, 3, 1)})),
-              HasSubstr("The index of 3"));
+              HasSubstr("differs from zero by more than its scatter"));
   EXPECT_THAT(sentences(checkInstrument({station("P", {.noise = 0.5, .driftPerRound = 4}, 6, 1)})),
               HasSubstr("The orientation drifts by"));
   const std::vector<Target> near{{0, 0, 2.4}, {90, 0, 2.4}, {180, 0, 2.4}, {270, 0, 2.4}};
