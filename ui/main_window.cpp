@@ -35,6 +35,8 @@
 #include "ui/entry/readings_finder.h"
 #include "ui/forms/field_binding.h"
 #include "ui/forms/field_form.h"
+#include "ui/instrument/check_chart.h"
+#include "ui/instrument/instrument_dialog.h"
 #include "ui/jobs/failed_job.h"
 #include "ui/main_window_actions.h"
 #include "ui/panels/gap/gap_panel.h"
@@ -457,6 +459,16 @@ void MainWindow::showBlindTrials() {
   m_blindTrials->show();
   m_blindTrials->raise();
   m_blindTrials->activateWindow();
+}
+
+void MainWindow::showInstrumentCheck() {
+  if (!m_instrument) {
+    m_instrument = new InstrumentDialog(*m_dialogs, this);
+    connect(&m_instrument->chart().files(), &ChartFiles::fileWanted, m_exports, &ExportFlow::saveChart);
+  }
+  m_instrument->show();
+  m_instrument->raise();
+  m_instrument->activateWindow();
 }
 
 void MainWindow::tellFailure(const QString& reason) {

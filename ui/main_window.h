@@ -20,6 +20,7 @@ namespace alidade::ui {
 
 class ArcChart;
 class BlindTrialDialog;
+class InstrumentDialog;
 class BudgetPanel;
 class ChangedFileBar;
 class EffectsPanel;
@@ -84,6 +85,8 @@ class MainWindow : public QMainWindow {
   void hideStart();
   /// Opens the dialog of blind trials, which stays open beside the window.
   void showBlindTrials();
+  /// Opens the dialog of the instrument check, which stays open beside the window.
+  void showInstrumentCheck();
   /// Tells, and records with the session, that the window threw while it handled an event.
   void tellFailure(const QString& reason);
   SuspectBar* suspects() const { return m_suspects; }
@@ -160,6 +163,7 @@ class MainWindow : public QMainWindow {
   ReadingsFinder* m_finder = nullptr;
   SharedEvaluation m_shown;                   ///< the newest; null before the first
   BlindTrialDialog* m_blindTrials = nullptr;  ///< null until it is wanted
+  InstrumentDialog* m_instrument = nullptr;   ///< likewise
 };
 
 }  // namespace alidade::ui

@@ -10,6 +10,7 @@
 #include "app/console/commands/diagnose_command.h"
 #include "app/console/commands/fit_command.h"
 #include "app/console/commands/import_command.h"
+#include "app/console/commands/instrument_command.h"
 #include "app/console/commands/journal_command.h"
 #include "app/console/commands/plan_command.h"
 #include "app/console/commands/simulate_command.h"
@@ -49,6 +50,14 @@ int giveImport(const ImportRequest& request, std::string& subject) {
   return writeResult(answer->result);
 }
 
+int giveInstrument(const InstrumentRequest& request, std::string& subject) {
+  subject = request.files.size() == 1 ? inputName(request.files.front()) : "alidade-cli instrument";
+  const alidade::Result<InstrumentAnswer> answer = runInstrument(request);
+  if (!answer) return refuse(subject, answer.problem().text());
+  for (const std::string& remark : answer->remarks) notify(subject, remark);
+  return writeResult(answer->result);
+}
+
 /// Sets `subject` to the input as soon as that is at work.
 int run(int argc, char** argv, std::string& subject) {
   CLI::App app("Intersection of rotatable arc guideways from theodolite readings.", "alidade-cli");
@@ -68,6 +77,8 @@ int run(int argc, char** argv, std::string& subject) {
   addJournalCommand(app, journalRequest);
   ImportRequest importRequest;
   addImportCommand(app, importRequest);
+  InstrumentRequest instrumentRequest;
+  addInstrumentCommand(app, instrumentRequest);
   app.footer("Exit codes: 0 done, 2 bad input or call, 1 anything else.");
 
   try {
@@ -83,6 +94,7 @@ int run(int argc, char** argv, std::string& subject) {
   if (app.got_subcommand("simulate")) return give(runSimulate(simulateRequest), subject);
   if (app.got_subcommand("trial")) return give(runTrial(trialRequest), subject);
   if (app.got_subcommand("import")) return giveImport(importRequest, subject);
+  if (app.got_subcommand("instrument")) return giveInstrument(instrumentRequest, subject);
   const auto giveFrom = [&](const auto& request, const auto& runCommand) {
     subject = inputName(request.file);
     return give(runCommand(request), subject);
