@@ -38,6 +38,6 @@ sample known-instrument --seed 7 --protocol two-face --points 9 --rounds 1 --int
   --title "As the record says" \
   --notes "Simulated: the trunnion axis is tilted by 25 arcseconds, which the instrument's record says. With what is known nothing is left to explain."
 sample stale-record --seed 8 --protocol two-face --points 9 --rounds 1 --intersection 0.4 \
-  --effect collimation=41 --effect trunnion_tilt=25 --effect vertical_index=-4 --instrument "$here/t-1.alidade-instrument" \
+  --effect collimation=3 --effect trunnion_tilt=-30 --effect vertical_index=-4 --instrument "$here/t-1.alidade-instrument" \
   --title "Knocked since the record" \
-  --notes "Simulated: the record says a collimation of 3.2 arcseconds; the instrument was knocked since, and it is 41 arcseconds."
+  --notes "Simulated: the record says that the trunnion axis is tilted by 25 arcseconds; the instrument was knocked since, and it is -30 arcseconds."
