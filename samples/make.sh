@@ -5,6 +5,7 @@ set -euo pipefail
 
 cli=$1
 folder=$2
+here=$(dirname -- "${BASH_SOURCE[0]}")
 truth=$(mktemp)
 trap 'rm -f -- "$truth"' EXIT
 
@@ -32,3 +33,11 @@ sample knocked-tripod --seed 5 --protocol there-and-back --points 9 --intersecti
 sample noisy-readings --seed 6 --protocol two-face --points 9 --rounds 1 --intersection 0.4 \
   --effect underestimated_noise=3 --title "Noise larger than stated" \
   --notes "Simulated: the readings scatter by 6 arcseconds where 2 are stated, and nothing else is wrong."
+sample known-instrument --seed 7 --protocol two-face --points 9 --rounds 1 --intersection 0.4 \
+  --effect collimation=3 --effect trunnion_tilt=25 --effect vertical_index=-4 --instrument "$here/t-1.alidade-instrument" \
+  --title "As the record says" \
+  --notes "Simulated: the trunnion axis is tilted by 25 arcseconds, which the instrument's record says. With what is known nothing is left to explain."
+sample stale-record --seed 8 --protocol two-face --points 9 --rounds 1 --intersection 0.4 \
+  --effect collimation=3 --effect trunnion_tilt=-30 --effect vertical_index=-4 --instrument "$here/t-1.alidade-instrument" \
+  --title "Knocked since the record" \
+  --notes "Simulated: the record says that the trunnion axis is tilted by 25 arcseconds; the instrument was knocked since, and it is -30 arcseconds."

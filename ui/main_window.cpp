@@ -29,6 +29,7 @@
 #include "ui/commands/state_noise.h"
 #include "ui/dialogs/blind_trial_dialog.h"
 #include "ui/dialogs/export_flow.h"
+#include "ui/dialogs/instrument_flow.h"
 #include "ui/dialogs/safekeeping.h"
 #include "ui/document/field.h"
 #include "ui/entry/entry_guide.h"
@@ -84,6 +85,7 @@ MainWindow::MainWindow(std::unique_ptr<Dialogs> dialogs)
     : m_dialogs(dialogs ? std::move(dialogs) : std::make_unique<Dialogs>(this)),
       m_files(m_document, *m_dialogs),
       m_exports(new ExportFlow(m_document, *m_dialogs, this)),
+      m_instrument(new InstrumentFlow(m_document, *m_dialogs, this)),
       m_watch(m_document) {
   QWidget* entries = createEntryColumn();
   QWidget* results = createResultColumn();
@@ -202,6 +204,8 @@ PageTabs* MainWindow::createDetails() {
                  [](const Evaluation& evaluation) { return evaluation.twoFaces.has_value(); });
   m_known = new KnownSizesPanel(m_document);
   pages->addPage(m_known, tr("Known Sizes"), [](const SharedEvaluation&) {});
+  connect(m_known, &KnownSizesPanel::recordWanted, m_instrument, &InstrumentFlow::take);
+  connect(m_known, &KnownSizesPanel::saveRecordWanted, m_instrument, &InstrumentFlow::save);
   m_journal = new JournalPanel;
   pages->addPage(
       m_journal, tr("Journal"),
@@ -299,8 +303,10 @@ void MainWindow::connectFile() {
 
 void MainWindow::connectCharts() {
   connect(m_exports, &ExportFlow::commitWanted, this, &MainWindow::commitPending);
-  connect(m_exports, &ExportFlow::remark, this,
-          [this](const QString& text) { statusBar()->showMessage(visibleLine(text), 8000); });
+  connect(m_instrument, &InstrumentFlow::commitWanted, this, &MainWindow::commitPending);
+  const auto show = [this](const QString& text) { statusBar()->showMessage(visibleLine(text), 8000); };
+  connect(m_exports, &ExportFlow::remark, this, show);
+  connect(m_instrument, &InstrumentFlow::remark, this, show);
   for (ChartFiles* files : findChildren<ChartFiles*>())
     connect(files, &ChartFiles::fileWanted, m_exports, &ExportFlow::saveChart);
   for (PlotWidget* chart : findChildren<PlotWidget*>()) {

@@ -26,6 +26,7 @@ class ChangedFileBar;
 class EffectsPanel;
 class EntryGuide;
 class ExportFlow;
+class InstrumentFlow;
 class FindingsPanel;
 class GapPanel;
 class JobStatus;
@@ -53,6 +54,7 @@ class MainWindow : public QMainWindow {
   SessionDocument& document() { return m_document; }
   FileFlow& files() { return m_files; }
   ExportFlow& exports() { return *m_exports; }
+  InstrumentFlow& instrument() { return *m_instrument; }
   FitJob& job() { return m_job; }
   FitJob& fitJob() { return m_job; }
   GapJob& gapJob() { return m_gapJob; }
@@ -133,6 +135,7 @@ class MainWindow : public QMainWindow {
   SessionDocument m_document;
   FileFlow m_files;
   ExportFlow* m_exports;
+  InstrumentFlow* m_instrument;
   FileWatch m_watch;
   Safekeeping* m_safekeeping = nullptr;  ///< null until `keepIn`
   FitJob m_job;

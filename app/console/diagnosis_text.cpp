@@ -8,12 +8,14 @@
 #include "core/base/list_text.h"
 #include "core/base/number_text.h"
 #include "core/base/quantity_text.h"
+#include "core/base/visible_text.h"
 #include "core/effects/cause_ids.h"
 #include "core/wording/attainable.h"
 #include "core/wording/beyond.h"
 #include "core/wording/cause_prior.h"
 #include "core/wording/closures.h"
 #include "core/wording/diagnosis_sentence.h"
+#include "core/wording/known_checks.h"
 #include "core/wording/measure.h"
 #include "core/wording/position_name.h"
 #include "core/wording/verdict.h"
@@ -36,7 +38,9 @@ std::string gapText(const Diagnosis& diagnosis) {
   Rows rows{{"", "rms (″)", "reduced χ²", "Δd (mm)", "U (mm)"},
             row("as modelled", diagnosis.gap, diagnosis.before)};
   for (const GapStep& step : diagnosis.steps)
-    rows.push_back(row(step.effect == grossErrorId ? "without the misread values" : "with " + step.effect,
+    rows.push_back(row(step.effect == grossErrorId ? "without the misread values"
+                       : step.effect == knownId    ? "with what is known"
+                                                   : "with " + step.effect,
                        step.size, step.intersection));
   if (const std::string beyond = textOf(beyondTheFit(diagnosis)); !beyond.empty())
     rows.push_back(row(beyond, diagnosis.after, diagnosis.afterwards));
@@ -56,6 +60,7 @@ std::string sizeText(double value, double sigma) {
 
 /// What the probability takes for granted.
 std::string givenText(const Cause& cause) {
+  if (cause.isStale) return ", that what is known of it holds no longer";
   const std::string plausible = plausibleSizeText(cause.effect);
   return ", given the catalogue" +
          (plausible.empty() ? "" : " and a plausible size of " + plausible + " (1σ)");
@@ -72,6 +77,15 @@ std::string causeText(const Cause& cause) {
   if (!cause.indistinguishableFrom.empty())
     text +=
         paragraph("  These readings cannot tell it from: " + listed(cause.indistinguishableFrom) + ".", 2);
+  return text;
+}
+
+std::string knownText(const Diagnosis& diagnosis) {
+  if (diagnosis.known.empty()) return "";
+  std::string text = "\nKnown beforehand\n";
+  for (const KnownCheck& check : diagnosis.known)
+    text += paragraph(
+        "  " + textOf(check) + (check.from.empty() ? "" : " (" + visibleText(check.from) + ")") + ".", 4);
   return text;
 }
 
@@ -157,6 +171,7 @@ std::string diagnosisText(const std::string& session, const Diagnosis& diagnosis
   std::string text = heading(session) + "\nVerdict: " + std::string(nameOf(diagnosis.verdict)) + "\n" +
                      paragraph(sentenceOf(diagnosis)) + gapText(diagnosis);
   for (const Cause& cause : diagnosis.causes) text += causeText(cause);
+  text += knownText(diagnosis);
   if (diagnosis.verdict != DiagnosisVerdict::WithinNoise) text += whereText(diagnosis);
   return text + closuresText(diagnosis) + whatItWouldTakeText(diagnosis) + adviceText(diagnosis) +
          attainableText(diagnosis) + unseenText(diagnosis) + findingsText(findings);

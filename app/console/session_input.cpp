@@ -1,11 +1,13 @@
 #include "app/console/session_input.h"
 
 #include <filesystem>
+#include <utility>
 
 #include "app/console/channels.h"
 #include "core/base/file_bytes.h"
 #include "core/base/visible_text.h"
 #include "core/session/session_file.h"
+#include "core/session/taken_record.h"
 
 namespace alidade::console {
 
@@ -15,6 +17,13 @@ Problem firstOf(const std::vector<Problem>& problems) {
   Problem first = problems.front();
   if (problems.size() > 1) first.what += " (and " + std::to_string(problems.size() - 1) + " more)";
   return first;
+}
+
+Result<SessionInput> examined(Session session, const std::string& file) {
+  Examined examined = examine(session);
+  if (!examined.problems.empty()) return firstOf(examined.problems);
+  const std::string name = nameOf(session, file);
+  return SessionInput{name, std::move(session), std::move(examined.measurement).value()};
 }
 
 }  // namespace
@@ -35,10 +44,22 @@ Result<SessionInput> readSessionInput(const std::string& file, Session (*prepare
   Result<Session> session = readSessionOf(file);
   if (!session) return session.problem();
   if (prepare) session = prepare(*std::move(session));
-  Examined examined = examine(*session);
-  if (!examined.problems.empty()) return firstOf(examined.problems);
-  const std::string name = nameOf(*session, file);
-  return SessionInput{name, *std::move(session), std::move(examined.measurement).value()};
+  return examined(*std::move(session), file);
+}
+
+std::optional<Problem> addRecord(Session& session, const std::string& record) {
+  const Result<InstrumentRecord> known = loadInstrumentRecord(record);
+  if (!known) return Problem{"--instrument " + visibleText(record) + ": " + known.problem().text()};
+  return takeRecord(session, *known, wellFormed(std::filesystem::path(record).filename().string()));
+}
+
+Result<SessionInput> readSessionInput(const std::string& file, const std::string& record) {
+  Result<Session> read = readSessionOf(file);
+  if (!read) return read.problem();
+  Session session = *std::move(read);
+  if (!record.empty())
+    if (auto problem = addRecord(session, record)) return *std::move(problem);
+  return examined(std::move(session), file);
 }
 
 }  // namespace alidade::console

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "core/base/result.h"
@@ -23,5 +24,11 @@ std::string nameOf(const Session& session, const std::string& file);
 
 /// `prepare` is done to the session before it is examined. Fails with the first thing that is wrong in it.
 Result<SessionInput> readSessionInput(const std::string& file, Session (*prepare)(Session) = nullptr);
+
+/// Copies what the instrument record at this path says into the session; where that fails, why.
+std::optional<Problem> addRecord(Session& session, const std::string& record);
+
+/// With what an instrument record says, for this run; `record` is its path, empty: none.
+Result<SessionInput> readSessionInput(const std::string& file, const std::string& record);
 
 }  // namespace alidade::console

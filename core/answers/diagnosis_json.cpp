@@ -55,11 +55,26 @@ Json causeJson(const Cause& cause) {
                           {"sigma", parameter.sigma},
                           {"unit", parameter.unit}});
   for (const ReadingDeviation& reading : cause.readings) readings.push_back(readingJson(reading));
-  return {{"effect", cause.effect},
-          {"probability", cause.probability},
-          {"parameters", parameters},
-          {"indistinguishable_from", cause.indistinguishableFrom},
-          {"readings", readings}};
+  Json json = {{"effect", cause.effect},
+               {"probability", cause.probability},
+               {"parameters", parameters},
+               {"indistinguishable_from", cause.indistinguishableFrom},
+               {"readings", readings}};
+  if (cause.isStale) json["stale"] = true;
+  if (!cause.unlessStale.empty()) json["unless_stale"] = cause.unlessStale;
+  return json;
+}
+
+Json knownJson(const KnownCheck& check) {
+  Json json = {{"effect", check.effect},
+               {"parameter", check.name},
+               {"unit", check.unit},
+               {"known", {{"value", check.known}, {"sigma", check.sigmaKnown}, {"from", check.from}}},
+               {"readings", nullptr},
+               {"stale_probability", check.staleChance}};
+  if (!check.date.empty()) json["known"]["date"] = check.date;
+  if (check.isSeen) json["readings"] = {{"value", check.value}, {"sigma", check.sigma}};
+  return json;
 }
 
 Json estimateJson(const std::optional<IntersectionEstimate>& estimate) {
@@ -88,6 +103,7 @@ std::string diagnosisJson(const std::string& session, const Diagnosis& diagnosis
                     {"of_excess", diagnosis.shrink.ofExcess},
                     {"held_out", diagnosis.shrink.heldOut}};
   json["causes"] = listJson(diagnosis.causes, causeJson);
+  if (!diagnosis.known.empty()) json["known"] = listJson(diagnosis.known, knownJson);
   json["candidates"] = listJson(diagnosis.candidates, [](const Candidate& candidate) -> Json {
     return {{"effect", candidate.effect},
             {"log_bayes_factor", candidate.logBayesFactor},

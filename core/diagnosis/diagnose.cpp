@@ -6,6 +6,7 @@
 
 #include "core/diagnosis/conclusion/afterwards.h"
 #include "core/diagnosis/conclusion/causes.h"
+#include "core/diagnosis/conclusion/known_checks.h"
 #include "core/diagnosis/conclusion/location.h"
 #include "core/diagnosis/conclusion/measured.h"
 #include "core/diagnosis/conclusion/required.h"
@@ -15,6 +16,7 @@
 #include "core/diagnosis/observability/attainable.h"
 #include "core/diagnosis/observability/unseen.h"
 #include "core/effects/cause_ids.h"
+#include "core/effects/known_sizes.h"
 
 namespace alidade {
 
@@ -28,13 +30,20 @@ DiagnosisVerdict verdictOf(const Answer& answer, const std::vector<Cause>& cause
                                                       : DiagnosisVerdict::Ambiguous;
 }
 
+/// The model that the search started from, but for what is known beforehand.
+GapModel withoutKnown(const Inquiry& inquiry) {
+  if (!isAnythingKnown(*inquiry.base.measurement)) return inquiry.base;
+  return closedModelOf(inquiry.own).value_or(inquiry.own);
+}
+
 Shrinkage shrinkageOf(const Inquiry& inquiry, const Answer& answer) {
-  const GapModel& before = inquiry.ofAll().base;
+  const GapModel before = withoutKnown(inquiry.ofAll());
   Shrinkage shrink;
   const double rms = rmsOf(inquiry.ofAll().own), excess = excessOf(before);
   if (rms > 0) shrink.inSample = 1 - rmsOf(answer.opened) / rms;
   if (excess > 0) shrink.ofExcess = std::clamp(1 - excessOf(answer.after) / excess, 0.0, 1.0);
-  if (!answer.explanation.parts.empty() || !inquiry.largeGrossErrors.empty())
+  if (!answer.explanation.parts.empty() || !inquiry.largeGrossErrors.empty() ||
+      isAnythingKnown(*inquiry.base.measurement))
     shrink.heldOut = heldOutShrinkage(before, answer.after);
   return shrink;
 }
@@ -101,9 +110,11 @@ std::vector<PossibleCause> possibleCausesOf(const Inquiry& inquiry, const Answer
   };
   for (std::size_t p = 0; p < answer.rivals.size(); ++p) {
     const Part& part = answer.explanation.parts[p];
-    if (answer.rivals[p].empty() || inquiry.of(part).grossErrorAt()) continue;
+    if (std::ranges::all_of(answer.rivals[p], &Rival::isExcluded) || inquiry.of(part).grossErrorAt())
+      continue;
     std::vector<PossibleCause> group{possible(part, 1)};
-    for (const Rival& rival : answer.rivals[p]) group.push_back(possible(rival.part, rival.odds));
+    for (const Rival& rival : answer.rivals[p])
+      if (!rival.isExcluded) group.push_back(possible(rival.part, rival.odds));
     for (const Rival& slip : otherSlips(inquiry, answer.explanation, p))
       group.push_back(possible(slip.part, slip.odds));
     return group;
@@ -169,6 +180,7 @@ Result<Diagnosis, DiagnosisFault> diagnose(const Measurement& measurement, const
   diagnosis.after = sizeOf(answer.opened);
   diagnosis.shrink = shrinkageOf(inquiry, answer);
   diagnosis.candidates = candidatesOf(inquiry.ofAll());
+  diagnosis.known = knownChecks(inquiry, answer);
   diagnosis.where = whereOf(inquiry, answer);
   if (stop.stop_requested()) return stopped;
   diagnosis.steps = stepsOf(inquiry, answer);

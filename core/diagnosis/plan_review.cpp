@@ -7,12 +7,14 @@
 #include <numbers>
 
 #include "core/diagnosis/candidates/effect_components.h"
+#include "core/diagnosis/gap/every_effect.h"
 #include "core/diagnosis/gap/gap_size.h"
 #include "core/diagnosis/observability/attainable.h"
 #include "core/diagnosis/observability/further_terms.h"
 #include "core/diagnosis/observability/look_alikes.h"
 #include "core/diagnosis/observability/unseen.h"
 #include "core/diagnosis/search/inquiry.h"
+#include "core/effects/known_sizes.h"
 
 namespace alidade {
 
@@ -31,11 +33,12 @@ struct Planned {
 /// same on both sides.
 std::vector<VectorXd> directionsOf(const Component& component) {
   constexpr int steps = 48;
-  if (component.weights() == 1) return {VectorXd::Ones(1)};
+  const VectorXd sizes = component.usualSizes();
+  if (component.weights() == 1) return {sizes};
   std::vector<VectorXd> directions;
   for (int i = 0; i < steps; ++i) {
     const double angle = 2 * std::numbers::pi * i / steps;
-    directions.emplace_back(Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+    directions.emplace_back(Eigen::Vector2d(std::cos(angle), std::sin(angle)).cwiseProduct(sizes.head<2>()));
   }
   return directions;
 }
@@ -56,7 +59,7 @@ void seeVisibility(Planned& planned, const Component& component, const Leftover&
   if (summary.mostVisible < clearlyDifferent) return;
   const Trace trace(leftover, component.signature(leftover, planned.plainest));
   for (const EffectComponent& other : components) {
-    if (other.id() == component.id()) continue;
+    if (other.id() == component.id() || other.isKnown()) continue;
     const LookAlike like = trace.compared(other);
     if (like.difference <= clearlyDifferent) summary.lookAlikes.push_back(like);
   }
@@ -72,8 +75,19 @@ void seeInfluence(Planned& planned, const Component& component, const SharedProd
   summary.unseen = detectability.isUndetectable();
 }
 
+/// Effects in the session's own model of which nothing is known.
+std::vector<std::string> estimatedAlong(const Measurement& measurement) {
+  std::vector<std::string> ids = measurement.effects;
+  std::erase_if(ids, [&](const std::string& id) {
+    const Effect* effect = effectById(id);
+    return effect && knownOf(measurement, *effect);
+  });
+  return ids;
+}
+
 std::vector<Planned> plannedEffects(const GapModel& model, const Leftover& leftover) {
-  const std::vector<EffectComponent> components = effectsBeyond(model, leftover, model.measurement->effects);
+  const std::vector<EffectComponent> components =
+      effectsBeyond(model, leftover, estimatedAlong(*model.measurement));
   const VectorXd perSigma = influencePerSigma(model);
   const SharedProducts perReading(leftover, perSigma);
   std::vector<Planned> effects;
@@ -166,7 +180,8 @@ Result<PlanReview, NoModel> reviewPlan(const Measurement& measurement, const Ses
   auto own = plannedModel(measurement, fit);
   if (!own) return own.problem();
   PlanReview review{.effects = {}, .advice = {}, .intersection = estimateOf(*own)};
-  const GapModel model = closedModelOf(*own).value_or(*own);
+  const GapModel expected = withKnownSizes(*own);
+  const GapModel model = closedModelOf(expected).value_or(expected);
   own = NoModel{};  // of no more use, and as long as its readings
   const Leftover leftover(linearise(*model.measurement, *model.fit, model.options), model.options.terms);
   const std::vector<Planned> effects = plannedEffects(model, leftover);

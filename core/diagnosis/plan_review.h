@@ -16,7 +16,8 @@ namespace alidade {
 // What a plan of readings can and cannot see, before anything is read: the places, faces, rounds and slider
 // readings of a session count, not what was read there.
 
-/// How an effect of its plausible size would show.
+/// How an effect of its plausible size would show; of one that is known, as large as what is known leaves
+/// open.
 struct PlannedEffect {
   std::string effect;
   /// Length of its trace, σ of the readings, in the direction of its numbers that shows least and most; the

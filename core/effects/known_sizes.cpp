@@ -34,11 +34,35 @@ std::optional<KnownPrior> knownOf(const Measurement& measurement, const EffectPa
     const double weight = std::pow(known.sigma * unit, -2);
     weights += weight;
     prior.value += (known.value * unit - prior.value) * weight / weights;
+    prior.staleChance = std::max(prior.staleChance, known.staleChance);
+    prior.date = std::max(prior.date, known.date);
     if (!known.from.empty()) prior.from += (prior.from.empty() ? "" : "; ") + known.from;
   }
   if (!(weights > 0)) return std::nullopt;
   prior.sigma = 1 / std::sqrt(weights);
   return prior;
+}
+
+std::optional<std::vector<KnownPrior>> knownOf(const Measurement& measurement, const Effect& effect) {
+  std::vector<KnownPrior> priors;
+  for (const EffectParameter& parameter : effect.parameters) {
+    std::optional<KnownPrior> prior = knownOf(measurement, parameter);
+    if (!prior) return std::nullopt;
+    priors.push_back(*std::move(prior));
+  }
+  return priors;
+}
+
+double staleChanceOf(const Measurement& measurement, const Effect& effect) {
+  double chance = 0;
+  for (const EffectParameter& parameter : effect.parameters)
+    if (const auto known = knownOf(measurement, parameter)) chance = std::max(chance, known->staleChance);
+  return chance;
+}
+
+bool isAnythingKnown(const Measurement& measurement) {
+  return std::ranges::any_of(measurement.known,
+                             [](const KnownNumber& known) { return parameterMeant(known) != nullptr; });
 }
 
 }  // namespace alidade

@@ -271,7 +271,7 @@ std::optional<std::string> entryProblem(const Session& session, const std::strin
   if (field == "acceptance.measurand") return sentence(measurandEntry(text));
   if (field == "model.vertical_angle") return sentence(verticalAngleEntry(text));
   if (field == "model.radius") return sentence(radiusModelEntry(text));
-  if (field == "measured_on") return sentence(dateProblem(text));
+  if (field == "measured_on" || field.ends_with(".date")) return sentence(dateProblem(text));
   return std::nullopt;
 }
 

@@ -123,9 +123,9 @@ class DocumentBuilder : public Json::json_sax_t {
 
   bool open(Json empty) {
     if (m_levels.size() >= limits::deepestNesting) {
-      problem = Problem{
-          Phrase::of("is nested more than %1 levels deep: this is no session file", limits::deepestNesting),
-          Place{.position = {}, .reading = {}, .field = m_levels.front().key}};
+      problem = Problem{Phrase::of("is nested more than %1 levels deep: this is no file of this program",
+                                   limits::deepestNesting),
+                        Place{.position = {}, .reading = {}, .field = m_levels.front().key}};
       return false;
     }
     if (hasTooMany()) return false;
@@ -175,9 +175,9 @@ class DocumentBuilder : public Json::json_sax_t {
     const bool isInRow = m_levels.size() > 3 && m_levels[3].holdsRows;
     if (!isInRow) m_valuesBesideRows = m_values + 1;
     if (++m_values <= limits::mostValues) return false;
-    problem =
-        Problem{Phrase::of("holds more than %1 values besides its rows of readings: this is no session file",
-                           limits::asCount(limits::mostValues))};
+    problem = Problem{
+        Phrase::of("holds more than %1 values besides its rows of readings: this is no file of this program",
+                   limits::asCount(limits::mostValues))};
     return true;
   }
 
@@ -234,7 +234,7 @@ class DocumentBuilder : public Json::json_sax_t {
 std::optional<Problem> parseJson(std::string_view text, Json& json, const TakeRow& takeRow) {
   if (text.substr(0, byteOrderMark.size()) == byteOrderMark) text.remove_prefix(byteOrderMark.size());
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
-    return Problem{Phrase::of("is empty: choose a session file")};
+    return Problem{Phrase::of("is empty: choose another file")};
   }
   if (const auto byte = firstIllFormedByte(text)) {
     return Problem{

@@ -23,7 +23,7 @@ class Examiner : private ProblemReporter {
   explicit Examiner(const Session& session) : m_session(session) {}
 
   Examined examine() {
-    if (auto problem = dateProblem(m_session.measuredOn)) report(*problem, {.field = "measured_on"});
+    checkDate("measured_on", m_session.measuredOn);
     examineInstrument();
     const auto temperature = number("environment.temperature_c", m_session.environment.temperatureC);
     const auto sigma = number("environment.sigma_temperature_c", m_session.environment.sigmaTemperatureC);
@@ -42,6 +42,7 @@ class Examiner : private ProblemReporter {
       m_usable = false;
     }
     m_measurement.effects = m_session.model.effects;
+    checkDate("instrument.record.date", m_session.instrument.record.date);
     examineKnown("instrument.known", m_session.instrument.known);
     examineKnown("device.known", m_session.device.known);
     examinePositions();
@@ -57,6 +58,10 @@ class Examiner : private ProblemReporter {
   /// empty.
   std::optional<std::optional<double>> number(const std::string& field, const std::string& text) {
     return take(numberEntry(field, text), {.field = field});
+  }
+
+  void checkDate(const std::string& field, const std::string& text) {
+    if (const auto problem = dateProblem(text)) report(*problem, {.field = field});
   }
 
   /// Without this number there is no measurement.
@@ -151,9 +156,10 @@ class Examiner : private ProblemReporter {
       const std::string entry = list + "[" + std::to_string(i) + "]";
       const auto value = take(knownValueEntry(size.value), {.field = entry + ".value"});
       const auto sigma = take(knownSigmaEntry(size.sigma), {.field = entry + ".sigma"});
+      checkDate(entry + ".date", size.date);
       if (value && sigma)
         m_measurement.known.push_back(
-            {{.field = entry}, size.effect, size.parameter, size.unit, size.from, *value, *sigma});
+            {{.field = entry}, size.effect, size.parameter, size.unit, size.from, size.date, *value, *sigma});
     }
   }
 

@@ -83,8 +83,11 @@ struct ArcMeasurement {
 /// catalogue is meant, if any: `parameterMeant` (known_sizes.h).
 struct KnownNumber {
   Place where = {};
-  std::string effect = {}, parameter = {}, unit = {}, from = {};
+  std::string effect = {}, parameter = {}, unit = {}, from = {}, date = {};
   double value = 0, sigma = 0;  ///< in that unit, σ > 0
+  /// Chance that it holds no longer: the instrument was knocked or adjusted since. Of such records, one in
+  /// fifty.
+  double staleChance = 0.02;
 };
 
 /// What a session means: every value present, in range and in the reference frame o0. Lengths in mm.

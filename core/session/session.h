@@ -79,6 +79,7 @@ struct KnownSize {
   std::string sigma = {};      ///< standard uncertainty; required
   std::string unit = {};       ///< that of the catalogue
   std::string from = {};       ///< where it is known from
+  std::string date = {};       ///< when it was found
   JsonOrigin origin = {};
 
   bool operator==(const KnownSize&) const = default;
@@ -92,6 +93,16 @@ struct Device {
   bool operator==(const Device&) const = default;
 };
 
+/// The instrument record that what is known was taken from. All that was taken stands in the session itself,
+/// so a record that is moved or changed changes no result.
+struct NamedRecord {
+  std::string file = {};  ///< its name, without folder
+  std::string date = {};  ///< that it was made on
+  JsonOrigin origin = {};
+
+  bool operator==(const NamedRecord&) const = default;
+};
+
 struct Instrument {
   std::string name, serial;
   std::string certificate;   ///< of its calibration
@@ -102,6 +113,7 @@ struct Instrument {
   std::string sigmaVerticalArcsec;    ///< empty: 2
   std::string sigmaZeroArcsec;        ///< empty: as the circles'
   std::string sigmaSliderArcsec;      ///< empty: 5
+  NamedRecord record = {};
   std::vector<KnownSize> known = {};
   JsonOrigin origin;
 

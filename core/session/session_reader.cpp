@@ -1,14 +1,14 @@
 #include "core/session/session_reader.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <utility>
 #include <vector>
 
 #include "core/base/phrase.h"
-#include "core/base/visible_text.h"
+#include "core/session/json_object_reader.h"
+#include "core/session/known_size_json.h"
 #include "core/session/row_fields.h"
 #include "core/session/value_text.h"
 
@@ -18,25 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::uint64_t newestVersion = 1, largestExactInteger = std::uint64_t{1} << 53;
-
-/// For "must be a number, not a list".
-std::string typeOf(const Json& value) {
-  switch (value.type()) {
-    case Json::value_t::null:
-      return "null";
-    case Json::value_t::boolean:
-      return value.get<bool>() ? "true" : "false";
-    case Json::value_t::object:
-      return Phrase::of("an object");
-    case Json::value_t::array:
-      return Phrase::of("a list");
-    case Json::value_t::string:
-      return Phrase::of("a text");
-    default:
-      return Phrase::of("a number");
-  }
-}
+constexpr std::uint64_t largestExactInteger = std::uint64_t{1} << 53;
 
 /// Does the text that the row keeps say all of a value, so that it is written as it was read?
 bool isKeptAsText(std::string_view key, const Json& value) {
@@ -47,142 +29,11 @@ bool isKeptAsText(std::string_view key, const Json& value) {
   return value.is_number_unsigned() && value.get<std::uint64_t>() <= largestExactInteger;
 }
 
-/// Takes values out of one object. The first thing that is wrong is kept; what follows then has no effect.
-class ObjectReader {
- public:
-  ObjectReader(const Json& json, Place where, std::optional<Problem>& problem)
-      : m_json(json), m_where(std::move(where)), m_problem(problem) {
-    if (!json.is_object()) report(Phrase::of("must be an object in braces, not %1", typeOf(json)), m_where);
-  }
-
-  /// The text that a value of this kind is kept as; empty where there is none.
-  std::string value(std::string_view key, ValueKind kind) const {
-    const Json* found = find(key);
-    if (!found) return {};
-    auto text = textOf(*found, kind);
-    //: two kinds of value: "a number", "a list"
-    if (!text) report(Phrase::of("must be %1, not %2", wantedType(kind), typeOf(*found)), placeOf(key));
-    return text.value_or("");
-  }
-
-  std::string text(const char* key) const { return value(key, ValueKind::Text); }
-  std::string number(const char* key) const { return value(key, ValueKind::Number); }
-  std::string angle(const char* key) const { return value(key, ValueKind::Angle); }
-
-  std::string requiredNumber(const char* key, const char* remedy) const {
-    return require(key, remedy) ? number(key) : std::string();
-  }
-  std::string requiredAngle(const char* key, const char* remedy) const {
-    return require(key, remedy) ? angle(key) : std::string();
-  }
-
-  bool flag(std::string_view key) const {
-    const Json* found = find(key);
-    if (!found) return false;
-    if (!found->is_boolean())
-      report(Phrase::of("must be true or false, not %1", typeOf(*found)), placeOf(key));
-    return found->is_boolean() && found->get<bool>();
-  }
-
-  ObjectReader object(const char* key) const {
-    static const Json none = Json::object();
-    const Json* found = find(key);
-    return {found ? *found : none, placeOf(key), m_problem};
-  }
-
-  /// The members of a list; none where the key is absent or no list.
-  const Json& list(const char* key) const {
-    static const Json none = Json::array();
-    const Json* found = find(key);
-    if (!found) return none;
-    if (found->is_array()) return *found;
-    report(Phrase::of("must be a list in square brackets, not %1", typeOf(*found)), placeOf(key));
-    return none;
-  }
-
-  /// One object of a list.
-  ObjectReader member(const char* key, std::size_t index, const Json& json) const {
-    return {json, placeOf(std::string(key) + "[" + std::to_string(index) + "]"), m_problem};
-  }
-
-  bool require(std::string_view key, const char* remedy) const {
-    if (find(key)) return true;
-    //: what to do about it: "add the rotation of the axis, 0 or 180"
-    if (m_json.is_object()) report(Phrase::of("is missing: %1", Phrase::of(remedy)), placeOf(key));
-    return false;
-  }
-
-  void report(const std::string& what, const Place& where) const {
-    if (!m_problem) m_problem = Problem{what, where};
-  }
-
-  const Json* find(std::string_view wanted) const {
-    if (!m_json.is_object()) return nullptr;
-    for (const auto& [name, value] : m_json.get_ref<const Json::object_t&>())
-      if (name == wanted) return &value;
-    return nullptr;
-  }
-
-  Place placeOf(std::string_view key) const {
-    Place place = m_where;
-    place.field += (place.field.empty() ? "" : ".") + std::string(key);
-    return place;
-  }
-
-  /// The origin without the values of `parts`, which have origins of their own.
-  JsonOrigin origin(const std::vector<const char*>& parts = {}) const {
-    if (!m_json.is_object()) return {};
-    Json kept = Json::object();
-    auto& members = kept.get_ref<Json::object_t&>();
-    for (const auto& [key, value] : m_json.get_ref<const Json::object_t&>()) {
-      const bool part = std::find(parts.begin(), parts.end(), key) != parts.end();
-      static_cast<std::vector<Json::object_t::value_type>&>(members).emplace_back(key, part ? Json() : value);
-    }
-    return JsonOrigin(kept);
-  }
-
- private:
-  const Json& m_json;
-  Place m_where;
-  std::optional<Problem>& m_problem;
-};
-
-void checkFormat(const ObjectReader& reader) {
-  const Json* format = reader.find("format");
-  if (format && *format == "alidade-session") return;
-  std::string what;
-  if (!format)
-    what = Phrase::of("is missing: this is no session file, which says \"format\": \"alidade-session\"");
-  else if (format->is_string())
-    what = Phrase::of("%1 is not \"alidade-session\": choose a session file",
-                      quotation(format->get_ref<const std::string&>()));
-  else
-    what = Phrase::of("is not \"alidade-session\": choose a session file");
-  reader.report(what, reader.placeOf("format"));
-}
-
-/// 1.0 is 1, too: JSON knows one kind of number.
-bool isWhole(const Json& value) {
-  return value.is_number_integer() ||
-         (value.is_number_float() && std::trunc(value.get<double>()) == value.get<double>());
-}
-
-void checkVersion(const ObjectReader& reader) {
-  if (!reader.require("version", PHRASE_LATER("Phrase", "add \"version\": 1"))) return;
-  const Json& version = *reader.find("version");
-  const std::string known = std::to_string(newestVersion);
-  if (!isWhole(version)) {
-    const std::string found = version.is_number() ? version.dump() : typeOf(version);
-    reader.report(Phrase::of("must be the whole number %1, not %2", known, found), reader.placeOf("version"));
-  } else if (version > newestVersion) {
-    reader.report(Phrase::of("%1 is newer than this program reads (%2): open it with a newer Alidade",
-                             version.dump(), known),
-                  reader.placeOf("version"));
-  } else if (version != newestVersion) {
-    reader.report(Phrase::of("%1 is no version of a session file: it must be %2", version.dump(), known),
-                  reader.placeOf("version"));
-  }
-}
+constexpr JsonFormat sessionFormat = {
+    "alidade-session",
+    PHRASE_LATER("Phrase", "is missing: this is no session file, which says \"format\": \"alidade-session\""),
+    PHRASE_LATER("Phrase", "choose a session file"),
+    PHRASE_LATER("Phrase", "%1 is no version of a session file: it must be %2")};
 
 ReportEntries readReport(const ObjectReader& reader) {
   return {.number = reader.text("number"),
@@ -193,28 +44,15 @@ ReportEntries readReport(const ObjectReader& reader) {
           .origin = reader.origin()};
 }
 
-KnownSize readKnownSize(const ObjectReader& reader) {
-  return {.effect = reader.text("effect"),
-          .parameter = reader.text("parameter"),
-          .value = reader.number("value"),
-          .sigma = reader.number("sigma"),
-          .unit = reader.text("unit"),
-          .from = reader.text("from"),
-          .origin = reader.origin()};
-}
-
-std::vector<KnownSize> readKnown(const ObjectReader& reader) {
-  std::vector<KnownSize> known;
-  for (const Json& entry : reader.list("known"))
-    known.push_back(readKnownSize(reader.member("known", known.size(), entry)));
-  return known;
-}
-
 Device readDevice(const ObjectReader& reader) {
   return {.name = reader.text("name"),
           .serial = reader.text("serial"),
           .known = readKnown(reader),
           .origin = reader.origin({"known"})};
+}
+
+NamedRecord readNamedRecord(const ObjectReader& reader) {
+  return {.file = reader.text("file"), .date = reader.text("date"), .origin = reader.origin()};
 }
 
 Instrument readInstrument(const ObjectReader& reader) {
@@ -227,8 +65,9 @@ Instrument readInstrument(const ObjectReader& reader) {
           .sigmaVerticalArcsec = reader.number("sigma_vertical_arcsec"),
           .sigmaZeroArcsec = reader.number("sigma_zero_arcsec"),
           .sigmaSliderArcsec = reader.number("sigma_slider_arcsec"),
+          .record = readNamedRecord(reader.object("record")),
           .known = readKnown(reader),
-          .origin = reader.origin({"known"})};
+          .origin = reader.origin({"record", "known"})};
 }
 
 Environment readEnvironment(const ObjectReader& reader) {
@@ -397,11 +236,11 @@ RowsRead SessionRows::take(std::size_t position) {
 Result<Session> sessionFromJson(const Json& document, SessionRows rows) {
   std::optional<Problem> problem;
   if (!document.is_object()) {
-    return Problem{Phrase::of("is %1, not an object in braces: this is no session file", typeOf(document))};
+    return Problem{
+        Phrase::of("is %1, not an object in braces: this is no session file", jsonTypeName(document))};
   }
   const ObjectReader reader(document, {}, problem);
-  checkFormat(reader);
-  checkVersion(reader);
+  reader.checkFormat(sessionFormat);
   if (problem) return *problem;
   Session session = readDocument(reader, rows, problem);
   if (problem) return *problem;

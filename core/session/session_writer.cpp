@@ -1,8 +1,9 @@
-#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "core/session/json_layout.h"
+#include "core/session/json_object_writer.h"
+#include "core/session/known_size_json.h"
 #include "core/session/row_fields.h"
 #include "core/session/session_file.h"
 #include "core/session/value_text.h"
@@ -12,102 +13,6 @@ namespace alidade {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-enum class Presence {
-  Optional,  ///< left out where there is nothing to say
-  Required,  ///< written even where empty
-};
-
-/// Brings the object a part was read from up to date, and touches nothing that did not change.
-class ObjectWriter {
- public:
-  explicit ObjectWriter(const JsonOrigin& origin) : m_json(origin.object()) {}
-
-  void set(std::string_view key, const std::string& current, ValueKind kind, Presence presence) {
-    const auto found = m_json.find(key);
-    const bool present = found != m_json.end();
-    if (present && textOf(*found, kind) == current) return;
-    if (!current.empty() || presence == Presence::Required) {
-      m_json[key] = valueOf(current, kind);
-    } else if (present) {
-      m_json.erase(key);
-    }
-  }
-
-  void text(const char* key, const std::string& current) {
-    set(key, current, ValueKind::Text, Presence::Optional);
-  }
-  void number(const char* key, const std::string& current, Presence presence = Presence::Optional) {
-    set(key, current, ValueKind::Number, presence);
-  }
-  void angle(const char* key, const std::string& current, Presence presence = Presence::Optional) {
-    set(key, current, ValueKind::Angle, presence);
-  }
-
-  void flag(std::string_view key, bool current) {
-    const auto found = m_json.find(key);
-    const bool before = found != m_json.end() && *found == true;
-    if (before != current) m_json[key] = current;
-  }
-
-  /// Written where it has content or was there before.
-  void part(const char* key, Json value, Presence presence = Presence::Optional) {
-    const bool wanted = presence == Presence::Required || !value.empty();
-    if (wanted || m_json.contains(key)) m_json[key] = std::move(value);
-  }
-
-  /// Left out where it is empty.
-  void partIfAny(const char* key, Json value) {
-    if (value.empty())
-      m_json.erase(key);
-    else
-      m_json[key] = std::move(value);
-  }
-
-  /// How many rows there are, for the layout, which asks for each.
-  void rows(const char* key, std::size_t count, Presence presence) {
-    if (count > 0 || presence == Presence::Required || m_json.contains(key)) m_json[key] = count;
-  }
-
-  /// A member that was there before keeps its JSON type.
-  void list(const char* key, const std::vector<std::string>& current) {
-    const auto found = m_json.find(key);
-    const Json before = found == m_json.end() ? Json::array() : *found;
-    const std::vector<std::string> texts = entriesOf(before);
-    if (texts == current) return;
-    Json members = Json::array();
-    for (const std::string& text : current) {
-      const auto same = std::find(texts.begin(), texts.end(), text);
-      const auto index = static_cast<std::size_t>(same - texts.begin());
-      members.push_back(same == texts.end() ? Json(text) : before[index]);
-    }
-    m_json[key] = std::move(members);
-  }
-
-  void constant(const char* key, Json value) {
-    if (!m_json.contains(key)) m_json[key] = std::move(value);
-  }
-
-  Json take() { return std::move(m_json); }
-
- private:
-  Json m_json;
-};
-
-Json knownJson(const std::vector<KnownSize>& known) {
-  Json entries = Json::array();
-  for (const KnownSize& size : known) {
-    ObjectWriter writer(size.origin);
-    writer.text("effect", size.effect);
-    writer.text("parameter", size.parameter);
-    writer.number("value", size.value);
-    writer.number("sigma", size.sigma);
-    writer.text("unit", size.unit);
-    writer.text("from", size.from);
-    entries.push_back(writer.take());
-  }
-  return entries;
-}
 
 Json reportJson(const ReportEntries& report) {
   ObjectWriter writer(report.origin);
@@ -127,6 +32,13 @@ Json deviceJson(const Device& device) {
   return writer.take();
 }
 
+Json namedRecordJson(const NamedRecord& record) {
+  ObjectWriter writer(record.origin);
+  writer.text("file", record.file);
+  writer.text("date", record.date);
+  return writer.take();
+}
+
 Json instrumentJson(const Instrument& instrument) {
   ObjectWriter writer(instrument.origin);
   writer.text("name", instrument.name);
@@ -138,6 +50,7 @@ Json instrumentJson(const Instrument& instrument) {
   writer.number("sigma_vertical_arcsec", instrument.sigmaVerticalArcsec);
   writer.number("sigma_zero_arcsec", instrument.sigmaZeroArcsec);
   writer.number("sigma_slider_arcsec", instrument.sigmaSliderArcsec);
+  writer.part("record", namedRecordJson(instrument.record));
   writer.part("known", knownJson(instrument.known));
   return writer.take();
 }

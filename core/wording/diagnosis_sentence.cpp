@@ -7,6 +7,7 @@
 #include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
 #include "core/effects/cause_ids.h"
+#include "core/wording/known_checks.h"
 
 namespace alidade {
 
@@ -102,7 +103,26 @@ std::string byId(const std::string& id) {
   return id;
 }
 
-std::string sentenceOf(const Diagnosis& diagnosis, const CauseNamer& name) {
+namespace {
+
+/// The gap is what is known beforehand: the residuals shrink noticeably with it, and the rest is noise.
+bool isAsKnown(const Diagnosis& diagnosis) {
+  constexpr double noticeably = 0.9;
+  return !diagnosis.known.empty() && diagnosis.after.rms < noticeably * diagnosis.gap.rms;
+}
+
+std::string asKnown(const Diagnosis& diagnosis, const CauseNamer& name) {
+  std::vector<std::string> ids;
+  for (const KnownCheck& check : diagnosis.known)
+    if (std::ranges::find(ids, check.effect) == ids.end()) ids.push_back(check.effect);
+  //: effects, then "the residuals shrink from 12.0″ to 2.0″"
+  return Phrase::of(
+      "What is known beforehand (%1) accounts for the gap: with it %2, and what is left is within the stated "
+      "noise.",
+      named(ids, Phrase::of(" and "), name), change(diagnosis.gap, diagnosis.after));
+}
+
+std::string verdictSentenceOf(const Diagnosis& diagnosis, const CauseNamer& name) {
   switch (diagnosis.verdict) {
     case DiagnosisVerdict::WithinNoise:
       if (std::isnan(diagnosis.gap.pValue))
@@ -110,6 +130,7 @@ std::string sentenceOf(const Diagnosis& diagnosis, const CauseNamer& name) {
             "Nothing checks the model: these readings just fix the circles and leave nothing over. Sight "
             "more "
             "places.");
+      if (isAsKnown(diagnosis)) return asKnown(diagnosis, name);
       return Phrase::of(
           "The readings agree with the model within their stated noise: there is no gap to explain.");
     case DiagnosisVerdict::SingleCause:
@@ -127,6 +148,13 @@ std::string sentenceOf(const Diagnosis& diagnosis, const CauseNamer& name) {
       return unexplained(diagnosis, name);
   }
   return {};
+}
+
+}  // namespace
+
+std::string sentenceOf(const Diagnosis& diagnosis, const CauseNamer& name) {
+  const std::string verdict = verdictSentenceOf(diagnosis, name), stale = staleSentence(diagnosis, name);
+  return stale.empty() ? verdict : Phrase::of("%1 %2", verdict, stale);
 }
 
 }  // namespace alidade

@@ -49,6 +49,13 @@
     </message>
 </context>
 <context>
+    <name>ChangeInstrument</name>
+    <message>
+        <source>Take from the instrument record</source>
+        <translation>取自仪器记录</translation>
+    </message>
+</context>
+<context>
     <name>ChangeKnown</name>
     <message>
         <source>Change what is known of %1</source>
@@ -340,6 +347,14 @@ Sealed by:</source>
     <message>
         <source>Font of the window</source>
         <translation>窗口字体</translation>
+    </message>
+    <message>
+        <source>Take from the instrument record</source>
+        <translation>取自仪器记录</translation>
+    </message>
+    <message>
+        <source>Instrument records (*.alidade-instrument);;All files (*)</source>
+        <translation>仪器记录 (*.alidade-instrument);;所有文件 (*)</translation>
     </message>
 </context>
 <context>
@@ -1053,6 +1068,10 @@ Sealed by:</source>
     <message>
         <source>Unseen though a plausible size moves Δd by more than U: %1; and %2 more.</source>
         <translation>合理大小即可使 Δd 移动超过 U，却无法看出：%1；以及另外 %2 个。</translation>
+    </message>
+    <message>
+        <source>+ what is known</source>
+        <translation>+ 已知量值</translation>
     </message>
 </context>
 <context>
@@ -2437,14 +2456,6 @@ Sealed by:</source>
         <translation>含有超过 %1 的文本：请缩短，或另存为单独的文件</translation>
     </message>
     <message>
-        <source>is nested more than %1 levels deep: this is no session file</source>
-        <translation>嵌套超过 %1 层：这不是会话文件</translation>
-    </message>
-    <message>
-        <source>holds more than %1 values besides its rows of readings: this is no session file</source>
-        <translation>除读数行外含有超过 %1 个值：这不是会话文件</translation>
-    </message>
-    <message>
         <source>has a number too large to be worked with before %1: check its exponent</source>
         <translation>在%1之前有一个大到无法计算的数：请检查其指数</translation>
     </message>
@@ -2459,10 +2470,6 @@ Sealed by:</source>
     <message>
         <source>is not JSON at %1, at %2: look there for a missing comma, colon, bracket or quotation mark</source>
         <translation>在%1的 %2 处不是 JSON：请查看该处是否缺少逗号、冒号、括号或引号</translation>
-    </message>
-    <message>
-        <source>is empty: choose a session file</source>
-        <translation>为空：请选择会话文件</translation>
     </message>
     <message>
         <source>is not UTF-8 text at %1: save the file with UTF-8 encoding</source>
@@ -2549,14 +2556,6 @@ Sealed by:</source>
     <message>
         <source>is missing: this is no session file, which says &quot;format&quot;: &quot;alidade-session&quot;</source>
         <translation>缺失：这不是会话文件，会话文件写有 &quot;format&quot;: &quot;alidade-session&quot;</translation>
-    </message>
-    <message>
-        <source>%1 is not &quot;alidade-session&quot;: choose a session file</source>
-        <translation>%1 不是 &quot;alidade-session&quot;：请选择会话文件</translation>
-    </message>
-    <message>
-        <source>is not &quot;alidade-session&quot;: choose a session file</source>
-        <translation>不是 &quot;alidade-session&quot;：请选择会话文件</translation>
     </message>
     <message>
         <source>add &quot;version&quot;: 1</source>
@@ -3694,6 +3693,94 @@ Sealed by:</source>
         <source>s of a zenith angle, %1, is larger than the stated %2 (χ², 95 %: s up to %3 with %4 degrees of freedom).</source>
         <translation>天顶距的 s 为 %1，大于声明的 %2（χ²，95 %：自由度为 %4 时 s 可达 %3）。</translation>
     </message>
+    <message>
+        <source>is missing: this is no instrument record, which says &quot;format&quot;: &quot;alidade-instrument&quot;</source>
+        <translation>缺失：这不是仪器记录，仪器记录写有 &quot;format&quot;: &quot;alidade-instrument&quot;</translation>
+    </message>
+    <message>
+        <source>choose an instrument record</source>
+        <translation>请选择仪器记录</translation>
+    </message>
+    <message>
+        <source>%1 is no version of an instrument record: it must be %2</source>
+        <translation>%1 不是仪器记录的版本：必须是 %2</translation>
+    </message>
+    <message>
+        <source>is empty: say on which day this was found, as year-month-day</source>
+        <translation>为空：请写明得出这些内容的日期，格式为年-月-日</translation>
+    </message>
+    <message>
+        <source>is empty: say which effect is known, such as collimation</source>
+        <translation>为空：请写明已知的是哪个效应，例如 collimation</translation>
+    </message>
+    <message>
+        <source>add the day on which this was found</source>
+        <translation>请补上得出这些内容的日期</translation>
+    </message>
+    <message>
+        <source>%1 is not &quot;%2&quot;: %3</source>
+        <extracomment>what the file says, what it should say, and what to do: &quot;choose a session file&quot;</extracomment>
+        <translation>%1 不是 &quot;%2&quot;：%3</translation>
+    </message>
+    <message>
+        <source>is not &quot;%1&quot;: %2</source>
+        <translation>不是 &quot;%1&quot;：%2</translation>
+    </message>
+    <message>
+        <source>is nested more than %1 levels deep: this is no file of this program</source>
+        <translation>嵌套超过 %1 层：这不是本程序的文件</translation>
+    </message>
+    <message>
+        <source>holds more than %1 values besides its rows of readings: this is no file of this program</source>
+        <translation>除读数行外含有超过 %1 个值：这不是本程序的文件</translation>
+    </message>
+    <message>
+        <source>is empty: choose another file</source>
+        <translation>为空：请选择其他文件</translation>
+    </message>
+    <message>
+        <source>choose a session file</source>
+        <translation>请选择会话文件</translation>
+    </message>
+    <message>
+        <source>%1 is not the serial number of the record, %2: choose the record of this instrument, or correct the serial number</source>
+        <extracomment>two serial numbers in quotation marks</extracomment>
+        <translation>%1 不是记录中的序列号 %2：请选择这台仪器的记录，或更正序列号</translation>
+    </message>
+    <message>
+        <source>What is known beforehand (%1) accounts for the gap: with it %2, and what is left is within the stated noise.</source>
+        <extracomment>effects, then &quot;the residuals shrink from 12.0″ to 2.0″&quot;</extracomment>
+        <translation>事先已知的内容（%1）说明了差距：计入后%2，其余在声明的噪声之内。</translation>
+    </message>
+    <message>
+        <source>%1 ± %2</source>
+        <translation>%1 ± %2</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <extracomment>an effect and which of its numbers: &quot;plane tilt, tilt about x&quot;</extracomment>
+        <translation>%1，%2</translation>
+    </message>
+    <message>
+        <source>what is known beforehand</source>
+        <translation>事先已知的内容</translation>
+    </message>
+    <message>
+        <source>By %1, %2 is %3; these readings say %4: what is known is stale, with a probability of %5.</source>
+        <translation>据%1，%2为 %3；这些读数显示为 %4：已知内容已过时，概率为%5。</translation>
+    </message>
+    <message>
+        <source>%1: known as %2; these readings do not show it</source>
+        <translation>%1：已知为 %2；这些读数没有显示它</translation>
+    </message>
+    <message>
+        <source>%1: known as %2; these readings say %3</source>
+        <translation>%1：已知为 %2；这些读数显示为 %3</translation>
+    </message>
+    <message>
+        <source>Were what is known of %1 stale, these readings could not tell it from %2.</source>
+        <translation>假如关于%1的已知内容已过时，这些读数就不能将其与%2区分开。</translation>
+    </message>
 </context>
 <context>
     <name>PlaceText</name>
@@ -4797,6 +4884,38 @@ a clause as a sentence</extracomment>
         <extracomment>between clauses</extracomment>
         <translation>；</translation>
     </message>
+    <message>
+        <source>Number</source>
+        <translation>量</translation>
+    </message>
+    <message>
+        <source>known, 1σ</source>
+        <translation>已知，1σ</translation>
+    </message>
+    <message>
+        <source>these readings, 1σ</source>
+        <translation>这些读数，1σ</translation>
+    </message>
+    <message>
+        <source>known from</source>
+        <translation>已知来源</translation>
+    </message>
+    <message>
+        <source>Known beforehand of instrument and device</source>
+        <translation>关于仪器和设备的事先已知内容</translation>
+    </message>
+    <message>
+        <source>Instrument record: %1.</source>
+        <translation>仪器记录：%1。</translation>
+    </message>
+    <message>
+        <source>Instrument record: %1 of %2.</source>
+        <translation>仪器记录：%1，%2。</translation>
+    </message>
+    <message>
+        <source>Each takes part in the uncertainty and in the search for causes with this value and u; that it holds no longer was given a chance of one in fifty beforehand. A dash: these readings do not show it.</source>
+        <translation>每一项以此值和 u 参与不确定度及原因的寻找；事先假定其不再成立的机会为五十分之一。短横表示这些读数没有显示它。</translation>
+    </message>
 </context>
 <context>
     <name>ReportPart</name>
@@ -4979,6 +5098,22 @@ a clause as a sentence</extracomment>
     <message>
         <source>A gap that is described and not pinned on the nearest effect</source>
         <translation>只描述差距，而不归咎于最接近的效应</translation>
+    </message>
+    <message>
+        <source>As the record says</source>
+        <translation>与记录相符</translation>
+    </message>
+    <message>
+        <source>A trunnion tilt that the instrument&apos;s record knows: nothing is left to explain</source>
+        <translation>仪器记录已知的横轴倾斜：没有什么需要解释</translation>
+    </message>
+    <message>
+        <source>Knocked since the record</source>
+        <translation>记录之后受过碰撞</translation>
+    </message>
+    <message>
+        <source>A record that holds no longer, found out</source>
+        <translation>不再成立的记录，被识破</translation>
     </message>
 </context>
 <context>
@@ -7327,6 +7462,45 @@ sizes</source>
     </message>
 </context>
 <context>
+    <name>alidade::ui::InstrumentFlow</name>
+    <message>
+        <source>Take from the instrument record</source>
+        <translation>取自仪器记录</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be taken.
+
+%2</source>
+        <translation>无法取用“%1”。
+
+%2</translation>
+    </message>
+    <message>
+        <source>Taken from “%1”, known sizes: %2</source>
+        <translation>已取自“%1”，已知量值：%2</translation>
+    </message>
+    <message>
+        <source>Save as instrument record</source>
+        <translation>另存为仪器记录</translation>
+    </message>
+    <message>
+        <source>What the session says of its instrument cannot be a record.
+
+%1</source>
+        <translation>会话中关于其仪器的内容不能成为记录。
+
+%1</translation>
+    </message>
+    <message>
+        <source>instrument</source>
+        <translation>仪器</translation>
+    </message>
+    <message>
+        <source>Saved “%1”</source>
+        <translation>已保存“%1”</translation>
+    </message>
+</context>
+<context>
     <name>alidade::ui::JobStatus</name>
     <message>
         <source>Stop</source>
@@ -7498,8 +7672,24 @@ sizes</source>
 <context>
     <name>alidade::ui::KnownSizesPanel</name>
     <message>
-        <source>What a certificate or a check says takes the place of the default in the uncertainty as measured.</source>
-        <translation>证书或检查所述的值在实测不确定度中取代默认值。</translation>
+        <source>What a certificate or a check says takes the place of the default in the uncertainty as measured and in the search for causes.</source>
+        <translation>证书或检查所述在实测的不确定度和原因的寻找中取代默认值。</translation>
+    </message>
+    <message>
+        <source>Take from Instrument Record…</source>
+        <translation>取自仪器记录…</translation>
+    </message>
+    <message>
+        <source>Name, serial number, σ of the circles and known sizes from a file</source>
+        <translation>来自文件的名称、序列号、度盘的 σ 和已知量值</translation>
+    </message>
+    <message>
+        <source>Save as Instrument Record…</source>
+        <translation>另存为仪器记录…</translation>
+    </message>
+    <message>
+        <source>What this session says of its instrument as a file, for the next sessions</source>
+        <translation>将本会话关于其仪器的内容存为文件，供以后的会话使用</translation>
     </message>
 </context>
 <context>

@@ -63,7 +63,9 @@ INSTANTIATE_TEST_SUITE_P(
                       Story{"two-causes", "several-causes", {"trunnion_tilt", "vertical_drift"}, {}},
                       Story{"unknown-form", "not-in-catalogue", {}, {}},
                       Story{"knocked-tripod", "single-cause", {"orientation_jump"}, {}},
-                      Story{"noisy-readings", "single-cause", {"underestimated_noise"}, {}}),
+                      Story{"noisy-readings", "single-cause", {"underestimated_noise"}, {}},
+                      Story{"known-instrument", "within-noise", {}, {}},
+                      Story{"stale-record", "single-cause", {"trunnion_tilt"}, {}}),
     [](const auto& story) {
       std::string name = story.param.name;
       std::erase(name, '-');
@@ -100,7 +102,7 @@ TEST(Samples, RecipeMakesThemByteByByte) {
     EXPECT_EQ(contentOf(entry.path()), contentOf(samples / entry.path().filename())) << entry.path();
     ++made;
   }
-  EXPECT_EQ(made, 6u);
+  EXPECT_EQ(made, 8u);
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ class ReadingsTable;
 class ScriptedDialogs : public Dialogs {
  public:
   SaveAnswer saveAnswer = SaveAnswer::Cancel;
-  QString openPath, savePath, reportPath, exportPath;
+  QString openPath, savePath, reportPath, exportPath, recordPath;
   QString exportSuggested;                    ///< as asked last
   QString importPath;                         ///< several: one a line
   std::function<void(ImportPage&)> onImport;  ///< chooses in the page before it is accepted where it can be
@@ -76,6 +76,7 @@ class ScriptedDialogs : public Dialogs {
     return importPath.isEmpty() ? QStringList() : importPath.split(u'\n');
   }
   std::optional<ImportDecision> askImport(ImportRequest request) override;
+  QString askRecordPath(const QString&) override { return recordPath; }
   QString askSavePath(const QString&) override { return savePath; }
   QString askReportPath(const QString&) override { return reportPath; }
   QString askExportPath(const QString&, const QString& suggestion, const QString&) override {

@@ -103,6 +103,12 @@ std::optional<ImportDecision> Dialogs::askImport(ImportRequest request) {
   return ImportPage(std::move(request), m_parent).ask();
 }
 
+QString Dialogs::askRecordPath(const QString& folder) {
+  return QFileDialog::getOpenFileName(
+      m_parent, DialogsText::tr("Take from the instrument record"), folder,
+      DialogsText::tr("Instrument records (*.alidade-instrument);;All files (*)"));
+}
+
 QString Dialogs::askSavePath(const QString& suggestion) {
   return saveFile(m_parent, DialogsText::tr("Save session as"), suggestion, sessionFilter(),
                   QStringLiteral("alidade"));

@@ -40,6 +40,8 @@ class Dialogs {
   virtual QStringList askImportPaths(const QString& folder);
   /// How the readings are to be taken; absent: cancelled.
   virtual std::optional<ImportDecision> askImport(ImportRequest request);
+  /// Of an instrument record; empty: cancelled.
+  virtual QString askRecordPath(const QString& folder);
   virtual QString askSavePath(const QString& suggestion);
   virtual QString askReportPath(const QString& suggestion);
   /// `suffix`: "csv", "json", "svg" or "png".

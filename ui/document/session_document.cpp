@@ -126,6 +126,13 @@ void SessionDocument::putKnown(const Place& place, bool isThere, const std::opti
   emit changed(change);
 }
 
+void SessionDocument::putInstrument(const Instrument& instrument) {
+  const SessionChange change = told({});
+  emit aboutToChange(change);
+  m_session.instrument = instrument;
+  emit changed(change);
+}
+
 void SessionDocument::patchReadings(std::size_t position, const ReadingsPatch& patch) {
   const RowSpan span = patch.span();
   const SessionChange change = told(changeOf(position, span.first, span.before, span.after));

@@ -75,6 +75,7 @@ class SessionDocument : public QObject {
   friend class AddPosition;
   friend class ChangeEffects;
   friend class ChangeField;
+  friend class ChangeInstrument;
   friend class ChangeKnown;
   friend class ImportReadings;
   friend class JournalledCommand;
@@ -88,6 +89,7 @@ class SessionDocument : public QObject {
   void putEffects(const std::vector<std::string>& effects);
   /// `size` in the place of the entry at `place` where that `isThere`, else before it; absent: it goes.
   void putKnown(const Place& place, bool isThere, const std::optional<KnownSize>& size);
+  void putInstrument(const Instrument& instrument);
   void patchReadings(std::size_t position, const ReadingsPatch& patch);
   void revertReadings(std::size_t position, const ReadingsPatch& patch);
   void insertPosition(std::size_t index, const Position& position);

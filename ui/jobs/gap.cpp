@@ -130,7 +130,7 @@ Gap assessGap(const SharedEvaluation& evaluation, const std::stop_token& stop, b
     const auto cause = std::ranges::find(diagnosis->causes, step.effect, &Cause::effect);
     gap.stages.push_back({.kind = GapStage::Kind::Proposed,
                           .effect = step.effect,
-                          .grossErrors = cause->readings.size(),
+                          .grossErrors = cause == diagnosis->causes.end() ? 0 : cause->readings.size(),
                           .rms = step.size.rms,
                           .reducedChiSquare = step.size.reducedChiSquare,
                           .intersection = step.intersection});

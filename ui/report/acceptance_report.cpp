@@ -15,6 +15,7 @@
 #include "ui/report/pdf_archive.h"
 #include "ui/report/report_gap.h"
 #include "ui/report/report_journal.h"
+#include "ui/report/report_known.h"
 #include "ui/report/report_plots.h"
 #include "ui/report/report_readings.h"
 #include "ui/report/report_result.h"
@@ -77,6 +78,7 @@ void layOut(ReportSheet& sheet, const Gap& gap, const ReportOptions& options) {
     if (options.simulated && options.simulated->intersection)
       sheet.paragraph(simulationParagraph(*options.simulated));
   }
+  addKnown(sheet, gap);
   if (prints(ReportPart::Gap)) addGap(sheet, gap);
   if (prints(ReportPart::Closures)) addClosures(sheet, gap);
   if (prints(ReportPart::Unseen)) addUnseen(sheet, gap);

@@ -27,6 +27,11 @@ const std::vector<Sample>& allSamples() {
        QT_TRANSLATE_NOOP("Sample", "A jump after 25 of 36 readings")},
       {"noisy-readings", QT_TRANSLATE_NOOP("Sample", "Noise larger than stated"),
        QT_TRANSLATE_NOOP("Sample", "6″ where 2″ are stated, and nothing else wrong")},
+      {"known-instrument", QT_TRANSLATE_NOOP("Sample", "As the record says"),
+       QT_TRANSLATE_NOOP("Sample",
+                         "A trunnion tilt that the instrument's record knows: nothing is left to explain")},
+      {"stale-record", QT_TRANSLATE_NOOP("Sample", "Knocked since the record"),
+       QT_TRANSLATE_NOOP("Sample", "A record that holds no longer, found out")},
       {"unknown-form", QT_TRANSLATE_NOOP("Sample", "A guideway out of shape"),
        QT_TRANSLATE_NOOP("Sample", "A gap that is described and not pinned on the nearest effect")}};
   return samples;

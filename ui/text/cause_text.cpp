@@ -133,6 +133,7 @@ QString stageText(const Gap& gap, const GapStage& stage) {
     return gap.asModelled().kind == GapStage::Kind::Bare ? GapText::tr("as modelled")
                                                          : GapText::tr("without model effects");
   if (stage.effect == grossErrorId) return withoutGrossErrors(gap, stage);
+  if (stage.effect == knownId) return GapText::tr("+ what is known");
   const QString title = causeTitle(stage.effect), name = title.left(1).toLower() + title.mid(1);
   return stage.kind == GapStage::Kind::InModel ? GapText::tr("in the model: %1").arg(name)
                                                : QStringLiteral("+ ") + name;

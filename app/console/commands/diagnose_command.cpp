@@ -27,11 +27,13 @@ void addDiagnoseCommand(CLI::App& app, DiagnoseRequest& request) {
       ->check(CLI::IsMember(diagnosableEffects()));
   diagnose->add_flag("--with-reference", request.withReference,
                      "Weigh the causes with the reference intersection and its σ, too; Δd never");
+  diagnose->add_option("--instrument", request.instrument,
+                       "Take what this instrument record says (*.alidade-instrument), for this run");
   diagnose->add_flag("--json", request.json, "Print one JSON document");
 }
 
 Result<std::string> runDiagnose(const DiagnoseRequest& request) {
-  Result<SessionInput> read = readSessionInput(request.file);
+  Result<SessionInput> read = readSessionInput(request.file, request.instrument);
   if (!read) return read.problem();
   SessionInput input = *std::move(read);
   input.session = {};  // of no more use, and as long as its rows

@@ -68,13 +68,15 @@ void addFitCommand(CLI::App& app, FitRequest& request) {
   fit->add_option("--seed", request.seed, "Of the draws; 1 if not given")->check(seedCheck())->needs(draws);
   fit->add_flag("!--no-diagnosis", request.diagnosis,
                 "Do not ask what else the readings may say: the verdict is that of the session's own model");
+  fit->add_option("--instrument", request.instrument,
+                  "Take what this instrument record says (*.alidade-instrument), for this run");
   fit->add_flag("--json", request.json, "Print one JSON document");
 }
 
 Result<std::string> runFit(const FitRequest& request) {
   if (request.method == "published" && !request.monteCarlo.empty())
     return Problem{"the published method states no uncertainty to check: leave out --monte-carlo"};
-  Result<SessionInput> input = readSessionInput(request.file);
+  Result<SessionInput> input = readSessionInput(request.file, request.instrument);
   if (!input) return input.problem();
   return request.method == "published" ? publishedAnswer(request, input->name, input->measurement)
                                        : rigorousAnswer(request, *std::move(input));

@@ -20,12 +20,13 @@ struct FitRequest {
   /// Draws to check the uncertainty with: a number, or `auto`, as many as it takes; empty: none.
   std::string monteCarlo;
   std::uint64_t seed = 1;  ///< of the draws
+  std::string instrument;  ///< path of an instrument record; empty: none
   bool diagnosis = true;   ///< of the gap between model and readings, which the verdict heeds
   bool json = false;       ///< one JSON document instead of text for people
 };
 
 /// Adds `fit FILE [--method rigorous|published] [--risk P] [--monte-carlo N|auto [--seed S]] [--no-diagnosis]
-/// [--json]`, which fills in `request`.
+/// [--instrument RECORD] [--json]`, which fills in `request`.
 void addFitCommand(CLI::App& app, FitRequest& request);
 
 /// The fit as text or JSON. Fails where the session cannot be read, where any entry of it is unusable (the

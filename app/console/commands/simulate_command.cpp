@@ -5,6 +5,7 @@
 
 #include "app/console/commands/option_checks.h"
 #include "app/console/output_file.h"
+#include "app/console/session_input.h"
 #include "core/base/number_text.h"
 #include "core/base/visible_text.h"
 #include "core/session/session_file.h"
@@ -126,6 +127,8 @@ void addSimulateCommand(CLI::App& app, SimulateRequest& request) {
   simulate->add_option("--out", request.out, "Session file to write (*.alidade)")->required();
   simulate->add_option("--truth", request.truth, "Truth file to write (JSON)")->required();
   simulate->add_option("--title", request.title, "Title of the session")->check(textCheck());
+  simulate->add_option("--instrument", request.instrument,
+                       "Let the session take this instrument record (*.alidade-instrument)");
   simulate->add_option("--notes", request.notes, "Notes of the session")->check(textCheck());
   addPlanOptions(*simulate, request);
   simulate->add_option("--effect", request.effects, "NAME=VALUE of an effect to put in; may be repeated")
@@ -151,6 +154,8 @@ Result<std::string> runSimulate(const SimulateRequest& request) {
   Session session = *std::move(simulated);
   if (!request.title.empty()) session.title = request.title;
   session.notes = request.notes;
+  if (!request.instrument.empty())
+    if (auto problem = addRecord(session, request.instrument)) return *std::move(problem);
   if (request.tolerance) session.acceptance.toleranceMm = shortestText(*request.tolerance);
   const std::string id = wellFormed(std::filesystem::path(request.out).stem().string());
   if (auto problem = writeOutputs(

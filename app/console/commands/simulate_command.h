@@ -26,6 +26,7 @@ struct SimulateRequest {
   std::optional<double> sigmaDistance;                                                       ///< mm
   std::optional<double> sigma, sigmaZero, sigmaSlider, typingStep;                           ///< arcseconds
   std::string verticalCircle = "zenith";  ///< or "elevation"
+  std::string instrument;                 ///< path of an instrument record; empty: none
   bool zerosInFull = false;
 };
 

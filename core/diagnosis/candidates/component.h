@@ -41,6 +41,11 @@ class Component {
   /// One of several named causes, each there or not: told by how well it explains the gap alone, and compared
   /// with those that leave nearly the same.
   virtual bool isEffect() const { return false; }
+  /// Its size is known beforehand and in the model: what is left for it to explain is that what is known
+  /// holds no longer.
+  virtual bool isKnown() const { return false; }
+  /// 1σ of each weight, in plausible sizes, as far as is known beforehand.
+  virtual Eigen::VectorXd usualSizes() const { return Eigen::VectorXd::Ones(weights()); }
   /// A step of the orientation, of which a session has one at most.
   virtual bool isJump() const { return false; }
   /// The arc that a jump between its zero and its first place moves as a whole.

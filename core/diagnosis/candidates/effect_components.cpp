@@ -1,11 +1,14 @@
 #include "core/diagnosis/candidates/effect_components.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <span>
 #include <utility>
 
 #include "core/diagnosis/candidates/second_derivatives.h"
 #include "core/diagnosis/evidence/bent_fit.h"
+#include "core/effects/known_sizes.h"
 
 namespace alidade {
 
@@ -72,8 +75,14 @@ void EffectComponent::addTo(JointFitOptions& model, const Leftover&, const Vecto
   }
   Index weight = 0;
   for (const EffectParameter& parameter : m_effect->parameters) {
-    const double unit = plausibleSize(parameter);
-    model.terms.push_back({parameter.term, width * unit, 0, weights[weight++] * unit});
+    const double unit = plausibleSize(parameter), beyond = weights[weight++] * unit;
+    const auto known = std::ranges::find(model.terms, parameter.term, &EstimatedTerm::term);
+    if (known == model.terms.end()) {
+      model.terms.push_back({parameter.term, width * unit, 0, beyond});
+      continue;
+    }
+    known->start = known->priorValue + beyond;
+    known->priorSigma = std::hypot(known->priorSigma, width * unit);
   }
 }
 
@@ -123,12 +132,37 @@ std::vector<EffectComponent> effectComponents(const Leftover& leftover,
   return components;
 }
 
+namespace {
+
+bool isInModel(const GapModel& model, const Effect& effect) {
+  return std::ranges::all_of(effect.parameters, [&](const EffectParameter& parameter) {
+    const auto& terms = model.options.terms;
+    return std::ranges::find(terms, parameter.term, &EstimatedTerm::term) != terms.end();
+  });
+}
+
+void markKnown(EffectComponent& component, const GapModel& model) {
+  const Effect& effect = component.effect();
+  const std::optional<std::vector<KnownPrior>> known = knownOf(*model.measurement, effect);
+  if (!known || !isInModel(model, effect)) return;
+  VectorXd sigmas(component.weights());
+  for (Index i = 0; i < sigmas.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    sigmas[i] = (*known)[at].sigma / plausibleSize(effect.parameters[at]);
+  }
+  component.setKnown(std::move(sigmas));
+}
+
+}  // namespace
+
 std::vector<EffectComponent> effectsBeyond(const GapModel& model, const Leftover& leftover,
                                            const std::vector<std::string>& leftOut) {
   std::vector<EffectComponent> components = effectComponents(leftover, leftOut);
-  for (EffectComponent& component : components)
+  for (EffectComponent& component : components) {
     if (component.effect().response == Response::Bent)
       component.bend(leftover, leftover.visible(secondDerivatives(model, leftover, component.effect())));
+    markKnown(component, model);
+  }
   return components;
 }
 

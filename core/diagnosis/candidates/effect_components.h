@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/diagnosis/candidates/component.h"
@@ -15,6 +16,9 @@ class EffectComponent final : public Component {
   /// With its visible second derivatives, columns 11, 12, 22.
   void bend(const Leftover& leftover, Eigen::MatrixXd secondDerivatives);
 
+  /// `sigmas`: as known as each number is, in plausible sizes.
+  void setKnown(Eigen::VectorXd sigmas) { m_known = std::move(sigmas); }
+
   const Effect& effect() const { return *m_effect; }
 
   std::string_view id() const override { return m_effect->id; }
@@ -23,6 +27,8 @@ class EffectComponent final : public Component {
   Response response() const override { return m_response; }
   const std::vector<Width>& widths() const override;
   bool isEffect() const override { return true; }
+  bool isKnown() const override { return m_known.size() > 0; }
+  Eigen::VectorXd usualSizes() const override { return isKnown() ? m_known : Component::usualSizes(); }
   Eigen::Map<const Eigen::MatrixXd> gram() const override {
     return {m_gram.data(), m_gram.rows(), m_gram.cols()};
   }
@@ -40,6 +46,7 @@ class EffectComponent final : public Component {
   Response m_response;
   Eigen::MatrixXd m_gram;
   Eigen::MatrixXd m_secondDerivatives;  ///< visible; empty unless it bends
+  Eigen::VectorXd m_known;              ///< empty unless it is known
 };
 
 /// Effects small and large beside their plausible size.
@@ -48,8 +55,8 @@ const std::vector<Width>& effectWidths();
 /// The effects of the catalogue but those in `leftOut`, none of them bent.
 std::vector<EffectComponent> effectComponents(const Leftover& leftover,
                                               const std::vector<std::string>& leftOut);
-/// The effects of the catalogue but those in `leftOut`, what bends with its second derivatives. `leftover` is
-/// that of the model.
+/// The effects of the catalogue but those in `leftOut`, what bends with its second derivatives, what is known
+/// marked so where it is in the model. `leftover` is that of the model.
 std::vector<EffectComponent> effectsBeyond(const GapModel& model, const Leftover& leftover,
                                            const std::vector<std::string>& leftOut);
 

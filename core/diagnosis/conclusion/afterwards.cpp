@@ -10,6 +10,7 @@
 #include "core/diagnosis/gap/every_effect.h"
 #include "core/diagnosis/gap/gap_size.h"
 #include "core/diagnosis/search/explained_model.h"
+#include "core/effects/known_sizes.h"
 
 namespace alidade {
 
@@ -120,6 +121,28 @@ class Average {
     m_alternatives.push_back({std::min(odds, something), nothing, *difference, false});
   }
 
+  /// Besides the answer, that what is known of an effect holds no longer, each by itself: as likely as it was
+  /// beforehand and as these readings leave it.
+  void addStale() {
+    if (!m_ofAnswer) return;
+    const auto isThere = [&](std::size_t component) {
+      return std::ranges::any_of(m_alternatives, [&](const Alternative& alternative) {
+        return alternative.explanation.has(component);
+      });
+    };
+    for (std::size_t i = 0; i < m_inquiry.candidates.size(); ++i) {
+      const Component& component = m_inquiry.candidates[i];
+      if (!component.isKnown() || isThere(i)) continue;
+      const auto stale = m_moves.ofStale(m_answer.explanation, i);
+      if (!stale) continue;
+      const double chance = staleChanceOf(*m_inquiry.base.measurement, *effectById(component.id()));
+      m_alternatives.push_back(
+          {chance / (1 - chance) * oddsOf(stale->logEvidence),
+           m_answer.explanation,
+           {stale->move.shift - m_ofAnswer->shift, stale->move.variance - m_ofAnswer->variance}});
+    }
+  }
+
   IntersectionEstimate estimate(double ofPattern) const {
     constexpr double hardly = 0.01;  // of U
     const double coverage = m_inquiry.base.measurement->coverage;
@@ -178,11 +201,17 @@ class Average {
 
 IntersectionEstimate averaged(const Inquiry& inquiry, const Answer& answer, const IntersectionEstimate& own,
                               LinearMoves& moves) {
-  if (answer.kind == Answer::Kind::Nothing || !(own.sigma > 0)) return own;
+  const bool isEveryEffect = moves.besides() == Besides::EveryEffect;
+  const bool mayBeStale = isEveryEffect && isAnythingKnown(*inquiry.base.measurement);
+  const bool isNothing = answer.kind == Answer::Kind::Nothing;
+  if ((isNothing && !mayBeStale) || !(own.sigma > 0)) return own;
   Average average(inquiry, answer, own, moves);
-  if (!answer.pattern) average.addExplanations();
-  average.addRivals();
-  if (moves.besides() == Besides::EveryEffect) average.addNothingElse();
+  if (!isNothing) {
+    if (!answer.pattern) average.addExplanations();
+    average.addRivals();
+    if (isEveryEffect) average.addNothingElse();
+  }
+  if (mayBeStale) average.addStale();
   return average.estimate(answer.pattern ? movedBy(answer.measured, inquiry, *answer.pattern) : 0);
 }
 

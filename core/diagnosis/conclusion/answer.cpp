@@ -6,6 +6,7 @@
 #include "core/diagnosis/gap/gap_size.h"
 #include "core/diagnosis/search/explained_model.h"
 #include "core/effects/cause_ids.h"
+#include "core/effects/known_sizes.h"
 
 namespace alidade {
 
@@ -62,8 +63,8 @@ GapModel modelWith(const Inquiry& inquiry, const Explanation& explanation) {
 GapModel measuredModel(const Inquiry& inquiry, const Explanation& explanation, const GapModel& closed) {
   const auto isReading = [&](const Part& part) { return inquiry.of(part).grossErrorAt().has_value(); };
   if (!closed.options.isClosed || !std::ranges::all_of(explanation.parts, isReading)) return closed;
-  if (explanation.parts.empty() && !explanation.noisy) return inquiry.own;
-  return alidade::modelWith(inquiry.own, explanation, inquiry.candidates, inquiry.leftover);
+  if (explanation.parts.empty() && !explanation.noisy) return inquiry.expected;
+  return alidade::modelWith(inquiry.expected, explanation, inquiry.candidates, inquiry.leftover);
 }
 
 Answer nothingIn(const Inquiry& inquiry) {
@@ -129,7 +130,7 @@ Answer conclude(const Inquiry& inquiry) {
   // In the linear model there was an answer; with it in the model itself the readings may fix nothing.
   if (!answer.after.fit->isDetermined() || !answer.measured.fit->isDetermined()) {
     answer = unexplained(inquiry);
-    answer.measured = inquiry.own;
+    answer.measured = inquiry.expected;
   }
   answer.opened = openedModelOf(answer.measured, inquiry.own);
   return answer;
@@ -150,6 +151,8 @@ std::vector<GapStep> stepsOf(const Inquiry& inquiry, const Answer& answer) {
     const GapModel measured = measuredModel(inquiry, soFar, model);
     steps.push_back({std::string(id), sizeOf(openedModelOf(measured, inquiry.own)), estimateOf(measured)});
   };
+  if (isAnythingKnown(*inquiry.base.measurement))
+    steps.push_back({knownId, sizeOf(inquiry.expected), estimateOf(inquiry.expected)});
   for (const Part& part : whole.parts)
     if (inquiry.of(part).grossErrorAt()) soFar.parts.push_back(part);
   if (!soFar.parts.empty() || !inquiry.largeGrossErrors.empty()) note(grossErrorId);

@@ -17,7 +17,9 @@ Cause named(const Inquiry& inquiry, std::string_view id) {
           .probability = inquiry.probabilityOf(id),
           .parameters = {},
           .indistinguishableFrom = {},
-          .readings = {}};
+          .readings = {},
+          .isStale = false,
+          .unlessStale = {}};
 }
 
 Cause largerNoise(const Inquiry& inquiry, const GapModel& after) {
@@ -47,9 +49,10 @@ std::vector<Cause> causesOf(const Inquiry& inquiry, const Answer& answer) {
     }
     Cause cause = named(inquiry, component.id());
     cause.parameters = component.parameters(answer.after);
+    cause.isStale = component.isKnown();
     for (const Rival& rival : answer.rivals[p]) {
       std::string id(inquiry.of(rival.part).id());
-      std::vector<std::string>& alike = cause.indistinguishableFrom;
+      std::vector<std::string>& alike = rival.isExcluded ? cause.unlessStale : cause.indistinguishableFrom;
       if (std::ranges::find(alike, id) == alike.end()) alike.push_back(std::move(id));
     }
     causes.push_back(std::move(cause));

@@ -28,7 +28,10 @@ void LinearMoves::addEffects() {
     terms.push_back(term.term);
   }
   const auto count = static_cast<Index>(terms.size());
-  const VisibleTerms visible = visibleTerms(leftover.equations(), terms);
+  const std::vector<EstimatedTerm>& along = m_inquiry.base.options.terms;
+  std::vector<ErrorTerm> all = terms;
+  for (const EstimatedTerm& term : along) all.push_back(term.term);
+  const VisibleTerms visible = withEstimated(visibleTerms(leftover.equations(), all), along);
   const auto& effects = m_effects.terms;
   const auto at = [&](Index i) { return effects[static_cast<std::size_t>(i)]; };
   const auto place = [&](Index i) { return static_cast<Index>(at(i).term); };
@@ -71,6 +74,11 @@ bool LinearMoves::isBesides(const Component& component) const {
   return term != m_effects.terms.end() && term->priorSigma >= plausibleSize(first);
 }
 
+bool LinearMoves::isWhollyBesides(const Part& part) const {
+  const Component& component = m_inquiry.of(part);
+  return isBesides(component) && component.widthOfFit(part.width, part.weights) <= 1;
+}
+
 std::optional<LinearMoves::System> LinearMoves::systemOf(const Explanation& explanation) {
   const Leftover& leftover = m_inquiry.leftover;
   // What is there besides stands first.
@@ -84,10 +92,8 @@ std::optional<LinearMoves::System> LinearMoves::systemOf(const Explanation& expl
     if (component.response() != Response::Linear) return std::nullopt;
     const bool isLeftOut = component.grossErrorAt().has_value();
     double width = component.widthOfFit(part.width, part.weights);
-    if (isBesides(component)) {
-      if (width <= 1) continue;
-      width = std::sqrt(width * width - 1);  // of what it may be beyond
-    }
+    if (isWhollyBesides(part)) continue;
+    if (isBesides(component)) width = std::sqrt(width * width - 1);  // of what it may be beyond
     const Columns& columns = columnsOf(part);
     const Index before = visible.cols(), more = columns.visible.cols(), all = besides + before + more;
     visible.conservativeResize(Eigen::NoChange, before + more);
@@ -117,9 +123,14 @@ std::optional<LinearMoves::System> LinearMoves::systemOf(const Explanation& expl
 }
 
 std::optional<Move> LinearMoves::of(const Explanation& explanation) {
-  const std::optional<System> found = systemOf(explanation);
-  if (!found) return std::nullopt;
-  const System& system = *found;
+  const std::optional<System> system = systemOf(explanation);
+  if (!system) return std::nullopt;
+  const Move move = moveOf(explanation, *system);
+  if (!std::isfinite(move.shift) || !std::isfinite(move.variance)) return std::nullopt;
+  return move;
+}
+
+Move LinearMoves::moveOf(const Explanation& explanation, const System& system) const {
   double chiSquare = system.chiSquare, ofReadings = m_perReading.squaredNorm(), ofWidths = 0, ofPattern = 0;
   Move move;
   if (system.right.size() > 0) {
@@ -139,8 +150,61 @@ std::optional<Move> LinearMoves::of(const Explanation& explanation) {
   const int degreesOfFreedom = m_inquiry.leftover.degreesOfFreedom() - system.leftOut;
   ofReadings *= system.ofNoise * std::pow(noiseScale(chiSquare / system.ofNoise, degreesOfFreedom).factor, 2);
   move.variance = ofReadings + ofWidths + ofPattern * ofPattern;
-  if (!std::isfinite(move.shift) || !std::isfinite(move.variance)) return std::nullopt;
   return move;
+}
+
+namespace {
+
+/// ln ∫ exp(−χ²/2) over the weights of normal equations, but for what others have in common.
+double logEvidenceOf(const MatrixXd& matrix, const VectorXd& right, double ofNoise) {
+  if (right.size() == 0) return 0;
+  const Eigen::LDLT<MatrixXd> factor(matrix);
+  return right.dot(factor.solve(right)) / ofNoise / 2 - factor.vectorD().array().max(1e-300).log().sum() / 2;
+}
+
+}  // namespace
+
+std::optional<LinearMoves::Stale> LinearMoves::ofStale(const Explanation& explanation,
+                                                       std::size_t component) {
+  const std::optional<System> holding = systemOf(explanation);
+  if (!holding) return std::nullopt;
+  Part part;
+  part.component = component;
+  System system = *holding;
+  addLinear(system, explanation, part);
+  const auto more = system.right.size() - holding->right.size();
+  const Stale stale{moveOf(explanation, system),
+                    logEvidenceOf(system.matrix(), system.right, system.ofNoise) -
+                        logEvidenceOf(holding->matrix(), holding->right, system.ofNoise) +
+                        static_cast<double>(more) * std::log(system.ofNoise) / 2};
+  if (!std::isfinite(stale.move.shift) || !std::isfinite(stale.move.variance) ||
+      !std::isfinite(stale.logEvidence))
+    return std::nullopt;
+  return stale;
+}
+
+/// Behind all others, at its plausible size. `beside`: what the system holds.
+void LinearMoves::addLinear(System& system, const Explanation& beside, const Part& part) {
+  const Columns& own = columnsOf(part);
+  const Index before = system.right.size(), more = own.visible.cols(), all = before + more;
+  MatrixXd with = MatrixXd::Zero(before, more);
+  Index row = static_cast<Index>(m_effects.terms.size());
+  with.topRows(row) = own.withEffects;
+  for (const Part& other : beside.parts) {
+    if (m_inquiry.of(other).isShape() || row == before) continue;
+    const Columns& columns = columnsOf(other);
+    if (isWhollyBesides(other)) continue;
+    with.middleRows(row, columns.visible.cols()) = columns.visible.transpose() * own.visible;
+    row += columns.visible.cols();
+  }
+  system.gram.conservativeResize(all, all);
+  system.gram.topRightCorner(before, more) = with;
+  system.gram.bottomLeftCorner(more, before) = with.transpose();
+  system.gram.bottomRightCorner(more, more) = own.visible.transpose() * own.visible;
+  for (VectorXd* vector : {&system.right, &system.narrow, &system.influence}) vector->conservativeResize(all);
+  system.right.tail(more) = own.visible.transpose() * m_inquiry.leftover.residual();
+  system.narrow.tail(more).setOnes();
+  system.influence.tail(more) = own.influence;
 }
 
 std::optional<double> LinearMoves::logEvidenceOfEffects(const Explanation& explanation) {
@@ -150,15 +214,9 @@ std::optional<double> LinearMoves::logEvidenceOfEffects(const Explanation& expla
     if (m_inquiry.of(part).isShape()) addPattern(*system, part);
   const auto besides = static_cast<Index>(m_effects.terms.size()), own = system->right.size() - besides;
   const MatrixXd matrix = system->matrix();
-  // ln of ∫ exp(−χ²/2) over the weights, but for what both have in common.
-  const auto logEvidence = [&](const MatrixXd& part, const VectorXd& right) {
-    if (right.size() == 0) return 0.0;
-    const Eigen::LDLT<MatrixXd> factor(part);
-    return right.dot(factor.solve(right)) / system->ofNoise / 2 -
-           factor.vectorD().array().max(1e-300).log().sum() / 2;
-  };
-  const double together = logEvidence(matrix, system->right),
-               alone = logEvidence(matrix.bottomRightCorner(own, own), system->right.tail(own)),
+  const double together = logEvidenceOf(matrix, system->right, system->ofNoise),
+               alone = logEvidenceOf(matrix.bottomRightCorner(own, own), system->right.tail(own),
+                                     system->ofNoise),
                ofPriors = static_cast<double>(besides) * std::log(system->ofNoise) / 2 -
                           m_effects.mean.squaredNorm() / 2;
   const double gain = together - alone + ofPriors;

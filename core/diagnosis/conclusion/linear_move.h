@@ -37,6 +37,14 @@ class LinearMoves {
   /// variance. Absent where a part is not linear, or a gross error cannot be told. An effect of the
   /// explanation that would be there besides is as wide as the wider of both.
   std::optional<Move> of(const Explanation& explanation);
+  /// Of a known effect (`Component::isKnown`) that holds no longer, besides all that is there with an
+  /// explanation: what Δd moves by then, and the natural logarithm of by how much likelier the readings are.
+  /// By anything plausible, taken as linear. Absent as above.
+  struct Stale {
+    Move move;
+    double logEvidence = 0;
+  };
+  std::optional<Stale> ofStale(const Explanation& explanation, std::size_t component);
   /// What the readings say for what is there besides, beside an explanation: the natural logarithm of by how
   /// much likelier they are with it. Absent as above.
   std::optional<double> logEvidenceOfEffects(const Explanation& explanation);
@@ -75,9 +83,13 @@ class LinearMoves {
   const Columns& columnsOf(const Part& part);
   void addEffects();
   std::optional<System> systemOf(const Explanation& explanation);
+  Move moveOf(const Explanation& explanation, const System& system) const;
+  void addLinear(System& system, const Explanation& beside, const Part& part);
   void addPattern(System& system, const Part& part);
   /// It is an effect that is there besides, too, as wide as is plausible.
   bool isBesides(const Component& component) const;
+  /// And no larger than that: it adds nothing.
+  bool isWhollyBesides(const Part& part) const;
   /// Inner products with each column of what is there besides.
   Eigen::VectorXd productsOfEffects(const Eigen::VectorXd& overReadings) const;
 };

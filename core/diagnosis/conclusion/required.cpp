@@ -53,7 +53,7 @@ Required requiredOf(const Component& component, const VectorXd& weights) {
 std::vector<Required> whatItWouldTake(const Inquiry& inquiry) {
   std::vector<Required> list;
   const Measurement& measurement = *inquiry.own.measurement;
-  const std::optional<IntersectionEstimate> own = estimateOf(inquiry.own);
+  const std::optional<IntersectionEstimate> own = estimateOf(inquiry.expected);
   if (!measurement.sigmaReference || !own) return list;
   const double move = own->value - *measurement.referenceIntersection;
   const VectorXd perReading = influencePerSigma(inquiry.base);
@@ -63,7 +63,7 @@ std::vector<Required> whatItWouldTake(const Inquiry& inquiry) {
   for (std::size_t i = 0; i < inquiry.candidates.size(); ++i) {
     const Component& component = inquiry.candidates[i];
     const bool isMeant = component.isEffect() || component.slippedArc();
-    if (!isMeant || component.response() == Response::AllOrNothing) continue;
+    if (!isMeant || component.isKnown() || component.response() == Response::AllOrNothing) continue;
     const VectorXd influence = component.wholeProducts(influences);
     if (influence.norm() < hardlyMoves) continue;
     const VectorXd weights = leastThatMoves(component, influence, move);

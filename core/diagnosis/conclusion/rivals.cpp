@@ -79,8 +79,9 @@ std::vector<Rival> nearlyLike(const Inquiry& inquiry, const Explanation& explana
     const double difference = trace.differenceFrom(candidate) / explanation.noise;
     if (difference > clearlyDifferent) continue;
     Rival rival = comparison.with(index, i);
-    if (rival.part.isSupported() && (difference < hardlyDifferent || isClose(rival)))
-      rivals.push_back(std::move(rival));
+    const bool isNear = difference < hardlyDifferent;
+    rival.isExcluded = candidate.isKnown() && !isClose(rival);
+    if (rival.part.isSupported() && (isNear || isClose(rival))) rivals.push_back(std::move(rival));
   }
   return rivals;
 }
@@ -119,8 +120,9 @@ double chanceOf(const Inquiry& inquiry, const Part& part, const std::vector<Riva
   const auto isMeant = [&](const Part& other) {
     const bool isJump = inquiry.of(part).isJump();  // before whichever row
     return other.component == part.component || (isJump && inquiry.of(other).isJump()) ||
-           std::ranges::any_of(rivals,
-                               [&](const Rival& rival) { return rival.part.component == other.component; });
+           std::ranges::any_of(rivals, [&](const Rival& rival) {
+             return !rival.isExcluded && rival.part.component == other.component;
+           });
   };
   return inquiry.chanceOf(
       [&](const Explanation& explanation) { return std::ranges::any_of(explanation.parts, isMeant); });

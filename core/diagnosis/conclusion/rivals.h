@@ -14,6 +14,9 @@ struct Rival {
   /// gross error half of that, since either circle of the row may be the one that was misread.
   double odds = 0;
   Part part;  ///< what takes the part's place
+  /// Its size is known beforehand, and that this holds no longer is out of proportion: told apart by what is
+  /// known, not by these readings.
+  bool isExcluded = false;
 };
 
 /// Of each part: effects; of a gross error the jump that only its row would show.

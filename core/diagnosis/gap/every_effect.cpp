@@ -33,6 +33,29 @@ std::vector<EstimatedTerm> everyEffect(const Measurement& measurement) {
   return terms;
 }
 
+std::vector<EstimatedTerm> knownTerms(const Measurement& measurement) {
+  std::vector<EstimatedTerm> terms = everyEffect(measurement);
+  std::erase_if(terms, [&](const EstimatedTerm& term) {
+    const auto& parameters = effectOf(term.term)->parameters;
+    return !knownOf(measurement, *std::ranges::find(parameters, term.term, &EffectParameter::term));
+  });
+  return terms;
+}
+
+GapModel withKnownSizes(GapModel model) {
+  const std::vector<EstimatedTerm> known = knownTerms(*model.measurement);
+  if (known.empty()) return model;
+  for (const EstimatedTerm& term : known) {
+    const auto there = std::ranges::find(model.options.terms, term.term, &EstimatedTerm::term);
+    if (there == model.options.terms.end())
+      model.options.terms.push_back(term);
+    else
+      *there = term;
+  }
+  model.refit();
+  return model;
+}
+
 bool isLarge(const Measurement& measurement) {
   constexpr std::size_t many = 5000;
   return measurement.rows > many;

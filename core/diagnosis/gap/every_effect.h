@@ -14,6 +14,13 @@ namespace alidade {
 /// vertical circle is a matter of the model, and the slider's effects are there only where it is read.
 std::vector<EstimatedTerm> everyEffect(const Measurement& measurement);
 
+/// Those of them that something is known of beforehand.
+std::vector<EstimatedTerm> knownTerms(const Measurement& measurement);
+
+/// A model with what is known beforehand in it: each known number estimated along, as known as it is. What
+/// the readings are expected to hold is no gap.
+GapModel withKnownSizes(GapModel model);
+
 /// So many rows that a fit of every effect along would take longer than anybody waits.
 bool isLarge(const Measurement& measurement);
 

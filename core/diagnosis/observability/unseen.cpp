@@ -14,8 +14,10 @@ bool Detectability::isUndetectable() const {
 }
 
 Detectability detectabilityOf(const Component& component, const SharedProducts& perReading) {
-  const VectorXd influence = component.wholeProducts(perReading);
-  Detectability detectability{component.id(), influence.normalized(), influence.norm(), 0};
+  const VectorXd sizes = component.usualSizes();
+  const VectorXd influence = component.wholeProducts(perReading).cwiseProduct(sizes);
+  Detectability detectability{component.id(), influence.normalized().cwiseProduct(sizes), influence.norm(),
+                              0};
   if (detectability.influence == 0) return detectability;
   detectability.visible = component.signatureLength(detectability.weights);
   if (component.response() != Response::Bent) return detectability;  // the opposite leaves as much

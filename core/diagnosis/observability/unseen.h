@@ -12,11 +12,11 @@ namespace alidade {
 /// What moves Δd by less is not worth a word, mm.
 inline constexpr double negligibleInfluence = 1e-3;
 
-/// An effect of its plausible size in the direction of its numbers that moves Δd most; of the two signs the
-/// one that shows less.
+/// An effect of its plausible size, of a known one as large as what is known leaves open, in the direction of
+/// its numbers that moves Δd most; of the two signs the one that shows less.
 struct Detectability {
   std::string_view effect;  ///< its id; static text
-  Eigen::VectorXd weights;  ///< of length 1; zero where it does not move Δd
+  Eigen::VectorXd weights;  ///< in plausible sizes; zero where it does not move Δd
   double influence = 0;     ///< on Δd to first order, mm, ≥ 0
   double visible = 0;       ///< what it leaves in the readings, bent where it bends, σ
 

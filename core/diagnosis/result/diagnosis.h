@@ -61,12 +61,26 @@ struct ReadingDeviation {
   double size = 0;
 };
 
+/// What was known beforehand of a number of an effect, and what these readings say of it.
+struct KnownCheck {
+  std::string effect;      ///< id of the catalogue
+  std::string name, unit;  ///< of the number, as in the catalogue
+  double known = 0, sigmaKnown = 0;
+  std::string from, date;       ///< as the session says it
+  double value = 0, sigma = 0;  ///< by the readings alone, with the causes found; where they say anything
+  bool isSeen = false;          ///< they do
+  double staleChance = 0;       ///< that what was known holds no longer, 0…1
+};
+
 struct Cause {
   std::string effect;      ///< id of the catalogue
   double probability = 0;  ///< that it is among the causes, 0…1
   std::vector<CauseParameter> parameters;
   std::vector<std::string> indistinguishableFrom;  ///< ids
   std::vector<ReadingDeviation> readings;          ///< of a gross_error
+  bool isStale = false;  ///< its size was known beforehand, and that holds no longer: see `Diagnosis::known`
+  /// Ids of what these readings could not tell from it either, and what is known beforehand does.
+  std::vector<std::string> unlessStale = {};
 };
 
 /// How well one effect alone explains the readings.
@@ -212,8 +226,10 @@ struct Diagnosis {
   Shrinkage shrink;
   std::vector<Cause> causes;          ///< the most certain first
   std::vector<Candidate> candidates;  ///< the best first
+  std::vector<KnownCheck> known;      ///< in the order of the catalogue
   std::vector<GapShare> where;
-  std::vector<GapStep> steps;  ///< one for each cause, a gross_error first
+  /// What is known beforehand (`knownId`), where anything is, then one for each cause, a gross_error first.
+  std::vector<GapStep> steps;
   /// `afterwards`: with the causes found, and nothing besides.
   std::optional<IntersectionEstimate> before, afterwards;
   /// With whatever else may be there: the result of the measurement.

@@ -9,8 +9,10 @@
 #include "core/diagnosis/candidates/gross_error_components.h"
 #include "core/diagnosis/candidates/jump_components.h"
 #include "core/diagnosis/candidates/shape_components.h"
+#include "core/diagnosis/gap/every_effect.h"
 #include "core/diagnosis/search/explained_model.h"
 #include "core/effects/cause_ids.h"
+#include "core/effects/known_sizes.h"
 #include "core/observation/half_turn.h"
 
 namespace alidade {
@@ -24,13 +26,23 @@ bool considered(const DiagnosisOptions& options, std::string_view id) {
 Candidates candidatesFor(const GapModel& base, const Leftover& leftover, const DiagnosisOptions& options,
                          const PriorOdds& odds) {
   std::vector<std::string> leftOut = options.without;
-  leftOut.insert(leftOut.end(), base.measurement->effects.begin(), base.measurement->effects.end());
+  for (const std::string& id : base.measurement->effects) {
+    const Effect* effect = effectById(id);
+    if (!effect || !knownOf(*base.measurement, *effect)) leftOut.push_back(id);
+  }
   Candidates candidates;
   const auto addSharing = [&](double all, auto components, Offer offer = {}) {
     const double each = all / static_cast<double>(std::max<std::size_t>(components.size(), 1));
     candidates.add(std::move(components), each, offer);
   };
-  candidates.add(effectsBeyond(base, leftover, leftOut), odds.effect);
+  std::vector<EffectComponent> unknown, known;
+  for (EffectComponent& effect : effectsBeyond(base, leftover, leftOut))
+    (effect.isKnown() ? known : unknown).push_back(std::move(effect));
+  candidates.add(std::move(unknown), odds.effect);
+  for (EffectComponent& effect : known) {
+    const double stale = staleChanceOf(*base.measurement, effect.effect());
+    candidates.add(std::vector{std::move(effect)}, odds.effect * stale);
+  }
   if (considered(options, jumpId)) {
     addSharing(odds.jump, jumpComponents(leftover), {.offered = 2, .oneAtMost = true});
     addSharing(odds.zeroSlip, zeroSlips(leftover), {.offered = 2, .oneAtMost = true});
@@ -41,8 +53,8 @@ Candidates candidatesFor(const GapModel& base, const Leftover& leftover, const D
   return candidates;
 }
 
-Inquiry searched(GapModel own, GapModel base, Leftover leftover, const DiagnosisOptions& options,
-                 const std::stop_token& stop) {
+Inquiry searched(GapModel own, GapModel expected, GapModel base, Leftover leftover,
+                 const DiagnosisOptions& options, const std::stop_token& stop) {
   SearchOptions search;
   search.noise = considered(options, noiseId);
   search.stop = stop;
@@ -50,6 +62,7 @@ Inquiry searched(GapModel own, GapModel base, Leftover leftover, const Diagnosis
   if (!stop.stop_requested()) candidates = candidatesFor(base, leftover, options, search.odds);
   std::vector<Explanation> explanations = explain(leftover, candidates, search);
   return {std::move(own),
+          std::move(expected),
           std::move(base),
           std::move(leftover),
           std::move(candidates),
@@ -98,15 +111,19 @@ Linearised around(const GapModel& base, const GapModel& withCauses) {
     const Effect* effect = effectOf(term);
     return isOfJump(term) || (effect && effect->response == Response::Bent);
   };
+  const auto at = [](ErrorTerm term) {
+    return Unknown{.kind = Unknown::Kind::Error, .arc = 0, .term = term};
+  };
   JointFitOptions options = base.options;
   JointFit fit = *withCauses.fit;
   for (const EstimatedTerm& added : withCauses.options.terms) {
-    if (std::ranges::find(base.options.terms, added.term, &EstimatedTerm::term) != base.options.terms.end())
-      continue;
-    if (!staysOut(added.term))
+    const auto& known = base.options.terms;
+    const bool isKnown = std::ranges::find(known, added.term, &EstimatedTerm::term) != known.end();
+    if (staysOut(added.term))
+      fit.values[fit.indexOf(at(added.term))] =
+          isKnown ? base.fit->values[base.fit->indexOf(at(added.term))] : 0;
+    else if (!isKnown)
       options.terms.push_back(added);
-    else
-      fit.values[fit.indexOf({.kind = Unknown::Kind::Error, .arc = 0, .term = added.term})] = 0;
   }
   Linearised equations = linearise(*base.measurement, fit, options);
   for (std::size_t t = base.options.terms.size(); t < options.terms.size(); ++t) {
@@ -132,16 +149,19 @@ double knownNoise(const Inquiry& inquiry) {
 
 Inquiry inquireOnce(GapModel own, const DiagnosisOptions& options, const std::stop_token& stop) {
   constexpr int mostRounds = 3;
-  GapModel base = closedModelOf(own).value_or(own);
+  GapModel expected = withKnownSizes(own);
+  GapModel base = closedModelOf(expected).value_or(expected);
   Leftover leftover(withReference(linearise(*base.measurement, *base.fit, base.options), base, options),
                     base.options.terms);
-  Inquiry inquiry = searched(std::move(own), std::move(base), std::move(leftover), options, stop);
+  Inquiry inquiry =
+      searched(std::move(own), std::move(expected), std::move(base), std::move(leftover), options, stop);
   double noise = 1;
   for (int round = 0; round < mostRounds && !stop.stop_requested(); ++round) {
     if (const double found = knownNoise(inquiry); std::abs(std::log(found / noise)) > knownNoiseTo) {
       noise = found;
       Leftover noisy(inquiry.leftover.equations(), inquiry.base.options.terms, noise);
-      inquiry = searched(std::move(inquiry.own), std::move(inquiry.base), std::move(noisy), options, stop);
+      inquiry = searched(std::move(inquiry.own), std::move(inquiry.expected), std::move(inquiry.base),
+                         std::move(noisy), options, stop);
       continue;
     }
     const std::optional<Explanation> causes = largeCauses(inquiry);
@@ -151,7 +171,8 @@ Inquiry inquireOnce(GapModel own, const DiagnosisOptions& options, const std::st
     Leftover closer(withReference(around(inquiry.base, withCauses), withCauses, options),
                     inquiry.base.options.terms, noise);
     const std::vector<Part> before = inquiry.explanations.front().parts;
-    inquiry = searched(std::move(inquiry.own), std::move(inquiry.base), std::move(closer), options, stop);
+    inquiry = searched(std::move(inquiry.own), std::move(inquiry.expected), std::move(inquiry.base),
+                       std::move(closer), options, stop);
     if (std::ranges::all_of(
             before, [&](const Part& part) { return inquiry.explanations.front().has(part.component); }))
       break;

@@ -22,8 +22,9 @@ struct LargeGrossError {
 
 /// The model it starts from, what it leaves over, and what explains that.
 struct Inquiry {
-  GapModel own;   ///< the session's, whose result is measured
-  GapModel base;  ///< the same closed, where it can be
+  GapModel own;       ///< the session's, whose result is measured
+  GapModel expected;  ///< the same with what is known beforehand; `own` where nothing is
+  GapModel base;      ///< that closed, where it can be
   Leftover leftover;
   Candidates candidates;
   std::vector<Explanation> explanations;          ///< the likeliest first

@@ -12,7 +12,9 @@
 #include "core/adjustment/result/session_fit.h"
 #include "core/diagnosis/gap/leftover.h"
 #include "core/effects/catalogue.h"
+#include "core/effects/cause_ids.h"
 #include "core/session/session_file.h"
+#include "core/simulation/protocol.h"
 #include "core/simulation/simulate.h"
 #include "tests/support/paper_table.h"
 #include "tests/support/trials.h"
@@ -22,6 +24,7 @@ namespace {
 
 using testing::Contains;
 using testing::IsEmpty;
+using testing::Not;
 
 Diagnosis diagnosed(const Measurement& measurement, const DiagnosisOptions& options = {}) {
   return *diagnose(measurement, options);
@@ -330,6 +333,110 @@ TEST(Diagnosis, EndsWhereItIsStopped) {
   const auto diagnosis = diagnose(test::trialMeasurement("full"), {}, stop.get_token());
   ASSERT_FALSE(diagnosis);
   EXPECT_TRUE(std::holds_alternative<Stopped>(diagnosis.problem()));
+}
+
+/// Both faces, there and back; the instrument has these errors, in arcseconds, and the record these, ± 1″.
+Measurement withRecord(const std::map<ErrorTerm, double>& held, const std::map<std::string, double>& recorded,
+                       const char* protocol = "two-face", std::uint64_t seed = 17) {
+  Truth truth = drawTruth(seed);
+  for (const auto& [term, size] : held) truth.effects.push_back({term, size});
+  Measurement measurement = *examine(*simulate(*protocolByName(protocol), truth, seed)).measurement;
+  for (const auto& [id, size] : recorded)
+    for (const EffectParameter& parameter : effectById(id)->parameters)
+      measurement.known.push_back({.effect = id,
+                                   .parameter = std::string(parameter.name),
+                                   .unit = std::string(parameter.unit),
+                                   .from = "record",
+                                   .value = &parameter == &effectById(id)->parameters.front() ? size : 0,
+                                   .sigma = 1});
+  return measurement;
+}
+
+TEST(KnownInstrument, IsNoCauseWhereItIsAsTheRecordSays) {
+  const Measurement measurement = withRecord({{ErrorTerm::TrunnionTilt, 40}}, {{"trunnion_tilt", 40.5}});
+  const Diagnosis diagnosis = diagnosed(measurement);
+  EXPECT_EQ(diagnosis.verdict, DiagnosisVerdict::WithinNoise);
+  EXPECT_THAT(diagnosis.causes, IsEmpty());
+  EXPECT_GT(diagnosis.gap.rms, 1.5 * diagnosis.after.rms) << "what is known accounts for the gap";
+  EXPECT_GT(diagnosis.after.pValue, 1e-3);
+  EXPECT_GT(diagnosis.shrink.ofExcess, 0.9);
+  EXPECT_GT(diagnosis.shrink.heldOut, 0.3);
+  ASSERT_EQ(diagnosis.steps.size(), 1u);
+  EXPECT_EQ(diagnosis.steps[0].effect, knownId);
+  ASSERT_EQ(diagnosis.known.size(), 1u);
+  const KnownCheck& check = diagnosis.known[0];
+  EXPECT_EQ(check.known, 40.5);
+  EXPECT_TRUE(check.isSeen);
+  EXPECT_NEAR(check.value, 40, 4 * check.sigma);
+  EXPECT_LT(check.staleChance, 0.02);
+  Measurement unknowing = measurement;
+  unknowing.known.clear();
+  EXPECT_EQ(diagnosed(unknowing).verdict, DiagnosisVerdict::SingleCause);
+}
+
+TEST(KnownInstrument, IsFoundOutWhereItHasChangedSince) {
+  const Diagnosis diagnosis =
+      diagnosed(withRecord({{ErrorTerm::TrunnionTilt, 41}}, {{"trunnion_tilt", 3.2}, {"collimation", 0}}));
+  EXPECT_EQ(diagnosis.verdict, DiagnosisVerdict::SingleCause);
+  ASSERT_EQ(diagnosis.causes.size(), 1u);
+  const Cause& cause = diagnosis.causes[0];
+  EXPECT_EQ(cause.effect, "trunnion_tilt");
+  EXPECT_TRUE(cause.isStale);
+  EXPECT_GT(cause.probability, 0.99);
+  EXPECT_NEAR(cause.parameters.at(0).value, 41, 4 * cause.parameters.at(0).sigma + 0.5);
+  ASSERT_EQ(diagnosis.known.size(), 2u);
+  for (const KnownCheck& check : diagnosis.known) {
+    if (check.effect == "trunnion_tilt")
+      EXPECT_GT(check.staleChance, 0.99);
+    else
+      EXPECT_LT(check.staleChance, 0.05);
+  }
+}
+
+// One face: collimation, eccentricity, drift and form leave the same. What is known of some of them leaves
+// the others.
+TEST(KnownInstrument, IsTakenOutOfTheLookAlikes) {
+  const std::map<ErrorTerm, double> drift{{ErrorTerm::VerticalDrift, 60}};
+  const Diagnosis unknowing = diagnosed(withRecord(drift, {}, "paper"));
+  ASSERT_EQ(unknowing.causes.size(), 1u);
+  std::set<std::string> before(unknowing.causes[0].indistinguishableFrom.begin(),
+                               unknowing.causes[0].indistinguishableFrom.end());
+  before.insert(unknowing.causes[0].effect);
+  ASSERT_TRUE(before.contains("trunnion_tilt"));
+  const Diagnosis knowing = diagnosed(withRecord(drift, {{"trunnion_tilt", 0}}, "paper"));
+  ASSERT_EQ(knowing.causes.size(), 1u);
+  EXPECT_NE(knowing.causes[0].effect, "trunnion_tilt");
+  EXPECT_FALSE(knowing.causes[0].isStale);
+  EXPECT_THAT(knowing.causes[0].indistinguishableFrom, Not(Contains("trunnion_tilt")));
+  EXPECT_THAT(knowing.causes[0].unlessStale, Contains("trunnion_tilt"));
+}
+
+// A certificate that surely holds makes U small; the likelier it is to hold no longer, the less so.
+TEST(KnownInstrument, IsNoSurerThanTheRecord) {
+  Measurement measurement = withRecord({}, {{"arc_ellipticity", 0}, {"arc_lobing", 0}}, "paper");
+  const auto expandedWith = [&](double chance) {
+    for (KnownNumber& known : measurement.known) {
+      known.sigma = 0.002;
+      known.staleChance = chance;
+    }
+    return diagnosed(measurement).measured->estimate.expanded;
+  };
+  const double sure = expandedWith(0), usual = expandedWith(0.02), doubtful = expandedWith(0.5);
+  measurement.known.clear();
+  const double none = diagnosed(measurement).measured->estimate.expanded;
+  EXPECT_LE(sure, usual);
+  EXPECT_LT(usual, doubtful);
+  EXPECT_LT(usual, 0.9 * none);
+}
+
+TEST(KnownInstrument, ChangesNothingWhereItIsOfNoNumberOfTheCatalogue) {
+  Measurement measurement = withRecord({{ErrorTerm::TrunnionTilt, 40}}, {});
+  const Diagnosis before = diagnosed(measurement);
+  measurement.known = {{.effect = "moonlight", .unit = "arcsec", .sigma = 1}};
+  const Diagnosis after = diagnosed(measurement);
+  EXPECT_EQ(after.measured->estimate.expanded, before.measured->estimate.expanded);
+  EXPECT_EQ(after.causes.at(0).probability, before.causes.at(0).probability);
+  EXPECT_THAT(after.known, IsEmpty());
 }
 
 }  // namespace

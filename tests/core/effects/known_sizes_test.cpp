@@ -49,5 +49,30 @@ TEST(KnownSizes, AreWeighedTogether) {
   EXPECT_EQ(known.from, "a; b");
 }
 
+TEST(KnownSizes, AreAsDoubtfulAsTheLeastCertainAndAsNewAsTheNewest) {
+  Measurement measurement;
+  measurement.known = {
+      {.effect = "collimation", .unit = "arcsec", .date = "2026-03-01", .sigma = 1},
+      {.effect = "collimation", .unit = "arcsec", .date = "2025-03-01", .sigma = 1, .staleChance = 0.3}};
+  const KnownPrior known = *knownOf(measurement, effectById("collimation")->parameters.front());
+  EXPECT_EQ(known.staleChance, 0.3);
+  EXPECT_EQ(known.date, "2026-03-01");
+  EXPECT_EQ(staleChanceOf(measurement, *effectById("collimation")), 0.3);
+  EXPECT_EQ(staleChanceOf(measurement, *effectById("trunnion_tilt")), 0);
+}
+
+TEST(KnownSizes, AreOfAnEffectWhereTheyAreOfAllItsNumbers) {
+  Measurement measurement;
+  EXPECT_FALSE(isAnythingKnown(measurement));
+  measurement.known = {{.effect = "plane_tilt", .parameter = "tilt about x", .unit = "deg", .sigma = 1}};
+  EXPECT_TRUE(isAnythingKnown(measurement));
+  EXPECT_FALSE(knownOf(measurement, *effectById("plane_tilt")));
+  measurement.known.push_back(measurement.known.front());
+  measurement.known.back().parameter = "tilt about y";
+  EXPECT_EQ(knownOf(measurement, *effectById("plane_tilt"))->size(), 2u);
+  measurement.known = {{.effect = "moonlight", .unit = "arcsec", .sigma = 1}};
+  EXPECT_FALSE(isAnythingKnown(measurement)) << "of no number of the catalogue";
+}
+
 }  // namespace
 }  // namespace alidade

@@ -44,7 +44,7 @@ TEST(JsonText, NamesLineAndColumnOfASyntaxError) {
 }
 
 TEST(JsonText, NamesWhatElseIsWrongWithATextAndWhatToDo) {
-  EXPECT_THAT(sentenceOn(""), HasSubstr("is empty: choose a session file"));
+  EXPECT_THAT(sentenceOn(""), HasSubstr("is empty: choose another file"));
   EXPECT_THAT(sentenceOn(" \n"), HasSubstr("is empty"));
   EXPECT_THAT(sentenceOn("{\"a\": [1, 2"),
               HasSubstr("ends too early, at line 1, column 12: the file is cut short"));

@@ -318,9 +318,26 @@ TEST(SessionFile, KeepsWhatIsKnownOfInstrumentAndDevice) {
   EXPECT_THAT(sentenceOn(json), HasSubstr("instrument.known[0].effect"));
 }
 
+TEST(SessionFile, NamesTheRecordThatWhatIsKnownIsFrom) {
+  Json json = completeSession();
+  json["instrument"]["record"] = {
+      {"file", "t-1.alidade-instrument"}, {"date", "2026-03-01"}, {"colour", "red"}};
+  json["instrument"]["known"] = {{{"effect", "collimation"}, {"sigma", 1}, {"date", "2026-02-27"}}};
+  Session session = *readSession(json.dump());
+  EXPECT_EQ(session.instrument.record, (NamedRecord{"t-1.alidade-instrument", "2026-03-01"}));
+  EXPECT_EQ(session.instrument.known.at(0).date, "2026-02-27");
+  EXPECT_EQ(Json::parse(writeSession(session)), json);
+  session.instrument.record.date = "2026-03-02";
+  json["instrument"]["record"]["date"] = "2026-03-02";
+  EXPECT_EQ(Json::parse(writeSession(session)), json);
+  json["instrument"]["record"] = "t-1";
+  EXPECT_THAT(sentenceOn(json), HasSubstr("instrument.record: must be an object"));
+}
+
 TEST(SessionFile, WritesNothingKnownUntilThereIsSomething) {
   Session session = blankSession();
   EXPECT_FALSE(Json::parse(writeSession(session))["instrument"].contains("known"));
+  EXPECT_FALSE(Json::parse(writeSession(session))["instrument"].contains("record"));
   session.instrument.known = {{.effect = "collimation", .sigma = "1", .unit = "arcsec"}};
   EXPECT_EQ(readSession(writeSession(session))->instrument.known, session.instrument.known);
 }

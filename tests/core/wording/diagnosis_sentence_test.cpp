@@ -94,5 +94,19 @@ TEST(DiagnosisSentence, SaysWhereNothingChecksTheModel) {
   EXPECT_TRUE(std::isnan(diagnosis.gap.pValue));
 }
 
+TEST(DiagnosisSentence, TellsOfAGapThatIsWhatIsKnown) {
+  Diagnosis diagnosis = withOneCause(12, 2);
+  diagnosis.verdict = DiagnosisVerdict::WithinNoise;
+  diagnosis.causes.clear();
+  diagnosis.known = {
+      {.effect = "collimation", .name = "collimation", .unit = "arcsec", .from = {}, .date = {}}};
+  EXPECT_EQ(sentenceOf(diagnosis),
+            "What is known beforehand (collimation) accounts for the gap: with it the residuals shrink from "
+            "12.0″ to "
+            "2.0″, and what is left is within the stated noise.");
+  diagnosis.gap.rms = 2.1;
+  EXPECT_THAT(sentenceOf(diagnosis), HasSubstr("there is no gap to explain"));
+}
+
 }  // namespace
 }  // namespace alidade

@@ -24,6 +24,7 @@ class MonkeyDialogs : public ScriptedDialogs {
     const QString path = present(QStringLiteral("readings*"));
     return path.isEmpty() ? QStringList() : QStringList(path);
   }
+  QString askRecordPath(const QString&) override { return present(QStringLiteral("*.alidade-instrument")); }
   QString askExportPath(const QString&, const QString&, const QString& suffix) override {
     return fresh(QStringLiteral("export-%1.") + suffix);
   }

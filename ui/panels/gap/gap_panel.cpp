@@ -12,6 +12,7 @@
 
 #include "core/effects/catalogue.h"
 #include "core/wording/closures.h"
+#include "core/wording/known_checks.h"
 #include "core/wording/measure.h"
 #include "core/wording/verdict.h"
 #include "ui/charts/gap/closure_bars.h"
@@ -257,6 +258,7 @@ void GapPanel::showShrinkage() {
                        numberText(100 * diagnosis.shrink.heldOut, 0))
             : tr("The residuals shrink by %1 %; there are too few readings to hold any out of the fit.")
                   .arg(numberText(100 * diagnosis.shrink.inSample, 0)));
+  for (const KnownCheck& check : diagnosis.known) says.append(qText(textOf(check, causeNameInCore)) + u'.');
   if (diagnosis.shape)
     says.append(tr("U holds what the pattern may move Δd by; what causes it is not known."));
   else if (beyondTheFit(diagnosis) != Beyond::Nothing)

@@ -1,6 +1,8 @@
 #include "ui/panels/model/known_sizes_panel.h"
 
+#include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QVBoxLayout>
 
 #include "ui/panels/model/known_sizes_table.h"
@@ -10,8 +12,10 @@ namespace alidade::ui {
 
 KnownSizesPanel::KnownSizesPanel(SessionDocument& document, QWidget* parent)
     : QWidget(parent), m_table(new KnownSizesTable(document)), m_about(new QLabel) {
-  auto* lead = new QLabel(tr(
-      "What a certificate or a check says takes the place of the default in the uncertainty as measured."));
+  auto* lead =
+      new QLabel(tr("What a certificate or a check says takes the place of the default in the uncertainty as "
+                    "measured and in the "
+                    "search for causes."));
   for (QLabel* label : {lead, m_about}) {
     label->setWordWrap(true);
     label->setSizePolicy(QSizePolicy::Ignored,
@@ -23,12 +27,25 @@ KnownSizesPanel::KnownSizesPanel(SessionDocument& document, QWidget* parent)
   connect(m_table, &KnownSizesTable::currentTold, m_about, &QLabel::setText);
   m_about->setText(m_table->currentIndex().data(Qt::ToolTipRole).toString());
   setFocusProxy(m_table);
+  auto* take = new QPushButton(tr("Take from Instrument Record…"));
+  take->setObjectName(QStringLiteral("take record"));
+  take->setToolTip(tr("Name, serial number, σ of the circles and known sizes from a file"));
+  auto* save = new QPushButton(tr("Save as Instrument Record…"));
+  save->setObjectName(QStringLiteral("save record"));
+  save->setToolTip(tr("What this session says of its instrument as a file, for the next sessions"));
+  connect(take, &QPushButton::clicked, this, &KnownSizesPanel::recordWanted);
+  connect(save, &QPushButton::clicked, this, &KnownSizesPanel::saveRecordWanted);
+  auto* buttons = new QHBoxLayout;
+  buttons->addWidget(take);
+  buttons->addWidget(save);
+  buttons->addStretch(1);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(6, 6, 6, 6);
   layout->setSpacing(4);
   layout->addWidget(lead);
   layout->addWidget(m_table, 1);
   layout->addWidget(m_about);
+  layout->addLayout(buttons);
 }
 
 void KnownSizesPanel::commitOpenEditor() {

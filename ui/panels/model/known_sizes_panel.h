@@ -26,6 +26,10 @@ class KnownSizesPanel : public QWidget {
   void reveal(const KnownPlace& place);
   void reveal(const std::string& effect);
 
+ signals:
+  void recordWanted();      ///< one to be taken
+  void saveRecordWanted();  ///< of what the session says
+
  private:
   KnownSizesTable* m_table;
   QLabel* m_about;

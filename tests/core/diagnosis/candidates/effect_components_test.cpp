@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/diagnosis/gap/every_effect.h"
 #include "core/effects/cause_ids.h"
 #include "core/simulation/simulate.h"
 #include "tests/support/full_leftover.h"
@@ -221,6 +222,26 @@ TEST(EffectComponents, HaveTheirWidthsTheNarrowestFirst) {
   EXPECT_TRUE(std::ranges::is_sorted(effectWidths(), std::ranges::less(), &Width::sigma));
   for (const EffectComponent& component : effectComponents(test::leftover(), {}))
     EXPECT_EQ(&component.widths(), &effectWidths()) << component.id();
+}
+
+TEST(EffectComponent, IsKnownWhereItsSizeIsInTheModel) {
+  Measurement measurement = test::trialMeasurement("two-face");
+  measurement.known = {{.effect = "collimation", .unit = "arcsec", .value = 3, .sigma = 6}};
+  const GapModel own = *modelOf(measurement), expected = withKnownSizes(own);
+  const auto of = [](const GapModel& model) {
+    return componentOf(effectsBeyond(model, leftoverOf(model), {}), "collimation");
+  };
+  EXPECT_FALSE(of(own).isKnown());
+  const EffectComponent known = of(expected);
+  EXPECT_TRUE(known.isKnown());
+  EXPECT_NEAR(known.usualSizes()[0], 0.2, 1e-12) << "6″ of 30″";
+  JointFitOptions model = expected.options;
+  known.addTo(model, leftoverOf(expected), VectorXd::Constant(1, 2), 1);
+  ASSERT_EQ(model.terms.size(), 1u) << "what is known, and beyond it as wide as is plausible";
+  const double arcsec = modelUnitsPer("arcsec");
+  EXPECT_NEAR(model.terms[0].priorValue, 3 * arcsec, 1e-12);
+  EXPECT_NEAR(model.terms[0].priorSigma, std::hypot(6, 30) * arcsec, 1e-12);
+  EXPECT_NEAR(model.terms[0].start, 63 * arcsec, 1e-12);
 }
 
 }  // namespace

@@ -72,5 +72,29 @@ TEST(EveryEffect, IsTakenAsLinearInManyRows) {
   EXPECT_TRUE(isLarge(measurement));
 }
 
+TEST(KnownTerms, StandInTheModelAsKnownAsTheyAre) {
+  Measurement measurement = test::trialMeasurement("two-face");
+  const GapModel own = *modelOf(measurement);
+  EXPECT_TRUE(withKnownSizes(own).options.terms.empty());
+  measurement.known = {{.effect = "collimation", .unit = "arcsec", .value = 3, .sigma = 0.5},
+                       {.effect = "slider_scale", .unit = "1", .sigma = 1e-5}};
+  const GapModel expected = withKnownSizes(*modelOf(measurement));
+  ASSERT_EQ(expected.options.terms.size(), 1u) << "no slider is read";
+  const EstimatedTerm& term = expected.options.terms[0];
+  EXPECT_EQ(term.term, ErrorTerm::Collimation);
+  EXPECT_NEAR(term.priorValue, 3 * modelUnitsPer("arcsec"), 1e-12);
+  EXPECT_NEAR(term.priorSigma, 0.5 * modelUnitsPer("arcsec"), 1e-12);
+}
+
+TEST(KnownTerms, TakeThePlaceOfWhatIsPlausibleInTheSessionsOwnModel) {
+  Measurement measurement = test::trialMeasurement("two-face");
+  measurement.effects = {"collimation", "trunnion_tilt"};
+  measurement.known = {{.effect = "collimation", .unit = "arcsec", .value = 3, .sigma = 0.5}};
+  const GapModel expected = withKnownSizes(*modelOf(measurement));
+  ASSERT_EQ(expected.options.terms.size(), 2u);
+  EXPECT_NEAR(expected.options.terms[0].priorSigma, 0.5 * modelUnitsPer("arcsec"), 1e-12);
+  EXPECT_EQ(expected.options.terms[1].priorSigma, 30 * modelUnitsPer("arcsec"));
+}
+
 }  // namespace
 }  // namespace alidade

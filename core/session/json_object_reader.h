@@ -1,0 +1,72 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/place.h"
+#include "core/base/problem.h"
+#include "core/session/json_origin.h"
+#include "core/session/value_text.h"
+
+namespace alidade {
+
+/// For "must be a number, not a list".
+std::string jsonTypeName(const nlohmann::ordered_json& value);
+
+/// What a file says of itself, and what to say of one that does not. Phrases are for `Phrase::of`.
+struct JsonFormat {
+  const char* id;         ///< "alidade-session"
+  const char* isNone;     ///< of a file that says no format
+  const char* choose;     ///< what to do instead: "choose a session file"
+  const char* noVersion;  ///< of a version that never was, with it and the newest one
+};
+
+/// Takes values out of one object of a file. The first thing that is wrong is kept; what follows then has no
+/// effect.
+class ObjectReader {
+ public:
+  using Json = nlohmann::ordered_json;
+
+  ObjectReader(const Json& json, Place where, std::optional<Problem>& problem);
+
+  /// The text that a value of this kind is kept as; empty where there is none.
+  std::string value(std::string_view key, ValueKind kind) const;
+  std::string text(const char* key) const { return value(key, ValueKind::Text); }
+  std::string number(const char* key) const { return value(key, ValueKind::Number); }
+  std::string angle(const char* key) const { return value(key, ValueKind::Angle); }
+
+  std::string requiredNumber(const char* key, const char* remedy) const {
+    return require(key, remedy) ? number(key) : std::string();
+  }
+  std::string requiredAngle(const char* key, const char* remedy) const {
+    return require(key, remedy) ? angle(key) : std::string();
+  }
+  bool flag(std::string_view key) const;
+
+  ObjectReader object(const char* key) const;
+  /// The members of a list; none where the key is absent or no list.
+  const Json& list(const char* key) const;
+  /// One object of a list.
+  ObjectReader member(const char* key, std::size_t index, const Json& json) const;
+
+  bool require(std::string_view key, const char* remedy) const;
+  /// `"format"` is that one, and `"version"` one that this program reads.
+  void checkFormat(const JsonFormat& format) const;
+
+  void report(const std::string& what, const Place& where) const;
+  const Json* find(std::string_view wanted) const;
+  Place placeOf(std::string_view key) const;
+
+  /// The origin without the values of `parts`, which have origins of their own.
+  JsonOrigin origin(const std::vector<const char*>& parts = {}) const;
+
+ private:
+  const Json& m_json;
+  Place m_where;
+  std::optional<Problem>& m_problem;
+};
+
+}  // namespace alidade

@@ -1,0 +1,93 @@
+#include "core/session/taken_record.h"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include "core/base/phrase.h"
+#include "core/base/visible_text.h"
+
+namespace alidade {
+
+namespace {
+
+constexpr std::string_view beforeSource = ": ";
+
+bool isOfSameNumber(const KnownSize& a, const KnownSize& b) {
+  return a.effect == b.effect && a.parameter == b.parameter && a.unit == b.unit;
+}
+
+bool isTakenFrom(const NamedRecord& record, const KnownSize& size) {
+  return !record.file.empty() && size.from.starts_with(citationOf(record));
+}
+
+void takeUnlessEmpty(std::string& own, const std::string& text) {
+  if (!text.empty()) own = text;
+}
+
+void takeWhereEmpty(std::string& own, const std::string& text) {
+  if (own.empty()) own = text;
+}
+
+/// As the record's file had it before it was taken.
+KnownSize withoutCitation(KnownSize size, const NamedRecord& record) {
+  if (!isTakenFrom(record, size)) return size;
+  size.from.erase(0, citationOf(record).size());
+  if (size.from.starts_with(beforeSource)) size.from.erase(0, beforeSource.size());
+  return size;
+}
+
+}  // namespace
+
+std::string citationOf(const NamedRecord& record) {
+  std::string citation = "instrument record " + record.file;
+  if (!record.date.empty()) citation += " of " + record.date;
+  return citation;
+}
+
+std::optional<Problem> takeRecord(Session& session, const InstrumentRecord& record, const std::string& file) {
+  Instrument& own = session.instrument;
+  if (!own.serial.empty() && !record.serial.empty() && own.serial != record.serial)
+    //: two serial numbers in quotation marks
+    return Problem{Phrase::of("%1 is not the serial number of the record, %2: choose the record of this "
+                              "instrument, or correct the serial number",
+                              quotation(own.serial), quotation(record.serial)),
+                   {.field = "instrument.serial"}};
+  takeWhereEmpty(own.name, record.name);
+  takeWhereEmpty(own.serial, record.serial);
+  takeWhereEmpty(own.certificate, record.certificate);
+  takeWhereEmpty(own.traceability, record.traceability);
+  takeUnlessEmpty(own.sigmaHorizontalArcsec, record.sigmaHorizontalArcsec);
+  takeUnlessEmpty(own.sigmaVerticalArcsec, record.sigmaVerticalArcsec);
+  takeUnlessEmpty(own.sigmaZeroArcsec, record.sigmaZeroArcsec);
+  std::erase_if(own.known, [&](const KnownSize& size) {
+    return isTakenFrom(own.record, size) || std::ranges::any_of(record.known, [&](const KnownSize& taken) {
+             return isOfSameNumber(size, taken);
+           });
+  });
+  own.record.file = file;
+  own.record.date = record.date;
+  for (KnownSize size : record.known) {
+    size.from =
+        citationOf(own.record) + (size.from.empty() ? "" : std::string(beforeSource)) + std::move(size.from);
+    takeWhereEmpty(size.date, record.date);
+    own.known.push_back(std::move(size));
+  }
+  return std::nullopt;
+}
+
+InstrumentRecord recordOf(const Session& session) {
+  const Instrument& own = session.instrument;
+  InstrumentRecord record{.name = own.name,
+                          .serial = own.serial,
+                          .certificate = own.certificate,
+                          .traceability = own.traceability,
+                          .date = own.record.date.empty() ? session.measuredOn : own.record.date,
+                          .sigmaHorizontalArcsec = own.sigmaHorizontalArcsec,
+                          .sigmaVerticalArcsec = own.sigmaVerticalArcsec,
+                          .sigmaZeroArcsec = own.sigmaZeroArcsec};
+  for (const KnownSize& size : own.known) record.known.push_back(withoutCitation(size, own.record));
+  return record;
+}
+
+}  // namespace alidade

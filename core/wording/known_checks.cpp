@@ -1,0 +1,91 @@
+#include "core/wording/known_checks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/base/list_text.h"
+#include "core/base/phrase.h"
+#include "core/base/quantity_text.h"
+#include "core/base/visible_text.h"
+#include "core/effects/catalogue.h"
+#include "core/wording/verdict.h"
+
+namespace alidade {
+
+namespace {
+
+/// "3.2 ± 0.5 arcsec".
+std::string sizeText(double value, double sigma, const std::string& unit) {
+  const int decimals = decimalsFor(sigma, 0);
+  const std::string numbers =
+      Phrase::of("%1 ± %2", displayText(value, decimals), displayText(sigma, decimals));
+  return unit.size() < 2 ? numbers : numbers + ' ' + unit;
+}
+
+std::string numberText(const KnownCheck& check, const CauseNamer& name) {
+  const Effect* effect = effectById(check.effect);
+  if (!effect || effect->parameters.size() < 2) return name(check.effect);
+  //: an effect and which of its numbers: "plane tilt, tilt about x"
+  return Phrase::of("%1, %2", name(check.effect), parameterName(check.name));
+}
+
+std::string sourceText(const KnownCheck& check) {
+  return check.from.empty() ? Phrase::of("what is known beforehand") : visibleText(check.from);
+}
+
+std::string staleText(const KnownCheck& check, const std::string& probability, const CauseNamer& name) {
+  return Phrase::of(
+      //: where it is known from, effect, size known, size by the readings, probability: "more than 99.9 %"
+      "By %1, %2 is %3; these readings say %4: what is known is stale, with a probability of %5.",
+      sourceText(check), numberText(check, name), sizeText(check.known, check.sigmaKnown, check.unit),
+      sizeText(check.value, check.sigma, check.unit), probability);
+}
+
+bool isKnown(const Diagnosis& diagnosis, const std::string& effect) {
+  return std::ranges::find(diagnosis.known, effect, &KnownCheck::effect) != diagnosis.known.end();
+}
+
+/// Of several numbers of an effect that which departs farthest.
+const KnownCheck* farthest(const Diagnosis& diagnosis, const std::string& effect) {
+  const auto sigmas = [](const KnownCheck& check) {
+    return std::abs(check.value - check.known) / std::hypot(check.sigma, check.sigmaKnown);
+  };
+  const KnownCheck* found = nullptr;
+  for (const KnownCheck& check : diagnosis.known)
+    if (check.effect == effect && check.isSeen && (!found || sigmas(check) > sigmas(*found))) found = &check;
+  return found;
+}
+
+}  // namespace
+
+std::string textOf(const KnownCheck& check, const CauseNamer& name) {
+  const std::string number = numberText(check, name),
+                    known = sizeText(check.known, check.sigmaKnown, check.unit);
+  if (!check.isSeen) return Phrase::of("%1: known as %2; these readings do not show it", number, known);
+  return Phrase::of("%1: known as %2; these readings say %3", number, known,
+                    sizeText(check.value, check.sigma, check.unit));
+}
+
+std::string staleSentence(const Diagnosis& diagnosis, const CauseNamer& name) {
+  std::string sentences;
+  const auto add = [&](const std::string& sentence) {
+    sentences = sentences.empty() ? sentence : Phrase::of("%1 %2", sentences, sentence);
+  };
+  for (const Cause& cause : diagnosis.causes) {
+    if (const KnownCheck* check = cause.isStale ? farthest(diagnosis, cause.effect) : nullptr)
+      add(staleText(*check, probabilityText(cause.probability), name));
+    std::vector<std::string> others;
+    for (const auto& ids : {cause.unlessStale, cause.indistinguishableFrom})
+      for (const std::string& id : ids)
+        if (isKnown(diagnosis, id) && !cause.isStale) others.push_back(name(id));
+    if (others.empty()) continue;
+    add(Phrase::of(
+        //: causes, and a cause: these readings show them alike
+        "Were what is known of %1 stale, these readings could not tell it from %2.",
+        listed(others, Phrase::of(" or ")), name(cause.effect)));
+  }
+  return sentences;
+}
+
+}  // namespace alidade

@@ -1,0 +1,96 @@
+#include "core/wording/known_checks.h"
+
+#include <gtest/gtest.h>
+
+namespace alidade {
+namespace {
+
+KnownCheck collimation() {
+  return {.effect = "collimation",
+          .name = "collimation",
+          .unit = "arcsec",
+          .known = 3.2,
+          .sigmaKnown = 0.5,
+          .from = "instrument record t-1 of 2026-03-01",
+          .date = "2026-03-01",
+          .value = 41.04,
+          .sigma = 1.9,
+          .isSeen = true,
+          .staleChance = 0.9999};
+}
+
+TEST(KnownChecks, SayWhatIsKnownAndWhatTheReadingsSay) {
+  KnownCheck check = collimation();
+  EXPECT_EQ(textOf(check), "collimation: known as 3.20 ± 0.50 arcsec; these readings say 41.0 ± 1.9 arcsec");
+  check.isSeen = false;
+  EXPECT_EQ(textOf(check), "collimation: known as 3.20 ± 0.50 arcsec; these readings do not show it");
+  check.effect = "plane_tilt";
+  check.name = "tilt about x";
+  EXPECT_EQ(textOf(check),
+            "plane_tilt, tilt about x: known as 3.20 ± 0.50 arcsec; these readings do not show it");
+}
+
+TEST(KnownChecks, SayWhatIsStale) {
+  Diagnosis diagnosis;
+  diagnosis.known = {collimation()};
+  EXPECT_EQ(staleSentence(diagnosis), "") << "no cause";
+  diagnosis.causes = {{.effect = "collimation",
+                       .probability = 0.9999,
+                       .parameters = {},
+                       .indistinguishableFrom = {},
+                       .readings = {}}};
+  EXPECT_EQ(staleSentence(diagnosis), "") << "a cause like others";
+  diagnosis.causes[0].isStale = true;
+  EXPECT_EQ(
+      staleSentence(diagnosis),
+      "By instrument record t-1 of 2026-03-01, collimation is 3.20 ± 0.50 arcsec; these readings say 41.0 ± "
+      "1.9 arcsec: what is known is stale, with a probability of more than 99.9 %.");
+  EXPECT_EQ(staleSentence(diagnosis, [](const std::string&) { return std::string("the line of sight"); })
+                .substr(0, 58),
+            "By instrument record t-1 of 2026-03-01, the line of sight ");
+  diagnosis.known[0].isSeen = false;
+  EXPECT_EQ(staleSentence(diagnosis), "");
+}
+
+TEST(KnownChecks, SayWhatOnlyTheRecordTellsApart) {
+  Diagnosis diagnosis;
+  diagnosis.causes = {{.effect = "vertical_drift",
+                       .probability = 0.9,
+                       .parameters = {},
+                       .indistinguishableFrom = {},
+                       .readings = {}}};
+  diagnosis.known = {collimation(), collimation()};
+  diagnosis.known[0].effect = "trunnion_tilt";
+  diagnosis.causes[0].unlessStale = {"trunnion_tilt"};
+  diagnosis.causes[0].indistinguishableFrom = {"collimation", "plane_warp"};
+  EXPECT_EQ(staleSentence(diagnosis),
+            "Were what is known of trunnion_tilt or collimation stale, these readings could not tell it from "
+            "vertical_drift.");
+}
+
+TEST(KnownChecks, TellOfTheNumberThatDepartsFarthest) {
+  Diagnosis diagnosis;
+  diagnosis.causes = {{.effect = "plane_tilt",
+                       .probability = 0.9,
+                       .parameters = {},
+                       .indistinguishableFrom = {},
+                       .readings = {}}};
+  diagnosis.causes[0].isStale = true;
+  for (const char* name : {"tilt about x", "tilt about y"})
+    diagnosis.known.push_back({.effect = "plane_tilt",
+                               .name = name,
+                               .unit = "deg",
+                               .known = 0,
+                               .sigmaKnown = 0.01,
+                               .from = {},
+                               .date = {},
+                               .value = name[11] == 'y' ? 0.2 : 0.01,
+                               .sigma = 0.01,
+                               .isSeen = true});
+  EXPECT_NE(staleSentence(diagnosis).find("By what is known beforehand, plane_tilt, tilt about y is"),
+            std::string::npos)
+      << staleSentence(diagnosis);
+}
+
+}  // namespace
+}  // namespace alidade

@@ -1,0 +1,70 @@
+#include "ui/dialogs/instrument_flow.h"
+
+#include <QDate>
+#include <QDir>
+#include <QFileInfo>
+
+#include "core/base/atomic_file.h"
+#include "core/session/taken_record.h"
+#include "ui/commands/take_record.h"
+#include "ui/dialogs/dialogs.h"
+#include "ui/document/session_document.h"
+#include "ui/text/encoded_path.h"
+#include "ui/text/visible_text.h"
+
+namespace alidade::ui {
+
+InstrumentFlow::InstrumentFlow(SessionDocument& document, Dialogs& dialogs, QObject* parent)
+    : QObject(parent), m_document(document), m_dialogs(dialogs) {}
+
+bool InstrumentFlow::take() {
+  emit commitWanted();
+  const QString path = m_dialogs.askRecordPath(folder());
+  if (path.isEmpty()) return false;
+  const QString name = QFileInfo(path).fileName();
+  const auto refuse = [&](const Problem& problem) {
+    m_dialogs.showProblem(
+        tr("Take from the instrument record"),
+        tr("“%1” cannot be taken.\n\n%2").arg(visibleLine(name), visibleLine(problem.text())));
+    return false;
+  };
+  const Result<InstrumentRecord> record = loadInstrumentRecord(encodedPath(path));
+  if (!record) return refuse(record.problem());
+  if (const auto problem = takeRecord(m_document, *record, name.toStdString())) return refuse(*problem);
+  emit remark(tr("Taken from “%1”, known sizes: %2").arg(visibleLine(name)).arg(record->known.size()));
+  return true;
+}
+
+bool InstrumentFlow::save() {
+  emit commitWanted();
+  InstrumentRecord record = recordOf(m_document.session());
+  if (record.date.empty()) record.date = QDate::currentDate().toString(Qt::ISODate).toStdString();
+  const QString title = tr("Save as instrument record");
+  const std::string bytes = writeInstrumentRecord(record);
+  if (const auto readable = readInstrumentRecord(bytes); !readable) {
+    m_dialogs.showProblem(title, tr("What the session says of its instrument cannot be a record.\n\n%1")
+                                     .arg(visibleLine(readable.problem().text())));
+    return false;
+  }
+  const QString name = record.serial.empty() ? tr("instrument") : QString::fromStdString(record.serial);
+  QString fileName = name.simplified();
+  fileName.replace(QLatin1Char('/'), QLatin1Char('-'));
+  const QString path = m_dialogs.askExportPath(
+      title, QDir(folder()).filePath(fileName + QStringLiteral(".alidade-instrument")),
+      QStringLiteral("alidade-instrument"));
+  if (path.isEmpty()) return false;
+  std::vector<std::string> inputs;
+  for (const QString& input : m_document.paths()) inputs.push_back(encodedPath(input));
+  if (const auto problem = writeFile(encodedPath(path), bytes, inputs)) {
+    m_dialogs.showProblem(title, visibleLine(problem->text()));
+    return false;
+  }
+  emit remark(tr("Saved “%1”").arg(visibleLine(QFileInfo(path).fileName())));
+  return true;
+}
+
+QString InstrumentFlow::folder() const {
+  return m_document.path().isEmpty() ? QDir::homePath() : QFileInfo(m_document.path()).absolutePath();
+}
+
+}  // namespace alidade::ui
