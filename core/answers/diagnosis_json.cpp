@@ -47,24 +47,6 @@ Json closureJson(const ClosureStep& step) {
   return json;
 }
 
-Json causeJson(const Cause& cause) {
-  Json parameters = Json::array(), readings = Json::array();
-  for (const CauseParameter& parameter : cause.parameters)
-    parameters.push_back({{"name", parameter.name},
-                          {"value", parameter.value},
-                          {"sigma", parameter.sigma},
-                          {"unit", parameter.unit}});
-  for (const ReadingDeviation& reading : cause.readings) readings.push_back(readingJson(reading));
-  Json json = {{"effect", cause.effect},
-               {"probability", cause.probability},
-               {"parameters", parameters},
-               {"indistinguishable_from", cause.indistinguishableFrom},
-               {"readings", readings}};
-  if (cause.isStale) json["stale"] = true;
-  if (!cause.unlessStale.empty()) json["unless_stale"] = cause.unlessStale;
-  return json;
-}
-
 Json knownJson(const KnownCheck& check) {
   Json json = {{"effect", check.effect},
                {"parameter", check.name},
@@ -91,8 +73,31 @@ Json listJson(const List& list, const Make& make) {
 
 }  // namespace
 
+Json causeDocument(const Cause& cause) {
+  Json parameters = Json::array(), readings = Json::array();
+  for (const CauseParameter& parameter : cause.parameters)
+    parameters.push_back({{"name", parameter.name},
+                          {"value", parameter.value},
+                          {"sigma", parameter.sigma},
+                          {"unit", parameter.unit}});
+  for (const ReadingDeviation& reading : cause.readings) readings.push_back(readingJson(reading));
+  Json json = {{"effect", cause.effect},
+               {"probability", cause.probability},
+               {"parameters", parameters},
+               {"indistinguishable_from", cause.indistinguishableFrom},
+               {"readings", readings}};
+  if (cause.isStale) json["stale"] = true;
+  if (!cause.unlessStale.empty()) json["unless_stale"] = cause.unlessStale;
+  return json;
+}
+
 std::string diagnosisJson(const std::string& session, const Diagnosis& diagnosis,
                           const std::vector<Finding>& findings) {
+  return jsonText(diagnosisDocument(session, diagnosis, findings));
+}
+
+Json diagnosisDocument(const std::string& session, const Diagnosis& diagnosis,
+                       const std::vector<Finding>& findings) {
   Json json;
   json["session"] = session;
   json["verdict"] = nameOf(diagnosis.verdict);
@@ -102,7 +107,7 @@ std::string diagnosisJson(const std::string& session, const Diagnosis& diagnosis
   json["shrink"] = {{"in_sample", diagnosis.shrink.inSample},
                     {"of_excess", diagnosis.shrink.ofExcess},
                     {"held_out", diagnosis.shrink.heldOut}};
-  json["causes"] = listJson(diagnosis.causes, causeJson);
+  json["causes"] = listJson(diagnosis.causes, causeDocument);
   if (!diagnosis.known.empty()) json["known"] = listJson(diagnosis.known, knownJson);
   json["candidates"] = listJson(diagnosis.candidates, [](const Candidate& candidate) -> Json {
     return {{"effect", candidate.effect},
@@ -146,7 +151,7 @@ std::string diagnosisJson(const std::string& session, const Diagnosis& diagnosis
   if (diagnosis.shape)
     json["shape"] = {{"follows", diagnosis.shape->follows}, {"share", diagnosis.shape->share}};
   json["findings"] = findingsJson(findings);
-  return jsonText(json);
+  return json;
 }
 
 }  // namespace alidade

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -12,5 +13,9 @@ namespace alidade {
 /// what is no number. `session` names it, `findings` were made beforehand.
 std::string diagnosisJson(const std::string& session, const Diagnosis& diagnosis,
                           const std::vector<Finding>& findings);
+/// The document itself, and that of a cause.
+nlohmann::ordered_json diagnosisDocument(const std::string& session, const Diagnosis& diagnosis,
+                                         const std::vector<Finding>& findings);
+nlohmann::ordered_json causeDocument(const Cause& cause);
 
 }  // namespace alidade

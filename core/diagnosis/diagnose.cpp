@@ -22,14 +22,6 @@ namespace alidade {
 
 namespace {
 
-DiagnosisVerdict verdictOf(const Answer& answer, const std::vector<Cause>& causes) {
-  if (answer.kind == Answer::Kind::Unknown) return DiagnosisVerdict::NotInCatalogue;
-  if (causes.empty()) return DiagnosisVerdict::WithinNoise;
-  if (causes.size() > 1) return DiagnosisVerdict::SeveralCauses;
-  return causes.front().indistinguishableFrom.empty() ? DiagnosisVerdict::SingleCause
-                                                      : DiagnosisVerdict::Ambiguous;
-}
-
 /// The model that the search started from, but for what is known beforehand.
 GapModel withoutKnown(const Inquiry& inquiry) {
   if (!isAnythingKnown(*inquiry.base.measurement)) return inquiry.base;

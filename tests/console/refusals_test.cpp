@@ -94,7 +94,7 @@ TEST(Refusal, OfACallNamesWhatIsWrong) {
   EXPECT_THAT(refusal({"fit"}), HasSubstr("FILE"));
   EXPECT_THAT(refusal({"fit", paperSession, "--fast"}), HasSubstr("--fast"));
   EXPECT_THAT(refusal({"fit", paperSession, "--method", "lucky"}), HasSubstr("lucky"));
-  EXPECT_THAT(refusal({"fit", paperSession, paperSession}), HasSubstr("paper-table-1.alidade"));
+  EXPECT_THAT(refusal({"plan", paperSession, paperSession}), HasSubstr("paper-table-1.alidade"));
   EXPECT_THAT(refusal({"fit", ""}), StartsWith("the empty file name: "));
   EXPECT_THAT(refusal({"fit", paperSession, "--risk", "nan"}), HasSubstr("--risk: “nan” is not a number"));
   EXPECT_THAT(refusal({"fit", paperSession, "--risk", "2"}), HasSubstr("from 1e-09 to 0.5"));

@@ -13,6 +13,7 @@ awk '
                   "adjustment/gross_errors " \
                   "diagnosis/result diagnosis/gap diagnosis/evidence diagnosis/candidates diagnosis/search " \
                   "diagnosis/observability diagnosis/conclusion diagnosis " \
+                  "series/shared_causes " \
                   "wording answers simulation " \
                   "series/instrument_check", order)
     for (i = 1; i <= rooms; ++i) level["core/" order[i]] = i
@@ -20,6 +21,11 @@ awk '
     floor_of["core/adjustment/joint/arc_jets.h"] = "adjustment"
     floor_of["core/adjustment/joint/joint_problem.h"] = "adjustment"
     floor_of["core/adjustment/numerics/auto_diff.h"] = "adjustment"
+    floor_of["core/series/shared_causes/effect_block.h"] = "series"
+    floor_of["core/series/shared_causes/session_sums.h"] = "series"
+    floor_of["core/series/shared_causes/shared_search.h"] = "series"
+    floor_of["core/series/shared_causes/common_noise.h"] = "series"
+    floor_of["core/series/shared_causes/series_conclusion.h"] = "series"
     split("gap evidence candidates search observability conclusion", behind)
     for (i in behind) inner["core/diagnosis/" behind[i]]
   }

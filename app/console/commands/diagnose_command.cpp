@@ -1,23 +1,75 @@
 #include "app/console/commands/diagnose_command.h"
 
 #include <CLI/CLI.hpp>
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <thread>
 #include <utility>
 
+#include "app/console/channels.h"
+#include "app/console/commands/batch_options.h"
 #include "app/console/diagnosis_text.h"
+#include "app/console/series_text.h"
+#include "app/console/session_files.h"
 #include "app/console/session_input.h"
 #include "core/answers/beforehand.h"
 #include "core/answers/diagnosis_json.h"
+#include "core/answers/series_json.h"
+#include "core/base/list_text.h"
+#include "core/base/threads.h"
+#include "core/base/visible_text.h"
 #include "core/diagnosis/diagnose.h"
 #include "core/effects/cause_ids.h"
+#include "core/series/shared_causes/diagnose_series.h"
 #include "core/wording/diagnosis_fault.h"
 
 namespace alidade::console {
 
+namespace {
+
+void takeRelation(const DiagnoseRequest& request, Measurement& measurement) {
+  if (!request.verticalAngle.empty())
+    measurement.relation =
+        request.verticalAngle == "planar" ? VerticalAngleRelation::Planar : VerticalAngleRelation::Exact;
+}
+
+/// What the series is called: its folder, or how many files it is of.
+std::string seriesName(const std::vector<std::string>& named, std::size_t sessions) {
+  if (named.size() == 1) {
+    const std::filesystem::path folder = std::filesystem::path(named.front()).lexically_normal();
+    const std::string name = (folder.has_filename() ? folder : folder.parent_path()).filename().string();
+    if (!name.empty() && name != ".") return wellFormed(name);
+  }
+  return "Series of " + counted(sessions, "session");
+}
+
+/// A line on stderr now and then, so that long work is seen to move.
+std::function<void(std::size_t, std::size_t)> progressLine(bool wanted) {
+  using Clock = std::chrono::steady_clock;
+  if (!wanted) return {};
+  return [told = Clock::now()](std::size_t done, std::size_t all) mutable {
+    constexpr auto pause = std::chrono::seconds(1);
+    if (Clock::now() - told < pause) return;
+    told = Clock::now();
+    notify("alidade-cli", std::to_string(100 * done / std::max<std::size_t>(all, 1)) + " % done");
+  };
+}
+
+}  // namespace
+
 void addDiagnoseCommand(CLI::App& app, DiagnoseRequest& request) {
   CLI::App* diagnose = app.add_subcommand(
       "diagnose", "Where model and readings disagree, what causes it, and how far the gap shrinks.");
-  diagnose->add_option("FILE", request.file, "Session to diagnose (*.alidade); - reads standard input")
+  diagnose
+      ->add_option(
+          "FILE", request.files,
+          "Session to diagnose (*.alidade); - reads standard input. Several, or a folder of them, are a "
+          "series: what they share is sought in all of them together")
       ->required();
+  diagnose->add_flag("--each", request.each,
+                     "Diagnose each of several files, or of a folder of them, by itself");
   diagnose
       ->add_option("--vertical-angle", request.verticalAngle,
                    "Take this relation of the vertical circle for the model, whatever the session says")
@@ -29,18 +81,16 @@ void addDiagnoseCommand(CLI::App& app, DiagnoseRequest& request) {
                      "Weigh the causes with the reference intersection and its σ, too; Δd never");
   diagnose->add_option("--instrument", request.instrument,
                        "Take what this instrument record says (*.alidade-instrument), for this run");
-  diagnose->add_flag("--json", request.json, "Print one JSON document");
+  addBatchOptions(*diagnose, request.batch);
 }
 
-Result<std::string> runDiagnose(const DiagnoseRequest& request) {
-  Result<SessionInput> read = readSessionInput(request.file, request.instrument);
+Result<std::string> runDiagnose(const DiagnoseRequest& request, const std::string& file) {
+  Result<SessionInput> read = readSessionInput(file, request.instrument);
   if (!read) return read.problem();
   SessionInput input = *std::move(read);
   input.session = {};  // of no more use, and as long as its rows
   Measurement& measurement = input.measurement;
-  if (!request.verticalAngle.empty())
-    measurement.relation =
-        request.verticalAngle == "planar" ? VerticalAngleRelation::Planar : VerticalAngleRelation::Exact;
+  takeRelation(request, measurement);
   if (request.withReference && !measurement.sigmaReference)
     return Problem{
         "--with-reference: state acceptance.reference_intersection_mm and acceptance.sigma_reference_mm in "
@@ -53,8 +103,56 @@ Result<std::string> runDiagnose(const DiagnoseRequest& request) {
       diagnose(measurement, fit,
                {.without = request.without, .withReference = request.withReference, .withAttainable = true});
   if (!diagnosis) return problemOf(diagnosis.problem());
-  return request.json ? diagnosisJson(input.name, *diagnosis, *findings)
-                      : diagnosisText(input.name, *diagnosis, *findings);
+  return request.batch.json ? diagnosisJson(input.name, *diagnosis, *findings)
+                            : diagnosisText(input.name, *diagnosis, *findings);
+}
+
+int giveSeries(const DiagnoseRequest& request) {
+  if (request.withReference)
+    return refuse("--with-reference", "a series is not weighed with references: leave it out, or say --each");
+  const SessionFiles listed = sessionFilesOf(request.files);
+  for (const std::string& path : listed.again) notify(inputName(path), "named again: it counts once");
+  const std::size_t threads =
+      request.batch.threads > 0 ? request.batch.threads : std::max(1u, std::thread::hardware_concurrency());
+  std::vector<std::optional<Result<SeriesSession>>> read(listed.files.size());
+  doEach(std::clamp<std::size_t>(listed.files.size(), 1, threads), listed.files.size(), [&](std::size_t i) {
+    const ListedFile& file = listed.files[i];
+    if (file.problem) {
+      read[i] = Result<SeriesSession>(*file.problem);
+      return;
+    }
+    Result<SessionInput> found = readSessionInput(file.path, request.instrument);
+    if (!found) {
+      read[i] = Result<SeriesSession>(found.problem());
+      return;
+    }
+    SessionInput input = *std::move(found);
+    takeRelation(request, input.measurement);
+    read[i] = Result<SeriesSession>(seriesSession(input.name, input.session, std::move(input.measurement)));
+  });
+  int exitCode = Done;
+  std::vector<SeriesSession> sessions;
+  std::vector<std::string> paths;
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    if (*read[i]) {
+      sessions.push_back(**std::move(read[i]));
+      paths.push_back(listed.files[i].path);
+    } else {
+      exitCode = refuse(inputName(listed.files[i].path), read[i]->problem().text());
+    }
+  }
+  if (sessions.empty())
+    return exitCode == Done ? refuse("alidade-cli", "there is no session to diagnose") : exitCode;
+  const auto outcome = diagnoseSeries(
+      sessions,
+      {.without = request.without, .threads = threads, .progress = progressLine(request.batch.progress)});
+  if (!outcome) return refuse("alidade-cli", problemOf(outcome.problem()).text());
+  for (const auto& [index, fault] : outcome->unusable)
+    exitCode = refuse(inputName(paths[index]), problemOf(fault).text());
+  const std::string name = seriesName(request.files, outcome->diagnosis.sessions.size());
+  const int written = writeResult(request.batch.json ? seriesJson(name, outcome->diagnosis)
+                                                     : seriesText(name, outcome->diagnosis));
+  return written == Done ? exitCode : written;
 }
 
 }  // namespace alidade::console

@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "app/console/commands/batch_options.h"
 #include "app/console/commands/option_checks.h"
 #include "app/console/fit_text.h"
 #include "app/console/session_input.h"
@@ -37,21 +38,24 @@ Result<std::string> rigorousAnswer(const FitRequest& request, SessionInput input
   if (request.diagnosis)
     if (Result<Diagnosis, DiagnosisFault> diagnosis = diagnose(measurement, fit, {.withAttainable = true}))
       answer.diagnosis = *std::move(diagnosis);
-  return request.json ? fitJson(answer) : fitText(answer);
+  return request.batch.json ? fitJson(answer) : fitText(answer);
 }
 
 Result<std::string> publishedAnswer(const FitRequest& request, const std::string& name,
                                     const Measurement& measurement) {
   const PublishedSessionFit fit = fitSessionAsPublished(measurement);
   if (auto problem = absence(measurement, fit.arcs.size(), fit.findings)) return *std::move(problem);
-  return request.json ? fitJson(name, measurement, fit) : fitText(name, measurement, fit);
+  return request.batch.json ? fitJson(name, measurement, fit) : fitText(name, measurement, fit);
 }
 
 }  // namespace
 
 void addFitCommand(CLI::App& app, FitRequest& request) {
   CLI::App* fit = app.add_subcommand("fit", "Arc centres O1 and O2, intersection, uncertainty and verdict.");
-  fit->add_option("FILE", request.file, "Session to fit (*.alidade); - reads standard input")->required();
+  fit->add_option("FILE", request.files,
+                  "Session to fit (*.alidade); several, or a folder of them, are each answered; - reads "
+                  "standard input")
+      ->required();
   fit->add_option("--method", request.method, "rigorous, or published for comparison with the paper")
       ->check(CLI::IsMember({"rigorous", "published"}))
       ->capture_default_str();
@@ -70,13 +74,13 @@ void addFitCommand(CLI::App& app, FitRequest& request) {
                 "Do not ask what else the readings may say: the verdict is that of the session's own model");
   fit->add_option("--instrument", request.instrument,
                   "Take what this instrument record says (*.alidade-instrument), for this run");
-  fit->add_flag("--json", request.json, "Print one JSON document");
+  addBatchOptions(*fit, request.batch);
 }
 
-Result<std::string> runFit(const FitRequest& request) {
+Result<std::string> runFit(const FitRequest& request, const std::string& file) {
   if (request.method == "published" && !request.monteCarlo.empty())
     return Problem{"the published method states no uncertainty to check: leave out --monte-carlo"};
-  Result<SessionInput> input = readSessionInput(request.file, request.instrument);
+  Result<SessionInput> input = readSessionInput(file, request.instrument);
   if (!input) return input.problem();
   return request.method == "published" ? publishedAnswer(request, input->name, input->measurement)
                                        : rigorousAnswer(request, *std::move(input));

@@ -15,6 +15,7 @@
 #include "app/console/commands/plan_command.h"
 #include "app/console/commands/simulate_command.h"
 #include "app/console/commands/trial_command.h"
+#include "app/console/session_files.h"
 #include "core/base/failure.h"
 #include "core/base/visible_text.h"
 
@@ -56,6 +57,24 @@ int giveInstrument(const InstrumentRequest& request, std::string& subject) {
   if (!answer) return refuse(subject, answer.problem().text());
   for (const std::string& remark : answer->remarks) notify(subject, remark);
   return writeResult(answer->result);
+}
+
+/// One file gets one answer, several or a folder of them an answer each.
+int giveFit(const FitRequest& request, std::string& subject) {
+  if (namesMany(request.files))
+    return answerEach(
+        request.files, [&](const std::string& file) { return runFit(request, file); }, request.batch);
+  subject = inputName(request.files.front());
+  return give(runFit(request, request.files.front()), subject);
+}
+
+int giveDiagnosis(const DiagnoseRequest& request, std::string& subject) {
+  if (request.each)
+    return answerEach(
+        request.files, [&](const std::string& file) { return runDiagnose(request, file); }, request.batch);
+  if (namesMany(request.files)) return giveSeries(request);
+  subject = inputName(request.files.front());
+  return give(runDiagnose(request, request.files.front()), subject);
 }
 
 /// Sets `subject` to the input as soon as that is at work.
@@ -101,8 +120,8 @@ int run(int argc, char** argv, std::string& subject) {
   };
   if (app.got_subcommand("plan")) return giveFrom(planRequest, runPlan);
   if (app.got_subcommand("journal")) return giveFrom(journalRequest, runJournal);
-  if (app.got_subcommand("diagnose")) return giveFrom(diagnoseRequest, runDiagnose);
-  return giveFrom(fitRequest, runFit);
+  if (app.got_subcommand("diagnose")) return giveDiagnosis(diagnoseRequest, subject);
+  return giveFit(fitRequest, subject);
 }
 
 }  // namespace

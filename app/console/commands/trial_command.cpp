@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "app/console/commands/option_checks.h"
+#include "app/console/series_trial_text.h"
 #include "app/console/trial_text.h"
 #include "core/simulation/protocol.h"
 
@@ -37,10 +38,19 @@ void addTrialCommand(CLI::App& app, TrialRequest& request) {
   CLI::Option* protocol =
       trial->add_option("--protocol", request.protocol, "Plan of readings; drawn if not given")
           ->check(CLI::IsMember(names));
+  CLI::Option* series =
+      trial
+          ->add_option("--series", request.series,
+                       "Instead of sessions this many series of 8 to 12 that share an effect, or nothing")
+          ->check(wholeFrom(1, mostTrials))
+          ->excludes(count)
+          ->excludes(protocol);
   trial
       ->add_option("--score", request.folder,
-                   "Score trials made elsewhere: a folder with truth.json and sessions/*.alidade")
+                   "Score trials made elsewhere: a folder with truth.json and sessions/*.alidade, or with "
+                   "truth.json of series and SERIES/*.alidade")
       ->excludes(count)
+      ->excludes(series)
       ->excludes(seed)
       ->excludes(protocol)
       ->check([](const std::string& folder) {
@@ -57,6 +67,13 @@ void addTrialCommand(CLI::App& app, TrialRequest& request) {
 }
 
 Result<std::string> runTrial(const TrialRequest& request) {
+  const bool isStoredSeries = !request.folder.empty() && holdsSeries(request.folder);
+  if (request.series > 0 || isStoredSeries) {
+    const auto series = isStoredSeries ? scoreStoredSeries(request.folder, request.threads)
+                                       : scoreDrawnSeries(request.series, request.seed, request.threads);
+    if (!series) return series.problem();
+    return request.json ? seriesTrialJson(*series) : seriesTrialText(*series);
+  }
   const TrialSeriesOptions options{
       .count = request.count, .withheld = request.withheld, .threads = request.threads, .progress = report};
   const BlindTrialOptions draw{.protocol = request.protocol};

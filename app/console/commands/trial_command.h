@@ -15,6 +15,7 @@ namespace alidade::console {
 /// What `alidade-cli trial` was asked.
 struct TrialRequest {
   std::size_t count = 100;
+  std::size_t series = 0;  ///< so many series of sessions instead
   std::uint64_t seed = 1;
   std::string protocol;  ///< empty: drawn
   std::string folder;    ///< trials made elsewhere; empty: drawn here
@@ -23,8 +24,8 @@ struct TrialRequest {
   bool json = false;
 };
 
-/// Adds `trial [--count N] [--seed N] [--protocol NAME] [--score DIR] [--withheld] [--threads N] [--json]`,
-/// which fills in `request`.
+/// Adds `trial [--count N | --series N] [--seed N] [--protocol NAME] [--score DIR] [--withheld] [--threads N]
+/// [--json]`, which fills in `request`.
 void addTrialCommand(CLI::App& app, TrialRequest& request);
 
 /// The scores in text or JSON. Fails where a trial cannot be read or diagnosed.

@@ -32,6 +32,14 @@ Cause largerNoise(const Inquiry& inquiry, const GapModel& after) {
 
 }  // namespace
 
+DiagnosisVerdict verdictOf(const Answer& answer, const std::vector<Cause>& causes) {
+  if (answer.kind == Answer::Kind::Unknown) return DiagnosisVerdict::NotInCatalogue;
+  if (causes.empty()) return DiagnosisVerdict::WithinNoise;
+  if (causes.size() > 1) return DiagnosisVerdict::SeveralCauses;
+  return causes.front().indistinguishableFrom.empty() ? DiagnosisVerdict::SingleCause
+                                                      : DiagnosisVerdict::Ambiguous;
+}
+
 std::vector<Cause> causesOf(const Inquiry& inquiry, const Answer& answer) {
   std::vector<Cause> causes;
   std::vector<ReadingDeviation> grossErrors;

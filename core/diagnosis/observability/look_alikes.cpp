@@ -11,36 +11,10 @@ namespace alidade {
 
 using Eigen::MatrixXd, Eigen::VectorXd;
 
-Trace::Trace(const Leftover& leftover, VectorXd visible)
-    : m_visible(std::move(visible)), m_products(leftover, m_visible) {}
-
-/// By normal equations. They have half the digits: what is much nearer than the trace is long, is measured.
-double Trace::differenceFrom(const Component& effect) const {
-  constexpr double invisible = 1e-9, rounding = 1e-11,
-                   near = 1e-3;  // σ; of the greatest pivot; of the length
-  const VectorXd right = effect.products(m_products);
-  if (effect.response() == Response::Bent) return differenceFromBent(effect, right);
-  const MatrixXd gram = effect.gram();
-  VectorXd weights = VectorXd::Ones(1);
-  if (effect.response() != Response::AllOrNothing) {
-    const VectorXd lengths = gram.diagonal().cwiseMax(0).cwiseSqrt();
-    const VectorXd scale =
-        (lengths.array() < invisible).select(0, lengths.cwiseMax(invisible).cwiseInverse());
-    Eigen::ColPivHouseholderQR<MatrixXd> normal(scale.asDiagonal() * gram * scale.asDiagonal());
-    normal.setThreshold(rounding);
-    weights = scale.cwiseProduct(normal.solve(scale.cwiseProduct(right)));
-  }
-  const double square = m_visible.squaredNorm(), left = square - weights.dot(2 * right - gram * weights);
-  if (left > near * near * square) return std::sqrt(std::min(left, square));
-  return (m_visible - effect.signature(m_products.leftover(), weights)).norm();
-}
-
 /// A bending effect leaves its second derivatives only together; the nearest is sought by Gauss-Newton from
 /// several sides.
-double Trace::differenceFromBent(const Component& effect, const VectorXd& right) const {
+double differenceFromBent(const MatrixXd& gram, const VectorXd& right, double square) {
   constexpr double sides[][2] = {{3, 0}, {0, 3}, {2, 2}, {2, -2}, {0.1, 0.1}};
-  const MatrixXd gram = effect.gram();
-  const double square = m_visible.squaredNorm();
   double least = square;
   for (const auto& side : sides) {
     VectorXd weights = Eigen::Vector2d(side[0], side[1]);
@@ -55,6 +29,31 @@ double Trace::differenceFromBent(const Component& effect, const VectorXd& right)
     }
   }
   return std::sqrt(std::max(least, 0.0));
+}
+
+Trace::Trace(const Leftover& leftover, VectorXd visible)
+    : m_visible(std::move(visible)), m_products(leftover, m_visible) {}
+
+/// By normal equations. They have half the digits: what is much nearer than the trace is long, is measured.
+double Trace::differenceFrom(const Component& effect) const {
+  constexpr double invisible = 1e-9, rounding = 1e-11,
+                   near = 1e-3;  // σ; of the greatest pivot; of the length
+  const VectorXd right = effect.products(m_products);
+  if (effect.response() == Response::Bent)
+    return differenceFromBent(effect.gram(), right, m_visible.squaredNorm());
+  const MatrixXd gram = effect.gram();
+  VectorXd weights = VectorXd::Ones(1);
+  if (effect.response() != Response::AllOrNothing) {
+    const VectorXd lengths = gram.diagonal().cwiseMax(0).cwiseSqrt();
+    const VectorXd scale =
+        (lengths.array() < invisible).select(0, lengths.cwiseMax(invisible).cwiseInverse());
+    Eigen::ColPivHouseholderQR<MatrixXd> normal(scale.asDiagonal() * gram * scale.asDiagonal());
+    normal.setThreshold(rounding);
+    weights = scale.cwiseProduct(normal.solve(scale.cwiseProduct(right)));
+  }
+  const double square = m_visible.squaredNorm(), left = square - weights.dot(2 * right - gram * weights);
+  if (left > near * near * square) return std::sqrt(std::min(left, square));
+  return (m_visible - effect.signature(m_products.leftover(), weights)).norm();
 }
 
 LookAlike Trace::compared(const Component& effect) const {

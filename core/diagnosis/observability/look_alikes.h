@@ -24,9 +24,11 @@ class Trace {
  private:
   Eigen::VectorXd m_visible;
   SharedProducts m_products;
-
-  double differenceFromBent(const Component& effect, const Eigen::VectorXd& right) const;
 };
+
+/// How far the nearest trace of an effect that bends is from one of the squared length `square`: `gram` of
+/// its columns and second derivatives, `right` their products with the trace.
+double differenceFromBent(const Eigen::MatrixXd& gram, const Eigen::VectorXd& right, double square);
 
 /// Mistaken for one another in 7 % of the cases: no answer to rely on.
 inline constexpr double hardlyDifferent = 3.0;

@@ -1,0 +1,171 @@
+#include "app/console/batch.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#include "app/console/channels.h"
+#include "core/base/failure.h"
+#include "core/base/threads.h"
+#include "core/base/visible_text.h"
+
+namespace alidade::console {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+struct Answered {
+  std::string text;
+  std::optional<std::string> reason = {};  ///< why there is no answer
+  bool failed = false;                     ///< by a fault or lack of memory rather than by the input
+};
+
+std::string quoted(const std::string& text) {
+  return nlohmann::json(wellFormed(text)).dump();
+}
+
+std::string asLine(const std::string& file, const Answered& answered) {
+  const std::string begin = "{\"file\": " + quoted(file) + ", ";
+  if (answered.reason) return begin + "\"error\": " + quoted(*answered.reason) + "}\n";
+  const std::string line = onOneLine(answered.text);
+  return begin + line.substr(1) + "\n";
+}
+
+/// A line on stderr now and then, so that long work is seen to move.
+class Progress {
+ public:
+  Progress(std::size_t count, bool wanted) : m_count(count), m_shown(wanted || isatty(STDERR_FILENO) != 0) {}
+
+  void tell(std::size_t done, std::size_t unusable, bool atOnce = false) {
+    constexpr auto pause = std::chrono::seconds(1);
+    if (!m_shown || (!atOnce && Clock::now() - m_told < pause)) return;
+    m_told = Clock::now();
+    std::string line = std::to_string(done) + " of " + std::to_string(m_count) + " files done";
+    if (unusable > 0) line += ", " + std::to_string(unusable) + " of them without a result";
+    notify("alidade-cli", line);
+  }
+
+ private:
+  std::size_t m_count;
+  bool m_shown;
+  Clock::time_point m_told = Clock::now();
+};
+
+/// Takes the answers as they come and writes them in their order.
+class OrderedOutput {
+ public:
+  OrderedOutput(const std::vector<ListedFile>& files, const BatchOptions& options)
+      : m_files(files), m_json(options.json), m_waiting(kept), m_progress(files.size(), options.progress) {}
+
+  /// Waits while the answer would be too far ahead of what is written. False: nothing more can be written.
+  bool awaitTurn(std::size_t index) {
+    std::unique_lock lock(m_guard);
+    m_moved.wait(lock, [&] { return m_broken || index < m_written + kept; });
+    return !m_broken;
+  }
+
+  void take(std::size_t index, Answered answered) {
+    const std::scoped_lock lock(m_guard);
+    m_waiting[index % kept] = std::move(answered);
+    for (auto* next = &m_waiting[m_written % kept]; !m_broken && *next; next = &m_waiting[m_written % kept]) {
+      write(m_files[m_written].path, **next);
+      next->reset();
+      ++m_written;
+    }
+    m_progress.tell(m_written, m_unusable);
+    m_moved.notify_all();
+  }
+
+  int finish() {
+    if (!m_broken) m_progress.tell(m_written, m_unusable, true);
+    return m_broken || m_failed ? Failed : m_unusable > 0 ? BadInput : Done;
+  }
+
+ private:
+  /// Answers that wait for those before them: as many as one slow session lets others overtake it.
+  static constexpr std::size_t kept = 256;
+
+  const std::vector<ListedFile>& m_files;
+  const bool m_json;
+  std::mutex m_guard;
+  std::condition_variable m_moved;
+  std::vector<std::optional<Answered>> m_waiting;
+  Progress m_progress;
+  std::size_t m_written = 0, m_unusable = 0;
+  bool m_broken = false, m_failed = false, m_hasText = false;
+
+  void write(const std::string& file, const Answered& answered) {
+    if (answered.reason) {
+      ++m_unusable;
+      m_failed = m_failed || answered.failed;
+      notify(inputName(file), *answered.reason);
+    }
+    std::string text;
+    if (m_json)
+      text = asLine(file, answered);
+    else if (!answered.reason)
+      text = (std::exchange(m_hasText, true) ? "\n" : "") + answered.text;
+    if (!text.empty() && writeResult(text) != Done) m_broken = true;
+  }
+};
+
+Answered answerTo(const ListedFile& file,
+                  const std::function<Result<std::string>(const std::string& file)>& answer) {
+  if (file.problem) return {{}, file.problem->text()};
+  Answered answered;
+  const auto failure = failureOf([&] {
+    Result<std::string> given = answer(file.path);
+    if (given)
+      answered.text = *std::move(given);
+    else
+      answered.reason = given.problem().text();
+  });
+  if (failure) return {{}, "the command failed: " + *failure, true};
+  return answered;
+}
+
+}  // namespace
+
+int answerEach(const std::vector<std::string>& named,
+               const std::function<Result<std::string>(const std::string& file)>& answer,
+               const BatchOptions& options) {
+  return answerEach(sessionFilesOf(named), answer, options);
+}
+
+int answerEach(const SessionFiles& list,
+               const std::function<Result<std::string>(const std::string& file)>& answer,
+               const BatchOptions& options) {
+  for (const std::string& path : list.again) notify(inputName(path), "is named again: answered once");
+  OrderedOutput output(list.files, options);
+  const std::size_t threads =
+      options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
+  doEach(std::min(threads, list.files.size()), list.files.size(), [&](std::size_t i) {
+    if (output.awaitTurn(i)) output.take(i, answerTo(list.files[i], answer));
+  });
+  return output.finish();
+}
+
+std::string onOneLine(std::string_view document) {
+  std::string line;
+  line.reserve(document.size());
+  for (std::size_t i = 0; i < document.size(); ++i) {
+    if (document[i] != '\n') {  // strings hold no line breaks
+      line += document[i];
+      continue;
+    }
+    const bool betweenMembers = !line.empty() && line.back() == ',';
+    while (i + 1 < document.size() && document[i + 1] == ' ') ++i;
+    if (betweenMembers) line += ' ';
+  }
+  return line;
+}
+
+}  // namespace alidade::console

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "app/console/batch.h"
+
+namespace CLI {
+class App;
+}
+
+namespace alidade::console {
+
+/// Adds `[--threads N] [--progress] [--json]` to a subcommand that answers many files.
+void addBatchOptions(CLI::App& command, BatchOptions& options);
+
+}  // namespace alidade::console

@@ -1,0 +1,85 @@
+#include "app/console/session_files.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+#include <unordered_set>
+
+namespace alidade::console {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* sessionSuffix = ".alidade";
+
+bool isFolder(const std::string& path) {
+  std::error_code ignored;
+  return fs::is_directory(path, ignored);
+}
+
+/// What tells two paths of one file from paths of two.
+std::string realName(const std::string& path) {
+  std::error_code problem;
+  const fs::path real = fs::canonical(path, problem);
+  return problem ? path : real.string();
+}
+
+class Listing {
+ public:
+  SessionFiles of(const std::vector<std::string>& named) {
+    for (const std::string& path : named)
+      if (isFolder(path))
+        addFolder(path);
+      else
+        add(path, path == "-" ? path : realName(path));
+    return std::move(m_list);
+  }
+
+ private:
+  SessionFiles m_list;
+  std::unordered_set<std::string> m_seen;
+
+  void add(const std::string& path, std::string real) {
+    if (m_seen.insert(std::move(real)).second)
+      m_list.files.push_back({path});
+    else
+      m_list.again.push_back(path);
+  }
+
+  void addFolder(const std::string& folder) {
+    std::error_code problem;
+    std::vector<fs::path> found;
+    fs::directory_iterator entry(folder, problem);
+    for (; !problem && entry != fs::directory_iterator(); entry.increment(problem)) {
+      const fs::path& path = entry->path();
+      if (path.extension() == sessionSuffix && !path.filename().string().starts_with('.') &&
+          !isFolder(path.string()))
+        found.push_back(path);
+    }
+    if (problem)
+      m_list.files.push_back(
+          {folder, Problem{"the folder cannot be read (" + problem.message() + "): check your rights"}});
+    else if (found.empty())
+      m_list.files.push_back({folder, Problem{"the folder holds no session (*.alidade): choose another"}});
+    std::ranges::sort(found);
+    const fs::path real = realName(folder);
+    for (const fs::path& path : found) {
+      std::error_code ignored;
+      add(path.string(),
+          fs::is_symlink(path, ignored) ? realName(path.string()) : (real / path.filename()).string());
+    }
+  }
+};
+
+}  // namespace
+
+SessionFiles sessionFilesOf(const std::vector<std::string>& named) {
+  return Listing().of(named);
+}
+
+bool namesMany(const std::vector<std::string>& named) {
+  return named.size() > 1 || (named.size() == 1 && isFolder(named.front()));
+}
+
+}  // namespace alidade::console

@@ -1,0 +1,107 @@
+#include "core/answers/series_json.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/answers/diagnosis_json.h"
+#include "core/answers/findings_json.h"
+#include "core/answers/json_text.h"
+#include "core/wording/series_words.h"
+
+namespace alidade {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <typename List, typename Make>
+Json jsonOf(const List& list, const Make& make) {
+  Json json = Json::array();
+  for (const auto& entry : list) json.push_back(make(entry));
+  return json;
+}
+
+Json parametersJson(const std::vector<CauseParameter>& parameters) {
+  return jsonOf(parameters, [](const CauseParameter& parameter) -> Json {
+    return {{"name", parameter.name},
+            {"value", parameter.value},
+            {"sigma", parameter.sigma},
+            {"unit", parameter.unit}};
+  });
+}
+
+Json causeJson(const SharedCause& cause, const SeriesDiagnosis& series) {
+  const auto nameOfSession = [&](std::size_t s) -> Json { return series.sessions[s].name; };
+  Json json = causeDocument(cause.cause);
+  json["owner"] = nameOf(cause.owner);
+  json["serial"] = cause.serial;
+  json["sessions"] = jsonOf(cause.sessions, nameOfSession);
+  json["drifting"] = cause.isDrifting;
+  json["sizes"] = jsonOf(cause.sizes, [&](const SizeInSession& size) -> Json {
+    return {{"session", series.sessions[size.session].name}, {"parameters", parametersJson(size.parameters)}};
+  });
+  json["not_in"] = jsonOf(cause.apart, nameOfSession);
+  json["rivals"] = jsonOf(cause.rivals, [](const SharedRival& rival) -> Json {
+    return {{"effect", rival.effect},
+            {"owner", nameOf(rival.owner)},
+            {"serial", rival.serial},
+            {"odds", rival.odds}};
+  });
+  json["visible_sigma_each"] = cause.visibleInOne;
+  json["visible_sigma_together"] = cause.visibleTogether;
+  return json;
+}
+
+Json adviceJson(const SeriesAdvice& advice) {
+  return {{"measure", sentenceOf(advice)},   {"separates", advice.separates}, {"by_sigma", advice.bySigma},
+          {"instrument", advice.instrument}, {"guideway", advice.guideway},   {"sessions", advice.sessions}};
+}
+
+/// The keys that a session's diagnosis has, filled with what the series says.
+Json together(const std::string& name, const SeriesDiagnosis& series) {
+  Diagnosis all;
+  all.verdict = DiagnosisVerdict::WithinNoise;
+  all.gap = series.gap;
+  all.after = series.after;
+  all.shrink = series.shrink;
+  all.candidates = series.candidates;
+  all.where = series.where;
+  all.unseen = series.unseen;
+  Json json = diagnosisDocument(name, all, findingsOf(series));
+  json["verdict"] = nameOf(series.verdict);
+  json["sentence"] = sentenceOf(series);
+  json["causes"] = jsonOf(series.causes, [&](const SharedCause& cause) { return causeJson(cause, series); });
+  json["advice"] = jsonOf(series.advice, adviceJson);
+  return json;
+}
+
+/// A session's own document, with where it stands in the series.
+Json sessionJson(const SeriesMember& member) {
+  Json json = diagnosisDocument(member.name, member.diagnosis, {});
+  json["measured_on"] = member.measuredOn;
+  json["instrument"] = member.instrument;
+  json["guideway"] = member.guideway;
+  json["alone"] = {{"verdict", nameOf(member.alone)}, {"causes", jsonOf(member.causesAlone, causeDocument)}};
+  json["known_from_series"] = jsonOf(member.shared, [](const KnownNumber& known) -> Json {
+    return {{"effect", known.effect},
+            {"parameter", known.parameter},
+            {"value", known.value},
+            {"sigma", known.sigma},
+            {"unit", known.unit}};
+  });
+  json["own"] = jsonOf(member.own, causeDocument);
+  return json;
+}
+
+}  // namespace
+
+std::string seriesJson(const std::string& name, const SeriesDiagnosis& series) {
+  const Json json = {{"series", together(name, series)}, {"sessions", Json::array()}};
+  const LongList sessions{"/sessions", series.sessions.size(), [&](std::size_t i, const TakeMember& take) {
+                            const Json session = sessionJson(series.sessions[i]);
+                            for (const auto& [key, value] : session.items()) take(key.c_str(), value);
+                          }};
+  return jsonText(json, {sessions});
+}
+
+}  // namespace alidade

@@ -1,0 +1,280 @@
+#include "core/diagnosis/session_evidence.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+
+#include "core/diagnosis/candidates/effect_components.h"
+#include "core/diagnosis/conclusion/causes.h"
+#include "core/diagnosis/evidence/bent_fit.h"
+#include "core/diagnosis/observability/look_alikes.h"
+#include "core/diagnosis/search/inquiry.h"
+#include "core/effects/cause_ids.h"
+
+namespace alidade {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+namespace {
+
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+std::vector<double> listed(const VectorXd& vector) {
+  return {vector.begin(), vector.end()};
+}
+
+std::vector<double> lowerTriangle(const MatrixXd& matrix) {
+  std::vector<double> list;
+  for (Index row = 0; row < matrix.rows(); ++row)
+    for (Index column = 0; column <= row; ++column) list.push_back(matrix(row, column));
+  return list;
+}
+
+/// The visible columns of all effects.
+MatrixXd columnsOf(const Inquiry& inquiry) {
+  MatrixXd all = MatrixXd::Zero(inquiry.leftover.rows(), static_cast<Index>(columnCount()));
+  for (std::size_t i = 0; i < inquiry.candidates.size(); ++i) {
+    const Component& component = inquiry.candidates[i];
+    if (!component.isEffect()) continue;
+    const auto& effects = effectColumns();
+    const auto own = std::ranges::find_if(
+        effects, [&](const EffectColumns& effect) { return effect.effect->id == component.id(); });
+    if (own == effects.end()) continue;
+    const MatrixXd columns = component.visibleColumns(inquiry.leftover);
+    if (columns.cols() == static_cast<Index>(own->count))
+      all.middleCols(static_cast<Index>(own->first), columns.cols()) = columns;
+  }
+  return all;
+}
+
+/// Works out what accounts of a session come to beside the columns of all effects.
+class Accounts {
+ public:
+  Accounts(const Inquiry& inquiry, const MatrixXd& columns)
+      : m_inquiry(inquiry), m_columns(columns), m_right(columns.transpose() * inquiry.leftover.residual()) {}
+
+  /// Nothing, and what the likeliest explanations hold, each also without what touches many readings.
+  std::vector<OwnAccount> likeliest() {
+    constexpr std::size_t mostExplanations = 12, mostAccounts = 10;
+    constexpr double outOfQuestion = 1e-7;
+    add({}, 1);
+    std::size_t looked = 0;
+    for (const Explanation& explanation : m_inquiry.explanations) {
+      if (++looked > mostExplanations || explanation.chance < outOfQuestion) break;
+      std::vector<Part> others;
+      for (const Part& part : explanation.parts)
+        if (!isOfMany(part)) others.push_back(part);
+      const double noise = explanation.noisy ? explanation.noise : 1;
+      add(others, noise);
+      add(explanation.parts, noise);
+      if (m_accounts.size() >= mostAccounts) break;
+    }
+    return std::move(m_accounts);
+  }
+
+ private:
+  const Inquiry& m_inquiry;
+  const MatrixXd& m_columns;
+  const VectorXd m_right;
+  std::vector<OwnAccount> m_accounts;
+  std::vector<std::vector<std::size_t>> m_keys;
+
+  /// It touches many readings, so that what all sessions share may look like it.
+  bool isOfMany(const Part& part) const {
+    const Component& component = m_inquiry.of(part);
+    return component.isEffect() || component.isJump() || component.isShape();
+  }
+
+  /// Unless it is there already.
+  void add(const std::vector<Part>& parts, double noise) {
+    std::vector<std::size_t> key{noise > 1 ? std::size_t{1} : 0};
+    for (const Part& part : parts) key.push_back(part.component + 2);
+    std::ranges::sort(key);
+    if (std::ranges::find(m_keys, key) != m_keys.end()) return;
+    m_keys.push_back(std::move(key));
+    m_accounts.push_back(made(parts, noise));
+  }
+
+  OwnAccount made(const std::vector<Part>& parts, double noise) const {
+    const Leftover& leftover = m_inquiry.leftover;
+    const double variance = noise * noise, f = leftover.degreesOfFreedom();
+    OwnAccount account{.noisy = noise > 1, .noise = noise};
+    VectorXd residual = leftover.residual();
+    MatrixXd own(leftover.rows(), 0);
+    for (const Part& part : parts) {
+      const Component& component = m_inquiry.of(part);
+      account.causes.emplace_back(component.id());
+      account.holdsPattern = account.holdsPattern || isOfMany(part);
+      account.logOdds += m_inquiry.candidates.groupOf(part.component).logPrior;
+      const MatrixXd visible = component.visibleColumns(leftover);
+      if (component.response() == Response::AllOrNothing) {
+        residual -= visible.col(0);
+        continue;
+      }
+      MatrixXd scaled = visible * part.width;
+      if (component.response() == Response::Bent) {  // about the weights it has
+        const VectorXd at = bentWeights(part.weights);
+        const auto slope = bentDerivatives(part.weights);
+        residual -= visible * (at - slope * part.weights);
+        scaled = visible * slope * part.width;
+      }
+      own.conservativeResize(Eigen::NoChange, own.cols() + scaled.cols());
+      own.rightCols(scaled.cols()) = scaled;
+    }
+    MatrixXd matrix = own.transpose() * own;
+    matrix.diagonal().array() += variance;
+    const Eigen::LLT<MatrixXd> factor(matrix);
+    const MatrixXd taken = factor.matrixL().solve(own.transpose() * m_columns);
+    const VectorXd found = factor.matrixL().solve(own.transpose() * residual);
+    account.chiSquare = std::max(residual.squaredNorm() - found.squaredNorm(), 0.0);
+    account.right = listed(m_columns.transpose() * residual - taken.transpose() * found);
+    account.directions = static_cast<std::size_t>(taken.rows());
+    const RowMajor rows = taken;
+    account.taken.assign(rows.data(), rows.data() + rows.size());
+    for (Index i = 0; i < matrix.rows(); ++i)
+      account.logOdds -= std::log(factor.matrixLLT()(i, i)) - std::log(variance) / 2;
+    account.logOdds += (leftover.chiSquare() - account.chiSquare / variance) / 2;
+    if (noise > 1) account.logOdds += noiseOdds(noise, f);
+    return account;
+  }
+
+  /// Of larger noise: its prior, how narrow it is found, and what all readings weigh less.
+  static double noiseOdds(double noise, double f) {
+    constexpr double range = 2.8;  // ln of the noise that is looked for
+    const double known = std::sqrt(M_PI / std::max(f, 1.0));
+    return std::log(PriorOdds().noise) + std::log(std::min(known / range, 1.0)) - f * std::log(noise);
+  }
+};
+
+/// What circle readings have over, in arcseconds.
+void addCircleSums(const Inquiry& inquiry, const MatrixXd& columns, SessionEvidence& evidence) {
+  const Leftover& leftover = inquiry.leftover;
+  VectorXd scales = VectorXd::Zero(leftover.rows());
+  for (Index i = 0; i < leftover.readings(); ++i) {
+    const LinearReading& reading = leftover.reading(i);
+    if (reading.kind == ReadingKind::Slider || !reading.takesPart) continue;
+    scales[i] = Angle::fromRadians(reading.sigma).arcseconds();
+    ++evidence.circleReadings;
+  }
+  const VectorXd residual = scales.cwiseProduct(leftover.residual());
+  const MatrixXd scaled = scales.asDiagonal() * columns;
+  evidence.circleSquares = residual.squaredNorm();
+  evidence.circleRight = listed(scaled.transpose() * residual);
+  evidence.circleNormal = lowerTriangle(scaled.transpose() * scaled);
+}
+
+std::vector<double> influenceOf(const Inquiry& inquiry) {
+  std::vector<double> influence(columnCount(), 0);
+  const VectorXd perSigma = influencePerSigma(inquiry.base);
+  const SharedProducts perReading(inquiry.leftover, perSigma);
+  for (std::size_t i = 0; i < inquiry.candidates.size(); ++i) {
+    const Component& component = inquiry.candidates[i];
+    if (!component.isEffect() || component.response() == Response::AllOrNothing) continue;
+    for (const EffectColumns& own : effectColumns()) {
+      if (own.effect->id != component.id()) continue;
+      const VectorXd of = component.wholeProducts(perReading);
+      const Index count = std::min(of.size(), static_cast<Index>(own.effect->parameters.size()));
+      std::copy_n(of.begin(), count, influence.begin() + static_cast<std::ptrdiff_t>(own.first));
+    }
+  }
+  return influence;
+}
+
+using Square = Eigen::Map<const RowMajor>;
+
+Square squareOf(std::span<const double> gram, std::span<const double> right) {
+  return {gram.data(), std::ssize(right), std::ssize(right)};
+}
+
+Eigen::Map<const VectorXd> vectorOf(std::span<const double> list) {
+  return {list.data(), std::ssize(list)};
+}
+
+}  // namespace
+
+const std::vector<EffectColumns>& effectColumns() {
+  static const std::vector<EffectColumns> all = [] {
+    std::vector<EffectColumns> columns;
+    std::size_t first = 0;
+    for (const Effect* effect : soughtEffects()) {
+      const std::size_t count = effect->response == Response::Bent ? 5 : effect->parameters.size();
+      columns.push_back({effect, first, count});
+      first += count;
+    }
+    return columns;
+  }();
+  return all;
+}
+
+std::size_t columnCount() {
+  return effectColumns().back().first + effectColumns().back().count;
+}
+
+Result<SessionEvidence, DiagnosisFault> evidenceOf(const Measurement& measurement,
+                                                   const DiagnosisOptions& options,
+                                                   const std::stop_token& stop) {
+  for (const std::string& id : options.without)
+    if (std::ranges::find(diagnosableEffects(), id) == diagnosableEffects().end())
+      return DiagnosisFault(UnknownCause{id});
+  const SessionFit fit = fitSession(measurement);
+  auto model = modelOf(measurement, fit);
+  if (!model) return DiagnosisFault(model.problem());
+  const Inquiry inquiry = inquire(*std::move(model), options, stop);
+  if (stop.stop_requested()) return DiagnosisFault(Stopped{});
+  const MatrixXd columns = columnsOf(inquiry);
+  SessionEvidence evidence;
+  evidence.normal = lowerTriangle(columns.transpose() * columns);
+  evidence.accounts = Accounts(inquiry, columns).likeliest();
+  evidence.chiSquare = inquiry.leftover.chiSquare();
+  evidence.degreesOfFreedom = inquiry.leftover.degreesOfFreedom();
+  addCircleSums(inquiry, columns, evidence);
+  evidence.influence = influenceOf(inquiry);
+  const Answer answer = conclude(inquiry);
+  evidence.causes = causesOf(inquiry, answer);
+  evidence.verdict = verdictOf(answer, evidence.causes);
+  return evidence;
+}
+
+ColumnGain columnGain(Response response, std::span<const double> gram, std::span<const double> right,
+                      std::span<const double> sigmas) {
+  std::vector<Width> widths;
+  for (const double sigma : sigmas) widths.push_back({sigma, -std::log(static_cast<double>(sigmas.size()))});
+  const MatrixXd matrix = squareOf(gram, right);
+  const VectorXd vector = vectorOf(right);
+  if (response == Response::AllOrNothing) return {vector[0] - matrix(0, 0) / 2, 1, {}};
+  if (response == Response::Bent) {
+    const BentFit fit = fitBent(widths, matrix, vector, 1);
+    return {fit.gain.log, fit.gain.width, listed(fit.weights)};
+  }
+  const Gain gain = gainOf(widths, matrix, vector, 1);
+  MatrixXd posterior = matrix;
+  posterior.diagonal().array() += 1 / (gain.width * gain.width);
+  return {gain.log, gain.width, listed(posterior.ldlt().solve(vector))};
+}
+
+double leastDifference(Response response, std::span<const double> gram, std::span<const double> right,
+                       double square) {
+  const MatrixXd matrix = squareOf(gram, right);
+  const VectorXd vector = vectorOf(right);
+  if (response == Response::Bent) return differenceFromBent(matrix, vector, square);
+  if (response == Response::AllOrNothing)
+    return std::sqrt(std::max(square - 2 * vector[0] + matrix(0, 0), 0.0));
+  constexpr double rounding = 1e-11, invisible = 1e-9;
+  const VectorXd lengths = matrix.diagonal().cwiseMax(0).cwiseSqrt();
+  const VectorXd scale = (lengths.array() < invisible).select(0, lengths.cwiseMax(invisible).cwiseInverse());
+  Eigen::ColPivHouseholderQR<MatrixXd> normal(scale.asDiagonal() * matrix * scale.asDiagonal());
+  normal.setThreshold(rounding);
+  const VectorXd weights = scale.cwiseProduct(normal.solve(scale.cwiseProduct(vector)));
+  return std::sqrt(std::clamp(square - weights.dot(2 * vector - matrix * weights), 0.0, square));
+}
+
+double hardlyToldApart() {
+  return hardlyDifferent;
+}
+
+double clearlyToldApart() {
+  return clearlyDifferent;
+}
+
+}  // namespace alidade

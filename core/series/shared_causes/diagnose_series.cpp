@@ -1,0 +1,163 @@
+#include "core/series/shared_causes/diagnose_series.h"
+
+#include <algorithm>
+#include <atomic>
+#include <charconv>
+#include <mutex>
+#include <numeric>
+#include <optional>
+#include <thread>
+
+#include "core/base/threads.h"
+#include "core/diagnosis/diagnose.h"
+#include "core/diagnosis/session_evidence.h"
+#include "core/effects/cause_ids.h"
+#include "core/series/shared_causes/series_conclusion.h"
+
+namespace alidade {
+
+namespace {
+
+/// Days since some day; absent where it is no date.
+std::optional<double> dayOf(const std::string& date) {
+  int number[3] = {0, 0, 0};
+  const char* at = date.data();
+  const char* const end = at + date.size();
+  for (int i = 0; i < 3; ++i) {
+    const auto [next, error] = std::from_chars(at, end, number[i]);
+    if (error != std::errc()) return std::nullopt;
+    at = next;
+    if (i < 2 && (at == end || *at++ != '-')) return std::nullopt;
+  }
+  return 365.25 * number[0] + 30.4 * number[1] + number[2];
+}
+
+/// In the order in which they were measured, where all say when; else as handed in.
+std::vector<std::size_t> inOrder(const std::vector<SeriesSession>& sessions,
+                                 const std::vector<std::size_t>& usable) {
+  std::vector<std::size_t> order = usable;
+  const auto day = [&](std::size_t s) { return dayOf(sessions[s].measuredOn); };
+  if (std::ranges::all_of(order, [&](std::size_t s) { return day(s).has_value(); }))
+    std::ranges::stable_sort(order, {}, [&](std::size_t s) { return *day(s); });
+  return order;
+}
+
+std::vector<SessionOwners> ownersOf(const std::vector<SeriesSession>& sessions,
+                                    const std::vector<std::size_t>& order) {
+  std::vector<SessionOwners> owners;
+  std::vector<double> days;
+  for (const std::size_t s : order) {
+    owners.push_back({sessions[s].instrument, sessions[s].guideway, 0});
+    if (const auto day = dayOf(sessions[s].measuredOn)) days.push_back(*day);
+  }
+  const bool dated = days.size() == order.size() && days.back() > days.front();
+  for (std::size_t i = 0; i < owners.size(); ++i)
+    owners[i].time = dated ? (days[i] - days.front()) / (days.back() - days.front())
+                           : static_cast<double>(i) / std::max(1.0, static_cast<double>(order.size()) - 1);
+  return owners;
+}
+
+Cause causeNamed(const std::string& id) {
+  Cause cause;
+  cause.effect = id;
+  return cause;
+}
+
+/// Tells how far it is, one call at a time.
+class Progress {
+ public:
+  Progress(const SeriesOptions& options, std::size_t all) : m_tell(options.progress), m_all(all) {}
+  void step() {
+    if (!m_tell) return;
+    const std::scoped_lock lock(m_mutex);
+    m_tell(++m_done, m_all);
+  }
+
+ private:
+  const std::function<void(std::size_t, std::size_t)>& m_tell;
+  std::mutex m_mutex;
+  std::size_t m_all, m_done = 0;
+};
+
+}  // namespace
+
+SeriesSession seriesSession(std::string name, const Session& session, Measurement measurement) {
+  return {std::move(name),     session.measuredOn,    session.instrument.name, session.instrument.serial,
+          session.device.name, session.device.serial, std::move(measurement)};
+}
+
+Result<SeriesOutcome, DiagnosisFault> diagnoseSeries(const std::vector<SeriesSession>& sessions,
+                                                     const SeriesOptions& options,
+                                                     const std::stop_token& stop) {
+  const DiagnosisFault stopped = Stopped{};
+  const DiagnosisOptions alone{.without = options.without};
+  const std::size_t threads = std::clamp<std::size_t>(
+      options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency()), 1,
+      std::max<std::size_t>(sessions.size(), 1));
+  Progress progress(options, sessions.size() * (options.withSessions ? 2 : 1));
+  std::vector<std::optional<Result<SessionEvidence, DiagnosisFault>>> found(sessions.size());
+  doEach(threads, sessions.size(), [&](std::size_t s) {
+    found[s] = evidenceOf(sessions[s].measurement, alone, stop);
+    progress.step();
+  });
+  if (stop.stop_requested()) return stopped;
+
+  SeriesOutcome outcome;
+  std::vector<std::size_t> usable;
+  for (std::size_t s = 0; s < sessions.size(); ++s) {
+    if (*found[s])
+      usable.push_back(s);
+    else
+      outcome.unusable.emplace_back(s, found[s]->problem());
+  }
+  if (usable.empty()) {
+    if (outcome.unusable.empty()) return DiagnosisFault(NoModel{});
+    return outcome.unusable.front().second;
+  }
+  const std::vector<std::size_t> order = inOrder(sessions, usable);
+  std::vector<SessionEvidence> evidence;
+  std::vector<std::string> names;
+  for (const std::size_t s : order) {
+    evidence.push_back(**std::move(found[s]));
+    names.push_back(sessions[s].name);
+  }
+  SeriesConclusion conclusion =
+      concludeSeries(evidence, ownersOf(sessions, order), names, options.without, stop);
+  if (stop.stop_requested()) return stopped;
+  outcome.diagnosis = std::move(conclusion.diagnosis);
+  outcome.diagnosis.sessions.resize(order.size());
+  doEach(threads, order.size(), [&](std::size_t i) {
+    const SeriesSession& session = sessions[order[i]];
+    SeriesMember& member = outcome.diagnosis.sessions[i];
+    member.name = session.name;
+    member.measuredOn = session.measuredOn;
+    member.instrumentName = session.instrumentName;
+    member.instrument = session.instrument;
+    member.guidewayName = session.guidewayName;
+    member.guideway = session.guideway;
+    member.file = order[i];
+    member.alone = evidence[i].verdict;
+    member.causesAlone = evidence[i].causes;
+    member.shared = conclusion.known[i];
+    for (const std::string& id : conclusion.own[i]) {
+      const auto same = std::ranges::find(evidence[i].causes, id, &Cause::effect);
+      Cause cause = same != evidence[i].causes.end() ? *same : causeNamed(id);
+      cause.probability = conclusion.ownChance[i];
+      member.own.push_back(std::move(cause));
+    }
+    if (!options.withSessions) return;
+    Measurement measurement = session.measurement;
+    measurement.known.insert(measurement.known.end(), member.shared.begin(), member.shared.end());
+    auto diagnosis = diagnose(measurement, alone, stop);
+    if (diagnosis) member.diagnosis = *std::move(diagnosis);
+    progress.step();
+  });
+  if (stop.stop_requested()) return stopped;
+  for (const SeriesMember& member : outcome.diagnosis.sessions) {
+    if (member.instrument.empty()) ++outcome.diagnosis.withoutInstrument;
+    if (member.guideway.empty()) ++outcome.diagnosis.withoutGuideway;
+  }
+  return outcome;
+}
+
+}  // namespace alidade

@@ -1,0 +1,371 @@
+#include "core/series/shared_causes/shared_search.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace alidade {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+namespace {
+
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// Sessions add up: what a series shows may be far smaller than what is plausible of one session.
+constexpr double widths[] = {0.03, 0.1, 0.3, 1, 3};
+
+std::span<const double> spanOf(const RowMajor& matrix) {
+  return {matrix.data(), static_cast<std::size_t>(matrix.size())};
+}
+std::span<const double> spanOf(const VectorXd& vector) {
+  return {vector.data(), static_cast<std::size_t>(vector.size())};
+}
+
+/// Calls `visit` with the place of each session that both have.
+template <typename Visit>
+void forCommon(const EffectBlock& a, const EffectBlock& b, const Visit& visit) {
+  std::size_t i = 0, j = 0;
+  while (i < a.sessions.size() && j < b.sessions.size()) {
+    if (a.sessions[i] == b.sessions[j])
+      visit(i++, j++);
+    else
+      a.sessions[i] < b.sessions[j] ? ++i : ++j;
+  }
+}
+
+bool overlap(const EffectBlock& a, const EffectBlock& b) {
+  bool any = false;
+  forCommon(a, b, [&](std::size_t, std::size_t) { any = true; });
+  return any;
+}
+
+double logSumOf(const std::vector<double>& logs) {
+  const double most = *std::ranges::max_element(logs);
+  double sum = 0;
+  for (const double log : logs) sum += std::exp(log - most);
+  return most + std::log(sum);
+}
+
+/// (1, 0, …) and the sums of two features.
+template <typename Add>
+void addProducts(const Eigen::RowVectorXd& a, const Eigen::RowVectorXd& b, const Add& add) {
+  for (Index j = 0; j < a.size(); ++j)
+    for (Index l = 0; l < b.size(); ++l)
+      if (a[j] != 0 && b[l] != 0) add(j, l, a[j] * b[l]);
+}
+
+}  // namespace
+
+VectorXd SharedPart::weightsIn(std::size_t index) const {
+  const auto count = static_cast<Index>(block.columns().count);
+  const Eigen::RowVectorXd features = block.featuresOf(index);
+  VectorXd own = VectorXd::Zero(count);
+  for (Index j = 0; j < features.size(); ++j) own += features[j] * weights.segment(j * count, count);
+  return own;
+}
+
+/// A block beside a set: what is left for it of its normal equations, and its products with the set's z.
+struct SharedSearch::Beside {
+  MatrixXd products, gram;
+  VectorXd right;
+};
+
+SharedSearch::Sums SharedSearch::sumsOf(const EffectBlock& block, const std::vector<std::size_t>& accounts,
+                                        const Counts& counts) const {
+  const auto count = static_cast<Index>(block.columns().count), size = count * block.rank();
+  Sums sums{MatrixXd::Zero(size, size), VectorXd::Zero(size)};
+  for (std::size_t i = 0; i < block.sessions.size(); ++i) {
+    const std::size_t s = block.sessions[i];
+    if (counts && !counts(s)) continue;
+    const MatrixXd normal = m_sessions[s].normal(accounts[s], block.columns(), block.columns());
+    const VectorXd right = m_sessions[s].right(accounts[s], block.columns());
+    const Eigen::RowVectorXd features = block.featuresOf(i);
+    addProducts(features, features, [&](Index j, Index l, double product) {
+      sums.normal.block(j * count, l * count, count, count) += product * normal;
+    });
+    for (Index j = 0; j < features.size(); ++j) sums.right.segment(j * count, count) += features[j] * right;
+  }
+  return sums;
+}
+
+MatrixXd SharedSearch::across(const EffectBlock& a, const EffectBlock& b,
+                              const std::vector<std::size_t>& accounts, const Counts& counts) const {
+  const auto ofA = static_cast<Index>(a.columns().count), ofB = static_cast<Index>(b.columns().count);
+  MatrixXd sum = MatrixXd::Zero(ofA * a.rank(), ofB * b.rank());
+  forCommon(a, b, [&](std::size_t i, std::size_t j) {
+    const std::size_t s = a.sessions[i];
+    if (counts && !counts(s)) return;
+    const MatrixXd normal = m_sessions[s].normal(accounts[s], a.columns(), b.columns());
+    addProducts(a.featuresOf(i), b.featuresOf(j), [&](Index k, Index l, double product) {
+      sum.block(k * ofA, l * ofB, ofA, ofB) += product * normal;
+    });
+  });
+  return sum;
+}
+
+SharedSearch::Beside SharedSearch::beside(const SharedSet& set, const MatrixXd& posterior,
+                                          const EffectBlock& block, const std::vector<std::size_t>& accounts,
+                                          const Counts& counts) const {
+  Sums sums = sumsOf(block, accounts, counts);
+  Beside beside{MatrixXd::Zero(sums.right.size(), posterior.cols()), std::move(sums.normal),
+                std::move(sums.right)};
+  Index first = 0;
+  for (const SharedPart& part : set.parts) {
+    const MatrixXd products = across(block, part.block, accounts, counts);
+    beside.right -= products * part.weights;
+    beside.products.middleCols(first, part.slope.cols()) = products * part.slope;
+    first += part.slope.cols();
+  }
+  beside.gram -= beside.products * posterior * beside.products.transpose();
+  return beside;
+}
+
+/// The set's posterior grows by the block's weights (the inverse of a matrix in blocks).
+void SharedSearch::take(SharedSet& set, const EffectBlock& block, const Counts& counts) const {
+  const Response response = block.columns().effect->response;
+  const Beside own = beside(set, set.covariance, block, set.accounts, counts);
+  const RowMajor gram = own.gram;
+  const ColumnGain gain = columnGain(response, spanOf(gram), spanOf(own.right), widths);
+  SharedPart part{
+      .block = block, .width = gain.width, .logGain = gain.log, .fixed = {}, .slope = {}, .weights = {}};
+  const Index size = own.right.size();
+  part.fixed = VectorXd::Zero(size);
+  if (response == Response::AllOrNothing) {
+    part.fixed[0] = 1;
+    part.slope = MatrixXd(size, 0);
+  } else if (response == Response::Bent) {
+    const double x = gain.weights[0], y = gain.weights[1];
+    part.slope = MatrixXd::Zero(size, 2);
+    part.slope << 1, 0, 0, 1, x, 0, y, x, 0, y;
+    part.fixed << 0, 0, -x * x / 2, -x * y, -y * y / 2;
+  } else {
+    part.slope = MatrixXd::Identity(size, size);
+  }
+  const Index before = set.covariance.cols(), added = part.slope.cols();
+  MatrixXd matrix = part.slope.transpose() * own.gram * part.slope;
+  matrix.diagonal().array() += 1 / (part.width * part.width);
+  const MatrixXd inverse = matrix.ldlt().solve(MatrixXd::Identity(added, added));
+  const VectorXd z = inverse * (part.slope.transpose() * (own.right - own.gram * part.fixed));
+  part.weights = part.fixed + part.slope * z;
+  const MatrixXd along = set.covariance * own.products.transpose();
+  const VectorXd moved = along * part.weights;
+  Index first = 0;
+  for (SharedPart& earlier : set.parts) {
+    earlier.weights -= earlier.slope * moved.segment(first, earlier.slope.cols());
+    first += earlier.slope.cols();
+  }
+  MatrixXd covariance(before + added, before + added);
+  const MatrixXd lower = -along * part.slope * inverse;
+  covariance.topLeftCorner(before, before) = set.covariance - lower * (along * part.slope).transpose();
+  covariance.topRightCorner(before, added) = lower;
+  covariance.bottomLeftCorner(added, before) = lower.transpose();
+  covariance.bottomRightCorner(added, added) = inverse;
+  set.covariance = std::move(covariance);
+  set.parts.push_back(std::move(part));
+}
+
+SharedSet SharedSearch::fitted(const std::vector<EffectBlock>& blocks,
+                               const std::vector<std::size_t>& accounts, const Counts& counts) const {
+  SharedSet set;
+  set.accounts = accounts;
+  set.covariance = MatrixXd(0, 0);
+  for (const EffectBlock& block : blocks) {
+    take(set, block, counts);
+    set.logPosteriorOdds += set.parts.back().logGain + block.logPrior;
+  }
+  return set;
+}
+
+double SharedSearch::accountsOf(const SharedSet& set) const {
+  double sum = 0;
+  const SharedSet nothing;
+  for (std::size_t s = 0; s < m_sessions.size(); ++s) {
+    const std::vector<double> odds = accountOdds(s, set);
+    // What is chosen, as the sizes were found with it, and what else may be.
+    const double own = accountOdds(s, nothing)[set.accounts[s]];
+    sum += own + logSumOf(odds) - odds[set.accounts[s]];
+  }
+  return sum;
+}
+
+std::vector<double> SharedSearch::accountOdds(std::size_t session, const SharedSet& set) const {
+  const SessionSums& own = m_sessions[session];
+  struct Share {
+    const EffectColumns* columns;
+    VectorXd weights;
+  };
+  std::vector<Share> shares;
+  for (const SharedPart& part : set.parts) {
+    const auto& sessions = part.block.sessions;
+    const auto found = std::ranges::lower_bound(sessions, session);
+    if (found == sessions.end() || *found != session) continue;
+    shares.push_back(
+        {&part.block.columns(), part.weightsIn(static_cast<std::size_t>(found - sessions.begin()))});
+  }
+  const double each = -std::log(static_cast<double>(m_sessions.size()));
+  std::vector<double> odds(own.accounts());
+  for (std::size_t k = 0; k < odds.size(); ++k) {
+    odds[k] = own.logOdds(k) + (k > 0 ? each : 0);
+    for (const Share& a : shares) {
+      odds[k] += own.right(k, *a.columns).dot(a.weights);
+      for (const Share& b : shares)
+        odds[k] -= 0.5 * a.weights.dot(own.normal(k, *a.columns, *b.columns) * b.weights);
+    }
+  }
+  return odds;
+}
+
+std::vector<double> SharedSearch::accountChances(std::size_t session, const SharedSet& set) const {
+  std::vector<double> chances = accountOdds(session, set);
+  const double all = logSumOf(chances);
+  for (double& chance : chances) chance = std::exp(chance - all);
+  return chances;
+}
+
+std::vector<std::size_t> SharedSearch::likeliestAccounts(const SharedSet& set, bool withPatterns) const {
+  std::vector<std::size_t> accounts(m_sessions.size(), 0);
+  for (std::size_t s = 0; s < accounts.size(); ++s) {
+    const std::vector<double> odds = accountOdds(s, set);
+    double most = -std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < odds.size(); ++k) {
+      if ((!withPatterns && m_sessions[s].account(k).holdsPattern) || odds[k] <= most) continue;
+      most = odds[k];
+      accounts[s] = k;
+    }
+  }
+  return accounts;
+}
+
+SharedSet SharedSearch::madeOf(const std::vector<EffectBlock>& blocks,
+                               const std::vector<std::size_t>& accounts) const {
+  constexpr int mostRounds = 4;
+  constexpr double rounding = 1e-9;
+  SharedSet best;
+  std::vector<std::size_t> own = accounts;
+  for (int round = 0; round < mostRounds; ++round) {
+    SharedSet set = fitted(blocks, own);
+    set.logPosteriorOdds += accountsOf(set);
+    std::vector<std::size_t> next = likeliestAccounts(set, true);
+    // As good is better: then the accounts are those that the sizes were found with.
+    if (round == 0 || set.logPosteriorOdds > best.logPosteriorOdds - rounding) best = std::move(set);
+    if (next == own || m_stop.stop_requested()) break;
+    own = std::move(next);
+  }
+  return best;
+}
+
+bool SharedSearch::mayTake(const SharedSet& set, const EffectBlock& block) const {
+  return std::ranges::none_of(set.parts, [&](const SharedPart& part) {
+    return part.block.effect == block.effect && overlap(part.block, block);
+  });
+}
+
+/// Those that gain the most beside the set: with what sessions hold by themselves, and with misread values
+/// and noise alone, since an effect that shows in each session is an account of each.
+std::vector<SharedSearch::Growth> SharedSearch::promising(const SharedSet& set) const {
+  constexpr std::size_t most = 6;
+  std::vector<Growth> all;
+  const auto offer = [&](const std::vector<std::size_t>& accounts) {
+    std::vector<EffectBlock> blocks;
+    for (const SharedPart& part : set.parts) blocks.push_back(part.block);
+    const SharedSet from = fitted(blocks, accounts);
+    std::vector<Growth> growths;
+    for (std::size_t i = 0; i < m_blocks.size() && !m_stop.stop_requested(); ++i) {
+      if (!mayTake(set, m_blocks[i])) continue;
+      const Beside own = beside(from, from.covariance, m_blocks[i], accounts, {});
+      const RowMajor gram = own.gram;
+      const ColumnGain gain =
+          columnGain(m_blocks[i].columns().effect->response, spanOf(gram), spanOf(own.right), widths);
+      if (std::isfinite(gain.log)) growths.push_back({i, gain.log + m_blocks[i].logPrior});
+    }
+    const std::size_t kept = std::min(most, growths.size());
+    std::ranges::partial_sort(growths, growths.begin() + static_cast<std::ptrdiff_t>(kept), std::greater{},
+                              &Growth::log);
+    for (std::size_t i = 0; i < kept; ++i)
+      if (std::ranges::find(all, growths[i].block, &Growth::block) == all.end()) all.push_back(growths[i]);
+  };
+  const std::vector<std::size_t> plain = likeliestAccounts(set, false);
+  offer(plain);
+  if (plain != set.accounts) offer(set.accounts);
+  return all;
+}
+
+std::vector<SharedSet> SharedSearch::grown() const {
+  constexpr std::size_t beam = 3, mostParts = 6;
+  std::vector<SharedSet> found{madeOf({}, std::vector<std::size_t>(m_sessions.size(), 0))};
+  std::vector<SharedSet> level{found.front()};
+  const auto isFound = [&](const std::vector<EffectBlock>& blocks) {
+    return std::ranges::any_of(found, [&](const SharedSet& set) {
+      return set.parts.size() == blocks.size() && std::ranges::all_of(blocks, [&](const EffectBlock& block) {
+               return std::ranges::any_of(set.parts, [&](const SharedPart& part) {
+                 return part.block.isSame(block) && part.block.sessions == block.sessions;
+               });
+             });
+    });
+  };
+  while (!level.empty() && !m_stop.stop_requested()) {
+    std::vector<SharedSet> next;
+    for (const SharedSet& set : level) {
+      if (set.parts.size() == mostParts) continue;
+      const std::vector<std::size_t> plain = likeliestAccounts(set, false);
+      for (const Growth& growth : promising(set)) {
+        std::vector<EffectBlock> blocks;
+        for (const SharedPart& part : set.parts) blocks.push_back(part.block);
+        blocks.push_back(m_blocks[growth.block]);
+        if (isFound(blocks)) continue;
+        SharedSet made = madeOf(blocks, plain);
+        SharedSet other = madeOf(blocks, set.accounts);
+        if (other.logPosteriorOdds > made.logPosteriorOdds) made = std::move(other);
+        if (!std::isfinite(made.logPosteriorOdds)) continue;
+        found.push_back(made);
+        if (made.logPosteriorOdds > set.logPosteriorOdds) next.push_back(std::move(made));
+      }
+    }
+    std::ranges::sort(next, std::greater{}, &SharedSet::logPosteriorOdds);
+    if (next.size() > beam) next.resize(beam);
+    level = std::move(next);
+  }
+  normalise(found);
+  return found;
+}
+
+void normalise(std::vector<SharedSet>& sets) {
+  std::vector<double> logs;
+  for (const SharedSet& set : sets) logs.push_back(set.logPosteriorOdds);
+  const double all = logSumOf(logs);
+  for (SharedSet& set : sets) set.chance = std::exp(set.logPosteriorOdds - all);
+  std::ranges::sort(sets, std::greater{}, &SharedSet::logPosteriorOdds);
+}
+
+ColumnGain SharedSearch::alone(const EffectBlock& block) const {
+  const Sums sums = sumsOf(block, std::vector<std::size_t>(m_sessions.size(), 0), {});
+  const RowMajor gram = sums.normal;
+  return columnGain(block.columns().effect->response, spanOf(gram), spanOf(sums.right), widths);
+}
+
+double SharedSearch::visibleLengthIn(const SharedPart& part, std::size_t index) const {
+  const VectorXd weights = part.weightsIn(index);
+  const EffectColumns& columns = part.block.columns();
+  const MatrixXd normal = m_sessions[part.block.sessions[index]].plainNormal(columns, columns);
+  return std::sqrt(std::max(weights.dot(normal * weights), 0.0));
+}
+
+double SharedSearch::visibleLength(const SharedPart& part) const {
+  double square = 0;
+  for (std::size_t i = 0; i < part.block.sessions.size(); ++i)
+    square += std::pow(visibleLengthIn(part, i), 2);
+  return std::sqrt(square);
+}
+
+double SharedSearch::differenceFrom(const SharedPart& part, const EffectBlock& block) const {
+  const std::vector<std::size_t> none(m_sessions.size(), 0);
+  const Sums sums = sumsOf(block, none, {});
+  const VectorXd right = across(block, part.block, none, {}) * part.weights;
+  const double square = part.weights.dot(sumsOf(part.block, none, {}).normal * part.weights);
+  const RowMajor gram = sums.normal;
+  return leastDifference(block.columns().effect->response, spanOf(gram), spanOf(right), square);
+}
+
+}  // namespace alidade

@@ -1,0 +1,143 @@
+#include "core/wording/series_words.h"
+
+#include <algorithm>
+
+#include "core/base/list_text.h"
+#include "core/base/phrase.h"
+#include "core/base/quantity_text.h"
+
+namespace alidade {
+
+namespace {
+
+std::string ofOwner(const SharedCause& cause, const CauseNamer& name) {
+  const std::string effect = name(cause.cause.effect);
+  if (cause.owner == CauseOwner::Instrument && !cause.serial.empty())
+    return Phrase::of("%1 of instrument %2", effect, cause.serial);
+  if (cause.owner == CauseOwner::Guideway && !cause.serial.empty())
+    return Phrase::of("%1 of guideway %2", effect, cause.serial);
+  if (cause.owner == CauseOwner::Time && !cause.sizes.empty())
+    return Phrase::of("%1, of a size of its own in each session", effect);
+  return effect;
+}
+
+std::vector<std::string> named(const std::vector<std::string>& ids, const CauseNamer& name) {
+  std::vector<std::string> names;
+  for (const std::string& id : ids) names.push_back(name(id));
+  return names;
+}
+
+/// Of one session alone.
+bool isOfOne(const SharedCause& cause) {
+  return cause.owner == CauseOwner::Time && cause.sizes.empty();
+}
+
+std::string together(const SeriesDiagnosis& series, const CauseNamer& name) {
+  std::vector<std::string> shared;
+  for (const SharedCause& cause : series.causes)
+    if (!isOfOne(cause)) shared.push_back(ofOwner(cause, name));
+  if (shared.empty())
+    return Phrase::of("The %1 sessions share no effect that shows beyond their stated noise.",
+                      series.sessions.size());
+  std::string text = Phrase::of("The %1 sessions together are best explained by %2.", series.sessions.size(),
+                                listed(shared, Phrase::of(" and ")));
+  for (const SharedCause& cause : series.causes) {
+    if (isOfOne(cause)) continue;
+    if (cause.isDrifting)
+      text =
+          Phrase::of("%1 %2", text,
+                     Phrase::of("The size of %1 changes from session to session.", name(cause.cause.effect)));
+    const auto& alike = cause.cause.indistinguishableFrom;
+    if (alike.empty()) continue;
+    text = Phrase::of("%1 %2", text,
+                      Phrase::of("They cannot tell %1 from %2.", name(cause.cause.effect),
+                                 listed(named(alike, name), Phrase::of(" or "))));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string ownerText(const SharedCause& cause) {
+  switch (cause.owner) {
+    case CauseOwner::Instrument:
+      return cause.serial.empty() ? Phrase::of("an instrument without serial")
+                                  : Phrase::of("instrument %1", cause.serial);
+    case CauseOwner::Guideway:
+      return cause.serial.empty() ? Phrase::of("a guideway without serial")
+                                  : Phrase::of("guideway %1", cause.serial);
+    case CauseOwner::Time:
+      break;
+  }
+  return cause.sizes.empty() ? Phrase::of("the session by itself") : Phrase::of("each session by itself");
+}
+
+std::string sentenceOf(const SeriesDiagnosis& series, const CauseNamer& name) {
+  constexpr std::size_t most = 5;
+  std::string text = together(series, name);
+  std::size_t told = 0;
+  for (const SharedCause& cause : series.causes) {
+    if (!isOfOne(cause) || ++told > most) continue;
+    text = Phrase::of("%1 %2", text,
+                      Phrase::of("By itself %1 holds %2.", series.sessions[cause.sessions.front()].name,
+                                 name(cause.cause.effect)));
+  }
+  return text;
+}
+
+std::string sentenceOf(const SeriesAdvice& advice, const CauseNamer& name) {
+  const std::string sigmas = displayText(advice.bySigma, 1);
+  const std::string them = listed(named(advice.separates, name), Phrase::of(" and "));
+  const auto orAnother = [](const std::string& serial) { return serial.empty() ? std::string("?") : serial; };
+  switch (advice.what) {
+    case SeriesAdvice::What::OtherInstrument:
+      return advice.instrument.empty()
+                 ? Phrase::of(
+                       "Measure guideway %1 with another instrument: %2 sessions tell %3 apart, by %4 σ.",
+                       orAnother(advice.guideway), advice.sessions, them, sigmas)
+                 : Phrase::of("Measure guideway %1 with instrument %2: %3 sessions tell %4 apart, by %5 σ.",
+                              orAnother(advice.guideway), advice.instrument, advice.sessions, them, sigmas);
+    case SeriesAdvice::What::OtherGuideway:
+      return advice.guideway.empty()
+                 ? Phrase::of(
+                       "Measure another guideway with instrument %1: %2 sessions tell %3 apart, by %4 σ.",
+                       orAnother(advice.instrument), advice.sessions, them, sigmas)
+                 : Phrase::of("Measure guideway %1 with instrument %2: %3 sessions tell %4 apart, by %5 σ.",
+                              advice.guideway, orAnother(advice.instrument), advice.sessions, them, sigmas);
+    case SeriesAdvice::What::Again:
+      if (!advice.instrument.empty())
+        return Phrase::of("Measure with instrument %1 again: with %2 more sessions %3 would show by %4 σ.",
+                          advice.instrument, advice.sessions, them, sigmas);
+      return Phrase::of("Measure guideway %1 again: with %2 more sessions %3 would show by %4 σ.",
+                        orAnother(advice.guideway), advice.sessions, them, sigmas);
+  }
+  return {};
+}
+
+std::vector<Finding> findingsOf(const SeriesDiagnosis& series, const CauseNamer& name) {
+  std::vector<Finding> findings;
+  const auto add = [&](std::string text, std::string remedy) {
+    findings.push_back({.severity = Severity::Warning, .text = std::move(text), .remedy = std::move(remedy)});
+  };
+  if (series.withoutInstrument > 0)
+    add(Phrase::of("%1 of %2 sessions do not state the serial of their instrument: nothing of an instrument "
+                   "is taken as shared by them.",
+                   series.withoutInstrument, series.sessions.size()),
+        Phrase::of("State the serials."));
+  if (series.withoutGuideway > 0)
+    add(Phrase::of("%1 of %2 sessions do not state the serial of their guideway: nothing of a guideway is "
+                   "taken as shared by them.",
+                   series.withoutGuideway, series.sessions.size()),
+        Phrase::of("State the serials."));
+  for (const SharedCause& cause : series.causes) {
+    std::vector<std::string> apart;
+    for (const std::size_t s : cause.apart) apart.push_back(series.sessions[s].name);
+    if (!apart.empty())
+      add(Phrase::of("%1 does not share %2 with the others: there its size is another.",
+                     listed(apart, Phrase::of(" and ")), ofOwner(cause, name)),
+          Phrase::of("See what was different in that session."));
+  }
+  return findings;
+}
+
+}  // namespace alidade

@@ -1,0 +1,79 @@
+#include <gmock/gmock.h>
+
+#include "tests/console/console.h"
+
+// `diagnose` of several files, or of a folder: a series.
+
+namespace alidade::test {
+namespace {
+
+using ::testing::HasSubstr;
+using Json = nlohmann::ordered_json;
+
+const std::string stored = ALIDADE_REFERENCE_DIR "/series";
+
+TEST(Series, SaysWhatAFolderShares) {
+  const ProgramRun run = alidadeCli({"diagnose", stored + "/series-06"});
+  EXPECT_EQ(run.exitCode, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("trunnion_tilt of instrument T-1"));
+  EXPECT_THAT(run.out, HasSubstr("in the light of the series"));
+  EXPECT_EQ(run.err, "");
+}
+
+TEST(Series, GivesOneDocument) {
+  const ProgramRun run = alidadeCli({"diagnose", stored + "/series-06", "--json"});
+  ASSERT_EQ(run.exitCode, 0) << run.err;
+  const Json answer = Json::parse(run.out);
+  const ProgramRun alone = alidadeCli({"diagnose", stored + "/series-06/01.alidade", "--json"});
+  const Json one = Json::parse(alone.out);
+  for (const auto& [key, value] : one.items())
+    if (key != "shape") {
+      EXPECT_TRUE(answer["series"].contains(key)) << key;
+      EXPECT_TRUE(answer["sessions"][0].contains(key)) << key;
+    }
+  ASSERT_EQ(answer["sessions"].size(), 12u);
+  EXPECT_EQ(answer["sessions"][0]["session"], one["session"]);
+  ASSERT_FALSE(answer["series"]["causes"].empty());
+  const Json& cause = answer["series"]["causes"][0];
+  EXPECT_EQ(cause["effect"], "trunnion_tilt");
+  EXPECT_EQ(cause["owner"], "instrument");
+  EXPECT_EQ(cause["sessions"].size(), 12u);
+  EXPECT_EQ(cause["sessions"][0], one["session"]);
+}
+
+TEST(Series, DoesNotDependOnTheNumberOfThreads) {
+  const ProgramRun one = alidadeCli({"diagnose", stored + "/series-07", "--json", "--threads", "1"});
+  const ProgramRun four = alidadeCli({"diagnose", stored + "/series-07", "--json", "--threads", "4"});
+  EXPECT_EQ(one.exitCode, 0) << one.err;
+  EXPECT_EQ(one.out, four.out);
+}
+
+TEST(Series, ABadFileDoesNotStopTheRest) {
+  const TemporaryFolder folder;
+  const std::string bad = folder.file("bad.alidade", "{");
+  const ProgramRun run =
+      alidadeCli({"diagnose", stored + "/series-06/01.alidade", bad, stored + "/series-06/02.alidade"});
+  EXPECT_EQ(run.exitCode, 2);
+  EXPECT_THAT(run.err, HasSubstr("bad.alidade: "));
+  EXPECT_EQ(std::ranges::count(run.err, '\n'), 1);
+  EXPECT_THAT(run.out, HasSubstr("2 sessions"));
+}
+
+TEST(Series, RefusesWhatIsNone) {
+  const TemporaryFolder folder;
+  expectRefusal(alidadeCli({"diagnose", folder.path().string()}));
+  expectRefusal(alidadeCli({"diagnose", stored + "/series-06", "--with-reference"}));
+}
+
+TEST(Series, IsScored) {
+  const ProgramRun run = alidadeCli({"trial", "--score", stored, "--json"});
+  ASSERT_EQ(run.exitCode, 0) << run.err;
+  const Json answer = Json::parse(run.out);
+  EXPECT_EQ(answer["named"]["hits"], answer["named"]["count"]);
+  EXPECT_EQ(answer["owner_right"]["hits"], answer["owner_right"]["count"]);
+  EXPECT_EQ(answer["silent_where_empty"]["hits"], answer["silent_where_empty"]["count"]);
+  EXPECT_EQ(alidadeCli({"trial", "--series", "2", "--seed", "4"}).exitCode, 0);
+}
+
+}  // namespace
+}  // namespace alidade::test

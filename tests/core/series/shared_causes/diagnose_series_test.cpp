@@ -1,0 +1,243 @@
+#include "core/series/shared_causes/diagnose_series.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/simulation/protocol.h"
+#include "core/simulation/simulate.h"
+
+// Series simulated from truths that are known, each of too short sessions to show by itself what all share.
+
+namespace alidade {
+namespace {
+
+using testing::Contains;
+using testing::IsEmpty;
+
+struct Drawn {
+  std::string protocol = "two-face";
+  std::size_t count = 8;
+  std::uint64_t seed = 1;
+  std::function<void(Truth&, std::size_t)> put = [](Truth&, std::size_t) {};
+  std::function<std::string(std::size_t)> instrument = [](std::size_t) { return "T-1"; };
+  std::function<std::string(std::size_t)> guideway = [](std::size_t s) { return "G-" + std::to_string(s); };
+};
+
+std::vector<SeriesSession> drawn(const Drawn& how) {
+  std::vector<SeriesSession> sessions;
+  for (std::size_t s = 0; s < how.count; ++s) {
+    const std::uint64_t seed = 1000 * how.seed + s;
+    Truth truth = drawTruth(seed);
+    how.put(truth, s);
+    Session session = *simulate(*protocolByName(how.protocol), truth, seed);
+    session.instrument.serial = how.instrument(s);
+    session.device.serial = how.guideway(s);
+    session.measuredOn = "2026-01-" + std::string(s < 9 ? "0" : "") + std::to_string(s + 1);
+    sessions.push_back(seriesSession("no " + std::to_string(s), session, *examine(session).measurement));
+  }
+  return sessions;
+}
+
+SeriesDiagnosis answerTo(const std::vector<SeriesSession>& sessions,
+                         const SeriesOptions& options = {.withSessions = false}) {
+  auto outcome = diagnoseSeries(sessions, options);
+  EXPECT_TRUE(outcome);
+  return (*std::move(outcome)).diagnosis;
+}
+
+/// Shows by some 2.5 σ in a session of two faces.
+void tiltTrunnion(Truth& truth, std::size_t) {
+  truth.effects = {{ErrorTerm::TrunnionTilt, 4}};
+}
+
+TEST(DiagnoseSeries, NamesWhatNoSessionShowsAlone) {
+  const SeriesDiagnosis series = answerTo(drawn({.put = tiltTrunnion}));
+  ASSERT_EQ(series.causes.size(), 1u);
+  const SharedCause& cause = series.causes.front();
+  EXPECT_EQ(cause.cause.effect, "trunnion_tilt");
+  EXPECT_EQ(cause.owner, CauseOwner::Instrument);
+  EXPECT_EQ(cause.serial, "T-1");
+  EXPECT_EQ(cause.sessions.size(), 8u);
+  EXPECT_FALSE(cause.isDrifting);
+  EXPECT_THAT(cause.cause.indistinguishableFrom, IsEmpty());
+  EXPECT_EQ(series.verdict, DiagnosisVerdict::SingleCause);
+  // Within 3.3 u of the truth: a thousandth of all draws is not.
+  const CauseParameter& tilt = cause.cause.parameters.front();
+  EXPECT_NEAR(tilt.value, 4, 3.3 * tilt.sigma);
+  EXPECT_LT(tilt.sigma, 1);
+  EXPECT_LT(series.after.reducedChiSquare, series.gap.reducedChiSquare);
+  EXPECT_GT(series.shrink.heldOut, 0);
+}
+
+// Independent sessions of one plan: information adds, so four times the sessions have half the u. The prior
+// of 9″ and more weighs less than a hundredth of it.
+TEST(DiagnoseSeries, MoreSessionsKnowTheSizeBetter) {
+  const SeriesDiagnosis few = answerTo(drawn({.count = 4, .put = [](Truth& truth, std::size_t) {
+                                                truth.effects = {{ErrorTerm::TrunnionTilt, 20}};
+                                              }}));
+  const SeriesDiagnosis many = answerTo(drawn({.count = 16, .put = [](Truth& truth, std::size_t) {
+                                                 truth.effects = {{ErrorTerm::TrunnionTilt, 20}};
+                                               }}));
+  ASSERT_FALSE(few.causes.empty() || many.causes.empty());
+  EXPECT_NEAR(many.causes.front().cause.parameters.front().sigma,
+              few.causes.front().cause.parameters.front().sigma / 2,
+              0.05 * few.causes.front().cause.parameters.front().sigma);
+}
+
+TEST(DiagnoseSeries, IsSilentWhereNothingIsShared) {
+  const SeriesDiagnosis series = answerTo(drawn({.seed = 5}));
+  EXPECT_THAT(series.causes, IsEmpty());
+  EXPECT_EQ(series.verdict, DiagnosisVerdict::WithinNoise);
+}
+
+// In one face without slider a trunnion tilt leaves what a warp leaves; only who was there tells.
+TEST(DiagnoseSeries, SerialsTellLookAlikesApart) {
+  const auto tilt = [](Truth& truth, std::size_t) { truth.effects = {{ErrorTerm::TrunnionTilt, 40}}; };
+  const SeriesDiagnosis apart = answerTo(drawn({.protocol = "paper", .put = tilt}));
+  ASSERT_FALSE(apart.causes.empty());
+  EXPECT_EQ(apart.causes.front().cause.effect, "trunnion_tilt");
+  EXPECT_EQ(apart.causes.front().owner, CauseOwner::Instrument);
+  EXPECT_THAT(apart.causes.front().cause.indistinguishableFrom, Not(Contains("plane_warp")));
+
+  const SeriesDiagnosis alike = answerTo(
+      drawn({.protocol = "paper", .put = tilt, .guideway = [](std::size_t) { return std::string("G-1"); }}));
+  ASSERT_FALSE(alike.causes.empty());
+  const Cause& first = alike.causes.front().cause;
+  EXPECT_TRUE(first.effect == "plane_warp" ||
+              std::ranges::count(first.indistinguishableFrom, "plane_warp") == 1);
+  EXPECT_TRUE(first.effect == "trunnion_tilt" ||
+              std::ranges::count(first.indistinguishableFrom, "trunnion_tilt") == 1);
+  EXPECT_EQ(alike.verdict, DiagnosisVerdict::Ambiguous);
+  // The same two together again would never tell.
+  ASSERT_FALSE(alike.advice.empty());
+  EXPECT_NE(alike.advice.front().what, SeriesAdvice::What::Again);
+}
+
+TEST(DiagnoseSeries, AnotherInstrumentHasItsOwnSize) {
+  const SeriesDiagnosis series =
+      answerTo(drawn({.count = 12,
+                      .put =
+                          [](Truth& truth, std::size_t s) {
+                            if (s % 2 == 0) truth.effects = {{ErrorTerm::TrunnionTilt, 6}};
+                          },
+                      .instrument = [](std::size_t s) { return s % 2 == 0 ? "T-1" : "T-2"; },
+                      .guideway = [](std::size_t s) { return "G-" + std::to_string(s % 3); }}));
+  ASSERT_FALSE(series.causes.empty());
+  EXPECT_EQ(series.causes.front().cause.effect, "trunnion_tilt");
+  EXPECT_EQ(series.causes.front().serial, "T-1");
+  EXPECT_THAT(series.causes.front().sessions, testing::ElementsAre(0, 2, 4, 6, 8, 10));
+}
+
+TEST(DiagnoseSeries, OneMisreadValueSpoilsNothing) {
+  const SeriesDiagnosis series = answerTo(drawn({.put = [](Truth& truth, std::size_t s) {
+    tiltTrunnion(truth, s);
+    if (s == 3)
+      truth.grossErrors = {{.axisDeg = 0,
+                            .round = 1,
+                            .point = 8,
+                            .face = 1,
+                            .horizontal = Angle::fromArcseconds(200),
+                            .vertical = {}}};
+  }}));
+  ASSERT_FALSE(series.causes.empty());
+  EXPECT_EQ(series.causes.front().cause.effect, "trunnion_tilt");
+  const CauseParameter& tilt = series.causes.front().cause.parameters.front();
+  EXPECT_NEAR(tilt.value, 4, 3.3 * tilt.sigma);
+  ASSERT_EQ(series.sessions[3].own.size(), 1u);
+  EXPECT_EQ(series.sessions[3].own.front().effect, "gross_error");
+  EXPECT_THAT(series.sessions[2].own, IsEmpty());
+}
+
+TEST(DiagnoseSeries, ASessionThatDoesNotShareItIsSetApart) {
+  const SeriesDiagnosis series = answerTo(drawn({.put = [](Truth& truth, std::size_t s) {
+    truth.effects = {{ErrorTerm::TrunnionTilt, s == 5 ? -25.0 : 12.0}};
+  }}));
+  ASSERT_FALSE(series.causes.empty());
+  const SharedCause& cause = series.causes.front();
+  EXPECT_EQ(cause.cause.effect, "trunnion_tilt");
+  const CauseParameter& tilt = cause.cause.parameters.front();
+  EXPECT_NEAR(tilt.value, 12, 3.3 * tilt.sigma);
+  // Either told as not sharing it, or as holding one of its own beside it.
+  EXPECT_TRUE(std::ranges::count(cause.apart, 5u) == 1 || !series.sessions[5].own.empty());
+}
+
+TEST(DiagnoseSeries, TellsASizeThatDrifts) {
+  const SeriesDiagnosis series =
+      answerTo(drawn({.count = 10, .put = [](Truth& truth, std::size_t s) {
+                        truth.effects = {{ErrorTerm::TrunnionTilt, 2.0 * static_cast<double>(s)}};
+                      }}));
+  ASSERT_FALSE(series.causes.empty());
+  const SharedCause& cause = series.causes.front();
+  EXPECT_EQ(cause.cause.effect, "trunnion_tilt");
+  EXPECT_TRUE(cause.isDrifting);
+  ASSERT_EQ(cause.sizes.size(), 10u);
+  EXPECT_NEAR(cause.sizes.back().parameters.front().value, 18,
+              4 * cause.sizes.back().parameters.front().sigma);
+}
+
+TEST(DiagnoseSeries, WithoutSerialsNothingIsShared) {
+  const auto none = [](std::size_t) { return std::string(); };
+  const SeriesDiagnosis series = answerTo(drawn({.put = tiltTrunnion, .instrument = none, .guideway = none}));
+  EXPECT_EQ(series.withoutInstrument, 8u);
+  EXPECT_EQ(series.withoutGuideway, 8u);
+  for (const SharedCause& cause : series.causes)
+    EXPECT_TRUE(cause.sessions.size() == 1 || !cause.sizes.empty());
+}
+
+TEST(DiagnoseSeries, NeitherOrderNorThreadsMatter) {
+  std::vector<SeriesSession> sessions = drawn({.put = tiltTrunnion});
+  const SeriesDiagnosis one = answerTo(sessions, {.threads = 1});
+  const SeriesDiagnosis three = answerTo(sessions, {.threads = 3});
+  std::ranges::reverse(sessions);
+  const SeriesDiagnosis reversed = answerTo(sessions, {.threads = 2});
+  for (const SeriesDiagnosis* other : {&three, &reversed}) {
+    ASSERT_EQ(one.causes.size(), other->causes.size());
+    for (std::size_t c = 0; c < one.causes.size(); ++c) {
+      EXPECT_EQ(one.causes[c].cause.effect, other->causes[c].cause.effect);
+      EXPECT_EQ(one.causes[c].cause.parameters.front().value,
+                other->causes[c].cause.parameters.front().value);
+    }
+    for (std::size_t s = 0; s < one.sessions.size(); ++s) {
+      EXPECT_EQ(one.sessions[s].name, other->sessions[s].name);
+      EXPECT_EQ(one.sessions[s].diagnosis.verdict, other->sessions[s].diagnosis.verdict);
+    }
+  }
+}
+
+// What the others say of a session's share is as sure as the others are, not surer.
+TEST(DiagnoseSeries, ASessionKnowsWhatTheOthersSay) {
+  const SeriesDiagnosis series = answerTo(drawn({.put = tiltTrunnion}));
+  for (const SeriesMember& member : series.sessions) {
+    ASSERT_EQ(member.shared.size(), 1u);
+    EXPECT_EQ(member.shared.front().effect, "trunnion_tilt");
+    EXPECT_GT(member.shared.front().sigma, series.causes.front().cause.parameters.front().sigma);
+  }
+}
+
+TEST(DiagnoseSeries, OneSessionThatCannotBeUsedStopsNothing) {
+  std::vector<SeriesSession> sessions = drawn({.put = tiltTrunnion});
+  for (ArcMeasurement& arc : sessions[2].measurement.arcs) arc.sightings.clear();
+  const auto outcome = diagnoseSeries(sessions, {.withSessions = false});
+  ASSERT_TRUE(outcome);
+  ASSERT_EQ(outcome->unusable.size(), 1u);
+  EXPECT_EQ(outcome->unusable.front().first, 2u);
+  EXPECT_EQ(outcome->diagnosis.sessions.size(), 7u);
+}
+
+TEST(DiagnoseSeries, RefusesNoSessionsAndUnknownEffects) {
+  EXPECT_FALSE(diagnoseSeries({}));
+  EXPECT_FALSE(diagnoseSeries(drawn({.count = 2}), {.without = {"phlogiston"}}));
+}
+
+TEST(DiagnoseSeries, StopsWhenItIsAskedTo) {
+  std::stop_source source;
+  source.request_stop();
+  const auto outcome = diagnoseSeries(drawn({.count = 3}), {}, source.get_token());
+  ASSERT_FALSE(outcome);
+  EXPECT_TRUE(std::holds_alternative<Stopped>(outcome.problem()));
+}
+
+}  // namespace
+}  // namespace alidade
