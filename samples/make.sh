@@ -32,3 +32,14 @@ sample knocked-tripod --seed 5 --protocol there-and-back --points 9 --intersecti
 sample noisy-readings --seed 6 --protocol two-face --points 9 --rounds 1 --intersection 0.4 \
   --effect underestimated_noise=3 --title "Noise larger than stated" \
   --notes "Simulated: the readings scatter by 6 arcseconds where 2 are stated, and nothing else is wrong."
+
+# A device over a year, read with one instrument; between July and August its guideway was knocked.
+mkdir -p -- "$folder/history"
+month=0
+for intersection in 0.20 0.20 0.20 0.20 0.20 0.20 0.20 0.45 0.45 0.45 0.45 0.45; do
+  month=$((month + 1))
+  date=$(printf '2025-%02d-%02d' "$month" "$((3 + month))")
+  sample "history/$date" --seed "$((100 + month))" --protocol two-face --points 9 --rounds 1 \
+    --intersection "$intersection" --radius 400.05 --measured-on "$date" --device G-07 --instrument T-1138 \
+    --title "Guideway 7, $date" --notes "Simulated: the same device each month; its intersection is $intersection mm on this day."
+done

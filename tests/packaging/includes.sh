@@ -13,7 +13,8 @@ awk '
                   "adjustment/gross_errors " \
                   "diagnosis/result diagnosis/gap diagnosis/evidence diagnosis/candidates diagnosis/search " \
                   "diagnosis/observability diagnosis/conclusion diagnosis " \
-                  "wording answers simulation", order)
+                  "wording answers simulation " \
+                  "series/history", order)
     for (i = 1; i <= rooms; ++i) level["core/" order[i]] = i
     # Linear algebra, for the sources of one floor and nobody else.
     floor_of["core/adjustment/joint/arc_jets.h"] = "adjustment"

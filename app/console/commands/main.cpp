@@ -9,6 +9,7 @@
 #include "app/console/channels.h"
 #include "app/console/commands/diagnose_command.h"
 #include "app/console/commands/fit_command.h"
+#include "app/console/commands/history_command.h"
 #include "app/console/commands/import_command.h"
 #include "app/console/commands/journal_command.h"
 #include "app/console/commands/plan_command.h"
@@ -86,6 +87,8 @@ int run(int argc, char** argv, std::string& subject) {
   addTrialCommand(app, trialRequest);
   JournalRequest journalRequest;
   addJournalCommand(app, journalRequest);
+  HistoryRequest historyRequest;
+  addHistoryCommand(app, historyRequest);
   ImportRequest importRequest;
   addImportCommand(app, importRequest);
   app.footer("Exit codes: 0 done, 2 bad input or call, 1 anything else.");
@@ -102,6 +105,7 @@ int run(int argc, char** argv, std::string& subject) {
 
   if (app.got_subcommand("simulate")) return give(runSimulate(simulateRequest), subject);
   if (app.got_subcommand("trial")) return give(runTrial(trialRequest), subject);
+  if (app.got_subcommand("history")) return giveHistory(historyRequest);
   if (app.got_subcommand("import")) return giveImport(importRequest, subject);
   const auto giveFrom = [&](const auto& request, const auto& runCommand) {
     subject = inputName(request.file);

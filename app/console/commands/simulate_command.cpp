@@ -7,6 +7,7 @@
 #include "app/console/output_file.h"
 #include "core/base/number_text.h"
 #include "core/base/visible_text.h"
+#include "core/session/measurement.h"
 #include "core/session/session_file.h"
 #include "core/simulation/protocol.h"
 #include "core/simulation/simulate.h"
@@ -127,6 +128,12 @@ void addSimulateCommand(CLI::App& app, SimulateRequest& request) {
   simulate->add_option("--truth", request.truth, "Truth file to write (JSON)")->required();
   simulate->add_option("--title", request.title, "Title of the session")->check(textCheck());
   simulate->add_option("--notes", request.notes, "Notes of the session")->check(textCheck());
+  simulate->add_option("--measured-on", request.measuredOn, "Date that the session states")
+      ->check(
+          [](const std::string& date) { return entryProblem(Session(), "measured_on", date).value_or(""); });
+  simulate->add_option("--device", request.device, "Serial number of the device")->check(textCheck());
+  simulate->add_option("--instrument", request.instrument, "Serial number of the instrument")
+      ->check(textCheck());
   addPlanOptions(*simulate, request);
   simulate->add_option("--effect", request.effects, "NAME=VALUE of an effect to put in; may be repeated")
       ->take_all()
@@ -151,6 +158,9 @@ Result<std::string> runSimulate(const SimulateRequest& request) {
   Session session = *std::move(simulated);
   if (!request.title.empty()) session.title = request.title;
   session.notes = request.notes;
+  session.measuredOn = request.measuredOn;
+  session.device.serial = request.device;
+  session.instrument.serial = request.instrument;
   if (request.tolerance) session.acceptance.toleranceMm = shortestText(*request.tolerance);
   const std::string id = wellFormed(std::filesystem::path(request.out).stem().string());
   if (auto problem = writeOutputs(
