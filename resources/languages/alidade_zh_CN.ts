@@ -3781,6 +3781,330 @@ Sealed by:</source>
         <source>Were what is known of %1 stale, these readings could not tell it from %2.</source>
         <translation>假如关于%1的已知内容已过时，这些读数就不能将其与%2区分开。</translation>
     </message>
+    <message>
+        <source>has no Δd to tell: it takes readings at 0° and at 180°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is no date: write year-month-day, year-month, a year or a decimal year</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>p &lt; 0.001</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>p = %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is one value: nothing compares it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>χ² = %1 with %2 degrees of freedom, %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the values agree within their uncertainties, but they scatter by less than these, and by that scatter a change shows.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the values agree within their uncertainties.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the values scatter about one mean %2 times as much as their uncertainties say.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From %1 on it is another one, by %2 (standard uncertainty).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 It happened between %2 and %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 Its first value is one of those from %2 to %3 (95 %).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No step and no trend explains that: either the uncertainties are understated, or the values are too few to tell what changed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A level that rests on one value cannot be told from a value that is off: measure once more before acting on it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It changes all along, by %1 (standard uncertainty).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The value of %1 stands apart from all others: look for what was different that day, a misread session or another set-up, before believing in a change.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The values wander: what lies close in time agrees better than what lies far apart, and neither steps nor a trend explain that as well.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weighted mean of %1 values: %2 (standard uncertainty).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With the scatter that is seen the mean has a standard uncertainty of %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How probable each account of the values is: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is one session: it cannot be compared.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sessions name no serial number of the device: nothing is taken for shared between them, so that a change has to be larger to be told. Enter it to see smaller ones.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All sessions have one device and one instrument: what errors of these do to Δd is the same each time, so it is in U and in the mean, but not in how far the values may scatter.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sessions were not all taken with one instrument, or do not name its serial number: what its errors do to Δd is taken to differ from one to the next.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Δd has changed from %1 to %2: by %3, %4.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No change of Δd shows from %1 to %2: it is %3, %4.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (T = %2 of %3 numbers, %4)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By the readings alone the device is congruent: (O1 − O2)/2 and the radii agree.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By the readings alone the device is not congruent: (O1 − O2)/2 or the radii differ.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>O1 and O2 lie where they did, seen from the theodolite.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>O1 and O2 lie elsewhere seen from the theodolite, as they do wherever it was set up anew.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Δd as found</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Δd of the fit alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>O1, x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>O1, y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>O2, x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>O2, y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>radius at 0°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>radius at 180°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>constant</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a trend</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one value off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>wandering</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has no date and takes no part: enter the day it was measured on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>holds no value: each line has a date, a value and its standard uncertainty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the column %1 holds expanded uncertainties: half of each is taken as the standard uncertainty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the column U is taken for standard uncertainties (k = 1): halve it where it is not</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has commas between and within its numbers: part them by semicolons</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has no date: write year-month-day, year-month, a year or a decimal year</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has no value: each line has a date, a value and its standard uncertainty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>line %1 has no value and is left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is no number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has no standard uncertainty: without one the value cannot be weighed, state it in the third column</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the standard uncertainty %1 is not greater than 0: a value without one cannot be weighed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the other sessions of the series</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of instrument %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of guideway %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, of a size of its own in each session</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The %1 sessions share no effect that shows beyond their stated noise.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The %1 sessions together are best explained by %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The size of %1 changes from session to session.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>They cannot tell %1 from %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an instrument without serial</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>instrument %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a guideway without serial</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>guideway %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the session by itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>each session by itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By itself %1 holds %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure guideway %1 with another instrument: %2 sessions tell %3 apart, by %4 σ.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure guideway %1 with instrument %2: %3 sessions tell %4 apart, by %5 σ.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure another guideway with instrument %1: %2 sessions tell %3 apart, by %4 σ.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure with instrument %1 again: with %2 more sessions %3 would show by %4 σ.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure guideway %1 again: with %2 more sessions %3 would show by %4 σ.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 sessions do not state the serial of their instrument: nothing of an instrument is taken as shared by them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>State the serials.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 sessions do not state the serial of their guideway: nothing of a guideway is taken as shared by them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 does not share %2 with the others: there its size is another.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>See what was different in that session.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>PlaceText</name>

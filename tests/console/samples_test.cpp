@@ -98,11 +98,13 @@ TEST(Samples, RecipeMakesThemByteByByte) {
        .arguments = {"bash", (samples / "make.sh").string(), ALIDADE_CLI, folder.path().string()}});
   ASSERT_EQ(run.exitCode, 0) << run.err;
   std::size_t made = 0;
-  for (const auto& entry : fs::directory_iterator(folder.path())) {
-    EXPECT_EQ(contentOf(entry.path()), contentOf(samples / entry.path().filename())) << entry.path();
+  for (const auto& entry : fs::recursive_directory_iterator(folder.path())) {
+    if (entry.is_directory()) continue;
+    EXPECT_EQ(contentOf(entry.path()), contentOf(samples / fs::relative(entry.path(), folder.path())))
+        << entry.path();
     ++made;
   }
-  EXPECT_EQ(made, 8u);
+  EXPECT_EQ(made, 20u);
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ awk '
                   "diagnosis/observability diagnosis/conclusion diagnosis " \
                   "series/shared_causes " \
                   "wording answers simulation " \
-                  "series/instrument_check", order)
+                  "series/instrument_check series/history", order)
     for (i = 1; i <= rooms; ++i) level["core/" order[i]] = i
     # Linear algebra, for the sources of one floor and nobody else.
     floor_of["core/adjustment/joint/arc_jets.h"] = "adjustment"

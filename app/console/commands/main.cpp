@@ -9,6 +9,7 @@
 #include "app/console/channels.h"
 #include "app/console/commands/diagnose_command.h"
 #include "app/console/commands/fit_command.h"
+#include "app/console/commands/history_command.h"
 #include "app/console/commands/import_command.h"
 #include "app/console/commands/instrument_command.h"
 #include "app/console/commands/journal_command.h"
@@ -94,6 +95,8 @@ int run(int argc, char** argv, std::string& subject) {
   addTrialCommand(app, trialRequest);
   JournalRequest journalRequest;
   addJournalCommand(app, journalRequest);
+  HistoryRequest historyRequest;
+  addHistoryCommand(app, historyRequest);
   ImportRequest importRequest;
   addImportCommand(app, importRequest);
   InstrumentRequest instrumentRequest;
@@ -112,6 +115,7 @@ int run(int argc, char** argv, std::string& subject) {
 
   if (app.got_subcommand("simulate")) return give(runSimulate(simulateRequest), subject);
   if (app.got_subcommand("trial")) return give(runTrial(trialRequest), subject);
+  if (app.got_subcommand("history")) return giveHistory(historyRequest);
   if (app.got_subcommand("import")) return giveImport(importRequest, subject);
   if (app.got_subcommand("instrument")) return giveInstrument(instrumentRequest, subject);
   const auto giveFrom = [&](const auto& request, const auto& runCommand) {
