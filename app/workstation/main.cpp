@@ -69,6 +69,7 @@ int run(int argc, char** argv) {
   }
   ui::Application application(argc, argv);
   ui::setUpApplication(application);
+  QGuiApplication::setDesktopFileName(QStringLiteral(ALIDADE_APPLICATION_ID));
 
   QCommandLineParser parser;
   parser.setApplicationDescription(QStringLiteral("Measurement workstation for rotatable arc guideways."));
