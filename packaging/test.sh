@@ -14,7 +14,7 @@ HELP
   exit 0
 fi
 
-install_packages "$root/packaging/packages-build.txt" "$root/packaging/packages-test.txt"
+install_packages "$root"/packaging/packages-{build,package,test}.txt
 configure test
 cmake --build "$build" >&2
 

@@ -38,9 +38,20 @@ sample known-instrument --seed 7 --protocol two-face --points 9 --rounds 1 --int
   --title "As the record says" \
   --notes "Simulated: the trunnion axis is tilted by 25 arcseconds, which the instrument's record says. With what is known nothing is left to explain."
 sample stale-record --seed 8 --protocol two-face --points 9 --rounds 1 --intersection 0.4 \
-  --effect collimation=41 --effect trunnion_tilt=25 --effect vertical_index=-4 --instrument "$here/t-1.alidade-instrument" \
+  --effect collimation=3 --effect trunnion_tilt=-30 --effect vertical_index=-4 --instrument "$here/t-1.alidade-instrument" \
   --title "Knocked since the record" \
-  --notes "Simulated: the record says a collimation of 3.2 arcseconds; the instrument was knocked since, and it is 41 arcseconds."
+  --notes "Simulated: the record says that the trunnion axis is tilted by 25 arcseconds; the instrument was knocked since, and it is -30 arcseconds."
+
+# A device over a year, read with one instrument; between July and August its guideway was knocked.
+mkdir -p -- "$folder/history"
+month=0
+for intersection in 0.20 0.20 0.20 0.20 0.20 0.20 0.20 0.45 0.45 0.45 0.45 0.45; do
+  month=$((month + 1))
+  date=$(printf '2025-%02d-%02d' "$month" "$((3 + month))")
+  sample "history/$date" --seed "$((100 + month))" --protocol two-face --points 9 --rounds 1 \
+    --intersection "$intersection" --radius 400.05 --measured-on "$date" --device-serial G-07 --instrument-serial T-1138 \
+    --title "Guideway 7, $date" --notes "Simulated: the same device each month; its intersection is $intersection mm on this day."
+done
 
 # One theodolite on four guideways, each read twice.
 mkdir -p -- "$folder/series"

@@ -1,6 +1,7 @@
 #include "ui/application.h"
 
 #include "core/base/failure.h"
+#include "ui/settings/window_font.h"
 #include "ui/text/entry_text.h"
 
 namespace alidade::ui {
@@ -13,6 +14,12 @@ bool Application::notify(QObject* receiver, QEvent* event) {
     failureOf([&] { tell(qText(reason)); });
     return false;
   }
+}
+
+bool Application::event(QEvent* event) {
+  const bool isKnown = QApplication::event(event);
+  if (event->type() == QEvent::ApplicationFontChange) emit FontNews::of().changed();
+  return isKnown;
 }
 
 /// A dialog must not open in the middle of what broke down, and an event that comes again and again must not

@@ -18,6 +18,9 @@ class Application : public QApplication {
   /// After the event: the reason as `thrownReason` has it, each one once.
   void failed(const QString& reason);
 
+ protected:
+  bool event(QEvent* event) override;
+
  private:
   void tell(const QString& reason);
 

@@ -36,6 +36,8 @@
 #include "ui/entry/readings_finder.h"
 #include "ui/forms/field_binding.h"
 #include "ui/forms/field_form.h"
+#include "ui/instrument/check_chart.h"
+#include "ui/instrument/instrument_dialog.h"
 #include "ui/jobs/failed_job.h"
 #include "ui/main_window_actions.h"
 #include "ui/panels/gap/gap_panel.h"
@@ -56,6 +58,7 @@
 #include "ui/panels/window/job_status.h"
 #include "ui/panels/window/page_tabs.h"
 #include "ui/settings/theme.h"
+#include "ui/settings/window_font.h"
 #include "ui/start/samples.h"
 #include "ui/start/start_page.h"
 #include "ui/text/cause_text.h"
@@ -99,7 +102,7 @@ MainWindow::MainWindow(std::unique_ptr<Dialogs> dialogs)
   statusBar()->addPermanentWidget(m_next);
   statusBar()->addPermanentWidget(m_jobs);
   setAcceptDrops(true);
-  resize(1280, 800);
+  resize(firstSize());
   connectParts();
   restoreLayout();
   fitOnScreen();
@@ -126,7 +129,9 @@ QWidget* MainWindow::createEntryColumn() {
   m_forms->addTab(scrolled(createSessionForm(m_document)), tr("Se&ssion"));
   m_forms->addTab(scrolled(createLaboratoryForm(m_document)), tr("La&boratory"));
   m_forms->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+  m_forms->setAccessibleName(tr("Forms of the session"));
   m_positions = new PositionTabs(m_document);
+  m_positions->setAccessibleName(tr("Positions of the axis"));
   m_findings = new FindingsPanel;
   for (int form = 0; form < m_forms->count(); ++form)
     m_forms->widget(form)->setProperty(
@@ -140,16 +145,20 @@ QWidget* MainWindow::createEntryColumn() {
   count->setObjectName(QStringLiteral("findings count"));
   count->setForegroundRole(QPalette::PlaceholderText);
   count->hide();
-  m_findings->setMinimumHeight(3 * fontMetrics().lineSpacing());
+  layOutByFont(*m_findings, [this, lines = isLow() ? 1 : 3] {
+    m_findings->setMinimumHeight(lines * m_findings->fontMetrics().lineSpacing());
+  });
   connect(m_findings, &FindingsPanel::counted, count, [count](const QString& text) {
     count->setText(text);
     count->setVisible(!text.isEmpty());
   });
   QWidget* bottom = stacked(m_suspects, stacked(count, m_findings));
-  QSplitter* column = split(Qt::Vertical, "entries", {top, bottom}, {620, 90});
+  QSplitter* column = split(Qt::Vertical, "entries", {top, bottom}, {620, isLow() ? 30 : 90});
   QWidget* entries = padded(column, {6, 6, 0, 6});
-  entries->setMinimumWidth(isNarrow() ? 400 : 440);  // every placeholder of the forms
-  entries->setMaximumWidth(760);                     // every column of readings, and a note
+  layOutByFont(*entries, [this, entries] {
+    entries->setMinimumWidth(byFont(isNarrow() ? 422 : 440));  // every placeholder of the forms
+    entries->setMaximumWidth(byFont(760));                     // every column of readings, and a note
+  });
   return entries;
 }
 
@@ -167,6 +176,7 @@ QWidget* MainWindow::createResultColumn() {
 
 PageTabs* MainWindow::createFigures() {
   auto* pages = new PageTabs;
+  pages->setAccessibleName(tr("Pages of the result"));
   m_effects = new EffectsPanel(m_document);
   m_result = new ResultPanel;
   pages->addPage(m_result, tr("Result"));
@@ -179,6 +189,7 @@ PageTabs* MainWindow::createFigures() {
 
 PageTabs* MainWindow::createDetails() {
   auto* pages = new PageTabs;
+  pages->setAccessibleName(tr("Pages of the details"));
   auto* residuals = new ResidualChart;
   auto* reliability = new ReliabilityPanel;
   auto* faces = new TwoFacesPanel;
@@ -339,12 +350,14 @@ void MainWindow::showStart() {
   m_start->refresh();
   m_stack->setCurrentWidget(m_start);
   m_start->focusFirst();
+  m_next->hide();
 }
 
 /// The keyboard goes to the first entry, unless it is somewhere already.
 void MainWindow::hideStart() {
   if (!m_start || m_stack->currentWidget() != m_start) return;
   m_stack->setCurrentIndex(0);
+  m_next->show();
   m_entry->goToNextEntry();
 }
 
@@ -452,6 +465,16 @@ void MainWindow::showBlindTrials() {
   m_blindTrials->show();
   m_blindTrials->raise();
   m_blindTrials->activateWindow();
+}
+
+void MainWindow::showInstrumentCheck() {
+  if (!m_instrument) {
+    m_instrument = new InstrumentDialog(*m_dialogs, this);
+    connect(&m_instrument->chart().files(), &ChartFiles::fileWanted, m_exports, &ExportFlow::saveChart);
+  }
+  m_instrument->show();
+  m_instrument->raise();
+  m_instrument->activateWindow();
 }
 
 void MainWindow::tellFailure(const QString& reason) {
@@ -639,6 +662,16 @@ void MainWindow::dropEvent(QDropEvent* event) {
 /// A screen of 1920 pixels at scale 2 has 960.
 bool MainWindow::isNarrow() const {
   return screen()->availableGeometry().width() < 1000;
+}
+
+bool MainWindow::isLow() const {
+  return screen()->availableGeometry().height() < 620;
+}
+
+/// Most of a large screen, but no more than the eye takes in.
+QSize MainWindow::firstSize() const {
+  constexpr QSize usual(1280, 800), largest(1800, 1100);
+  return (screen()->availableGeometry().size() * 0.75).expandedTo(usual).boundedTo(largest);
 }
 
 /// Frame and all; what was remembered may be of a larger screen.

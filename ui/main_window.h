@@ -20,6 +20,7 @@ namespace alidade::ui {
 
 class ArcChart;
 class BlindTrialDialog;
+class InstrumentDialog;
 class BudgetPanel;
 class ChangedFileBar;
 class EffectsPanel;
@@ -55,6 +56,7 @@ class MainWindow : public QMainWindow {
   ExportFlow& exports() { return *m_exports; }
   InstrumentFlow& instrument() { return *m_instrument; }
   FitJob& job() { return m_job; }
+  FitJob& fitJob() { return m_job; }
   GapJob& gapJob() { return m_gapJob; }
   EntryGuide& entry() { return *m_entry; }
   ReadingsFinder& finder() { return *m_finder; }
@@ -85,6 +87,8 @@ class MainWindow : public QMainWindow {
   void hideStart();
   /// Opens the dialog of blind trials, which stays open beside the window.
   void showBlindTrials();
+  /// Opens the dialog of the instrument check, which stays open beside the window.
+  void showInstrumentCheck();
   /// Tells, and records with the session, that the window threw while it handled an event.
   void tellFailure(const QString& reason);
   SuspectBar* suspects() const { return m_suspects; }
@@ -120,8 +124,10 @@ class MainWindow : public QMainWindow {
   void stopJobs();
   void markForms();
   void revealField(const Place& place, bool takeFocus);
+  QSize firstSize() const;
   void fitOnScreen();
   bool isNarrow() const;
+  bool isLow() const;
   void restoreLayout();
   void saveLayout() const;
 
@@ -160,6 +166,7 @@ class MainWindow : public QMainWindow {
   ReadingsFinder* m_finder = nullptr;
   SharedEvaluation m_shown;                   ///< the newest; null before the first
   BlindTrialDialog* m_blindTrials = nullptr;  ///< null until it is wanted
+  InstrumentDialog* m_instrument = nullptr;   ///< likewise
 };
 
 }  // namespace alidade::ui

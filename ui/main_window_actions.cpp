@@ -32,6 +32,7 @@
 #include "ui/settings/entry_tone.h"
 #include "ui/settings/recent_files.h"
 #include "ui/settings/theme.h"
+#include "ui/settings/window_font.h"
 #include "ui/text/position_text.h"
 #include "ui/text/visible_text.h"
 
@@ -54,7 +55,8 @@ QAction* addTo(QMenu& menu, const char* icon, const QString& text, const QKeySeq
 
 }  // namespace
 
-WindowActions::WindowActions(MainWindow& window, Dialogs& dialogs) : QObject(&window), m_window(window) {
+WindowActions::WindowActions(MainWindow& window, Dialogs& dialogs)
+    : QObject(&window), m_window(window), m_dialogs(dialogs) {
   auto* bar = new QToolBar(tr("Tools"));
   bar->setObjectName(QStringLiteral("tools"));
   bar->setIconSize({20, 20});
@@ -337,7 +339,27 @@ void WindowActions::createViewMenu() {
     connect(action, &QAction::triggered, this, [which = theme] { applyTheme(which); });
   }
   menu.addActions(themes->actions());
+  addFontActions(menu);
   addLanguageActions(menu);
+}
+
+/// Letters of the window; those of the report stay what they are.
+void WindowActions::addFontActions(QMenu& menu) {
+  QMenu& fonts = *menu.addMenu(tr("F&ont"));
+  QAction* desktop = addTo(fonts, nullptr, tr("As the &Desktop"), {}, this, [] { applyFont({}); });
+  desktop->setCheckable(true);
+  fonts.addSeparator();
+  addTo(fonts, nullptr, tr("&Larger"), QKeySequence(tr("Ctrl+Alt++")), this,
+        [] { applyFont(resized(rememberedFont(), 1)); });
+  addTo(fonts, nullptr, tr("&Smaller"), QKeySequence(tr("Ctrl+Alt+-")), this,
+        [] { applyFont(resized(rememberedFont(), -1)); });
+  fonts.addSeparator();
+  addTo(fonts, nullptr, tr("&Choose…"), {}, this, [this] {
+    if (const auto chosen = m_dialogs.askFont(QApplication::font()))
+      applyFont({chosen->family(), chosen->pointSizeF()});
+  });
+  connect(&fonts, &QMenu::aboutToShow, this,
+          [desktop] { desktop->setChecked(rememberedFont() == FontChoice()); });
 }
 
 /// Each in its own language, for who cannot read the one that is spoken.
@@ -424,6 +446,7 @@ void WindowActions::createToolsMenu() {
   QMenu& menu = *m_window.menuBar()->addMenu(tr("T&ools"));
   addTo(menu, nullptr, tr("&Blind Trial…"), QKeySequence(tr("Ctrl+B")), this,
         [this] { m_window.showBlindTrials(); });
+  addTo(menu, nullptr, tr("&Instrument Check…"), {}, this, [this] { m_window.showInstrumentCheck(); });
   addTo(menu, nullptr, tr("&Commands…"), QKeySequence(tr("Ctrl+Shift+P")), this, [this] {
     CommandPalette palette(*m_window.menuBar(), &m_window);
     if (QAction* command = palette.ask()) command->trigger();

@@ -38,6 +38,7 @@ class WindowActions : public QObject {
   void addSuspectActions(QMenu& menu);
   void createViewMenu();
   void addUnitActions(QMenu& menu);
+  void addFontActions(QMenu& menu);
   void addLanguageActions(QMenu& menu);
   void addPageActions(QMenu& menu);
   void addEnlargeAction(QMenu& menu);
@@ -49,6 +50,7 @@ class WindowActions : public QObject {
   void selectAll();
 
   MainWindow& m_window;
+  Dialogs& m_dialogs;
   QAction* m_enlarge = nullptr;
   QPointer<HelpWindow> m_guide;  ///< null until it is wanted
   QList<QAction*> m_tableActions;

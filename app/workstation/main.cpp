@@ -13,6 +13,7 @@
 #include "ui/main_window.h"
 #include "ui/settings/theme.h"
 #include "ui/settings/visible_log.h"
+#include "ui/settings/window_font.h"
 #include "ui/text/visible_text.h"
 
 namespace {
@@ -43,6 +44,7 @@ QString languageIds() {
 /// The file is opened from within the event loop: what it throws ends nothing.
 int openWindow(ui::Application& application, const QString& path) {
   ui::applyTheme(ui::rememberedTheme());
+  ui::applyFont(ui::rememberedFont());
   ui::MainWindow window;
   QObject::connect(&application, &ui::Application::failed, &window, &ui::MainWindow::tellFailure);
   window.keepIn(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) +
@@ -67,6 +69,7 @@ int run(int argc, char** argv) {
   }
   ui::Application application(argc, argv);
   ui::setUpApplication(application);
+  QGuiApplication::setDesktopFileName(QStringLiteral(ALIDADE_APPLICATION_ID));
 
   QCommandLineParser parser;
   parser.setApplicationDescription(QStringLiteral("Measurement workstation for rotatable arc guideways."));

@@ -97,7 +97,8 @@ class Assembly {
       if (areSeveral()) problem.file = m_files[file].name;
       m_problems.emplace_back(file, std::move(problem));
     }
-    for (const std::string& sentence : recording.unused) remark(ofFile(file) + sentence);
+    for (const auto* sentences : {&recording.unused, &recording.unusedBySession})
+      for (const std::string& sentence : *sentences) remark(ofFile(file) + sentence);
     m_tellsTurns = m_tellsTurns || recording.tellsTurns;
     takeAxes(recording, file);
     const std::string& round = m_files[file].round;

@@ -49,12 +49,8 @@ class CsvReader {
       return std::move(m_recording);
     }
     if (m_columns.empty()) return std::move(m_recording);
-    for (std::size_t i = 0; i < m_unusedCells.size(); ++i)
-      if (m_unusedCells[i] > 0)
-        m_recording.unused.push_back(
-            m_unusedCells[i] == 1
-                ? Phrase::of("the column %1 is not used: 1 value", nameOf(i))
-                : Phrase::of("the column %1 is not used: %2 values", nameOf(i), m_unusedCells[i]));
+    m_recording.unused = unusedSentences(false);
+    m_recording.unusedBySession = unusedSentences(true);
     for (const CsvRow& row : m_earlyRemarks)
       if (holdsReading(row)) tellOfRemark(row.line);
     for (const std::size_t line : m_remarksWithReading) tellOfRemark(line);
@@ -81,6 +77,18 @@ class CsvReader {
         Phrase::of("line %1 begins with # and is not used, though it holds a reading", line));
   }
 
+  /// Values of the columns that are told of.
+  std::vector<std::string> unusedSentences(bool isBySession) const {
+    std::vector<std::string> sentences;
+    for (std::size_t i = 0; i < m_unusedCells.size(); ++i)
+      if (m_unusedCells[i] > 0 && m_columns[i].column.has_value() == isBySession)
+        sentences.push_back(
+            m_unusedCells[i] == 1
+                ? Phrase::of("the column %1 is not used: 1 value", nameOf(i))
+                : Phrase::of("the column %1 is not used: %2 values", nameOf(i), m_unusedCells[i]));
+    return sentences;
+  }
+
   bool has(TableColumn column) const {
     return std::any_of(m_columns.begin(), m_columns.end(),
                        [column](const ColumnName& name) { return name.column == column; });
@@ -100,6 +108,7 @@ class CsvReader {
       ColumnName name = columnName(cell.text);
       if (!m_layout.columns.empty())
         name.column = i < m_layout.columns.size() ? tableColumn(m_layout.columns[i]) : std::nullopt;
+      if (name.column && !name.column->isOfSession() && has(*name.column)) name.column.reset();
       if (name.column && has(*name.column)) {
         refuse(names.line, cell.column,
                Phrase::of("%1 is a second column for “%2”: rename or remove one of the two",
@@ -140,10 +149,9 @@ class CsvReader {
             Phrase::of("%1 stands beyond the last named column: name its column, or put double quotes "
                        "around the entry that holds a separator",
                        quotation(cell.text)));
-      if (!m_columns[i].column)
-        ++m_unusedCells[i];
-      else if (const auto why = readCell(m_columns[i], cell, sighting))
-        return refuse(row.line, cell.column, *why);
+      if (!m_columns[i].column || !m_columns[i].column->isOfSession()) ++m_unusedCells[i];
+      if (!m_columns[i].column) continue;
+      if (const auto why = readCell(m_columns[i], cell, sighting)) return refuse(row.line, cell.column, *why);
     }
     sighting.isZero = lowerCase(sighting.row.point) == m_zeroPoint;
     m_recording.sightings.push_back(std::move(sighting));
@@ -171,7 +179,9 @@ class CsvReader {
   std::optional<std::string> readCell(const ColumnName& column, const CsvCell& cell,
                                       RecordedSighting& sighting) {
     const RowField* field = column.column->field;
-    if (column.column->isTurn) {
+    if (!column.column->isOfSession()) {
+      takeBeside(column, cell, sighting);
+    } else if (!field && column.column->beside == TableColumn::Beside::Turn) {
       const Result<int> turn = parseWhole(cell.text);
       if (!turn || *turn < 1)
         return Phrase::of("%1 is no turn: turns of the axis count from 1", quotation(cell.text));
@@ -190,6 +200,24 @@ class CsvReader {
       sighting.row.*field->flag = *flag;
     }
     return std::nullopt;
+  }
+
+  /// The station or the distance.
+  void takeBeside(const ColumnName& column, const CsvCell& cell, RecordedSighting& sighting) {
+    if (column.column->beside == TableColumn::Beside::Station) {
+      sighting.station = m_recording.stationNamed(fromPlainCell(cell.text));
+      return;
+    }
+    const Result<double> number = parseNumber(cell.text);
+    if (number && *number > 0) {
+      sighting.distanceM = *number * column.metres;
+      sighting.isDistanceHorizontal = column.isHorizontal;
+    } else if (!number || *number < 0) {
+      m_recording.distanceProblems.push_back(
+          {sighting.line, cell.column,
+           Phrase::of("%1 is no distance: type a length in metres, or leave it empty",
+                      quotation(cell.text))});
+    }
   }
 
   /// The decimal sign that is not to be; where either may be, none.

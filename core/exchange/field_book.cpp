@@ -25,6 +25,7 @@ void FieldBook::take(const FieldMark& mark) {
 void FieldBook::add(RecordedSighting sighting) {
   sighting.axis.text = m_axis;
   sighting.row.round = m_round;
+  sighting.station = m_station;
   const std::string name = upperCase(sighting.row.point);
   sighting.isZero =
       m_zeroComes || (m_zeroPoint.empty() ? name == "0" || name == "ZERO" : name == m_zeroPoint);
@@ -37,8 +38,17 @@ void FieldBook::refuse(std::size_t line, std::size_t column, const std::string& 
 }
 
 void FieldBook::setAside(const std::string& what, std::size_t line) {
-  const bool isNew = m_unused.size() >= limits::mostKinds && !m_unused.contains(what);
-  Unused& use = m_unused[isNew ? Phrase::of("what else has no place in a session") : what];
+  count(m_unused, what, line);
+}
+
+void FieldBook::beginStation(const std::string& name, std::size_t line) {
+  setBeside(Phrase::of("the station %1", quotation(name)), line);
+  m_station = m_recording.stationNamed(name);
+}
+
+void FieldBook::count(Uses& uses, const std::string& what, std::size_t line) {
+  const bool isNew = uses.size() >= limits::mostKinds && !uses.contains(what);
+  Unused& use = uses[isNew ? Phrase::of("what else has no place in a session") : what];
   if (use.count++ == 0) use.firstLine = line;
 }
 
@@ -66,6 +76,7 @@ std::string FieldBook::sentence(const std::string& what, const Unused& unused) {
 Recording FieldBook::finish(const std::string& format) {
   m_recording.format = format;
   for (const auto& [what, use] : m_unused) m_recording.unused.push_back(sentence(what, use));
+  for (const auto& [what, use] : m_beside) m_recording.unusedBySession.push_back(sentence(what, use));
   return std::move(m_recording);
 }
 

@@ -22,6 +22,10 @@ class FieldBook {
   void refuse(std::size_t line, std::size_t column, const std::string& what);
   /// A session has no place for it; told once for each kind.
   void setAside(const std::string& what, std::size_t line);
+  /// Likewise, though the check of an instrument has one.
+  void setBeside(const std::string& what, std::size_t line) { count(m_beside, what, line); }
+  /// What follows was sighted from there.
+  void beginStation(const std::string& name, std::size_t line);
   /// The first value counts; another one is set aside as `name` with it.
   void keep(std::string& value, const std::string& text, const std::string& name, std::size_t line);
   /// Reads nothing further: there are more rows or problems than are worked on.
@@ -35,12 +39,15 @@ class FieldBook {
     std::size_t count = 0, firstLine = 0;
   };
 
+  using Uses = std::map<std::string, Unused>;
+  static void count(Uses& uses, const std::string& what, std::size_t line);
   static std::string sentence(const std::string& what, const Unused& unused);
 
   std::string m_zeroPoint;
   std::string m_axis, m_round;
   bool m_zeroComes = false;
-  std::map<std::string, Unused> m_unused;
+  Uses m_unused, m_beside;
+  std::size_t m_station = 0;
   Recording m_recording;
 };
 

@@ -32,4 +32,17 @@ std::optional<FieldMark> fieldMark(std::string_view text, std::string_view more)
   return std::nullopt;
 }
 
+std::optional<std::string> stationMark(std::string_view text, std::string_view more) {
+  const std::string plain = trimmed(text), large = upperCase(plain);
+  for (const std::string_view word : {"STATION", "STANDPOINT", "STN", "ST"}) {
+    if (!large.starts_with(word)) continue;
+    const std::size_t name = plain.find_first_not_of(" \t:=_-", word.size());
+    if (name == std::string::npos) return withoutZeros(trimmed(more));
+    // A word that only begins so is no mark, but a number may follow without a blank.
+    const bool isParted = name > word.size() || isAllDigits(plain.substr(name));
+    return isParted ? std::optional(plain.substr(name)) : std::nullopt;
+  }
+  return std::nullopt;
+}
+
 }  // namespace alidade

@@ -23,4 +23,8 @@ struct FieldMark {
 /// missing number may stand in `more`. Absent: it says none of these.
 std::optional<FieldMark> fieldMark(std::string_view text, std::string_view more = {});
 
+/// The name of the station that what follows was sighted from: `STATION 5`, `STN A`, `STANDPOINT`; it may
+/// stand in `more`. Absent: it says none.
+std::optional<std::string> stationMark(std::string_view text, std::string_view more = {});
+
 }  // namespace alidade

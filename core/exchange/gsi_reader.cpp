@@ -13,7 +13,8 @@ namespace alidade {
 namespace {
 
 constexpr int pointIndex = 11, serialIndex = 12, typeIndex = 13, dateIndex = 17, horizontalIndex = 21,
-              verticalIndex = 22, codeIndex = 41, codeNumberIndex = 42;
+              stationIndex = 16, verticalIndex = 22, slopeIndex = 31, horizontalDistanceIndex = 32,
+              codeIndex = 41, codeNumberIndex = 42;
 
 const GsiWord* wordOf(const std::vector<GsiWord>& words, int index) {
   const auto found =
@@ -59,14 +60,26 @@ class GsiReader {
     } else if (wordOf(words, horizontalIndex) || wordOf(words, verticalIndex)) {
       readSighting(words, line.number);
     } else {
-      for (const GsiWord& word : words) readHeading(word, line.number);
+      const GsiWord* point = tellsStation(words) ? wordOf(words, pointIndex) : nullptr;
+      if (point) m_book.beginStation(gsiText(*point), line.number);
+      for (const GsiWord& word : words)
+        if (&word != point) readHeading(word, line.number);
     }
+  }
+
+  /// Coordinates of a station, or the height of the instrument.
+  static bool tellsStation(const std::vector<GsiWord>& words) {
+    return std::any_of(words.begin(), words.end(), [](const GsiWord& word) {
+      return (word.index >= 84 && word.index <= 86) || word.index == 88;
+    });
   }
 
   void readCode(const std::vector<GsiWord>& words, std::size_t line) {
     const std::string code = gsiText(*wordOf(words, codeIndex));
     const GsiWord* more = wordOf(words, codeNumberIndex);
-    const auto mark = fieldMark(code, more ? gsiText(*more) : std::string());
+    const std::string further = more ? gsiText(*more) : std::string();
+    if (const auto station = stationMark(code, further)) return m_book.beginStation(*station, line);
+    const auto mark = fieldMark(code, further);
     if (!mark) return m_book.setAside(Phrase::of("the code block %1", quotation(code)), line);
     m_book.take(*mark);
     for (const GsiWord& word : words)
@@ -79,6 +92,8 @@ class GsiReader {
     Recording& recording = m_book.recording();
     if (word.index == serialIndex) {
       m_book.keep(recording.instrumentSerial, text, name, line);
+    } else if (word.index == stationIndex) {
+      m_book.beginStation(text, line);
     } else if (word.index == typeIndex) {
       m_book.keep(recording.instrumentName, text, name, line);
     } else if (const std::string date = dateOf(text); word.index == dateIndex && !date.empty()) {
@@ -102,6 +117,8 @@ class GsiReader {
         if (!takeAngle(word, line, *circle, sighting)) return;
       } else if (word.index >= 71 && word.index <= 79) {
         addNote(sighting.row.note, gsiText(word));
+      } else if (word.index == slopeIndex || word.index == horizontalDistanceIndex) {
+        takeDistance(word, line, sighting);
       } else {
         readHeading(word, line);
       }
@@ -130,6 +147,16 @@ class GsiReader {
     }
     sighting.enter(circle, std::get<std::string>(angle), word.column);
     return true;
+  }
+
+  /// The slope distance where both are there.
+  void takeDistance(const GsiWord& word, std::size_t line, RecordedSighting& sighting) {
+    m_book.setBeside(gsiWordName(word.index), line);
+    const auto metres = gsiMetres(word);
+    const bool isSlope = word.index == slopeIndex;
+    if (!metres || !(*metres > 0) || (!isSlope && sighting.distanceM > 0)) return;
+    sighting.distanceM = *metres;
+    sighting.isDistanceHorizontal = !isSlope;
   }
 
   static void addNote(std::string& note, const std::string& text) {

@@ -9,7 +9,7 @@ namespace alidade {
 
 /// Reads a Leica GSI-8 or GSI-16 file (gsi_word.h). A block with words 21 and 22 is one sighting of the point
 /// named by its word 11. Remarks (71-79) become the note, 12, 13 and 17 the instrument and the date. What a
-/// session has no place for is listed in `unused`: distances, coordinates, blocks without angles, lines
+/// session has no place for is listed in `unused`: coordinates, blocks without angles, lines
 /// beginning with @, ? or %, which are an instrument's messages, and with #. The rest is told by names, which
 /// observers key in as point numbers or code blocks (word 41; a number may follow in word 42):
 ///
@@ -17,6 +17,10 @@ namespace alidade {
 ///   code ROUND2, or ROUND and 2        the following sightings are of that round
 ///   code ZERO                          the next sighting is of the pointing zero
 ///   point 0 or ZERO, or `zeroPoint`    the sighting is of the pointing zero
+///   code STATION 5, STN, STANDPOINT    the following sightings were taken from that station
+///
+/// A block without angles that has a station's coordinates or the instrument's height (84-86, 88) tells the
+/// station by its point, word 16 by itself. Stations and distances (31, 32) are of no use to a session.
 ///
 /// POS and POSITION mean AXIS too; capitals do not matter.
 Recording readGsi(std::string_view text, const std::string& zeroPoint = {});

@@ -165,6 +165,29 @@ std::variant<std::string, LineProblem> gsiAngle(const GsiWord& word, std::size_t
   }
 }
 
+std::optional<double> gsiMetres(const GsiWord& word) {
+  constexpr double foot = 0.3048;
+  std::uint64_t units = 0;
+  const char* end = word.data.data() + word.data.size();
+  const auto [stop, error] = std::from_chars(word.data.data(), end, units);
+  if (error != std::errc() || stop != end || word.sign == '-') return std::nullopt;
+  const auto length = static_cast<double>(units);
+  switch (word.unit) {
+    case '0':
+      return length / 1e3;
+    case '1':
+      return length / 1e3 * foot;
+    case '6':
+      return length / 1e4;
+    case '7':
+      return length / 1e4 * foot;
+    case '8':
+      return length / 1e5;
+    default:
+      return std::nullopt;
+  }
+}
+
 std::string gsiWordName(int index) {
   const auto* const known = std::find_if(wordNames.begin(), wordNames.end(),
                                          [index](const auto& name) { return name.first == index; });

@@ -44,6 +44,10 @@ std::string gsiText(const GsiWord& word);
 /// `35°45'10.0"`; mil exactly as decimal degrees. Or the sentence why there is none.
 std::variant<std::string, LineProblem> gsiAngle(const GsiWord& word, std::size_t line);
 
+/// The length of a word in metres: unit 0 is mm, 1 a thousandth of a foot, 6, 7 and 8 have 4, 4 and 5
+/// decimals of metres, feet and metres. Absent where it is none.
+std::optional<double> gsiMetres(const GsiWord& word);
+
 /// What an index stands for, for people; "word 99" where it is unknown.
 std::string gsiWordName(int index);
 

@@ -14,6 +14,7 @@
 #include "core/exchange/recognise.h"
 #include "core/exchange/sdr_reader.h"
 #include "core/exchange/text_lines.h"
+#include "core/exchange/words.h"
 
 namespace alidade {
 

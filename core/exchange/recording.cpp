@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/angle.h"
+#include "core/base/number_text.h"
 #include "core/base/phrase.h"
 #include "core/base/typed_text.h"
 #include "core/base/visible_text.h"
@@ -49,11 +51,23 @@ std::size_t RecordedSighting::columnOf(const RowField& field) const {
   return columns[indexOf(field)];
 }
 
+std::size_t Recording::stationNamed(const std::string& name) {
+  if (name.empty()) return 0;
+  const auto [known, isNew] = stationIndices.try_emplace(name, stations.size());
+  if (isNew) stations.push_back(name);
+  return known->second;
+}
+
 std::string withUnit(const std::string& text, AngleUnit unit) {
   const std::string plain = plainSigns(text);
   if (unit == AngleUnit::Unstated || !isPlainNumber(plain)) return text;
   if (unit == AngleUnit::Degrees) return plain + "°";
   if (unit == AngleUnit::Gon) return plain + "gon";
+  if (unit == AngleUnit::Radians) {
+    constexpr int decimals = 10;  // of a degree: a millionth of a second
+    const Result<double> radians = parseNumber(plain);
+    return radians ? fixedText(Angle::fromRadians(*radians).degrees(), decimals) + "°" : text;
+  }
   return inParts(plain);
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -38,7 +39,10 @@ struct RecordedSighting {
   std::array<std::size_t, rowFields.size()> columns{};
   bool isZero = false;  ///< of the pointing zero, not of the slider
   int time = 1;  ///< the how many-th position at its axis it is of, where `tellsTurns`; else to be found
-  std::size_t file = 0;  ///< index of its file among several; who reads a file leaves it
+  std::size_t file = 0;               ///< index of its file among several; who reads a file leaves it
+  std::size_t station = 0;            ///< index among the recording's `stations`
+  double distanceM = 0;               ///< 0: the file does not say
+  bool isDistanceHorizontal = false;  ///< else along the line of sight
 
   void enter(const RowField& field, std::string text, std::size_t column);
   std::size_t columnOf(const RowField& field) const;
@@ -56,6 +60,14 @@ struct Recording {
   bool tellsTurns = false;            ///< the file says which position at its axis a row is of
   std::vector<LineProblem> problems;  ///< lines that cannot be read; nothing of them is in `sightings`
   std::vector<std::string> unused;    ///< a sentence for each kind of thing a session has no place for
+  /// Likewise of stations and distances, which the check of an instrument has a place for.
+  std::vector<std::string> unusedBySession;
+  std::vector<LineProblem> distanceProblems;  ///< distances that cannot be read; the rest of the line stands
+  std::map<std::string, std::size_t> stationIndices;  ///< of `stations`
+  std::vector<std::string> stations{{}};  ///< their names; the first, without one, is where none is said
+
+  /// The index of a station, which is new where it is not known.
+  std::size_t stationNamed(const std::string& name);
 };
 
 /// The unit of plain numbers where an angle is wanted.
@@ -63,6 +75,7 @@ enum class AngleUnit {
   Unstated,
   Degrees,  ///< 341.873333
   Gon,      ///< 379.859259
+  Radians,  ///< 5.966816; of columns that say so
   Dms,      ///< 341.5224: degrees, then two digits of minutes, two of seconds, and their decimals
 };
 

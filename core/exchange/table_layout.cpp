@@ -1,5 +1,8 @@
 #include "core/exchange/table_layout.h"
 
+#include <algorithm>
+#include <array>
+
 #include "core/base/angle_text.h"
 #include "core/base/number_text.h"
 #include "core/exchange/words.h"
@@ -8,7 +11,11 @@ namespace alidade {
 
 namespace {
 
-constexpr std::string_view axisHeadings = "axis position pos axisposition rotation", turnHeadings = "turn";
+/// In the order of `TableColumn::Beside`.
+constexpr std::array<std::string_view, 4> besideHeadings{
+    "axis position pos axisposition rotation", "turn", "station stn standpoint setup",
+    "distance dist slope slopedist slopedistance sd sdist hd hdist hordist"};
+constexpr std::size_t distanceAt = static_cast<std::size_t>(TableColumn::Beside::Distance);
 
 /// The words of a column's name: letters and signs other than separators, in small letters.
 std::vector<std::string> partsOfName(const std::string& name) {
@@ -26,6 +33,7 @@ std::vector<std::string> partsOfName(const std::string& name) {
 std::optional<AngleUnit> unitNamed(std::string_view word) {
   if (isOneOf(word, {"gon", "grad", "gons", "g"})) return AngleUnit::Gon;
   if (isOneOf(word, {"deg", "degree", "degrees", "°", "dd"})) return AngleUnit::Degrees;
+  if (isOneOf(word, {"rad", "radian", "radians"})) return AngleUnit::Radians;
   if (isOneOf(word, {"dms", "dmmss", "mmss", "ddmmss", "dddmmss"})) return AngleUnit::Dms;
   return std::nullopt;
 }
@@ -36,26 +44,49 @@ bool isAmong(std::string_view words, std::string_view word) {
 }
 
 std::optional<TableColumn> columnNamed(std::string_view word) {
-  if (isAmong(axisHeadings, word)) return TableColumn{nullptr};
-  if (isAmong(turnHeadings, word)) return TableColumn{nullptr, true};
+  for (std::size_t i = 0; i < besideHeadings.size(); ++i)
+    if (isAmong(besideHeadings[i], word)) return TableColumn{nullptr, static_cast<TableColumn::Beside>(i)};
   for (const RowField& field : rowFields)
     if (isAmong(field.headings, word)) return TableColumn{&field};
   return std::nullopt;
 }
 
+/// `slope distance [mm]`, `HD`. A zenith distance is none.
+std::optional<ColumnName> distanceName(const std::vector<std::string>& words) {
+  ColumnName name;
+  for (const std::string& word : words) {
+    if (isAmong(besideHeadings[distanceAt], word)) {
+      name.column = TableColumn{nullptr, TableColumn::Beside::Distance};
+      name.isHorizontal = name.isHorizontal || word.starts_with('h');
+    } else if (isOneOf(word, {"horizontal", "hor"})) {
+      name.isHorizontal = true;
+    } else if (word == "mm") {
+      name.metres = 1e-3;
+    } else if (!isOneOf(word, {"m", "metre", "metres", "meter", "meters"})) {
+      return std::nullopt;
+    }
+  }
+  return name.column ? std::optional(name) : std::nullopt;
+}
+
 }  // namespace
 
 std::optional<TableColumn> tableColumn(std::string_view key) {
-  if (key == "axis") return TableColumn{nullptr};
-  if (key == "turn") return TableColumn{nullptr, true};
+  const auto* const beside = std::find(TableColumn::besideKeys.begin(), TableColumn::besideKeys.end(), key);
+  if (beside != TableColumn::besideKeys.end())
+    return TableColumn{nullptr, static_cast<TableColumn::Beside>(beside - TableColumn::besideKeys.begin())};
   const RowField* field = rowFieldNamed(key);
   return field ? std::optional(TableColumn{field}) : std::nullopt;
 }
 
 ColumnName columnName(const std::string& text) {
+  const std::vector<std::string> words = partsOfName(text);
+  if (auto distance = distanceName(words)) return *std::move(distance);
   ColumnName name;
   bool counts = false, strange = false;
-  for (const std::string& word : partsOfName(text)) {
+  for (const std::string& word : words) {
+    const bool isOfZenith = word == "distance" && name.verticalCircle == "zenith";
+    if (isOfZenith) continue;
     if (const auto column = columnNamed(word); column && !name.column) {
       name.column = column;
       if (word == "elevation") name.verticalCircle = "elevation";

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -16,8 +17,8 @@ enum class DecimalSign { Either, Point, Comma };
 struct TableLayout {
   char separator = '\0';     ///< tab, ; , or a blank for any number of them; 0: as the first row has it
   std::size_t headRows = 1;  ///< rows before the first of readings; the last of them names the columns
-  /// What each column holds: the key of a field of a row, "axis", "turn", or nothing of use. Empty: as their
-  /// names say.
+  /// What each column holds: the key of a field of a row, "axis", "turn", "station", "distance", or nothing
+  /// of use. Empty: as their names say.
   std::vector<std::string> columns = {};
   AngleUnit unit = AngleUnit::Unstated;           ///< of plain numbers in columns whose name has none
   DecimalSign decimalSign = DecimalSign::Either;  ///< of angles
@@ -25,12 +26,22 @@ struct TableLayout {
   bool operator==(const TableLayout&) const = default;
 };
 
-/// What a column of a table holds: a field of a row, how the axis stood, or the how many-th position at it.
+/// What a column of a table holds: a field of a row, or what stands beside it.
 struct TableColumn {
-  const RowField* field = nullptr;  ///< null: how the axis stood, or its turn
-  bool isTurn = false;
+  enum class Beside {
+    Axis,      ///< how the axis stood
+    Turn,      ///< the how many-th position at it
+    Station,   ///< where the instrument stood; of no use to a session
+    Distance,  ///< to what was sighted, m where nothing else is said; likewise
+  };
+  const RowField* field = nullptr;  ///< null: what is `beside`
+  Beside beside = Beside::Axis;
 
-  std::string_view key() const { return field ? field->key : isTurn ? "turn" : "axis"; }
+  std::string_view key() const { return field ? field->key : besideKeys[static_cast<std::size_t>(beside)]; }
+  /// Has a session a place for it?
+  bool isOfSession() const { return field || beside == Beside::Axis || beside == Beside::Turn; }
+
+  static constexpr std::array<std::string_view, 4> besideKeys{"axis", "turn", "station", "distance"};
   bool operator==(const TableColumn&) const = default;
 };
 
@@ -42,6 +53,8 @@ struct ColumnName {
   std::optional<TableColumn> column = {};
   AngleUnit unit = AngleUnit::Unstated;
   std::string verticalCircle = {};  ///< that the name speaks of; may be empty
+  double metres = 1;                ///< to a unit of a distance
+  bool isHorizontal = false;        ///< of a distance
 };
 
 /// Capitals, blanks, _ and words such as “angle”, “circle” and “reading” do not matter: `Hz [gon]`, `v_deg`.

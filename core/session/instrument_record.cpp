@@ -18,7 +18,7 @@ namespace alidade {
 
 namespace {
 
-constexpr FileFormat recordFormat = {
+constexpr JsonFormat recordFormat = {
     "alidade-instrument",
     PHRASE_LATER("Phrase",
                  "is missing: this is no instrument record, which says \"format\": \"alidade-instrument\""),

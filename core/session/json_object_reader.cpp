@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "core/base/phrase.h"
@@ -89,7 +90,7 @@ bool ObjectReader::require(std::string_view key, const char* remedy) const {
   return false;
 }
 
-void ObjectReader::checkFormat(const FileFormat& format) const {
+void ObjectReader::checkFormat(const JsonFormat& format) const {
   const Json* own = find("format");
   if (!own)
     report(Phrase::of(format.isNone), placeOf("format"));

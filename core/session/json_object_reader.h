@@ -1,6 +1,6 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,7 +17,7 @@ namespace alidade {
 std::string jsonTypeName(const nlohmann::ordered_json& value);
 
 /// What a file says of itself, and what to say of one that does not. Phrases are for `Phrase::of`.
-struct FileFormat {
+struct JsonFormat {
   const char* id;         ///< "alidade-session"
   const char* isNone;     ///< of a file that says no format
   const char* choose;     ///< what to do instead: "choose a session file"
@@ -54,7 +54,7 @@ class ObjectReader {
 
   bool require(std::string_view key, const char* remedy) const;
   /// `"format"` is that one, and `"version"` one that this program reads.
-  void checkFormat(const FileFormat& format) const;
+  void checkFormat(const JsonFormat& format) const;
 
   void report(const std::string& what, const Place& where) const;
   const Json* find(std::string_view wanted) const;

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,7 +21,8 @@ class ObjectWriter {
  public:
   using Json = nlohmann::ordered_json;
 
-  explicit ObjectWriter(const JsonOrigin& origin) : m_json(origin.object()) {}
+  explicit ObjectWriter(const JsonOrigin& origin);
+  ~ObjectWriter();
 
   void set(std::string_view key, const std::string& current, ValueKind kind, Presence presence);
   void text(const char* key, const std::string& current) {
@@ -44,10 +46,10 @@ class ObjectWriter {
   /// A member that was there before keeps its JSON type.
   void list(const char* key, const std::vector<std::string>& current);
 
-  Json take() { return std::move(m_json); }
+  Json take();
 
  private:
-  Json m_json;
+  std::unique_ptr<Json> m_json;  ///< the rest of the house does without its header
 };
 
 }  // namespace alidade

@@ -29,7 +29,7 @@ bool isKeptAsText(std::string_view key, const Json& value) {
   return value.is_number_unsigned() && value.get<std::uint64_t>() <= largestExactInteger;
 }
 
-constexpr FileFormat sessionFormat = {
+constexpr JsonFormat sessionFormat = {
     "alidade-session",
     PHRASE_LATER("Phrase", "is missing: this is no session file, which says \"format\": \"alidade-session\""),
     PHRASE_LATER("Phrase", "choose a session file"),

@@ -42,6 +42,10 @@ std::string staleText(const KnownCheck& check, const std::string& probability, c
       sizeText(check.value, check.sigma, check.unit), probability);
 }
 
+bool isKnown(const Diagnosis& diagnosis, const std::string& effect) {
+  return std::ranges::find(diagnosis.known, effect, &KnownCheck::effect) != diagnosis.known.end();
+}
+
 /// Of several numbers of an effect that which departs farthest.
 const KnownCheck* farthest(const Diagnosis& diagnosis, const std::string& effect) {
   const auto sigmas = [](const KnownCheck& check) {
@@ -71,9 +75,11 @@ std::string staleSentence(const Diagnosis& diagnosis, const CauseNamer& name) {
   for (const Cause& cause : diagnosis.causes) {
     if (const KnownCheck* check = cause.isStale ? farthest(diagnosis, cause.effect) : nullptr)
       add(staleText(*check, probabilityText(cause.probability), name));
-    if (cause.unlessStale.empty()) continue;
     std::vector<std::string> others;
-    for (const std::string& id : cause.unlessStale) others.push_back(name(id));
+    for (const auto& ids : {cause.unlessStale, cause.indistinguishableFrom})
+      for (const std::string& id : ids)
+        if (isKnown(diagnosis, id) && !cause.isStale) others.push_back(name(id));
+    if (others.empty()) continue;
     add(Phrase::of(
         //: causes, and a cause: these readings show them alike
         "Were what is known of %1 stale, these readings could not tell it from %2.",

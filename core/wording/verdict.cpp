@@ -126,10 +126,9 @@ std::string acrossText(const Measurement& measurement, const Diagnosis* diagnosi
       !liesOff(*diagnosis->measured))
     return "";
   const MeasuredLength& across = *diagnosis->measured->across;
-  return " " +
-         Phrase::of(
-             "This judges the plane of the arc alone: across it, its centre lies %1 off the axis.",
-             lengthWithUncertainty(std::abs(across.value), across.expanded, decimalsFor(across.expanded)));
+  return Phrase::of(
+      "This judges the plane of the arc alone: across it, its centre lies %1 off the axis.",
+      lengthWithUncertainty(std::abs(across.value), across.expanded, decimalsFor(across.expanded)));
 }
 
 /// What the verdict rests on.

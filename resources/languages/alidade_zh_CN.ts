@@ -345,6 +345,10 @@ Sealed by:</source>
         <translation>表格按键</translation>
     </message>
     <message>
+        <source>Font of the window</source>
+        <translation>窗口字体</translation>
+    </message>
+    <message>
         <source>Take from the instrument record</source>
         <translation>取自仪器记录</translation>
     </message>
@@ -1108,6 +1112,10 @@ Sealed by:</source>
         <source>Words and symbols</source>
         <translation>术语与符号</translation>
     </message>
+    <message>
+        <source>Checking the instrument</source>
+        <translation>检查仪器</translation>
+    </message>
 </context>
 <context>
     <name>InsetText</name>
@@ -1171,8 +1179,8 @@ Sealed by:</source>
         <translation>窗口</translation>
     </message>
     <message>
-        <source>series</source>
-        <translation>系列</translation>
+        <source>instrument check</source>
+        <translation>仪器检查</translation>
     </message>
 </context>
 <context>
@@ -3458,6 +3466,234 @@ Sealed by:</source>
         <translation>%1：%2</translation>
     </message>
     <message>
+        <source>%1 is no distance: type a length in metres, or leave it empty</source>
+        <translation>%1 不是距离：请录入以米为单位的长度，或留空</translation>
+    </message>
+    <message>
+        <source>the station %1</source>
+        <translation>测站 %1</translation>
+    </message>
+    <message>
+        <source>gon</source>
+        <translation>gon</translation>
+    </message>
+    <message>
+        <source>decimal degrees</source>
+        <translation>十进制度</translation>
+    </message>
+    <message>
+        <source>degrees.minutes seconds</source>
+        <translation>度.分秒</translation>
+    </message>
+    <message>
+        <source>%1 (and %2 more)</source>
+        <translation>%1（另有 %2 处）</translation>
+    </message>
+    <message>
+        <source>has plain numbers for angles, and no unit lets both faces add up to a full turn: name the unit in the names of the columns, such as “horizontal [gon]”, or state it</source>
+        <translation>其角度为不带单位的数，且没有一种单位能使两个盘位之和为整周：请在列名中注明单位，如“horizontal [gon]”，或另行声明</translation>
+    </message>
+    <message>
+        <source>plain numbers are taken for %1, as the vertical readings of both faces then add up to a full turn</source>
+        <translation>不带单位的数按%1处理，因为这样两个盘位的竖直读数之和为整周</translation>
+    </message>
+    <message>
+        <source>vertical readings of a circle of the kind %1 and of the kind %2 cannot be checked together: check them one after the other</source>
+        <translation>%1 类度盘与 %2 类度盘的竖直读数不能一起检查：请分别检查</translation>
+    </message>
+    <message>
+        <source>the vertical readings are taken for elevations, as they lie around 0° and 180°</source>
+        <translation>竖直读数按高度角处理，因为它们在 0° 和 180° 附近</translation>
+    </message>
+    <message>
+        <source>excluded rows that take no part: %1</source>
+        <translation>不参与的已排除行：%1</translation>
+    </message>
+    <message>
+        <source>has no target: name it</source>
+        <translation>没有目标：请命名</translation>
+    </message>
+    <message>
+        <source>rows that state another face than their vertical circle shows: %1; the circle is followed</source>
+        <translation>声明的盘位与竖直度盘所示不同的行：%1；以度盘为准</translation>
+    </message>
+    <message>
+        <source>Station %1: %2</source>
+        <translation>测站 %1：%2</translation>
+    </message>
+    <message>
+        <source>Targets that most rounds lack take no part: %1.</source>
+        <translation>大多数测回都缺少的目标不参与：%1。</translation>
+    </message>
+    <message>
+        <source>Sighted in one face only, and of no use: %1.</source>
+        <translation>只在一个盘位观测，无法使用：%1。</translation>
+    </message>
+    <message>
+        <source>Both faces differ by more than 1°, so that they are not of one target, or misread: %1.</source>
+        <translation>两个盘位相差超过 1°，不是同一目标，或读错：%1。</translation>
+    </message>
+    <message>
+        <source>Sighted several times in one face of a round, and averaged: %1.</source>
+        <translation>一个测回的同一盘位内多次观测，取平均：%1。</translation>
+    </message>
+    <message>
+        <source>%1 (lacks %2)</source>
+        <translation>%1（缺少 %2）</translation>
+    </message>
+    <message>
+        <source>Rounds that lack a target in both faces take no part: %1.</source>
+        <translation>缺少某目标双面观测的测回不参与：%1。</translation>
+    </message>
+    <message>
+        <source>%1 in round %2</source>
+        <translation>第 %2 测回的 %1</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1，另有 %2 处</translation>
+    </message>
+    <message>
+        <source>There is no complete round, with each target in both faces.</source>
+        <translation>没有完整的测回，即每个目标都有双面观测。</translation>
+    </message>
+    <message>
+        <source>Sight every target in face 1 and in face 2, and call it the same in both.</source>
+        <translation>请在盘位 1 和盘位 2 都观测每个目标，并使用相同的名称。</translation>
+    </message>
+    <message>
+        <source>One complete round shows collimation and index, but not how far readings scatter.</source>
+        <translation>一个完整的测回能显示视准误差和指标差，但不能显示读数的散布。</translation>
+    </message>
+    <message>
+        <source>Observe three rounds or more.</source>
+        <translation>请观测三个或更多测回。</translation>
+    </message>
+    <message>
+        <source>With one target directions have nothing to scatter against; only the vertical circle is checked.</source>
+        <translation>只有一个目标时，方向没有可比较的对象；只检查竖直度盘。</translation>
+    </message>
+    <message>
+        <source>Sight four targets or more, spread around the horizon.</source>
+        <translation>请观测四个或更多分布于四周的目标。</translation>
+    </message>
+    <message>
+        <source>ISO 17123-3 asks for three rounds to four targets at least; with %1 degrees of freedom s of a direction is a rough figure.</source>
+        <translation>ISO 17123-3 要求至少三个测回、四个目标；自由度为 %1 时，方向的 s 只是粗略值。</translation>
+    </message>
+    <message>
+        <source>All rounds are identical: s is 0.</source>
+        <translation>所有测回完全相同：s 为 0。</translation>
+    </message>
+    <message>
+        <source>Check whether one round was entered several times.</source>
+        <translation>请检查是否把一个测回录入了多次。</translation>
+    </message>
+    <message>
+        <source>The index of %1 differs from zero by more than its scatter (%2): readings in one face need it.</source>
+        <translation>指标差 %1 与零之差超过其散布（%2）：单面读数需要计入它。</translation>
+    </message>
+    <message>
+        <source>All targets lie at about the same elevation (%1° to %2°): a tilt of the trunnion axis cannot be told from collimation.</source>
+        <translation>所有目标的高度角大致相同（%1° 至 %2°）：横轴倾斜无法与视准误差区分。</translation>
+    </message>
+    <message>
+        <source>Sight a steep target besides.</source>
+        <translation>请另外观测一个较陡的目标。</translation>
+    </message>
+    <message>
+        <source>A tilt of the trunnion axis cannot be told from collimation here: one of 30″ would show as %1 standard uncertainties, with elevations from %2° to %3°.</source>
+        <translation>横轴倾斜在此无法与视准误差区分：高度角为 %2° 至 %3° 时，30″ 的倾斜只表现为 %1 个标准不确定度。</translation>
+    </message>
+    <message>
+        <source>The trunnion axis is tilted by %1 (%2); with that the collimation is %3.</source>
+        <translation>横轴倾斜 %1（%2）；计入后视准误差为 %3。</translation>
+    </message>
+    <message>
+        <source>Not all distances are known. A line of sight that passes the axis at e shows as e/D, and at short distances looks like collimation: half a millimetre is 43″ at 2.4 m and 2″ at 50 m.</source>
+        <translation>并非所有距离都已知。视线偏离轴 e 时表现为 e/D，在短距离处看起来像视准误差：半毫米在 2.4 m 处为 43″，在 50 m 处为 2″。</translation>
+    </message>
+    <message>
+        <source>All targets are about as far away. A line of sight that passes the axis at e shows as e/D and looks like collimation: half a millimetre is %1 at %2.</source>
+        <translation>所有目标的距离大致相同。视线偏离轴 e 时表现为 e/D，看起来像视准误差：半毫米在 %2 处为 %1。</translation>
+    </message>
+    <message>
+        <source>Sight targets at other distances besides.</source>
+        <translation>请另外观测其他距离的目标。</translation>
+    </message>
+    <message>
+        <source>What the faces differ by goes with 1/D: the line of sight passes the axis at %1 (%2), which shows as %3 at %4 and looks like collimation; without it that is %5.</source>
+        <translation>两个盘位之差随 1/D 变化：视线偏离轴 %1（%2），在 %4 处表现为 %3，看起来像视准误差；除去后视准误差为 %5。</translation>
+    </message>
+    <message>
+        <source>A line of sight that passes the axis at e shows as e/D and looks like collimation; these distances (%1 to %2) cannot tell: half a millimetre, %3 at the nearest target, would show as %4 standard uncertainties.</source>
+        <translation>视线偏离轴 e 时表现为 e/D，看起来像视准误差；这些距离（%1 至 %2）无法区分：半毫米在最近目标处为 %3，只表现为 %4 个标准不确定度。</translation>
+    </message>
+    <message>
+        <source>What the faces differ by does not go with the distance: the line of sight passes the axis at %1.</source>
+        <translation>两个盘位之差不随距离变化：视线偏离轴 %1。</translation>
+    </message>
+    <message>
+        <source>The collimation differs from target to target by more than it scatters (%1), so that its u is too small for another target: tilt of the trunnion axis, distance, or how a target is sighted.</source>
+        <translation>视准误差在目标之间的差异超过其散布（%1），因此对其他目标而言其 u 过小：原因可能是横轴倾斜、距离，或目标的照准方式。</translation>
+    </message>
+    <message>
+        <source>The circle was set anew between rounds, so that a drift of the orientation between them does not show.</source>
+        <translation>测回之间重新设置了度盘，因此测回间定向的漂移无从显示。</translation>
+    </message>
+    <message>
+        <source>The orientation drifts by %1 a round (%2).</source>
+        <translation>定向每测回漂移 %1（%2）。</translation>
+    </message>
+    <message>
+        <source>The collimation drifts by %1 a round (%2).</source>
+        <translation>视准误差每测回漂移 %1（%2）。</translation>
+    </message>
+    <message>
+        <source>The index drifts by %1 a round (%2).</source>
+        <translation>指标差每测回漂移 %1（%2）。</translation>
+    </message>
+    <message>
+        <source>s of a direction is not the same at stations %1 and %2 (F, %3).</source>
+        <translation>测站 %1 与 %2 的方向 s 不相同（F，%3）。</translation>
+    </message>
+    <message>
+        <source>s of a direction at station %1 is not that of the others (F, %2).</source>
+        <translation>测站 %1 的方向 s 与其他测站不同（F，%2）。</translation>
+    </message>
+    <message>
+        <source>s of a zenith angle is not the same at stations %1 and %2 (F, %3).</source>
+        <translation>测站 %1 与 %2 的天顶距 s 不相同（F，%3）。</translation>
+    </message>
+    <message>
+        <source>s of a zenith angle at station %1 is not that of the others (F, %2).</source>
+        <translation>测站 %1 的天顶距 s 与其他测站不同（F，%2）。</translation>
+    </message>
+    <message>
+        <source>The collimation differs from station to station by more than it scatters (%1): it moved, or something that looks like it did.</source>
+        <translation>视准误差在测站之间的差异超过其散布（%1）：它变动了，或有看起来像它的量变动了。</translation>
+    </message>
+    <message>
+        <source>The index differs from station to station by more than it scatters (%1): it moved.</source>
+        <translation>指标差在测站之间的差异超过其散布（%1）：它变动了。</translation>
+    </message>
+    <message>
+        <source>s of a direction, %1, is no larger than the stated %2 (χ², 95 %: s up to %3 with %4 degrees of freedom).</source>
+        <translation>方向的 s 为 %1，不大于声明的 %2（χ²，95 %：自由度为 %4 时 s 可达 %3）。</translation>
+    </message>
+    <message>
+        <source>s of a direction, %1, is larger than the stated %2 (χ², 95 %: s up to %3 with %4 degrees of freedom).</source>
+        <translation>方向的 s 为 %1，大于声明的 %2（χ²，95 %：自由度为 %4 时 s 可达 %3）。</translation>
+    </message>
+    <message>
+        <source>s of a zenith angle, %1, is no larger than the stated %2 (χ², 95 %: s up to %3 with %4 degrees of freedom).</source>
+        <translation>天顶距的 s 为 %1，不大于声明的 %2（χ²，95 %：自由度为 %4 时 s 可达 %3）。</translation>
+    </message>
+    <message>
+        <source>s of a zenith angle, %1, is larger than the stated %2 (χ², 95 %: s up to %3 with %4 degrees of freedom).</source>
+        <translation>天顶距的 s 为 %1，大于声明的 %2（χ²，95 %：自由度为 %4 时 s 可达 %3）。</translation>
+    </message>
+    <message>
         <source>is missing: this is no instrument record, which says &quot;format&quot;: &quot;alidade-instrument&quot;</source>
         <translation>缺失：这不是仪器记录，仪器记录写有 &quot;format&quot;: &quot;alidade-instrument&quot;</translation>
     </message>
@@ -3546,104 +3782,328 @@ Sealed by:</source>
         <translation>假如关于%1的已知内容已过时，这些读数就不能将其与%2区分开。</translation>
     </message>
     <message>
+        <source>has no Δd to tell: it takes readings at 0° and at 180°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is no date: write year-month-day, year-month, a year or a decimal year</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>p &lt; 0.001</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>p = %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is one value: nothing compares it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>χ² = %1 with %2 degrees of freedom, %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the values agree within their uncertainties, but they scatter by less than these, and by that scatter a change shows.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the values agree within their uncertainties.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the values scatter about one mean %2 times as much as their uncertainties say.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From %1 on it is another one, by %2 (standard uncertainty).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 It happened between %2 and %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 Its first value is one of those from %2 to %3 (95 %).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No step and no trend explains that: either the uncertainties are understated, or the values are too few to tell what changed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A level that rests on one value cannot be told from a value that is off: measure once more before acting on it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It changes all along, by %1 (standard uncertainty).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The value of %1 stands apart from all others: look for what was different that day, a misread session or another set-up, before believing in a change.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The values wander: what lies close in time agrees better than what lies far apart, and neither steps nor a trend explain that as well.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weighted mean of %1 values: %2 (standard uncertainty).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With the scatter that is seen the mean has a standard uncertainty of %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How probable each account of the values is: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is one session: it cannot be compared.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sessions name no serial number of the device: nothing is taken for shared between them, so that a change has to be larger to be told. Enter it to see smaller ones.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All sessions have one device and one instrument: what errors of these do to Δd is the same each time, so it is in U and in the mean, but not in how far the values may scatter.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sessions were not all taken with one instrument, or do not name its serial number: what its errors do to Δd is taken to differ from one to the next.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Δd has changed from %1 to %2: by %3, %4.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No change of Δd shows from %1 to %2: it is %3, %4.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (T = %2 of %3 numbers, %4)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By the readings alone the device is congruent: (O1 − O2)/2 and the radii agree.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By the readings alone the device is not congruent: (O1 − O2)/2 or the radii differ.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>O1 and O2 lie where they did, seen from the theodolite.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>O1 and O2 lie elsewhere seen from the theodolite, as they do wherever it was set up anew.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Δd as found</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Δd of the fit alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>O1, x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>O1, y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>O2, x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>O2, y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>radius at 0°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>radius at 180°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>constant</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a trend</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one value off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>wandering</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has no date and takes no part: enter the day it was measured on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>holds no value: each line has a date, a value and its standard uncertainty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the column %1 holds expanded uncertainties: half of each is taken as the standard uncertainty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the column U is taken for standard uncertainties (k = 1): halve it where it is not</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has commas between and within its numbers: part them by semicolons</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has no date: write year-month-day, year-month, a year or a decimal year</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has no value: each line has a date, a value and its standard uncertainty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>line %1 has no value and is left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is no number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has no standard uncertainty: without one the value cannot be weighed, state it in the third column</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the standard uncertainty %1 is not greater than 0: a value without one cannot be weighed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the other sessions of the series</source>
-        <translation>系列中的其余会话</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>%1 of instrument %2</source>
-        <translation>仪器 %2 的%1</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>%1 of guideway %2</source>
-        <translation>导轨 %2 的%1</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>%1, of a size of its own in each session</source>
-        <translation>%1，各会话大小不同</translation>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The %1 sessions share no effect that shows beyond their stated noise.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The %1 sessions together are best explained by %2.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The size of %1 changes from session to session.</source>
-        <translation>%1的大小逐会话变化。</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>They cannot tell %1 from %2.</source>
-        <translation>它们无法区分%1与%2。</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>an instrument without serial</source>
-        <translation>无序列号的仪器</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>instrument %1</source>
-        <translation>仪器 %1</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>a guideway without serial</source>
-        <translation>无序列号的导轨</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>guideway %1</source>
-        <translation>导轨 %1</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the session by itself</source>
-        <translation>该会话自身</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>each session by itself</source>
-        <translation>各会话自身</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>By itself %1 holds %2.</source>
-        <translation>%1自身含有%2。</translation>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure guideway %1 with another instrument: %2 sessions tell %3 apart, by %4 σ.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure guideway %1 with instrument %2: %3 sessions tell %4 apart, by %5 σ.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure another guideway with instrument %1: %2 sessions tell %3 apart, by %4 σ.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure with instrument %1 again: with %2 more sessions %3 would show by %4 σ.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure guideway %1 again: with %2 more sessions %3 would show by %4 σ.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>%1 of %2 sessions do not state the serial of their instrument: nothing of an instrument is taken as shared by them.</source>
-        <translation>%2 个会话中有 %1 个未注明仪器序列号：不视其共有任何仪器效应。</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>State the serials.</source>
-        <translation>请注明序列号。</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>%1 of %2 sessions do not state the serial of their guideway: nothing of a guideway is taken as shared by them.</source>
-        <translation>%2 个会话中有 %1 个未注明导轨序列号：不视其共有任何导轨效应。</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>%1 does not share %2 with the others: there its size is another.</source>
-        <translation>%1与其余会话不共有%2：那里其大小不同。</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>See what was different in that session.</source>
-        <translation>请查看该会话有何不同。</translation>
-    </message>
-    <message>
-        <source>The sessions (%1) share no effect that shows beyond their stated noise.</source>
-        <translation>这些会话（%1 个）没有共有的、超出声明噪声的效应。</translation>
-    </message>
-    <message>
-        <source>The sessions (%1) together are best explained by %2.</source>
-        <translation>这些会话（%1 个）合起来最好由%2解释。</translation>
-    </message>
-    <message>
-        <source>Measure guideway %1 with another instrument: tells %3 apart by %4 σ (sessions needed: %2).</source>
-        <translation>用另一台仪器测量导轨 %1：可区分%3，相差 %4 σ（所需会话数：%2）。</translation>
-    </message>
-    <message>
-        <source>Measure guideway %1 with instrument %2: tells %4 apart by %5 σ (sessions needed: %3).</source>
-        <translation>用仪器 %2 测量导轨 %1：可区分%4，相差 %5 σ（所需会话数：%3）。</translation>
-    </message>
-    <message>
-        <source>Measure another guideway with instrument %1: tells %3 apart by %4 σ (sessions needed: %2).</source>
-        <translation>用仪器 %1 测量另一条导轨：可区分%3，相差 %4 σ（所需会话数：%2）。</translation>
-    </message>
-    <message>
-        <source>Measure with instrument %1 again: %3 would show by %4 σ (more sessions needed: %2).</source>
-        <translation>再用仪器 %1 测量：%3将显出 %4 σ（还需会话数：%2）。</translation>
-    </message>
-    <message>
-        <source>Measure guideway %1 again: %3 would show by %4 σ (more sessions needed: %2).</source>
-        <translation>再次测量导轨 %1：%3将显出 %4 σ（还需会话数：%2）。</translation>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5046,6 +5506,14 @@ a clause as a sentence</extracomment>
     </message>
 </context>
 <context>
+    <name>SpokenCell</name>
+    <message>
+        <source>%1: empty</source>
+        <extracomment>of a cell of a table: the name of its column</extracomment>
+        <translation>%1：空</translation>
+    </message>
+</context>
+<context>
     <name>StateNoise</name>
     <message>
         <source>State σ of the circles</source>
@@ -5778,6 +6246,324 @@ and a plausible size of %1 (1σ)</source>
     </message>
 </context>
 <context>
+    <name>alidade::ui::CheckChart</name>
+    <message>
+        <source>Course of the check</source>
+        <translation>检查的过程</translation>
+    </message>
+</context>
+<context>
+    <name>alidade::ui::CheckInput</name>
+    <message>
+        <source>not stated</source>
+        <translation>未声明</translation>
+    </message>
+    <message>
+        <source>Of a value observed once in both faces, as in a data sheet after ISO 17123-3</source>
+        <translation>双面各观测一次所得的值，如按 ISO 17123-3 的说明书所载</translation>
+    </message>
+    <message>
+        <source>&amp;Files</source>
+        <translation>文件(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Rows Typed</source>
+        <translation>录入的行(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Files of readings</source>
+        <translation>读数文件</translation>
+    </message>
+    <message>
+        <source>&amp;Open Files…</source>
+        <translation>打开文件(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>R&amp;emove</source>
+        <translation>移除(&amp;E)</translation>
+    </message>
+    <message>
+        <source>as both faces add up</source>
+        <translation>按两个盘位之和判断</translation>
+    </message>
+    <message>
+        <source>decimal degrees</source>
+        <translation>十进制度</translation>
+    </message>
+    <message>
+        <source>gon</source>
+        <translation>gon</translation>
+    </message>
+    <message>
+        <source>degrees.minutes seconds</source>
+        <translation>度.分秒</translation>
+    </message>
+    <message>
+        <source>as read</source>
+        <translation>按读数判断</translation>
+    </message>
+    <message>
+        <source>zenith angles</source>
+        <translation>天顶距</translation>
+    </message>
+    <message>
+        <source>elevations</source>
+        <translation>高度角</translation>
+    </message>
+    <message>
+        <source>σ of a &amp;direction:</source>
+        <translation>方向的 σ(&amp;D)：</translation>
+    </message>
+    <message>
+        <source>σ of a &amp;zenith angle:</source>
+        <translation>天顶距的 σ(&amp;Z)：</translation>
+    </message>
+    <message>
+        <source>&amp;Plain numbers:</source>
+        <translation>不带单位的数(&amp;P)：</translation>
+    </message>
+    <message>
+        <source>&amp;Vertical circle:</source>
+        <translation>竖直度盘(&amp;V)：</translation>
+    </message>
+    <message>
+        <source>Reading the files…</source>
+        <translation>正在读取文件…</translation>
+    </message>
+    <message>
+        <source>Instrument check</source>
+        <translation>仪器检查</translation>
+    </message>
+    <message>
+        <source>typed</source>
+        <translation>录入</translation>
+    </message>
+</context>
+<context>
+    <name>alidade::ui::CheckPlot</name>
+    <message>
+        <source>round, of all stations in turn</source>
+        <translation>测回，各测站依次</translation>
+    </message>
+    <message>
+        <source>off its mean (″)</source>
+        <translation>与平均值之差 (″)</translation>
+    </message>
+    <message>
+        <source>residual (″)</source>
+        <translation>残差 (″)</translation>
+    </message>
+    <message>
+        <source>distance (m)</source>
+        <translation>距离 (m)</translation>
+    </message>
+    <message>
+        <source>collimation (″)</source>
+        <translation>视准误差 (″)</translation>
+    </message>
+    <message>
+        <source>No distances are known.</source>
+        <translation>没有已知的距离。</translation>
+    </message>
+    <message>
+        <source>No complete round yet.</source>
+        <translation>还没有完整的测回。</translation>
+    </message>
+    <message>
+        <source>collimation c</source>
+        <translation>视准误差 c</translation>
+    </message>
+    <message>
+        <source>index</source>
+        <translation>指标差</translation>
+    </message>
+    <message>
+        <source>orientation</source>
+        <translation>定向</translation>
+    </message>
+    <message>
+        <source>direction</source>
+        <translation>方向</translation>
+    </message>
+    <message>
+        <source>zenith angle</source>
+        <translation>天顶距</translation>
+    </message>
+    <message>
+        <source>round %1</source>
+        <translation>第 %1 测回</translation>
+    </message>
+    <message>
+        <source>target %1</source>
+        <translation>目标 %1</translation>
+    </message>
+    <message>
+        <source>%1 points, at most %2</source>
+        <translation>%1 个点，最大 %2</translation>
+    </message>
+    <message>
+        <source>Good: level from round to round; a slope is a drift, a step something that moved.</source>
+        <translation>良好：各测回之间保持水平；倾斜表示漂移，阶跃表示有变动。</translation>
+    </message>
+    <message>
+        <source>Good: an even band about 0 in every round, and no target that keeps to one side.</source>
+        <translation>良好：每个测回都在 0 附近均匀分布，没有总偏向一侧的目标。</translation>
+    </message>
+    <message>
+        <source>Good: level. What rises towards short distances is a line of sight off the axis, e/D.</source>
+        <translation>良好：保持水平。向短距离方向升高的是偏离轴的视线，e/D。</translation>
+    </message>
+</context>
+<context>
+    <name>alidade::ui::CheckRowsModel</name>
+    <message>
+        <source>Station</source>
+        <translation>测站</translation>
+    </message>
+    <message>
+        <source>Round</source>
+        <translation>测回</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>Face</source>
+        <translation>盘位</translation>
+    </message>
+    <message>
+        <source>Horizontal</source>
+        <translation>水平</translation>
+    </message>
+    <message>
+        <source>Vertical</source>
+        <translation>竖直</translation>
+    </message>
+    <message>
+        <source>Distance (m)</source>
+        <translation>距离 (m)</translation>
+    </message>
+    <message>
+        <source>Empty: one station</source>
+        <translation>留空：只有一个测站</translation>
+    </message>
+    <message>
+        <source>Empty: as targets come again</source>
+        <translation>留空：由目标再次出现得出</translation>
+    </message>
+    <message>
+        <source>Any name, the same in both faces and all rounds</source>
+        <translation>任意名称，两个盘位和所有测回相同</translation>
+    </message>
+    <message>
+        <source>Empty: as the vertical circle shows</source>
+        <translation>留空：由竖直度盘得出</translation>
+    </message>
+    <message>
+        <source>341°52′24″, 341 52 24, 379.859gon, or numbers in the unit stated</source>
+        <translation>341°52′24″、341 52 24、379.859gon，或所声明单位的数</translation>
+    </message>
+    <message>
+        <source>Zenith angle, likewise</source>
+        <translation>天顶距，格式相同</translation>
+    </message>
+    <message>
+        <source>Along the line of sight; may be empty</source>
+        <translation>沿视线；可留空</translation>
+    </message>
+</context>
+<context>
+    <name>alidade::ui::CheckRowsTable</name>
+    <message>
+        <source>Rounds typed</source>
+        <translation>录入的测回</translation>
+    </message>
+    <message>
+        <source>Type, or paste from a spreadsheet (Ctrl+V); a first row that names columns is followed</source>
+        <translation>录入，或从电子表格粘贴 (Ctrl+V)；首行若为列名则照其排列</translation>
+    </message>
+</context>
+<context>
+    <name>alidade::ui::CheckTable</name>
+    <message>
+        <source>Station</source>
+        <translation>测站</translation>
+    </message>
+    <message>
+        <source>Evaluated one by one; the last row holds all of them</source>
+        <translation>逐个评定；最后一行为全部</translation>
+    </message>
+    <message>
+        <source>all, pooled</source>
+        <translation>全部合并</translation>
+    </message>
+    <message>
+        <source>Rounds</source>
+        <translation>测回</translation>
+    </message>
+    <message>
+        <source>Complete rounds × targets</source>
+        <translation>完整测回数 × 目标数</translation>
+    </message>
+    <message>
+        <source>s direction (ν)</source>
+        <translation>方向 s (ν)</translation>
+    </message>
+    <message>
+        <source>Of a direction observed once in both faces, with its degrees of freedom</source>
+        <translation>双面各观测一次的方向，及其自由度</translation>
+    </message>
+    <message>
+        <source>s zenith (ν)</source>
+        <translation>天顶距 s (ν)</translation>
+    </message>
+    <message>
+        <source>Of a zenith angle observed once in both faces, with its degrees of freedom</source>
+        <translation>双面各观测一次的天顶距，及其自由度</translation>
+    </message>
+    <message>
+        <source>Collimation</source>
+        <translation>视准误差</translation>
+    </message>
+    <message>
+        <source>c as of face 1, ± its standard uncertainty</source>
+        <translation>以盘位 1 为准的 c，± 其标准不确定度</translation>
+    </message>
+    <message>
+        <source>Index</source>
+        <translation>指标差</translation>
+    </message>
+    <message>
+        <source>Of the vertical circle as of face 1, ± its standard uncertainty</source>
+        <translation>以盘位 1 为准的竖直度盘指标差，± 其标准不确定度</translation>
+    </message>
+    <message>
+        <source>Trunnion tilt</source>
+        <translation>横轴倾斜</translation>
+    </message>
+    <message>
+        <source>i, estimated together with the collimation, from targets at several elevations</source>
+        <translation>i，由不同高度角的目标与视准误差一并估计</translation>
+    </message>
+    <message>
+        <source>Line of sight</source>
+        <translation>视线</translation>
+    </message>
+    <message>
+        <source>e, by which it passes the axis, from targets at several distances</source>
+        <translation>视线偏离轴的量 e，由不同距离的目标得出</translation>
+    </message>
+    <message>
+        <source>Result by station</source>
+        <translation>各测站的结果</translation>
+    </message>
+    <message>
+        <source>Open files, or type rounds in two faces to several targets.</source>
+        <translation>请打开文件，或录入对多个目标的双面测回。</translation>
+    </message>
+</context>
+<context>
     <name>alidade::ui::ClosureBars</name>
     <message>
         <source>What must agree</source>
@@ -5813,85 +6599,6 @@ and a plausible size of %1 (1σ)</source>
     <message>
         <source>Command</source>
         <translation>命令</translation>
-    </message>
-</context>
-<context>
-    <name>alidade::ui::DiagnosisPanel</name>
-    <message>
-        <source>Cause</source>
-        <translation>原因</translation>
-    </message>
-    <message>
-        <source>Owner</source>
-        <translation>所属</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>大小</translation>
-    </message>
-    <message>
-        <source>Probability</source>
-        <translation>概率</translation>
-    </message>
-    <message>
-        <source>In one session (σ)</source>
-        <translation>单个会话中（σ）</translation>
-    </message>
-    <message>
-        <source>In all (σ)</source>
-        <translation>全部会话中（σ）</translation>
-    </message>
-    <message>
-        <source>Not told from</source>
-        <translation>无法区分于</translation>
-    </message>
-    <message>
-        <source>What the sessions share</source>
-        <translation>会话共有的效应</translation>
-    </message>
-    <message>
-        <source>Session</source>
-        <translation>会话</translation>
-    </message>
-    <message>
-        <source>Date</source>
-        <translation>日期</translation>
-    </message>
-    <message>
-        <source>Instrument</source>
-        <translation>仪器</translation>
-    </message>
-    <message>
-        <source>Device</source>
-        <translation>装置</translation>
-    </message>
-    <message>
-        <source>Alone</source>
-        <translation>单独</translation>
-    </message>
-    <message>
-        <source>In the light of the series</source>
-        <translation>结合系列</translation>
-    </message>
-    <message>
-        <source>Each session alone and in the light of the series</source>
-        <translation>各会话单独及结合系列的诊断</translation>
-    </message>
-    <message>
-        <source>No sessions yet.</source>
-        <translation>尚无会话。</translation>
-    </message>
-    <message>
-        <source>Reduced χ² of all sessions goes from %1 to %2; sessions held out shrink by %3 %.</source>
-        <translation>全部会话的约化 χ² 由 %1 变为 %2；留出的会话缩小 %3 %。</translation>
-    </message>
-    <message>
-        <source>%1, changing</source>
-        <translation>%1，变化中</translation>
-    </message>
-    <message>
-        <source> or </source>
-        <translation>或</translation>
     </message>
 </context>
 <context>
@@ -5931,6 +6638,10 @@ and a plausible size of %1 (1σ)</source>
     <message>
         <source>%1. Plausible size (1σ) %2. Remedy: %3.</source>
         <translation>%1。合理大小（1σ）%2。补救：%3。</translation>
+    </message>
+    <message>
+        <source>no size of its own</source>
+        <translation>没有自己的大小</translation>
     </message>
 </context>
 <context>
@@ -7012,6 +7723,69 @@ sizes</source>
     </message>
 </context>
 <context>
+    <name>alidade::ui::InstrumentDialog</name>
+    <message>
+        <source>Instrument Check</source>
+        <translation>仪器检查</translation>
+    </message>
+    <message>
+        <source>What the check says</source>
+        <translation>检查的说明</translation>
+    </message>
+    <message>
+        <source>Course over the rounds</source>
+        <translation>随测回的过程</translation>
+    </message>
+    <message>
+        <source>Residuals</source>
+        <translation>残差</translation>
+    </message>
+    <message>
+        <source>Collimation over the distance</source>
+        <translation>视准误差随距离</translation>
+    </message>
+    <message>
+        <source>What is drawn</source>
+        <translation>绘制的内容</translation>
+    </message>
+    <message>
+        <source>Export &amp;JSON…</source>
+        <translation>导出 JSON(&amp;J)…</translation>
+    </message>
+    <message>
+        <source>Export &amp;CSV…</source>
+        <translation>导出 CSV(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>&amp;Save as Instrument Record…</source>
+        <translation>另存为仪器档案(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>Collimation, index, tilt and σ of the circles, for sessions to take</source>
+        <translation>视准误差、指标差、倾斜和度盘的 σ，供会话采用</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Rounds to several targets, each in both faces, show how far a direction and a zenith angle scatter, and collimation, index and tilt of the trunnion axis. Half an hour, worth it before a series and after a transport. Three rounds to four targets spread around the horizon, one of them steep, at distances like those of the work.</source>
+        <translation>对多个目标的双面测回显示方向和天顶距的散布，以及视准误差、指标差和横轴倾斜。只需半小时，在一系列测量之前和运输之后值得一做。三个测回，四个分布于四周的目标，其中一个较陡，距离与工作时相近。</translation>
+    </message>
+    <message>
+        <source>Export instrument check</source>
+        <translation>导出仪器检查</translation>
+    </message>
+    <message>
+        <source>Export residuals of the check</source>
+        <translation>导出检查的残差</translation>
+    </message>
+    <message>
+        <source>Save instrument record</source>
+        <translation>保存仪器档案</translation>
+    </message>
+</context>
+<context>
     <name>alidade::ui::InstrumentFlow</name>
     <message>
         <source>Take from the instrument record</source>
@@ -7024,6 +7798,10 @@ sizes</source>
         <translation>无法取用“%1”。
 
 %2</translation>
+    </message>
+    <message>
+        <source>Taken from “%1”, known sizes: %2</source>
+        <translation>已取自“%1”，已知量值：%2</translation>
     </message>
     <message>
         <source>Save as instrument record</source>
@@ -7044,10 +7822,6 @@ sizes</source>
     <message>
         <source>Saved “%1”</source>
         <translation>已保存“%1”</translation>
-    </message>
-    <message>
-        <source>Taken from “%1”, known sizes: %2</source>
-        <translation>已取自“%1”，已知量值：%2</translation>
     </message>
 </context>
 <context>
@@ -7331,6 +8105,22 @@ sizes</source>
         <source>The diagnosis was stopped. The next edit takes it up again.</source>
         <translation>诊断已停止。下次编辑会重新开始。</translation>
     </message>
+    <message>
+        <source>Forms of the session</source>
+        <translation>会话表单</translation>
+    </message>
+    <message>
+        <source>Positions of the axis</source>
+        <translation>轴位</translation>
+    </message>
+    <message>
+        <source>Pages of the result</source>
+        <translation>结果页</translation>
+    </message>
+    <message>
+        <source>Pages of the details</source>
+        <translation>详细页</translation>
+    </message>
 </context>
 <context>
     <name>alidade::ui::PaperForm</name>
@@ -7534,6 +8324,18 @@ sizes</source>
     <message>
         <source>Elevation β</source>
         <translation>高度角 β</translation>
+    </message>
+    <message>
+        <source>excluded</source>
+        <translation>排除</translation>
+    </message>
+    <message>
+        <source>used</source>
+        <translation>使用</translation>
+    </message>
+    <message>
+        <source>%1: to be added</source>
+        <translation>%1：待添加</translation>
     </message>
 </context>
 <context>
@@ -9092,6 +9894,34 @@ Reference %1, difference %2</source>
     <message>
         <source>As the &amp;Desktop</source>
         <translation>与桌面相同(&amp;D)</translation>
+    </message>
+    <message>
+        <source>F&amp;ont</source>
+        <translation>字体(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Larger</source>
+        <translation>更大(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt++</source>
+        <translation>Ctrl+Alt++</translation>
+    </message>
+    <message>
+        <source>&amp;Smaller</source>
+        <translation>更小(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+-</source>
+        <translation>Ctrl+Alt+-</translation>
+    </message>
+    <message>
+        <source>&amp;Choose…</source>
+        <translation>选择(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>&amp;Instrument Check…</source>
+        <translation>仪器检查(&amp;I)…</translation>
     </message>
 </context>
 <context>

@@ -1,56 +1,12 @@
 #!/usr/bin/env bash
 # The 68 angles of the published table typed into the real window, a reading corrected, the session saved, the report
-# written, the file opened again. Arguments: the workstation, the console program, the table, the session that is the same.
+# written and printed into a file, the session opened again. Arguments: the workstation, the console program, the table, the session that is the same.
 set -euo pipefail
 
 workstation=$1 console=$2 table=$3 reference=$4
-for tool in Xvfb openbox xdotool pdftotext; do
-  command -v "$tool" >/dev/null || { echo "$tool is missing: nothing was tried" && exit 77; }
-done
-
-work=$(mktemp -d)
-export XDG_CONFIG_HOME=$work/config XDG_DATA_HOME=$work/data XDG_RUNTIME_DIR=$work QT_QPA_PLATFORM=xcb LC_ALL=C.UTF-8
-chmod 700 "$work"
-started=()
-clean() {
-  ((${#started[@]} == 0)) || kill "${started[@]}" 2>/dev/null || true
-  wait 2>/dev/null || true
-  rm -rf -- "$work"
-}
-trap clean EXIT
-
-fail() {
-  echo "$*"
-  [[ ! -s $work/out ]] || sed 's/^/the window said: /' "$work/out"
-  exit 1
-}
-
-wait_for() { # what it is, then the command that tells whether it is there
-  local what=$1 i
-  shift
-  for ((i = 0; i < 300; ++i)); do
-    if "$@" >/dev/null 2>&1; then return; fi
-    sleep 0.1
-  done
-  fail "$what: not within 30 seconds"
-}
-
-window_named() { xdotool search --onlyvisible --name "$1"; }
-no_window_named() { ! window_named "$1"; }
-keys() { xdotool key --delay 20 "$@"; }
-typed() { # a text, ended by Enter
-  [[ -z $1 ]] || xdotool type --delay 8 -- "$1"
-  keys Return
-}
-
-Xvfb -displayfd 3 -screen 0 1280x800x24 3>"$work/display" >/dev/null 2>&1 &
-started+=($!)
-wait_for "a display" test -s "$work/display"
-DISPLAY=:$(cat "$work/display")
-export DISPLAY
-openbox >/dev/null 2>&1 &
-started+=($!)
-wait_for "a window manager" xdotool get_desktop
+command -v pdftotext >/dev/null || { echo "pdftotext is missing: nothing was tried" && exit 77; }
+# shellcheck source=tests/desktop/desk.sh
+source "$(dirname "$0")/desk.sh"
 
 "$workstation" >"$work/out" 2>&1 &
 started+=($!)
@@ -105,6 +61,16 @@ typed "$work/report.pdf"
 wait_for "the report" test -s "$work/report.pdf"
 wait_for "the end of the dialog" no_window_named "Export acceptance report"
 
+keys ctrl+p
+wait_for "the question what is printed" window_named "Acceptance report"
+keys Return
+wait_for "the question where it is printed" window_named "Print acceptance report"
+sleep 0.5
+keys alt+f ctrl+a
+typed "$work/printed.pdf"
+wait_for "the printed pages" test -s "$work/printed.pdf"
+wait_for "the end of the printing" no_window_named "Print acceptance report"
+
 keys ctrl+q
 for ((i = 0; i < 100; ++i)); do kill -0 "$program" 2>/dev/null && sleep 0.1; done
 kill -0 "$program" 2>/dev/null && fail "the window did not close"
@@ -125,9 +91,12 @@ expected = [("82 40 39", "82 40 49"), ("82 40 49", "82 40 39")]
 sys.exit(0 if told == expected else "the journal tells " + str(told))'
 pdftotext -layout "$work/report.pdf" "$work/report.txt"
 grep -q "Journal of changes" "$work/report.txt" || fail "the report does not tell of the correction"
+pdftotext -layout "$work/printed.pdf" "$work/printed.txt"
+diff <(sed 's/ [0-9][0-9]:[0-9][0-9]//' "$work/report.txt") <(sed 's/ [0-9][0-9]:[0-9][0-9]//' "$work/printed.txt") >"$work/differs" ||
+  fail "what is printed differs from the report: $(head -4 "$work/differs")"
 
 "$workstation" "$session" >>"$work/out" 2>&1 &
 started+=($!)
 wait_for "the session opened again" window_named "typed.alidade — Alidade"
 [[ $(intersection "$session") == "$other" ]] || fail "opening it changed the file"
-echo "typed, corrected, saved, reported and opened again: Δd = ${own##* } mm"
+echo "typed, corrected, saved, reported, printed and opened again: Δd = ${own##* } mm"

@@ -14,7 +14,8 @@ awk '
                   "diagnosis/result diagnosis/gap diagnosis/evidence diagnosis/candidates diagnosis/search " \
                   "diagnosis/observability diagnosis/conclusion diagnosis " \
                   "series/shared_causes " \
-                  "wording answers simulation", order)
+                  "wording answers simulation " \
+                  "series/instrument_check series/history", order)
     for (i = 1; i <= rooms; ++i) level["core/" order[i]] = i
     # Linear algebra, for the sources of one floor and nobody else.
     floor_of["core/adjustment/joint/arc_jets.h"] = "adjustment"

@@ -7,6 +7,8 @@
 #include <set>
 
 #include "tests/ui/support.h"
+#include "ui/commands/edit_readings.h"
+#include "ui/document/reading_column.h"
 #include "ui/main_window.h"
 #include "ui/panels/window/page_tabs.h"
 
@@ -56,6 +58,14 @@ TEST(Accessibility, CellsOfTheReadingsAreSpokenWithWhatTheyMean) {
   QAccessibleInterface* cell = spoken->tableInterface()->cellAt(0, 4);
   ASSERT_TRUE(cell);
   EXPECT_EQ(cell->text(QAccessible::Name).toStdString(), "341°52′24″");
+  const auto said = [&](int row, int column) {
+    return spoken->tableInterface()->cellAt(row, column)->text(QAccessible::Name).toStdString();
+  };
+  EXPECT_EQ(said(0, static_cast<int>(ReadingColumn::Used)), "used") << "a tick has no text";
+  EXPECT_EQ(said(0, static_cast<int>(ReadingColumn::Note)), "Note: empty");
+  EXPECT_EQ(said(17, static_cast<int>(ReadingColumn::Horizontal)), "Horizontal α: to be added");
+  ReadingsEditor(open->document(), 0).setExcluded({0}, true);
+  EXPECT_EQ(said(0, static_cast<int>(ReadingColumn::Used)), "excluded");
 }
 
 }  // namespace

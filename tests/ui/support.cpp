@@ -109,7 +109,7 @@ bool waitFor(const std::function<bool()>& done) {
   QElapsedTimer clock;
   clock.start();
   while (!done()) {
-    if (clock.elapsed() > 5000) return false;
+    if (clock.elapsed() > 60'000) return false;
     QCoreApplication::processEvents(QEventLoop::AllEvents, 10);
   }
   return true;

@@ -133,7 +133,7 @@ Session sessionInTwoFaces();
 /// Types `text` and ends it with `key`, wherever the keyboard is, the editor of a cell included.
 void typeInto(QWidget& widget, const QString& text, Qt::Key key = Qt::Key_Return);
 
-/// Processes events until `done`, at most five seconds. False: it was not.
+/// Processes events until `done`, at most a minute, for sanitizers and busy machines. False: it was not.
 bool waitFor(const std::function<bool()>& done);
 
 }  // namespace alidade::ui

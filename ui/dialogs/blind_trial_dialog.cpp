@@ -17,6 +17,7 @@
 #include "ui/panels/gap/gap_headline.h"
 #include "ui/panels/parts/figure_grid.h"
 #include "ui/settings/theme.h"
+#include "ui/settings/window_font.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/trial_text.h"
 
@@ -27,7 +28,8 @@ namespace {
 QLabel* textOfLines(int lines) {
   QLabel* label = wrappedLabel();
   label->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-  label->setMinimumHeight(lines * label->fontMetrics().lineSpacing());
+  layOutByFont(*label,
+               [label, lines] { label->setMinimumHeight(lines * label->fontMetrics().lineSpacing()); });
   return label;
 }
 
@@ -81,7 +83,7 @@ QWidget* BlindTrialDialog::createChoices() {
 QWidget* BlindTrialDialog::createAnswer() {
   m_title = panelHeading({});
   m_answer = new GapHeadline;
-  m_answer->setMinimumHeight(5 * fontMetrics().lineSpacing());
+  layOutByFont(*m_answer, [this] { m_answer->setMinimumHeight(5 * fontMetrics().lineSpacing()); });
   m_waterfall = new GapWaterfall;
   auto* answer = new QWidget;
   auto* layout = new QVBoxLayout(answer);

@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QCoreApplication>
 #include <QFileDialog>
+#include <QFontDialog>
 #include <QInputDialog>
 #include <QMessageBox>
 #include <QPrintDialog>
@@ -185,6 +186,13 @@ void Dialogs::showProblem(const QString& title, const QString& text) {
 
 std::unique_ptr<Busy> Dialogs::busy(const QString& doing, Busy::Way way) {
   return std::make_unique<Busy>(m_parent, doing, way);
+}
+
+std::optional<QFont> Dialogs::askFont(const QFont& now) {
+  bool isChosen = false;
+  const QFont font = QFontDialog::getFont(&isChosen, now, m_parent, DialogsText::tr("Font of the window"),
+                                          QFontDialog::DontUseNativeDialog);
+  return isChosen ? std::optional(font) : std::nullopt;
 }
 
 void Dialogs::showAbout() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QFont>
 #include <QPointer>
 #include <QString>
 #include <QStringList>
@@ -58,6 +59,8 @@ class Dialogs {
   virtual bool askOpenElsewhere(const QString& name, const QString& holder);
   virtual ChangedFileAnswer askChangedFile(const ChangedFile& file);
   virtual RecoveryAnswer askRecovery(const QList<RecoveryOffer>& offers);
+  /// The letters of the window; absent: cancelled.
+  virtual std::optional<QFont> askFont(const QFont& now);
   virtual void showProblem(const QString& title, const QString& text);
   /// To wait with, while `doing` is done.
   virtual std::unique_ptr<Busy> busy(const QString& doing, Busy::Way way = Busy::Way::Stoppable);

@@ -18,6 +18,7 @@
 #include "ui/language/languages.h"
 #include "ui/report/report_logo.h"
 #include "ui/settings/theme.h"
+#include "ui/settings/window_font.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {
@@ -53,7 +54,10 @@ ReportDialog::ReportDialog(const ReportQuestion& question, QWidget* parent)
   layout->addWidget(createLacks());
   layout->addLayout(columns, 1);
   layout->addWidget(createButtons());
-  setMinimumWidth(640);
+  // Of its own accord a dialog opens as high as it would be with every sentence on few lines.
+  layout->activate();
+  const int width = std::max(byFont(640), minimumSizeHint().width());
+  resize(width, std::max(sizeHint().height(), layout->totalHeightForWidth(width)));
 }
 
 /// What it cannot say, before anything can be chosen.

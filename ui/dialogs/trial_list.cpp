@@ -7,6 +7,7 @@
 
 #include "ui/panels/parts/data_table.h"
 #include "ui/panels/parts/figure_grid.h"
+#include "ui/settings/window_font.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/trial_text.h"
@@ -29,7 +30,8 @@ QString tallyText(const QString& name, const Tally& tally) {
 
 TrialList::TrialList(QWidget* parent) : QWidget(parent), m_summary(wrappedLabel()), m_table(createTable()) {
   m_summary->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-  m_summary->setMinimumHeight(2 * m_summary->fontMetrics().lineSpacing());
+  layOutByFont(*m_summary,
+               [this] { m_summary->setMinimumHeight(2 * m_summary->fontMetrics().lineSpacing()); });
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(panelHeading(tr("Score so far")));

@@ -4,6 +4,7 @@
 #include <QLabel>
 
 #include "ui/forms/field_edit.h"
+#include "ui/settings/window_font.h"
 
 namespace alidade::ui {
 
@@ -51,7 +52,8 @@ QWidget* FieldForm::addEntry(SessionDocument& document, const FormField& field) 
   }
   entry->setObjectName(QString::fromLatin1(field.name));
   entry->setAccessibleName(field.unit.isEmpty() ? spoken : QStringLiteral("%1 (%2)").arg(spoken, field.unit));
-  entry->setMinimumWidth(field.choices.isEmpty() ? 60 : 84);
+  layOutByFont(*entry,
+               [entry, width = field.choices.isEmpty() ? 60 : 84] { entry->setMinimumWidth(byFont(width)); });
   return entry;
 }
 

@@ -7,6 +7,7 @@
 #include "ui/forms/field_edit.h"
 #include "ui/forms/field_form.h"
 #include "ui/forms/field_notes.h"
+#include "ui/settings/window_font.h"
 
 namespace alidade::ui {
 
@@ -221,7 +222,7 @@ QWidget* createSessionForm(SessionDocument& document) {
   auto* notes = new FieldNotes(document, {.field = "notes"});
   notes->setObjectName(QStringLiteral("notes"));
   notes->setAccessibleName(Forms::tr("Notes"));
-  notes->setFixedHeight(notes->fontMetrics().lineSpacing() * 2 + 14);
+  layOutByFont(*notes, [notes] { notes->setFixedHeight(notes->fontMetrics().lineSpacing() * 2 + 14); });
   auto* caption = new QLabel(Forms::tr("Notes"));
   caption->setBuddy(notes);
   caption->setAlignment(Qt::AlignTop);

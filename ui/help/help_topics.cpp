@@ -32,6 +32,7 @@ constexpr ClassTopic classTopics[] = {
     {"alidade::ui::KnownSizesPanel", "known-sizes"},
     {"alidade::ui::GapPanel", "gap"},
     {"alidade::ui::BlindTrialDialog", "gap#trials"},
+    {"alidade::ui::InstrumentDialog", "instrument"},
     {"alidade::ui::JournalPanel", "report#journal"},
     {"alidade::ui::ChangedFileBar", "files#others"},
     {"alidade::ui::StartPage", "first"},
@@ -54,6 +55,7 @@ const std::vector<HelpPage>& allHelpPages() {
       {"gap", QT_TRANSLATE_NOOP("HelpPage", "How to read the gap")},
       {"uncertainty", QT_TRANSLATE_NOOP("HelpPage", "Uncertainty and reliability")},
       {"known-sizes", QT_TRANSLATE_NOOP("HelpPage", "Known sizes and effects")},
+      {"instrument", QT_TRANSLATE_NOOP("HelpPage", "Checking the instrument")},
       {"report", QT_TRANSLATE_NOOP("HelpPage", "Report, journal and seal")},
       {"files", QT_TRANSLATE_NOOP("HelpPage", "Files and recovery")},
       {"words", QT_TRANSLATE_NOOP("HelpPage", "Words and symbols")}};

@@ -132,7 +132,7 @@ void HelpWindow::style() {
 
 void HelpWindow::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange) style();
+  if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) style();
 }
 
 }  // namespace alidade::ui

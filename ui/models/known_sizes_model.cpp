@@ -12,6 +12,7 @@
 #include "ui/text/entry_text.h"
 #include "ui/text/known_text.h"
 #include "ui/text/quantity_text.h"
+#include "ui/text/spoken_cell.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {
@@ -100,6 +101,8 @@ QVariant KnownSizesModel::data(const QModelIndex& index, int role) const {
   switch (role) {
     case Qt::DisplayRole:
       return text(index);
+    case Qt::AccessibleTextRole:
+      return spokenCell(text(index), headerData(index.column(), Qt::Horizontal, Qt::DisplayRole).toString());
     case Qt::EditRole:
       return cell ? QVariant(qText(typed(row, *cell))) : QVariant();
     case Qt::TextAlignmentRole:

@@ -14,6 +14,7 @@
 #include "ui/text/entry_text.h"
 #include "ui/text/journal_text.h"
 #include "ui/text/quantity_text.h"
+#include "ui/text/spoken_cell.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {
@@ -67,6 +68,8 @@ QVariant ReadingsModel::data(const QModelIndex& index, int role) const {
   switch (role) {
     case Qt::DisplayRole:
       return cellText(row, column);
+    case Qt::AccessibleTextRole:
+      return spokenText(row, column);
     case Qt::EditRole:
       return readingText(column) ? qText(reading(row).*readingText(column)) : QVariant();
     case Qt::CheckStateRole:
@@ -90,8 +93,20 @@ QVariant ReadingsModel::data(const QModelIndex& index, int role) const {
   }
 }
 
+/// A tick has no text of its own.
+QString ReadingsModel::spokenText(int row, ReadingColumn column) const {
+  if (column == ReadingColumn::Used) return reading(row).excluded ? tr("excluded") : tr("used");
+  return spokenCell(cellText(row, column), titleOf(column));
+}
+
+QString ReadingsModel::titleOf(ReadingColumn column) const {
+  return headerData(static_cast<int>(column), Qt::Horizontal, Qt::DisplayRole).toString();
+}
+
 QVariant ReadingsModel::pendingRowData(ReadingColumn column, int role) const {
   if (role == PendingRowRole) return true;
+  if (role == Qt::AccessibleTextRole && column != ReadingColumn::Point)
+    return tr("%1: to be added").arg(titleOf(column));
   if (role == Qt::DisplayRole && column == ReadingColumn::Point) {
     return shortLine(followingReading(m_document.session(), m_position).point, longestCell);
   }

@@ -77,6 +77,8 @@ class ReadingsModel : public QAbstractTableModel {
   /// Empty where the cell is as it was first entered.
   QString changeTip(int row, ReadingColumn column) const;
   QString residualTip(int row, ReadingColumn column) const;
+  QString spokenText(int row, ReadingColumn column) const;
+  QString titleOf(ReadingColumn column) const;
   QVariant pendingRowData(ReadingColumn column, int role) const;
   QString columnTitle(ReadingColumn column) const;
   bool isMine(const SessionChange& change) const;

@@ -140,6 +140,7 @@ std::string archivedPdf(std::string_view pdf, const PdfInformation& information,
   writer.forcePDFVersion("1.7");
   writer.setDeterministicID(true);
   writer.setObjectStreamMode(qpdf_o_disable);
+  writer.setNewlineBeforeEndstream(true);  // ISO 19005-3, 6.1.7.1
   writer.write();
   const std::shared_ptr<Buffer> written = writer.getBufferSharedPointer();
   return {reinterpret_cast<const char*>(written->getBuffer()), written->getSize()};

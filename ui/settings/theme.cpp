@@ -6,6 +6,7 @@
 #include <QFont>
 #include <QLabel>
 #include <QPainter>
+#include <QPixmapCache>
 #include <QProxyStyle>
 #include <QSettings>
 #include <QStyleOption>
@@ -161,6 +162,7 @@ void setUpApplication(QApplication& application) {
 void applyTheme(Theme theme) {
   const bool dark = theme == Theme::Dark || (theme == Theme::System && isDark(desktopPalette()));
   const QPalette palette = dark ? darkPalette() : lightPalette();
+  QPixmapCache::clear();  // disabled icons are kept there in the colours that were
   QApplication::setPalette(palette);
   QToolTip::setPalette(palette);
   QSettings().setValue(themeKey, static_cast<int>(theme));

@@ -14,6 +14,7 @@
 
 #include "ui/settings/recent_files.h"
 #include "ui/settings/theme.h"
+#include "ui/settings/window_font.h"
 #include "ui/start/samples.h"
 #include "ui/text/visible_text.h"
 
@@ -39,9 +40,9 @@ QTreeWidget* createList(const QString& name, const QStringList& titles) {
 QLabel* createTitle(const QString& text, double size) {
   auto* label = new QLabel(text);
   QFont font = label->font();
-  font.setPointSizeF(font.pointSizeF() * size);
   font.setBold(size == 1);
   label->setFont(font);
+  scaleFont(*label, size);
   return label;
 }
 
@@ -80,7 +81,7 @@ StartPage::StartPage(QWidget* parent)
 
 QWidget* StartPage::createActions() {
   auto* side = new QWidget;
-  side->setFixedWidth(230);
+  layOutByFont(*side, [side] { side->setFixedWidth(byFont(230)); });
   auto* layout = new QVBoxLayout(side);
   layout->setContentsMargins(0, 0, 0, 0);
   auto* icon = new QLabel;

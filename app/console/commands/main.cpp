@@ -9,7 +9,9 @@
 #include "app/console/channels.h"
 #include "app/console/commands/diagnose_command.h"
 #include "app/console/commands/fit_command.h"
+#include "app/console/commands/history_command.h"
 #include "app/console/commands/import_command.h"
+#include "app/console/commands/instrument_command.h"
 #include "app/console/commands/journal_command.h"
 #include "app/console/commands/plan_command.h"
 #include "app/console/commands/simulate_command.h"
@@ -50,6 +52,14 @@ int giveImport(const ImportRequest& request, std::string& subject) {
   return writeResult(answer->result);
 }
 
+int giveInstrument(const InstrumentRequest& request, std::string& subject) {
+  subject = request.files.size() == 1 ? inputName(request.files.front()) : "alidade-cli instrument";
+  const alidade::Result<InstrumentAnswer> answer = runInstrument(request);
+  if (!answer) return refuse(subject, answer.problem().text());
+  for (const std::string& remark : answer->remarks) notify(subject, remark);
+  return writeResult(answer->result);
+}
+
 /// One file gets one answer, several or a folder of them an answer each.
 int giveFit(const FitRequest& request, std::string& subject) {
   if (namesMany(request.files))
@@ -85,8 +95,12 @@ int run(int argc, char** argv, std::string& subject) {
   addTrialCommand(app, trialRequest);
   JournalRequest journalRequest;
   addJournalCommand(app, journalRequest);
+  HistoryRequest historyRequest;
+  addHistoryCommand(app, historyRequest);
   ImportRequest importRequest;
   addImportCommand(app, importRequest);
+  InstrumentRequest instrumentRequest;
+  addInstrumentCommand(app, instrumentRequest);
   app.footer("Exit codes: 0 done, 2 bad input or call, 1 anything else.");
 
   try {
@@ -101,7 +115,9 @@ int run(int argc, char** argv, std::string& subject) {
 
   if (app.got_subcommand("simulate")) return give(runSimulate(simulateRequest), subject);
   if (app.got_subcommand("trial")) return give(runTrial(trialRequest), subject);
+  if (app.got_subcommand("history")) return giveHistory(historyRequest);
   if (app.got_subcommand("import")) return giveImport(importRequest, subject);
+  if (app.got_subcommand("instrument")) return giveInstrument(instrumentRequest, subject);
   const auto giveFrom = [&](const auto& request, const auto& runCommand) {
     subject = inputName(request.file);
     return give(runCommand(request), subject);

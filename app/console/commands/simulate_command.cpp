@@ -8,6 +8,7 @@
 #include "app/console/session_input.h"
 #include "core/base/number_text.h"
 #include "core/base/visible_text.h"
+#include "core/session/measurement.h"
 #include "core/session/session_file.h"
 #include "core/simulation/protocol.h"
 #include "core/simulation/simulate.h"
@@ -130,10 +131,13 @@ void addSimulateCommand(CLI::App& app, SimulateRequest& request) {
   simulate->add_option("--instrument", request.instrument,
                        "Let the session take this instrument record (*.alidade-instrument)");
   simulate->add_option("--notes", request.notes, "Notes of the session")->check(textCheck());
-  simulate->add_option("--instrument-serial", request.instrumentSerial, "Serial of the instrument")
+  simulate->add_option("--measured-on", request.measuredOn, "Date that the session states")
+      ->check(
+          [](const std::string& date) { return entryProblem(Session(), "measured_on", date).value_or(""); });
+  simulate->add_option("--device-serial", request.deviceSerial, "Serial number of the device")
       ->check(textCheck());
-  simulate->add_option("--device-serial", request.deviceSerial, "Serial of the guideway")->check(textCheck());
-  simulate->add_option("--measured-on", request.measuredOn, "Date of the session")->check(textCheck());
+  simulate->add_option("--instrument-serial", request.instrumentSerial, "Serial number of the instrument")
+      ->check(textCheck());
   addPlanOptions(*simulate, request);
   simulate->add_option("--effect", request.effects, "NAME=VALUE of an effect to put in; may be repeated")
       ->take_all()
@@ -158,9 +162,9 @@ Result<std::string> runSimulate(const SimulateRequest& request) {
   Session session = *std::move(simulated);
   if (!request.title.empty()) session.title = request.title;
   session.notes = request.notes;
-  if (!request.instrumentSerial.empty()) session.instrument.serial = request.instrumentSerial;
-  if (!request.deviceSerial.empty()) session.device.serial = request.deviceSerial;
-  if (!request.measuredOn.empty()) session.measuredOn = request.measuredOn;
+  session.measuredOn = request.measuredOn;
+  session.device.serial = request.deviceSerial;
+  session.instrument.serial = request.instrumentSerial;
   if (!request.instrument.empty())
     if (auto problem = addRecord(session, request.instrument)) return *std::move(problem);
   if (request.tolerance) session.acceptance.toleranceMm = shortestText(*request.tolerance);

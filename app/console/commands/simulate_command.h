@@ -15,9 +15,10 @@ namespace alidade::console {
 
 /// What `alidade-cli simulate` was asked. What is not given of the truth is drawn from the seed.
 struct SimulateRequest {
-  std::string out, truth;    ///< files to write
-  std::string title, notes;  ///< of the session; empty: named after the seed, and none
-  std::string instrumentSerial, deviceSerial, measuredOn;  ///< likewise; empty: none
+  std::string out, truth;                      ///< files to write
+  std::string title, notes;                    ///< of the session; empty: named after the seed, and none
+  std::string measuredOn;                      ///< date that it states
+  std::string deviceSerial, instrumentSerial;  ///< that it states
   std::uint64_t seed = 1;
   std::string protocol = "paper";
   std::vector<std::string> effects;

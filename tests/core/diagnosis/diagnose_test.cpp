@@ -411,21 +411,22 @@ TEST(KnownInstrument, IsTakenOutOfTheLookAlikes) {
   EXPECT_THAT(knowing.causes[0].unlessStale, Contains("trunnion_tilt"));
 }
 
-// A record that is almost surely right makes U nearly as small as one that is; one that may be stale as often
-// as not leaves it nearly as large as none.
+// A certificate that surely holds makes U small; the likelier it is to hold no longer, the less so.
 TEST(KnownInstrument, IsNoSurerThanTheRecord) {
-  Measurement measurement = withRecord({}, {{"vertical_index", 0}, {"trunnion_tilt", 0}}, "paper");
+  Measurement measurement = withRecord({}, {{"arc_ellipticity", 0}, {"arc_lobing", 0}}, "paper");
   const auto expandedWith = [&](double chance) {
-    for (KnownNumber& known : measurement.known) known.staleChance = chance;
+    for (KnownNumber& known : measurement.known) {
+      known.sigma = 0.002;
+      known.staleChance = chance;
+    }
     return diagnosed(measurement).measured->estimate.expanded;
   };
   const double sure = expandedWith(0), usual = expandedWith(0.02), doubtful = expandedWith(0.5);
   measurement.known.clear();
   const double none = diagnosed(measurement).measured->estimate.expanded;
-  EXPECT_LE(sure, usual * (1 + 1e-9));
+  EXPECT_LE(sure, usual);
   EXPECT_LT(usual, doubtful);
-  EXPECT_LT(sure, none);
-  EXPECT_LT(usual, none);
+  EXPECT_LT(usual, 0.9 * none);
 }
 
 TEST(KnownInstrument, ChangesNothingWhereItIsOfNoNumberOfTheCatalogue) {

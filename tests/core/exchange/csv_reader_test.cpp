@@ -58,8 +58,9 @@ TEST(CsvReader, KnowsThePointingZero) {
 
 TEST(CsvReader, ListsColumnsItDoesNotUse) {
   const Recording recording = readCsv("Hz,V,temperature,distance\n1°,2°,20.5,\n1°,2°,20.5,3\n");
-  EXPECT_THAT(recording.unused, testing::ElementsAre("the column “temperature” is not used: 2 values",
-                                                     "the column “distance” is not used: 1 value"));
+  EXPECT_THAT(recording.unused, testing::ElementsAre("the column “temperature” is not used: 2 values"));
+  EXPECT_THAT(recording.unusedBySession, testing::ElementsAre("the column “distance” is not used: 1 value"));
+  EXPECT_EQ(recording.sightings[1].distanceM, 3);
 }
 
 TEST(CsvReader, NamesWhatIsWrong) {

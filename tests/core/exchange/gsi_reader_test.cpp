@@ -76,7 +76,7 @@ TEST(GsiReader, ListsWhatItDoesNotUse) {
               " 31..00+00002405\n110003+00000009 81..00+00005387\n41....+000TREES\n@W127");
   EXPECT_THAT(recording.problems, IsEmpty());
   EXPECT_EQ(recording.sightings.size(), 2u);
-  EXPECT_THAT(recording.unused, Contains("slope distance is not used: 2 times, first in line 2"));
+  EXPECT_THAT(recording.unusedBySession, Contains("slope distance is not used: 2 times, first in line 2"));
   EXPECT_THAT(recording.unused, Contains("point “9” without angles is not used: line 4"));
   EXPECT_THAT(recording.unused, Contains(HasSubstr("TREES")));
   EXPECT_THAT(recording.unused, Contains(HasSubstr("@W127")));
@@ -92,6 +92,25 @@ TEST(GsiReader, NamesLinesThatCannotBeRead) {
   EXPECT_EQ(recording.problems[0].line, 3u);
   EXPECT_THAT(recording.problems[0].what, HasSubstr("vertical circle (word 22)"));
   EXPECT_EQ(recording.problems[1].line, 4u);
+}
+
+TEST(GsiReader, KeepsStationsAndDistancesForTheCheckOfAnInstrument) {
+  const Recording recording = readGsi(
+      "41....+0000STN7\n110001+00000001" + point + " 31..06+00123456\n16....+00000008\n110001+00000001" +
+      point +
+      " 32..08+01234567\n110001+0000WALL 81..00+00001000\n110001+00000P12 88..10+00001500\n110001+00000001" +
+      point);
+  ASSERT_EQ(recording.sightings.size(), 3u);
+  EXPECT_THAT(recording.stations, ElementsAre("", "7", "8", "P12"));
+  EXPECT_EQ(recording.sightings[0].station, 1u);
+  EXPECT_NEAR(recording.sightings[0].distanceM, 12.3456, 1e-12);
+  EXPECT_FALSE(recording.sightings[0].isDistanceHorizontal);
+  EXPECT_EQ(recording.sightings[1].station, 2u);
+  EXPECT_NEAR(recording.sightings[1].distanceM, 12.34567, 1e-12);
+  EXPECT_TRUE(recording.sightings[1].isDistanceHorizontal);
+  EXPECT_EQ(recording.sightings[2].station, 3u);
+  EXPECT_THAT(recording.unusedBySession, Contains(HasSubstr("the station “7” is not used: line 1")));
+  EXPECT_THAT(recording.unusedBySession, Contains(HasSubstr("slope distance is not used: line 2")));
 }
 
 }  // namespace

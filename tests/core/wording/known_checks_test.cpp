@@ -59,7 +59,10 @@ TEST(KnownChecks, SayWhatOnlyTheRecordTellsApart) {
                        .parameters = {},
                        .indistinguishableFrom = {},
                        .readings = {}}};
-  diagnosis.causes[0].unlessStale = {"trunnion_tilt", "collimation"};
+  diagnosis.known = {collimation(), collimation()};
+  diagnosis.known[0].effect = "trunnion_tilt";
+  diagnosis.causes[0].unlessStale = {"trunnion_tilt"};
+  diagnosis.causes[0].indistinguishableFrom = {"collimation", "plane_warp"};
   EXPECT_EQ(staleSentence(diagnosis),
             "Were what is known of trunnion_tilt or collimation stale, these readings could not tell it from "
             "vertical_drift.");

@@ -122,8 +122,9 @@ TEST(VerdictSentence, NamesWhatItIsAbout) {
   EXPECT_FALSE(tellsAcross(nullptr, *decideAcceptance(measurement, fit, nullptr)));
   EXPECT_THAT(
       sentenceOf(measurement, fit, &diagnosis),
-      HasSubstr(" This judges the plane of the arc alone: across it, its centre lies 2.00 mm ± 0.20 mm "
-                "off the axis."));
+      HasSubstr(
+          "included. This judges the plane of the arc alone: across it, its centre lies 2.00 mm ± 0.20 mm "
+          "off the axis."));
 }
 
 TEST(VerdictSentence, AsksForACoverage) {

@@ -45,6 +45,21 @@ TEST(ReportDialog, ListsWhatIsEmptyAndWritesTheReportByDefault) {
   EXPECT_FALSE(answerBy(Qt::Key_Escape, asked));
 }
 
+TEST(ReportDialog, OpensHighEnoughForEverySentence) {
+  ReportQuestion asked = question();
+  for (const ReportPartInfo& info : allReportParts()) asked.there.push_back(info.part);
+  asked.emptyFields = {
+      QStringLiteral("operator, place, date, report number, laboratory, customer, authorised by, "
+                     "decision rule agreed by, device serial number, temperature")};
+  ReportDialog dialog(asked);
+  dialog.show();
+  QCoreApplication::processEvents();
+  for (const QLabel* label : dialog.findChildren<QLabel*>()) {
+    if (!label->wordWrap()) continue;
+    EXPECT_GE(label->height(), label->heightForWidth(label->width())) << label->text().toStdString();
+  }
+}
+
 TEST(ReportDialog, CancelsByDefaultWhereThereWillBeNoVerdict) {
   ReportQuestion asked = question();
   EXPECT_FALSE(shownBy(ReportDialog(asked)).contains(QStringLiteral("cannot be used")));

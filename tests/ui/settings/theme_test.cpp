@@ -5,6 +5,7 @@
 #include <QApplication>
 #include <QImage>
 #include <QLineEdit>
+#include <QPixmapCache>
 #include <QToolBar>
 
 #include "tests/ui/support.h"
@@ -21,6 +22,20 @@ TEST(Theme, DrawsNoLightLineAboveTheToolBar) {
     const QColor window = open->palette().color(QPalette::Window);
     for (int x = 0; x < bar.width(); ++x) ASSERT_EQ(bar.pixelColor(x, 0), window) << x;
   }
+  applyTheme(Theme::Light);
+}
+
+TEST(Theme, ChangedAtRunTimeDimsIconsAsAfterARestart) {
+  const auto dimmed = [] {
+    return themeIcon(QStringLiteral("undo")).pixmap(QSize(20, 20), 1, QIcon::Disabled).toImage();
+  };
+  applyTheme(Theme::Light);
+  const QImage light = dimmed();
+  applyTheme(Theme::Dark);
+  const QImage changed = dimmed();
+  QPixmapCache::clear();
+  EXPECT_EQ(changed, dimmed());
+  EXPECT_NE(changed, light);
   applyTheme(Theme::Light);
 }
 

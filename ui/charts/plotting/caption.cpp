@@ -1,8 +1,10 @@
 #include "ui/charts/plotting/caption.h"
 
 #include <QEvent>
-#include <QFontInfo>
+#include <QTextLayout>
 #include <algorithm>
+
+#include "ui/settings/window_font.h"
 
 namespace alidade::ui {
 
@@ -12,9 +14,7 @@ Caption::Caption(QWidget* parent) : QLabel(parent) {
   setBackgroundRole(QPalette::Base);
   setAutoFillBackground(true);
   setContentsMargins(6, 0, 6, 2);
-  QFont small = font();
-  small.setPixelSize(std::max(9, QFontInfo(small).pixelSize() * 9 / 10));
-  setFont(small);
+  scaleFont(*this, 0.9);
 }
 
 void Caption::setSentence(const QString& sentence) {
@@ -22,6 +22,12 @@ void Caption::setSentence(const QString& sentence) {
   m_sentence = sentence;
   setAccessibleName(sentence);
   setToolTip(sentence);
+  fit();
+}
+
+void Caption::setMaySpread(bool may) {
+  if (may == m_maySpread) return;
+  m_maySpread = may;
   fit();
 }
 
@@ -35,8 +41,39 @@ void Caption::changeEvent(QEvent* event) {
   if (event->type() == QEvent::FontChange) fit();
 }
 
+int Caption::heightOf(int lines) const {
+  const QMargins around = contentsMargins();
+  return lines * fontMetrics().lineSpacing() + around.top() + around.bottom();
+}
+
+int Caption::room(int width) const {
+  const QMargins around = contentsMargins();
+  return std::max(0, width - around.left() - around.right());
+}
+
+int Caption::heightForWidth(int width) const {
+  return heightOf(1 + static_cast<int>(fitted(width).count(u'\n')));
+}
+
+QString Caption::fitted(int width) const {
+  const int wide = room(width);
+  const bool isOneLine = !m_maySpread || fontMetrics().horizontalAdvance(m_sentence) <= wide;
+  if (isOneLine) return fontMetrics().elidedText(m_sentence, Qt::ElideRight, wide);
+  QTextLayout layout(m_sentence, font());
+  layout.beginLayout();
+  QTextLine line = layout.createLine();
+  line.setLineWidth(wide);
+  layout.endLayout();
+  const int end = line.textLength();
+  return m_sentence.left(end).trimmed() + u'\n' +
+         fontMetrics().elidedText(m_sentence.mid(end), Qt::ElideRight, wide);
+}
+
 void Caption::fit() {
-  setText(fontMetrics().elidedText(m_sentence, Qt::ElideRight, contentsRect().width()));
+  const QString text = fitted(width());
+  if (text == this->text()) return;
+  setText(text);
+  updateGeometry();
 }
 
 }  // namespace alidade::ui

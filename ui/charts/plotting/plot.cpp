@@ -15,7 +15,8 @@
 namespace alidade::ui {
 namespace {
 
-constexpr double markReach = 9;  // scene units within which a point counts as meant
+constexpr double linesForTitles = 8;  // of text, below the legend: in less the axes need all there is
+constexpr double markReach = 9;       // scene units within which a point counts as meant
 
 /// Writes −12.5: a real minus sign and a decimal point. No English locale does.
 QLocale axisLocale() {
@@ -207,6 +208,10 @@ void Plot::rearrange() {
   m_scene.setSceneRect(QRectF({}, m_size));
   m_legend->setPos(pad, pad);
   const double legendHeight = m_legend->layOut(m_size.width() - 2 * pad, m_corner);
+  const bool hasTitles =
+      m_size.height() - legendHeight - 2 * pad >= linesForTitles * QFontMetricsF(m_style.font).height();
+  for (QValueAxis* axis : {m_x, m_y})
+    if (axis->isTitleVisible() != hasTitles) axis->setTitleVisible(hasTitles);
   m_chart->setMargins(QMarginsF(pad, pad + legendHeight, pad, pad).toMargins());
   m_chart->resize(m_size);
   fitRangeToPlotArea();

@@ -42,6 +42,7 @@ PlotWidget::PlotWidget(std::unique_ptr<Plot> plot, QWidget* parent)
   m_view->setViewportUpdateMode(QGraphicsView::FullViewportUpdate);
   m_view->setFocusPolicy(Qt::NoFocus);
   m_view->setInteractive(false);
+  m_view->viewport()->setFocusPolicy(Qt::NoFocus);
   m_view->viewport()->setMouseTracking(true);
   m_view->viewport()->installEventFilter(this);
   m_menuButton->setAutoRaise(true);
@@ -95,6 +96,37 @@ void PlotWidget::showWhole() {
 QString PlotWidget::currentPoint() const {
   const Mark* mark = m_plot->current();
   return mark ? m_plot->describe(*mark) : QString();
+}
+
+std::size_t PlotWidget::pointCount() const {
+  return m_plot->markers().marks().size();
+}
+
+std::optional<std::size_t> PlotWidget::currentIndex() const {
+  return m_plot->markers().current();
+}
+
+std::optional<std::size_t> PlotWidget::pointAt(const QPoint& onScreen) const {
+  const QPoint at = m_view->viewport()->mapFromGlobal(onScreen);
+  const Mark* mark = m_plot->markAt(m_view->mapToScene(at));
+  if (!mark) return {};
+  return static_cast<std::size_t>(mark - m_plot->markers().marks().data());
+}
+
+QString PlotWidget::pointText(std::size_t point) const {
+  return m_plot->describe(m_plot->markers().marks().at(point));
+}
+
+QRect PlotWidget::pointRect(std::size_t point) const {
+  constexpr int reach = 6;  // pixels around the middle
+  const QPointF scene = m_plot->markers().scenePosition(m_plot->markers().marks().at(point));
+  const QPoint at = m_view->viewport()->mapToGlobal(m_view->mapFromScene(scene));
+  return {at - QPoint(reach, reach), QSize(2 * reach, 2 * reach)};
+}
+
+bool PlotWidget::isPointInSight(std::size_t point) const {
+  const Mark& mark = m_plot->markers().marks().at(point);
+  return m_plot->plotArea().contains(m_plot->markers().scenePosition(mark));
 }
 
 PaintedPicture PlotWidget::picture() {
@@ -288,8 +320,19 @@ bool PlotWidget::steppedBy(int key) {
   const SightingRef ref = mark->ref;
   QAccessibleValueChangeEvent told(this, currentPoint());
   QAccessible::updateAccessibility(&told);
+  tellFocus();
   emit sightingStepped(ref.position, ref.row);
   return true;
+}
+
+/// The point is what a screen reader shall speak, not the plot as a whole.
+void PlotWidget::tellFocus() {
+  if (!QAccessible::isActive()) return;
+  QAccessibleInterface* plot = QAccessible::queryAccessibleInterface(this);
+  QAccessibleInterface* point = plot ? plot->focusChild() : nullptr;
+  if (!point) return;
+  QAccessibleEvent focus(point, QAccessible::Focus);
+  QAccessible::updateAccessibility(&focus);
 }
 
 void PlotWidget::contextMenuEvent(QContextMenuEvent* event) {
@@ -330,6 +373,8 @@ void PlotWidget::focusOutEvent(QFocusEvent* event) {
 
 void PlotWidget::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
+  constexpr int linesToSpare = 14;  // of text, the plot included
+  m_caption->setMaySpread(height() >= linesToSpare * fontMetrics().height());
   m_menuButton->move(width() - m_menuButton->width() - 2, 2);
   m_menuButton->raise();
 }

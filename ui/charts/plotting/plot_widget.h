@@ -4,6 +4,7 @@
 #include <QWidget>
 #include <cstddef>
 #include <memory>
+#include <optional>
 
 #include "ui/charts/plotting/chart_files.h"
 
@@ -22,8 +23,8 @@ struct Mark;
 /// A plot on the screen: follows the widget's size, palette and font, tells the point under the mouse, and
 /// hands on a click on one. It is enlarged by the wheel, by a band drawn around a part, and by + and −; moved
 /// with the middle button, Shift and the left one, or Shift and arrows; whole again by a double click or
-/// Home; digits are left to the readings. Arrows lead from point to point, which is told to screen readers as
-/// its value; Enter activates it. A menu offers all this, pictures and numbers; below stands what a good one
+/// Home; digits are left to the readings. Arrows lead from point to point, which is told to screen readers;
+/// Enter activates it. A menu offers all this, pictures and numbers; below stands what a good one
 /// looks like.
 class PlotWidget : public QWidget, public ChartSource {
   Q_OBJECT
@@ -39,6 +40,14 @@ class PlotWidget : public QWidget, public ChartSource {
   void showWhole();
   /// The point that the keyboard has led to, in words; empty: none.
   QString currentPoint() const;
+  /// The points as they are counted for screen readers: how many, which the keyboard is on, their words and
+  /// their places on the screen.
+  std::size_t pointCount() const;
+  std::optional<std::size_t> currentIndex() const;
+  std::optional<std::size_t> pointAt(const QPoint& onScreen) const;
+  QString pointText(std::size_t point) const;
+  QRect pointRect(std::size_t point) const;
+  bool isPointInSight(std::size_t point) const;
   /// What the menu offers, made anew.
   std::unique_ptr<QMenu> makeMenu();
   ChartFiles& files() { return *m_files; }
@@ -85,6 +94,7 @@ class PlotWidget : public QWidget, public ChartSource {
   void zoomAtCurrent(double factor);
   bool movedBy(int key);
   bool steppedBy(int key);
+  void tellFocus();
   void showMenu(const QPoint& globalPlace);
 
   std::unique_ptr<Plot> m_plot;

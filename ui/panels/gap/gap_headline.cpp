@@ -5,6 +5,7 @@
 #include <QLabel>
 
 #include "ui/panels/parts/figure_grid.h"
+#include "ui/settings/window_font.h"
 #include "ui/text/cause_text.h"
 #include "ui/text/entry_text.h"
 
@@ -31,9 +32,9 @@ QString iconOf(State state) {
 GapHeadline::GapHeadline(QWidget* parent)
     : QWidget(parent), m_icon(new QLabel), m_headline(wrappedLabel()), m_sentence(wrappedLabel()) {
   QFont large = font();
-  large.setPointSizeF(large.pointSizeF() * 1.25);
   large.setBold(true);
   m_headline->setFont(large);
+  scaleFont(*m_headline, 1.25);
   auto* layout = new QGridLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setVerticalSpacing(3);

@@ -22,6 +22,7 @@
 #include "ui/panels/gap/gap_headline.h"
 #include "ui/panels/parts/data_table.h"
 #include "ui/panels/parts/figure_grid.h"
+#include "ui/settings/window_font.h"
 #include "ui/text/cause_text.h"
 #include "ui/text/closure_text.h"
 #include "ui/text/effect_text.h"
@@ -119,6 +120,7 @@ GapPanel::GapPanel(QWidget* parent)
     emit referenceWanted(wanted);
   });
   showVerdict();
+  layOutByFont(*this, [this] { arrange(); });
 }
 
 QWidget* GapPanel::createCandidates() {
@@ -162,7 +164,7 @@ QWidget* GapPanel::createCandidates() {
 
 /// In two columns where there is room for them, else one below the other; what is hidden comes last.
 void GapPanel::arrange() {
-  const int columns = viewport()->width() >= twoColumnsFrom ? 2 : 1;
+  const int columns = viewport()->width() >= byFont(twoColumnsFrom) ? 2 : 1;
   m_grid->setColumnStretch(0, columns == 2 ? 4 : 1);
   m_grid->setColumnStretch(1, columns == 2 ? 5 : 0);
   m_grid->addWidget(m_blocks.front(), 0, 0, 1, columns);

@@ -13,6 +13,7 @@
 #include "ui/commands/change_effects.h"
 #include "ui/document/session_document.h"
 #include "ui/settings/theme.h"
+#include "ui/settings/window_font.h"
 #include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/quantity_text.h"
@@ -43,6 +44,12 @@ QString aboutText(const Effect& effect) {
       .arg(what, sizes.join(QStringLiteral(", ")), remedy);
 }
 
+/// What a screen reader says where the size stands, or would stand.
+void speakSize(QTreeWidgetItem& item) {
+  const QString size = item.text(1);
+  item.setData(1, Qt::AccessibleTextRole, size.isEmpty() ? EffectsPanel::tr("no size of its own") : size);
+}
+
 QString sizeText(const EffectEstimate& estimate) {
   return withStandardUncertainty(estimate.value, estimate.sigma, effectUnitText(estimate));
 }
@@ -67,7 +74,7 @@ EffectsPanel::EffectsPanel(SessionDocument& document, QWidget* parent)
   QSizePolicy policy = m_about->sizePolicy();
   policy.setHorizontalPolicy(QSizePolicy::Ignored);  // a long word must not widen the page
   m_about->setSizePolicy(policy);
-  m_about->setMinimumHeight(4 * fontMetrics().lineSpacing());
+  layOutByFont(*this, [this] { m_about->setMinimumHeight(4 * fontMetrics().lineSpacing()); });
   m_about->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   auto* known = new QPushButton(tr("What Is Known of It…"));
   known->setToolTip(tr("Type what a certificate or a check says of the effect"));
@@ -94,6 +101,7 @@ QTreeWidgetItem* EffectsPanel::addItem(const std::string& id, const QString& nam
   item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
   item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
   item->setCheckState(0, Qt::Unchecked);
+  speakSize(*item);
   return item;
 }
 
@@ -149,6 +157,7 @@ void EffectsPanel::setEvaluation(const Evaluation& evaluation) {
       }
     }
     item->setExpanded(item->childCount() > 0);
+    speakSize(*item);
   }
 }
 

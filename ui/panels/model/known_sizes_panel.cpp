@@ -6,6 +6,7 @@
 #include <QVBoxLayout>
 
 #include "ui/panels/model/known_sizes_table.h"
+#include "ui/settings/window_font.h"
 
 namespace alidade::ui {
 
@@ -20,7 +21,7 @@ KnownSizesPanel::KnownSizesPanel(SessionDocument& document, QWidget* parent)
     label->setSizePolicy(QSizePolicy::Ignored,
                          QSizePolicy::Preferred);  // a long word must not widen the page
   }
-  m_about->setMinimumHeight(2 * fontMetrics().lineSpacing());
+  layOutByFont(*this, [this] { m_about->setMinimumHeight(2 * fontMetrics().lineSpacing()); });
   m_about->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   m_about->setTextFormat(Qt::PlainText);
   connect(m_table, &KnownSizesTable::currentTold, m_about, &QLabel::setText);

@@ -9,6 +9,7 @@
 #include "ui/commands/reading_block.h"
 #include "ui/document/session_document.h"
 #include "ui/panels/parts/cell_delegate.h"
+#include "ui/settings/window_font.h"
 
 namespace alidade::ui {
 
@@ -51,15 +52,17 @@ KnownSizesTable::KnownSizesTable(SessionDocument& document, QWidget* parent)
 void KnownSizesTable::layOutColumns() {
   verticalHeader()->hide();
   verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-  verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 7);
   QHeaderView* header = horizontalHeader();
   header->setHighlightSections(false);
   header->setMinimumSectionSize(36);
   header->setStretchLastSection(true);
-  const char* const widest[] = {"Horizontal circle eccentricity, cosine ", "instrument", "Default u",
-                                "−1234.56″", "−1234.56″"};
-  for (int column = 0; column < lastTyped; ++column)
-    setColumnWidth(column, fontMetrics().horizontalAdvance(QString::fromUtf8(widest[column])) + 14);
+  layOutByFont(*this, [this] {
+    const char* const widest[] = {"Horizontal circle eccentricity, cosine ", "instrument", "Default u",
+                                  "−1234.56″", "−1234.56″"};
+    verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 7);
+    for (int column = 0; column < lastTyped; ++column)
+      setColumnWidth(column, fontMetrics().horizontalAdvance(QString::fromUtf8(widest[column])) + 14);
+  });
 }
 
 /// A row that comes or goes makes the table anew; who types stays where he is.

@@ -11,6 +11,8 @@
 #include <utility>
 
 #include "ui/commands/reading_block.h"
+#include "ui/settings/window_font.h"
+#include "ui/text/spoken_cell.h"
 
 namespace alidade::ui {
 
@@ -39,6 +41,7 @@ QVariant DataModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
   const DataColumn& column = m_columns[static_cast<std::size_t>(index.column())];
   if (role == Qt::TextAlignmentRole) return QVariant(column.alignment | Qt::AlignVCenter);
+  if (role == Qt::AccessibleTextRole) return spokenCell(column.text(index.row()), column.title);
   return role == Qt::DisplayRole ? column.text(index.row()) : QVariant();
 }
 
@@ -58,17 +61,21 @@ DataTable::DataTable(std::vector<DataColumn> columns, QWidget* parent)
   setTabKeyNavigation(false);
   verticalHeader()->hide();
   verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-  verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 5);
   horizontalHeader()->setHighlightSections(false);
   horizontalHeader()->setMinimumSectionSize(36);
+  layOutByFont(*this, [this] { fitCells(); });
+  connect(this, &QTableView::clicked, this,
+          [this](const QModelIndex& index) { emit rowActivated(index.row()); });
+}
+
+void DataTable::fitCells() {
+  verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 5);
   for (int i = 0; i < m_model.columnCount(); ++i) {
     const DataColumn& column = m_model.columns()[static_cast<std::size_t>(i)];
     const int width = std::max(fontMetrics().horizontalAdvance(column.sample),
                                fontMetrics().horizontalAdvance(column.title));
     setColumnWidth(i, width + 14);
   }
-  connect(this, &QTableView::clicked, this,
-          [this](const QModelIndex& index) { emit rowActivated(index.row()); });
 }
 
 void DataTable::setPlaceholder(const QString& text) {

@@ -58,6 +58,8 @@ class DataTable : public QTableView {
   bool viewportEvent(QEvent* event) override;
 
  private:
+  void fitCells();
+
   DataModel m_model;
   QString m_placeholder;
 };

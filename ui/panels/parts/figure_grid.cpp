@@ -4,6 +4,8 @@
 #include <QLabel>
 #include <algorithm>
 
+#include "ui/settings/window_font.h"
+
 namespace alidade::ui {
 
 FigureGrid::FigureGrid(QWidget* parent, Captions captions)
@@ -12,9 +14,7 @@ FigureGrid::FigureGrid(QWidget* parent, Captions captions)
   m_grid->setHorizontalSpacing(8);
   m_grid->setVerticalSpacing(3);
   m_grid->setColumnStretch(0, 1);
-  QFont small = font();
-  small.setPointSizeF(small.pointSizeF() * 0.95);
-  setFont(small);
+  scaleFont(*this, 0.95);
 }
 
 void FigureGrid::setRows(const QStringList& titles, const QVector<Row>& rows) {
@@ -27,6 +27,7 @@ void FigureGrid::setRows(const QStringList& titles, const QVector<Row>& rows) {
     for (int column = 0; column < columns; ++column) {
       QLabel* figure = label(i + 1, column + 1);
       figure->setText(rows[i].figures.value(column));
+      figure->setFocusPolicy(figure->text().isEmpty() ? Qt::NoFocus : Qt::ClickFocus);
       figure->setToolTip(rows[i].toolTip);
     }
   }

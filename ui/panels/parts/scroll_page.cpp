@@ -7,7 +7,6 @@ namespace alidade::ui {
 ScrollPage::ScrollPage(const QString& accessibleName, QWidget* parent) : QScrollArea(parent) {
   setAccessibleName(accessibleName);
   setWidgetResizable(true);
-  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* content = new QWidget;
   m_column = new QVBoxLayout(content);
   m_column->setContentsMargins(10, 8, 10, 8);

@@ -10,6 +10,7 @@
 
 #include "ui/document/session_document.h"
 #include "ui/panels/readings/reading_delegate.h"
+#include "ui/settings/window_font.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {
@@ -37,21 +38,27 @@ ReadingsTable::ReadingsTable(SessionDocument& document, std::size_t position, QW
 
 void ReadingsTable::layOutColumns() {
   verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-  verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 7);
   verticalHeader()->setDefaultAlignment(Qt::AlignCenter);
   QHeaderView* header = horizontalHeader();
   header->setHighlightSections(false);
   header->setMinimumSectionSize(36);
-  for (const ReadingColumnInfo& info : allReadingColumns()) {
-    if (!info.widest) continue;  // `fitAngles` sets these
-    const int sparedByResiduals = info.field ? 0 : 4;
-    setColumnWidth(static_cast<int>(info.column), widthOf(info.widest) - sparedByResiduals);
-  }
+  layOutByFont(*this, [this] { fitCells(); });
   header->setStretchLastSection(true);
   const int last = readingColumnCount - 1;
   connect(header, &QHeaderView::sectionResized, this, [this, last](int column, int, int) {
     if (!m_isFitting && column != last) m_isFitted = false;
   });
+}
+
+void ReadingsTable::fitCells() {
+  verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 7);
+  for (const ReadingColumnInfo& info : allReadingColumns()) {
+    if (!info.widest) continue;  // `fitAngles` sets these
+    const int sparedByResiduals = info.field ? 0 : 4;
+    setColumnWidth(static_cast<int>(info.column), widthOf(info.widest) - sparedByResiduals);
+  }
+  m_isFitted = true;
+  fitAngles();
 }
 
 int ReadingsTable::widthOf(const char* sample) const {

@@ -48,6 +48,7 @@ class ReadingsTable : public EntryTable {
   std::vector<ReadingCell> selectedCells() const;
   std::vector<ReadingColumn> columnsFrom(int column) const;
   void layOutColumns();
+  void fitCells();
   int widthOf(const char* sample) const;
   void showUsedColumns();
   void showColumnsUsedBy(const SessionChange& change);

@@ -7,6 +7,7 @@
 
 #include "ui/document/session_document.h"
 #include "ui/entry/next_entry.h"
+#include "ui/settings/window_font.h"
 #include "ui/text/zero_text.h"
 
 namespace alidade::ui {
@@ -42,7 +43,7 @@ ZeroEntries::ZeroEntries(SessionDocument& document, std::size_t position, QWidge
   addCaption(0, VerticalCaption, tr("&β0"), vertical);
   auto* axis = addEntry(0, Axis, "axis_deg", tr("Position of the axis in degrees"),
                         tr("Rotation of the axis: 0 or 180 degrees"), FieldEdit::Shows::AsTyped);
-  axis->setFixedWidth(56);
+  layOutByFont(*axis, [axis] { axis->setFixedWidth(byFont(56)); });
   passOver(axis);
   addCaption(0, AxisCaption, tr("A&xis"), axis);
   m_layout->addWidget(new QLabel(tr("°")), 0, AxisUnit);

@@ -62,6 +62,12 @@ FindingsPanel::FindingsPanel(QWidget* parent) : QListWidget(parent) {
   connect(this, &QListWidget::itemClicked, this, [this](QListWidgetItem* item) { activate(row(item)); });
 }
 
+/// Signs stand at the first line of what they are of: in a low list the last one may be out of sight.
+void FindingsPanel::initViewItemOption(QStyleOptionViewItem* option) const {
+  QListWidget::initViewItemOption(option);
+  option->decorationAlignment = Qt::AlignTop | Qt::AlignHCenter;
+}
+
 void FindingsPanel::setEvaluation(const Evaluation& evaluation) {
   m_found = entriesOf(evaluation);
   m_isSearched = evaluation.isSearched;

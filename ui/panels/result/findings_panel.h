@@ -33,6 +33,7 @@ class FindingsPanel : public QListWidget {
   void gapActivated();
 
  protected:
+  void initViewItemOption(QStyleOptionViewItem* option) const override;
   void keyPressEvent(QKeyEvent* event) override;
 
  private:

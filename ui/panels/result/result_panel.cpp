@@ -13,6 +13,7 @@
 #include "ui/panels/result/axis_misfit.h"
 #include "ui/panels/result/findings_panel.h"
 #include "ui/settings/theme.h"
+#include "ui/settings/window_font.h"
 #include "ui/text/cause_text.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/position_text.h"
@@ -82,15 +83,12 @@ ResultPanel::ResultPanel(QWidget* parent)
       m_compare(new QCheckBox(tr("&Compare with published method"))),
       m_comparison(new QWidget),
       m_published(new FigureGrid) {
-  QFont large = font();
-  large.setPointSizeF(large.pointSizeF() * 1.5);
-  large.setBold(true);
-  for (QLabel* figure : {m_value, m_measured}) figure->setFont(large);
+  QFont bold = font();
+  bold.setBold(true);
+  for (QLabel* figure : {m_value, m_measured, m_badge}) figure->setFont(bold);
+  for (QLabel* figure : {m_value, m_measured}) scaleFont(*figure, 1.5);
+  scaleFont(*m_badge, 1.25);
   m_value->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  QFont badge = font();
-  badge.setPointSizeF(badge.pointSizeF() * 1.25);
-  badge.setBold(true);
-  m_badge->setFont(badge);
   m_badge->setWordWrap(true);
 
   QVBoxLayout* layout = column();
@@ -128,7 +126,7 @@ ResultPanel::ResultPanel(QWidget* parent)
   connect(m_gapHint, &QLabel::linkActivated, this, &ResultPanel::gapActivated);
   clearGap();
   connect(m_compare, &QCheckBox::toggled, m_comparison, &QWidget::setVisible);
-  settleWidth();
+  layOutByFont(*this, [this] { settleWidth(); });
   setEvaluation({});
 }
 
@@ -201,9 +199,9 @@ void ResultPanel::settleWidth() {
     grid.setRows({tr("0°"), tr("180°")}, {{caption, {figure, figure}}});
     return grid.minimumSizeHint().width();
   };
-  FigureGrid onOneLine;
+  FigureGrid onOneLine, wrapped(nullptr, FigureGrid::Captions::Wrapped);
   const int figures = std::max(widthOf(onOneLine, tr("|O1 − O2|/2  mm"), QStringLiteral("400.123 (0.123)")),
-                               widthOf(*m_arcs, tr("Redundancy"), QStringLiteral("400.1234 (0.1234)")));
+                               widthOf(wrapped, tr("Redundancy"), QStringLiteral("400.1234 (0.1234)")));
   const QMargins margins = widget()->layout()->contentsMargins();
   const int bar = verticalScrollBar()->sizeHint().width();
   const int value =

@@ -207,6 +207,39 @@ TYPED_TEST(PlotHands, TellsTheCurrentPointToScreenReaders) {
   EXPECT_TRUE(spoken->text(QAccessible::Value).contains(QStringLiteral("point ")));
 }
 
+TYPED_TEST(PlotHands, EveryPointHasWordsAPlaceAndARoleForScreenReaders) {
+  QAccessibleInterface* spoken = QAccessible::queryAccessibleInterface(&this->chart);
+  ASSERT_TRUE(spoken);
+  const auto count = static_cast<int>(this->plot().markers().marks().size());
+  const int parts = spoken->childCount() - count;
+  ASSERT_GE(parts, 0);
+  for (int i = 0; i < count; ++i) {
+    QAccessibleInterface* point = spoken->child(parts + i);
+    ASSERT_TRUE(point && point->isValid());
+    EXPECT_EQ(point, spoken->child(parts + i)) << "one for each, not one for each call";
+    EXPECT_EQ(point->role(), QAccessible::ListItem);
+    EXPECT_EQ(point->parent(), spoken);
+    EXPECT_EQ(spoken->indexOfChild(point), parts + i);
+    const QString words = point->text(QAccessible::Name);
+    EXPECT_TRUE(words.contains(QStringLiteral("point ")) && !words.contains(u'\n')) << words.toStdString();
+    EXPECT_FALSE(point->state().focused);
+  }
+  QAccessibleInterface* first = spoken->child(parts);
+  const QPoint middle = first->rect().center();
+  QAccessibleInterface* there = spoken->childAt(middle.x(), middle.y());
+  ASSERT_TRUE(there);
+  EXPECT_EQ(there->role(), QAccessible::ListItem);
+  QTest::keyClick(&this->chart, Qt::Key_Right);
+  QAccessibleInterface* focused = spoken->focusChild();
+  ASSERT_TRUE(focused);
+  EXPECT_TRUE(focused->state().focused);
+  EXPECT_EQ(focused->text(QAccessible::Name),
+            this->chart.currentPoint().replace(u'\n', QStringLiteral(", ")));
+  this->chart.setEvaluation({});
+  EXPECT_FALSE(first->isValid()) << "its reading is gone";
+  EXPECT_EQ(spoken->childCount(), parts);
+}
+
 TYPED_TEST(PlotHands, TheCurrentPointStaysWithItsReading) {
   for (int i = 0; i < 7; ++i) QTest::keyClick(&this->chart, Qt::Key_Right);
   const Mark before = *this->plot().current();
@@ -230,9 +263,31 @@ TYPED_TEST(PlotHands, SaysWhatAGoodOneLooksLike) {
   EXPECT_EQ(caption->text(), caption->sentence());
   this->chart.resize(340, 280);
   QApplication::processEvents();
-  EXPECT_NE(caption->text(), caption->sentence());
+  EXPECT_TRUE(caption->text().contains(u'\n'));
+  EXPECT_EQ(QString(caption->text()).replace(u'\n', u' '), caption->sentence()) << "on two lines";
+  EXPECT_GE(caption->height(), 2 * caption->fontMetrics().lineSpacing());
   EXPECT_EQ(caption->toolTip(), caption->sentence());
-  EXPECT_LT(caption->height(), 20) << "one line";
+}
+
+TEST(Caption, TakesTwoLinesAtMostAndOneWhereThereIsLittleRoom) {
+  Caption caption;
+  caption.setSentence(
+      QStringLiteral("Good: an even band about 0, two of three within it, hardly one beyond."));
+  const auto lines = [&](int width) {
+    caption.resize(width, caption.heightForWidth(width));
+    return caption.text().count(u'\n') + 1;
+  };
+  EXPECT_EQ(lines(900), 1);
+  EXPECT_EQ(lines(300), 2);
+  EXPECT_EQ(QString(caption.text()).replace(u'\n', u' '), caption.sentence());
+  const int high = caption.height();
+  EXPECT_EQ(lines(120), 2);
+  EXPECT_TRUE(caption.text().endsWith(u'…'));
+  EXPECT_EQ(caption.height(), high) << "and no more";
+  caption.setMaySpread(false);
+  EXPECT_EQ(lines(300), 1);
+  EXPECT_TRUE(caption.text().endsWith(u'…'));
+  EXPECT_LT(caption.height(), high);
 }
 
 TYPED_TEST(PlotHands, SvgHoldsItsMarksAndTexts) {

@@ -278,6 +278,23 @@ TEST(ResidualPlot, StatesTheNoiseItsBandShows) {
   EXPECT_TRUE(legendTexts(plot).contains(QStringLiteral("±1σ vertical, stated σ = 5″")));
 }
 
+TEST(ResidualPlot, LeavesItsTitlesOutWhereTheAxesNeedTheRoom) {
+  ResidualPlot plot;
+  plot.setStyle(testStyle());
+  plot.setEvaluation(evaluate(paperSession()));
+  const auto titled = [&](double height) {
+    plot.arrange(QSizeF(520, height));
+    const auto axes = chartOf(plot).axes();
+    EXPECT_FALSE(axes.isEmpty());
+    return std::ranges::all_of(axes, [](const QAbstractAxis* axis) { return axis->isTitleVisible(); });
+  };
+  EXPECT_TRUE(titled(300));
+  const double share = plot.plotArea().height() / 300;
+  EXPECT_FALSE(titled(120));
+  EXPECT_GT(plot.plotArea().height() / 120, 0.5 * share) << "what is left is not given to words";
+  EXPECT_TRUE(titled(300));
+}
+
 TEST(ResidualPlot, DrawsTheLineOfZeroUnderReadingsAlone) {
   ResidualPlot plot;
   const QSize size(700, 400);

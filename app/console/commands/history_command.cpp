@@ -1,0 +1,166 @@
+#include "app/console/commands/history_command.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <atomic>
+#include <filesystem>
+#include <optional>
+#include <thread>
+
+#include "app/console/channels.h"
+#include "app/console/commands/batch_options.h"
+#include "app/console/history_text.h"
+#include "app/console/session_files.h"
+#include "core/base/failure.h"
+#include "core/base/file_bytes.h"
+#include "core/base/threads.h"
+#include "core/base/visible_text.h"
+#include "core/series/history/history_json.h"
+#include "core/series/history/history_sentences.h"
+#include "core/session/session_file.h"
+
+namespace alidade::console {
+
+namespace {
+
+bool isFolder(const std::string& path) {
+  std::error_code ignored;
+  return std::filesystem::is_directory(path, ignored);
+}
+
+bool isSession(const std::string& path) {
+  return std::filesystem::path(path).extension() == ".alidade";
+}
+
+std::string baseName(const std::string& file) {
+  std::filesystem::path path(inputName(file));
+  if (!path.has_filename()) path = path.parent_path();
+  return wellFormed(path.filename().string());
+}
+
+class Histories {
+ public:
+  explicit Histories(const HistoryRequest& request) : m_request(request) {}
+
+  int give() {
+    std::vector<std::string> sessions;
+    SessionFiles inputs;
+    for (const std::string& file : m_request.files)
+      if (isSession(file) && !isFolder(file))
+        sessions.push_back(file);
+      else
+        inputs.files.push_back({file});
+    if (!sessions.empty()) {
+      if (inputs.files.empty()) return giveOne("", [&] { return ofSessions(nameOf(sessions), sessions); });
+      inputs.files.push_back({nameOf(sessions)});
+    }
+    const auto answer = [&](const std::string& input) -> Result<std::string> {
+      if (!sessions.empty() && input == nameOf(sessions)) return ofSessions(input, sessions);
+      return ofInput(input);
+    };
+    if (inputs.files.size() == 1) {
+      const std::string& input = inputs.files.front().path;
+      return giveOne(inputName(input), [&] { return answer(input); });
+    }
+    const int code = answerEach(inputs, answer, m_request.batch);
+    return code == Done && m_isAnyUnusable ? BadInput : code;
+  }
+
+ private:
+  const HistoryRequest& m_request;
+  std::atomic<bool> m_isAnyUnusable = false;
+
+  static std::string nameOf(const std::vector<std::string>& sessions) {
+    return sessions.size() == 1 ? sessions.front() : std::to_string(sessions.size()) + " sessions";
+  }
+
+  template <class Answer>
+  int giveOne(const std::string& subject, const Answer& answer) {
+    const Result<std::string> given = answer();
+    if (!given) return refuse(subject.empty() ? "alidade-cli" : subject, given.problem().text());
+    const int code = writeResult(*given);
+    return code == Done && m_isAnyUnusable ? BadInput : code;
+  }
+
+  Result<std::string> ofInput(const std::string& input) {
+    if (isFolder(input)) return ofSessions(baseName(input), {input});
+    const Result<std::string> bytes = input == "-" ? readStandardInput() : readFile(input);
+    if (!bytes) return bytes.problem();
+    if (bytes->find_first_not_of(" \t\r\n") != std::string::npos &&
+        (*bytes)[bytes->find_first_not_of(" \t\r\n")] == '{')
+      return Problem{"is no table of values: name the folder of the sessions, or sessions (*.alidade)"};
+    const Result<ValueTable> table = readValueTable(*bytes);
+    if (!table) return table.problem();
+    const History history = historyOf(table->values);
+    const std::string name = baseName(input);
+    return m_request.batch.json ? historyJson(name, *table, history) : historyText(name, *table, history);
+  }
+
+  Result<std::string> ofSessions(const std::string& name, const std::vector<std::string>& named) {
+    const SessionFiles list = sessionFilesOf(named);
+    for (const std::string& again : list.again) notify(inputName(again), "is named again: counted once");
+    if (list.files.size() == 1 && list.files.front().problem) return *list.files.front().problem;
+    std::vector<std::string> remarks;
+    std::vector<Epoch> epochs = load(list.files, remarks);
+    if (epochs.empty()) return Problem{"none of the sessions can be used: see the lines above"};
+    const DeviceHistories histories = deviceHistories(epochs);
+    for (const std::size_t undated : histories.undated) {
+      remarks.push_back(undatedSentence(epochs[undated].title));
+      notify(epochs[undated].file, "has no date and takes no part: enter the day it was measured on");
+    }
+    if (histories.devices.empty())
+      return Problem{"no session has a date: enter the day each was measured on (measured_on)"};
+    return m_request.batch.json ? historyJson(name, histories, remarks) : historyText(name, histories);
+  }
+
+  /// Those that can be used, in their order; the others are told.
+  std::vector<Epoch> load(const std::vector<ListedFile>& files, std::vector<std::string>& remarks) {
+    std::vector<std::optional<Epoch>> loaded(files.size());
+    std::vector<std::string> reasons(files.size());
+    const std::size_t threads = m_request.batch.threads > 0
+                                    ? m_request.batch.threads
+                                    : std::max(1u, std::thread::hardware_concurrency());
+    doEach(threads, files.size(), [&](std::size_t i) {
+      const auto failure = failureOf([&] {
+        Result<Epoch> epoch = files[i].problem ? Result<Epoch>(*files[i].problem) : loadEpoch(files[i].path);
+        if (epoch)
+          loaded[i] = *std::move(epoch);
+        else
+          reasons[i] = epoch.problem().text();
+      });
+      if (failure) reasons[i] = "the command failed: " + *failure;
+    });
+    std::vector<Epoch> epochs;
+    for (std::size_t i = 0; i < files.size(); ++i) {
+      if (loaded[i]) {
+        epochs.push_back(*std::move(loaded[i]));
+        continue;
+      }
+      m_isAnyUnusable = true;
+      notify(inputName(files[i].path), reasons[i]);
+      remarks.push_back(wellFormed(files[i].path) + ": " + reasons[i]);
+    }
+    return epochs;
+  }
+};
+
+}  // namespace
+
+void addHistoryCommand(CLI::App& app, HistoryRequest& request) {
+  CLI::App* history = app.add_subcommand(
+      "history",
+      "One device, or one constant of an instrument, over time: is it the same, and if not, since "
+      "when.");
+  history
+      ->add_option("FOLDER|VALUES.csv", request.files,
+                   "Folder of sessions (*.alidade), sessions, or a table of date, value and standard "
+                   "uncertainty; - reads such a table from standard input")
+      ->required();
+  addBatchOptions(*history, request.batch);
+}
+
+int giveHistory(const HistoryRequest& request) {
+  return Histories(request).give();
+}
+
+}  // namespace alidade::console

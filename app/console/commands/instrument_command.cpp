@@ -1,0 +1,94 @@
+#include "app/console/commands/instrument_command.h"
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+
+#include "app/console/channels.h"
+#include "app/console/commands/option_checks.h"
+#include "app/console/instrument_text.h"
+#include "core/base/file_bytes.h"
+#include "core/base/visible_text.h"
+#include "core/series/instrument_check/check_files.h"
+#include "core/series/instrument_check/check_findings.h"
+#include "core/series/instrument_check/instrument_json.h"
+
+namespace alidade::console {
+
+namespace {
+
+constexpr const char* aboutInstrumentFiles =
+    "Read are Leica GSI-8 and GSI-16, Zeiss and Trimble M5, Sokkia SDR33 and SDR2x, and tables whose first "
+    "row\n"
+    "names the columns: horizontal, vertical and target, and perhaps station, round, face and distance (m). "
+    "A file\n"
+    "is a station unless it names stations, in GSI by a code block STATION 5, word 16 or a block with 84-86 "
+    "or 88.\n"
+    "Rounds follow from targets that come again. --sigma is what is stated of a direction and a zenith "
+    "angle\n"
+    "observed once in both faces, as in a data sheet after ISO 17123-3.";
+
+AngleUnit unitNamed(const std::string& name) {
+  if (name == "gon") return AngleUnit::Gon;
+  if (name == "dms") return AngleUnit::Dms;
+  return name == "deg" ? AngleUnit::Degrees : AngleUnit::Unstated;
+}
+
+/// What a file is called in sentences.
+std::string checkFileName(const std::string& file) {
+  return file == "-" ? inputName(file) : wellFormed(std::filesystem::path(file).filename().string());
+}
+
+}  // namespace
+
+void addInstrumentCommand(CLI::App& app, InstrumentRequest& request) {
+  CLI::App* instrument = app.add_subcommand(
+      "instrument",
+      "Field check of a theodolite after ISO 17123-3, from rounds in two faces to several targets.");
+  instrument->add_option("FILE", request.files, "Files of readings, GSI or CSV; - reads standard input")
+      ->required();
+  constexpr double leastSigma = 1e-6, mostSigma = 3600;
+  instrument->add_option("--sigma", request.sigma, "Stated σ that s is tested against, arcsec")
+      ->check(numberFrom(leastSigma, mostSigma));
+  instrument
+      ->add_option("--sigma-vertical", request.sigmaVertical, "That of a zenith angle, where it is another")
+      ->check(numberFrom(leastSigma, mostSigma));
+  instrument
+      ->add_option(
+          "--unit", request.unit,
+          "Unit of plain numbers in a table: deg, gon, or dms (341.5224 is 341°52'24\"); else what lets "
+          "both faces add up to a full turn")
+      ->check(CLI::IsMember({"deg", "gon", "dms"}));
+  instrument->add_option("--vertical-circle", request.verticalCircle, "zenith or elevation; else as read")
+      ->check(CLI::IsMember({"zenith", "elevation"}));
+  instrument->add_flag("--json", request.json, "Print one JSON document");
+  instrument->footer(aboutInstrumentFiles);
+}
+
+Result<InstrumentAnswer> runInstrument(const InstrumentRequest& request) {
+  std::vector<std::string> bytes;
+  for (const std::string& file : request.files) {
+    Result<std::string> content = file == "-" ? readStandardInput() : readFile(file);
+    if (!content)
+      return request.files.size() == 1 ? content.problem()
+                                       : Problem{quotation(inputName(file)) + " " + content.problem().what};
+    bytes.push_back(*std::move(content));
+  }
+  std::vector<CheckFile> files;
+  for (std::size_t i = 0; i < bytes.size(); ++i) files.push_back({checkFileName(request.files[i]), bytes[i]});
+  const auto readings =
+      readCheckFiles(files, {.unit = unitNamed(request.unit), .verticalCircle = request.verticalCircle});
+  if (!readings) return readings.problem();
+  const InstrumentCheck check =
+      checkInstrument(completeRounds(*readings),
+                      {.sigmaDirection = request.sigma,
+                       .sigmaVertical = request.sigmaVertical ? request.sigmaVertical : request.sigma});
+  const std::vector<Finding> findings = checkFindings(check);
+  std::string name = files.front().name;
+  if (!readings->instrumentName.empty()) name = readings->instrumentName;
+  if (!readings->instrumentSerial.empty()) name += ", " + readings->instrumentSerial;
+  return InstrumentAnswer{request.json ? instrumentJson(check, findings, readings->remarks)
+                                       : instrumentText(name, check, findings),
+                          readings->remarks};
+}
+
+}  // namespace alidade::console

@@ -1,0 +1,136 @@
+#include "core/series/history/device_history.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace alidade {
+
+namespace {
+
+bool allShare(const std::vector<Epoch>& epochs, bool (*same)(const Epoch&, const Epoch&)) {
+  return std::ranges::all_of(epochs, [&](const Epoch& epoch) { return same(epochs.front(), epoch); });
+}
+
+DatedValue dated(const Epoch& epoch, double value, double u) {
+  return {epoch.date, epoch.day, value, u, u, epoch.title, 0};
+}
+
+QuantityHistory ofFit(const std::vector<Epoch>& epochs) {
+  std::vector<DatedValue> values;
+  for (const Epoch& epoch : epochs) values.push_back(dated(epoch, epoch.ofFit.value, epoch.ofFit.sigma));
+  return {"intersection_of_fit", "mm", historyOf(std::move(values))};
+}
+
+/// Quantities that not every session has, in the order in which they come.
+class Found {
+ public:
+  void add(const std::string& id, const std::string& unit, const DatedValue& value) {
+    if (!(value.u > 0) || !std::isfinite(value.u) || !std::isfinite(value.value)) return;
+    auto place = std::ranges::find(m_found, id, &Quantity::id);
+    if (place == m_found.end()) place = m_found.insert(place, {id, unit, {}});
+    place->values.push_back(value);
+  }
+
+  void moveTo(std::vector<QuantityHistory>& quantities) {
+    for (Quantity& quantity : m_found)
+      quantities.push_back({quantity.id, quantity.unit, historyOf(std::move(quantity.values))});
+  }
+
+ private:
+  struct Quantity {
+    std::string id, unit;
+    std::vector<DatedValue> values;
+  };
+  std::vector<Quantity> m_found;
+};
+
+DeviceHistory historyOfDevice(std::vector<Epoch> epochs) {
+  std::ranges::stable_sort(epochs, {}, &Epoch::day);
+  DeviceHistory device{.name = epochs.front().device, .serial = epochs.front().deviceSerial};
+  device.hasOneInstrument = allShare(epochs, haveOneInstrument);
+  device.quantities.push_back({"intersection", "mm", intersectionHistory(epochs)});
+  device.quantities.push_back(ofFit(epochs));
+  Found lengths, causes;
+  for (const Epoch& epoch : epochs) {
+    for (std::size_t i = 0; i < epoch.lengths.size(); ++i)
+      lengths.add(epoch.lengths[i].id, "mm",
+                  dated(epoch, epoch.lengths[i].value, std::sqrt(epoch.covariance(i, i))));
+    for (const EpochCause& cause : epoch.causes)
+      causes.add(cause.effect + ": " + cause.parameter, cause.unit, dated(epoch, cause.value, cause.u));
+  }
+  lengths.moveTo(device.quantities);
+  causes.moveTo(device.quantities);
+  for (const auto& [first, second] : pairsOf(epochs.size()))
+    device.congruences.push_back(congruenceOf(epochs, first, second));
+  device.epochs = std::move(epochs);
+  return device;
+}
+
+}  // namespace
+
+History intersectionHistory(const std::vector<Epoch>& epochs) {
+  const bool oneDevice = allShare(epochs, haveOneDevice), oneInstrument = allShare(epochs, haveOneInstrument);
+  // Of each effect that lasts its share in the sessions; in one that lists none it is 0.
+  std::map<std::string, std::vector<double>> shares;
+  for (std::size_t i = 0; i < epochs.size(); ++i)
+    for (const LastingShare& share : epochs[i].lasting)
+      if (share.source == ErrorSource::Guideway ? oneDevice : oneInstrument) {
+        std::vector<double>& sigmas = shares[share.effect];
+        sigmas.resize(epochs.size());
+        sigmas[i] = share.sigma;
+      }
+  double shared = 0;
+  std::vector<double> own;
+  for (const Epoch& epoch : epochs) own.push_back(std::pow(epoch.intersection.sigma, 2));
+  if (epochs.size() > 1)
+    for (const auto& [effect, sigmas] : shares) {
+      double mean = 0;
+      for (const double sigma : sigmas) mean += sigma / static_cast<double>(sigmas.size());
+      shared += mean * mean;
+      for (std::size_t i = 0; i < own.size(); ++i)
+        own[i] += std::pow(sigmas[i] - mean, 2) - sigmas[i] * sigmas[i];
+    }
+  std::vector<DatedValue> values;
+  for (std::size_t i = 0; i < epochs.size(); ++i) {
+    DatedValue value = dated(epochs[i], epochs[i].intersection.value, epochs[i].intersection.sigma);
+    constexpr double least = 1e-3;  // of u: the difference of two rounded sums of squares
+    value.apart = std::min(value.u, std::max(least * value.u, std::sqrt(std::max(0.0, own[i]))));
+    value.least = std::min(value.apart, epochs[i].ofFit.sigma);
+    values.push_back(value);
+  }
+  return historyOf(std::move(values), std::sqrt(shared));
+}
+
+std::vector<std::pair<std::size_t, std::size_t>> pairsOf(std::size_t epochs) {
+  constexpr std::size_t few = 20;
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  for (std::size_t i = 0; i + 1 < epochs; ++i)
+    for (std::size_t j = i + 1; j < (epochs <= few ? epochs : i + 2); ++j) pairs.emplace_back(i, j);
+  if (epochs > few) pairs.emplace_back(0, epochs - 1);
+  return pairs;
+}
+
+DeviceHistories deviceHistories(const std::vector<Epoch>& epochs) {
+  DeviceHistories histories;
+  std::vector<std::string> keys;
+  std::vector<std::vector<Epoch>> groups;
+  for (std::size_t i = 0; i < epochs.size(); ++i) {
+    if (epochs[i].date.empty()) {
+      histories.undated.push_back(i);
+      continue;
+    }
+    const std::string key =
+        epochs[i].deviceSerial.empty() ? "n" + epochs[i].device : "s" + epochs[i].deviceSerial;
+    const auto group = static_cast<std::size_t>(std::ranges::find(keys, key) - keys.begin());
+    if (group == keys.size()) {
+      keys.push_back(key);
+      groups.emplace_back();
+    }
+    groups[group].push_back(epochs[i]);
+  }
+  for (std::vector<Epoch>& group : groups) histories.devices.push_back(historyOfDevice(std::move(group)));
+  return histories;
+}
+
+}  // namespace alidade

@@ -1,0 +1,256 @@
+#include "core/series/history/history_sentences.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/base/number_text.h"
+#include "core/base/phrase.h"
+#include "core/base/quantity_text.h"
+#include "core/base/visible_text.h"
+#include "core/wording/verdict.h"
+
+namespace alidade {
+
+namespace {
+
+std::string superscript(int number) {
+  static constexpr const char* digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string text = number < 0 ? "⁻" : "";
+  for (const char c : std::to_string(std::abs(number))) text += digits[c - '0'];
+  return text;
+}
+
+double leastU(const History& history) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const DatedValue& value : history.values) least = std::min(least, value.apart);
+  return least;
+}
+
+std::string chanceText(double chance) {
+  return chance < 0.0005 ? Phrase::of("p < 0.001") : Phrase::of("p = %1", displayText(chance, 3));
+}
+
+std::string agreement(const History& history) {
+  if (!history.chance) return Phrase::of("There is one value: nothing compares it.");
+  const std::string chi =
+      Phrase::of("χ² = %1 with %2 degrees of freedom, %3", displayText(history.chiSquare, 2),
+                 history.degreesOfFreedom, chanceText(*history.chance));
+  if (*history.chance >= leastChance && history.course != Course::Constant)
+    return Phrase::of(
+        "%1: the values agree within their uncertainties, but they scatter by less than these, and "
+        "by that scatter a change shows.",
+        chi);
+  if (*history.chance >= leastChance)
+    return Phrase::of("%1: the values agree within their uncertainties.", chi);
+  return Phrase::of("%1: the values scatter about one mean %2 times as much as their uncertainties say.", chi,
+                    displayText(history.birgeRatio, 1));
+}
+
+std::string stepSentence(const History& history, const HistoryStep& step, const HistoryNumbers& numbers) {
+  const std::string sized = Phrase::of("From %1 on it is another one, by %2 (standard uncertainty).",
+                                       step.date, numbers.withUncertainty(step.size, step.u));
+  if (step.earliest == step.latest)
+    return Phrase::of("%1 It happened between %2 and %3.", sized, history.values[step.first - 1].date,
+                      step.date);
+  return Phrase::of("%1 Its first value is one of those from %2 to %3 (95 %).", sized,
+                    history.values[step.earliest].date, history.values[step.latest].date);
+}
+
+std::vector<std::string> courseSentences(const History& history, const HistoryNumbers& numbers) {
+  std::vector<std::string> sentences;
+  switch (history.course) {
+    case Course::Constant:
+      if (history.chance && *history.chance < leastChance)
+        sentences.push_back(Phrase::of(
+            "No step and no trend explains that: either the uncertainties are understated, or the values "
+            "are too few to tell what changed."));
+      break;
+    case Course::Steps:
+      for (const HistoryStep& step : history.steps) sentences.push_back(stepSentence(history, step, numbers));
+      if (std::ranges::any_of(history.steps, [](const HistoryStep& step) {
+            return step.valuesBefore == 1 || step.valuesAfter == 1;
+          }))
+        sentences.push_back(
+            Phrase::of("A level that rests on one value cannot be told from a value that is off: measure "
+                       "once more before acting on it."));
+      break;
+    case Course::Trend:
+      sentences.push_back(Phrase::of("It changes all along, by %1 (standard uncertainty).",
+                                     numbers.ratePerYear(history.trend->perYear, history.trend->u)));
+      break;
+    case Course::OddValue:
+      sentences.push_back(Phrase::of(
+          "The value of %1 stands apart from all others: look for what was different that day, a misread "
+          "session or another set-up, before believing in a change.",
+          history.values[*history.oddValue].date));
+      break;
+    case Course::Wander:
+      sentences.push_back(
+          Phrase::of("The values wander: what lies close in time agrees better than what lies far apart, and "
+                     "neither steps nor a trend explain that as well."));
+      break;
+  }
+  return sentences;
+}
+
+/// What else the values may say, and how probably.
+std::string rivals(const History& history) {
+  constexpr double least = 0.01;
+  std::vector<std::string> told;
+  for (const CourseProbability& course : history.courses)
+    if (course.probability >= least)
+      told.push_back(
+          Phrase::of("%1 %2", courseName(course.course), shortProbabilityText(course.probability)));
+  std::string list;
+  for (const std::string& one : told) list = list.empty() ? one : Phrase::of("%1, %2", list, one);
+  return list;
+}
+
+std::string whenAndWhat(const Epoch& epoch) {
+  return Phrase::of("%1 (%2)", epoch.date.empty() ? "—" : epoch.date, quotation(epoch.title));
+}
+
+}  // namespace
+
+HistoryNumbers::HistoryNumbers(const History& history, std::string unit) : m_unit(std::move(unit)) {
+  double largest = 0;
+  for (const DatedValue& value : history.values) largest = std::max(largest, std::abs(value.value));
+  const double least = leastU(history);
+  // Numbers that a person can read as they are stay so.
+  constexpr double tooSmall = 1e-6, tooLarge = 1e7;
+  if (largest >= tooLarge || (least < tooSmall && largest < 1))
+    m_power = static_cast<int>(std::floor(std::log10(largest > 0 ? largest : least)));
+  m_decimals = decimalsFor(least * std::pow(10.0, -m_power));
+  if (m_power != 0) m_unit = "10" + superscript(m_power) + (m_unit.empty() ? "" : " " + m_unit);
+}
+
+std::string HistoryNumbers::number(double value) const {
+  return displayText(value * std::pow(10.0, -m_power), m_decimals);
+}
+
+std::string HistoryNumbers::withUnit(double value, int decimals, const std::string& suffix) const {
+  const std::string text = displayText(value * std::pow(10.0, -m_power), decimals);
+  const std::string unit = m_unit + suffix;
+  if (unit.empty()) return text;
+  return text + (m_power != 0 ? " × " : " ") + unit;
+}
+
+std::string HistoryNumbers::withUnit(double value) const {
+  return withUnit(value, m_decimals, "");
+}
+
+std::string HistoryNumbers::withUncertainty(double value, double u) const {
+  const int decimals = std::max(m_decimals, decimalsFor(u * std::pow(10.0, -m_power), m_decimals));
+  return withUnit(value, decimals, "") + " ± " + withUnit(u, decimals, "");
+}
+
+std::string HistoryNumbers::ratePerYear(double value, double u) const {
+  const int decimals = decimalsFor(u * std::pow(10.0, -m_power), m_decimals);
+  const std::string suffix = m_unit.empty() ? "1/a" : "/a";
+  return withUnit(value, decimals, suffix) + " ± " + withUnit(u, decimals, suffix);
+}
+
+std::string HistoryNumbers::heading() const {
+  return m_unit;
+}
+
+std::vector<std::string> historySentences(const History& history, const std::string& unit) {
+  const HistoryNumbers numbers(history, unit);
+  std::vector<std::string> sentences{
+      Phrase::of("Weighted mean of %1 values: %2 (standard uncertainty).", history.values.size(),
+                 numbers.withUncertainty(history.mean.value, history.mean.u)),
+      agreement(history)};
+  for (std::string& sentence : courseSentences(history, numbers)) sentences.push_back(std::move(sentence));
+  if (history.degreesOfFreedom > 0 && history.scatter > 1 && history.chance &&
+      *history.chance < leastChance) {
+    if (history.course == Course::Constant)
+      sentences.push_back(
+          Phrase::of("With the scatter that is seen the mean has a standard uncertainty of %1.",
+                     numbers.withUnit(history.mean.scattered)));
+  }
+  if (const std::string others = rivals(history); !others.empty())
+    sentences.push_back(Phrase::of("How probable each account of the values is: %1.", others));
+  return sentences;
+}
+
+std::string sharedSentence(const DeviceHistory& device) {
+  if (device.epochs.size() < 2) return Phrase::of("There is one session: it cannot be compared.");
+  if (device.serial.empty())
+    return Phrase::of(
+        "The sessions name no serial number of the device: nothing is taken for shared between them, so that "
+        "a change has to be larger to be told. Enter it to see smaller ones.");
+  if (device.hasOneInstrument)
+    return Phrase::of(
+        "All sessions have one device and one instrument: what errors of these do to Δd is the same each "
+        "time, so it is in U and in the mean, but not in how far the values may scatter.");
+  return Phrase::of(
+      "The sessions were not all taken with one instrument, or do not name its serial number: what its "
+      "errors "
+      "do to Δd is taken to differ from one to the next.");
+}
+
+std::vector<std::string> congruenceSentences(const std::vector<Epoch>& epochs, const Congruence& congruence) {
+  const std::string first = whenAndWhat(epochs[congruence.first]),
+                    second = whenAndWhat(epochs[congruence.second]);
+  const int decimals = decimalsFor(congruence.expanded);
+  const std::string difference = lengthWithUncertainty(congruence.difference, congruence.expanded, decimals);
+  std::vector<std::string> sentences;
+  sentences.push_back(congruence.hasChanged
+                          ? Phrase::of("Δd has changed from %1 to %2: by %3, %4.", first, second, difference,
+                                       chanceText(congruence.chance))
+                          : Phrase::of("No change of Δd shows from %1 to %2: it is %3, %4.", first, second,
+                                       difference, chanceText(congruence.chance)));
+  const auto told = [&](const CongruenceTest& test, const std::string& agree, const std::string& differ) {
+    sentences.push_back(Phrase::of("%1 (T = %2 of %3 numbers, %4)",
+                                   test.chance >= leastChance ? agree : differ,
+                                   displayText(test.statistic, 1), test.ids.size(), chanceText(test.chance)));
+  };
+  if (congruence.device)
+    told(*congruence.device,
+         Phrase::of("By the readings alone the device is congruent: (O1 − O2)/2 and the radii agree."),
+         Phrase::of("By the readings alone the device is not congruent: (O1 − O2)/2 or the radii differ."));
+  if (congruence.setUp)
+    told(*congruence.setUp, Phrase::of("O1 and O2 lie where they did, seen from the theodolite."),
+         Phrase::of(
+             "O1 and O2 lie elsewhere seen from the theodolite, as they do wherever it was set up anew."));
+  return sentences;
+}
+
+std::string quantityName(const std::string& id) {
+  if (id == "intersection") return Phrase::of("Δd as found");
+  if (id == "intersection_of_fit") return Phrase::of("Δd of the fit alone");
+  if (id == "o1_x") return Phrase::of("O1, x");
+  if (id == "o1_y") return Phrase::of("O1, y");
+  if (id == "o2_x") return Phrase::of("O2, x");
+  if (id == "o2_y") return Phrase::of("O2, y");
+  if (id == "radius_0") return Phrase::of("radius at 0°");
+  if (id == "radius_180") return Phrase::of("radius at 180°");
+  const std::size_t colon = id.find(": ");
+  if (colon == std::string::npos) return id;
+  const std::string effect = id.substr(0, colon), parameter = id.substr(colon + 2);
+  const Effect* known = effectById(effect);
+  return Phrase::of("%1: %2", known ? Phrase::of(known->name) : effect, parameterName(parameter));
+}
+
+std::string courseName(Course course) {
+  switch (course) {
+    case Course::Constant:
+      return Phrase::of("constant");
+    case Course::Steps:
+      return Phrase::of("in steps");
+    case Course::Trend:
+      return Phrase::of("a trend");
+    case Course::OddValue:
+      return Phrase::of("one value off");
+    case Course::Wander:
+      return Phrase::of("wandering");
+  }
+  return "";
+}
+
+std::string undatedSentence(const std::string& title) {
+  return Phrase::of("%1 has no date and takes no part: enter the day it was measured on", quotation(title));
+}
+
+}  // namespace alidade

@@ -1,0 +1,329 @@
+#include "core/series/instrument_check/check_files.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "core/base/angle_text.h"
+#include "core/base/limits.h"
+#include "core/base/number_text.h"
+#include "core/base/phrase.h"
+#include "core/base/visible_text.h"
+#include "core/exchange/csv_reader.h"
+#include "core/exchange/grouped_problems.h"
+#include "core/exchange/gsi_reader.h"
+#include "core/exchange/m5_reader.h"
+#include "core/exchange/recognise.h"
+#include "core/exchange/sdr_reader.h"
+#include "core/exchange/text_lines.h"
+#include "core/exchange/words.h"
+#include "core/session/face.h"
+#include "core/session/row_fields.h"
+
+namespace alidade {
+
+namespace {
+
+// Circles may read a full turn, and a little less than nothing.
+constexpr AngleRule eitherCircle{.low = -360, .lowOfElevation = -360, .high = 360, .isHighIncluded = true};
+
+/// Without its last ending: what a station is called by the name of its file.
+std::string stemOf(const std::string& name) {
+  const std::size_t from = name.find_last_of("/\\") + 1, dot = name.rfind('.');
+  return name.substr(from, dot != std::string::npos && dot > from ? dot - from : std::string::npos);
+}
+
+/// As the names of the columns say; `series` beside a round or a set is of the station.
+TableLayout layoutOf(const Recognised& recognised, AngleUnit unit) {
+  TableLayout layout;
+  layout.unit = unit;
+  if (recognised.table.headRows == 0) return layout;
+  layout.separator = recognised.table.separator;
+  layout.headRows = recognised.table.headRows;
+  std::vector<std::string> names;
+  for (const std::string& title : recognised.titles) names.push_back(lowerCase(trimmed(title)));
+  const auto has = [&names](std::string_view name) { return std::ranges::find(names, name) != names.end(); };
+  if (!has("series") || has("station") || (!has("round") && !has("set"))) return layout;
+  for (const std::string& name : names) {
+    const auto column = columnName(name).column;
+    layout.columns.emplace_back(name == "series" ? "station" : column ? column->key() : "");
+  }
+  return layout;
+}
+
+/// How far the vertical readings of a target's faces are from a full turn, degrees, in the middle of all;
+/// infinite where they cannot be read in this unit.
+double closureIn(AngleUnit unit, const Recording& recording) {
+  const double unreadable = std::numeric_limits<double>::infinity();
+  std::map<std::pair<std::size_t, std::string>, double> last;
+  std::vector<double> closures;
+  for (const RecordedSighting& sighting : recording.sightings) {
+    const auto vertical = parseAngle(withUnit(sighting.row.vertical, unit));
+    const auto horizontal = parseAngle(withUnit(sighting.row.horizontal, unit));
+    if (!vertical || !horizontal) return unreadable;
+    const double degrees = vertical->degrees();
+    const auto [before, isFirst] = last.try_emplace({sighting.station, sighting.row.point}, degrees);
+    constexpr double betweenFaces = 90;
+    if (!isFirst && std::abs(degrees - before->second) > betweenFaces)
+      closures.push_back(std::abs(wrapped(Angle::fromDegrees(degrees + before->second)).degrees()));
+    before->second = degrees;
+  }
+  if (closures.empty()) return unreadable;
+  const auto middle = closures.begin() + static_cast<std::ptrdiff_t>(closures.size() / 2);
+  std::nth_element(closures.begin(), middle, closures.end());
+  return *middle;
+}
+
+/// Whichever lets the faces close by far the best; Unstated where none does.
+AngleUnit unitByFaces(const Recording& plain) {
+  constexpr double most = 0.5, byFar = 3;
+  std::vector<std::pair<double, AngleUnit>> closures;
+  for (const AngleUnit unit : {AngleUnit::Degrees, AngleUnit::Gon, AngleUnit::Dms})
+    closures.emplace_back(closureIn(unit, plain), unit);
+  std::ranges::sort(closures);
+  const bool isClear = closures[0].first < most && closures[1].first > byFar * closures[0].first;
+  return isClear ? closures[0].second : AngleUnit::Unstated;
+}
+
+std::string spokenUnit(AngleUnit unit) {
+  if (unit == AngleUnit::Gon) return Phrase::of("gon");
+  return unit == AngleUnit::Degrees ? Phrase::of("decimal degrees") : Phrase::of("degrees.minutes seconds");
+}
+
+/// Puts together the sightings of all files.
+class CheckFiles {
+ public:
+  CheckFiles(const std::vector<CheckFile>& files, const CheckFileOptions& options)
+      : m_files(files), m_options(options) {}
+
+  Result<CheckReadings> read() {
+    std::vector<Recording> recordings;
+    std::size_t rows = 0;
+    for (m_file = 0; m_file < m_files.size(); ++m_file) {
+      Result<Recording> read = readRecording();
+      if (!read) return named(read.problem());
+      Recording recording = *std::move(read);
+      recording.problems.insert(recording.problems.end(), recording.distanceProblems.begin(),
+                                recording.distanceProblems.end());
+      if (!recording.problems.empty()) return problemOf(std::move(recording.problems));
+      if (recording.sightings.empty())
+        return named(Problem{
+            Phrase::of("holds no readings with a horizontal and a vertical circle: choose another file")});
+      rows += recording.sightings.size();
+      if (rows > limits::mostRows) return named(limits::tooManyRows());
+      recordings.push_back(std::move(recording));
+    }
+    if (recordings.empty()) return Problem{Phrase::of("no file was chosen: choose one")};
+    if (auto problem = takeCircle(recordings)) return *std::move(problem);
+    nameStations(recordings);
+    for (m_file = 0; m_file < m_files.size(); ++m_file)
+      if (auto problem = take(recordings[m_file])) return *std::move(problem);
+    tellOfFaces();
+    return std::move(m_result);
+  }
+
+ private:
+  bool areSeveral() const { return m_files.size() > 1; }
+  std::string fileName() const { return areSeveral() ? m_files[m_file].name : std::string(); }
+  Problem named(const Problem& problem) const {
+    return areSeveral() ? Problem{quotation(m_files[m_file].name) + " " + problem.what} : problem;
+  }
+  void remark(const std::string& sentence) {
+    m_result.remarks.push_back(areSeveral() ? quotation(m_files[m_file].name) + ": " + sentence : sentence);
+  }
+
+  Problem problemOf(std::vector<LineProblem> problems) const {
+    for (LineProblem& problem : problems) {
+      problem.file = fileName();
+      if (m_files[m_file].table) problem.column = 0;  // nobody sees the line that the cells are put into
+    }
+    std::ranges::stable_sort(problems, {}, &LineProblem::line);
+    return Problem{problems.size() == 1
+                       ? problems.front().text()
+                       : Phrase::of("%1 (and %2 more)", problems.front().text(), problems.size() - 1)};
+  }
+
+  Result<Recording> readRecording() {
+    const Result<std::string> text = utf8Text(m_files[m_file].bytes);
+    if (!text) return text.problem();
+    if (m_files[m_file].table) return readTableOf(*text, *m_files[m_file].table);
+    const Result<Recognised> recognised = recognise(*text);
+    if (!recognised) return recognised.problem();
+    switch (recognised->format) {
+      case FileFormat::Gsi:
+        return readGsi(*text);
+      case FileFormat::M5:
+        return readM5(*text);
+      case FileFormat::Sdr:
+        return readSdr(*text);
+      case FileFormat::Table:
+        break;
+    }
+    return readTableOf(*text, layoutOf(*recognised, m_options.unit));
+  }
+
+  /// Is a circle's reading a plain number that may be of several units?
+  static bool asksUnit(const Recording& recording) {
+    return std::ranges::any_of(recording.sightings, [](const RecordedSighting& sighting) {
+      const auto isPlain = [](const std::string& text) { return parseNumber(text) && !parseAngle(text); };
+      return isPlain(sighting.row.horizontal) || isPlain(sighting.row.vertical);
+    });
+  }
+
+  Result<Recording> readTableOf(std::string_view text, TableLayout layout) {
+    if (layout.unit == AngleUnit::Unstated) layout.unit = m_options.unit;
+    Recording recording = readTable(text, layout);
+    if (layout.unit != AngleUnit::Unstated || !recording.problems.empty() || !asksUnit(recording))
+      return recording;
+    layout.unit = unitByFaces(recording);
+    if (layout.unit == AngleUnit::Unstated)
+      return Problem{
+          Phrase::of("has plain numbers for angles, and no unit lets both faces add up to a full turn: name "
+                     "the unit in the names of the columns, such as “horizontal [gon]”, or state it")};
+    remark(
+        Phrase::of("plain numbers are taken for %1, as the vertical readings of both faces then add up to "
+                   "a full turn",
+                   spokenUnit(layout.unit)));
+    return readTable(text, layout);
+  }
+
+  /// One kind of circle for all; where nothing says it, what the readings lie around.
+  std::optional<Problem> takeCircle(const std::vector<Recording>& recordings) {
+    std::string kind = m_options.verticalCircle;
+    for (const Recording& recording : recordings) {
+      if (recording.verticalCircle.empty() || kind == recording.verticalCircle) continue;
+      if (!kind.empty())
+        return Problem{Phrase::of(
+            "vertical readings of a circle of the kind %1 and of the kind %2 cannot be checked together: "
+            "check them one after the other",
+            spokenKey(kind), spokenKey(recording.verticalCircle))};
+      kind = recording.verticalCircle;
+    }
+    if (kind.empty() && areElevations(recordings)) {
+      kind = "elevation";
+      m_result.remarks.push_back(
+          Phrase::of("the vertical readings are taken for elevations, as they lie around 0° and 180°"));
+    }
+    if (kind == "elevation") m_result.circle = VerticalCircle::Elevation;
+    return std::nullopt;
+  }
+
+  static bool areElevations(const std::vector<Recording>& recordings) {
+    std::size_t elevations = 0, all = 0;
+    for (const Recording& recording : recordings)
+      for (const RecordedSighting& sighting : recording.sightings) {
+        const auto vertical = parseAngle(sighting.row.vertical);
+        if (!vertical) continue;
+        ++all;
+        elevations += std::abs(std::cos(vertical->radians())) > std::numbers::sqrt2 / 2 ? 1 : 0;
+      }
+    return 2 * elevations > all;
+  }
+
+  /// By the names that the files give, with that of the file where it gives none or another gives the same.
+  void nameStations(const std::vector<Recording>& recordings) {
+    std::map<std::string, std::size_t> uses;
+    for (const Recording& recording : recordings)
+      for (const std::string& station : recording.stations) ++uses[station];
+    for (std::size_t file = 0; file < recordings.size(); ++file) {
+      m_firstStation.push_back(m_result.stations.size());
+      const std::string stem = stemOf(m_files[file].name);
+      for (const std::string& station : recordings[file].stations)
+        m_result.stations.push_back(station.empty()      ? stem
+                                    : uses[station] == 1 ? station
+                                                         : stem + " " + station);
+    }
+  }
+
+  std::optional<Problem> take(const Recording& recording) {
+    for (const std::string& sentence : recording.unused) remark(sentence);
+    const auto fill = [](std::string& text, const std::string& value) {
+      if (text.empty()) text = value;
+    };
+    fill(m_result.instrumentName, recording.instrumentName);
+    fill(m_result.instrumentSerial, recording.instrumentSerial);
+    fill(m_result.measuredOn, recording.measuredOn);
+    const bool countsFromZero = std::ranges::any_of(
+        recording.sightings, [](const auto& sighting) { return sighting.row.face == "0"; });
+    std::vector<LineProblem> problems;
+    std::size_t excluded = 0;
+    for (const RecordedSighting& sighting : recording.sightings) {
+      if (sighting.row.excluded)
+        ++excluded;
+      else if (const auto problem = takeSighting(sighting, countsFromZero))
+        problems.push_back(*problem);
+      if (problems.size() >= limits::mostProblems) break;
+    }
+    if (!problems.empty()) return problemOf(problems);
+    if (excluded > 0) remark(Phrase::of("excluded rows that take no part: %1", excluded));
+    return std::nullopt;
+  }
+
+  /// Why the line cannot be used.
+  std::optional<LineProblem> takeSighting(const RecordedSighting& sighting, bool countsFromZero) {
+    const Reading& row = sighting.row;
+    const auto refuse = [&](const RowField& field, const std::string& why) {
+      return LineProblem{sighting.line, sighting.columnOf(field), why};
+    };
+    if (row.point.empty()) return refuse(rowField(&Reading::point), Phrase::of("has no target: name it"));
+    FaceReading reading;
+    for (const auto& [field, angle] : {std::pair(&Reading::horizontal, &reading.horizontal),
+                                       std::pair(&Reading::vertical, &reading.vertical)}) {
+      const auto entry = angleEntry(eitherCircle, row.*field, m_result.circle);
+      if (!entry) return refuse(rowField(field), entry.problem().what);
+      *angle = **entry;
+    }
+    reading.face = isFaceTwo(wrapped(reading.vertical, Angle::fromDegrees(180)), m_result.circle) ? 2 : 1;
+    noteFace(row.face, countsFromZero, reading.face);
+    reading.station = m_firstStation[m_file] + sighting.station;
+    const auto [target, isNew] = m_targets.try_emplace(row.point, m_result.targets.size());
+    if (isNew) m_result.targets.push_back(row.point);
+    reading.target = target->second;
+    reading.round = row.round;
+    reading.distanceM = slopeOf(sighting, reading);
+    m_result.readings.push_back(std::move(reading));
+    return std::nullopt;
+  }
+
+  /// What the file calls the face is compared only: the circle knows.
+  void noteFace(const std::string& stated, bool countsFromZero, int face) {
+    if (stated.empty()) return;
+    const Result<int> number = parseWhole(stated);
+    if (!number || *number + (countsFromZero ? 1 : 0) != face) ++m_otherFaces;
+  }
+
+  double slopeOf(const RecordedSighting& sighting, const FaceReading& reading) const {
+    if (!sighting.isDistanceHorizontal) return sighting.distanceM;
+    const double v = reading.vertical.radians();
+    const double cosine = std::abs(m_result.circle == VerticalCircle::Zenith ? std::sin(v) : std::cos(v));
+    return cosine > 0 ? sighting.distanceM / cosine : 0;
+  }
+
+  void tellOfFaces() {
+    if (m_otherFaces > 0)
+      m_result.remarks.push_back(Phrase::of(
+          "rows that state another face than their vertical circle shows: %1; the circle is followed",
+          m_otherFaces));
+  }
+
+  const std::vector<CheckFile>& m_files;
+  const CheckFileOptions& m_options;
+  std::size_t m_file = 0;
+  std::size_t m_otherFaces = 0;
+  std::vector<std::size_t> m_firstStation;  ///< of each file
+  std::map<std::string, std::size_t> m_targets;
+  CheckReadings m_result;
+};
+
+}  // namespace
+
+Result<CheckReadings> readCheckFiles(const std::vector<CheckFile>& files, const CheckFileOptions& options) {
+  return CheckFiles(files, options).read();
+}
+
+}  // namespace alidade

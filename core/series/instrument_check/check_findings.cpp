@@ -1,0 +1,328 @@
+#include "core/series/instrument_check/check_findings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "core/base/angle.h"
+#include "core/base/list_text.h"
+#include "core/base/phrase.h"
+#include "core/base/quantity_text.h"
+#include "core/base/statistics.h"
+#include "core/base/visible_text.h"
+
+namespace alidade {
+
+namespace {
+
+constexpr double plausibleTilt = 30;    // arcsec, as in the catalogue
+constexpr double leastVisible = 3;      // standard uncertainties
+constexpr double halfMillimetre = 0.5;  // mm
+
+std::string arcsec(double value) {
+  return displayText(value, std::abs(value) < 100 ? 1 : 0) + "″";
+}
+
+std::string probability(double p) {
+  constexpr double least = 0.001;
+  return p < least ? "p < 0.001" : "p = " + displayText(p, 3);
+}
+
+/// What e of the line of sight shows as at a distance, arcsec.
+double shownAt(double metres, double millimetres) {
+  return Angle::fromRadians(millimetres * 1e-3 / metres).arcseconds();
+}
+
+std::string metresText(double metres) {
+  constexpr double near = 100;
+  return displayText(metres, metres < near ? 1 : 0) + " m";
+}
+
+/// Sentences on one station, with its name where there are several.
+class StationFindings {
+ public:
+  StationFindings(const StationCheck& station, bool isNamed, std::vector<Finding>& findings)
+      : m_station(station), m_isNamed(isNamed), m_findings(findings) {}
+
+  void tell() {
+    tellLeftOut();
+    tellExtent();
+    if (m_station.pairs() == 0) return;
+    tellIdentical();
+    tellIndex();
+    tellTilt();
+    tellDistance();
+    tellTargets();
+    tellCourse();
+  }
+
+ private:
+  void add(Severity severity, const std::string& text, const std::string& remedy = {}) {
+    m_findings.push_back({severity,
+                          m_isNamed ? Phrase::of("Station %1: %2", quotation(m_station.station), text) : text,
+                          remedy});
+  }
+
+  void tellLeftOut() {
+    tellRounds();
+    tellKind(LeftOut::RareTarget, PHRASE_LATER("Phrase", "Targets that most rounds lack take no part: %1."));
+    tellKind(LeftOut::OneFace, PHRASE_LATER("Phrase", "Sighted in one face only, and of no use: %1."));
+    tellKind(LeftOut::FarApart,
+             PHRASE_LATER("Phrase",
+                          "Both faces differ by more than 1°, so that they are not of one target, or "
+                          "misread: %1."));
+    tellKind(LeftOut::Repeated,
+             PHRASE_LATER("Phrase", "Sighted several times in one face of a round, and averaged: %1."));
+  }
+
+  void tellRounds() {
+    std::vector<std::string> rounds;
+    for (const LeftOutReadings& left : m_station.leftOut)
+      if (left.why == LeftOut::IncompleteRound)
+        rounds.push_back(Phrase::of("%1 (lacks %2)", shortened(left.round, 40), quotation(left.target)));
+    if (!rounds.empty())
+      add(Severity::Note,
+          Phrase::of("Rounds that lack a target in both faces take no part: %1.", firstOf(rounds)));
+  }
+
+  void tellKind(LeftOut why, const char* sentence) {
+    std::vector<std::string> places;
+    for (const LeftOutReadings& left : m_station.leftOut)
+      if (left.why == why)
+        places.push_back(left.round.empty() ? quotation(left.target)
+                                            : Phrase::of("%1 in round %2", quotation(left.target),
+                                                         shortened(left.round, 40)));
+    if (!places.empty()) add(Severity::Note, Phrase::of(sentence, firstOf(places)));
+  }
+
+  static std::string firstOf(std::vector<std::string> entries) {
+    constexpr std::size_t most = 5;
+    if (entries.size() <= most) return listed(entries);
+    const std::size_t more = entries.size() - most;
+    entries.resize(most);
+    return Phrase::of("%1 and %2 more", listed(entries), more);
+  }
+
+  void tellExtent() {
+    if (m_station.pairs() == 0) {
+      return add(Severity::Warning, Phrase::of("There is no complete round, with each target in both faces."),
+                 Phrase::of("Sight every target in face 1 and in face 2, and call it the same in both."));
+    }
+    if (m_station.rounds == 1)
+      return add(
+          Severity::Warning,
+          Phrase::of("One complete round shows collimation and index, but not how far readings scatter."),
+          Phrase::of("Observe three rounds or more."));
+    if (m_station.targets == 1)
+      return add(Severity::Warning,
+                 Phrase::of("With one target directions have nothing to scatter against; only the vertical "
+                            "circle is checked."),
+                 Phrase::of("Sight four targets or more, spread around the horizon."));
+    constexpr std::size_t fewestRounds = 3, fewestTargets = 4;
+    if (m_station.rounds < fewestRounds || m_station.targets < fewestTargets)
+      add(Severity::Note,
+          Phrase::of(
+              "ISO 17123-3 asks for three rounds to four targets at least; with %1 degrees of freedom s of "
+              "a direction is a rough figure.",
+              displayText(m_station.direction.dof, 0)));
+  }
+
+  void tellIdentical() {
+    if (m_station.vertical.dof > 0 && m_station.direction.sumOfSquares == 0 &&
+        m_station.vertical.sumOfSquares == 0)
+      add(Severity::Warning, Phrase::of("All rounds are identical: s is 0."),
+          Phrase::of("Check whether one round was entered several times."));
+  }
+
+  /// Question c) of the standard.
+  void tellIndex() {
+    const PairMean& index = m_station.index;
+    if (!(index.u > 0)) return;
+    const auto lower = studentLowerTail(-std::abs(index.value / index.u), index.dof);
+    if (lower && 2 * *lower < levelOfTests)
+      add(Severity::Note, Phrase::of("The index of %1 differs from zero by more than its scatter (%2): "
+                                     "readings in one face need it.",
+                                     withU(index.value, index.u, "″"), probability(2 * *lower)));
+  }
+
+  void tellTilt() {
+    if (!m_station.tilt)
+      return add(
+          Severity::Note,
+          Phrase::of("All targets lie at about the same elevation (%1° to %2°): a tilt of the trunnion axis "
+                     "cannot be told from collimation.",
+                     displayText(m_station.lowestDeg, 1), displayText(m_station.highestDeg, 1)),
+          Phrase::of("Sight a steep target besides."));
+    const TwoCauses& tilt = *m_station.tilt;
+    const double visible = plausibleTilt / tilt.uOther;
+    if (!showsTilt(m_station))
+      add(Severity::Note,
+          Phrase::of(
+              "A tilt of the trunnion axis cannot be told from collimation here: one of 30″ would show as %1 "
+              "standard uncertainties, with elevations from %2° to %3°.",
+              displayText(visible, 1), displayText(m_station.lowestDeg, 1),
+              displayText(m_station.highestDeg, 1)),
+          Phrase::of("Sight a steep target besides."));
+    else if (tilt.pValue < levelOfTests)
+      add(Severity::Warning,
+          Phrase::of("The trunnion axis is tilted by %1 (%2); with that the collimation is %3.",
+                     withU(tilt.other, tilt.uOther, "″"), probability(tilt.pValue),
+                     withU(tilt.collimation, tilt.uCollimation, "″")));
+  }
+
+  void tellDistance() {
+    const double nearest = m_station.nearestM;
+    if (!(nearest > 0))
+      return add(
+          Severity::Note,
+          Phrase::of(
+              "Not all distances are known. A line of sight that passes the axis at e shows as e/D, "
+              "and at short distances looks like collimation: half a millimetre is 43″ at 2.4 m and 2″ "
+              "at 50 m."));
+    const auto& eccentricity = m_station.eccentricity;
+    const std::string half = arcsec(shownAt(nearest, halfMillimetre));
+    if (!eccentricity) {
+      constexpr double farAway = 200;  // m, where half a millimetre is half a second
+      if (nearest < farAway)
+        add(Severity::Note,
+            Phrase::of("All targets are about as far away. A line of sight that passes the axis at e shows "
+                       "as e/D and "
+                       "looks like collimation: half a millimetre is %1 at %2.",
+                       half, metresText(nearest)),
+            Phrase::of("Sight targets at other distances besides."));
+      return;
+    }
+    const double shown = shownAt(nearest, eccentricity->other);
+    if (eccentricity->pValue < levelOfTests)
+      return add(
+          Severity::Warning,
+          Phrase::of("What the faces differ by goes with 1/D: the line of sight passes the axis at %1 (%2), "
+                     "which shows as %3 at %4 and looks like collimation; without it that is %5.",
+                     withU(eccentricity->other, eccentricity->uOther, " mm"),
+                     probability(eccentricity->pValue), arcsec(shown), metresText(nearest),
+                     withU(eccentricity->collimation, eccentricity->uCollimation, "″")));
+    const double visible = eccentricity->uOther > 0 ? halfMillimetre / eccentricity->uOther : INFINITY;
+    if (visible < leastVisible)
+      return add(
+          Severity::Note,
+          Phrase::of(
+              "A line of sight that passes the axis at e shows as e/D and looks like collimation; these "
+              "distances (%1 to %2) cannot tell: half a millimetre, %3 at the nearest target, would show "
+              "as %4 standard uncertainties.",
+              metresText(nearest), metresText(m_station.farthestM), half, displayText(visible, 1)));
+    add(Severity::Note, Phrase::of("What the faces differ by does not go with the distance: the line of "
+                                   "sight passes the axis at %1.",
+                                   withU(eccentricity->other, eccentricity->uOther, " mm")));
+  }
+
+  void tellTargets() {
+    if (m_station.targetsDifferP < levelOfTests)
+      add(Severity::Note,
+          Phrase::of(
+              "The collimation differs from target to target by more than it scatters (%1), so that its u is "
+              "too small for another target: tilt of the trunnion axis, distance, or how a target is "
+              "sighted.",
+              probability(m_station.targetsDifferP)));
+  }
+
+  void tellCourse() {
+    if (m_station.isCircleSetAnew)
+      add(Severity::Note,
+          Phrase::of(
+              "The circle was set anew between rounds, so that a drift of the orientation between them does "
+              "not show."));
+    tellSlope(m_station.orientationSlope,
+              PHRASE_LATER("Phrase", "The orientation drifts by %1 a round (%2)."));
+    tellSlope(m_station.collimationSlope,
+              PHRASE_LATER("Phrase", "The collimation drifts by %1 a round (%2)."));
+    tellSlope(m_station.indexSlope, PHRASE_LATER("Phrase", "The index drifts by %1 a round (%2)."));
+  }
+
+  void tellSlope(const std::optional<RoundTrend>& slope, const char* sentence) {
+    if (slope && slope->pValue < levelOfTests)
+      add(Severity::Warning,
+          Phrase::of(sentence, withU(slope->perRound, slope->u, "″"), probability(slope->pValue)));
+  }
+
+  const StationCheck& m_station;
+  bool m_isNamed;
+  std::vector<Finding>& m_findings;
+};
+
+void tellTest(const std::optional<SigmaTest>& test, const CheckScatter& scatter, const char* within,
+              const char* beyond, std::vector<Finding>& findings) {
+  if (!test) return;
+  const std::string s = displayText(scatter.s(), 2) + "″", limit = displayText(test->limit, 2) + "″",
+                    sigma = displayShortest(test->sigma) + "″", nu = displayText(scatter.dof, 0);
+  findings.push_back({test->isWithin() ? Severity::Note : Severity::Warning,
+                      Phrase::of(test->isWithin() ? within : beyond, s, sigma, limit, nu)});
+}
+
+void tellStations(const InstrumentCheck& check, std::vector<Finding>& findings) {
+  const auto tell = [&](double p, const char* sentence) {
+    if (p < levelOfTests) findings.push_back({Severity::Warning, Phrase::of(sentence, probability(p))});
+  };
+  for (const TwoSamples& sample : check.samples) {
+    const auto tellSample = [&](double p, const char* ofTwo, const char* ofSeveral) {
+      if (!(p < levelOfTests)) return;
+      findings.push_back(
+          {Severity::Warning,
+           sample.second.empty()
+               ? Phrase::of(ofSeveral, quotation(sample.first), probability(p))
+               : Phrase::of(ofTwo, quotation(sample.first), quotation(sample.second), probability(p))});
+    };
+    tellSample(sample.directionP,
+               PHRASE_LATER("Phrase", "s of a direction is not the same at stations %1 and %2 (F, %3)."),
+               PHRASE_LATER("Phrase", "s of a direction at station %1 is not that of the others (F, %2)."));
+    tellSample(
+        sample.verticalP,
+        PHRASE_LATER("Phrase", "s of a zenith angle is not the same at stations %1 and %2 (F, %3)."),
+        PHRASE_LATER("Phrase", "s of a zenith angle at station %1 is not that of the others (F, %2)."));
+  }
+  tell(check.collimationsDifferP,
+       PHRASE_LATER("Phrase",
+                    "The collimation differs from station to station by more than it scatters (%1): it "
+                    "moved, or something that looks like it did."));
+  tell(check.indicesDifferP,
+       PHRASE_LATER("Phrase",
+                    "The index differs from station to station by more than it scatters (%1): it moved."));
+}
+
+}  // namespace
+
+bool showsTilt(const StationCheck& station) {
+  return station.tilt && plausibleTilt >= leastVisible * station.tilt->uOther;
+}
+
+std::string withU(double value, double u, const std::string& unit) {
+  constexpr int mostDecimals = 4, usual = 1;
+  const int decimals = std::min(decimalsFor(u, usual), mostDecimals);
+  const std::string text = displayText(value, decimals) + unit;
+  return std::isfinite(u) ? text + " ± " + displayText(u, decimals) + unit : text;
+}
+
+std::vector<Finding> checkFindings(const InstrumentCheck& check) {
+  std::vector<Finding> findings;
+  tellTest(check.directionTest, check.direction,
+           PHRASE_LATER("Phrase",
+                        "s of a direction, %1, is no larger than the stated %2 (χ², 95 %: s up to %3 with %4 "
+                        "degrees of freedom)."),
+           PHRASE_LATER("Phrase",
+                        "s of a direction, %1, is larger than the stated %2 (χ², 95 %: s up to %3 with %4 "
+                        "degrees of freedom)."),
+           findings);
+  tellTest(check.verticalTest, check.vertical,
+           PHRASE_LATER("Phrase",
+                        "s of a zenith angle, %1, is no larger than the stated %2 (χ², 95 %: s up to %3 with "
+                        "%4 degrees of freedom)."),
+           PHRASE_LATER("Phrase",
+                        "s of a zenith angle, %1, is larger than the stated %2 (χ², 95 %: s up to %3 with %4 "
+                        "degrees of freedom)."),
+           findings);
+  tellStations(check, findings);
+  for (const StationCheck& station : check.stations)
+    StationFindings(station, check.stations.size() > 1, findings).tell();
+  return findings;
+}
+
+}  // namespace alidade

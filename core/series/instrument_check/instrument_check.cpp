@@ -1,0 +1,97 @@
+#include "core/series/instrument_check/instrument_check.h"
+
+#include <boost/math/distributions/chi_squared.hpp>
+#include <cmath>
+#include <limits>
+
+#include "core/base/square.h"
+#include "core/base/statistics.h"
+
+namespace alidade {
+
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+/// Of all stations: the mean of all pairs, u of the scatter within stations, and the chance that stations
+/// differ as much by that scatter.
+struct Together {
+  PairMean mean;
+  double differP;
+};
+
+Together together(const std::vector<StationCheck>& stations, PairMean StationCheck::*of) {
+  double count = 0, sum = 0, squares = 0, dof = 0, between = 0, areThere = 0;
+  for (const StationCheck& station : stations) {
+    const PairMean& mean = station.*of;
+    const auto pairs = static_cast<double>(station.pairs());
+    if (pairs == 0) continue;
+    ++areThere;
+    count += pairs;
+    sum += pairs * mean.value;
+    if (mean.dof > 0) squares += mean.dof * square(mean.scatter);
+    dof += mean.dof;
+  }
+  if (count == 0) return {{nothing, nothing, nothing, 0}, nothing};
+  const double mean = sum / count;
+  for (const StationCheck& station : stations)
+    if (station.pairs() > 0)
+      between += static_cast<double>(station.pairs()) * square((station.*of).value - mean);
+  const double variance = dof > 0 ? squares / dof : nothing;
+  const auto p = variance > 0 ? fUpperTail(between / variance, areThere - 1, dof) : std::nullopt;
+  return {{mean, std::sqrt(variance / count), std::sqrt(variance), dof}, p.value_or(nothing)};
+}
+
+/// The value that χ² of `dof` > 0 degrees of freedom exceeds with probability `tail`.
+double chiSquareLimit(double tail, double dof) {
+  return boost::math::quantile(complement(boost::math::chi_squared_distribution<double>(dof), tail));
+}
+
+std::optional<SigmaTest> testedAgainst(std::optional<double> sigma, const CheckScatter& scatter) {
+  if (!sigma || !(*sigma > 0)) return std::nullopt;
+  const auto p = chiSquareUpperTail(scatter.sumOfSquares / square(*sigma), scatter.dof);
+  if (!p) return std::nullopt;
+  return SigmaTest{*sigma, *sigma * std::sqrt(chiSquareLimit(levelOfTests, scatter.dof) / scatter.dof), *p};
+}
+
+double differ(const CheckScatter& one, const CheckScatter& two) {
+  if (!(one.dof > 0) || !(two.dof > 0) || !(two.sumOfSquares > 0)) return nothing;
+  const auto above = fUpperTail(one.sumOfSquares / square(two.s()), one.dof, two.dof);
+  return above ? 2 * std::min(*above, 1 - *above) : nothing;
+}
+
+CheckScatter without(const CheckScatter& all, const CheckScatter& part) {
+  return part.dof > 0 ? CheckScatter{all.sumOfSquares - part.sumOfSquares, all.dof - part.dof} : all;
+}
+
+}  // namespace
+
+InstrumentCheck checkInstrument(const std::vector<StationRounds>& stations, const CheckOptions& options) {
+  InstrumentCheck check;
+  for (const StationRounds& station : stations) {
+    check.stations.push_back(checkStation(station));
+    check.direction.add(check.stations.back().direction);
+    check.vertical.add(check.stations.back().vertical);
+  }
+  const Together collimation = together(check.stations, &StationCheck::collimation),
+                 index = together(check.stations, &StationCheck::index);
+  check.collimation = collimation.mean;
+  check.index = index.mean;
+  check.collimationsDifferP = collimation.differP;
+  check.indicesDifferP = index.differP;
+  check.directionTest = testedAgainst(options.sigmaDirection, check.direction);
+  check.verticalTest = testedAgainst(options.sigmaVertical, check.vertical);
+  const auto& checks = check.stations;
+  if (checks.size() == 2)
+    check.samples.push_back({checks[0].station, checks[1].station,
+                             differ(checks[0].direction, checks[1].direction),
+                             differ(checks[0].vertical, checks[1].vertical)});
+  for (std::size_t i = 0; checks.size() > 2 && i < checks.size(); ++i)
+    check.samples.push_back({checks[i].station,
+                             {},
+                             differ(checks[i].direction, without(check.direction, checks[i].direction)),
+                             differ(checks[i].vertical, without(check.vertical, checks[i].vertical))});
+  return check;
+}
+
+}  // namespace alidade

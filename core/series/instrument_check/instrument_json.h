@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/finding.h"
+#include "core/series/instrument_check/instrument_check.h"
+
+namespace alidade {
+
+/// The document of `alidade-cli instrument --json`. Keys carry their units; what has no value is null.
+std::string instrumentJson(const InstrumentCheck& check, const std::vector<Finding>& findings,
+                           const std::vector<std::string>& remarks);
+
+/// Every pair of readings: station, round, target, residuals of direction and vertical, and the course of
+/// each round.
+std::string instrumentCsv(const InstrumentCheck& check);
+
+}  // namespace alidade

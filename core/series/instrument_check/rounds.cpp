@@ -1,0 +1,296 @@
+#include "core/series/instrument_check/rounds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "core/session/face.h"
+
+namespace alidade {
+
+namespace {
+
+using TargetFace = std::pair<std::size_t, int>;
+
+/// Readings of one station with the round that each is of, counted from 0.
+struct Numbered {
+  std::vector<const FaceReading*> readings;
+  std::vector<std::size_t> rounds;
+  std::vector<std::string> names;  ///< of the rounds
+};
+
+/// Rounds as the file calls them; one that comes again, with other rounds between, is a further one.
+void takeStated(Numbered& numbered) {
+  struct Seen {
+    std::size_t pass = 0, run = 0;
+  };
+  std::map<std::pair<std::string, TargetFace>, Seen> seen;
+  std::map<std::pair<std::string, std::size_t>, std::size_t> rounds;
+  std::size_t run = 0;
+  const std::string* last = nullptr;
+  for (const FaceReading* reading : numbered.readings) {
+    if (!last || *last != reading->round) ++run;
+    last = &reading->round;
+    Seen& at = seen[{reading->round, {reading->target, reading->face}}];
+    if (at.run != run) ++at.pass;
+    at.run = run;
+    const auto [known, isNew] = rounds.try_emplace({reading->round, at.pass}, rounds.size());
+    if (isNew) {
+      const std::string name = reading->round.empty() ? "1" : reading->round;
+      numbered.names.push_back(at.pass == 1 ? name : name + " (" + std::to_string(at.pass) + ")");
+    }
+    numbered.rounds.push_back(known->second);
+  }
+}
+
+/// Was every target sighted as often in either face as every other?
+bool isBalanced(const Numbered& numbered) {
+  std::map<TargetFace, std::size_t> counts;
+  std::set<std::size_t> targets;
+  for (const FaceReading* reading : numbered.readings) {
+    ++counts[{reading->target, reading->face}];
+    targets.insert(reading->target);
+  }
+  return counts.size() == 2 * targets.size() &&
+         std::all_of(counts.begin(), counts.end(),
+                     [&counts](const auto& count) { return count.second == counts.begin()->second; });
+}
+
+void countVisits(Numbered& numbered) {
+  std::map<TargetFace, std::size_t> visits;
+  for (const FaceReading* reading : numbered.readings)
+    numbered.rounds.push_back(visits[{reading->target, reading->face}]++);
+}
+
+/// Follows the order of the sightings.
+class RoundBounds {
+ public:
+  explicit RoundBounds(Numbered& numbered) : m_numbered(numbered) {}
+
+  void find() {
+    for (std::size_t i = 0; i < m_numbered.readings.size(); ++i) {
+      if (begins(i)) {
+        m_seen.clear();
+        m_both = 0;
+        m_start = i;
+        ++m_round;
+      }
+      const auto [target, face] = key(i);
+      if (m_seen.insert({target, face}).second && m_seen.contains({target, 3 - face})) ++m_both;
+      m_numbered.rounds.push_back(m_round);
+    }
+  }
+
+ private:
+  TargetFace key(std::size_t i) const {
+    return {m_numbered.readings[i]->target, m_numbered.readings[i]->face};
+  }
+
+  bool begins(std::size_t i) const {
+    return m_seen.contains(key(i)) && haveMostBothFaces() && !closesHorizon(i);
+  }
+
+  bool haveMostBothFaces() const {
+    const std::size_t targets = m_seen.size() - m_both;
+    return 2 * m_both > targets;
+  }
+
+  /// The first target once more in the second half: the next sighting is of it in the other face, and only
+  /// that begins the next round.
+  bool closesHorizon(std::size_t i) const {
+    const auto [target, face] = key(i);
+    const auto [firstTarget, firstFace] = key(m_start);
+    if (target != firstTarget || face == firstFace) return false;
+    return i + 1 == m_numbered.readings.size() || key(i + 1) == TargetFace{target, firstFace};
+  }
+
+  Numbered& m_numbered;
+  std::set<TargetFace> m_seen;  ///< in the round at work
+  std::size_t m_both = 0;       ///< targets seen in both faces
+  std::size_t m_start = 0, m_round = 0;
+};
+
+void numberRounds(Numbered& numbered) {
+  const bool isStated = std::any_of(numbered.readings.begin(), numbered.readings.end(),
+                                    [](const FaceReading* reading) { return !reading->round.empty(); });
+  if (isStated) return takeStated(numbered);
+  if (isBalanced(numbered))
+    countVisits(numbered);
+  else
+    RoundBounds(numbered).find();
+  for (const std::size_t round : numbered.rounds)
+    while (numbered.names.size() <= round)
+      numbered.names.push_back(std::to_string(numbered.names.size() + 1));
+}
+
+/// Both circles as face 1 reads them: the mean of several sightings in one face.
+struct FaceMean {
+  int count = 0;
+  FaceOneReading first = {};
+  Angle horizontal = {}, vertical = {};  ///< sums of the differences from the first
+  double distanceM = 0;                  ///< sum
+  int distances = 0;
+
+  void add(const FaceReading& reading, VerticalCircle circle) {
+    const FaceOneReading read = inFaceOne(reading.horizontal, reading.vertical, reading.face, circle);
+    if (count++ == 0) first = read;
+    horizontal = horizontal + wrapped(read.horizontal - first.horizontal);
+    vertical = vertical + wrapped(read.vertical - first.vertical);
+    if (reading.distanceM > 0) {
+      distanceM += reading.distanceM;
+      ++distances;
+    }
+  }
+  FaceOneReading mean() const {
+    return {first.horizontal + horizontal * (1.0 / count), first.vertical + vertical * (1.0 / count)};
+  }
+};
+
+FacePair pairOf(const FaceMean& one, const FaceMean& two, std::size_t target, VerticalCircle circle) {
+  const FaceOneReading read = one.mean(), equivalent = two.mean();
+  FacePair pair;
+  pair.target = target;
+  pair.halfDirection = wrapped(read.horizontal - equivalent.horizontal) * 0.5;
+  pair.halfVertical = wrapped(read.vertical - equivalent.vertical) * 0.5;
+  pair.direction = wrapped(read.horizontal - pair.halfDirection, Angle::fromDegrees(180));
+  pair.vertical = wrapped(read.vertical - pair.halfVertical);
+  pair.elevation = circle == VerticalCircle::Zenith ? Angle::fromDegrees(90) - pair.vertical : pair.vertical;
+  const int distances = one.distances + two.distances;
+  if (distances > 0) pair.distanceM = (one.distanceM + two.distanceM) / distances;
+  return pair;
+}
+
+bool areFarApart(const FacePair& pair) {
+  constexpr double most = 1;  // degree; axes that are off by as much are no instrument's
+  return std::abs(pair.halfDirection.degrees()) > most || std::abs(pair.halfVertical.degrees()) > most;
+}
+
+/// Keeps of all pairs those of complete rounds.
+class Completion {
+ public:
+  explicit Completion(StationRounds& station) : m_station(station) {}
+
+  void keep() {
+    for (std::size_t target = 0; target < m_station.targets.size(); ++target) m_targets.insert(target);
+    while (dropWorst()) {
+    }
+    renumber();
+  }
+
+ private:
+  /// Leaves out what lacks the largest part of its pairs. False: nothing lacks any.
+  bool dropWorst() {
+    std::vector<std::size_t> perTarget(m_station.targets.size());
+    std::size_t fewest = m_targets.size();
+    for (const ObservedRound& round : m_station.rounds) {
+      fewest = std::min(fewest, round.pairs.size());
+      for (const FacePair& pair : round.pairs) ++perTarget[pair.target];
+    }
+    const std::size_t rounds = m_station.rounds.size();
+    if (rounds == 0 || m_targets.empty() || fewest == m_targets.size()) return false;
+    std::size_t rarest = rounds;
+    for (const std::size_t target : m_targets) rarest = std::min(rarest, perTarget[target]);
+    const double roundLacks = 1 - static_cast<double>(fewest) / static_cast<double>(m_targets.size());
+    const double targetLacks = 1 - static_cast<double>(rarest) / static_cast<double>(rounds);
+    if (targetLacks > roundLacks)
+      dropTargets(perTarget, rarest);
+    else
+      dropRounds(fewest);
+    return true;
+  }
+
+  void dropTargets(const std::vector<std::size_t>& perTarget, std::size_t rarest) {
+    const auto isRare = [&](std::size_t target) { return perTarget[target] == rarest; };
+    for (const std::size_t target : m_targets)
+      if (isRare(target)) m_station.leftOut.push_back({LeftOut::RareTarget, {}, m_station.targets[target]});
+    std::erase_if(m_targets, isRare);
+    for (ObservedRound& round : m_station.rounds)
+      std::erase_if(round.pairs, [&](const FacePair& pair) { return isRare(pair.target); });
+  }
+
+  void dropRounds(std::size_t fewest) {
+    for (const ObservedRound& round : m_station.rounds)
+      if (round.pairs.size() == fewest)
+        m_station.leftOut.push_back({LeftOut::IncompleteRound, round.name, firstMissing(round)});
+    std::erase_if(m_station.rounds,
+                  [fewest](const ObservedRound& round) { return round.pairs.size() == fewest; });
+  }
+
+  std::string firstMissing(const ObservedRound& round) const {
+    for (const std::size_t target : m_targets) {
+      const bool isThere = std::any_of(round.pairs.begin(), round.pairs.end(),
+                                       [target](const FacePair& pair) { return pair.target == target; });
+      if (!isThere) return m_station.targets[target];
+    }
+    return {};
+  }
+
+  void renumber() {
+    std::map<std::size_t, std::size_t> numbers;
+    std::vector<std::string> names;
+    for (const std::size_t target : m_targets) {
+      numbers[target] = names.size();
+      names.push_back(m_station.targets[target]);
+    }
+    m_station.targets = std::move(names);
+    for (ObservedRound& round : m_station.rounds)
+      for (FacePair& pair : round.pairs) pair.target = numbers.at(pair.target);
+  }
+
+  StationRounds& m_station;
+  std::set<std::size_t> m_targets;  ///< that are kept
+};
+
+StationRounds roundsAt(const CheckReadings& readings, std::size_t station, Numbered numbered) {
+  numberRounds(numbered);
+  StationRounds result;
+  result.station = readings.stations[station];
+  std::map<std::size_t, std::size_t> targets;  // of all stations to those of this one, as they come first
+  std::map<std::tuple<std::size_t, std::size_t>, std::pair<FaceMean, FaceMean>> means;  // by round and target
+  for (std::size_t i = 0; i < numbered.readings.size(); ++i) {
+    const FaceReading& reading = *numbered.readings[i];
+    const auto [known, isNew] = targets.try_emplace(reading.target, targets.size());
+    if (isNew) result.targets.push_back(readings.targets[reading.target]);
+    auto& [one, two] = means[{numbered.rounds[i], known->second}];
+    FaceMean& mean = reading.face == 1 ? one : two;
+    mean.add(reading, readings.circle);
+    if (mean.count == 2)
+      result.leftOut.push_back(
+          {LeftOut::Repeated, numbered.names[numbered.rounds[i]], result.targets[known->second]});
+  }
+  for (const std::string& name : numbered.names) result.rounds.push_back({name, {}});
+  for (const auto& [key, faces] : means) {
+    const auto [round, target] = key;
+    const auto leaveOut = [&](LeftOut why) {
+      result.leftOut.push_back({why, numbered.names[round], result.targets[target]});
+    };
+    if (faces.first.count == 0 || faces.second.count == 0) {
+      leaveOut(LeftOut::OneFace);
+      continue;
+    }
+    const FacePair pair = pairOf(faces.first, faces.second, target, readings.circle);
+    if (areFarApart(pair))
+      leaveOut(LeftOut::FarApart);
+    else
+      result.rounds[round].pairs.push_back(pair);
+  }
+  Completion(result).keep();
+  return result;
+}
+
+}  // namespace
+
+std::vector<StationRounds> completeRounds(const CheckReadings& readings) {
+  std::vector<Numbered> numbered(readings.stations.size());
+  for (const FaceReading& reading : readings.readings) numbered[reading.station].readings.push_back(&reading);
+  std::vector<StationRounds> stations;
+  for (std::size_t station = 0; station < numbered.size(); ++station)
+    if (!numbered[station].readings.empty())
+      stations.push_back(roundsAt(readings, station, std::move(numbered[station])));
+  return stations;
+}
+
+}  // namespace alidade

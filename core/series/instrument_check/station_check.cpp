@@ -1,0 +1,342 @@
+#include "core/series/instrument_check/station_check.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/base/square.h"
+#include "core/base/statistics.h"
+
+namespace alidade {
+
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+double twoSided(double t, double dof) {
+  const auto lower = studentLowerTail(-std::abs(t), dof);
+  return lower ? 2 * *lower : unknown;
+}
+
+/// t of a value whose u may be nothing.
+double inUnitsOf(double u, double value) {
+  if (u > 0) return value / u;
+  return value == 0 ? 0 : std::copysign(std::numeric_limits<double>::infinity(), value);
+}
+
+PairMean meanOf(const std::vector<double>& values) {
+  const auto count = static_cast<double>(values.size());
+  if (values.empty()) return {unknown, unknown, unknown, 0};
+  double sum = 0, squares = 0;
+  for (const double value : values) sum += value;
+  const double mean = sum / count;
+  for (const double value : values) squares += square(value - mean);
+  if (values.size() == 1) return {mean, unknown, unknown, 0};
+  const double scatter = std::sqrt(squares / (count - 1));
+  return {mean, scatter / std::sqrt(count), scatter, count - 1};
+}
+
+std::optional<RoundTrend> slopeOf(const std::vector<double>& values) {
+  const auto count = static_cast<double>(values.size());
+  constexpr std::size_t fewest = 3;
+  if (values.size() < fewest ||
+      std::any_of(values.begin(), values.end(), [](double v) { return std::isnan(v); }))
+    return std::nullopt;
+  const double centre = (count - 1) / 2, mean = meanOf(values).value;
+  double across = 0, along = 0, left = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    along += square(static_cast<double>(i) - centre);
+    across += (static_cast<double>(i) - centre) * (values[i] - mean);
+  }
+  const double slope = across / along;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    left += square(values[i] - mean - slope * (static_cast<double>(i) - centre));
+  const double dof = count - 2, u = std::sqrt(left / dof / along);
+  return RoundTrend{slope, u, dof, twoSided(inUnitsOf(u, slope), dof)};
+}
+
+/// Least squares of half differences of the faces: c, and what else is to be told from it.
+class FaceFit {
+ public:
+  explicit FaceFit(Eigen::Index unknowns)
+      : m_normal(Eigen::MatrixXd::Zero(unknowns, unknowns)), m_right(Eigen::VectorXd::Zero(unknowns)) {}
+
+  void add(double value, const Eigen::VectorXd& factors) {
+    m_normal += factors * factors.transpose();
+    m_right += factors * value;
+    m_squares += value * value;
+    ++m_count;
+  }
+
+  /// False where the unknowns cannot be told apart, or nothing is left over to tell how well.
+  bool solve() {
+    m_dof = static_cast<double>(m_count - m_right.size());
+    if (!(m_dof > 0)) return false;
+    const Eigen::VectorXd lengths = m_normal.diagonal().cwiseSqrt();
+    const Eigen::MatrixXd cosines = m_normal.cwiseQuotient(lengths * lengths.transpose());
+    constexpr double leastIndependent = 1e-10;  // rounding leaves 1e-16 of columns that are alike
+    if (!(cosines.determinant() > leastIndependent)) return false;
+    m_inverse = m_normal.inverse();
+    m_solution = m_inverse * m_right;
+    m_variance = std::max(m_squares - m_solution.dot(m_right), 0.0) / m_dof;
+    return true;
+  }
+
+  TwoCauses with(Eigen::Index other) const {
+    const auto u = [this](Eigen::Index k) { return std::sqrt(m_variance * m_inverse(k, k)); };
+    const double correlation = m_inverse(0, other) / std::sqrt(m_inverse(0, 0) * m_inverse(other, other));
+    return {m_solution(0),
+            u(0),
+            m_solution(other),
+            u(other),
+            correlation,
+            m_dof,
+            twoSided(inUnitsOf(u(other), m_solution(other)), m_dof)};
+  }
+
+ private:
+  Eigen::MatrixXd m_normal, m_inverse;
+  Eigen::VectorXd m_right, m_solution;
+  double m_squares = 0, m_variance = 0, m_dof = 0;
+  Eigen::Index m_count = 0;
+};
+
+/// Evaluates the complete rounds of a station; residuals in arcseconds.
+class StationEvaluation {
+ public:
+  explicit StationEvaluation(const StationRounds& station) : m_station(station) {
+    m_check.station = station.station;
+    m_check.targets = station.targets.size();
+    m_check.rounds = station.rounds.size();
+    m_check.leftOut = station.leftOut;
+    if (m_check.pairs() == 0) m_check.targets = m_check.rounds = 0;
+  }
+
+  StationCheck evaluate() {
+    if (m_check.pairs() > 0) {
+      evaluateDirections();
+      evaluateVerticals();
+    }
+    evaluateFaces();
+    if (m_check.pairs() > 0) {
+      compareTargets();
+      followRounds();
+      separateCauses();
+    }
+    return std::move(m_check);
+  }
+
+ private:
+  const FacePair& pair(std::size_t round, std::size_t target) const {
+    return m_station.rounds[round].pairs[target];
+  }
+  std::size_t targets() const { return m_check.targets; }
+  std::size_t rounds() const { return m_check.rounds; }
+
+  /// Row by row (a round each), without its mean over the rounds and, where `ofRoundsToo`, that over the
+  /// targets.
+  void takeOffMeans(std::vector<double>& rows, bool ofRoundsToo) const {
+    for (std::size_t k = 0; k < targets(); ++k) {
+      double sum = 0;
+      for (std::size_t j = 0; j < rounds(); ++j) sum += rows[j * targets() + k];
+      for (std::size_t j = 0; j < rounds(); ++j)
+        rows[j * targets() + k] = sum / static_cast<double>(rounds()) - rows[j * targets() + k];
+    }
+    if (!ofRoundsToo) return;
+    for (std::size_t j = 0; j < rounds(); ++j) {
+      double sum = 0;
+      for (std::size_t k = 0; k < targets(); ++k) sum += rows[j * targets() + k];
+      for (std::size_t k = 0; k < targets(); ++k)
+        rows[j * targets() + k] -= sum / static_cast<double>(targets());
+    }
+  }
+
+  static CheckScatter scatterOf(const std::vector<double>& residuals, std::size_t dof) {
+    CheckScatter scatter{0, static_cast<double>(dof)};
+    for (const double residual : residuals) scatter.sumOfSquares += square(residual);
+    return scatter;
+  }
+
+  void evaluateDirections() {
+    // Against the first round and, as the standard has it, the first target: small, wherever the circle
+    // stood.
+    std::vector<double> rows;
+    std::vector<double> turns;
+    for (std::size_t j = 0; j < rounds(); ++j) {
+      const Angle turn = wrapped(pair(j, 0).direction - pair(0, 0).direction);
+      turns.push_back(turn.arcseconds());
+      for (std::size_t k = 0; k < targets(); ++k)
+        rows.push_back(wrapped(pair(j, k).direction - pair(0, k).direction - turn).arcseconds());
+    }
+    takeOrientations(rows, turns);
+    takeOffMeans(rows, true);
+    m_check.direction = scatterOf(rows, (rounds() - 1) * (targets() - 1));
+    m_directions = std::move(rows);
+  }
+
+  void takeOrientations(const std::vector<double>& rows, std::vector<double> turns) {
+    for (std::size_t j = 0; j < rounds(); ++j) {
+      double sum = 0;
+      for (std::size_t k = 0; k < targets(); ++k) sum += rows[j * targets() + k];
+      turns[j] += sum / static_cast<double>(targets());
+    }
+    constexpr double setAnew = 180;  // arcsec: a tripod that turns so far was knocked, or the circle was set
+    const auto [least, most] = std::minmax_element(turns.begin(), turns.end());
+    m_check.isCircleSetAnew = *most - *least > setAnew;
+    const double mean = meanOf(turns).value;
+    for (const double turn : turns) m_orientations.push_back(m_check.isCircleSetAnew ? unknown : turn - mean);
+  }
+
+  void evaluateVerticals() {
+    std::vector<double> rows;
+    for (std::size_t j = 0; j < rounds(); ++j)
+      for (std::size_t k = 0; k < targets(); ++k)
+        rows.push_back(wrapped(pair(j, k).vertical - pair(0, k).vertical).arcseconds());
+    takeOffMeans(rows, false);
+    m_check.vertical = scatterOf(rows, (rounds() - 1) * targets());
+    for (std::size_t j = 0; j < rounds(); ++j)
+      for (std::size_t k = 0; k < targets(); ++k)
+        m_check.residuals.push_back({j, k, m_directions[j * targets() + k], rows[j * targets() + k]});
+  }
+
+  void evaluateFaces() {
+    for (std::size_t j = 0; j < rounds(); ++j)
+      for (std::size_t k = 0; k < targets(); ++k) {
+        const FacePair& faces = pair(j, k);
+        m_collimations.push_back(faces.halfDirection.arcseconds() * std::cos(faces.elevation.radians()));
+        m_indices.push_back(faces.halfVertical.arcseconds());
+      }
+    m_check.collimation = meanOf(m_collimations);
+    m_check.index = meanOf(m_indices);
+  }
+
+  double ofRound(const std::vector<double>& rows, std::size_t round) const {
+    const auto first = rows.begin() + static_cast<std::ptrdiff_t>(round * targets());
+    return meanOf({first, first + static_cast<std::ptrdiff_t>(targets())}).value;
+  }
+
+  std::vector<double> ofTarget(const std::vector<double>& rows, std::size_t target) const {
+    std::vector<double> values;
+    for (std::size_t j = 0; j < rounds(); ++j) values.push_back(rows[j * targets() + target]);
+    return values;
+  }
+
+  /// F of the targets' means against the scatter within targets.
+  void compareTargets() {
+    double between = 0, within = 0;
+    for (std::size_t k = 0; k < targets(); ++k) {
+      const std::vector<double> values = ofTarget(m_collimations, k);
+      const PairMean mean = meanOf(values);
+      between += static_cast<double>(rounds()) * square(mean.value - m_check.collimation.value);
+      for (const double value : values) within += square(value - mean.value);
+      m_check.perTarget.push_back({m_station.targets[k], elevationDeg(k), distanceM(k), mean.value,
+                                   meanOf(ofTarget(m_indices, k)).value});
+    }
+    const double dofBetween = static_cast<double>(targets()) - 1,
+                 dofWithin = static_cast<double>(targets() * (rounds() - 1));
+    const double variance = within / dofWithin;
+    m_check.targetsDifferP =
+        variance > 0 ? fUpperTail(between / variance, dofBetween, dofWithin).value_or(unknown) : unknown;
+  }
+
+  double elevationDeg(std::size_t target) const {
+    double sum = 0;
+    for (std::size_t j = 0; j < rounds(); ++j) sum += pair(j, target).elevation.degrees();
+    return sum / static_cast<double>(rounds());
+  }
+
+  double distanceM(std::size_t target) const {
+    double sum = 0;
+    int count = 0;
+    for (std::size_t j = 0; j < rounds(); ++j)
+      if (const double distance = pair(j, target).distanceM; distance > 0) {
+        sum += distance;
+        ++count;
+      }
+    return count > 0 ? sum / count : 0;
+  }
+
+  void followRounds() {
+    std::vector<double> collimations, indices;
+    for (std::size_t j = 0; j < rounds(); ++j) {
+      collimations.push_back(ofRound(m_collimations, j));
+      indices.push_back(ofRound(m_indices, j));
+      m_check.course.push_back({m_station.rounds[j].name, collimations[j], indices[j], m_orientations[j]});
+    }
+    m_check.collimationSlope = slopeOf(collimations);
+    m_check.indexSlope = slopeOf(indices);
+    m_check.orientationSlope = slopeOf(m_orientations);
+  }
+
+  /// h cos e = c + i sin e + e/D, with what of it these targets can show.
+  void separateCauses() {
+    measureSpread();
+    // What differs by pointing noise alone is no spread.
+    constexpr double leastDegrees = 0.5, leastRatio = 1.1;
+    const bool hasTilt = m_check.highestDeg - m_check.lowestDeg > leastDegrees;
+    const bool hasDistance = m_check.nearestM > 0 && m_check.farthestM > leastRatio * m_check.nearestM;
+    if (hasTilt && hasDistance && fitFaces(true, true)) return;
+    if (hasTilt) fitFaces(true, false);
+    if (hasDistance) fitFaces(false, true);
+  }
+
+  /// False: these cannot be told apart.
+  bool fitFaces(bool ofTilt, bool ofDistance) {
+    FaceFit fit(fitSize(ofTilt, ofDistance));
+    for (std::size_t j = 0; j < rounds(); ++j)
+      for (std::size_t k = 0; k < targets(); ++k) {
+        const FacePair& faces = pair(j, k);
+        const double e = faces.elevation.radians();
+        Eigen::VectorXd factors(fitSize(ofTilt, ofDistance));
+        factors(0) = 1 / std::cos(e);
+        if (ofTilt) factors(1) = std::tan(e);
+        if (ofDistance)
+          factors(factors.size() - 1) =
+              Angle::fromRadians(1e-3 / m_check.perTarget[k].distanceM).arcseconds() / std::cos(e);
+        fit.add(faces.halfDirection.arcseconds(), factors);
+      }
+    if (!fit.solve()) return false;
+    if (ofTilt) m_check.tilt = fit.with(1);
+    if (ofDistance) m_check.eccentricity = fit.with(fitSize(ofTilt, ofDistance) - 1);
+    return true;
+  }
+
+  static Eigen::Index fitSize(bool ofTilt, bool ofDistance) {
+    return 1 + (ofTilt ? 1 : 0) + (ofDistance ? 1 : 0);
+  }
+
+  /// Distances only where those of all targets are known.
+  void measureSpread() {
+    const auto& perTarget = m_check.perTarget;
+    const auto [lowest, highest] = std::ranges::minmax_element(perTarget, {}, &TargetMean::elevationDeg);
+    m_check.lowestDeg = lowest->elevationDeg;
+    m_check.highestDeg = highest->elevationDeg;
+    const auto [nearest, farthest] = std::ranges::minmax_element(perTarget, {}, &TargetMean::distanceM);
+    if (!(nearest->distanceM > 0)) return;
+    m_check.nearestM = nearest->distanceM;
+    m_check.farthestM = farthest->distanceM;
+  }
+
+  const StationRounds& m_station;
+  StationCheck m_check{};
+  std::vector<double> m_directions, m_orientations, m_collimations, m_indices;
+};
+
+}  // namespace
+
+double CheckScatter::s() const {
+  return dof > 0 ? std::sqrt(sumOfSquares / dof) : unknown;
+}
+
+void CheckScatter::add(const CheckScatter& other) {
+  if (!(other.dof > 0)) return;
+  sumOfSquares += other.sumOfSquares;
+  dof += other.dof;
+}
+
+StationCheck checkStation(const StationRounds& station) {
+  return StationEvaluation(station).evaluate();
+}
+
+}  // namespace alidade

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/angle.h"
+#include "core/series/instrument_check/rounds.h"
+
+namespace alidade {
+
+// The full procedure of ISO 17123-3 at one station: n rounds to t targets, each in both faces. With x the
+// mean of both faces of round j to target k,
+//
+//   directions       x relative to the first target; d = x̄ₖ − xⱼₖ; r = d − d̄ⱼ; ν = (n − 1)(t − 1)
+//   zenith angles    r = x̄ₖ − xⱼₖ; ν = (n − 1) t
+//   s = √(Σ r²/ν), of a direction or zenith angle observed once in both faces
+//
+// Half the difference of the faces is h = c/cos e + i tan e on the horizontal circle and j on the vertical
+// one, signs as of face 1 (core/effects). Every pair gives a collimation c = h cos e and an index j; stated
+// are their means, with u = s/√N and N − 1 degrees of freedom, s being their scatter. Lengths in mm, angles
+// in arcseconds.
+
+/// A mean of N values: u = s/√N. NaN where there are too few.
+struct PairMean {
+  double value, u, scatter;
+  double dof;
+};
+
+/// A standard deviation by its sum of squares; `s` is NaN without degrees of freedom.
+struct CheckScatter {
+  double sumOfSquares = 0, dof = 0;
+
+  double s() const;
+  void add(const CheckScatter& other);
+};
+
+/// RoundTrend of values over the rounds, by least squares, and whether it is one.
+struct RoundTrend {
+  double perRound, u;
+  double dof;     ///< rounds − 2
+  double pValue;  ///< two-sided, of a slope as large by chance
+};
+
+/// c and another cause of what the faces differ by, from least squares of all that can be told apart.
+struct TwoCauses {
+  double collimation, uCollimation;
+  double other, uOther;
+  double correlation;  ///< of both
+  double dof;          ///< pairs − unknowns
+  double pValue;       ///< two-sided, of an `other` as large by chance
+};
+
+/// What one round says.
+struct RoundCourse {
+  std::string name;
+  double collimation, index;
+  double
+      orientation;  ///< mean of the directions against that of all rounds; NaN where the circle was set anew
+};
+
+/// What a target says, over all rounds.
+struct TargetMean {
+  std::string name;
+  double elevationDeg, distanceM;  ///< the distance 0 where it is not known
+  double collimation, index;
+};
+
+struct PairResidual {
+  std::size_t round = 0, target = 0;
+  double direction, vertical;
+};
+
+struct StationCheck {
+  std::string station;
+  std::size_t targets = 0, rounds = 0;
+  CheckScatter direction, vertical;
+  PairMean collimation, index;
+  std::optional<TwoCauses> tilt;          ///< trunnion tilt i; absent: elevations do not differ
+  std::optional<TwoCauses> eccentricity;  ///< e of the line of sight, mm: h cos e = c + e/D; absent:
+                                          ///< distances do not differ, or are not known
+  double nearestM = 0, farthestM = 0;     ///< 0: not known of all targets
+  double lowestDeg = 0, highestDeg = 0;   ///< elevations
+  bool isCircleSetAnew = false;           ///< between rounds
+  std::optional<RoundTrend> collimationSlope, indexSlope, orientationSlope;
+  double targetsDifferP = 1;  ///< chance that c of targets differs as much by scatter alone; NaN: not known
+  std::vector<RoundCourse> course;
+  std::vector<TargetMean> perTarget;
+  std::vector<PairResidual> residuals;
+  std::vector<LeftOutReadings> leftOut;
+
+  std::size_t pairs() const { return targets * rounds; }
+};
+
+StationCheck checkStation(const StationRounds& station);
+
+}  // namespace alidade

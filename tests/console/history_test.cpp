@@ -1,0 +1,148 @@
+#include <gmock/gmock.h>
+
+#include "tests/console/console.h"
+
+// `alidade-cli history`: tables of values, folders of sessions, and what is wrong with either.
+
+namespace alidade::test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using ::testing::SizeIs;
+using ::testing::StartsWith;
+using Json = nlohmann::ordered_json;
+
+const std::string year = ALIDADE_SAMPLES_DIR "/history";
+
+Json answerTo(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), "history");
+  arguments.emplace_back("--json");
+  const ProgramRun run = alidadeCli(arguments);
+  EXPECT_EQ(run.exitCode, 0) << run.err;
+  return Json::parse(run.out);
+}
+
+TEST(HistoryCall, OfATableHasTheKeysOfItsContract) {
+  const TemporaryFolder folder;
+  const Json json = answerTo({folder.file("c.csv", "2001,10,1\n2002,12,2\n2003,13,1\n")});
+  ASSERT_THAT(json["values"], SizeIs(3));
+  EXPECT_EQ(json["values"][1], Json({{"date", "2002"}, {"value", 12.0}, {"u", 2.0}}));
+  EXPECT_NEAR(json["mean"]["value"].get<double>(), 26 / 2.25, 1e-12);
+  EXPECT_NEAR(json["mean"]["u"].get<double>(), 1 / 1.5, 1e-12);
+  EXPECT_EQ(json["dof"], 2);
+  EXPECT_EQ(json["stable"], true);
+  EXPECT_THAT(json["steps"], IsEmpty());
+  EXPECT_TRUE(json["trend_per_year"]["value"].is_number());
+}
+
+TEST(HistoryCall, ReadsStandardInput) {
+  const ProgramRun run = runProgram({.program = ALIDADE_CLI,
+                                     .arguments = {"history", "-", "--json"},
+                                     .input = "2001;1,5;0,1\n2002;1,6;0,1\n"});
+  ASSERT_EQ(run.exitCode, 0) << run.err;
+  EXPECT_THAT(Json::parse(run.out)["values"], SizeIs(2));
+}
+
+// What samples/README.md says of it.
+TEST(HistoryCall, OfTheSampleFindsItsStep) {
+  const Json json = answerTo({year});
+  ASSERT_THAT(json["steps"], SizeIs(1));
+  EXPECT_EQ(json["steps"][0]["date"], "2025-08-11");
+  EXPECT_NEAR(json["steps"][0]["size"].get<double>(), 0.25, 2 * json["steps"][0]["u"].get<double>());
+  EXPECT_EQ(json["stable"], false);
+  EXPECT_EQ(json["course"], "steps");
+  EXPECT_EQ(json["device"]["serial"], "G-07");
+  EXPECT_THAT(json["values"], SizeIs(12));
+  for (const char* id :
+       {"intersection", "intersection_of_fit", "o1_x", "o1_y", "o2_x", "o2_y", "radius_0", "radius_180"})
+    EXPECT_THAT(json["quantities"][id]["values"], SizeIs(12)) << id;
+  EXPECT_EQ(json["quantities"]["radius_0"]["stable"], true);
+  EXPECT_THAT(json["congruence"], SizeIs(12 * 11 / 2));
+  const Json& ends = json["congruence"][10];
+  EXPECT_EQ(ends["second"]["date"], "2025-12-15");
+  EXPECT_EQ(ends["changed"], true);
+  EXPECT_EQ(ends["device"]["numbers"], 4);
+}
+
+TEST(HistoryCall, OfSessionsIsThatOfTheirFolder) {
+  std::vector<std::string> files;
+  for (const auto& entry : std::filesystem::directory_iterator(year)) files.push_back(entry.path().string());
+  Json named = answerTo(files), whole = answerTo({year});
+  named.erase("history");
+  whole.erase("history");
+  EXPECT_EQ(named, whole);
+}
+
+TEST(HistoryCall, AnswersForEachDevice) {
+  const TemporaryFolder folder;
+  const auto session = [&](const std::string& name, const std::string& serial, const std::string& date) {
+    folder.file(name, changedPaperSession([&](Json& json) {
+                  json["device"]["serial"] = serial;
+                  json["measured_on"] = date;
+                }));
+  };
+  session("1.alidade", "A", "2024-01-01");
+  session("2.alidade", "B", "2024-02-01");
+  session("3.alidade", "A", "2024-03-01");
+  const Json json = answerTo({folder.path().string()});
+  ASSERT_THAT(json["devices"], SizeIs(2));
+  EXPECT_EQ(json["devices"][0]["device"]["serial"], "A");
+  EXPECT_THAT(json["devices"][0]["values"], SizeIs(2));
+  EXPECT_TRUE(json["devices"][1]["p_value"].is_null());
+  EXPECT_TRUE(json["devices"][1]["stable"].is_null());
+}
+
+TEST(HistoryCall, NamesSessionsThatTakeNoPartAndAnswersTheOthers) {
+  const TemporaryFolder folder;
+  const auto dated = [](const char* date) {
+    return changedPaperSession([&](Json& json) { json["measured_on"] = date; });
+  };
+  folder.file("1.alidade", dated("2024-01-01"));
+  const std::string undated = folder.file("2.alidade", dated("")), broken = folder.file("3.alidade", "{");
+  const ProgramRun run = alidadeCli({"history", folder.path().string(), "--json"});
+  EXPECT_EQ(run.exitCode, 2);
+  EXPECT_THAT(run.err, HasSubstr(undated + ": has no date"));
+  EXPECT_THAT(run.err, HasSubstr(broken + ": "));
+  const Json json = Json::parse(run.out);
+  EXPECT_THAT(json["values"], SizeIs(1));
+  EXPECT_THAT(json["remarks"], SizeIs(2));
+}
+
+TEST(HistoryCall, RefusesWhatHoldsNoHistory) {
+  const TemporaryFolder folder;
+  const auto refusal = [](const std::string& input) {
+    const ProgramRun run = alidadeCli({"history", input});
+    expectRefusal(run);
+    EXPECT_THAT(run.err, StartsWith(input + ": "));
+    return run.err;
+  };
+  EXPECT_THAT(refusal(folder.path().string()), HasSubstr("holds no session"));
+  EXPECT_THAT(refusal("/no/such.csv"), HasSubstr("cannot be opened"));
+  EXPECT_THAT(refusal(folder.file("a.csv", "2001,1,0\n")), HasSubstr("line 1, column 8"));
+  EXPECT_THAT(refusal(folder.file("b.csv", "")), HasSubstr("no value"));
+  EXPECT_THAT(refusal(folder.file("c.csv", "{}")), HasSubstr("no table"));
+}
+
+TEST(HistoryCall, OfManyTablesHasALineForEach) {
+  const TemporaryFolder folder;
+  const std::string a = folder.file("a.csv", "2001,1,0.1\n"), bad = folder.file("b.csv", "2001,1,-1\n"),
+                    c = folder.file("c.csv", "2001,3,0.1\n");
+  const ProgramRun run = alidadeCli({"history", a, bad, c, "--json"});
+  EXPECT_EQ(run.exitCode, 2);
+  EXPECT_EQ(std::count(run.out.begin(), run.out.end(), '\n'), 3);
+  EXPECT_THAT(run.out, HasSubstr("\"file\": \"" + bad + "\", \"error\": "));
+  EXPECT_THAT(run.err, StartsWith(bad + ": line 1"));
+}
+
+TEST(HistoryCall, IsTextForPeople) {
+  const ProgramRun run = alidadeCli({"history", year});
+  ASSERT_EQ(run.exitCode, 0);
+  EXPECT_THAT(run.out, HasSubstr("From 2025-08-11 on"));
+  EXPECT_THAT(run.out, HasSubstr("radius at 180°"));
+  EXPECT_THAT(run.out, Not(HasSubstr("nan")));
+}
+
+}  // namespace
+}  // namespace alidade::test

@@ -1,0 +1,78 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/console/console.h"
+
+// `alidade-cli instrument`: the field check of a theodolite.
+
+namespace alidade::test {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using testing::HasSubstr;
+
+const std::string sample = ALIDADE_SAMPLES_DIR "/instrument-check.gsi";
+
+ProgramRun instrumentOf(const std::string& input, std::vector<std::string> options = {}) {
+  options.insert(options.begin(), {"instrument", "-"});
+  return runProgram({.program = ALIDADE_CLI, .arguments = options, .input = input});
+}
+
+TEST(InstrumentCommand, FindsWhatTheSampleWasMadeOf) {
+  const ProgramRun run = alidadeCli({"instrument", sample, "--sigma", "1", "--json"});
+  ASSERT_EQ(run.exitCode, 0) << run.err;
+  const Json json = Json::parse(run.out);
+  ASSERT_EQ(json["stations"].size(), 2U);
+  EXPECT_EQ(json["stations"][0]["station"], "P1");
+  EXPECT_EQ(json["stations"][0]["dof_direction"], 12);
+  EXPECT_EQ(json["stations"][0]["dof_zenith"], 15);
+  const Json& pooled = json["pooled"];
+  EXPECT_EQ(pooled["dof_direction"], 24);
+  EXPECT_EQ(pooled["dof_zenith"], 30);
+  // 1.1″ of a reading are 0.78″ of the mean of two; s with 24 degrees of freedom scatters by 14 %, 3 of it.
+  EXPECT_NEAR(pooled["s_direction_arcsec"], 0.78, 0.34);
+  EXPECT_NEAR(pooled["s_zenith_arcsec"], 0.78, 0.30);
+  const double index = pooled["index_arcsec"], u = pooled["u_index_arcsec"];
+  EXPECT_NEAR(index, -5, 3 * u);
+  for (const Json& station : json["stations"]) {
+    const Json& sight = station["line_of_sight"];
+    const double e = sight["eccentricity_mm"], uOfE = sight["u_eccentricity_mm"];
+    EXPECT_NEAR(e, 0.12, 0.05) << "±" << uOfE;
+  }
+  EXPECT_TRUE(json["tests"]["direction"]["within"]);
+}
+
+TEST(InstrumentCommand, TellsPeople) {
+  const ProgramRun run = alidadeCli({"instrument", sample});
+  ASSERT_EQ(run.exitCode, 0) << run.err;
+  for (const char* text :
+       {"SIMULATED, 123456", "ISO 17123-3", "pooled", "P1, by round and by target", "goes with 1/D"})
+    EXPECT_THAT(run.out, HasSubstr(text));
+}
+
+TEST(InstrumentCommand, TakesSeveralFilesAndStandardInput) {
+  const std::string table =
+      "target,hz,v\nA,10.0000,80.0010\nB,50.0000,85.0000\nB,230.0010,275.0000\nA,190.0020,280.0000\n";
+  const ProgramRun run = instrumentOf(table, {sample, "--json"});
+  ASSERT_EQ(run.exitCode, 0) << run.err;
+  const Json json = Json::parse(run.out);
+  EXPECT_EQ(json["stations"].size(), 3U);
+  EXPECT_EQ(json["stations"][0]["rounds"], 1);
+  EXPECT_TRUE(json["stations"][0]["s_direction_arcsec"].is_null());
+  EXPECT_THAT(run.err, HasSubstr("plain numbers are taken for"));
+}
+
+TEST(InstrumentCommand, RefusesInOneLine) {
+  expectRefusal(alidadeCli({"instrument"}));
+  expectRefusal(alidadeCli({"instrument", "/nowhere.gsi"}));
+  expectRefusal(instrumentOf("target,hz,v\nA,10°,88°71'\n"));
+  expectRefusal(instrumentOf(""));
+  expectRefusal(alidadeCli({"instrument", sample, "--sigma", "-1"}));
+  expectRefusal(alidadeCli({"instrument", paperSession}));
+  EXPECT_THAT(instrumentOf("target,hz,v\nA,10°,88°71'\n").err, HasSubstr("standard input: line 2, column 7"));
+}
+
+}  // namespace
+}  // namespace alidade::test

@@ -1,0 +1,160 @@
+#include "ui/instrument/instrument_dialog.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <QAccessible>
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <QFile>
+#include <QMenuBar>
+#include <QTabWidget>
+#include <QTemporaryDir>
+#include <QTest>
+#include <nlohmann/json.hpp>
+
+#include "tests/ui/support.h"
+#include "ui/instrument/check_chart.h"
+#include "ui/instrument/check_input.h"
+#include "ui/instrument/check_rows_table.h"
+#include "ui/main_window.h"
+#include "ui/panels/parts/data_table.h"
+
+namespace alidade::ui {
+namespace {
+
+using testing::HasSubstr;
+
+const QString sample = QStringLiteral("instrument-check.gsi");
+
+struct CheckBench {
+  CheckBench() { dialog.show(); }
+
+  void settle() {
+    ASSERT_TRUE(waitFor([this] { return !dialog.job().isAtWork(); }));
+  }
+  void open(const QString& path) {
+    dialogs.importPath = path;
+    QTest::mouseClick(dialog.findChild<QPushButton*>(QStringLiteral("open check files")), Qt::LeftButton);
+    settle();
+  }
+  QString cell(int row, int column) {
+    return dialog.findChild<DataTable*>()->model()->index(row, column).data().toString();
+  }
+  int rows() { return dialog.findChild<DataTable*>()->model()->rowCount(); }
+  std::string said() { return dialog.said().toStdString(); }
+
+  ScriptedDialogs dialogs;
+  InstrumentDialog dialog{dialogs};
+};
+
+TEST(InstrumentDialog, ShowsWhatAFileOfTwoStationsSays) {
+  CheckBench bench;
+  EXPECT_THAT(bench.said(), HasSubstr("Half an hour"));
+  bench.open(samplePath(sample));
+  ASSERT_EQ(bench.rows(), 3);
+  EXPECT_EQ(bench.cell(0, 0), QStringLiteral("P1"));
+  EXPECT_EQ(bench.cell(0, 1), QStringLiteral("4 × 5"));
+  EXPECT_TRUE(bench.cell(2, 2).endsWith(QStringLiteral("(24)"))) << bench.cell(2, 2).toStdString();
+  EXPECT_THAT(bench.said(), HasSubstr("goes with 1/D"));
+  EXPECT_EQ(bench.dialog.chart().plot()->markers().marks().size(), 16U) << "c and index of eight rounds";
+  bench.dialog.chart().setView(CheckPlot::View::Residuals);
+  EXPECT_EQ(bench.dialog.chart().plot()->markers().marks().size(), 80U);
+  bench.dialog.chart().setView(CheckPlot::View::Distance);
+  EXPECT_EQ(bench.dialog.chart().plot()->markers().marks().size(), 10U);
+  EXPECT_FALSE(bench.dialog.chart()
+                   .plot()
+                   ->describe(bench.dialog.chart().plot()->markers().marks().front())
+                   .isEmpty());
+}
+
+TEST(InstrumentDialog, ChecksRowsAsTheyArePasted) {
+  CheckBench bench;
+  QApplication::clipboard()->setText(
+      QStringLiteral("target\tHz [gon]\tV [gon]\n"
+                     "A\t10.0010\t98\nB\t60.0000\t99\nB\t260.0010\t301.0010\nA\t210.0020\t302.0020\n"
+                     "A\t10.0020\t98.0010\nB\t60.0020\t99\nB\t260.0030\t301.0020\nA\t210.0020\t302.0020\n"));
+  bench.dialog.input().table().paste();
+  bench.settle();
+  ASSERT_EQ(bench.rows(), 1);
+  EXPECT_EQ(bench.cell(0, 1), QStringLiteral("2 × 2"));
+  EXPECT_TRUE(bench.cell(0, 2).endsWith(QStringLiteral("(1)")));
+  CheckRowsModel& rows = bench.dialog.input().table().rows();
+  EXPECT_EQ(rows.rowCount(), 9) << "and the empty one";
+  rows.setData(rows.index(2, 5), QStringLiteral("88°71'"), Qt::EditRole);
+  bench.settle();
+  EXPECT_EQ(bench.rows(), 0);
+  EXPECT_THAT(bench.said(), HasSubstr("line 3: "));
+  rows.setData(rows.index(2, 5), QStringLiteral("301.0010gon"), Qt::EditRole);
+  bench.settle();
+  EXPECT_EQ(bench.rows(), 1);
+}
+
+TEST(InstrumentDialog, TestsAgainstWhatIsStated) {
+  CheckBench bench;
+  bench.open(samplePath(sample));
+  bench.dialog.findChild<QDoubleSpinBox*>()->setValue(0.2);
+  bench.settle();
+  EXPECT_THAT(bench.said(), HasSubstr("is larger than the stated 0.2″"));
+}
+
+TEST(InstrumentDialog, WritesWhatTheConsolePrints) {
+  CheckBench bench;
+  bench.open(samplePath(sample));
+  const QTemporaryDir folder;
+  bench.dialogs.exportPath = folder.filePath(QStringLiteral("check.json"));
+  ASSERT_TRUE(bench.dialog.exportJson());
+  EXPECT_TRUE(bench.dialogs.exportSuggested.endsWith(QStringLiteral("instrument-check-check.json")));
+  QFile file(bench.dialogs.exportPath);
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  const auto json = nlohmann::ordered_json::parse(file.readAll().toStdString());
+  EXPECT_EQ(json["pooled"]["dof_direction"], 24);
+  bench.dialogs.exportPath = samplePath(sample);
+  EXPECT_FALSE(bench.dialog.exportCsv()) << "over what was read";
+  EXPECT_EQ(bench.dialogs.problems.size(), 1);
+}
+
+TEST(InstrumentDialog, SavesWhatSessionsMayTake) {
+  CheckBench bench;
+  bench.open(samplePath(sample));
+  const QTemporaryDir folder;
+  bench.dialogs.exportPath = folder.filePath(QStringLiteral("t2.alidade-instrument"));
+  ASSERT_TRUE(bench.dialog.saveRecord());
+  EXPECT_TRUE(bench.dialogs.exportSuggested.endsWith(QStringLiteral("/123456.alidade-instrument")));
+  QFile file(bench.dialogs.exportPath);
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  const auto record = nlohmann::ordered_json::parse(file.readAll().toStdString());
+  EXPECT_EQ(record["format"], "alidade-instrument");
+  EXPECT_EQ(record["serial"], "123456");
+  EXPECT_EQ(record["date"], "2026-03-14");
+  EXPECT_EQ(record["known"].size(), 3U);
+}
+
+TEST(InstrumentDialog, TellsWhatCannotBeRead) {
+  CheckBench bench;
+  bench.open(samplePath(QStringLiteral("paper-table-1.alidade")));
+  EXPECT_EQ(bench.dialogs.problems.size(), 1);
+  EXPECT_FALSE(bench.dialog.input().hasFiles());
+}
+
+TEST(InstrumentDialog, OpensFromTheMenuAndNamesEveryControl) {
+  OpenWindow open;
+  open->showInstrumentCheck();
+  auto* dialog = open->findChild<InstrumentDialog*>();
+  ASSERT_TRUE(dialog && dialog->isVisible());
+  for (QTabWidget* tabs : dialog->findChildren<QTabWidget*>())
+    for (int page = 0; page < tabs->count(); ++page) {
+      tabs->setCurrentIndex(page);
+      QCoreApplication::processEvents();
+      for (QWidget* widget : dialog->findChildren<QWidget*>()) {
+        if (!widget->isVisible() || !(widget->focusPolicy() & Qt::TabFocus) || widget->focusProxy()) continue;
+        QAccessibleInterface* spoken = QAccessible::queryAccessibleInterface(widget);
+        EXPECT_TRUE(spoken && !spoken->text(QAccessible::Name).isEmpty())
+            << widget->metaObject()->className() << " " << widget->objectName().toStdString();
+      }
+    }
+}
+
+}  // namespace
+}  // namespace alidade::ui

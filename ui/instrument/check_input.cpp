@@ -1,0 +1,164 @@
+#include "ui/instrument/check_input.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QListWidget>
+#include <QPushButton>
+#include <QTabWidget>
+#include <QVBoxLayout>
+
+#include "ui/dialogs/dialogs.h"
+#include "ui/dialogs/in_background.h"
+#include "ui/import/import_source.h"
+#include "ui/instrument/check_rows_table.h"
+#include "ui/text/entry_text.h"
+#include "ui/text/visible_text.h"
+
+namespace alidade::ui {
+
+namespace {
+
+QDoubleSpinBox* sigmaBox() {
+  auto* box = new QDoubleSpinBox;
+  box->setDecimals(2);
+  box->setRange(0, 999);
+  box->setSingleStep(0.5);
+  box->setSuffix(QStringLiteral("″"));
+  box->setSpecialValueText(CheckInput::tr("not stated"));
+  box->setKeyboardTracking(false);
+  box->setToolTip(
+      CheckInput::tr("Of a value observed once in both faces, as in a data sheet after ISO 17123-3"));
+  return box;
+}
+
+std::optional<double> statedOf(const QDoubleSpinBox& box) {
+  return box.value() > 0 ? std::optional(box.value()) : std::nullopt;
+}
+
+}  // namespace
+
+CheckInput::CheckInput(Dialogs& dialogs, QWidget* parent)
+    : QWidget(parent), m_dialogs(dialogs), m_tabs(new QTabWidget), m_table(new CheckRowsTable) {
+  m_tabs->addTab(createFiles(), tr("&Files"));
+  m_tabs->addTab(m_table, tr("&Rows Typed"));
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(m_tabs, 1);
+  layout->addWidget(createForm(), 0);
+  connect(&m_table->rows(), &CheckRowsModel::edited, this, &CheckInput::changed);
+  for (QDoubleSpinBox* box : {m_sigmaDirection, m_sigmaVertical})
+    connect(box, &QDoubleSpinBox::valueChanged, this, &CheckInput::changed);
+  for (QComboBox* box : {m_unit, m_circle})
+    connect(box, &QComboBox::currentIndexChanged, this, &CheckInput::changed);
+  showButtons();
+}
+
+QWidget* CheckInput::createFiles() {
+  m_list = new QListWidget;
+  m_list->setAccessibleName(tr("Files of readings"));
+  m_list->setSelectionMode(QAbstractItemView::ExtendedSelection);
+  m_add = new QPushButton(tr("&Open Files…"));
+  m_add->setObjectName(QStringLiteral("open check files"));
+  m_remove = new QPushButton(tr("R&emove"));
+  auto* files = new QWidget;
+  auto* layout = new QHBoxLayout(files);
+  layout->addWidget(m_list, 1);
+  auto* buttons = new QVBoxLayout;
+  buttons->addWidget(m_add);
+  buttons->addWidget(m_remove);
+  buttons->addStretch();
+  layout->addLayout(buttons);
+  connect(m_add, &QPushButton::clicked, this, &CheckInput::chooseFiles);
+  connect(m_remove, &QPushButton::clicked, this, &CheckInput::removeFiles);
+  connect(m_list, &QListWidget::itemSelectionChanged, this, &CheckInput::showButtons);
+  return files;
+}
+
+QWidget* CheckInput::createForm() {
+  m_sigmaDirection = sigmaBox();
+  m_sigmaVertical = sigmaBox();
+  m_unit = new QComboBox;
+  m_unit->addItem(tr("as both faces add up"), static_cast<int>(AngleUnit::Unstated));
+  m_unit->addItem(tr("decimal degrees"), static_cast<int>(AngleUnit::Degrees));
+  m_unit->addItem(tr("gon"), static_cast<int>(AngleUnit::Gon));
+  m_unit->addItem(tr("degrees.minutes seconds"), static_cast<int>(AngleUnit::Dms));
+  m_circle = new QComboBox;
+  m_circle->addItem(tr("as read"), QString());
+  m_circle->addItem(tr("zenith angles"), QStringLiteral("zenith"));
+  m_circle->addItem(tr("elevations"), QStringLiteral("elevation"));
+  for (QComboBox* box : {m_unit, m_circle}) {
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box->setMinimumContentsLength(16);
+  }
+  auto* widget = new QWidget;
+  auto* form = new QFormLayout(widget);
+  form->setContentsMargins(8, 4, 0, 0);
+  form->addRow(tr("σ of a &direction:"), m_sigmaDirection);
+  form->addRow(tr("σ of a &zenith angle:"), m_sigmaVertical);
+  form->addRow(tr("&Plain numbers:"), m_unit);
+  form->addRow(tr("&Vertical circle:"), m_circle);
+  return widget;
+}
+
+void CheckInput::chooseFiles() {
+  const QString folder = m_files.empty() ? QString() : QFileInfo(m_files.back().path).absolutePath();
+  addFiles(m_dialogs.askImportPaths(folder));
+}
+
+void CheckInput::addFiles(const QStringList& paths) {
+  if (paths.isEmpty()) return;
+  const auto sources = inBackground<Result<std::vector<ImportSource>>>(
+      *m_dialogs.busy(tr("Reading the files…")),
+      [paths](const std::stop_token&) { return readSources(paths); });
+  if (!sources) return;
+  if (!*sources) return m_dialogs.showProblem(tr("Instrument check"), visibleLine(sources->problem().text()));
+  for (std::size_t i = 0; i < (*sources)->size(); ++i) {
+    const ImportSource& source = (**sources)[i];
+    m_files.push_back({paths.value(static_cast<int>(i)), source.name, source.bytes});
+    m_list->addItem(visibleLine(source.name));
+  }
+  emit changed();
+}
+
+void CheckInput::removeFiles() {
+  for (int row = m_list->count() - 1; row >= 0; --row)
+    if (m_list->item(row)->isSelected()) {
+      m_files.erase(m_files.begin() + row);
+      delete m_list->takeItem(row);
+    }
+  showButtons();
+  emit changed();
+}
+
+void CheckInput::showButtons() {
+  m_remove->setEnabled(!m_list->selectedItems().isEmpty());
+}
+
+bool CheckInput::hasFiles() const {
+  return !m_files.empty();
+}
+
+QStringList CheckInput::paths() const {
+  QStringList paths;
+  for (const OpenFile& file : m_files) paths.append(file.path);
+  return paths;
+}
+
+InstrumentQuestion CheckInput::question() const {
+  InstrumentQuestion question;
+  for (const OpenFile& file : m_files) question.sources.push_back({file.name.toStdString(), file.bytes});
+  const CheckRowsModel& rows = m_table->rows();
+  if (!rows.isEmpty())
+    question.sources.push_back({tr("typed").toStdString(), std::make_shared<const std::string>(rows.csv()),
+                                CheckRowsModel::layout()});
+  question.reading.unit = static_cast<AngleUnit>(m_unit->currentData().toInt());
+  question.reading.verticalCircle = m_circle->currentData().toString().toStdString();
+  question.stated.sigmaDirection = statedOf(*m_sigmaDirection);
+  question.stated.sigmaVertical = statedOf(*m_sigmaVertical);
+  return question;
+}
+
+}  // namespace alidade::ui

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <QWidget>
+
+#include "ui/jobs/instrument_job.h"
+
+class QComboBox;
+class QDoubleSpinBox;
+class QListWidget;
+class QPushButton;
+class QTabWidget;
+
+namespace alidade::ui {
+
+class CheckRowsTable;
+class Dialogs;
+
+/// What an instrument is checked with: files, rows typed or pasted, what is stated of it, and how plain
+/// numbers are to be taken.
+class CheckInput : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit CheckInput(Dialogs& dialogs, QWidget* parent = nullptr);
+
+  InstrumentQuestion question() const;
+  bool hasFiles() const;
+  /// Adds files; tells where one cannot be read.
+  void addFiles(const QStringList& paths);
+  CheckRowsTable& table() { return *m_table; }
+  QStringList paths() const;  ///< of the files
+
+ signals:
+  void changed();
+
+ private:
+  QWidget* createFiles();
+  QWidget* createForm();
+  void chooseFiles();
+  void removeFiles();
+  void showButtons();
+
+  struct OpenFile {
+    QString path, name;
+    std::shared_ptr<const std::string> bytes;
+  };
+
+  Dialogs& m_dialogs;
+  std::vector<OpenFile> m_files;
+  QTabWidget* m_tabs;
+  QListWidget* m_list;
+  QPushButton *m_add, *m_remove;
+  CheckRowsTable* m_table;
+  QDoubleSpinBox *m_sigmaDirection, *m_sigmaVertical;
+  QComboBox *m_unit, *m_circle;
+};
+
+}  // namespace alidade::ui

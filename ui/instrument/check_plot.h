@@ -1,0 +1,65 @@
+#pragma once
+
+#include <QtCharts/QLineSeries>
+#include <vector>
+
+#include "ui/charts/plotting/plot.h"
+#include "ui/jobs/instrument_job.h"
+
+namespace alidade::ui {
+
+/// What an instrument check found, as points: the course of collimation, index and orientation over the
+/// rounds of all stations one after the other, the residuals of every pair, or the collimation of each target
+/// over its distance. Filled, hollow and the shapes stay apart in grey.
+class CheckPlot : public Plot {
+  Q_OBJECT
+
+ public:
+  enum class View { Course, Residuals, Distance };
+
+  explicit CheckPlot(QObject* parent = nullptr);
+
+  /// The check of an instrument has nothing to do with a session.
+  void setEvaluation(const Evaluation&) override {}
+  void setCheck(const SharedInstrument& check);
+  void setView(View view);
+  View view() const { return m_view; }
+
+  QString describe(const Mark& mark) const override;
+  QString summary() const override;
+  QString standard() const override;
+  std::string csv() const override;
+
+ protected:
+  void applyStyle() override;
+  QRectF axisRange(const QSizeF& plotArea) const override;
+  void placeExtras() override;
+
+ private:
+  enum class Kind { Collimation, Index, Orientation, Direction, Zenith };
+  /// One point, and what it is of.
+  struct Point {
+    double x, y;
+    Kind kind;
+    const StationCheck* station;
+    std::size_t round, target;  ///< a course is of no target, a distance of no round
+  };
+
+  void draw();
+  void addCourse(const StationCheck& station, std::size_t before);
+  void addResiduals(const StationCheck& station, std::size_t before);
+  void addDistances(const StationCheck& station);
+  void add(Point point);
+  void showTitles();
+  void showLegend();
+  QString nameOf(Kind kind) const;
+  Marker markerOf(Kind kind) const;
+
+  SharedInstrument m_check;
+  View m_view = View::Course;
+  std::vector<Point> m_points;
+  QRectF m_extent{0, -1, 1, 2};
+  QLineSeries* m_zero;  // owned by the chart
+};
+
+}  // namespace alidade::ui

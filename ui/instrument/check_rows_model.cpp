@@ -1,0 +1,151 @@
+#include "ui/instrument/check_rows_model.h"
+
+#include <algorithm>
+
+#include "core/base/limits.h"
+#include "core/exchange/csv_text.h"
+#include "ui/text/visible_text.h"
+
+namespace alidade::ui {
+
+namespace {
+
+constexpr const char* keys[CheckRowsModel::columns] = {"station",    "round",    "point",   "face",
+                                                       "horizontal", "vertical", "distance"};
+constexpr int firstAngle = 4, lastAngle = 5;
+
+QStringList blankRow() {
+  QStringList row;
+  for (int i = 0; i < CheckRowsModel::columns; ++i) row.append(QString());
+  return row;
+}
+
+bool isBlankRow(const QStringList& row) {
+  return std::all_of(row.begin(), row.end(), [](const QString& cell) { return cell.isEmpty(); });
+}
+
+}  // namespace
+
+CheckRowsModel::CheckRowsModel(QObject* parent) : QAbstractTableModel(parent), m_rows{blankRow()} {}
+
+TableLayout CheckRowsModel::layout() {
+  TableLayout layout;
+  layout.separator = ',';
+  layout.headRows = 0;
+  for (const char* key : keys) layout.columns.emplace_back(key);
+  return layout;
+}
+
+std::string CheckRowsModel::csv() const {
+  CsvText csv{"station"};  // its first line is left off below
+  const std::size_t head = csv.text().size();
+  for (const QStringList& row : m_rows) {
+    for (const QString& cell : row) csv.typed(cell.toStdString());
+    csv.endRow();
+  }
+  return csv.text().substr(head);
+}
+
+void CheckRowsModel::put(int row, int column, const QString& text) {
+  if (column < 0 || column >= columns) return;
+  while (static_cast<int>(m_rows.size()) <= row) m_rows.push_back(blankRow());
+  m_rows[static_cast<std::size_t>(row)][column] = text.trimmed();
+}
+
+/// One empty row at the end, and no more.
+void CheckRowsModel::tidy() {
+  while (!m_rows.empty() && isBlankRow(m_rows.back())) m_rows.pop_back();
+  m_rows.push_back(blankRow());
+}
+
+void CheckRowsModel::paste(const ReadingBlock& block, int row, int column) {
+  if (block.isEmpty()) return;
+  std::vector<std::string> names;
+  for (const QString& cell : block.first()) names.push_back(cell.toStdString());
+  const bool isNamed = block.size() > 1 && areColumnNames(names);
+  std::vector<int> into;
+  std::vector<AngleUnit> units;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const ColumnName name = isNamed ? columnName(names[i]) : ColumnName{};
+    const auto* const known =
+        name.column ? std::find(std::begin(keys), std::end(keys), name.column->key()) : std::end(keys);
+    into.push_back(isNamed ? (known == std::end(keys) ? -1 : static_cast<int>(known - std::begin(keys)))
+                           : column + static_cast<int>(i));
+    units.push_back(name.unit);
+  }
+  beginResetModel();
+  for (qsizetype i = isNamed ? 1 : 0; i < block.size() && m_rows.size() < limits::mostRows; ++i, ++row)
+    for (qsizetype j = 0; j < block[i].size(); ++j) {
+      const auto at = static_cast<std::size_t>(j);
+      const int to = at < into.size() ? into[at] : isNamed ? -1 : column + static_cast<int>(j);
+      const bool isAngle = at < units.size() && to >= firstAngle && to <= lastAngle;
+      put(row, to,
+          isAngle ? QString::fromStdString(withUnit(block[i][j].toStdString(), units[at])) : block[i][j]);
+    }
+  tidy();
+  endResetModel();
+  emit edited();
+}
+
+void CheckRowsModel::clear(const QModelIndexList& cells) {
+  if (cells.isEmpty()) return;
+  beginResetModel();
+  for (const QModelIndex& cell : cells) put(cell.row(), cell.column(), {});
+  std::erase_if(m_rows, isBlankRow);
+  tidy();
+  endResetModel();
+  emit edited();
+}
+
+int CheckRowsModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
+}
+
+int CheckRowsModel::columnCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : columns;
+}
+
+QVariant CheckRowsModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid()) return {};
+  const QString& text = m_rows[static_cast<std::size_t>(index.row())][index.column()];
+  if (role == Qt::DisplayRole) return visibleLine(text);
+  if (role == Qt::EditRole) return text;
+  if (role == Qt::TextAlignmentRole && index.column() >= firstAngle)
+    return QVariant(Qt::AlignRight | Qt::AlignVCenter);
+  return {};
+}
+
+QVariant CheckRowsModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation == Qt::Vertical) return role == Qt::DisplayRole ? QVariant(section + 1) : QVariant();
+  const QString titles[columns] = {tr("Station"),    tr("Round"),    tr("Target"),      tr("Face"),
+                                   tr("Horizontal"), tr("Vertical"), tr("Distance (m)")};
+  const QString tips[columns] = {tr("Empty: one station"),
+                                 tr("Empty: as targets come again"),
+                                 tr("Any name, the same in both faces and all rounds"),
+                                 tr("Empty: as the vertical circle shows"),
+                                 tr("341°52′24″, 341 52 24, 379.859gon, or numbers in the unit stated"),
+                                 tr("Zenith angle, likewise"),
+                                 tr("Along the line of sight; may be empty")};
+  if (role == Qt::DisplayRole) return titles[section];
+  return role == Qt::ToolTipRole ? QVariant(tips[section]) : QVariant();
+}
+
+Qt::ItemFlags CheckRowsModel::flags(const QModelIndex& index) const {
+  if (!index.isValid()) return {};
+  return Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsEditable | Qt::ItemNeverHasChildren;
+}
+
+bool CheckRowsModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+  if (!index.isValid() || role != Qt::EditRole || data(index, Qt::EditRole) == value) return false;
+  put(index.row(), index.column(), value.toString());
+  emit dataChanged(index, index);
+  if (index.row() + 1 == rowCount() && !isBlankRow(m_rows.back())) {
+    beginInsertRows({}, rowCount(), rowCount());
+    m_rows.push_back(blankRow());
+    endInsertRows();
+  }
+  emit edited();
+  return true;
+}
+
+}  // namespace alidade::ui

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <QAbstractTableModel>
+#include <QStringList>
+#include <string>
+#include <vector>
+
+#include "core/exchange/table_layout.h"
+#include "ui/commands/reading_block.h"
+
+namespace alidade::ui {
+
+/// Rows of an instrument check as they are typed: station, round, target, face, both circles, distance. There
+/// is always an empty row to go on in.
+class CheckRowsModel : public QAbstractTableModel {
+  Q_OBJECT
+
+ public:
+  explicit CheckRowsModel(QObject* parent = nullptr);
+
+  static constexpr int columns = 7;
+  /// What they hold, in turn, and that no row names them.
+  static TableLayout layout();
+
+  bool isEmpty() const { return m_rows.size() == 1; }
+  std::string csv() const;  ///< line by line the rows; what stands in none of them is left out
+
+  /// Into the cells from this one on; further rows are added. A block whose first row names columns goes
+  /// where the names say.
+  void paste(const ReadingBlock& block, int row, int column);
+  void clear(const QModelIndexList& cells);  ///< rows that are empty then go
+
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+  Qt::ItemFlags flags(const QModelIndex& index) const override;
+  bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+
+ signals:
+  void edited();
+
+ private:
+  void put(int row, int column, const QString& text);
+  void tidy();
+
+  std::vector<QStringList> m_rows;
+};
+
+}  // namespace alidade::ui

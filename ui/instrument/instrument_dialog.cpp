@@ -1,0 +1,191 @@
+#include "ui/instrument/instrument_dialog.h"
+
+#include <QComboBox>
+#include <QDate>
+#include <QDir>
+#include <QEvent>
+#include <QFileInfo>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSplitter>
+#include <QVBoxLayout>
+
+#include "core/base/atomic_file.h"
+#include "core/series/instrument_check/check_record.h"
+#include "core/series/instrument_check/instrument_json.h"
+#include "core/session/entry.h"
+#include "ui/dialogs/dialogs.h"
+#include "ui/instrument/check_chart.h"
+#include "ui/instrument/check_input.h"
+#include "ui/instrument/check_table.h"
+#include "ui/panels/parts/figure_grid.h"
+#include "ui/settings/theme.h"
+#include "ui/text/effect_text.h"
+#include "ui/text/encoded_path.h"
+#include "ui/text/entry_text.h"
+#include "ui/text/visible_text.h"
+
+namespace alidade::ui {
+
+InstrumentDialog::InstrumentDialog(Dialogs& dialogs, QWidget* parent)
+    : QDialog(parent), m_dialogs(dialogs), m_input(new CheckInput(dialogs)), m_problem(wrappedLabel()) {
+  setWindowTitle(tr("Instrument Check"));
+  auto* parts = new QSplitter(Qt::Vertical);
+  parts->addWidget(m_input);
+  parts->addWidget(createResult());
+  parts->setStretchFactor(1, 1);
+  parts->setChildrenCollapsible(false);
+  auto* layout = new QVBoxLayout(this);
+  layout->addWidget(parts, 1);
+  layout->addWidget(createButtons());
+  resize(980, 640);
+  connect(m_input, &CheckInput::changed, this, [this] { m_job.ask(m_input->question()); });
+  connect(&m_job, &InstrumentJob::checked, this, &InstrumentDialog::take);
+  take(std::make_shared<const CheckedInstrument>());
+}
+
+QWidget* InstrumentDialog::createResult() {
+  m_table = new CheckTable;
+  m_said = wrappedLabel();
+  m_said->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  m_said->setContentsMargins(2, 2, 6, 2);
+  auto* says = new QScrollArea;
+  says->setWidget(m_said);
+  says->setWidgetResizable(true);
+  says->setFrameShape(QFrame::NoFrame);
+  says->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  says->setAccessibleName(tr("What the check says"));
+  m_chart = new CheckChart;
+  m_view = new QComboBox;
+  m_view->addItem(tr("Course over the rounds"), static_cast<int>(CheckPlot::View::Course));
+  m_view->addItem(tr("Residuals"), static_cast<int>(CheckPlot::View::Residuals));
+  m_view->addItem(tr("Collimation over the distance"), static_cast<int>(CheckPlot::View::Distance));
+  m_view->setAccessibleName(tr("What is drawn"));
+  connect(m_view, &QComboBox::currentIndexChanged, this,
+          [this] { m_chart->setView(static_cast<CheckPlot::View>(m_view->currentData().toInt())); });
+  auto* drawn = new QWidget;
+  auto* column = new QVBoxLayout(drawn);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(m_view, 0, Qt::AlignLeft);
+  column->addWidget(m_chart, 1);
+  auto* below = new QSplitter;
+  below->addWidget(says);
+  below->addWidget(drawn);
+  below->setChildrenCollapsible(false);
+  below->setSizes({430, 530});
+  auto* result = new QWidget;
+  auto* layout = new QVBoxLayout(result);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(m_problem);
+  layout->addWidget(m_table, 1);
+  layout->addWidget(below, 3);
+  return result;
+}
+
+QWidget* InstrumentDialog::createButtons() {
+  auto* row = new QWidget;
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(0, 6, 0, 0);
+  const auto add = [&](const QString& text, const char* name) {
+    auto* button = new QPushButton(text);
+    button->setObjectName(QString::fromLatin1(name));
+    button->setAutoDefault(false);
+    layout->addWidget(button);
+    return button;
+  };
+  m_json = add(tr("Export &JSON…"), "export check json");
+  m_csv = add(tr("Export &CSV…"), "export check csv");
+  m_record = add(tr("&Save as Instrument Record…"), "save check record");
+  m_record->setToolTip(tr("Collimation, index, tilt and σ of the circles, for sessions to take"));
+  layout->addStretch();
+  auto* close = add(tr("Close"), "close");
+  connect(m_json, &QPushButton::clicked, this, &InstrumentDialog::exportJson);
+  connect(m_csv, &QPushButton::clicked, this, &InstrumentDialog::exportCsv);
+  connect(m_record, &QPushButton::clicked, this, &InstrumentDialog::saveRecord);
+  connect(close, &QPushButton::clicked, this, &QDialog::close);
+  return row;
+}
+
+void InstrumentDialog::take(const SharedInstrument& answer) {
+  m_answer = answer;
+  m_problem->setText(visibleLine(answer->problem));
+  m_problem->setVisible(!answer->problem.empty());
+  colorProblem();
+  QStringList sentences;
+  for (const Finding& finding : answer->findings)
+    sentences.append(
+        (finding.severity == Severity::Note ? QString() : QStringLiteral("⚠ ")) +
+        visibleLine(finding.remedy.empty() ? finding.text : finding.text + " " + finding.remedy));
+  for (const std::string& remark : answer->remarks) sentences.append(capitalised(visibleLine(remark)) + u'.');
+  const bool isEmpty = !answer->check && answer->problem.empty();
+  m_said->setText(
+      isEmpty
+          ? tr("Rounds to several targets, each in both faces, show how far a direction and a zenith angle "
+               "scatter, and collimation, index and tilt of the trunnion axis. Half an hour, worth it before "
+               "a "
+               "series and after a transport. Three rounds to four targets spread around the horizon, one of "
+               "them steep, at distances like those of the work.")
+          : sentences.join(QStringLiteral("\n\n")));
+  m_table->setCheck(answer);
+  m_chart->setCheck(answer);
+  m_json->setEnabled(answer->check.has_value());
+  m_csv->setEnabled(answer->check.has_value());
+  m_record->setEnabled(answer->check && answer->check->index.u > 0);
+}
+
+QString InstrumentDialog::said() const {
+  return m_problem->isHidden() ? m_said->text() : m_problem->text();
+}
+
+void InstrumentDialog::colorProblem() {
+  QPalette colored = palette();
+  colored.setColor(QPalette::WindowText, stateColor(palette(), State::Bad));
+  m_problem->setPalette(colored);
+}
+
+void InstrumentDialog::changeEvent(QEvent* event) {
+  QDialog::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) colorProblem();
+}
+
+bool InstrumentDialog::exportJson() {
+  return write(tr("Export instrument check"), checkName(), QStringLiteral("json"),
+               instrumentJson(*m_answer->check, m_answer->findings, m_answer->remarks));
+}
+
+bool InstrumentDialog::exportCsv() {
+  return write(tr("Export residuals of the check"), checkName(), QStringLiteral("csv"),
+               instrumentCsv(*m_answer->check));
+}
+
+/// Of the day of the readings, or of today where no file says it.
+bool InstrumentDialog::saveRecord() {
+  std::string date = m_answer->measuredOn;
+  if (date.empty() || dateProblem(date)) date = QDate::currentDate().toString(Qt::ISODate).toStdString();
+  const QString name = m_answer->instrumentSerial.empty() ? checkName() : qText(m_answer->instrumentSerial);
+  return write(tr("Save instrument record"), name, QStringLiteral("alidade-instrument"),
+               checkedRecord(*m_answer->check, m_answer->instrumentName, m_answer->instrumentSerial, date));
+}
+
+QString InstrumentDialog::checkName() const {
+  const QStringList paths = m_input->paths();
+  const QString name =
+      paths.isEmpty() ? QStringLiteral("instrument") : QFileInfo(paths.first()).completeBaseName();
+  return name + QStringLiteral("-check");
+}
+
+bool InstrumentDialog::write(const QString& title, const QString& name, const QString& suffix,
+                             const std::string& bytes) {
+  const QStringList paths = m_input->paths();
+  const QDir folder = paths.isEmpty() ? QDir::home() : QFileInfo(paths.first()).absoluteDir();
+  const QString path = m_dialogs.askExportPath(title, folder.filePath(name + u'.' + suffix), suffix);
+  if (path.isEmpty()) return false;
+  std::vector<std::string> inputs;
+  for (const QString& input : paths) inputs.push_back(encodedPath(input));
+  const auto problem = writeFile(encodedPath(path), bytes, inputs);
+  if (problem) m_dialogs.showProblem(title, visibleLine(problem->text()));
+  return !problem;
+}
+
+}  // namespace alidade::ui

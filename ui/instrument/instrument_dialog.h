@@ -1,0 +1,57 @@
+#pragma once
+
+#include <QDialog>
+
+#include "ui/jobs/instrument_job.h"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+
+namespace alidade::ui {
+
+class CheckChart;
+class CheckInput;
+class CheckTable;
+class Dialogs;
+
+/// The field check of an instrument after ISO 17123-3: what it is checked with above, what comes of it below,
+/// as it is typed.
+class InstrumentDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  explicit InstrumentDialog(Dialogs& dialogs, QWidget* parent = nullptr);
+
+  CheckInput& input() { return *m_input; }
+  CheckChart& chart() { return *m_chart; }
+  InstrumentJob& job() { return m_job; }
+  QString said() const;  ///< the sentences that stand there
+
+  bool exportJson();
+  bool exportCsv();
+  bool saveRecord();  ///< as an instrument record, for sessions to come
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  QWidget* createResult();
+  QWidget* createButtons();
+  void take(const SharedInstrument& answer);
+  void colorProblem();
+  QString checkName() const;
+  bool write(const QString& title, const QString& name, const QString& suffix, const std::string& bytes);
+
+  Dialogs& m_dialogs;
+  InstrumentJob m_job;
+  SharedInstrument m_answer;
+  CheckInput* m_input;
+  CheckTable* m_table;
+  CheckChart* m_chart;
+  QComboBox* m_view;
+  QLabel *m_problem, *m_said;
+  QPushButton *m_json, *m_csv, *m_record;
+};
+
+}  // namespace alidade::ui

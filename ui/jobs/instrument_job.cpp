@@ -1,0 +1,56 @@
+#include "ui/jobs/instrument_job.h"
+
+#include <utility>
+
+#include "core/series/instrument_check/check_findings.h"
+#include "ui/jobs/failed_job.h"
+
+namespace alidade::ui {
+
+CheckedInstrument checkInstrument(const InstrumentQuestion& question) {
+  CheckedInstrument answer;
+  std::vector<CheckFile> files;
+  for (const InstrumentQuestion::Source& source : question.sources)
+    files.push_back({source.name, *source.bytes, source.table});
+  if (files.empty()) return answer;
+  const Result<CheckReadings> readings = readCheckFiles(files, question.reading);
+  if (!readings) {
+    answer.problem = readings.problem().text();
+    return answer;
+  }
+  answer.check = alidade::checkInstrument(completeRounds(*readings), question.stated);
+  answer.findings = checkFindings(*answer.check);
+  answer.remarks = readings->remarks;
+  answer.instrumentName = readings->instrumentName;
+  answer.instrumentSerial = readings->instrumentSerial;
+  answer.measuredOn = readings->measuredOn;
+  return answer;
+}
+
+InstrumentJob::InstrumentJob(QObject* parent)
+    : QObject(parent), m_work([this](const SharedInstrument& answer) {
+        if (!m_next) {
+          emit checked(answer);
+          return;
+        }
+        InstrumentQuestion next = *std::exchange(m_next, std::nullopt);
+        start(std::move(next));
+      }) {}
+
+void InstrumentJob::ask(InstrumentQuestion question) {
+  if (m_work.isAtWork())
+    m_next = std::move(question);
+  else
+    start(std::move(question));
+}
+
+void InstrumentJob::start(InstrumentQuestion question) {
+  m_work.start([question = std::move(question)](const std::stop_token&) { return checkInstrument(question); },
+               [](const std::string& reason) {
+                 CheckedInstrument failed;
+                 failed.problem = tellFailure({QT_TRANSLATE_NOOP("Job", "instrument check"), reason});
+                 return failed;
+               });
+}
+
+}  // namespace alidade::ui

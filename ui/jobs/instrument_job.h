@@ -1,0 +1,61 @@
+#pragma once
+
+#include <QObject>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/finding.h"
+#include "core/series/instrument_check/check_files.h"
+#include "core/series/instrument_check/instrument_check.h"
+#include "ui/jobs/background.h"
+
+namespace alidade::ui {
+
+/// What an instrument is to be checked with.
+struct InstrumentQuestion {
+  struct Source {
+    std::string name;
+    std::shared_ptr<const std::string> bytes;
+    std::optional<TableLayout> table = {};  ///< of typed rows
+  };
+  std::vector<Source> sources;
+  CheckFileOptions reading;
+  CheckOptions stated;
+};
+
+struct CheckedInstrument {
+  std::optional<InstrumentCheck> check;
+  std::vector<Finding> findings;
+  std::vector<std::string> remarks;
+  std::string instrumentName, instrumentSerial, measuredOn;
+  std::string problem;  ///< why there is no check; empty with one, and where there is nothing to check
+};
+
+using SharedInstrument = std::shared_ptr<const CheckedInstrument>;
+
+/// In the calling thread.
+CheckedInstrument checkInstrument(const InstrumentQuestion& question);
+
+/// Checks in the background; the newest question counts.
+class InstrumentJob : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit InstrumentJob(QObject* parent = nullptr);
+
+  void ask(InstrumentQuestion question);
+  bool isAtWork() const { return m_work.isAtWork(); }
+
+ signals:
+  void checked(const alidade::ui::SharedInstrument& answer);
+
+ private:
+  void start(InstrumentQuestion question);
+
+  std::optional<InstrumentQuestion> m_next;  ///< asked while another is at work
+  Background<CheckedInstrument> m_work;
+};
+
+}  // namespace alidade::ui

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <QString>
+
+namespace alidade::ui {
+
+/// What a screen reader says in a cell: what it shows, or that the column named `title` is empty there.
+QString spokenCell(const QString& shown, const QString& title);
+
+}  // namespace alidade::ui
