@@ -1182,6 +1182,10 @@ Sealed by:</source>
         <source>instrument check</source>
         <translation>仪器检查</translation>
     </message>
+    <message>
+        <source>series</source>
+        <translation>系列</translation>
+    </message>
 </context>
 <context>
     <name>Known</name>
@@ -4007,103 +4011,103 @@ Sealed by:</source>
     </message>
     <message>
         <source>the other sessions of the series</source>
-        <translation type="unfinished"></translation>
+        <translation>系列中的其余会话</translation>
     </message>
     <message>
         <source>%1 of instrument %2</source>
-        <translation type="unfinished"></translation>
+        <translation>仪器 %2 的%1</translation>
     </message>
     <message>
         <source>%1 of guideway %2</source>
-        <translation type="unfinished"></translation>
+        <translation>导轨 %2 的%1</translation>
     </message>
     <message>
         <source>%1, of a size of its own in each session</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The %1 sessions share no effect that shows beyond their stated noise.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The %1 sessions together are best explained by %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，各会话大小不同</translation>
     </message>
     <message>
         <source>The size of %1 changes from session to session.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1的大小逐会话变化。</translation>
     </message>
     <message>
         <source>They cannot tell %1 from %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>它们无法区分%1与%2。</translation>
     </message>
     <message>
         <source>an instrument without serial</source>
-        <translation type="unfinished"></translation>
+        <translation>无序列号的仪器</translation>
     </message>
     <message>
         <source>instrument %1</source>
-        <translation type="unfinished"></translation>
+        <translation>仪器 %1</translation>
     </message>
     <message>
         <source>a guideway without serial</source>
-        <translation type="unfinished"></translation>
+        <translation>无序列号的导轨</translation>
     </message>
     <message>
         <source>guideway %1</source>
-        <translation type="unfinished"></translation>
+        <translation>导轨 %1</translation>
     </message>
     <message>
         <source>the session by itself</source>
-        <translation type="unfinished"></translation>
+        <translation>该会话自身</translation>
     </message>
     <message>
         <source>each session by itself</source>
-        <translation type="unfinished"></translation>
+        <translation>各会话自身</translation>
     </message>
     <message>
         <source>By itself %1 holds %2.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Measure guideway %1 with another instrument: %2 sessions tell %3 apart, by %4 σ.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Measure guideway %1 with instrument %2: %3 sessions tell %4 apart, by %5 σ.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Measure another guideway with instrument %1: %2 sessions tell %3 apart, by %4 σ.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Measure with instrument %1 again: with %2 more sessions %3 would show by %4 σ.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Measure guideway %1 again: with %2 more sessions %3 would show by %4 σ.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1自身含有%2。</translation>
     </message>
     <message>
         <source>%1 of %2 sessions do not state the serial of their instrument: nothing of an instrument is taken as shared by them.</source>
-        <translation type="unfinished"></translation>
+        <translation>%2 个会话中有 %1 个未注明仪器序列号：不视其共有任何仪器效应。</translation>
     </message>
     <message>
         <source>State the serials.</source>
-        <translation type="unfinished"></translation>
+        <translation>请注明序列号。</translation>
     </message>
     <message>
         <source>%1 of %2 sessions do not state the serial of their guideway: nothing of a guideway is taken as shared by them.</source>
-        <translation type="unfinished"></translation>
+        <translation>%2 个会话中有 %1 个未注明导轨序列号：不视其共有任何导轨效应。</translation>
     </message>
     <message>
         <source>%1 does not share %2 with the others: there its size is another.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1与其余会话不共有%2：那里其大小不同。</translation>
     </message>
     <message>
         <source>See what was different in that session.</source>
-        <translation type="unfinished"></translation>
+        <translation>请查看该会话有何不同。</translation>
+    </message>
+    <message>
+        <source>The sessions (%1) share no effect that shows beyond their stated noise.</source>
+        <translation>这些会话（%1 个）没有共有的、超出声明噪声的效应。</translation>
+    </message>
+    <message>
+        <source>The sessions (%1) together are best explained by %2.</source>
+        <translation>这些会话（%1 个）合起来最好由%2解释。</translation>
+    </message>
+    <message>
+        <source>Measure guideway %1 with another instrument: tells %3 apart by %4 σ (sessions needed: %2).</source>
+        <translation>用另一台仪器测量导轨 %1：可区分%3，相差 %4 σ（所需会话数：%2）。</translation>
+    </message>
+    <message>
+        <source>Measure guideway %1 with instrument %2: tells %4 apart by %5 σ (sessions needed: %3).</source>
+        <translation>用仪器 %2 测量导轨 %1：可区分%4，相差 %5 σ（所需会话数：%3）。</translation>
+    </message>
+    <message>
+        <source>Measure another guideway with instrument %1: tells %3 apart by %4 σ (sessions needed: %2).</source>
+        <translation>用仪器 %1 测量另一条导轨：可区分%3，相差 %4 σ（所需会话数：%2）。</translation>
+    </message>
+    <message>
+        <source>Measure with instrument %1 again: %3 would show by %4 σ (more sessions needed: %2).</source>
+        <translation>再用仪器 %1 测量：%3将显出 %4 σ（还需会话数：%2）。</translation>
+    </message>
+    <message>
+        <source>Measure guideway %1 again: %3 would show by %4 σ (more sessions needed: %2).</source>
+        <translation>再次测量导轨 %1：%3将显出 %4 σ（还需会话数：%2）。</translation>
     </message>
 </context>
 <context>
@@ -6599,6 +6603,85 @@ and a plausible size of %1 (1σ)</source>
     <message>
         <source>Command</source>
         <translation>命令</translation>
+    </message>
+</context>
+<context>
+    <name>alidade::ui::DiagnosisPanel</name>
+    <message>
+        <source>Cause</source>
+        <translation>原因</translation>
+    </message>
+    <message>
+        <source>Owner</source>
+        <translation>所属</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>大小</translation>
+    </message>
+    <message>
+        <source>Probability</source>
+        <translation>概率</translation>
+    </message>
+    <message>
+        <source>In one session (σ)</source>
+        <translation>单个会话中（σ）</translation>
+    </message>
+    <message>
+        <source>In all (σ)</source>
+        <translation>全部会话中（σ）</translation>
+    </message>
+    <message>
+        <source>Not told from</source>
+        <translation>无法区分于</translation>
+    </message>
+    <message>
+        <source>What the sessions share</source>
+        <translation>会话共有的效应</translation>
+    </message>
+    <message>
+        <source>Session</source>
+        <translation>会话</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>日期</translation>
+    </message>
+    <message>
+        <source>Instrument</source>
+        <translation>仪器</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>装置</translation>
+    </message>
+    <message>
+        <source>Alone</source>
+        <translation>单独</translation>
+    </message>
+    <message>
+        <source>In the light of the series</source>
+        <translation>结合系列</translation>
+    </message>
+    <message>
+        <source>Each session alone and in the light of the series</source>
+        <translation>各会话单独及结合系列的诊断</translation>
+    </message>
+    <message>
+        <source>No sessions yet.</source>
+        <translation>尚无会话。</translation>
+    </message>
+    <message>
+        <source>Reduced χ² of all sessions goes from %1 to %2; sessions held out shrink by %3 %.</source>
+        <translation>全部会话的约化 χ² 由 %1 变为 %2；留出的会话缩小 %3 %。</translation>
+    </message>
+    <message>
+        <source>%1, changing</source>
+        <translation>%1，变化中</translation>
+    </message>
+    <message>
+        <source> or </source>
+        <translation>或</translation>
     </message>
 </context>
 <context>
