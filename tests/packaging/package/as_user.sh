@@ -28,6 +28,9 @@ for file in session.alidade nameless; do
   [[ $kind == application/x-alidade-session ]] || fail "$file is taken for $kind"
 done
 
+kind=$(gio info -a standard::content-type "$samples/t-1.alidade-instrument" | sed -n 's/^ *standard::content-type: //p')
+[[ $kind == application/x-alidade-instrument ]] || fail "an instrument record is taken for $kind"
+
 # A double click: the desktop finds the program, and that opens the file, which then stands among the recent ones.
 [[ $(gio mime application/x-alidade-session) == *"$id.desktop"* ]] || fail "no program opens a session"
 gio open session.alidade 2>opened || fail "opening: $(cat opened)"

@@ -68,11 +68,12 @@ done <"$work/commands"
 ((checked >= 7)) || fail "only $checked commands and options in the help"
 
 # What follows an option: its choices, sessions, the effects by name.
-mkdir "$work/here" && cd "$work/here" && touch one.alidade other.txt
+mkdir "$work/here" && cd "$work/here" && touch one.alidade other.txt && mkdir folder
 if [[ $name == alidade-cli ]]; then
   [[ $(by_bash "$name" fit --method '' | xargs) == 'rigorous published' ]] || fail "bash does not offer the methods"
   [[ $(by_bash "$name" fit --method = p | xargs) == published ]] || fail "bash does not offer the methods after ="
   [[ $(by_bash "$name" fit o | xargs) == one.alidade ]] || fail "bash does not offer sessions alone"
+  [[ $(by_bash "$name" fit f | xargs) == folder ]] || fail "bash does not offer folders on the way to sessions"
   [[ $(by_bash "$name" import o | xargs) == 'one.alidade other.txt' ]] || fail "bash does not offer every file to import"
   grep -qx 'trunnion_tilt=' < <(by_bash "$name" simulate --effect trun) || fail "bash does not offer effects"
   grep -q 'compadd .* trunnion_tilt=' "$folder/_$name" || fail "zsh does not offer effects"
