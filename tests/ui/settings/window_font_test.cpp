@@ -8,6 +8,7 @@
 #include <QFontInfo>
 #include <QHeaderView>
 #include <QLabel>
+#include <QMenu>
 #include <QSettings>
 #include <QTableView>
 
@@ -54,8 +55,11 @@ TEST_F(WindowFontTest, IsRememberedAndKeptReadable) {
 TEST_F(WindowFontTest, IsChosenInTheMenu) {
   OpenWindow open;
   const auto trigger = [&](const char* text) {
-    for (QAction* action : open->findChildren<QAction*>())
-      if (action->text().remove(u'&') == QString::fromUtf8(text)) return action->trigger();
+    for (const QMenu* menu : open->findChildren<QMenu*>()) {
+      if (menu->title().remove(u'&') != QStringLiteral("Font")) continue;
+      for (QAction* action : menu->actions())
+        if (action->text().remove(u'&') == QString::fromUtf8(text)) return action->trigger();
+    }
     FAIL() << text;
   };
   open.dialogs->font = QFont(QStringLiteral("DejaVu Serif"), 11);
