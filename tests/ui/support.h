@@ -41,8 +41,9 @@ class ScriptedDialogs : public Dialogs {
   QStringList previewPaths;                     ///< likewise of each preview
   std::vector<PreviewAnswer> previewAnswers;    ///< to each preview; then: closed
   int previews = 0;
-  QString sealedBy;       ///< the answer to who seals
-  QString sealSuggested;  ///< as asked
+  QString sealedBy;           ///< the answer to who seals
+  QString sealSuggested;      ///< as asked
+  std::optional<QFont> font;  ///< absent: cancelled
   QStringList problems;
   bool goOn = false;      ///< with a file that is open elsewhere
   QStringList elsewhere;  ///< names of such files, as asked about
@@ -100,6 +101,7 @@ class ScriptedDialogs : public Dialogs {
     sealSuggested = suggestion;
     return sealedBy;
   }
+  std::optional<QFont> askFont(const QFont&) override { return font; }
   void showProblem(const QString&, const QString& text) override { problems.append(text); }
 
  private:
