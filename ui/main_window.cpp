@@ -54,6 +54,7 @@
 #include "ui/panels/window/changed_file_bar.h"
 #include "ui/panels/window/job_status.h"
 #include "ui/panels/window/page_tabs.h"
+#include "ui/series/series_window.h"
 #include "ui/settings/theme.h"
 #include "ui/start/samples.h"
 #include "ui/start/start_page.h"
@@ -446,6 +447,18 @@ void MainWindow::showBlindTrials() {
   m_blindTrials->show();
   m_blindTrials->raise();
   m_blindTrials->activateWindow();
+}
+
+void MainWindow::showSeries() {
+  if (!m_series) {
+    m_series = new SeriesWindow(*m_dialogs, this);
+    connect(m_series, &SeriesWindow::sessionWanted, this, [this](const QString& path) {
+      if (m_files.open(path)) activateWindow();
+    });
+  }
+  m_series->show();
+  m_series->raise();
+  m_series->activateWindow();
 }
 
 void MainWindow::tellFailure(const QString& reason) {

@@ -36,6 +36,7 @@ class ReadingsFinder;
 class ReadingsTable;
 class ResultPanel;
 class Safekeeping;
+class SeriesWindow;
 class StartPage;
 class SuspectBar;
 class WindowActions;
@@ -83,6 +84,8 @@ class MainWindow : public QMainWindow {
   void hideStart();
   /// Opens the dialog of blind trials, which stays open beside the window.
   void showBlindTrials();
+  /// Opens the window of series, which stays open beside this one.
+  void showSeries();
   /// Tells, and records with the session, that the window threw while it handled an event.
   void tellFailure(const QString& reason);
   SuspectBar* suspects() const { return m_suspects; }
@@ -157,6 +160,7 @@ class MainWindow : public QMainWindow {
   ReadingsFinder* m_finder = nullptr;
   SharedEvaluation m_shown;                   ///< the newest; null before the first
   BlindTrialDialog* m_blindTrials = nullptr;  ///< null until it is wanted
+  SeriesWindow* m_series = nullptr;           ///< likewise
 };
 
 }  // namespace alidade::ui

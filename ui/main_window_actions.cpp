@@ -424,6 +424,7 @@ void WindowActions::createToolsMenu() {
   QMenu& menu = *m_window.menuBar()->addMenu(tr("T&ools"));
   addTo(menu, nullptr, tr("&Blind Trial…"), QKeySequence(tr("Ctrl+B")), this,
         [this] { m_window.showBlindTrials(); });
+  addTo(menu, nullptr, tr("&Series…"), {}, this, [this] { m_window.showSeries(); });
   addTo(menu, nullptr, tr("&Commands…"), QKeySequence(tr("Ctrl+Shift+P")), this, [this] {
     CommandPalette palette(*m_window.menuBar(), &m_window);
     if (QAction* command = palette.ask()) command->trigger();

@@ -39,6 +39,9 @@ class Dialogs {
   virtual QStringList askImportPaths(const QString& folder);
   /// How the readings are to be taken; absent: cancelled.
   virtual std::optional<ImportDecision> askImport(ImportRequest request);
+  /// A folder, and sessions one by one, of a series; empty: cancelled.
+  virtual QString askFolder(const QString& title, const QString& folder);
+  virtual QStringList askSessionPaths(const QString& folder);
   virtual QString askSavePath(const QString& suggestion);
   virtual QString askReportPath(const QString& suggestion);
   /// `suffix`: "csv", "json", "svg" or "png".
@@ -63,6 +66,9 @@ class Dialogs {
   virtual void showShortcuts();
 
  private:
+  /// What a question stands over: a window beside the main one where that is at work.
+  QWidget* over() const;
+
   QPointer<QWidget> m_parent;
 };
 

@@ -32,6 +32,7 @@ constexpr ClassTopic classTopics[] = {
     {"alidade::ui::KnownSizesPanel", "known-sizes"},
     {"alidade::ui::GapPanel", "gap"},
     {"alidade::ui::BlindTrialDialog", "gap#trials"},
+    {"alidade::ui::SeriesWindow", "series"},
     {"alidade::ui::JournalPanel", "report#journal"},
     {"alidade::ui::ChangedFileBar", "files#others"},
     {"alidade::ui::StartPage", "first"},
@@ -55,6 +56,7 @@ const std::vector<HelpPage>& allHelpPages() {
       {"uncertainty", QT_TRANSLATE_NOOP("HelpPage", "Uncertainty and reliability")},
       {"known-sizes", QT_TRANSLATE_NOOP("HelpPage", "Known sizes and effects")},
       {"report", QT_TRANSLATE_NOOP("HelpPage", "Report, journal and seal")},
+      {"series", QT_TRANSLATE_NOOP("HelpPage", "A device over time")},
       {"files", QT_TRANSLATE_NOOP("HelpPage", "Files and recovery")},
       {"words", QT_TRANSLATE_NOOP("HelpPage", "Words and symbols")}};
   return pages;
