@@ -24,6 +24,9 @@ suite=$(source /etc/os-release && [[ $ID == debian ]] && printf '%s' "${VERSION_
 tree=$folder/clean-root base=$folder/base-$suite.tar
 
 begun=$SECONDS
+# A download that breaks off says nothing of the package.
+broke_off() { ! grep -qE "Failed to fetch|Unable to fetch|Could not (resolve|connect)|Couldn't download|Failed getting" "$1" ||
+  skip "the mirror of Debian stopped answering: $(tail -n 2 "$1")"; }
 step() { printf '%3d s  %s\n' "$((SECONDS - begun))" "$*"; }
 
 # Where this machine has its own packages from.
@@ -63,7 +66,7 @@ if [[ ! -f $base ]]; then
     debootstrap --foreign --variant=minbase "$suite" "$tree" "$mirror" &&
       echo force-unsafe-io >"$tree/etc/dpkg/dpkg.cfg.d/test" &&
       chroot "$tree" /debootstrap/debootstrap --second-stage
-  } >"$folder/debootstrap.log" 2>&1 || fail "debootstrap failed: $(tail -n 5 "$folder/debootstrap.log")"
+  } >"$folder/debootstrap.log" 2>&1 || { broke_off "$folder/debootstrap.log" && fail "debootstrap failed: $(tail -n 5 "$folder/debootstrap.log")"; }
   ! mountpoint -q "$tree/proc" || umount "$tree/proc"
   tar -C "$tree" --numeric-owner --one-file-system -cf "$base.part" . && mv -- "$base.part" "$base"
 else
@@ -78,7 +81,10 @@ cp -- "$package" "$tree/tmp/"
 cp -- "$here/as_user.sh" "$tree/tmp/"
 
 inside() { chroot "$tree" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive "$@"; }
-apt() { inside apt-get -qq -y --no-install-recommends "$@" </dev/null >"$folder/apt.log" 2>&1 || fail "apt-get $*: $(tail -n 20 "$folder/apt.log")"; }
+apt() {
+  inside apt-get -qq -y --no-install-recommends "$@" </dev/null >"$folder/apt.log" 2>&1 ||
+    { broke_off "$folder/apt.log" && fail "apt-get $*: $(tail -n 20 "$folder/apt.log")"; }
+}
 
 # With a desktop's tools, and nothing of Qt before the package asks for it.
 apt update
