@@ -15,6 +15,7 @@ namespace {
 
 using testing::Contains;
 using testing::IsEmpty;
+using testing::Not;
 
 struct Drawn {
   std::string protocol = "two-face";
