@@ -132,7 +132,7 @@ std::string HistoryNumbers::number(double value) const {
 }
 
 std::string HistoryNumbers::withUnit(double value, int decimals, const std::string& suffix) const {
-  const std::string text = displayText(value * scale(), decimals);
+  std::string text = displayText(value * scale(), decimals);
   const std::string unit = m_unit + suffix;
   if (unit.empty()) return text;
   return text + (m_power != 0 ? " × " : " ") + unit;
