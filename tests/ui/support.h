@@ -25,7 +25,7 @@ class ScriptedDialogs : public Dialogs {
   QString openPath, savePath, reportPath, exportPath, recordPath;
   QString exportSuggested;                    ///< as asked last
   QString importPath;                         ///< several: one a line
-  QString folder;                             ///< of a series; empty: cancelled
+  QString seriesFolder;                       ///< of a series; empty: cancelled
   QStringList sessionPaths;                   ///< likewise
   std::function<void(ImportPage&)> onImport;  ///< chooses in the page before it is accepted where it can be
   int importsAsked = 0;
@@ -78,7 +78,7 @@ class ScriptedDialogs : public Dialogs {
   QStringList askImportPaths(const QString&) override {
     return importPath.isEmpty() ? QStringList() : importPath.split(u'\n');
   }
-  QString askFolder(const QString&, const QString&) override { return folder; }
+  QString askFolder(const QString&, const QString&) override { return seriesFolder; }
   QStringList askSessionPaths(const QString&) override { return sessionPaths; }
   std::optional<ImportDecision> askImport(ImportRequest request) override;
   QString askRecordPath(const QString&) override { return recordPath; }

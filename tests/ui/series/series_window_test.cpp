@@ -28,7 +28,7 @@ using testing::HasSubstr;
 struct SeriesBench {
   SeriesBench() {
     window.show();
-    dialogs.folder = samplePath(QStringLiteral("history"));
+    dialogs.seriesFolder = samplePath(QStringLiteral("history"));
   }
 
   void settle() {
@@ -91,7 +91,7 @@ TEST(SeriesWindow, NamesTheTroubleOfASession) {
   file.write("{");
   file.close();
   SeriesBench bench;
-  bench.window.add({bench.dialogs.folder, broken});
+  bench.window.add({bench.dialogs.seriesFolder, broken});
   bench.settle();
   ASSERT_EQ(bench.window.table()->rowCount(), 13);
   EXPECT_EQ(bench.cell(12, 1), QStringLiteral("broken.alidade"));
@@ -120,7 +120,7 @@ TEST(SeriesWindow, TakesSessionsOut) {
 TEST(SeriesWindow, TellsOfAFolderWithoutSessions) {
   const QTemporaryDir folder;
   SeriesBench bench;
-  bench.dialogs.folder = folder.path();
+  bench.dialogs.seriesFolder = folder.path();
   bench.window.addFolder();
   ASSERT_EQ(bench.dialogs.problems.size(), 1);
   EXPECT_THAT(bench.dialogs.problems.first().toStdString(), HasSubstr("holds no session"));
