@@ -9672,6 +9672,14 @@ Reference %1, difference %2</source>
         <source>Written to %1</source>
         <translation>已写入 %1</translation>
     </message>
+    <message>
+        <source>&amp;Shared Causes</source>
+        <translation>共同原因(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Looking for what the sessions share…</source>
+        <translation>正在查找各会话的共同之处…</translation>
+    </message>
 </context>
 <context>
     <name>alidade::ui::SessionDocument</name>

@@ -22,6 +22,7 @@
 #include "ui/dialogs/dialogs.h"
 #include "ui/panels/parts/frames.h"
 #include "ui/report/device_history_report.h"
+#include "ui/series/diagnosis_panel.h"
 #include "ui/series/history_chart.h"
 #include "ui/series/history_panel.h"
 #include "ui/series/series_text.h"
@@ -59,9 +60,11 @@ SeriesWindow::SeriesWindow(Dialogs& dialogs, QWidget* parent)
       m_dialogs(dialogs),
       m_table(new QTableWidget),
       m_pages(new QTabWidget),
-      m_history(new HistoryPanel) {
+      m_history(new HistoryPanel),
+      m_diagnosis(new DiagnosisPanel) {
   setWindowTitle(tr("Series — Alidade"));
   m_pages->addTab(m_history, tr("&History"));
+  m_pages->addTab(m_diagnosis, tr("&Shared Causes"));
   m_pages->setDocumentMode(true);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(8, 8, 8, 8);
@@ -81,6 +84,14 @@ SeriesWindow::SeriesWindow(Dialogs& dialogs, QWidget* parent)
     select(file);
     emit sessionWanted(decoded(file));
   });
+  connect(&m_diagnosisJob, &SeriesDiagnosisJob::told, this,
+          [this](const std::shared_ptr<const SeriesAnswer>& answer) {
+            if (m_diagnosisJob.isAtWork()) return;
+            m_diagnosed = answer->files;
+            m_diagnosis->setDiagnosis(answer->diagnosis, qText(answer->reason));
+          });
+  connect(m_diagnosis, &DiagnosisPanel::sessionWanted, this,
+          [this](std::size_t file) { emit sessionWanted(decoded(m_diagnosed[file])); });
   for (ChartFiles* files : findChildren<ChartFiles*>())
     connect(files, &ChartFiles::fileWanted, this, [this](const ChartFile& file) {
       write(tr("Save chart"), file.chart, file.suffix, file.bytes.toStdString());
@@ -212,8 +223,20 @@ void SeriesWindow::take(const SharedSeries& series) {
     for (const SeriesSession& session : m_series->sessions) known.insert(session.path);
     std::erase_if(m_waiting, [&](const std::string& path) { return known.contains(path); });
   }
-  if (!m_waiting.empty()) m_job.start(m_series, std::exchange(m_waiting, {}));
+  if (m_waiting.empty())
+    diagnose();
+  else
+    m_job.start(m_series, std::exchange(m_waiting, {}));
   showWork();
+}
+
+/// What the sessions that can be used share.
+void SeriesWindow::diagnose() {
+  std::vector<std::string> files;
+  for (const SeriesSession& session : m_series->sessions)
+    if (session.epoch) files.push_back(session.path);
+  m_diagnosis->setDiagnosis(nullptr, files.empty() ? QString() : tr("Looking for what the sessions share…"));
+  m_diagnosisJob.start(files);
 }
 
 /// By date; those without one at the end.

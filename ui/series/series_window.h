@@ -2,6 +2,7 @@
 
 #include <QWidget>
 
+#include "ui/series/diagnosis_job.h"
 #include "ui/series/series_job.h"
 
 class QLabel;
@@ -24,8 +25,10 @@ class SeriesWindow : public QWidget {
   explicit SeriesWindow(Dialogs& dialogs, QWidget* parent = nullptr);
 
   SeriesJob& job() { return m_job; }
+  SeriesDiagnosisJob& diagnosisJob() { return m_diagnosisJob; }
   QTabWidget* pages() const { return m_pages; }
   HistoryPanel* history() const { return m_history; }
+  DiagnosisPanel* diagnosis() const { return m_diagnosis; }
   QTableWidget* table() const { return m_table; }
   const SharedSeries& series() const { return m_series; }
 
@@ -46,6 +49,7 @@ class SeriesWindow : public QWidget {
   QWidget* createTable();
   QWidget* createFoot();
   void take(const SharedSeries& series);
+  void diagnose();
   void showSessions();
   void showWork();
   void selectionChanged();
@@ -57,12 +61,15 @@ class SeriesWindow : public QWidget {
 
   Dialogs& m_dialogs;
   SeriesJob m_job;
+  SeriesDiagnosisJob m_diagnosisJob;
   SharedSeries m_series;
-  QString m_folder;                    ///< that was looked into last
-  std::vector<std::string> m_waiting;  ///< to be added when the work at hand is done
+  QString m_folder;                      ///< that was looked into last
+  std::vector<std::string> m_diagnosed;  ///< files, as the diagnosis counts them
+  std::vector<std::string> m_waiting;    ///< to be added when the work at hand is done
   QTableWidget* m_table;
   QTabWidget* m_pages;
   HistoryPanel* m_history;
+  DiagnosisPanel* m_diagnosis;
   QProgressBar* m_progress;
   QLabel* m_status;
   QPushButton *m_stop, *m_remove, *m_json, *m_csv, *m_pdf;

@@ -7,14 +7,16 @@
 #include <QFile>
 #include <QLabel>
 #include <QPushButton>
+#include <QSignalSpy>
+#include <QTabWidget>
 #include <QTableWidget>
 #include <QTemporaryDir>
-#include <QTest>
 #include <nlohmann/json.hpp>
 
 #include "tests/ui/shown_texts.h"
 #include "tests/ui/support.h"
 #include "ui/main_window.h"
+#include "ui/series/diagnosis_panel.h"
 #include "ui/series/history_chart.h"
 #include "ui/series/history_panel.h"
 
@@ -32,7 +34,7 @@ struct SeriesBench {
   }
 
   void settle() {
-    ASSERT_TRUE(waitFor([this] { return !window.job().isAtWork(); }));
+    ASSERT_TRUE(waitFor([this] { return !window.job().isAtWork() && !window.diagnosisJob().isAtWork(); }));
   }
   void addYear() {
     window.addFolder();
@@ -60,6 +62,20 @@ TEST(SeriesWindow, TellsTheHistoryOfAFolder) {
   EXPECT_EQ(chart->plot()->markers().marks().size(), 12U);
   EXPECT_THAT(chart->accessibleDescription().toStdString(), HasSubstr("in steps"));
   expectAllVisible(bench.window, QStringLiteral("with a series"));
+}
+
+TEST(SeriesWindow, TellsWhatTheSessionsShare) {
+  SeriesBench bench;
+  bench.window.add({samplePath(QStringLiteral("series"))});
+  bench.settle();
+  DiagnosisPanel& panel = *bench.window.diagnosis();
+  ASSERT_GE(panel.causes()->rowCount(), 1);
+  ASSERT_EQ(panel.sessions()->rowCount(), bench.window.table()->rowCount());
+  const QSignalSpy wanted(&bench.window, &SeriesWindow::sessionWanted);
+  bench.window.pages()->setCurrentWidget(&panel);
+  emit panel.sessions()->itemActivated(panel.sessions()->item(2, 0));
+  ASSERT_EQ(wanted.count(), 1);
+  EXPECT_TRUE(QFile::exists(wanted.first().first().toString()));
 }
 
 TEST(SeriesWindow, ShowsTheQuantityThatIsChosen) {
