@@ -233,10 +233,12 @@ class CheckFiles {
     for (std::size_t file = 0; file < recordings.size(); ++file) {
       m_firstStation.push_back(m_result.stations.size());
       const std::string stem = stemOf(m_files[file].name);
-      for (const std::string& station : recordings[file].stations)
-        m_result.stations.push_back(station.empty()      ? stem
-                                    : uses[station] == 1 ? station
-                                                         : stem + " " + station);
+      for (const std::string& station : recordings[file].stations) {
+        const bool isAlone = uses[station] == 1;
+        std::string name = station.empty() || !isAlone ? stem : station;
+        if (!station.empty() && !isAlone) name.append(" ").append(station);
+        m_result.stations.push_back(std::move(name));
+      }
     }
   }
 
