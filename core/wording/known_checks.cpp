@@ -15,11 +15,13 @@ namespace alidade {
 
 namespace {
 
-/// "3.2 ± 0.5 arcsec".
+/// "3.2 ± 0.5″".
 std::string sizeText(double value, double sigma, const std::string& unit) {
   const int decimals = decimalsFor(sigma, 0);
   const std::string numbers =
       Phrase::of("%1 ± %2", displayText(value, decimals), displayText(sigma, decimals));
+  if (unit == "arcsec") return numbers + "″";
+  if (unit == "deg") return numbers + "°";
   return unit.size() < 2 ? numbers : numbers + ' ' + unit;
 }
 

@@ -9,7 +9,7 @@ namespace alidade {
 
 // What was known beforehand, held against the readings, in words. Effects are called as `name` has it.
 
-/// "collimation: known as 3.2 ± 0.5 arcsec; these readings say 3.0 ± 0.4 arcsec": 1σ each, without a full
+/// "collimation: known as 3.2 ± 0.5″; these readings say 3.0 ± 0.4″": 1σ each, without a full
 /// stop.
 std::string textOf(const KnownCheck& check, const CauseNamer& name = byId);
 

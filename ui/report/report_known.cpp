@@ -41,10 +41,11 @@ const KnownCheck* checkOf(const Gap& gap, const Effect& effect, const EffectPara
 
 void addTable(ReportSheet& sheet, const Gap& gap, const Measurement& measurement) {
   constexpr auto right = Qt::AlignRight;
-  ReportTable table(sheet, {{Report::tr("Number"), 46},
+  ReportTable table(sheet, {{Report::tr("Number"), 44},
                             {Report::tr("known, 1σ"), 30, right},
                             {Report::tr("these readings, 1σ"), 34, right},
-                            {Report::tr("known from"), 60}});
+                            {QString(), 4},
+                            {Report::tr("known from"), 58}});
   table.head();
   for (const Effect& effect : effectCatalogue())
     for (const EffectParameter& number : effect.parameters) {
@@ -55,7 +56,7 @@ void addTable(ReportSheet& sheet, const Gap& gap, const Measurement& measurement
       table.row({numberName(effect, number),
                  sizeText(known->value / unit, known->sigma / unit, std::string(number.unit)),
                  check && check->isSeen ? sizeText(check->value, check->sigma, check->unit) : notStated(),
-                 sourceText(known->from, known->date)});
+                 QString(), sourceText(known->from, known->date)});
     }
   table.finish();
 }

@@ -21,13 +21,12 @@ KnownCheck collimation() {
 
 TEST(KnownChecks, SayWhatIsKnownAndWhatTheReadingsSay) {
   KnownCheck check = collimation();
-  EXPECT_EQ(textOf(check), "collimation: known as 3.20 ± 0.50 arcsec; these readings say 41.0 ± 1.9 arcsec");
+  EXPECT_EQ(textOf(check), "collimation: known as 3.20 ± 0.50″; these readings say 41.0 ± 1.9″");
   check.isSeen = false;
-  EXPECT_EQ(textOf(check), "collimation: known as 3.20 ± 0.50 arcsec; these readings do not show it");
+  EXPECT_EQ(textOf(check), "collimation: known as 3.20 ± 0.50″; these readings do not show it");
   check.effect = "plane_tilt";
   check.name = "tilt about x";
-  EXPECT_EQ(textOf(check),
-            "plane_tilt, tilt about x: known as 3.20 ± 0.50 arcsec; these readings do not show it");
+  EXPECT_EQ(textOf(check), "plane_tilt, tilt about x: known as 3.20 ± 0.50″; these readings do not show it");
 }
 
 TEST(KnownChecks, SayWhatIsStale) {
@@ -41,10 +40,9 @@ TEST(KnownChecks, SayWhatIsStale) {
                        .readings = {}}};
   EXPECT_EQ(staleSentence(diagnosis), "") << "a cause like others";
   diagnosis.causes[0].isStale = true;
-  EXPECT_EQ(
-      staleSentence(diagnosis),
-      "By instrument record t-1 of 2026-03-01, collimation is 3.20 ± 0.50 arcsec; these readings say 41.0 ± "
-      "1.9 arcsec: what is known is stale, with a probability of more than 99.9 %.");
+  EXPECT_EQ(staleSentence(diagnosis),
+            "By instrument record t-1 of 2026-03-01, collimation is 3.20 ± 0.50″; these readings say 41.0 ± "
+            "1.9″: what is known is stale, with a probability of more than 99.9 %.");
   EXPECT_EQ(staleSentence(diagnosis, [](const std::string&) { return std::string("the line of sight"); })
                 .substr(0, 58),
             "By instrument record t-1 of 2026-03-01, the line of sight ");

@@ -216,7 +216,10 @@ void GapPanel::showVerdict() {
                         tr("The readings are compared with the model as soon as there are any."));
   for (int i = 1; i < m_blocks.size(); ++i) m_blocks[i]->setVisible(says);
   if (says) {
-    const bool hasCauses = !gap->diagnosis->causes.empty() || gap->diagnosis->shape || gap->stages.size() > 1;
+    const bool hasCauses = !gap->diagnosis->causes.empty() || gap->diagnosis->shape ||
+                           std::ranges::any_of(gap->stages, [](const GapStage& stage) {
+                             return stage.kind == GapStage::Kind::InModel;
+                           });
     m_blocks[1]->setVisible(hasCauses);
     m_blocks[3]->setVisible(gap->isOpen());
     m_requiredBlock->setVisible(!gap->diagnosis->whatItWouldTake.empty());
