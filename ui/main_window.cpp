@@ -57,6 +57,7 @@
 #include "ui/panels/window/changed_file_bar.h"
 #include "ui/panels/window/job_status.h"
 #include "ui/panels/window/page_tabs.h"
+#include "ui/series/series_window.h"
 #include "ui/settings/theme.h"
 #include "ui/settings/window_font.h"
 #include "ui/start/samples.h"
@@ -468,13 +469,25 @@ void MainWindow::showBlindTrials() {
 }
 
 void MainWindow::showInstrumentCheck() {
-  if (!m_instrument) {
-    m_instrument = new InstrumentDialog(*m_dialogs, this);
-    connect(&m_instrument->chart().files(), &ChartFiles::fileWanted, m_exports, &ExportFlow::saveChart);
+  if (!m_instrumentCheck) {
+    m_instrumentCheck = new InstrumentDialog(*m_dialogs, this);
+    connect(&m_instrumentCheck->chart().files(), &ChartFiles::fileWanted, m_exports, &ExportFlow::saveChart);
   }
-  m_instrument->show();
-  m_instrument->raise();
-  m_instrument->activateWindow();
+  m_instrumentCheck->show();
+  m_instrumentCheck->raise();
+  m_instrumentCheck->activateWindow();
+}
+
+void MainWindow::showSeries() {
+  if (!m_series) {
+    m_series = new SeriesWindow(*m_dialogs, this);
+    connect(m_series, &SeriesWindow::sessionWanted, this, [this](const QString& path) {
+      if (m_files.open(path)) activateWindow();
+    });
+  }
+  m_series->show();
+  m_series->raise();
+  m_series->activateWindow();
 }
 
 void MainWindow::tellFailure(const QString& reason) {

@@ -38,6 +38,7 @@ class ReadingsFinder;
 class ReadingsTable;
 class ResultPanel;
 class Safekeeping;
+class SeriesWindow;
 class StartPage;
 class SuspectBar;
 class WindowActions;
@@ -89,6 +90,8 @@ class MainWindow : public QMainWindow {
   void showBlindTrials();
   /// Opens the dialog of the instrument check, which stays open beside the window.
   void showInstrumentCheck();
+  /// Opens the window of series, which stays open beside this one.
+  void showSeries();
   /// Tells, and records with the session, that the window threw while it handled an event.
   void tellFailure(const QString& reason);
   SuspectBar* suspects() const { return m_suspects; }
@@ -164,9 +167,10 @@ class MainWindow : public QMainWindow {
   QLabel* m_next = nullptr;  ///< what is to be read next, in the status bar
   EntryGuide* m_entry = nullptr;
   ReadingsFinder* m_finder = nullptr;
-  SharedEvaluation m_shown;                   ///< the newest; null before the first
-  BlindTrialDialog* m_blindTrials = nullptr;  ///< null until it is wanted
-  InstrumentDialog* m_instrument = nullptr;   ///< likewise
+  SharedEvaluation m_shown;                       ///< the newest; null before the first
+  BlindTrialDialog* m_blindTrials = nullptr;      ///< null until it is wanted
+  InstrumentDialog* m_instrumentCheck = nullptr;  ///< likewise
+  SeriesWindow* m_series = nullptr;               ///< likewise
 };
 
 }  // namespace alidade::ui

@@ -447,6 +447,7 @@ void WindowActions::createToolsMenu() {
   addTo(menu, nullptr, tr("&Blind Trial…"), QKeySequence(tr("Ctrl+B")), this,
         [this] { m_window.showBlindTrials(); });
   addTo(menu, nullptr, tr("&Instrument Check…"), {}, this, [this] { m_window.showInstrumentCheck(); });
+  addTo(menu, nullptr, tr("&Series…"), {}, this, [this] { m_window.showSeries(); });
   addTo(menu, nullptr, tr("&Commands…"), QKeySequence(tr("Ctrl+Shift+P")), this, [this] {
     CommandPalette palette(*m_window.menuBar(), &m_window);
     if (QAction* command = palette.ask()) command->trigger();

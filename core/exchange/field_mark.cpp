@@ -34,7 +34,8 @@ std::optional<FieldMark> fieldMark(std::string_view text, std::string_view more)
 
 std::optional<std::string> stationMark(std::string_view text, std::string_view more) {
   const std::string plain = trimmed(text), large = upperCase(plain);
-  for (const std::string_view word : {"STATION", "STANDPOINT", "STN", "ST"}) {
+  for (const std::string_view word :
+       {"STATION", "STANDPOINT", "STANDPUNKT", "SETUP", "STAT", "STN", "STP", "ST"}) {
     if (!large.starts_with(word)) continue;
     const std::size_t name = plain.find_first_not_of(" \t:=_-", word.size());
     if (name == std::string::npos) return withoutZeros(trimmed(more));

@@ -13,10 +13,11 @@ namespace alidade {
 /// errors with their standard uncertainties. A file of its own, `*.alidade-instrument`; as in a session,
 /// every number is kept as its text.
 struct InstrumentRecord {
-  std::string name, serial;
-  std::string certificate, traceability;  ///< of its calibration, of its circles
-  std::string date;                       ///< on which all of it was found; required
-  std::string sigmaHorizontalArcsec, sigmaVerticalArcsec, sigmaZeroArcsec;  ///< empty: not stated
+  std::string name = {}, serial = {};
+  std::string certificate = {}, traceability = {};  ///< of its calibration, of its circles
+  std::string date = {};                            ///< on which all of it was found; required
+  // Empty: not stated.
+  std::string sigmaHorizontalArcsec = {}, sigmaVerticalArcsec = {}, sigmaZeroArcsec = {};
   std::vector<KnownSize> known = {};
   JsonOrigin origin = {};
 

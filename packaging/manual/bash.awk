@@ -56,22 +56,11 @@ END {
   print "  if [[ -z $values && $command == - && -n $commands ]]; then values=$commands; fi"
   print "  [[ -n $values ]] || values=$(_" name "_values \"$command\" '')"
   print "  case $values in"
-  print "    @session)"
-  print "      compopt -o filenames 2>/dev/null"
-  print "      mapfile -t COMPREPLY < <(compgen -f -X '!*.alidade' -- \"$current\" && compgen -d -- \"$current\")"
-  print "      ;;"
-  print "    @report)"
-  print "      compopt -o filenames 2>/dev/null"
-  print "      mapfile -t COMPREPLY < <(compgen -f -X '!*.pdf' -- \"$current\" && compgen -d -- \"$current\")"
-  print "      ;;"
-  print "    @file)"
-  print "      compopt -o filenames 2>/dev/null"
-  print "      mapfile -t COMPREPLY < <(compgen -f -- \"$current\")"
-  print "      ;;"
-  print "    @folder)"
-  print "      compopt -o filenames 2>/dev/null"
-  print "      mapfile -t COMPREPLY < <(compgen -d -- \"$current\")"
-  print "      ;;"
+  print_files("@session", "-f -X '!*.alidade'", 1)
+  print_files("@record", "-f -X '!*.alidade-instrument'", 1)
+  print_files("@report", "-f -X '!*.pdf'", 1)
+  print_files("@file", "-f", 0)
+  print_files("@folder", "-d", 0)
   if (effects != "") {
     print "    @effect)"
     print "      compopt -o nospace 2>/dev/null"
@@ -84,4 +73,12 @@ END {
   print "}"
   print ""
   print "complete -F _" name " " PROGRAM
+}
+
+# Files of a kind and, where those are not all, the folders to look for them in.
+function print_files(kind, what, also_folders) {
+  print "    " kind ")"
+  print "      compopt -o filenames 2>/dev/null"
+  print "      mapfile -t COMPREPLY < <(compgen " what " -- \"$current\"" (also_folders ? "; compgen -d -- \"$current\"" : "") ")"
+  print "      ;;"
 }

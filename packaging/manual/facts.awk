@@ -3,7 +3,7 @@
 #   about COMMAND TEXT             usage COMMAND TEXT           command NAME TEXT        note COMMAND LINE
 #   argument COMMAND VALUE KIND TEXT
 #   option COMMAND NAMES VALUE KIND CHOICES REMARK TEXT
-# KIND is what can be completed: session, file, folder, report or effect.
+# KIND is what can be completed: session, record, report, file, folder or effect.
 BEGIN { OFS = "\t" }
 
 /^@ / { if (count) read_help(); command = $2; count = 0; next }
@@ -49,10 +49,11 @@ function read_entry(i, section,   line, typed, meaning, goes_on) {
 }
 
 function kind_of(meaning) {
-  if (meaning ~ /folder/) return "folder"
+  if (meaning ~ /\*\.alidade-instrument/) return "record"
+  if (meaning ~ /a folder with/) return "folder"
+  if (meaning ~ /^Files? |^Folder of|^Session to open|^Truth file/) return "file"
   if (meaning ~ /\*\.alidade|^Session whose/) return "session"
   if (meaning ~ /acceptance report/) return "report"
-  if (meaning ~ /^Files to read|^Session to open|file to write/) return "file"
   if (meaning ~ /^NAME=VALUE of an effect/) return "effect"
   return "-"
 }

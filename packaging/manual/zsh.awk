@@ -52,6 +52,7 @@ END {
 function action(kind, choices) {
   if (choices != "-") return ":(" choices ")"
   if (kind == "session") return ":_files -g \"*.alidade\""
+  if (kind == "record") return ":_files -g \"*.alidade-instrument\""
   if (kind == "report") return ":_files -g \"*.pdf\""
   if (kind == "file") return ":_files"
   if (kind == "folder") return ":_files -/"

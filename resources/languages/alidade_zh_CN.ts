@@ -356,6 +356,10 @@ Sealed by:</source>
         <source>Instrument records (*.alidade-instrument);;All files (*)</source>
         <translation>仪器记录 (*.alidade-instrument);;所有文件 (*)</translation>
     </message>
+    <message>
+        <source>Add sessions</source>
+        <translation>添加会话</translation>
+    </message>
 </context>
 <context>
     <name>DifferenceText</name>
@@ -1115,6 +1119,10 @@ Sealed by:</source>
     <message>
         <source>Checking the instrument</source>
         <translation>检查仪器</translation>
+    </message>
+    <message>
+        <source>A device over time</source>
+        <translation>设备随时间的变化</translation>
     </message>
 </context>
 <context>
@@ -3787,227 +3795,223 @@ Sealed by:</source>
     </message>
     <message>
         <source>has no Δd to tell: it takes readings at 0° and at 180°</source>
-        <translation type="unfinished"></translation>
+        <translation>没有可报告的 Δd：需要 0° 和 180° 的读数</translation>
     </message>
     <message>
         <source>%1 is no date: write year-month-day, year-month, a year or a decimal year</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 不是日期：请写年-月-日、年-月、年份或小数年份</translation>
     </message>
     <message>
         <source>p &lt; 0.001</source>
-        <translation type="unfinished"></translation>
+        <translation>p &lt; 0.001</translation>
     </message>
     <message>
         <source>p = %1</source>
-        <translation type="unfinished"></translation>
+        <translation>p = %1</translation>
     </message>
     <message>
         <source>There is one value: nothing compares it.</source>
-        <translation type="unfinished"></translation>
+        <translation>只有一个值：无可比较。</translation>
     </message>
     <message>
         <source>χ² = %1 with %2 degrees of freedom, %3</source>
-        <translation type="unfinished"></translation>
+        <translation>χ² = %1，自由度 %2，%3</translation>
     </message>
     <message>
         <source>%1: the values agree within their uncertainties, but they scatter by less than these, and by that scatter a change shows.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：各值在其不确定度内一致，但离散小于不确定度，按此离散可见变化。</translation>
     </message>
     <message>
         <source>%1: the values agree within their uncertainties.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：各值在其不确定度内一致。</translation>
     </message>
     <message>
         <source>%1: the values scatter about one mean %2 times as much as their uncertainties say.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>From %1 on it is another one, by %2 (standard uncertainty).</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：各值围绕同一均值的离散是其不确定度所示的 %2 倍。</translation>
     </message>
     <message>
         <source>%1 It happened between %2 and %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1发生在 %2 与 %3 之间。</translation>
     </message>
     <message>
         <source>%1 Its first value is one of those from %2 to %3 (95 %).</source>
-        <translation type="unfinished"></translation>
+        <translation>%1其第一个值在 %2 至 %3 之间（95 %）。</translation>
     </message>
     <message>
         <source>No step and no trend explains that: either the uncertainties are understated, or the values are too few to tell what changed.</source>
-        <translation type="unfinished"></translation>
+        <translation>阶跃和趋势都不能解释：或者不确定度被低估，或者值太少，无法说明什么改变了。</translation>
     </message>
     <message>
         <source>A level that rests on one value cannot be told from a value that is off: measure once more before acting on it.</source>
-        <translation type="unfinished"></translation>
+        <translation>仅由一个值支撑的水平无法与偏离的值区分：采取措施前请再测一次。</translation>
     </message>
     <message>
         <source>It changes all along, by %1 (standard uncertainty).</source>
-        <translation type="unfinished"></translation>
+        <translation>它持续变化，变化率 %1（标准不确定度）。</translation>
     </message>
     <message>
         <source>The value of %1 stands apart from all others: look for what was different that day, a misread session or another set-up, before believing in a change.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的值与其他所有值不符：在相信发生变化之前，请查找当天有何不同，例如误读的会话或另一种架设。</translation>
     </message>
     <message>
         <source>The values wander: what lies close in time agrees better than what lies far apart, and neither steps nor a trend explain that as well.</source>
-        <translation type="unfinished"></translation>
+        <translation>各值在游走：时间相近的比相距远的更一致，而阶跃和趋势都不能同样好地解释。</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1（%2）</translation>
     </message>
     <message>
         <source>Weighted mean of %1 values: %2 (standard uncertainty).</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个值的加权均值：%2（标准不确定度）。</translation>
     </message>
     <message>
         <source>With the scatter that is seen the mean has a standard uncertainty of %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>按所见的离散，均值的标准不确定度为 %1。</translation>
     </message>
     <message>
         <source>How probable each account of the values is: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>各种解释的概率：%1。</translation>
     </message>
     <message>
         <source>There is one session: it cannot be compared.</source>
-        <translation type="unfinished"></translation>
+        <translation>只有一次会话：无法比较。</translation>
     </message>
     <message>
         <source>The sessions name no serial number of the device: nothing is taken for shared between them, so that a change has to be larger to be told. Enter it to see smaller ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>会话没有写明设备的序列号：不认为它们之间有任何共有部分，因此变化必须更大才能报告。请录入序列号以看到更小的变化。</translation>
     </message>
     <message>
         <source>All sessions have one device and one instrument: what errors of these do to Δd is the same each time, so it is in U and in the mean, but not in how far the values may scatter.</source>
-        <translation type="unfinished"></translation>
+        <translation>所有会话为同一设备和同一仪器：它们的误差每次对 Δd 的影响相同，因此计入 U 和均值，但不计入各值允许的离散。</translation>
     </message>
     <message>
         <source>The sessions were not all taken with one instrument, or do not name its serial number: what its errors do to Δd is taken to differ from one to the next.</source>
-        <translation type="unfinished"></translation>
+        <translation>会话并非全部用同一仪器测得，或未写明其序列号：认为其误差对 Δd 的影响每次不同。</translation>
     </message>
     <message>
         <source>Δd has changed from %1 to %2: by %3, %4.</source>
-        <translation type="unfinished"></translation>
+        <translation>从 %1 到 %2，Δd 改变了 %3，%4。</translation>
     </message>
     <message>
         <source>No change of Δd shows from %1 to %2: it is %3, %4.</source>
-        <translation type="unfinished"></translation>
+        <translation>从 %1 到 %2 看不出 Δd 的变化：差为 %3，%4。</translation>
     </message>
     <message>
         <source>%1 (T = %2 of %3 numbers, %4)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1（T = %2，共 %3 个数，%4）</translation>
     </message>
     <message>
         <source>By the readings alone the device is congruent: (O1 − O2)/2 and the radii agree.</source>
-        <translation type="unfinished"></translation>
+        <translation>仅按读数，设备全等：(O1 − O2)/2 和半径一致。</translation>
     </message>
     <message>
         <source>By the readings alone the device is not congruent: (O1 − O2)/2 or the radii differ.</source>
-        <translation type="unfinished"></translation>
+        <translation>仅按读数，设备不全等：(O1 − O2)/2 或半径不同。</translation>
     </message>
     <message>
         <source>O1 and O2 lie where they did, seen from the theodolite.</source>
-        <translation type="unfinished"></translation>
+        <translation>从经纬仪看，O1 和 O2 仍在原处。</translation>
     </message>
     <message>
         <source>O1 and O2 lie elsewhere seen from the theodolite, as they do wherever it was set up anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>从经纬仪看，O1 和 O2 在别处；重新架设后总是如此。</translation>
     </message>
     <message>
         <source>Δd as found</source>
-        <translation type="unfinished"></translation>
+        <translation>所发现的 Δd</translation>
     </message>
     <message>
         <source>Δd of the fit alone</source>
-        <translation type="unfinished"></translation>
+        <translation>仅拟合的 Δd</translation>
     </message>
     <message>
         <source>O1, x</source>
-        <translation type="unfinished"></translation>
+        <translation>O1，x</translation>
     </message>
     <message>
         <source>O1, y</source>
-        <translation type="unfinished"></translation>
+        <translation>O1，y</translation>
     </message>
     <message>
         <source>O2, x</source>
-        <translation type="unfinished"></translation>
+        <translation>O2，x</translation>
     </message>
     <message>
         <source>O2, y</source>
-        <translation type="unfinished"></translation>
+        <translation>O2，y</translation>
     </message>
     <message>
         <source>radius at 0°</source>
-        <translation type="unfinished"></translation>
+        <translation>0° 的半径</translation>
     </message>
     <message>
         <source>radius at 180°</source>
-        <translation type="unfinished"></translation>
+        <translation>180° 的半径</translation>
     </message>
     <message>
         <source>constant</source>
-        <translation type="unfinished"></translation>
+        <translation>恒定</translation>
     </message>
     <message>
         <source>in steps</source>
-        <translation type="unfinished"></translation>
+        <translation>阶跃</translation>
     </message>
     <message>
         <source>a trend</source>
-        <translation type="unfinished"></translation>
+        <translation>趋势</translation>
     </message>
     <message>
         <source>one value off</source>
-        <translation type="unfinished"></translation>
+        <translation>个别值偏离</translation>
     </message>
     <message>
         <source>wandering</source>
-        <translation type="unfinished"></translation>
+        <translation>游走</translation>
     </message>
     <message>
         <source>%1 has no date and takes no part: enter the day it was measured on</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 没有日期，不参与：请录入测量日期</translation>
     </message>
     <message>
         <source>holds no value: each line has a date, a value and its standard uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>不含任何值：每行应有日期、值及其标准不确定度</translation>
     </message>
     <message>
         <source>the column %1 holds expanded uncertainties: half of each is taken as the standard uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>列 %1 为扩展不确定度：取其一半作为标准不确定度</translation>
     </message>
     <message>
         <source>the column U is taken for standard uncertainties (k = 1): halve it where it is not</source>
-        <translation type="unfinished"></translation>
+        <translation>列 U 按标准不确定度（k = 1）处理：若不是，请减半</translation>
     </message>
     <message>
         <source>has commas between and within its numbers: part them by semicolons</source>
-        <translation type="unfinished"></translation>
+        <translation>数之间和数内都有逗号：请用分号分隔</translation>
     </message>
     <message>
         <source>has no date: write year-month-day, year-month, a year or a decimal year</source>
-        <translation type="unfinished"></translation>
+        <translation>没有日期：请写年-月-日、年-月、年份或小数年份</translation>
     </message>
     <message>
         <source>has no value: each line has a date, a value and its standard uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>没有值：每行应有日期、值及其标准不确定度</translation>
     </message>
     <message>
         <source>line %1 has no value and is left out</source>
-        <translation type="unfinished"></translation>
+        <translation>第 %1 行没有值，已略去</translation>
     </message>
     <message>
         <source>%1 is no number</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 不是数</translation>
     </message>
     <message>
         <source>has no standard uncertainty: without one the value cannot be weighed, state it in the third column</source>
-        <translation type="unfinished"></translation>
+        <translation>没有标准不确定度：没有它无法对该值加权，请写在第三列</translation>
     </message>
     <message>
         <source>the standard uncertainty %1 is not greater than 0: a value without one cannot be weighed</source>
-        <translation type="unfinished"></translation>
+        <translation>标准不确定度 %1 不大于 0：没有不确定度的值无法加权</translation>
     </message>
     <message>
         <source>the other sessions of the series</source>
@@ -4108,6 +4112,18 @@ Sealed by:</source>
     <message>
         <source>Measure guideway %1 again: %3 would show by %4 σ (more sessions needed: %2).</source>
         <translation>再次测量导轨 %1：%3将显出 %4 σ（还需会话数：%2）。</translation>
+    </message>
+    <message>
+        <source>From %1 on it is larger by %2 (standard uncertainty).</source>
+        <translation>自 %1 起增大 %2（标准不确定度）。</translation>
+    </message>
+    <message>
+        <source>From %1 on it is smaller by %2 (standard uncertainty).</source>
+        <translation>自 %1 起减小 %2（标准不确定度）。</translation>
+    </message>
+    <message>
+        <source>it has no date and takes no part: enter the day it was measured on</source>
+        <translation>没有日期，不参与：请录入测量日期</translation>
     </message>
 </context>
 <context>
@@ -5244,6 +5260,130 @@ a clause as a sentence</extracomment>
         <source>Each takes part in the uncertainty and in the search for causes with this value and u; that it holds no longer was given a chance of one in fifty beforehand. A dash: these readings do not show it.</source>
         <translation>每一项以此值和 u 参与不确定度及原因的寻找；事先假定其不再成立的机会为五十分之一。短横表示这些读数没有显示它。</translation>
     </message>
+    <message>
+        <source>Control chart. Bars: ± 2 u of what a value does not share with the others. Broken lines: mean ± 3 u of each value; dotted: three times the scatter that is seen by the moving range. EWMA: exponentially weighted average with λ = 0.2 and its exact limits. Over the year and its parts.</source>
+        <translation>控制图。误差棒：不与其他值共有部分的 ± 2 u。虚线：均值 ± 各值的 3 u；点线：由移动极差所见离散的三倍。EWMA：λ = 0.2 的指数加权平均及其精确界限。横轴为年份及其小数。</translation>
+    </message>
+    <message>
+        <source>Sessions</source>
+        <translation>会话</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>日期</translation>
+    </message>
+    <message>
+        <source>Session</source>
+        <translation>会话</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>判定</translation>
+    </message>
+    <message>
+        <source>one value</source>
+        <translation>一个值</translation>
+    </message>
+    <message>
+        <source>stable</source>
+        <translation>稳定</translation>
+    </message>
+    <message>
+        <source>scatters</source>
+        <translation>离散</translation>
+    </message>
+    <message>
+        <source>Quantities</source>
+        <translation>各量</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>量</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>值数</translation>
+    </message>
+    <message>
+        <source>Weighted mean</source>
+        <translation>加权均值</translation>
+    </message>
+    <message>
+        <source>Course</source>
+        <translation>走势</translation>
+    </message>
+    <message>
+        <source>Standard uncertainties; of all but Δd as found by the readings alone.</source>
+        <translation>标准不确定度；除所发现的 Δd 外，均仅按读数。</translation>
+    </message>
+    <message>
+        <source>O1 and O2 are told from where the theodolite stood: they stay only where it stands on a pillar.</source>
+        <translation>O1 和 O2 以经纬仪所在位置为准：只有架在观测墩上时才保持不变。</translation>
+    </message>
+    <message>
+        <source>Sessions compared</source>
+        <translation>会话比较</translation>
+    </message>
+    <message>
+        <source>Δd changes by (mm)</source>
+        <translation>Δd 的变化 (mm)</translation>
+    </message>
+    <message>
+        <source>Device: T of m</source>
+        <translation>设备：T（m 个数）</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1（%2）</translation>
+    </message>
+    <message>
+        <source>changed</source>
+        <translation>已改变</translation>
+    </message>
+    <message>
+        <source>differs</source>
+        <translation>不同</translation>
+    </message>
+    <message>
+        <source>Each session with the next, and the first with the last.</source>
+        <translation>每次会话与下一次比较，第一次与最后一次比较。</translation>
+    </message>
+    <message>
+        <source>Δd: as found, with its expanded uncertainty; what both sessions share cancels.</source>
+        <translation>Δd：所发现的值及其扩展不确定度；两次会话共有的部分抵消。</translation>
+    </message>
+    <message>
+        <source>Device: (O1 − O2)/2 and the radii by the readings alone, T = dᵀC⁻¹d with the full covariance of both fits.</source>
+        <translation>设备：仅按读数的 (O1 − O2)/2 和半径，T = dᵀC⁻¹d，含两次拟合的完整协方差。</translation>
+    </message>
+    <message>
+        <source>Device history</source>
+        <translation>设备历史</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 至 %2</translation>
+    </message>
+    <message>
+        <source>Δd over time</source>
+        <translation>Δd 随时间的变化</translation>
+    </message>
+    <message>
+        <source>Alidade %1 · Device history</source>
+        <translation>Alidade %1 · 设备历史</translation>
+    </message>
+    <message>
+        <source>Sessions: %1, %2</source>
+        <translation>会话：%1，%2</translation>
+    </message>
+    <message>
+        <source>Device history: %1</source>
+        <translation>设备历史：%1</translation>
+    </message>
+    <message>
+        <source>The history of this document, to be read by programs</source>
+        <translation>本文档的历史，供程序读取</translation>
+    </message>
 </context>
 <context>
     <name>ReportPart</name>
@@ -5449,6 +5589,37 @@ a clause as a sentence</extracomment>
     <message>
         <source>Seal the session</source>
         <translation>封存会话</translation>
+    </message>
+</context>
+<context>
+    <name>SeriesTexts</name>
+    <message>
+        <source>device without a name</source>
+        <translation>未命名的设备</translation>
+    </message>
+    <message>
+        <source>serial number %1</source>
+        <translation>序列号 %1</translation>
+    </message>
+    <message>
+        <source>%1, serial number %2</source>
+        <translation>%1，序列号 %2</translation>
+    </message>
+    <message>
+        <source>O1 and O2 are told from where the theodolite stood: they stay only where it stands on a pillar.</source>
+        <translation>O1 和 O2 以经纬仪所在位置为准：只有架在观测墩上时才保持不变。</translation>
+    </message>
+    <message>
+        <source>accept</source>
+        <translation>接受</translation>
+    </message>
+    <message>
+        <source>reject</source>
+        <translation>拒绝</translation>
+    </message>
+    <message>
+        <source>undecided</source>
+        <translation>未定</translation>
     </message>
 </context>
 <context>
@@ -7447,6 +7618,135 @@ sizes</source>
     </message>
 </context>
 <context>
+    <name>alidade::ui::HistoryChart</name>
+    <message>
+        <source>Control chart</source>
+        <translation>控制图</translation>
+    </message>
+</context>
+<context>
+    <name>alidade::ui::HistoryPanel</name>
+    <message>
+        <source>&amp;Device</source>
+        <translation>设备(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Quantity</source>
+        <translation>量(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>设备</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>量</translation>
+    </message>
+    <message>
+        <source>What the history says</source>
+        <translation>历史说明了什么</translation>
+    </message>
+    <message>
+        <source>Two sessions compared</source>
+        <translation>比较两次会话</translation>
+    </message>
+    <message>
+        <source>Nothing yet: the history of a device begins with its second session.</source>
+        <translation>尚无内容：设备的历史从第二次会话开始。</translation>
+    </message>
+    <message>
+        <source>These two sessions are not both of the device shown.</source>
+        <translation>这两次会话不都属于所示设备。</translation>
+    </message>
+    <message>
+        <source>Select two sessions in the table (with Ctrl) to see whether the device has changed between them.</source>
+        <translation>在表中选择两次会话（按住 Ctrl），查看设备在其间是否改变。</translation>
+    </message>
+</context>
+<context>
+    <name>alidade::ui::HistoryPlot</name>
+    <message>
+        <source>date (year and its part)</source>
+        <translation>日期（年份及其小数）</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1（%2）</translation>
+    </message>
+    <message>
+        <source>Add sessions of a device, with the dates they were measured on.</source>
+        <translation>请添加一台设备的会话及其测量日期。</translation>
+    </message>
+    <message>
+        <source>value, bar: ± 2 u</source>
+        <translation>值，误差棒：± 2 u</translation>
+    </message>
+    <message>
+        <source>outside ± 3 u</source>
+        <translation>超出 ± 3 u</translation>
+    </message>
+    <message>
+        <source>trend</source>
+        <translation>趋势</translation>
+    </message>
+    <message>
+        <source>levels</source>
+        <translation>各水平</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>均值</translation>
+    </message>
+    <message>
+        <source>mean ± 3 u</source>
+        <translation>均值 ± 3 u</translation>
+    </message>
+    <message>
+        <source>± 3 σ as seen</source>
+        <translation>± 3 σ（所见）</translation>
+    </message>
+    <message>
+        <source>average (EWMA)</source>
+        <translation>平均 (EWMA)</translation>
+    </message>
+    <message>
+        <source>its limits</source>
+        <translation>其界限</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>%1 (standard uncertainty)</source>
+        <translation>%1（标准不确定度）</translation>
+    </message>
+    <message>
+        <source>%1 from the mean, limits ± %2%3</source>
+        <translation>距均值 %1，界限 ± %2%3</translation>
+    </message>
+    <message>
+        <source>: outside</source>
+        <translation>：超出</translation>
+    </message>
+    <message>
+        <source>the first value after a step of %1</source>
+        <translation>阶跃 %1 之后的第一个值</translation>
+    </message>
+    <message>
+        <source>stands apart from all others</source>
+        <translation>与其他所有值不符</translation>
+    </message>
+    <message>
+        <source>%1, %2 values, from %3 to %4: %5</source>
+        <translation>%1，%2 个值，%3 至 %4：%5</translation>
+    </message>
+    <message>
+        <source>Good: the values scatter about one level within ± 3 u, and the average stays within its limits.</source>
+        <translation>良好：各值在 ± 3 u 内围绕一个水平离散，平均保持在其界限内。</translation>
+    </message>
+</context>
+<context>
     <name>alidade::ui::ImportFiles</name>
     <message>
         <source>File</source>
@@ -8736,6 +9036,30 @@ sizes</source>
         <source>&amp;Language</source>
         <translation>语言(&amp;L)</translation>
     </message>
+    <message>
+        <source>History of the device</source>
+        <translation>设备的历史</translation>
+    </message>
+    <message>
+        <source>Choose &amp;folder…</source>
+        <translation>选择文件夹(&amp;F)…</translation>
+    </message>
+    <message>
+        <source>Of the sessions of this device: the report tells Δd over time on a page of its own</source>
+        <translation>此设备的会话所在的文件夹：报告用单独一页说明 Δd 随时间的变化</translation>
+    </message>
+    <message>
+        <source>W&amp;ithout</source>
+        <translation>不含(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Sessions of this device</source>
+        <translation>此设备的会话</translation>
+    </message>
+    <message>
+        <source>Left out</source>
+        <translation>不包含</translation>
+    </message>
 </context>
 <context>
     <name>alidade::ui::ReportFlow</name>
@@ -8794,6 +9118,14 @@ sizes</source>
     <message>
         <source>Fitting and diagnosing for the report…</source>
         <translation>正在为报告拟合和诊断…</translation>
+    </message>
+    <message>
+        <source>Reading the history of the device…</source>
+        <translation>正在读取设备的历史…</translation>
+    </message>
+    <message>
+        <source>The folder of the history holds no session of this device: the report goes without.</source>
+        <translation>历史文件夹中没有此设备的会话：报告不含历史。</translation>
     </message>
 </context>
 <context>
@@ -9192,6 +9524,161 @@ Reference %1, difference %2</source>
     <message>
         <source>Recovered %1; not saved yet</source>
         <translation>已恢复 %1；尚未保存</translation>
+    </message>
+</context>
+<context>
+    <name>alidade::ui::SeriesWindow</name>
+    <message>
+        <source>Series — Alidade</source>
+        <translation>系列 — Alidade</translation>
+    </message>
+    <message>
+        <source>&amp;History</source>
+        <translation>历史(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Save chart</source>
+        <translation>保存图表</translation>
+    </message>
+    <message>
+        <source>Add &amp;Folder…</source>
+        <translation>添加文件夹(&amp;F)…</translation>
+    </message>
+    <message>
+        <source>All sessions (*.alidade) of a folder</source>
+        <translation>文件夹中的所有会话 (*.alidade)</translation>
+    </message>
+    <message>
+        <source>Add F&amp;iles…</source>
+        <translation>添加文件(&amp;I)…</translation>
+    </message>
+    <message>
+        <source>Sessions one by one</source>
+        <translation>逐个会话</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>移除(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Takes the selected sessions out of the series; their files stay</source>
+        <translation>将所选会话移出系列；其文件保留</translation>
+    </message>
+    <message>
+        <source>Export &amp;JSON…</source>
+        <translation>导出 JSON(&amp;J)…</translation>
+    </message>
+    <message>
+        <source>What alidade-cli history --json says</source>
+        <translation>与 alidade-cli history --json 的输出相同</translation>
+    </message>
+    <message>
+        <source>Export &amp;CSV…</source>
+        <translation>导出 CSV(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>The values of the quantity shown, with their limits</source>
+        <translation>所示量的各值及其界限</translation>
+    </message>
+    <message>
+        <source>&amp;PDF…</source>
+        <translation>PDF(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>The history of the device as a document</source>
+        <translation>设备历史文档</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>日期</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>标题</translation>
+    </message>
+    <message>
+        <source>Instrument</source>
+        <translation>仪器</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>设备</translation>
+    </message>
+    <message>
+        <source>Δd ± U</source>
+        <translation>Δd ± U</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>判定</translation>
+    </message>
+    <message>
+        <source>Trouble</source>
+        <translation>问题</translation>
+    </message>
+    <message>
+        <source>Sessions of the series</source>
+        <translation>系列中的会话</translation>
+    </message>
+    <message>
+        <source>Double click opens a session in the main window</source>
+        <translation>双击在主窗口中打开会话</translation>
+    </message>
+    <message>
+        <source>Sessions read</source>
+        <translation>已读取的会话</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>停止(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Add a folder of sessions</source>
+        <translation>添加会话文件夹</translation>
+    </message>
+    <message>
+        <source>Add a folder</source>
+        <translation>添加文件夹</translation>
+    </message>
+    <message>
+        <source>%1 holds no session (*.alidade): choose another folder.</source>
+        <translation>%1 中没有会话 (*.alidade)：请选择其他文件夹。</translation>
+    </message>
+    <message>
+        <source>Reading and diagnosing sessions…</source>
+        <translation>正在读取和诊断会话…</translation>
+    </message>
+    <message>
+        <source>No sessions yet. Add a folder with the sessions of a device.</source>
+        <translation>尚无会话。请添加一台设备的会话所在的文件夹。</translation>
+    </message>
+    <message>
+        <source>Sessions: %1</source>
+        <translation>会话：%1</translation>
+    </message>
+    <message>
+        <source>Sessions: %1, of them %2 that take no part</source>
+        <translation>会话：%1，其中 %2 次不参与</translation>
+    </message>
+    <message>
+        <source>Export history</source>
+        <translation>导出历史</translation>
+    </message>
+    <message>
+        <source>Device history</source>
+        <translation>设备历史</translation>
+    </message>
+    <message>
+        <source>Written to %1</source>
+        <translation>已写入 %1</translation>
+    </message>
+    <message>
+        <source>&amp;Shared Causes</source>
+        <translation>共同原因(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Looking for what the sessions share…</source>
+        <translation>正在查找各会话的共同之处…</translation>
     </message>
 </context>
 <context>
@@ -10005,6 +10492,10 @@ Reference %1, difference %2</source>
     <message>
         <source>&amp;Instrument Check…</source>
         <translation>仪器检查(&amp;I)…</translation>
+    </message>
+    <message>
+        <source>&amp;Series…</source>
+        <translation>系列(&amp;S)…</translation>
     </message>
 </context>
 <context>

@@ -54,7 +54,7 @@ TEST(InstrumentCommand, TellsPeople) {
 
 TEST(InstrumentCommand, TakesSeveralFilesAndStandardInput) {
   const std::string table =
-      "target,hz,v\nA,10.0000,80.0010\nB,50.0000,85.0000\nB,230.0010,275.0000\nA,190.0020,280.0000\n";
+      "target,hz,v\nA,10.0000,80.0910\nB,50.0000,85.7000\nB,230.0010,274.3000\nA,190.0020,279.9100\n";
   const ProgramRun run = instrumentOf(table, {sample, "--json"});
   ASSERT_EQ(run.exitCode, 0) << run.err;
   const Json json = Json::parse(run.out);

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <QApplication>
+
 #include "tests/ui/monkey/monkey.h"
 #include "ui/settings/recent_files.h"
 
@@ -8,7 +10,13 @@
 namespace alidade::ui {
 namespace {
 
-class MonkeyRun : public testing::TestWithParam<unsigned> {};
+class MonkeyRun : public testing::TestWithParam<unsigned> {
+ protected:
+  ~MonkeyRun() override { QApplication::setFont(m_font); }  // the letters are among what it changes
+
+ private:
+  QFont m_font = QApplication::font();
+};
 
 TEST_P(MonkeyRun, LeavesAllInOrder) {
   RecentFiles::clear();  // it opens one of them and saves: not those of tests before it

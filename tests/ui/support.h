@@ -25,6 +25,8 @@ class ScriptedDialogs : public Dialogs {
   QString openPath, savePath, reportPath, exportPath, recordPath;
   QString exportSuggested;                    ///< as asked last
   QString importPath;                         ///< several: one a line
+  QString seriesFolder;                       ///< of a series; empty: cancelled
+  QStringList sessionPaths;                   ///< likewise
   std::function<void(ImportPage&)> onImport;  ///< chooses in the page before it is accepted where it can be
   int importsAsked = 0;
   int saveQuestions = 0;
@@ -41,8 +43,9 @@ class ScriptedDialogs : public Dialogs {
   QStringList previewPaths;                     ///< likewise of each preview
   std::vector<PreviewAnswer> previewAnswers;    ///< to each preview; then: closed
   int previews = 0;
-  QString sealedBy;       ///< the answer to who seals
-  QString sealSuggested;  ///< as asked
+  QString sealedBy;           ///< the answer to who seals
+  QString sealSuggested;      ///< as asked
+  std::optional<QFont> font;  ///< absent: cancelled
   QStringList problems;
   bool goOn = false;      ///< with a file that is open elsewhere
   QStringList elsewhere;  ///< names of such files, as asked about
@@ -75,6 +78,8 @@ class ScriptedDialogs : public Dialogs {
   QStringList askImportPaths(const QString&) override {
     return importPath.isEmpty() ? QStringList() : importPath.split(u'\n');
   }
+  QString askFolder(const QString&, const QString&) override { return seriesFolder; }
+  QStringList askSessionPaths(const QString&) override { return sessionPaths; }
   std::optional<ImportDecision> askImport(ImportRequest request) override;
   QString askRecordPath(const QString&) override { return recordPath; }
   QString askSavePath(const QString&) override { return savePath; }
@@ -100,6 +105,7 @@ class ScriptedDialogs : public Dialogs {
     sealSuggested = suggestion;
     return sealedBy;
   }
+  std::optional<QFont> askFont(const QFont&) override { return font; }
   void showProblem(const QString&, const QString& text) override { problems.append(text); }
 
  private:

@@ -109,18 +109,33 @@ QString Dialogs::askRecordPath(const QString& folder) {
       DialogsText::tr("Instrument records (*.alidade-instrument);;All files (*)"));
 }
 
+QWidget* Dialogs::over() const {
+  QWidget* active = QApplication::activeWindow();
+  const bool isBeside = active && m_parent && active->parentWidget() == m_parent && !active->isModal();
+  return isBeside ? active : m_parent.data();
+}
+
+QString Dialogs::askFolder(const QString& title, const QString& folder) {
+  return QFileDialog::getExistingDirectory(over(), title, folder);
+}
+
+QStringList Dialogs::askSessionPaths(const QString& folder) {
+  return QFileDialog::getOpenFileNames(over(), DialogsText::tr("Add sessions"), folder,
+                                       DialogsText::tr("Sessions (*.alidade);;All files (*)"));
+}
+
 QString Dialogs::askSavePath(const QString& suggestion) {
   return saveFile(m_parent, DialogsText::tr("Save session as"), suggestion, sessionFilter(),
                   QStringLiteral("alidade"));
 }
 
 QString Dialogs::askReportPath(const QString& suggestion) {
-  return saveFile(m_parent, DialogsText::tr("Export acceptance report"), suggestion,
+  return saveFile(over(), DialogsText::tr("Export acceptance report"), suggestion,
                   DialogsText::tr("PDF (*.pdf)"), QStringLiteral("pdf"));
 }
 
 QString Dialogs::askExportPath(const QString& title, const QString& suggestion, const QString& suffix) {
-  return saveFile(m_parent, title, suggestion, QStringLiteral("%1 (*.%2)").arg(suffix.toUpper(), suffix),
+  return saveFile(over(), title, suggestion, QStringLiteral("%1 (*.%2)").arg(suffix.toUpper(), suffix),
                   suffix);
 }
 
@@ -179,7 +194,7 @@ RecoveryAnswer Dialogs::askRecovery(const QList<RecoveryOffer>& offers) {
 }
 
 void Dialogs::showProblem(const QString& title, const QString& text) {
-  QMessageBox box(QMessageBox::Warning, title, boxText(text), QMessageBox::Ok, m_parent);
+  QMessageBox box(QMessageBox::Warning, title, boxText(text), QMessageBox::Ok, over());
   box.setTextInteractionFlags(Qt::TextSelectableByMouse);
   box.exec();
 }

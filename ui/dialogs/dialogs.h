@@ -42,6 +42,9 @@ class Dialogs {
   virtual std::optional<ImportDecision> askImport(ImportRequest request);
   /// Of an instrument record; empty: cancelled.
   virtual QString askRecordPath(const QString& folder);
+  /// A folder, and sessions one by one, of a series; empty: cancelled.
+  virtual QString askFolder(const QString& title, const QString& folder);
+  virtual QStringList askSessionPaths(const QString& folder);
   virtual QString askSavePath(const QString& suggestion);
   virtual QString askReportPath(const QString& suggestion);
   /// `suffix`: "csv", "json", "svg" or "png".
@@ -68,6 +71,9 @@ class Dialogs {
   virtual void showShortcuts();
 
  private:
+  /// What a question stands over: a window beside the main one where that is at work.
+  QWidget* over() const;
+
   QPointer<QWidget> m_parent;
 };
 

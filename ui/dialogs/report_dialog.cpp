@@ -118,6 +118,7 @@ QWidget* ReportDialog::createSheet() {
   addLanguage();
   layout->addWidget(page);
   layout->addWidget(createLogo());
+  layout->addWidget(createHistory());
   layout->addStretch();
   return side;
 }
@@ -156,6 +157,41 @@ QWidget* ReportDialog::createLogo() {
   layout->addLayout(buttons);
   setLogo(m_question.choice.logoPath);
   return group;
+}
+
+QWidget* ReportDialog::createHistory() {
+  auto* group = new QGroupBox(tr("History of the device"));
+  m_seriesName = createPlainLabel({});
+  auto* choose = new QPushButton(tr("Choose &folder…"));
+  choose->setAutoDefault(false);
+  choose->setToolTip(
+      tr("Of the sessions of this device: the report tells Δd over time on a page of its own"));
+  auto* none = new QPushButton(tr("W&ithout"));
+  none->setAutoDefault(false);
+  none->setObjectName(QStringLiteral("no history"));
+  m_noSeries = none;
+  connect(choose, &QPushButton::clicked, this, [this] {
+    const QString folder =
+        QFileDialog::getExistingDirectory(this, tr("Sessions of this device"), m_seriesFolder);
+    if (!folder.isEmpty()) setSeriesFolder(folder);
+  });
+  connect(none, &QPushButton::clicked, this, [this] { setSeriesFolder({}); });
+  auto* buttons = new QHBoxLayout;
+  buttons->addWidget(choose);
+  buttons->addWidget(none);
+  buttons->addStretch();
+  auto* layout = new QVBoxLayout(group);
+  layout->addWidget(m_seriesName);
+  layout->addLayout(buttons);
+  setSeriesFolder(m_question.choice.seriesFolder);
+  return group;
+}
+
+void ReportDialog::setSeriesFolder(const QString& folder) {
+  m_seriesFolder = folder;
+  m_noSeries->setEnabled(!folder.isEmpty());
+  m_seriesName->setText(folder.isEmpty() ? tr("Left out") : shortLine(QFileInfo(folder).fileName(), 40));
+  m_seriesName->setToolTip(tipText(folder));
 }
 
 void ReportDialog::chooseLogo() {
@@ -204,6 +240,7 @@ ReportChoice ReportDialog::choice() const {
   }
   choice.paper = m_paper->paper();
   choice.logoPath = m_logoPath;
+  choice.seriesFolder = m_seriesFolder;
   choice.language = m_language->currentData().toString();
   choice.hasSession = m_session->isChecked();
   return choice;

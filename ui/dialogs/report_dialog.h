@@ -43,6 +43,8 @@ class ReportDialog : public QDialog {
   void addLanguage();
   QWidget* createLogo();
   QWidget* createButtons();
+  QWidget* createHistory();
+  void setSeriesFolder(const QString& folder);
   void chooseLogo();
   void setLogo(const QString& path);
 
@@ -54,6 +56,9 @@ class ReportDialog : public QDialog {
   QLabel *m_logo = nullptr, *m_logoName = nullptr;
   QWidget* m_noLogo = nullptr;  ///< the button that takes it away
   QString m_logoPath;
+  QLabel* m_seriesName = nullptr;
+  QWidget* m_noSeries = nullptr;  ///< the button that leaves the history out
+  QString m_seriesFolder;
 };
 
 }  // namespace alidade::ui

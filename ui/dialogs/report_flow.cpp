@@ -3,6 +3,7 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QPrinter>
+#include <algorithm>
 
 #include "core/base/failure.h"
 #include "ui/dialogs/dialogs.h"
@@ -15,6 +16,7 @@
 #include "ui/language/languages.h"
 #include "ui/report/empty_fields.h"
 #include "ui/report/report_logo.h"
+#include "ui/series/series_job.h"
 #include "ui/settings/report_settings.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/visible_text.h"
@@ -40,6 +42,7 @@ bool ReportFlow::guarded(const QString& title, const std::function<bool()>& work
   bool isDone = false;
   const auto failure = failureOf([&] { isDone = work(); });
   m_spoken = {};
+  m_told = {};
   if (failure)
     m_dialogs.showProblem(
         title,
@@ -95,6 +98,7 @@ std::optional<ReportOptions> ReportFlow::optionsFor(const SharedGap& gap, const 
   options.language = choice.language;
   options.hasSession = choice.hasSession;
   options.gap = gap;
+  if (!choice.seriesFolder.isEmpty()) options.history = historyIn(choice.seriesFolder);
   if (m_check && m_check->isOf(m_document.session())) options.simulated = m_check->simulated;
   if (choice.logoPath.isEmpty()) return options;
   const Result<QImage> logo = readLogo(choice.logoPath);
@@ -106,6 +110,27 @@ std::optional<ReportOptions> ReportFlow::optionsFor(const SharedGap& gap, const 
   }
   options.logo = *logo;
   return options;
+}
+
+std::shared_ptr<const DeviceHistory> ReportFlow::historyIn(const QString& folder) {
+  if (m_told.folder == folder) return m_told.history;
+  const auto busy = m_dialogs.busy(tr("Reading the history of the device…"));
+  const auto series =
+      inBackground<Series>(*busy, [paths = sessionPathsIn({folder})](const std::stop_token& stop) {
+        return readSeries({}, paths, stop);
+      });
+  m_told = {folder, nullptr};
+  if (!series) return nullptr;
+  const Device& device = m_document.session().device;
+  const auto found = std::ranges::find_if(series->devices, [&](const DeviceHistory& one) {
+    return device.serial.empty() ? one.serial.empty() && one.name == device.name
+                                 : one.serial == device.serial;
+  });
+  if (found == series->devices.end())
+    emit remark(tr("The folder of the history holds no session of this device: the report goes without."));
+  else
+    m_told.history = std::make_shared<const DeviceHistory>(*found);
+  return m_told.history;
 }
 
 bool ReportFlow::exportOf(const SharedGap& gap, const QString& suggestion) {

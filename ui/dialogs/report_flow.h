@@ -52,7 +52,15 @@ class ReportFlow : public QObject {
 
   SessionDocument& m_document;
   Dialogs& m_dialogs;
+  /// Of the device of the session at work, by the sessions of a folder; null: none of them is of it, or the
+  /// user stopped it.
+  std::shared_ptr<const DeviceHistory> historyIn(const QString& folder);
+
   SharedBudgetCheck m_check;
+  struct Told {
+    QString folder;
+    std::shared_ptr<const DeviceHistory> history;
+  } m_told;  ///< what `historyIn` made last, likewise as long as a report is at work
   struct Spoken {
     QString language;
     SharedGap of, gap;

@@ -33,6 +33,7 @@ constexpr ClassTopic classTopics[] = {
     {"alidade::ui::GapPanel", "gap"},
     {"alidade::ui::BlindTrialDialog", "gap#trials"},
     {"alidade::ui::InstrumentDialog", "instrument"},
+    {"alidade::ui::SeriesWindow", "series"},
     {"alidade::ui::JournalPanel", "report#journal"},
     {"alidade::ui::ChangedFileBar", "files#others"},
     {"alidade::ui::StartPage", "first"},
@@ -57,6 +58,7 @@ const std::vector<HelpPage>& allHelpPages() {
       {"known-sizes", QT_TRANSLATE_NOOP("HelpPage", "Known sizes and effects")},
       {"instrument", QT_TRANSLATE_NOOP("HelpPage", "Checking the instrument")},
       {"report", QT_TRANSLATE_NOOP("HelpPage", "Report, journal and seal")},
+      {"series", QT_TRANSLATE_NOOP("HelpPage", "A device over time")},
       {"files", QT_TRANSLATE_NOOP("HelpPage", "Files and recovery")},
       {"words", QT_TRANSLATE_NOOP("HelpPage", "Words and symbols")}};
   return pages;

@@ -91,7 +91,7 @@ void CheckPlot::draw() {
       rounds += station.course.size();
     }
   std::vector<Mark> marks;
-  double left = m_points.empty() ? 0 : m_points.front().x, right = m_points.empty() ? 1 : left, reach = 0;
+  double left = m_points.empty() ? 1 : m_points.front().x, right = m_points.empty() ? 3 : left, reach = 0;
   double low = 0, high = 0;
   for (std::size_t i = 0; i < m_points.size(); ++i) {
     const Point& point = m_points[i];

@@ -39,8 +39,8 @@ TableLayout CheckRowsModel::layout() {
 std::string CheckRowsModel::csv() const {
   CsvText csv{"station"};  // its first line is left off below
   const std::size_t head = csv.text().size();
-  for (const QStringList& row : m_rows) {
-    for (const QString& cell : row) csv.typed(cell.toStdString());
+  for (std::size_t i = 0; i < countOfUse(); ++i) {
+    for (const QString& cell : m_rows[i]) csv.typed(cell.toStdString());
     csv.endRow();
   }
   return csv.text().substr(head);
@@ -50,6 +50,16 @@ void CheckRowsModel::put(int row, int column, const QString& text) {
   if (column < 0 || column >= columns) return;
   while (static_cast<int>(m_rows.size()) <= row) m_rows.push_back(blankRow());
   m_rows[static_cast<std::size_t>(row)][column] = text.trimmed();
+}
+
+/// All but the empty one and, before it, one without a target or a circle: it is being typed.
+std::size_t CheckRowsModel::countOfUse() const {
+  const std::size_t filled = m_rows.size() - 1;
+  if (filled == 0) return 0;
+  const QStringList& last = m_rows[filled - 1];
+  constexpr int target = 2;
+  const bool isWhole = !last[target].isEmpty() && !last[firstAngle].isEmpty() && !last[lastAngle].isEmpty();
+  return isWhole ? filled : filled - 1;
 }
 
 /// One empty row at the end, and no more.

@@ -22,8 +22,9 @@ class CheckRowsModel : public QAbstractTableModel {
   /// What they hold, in turn, and that no row names them.
   static TableLayout layout();
 
-  bool isEmpty() const { return m_rows.size() == 1; }
-  std::string csv() const;  ///< line by line the rows; what stands in none of them is left out
+  /// Is there no row to be evaluated?
+  bool isEmpty() const { return countOfUse() == 0; }
+  std::string csv() const;  ///< line by line the rows, without one at the end that is still being typed
 
   /// Into the cells from this one on; further rows are added. A block whose first row names columns goes
   /// where the names say.
@@ -43,6 +44,7 @@ class CheckRowsModel : public QAbstractTableModel {
  private:
   void put(int row, int column, const QString& text);
   void tidy();
+  std::size_t countOfUse() const;
 
   std::vector<QStringList> m_rows;
 };

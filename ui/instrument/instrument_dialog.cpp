@@ -36,6 +36,7 @@ InstrumentDialog::InstrumentDialog(Dialogs& dialogs, QWidget* parent)
   parts->addWidget(createResult());
   parts->setStretchFactor(1, 1);
   parts->setChildrenCollapsible(false);
+  parts->setSizes({150, 440});
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(parts, 1);
   layout->addWidget(createButtons());

@@ -12,6 +12,7 @@
 #include "ui/language/language_scope.h"
 #include "ui/language/languages.h"
 #include "ui/report/attached_session.h"
+#include "ui/report/device_history_report.h"
 #include "ui/report/pdf_archive.h"
 #include "ui/report/report_gap.h"
 #include "ui/report/report_journal.h"
@@ -82,6 +83,10 @@ void layOut(ReportSheet& sheet, const Gap& gap, const ReportOptions& options) {
   if (prints(ReportPart::Gap)) addGap(sheet, gap);
   if (prints(ReportPart::Closures)) addClosures(sheet, gap);
   if (prints(ReportPart::Unseen)) addUnseen(sheet, gap);
+  if (options.history) {
+    sheet.newPage();
+    addDeviceHistory(sheet, *options.history);
+  }
   if (!front.hasMethod) addMethod(sheet, evaluation);
   if (!front.isSigned) addSignatures(sheet, evaluation.session);
   sheet.balance();

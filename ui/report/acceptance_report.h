@@ -11,6 +11,7 @@
 
 #include "core/adjustment/monte_carlo/monte_carlo.h"
 #include "core/base/result.h"
+#include "core/series/history/device_history.h"
 #include "ui/jobs/gap.h"
 #include "ui/report/report_contents.h"
 #include "ui/report/report_paper.h"
@@ -34,10 +35,11 @@ struct ReportOptions {
   QDateTime date = QDateTime::currentDateTime();  ///< printed on each page
   ReportContents contents = {};
   ReportPaper paper = {};
-  QImage logo = {};                          ///< of the laboratory; null: none
-  QString language = {};                     ///< id of a `LanguageInfo`; empty: that of the window
-  bool hasSession = true;                    ///< attaches session and results to the file
-  std::optional<MonteCarlo> simulated = {};  ///< of the same evaluation: told beside the budget
+  QImage logo = {};                                   ///< of the laboratory; null: none
+  QString language = {};                              ///< id of a `LanguageInfo`; empty: that of the window
+  bool hasSession = true;                             ///< attaches session and results to the file
+  std::optional<MonteCarlo> simulated = {};           ///< of the same evaluation: told beside the budget
+  std::shared_ptr<const DeviceHistory> history = {};  ///< of the session's device; null: none is told
   /// Of the same evaluation, whose sentences were made in the same language; null: it is assessed here.
   std::shared_ptr<const Gap> gap = {};
   /// Asked often while the report is written, with the share that is done; false stops it, which is then the

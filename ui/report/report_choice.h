@@ -11,9 +11,10 @@ namespace alidade::ui {
 struct ReportChoice {
   ReportContents contents = {};
   ReportPaper paper = {};
-  QString logoPath = {};   ///< of an image; empty: none
-  QString language = {};   ///< id of a `LanguageInfo`; empty: that of the window
-  bool hasSession = true;  ///< session and results are attached to the PDF
+  QString logoPath = {};      ///< of an image; empty: none
+  QString language = {};      ///< id of a `LanguageInfo`; empty: that of the window
+  QString seriesFolder = {};  ///< of sessions of the device, whose history is told; empty: it is not
+  bool hasSession = true;     ///< session and results are attached to the PDF
 
   bool operator==(const ReportChoice&) const = default;
 };

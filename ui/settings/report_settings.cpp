@@ -41,6 +41,7 @@ ReportChoice rememberedReportChoice() {
   ReportChoice choice{.paper = storedPaper(settings),
                       .logoPath = settings.value(group + QStringLiteral("logo")).toString(),
                       .language = storedLanguage(settings),
+                      .seriesFolder = settings.value(group + QStringLiteral("series")).toString(),
                       .hasSession = settings.value(group + QStringLiteral("session"), true).toBool()};
   const QStringList leftOut = settings.value(group + QStringLiteral("leftOut")).toStringList();
   for (const ReportPartInfo& info : allReportParts())
@@ -64,6 +65,7 @@ void rememberReportChoice(const ReportChoice& choice) {
   put("marginBottom", choice.paper.margins.bottom());
   put("logo", choice.logoPath);
   put("language", choice.language);
+  put("series", choice.seriesFolder);
   put("session", choice.hasSession);
 }
 

@@ -27,8 +27,8 @@ struct SlotSystem {
   Slots rightSide;
 };
 
-/// With the arc angle eliminated. `Columns`: the number of slots where it is known beforehand, which the
-/// compiler unrolls.
+/// With the arc angle eliminated; of the matrix the lower triangle at least. `Columns`: the number of slots
+/// where it is known beforehand, which the compiler unrolls.
 template <int Columns>
 void addNormalEquations(SlotSystem& sum, const VisitEquations& equations) {
   constexpr int most = VisitEquations::mostRows,
@@ -44,7 +44,10 @@ void addNormalEquations(SlotSystem& sum, const VisitEquations& equations) {
   Eigen::Map<Vector> rightSide(sum.rightSide.data(), columns);
   for (Index i = 0; i < rows; ++i) {  // by rows: inner products as short as theirs are slower
     const Vector row = reduced.row(i).transpose();
-    matrix += row.lazyProduct(row.transpose());
+    if constexpr (Columns == Eigen::Dynamic)  // the half of it: with many terms it is what takes the time
+      for (Index j = 0; j < columns; ++j) matrix.col(j).tail(columns - j) += row[j] * row.tail(columns - j);
+    else
+      matrix += row.lazyProduct(row.transpose());
     rightSide += row * equations.residual[i];
   }
 }
@@ -466,7 +469,8 @@ JointSystem JointProblem::system(const JointState& state, JointSystem used) cons
       system.rightSide[map[i]] += ofArcs[arc].rightSide[static_cast<Index>(i)];
       for (std::size_t j = 0; j < static_cast<std::size_t>(slots()); ++j)
         if (map[j] >= 0)
-          system.matrix(map[i], map[j]) += ofArcs[arc].matrix(static_cast<Index>(i), static_cast<Index>(j));
+          system.matrix(map[i], map[j]) +=
+              ofArcs[arc].matrix(static_cast<Index>(std::max(i, j)), static_cast<Index>(std::min(i, j)));
     }
   }
   for (std::size_t i = 0; i < m_estimated.size(); ++i) {

@@ -18,6 +18,7 @@ DatedValue dated(const Epoch& epoch, double value, double u) {
 
 QuantityHistory ofFit(const std::vector<Epoch>& epochs) {
   std::vector<DatedValue> values;
+  values.reserve(epochs.size());
   for (const Epoch& epoch : epochs) values.push_back(dated(epoch, epoch.ofFit.value, epoch.ofFit.sigma));
   return {"intersection_of_fit", "mm", historyOf(std::move(values))};
 }
@@ -82,6 +83,7 @@ History intersectionHistory(const std::vector<Epoch>& epochs) {
       }
   double shared = 0;
   std::vector<double> own;
+  own.reserve(epochs.size());
   for (const Epoch& epoch : epochs) own.push_back(std::pow(epoch.intersection.sigma, 2));
   if (epochs.size() > 1)
     for (const auto& [effect, sigmas] : shares) {

@@ -65,6 +65,7 @@ std::vector<ScaledValue> scaled(const History& history, const std::vector<std::s
 /// The median share of u that certainly is there.
 double leastScatterOf(const std::vector<DatedValue>& values) {
   std::vector<double> shares;
+  shares.reserve(values.size());
   for (const DatedValue& value : values)
     shares.push_back(value.least > 0 ? std::min(1.0, value.least / value.apart) : 1);
   return medianOf(std::move(shares));

@@ -123,7 +123,7 @@ Json deviceJson(const DeviceHistory& device) {
   return json;
 }
 
-Json named(const std::string& name, Json json) {
+Json named(const std::string& name, const Json& json) {
   Json all = {{"history", name}};
   all.update(json);
   return all;

@@ -48,8 +48,10 @@ std::string agreement(const History& history) {
 }
 
 std::string stepSentence(const History& history, const HistoryStep& step, const HistoryNumbers& numbers) {
-  const std::string sized = Phrase::of("From %1 on it is another one, by %2 (standard uncertainty).",
-                                       step.date, numbers.withUncertainty(step.size, step.u));
+  const std::string size = numbers.withUncertainty(std::abs(step.size), step.u);
+  const std::string sized =
+      step.size > 0 ? Phrase::of("From %1 on it is larger by %2 (standard uncertainty).", step.date, size)
+                    : Phrase::of("From %1 on it is smaller by %2 (standard uncertainty).", step.date, size);
   if (step.earliest == step.latest)
     return Phrase::of("%1 It happened between %2 and %3.", sized, history.values[step.first - 1].date,
                       step.date);
@@ -121,16 +123,16 @@ HistoryNumbers::HistoryNumbers(const History& history, std::string unit) : m_uni
   constexpr double tooSmall = 1e-6, tooLarge = 1e7;
   if (largest >= tooLarge || (least < tooSmall && largest < 1))
     m_power = static_cast<int>(std::floor(std::log10(largest > 0 ? largest : least)));
-  m_decimals = decimalsFor(least * std::pow(10.0, -m_power));
+  m_decimals = decimalsFor(least * scale());
   if (m_power != 0) m_unit = "10" + superscript(m_power) + (m_unit.empty() ? "" : " " + m_unit);
 }
 
 std::string HistoryNumbers::number(double value) const {
-  return displayText(value * std::pow(10.0, -m_power), m_decimals);
+  return displayText(value * scale(), m_decimals);
 }
 
 std::string HistoryNumbers::withUnit(double value, int decimals, const std::string& suffix) const {
-  const std::string text = displayText(value * std::pow(10.0, -m_power), decimals);
+  std::string text = displayText(value * scale(), decimals);
   const std::string unit = m_unit + suffix;
   if (unit.empty()) return text;
   return text + (m_power != 0 ? " × " : " ") + unit;
@@ -141,14 +143,18 @@ std::string HistoryNumbers::withUnit(double value) const {
 }
 
 std::string HistoryNumbers::withUncertainty(double value, double u) const {
-  const int decimals = std::max(m_decimals, decimalsFor(u * std::pow(10.0, -m_power), m_decimals));
+  const int decimals = std::max(m_decimals, decimalsFor(u * scale(), m_decimals));
   return withUnit(value, decimals, "") + " ± " + withUnit(u, decimals, "");
 }
 
 std::string HistoryNumbers::ratePerYear(double value, double u) const {
-  const int decimals = decimalsFor(u * std::pow(10.0, -m_power), m_decimals);
+  const int decimals = decimalsFor(u * scale(), m_decimals);
   const std::string suffix = m_unit.empty() ? "1/a" : "/a";
   return withUnit(value, decimals, suffix) + " ± " + withUnit(u, decimals, suffix);
+}
+
+double HistoryNumbers::scale() const {
+  return std::pow(10.0, -m_power);
 }
 
 std::string HistoryNumbers::heading() const {

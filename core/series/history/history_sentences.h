@@ -19,6 +19,8 @@ class HistoryNumbers {
   std::string withUnit(double value) const;                   ///< "1.308 mm", "6.6743 × 10⁻¹¹ m³"
   std::string withUncertainty(double value, double u) const;  ///< "1.308 mm ± 0.021 mm"
   std::string ratePerYear(double value, double u) const;      ///< "0.12 mm/a ± 0.02 mm/a"
+  /// What a number is multiplied with before it is shown: a power of ten.
+  double scale() const;
   std::string heading() const;  ///< "mm", "10⁻¹¹ m³", or empty: above a column of numbers
 
  private:

@@ -146,6 +146,8 @@ class StationFindings {
   }
 
   void tellTilt() {
+    constexpr double spread = 0.5;  // degrees, from which on it is looked for
+    if (!m_station.tilt && m_station.highestDeg - m_station.lowestDeg > spread) return;  // too few pairs
     if (!m_station.tilt)
       return add(
           Severity::Note,

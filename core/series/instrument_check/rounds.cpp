@@ -4,7 +4,6 @@
 #include <cmath>
 #include <map>
 #include <set>
-#include <tuple>
 #include <utility>
 
 #include "core/session/face.h"
@@ -249,7 +248,7 @@ StationRounds roundsAt(const CheckReadings& readings, std::size_t station, Numbe
   StationRounds result;
   result.station = readings.stations[station];
   std::map<std::size_t, std::size_t> targets;  // of all stations to those of this one, as they come first
-  std::map<std::tuple<std::size_t, std::size_t>, std::pair<FaceMean, FaceMean>> means;  // by round and target
+  std::map<std::pair<std::size_t, std::size_t>, std::pair<FaceMean, FaceMean>> means;  // by round and target
   for (std::size_t i = 0; i < numbered.readings.size(); ++i) {
     const FaceReading& reading = *numbered.readings[i];
     const auto [known, isNew] = targets.try_emplace(reading.target, targets.size());
@@ -263,7 +262,7 @@ StationRounds roundsAt(const CheckReadings& readings, std::size_t station, Numbe
   }
   for (const std::string& name : numbered.names) result.rounds.push_back({name, {}});
   for (const auto& [key, faces] : means) {
-    const auto [round, target] = key;
+    const std::size_t round = key.first, target = key.second;
     const auto leaveOut = [&](LeftOut why) {
       result.leftOut.push_back({why, numbered.names[round], result.targets[target]});
     };

@@ -10,7 +10,7 @@ namespace {
 
 using testing::HasSubstr;
 
-const std::string stored = ALIDADE_REFERENCE_DIR "/series";
+const std::string storedSeries = ALIDADE_REFERENCE_DIR "/series";
 
 std::string fingerprint(const std::vector<ScoredSeries>& all) {
   std::string text;
@@ -20,7 +20,7 @@ std::string fingerprint(const std::vector<ScoredSeries>& all) {
 
 // The ray tracer's series, of which single sessions name the effect half of the time.
 TEST(SeriesTrial, NamesWhatSessionsShareAndWhoseItIs) {
-  const auto all = scoreStoredSeries(stored, 0);
+  const auto all = scoreStoredSeries(storedSeries, 0);
   ASSERT_TRUE(all) << all.problem().text();
   ASSERT_EQ(all->size(), 10u);
   std::size_t empty = 0;
@@ -64,7 +64,7 @@ TEST(SeriesTrial, DrawsTheSameSeriesOfTheSameSeed) {
 }
 
 TEST(SeriesTrial, TellsFoldersOfSeriesFromThoseOfSessions) {
-  EXPECT_TRUE(holdsSeries(stored));
+  EXPECT_TRUE(holdsSeries(storedSeries));
   EXPECT_FALSE(holdsSeries(ALIDADE_REFERENCE_DIR "/trials"));
   const test::TemporaryFolder folder;
   EXPECT_FALSE(holdsSeries(folder.path().string()));

@@ -91,6 +91,19 @@ TEST(InstrumentDialog, ChecksRowsAsTheyArePasted) {
   EXPECT_EQ(bench.rows(), 1);
 }
 
+TEST(InstrumentDialog, WaitsForTheRowThatIsBeingTyped) {
+  CheckBench bench;
+  CheckRowsModel& rows = bench.dialog.input().table().rows();
+  rows.setData(rows.index(0, 2), QStringLiteral("A"), Qt::EditRole);
+  bench.settle();
+  EXPECT_THAT(bench.said(), HasSubstr("Half an hour"));
+  rows.setData(rows.index(0, 4), QStringLiteral("10°"), Qt::EditRole);
+  rows.setData(rows.index(0, 5), QStringLiteral("88°"), Qt::EditRole);
+  bench.settle();
+  EXPECT_EQ(rows.rowCount(), 2);
+  EXPECT_THAT(bench.said(), HasSubstr("There is no complete round"));
+}
+
 TEST(InstrumentDialog, TestsAgainstWhatIsStated) {
   CheckBench bench;
   bench.open(samplePath(sample));

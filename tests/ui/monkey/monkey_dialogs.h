@@ -38,6 +38,12 @@ class MonkeyDialogs : public ScriptedDialogs {
       if (m_chance.oneIn(4)) choice.contents.leftOut.insert(part.part);
     return choice;
   }
+  std::optional<QFont> askFont(const QFont& now) override {
+    if (m_chance.oneIn(3)) return {};
+    QFont other = now;
+    other.setPointSizeF(m_chance.of(std::initializer_list{6.0, 9.0, 13.0, 24.0, 400.0}));
+    return other;
+  }
   void showProblem(const QString&, const QString&) override {}
 
   /// Any file of the folder, now and then one that is not there.

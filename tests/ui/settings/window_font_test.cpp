@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <QAction>
 #include <QApplication>
 #include <QFontDatabase>
 #include <QFontInfo>
 #include <QHeaderView>
 #include <QLabel>
+#include <QMenu>
 #include <QSettings>
 #include <QTableView>
 
@@ -47,6 +49,31 @@ TEST_F(WindowFontTest, IsRememberedAndKeptReadable) {
   QSettings().setValue(QStringLiteral("font/points"), 1e6);
   EXPECT_EQ(rememberedFont().points, largestPoints) << "whatever the settings say";
   applyFont({});
+  EXPECT_EQ(rememberedFont(), FontChoice());
+}
+
+TEST_F(WindowFontTest, IsChosenInTheMenu) {
+  OpenWindow open;
+  const auto trigger = [&](const char* text) {
+    for (const QMenu* menu : open->findChildren<QMenu*>()) {
+      if (menu->title().remove(u'&') != QStringLiteral("Font")) continue;
+      for (QAction* action : menu->actions())
+        if (action->text().remove(u'&') == QString::fromUtf8(text)) return action->trigger();
+    }
+    FAIL() << text;
+  };
+  open.dialogs->font = QFont(QStringLiteral("DejaVu Serif"), 11);
+  trigger("Choose…");
+  EXPECT_EQ(rememberedFont(), (FontChoice{QStringLiteral("DejaVu Serif"), 11}));
+  trigger("Larger");
+  trigger("Larger");
+  EXPECT_EQ(rememberedFont().points, 13);
+  trigger("Smaller");
+  EXPECT_EQ(rememberedFont(), (FontChoice{QStringLiteral("DejaVu Serif"), 12}));
+  open.dialogs->font.reset();
+  trigger("Choose…");
+  EXPECT_EQ(rememberedFont().points, 12) << "cancelled";
+  trigger("As the Desktop");
   EXPECT_EQ(rememberedFont(), FontChoice());
 }
 

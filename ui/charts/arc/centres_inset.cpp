@@ -22,6 +22,8 @@ PlanePoint<double> middle(const DrawnIntersection& i) {
   return {(i.upperCentre.x + i.lowerCentre.x) / 2, (i.upperCentre.y + i.lowerCentre.y) / 2};
 }
 
+const QString upperName = QStringLiteral("O1"), lowerName = QStringLiteral("O2");
+
 /// Of half the way from one centre to the other: how far from their middle the picture goes for the sake of
 /// what is drawn about them.
 constexpr double largestShare = 4;
@@ -155,13 +157,21 @@ void CentresInset::paintAxis(QPainter* painter) const {
   painter->setPen(QPen(m_style.mutedText, m_style.unit(), Qt::DashDotLine));
   const double y = m_picture.center().y();
   painter->drawLine(QPointF(m_square.left(), y), QPointF(m_square.right(), y));
-  if (m_isCompact) return;
-  const QFontMetricsF metrics(m_style.font);
-  const QString name = InsetText::tr("axis");
+  const QRectF name = axisNameRect();
+  if (name.isEmpty()) return;
   painter->setPen(m_style.mutedText);
-  painter->drawText(QPointF(m_square.right() - metrics.horizontalAdvance(name) - 0.4 * metrics.height(),
-                            y - 0.25 * metrics.height()),
-                    name);
+  painter->drawText(name.topLeft() + QPointF(0, QFontMetricsF(m_style.font).ascent()), InsetText::tr("axis"));
+}
+
+/// Where the names of the centres leave it room.
+QRectF CentresInset::axisNameRect() const {
+  if (m_isCompact || m_scale <= 0) return {};
+  const QFontMetricsF metrics(m_style.font);
+  const double width = metrics.horizontalAdvance(InsetText::tr("axis"));
+  const QRectF rect(m_square.right() - width - 0.4 * metrics.height(),
+                    m_picture.center().y() - 0.25 * metrics.height() - metrics.ascent(), width,
+                    metrics.height());
+  return rect.intersects(upperNameRect()) || rect.intersects(lowerNameRect()) ? QRectF() : rect;
 }
 
 void CentresInset::paintEllipses(QPainter* painter) const {
@@ -216,23 +226,36 @@ void CentresInset::paintClosure(QPainter* painter) const {
 }
 
 void CentresInset::paintCentres(QPainter* painter) const {
-  const QFontMetricsF metrics(m_style.font);
-  // The names stand outside, since Δx runs inwards, and clear of ellipses that are not too large.
-  const auto draw = [&](const PlanePoint<double>& centre, const DrawnEllipse& ellipse, int axisDeg,
+  const double ascent = QFontMetricsF(m_style.font).ascent();
+  const auto draw = [&](const PlanePoint<double>& centre, int axisDeg, const QRectF& around,
                         const QString& name) {
-    const QPointF at = place(centre);
-    drawMarker(painter, m_style.marker(axisDeg, MarkerShape::Circle), at);
+    drawMarker(painter, m_style.marker(axisDeg, MarkerShape::Circle), place(centre));
     painter->setPen(m_style.text);
-    const double line = metrics.height(), width = metrics.horizontalAdvance(name);
-    const bool leftSide = at.x() < m_picture.center().x();
-    const double room =
-        (leftSide ? at.x() - m_square.left() : m_square.right() - at.x()) - width - 0.3 * line;
-    const double clear = ellipse.reach().x * m_scale + 0.3 * line;
-    const double away = std::max(0.6 * line, clear < std::min(room, 4 * line) ? clear : 0);
-    painter->drawText(at + QPointF(leftSide ? -width - away : away, metrics.ascent() * 0.4), name);
+    painter->drawText(around.topLeft() + QPointF(0, ascent), name);
   };
-  draw(m_intersection->lowerCentre, m_intersection->lowerEllipse, 180, QStringLiteral("O2"));
-  draw(m_intersection->upperCentre, m_intersection->upperEllipse, 0, QStringLiteral("O1"));
+  draw(m_intersection->lowerCentre, 180, lowerNameRect(), lowerName);
+  draw(m_intersection->upperCentre, 0, upperNameRect(), upperName);
+}
+
+QRectF CentresInset::upperNameRect() const {
+  return nameRect(m_intersection->upperCentre, m_intersection->upperEllipse, upperName);
+}
+
+QRectF CentresInset::lowerNameRect() const {
+  return nameRect(m_intersection->lowerCentre, m_intersection->lowerEllipse, lowerName);
+}
+
+/// The names stand outside, since Δx runs inwards, and clear of ellipses that are not too large.
+QRectF CentresInset::nameRect(const PlanePoint<double>& centre, const DrawnEllipse& ellipse,
+                              const QString& name) const {
+  const QFontMetricsF metrics(m_style.font);
+  const QPointF at = place(centre);
+  const double line = metrics.height(), width = metrics.horizontalAdvance(name);
+  const bool leftSide = at.x() < m_picture.center().x();
+  const double room = (leftSide ? at.x() - m_square.left() : m_square.right() - at.x()) - width - 0.3 * line;
+  const double clear = ellipse.reach().x * m_scale + 0.3 * line;
+  const double away = std::max(0.6 * line, clear < std::min(room, 4 * line) ? clear : 0);
+  return {at + QPointF(leftSide ? -width - away : away, -0.6 * metrics.ascent()), QSizeF(width, line)};
 }
 
 void CentresInset::paintDistance(QPainter* painter) const {

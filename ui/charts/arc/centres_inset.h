@@ -26,6 +26,12 @@ class CentresInset : public QGraphicsItem {
   /// From mm in o0 to the parent's units.
   QPointF place(const PlanePoint<double>& point) const;
 
+  /// Where the names of the centres stand, while something is drawn, and that of the axis; empty where these
+  /// leave it no room.
+  QRectF upperNameRect() const;
+  QRectF lowerNameRect() const;
+  QRectF axisNameRect() const;
+
   QRectF boundingRect() const override { return m_square; }
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 
@@ -33,6 +39,7 @@ class CentresInset : public QGraphicsItem {
   void updateScale();
   /// What the picture may reach into: text stands above and below it.
   QRectF frame() const;
+  QRectF nameRect(const PlanePoint<double>& centre, const DrawnEllipse& ellipse, const QString& name) const;
   void paintBare(QPainter* painter) const;  // too small to enlarge anything: a plus where both centres are
   void paintTolerance(QPainter* painter) const;
   void paintAxis(QPainter* painter) const;

@@ -34,7 +34,7 @@ GapModel modelBy(const Protocol& protocol, const std::vector<TrueSize>& effects)
 /// Into a session of which nothing has been explained yet.
 Inquiry inquiryInto(GapModel model) {
   Leftover leftover(linearise(*model.measurement, *model.fit, model.options));
-  return {model, std::move(model), std::move(leftover), {}, {}, {}, {}};
+  return {model, model, std::move(model), std::move(leftover), {}, {}, {}, {}};
 }
 
 Inquiry paperInquiry() {

@@ -142,6 +142,28 @@ TEST(CentresInset, EndsTheBarOfUAtBothEnds) {
 }
 
 // In a window of 1024 × 700 the picture of the arcs is some 210 × 260.
+TEST(CentresInset, WritesNoNameOverAnother) {
+  DrawnIntersection close = drawnIntersection();  // O1 to the right, its name on the line of the axis
+  close.upperCentre = {0.1, 0.05};
+  close.lowerCentre = {-0.1, -0.05};
+  close.tolerance = 2.5;
+  int named = 0, silent = 0;
+  for (const DrawnIntersection& intersection : {drawnIntersection(), close})
+    for (int side = 70; side <= 400; side += 10) {
+      CentresInset inset;
+      inset.setStyle(insetStyle());
+      inset.setSquare(QRectF(0, 0, side, side));
+      inset.setIntersection(intersection);
+      if (inset.scale() <= 0) continue;
+      const QRectF axis = inset.axisNameRect();
+      axis.isEmpty() ? ++silent : ++named;
+      EXPECT_FALSE(axis.intersects(inset.upperNameRect())) << side;
+      EXPECT_FALSE(axis.intersects(inset.lowerNameRect())) << side;
+    }
+  EXPECT_GT(named, 20) << "where there is room it has one";
+  EXPECT_GT(silent, 0);
+}
+
 TEST(CentresInset, IsThereInASmallPicture) {
   ArcPlot plot;
   plot.setStyle(screenStyle(QApplication::palette(), QApplication::font()));

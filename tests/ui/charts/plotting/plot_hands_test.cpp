@@ -270,7 +270,10 @@ TYPED_TEST(PlotHands, SaysWhatAGoodOneLooksLike) {
 }
 
 TEST(Caption, TakesTwoLinesAtMostAndOneWhereThereIsLittleRoom) {
-  Caption caption;
+  QWidget around;
+  around.resize(1000, 100);
+  Caption caption(&around);
+  around.show();
   caption.setSentence(
       QStringLiteral("Good: an even band about 0, two of three within it, hardly one beyond."));
   const auto lines = [&](int width) {

@@ -1,0 +1,182 @@
+#include "ui/series/series_window.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <QComboBox>
+#include <QFile>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTabWidget>
+#include <QTableWidget>
+#include <QTemporaryDir>
+#include <nlohmann/json.hpp>
+
+#include "tests/ui/shown_texts.h"
+#include "tests/ui/support.h"
+#include "ui/main_window.h"
+#include "ui/series/diagnosis_panel.h"
+#include "ui/series/history_chart.h"
+#include "ui/series/history_panel.h"
+
+// Tools › Series…: the sessions of a device together.
+
+namespace alidade::ui {
+namespace {
+
+using testing::HasSubstr;
+
+struct SeriesBench {
+  SeriesBench() {
+    window.show();
+    dialogs.seriesFolder = samplePath(QStringLiteral("history"));
+  }
+
+  void settle() {
+    ASSERT_TRUE(waitFor([this] { return !window.job().isAtWork() && !window.diagnosisJob().isAtWork(); }));
+  }
+  void addYear() {
+    window.addFolder();
+    settle();
+  }
+  QString cell(int row, int column) { return window.table()->item(row, column)->text(); }
+  std::string text(const char* name) {
+    return window.findChild<QLabel*>(QString::fromLatin1(name))->text().toStdString();
+  }
+
+  ScriptedDialogs dialogs;
+  SeriesWindow window{dialogs};
+};
+
+TEST(SeriesWindow, TellsTheHistoryOfAFolder) {
+  SeriesBench bench;
+  bench.addYear();
+  ASSERT_EQ(bench.window.table()->rowCount(), 12);
+  EXPECT_EQ(bench.cell(0, 0), QStringLiteral("2025-01-04"));
+  EXPECT_EQ(bench.cell(11, 0), QStringLiteral("2025-12-15"));
+  EXPECT_EQ(bench.cell(0, 2), QStringLiteral("T-1138"));
+  EXPECT_EQ(bench.cell(0, 3), QStringLiteral("G-07"));
+  EXPECT_THAT(bench.text("history says"), HasSubstr("From 2025-08-11 on"));
+  const HistoryChart* chart = bench.window.findChild<HistoryChart*>();
+  EXPECT_EQ(chart->plot()->markers().marks().size(), 12U);
+  EXPECT_THAT(chart->accessibleDescription().toStdString(), HasSubstr("in steps"));
+  expectAllVisible(bench.window, QStringLiteral("with a series"));
+}
+
+TEST(SeriesWindow, TellsWhatTheSessionsShare) {
+  SeriesBench bench;
+  bench.window.add({samplePath(QStringLiteral("series"))});
+  bench.settle();
+  DiagnosisPanel& panel = *bench.window.diagnosis();
+  ASSERT_GE(panel.causes()->rowCount(), 1);
+  ASSERT_EQ(panel.sessions()->rowCount(), bench.window.table()->rowCount());
+  const QSignalSpy wanted(&bench.window, &SeriesWindow::sessionWanted);
+  bench.window.pages()->setCurrentWidget(&panel);
+  emit panel.sessions()->itemActivated(panel.sessions()->item(2, 0));
+  ASSERT_EQ(wanted.count(), 1);
+  EXPECT_TRUE(QFile::exists(wanted.first().first().toString()));
+}
+
+TEST(SeriesWindow, ShowsTheQuantityThatIsChosen) {
+  SeriesBench bench;
+  bench.addYear();
+  auto* quantities = bench.window.findChildren<QComboBox*>().at(1);
+  quantities->setCurrentIndex(quantities->findData(QStringLiteral("radius_0")));
+  emit quantities->activated(quantities->currentIndex());
+  EXPECT_THAT(bench.text("history says"), HasSubstr("the values agree within their uncertainties"));
+}
+
+TEST(SeriesWindow, ComparesTwoSessionsThatAreSelected) {
+  SeriesBench bench;
+  bench.addYear();
+  EXPECT_THAT(bench.text("congruence"), HasSubstr("Select two sessions"));
+  QTableWidget* table = bench.window.table();
+  table->selectRow(6);
+  table->selectionModel()->select(table->model()->index(7, 0),
+                                  QItemSelectionModel::Select | QItemSelectionModel::Rows);
+  EXPECT_THAT(bench.text("congruence"), HasSubstr("Δd has changed from 2025-07-10"));
+  EXPECT_THAT(bench.text("congruence"), HasSubstr("not congruent"));
+}
+
+TEST(SeriesWindow, NamesTheTroubleOfASession) {
+  const QTemporaryDir folder;
+  const QString broken = folder.filePath(QStringLiteral("broken.alidade"));
+  QFile file(broken);
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("{");
+  file.close();
+  SeriesBench bench;
+  bench.window.add({bench.dialogs.seriesFolder, broken});
+  bench.settle();
+  ASSERT_EQ(bench.window.table()->rowCount(), 13);
+  EXPECT_EQ(bench.cell(12, 1), QStringLiteral("broken.alidade"));
+  EXPECT_THAT(bench.cell(12, 6).toStdString(), HasSubstr("line 1"));
+}
+
+TEST(SeriesWindow, HasEachSessionOnce) {
+  SeriesBench bench;
+  bench.addYear();
+  bench.addYear();
+  EXPECT_EQ(bench.window.table()->rowCount(), 12);
+}
+
+TEST(SeriesWindow, TakesSessionsOut) {
+  SeriesBench bench;
+  bench.addYear();
+  for (int row = 7; row < 12; ++row)
+    bench.window.table()->selectionModel()->select(bench.window.table()->model()->index(row, 0),
+                                                   QItemSelectionModel::Select | QItemSelectionModel::Rows);
+  bench.window.removeSelected();
+  bench.settle();
+  EXPECT_EQ(bench.window.table()->rowCount(), 7);
+  EXPECT_THAT(bench.text("history says"), HasSubstr("Weighted mean of 7 values"));
+}
+
+TEST(SeriesWindow, TellsOfAFolderWithoutSessions) {
+  const QTemporaryDir folder;
+  SeriesBench bench;
+  bench.dialogs.seriesFolder = folder.path();
+  bench.window.addFolder();
+  ASSERT_EQ(bench.dialogs.problems.size(), 1);
+  EXPECT_THAT(bench.dialogs.problems.first().toStdString(), HasSubstr("holds no session"));
+  EXPECT_EQ(bench.window.table()->rowCount(), 0);
+}
+
+TEST(SeriesWindow, WritesJsonCsvAndPdf) {
+  const QTemporaryDir folder;
+  const auto contentOf = [](const QString& path) {
+    QFile file(path);
+    EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << path.toStdString();
+    return file.readAll();
+  };
+  SeriesBench bench;
+  bench.addYear();
+  bench.dialogs.exportPath = folder.filePath(QStringLiteral("h.json"));
+  ASSERT_TRUE(bench.window.exportJson());
+  EXPECT_EQ(nlohmann::json::parse(contentOf(bench.dialogs.exportPath).toStdString())["values"].size(), 12U);
+  bench.dialogs.exportPath = folder.filePath(QStringLiteral("h.csv"));
+  ASSERT_TRUE(bench.window.exportCsv());
+  EXPECT_EQ(contentOf(bench.dialogs.exportPath).count('\n'), 13);
+  bench.dialogs.exportPath = folder.filePath(QStringLiteral("h.pdf"));
+  ASSERT_TRUE(bench.window.exportPdf());
+  EXPECT_TRUE(contentOf(bench.dialogs.exportPath).startsWith("%PDF-"));
+  // Never over a session of the series.
+  bench.dialogs.exportPath = samplePath(QStringLiteral("history/2025-01-04.alidade"));
+  EXPECT_FALSE(bench.window.exportJson());
+}
+
+TEST(SeriesWindow, OpensASessionInTheMainWindow) {
+  OpenWindow window;
+  window->showSeries();
+  auto* series = window->findChild<SeriesWindow*>();
+  ASSERT_NE(series, nullptr);
+  series->add({samplePath(QStringLiteral("history"))});
+  ASSERT_TRUE(waitFor([&] { return !series->job().isAtWork(); }));
+  emit series->table()->itemActivated(series->table()->item(3, 1));
+  EXPECT_EQ(window->document().session().measuredOn, "2025-04-07");
+  EXPECT_EQ(window->findChildren<SeriesWindow*>().size(), 1);
+}
+
+}  // namespace
+}  // namespace alidade::ui

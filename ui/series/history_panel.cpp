@@ -1,0 +1,174 @@
+#include "ui/series/history_panel.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSplitter>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "core/series/history/history_sentences.h"
+#include "core/wording/findings.h"
+#include "ui/panels/parts/figure_grid.h"
+#include "ui/panels/parts/frames.h"
+#include "ui/series/history_chart.h"
+#include "ui/series/series_text.h"
+#include "ui/text/entry_text.h"
+#include "ui/text/visible_text.h"
+
+namespace alidade::ui {
+
+HistoryPanel::HistoryPanel(QWidget* parent)
+    : QWidget(parent), m_devices(new QComboBox), m_quantities(new QComboBox), m_chart(new HistoryChart) {
+  auto* picture = new QWidget;
+  auto* pictureLayout = new QVBoxLayout(picture);
+  pictureLayout->setContentsMargins(0, 0, 0, 0);
+  pictureLayout->addWidget(createChoices());
+  pictureLayout->addWidget(m_chart, 1);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(6, 6, 6, 6);
+  QSplitter* parts = split(Qt::Horizontal, "history parts", {picture, scrolled(createText())}, {620, 360});
+  layout->addWidget(parts);
+  connect(m_devices, &QComboBox::activated, this, [this] {
+    showQuantities();
+    emit deviceChosen();
+  });
+  connect(m_quantities, &QComboBox::activated, this, [this] { showHistory(); });
+  connect(m_chart, &PlotWidget::sightingActivated, this,
+          [this](std::size_t, std::size_t value) { activate(value, true); });
+  connect(m_chart, &PlotWidget::sightingStepped, this,
+          [this](std::size_t, std::size_t value) { activate(value, false); });
+  setSeries(nullptr);
+}
+
+QWidget* HistoryPanel::createChoices() {
+  auto* row = new QWidget;
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(0, 0, 0, 0);
+  m_devicesLabel = new QLabel(tr("&Device"));
+  m_devicesLabel->setBuddy(m_devices);
+  auto* quantities = new QLabel(tr("&Quantity"));
+  quantities->setBuddy(m_quantities);
+  m_devices->setAccessibleName(tr("Device"));
+  m_quantities->setAccessibleName(tr("Quantity"));
+  m_quantities->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  m_devices->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  for (QWidget* part : std::initializer_list<QWidget*>{m_devicesLabel, m_devices, quantities, m_quantities})
+    layout->addWidget(part);
+  layout->addStretch();
+  return row;
+}
+
+QWidget* HistoryPanel::createText() {
+  m_says = wrappedLabel();
+  m_says->setObjectName(QStringLiteral("history says"));
+  m_congruence = wrappedLabel();
+  m_congruence->setObjectName(QStringLiteral("congruence"));
+  auto* text = new QWidget;
+  auto* layout = new QVBoxLayout(text);
+  layout->setContentsMargins(8, 0, 4, 0);
+  layout->addWidget(panelHeading(tr("What the history says")));
+  layout->addWidget(m_says);
+  layout->addSpacing(8);
+  layout->addWidget(panelHeading(tr("Two sessions compared")));
+  layout->addWidget(m_congruence);
+  layout->addStretch();
+  return text;
+}
+
+const DeviceHistory* HistoryPanel::device() const {
+  const int index = m_devices->currentIndex();
+  return m_series && index >= 0 ? &m_series->devices[static_cast<std::size_t>(index)] : nullptr;
+}
+
+const QuantityHistory* HistoryPanel::quantity() const {
+  const DeviceHistory* shown = device();
+  const int index = m_quantities->currentIndex();
+  return shown && index >= 0 ? &shown->quantities[static_cast<std::size_t>(index)] : nullptr;
+}
+
+void HistoryPanel::setSeries(const SharedSeries& series) {
+  m_series = series;
+  showDevices();
+}
+
+/// The device and the quantity that were chosen stay, where they are still there.
+void HistoryPanel::showDevices() {
+  const QString kept = m_devices->currentText();
+  m_devices->clear();
+  if (m_series)
+    for (const DeviceHistory& one : m_series->devices) m_devices->addItem(menuText(deviceText(one)));
+  m_devices->setCurrentIndex(std::max(m_devices->findText(kept), m_devices->count() > 0 ? 0 : -1));
+  for (QWidget* part : std::initializer_list<QWidget*>{m_devicesLabel, m_devices})
+    part->setVisible(m_devices->count() > 1);
+  showQuantities();
+}
+
+void HistoryPanel::showQuantities() {
+  const QVariant kept = m_quantities->currentData();
+  m_quantities->clear();
+  if (const DeviceHistory* shown = device())
+    for (const QuantityHistory& one : shown->quantities)
+      m_quantities->addItem(qText(quantityName(one.id)), qText(one.id));
+  m_quantities->setEnabled(m_quantities->count() > 0);
+  m_quantities->setCurrentIndex(
+      std::max(kept.isValid() ? m_quantities->findData(kept) : -1, m_quantities->count() > 0 ? 0 : -1));
+  showHistory();
+}
+
+void HistoryPanel::showHistory() {
+  const QuantityHistory* shown = quantity();
+  if (!shown) {
+    m_chart->setHistory({}, {}, {});
+    m_says->setText(tr("Nothing yet: the history of a device begins with its second session."));
+  } else {
+    m_chart->setHistory(shown->history, qText(quantityName(shown->id)), shown->unit);
+    m_says->setText(historyLines(*device(), *shown).join(QStringLiteral("\n\n")));
+  }
+  compare(m_compared);
+}
+
+void HistoryPanel::compare(const std::vector<std::string>& files) {
+  m_compared = files;
+  const DeviceHistory* shown = device();
+  std::vector<std::size_t> epochs;
+  if (shown)
+    for (std::size_t i = 0; i < shown->epochs.size(); ++i)
+      if (std::ranges::find(files, shown->epochs[i].file) != files.end()) epochs.push_back(i);
+  if (files.size() != 2 || epochs.size() != 2) {
+    m_congruence->setText(files.size() == 2 && shown
+                              ? tr("These two sessions are not both of the device shown.")
+                              : tr("Select two sessions in the table (with Ctrl) to see whether the device "
+                                   "has changed between them."));
+    return;
+  }
+  QStringList lines;
+  for (const std::string& sentence :
+       congruenceSentences(shown->epochs, congruenceOf(shown->epochs, epochs[0], epochs[1])))
+    lines.append(visibleLine(sentence));
+  m_congruence->setText(lines.join(QStringLiteral("\n\n")));
+}
+
+/// Not every quantity has a value of every session.
+void HistoryPanel::highlight(const std::string& file) {
+  m_chart->clearHighlight();
+  const DeviceHistory* shown = device();
+  const QuantityHistory* drawn = quantity();
+  if (!shown || !drawn || drawn->history.values.size() != shown->epochs.size()) return;
+  const auto found = std::ranges::find(shown->epochs, file, &Epoch::file);
+  if (found != shown->epochs.end())
+    m_chart->setHighlighted(0, static_cast<std::size_t>(found - shown->epochs.begin()));
+}
+
+void HistoryPanel::activate(std::size_t value, bool wanted) {
+  const DeviceHistory* shown = device();
+  const QuantityHistory* drawn = quantity();
+  if (!shown || !drawn || value >= drawn->history.values.size()) return;
+  const DatedValue& of = drawn->history.values[value];
+  const auto found = std::ranges::find_if(
+      shown->epochs, [&](const Epoch& epoch) { return epoch.day == of.day && epoch.title == of.of; });
+  if (found == shown->epochs.end()) return;
+  wanted ? emit sessionWanted(found->file) : emit sessionStepped(found->file);
+}
+
+}  // namespace alidade::ui

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <QString>
+#include <QStringList>
+
+#include "core/series/history/device_history.h"
+
+namespace alidade::ui {
+
+/// "Guideway 7, serial number G-07"; as somebody wrote it.
+QString deviceText(const DeviceHistory& device);
+
+/// What a quantity's history says, a sentence or two each.
+QStringList historyLines(const DeviceHistory& device, const QuantityHistory& quantity);
+
+/// "0.185 ± 0.226 mm": Δd as found and its expanded uncertainty.
+QString intersectionText(const Epoch& epoch);
+
+/// "accept"; empty without a tolerance.
+QString verdictText(const Epoch& epoch);
+
+}  // namespace alidade::ui

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <QWidget>
+
+#include "ui/series/diagnosis_job.h"
+#include "ui/series/series_job.h"
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QTabWidget;
+class QTableWidget;
+
+namespace alidade::ui {
+
+class Dialogs;
+class HistoryPanel;
+
+/// Sessions of one device, or of several, together: a table of them, and what they say in pages below. A
+/// window of its own beside the main one.
+class SeriesWindow : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit SeriesWindow(Dialogs& dialogs, QWidget* parent = nullptr);
+
+  SeriesJob& job() { return m_job; }
+  SeriesDiagnosisJob& diagnosisJob() { return m_diagnosisJob; }
+  QTabWidget* pages() const { return m_pages; }
+  HistoryPanel* history() const { return m_history; }
+  DiagnosisPanel* diagnosis() const { return m_diagnosis; }
+  QTableWidget* table() const { return m_table; }
+  const SharedSeries& series() const { return m_series; }
+
+  void addFolder();  ///< asks for it
+  void addFiles();
+  void add(const QStringList& filesAndFolders);
+  void removeSelected();
+  bool exportJson();
+  bool exportCsv();
+  bool exportPdf();
+
+ signals:
+  /// The session of this file is wanted in the main window.
+  void sessionWanted(const QString& path);
+
+ private:
+  QWidget* createButtons();
+  QWidget* createTable();
+  QWidget* createFoot();
+  void take(const SharedSeries& series);
+  void diagnose();
+  void showSessions();
+  void showWork();
+  void selectionChanged();
+  std::vector<std::string> selectedFiles() const;
+  void select(const std::string& file);
+  QString fileOf(int row) const;
+  bool write(const QString& title, const QString& what, const QString& suffix, const std::string& bytes);
+  QString suggestedPath(const QString& what, const QString& suffix) const;
+
+  Dialogs& m_dialogs;
+  SeriesJob m_job;
+  SeriesDiagnosisJob m_diagnosisJob;
+  SharedSeries m_series;
+  QString m_folder;                      ///< that was looked into last
+  std::vector<std::string> m_diagnosed;  ///< files, as the diagnosis counts them
+  std::vector<std::string> m_waiting;    ///< to be added when the work at hand is done
+  QTableWidget* m_table;
+  QTabWidget* m_pages;
+  HistoryPanel* m_history;
+  DiagnosisPanel* m_diagnosis;
+  QProgressBar* m_progress;
+  QLabel* m_status;
+  QPushButton *m_stop, *m_remove, *m_json, *m_csv, *m_pdf;
+};
+
+}  // namespace alidade::ui
