@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <set>
 
 #include "core/base/phrase.h"
@@ -182,20 +183,40 @@ class Conclusion {
   /// Sessions that do not share a part, then whether it drifts, then what looks like it.
   void settle() {
     m_apart.assign(m_best.parts.size(), {});
-    for (std::size_t p = 0; p < m_best.parts.size(); ++p) {
-      setApart(p);
-      const EffectBlock drift = drifting(m_best.parts[p].block, m_owners);
-      if (drift.sessions.empty()) continue;
-      std::vector<EffectBlock> blocks = blocksOf(m_best);
-      blocks[p] = drift;
-      SharedSet moved = m_search.madeOf(blocks, m_best.accounts);
-      if (moved.logPosteriorOdds > m_best.logPosteriorOdds + std::log(3)) m_best = std::move(moved);
-    }
+    for (std::size_t p = 0; p < m_best.parts.size(); ++p) settle(p);
     for (std::size_t p = 0; p < m_best.parts.size(); ++p) {
       m_rivals.emplace_back();
       for (const auto& [block, odds] : rivalBlocks(p))
         m_rivals.back().push_back({std::string(block.columns().effect->id), block.owner, block.serial, odds});
     }
+  }
+
+  /// One size with some sessions apart, or one that drifts.
+  void settle(std::size_t p) {
+    const double better = std::log(3), eachApart = std::log(effectOdds());
+    const EffectBlock drift = drifting(ofOneOwner(m_best.parts[p].block), m_owners);
+    std::optional<SharedSet> moved;
+    if (!drift.sessions.empty()) {
+      std::vector<EffectBlock> blocks = blocksOf(m_best);
+      blocks[p] = drift;
+      moved = m_search.madeOf(blocks, m_best.accounts);
+      if (moved->logPosteriorOdds < m_best.logPosteriorOdds + better) moved.reset();
+    }
+    setApart(p);
+    const double apart = m_best.logPosteriorOdds + eachApart * static_cast<double>(m_apart[p].size());
+    if (!moved || moved->logPosteriorOdds < apart) return;
+    m_best = *std::move(moved);
+    m_apart[p].clear();
+  }
+
+  /// Of what has a size of its own in each session the same with one size, where all have one owner.
+  EffectBlock ofOneOwner(const EffectBlock& block) const {
+    if (block.sizes != SizesKind::PerSession) return block;
+    const auto same = std::ranges::find_if(m_blocks, [&](const EffectBlock& other) {
+      return other.effect == block.effect && other.sizes == SizesKind::One &&
+             other.sessions == block.sessions;
+    });
+    return same == m_blocks.end() ? block : *same;
   }
 
   /// A session whose own size is out of question beside that of the others does not share the effect; the
