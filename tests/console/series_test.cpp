@@ -10,10 +10,10 @@ namespace {
 using ::testing::HasSubstr;
 using Json = nlohmann::ordered_json;
 
-const std::string stored = ALIDADE_REFERENCE_DIR "/series";
+const std::string storedSeries = ALIDADE_REFERENCE_DIR "/series";
 
 TEST(Series, SaysWhatAFolderShares) {
-  const ProgramRun run = alidadeCli({"diagnose", stored + "/series-06"});
+  const ProgramRun run = alidadeCli({"diagnose", storedSeries + "/series-06"});
   EXPECT_EQ(run.exitCode, 0) << run.err;
   EXPECT_THAT(run.out, HasSubstr("trunnion_tilt of instrument T-1"));
   EXPECT_THAT(run.out, HasSubstr("in the light of the series"));
@@ -21,10 +21,10 @@ TEST(Series, SaysWhatAFolderShares) {
 }
 
 TEST(Series, GivesOneDocument) {
-  const ProgramRun run = alidadeCli({"diagnose", stored + "/series-06", "--json"});
+  const ProgramRun run = alidadeCli({"diagnose", storedSeries + "/series-06", "--json"});
   ASSERT_EQ(run.exitCode, 0) << run.err;
   const Json answer = Json::parse(run.out);
-  const ProgramRun alone = alidadeCli({"diagnose", stored + "/series-06/01.alidade", "--json"});
+  const ProgramRun alone = alidadeCli({"diagnose", storedSeries + "/series-06/01.alidade", "--json"});
   const Json one = Json::parse(alone.out);
   for (const auto& [key, value] : one.items())
     if (key != "shape") {
@@ -42,8 +42,8 @@ TEST(Series, GivesOneDocument) {
 }
 
 TEST(Series, DoesNotDependOnTheNumberOfThreads) {
-  const ProgramRun one = alidadeCli({"diagnose", stored + "/series-07", "--json", "--threads", "1"});
-  const ProgramRun four = alidadeCli({"diagnose", stored + "/series-07", "--json", "--threads", "4"});
+  const ProgramRun one = alidadeCli({"diagnose", storedSeries + "/series-07", "--json", "--threads", "1"});
+  const ProgramRun four = alidadeCli({"diagnose", storedSeries + "/series-07", "--json", "--threads", "4"});
   EXPECT_EQ(one.exitCode, 0) << one.err;
   EXPECT_EQ(one.out, four.out);
 }
@@ -51,8 +51,8 @@ TEST(Series, DoesNotDependOnTheNumberOfThreads) {
 TEST(Series, ABadFileDoesNotStopTheRest) {
   const TemporaryFolder folder;
   const std::string bad = folder.file("bad.alidade", "{");
-  const ProgramRun run =
-      alidadeCli({"diagnose", stored + "/series-06/01.alidade", bad, stored + "/series-06/02.alidade"});
+  const ProgramRun run = alidadeCli(
+      {"diagnose", storedSeries + "/series-06/01.alidade", bad, storedSeries + "/series-06/02.alidade"});
   EXPECT_EQ(run.exitCode, 2);
   EXPECT_THAT(run.err, HasSubstr("bad.alidade: "));
   EXPECT_EQ(std::ranges::count(run.err, '\n'), 1);
@@ -62,11 +62,11 @@ TEST(Series, ABadFileDoesNotStopTheRest) {
 TEST(Series, RefusesWhatIsNone) {
   const TemporaryFolder folder;
   expectRefusal(alidadeCli({"diagnose", folder.path().string()}));
-  expectRefusal(alidadeCli({"diagnose", stored + "/series-06", "--with-reference"}));
+  expectRefusal(alidadeCli({"diagnose", storedSeries + "/series-06", "--with-reference"}));
 }
 
 TEST(Series, IsScored) {
-  const ProgramRun run = alidadeCli({"trial", "--score", stored, "--json"});
+  const ProgramRun run = alidadeCli({"trial", "--score", storedSeries, "--json"});
   ASSERT_EQ(run.exitCode, 0) << run.err;
   const Json answer = Json::parse(run.out);
   EXPECT_EQ(answer["named"]["hits"], answer["named"]["count"]);

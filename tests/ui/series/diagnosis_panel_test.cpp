@@ -51,15 +51,15 @@ TEST(DiagnosisPanel, ShowsWhatIsSharedAndWhose) {
   DiagnosisPanel panel;
   panel.setDiagnosis(trunnionOfTwo());
   ASSERT_EQ(panel.causes()->rowCount(), 1);
-  EXPECT_EQ(panel.causes()->item(0, 0)->text(), "Trunnion tilt");
-  EXPECT_EQ(panel.causes()->item(0, 1)->text(), "instrument T-1");
-  EXPECT_TRUE(panel.causes()->item(0, 2)->text().contains("12.0″"))
+  EXPECT_EQ(panel.causes()->item(0, 0)->text().toStdString(), "Trunnion tilt");
+  EXPECT_EQ(panel.causes()->item(0, 1)->text().toStdString(), "instrument T-1");
+  EXPECT_TRUE(panel.causes()->item(0, 2)->text().contains(QStringLiteral("12.0″")))
       << panel.causes()->item(0, 2)->text().toStdString();
-  EXPECT_EQ(panel.causes()->item(0, 6)->text(), "plane warp");
+  EXPECT_EQ(panel.causes()->item(0, 6)->text().toStdString(), "plane warp");
   ASSERT_EQ(panel.sessions()->rowCount(), 2);
-  EXPECT_EQ(panel.sessions()->item(1, 0)->text(), "second");
-  EXPECT_TRUE(says(panel, "trunnion tilt of instrument T-1"));
-  EXPECT_TRUE(says(panel, "Measure guideway G-1 with another instrument"));
+  EXPECT_EQ(panel.sessions()->item(1, 0)->text().toStdString(), "second");
+  EXPECT_TRUE(says(panel, QStringLiteral("trunnion tilt of instrument T-1")));
+  EXPECT_TRUE(says(panel, QStringLiteral("Measure guideway G-1 with another instrument")));
 }
 
 TEST(DiagnosisPanel, HandsOutTheSessionThatIsActivated) {
@@ -74,10 +74,10 @@ TEST(DiagnosisPanel, HandsOutTheSessionThatIsActivated) {
 TEST(DiagnosisPanel, SaysWhyThereIsNone) {
   DiagnosisPanel panel;
   panel.setDiagnosis(trunnionOfTwo());
-  panel.setDiagnosis(nullptr, "because");
+  panel.setDiagnosis(nullptr, QStringLiteral("because"));
   EXPECT_EQ(panel.causes()->rowCount(), 0);
   EXPECT_EQ(panel.sessions()->rowCount(), 0);
-  EXPECT_TRUE(says(panel, "because"));
+  EXPECT_TRUE(says(panel, QStringLiteral("because")));
 }
 
 TEST(SeriesDiagnosisJob, LeavesOutWhatCannotBeUsed) {
