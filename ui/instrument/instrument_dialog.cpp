@@ -166,7 +166,8 @@ bool InstrumentDialog::saveRecord() {
   if (date.empty() || dateProblem(date)) date = QDate::currentDate().toString(Qt::ISODate).toStdString();
   const QString name = m_answer->instrumentSerial.empty() ? checkName() : qText(m_answer->instrumentSerial);
   return write(tr("Save instrument record"), name, QStringLiteral("alidade-instrument"),
-               checkedRecord(*m_answer->check, m_answer->instrumentName, m_answer->instrumentSerial, date));
+               writeInstrumentRecord(checkedRecord(*m_answer->check, m_answer->instrumentName,
+                                                   m_answer->instrumentSerial, date)));
 }
 
 QString InstrumentDialog::checkName() const {

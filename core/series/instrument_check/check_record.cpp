@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>
 #include <vector>
 
-#include "core/answers/json_text.h"
+#include "core/base/number_text.h"
 #include "core/base/square.h"
 #include "core/series/instrument_check/check_findings.h"
 
@@ -56,16 +55,14 @@ double rounded(double value) {
 
 }  // namespace
 
-std::string checkedRecord(const InstrumentCheck& check, const std::string& name, const std::string& serial,
-                          const std::string& date) {
-  using Json = nlohmann::ordered_json;
-  Json record = {
-      {"format", "alidade-instrument"}, {"version", 1}, {"name", name}, {"serial", serial}, {"date", date}};
-  const auto addSigma = [&record](const char* key, const CheckScatter& scatter) {
-    if (scatter.s() > 0) record[key] = rounded(scatter.s() * std::numbers::sqrt2);
+InstrumentRecord checkedRecord(const InstrumentCheck& check, const std::string& name,
+                               const std::string& serial, const std::string& date) {
+  InstrumentRecord record{.name = name, .serial = serial, .date = date};
+  const auto sigmaText = [](const CheckScatter& scatter) {
+    return scatter.s() > 0 ? shortestText(rounded(scatter.s() * std::numbers::sqrt2)) : std::string();
   };
-  addSigma("sigma_horizontal_arcsec", check.direction);
-  addSigma("sigma_vertical_arcsec", check.vertical);
+  record.sigmaHorizontalArcsec = sigmaText(check.direction);
+  record.sigmaVerticalArcsec = sigmaText(check.vertical);
   std::vector<Estimate> collimations, indices, tilts;
   for (const StationCheck& station : check.stations) {
     if (station.pairs() == 0) continue;
@@ -73,21 +70,20 @@ std::string checkedRecord(const InstrumentCheck& check, const std::string& name,
     indices.push_back({station.index.value, station.index.u});
     if (showsTilt(station)) tilts.push_back({station.tilt->other, station.tilt->uOther});
   }
-  record["known"] = Json::array();
   const auto addKnown = [&](const char* effect, const std::vector<Estimate>& estimates) {
     constexpr double leastU = 1e-3;
     if (const auto known = weighted(estimates))
-      record["known"].push_back({{"effect", effect},
-                                 {"value", rounded(known->value)},
-                                 {"sigma", std::max(rounded(known->u), leastU)},
-                                 {"unit", "arcsec"},
-                                 {"from", "instrument check after ISO 17123-3"},
-                                 {"date", date}});
+      record.known.push_back({.effect = effect,
+                              .value = shortestText(rounded(known->value)),
+                              .sigma = shortestText(std::max(rounded(known->u), leastU)),
+                              .unit = "arcsec",
+                              .from = "instrument check after ISO 17123-3",
+                              .date = date});
   };
   addKnown("collimation", collimations);
   addKnown("trunnion_tilt", tilts);
   addKnown("vertical_index", indices);
-  return jsonText(record);
+  return record;
 }
 
 }  // namespace alidade

@@ -15,9 +15,9 @@ using Json = nlohmann::ordered_json;
 const std::vector<Target> steep{{10, 3}, {95, -14}, {200, 40}, {290, 1}};
 
 Json recordOf(const SimulatedInstrument& instrument, const std::vector<Target>& targets) {
-  return Json::parse(
+  return Json::parse(writeInstrumentRecord(
       checkedRecord(checkInstrument(completeRounds(simulatedRounds(instrument, targets, 7, 9))), "T2", "123",
-                    "2026-03-14"));
+                    "2026-03-14")));
 }
 
 TEST(CheckedRecord, HoldsWhatTheCheckFound) {
@@ -35,6 +35,16 @@ TEST(CheckedRecord, HoldsWhatTheCheckFound) {
   }
   // s is of two faces, the record's σ of one reading: 1″, which 18 degrees of freedom tell to 17 %; 3 of it.
   EXPECT_NEAR(record["sigma_horizontal_arcsec"], 1, 0.5);
+}
+
+TEST(CheckedRecord, IsTakenAsItIs) {
+  const InstrumentRecord record = checkedRecord(
+      checkInstrument(completeRounds(simulatedRounds({.collimation = 8, .noise = 1}, steep, 7, 9))), "T2",
+      "123", "2026-03-14");
+  const Result<InstrumentRecord> read = readInstrumentRecord(writeInstrumentRecord(record));
+  ASSERT_TRUE(read) << read.problem().text();
+  EXPECT_EQ(read->known.size(), record.known.size());
+  EXPECT_EQ(read->sigmaHorizontalArcsec, record.sigmaHorizontalArcsec);
 }
 
 TEST(CheckedRecord, LeavesOutWhatTheReadingsDoNotShow) {
