@@ -23,6 +23,7 @@ namespace alidade::ui {
 namespace {
 
 constexpr auto atRight = Qt::AlignRight;
+constexpr double gapColumn = 4;  // mm, of a column that is aligned to the right and one that is not
 
 QString chanceCell(double chance) {
   return chance < 0.0005 ? QStringLiteral("< 0.001") : numberText(chance, 3);
@@ -56,16 +57,17 @@ void addHistoryChart(ReportSheet& sheet, const QuantityHistory& quantity) {
 void addSessions(ReportSheet& sheet, const DeviceHistory& device) {
   sheet.heading(Report::tr("Sessions"));
   ReportTable table(sheet, {{Report::tr("Date"), 22},
-                            {Report::tr("Session"), 62},
+                            {Report::tr("Session"), 60},
                             {Report::tr("Instrument"), 34},
-                            {QStringLiteral("Δd ± U (mm)"), 32, atRight},
+                            {QStringLiteral("Δd ± U (mm)"), 30, atRight},
+                            {QString(), gapColumn},
                             {Report::tr("Verdict"), 20}});
   table.head();
   for (const Epoch& epoch : device.epochs) {
     const QString instrument =
         visibleLine(epoch.instrumentSerial.empty() ? epoch.instrument : epoch.instrumentSerial);
     table.row({visibleLine(epoch.date), visibleLine(epoch.title), orNotStated(instrument),
-               valueWithUncertainty(epoch.intersection.value, epoch.intersection.expanded, {}),
+               valueWithUncertainty(epoch.intersection.value, epoch.intersection.expanded, {}), QString(),
                orNotStated(ui::verdictText(epoch))});
   }
   table.finish();
@@ -81,12 +83,13 @@ QString courseCell(const History& history) {
 
 void addQuantities(ReportSheet& sheet, const DeviceHistory& device) {
   sheet.heading(Report::tr("Quantities"));
-  ReportTable table(sheet, {{Report::tr("Quantity"), 52},
+  ReportTable table(sheet, {{Report::tr("Quantity"), 44},
                             {Report::tr("Values"), 14, atRight},
-                            {Report::tr("Weighted mean"), 38, atRight},
+                            {Report::tr("Weighted mean"), 50, atRight},
                             {QStringLiteral("χ²"), 16, atRight},
                             {QStringLiteral("p"), 16, atRight},
-                            {Report::tr("Course"), 34}});
+                            {QString(), gapColumn},
+                            {Report::tr("Course"), 26}});
   table.head();
   for (const QuantityHistory& quantity : device.quantities) {
     const History& history = quantity.history;
@@ -94,7 +97,7 @@ void addQuantities(ReportSheet& sheet, const DeviceHistory& device) {
     table.row({qText(quantityName(quantity.id)), QString::number(history.values.size()),
                qText(numbers.withUncertainty(history.mean.value, history.mean.u)),
                history.chance ? numberText(history.chiSquare, 1) : notStated(),
-               history.chance ? chanceCell(*history.chance) : notStated(), courseCell(history)});
+               history.chance ? chanceCell(*history.chance) : notStated(), QString(), courseCell(history)});
   }
   table.finish();
   sheet.skip(1);
@@ -113,7 +116,8 @@ void addCongruences(ReportSheet& sheet, const DeviceHistory& device) {
                             {QStringLiteral("p"), 16, atRight},
                             {Report::tr("Device: T of m"), 26, atRight},
                             {QStringLiteral("p"), 16, atRight},
-                            {QString(), 28}});
+                            {QString(), gapColumn},
+                            {QString(), 24}});
   table.head();
   for (const Congruence& congruence : device.congruences) {
     const bool isNext = congruence.second == congruence.first + 1;
@@ -125,7 +129,7 @@ void addCongruences(ReportSheet& sheet, const DeviceHistory& device) {
                chanceCell(congruence.chance),
                test ? Report::tr("%1 of %2").arg(numberText(test->statistic, 1)).arg(test->ids.size())
                     : notStated(),
-               test ? chanceCell(test->chance) : notStated(),
+               test ? chanceCell(test->chance) : notStated(), QString(),
                congruence.hasChanged                ? Report::tr("changed")
                : test && test->chance < leastChance ? Report::tr("differs")
                                                     : QString()});
