@@ -21,6 +21,7 @@ namespace alidade::ui {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 class ReportFlowTest : public testing::Test {
  protected:
@@ -59,6 +60,22 @@ TEST_F(ReportFlowTest, PrintsAndShowsTheVeryPagesOfThePdf) {
   EXPECT_THAT(pages.toStdString(), HasSubstr("Acceptance report"));
   EXPECT_EQ(pagesOf(open.dialogs->printPath), pages);
   EXPECT_EQ(pagesOf(open.dialogs->previewPaths[0]), pages);
+  EXPECT_TRUE(open.dialogs->problems.isEmpty());
+}
+
+TEST_F(ReportFlowTest, TellsTheHistoryOfTheDeviceWhereItsFolderIsChosen) {
+  ReportChoice choice;
+  choice.seriesFolder = samplePath(QStringLiteral("history"));
+  open.dialogs->reportChoice = choice;
+  open.dialogs->reportPath = in("another device.pdf");
+  ASSERT_TRUE(open->files().exportReport());
+  EXPECT_THAT(printedText(in("another device.pdf")).toStdString(), Not(HasSubstr("From 2025-08-11 on")));
+  ASSERT_TRUE(open->files().open(samplePath(QStringLiteral("history/2025-12-15.alidade"))));
+  open.dialogs->reportPath = in("report.pdf");
+  ASSERT_TRUE(open->files().exportReport());
+  const std::string report = printedText(in("report.pdf")).toStdString();
+  EXPECT_THAT(report, HasSubstr("Acceptance report"));
+  EXPECT_THAT(report, HasSubstr("From 2025-08-11 on"));
   EXPECT_TRUE(open.dialogs->problems.isEmpty());
 }
 
