@@ -34,6 +34,7 @@ constexpr ClassTopic classTopics[] = {
     {"alidade::ui::BlindTrialDialog", "gap#trials"},
     {"alidade::ui::InstrumentDialog", "instrument"},
     {"alidade::ui::SeriesWindow", "series"},
+    {"alidade::ui::DiagnosisPanel", "gap#several"},
     {"alidade::ui::JournalPanel", "report#journal"},
     {"alidade::ui::ChangedFileBar", "files#others"},
     {"alidade::ui::StartPage", "first"},
