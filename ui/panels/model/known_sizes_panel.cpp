@@ -21,7 +21,10 @@ KnownSizesPanel::KnownSizesPanel(SessionDocument& document, QWidget* parent)
     label->setSizePolicy(QSizePolicy::Ignored,
                          QSizePolicy::Preferred);  // a long word must not widen the page
   }
-  layOutByFont(*this, [this] { m_about->setMinimumHeight(2 * fontMetrics().lineSpacing()); });
+  layOutByFont(*this, [this] {
+    m_about->setMinimumHeight(2 * fontMetrics().lineSpacing());
+    m_table->setMinimumHeight(3 * fontMetrics().lineSpacing());  // on a small screen it scrolls
+  });
   m_about->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   m_about->setTextFormat(Qt::PlainText);
   connect(m_table, &KnownSizesTable::currentTold, m_about, &QLabel::setText);
