@@ -4125,6 +4125,10 @@ Sealed by:</source>
         <source>it has no date and takes no part: enter the day it was measured on</source>
         <translation>没有日期，不参与：请录入测量日期</translation>
     </message>
+    <message>
+        <source>χ² = %1 with one degree of freedom, %2</source>
+        <translation>χ² = %1，自由度 1，%2</translation>
+    </message>
 </context>
 <context>
     <name>PlaceText</name>

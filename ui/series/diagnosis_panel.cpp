@@ -65,7 +65,7 @@ DiagnosisPanel::DiagnosisPanel(QWidget* parent)
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(6, 6, 6, 6);
   layout->addWidget(scrolled(text), 1);
-  layout->addWidget(split(Qt::Vertical, "shared causes", {m_causes, m_sessions}, {120, 200}), 2);
+  layout->addWidget(split(Qt::Vertical, "shared causes", {m_causes, m_sessions}, {90, 230}), 3);
   connect(m_sessions, &QTableWidget::itemActivated, this, [this](QTableWidgetItem* item) {
     const auto row = static_cast<std::size_t>(item->row());
     if (m_diagnosis && row < m_diagnosis->sessions.size())
@@ -85,6 +85,7 @@ QTableWidget* DiagnosisPanel::table(const QStringList& titles, const QString& na
   table->setAlternatingRowColors(true);
   table->setWordWrap(false);
   table->verticalHeader()->hide();
+  table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
   table->horizontalHeader()->setHighlightSections(false);
   table->horizontalHeader()->setStretchLastSection(true);
   return table;

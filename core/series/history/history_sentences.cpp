@@ -34,8 +34,11 @@ std::string chanceText(double chance) {
 std::string agreement(const History& history) {
   if (!history.chance) return Phrase::of("There is one value: nothing compares it.");
   const std::string chi =
-      Phrase::of("χ² = %1 with %2 degrees of freedom, %3", displayText(history.chiSquare, 2),
-                 history.degreesOfFreedom, chanceText(*history.chance));
+      history.degreesOfFreedom == 1
+          ? Phrase::of("χ² = %1 with one degree of freedom, %2", displayText(history.chiSquare, 2),
+                       chanceText(*history.chance))
+          : Phrase::of("χ² = %1 with %2 degrees of freedom, %3", displayText(history.chiSquare, 2),
+                       history.degreesOfFreedom, chanceText(*history.chance));
   if (*history.chance >= leastChance && history.course != Course::Constant)
     return Phrase::of(
         "%1: the values agree within their uncertainties, but they scatter by less than these, and "

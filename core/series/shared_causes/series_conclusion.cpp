@@ -503,17 +503,15 @@ class Conclusion {
   }
 
   void addWhere(SeriesDiagnosis& diagnosis) const {
-    double all = 0, left = 0;
+    double left = 0, own = 0;
     std::map<std::string, double> ofInstruments, ofGuideways;
     std::vector<double> excess;
-    double own = 0;
     for (std::size_t s = 0; s < sessions(); ++s) {
       const double f = m_evidence[s].degreesOfFreedom;
       const OwnAccount& account = m_sums[s].account(m_best.accounts[s]);
       excess.push_back(std::max(0.0, m_evidence[s].chiSquare - f));
       ofInstruments[m_owners[s].instrument] += excess.back();
       ofGuideways[m_owners[s].guideway] += excess.back();
-      all += m_evidence[s].chiSquare - f;
       left += chiSquareLeft(m_sums[s], s, m_best) - f + static_cast<double>(account.directions);
       own += m_evidence[s].chiSquare - account.chiSquare;
     }
