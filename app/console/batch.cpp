@@ -134,6 +134,10 @@ Answered answerTo(const ListedFile& file,
 
 }  // namespace
 
+std::size_t threadsOf(const BatchOptions& options) {
+  return options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
+}
+
 int answerEach(const std::vector<std::string>& named,
                const std::function<Result<std::string>(const std::string& file)>& answer,
                const BatchOptions& options) {
@@ -145,9 +149,7 @@ int answerEach(const SessionFiles& list,
                const BatchOptions& options) {
   for (const std::string& path : list.again) notify(inputName(path), "is named again: answered once");
   OrderedOutput output(list.files, options);
-  const std::size_t threads =
-      options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
-  doEach(std::min(threads, list.files.size()), list.files.size(), [&](std::size_t i) {
+  doEach(std::min(threadsOf(options), list.files.size()), list.files.size(), [&](std::size_t i) {
     if (output.awaitTurn(i)) output.take(i, answerTo(list.files[i], answer));
   });
   return output.finish();

@@ -16,6 +16,9 @@ struct BatchOptions {
   bool json = false;
 };
 
+/// In how many threads to work, 1 or more.
+std::size_t threadsOf(const BatchOptions& options);
+
 /// Answers each input that a call names (`sessionFilesOf`) by itself, in parallel, and writes the answers to
 /// stdout in the order of the inputs. As JSON (`answer` gives one document): one line for each, which begins
 /// with the key `file`; of an input that cannot be used it has `file` and `error`. As text: one after the

@@ -1,11 +1,11 @@
 #include "app/console/commands/diagnose_command.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <functional>
 #include <optional>
-#include <thread>
 #include <utility>
 
 #include "app/console/channels.h"
@@ -112,8 +112,7 @@ int giveSeries(const DiagnoseRequest& request) {
     return refuse("--with-reference", "a series is not weighed with references: leave it out, or say --each");
   const SessionFiles listed = sessionFilesOf(request.files);
   for (const std::string& path : listed.again) notify(inputName(path), "named again: it counts once");
-  const std::size_t threads =
-      request.batch.threads > 0 ? request.batch.threads : std::max(1u, std::thread::hardware_concurrency());
+  const std::size_t threads = threadsOf(request.batch);
   std::vector<std::optional<Result<SeriesSession>>> read(listed.files.size());
   doEach(std::clamp<std::size_t>(listed.files.size(), 1, threads), listed.files.size(), [&](std::size_t i) {
     const ListedFile& file = listed.files[i];

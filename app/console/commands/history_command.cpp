@@ -5,7 +5,6 @@
 #include <atomic>
 #include <filesystem>
 #include <optional>
-#include <thread>
 
 #include "app/console/channels.h"
 #include "app/console/commands/batch_options.h"
@@ -117,10 +116,7 @@ class Histories {
   std::vector<Epoch> load(const std::vector<ListedFile>& files, std::vector<std::string>& remarks) {
     std::vector<std::optional<Epoch>> loaded(files.size());
     std::vector<std::string> reasons(files.size());
-    const std::size_t threads = m_request.batch.threads > 0
-                                    ? m_request.batch.threads
-                                    : std::max(1u, std::thread::hardware_concurrency());
-    doEach(threads, files.size(), [&](std::size_t i) {
+    doEach(threadsOf(m_request.batch), files.size(), [&](std::size_t i) {
       const auto failure = failureOf([&] {
         Result<Epoch> epoch = files[i].problem ? Result<Epoch>(*files[i].problem) : loadEpoch(files[i].path);
         if (epoch)
