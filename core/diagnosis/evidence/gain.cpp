@@ -47,12 +47,11 @@ class SharedPart {
     }
   }
 
-  /// The next column, less `step` times the one before.
-  template <typename Shared>
-  void add(const Shared& shared, const Lane<Widths>& step, const Lane<Widths>& inverse,
-           const Lane<Widths>& scaled) {
+  /// The next column, a row of `shared`, less `step` times the one before.
+  void add(const Eigen::Ref<const MatrixXd>& shared, Index row, const Lane<Widths>& step,
+           const Lane<Widths>& inverse, const Lane<Widths>& scaled) {
     for (std::size_t a = 0; a < count(); ++a) {
-      m_own[a] = shared[static_cast<Index>(a)] - step * m_own[a];
+      m_own[a] = shared(row, static_cast<Index>(a)) - step * m_own[a];
       m_along[a] += m_own[a] * scaled;
       for (std::size_t b = 0; b <= a; ++b) at(a, b) -= inverse * m_own[a] * m_own[b];
     }
@@ -93,8 +92,8 @@ template <int Widths>
 class SharedPart<0, Widths> {
  public:
   explicit SharedPart(Index) {}
-  template <typename Shared>
-  void add(const Shared&, const Lane<Widths>&, const Lane<Widths>&, const Lane<Widths>&) {}
+  void add(const Eigen::Ref<const MatrixXd>&, Index, const Lane<Widths>&, const Lane<Widths>&,
+           const Lane<Widths>&) {}
   std::pair<Lane<Widths>, Lane<Widths>> solve() { return {Lane<Widths>::Ones(), Lane<Widths>::Zero()}; }
 };
 
@@ -124,7 +123,7 @@ Gain gainWith(const std::vector<Width>& widths, const TurnedColumns& columns, do
     right = columns.right[i] - step * right;
     const Lane scaled = inverse * right;
     quadratic += scaled * right;
-    part.add(columns.shared.row(i), step, inverse, scaled);
+    part.add(columns.shared, i, step, inverse, scaled);
     beside = i + 1 < count ? columns.subdiagonal[i] : 0;
     step = beside * inverse;
   }

@@ -44,6 +44,9 @@ class Search {
     Eigen::VectorXd right;
     Eigen::MatrixXd shared;
     SomeBeside some(Eigen::Index first, Eigen::Index count) const {
+      // A matrix without columns has no address to count rows from.
+      if (shared.cols() == 0)
+        return {right.segment(first, count), Eigen::Map<const Eigen::MatrixXd>(nullptr, count, 0)};
       return {right.segment(first, count), shared.middleRows(first, count)};
     }
   };
