@@ -1,0 +1,78 @@
+#include "ui/report/pdf_attachments.h"
+
+#include <algorithm>
+#include <exception>
+#include <new>
+#include <qpdf/Pipeline.hh>
+#include <qpdf/QPDF.hh>
+#include <qpdf/QPDFEmbeddedFileDocumentHelper.hh>
+#include <qpdf/QPDFFileSpecObjectHelper.hh>
+#include <qpdf/QPDFObjectHandle.hh>
+#include <stdexcept>
+#include <utility>
+
+namespace alidade::ui {
+
+namespace {
+
+using Outcome = AttachedFile::Outcome;
+
+/// Takes what a stream holds, up to a limit.
+class Taken : public Pipeline {
+ public:
+  explicit Taken(std::size_t most) : Pipeline("attached", nullptr), m_most(most) {}
+
+  void write(const unsigned char* data, std::size_t length) override {
+    if (m_bytes.size() + length > m_most) m_isTooMuch = true;
+    if (m_isTooMuch) throw std::length_error("too much");
+    m_bytes.append(reinterpret_cast<const char*>(data), length);
+  }
+  void finish() override {}
+
+  bool isTooMuch() const { return m_isTooMuch; }
+  std::string& bytes() { return m_bytes; }
+
+ private:
+  std::size_t m_most;
+  std::string m_bytes;
+  bool m_isTooMuch = false;
+};
+
+AttachedFile contentOf(QPDFObjectHandle stream, std::size_t mostBytes) {
+  if (!stream.isStream()) return {Outcome::Missing};
+  Taken taken(mostBytes);
+  const bool isWhole = stream.pipeStreamData(&taken, nullptr, 0, qpdf_dl_generalized, true);
+  if (taken.isTooMuch()) return {Outcome::TooLarge};
+  if (!isWhole) return {Outcome::Damaged};
+  return {Outcome::Found, std::move(taken.bytes())};
+}
+
+char small(char letter) {
+  return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
+}
+
+bool endsWith(std::string_view name, std::string_view suffix) {
+  return name.size() >= suffix.size() &&
+         std::equal(suffix.rbegin(), suffix.rend(), name.rbegin(),
+                    [](char one, char other) { return small(one) == small(other); });
+}
+
+}  // namespace
+
+AttachedFile attachedFile(std::string_view pdf, std::string_view suffix, std::size_t mostBytes) {
+  try {
+    QPDF document;
+    document.setSuppressWarnings(true);
+    document.processMemoryFile("report", pdf.data(), pdf.size());
+    QPDFEmbeddedFileDocumentHelper files(document);
+    for (const auto& [name, file] : files.getEmbeddedFiles())
+      if (endsWith(file->getFilename(), suffix)) return contentOf(file->getEmbeddedFileStream(), mostBytes);
+    return {Outcome::NotThere};
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& failure) {
+    return {Outcome::Unreadable, {}, failure.what()};
+  }
+}
+
+}  // namespace alidade::ui
