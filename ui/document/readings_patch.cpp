@@ -38,8 +38,7 @@ ReadingsPatch ReadingsPatch::removing(const std::vector<Reading>& rows,
                                       const std::vector<std::size_t>& gone) {
   std::vector<std::size_t> numbers = gone;
   std::ranges::sort(numbers);
-  const auto repeated = std::ranges::unique(numbers);
-  numbers.erase(repeated.begin(), repeated.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
   ReadingsPatch patch;
   for (const std::size_t row : numbers)
     if (row < rows.size()) patch.m_gone.push_back({row, rows[row]});

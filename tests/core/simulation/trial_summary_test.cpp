@@ -63,9 +63,10 @@ TEST(TrialSummary, CountsWhatWasDrawn) {
   EXPECT_EQ(summary.count, 500u);
   ASSERT_EQ(summary.right.size(), 8u);
   for (const auto& [trialClass, tally] : summary.right)
-    EXPECT_EQ(tally, counted(
-                         trials, [&](Trial t) { return t.score.trialClass == trialClass; },
-                         [](Trial t) { return t.score.right; }))
+    EXPECT_EQ(tally,
+              counted(
+                  trials, [&, &trialClass = trialClass](Trial t) { return t.score.trialClass == trialClass; },
+                  [](Trial t) { return t.score.right; }))
         << nameOf(trialClass);
   EXPECT_EQ(summary.falseAlarms, counted(
                                      trials, [](Trial t) { return t.score.trialClass == TrialClass::None; },
@@ -83,8 +84,8 @@ TEST(TrialSummary, CountsWhatWasDrawn) {
   for (const auto& [kind, answers] : summary.confusion)
     for (const auto& [answer, times] : answers) {
       const Tally expected = counted(
-          trials, [&](Trial t) { return t.truth.kind == kind; },
-          [&](Trial t) { return t.score.answer == answer; });
+          trials, [&, &kind = kind](Trial t) { return t.truth.kind == kind; },
+          [&, &answer = answer](Trial t) { return t.score.answer == answer; });
       EXPECT_EQ(times, expected.hits) << kind << " taken for " << answer;
       answered += times;
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QDir>
+#include <array>
 
 #include "tests/ui/monkey/chance.h"
 #include "tests/ui/support.h"
@@ -13,8 +14,8 @@ class MonkeyDialogs : public ScriptedDialogs {
   MonkeyDialogs(Chance& chance, const QDir& folder) : m_chance(chance), m_folder(folder) {}
 
   SaveAnswer askSaveChanges(const QString&) override {
-    return m_chance.of(std::initializer_list{SaveAnswer::Save, SaveAnswer::Discard, SaveAnswer::Discard,
-                                             SaveAnswer::Cancel});
+    return m_chance.of(
+        std::array{SaveAnswer::Save, SaveAnswer::Discard, SaveAnswer::Discard, SaveAnswer::Cancel});
   }
   bool askDiscardOther(const QString&, Way) override { return !m_chance.oneIn(3); }
   QString askOpenPath(const QString&) override {
@@ -41,7 +42,7 @@ class MonkeyDialogs : public ScriptedDialogs {
   std::optional<QFont> askFont(const QFont& now) override {
     if (m_chance.oneIn(3)) return {};
     QFont other = now;
-    other.setPointSizeF(m_chance.of(std::initializer_list{6.0, 9.0, 13.0, 24.0, 400.0}));
+    other.setPointSizeF(m_chance.of(std::array{6.0, 9.0, 13.0, 24.0, 400.0}));
     return other;
   }
   void showProblem(const QString&, const QString&) override {}

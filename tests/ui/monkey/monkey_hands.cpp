@@ -11,6 +11,7 @@
 #include <QTreeWidget>
 #include <QWheelEvent>
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "tests/ui/monkey/monkey_texts.h"
@@ -141,8 +142,8 @@ void MonkeyHands::click() {
   const QPoint place(m_chance.below(window->width()), m_chance.below(window->height()));
   QWidget* target = widgetAt(*window, place);
   const QPoint there = target->mapFrom(window, place);
-  const Qt::KeyboardModifier with = m_chance.of(
-      std::initializer_list{Qt::NoModifier, Qt::NoModifier, Qt::ControlModifier, Qt::ShiftModifier});
+  const Qt::KeyboardModifier with =
+      m_chance.of(std::array{Qt::NoModifier, Qt::NoModifier, Qt::ControlModifier, Qt::ShiftModifier});
   const bool twice = m_chance.oneIn(5);
   m_say(QStringLiteral("click %1 at %2 %3")
             .arg(nameOf(target), pointText(place), QLatin1String(twice ? "twice" : "once")));
@@ -276,7 +277,7 @@ void MonkeyHands::addPosition() {
 void MonkeyHands::changeLook() {
   if (m_chance.oneIn(2)) {
     m_say(QStringLiteral("another theme"));
-    return applyTheme(m_chance.of(std::initializer_list{Theme::System, Theme::Light, Theme::Dark}));
+    return applyTheme(m_chance.of(std::array{Theme::System, Theme::Light, Theme::Dark}));
   }
   const QSize size(m_chance.between(200, 1600), m_chance.between(150, 1000));
   m_say(QStringLiteral("resize to %1 × %2").arg(size.width()).arg(size.height()));

@@ -185,8 +185,10 @@ std::vector<LegendEntry> ResidualPlot::kindEntries() const {
     return std::tuple(kind.axisDeg, kind.isAgain, kind.circle);
   };
   std::ranges::sort(kinds, {}, key);
-  const auto twice = std::ranges::unique(kinds, {}, key);
-  kinds.erase(twice.begin(), twice.end());
+  const auto isTwice = [&key](const ResidualKind& one, const ResidualKind& other) {
+    return key(one) == key(other);
+  };
+  kinds.erase(std::unique(kinds.begin(), kinds.end(), isTwice), kinds.end());
   std::vector<LegendEntry> entries;
   for (const ResidualKind& kind : kinds) entries.push_back({kind.marker(style()), kind.text()});
   for (LegendEntry& entry : rowEntries(style(), m_picture->kinds, m_drawn.rows, m_slots.areApart()))

@@ -44,8 +44,8 @@ void ReadingsTable::layOutColumns() {
   header->setMinimumSectionSize(36);
   layOutByFont(*this, [this] { fitCells(); });
   header->setStretchLastSection(true);
-  const int last = readingColumnCount - 1;
-  connect(header, &QHeaderView::sectionResized, this, [this, last](int column, int, int) {
+  constexpr int last = readingColumnCount - 1;
+  connect(header, &QHeaderView::sectionResized, this, [this](int column, int, int) {
     if (!m_isFitting && column != last) m_isFitted = false;
   });
 }

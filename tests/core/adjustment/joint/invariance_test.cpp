@@ -81,7 +81,7 @@ TEST_P(InvarianceTest, TheOrderOfPositionsAndRowsChangesNothing) {
   expectSame(before, fitted(reversed));
   Session rotated = session;
   for (Position& position : rotated.positions)
-    std::ranges::rotate(position.readings, position.readings.begin() + 5);
+    std::rotate(position.readings.begin(), position.readings.begin() + 5, position.readings.end());
   expectSame(before, fitted(rotated));
 }
 

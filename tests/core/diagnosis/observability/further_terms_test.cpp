@@ -91,7 +91,7 @@ TEST(FurtherTerms, AreThoseOfAllSetsTogether) {
     for (const EstimatedTerm& term : terms) known.push_back(term.term);
     FurtherTerms further(model, ofSession, someEffects());
     int besides = 0;
-    eachFurtherReadings(model, [&](const FurtherReadings& plan) {
+    eachFurtherReadings(model, [&, &terms = terms](const FurtherReadings& plan) {
       SCOPED_TRACE(static_cast<int>(plan.measures.front()));
       MatrixXd columns = shownBy(test::linearisedPlan(model, plan.sets.back()));
       if (plan.besideSession)

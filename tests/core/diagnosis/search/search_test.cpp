@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <ranges>
 
 #include "core/diagnosis/candidates/effect_components.h"
 #include "core/diagnosis/candidates/gross_error_components.h"
@@ -68,7 +67,8 @@ class SearchTest : public testing::TestWithParam<std::string> {
     std::vector<double> evidences;
     for (const Explanation& set : sets)
       if (set.parts.size() == before.size() + 1 && isOfKind(set.parts.back().component) &&
-          std::ranges::equal(before, set.parts | std::views::take(before.size()), {}, {}, &Part::component))
+          std::equal(before.begin(), before.end(), set.parts.begin(),
+                     [](std::size_t component, const Part& part) { return part.component == component; }))
         evidences.push_back(set.logBayesFactor);
     std::ranges::sort(evidences, std::greater{});
     return evidences;
