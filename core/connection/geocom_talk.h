@@ -27,6 +27,9 @@ class GeoComTalk : public InstrumentTalk {
   void onLine(const std::string& line, Milliseconds now, TalkStep& step) override;
   void onTake(Milliseconds now, TalkStep& step) override;
   void onTick(Milliseconds now, TalkStep& step) override;
+  void onLineLost(Milliseconds now, TalkStep& step) override {
+    if (m_waitsFor) askAgain(now, step);
+  }
   std::optional<Milliseconds> onWakeAt() const override;
 
  private:

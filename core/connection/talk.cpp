@@ -30,6 +30,7 @@ TalkStep InstrumentTalk::take(Milliseconds now) {
 TalkStep InstrumentTalk::tick(Milliseconds now) {
   TalkStep step;
   m_lines.tick(now, step.remarks);
+  if (!step.remarks.empty()) onLineLost(now, step);
   onTick(now, step);
   return step;
 }

@@ -76,6 +76,8 @@ class InstrumentTalk {
   virtual void onLine(const std::string& line, Milliseconds now, TalkStep& step) = 0;
   virtual void onTake(Milliseconds now, TalkStep& step) = 0;
   virtual void onTick(Milliseconds now, TalkStep& step) = 0;
+  /// Half a line was dropped: who waits for it waits in vain.
+  virtual void onLineLost(Milliseconds, TalkStep&) {}
   virtual std::optional<Milliseconds> onWakeAt() const = 0;
 
   static void send(const std::string& line, TalkStep& step);

@@ -207,7 +207,7 @@ TEST(GeoComTalk, ACableThatIsPulledEndsInASentence) {
   geocom.wake();
   geocom.askForAngles();
   geocom.bench.receive("%R1P,0,1:0,4.3");
-  for (int i = 0; i < 40; ++i) geocom.bench.wait(500);
+  for (int i = 0; i < 60; ++i) geocom.bench.wait(500);
   EXPECT_TRUE(geocom.bench.readings.empty());
   EXPECT_TRUE(geocom.bench.said("Half a line came"));
   EXPECT_TRUE(geocom.bench.said("did not answer 3 times"));
