@@ -4382,8 +4382,8 @@ as read</source>
         <translation>横向倾斜</translation>
     </message>
     <message>
-        <source>&amp;Cross Tilt Column</source>
-        <translation>横向倾斜列(&amp;C)</translation>
+        <source>Cross Tilt Column</source>
+        <translation>横向倾斜列</translation>
     </message>
     <message>
         <source>Tilt ∥ ″</source>
@@ -4398,8 +4398,8 @@ as read</source>
         <translation>纵向倾斜</translation>
     </message>
     <message>
-        <source>&amp;Length Tilt Column</source>
-        <translation>纵向倾斜列(&amp;L)</translation>
+        <source>Length Tilt Column</source>
+        <translation>纵向倾斜列</translation>
     </message>
     <message>
         <source>Corrections</source>
@@ -4414,8 +4414,8 @@ as read</source>
         <translation>改正</translation>
     </message>
     <message>
-        <source>C&amp;orrections Column</source>
-        <translation>改正列(&amp;O)</translation>
+        <source>Corrections Column</source>
+        <translation>改正列</translation>
     </message>
 </context>
 <context>

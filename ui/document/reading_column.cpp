@@ -86,7 +86,7 @@ constexpr std::array columns{
                                                    "What the compensator read across the line of sight, in "
                                                    "arcseconds; the axis leaning right is positive"),
                       .noun = QT_TRANSLATE_NOOP("ReadingColumn", "cross tilt"),
-                      .menuText = QT_TRANSLATE_NOOP("ReadingColumn", "&Cross Tilt Column"),
+                      .menuText = QT_TRANSLATE_NOOP("ReadingColumn", "Cross Tilt Column"),
                       .widest = "−188.88",
                       .printedTitle = nullptr,
                       .printedWidth = 0},
@@ -97,7 +97,7 @@ constexpr std::array columns{
                                                    "What the compensator read along the line of sight, in "
                                                    "arcseconds; the axis leaning forward is positive"),
                       .noun = QT_TRANSLATE_NOOP("ReadingColumn", "length tilt"),
-                      .menuText = QT_TRANSLATE_NOOP("ReadingColumn", "&Length Tilt Column"),
+                      .menuText = QT_TRANSLATE_NOOP("ReadingColumn", "Length Tilt Column"),
                       .widest = "−188.88",
                       .printedTitle = nullptr,
                       .printedWidth = 0},
@@ -109,7 +109,7 @@ constexpr std::array columns{
                                      "What the instrument took off by itself: inclination, standing_axis, "
                                      "collimation, tilting_axis or none; empty means not known"),
         .noun = QT_TRANSLATE_NOOP("ReadingColumn", "corrections"),
-        .menuText = QT_TRANSLATE_NOOP("ReadingColumn", "C&orrections Column"),
+        .menuText = QT_TRANSLATE_NOOP("ReadingColumn", "Corrections Column"),
         .widest = "inclination none",
         .printedTitle = nullptr,
         .printedWidth = 0},
