@@ -566,6 +566,10 @@ Sealed by:</source>
         <source>pointing zero β0 after the readings in face 2</source>
         <translation>盘右读数后瞄准零位 β0</translation>
     </message>
+    <message>
+        <source>σ of the compensator</source>
+        <translation>补偿器的 σ</translation>
+    </message>
 </context>
 <context>
     <name>FileLock</name>
@@ -959,6 +963,18 @@ Sealed by:</source>
     <message>
         <source>Notes</source>
         <translation>备注</translation>
+    </message>
+    <message>
+        <source>σ compensator</source>
+        <translation>σ 补偿器</translation>
+    </message>
+    <message>
+        <source>1</source>
+        <translation>1</translation>
+    </message>
+    <message>
+        <source>Setting accuracy of the compensator, by its data sheet; of use where the readings have tilts, or say what the instrument corrected</source>
+        <translation>补偿器的安置精度，见其技术资料；当读数带有倾斜量，或说明了仪器作了哪些改正时使用</translation>
     </message>
 </context>
 <context>
@@ -4129,6 +4145,62 @@ Sealed by:</source>
         <source>χ² = %1 with one degree of freedom, %2</source>
         <translation>χ² = %1，自由度 1，%2</translation>
     </message>
+    <message>
+        <source>corrected by the instrument, by its own calibration</source>
+        <translation>仪器按自身的校准所作的改正</translation>
+    </message>
+    <message>
+        <source>tilts that the compensator read</source>
+        <translation>补偿器读出的倾斜量</translation>
+    </message>
+    <message>
+        <source>the instrument&apos;s compensator, which was on</source>
+        <translation>仪器的补偿器（已打开）</translation>
+    </message>
+    <message>
+        <source>%1 is out of range: a tilt must be below 3600 arcseconds in size</source>
+        <translation>%1 超出范围：倾斜量的大小必须小于 3600 角秒</translation>
+    </message>
+    <message>
+        <source>%1 names no corrections: type words out of inclination, standing_axis, collimation and tilting_axis with blanks between, or none</source>
+        <translation>%1 不是改正项：请输入 inclination、standing_axis、collimation、tilting_axis 中的词，以空格分隔，或输入 none</translation>
+    </message>
+    <message>
+        <source>With the other sign they would agree: look up which way the instrument counts its tilts.</source>
+        <translation>符号相反时两者即一致：请查明仪器的倾斜量以哪个方向为正。</translation>
+    </message>
+    <message>
+        <source>The readings do not agree on what the instrument corrected by itself (%1), so nothing is taken as known from that.</source>
+        <translation>各读数所述的仪器自身改正（%1）不一致，因此不由此取任何已知量。</translation>
+    </message>
+    <message>
+        <source>Measure with the same corrections throughout, and state them with every reading.</source>
+        <translation>请在整个测量中使用相同的改正，并在每个读数中注明。</translation>
+    </message>
+    <message>
+        <source>The tilts of the compensator are of no use: the readings do not say whether the instrument has taken them off.</source>
+        <translation>补偿器的倾斜量无法使用：读数没有说明仪器是否已将其扣除。</translation>
+    </message>
+    <message>
+        <source>State the corrections that were on with every reading, or none.</source>
+        <translation>请在每个读数中注明打开了哪些改正，或注明 none。</translation>
+    </message>
+    <message>
+        <source>By the compensator the vertical axis moved by %1″ from one position to another.</source>
+        <translation>据补偿器，竖轴在两个位置之间变动了 %1″。</translation>
+    </message>
+    <message>
+        <source>Check the tripod; the tilt that is taken as known is less certain by half of it.</source>
+        <translation>请检查三脚架；作为已知量的倾斜因此增加了其一半的不确定度。</translation>
+    </message>
+    <message>
+        <source>The compensator&apos;s tilts in both faces do not go together by %1″, so they are not used.</source>
+        <translation>补偿器在两个盘位的倾斜量相差 %1″ 而不相符，因此不予使用。</translation>
+    </message>
+    <message>
+        <source>Calibrate the compensator&apos;s index. In face 2 tilts are counted as the instrument has them, turned half round with it.</source>
+        <translation>请校准补偿器的指标差。在盘右位置，倾斜量按随仪器转过半周的方向计。</translation>
+    </message>
 </context>
 <context>
     <name>PlaceText</name>
@@ -4296,6 +4368,54 @@ as read</source>
 as read</source>
         <translation>竖直
 读数</translation>
+    </message>
+    <message>
+        <source>Tilt ⟂ ″</source>
+        <translation>倾斜 ⟂ ″</translation>
+    </message>
+    <message>
+        <source>What the compensator read across the line of sight, in arcseconds; the axis leaning right is positive</source>
+        <translation>补偿器在垂直于视线方向的读数，单位角秒；竖轴向右倾为正</translation>
+    </message>
+    <message>
+        <source>cross tilt</source>
+        <translation>横向倾斜</translation>
+    </message>
+    <message>
+        <source>Cross Tilt Column</source>
+        <translation>横向倾斜列</translation>
+    </message>
+    <message>
+        <source>Tilt ∥ ″</source>
+        <translation>倾斜 ∥ ″</translation>
+    </message>
+    <message>
+        <source>What the compensator read along the line of sight, in arcseconds; the axis leaning forward is positive</source>
+        <translation>补偿器在视线方向的读数，单位角秒；竖轴向前倾为正</translation>
+    </message>
+    <message>
+        <source>length tilt</source>
+        <translation>纵向倾斜</translation>
+    </message>
+    <message>
+        <source>Length Tilt Column</source>
+        <translation>纵向倾斜列</translation>
+    </message>
+    <message>
+        <source>Corrections</source>
+        <translation>改正</translation>
+    </message>
+    <message>
+        <source>What the instrument took off by itself: inclination, standing_axis, collimation, tilting_axis or none; empty means not known</source>
+        <translation>仪器自身扣除的误差：inclination、standing_axis、collimation、tilting_axis 或 none；留空表示未知</translation>
+    </message>
+    <message>
+        <source>corrections</source>
+        <translation>改正</translation>
+    </message>
+    <message>
+        <source>Corrections Column</source>
+        <translation>改正列</translation>
     </message>
 </context>
 <context>
@@ -5387,6 +5507,23 @@ a clause as a sentence</extracomment>
     <message>
         <source>The history of this document, to be read by programs</source>
         <translation>本文档的历史，供程序读取</translation>
+    </message>
+    <message>
+        <source>σ compensator</source>
+        <translation>σ 补偿器</translation>
+    </message>
+    <message>
+        <source>tilt across the line of sight %1″</source>
+        <translation>垂直于视线的倾斜 %1″</translation>
+    </message>
+    <message>
+        <source>tilt along it %1″</source>
+        <translation>沿视线的倾斜 %1″</translation>
+    </message>
+    <message>
+        <source>corrected by the instrument: %1</source>
+        <extracomment>%1: words such as &quot;inclination collimation&quot;, or &quot;none&quot;</extracomment>
+        <translation>仪器已改正：%1</translation>
     </message>
 </context>
 <context>
@@ -8068,6 +8205,18 @@ sizes</source>
     <message>
         <source>Note</source>
         <translation>备注</translation>
+    </message>
+    <message>
+        <source>Tilt ⟂ ″</source>
+        <translation>倾斜 ⟂ ″</translation>
+    </message>
+    <message>
+        <source>Tilt ∥ ″</source>
+        <translation>倾斜 ∥ ″</translation>
+    </message>
+    <message>
+        <source>Corrections</source>
+        <translation>改正</translation>
     </message>
 </context>
 <context>
