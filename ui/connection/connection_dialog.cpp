@@ -84,7 +84,7 @@ QWidget* ConnectionDialog::createButtons() {
     return button;
   };
   m_connect = add(tr("&Connect"), "connect instrument");
-  m_take = add(tr("Take &Reading"), "take reading");
+  m_take = add(tr("Ta&ke Reading"), "take reading");
   layout->addStretch();
   m_save = add(tr("&Save Log…"), "save connection log");
   auto* close = add(tr("Close"), "close connection dialog");

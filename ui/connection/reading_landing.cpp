@@ -104,6 +104,9 @@ Reading landed(const Session& session, const Landing& landing, const InstrumentR
   Reading row = isNew ? followingReading(session, landing.position) : rows[*landing.row];
   row.horizontal = reading.horizontal;
   row.vertical = reading.vertical;
+  row.tiltCrossArcsec = reading.tiltCrossArcsec;
+  row.tiltLengthArcsec = reading.tiltLengthArcsec;
+  row.corrections = reading.corrections;
   if (faceOf(row) != reading.face) row.face = std::to_string(reading.face);
   return row;
 }

@@ -46,7 +46,9 @@ Session sessionToRead() {
 Session blankOf(Session session) {
   for (Position& position : session.positions) {
     position.zero = {};
-    for (Reading& row : position.readings) row.horizontal = row.vertical = row.slider = {};
+    for (Reading& row : position.readings)
+      row.horizontal = row.vertical = row.slider = row.tiltCrossArcsec = row.tiltLengthArcsec =
+          row.corrections = {};
   }
   return session;
 }
@@ -66,8 +68,9 @@ struct Simulator {
   Simulator(const Session& session, const QStringList& options) {
     const std::string file = folder.filePath(QStringLiteral("truth.alidade")).toStdString();
     EXPECT_FALSE(writeFile(file, writeSession(session), {}));
-    process.start(QStringLiteral(ALIDADE_CLI),
-                  QStringList{QStringLiteral("instrument-simulator"), QString::fromStdString(file)} + options);
+    process.start(
+        QStringLiteral(ALIDADE_CLI),
+        QStringList{QStringLiteral("instrument-simulator"), QString::fromStdString(file)} + options);
     EXPECT_TRUE(waitFor([&] { return process.canReadLine(); }));
     path = QString::fromUtf8(process.readLine()).trimmed();
   }
@@ -125,20 +128,32 @@ void expectSame(const Session& read, const Session& sent, double within) {
       expectAngle(is.horizontal, was.horizontal, where);
       expectAngle(is.vertical, was.vertical, where);
       EXPECT_EQ(is.face, was.face) << where;
+      EXPECT_EQ(is.tiltCrossArcsec, was.tiltCrossArcsec) << where;
+      EXPECT_EQ(is.tiltLengthArcsec, was.tiltLengthArcsec) << where;
+      EXPECT_EQ(is.corrections, was.corrections) << where;
       EXPECT_EQ(is.point, was.point) << where;
     }
   }
 }
 
-const QStringList everyFault = {QStringLiteral("--fault"), QStringLiteral("garbage"), QStringLiteral("--fault"),
-                                QStringLiteral("cut"),     QStringLiteral("--fault"), QStringLiteral("twice"),
-                                QStringLiteral("--fault"), QStringLiteral("busy"),    QStringLiteral("--fault"),
-                                QStringLiteral("wrong"),   QStringLiteral("--fault-every"), QStringLiteral("6")};
+const QStringList everyFault = {
+    QStringLiteral("--fault"), QStringLiteral("garbage"),       QStringLiteral("--fault"),
+    QStringLiteral("cut"),     QStringLiteral("--fault"),       QStringLiteral("twice"),
+    QStringLiteral("--fault"), QStringLiteral("busy"),          QStringLiteral("--fault"),
+    QStringLiteral("wrong"),   QStringLiteral("--fault-every"), QStringLiteral("6")};
 
 TEST(InstrumentSession, SeventyTwoSightingsByGeoComWithFaults) {
-  const Session sent = sessionToRead();
+  Session sent = sessionToRead();
   ASSERT_EQ(rowsOf(sent), 72U);
-  Simulator simulator(sent, everyFault);
+  for (Position& position : sent.positions) {
+    for (std::size_t i = 0; i < position.readings.size(); ++i) {
+      position.readings[i].tiltCrossArcsec = std::to_string(i % 5) + ".25";
+      position.readings[i].tiltLengthArcsec = "-" + std::to_string(1 + i % 3) + ".50";
+      position.readings[i].corrections = "inclination standing_axis tilting_axis";
+    }
+  }
+  Simulator simulator(
+      sent, everyFault + QStringList{QStringLiteral("--uncorrected"), QStringLiteral("collimation")});
   Bench bench;
   bench.start(blankOf(sent));
   bench.connectTo(simulator.path, Protocol::GeoCom);
@@ -148,19 +163,22 @@ TEST(InstrumentSession, SeventyTwoSightingsByGeoComWithFaults) {
     const std::size_t before = bench.landed();
     bench.desk().take();
     ASSERT_TRUE(waitFor([&] { return !bench.desk().link().isTaking(); })) << bench.log();
-    ASSERT_TRUE(waitFor([&] {
-      return bench.landed() > before || !bench.desk().flow().question().isEmpty();
-    })) << bench.log();
+    ASSERT_TRUE(waitFor([&] { return bench.landed() > before || !bench.desk().flow().question().isEmpty(); }))
+        << bench.log();
     if (bench.desk().flow().question().isEmpty()) continue;
     EXPECT_FALSE(bench.desk().questionBar()->isHidden());
     EXPECT_EQ(bench.landed(), before) << "nothing is taken before it is answered";
     ++wrong;
-    bench.desk().questionBar()->findChild<QPushButton*>(QStringLiteral("discard questioned reading"))->click();
+    bench.desk()
+        .questionBar()
+        ->findChild<QPushButton*>(QStringLiteral("discard questioned reading"))
+        ->click();
     EXPECT_TRUE(bench.desk().questionBar()->isHidden());
   }
   expectSame(bench.session(), sent, 5.1e-4);  // half of the last place that is written
   EXPECT_EQ(wrong, 2) << "of 12 faults in turn the 5th and 10th";
-  for (const char* said : {"was passed over", "Half a line came", "late or twice", "busy measuring", "was not taken"})
+  for (const char* said :
+       {"was passed over", "Half a line came", "late or twice", "busy measuring", "was not taken"})
     EXPECT_THAT(bench.log(), HasSubstr(said));
   // Each is a step of its own, and all come off again.
   while (bench.open->document().undoStack().canUndo()) bench.open->undo();
@@ -170,8 +188,9 @@ TEST(InstrumentSession, SeventyTwoSightingsByGeoComWithFaults) {
 TEST(InstrumentSession, SeventyTwoSightingsByGsiWithFaults) {
   const Session sent = sessionToRead();
   for (const char* width : {"8", "16"}) {
-    Simulator simulator(sent, everyFault + QStringList{QStringLiteral("--protocol"), QStringLiteral("gsi"),
-                                                       QStringLiteral("--width"), QString::fromLatin1(width)});
+    Simulator simulator(sent,
+                        everyFault + QStringList{QStringLiteral("--protocol"), QStringLiteral("gsi"),
+                                                 QStringLiteral("--width"), QString::fromLatin1(width)});
     Bench bench;
     bench.start(blankOf(sent));
     bench.connectTo(simulator.path, Protocol::Gsi);
@@ -204,8 +223,9 @@ TEST(InstrumentSession, AQuestionedReadingIsTakenWhenWanted) {
   bench.connectTo(simulator.path, Protocol::Gsi);
   for (int i = 0; i < 3; ++i) {
     simulator.process.write("\n");
-    ASSERT_TRUE(waitFor([&] { return bench.landed() + bench.desk().flow().waiting() == static_cast<std::size_t>(i) + 1; }))
-        << bench.log();
+    ASSERT_TRUE(waitFor([&] {
+      return bench.landed() + bench.desk().flow().waiting() == static_cast<std::size_t>(i) + 1;
+    })) << bench.log();
   }
   EXPECT_THAT(bench.desk().flow().question().toStdString(), HasSubstr("face 2 is asked for"));
   EXPECT_EQ(bench.desk().flow().waiting(), 2U) << "what comes meanwhile waits behind it";
