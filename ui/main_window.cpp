@@ -27,6 +27,8 @@
 #include "ui/commands/move_rows.h"
 #include "ui/commands/remove_position.h"
 #include "ui/commands/state_noise.h"
+#include "ui/connection/instrument_desk.h"
+#include "ui/connection/reading_question_bar.h"
 #include "ui/dialogs/blind_trial_dialog.h"
 #include "ui/dialogs/export_flow.h"
 #include "ui/dialogs/instrument_flow.h"
@@ -87,7 +89,8 @@ MainWindow::MainWindow(std::unique_ptr<Dialogs> dialogs)
       m_files(m_document, *m_dialogs),
       m_exports(new ExportFlow(m_document, *m_dialogs, this)),
       m_instrument(new InstrumentFlow(m_document, *m_dialogs, this)),
-      m_watch(m_document) {
+      m_watch(m_document),
+      m_desk(new InstrumentDesk(m_document, *m_dialogs, m_job, *this)) {
   QWidget* entries = createEntryColumn();
   QWidget* results = createResultColumn();
   QSplitter* columns = split(Qt::Horizontal, "columns", {entries, results}, {504, 776});
@@ -100,6 +103,7 @@ MainWindow::MainWindow(std::unique_ptr<Dialogs> dialogs)
   m_jobs = new JobStatus(m_job, m_gapJob);
   m_next = new QLabel;
   m_next->setObjectName(QStringLiteral("next reading"));
+  statusBar()->addPermanentWidget(m_desk->status());
   statusBar()->addPermanentWidget(m_next);
   statusBar()->addPermanentWidget(m_jobs);
   setAcceptDrops(true);
@@ -141,7 +145,8 @@ QWidget* MainWindow::createEntryColumn() {
 
   auto* find = new FindBar;
   m_finder = new ReadingsFinder(m_document, *m_positions, *find);
-  QWidget* top = stacked(m_forms, stacked(find, m_positions));
+  m_desk->setPositions(*m_positions);
+  QWidget* top = stacked(m_forms, stacked(find, stacked(m_desk->questionBar(), m_positions)));
   auto* count = new QLabel;
   count->setObjectName(QStringLiteral("findings count"));
   count->setForegroundRole(QPalette::PlaceholderText);
@@ -254,6 +259,7 @@ void MainWindow::connectParts() {
   for (std::size_t i = 0; m_positions->table(i); ++i) m_actions->attachTo(m_positions->table(i));
   connect(m_positions, &PositionTabs::rowEntered, m_arcChart, &ArcChart::setHighlighted);
   connectEntry();
+  connectInstrument();
   connectCharts();
   connectSuspects();
   connectGap();
@@ -294,6 +300,13 @@ void MainWindow::connectEntry() {
     m_figures->setCurrentWidget(m_result);  // on the verdict
     m_entry->goToNextEntry();
   });
+}
+
+void MainWindow::connectInstrument() {
+  connect(m_desk, &InstrumentDesk::commitWanted, this, &MainWindow::commitPending);
+  connect(m_desk, &InstrumentDesk::landed, this, [this](const Place& place) { reveal(place, false); });
+  connect(m_desk, &InstrumentDesk::remark, this,
+          [this](const QString& text) { statusBar()->showMessage(text, 15000); });
 }
 
 void MainWindow::connectFile() {

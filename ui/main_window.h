@@ -20,6 +20,7 @@ namespace alidade::ui {
 
 class ArcChart;
 class BlindTrialDialog;
+class InstrumentDesk;
 class InstrumentDialog;
 class BudgetPanel;
 class ChangedFileBar;
@@ -60,6 +61,7 @@ class MainWindow : public QMainWindow {
   FitJob& fitJob() { return m_job; }
   GapJob& gapJob() { return m_gapJob; }
   EntryGuide& entry() { return *m_entry; }
+  InstrumentDesk& instrumentDesk() { return *m_desk; }
   ReadingsFinder& finder() { return *m_finder; }
   ReadingsTable* currentTable() const;
 
@@ -111,6 +113,7 @@ class MainWindow : public QMainWindow {
   PageTabs* createDetails();
   void connectParts();
   void connectEntry();
+  void connectInstrument();
   void connectSuspects();
   void connectGap();
   void connectFile();
@@ -166,6 +169,7 @@ class MainWindow : public QMainWindow {
   JobStatus* m_jobs = nullptr;
   QLabel* m_next = nullptr;  ///< what is to be read next, in the status bar
   EntryGuide* m_entry = nullptr;
+  InstrumentDesk* m_desk;
   ReadingsFinder* m_finder = nullptr;
   SharedEvaluation m_shown;                       ///< the newest; null before the first
   BlindTrialDialog* m_blindTrials = nullptr;      ///< null until it is wanted

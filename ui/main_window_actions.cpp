@@ -16,6 +16,7 @@
 #include "core/session/entry.h"
 #include "ui/commands/add_position.h"
 #include "ui/commands/change_field.h"
+#include "ui/connection/instrument_desk.h"
 #include "ui/dialogs/command_palette.h"
 #include "ui/dialogs/export_flow.h"
 #include "ui/entry/entry_guide.h"
@@ -66,6 +67,7 @@ WindowActions::WindowActions(MainWindow& window, Dialogs& dialogs)
   bar->addSeparator();
   createEditMenu(*bar);
   createViewMenu();
+  createInstrumentMenu();
   createToolsMenu();
   createHelpMenu(dialogs);
 }
@@ -440,6 +442,20 @@ void WindowActions::addEnlargeAction(QMenu& menu) {
     button->setChecked(enlarged);
     button->setArrowType(enlarged ? Qt::DownArrow : Qt::UpArrow);
   });
+}
+
+void WindowActions::createInstrumentMenu() {
+  QMenu& menu = *m_window.menuBar()->addMenu(tr("&Instrument"));
+  InstrumentDesk& desk = m_window.instrumentDesk();
+  addTo(menu, nullptr, tr("&Connect…"), QKeySequence(tr("Ctrl+Shift+C")), this,
+        [&desk] { desk.showDialog(); });
+  QAction* take =
+      addTo(menu, nullptr, tr("&Take Reading"), QKeySequence(Qt::Key_F5), this, [&desk] { desk.take(); });
+  take->setShortcutContext(Qt::ApplicationShortcut);  // from the dialog, too
+  QAction* leave = addTo(menu, nullptr, tr("&Disconnect"), {}, this, [&desk] { desk.link().close(); });
+  const auto offer = [&desk, leave] { leave->setEnabled(desk.link().isOpen()); };
+  connect(&desk.link(), &InstrumentLink::stateChanged, leave, offer);
+  offer();
 }
 
 void WindowActions::createToolsMenu() {

@@ -42,6 +42,7 @@ class WindowActions : public QObject {
   void addLanguageActions(QMenu& menu);
   void addPageActions(QMenu& menu);
   void addEnlargeAction(QMenu& menu);
+  void createInstrumentMenu();
   void createToolsMenu();
   void createHelpMenu(Dialogs& dialogs);
   void fillRecentMenu(QMenu& menu);

@@ -31,7 +31,10 @@ std::string fromPlainCell(std::string text) {
   return text;
 }
 
-CsvText::CsvText(std::initializer_list<std::string_view> names) {
+CsvText::CsvText(std::initializer_list<std::string_view> names)
+    : CsvText(std::vector<std::string_view>(names)) {}
+
+CsvText::CsvText(const std::vector<std::string_view>& names) {
   for (const std::string_view name : names) add(name);
   endRow();
 }

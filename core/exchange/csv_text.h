@@ -3,6 +3,7 @@
 #include <initializer_list>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace alidade {
 
@@ -18,6 +19,7 @@ std::string fromPlainCell(std::string text);
 class CsvText {
  public:
   explicit CsvText(std::initializer_list<std::string_view> names);
+  explicit CsvText(const std::vector<std::string_view>& names);
 
   CsvText& typed(std::string_view text);  ///< what somebody wrote, by `asPlainCell`
   CsvText& word(std::string_view text);   ///< of the program's own

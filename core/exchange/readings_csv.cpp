@@ -29,10 +29,8 @@ class ReadingsTable {
       : m_session(session),
         m_turns(turnsOf(session)),
         m_hasTurns(std::ranges::any_of(m_turns, [](int turn) { return turn > 1; })),
-        m_csv(m_hasTurns ? CsvText{"axis", "turn", "point", "round", "face", "horizontal", verticalName(),
-                                   "slider", "excluded", "note"}
-                         : CsvText{"axis", "point", "round", "face", "horizontal", verticalName(), "slider",
-                                   "excluded", "note"}) {}
+        m_hasCompensator(tellsOfCompensator(session)),
+        m_csv(titles()) {}
 
   std::string written() {
     for (m_position = 0; m_position < m_session.positions.size(); ++m_position) {
@@ -47,6 +45,18 @@ class ReadingsTable {
   }
 
  private:
+  std::vector<std::string_view> titles() const {
+    std::vector<std::string_view> names{"axis"};
+    if (m_hasTurns) names.emplace_back("turn");
+    for (const std::string_view name : {"point", "round", "face", "horizontal"}) names.push_back(name);
+    names.push_back(verticalName());
+    names.emplace_back("slider");
+    if (m_hasCompensator)
+      for (const auto text : compensatorTexts) names.push_back(rowField(text).key);
+    for (const std::string_view name : {"excluded", "note"}) names.push_back(name);
+    return names;
+  }
+
   std::string_view verticalName() const {
     const Result<VerticalCircle> circle = verticalCircleEntry(m_session.geometry.verticalCircle);
     return circle && *circle == VerticalCircle::Elevation ? "elevation" : "zenith";
@@ -67,6 +77,7 @@ class ReadingsTable {
   void addZero(std::string_view face, const std::string& horizontal, const std::string& vertical) {
     if (horizontal.empty() && vertical.empty()) return;
     beginRow().word("ZERO").word("").word(face).typed(horizontal).typed(vertical);
+    if (m_hasCompensator) m_csv.word("").word("").word("");
     m_csv.word("").word("").word("").endRow();
   }
 
@@ -78,12 +89,14 @@ class ReadingsTable {
     m_csv.typed(orUsual(row.round, rowField(&Reading::round)));
     m_csv.typed(orUsual(row.face, rowField(&Reading::face)));
     m_csv.typed(row.horizontal).typed(row.vertical).typed(row.slider);
+    if (m_hasCompensator)
+      for (const auto text : compensatorTexts) m_csv.typed(row.*text);
     m_csv.word(row.excluded ? "yes" : "").typed(row.note).endRow();
   }
 
   const Session& m_session;
   std::vector<int> m_turns;
-  bool m_hasTurns;
+  bool m_hasTurns, m_hasCompensator;
   CsvText m_csv;
   std::size_t m_position = 0;
 };

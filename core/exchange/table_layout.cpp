@@ -69,6 +69,24 @@ std::optional<ColumnName> distanceName(const std::vector<std::string>& words) {
   return name.column ? std::optional(name) : std::nullopt;
 }
 
+/// `Cross tilt ["]`, `tilt_length_arcsec`. In other units a tilt is none.
+std::optional<ColumnName> tiltName(const std::vector<std::string>& words) {
+  bool isTilt = false;
+  std::string Reading::*axis = nullptr;
+  for (const std::string& word : words) {
+    if (isOneOf(word, {"tilt", "incline", "inclination"}))
+      isTilt = true;
+    else if (isOneOf(word, {"cross", "transverse", "length", "longitudinal"}))
+      axis = isOneOf(word, {"cross", "transverse"}) ? &Reading::tiltCrossArcsec : &Reading::tiltLengthArcsec;
+    else if (!isOneOf(word, {"arcsec", "arcseconds", "\"", "″"}))
+      return std::nullopt;
+  }
+  if (!isTilt || !axis) return std::nullopt;
+  ColumnName name;
+  name.column = TableColumn{&rowField(axis)};
+  return name;
+}
+
 }  // namespace
 
 std::optional<TableColumn> tableColumn(std::string_view key) {
@@ -81,6 +99,7 @@ std::optional<TableColumn> tableColumn(std::string_view key) {
 
 ColumnName columnName(const std::string& text) {
   const std::vector<std::string> words = partsOfName(text);
+  if (auto tilt = tiltName(words)) return *std::move(tilt);
   if (auto distance = distanceName(words)) return *std::move(distance);
   ColumnName name;
   bool counts = false, strange = false;

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 #include "core/base/angle_text.h"
 #include "core/base/number_text.h"
@@ -22,6 +23,12 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double longestMm = 1e6;
 // Finer than any circle reads; far below, evidence and weights lose their digits.
 constexpr double leastSigmaArcsec = 0.001, largestSigmaArcsec = 3600;
+
+// Setting accuracy of compensators in data sheets: 0.5″ to 1.5″ (Leica TS16: 0.5″ of the 1″ instrument, 1″ of
+// the 3″, 1.5″ of the 5″).
+constexpr double usualSigmaCompensator = 1;
+// Compensators work within some 4′; a tilt beyond this was typed in another unit.
+constexpr double largestTiltArcsec = 3600;
 
 // In any unit of the catalogue; far below, weights lose their digits.
 constexpr double leastKnownSigma = 1e-6, largestKnown = 1e6;
@@ -60,6 +67,8 @@ constexpr std::array numberRules = {
                PHRASE_LATER("Phrase", "%1 is out of range: it must be 0 or more and below 3600 arcseconds")},
     NumberRule{"instrument.sigma_slider_arcsec", leastSigmaArcsec, Bound::Included, largestSigmaArcsec, 5,
                noSigma},
+    NumberRule{"instrument.sigma_compensator_arcsec", leastSigmaArcsec, Bound::Included, largestSigmaArcsec,
+               usualSigmaCompensator, noSigma},
     NumberRule{"environment.temperature_c",
                -273.15,
                Bound::Included,
@@ -173,6 +182,34 @@ Result<std::optional<Angle>> angleEntry(const AngleRule& rule, const std::string
   const std::string lowest = lowDegrees < 0 ? "−" + fixedText(-lowDegrees, 0) : "0";
   return Problem{Phrase::of("%1 lies outside %2°…%3°: check the degrees", quotation(text), lowest,
                             fixedText(rule.high, 0))};
+}
+
+Result<std::optional<Angle>> tiltEntry(const std::string& text) {
+  if (isBlank(text)) return std::optional<Angle>();
+  const Result<double> tilt = parseNumber(text);
+  if (!tilt) return tilt.problem();
+  if (std::abs(*tilt) < largestTiltArcsec) return std::optional(Angle::fromArcseconds(*tilt));
+  return Problem{
+      Phrase::of("%1 is out of range: a tilt must be below 3600 arcseconds in size", quotation(text))};
+}
+
+Result<std::optional<Corrections>> correctionsEntry(const std::string& text) {
+  std::istringstream words(text);
+  std::optional<Corrections> corrections;
+  bool isNone = false;
+  for (std::string word; words >> word;) {
+    const auto known = std::ranges::find(correctionSwitches, word, &CorrectionSwitch::key);
+    const bool isOther = known == std::end(correctionSwitches) && word != noCorrections;
+    if (isOther || isNone || (corrections && word == noCorrections))
+      return Problem{
+          Phrase::of("%1 names no corrections: type words out of inclination, standing_axis, "
+                     "collimation and tilting_axis with blanks between, or none",
+                     quotation(text))};
+    isNone = word == noCorrections;
+    if (!corrections) corrections.emplace();
+    if (!isNone) (*corrections).*known->isOn = true;
+  }
+  return corrections;
 }
 
 Result<int> axisEntry(const std::string& text) {

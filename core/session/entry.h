@@ -44,6 +44,24 @@ Result<std::optional<int>> wholeEntry(const WholeRule& rule, const std::string& 
 Result<std::optional<Angle>> angleEntry(const AngleRule& rule, const std::string& text,
                                         VerticalCircle circle);
 
+/// A switch of an instrument, by its word in a row's `corrections`.
+struct CorrectionSwitch {
+  std::string_view key;
+  bool Corrections::*isOn;
+};
+inline constexpr CorrectionSwitch correctionSwitches[] = {{"inclination", &Corrections::inclination},
+                                                          {"standing_axis", &Corrections::standingAxis},
+                                                          {"collimation", &Corrections::collimation},
+                                                          {"tilting_axis", &Corrections::tiltingAxis}};
+/// The word of a row whose instrument had all of them off.
+inline constexpr std::string_view noCorrections = "none";
+
+/// What a compensator read, in arcseconds; nothing for an empty text.
+Result<std::optional<Angle>> tiltEntry(const std::string& text);
+
+/// The words of what was on; nothing for an empty text, which says that it is not known.
+Result<std::optional<Corrections>> correctionsEntry(const std::string& text);
+
 /// 0 or 180.
 Result<int> axisEntry(const std::string& text);
 

@@ -8,6 +8,7 @@
 
 #include "core/base/phrase.h"
 #include "core/base/threads.h"
+#include "core/session/compensator.h"
 #include "core/session/entry.h"
 #include "core/session/position_examiner.h"
 #include "core/session/problem_reporter.h"
@@ -46,6 +47,7 @@ class Examiner : private ProblemReporter {
     examineKnown("instrument.known", m_session.instrument.known);
     examineKnown("device.known", m_session.device.known);
     examinePositions();
+    std::ranges::move(compensatorKnowledge(m_measurement).known, std::back_inserter(m_measurement.known));
 
     Examined examined;
     if (m_usable) examined.measurement = std::move(m_measurement);
@@ -89,6 +91,8 @@ class Examiner : private ProblemReporter {
     const auto unit = take(circleUnitEntry(instrument.angleUnit), {.field = "instrument.angle_unit"});
     if (unit) m_measurement.angleUnit = *unit;
     m_measurement.sigmaSlider = sigma("instrument.sigma_slider_arcsec", instrument.sigmaSliderArcsec);
+    m_measurement.sigmaCompensator =
+        sigma("instrument.sigma_compensator_arcsec", instrument.sigmaCompensatorArcsec);
   }
 
   void examineGeometry() {

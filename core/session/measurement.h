@@ -41,6 +41,16 @@ enum class Measurand {
   Distance,      ///< … all of it, across the plane, too
 };
 
+/// What an instrument took off its readings by itself.
+struct Corrections {
+  bool inclination = false;   ///< of both circles, by what its compensator read
+  bool standingAxis = false;  ///< of the horizontal circle, by the same
+  bool collimation = false;   ///< by its own calibration, as the next
+  bool tiltingAxis = false;
+
+  bool operator==(const Corrections&) const = default;
+};
+
 /// One row of readings, reduced: face 1 equivalent, from the pointing zero, right and up positive, |a|, |e| <
 /// 90°.
 struct Sighting {
@@ -52,6 +62,8 @@ struct Sighting {
   Angle a;  ///< horizontal, right positive
   Angle e;  ///< vertical, up positive
   std::optional<Angle> slider;
+  std::optional<Angle> tiltCross = {}, tiltLength = {};  ///< of the vertical axis, as compensator.h has them
+  std::optional<Corrections> corrections = {};           ///< that were on, where that is known
 };
 
 /// How a pointing zero was sighted, that is the mean of some sightings.
@@ -107,7 +119,8 @@ struct Measurement {
   /// By how much sightings of one zero differ from one to the next more than their σ has it; ≥ 1.
   double zeroScatter = 1;
   PointingZeros pointingZeros = PointingZeros::Unstated;
-  Angle sigmaSlider;  ///< > 0
+  Angle sigmaSlider;                                  ///< > 0
+  Angle sigmaCompensator = Angle::fromArcseconds(1);  ///< of what it sets to or reads, > 0
   VerticalCircle verticalCircle = VerticalCircle::Zenith;
   CircleUnit angleUnit = CircleUnit::Dms;  ///< in which angles are shown
   VerticalAngleRelation relation = VerticalAngleRelation::Exact;

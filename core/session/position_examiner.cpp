@@ -85,6 +85,11 @@ class PositionExaminer : private ProblemReporter {
     return valueOf(angleEntry(rule, text, circleForRanges()), place, field).value_or(std::nullopt);
   }
 
+  std::optional<Angle> tilt(const std::string& text, const Place& place, const char* field) {
+    if (text.empty()) return std::nullopt;
+    return valueOf(tiltEntry(text), place, field).value_or(std::nullopt);
+  }
+
   /// The row reduced from the zero; empty where it cannot be used or there is nothing to reduce it from.
   std::optional<Sighting> examineRow(const Reading& row, const Place& place) {
     if (isBlank(row)) {
@@ -106,6 +111,11 @@ class PositionExaminer : private ProblemReporter {
       checkWidth(sighting.e, row.vertical, place, "vertical");
     }
     sighting.slider = angle(sliderRule, row.slider, place, "slider");
+    sighting.tiltCross = tilt(row.tiltCrossArcsec, place, "tilt_cross_arcsec");
+    sighting.tiltLength = tilt(row.tiltLengthArcsec, place, "tilt_length_arcsec");
+    if (!row.corrections.empty())
+      sighting.corrections =
+          valueOf(correctionsEntry(row.corrections), place, "corrections").value_or(std::nullopt);
     if (m_problems.size() > before || !m_zero) return std::nullopt;
     return sighting;
   }

@@ -41,6 +41,16 @@ std::optional<Problem> ruleProblem(const AngleRule& rule, const std::string& tex
   return entry ? std::nullopt : std::optional(entry.problem());
 }
 
+std::optional<Problem> ruleProblem(const TiltRule&, const std::string& text, VerticalCircle) {
+  const auto entry = tiltEntry(text);
+  return entry ? std::nullopt : std::optional(entry.problem());
+}
+
+std::optional<Problem> ruleProblem(const CorrectionsRule&, const std::string& text, VerticalCircle) {
+  const auto entry = correctionsEntry(text);
+  return entry ? std::nullopt : std::optional(entry.problem());
+}
+
 }  // namespace
 
 std::string usualText(const RowField& field) {
@@ -50,6 +60,14 @@ std::string usualText(const RowField& field) {
 
 std::optional<Problem> entryProblem(const RowField& field, const std::string& text, VerticalCircle circle) {
   return std::visit([&](const auto& rule) { return ruleProblem(rule, text, circle); }, field.rule);
+}
+
+bool tellsOfCompensator(const Session& session) {
+  for (const Position& position : session.positions)
+    for (const Reading& row : position.readings)
+      for (const auto text : compensatorTexts)
+        if (!(row.*text).empty()) return true;
+  return false;
 }
 
 bool isBlank(const Reading& row) {

@@ -32,9 +32,13 @@ inline constexpr AngleRule sliderRule{
     .low = -360, .lowOfElevation = -360, .high = 360, .isHighIncluded = true, .mayBeEmpty = true};
 
 struct FreeText {};
+/// Arcseconds, by `tiltEntry`.
+struct TiltRule {};
+/// Words, by `correctionsEntry`.
+struct CorrectionsRule {};
 
 /// What a text of a row must be.
-using RowRule = std::variant<FreeText, WholeRule, AngleRule>;
+using RowRule = std::variant<FreeText, WholeRule, AngleRule, TiltRule, CorrectionsRule>;
 
 /// One field of a row: a text, or a flag.
 struct RowField {
@@ -68,6 +72,18 @@ inline constexpr std::array rowFields{
              .headings = "vertical v va vert beta β zenith zenithdistance elevation"},
     RowField{
         .key = "slider", .text = &Reading::slider, .rule = sliderRule, .headings = "slider s coordinate"},
+    RowField{.key = "tilt_cross_arcsec",
+             .text = &Reading::tiltCrossArcsec,
+             .rule = TiltRule(),
+             .headings = "tilt_cross_arcsec crosstilt crossincline"},
+    RowField{.key = "tilt_length_arcsec",
+             .text = &Reading::tiltLengthArcsec,
+             .rule = TiltRule(),
+             .headings = "tilt_length_arcsec lengthtilt lengthincline"},
+    RowField{.key = "corrections",
+             .text = &Reading::corrections,
+             .rule = CorrectionsRule(),
+             .headings = "corrections"},
     RowField{.key = "excluded",
              .text = nullptr,
              .flag = &Reading::excluded,
@@ -102,7 +118,9 @@ constexpr bool isFreeText(const RowField& field) {
 /// How its text becomes JSON.
 constexpr ValueKind kindOf(const RowField& field) {
   if (isAngle(field)) return ValueKind::Angle;
-  return std::holds_alternative<WholeRule>(field.rule) ? ValueKind::Number : ValueKind::Text;
+  const bool isNumber =
+      std::holds_alternative<WholeRule>(field.rule) || std::holds_alternative<TiltRule>(field.rule);
+  return isNumber ? ValueKind::Number : ValueKind::Text;
 }
 
 /// What an empty text of the field stands for, as it would be typed: "1" for a round. Empty: for nothing.
@@ -110,6 +128,12 @@ std::string usualText(const RowField& field);
 
 /// Why `text` cannot stand in the field of a row whose vertical circle is of that kind.
 std::optional<Problem> entryProblem(const RowField& field, const std::string& text, VerticalCircle circle);
+
+/// What a row tells of the compensator and of the corrections that were on.
+inline constexpr std::string Reading::*compensatorTexts[] = {
+    &Reading::tiltCrossArcsec, &Reading::tiltLengthArcsec, &Reading::corrections};
+/// Does any row of the session?
+bool tellsOfCompensator(const Session& session);
 
 /// Is nothing typed in this row?
 bool isBlank(const Reading& row);

@@ -21,10 +21,14 @@ struct Reading {
                       ///< number from 1
   std::string round;  ///< whole number ≥ 1; empty: 1
   std::string face;   ///< 1 or 2; empty: 1
-  std::string horizontal;  ///< circle reading α
-  std::string vertical;    ///< circle reading β
-  std::string slider;      ///< slider coordinate; may be empty
-  bool excluded = false;   ///< kept and shown, but no part of any fit
+  std::string horizontal;        ///< circle reading α
+  std::string vertical;          ///< circle reading β
+  std::string slider;            ///< slider coordinate; may be empty
+  std::string tiltCrossArcsec;   ///< what the compensator read across the line of sight; may be empty
+  std::string tiltLengthArcsec;  ///< along it; signs: compensator.h
+  std::string corrections;  ///< that the instrument had on, words of `correctionSwitches` or "none"; empty:
+                            ///< not known
+  bool excluded = false;    ///< kept and shown, but no part of any fit
   std::string note;
   FirstTexts asRead;  ///< of what was changed since it was entered
   JsonOrigin origin;
@@ -109,10 +113,11 @@ struct Instrument {
   std::string traceability;  ///< of its circles: to which standards, by whom
   std::string
       angleUnit;  ///< of angles typed without one, and in which they are shown: "dms", "degrees", "gon"
-  std::string sigmaHorizontalArcsec;  ///< empty: 2
-  std::string sigmaVerticalArcsec;    ///< empty: 2
-  std::string sigmaZeroArcsec;        ///< empty: as the circles'
-  std::string sigmaSliderArcsec;      ///< empty: 5
+  std::string sigmaHorizontalArcsec;   ///< empty: 2
+  std::string sigmaVerticalArcsec;     ///< empty: 2
+  std::string sigmaZeroArcsec;         ///< empty: as the circles'
+  std::string sigmaSliderArcsec;       ///< empty: 5
+  std::string sigmaCompensatorArcsec;  ///< setting accuracy; empty: 1
   NamedRecord record = {};
   std::vector<KnownSize> known = {};
   JsonOrigin origin;

@@ -65,6 +65,7 @@ Instrument readInstrument(const ObjectReader& reader) {
           .sigmaVerticalArcsec = reader.number("sigma_vertical_arcsec"),
           .sigmaZeroArcsec = reader.number("sigma_zero_arcsec"),
           .sigmaSliderArcsec = reader.number("sigma_slider_arcsec"),
+          .sigmaCompensatorArcsec = reader.number("sigma_compensator_arcsec"),
           .record = readNamedRecord(reader.object("record")),
           .known = readKnown(reader),
           .origin = reader.origin({"record", "known"})};

@@ -44,6 +44,18 @@ std::string staleText(const KnownCheck& check, const std::string& probability, c
       sizeText(check.value, check.sigma, check.unit), probability);
 }
 
+/// Does the tilt that the readings show have the other sign of what is known of it? Each number by itself, as
+/// the compensator has two axes.
+bool isOtherWayRound(const Diagnosis& diagnosis, const std::string& effect) {
+  constexpr double apart = 4, alike = 2;  // σ
+  return effect == "vertical_axis_tilt" && std::ranges::any_of(diagnosis.known, [&](const KnownCheck& check) {
+           const double sigma = std::hypot(check.sigma, check.sigmaKnown);
+           return check.effect == effect && check.isSeen &&
+                  std::abs(check.value - check.known) > apart * sigma &&
+                  std::abs(check.value + check.known) < alike * sigma;
+         });
+}
+
 bool isKnown(const Diagnosis& diagnosis, const std::string& effect) {
   return std::ranges::find(diagnosis.known, effect, &KnownCheck::effect) != diagnosis.known.end();
 }
@@ -77,6 +89,9 @@ std::string staleSentence(const Diagnosis& diagnosis, const CauseNamer& name) {
   for (const Cause& cause : diagnosis.causes) {
     if (const KnownCheck* check = cause.isStale ? farthest(diagnosis, cause.effect) : nullptr)
       add(staleText(*check, probabilityText(cause.probability), name));
+    if (cause.isStale && isOtherWayRound(diagnosis, cause.effect))
+      add(Phrase::of(
+          "With the other sign they would agree: look up which way the instrument counts its tilts."));
     std::vector<std::string> others;
     for (const auto& ids : {cause.unlessStale, cause.indistinguishableFrom})
       for (const std::string& id : ids)

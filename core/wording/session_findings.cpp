@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "core/base/list_text.h"
 #include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
 #include "core/base/visible_text.h"
@@ -90,6 +91,39 @@ Words wordsOf(const KnownOfNothing& finding) {
           Phrase::of("Name an effect, which of its numbers where it has two, and the unit as the catalogue "
                      "has them; until "
                      "then its plausible size is taken.")};
+}
+
+Words wordsOf(const CorrectionsDiffer& finding) {
+  return {
+      Phrase::of(
+          //: %1: words of the session file, such as "inclination, collimation"
+          "The readings do not agree on what the instrument corrected by itself (%1), so nothing is taken as "
+          "known from that.",
+          listed(finding.switches)),
+      Phrase::of("Measure with the same corrections throughout, and state them with every reading.")};
+}
+
+Words wordsOf(const TiltsUnused&) {
+  return {
+      Phrase::of(
+          "The tilts of the compensator are of no use: the readings do not say whether the instrument has "
+          "taken them off."),
+      Phrase::of("State the corrections that were on with every reading, or none.")};
+}
+
+Words wordsOf(const AxisMoved& finding) {
+  return {Phrase::of("By the compensator the vertical axis moved by %1″ from one position to another.",
+                     displayText(finding.change.arcseconds(), 1)),
+          Phrase::of("Check the tripod; the tilt that is taken as known is less certain by half of it.")};
+}
+
+Words wordsOf(const CompensatorOff& finding) {
+  return {
+      Phrase::of("The compensator's tilts in both faces do not go together by %1″, so they are not used.",
+                 displayText(finding.index.arcseconds(), 1)),
+      Phrase::of(
+          "Calibrate the compensator's index. In face 2 tilts are counted as the instrument has them, turned "
+          "half round with it.")};
 }
 
 Words wordsOf(const PlanarRelation&) {

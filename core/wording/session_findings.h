@@ -14,6 +14,10 @@ Words wordsOf(const session_finding::KnownRadiusContradicted& finding);
 Words wordsOf(const session_finding::OffReference& finding);
 Words wordsOf(const session_finding::UnknownEffect& finding);
 Words wordsOf(const session_finding::KnownOfNothing& finding);
+Words wordsOf(const session_finding::CorrectionsDiffer& finding);
+Words wordsOf(const session_finding::TiltsUnused& finding);
+Words wordsOf(const session_finding::AxisMoved& finding);
+Words wordsOf(const session_finding::CompensatorOff& finding);
 Words wordsOf(const session_finding::PlanarRelation& finding);
 
 }  // namespace alidade

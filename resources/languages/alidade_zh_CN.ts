@@ -117,6 +117,29 @@
     </message>
 </context>
 <context>
+    <name>ConnectionText</name>
+    <message>
+        <source>No instrument connected</source>
+        <translation>未连接仪器</translation>
+    </message>
+    <message>
+        <source>%1, serial number %2</source>
+        <translation>%1，序列号 %2</translation>
+    </message>
+    <message>
+        <source>%1: reading…</source>
+        <translation>%1：正在读取…</translation>
+    </message>
+    <message>
+        <source>%1: open</source>
+        <translation>%1：已打开</translation>
+    </message>
+    <message>
+        <source>%1: connected</source>
+        <translation>%1：已连接</translation>
+    </message>
+</context>
+<context>
     <name>DialogsText</name>
     <message>
         <source>Sessions (*.alidade);;All files (*)</source>
@@ -566,6 +589,10 @@ Sealed by:</source>
         <source>pointing zero β0 after the readings in face 2</source>
         <translation>盘右读数后瞄准零位 β0</translation>
     </message>
+    <message>
+        <source>σ of the compensator</source>
+        <translation>补偿器的 σ</translation>
+    </message>
 </context>
 <context>
     <name>FileLock</name>
@@ -960,6 +987,18 @@ Sealed by:</source>
         <source>Notes</source>
         <translation>备注</translation>
     </message>
+    <message>
+        <source>σ compensator</source>
+        <translation>σ 补偿器</translation>
+    </message>
+    <message>
+        <source>1</source>
+        <translation>1</translation>
+    </message>
+    <message>
+        <source>Setting accuracy of the compensator, by its data sheet; of use where the readings have tilts, or say what the instrument corrected</source>
+        <translation>补偿器的安置精度，见其技术资料；当读数带有倾斜量，或说明了仪器作了哪些改正时使用</translation>
+    </message>
 </context>
 <context>
     <name>GapText</name>
@@ -1123,6 +1162,10 @@ Sealed by:</source>
     <message>
         <source>A device over time</source>
         <translation>设备随时间的变化</translation>
+    </message>
+    <message>
+        <source>Readings from the instrument</source>
+        <translation>从仪器读取读数</translation>
     </message>
 </context>
 <context>
@@ -4129,6 +4172,198 @@ Sealed by:</source>
         <source>χ² = %1 with one degree of freedom, %2</source>
         <translation>χ² = %1，自由度 1，%2</translation>
     </message>
+    <message>
+        <source>corrected by the instrument, by its own calibration</source>
+        <translation>仪器按自身的校准所作的改正</translation>
+    </message>
+    <message>
+        <source>tilts that the compensator read</source>
+        <translation>补偿器读出的倾斜量</translation>
+    </message>
+    <message>
+        <source>the instrument&apos;s compensator, which was on</source>
+        <translation>仪器的补偿器（已打开）</translation>
+    </message>
+    <message>
+        <source>%1 is out of range: a tilt must be below 3600 arcseconds in size</source>
+        <translation>%1 超出范围：倾斜量的大小必须小于 3600 角秒</translation>
+    </message>
+    <message>
+        <source>%1 names no corrections: type words out of inclination, standing_axis, collimation and tilting_axis with blanks between, or none</source>
+        <translation>%1 不是改正项：请输入 inclination、standing_axis、collimation、tilting_axis 中的词，以空格分隔，或输入 none</translation>
+    </message>
+    <message>
+        <source>With the other sign they would agree: look up which way the instrument counts its tilts.</source>
+        <translation>符号相反时两者即一致：请查明仪器的倾斜量以哪个方向为正。</translation>
+    </message>
+    <message>
+        <source>The readings do not agree on what the instrument corrected by itself (%1), so nothing is taken as known from that.</source>
+        <translation>各读数所述的仪器自身改正（%1）不一致，因此不由此取任何已知量。</translation>
+    </message>
+    <message>
+        <source>Measure with the same corrections throughout, and state them with every reading.</source>
+        <translation>请在整个测量中使用相同的改正，并在每个读数中注明。</translation>
+    </message>
+    <message>
+        <source>The tilts of the compensator are of no use: the readings do not say whether the instrument has taken them off.</source>
+        <translation>补偿器的倾斜量无法使用：读数没有说明仪器是否已将其扣除。</translation>
+    </message>
+    <message>
+        <source>State the corrections that were on with every reading, or none.</source>
+        <translation>请在每个读数中注明打开了哪些改正，或注明 none。</translation>
+    </message>
+    <message>
+        <source>By the compensator the vertical axis moved by %1″ from one position to another.</source>
+        <translation>据补偿器，竖轴在两个位置之间变动了 %1″。</translation>
+    </message>
+    <message>
+        <source>Check the tripod; the tilt that is taken as known is less certain by half of it.</source>
+        <translation>请检查三脚架；作为已知量的倾斜因此增加了其一半的不确定度。</translation>
+    </message>
+    <message>
+        <source>The compensator&apos;s tilts in both faces do not go together by %1″, so they are not used.</source>
+        <translation>补偿器在两个盘位的倾斜量相差 %1″ 而不相符，因此不予使用。</translation>
+    </message>
+    <message>
+        <source>Calibrate the compensator&apos;s index. In face 2 tilts are counted as the instrument has them, turned half round with it.</source>
+        <translation>请校准补偿器的指标差。在盘右位置，倾斜量按随仪器转过半周的方向计。</translation>
+    </message>
+    <message>
+        <source>Done.</source>
+        <translation>完成。</translation>
+    </message>
+    <message>
+        <source>The instrument takes no such parameter.</source>
+        <translation>仪器不接受这样的参数。</translation>
+    </message>
+    <message>
+        <source>The instrument does not know this question.</source>
+        <translation>仪器不认识这一询问。</translation>
+    </message>
+    <message>
+        <source>The instrument is busy.</source>
+        <translation>仪器正忙。</translation>
+    </message>
+    <message>
+        <source>The instrument has no answer to this question.</source>
+        <translation>仪器对这一询问没有应答。</translation>
+    </message>
+    <message>
+        <source>The angles are not fully corrected: is the compensator within its range?</source>
+        <translation>角度未完全改正：补偿器是否在其工作范围内？</translation>
+    </message>
+    <message>
+        <source>The instrument does not vouch for its accuracy: is it levelled and at rest?</source>
+        <translation>仪器不保证其精度：是否已整平且静止？</translation>
+    </message>
+    <message>
+        <source>The angles are good; there is no distance.</source>
+        <translation>角度有效；没有距离。</translation>
+    </message>
+    <message>
+        <source>The instrument does not vouch for its angles: is it levelled and at rest?</source>
+        <translation>仪器不保证其角度：是否已整平且静止？</translation>
+    </message>
+    <message>
+        <source>The instrument could not read its circles: level it and try again.</source>
+        <translation>仪器无法读取度盘：请整平后重试。</translation>
+    </message>
+    <message>
+        <source>The instrument is busy measuring.</source>
+        <translation>仪器正在测量。</translation>
+    </message>
+    <message>
+        <source>The instrument cannot send: its buffer may be full.</source>
+        <translation>仪器无法发送：其缓冲区可能已满。</translation>
+    </message>
+    <message>
+        <source>The instrument gave up waiting within itself.</source>
+        <translation>仪器内部等待超时。</translation>
+    </message>
+    <message>
+        <source>The instrument failed to answer.</source>
+        <translation>仪器应答失败。</translation>
+    </message>
+    <message>
+        <source>The instrument is switching off.</source>
+        <translation>仪器正在关机。</translation>
+    </message>
+    <message>
+        <source>The instrument answers with the return code %1.</source>
+        <translation>仪器应答的返回码为 %1。</translation>
+    </message>
+    <message>
+        <source>A reading is being taken already: it is asked for once.</source>
+        <translation>已在读取一个读数：只请求一次。</translation>
+    </message>
+    <message>
+        <source>This is no answer of GeoCOM and was passed over: %1</source>
+        <translation>这不是 GeoCOM 的应答，已略过：%1</translation>
+    </message>
+    <message>
+        <source>An answer came late or twice and was dropped: %1</source>
+        <translation>一个应答迟到或重复，已丢弃：%1</translation>
+    </message>
+    <message>
+        <source>It is asked again.</source>
+        <translation>将再次询问。</translation>
+    </message>
+    <message>
+        <source>An answer was spoiled on its way and is asked for again: %1</source>
+        <translation>一个应答在途中受损，将再次询问：%1</translation>
+    </message>
+    <message>
+        <source>The instrument calls it face %1, its circle says face %2: the circle counts.</source>
+        <translation>仪器称为盘位 %1，其度盘为盘位 %2：以度盘为准。</translation>
+    </message>
+    <message>
+        <source>The instrument did not answer %1 times.</source>
+        <translation>仪器 %1 次没有应答。</translation>
+    </message>
+    <message>
+        <source>%1 No reading was taken; sight again.</source>
+        <translation>%1 没有取得读数；请重新照准。</translation>
+    </message>
+    <message>
+        <source>%1 Is it switched on, set to GeoCOM at this baud rate, and the right port?</source>
+        <translation>%1 仪器是否已开机、设为 GeoCOM 及此波特率，端口是否正确？</translation>
+    </message>
+    <message>
+        <source>a block needs both circles, words 21 and 22: set the recording mask of the instrument so, and sight again</source>
+        <translation>数据块须含两个度盘，即字 21 和 22：请如此设置仪器的记录格式，并重新照准</translation>
+    </message>
+    <message>
+        <source>The instrument did not answer. No reading was taken; sight again, or record on the instrument. Is it set to GSI at this baud rate, and the right port?</source>
+        <translation>仪器没有应答。没有取得读数；请重新照准，或在仪器上记录。仪器是否设为 GSI 及此波特率，端口是否正确？</translation>
+    </message>
+    <message>
+        <source>The instrument reports an error: %1. Look at its display.</source>
+        <translation>仪器报告错误：%1。请看其显示屏。</translation>
+    </message>
+    <message>
+        <source>The instrument warns: %1. Look at its display.</source>
+        <translation>仪器发出警告：%1。请看其显示屏。</translation>
+    </message>
+    <message>
+        <source>This is no block of GSI and was passed over: %1</source>
+        <translation>这不是 GSI 数据块，已略过：%1</translation>
+    </message>
+    <message>
+        <source>A block was not taken: %1. The instrument sends it again, or reports an error.</source>
+        <translation>一个数据块未被采用：%1。仪器会重发，或报告错误。</translation>
+    </message>
+    <message>
+        <source>The same block came again and was taken once: %1</source>
+        <translation>同一数据块再次到来，只采用一次：%1</translation>
+    </message>
+    <message>
+        <source>More than %1 characters came without the end of a line, which no instrument sends: dropped (%2). Do baud rate, data bits and parity fit the instrument?</source>
+        <translation>收到超过 %1 个字符而没有行尾，没有仪器会这样发送：已丢弃（%2）。波特率、数据位和校验是否与仪器一致？</translation>
+    </message>
+    <message>
+        <source>Half a line came and no more: dropped (%1). Is the cable in its plugs?</source>
+        <translation>只收到半行便再无下文：已丢弃（%1）。电缆是否插好？</translation>
+    </message>
 </context>
 <context>
     <name>PlaceText</name>
@@ -4296,6 +4531,89 @@ as read</source>
 as read</source>
         <translation>竖直
 读数</translation>
+    </message>
+    <message>
+        <source>Tilt ⟂ ″</source>
+        <translation>倾斜 ⟂ ″</translation>
+    </message>
+    <message>
+        <source>What the compensator read across the line of sight, in arcseconds; the axis leaning right is positive</source>
+        <translation>补偿器在垂直于视线方向的读数，单位角秒；竖轴向右倾为正</translation>
+    </message>
+    <message>
+        <source>cross tilt</source>
+        <translation>横向倾斜</translation>
+    </message>
+    <message>
+        <source>Cross Tilt Column</source>
+        <translation>横向倾斜列</translation>
+    </message>
+    <message>
+        <source>Tilt ∥ ″</source>
+        <translation>倾斜 ∥ ″</translation>
+    </message>
+    <message>
+        <source>What the compensator read along the line of sight, in arcseconds; the axis leaning forward is positive</source>
+        <translation>补偿器在视线方向的读数，单位角秒；竖轴向前倾为正</translation>
+    </message>
+    <message>
+        <source>length tilt</source>
+        <translation>纵向倾斜</translation>
+    </message>
+    <message>
+        <source>Length Tilt Column</source>
+        <translation>纵向倾斜列</translation>
+    </message>
+    <message>
+        <source>Corrections</source>
+        <translation>改正</translation>
+    </message>
+    <message>
+        <source>What the instrument took off by itself: inclination, standing_axis, collimation, tilting_axis or none; empty means not known</source>
+        <translation>仪器自身扣除的误差：inclination、standing_axis、collimation、tilting_axis 或 none；留空表示未知</translation>
+    </message>
+    <message>
+        <source>corrections</source>
+        <translation>改正</translation>
+    </message>
+    <message>
+        <source>Corrections Column</source>
+        <translation>改正列</translation>
+    </message>
+</context>
+<context>
+    <name>ReadingLanding</name>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 和 %2</translation>
+    </message>
+    <message>
+        <source>The pointing zero of %1 in face %2 stands already (%3), and %4 was read.</source>
+        <translation>%1 的瞄准零位在盘位 %2 中已有（%3），现读得 %4。</translation>
+    </message>
+    <message>
+        <source>Pointing zero of %1: %2 was read, and that of %3 is %4 and %5.</source>
+        <translation>%1 的瞄准零位：读得 %2，而 %3 的为 %4 和 %5。</translation>
+    </message>
+    <message>
+        <source>%1: %2 stands there already, and %3 was read.</source>
+        <translation>%1：此处已有 %2，现读得 %3。</translation>
+    </message>
+    <message>
+        <source>%1: face %2 is asked for, and the circle reads face %3 (%4).</source>
+        <translation>%1：待读的是盘位 %2，而度盘为盘位 %3（%4）。</translation>
+    </message>
+    <message>
+        <source>%1: %2 was read where about %3 and %4 was expected. Is it the right target?</source>
+        <translation>%1：读得 %2，而预期约为 %3 和 %4。目标是否正确？</translation>
+    </message>
+    <message>
+        <source>Take pointing zero from the instrument</source>
+        <translation>从仪器读取瞄准零位</translation>
+    </message>
+    <message>
+        <source>Take point %1 from the instrument</source>
+        <translation>从仪器读取测点 %1</translation>
     </message>
 </context>
 <context>
@@ -5387,6 +5705,23 @@ a clause as a sentence</extracomment>
     <message>
         <source>The history of this document, to be read by programs</source>
         <translation>本文档的历史，供程序读取</translation>
+    </message>
+    <message>
+        <source>σ compensator</source>
+        <translation>σ 补偿器</translation>
+    </message>
+    <message>
+        <source>tilt across the line of sight %1″</source>
+        <translation>垂直于视线的倾斜 %1″</translation>
+    </message>
+    <message>
+        <source>tilt along it %1″</source>
+        <translation>沿视线的倾斜 %1″</translation>
+    </message>
+    <message>
+        <source>corrected by the instrument: %1</source>
+        <extracomment>%1: words such as &quot;inclination collimation&quot;, or &quot;none&quot;</extracomment>
+        <translation>仪器已改正：%1</translation>
     </message>
 </context>
 <context>
@@ -6781,6 +7116,108 @@ and a plausible size of %1 (1σ)</source>
     </message>
 </context>
 <context>
+    <name>alidade::ui::ConnectionDialog</name>
+    <message>
+        <source>Instrument Connection</source>
+        <translation>仪器连接</translation>
+    </message>
+    <message>
+        <source>&amp;Connect</source>
+        <translation>连接(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Save Log…</source>
+        <translation>保存日志(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>The connection goes on</source>
+        <translation>连接继续保持</translation>
+    </message>
+    <message>
+        <source>Dis&amp;connect</source>
+        <translation>断开(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Save log of the connection</source>
+        <translation>保存连接日志</translation>
+    </message>
+    <message>
+        <source>Ta&amp;ke Reading</source>
+        <translation>读取读数(&amp;K)</translation>
+    </message>
+</context>
+<context>
+    <name>alidade::ui::ConnectionForm</name>
+    <message>
+        <source>GeoCOM: Alidade asks</source>
+        <translation>GeoCOM：由 Alidade 询问</translation>
+    </message>
+    <message>
+        <source>GSI online: the instrument sends</source>
+        <translation>GSI 联机：由仪器发送</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Even</source>
+        <translation>偶</translation>
+    </message>
+    <message>
+        <source>Odd</source>
+        <translation>奇</translation>
+    </message>
+    <message>
+        <source>Next entry asked for</source>
+        <translation>下一个待读条目</translation>
+    </message>
+    <message>
+        <source>Selected row</source>
+        <translation>所选行</translation>
+    </message>
+    <message>
+        <source>ttyUSB0 or a path</source>
+        <translation>ttyUSB0 或路径</translation>
+    </message>
+    <message>
+        <source>The port that the cable is in: chosen, or typed as a path such as /dev/pts/3</source>
+        <translation>电缆所插的端口：可选择，或键入路径，如 /dev/pts/3</translation>
+    </message>
+    <message>
+        <source>&amp;Port</source>
+        <translation>端口(&amp;P)</translation>
+    </message>
+    <message>
+        <source>P&amp;rotocol</source>
+        <translation>协议(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Baud rate</source>
+        <translation>波特率(&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Data bits</source>
+        <translation>数据位(&amp;D)</translation>
+    </message>
+    <message>
+        <source>P&amp;arity</source>
+        <translation>校验(&amp;A)</translation>
+    </message>
+    <message>
+        <source>S&amp;top bits</source>
+        <translation>停止位(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Readings &amp;go to</source>
+        <translation>读数填入(&amp;G)</translation>
+    </message>
+</context>
+<context>
     <name>alidade::ui::DiagnosisPanel</name>
     <message>
         <source>Cause</source>
@@ -8069,6 +8506,18 @@ sizes</source>
         <source>Note</source>
         <translation>备注</translation>
     </message>
+    <message>
+        <source>Tilt ⟂ ″</source>
+        <translation>倾斜 ⟂ ″</translation>
+    </message>
+    <message>
+        <source>Tilt ∥ ″</source>
+        <translation>倾斜 ∥ ″</translation>
+    </message>
+    <message>
+        <source>Corrections</source>
+        <translation>改正</translation>
+    </message>
 </context>
 <context>
     <name>alidade::ui::ImportZeros</name>
@@ -8107,6 +8556,25 @@ sizes</source>
     <message>
         <source>Pointing zero at %1: %2</source>
         <translation>%1 的瞄准零位：%2</translation>
+    </message>
+</context>
+<context>
+    <name>alidade::ui::InstrumentDesk</name>
+    <message>
+        <source>No port is chosen: choose the one that the cable is in.</source>
+        <translation>未选择端口：请选择电缆所插的端口。</translation>
+    </message>
+    <message>
+        <source>No baud rate is chosen: choose that of the instrument.</source>
+        <translation>未选择波特率：请选择仪器的波特率。</translation>
+    </message>
+    <message>
+        <source>Name the instrument</source>
+        <translation>填写仪器</translation>
+    </message>
+    <message>
+        <source>The session names an instrument with serial number %1, and this one has %2.</source>
+        <translation>会话所填仪器的序列号为 %1，而此仪器为 %2。</translation>
     </message>
 </context>
 <context>
@@ -8209,6 +8677,33 @@ sizes</source>
     <message>
         <source>Saved “%1”</source>
         <translation>已保存“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>alidade::ui::InstrumentLink</name>
+    <message>
+        <source>The port %1 could not be opened: %2. Another program may have it, or you are not of the group that may use ports (on Debian: dialout).</source>
+        <translation>端口 %1 无法打开：%2。可能被另一程序占用，或您不属于可使用端口的组（在 Debian 上为 dialout）。</translation>
+    </message>
+    <message>
+        <source>The port %1 could not be opened: %2. Is the cable in, and this the right port?</source>
+        <translation>端口 %1 无法打开：%2。电缆是否插好，端口是否正确？</translation>
+    </message>
+    <message>
+        <source>The connection was closed before the reading came: none was taken.</source>
+        <translation>连接在读数到来之前关闭：没有取得读数。</translation>
+    </message>
+    <message>
+        <source>No instrument is connected: connect it first (Instrument › Connect).</source>
+        <translation>未连接仪器：请先连接（仪器 › 连接）。</translation>
+    </message>
+    <message>
+        <source>The line to the instrument broke: %1. Was the cable or the instrument unplugged? What was read stays; put it in and connect again.</source>
+        <translation>到仪器的线路中断：%1。电缆或仪器是否被拔出？已读的保留不变；请插好后重新连接。</translation>
+    </message>
+    <message>
+        <source>The instrument takes nothing: what was sent waits in a full buffer, and no more is sent. Look at the cable and the instrument, then connect again.</source>
+        <translation>仪器不接收：已发送的内容滞留在已满的缓冲区中，不再发送。请检查电缆和仪器，然后重新连接。</translation>
     </message>
 </context>
 <context>
@@ -8665,6 +9160,44 @@ sizes</source>
     <message>
         <source>Page %1 of %2</source>
         <translation>第 %1 页，共 %2 页</translation>
+    </message>
+</context>
+<context>
+    <name>alidade::ui::ReadingFlow</name>
+    <message>
+        <source>A reading came, and all is read that was to be: %1 and %2. Add a row, or choose one to be read again, then take it.</source>
+        <translation>收到一个读数，而该读的都已读完：%1 和 %2。请添加一行，或选择要重读的一行，然后采用。</translation>
+    </message>
+    <message>
+        <source>A reading was not taken, as you wished: %1 and %2, face %3.</source>
+        <translation>按您的意愿未采用一个读数：%1 和 %2，盘位 %3。</translation>
+    </message>
+</context>
+<context>
+    <name>alidade::ui::ReadingQuestionBar</name>
+    <message>
+        <source>Take It</source>
+        <translation>采用</translation>
+    </message>
+    <message>
+        <source>Do Not Take It</source>
+        <translation>不采用</translation>
+    </message>
+    <message>
+        <source>Reading of the instrument in question</source>
+        <translation>有疑问的仪器读数</translation>
+    </message>
+    <message>
+        <source>Enters it as it was read; the cell keeps a sign of what was expected</source>
+        <translation>照所读填入；单元格保留与预期不符的标记</translation>
+    </message>
+    <message>
+        <source>It stays in the log of the connection. Point at the right target and read again</source>
+        <translation>它保留在连接日志中。请照准正确的目标后重读</translation>
+    </message>
+    <message>
+        <source>%1 Readings that wait behind it: %2.</source>
+        <translation>%1 在其后等待的读数：%2。</translation>
     </message>
 </context>
 <context>
@@ -10500,6 +11033,33 @@ Reference %1, difference %2</source>
     <message>
         <source>&amp;Series…</source>
         <translation>系列(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>&amp;Instrument</source>
+        <translation>仪器(&amp;I)</translation>
+    </message>
+    <message>
+        <source>&amp;Connect…</source>
+        <translation>连接(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+C</source>
+        <translation>Ctrl+Shift+C</translation>
+    </message>
+    <message>
+        <source>&amp;Take Reading</source>
+        <translation>读取读数(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Disconnect</source>
+        <translation>断开(&amp;D)</translation>
+    </message>
+</context>
+<context>
+    <name>alidade::ui::WireLog</name>
+    <message>
+        <source>Log of the connection</source>
+        <translation>连接日志</translation>
     </message>
 </context>
 <context>

@@ -4,7 +4,8 @@ namespace alidade::fuzz {
 
 std::span<const Target> targets() {
   static constexpr Target all[] = {{"session", throwSession}, {"typing", throwTyping}, {"gsi", throwGsi},
-                                   {"csv", throwCsv},         {"angles", throwAngles}, {"truth", throwTruth}};
+                                   {"csv", throwCsv},         {"angles", throwAngles}, {"truth", throwTruth},
+                                   {"talk", throwTalk}};
   return all;
 }
 

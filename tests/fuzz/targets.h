@@ -14,6 +14,7 @@ void throwGsi(std::string_view bytes);      ///< an instrument's file
 void throwCsv(std::string_view bytes);      ///< a table of readings
 void throwAngles(std::string_view bytes);   ///< one entry of a form
 void throwTruth(std::string_view bytes);    ///< a truth file, or an effect of the command line
+void throwTalk(std::string_view bytes);     ///< what an instrument sends, and what is sent to a simulated one
 
 struct Target {
   std::string_view name;  ///< of its program, corpus and dictionary

@@ -64,6 +64,8 @@ constexpr Field fields[] = {
         "instrument.sigma_zero_arcsec", QT_TRANSLATE_NOOP("Field", "σ of the pointing zero")),
     ofSession<&Session::instrument, &Instrument::sigmaSliderArcsec>(
         "instrument.sigma_slider_arcsec", QT_TRANSLATE_NOOP("Field", "σ of the slider")),
+    ofSession<&Session::instrument, &Instrument::sigmaCompensatorArcsec>(
+        "instrument.sigma_compensator_arcsec", QT_TRANSLATE_NOOP("Field", "σ of the compensator")),
     ofSession<&Session::environment, &Environment::temperatureC>("environment.temperature_c",
                                                                  QT_TRANSLATE_NOOP("Field", "temperature")),
     ofSession<&Session::environment, &Environment::sigmaTemperatureC>(

@@ -139,6 +139,9 @@ QWidget* createInstrumentForm(SessionDocument& document) {
            Forms::tr("Standard uncertainty of one sighting of the pointing zeros α0 and β0")},
           {"instrument.sigma_slider_arcsec", Forms::tr("σ slider"), seconds, Forms::tr("5"),
            Forms::tr("Standard deviation of one slider reading")},
+          {"instrument.sigma_compensator_arcsec", Forms::tr("σ compensator"), seconds, Forms::tr("1"),
+           Forms::tr("Setting accuracy of the compensator, by its data sheet; of use where the readings have "
+                     "tilts, or say what the instrument corrected")},
           {"device.name", Forms::tr("Dev&ice"), {}, Forms::tr("simulator measured"), {}, {}, true},
           {"device.serial", Forms::tr("Serial no."), {}, {}, {}},
           {"geometry.radius_expansion_ppm_per_k", Forms::tr("R0 expands"), Forms::tr("ppm/K"),

@@ -33,6 +33,8 @@ constexpr ClassTopic classTopics[] = {
     {"alidade::ui::GapPanel", "gap"},
     {"alidade::ui::BlindTrialDialog", "gap#trials"},
     {"alidade::ui::InstrumentDialog", "instrument"},
+    {"alidade::ui::ConnectionDialog", "connection"},
+    {"alidade::ui::ReadingQuestionBar", "connection#question"},
     {"alidade::ui::SeriesWindow", "series"},
     {"alidade::ui::DiagnosisPanel", "gap#several"},
     {"alidade::ui::JournalPanel", "report#journal"},
@@ -53,6 +55,7 @@ const std::vector<HelpPage>& allHelpPages() {
   static const std::vector<HelpPage> pages{
       {"first", QT_TRANSLATE_NOOP("HelpPage", "First measurement in ten steps")},
       {"entering", QT_TRANSLATE_NOOP("HelpPage", "Entering readings")},
+      {"connection", QT_TRANSLATE_NOOP("HelpPage", "Readings from the instrument")},
       {"result", QT_TRANSLATE_NOOP("HelpPage", "The result and its verdict")},
       {"gap", QT_TRANSLATE_NOOP("HelpPage", "How to read the gap")},
       {"uncertainty", QT_TRANSLATE_NOOP("HelpPage", "Uncertainty and reliability")},

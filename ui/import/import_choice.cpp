@@ -26,6 +26,9 @@ void lookThrough(ImportReading& reading) {
       reading.hasRounds = reading.hasRounds || !readings[i].round.empty();
       reading.hasFaces = reading.hasFaces || !readings[i].face.empty();
       reading.hasSliders = reading.hasSliders || !readings[i].slider.empty();
+      reading.hasTilts =
+          reading.hasTilts || !readings[i].tiltCrossArcsec.empty() || !readings[i].tiltLengthArcsec.empty();
+      reading.hasCorrections = reading.hasCorrections || !readings[i].corrections.empty();
       reading.hasNotes = reading.hasNotes || !readings[i].note.empty();
     }
   }

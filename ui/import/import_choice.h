@@ -45,7 +45,8 @@ struct ImportReading {
   std::optional<Import> import;          ///< absent: nothing can be imported, as `problem` says
   std::string problem = {};              ///< a sentence
   std::vector<ProblemGroup> kinds = {};  ///< of what cannot be used
-  bool hasRounds = false, hasFaces = false, hasSliders = false, hasNotes = false;
+  bool hasRounds = false, hasFaces = false, hasSliders = false, hasTilts = false, hasCorrections = false,
+       hasNotes = false;
 };
 
 /// The files as the core takes them; `sources` keep their bytes.

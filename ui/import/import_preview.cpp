@@ -32,6 +32,12 @@ const RowField* fieldOf(ImportPreview::Column column) {
       return &rowField(&Reading::vertical);
     case ImportPreview::Column::Slider:
       return &rowField(&Reading::slider);
+    case ImportPreview::Column::TiltCross:
+      return &rowField(&Reading::tiltCrossArcsec);
+    case ImportPreview::Column::TiltLength:
+      return &rowField(&Reading::tiltLengthArcsec);
+    case ImportPreview::Column::Corrections:
+      return &rowField(&Reading::corrections);
     case ImportPreview::Column::Note:
       return &rowField(&Reading::note);
     default:
@@ -77,6 +83,11 @@ bool ImportPreview::isShown(Column column) const {
       return m_reading->hasFaces;
     case Column::Slider:
       return m_reading->hasSliders;
+    case Column::TiltCross:
+    case Column::TiltLength:
+      return m_reading->hasTilts;
+    case Column::Corrections:
+      return m_reading->hasCorrections;
     case Column::Note:
       return m_reading->hasNotes;
     default:
@@ -168,6 +179,12 @@ QVariant ImportPreview::headerData(int section, Qt::Orientation orientation, int
       return m_circle == VerticalCircle::Zenith ? tr("Zenith β") : tr("Elevation β");
     case Column::Slider:
       return tr("Slider s");
+    case Column::TiltCross:
+      return tr("Tilt ⟂ ″");
+    case Column::TiltLength:
+      return tr("Tilt ∥ ″");
+    case Column::Corrections:
+      return tr("Corrections");
     case Column::Note:
       return tr("Note");
   }

@@ -13,7 +13,21 @@ class ImportPreview : public QAbstractTableModel {
   Q_OBJECT
 
  public:
-  enum class Column { Position, Origin, Used, Point, Round, Face, Horizontal, Vertical, Slider, Note };
+  enum class Column {
+    Position,
+    Origin,
+    Used,
+    Point,
+    Round,
+    Face,
+    Horizontal,
+    Vertical,
+    Slider,
+    TiltCross,
+    TiltLength,
+    Corrections,
+    Note
+  };
   static constexpr int columns = static_cast<int>(Column::Note) + 1;
 
   using QAbstractTableModel::QAbstractTableModel;

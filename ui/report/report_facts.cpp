@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/observation/visits.h"
+#include "core/session/row_fields.h"
 #include "ui/report/report_text.h"
 #include "ui/text/visible_text.h"
 
@@ -108,6 +109,9 @@ std::vector<LabelledText> instrumentFacts(const Evaluation& evaluation) {
   if (readsSlider(evaluation))
     facts.push_back({Report::tr("σ of the slider"),
                      Provenance(instrument.sigmaSliderArcsec, arcsec, QStringLiteral("5″")).text()});
+  if (tellsOfCompensator(session))
+    facts.push_back({Report::tr("σ compensator"),
+                     Provenance(instrument.sigmaCompensatorArcsec, arcsec, QStringLiteral("1″")).text()});
   facts.push_back({Report::tr("Distance L"), lengthWithSigma(geometry.distanceMm, geometry.sigmaDistanceMm)});
   facts.push_back({Report::tr("L measured"), given(geometry.distanceFrom)});
   facts.push_back({Report::tr("Nominal radius R0"), nominalRadius(session)});

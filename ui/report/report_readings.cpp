@@ -66,10 +66,24 @@ QString remark(const Reading& reading, bool unusable) {
   return unusable ? Report::tr("unusable") : QString();
 }
 
-/// The note, and what the reading was before it was changed.
+/// What the compensator read and the instrument corrected, where the row tells.
+QStringList ofCompensator(const Reading& reading) {
+  QStringList parts;
+  const auto add = [&parts](const QString& says, const std::string& text) {
+    if (!text.empty()) parts.append(says.arg(shortLine(text, longestCell)));
+  };
+  add(Report::tr("tilt across the line of sight %1″"), reading.tiltCrossArcsec);
+  add(Report::tr("tilt along it %1″"), reading.tiltLengthArcsec);
+  //: %1: words such as "inclination collimation", or "none"
+  add(Report::tr("corrected by the instrument: %1"), reading.corrections);
+  return parts;
+}
+
+/// The note, what the compensator says, and what the reading was before it was changed.
 QString remarks(const Reading& reading) {
   QStringList parts;
   if (const QString note = visibleLine(qText(reading.note).trimmed()); !note.isEmpty()) parts.append(note);
+  parts.append(ofCompensator(reading));
   for (const auto& [key, text] : reading.asRead.all())
     parts.append(
         //: %1: what was read, as "vertical reading"; %2: as it was typed at first

@@ -12,6 +12,7 @@
 #include "app/console/commands/history_command.h"
 #include "app/console/commands/import_command.h"
 #include "app/console/commands/instrument_command.h"
+#include "app/console/commands/instrument_simulator_command.h"
 #include "app/console/commands/journal_command.h"
 #include "app/console/commands/plan_command.h"
 #include "app/console/commands/simulate_command.h"
@@ -101,6 +102,8 @@ int run(int argc, char** argv, std::string& subject) {
   addImportCommand(app, importRequest);
   InstrumentRequest instrumentRequest;
   addInstrumentCommand(app, instrumentRequest);
+  SimulatorRequest simulatorRequest;
+  addSimulatorCommand(app, simulatorRequest);
   app.footer("Exit codes: 0 done, 2 bad input or call, 1 anything else.");
 
   try {
@@ -118,6 +121,10 @@ int run(int argc, char** argv, std::string& subject) {
   if (app.got_subcommand("history")) return giveHistory(historyRequest);
   if (app.got_subcommand("import")) return giveImport(importRequest, subject);
   if (app.got_subcommand("instrument")) return giveInstrument(instrumentRequest, subject);
+  if (app.got_subcommand("instrument-simulator")) {
+    if (!simulatorRequest.session.empty()) subject = inputName(simulatorRequest.session);
+    return give(runSimulator(simulatorRequest), subject);
+  }
   const auto giveFrom = [&](const auto& request, const auto& runCommand) {
     subject = inputName(request.file);
     return give(runCommand(request), subject);

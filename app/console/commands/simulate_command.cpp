@@ -10,6 +10,7 @@
 #include "core/base/visible_text.h"
 #include "core/session/measurement.h"
 #include "core/session/session_file.h"
+#include "core/simulation/compensator_use.h"
 #include "core/simulation/protocol.h"
 #include "core/simulation/simulate.h"
 #include "core/simulation/truth_text.h"
@@ -46,6 +47,8 @@ constexpr NumberOption numberOptions[] = {
      "σ of the pointing zeros, arcsec; else as --sigma"},
     {"--sigma-slider", &Asked::sigmaSlider, leastArcsec, largestArcsec - 1,
      "σ of the slider, arcsec; else 5"},
+    {"--sigma-compensator", &Asked::sigmaCompensator, leastArcsec, largestArcsec - 1,
+     "Setting accuracy of the compensator, arcsec; else 1"},
     {"--typing-step", &Asked::typingStep, leastArcsec, largestArcsec,
      "Readings are rounded to this, arcsec; else 0.1"},
 };
@@ -120,6 +123,25 @@ Protocol protocolOf(const SimulateRequest& request) {
   return protocol;
 }
 
+/// Of what the compensator takes off nothing stays in the truth.
+Result<Session> sessionOf(const SimulateRequest& request, Truth& truth) {
+  const Angle sigma = Angle::fromArcseconds(request.sigmaCompensator.value_or(1));
+  const bool isOn = request.compensator == "on";
+  const Protocol protocol = protocolOf(request);
+  Result<Session> simulated =
+      simulate(protocol, isOn ? leftByCompensator(truth, sigma, request.seed) : truth, request.seed);
+  if (!simulated || request.compensator.empty()) return simulated;
+  Session session = *std::move(simulated);
+  const bool isMeasured = request.compensator == "measured";
+  const CompensatorUse unlessOn = isMeasured ? CompensatorUse::Measured : CompensatorUse::Off;
+  stateCompensator(session, truth, isOn ? CompensatorUse::On : unlessOn, sigma, request.seed);
+  if (isOn)
+    std::erase_if(truth.effects, [](const TrueSize& size) {
+      return size.term == ErrorTerm::VerticalAxisTiltX || size.term == ErrorTerm::VerticalAxisTiltZ;
+    });
+  return session;
+}
+
 }  // namespace
 
 void addSimulateCommand(CLI::App& app, SimulateRequest& request) {
@@ -150,6 +172,12 @@ void addSimulateCommand(CLI::App& app, SimulateRequest& request) {
       ->capture_default_str();
   simulate->add_flag("--zeros-in-full", request.zerosInFull,
                      "Sight each pointing zero in both faces, before and after its position");
+  simulate
+      ->add_option(
+          "--compensator", request.compensator,
+          "on: the tilt of the vertical axis is taken off; measured: its tilts are stated; off: it is "
+          "stated that nothing was corrected")
+      ->check(CLI::IsMember({"on", "measured", "off"}));
   simulate->footer(footer());
 }
 
@@ -157,7 +185,7 @@ Result<std::string> runSimulate(const SimulateRequest& request) {
   Truth truth = truthOf(request);
   for (const std::string& effect : request.effects)
     if (auto problem = addEffect(truth, effect)) return *std::move(problem);
-  Result<Session> simulated = simulate(protocolOf(request), truth, request.seed);
+  Result<Session> simulated = sessionOf(request, truth);
   if (!simulated) return simulated.problem();
   Session session = *std::move(simulated);
   if (!request.title.empty()) session.title = request.title;

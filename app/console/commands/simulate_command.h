@@ -30,6 +30,8 @@ struct SimulateRequest {
   std::string verticalCircle = "zenith";  ///< or "elevation"
   std::string instrument;                 ///< path of an instrument record; empty: none
   bool zerosInFull = false;
+  std::string compensator;                 ///< "off", "measured" or "on"; empty: the session does not say
+  std::optional<double> sigmaCompensator;  ///< arcseconds
 };
 
 /// Adds `simulate --out FILE --truth FILE [--seed N] [--effect NAME=VALUE]… [--protocol NAME] …`, which fills

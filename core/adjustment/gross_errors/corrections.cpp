@@ -17,9 +17,9 @@ struct Column {
 constexpr Column horizontal{"horizontal", &Reading::horizontal}, vertical{"vertical", &Reading::vertical},
     slider{"slider", &Reading::slider}, face{"face", &Reading::face};
 
-class Corrections {
+class ReadingCorrections {
  public:
-  Corrections(const Session& session, std::size_t position, std::size_t row)
+  ReadingCorrections(const Session& session, std::size_t position, std::size_t row)
       : m_readings(session.positions[position].readings), m_position(position), m_row(row) {}
 
   std::vector<Correction> all() {
@@ -98,7 +98,7 @@ class Corrections {
 }  // namespace
 
 std::vector<Correction> correctionsOf(const Session& session, std::size_t position, std::size_t row) {
-  return Corrections(session, position, row).all();
+  return ReadingCorrections(session, position, row).all();
 }
 
 RowReader::RowReader(const Session& session) : m_firstSequences(firstSequences(session)) {

@@ -129,6 +129,20 @@ struct UnknownEffect {
 struct KnownOfNothing {
   std::string effect, parameter, unit;
 };
+/// Rows differ in what the instrument corrected, or only some tell; so nothing is known from it.
+struct CorrectionsDiffer {
+  std::vector<std::string> switches;  ///< their words in a row
+};
+/// There are tilts, but no row tells whether the instrument has taken them off.
+struct TiltsUnused {};
+/// From one position to another, by what the compensator read.
+struct AxisMoved {
+  Angle change;  ///< ≥ 0
+};
+/// What the compensator read in both faces is no tilt by so much.
+struct CompensatorOff {
+  Angle index;  ///< ≥ 0
+};
 /// The vertical circle is taken to read y/L.
 struct PlanarRelation {};
 
@@ -147,7 +161,9 @@ struct FitFinding {
       setup_finding::ZeroMoved, setup_finding::ZeroFaceLeftOut, session_finding::ArcMissing,
       session_finding::Undetermined, session_finding::PositionMissing, session_finding::RadiiDiffer,
       session_finding::CentresDiffer, session_finding::KnownRadiusContradicted, session_finding::OffReference,
-      session_finding::UnknownEffect, session_finding::KnownOfNothing, session_finding::PlanarRelation>;
+      session_finding::UnknownEffect, session_finding::KnownOfNothing, session_finding::CorrectionsDiffer,
+      session_finding::TiltsUnused, session_finding::AxisMoved, session_finding::CompensatorOff,
+      session_finding::PlanarRelation>;
 
   Severity severity = Severity::Warning;  ///< Error: an arc, or all of them, are not there because of this
   Place where;

@@ -8,6 +8,7 @@
 #include "core/base/statistics.h"
 #include "core/effects/catalogue.h"
 #include "core/effects/known_sizes.h"
+#include "core/session/compensator.h"
 
 namespace alidade {
 
@@ -78,6 +79,19 @@ void judgeReference(std::vector<FitFinding>& findings, const Measurement& measur
        OffReference{*measurement.referenceIntersection, difference, fit.intersection->expanded}});
 }
 
+/// What keeps tilts and corrections of the rows from telling as much as they could.
+void judgeCompensator(std::vector<FitFinding>& findings, const Measurement& measurement) {
+  const CompensatorNotes notes = compensatorKnowledge(measurement).notes;
+  const auto add = [&](const char* field, FitFinding::What what) {
+    findings.push_back({Severity::Warning, fieldOf(field), std::move(what)});
+  };
+  if (!notes.mixed.empty())
+    add("readings.corrections", CorrectionsDiffer{{notes.mixed.begin(), notes.mixed.end()}});
+  if (notes.isInclinationUnknown) add("readings.corrections", TiltsUnused{});
+  if (notes.moved) add("readings.tilt_cross_arcsec", AxisMoved{*notes.moved});
+  if (notes.index) add("readings.tilt_cross_arcsec", CompensatorOff{*notes.index});
+}
+
 }  // namespace
 
 std::vector<FitFinding> missingPositions(const Measurement& measurement) {
@@ -96,6 +110,7 @@ std::vector<FitFinding> modelFindings(const Measurement& measurement) {
     if (!parameterMeant(known))
       findings.push_back(
           {Severity::Warning, known.where, KnownOfNothing{known.effect, known.parameter, known.unit}});
+  judgeCompensator(findings, measurement);
   if (measurement.relation == VerticalAngleRelation::Planar)
     findings.push_back({Severity::Warning, fieldOf("model.vertical_angle"), PlanarRelation{}});
   return findings;

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "core/exchange/import.h"
+#include "core/exchange/table_layout.h"
 #include "core/session/measurement.h"
 #include "core/session/session_file.h"
 
@@ -39,7 +40,8 @@ TEST(RowFields, AreWrittenInTheOrderOfTheFile) {
   std::vector<std::string> keys;
   for (const auto& [key, value] : json["positions"][0]["readings"][0].items()) keys.push_back(key);
   EXPECT_THAT(keys,
-              ElementsAre("point", "round", "face", "horizontal", "vertical", "slider", "excluded", "note"));
+              ElementsAre("point", "round", "face", "horizontal", "vertical", "slider", "tilt_cross_arcsec",
+                          "tilt_length_arcsec", "corrections", "excluded", "note"));
 }
 
 TEST(RowFields, SurviveTheFile) {
@@ -68,11 +70,17 @@ TEST(RowFields, AreCheckedByTheirRules) {
   }
 }
 
+/// A text that its rule lets through.
+std::string soundText(const RowField& field) {
+  if (std::holds_alternative<CorrectionsRule>(field.rule)) return "collimation";
+  return isAngle(field) ? "12 00 00" : isFreeText(field) ? "said" : "2";
+}
+
 TEST(RowFields, ComeFromTables) {
   std::string names, cells;
   for (const RowField& field : rowFields) {
     names += std::string(field.key) + ";";
-    cells += field.flag ? "yes;" : isAngle(field) ? "12 00 00;" : isFreeText(field) ? "said;" : "2;";
+    cells += (field.flag ? "yes" : soundText(field)) + ";";
   }
   const Result<Import> import = importReadings(names + "\n" + cells + "\n");
   ASSERT_TRUE(import);
@@ -82,7 +90,7 @@ TEST(RowFields, ComeFromTables) {
     if (field.flag)
       EXPECT_TRUE(row.*field.flag) << field.key;
     else
-      EXPECT_EQ(row.*field.text, isAngle(field) ? "12 00 00" : isFreeText(field) ? "said" : "2") << field.key;
+      EXPECT_EQ(row.*field.text, soundText(field)) << field.key;
   }
 }
 
@@ -98,6 +106,65 @@ TEST(RowFields, AreToldApartByTheirHeadings) {
     }
     EXPECT_TRUE(own.contains(std::string(field.key))) << field.key;
   }
+}
+
+// As people name such columns; a tilt in another unit is none.
+TEST(RowFields, KnowHowTiltsAreNamed) {
+  for (const char* name : {"Cross tilt", "tilt_cross_arcsec", "Transverse inclination [arcsec]"})
+    EXPECT_EQ(columnName(name).column, TableColumn{&rowField(&Reading::tiltCrossArcsec)}) << name;
+  for (const char* name : {"Length tilt", "TILT-LENGTH-ARCSEC", "longitudinal incline"})
+    EXPECT_EQ(columnName(name).column, TableColumn{&rowField(&Reading::tiltLengthArcsec)}) << name;
+  for (const char* name : {"Tilt", "cross", "cross tilt mrad"})
+    EXPECT_EQ(columnName(name).column, std::nullopt) << name;
+}
+
+TEST(RowFields, RefuseTiltsAndCorrectionsThatMeanNothing) {
+  const auto said = [](std::string Reading::*text, const char* typed) {
+    const auto problem = entryProblem(rowField(text), typed, VerticalCircle::Zenith);
+    return problem ? problem->what : std::string();
+  };
+  for (const char* typed : {"", "-12.5", "3599.9", "0"})
+    EXPECT_EQ(said(&Reading::tiltCrossArcsec, typed), "");
+  EXPECT_EQ(said(&Reading::tiltLengthArcsec, "-3600"),
+            "“-3600” is out of range: a tilt must be below 3600 arcseconds in size");
+  for (const char* typed :
+       {"", "none", "inclination", " tilting_axis  collimation standing_axis inclination"})
+    EXPECT_EQ(said(&Reading::corrections, typed), "") << typed;
+  for (const char* typed :
+       {"on", "none inclination", "inclination none", "Inclination", "inclination,collimation"})
+    EXPECT_THAT(said(&Reading::corrections, typed), testing::HasSubstr("names no corrections")) << typed;
+}
+
+// Rows without them are written as they were.
+TEST(RowFields, OfTheCompensatorAreWrittenWhereTheyAre) {
+  Session session = blankSession();
+  session.geometry.distanceMm = "2405";
+  session.geometry.radiusMm = "400";
+  session.positions[0].readings.push_back({.horizontal = "1°", .vertical = "90°"});
+  EXPECT_THAT(writeSession(session), testing::Not(testing::HasSubstr("tilt")));
+  EXPECT_FALSE(tellsOfCompensator(session));
+  Reading& row = session.positions[0].readings[0];
+  row.tiltCrossArcsec = "-12.50";
+  row.tiltLengthArcsec = "4";
+  row.corrections = "none";
+  EXPECT_TRUE(tellsOfCompensator(session));
+  const std::string file = writeSession(session);
+  EXPECT_THAT(file, testing::HasSubstr(
+                        R"("tilt_cross_arcsec": -12.5, "tilt_length_arcsec": 4, "corrections": "none")"));
+  const Result<Session> read = readSession(file);
+  ASSERT_TRUE(read) << read.problem().text();
+  EXPECT_EQ(read->positions[0].readings[0].tiltCrossArcsec, "-12.5");
+  EXPECT_EQ(writeSession(*read), file);
+  const Sighting sighting = examine([&] {
+                              Session sound = *read;
+                              sound.positions[0].zero = {.horizontal = "0°", .vertical = "90°", .origin = {}};
+                              return sound;
+                            }())
+                                .measurement->arcs.at(0)
+                                .sightings.at(0);
+  EXPECT_DOUBLE_EQ(sighting.tiltCross->arcseconds(), -12.5);
+  EXPECT_DOUBLE_EQ(sighting.tiltLength->arcseconds(), 4);
+  EXPECT_EQ(sighting.corrections, Corrections());
 }
 
 TEST(RowFields, KnowWhatAnEmptyTextStandsFor) {

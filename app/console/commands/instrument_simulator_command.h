@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+
+namespace CLI {
+class App;
+}
+
+namespace alidade::console {
+
+struct SimulatorRequest {
+  std::string session;  ///< empty: one is simulated
+  std::string protocol = "geocom";
+  std::string plan = "full";
+  std::uint64_t seed = 1;
+  double noise = 0;  ///< arcsec
+  std::vector<std::string> faults;
+  std::optional<int> faultEvery;
+  double every = 0;  ///< s; 0: the key REC is Enter
+  int width = 16;
+  std::string unit = "dms";
+  std::vector<std::string> uncorrected;
+  bool endsWhenTold = false;
+};
+
+void addSimulatorCommand(CLI::App& app, SimulatorRequest& request);
+
+/// Prints the path of the line, then speaks until it is stopped.
+Result<std::string> runSimulator(const SimulatorRequest& request);
+
+}  // namespace alidade::console

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace alidade {
+
+// GeoCOM, the question and answer protocol of Leica's instruments, as lines:
+//
+//   %R1Q,<rpc>[,<transaction>]:<parameters>
+//   %R1P,<communication code>,<transaction>[,<crc>]:<return code>[,<parameters>]
+//
+// Parameters are parted by commas; texts stand in double quotes; angles are radians. The transaction of a
+// question comes back with its answer and goes from 0 to 7. Sources: GeoCOM Reference Manual, TPS1200 (Leica
+// Geosystems), and the MIT-licensed GeoComPy (geo/__init__.py, geo/tmc.py, geo/com.py, geo/csv.py). A
+// checksum is read over, not checked: neither source says what it is made of.
+
+namespace geocom {
+inline constexpr int null = 0, doublePrecision = 108, softwareVersion = 110, switchOn = 111, angles = 2003,
+                     plainAngles = 2107, setCompensator = 2006, compensator = 2007, corrections = 2014,
+                     face = 2026, instrumentNumber = 5003, instrumentName = 5004, temperature = 5011;
+inline constexpr int done = 0, notImplemented = 5, systemBusy = 12, notAvailable = 27,
+                     notFullyCorrected = 1283, accuracyUncertain = 1284, anglesOnly = 1285,
+                     anglesNotFullyCorrected = 1288, anglesUncertain = 1289, busy = 1293, cannotSend = 3075,
+                     timedOut = 3077;
+inline constexpr int lastTransaction = 7;
+}  // namespace geocom
+
+struct GeoComQuestion {
+  int rpc = 0;
+  std::optional<int> transaction = {};
+  std::vector<std::string> parameters = {};
+};
+
+struct GeoComAnswer {
+  int communicationCode = 0;
+  int transaction = 0;
+  int returnCode = 0;
+  std::vector<std::string> parameters = {};  ///< texts without their quotes
+};
+
+std::string geoComLine(const GeoComQuestion& question);
+std::string geoComLine(const GeoComAnswer& answer);
+
+/// Absent where the line is none.
+std::optional<GeoComQuestion> geoComQuestion(std::string_view line);
+/// What stands before `%R1P` is passed over: noise of a cable that was just put in.
+std::optional<GeoComAnswer> geoComAnswer(std::string_view line);
+
+/// Do the angles of an answer with this return code count?
+bool hasAngles(int returnCode);
+/// Will the same question be answered a moment later?
+bool isBusy(int returnCode);
+
+/// What a return code says, as a sentence.
+std::string geoComSentence(int returnCode);
+
+}  // namespace alidade

@@ -1,0 +1,125 @@
+#include "core/connection/gsi_talk.h"
+
+#include <algorithm>
+
+#include "core/base/angle_text.h"
+#include "core/base/phrase.h"
+#include "core/exchange/gsi_word.h"
+#include "core/session/face.h"
+#include "core/session/row_fields.h"
+
+namespace alidade {
+
+namespace {
+
+constexpr int pointWord = 11, horizontalWord = 21, verticalWord = 22;
+constexpr const char* acknowledgement = "?";
+constexpr const char* measureBoth = "GET/M/WI21/WI22";
+
+/// Noise before a block is no part of it, nor is half a block that the whole one came after: from the last *
+/// on.
+std::string blockIn(const std::string& line) {
+  const std::size_t star = line.rfind('*');
+  return star != std::string::npos && looksLikeGsi(line.substr(star)) ? line.substr(star) : line;
+}
+
+/// The circle of a word, as a text and checked like one that is typed.
+Result<Angle> circleOf(const GsiWord& word, const RowField& field, VerticalCircle circle, std::string& text) {
+  const auto angle = gsiAngle(word, 0);
+  if (const auto* problem = std::get_if<LineProblem>(&angle)) return Problem{problem->what};
+  text = std::get<std::string>(angle);
+  if (auto problem = entryProblem(field, text, circle)) return *std::move(problem);
+  return parseAngle(text);
+}
+
+}  // namespace
+
+Result<InstrumentReading> gsiReading(const std::string& block, VerticalCircle circle) {
+  const auto parsed = gsiWords({0, block});
+  if (const auto* problem = std::get_if<LineProblem>(&parsed)) return Problem{problem->what};
+  const auto& words = std::get<std::vector<GsiWord>>(parsed);
+  const auto wordOf = [&words](int index) {
+    const auto found = std::find_if(words.begin(), words.end(),
+                                    [index](const GsiWord& word) { return word.index == index; });
+    return found == words.end() ? nullptr : &*found;
+  };
+  const GsiWord *horizontal = wordOf(horizontalWord), *vertical = wordOf(verticalWord);
+  if (!horizontal || !vertical)
+    return Problem{
+        Phrase::of("a block needs both circles, words 21 and 22: set the recording mask of the "
+                   "instrument so, and sight again")};
+  InstrumentReading reading;
+  const Result<Angle> alpha =
+      circleOf(*horizontal, rowField(&Reading::horizontal), circle, reading.horizontal);
+  if (!alpha) return alpha.problem();
+  const Result<Angle> beta = circleOf(*vertical, rowField(&Reading::vertical), circle, reading.vertical);
+  if (!beta) return beta.problem();
+  reading.horizontalAngle = *alpha;
+  reading.verticalAngle = *beta;
+  reading.face = isFaceTwo(*beta, circle) ? 2 : 1;
+  if (const GsiWord* point = wordOf(pointWord)) reading.point = gsiText(*point);
+  return reading;
+}
+
+void GsiTalk::onBegin(Milliseconds, TalkStep&) {}
+
+void GsiTalk::onTake(Milliseconds now, TalkStep& step) {
+  if (m_askedUntil)
+    return step.remarks.push_back(Phrase::of("A reading is being taken already: it is asked for once."));
+  m_askedUntil = now + m_times.answerWithin;
+  send(measureBoth, step);
+}
+
+void GsiTalk::onTick(Milliseconds now, TalkStep& step) {
+  if (!m_askedUntil || now < *m_askedUntil) return;
+  m_askedUntil.reset();
+  step.remarks.push_back(
+      Phrase::of("The instrument did not answer. No reading was taken; sight again, or record on the "
+                 "instrument. Is it set to GSI at this baud rate, and the right port?"));
+}
+
+void GsiTalk::onLine(const std::string& line, Milliseconds now, TalkStep& step) {
+  const std::size_t first = line.find_first_not_of(" \t");
+  if (first == std::string::npos) return;
+  const std::string text = line.substr(first);
+  if (text == "?") return;  // something that was set is set
+  if (text[0] == '@') return takeCode(text, step);
+  takeBlock(blockIn(text), now, step);
+}
+
+void GsiTalk::takeCode(const std::string& code, TalkStep& step) {
+  const std::string shown = shownLine(code.substr(0, 40));
+  const bool isError = code.size() > 1 && code[1] == 'E';
+  const std::string told =
+      isError ? Phrase::of("The instrument reports an error: %1. Look at its display.", shown)
+              : Phrase::of("The instrument warns: %1. Look at its display.", shown);
+  const bool wasAsked = m_askedUntil.has_value();
+  m_askedUntil.reset();
+  step.remarks.push_back(wasAsked ? Phrase::of("%1 No reading was taken; sight again.", told) : told);
+}
+
+bool GsiTalk::wasTaken(const std::string& line, Milliseconds now) const {
+  return line == m_lastBlock && now < m_lastAt + m_times.repeatWithin;
+}
+
+void GsiTalk::takeBlock(const std::string& line, Milliseconds now, TalkStep& step) {
+  const std::string shown = shownLine(line.substr(0, 60));
+  if (!looksLikeGsi(line))
+    return step.remarks.push_back(Phrase::of("This is no block of GSI and was passed over: %1", shown));
+  const Result<InstrumentReading> reading = gsiReading(line, m_circles.vertical);
+  if (!reading)  // without an acknowledgement the instrument sends it again
+    return step.remarks.push_back(
+        Phrase::of("A block was not taken: %1. The instrument sends it again, or reports an error.",
+                   reading.problem().what));
+  const bool isAnswer = m_askedUntil.has_value();
+  const bool isAgain = !isAnswer && wasTaken(line, now);
+  if (!isAnswer) send(acknowledgement, step);
+  m_askedUntil.reset();
+  m_lastBlock = line;
+  m_lastAt = now;
+  if (isAgain)
+    return step.remarks.push_back(Phrase::of("The same block came again and was taken once: %1", shown));
+  step.readings.push_back(*reading);
+}
+
+}  // namespace alidade

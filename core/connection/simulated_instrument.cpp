@@ -1,0 +1,192 @@
+#include "core/connection/simulated_instrument.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/base/number_text.h"
+
+namespace alidade {
+
+namespace {
+
+constexpr int radiansDecimals = 15;
+constexpr std::size_t longestLine = 1000;
+constexpr const char* lineEnd = "\r\n";
+constexpr const char* noise = "\x01\xf3~0{\r";
+constexpr double wrongBy = 20;  // degrees: another target
+constexpr double accuracyArcsec = 0.5;
+
+std::string radians(Angle angle) {
+  return fixedText(angle.radians(), radiansDecimals);
+}
+
+std::string padded(long long number, std::size_t width) {
+  const std::string digits = std::to_string(number);
+  return std::string(width > digits.size() ? width - digits.size() : 0, '0') + digits;
+}
+
+/// The data of a word: 10⁻⁵ of gon and degrees, or DDD.MMSSs to a tenth of a second.
+long long gsiNumber(Angle angle, char unit) {
+  constexpr long long fullGon = 40'000'000, fullDegrees = 36'000'000, fullTenths = 12'960'000;
+  if (unit == '2') return std::llround(angle.degrees() / 0.9 * 1e5) % fullGon;
+  if (unit == '3') return std::llround(angle.degrees() * 1e5) % fullDegrees;
+  const long long tenths = std::llround(angle.arcseconds() * 10) % fullTenths;
+  return tenths / 36000 * 100'000 + tenths / 600 % 60 * 1000 + tenths % 600;
+}
+
+}  // namespace
+
+std::string SimulatedInstrument::receive(std::string_view bytes) {
+  std::string sent;
+  for (const char c : bytes) {
+    if (c != '\r' && c != '\n') {
+      if (m_line.size() < longestLine) m_line += c;
+      continue;
+    }
+    if (!m_line.empty()) sent += answer(std::exchange(m_line, {}));
+  }
+  return sent;
+}
+
+std::string SimulatedInstrument::answer(const std::string& line) {
+  if (m_options.protocol == InstrumentProtocol::GeoCom) {
+    const auto question = geoComQuestion(line);
+    return question ? answerGeoCom(*question) : std::string();
+  }
+  if (line == "?") {
+    if (!m_waiting) return {};
+    if (std::exchange(m_waiting->losesOne, false)) return {};
+    if (m_waiting->counts) ++m_at;
+    m_waiting.reset();
+    return {};
+  }
+  if (line.starts_with("GET/") && line.find("WI21") != std::string::npos) {
+    if (isDone()) return std::string("@W100") + lineEnd;
+    const auto fault = faultNow();
+    if (fault == InstrumentFault::Busy) return std::string("@W100") + lineEnd;
+    if (fault == InstrumentFault::Silent) return {};
+    const std::string told = block(pointedAt(fault), true);
+    if (fault == InstrumentFault::Cut) return told.substr(0, told.size() / 2);
+    if (fault != InstrumentFault::Wrong) ++m_at;
+    return withFault(told + lineEnd, fault);
+  }
+  const bool isSet = line.starts_with("SET/") || line.starts_with("PUT/") || line.starts_with("CONF/");
+  return std::string(isSet ? "?" : "@W127") + lineEnd;
+}
+
+std::string SimulatedInstrument::record(Milliseconds now) {
+  if (m_options.protocol != InstrumentProtocol::Gsi || m_waiting || isDone()) return {};
+  const auto fault = faultNow();
+  if (fault == InstrumentFault::Silent) return {};
+  if (fault == InstrumentFault::Busy) return std::string("@W100") + lineEnd;
+  m_waiting = Waiting{block(pointedAt(fault), false) + lineEnd, now, fault != InstrumentFault::Wrong,
+                      fault == InstrumentFault::Twice};
+  if (fault == InstrumentFault::Cut) return m_waiting->block.substr(0, m_waiting->block.size() / 2);
+  return withFault(m_waiting->block, fault == InstrumentFault::Twice ? std::nullopt : fault);
+}
+
+std::string SimulatedInstrument::tick(Milliseconds now) {
+  if (!m_waiting || now < m_waiting->since + repeatAfter) return {};
+  m_waiting->since = now;
+  return m_waiting->block;
+}
+
+std::string SimulatedInstrument::answerGeoCom(const GeoComQuestion& question) {
+  const auto give = [&](std::vector<std::string> parameters) {
+    return geoComText(geocom::done, std::move(parameters), question) + lineEnd;
+  };
+  const auto flag = [](bool is) { return std::string(is ? "1" : "0"); };
+  switch (question.rpc) {
+    case geocom::null:
+    case geocom::switchOn:
+    case geocom::setCompensator:
+      if (question.rpc == geocom::setCompensator && !question.parameters.empty())
+        m_options.isCompensated = question.parameters[0] != "0";
+      return give({});
+    case geocom::doublePrecision:
+      return give({std::to_string(radiansDecimals)});
+    case geocom::softwareVersion:
+      return give({"9", "10", "0"});
+    case geocom::instrumentNumber:
+      return give({m_options.serial});
+    case geocom::instrumentName:
+      return give({"\"" + m_options.name + "\""});
+    case geocom::temperature:
+      return give({"24"});
+    case geocom::compensator:
+      return give({flag(m_options.isCompensated)});
+    case geocom::corrections:
+      return give({flag(m_options.corrections[0]), flag(m_options.corrections[1]),
+                   flag(m_options.corrections[2]), flag(m_options.corrections[3])});
+    case geocom::face:
+      return give({flag(!isDone() && m_options.sightings[m_at].zenith.degrees() > 180)});
+    case geocom::angles:
+    case geocom::plainAngles:
+      return answerAngles(question);
+    default:
+      return geoComText(geocom::notImplemented, {}, question) + lineEnd;
+  }
+}
+
+std::string SimulatedInstrument::answerAngles(const GeoComQuestion& question) {
+  if (isDone()) return geoComText(geocom::busy, {}, question) + lineEnd;
+  const auto fault = faultNow();
+  if (fault == InstrumentFault::Busy) return geoComText(geocom::busy, {}, question) + lineEnd;
+  if (fault == InstrumentFault::Silent) return {};
+  const SimulatedSighting sighting = pointedAt(fault);
+  std::vector<std::string> values = {radians(sighting.horizontal), radians(sighting.zenith)};
+  if (question.rpc == geocom::angles) {
+    const std::string accuracy = radians(Angle::fromArcseconds(accuracyArcsec));
+    const bool isFaceTwo = sighting.zenith.degrees() > 180;
+    for (const std::string& value : {accuracy, std::string("1000"), radians(sighting.tiltCross),
+                                     radians(sighting.tiltLength), accuracy, std::string("1000")})
+      values.push_back(value);
+    values.emplace_back(isFaceTwo ? "1" : "0");
+  }
+  const std::string line = geoComText(geocom::done, values, question);
+  if (fault == InstrumentFault::Cut) return line.substr(0, line.size() / 2);
+  if (fault != InstrumentFault::Wrong) ++m_at;
+  return withFault(line + lineEnd, fault);
+}
+
+std::string SimulatedInstrument::geoComText(int returnCode, std::vector<std::string> parameters,
+                                            const GeoComQuestion& question) const {
+  std::string line =
+      geoComLine(GeoComAnswer{0, question.transaction.value_or(0), returnCode, std::move(parameters)});
+  if (m_options.hasChecksums) line.insert(line.find(':'), ",51234");
+  return line;
+}
+
+std::string SimulatedInstrument::block(const SimulatedSighting& sighting, bool isAnswer) const {
+  const std::size_t width = m_options.isWide ? 16 : 8;
+  const std::string info = std::string(".32") + m_options.gsiUnit;
+  std::string text = m_options.isWide ? "*" : "";
+  if (!isAnswer)
+    text += "11" + padded(static_cast<long long>(m_at + 1) % 10000, 4) + "+" +
+            padded(static_cast<long long>(m_at + 1), width) + " ";
+  text += "21" + info + "+" + padded(gsiNumber(sighting.horizontal, m_options.gsiUnit), width) + " ";
+  return text + "22" + info + "+" + padded(gsiNumber(sighting.zenith, m_options.gsiUnit), width) + " ";
+}
+
+std::string SimulatedInstrument::withFault(const std::string& line, std::optional<InstrumentFault> fault) {
+  if (fault == InstrumentFault::Garbage) return noise + line;
+  return fault == InstrumentFault::Twice ? line + line : line;
+}
+
+/// The next of the faults where it is its turn and this sighting had none.
+std::optional<InstrumentFault> SimulatedInstrument::faultNow() {
+  if (m_options.faults.empty() || m_options.faultEvery == 0 || isDone()) return std::nullopt;
+  if ((m_at + 1) % m_options.faultEvery != 0 || m_hadFault[m_at]) return std::nullopt;
+  m_hadFault[m_at] = true;
+  return m_options.faults[m_faults++ % m_options.faults.size()];
+}
+
+SimulatedSighting SimulatedInstrument::pointedAt(std::optional<InstrumentFault> fault) const {
+  SimulatedSighting sighting = m_options.sightings[m_at];
+  if (fault == InstrumentFault::Wrong)
+    sighting.horizontal = wrapped(sighting.horizontal + Angle::fromDegrees(wrongBy), Angle::fromDegrees(180));
+  return sighting;
+}
+
+}  // namespace alidade

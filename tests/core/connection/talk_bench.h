@@ -1,0 +1,58 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/connection/simulated_instrument.h"
+#include "core/connection/talk.h"
+
+namespace alidade {
+
+/// A talk and what came of it so far, with a clock that is set by hand.
+struct TalkBench {
+  InstrumentTalk& talk;
+  Milliseconds now = 0;
+  std::string sent = {};
+  std::vector<InstrumentReading> readings = {};
+  std::vector<std::string> remarks = {};
+
+  void keep(const TalkStep& step) {
+    sent += step.toSend;
+    readings.insert(readings.end(), step.readings.begin(), step.readings.end());
+    remarks.insert(remarks.end(), step.remarks.begin(), step.remarks.end());
+  }
+  void receive(const std::string& bytes) { keep(talk.receive(bytes, now)); }
+  void wait(Milliseconds time) {
+    now += time;
+    keep(talk.tick(now));
+  }
+  /// What was sent since the last time.
+  std::string told() { return std::exchange(sent, {}); }
+  bool said(const std::string& part) const {
+    for (const std::string& remark : remarks)
+      if (remark.find(part) != std::string::npos) return true;
+    return false;
+  }
+};
+
+/// Lets both talk until nothing more is said now.
+inline void exchange(TalkBench& bench, SimulatedInstrument& instrument) {
+  for (std::string said = bench.told(); !said.empty(); said = bench.told())
+    bench.receive(instrument.receive(said));
+}
+
+/// `count` places in both faces, a tenth of a second sharp, no two alike.
+inline std::vector<SimulatedSighting> twoFaceSightings(int count) {
+  std::vector<SimulatedSighting> sightings;
+  for (int i = 0; i < count; ++i) {
+    const Angle horizontal = Angle::fromArcseconds(36000.0 + i * 4211.3),
+                zenith = Angle::fromArcseconds(311000.0 + i * 701.7);
+    const Angle tilt = Angle::fromArcseconds(i % 7 - 3);
+    sightings.push_back({horizontal, zenith, tilt, -tilt});
+    sightings.push_back(
+        {horizontal + Angle::fromDegrees(180), Angle::fromDegrees(360) - zenith, -tilt, tilt});
+  }
+  return sightings;
+}
+
+}  // namespace alidade

@@ -1,0 +1,127 @@
+#include "ui/connection/connection_dialog.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QDir>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "core/base/atomic_file.h"
+#include "ui/connection/connection_form.h"
+#include "ui/connection/instrument_link.h"
+#include "ui/connection/wire_log.h"
+#include "ui/dialogs/dialogs.h"
+#include "ui/dialogs/plain_label.h"
+#include "ui/text/encoded_path.h"
+#include "ui/text/visible_text.h"
+
+namespace alidade::ui {
+
+namespace {
+
+struct ConnectionText {
+  Q_DECLARE_TR_FUNCTIONS(ConnectionText)
+};
+
+constexpr int longestName = 60;
+
+}  // namespace
+
+QString connectionText(const InstrumentLink& link) {
+  if (!link.isOpen()) return ConnectionText::tr("No instrument connected");
+  const InstrumentIdentity identity = link.identity();
+  const QString port = shortLine(link.settings().port, longestName);
+  QString who = identity.name.empty() ? port : shortLine(identity.name, longestName);
+  if (!identity.serial.empty())
+    who = ConnectionText::tr("%1, serial number %2").arg(who, shortLine(identity.serial, longestName));
+  if (link.isTaking()) return ConnectionText::tr("%1: reading…").arg(who);
+  const bool isSilent =
+      identity.name.empty() && link.settings().protocol == ConnectionSettings::Protocol::GeoCom;
+  return isSilent ? ConnectionText::tr("%1: open").arg(who) : ConnectionText::tr("%1: connected").arg(who);
+}
+
+ConnectionDialog::ConnectionDialog(InstrumentLink& link, Dialogs& dialogs, QWidget* parent)
+    : QDialog(parent),
+      m_link(link),
+      m_dialogs(dialogs),
+      m_form(new ConnectionForm),
+      m_log(new WireLog),
+      m_status(createPlainLabel({})),
+      m_said(createPlainLabel({})) {
+  setWindowTitle(tr("Instrument Connection"));
+  m_status->setObjectName(QStringLiteral("connection status"));
+  m_said->setObjectName(QStringLiteral("connection remark"));
+  auto* entries = new QVBoxLayout;
+  entries->addWidget(m_form);
+  entries->addWidget(m_status);
+  entries->addWidget(m_said);
+  entries->addStretch();
+  auto* parts = new QHBoxLayout;
+  parts->addLayout(entries);
+  parts->addWidget(m_log, 1);
+  auto* layout = new QVBoxLayout(this);
+  layout->addLayout(parts, 1);
+  layout->addWidget(createButtons());
+  m_form->setFixedWidth(m_form->sizeHint().width());
+  m_status->setFixedWidth(m_form->width());
+  m_said->setFixedWidth(m_form->width());
+  resize(880, 460);
+  connect(&m_link, &InstrumentLink::stateChanged, this, &ConnectionDialog::showState);
+  connect(&m_link, &InstrumentLink::line, m_log, &WireLog::addLine);
+  showState();
+}
+
+QWidget* ConnectionDialog::createButtons() {
+  auto* row = new QWidget;
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(0, 6, 0, 0);
+  const auto add = [&](const QString& text, const char* name) {
+    auto* button = new QPushButton(text);
+    button->setObjectName(QString::fromLatin1(name));
+    button->setAutoDefault(false);
+    layout->addWidget(button);
+    return button;
+  };
+  m_connect = add(tr("&Connect"), "connect instrument");
+  m_take = add(tr("Ta&ke Reading"), "take reading");
+  layout->addStretch();
+  m_save = add(tr("&Save Log…"), "save connection log");
+  auto* close = add(tr("Close"), "close connection dialog");
+  close->setToolTip(tr("The connection goes on"));
+  connect(m_connect, &QPushButton::clicked, this, &ConnectionDialog::connectWanted);
+  connect(m_take, &QPushButton::clicked, this, &ConnectionDialog::takeWanted);
+  connect(m_save, &QPushButton::clicked, this, &ConnectionDialog::saveLog);
+  connect(close, &QPushButton::clicked, this, &QDialog::close);
+  return row;
+}
+
+void ConnectionDialog::showRemark(const QString& sentence) {
+  m_said->setText(sentence);
+  m_log->addRemark(sentence);
+}
+
+void ConnectionDialog::showState() {
+  m_status->setText(connectionText(m_link));
+  m_form->setOpen(m_link.isOpen());
+  m_connect->setText(m_link.isOpen() ? tr("Dis&connect") : tr("&Connect"));
+  m_take->setEnabled(m_link.isOpen() && !m_link.isTaking());
+}
+
+void ConnectionDialog::showEvent(QShowEvent* event) {
+  QDialog::showEvent(event);
+  if (!m_link.isOpen()) m_form->refreshPorts();
+}
+
+bool ConnectionDialog::saveLog() {
+  const QString stamp = QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd-HHmm"));
+  const QString suggestion = QDir::home().filePath(QStringLiteral("instrument-%1.log").arg(stamp));
+  const QString path =
+      m_dialogs.askExportPath(tr("Save log of the connection"), suggestion, QStringLiteral("log"));
+  if (path.isEmpty()) return false;
+  const auto problem = writeFile(encodedPath(path), m_log->bytes(), {});
+  if (problem) m_dialogs.showProblem(tr("Save log of the connection"), visibleLine(problem->text()));
+  return !problem;
+}
+
+}  // namespace alidade::ui

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <QDialog>
+
+class QLabel;
+class QPushButton;
+
+namespace alidade::ui {
+
+class ConnectionForm;
+class Dialogs;
+class InstrumentLink;
+class WireLog;
+
+/// Connects an instrument and shows what is said with it. Stays open beside the window, or is closed: the
+/// connection goes on.
+class ConnectionDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  ConnectionDialog(InstrumentLink& link, Dialogs& dialogs, QWidget* parent = nullptr);
+
+  ConnectionForm& form() { return *m_form; }
+  WireLog& log() { return *m_log; }
+  bool saveLog();
+  /// What there is to say of the connection; the log keeps it.
+  void showRemark(const QString& sentence);
+
+ signals:
+  void connectWanted();
+  void takeWanted();
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  QWidget* createButtons();
+  void showState();
+
+  InstrumentLink& m_link;
+  Dialogs& m_dialogs;
+  ConnectionForm* m_form;
+  WireLog* m_log;
+  QLabel *m_status, *m_said;
+  QPushButton *m_connect, *m_take, *m_save;
+};
+
+/// "TS16, serial 123456: connected", for the dialog and the status bar.
+QString connectionText(const InstrumentLink& link);
+
+}  // namespace alidade::ui

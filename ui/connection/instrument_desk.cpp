@@ -1,0 +1,140 @@
+#include "ui/connection/instrument_desk.h"
+
+#include <QLabel>
+#include <algorithm>
+
+#include "core/base/visible_text.h"
+#include "core/session/entry.h"
+#include "ui/commands/change_field.h"
+#include "ui/connection/connection_dialog.h"
+#include "ui/connection/connection_form.h"
+#include "ui/connection/reading_question_bar.h"
+#include "ui/document/session_document.h"
+#include "ui/jobs/fit_job.h"
+#include "ui/panels/readings/position_tabs.h"
+#include "ui/panels/readings/readings_table.h"
+#include "ui/text/entry_text.h"
+#include "ui/text/visible_text.h"
+
+namespace alidade::ui {
+
+namespace {
+
+constexpr int longestShown = 60;
+
+}  // namespace
+
+InstrumentDesk::InstrumentDesk(SessionDocument& document, Dialogs& dialogs, const FitJob& job,
+                               QWidget& window)
+    : QObject(&window),
+      m_document(document),
+      m_dialogs(dialogs),
+      m_window(window),
+      m_flow(document),
+      m_bar(new ReadingQuestionBar(m_flow)),
+      m_status(new QLabel) {
+  m_status->setTextFormat(Qt::PlainText);
+  m_status->setObjectName(QStringLiteral("instrument status"));
+  m_status->hide();
+  m_flow.setFront([this] { return front(); });
+  connect(&m_flow, &ReadingFlow::commitWanted, this, &InstrumentDesk::commitWanted);
+  connect(&m_flow, &ReadingFlow::remark, this, &InstrumentDesk::tell);
+  connect(&m_flow, &ReadingFlow::landed, this, &InstrumentDesk::goOn);
+  connect(&m_link, &InstrumentLink::readingTaken, &m_flow, &ReadingFlow::add);
+  connect(&m_link, &InstrumentLink::remark, this, &InstrumentDesk::tell);
+  connect(&m_link, &InstrumentLink::identified, this, &InstrumentDesk::noteIdentity);
+  connect(&m_link, &InstrumentLink::stateChanged, this, &InstrumentDesk::showState);
+  connect(&document, &SessionDocument::changed, this, [this] { m_link.setCircles(circles()); });
+  // Later, once all that shows it has it; what has changed meanwhile is evaluated anew.
+  connect(
+      &job, &FitJob::evaluated, this,
+      [this, &job](const SharedEvaluation& evaluation) {
+        if (!job.isFitting()) m_flow.setEvaluation(evaluation);
+      },
+      Qt::QueuedConnection);
+}
+
+void InstrumentDesk::setPositions(PositionTabs& positions) {
+  m_positions = &positions;
+}
+
+TalkCircles InstrumentDesk::circles() const {
+  const auto kind = verticalCircleEntry(m_document.session().geometry.verticalCircle);
+  return {kind ? *kind : VerticalCircle::Zenith, circleUnitOf(m_document.session())};
+}
+
+ReadingFlow::Front InstrumentDesk::front() const {
+  if (!m_positions) return {};
+  ReadingFlow::Front front{static_cast<std::size_t>(std::max(0, m_positions->currentIndex())), {}};
+  const ReadingsTable* table = m_positions->currentTable();
+  const bool isSelected = m_dialog && m_dialog->form().settings().intoSelected;
+  if (isSelected && table && table->currentIndex().isValid())
+    front.selected = static_cast<std::size_t>(table->currentIndex().row());
+  return front;
+}
+
+/// Where readings go into the selected row, the next one is selected.
+void InstrumentDesk::goOn(const Place& place) {
+  const bool isSelected = m_dialog && m_dialog->form().settings().intoSelected;
+  Place shown = place;
+  if (isSelected && shown.reading) ++*shown.reading;
+  emit landed(shown);
+}
+
+ConnectionDialog& InstrumentDesk::dialog() {
+  if (m_dialog) return *m_dialog;
+  m_dialog = new ConnectionDialog(m_link, m_dialogs, &m_window);
+  connect(m_dialog, &ConnectionDialog::connectWanted, this, &InstrumentDesk::toggle);
+  connect(m_dialog, &ConnectionDialog::takeWanted, this, &InstrumentDesk::take);
+  return *m_dialog;
+}
+
+void InstrumentDesk::showDialog() {
+  dialog().show();
+  dialog().raise();
+  dialog().activateWindow();
+}
+
+void InstrumentDesk::toggle() {
+  if (m_link.isOpen()) return m_link.close();
+  const ConnectionSettings settings = dialog().form().settings();
+  if (settings.port.isEmpty()) return tell(tr("No port is chosen: choose the one that the cable is in."));
+  if (settings.baudRate <= 0) return tell(tr("No baud rate is chosen: choose that of the instrument."));
+  rememberConnection(settings);
+  m_link.open(settings, circles());
+}
+
+void InstrumentDesk::take() {
+  if (!m_link.isOpen()) showDialog();
+  m_link.take();
+}
+
+/// Empty entries of the session are filled in; others are held against it.
+void InstrumentDesk::noteIdentity() {
+  const InstrumentIdentity identity = m_link.identity();
+  const Instrument& stated = m_document.session().instrument;
+  const bool isNew = stated.name.empty() && stated.serial.empty();
+  if (isNew && !identity.serial.empty()) {
+    emit commitWanted();
+    m_document.beginTogether(tr("Name the instrument"));
+    changeField(m_document, {.field = "instrument.name"}, wellFormed(identity.name));
+    changeField(m_document, {.field = "instrument.serial"}, wellFormed(identity.serial));
+    m_document.endTogether();
+  } else if (!identity.serial.empty() && !stated.serial.empty() && identity.serial != stated.serial) {
+    tell(tr("The session names an instrument with serial number %1, and this one has %2.")
+             .arg(shortLine(stated.serial, longestShown), shortLine(identity.serial, longestShown)));
+  }
+}
+
+void InstrumentDesk::tell(const QString& sentence) {
+  dialog().showRemark(sentence);
+  emit remark(sentence);
+}
+
+/// Shown from the first connection on.
+void InstrumentDesk::showState() {
+  m_status->setText(connectionText(m_link));
+  if (m_link.isOpen()) m_status->show();
+}
+
+}  // namespace alidade::ui
