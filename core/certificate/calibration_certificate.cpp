@@ -4,7 +4,7 @@
 #include <sstream>
 #include <utility>
 
-#include "core/base/phrase.h"
+#include "core/answers/fit_json.h"
 #include "core/certificate/administrative_data.h"
 #include "core/certificate/measurement_results.h"
 
@@ -34,13 +34,13 @@ Result<CalibrationCertificate> calibrationCertificate(const CertificateSource& s
   certificate.attribute("xmlns:dcc", "https://ptb.de/dcc").attribute("xmlns:si", "https://ptb.de/si");
   certificate.attribute("schemaVersion", schemaVersion);
   addAdministrativeData(certificate, source, options, languages, *stated);
-  addMeasurementResults(certificate, source, options.version);
+  const Say results = [&] { return fitJson(source.answer); };  // always in the binding language
+  addMeasurementResults(certificate, source, options.version,
+                        languages.front().speak ? languages.front().speak(results) : results());
   if (options.report)
     certificate.file("document", options.report->fileName, options.report->mimeType, options.report->bytes);
 
-  CalibrationCertificate result{xmlText(document), {}};
-  for (const char* noun : stated->notStated) result.notStated.push_back(Phrase::of(noun));
-  return result;
+  return CalibrationCertificate{xmlText(document), stated->notStated};
 }
 
 }  // namespace alidade

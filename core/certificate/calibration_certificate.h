@@ -31,9 +31,9 @@ struct CertificateOptions {
 
 struct CalibrationCertificate {
   std::string xml;
-  /// What the schema requires and the session leaves empty, as nouns in the language of the thread: the
-  /// certificate calls it not stated.
-  std::vector<std::string> notStated;
+  /// What the schema requires and the session leaves empty, as nouns for `Phrase::of`: the certificate calls
+  /// it not stated.
+  std::vector<const char*> notStated;
 };
 
 /// The digital calibration certificate of a session (PTB, DCC 3.2.0, values by D-SI 2.1.0), UTF-8: who

@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "core/answers/fit_json.h"
 #include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
 #include "core/certificate/conformity.h"
@@ -172,30 +171,30 @@ std::string sessionFileName(const CertificateSource& source) {
   return name.empty() ? "session.alidade" : name;
 }
 
-void addFiles(const Element& result, const CertificateSource& source) {
+void addFiles(const Element& result, const CertificateSource& source, const std::string& results) {
   const Element description = result.say("description", [] {
     return Phrase::of(
         "The session with every reading as it was typed, and the results in full, are attached.");
   });
   description.file("file", sessionFileName(source), "application/x-alidade-session", source.bytes);
-  description.file("file", "results.json", "application/json", fitJson(source.answer));
+  description.file("file", "results.json", "application/json", results);
 }
 
 }  // namespace
 
 void addMeasurementResults(const Element& certificate, const CertificateSource& source,
-                           const std::string& version) {
+                           const std::string& version, const std::string& results) {
   const FitAnswer& answer = source.answer;
   const Element result = certificate.add("measurementResults").add("measurementResult");
   result.attribute("id", "measurement");
   result.say("name", [] { return Phrase::of("Intersection of a rotatable arc guideway"); });
-  addFiles(result, source);
+  addFiles(result, source, results);
   addMeasuring(result, source, version);
-  const Element results = result.add("results");
-  addIntersection(results, answer);
-  addAcross(results, answer);
+  const Element list = result.add("results");
+  addIntersection(list, answer);
+  addAcross(list, answer);
   for (std::size_t i = 0; i < answer.fit.arcs.size(); ++i)
-    addArc(results, answer.fit.arcs[i], answer.fit.sigmas[i]);
+    addArc(list, answer.fit.arcs[i], answer.fit.sigmas[i]);
   const Element metaData = result.add("measurementMetaData");
   addConformity(metaData, source);
   addSentences(metaData, source);

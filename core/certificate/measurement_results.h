@@ -7,8 +7,8 @@
 
 namespace alidade {
 
-/// Adds the `measurementResults`. `version`: of this program.
+/// Adds the `measurementResults`. `version`: of this program; `results`: `fitJson` of the answer.
 void addMeasurementResults(const Element& certificate, const CertificateSource& source,
-                           const std::string& version);
+                           const std::string& version, const std::string& results);
 
 }  // namespace alidade

@@ -2,8 +2,8 @@
 """against_schema.py SCHEMA.json DOCUMENTS [--mutated]: holds JSON documents, one a line, against a schema (draft 2020-12).
 
 Prints what does not conform, a line each. With --mutated: conforming documents are spoilt in every place, one at a time (a key
-that the schema asks for taken away, a key misspelt, a value of another type), and what the schema lets pass is printed instead, with
-how many were tried on the last line. A key that is free to be absent may be missing.
+taken away, a key misspelt, a value of another type), and what the schema lets pass is printed instead, with how many were tried on the
+last line.
 """
 import copy
 import json
@@ -51,7 +51,6 @@ def main():
     Draft202012Validator.check_schema(schema)
     validator = Draft202012Validator(schema)
     tried = 0
-    # Those that a schema may leave out: it is asked, not told.
     for line in open(sys.argv[2], encoding="utf-8"):
         document = json.loads(line)
         if "--mutated" not in sys.argv:

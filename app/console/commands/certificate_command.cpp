@@ -123,7 +123,11 @@ Result<CertificateAnswer> runCertificate(const CertificateRequest& request) {
   const Result<CalibrationCertificate> certificate = calibrationCertificate(
       {session, answer, request.file == "-" ? std::string() : fileNameOf(request.file), read->bytes},
       options);
-  if (!certificate) return certificate.problem();
+  if (!certificate) {
+    Problem problem = certificate.problem();
+    if (problem.where.field == "measured_on") problem.what += ", or give --measured-on";
+    return problem;
+  }
   if (auto problem = writeAll(request, certificate->xml, *signer)) return *std::move(problem);
 
   CertificateAnswer done;
@@ -132,7 +136,7 @@ Result<CertificateAnswer> runCertificate(const CertificateRequest& request) {
   if (!certificate->notStated.empty())
     done.remarks.push_back(
         "The certificate says “not stated” where the session leaves empty what its schema asks for: " +
-        listed(certificate->notStated) + ".");
+        listed({certificate->notStated.begin(), certificate->notStated.end()}) + ".");
   return done;
 }
 
