@@ -122,6 +122,8 @@ void WindowActions::addExportMenu(QMenu& menu) {
       {tr("&Budget (CSV)…"), &ExportFlow::exportBudget}};
   for (const auto& [text, call] : kinds)
     addTo(exports, nullptr, text, {}, this, [this, call = call] { (m_window.exports().*call)(); });
+  addTo(exports, nullptr, tr("&Calibration Certificate (DCC)…"), {}, this,
+        [this] { m_window.files().exportCertificate(); });
 }
 
 void WindowActions::fillRecentMenu(QMenu& menu) {

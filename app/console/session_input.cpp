@@ -20,10 +20,10 @@ Problem firstOf(const std::vector<Problem>& problems) {
 }
 
 Result<SessionInput> examined(Session session, const std::string& file) {
-  Examined examined = examine(session);
-  if (!examined.problems.empty()) return firstOf(examined.problems);
+  Result<Measurement> measurement = measurementOf(session);
+  if (!measurement) return measurement.problem();
   const std::string name = nameOf(session, file);
-  return SessionInput{name, std::move(session), std::move(examined.measurement).value()};
+  return SessionInput{name, std::move(session), *std::move(measurement)};
 }
 
 }  // namespace
@@ -38,6 +38,12 @@ Result<Session> readSessionOf(const std::string& file) {
 std::string nameOf(const Session& session, const std::string& file) {
   return session.title.empty() ? wellFormed(std::filesystem::path(inputName(file)).filename().string())
                                : session.title;
+}
+
+Result<Measurement> measurementOf(const Session& session) {
+  Examined examined = examine(session);
+  if (!examined.problems.empty()) return firstOf(examined.problems);
+  return std::move(examined.measurement).value();
 }
 
 Result<SessionInput> readSessionInput(const std::string& file, Session (*prepare)(Session)) {

@@ -22,6 +22,9 @@ Result<Session> readSessionOf(const std::string& file);
 /// Its title, or its file's name.
 std::string nameOf(const Session& session, const std::string& file);
 
+/// What a session means; fails with the first thing that is wrong in it.
+Result<Measurement> measurementOf(const Session& session);
+
 /// `prepare` is done to the session before it is examined. Fails with the first thing that is wrong in it.
 Result<SessionInput> readSessionInput(const std::string& file, Session (*prepare)(Session) = nullptr);
 

@@ -14,6 +14,7 @@
 #include "ui/settings/theme.h"
 #include "ui/settings/visible_log.h"
 #include "ui/settings/window_font.h"
+#include "ui/text/encoded_path.h"
 #include "ui/text/visible_text.h"
 
 namespace {
@@ -33,6 +34,63 @@ int badCall(const QString& sentence) {
   QTextStream(stderr) << "alidade: " << ui::visibleLine(sentence) << '\n';
   return 2;
 }
+
+/// What a certificate states beside the session, and what signs a file.
+class OptionsOfFiles {
+ public:
+  explicit OptionsOfFiles(QCommandLineParser& parser) {
+    for (const QCommandLineOption* option :
+         {&m_measuredOn, &m_country, &m_performedAt, &m_manufacturer, &m_key, &m_certificate, &m_passphrase})
+      parser.addOption(*option);
+  }
+
+  /// Why they do not go together with what is asked for; empty where they do.
+  QString whyNot(const QCommandLineParser& parser, bool writes, bool isCertificate) const {
+    const auto isSet = [&](const QCommandLineOption& option) { return parser.isSet(option); };
+    if (isSet(m_key) != isSet(m_certificate))
+      return QStringLiteral("--sign-key and --sign-certificate: give both, the key and its certificate");
+    if (isSet(m_passphrase) && !isSet(m_key))
+      return QStringLiteral("--sign-passphrase-file opens a --sign-key: give one");
+    if (isSet(m_key) && !writes)
+      return QStringLiteral("--sign-key signs what --report or --certificate writes: give one");
+    for (const QCommandLineOption* option : {&m_measuredOn, &m_country, &m_performedAt, &m_manufacturer})
+      if (isSet(*option) && !isCertificate)
+        return QStringLiteral("--%1 is stated in a --certificate: give one").arg(option->names().first());
+    return {};
+  }
+
+  void fill(ReportCommand& command, const QCommandLineParser& parser) const {
+    command.entries = {.measuredOn = parser.value(m_measuredOn),
+                       .country = parser.value(m_country),
+                       .performedAt = parser.value(m_performedAt),
+                       .manufacturer = parser.value(m_manufacturer)};
+    command.signing = {.key = ui::encodedPath(parser.value(m_key)),
+                       .certificate = ui::encodedPath(parser.value(m_certificate)),
+                       .passphraseFile = ui::encodedPath(parser.value(m_passphrase))};
+  }
+
+ private:
+  static QCommandLineOption option(const char* name, const char* text, const char* value) {
+    return {QString::fromLatin1(name), QString::fromUtf8(text), QString::fromLatin1(value)};
+  }
+
+  QCommandLineOption m_measuredOn =
+      option("measured-on", "Day of the measurement, for a certificate whose session states none.", "DATE");
+  QCommandLineOption m_country = option(
+      "country", "Country of the laboratory, for a certificate: two letters after ISO 3166-1.", "CODE");
+  QCommandLineOption m_performedAt = option("performed-at",
+                                            "Where it was measured, for a certificate: laboratory, customer, "
+                                            "laboratoryBranch, customerBranch or other.",
+                                            "PLACE");
+  QCommandLineOption m_manufacturer =
+      option("manufacturer", "Maker of the device, for a certificate.", "NAME");
+  QCommandLineOption m_key = option(
+      "sign-key", "Sign the report or certificate with this private key (PEM), beside it as *.p7s.", "KEY");
+  QCommandLineOption m_certificate = option("sign-certificate", "The key's certificate (PEM).", "CERT");
+  QCommandLineOption m_passphrase =
+      option("sign-passphrase-file",
+             "File whose first line opens the key; else the environment's ALIDADE_SIGN_PASSPHRASE.", "FILE");
+};
 
 /// "en or zh_CN".
 QString languageIds() {
@@ -79,6 +137,14 @@ int run(int argc, char** argv) {
                                   QStringLiteral("Write the acceptance report of FILE and open no window."),
                                   QStringLiteral("OUT.pdf"));
   parser.addOption(report);
+  const QCommandLineOption certificate(
+      QStringLiteral("certificate"),
+      QStringLiteral(
+          "Write the digital calibration certificate (DCC 3.2.0) of FILE with the report in it, and open no "
+          "window."),
+      QStringLiteral("OUT.xml"));
+  parser.addOption(certificate);
+  const OptionsOfFiles more(parser);
   const QCommandLineOption language(
       QStringLiteral("language"),
       QStringLiteral("Language of window and report: %1. Else as chosen in the window, or as the desktop.")
@@ -100,9 +166,19 @@ int run(int argc, char** argv) {
   const QStringList files = parser.positionalArguments();
   if (files.size() > 1)
     return badCall(QStringLiteral("one FILE at most, but %1 are given").arg(files.size()));
-  if (!parser.isSet(report)) return openWindow(application, files.value(0));
-  if (files.isEmpty()) return badCall(QStringLiteral("--report needs the FILE of a session"));
-  return writeReport(files.first(), parser.value(report));
+  if (parser.isSet(report) && parser.isSet(certificate))
+    return badCall(QStringLiteral("--report and --certificate: write one, then the other"));
+  const bool writes = parser.isSet(report) || parser.isSet(certificate);
+  if (const QString why = more.whyNot(parser, writes, parser.isSet(certificate)); !why.isEmpty())
+    return badCall(why);
+  if (!writes) return openWindow(application, files.value(0));
+  if (files.isEmpty())
+    return badCall(QStringLiteral("--%1 needs the FILE of a session")
+                       .arg(parser.isSet(report) ? QStringLiteral("report") : QStringLiteral("certificate")));
+  ReportCommand command{
+      .path = files.first(), .report = parser.value(report), .certificate = parser.value(certificate)};
+  more.fill(command, parser);
+  return writeReport(command);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "app/workstation/report_command.h"
 
 #include <QTextStream>
+#include <memory>
 
 #include "core/base/failure.h"
 #include "ui/dialogs/report_source.h"
@@ -18,27 +19,59 @@ int refuse(const QString& path, const Problem& problem) {
   return 2;
 }
 
-int write(const QString& path, const QString& reportPath) {
+/// Reproducible builds set it, and so may a laboratory that wants the same bytes again.
+QDateTime dateOfReport() {
+  bool isSet = false;
+  const qint64 seconds = qEnvironmentVariable("SOURCE_DATE_EPOCH").toLongLong(&isSet);
+  return isSet ? QDateTime::fromSecsSinceEpoch(seconds, Qt::UTC) : QDateTime::currentDateTime();
+}
+
+int tellLacks(const QString& path, const QString& sentence, const QStringList& lacks) {
+  if (!lacks.isEmpty())
+    QTextStream(stderr) << ui::visibleLine(path) << ": " << sentence << ": "
+                        << lacks.join(QStringLiteral(", ")) << ".\n";
+  return 0;
+}
+
+int write(const ReportCommand& command) {
+  const QString& path = command.path;
+  ui::ReportOptions options;
+  options.date = dateOfReport();
+  if (!command.signing.key.empty()) {
+    const Result<Signer> signer = Signer::load(command.signing);
+    if (!signer) return refuse(path, signer.problem());
+    options.signer = *signer;
+  }
   ui::SessionDocument document;
   if (const auto problem = document.load(path)) return refuse(path, *problem);
   const ui::Evaluation evaluation = ui::evaluate(document.session());
   if (!evaluation.examined.problems.empty()) return refuse(path, evaluation.examined.problems.front());
-  const auto written = ui::writeAcceptanceReport(evaluation, ui::reportSource(document), reportPath);
+  const ui::ReportSource source = ui::reportSource(document);
+  if (command.certificate.isEmpty()) {
+    const auto written = ui::writeAcceptanceReport(evaluation, source, command.report, options);
+    if (!written) return refuse(path, written.problem());
+    return tellLacks(path, QStringLiteral("The report leaves out what the session leaves empty"),
+                     ui::emptyReportFields(document.session()));
+  }
+  options.gap =
+      std::make_shared<const ui::Gap>(ui::assessGap(std::make_shared<const ui::Evaluation>(evaluation)));
+  const auto written = ui::writeCertificate(source, command.certificate, options, command.entries);
   if (!written) return refuse(path, written.problem());
-  if (const QStringList empty = ui::emptyReportFields(document.session()); !empty.isEmpty())
-    QTextStream(stderr) << ui::visibleLine(path) << ": The report leaves out what the session leaves empty: "
-                        << empty.join(QStringLiteral(", ")) << ".\n";
-  return 0;
+  return tellLacks(
+      path,
+      QStringLiteral(
+          "The certificate says “not stated” where the session leaves empty what its schema asks for"),
+      *written);
 }
 
 }  // namespace
 
-int writeReport(const QString& path, const QString& reportPath) {
+int writeReport(const ReportCommand& command) {
   int exitCode = 1;
-  const auto failure = failureOf([&] { exitCode = write(path, reportPath); });
+  const auto failure = failureOf([&] { exitCode = write(command); });
   if (failure)
-    QTextStream(stderr) << ui::visibleLine(path) << ": The report failed: " << ui::visibleLine(*failure)
-                        << ".\n";
+    QTextStream(stderr) << ui::visibleLine(command.path)
+                        << ": The report failed: " << ui::visibleLine(*failure) << ".\n";
   return exitCode;
 }
 

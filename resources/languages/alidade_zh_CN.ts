@@ -4364,6 +4364,350 @@ Sealed by:</source>
         <source>Half a line came and no more: dropped (%1). Is the cable in its plugs?</source>
         <translation>只收到半行便再无下文：已丢弃（%1）。电缆是否插好？</translation>
     </message>
+    <message>
+        <source>not stated</source>
+        <translation>未说明</translation>
+    </message>
+    <message>
+        <source>is empty: a calibration certificate states the day of the measurement, as 2026-03-01</source>
+        <translation>为空：校准证书须写明测量日期，如 2026-03-01</translation>
+    </message>
+    <message>
+        <source>%1 is no day: write it as 2026-03-01</source>
+        <translation>%1 不是日期：请写成 2026-03-01 的形式</translation>
+    </message>
+    <message>
+        <source>the certificate would be issued on %1, before the measurement on %2: check both days</source>
+        <translation>证书签发于 %1，早于测量日期 %2：请核对这两个日期</translation>
+    </message>
+    <message>
+        <source>country</source>
+        <translation>国家</translation>
+    </message>
+    <message>
+        <source>%1 is no country: write its two letters after ISO 3166-1, as DE or CN</source>
+        <translation>%1 不是国家代码：请写 ISO 3166-1 的两个字母，如 DE 或 CN</translation>
+    </message>
+    <message>
+        <source>where it was measured</source>
+        <translation>测量地点类别</translation>
+    </message>
+    <message>
+        <source>%1 is no place of performance: choose laboratory, customer, laboratoryBranch, customerBranch or other</source>
+        <translation>%1 不是测量地点类别：请选 laboratory、customer、laboratoryBranch、customerBranch 或 other</translation>
+    </message>
+    <message>
+        <source>Rotatable arc guideway, its name not stated</source>
+        <translation>可转动弧形导轨，名称未说明</translation>
+    </message>
+    <message>
+        <source>Serial number</source>
+        <translation>序列号</translation>
+    </message>
+    <message>
+        <source>Nominal radius R0, at the temperature of the measurement</source>
+        <translation>名义半径 R0（测量温度下）</translation>
+    </message>
+    <message>
+        <source>Scope</source>
+        <translation>适用范围</translation>
+    </message>
+    <message>
+        <source>The results relate only to the item measured.</source>
+        <translation>结果仅与被测对象有关。</translation>
+    </message>
+    <message>
+        <source>Title of the session</source>
+        <translation>会话标题</translation>
+    </message>
+    <message>
+        <source>Place of the measurement</source>
+        <translation>测量地点</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>Not stated</source>
+        <translation>未说明</translation>
+    </message>
+    <message>
+        <source>The schema asks for it and the session leaves it empty: %1. Country ZZ and place “other” stand for none.</source>
+        <translation>模式要求而会话留空的有：%1。国家 ZZ 和地点“other”表示没有填写。</translation>
+    </message>
+    <message>
+        <source>report number</source>
+        <translation>报告编号</translation>
+    </message>
+    <message>
+        <source>device</source>
+        <translation>设备</translation>
+    </message>
+    <message>
+        <source>maker of the device</source>
+        <translation>设备制造商</translation>
+    </message>
+    <message>
+        <source>device serial number</source>
+        <translation>设备序列号</translation>
+    </message>
+    <message>
+        <source>laboratory</source>
+        <translation>实验室</translation>
+    </message>
+    <message>
+        <source>address of the laboratory</source>
+        <translation>实验室地址</translation>
+    </message>
+    <message>
+        <source>authorised by</source>
+        <translation>批准人</translation>
+    </message>
+    <message>
+        <source>customer</source>
+        <translation>客户</translation>
+    </message>
+    <message>
+        <source>address of the customer</source>
+        <translation>客户地址</translation>
+    </message>
+    <message>
+        <source>Of the distance d of the arc&apos;s centre from the axis: pass where d + U ≤ %1 mm as measured and |Δd| + U ≤ %1 mm by the fit alone, fail where d − U &gt; %1 mm. Guard band w = U at a coverage of %2 %.</source>
+        <translation>针对圆心到回转轴的距离 d：实测 d + U ≤ %1 mm 且仅按拟合 |Δd| + U ≤ %1 mm 时合格，d − U &gt; %1 mm 时不合格。保护带 w = U，包含概率 %2 %。</translation>
+    </message>
+    <message>
+        <source>Of the intersection Δd: pass where |Δd| + U ≤ %1 mm, fail where |Δd| − U &gt; %1 mm, each both as measured and by the fit alone. Guard band w = U at a coverage of %2 %.</source>
+        <translation>针对相交度 Δd：|Δd| + U ≤ %1 mm 时合格，|Δd| − U &gt; %1 mm 时不合格，实测值与仅按拟合的值都须如此。保护带 w = U，包含概率 %2 %。</translation>
+    </message>
+    <message>
+        <source>No statement of conformity. %1</source>
+        <translation>不作符合性声明。%1</translation>
+    </message>
+    <message>
+        <source>Undecided: the value is within the tolerance, and the uncertainty reaches beyond it. %1</source>
+        <translation>未定：值在允差之内，而不确定度超出允差。%1</translation>
+    </message>
+    <message>
+        <source>Undecided: the value is beyond the tolerance, and the uncertainty reaches into it. %1</source>
+        <translation>未定：值在允差之外，而不确定度伸入允差。%1</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>允差</translation>
+    </message>
+    <message>
+        <source>Probability of conformance</source>
+        <translation>合格概率</translation>
+    </message>
+    <message>
+        <source>Statement of conformity</source>
+        <translation>符合性声明</translation>
+    </message>
+    <message>
+        <source>No statement of conformity: there is no intersection to judge.</source>
+        <translation>不作符合性声明：没有可评判的相交度。</translation>
+    </message>
+    <message>
+        <source>No statement of conformity: no tolerance is stated.</source>
+        <translation>不作符合性声明：没有给出允差。</translation>
+    </message>
+    <message>
+        <source>%1 Agreed by: %2</source>
+        <translation>%1约定方：%2</translation>
+    </message>
+    <message>
+        <source>Intersection Δd as measured</source>
+        <translation>实测的相交度 Δd</translation>
+    </message>
+    <message>
+        <source>With every effect of the catalogue as large as is plausible or known, and these readings leave it.</source>
+        <translation>目录中的每种效应都按合理或已知、且这些读数所容许的大小计入。</translation>
+    </message>
+    <message>
+        <source>Intersection Δd of the fit alone</source>
+        <translation>仅拟合的相交度 Δd</translation>
+    </message>
+    <message>
+        <source>By the scatter of the readings, the pointing zeros and the distance.</source>
+        <translation>按读数的离散、瞄准零位和距离。</translation>
+    </message>
+    <message>
+        <source>Intersection Δd</source>
+        <translation>相交度 Δd</translation>
+    </message>
+    <message>
+        <source>Half the distance of the centres, |O1 − O2|/2</source>
+        <translation>圆心距离的一半，|O1 − O2|/2</translation>
+    </message>
+    <message>
+        <source>Distance of the arc&apos;s centre from the axis</source>
+        <translation>圆心到回转轴的距离</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>未测量</translation>
+    </message>
+    <message>
+        <source>Δz, across the plane of the arc</source>
+        <translation>Δz，垂直于圆弧平面</translation>
+    </message>
+    <message>
+        <source>d = √(Δd² + Δz²), as a whole</source>
+        <translation>d = √(Δd² + Δz²)，总距离</translation>
+    </message>
+    <message>
+        <source>Arc in the position %1 of the axis</source>
+        <translation>轴位 %1 的圆弧</translation>
+    </message>
+    <message>
+        <source>Centre in the plane of the arc, x right, y up, from the theodolite&apos;s centre.</source>
+        <translation>圆弧平面内的圆心，x 向右，y 向上，自经纬仪中心起。</translation>
+    </message>
+    <message>
+        <source>x of the centre O1</source>
+        <translation>圆心 O1 的 x</translation>
+    </message>
+    <message>
+        <source>x of the centre O2</source>
+        <translation>圆心 O2 的 x</translation>
+    </message>
+    <message>
+        <source>y of the centre O1</source>
+        <translation>圆心 O1 的 y</translation>
+    </message>
+    <message>
+        <source>y of the centre O2</source>
+        <translation>圆心 O2 的 y</translation>
+    </message>
+    <message>
+        <source>Radius of the arc</source>
+        <translation>圆弧半径</translation>
+    </message>
+    <message>
+        <source>Root mean square of the residuals</source>
+        <translation>残差的均方根</translation>
+    </message>
+    <message>
+        <source>Gap between model and readings</source>
+        <translation>模型与读数的差距</translation>
+    </message>
+    <message>
+        <source>Finding</source>
+        <translation>发现</translation>
+    </message>
+    <message>
+        <source>The session with every reading as it was typed, and the results in full, are attached.</source>
+        <translation>附有会话（每个读数均如录入）和全部结果。</translation>
+    </message>
+    <message>
+        <source>Intersection of a rotatable arc guideway</source>
+        <translation>可转动弧形导轨的相交度</translation>
+    </message>
+    <message>
+        <source>Rigorous least-squares fit of the arcs to theodolite readings</source>
+        <translation>圆弧对经纬仪读数的严密最小二乘拟合</translation>
+    </message>
+    <message>
+        <source>Directions and vertical angles to the slider in the positions 0° and 180° of the axis, adjusted together; Δd = (y(O1) − y(O2))/2, y up: positive where the arc&apos;s centre is the higher one at 0°.</source>
+        <translation>轴位 0° 和 180° 时对滑块的水平方向与竖直角一并平差；Δd = (y(O1) − y(O2))/2，y 向上：圆心在 0° 时较高为正。</translation>
+    </message>
+    <message>
+        <source>Diagnosis of the gap between model and readings</source>
+        <translation>模型与读数差距的诊断</translation>
+    </message>
+    <message>
+        <source>As measured, Δd is averaged over what the readings leave possible: every effect of the catalogue takes part at its plausible or known size.</source>
+        <translation>实测的 Δd 是对读数所容许的各种可能取平均：目录中的每种效应都以合理或已知的大小参与。</translation>
+    </message>
+    <message>
+        <source>Calibration certificate of the instrument</source>
+        <translation>仪器的校准证书</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of a direction</source>
+        <translation>水平方向的标准不确定度</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of a vertical angle</source>
+        <translation>竖直角的标准不确定度</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of a pointing zero&apos;s direction</source>
+        <translation>瞄准零位水平方向的标准不确定度</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of a pointing zero&apos;s vertical angle</source>
+        <translation>瞄准零位竖直角的标准不确定度</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of a slider reading</source>
+        <translation>滑块读数的标准不确定度</translation>
+    </message>
+    <message>
+        <source>Theodolite, its name not stated</source>
+        <translation>经纬仪，名称未说明</translation>
+    </message>
+    <message>
+        <source>Circles traceable: %1</source>
+        <translation>度盘溯源：%1</translation>
+    </message>
+    <message>
+        <source>Distance L from the theodolite to the plane of the arc</source>
+        <translation>经纬仪到圆弧平面的距离 L</translation>
+    </message>
+    <message>
+        <source>Measured: %1</source>
+        <translation>测量方法：%1</translation>
+    </message>
+    <message>
+        <source>Temperature of the device and of the air</source>
+        <translation>设备和空气的温度</translation>
+    </message>
+    <message>
+        <source>not determined</source>
+        <translation>未确定</translation>
+    </message>
+    <message>
+        <source>is far too long for a key or certificate: choose a PEM file</source>
+        <translation>作为密钥或证书太长：请选择 PEM 文件</translation>
+    </message>
+    <message>
+        <source>is locked by a passphrase: state it in the environment (%1) or in a file (--sign-passphrase-file)</source>
+        <translation>受口令保护：请在环境变量（%1）或文件（--sign-passphrase-file）中给出口令</translation>
+    </message>
+    <message>
+        <source>is not opened by this passphrase: check it</source>
+        <translation>用此口令打不开：请核对口令</translation>
+    </message>
+    <message>
+        <source>holds no private key that can be read: choose a PEM file with one</source>
+        <translation>其中没有可读的私钥：请选择含私钥的 PEM 文件</translation>
+    </message>
+    <message>
+        <source>holds no certificate that can be read: choose a PEM file with one</source>
+        <translation>其中没有可读的证书：请选择含证书的 PEM 文件</translation>
+    </message>
+    <message>
+        <source>is not the certificate of the key %1: choose the two that belong together</source>
+        <translation>不是密钥 %1 的证书：请选择相互匹配的两个文件</translation>
+    </message>
+    <message>
+        <source>has expired (%1): sign with one that is valid</source>
+        <translation>已过期（%1）：请用有效的证书签名</translation>
+    </message>
+    <message>
+        <source>is not valid before %1: check the clock, or sign with another</source>
+        <translation>在 %1 之前无效：请核对时钟，或换用其他证书</translation>
+    </message>
+    <message>
+        <source>the signature cannot be made: %1</source>
+        <translation>无法生成签名：%1</translation>
+    </message>
+    <message>
+        <source>the file is too long to be signed</source>
+        <translation>文件太长，无法签名</translation>
+    </message>
 </context>
 <context>
     <name>PlaceText</name>
@@ -5722,6 +6066,10 @@ a clause as a sentence</extracomment>
         <source>corrected by the instrument: %1</source>
         <extracomment>%1: words such as &quot;inclination collimation&quot;, or &quot;none&quot;</extracomment>
         <translation>仪器已改正：%1</translation>
+    </message>
+    <message>
+        <source>there is no result to certify</source>
+        <translation>没有可出具证书的结果</translation>
     </message>
 </context>
 <context>
@@ -9664,6 +10012,22 @@ sizes</source>
         <source>The folder of the history holds no session of this device: the report goes without.</source>
         <translation>历史文件夹中没有此设备的会话：报告不含历史。</translation>
     </message>
+    <message>
+        <source>Export calibration certificate</source>
+        <translation>导出校准证书</translation>
+    </message>
+    <message>
+        <source>Writing the certificate…</source>
+        <translation>正在写证书…</translation>
+    </message>
+    <message>
+        <source>Stopped: no certificate was written.</source>
+        <translation>已停止：没有写出证书。</translation>
+    </message>
+    <message>
+        <source>Certificate written to %1</source>
+        <translation>证书已写入 %1</translation>
+    </message>
 </context>
 <context>
     <name>alidade::ui::ResidualChart</name>
@@ -11053,6 +11417,10 @@ Reference %1, difference %2</source>
     <message>
         <source>&amp;Disconnect</source>
         <translation>断开(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Calibration Certificate (DCC)…</source>
+        <translation>校准证书 (DCC)(&amp;C)…</translation>
     </message>
 </context>
 <context>

@@ -8,13 +8,13 @@ source "$(dirname -- "${BASH_SOURCE[0]}")/lib.sh"
 mapfile -t files < <(sources app core ui -- '*.h' '*.cpp')
 awk '
   BEGIN {
-    rooms = split("base session exchange connection observation effects " \
+    rooms = split("base signature session exchange connection observation effects " \
                   "adjustment/numerics adjustment/arc adjustment/joint adjustment/result adjustment/monte_carlo " \
                   "adjustment/gross_errors " \
                   "diagnosis/result diagnosis/gap diagnosis/evidence diagnosis/candidates diagnosis/search " \
                   "diagnosis/observability diagnosis/conclusion diagnosis " \
                   "series/shared_causes " \
-                  "wording answers simulation " \
+                  "wording answers certificate simulation " \
                   "series/instrument_check series/history", order)
     for (i = 1; i <= rooms; ++i) level["core/" order[i]] = i
     # Linear algebra, for the sources of one floor and nobody else.

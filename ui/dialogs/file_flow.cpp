@@ -278,6 +278,10 @@ bool FileFlow::exportReport() {
   return m_reports.exportPdf(suggestedPath(QStringLiteral("pdf")));
 }
 
+bool FileFlow::exportCertificate() {
+  return m_reports.exportCertificate(suggestedPath(QStringLiteral("xml")));
+}
+
 bool FileFlow::printReport() {
   return m_reports.print();
 }

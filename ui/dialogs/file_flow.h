@@ -43,6 +43,7 @@ class FileFlow : public QObject {
   /// Seals the session and saves it. False: it was not sealed, or not saved.
   bool seal();
   bool exportReport();
+  bool exportCertificate();
   bool printReport();
   bool previewReport();
   void setUpPage() { m_reports.setUpPage(); }

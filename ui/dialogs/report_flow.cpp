@@ -14,6 +14,7 @@
 #include "ui/jobs/failed_job.h"
 #include "ui/language/language_scope.h"
 #include "ui/language/languages.h"
+#include "ui/report/certificate.h"
 #include "ui/report/empty_fields.h"
 #include "ui/report/report_logo.h"
 #include "ui/series/series_job.h"
@@ -57,6 +58,13 @@ bool ReportFlow::exportPdf(const QString& suggestion) {
   });
 }
 
+bool ReportFlow::exportCertificate(const QString& suggestion) {
+  return guarded(tr("Export calibration certificate"), [&] {
+    const SharedGap gap = diagnosed();
+    return gap && certificateOf(gap, suggestion);
+  });
+}
+
 bool ReportFlow::print() {
   return guarded(tr("Print acceptance report"), [&] {
     const SharedGap gap = diagnosed();
@@ -76,11 +84,12 @@ void ReportFlow::setUpPage() {
   if (m_dialogs.askPaper(choice.paper)) rememberReportChoice(choice);
 }
 
-std::optional<ReportChoice> ReportFlow::ask(const Gap& gap, ReportQuestion::Way way) {
+std::optional<ReportChoice> ReportFlow::ask(const Gap& gap, ReportQuestion::Way way,
+                                            const std::optional<QStringList>& lacks) {
   const Evaluation& evaluation = *gap.evaluation;
   ReportQuestion question{.way = way,
                           .choice = rememberedReportChoice(),
-                          .emptyFields = emptyReportFields(evaluation.session),
+                          .emptyFields = lacks ? *lacks : emptyReportFields(evaluation.session),
                           .unusable = static_cast<int>(evaluation.examined.problems.size())};
   for (const ReportPartInfo& info : allReportParts()) {
     if (isThere(info.part, gap)) question.there.push_back(info.part);
@@ -164,6 +173,43 @@ bool ReportFlow::exportOf(const SharedGap& gap, const QString& suggestion) {
     return false;
   }
   emit remark(tr("Report written to %1").arg(QDir::toNativeSeparators(*written)));
+  return true;
+}
+
+bool ReportFlow::certificateOf(const SharedGap& gap, const QString& suggestion) {
+  const QString title = tr("Export calibration certificate");
+  const ReportSource source = reportSource(m_document);
+  ReportOptions bare;
+  bare.gap = gap;
+  const auto lacking = ui::certificateOf(source, bare, {});
+  if (!lacking) {
+    m_dialogs.showProblem(title, visibleLine(lacking.problem().text()));
+    return false;
+  }
+  const auto choice = ask(*gap, ReportQuestion::Way::Export, lacking->notStated);
+  if (!choice) return false;
+  const SharedGap spoken = spokenIn(choice->language, gap);
+  if (!spoken) return false;
+  auto options = optionsFor(spoken, *choice);
+  if (!options) return false;
+  const QString path = m_dialogs.askExportPath(title, suggestion, QStringLiteral("xml"));
+  if (path.isEmpty()) return false;
+  const auto busy = m_dialogs.busy(tr("Writing the certificate…"));
+  bool isStopped = false;
+  options->goesOn = [&](double done) {
+    isStopped = isStopped || !busy->goesOn(done);
+    return !isStopped;
+  };
+  const auto written = writeCertificate(source, path, *options, {});
+  if (isStopped) {
+    emit remark(tr("Stopped: no certificate was written."));
+    return false;
+  }
+  if (!written) {
+    m_dialogs.showProblem(title, visibleLine(written.problem().text()));
+    return false;
+  }
+  emit remark(tr("Certificate written to %1").arg(QDir::toNativeSeparators(path)));
   return true;
 }
 

@@ -26,6 +26,9 @@ class ReportFlow : public QObject {
   /// Each is true where it was done, false where it failed (the user was told why) or was cancelled.
   /// `suggestion` is a path to begin with.
   bool exportPdf(const QString& suggestion);
+  /// The digital calibration certificate with the report in it; what it will call not stated is asked about
+  /// first.
+  bool exportCertificate(const QString& suggestion);
   bool print();
   bool preview(const QString& suggestion);
   void setUpPage();  ///< for reports to come
@@ -43,10 +46,13 @@ class ReportFlow : public QObject {
   /// anew where that is another. Null: the user stopped it.
   SharedGap spokenIn(const QString& language, const SharedGap& gap);
   /// What is chosen for the report of `gap`, and remembered; absent: cancelled.
-  std::optional<ReportChoice> ask(const Gap& gap, ReportQuestion::Way way);
+  /// `lacks`: what will be missing, where that is not what a report lacks.
+  std::optional<ReportChoice> ask(const Gap& gap, ReportQuestion::Way way,
+                                  const std::optional<QStringList>& lacks = {});
   /// For a report of `gap`, with the logo; absent: it cannot be used, which was told.
   std::optional<ReportOptions> optionsFor(const SharedGap& gap, const ReportChoice& choice);
   bool exportOf(const SharedGap& gap, const QString& suggestion);
+  bool certificateOf(const SharedGap& gap, const QString& suggestion);
   bool printOf(const SharedGap& gap);
   bool previewOf(const SharedGap& gap, const QString& suggestion);
 

@@ -168,8 +168,9 @@ bool paintPages(QPagedPaintDevice& device, const Evaluation& evaluation, const R
   return painter.end() && isWhole;
 }
 
-Result<QString> writePdf(const Evaluation& evaluation, const ReportSource& source, const QString& outPath,
-                         const ReportOptions& options) {
+/// `name`: of what it is for, where it fails.
+Result<std::string> pdfOf(const Evaluation& evaluation, const ReportSource& source, const QString& name,
+                          const ReportOptions& options) {
   auto results = resultsBeside(options, source);
   QBuffer buffer;
   buffer.open(QIODevice::WriteOnly);
@@ -179,19 +180,26 @@ Result<QString> writePdf(const Evaluation& evaluation, const ReportSource& sourc
     writer.setResolution(1200);
     writer.setPageLayout(options.paper.layout());
     if (!paintPages(writer, evaluation, source, options))
-      return Problem{Report::tr("%1 cannot be written: painting failed").arg(outPath).toStdString()};
+      return Problem{Report::tr("%1 cannot be written: painting failed").arg(name).toStdString()};
   }
   const QByteArray& painted = buffer.data();
-  const std::string pdf =
-      archivedPdf({painted.constData(), static_cast<std::size_t>(painted.size())},
-                  informationOf(evaluation, source, options), attachmentsOf(source, options, results.get()));
-  std::vector<std::string> inputs;
-  for (const QString& path : source.paths) inputs.push_back(encodedPath(path));
-  if (auto problem = writeFile(encodedPath(outPath), pdf, inputs)) return *std::move(problem);
-  return outPath;
+  return archivedPdf({painted.constData(), static_cast<std::size_t>(painted.size())},
+                     informationOf(evaluation, source, options),
+                     attachmentsOf(source, options, results.get()));
 }
 
 }  // namespace
+
+std::optional<Problem> writeSigned(const QString& path, const std::string& bytes,
+                                   const std::optional<Signer>& signer, const ReportSource& source) {
+  std::vector<std::string> inputs;
+  for (const QString& input : source.paths) inputs.push_back(encodedPath(input));
+  const std::string out = encodedPath(path);
+  if (!signer) return writeFile(out, bytes, inputs);
+  const Result<std::string> signature = signer->sign(bytes);
+  if (!signature) return signature.problem();
+  return writeFiles({{out, bytes}, {signaturePath(out), *signature}}, inputs);
+}
 
 QString reportTitle(const Evaluation& evaluation, const ReportSource& source) {
   return Report::tr("Acceptance report: %1").arg(shortLine(sessionName(evaluation, source), longestTitle));
@@ -207,7 +215,19 @@ bool paintAcceptanceReport(QPagedPaintDevice& device, const Evaluation& evaluati
 Result<QString> writeAcceptanceReport(const Evaluation& evaluation, const ReportSource& source,
                                       const QString& outPath, const ReportOptions& options) {
   return inLanguageOf(options, [&](const ReportOptions& within) {
-    return writePdf(evaluation, source, outPath, withGap(within, evaluation));
+    const ReportOptions whole = withGap(within, evaluation);
+    const Result<std::string> pdf = pdfOf(evaluation, source, outPath, whole);
+    if (!pdf) return Result<QString>(pdf.problem());
+    if (auto problem = writeSigned(outPath, *pdf, whole.signer, source))
+      return Result<QString>(*std::move(problem));
+    return Result<QString>(outPath);
+  });
+}
+
+Result<std::string> acceptanceReportPdf(const Evaluation& evaluation, const ReportSource& source,
+                                        const ReportOptions& options) {
+  return inLanguageOf(options, [&](const ReportOptions& within) {
+    return pdfOf(evaluation, source, source.fileName, withGap(within, evaluation));
   });
 }
 

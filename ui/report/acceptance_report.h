@@ -12,6 +12,7 @@
 #include "core/adjustment/monte_carlo/monte_carlo.h"
 #include "core/base/result.h"
 #include "core/series/history/device_history.h"
+#include "core/signature/signature.h"
 #include "ui/jobs/gap.h"
 #include "ui/report/report_contents.h"
 #include "ui/report/report_paper.h"
@@ -42,6 +43,7 @@ struct ReportOptions {
   std::shared_ptr<const DeviceHistory> history = {};  ///< of the session's device; null: none is told
   /// Of the same evaluation, whose sentences were made in the same language; null: it is assessed here.
   std::shared_ptr<const Gap> gap = {};
+  std::optional<Signer> signer = {};  ///< signs the file, its signature beside it (`signaturePath`)
   /// Asked often while the report is written, with the share that is done; false stops it, which is then the
   /// reason why there is none. It is asked in the window's language.
   std::function<bool(double done)> goesOn = {};
@@ -55,6 +57,15 @@ struct ReportOptions {
 /// it could not be written. Needs a QApplication, on any platform plugin, and its thread.
 Result<QString> writeAcceptanceReport(const Evaluation& evaluation, const ReportSource& source,
                                       const QString& outPath, const ReportOptions& options = {});
+
+/// The bytes of that file instead.
+Result<std::string> acceptanceReportPdf(const Evaluation& evaluation, const ReportSource& source,
+                                        const ReportOptions& options = {});
+
+/// Writes the bytes, with the signature beside them where there is a signer: both files or none, and neither
+/// over one of `source`.
+std::optional<Problem> writeSigned(const QString& path, const std::string& bytes,
+                                   const std::optional<Signer>& signer, const ReportSource& source);
 
 /// Paints the same pages on a device that is painted on from corner to corner, on whatever paper it has.
 /// False: it could not, or was stopped.

@@ -7,8 +7,7 @@
 
 namespace alidade::ui {
 
-std::optional<std::string> resultsJson(const Gap& gap, const std::string& name) {
-  const LanguageScope english(QStringLiteral("en"));
+std::optional<FitAnswer> fitAnswerOf(const Gap& gap, const std::string& name) {
   const Evaluation& evaluation = *gap.evaluation;
   const auto& measurement = evaluation.examined.measurement;
   if (!measurement || !evaluation.examined.problems.empty()) return std::nullopt;
@@ -18,7 +17,14 @@ std::optional<std::string> resultsJson(const Gap& gap, const std::string& name) 
   if (!evaluation.isSearched)
     answer.suspects = findSuspects(evaluation.session, *measurement, evaluation.fit);
   answer.diagnosis = gap.diagnosis;
-  return fitJson(answer);
+  return answer;
+}
+
+std::optional<std::string> resultsJson(const Gap& gap, const std::string& name) {
+  const LanguageScope english(QStringLiteral("en"));
+  const std::optional<FitAnswer> answer = fitAnswerOf(gap, name);
+  if (!answer) return std::nullopt;
+  return fitJson(*answer);
 }
 
 }  // namespace alidade::ui

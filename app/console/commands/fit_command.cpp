@@ -12,7 +12,10 @@
 #include "core/adjustment/monte_carlo/monte_carlo.h"
 #include "core/adjustment/result/session_fit.h"
 #include "core/answers/beforehand.h"
+#include "core/answers/budget_csv.h"
 #include "core/answers/fit_json.h"
+#include "core/answers/residuals_csv.h"
+#include "core/answers/results_csv.h"
 #include "core/diagnosis/diagnose.h"
 
 namespace alidade::console {
@@ -20,6 +23,12 @@ namespace alidade::console {
 namespace {
 
 constexpr const char* asManyAsItTakes = "auto";
+
+std::string tableOf(const std::string& kind, const FitAnswer& answer) {
+  if (kind == "residuals") return residualsCsv(answer.measurement, answer.fit);
+  if (kind == "budget") return budgetCsv(answer.fit, answer.found());
+  return resultsCsv(answer);
+}
 
 Result<std::string> rigorousAnswer(const FitRequest& request, SessionInput input) {
   const Measurement& measurement = input.measurement;
@@ -38,6 +47,7 @@ Result<std::string> rigorousAnswer(const FitRequest& request, SessionInput input
   if (request.diagnosis)
     if (Result<Diagnosis, DiagnosisFault> diagnosis = diagnose(measurement, fit, {.withAttainable = true}))
       answer.diagnosis = *std::move(diagnosis);
+  if (!request.csv.empty()) return tableOf(request.csv, answer);
   return request.batch.json ? fitJson(answer) : fitText(answer);
 }
 
@@ -74,12 +84,22 @@ void addFitCommand(CLI::App& app, FitRequest& request) {
                 "Do not ask what else the readings may say: the verdict is that of the session's own model");
   fit->add_option("--instrument", request.instrument,
                   "Take what this instrument record says (*.alidade-instrument), for this run");
+  fit->add_option("--csv", request.csv,
+                  "Print a table (RFC 4180) instead: residuals of every reading, budget of every "
+                  "uncertainty, or results")
+      ->check(CLI::IsMember({"residuals", "budget", "results"}));
   addBatchOptions(*fit, request.batch);
 }
 
 Result<std::string> runFit(const FitRequest& request, const std::string& file) {
   if (request.method == "published" && !request.monteCarlo.empty())
     return Problem{"the published method states no uncertainty to check: leave out --monte-carlo"};
+  if (!request.csv.empty() && request.batch.json)
+    return Problem{"--csv and --json are two answers: leave out one of them"};
+  if (!request.csv.empty() && request.method == "published")
+    return Problem{"the published method has no tables: leave out --csv or --method"};
+  if (!request.csv.empty() && namesMany(request.files))
+    return Problem{"--csv prints the table of one session: name one file"};
   Result<SessionInput> input = readSessionInput(file, request.instrument);
   if (!input) return input.problem();
   return request.method == "published" ? publishedAnswer(request, input->name, input->measurement)

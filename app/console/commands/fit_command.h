@@ -23,12 +23,14 @@ struct FitRequest {
   std::string monteCarlo;
   std::uint64_t seed = 1;  ///< of the draws
   std::string instrument;  ///< path of an instrument record; empty: none
+  std::string csv;         ///< "residuals", "budget" or "results": a table instead; empty: none
   bool diagnosis = true;   ///< of the gap between model and readings, which the verdict heeds
   BatchOptions batch = {};
 };
 
 /// Adds `fit FILE… [--method rigorous|published] [--risk P] [--monte-carlo N|auto [--seed S]]
-/// [--no-diagnosis] [--instrument RECORD] [--threads N] [--progress] [--json]`, which fills in `request`.
+/// [--no-diagnosis] [--instrument RECORD] [--csv residuals|budget|results] [--threads N] [--progress]
+/// [--json]`, which fills in `request`.
 void addFitCommand(CLI::App& app, FitRequest& request);
 
 /// The fit of one file as text or JSON. Fails where the session cannot be read, where any entry of it is

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/console/channels.h"
+#include "app/console/commands/certificate_command.h"
 #include "app/console/commands/diagnose_command.h"
 #include "app/console/commands/fit_command.h"
 #include "app/console/commands/history_command.h"
@@ -15,6 +16,7 @@
 #include "app/console/commands/instrument_simulator_command.h"
 #include "app/console/commands/journal_command.h"
 #include "app/console/commands/plan_command.h"
+#include "app/console/commands/schema_command.h"
 #include "app/console/commands/simulate_command.h"
 #include "app/console/commands/trial_command.h"
 #include "app/console/session_files.h"
@@ -48,6 +50,14 @@ int giveImport(const ImportRequest& request, std::string& subject) {
   if (!options) return refuse(subject, options.problem().text());
   subject = request.files.size() == 1 ? inputName(request.files.front()) : "alidade-cli import";
   const alidade::Result<ImportAnswer> answer = runImport(request, *options);
+  if (!answer) return refuse(subject, answer.problem().text());
+  for (const std::string& remark : answer->remarks) notify(subject, remark);
+  return writeResult(answer->result);
+}
+
+int giveCertificate(const CertificateRequest& request, std::string& subject) {
+  subject = inputName(request.file);
+  const alidade::Result<CertificateAnswer> answer = runCertificate(request);
   if (!answer) return refuse(subject, answer.problem().text());
   for (const std::string& remark : answer->remarks) notify(subject, remark);
   return writeResult(answer->result);
@@ -104,6 +114,10 @@ int run(int argc, char** argv, std::string& subject) {
   addInstrumentCommand(app, instrumentRequest);
   SimulatorRequest simulatorRequest;
   addSimulatorCommand(app, simulatorRequest);
+  CertificateRequest certificateRequest;
+  addCertificateCommand(app, certificateRequest);
+  std::string schema;
+  addSchemaCommand(app, schema);
   app.footer("Exit codes: 0 done, 2 bad input or call, 1 anything else.");
 
   try {
@@ -125,6 +139,8 @@ int run(int argc, char** argv, std::string& subject) {
     if (!simulatorRequest.session.empty()) subject = inputName(simulatorRequest.session);
     return give(runSimulator(simulatorRequest), subject);
   }
+  if (app.got_subcommand("schema")) return give(runSchema(schema), subject);
+  if (app.got_subcommand("certificate")) return giveCertificate(certificateRequest, subject);
   const auto giveFrom = [&](const auto& request, const auto& runCommand) {
     subject = inputName(request.file);
     return give(runCommand(request), subject);

@@ -1,0 +1,143 @@
+#include "app/console/commands/certificate_command.h"
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+#include "app/console/commands/signing_options.h"
+#include "app/console/session_input.h"
+#include "core/adjustment/gross_errors/suspects.h"
+#include "core/answers/beforehand.h"
+#include "core/base/atomic_file.h"
+#include "core/base/file_bytes.h"
+#include "core/base/file_target.h"
+#include "core/base/list_text.h"
+#include "core/base/visible_text.h"
+#include "core/certificate/calibration_certificate.h"
+#include "core/diagnosis/diagnose.h"
+#include "core/session/session_file.h"
+
+namespace alidade::console {
+
+namespace {
+
+std::string fileNameOf(const std::string& path) {
+  return wellFormed(std::filesystem::path(path).filename().string());
+}
+
+struct ReadSession {
+  std::string bytes;
+  Session session;
+};
+
+/// The file as it is: what is embedded is what was evaluated.
+Result<ReadSession> readWhole(const CertificateRequest& request) {
+  Result<std::string> bytes = request.file == "-" ? readStandardInput() : readFile(request.file);
+  if (!bytes) return bytes.problem();
+  Result<Session> session = readSession(*bytes);
+  if (!session) return session.problem();
+  ReadSession read{*std::move(bytes), *std::move(session)};
+  if (!request.instrument.empty()) {
+    if (auto problem = addRecord(read.session, request.instrument)) return *std::move(problem);
+    read.bytes = writeSession(read.session);
+  }
+  return read;
+}
+
+Result<std::string> readReport(const std::string& path) {
+  Result<std::string> bytes = readFile(path);
+  if (!bytes) return Problem{"--pdf " + visibleText(path) + ": " + bytes.problem().text()};
+  if (!bytes->starts_with("%PDF-"))
+    return Problem{"--pdf " + visibleText(path) + " is no PDF: give one that `alidade --report` wrote"};
+  return bytes;
+}
+
+std::optional<Problem> writeAll(const CertificateRequest& request, const std::string& xml,
+                                const std::optional<Signer>& signer) {
+  if (request.out == "-") return Problem{"--out - names no file: give a path to write to"};
+  std::vector<std::string> inputs{request.file};
+  for (const std::string* input : {&request.pdf, &request.instrument, &request.signing.key,
+                                   &request.signing.certificate, &request.signing.passphraseFile})
+    if (!input->empty()) inputs.push_back(*input);
+  std::vector<FileContent> contents{{request.out, xml}};
+  std::string signature;
+  if (signer) {
+    Result<std::string> made = signer->sign(xml);
+    if (!made) return made.problem();
+    signature = *std::move(made);
+    contents.push_back({signaturePath(request.out), signature});
+  }
+  return writeFiles(contents, inputs);
+}
+
+}  // namespace
+
+void addCertificateCommand(CLI::App& app, CertificateRequest& request) {
+  CLI::App* command = app.add_subcommand(
+      "certificate", "The digital calibration certificate of a session (PTB DCC 3.2.0), for other systems.");
+  command->add_option("FILE", request.file, "Session (*.alidade); - reads standard input")->required();
+  command->add_option("--out", request.out, "The certificate's file (*.xml)")->required();
+  command->add_option("--pdf", request.pdf, "The acceptance report that goes with it, embedded");
+  command->add_option("--measured-on", request.measuredOn,
+                      "Day of the measurement where the session states none");
+  command->add_option("--country", request.country,
+                      "Of the laboratory, its two letters after ISO 3166-1: DE");
+  command->add_option("--performed-at", request.performedAt, "Where it was measured")
+      ->check(CLI::IsMember({"laboratory", "customer", "laboratoryBranch", "customerBranch", "other"}));
+  command->add_option("--manufacturer", request.manufacturer, "Maker of the device");
+  command->add_option("--issued", request.issued, "Day of issue; none is stated if not given");
+  command->add_option("--instrument", request.instrument,
+                      "Take what this instrument record says (*.alidade-instrument), for this run");
+  addSigningOptions(*command, request.signing);
+}
+
+Result<CertificateAnswer> runCertificate(const CertificateRequest& request) {
+  const Result<std::optional<Signer>> signer = signerOf(request.signing);
+  if (!signer) return signer.problem();
+  Result<ReadSession> read = readWhole(request);
+  if (!read) return read.problem();
+  const Session& session = read->session;
+  const Result<Measurement> measurement = measurementOf(session);
+  if (!measurement) return measurement.problem();
+  const SessionFit fit = fitSession(*measurement);
+  if (auto problem = absence(*measurement, fit.arcs.size(), fit.findings)) return *std::move(problem);
+  const std::string name = nameOf(session, request.file);
+  FitAnswer answer{name, *measurement, fit, findSuspects(session, *measurement, fit)};
+  if (Result<Diagnosis, DiagnosisFault> diagnosis = diagnose(*measurement, fit, {.withAttainable = true}))
+    answer.diagnosis = *std::move(diagnosis);
+
+  CertificateOptions options{.version = ALIDADE_VERSION,
+                             .measuredOn = request.measuredOn,
+                             .country = request.country,
+                             .performedAt = request.performedAt,
+                             .manufacturer = request.manufacturer,
+                             .issued = request.issued};
+  std::string report;
+  if (!request.pdf.empty()) {
+    Result<std::string> bytes = readReport(request.pdf);
+    if (!bytes) return bytes.problem();
+    report = *std::move(bytes);
+    options.report = CertificateDocument{fileNameOf(request.pdf), "application/pdf", report};
+  }
+  const Result<CalibrationCertificate> certificate = calibrationCertificate(
+      {session, answer, request.file == "-" ? std::string() : fileNameOf(request.file), read->bytes},
+      options);
+  if (!certificate) {
+    Problem problem = certificate.problem();
+    if (problem.where.field == "measured_on") problem.what += ", or give --measured-on";
+    return problem;
+  }
+  if (auto problem = writeAll(request, certificate->xml, *signer)) return *std::move(problem);
+
+  CertificateAnswer done;
+  done.result = "Certificate written to " + request.out + ".\n";
+  if (*signer) done.result += "Signature written to " + signaturePath(request.out) + ".\n";
+  if (!certificate->notStated.empty())
+    done.remarks.push_back(
+        "The certificate says “not stated” where the session leaves empty what its schema asks for: " +
+        listed({certificate->notStated.begin(), certificate->notStated.end()}) + ".");
+  return done;
+}
+
+}  // namespace alidade::console

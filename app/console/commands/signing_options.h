@@ -1,0 +1,21 @@
+#pragma once
+
+#include <optional>
+
+#include "core/base/result.h"
+#include "core/signature/signature.h"
+
+namespace CLI {
+class App;
+}
+
+namespace alidade::console {
+
+/// Adds `[--sign-key KEY --sign-certificate CERT [--sign-passphrase-file FILE]]` to a subcommand that writes
+/// a file.
+void addSigningOptions(CLI::App& command, SigningFiles& files);
+
+/// Absent where none is asked for.
+Result<std::optional<Signer>> signerOf(const SigningFiles& files);
+
+}  // namespace alidade::console

@@ -1,0 +1,69 @@
+#include "core/answers/results_csv.h"
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string_view>
+
+#include "core/exchange/csv_text.h"
+
+namespace alidade {
+
+namespace {
+
+constexpr double unknownNumber = std::numeric_limits<double>::quiet_NaN();  // an empty cell
+
+class ResultsTable {
+ public:
+  explicit ResultsTable(double coverage) : m_coverage(coverage) {}
+
+  /// `arc`: null of what is of all.
+  void add(std::string_view quantity, const ArcFit* arc, std::string_view unit, double value, double sigma,
+           double expanded = unknownNumber) {
+    m_csv.word(quantity);
+    if (arc)
+      m_csv.count(arc->axisDeg).count(arc->time);
+    else
+      m_csv.word("").word("");
+    m_csv.word(unit).number(value).number(sigma).number(expanded);
+    m_csv.number(expanded >= 0 ? m_coverage : unknownNumber).endRow();
+  }
+
+  void add(std::string_view quantity, const std::optional<MeasuredLength>& length) {
+    if (length) add(quantity, nullptr, "mm", length->value, length->sigma, length->expanded);
+  }
+
+  const std::string& text() const { return m_csv.text(); }
+
+ private:
+  CsvText m_csv{"quantity", "axis_deg", "turn", "unit", "value", "sigma", "expanded", "coverage"};
+  double m_coverage;
+};
+
+}  // namespace
+
+std::string resultsCsv(const FitAnswer& answer) {
+  ResultsTable table(answer.measurement.coverage);
+  if (answer.diagnosis && answer.diagnosis->measured) {
+    const MeasuredIntersection& measured = *answer.diagnosis->measured;
+    table.add("intersection_as_measured", nullptr, "mm", measured.estimate.value, measured.estimate.sigma,
+              measured.estimate.expanded);
+    table.add("across_plane", measured.across);
+    table.add("distance_from_axis", measured.distance);
+  }
+  const SessionFit& fit = answer.fit;
+  if (const auto& found = fit.intersection) {
+    table.add("intersection_of_fit", nullptr, "mm", found->value, found->sigma, found->expanded);
+    table.add("in_plane", nullptr, "mm", found->inPlane, found->inPlaneSigma, found->inPlaneExpanded);
+  }
+  for (std::size_t i = 0; i < fit.arcs.size(); ++i) {
+    const ArcFit& arc = fit.arcs[i];
+    table.add("x", &arc, "mm", arc.circle.x, fit.sigmas[i].x);
+    table.add("y", &arc, "mm", arc.circle.y, fit.sigmas[i].y);
+    table.add("radius", &arc, "mm", arc.circle.radius, fit.sigmas[i].radius);
+    table.add("residual_rms", &arc, "arcsec", arc.residualRms, unknownNumber);
+  }
+  return table.text();
+}
+
+}  // namespace alidade

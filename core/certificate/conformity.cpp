@@ -1,0 +1,128 @@
+#include "core/certificate/conformity.h"
+
+#include <cmath>
+#include <optional>
+
+#include "core/base/phrase.h"
+#include "core/base/quantity_text.h"
+#include "core/certificate/quantity.h"
+#include "core/diagnosis/decision.h"
+#include "core/wording/verdict.h"
+
+namespace alidade {
+
+namespace {
+
+using Obstacle = AcceptanceDecision::Obstacle;
+
+/// The best estimate of what the tolerance is of, mm, ≥ 0; absent where it is not known.
+std::optional<double> sizeAsFound(const FitAnswer& answer) {
+  const Diagnosis* found = answer.found();
+  if (!found) return std::abs(answer.fit.intersection->value);
+  if (!found->measured) return std::nullopt;
+  const MeasuredIntersection& measured = *found->measured;
+  if (answer.measurement.measurand == Measurand::Intersection) return std::abs(measured.estimate.value);
+  if (!measured.distance) return std::nullopt;
+  return measured.distance->value;
+}
+
+std::optional<std::string_view> conditional(const FitAnswer& answer, const AcceptanceDecision& decision) {
+  if (decision.obstacle != Obstacle::Uncertainty && decision.obstacle != Obstacle::Contradiction)
+    return std::nullopt;
+  if (answer.found() && isMisclosed(*answer.found())) return std::nullopt;
+  const std::optional<double> found = sizeAsFound(answer);
+  if (!found) return std::nullopt;
+  const double tolerance = *answer.measurement.tolerance;
+  const bool isWithin = *found <= tolerance;
+  // Of a distance from the axis the fit alone knows a part, which says nothing of the whole.
+  if (answer.measurement.measurand == Measurand::Intersection &&
+      (std::abs(answer.fit.intersection->value) <= tolerance) != isWithin)
+    return std::nullopt;
+  return isWithin ? "conditionalPass" : "conditionalFail";
+}
+
+std::string ruleText(const Measurement& measurement) {
+  const std::string limit = displayShortest(*measurement.tolerance);
+  const std::string share = displayShortest(measurement.coverage * 100);
+  if (measurement.measurand == Measurand::Distance)
+    return Phrase::of(
+        "Of the distance d of the arc's centre from the axis: pass where d + U ≤ %1 mm as measured and |Δd| "
+        "+ U ≤ "
+        "%1 mm by the fit alone, fail where d − U > %1 mm. Guard band w = U at a coverage of %2 %.",
+        limit, share);
+  return Phrase::of(
+      "Of the intersection Δd: pass where |Δd| + U ≤ %1 mm, fail where |Δd| − U > %1 mm, each both as "
+      "measured and by "
+      "the fit alone. Guard band w = U at a coverage of %2 %.",
+      limit, share);
+}
+
+/// What the schema's word means here, or why there is none.
+std::string statementText(const FitAnswer& answer, const AcceptanceDecision& decision) {
+  const std::string sentence = verdictSentence(answer.measurement, answer.fit, answer.found(), decision);
+  const auto conformity = conformityOf(answer);
+  if (!conformity) return Phrase::of("No statement of conformity. %1", sentence);
+  if (*conformity == "conditionalPass")
+    return Phrase::of(
+        "Undecided: the value is within the tolerance, and the uncertainty reaches beyond it. %1", sentence);
+  if (*conformity == "conditionalFail")
+    return Phrase::of("Undecided: the value is beyond the tolerance, and the uncertainty reaches into it. %1",
+                      sentence);
+  return sentence;
+}
+
+void addNumbers(const Element& metaData, const FitAnswer& answer, const AcceptanceDecision& decision) {
+  const Element data = metaData.add("data");
+  addQuantity(data, {.id = "tolerance",
+                     .name = [] { return Phrase::of("Tolerance"); },
+                     .value = *answer.measurement.tolerance,
+                     .unit = "\\milli\\metre"});
+  if (decision.conformance)
+    addQuantity(data, {.id = "conformance_probability",
+                       .name = [] { return Phrase::of("Probability of conformance"); },
+                       .value = *decision.conformance});
+}
+
+}  // namespace
+
+std::optional<std::string_view> conformityOf(const FitAnswer& answer) {
+  const auto decision = decideAcceptance(answer.measurement, answer.fit, answer.found());
+  if (!decision) return std::nullopt;
+  switch (decision->verdict) {
+    case Verdict::Accept:
+      return "pass";
+    case Verdict::Reject:
+      return "fail";
+    case Verdict::Undecided:
+      break;
+  }
+  return conditional(answer, *decision);
+}
+
+void addConformity(const Element& metaData, const CertificateSource& source) {
+  const FitAnswer& answer = source.answer;
+  const Element own = metaData.add("metaData");
+  own.attribute("id", "conformity").attribute("refType", "basic_conformity");
+  own.say("name", [] { return Phrase::of("Statement of conformity"); });
+  const auto decision = decideAcceptance(answer.measurement, answer.fit, answer.found());
+  if (!decision) {
+    own.say("declaration", [&] {
+      return answer.measurement.tolerance
+                 ? Phrase::of("No statement of conformity: there is no intersection to judge.")
+                 : Phrase::of("No statement of conformity: no tolerance is stated.");
+    });
+    return;
+  }
+  const std::string agreed = certificateText(source.session.report.ruleAgreedBy);
+  own.say("description", [&] {
+    const std::string rule = ruleText(answer.measurement);
+    return agreed.empty() ? rule : Phrase::of("%1 Agreed by: %2", rule, agreed);
+  });
+  own.value("norm", "JCGM 106:2012");
+  own.value("norm", "ILAC-G8:09/2019");
+  own.say("declaration", [&] { return statementText(answer, *decision); });
+  if (const auto conformity = conformityOf(answer)) own.value("conformity", std::string(*conformity));
+  addNumbers(own, answer, *decision);
+}
+
+}  // namespace alidade

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "core/certificate/certificate_source.h"
+#include "core/certificate/element.h"
+
+namespace alidade {
+
+/// The statement of conformity in the schema's words. `pass` and `fail` are the verdict's accept and reject.
+/// An undecided one is `conditionalPass` or `conditionalFail` where U alone stands in its way and both
+/// accounts of the measurand lie on that side of the tolerance (ILAC-G8:09/2019, 4.2.3); else there is no
+/// statement, nor where no tolerance is stated.
+std::optional<std::string_view> conformityOf(const FitAnswer& answer);
+
+/// Adds the decision rule, the tolerance and the statement, or why there is none, to `measurementMetaData`.
+void addConformity(const Element& metaData, const CertificateSource& source);
+
+}  // namespace alidade

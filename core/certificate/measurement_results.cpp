@@ -1,0 +1,203 @@
+#include "core/certificate/measurement_results.h"
+
+#include <cmath>
+
+#include "core/base/phrase.h"
+#include "core/base/quantity_text.h"
+#include "core/certificate/conformity.h"
+#include "core/certificate/measuring.h"
+#include "core/certificate/quantity.h"
+#include "core/wording/diagnosis_sentence.h"
+#include "core/wording/findings.h"
+#include "core/wording/position_name.h"
+
+namespace alidade {
+
+namespace {
+
+constexpr const char* millimetres = "\\milli\\metre";
+constexpr const char* arcseconds = "\\arcsecond";
+
+const char* shapeOf(double degreesOfFreedom) {
+  return std::isfinite(degreesOfFreedom) ? "Student's t" : "normal";
+}
+
+/// Of an average over accounts, each with a distribution of its own.
+const char* shapeOf(const IntersectionEstimate& estimate) {
+  return estimate.accounts.size() > 1 ? "mixture of Student's t" : shapeOf(estimate.degreesOfFreedom);
+}
+
+StatedQuantity asMeasured(const IntersectionEstimate& estimate, double coverage) {
+  return {.id = "intersection_as_measured",
+          .refType = "basic_measuredValue",
+          .name = [] { return Phrase::of("Intersection Δd as measured"); },
+          .value = estimate.value,
+          .unit = millimetres,
+          .uncertainty = StatedUncertainty{estimate.sigma, estimate.expanded, coverage, shapeOf(estimate)},
+          .description =
+              [] {
+                return Phrase::of(
+                    "With every effect of the catalogue as large as is plausible or known, and these "
+                    "readings leave it.");
+              }};
+}
+
+StatedQuantity ofTheFit(const Intersection& intersection, bool isHeadline) {
+  return {
+      .id = "intersection_of_fit",
+      .refType = isHeadline ? "basic_measuredValue" : nullptr,
+      .name = [] { return Phrase::of("Intersection Δd of the fit alone"); },
+      .value = intersection.value,
+      .unit = millimetres,
+      .uncertainty = StatedUncertainty{intersection.sigma, intersection.expanded, intersection.coverage,
+                                       shapeOf(intersection.effectiveDegreesOfFreedom)},
+      .description =
+          [] { return Phrase::of("By the scatter of the readings, the pointing zeros and the distance."); }};
+}
+
+void addIntersection(const Element& results, const FitAnswer& answer) {
+  const auto& fitted = answer.fit.intersection;
+  if (!fitted) return;
+  const MeasuredIntersection* measured =
+      answer.diagnosis && answer.diagnosis->measured ? &*answer.diagnosis->measured : nullptr;
+  const Element result = results.add("result");
+  result.attribute("id", "intersection");
+  result.say("name", [] { return Phrase::of("Intersection Δd"); });
+  const Element data = result.add("data");
+  if (measured) addQuantity(data, asMeasured(measured->estimate, answer.measurement.coverage));
+  addQuantity(data, ofTheFit(*fitted, !measured));
+  addQuantity(
+      data, {.id = "in_plane",
+             .name = [] { return Phrase::of("Half the distance of the centres, |O1 − O2|/2"); },
+             .value = fitted->inPlane,
+             .unit = millimetres,
+             .uncertainty = StatedUncertainty{fitted->inPlaneSigma, fitted->inPlaneExpanded, fitted->coverage,
+                                              shapeOf(fitted->effectiveDegreesOfFreedom)}});
+}
+
+void addAcross(const Element& results, const FitAnswer& answer) {
+  if (!answer.diagnosis || !answer.diagnosis->measured) return;
+  const MeasuredIntersection& measured = *answer.diagnosis->measured;
+  const Element result = results.add("result");
+  result.attribute("id", "distance_of_centre");
+  result.say("name", [] { return Phrase::of("Distance of the arc's centre from the axis"); });
+  const Element data = result.add("data");
+  const auto add = [&](const char* id, const Say& name, const std::optional<MeasuredLength>& length) {
+    if (length) {
+      addQuantity(data, {.id = id,
+                         .name = name,
+                         .value = length->value,
+                         .unit = millimetres,
+                         .uncertainty = StatedUncertainty{length->sigma, length->expanded,
+                                                          answer.measurement.coverage, "Student's t"}});
+      return;
+    }
+    const Element quantity = data.add("quantity");
+    quantity.attribute("id", id);
+    quantity.say("name", name);
+    quantity.say("noQuantity", [] { return Phrase::of("not measured"); });
+  };
+  add(
+      "across_plane", [] { return Phrase::of("Δz, across the plane of the arc"); }, measured.across);
+  add(
+      "distance_from_axis", [] { return Phrase::of("d = √(Δd² + Δz²), as a whole"); }, measured.distance);
+}
+
+/// "arc_180", and "arc_180_2" where the axis is measured again.
+std::string idOf(const ArcFit& arc) {
+  std::string id = "arc_" + std::to_string(arc.axisDeg);
+  if (arc.time > 1) id += "_" + std::to_string(arc.time);
+  return id;
+}
+
+void addArc(const Element& results, const ArcFit& arc, const ArcSigma& sigma) {
+  const std::string id = idOf(arc);
+  const Element result = results.add("result");
+  result.attribute("id", id);
+  result.say("name", [&] {
+    return Phrase::of("Arc in the position %1 of the axis", positionName(arc.axisDeg, arc.time));
+  });
+  result.say("description", [] {
+    return Phrase::of("Centre in the plane of the arc, x right, y up, from the theodolite's centre.");
+  });
+  const Element data = result.add("data");
+  const std::string x = id + "_x", y = id + "_y", radius = id + "_radius", rms = id + "_residual_rms";
+  const bool isFirst = arc.axisDeg == 0;
+  addQuantity(
+      data,
+      {.id = x.c_str(),
+       .name = [=] { return isFirst ? Phrase::of("x of the centre O1") : Phrase::of("x of the centre O2"); },
+       .value = arc.circle.x,
+       .unit = millimetres,
+       .uncertainty = standardUncertainty(sigma.x)});
+  addQuantity(
+      data,
+      {.id = y.c_str(),
+       .name = [=] { return isFirst ? Phrase::of("y of the centre O1") : Phrase::of("y of the centre O2"); },
+       .value = arc.circle.y,
+       .unit = millimetres,
+       .uncertainty = standardUncertainty(sigma.y)});
+  addQuantity(data, {.id = radius.c_str(),
+                     .name = [] { return Phrase::of("Radius of the arc"); },
+                     .value = arc.circle.radius,
+                     .unit = millimetres,
+                     .uncertainty = standardUncertainty(sigma.radius)});
+  addQuantity(data, {.id = rms.c_str(),
+                     .name = [] { return Phrase::of("Root mean square of the residuals"); },
+                     .value = arc.residualRms,
+                     .unit = arcseconds});
+}
+
+void addSentences(const Element& metaData, const CertificateSource& source) {
+  const FitAnswer& answer = source.answer;
+  const auto add = [&](const char* id, const Say& name, const Say& text) {
+    const Element own = metaData.add("metaData");
+    own.attribute("id", id);
+    own.say("name", name);
+    own.say("declaration", text);
+  };
+  if (answer.diagnosis)
+    add(
+        "gap", [] { return Phrase::of("Gap between model and readings"); },
+        [&] { return sentenceOf(*answer.diagnosis); });
+  const std::size_t count = inWords(answer.fit.findings, answer.suspects).size();
+  for (std::size_t i = 0; i < count; ++i)
+    add(("finding_" + std::to_string(i + 1)).c_str(), [] { return Phrase::of("Finding"); },
+        [&, i] { return sentencesOf(inWords(answer.fit.findings, answer.suspects)[i]); });
+}
+
+std::string sessionFileName(const CertificateSource& source) {
+  const std::string name = certificateText(source.fileName);
+  return name.empty() ? "session.alidade" : name;
+}
+
+void addFiles(const Element& result, const CertificateSource& source, const std::string& results) {
+  const Element description = result.say("description", [] {
+    return Phrase::of(
+        "The session with every reading as it was typed, and the results in full, are attached.");
+  });
+  description.file("file", sessionFileName(source), "application/x-alidade-session", source.bytes);
+  description.file("file", "results.json", "application/json", results);
+}
+
+}  // namespace
+
+void addMeasurementResults(const Element& certificate, const CertificateSource& source,
+                           const std::string& version, const std::string& results) {
+  const FitAnswer& answer = source.answer;
+  const Element result = certificate.add("measurementResults").add("measurementResult");
+  result.attribute("id", "measurement");
+  result.say("name", [] { return Phrase::of("Intersection of a rotatable arc guideway"); });
+  addFiles(result, source, results);
+  addMeasuring(result, source, version);
+  const Element list = result.add("results");
+  addIntersection(list, answer);
+  addAcross(list, answer);
+  for (std::size_t i = 0; i < answer.fit.arcs.size(); ++i)
+    addArc(list, answer.fit.arcs[i], answer.fit.sigmas[i]);
+  const Element metaData = result.add("measurementMetaData");
+  addConformity(metaData, source);
+  addSentences(metaData, source);
+}
+
+}  // namespace alidade

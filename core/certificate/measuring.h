@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "core/certificate/certificate_source.h"
+#include "core/certificate/element.h"
+
+namespace alidade {
+
+/// Adds by what it was measured: methods, software, the theodolite with its certificate, and under which
+/// conditions. In the order of the schema.
+void addMeasuring(const Element& result, const CertificateSource& source, const std::string& version);
+
+}  // namespace alidade

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+
+#include "core/certificate/element.h"
+
+namespace alidade {
+
+/// An uncertainty as the digital SI states it.
+struct StatedUncertainty {
+  double sigma = 0, expanded = 0;  ///< in the unit of its value; expanded = k σ
+  double coverage = 0;             ///< 0…1
+  const char* distribution = "normal";
+};
+
+/// A standard uncertainty by itself: k = 1.
+StatedUncertainty standardUncertainty(double sigma);
+
+struct StatedQuantity {
+  const char* id = nullptr;       ///< xs:ID; null: none
+  const char* refType = nullptr;  ///< of PTB's good practice; null: none
+  Say name;
+  double value = 0;
+  const char* unit = "\\one";  ///< in the notation of the digital SI
+  std::optional<StatedUncertainty> uncertainty = {};
+  Say description = nullptr;  ///< empty: none
+};
+
+/// Adds a `quantity` to a `data` element, or to what else holds one by `element`. What has no finite value is
+/// said to be none; an uncertainty without end, or of nothing, is left out.
+void addQuantity(const Element& to, const StatedQuantity& quantity, const char* element = "quantity");
+
+}  // namespace alidade

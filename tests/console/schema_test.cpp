@@ -1,0 +1,195 @@
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <set>
+#include <sstream>
+
+#include "core/effects/catalogue.h"
+#include "core/simulation/protocol.h"
+#include "tests/console/console.h"
+#include "tests/support/file_content.h"
+
+namespace alidade::test {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Keys that may be absent although they are there: each depends on the session.
+const std::set<std::string> mayBeAbsent = {
+    "gone intersection",  // with all that rests on it, another mutant
+    "gone intersection/as_found",
+    "gone decision",
+    "gone two_faces",
+    "gone two_faces/trunnion_tilt",
+    "gone monte_carlo",
+    "gone monte_carlo/intersection",
+    "gone known",
+    "gone what_it_would_take",
+    "gone shape",
+};
+
+class SchemaTest : public ::testing::Test {
+ protected:
+  /// What the script says of documents, one a line, against a schema of the program's.
+  std::string against(const std::string& schema, const std::string& documents,
+                      const std::vector<std::string>& options = {}) {
+    const ProgramRun printed = alidadeCli({"schema", schema});
+    EXPECT_EQ(printed.exitCode, 0) << printed.err;
+    std::vector<std::string> arguments{ALIDADE_SUPPORT_DIR "/against_schema.py",
+                                       m_folder.file(schema + ".json", printed.out),
+                                       m_folder.file("documents.jsonl", documents)};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const ProgramRun run = runProgram({.program = "python3", .arguments = arguments});
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    return run.out;
+  }
+
+  static std::string onALine(const std::string& document) { return Json::parse(document).dump() + "\n"; }
+
+  static std::string answer(const std::vector<std::string>& call) {
+    const ProgramRun run = alidadeCli(call);
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    return onALine(run.out);
+  }
+
+  static std::vector<std::string> samples() {
+    std::vector<std::string> files;
+    for (const auto& entry : std::filesystem::directory_iterator(ALIDADE_SAMPLES_DIR))
+      if (entry.path().extension() == ".alidade") files.push_back(entry.path());
+    return files;
+  }
+
+  std::string simulated(const std::string& protocol, const std::string& effect) {
+    const std::string session = m_folder.path() / "simulated.alidade";
+    std::vector<std::string> call{
+        "simulate", "--out", session,      "--truth", m_folder.path() / "truth.json",
+        "--seed",   "5",     "--protocol", protocol};
+    if (!effect.empty()) call.insert(call.end(), {"--effect", effect});
+    const ProgramRun run = alidadeCli(call);
+    EXPECT_EQ(run.exitCode, 0) << protocol << run.err;
+    return session;
+  }
+
+  const TemporaryFolder m_folder;
+};
+
+TEST_F(SchemaTest, IsMetByTheFitsOfAllSamples) {
+  std::string documents;
+  for (const std::string& file : samples()) {
+    documents += answer({"fit", file, "--json"});
+    documents += answer({"fit", file, "--json", "--method", "published"});
+  }
+  documents += answer({"fit", paperSession, "--json", "--no-diagnosis"});
+  documents += answer({"fit", paperSession, "--json", "--monte-carlo", "2000"});
+  EXPECT_EQ(against("fit", documents), "");
+}
+
+TEST_F(SchemaTest, IsMetByTheDiagnosesOfAllSamplesAndOfTheirSeries) {
+  std::string documents;
+  for (const std::string& file : samples()) documents += answer({"diagnose", file, "--json"});
+  documents += answer({"diagnose", ALIDADE_SAMPLES_DIR "/series", "--json"});
+  documents += answer({"diagnose", paperSession, "--json", "--with-reference"});
+  EXPECT_EQ(against("diagnose", documents), "");
+}
+
+TEST_F(SchemaTest, IsMetByPlansAndJournals) {
+  std::string plans, journals;
+  for (const std::string& file : samples()) {
+    plans += answer({"plan", file, "--json"});
+    journals += answer({"journal", file, "--json"});
+  }
+  EXPECT_EQ(against("plan", plans), "");
+  EXPECT_EQ(against("journal", journals), "");
+}
+
+TEST_F(SchemaTest, IsMetByWhateverIsSimulated) {
+  std::string fits, diagnoses, sessions, plans;
+  const auto add = [&](const std::string& session) {
+    fits += answer({"fit", session, "--json"});
+    diagnoses += answer({"diagnose", session, "--json"});
+    plans += answer({"plan", session, "--json"});
+    sessions += onALine(contentOf(session));
+  };
+  for (const Protocol& protocol : namedProtocols()) add(simulated(std::string(protocol.name), ""));
+  for (const Effect& effect : effectCatalogue()) {
+    std::string sizes;
+    for (const EffectParameter& number : effect.parameters)
+      sizes += (sizes.empty() ? "=" : ",") + std::to_string(3 * number.plausible);
+    add(simulated("two-face", std::string(effect.id) + sizes));
+  }
+  EXPECT_EQ(against("fit", fits), "");
+  EXPECT_EQ(against("diagnose", diagnoses), "");
+  EXPECT_EQ(against("plan", plans), "");
+  EXPECT_EQ(against("session", sessions), "");
+}
+
+// An answer of many files names each, and says of one that cannot be used why.
+TEST_F(SchemaTest, IsMetByEachLineOfManyAnswers) {
+  const std::string broken = m_folder.file("broken.alidade", "{}");
+  const std::string onePosition = m_folder.file("one.alidade", changedPaperSession([](Json& session) {
+                                                  session["positions"].erase(1);
+                                                  session["acceptance"].erase("tolerance_mm");
+                                                }));
+  const std::string again = m_folder.file("again.alidade", changedPaperSession([](Json& session) {
+                                            session["positions"].push_back(session["positions"][0]);
+                                          }));
+  const ProgramRun fits = alidadeCli({"fit", broken, onePosition, again, paperSession, "--json"});
+  EXPECT_EQ(std::ranges::count(fits.out, '\n'), 4);
+  EXPECT_THAT(fits.out, ::testing::HasSubstr("\"error\""));
+  EXPECT_EQ(against("fit", fits.out), "");
+  const ProgramRun diagnoses =
+      alidadeCli({"diagnose", "--each", broken, onePosition, again, paperSession, "--json"});
+  EXPECT_EQ(against("diagnose", diagnoses.out), "");
+}
+
+TEST_F(SchemaTest, RefusesWhatIsSpoiltInAnyPlace) {
+  const auto refusals = [&](const std::string& schema, const std::string& documents) {
+    const std::string passed = against(schema, documents, {"--mutated"});
+    std::istringstream lines(passed);
+    std::string line, last;
+    while (std::getline(lines, line)) {
+      const bool isCount = line.find(' ') == std::string::npos;
+      if (isCount) last = line;
+      const bool isOfTheEntry =
+          line.starts_with("gone ") && (line.ends_with("/sizes") || line.ends_with("/reference") ||
+                                        line.ends_with("/axis_deg") || line.ends_with("/date"));
+      EXPECT_TRUE(isCount || isOfTheEntry || mayBeAbsent.contains(line)) << schema << ": " << line;
+    }
+    return std::stoi(last);
+  };
+  EXPECT_GT(refusals("fit", answer({"fit", paperSession, "--json", "--no-diagnosis"})), 300);
+  EXPECT_GT(refusals("fit", answer({"fit", paperSession, "--json", "--method", "published"})), 50);
+  EXPECT_GT(refusals("diagnose", answer({"diagnose", paperSession, "--json"})), 300);
+  EXPECT_GT(refusals("plan", answer({"plan", paperSession, "--json"})), 50);
+}
+
+// What was typed is kept, whatever it is; what the file needs must be there.
+TEST_F(SchemaTest, OfTheSessionAsksForWhatTheProgramAsksForAndLetsTheRestBe) {
+  const auto accepts = [&](const std::function<void(Json&)>& change) {
+    return against("session", onALine(changedPaperSession(change))).empty();
+  };
+  EXPECT_TRUE(accepts([](Json& session) { session["further"] = {{"key", 1}}; }));
+  EXPECT_TRUE(accepts([](Json& session) { session["geometry"]["distance_mm"] = "about 2 m"; }));
+  EXPECT_TRUE(accepts([](Json& session) { session["positions"][0]["readings"][0]["vertical"] = 90.5; }));
+  for (const char* key : {"format", "version", "geometry", "positions"})
+    EXPECT_FALSE(accepts([&](Json& session) { session.erase(key); })) << key;
+  for (const char* key : {"distance_mm", "radius_mm"})
+    EXPECT_FALSE(accepts([&](Json& session) { session["geometry"].erase(key); })) << key;
+  for (const char* key : {"axis_deg", "pointing_zero"})
+    EXPECT_FALSE(accepts([&](Json& session) { session["positions"][1].erase(key); })) << key;
+  for (const char* key : {"horizontal", "vertical"}) {
+    EXPECT_FALSE(accepts([&](Json& session) { session["positions"][0]["readings"][3].erase(key); })) << key;
+    EXPECT_FALSE(accepts([&](Json& session) { session["positions"][0]["pointing_zero"].erase(key); })) << key;
+  }
+  EXPECT_FALSE(accepts([](Json& session) { session["version"] = 2; }));
+  EXPECT_FALSE(accepts([](Json& session) { session["positions"][0]["readings"][0]["excluded"] = "no"; }));
+  EXPECT_FALSE(accepts([](Json& session) { session["title"] = 7; }));
+}
+
+TEST(Schema, IsAskedForByName) {
+  expectRefusal(alidadeCli({"schema", "fits"}));
+  EXPECT_THAT(alidadeCli({"schema", "fits"}).err, ::testing::HasSubstr("session"));
+}
+
+}  // namespace
+}  // namespace alidade::test

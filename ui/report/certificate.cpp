@@ -1,0 +1,88 @@
+#include "ui/report/certificate.h"
+
+#include <QFileInfo>
+#include <utility>
+
+#include "core/answers/beforehand.h"
+#include "core/certificate/calibration_certificate.h"
+#include "core/session/session_file.h"
+#include "ui/language/language_scope.h"
+#include "ui/language/languages.h"
+#include "ui/report/attached_session.h"
+#include "ui/report/report_results.h"
+#include "ui/report/report_text.h"
+#include "ui/text/entry_text.h"
+
+namespace alidade::ui {
+namespace {
+
+/// A language of the certificate, by the id of a `LanguageInfo`: "zh_CN" is zh there.
+CertificateLanguage languageOf(const QString& id) {
+  return {id.section(u'_', 0, 0).toStdString(), [id](const Say& text) {
+            const LanguageScope scope(id);
+            return text();
+          }};
+}
+
+/// English binds.
+std::vector<CertificateLanguage> languagesOf(const ReportOptions& report) {
+  const QString english = QStringLiteral("en");
+  const QString other = report.language.isEmpty() ? spokenLanguage() : report.language;
+  std::vector<CertificateLanguage> languages{languageOf(english)};
+  if (other != english) languages.push_back(languageOf(other));
+  return languages;
+}
+
+Problem whyNoAnswer(const Evaluation& evaluation) {
+  if (!evaluation.examined.problems.empty()) return evaluation.examined.problems.front();
+  if (!evaluation.failure.empty()) return Problem{evaluation.failure};
+  if (!evaluation.searchFailure.empty()) return Problem{evaluation.searchFailure};
+  if (const auto& measurement = evaluation.examined.measurement)
+    if (auto problem = absence(*measurement, evaluation.fit.arcs.size(), evaluation.fit.findings))
+      return *std::move(problem);
+  return Problem{Report::tr("there is no result to certify").toStdString()};
+}
+
+}  // namespace
+
+Result<WrittenCertificate> certificateOf(const ReportSource& source, const ReportOptions& report,
+                                         const CertificateEntries& entries, const std::string& pdf,
+                                         const QString& pdfName) {
+  const Gap& gap = *report.gap;
+  const Session& session = gap.evaluation->session;
+  const std::string name = session.title.empty() ? source.fileName.toStdString() : session.title;
+  const std::optional<FitAnswer> answer = fitAnswerOf(gap, name);
+  if (!answer) return whyNoAnswer(*gap.evaluation);
+  const bool isFile = source.saved && !source.bytes.isEmpty();
+  const std::string bytes = isFile ? source.bytes.toStdString() : writeSession(session);
+  CertificateOptions options{.version = ALIDADE_VERSION,
+                             .measuredOn = entries.measuredOn.toStdString(),
+                             .country = entries.country.toStdString(),
+                             .performedAt = entries.performedAt.toStdString(),
+                             .manufacturer = entries.manufacturer.toStdString(),
+                             .issued = report.date.date().toString(Qt::ISODate).toStdString(),
+                             .languages = languagesOf(report)};
+  if (!pdf.empty()) options.report = CertificateDocument{pdfName.toStdString(), "application/pdf", pdf};
+  const auto certificate =
+      calibrationCertificate({session, *answer, attachedName(source.fileName).toStdString(), bytes}, options);
+  if (!certificate) return certificate.problem();
+  WrittenCertificate written{certificate->xml, {}};
+  for (const char* noun : certificate->notStated) written.notStated.append(qText(Phrase::of(noun)));
+  return written;
+}
+
+Result<QStringList> writeCertificate(const ReportSource& source, const QString& outPath,
+                                     const ReportOptions& report, const CertificateEntries& entries) {
+  // Before the pages are painted, which takes longer: whether there is a certificate at all.
+  if (const auto bare = certificateOf(source, report, entries); !bare) return bare.problem();
+  const Result<std::string> pdf = acceptanceReportPdf(*report.gap->evaluation, source, report);
+  if (!pdf) return pdf.problem();
+  const QString pdfName = QFileInfo(outPath).completeBaseName() + QStringLiteral(".pdf");
+  const auto certificate = certificateOf(source, report, entries, *pdf, pdfName);
+  if (!certificate) return certificate.problem();
+  if (auto problem = writeSigned(outPath, certificate->xml, report.signer, source))
+    return *std::move(problem);
+  return certificate->notStated;
+}
+
+}  // namespace alidade::ui
