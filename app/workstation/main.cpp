@@ -123,8 +123,7 @@ int openWindow(ui::Application& application, const QString& path) {
 int run(int argc, char** argv) {
   if (argc > 1 && needsNoDisplay(argc, argv)) {
     qputenv("QT_QPA_PLATFORM", "offscreen");
-    QHashSeed::setDeterministicGlobalSeed();  // fonts stand in a PDF in the order of a hash: the same each
-                                              // time
+    QHashSeed::setDeterministicGlobalSeed();  // by which the fonts of a PDF are ordered
     QLoggingCategory::setFilterRules(
         QStringLiteral("*.warning=false"));  // stderr is for the one line of ours
   }
