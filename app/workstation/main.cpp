@@ -1,4 +1,5 @@
 #include <QCommandLineParser>
+#include <QHashFunctions>
 #include <QLoggingCategory>
 #include <QStandardPaths>
 #include <QTextStream>
@@ -122,6 +123,7 @@ int openWindow(ui::Application& application, const QString& path) {
 int run(int argc, char** argv) {
   if (argc > 1 && needsNoDisplay(argc, argv)) {
     qputenv("QT_QPA_PLATFORM", "offscreen");
+    QHashSeed::setDeterministicGlobalSeed();  // by which the fonts of a PDF are ordered
     QLoggingCategory::setFilterRules(
         QStringLiteral("*.warning=false"));  // stderr is for the one line of ours
   }

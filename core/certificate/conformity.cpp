@@ -59,7 +59,7 @@ std::string ruleText(const Measurement& measurement) {
 
 /// What the schema's word means here, or why there is none.
 std::string statementText(const FitAnswer& answer, const AcceptanceDecision& decision) {
-  const std::string sentence = verdictSentence(answer.measurement, answer.fit, answer.found(), decision);
+  std::string sentence = verdictSentence(answer.measurement, answer.fit, answer.found(), decision);
   const auto conformity = conformityOf(answer);
   if (!conformity) return Phrase::of("No statement of conformity. %1", sentence);
   if (*conformity == "conditionalPass")

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <cstring>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -71,8 +70,7 @@ Result<std::string> passphraseOf(const SigningFiles& files) {
 int handPassphrase(char* buffer, int size, int, void* given) {
   const std::string& passphrase = *static_cast<const std::string*>(given);
   if (passphrase.empty() || passphrase.size() > static_cast<std::size_t>(size)) return -1;
-  std::memcpy(buffer, passphrase.data(), passphrase.size());
-  return static_cast<int>(passphrase.size());
+  return static_cast<int>(passphrase.copy(buffer, passphrase.size()));
 }
 
 Result<Owned<EVP_PKEY>> keyOf(const SigningFiles& files) {

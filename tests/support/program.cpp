@@ -41,7 +41,7 @@ std::string contentOf(std::FILE* file) {
   std::vector<char*> arguments = {const_cast<char*>(call.program.c_str())};
   for (const std::string& argument : call.arguments) arguments.push_back(const_cast<char*>(argument.c_str()));
   arguments.push_back(nullptr);
-  execv(call.program.c_str(), arguments.data());
+  execvp(call.program.c_str(), arguments.data());
   _exit(cannotStart);
 }
 

@@ -8,7 +8,7 @@ namespace alidade::test {
 
 /// A program as a user calls it.
 struct ProgramCall {
-  std::string program;
+  std::string program;  ///< a path, or a name that PATH has
   std::vector<std::string> arguments;
   std::string input = {};                               ///< what it finds on stdin
   std::string directory = {};                           ///< where it runs; empty: here

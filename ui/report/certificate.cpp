@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/answers/beforehand.h"
+#include "core/base/phrase.h"
 #include "core/certificate/calibration_certificate.h"
 #include "core/session/session_file.h"
 #include "ui/language/language_scope.h"
