@@ -41,7 +41,7 @@ Truth leftByCompensator(Truth truth, Angle sigma, std::uint64_t seed) {
 
 void stateCompensator(Session& session, const Truth& truth, CompensatorUse use, Angle sigma,
                       std::uint64_t seed) {
-  session.instrument.sigmaCompensatorArcsec = written(sigma.arcseconds());
+  session.instrument.sigmaCompensatorArcsec = shortestText(std::round(sigma.arcseconds() * 1e6) / 1e6);
   for (Position& position : session.positions)
     for (Reading& row : position.readings)
       row.corrections = use == CompensatorUse::On ? "inclination standing_axis" : "none";

@@ -83,6 +83,28 @@ TEST_F(SimulateTest, PutsInWhatIsAsked) {
               ::testing::Not(HasSubstr(".")));
 }
 
+// Stated tilts are known, from the compensator, in fit and diagnosis; what it has taken off is no effect of
+// the truth.
+TEST_F(SimulateTest, StatesWhatTheCompensatorTells) {
+  const std::vector<std::string> tilted = {"--effect", "vertical_axis_tilt=20,-70", "--compensator"};
+  const auto with = [&](const char* use) {
+    std::vector<std::string> more = tilted;
+    more.emplace_back(use);
+    const ProgramRun run = simulate(more);
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    return Json::parse(contentOf(session))["positions"][0]["readings"][0];
+  };
+  EXPECT_FALSE(with("off").contains("tilt_cross_arcsec"));
+  EXPECT_EQ(with("on")["corrections"], "inclination standing_axis");
+  EXPECT_EQ(Json::parse(contentOf(truth)).at("s1").at("kind"), "none");
+  // 70″ and up to 9° off, with 1″ of the compensator.
+  EXPECT_NEAR(with("measured")["tilt_cross_arcsec"].get<double>(), 70, 10);
+  const Json diagnosis = Json::parse(alidadeCli({"diagnose", session, "--json"}).out);
+  EXPECT_EQ(diagnosis["known"].size(), 2U);
+  EXPECT_THAT(diagnosis["known"][1]["known"]["from"].get<std::string>(), HasSubstr("compensator"));
+  EXPECT_EQ(simulate({"--compensator", "perhaps"}).exitCode, 2);
+}
+
 TEST_F(SimulateTest, RefusesWhatCannotBeDone) {
   const auto refusal = [&](std::vector<std::string> more) {
     const ProgramRun run = simulate(std::move(more));

@@ -140,7 +140,9 @@ TEST(RowFields, OfTheCompensatorAreWrittenWhereTheyAre) {
   Session session = blankSession();
   session.geometry.distanceMm = "2405";
   session.geometry.radiusMm = "400";
-  session.positions[0].readings.push_back({.horizontal = "1°", .vertical = "90°"});
+  session.positions[0].readings.resize(1);
+  session.positions[0].readings[0].horizontal = "1°";
+  session.positions[0].readings[0].vertical = "90°";
   EXPECT_THAT(writeSession(session), testing::Not(testing::HasSubstr("tilt")));
   EXPECT_FALSE(tellsOfCompensator(session));
   Reading& row = session.positions[0].readings[0];

@@ -47,7 +47,7 @@ TEST(SessionWriter, SpellsOutEverythingThatASessionHolds) {
   session.measuredOn = "2018-01-01";
   session.report = {"17", "l", "c", "a", "r", {}};
   session.device = {"d", "1", {}, {}};
-  session.instrument = {"i", "2", "c", "t", "degrees", "2,5", "3", "about 1", "5.0", {}, {}, {}};
+  session.instrument = {"i", "2", "c", "t", "degrees", "2,5", "3", "about 1", "5.0", "0.5", {}, {}, {}};
   session.environment = {"-3", "0.5", {}};
   session.geometry = {"2405", "0.5", "400", "0", "elevation", "one", "laser", "1", "11.5", {}};
   session.acceptance = {"2.5", "distance", "0.95", "-1", "0.1", {}};
@@ -55,14 +55,14 @@ TEST(SessionWriter, SpellsOutEverythingThatASessionHolds) {
   Position& position = session.positions.emplace_back();
   position.axisDeg = "180";
   position.zero = {"1°", "90 0 0", {"181 0 0", "270 0 1"}, {"1 0 1", ""}, {"", "x"}, {}};
-  position.readings = {{"1", "2", "x", "10", "20", "30", true, "r", {}, {}}, {}};
+  position.readings = {{"1", "2", "x", "10", "20", "30", "-1.5", "2", "none", true, "r", {}, {}}, {}};
   const Json expected = Json::parse(R"({
     "format": "alidade-session", "version": 1, "title": "t", "notes": "n", "operator": "o", "place": "p",
     "measured_on": "2018-01-01",
     "report": {"number": "17", "laboratory": "l", "customer": "c", "authorised_by": "a", "rule_agreed_by": "r"},
     "device": {"name": "d", "serial": "1"},
     "instrument": {"name": "i", "serial": "2", "certificate": "c", "traceability": "t", "angle_unit": "degrees", "sigma_horizontal_arcsec": 2.5, "sigma_vertical_arcsec": 3,
-                   "sigma_zero_arcsec": "about 1", "sigma_slider_arcsec": 5},
+                   "sigma_zero_arcsec": "about 1", "sigma_slider_arcsec": 5, "sigma_compensator_arcsec": 0.5},
     "environment": {"temperature_c": -3, "sigma_temperature_c": 0.5},
     "geometry": {"distance_mm": 2405, "sigma_distance_mm": 0.5, "radius_mm": 400, "sigma_radius_mm": 0,
                  "vertical_circle": "elevation", "pointing_zeros": "one", "distance_from": "laser", "distance_expansion_ppm_per_k": 1, "radius_expansion_ppm_per_k": 11.5},
@@ -72,7 +72,7 @@ TEST(SessionWriter, SpellsOutEverythingThatASessionHolds) {
       "face_2": {"horizontal": "181 0 0", "vertical": "270 0 1"}, "after": {"horizontal": "1 0 1"},
       "after_face_2": {"vertical": "x"}}, "readings": [
       {"point": 1, "round": 2, "face": "x", "horizontal": "10", "vertical": "20", "slider": "30",
-       "excluded": true, "note": "r"},
+       "tilt_cross_arcsec": -1.5, "tilt_length_arcsec": 2, "corrections": "none", "excluded": true, "note": "r"},
       {"horizontal": "", "vertical": ""}]}]})");
   EXPECT_EQ(written(session), expected.dump());
 }
