@@ -14,6 +14,7 @@
 #include "app/console/commands/instrument_command.h"
 #include "app/console/commands/journal_command.h"
 #include "app/console/commands/plan_command.h"
+#include "app/console/commands/protocol_command.h"
 #include "app/console/commands/simulate_command.h"
 #include "app/console/commands/trial_command.h"
 #include "app/console/session_files.h"
@@ -91,6 +92,8 @@ int run(int argc, char** argv, std::string& subject) {
   addSimulateCommand(app, simulateRequest);
   PlanRequest planRequest;
   addPlanCommand(app, planRequest);
+  ProtocolRequest protocolRequest;
+  addProtocolCommand(app, protocolRequest);
   TrialRequest trialRequest;
   addTrialCommand(app, trialRequest);
   JournalRequest journalRequest;
@@ -123,6 +126,7 @@ int run(int argc, char** argv, std::string& subject) {
     return give(runCommand(request), subject);
   };
   if (app.got_subcommand("plan")) return giveFrom(planRequest, runPlan);
+  if (app.got_subcommand("protocol")) return giveFrom(protocolRequest, runProtocol);
   if (app.got_subcommand("journal")) return giveFrom(journalRequest, runJournal);
   if (app.got_subcommand("diagnose")) return giveDiagnosis(diagnoseRequest, subject);
   return giveFit(fitRequest, subject);
