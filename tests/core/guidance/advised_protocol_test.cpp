@@ -44,9 +44,9 @@ TEST(WithMeasures, AddsWhatIsAdvised) {
 }
 
 TEST(WithMeasures, AddsPlacesWhereThereAreNone) {
-  const SightingProtocol part = templateOf(test::plan(5, 60, 15, 1));
+  const SightingProtocol part = templateOf(test::plan(5, 60, 20, 1));
   const SightingProtocol whole = withMeasures(part, {Measure::MoreOfTheArc});
-  EXPECT_EQ(whole.places.size(), 5u + 11) << "10° to 50° and 130° to 170°, and 100° for 105° is 5° away";
+  EXPECT_EQ(whole.places.size(), 5u + 12) << "by tens from 10° to 170° but for those there are";
 }
 
 }  // namespace

@@ -42,14 +42,14 @@ Foreseen foresee(const Session& whole, const SightingProtocol& protocol) {
   return seen;
 }
 
-// The slider stands within 60″ (1σ) of its mark each time it comes there: 10″ at the theodolite, 4.5 σ in 500
-// rows. Before the place was seen, its coordinate is as good.
-constexpr double asTheSliderComes = 60 * 400.0 / 2400 * 4.5;
+// The slider stands within 60″ (1σ) of its mark each time it comes there: 10″ at the theodolite, then and
+// before; 4.5 σ of the difference in 500 rows. Before the place was seen, its coordinate is as good.
+const double asTheSliderComes = 60 * 400.0 / 2400 * std::sqrt(2) * 4.5;
 
 TEST(Forecast, IsNearEveryReadingOfEveryNamedProtocol) {
   for (const Protocol& named : namedProtocols()) {
     const Session session = *simulate(named, test::truth(), 3);
-    const Foreseen seen = foresee(session, templateOf(named));
+    const Foreseen seen = foresee(session, test::asSimulated(named));
     EXPECT_EQ(seen.unknown, 0) << named.name << ": coordinates tell of every place";
     EXPECT_LT(seen.farthest, asTheSliderComes) << named.name;
     EXPECT_LT(seen.farthestShare, 1) << named.name;
@@ -61,7 +61,7 @@ TEST(Forecast, HoldsForOddGeometriesToo) {
                             test::plan(5, 40, 20, 2, FacePlan::Alternating)};
   for (const Protocol& plan : plans)
     for (const VerticalCircle circle : {VerticalCircle::Zenith, VerticalCircle::Elevation}) {
-      const Foreseen seen = foresee(*simulate(plan, test::truth(circle), 5), templateOf(plan));
+      const Foreseen seen = foresee(*simulate(plan, test::truth(circle), 5), test::asSimulated(plan));
       EXPECT_EQ(seen.unknown, 0) << plan.points;
       EXPECT_LT(seen.farthest, asTheSliderComes) << plan.points;
       EXPECT_LT(seen.farthestShare, 1) << plan.points;
@@ -71,7 +71,7 @@ TEST(Forecast, HoldsForOddGeometriesToo) {
 TEST(Forecast, IsOfOnePositionAlone) {
   Protocol plan = test::plan(9, 10, 20, 2);
   plan.axes = {180};
-  const Foreseen seen = foresee(*simulate(plan, test::truth(), 5), templateOf(plan));
+  const Foreseen seen = foresee(*simulate(plan, test::truth(), 5), test::asSimulated(plan));
   EXPECT_EQ(seen.unknown, 0);
   EXPECT_LT(seen.farthestShare, 1);
 }

@@ -32,6 +32,13 @@ inline Truth truth(VerticalCircle circle = VerticalCircle::Zenith) {
   return truth;
 }
 
+/// What `simulate` reads: zeros in face 1 alone.
+inline SightingProtocol asSimulated(const Protocol& plan) {
+  SightingProtocol protocol = templateOf(plan);
+  for (ProtocolPosition& position : protocol.positions) position.zeros.before = {1};
+  return protocol;
+}
+
 /// What is left of a session after its first rows, in the order taken, and before anything is read in a later
 /// position.
 inline Session cut(Session session, std::size_t position, std::size_t rows) {

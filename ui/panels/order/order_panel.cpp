@@ -73,7 +73,6 @@ OrderPanel::OrderPanel(SessionDocument& document, QWidget* parent)
       m_outlook(textLabel(QStringLiteral("order outlook"))),
       m_repeats(textLabel(QStringLiteral("order repeats"))),
       m_table(createTable()) {
-  setProperty("helpTopic", QStringLiteral("order"));
   m_table->setAccessibleName(tr("Sightings of the protocol"));
   m_table->setPlaceholder(tr("The session follows no protocol. Choose one by “Protocol”."));
   setFocusProxy(m_table);
