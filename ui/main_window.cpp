@@ -32,6 +32,7 @@
 #include "ui/dialogs/blind_trial_dialog.h"
 #include "ui/dialogs/export_flow.h"
 #include "ui/dialogs/instrument_flow.h"
+#include "ui/dialogs/protocol_flow.h"
 #include "ui/dialogs/safekeeping.h"
 #include "ui/document/field.h"
 #include "ui/entry/entry_guide.h"
@@ -47,6 +48,7 @@
 #include "ui/panels/model/effects_panel.h"
 #include "ui/panels/model/known_sizes_panel.h"
 #include "ui/panels/model/two_faces_panel.h"
+#include "ui/panels/order/order_panel.h"
 #include "ui/panels/parts/frames.h"
 #include "ui/panels/readings/find_bar.h"
 #include "ui/panels/readings/position_tabs.h"
@@ -89,6 +91,7 @@ MainWindow::MainWindow(std::unique_ptr<Dialogs> dialogs)
       m_files(m_document, *m_dialogs),
       m_exports(new ExportFlow(m_document, *m_dialogs, this)),
       m_instrument(new InstrumentFlow(m_document, *m_dialogs, this)),
+      m_protocol(new ProtocolFlow(m_document, *m_dialogs, this)),
       m_watch(m_document),
       m_desk(new InstrumentDesk(m_document, *m_dialogs, m_job, *this)) {
   QWidget* entries = createEntryColumn();
@@ -198,11 +201,14 @@ PageTabs* MainWindow::createDetails() {
   pages->setAccessibleName(tr("Pages of the details"));
   auto* residuals = new ResidualChart;
   auto* reliability = new ReliabilityPanel;
+  m_order = new OrderPanel(m_document);
   auto* faces = new TwoFacesPanel;
   residuals->setMinimumSize(240, 130);
   pages->addPage(residuals, tr("Residuals"));
   m_gap = new GapPanel;
   pages->addPage(m_gap, tr("Gap"), [](const SharedEvaluation&) {});
+  pages->addPage(m_order, tr("Order"),
+                 [this](const SharedEvaluation& evaluation) { m_order->setEvaluation(evaluation); });
   pages->addPage(reliability, tr("Reliability"), [reliability](const SharedEvaluation& evaluation) {
     reliability->setEvaluation(evaluation);
   });
@@ -318,9 +324,16 @@ void MainWindow::connectFile() {
 void MainWindow::connectCharts() {
   connect(m_exports, &ExportFlow::commitWanted, this, &MainWindow::commitPending);
   connect(m_instrument, &InstrumentFlow::commitWanted, this, &MainWindow::commitPending);
+  connect(m_protocol, &ProtocolFlow::commitWanted, this, &MainWindow::commitPending);
+  connect(m_order, &OrderPanel::commitWanted, this, &MainWindow::commitPending);
+  connect(m_order, &OrderPanel::loadWanted, m_protocol, &ProtocolFlow::load);
+  connect(m_order, &OrderPanel::saveWanted, m_protocol, &ProtocolFlow::save);
+  connect(m_order, &OrderPanel::editWanted, m_protocol, &ProtocolFlow::edit);
+  connect(m_order, &OrderPanel::placeActivated, this, [this](const Place& place) { reveal(place); });
   const auto show = [this](const QString& text) { statusBar()->showMessage(visibleLine(text), 8000); };
   connect(m_exports, &ExportFlow::remark, this, show);
   connect(m_instrument, &InstrumentFlow::remark, this, show);
+  connect(m_protocol, &ProtocolFlow::remark, this, show);
   for (ChartFiles* files : findChildren<ChartFiles*>())
     connect(files, &ChartFiles::fileWanted, m_exports, &ExportFlow::saveChart);
   for (PlotWidget* chart : findChildren<PlotWidget*>()) {
@@ -534,6 +547,7 @@ void MainWindow::showSuspects(const SharedEvaluation& evaluation) {
   m_suspects->setEvaluation(*evaluation);
   m_findings->setEvaluation(*evaluation);
   m_journal->setSummary(*evaluation);
+  m_order->setSearched(evaluation);
 }
 
 void MainWindow::showGap(const SharedGap& gap) {
@@ -542,6 +556,7 @@ void MainWindow::showGap(const SharedGap& gap) {
   m_result->setGap(*gap);
   m_budget->setGap(*gap);
   m_findings->setGap(headline);
+  m_order->setGap(gap);
   m_details->setTabIcon(m_details->indexOf(m_gap),
                         gap->isOpen() ? themeIcon(QStringLiteral("warning")) : QIcon());
   m_isGapOld = false;

@@ -33,8 +33,10 @@ class GapPanel;
 class JobStatus;
 class JournalPanel;
 class KnownSizesPanel;
+class OrderPanel;
 class PageTabs;
 class PositionTabs;
+class ProtocolFlow;
 class ReadingsFinder;
 class ReadingsTable;
 class ResultPanel;
@@ -142,6 +144,7 @@ class MainWindow : public QMainWindow {
   FileFlow m_files;
   ExportFlow* m_exports;
   InstrumentFlow* m_instrument;
+  ProtocolFlow* m_protocol;
   FileWatch m_watch;
   Safekeeping* m_safekeeping = nullptr;  ///< null until `keepIn`
   FitJob m_job;
@@ -166,6 +169,7 @@ class MainWindow : public QMainWindow {
   BudgetPanel* m_budget = nullptr;
   GapPanel* m_gap = nullptr;
   JournalPanel* m_journal = nullptr;
+  OrderPanel* m_order = nullptr;
   JobStatus* m_jobs = nullptr;
   QLabel* m_next = nullptr;  ///< what is to be read next, in the status bar
   EntryGuide* m_entry = nullptr;

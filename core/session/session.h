@@ -189,6 +189,8 @@ struct Session {
   Acceptance acceptance;
   Model model;
   std::vector<Position> positions;
+  /// The protocol of sightings that is followed, as its JSON; empty: none. See `protocolOf`.
+  std::string protocol;
   std::vector<JournalEntry> journal;  ///< changes of entries that stood, in their order
   JsonOrigin origin;
 

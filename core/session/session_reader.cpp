@@ -188,10 +188,12 @@ Session readDocument(const ObjectReader& reader, SessionRows& rows, std::optiona
     const std::size_t index = session.positions.size();
     session.positions.push_back(readPosition(position, index, rows.take(index), problem));
   }
+  if (const Json* protocol = reader.find("protocol"))
+    session.protocol = protocol->dump(-1, ' ', false, Json::error_handler_t::replace);
   for (const Json& entry : reader.list("journal"))
     session.journal.push_back(readJournalEntry(reader.member("journal", session.journal.size(), entry)));
   session.origin = reader.origin({"report", "device", "instrument", "environment", "geometry", "acceptance",
-                                  "model", "positions", "journal"});
+                                  "model", "positions", "protocol", "journal"});
   return session;
 }
 

@@ -150,6 +150,12 @@ Json positionJson(const Position& position) {
   return writer.take();
 }
 
+/// As it was read; what is no JSON as a text.
+Json protocolJson(const std::string& text) {
+  Json json = Json::parse(text, nullptr, false);
+  return json.is_discarded() ? Json(text) : json;
+}
+
 }  // namespace
 
 std::string writeSession(const Session& session) {
@@ -171,6 +177,10 @@ std::string writeSession(const Session& session) {
   Json positions = Json::array();
   for (const Position& position : session.positions) positions.push_back(positionJson(position));
   writer.part("positions", std::move(positions), Presence::Required);
+  if (session.protocol.empty())
+    writer.partIfAny("protocol", Json::object());
+  else
+    writer.part("protocol", protocolJson(session.protocol), Presence::Required);
   writer.partIfAny("journal", journalJson(session.journal));
   return layoutJson(writer.take(), [&](std::size_t position, std::size_t row) {
     return rowJson(session.positions[position].readings[row]);

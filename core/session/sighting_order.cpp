@@ -6,7 +6,9 @@
 #include <string>
 
 #include "core/base/number_text.h"
+#include "core/session/protocol_progress.h"
 #include "core/session/row_fields.h"
+#include "core/session/sighting_protocol.h"
 
 namespace alidade {
 
@@ -133,6 +135,21 @@ std::optional<Reading> asInPairs(const std::vector<Reading>& rows) {
   return next;
 }
 
+/// Of a session that follows a protocol, as long as anything of it is left in the position.
+std::optional<Reading> asInTheProtocol(const Session& session, std::size_t position) {
+  const auto protocol = protocolOf(session);
+  if (!protocol || !*protocol) return {};
+  const ProtocolProgress progress = progressOf(session, **protocol);
+  const auto next = nextPlaceIn(progress, position);
+  if (!next) return {};
+  Reading row = rowFor(progress.sightings[*next].planned);
+  // With rounds and faces written out where they are written out already.
+  const std::vector<Reading>& rows = session.positions[position].readings;
+  if (!rows.empty() && row.round.empty() && !rows.back().round.empty()) row.round = "1";
+  if (!rows.empty() && row.face.empty() && !rows.back().face.empty()) row.face = "1";
+  return row;
+}
+
 }  // namespace
 
 std::size_t lastStretch(const std::vector<Reading>& rows) {
@@ -141,6 +158,7 @@ std::size_t lastStretch(const std::vector<Reading>& rows) {
 
 Reading followingReading(const Session& session, std::size_t position) {
   const std::vector<Reading>& rows = session.positions.at(position).readings;
+  if (const auto planned = asInTheProtocol(session, position)) return *planned;
   if (const Reading* other = asInAnotherPosition(session, position)) return keysOf(*other);
   if (const auto paired = asInPairs(rows)) return *paired;
   Reading next = rows.empty() ? Reading() : keysOf(rows.back());

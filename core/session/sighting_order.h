@@ -10,7 +10,8 @@ namespace alidade {
 // In which order places are sighted: there and back, in one face and the other, as an earlier position was.
 // A stretch is a run of rows of one round and face.
 
-/// The row that would follow those of a position, with point, round and face alone: as in another position
+/// The row that would follow those of a position, with point, round and face alone: as the protocol has it
+/// that the session follows (`protocol_progress.h`), until all of that is there; else as in another position
 /// that begins as this one does; else each place in both faces, where the last ones were; else as the stretch
 /// before in its order or the reverse; else the next point in the direction of the last two (point 1 of an
 /// empty position).

@@ -63,6 +63,17 @@
     </message>
 </context>
 <context>
+    <name>ChangeProtocol</name>
+    <message>
+        <source>Follow a protocol</source>
+        <translation>按方案测量</translation>
+    </message>
+    <message>
+        <source>Follow no protocol</source>
+        <translation>不按方案测量</translation>
+    </message>
+</context>
+<context>
     <name>ChangedFileText</name>
     <message>
         <source>“%1” was written by another program or window since it was last read or saved here.</source>
@@ -383,6 +394,14 @@ Sealed by:</source>
         <source>Add sessions</source>
         <translation>添加会话</translation>
     </message>
+    <message>
+        <source>Follow a protocol</source>
+        <translation>按方案测量</translation>
+    </message>
+    <message>
+        <source>Measurement protocols (*.alidade-protocol);;All files (*)</source>
+        <translation>测量方案 (*.alidade-protocol);;所有文件 (*)</translation>
+    </message>
 </context>
 <context>
     <name>DifferenceText</name>
@@ -592,6 +611,10 @@ Sealed by:</source>
     <message>
         <source>σ of the compensator</source>
         <translation>补偿器的 σ</translation>
+    </message>
+    <message>
+        <source>protocol</source>
+        <translation>测量方案</translation>
     </message>
 </context>
 <context>
@@ -1236,6 +1259,10 @@ Sealed by:</source>
     <message>
         <source>series</source>
         <translation>系列</translation>
+    </message>
+    <message>
+        <source>outlook</source>
+        <translation>预估</translation>
     </message>
 </context>
 <context>
@@ -4707,6 +4734,246 @@ Sealed by:</source>
     <message>
         <source>the file is too long to be signed</source>
         <translation>文件太长，无法签名</translation>
+    </message>
+    <message>
+        <source>is missing: this is no measurement protocol, which says &quot;format&quot;: &quot;alidade-protocol&quot;</source>
+        <translation>缺失：这不是测量方案文件，后者写有 &quot;format&quot;: &quot;alidade-protocol&quot;</translation>
+    </message>
+    <message>
+        <source>choose a measurement protocol</source>
+        <translation>请选择测量方案文件</translation>
+    </message>
+    <message>
+        <source>%1 is no version of a measurement protocol: it must be %2</source>
+        <translation>%1 不是测量方案的版本：应为 %2</translation>
+    </message>
+    <message>
+        <source>add the list of the positions of the axis, in their order</source>
+        <translation>请按顺序加入轴位列表</translation>
+    </message>
+    <message>
+        <source>is empty: add the positions of the axis, in their order</source>
+        <translation>为空：请按顺序加入各轴位</translation>
+    </message>
+    <message>
+        <source>make %1 sightings, and a protocol holds at most %2: leave out rounds or places</source>
+        <translation>共有 %1 次照准，而一个方案最多 %2 次：请减少测回或位置</translation>
+    </message>
+    <message>
+        <source>%1 stands there twice: each place has a number of its own</source>
+        <translation>%1 出现了两次：每个位置都有自己的编号</translation>
+    </message>
+    <message>
+        <source>say which position of the axis: 0 or 180</source>
+        <translation>请说明轴位：0 或 180</translation>
+    </message>
+    <message>
+        <source>are missing: add the places of the slider, at least one</source>
+        <translation>缺失：请加入滑块的位置，至少一个</translation>
+    </message>
+    <message>
+        <source>is empty: add the rounds, at least one</source>
+        <translation>为空：请加入测回，至少一个</translation>
+    </message>
+    <message>
+        <source>names a face twice: a pointing zero is sighted once in each</source>
+        <translation>同一盘位出现两次：瞄准零位在每个盘位只照准一次</translation>
+    </message>
+    <message>
+        <source>lacks face 1: before the readings the pointing zero is sighted in face 1, in face 2 besides</source>
+        <translation>缺少盘位 1：读数前瞄准零位须在盘位 1 照准，盘位 2 为附加</translation>
+    </message>
+    <message>
+        <source>%1 is no way through the places: write there or back</source>
+        <translation>%1 不是经过各位置的方向：请写 there 或 back</translation>
+    </message>
+    <message>
+        <source>must be one face, both, or both for each of two places: [1], [1, 2], [2, 1], [1, 2, 2, 1]</source>
+        <translation>应为一个盘位、双盘位，或两个位置各双盘位：[1]、[1, 2]、[2, 1]、[1, 2, 2, 1]</translation>
+    </message>
+    <message>
+        <source>holds what is no face: write 1 or 2, as in [1, 2]</source>
+        <translation>含有不是盘位的内容：请写 1 或 2，如 [1, 2]</translation>
+    </message>
+    <message>
+        <source>One more round</source>
+        <translation>再测一个测回</translation>
+    </message>
+    <message>
+        <source>Two more rounds</source>
+        <translation>再测两个测回</translation>
+    </message>
+    <message>
+        <source>Three more rounds</source>
+        <translation>再测三个测回</translation>
+    </message>
+    <message>
+        <source>%1 more rounds</source>
+        <translation>再测 %1 个测回</translation>
+    </message>
+    <message>
+        <source>What is left of the protocol brings U from %1 to %2 mm.</source>
+        <translation>测完方案余下部分，U 将从 %1 mm 降至 %2 mm。</translation>
+    </message>
+    <message>
+        <source>Carried out, the protocol comes to U = %1 mm.</source>
+        <translation>方案测完后 U = %1 mm。</translation>
+    </message>
+    <message>
+        <source>%1 would bring U to %2 mm.</source>
+        <translation>%1可使 U 达到 %2 mm。</translation>
+    </message>
+    <message>
+        <source>However many rounds are added, %1 mm of it stay: that is the same in each.</source>
+        <translation>无论再加多少测回，其中 %1 mm 不会消除：它在每个测回中都相同。</translation>
+    </message>
+    <message>
+        <source>More rounds do not do: however many there are, U stays above %1 mm, and the verdict needs %2 mm.</source>
+        <translation>增加测回无济于事：无论多少测回，U 都大于 %1 mm，而判定需要 %2 mm。</translation>
+    </message>
+    <message>
+        <source>Even %1 rounds more leave U at %2 mm; the verdict needs %3 mm.</source>
+        <translation>即使再测 %1 个测回，U 仍为 %2 mm；判定需要 %3 mm。</translation>
+    </message>
+    <message>
+        <source>within the tolerance</source>
+        <translation>在允差内</translation>
+    </message>
+    <message>
+        <source>beyond the tolerance</source>
+        <translation>超出允差</translation>
+    </message>
+    <message>
+        <source>By the fit alone Δd is on one side of the tolerance, as measured on the other: look at the gap before more is sighted.</source>
+        <translation>仅按拟合，Δd 在允差的一侧；按测量结果则在另一侧：继续照准之前请先查看差距。</translation>
+    </message>
+    <message>
+        <source>It is enough: U = %1 mm, and the verdict, %2, needs %3 mm.</source>
+        <translation>已经足够：U = %1 mm，而判定（%2）需要 %3 mm。</translation>
+    </message>
+    <message>
+        <source>What is left of the protocol brings U from %1 to %2 mm; the verdict needs %3 mm.</source>
+        <translation>测完方案余下部分，U 将从 %1 mm 降至 %2 mm；判定需要 %3 mm。</translation>
+    </message>
+    <message>
+        <source>One more round brings U from %1 to %2 mm; the verdict needs %3 mm.</source>
+        <translation>再测一个测回，U 将从 %1 mm 降至 %2 mm；判定需要 %3 mm。</translation>
+    </message>
+    <message>
+        <source>One more round than the protocol has brings U from %1 to %2 mm; the verdict needs %3 mm.</source>
+        <translation>比方案多测一个测回，U 将从 %1 mm 降至 %2 mm；判定需要 %3 mm。</translation>
+    </message>
+    <message>
+        <source>%1 bring U from %2 to %3 mm; the verdict needs %4 mm.</source>
+        <translation>%1，U 将从 %2 mm 降至 %3 mm；判定需要 %4 mm。</translation>
+    </message>
+    <message>
+        <source>%1 than the protocol has bring U from %2 to %3 mm; the verdict needs %4 mm.</source>
+        <translation>在方案之外%1，U 将从 %2 mm 降至 %3 mm；判定需要 %4 mm。</translation>
+    </message>
+    <message>
+        <source>pointing zero after the readings</source>
+        <translation>读数后瞄准零位</translation>
+    </message>
+    <message>
+        <source>pointing zero after the readings, face 2</source>
+        <translation>读数后瞄准零位，盘位 2</translation>
+    </message>
+    <message>
+        <source>pointing zero</source>
+        <translation>瞄准零位</translation>
+    </message>
+    <message>
+        <source>pointing zero, face 2</source>
+        <translation>瞄准零位，盘位 2</translation>
+    </message>
+    <message>
+        <source>taken</source>
+        <translation>已测</translation>
+    </message>
+    <message>
+        <source>next</source>
+        <translation>下一个</translation>
+    </message>
+    <message>
+        <source>passed over</source>
+        <translation>已跳过</translation>
+    </message>
+    <message>
+        <source>to come</source>
+        <translation>待测</translation>
+    </message>
+    <message>
+        <source>%1 of %2 sightings are there.</source>
+        <translation>%2 次照准中已有 %1 次。</translation>
+    </message>
+    <message>
+        <source>One was passed over.</source>
+        <translation>有一次被跳过。</translation>
+    </message>
+    <message>
+        <source>%1 were passed over.</source>
+        <translation>有 %1 次被跳过。</translation>
+    </message>
+    <message>
+        <source>One is excluded.</source>
+        <translation>有一次已排除。</translation>
+    </message>
+    <message>
+        <source>%1 are excluded.</source>
+        <translation>有 %1 次已排除。</translation>
+    </message>
+    <message>
+        <source>One was taken out of turn.</source>
+        <translation>有一次未按顺序测。</translation>
+    </message>
+    <message>
+        <source>%1 were taken out of turn.</source>
+        <translation>有 %1 次未按顺序测。</translation>
+    </message>
+    <message>
+        <source>One reading is none of the protocol.</source>
+        <translation>有一个读数不属于方案。</translation>
+    </message>
+    <message>
+        <source>%1 readings are none of the protocol.</source>
+        <translation>有 %1 个读数不属于方案。</translation>
+    </message>
+    <message>
+        <source>%1 again: what was typed can hardly have been read.</source>
+        <translation>%1 重测：所键入的不大可能是读数。</translation>
+    </message>
+    <message>
+        <source>%1 again: its %2 reading does not go with the others, by %3.</source>
+        <translation>%1 重测：其%2读数与其他读数不符，相差 %3。</translation>
+    </message>
+    <message>
+        <source>%1 again in both faces: on the %2 circle they differ otherwise than elsewhere, by %3 (%4 σ).</source>
+        <translation>%1 双盘位重测：%2度盘上两盘位之差与别处不同，相差 %3（%4 σ）。</translation>
+    </message>
+    <message>
+        <source>%1 again, and in round %2: the way back lies %3 farther out than the way there (%4 σ).</source>
+        <translation>%1 及测回 %2 重测：返测比往测偏外 %3（%4 σ）。</translation>
+    </message>
+    <message>
+        <source>%1 again: its %2 reading is another than before by %3 (%4 σ). If it stays, the instrument has moved, and the position is to be sighted anew.</source>
+        <translation>%1 重测：其%2读数与先前相差 %3（%4 σ）。若仍如此，则仪器已移动，该轴位须重新照准。</translation>
+    </message>
+    <message>
+        <source>What is to be taken again comes first: it makes U larger than it will be.</source>
+        <translation>请先重测应重测者：它使 U 偏大。</translation>
+    </message>
+    <message>
+        <source>When it is enough is told as soon as a pointing zero is there, and both positions are in the protocol.</source>
+        <translation>有了瞄准零位、且方案含两个轴位后，即可得知何时足够。</translation>
+    </message>
+    <message>
+        <source>Of the fit alone U = %1 mm now, and %2 mm once the protocol is carried out.</source>
+        <translation>仅按拟合，目前 U = %1 mm，方案测完后为 %2 mm。</translation>
+    </message>
+    <message>
+        <source>Of the fit alone U = %1 mm once the protocol is carried out.</source>
+        <translation>仅按拟合，方案测完后 U = %1 mm。</translation>
     </message>
 </context>
 <context>
@@ -9351,6 +9618,161 @@ sizes</source>
         <source>Pages of the details</source>
         <translation>详细页</translation>
     </message>
+    <message>
+        <source>Order</source>
+        <translation>顺序</translation>
+    </message>
+</context>
+<context>
+    <name>alidade::ui::OrderPanel</name>
+    <message>
+        <source>Sightings of the protocol</source>
+        <translation>方案的照准</translation>
+    </message>
+    <message>
+        <source>The session follows no protocol. Choose one by “Protocol”.</source>
+        <translation>本次测量未按方案。请用“方案”选择。</translation>
+    </message>
+    <message>
+        <source>Protocol</source>
+        <translation>方案</translation>
+    </message>
+    <message>
+        <source>Sightings there</source>
+        <translation>已有的照准</translation>
+    </message>
+    <message>
+        <source>Expected reading</source>
+        <translation>预期读数</translation>
+    </message>
+    <message>
+        <source>Next sighting</source>
+        <translation>下一次照准</translation>
+    </message>
+    <message>
+        <source>Progress of the protocol</source>
+        <translation>方案进度</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>轴位</translation>
+    </message>
+    <message>
+        <source>Position of the axis</source>
+        <translation>轴的位置</translation>
+    </message>
+    <message>
+        <source>Sighting</source>
+        <translation>照准</translation>
+    </message>
+    <message>
+        <source>Place with round and face, or pointing zero</source>
+        <translation>位置、测回和盘位，或瞄准零位</translation>
+    </message>
+    <message>
+        <source>pointing zero, face 2</source>
+        <translation>瞄准零位，盘位 2</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>Whether it is taken</source>
+        <translation>是否已测</translation>
+    </message>
+    <message>
+        <source>passed over</source>
+        <translation>已跳过</translation>
+    </message>
+    <message>
+        <source>Horizontal</source>
+        <translation>水平</translation>
+    </message>
+    <message>
+        <source>What the horizontal circle will read, about</source>
+        <translation>水平度盘的大致读数</translation>
+    </message>
+    <message>
+        <source>Vertical</source>
+        <translation>竖直</translation>
+    </message>
+    <message>
+        <source>What the vertical circle will read, about</source>
+        <translation>竖直度盘的大致读数</translation>
+    </message>
+    <message>
+        <source>Remark</source>
+        <translation>说明</translation>
+    </message>
+    <message>
+        <source>Why it is to be taken again, and what is out of the order</source>
+        <translation>为何应重测，以及何者未按顺序</translation>
+    </message>
+    <message>
+        <source>take again</source>
+        <translation>重测</translation>
+    </message>
+    <message>
+        <source>out of turn</source>
+        <translation>未按顺序</translation>
+    </message>
+    <message>
+        <source>A protocol leads from sighting to sighting: which is next and what it will read, what is left, what to take again, and when it is enough.</source>
+        <translation>方案引导逐次照准：下一个是什么、读数将是多少、还剩什么、什么应重测，以及何时足够。</translation>
+    </message>
+    <message>
+        <source>sighting %1 of %2</source>
+        <translation>照准 %1 / %2</translation>
+    </message>
+    <message>
+        <source>Protocol %1</source>
+        <translation>方案 %1</translation>
+    </message>
+    <message>
+        <source>All of the protocol is there.</source>
+        <translation>方案已全部测完。</translation>
+    </message>
+    <message>
+        <source>Next at %1</source>
+        <translation>下一个，%1</translation>
+    </message>
+    <message>
+        <source>%1   %2</source>
+        <translation>%1   %2</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1%2</translation>
+    </message>
+    <message>
+        <source>As the Rows Are</source>
+        <translation>与现有各行相同</translation>
+    </message>
+    <message>
+        <source>These and %1</source>
+        <translation>现有各行加%1</translation>
+    </message>
+    <message>
+        <source>These and What Is Advised</source>
+        <translation>现有各行加建议的内容</translation>
+    </message>
+    <message>
+        <source>Edit…</source>
+        <translation>编辑…</translation>
+    </message>
+    <message>
+        <source>From a File…</source>
+        <translation>从文件…</translation>
+    </message>
+    <message>
+        <source>Save as a File…</source>
+        <translation>存为文件…</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>无</translation>
+    </message>
 </context>
 <context>
     <name>alidade::ui::PaperForm</name>
@@ -9508,6 +9930,160 @@ sizes</source>
     <message>
         <source>Page %1 of %2</source>
         <translation>第 %1 页，共 %2 页</translation>
+    </message>
+</context>
+<context>
+    <name>alidade::ui::ProtocolDialog</name>
+    <message>
+        <source>The s&amp;lider is read</source>
+        <translation>读取滑块(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Pointing zero in &amp;both faces</source>
+        <translation>瞄准零位用双盘位(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Pointing zero again &amp;after the readings</source>
+        <translation>读数后再照准瞄准零位(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Edit Protocol</source>
+        <translation>编辑方案</translation>
+    </message>
+    <message>
+        <source>there</source>
+        <translation>往测</translation>
+    </message>
+    <message>
+        <source>there and back</source>
+        <translation>往返测</translation>
+    </message>
+    <message>
+        <source>face 1</source>
+        <translation>盘右 {1?}</translation>
+    </message>
+    <message>
+        <source>face 2</source>
+        <translation>盘右</translation>
+    </message>
+    <message>
+        <source>both, 1 then 2</source>
+        <translation>双盘位，先 1 后 2</translation>
+    </message>
+    <message>
+        <source>both, 2 then 1</source>
+        <translation>双盘位，先 2 后 1</translation>
+    </message>
+    <message>
+        <source>both, 1 2 2 1</source>
+        <translation>双盘位，1 2 2 1</translation>
+    </message>
+    <message>
+        <source>changing from round to round</source>
+        <translation>逐测回交替</translation>
+    </message>
+    <message>
+        <source>0°, 180°</source>
+        <translation>0°、180°</translation>
+    </message>
+    <message>
+        <source>0°</source>
+        <translation>0°</translation>
+    </message>
+    <message>
+        <source>180°</source>
+        <translation>180°</translation>
+    </message>
+    <message>
+        <source>0°, 180°, 0° again</source>
+        <translation>0°、180°、再测 0°</translation>
+    </message>
+    <message>
+        <source>0°, 180°, both again</source>
+        <translation>0°、180°、两者再测</translation>
+    </message>
+    <message>
+        <source>10 20 30 …, as the slider&apos;s coordinates</source>
+        <translation>10 20 30 …，滑块坐标</translation>
+    </message>
+    <message>
+        <source>not turned</source>
+        <translation>不转动</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>名称(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Places</source>
+        <translation>位置(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Rounds</source>
+        <translation>测回(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Way</source>
+        <translation>方向(&amp;W)</translation>
+    </message>
+    <message>
+        <source>&amp;Faces</source>
+        <translation>盘位(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Pos&amp;itions</source>
+        <translation>轴位(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Circle &amp;turned between positions by</source>
+        <translation>轴位之间度盘转动(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Type the places as angles with blanks between them: 10 20 30.5 40</source>
+        <translation>请键入各位置的角度，以空格分隔：10 20 30.5 40</translation>
+    </message>
+    <message>
+        <source>%1 sightings are more than a protocol holds.</source>
+        <translation>%1 次照准超出了一个方案的容量。</translation>
+    </message>
+    <message>
+        <source>%1 sightings</source>
+        <translation>%1 次照准</translation>
+    </message>
+</context>
+<context>
+    <name>alidade::ui::ProtocolFlow</name>
+    <message>
+        <source>Follow a protocol</source>
+        <translation>按方案测量</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be followed.
+
+%2</source>
+        <translation>无法按“%1”测量。
+
+%2</translation>
+    </message>
+    <message>
+        <source>The session follows “%1”</source>
+        <translation>本次测量按“%1”进行</translation>
+    </message>
+    <message>
+        <source>Save as a measurement protocol</source>
+        <translation>存为测量方案</translation>
+    </message>
+    <message>
+        <source>The session follows no protocol.</source>
+        <translation>本次测量未按方案。</translation>
+    </message>
+    <message>
+        <source>protocol</source>
+        <translation>测量方案</translation>
+    </message>
+    <message>
+        <source>Saved “%1”</source>
+        <translation>已保存“%1”</translation>
     </message>
 </context>
 <context>

@@ -13,7 +13,7 @@ awk '
                   "adjustment/gross_errors " \
                   "diagnosis/result diagnosis/gap diagnosis/evidence diagnosis/candidates diagnosis/search " \
                   "diagnosis/observability diagnosis/conclusion diagnosis " \
-                  "series/shared_causes " \
+                  "series/shared_causes guidance " \
                   "wording answers certificate simulation " \
                   "series/instrument_check series/history", order)
     for (i = 1; i <= rooms; ++i) level["core/" order[i]] = i

@@ -22,11 +22,12 @@ class ReadingsTable;
 class ScriptedDialogs : public Dialogs {
  public:
   SaveAnswer saveAnswer = SaveAnswer::Cancel;
-  QString openPath, savePath, reportPath, exportPath, recordPath;
-  QString exportSuggested;                    ///< as asked last
-  QString importPath;                         ///< several: one a line
-  QString seriesFolder;                       ///< of a series; empty: cancelled
-  QStringList sessionPaths;                   ///< likewise
+  QString openPath, savePath, reportPath, exportPath, recordPath, protocolPath;
+  std::optional<SightingProtocol> protocol = {};  ///< what comes of the form
+  QString exportSuggested;                        ///< as asked last
+  QString importPath;                             ///< several: one a line
+  QString seriesFolder;                           ///< of a series; empty: cancelled
+  QStringList sessionPaths;                       ///< likewise
   std::function<void(ImportPage&)> onImport;  ///< chooses in the page before it is accepted where it can be
   int importsAsked = 0;
   int saveQuestions = 0;
@@ -82,6 +83,10 @@ class ScriptedDialogs : public Dialogs {
   QStringList askSessionPaths(const QString&) override { return sessionPaths; }
   std::optional<ImportDecision> askImport(ImportRequest request) override;
   QString askRecordPath(const QString&) override { return recordPath; }
+  QString askProtocolPath(const QString&) override { return protocolPath; }
+  std::optional<SightingProtocol> askProtocol(const SightingProtocol&, CircleUnit) override {
+    return protocol;
+  }
   QString askSavePath(const QString&) override { return savePath; }
   QString askReportPath(const QString&) override { return reportPath; }
   QString askExportPath(const QString&, const QString& suggestion, const QString&) override {

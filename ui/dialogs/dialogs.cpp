@@ -12,6 +12,7 @@
 #include <QRegularExpression>
 
 #include "ui/dialogs/paper_form.h"
+#include "ui/dialogs/protocol_dialog.h"
 #include "ui/import/import_page.h"
 #include "ui/settings/theme.h"
 #include "ui/text/visible_text.h"
@@ -107,6 +108,17 @@ QString Dialogs::askRecordPath(const QString& folder) {
   return QFileDialog::getOpenFileName(
       m_parent, DialogsText::tr("Take from the instrument record"), folder,
       DialogsText::tr("Instrument records (*.alidade-instrument);;All files (*)"));
+}
+
+QString Dialogs::askProtocolPath(const QString& folder) {
+  return QFileDialog::getOpenFileName(
+      m_parent, DialogsText::tr("Follow a protocol"), folder,
+      DialogsText::tr("Measurement protocols (*.alidade-protocol);;All files (*)"));
+}
+
+std::optional<SightingProtocol> Dialogs::askProtocol(const SightingProtocol& protocol, CircleUnit unit) {
+  ProtocolDialog dialog(protocol, unit, m_parent);
+  return dialog.exec() == QDialog::Accepted ? dialog.protocol() : std::nullopt;
 }
 
 QWidget* Dialogs::over() const {

@@ -9,6 +9,8 @@
 #include <memory>
 #include <optional>
 
+#include "core/base/circle_unit.h"
+#include "core/session/sighting_protocol.h"
 #include "ui/dialogs/busy.h"
 #include "ui/dialogs/changed_file.h"
 #include "ui/dialogs/print_preview.h"
@@ -42,6 +44,10 @@ class Dialogs {
   virtual std::optional<ImportDecision> askImport(ImportRequest request);
   /// Of an instrument record; empty: cancelled.
   virtual QString askRecordPath(const QString& folder);
+  /// Of a measurement protocol; empty: cancelled.
+  virtual QString askProtocolPath(const QString& folder);
+  /// The protocol in a form; absent: cancelled.
+  virtual std::optional<SightingProtocol> askProtocol(const SightingProtocol& protocol, CircleUnit unit);
   /// A folder, and sessions one by one, of a series; empty: cancelled.
   virtual QString askFolder(const QString& title, const QString& folder);
   virtual QStringList askSessionPaths(const QString& folder);

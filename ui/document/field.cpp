@@ -101,6 +101,7 @@ constexpr Field fields[] = {
     ofSession<&Session::model, &Model::verticalAngle>("model.vertical_angle",
                                                       QT_TRANSLATE_NOOP("Field", "vertical angle relation")),
     ofSession<&Session::model, &Model::radius>("model.radius", QT_TRANSLATE_NOOP("Field", "radius model")),
+    ofSession<&Session::protocol>("protocol", QT_TRANSLATE_NOOP("Field", "protocol")),
     ofPosition<&Position::axisDeg>("axis_deg", QT_TRANSLATE_NOOP("Field", "axis position")),
     ofPosition<&Position::zero, &PointingZero::horizontal>("pointing_zero.horizontal",
                                                            QT_TRANSLATE_NOOP("Field", "pointing zero α0")),

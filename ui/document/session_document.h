@@ -77,6 +77,7 @@ class SessionDocument : public QObject {
   friend class ChangeField;
   friend class ChangeInstrument;
   friend class ChangeKnown;
+  friend class ChangeProtocol;
   friend class ImportReadings;
   friend class JournalledCommand;
   friend class RemovePosition;

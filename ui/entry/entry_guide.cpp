@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QKeyEvent>
+#include <QTimer>
 #include <algorithm>
 
 #include "core/session/entry.h"
@@ -44,7 +45,25 @@ void EntryGuide::goToNextEntry() {
   for (const char* field : {"geometry.distance_mm", "geometry.radius_mm"})
     if (const Place place{.field = field}; fieldText(m_document.session(), place).empty())
       return emit revealWanted(place);
+  if (const auto next = nextSighting(m_document.session()); next && next->position) return goTo(*next);
   if (m_positions.currentTable()) goToNextEntryOf(static_cast<std::size_t>(m_positions.currentIndex()));
+}
+
+/// Where the protocol leads.
+void EntryGuide::goTo(const FollowedSighting& next) {
+  if (!next.planned.isZero) return goToNextEntryOf(*next.position);
+  m_positions.showPosition(*next.position);
+  for (const char* circle : {".horizontal", ".vertical"})
+    if (const Place place{.position = next.position, .field = zeroField(next.planned) + circle};
+        fieldText(m_document.session(), place).empty())
+      return emit revealWanted(place);
+}
+
+/// Once a position has all that the protocol asks of it, the keyboard goes on to what comes behind it.
+void EntryGuide::goOn() {
+  const auto next = nextSighting(m_document.session());
+  const auto here = static_cast<std::size_t>(std::max(0, m_positions.currentIndex()));
+  if (next && next->position && (next->planned.isZero || next->position != here)) goTo(*next);
 }
 
 /// Its pointing zero where that is missing.
@@ -71,6 +90,7 @@ void EntryGuide::takeDigit(QKeyEvent& event) {
 
 void EntryGuide::tellOfEntry(const QString& doubt) {
   if (m_bench) m_bench->setDoubt(doubt);
+  QTimer::singleShot(0, this, &EntryGuide::goOn);  // behind the key that ended the entry
   if (doubt.isEmpty()) return;
   emit remark(doubt);
   if (hasTone()) QApplication::beep();

@@ -3,6 +3,7 @@
 #include <QObject>
 
 #include "core/base/place.h"
+#include "core/session/protocol_progress.h"
 #include "ui/jobs/fit_job.h"
 
 class QKeyEvent;
@@ -39,6 +40,8 @@ class EntryGuide : public QObject {
 
  private:
   void goToNextEntryOf(std::size_t position);
+  void goTo(const FollowedSighting& next);
+  void goOn();
   void takeDigit(QKeyEvent& event);
   void tellOfEntry(const QString& doubt);
   void showNext();

@@ -20,6 +20,7 @@ constexpr ClassTopic classTopics[] = {
     {"alidade::ui::ReadingsTable", "entering"},
     {"alidade::ui::ZeroEntries", "entering#zeros"},
     {"alidade::ui::SuspectBar", "entering#misread"},
+    {"alidade::ui::OrderPanel", "entering#order"},
     {"alidade::ui::FindingsPanel", "result#findings"},
     {"alidade::ui::ArcChart", "result#picture"},
     {"alidade::ui::ResidualChart", "result#residuals"},

@@ -41,9 +41,10 @@ Evaluation evaluateFit(Session session, const std::stop_token& stop) {
   if (evaluation.examined.measurement) fit(evaluation, stop);
   if (stop.stop_requested()) return evaluation;
   evaluation.isSearched = evaluation.fit.arcs.empty() && evaluation.session.journal.empty();
+  evaluation.guide = guideOf(evaluation);
   evaluation.next = nextReadings(
       evaluation.session, evaluation.examined.measurement ? &*evaluation.examined.measurement : nullptr,
-      evaluation.fit);
+      evaluation.fit, evaluation.guide.get());
   draw(evaluation);
   return evaluation;
 }
@@ -53,6 +54,7 @@ Evaluation withSuspects(Evaluation evaluation, const std::stop_token& stop) {
   if (!evaluation.fit.arcs.empty())
     evaluation.suspects =
         findSuspects(evaluation.session, *evaluation.examined.measurement, evaluation.fit, {}, stop);
+  if (evaluation.guide && !evaluation.suspects.empty()) evaluation.guide = guideOf(evaluation);
   if (!stop.stop_requested()) evaluation.journal = journalSummary(evaluation.session);
   return evaluation;
 }

@@ -11,6 +11,7 @@
 #include "core/adjustment/result/two_faces.h"
 #include "core/session/measurement.h"
 #include "core/session/session.h"
+#include "ui/jobs/guide.h"
 #include "ui/jobs/next_reading.h"
 
 namespace alidade::ui {
@@ -32,6 +33,7 @@ struct Evaluation {
   std::string failure = {};          ///< why there is no fit although there could be one: sentences
   std::string searchFailure = {};    ///< why the search for suspects came to nothing: sentences
   std::vector<std::optional<NextReading>> next = {};  ///< of each position
+  std::shared_ptr<const Guide> guide = {};            ///< null where the session follows no protocol
   /// What the charts show of it, worked out where the fit was; null in an evaluation put together by hand.
   std::shared_ptr<const ArcPicture> arcs = {};
   std::shared_ptr<const ResidualPicture> residuals = {};

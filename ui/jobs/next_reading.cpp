@@ -28,11 +28,13 @@ bool isComplete(const Session& session, std::size_t position) {
   return false;
 }
 
-std::optional<NextReading> nextOf(const Session& session, std::size_t position) {
+std::optional<NextReading> nextOf(const Session& session, std::size_t position, const Guide* guide) {
   const std::vector<Reading>& rows = session.positions[position].readings;
   const auto open = std::ranges::find_if(rows, isOpen);
   const bool isInTable = open != rows.end();
-  if (!isInTable && isComplete(session, position)) return {};
+  const bool isLed = guide && guide->problem.empty();
+  if (!isInTable && isLed && !nextPlaceIn(guide->progress, position)) return {};
+  if (!isInTable && !isLed && isComplete(session, position)) return {};
   return NextReading{static_cast<std::size_t>(open - rows.begin()),
                      isInTable ? *open : followingReading(session, position)};
 }
@@ -45,10 +47,22 @@ std::optional<SightingToCome> sightingOf(const NextReading& next, std::size_t po
   return SightingToCome{position, **point, **round, **face};
 }
 
+/// What the protocol knows of a sighting.
+std::optional<ExpectedReading> ledTo(const Guide& guide, const SightingToCome& sighting) {
+  for (std::size_t i = 0; i < guide.progress.sightings.size(); ++i) {
+    const FollowedSighting& followed = guide.progress.sightings[i];
+    const PlannedSighting& planned = followed.planned;
+    if (followed.position == sighting.position && !planned.isZero && planned.point == sighting.point &&
+        planned.round == sighting.round && planned.face == sighting.face)
+      return guide.expected[i];
+  }
+  return {};
+}
+
 }  // namespace
 
 std::vector<std::optional<NextReading>> nextReadings(const Session& session, const Measurement* measurement,
-                                                     const SessionFit& fit) {
+                                                     const SessionFit& fit, const Guide* guide) {
   std::vector<std::optional<NextReading>> next;
   std::size_t rows = 0;
   for (const Position& position : session.positions) rows += position.readings.size();
@@ -56,7 +70,7 @@ std::vector<std::optional<NextReading>> nextReadings(const Session& session, con
   std::vector<SightingToCome> sightings;
   std::vector<std::size_t> positions;
   for (std::size_t i = 0; i < session.positions.size(); ++i) {
-    next.push_back(nextOf(session, i));
+    next.push_back(nextOf(session, i, guide));
     if (!next.back()) continue;
     if (const auto sighting = sightingOf(*next.back(), i)) {
       sightings.push_back(*sighting);
@@ -66,6 +80,9 @@ std::vector<std::optional<NextReading>> nextReadings(const Session& session, con
   if (!measurement) return next;
   const auto expected = expectedReadings(*measurement, fit, sightings);
   for (std::size_t i = 0; i < positions.size(); ++i) next[positions[i]]->expected = expected[i];
+  if (!guide) return next;
+  for (std::size_t i = 0; i < sightings.size(); ++i)
+    if (const auto led = ledTo(*guide, sightings[i])) next[positions[i]]->expected = led;
   return next;
 }
 

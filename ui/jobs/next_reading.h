@@ -6,6 +6,7 @@
 
 #include "core/adjustment/result/expected_reading.h"
 #include "core/session/session.h"
+#include "ui/jobs/guide.h"
 
 namespace alidade::ui {
 
@@ -16,9 +17,10 @@ struct NextReading {
   std::optional<ExpectedReading> expected = {};
 };
 
-/// Of every position, with the readings expected there where `measurement` is not null; absent where it has
-/// all that another position has. Sessions of more rows than anyone types are given none.
+/// Of every position, as the protocol has it where there is a `guide`, with the readings expected there where
+/// `measurement` is not null; absent where it has all that another position has. Sessions of more rows than
+/// anyone types are given none.
 std::vector<std::optional<NextReading>> nextReadings(const Session& session, const Measurement* measurement,
-                                                     const SessionFit& fit);
+                                                     const SessionFit& fit, const Guide* guide = nullptr);
 
 }  // namespace alidade::ui

@@ -16,6 +16,7 @@
 #include "app/console/commands/instrument_simulator_command.h"
 #include "app/console/commands/journal_command.h"
 #include "app/console/commands/plan_command.h"
+#include "app/console/commands/protocol_command.h"
 #include "app/console/commands/schema_command.h"
 #include "app/console/commands/simulate_command.h"
 #include "app/console/commands/trial_command.h"
@@ -102,6 +103,8 @@ int run(int argc, char** argv, std::string& subject) {
   addSimulateCommand(app, simulateRequest);
   PlanRequest planRequest;
   addPlanCommand(app, planRequest);
+  ProtocolRequest protocolRequest;
+  addProtocolCommand(app, protocolRequest);
   TrialRequest trialRequest;
   addTrialCommand(app, trialRequest);
   JournalRequest journalRequest;
@@ -146,6 +149,7 @@ int run(int argc, char** argv, std::string& subject) {
     return give(runCommand(request), subject);
   };
   if (app.got_subcommand("plan")) return giveFrom(planRequest, runPlan);
+  if (app.got_subcommand("protocol")) return giveFrom(protocolRequest, runProtocol);
   if (app.got_subcommand("journal")) return giveFrom(journalRequest, runJournal);
   if (app.got_subcommand("diagnose")) return giveDiagnosis(diagnoseRequest, subject);
   return giveFit(fitRequest, subject);

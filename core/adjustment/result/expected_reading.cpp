@@ -18,7 +18,8 @@ namespace {
 constexpr Angle sameVisit = Angle::fromArcseconds(360);
 constexpr Angle samePoint = Angle::fromArcseconds(900);
 constexpr double centreShare =
-    0.02;                          // of the radius, by which the centre may lie off the middle of the field
+    0.02;  // of the radius, by which the centre may lie off the middle of the field
+constexpr double scaleOff = 0.5, scaleUnknown = 3;  // degrees, by which a slider's scale may be off
 constexpr double stepShare = 0.5;  // of the step from point to point, by which a guessed place may be off
 
 /// Where the slider stood at a point: s, rad, as the mean of directions.
@@ -75,11 +76,17 @@ struct Coordinate {
 
 class Expectations {
  public:
-  Expectations(const Measurement& measurement, const SessionFit& fit)
-      : m_measurement(measurement), m_fit(fit) {
+  Expectations(const Measurement& measurement, const SessionFit& fit, const NominalPlaces& nominal)
+      : m_measurement(measurement), m_fit(fit), m_nominal(nominal) {
     for (const ArcMeasurement& arc : measurement.arcs)
-      for (const Sighting& sighting : arc.sightings)
-        m_places[sighting.point].add(coordinateOf(arc, sighting));
+      for (const Sighting& sighting : arc.sightings) {
+        const double s = coordinateOf(arc, sighting);
+        m_places[sighting.point].add(s);
+        const auto planned = nominal.find({arc.position, sighting.point});
+        if (planned == nominal.end()) continue;
+        m_offsets[keyOf(planned->second)].add(s - planned->second);
+        m_offset.add(s - planned->second);
+      }
     m_line = lineThrough(m_places);
   }
 
@@ -108,12 +115,26 @@ class Expectations {
     for (const Sighting& sighting : arc.sightings)
       if (sighting.point == wanted.point && sighting.round == wanted.round)
         return Coordinate{coordinateOf(arc, sighting), sameVisit};
+    if (const auto planned = m_nominal.find({arc.position, wanted.point}); planned != m_nominal.end())
+      return nominalPlace(planned->second);
     if (const auto known = m_places.find(wanted.point); known != m_places.end())
       return Coordinate{known->second.s(), samePoint};
     if (!m_line || !isNear(m_places, wanted.point)) return {};
     const double atTheodolite = std::abs(m_line->step) * m_measurement.nominalRadius / m_measurement.distance;
     return Coordinate{m_line->first + m_line->step * wanted.point,
                       samePoint + Angle::fromRadians(stepShare * atTheodolite)};
+  }
+
+  /// Coordinates that are alike to the arcsecond are of one place.
+  static long long keyOf(double s) { return std::llround(Angle::fromRadians(s).arcseconds()); }
+
+  Coordinate nominalPlace(double s) const {
+    if (const auto known = m_offsets.find(keyOf(s)); known != m_offsets.end())
+      return {s + known->second.s(), samePoint};
+    const double off = m_offsets.empty() ? scaleUnknown : scaleOff;
+    const double atTheodolite =
+        off * std::numbers::pi / 180 * m_measurement.nominalRadius / m_measurement.distance;
+    return {m_offsets.empty() ? s : s + m_offset.s(), samePoint + Angle::fromRadians(atTheodolite)};
   }
 
   ExpectedReading reading(const ArcMeasurement& arc, const SightingToCome& sighting,
@@ -137,7 +158,10 @@ class Expectations {
 
   const Measurement& m_measurement;
   const SessionFit& m_fit;
+  const NominalPlaces& m_nominal;
   Places m_places;
+  std::map<long long, PlaceOfPoint> m_offsets;  ///< from nominal coordinates, of each
+  PlaceOfPoint m_offset;                        ///< of all
   std::optional<Line> m_line;
 };
 
@@ -150,8 +174,9 @@ std::optional<ExpectedReading> expectedReading(const Measurement& measurement, c
 
 std::vector<std::optional<ExpectedReading>> expectedReadings(const Measurement& measurement,
                                                              const SessionFit& fit,
-                                                             const std::vector<SightingToCome>& sightings) {
-  const Expectations expectations(measurement, fit);
+                                                             const std::vector<SightingToCome>& sightings,
+                                                             const NominalPlaces& nominal) {
+  const Expectations expectations(measurement, fit, nominal);
   std::vector<std::optional<ExpectedReading>> expected;
   for (const SightingToCome& sighting : sightings) expected.push_back(expectations.of(sighting));
   return expected;

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/adjustment/result/session_fit.h"
@@ -22,6 +24,10 @@ struct SightingToCome {
   int point = 0, round = 1, face = 1;
 };
 
+/// Where the slider is to stand by a plan, s in rad, by the session's position and the point. Points of other
+/// positions with the same coordinate are then the same place, whatever their numbers.
+using NominalPlaces = std::map<std::pair<std::size_t, int>, double>;
+
 struct ExpectedReading {
   SightingToCome sighting;
   Angle horizontal, vertical;  ///< as the circles will read: in [0°, 360°), elevations in [−90°, 270°)
@@ -34,9 +40,12 @@ struct ExpectedReading {
 std::optional<ExpectedReading> expectedReading(const Measurement& measurement, const SessionFit& fit,
                                                const SightingToCome& sighting);
 
-/// Of each sighting, the places of the points worked out once.
+/// Of each sighting, the places of the points worked out once. Where `nominal` has a place, that is where the
+/// slider stood when it was there, else its coordinate, corrected by what the slider's scale was off by so
+/// far.
 std::vector<std::optional<ExpectedReading>> expectedReadings(const Measurement& measurement,
                                                              const SessionFit& fit,
-                                                             const std::vector<SightingToCome>& sightings);
+                                                             const std::vector<SightingToCome>& sightings,
+                                                             const NominalPlaces& nominal = {});
 
 }  // namespace alidade

@@ -91,6 +91,12 @@ bool isWorthIt(const AttainableUncertainty& attainable, const std::vector<Attain
 
 }  // namespace
 
+std::optional<double> attainableAsItIs(const GapModel& model, double noise) {
+  if (!hasBothAxes(*model.measurement) || isLarge(*model.measurement)) return std::nullopt;
+  const auto found = intersectionOf(plannedModel(model, readWithoutError(model), noise));
+  return found ? std::optional(found->expanded) : std::nullopt;
+}
+
 std::vector<AttainableUncertainty> attainableUncertainties(const GapModel& model, double noise) {
   if (!hasBothAxes(*model.measurement) || isLarge(*model.measurement)) return {};
   const GapModel planned = plannedModel(model, readWithoutError(model), noise);

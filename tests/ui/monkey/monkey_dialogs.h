@@ -25,6 +25,10 @@ class MonkeyDialogs : public ScriptedDialogs {
     const QString path = present(QStringLiteral("readings*"));
     return path.isEmpty() ? QStringList() : QStringList(path);
   }
+  std::optional<SightingProtocol> askProtocol(const SightingProtocol& protocol, CircleUnit) override {
+    return protocol;
+  }
+  QString askProtocolPath(const QString&) override { return present(QStringLiteral("*.alidade-protocol")); }
   QString askRecordPath(const QString&) override { return present(QStringLiteral("*.alidade-instrument")); }
   QString askExportPath(const QString&, const QString&, const QString& suffix) override {
     return fresh(QStringLiteral("export-%1.") + suffix);

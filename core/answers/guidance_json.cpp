@@ -1,0 +1,135 @@
+#include "core/answers/guidance_json.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/answers/attainable_json.h"
+#include "core/answers/json_text.h"
+#include "core/wording/guidance.h"
+
+namespace alidade {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* idOf(SightingState state) {
+  switch (state) {
+    case SightingState::Taken:
+      return "taken";
+    case SightingState::Next:
+      return "next";
+    case SightingState::Missed:
+      return "passed-over";
+    case SightingState::Left:
+      return "to-come";
+    case SightingState::Excluded:
+      return "excluded";
+  }
+  return "";
+}
+
+const char* idOf(Repeat::Reason reason) {
+  switch (reason) {
+    case Repeat::Reason::Misread:
+      return "misread";
+    case Repeat::Reason::FacesDisagree:
+      return "faces-disagree";
+    case Repeat::Reason::WaysDisagree:
+      return "ways-disagree";
+    case Repeat::Reason::ZeroMoved:
+      return "zero-moved";
+  }
+  return "";
+}
+
+Json sightingJson(const PlannedSighting& planned) {
+  Json json = {{"axis_deg", planned.axisDeg}, {"time", planned.time}};
+  if (planned.isZero)
+    json["pointing_zero"] = planned.isAfter ? "after" : "before";
+  else {
+    json["point"] = planned.point;
+    json["round"] = planned.round;
+  }
+  json["face"] = planned.face;
+  return json;
+}
+
+Json withExpected(Json json, const std::optional<ExpectedReading>& expected) {
+  if (expected)
+    json["expected"] = {{"horizontal_deg", expected->horizontal.degrees()},
+                        {"vertical_deg", expected->vertical.degrees()},
+                        {"within_arcsec", expected->tolerance.arcseconds()}};
+  return json;
+}
+
+Json pairJson(const std::optional<ExpandedPair>& pair) {
+  if (!pair) return nullptr;
+  return {{"of_fit_mm", pair->ofFit},
+          {"as_measured_mm", pair->asMeasured ? Json(*pair->asMeasured) : Json()}};
+}
+
+Json repeatJson(const Repeat& repeat, const ProtocolProgress& progress) {
+  Json sightings = Json::array();
+  for (const std::size_t index : repeat.sightings)
+    sightings.push_back(sightingJson(progress.sightings[index].planned));
+  Json json = {{"reason", idOf(repeat.reason)}, {"sightings", std::move(sightings)}};
+  json["circle"] = repeat.kind ? Json(nameOf(*repeat.kind)) : Json();
+  json["size_arcsec"] = std::isfinite(repeat.size) ? Json(repeat.size) : Json();
+  json["sigmas"] = repeat.sigmas;
+  json["sentence"] = repeatSentence(repeat, progress);
+  return json;
+}
+
+Json outlookJson(const Guidance& guidance) {
+  const Outlook& outlook = guidance.outlook;
+  Json ahead = Json::array();
+  for (const RoundsAhead& one : outlook.ahead) {
+    Json json = {{"rounds", one.rounds}};
+    json["expanded"] = pairJson(one.expanded);
+    json["enough"] = outlook.isEnough(one.expanded);
+    ahead.push_back(std::move(json));
+  }
+  Json json = {{"now", pairJson(outlook.now)}};
+  json["ahead"] = std::move(ahead);
+  json["limit"] = pairJson(outlook.limit);
+  json["needed"] = pairJson(outlook.needed);
+  json["enough_now"] = outlook.now && outlook.isEnough(*outlook.now);
+  const auto rounds = outlook.roundsNeeded();
+  json["rounds_needed"] = rounds ? Json(*rounds) : Json();
+  json["instead"] = attainableJson(outlook.instead);
+  json["sentence"] = outlookSentences(outlook, guidance.progress);
+  return json;
+}
+
+}  // namespace
+
+std::string guidanceJson(const std::string& session, const Guidance& guidance) {
+  const ProtocolProgress& progress = guidance.progress;
+  Json sightings = Json::array(), repeats = Json::array();
+  for (std::size_t i = 0; i < progress.sightings.size(); ++i) {
+    const FollowedSighting& followed = progress.sightings[i];
+    Json json = sightingJson(followed.planned);
+    json["state"] = idOf(followed.state);
+    if (followed.isOutOfTurn) json["out_of_turn"] = true;
+    sightings.push_back(withExpected(std::move(json), guidance.expected[i]));
+  }
+  for (const Repeat& repeat : guidance.repeats) repeats.push_back(repeatJson(repeat, progress));
+  Json json = {{"session", session}, {"protocol", guidance.protocol.name}};
+  json["planned"] = progress.sightings.size();
+  json["taken"] = progress.taken;
+  json["left"] = progress.left();
+  json["passed_over"] = progress.missed;
+  json["excluded"] = progress.excluded;
+  json["out_of_turn"] = progress.outOfTurn;
+  json["beside"] = progress.beside;
+  json["next"] = progress.next ? withExpected(sightingJson(progress.sightings[*progress.next].planned),
+                                              guidance.expected[*progress.next])
+                               : Json();
+  json["repeat"] = std::move(repeats);
+  json["outlook"] = outlookJson(guidance);
+  json["sightings"] = std::move(sightings);
+  return jsonText(json);
+}
+
+}  // namespace alidade

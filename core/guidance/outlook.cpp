@@ -1,0 +1,245 @@
+#include "core/guidance/outlook.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "core/adjustment/result/expected_reading.h"
+#include "core/adjustment/result/intersection.h"
+#include "core/base/square.h"
+#include "core/base/statistics.h"
+#include "core/diagnosis/planned_uncertainty.h"
+#include "core/guidance/forecast.h"
+#include "core/observation/half_turn.h"
+#include "core/observation/observe.h"
+
+namespace alidade {
+
+namespace {
+
+/// The arc of a position as fitted, else that of another, else the nominal one.
+Circle circleOf(const Measurement& measurement, const SessionFit& fit, const ArcMeasurement& arc) {
+  if (const ArcFit* own = fit.arcOfPosition(arc.position)) return own->circle;
+  if (!fit.arcs.empty()) return fit.arcs.front().circle;
+  return {0, 0, measurement.nominalRadius};
+}
+
+/// Puts sightings where their places are on the arc, read without error.
+class Placement {
+ public:
+  Placement(Measurement& plan, const SessionFit& fit) : m_plan(plan), m_fit(fit) {}
+
+  void place(Sighting& sighting, const ArcMeasurement& arc, bool readsSlider) const {
+    const Circle circle = circleOf(m_plan, m_fit, arc);
+    const PlanePoint<double> seen =
+        sightedPoint({sighting.a.radians(), sighting.e.radians()}, m_plan.distance, m_plan.relation);
+    const double phi = nearestArcAngle(circle, seen);
+    const Direction<double> direction =
+        observe(targetOnArc(circle.x, circle.y, circle.radius, phi), m_plan.distance, m_plan.relation);
+    sighting.a = Angle::fromRadians(direction.a);
+    sighting.e = Angle::fromRadians(direction.e);
+    if (readsSlider || sighting.slider)
+      sighting.slider = Angle::fromRadians(sliderCoordinateOf(phi, arc.axisDeg));
+  }
+
+ private:
+  Measurement& m_plan;
+  const SessionFit& m_fit;
+};
+
+ZeroSightings zerosOf(const ProtocolZeros& planned) {
+  const auto countOf = [&](int face) {
+    return std::ranges::count(planned.before, face) + std::ranges::count(planned.after, face);
+  };
+  const int faces = countOf(2) > 0 ? 2 : 1;
+  ZeroSightings zeros;
+  zeros.count = static_cast<int>(planned.before.size() + planned.after.size());
+  zeros.isInBothFaces = faces == 2;
+  zeros.factor = 0;
+  zeros.isSpanning = true;
+  for (int face = 1; face <= faces; ++face) {
+    zeros.factor += 1.0 / static_cast<double>(countOf(face));
+    zeros.isSpanning = zeros.isSpanning && countOf(face) == 2;
+  }
+  zeros.factor = std::sqrt(zeros.factor) / faces;
+  return zeros;
+}
+
+/// One more round than a position has: back where the last one went there, in the faces of the protocol's
+/// rounds over again.
+std::vector<PlannedSighting> furtherRound(const SightingProtocol& protocol, std::size_t position,
+                                          int further) {
+  SightingProtocol alone = protocol;
+  alone.positions = {protocol.positions[position]};
+  auto& rounds = alone.positions.front().rounds;
+  const std::size_t count = rounds.size(), which = static_cast<std::size_t>(further - 1) % count;
+  const bool isBack = (further % 2 == 1) != rounds.back().isBack;
+  rounds = {rounds[which]};
+  rounds.front().isBack = isBack;
+  std::vector<PlannedSighting> sightings = sightingsInOrder(alone);
+  std::erase_if(sightings, &PlannedSighting::isZero);
+  for (PlannedSighting& sighting : sightings) {
+    sighting.protocolPosition = position;
+    sighting.round = static_cast<int>(count) + further;
+  }
+  return sightings;
+}
+
+/// Works out U of measurements that are only planned.
+class Expectation {
+ public:
+  /// `fit` is of what is there.
+  explicit Expectation(const SessionFit& fit)
+      : m_noise(fit.arcs.empty() ? NoiseScale{1, DegreesOfFreedom::infinite().count()} : fit.noise) {}
+
+  void takeAsFound(double extra) { m_extra = extra; }
+
+  std::optional<ExpandedPair> of(const Measurement& plan) const {
+    const auto ofFit = plannedUncertaintyOfFit(plan, m_noise);
+    if (!ofFit) return std::nullopt;
+    ExpandedPair pair{*ofFit};
+    if (const auto measured = plannedUncertainty(plan, noise()))
+      pair.asMeasured = std::hypot(*measured, m_extra);
+    return pair;
+  }
+
+  /// A verdict never rests on the scatter being smaller than stated.
+  double noise() const { return std::max(1.0, m_noise.factor); }
+
+ private:
+  NoiseScale m_noise;
+  double m_extra = 0;  ///< of U as measured, mm: what was found beside it, and stays
+};
+
+/// The same places with all noise of circles and slider taken away, the zeros as they are.
+Measurement withoutNoise(Measurement plan) {
+  constexpr double next = 1e-3;  // to nothing: of what one round leaves, less than any digit shown
+  plan.sigmaHorizontal = plan.sigmaHorizontal * next;
+  plan.sigmaVertical = plan.sigmaVertical * next;
+  plan.sigmaSlider = plan.sigmaSlider * next;
+  plan.zerosAreReadings = false;
+  return plan;
+}
+
+/// What is there, read without error.
+Measurement asThere(const Measurement& measurement, const SessionFit& fit) {
+  Measurement plan = measurement;
+  const Placement placement(plan, fit);
+  for (ArcMeasurement& arc : plan.arcs)
+    for (Sighting& sighting : arc.sightings) placement.place(sighting, arc, false);
+  return plan;
+}
+
+void seeVerdict(Outlook& outlook, const Measurement& measurement, const SessionFit& fit,
+                const Diagnosis* diagnosis) {
+  if (!measurement.tolerance || measurement.measurand != Measurand::Intersection || !fit.intersection) return;
+  const double tolerance = *measurement.tolerance;
+  const double modelled = std::abs(fit.intersection->value);
+  const double found =
+      diagnosis && diagnosis->measured ? std::abs(diagnosis->measured->estimate.value) : modelled;
+  outlook.isWithin = modelled <= tolerance;
+  outlook.isTorn = outlook.isWithin != (found <= tolerance);
+  outlook.needed = ExpandedPair{std::abs(tolerance - modelled), std::abs(tolerance - found)};
+}
+
+}  // namespace
+
+bool Outlook::isEnough(const ExpandedPair& expanded) const {
+  if (!needed || isTorn) return false;
+  const auto suffices = [this](double own, double most) { return isWithin ? own <= most : own < most; };
+  return suffices(expanded.ofFit, needed->ofFit) &&
+         (!expanded.asMeasured || suffices(*expanded.asMeasured, *needed->asMeasured));
+}
+
+std::optional<int> Outlook::roundsNeeded() const {
+  const auto enough =
+      std::ranges::find_if(ahead, [this](const RoundsAhead& one) { return isEnough(one.expanded); });
+  return enough == ahead.end() ? std::nullopt : std::optional(enough->rounds);
+}
+
+std::optional<Measurement> carriedOut(const Measurement& measurement, const SessionFit& fit,
+                                      const SightingProtocol& protocol, const ProtocolProgress& progress,
+                                      int rounds) {
+  auto arcs = arcsOf(measurement, protocol, progress);
+  if (!arcs) return std::nullopt;
+  Measurement& plan = arcs->measurement;
+  std::vector<PlannedSighting> planned;
+  for (const FollowedSighting& followed : progress.sightings)
+    if (!followed.planned.isZero && followed.state != SightingState::Taken &&
+        followed.state != SightingState::Excluded)
+      planned.push_back(followed.planned);
+  for (std::size_t p = 0; p < protocol.positions.size(); ++p)
+    for (int further = 1; further <= rounds; ++further)
+      for (const PlannedSighting& sighting : furtherRound(protocol, p, further)) planned.push_back(sighting);
+
+  std::vector<SightingToCome> toCome;
+  for (const PlannedSighting& one : planned)  // in face 1, the other differs by the face alone
+    toCome.push_back({arcs->positions[one.protocolPosition], one.point, one.round, 1});
+  const auto expected = expectedReadings(plan, fit, toCome, nominalPlaces(protocol, arcs->positions));
+  const double down = plan.verticalCircle == VerticalCircle::Zenith ? 1 : -1;
+  for (std::size_t i = 0; i < planned.size(); ++i) {
+    if (!expected[i]) continue;
+    ArcMeasurement& arc = *std::ranges::find(plan.arcs, toCome[i].position, &ArcMeasurement::position);
+    arc.sightings.push_back({.row = arc.sightings.size(),
+                             .point = planned[i].point,
+                             .round = planned[i].round,
+                             .face = planned[i].face,
+                             .a = wrapped(expected[i]->horizontal - arc.zeroHorizontal),
+                             .e = wrapped((arc.zeroVertical - expected[i]->vertical) * down),
+                             .slider = {}});
+  }
+  const Placement placement(plan, fit);
+  plan.rows = 0;
+  for (ArcMeasurement& arc : plan.arcs) {
+    std::set<std::tuple<int, int, int>> there;  // a round that is there beyond the protocol stays as it is
+    std::erase_if(arc.sightings, [&](const Sighting& sighting) {
+      return !there.emplace(sighting.point, sighting.round, sighting.face).second;
+    });
+    const auto p = std::ranges::find(arcs->positions, arc.position) - arcs->positions.begin();
+    const bool isPlanned = p < std::ssize(arcs->positions);
+    if (isPlanned) arc.zero = zerosOf(protocol.positions[static_cast<std::size_t>(p)].zeros);
+    for (Sighting& sighting : arc.sightings) {
+      placement.place(sighting, arc, isPlanned && protocol.readsSlider);
+      sighting.sequence = plan.rows++;
+    }
+  }
+  std::erase_if(plan.arcs, [](const ArcMeasurement& arc) { return arc.sightings.empty(); });
+  return std::move(plan);
+}
+
+Outlook outlookOf(const Measurement& measurement, const SessionFit& fit, const Diagnosis* diagnosis,
+                  const SightingProtocol& protocol, const ProtocolProgress& progress,
+                  const OutlookOptions& options, const std::stop_token& stop) {
+  Outlook outlook;
+  seeVerdict(outlook, measurement, fit, diagnosis);
+  Expectation expectation(fit);
+  if (fit.intersection) outlook.now = expectation.of(asThere(measurement, fit));
+  if (outlook.now && outlook.now->asMeasured && diagnosis && diagnosis->measured) {
+    const double beyond = square(diagnosis->measured->estimate.expanded) - square(*outlook.now->asMeasured);
+    expectation.takeAsFound(std::sqrt(std::max(beyond, 0.0)));
+    outlook.now->asMeasured = std::hypot(*outlook.now->asMeasured, std::sqrt(std::max(beyond, 0.0)));
+  }
+  const auto planOf = [&](int rounds) { return carriedOut(measurement, fit, protocol, progress, rounds); };
+  const std::optional<Measurement> plan = planOf(0);
+  if (!plan || stop.stop_requested()) return outlook;
+  const auto addAhead = [&](int rounds, const Measurement& ahead) {
+    const auto expanded = expectation.of(ahead);
+    if (expanded) outlook.ahead.push_back({rounds, *expanded});
+    return expanded && !stop.stop_requested();
+  };
+  if (!addAhead(0, *plan)) return outlook;
+  outlook.limit = expectation.of(withoutNoise(*plan));
+  const bool isWithinReach = outlook.limit && outlook.isEnough(*outlook.limit);
+  const int most = outlook.needed && isWithinReach ? options.mostRounds : 2;
+  for (int rounds = 1; rounds <= most && (rounds <= 2 || !outlook.roundsNeeded()); ++rounds) {
+    const auto ahead = planOf(rounds);
+    if (!ahead || !addAhead(rounds, *ahead)) return outlook;
+  }
+  if (options.withInstead && outlook.needed && !outlook.roundsNeeded() && !stop.stop_requested())
+    outlook.instead = plannedUncertainties(*plan, expectation.noise());
+  return outlook;
+}
+
+}  // namespace alidade

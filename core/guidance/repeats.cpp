@@ -1,0 +1,219 @@
+#include "core/guidance/repeats.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <set>
+#include <utility>
+#include <variant>
+
+#include "core/adjustment/result/setup_findings.h"
+#include "core/base/square.h"
+#include "core/base/statistics.h"
+#include "core/observation/guideway.h"
+#include "core/observation/perfect_theodolite.h"
+#include "core/observation/visits.h"
+
+namespace alidade {
+
+namespace {
+
+constexpr double risk = 0.01;           // of naming anything in a sound session, of each kind
+constexpr double madOfNormal = 0.6745;  // the median of |x| of a standard normal variable
+
+double medianOf(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  if (values.size() % 2 == 1) return *middle;
+  return (*middle + *std::max_element(values.begin(), middle)) / 2;
+}
+
+/// A difference that should be like the others, in units of its σ.
+struct Difference {
+  std::vector<std::size_t> sightings;
+  double value = 0;  ///< σ
+  double sigma = 0;  ///< arcseconds
+};
+
+/// Those that differ from the median by more than the noise, which is as stated or as most of them scatter.
+std::vector<Repeat> farOnes(const std::vector<Difference>& differences, Repeat::Reason reason,
+                            std::optional<ReadingKind> kind, bool aboutMedian) {
+  if (differences.empty()) return {};
+  std::vector<double> values;
+  for (const Difference& difference : differences) values.push_back(difference.value);
+  // Of fewer than three nobody knows which one is as it should be.
+  if (aboutMedian && values.size() < 3) return {};
+  const double middle = aboutMedian ? medianOf(values) : 0;
+  for (double& value : values) value = std::abs(value - middle);
+  const double scale = values.size() < 3 ? 1 : std::max(1.0, medianOf(values) / madOfNormal);
+  const double limit =
+      coverageFactor(1 - risk / static_cast<double>(values.size()), DegreesOfFreedom::infinite());
+  std::vector<Repeat> repeats;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!(values[i] > limit * scale)) continue;
+    repeats.push_back({.reason = reason,
+                       .sightings = differences[i].sightings,
+                       .kind = kind,
+                       .size = (differences[i].value - middle) * differences[i].sigma,
+                       .sigmas = values[i] / scale});
+  }
+  return repeats;
+}
+
+class Comparison {
+ public:
+  Comparison(const FittedSession& fitted, const ProtocolProgress& progress)
+      : m_fitted(fitted), m_progress(progress) {
+    for (std::size_t i = 0; i < progress.sightings.size(); ++i) {
+      const FollowedSighting& followed = progress.sightings[i];
+      if (followed.position && followed.row && followed.state == SightingState::Taken)
+        m_indices[{*followed.position, *followed.row}] = i;
+    }
+  }
+
+  std::vector<Repeat> repeats() {
+    misread();
+    zeros();
+    faces();
+    ways();
+    return std::move(m_repeats);
+  }
+
+ private:
+  /// Absent where the protocol does not have it.
+  std::optional<std::size_t> indexOf(std::size_t position, std::size_t row) const {
+    const auto found = m_indices.find({position, row});
+    return found == m_indices.end() ? std::nullopt : std::optional(found->second);
+  }
+
+  void misread() {
+    for (const Suspect& suspect : m_fitted.suspects) {
+      const auto index = indexOf(*suspect.where.position, *suspect.where.reading);
+      if (!index || !m_named.insert(*index).second) continue;
+      m_repeats.push_back({.reason = Repeat::Reason::Misread,
+                           .sightings = {*index},
+                           .kind = suspect.kind,
+                           .size = suspect.size.arcseconds(),
+                           .sigmas = std::abs(suspect.studentised)});
+    }
+  }
+
+  void zeros() {
+    for (const FitFinding& finding : setupFindings(m_fitted.measurement, m_fitted.fit)) {
+      const auto* moved = std::get_if<setup_finding::ZeroMoved>(&finding.what);
+      if (!moved) continue;
+      const double across = moved->horizontal.radians() / moved->sigmaHorizontal.radians(),
+                   up = moved->vertical.radians() / moved->sigmaVertical.radians();
+      const bool isAcross = std::abs(across) >= std::abs(up);
+      Repeat repeat{.reason = Repeat::Reason::ZeroMoved,
+                    .kind = isAcross ? ReadingKind::Horizontal : ReadingKind::Vertical,
+                    .size = (isAcross ? moved->horizontal : moved->vertical).arcseconds(),
+                    .sigmas = std::abs(isAcross ? across : up)};
+      for (std::size_t i = 0; i < m_progress.sightings.size(); ++i) {
+        const FollowedSighting& followed = m_progress.sightings[i];
+        if (followed.planned.isZero && followed.planned.isAfter &&
+            followed.position == finding.where.position && followed.state == SightingState::Taken)
+          repeat.sightings.push_back(i);
+      }
+      if (!repeat.sightings.empty()) m_repeats.push_back(std::move(repeat));
+    }
+  }
+
+  void faces() {
+    if (!m_fitted.twoFaces) return;
+    std::vector<Difference> horizontal, vertical;
+    // c as read is 2c(e), of two readings; the index the half of their sum.
+    const double sigmaOfTwo = std::numbers::sqrt2 * m_fitted.measurement.sigmaHorizontal.arcseconds(),
+                 sigmaOfIndex = m_fitted.measurement.sigmaVertical.arcseconds() / std::numbers::sqrt2;
+    for (const FaceDifference& visit : m_fitted.twoFaces->visits) {
+      const ArcMeasurement& arc = m_fitted.measurement.arcs[visit.arc];
+      std::vector<std::size_t> sightings;
+      for (const std::size_t i : {visit.faceOne, visit.faceTwo})
+        if (const auto index = indexOf(arc.position, arc.sightings[i].row)) sightings.push_back(*index);
+      if (sightings.empty()) continue;
+      horizontal.push_back({sightings, visit.fromCourse.arcseconds() / sigmaOfTwo, sigmaOfTwo});
+      vertical.push_back({sightings, visit.index.arcseconds() / sigmaOfIndex, sigmaOfIndex});
+    }
+    addUnnamed(farOnes(horizontal, Repeat::Reason::FacesDisagree, ReadingKind::Horizontal, true));
+    addUnnamed(farOnes(vertical, Repeat::Reason::FacesDisagree, ReadingKind::Vertical, true));
+  }
+
+  /// Where a visit lies off the circle, arcseconds outward, with σ.
+  struct Offset {
+    std::vector<std::size_t> sightings;
+    std::set<int> faces;
+    double outward = 0, sigma = 0;
+  };
+
+  std::optional<Offset> offsetOf(const ArcMeasurement& arc, const Circle& circle, const Visit& visit) const {
+    Offset offset;
+    for (const std::size_t i : visit.sightings) {
+      offset.faces.insert(arc.sightings[i].face);
+      if (const auto index = indexOf(arc.position, arc.sightings[i].row)) offset.sightings.push_back(*index);
+    }
+    if (offset.sightings.empty()) return {};
+    const Measurement& measurement = m_fitted.measurement;
+    const PlanePoint<double> point =
+        sightedPoint(visit.mean.direction, measurement.distance, measurement.relation);
+    const double phi = nearestArcAngle(circle, point);
+    const double millimetres = std::hypot(point.x - circle.x, point.y - circle.y) - circle.radius;
+    offset.outward = Angle::fromRadians(millimetres / measurement.distance).arcseconds();
+    const double across = std::cos(phi) * measurement.sigmaHorizontal.arcseconds(),
+                 up = std::sin(phi) * measurement.sigmaVertical.arcseconds();
+    offset.sigma = std::sqrt((square(across) + square(up)) / static_cast<double>(visit.sightings.size()));
+    return offset;
+  }
+
+  /// The slider comes back to about the same place, so only what lies across the arc can be compared; and
+  /// only rounds read in the same faces, as what the faces do not share would stay.
+  void ways() {
+    std::vector<Difference> differences;
+    for (const ArcMeasurement& arc : m_fitted.measurement.arcs) {
+      const ArcFit* own = m_fitted.fit.arcOfPosition(arc.position);
+      if (!own) continue;
+      std::map<int, Offset> first;
+      for (const Visit& visit : visitsOf(arc)) {
+        const auto offset = offsetOf(arc, own->circle, visit);
+        if (!offset) continue;
+        const auto [before, isNew] = first.emplace(visit.point, *offset);
+        if (isNew || before->second.faces != offset->faces) continue;
+        Difference difference;
+        difference.sigma = std::hypot(before->second.sigma, offset->sigma);
+        difference.value = (offset->outward - before->second.outward) / difference.sigma;
+        difference.sightings = before->second.sightings;
+        difference.sightings.insert(difference.sightings.end(), offset->sightings.begin(),
+                                    offset->sightings.end());
+        differences.push_back(std::move(difference));
+      }
+    }
+    addUnnamed(farOnes(differences, Repeat::Reason::WaysDisagree, {}, false));
+  }
+
+  /// What is named already explains why these disagree.
+  void addUnnamed(std::vector<Repeat> repeats) {
+    std::ranges::sort(repeats, std::greater{}, &Repeat::sigmas);
+    for (Repeat& repeat : repeats) {
+      const auto isNamed = [&](std::size_t index) { return m_named.contains(index); };
+      if (std::ranges::any_of(repeat.sightings, isNamed)) continue;
+      m_named.insert(repeat.sightings.begin(), repeat.sightings.end());
+      m_repeats.push_back(std::move(repeat));
+    }
+  }
+
+  const FittedSession& m_fitted;
+  const ProtocolProgress& m_progress;
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> m_indices;  ///< by position and row
+  std::set<std::size_t> m_named;
+  std::vector<Repeat> m_repeats;
+};
+
+}  // namespace
+
+std::vector<Repeat> repeatsOf(const FittedSession& fitted, const ProtocolProgress& progress) {
+  return Comparison(fitted, progress).repeats();
+}
+
+}  // namespace alidade

@@ -1,0 +1,323 @@
+#include "core/session/protocol_progress.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "core/session/entry.h"
+#include "core/session/row_fields.h"
+
+namespace alidade {
+
+namespace {
+
+/// The how many-th at its axis each position is, with that axis.
+using AxisTime = std::pair<int, int>;
+
+std::vector<AxisTime> axesOf(const SightingProtocol& protocol) {
+  std::vector<AxisTime> axes;
+  std::map<int, int> times;
+  for (const ProtocolPosition& position : protocol.positions)
+    axes.emplace_back(position.axisDeg, ++times[position.axisDeg]);
+  return axes;
+}
+
+/// As `Measurement` counts them: where no axis comes again the 0° position is the first whatever the order of
+/// the file, so the how many-th at its axis tells a position.
+std::map<AxisTime, std::size_t> positionsOf(const Session& session) {
+  std::map<AxisTime, std::size_t> positions;
+  std::map<int, int> times;
+  for (std::size_t i = 0; i < session.positions.size(); ++i)
+    if (const auto axis = axisEntry(session.positions[i].axisDeg))
+      positions.emplace(AxisTime(*axis, ++times[*axis]), i);
+  return positions;
+}
+
+/// The faces at the place that is the `index`-th in its round.
+std::vector<int> facesAt(const ProtocolRound& round, std::size_t index) {
+  if (round.faces.size() <= 2) return round.faces;
+  const auto first = round.faces.begin() + (index % 2 == 0 ? 0 : 2);
+  return {first, first + 2};
+}
+
+struct RowState {
+  std::size_t row = 0;
+  bool isRead = false, isExcluded = false;
+};
+
+using RowKey = std::tuple<int, int, int>;  ///< point, round, face
+
+/// The rows of a position by what they sight. Of two rows alike the one that is used counts, of two excluded
+/// ones the first.
+std::map<RowKey, RowState> rowsOf(const Position& position) {
+  std::map<RowKey, RowState> rows;
+  for (std::size_t i = 0; i < position.readings.size(); ++i) {
+    const Reading& row = position.readings[i];
+    const auto point = wholeEntry(pointRule, row.point);
+    const auto round = wholeEntry(roundRule, row.round);
+    const auto face = wholeEntry(faceRule, row.face);
+    if (!point || !round || !face) continue;
+    const RowKey key(point->value_or(static_cast<int>(i) + 1), round->value_or(1), face->value_or(1));
+    const RowState state{i, !row.horizontal.empty() && !row.vertical.empty(), row.excluded};
+    const auto [known, isNew] = rows.emplace(key, state);
+    if (!isNew && known->second.isExcluded && !state.isExcluded) known->second = state;
+  }
+  return rows;
+}
+
+RowKey keyOf(const PlannedSighting& planned) {
+  return {planned.point, planned.round, planned.face};
+}
+
+bool isSighted(const PointingZero& zero, const PlannedSighting& planned) {
+  if (!planned.isAfter && planned.face == 1) return !zero.horizontal.empty() && !zero.vertical.empty();
+  for (const ZeroSlot& slot : furtherZeros)
+    if (slot.face == planned.face && slot.isAfter == planned.isAfter)
+      return !(zero.*slot.sighting).horizontal.empty() && !(zero.*slot.sighting).vertical.empty();
+  return false;
+}
+
+/// Follows a session through its protocol.
+class Follower {
+ public:
+  Follower(const Session& session, const SightingProtocol& protocol) : m_session(session) {
+    const auto positions = positionsOf(session);
+    for (const PlannedSighting& planned : sightingsInOrder(protocol)) {
+      FollowedSighting followed{planned};
+      const auto position = positions.find({planned.axisDeg, planned.time});
+      if (position != positions.end()) followed.position = position->second;
+      m_progress.sightings.push_back(followed);
+    }
+  }
+
+  ProtocolProgress follow() {
+    for (const Position& position : m_session.positions) m_rows.push_back(rowsOf(position));
+    for (FollowedSighting& followed : m_progress.sightings) look(followed);
+    markOutOfTurn();
+    m_progress.next = next();
+    if (m_progress.next) m_progress.sightings[*m_progress.next].state = SightingState::Next;
+    markMissed();
+    countBeside();
+    return std::move(m_progress);
+  }
+
+ private:
+  void look(FollowedSighting& followed) {
+    if (!followed.position) return;
+    const PlannedSighting& planned = followed.planned;
+    if (planned.isZero) {
+      if (isSighted(m_session.positions[*followed.position].zero, planned)) take(followed);
+      return;
+    }
+    const auto row = m_rows[*followed.position].find(keyOf(planned));
+    if (row == m_rows[*followed.position].end()) return;
+    followed.row = row->second.row;
+    if (row->second.isExcluded) {
+      followed.state = SightingState::Excluded;
+      ++m_progress.excluded;
+    } else if (row->second.isRead) {
+      take(followed);
+    }
+  }
+
+  void take(FollowedSighting& followed) {
+    followed.state = SightingState::Taken;
+    ++m_progress.taken;
+  }
+
+  static bool isThere(const FollowedSighting& followed) {
+    return followed.state == SightingState::Taken || followed.state == SightingState::Excluded;
+  }
+
+  /// Rows stand in the order in which they were taken: of those of a position, in that order, one is out of
+  /// turn that the protocol has before any taken earlier.
+  void markOutOfTurn() {
+    for (std::size_t position = 0; position < m_session.positions.size(); ++position) {
+      std::vector<std::pair<std::size_t, std::size_t>> taken;  // row, index in the protocol
+      for (std::size_t i = 0; i < m_progress.sightings.size(); ++i) {
+        const FollowedSighting& followed = m_progress.sightings[i];
+        if (followed.position == position && followed.row && isThere(followed))
+          taken.emplace_back(*followed.row, i);
+      }
+      std::ranges::sort(taken);
+      std::size_t latest = 0;
+      for (const auto& [row, index] : taken) {
+        if (index < latest) {
+          m_progress.sightings[index].isOutOfTurn = true;
+          ++m_progress.outOfTurn;
+        }
+        latest = std::max(latest, index);
+      }
+    }
+  }
+
+  bool isOf(std::size_t index, std::size_t protocolPosition) const {
+    return m_progress.sightings[index].planned.protocolPosition == protocolPosition;
+  }
+
+  /// Of a position: the sighting there taken last, by the rows, else the last of its zeros.
+  std::optional<std::size_t> lastTaken(std::size_t protocolPosition) const {
+    std::optional<std::size_t> last, lastZero;
+    for (std::size_t i = 0; i < m_progress.sightings.size(); ++i) {
+      const FollowedSighting& followed = m_progress.sightings[i];
+      if (!isOf(i, protocolPosition) || !isThere(followed)) continue;
+      if (followed.planned.isZero) {
+        lastZero = i;
+      } else if (!last || *followed.row > *m_progress.sightings[*last].row) {
+        last = i;
+      }
+    }
+    return last ? last : lastZero;
+  }
+
+  std::optional<std::size_t> firstLeft(std::size_t begin, std::size_t end, bool withZeros) const {
+    for (std::size_t i = begin; i < end; ++i)
+      if (!isThere(m_progress.sightings[i]) && (withZeros || !m_progress.sightings[i].planned.isZero))
+        return i;
+    return std::nullopt;
+  }
+
+  std::optional<std::size_t> next() const {
+    const std::size_t count = m_progress.sightings.size();
+    std::optional<std::size_t> begun;
+    for (std::size_t i = 0; i < count; ++i)
+      if (isThere(m_progress.sightings[i])) begun = m_progress.sightings[i].planned.protocolPosition;
+    if (begun) {
+      std::size_t first = 0;
+      while (!isOf(first, *begun)) ++first;
+      std::size_t end = first;
+      while (end < count && isOf(end, *begun)) ++end;
+      if (const auto in = nextWithin(first, end, *lastTaken(*begun))) return in;
+    }
+    return firstLeft(0, count, true);
+  }
+
+  /// Onward from the last one, places before zeros; then what was passed over; then zeros behind the
+  /// readings.
+  std::optional<std::size_t> nextWithin(std::size_t first, std::size_t end, std::size_t last) const {
+    const bool isAtZeros =
+        m_progress.sightings[last].planned.isZero && !m_progress.sightings[last].planned.isAfter;
+    if (isAtZeros) return firstLeft(first, end, true);
+    if (const auto onward = firstLeft(last + 1, end, false)) return onward;
+    if (const auto missed = firstLeft(first, last, false)) return missed;
+    return firstLeft(first, end, true);
+  }
+
+  void markMissed() {
+    bool isPassed = false;  // anything of the position behind it is there
+    for (std::size_t i = m_progress.sightings.size(); i-- > 0;) {
+      FollowedSighting& followed = m_progress.sightings[i];
+      const std::size_t position = followed.planned.protocolPosition;
+      if (i + 1 == m_progress.sightings.size() || !isOf(i + 1, position)) isPassed = false;
+      if (isThere(followed)) isPassed = true;
+      if (followed.state != SightingState::Left || !isPassed) continue;
+      followed.state = SightingState::Missed;
+      ++m_progress.missed;
+    }
+  }
+
+  void countBeside() {
+    std::set<std::pair<std::size_t, RowKey>> planned;
+    for (const FollowedSighting& followed : m_progress.sightings)
+      if (followed.position && !followed.planned.isZero)
+        planned.emplace(*followed.position, keyOf(followed.planned));
+    for (std::size_t position = 0; position < m_rows.size(); ++position)
+      for (const auto& [key, row] : m_rows[position])
+        if (row.isRead && !row.isExcluded && !planned.contains({position, key})) ++m_progress.beside;
+  }
+
+  const Session& m_session;
+  std::vector<std::map<RowKey, RowState>> m_rows;
+  ProtocolProgress m_progress;
+};
+
+}  // namespace
+
+std::vector<PlannedSighting> sightingsInOrder(const SightingProtocol& protocol) {
+  std::vector<PlannedSighting> sightings;
+  const std::vector<AxisTime> axes = axesOf(protocol);
+  for (std::size_t p = 0; p < protocol.positions.size(); ++p) {
+    const ProtocolPosition& position = protocol.positions[p];
+    const std::vector<ProtocolPlace>& places = protocol.placesOf(position);
+    const PlannedSighting here{.protocolPosition = p, .axisDeg = axes[p].first, .time = axes[p].second};
+    const auto sightZeros = [&](const std::vector<int>& faces, bool isAfter) {
+      for (const int face : faces) {
+        PlannedSighting zero = here;
+        zero.isZero = true;
+        zero.isAfter = isAfter;
+        zero.face = face;
+        sightings.push_back(zero);
+      }
+    };
+    sightZeros(position.zeros.before, false);
+    for (std::size_t r = 0; r < position.rounds.size(); ++r) {
+      const ProtocolRound& round = position.rounds[r];
+      for (std::size_t i = 0; i < places.size(); ++i) {
+        PlannedSighting sighting = here;
+        sighting.place = round.isBack ? places.size() - 1 - i : i;
+        sighting.point = places[sighting.place].point;
+        sighting.round = static_cast<int>(r) + 1;
+        for (const int face : facesAt(round, i)) {
+          sighting.face = face;
+          sightings.push_back(sighting);
+        }
+      }
+    }
+    sightZeros(position.zeros.after, true);
+  }
+  return sightings;
+}
+
+ProtocolProgress progressOf(const Session& session, const SightingProtocol& protocol) {
+  return Follower(session, protocol).follow();
+}
+
+std::optional<std::size_t> nextPlaceIn(const ProtocolProgress& progress, std::size_t position) {
+  const auto isOpen = [&](std::size_t i) {
+    const FollowedSighting& followed = progress.sightings[i];
+    return followed.position == position && !followed.planned.isZero &&
+           followed.state != SightingState::Taken && followed.state != SightingState::Excluded;
+  };
+  if (progress.next && isOpen(*progress.next)) return progress.next;
+  std::optional<std::size_t> missed;
+  for (std::size_t i = 0; i < progress.sightings.size(); ++i) {
+    if (!isOpen(i)) continue;
+    if (progress.sightings[i].state != SightingState::Missed) return i;
+    if (!missed) missed = i;
+  }
+  return missed;
+}
+
+std::optional<FollowedSighting> nextSighting(const Session& session) {
+  const auto protocol = protocolOf(session);
+  if (!protocol || !*protocol) return std::nullopt;
+  const ProtocolProgress progress = progressOf(session, **protocol);
+  return progress.next ? std::optional(progress.sightings[*progress.next]) : std::nullopt;
+}
+
+Reading rowFor(const PlannedSighting& planned) {
+  Reading row;
+  row.point = std::to_string(planned.point);
+  row.round = planned.round == 1 ? "" : std::to_string(planned.round);
+  row.face = planned.face == 1 ? "" : std::to_string(planned.face);
+  return row;
+}
+
+std::string zeroField(const PlannedSighting& planned) {
+  for (const ZeroSlot& slot : furtherZeros)
+    if (slot.face == planned.face && slot.isAfter == planned.isAfter)
+      return std::string("pointing_zero.") + slot.key;
+  return "pointing_zero";
+}
+
+std::vector<int> positionsLacking(const Session& session, const SightingProtocol& protocol) {
+  const auto positions = positionsOf(session);
+  std::vector<int> lacking;
+  for (const AxisTime& axis : axesOf(protocol))
+    if (!positions.contains(axis)) lacking.push_back(axis.first);
+  return lacking;
+}
+
+}  // namespace alidade

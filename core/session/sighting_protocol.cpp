@@ -1,0 +1,304 @@
+#include "core/session/sighting_protocol.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <utility>
+
+#include "core/base/file_bytes.h"
+#include "core/base/phrase.h"
+#include "core/base/visible_text.h"
+#include "core/session/entry.h"
+#include "core/session/json_layout.h"
+#include "core/session/json_object_reader.h"
+#include "core/session/json_object_writer.h"
+#include "core/session/json_text.h"
+#include "core/session/row_fields.h"
+
+namespace alidade {
+
+namespace {
+
+constexpr JsonFormat protocolFormat = {
+    "alidade-protocol",
+    PHRASE_LATER("Phrase",
+                 "is missing: this is no measurement protocol, which says \"format\": \"alidade-protocol\""),
+    PHRASE_LATER("Phrase", "choose a measurement protocol"),
+    PHRASE_LATER("Phrase", "%1 is no version of a measurement protocol: it must be %2")};
+
+constexpr AngleRule turnRule{
+    .low = -360, .lowOfElevation = -360, .high = 360, .isHighIncluded = true, .mayBeEmpty = true};
+
+/// Takes a protocol out of JSON; the first thing that means nothing is told.
+class ProtocolReader {
+ public:
+  using Json = nlohmann::ordered_json;
+
+  ProtocolReader(const ObjectReader& reader, std::optional<Problem>& problem)
+      : m_reader(reader), m_problem(problem) {}
+
+  SightingProtocol read() {
+    SightingProtocol protocol;
+    protocol.name = m_reader.text("name");
+    protocol.description = m_reader.text("description");
+    protocol.readsSlider = m_reader.flag("read_slider");
+    protocol.places = places(m_reader);
+    m_reader.require("positions",
+                     PHRASE_LATER("Phrase", "add the list of the positions of the axis, in their order"));
+    for (const Json& position : m_reader.list("positions")) {
+      if (m_problem) break;
+      protocol.positions.push_back(
+          this->position(m_reader.member("positions", protocol.positions.size(), position), protocol));
+    }
+    if (protocol.positions.empty())
+      m_reader.report(Phrase::of("is empty: add the positions of the axis, in their order"),
+                      m_reader.placeOf("positions"));
+    protocol.origin = m_reader.origin({"places", "positions"});
+    if (m_sightings > mostSightings)
+      m_reader.report(
+          Phrase::of("make %1 sightings, and a protocol holds at most %2: leave out rounds or places",
+                     m_sightings, mostSightings),
+          m_reader.placeOf("positions"));
+    return protocol;
+  }
+
+ private:
+  std::vector<ProtocolPlace> places(const ObjectReader& reader) {
+    std::vector<ProtocolPlace> places;
+    std::set<int> points;
+    for (const Json& json : reader.list("places")) {
+      if (m_problem) break;
+      const ObjectReader own = reader.member("places", places.size(), json);
+      ProtocolPlace place;
+      const std::string point = own.number("point");
+      place.point = point.empty() ? static_cast<int>(places.size()) + 1 : whole(own, "point", pointRule);
+      if (!points.insert(place.point).second)
+        own.report(Phrase::of("%1 stands there twice: each place has a number of its own", place.point),
+                   own.placeOf("point"));
+      place.slider = angle(own, "slider", sliderRule);
+      place.arc = angle(own, "arc", sliderRule);
+      place.origin = own.origin();
+      places.push_back(std::move(place));
+    }
+    return places;
+  }
+
+  ProtocolPosition position(const ObjectReader& reader, const SightingProtocol& protocol) {
+    ProtocolPosition position;
+    const auto axis = axisEntry(reader.requiredNumber(
+        "axis_deg", PHRASE_LATER("Phrase", "say which position of the axis: 0 or 180")));
+    if (axis)
+      position.axisDeg = *axis;
+    else
+      reader.report(axis.problem().what, reader.placeOf("axis_deg"));
+    position.circleTurn = angle(reader, "circle_turn", turnRule);
+    position.zeros = zeros(reader.object("zeros"));
+    position.places = places(reader);
+    if (protocol.placesOf(position).empty())
+      reader.report(Phrase::of("are missing: add the places of the slider, at least one"),
+                    reader.placeOf("places"));
+    position.rounds.clear();
+    for (const Json& round : reader.list("rounds")) {
+      if (m_problem) break;
+      position.rounds.push_back(this->round(reader.member("rounds", position.rounds.size(), round)));
+      m_sightings +=
+          protocol.placesOf(position).size() * std::min<std::size_t>(2, position.rounds.back().faces.size());
+    }
+    if (!reader.find("rounds")) {
+      position.rounds = {{}};
+      m_sightings += protocol.placesOf(position).size();
+    } else if (position.rounds.empty()) {
+      reader.report(Phrase::of("is empty: add the rounds, at least one"), reader.placeOf("rounds"));
+    }
+    position.origin = reader.origin({"zeros", "places", "rounds"});
+    return position;
+  }
+
+  ProtocolZeros zeros(const ObjectReader& reader) {
+    ProtocolZeros zeros;
+    const auto once = [&](const char* key, std::vector<int> fallback) {
+      std::vector<int> faces = this->faces(reader, key, std::move(fallback));
+      if (faces.size() > 2 || (faces.size() == 2 && faces[0] == faces[1]))
+        reader.report(Phrase::of("names a face twice: a pointing zero is sighted once in each"),
+                      reader.placeOf(key));
+      return faces;
+    };
+    zeros.before = once("before", {1});
+    zeros.after = once("after", {});
+    if (std::ranges::find(zeros.before, 1) == zeros.before.end())
+      reader.report(Phrase::of("lacks face 1: before the readings the pointing zero is sighted in face 1, in "
+                               "face 2 besides"),
+                    reader.placeOf("before"));
+    zeros.origin = reader.origin();
+    return zeros;
+  }
+
+  ProtocolRound round(const ObjectReader& reader) {
+    ProtocolRound round;
+    const std::string way = reader.text("way");
+    if (!way.empty() && way != "there" && way != "back")
+      reader.report(Phrase::of("%1 is no way through the places: write there or back", quotation(way)),
+                    reader.placeOf("way"));
+    round.isBack = way == "back";
+    round.faces = faces(reader, "faces", {1});
+    const auto isPair = [&](std::size_t first) { return round.faces[first] != round.faces[first + 1]; };
+    const std::size_t count = round.faces.size();
+    const bool isSound = count == 1 || (count == 2 && isPair(0)) || (count == 4 && isPair(0) && isPair(2));
+    if (!isSound)
+      reader.report(Phrase::of("must be one face, both, or both for each of two places: [1], [1, 2], [2, 1], "
+                               "[1, 2, 2, 1]"),
+                    reader.placeOf("faces"));
+    round.origin = reader.origin();
+    return round;
+  }
+
+  std::vector<int> faces(const ObjectReader& reader, const char* key, std::vector<int> fallback) {
+    if (!reader.find(key)) return fallback;
+    std::vector<int> faces;
+    for (const Json& json : reader.list(key)) {
+      const bool isFace = json.is_number_integer() && (json == 1 || json == 2);
+      if (!isFace) {
+        reader.report(Phrase::of("holds what is no face: write 1 or 2, as in [1, 2]"), reader.placeOf(key));
+        return {1};
+      }
+      faces.push_back(json.get<int>());
+    }
+    return faces;
+  }
+
+  int whole(const ObjectReader& reader, const char* key, const WholeRule& rule) {
+    const auto entry = wholeEntry(rule, reader.number(key));
+    if (entry && *entry) return **entry;
+    if (!entry) reader.report(entry.problem().what, reader.placeOf(key));
+    return 0;
+  }
+
+  std::string angle(const ObjectReader& reader, const char* key, const AngleRule& rule) {
+    std::string text = reader.angle(key);
+    const auto entry = angleEntry(rule, text, VerticalCircle::Zenith);
+    if (!entry) reader.report(entry.problem().what, reader.placeOf(key));
+    return text;
+  }
+
+  const ObjectReader& m_reader;
+  std::optional<Problem>& m_problem;
+  std::size_t m_sightings = 0;
+};
+
+nlohmann::ordered_json placesJson(const std::vector<ProtocolPlace>& places) {
+  auto list = nlohmann::ordered_json::array();
+  for (const ProtocolPlace& place : places) {
+    ObjectWriter writer(place.origin);
+    writer.part("point", place.point, Presence::Required);
+    writer.angle("slider", place.slider);
+    writer.angle("arc", place.arc);
+    list.push_back(writer.take());
+  }
+  return list;
+}
+
+nlohmann::ordered_json roundsJson(const std::vector<ProtocolRound>& rounds) {
+  auto list = nlohmann::ordered_json::array();
+  for (const ProtocolRound& round : rounds) {
+    ObjectWriter writer(round.origin);
+    writer.part("way", round.isBack ? "back" : "there", Presence::Required);
+    writer.part("faces", round.faces, Presence::Required);
+    list.push_back(writer.take());
+  }
+  return list;
+}
+
+nlohmann::ordered_json positionsJson(const std::vector<ProtocolPosition>& positions) {
+  auto list = nlohmann::ordered_json::array();
+  for (const ProtocolPosition& position : positions) {
+    ObjectWriter writer(position.origin);
+    writer.part("axis_deg", position.axisDeg, Presence::Required);
+    writer.angle("circle_turn", position.circleTurn);
+    ObjectWriter zeros(position.zeros.origin);
+    zeros.part("before", position.zeros.before, Presence::Required);
+    zeros.part("after", position.zeros.after);
+    writer.part("zeros", zeros.take());
+    writer.partIfAny("places", placesJson(position.places));
+    writer.part("rounds", roundsJson(position.rounds));
+    list.push_back(writer.take());
+  }
+  return list;
+}
+
+void write(ObjectWriter& writer, const SightingProtocol& protocol) {
+  writer.text("name", protocol.name);
+  writer.text("description", protocol.description);
+  writer.flag("read_slider", protocol.readsSlider);
+  writer.partIfAny("places", placesJson(protocol.places));
+  writer.part("positions", positionsJson(protocol.positions), Presence::Required);
+}
+
+std::optional<Angle> angleOf(const std::string& text) {
+  const auto entry = angleEntry(sliderRule, text, VerticalCircle::Zenith);
+  return entry ? *entry : std::nullopt;
+}
+
+/// Where a protocol stands in a session.
+Problem within(const Problem& problem) {
+  const std::string inside = problem.where.path();
+  return {problem.what, {.field = inside.empty() ? "protocol" : "protocol." + inside}};
+}
+
+}  // namespace
+
+Result<SightingProtocol> readProtocol(std::string_view text) {
+  nlohmann::ordered_json json;
+  if (auto problem = parseJson(text, json)) return *std::move(problem);
+  std::optional<Problem> problem;
+  const ObjectReader reader(json, {}, problem);
+  reader.checkFormat(protocolFormat);
+  if (problem) return *problem;
+  SightingProtocol protocol = ProtocolReader(reader, problem).read();
+  if (problem) return *problem;
+  return protocol;
+}
+
+std::string writeProtocol(const SightingProtocol& protocol) {
+  ObjectWriter writer(protocol.origin);
+  writer.constant("format", protocolFormat.id);
+  writer.constant("version", 1);
+  write(writer, protocol);
+  return layoutJson(writer.take());
+}
+
+Result<SightingProtocol> loadProtocol(const std::string& path) {
+  const Result<std::string> bytes = readFile(path);
+  if (!bytes) return bytes.problem();
+  return readProtocol(*bytes);
+}
+
+Result<std::optional<SightingProtocol>> protocolOf(const Session& session) {
+  if (session.protocol.empty()) return std::optional<SightingProtocol>();
+  nlohmann::ordered_json json;
+  if (const auto problem = parseJson(session.protocol, json)) return within(*problem);
+  std::optional<Problem> problem;
+  const ObjectReader reader(json, {}, problem);
+  std::optional<SightingProtocol> protocol;
+  if (!problem) protocol = ProtocolReader(reader, problem).read();
+  if (problem) return within(*problem);
+  return protocol;
+}
+
+std::string protocolText(const SightingProtocol& protocol) {
+  ObjectWriter writer(protocol.origin);
+  write(writer, protocol);
+  nlohmann::ordered_json json = writer.take();
+  json.erase("format");
+  json.erase("version");
+  return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+std::optional<Angle> nominalPlace(const ProtocolPlace& place) {
+  return angleOf(place.arc.empty() ? place.slider : place.arc);
+}
+
+Angle circleTurn(const ProtocolPosition& position) {
+  return angleOf(position.circleTurn).value_or(Angle());
+}
+
+}  // namespace alidade

@@ -1,0 +1,269 @@
+#include "core/wording/guidance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/base/list_text.h"
+#include "core/base/phrase.h"
+#include "core/base/quantity_text.h"
+#include "core/observation/reading_ref.h"
+#include "core/wording/attainable.h"
+#include "core/wording/position_name.h"
+
+namespace alidade {
+
+namespace {
+
+std::string joined(const std::vector<std::string>& sentences) {
+  std::string text;
+  for (const std::string& sentence : sentences) {
+    if (sentence.empty()) continue;
+    if (!text.empty())
+      text = Phrase::of("%1 %2", text, sentence);
+    else
+      text = sentence;
+  }
+  return text;
+}
+
+std::string deviationText(const Repeat& repeat) {
+  if (std::isnan(repeat.size)) return "";
+  const std::string sign = repeat.size < 0 ? "" : "+";
+  return sign + displayText(repeat.size, 1) + "″";
+}
+
+std::string circleName(const Repeat& repeat) {
+  return inWords(repeat.kind.value_or(ReadingKind::Horizontal));
+}
+
+/// U of one of the two accounts, and what the verdict needs of it.
+struct Account {
+  bool isMeasured = false;
+
+  double of(const ExpandedPair& pair) const {
+    return isMeasured ? pair.asMeasured.value_or(pair.ofFit) : pair.ofFit;
+  }
+};
+
+/// As measured, unless only the fit's U stands in the way.
+Account rulingAccount(const Outlook& outlook) {
+  const ExpandedPair* any = outlook.now             ? &*outlook.now
+                            : outlook.ahead.empty() ? nullptr
+                                                    : &outlook.ahead.front().expanded;
+  return {any && any->asMeasured.has_value()};
+}
+
+/// Lengths of one sentence, with the same decimals.
+class Lengths {
+ public:
+  explicit Lengths(const Outlook& outlook, Account account) {
+    double least = INFINITY;
+    const auto see = [&](const ExpandedPair& pair) { least = std::min(least, account.of(pair)); };
+    if (outlook.now) see(*outlook.now);
+    for (const RoundsAhead& ahead : outlook.ahead) see(ahead.expanded);
+    m_decimals = decimalsFor(least);
+  }
+  std::string operator()(double length) const { return displayText(length, m_decimals); }
+
+ private:
+  int m_decimals = 2;
+};
+
+std::string moreRounds(int rounds) {
+  if (rounds == 1) return Phrase::of("One more round");
+  if (rounds == 2) return Phrase::of("Two more rounds");
+  if (rounds == 3) return Phrase::of("Three more rounds");
+  return Phrase::of("%1 more rounds", rounds);
+}
+
+/// What the protocol's rest and more rounds bring where no verdict asks for a U.
+std::string withoutNeed(const Outlook& outlook, const ProtocolProgress& progress, Account account,
+                        const Lengths& text) {
+  std::vector<std::string> sentences;
+  const double planned = account.of(outlook.ahead.front().expanded);
+  if (!progress.isComplete())
+    sentences.push_back(outlook.now
+                            ? Phrase::of("What is left of the protocol brings U from %1 to %2 mm.",
+                                         text(account.of(*outlook.now)), text(planned))
+                            : Phrase::of("Carried out, the protocol comes to U = %1 mm.", text(planned)));
+  for (const RoundsAhead& ahead : outlook.ahead)
+    if (ahead.rounds > 0)
+      sentences.push_back(Phrase::of("%1 would bring U to %2 mm.", moreRounds(ahead.rounds),
+                                     text(account.of(ahead.expanded))));
+  return joined(sentences);
+}
+
+std::string limitSentence(const Outlook& outlook, Account account, const Lengths& text) {
+  if (!outlook.limit) return "";
+  return Phrase::of("However many rounds are added, %1 mm of it stay: that is the same in each.",
+                    text(account.of(*outlook.limit)));
+}
+
+/// Where no number of rounds that was tried is enough.
+std::string notEnough(const Outlook& outlook, Account account, const Lengths& text, const CauseNamer& name) {
+  const RoundsAhead& most = outlook.ahead.back();
+  const std::string needed = text(account.of(*outlook.needed));
+  std::vector<std::string> sentences;
+  if (outlook.limit && !outlook.isEnough(*outlook.limit))
+    sentences.push_back(Phrase::of(
+        "More rounds do not do: however many there are, U stays above %1 mm, and the verdict needs %2 mm.",
+        text(account.of(*outlook.limit)), needed));
+  else
+    sentences.push_back(Phrase::of("Even %1 rounds more leave U at %2 mm; the verdict needs %3 mm.",
+                                   most.rounds, text(account.of(most.expanded)), needed));
+  sentences.push_back(attainableSentence(outlook.instead, name));
+  return joined(sentences);
+}
+
+std::string verdictName(bool isWithin) {
+  return isWithin ? Phrase::of("within the tolerance") : Phrase::of("beyond the tolerance");
+}
+
+std::string whetherEnough(const Outlook& outlook, const ProtocolProgress& progress, Account account,
+                          const Lengths& text, const CauseNamer& name) {
+  if (outlook.isTorn)
+    return Phrase::of(
+        "By the fit alone Δd is on one side of the tolerance, as measured on the other: look at the gap "
+        "before "
+        "more is sighted.");
+  const std::string needed = text(account.of(*outlook.needed));
+  const auto from = outlook.now ? std::optional(account.of(*outlook.now)) : std::nullopt;
+  if (outlook.now && outlook.isEnough(*outlook.now))
+    return Phrase::of("It is enough: U = %1 mm, and the verdict, %2, needs %3 mm.", text(*from),
+                      verdictName(outlook.isWithin), needed);
+  const auto rounds = outlook.roundsNeeded();
+  if (!rounds) return notEnough(outlook, account, text, name);
+  const auto enough = std::ranges::find(outlook.ahead, *rounds, &RoundsAhead::rounds);
+  const std::string to = text(account.of(enough->expanded)), start = text(from.value_or(NAN));
+  if (*rounds == 0)
+    return Phrase::of("What is left of the protocol brings U from %1 to %2 mm; the verdict needs %3 mm.",
+                      start, to, needed);
+  const bool isComplete = progress.isComplete();
+  if (*rounds == 1)
+    return isComplete ? Phrase::of("One more round brings U from %1 to %2 mm; the verdict needs %3 mm.",
+                                   start, to, needed)
+                      : Phrase::of(
+                            "One more round than the protocol has brings U from %1 to %2 mm; the verdict "
+                            "needs %3 mm.",
+                            start, to, needed);
+  return isComplete
+             ? Phrase::of("%1 bring U from %2 to %3 mm; the verdict needs %4 mm.", moreRounds(*rounds), start,
+                          to, needed)
+             : Phrase::of("%1 than the protocol has bring U from %2 to %3 mm; the verdict needs %4 mm.",
+                          moreRounds(*rounds), start, to, needed);
+}
+
+}  // namespace
+
+std::string sightingName(const PlannedSighting& planned) {
+  if (planned.isZero) {
+    if (planned.isAfter)
+      return planned.face == 1 ? Phrase::of("pointing zero after the readings")
+                               : Phrase::of("pointing zero after the readings, face 2");
+    return planned.face == 1 ? Phrase::of("pointing zero") : Phrase::of("pointing zero, face 2");
+  }
+  std::vector<std::string> parts{Phrase::of("point %1", planned.point)};
+  if (planned.round != 1) parts.push_back(Phrase::of("round %1", planned.round));
+  if (planned.face != 1) parts.push_back(Phrase::of("face %1", planned.face));
+  return listed(parts);
+}
+
+std::string sightingNameInSession(const PlannedSighting& planned) {
+  return Phrase::of("%1: %2", positionName(planned.axisDeg, planned.time), sightingName(planned));
+}
+
+std::string stateName(SightingState state) {
+  switch (state) {
+    case SightingState::Taken:
+      return Phrase::of("taken");
+    case SightingState::Next:
+      return Phrase::of("next");
+    case SightingState::Missed:
+      return Phrase::of("passed over");
+    case SightingState::Left:
+      return Phrase::of("to come");
+    case SightingState::Excluded:
+      return Phrase::of("excluded");
+  }
+  return "";
+}
+
+std::string progressSentences(const ProtocolProgress& progress) {
+  std::vector<std::string> sentences{
+      Phrase::of("%1 of %2 sightings are there.", progress.taken, progress.sightings.size())};
+  const auto tell = [&](std::size_t count, const char* one, const char* several) {
+    if (count > 0) sentences.push_back(count == 1 ? Phrase::of(one) : Phrase::of(several, count));
+  };
+  tell(progress.missed, PHRASE_LATER("Phrase", "One was passed over."),
+       PHRASE_LATER("Phrase", "%1 were passed over."));
+  tell(progress.excluded, PHRASE_LATER("Phrase", "One is excluded."),
+       PHRASE_LATER("Phrase", "%1 are excluded."));
+  tell(progress.outOfTurn, PHRASE_LATER("Phrase", "One was taken out of turn."),
+       PHRASE_LATER("Phrase", "%1 were taken out of turn."));
+  tell(progress.beside, PHRASE_LATER("Phrase", "One reading is none of the protocol."),
+       PHRASE_LATER("Phrase", "%1 readings are none of the protocol."));
+  return joined(sentences);
+}
+
+std::string repeatSentence(const Repeat& repeat, const ProtocolProgress& progress) {
+  const PlannedSighting& first = progress.sightings[repeat.sightings.front()].planned;
+  const std::string where = sightingNameInSession(first), size = deviationText(repeat),
+                    sigmas = displayText(repeat.sigmas, 1);
+  switch (repeat.reason) {
+    case Repeat::Reason::Misread:
+      if (size.empty()) return Phrase::of("%1 again: what was typed can hardly have been read.", where);
+      return Phrase::of("%1 again: its %2 reading does not go with the others, by %3.", where,
+                        circleName(repeat), size);
+    case Repeat::Reason::FacesDisagree:
+      return Phrase::of(
+          "%1 again in both faces: on the %2 circle they differ otherwise than elsewhere, by %3 (%4 σ).",
+          where, circleName(repeat), size, sigmas);
+    case Repeat::Reason::WaysDisagree:
+      return Phrase::of(
+          "%1 again, and in round %2: the way back lies %3 farther out than the way there (%4 σ).", where,
+          progress.sightings[repeat.sightings.back()].planned.round, size, sigmas);
+    case Repeat::Reason::ZeroMoved:
+      return Phrase::of(
+          "%1 again: its %2 reading is another than before by %3 (%4 σ). If it stays, the instrument has "
+          "moved, and "
+          "the position is to be sighted anew.",
+          where, circleName(repeat), size, sigmas);
+  }
+  return "";
+}
+
+std::string repeatsFirst(const std::vector<Repeat>& repeats) {
+  const bool isAny = std::ranges::find(repeats, Repeat::Reason::Misread, &Repeat::reason) != repeats.end();
+  return isAny ? Phrase::of("What is to be taken again comes first: it makes U larger than it will be.") : "";
+}
+
+std::string outlookSentences(const Outlook& outlook, const ProtocolProgress& progress,
+                             const CauseNamer& name) {
+  if (outlook.ahead.empty())
+    return Phrase::of(
+        "When it is enough is told as soon as a pointing zero is there, and both positions are in "
+        "the protocol.");
+  const Account account = rulingAccount(outlook);
+  const Lengths text(outlook, account);
+  std::vector<std::string> sentences;
+  if (outlook.needed) {
+    sentences.push_back(whetherEnough(outlook, progress, account, text, name));
+  } else {
+    sentences.push_back(withoutNeed(outlook, progress, account, text));
+    sentences.push_back(limitSentence(outlook, account, text));
+  }
+  const RoundsAhead& planned = outlook.ahead.front();
+  if (account.isMeasured) {
+    const Lengths own(outlook, {false});
+    sentences.push_back(
+        outlook.now
+            ? Phrase::of("Of the fit alone U = %1 mm now, and %2 mm once the protocol is carried out.",
+                         own(outlook.now->ofFit), own(planned.expanded.ofFit))
+            : Phrase::of("Of the fit alone U = %1 mm once the protocol is carried out.",
+                         own(planned.expanded.ofFit)));
+  }
+  return joined(sentences);
+}
+
+}  // namespace alidade

@@ -1,0 +1,198 @@
+#include "core/guidance/outlook.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/diagnosis/diagnose.h"
+#include "core/diagnosis/plan_review.h"
+#include "tests/core/guidance/simulated.h"
+
+namespace alidade {
+namespace {
+
+/// A session and all that is known of it.
+struct Known {
+  Session session;
+  Measurement measurement;
+  SessionFit fit;
+
+  explicit Known(Session read)
+      : session(std::move(read)), measurement(*examine(session).measurement), fit(fitSession(measurement)) {}
+
+  Outlook outlook(const SightingProtocol& protocol, const OutlookOptions& options = {}) const {
+    return outlookOf(measurement, fit, nullptr, protocol, progressOf(session, protocol), options);
+  }
+};
+
+/// Zeros and distance exact: all that is left is the noise of the readings.
+Truth onlyNoise() {
+  Truth truth = test::truth();
+  truth.sigmaZero = Angle();
+  return truth;
+}
+
+TEST(Outlook, OfWhatIsThereIsUOfTheFit) {
+  for (const char* name : {"paper", "two-face", "paper-slider"}) {
+    const Known known(*simulate(*protocolByName(name), test::truth(), 11));
+    const Outlook outlook = known.outlook(test::asSimulated(*protocolByName(name)));
+    ASSERT_TRUE(outlook.now && known.fit.intersection) << name;
+    // Linearised where the readings lie on the arcs, not beside them: the weights differ by the residuals.
+    EXPECT_NEAR(outlook.now->ofFit, known.fit.intersection->expanded, 1e-3 * known.fit.intersection->expanded)
+        << name;
+    ASSERT_FALSE(outlook.ahead.empty());
+    EXPECT_NEAR(outlook.ahead.front().expanded.ofFit, outlook.now->ofFit, 1e-9) << "nothing is left";
+  }
+}
+
+/// Closed form: with the noise alone σ of n times as many rounds is 1/√n of it. U has Student's factor too,
+/// which is known here (σ taken as stated), so the noise is made too small for an estimate of its own.
+TEST(Outlook, OfMoreRoundsGoesDownAsTheRootOfTheirNumber) {
+  Protocol plan = test::plan(17, 10, 10, 1);
+  Truth exact = onlyNoise();
+  const Known known(*simulateWithoutNoise(plan, exact, 11));
+  const Outlook outlook = known.outlook(templateOf(plan), {.withInstead = false});
+  ASSERT_EQ(outlook.ahead.size(), 3u);
+  const double one = outlook.ahead[0].expanded.ofFit;
+  for (const RoundsAhead& ahead : outlook.ahead)
+    EXPECT_NEAR(ahead.expanded.ofFit, one / std::sqrt(1 + ahead.rounds), 2e-4 * one) << ahead.rounds;
+  ASSERT_TRUE(outlook.limit);
+  EXPECT_LT(outlook.limit->ofFit, 2e-3 * one);
+}
+
+/// Against sessions in which the further rounds are read, with noise: on the average of their own U.
+TEST(Outlook, IsWhatFurtherRoundsComeTo) {
+  Protocol plan = test::plan(9, 10, 20, 3);
+  Protocol planned = plan;
+  planned.rounds = 1;
+  double foreseen = 0, come = 0;
+  constexpr int sessions = 40;
+  for (int seed = 1; seed <= sessions; ++seed) {
+    const Session whole = *simulate(plan, test::truth(), static_cast<std::uint64_t>(seed));
+    const Known first(test::firstRounds(whole, 1)), all(whole);
+    const Outlook outlook = first.outlook(templateOf(planned), {.withInstead = false});
+    foreseen += outlook.ahead.at(2).expanded.ofFit / sessions;
+    come += all.fit.intersection->expanded / sessions;
+  }
+  // s0 of 12 degrees of freedom scatters by 20 %, the mean of 40 by 3.2 %, that of 48 by 1.6 %: three of
+  // both.
+  EXPECT_NEAR(foreseen, come, 0.11 * come);
+}
+
+/// The rest of a protocol, half of it read.
+TEST(Outlook, OfTheRestOfTheProtocolIsUOfAllOfIt) {
+  const Protocol plan = *protocolByName("two-face");
+  Truth truth = test::truth();
+  const Session whole = *simulateWithoutNoise(plan, truth, 2);
+  const Known all(whole), half(test::firstRounds(whole, 1));
+  const SightingProtocol protocol = test::asSimulated(plan);
+  const Outlook ahead = half.outlook(protocol), there = all.outlook(protocol);
+  EXPECT_NEAR(ahead.ahead.front().expanded.ofFit, there.now->ofFit, 1e-3 * there.now->ofFit);
+  EXPECT_GT(ahead.now->ofFit, 1.02 * there.now->ofFit) << "the zeros make up most of it";
+}
+
+/// What `plan` says of the way back is what one more round comes to, and with nothing more what is there.
+TEST(Outlook, AsMeasuredIsThatOfThePlan) {
+  const Protocol plan = *protocolByName("paper");
+  const Known known(*simulateWithoutNoise(plan, test::truth(), 2));
+  const auto review = reviewPlan(known.measurement, known.fit);
+  ASSERT_TRUE(review);
+  const Outlook outlook = known.outlook(templateOf(plan), {.withInstead = false});
+  ASSERT_TRUE(outlook.now->asMeasured);
+  EXPECT_NEAR(*outlook.now->asMeasured, review->attainable.front().expanded,
+              1e-3 * review->attainable.front().expanded);
+  int compared = 0;
+  for (const AttainableUncertainty& one : review->attainable)
+    if (one.known.empty() && one.measures == std::vector<Measure>{Measure::WayBack}) {
+      EXPECT_NEAR(*outlook.ahead.at(1).expanded.asMeasured, one.expanded, 0.02 * one.expanded);
+      ++compared;
+    }
+  EXPECT_EQ(compared, 1);
+}
+
+Session withTolerance(Session session, double tolerance) {
+  session.acceptance.toleranceMm = std::to_string(tolerance);
+  return session;
+}
+
+TEST(Outlook, SaysHowManyRoundsTheVerdictNeeds) {
+  const Protocol plan = *protocolByName("full");
+  const Session session = *simulateWithoutNoise(plan, test::truth(), 2);
+  const Known bare(session);
+  const SightingProtocol protocol = test::asSimulated(plan);
+  const double delta = std::abs(bare.fit.intersection->value);
+  const Outlook free = bare.outlook(protocol, {.withInstead = false});
+  EXPECT_FALSE(free.needed);
+  EXPECT_FALSE(free.roundsNeeded());
+  const auto u = [&](std::size_t rounds) { return *free.ahead.at(rounds).expanded.asMeasured; };
+  ASSERT_LT(u(1), u(0));
+  const Outlook enough = Known(withTolerance(session, delta + u(0) * 1.01)).outlook(protocol);
+  EXPECT_TRUE(enough.isEnough(*enough.now));
+  EXPECT_EQ(enough.roundsNeeded(), 0);
+  EXPECT_TRUE(enough.instead.empty());
+  const Outlook one = Known(withTolerance(session, delta + (u(0) + u(1)) / 2)).outlook(protocol);
+  EXPECT_FALSE(one.isEnough(*one.now));
+  EXPECT_EQ(one.roundsNeeded(), 1);
+  EXPECT_NEAR(*one.needed->asMeasured, (u(0) + u(1)) / 2, 1e-5) << "six decimals of the tolerance";
+  const Outlook never = Known(withTolerance(session, delta + *free.limit->asMeasured / 2)).outlook(protocol);
+  EXPECT_FALSE(never.roundsNeeded());
+  EXPECT_EQ(never.ahead.size(), 3u) << "no more rounds are tried than are worth looking at";
+  EXPECT_FALSE(never.instead.empty());
+  const Outlook beyond = Known(withTolerance(session, delta - u(0) * 1.01)).outlook(protocol);
+  EXPECT_FALSE(beyond.isWithin);
+  EXPECT_TRUE(beyond.isEnough(*beyond.now)) << "it can be rejected";
+}
+
+TEST(Outlook, OfOnePositionIsNone) {
+  Protocol plan = test::plan(9, 10, 20, 1);
+  plan.axes = {0};
+  const Known known(*simulate(plan, test::truth(), 2));
+  const Outlook outlook = known.outlook(templateOf(plan));
+  EXPECT_FALSE(outlook.now);
+  EXPECT_TRUE(outlook.ahead.empty());
+}
+
+TEST(Outlook, IsThereAsSoonAsAZeroIs) {
+  const Protocol plan = test::plan(24, 5, 7, 2);
+  const Session whole = *simulate(plan, test::truth(), 2);
+  const Known known(test::cut(whole, 0, 0)), all(whole);
+  const Outlook outlook = known.outlook(templateOf(plan), {.withInstead = false});
+  EXPECT_FALSE(outlook.now);
+  ASSERT_FALSE(outlook.ahead.empty());
+  // The noise is taken as stated, where later 92 degrees of freedom estimate it: by 7.4 % (1σ), three of it.
+  EXPECT_NEAR(outlook.ahead.front().expanded.ofFit, all.fit.intersection->expanded,
+              0.22 * all.fit.intersection->expanded);
+}
+
+TEST(Outlook, KeepsWhatTheDiagnosisFoundBeside) {
+  const Protocol plan = *protocolByName("paper");
+  Truth truth = test::truth();
+  truth.effects.push_back({ErrorTerm::TrunnionTilt, 60});
+  const Known known(*simulate(plan, truth, 4));
+  const auto diagnosis = diagnose(known.measurement, known.fit);
+  ASSERT_TRUE(diagnosis);
+  const SightingProtocol protocol = templateOf(plan);
+  const Outlook outlook = outlookOf(known.measurement, known.fit, &*diagnosis, protocol,
+                                    progressOf(known.session, protocol), {.withInstead = false});
+  EXPECT_GE(*outlook.now->asMeasured, diagnosis->measured->estimate.expanded * 0.999);
+  EXPECT_LE(*outlook.ahead.at(2).expanded.asMeasured, *outlook.now->asMeasured);
+}
+
+TEST(CarriedOut, HasEverySightingOfTheProtocolAndOfTheFurtherRounds) {
+  const Protocol plan = *protocolByName("shifted-circle");
+  const Session session = test::cut(*simulate(plan, test::truth(), 2), 0, 20);
+  const Known known(session);
+  const SightingProtocol protocol = templateOf(plan);
+  const auto whole = carriedOut(known.measurement, known.fit, protocol, progressOf(session, protocol), 3);
+  ASSERT_TRUE(whole);
+  ASSERT_EQ(whole->arcs.size(), 2u);
+  for (const ArcMeasurement& arc : whole->arcs) {
+    EXPECT_EQ(arc.sightings.size(), 17u * 2 * (2 + 3));
+    EXPECT_TRUE(
+        std::ranges::all_of(arc.sightings, [](const Sighting& one) { return one.slider.has_value(); }));
+    EXPECT_TRUE(arc.zero.isInBothFaces);
+  }
+}
+
+}  // namespace
+}  // namespace alidade

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <QDialog>
+#include <optional>
+
+#include "core/base/circle_unit.h"
+#include "core/session/sighting_protocol.h"
+
+class QCheckBox;
+class QComboBox;
+class QDialogButtonBox;
+class QLabel;
+class QLineEdit;
+class QSpinBox;
+
+namespace alidade::ui {
+
+/// A protocol in a form: alike in all positions. What is finer goes through a file.
+class ProtocolDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  /// Places are typed and shown in degrees or in gon.
+  ProtocolDialog(const SightingProtocol& protocol, CircleUnit unit, QWidget* parent = nullptr);
+
+  /// Absent where the places cannot be understood.
+  std::optional<SightingProtocol> protocol() const;
+
+ private:
+  void show(const SightingProtocol& protocol);
+  void check();
+  std::optional<std::vector<ProtocolPlace>> places() const;
+
+  CircleUnit m_unit;
+  std::string m_description;
+  QLineEdit *m_name, *m_places, *m_turn;
+  QSpinBox* m_rounds;
+  QComboBox *m_way, *m_faces, *m_positions;
+  QCheckBox *m_slider, *m_zeroFaces, *m_zerosAfter;
+  QLabel* m_remark;
+  QDialogButtonBox* m_buttons;
+};
+
+}  // namespace alidade::ui

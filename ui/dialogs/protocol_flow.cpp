@@ -1,0 +1,87 @@
+#include "ui/dialogs/protocol_flow.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <string>
+#include <vector>
+
+#include "core/base/atomic_file.h"
+#include "core/guidance/advised_protocol.h"
+#include "core/session/entry.h"
+#include "core/simulation/protocol_template.h"
+#include "ui/commands/change_protocol.h"
+#include "ui/dialogs/dialogs.h"
+#include "ui/document/session_document.h"
+#include "ui/text/encoded_path.h"
+#include "ui/text/visible_text.h"
+
+namespace alidade::ui {
+
+ProtocolFlow::ProtocolFlow(SessionDocument& document, Dialogs& dialogs, QObject* parent)
+    : QObject(parent), m_document(document), m_dialogs(dialogs) {}
+
+bool ProtocolFlow::load() {
+  emit commitWanted();
+  const QString path = m_dialogs.askProtocolPath(folder());
+  if (path.isEmpty()) return false;
+  const QString name = visibleLine(QFileInfo(path).fileName());
+  const Result<SightingProtocol> protocol = loadProtocol(encodedPath(path));
+  if (!protocol) {
+    m_dialogs.showProblem(
+        tr("Follow a protocol"),
+        tr("“%1” cannot be followed.\n\n%2").arg(name, visibleLine(protocol.problem().text())));
+    return false;
+  }
+  followProtocol(m_document, *protocol);
+  emit remark(tr("The session follows “%1”").arg(name));
+  return true;
+}
+
+bool ProtocolFlow::save() {
+  emit commitWanted();
+  const QString title = tr("Save as a measurement protocol");
+  const auto protocol = protocolOf(m_document.session());
+  if (!protocol || !*protocol) {
+    m_dialogs.showProblem(
+        title, protocol ? tr("The session follows no protocol.") : visibleLine(protocol.problem().text()));
+    return false;
+  }
+  QString fileName = QString::fromStdString((*protocol)->name).simplified();
+  if (fileName.isEmpty()) fileName = tr("protocol");
+  fileName.replace(QLatin1Char('/'), QLatin1Char('-'));
+  const QString path =
+      m_dialogs.askExportPath(title, QDir(folder()).filePath(fileName + QStringLiteral(".alidade-protocol")),
+                              QStringLiteral("alidade-protocol"));
+  if (path.isEmpty()) return false;
+  std::vector<std::string> inputs;
+  for (const QString& input : m_document.paths()) inputs.push_back(encodedPath(input));
+  if (const auto problem = writeFile(encodedPath(path), writeProtocol(**protocol), inputs)) {
+    m_dialogs.showProblem(title, visibleLine(problem->text()));
+    return false;
+  }
+  emit remark(tr("Saved “%1”").arg(visibleLine(QFileInfo(path).fileName())));
+  return true;
+}
+
+/// That of the session, else its rows, else places there and back.
+bool ProtocolFlow::edit() {
+  emit commitWanted();
+  const Session& session = m_document.session();
+  const auto own = protocolOf(session);
+  SightingProtocol protocol = own && *own ? **own : protocolFromRows(session);
+  if (protocol.positions.empty()) {
+    protocol = *templateNamed("there-and-back");
+    protocol.name.clear();
+    protocol.description.clear();
+  }
+  const auto edited = m_dialogs.askProtocol(protocol, circleUnitOf(session));
+  if (!edited) return false;
+  followProtocol(m_document, *edited);
+  return true;
+}
+
+QString ProtocolFlow::folder() const {
+  return m_document.path().isEmpty() ? QDir::homePath() : QFileInfo(m_document.path()).absolutePath();
+}
+
+}  // namespace alidade::ui

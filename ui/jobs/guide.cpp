@@ -1,0 +1,35 @@
+#include "ui/jobs/guide.h"
+
+#include <utility>
+
+#include "core/guidance/forecast.h"
+#include "ui/jobs/evaluation.h"
+
+namespace alidade::ui {
+
+std::shared_ptr<const Guide> guideOf(const Evaluation& evaluation) {
+  const Session& session = evaluation.session;
+  if (session.protocol.empty()) return nullptr;
+  std::size_t rows = 0;
+  for (const Position& position : session.positions) rows += position.readings.size();
+  if (rows > mostSightings) return nullptr;
+  Guide guide;
+  auto protocol = protocolOf(session);
+  if (!protocol || !*protocol) {
+    if (!protocol) guide.problem = protocol.problem().text();
+    return std::make_shared<const Guide>(std::move(guide));
+  }
+  guide.protocol = **std::move(protocol);
+  guide.progress = progressOf(session, guide.protocol);
+  guide.expected.resize(guide.progress.sightings.size());
+  if (evaluation.examined.measurement) {
+    const Measurement& measurement = *evaluation.examined.measurement;
+    guide.expected = forecast(measurement, evaluation.fit, guide.protocol, guide.progress);
+    guide.repeats = repeatsOf({measurement, evaluation.fit,
+                               evaluation.twoFaces ? &*evaluation.twoFaces : nullptr, evaluation.suspects},
+                              guide.progress);
+  }
+  return std::make_shared<const Guide>(std::move(guide));
+}
+
+}  // namespace alidade::ui

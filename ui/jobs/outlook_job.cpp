@@ -1,0 +1,48 @@
+#include "ui/jobs/outlook_job.h"
+
+#include <utility>
+
+#include "ui/jobs/failed_job.h"
+#include "ui/jobs/guide.h"
+
+namespace alidade::ui {
+
+OutlookJob::OutlookJob(QObject* parent)
+    : QObject(parent), m_work([this](const SharedOutlook& outlook) {
+        const bool isOvertaken = m_wanted || m_isCancelled;
+        if (m_wanted) start();
+        if (!isOvertaken) emit found(outlook);
+      }) {}
+
+void OutlookJob::request(SharedEvaluation evaluation, SharedGap gap) {
+  m_wanted = std::move(evaluation);
+  m_gap = std::move(gap);
+  m_isCancelled = false;
+  if (m_work.isAtWork())
+    m_work.stop();
+  else
+    start();
+}
+
+void OutlookJob::cancel() {
+  m_wanted.reset();
+  m_isCancelled = true;
+  m_work.stop();
+}
+
+void OutlookJob::start() {
+  const SharedEvaluation evaluation = std::exchange(m_wanted, nullptr);
+  m_work.start(
+      [evaluation, gap = m_gap](const std::stop_token& stop) {
+        const Guide& guide = *evaluation->guide;
+        return OutlookOfSession{
+            evaluation, outlookOf(*evaluation->examined.measurement, evaluation->fit,
+                                  gap ? gap->found() : nullptr, guide.protocol, guide.progress, {}, stop)};
+      },
+      [evaluation](const std::string& reason) {
+        return OutlookOfSession{
+            evaluation, {}, tellFailure({QT_TRANSLATE_NOOP("Job", "outlook"), reason, evaluation->session})};
+      });
+}
+
+}  // namespace alidade::ui

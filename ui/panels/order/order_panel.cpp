@@ -1,0 +1,300 @@
+#include "ui/panels/order/order_panel.h"
+
+#include <QFontMetrics>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QProgressBar>
+#include <QScrollArea>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
+
+#include "core/guidance/advised_protocol.h"
+#include "core/session/entry.h"
+#include "core/simulation/protocol_template.h"
+#include "core/wording/guidance.h"
+#include "core/wording/measure.h"
+#include "core/wording/position_name.h"
+#include "ui/commands/change_protocol.h"
+#include "ui/document/session_document.h"
+#include "ui/jobs/guide.h"
+#include "ui/jobs/simulation_job.h"
+#include "ui/panels/parts/data_table.h"
+#include "ui/text/effect_text.h"
+#include "ui/text/entry_text.h"
+#include "ui/text/next_reading_text.h"
+#include "ui/text/visible_text.h"
+
+namespace alidade::ui {
+
+namespace {
+
+std::string effectNamed(const std::string& id) {
+  return effectName(id).toStdString();
+}
+
+QLabel* textLabel(const QString& name) {
+  auto* label = new QLabel;
+  label->setObjectName(name);
+  label->setTextFormat(Qt::PlainText);
+  label->setWordWrap(true);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  return label;
+}
+
+/// Of the same readings and the same protocol.
+bool isAlike(const Evaluation& one, const Evaluation& other) {
+  return one.session.protocol == other.session.protocol && measuresAlike(one.session, other.session) &&
+         one.session.acceptance == other.session.acceptance;
+}
+
+/// What the diagnosis advises first that a protocol can ask for; null: nothing.
+const Advice* adviceOf(const SharedGap& gap) {
+  if (!gap || !gap->found()) return nullptr;
+  for (const Advice& advice : gap->found()->advice)
+    if (std::all_of(advice.measures.begin(), advice.measures.end(), isForProtocol)) return &advice;
+  return nullptr;
+}
+
+}  // namespace
+
+OrderPanel::OrderPanel(SessionDocument& document, QWidget* parent)
+    : QWidget(parent),
+      m_document(document),
+      m_evaluation(std::make_shared<const Evaluation>()),
+      m_choice(new QToolButton),
+      m_menu(new QMenu(this)),
+      m_progress(new QProgressBar),
+      m_next(textLabel(QStringLiteral("next sighting"))),
+      m_expected(textLabel(QStringLiteral("expected reading"))),
+      m_state(textLabel(QStringLiteral("order state"))),
+      m_outlook(textLabel(QStringLiteral("order outlook"))),
+      m_repeats(textLabel(QStringLiteral("order repeats"))),
+      m_table(createTable()) {
+  m_table->setAccessibleName(tr("Sightings of the protocol"));
+  m_table->setPlaceholder(tr("The session follows no protocol. Choose one by “Protocol”."));
+  setFocusProxy(m_table);
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(6, 6, 6, 6);
+  layout->addWidget(createSummary(), 1);
+  layout->addWidget(m_table, 1);
+  connect(m_table, &DataTable::rowActivated, this, &OrderPanel::activate);
+  connect(m_menu, &QMenu::aboutToShow, this, &OrderPanel::fillMenu);
+  connect(&m_job, &OutlookJob::found, this, &OrderPanel::showOutlook);
+  showSummary();
+}
+
+QWidget* OrderPanel::createSummary() {
+  m_choice->setText(tr("Protocol"));
+  m_choice->setObjectName(QStringLiteral("protocol choice"));
+  m_choice->setPopupMode(QToolButton::InstantPopup);
+  m_choice->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  m_choice->setMenu(m_menu);
+  m_choice->setFocusPolicy(Qt::StrongFocus);
+  m_progress->setAccessibleName(tr("Sightings there"));
+  m_progress->setTextVisible(true);
+  QFont large = m_expected->font();
+  large.setPointSizeF(large.pointSizeF() * 1.7);
+  large.setBold(true);
+  m_expected->setFont(large);
+  m_expected->setAccessibleName(tr("Expected reading"));
+  m_next->setAccessibleName(tr("Next sighting"));
+  auto* inside = new QWidget;
+  auto* column = new QVBoxLayout(inside);
+  column->setContentsMargins(0, 0, 6, 0);
+  auto* top = new QHBoxLayout;
+  top->addWidget(m_choice);
+  top->addWidget(m_progress, 1);
+  column->addLayout(top);
+  for (QLabel* label : {m_next, m_expected, m_state, m_outlook, m_repeats}) column->addWidget(label);
+  column->addStretch(1);
+  auto* scroll = new QScrollArea;
+  scroll->setAccessibleName(tr("Progress of the protocol"));
+  scroll->setWidget(inside);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  return scroll;
+}
+
+DataTable* OrderPanel::createTable() {
+  const auto left = Qt::AlignLeft;
+  return new DataTable({
+      {tr("Axis"), tr("Position of the axis"), QStringLiteral("180° again"),
+       [this](int row) {
+         const PlannedSighting& planned = sighting(row).planned;
+         return qText(positionName(planned.axisDeg, planned.time));
+       },
+       left},
+      {tr("Sighting"), tr("Place with round and face, or pointing zero"), tr("pointing zero, face 2"),
+       [this](int row) { return qText(sightingName(sighting(row).planned)); }, left},
+      {tr("State"), tr("Whether it is taken"), tr("passed over"),
+       [this](int row) { return qText(stateName(sighting(row).state)); }, left},
+      {tr("Horizontal"), tr("What the horizontal circle will read, about"), QStringLiteral("359.99 gon"),
+       [this](int row) { return expectedText(row, true); }},
+      {tr("Vertical"), tr("What the vertical circle will read, about"), QStringLiteral("359.99 gon"),
+       [this](int row) { return expectedText(row, false); }},
+      {tr("Remark"), tr("Why it is to be taken again, and what is out of the order"), tr("take again"),
+       [this](int row) { return remarkText(row); }, left},
+  });
+}
+
+const FollowedSighting& OrderPanel::sighting(int row) const {
+  return m_evaluation->guide->progress.sightings[static_cast<std::size_t>(row)];
+}
+
+QString OrderPanel::expectedText(int row, bool isHorizontal) const {
+  const auto& expected = m_evaluation->guide->expected[static_cast<std::size_t>(row)];
+  if (!expected) return {};
+  return coarseAngleText(isHorizontal ? expected->horizontal : expected->vertical,
+                         circleUnitOf(m_evaluation->session));
+}
+
+QString OrderPanel::remarkText(int row) const {
+  const auto index = static_cast<std::size_t>(row);
+  for (const Repeat& repeat : m_evaluation->guide->repeats)
+    if (std::ranges::find(repeat.sightings, index) != repeat.sightings.end()) return tr("take again");
+  return sighting(row).isOutOfTurn ? tr("out of turn") : QString();
+}
+
+void OrderPanel::activate(int row) {
+  const FollowedSighting& followed = sighting(row);
+  if (!followed.position) return;
+  if (followed.planned.isZero)
+    emit placeActivated(
+        {.position = followed.position, .field = zeroField(followed.planned) + ".horizontal"});
+  else if (followed.row)
+    emit placeActivated({.position = followed.position, .reading = followed.row, .field = "horizontal"});
+}
+
+void OrderPanel::setEvaluation(const SharedEvaluation& evaluation) {
+  m_evaluation = m_searched && isAlike(*m_searched, *evaluation) ? m_searched : evaluation;
+  const bool isLed = m_evaluation->guide && m_evaluation->guide->problem.empty();
+  m_table->setRows(isLed ? static_cast<int>(m_evaluation->guide->progress.sightings.size()) : 0);
+  showSummary();
+  requestOutlook();
+}
+
+void OrderPanel::setSearched(const SharedEvaluation& evaluation) {
+  m_searched = evaluation;
+  if (isVisible() && evaluation->guide != m_evaluation->guide && isAlike(*evaluation, *m_evaluation))
+    setEvaluation(evaluation);
+}
+
+void OrderPanel::setGap(const SharedGap& gap) {
+  m_gap = gap;
+  if (isVisible() && gapOfThis()) requestOutlook();
+}
+
+SharedGap OrderPanel::gapOfThis() const {
+  return m_gap && isAlike(*m_gap->evaluation, *m_evaluation) ? m_gap : nullptr;
+}
+
+void OrderPanel::requestOutlook() {
+  const bool isLed = m_evaluation->guide && m_evaluation->guide->problem.empty();
+  if (!isLed || !m_evaluation->examined.measurement) {
+    m_job.cancel();
+    m_outlook->clear();
+    return;
+  }
+  m_job.request(m_evaluation, gapOfThis());
+}
+
+void OrderPanel::showSummary() {
+  const Guide* guide = m_evaluation->guide.get();
+  const bool isLed = guide && guide->problem.empty();
+  m_progress->setVisible(isLed);
+  m_state->setText(isLed   ? qText(progressSentences(guide->progress))
+                   : guide ? visibleLine(guide->problem)
+                           : tr("A protocol leads from sighting to sighting: which is next and what it will "
+                                "read, what is left, what to take again, and when it is enough."));
+  QStringList repeats;
+  if (isLed) {
+    for (const Repeat& repeat : guide->repeats)
+      repeats.append(qText(repeatSentence(repeat, guide->progress)));
+    const int count = static_cast<int>(guide->progress.sightings.size());
+    m_progress->setMaximum(std::max(1, count));
+    m_progress->setValue(static_cast<int>(guide->progress.taken));
+    const int number = guide->progress.next ? static_cast<int>(*guide->progress.next) + 1 : count;
+    m_progress->setFormat(tr("sighting %1 of %2").arg(number).arg(count));
+    m_choice->setText(guide->protocol.name.empty()
+                          ? tr("Protocol")
+                          : tr("Protocol %1").arg(shortLine(guide->protocol.name, 24)));
+  } else {
+    m_choice->setText(tr("Protocol"));
+  }
+  m_repeats->setText(repeats.join(u'\n'));
+  m_repeats->setVisible(!repeats.isEmpty());
+  showNext();
+}
+
+void OrderPanel::showNext() {
+  const Guide* guide = m_evaluation->guide.get();
+  const bool isLed = guide && guide->problem.empty();
+  m_next->setVisible(isLed);
+  m_expected->setVisible(false);
+  if (!isLed) return;
+  if (!guide->progress.next) return m_next->setText(tr("All of the protocol is there."));
+  const std::size_t next = *guide->progress.next;
+  m_next->setText(
+      tr("Next at %1").arg(qText(sightingNameInSession(guide->progress.sightings[next].planned))));
+  const auto& expected = guide->expected[next];
+  m_expected->setVisible(expected.has_value());
+  if (!expected) return;
+  const CircleUnit unit = circleUnitOf(m_evaluation->session);
+  m_expected->setText(tr("%1   %2").arg(coarseAngleText(expected->horizontal, unit),
+                                        coarseAngleText(expected->vertical, unit)));
+}
+
+void OrderPanel::showOutlook(const SharedOutlook& outlook) {
+  if (outlook->evaluation != m_evaluation) return;
+  const QString text =
+      outlook->failure.empty()
+          ? qText(outlookSentences(outlook->outlook, m_evaluation->guide->progress, effectNamed))
+          : qText(outlook->failure);
+  const QString first = qText(repeatsFirst(m_evaluation->guide->repeats));
+  m_outlook->setText(first.isEmpty() ? text : tr("%1 %2").arg(first, text));
+}
+
+void OrderPanel::fillMenu() {
+  m_menu->clear();
+  for (const Protocol& named : namedProtocols()) {
+    QAction* action = m_menu->addAction(QString::fromStdString(named.name));
+    action->setToolTip(QString::fromStdString(named.description));
+    connect(action, &QAction::triggered, this, [this, &named] { follow(templateOf(named)); });
+  }
+  m_menu->setToolTipsVisible(true);
+  m_menu->addSeparator();
+  const SightingProtocol rows = protocolFromRows(m_document.session());
+  QAction* own = m_menu->addAction(tr("As the Rows Are"));
+  own->setEnabled(!rows.positions.empty());
+  connect(own, &QAction::triggered, this, [this, rows] { follow(rows); });
+  const SharedGap gap = gapOfThis();
+  const Advice* advice = adviceOf(gap);
+  const bool isAdvised = advice && !rows.positions.empty();
+  QAction* advised = m_menu->addAction(isAdvised ? tr("These and %1").arg(qText(textOf(advice->measures)))
+                                                 : tr("These and What Is Advised"));
+  advised->setEnabled(isAdvised);
+  if (isAdvised)
+    connect(advised, &QAction::triggered, this,
+            [this, rows, measures = advice->measures] { follow(withMeasures(rows, measures)); });
+  m_menu->addSeparator();
+  connect(m_menu->addAction(tr("Edit…")), &QAction::triggered, this, &OrderPanel::editWanted);
+  connect(m_menu->addAction(tr("From a File…")), &QAction::triggered, this, &OrderPanel::loadWanted);
+  const bool isFollowing = !m_document.session().protocol.empty();
+  QAction* save = m_menu->addAction(tr("Save as a File…"));
+  save->setEnabled(isFollowing);
+  connect(save, &QAction::triggered, this, &OrderPanel::saveWanted);
+  QAction* none = m_menu->addAction(tr("None"));
+  none->setEnabled(isFollowing);
+  connect(none, &QAction::triggered, this, [this] { follow(std::nullopt); });
+}
+
+void OrderPanel::follow(const std::optional<SightingProtocol>& protocol) {
+  emit commitWanted();
+  followProtocol(m_document, protocol);
+}
+
+}  // namespace alidade::ui
