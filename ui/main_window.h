@@ -20,6 +20,7 @@ namespace alidade::ui {
 
 class ArcChart;
 class BlindTrialDialog;
+class InstallationDialog;
 class InstrumentDialog;
 class BudgetPanel;
 class ChangedFileBar;
@@ -90,6 +91,7 @@ class MainWindow : public QMainWindow {
   void showBlindTrials();
   /// Opens the dialog of the instrument check, which stays open beside the window.
   void showInstrumentCheck();
+  void showInstallationCheck();
   /// Opens the window of series, which stays open beside this one.
   void showSeries();
   /// Tells, and records with the session, that the window threw while it handled an event.
@@ -167,10 +169,11 @@ class MainWindow : public QMainWindow {
   QLabel* m_next = nullptr;  ///< what is to be read next, in the status bar
   EntryGuide* m_entry = nullptr;
   ReadingsFinder* m_finder = nullptr;
-  SharedEvaluation m_shown;                       ///< the newest; null before the first
-  BlindTrialDialog* m_blindTrials = nullptr;      ///< null until it is wanted
-  InstrumentDialog* m_instrumentCheck = nullptr;  ///< likewise
-  SeriesWindow* m_series = nullptr;               ///< likewise
+  SharedEvaluation m_shown;                           ///< the newest; null before the first
+  BlindTrialDialog* m_blindTrials = nullptr;          ///< null until it is wanted
+  InstallationDialog* m_installationCheck = nullptr;  ///< likewise
+  InstrumentDialog* m_instrumentCheck = nullptr;      ///< likewise
+  SeriesWindow* m_series = nullptr;                   ///< likewise
 };
 
 }  // namespace alidade::ui

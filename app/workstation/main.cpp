@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "app/workstation/report_command.h"
+#include "app/workstation/self_test_command.h"
 #include "core/base/failure.h"
 #include "ui/application.h"
 #include "ui/language/languages.h"
@@ -79,6 +80,11 @@ int run(int argc, char** argv) {
                                   QStringLiteral("Write the acceptance report of FILE and open no window."),
                                   QStringLiteral("OUT.pdf"));
   parser.addOption(report);
+  const QCommandLineOption selfTest(
+      QStringLiteral("self-test"),
+      QStringLiteral("Check this installation, write what was found and open no window."),
+      QStringLiteral("OUT.pdf"));
+  parser.addOption(selfTest);
   const QCommandLineOption language(
       QStringLiteral("language"),
       QStringLiteral("Language of window and report: %1. Else as chosen in the window, or as the desktop.")
@@ -100,6 +106,11 @@ int run(int argc, char** argv) {
   const QStringList files = parser.positionalArguments();
   if (files.size() > 1)
     return badCall(QStringLiteral("one FILE at most, but %1 are given").arg(files.size()));
+  if (parser.isSet(selfTest)) {
+    if (!files.isEmpty() || parser.isSet(report))
+      return badCall(QStringLiteral("--self-test takes no session and no report"));
+    return writeSelfTest(parser.value(selfTest));
+  }
   if (!parser.isSet(report)) return openWindow(application, files.value(0));
   if (files.isEmpty()) return badCall(QStringLiteral("--report needs the FILE of a session"));
   return writeReport(files.first(), parser.value(report));

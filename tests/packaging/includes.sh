@@ -15,7 +15,8 @@ awk '
                   "diagnosis/observability diagnosis/conclusion diagnosis " \
                   "series/shared_causes " \
                   "wording answers simulation " \
-                  "series/instrument_check series/history", order)
+                  "series/instrument_check series/history " \
+                  "self_test", order)
     for (i = 1; i <= rooms; ++i) level["core/" order[i]] = i
     # Linear algebra, for the sources of one floor and nobody else.
     floor_of["core/adjustment/joint/arc_jets.h"] = "adjustment"

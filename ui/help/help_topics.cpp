@@ -33,6 +33,7 @@ constexpr ClassTopic classTopics[] = {
     {"alidade::ui::GapPanel", "gap"},
     {"alidade::ui::BlindTrialDialog", "gap#trials"},
     {"alidade::ui::InstrumentDialog", "instrument"},
+    {"alidade::ui::InstallationDialog", "installation"},
     {"alidade::ui::SeriesWindow", "series"},
     {"alidade::ui::DiagnosisPanel", "gap#several"},
     {"alidade::ui::JournalPanel", "report#journal"},
@@ -61,6 +62,7 @@ const std::vector<HelpPage>& allHelpPages() {
       {"report", QT_TRANSLATE_NOOP("HelpPage", "Report, journal and seal")},
       {"series", QT_TRANSLATE_NOOP("HelpPage", "A device over time")},
       {"files", QT_TRANSLATE_NOOP("HelpPage", "Files and recovery")},
+      {"installation", QT_TRANSLATE_NOOP("HelpPage", "Checking this installation")},
       {"words", QT_TRANSLATE_NOOP("HelpPage", "Words and symbols")}};
   return pages;
 }

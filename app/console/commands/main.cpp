@@ -14,6 +14,7 @@
 #include "app/console/commands/instrument_command.h"
 #include "app/console/commands/journal_command.h"
 #include "app/console/commands/plan_command.h"
+#include "app/console/commands/self_test_command.h"
 #include "app/console/commands/simulate_command.h"
 #include "app/console/commands/trial_command.h"
 #include "app/console/session_files.h"
@@ -101,6 +102,8 @@ int run(int argc, char** argv, std::string& subject) {
   addImportCommand(app, importRequest);
   InstrumentRequest instrumentRequest;
   addInstrumentCommand(app, instrumentRequest);
+  SelfTestRequest selfTestRequest;
+  addSelfTestCommand(app, selfTestRequest);
   app.footer("Exit codes: 0 done, 2 bad input or call, 1 anything else.");
 
   try {
@@ -113,6 +116,7 @@ int run(int argc, char** argv, std::string& subject) {
     return refuse("alidade-cli", callProblem(app, error) + ". `alidade-cli --help` lists what can be asked.");
   }
 
+  if (app.got_subcommand("self-test")) return giveSelfTest(selfTestRequest);
   if (app.got_subcommand("simulate")) return give(runSimulate(simulateRequest), subject);
   if (app.got_subcommand("trial")) return give(runTrial(trialRequest), subject);
   if (app.got_subcommand("history")) return giveHistory(historyRequest);
