@@ -21,8 +21,12 @@ std::string sectionText(const CheckSection& section) {
                     visibleText(check->expected), visibleText(check->found), shareText(check->deviation),
                     shareText(check->tolerance), mark(reason)});
   std::string text = "\n" + paragraph(titleOf(section.group)) + "\n" + alignedColumns(rows);
-  for (std::size_t i = 0; i < section.reasons.size(); ++i)
-    text += paragraph(mark(i) + " " + section.reasons[i], 4);
+  for (std::size_t i = 0; i < section.reasons.size(); ++i) {
+    std::string reason = mark(i);
+    reason += ' ';
+    reason += section.reasons[i];
+    text += paragraph(reason, 4);
+  }
   return text;
 }
 

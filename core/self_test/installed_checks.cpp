@@ -31,7 +31,10 @@ std::vector<SelfCheck> installedChecks(const std::string& share) {
   std::vector<SelfCheck> checks;
   for (const InstalledFile& file : installedFiles()) {
     const std::string path(file.path);
-    checks.push_back(hashCheck(group, path, std::string(file.sha256), hashOf(share + "/" + path), byHash));
+    std::string where = share;
+    where += '/';
+    where += path;
+    checks.push_back(hashCheck(group, path, std::string(file.sha256), hashOf(where), byHash));
   }
   return checks;
 }

@@ -41,3 +41,5 @@ function(alidade_write_self_test_references)
   endif()
 endfunction()
 alidade_write_self_test_references()
+# A build may lie anywhere, and its folder is no room.
+set_source_files_properties(${self_test_references} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)

@@ -4,9 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <QFile>
+#include <QProcess>
+#include <QTemporaryDir>
 #include <QTreeWidget>
 
-#include "tests/support/temporary_folder.h"
 #include "tests/ui/support.h"
 #include "ui/self_test/window_checks.h"
 
@@ -28,27 +29,27 @@ TEST(InstallationCheck, TheWindowHasWhatItNeeds) {
 }
 
 TEST(InstallationCheck, IsShownAndWritten) {
-  const test::TemporaryFolder folder;
+  const QTemporaryDir folder;
   ScriptedDialogs dialogs;
   InstallationDialog dialog(dialogs);
   ASSERT_TRUE(waitFor([&] { return dialog.last() != nullptr; }));
   EXPECT_THAT(dialog.verdict().toStdString(), HasSubstr("This installation passes: all "));
   EXPECT_EQ(dialog.findChild<QTreeWidget*>()->topLevelItemCount(), 8);
-  dialogs.exportPath = QString::fromStdString((folder.path() / "check.pdf").string());
+  dialogs.exportPath = folder.filePath(QStringLiteral("check.pdf"));
   EXPECT_TRUE(dialog.savePdf());
   EXPECT_TRUE(bytesOf(dialogs.exportPath).startsWith("%PDF-"));
-  dialogs.printPath = QString::fromStdString((folder.path() / "printed.pdf").string());
+  dialogs.printPath = folder.filePath(QStringLiteral("printed.pdf"));
   EXPECT_TRUE(dialog.print());
   EXPECT_TRUE(bytesOf(dialogs.printPath).startsWith("%PDF-"));
   EXPECT_EQ(dialogs.problems, QStringList());
-  dialogs.exportPath = QString::fromStdString((folder.path() / "no/such/check.pdf").string());
+  dialogs.exportPath = folder.filePath(QStringLiteral("no/such/check.pdf"));
   EXPECT_FALSE(dialog.savePdf());
   EXPECT_EQ(dialogs.problems.size(), 1);
 }
 
 TEST(InstallationCheck, TheProgramWritesItWithoutADisplay) {
-  const test::TemporaryFolder folder;
-  const QString path = QString::fromStdString((folder.path() / "check.pdf").string());
+  const QTemporaryDir folder;
+  const QString path = folder.filePath(QStringLiteral("check.pdf"));
   QProcess program;
   program.start(QStringLiteral(ALIDADE_PROGRAM), {QStringLiteral("--self-test"), path});
   ASSERT_TRUE(program.waitForFinished(60000));
