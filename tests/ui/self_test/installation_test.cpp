@@ -8,6 +8,7 @@
 #include <QTemporaryDir>
 #include <QTreeWidget>
 
+#include "tests/ui/language/speaking.h"
 #include "tests/ui/support.h"
 #include "ui/self_test/window_checks.h"
 
@@ -22,6 +23,7 @@ QByteArray bytesOf(const QString& path) {
 }
 
 TEST(InstallationCheck, TheWindowHasWhatItNeeds) {
+  const Speaking english(QStringLiteral("en"));
   const std::vector<SelfCheck> checks = windowChecks();
   EXPECT_GE(checks.size(), 12U + 24U + 2U + 3U);  // samples, pages of the guide, languages, fonts
   for (const SelfCheck& check : checks)
@@ -29,6 +31,7 @@ TEST(InstallationCheck, TheWindowHasWhatItNeeds) {
 }
 
 TEST(InstallationCheck, IsShownAndWritten) {
+  const Speaking english(QStringLiteral("en"));
   const QTemporaryDir folder;
   ScriptedDialogs dialogs;
   InstallationDialog dialog(dialogs);
