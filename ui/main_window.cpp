@@ -61,6 +61,7 @@
 #include "ui/panels/window/changed_file_bar.h"
 #include "ui/panels/window/job_status.h"
 #include "ui/panels/window/page_tabs.h"
+#include "ui/self_test/installation_dialog.h"
 #include "ui/series/series_window.h"
 #include "ui/settings/theme.h"
 #include "ui/settings/window_font.h"
@@ -502,6 +503,13 @@ void MainWindow::showInstrumentCheck() {
   m_instrumentCheck->show();
   m_instrumentCheck->raise();
   m_instrumentCheck->activateWindow();
+}
+
+void MainWindow::showInstallationCheck() {
+  if (!m_installationCheck) m_installationCheck = new InstallationDialog(*m_dialogs, this);
+  m_installationCheck->show();
+  m_installationCheck->raise();
+  m_installationCheck->activateWindow();
 }
 
 void MainWindow::showSeries() {

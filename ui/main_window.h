@@ -20,6 +20,7 @@ namespace alidade::ui {
 
 class ArcChart;
 class BlindTrialDialog;
+class InstallationDialog;
 class InstrumentDesk;
 class InstrumentDialog;
 class BudgetPanel;
@@ -94,6 +95,7 @@ class MainWindow : public QMainWindow {
   void showBlindTrials();
   /// Opens the dialog of the instrument check, which stays open beside the window.
   void showInstrumentCheck();
+  void showInstallationCheck();
   /// Opens the window of series, which stays open beside this one.
   void showSeries();
   /// Tells, and records with the session, that the window threw while it handled an event.
@@ -175,10 +177,11 @@ class MainWindow : public QMainWindow {
   EntryGuide* m_entry = nullptr;
   InstrumentDesk* m_desk;
   ReadingsFinder* m_finder = nullptr;
-  SharedEvaluation m_shown;                       ///< the newest; null before the first
-  BlindTrialDialog* m_blindTrials = nullptr;      ///< null until it is wanted
-  InstrumentDialog* m_instrumentCheck = nullptr;  ///< likewise
-  SeriesWindow* m_series = nullptr;               ///< likewise
+  SharedEvaluation m_shown;                           ///< the newest; null before the first
+  BlindTrialDialog* m_blindTrials = nullptr;          ///< null until it is wanted
+  InstallationDialog* m_installationCheck = nullptr;  ///< likewise
+  InstrumentDialog* m_instrumentCheck = nullptr;      ///< likewise
+  SeriesWindow* m_series = nullptr;                   ///< likewise
 };
 
 }  // namespace alidade::ui

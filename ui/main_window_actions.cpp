@@ -484,6 +484,8 @@ void WindowActions::createHelpMenu(Dialogs& dialogs) {
     m_window.commitPending();
     m_window.showStart();
   });
+  addTo(menu, nullptr, tr("&Check This Installation…"), {}, this,
+        [this] { m_window.showInstallationCheck(); });
   addTo(menu, nullptr, tr("&About Alidade"), {}, this, [&dialogs] { dialogs.showAbout(); });
 }
 

@@ -8,6 +8,7 @@
 #include <cstdio>
 
 #include "app/workstation/report_command.h"
+#include "app/workstation/self_test_command.h"
 #include "core/base/failure.h"
 #include "ui/application.h"
 #include "ui/language/languages.h"
@@ -147,6 +148,11 @@ int run(int argc, char** argv) {
       QStringLiteral("OUT.xml"));
   parser.addOption(certificate);
   const OptionsOfFiles more(parser);
+  const QCommandLineOption selfTest(
+      QStringLiteral("self-test"),
+      QStringLiteral("Check this installation, write what was found and open no window."),
+      QStringLiteral("OUT.pdf"));
+  parser.addOption(selfTest);
   const QCommandLineOption language(
       QStringLiteral("language"),
       QStringLiteral("Language of window and report: %1. Else as chosen in the window, or as the desktop.")
@@ -173,6 +179,11 @@ int run(int argc, char** argv) {
   const bool writes = parser.isSet(report) || parser.isSet(certificate);
   if (const QString why = more.whyNot(parser, writes, parser.isSet(certificate)); !why.isEmpty())
     return badCall(why);
+  if (parser.isSet(selfTest)) {
+    if (!files.isEmpty() || writes)
+      return badCall(QStringLiteral("--self-test takes no session, no report and no certificate"));
+    return writeSelfTest(parser.value(selfTest));
+  }
   if (!writes) return openWindow(application, files.value(0));
   if (files.isEmpty())
     return badCall(QStringLiteral("--%1 needs the FILE of a session")

@@ -1190,6 +1190,10 @@ Sealed by:</source>
         <source>Readings from the instrument</source>
         <translation>从仪器读取读数</translation>
     </message>
+    <message>
+        <source>Checking this installation</source>
+        <translation>检查本安装</translation>
+    </message>
 </context>
 <context>
     <name>InsetText</name>
@@ -4975,6 +4979,130 @@ Sealed by:</source>
         <source>Of the fit alone U = %1 mm once the protocol is carried out.</source>
         <translation>仅按拟合，方案测完后 U = %1 mm。</translation>
     </message>
+    <message>
+        <source>the session was simulated with this truth and no other cause; the answer is a word</source>
+        <translation>会话按此真值模拟，没有其他原因；答案是一个词</translation>
+    </message>
+    <message>
+        <source>3 σ of the estimate: the readings hold noise, which is the same every time</source>
+        <translation>估计值的 3 σ：读数含有噪声，每次都相同</translation>
+    </message>
+    <message>
+        <source>1e-9 mm, a millionth of the smallest uncertainty: the fit stops within 1e-9 σ of the minimum, and rounding in double precision is a thousandth of that</source>
+        <translation>1e-9 mm，最小不确定度的百万分之一：拟合在距最小值 1e-9 σ 以内停止，双精度舍入是其千分之一</translation>
+    </message>
+    <message>
+        <source>1e-8: σ and χ² are smooth at the minimum, within 1e-9 σ of which the fit stops</source>
+        <translation>1e-8：σ 和 χ² 在最小值处是光滑的，拟合在距其 1e-9 σ 以内停止</translation>
+    </message>
+    <message>
+        <source>SHA-256 of the whole file</source>
+        <translation>整个文件的 SHA-256</translation>
+    </message>
+    <message>
+        <source>the program does not run from where it was installed</source>
+        <translation>程序不是从安装位置运行的</translation>
+    </message>
+    <message>
+        <source>1e-10: probabilities and coverage factors are shown with five digits at most</source>
+        <translation>1e-10：概率和包含因子最多显示五位数字</translation>
+    </message>
+    <message>
+        <source>1e-15: some roundings of a number in double precision, 2e-16 each</source>
+        <translation>1e-15：双精度数的若干次舍入，每次 2e-16</translation>
+    </message>
+    <message>
+        <source>half of the last printed digit (JCGM 100:2008, table G.2)</source>
+        <translation>末位印出数字的一半（JCGM 100:2008，表 G.2）</translation>
+    </message>
+    <message>
+        <source>half of the last printed digit (Cui, Ren, Yuan, Liu)</source>
+        <translation>末位印出数字的一半（Cui、Ren、Yuan、Liu）</translation>
+    </message>
+    <message>
+        <source>every bit: a seed gives the same numbers on every machine</source>
+        <translation>每一位：同一种子在任何机器上给出相同的数</translation>
+    </message>
+    <message>
+        <source>every digit of every reading, by the SHA-256 of all: a seed gives the same session on every machine</source>
+        <translation>每个读数的每一位，以全部读数的 SHA-256 比较：同一种子在任何机器上给出相同的会话</translation>
+    </message>
+    <message>
+        <source>1e-14: the quantile is worked out to 1e-16 and rounded some ten times</source>
+        <translation>1e-14：分位数算到 1e-16，并舍入约十次</translation>
+    </message>
+    <message>
+        <source>the check could not be made</source>
+        <translation>无法进行检查</translation>
+    </message>
+    <message>
+        <source>Sessions fitted at 60 digits by another implementation (stated σ, readings alone)</source>
+        <translation>由另一实现以 60 位数字拟合的会话（所述 σ，仅读数）</translation>
+    </message>
+    <message>
+        <source>The figures that the paper prints, by the published method</source>
+        <translation>论文中印出的数值，按已发表的方法</translation>
+    </message>
+    <message>
+        <source>Simulated sessions whose cause is known</source>
+        <translation>原因已知的模拟会话</translation>
+    </message>
+    <message>
+        <source>Coverage factors (t), tails of χ² and F, normal quantiles, at 50 digits</source>
+        <translation>包含因子（t）、χ² 与 F 的尾概率、正态分位数，50 位数字</translation>
+    </message>
+    <message>
+        <source>Angles as they are typed, at 50 digits</source>
+        <translation>按输入形式的角度，50 位数字</translation>
+    </message>
+    <message>
+        <source>Random numbers and a simulated session, written a second time</source>
+        <translation>随机数和一个模拟会话，第二次编写</translation>
+    </message>
+    <message>
+        <source>Files that stand beside the programs</source>
+        <translation>与程序一同安装的文件</translation>
+    </message>
+    <message>
+        <source>What the window holds in itself, and its fonts</source>
+        <translation>窗口自身包含的内容及其字体</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>通过</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>未通过</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>略去</translation>
+    </message>
+    <message>
+        <source>This installation does not pass: nothing could be checked.</source>
+        <translation>本安装未通过：无法检查任何内容。</translation>
+    </message>
+    <message>
+        <source>This installation does not pass: %1 of %2 lines failed. Use none of its results before that is explained.</source>
+        <translation>本安装未通过：%2 行中有 %1 行未通过。在查明原因之前，不要使用其任何结果。</translation>
+    </message>
+    <message>
+        <source>This installation passes: all %1 lines are within their tolerance.</source>
+        <translation>本安装通过：全部 %1 行都在允许偏差之内。</translation>
+    </message>
+    <message>
+        <source>a word of this page, in that language</source>
+        <translation>本页中的一个词，以该语言表示</translation>
+    </message>
+    <message>
+        <source>letters of reports and charts</source>
+        <translation>报告和图表所用的字符</translation>
+    </message>
+    <message>
+        <source>only a window or report in Chinese needs one</source>
+        <translation>只有中文窗口或中文报告需要</translation>
+    </message>
 </context>
 <context>
     <name>PlaceText</name>
@@ -6337,6 +6465,46 @@ a clause as a sentence</extracomment>
     <message>
         <source>there is no result to certify</source>
         <translation>没有可出具证书的结果</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>行</translation>
+    </message>
+    <message>
+        <source>Expected</source>
+        <translation>期望值</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>所得值</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>偏差</translation>
+    </message>
+    <message>
+        <source>At most</source>
+        <translation>最多</translation>
+    </message>
+    <message>
+        <source>Check of this installation</source>
+        <translation>本安装的检查</translation>
+    </message>
+    <message>
+        <source>Every number is compared with one that was worked out without this program.</source>
+        <translation>每个数值都与不用本程序求得的数值比较。</translation>
+    </message>
+    <message>
+        <source>Deviations and tolerances are relative to the expected number.</source>
+        <translation>偏差和允许偏差均相对于期望值。</translation>
+    </message>
+    <message>
+        <source>%1 · Check of this installation</source>
+        <translation>%1 · 本安装的检查</translation>
+    </message>
+    <message>
+        <source>The check of this document, to be read by programs</source>
+        <translation>本文件的检查结果，供程序读取</translation>
     </message>
 </context>
 <context>
@@ -9174,6 +9342,65 @@ sizes</source>
     </message>
 </context>
 <context>
+    <name>alidade::ui::InstallationDialog</name>
+    <message>
+        <source>Check of This Installation</source>
+        <translation>本安装的检查</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>行</translation>
+    </message>
+    <message>
+        <source>Expected</source>
+        <translation>期望值</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>所得值</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>偏差</translation>
+    </message>
+    <message>
+        <source>At most</source>
+        <translation>最多</translation>
+    </message>
+    <message>
+        <source>Lines of the check</source>
+        <translation>检查的各行</translation>
+    </message>
+    <message>
+        <source>Save as &amp;PDF…</source>
+        <translation>存为 &amp;PDF…</translation>
+    </message>
+    <message>
+        <source>P&amp;rint…</source>
+        <translation>打印(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>Check &amp;Again</source>
+        <translation>再次检查(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Checking…</source>
+        <translation>正在检查…</translation>
+    </message>
+    <message>
+        <source>Save check of this installation</source>
+        <translation>保存本安装的检查</translation>
+    </message>
+    <message>
+        <source>The printer “%1” cannot be printed on: choose another, or save a PDF.</source>
+        <translation>打印机“%1”无法打印：请另选一台，或保存 PDF。</translation>
+    </message>
+</context>
+<context>
     <name>alidade::ui::InstrumentDesk</name>
     <message>
         <source>No port is chosen: choose the one that the cable is in.</source>
@@ -11997,6 +12224,10 @@ Reference %1, difference %2</source>
     <message>
         <source>&amp;Calibration Certificate (DCC)…</source>
         <translation>校准证书 (DCC)(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>&amp;Check This Installation…</source>
+        <translation>检查本安装(&amp;C)…</translation>
     </message>
 </context>
 <context>

@@ -64,4 +64,40 @@ must fail includes 'own header second'
 offence scripts broken.sh 'if true\n'
 # shellcheck disable=SC2016
 offence scripts unquoted.sh '#!/usr/bin/env bash\nrm $1\n'
+
+# docs pass|fail WHY [PROGRAM]: what the rule of the Markdown files has to say about the tree.
+docs() {
+  local outcome=pass
+  python3 "$rules/docs.py" "$trees/tree" "${@:3}" >"$trees/log" 2>&1 || outcome=fail
+  [[ $outcome == "$1" ]] || { echo "docs.py should $1: $2" && cat "$trees/log" && failed=1; }
+}
+# Pages that keep their promises and pages that do not, with a program that knows `fit --json` and prints 1.3.
+# shellcheck disable=SC2016
+of_documents() {
+  local fence='```'
+  documented() {
+    sound_tree
+    printf '%b' '# A page\n\n## What it `is`, in 2 words\n\n'"$1" >page.md
+    printf '#!/bin/sh\n[ "$*" != "--help" ] || exec echo "fit"\n[ "$*" != "fit --help" ] || exec echo "  --json"\n' >cli
+    printf '[ "$1" = fit ] && echo "d = 1.3  mm"\n' >>cli
+    chmod +x cli
+  }
+  documented '[one](core/base/one.h) [two](#what-it-is-in-2-words) [three](page.md#a-page)\n'
+  docs pass 'links that lead somewhere'
+  documented '[one](core/base/none.h)\n'
+  docs fail 'a link to no file'
+  documented '[one](#what-it-was)\n'
+  docs fail 'a link to no heading'
+  documented '[one](../log)\n'
+  docs fail 'a link out of the tree'
+  documented "${fence}sh\nalidade-cli fit --json\n$fence\n\n${fence}text\nd = 1.3 mm\n$fence\n"
+  docs pass 'a command and what it prints' "$trees/tree/cli"
+  documented "${fence}sh\nalidade-cli fit\n$fence\n\n${fence}text\nd = 1.4 mm\n$fence\n"
+  docs fail 'another figure than the command prints' "$trees/tree/cli"
+  documented 'Say `alidade-cli fit --yaml`.\n'
+  docs fail 'an option that the command has not' "$trees/tree/cli"
+  documented "${fence}sh\nalidade-cli fit-all\n$fence\n"
+  docs fail 'a command that there is not' "$trees/tree/cli"
+}
+of_documents
 exit "$failed"

@@ -15,7 +15,8 @@ awk '
                   "diagnosis/observability diagnosis/conclusion diagnosis " \
                   "series/shared_causes guidance " \
                   "wording answers certificate simulation " \
-                  "series/instrument_check series/history", order)
+                  "series/instrument_check series/history " \
+                  "self_test", order)
     for (i = 1; i <= rooms; ++i) level["core/" order[i]] = i
     # Linear algebra, for the sources of one floor and nobody else.
     floor_of["core/adjustment/joint/arc_jets.h"] = "adjustment"
@@ -26,6 +27,7 @@ awk '
     floor_of["core/series/shared_causes/shared_search.h"] = "series"
     floor_of["core/series/shared_causes/common_noise.h"] = "series"
     floor_of["core/series/shared_causes/series_conclusion.h"] = "series"
+    floor_of["core/series/shared_causes/settled_series.h"] = "series"
     split("gap evidence candidates search observability conclusion", behind)
     for (i in behind) inner["core/diagnosis/" behind[i]]
   }

@@ -36,6 +36,7 @@ constexpr ClassTopic classTopics[] = {
     {"alidade::ui::InstrumentDialog", "instrument"},
     {"alidade::ui::ConnectionDialog", "connection"},
     {"alidade::ui::ReadingQuestionBar", "connection#question"},
+    {"alidade::ui::InstallationDialog", "installation"},
     {"alidade::ui::SeriesWindow", "series"},
     {"alidade::ui::DiagnosisPanel", "gap#several"},
     {"alidade::ui::JournalPanel", "report#journal"},
@@ -65,6 +66,7 @@ const std::vector<HelpPage>& allHelpPages() {
       {"report", QT_TRANSLATE_NOOP("HelpPage", "Report, journal and seal")},
       {"series", QT_TRANSLATE_NOOP("HelpPage", "A device over time")},
       {"files", QT_TRANSLATE_NOOP("HelpPage", "Files and recovery")},
+      {"installation", QT_TRANSLATE_NOOP("HelpPage", "Checking this installation")},
       {"words", QT_TRANSLATE_NOOP("HelpPage", "Words and symbols")}};
   return pages;
 }

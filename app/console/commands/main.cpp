@@ -18,6 +18,7 @@
 #include "app/console/commands/plan_command.h"
 #include "app/console/commands/protocol_command.h"
 #include "app/console/commands/schema_command.h"
+#include "app/console/commands/self_test_command.h"
 #include "app/console/commands/simulate_command.h"
 #include "app/console/commands/trial_command.h"
 #include "app/console/session_files.h"
@@ -121,6 +122,8 @@ int run(int argc, char** argv, std::string& subject) {
   addCertificateCommand(app, certificateRequest);
   std::string schema;
   addSchemaCommand(app, schema);
+  SelfTestRequest selfTestRequest;
+  addSelfTestCommand(app, selfTestRequest);
   app.footer("Exit codes: 0 done, 2 bad input or call, 1 anything else.");
 
   try {
@@ -133,6 +136,7 @@ int run(int argc, char** argv, std::string& subject) {
     return refuse("alidade-cli", callProblem(app, error) + ". `alidade-cli --help` lists what can be asked.");
   }
 
+  if (app.got_subcommand("self-test")) return giveSelfTest(selfTestRequest);
   if (app.got_subcommand("simulate")) return give(runSimulate(simulateRequest), subject);
   if (app.got_subcommand("trial")) return give(runTrial(trialRequest), subject);
   if (app.got_subcommand("history")) return giveHistory(historyRequest);

@@ -5,14 +5,13 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <map>
-#include <numeric>
 #include <optional>
 #include <set>
 
 #include "core/base/phrase.h"
 #include "core/base/statistics.h"
 #include "core/effects/cause_ids.h"
+#include "core/series/shared_causes/settled_series.h"
 
 namespace alidade {
 
@@ -101,10 +100,12 @@ class Conclusion {
     addOwn(conclusion);
     diagnosis.verdict = verdictOf(diagnosis.causes);
     addSizes(diagnosis);
-    addCandidates(diagnosis);
-    addWhere(diagnosis);
-    addUnseen(diagnosis);
-    addAdvice(diagnosis);
+    const SettledSeries settled{m_evidence, m_owners, m_names,  m_leftOut, m_stop,
+                                m_sums,     m_blocks, m_search, m_sets,    m_best};
+    addCandidates(diagnosis, settled);
+    addWhere(diagnosis, settled);
+    addUnseen(diagnosis, settled);
+    addAdvice(diagnosis, settled);
     conclusion.known = known();
     return conclusion;
   }
@@ -483,151 +484,6 @@ class Conclusion {
     diagnosis.shrink.heldOut = sessions() < 2 || !(before > 0) ? std::numeric_limits<double>::quiet_NaN()
                                : m_best.parts.empty()          ? 0
                                                                : 1 - std::sqrt(heldOut / before);
-  }
-
-  void addCandidates(SeriesDiagnosis& diagnosis) const {
-    for (const EffectBlock& block : m_blocks) {
-      if (m_stop.stop_requested()) return;
-      if (block.sizes != SizesKind::One && block.owner != CauseOwner::Time) continue;
-      const ColumnGain gain = m_search.alone(block);
-      const SharedSet set = m_search.fitted({block}, std::vector<std::size_t>(sessions(), 0));
-      const Candidate candidate{std::string(block.columns().effect->id), gain.log,
-                                m_search.visibleLength(set.parts.front())};
-      const auto same = std::ranges::find(diagnosis.candidates, candidate.effect, &Candidate::effect);
-      if (same == diagnosis.candidates.end())
-        diagnosis.candidates.push_back(candidate);
-      else if (same->logBayesFactor < candidate.logBayesFactor)
-        *same = candidate;
-    }
-    std::ranges::sort(diagnosis.candidates, std::greater{}, &Candidate::logBayesFactor);
-  }
-
-  void addWhere(SeriesDiagnosis& diagnosis) const {
-    double left = 0, own = 0;
-    std::map<std::string, double> ofInstruments, ofGuideways;
-    std::vector<double> excess;
-    for (std::size_t s = 0; s < sessions(); ++s) {
-      const double f = m_evidence[s].degreesOfFreedom;
-      const OwnAccount& account = m_sums[s].account(m_best.accounts[s]);
-      excess.push_back(std::max(0.0, m_evidence[s].chiSquare - f));
-      ofInstruments[m_owners[s].instrument] += excess.back();
-      ofGuideways[m_owners[s].guideway] += excess.back();
-      left += chiSquareLeft(m_sums[s], s, m_best) - f + static_cast<double>(account.directions);
-      own += m_evidence[s].chiSquare - account.chiSquare;
-    }
-    std::map<CauseOwner, double> frames;
-    for (const SharedPart& part : m_best.parts)
-      frames[part.block.owner] += std::pow(m_search.visibleLength(part), 2);
-    frames[CauseOwner::Time] += std::max(own, 0.0);
-    const double noise = std::max(left, 0.0);
-    double sum = noise;
-    for (const auto& [owner, size] : frames) sum += size;
-    const auto share = [&](const std::string& by, const std::string& of, double size, double whole) {
-      diagnosis.where.push_back({by, of, whole > 0 ? size / whole : 0});
-    };
-    for (const CauseOwner owner : {CauseOwner::Guideway, CauseOwner::Instrument, CauseOwner::Time})
-      share("frame", std::string(nameOf(owner)), frames[owner], sum);
-    share("frame", "noise", sum > 0 ? noise : 1, sum > 0 ? sum : 1);
-    const double whole = std::accumulate(excess.begin(), excess.end(), 0.0);
-    for (std::size_t s = 0; s < sessions(); ++s) share("session", m_names[s], excess[s], whole);
-    for (const auto& [serial, size] : ofInstruments)
-      if (!serial.empty()) share("instrument", serial, size, whole);
-    for (const auto& [serial, size] : ofGuideways)
-      if (!serial.empty()) share("guideway", serial, size, whole);
-  }
-
-  /// What would move Δd, the mean of the sessions, and shows in none of them nor in all together.
-  void addUnseen(SeriesDiagnosis& diagnosis) const {
-    constexpr double negligible = 1e-3;  // mm
-    for (const EffectColumns& columns : effectColumns()) {
-      if (columns.effect->response == Response::AllOrNothing) continue;
-      if (std::ranges::find(m_leftOut, columns.effect->id) != m_leftOut.end()) continue;
-      const auto count = static_cast<Index>(columns.effect->parameters.size());
-      VectorXd influence = VectorXd::Zero(count);
-      MatrixXd normal = MatrixXd::Zero(static_cast<Index>(columns.count), static_cast<Index>(columns.count));
-      for (std::size_t s = 0; s < sessions(); ++s) {
-        influence += Eigen::Map<const VectorXd>(&m_evidence[s].influence[columns.first], count) /
-                     static_cast<double>(sessions());
-        normal += m_sums[s].plainNormal(columns, columns);
-      }
-      const double moves = influence.norm();
-      if (!(moves > negligible)) continue;
-      const VectorXd along = influence / moves;
-      VectorXd weights = VectorXd::Zero(normal.cols());
-      weights.head(count) = along;
-      if (columns.effect->response == Response::Bent)
-        weights.tail(3) << along[0] * along[0] / 2, along[0] * along[1], along[1] * along[1] / 2;
-      const double visible = std::sqrt(std::max(weights.dot(normal * weights), 0.0));
-      if (visible < clearlyToldApart())
-        diagnosis.unseen.push_back({std::string(columns.effect->id), moves, visible});
-    }
-    std::ranges::sort(diagnosis.unseen, std::greater{}, &UnseenEffect::influence);
-  }
-
-  /// Sessions until something that shows by `inOne` each is clear.
-  static int sessionsFor(double inOne) {
-    constexpr double most = 99;
-    return static_cast<int>(
-        std::clamp(std::ceil(std::pow(clearlyToldApart() / std::max(inOne, 1e-9), 2)), 1.0, most));
-  }
-
-  void addAdvice(SeriesDiagnosis& diagnosis) const {
-    const auto serialsOf = [&](CauseOwner kind) {
-      std::vector<std::string> serials;
-      for (const SessionOwners& owner : m_owners) {
-        const std::string& serial = kind == CauseOwner::Instrument ? owner.instrument : owner.guideway;
-        if (!serial.empty() && std::ranges::find(serials, serial) == serials.end()) serials.push_back(serial);
-      }
-      return serials;
-    };
-    const auto add = [&](const SharedCause& cause, const std::string& rival, CauseOwner changed) {
-      SeriesAdvice advice;
-      advice.what = changed == CauseOwner::Instrument ? SeriesAdvice::What::OtherInstrument
-                                                      : SeriesAdvice::What::OtherGuideway;
-      const SessionOwners& now = m_owners[cause.sessions.front()];
-      const auto others = serialsOf(changed);
-      const std::string& present = changed == CauseOwner::Instrument ? now.instrument : now.guideway;
-      const auto other = std::ranges::find_if(others, [&](const std::string& s) { return s != present; });
-      const std::string chosen = other == others.end() ? "" : *other;
-      advice.instrument = changed == CauseOwner::Instrument ? chosen : now.instrument;
-      advice.guideway = changed == CauseOwner::Instrument ? now.guideway : chosen;
-      advice.separates = {cause.cause.effect, rival};
-      advice.sessions = sessionsFor(cause.visibleInOne);
-      advice.bySigma = cause.visibleInOne * std::sqrt(advice.sessions);
-      diagnosis.advice.push_back(std::move(advice));
-    };
-    for (const SharedCause& cause : diagnosis.causes) {
-      if (cause.owner == CauseOwner::Time || !(cause.visibleInOne > 0)) continue;
-      const auto rival = std::ranges::find_if(cause.rivals, [&](const SharedRival& other) {
-        return other.owner != cause.owner && other.owner != CauseOwner::Time;
-      });
-      if (rival == cause.rivals.end()) continue;
-      add(cause, rival->effect, CauseOwner::Instrument);
-      add(cause, rival->effect, CauseOwner::Guideway);
-    }
-    const bool isShared = std::ranges::any_of(
-        diagnosis.causes, [](const SharedCause& cause) { return cause.owner != CauseOwner::Time; });
-    if (isShared || m_sets.empty()) return;
-    addMore(diagnosis);
-  }
-
-  /// Something may be there, but it shows too faintly so far.
-  void addMore(SeriesDiagnosis& diagnosis) const {
-    constexpr double likely = 0.2, clear = 6;  // probability; σ together from which a cause is named
-    const auto best = std::ranges::find_if(m_sets, [](const SharedSet& set) { return !set.parts.empty(); });
-    if (best == m_sets.end() || best->chance < likely) return;
-    const SharedPart& part = best->parts.front();
-    const double together = m_search.visibleLength(part);
-    const double inOne = together / std::sqrt(static_cast<double>(part.block.sessions.size()));
-    if (part.block.owner == CauseOwner::Time || !(inOne > 0) || together >= clear) return;
-    SeriesAdvice advice;
-    if (part.block.owner == CauseOwner::Instrument) advice.instrument = part.block.serial;
-    if (part.block.owner == CauseOwner::Guideway) advice.guideway = part.block.serial;
-    advice.separates = {std::string(part.block.columns().effect->id)};
-    advice.sessions = static_cast<int>(
-        std::clamp(std::ceil((clear * clear - together * together) / (inOne * inOne)), 1.0, 99.0));
-    advice.bySigma = std::sqrt(together * together + advice.sessions * inOne * inOne);
-    diagnosis.advice.push_back(std::move(advice));
   }
 
   /// What the sessions of other folds say of the effects that each shares.

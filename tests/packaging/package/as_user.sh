@@ -14,6 +14,11 @@ fail() {
 
 fit=$(alidade-cli fit "$samples/paper-table-1.alidade")
 [[ $fit == *'Δd = 1.3076'* ]] || fail "the fit of the paper's measurement does not give 1.3076 mm: $fit"
+alidade-cli self-test >check || fail "the self-test fails: $(grep '^failed' check)"
+[[ $(tail -n 1 check) == 'This installation passes: '* ]] || fail "the self-test ends with $(tail -n 1 check)"
+grep -q '^passed  alidade/samples/two-faces.alidade ' check || fail "the self-test does not see what is installed"
+alidade --self-test check.pdf >check || fail "the self-test of the window fails: $(cat check)"
+[[ $(head -c 5 check.pdf) == %PDF- ]] || fail "the self-test writes no PDF"
 man -w alidade alidade-cli >/dev/null || fail "man knows no page"
 for language in en zh_CN; do
   alidade --language "$language" --report "$language.pdf" "$samples/clean-session.alidade"

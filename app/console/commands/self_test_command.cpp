@@ -1,0 +1,64 @@
+#include "app/console/commands/self_test_command.h"
+
+#include <CLI/CLI.hpp>
+#include <ctime>
+
+#include "app/console/channels.h"
+#include "app/console/self_test_text.h"
+#include "core/base/file_bytes.h"
+#include "core/self_test/self_test.h"
+#include "core/self_test/self_test_json.h"
+
+namespace alidade::console {
+
+namespace {
+
+std::string nowInUtc() {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts{};
+  gmtime_r(&now, &parts);
+  std::string text(32, '\0');
+  text.resize(std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &parts));
+  return text;
+}
+
+/// False: refused.
+bool take(const std::string& path, std::string& into) {
+  if (path.empty()) return true;
+  Result<std::string> text = readFile(path);
+  if (!text) {
+    refuse(path, text.problem().text());
+    return false;
+  }
+  into = *std::move(text);
+  return true;
+}
+
+}  // namespace
+
+void addSelfTestCommand(CLI::App& app, SelfTestRequest& request) {
+  CLI::App* test = app.add_subcommand(
+      "self-test",
+      "Check this installation: what was expected, what is found, and the verdict, to be filed.");
+  test->add_option("--fits", request.fits,
+                   "Compare the fits with these results of tests/reference/high-precision/solve.py, worked "
+                   "out by yourself");
+  test->add_option("--numbers", request.numbers,
+                   "Likewise with the numbers of tests/reference/self-test/make_numbers.py");
+  test->add_flag("--json", request.json, "Print one JSON document");
+  test->footer("Exit codes: 0 everything passed, 1 anything failed, 2 bad call.");
+}
+
+int giveSelfTest(const SelfTestRequest& request) {
+  SelfTestReferences references = compiledReferences();
+  if (!take(request.fits, references.fits) || !take(request.numbers, references.numbers)) return BadInput;
+  SelfTest test = runSelfTest(installedShare(), references);
+  test.environment.insert(test.environment.begin(), {"CLI11", CLI11_VERSION});
+  const std::string program = "alidade-cli " ALIDADE_VERSION, at = nowInUtc();
+  const int written =
+      writeResult(request.json ? selfTestJson(test, program, at) : selfTestText(test, program, at));
+  if (written != Done) return written;
+  return test.hasPassed() ? Done : Failed;
+}
+
+}  // namespace alidade::console

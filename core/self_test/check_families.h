@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/self_test/self_check.h"
+
+namespace alidade {
+
+// The families of the self-test, one source for each. `fits` and `numbers` as in `SelfTestReferences`.
+
+/// Sessions fitted at 60 digits by another implementation: centre, radius and χ² of each arc, Δd and its σ.
+std::vector<SelfCheck> fitChecks(const std::string& fits);
+
+/// What the paper prints of its own measurement, by the published method.
+std::vector<SelfCheck> publishedChecks();
+
+/// Samples of a known truth: what is found, and how large.
+std::vector<SelfCheck> diagnosisChecks();
+
+/// Student's t, χ², F and normal, at 50 digits, and the table of JCGM 100.
+std::vector<SelfCheck> distributionChecks(const std::string& numbers);
+
+/// Texts of angles, as radians and arcseconds.
+std::vector<SelfCheck> angleChecks(const std::string& numbers);
+
+/// Random numbers of some seeds, and a simulated session.
+std::vector<SelfCheck> randomChecks(const std::string& numbers);
+
+/// The files that stand beside the programs, by their SHA-256.
+std::vector<SelfCheck> installedChecks(const std::string& share);
+
+}  // namespace alidade

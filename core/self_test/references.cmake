@@ -1,0 +1,45 @@
+# What the self-test compares with, as a source: sessions with their fits, numbers, and the SHA-256 of what is installed beside
+# the programs. Written anew when any of it has changed.
+set(self_test_references ${CMAKE_CURRENT_BINARY_DIR}/self_test/references.cpp)
+
+function(alidade_write_self_test_references)
+  set(references ${PROJECT_SOURCE_DIR}/tests/reference)
+  file(GLOB texts CONFIGURE_DEPENDS ${references}/high-precision/*.alidade)
+  list(APPEND texts ${references}/high-precision/results.json ${references}/self-test/numbers.json
+       ${PROJECT_SOURCE_DIR}/samples/paper-table-1.alidade ${PROJECT_SOURCE_DIR}/samples/clean-session.alidade
+       ${PROJECT_SOURCE_DIR}/samples/trunnion-tilt.alidade ${PROJECT_SOURCE_DIR}/samples/misreading.alidade)
+  set(source "#include \"core/self_test/references.h\"\n\nnamespace alidade {\n\n")
+  string(APPEND source "std::span<const ReferenceText> referenceTexts() {\n  static constexpr ReferenceText texts[] = {\n")
+  foreach(path IN LISTS texts)
+    cmake_path(GET path FILENAME name)
+    file(READ ${path} text)
+    string(APPEND source "      {\"${name}\", R\"reference(${text})reference\"},\n")
+  endforeach()
+  string(APPEND source "  };\n  return texts;\n}\n\n")
+  string(APPEND source "std::span<const InstalledFile> installedFiles() {\n  static constexpr InstalledFile files[] = {\n")
+  set(installed "")
+  foreach(kept IN ITEMS "samples|alidade/samples" "resources/help|doc/alidade/help")
+    string(REGEX REPLACE "\\|.*" "" from "${kept}")
+    string(REGEX REPLACE ".*\\|" "" to "${kept}")
+    file(GLOB_RECURSE files CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/${from}
+         ${PROJECT_SOURCE_DIR}/${from}/*.alidade ${PROJECT_SOURCE_DIR}/${from}/*.gsi
+         ${PROJECT_SOURCE_DIR}/${from}/*.alidade-instrument ${PROJECT_SOURCE_DIR}/${from}/*.html)
+    foreach(file IN LISTS files)
+      file(SHA256 ${PROJECT_SOURCE_DIR}/${from}/${file} hash)
+      list(APPEND installed ${PROJECT_SOURCE_DIR}/${from}/${file})
+      string(APPEND source "      {\"${to}/${file}\",\n       \"${hash}\"},\n")
+    endforeach()
+  endforeach()
+  string(APPEND source "  };\n  return files;\n}\n\n}  // namespace alidade\n")
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${texts} ${installed})
+  set(old "")
+  if(EXISTS ${self_test_references})
+    file(READ ${self_test_references} old)
+  endif()
+  if(NOT old STREQUAL source)
+    file(WRITE ${self_test_references} "${source}")
+  endif()
+endfunction()
+alidade_write_self_test_references()
+# A build may lie anywhere, and its folder is no room.
+set_source_files_properties(${self_test_references} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "core/self_test/self_test.h"
+
+namespace alidade {
+
+/// {"program", "at", "verdict": "pass"|"fail", "passed", "failed", "left_out", "environment": {name: value},
+/// "checks": [{"group", "name", "expected", "found", "deviation", "tolerance", "reason", "outcome": "passed"|
+/// "failed"|"left-out"}]}. `deviation` and `tolerance` are relative to `expected`, null of what is no number.
+std::string selfTestJson(const SelfTest& test, const std::string& program, const std::string& at);
+
+}  // namespace alidade

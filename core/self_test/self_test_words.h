@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/self_test/self_test.h"
+
+namespace alidade {
+
+/// What the lines of a group compare, as a heading.
+std::string titleOf(CheckGroup group);
+
+/// "passed", "failed", "left out".
+std::string outcomeText(SelfCheck::Outcome outcome);
+
+/// The lines of one group, and the reasons of their tolerances, each once.
+struct CheckSection {
+  struct Line {
+    const SelfCheck* check;
+    std::size_t reason;  ///< index into `reasons`
+  };
+
+  CheckGroup group = CheckGroup::Fits;
+  std::vector<Line> lines = {};
+  std::vector<std::string> reasons = {};  ///< in words
+};
+
+/// In the order of the groups; the lines stay those of `test`.
+std::vector<CheckSection> sectionsOf(const SelfTest& test);
+
+/// Two digits of a relative deviation or tolerance: "1.3e-12"; 0 as "0", absent as nothing.
+std::string shareText(const std::optional<double>& share);
+
+/// The verdict over all lines, one sentence.
+std::string verdictSentence(const SelfTest& test);
+
+}  // namespace alidade

@@ -1,0 +1,37 @@
+#include "core/series/shared_causes/settled_series.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace alidade {
+
+void addUnseen(SeriesDiagnosis& diagnosis, const SettledSeries& series) {
+  constexpr double negligible = 1e-3;  // mm
+  for (const EffectColumns& columns : effectColumns()) {
+    if (columns.effect->response == Response::AllOrNothing) continue;
+    if (std::ranges::find(series.leftOut, columns.effect->id) != series.leftOut.end()) continue;
+    const auto count = static_cast<Eigen::Index>(columns.effect->parameters.size());
+    Eigen::VectorXd influence = Eigen::VectorXd::Zero(count);
+    Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(columns.count),
+                                                   static_cast<Eigen::Index>(columns.count));
+    for (std::size_t s = 0; s < series.sessions(); ++s) {
+      influence += Eigen::Map<const Eigen::VectorXd>(&series.evidence[s].influence[columns.first], count) /
+                   static_cast<double>(series.sessions());
+      normal += series.sums[s].plainNormal(columns, columns);
+    }
+    const double moves = influence.norm();
+    if (!(moves > negligible)) continue;
+    const Eigen::VectorXd along = influence / moves;
+    Eigen::VectorXd weights = Eigen::VectorXd::Zero(normal.cols());
+    weights.head(count) = along;
+    if (columns.effect->response == Response::Bent)
+      weights.tail(3) << along[0] * along[0] / 2, along[0] * along[1], along[1] * along[1] / 2;
+    const double visible = std::sqrt(std::max(weights.dot(normal * weights), 0.0));
+    if (visible < clearlyToldApart())
+      diagnosis.unseen.push_back({std::string(columns.effect->id), moves, visible});
+  }
+  std::ranges::sort(diagnosis.unseen, std::greater{}, &UnseenEffect::influence);
+}
+
+}  // namespace alidade

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/series/shared_causes/series_diagnosis.h"
+#include "core/series/shared_causes/shared_search.h"
+
+namespace alidade {
+
+/// What a conclusion has settled on; what is said of it beside the causes follows from that alone.
+struct SettledSeries {
+  const std::vector<SessionEvidence>& evidence;
+  const std::vector<SessionOwners>& owners;
+  const std::vector<std::string>& names;    ///< of the sessions
+  const std::vector<std::string>& leftOut;  ///< ids of effects
+  const std::stop_token& stop;
+  const std::vector<SessionSums>& sums;
+  const std::vector<EffectBlock>& blocks;
+  const SharedSearch& search;
+  const std::vector<SharedSet>& sets;  ///< the likeliest first
+  const SharedSet& best;
+
+  std::size_t sessions() const { return evidence.size(); }
+};
+
+/// How well each effect alone explains the sessions.
+void addCandidates(SeriesDiagnosis& diagnosis, const SettledSeries& series);
+
+/// Shares of the gap: by what its causes belong to, by session, instrument and guideway.
+void addWhere(SeriesDiagnosis& diagnosis, const SettledSeries& series);
+
+/// What would move Δd, the mean of the sessions, and shows in none of them nor in all together.
+void addUnseen(SeriesDiagnosis& diagnosis, const SettledSeries& series);
+
+/// Which session to measure next: what separates look-alikes of different owners, or makes clear what is
+/// faint.
+void addAdvice(SeriesDiagnosis& diagnosis, const SettledSeries& series);
+
+}  // namespace alidade

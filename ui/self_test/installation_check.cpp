@@ -1,0 +1,132 @@
+#include "ui/self_test/installation_check.h"
+
+#include <QBuffer>
+#include <QPainter>
+#include <QPdfWriter>
+
+#include "core/base/atomic_file.h"
+#include "core/self_test/self_test_json.h"
+#include "core/self_test/self_test_words.h"
+#include "ui/report/pdf_archive.h"
+#include "ui/report/report_sheet.h"
+#include "ui/report/report_table.h"
+#include "ui/report/report_text.h"
+#include "ui/self_test/window_checks.h"
+#include "ui/text/encoded_path.h"
+#include "ui/text/visible_text.h"
+
+namespace alidade::ui {
+
+namespace {
+
+QString reasonMark(std::size_t reason) {
+  return QStringLiteral("[%1]").arg(reason + 1);
+}
+
+void addSection(ReportSheet& sheet, const CheckSection& section) {
+  constexpr auto right = Qt::AlignRight;
+  sheet.heading(qText(titleOf(section.group)));
+  ReportTable table(sheet, {{QString(), 13},
+                            {Report::tr("Line"), 43},
+                            {Report::tr("Expected"), 52, right},
+                            {Report::tr("Found"), 29, right},
+                            {Report::tr("Deviation"), 16, right},
+                            {Report::tr("At most"), 17, right}});
+  table.head();
+  for (const auto& [check, reason] : section.lines) {
+    const bool isFailed = check->outcome == SelfCheck::Outcome::Failed;
+    const TextStyle word = isFailed ? type::small.inBold() : type::small;
+    const QString most = qText(shareText(check->tolerance));
+    table.row({{qText(outcomeText(check->outcome)), word},
+               {visibleLine(check->name), word},
+               {visibleLine(check->expected), type::fine},
+               {visibleLine(check->found), type::fine},
+               {qText(shareText(check->deviation)), type::fine},
+               {(most.isEmpty() ? QString() : most + u' ') + reasonMark(reason), type::fine}});
+  }
+  table.finish();
+  sheet.skip(1);
+  for (std::size_t i = 0; i < section.reasons.size(); ++i)
+    sheet.paragraph(reasonMark(i) + u' ' + qText(section.reasons[i]), type::small);
+  sheet.skip(2);
+}
+
+void layOut(ReportSheet& sheet, const InstallationCheck& check) {
+  sheet.text(Report::tr("Check of this installation"), type::title, 0, sheet.y(), ReportSheet::width);
+  sheet.skip(sheet.lineHeight(type::title) + 0.5);
+  sheet.paragraph(qText(verdictSentence(check.test)), type::subtitle);
+  sheet.skip(2);
+  for (const auto& [name, value] : check.test.environment)
+    sheet.paragraph(visibleLine(name + ": " + value), type::detail);
+  sheet.skip(2);
+  sheet.paragraph(Report::sentences(
+      {Report::tr("Every number is compared with one that was worked out without this program."),
+       Report::tr("Deviations and tolerances are relative to the expected number.")}));
+  for (const CheckSection& section : sectionsOf(check.test)) addSection(sheet, section);
+  sheet.balance();
+}
+
+bool paintOn(QPagedPaintDevice& device, const InstallationCheck& check, const ReportPaper& paper) {
+  ReportSheet sheet(device,
+                    {.product = Report::tr("%1 · Check of this installation").arg(check.product()),
+                     .session = {},
+                     .fileName = QString(),
+                     .fingerprint = {},
+                     .date = check.at.toString(QStringLiteral("yyyy-MM-dd HH:mm"))},
+                    paper.margins);
+  layOut(sheet, check);
+  QPainter painter;
+  return painter.begin(&device) && sheet.paint(painter) && painter.end();
+}
+
+}  // namespace
+
+QString InstallationCheck::product() const {
+  return QStringLiteral("Alidade " ALIDADE_VERSION);
+}
+
+InstallationCheck checkInstallation() {
+  return checkInstallation(runSelfTest(installedShare()));
+}
+
+InstallationCheck checkInstallation(SelfTest ofCore) {
+  InstallationCheck check{std::move(ofCore), QDateTime::currentDateTime()};
+  check.test.environment.insert(check.test.environment.begin(),
+                                {"Qt", std::string(qVersion()) + " (built with " QT_VERSION_STR ")"});
+  for (SelfCheck& line : windowChecks()) check.test.checks.push_back(std::move(line));
+  return check;
+}
+
+bool paintInstallationCheck(QPagedPaintDevice& device, const InstallationCheck& check,
+                            const ReportPaper& paper) {
+  return paintOn(device, check, paper);
+}
+
+Result<QString> writeInstallationCheck(const InstallationCheck& check, const QString& path,
+                                       const ReportPaper& paper) {
+  QBuffer buffer;
+  buffer.open(QIODevice::WriteOnly);
+  {
+    QPdfWriter writer(&buffer);
+    writer.setPdfVersion(QPagedPaintDevice::PdfVersion_A1b);
+    writer.setResolution(1200);
+    writer.setPageLayout(paper.layout());
+    if (!paintOn(writer, check, paper))
+      return Problem{Report::tr("%1 cannot be written: painting failed").arg(path).toStdString()};
+  }
+  const QByteArray& painted = buffer.data();
+  const std::string at = check.at.toUTC().toString(Qt::ISODate).toStdString();
+  const std::string pdf =
+      archivedPdf({painted.constData(), static_cast<std::size_t>(painted.size())},
+                  {.title = Report::tr("Check of this installation"),
+                   .author = {},
+                   .creator = check.product(),
+                   .date = check.at},
+                  {{.fileName = QStringLiteral("self-test.json"),
+                    .description = Report::tr("The check of this document, to be read by programs"),
+                    .bytes = selfTestJson(check.test, check.product().toStdString(), at)}});
+  if (auto problem = writeFile(encodedPath(path), pdf, {})) return *std::move(problem);
+  return path;
+}
+
+}  // namespace alidade::ui
