@@ -161,6 +161,7 @@ TEST(OrderPanel, GoesOnAfterAReadingOffTheOrder) {
   OrderBench bench;
   Session session = paperSession();
   session.positions[1].readings.clear();
+  session.positions[1].zero = {};
   session.positions[0].readings.erase(session.positions[0].readings.begin() + 4);
   bench.open->document().startWith(session);
   bench.choose(QStringLiteral("paper"));
