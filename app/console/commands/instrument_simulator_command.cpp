@@ -102,12 +102,17 @@ class RecordKey {
 
 void speak(const PseudoTerminal& line, SimulatedInstrument& instrument, const SimulatorRequest& request) {
   RecordKey key(request.every);
+  int presses = 0;  ///< that wait for the acknowledgement of the block before
   while (isStopped == 0 && !(request.endsWhenTold && instrument.isDone())) {
     std::array<pollfd, 2> ends = {pollfd{line.descriptor(), POLLIN, 0}, pollfd{STDIN_FILENO, POLLIN, 0}};
     poll(ends.data(), key.isTyped() ? 2 : 1, turnMs);
     const bool hasInput = key.isTyped() && (ends[1].revents & (POLLIN | POLLHUP)) != 0;
     std::string sent = instrument.receive(line.read());
-    if (key.isPressed(hasInput)) sent += instrument.record(clockMs());
+    presses += key.isPressed(hasInput) ? 1 : 0;
+    if (presses > 0 && !instrument.isWaiting()) {
+      --presses;
+      sent += instrument.record(clockMs());
+    }
     sent += instrument.tick(clockMs());
     if (!line.write(sent))
       notify("alidade-cli instrument-simulator", "nobody reads the line: its buffer is full");
