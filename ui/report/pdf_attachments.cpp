@@ -51,9 +51,9 @@ char small(char letter) {
   return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
 }
 
-bool endsWith(std::string_view name, std::string_view suffix) {
-  return name.size() >= suffix.size() &&
-         std::equal(suffix.rbegin(), suffix.rend(), name.rbegin(),
+bool endsWith(std::string_view name, std::string_view ending) {
+  return name.size() >= ending.size() &&
+         std::equal(ending.rbegin(), ending.rend(), name.rbegin(),
                     [](char one, char other) { return small(one) == small(other); });
 }
 
