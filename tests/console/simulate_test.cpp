@@ -86,9 +86,9 @@ TEST_F(SimulateTest, PutsInWhatIsAsked) {
 // Stated tilts are known, from the compensator, in fit and diagnosis; what it has taken off is no effect of
 // the truth.
 TEST_F(SimulateTest, StatesWhatTheCompensatorTells) {
-  const std::vector<std::string> tilted = {"--effect", "vertical_axis_tilt=20,-70", "--compensator"};
+  const std::vector<std::string> ofATilt = {"--effect", "vertical_axis_tilt=20,-70", "--compensator"};
   const auto with = [&](const char* use) {
-    std::vector<std::string> more = tilted;
+    std::vector<std::string> more = ofATilt;
     more.emplace_back(use);
     const ProgramRun run = simulate(more);
     EXPECT_EQ(run.exitCode, 0) << run.err;

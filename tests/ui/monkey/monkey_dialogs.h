@@ -25,8 +25,8 @@ class MonkeyDialogs : public ScriptedDialogs {
     const QString path = present(QStringLiteral("readings*"));
     return path.isEmpty() ? QStringList() : QStringList(path);
   }
-  std::optional<SightingProtocol> askProtocol(const SightingProtocol& protocol, CircleUnit) override {
-    return protocol;
+  std::optional<SightingProtocol> askProtocol(const SightingProtocol& asked, CircleUnit) override {
+    return asked;
   }
   QString askProtocolPath(const QString&) override { return present(QStringLiteral("*.alidade-protocol")); }
   QString askRecordPath(const QString&) override { return present(QStringLiteral("*.alidade-instrument")); }
