@@ -447,7 +447,7 @@ void WindowActions::addEnlargeAction(QMenu& menu) {
 }
 
 void WindowActions::createInstrumentMenu() {
-  QMenu& menu = *m_window.menuBar()->addMenu(tr("&Instrument"));
+  QMenu& menu = *m_window.menuBar()->addMenu(tr("Instrument"));
   InstrumentDesk& desk = m_window.instrumentDesk();
   addTo(menu, nullptr, tr("&Connect…"), QKeySequence(tr("Ctrl+Shift+C")), this,
         [&desk] { desk.showDialog(); });

@@ -12202,8 +12202,8 @@ Reference %1, difference %2</source>
         <translation>系列(&amp;S)…</translation>
     </message>
     <message>
-        <source>&amp;Instrument</source>
-        <translation>仪器(&amp;I)</translation>
+        <source>Instrument</source>
+        <translation>仪器</translation>
     </message>
     <message>
         <source>&amp;Connect…</source>
