@@ -55,6 +55,7 @@ struct CompensatorKnowledge {
   CompensatorNotes notes;
 };
 
+/// The chances of being stale are choices, too, not measured.
 /// What the rows of a session tell; nothing where none tells of tilts or corrections. Pointing zeros are
 /// taken to have been sighted with the switches of the rows.
 ///
@@ -66,10 +67,10 @@ struct CompensatorKnowledge {
 ///   free where both faces have tilts, else 0 ± σ of the compensator. That σ, which all rows share, is added,
 ///   and half the range between positions. Stale with a chance of 0.05, for a sign that is counted the other
 ///   way, too.
-/// - Collimation, tilting axis on in all rows: what the instrument's own calibration has left. A calibration
-/// rests on
-///   some sightings in two faces, good to 2″ or 3″, and wanders by as much with temperature and transport: 0
-///   ± 5″, stale with a chance of 0.05.
+/// - Collimation, tilting axis on in all rows: what the instrument's own calibration has left. These errors
+/// change with
+///   time, transport and temperature (Leica TPS1100 User Manual, Checking and adjusting), by how much it does
+///   not say: 0 ± 5″, stale with a chance of 0.05, are choices, a sixth of the plausible size.
 /// - Whatever differs between rows tells nothing.
 CompensatorKnowledge compensatorKnowledge(const Measurement& measurement);
 

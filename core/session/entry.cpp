@@ -24,8 +24,8 @@ constexpr double longestMm = 1e6;
 // Finer than any circle reads; far below, evidence and weights lose their digits.
 constexpr double leastSigmaArcsec = 0.001, largestSigmaArcsec = 3600;
 
-// Setting accuracy of compensators in data sheets: 0.5″ to 1.5″ (Leica TS16: 0.5″ of the 1″ instrument, 1″ of
-// the 3″, 1.5″ of the 5″).
+// Within 0.5″ to 1.5″, the range taken for setting accuracies of compensators; a choice, which no data sheet
+// was looked up for. State that of the instrument.
 constexpr double usualSigmaCompensator = 1;
 // Compensators work within some 4′; a tilt beyond this was typed in another unit.
 constexpr double largestTiltArcsec = 3600;
