@@ -113,14 +113,30 @@ class Expectation {
   double m_extra = 0;  ///< of U as measured, mm: what was found beside it, and stays
 };
 
-/// The same places with all noise of circles and slider taken away, the zeros as they are.
-Measurement withoutNoise(Measurement plan) {
-  constexpr double next = 1e-3;  // to nothing: of what one round leaves, less than any digit shown
-  plan.sigmaHorizontal = plan.sigmaHorizontal * next;
-  plan.sigmaVertical = plan.sigmaVertical * next;
-  plan.sigmaSlider = plan.sigmaSlider * next;
+/// By how much the noise is made less to see what it leaves: less still, and sizes of effects that nothing
+/// shows are too far apart from what is shown for a fit.
+constexpr double lessNoise = 0.1;
+
+/// The same places with less noise of circles and slider, the zeros as they are.
+Measurement withLessNoise(Measurement plan) {
+  plan.sigmaHorizontal = plan.sigmaHorizontal * lessNoise;
+  plan.sigmaVertical = plan.sigmaVertical * lessNoise;
+  plan.sigmaSlider = plan.sigmaSlider * lessNoise;
   plan.zerosAreReadings = false;
   return plan;
+}
+
+/// U without noise, from that with all and with less of it: U² is a constant and a share of the noise's σ².
+double withoutNoise(double all, double less) {
+  const double share = square(lessNoise);
+  return std::sqrt(std::max(square(less) - share * square(all), 0.0) / (1 - share));
+}
+
+std::optional<ExpandedPair> withoutNoise(const ExpandedPair& all, const std::optional<ExpandedPair>& less) {
+  if (!less) return std::nullopt;
+  ExpandedPair none{withoutNoise(all.ofFit, less->ofFit)};
+  if (all.asMeasured && less->asMeasured) none.asMeasured = withoutNoise(*all.asMeasured, *less->asMeasured);
+  return none;
 }
 
 /// What is there, read without error.
@@ -230,7 +246,7 @@ Outlook outlookOf(const Measurement& measurement, const SessionFit& fit, const D
     return expanded && !stop.stop_requested();
   };
   if (!addAhead(0, *plan)) return outlook;
-  outlook.limit = expectation.of(withoutNoise(*plan));
+  outlook.limit = withoutNoise(outlook.ahead.front().expanded, expectation.of(withLessNoise(*plan)));
   const bool isWithinReach = outlook.limit && outlook.isEnough(*outlook.limit);
   const int most = outlook.needed && isWithinReach ? options.mostRounds : 2;
   for (int rounds = 1; rounds <= most && (rounds <= 2 || !outlook.roundsNeeded()); ++rounds) {
