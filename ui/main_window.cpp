@@ -97,7 +97,7 @@ MainWindow::MainWindow(std::unique_ptr<Dialogs> dialogs)
       m_desk(new InstrumentDesk(m_document, *m_dialogs, m_job, *this)) {
   QWidget* entries = createEntryColumn();
   QWidget* results = createResultColumn();
-  QSplitter* columns = split(Qt::Horizontal, "columns", {entries, results}, {504, 776});
+  QSplitter* columns = split(Qt::Horizontal, "columns", {entries, results}, {518, 762});
   m_changedFile = new ChangedFileBar;
   m_stack = new QStackedWidget;
   m_stack->addWidget(stacked(m_changedFile, columns));

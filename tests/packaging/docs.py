@@ -16,8 +16,8 @@ import unicodedata
 from concurrent.futures import ThreadPoolExecutor
 
 SKIPPED = {".git", "build"}
-# Not run: what draws hundreds of trials, and what needs files that are no samples.
-SLOW = re.compile(r"trial --(count|series) ")
+# Not run: what draws hundreds of trials, what waits for somebody, and what needs files that are no samples.
+SLOW = re.compile(r"trial --(count|series) |instrument-simulator ")
 COMMAND = re.compile(r"\b(alidade-cli|alidade)\b((?: +[^\s`]+)*)")
 
 

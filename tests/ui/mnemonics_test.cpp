@@ -76,7 +76,7 @@ TEST(Mnemonics, LeadToOneThingWhateverIsInFront) {
         EXPECT_EQ(mnemonics.twice(), "") << "form " << form << ", pages " << figure << ", " << detail;
         ++shown;
       }
-  EXPECT_EQ(shown, 4 * 3 * 6);
+  EXPECT_EQ(shown, 4 * 3 * 7);
 }
 
 TEST(Mnemonics, LeadToOneThingInMenusAndInTheBlindTrial) {

@@ -139,15 +139,11 @@ QWidget* createInstrumentForm(SessionDocument& document) {
            Forms::tr("Standard uncertainty of one sighting of the pointing zeros α0 and β0")},
           {"instrument.sigma_slider_arcsec", Forms::tr("σ slider"), seconds, Forms::tr("5"),
            Forms::tr("Standard deviation of one slider reading")},
+          {"device.name", Forms::tr("Dev&ice"), {}, Forms::tr("simulator measured"), {}, {}, true},
+          {"device.serial", Forms::tr("Serial no."), {}, {}, {}},
           {"instrument.sigma_compensator_arcsec", Forms::tr("σ compensator"), seconds, Forms::tr("1"),
            Forms::tr("Setting accuracy of the compensator, by its data sheet; of use where the readings have "
                      "tilts, or say what the instrument corrected")},
-          {"device.name", Forms::tr("Dev&ice"), {}, Forms::tr("simulator measured"), {}, {}, true},
-          {"device.serial", Forms::tr("Serial no."), {}, {}, {}},
-          {"geometry.radius_expansion_ppm_per_k", Forms::tr("R0 expands"), Forms::tr("ppm/K"),
-           Forms::tr("none"),
-           Forms::tr("By how much R0 grows with each kelvin above 20 °C, for which it is "
-                     "stated: 11.5 for steel")},
       },
       2)});
 }
@@ -220,6 +216,10 @@ QWidget* createSessionForm(SessionDocument& document) {
            Forms::tr("none"),
            Forms::tr("By how much L grows with each kelvin above 20 °C, for which it is stated; "
                      "empty where it is as measured at this temperature")},
+          {"geometry.radius_expansion_ppm_per_k", Forms::tr("R0 expands"), Forms::tr("ppm/K"),
+           Forms::tr("none"),
+           Forms::tr("By how much R0 grows with each kelvin above 20 °C, for which it is "
+                     "stated: 11.5 for steel")},
       },
       2);
   auto* notes = new FieldNotes(document, {.field = "notes"});
