@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -31,17 +32,23 @@ class Placement {
  public:
   Placement(Measurement& plan, const SessionFit& fit) : m_plan(plan), m_fit(fit) {}
 
-  void place(Sighting& sighting, const ArcMeasurement& arc, bool readsSlider) const {
+  /// Of a visit, in which the slider stands still, all where its first sighting is.
+  void place(ArcMeasurement& arc, bool readsSlider) const {
     const Circle circle = circleOf(m_plan, m_fit, arc);
-    const PlanePoint<double> seen =
-        sightedPoint({sighting.a.radians(), sighting.e.radians()}, m_plan.distance, m_plan.relation);
-    const double phi = nearestArcAngle(circle, seen);
-    const Direction<double> direction =
-        observe(targetOnArc(circle.x, circle.y, circle.radius, phi), m_plan.distance, m_plan.relation);
-    sighting.a = Angle::fromRadians(direction.a);
-    sighting.e = Angle::fromRadians(direction.e);
-    if (readsSlider || sighting.slider)
-      sighting.slider = Angle::fromRadians(sliderCoordinateOf(phi, arc.axisDeg));
+    std::map<std::pair<int, int>, double> places;  // arc angles, by point and round
+    for (Sighting& sighting : arc.sightings) {
+      const PlanePoint<double> seen =
+          sightedPoint({sighting.a.radians(), sighting.e.radians()}, m_plan.distance, m_plan.relation);
+      const double phi =
+          places.emplace(std::pair(sighting.point, sighting.round), nearestArcAngle(circle, seen))
+              .first->second;
+      const Direction<double> direction =
+          observe(targetOnArc(circle.x, circle.y, circle.radius, phi), m_plan.distance, m_plan.relation);
+      sighting.a = Angle::fromRadians(direction.a);
+      sighting.e = Angle::fromRadians(direction.e);
+      if (readsSlider || sighting.slider)
+        sighting.slider = Angle::fromRadians(sliderCoordinateOf(phi, arc.axisDeg));
+    }
   }
 
  private:
@@ -94,14 +101,23 @@ class Expectation {
   explicit Expectation(const SessionFit& fit)
       : m_noise(fit.arcs.empty() ? NoiseScale{1, DegreesOfFreedom::infinite().count()} : fit.noise) {}
 
-  void takeAsFound(double extra) { m_extra = extra; }
+  /// What is there already has the U that the result states; what is to come changes it in proportion, and
+  /// what was found beside it stays.
+  void startFrom(ExpandedPair planned, const ExpandedPair& stated) {
+    m_ofFit = stated.ofFit / planned.ofFit;
+    if (!planned.asMeasured || !stated.asMeasured) return;
+    if (*stated.asMeasured < *planned.asMeasured)
+      m_asMeasured = *stated.asMeasured / *planned.asMeasured;
+    else
+      m_beside = std::sqrt(square(*stated.asMeasured) - square(*planned.asMeasured));
+  }
 
   std::optional<ExpandedPair> of(const Measurement& plan) const {
     const auto ofFit = plannedUncertaintyOfFit(plan, m_noise);
     if (!ofFit) return std::nullopt;
-    ExpandedPair pair{*ofFit};
+    ExpandedPair pair{m_ofFit * *ofFit};
     if (const auto measured = plannedUncertainty(plan, noise()))
-      pair.asMeasured = std::hypot(*measured, m_extra);
+      pair.asMeasured = std::hypot(m_asMeasured * *measured, m_beside);
     return pair;
   }
 
@@ -110,8 +126,12 @@ class Expectation {
 
  private:
   NoiseScale m_noise;
-  double m_extra = 0;  ///< of U as measured, mm: what was found beside it, and stays
+  double m_ofFit = 1, m_asMeasured = 1;  ///< of U, stated over planned
+  double m_beside = 0;                   ///< of U as measured, mm
 };
+
+/// Further rounds that are looked at in any case: what moves with time averages out over both together.
+constexpr int thereAndBack = 2;
 
 /// By how much the noise is made less to see what it leaves: less still, and sizes of effects that nothing
 /// shows are too far apart from what is shown for a fit.
@@ -143,8 +163,7 @@ std::optional<ExpandedPair> withoutNoise(const ExpandedPair& all, const std::opt
 Measurement asThere(const Measurement& measurement, const SessionFit& fit) {
   Measurement plan = measurement;
   const Placement placement(plan, fit);
-  for (ArcMeasurement& arc : plan.arcs)
-    for (Sighting& sighting : arc.sightings) placement.place(sighting, arc, false);
+  for (ArcMeasurement& arc : plan.arcs) placement.place(arc, false);
   return plan;
 }
 
@@ -216,10 +235,8 @@ std::optional<Measurement> carriedOut(const Measurement& measurement, const Sess
     const auto p = std::ranges::find(arcs->positions, arc.position) - arcs->positions.begin();
     const bool isPlanned = p < std::ssize(arcs->positions);
     if (isPlanned) arc.zero = zerosOf(protocol.positions[static_cast<std::size_t>(p)].zeros);
-    for (Sighting& sighting : arc.sightings) {
-      placement.place(sighting, arc, isPlanned && protocol.readsSlider);
-      sighting.sequence = plan.rows++;
-    }
+    placement.place(arc, isPlanned && protocol.readsSlider);
+    for (Sighting& sighting : arc.sightings) sighting.sequence = plan.rows++;
   }
   std::erase_if(plan.arcs, [](const ArcMeasurement& arc) { return arc.sightings.empty(); });
   return std::move(plan);
@@ -232,27 +249,29 @@ Outlook outlookOf(const Measurement& measurement, const SessionFit& fit, const D
   seeVerdict(outlook, measurement, fit, diagnosis);
   Expectation expectation(fit);
   if (fit.intersection) outlook.now = expectation.of(asThere(measurement, fit));
-  if (outlook.now && outlook.now->asMeasured && diagnosis && diagnosis->measured) {
-    const double beyond = square(diagnosis->measured->estimate.expanded) - square(*outlook.now->asMeasured);
-    expectation.takeAsFound(std::sqrt(std::max(beyond, 0.0)));
-    outlook.now->asMeasured = std::hypot(*outlook.now->asMeasured, std::sqrt(std::max(beyond, 0.0)));
+  if (outlook.now) {
+    ExpandedPair stated{fit.intersection->expanded, outlook.now->asMeasured};
+    if (diagnosis && diagnosis->measured) stated.asMeasured = diagnosis->measured->estimate.expanded;
+    expectation.startFrom(*outlook.now, stated);
+    outlook.now = stated;
   }
   const auto planOf = [&](int rounds) { return carriedOut(measurement, fit, protocol, progress, rounds); };
   const std::optional<Measurement> plan = planOf(0);
   if (!plan || stop.stop_requested()) return outlook;
-  const auto addAhead = [&](int rounds, const Measurement& ahead) {
-    const auto expanded = expectation.of(ahead);
+  const auto addAhead = [&](int rounds) {
+    const auto ahead = planOf(rounds);
+    const auto expanded = ahead ? expectation.of(*ahead) : std::nullopt;
     if (expanded) outlook.ahead.push_back({rounds, *expanded});
     return expanded && !stop.stop_requested();
   };
-  if (!addAhead(0, *plan)) return outlook;
-  outlook.limit = withoutNoise(outlook.ahead.front().expanded, expectation.of(withLessNoise(*plan)));
+  int rounds = 0;
+  for (; rounds <= thereAndBack; ++rounds)
+    if (!addAhead(rounds)) return outlook;
+  outlook.limit =
+      withoutNoise(outlook.ahead.back().expanded, expectation.of(withLessNoise(*planOf(thereAndBack))));
   const bool isWithinReach = outlook.limit && outlook.isEnough(*outlook.limit);
-  const int most = outlook.needed && isWithinReach ? options.mostRounds : 2;
-  for (int rounds = 1; rounds <= most && (rounds <= 2 || !outlook.roundsNeeded()); ++rounds) {
-    const auto ahead = planOf(rounds);
-    if (!ahead || !addAhead(rounds, *ahead)) return outlook;
-  }
+  for (; outlook.needed && isWithinReach && rounds <= options.mostRounds && !outlook.roundsNeeded(); ++rounds)
+    if (!addAhead(rounds)) return outlook;
   if (options.withInstead && outlook.needed && !outlook.roundsNeeded() && !stop.stop_requested())
     outlook.instead = plannedUncertainties(*plan, expectation.noise());
   return outlook;

@@ -195,5 +195,49 @@ TEST(CarriedOut, HasEverySightingOfTheProtocolAndOfTheFurtherRounds) {
   }
 }
 
+/// Both faces of a visit see the slider in one place, also where the instrument has an error, which the fit
+/// would take for scatter.
+TEST(CarriedOut, LeavesTheSliderWhereItStoodInAVisit) {
+  const Protocol plan = *protocolByName("two-face");
+  Truth truth = test::truth();
+  truth.effects.push_back({ErrorTerm::Collimation, 40});
+  const Session session = *simulate(plan, truth, 3);
+  const Known known(session);
+  const SightingProtocol protocol = test::asSimulated(plan);
+  const auto whole = carriedOut(known.measurement, known.fit, protocol, progressOf(session, protocol), 0);
+  ASSERT_TRUE(whole);
+  int compared = 0;
+  for (const ArcMeasurement& arc : whole->arcs)
+    for (const Sighting& one : arc.sightings)
+      for (const Sighting& other : arc.sightings)
+        if (one.point == other.point && one.round == other.round && one.face < other.face) {
+          EXPECT_EQ(one.a, other.a);
+          EXPECT_EQ(one.e, other.e);
+          ++compared;
+        }
+  EXPECT_EQ(compared, 68) << "17 places there and back, in two positions";
+}
+
+/// What the pages of a result say is where the outlook starts from, with an error that one face cannot show,
+/// too.
+TEST(Outlook, StartsFromTheResult) {
+  for (const char* name : {"paper", "two-face"}) {
+    Truth truth = test::truth();
+    truth.effects.push_back({ErrorTerm::TrunnionTilt, 60});
+    const Protocol plan = *protocolByName(name);
+    const Known known(*simulate(plan, truth, 4));
+    const auto diagnosis = diagnose(known.measurement, known.fit);
+    ASSERT_TRUE(diagnosis && diagnosis->measured);
+    const SightingProtocol protocol = test::asSimulated(plan);
+    const Outlook outlook =
+        outlookOf(known.measurement, known.fit, &*diagnosis, protocol, progressOf(known.session, protocol));
+    EXPECT_EQ(outlook.now->ofFit, known.fit.intersection->expanded) << name;
+    EXPECT_EQ(*outlook.now->asMeasured, diagnosis->measured->estimate.expanded) << name;
+    for (std::size_t i = 1; i < outlook.ahead.size(); ++i)
+      EXPECT_LT(outlook.ahead[i].expanded.ofFit, outlook.ahead[i - 1].expanded.ofFit) << name;
+    EXPECT_LT(outlook.limit->ofFit, outlook.ahead.back().expanded.ofFit) << name;
+  }
+}
+
 }  // namespace
 }  // namespace alidade
