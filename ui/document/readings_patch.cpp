@@ -64,6 +64,7 @@ RowSpan ReadingsPatch::span() const {
 }
 
 std::optional<std::size_t> ReadingsPatch::onlyRow() const {
+  if (m_cells.empty() && m_new.empty()) return std::nullopt;
   const RowSpan changed = span();
   const bool isOne = m_gone.empty() && m_new.size() <= 1 && changed.before + m_new.size() <= 1;
   return isOne ? std::optional(changed.first) : std::nullopt;
