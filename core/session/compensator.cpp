@@ -15,7 +15,7 @@ namespace alidade {
 namespace {
 
 constexpr double calibrationSigma = 5;  // arcsec, see compensator.h
-constexpr double calibrationStale = 0.05, tiltsStale = 0.05, halfCorrectedStale = 0.1;
+constexpr double calibrationStale = 0.05, tiltsStale = 0.5, halfCorrectedStale = 0.1;
 constexpr double freeIndex = 300;  // arcsec: beyond what a compensator bears
 constexpr double freeTilt = 3600;  // arcsec: keeps the equations regular
 constexpr double leastOfUse = 30;  // arcsec, of σ: half of a plausible tilt

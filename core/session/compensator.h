@@ -60,17 +60,14 @@ struct CompensatorKnowledge {
 /// taken to have been sighted with the switches of the rows.
 ///
 /// - Inclination on in all rows: the instrument has taken its tilt off; 0 ± σ of the compensator. With the
-/// standing
-///   axis off it may have taken it off the vertical circle only: this is stale with a chance of 0.1.
+///   standing axis off it may have taken it off the vertical circle only: this is stale with a chance of 0.1.
 /// - Inclination off in all rows, and tilts: tx and tz by least squares over all rows, with the indices.
-/// These are
-///   free where both faces have tilts, else 0 ± σ of the compensator. That σ, which all rows share, is added,
-///   and half the range between positions. Stale with a chance of 0.05, for a sign that is counted the other
-///   way, too.
+///   These are free where both faces have tilts, else 0 ± σ of the compensator. That σ, which all rows share,
+///   is added, and half the range between positions. Stale with a chance of one half: nobody knows which way
+///   an instrument counts until readings have shown it.
 /// - Collimation, tilting axis on in all rows: what the instrument's own calibration has left. These errors
-/// change with
-///   time, transport and temperature (Leica TPS1100 User Manual, Checking and adjusting), by how much it does
-///   not say: 0 ± 5″, stale with a chance of 0.05, are choices, a sixth of the plausible size.
+///   change with time, transport and temperature (Leica TPS1100 User Manual, Checking and adjusting), by how
+///   much it does not say: 0 ± 5″, stale with a chance of 0.05, are choices, a sixth of the plausible size.
 /// - Whatever differs between rows tells nothing.
 CompensatorKnowledge compensatorKnowledge(const Measurement& measurement);
 
