@@ -13,6 +13,7 @@
 #include "ui/connection/wire_log.h"
 #include "ui/dialogs/dialogs.h"
 #include "ui/dialogs/plain_label.h"
+#include "ui/panels/parts/button_row.h"
 #include "ui/text/encoded_path.h"
 #include "ui/text/visible_text.h"
 
@@ -73,21 +74,12 @@ ConnectionDialog::ConnectionDialog(InstrumentLink& link, Dialogs& dialogs, QWidg
 }
 
 QWidget* ConnectionDialog::createButtons() {
-  auto* row = new QWidget;
-  auto* layout = new QHBoxLayout(row);
-  layout->setContentsMargins(0, 6, 0, 0);
-  const auto add = [&](const QString& text, const char* name) {
-    auto* button = new QPushButton(text);
-    button->setObjectName(QString::fromLatin1(name));
-    button->setAutoDefault(false);
-    layout->addWidget(button);
-    return button;
-  };
-  m_connect = add(tr("&Connect"), "connect instrument");
-  m_take = add(tr("Ta&ke Reading"), "take reading");
-  layout->addStretch();
-  m_save = add(tr("&Save Log…"), "save connection log");
-  auto* close = add(tr("Close"), "close connection dialog");
+  auto* row = new ButtonRow;
+  m_connect = row->add(tr("&Connect"), "connect instrument");
+  m_take = row->add(tr("Ta&ke Reading"), "take reading");
+  row->addRoom();
+  m_save = row->add(tr("&Save Log…"), "save connection log");
+  auto* close = row->add(tr("Close"), "close connection dialog");
   close->setToolTip(tr("The connection goes on"));
   connect(m_connect, &QPushButton::clicked, this, &ConnectionDialog::connectWanted);
   connect(m_take, &QPushButton::clicked, this, &ConnectionDialog::takeWanted);

@@ -19,6 +19,7 @@
 #include "ui/instrument/check_chart.h"
 #include "ui/instrument/check_input.h"
 #include "ui/instrument/check_table.h"
+#include "ui/panels/parts/button_row.h"
 #include "ui/panels/parts/figure_grid.h"
 #include "ui/settings/theme.h"
 #include "ui/text/effect_text.h"
@@ -85,22 +86,13 @@ QWidget* InstrumentDialog::createResult() {
 }
 
 QWidget* InstrumentDialog::createButtons() {
-  auto* row = new QWidget;
-  auto* layout = new QHBoxLayout(row);
-  layout->setContentsMargins(0, 6, 0, 0);
-  const auto add = [&](const QString& text, const char* name) {
-    auto* button = new QPushButton(text);
-    button->setObjectName(QString::fromLatin1(name));
-    button->setAutoDefault(false);
-    layout->addWidget(button);
-    return button;
-  };
-  m_json = add(tr("Export &JSON…"), "export check json");
-  m_csv = add(tr("Export &CSV…"), "export check csv");
-  m_record = add(tr("&Save as Instrument Record…"), "save check record");
+  auto* row = new ButtonRow;
+  m_json = row->add(tr("Export &JSON…"), "export check json");
+  m_csv = row->add(tr("Export &CSV…"), "export check csv");
+  m_record = row->add(tr("&Save as Instrument Record…"), "save check record");
   m_record->setToolTip(tr("Collimation, index, tilt and σ of the circles, for sessions to take"));
-  layout->addStretch();
-  auto* close = add(tr("Close"), "close");
+  row->addRoom();
+  auto* close = row->add(tr("Close"), "close");
   connect(m_json, &QPushButton::clicked, this, &InstrumentDialog::exportJson);
   connect(m_csv, &QPushButton::clicked, this, &InstrumentDialog::exportCsv);
   connect(m_record, &QPushButton::clicked, this, &InstrumentDialog::saveRecord);

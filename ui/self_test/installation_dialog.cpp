@@ -2,7 +2,6 @@
 
 #include <QDir>
 #include <QEvent>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPrinter>
@@ -14,6 +13,7 @@
 #include "core/base/failure.h"
 #include "core/self_test/self_test_words.h"
 #include "ui/dialogs/dialogs.h"
+#include "ui/panels/parts/button_row.h"
 #include "ui/panels/parts/figure_grid.h"
 #include "ui/settings/theme.h"
 #include "ui/text/entry_text.h"
@@ -42,21 +42,12 @@ InstallationDialog::InstallationDialog(Dialogs& dialogs, QWidget* parent)
 }
 
 QWidget* InstallationDialog::createButtons() {
-  auto* row = new QWidget;
-  auto* layout = new QHBoxLayout(row);
-  layout->setContentsMargins(0, 6, 0, 0);
-  const auto add = [&](const QString& text, const char* name) {
-    auto* button = new QPushButton(text);
-    button->setObjectName(QString::fromLatin1(name));
-    button->setAutoDefault(false);
-    layout->addWidget(button);
-    return button;
-  };
-  m_save = add(tr("Save as &PDF…"), "save installation check");
-  m_print = add(tr("P&rint…"), "print installation check");
-  m_again = add(tr("Check &Again"), "check installation again");
-  layout->addStretch();
-  auto* close = add(tr("Close"), "close");
+  auto* row = new ButtonRow;
+  m_save = row->add(tr("Save as &PDF…"), "save installation check");
+  m_print = row->add(tr("P&rint…"), "print installation check");
+  m_again = row->add(tr("Check &Again"), "check installation again");
+  row->addRoom();
+  auto* close = row->add(tr("Close"), "close");
   connect(m_save, &QPushButton::clicked, this, &InstallationDialog::savePdf);
   connect(m_print, &QPushButton::clicked, this, &InstallationDialog::print);
   connect(m_again, &QPushButton::clicked, this, &InstallationDialog::check);
