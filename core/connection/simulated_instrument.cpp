@@ -62,7 +62,8 @@ std::string SimulatedInstrument::answer(const std::string& line) {
     return {};
   }
   if (line.starts_with("GET/") && line.find("WI21") != std::string::npos) {
-    if (isDone()) return std::string("@W100") + lineEnd;
+    if (isDone() || m_waiting)
+      return std::string("@W100") + lineEnd;  // a block waits for its acknowledgement
     const auto fault = faultNow();
     if (fault == InstrumentFault::Busy) return std::string("@W100") + lineEnd;
     if (fault == InstrumentFault::Silent) return {};
