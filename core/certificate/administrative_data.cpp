@@ -103,15 +103,6 @@ void addContact(const Element& to, const char* element, const std::string& name,
     location.typed("further", address);
 }
 
-void addIdentification(const Element& to, const char* issuer, const std::string& value, const Say& name,
-                       const char* refType = nullptr) {
-  const Element own = to.add("identification");
-  if (refType) own.attribute("refType", refType);
-  own.value("issuer", issuer);
-  own.value("value", value);
-  own.say("name", name);
-}
-
 void addCoreData(const Element& to, const CertificateOptions& options,
                  const std::vector<CertificateLanguage>& languages, const StatedEntries& stated) {
   const Element core = to.add("coreData");
@@ -134,9 +125,10 @@ void addItems(const Element& to, const CertificateSource& source, const StatedEn
     item.typed("name", stated.device);
   addName(item.add("manufacturer"), stated.manufacturer);
   // A value of its own in one language, as identifiers are.
-  addIdentification(
-      item.add("identifications"), "manufacturer", stated.serial.empty() ? "not stated" : stated.serial,
-      [] { return Phrase::of("Serial number"); }, "basic_serialNumber");
+  item.add("identifications")
+      .identification(
+          "manufacturer", stated.serial.empty() ? "not stated" : stated.serial,
+          [] { return Phrase::of("Serial number"); }, "basic_serialNumber");
   const Session& session = source.session;
   const Measurement& measurement = source.answer.measurement;
   StatedQuantity radius{

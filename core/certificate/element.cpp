@@ -106,4 +106,13 @@ void Element::file(const char* name, const std::string& fileName, const std::str
   pugi::xml_node(element.add("dataBase64").m_node).text().set(base64(bytes).c_str());
 }
 
+void Element::identification(const char* issuer, const std::string& value, const Say& what,
+                             const char* refType) const {
+  const Element own = add("identification");
+  if (refType) own.attribute("refType", refType);
+  own.value("issuer", issuer);
+  own.value("value", value);
+  own.say("name", what);
+}
+
 }  // namespace alidade

@@ -44,6 +44,9 @@ class Element {
   /// Of `byteDataType`: the bytes as base64.
   void file(const char* name, const std::string& fileName, const std::string& mimeType,
             std::string_view bytes) const;
+  /// An `identification`: its `value` by that `issuer` and what it is.
+  void identification(const char* issuer, const std::string& value, const Say& what,
+                      const char* refType = nullptr) const;
 
  private:
   void content(const std::string& text, const std::string& language) const;

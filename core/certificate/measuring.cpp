@@ -35,26 +35,17 @@ void addMethods(const Element& to, const FitAnswer& answer) {
   });
 }
 
-void addIdentity(const Element& list, const char* issuer, const std::string& value, const Say& name,
-                 const char* refType = nullptr) {
-  const Element own = list.add("identification");
-  if (refType) own.attribute("refType", refType);
-  own.value("issuer", issuer);
-  own.value("value", value);
-  own.say("name", name);
-}
-
 void addIdentities(const Element& to, const Instrument& instrument) {
   const std::string serial = certificateText(instrument.serial),
                     certificate = certificateText(instrument.certificate);
   if (serial.empty() && certificate.empty()) return;
   const Element list = to.add("identifications");
   if (!serial.empty())
-    addIdentity(
-        list, "manufacturer", serial, [] { return Phrase::of("Serial number"); }, "basic_serialNumber");
+    list.identification(
+        "manufacturer", serial, [] { return Phrase::of("Serial number"); }, "basic_serialNumber");
   if (!certificate.empty())
-    addIdentity(list, "other", certificate,
-                [] { return Phrase::of("Calibration certificate of the instrument"); });
+    list.identification("other", certificate,
+                        [] { return Phrase::of("Calibration certificate of the instrument"); });
 }
 
 void addSigmas(const Element& to, const Measurement& measurement) {

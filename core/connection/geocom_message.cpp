@@ -43,8 +43,13 @@ std::string joined(const std::vector<std::string>& parts) {
   return text;
 }
 
-/// The heads of a line behind its mark, as numbers, and what stands behind the colon.
-std::optional<std::pair<std::vector<int>, std::string_view>> headOf(std::string_view line) {
+/// Behind the last `mark` of a line, noise before it being none of it: its heads as numbers, up to three, and
+/// what stands behind the colon.
+std::optional<std::pair<std::vector<int>, std::string_view>> headBehind(std::string_view mark,
+                                                                        std::string_view line) {
+  const std::size_t at = line.rfind(mark);
+  if (at == std::string_view::npos) return std::nullopt;
+  line.remove_prefix(at + mark.size());
   const std::size_t colon = line.find(':');
   if (colon == std::string_view::npos) return std::nullopt;
   std::vector<int> heads;
@@ -53,6 +58,7 @@ std::optional<std::pair<std::vector<int>, std::string_view>> headOf(std::string_
     if (!number || *number < 0) return std::nullopt;
     heads.push_back(*number);
   }
+  if (heads.size() > 3) return std::nullopt;
   return std::pair(heads, line.substr(colon + 1));
 }
 
@@ -94,22 +100,16 @@ std::string geoComLine(const GeoComAnswer& answer) {
 }
 
 std::optional<GeoComQuestion> geoComQuestion(std::string_view line) {
-  constexpr std::string_view mark = "%R1Q,";
-  const std::size_t at = line.rfind(mark);
-  if (at == std::string_view::npos) return std::nullopt;
-  const auto head = headOf(line.substr(at + mark.size()));
-  if (!head || head->first.empty() || head->first.size() > 3) return std::nullopt;
+  const auto head = headBehind("%R1Q,", line);
+  if (!head || head->first.empty()) return std::nullopt;
   GeoComQuestion question{.rpc = head->first[0], .parameters = partsOf(head->second)};
   if (head->first.size() > 1) question.transaction = head->first[1];
   return question;
 }
 
 std::optional<GeoComAnswer> geoComAnswer(std::string_view line) {
-  constexpr std::string_view mark = "%R1P,";
-  const std::size_t at = line.rfind(mark);
-  if (at == std::string_view::npos) return std::nullopt;
-  const auto head = headOf(line.substr(at + mark.size()));
-  if (!head || head->first.size() < 2 || head->first.size() > 3) return std::nullopt;
+  const auto head = headBehind("%R1P,", line);
+  if (!head || head->first.size() < 2) return std::nullopt;
   std::vector<std::string> parts = partsOf(head->second);
   const auto code = parts.empty() ? std::nullopt : wholeOf(parts.front());
   if (!code) return std::nullopt;

@@ -258,8 +258,9 @@ Outlook outlookOf(const Measurement& measurement, const SessionFit& fit, const D
   const auto planOf = [&](int rounds) { return carriedOut(measurement, fit, protocol, progress, rounds); };
   const std::optional<Measurement> plan = planOf(0);
   if (!plan || stop.stop_requested()) return outlook;
+  std::optional<Measurement> ahead = plan;
   const auto addAhead = [&](int rounds) {
-    const auto ahead = planOf(rounds);
+    if (rounds > 0) ahead = planOf(rounds);
     const auto expanded = ahead ? expectation.of(*ahead) : std::nullopt;
     if (expanded) outlook.ahead.push_back({rounds, *expanded});
     return expanded && !stop.stop_requested();
@@ -267,8 +268,7 @@ Outlook outlookOf(const Measurement& measurement, const SessionFit& fit, const D
   int rounds = 0;
   for (; rounds <= thereAndBack; ++rounds)
     if (!addAhead(rounds)) return outlook;
-  outlook.limit =
-      withoutNoise(outlook.ahead.back().expanded, expectation.of(withLessNoise(*planOf(thereAndBack))));
+  outlook.limit = withoutNoise(outlook.ahead.back().expanded, expectation.of(withLessNoise(*ahead)));
   const bool isWithinReach = outlook.limit && outlook.isEnough(*outlook.limit);
   for (; outlook.needed && isWithinReach && rounds <= options.mostRounds && !outlook.roundsNeeded(); ++rounds)
     if (!addAhead(rounds)) return outlook;

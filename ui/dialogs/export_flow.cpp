@@ -92,12 +92,10 @@ bool ExportFlow::writeTo(const QString& title, const QString& what, const QStrin
                          const std::string& bytes) {
   const QString path = m_dialogs.askExportPath(title, suggestedPath(what, suffix), suffix);
   if (path.isEmpty()) return false;
-  std::vector<std::string> inputs;
-  for (const QString& input : m_document.paths()) inputs.push_back(encodedPath(input));
   const auto problem =
       bytes.empty()
           ? std::optional(Problem{Phrase::of("the picture cannot be made: make the window smaller")})
-          : writeFile(encodedPath(path), bytes, inputs);
+          : writeFile(encodedPath(path), bytes, encodedPaths(m_document.paths()));
   if (problem) {
     m_dialogs.showProblem(title, visibleLine(problem->text()));
     return false;

@@ -1,13 +1,12 @@
 #include "ui/dialogs/instrument_flow.h"
 
 #include <QDate>
-#include <QDir>
 #include <QFileInfo>
 
-#include "core/base/atomic_file.h"
 #include "core/session/taken_record.h"
 #include "ui/commands/take_record.h"
 #include "ui/dialogs/dialogs.h"
+#include "ui/dialogs/written_file.h"
 #include "ui/document/session_document.h"
 #include "ui/text/encoded_path.h"
 #include "ui/text/visible_text.h"
@@ -19,7 +18,7 @@ InstrumentFlow::InstrumentFlow(SessionDocument& document, Dialogs& dialogs, QObj
 
 bool InstrumentFlow::take() {
   emit commitWanted();
-  const QString path = m_dialogs.askRecordPath(folder());
+  const QString path = m_dialogs.askRecordPath(folderOf(m_document));
   if (path.isEmpty()) return false;
   const QString name = QFileInfo(path).fileName();
   const auto refuse = [&](const Problem& problem) {
@@ -47,24 +46,11 @@ bool InstrumentFlow::save() {
     return false;
   }
   const QString name = record.serial.empty() ? tr("instrument") : QString::fromStdString(record.serial);
-  QString fileName = name.simplified();
-  fileName.replace(QLatin1Char('/'), QLatin1Char('-'));
-  const QString path = m_dialogs.askExportPath(
-      title, QDir(folder()).filePath(fileName + QStringLiteral(".alidade-instrument")),
-      QStringLiteral("alidade-instrument"));
-  if (path.isEmpty()) return false;
-  std::vector<std::string> inputs;
-  for (const QString& input : m_document.paths()) inputs.push_back(encodedPath(input));
-  if (const auto problem = writeFile(encodedPath(path), bytes, inputs)) {
-    m_dialogs.showProblem(title, visibleLine(problem->text()));
-    return false;
-  }
-  emit remark(tr("Saved “%1”").arg(visibleLine(QFileInfo(path).fileName())));
+  const auto path =
+      writeBeside(m_document, m_dialogs, title, name, QStringLiteral("alidade-instrument"), bytes);
+  if (!path) return false;
+  emit remark(tr("Saved “%1”").arg(visibleLine(QFileInfo(*path).fileName())));
   return true;
-}
-
-QString InstrumentFlow::folder() const {
-  return m_document.path().isEmpty() ? QDir::homePath() : QFileInfo(m_document.path()).absolutePath();
 }
 
 }  // namespace alidade::ui

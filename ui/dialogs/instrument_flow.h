@@ -24,8 +24,6 @@ class InstrumentFlow : public QObject {
   void remark(const QString& text);
 
  private:
-  QString folder() const;
-
   SessionDocument& m_document;
   Dialogs& m_dialogs;
 };

@@ -1,16 +1,13 @@
 #include "ui/dialogs/protocol_flow.h"
 
-#include <QDir>
 #include <QFileInfo>
-#include <string>
-#include <vector>
 
-#include "core/base/atomic_file.h"
 #include "core/guidance/advised_protocol.h"
 #include "core/session/entry.h"
 #include "core/simulation/protocol_template.h"
 #include "ui/commands/change_protocol.h"
 #include "ui/dialogs/dialogs.h"
+#include "ui/dialogs/written_file.h"
 #include "ui/document/session_document.h"
 #include "ui/text/encoded_path.h"
 #include "ui/text/visible_text.h"
@@ -22,7 +19,7 @@ ProtocolFlow::ProtocolFlow(SessionDocument& document, Dialogs& dialogs, QObject*
 
 bool ProtocolFlow::load() {
   emit commitWanted();
-  const QString path = m_dialogs.askProtocolPath(folder());
+  const QString path = m_dialogs.askProtocolPath(folderOf(m_document));
   if (path.isEmpty()) return false;
   const QString name = visibleLine(QFileInfo(path).fileName());
   const Result<SightingProtocol> protocol = loadProtocol(encodedPath(path));
@@ -48,18 +45,10 @@ bool ProtocolFlow::save() {
   }
   QString fileName = QString::fromStdString((*protocol)->name).simplified();
   if (fileName.isEmpty()) fileName = tr("protocol");
-  fileName.replace(QLatin1Char('/'), QLatin1Char('-'));
-  const QString path =
-      m_dialogs.askExportPath(title, QDir(folder()).filePath(fileName + QStringLiteral(".alidade-protocol")),
-                              QStringLiteral("alidade-protocol"));
-  if (path.isEmpty()) return false;
-  std::vector<std::string> inputs;
-  for (const QString& input : m_document.paths()) inputs.push_back(encodedPath(input));
-  if (const auto problem = writeFile(encodedPath(path), writeProtocol(**protocol), inputs)) {
-    m_dialogs.showProblem(title, visibleLine(problem->text()));
-    return false;
-  }
-  emit remark(tr("Saved “%1”").arg(visibleLine(QFileInfo(path).fileName())));
+  const auto path = writeBeside(m_document, m_dialogs, title, fileName, QStringLiteral("alidade-protocol"),
+                                writeProtocol(**protocol));
+  if (!path) return false;
+  emit remark(tr("Saved “%1”").arg(visibleLine(QFileInfo(*path).fileName())));
   return true;
 }
 
@@ -78,10 +67,6 @@ bool ProtocolFlow::edit() {
   if (!edited) return false;
   followProtocol(m_document, *edited);
   return true;
-}
-
-QString ProtocolFlow::folder() const {
-  return m_document.path().isEmpty() ? QDir::homePath() : QFileInfo(m_document.path()).absolutePath();
 }
 
 }  // namespace alidade::ui

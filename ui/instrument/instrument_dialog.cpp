@@ -11,11 +11,11 @@
 #include <QSplitter>
 #include <QVBoxLayout>
 
-#include "core/base/atomic_file.h"
 #include "core/series/instrument_check/check_record.h"
 #include "core/series/instrument_check/instrument_json.h"
 #include "core/session/entry.h"
 #include "ui/dialogs/dialogs.h"
+#include "ui/dialogs/written_file.h"
 #include "ui/instrument/check_chart.h"
 #include "ui/instrument/check_input.h"
 #include "ui/instrument/check_table.h"
@@ -23,7 +23,6 @@
 #include "ui/panels/parts/figure_grid.h"
 #include "ui/settings/theme.h"
 #include "ui/text/effect_text.h"
-#include "ui/text/encoded_path.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/visible_text.h"
 
@@ -173,13 +172,8 @@ bool InstrumentDialog::write(const QString& title, const QString& name, const QS
                              const std::string& bytes) {
   const QStringList paths = m_input->paths();
   const QDir folder = paths.isEmpty() ? QDir::home() : QFileInfo(paths.first()).absoluteDir();
-  const QString path = m_dialogs.askExportPath(title, folder.filePath(name + u'.' + suffix), suffix);
-  if (path.isEmpty()) return false;
-  std::vector<std::string> inputs;
-  for (const QString& input : paths) inputs.push_back(encodedPath(input));
-  const auto problem = writeFile(encodedPath(path), bytes, inputs);
-  if (problem) m_dialogs.showProblem(title, visibleLine(problem->text()));
-  return !problem;
+  return writeWhereAsked(m_dialogs, title, folder.filePath(name + u'.' + suffix), suffix, bytes, paths)
+      .has_value();
 }
 
 }  // namespace alidade::ui

@@ -1,9 +1,8 @@
 #include "ui/report/acceptance_report.h"
 
-#include <QBuffer>
 #include <QCryptographicHash>
+#include <QPagedPaintDevice>
 #include <QPainter>
-#include <QPdfWriter>
 #include <future>
 #include <memory>
 
@@ -13,6 +12,7 @@
 #include "ui/language/languages.h"
 #include "ui/report/attached_session.h"
 #include "ui/report/device_history_report.h"
+#include "ui/report/painted_pdf.h"
 #include "ui/report/pdf_archive.h"
 #include "ui/report/report_gap.h"
 #include "ui/report/report_journal.h"
@@ -172,19 +172,11 @@ bool paintPages(QPagedPaintDevice& device, const Evaluation& evaluation, const R
 Result<std::string> pdfOf(const Evaluation& evaluation, const ReportSource& source, const QString& name,
                           const ReportOptions& options) {
   auto results = resultsBeside(options, source);
-  QBuffer buffer;
-  buffer.open(QIODevice::WriteOnly);
-  {
-    QPdfWriter writer(&buffer);
-    writer.setPdfVersion(QPagedPaintDevice::PdfVersion_A1b);
-    writer.setResolution(1200);
-    writer.setPageLayout(options.paper.layout());
-    if (!paintPages(writer, evaluation, source, options))
-      return Problem{Report::tr("%1 cannot be written: painting failed").arg(name).toStdString()};
-  }
-  const QByteArray& painted = buffer.data();
-  return archivedPdf({painted.constData(), static_cast<std::size_t>(painted.size())},
-                     informationOf(evaluation, source, options),
+  const auto painted = paintedPdf(options.paper, [&](QPagedPaintDevice& device) {
+    return paintPages(device, evaluation, source, options);
+  });
+  if (!painted) return Problem{Report::tr("%1 cannot be written: painting failed").arg(name).toStdString()};
+  return archivedPdf(*painted, informationOf(evaluation, source, options),
                      attachmentsOf(source, options, results.get()));
 }
 
@@ -192,8 +184,7 @@ Result<std::string> pdfOf(const Evaluation& evaluation, const ReportSource& sour
 
 std::optional<Problem> writeSigned(const QString& path, const std::string& bytes,
                                    const std::optional<Signer>& signer, const ReportSource& source) {
-  std::vector<std::string> inputs;
-  for (const QString& input : source.paths) inputs.push_back(encodedPath(input));
+  const std::vector<std::string> inputs = encodedPaths(source.paths);
   const std::string out = encodedPath(path);
   if (!signer) return writeFile(out, bytes, inputs);
   const Result<std::string> signature = signer->sign(bytes);

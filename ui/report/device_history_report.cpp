@@ -1,13 +1,13 @@
 #include "ui/report/device_history_report.h"
 
-#include <QBuffer>
+#include <QPagedPaintDevice>
 #include <QPainter>
-#include <QPdfWriter>
 #include <cmath>
 
 #include "core/base/atomic_file.h"
 #include "core/series/history/history_json.h"
 #include "core/series/history/history_sentences.h"
+#include "ui/report/painted_pdf.h"
 #include "ui/report/pdf_archive.h"
 #include "ui/report/report_sheet.h"
 #include "ui/report/report_table.h"
@@ -181,15 +181,9 @@ void addDeviceHistory(ReportSheet& sheet, const DeviceHistory& device) {
 
 Result<QString> writeDeviceHistory(const DeviceHistory& device, const QString& outPath,
                                    const ReportPaper& paper, const QDateTime& date) {
-  QBuffer buffer;
-  buffer.open(QIODevice::WriteOnly);
-  {
-    QPdfWriter writer(&buffer);
-    writer.setPdfVersion(QPagedPaintDevice::PdfVersion_A1b);
-    writer.setResolution(1200);
-    writer.setPageLayout(paper.layout());
+  const auto painted = paintedPdf(paper, [&](QPagedPaintDevice& pages) {
     ReportSheet sheet(
-        writer,
+        pages,
         {.product = Report::tr("Alidade %1 · Device history").arg(QStringLiteral(ALIDADE_VERSION)),
          .session = deviceText(device),
          .fileName = Report::tr("Sessions: %1, %2").arg(device.epochs.size()).arg(spanText(device)),
@@ -198,12 +192,12 @@ Result<QString> writeDeviceHistory(const DeviceHistory& device, const QString& o
         paper.margins);
     layOut(sheet, device);
     QPainter painter;
-    if (!painter.begin(&writer) || !sheet.paint(painter) || !painter.end())
-      return Problem{Report::tr("%1 cannot be written: painting failed").arg(outPath).toStdString()};
-  }
-  const QByteArray& painted = buffer.data();
+    return painter.begin(&pages) && sheet.paint(painter) && painter.end();
+  });
+  if (!painted)
+    return Problem{Report::tr("%1 cannot be written: painting failed").arg(outPath).toStdString()};
   const std::string pdf =
-      archivedPdf({painted.constData(), static_cast<std::size_t>(painted.size())},
+      archivedPdf(*painted,
                   {.title = Report::tr("Device history: %1").arg(shortLine(deviceText(device), 300)),
                    .author = {},
                    .creator = QStringLiteral("Alidade " ALIDADE_VERSION),

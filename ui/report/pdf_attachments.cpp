@@ -1,6 +1,5 @@
 #include "ui/report/pdf_attachments.h"
 
-#include <algorithm>
 #include <exception>
 #include <new>
 #include <qpdf/Pipeline.hh>
@@ -10,6 +9,8 @@
 #include <qpdf/QPDFObjectHandle.hh>
 #include <stdexcept>
 #include <utility>
+
+#include "core/exchange/words.h"
 
 namespace alidade::ui {
 
@@ -47,14 +48,9 @@ AttachedFile contentOf(QPDFObjectHandle stream, std::size_t mostBytes) {
   return {Outcome::Found, std::move(taken.bytes())};
 }
 
-char small(char letter) {
-  return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
-}
-
 bool endsWith(std::string_view name, std::string_view ending) {
   return name.size() >= ending.size() &&
-         std::equal(ending.rbegin(), ending.rend(), name.rbegin(),
-                    [](char one, char other) { return small(one) == small(other); });
+         lowerCase(std::string(name.substr(name.size() - ending.size()))) == lowerCase(std::string(ending));
 }
 
 }  // namespace

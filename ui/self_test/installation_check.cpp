@@ -1,12 +1,12 @@
 #include "ui/self_test/installation_check.h"
 
-#include <QBuffer>
+#include <QPagedPaintDevice>
 #include <QPainter>
-#include <QPdfWriter>
 
 #include "core/base/atomic_file.h"
 #include "core/self_test/self_test_json.h"
 #include "core/self_test/self_test_words.h"
+#include "ui/report/painted_pdf.h"
 #include "ui/report/pdf_archive.h"
 #include "ui/report/report_sheet.h"
 #include "ui/report/report_table.h"
@@ -104,20 +104,12 @@ bool paintInstallationCheck(QPagedPaintDevice& device, const InstallationCheck& 
 
 Result<QString> writeInstallationCheck(const InstallationCheck& check, const QString& path,
                                        const ReportPaper& paper) {
-  QBuffer buffer;
-  buffer.open(QIODevice::WriteOnly);
-  {
-    QPdfWriter writer(&buffer);
-    writer.setPdfVersion(QPagedPaintDevice::PdfVersion_A1b);
-    writer.setResolution(1200);
-    writer.setPageLayout(paper.layout());
-    if (!paintOn(writer, check, paper))
-      return Problem{Report::tr("%1 cannot be written: painting failed").arg(path).toStdString()};
-  }
-  const QByteArray& painted = buffer.data();
+  const auto painted =
+      paintedPdf(paper, [&](QPagedPaintDevice& device) { return paintOn(device, check, paper); });
+  if (!painted) return Problem{Report::tr("%1 cannot be written: painting failed").arg(path).toStdString()};
   const std::string at = check.at.toUTC().toString(Qt::ISODate).toStdString();
   const std::string pdf =
-      archivedPdf({painted.constData(), static_cast<std::size_t>(painted.size())},
+      archivedPdf(*painted,
                   {.title = Report::tr("Check of this installation"),
                    .author = {},
                    .creator = check.product(),

@@ -1,0 +1,38 @@
+#include "ui/dialogs/written_file.h"
+
+#include <QDir>
+#include <QFileInfo>
+
+#include "core/base/atomic_file.h"
+#include "ui/dialogs/dialogs.h"
+#include "ui/document/session_document.h"
+#include "ui/text/encoded_path.h"
+#include "ui/text/visible_text.h"
+
+namespace alidade::ui {
+
+std::optional<QString> writeWhereAsked(Dialogs& dialogs, const QString& title, const QString& suggested,
+                                       const QString& suffix, const std::string& bytes,
+                                       const QStringList& inputs) {
+  const QString path = dialogs.askExportPath(title, suggested, suffix);
+  if (path.isEmpty()) return std::nullopt;
+  if (const auto problem = writeFile(encodedPath(path), bytes, encodedPaths(inputs))) {
+    dialogs.showProblem(title, visibleLine(problem->text()));
+    return std::nullopt;
+  }
+  return path;
+}
+
+QString folderOf(const SessionDocument& document) {
+  return document.path().isEmpty() ? QDir::homePath() : QFileInfo(document.path()).absolutePath();
+}
+
+std::optional<QString> writeBeside(const SessionDocument& document, Dialogs& dialogs, const QString& title,
+                                   const QString& name, const QString& suffix, const std::string& bytes) {
+  QString fileName = name.simplified();
+  fileName.replace(QLatin1Char('/'), QLatin1Char('-'));
+  return writeWhereAsked(dialogs, title, QDir(folderOf(document)).filePath(fileName + u'.' + suffix), suffix,
+                         bytes, document.paths());
+}
+
+}  // namespace alidade::ui

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "ui/report/report_paper.h"
+
+class QPagedPaintDevice;
+
+namespace alidade::ui {
+
+/// A document as Qt writes it, PDF/A-1b, to be archived (`archivedPdf`). Absent where `paint` says that it
+/// failed.
+std::optional<std::string> paintedPdf(const ReportPaper& paper,
+                                      const std::function<bool(QPagedPaintDevice& device)>& paint);
+
+}  // namespace alidade::ui
