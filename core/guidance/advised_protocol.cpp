@@ -38,12 +38,13 @@ std::vector<KeyedRow> keyedRows(const Position& position) {
 
 std::vector<ProtocolPlace> placesIn(const std::vector<KeyedRow>& rows) {
   std::vector<ProtocolPlace> places;
+  std::map<int, std::size_t> indices;  // by point
   for (const KeyedRow& row : rows) {
-    const auto known = std::ranges::find(places, row.point, &ProtocolPlace::point);
-    if (known == places.end())
+    const auto [known, isNew] = indices.emplace(row.point, places.size());
+    if (isNew)
       places.push_back({.point = row.point, .slider = row.slider});
-    else if (known->slider.empty())
-      known->slider = row.slider;
+    else if (places[known->second].slider.empty())
+      places[known->second].slider = row.slider;
   }
   return places;
 }
@@ -163,6 +164,7 @@ SightingProtocol protocolFromRows(const Session& session) {
     if (position.rounds.empty()) position.rounds = rounds;
     if (keysOf(position.places) == keysOf(protocol.places)) position.places.clear();
   }
+  if (sightingCount(protocol) > mostSightings) return {};
   return protocol;
 }
 

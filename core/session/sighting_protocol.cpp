@@ -54,10 +54,10 @@ class ProtocolReader {
       m_reader.report(Phrase::of("is empty: add the positions of the axis, in their order"),
                       m_reader.placeOf("positions"));
     protocol.origin = m_reader.origin({"places", "positions"});
-    if (m_sightings > mostSightings)
+    if (const std::size_t count = sightingCount(protocol); count > mostSightings)
       m_reader.report(
-          Phrase::of("make %1 sightings, and a protocol holds at most %2: leave out rounds or places",
-                     m_sightings, mostSightings),
+          Phrase::of("make %1 sightings, and a protocol holds at most %2: leave out rounds or places", count,
+                     mostSightings),
           m_reader.placeOf("positions"));
     return protocol;
   }
@@ -101,12 +101,9 @@ class ProtocolReader {
     for (const Json& round : reader.list("rounds")) {
       if (m_problem) break;
       position.rounds.push_back(this->round(reader.member("rounds", position.rounds.size(), round)));
-      m_sightings +=
-          protocol.placesOf(position).size() * std::min<std::size_t>(2, position.rounds.back().faces.size());
     }
     if (!reader.find("rounds")) {
       position.rounds = {{}};
-      m_sightings += protocol.placesOf(position).size();
     } else if (position.rounds.empty()) {
       reader.report(Phrase::of("is empty: add the rounds, at least one"), reader.placeOf("rounds"));
     }
@@ -182,7 +179,6 @@ class ProtocolReader {
 
   const ObjectReader& m_reader;
   std::optional<Problem>& m_problem;
-  std::size_t m_sightings = 0;
 };
 
 nlohmann::ordered_json placesJson(const std::vector<ProtocolPlace>& places) {
@@ -245,6 +241,17 @@ Problem within(const Problem& problem) {
 }
 
 }  // namespace
+
+std::size_t sightingCount(const SightingProtocol& protocol) {
+  std::size_t count = 0;
+  for (const ProtocolPosition& position : protocol.positions) {
+    count += position.zeros.before.size() + position.zeros.after.size();
+    // Of four faces two are sighted at each place: 1 and 2, then 2 and 1.
+    for (const ProtocolRound& round : position.rounds)
+      count += protocol.placesOf(position).size() * std::min<std::size_t>(2, round.faces.size());
+  }
+  return count;
+}
 
 Result<SightingProtocol> readProtocol(std::string_view text) {
   nlohmann::ordered_json json;

@@ -74,8 +74,11 @@ struct SightingProtocol {
   }
 };
 
-/// More than anybody sights by hand.
+/// A protocol holds no more of them: more than anybody sights by hand.
 inline constexpr std::size_t mostSightings = 10'000;
+
+/// Of the places and of the pointing zeros.
+std::size_t sightingCount(const SightingProtocol& protocol);
 
 /// Reads the text of a `*.alidade-protocol` file (JSON, UTF-8, format version 1). Fails, with the place, on
 /// what `readSession` fails on and on every entry that means nothing.

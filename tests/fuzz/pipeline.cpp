@@ -1,15 +1,24 @@
 #include "tests/fuzz/pipeline.h"
 
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "app/console/diagnosis_text.h"
 #include "app/console/fit_text.h"
+#include "app/console/guidance_text.h"
+#include "app/console/journal_text.h"
 #include "app/console/plan_text.h"
 #include "core/answers/beforehand.h"
+#include "core/answers/budget_csv.h"
 #include "core/answers/diagnosis_json.h"
 #include "core/answers/fit_json.h"
+#include "core/answers/guidance_json.h"
+#include "core/answers/residuals_csv.h"
+#include "core/answers/results_csv.h"
 #include "core/base/utf8.h"
+#include "core/certificate/calibration_certificate.h"
 #include "core/diagnosis/diagnose.h"
+#include "core/session/entry.h"
 #include "core/wording/diagnosis_fault.h"
 #include "tests/fuzz/require.h"
 #include "tests/support/every_answer.h"
@@ -63,6 +72,34 @@ void review(const Session& session) {
   requireJson(console::planJson(name, *review, *findings));
 }
 
+/// By the protocol it says it follows, else by its own rows.
+void lead(const Session& session) {
+  const auto own = protocolOf(session);
+  if (!own) return require(!own.problem().what.empty(), "a protocol refused without words");
+  SightingProtocol protocol = *own ? **own : protocolFromRows(session);
+  if (protocol.positions.empty()) return;
+  const Guidance guidance = guidanceOf(session, std::move(protocol));
+  test::expectGuidance(guidance);
+  requireText(console::guidanceText(name, guidance, circleUnitOf(session)));
+  requireJson(guidanceJson(name, guidance));
+}
+
+void certify(const Session& session, const Measurement& measurement) {
+  const SessionFit fit = fitSession(measurement);
+  if (absence(measurement, fit.arcs.size(), fit.findings)) return;
+  FitAnswer answer{name, measurement, fit, findSuspects(session, measurement, fit)};
+  if (auto diagnosis = diagnose(measurement, fit)) answer.diagnosis = *std::move(diagnosis);
+  for (const std::string& table :
+       {residualsCsv(measurement, fit), budgetCsv(fit, answer.found()), resultsCsv(answer)})
+    requireText(table);
+  const std::string bytes = writeSession(session);
+  const auto certificate =
+      calibrationCertificate({session, answer, name, bytes}, {.version = "0", .measuredOn = "2026-03-01"});
+  if (!certificate) return test::expectSentence(certificate.problem().text());
+  require(certificate->xml.starts_with("<?xml") && !firstIllFormedByte(certificate->xml),
+          "a certificate that is none");
+}
+
 /// A number typed as 02 is kept as 2; from then on nothing changes any more.
 void writeAndRead(const Session& session) {
   const std::string text = writeSession(session);
@@ -75,12 +112,16 @@ void writeAndRead(const Session& session) {
 
 void workThrough(const Session& session) {
   writeAndRead(session);
+  requireText(console::journalText(name, session));
+  requireJson(console::journalJson(name, session));
+  lead(session);
   const Examined examined = examine(session);
   for (const Problem& problem : examined.problems) test::expectSentence(problem.text());
   if (!examined.measurement)
     return require(!examined.problems.empty(), "nothing to fit, and no reason given");
   fit(session, *examined.measurement);
   diagnoseIt(*examined.measurement);
+  certify(session, *examined.measurement);
   review(session);
 }
 

@@ -5,7 +5,7 @@ namespace alidade::fuzz {
 std::span<const Target> targets() {
   static constexpr Target all[] = {{"session", throwSession}, {"typing", throwTyping}, {"gsi", throwGsi},
                                    {"csv", throwCsv},         {"angles", throwAngles}, {"truth", throwTruth},
-                                   {"talk", throwTalk}};
+                                   {"records", throwRecords}, {"values", throwValues}, {"talk", throwTalk}};
   return all;
 }
 

@@ -14,6 +14,8 @@ void throwGsi(std::string_view bytes);      ///< an instrument's file
 void throwCsv(std::string_view bytes);      ///< a table of readings
 void throwAngles(std::string_view bytes);   ///< one entry of a form
 void throwTruth(std::string_view bytes);    ///< a truth file, or an effect of the command line
+void throwRecords(std::string_view bytes);  ///< a protocol, or the record of an instrument
+void throwValues(std::string_view bytes);   ///< values over time, or rounds of an instrument check
 void throwTalk(std::string_view bytes);     ///< what an instrument sends, and what is sent to a simulated one
 
 struct Target {

@@ -5,19 +5,27 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/adjustment/gross_errors/suspects.h"
 #include "core/adjustment/monte_carlo/monte_carlo.h"
 #include "core/adjustment/result/session_fit.h"
 #include "core/adjustment/result/two_faces.h"
+#include "core/answers/beforehand.h"
+#include "core/answers/guidance_answer.h"
+#include "core/certificate/calibration_certificate.h"
 #include "core/diagnosis/diagnose.h"
 #include "core/diagnosis/plan_review.h"
+#include "core/guidance/advised_protocol.h"
 #include "core/session/measurement.h"
 #include "core/session/session_file.h"
 #include "core/simulation/planned_session.h"
+#include "core/simulation/protocol_template.h"
 #include "core/wording/diagnosis_fault.h"
 #include "core/wording/diagnosis_sentence.h"
 #include "core/wording/findings.h"
+#include "core/wording/guidance.h"
 #include "core/wording/suspects.h"
 
 namespace alidade::test {
@@ -147,7 +155,60 @@ inline void expectAnswers(const Session& session) {
   diagnosis ? expectDiagnosis(*diagnosis) : expectSentence(problemOf(diagnosis.problem()).text());
 }
 
-/// What is asked for more rarely: the plan, the published method, draws.
+inline void expectPair(const ExpandedPair& pair, const char* what) {
+  expectNumber(pair.ofFit, what);
+  EXPECT_GE(pair.ofFit, 0) << what;
+  if (!pair.asMeasured) return;
+  expectNumber(*pair.asMeasured, what);
+  EXPECT_GE(*pair.asMeasured, 0) << what;
+}
+
+/// A circle reads from 0° to 360°, an elevation from −90° to 270°.
+inline void expectGuidance(const Guidance& guidance) {
+  expectSentence(progressSentences(guidance.progress));
+  EXPECT_EQ(guidance.expected.size(), guidance.progress.sightings.size());
+  for (const auto& expected : guidance.expected) {
+    if (!expected) continue;
+    expectNumber(expected->horizontal.radians(), "expected direction");
+    expectNumber(expected->vertical.radians(), "expected vertical angle");
+    EXPECT_GE(expected->horizontal.radians(), 0);
+    EXPECT_GT(expected->tolerance.radians(), 0);
+  }
+  for (const Repeat& repeat : guidance.repeats) {
+    expectSentence(repeatSentence(repeat, guidance.progress));
+    for (const std::size_t sighting : repeat.sightings)
+      EXPECT_LT(sighting, guidance.progress.sightings.size());
+  }
+  const Outlook& outlook = guidance.outlook;
+  if (outlook.now) expectPair(*outlook.now, "U now");
+  if (outlook.limit) expectPair(*outlook.limit, "U at the limit");
+  if (outlook.needed) expectPair(*outlook.needed, "U that is needed");
+  for (const RoundsAhead& ahead : outlook.ahead) expectPair(ahead.expanded, "U ahead");
+  if (const std::string sentences = outlookSentences(outlook, guidance.progress); !sentences.empty())
+    expectSentence(sentences);
+}
+
+/// By its own rows, so that all of it is there, and by a plan of the house.
+inline void expectGuidances(const Session& session) {
+  std::vector<SightingProtocol> protocols{protocolFromRows(session), templateOf(namedProtocols().front())};
+  for (SightingProtocol& protocol : protocols)
+    if (!protocol.positions.empty()) expectGuidance(guidanceOf(session, std::move(protocol)));
+}
+
+inline void expectCertificate(const Session& session, const Measurement& measurement, const SessionFit& fit) {
+  if (absence(measurement, fit.arcs.size(), fit.findings)) return;
+  const std::string name = "every state", bytes = writeSession(session);
+  FitAnswer answer{name, measurement, fit};
+  if (auto diagnosis = diagnose(measurement, fit)) answer.diagnosis = *std::move(diagnosis);
+  const auto certificate = calibrationCertificate({session, answer, "session.alidade", bytes},
+                                                  {.version = "0", .measuredOn = "2026-03-01"});
+  if (!certificate) return expectSentence(certificate.problem().text());
+  EXPECT_TRUE(certificate->xml.starts_with("<?xml"));
+  for (const char* none : {">nan<", ">-nan<", ">inf<", ">-inf<"})
+    EXPECT_EQ(certificate->xml.find(none), std::string::npos) << none;
+}
+
+/// What is asked for more rarely: the plan, the published method, draws, guidance, the certificate.
 inline void expectFurtherAnswers(const Session& session) {
   const Examined planned = examine(withPlannedReadings(session));
   if (planned.measurement) {
@@ -164,6 +225,8 @@ inline void expectFurtherAnswers(const Session& session) {
     expectNumber(drawn->intersection->mean, "mean of the draws");
     expectNumber(drawn->intersection->high - drawn->intersection->low, "interval of the draws");
   }
+  expectCertificate(session, *examined.measurement, fit);
+  expectGuidances(session);
 }
 
 }  // namespace alidade::test

@@ -21,7 +21,7 @@ std::string saidOf(const std::string& text) {
   alone.protocol = text;
   const auto protocol = protocolOf(alone);
   if (!protocol || !*protocol) return text.empty() ? "" : "unreadable";
-  const std::string count = std::to_string(sightingsInOrder(**protocol).size()) + " sightings";
+  const std::string count = std::to_string(sightingCount(**protocol)) + " sightings";
   return (*protocol)->name.empty() ? count : (*protocol)->name + ", " + count;
 }
 

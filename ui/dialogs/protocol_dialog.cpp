@@ -13,7 +13,6 @@
 #include <utility>
 
 #include "core/session/entry.h"
-#include "core/session/protocol_progress.h"
 #include "core/session/row_fields.h"
 #include "ui/text/entry_text.h"
 
@@ -163,7 +162,7 @@ std::optional<SightingProtocol> ProtocolDialog::protocol() const {
 
 void ProtocolDialog::check() {
   const auto own = protocol();
-  const std::size_t count = own ? sightingsInOrder(*own).size() : 0;
+  const std::size_t count = own ? sightingCount(*own) : 0;
   const bool isTooMuch = count > mostSightings;
   m_buttons->button(QDialogButtonBox::Ok)->setEnabled(own && !isTooMuch);
   m_remark->setText(!own        ? tr("Type the places as angles with blanks between them: 10 20 30.5 40")

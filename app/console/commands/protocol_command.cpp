@@ -9,14 +9,10 @@
 #include "app/console/guidance_text.h"
 #include "app/console/output_file.h"
 #include "app/console/session_input.h"
-#include "core/adjustment/gross_errors/suspects.h"
-#include "core/adjustment/result/two_faces.h"
 #include "core/base/list_text.h"
 #include "core/base/visible_text.h"
-#include "core/diagnosis/diagnose.h"
 #include "core/diagnosis/plan_review.h"
 #include "core/guidance/advised_protocol.h"
-#include "core/guidance/forecast.h"
 #include "core/session/entry.h"
 #include "core/session/session_file.h"
 #include "core/simulation/planned_session.h"
@@ -35,11 +31,23 @@ std::string templateNames() {
   return listed(names);
 }
 
+/// Fails where the session has no rows, or more than a protocol holds.
+Result<SightingProtocol> ofRows(const Session& session, const std::string& option) {
+  SightingProtocol own = protocolFromRows(session);
+  if (!own.positions.empty()) return own;
+  const bool hasRows = std::ranges::any_of(
+      session.positions, [](const Position& position) { return !position.readings.empty(); });
+  return Problem{option +
+                 (hasRows ? ": the rows are no protocol, which holds at most " +
+                                std::to_string(mostSightings) + " sightings"
+                          : std::string(": the session has no rows")) +
+                 "; name a template, such as full"};
+}
+
 /// The session's rows, with what `alidade-cli plan` advises before all else.
 Result<SightingProtocol> advisedFor(const Session& session) {
-  SightingProtocol own = protocolFromRows(session);
-  if (own.positions.empty())
-    return Problem{"--template plan: the session has no rows to plan from; name a template, such as full"};
+  Result<SightingProtocol> own = ofRows(session, "--template plan");
+  if (!own) return own;
   const Session planned = withPlannedReadings(session);
   const Examined examined = examine(planned);
   if (!examined.measurement)
@@ -48,8 +56,10 @@ Result<SightingProtocol> advisedFor(const Session& session) {
   const auto review = reviewPlan(*examined.measurement);
   if (!review) return own;
   for (const PlanAdvice& advice : review->advice)
-    if (std::all_of(advice.measures.begin(), advice.measures.end(), isForProtocol))
-      return withMeasures(std::move(own), advice.measures);
+    if (std::ranges::all_of(advice.measures, isForProtocol)) {
+      SightingProtocol advised = withMeasures(*own, advice.measures);
+      return sightingCount(advised) > mostSightings ? own : advised;
+    }
   return own;
 }
 
@@ -62,38 +72,12 @@ Result<SightingProtocol> wantedProtocol(const ProtocolRequest& request, const Se
                      ", rows, plan, or a file)"};
     return **std::move(own);
   }
-  if (request.protocol == fromRows) {
-    SightingProtocol own = protocolFromRows(session);
-    if (own.positions.empty()) return Problem{"--template rows: the session has no rows"};
-    return own;
-  }
+  if (request.protocol == fromRows) return ofRows(session, "--template rows");
   if (request.protocol == fromPlan) return advisedFor(session);
   if (auto named = templateNamed(request.protocol)) return *std::move(named);
   Result<SightingProtocol> loaded = loadProtocol(request.protocol);
   if (!loaded) return Problem{"--template " + visibleText(request.protocol) + ": " + loaded.problem().text()};
   return loaded;
-}
-
-Guidance guidanceOf(const Session& session, SightingProtocol protocol) {
-  Guidance guidance;
-  guidance.progress = progressOf(session, protocol);
-  guidance.protocol = std::move(protocol);
-  guidance.expected.resize(guidance.progress.sightings.size());
-  const Examined examined = examine(session);
-  if (!examined.measurement) return guidance;
-  const Measurement& measurement = *examined.measurement;
-  const SessionFit fit = fitSession(measurement);
-  guidance.expected = forecast(measurement, fit, guidance.protocol, guidance.progress);
-  const std::vector<Suspect> suspects =
-      fit.arcs.empty() ? std::vector<Suspect>() : findSuspects(session, measurement, fit);
-  const std::optional<TwoFaces> faces = compareFaces(measurement);
-  guidance.repeats = repeatsOf({measurement, fit, faces ? &*faces : nullptr, suspects}, guidance.progress);
-  std::optional<Diagnosis> diagnosis;
-  if (fit.intersection)
-    if (auto found = diagnose(measurement, fit)) diagnosis = *std::move(found);
-  guidance.outlook =
-      outlookOf(measurement, fit, diagnosis ? &*diagnosis : nullptr, guidance.protocol, guidance.progress);
-  return guidance;
 }
 
 }  // namespace

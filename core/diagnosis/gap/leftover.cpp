@@ -21,7 +21,8 @@ Leftover::Leftover(Linearised equations, const std::vector<EstimatedTerm>& inMod
   const VectorXd scale = base.colwise().norm().cwiseMax(1e-300).cwiseInverse();
   base *= scale.asDiagonal();
   const Eigen::ColPivHouseholderQR<Eigen::Ref<MatrixXd>> qr(base);  // in its place
-  m_basis = qr.householderQ() * MatrixXd::Identity(base.rows(), qr.rank());
+  m_basis = MatrixXd::Identity(base.rows(), qr.rank());
+  if (m_basis.cols() > 0) m_basis.applyOnTheLeft(qr.householderQ());
   m_observed = outsideArcAngles(m_observed);
   m_residual = visible(m_observed);
   m_residualByTerms = productsOfTerms(m_residual);

@@ -25,6 +25,27 @@ TEST(ProtocolFromRows, OfASessionWithoutRowsIsNone) {
   EXPECT_TRUE(protocolFromRows(blankSession()).positions.empty());
 }
 
+/// Every place would be sighted in every round: thirty rows are nine hundred sightings, 10⁵ would be 10¹⁰.
+TEST(ProtocolFromRows, OfMoreThanAProtocolHoldsIsNone) {
+  Session session = blankSession();
+  const auto typeRows = [&](int count) {
+    std::vector<Reading>& rows = session.positions.front().readings;
+    rows.clear();
+    for (int i = 1; i <= count; ++i) {
+      Reading row;
+      row.point = row.round = std::to_string(i);
+      row.horizontal = "10";
+      row.vertical = "90";
+      rows.push_back(row);
+    }
+  };
+  typeRows(30);
+  EXPECT_EQ(sightingCount(protocolFromRows(session)),
+            900u * session.positions.size() + session.positions.size());
+  typeRows(100'000);
+  EXPECT_TRUE(protocolFromRows(session).positions.empty());
+}
+
 TEST(WithMeasures, AddsWhatIsAdvised) {
   const SightingProtocol paper = templateOf(*protocolByName("paper"));
   const auto count = [](const SightingProtocol& protocol) { return sightingsInOrder(protocol).size(); };

@@ -58,7 +58,7 @@ TEST(Repeats, NameAMisreadReadingAndNothingElseForIt) {
   ASSERT_EQ(repeats.size(), 1u);
   EXPECT_EQ(repeats[0].reason, Repeat::Reason::Misread);
   EXPECT_NEAR(repeats[0].size, 60, 8) << "the noise of 2″, four of it";
-  const PlannedSighting& planned = progressOf(session, protocol).sightings[repeats[0].sightings[0]].planned;
+  const PlannedSighting planned = progressOf(session, protocol).sightings[repeats[0].sightings[0]].planned;
   EXPECT_EQ(planned.axisDeg, 180);
   EXPECT_EQ(planned.point, 5);
   EXPECT_EQ(planned.round, 2);

@@ -15,6 +15,7 @@ std::string told(const PlannedSighting& planned) {
 }
 
 std::string orderOf(const SightingProtocol& protocol) {
+  EXPECT_EQ(sightingCount(protocol), sightingsInOrder(protocol).size());
   std::string text;
   std::size_t position = protocol.positions.size();
   for (const PlannedSighting& planned : sightingsInOrder(protocol)) {

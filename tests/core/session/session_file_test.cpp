@@ -300,7 +300,7 @@ TEST(SessionFile, KeepsWhatIsKnownOfInstrumentAndDevice) {
   Json json = completeSession();
   const Json collimation = {{"effect", "collimation"}, {"value", 3.2},    {"sigma", 0.5},
                             {"unit", "arcsec"},        {"from", "check"}, {"colour", "red"}};
-  json["instrument"]["known"] = {collimation};
+  json["instrument"]["known"] = Json::array({collimation});
   json["device"]["known"] = {
       {{"effect", "plane_tilt"}, {"parameter", "tilt about x"}, {"sigma", 0.01}, {"unit", "deg"}}};
   Session session = *readSession(json.dump());

@@ -145,7 +145,7 @@ TEST(SessionWriter, MovesWhatIsUnknownAlongWithItsPart) {
   // From one position to the other, which had no list of rows and gets one.
   session.positions[0].readings.push_back(session.positions[1].readings[0]);
   session.positions[1].readings.erase(session.positions[1].readings.begin());
-  expected["positions"][0]["readings"] = {expected["positions"][1]["readings"][0]};
+  expected["positions"][0]["readings"] = Json::array({expected["positions"][1]["readings"][0]});
   expected["positions"][1]["readings"].erase(0);
   EXPECT_EQ(written(session), expected.dump());
 }

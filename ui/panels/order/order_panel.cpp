@@ -273,7 +273,8 @@ void OrderPanel::fillMenu() {
   connect(own, &QAction::triggered, this, [this, rows] { follow(rows); });
   const SharedGap gap = gapOfThis();
   const Advice* advice = adviceOf(gap);
-  const bool isAdvised = advice && !rows.positions.empty();
+  const bool isAdvised = advice && !rows.positions.empty() &&
+                         sightingCount(withMeasures(rows, advice->measures)) <= mostSightings;
   QAction* advised = m_menu->addAction(isAdvised ? tr("These and %1").arg(qText(textOf(advice->measures)))
                                                  : tr("These and What Is Advised"));
   advised->setEnabled(isAdvised);

@@ -1,0 +1,53 @@
+#include "core/session/instrument_record.h"
+#include "core/session/protocol_progress.h"
+#include "core/session/session_file.h"
+#include "core/session/sighting_protocol.h"
+#include "core/session/taken_record.h"
+#include "tests/fuzz/require.h"
+#include "tests/fuzz/targets.h"
+
+namespace alidade::fuzz {
+
+namespace {
+
+void followProtocol(std::string_view bytes) {
+  const Result<SightingProtocol> protocol = readProtocol(bytes);
+  if (!protocol) return require(!protocol.problem().what.empty(), "a protocol refused without words");
+  const std::string written = writeProtocol(*protocol);
+  const Result<SightingProtocol> again = readProtocol(written);
+  require(static_cast<bool>(again), "a protocol that was written cannot be read");
+  require(writeProtocol(*again) == written, "a protocol that changes when it is read and written");
+  const std::vector<PlannedSighting> sightings = sightingsInOrder(*protocol);
+  require(sightings.size() <= mostSightings, "more sightings than a protocol may have");
+  Session session = blankSession();
+  session.protocol = protocolText(*protocol);
+  const auto own = protocolOf(session);
+  require(own && *own && sightingsInOrder(**own) == sightings, "a session that follows another protocol");
+  const ProtocolProgress progress = progressOf(session, *protocol);
+  require(progress.sightings.size() == sightings.size() && progress.taken == 0, "progress out of nothing");
+  for (const PlannedSighting& sighting : sightings)
+    require(sighting.isZero != !rowFor(sighting).point.empty(), "a sighting of no place");
+}
+
+void takeInstrument(std::string_view bytes) {
+  const Result<InstrumentRecord> record = readInstrumentRecord(bytes);
+  if (!record) return require(!record.problem().what.empty(), "a record refused without words");
+  const std::string written = writeInstrumentRecord(*record);
+  const Result<InstrumentRecord> again = readInstrumentRecord(written);
+  require(static_cast<bool>(again), "a record that was written cannot be read");
+  require(writeInstrumentRecord(*again) == written, "a record that changes when it is read and written");
+  Session session = blankSession();
+  require(!takeRecord(session, *record, "fuzzed.alidade-instrument"), "a blank session refuses a record");
+  const Result<Session> taken = readSession(writeSession(session));
+  require(taken && *taken == session, "a session that forgets the record it took");
+  recordOf(session);
+}
+
+}  // namespace
+
+void throwRecords(std::string_view bytes) {
+  followProtocol(bytes);
+  takeInstrument(bytes);
+}
+
+}  // namespace alidade::fuzz
