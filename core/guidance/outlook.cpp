@@ -104,7 +104,7 @@ class Expectation {
   /// What is there already has the U that the result states; what is to come changes it in proportion, and
   /// what was found beside it stays.
   void startFrom(ExpandedPair planned, const ExpandedPair& stated) {
-    m_ofFit = stated.ofFit / planned.ofFit;
+    if (planned.ofFit > 0) m_ofFit = stated.ofFit / planned.ofFit;
     if (!planned.asMeasured || !stated.asMeasured) return;
     if (*stated.asMeasured < *planned.asMeasured)
       m_asMeasured = *stated.asMeasured / *planned.asMeasured;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "tests/support/every_answer.h"
+#include "tests/support/guarded_memory.h"
 #include "tests/support/typing.h"
 
 namespace alidade {
@@ -17,7 +18,7 @@ using namespace alidade::test;
 class EveryState : public testing::TestWithParam<int> {};
 
 TEST_P(EveryState, OfTypingHasAnAnswerOrASentence) {
-  constexpr int states = 1000;
+  constexpr int states = inTheTime(1000);
   const std::uint64_t shard = 4200000 + 1000 * static_cast<std::uint64_t>(GetParam());
   int passed = 0;
   for (std::uint64_t seed = shard; passed < states && !HasFailure(); ++seed) {
@@ -40,7 +41,7 @@ INSTANTIATE_TEST_SUITE_P(TenThousand, EveryState, testing::Range(0, 10));
 class EveryGeometry : public testing::TestWithParam<int> {};
 
 TEST_P(EveryGeometry, HasAnAnswerOrASentence) {
-  constexpr int sessions = 40;
+  constexpr int sessions = inTheTime(40);
   const std::uint64_t shard = 5200000 + 1000 * static_cast<std::uint64_t>(GetParam());
   for (std::uint64_t seed = shard; seed < shard + sessions && !HasFailure(); ++seed) {
     std::mt19937_64 random(seed);

@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include "core/session/session_file.h"
+#include "tests/support/guarded_memory.h"
 #include "tests/support/typing.h"
 #include "tests/ui/report/printed.h"
 #include "tests/ui/shown_texts.h"
@@ -63,7 +64,7 @@ class Showing {
 class EveryStateShown : public testing::TestWithParam<int> {};
 
 TEST_P(EveryStateShown, OfTypingIsAnAnswerOrASentence) {
-  constexpr int states = 40, apart = 7;
+  constexpr int states = inTheTime(40), apart = 7;
   const std::uint64_t shard = 7200000 + 1000 * static_cast<std::uint64_t>(GetParam());
   Showing showing;
   int shown = 0;
@@ -81,7 +82,7 @@ TEST_P(EveryStateShown, OfTypingIsAnAnswerOrASentence) {
 }
 
 TEST_P(EveryStateShown, OfAnyGeometryIsAnAnswerOrASentence) {
-  constexpr int sessions = 8;
+  constexpr int sessions = inTheTime(8);
   const std::uint64_t shard = 8200000 + 1000 * static_cast<std::uint64_t>(GetParam());
   Showing showing;
   for (std::uint64_t seed = shard; seed < shard + sessions && !HasFailure(); ++seed) {

@@ -21,8 +21,13 @@ Leftover::Leftover(Linearised equations, const std::vector<EstimatedTerm>& inMod
   const VectorXd scale = base.colwise().norm().cwiseMax(1e-300).cwiseInverse();
   base *= scale.asDiagonal();
   const Eigen::ColPivHouseholderQR<Eigen::Ref<MatrixXd>> qr(base);  // in its place
-  m_basis = MatrixXd::Identity(base.rows(), qr.rank());
-  if (m_basis.cols() > 0) m_basis.applyOnTheLeft(qr.householderQ());
+  const Index rank = qr.rank();
+  if (rank > 0) {
+    m_basis = MatrixXd::Identity(base.rows(), rank);
+    m_basis.applyOnTheLeft(qr.householderQ());
+  } else {
+    m_basis = VectorXd::Zero(base.rows());
+  }
   m_observed = outsideArcAngles(m_observed);
   m_residual = visible(m_observed);
   m_residualByTerms = productsOfTerms(m_residual);
@@ -30,7 +35,7 @@ Leftover::Leftover(Linearised equations, const std::vector<EstimatedTerm>& inMod
   for (Index i = 0; i < readings(); ++i)
     m_redundancy[i] =
         !reading(i).takesPart ? 0 : 1 - reading(i).along * reading(i).along - m_basis.row(i).squaredNorm();
-  Index counted = rows() - m_basis.cols();
+  Index counted = rows() - rank;
   for (Index v = 0; v < visits(); ++v) {
     const Run own = readingsOf(v);
     Index taking = 0;

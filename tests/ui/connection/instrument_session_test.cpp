@@ -227,6 +227,7 @@ TEST(InstrumentSession, AQuestionedReadingIsTakenWhenWanted) {
       return bench.landed() + bench.desk().flow().waiting() == static_cast<std::size_t>(i) + 1;
     })) << bench.log();
   }
+  ASSERT_TRUE(waitFor([&] { return !bench.desk().flow().question().isEmpty(); })) << bench.log();
   EXPECT_THAT(bench.desk().flow().question().toStdString(), HasSubstr("face 2 is asked for"));
   EXPECT_EQ(bench.desk().flow().waiting(), 2U) << "what comes meanwhile waits behind it";
   bench.desk().flow().takeAnyway();
