@@ -26,7 +26,7 @@ void followProtocol(std::string_view bytes) {
   const ProtocolProgress progress = progressOf(session, *protocol);
   require(progress.sightings.size() == sightings.size() && progress.taken == 0, "progress out of nothing");
   for (const PlannedSighting& sighting : sightings)
-    require(sighting.isZero ? !zeroField(sighting).empty() : sighting.point > 0, "a sighting of no place");
+    require(sighting.isZero ? !zeroField(sighting).empty() : sighting.point >= 0, "a sighting of no place");
 }
 
 void takeInstrument(std::string_view bytes) {
