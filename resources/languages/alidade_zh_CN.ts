@@ -4088,6 +4088,10 @@ Sealed by:</source>
         <translation>标准不确定度 %1 不大于 0：没有不确定度的值无法加权</translation>
     </message>
     <message>
+        <source>%1 is out of range: values reach up to 1e30, uncertainties from 1e-30 to 1e30</source>
+        <translation>%1 超出范围：数值的绝对值不超过 1e30，不确定度在 1e-30 到 1e30 之间</translation>
+    </message>
+    <message>
         <source>the other sessions of the series</source>
         <translation>系列中的其余会话</translation>
     </message>

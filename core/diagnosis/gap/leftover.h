@@ -43,8 +43,8 @@ class Leftover {
   /// What was observed, and `columns`: rows() long, outside the arc angles only.
   const Eigen::VectorXd& observed() const { return m_observed; }
   Eigen::MatrixXd outsideArcAngles(const Eigen::MatrixXd& columns) const;
-  /// Orthonormal, of what the fit takes up, at right angles to the arc angles. A column of zeros where that is
-  /// nothing: Eigen divides by, or points into, what has no columns.
+  /// Orthonormal, of what the fit takes up, at right angles to the arc angles. A column of zeros where that
+  /// is nothing: Eigen divides by, or points into, what has no columns.
   const Eigen::MatrixXd& basis() const { return m_basis; }
   Eigen::Index visits() const { return static_cast<Eigen::Index>(m_endOfVisit.size()); }
   /// One after the other, from `first` to before `end`.

@@ -243,11 +243,19 @@ class Reader {
       return at(row, u,
                 Phrase::of("has no standard uncertainty: without one the value cannot be weighed, state it "
                            "in the third column"));
-    if (!(*sigma > 0) || !std::isnormal(*sigma) || !std::isfinite(1 / (*sigma * *sigma)))
+    if (!(*sigma > 0))
       return at(row, u,
                 Phrase::of("the standard uncertainty %1 is not greater than 0: a value without one cannot "
                            "be weighed",
                            displayedU(*sigma)));
+    constexpr double largest = 1e30, smallest = 1e-30;  // squares of weighted values stay numbers
+    const auto outOfRange = [&](const CsvCell* cell, double number) {
+      return at(row, cell,
+                Phrase::of("%1 is out of range: values reach up to 1e30, uncertainties from 1e-30 to 1e30",
+                           shortestText(number)));
+    };
+    if (!(std::abs(read->value) <= largest)) return outOfRange(value, read->value);
+    if (*sigma < smallest || *sigma > largest) return outOfRange(u, *sigma);
     m_dates.push_back(*day);
     m_content.values.push_back({day->text, day->day, read->value, *sigma, *sigma, {}, 0});
     return std::nullopt;
