@@ -319,6 +319,7 @@ void MainWindow::connectInstrument() {
 void MainWindow::connectFile() {
   connect(&m_watch, &FileWatch::changedElsewhere, this,
           [this](bool is) { is ? m_changedFile->tellOf(m_document.displayName()) : m_changedFile->hide(); });
+  connect(&m_files, &FileFlow::writing, &m_watch, &FileWatch::setHeld);
   connect(m_changedFile, &ChangedFileBar::comparisonWanted, &m_files, &FileFlow::settleChange);
 }
 

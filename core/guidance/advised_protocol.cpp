@@ -128,6 +128,10 @@ void addMoreOfTheArc(std::vector<ProtocolPlace>& places) {
   }
 }
 
+SightingProtocol unlessTooMuch(SightingProtocol protocol) {
+  return sightingCount(protocol) > mostSightings ? SightingProtocol() : std::move(protocol);
+}
+
 }  // namespace
 
 SightingProtocol protocolFromRows(const Session& session) {
@@ -164,8 +168,7 @@ SightingProtocol protocolFromRows(const Session& session) {
     if (position.rounds.empty()) position.rounds = rounds;
     if (keysOf(position.places) == keysOf(protocol.places)) position.places.clear();
   }
-  if (sightingCount(protocol) > mostSightings) return {};
-  return protocol;
+  return unlessTooMuch(std::move(protocol));
 }
 
 bool isForProtocol(Measure measure) {
@@ -205,7 +208,7 @@ SightingProtocol withMeasures(SightingProtocol protocol, const std::vector<Measu
         break;
     }
   }
-  return protocol;
+  return unlessTooMuch(std::move(protocol));
 }
 
 }  // namespace alidade

@@ -17,8 +17,8 @@ SightingProtocol protocolFromRows(const Session& session);
 /// Can a protocol ask for it? Not for another stand-off, nor for a distance.
 bool isForProtocol(Measure measure);
 
-/// A protocol with what an advice measures besides; what a protocol cannot ask for is left to the reader. May
-/// be more than a protocol holds.
+/// A protocol with what an advice measures besides; what a protocol cannot ask for is left to the reader.
+/// Without positions where it would be more than a protocol holds.
 SightingProtocol withMeasures(SightingProtocol protocol, const std::vector<Measure>& measures);
 
 }  // namespace alidade

@@ -10,13 +10,24 @@ namespace alidade::fuzz {
 
 namespace {
 
+/// Refused in words, or the same again when written and read.
+template <typename Read, typename Write>
+auto readAndWritten(std::string_view bytes, const Read& read, const Write& write) {
+  auto record = read(bytes);
+  if (!record) {
+    require(!record.problem().what.empty(), "a record refused without words");
+    return record;
+  }
+  const std::string written = write(*record);
+  const auto again = read(written);
+  require(static_cast<bool>(again), "a record that was written cannot be read");
+  require(write(*again) == written, "a record that changes when it is read and written");
+  return record;
+}
+
 void followProtocol(std::string_view bytes) {
-  const Result<SightingProtocol> protocol = readProtocol(bytes);
-  if (!protocol) return require(!protocol.problem().what.empty(), "a protocol refused without words");
-  const std::string written = writeProtocol(*protocol);
-  const Result<SightingProtocol> again = readProtocol(written);
-  require(static_cast<bool>(again), "a protocol that was written cannot be read");
-  require(writeProtocol(*again) == written, "a protocol that changes when it is read and written");
+  const Result<SightingProtocol> protocol = readAndWritten(bytes, readProtocol, writeProtocol);
+  if (!protocol) return;
   const std::vector<PlannedSighting> sightings = sightingsInOrder(*protocol);
   require(sightings.size() <= mostSightings, "more sightings than a protocol may have");
   Session session = blankSession();
@@ -30,12 +41,8 @@ void followProtocol(std::string_view bytes) {
 }
 
 void takeInstrument(std::string_view bytes) {
-  const Result<InstrumentRecord> record = readInstrumentRecord(bytes);
-  if (!record) return require(!record.problem().what.empty(), "a record refused without words");
-  const std::string written = writeInstrumentRecord(*record);
-  const Result<InstrumentRecord> again = readInstrumentRecord(written);
-  require(static_cast<bool>(again), "a record that was written cannot be read");
-  require(writeInstrumentRecord(*again) == written, "a record that changes when it is read and written");
+  const Result<InstrumentRecord> record = readAndWritten(bytes, readInstrumentRecord, writeInstrumentRecord);
+  if (!record) return;
   Session session = blankSession();
   require(!takeRecord(session, *record, "fuzzed.alidade-instrument"), "a blank session refuses a record");
   const Result<Session> taken = readSession(writeSession(session));

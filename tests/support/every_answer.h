@@ -14,6 +14,7 @@
 #include "core/adjustment/result/two_faces.h"
 #include "core/answers/beforehand.h"
 #include "core/answers/guidance_answer.h"
+#include "core/base/utf8.h"
 #include "core/certificate/calibration_certificate.h"
 #include "core/diagnosis/diagnose.h"
 #include "core/diagnosis/plan_review.h"
@@ -195,15 +196,15 @@ inline void expectGuidances(const Session& session) {
     if (!protocol.positions.empty()) expectGuidance(guidanceOf(session, std::move(protocol)));
 }
 
-inline void expectCertificate(const Session& session, const Measurement& measurement, const SessionFit& fit) {
-  if (absence(measurement, fit.arcs.size(), fit.findings)) return;
-  const std::string name = "every state", bytes = writeSession(session);
-  FitAnswer answer{name, measurement, fit};
-  if (auto diagnosis = diagnose(measurement, fit)) answer.diagnosis = *std::move(diagnosis);
+/// Where there is anything to certify.
+inline void expectCertificate(const Session& session, const FitAnswer& answer) {
+  if (absence(answer.measurement, answer.fit.arcs.size(), answer.fit.findings)) return;
+  const std::string bytes = writeSession(session);
   const auto certificate = calibrationCertificate({session, answer, "session.alidade", bytes},
                                                   {.version = "0", .measuredOn = "2026-03-01"});
   if (!certificate) return expectSentence(certificate.problem().text());
   EXPECT_TRUE(certificate->xml.starts_with("<?xml"));
+  EXPECT_FALSE(firstIllFormedByte(certificate->xml));
   for (const char* none : {">nan<", ">-nan<", ">inf<", ">-inf<"})
     EXPECT_EQ(certificate->xml.find(none), std::string::npos) << none;
 }
@@ -225,7 +226,10 @@ inline void expectFurtherAnswers(const Session& session) {
     expectNumber(drawn->intersection->mean, "mean of the draws");
     expectNumber(drawn->intersection->high - drawn->intersection->low, "interval of the draws");
   }
-  expectCertificate(session, *examined.measurement, fit);
+  const std::string name = "every state";
+  FitAnswer answer{name, *examined.measurement, fit};
+  if (auto diagnosis = diagnose(*examined.measurement, fit)) answer.diagnosis = *std::move(diagnosis);
+  expectCertificate(session, answer);
   expectGuidances(session);
 }
 

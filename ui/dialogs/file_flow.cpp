@@ -5,6 +5,7 @@
 #include <QDateTime>
 #include <QDir>
 #include <QFileInfo>
+#include <QScopeGuard>
 #include <algorithm>
 
 #include "core/base/file_bytes.h"
@@ -211,6 +212,8 @@ bool FileFlow::saveTo(const QString& path) {
 }
 
 bool FileFlow::write(const QString& path) {
+  emit writing(true);
+  const auto over = qScopeGuard([this] { emit writing(false); });
   const auto written = inBackground<Result<QByteArray>>(
       *m_dialogs.busy(tr("Saving “%1”…").arg(visibleLine(QFileInfo(path).fileName())), Busy::Way::ToItsEnd),
       [session = m_document.session(), path](const std::stop_token&) { return writeFiled(session, path); });

@@ -59,6 +59,7 @@ class FileFlow : public QObject {
  signals:
   void commitWanted();  ///< what is half typed belongs into the session before it is used
   void recentFilesChanged();
+  void writing(bool is);             ///< the session into a file
   void remark(const QString& text);  ///< for the status line
 
  private:

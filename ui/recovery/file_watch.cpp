@@ -37,6 +37,7 @@ void FileWatch::follow() {
 }
 
 void FileWatch::look() {
+  if (m_isHeld) return;
   follow();
   if (m_reading.isAtWork()) {
     m_isDue = true;
@@ -50,8 +51,17 @@ void FileWatch::look() {
                   [](const std::string&) { return QByteArray(); });
 }
 
+void FileWatch::setHeld(bool is) {
+  m_isHeld = is;
+  if (!is) look();
+}
+
 /// Of no use where another file is at work by now, or it was saved: that is looked at on its own.
 void FileWatch::finishReading(const QByteArray& sha256) {
+  if (m_isHeld) {
+    m_seen = {};
+    return;
+  }
   if (m_seen.path == m_document.path() && m_seen.knownSha256 == m_document.knownSha256()) {
     const bool isChanged = !sha256.isEmpty() && sha256 != m_seen.knownSha256;
     if (isChanged != std::exchange(m_isChanged, isChanged)) emit changedElsewhere(isChanged);

@@ -24,6 +24,8 @@ class FileWatch : public QObject {
   /// Looks at the file, as when the window comes to the front: not every disk tells of its changes. What it
   /// finds is told a little later.
   void look();
+  /// While the window itself writes the file, nothing is looked at.
+  void setHeld(bool is);
 
  signals:
   void changedElsewhere(bool is);
@@ -46,6 +48,7 @@ class FileWatch : public QObject {
   QTimer m_timer;
   Seen m_seen;
   bool m_isChanged = false;
+  bool m_isHeld = false;
   bool m_isDue = false;  ///< to look again, for it was still reading
   Background<QByteArray> m_reading;
 };

@@ -58,7 +58,7 @@ Result<SightingProtocol> advisedFor(const Session& session) {
   for (const PlanAdvice& advice : review->advice)
     if (std::ranges::all_of(advice.measures, isForProtocol)) {
       SightingProtocol advised = withMeasures(*own, advice.measures);
-      return sightingCount(advised) > mostSightings ? own : advised;
+      return advised.positions.empty() ? own : advised;
     }
   return own;
 }

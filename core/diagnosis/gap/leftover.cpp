@@ -22,12 +22,8 @@ Leftover::Leftover(Linearised equations, const std::vector<EstimatedTerm>& inMod
   base *= scale.asDiagonal();
   const Eigen::ColPivHouseholderQR<Eigen::Ref<MatrixXd>> qr(base);  // in its place
   const Index rank = qr.rank();
-  if (rank > 0) {
-    m_basis = MatrixXd::Identity(base.rows(), rank);
-    m_basis.applyOnTheLeft(qr.householderQ());
-  } else {
-    m_basis = VectorXd::Zero(base.rows());
-  }
+  m_basis.setZero(base.rows(), std::max<Index>(rank, 1));
+  if (rank > 0) m_basis = qr.householderQ() * MatrixXd::Identity(base.rows(), rank);
   m_observed = outsideArcAngles(m_observed);
   m_residual = visible(m_observed);
   m_residualByTerms = productsOfTerms(m_residual);

@@ -64,6 +64,17 @@ TEST(WithMeasures, AddsWhatIsAdvised) {
   EXPECT_TRUE(back.positions[0].rounds[1].isBack);
 }
 
+TEST(WithMeasures, OfMoreThanAProtocolHoldsIsNone) {
+  SightingProtocol protocol = templateOf(test::plan(17, 10, 10, 1));
+  ASSERT_EQ(protocol.positions.size(), 2u);
+  ProtocolPosition& first = protocol.positions.front();
+  first.rounds.assign(290, {});
+  ASSERT_LE(sightingCount(protocol), mostSightings);
+  EXPECT_FALSE(withMeasures(protocol, {Measure::WayBack}).positions.empty());
+  EXPECT_TRUE(withMeasures(protocol, {Measure::At0Again, Measure::BothFaces}).positions.empty());
+  EXPECT_TRUE(withMeasures({}, {Measure::WayBack}).positions.empty());
+}
+
 TEST(WithMeasures, AddsPlacesWhereThereAreNone) {
   const SightingProtocol part = templateOf(test::plan(5, 60, 20, 1));
   const SightingProtocol whole = withMeasures(part, {Measure::MoreOfTheArc});

@@ -7,6 +7,7 @@
 #include <QFile>
 #include <QPushButton>
 #include <QTemporaryDir>
+#include <QTest>
 #include <csignal>
 #include <filesystem>
 
@@ -150,6 +151,21 @@ TEST_F(ChangedFileTest, IsNoticedBeforeAnybodySaves) {
   fresh.close();
   std::filesystem::rename(in("fresh").toStdString(), file.toStdString());
   EXPECT_TRUE(waitFor([&] { return bar->isVisible(); }));
+}
+
+TEST_F(ChangedFileTest, IsNotTakenForAnothersWhileItIsSaved) {
+  OpenWindow window;
+  open(window, nullptr);
+  auto* bar = window->findChild<ChangedFileBar*>();
+  emit window->files().writing(true);
+  writeAsOther("as a long save leaves it, before the window knows");
+  QTest::qWait(500);  // the watch looks after 150 ms
+  EXPECT_FALSE(bar->isVisible());
+  emit window->files().writing(false);
+  EXPECT_TRUE(waitFor([&] { return bar->isVisible(); })) << "it was another's";
+  window.dialogs->changedFileAnswer = ChangedFileAnswer::Overwrite;
+  EXPECT_TRUE(window->files().save());
+  EXPECT_TRUE(waitFor([&] { return !bar->isVisible(); })) << "looked at again afterwards";
 }
 
 TEST_F(ChangedFileTest, TwoWindowsKnowOfEachOther) {

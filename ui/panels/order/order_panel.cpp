@@ -273,14 +273,12 @@ void OrderPanel::fillMenu() {
   connect(own, &QAction::triggered, this, [this, rows] { follow(rows); });
   const SharedGap gap = gapOfThis();
   const Advice* advice = adviceOf(gap);
-  const bool isAdvised = advice && !rows.positions.empty() &&
-                         sightingCount(withMeasures(rows, advice->measures)) <= mostSightings;
+  const SightingProtocol both = advice ? withMeasures(rows, advice->measures) : SightingProtocol();
+  const bool isAdvised = !both.positions.empty();
   QAction* advised = m_menu->addAction(isAdvised ? tr("These and %1").arg(qText(textOf(advice->measures)))
                                                  : tr("These and What Is Advised"));
   advised->setEnabled(isAdvised);
-  if (isAdvised)
-    connect(advised, &QAction::triggered, this,
-            [this, rows, measures = advice->measures] { follow(withMeasures(rows, measures)); });
+  if (isAdvised) connect(advised, &QAction::triggered, this, [this, both] { follow(both); });
   m_menu->addSeparator();
   connect(m_menu->addAction(tr("Edit…")), &QAction::triggered, this, &OrderPanel::editWanted);
   connect(m_menu->addAction(tr("From a File…")), &QAction::triggered, this, &OrderPanel::loadWanted);
