@@ -1,6 +1,7 @@
 #include "core/exchange/assembly.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 #include <tuple>
@@ -105,9 +106,16 @@ class Assembly {
     for (RecordedSighting& sighting : recording.sightings) {
       sighting.file = file;
       if (!round.empty() && !sighting.isZero) sighting.row.round = round;
-      m_sightings.push_back(std::move(sighting));
     }
-    recording.sightings = {};
+    append(m_sightings, std::exchange(recording.sightings, {}));
+  }
+
+  /// Of a single file without a copy: its rows may be a million.
+  static void append(std::vector<RecordedSighting>& all, std::vector<RecordedSighting> more) {
+    if (all.empty())
+      all = std::move(more);
+    else
+      all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
   }
 
   static void fill(std::string& text, const std::string& value) {

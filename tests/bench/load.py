@@ -12,7 +12,7 @@ import subprocess
 import sys
 import tempfile
 
-COMMANDS = ("fit", "diagnose", "plan", "import")
+COMMANDS = ("fit --no-diagnosis", "fit", "diagnose", "plan", "import")
 
 
 def measured(arguments):
@@ -62,7 +62,7 @@ def main():
             table = os.path.join(folder, f"{rows}.csv")
             as_table(session, table)
             for command in COMMANDS:
-                arguments = [cli, command, session]
+                arguments = [cli, *command.split(), session]
                 if command == "import":
                     arguments = [cli, command, table, "--out", os.path.join(folder, "imported.alidade")]
                 seconds, memory = measured(arguments)

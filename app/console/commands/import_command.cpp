@@ -201,6 +201,14 @@ std::string listOf(const Session& session) {
   return list;
 }
 
+std::string roundCheck(const std::string& entry) {
+  return entry == "-" ? std::string() : wholeFrom(1, 1'000'000'000)(entry);
+}
+
+std::string columnCheck(const std::string& key) {
+  return key == "-" || tableColumn(key) ? std::string() : quotation(key) + " is no column of readings";
+}
+
 }  // namespace
 
 void addImportCommand(CLI::App& app, ImportRequest& request) {
@@ -235,27 +243,22 @@ void addImportCommand(CLI::App& app, ImportRequest& request) {
   import->add_option("--round", request.rounds, "Round of each FILE, parted by commas; - as it says")
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->check([](const std::string& text) {
-        return text == "-" ? std::string() : wholeFrom(1, 1'000'000'000)(text);
-});
+      ->check(roundCheck);
   import->add_option("--columns", request.columns, "What the columns of a table hold, in turn; - for nothing")
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->check([](const std::string& key) {
-        return key == "-" || tableColumn(key) ? std::string() : quotation(key) + " is no column of readings";
-  }  // namespace alidade::console
-);
-import->add_option("--head-rows", request.headRows, "Rows of a table before its readings")
-    ->check(wholeFrom(0, 1000));
-import->add_option("--decimal", request.decimalSign, "Decimal sign of a table: point or comma; else either")
-    ->check(CLI::IsMember({"point", "comma"}));
-import
-    ->add_option("--unit", request.unit,
-                 "Unit of plain numbers in a table: deg, gon, or dms (341.5224 is 341°52'24\")")
-    ->check(CLI::IsMember({"deg", "gon", "dms"}));
-import->add_option("--vertical-circle", request.verticalCircle, "zenith or elevation; else zenith")
-    ->check(CLI::IsMember({"zenith", "elevation"}));
-import->footer(about());
+      ->check(columnCheck);
+  import->add_option("--head-rows", request.headRows, "Rows of a table before its readings")
+      ->check(wholeFrom(0, 1000));
+  import->add_option("--decimal", request.decimalSign, "Decimal sign of a table: point or comma; else either")
+      ->check(CLI::IsMember({"point", "comma"}));
+  import
+      ->add_option("--unit", request.unit,
+                   "Unit of plain numbers in a table: deg, gon, or dms (341.5224 is 341°52'24\")")
+      ->check(CLI::IsMember({"deg", "gon", "dms"}));
+  import->add_option("--vertical-circle", request.verticalCircle, "zenith or elevation; else zenith")
+      ->check(CLI::IsMember({"zenith", "elevation"}));
+  import->footer(about());
 }
 
 Result<ImportOptions> importOptions(const ImportRequest& request) {
@@ -302,26 +305,27 @@ Result<ImportAnswer> runImport(const ImportRequest& request, const ImportOptions
   if (!bytes) return bytes.problem();
   const Result<std::vector<ReadingsFile>> files = filesOf(request, options, *bytes);
   if (!files) return files.problem();
-  Result<Import> import = importReadings(*files, options);
-  if (!import) return import.problem();
-  if (const auto& problems = import->problems; !problems.empty()) {
+  Result<Import> read = importReadings(*files, options);
+  if (!read) return read.problem();
+  Import import = *std::move(read);
+  if (const auto& problems = import.problems; !problems.empty()) {
     const std::string more =
         problems.size() > 1 ? " (and " + std::to_string(problems.size() - 1) + " more)" : "";
     return Problem{problems.front().text() + more};
   }
-  if (auto problem = checkZeros(request, options, import->session)) return *std::move(problem);
-  Session session = import->session;
+  if (auto problem = checkZeros(request, options, import.session)) return *std::move(problem);
+  Session& session = import.session;
   const std::string& first = request.files.front();
   if (session.title.empty() && first != "-")
     session.title = wellFormed(std::filesystem::path(first).stem().string());
-  enterOrigins(session, *import, *files);
+  enterOrigins(session, import, *files);
   if (auto problem = writeOutputs({{"--out", request.out, writeSession(session)}}, first))
     return *std::move(problem);
 
   ImportAnswer answer;
-  answer.result = visibleText(request.out) + ": " + counted(import->rows, "row") + " from " + import->format +
+  answer.result = visibleText(request.out) + ": " + counted(import.rows, "row") + " from " + import.format +
                   " (" + listOf(session) + ")\n";
-  answer.remarks = import->remarks;
+  answer.remarks = import.remarks;
   for (const Problem& problem : examine(session).problems)
     answer.remarks.push_back("still to be typed or mended: " + problem.text());
   return answer;
