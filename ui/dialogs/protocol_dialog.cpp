@@ -101,6 +101,7 @@ void ProtocolDialog::show(const SightingProtocol& protocol) {
   QStringList places;
   for (const ProtocolPlace& place : protocol.placesOf(first)) places.append(placeText(place));
   m_places->setText(places.join(u' '));
+  m_places->setCursorPosition(0);  // the first of many in view
   m_rounds->setValue(static_cast<int>(first.rounds.size()));
   m_way->setCurrentIndex(std::ranges::any_of(first.rounds, &ProtocolRound::isBack) ? 1 : 0);
   const std::vector<int>& faces = first.rounds.front().faces;

@@ -174,7 +174,18 @@ void OrderPanel::setEvaluation(const SharedEvaluation& evaluation) {
   const bool isLed = m_evaluation->guide && m_evaluation->guide->problem.empty();
   m_table->setRows(isLed ? static_cast<int>(m_evaluation->guide->progress.sightings.size()) : 0);
   showSummary();
+  goToNext();
   requestOutlook();
+}
+
+/// Only when the next sighting is another one: where one looks meanwhile, the list stays.
+void OrderPanel::goToNext() {
+  const Guide* guide = m_evaluation->guide.get();
+  const ListedNext listed{m_table->model()->rowCount(),
+                          guide ? guide->progress.next : std::optional<std::size_t>()};
+  if (listed == std::exchange(m_listedNext, listed)) return;
+  m_table->selectDataRows(listed.rows > 0 && listed.next ? std::vector{static_cast<int>(*listed.next)}
+                                                         : std::vector<int>());
 }
 
 void OrderPanel::setSearched(const SharedEvaluation& evaluation) {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <QWidget>
+#include <cstddef>
+#include <optional>
 
 #include "ui/jobs/outlook_job.h"
 
@@ -43,6 +45,7 @@ class OrderPanel : public QWidget {
   void follow(const std::optional<SightingProtocol>& protocol);
   void showSummary();
   void showNext();
+  void goToNext();
   void showOutlook(const SharedOutlook& outlook);
   void requestOutlook();
   SharedGap gapOfThis() const;  ///< null where it is of another state
@@ -50,6 +53,13 @@ class OrderPanel : public QWidget {
   QString expectedText(int row, bool isHorizontal) const;
   QString remarkText(int row) const;
   void activate(int row);
+
+  struct ListedNext {
+    int rows = 0;
+    std::optional<std::size_t> next;
+
+    bool operator==(const ListedNext&) const = default;
+  };
 
   SessionDocument& m_document;
   SharedEvaluation m_evaluation;  ///< never null
@@ -61,6 +71,7 @@ class OrderPanel : public QWidget {
   QProgressBar* m_progress;
   QLabel *m_next, *m_expected, *m_state, *m_outlook, *m_repeats;
   DataTable* m_table;
+  ListedNext m_listedNext;  ///< where the list was led to
 };
 
 }  // namespace alidade::ui

@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QMenu>
 #include <QProgressBar>
+#include <QScrollBar>
 #include <QTest>
 #include <QToolButton>
 
@@ -16,6 +17,7 @@
 #include "core/simulation/simulate.h"
 #include "tests/ui/support.h"
 #include "ui/commands/change_protocol.h"
+#include "ui/commands/edit_readings.h"
 #include "ui/dialogs/protocol_dialog.h"
 #include "ui/entry/entry_guide.h"
 #include "ui/main_window.h"
@@ -142,6 +144,30 @@ TEST(OrderPanel, SaysWhatIsNextAndHowFarItIs) {
   EXPECT_THAT(bench.text("order outlook"), HasSubstr("the verdict"));
   EXPECT_THAT(bench.panel().findChild<QProgressBar*>()->format().toStdString(), HasSubstr("of 70"));
   EXPECT_EQ(bench.panel().findChild<DataTable*>()->model()->rowCount(), 70);
+}
+
+TEST(OrderPanel, ListsTheNextSightingInView) {
+  OrderBench bench;
+  bench.open->document().startWith(paperSession());
+  bench.choose(QStringLiteral("there-and-back"));
+  auto* table = bench.panel().findChild<DataTable*>();
+  const auto expectListed = [&](int row) {
+    bench.settle();
+    EXPECT_EQ(bench.panel().findChild<QProgressBar*>()->format(),
+              QStringLiteral("sighting %1 of 70").arg(row + 1));
+    const QModelIndex next = table->model()->index(row, 0);
+    EXPECT_TRUE(table->selectionModel()->isRowSelected(row));
+    EXPECT_TRUE(table->viewport()->rect().contains(table->visualRect(next).center())) << row;
+  };
+  expectListed(53);  // behind 35 at 0°, the zero and 17 places
+  ReadingsEditor(bench.open->document(), 1).remove({15, 16});
+  expectListed(51);
+  table->scrollToBottom();
+  const int looked = table->verticalScrollBar()->value();
+  ASSERT_GT(looked, 0);
+  ReadingsEditor(bench.open->document(), 0).setCell({0, ReadingColumn::Note}, "windy");
+  bench.settle();
+  EXPECT_EQ(table->verticalScrollBar()->value(), looked) << "the same is next";
 }
 
 TEST(OrderPanel, IsUndoneInOneStepAndLeavesTheFileAsItWas) {
