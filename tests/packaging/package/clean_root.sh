@@ -21,7 +21,8 @@ package=$(package_in "$folder")
 # shellcheck source=/dev/null
 suite=$(source /etc/os-release && [[ $ID == debian ]] && printf '%s' "${VERSION_CODENAME:-}") || skip "this is not Debian"
 [[ -n $suite ]] || skip "this Debian has no name"
-tree=$folder/clean-root base=$folder/base-$suite.tar
+# debootstrap takes no blank in a path, so the tree is mounted where there is none.
+tree=/mnt on_disk=$folder/clean-root base=$folder/base-$suite.tar
 
 begun=$SECONDS
 # A download that breaks off says nothing of the package.
@@ -52,14 +53,16 @@ remove_tree() {
   for place in "$tree/proc" "$tree"; do
     ! mountpoint -q "$place" || umount -l "$place"
   done
-  rm -rf --one-file-system -- "$tree"
+  rm -rf --one-file-system -- "$on_disk"
 }
 trap remove_tree EXIT
-remove_tree
-mkdir -- "$tree"
+rm -rf --one-file-system -- "$on_disk"
 # In memory where there is plenty: it ends with the mounts, and a busy disk is not waited for.
 if (($(awk '$1 == "MemAvailable:" { print int($2 / 1024) }' /proc/meminfo) > 4000)); then
   mount -t tmpfs -o size=2G,mode=755 tmpfs "$tree"
+else
+  mkdir -- "$on_disk"
+  mount --bind -- "$on_disk" "$tree"
 fi
 if [[ ! -f $base ]]; then
   {
