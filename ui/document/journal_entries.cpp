@@ -31,7 +31,7 @@ class PatchEntries {
       : m_session(session), m_position(position), m_why(why), m_stands(stands) {}
 
   void addCell(const ReadingsPatch::Cell& cell) {
-    if (!m_stands(cell.row, cell.column)) return;
+    if (!m_stands(cell.row, cell.column) || ++m_count > mostEntries) return;
     const auto& rows = m_session.positions.at(m_position).readings;
     JournalEntry entry = of(rows.at(cell.row), cell.row, infoOf(cell.column).field->key);
     const bool isFlag = !readingText(cell.column);
@@ -41,17 +41,16 @@ class PatchEntries {
   }
 
   void addRow(const Reading& row, std::size_t index, bool isGone) {
-    if (!hasStanding(row, isGone ? index : asAdded)) return;
+    if (!hasStanding(row, isGone ? index : asAdded) || ++m_count > mostEntries) return;
     JournalEntry entry = of(row, index, {});
     (isGone ? entry.from : entry.to) = rowText(row);
     m_entries.push_back(std::move(entry));
   }
 
   std::vector<JournalEntry> take() {
-    if (m_entries.size() <= mostEntries) return std::move(m_entries);
+    if (m_count <= mostEntries) return std::move(m_entries);
     JournalEntry together = of({}, {}, "readings");
-    together.from = std::to_string(m_entries.size()) + " entries";
-    together.to = std::to_string(m_entries.size()) + " entries";
+    together.from = together.to = std::to_string(m_count) + " entries";
     return {together};
   }
 
@@ -80,7 +79,8 @@ class PatchEntries {
   std::size_t m_position;
   const char* m_why;
   const Stands& m_stands;
-  std::vector<JournalEntry> m_entries;
+  std::size_t m_count = 0;              ///< what there is to tell
+  std::vector<JournalEntry> m_entries;  ///< of it the first `mostEntries`
 };
 
 }  // namespace

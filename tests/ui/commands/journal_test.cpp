@@ -182,6 +182,22 @@ TEST(JournalOfEdits, OfAThousandRowsSaysHowManyAndEachKeepsItsFirstText) {
   EXPECT_EQ(bench.row(700).asRead.of("horizontal"), "100");
 }
 
+TEST(JournalOfEdits, TellsOfAThousandCellsEachAndOfMoreTogether) {
+  for (const int cells : {1000, 1001}) {
+    Bench bench;
+    ReadingBlock block;
+    for (int i = 0; i < cells; ++i) block.append({QString::number(i % 300)});
+    bench.editor().paste(block, 17, {ReadingColumn::Horizontal});
+    bench.save();
+    std::vector<ReadingCell> cleared;
+    for (int i = 0; i < cells; ++i) cleared.push_back({17 + static_cast<std::size_t>(i)});
+    bench.editor().clear(cleared);
+    const std::vector<std::string> journal = bench.journal();
+    EXPECT_EQ(journal.size(), cells == 1000 ? 1000U : 1U);
+    EXPECT_EQ(journal.back(), cells == 1000 ? "99 > , cleared" : "1001 entries > 1001 entries, cleared");
+  }
+}
+
 TEST(JournalOfEdits, TellsOfZerosAndLengths) {
   Bench bench;
   const Place zero{.position = 1, .field = "pointing_zero.vertical"}, length{.field = "geometry.distance_mm"};
