@@ -169,10 +169,15 @@ void OrderPanel::activate(int row) {
     emit placeActivated({.position = followed.position, .reading = followed.row, .field = "horizontal"});
 }
 
+const Guide* OrderPanel::guideThatLeads() const {
+  const Guide* guide = m_evaluation->guide.get();
+  return guide && guide->problem.empty() ? guide : nullptr;
+}
+
 void OrderPanel::setEvaluation(const SharedEvaluation& evaluation) {
   m_evaluation = m_searched && isAlike(*m_searched, *evaluation) ? m_searched : evaluation;
-  const bool isLed = m_evaluation->guide && m_evaluation->guide->problem.empty();
-  m_table->setRows(isLed ? static_cast<int>(m_evaluation->guide->progress.sightings.size()) : 0);
+  const Guide* guide = guideThatLeads();
+  m_table->setRows(guide ? static_cast<int>(guide->progress.sightings.size()) : 0);
   showSummary();
   goToNext();
   requestOutlook();
@@ -180,12 +185,11 @@ void OrderPanel::setEvaluation(const SharedEvaluation& evaluation) {
 
 /// Only when the next sighting is another one: where one looks meanwhile, the list stays.
 void OrderPanel::goToNext() {
-  const Guide* guide = m_evaluation->guide.get();
+  const Guide* guide = guideThatLeads();
   const ListedNext listed{m_table->model()->rowCount(),
                           guide ? guide->progress.next : std::optional<std::size_t>()};
   if (listed == std::exchange(m_listedNext, listed)) return;
-  m_table->selectDataRows(listed.rows > 0 && listed.next ? std::vector{static_cast<int>(*listed.next)}
-                                                         : std::vector<int>());
+  m_table->selectDataRows(listed.next ? std::vector{static_cast<int>(*listed.next)} : std::vector<int>());
 }
 
 void OrderPanel::setSearched(const SharedEvaluation& evaluation) {
@@ -204,8 +208,7 @@ SharedGap OrderPanel::gapOfThis() const {
 }
 
 void OrderPanel::requestOutlook() {
-  const bool isLed = m_evaluation->guide && m_evaluation->guide->problem.empty();
-  if (!isLed || !m_evaluation->examined.measurement) {
+  if (!guideThatLeads() || !m_evaluation->examined.measurement) {
     m_job.cancel();
     m_outlook->clear();
     return;
@@ -215,7 +218,7 @@ void OrderPanel::requestOutlook() {
 
 void OrderPanel::showSummary() {
   const Guide* guide = m_evaluation->guide.get();
-  const bool isLed = guide && guide->problem.empty();
+  const bool isLed = guideThatLeads();
   m_progress->setVisible(isLed);
   m_state->setText(isLed   ? qText(progressSentences(guide->progress))
                    : guide ? visibleLine(guide->problem)
@@ -242,11 +245,10 @@ void OrderPanel::showSummary() {
 }
 
 void OrderPanel::showNext() {
-  const Guide* guide = m_evaluation->guide.get();
-  const bool isLed = guide && guide->problem.empty();
-  m_next->setVisible(isLed);
+  const Guide* guide = guideThatLeads();
+  m_next->setVisible(guide);
   m_expected->setVisible(false);
-  if (!isLed) return;
+  if (!guide) return;
   if (!guide->progress.next) return m_next->setText(tr("All of the protocol is there."));
   const std::size_t next = *guide->progress.next;
   m_next->setText(

@@ -48,7 +48,8 @@ class OrderPanel : public QWidget {
   void goToNext();
   void showOutlook(const SharedOutlook& outlook);
   void requestOutlook();
-  SharedGap gapOfThis() const;  ///< null where it is of another state
+  const Guide* guideThatLeads() const;  ///< null without a protocol, or where it means nothing
+  SharedGap gapOfThis() const;          ///< null where it is of another state
   const FollowedSighting& sighting(int row) const;
   QString expectedText(int row, bool isHorizontal) const;
   QString remarkText(int row) const;
