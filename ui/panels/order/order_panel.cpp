@@ -189,7 +189,10 @@ void OrderPanel::goToNext() {
   const ListedNext listed{m_table->model()->rowCount(),
                           guide ? guide->progress.next : std::optional<std::size_t>()};
   if (listed == std::exchange(m_listedNext, listed)) return;
-  m_table->selectDataRows(listed.next ? std::vector{static_cast<int>(*listed.next)} : std::vector<int>());
+  if (!listed.next) return m_table->clearSelection();
+  const int row = static_cast<int>(*listed.next);
+  m_table->selectDataRows({row});
+  m_table->scrollTo(m_table->model()->index(row, 0), DataTable::PositionAtCenter);  // what comes after, too
 }
 
 void OrderPanel::setSearched(const SharedEvaluation& evaluation) {
