@@ -19,7 +19,7 @@ using Quiet = policies::policy<
     policies::overflow_error<policies::ignore_error>, policies::underflow_error<policies::ignore_error>,
     policies::evaluation_error<policies::ignore_error>>;
 
-/// In double throughout: long double takes several times as long for digits of a quantile that nobody reads.
+/// In double throughout: long double takes several times as long for digits that nobody reads.
 using QuietAndQuick = policies::normalise<Quiet, policies::promote_double<false>>::type;
 
 std::optional<double> known(double probability) {
@@ -37,7 +37,7 @@ std::optional<double> chiSquareUpperTail(Misfit chiSquare, DegreesOfFreedom degr
   constexpr double lostBesideOne = -40;  // e^−40 is below half of the spacing of doubles at 1
   if (ratio < 1 && f / 2 * (1 - ratio + std::log(ratio)) < lostBesideOne) return 1;
   return known(boost::math::cdf(
-      complement(boost::math::chi_squared_distribution<double, Quiet>(f), chiSquare.squared())));
+      complement(boost::math::chi_squared_distribution<double, QuietAndQuick>(f), chiSquare.squared())));
 }
 
 std::optional<double> fUpperTail(Misfit misfit, DegreesOfFreedom numerator, DegreesOfFreedom denominator) {

@@ -22,9 +22,8 @@ bool goesOneWay(const std::vector<Sighting>& sightings) {
   return true;
 }
 
-}  // namespace
-
-std::vector<Visit> visitsOf(const ArcMeasurement& arc) {
+/// Indices of the rows, round by round, those of a visit together in the order taken.
+std::vector<std::size_t> byRoundAndPoint(const std::vector<Sighting>& sightings) {
   struct Row {
     int round, point;
     std::size_t index;
@@ -32,24 +31,38 @@ std::vector<Visit> visitsOf(const ArcMeasurement& arc) {
     auto operator<=>(const Row&) const = default;
   };
   std::vector<Row> rows;
-  rows.reserve(arc.sightings.size());
-  for (const Sighting& sighting : arc.sightings)
-    rows.push_back({sighting.round, sighting.point, rows.size()});
-  if (!goesOneWay(arc.sightings)) std::ranges::sort(rows);
+  rows.reserve(sightings.size());
+  for (const Sighting& sighting : sightings) rows.push_back({sighting.round, sighting.point, rows.size()});
+  std::ranges::sort(rows);
+  std::vector<std::size_t> order;
+  order.reserve(rows.size());
+  for (const Row& row : rows) order.push_back(row.index);
+  return order;
+}
+
+}  // namespace
+
+std::vector<Visit> visitsOf(const ArcMeasurement& arc) {
+  const std::vector<Sighting>& sightings = arc.sightings;
   std::vector<Visit> visits;
-  visits.reserve(rows.size());
-  for (const Row& row : rows) {
+  visits.reserve(sightings.size());
+  const auto add = [&](std::size_t index) {
+    const Sighting& row = sightings[index];
     if (visits.empty() || visits.back().round != row.round || visits.back().point != row.point)
       visits.push_back({row.round, row.point, {}, {}});
-    visits.back().sightings.push_back(row.index);
+    visits.back().sightings.push_back(index);
+  };
+  if (goesOneWay(sightings)) {
+    for (std::size_t i = 0; i < sightings.size(); ++i) add(i);
+  } else {
+    for (const std::size_t i : byRoundAndPoint(sightings)) add(i);
+    std::ranges::sort(visits, {}, [](const Visit& visit) { return visit.sightings.front(); });
   }
-  const auto firstRow = [](const Visit& visit) { return visit.sightings.front(); };
-  if (!std::ranges::is_sorted(visits, {}, firstRow)) std::ranges::sort(visits, {}, firstRow);
   for (Visit& visit : visits) {
     Direction<double> sum{0, 0};
     for (const std::size_t i : visit.sightings) {
-      sum.a += arc.sightings[i].a.radians();
-      sum.e += arc.sightings[i].e.radians();
+      sum.a += sightings[i].a.radians();
+      sum.e += sightings[i].e.radians();
     }
     const auto count = static_cast<double>(visit.sightings.size());
     visit.mean = {{sum.a / count, sum.e / count}, static_cast<int>(visit.sightings.size())};

@@ -2,9 +2,9 @@
 
 #include <cmath>
 #include <cstdint>
-#include <unordered_map>
 #include <utility>
 
+#include "core/base/first_index.h"
 #include "core/base/number_text.h"
 #include "core/base/phrase.h"
 #include "core/base/visible_text.h"
@@ -22,7 +22,7 @@ constexpr double widestDegrees = 80;
 
 /// What no two rows of a position have in common.
 struct VisitFace {
-  int round, point, face;
+  int round = 0, point = 0, face = 0;
 
   bool operator==(const VisitFace&) const = default;
 };
@@ -33,7 +33,8 @@ struct HashOfVisitFace {
       return static_cast<std::uint64_t>(static_cast<std::uint32_t>(number));
     };
     const std::uint64_t sum = (part(key.point) << 32U | part(key.round)) * 2 + part(key.face);
-    return static_cast<std::size_t>((sum ^ sum >> 31U) * 0x9e3779b97f4a7c15U);
+    const std::uint64_t product = (sum ^ sum >> 31U) * 0x9e3779b97f4a7c15U;
+    return static_cast<std::size_t>(product ^ product >> 32U);
   }
 };
 
@@ -45,13 +46,13 @@ class PositionExaminer : private ProblemReporter {
         m_index(index),
         m_firstSequence(firstSequence),
         m_zero(zero.direction),
-        m_circle(circle) {
+        m_circle(circle),
+        m_rowOfVisitFace(position.readings.size()) {
     m_problems = zero.problems;
   }
 
   ExaminedPosition examine() {
     const std::vector<Reading>& rows = m_position.readings;
-    m_rowOfVisitFace.reserve(rows.size());
     m_examined.sightings.reserve(rows.size());
     for (std::size_t i = 0; i < rows.size(); ++i) {
       if (rows[i].excluded) continue;
@@ -129,12 +130,12 @@ class PositionExaminer : private ProblemReporter {
     sighting.point = point->value_or(static_cast<int>(*place.reading) + 1);
     sighting.round = **round;
     sighting.face = **face;
-    const auto [first, isNew] =
-        m_rowOfVisitFace.emplace(VisitFace{sighting.round, sighting.point, sighting.face}, *place.reading);
-    if (isNew) return;
+    const std::size_t first =
+        m_rowOfVisitFace.put({sighting.round, sighting.point, sighting.face}, *place.reading);
+    if (first == *place.reading) return;
     report({Phrase::of("point %1, round %2, face %3 is already in row %4: give it another point or round, or "
                        "exclude one",
-                       sighting.point, sighting.round, sighting.face, first->second + 1)},
+                       sighting.point, sighting.round, sighting.face, first + 1)},
            at(place, "point"));
   }
 
@@ -158,7 +159,7 @@ class PositionExaminer : private ProblemReporter {
   const std::optional<ZeroDirection> m_zero;
   const std::optional<VerticalCircle> m_circle;
   ExaminedPosition m_examined;
-  std::unordered_map<VisitFace, std::size_t, HashOfVisitFace> m_rowOfVisitFace;
+  FirstIndex<VisitFace, HashOfVisitFace> m_rowOfVisitFace;
 };
 
 }  // namespace

@@ -12,30 +12,29 @@ namespace {
 constexpr double samePlaceSigmas = 5;
 constexpr double largestRadiusUncertainty = 1.0 / 3;
 
-std::size_t countDifferent(const std::vector<PlanePoint<double>>& places, double resolution,
-                           std::size_t enough) {
-  std::vector<PlanePoint<double>> different;
-  for (const auto& place : places) {
-    const bool known = std::ranges::any_of(different, [&](const auto& other) {
-      return std::hypot(place.x - other.x, place.y - other.y) <= resolution;
-    });
-    if (!known) different.push_back(place);
-    if (different.size() == enough) break;
-  }
-  return different.size();
-}
-
 }  // namespace
+
+DifferentPlaces::DifferentPlaces(const Measurement& measurement)
+    : m_resolution(samePlaceSigmas *
+                   std::max(measurement.sigmaHorizontal, measurement.sigmaVertical).radians() *
+                   measurement.distance) {}
+
+bool DifferentPlaces::areEnoughWith(const PlanePoint<double>& place) {
+  if (m_places.size() == needed) return true;
+  const bool isKnown = std::ranges::any_of(m_places, [&](const PlanePoint<double>& other) {
+    return std::hypot(place.x - other.x, place.y - other.y) <= m_resolution;
+  });
+  if (!isKnown) m_places.push_back(place);
+  return m_places.size() == needed;
+}
 
 std::optional<ArcFault> tooFewPlaces(const Measurement& measurement,
                                      const std::vector<PlanePoint<double>>& places) {
-  constexpr std::size_t needed = 3;
-  if (places.size() < needed) return arc_fault::TooFewPlaces{places.size()};
-  const double sigma = std::max(measurement.sigmaHorizontal, measurement.sigmaVertical).radians();
-  const std::size_t different =
-      countDifferent(places, samePlaceSigmas * sigma * measurement.distance, needed);
-  if (different < needed) return arc_fault::PlacesRepeat{different};
-  return std::nullopt;
+  if (places.size() < DifferentPlaces::needed) return arc_fault::TooFewPlaces{places.size()};
+  DifferentPlaces different(measurement);
+  for (const PlanePoint<double>& place : places)
+    if (different.areEnoughWith(place)) return std::nullopt;
+  return arc_fault::PlacesRepeat{different.count()};
 }
 
 std::optional<ArcFault> radiusUndetermined(const ArcFit& fit) {

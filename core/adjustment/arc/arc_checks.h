@@ -1,5 +1,7 @@
 #pragma once
 
+#include <boost/container/static_vector.hpp>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -8,6 +10,22 @@
 namespace alidade {
 
 // Whether an arc's readings can carry a circle.
+
+/// Counts places that differ by more than the stated noise, up to the three that a circle takes.
+class DifferentPlaces {
+ public:
+  static constexpr std::size_t needed = 3;
+
+  explicit DifferentPlaces(const Measurement& measurement);
+
+  /// With this one, too?
+  bool areEnoughWith(const PlanePoint<double>& place);
+  std::size_t count() const { return m_places.size(); }
+
+ private:
+  double m_resolution;  ///< mm
+  boost::container::static_vector<PlanePoint<double>, needed> m_places;
+};
 
 /// Why the places sighted fix no circle before any fit: fewer than three of them differ by more than the
 /// stated noise.

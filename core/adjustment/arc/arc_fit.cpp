@@ -34,8 +34,7 @@ class ArcProblem {
   using State = Circle;
   using System = NormalEquations;
 
-  ArcProblem(const Measurement& measurement, const ArcMeasurement& arc)
-      : m_view(measurement, arc.axisDeg), m_visits(visitsOf(arc)) {
+  ArcProblem(const ArcView& view, const ArcMeasurement& arc) : m_view(view), m_visits(visitsOf(arc)) {
     m_readings.reserve(m_visits.size());
     for (const Visit& visit : m_visits) m_readings.emplace_back(visit.mean.direction, visit.mean.rows);
   }
@@ -120,14 +119,17 @@ void fillResiduals(ArcFit& fit, const ArcProblem& problem, const ArcMeasurement&
 
 }  // namespace
 
-void fillResiduals(ArcFit& fit, const Measurement& measurement, const ArcMeasurement& arc) {
-  const ArcProblem problem(measurement, arc);
+void fillResiduals(ArcFit& fit, const Measurement& measurement, const ArcMeasurement& arc,
+                   VerticalAngleRelation relation) {
+  ArcView view(measurement, arc.axisDeg);
+  view.relation = relation;
+  const ArcProblem problem(view, arc);
   fillResiduals(fit, problem, arc, problem.feetOn(fit.circle));
 }
 
 Result<ArcFit, ArcFault> fitArc(const Measurement& measurement, const ArcMeasurement& arc,
                                 const ArcFitOptions& options) {
-  const ArcProblem problem(measurement, arc);
+  const ArcProblem problem(ArcView(measurement, arc.axisDeg), arc);
   if (const auto fault = tooFewPlaces(measurement, problem.sightedPoints())) return *fault;
   std::optional<Circle> start = options.start;
   if (!start)  // to be confirmed by the general equations

@@ -75,7 +75,9 @@ struct ArcFitOptions {
 Result<ArcFit, ArcFault> fitArc(const Measurement& measurement, const ArcMeasurement& arc,
                                 const ArcFitOptions& options = {});
 
-/// Fills residuals, their rms and χ² of `fit` from its circle and the measurement's relation.
-void fillResiduals(ArcFit& fit, const Measurement& measurement, const ArcMeasurement& arc);
+/// Fills residuals, their rms and χ² of `fit` from its circle, as `relation` has vertical angles, whatever
+/// the measurement's own.
+void fillResiduals(ArcFit& fit, const Measurement& measurement, const ArcMeasurement& arc,
+                   VerticalAngleRelation relation);
 
 }  // namespace alidade

@@ -1,6 +1,9 @@
 #include "core/adjustment/arc/first_fit.h"
 
+#include <algorithm>
 #include <cmath>
+#include <span>
+#include <vector>
 
 #include "core/adjustment/arc/arc_checks.h"
 #include "core/adjustment/arc/foot_point.h"
@@ -23,24 +26,25 @@ double chiSquareWithinVisits(const Whitening& whitening, const ArcMeasurement& a
   return sum;
 }
 
-/// Three of the places, far apart in time, are different ones. Others may be where these are not.
+/// Are three of the places different ones? Looks no further than to the third.
 bool areApart(const Measurement& measurement, const ArcView& view, const std::vector<Visit>& visits) {
-  if (visits.size() < 3) return false;
-  std::vector<PlanePoint<double>> places;
-  for (const std::size_t v : {std::size_t{0}, visits.size() / 2, visits.size() - 1})
-    places.push_back(sightedPoint(view, VisitReading(visits[v].mean.direction)));
-  return !tooFewPlaces(measurement, places);
+  DifferentPlaces different(measurement);
+  return std::ranges::any_of(visits, [&](const Visit& visit) {
+    return different.areEnoughWith(sightedPoint(view, VisitReading(visit.mean.direction)));
+  });
 }
 
 }  // namespace
 
 std::optional<FastArcFit> fitVisitsFast(const Measurement& measurement, const std::vector<Visit>& visits) {
-  std::vector<double> a, e, rows;
-  for (std::vector<double>* column : {&a, &e, &rows}) column->reserve(visits.size());
-  for (const Visit& visit : visits) {
-    a.push_back(visit.mean.direction.a);
-    e.push_back(visit.mean.direction.e);
-    rows.push_back(visit.mean.rows);
+  const std::size_t count = visits.size();
+  std::vector<double> columns(3 * count);
+  const std::span<double> all(columns);
+  const auto a = all.first(count), e = all.subspan(count, count), rows = all.last(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    a[i] = visits[i].mean.direction.a;
+    e[i] = visits[i].mean.direction.e;
+    rows[i] = visits[i].mean.rows;
   }
   const ArcSetup setup{measurement.distance, measurement.sigmaHorizontal.radians(),
                        measurement.sigmaVertical.radians(), measurement.relation};

@@ -11,20 +11,20 @@ namespace {
 
 /// The angle whose sine and cosine are as `above` to `below`; quick where it is as small as a residual.
 double angleOf(double above, double below) {
-  constexpr double small = 0.01;  // the series is exact to rounding up to there
+  constexpr double small = 1e-3;  // the series is exact to rounding up to there
   if (!(std::abs(above) < small * below)) return std::atan2(above, below);
   const double t = above / below, tt = t * t;
-  return t * (1 - tt * (1.0 / 3 - tt * (1.0 / 5 - tt * (1.0 / 7 - tt * (1.0 / 9)))));
+  return t * (1 - tt * (1.0 / 3 - tt * (1.0 / 5)));
 }
 
 /// Turns the direction of the foot by a small angle.
 void turnBy(FootPoint& foot, double angle) {
-  constexpr double small = 0.01;
+  constexpr double small = 1e-3;  // as above
   const double square = angle * angle;
   const bool isSmall = std::abs(angle) < small;
-  const double c = isSmall ? 1 - square / 2 * (1 - square / 12 * (1 - square / 30)) : std::cos(angle);
+  const double c = isSmall ? 1 - square * (1.0 / 2 - square * (1.0 / 24)) : std::cos(angle);
   const double s =
-      isSmall ? angle * (1 - square / 6 * (1 - square / 20 * (1 - square / 42))) : std::sin(angle);
+      isSmall ? angle * (1 - square * (1.0 / 6 - square * (1.0 / 120))) : std::sin(angle);
   foot.phi += angle;
   const double cosine = foot.cosine;
   foot.cosine = cosine * c - foot.sine * s;
@@ -37,14 +37,16 @@ void look(FootPoint& foot, const ArcView& view, const ArcUnknowns& unknowns, con
   const double y = unknowns.circle.y + unknowns.circle.radius * foot.sine;
   const double square = x * x + l * l;
   foot.left.a = angleOf(visit.tanA * l - x, l + x * visit.tanA);
-  foot.aX = l / square;
-  foot.aL = -x / square;
+  const double perSquare = 1 / square;
+  foot.aX = l * perSquare;
+  foot.aL = -x * perSquare;
   const bool isExact = view.relation == VerticalAngleRelation::Exact;
   const double ground = isExact ? std::sqrt(square) : l;
   const double slant = ground * ground + y * y;
   foot.left.e = angleOf(visit.tanE * ground - y, ground + y * visit.tanE);
-  foot.eY = ground / slant;
-  const double perGround = -y / (ground * slant);
+  const double perBoth = 1 / (ground * slant);
+  foot.eY = ground * ground * perBoth;
+  const double perGround = -y * perBoth;
   foot.eX = isExact ? perGround * x : 0;
   foot.eL = perGround * l;
   if (visit.slider)
@@ -56,6 +58,17 @@ void look(FootPoint& foot, const ArcView& view, const ArcUnknowns& unknowns, con
 Direction<double> alongArc(const ArcView& view, double radius, const FootPoint& foot) {
   return {-view.whitening.horizontal * radius * foot.sine * foot.aX,
           view.whitening.vertical * radius * (foot.cosine * foot.eY - foot.sine * foot.eX)};
+}
+
+/// By what the arc's bend adds to the `square` of ∂r/∂φ in the second derivative of |r|²/2, that of the
+/// projection left out: steps then fall off faster. 0 where that is much, far from the arc.
+double bend(const ArcView& view, double radius, const VisitReading& visit, const FootPoint& foot,
+            double square) {
+  const double h = view.whitening.horizontal, v = view.whitening.vertical;
+  const double added = visit.rows * radius *
+                       (h * h * foot.left.a * foot.cosine * foot.aX +
+                        v * v * foot.left.e * (foot.sine * foot.eY + foot.cosine * foot.eX));
+  return std::abs(added) < 0.1 * square ? added : 0;
 }
 
 }  // namespace
@@ -101,12 +114,19 @@ FootPoint footPoint(const ArcView& view, const ArcUnknowns& unknowns, const Visi
                                       along.e * view.whitening.vertical * foot.left.e) +
                         alongSlider * view.whitening.slider * foot.sliderLeft;
     const double square = visit.rows * (along.a * along.a + along.e * along.e) + alongSlider * alongSlider;
-    const double step = boundedArcAngleStep(left / square);
+    const double step =
+        boundedArcAngleStep(left / (square + bend(view, unknowns.circle.radius, visit, foot, square)));
     turnBy(foot, step);
-    look(foot, view, unknowns, visit);
     // Steps fall off by one ratio, that of residual to radius: is the next one little enough?
     const bool isNear = std::abs(step) < near && std::abs(step * step) < smallestStep * std::abs(before);
-    if (isNear || std::abs(step) < smallestStep) break;
+    if (isNear || std::abs(step) < smallestStep) {
+      // The square of such a step is nothing, and the derivatives stay.
+      foot.left.a -= along.a / view.whitening.horizontal * step;
+      foot.left.e -= along.e / view.whitening.vertical * step;
+      if (visit.slider) foot.sliderLeft -= view.turn * step;
+      return foot;
+    }
+    look(foot, view, unknowns, visit);
     before = step;
   }
   return foot;

@@ -72,9 +72,7 @@ Result<PublishedFit, ArcFault> fitArcAsPublished(const Measurement& measurement,
   fit.arc.status =
       std::abs(fit.asPrinted.deltaRadius) < printedStep ? FitStatus::Converged : FitStatus::TooManyIterations;
   fit.arc.degreesOfFreedom = static_cast<int>(2 * arc.sightings.size()) - places - unknowns;
-  Measurement planar = measurement;
-  planar.relation = VerticalAngleRelation::Planar;
-  fillResiduals(fit.arc, planar, arc);
+  fillResiduals(fit.arc, measurement, arc, VerticalAngleRelation::Planar);
   return fit;
 }
 

@@ -26,9 +26,12 @@ constexpr std::array estimatedKinds{Kind::CentreX, Kind::CentreY, Kind::Radius, 
 constexpr std::array consideredKinds{Kind::HorizontalZero, Kind::VerticalZero, Kind::Distance};
 constexpr int estimatedCount = estimatedKinds.size(), consideredCount = consideredKinds.size();
 
-/// Over the estimated, then the considered quantities.
-using Rows = Eigen::Matrix<double, 3, estimatedCount + consideredCount, Eigen::RowMajor>;
-using NormalMatrix = Eigen::Matrix<double, estimatedCount, estimatedCount + consideredCount>;
+/// Over the estimated, then the considered quantities, then one that is none: so many fill a processor's
+/// registers.
+constexpr int columnCount = estimatedCount + consideredCount + 1;
+using Row = Eigen::Matrix<double, 1, columnCount>;
+using Rows = Eigen::Matrix<double, 3, columnCount, Eigen::RowMajor>;
+using NormalMatrix = Eigen::Matrix<double, estimatedCount, columnCount, Eigen::RowMajor>;
 
 /// What one reading of each kind at a visit (horizontal, vertical, slider) leaves, in σ.
 struct VisitRows {
@@ -38,25 +41,28 @@ struct VisitRows {
   Vector3d counts;
 };
 
-VisitRows rowsOf(const ArcView& view, double radius, const VisitReading& visit, const FootPoint& foot) {
+void fill(VisitRows& rows, const ArcView& view, double radius, const VisitReading& visit,
+          const FootPoint& foot) {
   const Whitening& w = view.whitening;
-  const double slider = visit.slider ? w.slider : 0;
-  const double c = foot.cosine, s = foot.sine;
-  VisitRows rows;
+  const double slider = visit.slider ? w.slider : 0, c = foot.cosine, s = foot.sine;
+  const double aX = w.horizontal * foot.aX, eX = w.vertical * foot.eX, eY = w.vertical * foot.eY;
+  const Vector3d along(-radius * s * aX, radius * (c * eY - s * eX), slider * view.turn);
   rows.left = {w.horizontal * foot.left.a, w.vertical * foot.left.e, slider * foot.sliderLeft};
   rows.counts = {visit.rows, visit.rows, visit.slider ? 1.0 : 0.0};
-  rows.reduced.row(0) << foot.aX, 0, foot.aX * c, 0, -1, 0, foot.aL;
-  rows.reduced.row(1) << foot.eX, foot.eY, foot.eX * c + foot.eY * s, 0, 0, 1, foot.eL;
-  rows.reduced.row(0) *= w.horizontal;
-  rows.reduced.row(1) *= w.vertical;
-  rows.reduced.row(2) << 0, 0, 0, slider, 0, 0, 0;
-  rows.along = {-w.horizontal * radius * s * foot.aX, w.vertical * radius * (c * foot.eY - s * foot.eX),
-                slider * view.turn};
-  rows.along /= std::sqrt(rows.along.cwiseAbs2().dot(rows.counts));
-  const Vector3d counted = rows.along.cwiseProduct(rows.counts);
-  const Eigen::Matrix<double, 1, estimatedCount + consideredCount> share = counted.transpose() * rows.reduced;
-  rows.reduced -= rows.along * share;
-  return rows;
+  rows.along = along * (1 / std::sqrt(along.cwiseAbs2().dot(rows.counts)));
+  const std::array<double, columnCount> horizontal{aX, 0, aX * c, 0, -w.horizontal, 0,
+                                                   w.horizontal * foot.aL},
+      vertical{eX, eY, eX * c + eY * s, 0, 0, w.vertical, w.vertical * foot.eL},
+      ofSlider{0, 0, 0, slider};
+  for (std::size_t i = 0; i < columnCount; ++i) {
+    const auto column = static_cast<Eigen::Index>(i);
+    const double share = rows.along[0] * rows.counts[0] * horizontal[i] +
+                         rows.along[1] * rows.counts[1] * vertical[i] +
+                         rows.along[2] * rows.counts[2] * ofSlider[i];
+    rows.reduced(0, column) = horizontal[i] - rows.along[0] * share;
+    rows.reduced(1, column) = vertical[i] - rows.along[1] * share;
+    rows.reduced(2, column) = ofSlider[i] - rows.along[2] * share;
+  }
 }
 
 /// Scaled to a unit diagonal before it is factored: millimetres and radians differ by 1e6 in size.
@@ -109,7 +115,7 @@ class ArcApart {
 
   /// ∂estimated/∂considered.
   Eigen::Matrix<double, estimatedCount, consideredCount> perConsidered() const {
-    return -m_cofactor * m_normal.rightCols<consideredCount>();
+    return -m_cofactor * m_normal.middleCols<consideredCount>(estimatedCount);
   }
 
   Vector4d values() const {
@@ -121,20 +127,26 @@ class ArcApart {
   /// the centre's height.
   void fillReadings(JointFit& fit, AdjustedReading* next, double gradient) const {
     const Vector4d perUnknown = gradient * m_cofactor.col(1);
+    const auto sigmaOf = [&](ReadingKind kind) { return statedSigma(m_measurement, kind).radians(); };
+    const std::array sigmas{sigmaOf(ReadingKind::Horizontal), sigmaOf(ReadingKind::Vertical),
+                            sigmaOf(ReadingKind::Slider)};
     std::vector<double>& angles = fit.arcAngles[m_index];
     angles.resize(m_arc.sightings.size());
     ArcMisfit misfit{0, -static_cast<int>(m_visits.size()) - unknowns()};
     for (std::size_t v = 0; v < m_visits.size(); ++v) {
       const VisitRows& rows = m_rows[v];
-      const Eigen::Matrix<double, 3, estimatedCount> reduced = rows.reduced.leftCols<estimatedCount>();
-      const Vector3d told = (reduced * m_cofactor).cwiseProduct(reduced).rowwise().sum();
-      const Vector3d redundancy = Vector3d::Ones() - rows.along.cwiseAbs2() - told;
-      const Vector3d perReading = reduced * perUnknown;
+      std::array<double, 3> redundancy, perReading;
+      for (std::size_t row = 0; row < (m_sliders[v] ? 3 : 2); ++row) {
+        const auto index = static_cast<Eigen::Index>(row);
+        const Vector4d reduced = rows.reduced.row(index).head<estimatedCount>().transpose();
+        redundancy[row] = 1 - rows.along[index] * rows.along[index] - reduced.dot(m_cofactor * reduced);
+        perReading[row] = reduced.dot(perUnknown);
+      }
       const auto add = [&](std::size_t sighting, ReadingKind kind, double residual, double whitening) {
-        const auto row = static_cast<int>(kind);
-        const double sigma = statedSigma(m_measurement, kind).radians(), rate = perReading[row] * whitening;
+        const auto row = static_cast<std::size_t>(kind);
+        const double rate = perReading[row] * whitening;
         const auto visit = static_cast<std::uint32_t>(v);
-        *next++ = {m_index, sighting, kind, visit, residual, sigma, redundancy[row], rate};
+        *next++ = {m_index, sighting, kind, visit, residual, sigmas[row], redundancy[row], rate};
         misfit.chiSquare += residual * whitening * residual * whitening;
         ++misfit.degreesOfFreedom;
       };
@@ -184,10 +196,14 @@ class ArcApart {
     for (std::size_t v = 0; v < m_readings.size(); ++v) {
       m_feet[v] = isFirst ? footPoint(m_view, m_unknowns, m_readings[v])
                           : footPoint(m_view, m_unknowns, m_readings[v], m_feet[v]);
-      const VisitRows& rows = m_rows[v] = rowsOf(m_view, m_unknowns.circle.radius, m_readings[v], m_feet[v]);
+      fill(m_rows[v], m_view, m_unknowns.circle.radius, m_readings[v], m_feet[v]);
+    }
+    for (std::size_t v = 0; v < m_readings.size(); ++v) {
+      const VisitRows& rows = m_rows[v];
       for (int row = 0; row < (m_readings[v].slider ? 3 : 2); ++row) {
-        const Vector4d weighted = rows.counts[row] * rows.reduced.row(row).head<estimatedCount>().transpose();
-        m_normal += weighted * rows.reduced.row(row);
+        const Row& reduced = rows.reduced.row(row);
+        const Vector4d weighted = rows.counts[row] * reduced.head<estimatedCount>().transpose();
+        for (int i = 0; i < estimatedCount; ++i) m_normal.row(i) += weighted[i] * reduced;
         m_right += weighted * rows.left[row];
         m_chiSquare += rows.counts[row] * rows.left[row] * rows.left[row];
       }
@@ -214,6 +230,11 @@ class ArcApart {
 };
 
 void addUnknowns(JointFit& fit, const std::vector<ArcApart>& arcs) {
+  const std::size_t most = estimatedCount * arcs.size();
+  fit.firsts.reserve(arcs.size());
+  fit.unknowns.reserve(most);
+  fit.values.reserve(most);
+  fit.priorSigmas.reserve(most);
   for (std::size_t arc = 0; arc < arcs.size(); ++arc) {
     fit.firsts.push_back(arc);
     const Vector4d values = arcs[arc].values();
@@ -229,6 +250,8 @@ void addConsidered(JointFit& fit, const Measurement& measurement) {
   fit.zerosAreReadings = measurement.zerosAreReadings;
   fit.zeroScatter = measurement.zeroScatter;
   const std::size_t zeros = measurement.hasOneZero() ? 1 : measurement.arcs.size();
+  fit.considered.reserve(2 * zeros + 1);
+  fit.consideredSigmas.reserve(2 * zeros + 1);
   for (std::size_t zero = 0; zero < zeros; ++zero) {
     const std::size_t arc = measurement.hasOneZero() ? Unknown::everyArc : zero;
     fit.considered.push_back({.kind = Kind::HorizontalZero, .arc = arc});

@@ -1,12 +1,13 @@
 #include "core/adjustment/result/arc_findings.h"
 
-#include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <optional>
-#include <tuple>
 #include <utility>
 
 #include "core/adjustment/arc/arc_checks.h"
+#include "core/base/first_index.h"
 #include "core/base/statistics.h"
 
 namespace alidade {
@@ -44,19 +45,30 @@ void judgeRadius(std::vector<FitFinding>& findings, const Measurement& measureme
     add(findings, fit, Severity::Warning, RadiusFarFromNominal{fit.circle.radius, measurement.nominalRadius});
 }
 
+/// What two rows that repeat each other have in common.
+struct Circles {
+  int face = 0;
+  double a = 0, e = 0;  // rad
+
+  bool operator==(const Circles&) const = default;
+};
+
+struct HashOfCircles {
+  std::size_t operator()(const Circles& key) const {
+    const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value + 0.0); };  // no −0
+    const std::uint64_t sum = bits(key.a) * 3 + bits(key.e) * 5 + static_cast<std::uint64_t>(key.face);
+    const std::uint64_t product = (sum ^ sum >> 29U) * 0x9e3779b97f4a7c15U;
+    return static_cast<std::size_t>(product ^ product >> 32U);
+  }
+};
+
 void judgeRepeats(std::vector<FitFinding>& findings, const ArcMeasurement& arc, const ArcFit& fit) {
-  std::vector<std::size_t> order(arc.sightings.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  const auto key = [&](std::size_t i) {
-    const Sighting& s = arc.sightings[i];
-    return std::tuple(s.face, s.a, s.e, i);
-  };
-  std::ranges::sort(order, [&](std::size_t l, std::size_t r) { return key(l) < key(r); });
+  FirstIndex<Circles, HashOfCircles> firsts(arc.sightings.size());
   ReadingsRepeat repeat;
-  for (std::size_t k = 1; k < order.size(); ++k) {
-    const Sighting &first = arc.sightings[order[k - 1]], &second = arc.sightings[order[k]];
-    if (first.face == second.face && first.a == second.a && first.e == second.e)
-      repeat.rows.emplace_back(first.row, second.row);
+  for (std::size_t i = 0; i < arc.sightings.size(); ++i) {
+    const Sighting& row = arc.sightings[i];
+    const std::size_t first = firsts.put({row.face, row.a.radians(), row.e.radians()}, i);
+    if (first != i) repeat.rows.emplace_back(arc.sightings[first].row, row.row);
   }
   if (!repeat.rows.empty()) add(findings, fit, Severity::Warning, std::move(repeat));
 }

@@ -39,7 +39,7 @@ struct RadiusPoorlyKnown {
 struct RadiusFarFromNominal {
   double fitted = 0, nominal = 0;
 };
-/// Rows that hold the same pair of readings.
+/// Rows that hold the same pair of readings: the first of them, then each other one, in its order.
 struct ReadingsRepeat {
   std::vector<std::pair<std::size_t, std::size_t>> rows;
 };

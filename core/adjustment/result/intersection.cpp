@@ -1,6 +1,8 @@
 #include "core/adjustment/result/intersection.h"
 
 #include <algorithm>
+#include <boost/container/small_vector.hpp>
+#include <boost/container/static_vector.hpp>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -17,14 +19,51 @@ namespace {
 /// A scatter this improbably small is not trusted: the stated noise is taken instead.
 constexpr double improbablySmall = 0.001;
 
+struct Weight {
+  std::size_t unknown = 0;
+  double factor = 0;
+};
+
+/// A linear combination of the unknowns, without those that take no part: most of them.
+using Weights = boost::container::small_vector<Weight, 8>;
+
+/// One entry of each source at most.
+using Budget = boost::container::static_vector<BudgetEntry, 6>;
+
+Weights partsOf(const std::vector<double>& weights) {
+  Weights parts;
+  for (std::size_t i = 0; i < weights.size(); ++i)
+    if (weights[i] != 0) parts.push_back({i, weights[i]});
+  return parts;
+}
+
 /// wᵀ Q w.
-double quadraticForm(const SquareMatrix& matrix, const std::vector<double>& weights) {
+double quadraticForm(const SquareMatrix& matrix, const Weights& weights) {
   double sum = 0;
-  for (std::size_t i = 0; i < weights.size(); ++i) {
-    if (weights[i] == 0) continue;
-    for (std::size_t j = 0; j < weights.size(); ++j) sum += weights[i] * matrix(i, j) * weights[j];
-  }
+  for (const Weight& one : weights)
+    for (const Weight& other : weights)
+      sum += one.factor * matrix(one.unknown, other.unknown) * other.factor;
   return sum;
+}
+
+/// wᵀ Q e_u: the covariance with one of the unknowns.
+double covarianceWith(const SquareMatrix& cofactor, const Weights& weights, std::size_t unknown) {
+  double covariance = 0;
+  for (const Weight& weight : weights) covariance += weight.factor * cofactor(weight.unknown, unknown);
+  return covariance;
+}
+
+double ratePerConsidered(const JointFit& fit, const Weights& weights, std::size_t index) {
+  double rate = 0;
+  for (const Weight& weight : weights)
+    rate += weight.factor * fit.perConsidered[weight.unknown * fit.considered.size() + index];
+  return rate;
+}
+
+double varianceOfPrior(const JointFit& fit, const SquareMatrix& cofactor, const Weights& weights,
+                       std::size_t unknown) {
+  if (std::isinf(fit.priorSigmas[unknown])) return 0;
+  return square(covarianceWith(cofactor, weights, unknown) / fit.priorSigmas[unknown]);
 }
 
 bool isTerm(const Unknown& unknown) {
@@ -32,7 +71,7 @@ bool isTerm(const Unknown& unknown) {
 }
 
 /// The variance that one kind of considered quantity brings.
-double consideredVariance(const JointFit& fit, const std::vector<double>& weights, bool distance) {
+double consideredVariance(const JointFit& fit, const Weights& weights, bool distance) {
   double variance = 0;
   for (std::size_t c = 0; c < fit.considered.size(); ++c) {
     if ((fit.considered[c].kind == Unknown::Kind::Distance) != distance) continue;
@@ -43,7 +82,7 @@ double consideredVariance(const JointFit& fit, const std::vector<double>& weight
 
 /// The variance that unknowns of a kind bring which are known beforehand, such as a known radius.
 template <typename Meant>
-double varianceOfKnown(const JointFit& fit, const SquareMatrix& cofactor, const std::vector<double>& weights,
+double varianceOfKnown(const JointFit& fit, const SquareMatrix& cofactor, const Weights& weights,
                        const Meant& isMeant) {
   double variance = 0;
   for (std::size_t known = 0; known < fit.unknowns.size(); ++known)
@@ -60,8 +99,7 @@ bool isAny(const Unknown&) {
 }
 
 /// The variance from readings at their stated σ.
-double varianceOfReadings(const JointFit& fit, const SquareMatrix& cofactor,
-                          const std::vector<double>& weights) {
+double varianceOfReadings(const JointFit& fit, const SquareMatrix& cofactor, const Weights& weights) {
   const double known = varianceOfKnown(fit, cofactor, weights, isAny);
   // In this order of its arguments max() lets NaN pass: what is unknown is not nothing.
   return std::max(quadraticForm(cofactor, weights) - known, 0.0);
@@ -83,9 +121,12 @@ std::optional<std::size_t> arcAt(const Measurement& measurement, int axisDeg) {
 
 NoiseScale noiseScale(double chiSquare, int degreesOfFreedom) {
   constexpr double known = std::numeric_limits<double>::infinity();
+  const NoiseScale asRead{std::sqrt(chiSquare / degreesOfFreedom), static_cast<double>(degreesOfFreedom)};
+  // The median of χ² lies below its mean f: from there on it is not improbably small.
+  if (degreesOfFreedom > 0 && chiSquare >= degreesOfFreedom) return asRead;
   const std::optional<double> tail = chiSquareUpperTail(chiSquare, degreesOfFreedom);
   if (!tail || 1 - *tail < improbablySmall) return {1, known};
-  return {std::sqrt(chiSquare / degreesOfFreedom), static_cast<double>(degreesOfFreedom)};
+  return asRead;
 }
 
 NoiseScale noiseScale(const JointFit& fit) {
@@ -93,25 +134,21 @@ NoiseScale noiseScale(const JointFit& fit) {
 }
 
 double covarianceWith(const SquareMatrix& cofactor, const std::vector<double>& weights, std::size_t unknown) {
-  double covariance = 0;
-  for (std::size_t i = 0; i < weights.size(); ++i) covariance += weights[i] * cofactor(i, unknown);
-  return covariance;
+  return covarianceWith(cofactor, partsOf(weights), unknown);
 }
 
 double ratePerConsidered(const JointFit& fit, const std::vector<double>& weights, std::size_t index) {
-  double rate = 0;
-  for (std::size_t i = 0; i < weights.size(); ++i)
-    rate += weights[i] * fit.perConsidered[i * fit.considered.size() + index];
-  return rate;
+  return ratePerConsidered(fit, partsOf(weights), index);
 }
 
 double varianceOfPrior(const JointFit& fit, const SquareMatrix& cofactor, const std::vector<double>& weights,
                        std::size_t unknown) {
-  if (std::isinf(fit.priorSigmas[unknown])) return 0;
-  return square(covarianceWith(cofactor, weights, unknown) / fit.priorSigmas[unknown]);
+  return varianceOfPrior(fit, cofactor, partsOf(weights), unknown);
 }
 
-std::vector<BudgetEntry> budgetOf(const JointFit& fit, const std::vector<double>& weights, double scale) {
+namespace {
+
+Budget budgetOf(const JointFit& fit, const Weights& weights, double scale) {
   const double together = varianceOfReadings(fit, fit.cofactor, weights);
   const bool hasTerms = std::ranges::any_of(fit.unknowns, isTerm);
   const double withTermsKnown =
@@ -120,7 +157,8 @@ std::vector<BudgetEntry> budgetOf(const JointFit& fit, const std::vector<double>
     const double sigma = scale * standardDeviation(variance);
     return BudgetEntry{source, sigma, sigma};
   };
-  std::vector<BudgetEntry> budget{estimated(UncertaintySource::Readings, withTermsKnown)};
+  Budget budget;
+  budget.push_back(estimated(UncertaintySource::Readings, withTermsKnown));
   if (hasTerms) {
     budget.push_back(estimated(UncertaintySource::ModelEffects, together - withTermsKnown));
     budget.push_back(
@@ -139,24 +177,53 @@ std::vector<BudgetEntry> budgetOf(const JointFit& fit, const std::vector<double>
   return budget;
 }
 
-double covarianceOf(const JointFit& fit, const std::vector<double>& one, const std::vector<double>& other,
-                    double scale) {
+double combined(const Budget& budget) {
+  return combined(std::span(budget.data(), budget.size()));
+}
+
+/// By polarisation: (var(a + b) − var(a − b))/4.
+double covarianceOf(const JointFit& fit, const Weights& one, const Weights& other, double scale) {
   double covariance = 0;
-  std::vector<double> weights(one.size());
   for (const double sign : {1.0, -1.0}) {
-    for (std::size_t i = 0; i < weights.size(); ++i) weights[i] = one[i] + sign * other[i];
+    Weights weights = one;
+    for (const Weight& weight : other) {
+      const auto same = std::ranges::find(weights, weight.unknown, &Weight::unknown);
+      if (same == weights.end())
+        weights.push_back({weight.unknown, sign * weight.factor});
+      else
+        same->factor += sign * weight.factor;
+    }
     covariance += sign * square(combined(budgetOf(fit, weights, scale))) / 4;
   }
   return covariance;
 }
 
-double combined(const std::vector<BudgetEntry>& budget) {
+Weights unitParts(const JointFit& fit, const Unknown& unknown) {
+  return {{fit.indexOf(unknown), 1}};
+}
+
+std::vector<BudgetEntry> listed(const Budget& budget) {
+  return {budget.begin(), budget.end()};
+}
+
+}  // namespace
+
+std::vector<BudgetEntry> budgetOf(const JointFit& fit, const std::vector<double>& weights, double scale) {
+  return listed(budgetOf(fit, partsOf(weights), scale));
+}
+
+double covarianceOf(const JointFit& fit, const std::vector<double>& one, const std::vector<double>& other,
+                    double scale) {
+  return covarianceOf(fit, partsOf(one), partsOf(other), scale);
+}
+
+double combined(std::span<const BudgetEntry> budget) {
   double variance = 0;
   for (const BudgetEntry& entry : budget) variance += square(entry.sigma);
   return std::sqrt(variance);
 }
 
-double scaledPart(const std::vector<BudgetEntry>& budget) {
+double scaledPart(std::span<const BudgetEntry> budget) {
   double variance = 0;
   for (const BudgetEntry& entry : budget) variance += square(entry.scaled);
   return std::sqrt(variance);
@@ -164,7 +231,7 @@ double scaledPart(const std::vector<BudgetEntry>& budget) {
 
 ArcBudget arcBudget(const JointFit& fit, std::size_t arc, double scale) {
   const auto budget = [&](Unknown::Kind kind) {
-    return budgetOf(fit, unitWeights(fit, {.kind = kind, .arc = arc}), scale);
+    return listed(budgetOf(fit, unitParts(fit, {.kind = kind, .arc = arc}), scale));
   };
   return {budget(Unknown::Kind::CentreX), budget(Unknown::Kind::CentreY), budget(Unknown::Kind::Radius)};
 }
@@ -176,8 +243,8 @@ ArcSigma arcSigma(const JointFit& fit, std::size_t arc, double scale) {
 ArcSigma arcSigma(const JointFit& fit, std::size_t arc, double scale, const ArcBudget& budget) {
   ArcSigma result{combined(budget.x), combined(budget.y), combined(budget.radius)};
   const auto correlation = [&](Unknown::Kind kind, double sigmaOfKind) {
-    const double covariance = covarianceOf(fit, unitWeights(fit, {.kind = Unknown::Kind::Radius, .arc = arc}),
-                                           unitWeights(fit, {.kind = kind, .arc = arc}), scale);
+    const double covariance = covarianceOf(fit, unitParts(fit, {.kind = Unknown::Kind::Radius, .arc = arc}),
+                                           unitParts(fit, {.kind = kind, .arc = arc}), scale);
     const double product = sigmaOfKind * result.radius;
     return product > 0 ? std::clamp(covariance / product, -1.0, 1.0) : 0;
   };
@@ -206,6 +273,11 @@ std::vector<double> halfApartWeights(const JointFit& fit, std::size_t upper, std
 }  // namespace
 
 std::optional<Intersection> intersect(const Measurement& measurement, const JointFit& fit) {
+  return intersect(measurement, fit, noiseScale(fit));
+}
+
+std::optional<Intersection> intersect(const Measurement& measurement, const JointFit& fit,
+                                      const NoiseScale& noise) {
   const auto upper = arcAt(measurement, 0), lower = arcAt(measurement, 180);
   if (!upper || !lower || !fit.isDetermined()) return std::nullopt;
   const auto index = [&](Unknown::Kind kind, std::size_t arc) {
@@ -216,7 +288,6 @@ std::optional<Intersection> intersect(const Measurement& measurement, const Join
   };
   const std::vector<double> weights = intersectionWeights(fit, *upper, *lower);
 
-  const NoiseScale noise = noiseScale(fit);
   Intersection result;
   result.value = difference(Unknown::Kind::CentreY) / 2;
   result.budget = budgetOf(fit, weights, noise.factor);

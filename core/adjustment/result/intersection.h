@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/adjustment/joint/joint_fit.h"
@@ -58,9 +59,9 @@ double covarianceOf(const JointFit& fit, const std::vector<double>& one, const s
                     double scale);
 
 /// The root of the sum of squares.
-double combined(const std::vector<BudgetEntry>& budget);
+double combined(std::span<const BudgetEntry> budget);
 /// The same of what is known by the scatter alone.
-double scaledPart(const std::vector<BudgetEntry>& budget);
+double scaledPart(std::span<const BudgetEntry> budget);
 
 /// Standard uncertainties of one arc's quantities, mm, and how the centre hangs on the radius.
 struct ArcSigma {
@@ -102,5 +103,8 @@ std::vector<double> intersectionWeights(const JointFit& fit, std::size_t upper, 
 
 /// Absent unless `measurement`, which was fitted, holds arcs at 0° and at 180°, and the fit is determined.
 std::optional<Intersection> intersect(const Measurement& measurement, const JointFit& fit);
+/// `noise`: that of the fit.
+std::optional<Intersection> intersect(const Measurement& measurement, const JointFit& fit,
+                                      const NoiseScale& noise);
 
 }  // namespace alidade

@@ -105,9 +105,17 @@ bool adjust(SessionFit& fit, const Measurement& fitted) {
     fit.budgets.push_back(arcBudget(fit.joint, i, fit.noise.factor));
     fit.sigmas.push_back(arcSigma(fit.joint, i, fit.noise.factor, fit.budgets.back()));
   }
-  fit.intersection = intersect(fitted, fit.joint);
+  fit.intersection = intersect(fitted, fit.joint, fit.noise);
   fit.effects = estimatesOf(fit.joint, effects, fit.noise.factor);
   return true;
+}
+
+/// Of each arc, in their order.
+void addArcFindings(SessionFit& fit, const Measurement& fitted) {
+  std::vector<std::vector<FitFinding>> findings(fit.arcs.size());
+  doEach(threadsFor(fitted.rows), findings.size(),
+         [&](std::size_t i) { findings[i] = arcFindings(fitted, fitted.arcs[i], fit.arcs[i]); });
+  for (std::vector<FitFinding>& ofArc : findings) std::ranges::move(ofArc, std::back_inserter(fit.findings));
 }
 
 void judge(SessionFit& fit, const Measurement& measurement) {
@@ -137,20 +145,22 @@ SessionFit fitSession(const Measurement& measurement) {
       fit.arcs.push_back(*std::move(firsts[i]));
     else
       fit.findings.push_back(missing(measurement.arcs[i], firsts[i].problem()));
-  Measurement fitted = fittedPart(measurement, fit);
+  std::optional<Measurement> part;  // a copy of all rows only where arcs are left out
+  const auto fitted = [&]() -> const Measurement& {
+    if (!part && fit.arcs.size() < measurement.arcs.size()) part = fittedPart(measurement, fit);
+    return part ? *part : measurement;
+  };
   fit.lengthsInDoubt = doubtfulLengths(measurement, fit.arcs);  // while every radius is free
-  if (!fit.arcs.empty() && !adjust(fit, fitted)) {
+  if (!fit.arcs.empty() && !adjust(fit, fitted())) {
     fit.findings.push_back(
-        {Severity::Error, {}, session_finding::Undetermined{!knownEffects(fitted.effects).empty()}});
+        {Severity::Error, {}, session_finding::Undetermined{!knownEffects(measurement.effects).empty()}});
     fit.arcs.clear();
     fit.joint = {};
-    fitted.arcs.clear();
+    part.reset();
   }
   judge(fit, measurement);
-  for (std::size_t i = 0; i < fit.arcs.size(); ++i)
-    std::ranges::move(arcFindings(measurement, fitted.arcs[i], fit.arcs[i]),
-                      std::back_inserter(fit.findings));
-  std::ranges::move(setupFindings(fitted, fit), std::back_inserter(fit.findings));
+  addArcFindings(fit, fitted());
+  std::ranges::move(setupFindings(fitted(), fit), std::back_inserter(fit.findings));
   std::ranges::move(sessionFindings(measurement, fit), std::back_inserter(fit.findings));
   return fit;
 }
@@ -190,13 +200,14 @@ std::optional<PublishedCentre> meanAt(const std::vector<PublishedFit>& arcs, int
 
 PublishedSessionFit fitSessionAsPublished(const Measurement& measurement) {
   PublishedSessionFit fit;
-  for (const ArcMeasurement& arc : measurement.arcs) {
-    Result<PublishedFit, ArcFault> fitted = fitArcAsPublished(measurement, arc);
-    if (fitted)
-      fit.arcs.push_back(*std::move(fitted));
+  std::vector<Result<PublishedFit, ArcFault>> fitted(measurement.arcs.size(), ArcFault{});
+  doEach(threadsFor(measurement.rows), fitted.size(),
+         [&](std::size_t i) { fitted[i] = fitArcAsPublished(measurement, measurement.arcs[i]); });
+  for (std::size_t i = 0; i < fitted.size(); ++i)
+    if (fitted[i])
+      fit.arcs.push_back(*std::move(fitted[i]));
     else
-      fit.findings.push_back(missing(arc, fitted.problem()));
-  }
+      fit.findings.push_back(missing(measurement.arcs[i], fitted[i].problem()));
   std::ranges::move(missingPositions(measurement), std::back_inserter(fit.findings));
   const auto upper = meanAt(fit.arcs, 0), lower = meanAt(fit.arcs, 180);
   if (!upper || !lower) return fit;

@@ -27,7 +27,7 @@ void judgeDistance(std::vector<FitFinding>& findings, const Measurement& measure
 bool isUpsideDown(const ArcFit& arc) {
   const double up = halfTurnSign(arc.axisDeg);
   const auto wrong = std::ranges::count_if(
-      arc.residuals, [&](const SightingResidual& row) { return up * std::sin(row.arcAngle) < 0; });
+      arc.residuals, [&](const SightingResidual& row) { return up * row.arcAngle < 0; });
   return 2 * static_cast<std::size_t>(wrong) > arc.residuals.size();
 }
 
@@ -111,6 +111,7 @@ struct OtherSlider {
 std::vector<OtherSlider> otherSliders(const ArcMeasurement& arc) {
   constexpr double rounding = 1e-6;  // arcsec: two notations of one angle
   std::vector<OtherSlider> others;
+  if (!hasSliderReadings(arc)) return others;
   for (const Visit& visit : visitsOf(arc)) {
     const Sighting* first = sliderOf(arc, visit);
     for (const std::size_t i : visit.sightings) {

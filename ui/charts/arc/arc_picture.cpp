@@ -48,16 +48,13 @@ DrawnArc drawnArc(const SessionFit& fit, const ArcFit& first) {
   return drawn;
 }
 
-/// Where the sighting would have met the arc plane without its residual, to where it did meet it.
-PlanePoint<double> residualInPlane(const Measurement& measurement, const Sighting& sighting,
-                                   const SightingResidual& residual) {
-  const auto meets = [&](Angle a, Angle e) {
-    return sightedPoint(Direction<double>{a.radians(), e.radians()}, measurement.distance,
-                        measurement.relation);
-  };
-  const PlanePoint<double> to = meets(sighting.a, sighting.e);
-  const PlanePoint<double> from = meets(sighting.a - residual.horizontal, sighting.e - residual.vertical);
-  return {to.x - from.x, to.y - from.y};
+/// Where the sighting would have met the arc plane without its residual, to where it did meet it, `sighted`.
+PlanePoint<double> residualInPlane(const Measurement& measurement, const PlanePoint<double>& sighted,
+                                   const Sighting& sighting, const SightingResidual& residual) {
+  const Direction<double> adjusted{(sighting.a - residual.horizontal).radians(),
+                                   (sighting.e - residual.vertical).radians()};
+  const PlanePoint<double> from = sightedPoint(adjusted, measurement.distance, measurement.relation);
+  return {sighted.x - from.x, sighted.y - from.y};
 }
 
 /// Adds the adjusted targets and the residuals to the sightings of one position, which start at `first`.
@@ -67,9 +64,9 @@ void addAdjusted(ArcPicture& picture, std::size_t first, const Measurement& meas
   for (const SightingResidual& residual : fit.residuals) {
     while (next < picture.sightings.size() && picture.sightings[next].ref.row != residual.row) ++next;
     if (next == picture.sightings.size()) return;
-    picture.sightings[next].adjusted =
-        targetOnArc(fit.circle.x, fit.circle.y, fit.circle.radius, residual.arcAngle);
-    picture.sightings[next].residual = residualInPlane(measurement, arc.sightings[next - first], residual);
+    DrawnSighting& drawn = picture.sightings[next];
+    drawn.adjusted = targetOnArc(fit.circle.x, fit.circle.y, fit.circle.radius, residual.arcAngle);
+    drawn.residual = residualInPlane(measurement, drawn.sighted, arc.sightings[next - first], residual);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/observation/half_turn.h"
 
@@ -66,11 +67,18 @@ void addSliders(ResidualPicture& picture, const Measurement& measurement, const 
   }
 }
 
+/// Alike ones in the order of the readings. Sorted beside their numbers: looked up for each comparison these
+/// are somewhere else in memory.
 void sortByStandardised(ResidualPicture& picture) {
-  for (std::uint32_t i = 0; i < picture.residuals.size(); ++i)
-    if (std::isfinite(picture.residuals[i].standardised)) picture.byStandardised.push_back(i);
-  std::ranges::stable_sort(picture.byStandardised, {},
-                           [&](std::uint32_t i) { return picture.residuals[i].standardised; });
+  std::vector<std::pair<double, std::uint32_t>> sizes;
+  sizes.reserve(picture.residuals.size());
+  for (std::uint32_t i = 0; i < picture.residuals.size(); ++i) {
+    const double standardised = picture.residuals[i].standardised;
+    if (std::isfinite(standardised)) sizes.emplace_back(standardised, i);
+  }
+  std::ranges::sort(sizes);
+  picture.byStandardised.reserve(sizes.size());
+  for (const auto& [standardised, index] : sizes) picture.byStandardised.push_back(index);
 }
 
 }  // namespace
@@ -82,6 +90,7 @@ ResidualPicture residualPicture(const Evaluation& evaluation) {
   picture.sigmaHorizontal = measurement.sigmaHorizontal.arcseconds();
   picture.sigmaVertical = measurement.sigmaVertical.arcseconds();
   picture.sigmaSlider = measurement.sigmaSlider.arcseconds();
+  picture.residuals.reserve(evaluation.fit.joint.readings.size());
   for (const ArcMeasurement& arc : measurement.arcs) {
     if (const ArcFit* fit = evaluation.fit.arcOfPosition(arc.position)) addArc(picture, arc, *fit);
   }
