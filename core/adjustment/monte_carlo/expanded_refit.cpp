@@ -27,8 +27,11 @@ namespace {
 
 constexpr std::size_t side = 8;  // draws at once
 
-struct alignas(64) Pack {
-  double at[side] = {};
+using Lanes = double __attribute__((vector_size(side * sizeof(double))));
+
+/// In memory where any clone of the code below wants it.
+struct alignas(sizeof(Lanes)) Pack {
+  Lanes at;
 };
 
 /// What a visit hangs on: slider's zero, x, y, R, L, φ, the pointing zeros where they are estimated, then the
@@ -220,7 +223,7 @@ namespace {
 
 // Which clone serves is chosen before the thread sanitizer is there to watch the choice.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_THREAD__)
-#define ALIDADE_WIDE __attribute__((target_clones("arch=haswell", "default")))
+#define ALIDADE_WIDE __attribute__((target_clones("avx512f", "fma", "default")))
 #else
 #define ALIDADE_WIDE
 #endif
@@ -230,35 +233,26 @@ namespace {
 ALIDADE_WIDE void addGradient(const ExpandedModel& model, const VisitBlock& visit, const Pack* normals,
                               const Pack& scale, const Pack* delta, bool isFirst, Pack* gradient) {
   const std::size_t slots = model.slots();
-  Pack slopes[mostSlotsOfVisit];
+  Lanes slopes[mostSlotsOfVisit];
   for (std::size_t r = visit.firstRow; r < visit.firstRow + visit.rows; ++r) {
     const ReadingRow& row = model.rows()[r];
     const double *first = model.numbers(row.first), *second = first + slots;
-    const double *noise = normals[row.noise].at, *zero = normals[row.zero.value_or(row.noise)].at;
-    Pack left;
-    for (std::size_t l = 0; l < side; ++l)
-      left.at[l] = row.left + scale.at[l] * noise[l] + row.zeroRatio * zero[l];
+    Lanes left = row.left + scale.at * normals[row.noise].at +
+                 row.zeroRatio * normals[row.zero.value_or(row.noise)].at;
     if (isFirst) {
-      for (std::size_t l = 0; l < side; ++l) left.at[l] -= first[distanceAt] * delta[distanceAt].at[l];
-      for (std::size_t i = 0; i < slots; ++i)
-        for (std::size_t l = 0; l < side; ++l) gradient[i].at[l] += first[i] * left.at[l];
+      left -= first[distanceAt] * delta[distanceAt].at;
+      for (std::size_t i = 0; i < slots; ++i) gradient[i].at += first[i] * left;
       continue;
     }
-    for (std::size_t l = 0; l < side; ++l) {
-      slopes[sliderAt].at[l] = first[sliderAt];
-      left.at[l] -= first[sliderAt] * delta[sliderAt].at[l];
-    }
+    slopes[sliderAt] = Lanes{} + first[sliderAt];
+    left -= first[sliderAt] * delta[sliderAt].at;
     for (std::size_t i = centreAt; i < slots; ++i) {
-      Pack bend;
-      for (std::size_t k = centreAt; k < slots; ++k)
-        for (std::size_t l = 0; l < side; ++l) bend.at[l] += second[i * slots + k] * delta[k].at[l];
-      for (std::size_t l = 0; l < side; ++l) {
-        slopes[i].at[l] = first[i] + bend.at[l];
-        left.at[l] -= (first[i] + 0.5 * bend.at[l]) * delta[i].at[l];
-      }
+      Lanes bend{};
+      for (std::size_t k = centreAt; k < slots; ++k) bend += second[i * slots + k] * delta[k].at;
+      slopes[i] = first[i] + bend;
+      left -= (first[i] + 0.5 * bend) * delta[i].at;
     }
-    for (std::size_t i = 0; i < slots; ++i)
-      for (std::size_t l = 0; l < side; ++l) gradient[i].at[l] += slopes[i].at[l] * left.at[l];
+    for (std::size_t i = 0; i < slots; ++i) gradient[i].at += slopes[i] * left;
   }
 }
 
@@ -310,23 +304,20 @@ class ExpandedRefit : public Refit {
       const Unknown& unknown = joint.unknowns[i];
       const auto term = std::ranges::find(m_terms, unknown.term, &EstimatedTerm::term);
       const bool isTerm = unknown.kind == Unknown::Kind::Error && term != m_terms.end();
-      for (std::size_t l = 0; l < side; ++l) {
-        double drawn = 0;
-        if (isTerm)
-          drawn = term->priorSigma *
-                  m_normals[DrawPlan::firstTerm + static_cast<std::size_t>(term - m_terms.begin())].at[l];
-        else if (unknown.kind == Unknown::Kind::Radius && m_model->priorWeight(i) > 0)
-          drawn = m_task.fitted.sigmaRadius * m_normals[DrawPlan::radius].at[l];
-        m_priors[i].at[l] = drawn - m_model->beyondPrior(i);
-      }
+      Lanes drawn{};
+      if (isTerm)
+        drawn = term->priorSigma *
+                m_normals[DrawPlan::firstTerm + static_cast<std::size_t>(term - m_terms.begin())].at;
+      else if (unknown.kind == Unknown::Kind::Radius && m_model->priorWeight(i) > 0)
+        drawn = m_task.fitted.sigmaRadius * m_normals[DrawPlan::radius].at;
+      m_priors[i].at = drawn - m_model->beyondPrior(i);
     }
   }
 
   /// False where it moved next to nothing.
   bool step(bool isFirst) {
     for (std::size_t i = 0; i < m_gradient.size(); ++i)
-      for (std::size_t l = 0; l < side; ++l)
-        m_gradient[i].at[l] = m_model->priorWeight(i) * (m_priors[i].at[l] - m_unknowns[i].at[l]);
+      m_gradient[i].at = m_model->priorWeight(i) * (m_priors[i].at - m_unknowns[i].at);
     for (std::size_t v = 0; v < m_angles.size(); ++v) gather(v, isFirst);
     const bool moved = solve();
     for (std::size_t v = 0; v < m_angles.size(); ++v) follow(v);
@@ -337,8 +328,10 @@ class ExpandedRefit : public Refit {
     const VisitBlock& visit = m_model->visits()[v];
     const std::vector<int>& unknowns = m_model->unknownsOf(visit.arc);
     std::array<Pack, mostSlotsOfVisit> delta, gradient;
-    for (std::size_t i = 0; i < unknowns.size(); ++i)
+    for (std::size_t i = 0; i < unknowns.size(); ++i) {
       delta[i] = unknowns[i] < 0 ? Pack{} : m_unknowns[static_cast<std::size_t>(unknowns[i])];
+      gradient[i] = Pack{};
+    }
     delta[distanceAt] = m_distance;
     delta[phiAt] = m_angles[v];
     addGradient(*m_model, visit, m_normals.data(), m_scale, delta.data(), isFirst, gradient.data());
@@ -346,9 +339,8 @@ class ExpandedRefit : public Refit {
     const double* mixed = m_model->numbers(visit.first);
     for (std::size_t i = 0; i < unknowns.size(); ++i) {
       if (unknowns[i] < 0) continue;
-      Pack& sum = m_gradient[static_cast<std::size_t>(unknowns[i])];
-      for (std::size_t l = 0; l < side; ++l)
-        sum.at[l] += gradient[i].at[l] - mixed[i] * visit.perAngle * m_pulls[v].at[l];
+      m_gradient[static_cast<std::size_t>(unknowns[i])].at +=
+          gradient[i].at - mixed[i] * visit.perAngle * m_pulls[v].at;
     }
   }
 
@@ -359,13 +351,10 @@ class ExpandedRefit : public Refit {
     m_step.assign(m_unknowns.size(), Pack{});
     bool moved = false;
     for (std::size_t i = 0; i < m_unknowns.size(); ++i) {
-      for (std::size_t k = 0; k < m_unknowns.size(); ++k)
-        for (std::size_t l = 0; l < side; ++l) m_step[i].at[l] += cofactor(i, k) * m_gradient[k].at[l];
+      for (std::size_t k = 0; k < m_unknowns.size(); ++k) m_step[i].at += cofactor(i, k) * m_gradient[k].at;
+      m_unknowns[i].at += m_step[i].at;
       const double enough = little * std::sqrt(cofactor(i, i));
-      for (std::size_t l = 0; l < side; ++l) {
-        m_unknowns[i].at[l] += m_step[i].at[l];
-        moved = moved || std::abs(m_step[i].at[l]) > enough;
-      }
+      for (std::size_t l = 0; l < side; ++l) moved = moved || std::abs(m_step[i].at[l]) > enough;
     }
     return moved;
   }
@@ -374,12 +363,10 @@ class ExpandedRefit : public Refit {
     const VisitBlock& visit = m_model->visits()[v];
     const std::vector<int>& unknowns = m_model->unknownsOf(visit.arc);
     const double* mixed = m_model->numbers(visit.first);
-    Pack left = m_pulls[v];
+    Lanes left = m_pulls[v].at;
     for (std::size_t i = 0; i < unknowns.size(); ++i)
-      if (unknowns[i] >= 0)
-        for (std::size_t l = 0; l < side; ++l)
-          left.at[l] -= mixed[i] * m_step[static_cast<std::size_t>(unknowns[i])].at[l];
-    for (std::size_t l = 0; l < side; ++l) m_angles[v].at[l] += visit.perAngle * left.at[l];
+      if (unknowns[i] >= 0) left -= mixed[i] * m_step[static_cast<std::size_t>(unknowns[i])].at;
+    m_angles[v].at += visit.perAngle * left;
   }
 
   void answer(double* centres, std::size_t lane) const {
