@@ -255,6 +255,8 @@ void MainWindow::connectParts() {
   connect(&m_document, &SessionDocument::identityChanged, this, &MainWindow::showTitle);
   connect(&m_job, &FitJob::evaluated, this, &MainWindow::showEvaluation);
   connect(&m_job, &FitJob::searched, this, &MainWindow::showSuspects);
+  connect(&m_job, &FitJob::searched, m_result,
+          [this](const SharedEvaluation& searched) { m_result->setSearched(*searched); });
   connect(m_budget, &BudgetPanel::checked, &m_files, &FileFlow::setBudgetCheck);
   connect(&m_files, &FileFlow::commitWanted, this, &MainWindow::commitPending);
   connect(m_findings, &FindingsPanel::placeActivated, this, [this](const Place& place) { reveal(place); });

@@ -61,10 +61,6 @@ RandomSource::RandomSource(std::uint64_t seed, std::uint64_t stream) {
   for (std::uint64_t& word : m_state) word = splitMix(state);
 }
 
-double RandomSource::uniform() {
-  return (static_cast<double>(bits() >> 11) + 0.5) * 0x1p-53;
-}
-
 double RandomSource::uniform(double low, double high) {
   return low + (high - low) * uniform();
 }

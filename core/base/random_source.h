@@ -27,7 +27,8 @@ class RandomSource {
     s[3] = std::rotl(s[3], 45);
     return result;
   }
-  double uniform();                         ///< in (0, 1), a multiple of 2⁻⁵³ plus 2⁻⁵⁴
+  /// In (0, 1), a multiple of 2⁻⁵³ plus 2⁻⁵⁴.
+  double uniform() { return (static_cast<double>(bits() >> 11) + 0.5) * 0x1p-53; }
   double uniform(double low, double high);  ///< in (low, high)
   double normal();                          ///< mean 0, standard deviation 1
   int whole(int low, int high);             ///< low…high, both included, each as likely

@@ -37,9 +37,7 @@ double drawTail(RandomSource& random) {
   }
 }
 
-}  // namespace
-
-double zigguratNormal(RandomSource& random) {
+inline double draw(RandomSource& random) {
   while (true) {
     const std::uint64_t bits = random.bits();
     const std::size_t layer = bits % layers;
@@ -51,6 +49,18 @@ double zigguratNormal(RandomSource& random) {
         table.height[layer] + random.uniform() * (table.height[layer + 1] - table.height[layer]);
     if (height < std::exp(-x * x / 2)) return x;
   }
+}
+
+}  // namespace
+
+double zigguratNormal(RandomSource& random) {
+  return draw(random);
+}
+
+void fillWithNormals(RandomSource& random, std::span<double> values) {
+  RandomSource own = random;
+  for (double& value : values) value = draw(own);
+  random = own;
 }
 
 }  // namespace alidade

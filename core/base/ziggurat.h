@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "core/base/random_source.h"
 
 namespace alidade {
@@ -9,5 +11,7 @@ namespace alidade {
 /// variables", 2000) with 256 layers, layer and place from different bits of one number (Doornik, 2005):
 /// exact, tails included. Takes one number of the source, in one case of a hundred more.
 double zigguratNormal(RandomSource& random);
+/// As many as there are `values`, one after the other: the state of the source then stays in registers.
+void fillWithNormals(RandomSource& random, std::span<double> values);
 
 }  // namespace alidade

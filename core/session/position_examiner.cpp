@@ -1,6 +1,7 @@
 #include "core/session/position_examiner.h"
 
 #include <cmath>
+#include <compare>
 #include <cstdint>
 #include <utility>
 
@@ -24,7 +25,7 @@ constexpr double widestDegrees = 80;
 struct VisitFace {
   int round = 0, point = 0, face = 0;
 
-  bool operator==(const VisitFace&) const = default;
+  auto operator<=>(const VisitFace&) const = default;
 };
 
 struct HashOfVisitFace {

@@ -100,10 +100,13 @@ void ReadingsEditor::setExcluded(const std::vector<std::size_t>& rows, bool excl
 }
 
 void ReadingsEditor::clear(const std::vector<ReadingCell>& cells, bool cut) {
+  const std::vector<Reading>& rows = readings();
   std::vector<NewText> texts;
-  texts.reserve(cells.size());
-  for (const ReadingCell& cell : cells)
-    if (readingText(cell.column)) texts.push_back({cell.row, cell.column, {}});
+  for (const ReadingCell& cell : cells) {
+    const auto text = readingText(cell.column);
+    if (text && cell.row < rows.size() && !(rows[cell.row].*text).empty())
+      texts.push_back({cell.row, cell.column, {}});
+  }
   enterTexts(texts, cut ? tr("Cut") : tr("Clear"), journal_reasons::cleared);
 }
 

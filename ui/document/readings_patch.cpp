@@ -17,6 +17,7 @@ auto at(std::vector<Reading>& rows, std::size_t row) {
 ReadingsPatch::ReadingsPatch(const std::vector<Reading>& rows, const std::vector<NewText>& texts,
                              std::vector<Reading> appended)
     : m_newFirst(rows.size()), m_new(std::move(appended)) {
+  m_cells.reserve(texts.size());
   for (const NewText& text : texts) addCell(rows, text);
 }
 
@@ -47,6 +48,7 @@ ReadingsPatch ReadingsPatch::removing(const std::vector<Reading>& rows,
 
 void ReadingsPatch::addCell(const std::vector<Reading>& rows, const NewText& text) {
   if (text.row >= rows.size()) return;
+  if (const auto typed = readingText(text.column); typed && rows[text.row].*typed == text.text) return;
   std::string before = enteredText(rows[text.row], text.column);
   if (before != text.text) m_cells.push_back({text.row, text.column, std::move(before), text.text});
 }

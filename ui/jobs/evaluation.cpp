@@ -12,15 +12,18 @@ namespace alidade::ui {
 
 namespace {
 
-/// Rigorously and as published, at once where there are many rows.
+/// With very many rows an edit does not wait for what is there for comparison only.
+bool isPublishedLater(const Evaluation& evaluation) {
+  constexpr std::size_t many = 5000;
+  return evaluation.examined.measurement && evaluation.examined.measurement->rows >= many;
+}
+
 void fit(Evaluation& evaluation, const std::stop_token& stop) {
   const Measurement& measurement = *evaluation.examined.measurement;
-  doAll(threadsFor(measurement.rows), {[&] { evaluation.fit = fitSession(measurement); },
-                                       [&] {
-                                         if (stop.stop_requested()) return;
-                                         evaluation.published = fitSessionAsPublished(measurement);
-                                         evaluation.twoFaces = compareFaces(measurement);
-                                       }});
+  evaluation.fit = fitSession(measurement);
+  if (stop.stop_requested()) return;
+  if (!isPublishedLater(evaluation)) evaluation.published = fitSessionAsPublished(measurement);
+  evaluation.twoFaces = compareFaces(measurement);
 }
 
 void draw(Evaluation& evaluation) {
@@ -30,7 +33,37 @@ void draw(Evaluation& evaluation) {
        [&] { evaluation.residuals = std::make_shared<const ResidualPicture>(residualPicture(evaluation)); }});
 }
 
+/// What the second stage adds to the fit.
+struct Searched {
+  std::vector<Suspect> suspects;
+  PublishedSessionFit published;
+  std::string journal;
+};
+
+Searched search(const Evaluation& evaluation, const std::stop_token& stop) {
+  Searched found;
+  const std::optional<Measurement>& measurement = evaluation.examined.measurement;
+  if (!evaluation.fit.arcs.empty())
+    found.suspects = findSuspects(evaluation.session, *measurement, evaluation.fit, {}, stop);
+  if (isPublishedLater(evaluation) && !stop.stop_requested())
+    found.published = fitSessionAsPublished(*measurement);
+  if (!stop.stop_requested()) found.journal = journalSummary(evaluation.session);
+  return found;
+}
+
+void take(Evaluation& evaluation, Searched found) {
+  evaluation.isSearched = true;
+  evaluation.suspects = std::move(found.suspects);
+  if (isPublishedLater(evaluation)) evaluation.published = std::move(found.published);
+  evaluation.journal = std::move(found.journal);
+  if (evaluation.guide && !evaluation.suspects.empty()) evaluation.guide = guideOf(evaluation);
+}
+
 }  // namespace
+
+bool isPublishedToCome(const Evaluation& evaluation) {
+  return !evaluation.isSearched && isPublishedLater(evaluation);
+}
 
 Evaluation evaluateFit(Session session, const std::stop_token& stop) {
   Evaluation evaluation;
@@ -40,7 +73,8 @@ Evaluation evaluateFit(Session session, const std::stop_token& stop) {
   if (stop.stop_requested()) return evaluation;
   if (evaluation.examined.measurement) fit(evaluation, stop);
   if (stop.stop_requested()) return evaluation;
-  evaluation.isSearched = evaluation.fit.arcs.empty() && evaluation.session.journal.empty();
+  evaluation.isSearched =
+      evaluation.fit.arcs.empty() && evaluation.session.journal.empty() && !isPublishedLater(evaluation);
   evaluation.guide = guideOf(evaluation);
   evaluation.next = nextReadings(
       evaluation.session, evaluation.examined.measurement ? &*evaluation.examined.measurement : nullptr,
@@ -50,12 +84,16 @@ Evaluation evaluateFit(Session session, const std::stop_token& stop) {
 }
 
 Evaluation withSuspects(Evaluation evaluation, const std::stop_token& stop) {
-  if (std::exchange(evaluation.isSearched, true)) return evaluation;
-  if (!evaluation.fit.arcs.empty())
-    evaluation.suspects =
-        findSuspects(evaluation.session, *evaluation.examined.measurement, evaluation.fit, {}, stop);
-  if (evaluation.guide && !evaluation.suspects.empty()) evaluation.guide = guideOf(evaluation);
-  if (!stop.stop_requested()) evaluation.journal = journalSummary(evaluation.session);
+  if (!evaluation.isSearched) take(evaluation, search(evaluation, stop));
+  return evaluation;
+}
+
+std::optional<Evaluation> copyWithSuspects(const Evaluation& fitted, const std::stop_token& stop) {
+  if (fitted.isSearched) return fitted;
+  Searched found = search(fitted, stop);
+  if (stop.stop_requested()) return std::nullopt;
+  Evaluation evaluation = fitted;
+  take(evaluation, std::move(found));
   return evaluation;
 }
 

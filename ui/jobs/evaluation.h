@@ -25,7 +25,7 @@ struct Evaluation {
   Session session;
   Examined examined;
   SessionFit fit;                    ///< as made where `examined.measurement` is absent
-  PublishedSessionFit published;     ///< likewise
+  PublishedSessionFit published;     ///< likewise; of very many rows still to come until `isSearched`
   std::optional<TwoFaces> twoFaces;  ///< where visits were read in both faces
   std::vector<Suspect> suspects;     ///< readings that look misread, the most certain first
   bool isSearched = true;            ///< false: `suspects` and `journal` are still to come
@@ -39,11 +39,16 @@ struct Evaluation {
   std::shared_ptr<const ResidualPicture> residuals = {};
 };
 
-/// All but the suspects, whose search takes several times as long, and the summary of the journal. Asked to
-/// stop, it returns early with less.
+/// Is the published method still to come?
+bool isPublishedToCome(const Evaluation& evaluation);
+
+/// All but the suspects, whose search takes several times as long, the summary of the journal, and with very
+/// many rows the published method. Asked to stop, it returns early with less.
 Evaluation evaluateFit(Session session, const std::stop_token& stop = {});
-/// The same with both.
+/// The same with them.
 Evaluation withSuspects(Evaluation evaluation, const std::stop_token& stop = {});
+/// A copy of it with them, which is made once they are found: nothing where it was asked to stop before.
+std::optional<Evaluation> copyWithSuspects(const Evaluation& fitted, const std::stop_token& stop);
 /// In place of a fit that broke down: the session and what is wrong with its entries, nothing fitted.
 Evaluation failedEvaluation(Session session, const std::string& failure);
 /// The fit without the suspects, whose search broke down.

@@ -37,9 +37,12 @@ void FitJob::begin() {
 }
 
 void FitJob::fit(FitRequest request) {
-  const auto wanted = [request = std::make_shared<const FitRequest>(std::move(request)),
-                       before = std::exchange(m_last, nullptr)] {
-    return request->session(before ? &before->session : nullptr);
+  m_request = std::make_shared<const FitRequest>(std::move(request));
+  const auto spare = std::make_shared<std::optional<Spare>>(std::exchange(m_spare, std::nullopt));
+  const auto wanted = [request = m_request, before = m_last, spare] {
+    if (request->isWhole()) return request->onto({});
+    std::optional<Spare> once = std::exchange(*spare, std::nullopt);
+    return request->onto(once ? once->onwards->onto(std::move(once->session)) : before->session);
   };
   m_fit.start([wanted](const std::stop_token& stop) { return evaluateFit(wanted(), stop); },
               [wanted](const std::string& reason) {
@@ -50,14 +53,26 @@ void FitJob::fit(FitRequest request) {
 }
 
 void FitJob::finishFit(const SharedEvaluation& fitted) {
-  m_last = fitted;
+  SharedEvaluation before = std::exchange(m_last, fitted);
   if (m_next) {
+    keepSpare(std::move(before));
     fit(*std::exchange(m_next, std::nullopt));
     return;
   }
   if (!fitted->isSearched) m_fitted = fitted;
   emit evaluated(fitted);
+  keepSpare(std::move(before));
   search();
+}
+
+/// Where nobody holds on to what was evaluated before.
+void FitJob::keepSpare(SharedEvaluation before) {
+  m_spare.reset();
+  if (!before || m_request->isWhole()) return;
+  if (std::unique_ptr<Evaluation> old = takenBack(std::move(before))) {
+    m_spare.emplace(std::move(old->session), m_request);
+    sharedAside(std::move(*old));
+  }
 }
 
 void FitJob::search() {
@@ -67,7 +82,8 @@ void FitJob::search() {
   };
   m_search.start(
       [answer, fitted = m_fitted](const std::stop_token& stop) {
-        return answer(withSuspects(*fitted, stop));
+        std::optional<Evaluation> found = copyWithSuspects(*fitted, stop);
+        return found ? answer(*std::move(found)) : Search{fitted, nullptr};
       },
       [answer, fitted = m_fitted](const std::string& reason) {
         return answer(withoutSuspects(
@@ -82,7 +98,7 @@ void FitJob::stopSearch() {
 }
 
 void FitJob::finishSearch(const Search& done) {
-  if (done.fitted == m_fitted) {
+  if (done.found && done.fitted == m_fitted) {
     m_fitted.reset();
     emit searched(done.found);
   }

@@ -39,17 +39,27 @@ class FitJob : public QObject {
   void searched(const alidade::ui::SharedEvaluation& evaluation);
 
  private:
+  /// `found`: null where it was stopped.
   struct Search {
     SharedEvaluation fitted, found;
   };
 
+  /// A session that is of no more use where it stood: to be made the next one without a copy of its rows.
+  struct Spare {
+    Session session;                            ///< as before the request done last
+    std::shared_ptr<const FitRequest> onwards;  ///< that request
+  };
+
   void begin();
   void fit(FitRequest request);
+  void keepSpare(SharedEvaluation before);
   void finishFit(const SharedEvaluation& fitted);
   void search();
   void finishSearch(const Search& done);
 
   std::optional<FitRequest> m_next;
+  std::shared_ptr<const FitRequest> m_request;  ///< at work, or done last
+  std::optional<Spare> m_spare;
   SharedEvaluation m_last;    ///< of the request done last, delivered or not; null: changes have no ground
   SharedEvaluation m_fitted;  ///< delivered last, its suspects still wanted; null where they are not
   Background<Evaluation> m_fit;

@@ -1,5 +1,7 @@
 #include "ui/jobs/fit_request.h"
 
+#include <utility>
+
 namespace alidade::ui {
 
 FitRequest::FitRequest(const Session& session, const SessionChange& change) {
@@ -19,8 +21,8 @@ void FitRequest::add(const Session& session, const SessionChange& change) {
   m_rows += m_deltas.back().rowCount();
 }
 
-Session FitRequest::session(const Session* before) const {
-  Session session = m_whole ? *m_whole : *before;
+Session FitRequest::onto(Session before) const {
+  Session session = m_whole ? *m_whole : std::move(before);
   for (const SessionDelta& delta : m_deltas) delta.applyTo(session);
   return session;
 }

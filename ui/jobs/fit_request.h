@@ -19,8 +19,8 @@ class FitRequest {
   /// A further change of the session.
   void add(const Session& session, const SessionChange& change);
   bool isWhole() const { return m_whole.has_value(); }
-  /// `before` may be null where the request is whole.
-  Session session(const Session* before) const;
+  /// What the request makes of the session before it, which matters not where it is whole.
+  Session onto(Session before) const;
 
  private:
   static std::size_t rowsOf(const Session& session);

@@ -13,6 +13,8 @@
 #include <QTabWidget>
 #include <QToolTip>
 
+#include "ui/document/disposal.h"
+
 void initializeAlidadeResources() {
   Q_INIT_RESOURCE(alidade);
 }
@@ -146,6 +148,7 @@ class WorkstationStyle : public QProxyStyle {
 }  // namespace
 
 void setUpApplication(QApplication& application) {
+  keepFreedMemory();
   initializeAlidadeResources();
   QApplication::setOrganizationName(QStringLiteral("Alidade"));
   QApplication::setApplicationName(QStringLiteral("alidade"));

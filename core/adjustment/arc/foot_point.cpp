@@ -23,8 +23,7 @@ void turnBy(FootPoint& foot, double angle) {
   const double square = angle * angle;
   const bool isSmall = std::abs(angle) < small;
   const double c = isSmall ? 1 - square * (1.0 / 2 - square * (1.0 / 24)) : std::cos(angle);
-  const double s =
-      isSmall ? angle * (1 - square * (1.0 / 6 - square * (1.0 / 120))) : std::sin(angle);
+  const double s = isSmall ? angle * (1 - square * (1.0 / 6 - square * (1.0 / 120))) : std::sin(angle);
   foot.phi += angle;
   const double cosine = foot.cosine;
   foot.cosine = cosine * c - foot.sine * s;

@@ -50,10 +50,9 @@ void fill(VisitRows& rows, const ArcView& view, double radius, const VisitReadin
   rows.left = {w.horizontal * foot.left.a, w.vertical * foot.left.e, slider * foot.sliderLeft};
   rows.counts = {visit.rows, visit.rows, visit.slider ? 1.0 : 0.0};
   rows.along = along * (1 / std::sqrt(along.cwiseAbs2().dot(rows.counts)));
-  const std::array<double, columnCount> horizontal{aX, 0, aX * c, 0, -w.horizontal, 0,
-                                                   w.horizontal * foot.aL},
-      vertical{eX, eY, eX * c + eY * s, 0, 0, w.vertical, w.vertical * foot.eL},
-      ofSlider{0, 0, 0, slider};
+  const std::array<double, columnCount> horizontal{
+      aX, 0, aX * c, 0, -w.horizontal, 0, w.horizontal * foot.aL},
+      vertical{eX, eY, eX * c + eY * s, 0, 0, w.vertical, w.vertical * foot.eL}, ofSlider{0, 0, 0, slider};
   for (std::size_t i = 0; i < columnCount; ++i) {
     const auto column = static_cast<Eigen::Index>(i);
     const double share = rows.along[0] * rows.counts[0] * horizontal[i] +

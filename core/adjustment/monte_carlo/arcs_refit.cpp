@@ -15,10 +15,26 @@ bool haveNothingInCommon(const Measurement& fitted) {
 
 namespace {
 
+/// What was read on an arc, visit by visit, each of as many rows.
+struct VisitColumns {
+  std::vector<double> a, e;        ///< rad
+  std::vector<std::size_t> noise;  ///< where the noise of each row stands in a draw
+  int rows = 0;                    ///< of a visit
+
+  VisitColumns(const RefitTask& task, std::size_t arc) {
+    for (const Visit& visit : visitsOf(task.fitted.arcs[arc])) {
+      a.push_back(visit.mean.direction.a);
+      e.push_back(visit.mean.direction.e);
+      for (const std::size_t sighting : visit.sightings) noise.push_back(task.plan.readings(arc, sighting));
+      rows = visit.mean.rows;
+    }
+  }
+};
+
 class ArcsRefit : public Refit {
  public:
   explicit ArcsRefit(const RefitTask& task) : m_task(task), m_general(generalRefit(task)) {
-    for (const ArcMeasurement& arc : task.fitted.arcs) m_visits.push_back(visitsOf(arc));
+    for (std::size_t arc = 0; arc < task.fitted.arcs.size(); ++arc) m_arcs.emplace_back(task, arc);
   }
 
   static bool serves(const RefitTask& task) {
@@ -31,7 +47,7 @@ class ArcsRefit : public Refit {
   }
 
   void refit(std::span<const Draw> draws, std::span<double> centres) override {
-    for (std::size_t arc = 0; arc < m_visits.size(); ++arc) refitArc(arc, draws, centres);
+    for (std::size_t arc = 0; arc < m_arcs.size(); ++arc) refitArc(arc, draws, centres);
     for (std::size_t i = 0; i < draws.size(); ++i) {
       const auto own = centres.subspan(i * m_task.centres(), m_task.centres());
       if (std::ranges::any_of(own, [](double value) { return std::isnan(value); }))
@@ -43,26 +59,27 @@ class ArcsRefit : public Refit {
   /// The mean readings of every visit, with what was drawn. The zeros' part is common to them.
   void takeReadings(std::size_t arc, std::span<const Draw> draws) {
     const Measurement& read = m_task.fitted;
-    const std::vector<Visit>& visits = m_visits[arc];
-    m_a.resize(draws.size() * visits.size());
+    const VisitColumns& visits = m_arcs[arc];
+    m_a.resize(draws.size() * visits.a.size());
     m_e.resize(m_a.size());
-    const double sigmaA = read.sigmaOfZeroHorizontal(read.arcs[arc]).radians(),
-                 sigmaE = read.sigmaOfZeroVertical(read.arcs[arc]).radians();
+    const double sigmaA = read.sigmaHorizontal.radians(), sigmaE = read.sigmaVertical.radians(),
+                 sigmaZeroA = read.sigmaOfZeroHorizontal(read.arcs[arc]).radians(),
+                 sigmaZeroE = read.sigmaOfZeroVertical(read.arcs[arc]).radians();
     std::size_t next = 0;
     for (const Draw& draw : draws) {
       const double* zeros = &draw.normals[m_task.plan.zeros(arc)];
-      const double zeroA = sigmaA * draw.zeroScale * zeros[0], zeroE = sigmaE * draw.zeroScale * zeros[1];
-      for (const Visit& visit : visits) {
+      const double zeroA = sigmaZeroA * draw.zeroScale * zeros[0],
+                   zeroE = sigmaZeroE * draw.zeroScale * zeros[1];
+      const double perRow = draw.scale / visits.rows;
+      const std::size_t* noiseAt = visits.noise.data();
+      for (std::size_t visit = 0; visit < visits.a.size(); ++visit, ++next) {
         double noiseA = 0, noiseE = 0;
-        for (const std::size_t sighting : visit.sightings) {
-          const double* noise = &draw.normals[m_task.plan.readings(arc, sighting)];
-          noiseA += noise[0];
-          noiseE += noise[1];
+        for (int row = 0; row < visits.rows; ++row, ++noiseAt) {
+          noiseA += draw.normals[*noiseAt];
+          noiseE += draw.normals[*noiseAt + 1];
         }
-        const double perRow = draw.scale / visit.mean.rows;
-        m_a[next] = visit.mean.direction.a + zeroA + read.sigmaHorizontal.radians() * perRow * noiseA;
-        m_e[next] = visit.mean.direction.e + zeroE + read.sigmaVertical.radians() * perRow * noiseE;
-        ++next;
+        m_a[next] = visits.a[visit] + zeroA + sigmaA * perRow * noiseA;
+        m_e[next] = visits.e[visit] + zeroE + sigmaE * perRow * noiseE;
       }
     }
   }
@@ -70,7 +87,7 @@ class ArcsRefit : public Refit {
   void refitArc(std::size_t arc, std::span<const Draw> draws, std::span<double> centres) {
     takeReadings(arc, draws);
     const Measurement& read = m_task.fitted;
-    const double perRoot = 1 / std::sqrt(static_cast<double>(m_visits[arc].front().mean.rows));
+    const double perRoot = 1 / std::sqrt(static_cast<double>(m_arcs[arc].rows));
     const ArcSetup setup{read.distance, read.sigmaHorizontal.radians() * perRoot,
                          read.sigmaVertical.radians() * perRoot, read.relation};
     m_fits.resize(draws.size());
@@ -99,7 +116,7 @@ class ArcsRefit : public Refit {
 
   RefitTask m_task;
   std::unique_ptr<Refit> m_general;
-  std::vector<std::vector<Visit>> m_visits;
+  std::vector<VisitColumns> m_arcs;
   std::vector<double> m_a, m_e;
   std::vector<std::optional<FastArcFit>> m_fits;
 };

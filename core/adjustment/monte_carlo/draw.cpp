@@ -52,7 +52,7 @@ void DrawPlan::drawInto(Draw& draw, std::uint64_t seed, std::uint64_t number) co
   draw.scale = drawScale(random);
   draw.zeroScale = m_zeroScatter > 0 ? draw.scale / m_zeroScatter : 1;
   draw.normals.resize(m_count);
-  for (double& normal : draw.normals) normal = zigguratNormal(random);
+  fillWithNormals(random, draw.normals);
 }
 
 }  // namespace alidade

@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <cmath>
+#include <compare>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -50,7 +51,7 @@ struct Circles {
   int face = 0;
   double a = 0, e = 0;  // rad
 
-  bool operator==(const Circles&) const = default;
+  auto operator<=>(const Circles&) const = default;
 };
 
 struct HashOfCircles {

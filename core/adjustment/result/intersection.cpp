@@ -41,8 +41,7 @@ Weights partsOf(const std::vector<double>& weights) {
 double quadraticForm(const SquareMatrix& matrix, const Weights& weights) {
   double sum = 0;
   for (const Weight& one : weights)
-    for (const Weight& other : weights)
-      sum += one.factor * matrix(one.unknown, other.unknown) * other.factor;
+    for (const Weight& other : weights) sum += one.factor * matrix(one.unknown, other.unknown) * other.factor;
   return sum;
 }
 

@@ -66,5 +66,13 @@ TEST(Ziggurat, HasNoCorrelationFromOneNumberToTheNext) {
   EXPECT_NEAR(fourth / count, 3, 5 * std::sqrt(96.0 / count));
 }
 
+TEST(Ziggurat, FillsWithTheNumbersThatItDrawsOneByOne) {
+  RandomSource single(5, 2), together(5, 2);
+  std::array<double, 3000> values{};  // some thirty of them take more than one number of the source
+  fillWithNormals(together, values);
+  for (const double value : values) ASSERT_EQ(value, zigguratNormal(single));
+  EXPECT_EQ(together.bits(), single.bits()) << "the source goes on where it stands";
+}
+
 }  // namespace
 }  // namespace alidade

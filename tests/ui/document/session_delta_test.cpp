@@ -107,10 +107,10 @@ TEST(FitRequest, CopiesTheWholeSessionOnlyWhereThatIsLess) {
   ReadingsEditor editor(document, 0);
   for (int i = 0; i < 900; ++i) editor.setCell({3, ReadingColumn::Note}, std::to_string(i));
   EXPECT_EQ(wholes, 0);
-  EXPECT_EQ(request->session(&before), document.session());
+  EXPECT_EQ(request->onto(before), document.session());
   for (int i = 0; i < 900; ++i) editor.setCell({4, ReadingColumn::Note}, std::to_string(i));
   EXPECT_TRUE(request->isWhole());
-  EXPECT_EQ(request->session(nullptr), document.session());
+  EXPECT_EQ(request->onto({}), document.session());
 }
 
 }  // namespace

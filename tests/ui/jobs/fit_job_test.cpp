@@ -2,8 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/session/session_file.h"
+#include "tests/support/large_session.h"
 #include "tests/ui/support.h"
+#include "ui/commands/edit_readings.h"
+#include "ui/document/session_document.h"
 
 namespace alidade::ui {
 namespace {
@@ -122,6 +127,94 @@ TEST(Evaluation, OfABlankSessionSaysWhatIsMissing) {
   EXPECT_FALSE(evaluation.examined.measurement);
   EXPECT_FALSE(evaluation.examined.problems.empty());
   EXPECT_FALSE(evaluation.fit.intersection);
+}
+
+/// Edits one cell after the other, each evaluated before the next, and holds on to the evaluation shown.
+class Typist {
+ public:
+  explicit Typist(const Session& session) {
+    m_document.startWith(session);
+    QObject::connect(&m_job, &FitJob::evaluated, [this](const SharedEvaluation& one) { m_shown = one; });
+    QObject::connect(&m_job, &FitJob::searched, [this](const SharedEvaluation& one) { m_shown = one; });
+    m_job.request(m_document.session());
+    rest();
+    QObject::connect(&m_document, &SessionDocument::changed,
+                     [this](const SessionChange& change) { m_job.request(m_document.session(), change); });
+  }
+
+  const Evaluation& type(std::size_t row, const std::string& text) {
+    ReadingsEditor(m_document, 1).setCell({row, ReadingColumn::Note}, text);
+    rest();
+    return *m_shown;
+  }
+  SharedEvaluation shown() const { return m_shown; }
+  const Session& session() const { return m_document.session(); }
+  void undo() {
+    m_document.undoStack().undo();
+    rest();
+  }
+
+ private:
+  void rest() {
+    ASSERT_TRUE(waitFor([this] { return m_job.isIdle(); }));
+  }
+
+  SessionDocument m_document;
+  SharedEvaluation m_shown;
+  FitJob m_job;
+};
+
+const Reading* rowsOf(const Evaluation& evaluation) {
+  return evaluation.session.positions[1].readings.data();
+}
+
+/// Two copies of the rows take turns, however long one types.
+TEST(FitJob, MakesTheNextSessionOfOneThatIsOfNoMoreUse) {
+  Typist typist(paperSession());
+  std::vector<const Reading*> rows;
+  for (std::size_t i = 0; i < 12; ++i) {
+    const Evaluation& evaluation = typist.type(i, "note " + std::to_string(i));
+    EXPECT_EQ(evaluation.session, typist.session());
+    EXPECT_TRUE(evaluation.fit.intersection);
+    rows.push_back(rowsOf(evaluation));
+  }
+  typist.undo();
+  EXPECT_EQ(typist.shown()->session, typist.session());
+  std::ranges::sort(rows);
+  const auto others = std::ranges::unique(rows);
+  EXPECT_LE(rows.size() - others.size(), 6u) << "where they are: the searched ones are copies";
+}
+
+TEST(FitJob, LeavesASessionToThoseWhoHoldOnToIt) {
+  Typist typist(paperSession());
+  std::vector<SharedEvaluation> held;
+  std::vector<Session> asShown;
+  for (std::size_t i = 0; i < 6; ++i) {
+    typist.type(i, "note " + std::to_string(i));
+    held.push_back(typist.shown());
+    asShown.push_back(typist.session());
+  }
+  for (std::size_t i = 0; i < held.size(); ++i) EXPECT_EQ(held[i]->session, asShown[i]) << i;
+}
+
+/// It is there for comparison only, and no edit of very many rows waits for it.
+TEST(FitJob, FitsVeryManyRowsAsPublishedAfterTheRest) {
+  FitJob job;
+  SharedEvaluation fitted, searched;
+  QObject::connect(&job, &FitJob::evaluated, [&](const SharedEvaluation& one) { fitted = one; });
+  QObject::connect(&job, &FitJob::searched, [&](const SharedEvaluation& one) { searched = one; });
+  job.request(paperSession());
+  ASSERT_TRUE(waitFor([&] { return job.isIdle(); }));
+  EXPECT_EQ(fitted->published.arcs.size(), 2u) << "few rows: at once";
+  EXPECT_FALSE(isPublishedToCome(*fitted));
+  job.request(test::largeSession(6000));
+  ASSERT_TRUE(waitFor([&] { return job.isIdle(); }));
+  EXPECT_TRUE(fitted->published.arcs.empty());
+  EXPECT_TRUE(isPublishedToCome(*fitted));
+  EXPECT_FALSE(isPublishedToCome(*searched));
+  ASSERT_EQ(searched->published.arcs.size(), 2u);
+  EXPECT_EQ(searched->published.intersection,
+            fitSessionAsPublished(*searched->examined.measurement).intersection);
 }
 
 }  // namespace

@@ -93,8 +93,10 @@ QPointF ArcPlot::shiftOf(const DrawnSighting& sighting) const {
   if (shift == 0) return {};
   const auto arc = std::ranges::find(m_picture->arcs, sighting.axisDeg, &DrawnArc::axisDeg);
   const Circle circle = arc == m_picture->arcs.end() ? Circle() : arc->circle;
-  const double angle = std::atan2(sighting.sighted.y - circle.y, sighting.sighted.x - circle.x);
-  return {-shift * std::sin(angle), -shift * std::cos(angle)};
+  const double x = sighting.sighted.x - circle.x, y = sighting.sighted.y - circle.y;
+  const double length = std::sqrt(x * x + y * y);
+  if (!(length > 0)) return {0, -shift};
+  return {-shift * y / length, -shift * x / length};
 }
 
 void ArcPlot::drawMarks() {
@@ -104,6 +106,7 @@ void ArcPlot::drawMarks() {
   std::vector<Mark> marks;
   std::vector<Stick> sticks;
   marks.reserve(m_picture->sightings.size() + m_picture->excluded.size());
+  sticks.reserve(m_picture->sightings.size());
   for (std::size_t i = 0; i < m_picture->sightings.size(); ++i) {
     const DrawnSighting& sighting = m_picture->sightings[i];
     if (!isDrawn(sighting)) continue;

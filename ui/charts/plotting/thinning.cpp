@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
 #include "ui/charts/plotting/clipping.h"
 
@@ -9,42 +11,72 @@ namespace alidade::ui {
 namespace {
 
 constexpr std::size_t fewMarks = 5000, fewSticks = 1000;
-constexpr std::size_t none = static_cast<std::size_t>(-1);
+constexpr std::uint32_t none = static_cast<std::uint32_t>(-1);
 
-/// What was chosen in each cell, kind by kind.
-class Cells {
+/// Into the scene. All plots are upright or turned, none in perspective.
+class Mapping {
  public:
-  Cells(const Raster& raster, std::size_t kinds)
-      : m_raster(raster),
-        m_columns(countOf(raster.area.width(), raster.cell)),
-        m_rows(countOf(raster.area.height(), raster.cell)),
-        m_chosen(m_columns * m_rows * kinds, none) {}
+  explicit Mapping(const QTransform& transform)
+      : m_11(transform.m11()),
+        m_12(transform.m12()),
+        m_21(transform.m21()),
+        m_22(transform.m22()),
+        m_dx(transform.dx()),
+        m_dy(transform.dy()) {}
 
-  /// Index of what was chosen where this one lies, or in the cell nearest to it.
-  std::size_t& at(const QPointF& point, std::size_t kind) {
-    const std::size_t column = indexOf(point.x() - m_raster.area.left(), m_columns);
-    const std::size_t row = indexOf(point.y() - m_raster.area.top(), m_rows);
-    return m_chosen[(kind * m_rows + row) * m_columns + column];
-  }
-  void addTo(std::vector<bool>& wanted) const {
-    for (const std::size_t index : m_chosen)
-      if (index != none) wanted[index] = true;
+  QPointF operator()(const QPointF& at) const {
+    return {m_11 * at.x() + m_21 * at.y() + m_dx, m_12 * at.x() + m_22 * at.y() + m_dy};
   }
 
  private:
-  static std::size_t countOf(double length, double cell) {
+  double m_11, m_12, m_21, m_22, m_dx, m_dy;
+};
+
+/// A cell of the raster for each kind of what is chosen in it, each beginning as `empty`.
+template <typename Chosen>
+class Cells {
+ public:
+  Cells(const Raster& raster, std::size_t kinds, const Chosen& empty)
+      : m_left(raster.area.left()),
+        m_top(raster.area.top()),
+        m_perCell(1 / raster.cell),
+        m_columns(countOf(raster.area.width())),
+        m_rows(countOf(raster.area.height())),
+        m_chosen(m_columns * m_rows * kinds, empty) {}
+
+  /// Where this one lies, or of the cell nearest to it.
+  Chosen& at(const QPointF& point, std::size_t kind) {
+    const std::size_t column = indexOf(point.x() - m_left, m_columns);
+    const std::size_t row = indexOf(point.y() - m_top, m_rows);
+    return m_chosen[(kind * m_rows + row) * m_columns + column];
+  }
+  const std::vector<Chosen>& all() const { return m_chosen; }
+
+ private:
+  std::size_t countOf(double length) const {
     constexpr double most = 4000;
-    return static_cast<std::size_t>(std::clamp(std::ceil(length / cell), 1.0, most));
+    return static_cast<std::size_t>(std::clamp(std::ceil(length * m_perCell), 1.0, most));
   }
   std::size_t indexOf(double offset, std::size_t count) const {
-    const double index = offset / m_raster.cell;
+    const double index = offset * m_perCell;
     if (!(index > 0)) return 0;
     return index < static_cast<double>(count) ? static_cast<std::size_t>(index) : count - 1;
   }
 
-  Raster m_raster;
+  double m_left, m_top, m_perCell;
   std::size_t m_columns, m_rows;
-  std::vector<std::size_t> m_chosen;
+  std::vector<Chosen> m_chosen;
+};
+
+/// Indices of the uppermost and the lowest mark, and where they are: y grows downwards.
+struct Extremes {
+  std::uint32_t up = none, down = none;
+  double top = std::numeric_limits<double>::infinity(), bottom = -top;
+};
+
+struct Longest {
+  std::uint32_t index = none;
+  double squaredLength = -1;
 };
 
 /// Which eighth of a turn it points into, 0 to 7.
@@ -53,8 +85,12 @@ std::size_t eighthOf(const QLineF& line) {
          (std::abs(line.dx()) > std::abs(line.dy()) ? 4U : 0U);
 }
 
-double lengthOf(const Stick& stick) {
-  return std::hypot(stick.line.dx(), stick.line.dy());
+double squaredLengthOf(const QLineF& line) {
+  return line.dx() * line.dx() + line.dy() * line.dy();
+}
+
+bool isInside(const QRectF& area, const QPointF& at) {
+  return at.x() >= area.left() && at.x() <= area.right() && at.y() >= area.top() && at.y() <= area.bottom();
 }
 
 template <typename Value>
@@ -76,42 +112,52 @@ std::vector<Value> chosen(const std::vector<Value>& all, const std::vector<bool>
 
 std::vector<PlacedMark> thinned(const std::vector<Mark>& marks, const QTransform& sceneFromAxes,
                                 const Raster& raster) {
+  const Mapping inScene(sceneFromAxes);
+  const QRectF area = raster.area;
   std::vector<PlacedMark> placed;
   placed.reserve(marks.size());
   for (const Mark& mark : marks) {
-    const QPointF at = sceneFromAxes.map(mark.at) + mark.shift;
-    if (raster.area.contains(at)) placed.push_back({at, mark.kind});
+    const QPointF at = inScene(mark.at) + mark.shift;
+    if (isInside(area, at)) placed.push_back({at, mark.kind});
   }
   if (placed.size() <= fewMarks) return placed;
-  Cells uppermost(raster, kindsOf(placed)), lowest = uppermost;
-  for (std::size_t i = 0; i < placed.size(); ++i) {
+  Cells<Extremes> cells(raster, kindsOf(placed), {});
+  for (std::uint32_t i = 0; i < placed.size(); ++i) {
     const auto& [at, kind] = placed[i];
-    std::size_t &up = uppermost.at(at, kind), &down = lowest.at(at, kind);
-    if (up == none || at.y() < placed[up].at.y()) up = i;
-    if (down == none || at.y() > placed[down].at.y()) down = i;
+    Extremes& cell = cells.at(at, kind);
+    if (at.y() < cell.top) cell.up = i, cell.top = at.y();
+    if (at.y() > cell.bottom) cell.down = i, cell.bottom = at.y();
   }
   std::vector<bool> wanted(placed.size());
-  uppermost.addTo(wanted);
-  lowest.addTo(wanted);
+  for (const Extremes& cell : cells.all())
+    if (cell.up != none) wanted[cell.up] = wanted[cell.down] = true;
   return chosen(placed, wanted);
 }
 
 std::vector<Stick> thinned(const std::vector<Stick>& sticks, const QTransform& sceneFromAxes,
                            const Raster& raster) {
+  const Mapping inScene(sceneFromAxes);
+  const QRectF area = raster.area;
   std::vector<Stick> placed;
   placed.reserve(sticks.size());
   for (const Stick& stick : sticks) {
-    const auto line = clipped(sceneFromAxes.map(stick.line).translated(stick.shift), raster.area);
-    if (line) placed.push_back({*line, stick.kind});
+    const QLineF line(inScene(stick.line.p1()) + stick.shift, inScene(stick.line.p2()) + stick.shift);
+    if (isInside(area, line.p1()) && isInside(area, line.p2()))
+      placed.push_back({line, stick.kind});
+    else if (const auto part = clipped(line, area))
+      placed.push_back({*part, stick.kind});
   }
   if (placed.size() <= fewSticks) return placed;
-  Cells longest(raster, 8 * kindsOf(placed));
-  for (std::size_t i = 0; i < placed.size(); ++i) {
-    std::size_t& best = longest.at(placed[i].line.p1(), 8 * placed[i].kind + eighthOf(placed[i].line));
-    if (best == none || lengthOf(placed[i]) > lengthOf(placed[best])) best = i;
+  Cells<Longest> cells(raster, 8 * kindsOf(placed), {});
+  for (std::uint32_t i = 0; i < placed.size(); ++i) {
+    const QLineF& line = placed[i].line;
+    Longest& cell = cells.at(line.p1(), 8 * placed[i].kind + eighthOf(line));
+    const double squaredLength = squaredLengthOf(line);
+    if (squaredLength > cell.squaredLength) cell = {i, squaredLength};
   }
   std::vector<bool> wanted(placed.size());
-  longest.addTo(wanted);
+  for (const Longest& cell : cells.all())
+    if (cell.index != none) wanted[cell.index] = true;
   return chosen(placed, wanted);
 }
 

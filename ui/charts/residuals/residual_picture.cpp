@@ -1,8 +1,10 @@
 #include "ui/charts/residuals/residual_picture.h"
 
 #include <algorithm>
+#include <boost/sort/spreadsort/float_sort.hpp>
 #include <cmath>
-#include <utility>
+#include <cstdint>
+#include <vector>
 
 #include "core/observation/half_turn.h"
 
@@ -67,18 +69,39 @@ void addSliders(ResidualPicture& picture, const Measurement& measurement, const 
   }
 }
 
-/// Alike ones in the order of the readings. Sorted beside their numbers: looked up for each comparison these
-/// are somewhere else in memory.
+struct Sized {
+  double standardised;
+  std::uint32_t index;
+};
+
+/// By the digits of the number, for float_sort.
+struct Digits {
+  std::int64_t operator()(const Sized& sized, unsigned offset) const {
+    return boost::sort::spreadsort::float_mem_cast<double, std::int64_t>(sized.standardised) >> offset;
+  }
+};
+
+/// Alike ones in the order of the readings.
 void sortByStandardised(ResidualPicture& picture) {
-  std::vector<std::pair<double, std::uint32_t>> sizes;
+  std::vector<Sized> sizes;
   sizes.reserve(picture.residuals.size());
   for (std::uint32_t i = 0; i < picture.residuals.size(); ++i) {
     const double standardised = picture.residuals[i].standardised;
-    if (std::isfinite(standardised)) sizes.emplace_back(standardised, i);
+    if (std::isfinite(standardised)) sizes.push_back({standardised, i});
   }
-  std::ranges::sort(sizes);
+  const auto isLess = [](const Sized& one, const Sized& other) {
+    if (one.standardised != other.standardised) return one.standardised < other.standardised;
+    return one.index < other.index;
+  };
+  boost::sort::spreadsort::float_sort(sizes.begin(), sizes.end(), Digits(), isLess);
+  for (auto alike = sizes.begin(); alike != sizes.end();) {  // which it leaves as they come
+    const auto end = std::find_if(alike, sizes.end(),
+                                  [&](const Sized& one) { return one.standardised != alike->standardised; });
+    std::sort(alike, end, isLess);
+    alike = end;
+  }
   picture.byStandardised.reserve(sizes.size());
-  for (const auto& [standardised, index] : sizes) picture.byStandardised.push_back(index);
+  for (const Sized& sized : sizes) picture.byStandardised.push_back(sized.index);
 }
 
 }  // namespace

@@ -189,7 +189,11 @@ void ResultPanel::setEvaluation(const Evaluation& evaluation) {
   showHeadline(evaluation);
   showVerdict(evaluation);
   showArcs(evaluation.fit);
-  showComparison(evaluation.published);
+  showComparison(evaluation);
+}
+
+void ResultPanel::setSearched(const Evaluation& evaluation) {
+  showComparison(evaluation);
 }
 
 /// Wide enough for figures of the usual size, and for the longest beside captions in two lines; settled once:
@@ -317,7 +321,9 @@ void ResultPanel::showArcs(const SessionFit& fit) {
   m_arcs->setRows({tr("0°"), tr("180°")}, rows);
 }
 
-void ResultPanel::showComparison(const PublishedSessionFit& published) {
+void ResultPanel::showComparison(const Evaluation& evaluation) {
+  const PublishedSessionFit& published = evaluation.published;
+  const QString none = isPublishedToCome(evaluation) ? QStringLiteral("…") : notStated();
   const auto figures = [&](double AsPrinted::*figure, int decimals) {
     QStringList texts;
     for (const int axisDeg : {0, 180}) {
@@ -327,13 +333,13 @@ void ResultPanel::showComparison(const PublishedSessionFit& published) {
         sum += arc.asPrinted.*figure;
         ++count;
       }
-      texts.append(count > 0 ? numberText(sum / count, decimals) : notStated());
+      texts.append(count > 0 ? numberText(sum / count, decimals) : none);
     }
     return texts;
   };
   const QString printed =
-      published.intersectionAsPrinted ? numberText(*published.intersectionAsPrinted, 3) : notStated();
-  const QString yUp = published.intersection ? numberText(*published.intersection, 3) : notStated();
+      published.intersectionAsPrinted ? numberText(*published.intersectionAsPrinted, 3) : none;
+  const QString yUp = published.intersection ? numberText(*published.intersection, 3) : none;
   m_published->setRows({tr("0°"), tr("180°")}, {{tr("Δx  mm"), figures(&AsPrinted::x, 3)},
                                                 {tr("Δy  mm"), figures(&AsPrinted::y, 4)},
                                                 {tr("ΔR  mm"), figures(&AsPrinted::deltaRadius, 4)},

@@ -20,6 +20,8 @@ class ResultPanel : public ScrollPage {
   explicit ResultPanel(QWidget* parent = nullptr);
 
   void setEvaluation(const Evaluation& evaluation);
+  /// The same evaluation, searched: the published method may have come with it.
+  void setSearched(const Evaluation& evaluation);
   void setComparisonShown(bool shown);
   /// What the diagnosis of the evaluation found: only now is the verdict final. Says with a link where model
   /// and readings disagree.
@@ -41,7 +43,7 @@ class ResultPanel : public ScrollPage {
   void showVerdict(const QString& word, const QString& sentence, std::optional<Verdict> verdict);
   void showMeasured(const Gap& gap);
   void showArcs(const SessionFit& fit);
-  void showComparison(const PublishedSessionFit& published);
+  void showComparison(const Evaluation& evaluation);
   void colorVerdict();
   void settleWidth();
   static QString whatIsMissing(const Evaluation& evaluation);

@@ -57,6 +57,28 @@ TEST(FirstFit, SumsWhatTheFacesOfAVisitDifferBy) {
   }
 }
 
+// Round after round through the same places: those of the first, the middle and the last visit are one place
+// where the rounds are many enough. Only the general fit fills residuals.
+TEST(FirstFit, TakesTheFastFitHoweverOftenThePlacesComeAgain) {
+  const Measurement measurement = test::usualMeasurement();
+  const ArcMeasurement once = test::perfectArc(measurement, circleSighted, test::spread(5, 160), 0);
+  for (const int rounds : {1, 2, 3, 4, 5, 11, 26}) {
+    ArcMeasurement arc = once;
+    arc.sightings.clear();
+    for (int round = 1; round <= rounds; ++round)
+      for (Sighting sighting : once.sightings) {
+        sighting.round = round;
+        sighting.row = arc.sightings.size();
+        sighting.e = sighting.e + Angle::fromArcseconds(round % 3 - 1);
+        arc.sightings.push_back(sighting);
+      }
+    const auto fit = firstFit(measurement, arc);
+    ASSERT_TRUE(fit && fit->converged()) << rounds;
+    EXPECT_EQ(fit->residualRms, 0) << rounds;
+    EXPECT_NEAR(fit->circle.radius, circleSighted.radius, 0.05) << rounds;
+  }
+}
+
 // Of the ray-traced sessions, free of effects or not, in one face or two, and by either relation. The
 // general fit stops within 1e-9 σ; cofactors come from a circle some micrometres away.
 TEST(FirstFit, IsTheFitOfTheArc) {

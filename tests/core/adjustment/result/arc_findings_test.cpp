@@ -103,6 +103,15 @@ TEST(ArcFindings, NameTheRowsThatAreCopies) {
   arc.sightings[4].face = 2;
   findings = findingsOf(measurement, arc);
   EXPECT_FALSE(found<ReadingsRepeat>(findings)) << "read in the other face";
+  copy(8, 2);
+  copy(8, 11);
+  copy(5, 6);
+  arc.sightings[0].e = Angle::fromRadians(-0.0);
+  arc.sightings[9].e = Angle::fromRadians(0.0);
+  arc.sightings[9].a = arc.sightings[0].a;
+  EXPECT_THAT(found<ReadingsRepeat>(findingsOf(measurement, arc))->rows,
+              ElementsAre(Pair(5, 6), Pair(2, 8), Pair(0, 9), Pair(2, 11)))
+      << "the first with each other one, in the order of these";
 }
 
 TEST(ArcFindings, SayThatAFitDidNotSettle) {
