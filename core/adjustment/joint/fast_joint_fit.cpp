@@ -134,7 +134,7 @@ class ArcApart {
     ArcMisfit misfit{0, -static_cast<int>(m_visits.size()) - unknowns()};
     for (std::size_t v = 0; v < m_visits.size(); ++v) {
       const VisitRows& rows = m_rows[v];
-      std::array<double, 3> redundancy, perReading;
+      std::array<double, 3> redundancy{}, perReading{};
       for (std::size_t row = 0; row < (m_sliders[v] ? 3 : 2); ++row) {
         const auto index = static_cast<Eigen::Index>(row);
         const Vector4d reduced = rows.reduced.row(index).head<estimatedCount>().transpose();
