@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/sole_holder.h"
+
 namespace alidade {
 
 /// The texts of a row as they were first entered, of those fields that were changed since; by their names in
@@ -27,21 +29,29 @@ class FirstTexts {
   }
 
   void set(std::string_view field, std::string text) {
-    Texts texts = all();
-    texts.insert_or_assign(std::string(field), std::move(text));
-    m_texts = std::make_shared<const Texts>(std::move(texts));
+    own().insert_or_assign(std::string(field), std::move(text));
   }
 
   void drop(std::string_view field) {
-    Texts texts = all();
-    if (const auto found = texts.find(field); found != texts.end()) texts.erase(found);
-    m_texts = texts.empty() ? nullptr : std::make_shared<const Texts>(std::move(texts));
+    if (!all().contains(field)) return;
+    Texts& texts = own();
+    texts.erase(texts.find(field));
+    if (texts.empty()) m_texts = nullptr;
   }
 
   bool operator==(const FirstTexts& other) const { return all() == other.all(); }
 
  private:
-  std::shared_ptr<const Texts> m_texts;  ///< null: none
+  /// To be changed: where others share them, a copy.
+  Texts& own() {
+    if (!m_texts)
+      m_texts = std::make_shared<Texts>();
+    else if (!isSoleHolder(m_texts))
+      m_texts = std::make_shared<Texts>(*m_texts);
+    return *m_texts;
+  }
+
+  std::shared_ptr<Texts> m_texts;  ///< null: none
 };
 
 }  // namespace alidade

@@ -4,6 +4,8 @@
 #include <memory>
 #include <utility>
 
+#include "core/base/sole_holder.h"
+
 namespace alidade::ui {
 
 /// Does `work` on another thread where this is the window's, otherwise at once.
@@ -25,8 +27,7 @@ void keepFreedMemory();
 /// `sharedAside` made, which is no constant.
 template <typename Value>
 std::unique_ptr<Value> takenBack(std::shared_ptr<const Value> shared) {
-  if (shared.use_count() != 1) return nullptr;
-  std::shared_ptr<const Value>(shared).reset();  // a count that is only read orders nothing: this does
+  if (!isSoleHolder(shared)) return nullptr;
   return std::make_unique<Value>(std::move(const_cast<Value&>(*shared)));
 }
 
