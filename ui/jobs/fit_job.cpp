@@ -70,7 +70,7 @@ void FitJob::keepSpare(SharedEvaluation before) {
   m_spare.reset();
   if (!before || m_request->isWhole()) return;
   if (std::unique_ptr<Evaluation> old = takenBack(std::move(before))) {
-    m_spare.emplace(std::move(old->session), m_request);
+    m_spare = Spare{std::move(old->session), m_request};
     sharedAside(std::move(*old));
   }
 }
