@@ -5,11 +5,12 @@
 #include <Eigen/LU>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "core/adjustment/arc/arc_checks.h"
 #include "core/adjustment/arc/first_fit.h"
-#include "core/adjustment/arc/foot_point.h"
+#include "core/adjustment/arc/visit_feet.h"
 #include "core/adjustment/numerics/algebraic_circle.h"
 #include "core/adjustment/numerics/least_squares.h"
 #include "core/base/square.h"
@@ -22,7 +23,7 @@ namespace {
 using Eigen::Matrix3d, Eigen::Vector3d;
 
 struct NormalEquations {
-  std::vector<FootPoint> feet = {};  // of each visit
+  std::optional<VisitFeet> feet = {};
   Matrix3d matrix = Matrix3d::Zero();
   Vector3d rightSide = Vector3d::Zero();
   double chiSquare = 0;  // of the visit means
@@ -34,38 +35,32 @@ class ArcProblem {
   using State = Circle;
   using System = NormalEquations;
 
-  ArcProblem(const ArcView& view, const ArcMeasurement& arc) : m_view(view), m_visits(visitsOf(arc)) {
-    m_readings.reserve(m_visits.size());
-    for (const Visit& visit : m_visits) m_readings.emplace_back(visit.mean.direction, visit.mean.rows);
+  ArcProblem(const ArcView& view, const ArcMeasurement& arc) : m_visits(visitsOf(arc)), m_feet(view) {
+    m_feet.reserve(m_visits.size());
+    for (const Visit& visit : m_visits) m_feet.add(VisitReading(visit.mean.direction, visit.mean.rows));
   }
 
   const std::vector<Visit>& visits() const { return m_visits; }
-  const Whitening& whitening() const { return m_view.whitening; }
-
-  std::vector<FootPoint> feetOn(const Circle& circle, std::vector<FootPoint> feet = {}) const {
-    feet.clear();
-    feet.reserve(m_readings.size());
-    for (const VisitReading& reading : m_readings) feet.push_back(footPoint(m_view, {circle}, reading));
-    return feet;
-  }
+  const Whitening& whitening() const { return m_feet.view().whitening; }
 
   std::vector<PlanePoint<double>> sightedPoints() const {
     std::vector<PlanePoint<double>> points;
-    points.reserve(m_readings.size());
-    for (const VisitReading& reading : m_readings) points.push_back(sightedPoint(m_view, reading));
+    points.reserve(m_visits.size());
+    for (std::size_t v = 0; v < m_visits.size(); ++v)
+      points.push_back(sightedPoint(m_feet.view(), m_feet.reading(v)));
     return points;
   }
 
-  NormalEquations system(const Circle& circle, NormalEquations used) const {
-    NormalEquations equations{.feet = feetOn(circle, std::move(used.feet))};
-    for (std::size_t v = 0; v < m_readings.size(); ++v) {
-      const DistanceFromArc off = distanceFromArc(m_view, circle.radius, equations.feet[v]);
-      const Vector3d gradient(off.gradient[0], off.gradient[1], off.gradient[2]);
-      const Vector3d weighted = m_readings[v].rows * gradient;
-      equations.matrix += weighted * gradient.transpose();
-      equations.rightSide += weighted * off.distance;
-      equations.chiSquare += m_readings[v].rows * off.distance * off.distance;
+  NormalEquations system(const Circle& circle, NormalEquations used = {}) const {
+    NormalEquations equations{.feet = used.feet ? std::move(used.feet) : m_feet};
+    const ArcEquations own = equations.feet->settle({circle}, VisitFeet::From::Plane);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto row = static_cast<Eigen::Index>(i);
+      for (std::size_t j = 0; j < 3; ++j)
+        equations.matrix(row, static_cast<Eigen::Index>(j)) = own.normal[i][j];
+      equations.rightSide[row] = own.rightSide[i];
     }
+    equations.chiSquare = own.chiSquare;
     return equations;
   }
 
@@ -84,9 +79,8 @@ class ArcProblem {
   bool isPossible(const Circle& circle) const { return circle.radius > 0; }
 
  private:
-  ArcView m_view;
   std::vector<Visit> m_visits;
-  std::vector<VisitReading> m_readings;  // without the slider's
+  VisitFeet m_feet;  // not settled; without the slider's readings
 };
 
 void fillCovariance(ArcFit& fit, const NormalEquations& equations) {
@@ -95,19 +89,18 @@ void fillCovariance(ArcFit& fit, const NormalEquations& equations) {
     for (int j = 0; j < 3; ++j) fit.cofactor[i][j] = (cofactor(i, j) + cofactor(j, i)) / 2;
 }
 
-void fillResiduals(ArcFit& fit, const ArcProblem& problem, const ArcMeasurement& arc,
-                   const std::vector<FootPoint>& feet) {
+void fillResiduals(ArcFit& fit, const ArcProblem& problem, const ArcMeasurement& arc, const VisitFeet& feet) {
   fit.residuals.resize(arc.sightings.size());
   double sumOfSquares = 0;
   for (std::size_t v = 0; v < feet.size(); ++v) {
-    const FootPoint& foot = feet[v];
+    const double phi = feet.arcAngle(v);
+    const Direction<double> left = feet.left(v);
     const auto& [a, e] = problem.visits()[v].mean.direction;
     for (const std::size_t i : problem.visits()[v].sightings) {
       const Sighting& sighting = arc.sightings[i];
-      const Angle horizontal = sighting.a - Angle::fromRadians(a - foot.left.a);
-      const Angle vertical = sighting.e - Angle::fromRadians(e - foot.left.e);
-      fit.residuals[i] = {sighting.row, wrapped(Angle::fromRadians(foot.phi)).radians(), horizontal,
-                          vertical};
+      const Angle horizontal = sighting.a - Angle::fromRadians(a - left.a);
+      const Angle vertical = sighting.e - Angle::fromRadians(e - left.e);
+      fit.residuals[i] = {sighting.row, phi, horizontal, vertical};
       sumOfSquares += square(horizontal.arcseconds()) + square(vertical.arcseconds());
       fit.chiSquare += square(horizontal.radians() * problem.whitening().horizontal) +
                        square(vertical.radians() * problem.whitening().vertical);
@@ -124,7 +117,7 @@ void fillResiduals(ArcFit& fit, const Measurement& measurement, const ArcMeasure
   ArcView view(measurement, arc.axisDeg);
   view.relation = relation;
   const ArcProblem problem(view, arc);
-  fillResiduals(fit, problem, arc, problem.feetOn(fit.circle));
+  fillResiduals(fit, problem, arc, *problem.system(fit.circle).feet);
 }
 
 Result<ArcFit, ArcFault> fitArc(const Measurement& measurement, const ArcMeasurement& arc,
@@ -148,7 +141,7 @@ Result<ArcFit, ArcFault> fitArc(const Measurement& measurement, const ArcMeasure
   fit.iterations = minimum.iterations;
   fit.status = minimum.status;
   fillCovariance(fit, minimum.system);
-  fillResiduals(fit, problem, arc, minimum.system.feet);
+  fillResiduals(fit, problem, arc, *minimum.system.feet);
   if (const auto fault = radiusUndetermined(fit)) return *fault;
   return fit;
 }

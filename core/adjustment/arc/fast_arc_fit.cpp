@@ -302,6 +302,7 @@ std::optional<FastArcFit> fitStreamed(const ArcSetup& setup, const Readings& rea
        ++surveys, ++outcome.iterations) {
     Survey all, before, after;
     kernel().survey(readings, inner, progress.disc, all);
+    if (all.largestResidual > largestResidual) return std::nullopt;  // what is left to go is less by far
     kernel().survey(part.readings(), inner, progress.disc, before);
     progress.anisotropy = plain::anisotropyOf(inner.variances, all.largestReading * all.largestReading);
     plain::advance(progress, all.sums);

@@ -135,13 +135,4 @@ FootPoint footPoint(const ArcView& view, const ArcUnknowns& unknowns, const Visi
   return footPoint(view, unknowns, visit, nearestInPlane(view, unknowns.circle, visit));
 }
 
-DistanceFromArc distanceFromArc(const ArcView& view, double radius, const FootPoint& foot) {
-  const Direction<double> along = alongArc(view, radius, foot);
-  const double perLength = 1 / std::sqrt(along.a * along.a + along.e * along.e);
-  const double normalA = along.e * perLength * view.whitening.horizontal,
-               normalE = -along.a * perLength * view.whitening.vertical;
-  const double perX = normalA * foot.aX + normalE * foot.eX, perY = normalE * foot.eY;
-  return {normalA * foot.left.a + normalE * foot.left.e, {perX, perY, perX * foot.cosine + perY * foot.sine}};
-}
-
 }  // namespace alidade

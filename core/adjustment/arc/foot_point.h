@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <optional>
 
@@ -39,6 +38,7 @@ struct VisitReading {
   double rows = 1;               ///< > 0
   std::optional<double> slider;  ///< rad
 
+  VisitReading() = default;
   explicit VisitReading(const Direction<double>& mean, double rowCount = 1)
       : tanA(std::tan(mean.a)), tanE(std::tan(mean.e)), rows(rowCount) {}
 };
@@ -66,13 +66,5 @@ struct FootPoint {
 FootPoint footPoint(const ArcView& view, const ArcUnknowns& unknowns, const VisitReading& visit);
 FootPoint footPoint(const ArcView& view, const ArcUnknowns& unknowns, const VisitReading& visit,
                     FootPoint start);
-
-/// Of circle readings alone the foot leaves one condition: with the unit normal n of ∂r/∂φ, d = n·r.
-struct DistanceFromArc {
-  double distance = 0;             ///< d in σ
-  std::array<double, 3> gradient;  ///< −∂d/∂(Δx, Δy, R) with φ following, 1/mm
-};
-
-DistanceFromArc distanceFromArc(const ArcView& view, double radius, const FootPoint& foot);
 
 }  // namespace alidade

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "core/adjustment/arc/foot_point.h"
+#include "core/adjustment/arc/visit_feet.h"
 #include "core/base/threads.h"
 #include "core/observation/half_turn.h"
 #include "core/observation/visits.h"
@@ -19,50 +19,14 @@ namespace alidade {
 namespace {
 
 using Kind = Unknown::Kind;
-using Eigen::Matrix4d, Eigen::Vector3d, Eigen::Vector4d;
+using Eigen::Matrix4d, Eigen::Vector4d;
 
 /// Of one arc. The slider's zero stays where it is without slider readings.
 constexpr std::array estimatedKinds{Kind::CentreX, Kind::CentreY, Kind::Radius, Kind::SliderZero};
 constexpr std::array consideredKinds{Kind::HorizontalZero, Kind::VerticalZero, Kind::Distance};
 constexpr int estimatedCount = estimatedKinds.size(), consideredCount = consideredKinds.size();
-
-/// Over the estimated, then the considered quantities, then one that is none: so many fill a processor's
-/// registers.
-constexpr int columnCount = estimatedCount + consideredCount + 1;
-using Row = Eigen::Matrix<double, 1, columnCount>;
-using Rows = Eigen::Matrix<double, 3, columnCount, Eigen::RowMajor>;
-using NormalMatrix = Eigen::Matrix<double, estimatedCount, columnCount, Eigen::RowMajor>;
-
-/// What one reading of each kind at a visit (horizontal, vertical, slider) leaves, in σ.
-struct VisitRows {
-  Vector3d left;
-  Vector3d along;  ///< ∂/∂φ, of unit length over all readings of the visit
-  Rows reduced;    ///< derivatives with what lies along ∂/∂φ taken off
-  Vector3d counts;
-};
-
-void fill(VisitRows& rows, const ArcView& view, double radius, const VisitReading& visit,
-          const FootPoint& foot) {
-  const Whitening& w = view.whitening;
-  const double slider = visit.slider ? w.slider : 0, c = foot.cosine, s = foot.sine;
-  const double aX = w.horizontal * foot.aX, eX = w.vertical * foot.eX, eY = w.vertical * foot.eY;
-  const Vector3d along(-radius * s * aX, radius * (c * eY - s * eX), slider * view.turn);
-  rows.left = {w.horizontal * foot.left.a, w.vertical * foot.left.e, slider * foot.sliderLeft};
-  rows.counts = {visit.rows, visit.rows, visit.slider ? 1.0 : 0.0};
-  rows.along = along * (1 / std::sqrt(along.cwiseAbs2().dot(rows.counts)));
-  const std::array<double, columnCount> horizontal{
-      aX, 0, aX * c, 0, -w.horizontal, 0, w.horizontal * foot.aL},
-      vertical{eX, eY, eX * c + eY * s, 0, 0, w.vertical, w.vertical * foot.eL}, ofSlider{0, 0, 0, slider};
-  for (std::size_t i = 0; i < columnCount; ++i) {
-    const auto column = static_cast<Eigen::Index>(i);
-    const double share = rows.along[0] * rows.counts[0] * horizontal[i] +
-                         rows.along[1] * rows.counts[1] * vertical[i] +
-                         rows.along[2] * rows.counts[2] * ofSlider[i];
-    rows.reduced(0, column) = horizontal[i] - rows.along[0] * share;
-    rows.reduced(1, column) = vertical[i] - rows.along[1] * share;
-    rows.reduced(2, column) = ofSlider[i] - rows.along[2] * share;
-  }
-}
+static_assert(estimatedCount == ArcEquations::estimated && consideredCount == ArcEquations::considered);
+using NormalMatrix = Eigen::Matrix<double, estimatedCount, estimatedCount + consideredCount, Eigen::RowMajor>;
 
 /// Scaled to a unit diagonal before it is factored: millimetres and radians differ by 1e6 in size.
 Matrix4d cofactorMatrix(const Matrix4d& matrix) {
@@ -78,7 +42,7 @@ class ArcApart {
       : m_measurement(measurement),
         m_index(index),
         m_arc(measurement.arcs[index]),
-        m_view(measurement, m_arc.axisDeg),
+        m_feet(ArcView(measurement, m_arc.axisDeg)),
         m_unknowns{start} {}
 
   /// False where refused. Once, before all else.
@@ -125,41 +89,41 @@ class ArcApart {
   /// What is the arc's own in `fit`, which has room for all; its readings from `next` on. `gradient`: ∂Δd/∂
   /// the centre's height.
   void fillReadings(JointFit& fit, AdjustedReading* next, double gradient) const {
-    const Vector4d perUnknown = gradient * m_cofactor.col(1);
     const auto sigmaOf = [&](ReadingKind kind) { return statedSigma(m_measurement, kind).radians(); };
     const std::array sigmas{sigmaOf(ReadingKind::Horizontal), sigmaOf(ReadingKind::Vertical),
                             sigmaOf(ReadingKind::Slider)};
+    const Whitening& whitening = m_feet.view().whitening;
+    VisitFeet::Cofactor cofactor;
+    std::array<double, estimatedCount> perUnknown{};
+    Eigen::Map<Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(cofactor.front().data()) = m_cofactor;
+    Eigen::Map<Vector4d>(perUnknown.data()) = gradient * m_cofactor.col(1);
     std::vector<double>& angles = fit.arcAngles[m_index];
     angles.resize(m_arc.sightings.size());
     ArcMisfit misfit{0, -static_cast<int>(m_visits.size()) - unknowns()};
+    std::array<VisitReliability, eight> reliability;
     for (std::size_t v = 0; v < m_visits.size(); ++v) {
-      const VisitRows& rows = m_rows[v];
-      std::array<double, 3> redundancy{}, perReading{};
-      for (std::size_t row = 0; row < (m_sliders[v] ? 3 : 2); ++row) {
-        const auto index = static_cast<Eigen::Index>(row);
-        const Vector4d reduced = rows.reduced.row(index).head<estimatedCount>().transpose();
-        redundancy[row] = 1 - rows.along[index] * rows.along[index] - reduced.dot(m_cofactor * reduced);
-        perReading[row] = reduced.dot(perUnknown);
-      }
-      const auto add = [&](std::size_t sighting, ReadingKind kind, double residual, double whitening) {
+      if (v % eight == 0) reliability = m_feet.reliabilityOf(v / eight, cofactor, perUnknown);
+      const VisitReliability& own = reliability[v % eight];
+      const auto add = [&](std::size_t sighting, ReadingKind kind, double residual, double perReading) {
         const auto row = static_cast<std::size_t>(kind);
-        const double rate = perReading[row] * whitening;
+        const double rate = own.rate[row] * perReading;
         const auto visit = static_cast<std::uint32_t>(v);
-        *next++ = {m_index, sighting, kind, visit, residual, sigmas[row], redundancy[row], rate};
-        misfit.chiSquare += residual * whitening * residual * whitening;
+        *next++ = {m_index, sighting, kind, visit, residual, sigmas[row], own.redundancy[row], rate};
+        misfit.chiSquare += residual * perReading * residual * perReading;
         ++misfit.degreesOfFreedom;
       };
-      const double phi = wrapped(Angle::fromRadians(m_feet[v].phi)).radians();
-      const Direction<double>&mean = m_visits[v].mean.direction, &left = m_feet[v].left;
+      const double phi = m_feet.arcAngle(v);
+      const Direction<double>& mean = m_visits[v].mean.direction;
+      const Direction<double> left = m_feet.left(v);
       for (const std::size_t i : m_visits[v].sightings) {
         const Sighting& row = m_arc.sightings[i];
         angles[i] = phi;
-        add(i, ReadingKind::Horizontal, row.a.radians() - mean.a + left.a, m_view.whitening.horizontal);
-        add(i, ReadingKind::Vertical, row.e.radians() - mean.e + left.e, m_view.whitening.vertical);
+        add(i, ReadingKind::Horizontal, row.a.radians() - mean.a + left.a, whitening.horizontal);
+        add(i, ReadingKind::Vertical, row.e.radians() - mean.e + left.e, whitening.vertical);
       }
       if (m_sliders[v])
         add(static_cast<std::size_t>(m_sliders[v] - m_arc.sightings.data()), ReadingKind::Slider,
-            m_feet[v].sliderLeft, m_view.whitening.slider);
+            m_feet.sliderLeft(v), whitening.slider);
     }
     fit.misfits[m_index] = misfit;
   }
@@ -167,60 +131,43 @@ class ArcApart {
  private:
   void readVisits() {
     m_visits = visitsOf(m_arc);
-    m_readings.reserve(m_visits.size());
+    m_feet.reserve(m_visits.size());
     m_sliders.reserve(m_visits.size());
     for (const Visit& visit : m_visits) {
-      VisitReading& reading = m_readings.emplace_back(visit.mean.direction, visit.mean.rows);
-      const Sighting* row = m_sliders.emplace_back(sliderOf(m_arc, visit));
-      if (!row) continue;
-      reading.slider = row->slider->radians();
-      if (!m_hasSlider) m_unknowns.sliderZero = sliderZeroBy(reading);
-      m_hasSlider = true;
+      VisitReading reading(visit.mean.direction, visit.mean.rows);
+      if (const Sighting* row = m_sliders.emplace_back(sliderOf(m_arc, visit))) {
+        reading.slider = row->slider->radians();
+        if (!m_hasSlider) m_unknowns.sliderZero = sliderZeroBy(reading);
+        m_hasSlider = true;
+      }
+      m_feet.add(reading);
     }
   }
 
   double sliderZeroBy(const VisitReading& reading) const {
-    const PlanePoint<double> place = sightedPoint(m_view, reading);
-    return *reading.slider - m_view.turn * nearestArcAngle(m_unknowns.circle, place);
+    const PlanePoint<double> place = sightedPoint(m_feet.view(), reading);
+    return *reading.slider - m_feet.view().turn * nearestArcAngle(m_unknowns.circle, place);
   }
 
   /// Feet, normal equations and χ², the last but for what the rows of a visit differ by.
   void evaluate() {
-    m_normal.setZero();
-    m_right.setZero();
-    m_chiSquare = 0;
-    const bool isFirst = m_feet.empty();
-    if (isFirst) m_feet.resize(m_readings.size());
-    m_rows.resize(m_readings.size());
-    for (std::size_t v = 0; v < m_readings.size(); ++v) {
-      m_feet[v] = isFirst ? footPoint(m_view, m_unknowns, m_readings[v])
-                          : footPoint(m_view, m_unknowns, m_readings[v], m_feet[v]);
-      fill(m_rows[v], m_view, m_unknowns.circle.radius, m_readings[v], m_feet[v]);
-    }
-    for (std::size_t v = 0; v < m_readings.size(); ++v) {
-      const VisitRows& rows = m_rows[v];
-      for (int row = 0; row < (m_readings[v].slider ? 3 : 2); ++row) {
-        const Row& reduced = rows.reduced.row(row);
-        const Vector4d weighted = rows.counts[row] * reduced.head<estimatedCount>().transpose();
-        for (int i = 0; i < estimatedCount; ++i) m_normal.row(i) += weighted[i] * reduced;
-        m_right += weighted * rows.left[row];
-        m_chiSquare += rows.counts[row] * rows.left[row] * rows.left[row];
-      }
-    }
+    const bool isFirst = m_iterations == 0;
+    const ArcEquations equations =
+        m_feet.settle(m_unknowns, isFirst ? VisitFeet::From::Plane : VisitFeet::From::Before);
+    m_normal = Eigen::Map<const NormalMatrix>(equations.normal.front().data());
+    m_right = Eigen::Map<const Vector4d>(equations.rightSide.data());
+    m_chiSquare = equations.chiSquare;
     if (!m_hasSlider) m_normal(3, 3) = 1;
   }
 
   const Measurement& m_measurement;
   std::size_t m_index;
   const ArcMeasurement& m_arc;
-  ArcView m_view;
   std::vector<Visit> m_visits;
-  std::vector<VisitReading> m_readings;
+  VisitFeet m_feet;
   std::vector<const Sighting*> m_sliders;
   bool m_hasSlider = false;
   ArcUnknowns m_unknowns;
-  std::vector<FootPoint> m_feet;
-  std::vector<VisitRows> m_rows;
   NormalMatrix m_normal;
   Vector4d m_right;
   Matrix4d m_cofactor;

@@ -5,6 +5,7 @@
 
 #include "core/adjustment/joint/joint_problem.h"
 #include "core/adjustment/monte_carlo/refit.h"
+#include "core/base/eight.h"
 
 // The forward model about a fit, to second order: of each reading, in units of its σ,
 //
@@ -24,15 +25,6 @@ namespace alidade {
 using Eigen::Index;
 
 namespace {
-
-constexpr std::size_t side = 8;  // draws at once
-
-using Lanes = double __attribute__((vector_size(side * sizeof(double))));
-
-/// In memory where any clone of the code below wants it.
-struct alignas(sizeof(Lanes)) Pack {
-  Lanes at;
-};
 
 /// What a visit hangs on: slider's zero, x, y, R, L, φ, the pointing zeros where they are estimated, then the
 /// error terms. The slider reads its zero along, so it is the one slot without second derivatives.
@@ -221,33 +213,27 @@ class ExpandedModel {
 
 namespace {
 
-// Which clone serves is chosen before the thread sanitizer is there to watch the choice.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_THREAD__)
-#define ALIDADE_WIDE __attribute__((target_clones("avx512f", "fma", "default")))
-#else
-#define ALIDADE_WIDE
-#endif
-
 /// One visit's equations at δ: adds (J + Hδ)ᵀ v over its slots; the first time, of a δ that has L alone,
 /// without H.
-ALIDADE_WIDE void addGradient(const ExpandedModel& model, const VisitBlock& visit, const Pack* normals,
-                              const Pack& scale, const Pack* delta, bool isFirst, Pack* gradient) {
+ALIDADE_WIDE void addGradient(const ExpandedModel& model, const VisitBlock& visit, const EightKept* normals,
+                              const EightKept& scale, const EightKept* delta, bool isFirst,
+                              EightKept* gradient) {
   const std::size_t slots = model.slots();
-  Lanes slopes[mostSlotsOfVisit];
+  Eight slopes[mostSlotsOfVisit];
   for (std::size_t r = visit.firstRow; r < visit.firstRow + visit.rows; ++r) {
     const ReadingRow& row = model.rows()[r];
     const double *first = model.numbers(row.first), *second = first + slots;
-    Lanes left = row.left + scale.at * normals[row.noise].at +
+    Eight left = row.left + scale.at * normals[row.noise].at +
                  row.zeroRatio * normals[row.zero.value_or(row.noise)].at;
     if (isFirst) {
       left -= first[distanceAt] * delta[distanceAt].at;
       for (std::size_t i = 0; i < slots; ++i) gradient[i].at += first[i] * left;
       continue;
     }
-    slopes[sliderAt] = Lanes{} + first[sliderAt];
+    slopes[sliderAt] = Eight{} + first[sliderAt];
     left -= first[sliderAt] * delta[sliderAt].at;
     for (std::size_t i = centreAt; i < slots; ++i) {
-      Lanes bend{};
+      Eight bend{};
       for (std::size_t k = centreAt; k < slots; ++k) bend += second[i * slots + k] * delta[k].at;
       slopes[i] = first[i] + bend;
       left -= (first[i] + 0.5 * bend) * delta[i].at;
@@ -269,8 +255,8 @@ class ExpandedRefit : public Refit {
         m_gradient(m_unknowns.size()) {}
 
   void refit(std::span<const Draw> draws, std::span<double> centres) override {
-    for (std::size_t first = 0; first < draws.size(); first += side) {
-      const std::size_t count = std::min(side, draws.size() - first);
+    for (std::size_t first = 0; first < draws.size(); first += eight) {
+      const std::size_t count = std::min(eight, draws.size() - first);
       take(draws.subspan(first, count));
       constexpr int mostSteps = 6;
       for (int i = 0; i < mostSteps && step(i == 0); ++i) {
@@ -283,7 +269,7 @@ class ExpandedRefit : public Refit {
   /// Fewer draws than go side by side: the first stands in for the rest.
   void take(std::span<const Draw> draws) {
     m_normals.resize(draws.front().normals.size());
-    for (std::size_t l = 0; l < side; ++l) {
+    for (std::size_t l = 0; l < eight; ++l) {
       const Draw& draw = draws[l < draws.size() ? l : 0];
       m_scale.at[l] = draw.scale;
       for (std::size_t i = 0; i < m_normals.size(); ++i) m_normals[i].at[l] = draw.normals[i];
@@ -292,8 +278,8 @@ class ExpandedRefit : public Refit {
           m_normals[zero].at[l] *= draw.zeroScale;
       m_distance.at[l] = m_task.fitted.sigmaDistance * draw.normals[DrawPlan::distance];
     }
-    std::ranges::fill(m_unknowns, Pack{});
-    std::ranges::fill(m_angles, Pack{});
+    std::ranges::fill(m_unknowns, EightKept{});
+    std::ranges::fill(m_angles, EightKept{});
     takePriors();
   }
 
@@ -304,7 +290,7 @@ class ExpandedRefit : public Refit {
       const Unknown& unknown = joint.unknowns[i];
       const auto term = std::ranges::find(m_terms, unknown.term, &EstimatedTerm::term);
       const bool isTerm = unknown.kind == Unknown::Kind::Error && term != m_terms.end();
-      Lanes drawn{};
+      Eight drawn{};
       if (isTerm)
         drawn = term->priorSigma *
                 m_normals[DrawPlan::firstTerm + static_cast<std::size_t>(term - m_terms.begin())].at;
@@ -327,10 +313,10 @@ class ExpandedRefit : public Refit {
   void gather(std::size_t v, bool isFirst) {
     const VisitBlock& visit = m_model->visits()[v];
     const std::vector<int>& unknowns = m_model->unknownsOf(visit.arc);
-    std::array<Pack, mostSlotsOfVisit> delta, gradient;
+    std::array<EightKept, mostSlotsOfVisit> delta, gradient;
     for (std::size_t i = 0; i < unknowns.size(); ++i) {
-      delta[i] = unknowns[i] < 0 ? Pack{} : m_unknowns[static_cast<std::size_t>(unknowns[i])];
-      gradient[i] = Pack{};
+      delta[i] = unknowns[i] < 0 ? EightKept{} : m_unknowns[static_cast<std::size_t>(unknowns[i])];
+      gradient[i] = EightKept{};
     }
     delta[distanceAt] = m_distance;
     delta[phiAt] = m_angles[v];
@@ -348,13 +334,13 @@ class ExpandedRefit : public Refit {
     constexpr double little =
         0.01;  // σ: the next step is as much less than this one as this one than the first
     const SquareMatrix& cofactor = m_task.fit.joint.cofactor;
-    m_step.assign(m_unknowns.size(), Pack{});
+    m_step.assign(m_unknowns.size(), EightKept{});
     bool moved = false;
     for (std::size_t i = 0; i < m_unknowns.size(); ++i) {
       for (std::size_t k = 0; k < m_unknowns.size(); ++k) m_step[i].at += cofactor(i, k) * m_gradient[k].at;
       m_unknowns[i].at += m_step[i].at;
       const double enough = little * std::sqrt(cofactor(i, i));
-      for (std::size_t l = 0; l < side; ++l) moved = moved || std::abs(m_step[i].at[l]) > enough;
+      for (std::size_t l = 0; l < eight; ++l) moved = moved || std::abs(m_step[i].at[l]) > enough;
     }
     return moved;
   }
@@ -363,7 +349,7 @@ class ExpandedRefit : public Refit {
     const VisitBlock& visit = m_model->visits()[v];
     const std::vector<int>& unknowns = m_model->unknownsOf(visit.arc);
     const double* mixed = m_model->numbers(visit.first);
-    Lanes left = m_pulls[v].at;
+    Eight left = m_pulls[v].at;
     for (std::size_t i = 0; i < unknowns.size(); ++i)
       if (unknowns[i] >= 0) left -= mixed[i] * m_step[static_cast<std::size_t>(unknowns[i])].at;
     m_angles[v].at += visit.perAngle * left;
@@ -383,9 +369,9 @@ class ExpandedRefit : public Refit {
   RefitTask m_task;
   std::vector<EstimatedTerm> m_terms;
   std::shared_ptr<const ExpandedModel> m_model;
-  std::vector<Pack> m_normals;
-  Pack m_scale, m_distance;
-  std::vector<Pack> m_unknowns, m_angles, m_pulls, m_priors, m_gradient, m_step;
+  std::vector<EightKept> m_normals;
+  EightKept m_scale, m_distance;
+  std::vector<EightKept> m_unknowns, m_angles, m_pulls, m_priors, m_gradient, m_step;
 };
 
 }  // namespace

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "core/adjustment/arc/foot_point.h"
+#include "core/base/eight.h"
+
+namespace alidade {
+
+// All visits of an arc at their foot points (foot_point.h), eight side by side, and the normal equations that
+// they make there. Both faces of a visit read alike, so it has one row for each kind of reading, counted as
+// often as it was read; what lies along the arc is taken off, so that its angle is no unknown. Residuals are
+// found by series; eight visits of which one leaves more than 0.001 rad are done one by one.
+
+/// Normal equations over what is estimated, (Δx, Δy, R) in mm and the slider's zero in rad, and what is
+/// considered: the pointing zeros of a and e in rad, and L in mm. From the stated σ.
+struct ArcEquations {
+  static constexpr std::size_t estimated = 4, considered = 3;
+
+  std::array<std::array<double, estimated + considered>, estimated> normal{};  ///< JᵀWJ, estimated by all
+  std::array<double, estimated> rightSide{};                                   ///< −½ ∂χ²/∂estimated
+  double chiSquare = 0;                                                        ///< of the means of the visits
+};
+
+/// Of one reading of each kind at a visit: horizontal, vertical, slider.
+struct VisitReliability {
+  std::array<double, 3> redundancy{};  ///< 0…1
+  std::array<double, 3> rate{};        ///< ∂(what is asked for)/∂(reading in σ)
+};
+
+class VisitFeet {
+ public:
+  explicit VisitFeet(const ArcView& view) : m_view(view) {}
+
+  void reserve(std::size_t visits) { m_blocks.reserve((visits + eight - 1) / eight); }
+  void add(const VisitReading& visit);
+  std::size_t size() const { return m_size; }
+  const ArcView& view() const { return m_view; }
+  VisitReading reading(std::size_t visit) const;
+
+  enum class From { Plane, Before };
+  /// Takes every visit to its foot: from the nearest point in the plane, or from where it is since the last
+  /// time. Needs R > 0.
+  ArcEquations settle(const ArcUnknowns& unknowns, From from);
+
+  // Of a visit, settled. Radians.
+  double arcAngle(std::size_t visit) const;         ///< in (−π, π]
+  Direction<double> left(std::size_t visit) const;  ///< mean of the readings less what a perfect one is there
+  double sliderLeft(std::size_t visit) const;       ///< likewise, where the slider was read
+
+  /// Of the eight visits from `eight` · `block` on, settled. `cofactor`: inverse of the normal matrix over
+  /// what is estimated; `asked`: its product with the gradient of what is asked for.
+  using Cofactor = std::array<std::array<double, ArcEquations::estimated>, ArcEquations::estimated>;
+  std::array<VisitReliability, eight> reliabilityOf(
+      std::size_t block, const Cofactor& cofactor,
+      const std::array<double, ArcEquations::estimated>& asked) const;
+
+  /// Eight visits; in the last block the last of all stands in for those that are missing, and counts once.
+  struct Block {
+    EightKept tanA, tanE, rows, counts;          ///< counts: rows, 0 where there is no visit
+    EightKept slider, sliderRows, sliderCounts;  ///< rows: 1 where it was read; counts likewise
+    EightKept cosine, sine;                      ///< of the arc angle
+    EightKept leftA, leftE, sliderLeft;          ///< rad
+    EightKept aX, aL, eX, eY, eL;                ///< ∂(a, e)/∂(x, y, L), per mm
+  };
+
+ private:
+  void settleApart(Block& block, const ArcUnknowns& unknowns, From from) const;
+  void lookAtSliders(Block& block, const ArcUnknowns& unknowns) const;
+
+  ArcView m_view;
+  std::vector<Block> m_blocks;
+  std::size_t m_size = 0;
+  bool m_hasSlider = false;
+  ArcUnknowns m_unknowns;  ///< of the last time
+};
+
+}  // namespace alidade
