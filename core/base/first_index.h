@@ -1,65 +1,78 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace alidade {
 
-/// Under which index each of many keys came first. While the keys come in ascending order they are only
-/// listed; from the first that does not, one table holds them, without a piece of memory for each. `Key` has
-/// == and <; `Hash` gives a std::size_t whose every bit counts.
-template <typename Key, typename Hash>
+/// Under which index each of many keys came first, up to 2³² of them. They come in groups, as rows do round
+/// by round: as long as no group comes before one that was there, a key is looked for in its own alone, in a
+/// table so small that it stays near; from then on among all. `Hash` gives a std::size_t whose every bit
+/// counts, `Group` what groups are told apart and ordered by.
+template <typename Key, typename Hash, typename Group>
 class FirstIndex {
  public:
   /// `most`: so many keys are put in at most.
-  explicit FirstIndex(std::size_t most) : m_most(most) { m_ascending.reserve(most); }
+  explicit FirstIndex(std::size_t most) : m_table(leastSlots) { m_entries.reserve(most); }
 
   /// The index under which `key` was put in first: this one where it is new.
   std::size_t put(const Key& key, std::size_t index) {
-    if (m_table.empty()) {
-      if (m_ascending.empty() || m_ascending.back().key < key) {
-        m_ascending.push_back({key, index});
-        return index;
+    if (!m_isMixed && !m_entries.empty()) {
+      const auto before = Group()(m_entries.back().key), now = Group()(key);
+      if (before < now) lookFrom(m_entries.size());
+      if (now < before) {
+        m_isMixed = true;
+        lookFrom(0);
       }
-      makeTable();
     }
-    return putInTable(key, index);
+    Slot* slot = slotOf(key);
+    if (isTaken(*slot)) return m_entries[slot->entry].index;
+    if (2 * (m_entries.size() + 1 - m_first) > m_table.size()) {
+      m_table.resize(2 * m_table.size());
+      lookFrom(m_first);
+      slot = slotOf(key);
+    }
+    *slot = {m_scope, static_cast<std::uint32_t>(m_entries.size())};
+    m_entries.push_back({key, index});
+    return index;
   }
 
  private:
+  static constexpr std::size_t leastSlots = 64;
+
   struct Entry {
     Key key;
     std::size_t index;
   };
+  /// Of an earlier scope: free.
   struct Slot {
-    Entry entry{};
-    bool isTaken = false;
+    std::uint32_t scope = 0, entry = 0;
   };
 
-  /// At most half full, so that a free slot is never far.
-  void makeTable() {
-    std::size_t slots = 2;
-    while (slots < 2 * m_most) slots *= 2;
-    m_table.resize(slots);
-    for (const Entry& entry : m_ascending) putInTable(entry.key, entry.index);
-    m_ascending = {};
+  bool isTaken(const Slot& slot) const { return slot.scope == m_scope; }
+
+  /// The table holds the entries from there on; at most half full, so that a free slot is never far.
+  void lookFrom(std::size_t first) {
+    ++m_scope;
+    m_first = first;
+    while (2 * (m_entries.size() - m_first) > m_table.size()) m_table.resize(2 * m_table.size());
+    for (std::size_t i = m_first; i < m_entries.size(); ++i)
+      *slotOf(m_entries[i].key) = {m_scope, static_cast<std::uint32_t>(i)};
   }
 
-  std::size_t putInTable(const Key& key, std::size_t index) {
+  /// That of the key, or the free one where it belongs.
+  Slot* slotOf(const Key& key) {
     const std::size_t last = m_table.size() - 1;
-    for (std::size_t i = Hash()(key) & last;; i = (i + 1) & last) {
-      Slot& slot = m_table[i];
-      if (!slot.isTaken) {
-        slot = {{key, index}, true};
-        return index;
-      }
-      if (slot.entry.key == key) return slot.entry.index;
-    }
+    for (std::size_t i = Hash()(key) & last;; i = (i + 1) & last)
+      if (!isTaken(m_table[i]) || m_entries[m_table[i].entry].key == key) return &m_table[i];
   }
 
-  std::size_t m_most;
-  std::vector<Entry> m_ascending;
+  std::vector<Entry> m_entries;
   std::vector<Slot> m_table;
+  std::size_t m_first = 0;    ///< entry from which on the table holds them
+  std::uint32_t m_scope = 1;  ///< of the slots that are taken
+  bool m_isMixed = false;     ///< a group came before one that was there
 };
 
 }  // namespace alidade

@@ -1,7 +1,6 @@
 #include "core/session/position_examiner.h"
 
 #include <cmath>
-#include <compare>
 #include <cstdint>
 #include <utility>
 
@@ -25,7 +24,11 @@ constexpr double widestDegrees = 80;
 struct VisitFace {
   int round = 0, point = 0, face = 0;
 
-  auto operator<=>(const VisitFace&) const = default;
+  bool operator==(const VisitFace&) const = default;
+};
+
+struct RoundOfVisitFace {
+  int operator()(const VisitFace& key) const { return key.round; }
 };
 
 struct HashOfVisitFace {
@@ -160,7 +163,7 @@ class PositionExaminer : private ProblemReporter {
   const std::optional<ZeroDirection> m_zero;
   const std::optional<VerticalCircle> m_circle;
   ExaminedPosition m_examined;
-  FirstIndex<VisitFace, HashOfVisitFace> m_rowOfVisitFace;
+  FirstIndex<VisitFace, HashOfVisitFace, RoundOfVisitFace> m_rowOfVisitFace;
 };
 
 }  // namespace

@@ -1,14 +1,11 @@
 #include "core/adjustment/result/arc_findings.h"
 
-#include <bit>
 #include <cmath>
-#include <compare>
-#include <cstdint>
 #include <optional>
 #include <utility>
 
 #include "core/adjustment/arc/arc_checks.h"
-#include "core/base/first_index.h"
+#include "core/adjustment/result/row_repeats.h"
 #include "core/base/statistics.h"
 
 namespace alidade {
@@ -46,34 +43,6 @@ void judgeRadius(std::vector<FitFinding>& findings, const Measurement& measureme
     add(findings, fit, Severity::Warning, RadiusFarFromNominal{fit.circle.radius, measurement.nominalRadius});
 }
 
-/// What two rows that repeat each other have in common.
-struct Circles {
-  int face = 0;
-  double a = 0, e = 0;  // rad
-
-  auto operator<=>(const Circles&) const = default;
-};
-
-struct HashOfCircles {
-  std::size_t operator()(const Circles& key) const {
-    const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value + 0.0); };  // no −0
-    const std::uint64_t sum = bits(key.a) * 3 + bits(key.e) * 5 + static_cast<std::uint64_t>(key.face);
-    const std::uint64_t product = (sum ^ sum >> 29U) * 0x9e3779b97f4a7c15U;
-    return static_cast<std::size_t>(product ^ product >> 32U);
-  }
-};
-
-void judgeRepeats(std::vector<FitFinding>& findings, const ArcMeasurement& arc, const ArcFit& fit) {
-  FirstIndex<Circles, HashOfCircles> firsts(arc.sightings.size());
-  ReadingsRepeat repeat;
-  for (std::size_t i = 0; i < arc.sightings.size(); ++i) {
-    const Sighting& row = arc.sightings[i];
-    const std::size_t first = firsts.put({row.face, row.a.radians(), row.e.radians()}, i);
-    if (first != i) repeat.rows.emplace_back(arc.sightings[first].row, row.row);
-  }
-  if (!repeat.rows.empty()) add(findings, fit, Severity::Warning, std::move(repeat));
-}
-
 }  // namespace
 
 std::vector<FitFinding> arcFindings(const Measurement& measurement, const ArcMeasurement& arc,
@@ -82,7 +51,8 @@ std::vector<FitFinding> arcFindings(const Measurement& measurement, const ArcMea
   if (!fit.converged()) add(findings, fit, Severity::Warning, NotSettled{fit.iterations});
   judgeRedundancyAndNoise(findings, fit);
   judgeRadius(findings, measurement, fit);
-  judgeRepeats(findings, arc, fit);
+  if (ReadingsRepeat repeat{repeatedRows(measurement, arc, fit)}; !repeat.rows.empty())
+    add(findings, fit, Severity::Warning, std::move(repeat));
   return findings;
 }
 

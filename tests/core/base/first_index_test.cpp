@@ -17,9 +17,14 @@ struct Crowding {
   std::size_t operator()(int key) const { return static_cast<std::size_t>(key) % 3; }
 };
 
+/// Groups of ten.
+struct Ten {
+  int operator()(int key) const { return key / 10; }
+};
+
 template <typename Hash>
 void expectAsInAMap(const std::vector<int>& keys) {
-  FirstIndex<int, Hash> firsts(keys.size());
+  FirstIndex<int, Hash, Ten> firsts(keys.size());
   std::map<int, std::size_t> expected;
   for (std::size_t i = 0; i < keys.size(); ++i) {
     const std::size_t first = expected.emplace(keys[i], i).first->second;
@@ -45,6 +50,31 @@ TEST(FirstIndex, TellsItOfManyKeysThatRepeat) {
     expectAsInAMap<std::hash<int>>(keys);
     expectAsInAMap<Crowding>(keys);
   }
+}
+
+// Rounds of up to ten places, some read again, some longer than the table at first, one taken up again.
+TEST(FirstIndex, TellsItOfGroupsInAnyOrder) {
+  RandomSource random(8);
+  std::vector<int> keys;
+  for (int round = 0; round < 300; ++round)
+    for (int place = 0; place < 14; ++place) keys.push_back(10 * round + random.whole(0, 9));
+  expectAsInAMap<std::hash<int>>(keys);
+  expectAsInAMap<Crowding>(keys);
+  for (const int again : {1505, 3, 2999, 4000, 4000}) keys.push_back(again);
+  expectAsInAMap<std::hash<int>>(keys);
+  std::vector<int> negative;  // groups that descend
+  for (int i = 0; i < 200; ++i) negative.push_back(-i % 150);
+  expectAsInAMap<std::hash<int>>(negative);
+}
+
+// More keys than the table has at first in one group.
+TEST(FirstIndex, GrowsWithinAGroup) {
+  struct OneGroup {
+    int operator()(int /*key*/) const { return 0; }
+  };
+  FirstIndex<int, std::hash<int>, OneGroup> firsts(2000);
+  for (std::size_t i = 0; i < 1000; ++i) EXPECT_EQ(firsts.put(static_cast<int>(7 * i), i), i);
+  for (std::size_t i = 0; i < 1000; ++i) EXPECT_EQ(firsts.put(static_cast<int>(7 * i), 1000 + i), i);
 }
 
 TEST(FirstIndex, TakesKeysThatAscendAndThenDoNot) {

@@ -1,0 +1,160 @@
+#include "core/adjustment/result/row_repeats.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <compare>
+#include <cstdint>
+#include <functional>
+#include <numbers>
+
+#include "core/base/angle.h"
+#include "core/base/first_index.h"
+#include "core/base/statistics.h"
+
+namespace alidade {
+
+namespace {
+
+constexpr double tooSeldom = 0.01;
+constexpr double nearSteps = 10;  // of the grid, to either side
+
+std::size_t mixed(std::uint64_t sum) {
+  const std::uint64_t product = (sum ^ sum >> 29U) * 0x9e3779b97f4a7c15U;
+  return static_cast<std::size_t>(product ^ product >> 32U);
+}
+
+/// What two rows that repeat each other have in common.
+struct Circles {
+  int face = 0;
+  double a = 0, e = 0;  // rad
+
+  auto operator<=>(const Circles&) const = default;
+};
+
+struct HashOfCircles {
+  std::size_t operator()(const Circles& key) const {
+    const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value + 0.0); };  // no −0
+    return mixed(bits(key.a) * 3 + bits(key.e) * 5 + static_cast<std::uint64_t>(key.face));
+  }
+};
+
+/// A place of the slider, as far as the user numbers them.
+struct Mark {
+  int face = 0, point = 0;
+
+  auto operator<=>(const Mark&) const = default;
+};
+
+struct HashOfMark {
+  std::size_t operator()(const Mark& key) const {
+    return mixed(static_cast<std::uint64_t>(key.point) * 2 + static_cast<std::uint64_t>(key.face));
+  }
+};
+
+Mark markOf(const Sighting& row) {
+  return {row.face, row.point};
+}
+
+/// Is it seldom enough that a number of events of which `expected` are to be expected is as great?
+bool isTooMany(std::size_t events, double expected) {
+  if (events == 0) return false;
+  const auto fewer = chiSquareUpperTail(2 * expected, 2 * static_cast<double>(events));  // Poisson's
+  return fewer && 1 - *fewer < tooSeldom;
+}
+
+/// How many pairs of rows are of one place.
+double pairsOfOnePlace(const ArcMeasurement& arc) {
+  FirstIndex<Mark, HashOfMark, std::identity> firsts(arc.sightings.size());
+  std::vector<std::size_t> counts(arc.sightings.size());
+  double pairs = 0;
+  for (std::size_t i = 0; i < arc.sightings.size(); ++i)
+    pairs += static_cast<double>(counts[firsts.put(markOf(arc.sightings[i]), i)]++);
+  return pairs;
+}
+
+/// How many pairs of rows of different places lie a few steps of the grid from each other, but are not alike.
+double nearPairsOfTwoPlaces(const ArcMeasurement& arc, double gridA, double gridE) {
+  constexpr double reach = nearSteps + 0.5;
+  std::vector<const Sighting*> rows;
+  rows.reserve(arc.sightings.size());
+  for (const Sighting& row : arc.sightings) rows.push_back(&row);
+  std::ranges::sort(rows, {}, [](const Sighting* row) { return row->a.radians(); });
+  double pairs = 0;
+  for (auto one = rows.begin(); one != rows.end(); ++one)
+    for (auto other = one + 1; other != rows.end(); ++other) {
+      const double a = ((*other)->a - (*one)->a).radians(), e = ((*other)->e - (*one)->e).radians();
+      if (!(a < reach * gridA)) break;
+      const bool isNear = std::abs(e) < reach * gridE && (a != 0 || e != 0);
+      if (isNear && (*one)->face == (*other)->face && (*one)->point != (*other)->point) ++pairs;
+    }
+  return pairs;
+}
+
+}  // namespace
+
+double gridOf(const std::vector<double>& read) {
+  constexpr std::array arcseconds{60.0, 30.0,   20.0, 10.0,  5.0,   3.24,    2.0,   1.62,
+                                  1.0,  0.648,  0.5,  0.324, 0.2,   0.162,   0.1,   0.0648,
+                                  0.05, 0.0324, 0.02, 0.01,  0.005, 0.00324, 0.002, 0.001};
+  const auto isOn = [&](double grid) {
+    return std::ranges::all_of(read, [&](double angle) {
+      const double steps = (angle - read.front()) / grid;
+      return std::abs(steps - std::round(steps)) < 1e-3;
+    });
+  };
+  for (const double seconds : arcseconds)
+    if (const double grid = Angle::fromArcseconds(seconds).radians(); isOn(grid)) return grid;
+  return 0;
+}
+
+/// The one is off the other by a normal D; with its place between the marks of the grid as likely everywhere
+/// both show the same with probability E max(0, 1 − |D|/grid).
+double chanceOfBeingAlike(double grid, double scatter) {
+  if (!(grid > 0)) return 0;
+  const double t = grid / (std::numbers::sqrt2 * scatter);
+  if (!(t < 1e8)) return 1;
+  const double within = std::erf(t / std::numbers::sqrt2);
+  const double lost = std::sqrt(2 / std::numbers::pi) / t * -std::expm1(-t * t / 2);
+  return std::max(0.0, within - lost);
+}
+
+std::vector<std::pair<std::size_t, std::size_t>> repeatedRows(const Measurement& measurement,
+                                                              const ArcMeasurement& arc, const ArcFit& fit) {
+  FirstIndex<Circles, HashOfCircles, std::identity> firsts(arc.sightings.size());
+  std::vector<std::pair<std::size_t, std::size_t>> alike;  // indices
+  for (std::size_t i = 0; i < arc.sightings.size(); ++i) {
+    const Sighting& row = arc.sightings[i];
+    const std::size_t first = firsts.put({row.face, row.a.radians(), row.e.radians()}, i);
+    if (first != i) alike.emplace_back(first, i);
+  }
+  if (alike.empty()) return {};
+  const auto isOfOnePlace = [&](const auto& pair) {
+    return markOf(arc.sightings[pair.first]) == markOf(arc.sightings[pair.second]);
+  };
+  std::vector<double> a, e;
+  for (const Sighting& row : arc.sightings) {
+    a.push_back(row.a.radians());
+    e.push_back(row.e.radians());
+  }
+  const double gridA = gridOf(a), gridE = gridOf(e);
+  const auto ofOnePlace = static_cast<std::size_t>(std::ranges::count_if(alike, isOfOnePlace));
+  const std::size_t ofTwo = alike.size() - ofOnePlace;
+  // Readings may scatter less than stated, and then are alike more often.
+  const double ratio = fit.degreesOfFreedom > 0 ? std::min(1.0, std::sqrt(fit.reducedChiSquare())) : 1;
+  const double chance = chanceOfBeingAlike(gridA, ratio * measurement.sigmaHorizontal.radians()) *
+                        chanceOfBeingAlike(gridE, ratio * measurement.sigmaVertical.radians());
+  const bool tellsOfOne = ofOnePlace > 0 && isTooMany(ofOnePlace, chance * pairsOfOnePlace(arc));
+  // Of two places near each other, which may be one that has two numbers.
+  const double share = std::max(chance, 1 / ((2 * nearSteps + 1) * (2 * nearSteps + 1)));
+  const bool tellsOfTwo =
+      ofTwo > 0 && isTooMany(ofTwo, nearPairsOfTwoPlaces(arc, gridA, gridE) * share / (1 - share));
+  std::vector<std::pair<std::size_t, std::size_t>> told;
+  for (const auto& pair : alike)
+    if (isOfOnePlace(pair) ? tellsOfOne : tellsOfTwo)
+      told.emplace_back(arc.sightings[pair.first].row, arc.sightings[pair.second].row);
+  return told;
+}
+
+}  // namespace alidade
