@@ -8,6 +8,7 @@ from pathlib import Path
 from code import lines_of_code, masked
 from fault import draw, faults_of, rooms, shares
 from scratch import Scratch, Suite, copy_tree
+from small_faults import once_survived, records
 from trial import CAUGHT, SURVIVED, first_that_compiles, nearness
 
 ROOT = Path(__file__).resolve().parent.parent.parent
@@ -98,6 +99,11 @@ int main() {
   return 1;
 }
 """
+
+
+class OnceSurvived(unittest.TestCase):
+    def test_stand_in_the_sources_still(self):
+        self.assertEqual(len(list(once_survived())), len(records("once_survived.txt")))
 
 
 class Trial(unittest.TestCase):
