@@ -1,6 +1,8 @@
 #pragma once
 
-#include <map>
+#include <boost/container/flat_map.hpp>
+#include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,7 +16,7 @@ namespace alidade {
 /// the session file. Empty in almost every row, where it takes no room; copies share what they hold.
 class FirstTexts {
  public:
-  using Texts = std::map<std::string, std::string, std::less<>>;
+  using Texts = boost::container::flat_map<std::string, std::string, std::less<>>;
 
   const Texts& all() const {
     static const Texts none;
@@ -29,7 +31,10 @@ class FirstTexts {
   }
 
   void set(std::string_view field, std::string text) {
-    own().insert_or_assign(std::string(field), std::move(text));
+    constexpr std::size_t afterTheFirst = 6;  // a row that is cleared has so many
+    Texts& texts = own();
+    if (texts.size() == 1) texts.reserve(afterTheFirst);
+    texts.insert_or_assign(std::string(field), std::move(text));
   }
 
   void drop(std::string_view field) {

@@ -100,14 +100,8 @@ void ReadingsEditor::setExcluded(const std::vector<std::size_t>& rows, bool excl
 }
 
 void ReadingsEditor::clear(const std::vector<ReadingCell>& cells, bool cut) {
-  const std::vector<Reading>& rows = readings();
-  std::vector<NewText> texts;
-  for (const ReadingCell& cell : cells) {
-    const auto text = readingText(cell.column);
-    if (text && cell.row < rows.size() && !(rows[cell.row].*text).empty())
-      texts.push_back({cell.row, cell.column, {}});
-  }
-  enterTexts(texts, cut ? tr("Cut") : tr("Clear"), journal_reasons::cleared);
+  patchReadings(m_document, m_position, ReadingsPatch::clearing(readings(), cells),
+                cut ? tr("Cut") : tr("Clear"), journal_reasons::cleared);
 }
 
 std::size_t ReadingsEditor::paste(const ReadingBlock& block, std::size_t row,

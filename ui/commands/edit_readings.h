@@ -13,13 +13,6 @@ namespace alidade::ui {
 
 class SessionDocument;
 
-/// A cell of the table of one position; `row` may be the one after the last reading, where a reading is
-/// appended.
-struct ReadingCell {
-  std::size_t row = 0;
-  ReadingColumn column = ReadingColumn::Horizontal;
-};
-
 /// The edits of the readings of one position, each a single undo step. Rows beyond the readings are passed
 /// over unless said otherwise; what would change nothing leaves no undo step.
 class ReadingsEditor {

@@ -85,19 +85,30 @@ ReadingBlock parseBlock(const QString& text) {
   return block;
 }
 
-QString blockText(const ReadingBlock& block) {
+void BlockText::beginRow() {
+  if (m_hasRow) m_text.append(QLatin1Char('\n'));
+  m_hasRow = true;
+  m_hasCell = false;
+}
+
+void BlockText::add(const QString& cell) {
   static const QRegularExpression breaks(QStringLiteral("[\t\r\n]+"));
   const auto isBreak = [](QChar c) { return c == u'\t' || c == u'\r' || c == u'\n'; };
-  QStringList lines;
+  if (m_hasCell) m_text.append(QLatin1Char('\t'));
+  m_hasCell = true;
+  if (std::any_of(cell.cbegin(), cell.cend(), isBreak))
+    m_text.append(QString(cell).replace(breaks, QStringLiteral(" ")));
+  else
+    m_text.append(cell);
+}
+
+QString blockText(const ReadingBlock& block) {
+  BlockText text;
   for (const QStringList& row : block) {
-    QStringList cells;
-    for (QString cell : row) {
-      if (std::any_of(cell.cbegin(), cell.cend(), isBreak)) cell.replace(breaks, QStringLiteral(" "));
-      cells.append(cell);
-    }
-    lines.append(cells.join(QLatin1Char('\t')));
+    text.beginRow();
+    for (const QString& cell : row) text.add(cell);
   }
-  return lines.join(QLatin1Char('\n'));
+  return text.text();
 }
 
 }  // namespace alidade::ui

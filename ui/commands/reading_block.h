@@ -28,7 +28,19 @@ struct NamedBlock {
 /// Absent where the first row names no columns (`areColumnNames`), or stands alone.
 std::optional<NamedBlock> namedBlock(const ReadingBlock& block);
 
-/// The reverse: tabs and LF. Tabs and line ends inside a cell become blanks.
+/// The text of a block, cell by cell: tabs and LF. Tabs and line ends inside a cell become blanks.
+class BlockText {
+ public:
+  void beginRow();
+  void add(const QString& cell);
+  const QString& text() const { return m_text; }
+
+ private:
+  QString m_text;
+  bool m_hasRow = false, m_hasCell = false;  ///< the second: in the row begun last
+};
+
+/// The reverse of `parseBlock`.
 QString blockText(const ReadingBlock& block);
 
 }  // namespace alidade::ui

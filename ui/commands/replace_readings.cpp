@@ -9,8 +9,9 @@ namespace alidade::ui {
 
 ReplaceReadings::ReplaceReadings(SessionDocument& document, std::size_t position, ReadingsPatch patch,
                                  const QString& text, const char* why)
-    : JournalledCommand(document, text), m_position(position), m_patch(std::move(patch)), m_why(why) {
-  setEntries(journal().judge(m_position, m_patch, m_why));
+    : JournalledCommand(document, text), m_position(position), m_why(why) {
+  setEntries(journal().judge(m_position, patch, m_why));
+  m_patch = std::make_shared<const ReadingsPatch>(std::move(patch));
 }
 
 void ReplaceReadings::apply() {
@@ -21,7 +22,7 @@ void ReplaceReadings::revert() {
 }
 
 std::vector<JournalEntry> ReplaceReadings::allEntries() const {
-  return entriesOf(document().session(), m_position, m_patch, m_why,
+  return entriesOf(document().session(), m_position, *m_patch, m_why,
                    [](std::size_t, ReadingColumn) { return true; });
 }
 

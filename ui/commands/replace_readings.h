@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "ui/commands/journalled_command.h"
@@ -24,7 +25,7 @@ class ReplaceReadings : public JournalledCommand {
   std::vector<JournalEntry> allEntries() const override;
 
   std::size_t m_position;
-  ReadingsPatch m_patch;
+  std::shared_ptr<const ReadingsPatch> m_patch;
   const char* m_why;
 };
 

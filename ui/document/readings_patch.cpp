@@ -35,6 +35,19 @@ ReadingsPatch ReadingsPatch::replacing(const std::vector<Reading>& rows, std::si
   return patch;
 }
 
+ReadingsPatch ReadingsPatch::clearing(const std::vector<Reading>& rows,
+                                      const std::vector<ReadingCell>& cells) {
+  ReadingsPatch patch;
+  patch.m_newFirst = rows.size();
+  patch.m_cells.reserve(cells.size());
+  for (const auto& [row, column] : cells) {
+    const auto text = readingText(column);
+    if (text && row < rows.size() && !(rows[row].*text).empty())
+      patch.m_cells.push_back({row, column, rows[row].*text, {}});
+  }
+  return patch;
+}
+
 ReadingsPatch ReadingsPatch::removing(const std::vector<Reading>& rows,
                                       const std::vector<std::size_t>& gone) {
   std::vector<std::size_t> numbers = gone;

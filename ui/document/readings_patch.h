@@ -11,6 +11,13 @@
 
 namespace alidade::ui {
 
+/// A cell of the table of one position; `row` may be the one after the last reading, where a reading is
+/// appended.
+struct ReadingCell {
+  std::size_t row = 0;
+  ReadingColumn column = ReadingColumn::Horizontal;
+};
+
 /// A text for one cell of a table.
 struct NewText {
   std::size_t row = 0;
@@ -44,6 +51,8 @@ class ReadingsPatch {
   /// New texts for cells of `rows`, and further rows after the last. Cells elsewhere are passed over.
   ReadingsPatch(const std::vector<Reading>& rows, const std::vector<NewText>& texts,
                 std::vector<Reading> appended = {});
+  /// The texts of these cells go. Cells elsewhere, and those that hold none, are passed over.
+  static ReadingsPatch clearing(const std::vector<Reading>& rows, const std::vector<ReadingCell>& cells);
   /// From `first` on, `inserted` takes the place of `removed` rows.
   static ReadingsPatch replacing(const std::vector<Reading>& rows, std::size_t first, std::size_t removed,
                                  const std::vector<Reading>& inserted);

@@ -1,10 +1,13 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 
 #include "core/base/place.h"
 
 namespace alidade::ui {
+
+class ReadingsPatch;
 
 /// What became different in the session, told to every view.
 struct SessionChange {
@@ -19,6 +22,9 @@ struct SessionChange {
   Place place = {};
   std::size_t removed = 0;
   std::size_t inserted = 0;
+  /// Of rows: what was made of them, or, `isReverted`, undone.
+  std::shared_ptr<const ReadingsPatch> patch = nullptr;
+  bool isReverted = false;
   std::size_t journalKept = 0;  ///< entries of the journal that are as before; all behind them are new
 };
 

@@ -5,26 +5,14 @@
 
 #include "ui/document/field.h"
 #include "ui/document/known_entry.h"
+#include "ui/document/readings_patch.h"
 
 namespace alidade::ui {
 
 namespace {
 
-auto rowAt(auto& rows, std::size_t row) {
-  return std::next(rows.begin(), static_cast<std::ptrdiff_t>(row));
-}
-
 auto entryAt(auto& journal, std::size_t entry) {
-  return rowAt(journal, std::min(entry, journal.size()));
-}
-
-void replaceRows(std::vector<Reading>& rows, const SessionChange& change, const std::vector<Reading>& news) {
-  const std::size_t first = *change.place.reading, kept = std::min(change.removed, news.size());
-  std::copy_n(news.begin(), kept, rowAt(rows, first));
-  if (change.removed > kept)
-    rows.erase(rowAt(rows, first + kept), rowAt(rows, first + change.removed));
-  else
-    rows.insert(rowAt(rows, first + kept), rowAt(news, kept), news.end());
+  return std::next(journal.begin(), static_cast<std::ptrdiff_t>(std::min(entry, journal.size())));
 }
 
 }  // namespace
@@ -41,11 +29,8 @@ SessionDelta::SessionDelta(const Session& after, const SessionChange& change)
       else
         m_news = after.model.effects;
       break;
-    case SessionChange::Kind::Readings: {
-      const Rows& rows = after.positions[*place.position].readings;
-      m_news = Rows(rowAt(rows, *place.reading), rowAt(rows, *place.reading + change.inserted));
+    case SessionChange::Kind::Readings:
       break;
-    }
     case SessionChange::Kind::Everything:
     case SessionChange::Kind::Positions:
       m_news = after;
@@ -59,19 +44,20 @@ void SessionDelta::applyTo(Session& session) const {
   }
   session.journal.erase(entryAt(session.journal, m_change.journalKept), session.journal.end());
   session.journal.insert(session.journal.end(), m_journal.begin(), m_journal.end());
-  if (const auto* effects = std::get_if<Effects>(&m_news)) {
+  if (m_change.patch) {
+    std::vector<Reading>& rows = session.positions[*m_change.place.position].readings;
+    m_change.isReverted ? m_change.patch->revert(rows) : m_change.patch->apply(rows);
+  } else if (const auto* effects = std::get_if<Effects>(&m_news)) {
     session.model.effects = *effects;
   } else if (const auto* known = std::get_if<Known>(&m_news)) {
     knownBy(session, knownAt(m_change.place)->ref.owner) = *known;
   } else if (const auto* text = std::get_if<std::string>(&m_news)) {
     fieldNamed(m_change.place.field)->at(session, m_change.place.position.value_or(0)) = *text;
-  } else {
-    replaceRows(session.positions[*m_change.place.position].readings, m_change, std::get<Rows>(m_news));
   }
 }
 
-std::size_t SessionDelta::rowCount() const {
-  if (const auto* rows = std::get_if<Rows>(&m_news)) return rows->size();
+std::size_t SessionDelta::size() const {
+  if (m_change.patch) return m_change.patch->rowCount() + m_change.patch->cellCount();
   const auto* whole = std::get_if<Session>(&m_news);
   std::size_t count = 0;
   for (std::size_t i = 0; whole && i < whole->positions.size(); ++i)

@@ -8,16 +8,21 @@
 #include "ui/document/disposal.h"
 #include "ui/document/field.h"
 #include "ui/document/known_entry.h"
+#include "ui/document/readings_patch.h"
 
 namespace alidade::ui {
 
 namespace {
 
-SessionChange changeOf(std::size_t position, std::size_t first, std::size_t removed, std::size_t inserted) {
+SessionChange changeOf(std::size_t position, const std::shared_ptr<const ReadingsPatch>& patch,
+                       bool isReverted) {
+  const RowSpan span = patch->span();
   return {.kind = SessionChange::Kind::Readings,
-          .place = {.position = position, .reading = first},
-          .removed = removed,
-          .inserted = inserted};
+          .place = {.position = position, .reading = span.first},
+          .removed = isReverted ? span.after : span.before,
+          .inserted = isReverted ? span.before : span.after,
+          .patch = patch,
+          .isReverted = isReverted};
 }
 
 }  // namespace
@@ -133,19 +138,18 @@ void SessionDocument::putInstrument(const Instrument& instrument) {
   emit changed(change);
 }
 
-void SessionDocument::patchReadings(std::size_t position, const ReadingsPatch& patch) {
-  const RowSpan span = patch.span();
-  const SessionChange change = told(changeOf(position, span.first, span.before, span.after));
+void SessionDocument::patchReadings(std::size_t position, const std::shared_ptr<const ReadingsPatch>& patch) {
+  const SessionChange change = told(changeOf(position, patch, false));
   emit aboutToChange(change);
-  patch.apply(m_session.positions.at(position).readings);
+  patch->apply(m_session.positions.at(position).readings);
   emit changed(change);
 }
 
-void SessionDocument::revertReadings(std::size_t position, const ReadingsPatch& patch) {
-  const RowSpan span = patch.span();
-  const SessionChange change = told(changeOf(position, span.first, span.after, span.before));
+void SessionDocument::revertReadings(std::size_t position,
+                                     const std::shared_ptr<const ReadingsPatch>& patch) {
+  const SessionChange change = told(changeOf(position, patch, true));
   emit aboutToChange(change);
-  patch.revert(m_session.positions.at(position).readings);
+  patch->revert(m_session.positions.at(position).readings);
   emit changed(change);
 }
 

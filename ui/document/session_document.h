@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QString>
 #include <QUndoStack>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -11,7 +12,6 @@
 #include "core/session/session.h"
 #include "ui/document/filed_session.h"
 #include "ui/document/journal_keeper.h"
-#include "ui/document/readings_patch.h"
 #include "ui/document/session_change.h"
 #include "ui/document/session_files.h"
 
@@ -91,8 +91,8 @@ class SessionDocument : public QObject {
   /// `size` in the place of the entry at `place` where that `isThere`, else before it; absent: it goes.
   void putKnown(const Place& place, bool isThere, const std::optional<KnownSize>& size);
   void putInstrument(const Instrument& instrument);
-  void patchReadings(std::size_t position, const ReadingsPatch& patch);
-  void revertReadings(std::size_t position, const ReadingsPatch& patch);
+  void patchReadings(std::size_t position, const std::shared_ptr<const ReadingsPatch>& patch);
+  void revertReadings(std::size_t position, const std::shared_ptr<const ReadingsPatch>& patch);
   void insertPosition(std::size_t index, const Position& position);
   void removePosition(std::size_t index);
   void exchangeSession(Session& session, JournalKeeper::State& state);  ///< with the one at work

@@ -18,7 +18,7 @@ void FitRequest::add(const Session& session, const SessionChange& change) {
     return;
   }
   m_deltas.emplace_back(session, change);
-  m_rows += m_deltas.back().rowCount();
+  m_rows += m_deltas.back().size();
 }
 
 Session FitRequest::onto(Session before) const {

@@ -27,7 +27,7 @@ class FitRequest {
 
   std::optional<Session> m_whole;
   std::vector<SessionDelta> m_deltas;
-  std::size_t m_rows = 0;  ///< held in all
+  std::size_t m_rows = 0;  ///< and cells, held in all
 };
 
 }  // namespace alidade::ui

@@ -54,6 +54,27 @@ TEST(ReadingsPatch, EntersTextsAndAppends) {
   expectThereAndBack(patch, before, after);
 }
 
+TEST(ReadingsPatch, ClearsTextsWhereThereAreAny) {
+  Rows before = rowsOf(4);
+  before[2].horizontal = "12 30 00";
+  before[2].excluded = true;
+  Rows after = before;
+  after[2].horizontal.clear();
+  after[2].vertical.clear();
+  after[0].point.clear();
+  const ReadingsPatch patch = ReadingsPatch::clearing(before, {{2, ReadingColumn::Horizontal},
+                                                               {2, ReadingColumn::Vertical},
+                                                               {2, ReadingColumn::Used},
+                                                               {2, ReadingColumn::HorizontalResidual},
+                                                               {1, ReadingColumn::Note},
+                                                               {0, ReadingColumn::Point},
+                                                               {4, ReadingColumn::Point}});
+  EXPECT_EQ(patch.cellCount(), 3u) << "no empty cell, no tick, no residual, no row that is not there";
+  expectThereAndBack(patch, before, after);
+  EXPECT_TRUE(ReadingsPatch::clearing(before, {{1, ReadingColumn::Note}}).isEmpty());
+  EXPECT_TRUE(ReadingsPatch::clearing({}, {{0, ReadingColumn::Point}}).isEmpty());
+}
+
 TEST(ReadingsPatch, DoesAndUndoesWhatStdVectorDoes) {
   std::mt19937 random(1);
   const auto upTo = [&](std::size_t most) {

@@ -190,12 +190,17 @@ std::vector<std::size_t> ReadingsTable::selectedRows() const {
   return rows;
 }
 
+/// Row by row.
 std::vector<ReadingCell> ReadingsTable::selectedCells() const {
   std::vector<ReadingCell> cells;
-  for (const QItemSelectionRange& range : selectionModel()->selection())
+  for (const QItemSelectionRange& range : selectionModel()->selection()) {
+    std::vector<ReadingColumn> shown;
     for (int column = range.left(); column <= range.right(); ++column)
-      for (int row = range.top(); row <= range.bottom() && !isColumnHidden(column); ++row)
-        cells.push_back({static_cast<std::size_t>(row), static_cast<ReadingColumn>(column)});
+      if (!isColumnHidden(column)) shown.push_back(static_cast<ReadingColumn>(column));
+    cells.reserve(cells.size() + static_cast<std::size_t>(range.height()) * shown.size());
+    for (int row = range.top(); row <= range.bottom(); ++row)
+      for (const ReadingColumn column : shown) cells.push_back({static_cast<std::size_t>(row), column});
+  }
   return cells;
 }
 
@@ -215,14 +220,14 @@ void ReadingsTable::copy() const {
     for (int column = range.left(); column <= range.right(); ++column)
       if (!isColumnHidden(column))
         (isEntered(static_cast<ReadingColumn>(column)) ? entered : computed).insert(column);
-  ReadingBlock block;
-  for (const std::size_t row : selectedRows()) {
-    QStringList cells;
+  const std::vector<std::size_t> rows = selectedRows();
+  BlockText block;
+  for (const std::size_t row : rows) {
+    block.beginRow();
     for (const int column : entered.empty() ? computed : entered)
-      cells.append(m_model.copiedText(static_cast<int>(row), static_cast<ReadingColumn>(column)));
-    block.append(cells);
+      block.add(m_model.copiedText(static_cast<int>(row), static_cast<ReadingColumn>(column)));
   }
-  if (!block.isEmpty()) QApplication::clipboard()->setText(blockText(block));
+  if (!rows.empty()) QApplication::clipboard()->setText(block.text());
 }
 
 void ReadingsTable::cut() {

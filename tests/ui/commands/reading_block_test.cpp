@@ -1,0 +1,27 @@
+#include "ui/commands/reading_block.h"
+
+#include <gtest/gtest.h>
+
+namespace alidade::ui {
+namespace {
+
+QString text(const char* utf8) {
+  return QString::fromUtf8(utf8);
+}
+
+// Tabs and LF between, neither before nor after; what would part a cell in two becomes one blank.
+TEST(BlockText, PartsCellsByTabsAndRowsByLineFeeds) {
+  EXPECT_EQ(blockText({}), QString());
+  EXPECT_EQ(blockText({{text("1")}}), text("1"));
+  EXPECT_EQ(blockText({{text("1"), QString(), text("x\t\r\ny")}, {}, {QString(), text("°")}}),
+            text("1\t\tx y\n\n\t°"));
+}
+
+TEST(BlockText, IsReadBackAsItWas) {
+  const ReadingBlock block{
+      {text("341 52 24"), text("88°16′49″")}, {text("2"), QString()}, {text("3"), text("a b")}};
+  EXPECT_EQ(parseBlock(blockText(block)), block);
+}
+
+}  // namespace
+}  // namespace alidade::ui
