@@ -116,10 +116,14 @@ int main(int argc, char** argv) {
   QTemporaryDir settings;  // the user's are neither read nor written
   QSettings::setDefaultFormat(QSettings::IniFormat);
   QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings.path());
-  MainWindow window;
-  window.show();
   const QString path =
       application.arguments().value(1, QStringLiteral(ALIDADE_SAMPLES_DIR "/paper-table-1.alidade"));
+  if (const auto problem = SessionDocument().load(path)) {  // the window would ask, and nobody answers
+    std::fprintf(stderr, "%s\n", problem->text().c_str());
+    return 2;
+  }
+  MainWindow window;
+  window.show();
   if (!window.files().open(path)) return 2;
   while (!window.job().isIdle()) QApplication::processEvents();
   QApplication::processEvents();

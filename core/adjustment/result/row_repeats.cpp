@@ -77,17 +77,20 @@ double pairsOfOnePlace(const ArcMeasurement& arc) {
 /// How many pairs of rows of different places lie a few steps of the grid from each other, but are not alike.
 double nearPairsOfTwoPlaces(const ArcMeasurement& arc, double gridA, double gridE) {
   constexpr double reach = nearSteps + 0.5;
-  std::vector<const Sighting*> rows;
+  struct Row {
+    double a, e;
+    Mark mark;
+  };
+  std::vector<Row> rows;
   rows.reserve(arc.sightings.size());
-  for (const Sighting& row : arc.sightings) rows.push_back(&row);
-  std::ranges::sort(rows, {}, [](const Sighting* row) { return row->a.radians(); });
+  for (const Sighting& row : arc.sightings) rows.push_back({row.a.radians(), row.e.radians(), markOf(row)});
+  std::ranges::sort(rows, {}, &Row::a);
   double pairs = 0;
   for (auto one = rows.begin(); one != rows.end(); ++one)
-    for (auto other = one + 1; other != rows.end(); ++other) {
-      const double a = ((*other)->a - (*one)->a).radians(), e = ((*other)->e - (*one)->e).radians();
-      if (!(a < reach * gridA)) break;
-      const bool isNear = std::abs(e) < reach * gridE && (a != 0 || e != 0);
-      if (isNear && (*one)->face == (*other)->face && (*one)->point != (*other)->point) ++pairs;
+    for (auto other = one + 1; other != rows.end() && other->a - one->a < reach * gridA; ++other) {
+      const bool isNear =
+          std::abs(other->e - one->e) < reach * gridE && (other->a != one->a || other->e != one->e);
+      if (isNear && one->mark.face == other->mark.face && one->mark.point != other->mark.point) ++pairs;
     }
   return pairs;
 }
