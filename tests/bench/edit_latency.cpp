@@ -119,7 +119,7 @@ int main(int argc, char** argv) {
   const QString path =
       application.arguments().value(1, QStringLiteral(ALIDADE_SAMPLES_DIR "/paper-table-1.alidade"));
   if (const auto problem = SessionDocument().load(path)) {  // the window would ask, and nobody answers
-    std::fprintf(stderr, "%s\n", problem->text().c_str());
+    std::fprintf(stderr, "%s: %s\n", qPrintable(path), problem->text().c_str());
     return 2;
   }
   MainWindow window;

@@ -31,8 +31,8 @@ using namespace alidade::console;
 
 /// Long vectors come and go: to hand each back to the system costs a quarter of the time of a million rows.
 void keepFreedMemory() {
-  constexpr int pieces = 1 << 20, longest = 32 << 20;  // bytes; what is longer would leave holes
-  mallopt(M_MMAP_THRESHOLD, longest);
+  constexpr int pieces = 1 << 20;  // bytes
+  mallopt(M_MMAP_MAX, 0);
   mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
   mallopt(M_TOP_PAD, pieces);
 }

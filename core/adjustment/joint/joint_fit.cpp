@@ -114,6 +114,9 @@ void fillReadings(JointFit& fit, const Measurement& measurement, const JointProb
     cofactors.push_back(problem.gathered(cofactor, arc));
     gradients.push_back(problem.gathered(gradient, arc));
   }
+  std::size_t readings = 0;
+  for (const VisitEquations& equations : all) readings += static_cast<std::size_t>(equations.residual.size());
+  fit.readings.reserve(readings);
   for (std::size_t v = 0, first = 0; v < problem.visits().size(); ++v) {
     const VisitEquations& equations = all[v];
     const std::size_t arc = problem.visits()[v].arc;

@@ -31,6 +31,7 @@ std::vector<std::vector<Direction<double>>> adjustedDirections(const Measurement
   std::vector<std::vector<Direction<double>>> directions;
   for (const ArcMeasurement& arc : measurement.arcs) {
     std::vector<Direction<double>>& own = directions.emplace_back();
+    own.reserve(arc.sightings.size());
     for (const Sighting& sighting : arc.sightings)
       own.push_back({sighting.a.radians(), sighting.e.radians()});
   }

@@ -59,6 +59,7 @@ std::optional<FurtherReadings> withBothFaces(Measurement more) {
   for (ArcMeasurement& arc : more.arcs) {
     const std::vector<bool> hasTwin = rowsWithTwin(arc);
     std::vector<Sighting> rows;
+    rows.reserve(2 * arc.sightings.size());
     for (std::size_t i = 0; i < arc.sightings.size(); ++i) {
       rows.push_back(arc.sightings[i]);
       if (hasTwin[i]) continue;
@@ -162,9 +163,9 @@ std::optional<FurtherReadings> withPositionAgain(const Measurement& plan, int ax
 
 /// One measure on top of others; absent where either is.
 template <typename Add>
-std::optional<FurtherReadings> together(const std::optional<FurtherReadings>& first, const Add& add) {
+std::optional<FurtherReadings> together(std::optional<FurtherReadings> first, const Add& add) {
   if (!first) return std::nullopt;
-  std::optional<FurtherReadings> both = add(first->sets.back());
+  std::optional<FurtherReadings> both = add(std::move(first->sets.back()));
   if (both) both->measures.insert(both->measures.begin(), first->measures.begin(), first->measures.end());
   return both;
 }
@@ -203,18 +204,18 @@ void eachFurtherReadings(const GapModel& model, const std::function<void(const F
     for (const int axisDeg : {0, 180}) offer(withPositionAgain(plan, axisDeg));
 }
 
+/// Of a million rows each plan fills hundreds of megabytes: none is kept for longer than it serves.
 void eachCombination(const GapModel& model, const std::function<void(const FurtherReadings&)>& take) {
-  const Measurement plan = readWithoutError(model);
   const auto offer = offering(take);
-  offer(together(withBothFaces(plan), withWayBack));
-  const auto slider = withSlider(model, plan);
+  offer(together(withBothFaces(readWithoutError(model)), withWayBack));
+  auto slider = withSlider(model, readWithoutError(model));
   offer(together(slider, withBothFaces));
   offer(together(slider, withWayBack));
-  const auto both = together(slider, withBothFaces);
-  offer(together(both, withWayBack));
+  auto both = together(std::move(slider), withBothFaces);
+  offer(together(std::move(both), withWayBack));
   constexpr std::size_t manyRows = 100'000;  // twice as many fill the memory, and tell nothing new of a zero
-  if (hasBothAxes(plan) && plan.rows < manyRows)
-    offer(together(withPositionAgain(plan, 0),
+  if (hasBothAxes(*model.measurement) && model.measurement->rows < manyRows)
+    offer(together(withPositionAgain(readWithoutError(model), 0),
                    [](const Measurement& more) { return withPositionAgain(more, 180); }));
 }
 
