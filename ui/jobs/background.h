@@ -46,11 +46,10 @@ class Background {
     Q_ASSERT(!m_isAtWork);
     m_stop = std::stop_source();
     m_instead = std::move(instead);
-    m_watcher.setFuture(
-        QtConcurrent::run(&m_threads, [work = std::move(work), stop = m_stop.get_token()]() -> Outcome {
-          Outcome outcome;
-          outcome.failure = failureOf([&] { outcome.value = sharedAside<Value>(work(stop)); });
-          return outcome;
+    m_outcome = std::make_shared<Outcome>();
+    m_watcher.setFuture(QtConcurrent::run(
+        &m_threads, [work = std::move(work), stop = m_stop.get_token(), outcome = m_outcome] {
+          outcome->failure = failureOf([&] { outcome->value = sharedAside<Value>(work(stop)); });
         }));
     m_isAtWork = true;
   }
@@ -64,14 +63,16 @@ class Background {
     std::optional<std::string> failure;  ///< why there is no value
   };
 
+  /// Of which nothing is kept here.
   Shared result() {
     const auto instead = std::exchange(m_instead, nullptr);
-    const Outcome outcome = m_watcher.result();
-    return outcome.failure ? sharedAside<Value>(instead(*outcome.failure)) : outcome.value;
+    Outcome outcome = std::move(*std::exchange(m_outcome, nullptr));
+    return outcome.failure ? sharedAside<Value>(instead(*outcome.failure)) : std::move(outcome.value);
   }
 
   QThreadPool m_threads;
-  QFutureWatcher<Outcome> m_watcher;
+  QFutureWatcher<void> m_watcher;
+  std::shared_ptr<Outcome> m_outcome;  ///< of the work at hand
   std::stop_source m_stop;
   std::function<Value(const std::string& reason)> m_instead;
   bool m_isAtWork = false;

@@ -1,7 +1,8 @@
 #include "ui/charts/residuals/residual_picture.h"
 
 #include <algorithm>
-#include <boost/sort/spreadsort/float_sort.hpp>
+#include <bit>
+#include <boost/sort/spreadsort/integer_sort.hpp>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -74,10 +75,13 @@ struct Sized {
   std::uint32_t index;
 };
 
-/// By the digits of the number, for float_sort.
+/// The bits of the number, so turned that they are in its order: Boost's own sort of floating-point numbers
+/// takes differences of them that overflow.
 struct Digits {
-  std::int64_t operator()(const Sized& sized, unsigned offset) const {
-    return boost::sort::spreadsort::float_mem_cast<double, std::int64_t>(sized.standardised) >> offset;
+  std::uint64_t operator()(const Sized& sized, unsigned offset) const {
+    constexpr std::uint64_t sign = 1ULL << 63U;
+    const auto bits = std::bit_cast<std::uint64_t>(sized.standardised);
+    return ((bits & sign) != 0 ? ~bits : bits | sign) >> offset;
   }
 };
 
@@ -93,7 +97,7 @@ void sortByStandardised(ResidualPicture& picture) {
     if (one.standardised != other.standardised) return one.standardised < other.standardised;
     return one.index < other.index;
   };
-  boost::sort::spreadsort::float_sort(sizes.begin(), sizes.end(), Digits(), isLess);
+  boost::sort::spreadsort::integer_sort(sizes.begin(), sizes.end(), Digits(), isLess);
   for (auto alike = sizes.begin(); alike != sizes.end();) {  // which it leaves as they come
     const auto end = std::find_if(alike, sizes.end(),
                                   [&](const Sized& one) { return one.standardised != alike->standardised; });
