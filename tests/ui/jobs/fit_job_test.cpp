@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QThreadPool>
 #include <algorithm>
 #include <memory>
 #include <set>
@@ -166,6 +167,7 @@ class Typist {
  private:
   void rest() {
     ASSERT_TRUE(waitFor([this] { return m_job.isIdle(); }));
+    QThreadPool::globalInstance()->waitForDone();  // what is of no more use is let go of there
   }
 
   SessionDocument m_document;
