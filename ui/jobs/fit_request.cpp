@@ -22,7 +22,8 @@ void FitRequest::add(const Session& session, const SessionChange& change) {
 }
 
 Session FitRequest::onto(Session before) const {
-  Session session = m_whole ? *m_whole : std::move(before);
+  Session session = std::move(before);
+  if (m_whole) session = *m_whole;
   for (const SessionDelta& delta : m_deltas) delta.applyTo(session);
   return session;
 }
