@@ -6,10 +6,16 @@
 
 namespace alidade {
 
+/// A hash of which every bit counts.
+inline std::size_t mixedBits(std::uint64_t bits) {
+  const std::uint64_t product = (bits ^ bits >> 31U) * 0x9e3779b97f4a7c15U;
+  return static_cast<std::size_t>(product ^ product >> 32U);
+}
+
 /// Under which index each of many keys came first, up to 2³² of them. They come in groups, as rows do round
 /// by round: as long as no group comes before one that was there, a key is looked for in its own alone, in a
 /// table so small that it stays near; from then on among all. `Hash` gives a std::size_t whose every bit
-/// counts, `Group` what groups are told apart and ordered by.
+/// counts (`mixedBits`), `Group` what groups are told apart and ordered by.
 template <typename Key, typename Hash, typename Group>
 class FirstIndex {
  public:
@@ -28,8 +34,7 @@ class FirstIndex {
     }
     Slot* slot = slotOf(key);
     if (isTaken(*slot)) return m_entries[slot->entry].index;
-    if (2 * (m_entries.size() + 1 - m_first) > m_table.size()) {
-      m_table.resize(2 * m_table.size());
+    if (!hasRoom()) {
       lookFrom(m_first);
       slot = slotOf(key);
     }
@@ -52,11 +57,14 @@ class FirstIndex {
 
   bool isTaken(const Slot& slot) const { return slot.scope == m_scope; }
 
-  /// The table holds the entries from there on; at most half full, so that a free slot is never far.
+  /// For a further entry: half full at most, so that a free slot is never far.
+  bool hasRoom() const { return 2 * (m_entries.size() + 1 - m_first) <= m_table.size(); }
+
+  /// The table holds the entries from there on, and has room for another.
   void lookFrom(std::size_t first) {
     ++m_scope;
     m_first = first;
-    while (2 * (m_entries.size() - m_first) > m_table.size()) m_table.resize(2 * m_table.size());
+    while (!hasRoom()) m_table.resize(2 * m_table.size());
     for (std::size_t i = m_first; i < m_entries.size(); ++i)
       *slotOf(m_entries[i].key) = {m_scope, static_cast<std::uint32_t>(i)};
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <boost/container/flat_map.hpp>
+#include <boost/container/small_vector.hpp>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -16,7 +17,7 @@ namespace alidade {
 /// the session file. Empty in almost every row, where it takes no room; copies share what they hold.
 class FirstTexts {
  public:
-  using Texts = boost::container::flat_map<std::string, std::string, std::less<>>;
+  using Texts = boost::container::small_flat_map<std::string, std::string, 1, std::less<>>;
 
   const Texts& all() const {
     static const Texts none;
@@ -31,7 +32,7 @@ class FirstTexts {
   }
 
   void set(std::string_view field, std::string text) {
-    constexpr std::size_t afterTheFirst = 6;  // a row that is cleared has so many
+    constexpr std::size_t afterTheFirst = 6;  // a row that is cleared has so many; the first takes no room
     Texts& texts = own();
     if (texts.size() == 1) texts.reserve(afterTheFirst);
     texts.insert_or_assign(std::string(field), std::move(text));

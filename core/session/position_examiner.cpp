@@ -36,9 +36,7 @@ struct HashOfVisitFace {
     const auto part = [](int number) {
       return static_cast<std::uint64_t>(static_cast<std::uint32_t>(number));
     };
-    const std::uint64_t sum = (part(key.point) << 32U | part(key.round)) * 2 + part(key.face);
-    const std::uint64_t product = (sum ^ sum >> 31U) * 0x9e3779b97f4a7c15U;
-    return static_cast<std::size_t>(product ^ product >> 32U);
+    return mixedBits((part(key.point) << 32U | part(key.round)) * 2 + part(key.face));
   }
 };
 

@@ -182,8 +182,7 @@ TEST(Load, UndoStepsWeighWhatTheyChange) {
   const std::vector<JournalEntry> journal = document.session().journal;
   const std::size_t ofJournal = bytesInUse() - after;
   EXPECT_GT(journal.size(), steps);
-  // Some 1085 bytes, a third of it Qt's; with the row before and after it would be five rows.
-  EXPECT_LT((after - before - ofJournal) / static_cast<std::size_t>(count), 4 * sizeof(Reading))
+  EXPECT_LT((after - before - ofJournal) / static_cast<std::size_t>(count), 3 * sizeof(Reading))
       << "less than the rows around a change; the journal is the session's";
   document.undoStack().setIndex(0);
   EXPECT_EQ(document.session(), largeEvaluation()->session);

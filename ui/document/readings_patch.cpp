@@ -38,13 +38,9 @@ ReadingsPatch ReadingsPatch::replacing(const std::vector<Reading>& rows, std::si
 ReadingsPatch ReadingsPatch::clearing(const std::vector<Reading>& rows,
                                       const std::vector<ReadingCell>& cells) {
   ReadingsPatch patch;
-  patch.m_newFirst = rows.size();
   patch.m_cells.reserve(cells.size());
-  for (const auto& [row, column] : cells) {
-    const auto text = readingText(column);
-    if (text && row < rows.size() && !(rows[row].*text).empty())
-      patch.m_cells.push_back({row, column, rows[row].*text, {}});
-  }
+  for (const auto& [row, column] : cells)
+    if (readingText(column)) patch.addCell(rows, {row, column, {}});
   return patch;
 }
 
@@ -63,7 +59,8 @@ void ReadingsPatch::addCell(const std::vector<Reading>& rows, const NewText& tex
   if (text.row >= rows.size()) return;
   if (const auto typed = readingText(text.column); typed && rows[text.row].*typed == text.text) return;
   std::string before = enteredText(rows[text.row], text.column);
-  if (before != text.text) m_cells.push_back({text.row, text.column, std::move(before), text.text});
+  if (before != text.text)
+    m_cells.push_back({text.row, text.column, First::Untouched, std::move(before), text.text});
 }
 
 RowSpan ReadingsPatch::span() const {

@@ -39,8 +39,8 @@ class ReadingsPatch {
   struct Cell {
     std::size_t row = 0;
     ReadingColumn column = ReadingColumn::Horizontal;
-    std::string before, after;
     First first = First::Untouched;
+    std::string before, after;
   };
   struct Row {
     std::size_t index = 0;

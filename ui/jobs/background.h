@@ -39,8 +39,9 @@ class Background {
     m_threads.waitForDone();
   }
 
-  /// Only while nothing is at work. `work` returns a `Value` from a `std::stop_token`. Where it throws, the
-  /// value is what `instead` makes, in the thread of the owner, of the reason as `thrownReason` has it.
+  /// Only while nothing is at work. `work` returns a `Value` from a `std::stop_token`; when that is handed
+  /// in, nobody here holds on to the value or to what the work was made of. Where it throws, the value is
+  /// what `instead` makes, in the thread of the owner, of the reason as `thrownReason` has it.
   template <typename Work, typename Instead>
   void start(Work work, Instead instead) {
     Q_ASSERT(!m_isAtWork);
@@ -48,8 +49,10 @@ class Background {
     m_instead = std::move(instead);
     m_outcome = std::make_shared<Outcome>();
     m_watcher.setFuture(QtConcurrent::run(
-        &m_threads, [work = std::move(work), stop = m_stop.get_token(), outcome = m_outcome] {
-          outcome->failure = failureOf([&] { outcome->value = sharedAside<Value>(work(stop)); });
+        &m_threads,
+        [work = std::optional(std::move(work)), stop = m_stop.get_token(), outcome = m_outcome]() mutable {
+          outcome->failure = failureOf([&] { outcome->value = sharedAside<Value>((*work)(stop)); });
+          work.reset();
         }));
     m_isAtWork = true;
   }
@@ -63,7 +66,6 @@ class Background {
     std::optional<std::string> failure;  ///< why there is no value
   };
 
-  /// Of which nothing is kept here.
   Shared result() {
     const auto instead = std::exchange(m_instead, nullptr);
     Outcome outcome = std::move(*std::exchange(m_outcome, nullptr));

@@ -39,23 +39,17 @@ void FitJob::begin() {
 void FitJob::fit(FitRequest request) {
   m_request = std::make_shared<const FitRequest>(std::move(request));
   const auto spare = std::make_shared<std::optional<Spare>>(std::exchange(m_spare, std::nullopt));
-  const auto before = std::make_shared<SharedEvaluation>(m_last);
-  const auto wanted = [request = m_request, before, spare] {
+  const auto wanted = [request = m_request, before = m_last, spare] {
     if (request->isWhole()) return request->onto({});
     std::optional<Spare> once = std::exchange(*spare, std::nullopt);
-    return request->onto(once ? once->onwards->onto(std::move(once->session)) : (*before)->session);
+    return request->onto(once ? once->onwards->onto(std::move(once->session)) : before->session);
   };
-  m_fit.start(
-      [wanted, before](const std::stop_token& stop) {
-        Evaluation evaluation = evaluateFit(wanted(), stop);
-        before->reset();  // so that nobody holds it here when this is delivered
-        return evaluation;
-      },
-      [wanted](const std::string& reason) {
-        Session session = wanted();
-        const std::string failure = tellFailure({QT_TRANSLATE_NOOP("Job", "fit"), reason, session});
-        return failedEvaluation(std::move(session), failure);
-      });
+  m_fit.start([wanted](const std::stop_token& stop) { return evaluateFit(wanted(), stop); },
+              [wanted](const std::string& reason) {
+                Session session = wanted();
+                const std::string failure = tellFailure({QT_TRANSLATE_NOOP("Job", "fit"), reason, session});
+                return failedEvaluation(std::move(session), failure);
+              });
 }
 
 void FitJob::finishFit(const SharedEvaluation& fitted) {

@@ -12,13 +12,13 @@ FitRequest::FitRequest(const Session& session, const SessionChange& change) {
 void FitRequest::add(const Session& session, const SessionChange& change) {
   constexpr std::size_t fewDeltas = 1000;
   const std::size_t most = rowsOf(session) + (m_whole ? rowsOf(*m_whole) : 0) + fewDeltas;
-  const bool isMuch = m_rows > most || m_deltas.size() > most;
+  const bool isMuch = m_held > most || m_deltas.size() > most;
   if (isMuch || change.kind == SessionChange::Kind::Everything) {
     *this = FitRequest(session);
     return;
   }
   m_deltas.emplace_back(session, change);
-  m_rows += m_deltas.back().size();
+  m_held += m_deltas.back().size();
 }
 
 Session FitRequest::onto(Session before) const {

@@ -12,7 +12,7 @@ namespace alidade::ui {
 /// thread copies what an edit made new and no more; the whole is put together where it is evaluated.
 class FitRequest {
  public:
-  explicit FitRequest(const Session& whole) : m_whole(whole), m_rows(rowsOf(whole)) {}
+  explicit FitRequest(const Session& whole) : m_whole(whole), m_held(rowsOf(whole)) {}
   /// `session` as `change` has left it.
   FitRequest(const Session& session, const SessionChange& change);
 
@@ -27,7 +27,7 @@ class FitRequest {
 
   std::optional<Session> m_whole;
   std::vector<SessionDelta> m_deltas;
-  std::size_t m_rows = 0;  ///< and cells, held in all
+  std::size_t m_held = 0;  ///< rows and cells of rows in all
 };
 
 }  // namespace alidade::ui

@@ -54,12 +54,9 @@ class ArcProblem {
   NormalEquations system(const Circle& circle, NormalEquations used = {}) const {
     NormalEquations equations{.feet = used.feet ? std::move(used.feet) : m_feet};
     const ArcEquations own = equations.feet->settle({circle}, VisitFeet::From::Plane);
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto row = static_cast<Eigen::Index>(i);
-      for (std::size_t j = 0; j < 3; ++j)
-        equations.matrix(row, static_cast<Eigen::Index>(j)) = own.normal[i][j];
-      equations.rightSide[row] = own.rightSide[i];
-    }
+    using Whole = Eigen::Matrix<double, ArcEquations::estimated, ArcEquations::columns, Eigen::RowMajor>;
+    equations.matrix = Eigen::Map<const Whole>(own.normal.front().data()).topLeftCorner<3, 3>();
+    equations.rightSide = Eigen::Map<const Vector3d>(own.rightSide.data());
     equations.chiSquare = own.chiSquare;
     return equations;
   }

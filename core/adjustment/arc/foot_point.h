@@ -3,8 +3,7 @@
 #include <cmath>
 #include <optional>
 
-#include "core/observation/guideway.h"
-#include "core/session/measurement.h"
+#include "core/adjustment/arc/foot_equations.h"
 
 namespace alidade {
 
@@ -16,21 +15,6 @@ namespace alidade {
 //
 // Closed form: a residual comes from the tangents of reading and model, sine and cosine of φ are turned along
 // with it, so that of all functions of an angle there are only the tangents, once for each visit.
-
-/// Weights of the readings: 1/σ, per radian.
-struct Whitening {
-  double horizontal = 0, vertical = 0, slider = 0;
-};
-
-/// What all visits of an arc have in common.
-struct ArcView {
-  double distance = 0;  ///< L > 0, mm
-  VerticalAngleRelation relation = VerticalAngleRelation::Exact;
-  Whitening whitening;
-  double turn = 1;  ///< the slider reads s0 + turn · φ: 1 at axis 0°, −1 at 180°
-
-  ArcView(const Measurement& measurement, int axisDeg);
-};
 
 /// What was read at one visit.
 struct VisitReading {
@@ -46,19 +30,8 @@ struct VisitReading {
 /// Where the line of sight meets the arc plane, mm.
 PlanePoint<double> sightedPoint(const ArcView& view, const VisitReading& visit);
 
-/// A circle, and what the slider reads at φ = 0 (rad).
-struct ArcUnknowns {
-  Circle circle;
-  double sliderZero = 0;
-};
-
-struct FootPoint {
-  double phi = 0;               ///< radians
-  double cosine = 1, sine = 0;  ///< of it
-  Direction<double> left;       ///< mean of the readings less what a perfect instrument reads there, radians
-  double sliderLeft = 0;        ///< the same of the slider reading, 0 without one
-  /// ∂(a, e)/∂(x, y, L) at the foot, per mm; a does not hang on y.
-  double aX = 0, aL = 0, eX = 0, eY = 0, eL = 0;
+struct FootPoint : Foot<double> {
+  double phi = 0;  ///< radians
 };
 
 /// Needs R > 0. Iterates to rounding error from the nearest point in the plane, or from `start` that is near;

@@ -8,39 +8,8 @@ namespace {
 
 using Block = VisitFeet::Block;
 
-constexpr double small = 1e-3;    // rad; the series are exact to rounding up to there
 constexpr double nearlyHalf = 3;  // rad; beyond, a slider's residual may have to be wrapped
-constexpr std::size_t columns = ArcEquations::estimated + ArcEquations::considered;
-constexpr std::size_t sliderColumn = 3;
-
-/// What all visits have in common.
-struct Common {
-  double l, x, y, radius, turn;
-  double horizontal, vertical, slider;  // whitening
-  bool isExact;
-
-  Common(const ArcView& view, const ArcUnknowns& unknowns)
-      : l(view.distance),
-        x(unknowns.circle.x),
-        y(unknowns.circle.y),
-        radius(unknowns.circle.radius),
-        turn(view.turn),
-        horizontal(view.whitening.horizontal),
-        vertical(view.whitening.vertical),
-        slider(view.whitening.slider),
-        isExact(view.relation == VerticalAngleRelation::Exact) {}
-};
-
-template <typename T>
-[[gnu::always_inline]] inline T sizeOf(const T& x) {
-  return x < 0 ? -x : x;
-}
-
-[[gnu::always_inline]] inline Eight root(const Eight& x) {
-  Eight result;
-  for (std::size_t i = 0; i < eight; ++i) result[i] = __builtin_sqrt(x[i]);
-  return result;
-}
+constexpr std::size_t columns = ArcEquations::columns, sliderColumn = 3;
 
 template <typename Mask>
 [[gnu::always_inline]] inline bool areAll(const Mask& mask) {
@@ -49,87 +18,35 @@ template <typename Mask>
   return all;
 }
 
-/// The angle whose sine and cosine are as `above` to `below`.
-[[gnu::always_inline]] inline Eight smallAngle(const Eight& above, const Eight& below) {
-  const Eight t = above / below, tt = t * t;
-  return t * (1 - tt * (1.0 / 3 - tt * (1.0 / 5)));
-}
-
-[[gnu::always_inline]] inline void stand(Block& b, const Common& c) {
-  const Eight sightedX = c.l * b.tanA.at;
-  const Eight ground = c.isExact ? root(sightedX * sightedX + c.l * c.l) : Eight{} + c.l;
-  const Eight x = sightedX - c.x, y = ground * b.tanE.at - c.y;
-  const Eight length = root(x * x + y * y);
-  b.cosine.at = length > 0 ? x / length : Eight{} + 1;
-  b.sine.at = length > 0 ? y / length : Eight{};
-}
-
-/// Residuals and derivatives where the visits stand; false where a residual is not small.
-[[gnu::always_inline]] inline bool look(Block& b, const Common& c) {
-  const Eight x = c.x + c.radius * b.cosine.at, y = c.y + c.radius * b.sine.at;
-  const Eight square = x * x + c.l * c.l;
-  const Eight aboveA = b.tanA.at * c.l - x, belowA = c.l + x * b.tanA.at;
-  const Eight perSquare = 1 / square;
-  b.aX.at = c.l * perSquare;
-  b.aL.at = -x * perSquare;
-  const Eight ground = c.isExact ? root(square) : Eight{} + c.l;
-  const Eight aboveE = b.tanE.at * ground - y, belowE = ground + y * b.tanE.at;
-  if (!areAll((sizeOf(aboveA) < small * belowA) & (sizeOf(aboveE) < small * belowE))) return false;
-  b.leftA.at = smallAngle(aboveA, belowA);
-  b.leftE.at = smallAngle(aboveE, belowE);
-  const Eight perBoth = 1 / (ground * (ground * ground + y * y));
-  const Eight perGround = -y * perBoth;
-  b.eY.at = ground * ground * perBoth;
-  b.eX.at = c.isExact ? perGround * x : Eight{};
-  b.eL.at = perGround * c.l;
+/// False where a residual is not small.
+[[gnu::always_inline]] inline bool look(Block& b, const ArcView& view, const Circle& circle) {
+  const auto residuals = lookFrom<Eight>(b.foot, view, circle, b.tanA, b.tanE);
+  const auto isSmall = [](const Ratio<Eight>& ratio) {
+    return magnitude<Eight>(ratio.above) < smallAngle * ratio.below;
+  };
+  if (!areAll(isSmall(residuals.a) & isSmall(residuals.e))) return false;
+  b.foot.left = {angleOfSmall<Eight>(residuals.a), angleOfSmall<Eight>(residuals.e)};
   return true;
-}
-
-/// ∂(a, e)/∂φ, in σ.
-struct Along {
-  Eight a, e;
-};
-
-[[gnu::always_inline]] inline Along alongArc(const Block& b, const Common& c) {
-  return {-c.horizontal * c.radius * b.sine.at * b.aX.at,
-          c.vertical * c.radius * (b.cosine.at * b.eY.at - b.sine.at * b.eX.at)};
 }
 
 /// As `footPoint`, from where the visits stand; false where that takes more than series, or a slider's
 /// residual may have to be wrapped.
-[[gnu::always_inline]] inline bool settleTogether(Block& b, const Common& c) {
-  constexpr int maximumIterations = 25;
-  constexpr double smallestStep = 1e-14, near = 1e-10;
-  if (!areAll(sizeOf(b.sliderLeft.at) < nearlyHalf) || !look(b, c)) return false;
-  const Eight sliderWeight = c.slider * c.slider * b.sliderRows.at;
+[[gnu::always_inline]] inline bool settleTogether(Block& b, const ArcView& view, const Circle& circle) {
+  if (!areAll(magnitude<Eight>(b.foot.sliderLeft) < nearlyHalf) || !look(b, view, circle)) return false;
   Eight before{};
-  for (int i = 0; i < maximumIterations; ++i) {
-    const Along along = alongArc(b, c);
-    const Eight left = b.rows.at * (along.a * c.horizontal * b.leftA.at + along.e * c.vertical * b.leftE.at) +
-                       c.turn * sliderWeight * b.sliderLeft.at;
-    const Eight square = b.rows.at * (along.a * along.a + along.e * along.e) + sliderWeight;
-    const Eight added =
-        b.rows.at * c.radius *
-        (c.horizontal * c.horizontal * b.leftA.at * b.cosine.at * b.aX.at +
-         c.vertical * c.vertical * b.leftE.at * (b.sine.at * b.eY.at + b.cosine.at * b.eX.at));
-    const Eight step = left / (square + (sizeOf(added) < 0.1 * square ? added : Eight{}));
-    const Eight size = sizeOf(step);
-    if (!areAll(size < small)) return false;
-    const Eight ss = step * step;
-    const Eight cosine = 1 - ss * (1.0 / 2 - ss * (1.0 / 24));
-    const Eight sine = step * (1 - ss * (1.0 / 6 - ss * (1.0 / 120)));
-    const Eight turned = b.cosine.at * cosine - b.sine.at * sine;
-    b.sine.at = b.cosine.at * sine + b.sine.at * cosine;
-    b.cosine.at = turned;
-    b.sliderLeft.at -= c.turn * step * b.sliderRows.at;
-    const auto isNear = ((size < near) & (ss < smallestStep * sizeOf(before))) | (size < smallestStep);
-    if (areAll(isNear)) {
-      b.leftA.at -= along.a / c.horizontal * step;
-      b.leftE.at -= along.e / c.vertical * step;
+  for (int i = 0; i < mostFootSteps; ++i) {
+    const Direction<Eight> along = alongArc<Eight>(view, circle.radius, b.foot);
+    const Eight step = footStep<Eight>(view, circle.radius, b.foot, along, b.rows, b.sliderRows);
+    const Eight size = magnitude<Eight>(step);
+    if (!areAll(size < smallAngle)) return false;
+    turnBySmall<Eight>(b.foot, step);
+    b.foot.sliderLeft -= view.turn * step * b.sliderRows;
+    if (areAll(isLastFootStep<Eight>(size, before))) {
+      followLastStep<Eight>(b.foot, view, along, step);
       return true;
     }
-    if (!look(b, c)) return false;
-    before = step;
+    if (!look(b, view, circle)) return false;
+    before = size;
   }
   return true;
 }
@@ -141,23 +58,25 @@ struct Rows {
 };
 
 template <bool hasSlider>
-[[gnu::always_inline]] inline void fill(Rows& rows, const Block& b, const Common& c) {
+[[gnu::always_inline]] inline void fill(Rows& rows, const Block& b, const ArcView& view, double radius) {
   constexpr std::size_t kinds = hasSlider ? 3 : 2;
-  const Along along = alongArc(b, c);
-  const Eight aX = c.horizontal * b.aX.at, eX = c.vertical * b.eX.at, eY = c.vertical * b.eY.at;
+  const Whitening& w = view.whitening;
+  const Foot<Eight>& foot = b.foot;
+  const Direction<Eight> along = alongArc<Eight>(view, radius, foot);
+  const Eight aX = w.horizontal * foot.aX, eX = w.vertical * foot.eX, eY = w.vertical * foot.eY;
   const Eight none{};
-  const Eight slider = c.slider * b.sliderRows.at;
+  const Eight slider = w.slider * b.sliderRows;
   const Eight derivatives[3][columns] = {
-      {aX, none, aX * b.cosine.at, none, none - c.horizontal, none, c.horizontal * b.aL.at},
-      {eX, eY, eX * b.cosine.at + eY * b.sine.at, none, none, none + c.vertical, c.vertical * b.eL.at},
+      {aX, none, aX * foot.cosine, none, none - w.horizontal, none, w.horizontal * foot.aL},
+      {eX, eY, eX * foot.cosine + eY * foot.sine, none, none, none + w.vertical, w.vertical * foot.eL},
       {none, none, none, slider, none, none, none}};
-  const Eight counts[3] = {b.rows.at, b.rows.at, b.sliderRows.at};
+  const Eight counts[3] = {b.rows, b.rows, b.sliderRows};
   rows.along[0] = along.a;
   rows.along[1] = along.e;
-  rows.along[2] = slider * c.turn;
+  rows.along[2] = slider * view.turn;
   Eight square{};
   for (std::size_t k = 0; k < kinds; ++k) square += counts[k] * rows.along[k] * rows.along[k];
-  const Eight perLength = 1 / root(square);
+  const Eight perLength = 1 / squareRoot<Eight>(square);
   for (std::size_t k = 0; k < kinds; ++k) rows.along[k] *= perLength;
   for (std::size_t i = 0; i < columns; ++i) {
     Eight share{};
@@ -173,12 +92,14 @@ struct Sums {
 };
 
 template <bool hasSlider>
-[[gnu::always_inline]] inline void add(Sums& sums, const Block& b, const Common& c) {
+[[gnu::always_inline]] inline void add(Sums& sums, const Block& b, const ArcView& view, double radius) {
   constexpr std::size_t kinds = hasSlider ? 3 : 2;
   Rows rows;
-  fill<hasSlider>(rows, b, c);
-  const Eight left[3] = {c.horizontal * b.leftA.at, c.vertical * b.leftE.at, c.slider * b.sliderLeft.at};
-  const Eight counts[3] = {b.counts.at, b.counts.at, b.sliderCounts.at};
+  fill<hasSlider>(rows, b, view, radius);
+  const Whitening& w = view.whitening;
+  const Eight left[3] = {w.horizontal * b.foot.left.a, w.vertical * b.foot.left.e,
+                         w.slider * b.foot.sliderLeft};
+  const Eight counts[3] = {b.counts, b.counts, b.sliderCounts};
   for (std::size_t k = 0; k < kinds; ++k) {
     for (std::size_t i = 0; i < ArcEquations::estimated; ++i) {
       if (!hasSlider && i == sliderColumn) continue;
@@ -198,10 +119,10 @@ template <bool hasSlider>
 }
 
 template <bool hasSlider>
-[[gnu::always_inline]] inline void addAll(const std::vector<Block>& blocks, const Common& common,
-                                          ArcEquations& equations) {
+[[gnu::always_inline]] inline void addAll(const std::vector<Block>& blocks, const ArcView& view,
+                                          double radius, ArcEquations& equations) {
   Sums sums;
-  for (const Block& block : blocks) add<hasSlider>(sums, block, common);
+  for (const Block& block : blocks) add<hasSlider>(sums, block, view, radius);
   for (std::size_t i = 0; i < ArcEquations::estimated; ++i) {
     for (std::size_t j = i; j < columns; ++j) {
       equations.normal[i][j] = total(sums.normal[i][j]);
@@ -214,33 +135,33 @@ template <bool hasSlider>
 
 // The entries.
 
-ALIDADE_WIDE void standInPlane(Block& block, const Common& common) {
-  stand(block, common);
+ALIDADE_WIDE void standInPlane(Block& block, const ArcView& view, const Circle& circle) {
+  turnTo<Eight>(block.foot, sightedAlong<Eight>(view, block.tanA, block.tanE), circle);
 }
 
 /// False where the block is to be settled visit by visit: then they stand where they stood.
-ALIDADE_WIDE bool settle(Block& block, const Common& common) {
-  const Eight cosine = block.cosine.at, sine = block.sine.at;
-  const bool isSettled = settleTogether(block, common);
-  if (isSettled) return true;
-  block.cosine.at = cosine;
-  block.sine.at = sine;
+ALIDADE_WIDE bool settle(Block& block, const ArcView& view, const Circle& circle) {
+  const Eight cosine = block.foot.cosine, sine = block.foot.sine;
+  if (settleTogether(block, view, circle)) return true;
+  block.foot.cosine = cosine;
+  block.foot.sine = sine;
   return false;
 }
 
-ALIDADE_WIDE void addUp(const std::vector<Block>& blocks, const Common& common, bool hasSlider,
+ALIDADE_WIDE void addUp(const std::vector<Block>& blocks, const ArcView& view, double radius, bool hasSlider,
                         ArcEquations& equations) {
-  hasSlider ? addAll<true>(blocks, common, equations) : addAll<false>(blocks, common, equations);
+  hasSlider ? addAll<true>(blocks, view, radius, equations) : addAll<false>(blocks, view, radius, equations);
 }
 
-struct ReliabilityOfEight {
-  EightKept redundancy[3], rate[3];
+struct alignas(sizeof(Eight)) ReliabilityOfEight {
+  Eight redundancy[3], rate[3];
 };
 
-ALIDADE_WIDE void rely(const Block& block, const Common& common, const VisitFeet::Cofactor& cofactor,
-                       const std::array<double, 4>& asked, ReliabilityOfEight& result) {
+ALIDADE_WIDE void rely(const Block& block, const ArcView& view, double radius,
+                       const VisitFeet::Cofactor& cofactor,
+                       const std::array<double, ArcEquations::estimated>& asked, ReliabilityOfEight& result) {
   Rows rows;
-  fill<true>(rows, block, common);
+  fill<true>(rows, block, view, radius);
   for (std::size_t k = 0; k < 3; ++k) {
     Eight redundancy = 1 - rows.along[k] * rows.along[k], rate{};
     for (std::size_t i = 0; i < ArcEquations::estimated; ++i) {
@@ -249,17 +170,17 @@ ALIDADE_WIDE void rely(const Block& block, const Common& common, const VisitFeet
       redundancy -= rows.reduced[k][i] * turned;
       rate += rows.reduced[k][i] * asked[i];
     }
-    result.redundancy[k].at = redundancy;
-    result.rate[k].at = rate;
+    result.redundancy[k] = redundancy;
+    result.rate[k] = rate;
   }
 }
 
 VisitReading readingIn(const Block& block, std::size_t i) {
   VisitReading reading;
-  reading.tanA = block.tanA.at[i];
-  reading.tanE = block.tanE.at[i];
-  reading.rows = block.rows.at[i];
-  if (block.sliderRows.at[i] != 0) reading.slider = block.slider.at[i];
+  reading.tanA = block.tanA[i];
+  reading.tanE = block.tanE[i];
+  reading.rows = block.rows[i];
+  if (block.sliderRows[i] != 0) reading.slider = block.slider[i];
   return reading;
 }
 
@@ -270,14 +191,14 @@ void VisitFeet::add(const VisitReading& visit) {
   if (first == 0) m_blocks.emplace_back();
   Block& b = m_blocks.back();
   for (std::size_t i = first; i < eight; ++i) {
-    b.tanA.at[i] = visit.tanA;
-    b.tanE.at[i] = visit.tanE;
-    b.rows.at[i] = visit.rows;
-    b.slider.at[i] = visit.slider.value_or(0);
-    b.sliderRows.at[i] = visit.slider ? 1 : 0;
+    b.tanA[i] = visit.tanA;
+    b.tanE[i] = visit.tanE;
+    b.rows[i] = visit.rows;
+    b.slider[i] = visit.slider.value_or(0);
+    b.sliderRows[i] = visit.slider ? 1 : 0;
   }
-  b.counts.at[first] = visit.rows;
-  b.sliderCounts.at[first] = b.sliderRows.at[first];
+  b.counts[first] = b.rows[first];
+  b.sliderCounts[first] = b.sliderRows[first];
   m_hasSlider = m_hasSlider || visit.slider;
 }
 
@@ -288,75 +209,77 @@ VisitReading VisitFeet::reading(std::size_t visit) const {
 /// What the sliders leave where the visits stand.
 void VisitFeet::lookAtSliders(Block& block, const ArcUnknowns& unknowns) const {
   for (std::size_t i = 0; i < eight; ++i) {
-    if (block.sliderRows.at[i] == 0) continue;
-    const double phi = std::atan2(block.sine.at[i], block.cosine.at[i]);
-    const double left = block.slider.at[i] - unknowns.sliderZero - m_view.turn * phi;
-    block.sliderLeft.at[i] = wrapped(Angle::fromRadians(left)).radians();
+    if (block.sliderRows[i] == 0) continue;
+    const double phi = std::atan2(block.foot.sine[i], block.foot.cosine[i]);
+    const double left = block.slider[i] - unknowns.sliderZero - m_view.turn * phi;
+    block.foot.sliderLeft[i] = wrapped(Angle::fromRadians(left)).radians();
   }
 }
 
 ArcEquations VisitFeet::settle(const ArcUnknowns& unknowns, From from) {
-  const Common common(m_view, unknowns);
   const double zeroMoved = unknowns.sliderZero - m_unknowns.sliderZero;
   for (Block& block : m_blocks) {
-    if (from == From::Plane) standInPlane(block, common);
-    if (m_hasSlider && from == From::Plane) lookAtSliders(block, unknowns);
-    if (m_hasSlider && from == From::Before)
-      for (std::size_t i = 0; i < eight; ++i) block.sliderLeft.at[i] -= zeroMoved * block.sliderRows.at[i];
-    if (!alidade::settle(block, common)) settleApart(block, unknowns, from);
+    if (from == From::Plane) {
+      standInPlane(block, m_view, unknowns.circle);
+      if (m_hasSlider) lookAtSliders(block, unknowns);
+    } else if (m_hasSlider) {
+      for (std::size_t i = 0; i < eight; ++i) block.foot.sliderLeft[i] -= zeroMoved * block.sliderRows[i];
+    }
+    if (!alidade::settle(block, m_view, unknowns.circle)) settleApart(block, unknowns, from);
   }
   m_unknowns = unknowns;
   ArcEquations equations;
-  addUp(m_blocks, common, m_hasSlider, equations);
+  addUp(m_blocks, m_view, unknowns.circle.radius, m_hasSlider, equations);
   return equations;
 }
 
 void VisitFeet::settleApart(Block& block, const ArcUnknowns& unknowns, From from) const {
+  Foot<Eight>& all = block.foot;
   for (std::size_t i = 0; i < eight; ++i) {
-    FootPoint foot;
-    foot.cosine = block.cosine.at[i];
-    foot.sine = block.sine.at[i];
-    foot.phi = std::atan2(foot.sine, foot.cosine);
     const VisitReading visit = readingIn(block, i);
+    FootPoint foot;
+    foot.cosine = all.cosine[i];
+    foot.sine = all.sine[i];
+    foot.phi = std::atan2(foot.sine, foot.cosine);
     foot =
         from == From::Plane ? footPoint(m_view, unknowns, visit) : footPoint(m_view, unknowns, visit, foot);
-    block.cosine.at[i] = foot.cosine;
-    block.sine.at[i] = foot.sine;
-    block.leftA.at[i] = foot.left.a;
-    block.leftE.at[i] = foot.left.e;
-    block.sliderLeft.at[i] = foot.sliderLeft;
-    block.aX.at[i] = foot.aX;
-    block.aL.at[i] = foot.aL;
-    block.eX.at[i] = foot.eX;
-    block.eY.at[i] = foot.eY;
-    block.eL.at[i] = foot.eL;
+    all.cosine[i] = foot.cosine;
+    all.sine[i] = foot.sine;
+    all.left.a[i] = foot.left.a;
+    all.left.e[i] = foot.left.e;
+    all.sliderLeft[i] = foot.sliderLeft;
+    all.aX[i] = foot.aX;
+    all.aL[i] = foot.aL;
+    all.eX[i] = foot.eX;
+    all.eY[i] = foot.eY;
+    all.eL[i] = foot.eL;
   }
 }
 
 double VisitFeet::arcAngle(std::size_t visit) const {
-  const Block& block = m_blocks[visit / eight];
-  return std::atan2(block.sine.at[visit % eight], block.cosine.at[visit % eight]);
+  const Foot<Eight>& foot = m_blocks[visit / eight].foot;
+  return std::atan2(foot.sine[visit % eight], foot.cosine[visit % eight]);
 }
 
 Direction<double> VisitFeet::left(std::size_t visit) const {
-  const Block& block = m_blocks[visit / eight];
-  return {block.leftA.at[visit % eight], block.leftE.at[visit % eight]};
+  const Direction<Eight>& left = m_blocks[visit / eight].foot.left;
+  return {left.a[visit % eight], left.e[visit % eight]};
 }
 
 double VisitFeet::sliderLeft(std::size_t visit) const {
-  return m_blocks[visit / eight].sliderLeft.at[visit % eight];
+  return m_blocks[visit / eight].foot.sliderLeft[visit % eight];
 }
 
 std::array<VisitReliability, eight> VisitFeet::reliabilityOf(
     std::size_t block, const Cofactor& cofactor,
     const std::array<double, ArcEquations::estimated>& asked) const {
   ReliabilityOfEight together;
-  rely(m_blocks[block], Common(m_view, m_unknowns), cofactor, asked, together);
+  rely(m_blocks[block], m_view, m_unknowns.circle.radius, cofactor, asked, together);
   std::array<VisitReliability, eight> apart;
   for (std::size_t i = 0; i < eight; ++i)
     for (std::size_t k = 0; k < 3; ++k) {
-      apart[i].redundancy[k] = together.redundancy[k].at[i];
-      apart[i].rate[k] = together.rate[k].at[i];
+      apart[i].redundancy[k] = together.redundancy[k][i];
+      apart[i].rate[k] = together.rate[k][i];
     }
   return apart;
 }

@@ -17,11 +17,11 @@ namespace alidade {
 /// Normal equations over what is estimated, (Δx, Δy, R) in mm and the slider's zero in rad, and what is
 /// considered: the pointing zeros of a and e in rad, and L in mm. From the stated σ.
 struct ArcEquations {
-  static constexpr std::size_t estimated = 4, considered = 3;
+  static constexpr std::size_t estimated = 4, considered = 3, columns = estimated + considered;
 
-  std::array<std::array<double, estimated + considered>, estimated> normal{};  ///< JᵀWJ, estimated by all
-  std::array<double, estimated> rightSide{};                                   ///< −½ ∂χ²/∂estimated
-  double chiSquare = 0;                                                        ///< of the means of the visits
+  std::array<std::array<double, columns>, estimated> normal{};  ///< JᵀWJ, estimated by all
+  std::array<double, estimated> rightSide{};                    ///< −½ ∂χ²/∂estimated
+  double chiSquare = 0;                                         ///< of the means of the visits
 };
 
 /// Of one reading of each kind at a visit: horizontal, vertical, slider.
@@ -58,12 +58,10 @@ class VisitFeet {
       const std::array<double, ArcEquations::estimated>& asked) const;
 
   /// Eight visits; in the last block the last of all stands in for those that are missing, and counts once.
-  struct Block {
-    EightKept tanA, tanE, rows, counts;          ///< counts: rows, 0 where there is no visit
-    EightKept slider, sliderRows, sliderCounts;  ///< rows: 1 where it was read; counts likewise
-    EightKept cosine, sine;                      ///< of the arc angle
-    EightKept leftA, leftE, sliderLeft;          ///< rad
-    EightKept aX, aL, eX, eY, eL;                ///< ∂(a, e)/∂(x, y, L), per mm
+  struct alignas(sizeof(Eight)) Block {
+    Foot<Eight> foot;
+    Eight tanA, tanE, rows, counts;          ///< counts: rows, 0 where there is no visit
+    Eight slider, sliderRows, sliderCounts;  ///< rows: 1 where it was read; counts likewise
   };
 
  private:

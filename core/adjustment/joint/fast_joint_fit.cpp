@@ -26,7 +26,7 @@ constexpr std::array estimatedKinds{Kind::CentreX, Kind::CentreY, Kind::Radius, 
 constexpr std::array consideredKinds{Kind::HorizontalZero, Kind::VerticalZero, Kind::Distance};
 constexpr int estimatedCount = estimatedKinds.size(), consideredCount = consideredKinds.size();
 static_assert(estimatedCount == ArcEquations::estimated && consideredCount == ArcEquations::considered);
-using NormalMatrix = Eigen::Matrix<double, estimatedCount, estimatedCount + consideredCount, Eigen::RowMajor>;
+using NormalMatrix = Eigen::Matrix<double, estimatedCount, ArcEquations::columns, Eigen::RowMajor>;
 
 /// Scaled to a unit diagonal before it is factored: millimetres and radians differ by 1e6 in size.
 Matrix4d cofactorMatrix(const Matrix4d& matrix) {

@@ -20,11 +20,6 @@ namespace {
 constexpr double tooSeldom = 0.01;
 constexpr double nearSteps = 10;  // of the grid, to either side
 
-std::size_t mixed(std::uint64_t sum) {
-  const std::uint64_t product = (sum ^ sum >> 29U) * 0x9e3779b97f4a7c15U;
-  return static_cast<std::size_t>(product ^ product >> 32U);
-}
-
 /// What two rows that repeat each other have in common.
 struct Circles {
   int face = 0;
@@ -36,7 +31,7 @@ struct Circles {
 struct HashOfCircles {
   std::size_t operator()(const Circles& key) const {
     const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value + 0.0); };  // no −0
-    return mixed(bits(key.a) * 3 + bits(key.e) * 5 + static_cast<std::uint64_t>(key.face));
+    return mixedBits(bits(key.a) * 3 + bits(key.e) * 5 + static_cast<std::uint64_t>(key.face));
   }
 };
 
@@ -49,7 +44,7 @@ struct Mark {
 
 struct HashOfMark {
   std::size_t operator()(const Mark& key) const {
-    return mixed(static_cast<std::uint64_t>(key.point) * 2 + static_cast<std::uint64_t>(key.face));
+    return mixedBits(static_cast<std::uint64_t>(key.point) * 2 + static_cast<std::uint64_t>(key.face));
   }
 };
 
@@ -57,9 +52,29 @@ Mark markOf(const Sighting& row) {
   return {row.face, row.point};
 }
 
-/// Is it seldom enough that a number of events of which `expected` are to be expected is as great?
+using IndexPair = std::pair<std::size_t, std::size_t>;
+
+/// Sightings that hold the same pair of readings: the first of them, then each other one, in its order.
+std::vector<IndexPair> alikeIn(const ArcMeasurement& arc) {
+  FirstIndex<Circles, HashOfCircles, std::identity> firsts(arc.sightings.size());
+  std::vector<IndexPair> alike;
+  for (std::size_t i = 0; i < arc.sightings.size(); ++i) {
+    const Sighting& row = arc.sightings[i];
+    const std::size_t first = firsts.put({row.face, row.a.radians(), row.e.radians()}, i);
+    if (first != i) alike.emplace_back(first, i);
+  }
+  return alike;
+}
+
+double gridOf(const ArcMeasurement& arc, Angle Sighting::*circle) {
+  std::vector<double> read;
+  read.reserve(arc.sightings.size());
+  for (const Sighting& row : arc.sightings) read.push_back((row.*circle).radians());
+  return alidade::gridOf(read);
+}
+
+/// Is it seldom enough that a number of events ≥ 1 of which `expected` are to be expected is as great?
 bool isTooMany(std::size_t events, double expected) {
-  if (events == 0) return false;
   const auto fewer = chiSquareUpperTail(2 * expected, 2 * static_cast<double>(events));  // Poisson's
   return fewer && 1 - *fewer < tooSeldom;
 }
@@ -125,25 +140,14 @@ double chanceOfBeingAlike(double grid, double scatter) {
 
 std::vector<std::pair<std::size_t, std::size_t>> repeatedRows(const Measurement& measurement,
                                                               const ArcMeasurement& arc, const ArcFit& fit) {
-  FirstIndex<Circles, HashOfCircles, std::identity> firsts(arc.sightings.size());
-  std::vector<std::pair<std::size_t, std::size_t>> alike;  // indices
-  for (std::size_t i = 0; i < arc.sightings.size(); ++i) {
-    const Sighting& row = arc.sightings[i];
-    const std::size_t first = firsts.put({row.face, row.a.radians(), row.e.radians()}, i);
-    if (first != i) alike.emplace_back(first, i);
-  }
+  const std::vector<IndexPair> alike = alikeIn(arc);
   if (alike.empty()) return {};
-  const auto isOfOnePlace = [&](const auto& pair) {
+  const auto isOfOnePlace = [&](const IndexPair& pair) {
     return markOf(arc.sightings[pair.first]) == markOf(arc.sightings[pair.second]);
   };
-  std::vector<double> a, e;
-  for (const Sighting& row : arc.sightings) {
-    a.push_back(row.a.radians());
-    e.push_back(row.e.radians());
-  }
-  const double gridA = gridOf(a), gridE = gridOf(e);
   const auto ofOnePlace = static_cast<std::size_t>(std::ranges::count_if(alike, isOfOnePlace));
   const std::size_t ofTwo = alike.size() - ofOnePlace;
+  const double gridA = gridOf(arc, &Sighting::a), gridE = gridOf(arc, &Sighting::e);
   // Readings may scatter less than stated, and then are alike more often.
   const double ratio = fit.degreesOfFreedom > 0 ? std::min(1.0, std::sqrt(fit.reducedChiSquare())) : 1;
   const double chance = chanceOfBeingAlike(gridA, ratio * measurement.sigmaHorizontal.radians()) *
@@ -153,8 +157,8 @@ std::vector<std::pair<std::size_t, std::size_t>> repeatedRows(const Measurement&
   const double share = std::max(chance, 1 / ((2 * nearSteps + 1) * (2 * nearSteps + 1)));
   const bool tellsOfTwo =
       ofTwo > 0 && isTooMany(ofTwo, nearPairsOfTwoPlaces(arc, gridA, gridE) * share / (1 - share));
-  std::vector<std::pair<std::size_t, std::size_t>> told;
-  for (const auto& pair : alike)
+  std::vector<IndexPair> told;
+  for (const IndexPair& pair : alike)
     if (isOfOnePlace(pair) ? tellsOfOne : tellsOfTwo)
       told.emplace_back(arc.sightings[pair.first].row, arc.sightings[pair.second].row);
   return told;

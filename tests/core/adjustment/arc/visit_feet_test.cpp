@@ -112,6 +112,33 @@ TEST_P(VisitFeetTest, AreTheFootPointsOfEachVisit) {
     }
 }
 
+// Of circle readings alone a visit leaves one condition, its distance d from the arc in σ: χ² = d², and with
+// g = −∂d/∂(x, y, R) the equations are g gᵀ and g d. The gradient is some 40 σ/mm; central differences over
+// 1 µm err by 1e-8 σ/mm from rounding (1e-16 rad against 2″) and less from curvature.
+TEST_P(VisitFeetTest, GradientMeetsTheChangeOfTheDistance) {
+  Situation situation = GetParam();
+  situation.hasSlider = false;
+  Direction<double> seen = observe(targetOnArc(trueCircle.x, trueCircle.y, trueCircle.radius, 2.6),
+                                   planeDistance, situation.relation);
+  seen.a += Angle::fromArcseconds(40).radians();
+  seen.e += Angle::fromArcseconds(30).radians();
+  const std::vector<VisitReading> visit{VisitReading(seen)};
+  const auto distanceFor = [&](const Eigen::Vector4d& by) {
+    return std::sqrt(chiSquareAt(situation, visit, by));
+  };
+  const ArcEquations equations = feetOf(situation, visit).settle(moved({0, 0, 0, 0}), VisitFeet::From::Plane);
+  const double fromArc = distanceFor({0, 0, 0, 0});
+  constexpr double h = 1e-3, tolerance = 1e-6;
+  for (int i = 0; i < 3; ++i) {
+    const Eigen::Vector4d by = h * Eigen::Vector4d::Unit(i);
+    EXPECT_NEAR((distanceFor(-by) - distanceFor(by)) / (2 * h), equations.rightSide[i] / fromArc, tolerance);
+    for (int j = 0; j < 3; ++j)
+      EXPECT_NEAR(equations.normal[i][j],
+                  equations.rightSide[i] * equations.rightSide[j] / equations.chiSquare,
+                  1e-12 * std::sqrt(equations.normal[i][i] * equations.normal[j][j]));
+  }
+}
+
 // −½ ∂χ²/∂u by central differences, feet found anew each time: over 1 µm and 1e-7 rad they err by 1e-6 of
 // some 100/mm and 1e7/rad from curvature and rounding.
 TEST_P(VisitFeetTest, RightSideIsTheGradientOfTheMisfit) {
