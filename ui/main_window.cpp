@@ -125,6 +125,7 @@ MainWindow::~MainWindow() {
   delete m_safekeeping;
   m_document.disconnect(this);
   m_document.undoStack().disconnect();
+  m_document.halfTyped().disconnect();
   m_job.disconnect(this);
   m_gapJob.disconnect(this);
   delete takeCentralWidget();
@@ -253,6 +254,7 @@ void MainWindow::connectParts() {
   });
   connect(m_jobs, &JobStatus::stopWanted, this, &MainWindow::stopJobs);
   connect(&m_document, &SessionDocument::identityChanged, this, &MainWindow::showTitle);
+  connect(&m_document.halfTyped(), &HalfTyped::changed, this, &MainWindow::showTitle);
   connect(&m_job, &FitJob::evaluated, this, &MainWindow::showEvaluation);
   connect(&m_job, &FitJob::searched, this, &MainWindow::showSuspects);
   connect(&m_job, &FitJob::searched, m_result,
@@ -312,7 +314,6 @@ void MainWindow::connectEntry() {
 }
 
 void MainWindow::connectInstrument() {
-  connect(m_desk, &InstrumentDesk::commitWanted, this, &MainWindow::commitPending);
   connect(m_desk, &InstrumentDesk::landed, this, [this](const Place& place) { reveal(place, false); });
   connect(m_desk, &InstrumentDesk::remark, this,
           [this](const QString& text) { statusBar()->showMessage(text, 15000); });
@@ -395,8 +396,13 @@ void MainWindow::hideStart() {
 void MainWindow::keepIn(const QString& folder) {
   m_files.setLockFolder(folder);
   m_safekeeping = new Safekeeping(m_document, m_files, *m_dialogs, folder, this);
+  statusBar()->insertPermanentWidget(0, m_safekeeping->trouble());
   connect(m_safekeeping, &Safekeeping::remark, this,
           [this](const QString& text) { statusBar()->showMessage(text, 8000); });
+}
+
+void MainWindow::keepNow() {
+  if (m_safekeeping) m_safekeeping->keepNow();
 }
 
 bool MainWindow::offerRecovery() {
@@ -539,7 +545,7 @@ void MainWindow::showTitle() {
   QString name = visibleLine(m_document.displayName());
   name.replace(mark, mark + mark);  // the name's own, not the sign of changes
   setWindowTitle(tr("%1[*] — Alidade").arg(name));
-  setWindowModified(m_document.isModified());
+  setWindowModified(m_document.isModified() || !m_document.halfTyped().isEmpty());
 }
 
 void MainWindow::showEvaluation(const SharedEvaluation& evaluation) {

@@ -86,6 +86,8 @@ class MainWindow : public QMainWindow {
   void setDetailsEnlarged(bool enlarged);
   /// Keeps unsaved changes in `folder` from now on, and shares with other windows which files are open.
   void keepIn(const QString& folder);
+  /// Keeps what is unsaved or half typed before this returns: the process is about to end.
+  void keepNow();
   /// Offers unsaved changes that a crashed window left behind. False: there are none.
   bool offerRecovery();
   /// Shows what to begin with in place of the session, until there is one to work on.

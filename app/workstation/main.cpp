@@ -13,6 +13,7 @@
 #include "ui/application.h"
 #include "ui/language/languages.h"
 #include "ui/main_window.h"
+#include "ui/recovery/termination.h"
 #include "ui/settings/theme.h"
 #include "ui/settings/visible_log.h"
 #include "ui/settings/window_font.h"
@@ -101,11 +102,16 @@ QString languageIds() {
   return ids.join(QStringLiteral(" or "));
 }
 
-/// The file is opened from within the event loop: what it throws ends nothing.
-int openWindow(ui::Application& application, const QString& path) {
-  ui::applyTheme(ui::rememberedTheme());
-  ui::applyFont(ui::rememberedFont());
+/// The file is opened from within the event loop: what it throws ends nothing. Asked to end, or when the
+/// desktop ends its session, the window keeps what is unsaved and half typed.
+int runWindow(ui::Application& application, const QString& path, const ui::Termination& termination) {
   ui::MainWindow window;
+  QObject::connect(&termination, &ui::Termination::asked, &window, [&] {
+    window.keepNow();
+    QApplication::exit();
+  });
+  QObject::connect(&application, &QGuiApplication::commitDataRequest, &window,
+                   [&window](QSessionManager&) { window.keepNow(); });
   QObject::connect(&application, &ui::Application::failed, &window, &ui::MainWindow::tellFailure);
   window.keepIn(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) +
                 QStringLiteral("/unsaved"));
@@ -119,6 +125,19 @@ int openWindow(ui::Application& application, const QString& path) {
       },
       Qt::QueuedConnection);
   return application.exec();
+}
+
+int openWindow(ui::Application& application, const QString& path) {
+  ui::applyTheme(ui::rememberedTheme());
+  ui::applyFont(ui::rememberedFont());
+  int exitCode = 0, signal = 0;
+  {
+    const ui::Termination termination;
+    exitCode = runWindow(application, path, termination);
+    signal = termination.signal();
+  }
+  if (signal != 0) ui::endBySignal(signal);
+  return exitCode;
 }
 
 int run(int argc, char** argv) {

@@ -69,7 +69,8 @@ int Passage::writeTemporary() {
 int Passage::openTemporary(int& file) {
   static std::atomic<unsigned> count = 0;
   constexpr int mostTries = 100;
-  const mode_t mode = m_target.kind == FileTarget::Kind::File ? 0600 : 0666;
+  const bool isPrivate = m_content.isPrivate || m_target.kind == FileTarget::Kind::File;
+  const mode_t mode = isPrivate ? 0600 : 0666;
   const std::string stem = m_target.folder() + "/.alidade-" + std::to_string(getpid()) + "-";
   for (int i = 0; i < mostTries; ++i) {
     const std::string name = stem + std::to_string(++count) + ".tmp";

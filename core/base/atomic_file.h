@@ -14,6 +14,7 @@ namespace alidade {
 struct FileContent {
   std::string path;
   std::string_view bytes;
+  bool isPrivate = false;  ///< a file that is new is for its owner alone
 };
 
 /// Writes the file, all of it or nothing: into a temporary file in the same folder, which takes the file's

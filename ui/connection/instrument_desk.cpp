@@ -37,7 +37,7 @@ InstrumentDesk::InstrumentDesk(SessionDocument& document, Dialogs& dialogs, cons
   m_status->setObjectName(QStringLiteral("instrument status"));
   m_status->hide();
   m_flow.setFront([this] { return front(); });
-  connect(&m_flow, &ReadingFlow::commitWanted, this, &InstrumentDesk::commitWanted);
+  connect(&m_flow, &ReadingFlow::heldChanged, this, &InstrumentDesk::showState);
   connect(&m_flow, &ReadingFlow::remark, this, &InstrumentDesk::tell);
   connect(&m_flow, &ReadingFlow::landed, this, &InstrumentDesk::goOn);
   connect(&m_link, &InstrumentLink::readingTaken, &m_flow, &ReadingFlow::add);
@@ -115,7 +115,6 @@ void InstrumentDesk::noteIdentity() {
   const Instrument& stated = m_document.session().instrument;
   const bool isNew = stated.name.empty() && stated.serial.empty();
   if (isNew && !identity.serial.empty()) {
-    emit commitWanted();
     m_document.beginTogether(tr("Name the instrument"));
     changeField(m_document, {.field = "instrument.name"}, wellFormed(identity.name));
     changeField(m_document, {.field = "instrument.serial"}, wellFormed(identity.serial));
@@ -133,7 +132,10 @@ void InstrumentDesk::tell(const QString& sentence) {
 
 /// Shown from the first connection on.
 void InstrumentDesk::showState() {
-  m_status->setText(connectionText(m_link));
+  m_status->setText(m_flow.isHeld()
+                        ? tr("%1 readings wait until the open entry is handed in (Enter) or given up (Esc)")
+                              .arg(m_flow.waiting())
+                        : connectionText(m_link));
   if (m_link.isOpen()) m_status->show();
 }
 

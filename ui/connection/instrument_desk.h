@@ -40,7 +40,6 @@ class InstrumentDesk : public QObject {
   void take();
 
  signals:
-  void commitWanted();
   void landed(const alidade::Place& place);
   void remark(const QString& sentence);
 

@@ -8,12 +8,26 @@ namespace alidade::ui {
 ReadingFlow::ReadingFlow(SessionDocument& document, QObject* parent)
     : QObject(parent), m_document(document), m_front([] { return Front(); }) {
   connect(&document, &SessionDocument::changed, this, [this] { m_evaluation.reset(); });
+  // Later: an entry that is handed in has not changed the session yet.
+  connect(
+      &document.halfTyped(), &HalfTyped::changed, this,
+      [this] {
+        if (m_waiting.empty()) return;
+        proceed();
+        emit heldChanged();
+      },
+      Qt::QueuedConnection);
 }
 
 void ReadingFlow::add(const InstrumentReading& reading) {
   m_waiting.push_back(reading);
   if (!m_question.isEmpty()) emit questionChanged();  // one more waits
   proceed();
+  emit heldChanged();
+}
+
+bool ReadingFlow::isHeld() const {
+  return !m_waiting.empty() && m_document.halfTyped().isOpenInPosition();
 }
 
 /// A question is asked anew: what it is about may have been typed meanwhile.
@@ -30,9 +44,7 @@ std::optional<Landing> ReadingFlow::landing() const {
 }
 
 void ReadingFlow::proceed() {
-  if (m_waiting.empty() || !m_evaluation || !m_question.isEmpty()) return;
-  emit commitWanted();
-  if (!m_evaluation) return;  // something was typed: once that is evaluated
+  if (m_waiting.empty() || !m_evaluation || !m_question.isEmpty() || isHeld()) return;
   const auto where = landing();
   if (!where)
     return ask(

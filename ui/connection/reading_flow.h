@@ -40,10 +40,12 @@ class ReadingFlow : public QObject {
 
   QString question() const { return m_question; }  ///< empty: none is asked
   std::size_t waiting() const { return m_waiting.size(); }
+  /// Do they wait for an entry of a position that is being typed? A reading never touches it.
+  bool isHeld() const;
 
  signals:
-  void commitWanted();  ///< what is half typed belongs into the session first
   void questionChanged();
+  void heldChanged();
   void landed(const alidade::Place& place);
   void remark(const QString& sentence);
 

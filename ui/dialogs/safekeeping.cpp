@@ -3,15 +3,19 @@
 #include <QCryptographicHash>
 #include <QDir>
 #include <QFileInfo>
+#include <QLabel>
 #include <QLocale>
 #include <utility>
 
 #include "core/base/file_bytes.h"
 #include "core/session/session_file.h"
+#include "ui/commands/hand_in.h"
 #include "ui/commands/replace_session.h"
 #include "ui/dialogs/dialogs.h"
 #include "ui/dialogs/file_flow.h"
 #include "ui/document/session_document.h"
+#include "ui/recovery/half_typed_record.h"
+#include "ui/settings/theme.h"
 #include "ui/text/encoded_path.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/visible_text.h"
@@ -44,14 +48,22 @@ Beside beside(const RecoveryRecord& record) {
           hash == record.sha256 ? place : told(Safekeeping::tr("which was changed since"))};
 }
 
-RecoveryOffer offerOf(const RecoveryRecord& record) {
+/// What was half typed into the session of the record, when it was kept last.
+std::vector<HalfTypedText> typedInto(const RecoveryRecord& record, const QString& path) {
+  if (record.id.isEmpty() || !QFileInfo::exists(path)) return {};
+  const Result<std::string> bytes = bytesOf(path);
+  const Result<HalfTypedRecord> typed = bytes ? readHalfTypedRecord(*bytes) : bytes.problem();
+  return typed && typed->of == record.id ? typed->texts : std::vector<HalfTypedText>();
+}
+
+RecoveryOffer offerOf(const RecoveryRecord& record, const std::vector<HalfTypedText>& typed) {
   const Beside file = beside(record);
   const QString title = qText(record.session.title).trimmed();
   const QString untitled = title.isEmpty() ? Safekeeping::tr("Untitled") : title;
   return {.name = visibleLine(record.path.isEmpty() ? untitled : QFileInfo(record.path).fileName()),
           .told = Safekeeping::tr("%1; kept on %2")
                       .arg(file.told, QLocale().toString(record.keptAt, QLocale::ShortFormat)),
-          .difference = differenceOf(record.session, file.session)};
+          .difference = differenceOf(withHandedIn(record.session, typed), file.session)};
 }
 
 }  // namespace
@@ -63,8 +75,22 @@ Safekeeping::Safekeeping(SessionDocument& document, FileFlow& files, Dialogs& di
       m_files(files),
       m_dialogs(dialogs),
       m_folder(folder),
-      m_keeper(document, folder) {
-  connect(&m_keeper, &RecoveryKeeper::failed, this, &Safekeeping::remark);
+      m_keeper(document, folder),
+      m_trouble(new QLabel) {
+  m_trouble->setObjectName(QStringLiteral("safekeeping trouble"));
+  m_trouble->setTextFormat(Qt::PlainText);
+  m_trouble->hide();
+  connect(&m_keeper, &RecoveryKeeper::troubled, this, &Safekeeping::showTrouble);
+}
+
+void Safekeeping::showTrouble(const QString& sentence) {
+  QPalette colored = m_trouble->parentWidget() ? m_trouble->parentWidget()->palette() : m_trouble->palette();
+  colored.setColor(QPalette::WindowText, stateColor(colored, State::Bad));
+  m_trouble->setPalette(colored);
+  m_trouble->setText(sentence.isEmpty() ? QString() : tr("Unsaved changes are not kept: save now"));
+  m_trouble->setToolTip(sentence);
+  m_trouble->setVisible(!sentence.isEmpty());
+  if (!sentence.isEmpty()) emit remark(sentence);
 }
 
 int Safekeeping::offer() {
@@ -97,11 +123,12 @@ std::vector<Safekeeping::Left> Safekeeping::leftBehind() {
                       .arg(QDir::toNativeSeparators(slot->path()), visibleLine(record.problem().text())));
       continue;
     }
-    RecoveryOffer offer = offerOf(*record);
+    std::vector<HalfTypedText> typed = typedInto(*record, slot->typedPath());
+    RecoveryOffer offer = offerOf(*record, typed);
     if (offer.difference.count == 0)
       slot->remove();
     else
-      left.push_back({std::move(slot), *std::move(record), std::move(offer)});
+      left.push_back({std::move(slot), *std::move(record), std::move(typed), std::move(offer)});
   }
   return left;
 }
@@ -113,8 +140,10 @@ bool Safekeeping::recover(Left& left) {
   const QString& path = left.record.path;
   const bool isInFile = QFileInfo(path).isFile() && !m_document.load(path);
   if (!isInFile) m_document.startNew();
-  m_document.push(
-      new ReplaceSession(m_document, std::move(left.record.session), tr("Recover unsaved changes")));
+  if (left.record.session != m_document.session())
+    m_document.push(
+        new ReplaceSession(m_document, std::move(left.record.session), tr("Recover unsaved changes")));
+  handIn(m_document, left.typed);
   m_keeper.adopt(std::move(left.slot));
   emit remark(tr("Recovered %1; not saved yet").arg(left.offer.name));
   return true;

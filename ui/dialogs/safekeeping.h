@@ -8,6 +8,8 @@
 #include "ui/recovery/recovery_keeper.h"
 #include "ui/recovery/recovery_record.h"
 
+class QLabel;
+
 namespace alidade::ui {
 
 class Dialogs;
@@ -26,8 +28,12 @@ class Safekeeping : public QObject {
   /// Asks about everything left behind. What differs from its file in nothing is cleared away unasked, and
   /// what is put off stays. Answers with how many were asked about.
   int offer();
+  /// The process is about to end: what is unsaved or half typed is kept before this returns.
+  void keepNow() { m_keeper.keepNow(); }
   /// The window is left properly.
   void finish() { m_keeper.finish(); }
+  /// Shown as long as unsaved changes cannot be kept, and says why; for the status bar, which owns it.
+  QLabel* trouble() const { return m_trouble; }
   QString recordPath() const { return m_keeper.path(); }
 
  signals:
@@ -37,17 +43,20 @@ class Safekeeping : public QObject {
   struct Left {
     std::unique_ptr<RecoverySlot> slot;
     RecoveryRecord record;
+    std::vector<HalfTypedText> typed;
     RecoveryOffer offer;
   };
 
   std::vector<Left> leftBehind();
   bool recover(Left& left);
+  void showTrouble(const QString& sentence);
 
   SessionDocument& m_document;
   FileFlow& m_files;
   Dialogs& m_dialogs;
   QString m_folder;
   RecoveryKeeper m_keeper;
+  QLabel* m_trouble;
 };
 
 }  // namespace alidade::ui

@@ -11,6 +11,7 @@
 #include "core/base/problem.h"
 #include "core/session/session.h"
 #include "ui/document/filed_session.h"
+#include "ui/document/half_typed.h"
 #include "ui/document/journal_keeper.h"
 #include "ui/document/session_change.h"
 #include "ui/document/session_files.h"
@@ -28,6 +29,8 @@ class SessionDocument : public QObject {
 
   const Session& session() const { return m_session; }
   QUndoStack& undoStack() { return m_undoStack; }  ///< to look at, undo and redo
+  HalfTyped& halfTyped() { return m_halfTyped; }
+  const HalfTyped& halfTyped() const { return m_halfTyped; }
   /// Empty for a session never saved.
   QString path() const { return m_files.path(m_undoStack.index()); }
   /// Of all sessions that undo and redo lead to, as far as they are in files.
@@ -102,6 +105,7 @@ class SessionDocument : public QObject {
 
   Session m_session;
   QUndoStack m_undoStack;
+  HalfTyped m_halfTyped;
   JournalKeeper m_journal{m_session};
   SessionFiles m_files;
   QHash<QString, QByteArray> m_knownSha256;  ///< by path

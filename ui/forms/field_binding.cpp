@@ -36,7 +36,18 @@ QString FieldBinding::problem() const {
   return sentence ? qText(*sentence) : QString();
 }
 
+void FieldBinding::noteTyped(const QString& text) {
+  const std::string typed = text.toStdString();
+  m_document.halfTyped().set(this, {.place = m_place, .text = typed},
+                             typed != fieldText(m_document.session(), m_place));
+}
+
+void FieldBinding::noteTypingEnded() {
+  m_document.halfTyped().clear(this);
+}
+
 void FieldBinding::enter(const QString& text) {
+  noteTypingEnded();
   changeField(m_document, m_place, text.toStdString());
 }
 

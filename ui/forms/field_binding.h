@@ -23,6 +23,8 @@ class FieldBinding : public QObject {
   QString text() const;     ///< as typed
   QString problem() const;  ///< why the text cannot be used; empty where it can, or where there is none
   void enter(const QString& text);
+  void noteTyped(const QString& text);  ///< that would be entered, were it handed in now
+  void noteTypingEnded();
   CircleUnit angleUnit() const;  ///< of the session
 
  signals:

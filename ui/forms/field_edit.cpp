@@ -21,6 +21,7 @@ FieldEdit::FieldEdit(SessionDocument& document, const Place& place, Shows shows,
   connect(m_binding, &FieldBinding::refreshed, this, &FieldEdit::refresh);
   connect(m_binding, &FieldBinding::commitWanted, this, &FieldEdit::commit);
   connect(this, &QLineEdit::returnPressed, this, &FieldEdit::commit);
+  connect(this, &QLineEdit::textEdited, this, [this] { m_binding->noteTyped(entered()); });
   refresh();
 }
 
@@ -32,9 +33,14 @@ void FieldEdit::setHint(const QString& hint) {
 void FieldEdit::commit() {
   if (!isModified()) return;
   setModified(false);
-  const std::string typed = text().trimmed().toStdString();
-  m_binding->enter(qText(m_shows == Shows::Angle ? completedAngle(typed, m_binding->angleUnit()) : typed));
+  m_binding->enter(entered());
   refresh();
+}
+
+/// What the text stands for once it is handed in.
+QString FieldEdit::entered() const {
+  const std::string typed = text().trimmed().toStdString();
+  return qText(m_shows == Shows::Angle ? completedAngle(typed, m_binding->angleUnit()) : typed);
 }
 
 void FieldEdit::refresh() {
@@ -78,6 +84,7 @@ bool FieldEdit::event(QEvent* event) {
 void FieldEdit::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Escape && isModified()) {
     setModified(false);
+    m_binding->noteTypingEnded();
     refresh();
     return;
   }

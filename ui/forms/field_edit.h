@@ -36,6 +36,7 @@ class FieldEdit : public QLineEdit {
 
  private:
   void commit();
+  QString entered() const;
   void refresh();
   QString tip(const QString& typed) const;
 

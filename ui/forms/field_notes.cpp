@@ -13,6 +13,9 @@ FieldNotes::FieldNotes(SessionDocument& document, const Place& place, QWidget* p
   setTabChangesFocus(true);
   connect(m_binding, &FieldBinding::refreshed, this, &FieldNotes::refresh);
   connect(m_binding, &FieldBinding::commitWanted, this, &FieldNotes::commit);
+  connect(this, &QPlainTextEdit::textChanged, this, [this] {
+    if (this->document()->isModified()) m_binding->noteTyped(typed());
+  });
   refresh();
 }
 

@@ -14,6 +14,7 @@
 #include "core/base/atomic_file.h"
 #include "core/base/failure.h"
 #include "core/session/session_file.h"
+#include "ui/recovery/private_folder.h"
 #include "ui/text/encoded_path.h"
 #include "ui/text/entry_text.h"
 
@@ -60,7 +61,8 @@ QString unusedName(const QDir& folder, const QString& name) {
 /// The path of the record; empty where it could not be written.
 QString written(const FailedJob& failed) {
   const QDir folder(problemsFolder());
-  if (!folder.mkpath(QStringLiteral("."))) return {};
+  makePrivateFolder(folder.path());
+  if (!folder.exists()) return {};
   const QDateTime now = QDateTime::currentDateTime();
   QString job = qText(failed.job);
   job.replace(QLatin1Char(' '), QLatin1Char('-'));

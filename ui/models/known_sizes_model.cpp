@@ -168,6 +168,16 @@ QModelIndex KnownSizesModel::cellOf(const std::string& effect) const {
   return index(static_cast<int>(found - m_rows.begin()), static_cast<int>(Column::Value));
 }
 
+HalfTypedText KnownSizesModel::halfTyped(const QModelIndex& cell, const QString& text) const {
+  const KnownRow& row = this->row(cell);
+  const char* member = typedInto(static_cast<Column>(cell.column()))->member;
+  if (row.entry) return {.place = placeOf(*row.entry, member), .text = text.toStdString()};
+  return {.place = {.field = member},
+          .effect = std::string(row.effect->id),
+          .parameter = std::string(row.parameter->name),
+          .text = text.toStdString()};
+}
+
 const std::string& KnownSizesModel::typed(const KnownRow& row, const KnownCell& cell) const {
   static const std::string nothing;
   const KnownSize* size = row.entry ? knownSize(m_document.session(), *row.entry) : nullptr;

@@ -8,6 +8,7 @@
 namespace alidade::ui {
 
 class SessionDocument;
+struct HalfTypedText;
 struct KnownCell;
 struct SessionChange;
 
@@ -41,6 +42,8 @@ class KnownSizesModel : public QAbstractTableModel {
   QModelIndex cellOf(const KnownPlace& place) const;
   /// Of an effect of the catalogue, its first number; invalid where it has none.
   QModelIndex cellOf(const std::string& effect) const;
+  /// `text` typed into a cell.
+  HalfTypedText halfTyped(const QModelIndex& cell, const QString& text) const;
 
  private:
   const KnownRow& row(const QModelIndex& index) const {

@@ -6,6 +6,8 @@
 #include <QFileInfo>
 #include <utility>
 
+#include "ui/recovery/private_folder.h"
+
 namespace alidade::ui {
 
 namespace {
@@ -20,7 +22,7 @@ QString nameOf(const QString& path) {
 
 std::unique_ptr<QLockFile> FileLock::lockOf(const QString& path) const {
   const QByteArray hash = QCryptographicHash::hash(nameOf(path).toUtf8(), QCryptographicHash::Sha256);
-  QDir(m_folder).mkpath(QStringLiteral("."));
+  makePrivateFolder(m_folder);
   auto lock = std::make_unique<QLockFile>(
       QDir(m_folder).filePath(QString::fromLatin1(hash.toHex().left(32)) + QStringLiteral(".open")));
   lock->setStaleLockTime(0);

@@ -1,45 +1,78 @@
 #include "ui/recovery/recovery_keeper.h"
 
 #include <QFile>
+#include <QUuid>
 #include <utility>
 
 #include "core/base/atomic_file.h"
 #include "ui/document/session_document.h"
-#include "ui/recovery/recovery_record.h"
+#include "ui/recovery/half_typed_record.h"
 #include "ui/text/encoded_path.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {
+
+namespace {
+
+std::optional<Problem> writePrivately(const QString& path, const std::string& text) {
+  return writeFiles({{.path = encodedPath(path), .bytes = text, .isPrivate = true}});
+}
+
+}  // namespace
 
 RecoveryKeeper::RecoveryKeeper(SessionDocument& document, const QString& folder, QObject* parent)
     : QObject(parent), m_document(document), m_slot(RecoverySlot::create(folder)) {
   constexpr int delayMs = 250;
   m_timer.setSingleShot(true);
   m_timer.setInterval(delayMs);
+  startWriter();
+  connect(&m_timer, &QTimer::timeout, this, &RecoveryKeeper::keep);
+  connect(&document, &SessionDocument::changed, this, &RecoveryKeeper::noteChange);
+  connect(&document, &SessionDocument::identityChanged, this, &RecoveryKeeper::noteChange);
+  connect(&document.halfTyped(), &HalfTyped::changed, this, &RecoveryKeeper::schedule);
+}
+
+void RecoveryKeeper::startWriter() {
   m_writing = std::make_unique<Background<Written>>(
       [this](const std::shared_ptr<const Written>& problem) { finishWriting(*problem); });
-  connect(&m_timer, &QTimer::timeout, this, &RecoveryKeeper::keep);
-  connect(&document, &SessionDocument::changed, this, &RecoveryKeeper::schedule);
-  connect(&document, &SessionDocument::identityChanged, this, &RecoveryKeeper::schedule);
 }
 
 void RecoveryKeeper::adopt(std::unique_ptr<RecoverySlot> slot) {
   std::swap(m_slot, slot);
-  QFile::remove(slot->path());
-  schedule();
+  slot->remove();
+  noteChange();
+}
+
+void RecoveryKeeper::keepNow() {
+  m_timer.stop();
+  m_writing.reset();  // waits for what is being written
+  startWriter();
+  m_isDue = false;
+  m_isSessionDue = true;
+  if (isNeeded()) finishWriting(write(takeDue()));
 }
 
 void RecoveryKeeper::finish() {
   m_document.disconnect(this);
+  m_document.halfTyped().disconnect(this);
   m_timer.stop();
   m_isDue = false;
   m_writing.reset();
   m_slot->remove();
 }
 
-/// Not put off by further edits. What was saved needs no record from then on.
+void RecoveryKeeper::noteChange() {
+  m_isSessionDue = true;
+  schedule();
+}
+
+bool RecoveryKeeper::isNeeded() const {
+  return m_document.isModified() || !m_document.halfTyped().isEmpty();
+}
+
+/// Not put off by further keys. What was saved needs no record from then on.
 void RecoveryKeeper::schedule() {
-  if (!m_document.isModified())
+  if (!isNeeded())
     keep();
   else if (!m_timer.isActive())
     m_timer.start();
@@ -50,18 +83,50 @@ void RecoveryKeeper::keep() {
     m_isDue = true;
     return;
   }
-  if (!m_document.isModified()) return m_slot->remove();
-  auto record = std::make_shared<const RecoveryRecord>(RecoveryRecord{
-      m_document.path(), m_document.knownSha256(), QDateTime::currentDateTime(), m_document.session()});
-  m_writing->start([record, path = encodedPath(m_slot->path())](
-                       const std::stop_token&) { return writeFile(path, recoveryText(*record)); },
+  if (!isNeeded()) {
+    m_isSessionDue = true;
+    return m_slot->remove();
+  }
+  m_writing->start([due = takeDue()](const std::stop_token&) { return write(due); },
                    [](const std::string& reason) { return Problem{.what = reason + '.', .where = {}}; });
 }
 
+RecoveryKeeper::Due RecoveryKeeper::takeDue() {
+  Due due{.path = m_slot->path(),
+          .typedPath = m_slot->typedPath(),
+          .record = {},
+          .id = {},
+          .typed = m_document.halfTyped().texts()};
+  if (std::exchange(m_isSessionDue, false)) {
+    m_recordId = QUuid::createUuid().toString(QUuid::WithoutBraces);
+    due.record = std::make_shared<const RecoveryRecord>(
+        RecoveryRecord{m_document.path(), m_document.knownSha256(), QDateTime::currentDateTime(),
+                       m_document.session(), m_recordId});
+  }
+  due.id = m_recordId;
+  return due;
+}
+
+/// What was half typed before a new record is part of it or was given up: its file goes by the record's id.
+RecoveryKeeper::Written RecoveryKeeper::write(const Due& due) {
+  if (due.record)
+    if (Written problem = writePrivately(due.path, recoveryText(*due.record))) return problem;
+  if (!due.typed.empty())
+    return writePrivately(due.typedPath, halfTypedRecordText({.of = due.id, .texts = due.typed}));
+  QFile::remove(due.typedPath);
+  return {};
+}
+
 void RecoveryKeeper::finishWriting(const Written& problem) {
-  if (problem && !m_hasFailed)
-    emit failed(tr("Unsaved changes would be lost in a crash: %1").arg(visibleLine(problem->text())));
-  m_hasFailed = problem.has_value();
+  constexpr int againMs = 5000;
+  const QString trouble =
+      problem ? tr("Unsaved changes would be lost in a crash: %1").arg(visibleLine(problem->text()))
+              : QString();
+  if (trouble != std::exchange(m_trouble, trouble)) emit troubled(trouble);
+  if (problem) {
+    m_isSessionDue = true;
+    QTimer::singleShot(againMs, this, &RecoveryKeeper::schedule);
+  }
   if (std::exchange(m_isDue, false)) keep();
 }
 

@@ -19,7 +19,8 @@ std::string recoveryText(const RecoveryRecord& record) {
   const QJsonObject head{{formatKey, formatName},
                          {QStringLiteral("file"), record.path},
                          {QStringLiteral("sha256"), QString::fromLatin1(record.sha256.toHex())},
-                         {QStringLiteral("kept_at"), record.keptAt.toString(Qt::ISODateWithMs)}};
+                         {QStringLiteral("kept_at"), record.keptAt.toString(Qt::ISODateWithMs)},
+                         {QStringLiteral("id"), record.id}};
   return QJsonDocument(head).toJson(QJsonDocument::Compact).toStdString() + '\n' +
          writeSession(record.session);
 }
@@ -34,7 +35,8 @@ Result<RecoveryRecord> readRecovery(const std::string& bytes) {
   if (!session) return session.problem();
   const auto text = [&head](const char* key) { return head.value(QLatin1String(key)).toString(); };
   return RecoveryRecord{text("file"), QByteArray::fromHex(text("sha256").toLatin1()),
-                        QDateTime::fromString(text("kept_at"), Qt::ISODateWithMs), *std::move(session)};
+                        QDateTime::fromString(text("kept_at"), Qt::ISODateWithMs), *std::move(session),
+                        text("id")};
 }
 
 }  // namespace alidade::ui

@@ -16,6 +16,7 @@ struct RecoveryRecord {
   QByteArray sha256;  ///< of the file as it was when the session was read from or written to it
   QDateTime keptAt;
   Session session;
+  QString id = {};  ///< by which `HalfTypedRecord` knows it; of this record alone
 };
 
 /// A line of JSON that tells of the file, then the session as its file would be: who needs it may cut the

@@ -4,22 +4,36 @@
 #include <QFile>
 #include <QUuid>
 
+#include "ui/recovery/private_folder.h"
+
 namespace alidade::ui {
 
 namespace {
 
-const QString suffix = QStringLiteral(".unsaved");
+const QString suffix = QStringLiteral(".unsaved"), lockSuffix = QStringLiteral(".lock");
+
+/// Locks of windows that were killed while they had nothing to keep.
+void clearStaleLocks(const QDir& folder) {
+  for (const QString& name : folder.entryList({u'*' + suffix + lockSuffix}, QDir::Files)) {
+    const QString path = folder.filePath(name);
+    if (QFile::exists(path.chopped(lockSuffix.size()))) continue;
+    QLockFile lock(path);
+    lock.setStaleLockTime(0);
+    lock.tryLock(0);  // removed again at the end of the block
+  }
+}
 
 }  // namespace
 
 /// A lock is stale when its process is gone, never because it is old.
-RecoverySlot::RecoverySlot(const QString& path) : m_path(path), m_lock(path + QStringLiteral(".lock")) {
+RecoverySlot::RecoverySlot(const QString& path) : m_path(path), m_lock(path + lockSuffix) {
   m_lock.setStaleLockTime(0);
 }
 
 std::unique_ptr<RecoverySlot> RecoverySlot::create(const QString& folder) {
+  makePrivateFolder(folder);
   const QDir dir(folder);
-  dir.mkpath(QStringLiteral("."));
+  clearStaleLocks(dir);
   const QString name = QUuid::createUuid().toString(QUuid::WithoutBraces) + suffix;
   auto slot = std::unique_ptr<RecoverySlot>(new RecoverySlot(dir.filePath(name)));
   slot->m_lock.tryLock(0);
@@ -36,7 +50,12 @@ std::vector<std::unique_ptr<RecoverySlot>> RecoverySlot::leftBehind(const QStrin
   return found;
 }
 
+QString RecoverySlot::typedPath() const {
+  return m_path + QStringLiteral(".typed");
+}
+
 void RecoverySlot::remove() const {
+  QFile::remove(typedPath());
   QFile::remove(m_path);
 }
 

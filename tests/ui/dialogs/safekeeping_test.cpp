@@ -2,11 +2,14 @@
 
 #include <gmock/gmock.h>
 
+#include <QApplication>
 #include <QDir>
 #include <QElapsedTimer>
 #include <QFile>
+#include <QLabel>
 #include <QStatusBar>
 #include <QTemporaryDir>
+#include <QTest>
 
 #include "core/base/file_bytes.h"
 #include "core/session/session_file.h"
@@ -206,6 +209,141 @@ TEST_F(SafekeepingTest, SaysThatNothingCanBeKept) {
   const auto said = [&] { return (*open)->statusBar()->currentMessage().toStdString(); };
   EXPECT_TRUE(waitFor([&] { return said().find("would be lost in a crash") != std::string::npos; }));
   EXPECT_THAT(said(), HasSubstr("its folder is not there"));
+}
+
+TEST_F(SafekeepingTest, MarksForAsLongAsNothingCanBeKept) {
+  QFile inTheWay(kept);
+  ASSERT_TRUE(inTheWay.open(QIODevice::WriteOnly));
+  inTheWay.close();
+  const auto open = openWindow(file);
+  const auto* mark = (*open)->findChild<QLabel*>(QStringLiteral("safekeeping trouble"));
+  ASSERT_TRUE(mark);
+  EXPECT_FALSE(mark->isVisible());
+  edit(*open, "lost in a crash");
+  ASSERT_TRUE(waitFor([&] { return mark->isVisible(); }));
+  (*open)->statusBar()->clearMessage();
+  EXPECT_THAT(mark->text().toStdString(), HasSubstr("not kept"));
+  EXPECT_THAT(mark->toolTip().toStdString(), HasSubstr("its folder is not there"));
+  ASSERT_TRUE(inTheWay.remove());
+  ASSERT_TRUE(QDir().mkpath(kept));
+  edit(*open, "kept");
+  EXPECT_TRUE(waitFor([&] { return !mark->isVisible(); }));
+  EXPECT_EQ(records().size(), 1);
+}
+
+/// The session's own file may be private, and the folder is the program's.
+TEST_F(SafekeepingTest, KeepsRecordsForTheirOwnerAlone) {
+  QDir().mkpath(kept);
+  constexpr auto everybody = QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner | QFile::ReadGroup |
+                             QFile::ExeGroup | QFile::ReadOther | QFile::ExeOther;
+  QFile::setPermissions(kept, everybody);
+  crash(file, "unsaved");
+  constexpr auto others = QFile::ReadGroup | QFile::WriteGroup | QFile::ExeGroup | QFile::ReadOther |
+                          QFile::WriteOther | QFile::ExeOther;
+  EXPECT_FALSE(QFile::permissions(kept) & others);
+  for (const QString& name : records())
+    EXPECT_FALSE(QFile::permissions(QDir(kept).filePath(name)) & others) << name.toStdString();
+}
+
+TEST_F(SafekeepingTest, LocksOfKilledWindowsDoNotPileUp) {
+  QDir().mkpath(kept);
+  QFile lock(kept + QStringLiteral("/gone.unsaved.lock"));
+  ASSERT_TRUE(lock.open(QIODevice::WriteOnly));
+  lock.write("999999999\nalidade\n" + QSysInfo::machineHostName().toUtf8() + '\n');
+  lock.close();
+  const auto open = openWindow();
+  EXPECT_FALSE(lock.exists());
+}
+
+/// An entry that is being typed, by key, and where it stands afterwards.
+struct HalfTypedCase {
+  const char* name;
+  Place place;
+  const char* keys;
+  std::function<std::string(const Session&)> text;
+};
+
+class HalfTypedKept : public SafekeepingTest, public ::testing::WithParamInterface<HalfTypedCase> {
+ protected:
+  /// Types all keys but hands nothing in. False: no record of it within a second.
+  bool typeAndCrash(const HalfTypedCase& typed) const {
+    const auto open = openWindow(file);
+    QApplication::setActiveWindow(open->window.get());
+    open->settle();
+    (*open)->reveal(typed.place);
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_A, Qt::ControlModifier);
+    for (const char* key = typed.keys; *key; ++key) QTest::keyClick(QApplication::focusWidget(), *key);
+    QElapsedTimer clock;
+    clock.start();
+    const bool isKept = waitFor([&] {
+      const QStringList names = QDir(kept).entryList({QStringLiteral("*.typed")});
+      return names.size() == 1 && QFile(QDir(kept).filePath(names[0])).size() > 0;
+    });
+    return isKept && clock.elapsed() < 1000;
+  }
+};
+
+TEST_P(HalfTypedKept, IsBackAfterACrash) {
+  const Session before = sessionIn(file);
+  ASSERT_TRUE(typeAndCrash(GetParam()));
+  const auto open = openWindow();
+  open->dialogs->recoveries = {{Choice::Recover, 0}};
+  ASSERT_TRUE((*open)->offerRecovery());
+  EXPECT_GE(open->dialogs->offers[0].at(0).difference.count, 1u);
+  EXPECT_EQ(GetParam().text((*open)->document().session()), GetParam().keys);
+  EXPECT_TRUE((*open)->document().isModified());
+  EXPECT_EQ(sessionIn(file), before);
+  (*open)->undo();
+  EXPECT_EQ((*open)->document().session(), before) << "one step";
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Entries, HalfTypedKept,
+    ::testing::Values(
+        HalfTypedCase{"Notes",
+                      {.field = "notes"},
+                      "sixty words, and none handed in",
+                      [](const Session& session) { return session.notes; }},
+        HalfTypedCase{"Field",
+                      {.field = "geometry.distance_mm"},
+                      "2406.",
+                      [](const Session& session) { return session.geometry.distanceMm; }},
+        HalfTypedCase{"PointingZero",
+                      {.position = 1, .field = "pointing_zero.vertical"},
+                      "89 59",
+                      [](const Session& session) { return session.positions[1].zero.vertical; }},
+        HalfTypedCase{"Reading",
+                      {.position = 1, .reading = 3, .field = "vertical"},
+                      "87 5",
+                      [](const Session& session) { return session.positions[1].readings[3].vertical; }},
+        HalfTypedCase{"NewReading",
+                      {.position = 0, .reading = 17, .field = "horizontal"},
+                      "323 11 4",
+                      [](const Session& session) {
+                        const auto& rows = session.positions[0].readings;
+                        return rows.size() == 18 ? rows[17].horizontal : std::string("no new row");
+                      }},
+        HalfTypedCase{"Note",
+                      {.position = 0, .reading = 2, .field = "note"},
+                      "gust",
+                      [](const Session& session) { return session.positions[0].readings[2].note; }}),
+    [](const auto& entry) { return std::string(entry.param.name); });
+
+/// Handed in, it is part of the record itself; given up, it is in none.
+TEST_F(SafekeepingTest, HalfTypedIsKeptOnlyAsLongAsItIs) {
+  const auto open = openWindow(file);
+  QApplication::setActiveWindow(open->window.get());
+  open->settle();
+  const auto typedRecords = [&] { return QDir(kept).entryList({QStringLiteral("*.typed")}).size(); };
+  (*open)->reveal({.field = "operator"});
+  QTest::keyClick(QApplication::focusWidget(), 'A');
+  ASSERT_TRUE(waitFor([&] { return typedRecords() == 1; }));
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
+  EXPECT_TRUE(waitFor([&] { return typedRecords() == 0 && records().isEmpty(); }));
+  QTest::keyClick(QApplication::focusWidget(), 'B');
+  ASSERT_TRUE(waitFor([&] { return typedRecords() == 1; }));
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+  EXPECT_TRUE(waitFor([&] { return typedRecords() == 0 && records().size() == 1; }));
 }
 
 TEST_F(SafekeepingTest, LeavesARecordThatCannotBeReadWhereItIs) {

@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QHeaderView>
+#include <QLineEdit>
 #include <algorithm>
 #include <memory>
 
@@ -46,6 +47,11 @@ KnownSizesTable::KnownSizesTable(SessionDocument& document, QWidget* parent)
   setAccessibleName(tr("Known sizes of effects"));
   layOutColumns();
   keepCurrentOverResets();
+  connect(this, &EntryTable::typed, this, [this](const QLineEdit* editor, const QModelIndex& cell) {
+    m_document.halfTyped().set(editor, m_model.halfTyped(cell, editor->text().trimmed()),
+                               editor->text() != cell.data(Qt::EditRole).toString());
+  });
+  connect(this, &EntryTable::typingEnded, &m_document.halfTyped(), &HalfTyped::clear);
   setCurrentIndex(m_model.index(0, firstTyped));
 }
 

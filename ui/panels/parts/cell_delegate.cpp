@@ -5,10 +5,14 @@
 
 namespace alidade::ui {
 
-/// One that was closed is hidden, and there until events are processed.
+/// A closed editor is hidden and exists until events are processed.
+QLineEdit* CellDelegate::openEditor() const {
+  return m_editor && !m_editor->isHidden() ? m_editor.data() : nullptr;
+}
+
 void CellDelegate::commitOpenEditor() {
-  if (!m_editor || m_editor->isHidden()) return;
-  QLineEdit* editor = m_editor;
+  QLineEdit* editor = openEditor();
+  if (!editor) return;
   emit commitData(editor);
   emit closeEditor(editor, NoHint);
 }
@@ -26,7 +30,9 @@ QWidget* CellDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&
 }
 
 void CellDelegate::setEditorData(QWidget* editor, const QModelIndex& index) const {
-  static_cast<QLineEdit*>(editor)->setText(index.data(Qt::EditRole).toString());
+  auto* line = static_cast<QLineEdit*>(editor);
+  const QString text = index.data(Qt::EditRole).toString();
+  if (!line->isModified() && line->text() != text) line->setText(text);
 }
 
 void CellDelegate::setModelData(QWidget* editor, QAbstractItemModel* model, const QModelIndex& index) const {

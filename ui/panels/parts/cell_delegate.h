@@ -17,11 +17,14 @@ class CellDelegate : public QStyledItemDelegate {
 
   static constexpr int signWidth = 14;  ///< of the sign of what is wrong or looks misread, in pixels
 
+  /// Null where none is open.
+  QLineEdit* openEditor() const;
   /// Hands in the entry of the open editor, if there is one, and closes it.
   void commitOpenEditor();
 
   QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option,
                         const QModelIndex& index) const override;
+  /// Leaves alone what is half typed.
   void setEditorData(QWidget* editor, const QModelIndex& index) const override;
   void setModelData(QWidget* editor, QAbstractItemModel* model, const QModelIndex& index) const override;
 

@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QKeyEvent>
+#include <QLineEdit>
 
 #include "ui/panels/parts/cell_delegate.h"
 
@@ -21,6 +22,23 @@ EntryTable::EntryTable(CellDelegate* delegate, QWidget* parent) : QTableView(par
 
 void EntryTable::commitOpenEditor() {
   m_delegate->commitOpenEditor();
+}
+
+/// The key that opens an editor is typed into it before this returns.
+bool EntryTable::edit(const QModelIndex& cell, EditTrigger trigger, QEvent* event) {
+  const QLineEdit* before = m_delegate->openEditor();
+  if (!QTableView::edit(cell, trigger, event)) return false;
+  const QLineEdit* editor = m_delegate->openEditor();
+  if (!editor || editor == before) return true;
+  m_edited = cell;
+  connect(editor, &QLineEdit::textEdited, this, [this, editor] { emit typed(editor, m_edited); });
+  emit typed(editor, m_edited);
+  return true;
+}
+
+void EntryTable::closeEditor(QWidget* editor, QAbstractItemDelegate::EndEditHint hint) {
+  emit typingEnded(qobject_cast<QLineEdit*>(editor));
+  QTableView::closeEditor(editor, hint);
 }
 
 void EntryTable::goTo(const QModelIndex& cell) {

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <QPersistentModelIndex>
 #include <QTableView>
+
+class QLineEdit;
 
 namespace alidade::ui {
 
@@ -12,6 +15,7 @@ class EntryTable : public QTableView {
   Q_OBJECT
 
  public:
+  using QTableView::edit;
   void commitOpenEditor();
 
   virtual void copy() const = 0;
@@ -23,6 +27,8 @@ class EntryTable : public QTableView {
   /// `delegate` becomes the table's.
   EntryTable(CellDelegate* delegate, QWidget* parent);
 
+  bool edit(const QModelIndex& cell, EditTrigger trigger, QEvent* event) override;
+  void closeEditor(QWidget* editor, QAbstractItemDelegate::EndEditHint hint) override;
   void keyPressEvent(QKeyEvent* event) override;
   bool focusNextPrevChild(bool next) override;
   /// Does what the key stands for. False: it stands for nothing.
@@ -41,12 +47,16 @@ class EntryTable : public QTableView {
 
  signals:
   void remark(const QString& text);  ///< for the status line
+  /// An editor is open: at each key, and when it opens.
+  void typed(const QLineEdit* editor, const QModelIndex& cell);
+  void typingEnded(const QLineEdit* editor);  ///< handed in or given up
 
  private:
   void goOnward(int key);
   bool isLost(const QKeyEvent& event) const;
 
   CellDelegate* m_delegate;
+  QPersistentModelIndex m_edited;  ///< the cell of the open editor
 };
 
 }  // namespace alidade::ui

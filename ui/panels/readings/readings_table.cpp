@@ -4,6 +4,7 @@
 #include <QClipboard>
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QLineEdit>
 #include <QScopedValueRollback>
 #include <algorithm>
 #include <set>
@@ -32,8 +33,22 @@ ReadingsTable::ReadingsTable(SessionDocument& document, std::size_t position, QW
   setModel(&m_model);
   setAccessibleName(tr("Readings"));
   connect(&document, &SessionDocument::changed, this, &ReadingsTable::showColumnsUsedBy);
+  connect(this, &EntryTable::typed, this,
+          [this, &document](const QLineEdit* editor, const QModelIndex& cell) {
+            document.halfTyped().set(editor, halfTyped(*editor, cell),
+                                     editor->text() != cell.data(Qt::EditRole).toString());
+          });
+  connect(this, &EntryTable::typingEnded, &document.halfTyped(), &HalfTyped::clear);
   layOutColumns();
   showUsedColumns();
+}
+
+HalfTypedText ReadingsTable::halfTyped(const QLineEdit& editor, const QModelIndex& cell) const {
+  const RowField* field = infoOf(columnOf(cell)).field;
+  return {.place = {.position = m_model.position(),
+                    .reading = static_cast<std::size_t>(cell.row()),
+                    .field = std::string(field->key)},
+          .text = editor.text().trimmed().toStdString()};
 }
 
 void ReadingsTable::layOutColumns() {

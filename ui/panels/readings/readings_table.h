@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "ui/commands/edit_readings.h"
+#include "ui/document/half_typed.h"
 #include "ui/models/readings_model.h"
 #include "ui/panels/parts/entry_table.h"
 
@@ -54,6 +55,7 @@ class ReadingsTable : public EntryTable {
   void showColumnsUsedBy(const SessionChange& change);
   void fitAngles();
   QModelIndex nextEntryCell() const;
+  HalfTypedText halfTyped(const QLineEdit& editor, const QModelIndex& cell) const;
 
   ReadingsModel m_model;
   ReadingsEditor m_editor;

@@ -1,0 +1,33 @@
+#include "ui/document/half_typed.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace alidade::ui {
+
+void HalfTyped::set(const QObject* entry, HalfTypedText text, bool isChanged) {
+  const auto [open, isNew] = m_open.try_emplace(entry);
+  if (isNew) connect(entry, &QObject::destroyed, this, [this, entry] { clear(entry); });
+  open->second = {std::move(text), isChanged};
+  emit changed();
+}
+
+void HalfTyped::clear(const QObject* entry) {
+  if (m_open.erase(entry) == 0) return;
+  entry->disconnect(this);
+  emit changed();
+}
+
+std::vector<HalfTypedText> HalfTyped::texts() const {
+  std::vector<HalfTypedText> texts;
+  for (const auto& [entry, open] : m_open)
+    if (open.isChanged) texts.push_back(open.text);
+  return texts;
+}
+
+bool HalfTyped::isOpenInPosition() const {
+  return std::ranges::any_of(m_open,
+                             [](const auto& open) { return open.second.text.place.position.has_value(); });
+}
+
+}  // namespace alidade::ui
