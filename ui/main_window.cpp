@@ -224,7 +224,9 @@ PageTabs* MainWindow::createDetails() {
   pages->addPage(
       m_journal, tr("Journal"),
       [this](const SharedEvaluation& evaluation) { m_journal->setEvaluation(evaluation); },
-      [](const Evaluation& evaluation) { return !evaluation.session.journal.empty(); });
+      [](const Evaluation& evaluation) {
+        return !evaluation.session.journal.empty() || !evaluation.journal.empty();
+      });
   connect(m_effects, &EffectsPanel::knownWanted, this, [this](const std::string& effect) {
     m_known->reveal(effect);
     m_details->showPage(m_details->indexOf(m_known));

@@ -10,9 +10,27 @@
 
 namespace alidade::console {
 
-std::string journalText(const std::string& name, const Session& session) {
+namespace {
+
+const char* stateName(CheckedSeal::State state) {
+  switch (state) {
+    case CheckedSeal::State::Held:
+      return "held";
+    case CheckedSeal::State::Changed:
+      return "changed";
+    case CheckedSeal::State::Unchecked:
+      break;
+  }
+  return "unchecked";
+}
+
+}  // namespace
+
+std::string journalText(const std::string& name, const Session& session, const JournalCheck& check) {
   std::string text = heading(name);
-  if (session.journal.empty()) return text + "Nothing that stood was changed.\n";
+  const std::string summary = journalSummary(session, check);
+  if (session.journal.empty())
+    return text + (summary.empty() ? "No entry was changed after it was recorded.\n" : paragraph(summary));
   for (const JournalEntry& entry : session.journal) {
     std::string line = timeText(entry.at) + " UTC " + (entry.place.empty() ? "the session" : entry.place);
     if (!entry.point.empty()) line += " (point " + entry.point + ")";
@@ -23,17 +41,26 @@ std::string journalText(const std::string& name, const Session& session) {
     if (!entry.by.empty()) line += ", " + entry.by;
     text += paragraph(line, 2);
   }
-  const std::string summary = journalSummary(session);
   return text + "\n" + paragraph(summary.empty() ? "The journal is whole." : summary);
 }
 
-std::string journalJson(const std::string& name, const Session& session) {
+std::string journalJson(const std::string& name, const Session& session, const JournalCheck& check) {
   using Json = nlohmann::ordered_json;
   Json entries = Json::array();
   for (const JournalEntry& entry : session.journal) {
     Json& json = entries.emplace_back(Json::object());
     for (const JournalField& field : journalFields) json[field.key] = entry.*field.text;
   }
+  Json contradictions = Json::array();
+  for (const JournalContradiction& one : check.contradictions)
+    contradictions.push_back({{"place", one.place}, {"journal", one.told}, {"file", one.held}});
+  Json seals = Json::array();
+  for (const CheckedSeal& one : check.seals)
+    seals.push_back({{"at", one.seal.at},
+                     {"by", one.seal.by},
+                     {"revision", one.seal.revision},
+                     {"sha256", one.seal.digest},
+                     {"state", stateName(one.state)}});
   Json sealed = nullptr;
   if (const auto seal = sealOf(session.journal))
     sealed = {{"at", seal->at},
@@ -41,9 +68,11 @@ std::string journalJson(const std::string& name, const Session& session) {
               {"revision", seal->revision},
               {"unchanged", isAsSealed(session, *seal)}};
   return jsonText({{"session", name},
-                   {"whole", !firstBrokenEntry(session.journal)},
+                   {"whole", check.holds()},
                    {"changed_readings", changedReadings(session)},
+                   {"contradictions", std::move(contradictions)},
                    {"sealed", std::move(sealed)},
+                   {"seals", std::move(seals)},
                    {"entries", std::move(entries)}});
 }
 

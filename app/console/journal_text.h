@@ -2,16 +2,17 @@
 
 #include <string>
 
+#include "core/session/journal_check.h"
 #include "core/session/session.h"
 
 namespace alidade::console {
 
 /// What was changed after it stood, in its order, and below it whether the journal is whole and how the
 /// session was sealed.
-std::string journalText(const std::string& name, const Session& session);
+std::string journalText(const std::string& name, const Session& session, const JournalCheck& check);
 
 /// {"session", "whole", "changed_readings", "sealed": null or {"at", "by", "revision", "unchanged"},
 /// "entries": [as in the session file]}.
-std::string journalJson(const std::string& name, const Session& session);
+std::string journalJson(const std::string& name, const Session& session, const JournalCheck& check);
 
 }  // namespace alidade::console

@@ -5,6 +5,7 @@
 
 #include "core/base/number_text.h"
 #include "core/base/sha256.h"
+#include "core/session/journal_check.h"
 #include "core/session/session.h"
 #include "core/session/session_file.h"
 
@@ -67,8 +68,12 @@ JournalEntry sealingEntry(const Session& session, const std::string& by, const s
   entry.at = at;
   entry.by = by;
   entry.from = std::to_string(sealed ? sealed->revision + 1 : 0);
-  entry.to = contentDigest(session);
+  Session content = session;
+  content.journal.clear();
+  const std::string text = writeSession(content);
+  entry.to = sha256(text);
   entry.why = journal_reasons::sealed;
+  keepSealedContent(entry, text);
   return entry;
 }
 

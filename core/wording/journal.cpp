@@ -25,18 +25,39 @@ constexpr std::array reasons{
     std::pair{journal_reasons::undone, PHRASE_LATER("Phrase", "undone")},
     std::pair{journal_reasons::sealed, PHRASE_LATER("Phrase", "sealed")}};
 
-std::string sealSentence(const Session& session, const Seal& seal) {
-  const std::string text = seal.revision == 0 ? Phrase::of("Sealed %1 UTC by %2", timeText(seal.at), seal.by)
-                                              : Phrase::of("Revision %1 sealed %2 UTC by %3", seal.revision,
-                                                           timeText(seal.at), seal.by);
-  const std::size_t since = session.journal.size() - seal.entry - 1;
+std::string sealName(const Seal& seal) {
+  return seal.revision == 0
+             ? Phrase::of("Sealed %1 UTC by %2", timeText(seal.at), seal.by)
+             : Phrase::of("Revision %1 sealed %2 UTC by %3", seal.revision, timeText(seal.at), seal.by);
+}
+
+/// `since`: entries of the journal after it.
+std::string sealSentence(const CheckedSeal& checked, std::size_t since) {
+  using State = CheckedSeal::State;
+  const std::string text = sealName(checked.seal);
+  if (checked.state == State::Changed)
+    return since == 0
+               ? Phrase::of(
+                     "%1; its content is not what was sealed, and the journal does not tell of the change.",
+                     text)
+               : Phrase::of(
+                     "%1; its content was changed outside this program since: the journal does not lead back "
+                     "to what was sealed.",
+                     text);
+  if (checked.state == State::Unchecked)
+    return Phrase::of("%1; what was sealed cannot be rebuilt from the journal and is not checked.", text);
+  if (since == 0) return Phrase::of("%1 and unchanged since.", text);
   if (since == 1) return Phrase::of("%1; one change since: a revision that nobody has sealed.", text);
-  if (since > 1) return Phrase::of("%1; %2 changes since: a revision that nobody has sealed.", text, since);
-  return isAsSealed(session, seal)
-             ? Phrase::of("%1 and unchanged since.", text)
-             : Phrase::of(
-                   "%1; its content is not what was sealed, and the journal does not tell of the change.",
-                   text);
+  return Phrase::of("%1; %2 changes since: a revision that nobody has sealed.", text, since);
+}
+
+/// Earlier seals where they do not hold, and the last one.
+std::vector<std::string> sealSentences(const std::vector<CheckedSeal>& seals, std::size_t entries) {
+  std::vector<std::string> sentences;
+  for (std::size_t i = 0; i < seals.size(); ++i)
+    if (i + 1 == seals.size() || seals[i].state == CheckedSeal::State::Changed)
+      sentences.push_back(sealSentence(seals[i], entries - seals[i].seal.entry - 1));
+  return sentences;
 }
 
 }  // namespace
@@ -55,18 +76,40 @@ std::string reasonText(const JournalEntry& entry) {
   return found == reasons.end() ? entry.why : Phrase::of(found->second);
 }
 
+std::string contradictionText(const JournalContradiction& one) {
+  if (one.told.empty())
+    return Phrase::of("%1: the file holds “%2”, and the journal tells of no change.", one.place, one.held);
+  if (one.held.empty())
+    return Phrase::of("%1: the journal says “%2”, and the file holds nothing.", one.place, one.told);
+  return Phrase::of("%1: the journal says “%2”, and the file holds “%3”.", one.place, one.told, one.held);
+}
+
 std::string journalSummary(const Session& session) {
+  return journalSummary(session, checkJournal(session));
+}
+
+std::string journalSummary(const Session& session, const JournalCheck& check) {
+  constexpr std::size_t mostTold = 5;
   std::string text;
   const auto say = [&](const std::string& sentence) { text += (text.empty() ? "" : " ") + sentence; };
   if (const std::size_t changed = changedReadings(session); changed > 0)
     say(changed == 1 ? Phrase::of("One reading was changed after entry.")
                      : Phrase::of("%1 readings were changed after entry.", changed));
-  if (const auto broken = firstBrokenEntry(session.journal))
+  if (check.broken)
     say(
         Phrase::of("The journal does not hold together from entry %1 on: it, or one before it, was changed "
                    "outside this program.",
-                   *broken + 1));
-  if (const auto seal = sealOf(session.journal)) say(sealSentence(session, *seal));
+                   *check.broken + 1));
+  if (!check.contradictions.empty()) say(Phrase::of("Changed outside this program:"));
+  for (std::size_t i = 0; i < std::min(mostTold, check.contradictions.size()); ++i)
+    say(contradictionText(check.contradictions[i]));
+  if (check.contradictions.size() > mostTold)
+    say(Phrase::of("Further places: %1.", check.contradictions.size() - mostTold));
+  if (check.backwards)
+    say(Phrase::of(
+        "Entry %1 is earlier than the one before it: the clock was set back, or its time was changed.",
+        *check.backwards + 1));
+  for (const std::string& sentence : sealSentences(check.seals, session.journal.size())) say(sentence);
   return text;
 }
 

@@ -53,15 +53,21 @@ TEST(JournalCommand, TellsWhatTheJournalDoesNot) {
   const auto at = text.find("341");
   ASSERT_NE(at, std::string::npos);
   text.replace(at, 3, "342");
-  const Json json = Json::parse(journalOf(text, {"--json"}).out);
-  EXPECT_EQ(json["whole"], true);
+  const ProgramRun run = journalOf(text, {"--json"});
+  EXPECT_EQ(run.exitCode, 1);
+  const Json json = Json::parse(run.out);
+  EXPECT_EQ(json["whole"], false);
   EXPECT_EQ(json["sealed"]["unchanged"], false);
+  EXPECT_EQ(json["seals"][0]["state"], "changed");
+  ASSERT_EQ(json["contradictions"].size(), 1U);
+  EXPECT_EQ(json["contradictions"][0]["place"], "positions[0].readings[0].horizontal");
+  EXPECT_THAT(journalOf(text).out, HasSubstr("positions[0].readings[0].horizontal: the journal says"));
 }
 
 TEST(JournalCommand, SaysWhereNothingWasChanged) {
   const ProgramRun run = alidadeCli({"journal", paperSession});
   EXPECT_EQ(run.exitCode, 0);
-  EXPECT_THAT(run.out, HasSubstr("Nothing that stood was changed."));
+  EXPECT_THAT(run.out, HasSubstr("No entry was changed after it was recorded."));
 }
 
 }  // namespace

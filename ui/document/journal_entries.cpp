@@ -6,24 +6,13 @@
 #include <utility>
 
 #include "core/base/place.h"
+#include "core/session/journal_check.h"
 
 namespace alidade::ui {
 
 namespace {
 
 constexpr std::size_t mostEntries = 1000;
-
-/// All that is typed in a row, for one that goes or comes: `horizontal 341°52'24", vertical …`.
-std::string rowText(const Reading& row) {
-  std::string text;
-  for (const RowField& field : rowFields) {
-    if (!field.text || (row.*field.text).empty()) continue;
-    if (!text.empty()) text += ", ";
-    text += std::string(field.key) + ' ' + row.*field.text;
-  }
-  if (row.excluded) text += ", excluded";
-  return text;
-}
 
 class PatchEntries {
  public:
@@ -55,10 +44,12 @@ class PatchEntries {
   }
 
  private:
+  /// Of an empty row that comes or goes only a sealed session tells: those below it have other numbers.
   bool hasStanding(const Reading& row, std::size_t index) const {
+    const auto isTyped = [&](const RowField& field) { return field.text && !(row.*field.text).empty(); };
+    if (std::ranges::none_of(rowFields, isTyped)) return m_stands(asAdded, ReadingColumn::Used);
     return std::ranges::any_of(rowFields, [&](const RowField& field) {
-      return field.text && !(row.*field.text).empty() &&
-             m_stands(index, readingColumn(std::string(field.key)));
+      return isTyped(field) && m_stands(index, readingColumn(std::string(field.key)));
     });
   }
 

@@ -23,7 +23,7 @@ bool isThere(ReportPart part, const Gap& gap) {
   const Evaluation& evaluation = *gap.evaluation;
   switch (part) {
     case ReportPart::Journal:
-      return !evaluation.session.journal.empty();
+      return !evaluation.session.journal.empty() || !evaluation.journal.empty();
     case ReportPart::Budget:
       return evaluation.fit.intersection.has_value();
     case ReportPart::Gap:

@@ -12,12 +12,13 @@ namespace alidade::ui {
 
 void addJournal(ReportSheet& sheet, const Evaluation& evaluation) {
   constexpr std::size_t mostEntries = 200;
-  constexpr int longestText = 60;
+  constexpr int longestText = 64;  // characters of a digest
   const std::vector<JournalEntry>& journal = evaluation.session.journal;
-  if (journal.empty()) return;
+  if (journal.empty() && evaluation.journal.empty()) return;
   sheet.keepTogether(35);
   sheet.heading(Report::tr("Journal of changes"));
   if (const QString summary = visibleLine(evaluation.journal); !summary.isEmpty()) sheet.paragraph(summary);
+  if (journal.empty()) return;
   sheet.skip(0.8);
   //: heads of the journal: when, what, from which text, to which, why and by whom it was changed
   ReportTable table(sheet, {{Report::tr("When (UTC)"), 28},

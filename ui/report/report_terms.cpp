@@ -146,7 +146,8 @@ QString correctionsText(const Evaluation& evaluation) {
       parts.append(Report::tr("as measured, what is known beforehand: %1").arg(Report::list(known)));
   //: corrections: none
   if (parts.isEmpty()) parts.append(Report::tr("none"));
-  if (evaluation.session.journal.empty()) parts.append(Report::tr("nothing was changed after it stood"));
+  if (evaluation.session.journal.empty() && evaluation.journal.empty())
+    parts.append(Report::tr("no entry was changed after it was recorded"));
   return Report::clauses(parts);
 }
 
@@ -161,8 +162,8 @@ QString entriesText(std::size_t count, bool isJournalPrinted) {
 
 /// Empty where nothing was changed.
 QString changesText(const Evaluation& evaluation, bool isJournalPrinted) {
-  if (evaluation.session.journal.empty()) return {};
   const QString summary = visibleLine(evaluation.journal);
+  if (evaluation.session.journal.empty()) return summary;
   const QString entries = entriesText(evaluation.session.journal.size(), isJournalPrinted);
   if (summary.isEmpty()) return entries;
   //: a clause as a sentence

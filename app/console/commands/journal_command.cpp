@@ -9,16 +9,20 @@ namespace alidade::console {
 
 void addJournalCommand(CLI::App& app, JournalRequest& request) {
   CLI::App* journal = app.add_subcommand(
-      "journal", "What was changed in a session after it stood, and whether its journal is whole.");
+      "journal",
+      "What was changed in a session after it was recorded, and whether its journal and seals hold. "
+      "Exit code 1 where they do not.");
   journal->add_option("FILE", request.file, "Session (*.alidade); - reads standard input")->required();
   journal->add_flag("--json", request.json, "Print one JSON document");
 }
 
-Result<std::string> runJournal(const JournalRequest& request) {
+Result<JournalAnswer> runJournal(const JournalRequest& request) {
   const Result<Session> session = readSessionOf(request.file);
   if (!session) return session.problem();
   const std::string name = nameOf(*session, request.file);
-  return request.json ? journalJson(name, *session) : journalText(name, *session);
+  const JournalCheck check = checkJournal(*session);
+  return JournalAnswer{request.json ? journalJson(name, *session, check) : journalText(name, *session, check),
+                       check.holds()};
 }
 
 }  // namespace alidade::console

@@ -19,7 +19,12 @@ struct JournalRequest {
 /// Adds `journal FILE [--json]`, which fills in `request`.
 void addJournalCommand(CLI::App& app, JournalRequest& request);
 
-/// The journal in text or JSON. Fails where the file is no session; entries of it may be unusable.
-Result<std::string> runJournal(const JournalRequest& request);
+struct JournalAnswer {
+  std::string result;  ///< in text or JSON
+  bool holds = true;   ///< nothing was changed outside, as far as the file itself can tell
+};
+
+/// Fails where the file is no session; entries of it may be unusable.
+Result<JournalAnswer> runJournal(const JournalRequest& request);
 
 }  // namespace alidade::console

@@ -57,6 +57,14 @@ int giveImport(const ImportRequest& request, std::string& subject) {
   return writeResult(answer->result);
 }
 
+int giveJournal(const JournalRequest& request, std::string& subject) {
+  subject = inputName(request.file);
+  const alidade::Result<JournalAnswer> answer = runJournal(request);
+  if (!answer) return refuse(subject, answer.problem().text());
+  const int written = writeResult(answer->result);
+  return answer->holds ? written : Failed;
+}
+
 int giveCertificate(const CertificateRequest& request, std::string& subject) {
   subject = inputName(request.file);
   const alidade::Result<CertificateAnswer> answer = runCertificate(request);
@@ -154,7 +162,7 @@ int run(int argc, char** argv, std::string& subject) {
   };
   if (app.got_subcommand("plan")) return giveFrom(planRequest, runPlan);
   if (app.got_subcommand("protocol")) return giveFrom(protocolRequest, runProtocol);
-  if (app.got_subcommand("journal")) return giveFrom(journalRequest, runJournal);
+  if (app.got_subcommand("journal")) return giveJournal(journalRequest, subject);
   if (app.got_subcommand("diagnose")) return giveDiagnosis(diagnoseRequest, subject);
   return giveFit(fitRequest, subject);
 }

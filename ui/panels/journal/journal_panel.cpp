@@ -26,7 +26,7 @@ JournalPanel::JournalPanel(QWidget* parent)
   m_summary->setTextFormat(Qt::PlainText);
   m_summary->setTextInteractionFlags(Qt::TextSelectableByMouse);
   m_table->setAccessibleName(tr("Journal of changes"));
-  m_table->setPlaceholder(tr("Nothing that stood was changed."));
+  m_table->setPlaceholder(tr("No entry was changed after it was recorded."));
   setFocusProxy(m_table);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(6, 6, 6, 6);

@@ -1,0 +1,361 @@
+#include "core/session/journal_replay.h"
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "core/base/sha256.h"
+#include "core/session/json_layout.h"
+#include "core/session/row_fields.h"
+#include "core/session/value_text.h"
+
+namespace alidade {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* firstTexts = "as_read";
+constexpr const char* flagName = "excluded";
+constexpr std::string_view toldInWords[] = {"instrument.known", "device.known", "instrument.record",
+                                            "protocol", "model.effects"};
+
+/// The number in `[12]` at the start of `text`, which is shortened by it.
+std::optional<std::size_t> takeIndex(std::string_view& text, std::string_view name) {
+  if (!text.starts_with(name)) return {};
+  std::string_view rest = text.substr(name.size());
+  std::size_t index = 0;
+  const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), index);
+  if (error != std::errc() || end == rest.data() + rest.size() || *end != ']') return {};
+  rest.remove_prefix(static_cast<std::size_t>(end - rest.data()) + 1);
+  if (rest.starts_with('.')) rest.remove_prefix(1);
+  text = rest;
+  return index;
+}
+
+ValueKind kindOfField(const std::string& field, bool isCell) {
+  if (isCell) {
+    const RowField* known = rowFieldNamed(field);
+    return known ? kindOf(*known) : ValueKind::Text;
+  }
+  if (field.starts_with("pointing_zero.")) return ValueKind::Angle;
+  for (const std::string_view unit : {"_mm", "_arcsec", "_c", "_k", "_deg", "coverage"})
+    if (field.ends_with(unit)) return ValueKind::Number;
+  return ValueKind::Text;
+}
+
+std::string textIn(const Json& object, const std::string& key, ValueKind kind) {
+  const auto found = object.find(key);
+  if (found == object.end()) return {};
+  return textOf(*found, kind).value_or(found->dump());
+}
+
+/// As the text is after a file: 1.0 comes back as 1.
+std::string filedText(const std::string& text, ValueKind kind) {
+  return text.empty() ? text : textOf(valueOf(text, kind), kind).value_or(text);
+}
+
+std::string usedText(const Json& row) {
+  const auto found = row.find(flagName);
+  return found != row.end() && *found == true ? "excluded" : "used";
+}
+
+std::string cellTextOf(const Json& row, const std::string& field) {
+  return field == flagName ? usedText(row) : textIn(row, field, kindOfField(field, true));
+}
+
+std::string rowTextOf(const Json& row) {
+  Reading reading;
+  for (const RowField& field : rowFields)
+    if (field.text) reading.*field.text = textIn(row, std::string(field.key), kindOf(field));
+  reading.excluded = usedText(row) == "excluded";
+  return rowText(reading);
+}
+
+/// The reverse of `rowText`: its fields come in one order, and a value ends where a later one begins.
+Json rowOfText(std::string_view text) {
+  constexpr std::string_view excluded = ", excluded";
+  Json row = Json::object();
+  if (text.ends_with(excluded)) {
+    row[flagName] = true;
+    text.remove_suffix(excluded.size());
+  }
+  const auto headOf = [](const RowField& field) { return std::string(field.key) + ' '; };
+  for (auto field = rowFields.begin(); field != rowFields.end(); ++field) {
+    if (!field->text || !text.starts_with(headOf(*field))) continue;
+    text.remove_prefix(headOf(*field).size());
+    std::size_t end = text.size();
+    for (auto later = std::next(field); later != rowFields.end(); ++later)
+      if (later->text) end = std::min(end, text.find(", " + headOf(*later)));
+    row[std::string(field->key)] = valueOf(std::string(text.substr(0, end)), kindOf(*field));
+    text.remove_prefix(std::min(text.size(), end + 2));
+  }
+  return row;
+}
+
+/// Every value by its place; what is empty is as if it were not there.
+void flatten(const Json& value, const std::string& place, std::map<std::string, std::string>& texts) {
+  if (value.is_object()) {
+    for (const auto& [key, member] : value.items())
+      if (key != firstTexts) flatten(member, place.empty() ? key : place + '.' + key, texts);
+  } else if (value.is_array()) {
+    for (std::size_t i = 0; i < value.size(); ++i)
+      flatten(value[i], place + '[' + std::to_string(i) + ']', texts);
+  } else {
+    const std::string text = value.is_string() ? value.get<std::string>() : value.dump();
+    if (!text.empty() && value != false && !value.is_null()) texts[place] = text;
+  }
+}
+
+}  // namespace
+
+JournalReplay::JournalReplay(const std::vector<JournalEntry>& journal, const std::string& content)
+    : m_journal(journal), m_content(std::make_unique<Json>(Json::parse(content, nullptr, false))) {}
+
+JournalReplay::~JournalReplay() = default;
+
+std::optional<JournalReplay::Path> JournalReplay::pathOf(const std::string& place) {
+  std::string_view rest = place;
+  Path path;
+  path.position = takeIndex(rest, "positions[");
+  if (path.position) path.reading = takeIndex(rest, "readings[");
+  path.field = rest;
+  return place.empty() ? std::nullopt : std::optional(path);
+}
+
+bool JournalReplay::isSealedBefore(std::size_t entry) const {
+  return std::any_of(m_journal.begin(), m_journal.begin() + static_cast<std::ptrdiff_t>(entry),
+                     [](const JournalEntry& one) { return one.why == journal_reasons::sealed; });
+}
+
+void JournalReplay::contradict(const std::string& place, const std::string& told, const std::string& held) {
+  m_isExact = false;
+  const auto isOfPlace = [&](const JournalContradiction& one) { return one.place == place; };
+  if (std::ranges::none_of(m_contradictions, isOfPlace)) m_contradictions.push_back({place, told, held});
+}
+
+void JournalReplay::takeBack(std::size_t index) {
+  if (index >= m_taken) return;
+  m_taken = firstOfEdit(index);
+  for (std::size_t i = m_taken; i <= index; ++i) takeBackOne(i);
+}
+
+/// Rows that went in one edit, or came back in one, have the numbers that they have together: they are taken
+/// back in the order of the journal. All other entries are edits of their own here.
+std::size_t JournalReplay::firstOfEdit(std::size_t last) const {
+  const auto isBefore = [&](const JournalEntry& one, const JournalEntry& next) {
+    const auto a = pathOf(one.place), b = pathOf(next.place);
+    const bool isRow = a && b && a->reading && b->reading && a->field.empty() && b->field.empty();
+    if (!isRow || a->position != b->position || one.at != next.at || one.why != next.why) return false;
+    const bool isUndone = one.why == journal_reasons::undone;
+    const bool areGone = one.to.empty() && next.to.empty(), haveCome = one.from.empty() && next.from.empty();
+    return isUndone ? haveCome && *a->reading > *b->reading : areGone && *a->reading < *b->reading;
+  };
+  std::size_t first = last;
+  while (first > 0 && isBefore(m_journal[first - 1], m_journal[first])) --first;
+  return first;
+}
+
+void JournalReplay::takeBackOne(std::size_t index) {
+  if (m_isOpaque) return;
+  const JournalEntry& entry = m_journal[index];
+  const auto path = pathOf(entry.place);
+  if (!path || entry.why == journal_reasons::imported) {
+    m_isOpaque = true;
+  } else if (const auto told = std::ranges::find_if(
+                 toldInWords, [&](std::string_view name) { return path->field.starts_with(name); });
+             told != std::end(toldInWords)) {
+    m_told.emplace(*told);
+    m_isExact = false;
+  } else if (path->reading) {
+    path->field.empty() ? takeBackRow(*path, entry) : takeBackCell(*path, index);
+  } else if (path->position &&
+             (path->field.empty() || path->field == "readings" || entry.why == journal_reasons::deleted)) {
+    m_isOpaque = true;
+  } else {
+    takeBackText(*path, entry);
+  }
+}
+
+JournalReplay::Json* JournalReplay::rowsOf(const Path& path) {
+  Json& positions = (*m_content)["positions"];
+  if (!positions.is_array() || *path.position >= positions.size()) return nullptr;
+  Json& rows = positions[*path.position]["readings"];
+  return rows.is_array() ? &rows : nullptr;
+}
+
+/// Before a first seal: the one row of the entry's point, round and face. Rows that came while they were
+/// empty left no entry, so that the index says nothing.
+JournalReplay::Json* JournalReplay::rowOf(const Path& path, const JournalEntry& entry) {
+  Json* rows = rowsOf(path);
+  if (!rows) return nullptr;
+  const auto isIt = [&](const Json& row) {
+    const std::pair<const char*, const std::string&> names[] = {
+        {"point", entry.point}, {"round", entry.round}, {"face", entry.face}};
+    return std::ranges::all_of(names, [&](const auto& name) {
+      const std::string& text = path.field == name.first ? entry.to : name.second;
+      return cellTextOf(row, name.first) == filedText(text, kindOfField(name.first, true));
+    });
+  };
+  const auto found = std::find_if(rows->begin(), rows->end(), isIt);
+  const bool isOne = found != rows->end() && std::find_if(std::next(found), rows->end(), isIt) == rows->end();
+  return isOne ? &*found : nullptr;
+}
+
+void JournalReplay::takeBackCell(const Path& path, std::size_t index) {
+  const JournalEntry& entry = m_journal[index];
+  const bool isSealed = isSealedBefore(index);
+  Json* row = isSealed ? nullptr : rowOf(path, entry);
+  if (isSealed) {
+    Json* rows = rowsOf(path);
+    if (!rows || *path.reading >= rows->size()) return contradict(entry.place, entry.to, {});
+    row = &(*rows)[*path.reading];
+  }
+  if (!row) {
+    m_isExact = false;
+    return;
+  }
+  const std::string held = cellTextOf(*row, path.field);
+  const ValueKind kind = kindOfField(path.field, true);
+  // Before a first seal, a cell may be filled in, and its row may be another one: the mark of a change tells.
+  const auto marks = row->find(firstTexts);
+  const bool isMarked = marks != row->end() && marks->contains(path.field);
+  if (held != filedText(entry.to, kind) && (isSealed || (isMarked && !entry.to.empty())))
+    contradict(entry.place, entry.to, held);
+  const std::string pointer = "/positions/" + std::to_string(*path.position) + "/readings/" +
+                              std::to_string(*path.reading) + '/' + path.field;
+  if (path.field == flagName) {
+    (*row)[flagName] = entry.from == "excluded";
+    if (entry.from != "excluded") m_absent.push_back(pointer);
+    return;
+  }
+  if (entry.to.empty()) m_isExact = false;  // its key went, and with it the order of the keys
+  (*row)[path.field] = valueOf(entry.from, kind);
+  if (entry.from.empty()) m_absent.push_back(pointer);
+  if (!isMarked) return;
+  Json& firsts = (*row)[firstTexts];
+  if (textIn(firsts, path.field, kind) == filedText(entry.from, kind)) firsts.erase(path.field);
+  if (firsts.empty()) row->erase(firstTexts);
+}
+
+void JournalReplay::takeBackRow(const Path& path, const JournalEntry& entry) {
+  Json* rows = rowsOf(path);
+  if (!rows) return contradict(entry.place, entry.to, {});
+  const auto at = [&](std::size_t index) { return rows->begin() + static_cast<std::ptrdiff_t>(index); };
+  if (!entry.to.empty()) {
+    const std::string held = *path.reading < rows->size() ? rowTextOf((*rows)[*path.reading]) : std::string();
+    if (held != rowTextOf(rowOfText(entry.to))) contradict(entry.place, entry.to, held);
+    if (*path.reading >= rows->size()) return;
+    m_gone.push_back((*rows)[*path.reading]);
+    rows->erase(at(*path.reading));
+    return;
+  }
+  const auto moved = std::ranges::find_if(
+      m_gone, [&](const Json& row) { return rowTextOf(row) == rowTextOf(rowOfText(entry.from)); });
+  m_isExact = m_isExact && moved != m_gone.end();
+  rows->insert(at(std::min(*path.reading, rows->size())),
+               moved != m_gone.end() ? *moved : rowOfText(entry.from));
+}
+
+void JournalReplay::takeBackText(const Path& path, const JournalEntry& entry) {
+  Json* object = m_content.get();
+  std::string pointer;
+  if (path.position) {
+    Json& positions = (*m_content)["positions"];
+    if (!positions.is_array() || *path.position >= positions.size())
+      return contradict(entry.place, entry.to, {});
+    object = &positions[*path.position];
+    pointer = "/positions/" + std::to_string(*path.position);
+  }
+  std::string key = path.field;
+  for (std::size_t dot = key.find('.'); dot != std::string::npos; dot = key.find('.')) {
+    if (!object->contains(key.substr(0, dot))) m_isExact = false;
+    object = &(*object)[key.substr(0, dot)];
+    pointer += '/' + key.substr(0, dot);
+    key.erase(0, dot + 1);
+    if (!object->is_object() && !object->is_null()) return contradict(entry.place, entry.to, object->dump());
+  }
+  const ValueKind kind = kindOfField(path.field, false);
+  const std::string held = object->is_null() ? std::string() : textIn(*object, key, kind);
+  const bool isFilledIn =
+      entry.to.empty() && !isSealedBefore(static_cast<std::size_t>(&entry - m_journal.data()));
+  if (held != filedText(entry.to, kind) && !isFilledIn) contradict(entry.place, entry.to, held);
+  if (entry.to.empty()) m_isExact = false;
+  (*object)[key] = valueOf(entry.from, kind);
+  if (entry.from.empty()) m_absent.push_back(pointer + '/' + key);
+}
+
+/// Of the content with each of `m_absent` there or not; the latter first.
+std::vector<std::string> JournalReplay::digestsOfAllForms() const {
+  constexpr std::size_t mostUnsure = 6;
+  std::vector<std::string> places(m_absent.begin(), m_absent.end());
+  std::ranges::sort(places);
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  if (places.size() > mostUnsure) return {sha256(layoutJson(*m_content))};
+  std::vector<std::string> digests;
+  for (std::size_t form = 0; form < std::size_t{1} << places.size(); ++form) {
+    Json content = *m_content;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      if ((form >> i & 1U) != 0) continue;
+      const Json::json_pointer pointer(places[i]);
+      if (!content.contains(pointer)) continue;
+      Json& object = content[pointer.parent_pointer()];
+      const Json& value = content[pointer];
+      if (value == false || value == "" || value.is_null()) object.erase(pointer.back());
+    }
+    digests.push_back(sha256(layoutJson(content)));
+  }
+  return digests;
+}
+
+bool JournalReplay::isTold(const std::string& place) const {
+  return std::ranges::any_of(m_told, [&](const std::string& name) { return place.starts_with(name); });
+}
+
+void JournalReplay::compareWith(const Json& sealed) {
+  std::map<std::string, std::string> told, held;
+  flatten(sealed, {}, told);
+  flatten(*m_content, {}, held);
+  for (const auto& [place, text] : told) {
+    const auto found = held.find(place);
+    if (!isTold(place) && (found == held.end() || found->second != text))
+      contradict(place, text, found == held.end() ? std::string() : found->second);
+  }
+  for (const auto& [place, text] : held)
+    if (!isTold(place) && !told.contains(place)) contradict(place, {}, text);
+}
+
+CheckedSeal::State JournalReplay::atSeal(std::size_t index) {
+  using State = CheckedSeal::State;
+  const JournalEntry& entry = m_journal[index];
+  const std::size_t before = m_contradictions.size();
+  State state = State::Unchecked;
+  const std::string copy = sealedContent(entry);
+  Json sealed = copy.empty() ? Json() : Json::parse(copy, nullptr, false);
+  if (sealed.is_discarded()) sealed = Json();
+  if (!m_isOpaque) {
+    const auto digests = digestsOfAllForms();
+    const bool isDigest = std::ranges::find(digests, entry.to) != digests.end();
+    if (isDigest) {
+      state = State::Held;
+    } else if (sealed.is_object()) {
+      compareWith(sealed);
+      state = m_contradictions.size() == before && before == 0 ? State::Held : State::Changed;
+    } else if (m_isExact || !m_contradictions.empty()) {
+      state = State::Changed;
+    }
+  }
+  if (sealed.is_object()) {
+    *m_content = std::move(sealed);
+    m_isOpaque = false;
+    m_isExact = true;
+    m_told.clear();
+    m_absent.clear();
+    m_gone.clear();
+  }
+  return state;
+}
+
+}  // namespace alidade

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/session/journal_check.h"
+
+namespace alidade {
+
+/// The content of a session file, out of which entries of its journal are taken back, the last first.
+class JournalReplay {
+ public:
+  using Json = nlohmann::ordered_json;
+
+  JournalReplay(const std::vector<JournalEntry>& journal, const std::string& content);
+  ~JournalReplay();
+
+  /// To be called from the last entry to the first.
+  void takeBack(std::size_t entry);
+  /// Compares the content with what the entry sealed, and goes on from that where it is known.
+  CheckedSeal::State atSeal(std::size_t entry);
+
+  std::vector<JournalContradiction> takeContradictions() { return std::move(m_contradictions); }
+
+ private:
+  struct Path {
+    std::optional<std::size_t> position, reading;
+    std::string field;  ///< "pointing_zero.vertical"; empty: the row or position itself
+  };
+
+  static std::optional<Path> pathOf(const std::string& place);
+  void takeBackOne(std::size_t entry);
+  std::size_t firstOfEdit(std::size_t last) const;
+  void takeBackRow(const Path& path, const JournalEntry& entry);
+  void takeBackCell(const Path& path, std::size_t index);
+  void takeBackText(const Path& path, const JournalEntry& entry);
+  Json* rowsOf(const Path& path);
+  Json* rowOf(const Path& path, const JournalEntry& entry);
+  void contradict(const std::string& place, const std::string& told, const std::string& held);
+  std::vector<std::string> digestsOfAllForms() const;
+  void compareWith(const Json& sealed);
+  bool isTold(const std::string& place) const;
+  bool isSealedBefore(std::size_t entry) const;
+
+  const std::vector<JournalEntry>& m_journal;
+  std::unique_ptr<Json> m_content;
+  std::vector<JournalContradiction> m_contradictions;
+  std::size_t m_taken = static_cast<std::size_t>(-1);  ///< from this entry on all are taken back
+  bool m_isOpaque = false;                             ///< an entry was met that cannot be taken back
+  bool m_isExact = true;              ///< what was taken back is as it was written, but for `m_absent`
+  std::set<std::string> m_told;       ///< places that entries tell of in words, not in texts
+  std::vector<std::string> m_absent;  ///< JSON pointers of empty or false members: were they there at all?
+  std::vector<Json> m_gone;           ///< rows that were taken back: where they came from they may have gone
+};
+
+}  // namespace alidade
