@@ -121,6 +121,26 @@ TEST(SeriesWindow, HasEachSessionOnce) {
   EXPECT_EQ(bench.window.table()->rowCount(), 12);
 }
 
+TEST(SeriesWindow, CountsACopyOnceAndInThePlaceOfWhatWasTakenOut) {
+  const QTemporaryDir folder;
+  const QString copy = folder.filePath(QStringLiteral("copy.alidade"));
+  ASSERT_TRUE(QFile::copy(samplePath(QStringLiteral("history/2025-01-04.alidade")), copy));
+  SeriesBench bench;
+  bench.window.add({bench.dialogs.seriesFolder, copy});
+  bench.settle();
+  ASSERT_EQ(bench.window.table()->rowCount(), 13);
+  EXPECT_EQ(bench.cell(0, 6), QString());
+  EXPECT_EQ(bench.cell(1, 6).toStdString(), "holds the same readings as 2025-01-04.alidade: counted once");
+  EXPECT_THAT(bench.text("history says"), HasSubstr("Weighted mean of 12 values"));
+  EXPECT_EQ(bench.window.diagnosis()->sessions()->rowCount(), 12);
+  bench.window.table()->selectRow(0);
+  bench.window.removeSelected();
+  bench.settle();
+  ASSERT_EQ(bench.window.table()->rowCount(), 12);
+  EXPECT_EQ(bench.cell(0, 6), QString()) << "it counts now";
+  EXPECT_THAT(bench.text("history says"), HasSubstr("Weighted mean of 12 values"));
+}
+
 TEST(SeriesWindow, TakesSessionsOut) {
   SeriesBench bench;
   bench.addYear();
