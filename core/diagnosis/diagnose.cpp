@@ -150,6 +150,7 @@ Result<Diagnosis, DiagnosisFault> diagnose(const Measurement& measurement, const
     withoutReference.withReference = false;
     const Inquiry plain = inquire(*model, withoutReference, stop);
     if (stop.stop_requested()) return stopped;
+    if (const auto fault = undetermined(plain)) return DiagnosisFault(*fault);
     const Answer plainly = conclude(plain);
     found = modelAveragedIntersection(plain, plainly);
     measured = measuredIntersection(plain, plainly);
@@ -157,6 +158,7 @@ Result<Diagnosis, DiagnosisFault> diagnose(const Measurement& measurement, const
   }
   const Inquiry inquiry = inquire(*std::move(model), options, stop);
   if (stop.stop_requested()) return stopped;
+  if (const auto fault = undetermined(inquiry)) return DiagnosisFault(*fault);
   const Answer answer = conclude(inquiry);
   if (stop.stop_requested()) return stopped;
 

@@ -167,7 +167,9 @@ inline void expectAnswers(const Session& session) {
   expectFit(measurement, fit);
   expectSuspects(session, findSuspects(session, measurement, fit));
   const auto diagnosis = diagnose(measurement);
-  EXPECT_EQ(static_cast<bool>(diagnosis), !fit.arcs.empty());
+  if (measurement.known.empty()) {  // what is known may be so far off that nothing fits it
+    EXPECT_EQ(static_cast<bool>(diagnosis), !fit.arcs.empty());
+  }
   diagnosis ? expectDiagnosis(*diagnosis) : expectSentence(problemOf(diagnosis.problem()).text());
 }
 

@@ -38,6 +38,11 @@ class FarOffSession {
     session.model.radius = oneOf<std::string>({"", "common", "known"});
     session.model.verticalAngle = oneOf<std::string>({"", "planar"});
     if (chance()) addEffects(session.model);
+    if (drawnChance(m_random, 0.2))
+      session.instrument.known.push_back({.effect = "collimation",
+                                          .value = std::to_string(size(1, 9e5)),
+                                          .sigma = std::to_string(size(1e-4, 9e5)),
+                                          .unit = "arcsec"});
     m_hasSlider = chance();
     const auto axes = oneOf<std::vector<int>>({{0, 180}, {0, 180}, {0, 180, 0}, {180}});
     const int points = drawnCount(m_random, 3, 12), rounds = drawnCount(m_random, 1, 2);
