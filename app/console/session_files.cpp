@@ -74,7 +74,7 @@ class Listing {
     const fs::path real = realName(folder);
     for (const fs::path& path : found) {
       if (isEndless(path)) {
-        m_list.files.push_back({path.string(), Problem{"is a pipe, a socket or a device and no file: move it "
+        m_list.files.push_back({path.string(), Problem{"is a pipe, a socket or a device: move it "
                                                        "out of the folder, or name it by itself"}});
         continue;
       }

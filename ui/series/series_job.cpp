@@ -1,6 +1,7 @@
 #include "ui/series/series_job.h"
 
 #include <QDir>
+#include <QFile>
 #include <QFileInfo>
 #include <atomic>
 #include <set>
@@ -20,6 +21,11 @@ namespace {
 
 SeriesSession loaded(const std::string& path) {
   SeriesSession session{path};
+  if (const QFileInfo file(QFile::decodeName(QByteArray::fromStdString(path)));
+      file.exists() && !file.isFile()) {
+    session.trouble = Phrase::of("is a pipe or a device: choose a file");
+    return session;
+  }
   const auto failure = failureOf([&] {
     Result<Epoch> epoch = loadEpoch(path);
     if (epoch)

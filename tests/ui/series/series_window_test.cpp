@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <QComboBox>
 #include <QFile>
@@ -112,6 +113,19 @@ TEST(SeriesWindow, NamesTheTroubleOfASession) {
   ASSERT_EQ(bench.window.table()->rowCount(), 13);
   EXPECT_EQ(bench.cell(12, 1), QStringLiteral("broken.alidade"));
   EXPECT_THAT(bench.cell(12, 6).toStdString(), HasSubstr("line 1"));
+}
+
+// Reading a pipe waits until somebody writes to it.
+TEST(SeriesWindow, ReadsNoPipe) {
+  const QTemporaryDir folder;
+  const QString pipe = folder.filePath(QStringLiteral("pipe.alidade"));
+  ASSERT_EQ(mkfifo(pipe.toLocal8Bit().constData(), 0600), 0);
+  EXPECT_TRUE(sessionPathsIn({folder.path()}).empty());
+  SeriesBench bench;
+  bench.window.add({pipe});
+  bench.settle();
+  ASSERT_EQ(bench.window.table()->rowCount(), 1);
+  EXPECT_EQ(bench.cell(0, 6).toStdString(), "is a pipe or a device: choose a file");
 }
 
 TEST(SeriesWindow, HasEachSessionOnce) {
