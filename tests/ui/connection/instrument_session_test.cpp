@@ -66,8 +66,7 @@ std::size_t rowsOf(const Session& session) {
 bool hasPseudoTerminals() {
   const int line = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
   if (line < 0) return false;
-  const bool isUsable =
-      grantpt(line) == 0 && unlockpt(line) == 0 && access(ptsname(line), R_OK | W_OK) == 0;  // NOLINT
+  const bool isUsable = grantpt(line) == 0 && unlockpt(line) == 0 && access(ptsname(line), R_OK | W_OK) == 0;
   close(line);
   return isUsable;
 }
