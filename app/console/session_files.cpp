@@ -18,6 +18,14 @@ bool isFolder(const std::string& path) {
   return fs::is_directory(path, ignored);
 }
 
+/// A pipe, a socket or a device, or a link to one: reading it may wait for ever. False where nothing is
+/// there, which opening it will say.
+bool isEndless(const fs::path& path) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  return fs::exists(status) && !fs::is_regular_file(status);
+}
+
 /// What tells two paths of one file from paths of two.
 std::string realName(const std::string& path) {
   std::error_code problem;
@@ -65,6 +73,11 @@ class Listing {
     std::ranges::sort(found);
     const fs::path real = realName(folder);
     for (const fs::path& path : found) {
+      if (isEndless(path)) {
+        m_list.files.push_back({path.string(), Problem{"is a pipe, a socket or a device: move it "
+                                                       "out of the folder, or name it by itself"}});
+        continue;
+      }
       std::error_code ignored;
       add(path.string(),
           fs::is_symlink(path, ignored) ? realName(path.string()) : (real / path.filename()).string());

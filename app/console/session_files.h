@@ -16,8 +16,9 @@ struct ListedFile {
 
 /// What the call names, in its order: a file stands for itself, a folder for the *.alidade in it, by name,
 /// hidden ones and those of further folders left out. A folder that cannot be read or holds no session is
-/// listed with its problem. What is named again, whichever way, is left out and goes to `again`; two names of
-/// one file that are no links to each other (hard links) are two.
+/// listed with its problem, and so is what a folder holds that is no file, such as a pipe. What is named
+/// again, whichever way, is left out and goes to `again`; two names of one file that are no links to each
+/// other (hard links) are two.
 struct SessionFiles {
   std::vector<ListedFile> files;
   std::vector<std::string> again;

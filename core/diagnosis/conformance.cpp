@@ -20,7 +20,7 @@ std::optional<double> conformanceOf(const IntersectionEstimate& estimate, double
     all += account.share;
   }
   if (!(all > 0)) return std::nullopt;
-  return within / all;
+  return std::clamp(within / all, 0.0, 1.0);  // of rounding
 }
 
 std::optional<double> conformanceOf(const IntersectionEstimate& inPlane, const MeasuredLength& across,

@@ -48,14 +48,16 @@ std::vector<GapShare> whereOf(const Inquiry& inquiry, const Answer& answer) {
   return shares;
 }
 
-/// The likeliest pattern.
+/// The likeliest pattern. What it takes up is told beside what it leaves, so that a pattern which was found
+/// at another noise, and goes beyond the gap, takes up no more than all of it.
 std::optional<GapShape> shapeOf(const Inquiry& inquiry) {
   const auto shaped = std::ranges::find_if(inquiry.explanations, &Explanation::shaped);
   if (shaped == inquiry.explanations.end()) return std::nullopt;
   const Part& pattern = shaped->parts.back();
   const Component& shape = inquiry.of(pattern);
-  return GapShape{std::string(shape.id()),
-                  shape.signatureSquare(pattern.weights) / inquiry.leftover.chiSquare()};
+  const Eigen::VectorXd taken = shape.signature(inquiry.leftover, pattern.weights);
+  const double square = taken.squaredNorm(), left = (inquiry.leftover.residual() - taken).squaredNorm();
+  return GapShape{std::string(shape.id()), square > 0 ? square / (square + left) : 0};
 }
 
 /// Of the reference what is left of it is what Δd as measured leaves.
@@ -148,6 +150,7 @@ Result<Diagnosis, DiagnosisFault> diagnose(const Measurement& measurement, const
     withoutReference.withReference = false;
     const Inquiry plain = inquire(*model, withoutReference, stop);
     if (stop.stop_requested()) return stopped;
+    if (const auto fault = undetermined(plain)) return DiagnosisFault(*fault);
     const Answer plainly = conclude(plain);
     found = modelAveragedIntersection(plain, plainly);
     measured = measuredIntersection(plain, plainly);
@@ -155,6 +158,7 @@ Result<Diagnosis, DiagnosisFault> diagnose(const Measurement& measurement, const
   }
   const Inquiry inquiry = inquire(*std::move(model), options, stop);
   if (stop.stop_requested()) return stopped;
+  if (const auto fault = undetermined(inquiry)) return DiagnosisFault(*fault);
   const Answer answer = conclude(inquiry);
   if (stop.stop_requested()) return stopped;
 

@@ -222,6 +222,7 @@ Result<SessionEvidence, DiagnosisFault> evidenceOf(const Measurement& measuremen
   if (!model) return DiagnosisFault(model.problem());
   const Inquiry inquiry = inquire(*std::move(model), options, stop);
   if (stop.stop_requested()) return DiagnosisFault(Stopped{});
+  if (const auto fault = undetermined(inquiry)) return DiagnosisFault(*fault);
   const MatrixXd columns = columnsOf(inquiry);
   SessionEvidence evidence;
   evidence.normal = lowerTriangle(columns.transpose() * columns);

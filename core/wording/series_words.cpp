@@ -5,6 +5,7 @@
 #include "core/base/list_text.h"
 #include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
+#include "core/wording/copies.h"
 
 namespace alidade {
 
@@ -126,6 +127,8 @@ std::vector<Finding> findingsOf(const SeriesDiagnosis& series, const CauseNamer&
   const auto add = [&](std::string text, std::string remedy) {
     findings.push_back({.severity = Severity::Warning, .text = std::move(text), .remedy = std::move(remedy)});
   };
+  for (const SeriesCopy& copy : series.copies)
+    findings.push_back({.severity = Severity::Note, .text = copySentence(copy.file, copy.first)});
   if (series.withoutInstrument > 0)
     add(Phrase::of("%1 of %2 sessions do not state the serial of their instrument: nothing of an instrument "
                    "is taken as shared by them.",

@@ -1,4 +1,5 @@
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 #include <sstream>
@@ -68,6 +69,42 @@ TEST(Batch, SaysOfEachFileWhatIsSaidOfItAlone) {
       EXPECT_EQ(line, Json::parse(alidadeCli({call.front(), file, "--json"}).out));
     }
   }
+}
+
+// Reading a pipe or a device waits for ever, unless somebody means it.
+TEST(Batch, NamesWhatIsNoFileInAFolder) {
+  const TemporaryFolder folder;
+  const std::string session = folder.file("2.alidade", titled("second"));
+  const std::string pipe = folder.path() / "1.alidade", device = folder.path() / "3.alidade",
+                    link = folder.path() / "4.alidade", lost = folder.path() / "5.alidade";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  std::filesystem::create_symlink("/dev/zero", device);
+  std::filesystem::create_symlink(session, link);
+  std::filesystem::create_symlink("nowhere", lost);
+  for (const std::vector<std::string>& call :
+       {std::vector<std::string>{"fit", "--no-diagnosis"}, {"diagnose", "--each"}}) {
+    std::vector<std::string> whole = call;
+    whole.insert(whole.end(), {folder.path().string(), "--json"});
+    const ProgramRun run = alidadeCli(whole);
+    EXPECT_EQ(run.exitCode, 2);
+    const std::vector<Json> lines = linesOf(run.out);
+    ASSERT_EQ(lines.size(), 4U);
+    EXPECT_THAT(lines[0]["error"], StartsWith("is a pipe, a socket or a device"));
+    EXPECT_EQ(lines[1]["session"], "second");
+    EXPECT_EQ(lines[2]["file"], device);
+    EXPECT_THAT(lines[2]["error"], StartsWith("is a pipe, a socket or a device"));
+    EXPECT_THAT(lines[3]["error"], HasSubstr("cannot be opened"));
+  }
+}
+
+TEST(Batch, ReadsAPipeThatIsNamedByItself) {
+  const TemporaryFolder folder;
+  const std::string session = folder.file("a.alidade", titled("through a pipe"));
+  const ProgramRun run = runProgram(
+      {.program = "/bin/bash",
+       .arguments = {"-c", "exec \"$0\" fit --no-diagnosis --json <(cat \"$1\")", ALIDADE_CLI, session}});
+  ASSERT_EQ(run.exitCode, 0) << run.err;
+  EXPECT_EQ(Json::parse(run.out)["session"], "through a pipe");
 }
 
 TEST(Batch, GoesOnBehindABadFile) {

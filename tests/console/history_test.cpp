@@ -1,6 +1,10 @@
 #include <gmock/gmock.h>
+#include <sys/stat.h>
+
+#include <filesystem>
 
 #include "tests/console/console.h"
+#include "tests/support/file_content.h"
 
 // `alidade-cli history`: tables of values, folders of sessions, and what is wrong with either.
 
@@ -108,6 +112,41 @@ TEST(HistoryCall, NamesSessionsThatTakeNoPartAndAnswersTheOthers) {
   const Json json = Json::parse(run.out);
   EXPECT_THAT(json["values"], SizeIs(1));
   EXPECT_THAT(json["remarks"], SizeIs(2));
+}
+
+TEST(HistoryCall, CountsACopyOnce) {
+  const TemporaryFolder folder;
+  for (const auto& entry : std::filesystem::directory_iterator(year))
+    std::filesystem::copy_file(entry.path(), folder.path() / entry.path().filename());
+  Json copied = Json::parse(contentOf(folder.path() / "2025-09-12.alidade"));
+  copied["title"] = "a copy";
+  copied["notes"] = "laid out and named anew";
+  const std::string copy = folder.file("z.alidade", copied.dump(7));
+  const ProgramRun run = alidadeCli({"history", folder.path().string(), "--json"});
+  EXPECT_EQ(run.exitCode, 0);
+  EXPECT_EQ(run.err, copy + ": holds the same readings as 2025-09-12.alidade: counted once\n");
+  Json json = Json::parse(run.out);
+  const Json remarks = json["remarks"];
+  EXPECT_EQ(remarks, Json({"z.alidade holds the same readings as 2025-09-12.alidade: counted once."}));
+  Json once = answerTo({year});
+  EXPECT_EQ(json["mean"], once["mean"]);
+  EXPECT_THAT(json["values"], SizeIs(12));
+}
+
+// Reading a pipe waits until somebody writes to it.
+TEST(HistoryCall, NamesWhatIsNoFileInAFolder) {
+  const TemporaryFolder folder;
+  std::filesystem::copy_file(year + "/2025-09-12.alidade", folder.path() / "1.alidade");
+  const std::string pipe = folder.path() / "2.alidade";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const ProgramRun run = alidadeCli({"history", folder.path().string(), "--json"});
+  EXPECT_EQ(run.exitCode, 2);
+  EXPECT_THAT(run.err, StartsWith(pipe + ": is a pipe, a socket or a device"));
+  EXPECT_THAT(Json::parse(run.out)["values"], SizeIs(1));
+  std::filesystem::remove(folder.path() / "1.alidade");
+  const ProgramRun none = alidadeCli({"history", folder.path().string()});
+  EXPECT_EQ(none.exitCode, 2);
+  EXPECT_THAT(none.err, HasSubstr("none of the sessions can be used"));
 }
 
 TEST(HistoryCall, RefusesWhatHoldsNoHistory) {

@@ -5,8 +5,10 @@
 #include <sstream>
 
 #include "core/effects/catalogue.h"
+#include "core/session/session_file.h"
 #include "core/simulation/protocol.h"
 #include "tests/console/console.h"
+#include "tests/support/far_off.h"
 #include "tests/support/file_content.h"
 
 namespace alidade::test {
@@ -124,6 +126,20 @@ TEST_F(SchemaTest, IsMetByWhateverIsSimulated) {
   EXPECT_EQ(against("diagnose", diagnoses), "");
   EXPECT_EQ(against("plan", plans), "");
   EXPECT_EQ(against("session", sessions), "");
+}
+
+// Ranges, too, are part of the schemas: what no arc is behind gets an answer within them, or a sentence.
+TEST_F(SchemaTest, IsMetByWhateverLiesFarOffAnyArc) {
+  const TemporaryFolder folder;
+  for (std::uint64_t seed = 1; seed <= 140; ++seed)
+    folder.file(std::to_string(seed) + ".alidade", writeSession(FarOffSession(seed).session()));
+  const std::string path = folder.path().string();
+  const ProgramRun fits = alidadeCli({"fit", path, "--json"});
+  EXPECT_GT(std::ranges::count(fits.out, '\n'), 100);
+  EXPECT_THAT(fits.out, ::testing::HasSubstr("\"intersection\""));
+  EXPECT_EQ(against("fit", fits.out), "");
+  EXPECT_EQ(against("fit", alidadeCli({"fit", path, "--json", "--method", "published"}).out), "");
+  EXPECT_EQ(against("diagnose", alidadeCli({"diagnose", "--each", path, "--json"}).out), "");
 }
 
 // An answer of many files names each, and says of one that cannot be used why.

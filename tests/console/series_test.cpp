@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include <filesystem>
+
 #include "tests/console/console.h"
 
 // `diagnose` of several files, or of a folder: a series.
@@ -57,6 +59,28 @@ TEST(Series, ABadFileDoesNotStopTheRest) {
   EXPECT_THAT(run.err, HasSubstr("bad.alidade: "));
   EXPECT_EQ(std::ranges::count(run.err, '\n'), 1);
   EXPECT_THAT(run.out, HasSubstr("2 sessions"));
+}
+
+TEST(Series, CountsACopyOnce) {
+  const TemporaryFolder folder;
+  for (const char* name : {"01", "02", "03"})
+    std::filesystem::copy_file(storedSeries + "/series-06/" + name + ".alidade",
+                               folder.path() / (std::string(name) + ".alidade"));
+  const std::string before = alidadeCli({"diagnose", folder.path().string(), "--json"}).out;
+  std::filesystem::copy_file(folder.path() / "02.alidade", folder.path() / "04.alidade");
+  const ProgramRun run = alidadeCli({"diagnose", folder.path().string(), "--json"});
+  EXPECT_EQ(run.exitCode, 0);
+  EXPECT_EQ(run.err, (folder.path() / "04.alidade").string() +
+                         ": holds the same readings as 02.alidade: counted once\n");
+  Json once = Json::parse(before), twice = Json::parse(run.out);
+  EXPECT_EQ(twice["sessions"], once["sessions"]);
+  EXPECT_EQ(twice["series"]["findings"][0]["text"],
+            "04.alidade holds the same readings as 02.alidade: counted once.");
+  EXPECT_EQ(twice["series"]["findings"][0]["severity"], "note");
+  twice["series"]["findings"].erase(0);
+  EXPECT_EQ(twice["series"], once["series"]);
+  const ProgramRun each = alidadeCli({"diagnose", "--each", folder.path().string(), "--json"});
+  EXPECT_EQ(std::ranges::count(each.out, '\n'), 4) << "each by itself is answered";
 }
 
 TEST(Series, RefusesWhatIsNone) {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "tests/support/every_answer.h"
+#include "tests/support/far_off.h"
 #include "tests/support/guarded_memory.h"
 #include "tests/support/typing.h"
 
@@ -63,6 +64,27 @@ TEST_P(EveryGeometry, HasAnAnswerOrASentence) {
 }
 
 INSTANTIATE_TEST_SUITE_P(FourHundred, EveryGeometry, testing::Range(0, 10));
+
+/// Inputs that no arc is behind.
+class EveryFarOff : public testing::TestWithParam<int> {};
+
+TEST_P(EveryFarOff, HasAnAnswerInItsRangesOrASentence) {
+  constexpr int sessions = inTheTime(50);
+  const std::uint64_t shard = 6200000 + 1000 * static_cast<std::uint64_t>(GetParam());
+  for (std::uint64_t seed = shard; seed < shard + sessions && !HasFailure(); ++seed) {
+    const Session session = FarOffSession(seed).session();
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    try {
+      expectAnswers(session);
+      if (seed % 8 == 0) expectFurtherAnswers(session);
+    } catch (const std::exception& error) {
+      ADD_FAILURE() << error.what();
+    }
+    if (HasFailure()) ADD_FAILURE() << writeSession(session);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(FourHundred, EveryFarOff, testing::Range(0, 8));
 
 }  // namespace
 }  // namespace alidade

@@ -18,8 +18,12 @@ thread_local bool isSpared = false;
 void* operator new(std::size_t size) {
   constexpr std::size_t large = 256;
   if (size >= large && isScarce && !isSpared) throw std::bad_alloc();
-  if (void* block = std::malloc(size > 0 ? size : 1)) return block;
-  throw std::bad_alloc();
+  for (;;) {
+    if (void* block = std::malloc(size > 0 ? size : 1)) return block;
+    const std::new_handler handler = std::get_new_handler();
+    if (!handler) throw std::bad_alloc();
+    handler();
+  }
 }
 
 void operator delete(void* block) noexcept {

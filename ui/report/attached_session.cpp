@@ -32,7 +32,7 @@ bool isPdfFile(const QString& path) {
 }
 
 Result<std::string> attachedSessionText(std::string_view pdf) {
-  AttachedFile file = attachedFile(pdf, suffix.toStdString(), limits::mostBytes);
+  AttachedFile file = attachedFile(pdf, suffix.toStdString(), {.mostBytes = limits::mostBytes});
   switch (file.outcome) {
     case AttachedFile::Outcome::Found:
       return std::move(file.bytes);
@@ -46,6 +46,9 @@ Result<std::string> attachedSessionText(std::string_view pdf) {
       return limits::tooManyBytes();
     case AttachedFile::Outcome::Damaged:
       return problemOf(Report::tr("The PDF cannot be read (the session attached to it is damaged)"));
+    case AttachedFile::Outcome::Exhausting:
+      return problemOf(Report::tr(
+          "The PDF cannot be read (it takes more memory or time than a report does): choose another file"));
     case AttachedFile::Outcome::Unreadable:
       break;
   }

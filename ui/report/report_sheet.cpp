@@ -17,6 +17,9 @@ namespace {
 constexpr double headerTop = -9;  // mm above the text area
 constexpr double footerGap = 3;   // mm below it
 
+/// Characters that are laid out at once: some twenty lines.
+constexpr qsizetype longestPiece = 2000;
+
 /// The same text of the same length that may not be broken between a number and its sign or unit.
 QString keptTogether(QString text) {
   static const QRegularExpression gap(QStringLiteral("(?<=±) (?=\\d)|(?<=\\d) (?=mm|%|°)"));
@@ -57,22 +60,39 @@ QStringList ReportSheet::lines(const QString& text, const TextStyle& style, doub
   QStringList result;
   for (const QString& written : visibleLines(text).replace(u'\t', u' ').split(u'\n')) {
     const QString part = visibleLine(written);
-    if (textWidth(part, style) <= available) {
+    if (part.size() <= longestPiece && textWidth(part, style) <= available)
       result.append(part);
-      continue;
-    }
-    QTextLayout layout(keptTogether(part), fontOf(style), &m_device);
-    QTextOption option;
-    option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
-    layout.setTextOption(option);
-    layout.beginLayout();
-    for (QTextLine line = layout.createLine(); line.isValid(); line = layout.createLine()) {
-      line.setLineWidth(available * m_unit);
-      result.append(part.mid(line.textStart(), line.textLength()).trimmed());
-    }
-    layout.endLayout();
+    else
+      breakInto(result, part, style, available);
   }
   return result;
+}
+
+/// Piece by piece: to lay out all of a text takes time with the square of its length. The line at the end of
+/// a piece may be another one with what follows, so the next piece begins with it.
+void ReportSheet::breakInto(QStringList& lines, const QString& text, const TextStyle& style,
+                            double available) const {
+  const QString kept = keptTogether(text);
+  QTextOption option;
+  option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
+  for (qsizetype begin = 0; begin < text.size();) {
+    const QString piece = kept.mid(begin, longestPiece);
+    const bool isLast = begin + piece.size() == text.size();
+    QTextLayout layout(piece, fontOf(style), &m_device);
+    layout.setTextOption(option);
+    layout.beginLayout();
+    qsizetype end = 0;
+    for (QTextLine line = layout.createLine(); line.isValid(); line = layout.createLine()) {
+      line.setLineWidth(available * m_unit);
+      const bool isWhole = isLast || end == 0 || line.textStart() + line.textLength() < piece.size();
+      if (!isWhole) break;
+      lines.append(text.mid(begin + line.textStart(), line.textLength()).trimmed());
+      end = line.textStart() + line.textLength();
+    }
+    layout.endLayout();
+    if (end == 0) return;
+    begin += end;
+  }
 }
 
 double ReportSheet::lineHeight(const TextStyle& style) const {

@@ -105,6 +105,7 @@ class ReportSheet {
   void paintLine(QPainter& painter, const QString& line, const TextStyle& style, double left, double top,
                  double available, Qt::Alignment alignment) const;
   QFont fontOf(const TextStyle& style) const;
+  void breakInto(QStringList& lines, const QString& text, const TextStyle& style, double available) const;
 
   QPagedPaintDevice& m_device;
   ReportFrame m_frame;

@@ -20,6 +20,7 @@ SeriesAnswer diagnoseTogether(const std::vector<std::string>& files, const std::
     answer.files.push_back(file);
     const std::string name = session->title.empty() ? file : session->title;
     sessions.push_back(seriesSession(name, *session, *std::move(examined.measurement)));
+    sessions.back().file = file;
   }
   if (sessions.empty()) return answer;
   SeriesOptions options;

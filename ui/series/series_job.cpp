@@ -1,6 +1,7 @@
 #include "ui/series/series_job.h"
 
 #include <QDir>
+#include <QFile>
 #include <QFileInfo>
 #include <atomic>
 #include <set>
@@ -10,6 +11,7 @@
 #include "core/base/phrase.h"
 #include "core/base/threads.h"
 #include "core/series/history/history_sentences.h"
+#include "core/wording/copies.h"
 #include "ui/jobs/failed_job.h"
 #include "ui/text/encoded_path.h"
 
@@ -19,6 +21,11 @@ namespace {
 
 SeriesSession loaded(const std::string& path) {
   SeriesSession session{path};
+  if (const QFileInfo file(QFile::decodeName(QByteArray::fromStdString(path)));
+      file.exists() && !file.isFile()) {
+    session.trouble = Phrase::of("is a pipe or a device: choose a file");
+    return session;
+  }
   const auto failure = failureOf([&] {
     Result<Epoch> epoch = loadEpoch(path);
     if (epoch)
@@ -34,6 +41,8 @@ SeriesSession loaded(const std::string& path) {
 void tellHistories(Series& series) {
   std::vector<Epoch> epochs;
   std::vector<std::size_t> sessions;
+  for (SeriesSession& session : series.sessions)
+    if (session.epoch) session.trouble.clear();
   for (std::size_t i = 0; i < series.sessions.size(); ++i)
     if (series.sessions[i].epoch) {
       epochs.push_back(*series.sessions[i].epoch);
@@ -43,6 +52,8 @@ void tellHistories(Series& series) {
   for (const std::size_t undated : histories.undated)
     series.sessions[sessions[undated]].trouble =
         Phrase::of("it has no date and takes no part: enter the day it was measured on");
+  for (const auto& [copy, first] : histories.copies)
+    series.sessions[sessions[copy]].trouble = copyReason(epochs[copy].file, epochs[first].file);
   series.devices = std::move(histories.devices);
 }
 

@@ -23,6 +23,7 @@
 #include "core/diagnosis/diagnose.h"
 #include "core/effects/cause_ids.h"
 #include "core/series/shared_causes/diagnose_series.h"
+#include "core/wording/copies.h"
 #include "core/wording/diagnosis_fault.h"
 
 namespace alidade::console {
@@ -127,7 +128,9 @@ int giveSeries(const DiagnoseRequest& request) {
     }
     SessionInput input = *std::move(found);
     takeRelation(request, input.measurement);
-    read[i] = Result<SeriesSession>(seriesSession(input.name, input.session, std::move(input.measurement)));
+    SeriesSession session = seriesSession(input.name, input.session, std::move(input.measurement));
+    session.file = inputName(file.path);
+    read[i] = Result<SeriesSession>(std::move(session));
   });
   int exitCode = Done;
   std::vector<SeriesSession> sessions;
@@ -146,6 +149,8 @@ int giveSeries(const DiagnoseRequest& request) {
       sessions,
       {.without = request.without, .threads = threads, .progress = progressLine(request.batch.progress)});
   if (!outcome) return refuse("alidade-cli", problemOf(outcome.problem()).text());
+  for (const auto& [copy, first] : outcome->copies)
+    notify(inputName(paths[copy]), copyReason(inputName(paths[copy]), inputName(paths[first])));
   for (const auto& [index, fault] : outcome->unusable)
     exitCode = refuse(inputName(paths[index]), problemOf(fault).text());
   const std::string name = seriesName(request.files, outcome->diagnosis.sessions.size());

@@ -17,6 +17,7 @@
 #include "core/series/history/history_json.h"
 #include "core/series/history/history_sentences.h"
 #include "core/session/session_file.h"
+#include "core/wording/copies.h"
 
 namespace alidade::console {
 
@@ -98,11 +99,16 @@ class Histories {
   Result<std::string> ofSessions(const std::string& name, const std::vector<std::string>& named) {
     const SessionFiles list = sessionFilesOf(named);
     for (const std::string& again : list.again) notify(inputName(again), "is named again: counted once");
-    if (list.files.size() == 1 && list.files.front().problem) return *list.files.front().problem;
+    if (list.files.size() == 1 && list.files.front().problem && list.files.front().path == named.front())
+      return *list.files.front().problem;
     std::vector<std::string> remarks;
     std::vector<Epoch> epochs = load(list.files, remarks);
     if (epochs.empty()) return Problem{"none of the sessions can be used: see the lines above"};
     const DeviceHistories histories = deviceHistories(epochs);
+    for (const auto& [copy, first] : histories.copies) {
+      remarks.push_back(copySentence(epochs[copy].file, epochs[first].file));
+      notify(epochs[copy].file, copyReason(epochs[copy].file, epochs[first].file));
+    }
     for (const std::size_t undated : histories.undated) {
       remarks.push_back(undatedSentence(epochs[undated].title));
       notify(epochs[undated].file, "has no date and takes no part: enter the day it was measured on");

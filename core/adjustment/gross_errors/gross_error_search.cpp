@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 #include <optional>
 
 #include "core/adjustment/arc/robust_start.h"
@@ -414,6 +415,10 @@ class Search {
                                     studentised(m_shifts.size() + i),
                                     {out.other}});
     }
+    // No reading is off by more than half a turn: such a size is what a fit runs away along.
+    std::erase_if(search.grossErrors, [](const GrossError& error) {
+      return !(std::abs(error.size.radians()) <= std::numbers::pi);
+    });
     std::ranges::sort(search.grossErrors, std::ranges::greater(),
                       [](const GrossError& m) { return std::abs(m.studentised); });
     if (search.grossErrors.size() > m_options.most) search.grossErrors.resize(m_options.most);

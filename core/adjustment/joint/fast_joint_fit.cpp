@@ -108,7 +108,8 @@ class ArcApart {
         const auto row = static_cast<std::size_t>(kind);
         const double rate = own.rate[row] * perReading;
         const auto visit = static_cast<std::uint32_t>(v);
-        *next++ = {m_index, sighting, kind, visit, residual, sigmas[row], own.redundancy[row], rate};
+        const double redundancy = std::clamp(own.redundancy[row], 0.0, 1.0);  // of rounding
+        *next++ = {m_index, sighting, kind, visit, residual, sigmas[row], redundancy, rate};
         misfit.chiSquare += residual * perReading * residual * perReading;
         ++misfit.degreesOfFreedom;
       };

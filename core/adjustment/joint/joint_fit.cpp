@@ -59,7 +59,14 @@ class JointDescent {
     return m_problem.moved(state, system.equations, solveScaled(damped, system.rightSide.head(m_estimated)));
   }
 
-  bool isPossible(const JointState& /*state*/) const { return true; }
+  /// No radius is 0 or less: beyond, the same circle has all its arc angles turned by half a turn.
+  bool isPossible(const JointState& state) const {
+    for (std::size_t i = 0; i < m_problem.estimated().size(); ++i)
+      if (m_problem.estimated()[i].kind == Unknown::Kind::Radius &&
+          !(m_problem.prior(i).value + state.unknowns[static_cast<Index>(i)] > 0))
+        return false;
+    return true;
+  }
 
  private:
   const JointProblem& m_problem;
@@ -137,8 +144,8 @@ void fillReadings(JointFit& fit, const Measurement& measurement, const JointProb
       reading.residual = equations.residual[row] * reading.sigma;
       const bool takesPart = !equations.jacobian.row(row).isZero(0);
       misfit.degreesOfFreedom += takesPart ? 1 : 0;
-      reading.redundancy =
-          (takesPart ? 1 : 0) - equations.along[row] * equations.along[row] - reduced.dot(turned);
+      reading.redundancy = std::clamp(
+          (takesPart ? 1 : 0) - equations.along[row] * equations.along[row] - reduced.dot(turned), 0.0, 1.0);
       reading.perReading = gradients[arc].dot(reduced) / reading.sigma;
       fit.readings.push_back(reading);
     }
@@ -156,6 +163,17 @@ void countDegreesOfFreedom(JointFit& fit, const JointProblem& problem) {
     --(isShared ? fit.degreesOfFreedom : fit.misfits[unknown.arc].degreesOfFreedom);
   }
   for (const ArcMisfit& misfit : fit.misfits) fit.degreesOfFreedom += misfit.degreesOfFreedom;
+}
+
+/// It left every circle behind: by the stated noise alone a centre or a radius is uncertain by more than the
+/// least of the radii.
+bool hasRunAway(const JointFit& fit) {
+  double radius = std::numeric_limits<double>::infinity(), sigma = 0;
+  for (std::size_t i = 0; i < fit.unknowns.size(); ++i) {
+    if (fit.unknowns[i].isOfAxis()) sigma = std::max(sigma, std::sqrt(fit.cofactor(i, i)));
+    if (fit.unknowns[i].kind == Unknown::Kind::Radius) radius = std::min(radius, fit.values[i]);
+  }
+  return sigma > radius;
 }
 
 }  // namespace
@@ -217,6 +235,7 @@ JointFit fitJointlyInGeneral(const Measurement& measurement, const std::vector<C
                             cofactor.allFinite() && perConsidered.allFinite() &&
                             (cofactor.diagonal().array() >= 0).all();
   fit.status = isDetermined ? minimum.status : FitStatus::Undetermined;
+  if (!fit.converged() && hasRunAway(fit)) fit.status = FitStatus::Undetermined;
   fit.misfits.resize(measurement.arcs.size());
   fillReadings(fit, measurement, problem, minimum.system.equations, cofactor);
   countDegreesOfFreedom(fit, problem);

@@ -147,7 +147,8 @@ struct JointFit {
   double chiSquare = 0;                        ///< of circles, slider and priors
   int degreesOfFreedom = 0;
   int iterations = 0;
-  /// `Undetermined` where a number of the fit is not finite or a variance negative.
+  /// `Undetermined` where a number of the fit is not finite or a variance negative, and where it did not
+  /// settle and a circle is less well known than it is large.
   FitStatus status = FitStatus::Undetermined;
 
   /// Index of an unknown; `unknowns.size()` where it is not one of this fit. Centre and radius of any arc are

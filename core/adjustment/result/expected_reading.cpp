@@ -153,7 +153,8 @@ class Expectations {
     const Angle ofCentre =
         Angle::fromRadians(isFitted ? 0 : centreShare * m_measurement.nominalRadius / m_measurement.distance);
     return {sighting, wrapped(circles.horizontal, Angle::fromDegrees(180)),
-            wrapped(circles.vertical, Angle::fromDegrees(isZenith ? 180 : 90)), place.tolerance + ofCentre};
+            wrapped(circles.vertical, Angle::fromDegrees(isZenith ? 180 : 90)),
+            std::min(place.tolerance + ofCentre, Angle::fromDegrees(180))};
   }
 
   const Measurement& m_measurement;

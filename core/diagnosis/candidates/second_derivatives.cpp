@@ -114,6 +114,7 @@ MatrixXd secondDerivatives(const GapModel& model, const Leftover& leftover, cons
   const EffectParameter &first = effect.parameters[0], &second = effect.parameters[1];
   columns.col(0) -= 2 * plausibleSize(first) * leftover.column(first.term);
   columns.col(2) -= 2 * plausibleSize(second) * leftover.column(second.term);
+  if (!columns.allFinite()) columns.setZero();
   return columns;
 }
 

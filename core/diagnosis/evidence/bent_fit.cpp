@@ -112,12 +112,12 @@ class BentGrid {
     double height = valueAt(at, width);
     for (int i = 0; i < mostSteps; ++i) {
       const Eigen::Matrix2d curvature = curvatureAt(at, width);
-      if (curvature.determinant() <= 0 || curvature.trace() <= 0) return false;
+      if (!(curvature.determinant() > 0 && curvature.trace() > 0)) return false;
       const Vector2d slope = slopeAt(at, width), move = curvature.inverse() * slope;
       if (slope.dot(move) < level) return true;
       const Vector2d next = at + move;
       const double reached = valueAt(next, width);
-      if (reached <= height) return false;
+      if (!(reached > height)) return false;  // nor to where it is no number
       height = reached;
       at = next;
     }

@@ -76,13 +76,16 @@ const Explanation& bestNamed(const std::vector<Explanation>& sets) {
 
 void normalise(std::vector<Explanation>& sets) {
   const double base = sets.front().logBayesFactor;  // nothing at all, noise as stated
-  double sum = impossible;
+  double most = impossible, sum = 0;
   for (Explanation& set : sets) {
     set.logPosteriorOdds -= base;
     set.logBayesFactor -= base;
-    sum = logSum(sum, set.logPosteriorOdds);
+    most = std::max(most, set.logPosteriorOdds);
   }
-  for (Explanation& set : sets) set.chance = std::exp(set.logPosteriorOdds - sum);
+  // Against the likeliest: a logarithm of the sum, which may be millions, would round away what they add up
+  // to.
+  for (Explanation& set : sets) sum += set.chance = std::exp(set.logPosteriorOdds - most);
+  for (Explanation& set : sets) set.chance /= sum;
   std::ranges::sort(sets, std::greater{}, &Explanation::logPosteriorOdds);
 }
 

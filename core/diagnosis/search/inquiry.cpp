@@ -230,6 +230,11 @@ Inquiry inquire(GapModel model, const DiagnosisOptions& options, const std::stop
   return inquiry;
 }
 
+std::optional<NoModel> undetermined(const Inquiry& inquiry) {
+  if (inquiry.base.fit->isDetermined()) return std::nullopt;
+  return NoModel{FitFinding{Severity::Error, {}, session_finding::Undetermined{true}}};
+}
+
 ReadingDeviation deviationAt(const Measurement& measurement, const ReadingRef& ref, double size) {
   const ArcMeasurement& arc = measurement.arcs[ref.arc];
   const Sighting& sighting = arc.sightings[ref.sighting];

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -43,6 +44,10 @@ struct Inquiry {
 
 /// Asked to stop, it returns early with what it has found.
 Inquiry inquire(GapModel model, const DiagnosisOptions& options, const std::stop_token& stop);
+
+/// Why nothing can be said where the model with what is known beforehand, a size far off say, is not
+/// determined by the readings; absent where it is.
+std::optional<NoModel> undetermined(const Inquiry& inquiry);
 
 /// A reading of the model, `size` in arcseconds.
 ReadingDeviation deviationAt(const Measurement& measurement, const ReadingRef& ref, double size);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include "core/session/readings_digest.h"
+
 namespace alidade {
 
 namespace {
@@ -117,7 +119,14 @@ DeviceHistories deviceHistories(const std::vector<Epoch>& epochs) {
   DeviceHistories histories;
   std::vector<std::string> keys;
   std::vector<std::vector<Epoch>> groups;
+  std::vector<std::string> digests;
+  for (const Epoch& epoch : epochs) digests.push_back(epoch.readings);
+  const std::vector<std::size_t> firsts = firstsAlike(digests);
   for (std::size_t i = 0; i < epochs.size(); ++i) {
+    if (firsts[i] != i) {
+      histories.copies.emplace_back(i, firsts[i]);
+      continue;
+    }
     if (epochs[i].date.empty()) {
       histories.undated.push_back(i);
       continue;

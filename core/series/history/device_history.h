@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/series/history/congruence.h"
@@ -27,10 +29,12 @@ struct DeviceHistory {
 };
 
 /// Epochs by device (its serial number, else its name), each in the order of their dates; of one date in the
-/// order given. Those without a date are left out: they go to `undated`, by their index.
+/// order given. Those without a date are left out: they go to `undated`, by their index. So are those that
+/// hold the same readings as one before them: they go to `copies`, each with that.
 struct DeviceHistories {
   std::vector<DeviceHistory> devices;
-  std::vector<std::size_t> undated;
+  std::vector<std::size_t> undated = {};
+  std::vector<std::pair<std::size_t, std::size_t>> copies = {};
 };
 DeviceHistories deviceHistories(const std::vector<Epoch>& epochs);
 

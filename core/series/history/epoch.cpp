@@ -8,6 +8,7 @@
 #include "core/diagnosis/decision.h"
 #include "core/diagnosis/diagnose.h"
 #include "core/series/history/history_date.h"
+#include "core/session/readings_digest.h"
 #include "core/session/session_file.h"
 #include "core/wording/diagnosis_fault.h"
 
@@ -52,6 +53,7 @@ Epoch epochOf(const std::string& file, const Session& session, const Measurement
   Epoch epoch{
       .file = file,
       .title = session.title.empty() ? std::filesystem::path(file).filename().string() : session.title,
+      .readings = readingsDigest(session, measurement),
       .device = session.device.name,
       .deviceSerial = session.device.serial,
       .instrument = session.instrument.name,

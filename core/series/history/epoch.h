@@ -35,8 +35,9 @@ struct EpochLength {
 /// What one session has to say about its device, at its date.
 struct Epoch {
   std::string file = {}, title = {};
-  std::string date = {};  ///< as the session has it; empty: none
-  double day = 0;         ///< from 2000-01-01; with a date
+  std::string readings = {};  ///< `readingsDigest`
+  std::string date = {};      ///< as the session has it; empty: none
+  double day = 0;             ///< from 2000-01-01; with a date
   std::string device = {}, deviceSerial = {}, instrument = {}, instrumentSerial = {};
   double coverage = 0.95;
   /// As found: with what the diagnosis found, and everything plausible.

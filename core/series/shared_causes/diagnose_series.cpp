@@ -13,6 +13,7 @@
 #include "core/diagnosis/session_evidence.h"
 #include "core/effects/cause_ids.h"
 #include "core/series/shared_causes/series_conclusion.h"
+#include "core/session/readings_digest.h"
 
 namespace alidade {
 
@@ -63,6 +64,22 @@ Cause causeNamed(const std::string& id) {
   return cause;
 }
 
+/// Of each session the first one with the same readings.
+std::vector<std::size_t> firstsOf(const std::vector<SeriesSession>& sessions) {
+  std::vector<std::string> digests;
+  for (const SeriesSession& session : sessions) digests.push_back(session.readings);
+  return firstsAlike(digests);
+}
+
+void noteCopy(SeriesOutcome& outcome, const std::vector<SeriesSession>& sessions, std::size_t copy,
+              std::size_t first) {
+  const auto fileOf = [&](std::size_t s) {
+    return sessions[s].file.empty() ? sessions[s].name : sessions[s].file;
+  };
+  outcome.copies.emplace_back(copy, first);
+  outcome.diagnosis.copies.push_back({fileOf(copy), fileOf(first)});
+}
+
 /// Tells how far it is, one call at a time.
 class Progress {
  public:
@@ -82,8 +99,9 @@ class Progress {
 }  // namespace
 
 SeriesSession seriesSession(std::string name, const Session& session, Measurement measurement) {
+  std::string readings = readingsDigest(session, measurement);
   return {std::move(name),     session.measuredOn,    session.instrument.name, session.instrument.serial,
-          session.device.name, session.device.serial, std::move(measurement)};
+          session.device.name, session.device.serial, std::move(measurement),  std::move(readings)};
 }
 
 Result<SeriesOutcome, DiagnosisFault> diagnoseSeries(const std::vector<SeriesSession>& sessions,
@@ -96,8 +114,9 @@ Result<SeriesOutcome, DiagnosisFault> diagnoseSeries(const std::vector<SeriesSes
       std::max<std::size_t>(sessions.size(), 1));
   Progress progress(options, sessions.size() * (options.withSessions ? 2 : 1));
   std::vector<std::optional<Result<SessionEvidence, DiagnosisFault>>> found(sessions.size());
+  const std::vector<std::size_t> firsts = firstsOf(sessions);
   doEach(threads, sessions.size(), [&](std::size_t s) {
-    found[s] = evidenceOf(sessions[s].measurement, alone, stop);
+    if (firsts[s] == s) found[s] = evidenceOf(sessions[s].measurement, alone, stop);
     progress.step();
   });
   if (stop.stop_requested()) return stopped;
@@ -105,6 +124,7 @@ Result<SeriesOutcome, DiagnosisFault> diagnoseSeries(const std::vector<SeriesSes
   SeriesOutcome outcome;
   std::vector<std::size_t> usable;
   for (std::size_t s = 0; s < sessions.size(); ++s) {
+    if (firsts[s] != s) continue;
     if (*found[s])
       usable.push_back(s);
     else
@@ -125,6 +145,8 @@ Result<SeriesOutcome, DiagnosisFault> diagnoseSeries(const std::vector<SeriesSes
       concludeSeries(evidence, ownersOf(sessions, order), names, options.without, stop);
   if (stop.stop_requested()) return stopped;
   outcome.diagnosis = std::move(conclusion.diagnosis);
+  for (std::size_t s = 0; s < sessions.size(); ++s)
+    if (firsts[s] != s) noteCopy(outcome, sessions, s, firsts[s]);
   outcome.diagnosis.sessions.resize(order.size());
   doEach(threads, order.size(), [&](std::size_t i) {
     const SeriesSession& session = sessions[order[i]];

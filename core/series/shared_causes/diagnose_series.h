@@ -24,6 +24,8 @@ struct SeriesSession {
   std::string name, measuredOn;                                    ///< date as YYYY-MM-DD; may be empty
   std::string instrumentName, instrument, guidewayName, guideway;  ///< names and serials
   Measurement measurement;
+  std::string readings = {};  ///< `readingsDigest`; of sessions with the same the first alone counts
+  std::string file = {};      ///< it was read from; empty: called by its name
 };
 SeriesSession seriesSession(std::string name, const Session& session, Measurement measurement);
 
@@ -39,6 +41,8 @@ struct SeriesOutcome {
   SeriesDiagnosis diagnosis;
   /// Sessions that could not be diagnosed, by their index; the others are.
   std::vector<std::pair<std::size_t, DiagnosisFault>> unusable = {};
+  /// Sessions that hold the same readings as one before them, which counts for both: each with that.
+  std::vector<std::pair<std::size_t, std::size_t>> copies = {};
 };
 
 /// Fails where no session can be diagnosed, an id is unknown, or it was asked to stop.

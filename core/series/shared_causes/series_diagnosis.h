@@ -76,6 +76,11 @@ struct SeriesMember {
   std::vector<KnownNumber> shared = {};  ///< that
 };
 
+/// A file that holds what another one holds: the other one counts.
+struct SeriesCopy {
+  std::string file, first;
+};
+
 struct SeriesDiagnosis {
   DiagnosisVerdict verdict = DiagnosisVerdict::WithinNoise;
   GapSize gap, after;  ///< of all sessions, with what the positions of each must agree on
@@ -87,6 +92,7 @@ struct SeriesDiagnosis {
   std::vector<SeriesAdvice> advice;
   std::vector<SeriesMember> sessions;                      ///< in the order in which they were measured
   std::size_t withoutInstrument = 0, withoutGuideway = 0;  ///< sessions without a serial
+  std::vector<SeriesCopy> copies;                          ///< left out, in the order handed in
 };
 
 }  // namespace alidade

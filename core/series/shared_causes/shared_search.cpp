@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace alidade {
 
@@ -46,6 +47,15 @@ double logSumOf(const std::vector<double>& logs) {
   double sum = 0;
   for (const double log : logs) sum += std::exp(log - most);
   return most + std::log(sum);
+}
+
+/// Each against the largest, so that they add up to 1 however large the logarithms are.
+std::vector<double> chancesByLog(std::vector<double> logs) {
+  const double most = *std::ranges::max_element(logs);
+  double sum = 0;
+  for (double& log : logs) sum += log = std::exp(log - most);
+  for (double& chance : logs) chance /= sum;
+  return logs;
 }
 
 /// (1, 0, …) and the sums of two features.
@@ -222,10 +232,7 @@ std::vector<double> SharedSearch::accountOdds(std::size_t session, const SharedS
 }
 
 std::vector<double> SharedSearch::accountChances(std::size_t session, const SharedSet& set) const {
-  std::vector<double> chances = accountOdds(session, set);
-  const double all = logSumOf(chances);
-  for (double& chance : chances) chance = std::exp(chance - all);
-  return chances;
+  return chancesByLog(accountOdds(session, set));
 }
 
 std::vector<std::size_t> SharedSearch::likeliestAccounts(const SharedSet& set, bool withPatterns) const {
@@ -340,8 +347,8 @@ std::vector<SharedSet> SharedSearch::grown() const {
 void normalise(std::vector<SharedSet>& sets) {
   std::vector<double> logs;
   for (const SharedSet& set : sets) logs.push_back(set.logPosteriorOdds);
-  const double all = logSumOf(logs);
-  for (SharedSet& set : sets) set.chance = std::exp(set.logPosteriorOdds - all);
+  const std::vector<double> chances = chancesByLog(std::move(logs));
+  for (std::size_t i = 0; i < sets.size(); ++i) sets[i].chance = chances[i];
   std::ranges::sort(sets, std::greater{}, &SharedSet::logPosteriorOdds);
 }
 

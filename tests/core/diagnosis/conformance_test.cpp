@@ -19,6 +19,16 @@ TEST(Conformance, OfTheIntersectionIsTheShareWithinTheTolerance) {
   EXPECT_NEAR(*conformanceOf(normal(-1, 0.5), 2), 0.9772498671, 1e-9);
 }
 
+// Shares of accounts that add up to no round number.
+TEST(Conformance, IsAtMostCertain) {
+  IntersectionEstimate estimate = normal(0, 1e-6);
+  estimate.accounts.clear();
+  for (int i = 1; i < 200; ++i) {
+    estimate.accounts.push_back({1.0 / (3 * i), 0, 1e-6});
+    EXPECT_LE(*conformanceOf(estimate, 1e3), 1) << i;
+  }
+}
+
 TEST(Conformance, IsAbsentWithoutAnUncertainty) {
   EXPECT_EQ(conformanceOf(normal(1, 0), 1), std::nullopt);
   EXPECT_EQ(conformanceOf(IntersectionEstimate{1, 0.1, 0.2}, 2), std::nullopt);

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <QComboBox>
 #include <QFile>
@@ -114,11 +115,44 @@ TEST(SeriesWindow, NamesTheTroubleOfASession) {
   EXPECT_THAT(bench.cell(12, 6).toStdString(), HasSubstr("line 1"));
 }
 
+// Reading a pipe waits until somebody writes to it.
+TEST(SeriesWindow, ReadsNoPipe) {
+  const QTemporaryDir folder;
+  const QString pipe = folder.filePath(QStringLiteral("pipe.alidade"));
+  ASSERT_EQ(mkfifo(pipe.toLocal8Bit().constData(), 0600), 0);
+  EXPECT_TRUE(sessionPathsIn({folder.path()}).empty());
+  SeriesBench bench;
+  bench.window.add({pipe});
+  bench.settle();
+  ASSERT_EQ(bench.window.table()->rowCount(), 1);
+  EXPECT_EQ(bench.cell(0, 6).toStdString(), "is a pipe or a device: choose a file");
+}
+
 TEST(SeriesWindow, HasEachSessionOnce) {
   SeriesBench bench;
   bench.addYear();
   bench.addYear();
   EXPECT_EQ(bench.window.table()->rowCount(), 12);
+}
+
+TEST(SeriesWindow, CountsACopyOnceAndInThePlaceOfWhatWasTakenOut) {
+  const QTemporaryDir folder;
+  const QString copy = folder.filePath(QStringLiteral("copy.alidade"));
+  ASSERT_TRUE(QFile::copy(samplePath(QStringLiteral("history/2025-01-04.alidade")), copy));
+  SeriesBench bench;
+  bench.window.add({bench.dialogs.seriesFolder, copy});
+  bench.settle();
+  ASSERT_EQ(bench.window.table()->rowCount(), 13);
+  EXPECT_EQ(bench.cell(0, 6), QString());
+  EXPECT_EQ(bench.cell(1, 6).toStdString(), "holds the same readings as 2025-01-04.alidade: counted once");
+  EXPECT_THAT(bench.text("history says"), HasSubstr("Weighted mean of 12 values"));
+  EXPECT_EQ(bench.window.diagnosis()->sessions()->rowCount(), 12);
+  bench.window.table()->selectRow(0);
+  bench.window.removeSelected();
+  bench.settle();
+  ASSERT_EQ(bench.window.table()->rowCount(), 12);
+  EXPECT_EQ(bench.cell(0, 6), QString()) << "it counts now";
+  EXPECT_THAT(bench.text("history says"), HasSubstr("Weighted mean of 12 values"));
 }
 
 TEST(SeriesWindow, TakesSessionsOut) {

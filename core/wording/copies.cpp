@@ -1,0 +1,29 @@
+#include "core/wording/copies.h"
+
+#include <filesystem>
+
+#include "core/base/phrase.h"
+#include "core/base/visible_text.h"
+
+namespace alidade {
+
+namespace {
+
+/// Of two files that are to be told apart.
+std::string toldApart(const std::string& file, const std::string& other) {
+  const std::filesystem::path name = std::filesystem::path(file).filename();
+  return wellFormed(name == std::filesystem::path(other).filename() ? file : name.string());
+}
+
+}  // namespace
+
+std::string copyReason(const std::string& copy, const std::string& first) {
+  return Phrase::of("holds the same readings as %1: counted once", toldApart(first, copy));
+}
+
+std::string copySentence(const std::string& copy, const std::string& first) {
+  return Phrase::of("%1 holds the same readings as %2: counted once.", toldApart(copy, first),
+                    toldApart(first, copy));
+}
+
+}  // namespace alidade
