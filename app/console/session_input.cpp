@@ -6,6 +6,7 @@
 #include "app/console/channels.h"
 #include "core/base/file_bytes.h"
 #include "core/base/visible_text.h"
+#include "core/session/hindrance.h"
 #include "core/session/session_file.h"
 #include "core/session/taken_record.h"
 
@@ -19,11 +20,13 @@ Problem firstOf(const std::vector<Problem>& problems) {
   return first;
 }
 
-Result<SessionInput> examined(Session session, const std::string& file) {
-  Result<Measurement> measurement = measurementOf(session);
-  if (!measurement) return measurement.problem();
+Result<SessionInput> sessionInput(Session session, const std::string& file) {
+  Examined examined = examine(session);
+  if (const auto problems = hindrances(session, examined.problems); !problems.empty())
+    return firstOf(problems);
+  for (const Problem& problem : examined.problems) notify(inputName(file), problem.text());
   const std::string name = nameOf(session, file);
-  return SessionInput{name, std::move(session), *std::move(measurement)};
+  return SessionInput{name, std::move(session), std::move(examined.measurement).value()};
 }
 
 }  // namespace
@@ -42,7 +45,8 @@ std::string nameOf(const Session& session, const std::string& file) {
 
 Result<Measurement> measurementOf(const Session& session) {
   Examined examined = examine(session);
-  if (!examined.problems.empty()) return firstOf(examined.problems);
+  if (const auto problems = hindrances(session, examined.problems); !problems.empty())
+    return firstOf(problems);
   return std::move(examined.measurement).value();
 }
 
@@ -50,7 +54,7 @@ Result<SessionInput> readSessionInput(const std::string& file, Session (*prepare
   Result<Session> session = readSessionOf(file);
   if (!session) return session.problem();
   if (prepare) session = prepare(*std::move(session));
-  return examined(*std::move(session), file);
+  return sessionInput(*std::move(session), file);
 }
 
 std::optional<Problem> addRecord(Session& session, const std::string& record) {
@@ -65,7 +69,7 @@ Result<SessionInput> readSessionInput(const std::string& file, const std::string
   Session session = *std::move(read);
   if (!record.empty())
     if (auto problem = addRecord(session, record)) return *std::move(problem);
-  return examined(std::move(session), file);
+  return sessionInput(std::move(session), file);
 }
 
 }  // namespace alidade::console

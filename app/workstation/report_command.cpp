@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "core/base/failure.h"
+#include "core/session/hindrance.h"
 #include "ui/dialogs/report_source.h"
 #include "ui/document/session_document.h"
 #include "ui/jobs/evaluation.h"
@@ -45,7 +46,8 @@ int write(const ReportCommand& command) {
   ui::SessionDocument document;
   if (const auto problem = document.load(path)) return refuse(path, *problem);
   const ui::Evaluation evaluation = ui::evaluate(document.session());
-  if (!evaluation.examined.problems.empty()) return refuse(path, evaluation.examined.problems.front());
+  if (const auto problems = hindrances(evaluation.session, evaluation.examined.problems); !problems.empty())
+    return refuse(path, problems.front());
   const ui::ReportSource source = ui::reportSource(document);
   if (command.certificate.isEmpty()) {
     const auto written = ui::writeAcceptanceReport(evaluation, source, command.report, options);

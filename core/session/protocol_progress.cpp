@@ -44,7 +44,7 @@ std::vector<int> facesAt(const ProtocolRound& round, std::size_t index) {
 
 struct RowState {
   std::size_t row = 0;
-  bool isRead = false, isExcluded = false;
+  bool isRead = false, isHalf = false, isExcluded = false;
 };
 
 using RowKey = std::tuple<int, int, int>;  ///< point, round, face
@@ -60,7 +60,10 @@ std::map<RowKey, RowState> rowsOf(const Position& position) {
     const auto face = wholeEntry(faceRule, row.face);
     if (!point || !round || !face) continue;
     const RowKey key(point->value_or(static_cast<int>(i) + 1), round->value_or(1), face->value_or(1));
-    const RowState state{i, !row.horizontal.empty() && !row.vertical.empty(), row.excluded};
+    const RowState state{.row = i,
+                         .isRead = !row.horizontal.empty() && !row.vertical.empty(),
+                         .isHalf = row.horizontal.empty() != row.vertical.empty(),
+                         .isExcluded = row.excluded};
     const auto [known, isNew] = rows.emplace(key, state);
     if (!isNew && known->second.isExcluded && !state.isExcluded) known->second = state;
   }
@@ -179,8 +182,30 @@ class Follower {
     return std::nullopt;
   }
 
+  bool isHalfFilled(const FollowedSighting& followed) const {
+    if (!followed.row || isThere(followed)) return false;
+    return m_rows[*followed.position].at(keyOf(followed.planned)).isHalf;
+  }
+
+  /// The first zero before the readings counts for all of them: where readings are there already, it is
+  /// missing.
+  std::optional<std::size_t> missingZero() const {
+    std::optional<std::size_t> zero;
+    for (std::size_t i = 0; i < m_progress.sightings.size(); ++i) {
+      const FollowedSighting& followed = m_progress.sightings[i];
+      const PlannedSighting& planned = followed.planned;
+      if (planned.isZero && !planned.isAfter && planned.face == 1)
+        zero = isThere(followed) ? std::nullopt : std::optional(i);
+      if (!planned.isZero && isThere(followed) && zero && isOf(*zero, planned.protocolPosition)) return zero;
+    }
+    return std::nullopt;
+  }
+
   std::optional<std::size_t> next() const {
     const std::size_t count = m_progress.sightings.size();
+    for (std::size_t i = 0; i < count; ++i)
+      if (isHalfFilled(m_progress.sightings[i])) return i;
+    if (const auto zero = missingZero()) return zero;
     std::optional<std::size_t> begun;
     for (std::size_t i = 0; i < count; ++i)
       if (isThere(m_progress.sightings[i])) begun = m_progress.sightings[i].planned.protocolPosition;

@@ -57,9 +57,10 @@ struct ProtocolProgress {
   bool isComplete() const { return left() == 0; }
 };
 
-/// The next sighting is the first still to be taken behind the last one there of the position that is being
-/// read, then what was passed over there, then the first of all. A position is being read that is the last
-/// with anything in it, as long as it is not complete.
+/// The next sighting is a row that is half filled, then the first zero of a position that has readings
+/// without it; else the first still to be taken behind the last one there of the position that is being read,
+/// then what was passed over there, then the first of all. A position is being read that is the last with
+/// anything in it, as long as it is not complete.
 ProtocolProgress progressOf(const Session& session, const SightingProtocol& protocol);
 
 /// Of the places of one position the one to be sighted next; absent where nothing is left of it there.

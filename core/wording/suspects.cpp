@@ -91,6 +91,9 @@ std::string sentenceOf(const Suspect& suspect) {
                             : std::isfinite(suspect.size.radians())
                                 ? Phrase::of("off by %1", signedSize(suspect.size))
                                 : Phrase::of("no angle");
+  if (suspect.isMasked)
+    return Phrase::of("%1: %2. More than one reading may be wrong here: read it again.", nameOf(suspect),
+                      fault);
   return suspect.proposals.empty()
              ? Phrase::of("%1: %2. No single slip explains it: read it again.", nameOf(suspect), fault)
              : Phrase::of("%1: %2. Probably meant: %3", nameOf(suspect), fault,

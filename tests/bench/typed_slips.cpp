@@ -84,11 +84,36 @@ void runPlan(const char* name, int sessions, double step, bool verbose) {
   all.print("all");
 }
 
+/// Slips next to each other: how often a correction is offered, and how often one that is none.
+void runNeighbours(const char* name, int sessions, double step) {
+  const Protocol& protocol = *protocolByName(name);
+  for (const std::size_t count : {2U, 3U}) {
+    std::size_t suspects = 0, offers = 0, wrong = 0, misled = 0;
+    for (int i = 0; i < sessions; ++i) {
+      const SlippedSession slipped =
+          neighbouringSlips(protocol, count, static_cast<std::uint64_t>(i) + 1, step);
+      const auto found = suspectsOf(slipped.session);
+      suspects += found.size();
+      for (const Suspect& suspect : found) offers += suspect.proposals.empty() ? 0 : 1;
+      const std::size_t falsely = falseOffers(slipped, found);
+      wrong += falsely;
+      misled += falsely > 0 ? 1 : 0;
+    }
+    std::printf(
+        "%s, %zu slips next to each other in %d sessions: %zu suspects, %zu with a correction, %zu of "
+        "them none, in %zu sessions\n",
+        name, count, sessions, suspects, offers, wrong, misled);
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   const int sessions = argc > 1 ? std::atoi(argv[1]) : 2000;
   const double step = argc > 2 ? std::atof(argv[2]) : 0.1;
   for (const char* plan : {"paper", "paper-slider", "two-face", "full"})
-    if (argc <= 3 || std::string(argv[3]) == plan) runPlan(plan, sessions, step, argc > 4);
+    if (argc <= 3 || std::string(argv[3]) == plan) {
+      runPlan(plan, sessions, step, argc > 4);
+      runNeighbours(plan, sessions, step);
+    }
 }

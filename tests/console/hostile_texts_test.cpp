@@ -81,7 +81,6 @@ TEST(HostileTexts, AreTextInTheRefusalOfEveryEntry) {
   };
   const std::string all = allHostileTexts();
   refused("format", [&](Json& s) { s["format"] = all; });
-  refused("date", [&](Json& s) { s["measured_on"] = all; });
   refused("circle", [&](Json& s) { s["geometry"]["vertical_circle"] = all; });
   refused("relation", [&](Json& s) { s["model"]["vertical_angle"] = all; });
   refused("radius", [&](Json& s) { s["model"]["radius"] = all; });
@@ -95,6 +94,15 @@ TEST(HostileTexts, AreTextInTheRefusalOfEveryEntry) {
     refused(key, [&](Json& s) { s["instrument"][key] = all; });
   for (const char* key : {"point", "round", "face", "horizontal", "vertical", "slider"})
     refused(key, [&](Json& s) { s["positions"][1]["readings"][2][key] = all; });
+}
+
+/// No number rests on a date: it is told, and the result stands.
+TEST(HostileTexts, AreTextInWhatIsToldOfADate) {
+  const ProgramRun run =
+      publishedFit(changedPaperSession([](Json& s) { s["measured_on"] = allHostileTexts(); }));
+  EXPECT_EQ(run.exitCode, 0);
+  expectVisible(run, "date");
+  EXPECT_THAT(run.err, HasSubstr("measured_on: "));
 }
 
 TEST(HostileTexts, AreTextInTheRefusalOfAFile) {

@@ -152,6 +152,53 @@ inline SlippedSession slippedSession(const Protocol& protocol, Slip slip, std::u
   return result;
 }
 
+/// A session by the protocol with `count` slips in readings next to each other: both circles of a row, or
+/// rows one behind the other (its places, or the two faces of a place).
+inline SlippedSession neighbouringSlips(const Protocol& protocol, std::size_t count, std::uint64_t seed,
+                                        double step = 0.1) {
+  std::mt19937_64 random(seed * 104729 + count);
+  const auto pick = [&](std::size_t among) {
+    return std::uniform_int_distribution<std::size_t>(0, among - 1)(random);
+  };
+  Truth truth = drawTruth(seed);
+  truth.typingStep = Angle::fromArcseconds(step);
+  const Session clean = *simulate(protocol, truth, seed);
+  SlippedSession result{clean, {}, 0};
+  const std::size_t position = pick(clean.positions.size());
+  const auto& readings = clean.positions[position].readings;
+  const std::size_t first = pick(readings.size() - 1), start = pick(2);
+  const bool isOneColumn = pick(2) == 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t at = isOneColumn ? 2 * i + start : i + start;
+    const Place where{.position = position,
+                      .reading = std::min(first + at / 2, readings.size() - 1),
+                      .field = at % 2 == 0 ? "horizontal" : "vertical"};
+    std::string& text = cell(result.session, where);
+    const std::string meant = text;
+    if (std::ranges::find(result.cure, where, &CellChange::where) != result.cure.end()) continue;
+    constexpr Slip slips[] = {Slip::DigitsSwapped, Slip::DigitWrong, Slip::DegreeOff, Slip::TenMinutesOff,
+                              Slip::MinuteOff};
+    for (int attempt = 0; attempt < 1000; ++attempt) {
+      text = typedWrongly(meant, slips[pick(std::size(slips))], random);
+      const auto wrong = parseAngle(text), right = parseAngle(meant);
+      if (wrong && std::abs(wrapped(*wrong - *right).arcseconds()) > 25) break;
+    }
+    result.cure.push_back({where, meant});
+  }
+  return result;
+}
+
+/// How many suspects are offered a correction that does not restore what was to be typed.
+inline std::size_t falseOffers(const SlippedSession& slipped, const std::vector<Suspect>& suspects) {
+  const auto isFalse = [&](const CellChange& change) {
+    const auto cure = std::ranges::find(slipped.cure, change.where, &CellChange::where);
+    return cure == slipped.cure.end() || cure->text != change.text;
+  };
+  return static_cast<std::size_t>(std::ranges::count_if(suspects, [&](const Suspect& suspect) {
+    return !suspect.proposals.empty() && std::ranges::any_of(suspect.proposals.front().changes, isFalse);
+  }));
+}
+
 struct Found {
   bool rightCell = false;        ///< every cell at fault is named
   bool rightCorrection = false;  ///< and the first proposal restores what was to be typed

@@ -134,6 +134,39 @@ TEST(BenchEntry, AltAndADigitLeadToTheReadingsFromAnywhere) {
   EXPECT_EQ(tabs.currentIndex(), 1);
 }
 
+TEST(BenchEntry, TheNextEntryIsAMissingPointingZeroAndIsSaidAlike) {
+  EntryBench bench;
+  Session session = paperSession();
+  session.positions[1].zero.horizontal.clear();
+  bench.start(session);
+  EXPECT_THAT(bench.open->statusBar()->findChildren<QLabel*>(),
+              testing::Contains(testing::Truly([](const QLabel* label) {
+                return label->text() == QStringLiteral("Next: 180°: pointing zero");
+              })));
+  bench.open->currentTable()->setFocus();
+  press(*bench.open.window, Qt::Key_F6);
+  EXPECT_EQ(focusName(), "pointing_zero.horizontal 1");
+}
+
+TEST(BenchEntry, BehindTheLastRowTheNextEntryIsTheZeroOfTheNextPosition) {
+  EntryBench bench;
+  Session session = paperSession();
+  session.positions[1].zero = {};
+  session.positions[1].readings.clear();
+  bench.start(session);
+  press(*bench.open.window, Qt::Key_F6);
+  EXPECT_EQ(focusName(), "readings0");
+  press(*bench.open.window, Qt::Key_F6);
+  EXPECT_EQ(focusName(), "pointing_zero.horizontal 1");
+}
+
+TEST(BenchEntry, ADayIsPutAsTheSessionHasIt) {
+  EntryBench bench;
+  bench.start(paperSession());
+  changeField(bench.open->document(), {.field = "measured_on"}, "1.3.2026");
+  EXPECT_EQ(bench.session().measuredOn, "2026-03-01");
+}
+
 TEST(BenchEntry, DigitsTypedWhereNothingTakesThemGoToTheNextEntry) {
   EntryBench bench;
   Session session = paperSession();

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <utility>
 
+#include "core/session/day_text.h"
 #include "ui/document/field.h"
 #include "ui/document/session_document.h"
 
@@ -36,7 +37,9 @@ std::vector<JournalEntry> ChangeField::allEntries() const {
   return journal().asStanding(m_place, m_before, m_after);
 }
 
-void changeField(SessionDocument& document, const Place& place, const std::string& text) {
+void changeField(SessionDocument& document, const Place& place, const std::string& typed) {
+  const bool isDay = place.field == "measured_on" || place.field.ends_with(".date");
+  const std::string text = isDay ? completedDay(typed) : typed;
   if (fieldText(document.session(), place) == text) return;
   document.push(new ChangeField(document, place, text));
 }

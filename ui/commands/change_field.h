@@ -23,7 +23,7 @@ class ChangeField : public JournalledCommand {
   std::string m_before, m_after;
 };
 
-/// Does nothing where the field has this text already.
-void changeField(SessionDocument& document, const Place& place, const std::string& text);
+/// A day is put as the session has it (`completedDay`). Does nothing where the field has this text already.
+void changeField(SessionDocument& document, const Place& place, const std::string& typed);
 
 }  // namespace alidade::ui

@@ -10,6 +10,7 @@
 
 #include "ui/dialogs/difference_table.h"
 #include "ui/dialogs/plain_label.h"
+#include "ui/dialogs/safe_button.h"
 
 namespace alidade::ui {
 
@@ -60,8 +61,8 @@ ChangedFileAnswer askChangedFile(QWidget* parent, const ChangedFile& file) {
   offer(ChangedFileText::tr("Save &As…"), QDialogButtonBox::ActionRole, ChangedFileAnswer::SaveAs);
   offer(ChangedFileText::tr("&Overwrite"), QDialogButtonBox::DestructiveRole, ChangedFileAnswer::Overwrite);
   QObject::connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
-  buttons->button(QDialogButtonBox::Cancel)->setDefault(true);
   layout->addWidget(buttons);
+  makeSafeButton(*buttons->button(QDialogButtonBox::Cancel));
   dialog.exec();
   return answer;
 }

@@ -13,6 +13,7 @@
 
 #include "ui/dialogs/paper_form.h"
 #include "ui/dialogs/protocol_dialog.h"
+#include "ui/dialogs/safe_button.h"
 #include "ui/import/import_page.h"
 #include "ui/settings/theme.h"
 #include "ui/text/visible_text.h"
@@ -59,6 +60,7 @@ Dialogs::SaveAnswer Dialogs::askSaveChanges(const QString& name) {
                   QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, m_parent);
   box.setInformativeText(DialogsText::tr("Discarded changes cannot be brought back."));
   box.setDefaultButton(QMessageBox::Save);
+  makeSafeButton(*qobject_cast<QPushButton*>(box.button(QMessageBox::Save)));
   switch (box.exec()) {
     case QMessageBox::Save:
       return SaveAnswer::Save;
@@ -84,6 +86,7 @@ bool Dialogs::askDiscardOther(const QString& name, Way way) {
           : DialogsText::tr("Undo leads back to it with all that was typed into it, to be saved.");
   box.setInformativeText(lead + u' ' + DialogsText::tr("Discarded, that cannot be brought back."));
   box.setDefaultButton(QMessageBox::Cancel);
+  makeSafeButton(*qobject_cast<QPushButton*>(box.button(QMessageBox::Cancel)));
   return box.exec() == QMessageBox::Discard;
 }
 
@@ -193,6 +196,7 @@ bool Dialogs::askOpenElsewhere(const QString& name, const QString& holder) {
       "changes, it asks."));
   const QAbstractButton* anyway = box.addButton(DialogsText::tr("&Go On"), QMessageBox::AcceptRole);
   box.setDefaultButton(QMessageBox::Cancel);
+  makeSafeButton(*qobject_cast<QPushButton*>(box.button(QMessageBox::Cancel)));
   box.exec();
   return box.clickedButton() == anyway;
 }

@@ -9,6 +9,7 @@
 #include "core/answers/fit_json.h"
 #include "core/answers/residuals_csv.h"
 #include "core/diagnosis/diagnose.h"
+#include "core/session/hindrance.h"
 #include "core/wording/diagnosis_fault.h"
 
 namespace alidade::ui {
@@ -21,10 +22,10 @@ struct Fitted {
 
 Result<Fitted> fitted(const Session& session) {
   Examined examined = examine(session);
-  if (!examined.problems.empty()) {
-    Problem first = examined.problems.front();
-    if (examined.problems.size() > 1)
-      first.what += " (and " + std::to_string(examined.problems.size() - 1) + " more)";
+  const std::vector<Problem> problems = hindrances(session, examined.problems);
+  if (!problems.empty()) {
+    Problem first = problems.front();
+    if (problems.size() > 1) first.what += " (and " + std::to_string(problems.size() - 1) + " more)";
     return first;
   }
   Measurement measurement = std::move(examined.measurement).value();

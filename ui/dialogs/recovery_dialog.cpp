@@ -12,6 +12,7 @@
 
 #include "ui/dialogs/difference_table.h"
 #include "ui/dialogs/plain_label.h"
+#include "ui/dialogs/safe_button.h"
 
 namespace alidade::ui {
 
@@ -62,7 +63,8 @@ QWidget* RecoveryDialog::createButtons() {
   offer(tr("&Recover"), QDialogButtonBox::ActionRole, RecoveryAnswer::Choice::Recover)->setDefault(true);
   offer(tr("&Later"), QDialogButtonBox::ActionRole, RecoveryAnswer::Choice::Later)
       ->setToolTip(tr("Keeps the changes; File, Recover Unsaved Changes… offers them again"));
-  offer(tr("&Discard…"), QDialogButtonBox::DestructiveRole, RecoveryAnswer::Choice::Discard);
+  offer(tr("&Discard…"), QDialogButtonBox::DestructiveRole, RecoveryAnswer::Choice::Discard)
+      ->setAutoDefault(false);
   return buttons;
 }
 
@@ -72,6 +74,7 @@ bool RecoveryDialog::isDiscardMeant() {
                   QMessageBox::Discard | QMessageBox::Cancel, this);
   box.setTextFormat(Qt::PlainText);
   box.setDefaultButton(QMessageBox::Cancel);
+  makeSafeButton(*qobject_cast<QPushButton*>(box.button(QMessageBox::Cancel)));
   return box.exec() == QMessageBox::Discard;
 }
 

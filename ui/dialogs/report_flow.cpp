@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/base/failure.h"
+#include "core/session/hindrance.h"
 #include "ui/dialogs/dialogs.h"
 #include "ui/dialogs/in_background.h"
 #include "ui/dialogs/report_source.h"
@@ -87,10 +88,11 @@ void ReportFlow::setUpPage() {
 std::optional<ReportChoice> ReportFlow::ask(const Gap& gap, ReportQuestion::Way way,
                                             const std::optional<QStringList>& lacks) {
   const Evaluation& evaluation = *gap.evaluation;
-  ReportQuestion question{.way = way,
-                          .choice = rememberedReportChoice(),
-                          .emptyFields = lacks ? *lacks : emptyReportFields(evaluation.session),
-                          .unusable = static_cast<int>(evaluation.examined.problems.size())};
+  ReportQuestion question{
+      .way = way,
+      .choice = rememberedReportChoice(),
+      .emptyFields = lacks ? *lacks : emptyReportFields(evaluation.session),
+      .unusable = static_cast<int>(hindrances(evaluation.session, evaluation.examined.problems).size())};
   for (const ReportPartInfo& info : allReportParts()) {
     if (isThere(info.part, gap)) question.there.push_back(info.part);
     if (mustStand(info.part, gap)) question.mustStand.push_back(info.part);

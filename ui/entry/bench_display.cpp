@@ -81,14 +81,12 @@ void BenchDisplay::refresh() {
   if (isHidden() || !m_evaluation) return;
   const Session& session = m_evaluation->session;
   const CircleUnit unit = circleUnitOf(session);
-  const bool hasNext = m_position < m_evaluation->next.size() && m_evaluation->next[m_position];
-  const NextReading* next = hasNext ? &*m_evaluation->next[m_position] : nullptr;
-  m_place->setText(next ? tr("%1: %2").arg(positionText(session, m_position), sightingText(next->sighting))
-                        : tr("All is read that was to be"));
-  m_angles->setText(next && next->expected
-                        ? tr("%1   %2").arg(coarseAngleText(next->expected->horizontal, unit),
-                                            coarseAngleText(next->expected->vertical, unit))
-                        : notStated());
+  const auto next = entryToCome(*m_evaluation, m_position);
+  m_place->setText(next ? entryText(session, *next) : tr("All is read that was to be"));
+  const auto expected = next ? expectedOf(*m_evaluation, *next) : std::nullopt;
+  m_angles->setText(expected ? tr("%1   %2").arg(coarseAngleText(expected->horizontal, unit),
+                                                 coarseAngleText(expected->vertical, unit))
+                             : notStated());
   m_last->setText(m_doubt);
   QPalette warning = palette();
   warning.setColor(QPalette::WindowText, stateColor(palette(), State::Bad));

@@ -45,25 +45,74 @@ void EntryGuide::goToNextEntry() {
   for (const char* field : {"geometry.distance_mm", "geometry.radius_mm"})
     if (const Place place{.field = field}; fieldText(m_document.session(), place).empty())
       return emit revealWanted(place);
-  if (const auto next = nextSighting(m_document.session()); next && next->position) return goTo(*next);
-  if (m_positions.currentTable()) goToNextEntryOf(static_cast<std::size_t>(m_positions.currentIndex()));
+  if (!m_positions.currentTable()) return;
+  const auto here = static_cast<std::size_t>(m_positions.currentIndex());
+  if (const auto next = entryToComeOf(m_document.session(), here))
+    return isThereAlready(*next) ? goBeyond(here) : goTo(*next);
+  goToNextEntryOf(here);
 }
 
-/// Where the protocol leads.
-void EntryGuide::goTo(const FollowedSighting& next) {
-  if (!next.planned.isZero) return goToNextEntryOf(*next.position);
-  m_positions.showPosition(*next.position);
+/// Does the keyboard wait behind the last row, of as many as make an arc?
+bool EntryGuide::isThereAlready(const EntryToCome& next) const {
+  constexpr std::size_t leastRows = 3;
+  const ReadingsTable* table = m_positions.currentTable();
+  const auto& rows = m_document.session().positions[next.position].readings;
+  return next.zero.empty() && next.position == static_cast<std::size_t>(m_positions.currentIndex()) &&
+         next.row == rows.size() && rows.size() >= leastRows && table->hasFocus() &&
+         table->currentIndex().row() == static_cast<int>(rows.size());
+}
+
+/// The list is at its end: to a position whose pointing zero is missing, where there is one.
+void EntryGuide::goBeyond(std::size_t here) {
+  const auto& positions = m_document.session().positions;
+  for (std::size_t i = 1; i < positions.size(); ++i) {
+    const std::size_t position = (here + i) % positions.size();
+    const PointingZero& zero = positions[position].zero;
+    if (zero.horizontal.empty() || zero.vertical.empty()) return goToNextEntryOf(position);
+  }
+  goToNextEntryOf(here);
+}
+
+void EntryGuide::goTo(const EntryToCome& next) {
+  m_positions.showPosition(next.position);
+  if (!next.zero.empty()) return goToMissingOf(next.position, next.zero);
+  const auto& rows = m_document.session().positions[next.position].readings;
+  const bool isHalf = next.row < rows.size() && isHalfFilled(rows[next.row]);
+  ReadingsTable* table = m_positions.currentTable();
+  if (isHalf) {
+    table->selectCell(static_cast<int>(next.row), rows[next.row].horizontal.empty()
+                                                      ? ReadingColumn::Horizontal
+                                                      : ReadingColumn::Vertical);
+  } else {
+    table->goToNextEntry();
+  }
+  table->setFocus(Qt::ShortcutFocusReason);
+}
+
+/// The circle of a pointing zero that is missing.
+void EntryGuide::goToMissingOf(std::size_t position, const std::string& zero) {
   for (const char* circle : {".horizontal", ".vertical"})
-    if (const Place place{.position = next.position, .field = zeroField(next.planned) + circle};
+    if (const Place place{.position = position, .field = zero + circle};
         fieldText(m_document.session(), place).empty())
       return emit revealWanted(place);
 }
 
-/// Once a position has all that the protocol asks of it, the keyboard goes on to what comes behind it.
+/// Once a position has all that the protocol asks of it, the keyboard goes on to what comes behind it. From
+/// among readings it is not called back to a zero that is missing in front of some.
 void EntryGuide::goOn() {
-  const auto next = nextSighting(m_document.session());
+  const Session& session = m_document.session();
+  const auto protocol = protocolOf(session);
+  if (!protocol || !*protocol) return;
+  const ProtocolProgress progress = progressOf(session, **protocol);
   const auto here = static_cast<std::size_t>(std::max(0, m_positions.currentIndex()));
-  if (next && next->position && (next->planned.isZero || next->position != here)) goTo(*next);
+  if (!progress.next || !progress.sightings[*progress.next].position) return;
+  const FollowedSighting& next = progress.sightings[*progress.next];
+  const bool isZero = next.planned.isZero;
+  const bool isBefore =
+      isZero && !next.planned.isAfter && !session.positions[*next.position].readings.empty();
+  if (isBefore && nextPlaceIn(progress, here)) return;
+  if (isZero || next.position != here)
+    if (const auto entry = entryToCome(session, here, &progress)) goTo(*entry);
 }
 
 /// Its pointing zero where that is missing.
@@ -98,10 +147,7 @@ void EntryGuide::tellOfEntry(const QString& doubt) {
 
 void EntryGuide::showNext() {
   const auto position = static_cast<std::size_t>(std::max(0, m_positions.currentIndex()));
-  const bool isKnown = m_evaluation && position < m_evaluation->next.size() && m_evaluation->next[position];
-  emit nextChanged(isKnown
-                       ? nextReadingText(*m_evaluation->next[position], circleUnitOf(m_evaluation->session))
-                       : QString());
+  emit nextChanged(m_evaluation ? nextEntryText(*m_evaluation, position) : QString());
   if (m_bench) m_bench->setPosition(position);
 }
 

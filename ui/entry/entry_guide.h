@@ -3,7 +3,7 @@
 #include <QObject>
 
 #include "core/base/place.h"
-#include "core/session/protocol_progress.h"
+#include "core/session/entry_to_come.h"
 #include "ui/jobs/fit_job.h"
 
 class QKeyEvent;
@@ -26,7 +26,7 @@ class EntryGuide : public QObject {
   /// Leads to the next entry of the readings at `axisDeg` (0 or 180); asked again where it is there already,
   /// to those of the next position at that axis.
   void goToAxis(int axisDeg);
-  /// Leads to what is to be typed next: a length that is missing, a pointing zero, a reading.
+  /// Leads to what is to be typed next: a length that is missing, then what `entryToCome` says.
   void goToNextEntry();
   void setLargeDisplayShown(bool shown);
   void setEvaluation(const SharedEvaluation& evaluation);
@@ -40,7 +40,10 @@ class EntryGuide : public QObject {
 
  private:
   void goToNextEntryOf(std::size_t position);
-  void goTo(const FollowedSighting& next);
+  bool isThereAlready(const EntryToCome& next) const;
+  void goBeyond(std::size_t here);
+  void goTo(const EntryToCome& next);
+  void goToMissingOf(std::size_t position, const std::string& zero);
   void goOn();
   void takeDigit(QKeyEvent& event);
   void tellOfEntry(const QString& doubt);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/session/entry_to_come.h"
 #include "core/session/row_fields.h"
 #include "core/session/sighting_order.h"
 
@@ -16,25 +17,13 @@ bool isOpen(const Reading& row) {
   return !row.excluded && (row.horizontal.empty() || row.vertical.empty());
 }
 
-/// All that another position has: nothing says that more is to come.
-bool isComplete(const Session& session, std::size_t position) {
-  const std::vector<Reading>& rows = session.positions[position].readings;
-  const auto isSame = [](const Reading& a, const Reading& b) {
-    return a.point == b.point && a.round == b.round && a.face == b.face;
-  };
-  for (std::size_t i = 0; i < session.positions.size(); ++i)
-    if (i != position && !rows.empty() && std::ranges::equal(rows, session.positions[i].readings, isSame))
-      return true;
-  return false;
-}
-
 std::optional<NextReading> nextOf(const Session& session, std::size_t position, const Guide* guide) {
   const std::vector<Reading>& rows = session.positions[position].readings;
   const auto open = std::ranges::find_if(rows, isOpen);
   const bool isInTable = open != rows.end();
   const bool isLed = guide && guide->problem.empty();
   if (!isInTable && isLed && !nextPlaceIn(guide->progress, position)) return {};
-  if (!isInTable && !isLed && isComplete(session, position)) return {};
+  if (!isInTable && !isLed && hasAllOfAnother(session, position)) return {};
   return NextReading{static_cast<std::size_t>(open - rows.begin()),
                      isInTable ? *open : followingReading(session, position)};
 }

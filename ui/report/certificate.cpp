@@ -6,6 +6,7 @@
 #include "core/answers/beforehand.h"
 #include "core/base/phrase.h"
 #include "core/certificate/calibration_certificate.h"
+#include "core/session/hindrance.h"
 #include "core/session/session_file.h"
 #include "ui/language/language_scope.h"
 #include "ui/language/languages.h"
@@ -35,7 +36,8 @@ std::vector<CertificateLanguage> languagesOf(const ReportOptions& report) {
 }
 
 Problem whyNoAnswer(const Evaluation& evaluation) {
-  if (!evaluation.examined.problems.empty()) return evaluation.examined.problems.front();
+  if (const auto problems = hindrances(evaluation.session, evaluation.examined.problems); !problems.empty())
+    return problems.front();
   if (!evaluation.failure.empty()) return Problem{evaluation.failure};
   if (!evaluation.searchFailure.empty()) return Problem{evaluation.searchFailure};
   if (const auto& measurement = evaluation.examined.measurement)

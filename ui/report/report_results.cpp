@@ -3,6 +3,7 @@
 #include "core/adjustment/gross_errors/suspects.h"
 #include "core/answers/beforehand.h"
 #include "core/answers/fit_json.h"
+#include "core/session/hindrance.h"
 #include "ui/language/language_scope.h"
 
 namespace alidade::ui {
@@ -10,7 +11,8 @@ namespace alidade::ui {
 std::optional<FitAnswer> fitAnswerOf(const Gap& gap, const std::string& name) {
   const Evaluation& evaluation = *gap.evaluation;
   const auto& measurement = evaluation.examined.measurement;
-  if (!measurement || !evaluation.examined.problems.empty()) return std::nullopt;
+  if (!measurement || !hindrances(evaluation.session, evaluation.examined.problems).empty())
+    return std::nullopt;
   if (!evaluation.failure.empty() || !evaluation.searchFailure.empty()) return std::nullopt;
   if (absence(*measurement, evaluation.fit.arcs.size(), evaluation.fit.findings)) return std::nullopt;
   FitAnswer answer{name, *measurement, evaluation.fit, evaluation.suspects};

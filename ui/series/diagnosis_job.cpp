@@ -1,6 +1,7 @@
 #include "ui/series/diagnosis_job.h"
 
 #include "core/series/shared_causes/diagnose_series.h"
+#include "core/session/hindrance.h"
 #include "core/session/session_file.h"
 #include "core/wording/diagnosis_fault.h"
 #include "ui/jobs/failed_job.h"
@@ -16,7 +17,7 @@ SeriesAnswer diagnoseTogether(const std::vector<std::string>& files, const std::
     Result<Session> session = loadSession(file);
     if (!session) continue;
     Examined examined = examine(*session);
-    if (!examined.measurement || !examined.problems.empty()) continue;
+    if (!examined.measurement || !hindrances(*session, examined.problems).empty()) continue;
     answer.files.push_back(file);
     const std::string name = session->title.empty() ? file : session->title;
     sessions.push_back(seriesSession(name, *session, *std::move(examined.measurement)));

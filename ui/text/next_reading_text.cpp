@@ -3,9 +3,13 @@
 #include <QCoreApplication>
 #include <cmath>
 
+#include "core/session/entry.h"
 #include "core/session/row_fields.h"
+#include "core/wording/guidance.h"
+#include "ui/jobs/evaluation.h"
 #include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
+#include "ui/text/position_text.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/visible_text.h"
 
@@ -45,6 +49,39 @@ QString coarseAngleText(Angle angle, CircleUnit unit) {
 
 QString sightingText(const Reading& sighting) {
   return capitalised(keysText(sighting));
+}
+
+std::optional<EntryToCome> entryToCome(const Evaluation& evaluation, std::size_t position) {
+  if (position >= evaluation.next.size()) return std::nullopt;
+  const Guide* guide = evaluation.guide.get();
+  return entryToCome(evaluation.session, position,
+                     guide && guide->problem.empty() ? &guide->progress : nullptr);
+}
+
+std::optional<ExpectedReading> expectedOf(const Evaluation& evaluation, const EntryToCome& entry) {
+  const auto& next = evaluation.next[entry.position];
+  if (!entry.zero.empty() || !next) return std::nullopt;
+  const Reading &a = next->sighting, &b = entry.sighting;
+  return a.point == b.point && a.round == b.round && a.face == b.face ? next->expected : std::nullopt;
+}
+
+QString entryText(const Session& session, const EntryToCome& entry) {
+  const QString where = positionText(session, entry.position);
+  if (entry.zero.empty()) return NextReadingText::tr("%1: %2").arg(where, sightingText(entry.sighting));
+  PlannedSighting zero;
+  zero.isZero = true;
+  zero.isAfter = entry.isAfter;
+  zero.face = entry.zeroFace;
+  return NextReadingText::tr("%1: %2").arg(where, qText(sightingName(zero)));
+}
+
+QString nextEntryText(const Evaluation& evaluation, std::size_t position) {
+  const auto entry = entryToCome(evaluation, position);
+  if (!entry) return {};
+  if (!entry->zero.empty() || entry->position != position)
+    return NextReadingText::tr("Next: %1").arg(entryText(evaluation.session, *entry));
+  return nextReadingText({entry->row, entry->sighting, expectedOf(evaluation, *entry)},
+                         circleUnitOf(evaluation.session));
 }
 
 QString nextReadingText(const NextReading& next, CircleUnit unit) {

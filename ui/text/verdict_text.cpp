@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <algorithm>
 
+#include "core/session/hindrance.h"
 #include "core/wording/verdict.h"
 #include "ui/text/cause_text.h"
 #include "ui/text/entry_text.h"
@@ -38,7 +39,7 @@ QString reasonForNoResult(const Evaluation& evaluation) {
 
 /// `isFinal`: as far as it goes the diagnosis has spoken.
 VerdictText verdictText(const Evaluation& evaluation, const Diagnosis* diagnosis, bool isFinal) {
-  const std::size_t unusable = evaluation.examined.problems.size();
+  const std::size_t unusable = hindrances(evaluation.session, evaluation.examined.problems).size();
   if (unusable > 0)
     return {
         .word = unusable == 1 ? VerdictWords::tr("No verdict: 1 entry could not be used")

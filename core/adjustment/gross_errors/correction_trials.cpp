@@ -148,7 +148,8 @@ std::optional<AgreeingCorrection> CorrectionTrials::tryOut(const Visited& visit,
   return AgreeingCorrection{
       correction, *row,
       std::log(correction.prior) + agreement.logLikelihood + *elsewhere - slider * slider / 2,
-      Angle::fromRadians(agreement.residuals[index] * sideOf(m_fitted, row->face, kind))};
+      Angle::fromRadians(agreement.residuals[index] * sideOf(m_fitted, row->face, kind)),
+      agreement.offSpacing};
 }
 
 std::vector<AgreeingCorrection> CorrectionTrials::agreeing(const Visited& visit, const VisitCheck& check,

@@ -29,9 +29,10 @@ struct Visited {
 /// A correction that makes its visit agree with all others.
 struct AgreeingCorrection {
   Correction correction;
-  Sighting sighting;  ///< of the row in question, corrected
-  double score = 0;   ///< logarithm of prior times likelihood, up to a constant
-  Angle residual;     ///< of the first changed cell, as read
+  Sighting sighting;      ///< of the row in question, corrected
+  double score = 0;       ///< logarithm of prior times likelihood, up to a constant
+  Angle residual;         ///< of the first changed cell, as read
+  double offSpacing = 0;  ///< as `VisitAgreement::offSpacing`
 };
 
 /// Which kind of reading a cell holds; a changed face turns both circles and counts as the horizontal one.

@@ -8,12 +8,17 @@
 #include "core/adjustment/gross_errors/correction_trials.h"
 #include "core/base/angle_text.h"
 #include "core/base/number_text.h"
+#include "core/session/row_fields.h"
 
 namespace alidade {
 
 namespace {
 
-constexpr double leastShare = 0.01;  ///< of a proposal worth showing
+constexpr double leastShare = 0.01;        ///< of a proposal worth showing
+constexpr double leastShareBeside = 0.95;  ///< of a proposal beside other suspects
+/// Of the place that a correction leads to, in the scatter of the others: beyond, something else is wrong
+/// too.
+constexpr double mostOffSpacing = 12;
 constexpr std::size_t mostProposals = 5, mostUnusableRows = 12;
 
 class SuspectSearch {
@@ -33,6 +38,7 @@ class SuspectSearch {
       if (!isNamed(visit)) lookAt(visit);
     }
     lookAtUnusableRows();
+    if (!m_stop.stop_requested()) keepWhatHoldsTogether();
     return std::move(m_suspects);
   }
 
@@ -103,6 +109,7 @@ class SuspectSearch {
       suspect.proposals = proposalsOf(tried);
       for (const Proposal& proposal : suspect.proposals)
         if (proposal.share > 0.05) addRivals(suspect, proposal, best);
+      if (best.offSpacing > mostOffSpacing) mask(suspect);
       m_suspects.push_back(std::move(suspect));
     }
   }
@@ -182,6 +189,77 @@ class SuspectSearch {
       nameCells(visit, tried, 0);
       return;
     }
+  }
+
+  static void mask(Suspect& suspect) {
+    suspect.isMasked = suspect.isMasked || !suspect.proposals.empty();
+    suspect.proposals.clear();
+  }
+
+  /// Of one visit, so that each hides what the other leaves.
+  static bool areTogether(const Suspect& a, const Suspect& b) {
+    return a.where.position == b.where.position && a.round == b.round && a.point == b.point;
+  }
+
+  static bool areOneSlip(const Suspect& a, const Suspect& b) {
+    return !a.proposals.empty() && !b.proposals.empty() &&
+           a.proposals.front().changes == b.proposals.front().changes;
+  }
+
+  bool hasOther(const Suspect& suspect) const {
+    return std::ranges::any_of(
+        m_suspects, [&](const Suspect& other) { return &other != &suspect && !areOneSlip(suspect, other); });
+  }
+
+  /// Beside other misread readings a correction is proposed only where it is all but certain, where nothing
+  /// in its visit is left unexplained, and where all readings agree once every suspect is corrected.
+  void keepWhatHoldsTogether() {
+    std::vector<bool> isDoubtful;
+    for (const Suspect& suspect : m_suspects) {
+      const bool isUnsure = !suspect.proposals.empty() && suspect.proposals.front().share < leastShareBeside;
+      const bool hasUnexplained = std::ranges::any_of(m_suspects, [&](const Suspect& other) {
+        return other.proposals.empty() && areTogether(suspect, other);
+      });
+      isDoubtful.push_back((isUnsure && hasOther(suspect)) || hasUnexplained);
+    }
+    for (std::size_t i = 0; i < m_suspects.size(); ++i)
+      if (isDoubtful[i]) mask(m_suspects[i]);
+    if (std::ranges::none_of(m_suspects, [&](const Suspect& suspect) { return hasOther(suspect); })) return;
+    for (const Suspect& left : leftOnceCorrected())
+      for (Suspect& suspect : m_suspects)
+        if (areTogether(suspect, left)) mask(suspect);
+  }
+
+  /// Visits that do not agree once all suspects are corrected, or their rows excluded where nothing is
+  /// proposed.
+  std::vector<Suspect> leftOnceCorrected() const {
+    Session mended = m_session;
+    for (const Suspect& suspect : m_suspects) {
+      auto& readings = mended.positions[*suspect.where.position].readings;
+      if (suspect.proposals.empty()) {
+        readings[*suspect.where.reading].excluded = true;
+        continue;
+      }
+      for (const CellChange& change : suspect.proposals.front().changes)
+        readings[*change.where.reading].*rowFieldNamed(change.where.field)->text = change.text;
+    }
+    const Examined examined = examine(mended);
+    if (!examined.measurement) return {};
+    const SessionFit fit = fitSession(*examined.measurement);
+    if (fit.arcs.empty()) return {};
+    const Measurement fitted = fittedPart(*examined.measurement, fit);
+    std::vector<Suspect> left;
+    for (const GrossError& error :
+         searchGrossErrors(fitted, {.fit = {.terms = estimatedTerms(fitted)}, .known = &fit.joint}, m_stop)
+             .grossErrors) {
+      const ArcMeasurement& arc = fitted.arcs[error.cell.arc];
+      Suspect suspect;
+      suspect.where.position = arc.position;
+      suspect.round = arc.sightings[error.cell.sighting].round;
+      suspect.point = arc.sightings[error.cell.sighting].point;
+      left.push_back(suspect);
+    }
+    return left;
   }
 
   static int wholeOr(const std::string& text, int fallback) {

@@ -34,6 +34,8 @@ struct Suspect {
   double studentised = 0;  ///< t of the misfit; 0 where the row could not be used and took no part in the fit
   std::vector<Place> rivals;        ///< cells that could be at fault instead
   std::vector<Proposal> proposals;  ///< the most probable first; may be empty
+  /// A slip would explain it, and another one besides may hide what was meant: then nothing is proposed.
+  bool isMasked = false;
 };
 
 struct SuspectOptions {

@@ -35,10 +35,13 @@ struct Spacing {
   double phiAtZero = 0, step = 0;  ///< rad, rad per point
   double scatter = 0;              ///< 1σ of a place, rad; 0: nothing is known of the spacing
 
+  double off(int point, double phi) const {
+    return scatter > 0 ? std::abs(wrappedRadians(phi - phiAtZero - step * point)) / scatter : 0;
+  }
+
   double logLikelihood(int point, double phi) const {
-    if (scatter <= 0) return 0;
     constexpr double freedom = 3;
-    const double off = wrappedRadians(phi - phiAtZero - step * point) / scatter;
+    const double off = this->off(point, phi);
     return -(freedom + 1) / 2 * std::log1p(off * off / freedom);
   }
 };
@@ -208,6 +211,7 @@ VisitAgreement VisitCheck::agreement(const std::vector<Sighting>& rows) const {
   const Eigen::LDLT<MatrixXd> factor(covarianceOf(problem, equations, prediction.cofactor));
   const Misfit misfit = factor.isPositive() ? residual.dot(factor.solve(residual)) / m_content->variance
                                             : std::numeric_limits<double>::quiet_NaN();
+  agreement.offSpacing = m_content->spacing.off(rows.front().point, state.arcAngles[0]);
   if (const auto tail = fUpperTail(misfit, agreement.tests, freedom)) {
     agreement.probability = *tail;
     agreement.logLikelihood = -(freedom + agreement.tests) / 2 * std::log1p(misfit.squared() / freedom) +

@@ -14,6 +14,8 @@ struct VisitAgreement {
   int tests = 0;  ///< how many conditions the visit has to meet: readings − 1
   /// That sound readings misfit by as much or more; 0 where the fit predicts too poorly to tell.
   double probability = 0;
+  /// How far the place is off the even spacing, in its scatter; 0 where nothing is known of the spacing.
+  double offSpacing = 0;
   double logLikelihood = 0;  ///< of the misfit, by Student's distribution, and of the place, up to a constant
   std::vector<double> residuals;  ///< rad, as reduced: horizontal and vertical of each row, then the slider
 };

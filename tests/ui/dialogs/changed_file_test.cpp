@@ -4,10 +4,12 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 
+#include <QApplication>
 #include <QFile>
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
 #include <csignal>
 #include <filesystem>
 
@@ -15,6 +17,8 @@
 #include "core/session/session_file.h"
 #include "tests/ui/support.h"
 #include "ui/commands/change_field.h"
+#include "ui/dialogs/dialogs.h"
+#include "ui/dialogs/recovery_dialog.h"
 #include "ui/main_window.h"
 #include "ui/panels/window/changed_file_bar.h"
 
@@ -55,6 +59,63 @@ class ChangedFileTest : public ::testing::Test {
   QTemporaryDir folder;
   QString file = folder.filePath(QStringLiteral("s.alidade"));
 };
+
+/// What a question comes to that is answered with a key, once it is in front.
+template <typename Ask>
+auto answerTo(Ask ask, Qt::Key key) {
+  QTimer::singleShot(0, [key] {
+    QWidget* dialog = QApplication::activeModalWidget();
+    ASSERT_TRUE(dialog);
+    QApplication::setActiveWindow(dialog);
+    QTest::keyClick(dialog->focusWidget() ? dialog->focusWidget() : dialog, key);
+    if (dialog->isVisible()) QTest::keyClick(dialog, Qt::Key_Escape);
+  });
+  return ask();
+}
+
+constexpr Qt::Key answeringKeys[] = {Qt::Key_Return, Qt::Key_Space, Qt::Key_Escape};
+
+TEST(SafeAnswers, AKeyOverwritesNoFile) {
+  for (const Qt::Key key : answeringKeys)
+    for (const auto& difference : {std::optional<SessionDifference>(), std::optional(SessionDifference())}) {
+      const ChangedFile file{QStringLiteral("s.alidade"), difference, QStringLiteral("torn")};
+      EXPECT_EQ(answerTo([&] { return askChangedFile(nullptr, file); }, key), ChangedFileAnswer::Cancel)
+          << key << difference.has_value();
+    }
+}
+
+TEST(SafeAnswers, ReturnOverwritesNoFileWhereverTheKeyboardIs) {
+  const ChangedFile file{QStringLiteral("s.alidade"), {}, QStringLiteral("torn")};
+  QTimer::singleShot(0, [] {
+    QWidget* dialog = QApplication::activeModalWidget();
+    for (QPushButton* button : dialog->findChildren<QPushButton*>()) {
+      EXPECT_EQ(button->isDefault(), button->hasFocus() || dialog->focusWidget() == button);
+      if (!button->isDefault()) EXPECT_FALSE(button->autoDefault());
+    }
+    QTest::keyClick(dialog, Qt::Key_Return);
+  });
+  EXPECT_EQ(askChangedFile(nullptr, file), ChangedFileAnswer::Cancel);
+}
+
+TEST(SafeAnswers, AKeyDiscardsNothing) {
+  Dialogs dialogs;
+  for (const Qt::Key key : answeringKeys) {
+    EXPECT_NE(answerTo([&] { return dialogs.askSaveChanges(QStringLiteral("s")); }, key),
+              Dialogs::SaveAnswer::Discard);
+    for (const auto way : {Dialogs::Way::Undo, Dialogs::Way::Redo})
+      EXPECT_FALSE(answerTo([&] { return dialogs.askDiscardOther(QStringLiteral("s"), way); }, key));
+    EXPECT_FALSE(
+        answerTo([&] { return dialogs.askOpenElsewhere(QStringLiteral("s"), QStringLiteral("1")); }, key));
+  }
+}
+
+TEST(SafeAnswers, AKeyDiscardsNothingThatIsToBeRecovered) {
+  for (const Qt::Key key : answeringKeys) {
+    const QList<RecoveryOffer> offers{{.name = QStringLiteral("s"), .told = {}, .difference = {}}};
+    EXPECT_NE(answerTo([&] { return RecoveryDialog(offers, nullptr).ask(); }, key).choice,
+              RecoveryAnswer::Choice::Discard);
+  }
+}
 
 TEST_F(ChangedFileTest, AsksBeforeItOverwritesWhatOthersWrote) {
   OpenWindow window;
