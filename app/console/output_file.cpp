@@ -5,7 +5,7 @@
 
 namespace alidade::console {
 
-std::optional<Problem> writeOutputs(const std::vector<OutputFile>& files, const std::string& input) {
+std::optional<Problem> writeOutputs(const std::vector<OutputFile>& files, std::vector<std::string> inputs) {
   std::vector<FileContent> contents;
   for (const OutputFile& file : files) {
     if (file.path == "-") return Problem{file.option + " - names no file: give a path to write to"};
@@ -14,7 +14,7 @@ std::optional<Problem> writeOutputs(const std::vector<OutputFile>& files, const 
         return Problem{other->option + " and " + file.option + " name the same file: give each its own"};
     contents.push_back({file.path, file.text});
   }
-  const std::vector<std::string> inputs = input.empty() ? std::vector<std::string>() : std::vector{input};
+  std::erase(inputs, std::string());
   return writeFiles(contents, inputs);
 }
 

@@ -10,6 +10,7 @@
 #include "app/workstation/report_command.h"
 #include "app/workstation/self_test_command.h"
 #include "core/base/failure.h"
+#include "core/base/given_arguments.h"
 #include "ui/application.h"
 #include "ui/language/languages.h"
 #include "ui/main_window.h"
@@ -147,6 +148,8 @@ int run(int argc, char** argv) {
     QLoggingCategory::setFilterRules(
         QStringLiteral("*.warning=false"));  // stderr is for the one line of ours
   }
+  const auto empty = emptyArgument(argc, argv);  // before Qt takes its own arguments out
+  if (empty) return badCall(QString::fromStdString(*empty));
   ui::Application application(argc, argv);
   ui::setUpApplication(application);
   QGuiApplication::setDesktopFileName(QStringLiteral(ALIDADE_APPLICATION_ID));

@@ -8,12 +8,16 @@
 #include <list>
 #include <utility>
 
+#include "core/base/file_attributes.h"
 #include "core/base/file_target.h"
 #include "core/base/phrase.h"
+#include "core/base/stale_files.h"
 
 namespace alidade {
 
 namespace {
+
+constexpr int mostTries = 100;
 
 /// One file on its way: its bytes in a temporary file until they take their place. A step answers with the
 /// system's error number, 0 where it was done.
@@ -24,26 +28,33 @@ class Passage {
   Passage(const Passage&) = delete;
   Passage& operator=(const Passage&) = delete;
   ~Passage() {
-    if (!m_temporary.empty()) unlink(m_temporary.c_str());
+    for (const std::string& name : {m_temporary, m_kept})
+      if (!name.empty()) unlink(name.c_str());
   }
 
   const FileContent& content() const { return m_content; }
+  std::string folder() const { return m_target.folder(); }
   bool isDirect() const { return m_target.kind == FileTarget::Kind::Direct; }
   int writeDirectly();
   int writeTemporary();
+  void keepOld();
   int takePlace();
+  std::string putBack();
+  int syncFolder();
 
  private:
+  std::string freshName(const char* suffix) const;
   int openTemporary(int& file);
   int writeAll(int file) const;
   int sync(int file) const;
   int close(int file, int error) const;
-  int syncFolder() const;
 
   FileContent m_content;
   FileTarget m_target;
   const FileCalls& m_calls;
   std::string m_temporary;  ///< empty: none is there
+  std::string m_kept;       ///< another name of what stood there; empty: it has none
+  bool m_hasPlace = false;
 };
 
 int Passage::writeDirectly() {
@@ -59,21 +70,26 @@ int Passage::writeTemporary() {
   if (error == 0 && m_target.kind == FileTarget::Kind::File) {
     // Where the system does not grant it, the file is ours alone, as it was made.
     [[maybe_unused]] const int ofGroup = fchown(file, static_cast<uid_t>(-1), m_target.group);
-    [[maybe_unused]] const int ofMode = fchmod(file, m_target.mode);
+    [[maybe_unused]] const int ofMode = fchmod(file, m_target.mode & ~mode_t{S_IRWXG});
+    const bool isAccessKept = copyFileAttributes(m_target.path, file);
+    if (isAccessKept) [[maybe_unused]]
+      const int ofGroupToo = fchmod(file, m_target.mode);
   }
   return close(file, error == 0 ? sync(file) : error);
 }
 
-/// A name of its own beside the target, so that renaming never leaves the disk. The file that replaces a
-/// private one is private from the start.
-int Passage::openTemporary(int& file) {
+/// Beside the target, so that renaming never leaves the disk.
+std::string Passage::freshName(const char* suffix) const {
   static std::atomic<unsigned> count = 0;
-  constexpr int mostTries = 100;
+  return m_target.folder() + "/.alidade-" + std::to_string(getpid()) + "-" + std::to_string(++count) + suffix;
+}
+
+/// The file that replaces a private one is private from the start.
+int Passage::openTemporary(int& file) {
   const bool isPrivate = m_content.isPrivate || m_target.kind == FileTarget::Kind::File;
   const mode_t mode = isPrivate ? 0600 : 0666;
-  const std::string stem = m_target.folder() + "/.alidade-" + std::to_string(getpid()) + "-";
   for (int i = 0; i < mostTries; ++i) {
-    const std::string name = stem + std::to_string(++count) + ".tmp";
+    const std::string name = freshName(temporarySuffix);
     file = m_calls.open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
     if (file >= 0) {
       m_temporary = name;
@@ -102,10 +118,41 @@ int Passage::close(int file, int error) const {
   return error == 0 && !isClosed ? errno : error;
 }
 
+/// By a second name, so that it never leaves its place. On a disk without hard links nothing is kept.
+void Passage::keepOld() {
+  if (m_target.kind != FileTarget::Kind::File) return;
+  for (int i = 0; i < mostTries; ++i) {
+    const std::string name = freshName(".old");
+    if (link(m_target.path.c_str(), name.c_str()) == 0) {
+      m_kept = name;
+      return;
+    }
+    if (errno != EEXIST) return;
+  }
+}
+
 int Passage::takePlace() {
   if (m_calls.rename(m_temporary.c_str(), m_target.path.c_str()) != 0) return errno;
   m_temporary.clear();
-  return syncFolder();
+  m_hasPlace = true;
+  return 0;
+}
+
+/// What stood there before then stands there again; else the sentence that says what does.
+std::string Passage::putBack() {
+  if (!m_hasPlace) return {};
+  const char* const place = m_target.path.c_str();
+  if (!m_kept.empty() && m_calls.rename(m_kept.c_str(), place) == 0) {
+    m_kept.clear();
+    return {};
+  }
+  if (m_target.kind == FileTarget::Kind::New && unlink(place) == 0) return {};
+  const std::string kept = std::exchange(m_kept, {});
+  //: a file, one of two that belong together
+  if (kept.empty()) return Phrase::of("%1 is the new one already: write both again", m_content.path);
+  //: a file, one of two that belong together, and the file that its old bytes are in
+  return Phrase::of("%1 is the new one already, its old bytes are in %2: write both again", m_content.path,
+                    kept);
 }
 
 /// What cannot be synchronised at all, as a folder on some disks, is no failure.
@@ -113,7 +160,7 @@ int Passage::sync(int file) const {
   return m_calls.sync(file) == 0 || errno == EINVAL || errno == ENOTSUP ? 0 : errno;
 }
 
-int Passage::syncFolder() const {
+int Passage::syncFolder() {
   const int folder = m_calls.open(m_target.folder().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC, 0);
   return folder < 0 ? 0 : close(folder, sync(folder));
 }
@@ -148,6 +195,22 @@ std::optional<Problem> each(std::list<Passage>& passages, const Which& which, in
   return std::nullopt;
 }
 
+/// Those that took their place before one failed go back.
+std::optional<Problem> takePlaces(std::list<Passage>& replaced) {
+  if (replaced.size() > 1)
+    for (Passage& passage : replaced) passage.keepOld();
+  auto problem = each(
+      replaced, [](const Passage&) { return true; }, &Passage::takePlace);
+  if (!problem) {
+    for (const Passage& passage : replaced) clearStaleFiles(passage.folder());
+    return each(
+        replaced, [](const Passage&) { return true; }, &Passage::syncFolder);
+  }
+  for (Passage& passage : replaced)
+    if (const std::string stands = passage.putBack(); !stands.empty()) problem->what += "; " + stands;
+  return problem;
+}
+
 }  // namespace
 
 std::optional<Problem> writeFile(const std::string& path, std::string_view bytes,
@@ -164,7 +227,8 @@ std::optional<Problem> writeFiles(const std::vector<FileContent>& files,
   const auto isReplaced = [](const Passage& passage) { return !passage.isDirect(); };
   if (auto problem = each(passages, isReplaced, &Passage::writeTemporary)) return problem;
   if (auto problem = each(passages, isDirect, &Passage::writeDirectly)) return problem;
-  return each(passages, isReplaced, &Passage::takePlace);
+  passages.remove_if(isDirect);
+  return takePlaces(passages);
 }
 
 }  // namespace alidade

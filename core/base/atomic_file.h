@@ -31,7 +31,9 @@ struct FileContent {
                                                const std::vector<std::string>& inputs = {},
                                                const FileCalls& calls = {});
 
-/// Likewise several: none is replaced before the bytes of all are on the disk.
+/// Likewise several, all or none: none is replaced before the bytes of all are on the disk, and where one
+/// cannot take its place, those that did go back. Where even that fails, the sentence says which file is the
+/// new one and where its old bytes are.
 [[nodiscard]] std::optional<Problem> writeFiles(const std::vector<FileContent>& files,
                                                 const std::vector<std::string>& inputs = {},
                                                 const FileCalls& calls = {});

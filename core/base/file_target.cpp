@@ -33,6 +33,15 @@ std::optional<int> ownDescriptor(const fs::path& path) {
   return !error && folder == own && isNumber ? std::optional(number) : std::nullopt;
 }
 
+/// Does the kernel refuse to follow the link, as one of another user in a sticky folder that all may write
+/// (`fs.protected_symlinks`)?
+bool isForbiddenLink(const fs::path& link) {
+  const int file = open(link.c_str(), O_PATH | O_CLOEXEC);
+  if (file < 0) return errno == EACCES;
+  close(file);
+  return false;
+}
+
 /// What stands there and is no link, told by its kind.
 Result<FileTarget> standing(const fs::path& path, const struct stat& status) {
   FileTarget target{path.string(), FileTarget::Kind::File, status.st_mode & mode_t{07777}, status.st_uid,
@@ -71,6 +80,9 @@ Result<FileTarget> fileTarget(const std::string& path) {
       return FileTarget{.path = place.string()};
     }
     if (!S_ISLNK(status.st_mode)) return standing(place, status);
+    if (isForbiddenLink(place))
+      return Problem{Phrase::of(
+          "it is a link that another user made in a folder that all may write: choose another name")};
     std::error_code error;
     const fs::path next = fs::read_symlink(place, error);
     if (error) return Problem{whyUnwritable(error.value())};

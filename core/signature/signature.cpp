@@ -5,6 +5,8 @@
 #include <openssl/err.h>
 #include <openssl/pem.h>
 #include <openssl/x509.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -73,9 +75,19 @@ int handPassphrase(char* buffer, int size, int, void* given) {
   return static_cast<int>(passphrase.copy(buffer, passphrase.size()));
 }
 
+/// As ssh holds it: of the user's own file, whose permissions the user can mend. A key that others can read
+/// signs in nobody's name.
+bool isOpenToOthers(const std::string& path) {
+  struct stat status = {};
+  return stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode) && status.st_uid == geteuid() &&
+         (status.st_mode & (S_IRWXG | S_IRWXO)) != 0;
+}
+
 Result<Owned<EVP_PKEY>> keyOf(const SigningFiles& files) {
   const Result<std::string> pem = pemOf(files.key);
   if (!pem) return pem.problem();
+  if (pem->find("PRIVATE KEY") != std::string::npos && isOpenToOthers(files.key))
+    return of(files.key, Phrase::of("is open to others: let its owner alone read the key (chmod 600)"));
   Result<std::string> passphrase = passphraseOf(files);
   if (!passphrase) return passphrase.problem();
   std::string opener = *std::move(passphrase);
@@ -141,6 +153,7 @@ std::optional<Problem> whyUnfit(const SigningFiles& files, const EVP_PKEY& key, 
 struct Signer::Identity {
   Owned<EVP_PKEY> key;
   Certificates certificates;
+  std::vector<std::string> paths;
 };
 
 Signer::Signer(std::shared_ptr<const Identity> identity) : m_identity(std::move(identity)) {}
@@ -154,7 +167,13 @@ Result<Signer> Signer::load(const SigningFiles& files) {
   auto identity = std::make_shared<Identity>();
   identity->key = *std::move(key);
   identity->certificates = *std::move(certificates);
+  identity->paths = {files.key, files.certificate};
+  if (!files.passphraseFile.empty()) identity->paths.push_back(files.passphraseFile);
   return Signer(std::move(identity));
+}
+
+const std::vector<std::string>& Signer::paths() const {
+  return m_identity->paths;
 }
 
 Result<std::string> Signer::sign(std::string_view bytes) const {

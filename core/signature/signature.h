@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/base/result.h"
 
@@ -23,11 +24,14 @@ inline constexpr const char* passphraseVariable = "ALIDADE_SIGN_PASSPHRASE";
 /// OpenSSL, DER. `openssl cms -verify -binary -inform DER -in FILE.p7s -content FILE` checks it.
 class Signer {
  public:
-  /// Fails where a file cannot be read or is none of its kind, the passphrase does not open the key, the key
-  /// is not that of the certificate, or the certificate is not valid now.
+  /// Fails where the key is open to others, where a file cannot be read or is none of its kind, the
+  /// passphrase does not open the key, the key is not that of the certificate, or the certificate is not
+  /// valid now.
   static Result<Signer> load(const SigningFiles& files);
 
   Result<std::string> sign(std::string_view bytes) const;
+  /// The files that it was loaded from, which nothing that it signs may replace.
+  const std::vector<std::string>& paths() const;
 
  private:
   struct Identity;

@@ -92,7 +92,7 @@ TEST(FileName, OfAnyBytesStandsInTheResult) {
 TEST(Trial, ScoresNoFolderWithoutAName) {
   const ProgramRun run = alidadeCli({"trial", "--score", ""});
   expectRefusal(run);
-  EXPECT_THAT(run.err, HasSubstr("names no folder"));
+  EXPECT_THAT(run.err, HasSubstr("--score is given an empty value"));
 }
 
 }  // namespace

@@ -84,6 +84,25 @@ TEST(ProtocolCommand, FollowsWhatThePlanAdvises) {
   EXPECT_GT(guidance.at("left"), 0);
 }
 
+TEST(ProtocolCommand, WritesNoFileOverTheTemplateThatItFollows) {
+  const TemporaryFolder folder;
+  const std::string saved = (folder.path() / "own.alidade-protocol").string();
+  ASSERT_EQ(
+      alidadeCli({"protocol", paperSession, "--template", "two-face", "--save-template", saved}).exitCode, 0);
+  const std::string before = contentOf(saved);
+  for (const char* option : {"--out", "--save-template"}) {
+    const ProgramRun run = alidadeCli({"protocol", paperSession, "--template", saved, option, saved});
+    expectRefusal(run);
+    EXPECT_THAT(run.err, HasSubstr("it is the file that is read"));
+    EXPECT_EQ(contentOf(saved), before) << option;
+  }
+  const ProgramRun named =
+      runProgram({.program = ALIDADE_CLI,
+                  .arguments = {"protocol", paperSession, "--template", "full", "--out", "full"},
+                  .directory = folder.path()});
+  EXPECT_EQ(named.exitCode, 0) << named.err;
+}
+
 TEST(ProtocolCommand, RefusesWhatCannotBeFollowed) {
   const TemporaryFolder folder;
   expectRefusal(alidadeCli({"protocol", paperSession}));

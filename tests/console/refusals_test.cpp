@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include <filesystem>
+
 #include "tests/console/console.h"
 
 // Bad input and bad calls: one line that says what, where and what to do; exit code 2; nothing on stdout.
@@ -95,9 +97,35 @@ TEST(Refusal, OfACallNamesWhatIsWrong) {
   EXPECT_THAT(refusal({"fit", paperSession, "--fast"}), HasSubstr("--fast"));
   EXPECT_THAT(refusal({"fit", paperSession, "--method", "lucky"}), HasSubstr("lucky"));
   EXPECT_THAT(refusal({"plan", paperSession, paperSession}), HasSubstr("paper-table-1.alidade"));
-  EXPECT_THAT(refusal({"fit", ""}), StartsWith("the empty file name: "));
   EXPECT_THAT(refusal({"fit", paperSession, "--risk", "nan"}), HasSubstr("--risk: “nan” is not a number"));
   EXPECT_THAT(refusal({"fit", paperSession, "--risk", "2"}), HasSubstr("from 1e-09 to 0.5"));
+}
+
+// As where a script's variable is not set: what was asked for must not be left out unseen.
+TEST(Refusal, OfAnEmptyValueAtAnyOption) {
+  const TemporaryFolder folder;
+  const std::string out = (folder.path() / "out").string();
+  for (const std::vector<std::string>& call :
+       {std::vector<std::string>{"certificate", paperSession, "--measured-on", "2026-01-02", "--out", out,
+                                 "--sign-key", "", "--sign-certificate", ""},
+        {"certificate", paperSession, "--measured-on", "2026-01-02", "--out", out, "--sign-key="},
+        {"certificate", paperSession, "--measured-on", "2026-01-02", "--out", out, "--pdf", ""},
+        {"fit", paperSession, "--instrument", ""},
+        {"protocol", paperSession, "--template", "full", "--out", ""},
+        {"protocol", paperSession, "--template", "full", "--save-template="},
+        {"trial", "--score", ""},
+        {"self-test", "--fits", ""}}) {
+    const ProgramRun run = alidadeCli(call);
+    expectRefusal(run);
+    EXPECT_THAT(run.err, ::testing::ContainsRegex("alidade-cli: --[a-z-]+ is given an empty value: "));
+    EXPECT_FALSE(std::filesystem::exists(out));
+  }
+  for (const std::vector<std::string>& call :
+       {std::vector<std::string>{"fit", ""}, {"fit", paperSession, ""}, {""}}) {
+    const ProgramRun run = alidadeCli(call);
+    expectRefusal(run);
+    EXPECT_THAT(run.err, HasSubstr("argument " + std::to_string(call.size()) + " is empty: "));
+  }
 }
 
 // A seed that is taken for another one gives a session that its own seed does not give again.

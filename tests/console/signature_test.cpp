@@ -116,6 +116,40 @@ TEST_F(SignatureTest, LeavesNoFileUnsigned) {
   EXPECT_FALSE(isThere("c.xml"));
 }
 
+TEST_F(SignatureTest, ReplacesNothingThatItIsSignedBy) {
+  make("lab", "ec");
+  const std::string passphrase = m_folder.file("passphrase.p7s", "none\n");
+  for (const std::string out : {"lab.key", "lab.pem", "passphrase.p7s", "passphrase"}) {
+    const std::string key = contentOf(m_folder.path() / "lab.key"),
+                      certificate = contentOf(m_folder.path() / "lab.pem");
+    const ProgramRun run =
+        runProgram({.program = ALIDADE_CLI,
+                    .arguments = {"certificate", paperSession, "--measured-on", "2026-01-02", "--out", out,
+                                  "--sign-key", "lab.key", "--sign-certificate", "lab.pem",
+                                  "--sign-passphrase-file", "passphrase.p7s"},
+                    .directory = m_folder.path()});
+    expectRefusal(run);
+    EXPECT_EQ(contentOf(m_folder.path() / "lab.key"), key);
+    EXPECT_EQ(contentOf(m_folder.path() / "lab.pem"), certificate);
+    EXPECT_EQ(contentOf(passphrase), "none\n");
+    EXPECT_FALSE(isThere("passphrase"));
+  }
+}
+
+// As ssh does: a key that others can read signs in nobody's name.
+TEST_F(SignatureTest, RefusesAKeyOfOursThatIsOpenToOthers) {
+  make("lab", "ec");
+  for (const int mode : {0666, 0640, 0604, 0620}) {
+    std::filesystem::permissions(m_folder.path() / "lab.key", std::filesystem::perms(mode));
+    const ProgramRun run = sign("lab.key", "lab.pem");
+    expectRefusal(run);
+    EXPECT_THAT(run.err, HasSubstr("lab.key: is open to others"));
+    EXPECT_FALSE(isThere("c.xml"));
+  }
+  std::filesystem::permissions(m_folder.path() / "lab.key", std::filesystem::perms(0400));
+  EXPECT_EQ(sign("lab.key", "lab.pem").exitCode, 0);
+}
+
 TEST_F(SignatureTest, NeedsBothKeyAndCertificate) {
   expectRefusal(alidadeCli({"certificate", paperSession, "--out", "x.xml", "--sign-key", "k"}));
   expectRefusal(alidadeCli({"certificate", paperSession, "--out", "x.xml", "--sign-certificate", "k"}));

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -184,6 +185,21 @@ TEST_F(SimulateTest, RefusesNumbersThatAreNone) {
       EXPECT_THAT(run.err, HasSubstr(option)) << value;
     }
   EXPECT_EQ(simulate({"--intersection", "+0.5"}).exitCode, 0);
+}
+
+TEST_F(SimulateTest, WritesOverNoInstrumentRecord) {
+  const std::string text = R"({"format": "alidade-instrument", "version": 1, "serial": "4711",
+      "date": "2026-03-01", "known": [{"effect": "trunnion_tilt", "value": 1, "sigma": 1, "unit": "arcsec",
+      "from": "check"}]})";
+  const std::string record = folder.file("t.alidade-instrument", text);
+  for (const char* option : {"--out", "--truth"}) {
+    std::vector<std::string> call{"simulate", "--out", session, "--truth", truth, "--instrument", record};
+    *(std::find(call.begin(), call.end(), option) + 1) = record;
+    const ProgramRun run = alidadeCli(call);
+    expectRefusal(run);
+    EXPECT_THAT(run.err, HasSubstr("it is the file that is read"));
+    EXPECT_EQ(contentOf(record), text);
+  }
 }
 
 TEST_F(SimulateTest, ListsEffectsAndProtocols) {

@@ -184,11 +184,12 @@ Result<std::string> pdfOf(const Evaluation& evaluation, const ReportSource& sour
 
 std::optional<Problem> writeSigned(const QString& path, const std::string& bytes,
                                    const std::optional<Signer>& signer, const ReportSource& source) {
-  const std::vector<std::string> inputs = encodedPaths(source.paths);
+  std::vector<std::string> inputs = encodedPaths(source.paths);
   const std::string out = encodedPath(path);
   if (!signer) return writeFile(out, bytes, inputs);
   const Result<std::string> signature = signer->sign(bytes);
   if (!signature) return signature.problem();
+  inputs.insert(inputs.end(), signer->paths().begin(), signer->paths().end());
   return writeFiles({{out, bytes}, {signaturePath(out), *signature}}, inputs);
 }
 

@@ -63,7 +63,7 @@ Result<std::string> acceptanceReportPdf(const Evaluation& evaluation, const Repo
                                         const ReportOptions& options = {});
 
 /// Writes the bytes, with the signature beside them where there is a signer: both files or none, and neither
-/// over one of `source`.
+/// over one of `source` or of the files that the signer was loaded from.
 std::optional<Problem> writeSigned(const QString& path, const std::string& bytes,
                                    const std::optional<Signer>& signer, const ReportSource& source);
 

@@ -57,9 +57,9 @@ std::optional<Problem> writeAll(const CertificateRequest& request, const std::st
                                 const std::optional<Signer>& signer) {
   if (request.out == "-") return Problem{"--out - names no file: give a path to write to"};
   std::vector<std::string> inputs{request.file};
-  for (const std::string* input : {&request.pdf, &request.instrument, &request.signing.key,
-                                   &request.signing.certificate, &request.signing.passphraseFile})
+  for (const std::string* input : {&request.pdf, &request.instrument})
     if (!input->empty()) inputs.push_back(*input);
+  if (signer) inputs.insert(inputs.end(), signer->paths().begin(), signer->paths().end());
   std::vector<FileContent> contents{{request.out, xml}};
   std::string signature;
   if (signer) {

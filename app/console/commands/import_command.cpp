@@ -319,7 +319,9 @@ Result<ImportAnswer> runImport(const ImportRequest& request, const ImportOptions
   if (session.title.empty() && first != "-")
     session.title = wellFormed(std::filesystem::path(first).stem().string());
   enterOrigins(session, import, *files);
-  if (auto problem = writeOutputs({{"--out", request.out, writeSession(session)}}, first))
+  std::vector<std::string> inputs = request.files;
+  inputs.push_back(request.addTo);
+  if (auto problem = writeOutputs({{"--out", request.out, writeSession(session)}}, inputs))
     return *std::move(problem);
 
   ImportAnswer answer;

@@ -23,6 +23,7 @@
 #include "app/console/commands/trial_command.h"
 #include "app/console/session_files.h"
 #include "core/base/failure.h"
+#include "core/base/given_arguments.h"
 #include "core/base/visible_text.h"
 
 namespace {
@@ -101,6 +102,7 @@ int giveDiagnosis(const DiagnoseRequest& request, std::string& subject) {
 
 /// Sets `subject` to the input as soon as that is at work.
 int run(int argc, char** argv, std::string& subject) {
+  if (const auto why = alidade::emptyArgument(argc, argv)) return refuse(subject, *why);
   CLI::App app("Intersection of rotatable arc guideways from theodolite readings.", "alidade-cli");
   app.set_version_flag("--version", "alidade-cli " ALIDADE_VERSION);
   app.require_subcommand(1);

@@ -63,6 +63,12 @@ Result<SightingProtocol> advisedFor(const Session& session) {
   return own;
 }
 
+/// The file that --template names; empty where it names none.
+std::string templateFile(const ProtocolRequest& request) {
+  const std::string& named = request.protocol;
+  return named == fromRows || named == fromPlan || templateNamed(named) ? std::string() : named;
+}
+
 Result<SightingProtocol> wantedProtocol(const ProtocolRequest& request, const Session& session) {
   if (request.protocol.empty()) {
     auto own = protocolOf(session);
@@ -111,7 +117,7 @@ Result<std::string> runProtocol(const ProtocolRequest& request) {
   }
   if (!request.saveTemplate.empty())
     outputs.push_back({"--save-template", request.saveTemplate, writeProtocol(*protocol)});
-  if (auto problem = writeOutputs(outputs, request.file)) return *std::move(problem);
+  if (auto problem = writeOutputs(outputs, {request.file, templateFile(request)})) return *std::move(problem);
   const Guidance guidance = guidanceOf(*session, *protocol);
   const std::string name = nameOf(*session, request.file);
   return request.json ? guidanceJson(name, guidance) : guidanceText(name, guidance, circleUnitOf(*session));

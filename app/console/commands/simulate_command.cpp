@@ -198,7 +198,8 @@ Result<std::string> runSimulate(const SimulateRequest& request) {
   if (request.tolerance) session.acceptance.toleranceMm = shortestText(*request.tolerance);
   const std::string id = wellFormed(std::filesystem::path(request.out).stem().string());
   if (auto problem = writeOutputs(
-          {{"--out", request.out, writeSession(session)}, {"--truth", request.truth, truthJson(id, truth)}}))
+          {{"--out", request.out, writeSession(session)}, {"--truth", request.truth, truthJson(id, truth)}},
+          {request.instrument}))
     return *std::move(problem);
   std::size_t rows = 0;
   for (const Position& position : session.positions) rows += position.readings.size();

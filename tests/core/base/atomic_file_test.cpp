@@ -228,6 +228,68 @@ TEST_F(AtomicFile, WritesSeveralOnlyWhenAllCanBe) {
 }
 
 // A device is no file to be replaced; it would be lost.
+// A report and its signature: never the new one beside the old other.
+TEST_F(AtomicFile, PutsBackWhatTookItsPlaceBeforeAnotherFailed) {
+  for (const bool isOld : {true, false})
+    for (const int failingAt : {1, 2, 3}) {
+      SCOPED_TRACE(failingAt);
+      for (const char* name : {"a", "b", "c"}) {
+        fs::remove(path(name));
+        if (isOld) folder.file(name, "old");
+      }
+      FileCalls calls;
+      int count = 0;
+      calls.rename = [&](const char* from, const char* to) {
+        if (++count != failingAt) return std::rename(from, to);
+        errno = EIO;
+        return -1;
+      };
+      const auto problem =
+          writeFiles({{path("a"), "new"}, {path("b"), "new"}, {path("c"), "new"}}, {}, calls);
+      ASSERT_TRUE(problem);
+      EXPECT_THAT(problem->what, ::testing::Not(HasSubstr("already")));
+      if (isOld) {
+        for (const char* name : {"a", "b", "c"}) EXPECT_EQ(*readFile(path(name)), "old") << name;
+      }
+      EXPECT_EQ(names().size(), isOld ? 3U : 0U);
+    }
+}
+
+TEST_F(AtomicFile, SaysWhatStandsWhereItCannotBePutBack) {
+  folder.file("a", "old");
+  folder.file("b", "old");
+  FileCalls calls;
+  int count = 0;
+  calls.rename = [&](const char* from, const char* to) {
+    if (++count == 1) return std::rename(from, to);
+    errno = EIO;
+    return -1;
+  };
+  const auto problem = writeFiles({{path("a"), "new"}, {path("b"), "new"}}, {}, calls);
+  ASSERT_TRUE(problem);
+  EXPECT_THAT(problem->what, StartsWith(path("b") + " cannot be written: "));
+  EXPECT_THAT(problem->what, HasSubstr(path("a") + " is the new one already, its old bytes are in "));
+  ASSERT_EQ(names().size(), 3U);
+  EXPECT_EQ(*readFile(path(names().front())), "old") << "by its other name";
+  EXPECT_THAT(problem->what, HasSubstr(names().front()));
+}
+
+// The new bytes of both are there, though they may not outlast a power cut.
+TEST_F(AtomicFile, LeavesNoneBehindWhereTheFolderCannotBeSynchronised) {
+  FileCalls calls;
+  calls.sync = [](int file) {
+    struct stat status = {};
+    if (fstat(file, &status) != 0 || !S_ISDIR(status.st_mode)) return 0;
+    errno = EIO;
+    return -1;
+  };
+  folder.file("a", "old");
+  EXPECT_TRUE(writeFiles({{path("a"), "new"}, {path("b"), "new"}}, {}, calls));
+  EXPECT_EQ(*readFile(path("a")), "new");
+  EXPECT_EQ(*readFile(path("b")), "new");
+  EXPECT_THAT(names(), ElementsAre("a", "b"));
+}
+
 TEST_F(AtomicFile, WritesToDevicesAndPipesDirectly) {
   EXPECT_FALSE(writeFile("/dev/null", "x", {"/dev/null"}));
   fs::create_symlink("/dev/full", path("full"));

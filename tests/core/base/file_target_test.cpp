@@ -1,9 +1,12 @@
 #include "core/base/file_target.h"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <cerrno>
+#include <fstream>
 
 #include "tests/support/temporary_folder.h"
 
@@ -30,6 +33,22 @@ TEST(FileTarget, TellsWhatStandsThere) {
   EXPECT_EQ(fileTarget("new")->folder(), ".");
   EXPECT_EQ(fileTarget("/dev/null")->kind, FileTarget::Kind::Direct);
   EXPECT_EQ(fileTarget("/dev/stdout")->descriptor, 1);
+}
+
+// Where the kernel protects links, it refuses them whatever the rights of the reader.
+TEST(FileTarget, FollowsNoLinkOfAnotherInAFolderThatAllMayWrite) {
+  std::ifstream isProtected("/proc/sys/fs/protected_symlinks");
+  const TemporaryFolder folder;
+  const std::string file = folder.file("file", "x"), link = (folder.path() / "link").string();
+  ASSERT_EQ(chmod(folder.path().c_str(), 01777), 0);
+  fs::create_symlink(file, link);
+  constexpr uid_t another = 12345;
+  if (isProtected.get() != '1' || lchown(link.c_str(), another, another) != 0)
+    GTEST_SKIP() << "links are not protected here, or only root can make one of another user";
+  EXPECT_EQ(open(link.c_str(), O_RDONLY | O_CLOEXEC), -1) << "the kernel's own answer";
+  const Result<FileTarget> target = fileTarget(link);
+  ASSERT_FALSE(target);
+  EXPECT_THAT(target.problem().what, HasSubstr("another user"));
 }
 
 // Whoever may write everywhere is not stopped by a file's permissions.

@@ -145,6 +145,17 @@ TEST_F(WrittenCertificateTest, IsSignedAsTheReportIs) {
     changed.close();
     EXPECT_FALSE(verifies(file));
   }
+  const QByteArray keyBefore = bytesOf(key), holderBefore = bytesOf(holder);
+  for (const char* kind : {"--report", "--certificate"})
+    for (const QString& input : {key, holder}) {
+      EXPECT_EQ(alidade(QStringList{QString::fromLatin1(kind), input} + signedBy), 2);
+      EXPECT_EQ(bytesOf(key), keyBefore);
+      EXPECT_EQ(bytesOf(holder), holderBefore);
+    }
+  EXPECT_EQ(alidade({QStringLiteral("--report"), in("unsigned.pdf"), QStringLiteral("--sign-key"), QString(),
+                     QStringLiteral("--sign-certificate"), QString(), path}),
+            2);
+  EXPECT_FALSE(QFile::exists(in("unsigned.pdf")));
   const QString never = in("never.pdf");
   EXPECT_EQ(alidade({QStringLiteral("--report"), never, QStringLiteral("--sign-key"), holder,
                      QStringLiteral("--sign-certificate"), holder, path}),
