@@ -1309,6 +1309,10 @@ Sealed by:</source>
         <source>%1, about %2 and %3</source>
         <translation>%1，约 %2 和 %3</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
 </context>
 <context>
     <name>Phrase</name>
@@ -5107,6 +5111,76 @@ Sealed by:</source>
         <source>only a window or report in Chinese needs one</source>
         <translation>只有中文窗口或中文报告需要</translation>
     </message>
+    <message>
+        <source>%1 is the new one already: write both again</source>
+        <extracomment>a file, one of two that belong together</extracomment>
+        <translation>%1 已是新文件：请将两个文件重新写入</translation>
+    </message>
+    <message>
+        <source>%1 is the new one already, its old bytes are in %2: write both again</source>
+        <extracomment>a file, one of two that belong together, and the file that its old bytes are in</extracomment>
+        <translation>%1 已是新文件，其原内容在 %2 中：请将两个文件重新写入</translation>
+    </message>
+    <message>
+        <source>it is a link that another user made in a folder that all may write: choose another name</source>
+        <translation>它是他人在人人可写的文件夹中建立的链接：请另选名称</translation>
+    </message>
+    <message>
+        <source>is open to others: let its owner alone read the key (chmod 600)</source>
+        <translation>对其他用户开放：请仅允许其所有者读取该私钥（chmod 600）</translation>
+    </message>
+    <message>
+        <source>holds the same readings as %1: counted once</source>
+        <translation>与 %1 的读数相同：只计一次</translation>
+    </message>
+    <message>
+        <source>%1 holds the same readings as %2: counted once.</source>
+        <translation>%1 与 %2 的读数相同：只计一次。</translation>
+    </message>
+    <message>
+        <source>%1; its content was changed outside this program since: the journal does not lead back to what was sealed.</source>
+        <translation>%1；其内容此后在本程序之外被更改：按日志无法还原到封存时的内容。</translation>
+    </message>
+    <message>
+        <source>%1; what was sealed cannot be rebuilt from the journal and is not checked.</source>
+        <translation>%1；无法由日志还原封存时的内容，未作检查。</translation>
+    </message>
+    <message>
+        <source>%1: the file holds “%2”, and the journal tells of no change.</source>
+        <translation>%1：文件中为“%2”，而日志中没有相应的更改。</translation>
+    </message>
+    <message>
+        <source>%1: the journal says “%2”, and the file holds nothing.</source>
+        <translation>%1：日志中为“%2”，而文件中为空。</translation>
+    </message>
+    <message>
+        <source>%1: the journal says “%2”, and the file holds “%3”.</source>
+        <translation>%1：日志中为“%2”，而文件中为“%3”。</translation>
+    </message>
+    <message>
+        <source>Changed outside this program:</source>
+        <translation>在本程序之外被更改：</translation>
+    </message>
+    <message>
+        <source>Further places: %1.</source>
+        <translation>其他位置：%1 处。</translation>
+    </message>
+    <message>
+        <source>Entry %1 is earlier than the one before it: the clock was set back, or its time was changed.</source>
+        <translation>第 %1 条早于其前一条：时钟曾被回拨，或其时间被更改。</translation>
+    </message>
+    <message>
+        <source>%1: %2. More than one reading may be wrong here: read it again.</source>
+        <translation>%1：%2。此处可能不止一个读数有误：请重新读取。</translation>
+    </message>
+    <message>
+        <source>is no record of what was half typed</source>
+        <translation>不是键入中内容的记录</translation>
+    </message>
+    <message>
+        <source>is a pipe or a device: choose a file</source>
+        <translation>是管道或设备：请选择文件</translation>
+    </message>
 </context>
 <context>
     <name>PlaceText</name>
@@ -6213,10 +6287,6 @@ a clause as a sentence</extracomment>
         <translation>无</translation>
     </message>
     <message>
-        <source>nothing was changed after it stood</source>
-        <translation>成立之后没有更改</translation>
-    </message>
-    <message>
         <source>one entry in the journal, see below</source>
         <translation>更改日志中有一条记录，见下文</translation>
     </message>
@@ -6509,6 +6579,14 @@ a clause as a sentence</extracomment>
     <message>
         <source>The check of this document, to be read by programs</source>
         <translation>本文件的检查结果，供程序读取</translation>
+    </message>
+    <message>
+        <source>The PDF cannot be read (it takes more memory or time than a report does): choose another file</source>
+        <translation>无法读取该 PDF（所需内存或时间超过一份报告所需）：请另选文件</translation>
+    </message>
+    <message>
+        <source>no entry was changed after it was recorded</source>
+        <translation>记录后没有任何条目被更改</translation>
     </message>
 </context>
 <context>
@@ -7130,10 +7208,6 @@ a clause as a sentence</extracomment>
     <message>
         <source>Result so far</source>
         <translation>目前结果</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1：%2</translation>
     </message>
     <message>
         <source>All is read that was to be</source>
@@ -9422,6 +9496,10 @@ sizes</source>
         <source>The session names an instrument with serial number %1, and this one has %2.</source>
         <translation>会话所填仪器的序列号为 %1，而此仪器为 %2。</translation>
     </message>
+    <message>
+        <source>%1 readings wait until the open entry is handed in (Enter) or given up (Esc)</source>
+        <translation>%1 个读数在等待：请提交（Enter）或放弃（Esc）正在键入的条目</translation>
+    </message>
 </context>
 <context>
     <name>alidade::ui::InstrumentDialog</name>
@@ -9582,10 +9660,6 @@ sizes</source>
         <translation>更改日志</translation>
     </message>
     <message>
-        <source>Nothing that stood was changed.</source>
-        <translation>没有更改过已成立的内容。</translation>
-    </message>
-    <message>
         <source>When (UTC)</source>
         <translation>时间 (UTC)</translation>
     </message>
@@ -9640,6 +9714,10 @@ sizes</source>
     <message>
         <source>Checking the journal…</source>
         <translation>正在检查更改日志…</translation>
+    </message>
+    <message>
+        <source>No entry was changed after it was recorded.</source>
+        <translation>记录后没有任何条目被更改。</translation>
     </message>
 </context>
 <context>
@@ -11232,6 +11310,10 @@ Reference %1, difference %2</source>
     <message>
         <source>Recovered %1; not saved yet</source>
         <translation>已恢复 %1；尚未保存</translation>
+    </message>
+    <message>
+        <source>Unsaved changes are not kept: save now</source>
+        <translation>未保存的更改无法保留：请立即保存</translation>
     </message>
 </context>
 <context>

@@ -12,7 +12,8 @@ namespace alidade::ui {
 
 void addJournal(ReportSheet& sheet, const Evaluation& evaluation) {
   constexpr std::size_t mostEntries = 200;
-  constexpr int longestText = 64;  // characters of a digest
+  constexpr int longestText = 64;      // a digest is quoted in records on paper, whole
+  constexpr int longestOrigin = 1000;  // of an import; its digest comes last
   const std::vector<JournalEntry>& journal = evaluation.session.journal;
   if (journal.empty() && evaluation.journal.empty()) return;
   sheet.keepTogether(35);
@@ -32,8 +33,8 @@ void addJournal(ReportSheet& sheet, const Evaluation& evaluation) {
   for (std::size_t i = left; i < journal.size(); ++i) {
     const JournalEntry& entry = journal[i];
     table.row({visibleLine(timeText(entry.at)), journalPlace(entry), shortLine(entry.from, longestText),
-               shortLine(entry.to, longestText), visibleLine(reasonText(entry)),
-               shortLine(entry.by, longestText)});
+               shortLine(entry.to, entry.why == journal_reasons::imported ? longestOrigin : longestText),
+               visibleLine(reasonText(entry)), shortLine(entry.by, longestText)});
   }
   table.finish();
   if (left > 0)
