@@ -103,8 +103,9 @@ void writeAndRead(const Session& session) {
 
 void workThrough(const Session& session) {
   writeAndRead(session);
-  requireText(console::journalText(name, session));
-  requireJson(console::journalJson(name, session));
+  const JournalCheck check = checkJournal(session);
+  requireText(console::journalText(name, session, check));
+  requireJson(console::journalJson(name, session, check));
   lead(session);
   const Examined examined = examine(session);
   for (const Problem& problem : examined.problems) test::expectSentence(problem.text());

@@ -90,7 +90,7 @@ TEST(SafeAnswers, ReturnOverwritesNoFileWhereverTheKeyboardIs) {
     QWidget* dialog = QApplication::activeModalWidget();
     for (QPushButton* button : dialog->findChildren<QPushButton*>()) {
       EXPECT_EQ(button->isDefault(), button->hasFocus() || dialog->focusWidget() == button);
-      if (!button->isDefault()) EXPECT_FALSE(button->autoDefault());
+      EXPECT_TRUE(button->isDefault() || !button->autoDefault());
     }
     QTest::keyClick(dialog, Qt::Key_Return);
   });
