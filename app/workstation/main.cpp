@@ -11,6 +11,8 @@
 #include "app/workstation/self_test_command.h"
 #include "core/base/failure.h"
 #include "core/base/given_arguments.h"
+#include "core/base/utf8.h"
+#include "core/base/visible_text.h"
 #include "ui/application.h"
 #include "ui/language/languages.h"
 #include "ui/main_window.h"
@@ -150,6 +152,12 @@ int run(int argc, char** argv) {
   }
   const auto empty = emptyArgument(argc, argv);  // before Qt takes its own arguments out
   if (empty) return badCall(QString::fromStdString(*empty));
+  for (int i = 1; i < argc; ++i)
+    if (firstIllFormedByte(argv[i]))
+      return badCall(
+          QStringLiteral(
+              "%1: a name that is no UTF-8 cannot be opened here: rename the file, or use alidade-cli")
+              .arg(QString::fromStdString(visibleText(argv[i]))));
   ui::Application application(argc, argv);
   ui::setUpApplication(application);
   QGuiApplication::setDesktopFileName(QStringLiteral(ALIDADE_APPLICATION_ID));

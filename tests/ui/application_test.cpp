@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <QProcess>
 #include <QTimer>
 #include <stdexcept>
 
@@ -44,6 +45,20 @@ TEST(Application, LeavesTheWindowAndWhatWasTyped) {
   open->files().open(samplePath(QStringLiteral("paper-table-1.alidade")));
   open.settle();
   EXPECT_EQ(open->document().session(), paperSession());
+}
+
+/// Qt cannot hold such a name, and would name and open another file.
+TEST(Application, NamesAFileWhoseNameIsNoUtf8) {
+  QProcess program;
+  program.start(
+      QStringLiteral("sh"),
+      {QStringLiteral("-c"), QStringLiteral("exec \"$0\" --report r.pdf \"$(printf 'm\\374.alidade')\""),
+       QStringLiteral(ALIDADE_PROGRAM)});
+  ASSERT_TRUE(program.waitForFinished());
+  EXPECT_EQ(program.exitCode(), 2);
+  EXPECT_EQ(program.readAllStandardError().toStdString(),
+            "alidade: m\\xfc.alidade: a name that is no UTF-8 cannot be opened here: rename the file, or use "
+            "alidade-cli\n");
 }
 
 }  // namespace

@@ -154,10 +154,14 @@ TEST(BenchEntry, BehindTheLastRowTheNextEntryIsTheZeroOfTheNextPosition) {
   session.positions[1].zero = {};
   session.positions[1].readings.clear();
   bench.start(session);
-  press(*bench.open.window, Qt::Key_F6);
-  EXPECT_EQ(focusName(), "readings0");
-  press(*bench.open.window, Qt::Key_F6);
-  EXPECT_EQ(focusName(), "pointing_zero.horizontal 1");
+  for (const char* from : {"geometry.distance_mm", "notes", "pointing_zero.vertical"}) {
+    const bool isOfPosition = std::string(from).starts_with("pointing");
+    bench.open->reveal(
+        {.position = isOfPosition ? std::optional<std::size_t>(0) : std::nullopt, .field = from});
+    press(*bench.open.window, Qt::Key_F6);
+    EXPECT_EQ(focusName(), "pointing_zero.horizontal 1") << from;
+    bench.open->reveal({.position = 0, .field = "pointing_zero.horizontal"});
+  }
 }
 
 TEST(BenchEntry, ADayIsPutAsTheSessionHasIt) {

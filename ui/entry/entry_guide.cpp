@@ -17,6 +17,16 @@
 
 namespace alidade::ui {
 
+namespace {
+
+/// Does a protocol say what comes next? It then says as well when a position is complete.
+bool isLed(const Session& session) {
+  const auto protocol = protocolOf(session);
+  return protocol && protocol->has_value();
+}
+
+}  // namespace
+
 EntryGuide::EntryGuide(SessionDocument& document, PositionTabs& positions, QWidget& window)
     : QObject(&window), m_document(document), m_positions(positions), m_window(window) {
   connect(new StrayDigits(window), &StrayDigits::typed, this,
@@ -47,30 +57,25 @@ void EntryGuide::goToNextEntry() {
       return emit revealWanted(place);
   if (!m_positions.currentTable()) return;
   const auto here = static_cast<std::size_t>(m_positions.currentIndex());
-  if (const auto next = entryToComeOf(m_document.session(), here))
-    return isThereAlready(*next) ? goBeyond(here) : goTo(*next);
-  goToNextEntryOf(here);
+  const auto next = entryToComeOf(m_document.session(), here);
+  if (!next) return goToNextEntryOf(here);
+  const auto missing = isLed(m_document.session()) ? std::nullopt : zeroBefore(*next);
+  missing ? goToNextEntryOf(*missing) : goTo(*next);
 }
 
-/// Does the keyboard wait behind the last row, of as many as make an arc?
-bool EntryGuide::isThereAlready(const EntryToCome& next) const {
+/// Where a further row would come, of an arc that has enough of them, while another position lacks its
+/// pointing zero: that zero. A zero typed into a row would be taken for a reading.
+std::optional<std::size_t> EntryGuide::zeroBefore(const EntryToCome& next) const {
   constexpr std::size_t leastRows = 3;
-  const ReadingsTable* table = m_positions.currentTable();
-  const auto& rows = m_document.session().positions[next.position].readings;
-  return next.zero.empty() && next.position == static_cast<std::size_t>(m_positions.currentIndex()) &&
-         next.row == rows.size() && rows.size() >= leastRows && table->hasFocus() &&
-         table->currentIndex().row() == static_cast<int>(rows.size());
-}
-
-/// The list is at its end: to a position whose pointing zero is missing, where there is one.
-void EntryGuide::goBeyond(std::size_t here) {
   const auto& positions = m_document.session().positions;
+  const std::size_t rows = positions[next.position].readings.size();
+  if (!next.zero.empty() || next.row < rows || rows < leastRows) return std::nullopt;
   for (std::size_t i = 1; i < positions.size(); ++i) {
-    const std::size_t position = (here + i) % positions.size();
+    const std::size_t position = (next.position + i) % positions.size();
     const PointingZero& zero = positions[position].zero;
-    if (zero.horizontal.empty() || zero.vertical.empty()) return goToNextEntryOf(position);
+    if (zero.horizontal.empty() || zero.vertical.empty()) return position;
   }
-  goToNextEntryOf(here);
+  return std::nullopt;
 }
 
 void EntryGuide::goTo(const EntryToCome& next) {
@@ -101,8 +106,8 @@ void EntryGuide::goToMissingOf(std::size_t position, const std::string& zero) {
 /// among readings it is not called back to a zero that is missing in front of some.
 void EntryGuide::goOn() {
   const Session& session = m_document.session();
+  if (!isLed(session)) return;
   const auto protocol = protocolOf(session);
-  if (!protocol || !*protocol) return;
   const ProtocolProgress progress = progressOf(session, **protocol);
   const auto here = static_cast<std::size_t>(std::max(0, m_positions.currentIndex()));
   if (!progress.next || !progress.sightings[*progress.next].position) return;

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <QObject>
+#include <cstddef>
+#include <optional>
 
 #include "core/base/place.h"
 #include "core/session/entry_to_come.h"
@@ -40,8 +42,7 @@ class EntryGuide : public QObject {
 
  private:
   void goToNextEntryOf(std::size_t position);
-  bool isThereAlready(const EntryToCome& next) const;
-  void goBeyond(std::size_t here);
+  std::optional<std::size_t> zeroBefore(const EntryToCome& next) const;
   void goTo(const EntryToCome& next);
   void goToMissingOf(std::size_t position, const std::string& zero);
   void goOn();
