@@ -78,7 +78,8 @@ TEST_F(Typing, AWholeTableArrivesAsTypedWhileFitsDo) {
     }
   }
   for (const std::size_t position : {0u, 1u}) {
-    const auto &typed = session().positions[position].readings, &read = published.positions[position].readings;
+    const auto &typed = session().positions[position].readings,
+               &read = published.positions[position].readings;
     ASSERT_EQ(typed.size(), read.size());
     for (std::size_t row = 0; row < read.size(); ++row) {
       EXPECT_EQ(typed[row].horizontal, plain(read[row].horizontal)) << position << ' ' << row;

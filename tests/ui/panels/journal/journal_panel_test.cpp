@@ -96,7 +96,8 @@ TEST(JournalPage, SealingSavesAndTellsOfLaterChanges) {
 
 TEST(JournalPage, IsPrinted) {
   JournalBench bench;
-  EXPECT_TRUE(Printed(paperSession()).contains("Corrections none; no entry was changed after it was recorded"));
+  EXPECT_TRUE(
+      Printed(paperSession()).contains("Corrections none; no entry was changed after it was recorded"));
   bench.change();
   const Printed printed(bench.open->document().session());
   EXPECT_TRUE(printed.contains("One reading was changed after entry. One entry in the journal, see below."));
