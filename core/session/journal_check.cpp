@@ -52,7 +52,7 @@ void addUntoldFirstTexts(const Session& session, std::vector<JournalContradictio
       for (const auto& [field, first] : session.positions[p].readings[r].asRead.all())
         if (!told.contains({field, first}))
           contradictions.push_back(
-              {Place{.position = p, .reading = r, .field = field}.path() + " (first entered)", {}, first});
+              {Place{.position = p, .reading = r, .field = "as_read." + field}.path(), {}, first});
 }
 
 CheckedSeal sealAt(const std::vector<JournalEntry>& journal, std::size_t index) {
@@ -110,7 +110,7 @@ std::string sealedContent(const JournalEntry& seal) {
   const auto found = object.find(contentKey);
   if (found == object.end() || !found->is_string()) return {};
   std::string text = found->get<std::string>();
-  return sha256(text) == seal.to ? text : std::string();
+  return sha256(text) == seal.to && readSession(text) ? text : std::string();
 }
 
 void keepSealedContent(JournalEntry& seal, const std::string& content) {

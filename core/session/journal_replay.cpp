@@ -57,6 +57,13 @@ std::string filedText(const std::string& text, ValueKind kind) {
   return text.empty() ? text : textOf(valueOf(text, kind), kind).value_or(text);
 }
 
+/// A key as a part of a JSON pointer.
+std::string pointed(const std::string& key) {
+  std::string part = "/";
+  for (const char c : key) c == '~' ? part += "~0" : c == '/' ? part += "~1" : part += c;
+  return part;
+}
+
 std::string usedText(const Json& row) {
   const auto found = row.find(flagName);
   return found != row.end() && *found == true ? "excluded" : "used";
@@ -225,7 +232,7 @@ void JournalReplay::takeBackCell(const Path& path, std::size_t index) {
   if (held != filedText(entry.to, kind) && (isSealed || (isMarked && !entry.to.empty())))
     contradict(entry.place, entry.to, held);
   const std::string pointer = "/positions/" + std::to_string(*path.position) + "/readings/" +
-                              std::to_string(*path.reading) + '/' + path.field;
+                              std::to_string(*path.reading) + pointed(path.field);
   if (path.field == flagName) {
     (*row)[flagName] = entry.from == "excluded";
     if (entry.from != "excluded") m_absent.push_back(pointer);
@@ -273,7 +280,7 @@ void JournalReplay::takeBackText(const Path& path, const JournalEntry& entry) {
   for (std::size_t dot = key.find('.'); dot != std::string::npos; dot = key.find('.')) {
     if (!object->contains(key.substr(0, dot))) m_isExact = false;
     object = &(*object)[key.substr(0, dot)];
-    pointer += '/' + key.substr(0, dot);
+    pointer += pointed(key.substr(0, dot));
     key.erase(0, dot + 1);
     if (!object->is_object() && !object->is_null()) return contradict(entry.place, entry.to, object->dump());
   }
@@ -284,7 +291,7 @@ void JournalReplay::takeBackText(const Path& path, const JournalEntry& entry) {
   if (held != filedText(entry.to, kind) && !isFilledIn) contradict(entry.place, entry.to, held);
   if (entry.to.empty()) m_isExact = false;
   (*object)[key] = valueOf(entry.from, kind);
-  if (entry.from.empty()) m_absent.push_back(pointer + '/' + key);
+  if (entry.from.empty()) m_absent.push_back(pointer + pointed(key));
 }
 
 /// Of the content with each of `m_absent` there or not; the latter first.

@@ -138,12 +138,12 @@ const std::vector<Alteration>& alterations() {
       {"UnknownKey", "geometry.laid_by", [](Json& json) { json["geometry"]["laid_by"] = "somebody"; }},
       {"Excluded", "positions[1].readings[2].excluded",
        [](Json& json) { row(json, 1, 2)["excluded"] = true; }},
-      {"FirstTextAlone", "positions[1].readings[3].vertical (first entered)",
+      {"FirstTextAlone", "positions[1].readings[3].as_read.vertical",
        [](Json& json) {
          row(json, 1, 3)["as_read"] = {{"vertical", "1 00 00"}};
        },
        Stage::Edited},
-      {"JournalCut", "positions[0].readings[2].vertical (first entered)",
+      {"JournalCut", "positions[0].readings[2].as_read.vertical",
        [](Json& json) { json["journal"].erase(json["journal"].begin(), json["journal"].end()); },
        Stage::Edited},
       {"EntryAltered", nullptr, [](Json& json) { json["journal"][0]["from"] = "87 00 00"; }, Stage::Edited},
