@@ -9,6 +9,8 @@
 
 namespace alidade {
 
+struct Reading;
+
 // Is a session what its journal makes of it? Each entry holds what it changed from and to, so the journal can
 // be taken back entry by entry: a place that does not hold what the entry made of it was changed outside this
 // program. What comes out at a seal must be what was sealed. A seal keeps a copy of it (where it is not
