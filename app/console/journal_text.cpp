@@ -36,6 +36,8 @@ std::string journalText(const std::string& name, const Session& session, const J
     if (!entry.point.empty()) line += " (point " + entry.point + ")";
     if (entry.why == journal_reasons::imported)
       line += ": imported from " + visibleText(entry.to);
+    else if (entry.why == journal_reasons::sealed)
+      line += ": sealed as revision " + visibleText(entry.from) + ", SHA-256 " + visibleText(entry.to);
     else
       line += ": " + quotation(entry.from) + " became " + quotation(entry.to) + ", " + reasonText(entry);
     if (!entry.by.empty()) line += ", " + entry.by;

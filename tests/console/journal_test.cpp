@@ -41,6 +41,9 @@ TEST(JournalCommand, ListsTheChangesAndTheSeal) {
                                  "“82°30'39\"” became"));
   EXPECT_THAT(run.out, HasSubstr("suggestion accepted, J. Doe\\u001b[31m"));
   EXPECT_THAT(run.out, HasSubstr("Sealed 2026-03-15 08:00 UTC by R. Roe and unchanged since."));
+  const std::string digest = sealOf(readSession(sealedSession())->journal)->digest;
+  EXPECT_THAT(run.out, HasSubstr("sealed as revision 0, SHA-256")) << "whole, to be quoted";
+  EXPECT_THAT(run.out, HasSubstr(digest));
   const Json json = Json::parse(journalOf(sealedSession(), {"--json"}).out);
   EXPECT_EQ(json["whole"], true);
   EXPECT_EQ(json["sealed"]["unchanged"], true);
