@@ -102,6 +102,12 @@ Json rowOfText(std::string_view text) {
   return row;
 }
 
+/// Is a member with this value as good as none?
+bool saysNothing(const Json& value) {
+  const bool isEmptyText = value.is_string() && value.get_ref<const std::string&>().empty();
+  return isEmptyText || value == false || value.is_null();
+}
+
 /// Every value by its place; what is empty is as if it were not there.
 void flatten(const Json& value, const std::string& place, std::map<std::string, std::string>& texts) {
   if (value.is_object()) {
@@ -112,7 +118,7 @@ void flatten(const Json& value, const std::string& place, std::map<std::string, 
       flatten(value[i], place + '[' + std::to_string(i) + ']', texts);
   } else {
     const std::string text = value.is_string() ? value.get<std::string>() : value.dump();
-    if (!text.empty() && value != false && !value.is_null()) texts[place] = text;
+    if (!saysNothing(value)) texts[place] = text;
   }
 }
 
@@ -310,7 +316,7 @@ std::vector<std::string> JournalReplay::digestsOfAllForms() const {
       if (!content.contains(pointer)) continue;
       Json& object = content[pointer.parent_pointer()];
       const Json& value = content[pointer];
-      if (value == false || value == "" || value.is_null()) object.erase(pointer.back());
+      if (saysNothing(value)) object.erase(pointer.back());
     }
     digests.push_back(sha256(layoutJson(content)));
   }
