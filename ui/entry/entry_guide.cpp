@@ -106,8 +106,8 @@ void EntryGuide::goToMissingOf(std::size_t position, const std::string& zero) {
 /// among readings it is not called back to a zero that is missing in front of some.
 void EntryGuide::goOn() {
   const Session& session = m_document.session();
-  if (!isLed(session)) return;
   const auto protocol = protocolOf(session);
+  if (!protocol || !*protocol) return;
   const ProtocolProgress progress = progressOf(session, **protocol);
   const auto here = static_cast<std::size_t>(std::max(0, m_positions.currentIndex()));
   if (!progress.next || !progress.sightings[*progress.next].position) return;
