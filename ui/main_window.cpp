@@ -40,6 +40,7 @@
 #include "ui/forms/field_binding.h"
 #include "ui/forms/field_form.h"
 #include "ui/instrument/check_chart.h"
+#include "ui/instrument/check_input.h"
 #include "ui/instrument/instrument_dialog.h"
 #include "ui/jobs/failed_job.h"
 #include "ui/main_window_actions.h"
@@ -63,6 +64,7 @@
 #include "ui/panels/window/page_tabs.h"
 #include "ui/self_test/installation_dialog.h"
 #include "ui/series/series_window.h"
+#include "ui/settings/report_settings.h"
 #include "ui/settings/theme.h"
 #include "ui/settings/window_font.h"
 #include "ui/start/samples.h"
@@ -111,6 +113,7 @@ MainWindow::MainWindow(std::unique_ptr<Dialogs> dialogs)
   statusBar()->addPermanentWidget(m_next);
   statusBar()->addPermanentWidget(m_jobs);
   setAcceptDrops(true);
+  m_dialogs->setReadFiles([this] { return readFiles(); });
   resize(firstSize());
   connectParts();
   restoreLayout();
@@ -119,6 +122,14 @@ MainWindow::MainWindow(std::unique_ptr<Dialogs> dialogs)
   m_job.request(m_document.session());
   m_jobs->watch();
   m_entry->goToNextEntry();
+}
+
+/// Of the session, of the instrument check, and the logo of reports.
+QStringList MainWindow::readFiles() const {
+  QStringList files = m_document.paths() + m_document.readPaths();
+  if (m_instrumentCheck) files += m_instrumentCheck->input().paths();
+  if (const QString logo = rememberedReportChoice().logoPath; !logo.isEmpty()) files.append(logo);
+  return files;
 }
 
 MainWindow::~MainWindow() {

@@ -127,6 +127,7 @@ class MainWindow : public QMainWindow {
   void createStart();
   void excludeRow(const Place& place);
   void selectReading(std::size_t position, std::size_t row);
+  QStringList readFiles() const;
   void showTitle();
   void showEvaluation(const SharedEvaluation& evaluation);
   void showSuspects(const SharedEvaluation& evaluation);

@@ -13,7 +13,7 @@ namespace {
 
 int checkAndWrite(const QString& path) {
   const ui::InstallationCheck check = ui::checkInstallation();
-  const auto written = ui::writeInstallationCheck(check, path);
+  const auto written = ui::writeInstallationCheck(check, path, {});
   if (!written) {
     QTextStream(stderr) << ui::visibleLine(path) << ": " << ui::visibleLine(written.problem().text()) << '\n';
     return 2;

@@ -24,18 +24,18 @@ struct FileContent {
 /// written to directly. Every program of ours writes by this.
 ///
 /// Absent: written. Otherwise one sentence with the path, the reason and what to do. Refuses to replace one
-/// of `inputs`, the files that the bytes were made from, however it is named; `-` among them is standard
-/// input. After a folder that cannot be synchronised the new bytes are there, but may not outlast a power
-/// cut.
+/// of `inputs`, all files that were read for what is written, however it is named; `-` among them is
+/// standard input. Empty only where nothing was read. After a folder that cannot be synchronised the new
+/// bytes are there, but may not outlast a power cut.
 [[nodiscard]] std::optional<Problem> writeFile(const std::string& path, std::string_view bytes,
-                                               const std::vector<std::string>& inputs = {},
+                                               const std::vector<std::string>& inputs,
                                                const FileCalls& calls = {});
 
 /// Likewise several, all or none: none is replaced before the bytes of all are on the disk, and where one
 /// cannot take its place, those that did go back. Where even that fails, the sentence says which file is the
 /// new one and where its old bytes are.
 [[nodiscard]] std::optional<Problem> writeFiles(const std::vector<FileContent>& files,
-                                                const std::vector<std::string>& inputs = {},
+                                                const std::vector<std::string>& inputs,
                                                 const FileCalls& calls = {});
 
 }  // namespace alidade

@@ -7,14 +7,13 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "core/base/atomic_file.h"
 #include "ui/connection/connection_form.h"
 #include "ui/connection/instrument_link.h"
 #include "ui/connection/wire_log.h"
 #include "ui/dialogs/dialogs.h"
 #include "ui/dialogs/plain_label.h"
+#include "ui/dialogs/written_file.h"
 #include "ui/panels/parts/button_row.h"
-#include "ui/text/encoded_path.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {
@@ -108,12 +107,9 @@ void ConnectionDialog::showEvent(QShowEvent* event) {
 bool ConnectionDialog::saveLog() {
   const QString stamp = QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd-HHmm"));
   const QString suggestion = QDir::home().filePath(QStringLiteral("instrument-%1.log").arg(stamp));
-  const QString path =
-      m_dialogs.askExportPath(tr("Save log of the connection"), suggestion, QStringLiteral("log"));
-  if (path.isEmpty()) return false;
-  const auto problem = writeFile(encodedPath(path), m_log->bytes(), {});
-  if (problem) m_dialogs.showProblem(tr("Save log of the connection"), visibleLine(problem->text()));
-  return !problem;
+  return writeWhereAsked(m_dialogs, tr("Save log of the connection"), suggestion, QStringLiteral("log"),
+                         m_log->bytes())
+      .has_value();
 }
 
 }  // namespace alidade::ui

@@ -176,14 +176,14 @@ PreviewAnswer Dialogs::showPreview(QPrinter& printer, const std::function<void(Q
 }
 
 QString Dialogs::askSeal(const QString& suggestion) {
-  return QInputDialog::getText(
-             m_parent, DialogsText::tr("Seal"),
-             DialogsText::tr(
-                 "The journal will hold who seals this session and a digest of all that it says.\n"
-                 "It can be edited afterwards, as a revision, and every edit is told.\n\n"
-                 "Sealed by:"),
-             QLineEdit::Normal, suggestion)
-      .trimmed();
+  QInputDialog dialog(m_parent);
+  dialog.setWindowTitle(DialogsText::tr("Seal"));
+  dialog.setLabelText(
+      DialogsText::tr("The journal will hold who seals this session and a digest of all that it says.\n"
+                      "It can be edited afterwards, as a revision, and every edit is told.\n\n"
+                      "Sealed by:"));
+  dialog.setTextValue(suggestion);
+  return dialog.exec() == QDialog::Accepted ? dialog.textValue().trimmed() : QString();
 }
 
 bool Dialogs::askOpenElsewhere(const QString& name, const QString& holder) {

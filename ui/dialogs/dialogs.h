@@ -33,6 +33,10 @@ class Dialogs {
   explicit Dialogs(QWidget* parent = nullptr) : m_parent(parent) {}
   virtual ~Dialogs() = default;
 
+  /// The files that what stands in the window was read from: nothing that is written may replace one of them.
+  QStringList readFiles() const { return m_readFiles ? m_readFiles() : QStringList(); }
+  void setReadFiles(std::function<QStringList()> files) { m_readFiles = std::move(files); }
+
   virtual SaveAnswer askSaveChanges(const QString& name);
   /// Shall the changes of another session be lost, which undo or redo leads to? `name` is empty where it was
   /// never saved.
@@ -81,6 +85,7 @@ class Dialogs {
   QWidget* over() const;
 
   QPointer<QWidget> m_parent;
+  std::function<QStringList()> m_readFiles;
 };
 
 }  // namespace alidade::ui

@@ -4,7 +4,6 @@
 #include <QFileInfo>
 #include <algorithm>
 
-#include "core/base/atomic_file.h"
 #include "core/base/failure.h"
 #include "core/base/phrase.h"
 #include "core/exchange/readings_csv.h"
@@ -13,9 +12,9 @@
 #include "ui/dialogs/dialogs.h"
 #include "ui/dialogs/export_answers.h"
 #include "ui/dialogs/in_background.h"
+#include "ui/dialogs/written_file.h"
 #include "ui/document/session_document.h"
 #include "ui/jobs/failed_job.h"
-#include "ui/text/encoded_path.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/visible_text.h"
 
@@ -90,18 +89,14 @@ bool ExportFlow::exportAnswer(const QString& title, const QString& what, const Q
 
 bool ExportFlow::writeTo(const QString& title, const QString& what, const QString& suffix,
                          const std::string& bytes) {
-  const QString path = m_dialogs.askExportPath(title, suggestedPath(what, suffix), suffix);
-  if (path.isEmpty()) return false;
-  const auto problem =
-      bytes.empty()
-          ? std::optional(Problem{Phrase::of("the picture cannot be made: make the window smaller")})
-          : writeFile(encodedPath(path), bytes, encodedPaths(m_document.paths()));
-  if (problem) {
-    m_dialogs.showProblem(title, visibleLine(problem->text()));
+  if (bytes.empty()) {
+    m_dialogs.showProblem(title,
+                          visibleLine(Phrase::of("the picture cannot be made: make the window smaller")));
     return false;
   }
-  emit remark(tr("Written to %1").arg(QDir::toNativeSeparators(path)));
-  return true;
+  const auto path = writeWhereAsked(m_dialogs, title, suggestedPath(what, suffix), suffix, bytes);
+  if (path) emit remark(tr("Written to %1").arg(QDir::toNativeSeparators(*path)));
+  return path.has_value();
 }
 
 /// Beside the session, by its name.

@@ -91,7 +91,9 @@ bool FileFlow::importReadings(const QStringList& paths) {
   const auto sources = inBackground<Result<std::vector<ImportSource>>>(
       *m_dialogs.busy(tr("Reading %1…").arg(paths.size() == 1 ? u'“' + name + u'”' : name)),
       [paths](const std::stop_token&) { return readSources(paths); });
-  return sources && importFrom(*sources, name);
+  if (!sources || !importFrom(*sources, name)) return false;
+  m_document.noteRead(paths);
+  return true;
 }
 
 bool FileFlow::importClipboard() {
@@ -211,12 +213,21 @@ bool FileFlow::saveTo(const QString& path) {
   return (!answer || answer == ChangedFileAnswer::Overwrite) && write(path);
 }
 
+/// The session's own files may be replaced: they are what is saved.
+QStringList FileFlow::otherInputs() const {
+  QStringList inputs = m_dialogs.readFiles();
+  for (const QString& own : m_document.paths()) inputs.removeAll(own);
+  return inputs;
+}
+
 bool FileFlow::write(const QString& path) {
   emit writing(true);
   const auto over = qScopeGuard([this] { emit writing(false); });
   const auto written = inBackground<Result<QByteArray>>(
       *m_dialogs.busy(tr("Saving “%1”…").arg(visibleLine(QFileInfo(path).fileName())), Busy::Way::ToItsEnd),
-      [session = m_document.session(), path](const std::stop_token&) { return writeFiled(session, path); });
+      [session = m_document.session(), path, inputs = otherInputs()](const std::stop_token&) {
+        return writeFiled(session, path, inputs);
+      });
   if (!*written) {
     m_dialogs.showProblem(tr("Save session"), visibleLine(written->problem().text()));
     return false;

@@ -68,6 +68,7 @@ class FileFlow : public QObject {
   bool loadAttached(const QString& path);
   bool saveTo(const QString& path);
   bool write(const QString& path);
+  QStringList otherInputs() const;
   bool mayShare(const QString& path);
   std::optional<ChangedFileAnswer> askAboutChange();
   bool tellWhereNoFile(const QString& title, const QString& path);

@@ -30,6 +30,7 @@ bool InstrumentFlow::take() {
   const Result<InstrumentRecord> record = loadInstrumentRecord(encodedPath(path));
   if (!record) return refuse(record.problem());
   if (const auto problem = takeRecord(m_document, *record, name.toStdString())) return refuse(*problem);
+  m_document.noteRead({path});
   emit remark(tr("Taken from “%1”, known sizes: %2").arg(visibleLine(name)).arg(record->known.size()));
   return true;
 }

@@ -30,6 +30,7 @@ bool ProtocolFlow::load() {
     return false;
   }
   followProtocol(m_document, *protocol);
+  m_document.noteRead({path});
   emit remark(tr("The session follows “%1”").arg(name));
   return true;
 }

@@ -80,6 +80,13 @@ bool ReportFlow::preview(const QString& suggestion) {
   });
 }
 
+/// No report takes the place of what was read for the window.
+ReportSource ReportFlow::source() const {
+  ReportSource source = reportSource(m_document);
+  source.paths += m_dialogs.readFiles();
+  return source;
+}
+
 void ReportFlow::setUpPage() {
   ReportChoice choice = rememberedReportChoice();
   if (m_dialogs.askPaper(choice.paper)) rememberReportChoice(choice);
@@ -164,8 +171,7 @@ bool ReportFlow::exportOf(const SharedGap& gap, const QString& suggestion) {
     isStopped = isStopped || !busy->goesOn(done);
     return !isStopped;
   };
-  const Result<QString> written =
-      writeAcceptanceReport(*spoken->evaluation, reportSource(m_document), path, *options);
+  const Result<QString> written = writeAcceptanceReport(*spoken->evaluation, source(), path, *options);
   if (isStopped) {
     emit remark(tr("Stopped: no report was written."));
     return false;
@@ -180,10 +186,9 @@ bool ReportFlow::exportOf(const SharedGap& gap, const QString& suggestion) {
 
 bool ReportFlow::certificateOf(const SharedGap& gap, const QString& suggestion) {
   const QString title = tr("Export calibration certificate");
-  const ReportSource source = reportSource(m_document);
   ReportOptions bare;
   bare.gap = gap;
-  const auto lacking = ui::certificateOf(source, bare, {});
+  const auto lacking = ui::certificateOf(source(), bare, {});
   if (!lacking) {
     m_dialogs.showProblem(title, visibleLine(lacking.problem().text()));
     return false;
@@ -202,7 +207,7 @@ bool ReportFlow::certificateOf(const SharedGap& gap, const QString& suggestion) 
     isStopped = isStopped || !busy->goesOn(done);
     return !isStopped;
   };
-  const auto written = writeCertificate(source, path, *options, {});
+  const auto written = writeCertificate(source(), path, *options, {});
   if (isStopped) {
     emit remark(tr("Stopped: no certificate was written."));
     return false;

@@ -60,6 +60,7 @@ class ReportFlow : public QObject {
   Dialogs& m_dialogs;
   /// Of the device of the session at work, by the sessions of a folder; null: none of them is of it, or the
   /// user stopped it.
+  ReportSource source() const;
   std::shared_ptr<const DeviceHistory> historyIn(const QString& folder);
 
   SharedBudgetCheck m_check;

@@ -16,7 +16,7 @@ std::optional<QString> writeWhereAsked(Dialogs& dialogs, const QString& title, c
                                        const QStringList& inputs) {
   const QString path = dialogs.askExportPath(title, suggested, suffix);
   if (path.isEmpty()) return std::nullopt;
-  if (const auto problem = writeFile(encodedPath(path), bytes, encodedPaths(inputs))) {
+  if (const auto problem = writeFile(encodedPath(path), bytes, encodedPaths(dialogs.readFiles() + inputs))) {
     dialogs.showProblem(title, visibleLine(problem->text()));
     return std::nullopt;
   }
@@ -32,7 +32,7 @@ std::optional<QString> writeBeside(const SessionDocument& document, Dialogs& dia
   QString fileName = name.simplified();
   fileName.replace(QLatin1Char('/'), QLatin1Char('-'));
   return writeWhereAsked(dialogs, title, QDir(folderOf(document)).filePath(fileName + u'.' + suffix), suffix,
-                         bytes, document.paths());
+                         bytes);
 }
 
 }  // namespace alidade::ui

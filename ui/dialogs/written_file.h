@@ -10,11 +10,12 @@ namespace alidade::ui {
 class Dialogs;
 class SessionDocument;
 
-/// Asks where to, beginning with the path `suggested`, and writes `bytes` there, over none of `inputs`. The
-/// path; absent where nobody wants it, or it failed, which is told.
+/// Asks where to, beginning with the path `suggested`, and writes `bytes` there, over none of the files that
+/// were read for the window, or of `inputs`. The path; absent where nobody wants it, or it failed, which is
+/// told.
 std::optional<QString> writeWhereAsked(Dialogs& dialogs, const QString& title, const QString& suggested,
                                        const QString& suffix, const std::string& bytes,
-                                       const QStringList& inputs);
+                                       const QStringList& inputs = {});
 
 /// Of the session's file; the home where it has none.
 QString folderOf(const SessionDocument& document);

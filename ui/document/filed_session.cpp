@@ -30,9 +30,9 @@ Result<FiledSession> readFiled(const QString& path) {
   return FiledSession{*std::move(session), sha256(*bytes)};
 }
 
-Result<QByteArray> writeFiled(const Session& session, const QString& path) {
+Result<QByteArray> writeFiled(const Session& session, const QString& path, const QStringList& inputs) {
   const std::string text = writeSession(session);
-  if (auto problem = writeFile(encodedPath(path), text)) return *std::move(problem);
+  if (auto problem = writeFile(encodedPath(path), text, encodedPaths(inputs))) return *std::move(problem);
   return sha256(text);
 }
 

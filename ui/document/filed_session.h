@@ -2,6 +2,7 @@
 
 #include <QByteArray>
 #include <QString>
+#include <QStringList>
 #include <optional>
 
 #include "core/base/result.h"
@@ -25,8 +26,9 @@ struct FileContent {
 
 /// A session with entries that mean nothing is one; the problem says why a file is none.
 Result<FiledSession> readFiled(const QString& path);
-/// All of it or nothing: the old file stays where writing fails. The SHA-256 of what was written.
-Result<QByteArray> writeFiled(const Session& session, const QString& path);
+/// All of it or nothing: the old file stays where writing fails, or `path` is one of `inputs`, files that
+/// were read for the session. The SHA-256 of what was written.
+Result<QByteArray> writeFiled(const Session& session, const QString& path, const QStringList& inputs);
 /// Absent where there is no such file, it cannot be read, or its SHA-256 is the known one.
 std::optional<FileContent> contentOtherThan(const QByteArray& knownSha256, const QString& path);
 /// Empty where there is no such file or it cannot be read.

@@ -80,7 +80,7 @@ void SessionDocument::startFrom(FiledSession file, const QString& path) {
 }
 
 std::optional<Problem> SessionDocument::save(const QString& path) {
-  const Result<QByteArray> written = writeFiled(m_session, path);
+  const Result<QByteArray> written = writeFiled(m_session, path, m_readPaths);
   if (!written) return written.problem();
   markSaved(path, *written);
   return {};
@@ -196,6 +196,7 @@ void SessionDocument::replaceAll(Session session, const QString& path, bool isNe
   sharedAside(std::exchange(m_session, std::move(session)));
   m_undoStack.clear();
   m_files.restart(path);
+  m_readPaths.clear();
   m_journal.restart(isNew);
   emit changed({});
   emit identityChanged();

@@ -35,6 +35,9 @@ class SessionDocument : public QObject {
   QString path() const { return m_files.path(m_undoStack.index()); }
   /// Of all sessions that undo and redo lead to, as far as they are in files.
   QStringList paths() const { return m_files.paths(); }
+  /// Files that its parts were taken from: of readings, of an instrument, of a protocol.
+  QStringList readPaths() const { return m_readPaths; }
+  void noteRead(const QStringList& paths) { m_readPaths += paths; }
   QString displayName() const;  ///< the file's name, or "Untitled"
   bool isModified() const { return m_files.isModified(m_undoStack.index()); }
   /// The path of another session, unsaved, that redo or undo leads to: see `SessionFiles`.
@@ -108,6 +111,7 @@ class SessionDocument : public QObject {
   HalfTyped m_halfTyped;
   JournalKeeper m_journal{m_session};
   SessionFiles m_files;
+  QStringList m_readPaths;
   QHash<QString, QByteArray> m_knownSha256;  ///< by path
 };
 

@@ -69,7 +69,7 @@ QString written(const FailedJob& failed) {
   const QString path = unusedName(folder, now.toString(QStringLiteral("yyyyMMdd-HHmmss-zzz-")) + job);
   const QByteArray record = recordOf(failed, now);
   const auto problem =
-      writeFile(encodedPath(path), {record.constData(), static_cast<std::size_t>(record.size())});
+      writeFile(encodedPath(path), {record.constData(), static_cast<std::size_t>(record.size())}, {});
   dropOldest(folder);
   return problem ? QString() : path;
 }

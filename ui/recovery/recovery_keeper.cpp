@@ -15,7 +15,7 @@ namespace alidade::ui {
 namespace {
 
 std::optional<Problem> writePrivately(const QString& path, const std::string& text) {
-  return writeFiles({{.path = encodedPath(path), .bytes = text, .isPrivate = true}});
+  return writeFiles({{.path = encodedPath(path), .bytes = text, .isPrivate = true}}, {});
 }
 
 }  // namespace

@@ -180,7 +180,8 @@ void addDeviceHistory(ReportSheet& sheet, const DeviceHistory& device) {
 }
 
 Result<QString> writeDeviceHistory(const DeviceHistory& device, const QString& outPath,
-                                   const ReportPaper& paper, const QDateTime& date) {
+                                   const QStringList& inputs, const ReportPaper& paper,
+                                   const QDateTime& date) {
   const auto painted = paintedPdf(paper, [&](QPagedPaintDevice& pages) {
     ReportSheet sheet(
         pages,
@@ -205,9 +206,9 @@ Result<QString> writeDeviceHistory(const DeviceHistory& device, const QString& o
                   {{.fileName = QStringLiteral("history.json"),
                     .description = Report::tr("The history of this document, to be read by programs"),
                     .bytes = jsonOf(device)}});
-  std::vector<std::string> inputs;
-  for (const Epoch& epoch : device.epochs) inputs.push_back(epoch.file);
-  if (auto problem = writeFile(encodedPath(outPath), pdf, inputs)) return *std::move(problem);
+  std::vector<std::string> read = encodedPaths(inputs);
+  for (const Epoch& epoch : device.epochs) read.push_back(epoch.file);
+  if (auto problem = writeFile(encodedPath(outPath), pdf, read)) return *std::move(problem);
   return outPath;
 }
 

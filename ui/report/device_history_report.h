@@ -15,7 +15,7 @@ class ReportSheet;
 /// Δd did, its control chart, every session, the other quantities, and each session compared with the next.
 /// Never over one of the sessions. Answers with the path, or says why it could not be written.
 Result<QString> writeDeviceHistory(const DeviceHistory& device, const QString& outPath,
-                                   const ReportPaper& paper = {},
+                                   const QStringList& inputs, const ReportPaper& paper = {},
                                    const QDateTime& date = QDateTime::currentDateTime());
 
 /// The same on the pages of another report: what Δd did, its control chart, and the sessions.

@@ -103,7 +103,7 @@ bool paintInstallationCheck(QPagedPaintDevice& device, const InstallationCheck& 
 }
 
 Result<QString> writeInstallationCheck(const InstallationCheck& check, const QString& path,
-                                       const ReportPaper& paper) {
+                                       const QStringList& inputs, const ReportPaper& paper) {
   const auto painted =
       paintedPdf(paper, [&](QPagedPaintDevice& device) { return paintOn(device, check, paper); });
   if (!painted) return Problem{Report::tr("%1 cannot be written: painting failed").arg(path).toStdString()};
@@ -117,7 +117,7 @@ Result<QString> writeInstallationCheck(const InstallationCheck& check, const QSt
                   {{.fileName = QStringLiteral("self-test.json"),
                     .description = Report::tr("The check of this document, to be read by programs"),
                     .bytes = selfTestJson(check.test, check.product().toStdString(), at)}});
-  if (auto problem = writeFile(encodedPath(path), pdf, {})) return *std::move(problem);
+  if (auto problem = writeFile(encodedPath(path), pdf, encodedPaths(inputs))) return *std::move(problem);
   return path;
 }
 

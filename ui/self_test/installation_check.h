@@ -31,8 +31,9 @@ InstallationCheck checkInstallation(SelfTest ofCore);
 bool paintInstallationCheck(QPagedPaintDevice& device, const InstallationCheck& check,
                             const ReportPaper& paper = {});
 
-/// The same as a PDF/A-3b with the check as JSON in it. Answers with the path, or says why not.
+/// The same as a PDF/A-3b with the check as JSON in it. Answers with the path, or says why not,
+/// as where it is one of `inputs`.
 Result<QString> writeInstallationCheck(const InstallationCheck& check, const QString& path,
-                                       const ReportPaper& paper = {});
+                                       const QStringList& inputs, const ReportPaper& paper = {});
 
 }  // namespace alidade::ui

@@ -121,7 +121,8 @@ bool InstallationDialog::savePdf() {
       QStringLiteral("pdf"));
   if (path.isEmpty()) return false;
   std::optional<Result<QString>> written;
-  const auto failure = failureOf([&] { written = writeInstallationCheck(*m_check, path); });
+  const auto failure =
+      failureOf([&] { written = writeInstallationCheck(*m_check, path, m_dialogs.readFiles()); });
   if (!failure && *written) return true;
   m_dialogs.showProblem(title, visibleLine(failure ? *failure : written->problem().text()));
   return false;

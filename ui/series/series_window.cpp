@@ -16,10 +16,10 @@
 #include <algorithm>
 #include <set>
 
-#include "core/base/atomic_file.h"
 #include "core/base/failure.h"
 #include "core/series/history/history_json.h"
 #include "ui/dialogs/dialogs.h"
+#include "ui/dialogs/written_file.h"
 #include "ui/panels/parts/frames.h"
 #include "ui/report/device_history_report.h"
 #include "ui/series/diagnosis_panel.h"
@@ -344,7 +344,7 @@ bool SeriesWindow::exportPdf() {
       title, suggestedPath(QStringLiteral("history"), QStringLiteral("pdf")), QStringLiteral("pdf"));
   if (path.isEmpty()) return false;
   std::optional<Result<QString>> written;
-  const auto failure = failureOf([&] { written = writeDeviceHistory(*device, path); });
+  const auto failure = failureOf([&] { written = writeDeviceHistory(*device, path, m_dialogs.readFiles()); });
   if (failure || !*written) {
     m_dialogs.showProblem(title, visibleLine(failure ? *failure : written->problem().text()));
     return false;
@@ -355,17 +355,13 @@ bool SeriesWindow::exportPdf() {
 
 bool SeriesWindow::write(const QString& title, const QString& what, const QString& suffix,
                          const std::string& bytes) {
-  const QString path = m_dialogs.askExportPath(title, suggestedPath(what, suffix), suffix);
-  if (path.isEmpty()) return false;
-  std::vector<std::string> inputs;
+  QStringList inputs;
   if (m_series)
-    for (const SeriesSession& session : m_series->sessions) inputs.push_back(session.path);
-  if (const auto problem = writeFile(encodedPath(path), bytes, inputs)) {
-    m_dialogs.showProblem(title, visibleLine(problem->text()));
-    return false;
-  }
-  m_status->setText(tr("Written to %1").arg(QDir::toNativeSeparators(path)));
-  return true;
+    for (const SeriesSession& session : m_series->sessions)
+      inputs.append(QFile::decodeName(QByteArray::fromStdString(session.path)));
+  const auto path = writeWhereAsked(m_dialogs, title, suggestedPath(what, suffix), suffix, bytes, inputs);
+  if (path) m_status->setText(tr("Written to %1").arg(QDir::toNativeSeparators(*path)));
+  return path.has_value();
 }
 
 QString SeriesWindow::suggestedPath(const QString& what, const QString& suffix) const {

@@ -54,9 +54,9 @@ auto failing(int error, const Call&) {
 }
 
 TEST_F(AtomicFile, WritesANewFileAndReplacesAnOldOne) {
-  EXPECT_FALSE(writeFile(path("a"), "first"));
+  EXPECT_FALSE(writeFile(path("a"), "first", {}));
   EXPECT_EQ(*readFile(path("a")), "first");
-  EXPECT_FALSE(writeFile(path("a"), ""));
+  EXPECT_FALSE(writeFile(path("a"), "", {}));
   EXPECT_EQ(*readFile(path("a")), "");
   EXPECT_THAT(names(), ElementsAre("a"));
 }
@@ -64,7 +64,7 @@ TEST_F(AtomicFile, WritesANewFileAndReplacesAnOldOne) {
 TEST_F(AtomicFile, WritesRelativeToTheWorkingFolder) {
   const fs::path before = fs::current_path();
   fs::current_path(folder.path());
-  EXPECT_FALSE(writeFile("here", "x"));
+  EXPECT_FALSE(writeFile("here", "x", {}));
   fs::current_path(before);
   EXPECT_EQ(*readFile(path("here")), "x");
 }
@@ -76,11 +76,11 @@ TEST_F(AtomicFile, KeepsThePermissionsOfTheOldFile) {
     EXPECT_EQ(stat(file.c_str(), &status), 0);
     return status.st_mode & 07777U;
   };
-  ASSERT_FALSE(writeFile(path("new"), "x"));
+  ASSERT_FALSE(writeFile(path("new"), "x", {}));
   EXPECT_EQ(modeOf(path("new")), modeOf(folder.file("any", "x")));
   for (const unsigned mode : {0600U, 0640U, 0664U}) {
     ASSERT_EQ(chmod(path("new").c_str(), mode), 0);
-    ASSERT_FALSE(writeFile(path("new"), "y"));
+    ASSERT_FALSE(writeFile(path("new"), "y", {}));
     EXPECT_EQ(modeOf(path("new")), mode);
   }
 }
@@ -89,13 +89,13 @@ TEST_F(AtomicFile, FollowsLinksAndLeavesThem) {
   fs::create_directory(folder.path() / "real");
   fs::create_symlink("real/file", path("near"));
   fs::create_symlink(path("near"), path("far"));
-  EXPECT_FALSE(writeFile(path("far"), "first"));
-  EXPECT_FALSE(writeFile(path("far"), "second"));
+  EXPECT_FALSE(writeFile(path("far"), "first", {}));
+  EXPECT_FALSE(writeFile(path("far"), "second", {}));
   EXPECT_EQ(*readFile(path("real/file")), "second");
   EXPECT_TRUE(fs::is_symlink(path("far")) && fs::is_symlink(path("near")));
   fs::create_symlink(path("round"), path("about"));
   fs::create_symlink(path("about"), path("round"));
-  EXPECT_THAT(writeFile(path("round"), "x")->what, HasSubstr("in a circle"));
+  EXPECT_THAT(writeFile(path("round"), "x", {})->what, HasSubstr("in a circle"));
 }
 
 // Every step that may fail, one after the other, as on a full or failing disk.
@@ -175,13 +175,14 @@ TEST_F(AtomicFile, SynchronisesTheFileBeforeItTakesItsPlaceAndThenTheFolder) {
 }
 
 TEST_F(AtomicFile, NamesWhatStandsInTheWay) {
-  EXPECT_THAT(writeFile(path("no/file"), "x")->what, HasSubstr("its folder is not there"));
-  EXPECT_THAT(writeFile(folder.file("file", "") + "/below", "x")->what, HasSubstr("its folder is not there"));
+  EXPECT_THAT(writeFile(path("no/file"), "x", {})->what, HasSubstr("its folder is not there"));
+  EXPECT_THAT(writeFile(folder.file("file", "") + "/below", "x", {})->what,
+              HasSubstr("its folder is not there"));
   fs::create_directory(folder.path() / "taken");
-  EXPECT_THAT(writeFile(path("taken"), "x")->what, HasSubstr("a folder stands there"));
-  EXPECT_THAT(writeFile(path("taken") + "/", "x")->what, HasSubstr("a folder stands there"));
-  EXPECT_THAT(writeFile(path(std::string(300, 'n')), "x")->what, HasSubstr("too long"));
-  EXPECT_THAT(writeFile("", "x")->what, HasSubstr("no name"));
+  EXPECT_THAT(writeFile(path("taken"), "x", {})->what, HasSubstr("a folder stands there"));
+  EXPECT_THAT(writeFile(path("taken") + "/", "x", {})->what, HasSubstr("a folder stands there"));
+  EXPECT_THAT(writeFile(path(std::string(300, 'n')), "x", {})->what, HasSubstr("too long"));
+  EXPECT_THAT(writeFile("", "x", {})->what, HasSubstr("no name"));
 }
 
 TEST_F(AtomicFile, SaysThatTheFolderVanishedMeanwhile) {
@@ -211,8 +212,8 @@ TEST_F(AtomicFile, NeverReplacesWhatItWasMadeFrom) {
 
 TEST_F(AtomicFile, WritesSeveralOnlyWhenAllCanBe) {
   const std::string first = folder.file("first", "kept");
-  EXPECT_THAT(writeFiles({{first, "a"}, {path("no/second"), "b"}})->what, HasSubstr("no/second"));
-  EXPECT_THAT(writeFiles({{first, "a"}, {"/dev/full", "b"}})->what, HasSubstr("the disk is full"));
+  EXPECT_THAT(writeFiles({{first, "a"}, {path("no/second"), "b"}}, {})->what, HasSubstr("no/second"));
+  EXPECT_THAT(writeFiles({{first, "a"}, {"/dev/full", "b"}}, {})->what, HasSubstr("the disk is full"));
   int writes = 0;
   FileCalls calls;
   calls.write = [&](int file, const void* bytes, std::size_t count) {
@@ -223,7 +224,7 @@ TEST_F(AtomicFile, WritesSeveralOnlyWhenAllCanBe) {
   EXPECT_TRUE(writeFiles({{first, "a"}, {path("second"), "b"}}, {}, calls));
   EXPECT_EQ(*readFile(first), "kept");
   EXPECT_THAT(names(), ElementsAre("first"));
-  EXPECT_FALSE(writeFiles({{first, "a"}, {path("second"), "b"}, {"/dev/null", "c"}}));
+  EXPECT_FALSE(writeFiles({{first, "a"}, {path("second"), "b"}, {"/dev/null", "c"}}, {}));
   EXPECT_EQ(*readFile(first) + *readFile(path("second")), "ab");
 }
 
@@ -293,11 +294,11 @@ TEST_F(AtomicFile, LeavesNoneBehindWhereTheFolderCannotBeSynchronised) {
 TEST_F(AtomicFile, WritesToDevicesAndPipesDirectly) {
   EXPECT_FALSE(writeFile("/dev/null", "x", {"/dev/null"}));
   fs::create_symlink("/dev/full", path("full"));
-  EXPECT_THAT(writeFile(path("full"), "x")->what, HasSubstr("the disk is full"));
+  EXPECT_THAT(writeFile(path("full"), "x", {})->what, HasSubstr("the disk is full"));
   EXPECT_TRUE(fs::is_character_file("/dev/null") && fs::is_character_file("/dev/full"));
   ASSERT_EQ(mkfifo(path("pipe").c_str(), 0600), 0);
   const int reader = open(path("pipe").c_str(), O_RDONLY | O_NONBLOCK);
-  EXPECT_FALSE(writeFile(path("pipe"), "through"));
+  EXPECT_FALSE(writeFile(path("pipe"), "through", {}));
   char bytes[16] = {};
   EXPECT_EQ(read(reader, bytes, sizeof bytes), 7);
   EXPECT_STREQ(bytes, "through");
@@ -309,8 +310,8 @@ TEST_F(AtomicFile, WritesToDevicesAndPipesDirectly) {
 TEST_F(AtomicFile, WritesOnToAnOpenFileOfTheProgram) {
   const int file = open(path("log").c_str(), O_WRONLY | O_CREAT, 0600);
   ASSERT_EQ(write(file, "one ", 4), 4);
-  EXPECT_FALSE(writeFile("/dev/fd/" + std::to_string(file), "two "));
-  EXPECT_FALSE(writeFile("/proc/self/fd/" + std::to_string(file), "three"));
+  EXPECT_FALSE(writeFile("/dev/fd/" + std::to_string(file), "two ", {}));
+  EXPECT_FALSE(writeFile("/proc/self/fd/" + std::to_string(file), "three", {}));
   close(file);
   EXPECT_EQ(*readFile(path("log")), "one two three");
 }

@@ -43,7 +43,7 @@ TEST(FileAttributes, OutliveASave) {
   if (setxattr(file.c_str(), accessList, list.data(), list.size(), 0) != 0)
     GTEST_SKIP() << "no access lists on this disk";
   const bool hasOwn = setxattr(file.c_str(), "user.project", "arc", 3, 0) == 0;
-  ASSERT_FALSE(writeFile(file, "new"));
+  ASSERT_FALSE(writeFile(file, "new", {}));
   EXPECT_EQ(attribute(file, accessList), list);
   if (hasOwn) {
     EXPECT_EQ(attribute(file, "user.project"), "arc");
@@ -60,7 +60,7 @@ TEST(FileAttributes, OfTheFolderDoNotOpenAFileThatIsThere) {
   ASSERT_EQ(chmod(file.c_str(), 0640), 0);
   if (setxattr(folder.path().c_str(), "system.posix_acl_default", list.data(), list.size(), 0) != 0)
     GTEST_SKIP() << "no access lists on this disk";
-  ASSERT_FALSE(writeFile(file, "new"));
+  ASSERT_FALSE(writeFile(file, "new", {}));
   EXPECT_FALSE(attribute(file, accessList));
   struct stat status = {};
   ASSERT_EQ(stat(file.c_str(), &status), 0);

@@ -26,7 +26,7 @@ TEST(StaleFiles, OfKilledProcessesGoWithTheNextWrite) {
   const TemporaryFolder folder;
   const std::string left = folder.file(std::string(".alidade-") + gone + "-1.tmp", "half");
   age(left, 7200);
-  ASSERT_FALSE(writeFile((folder.path() / "s.alidade").string(), "whole"));
+  ASSERT_FALSE(writeFile((folder.path() / "s.alidade").string(), "whole", {}));
   EXPECT_FALSE(fs::exists(left));
 }
 
