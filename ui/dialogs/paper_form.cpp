@@ -8,6 +8,8 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
+#include "ui/recovery/form_draft.h"
+
 namespace alidade::ui {
 
 PaperForm::PaperForm(const ReportPaper& paper, QWidget* parent) : QWidget(parent), m_size(new QComboBox) {
@@ -47,6 +49,12 @@ void PaperForm::addRow(QLabel* label, QWidget* entry) {
   label->setBuddy(entry);
   grid->addWidget(label, row, 0);
   grid->addWidget(entry, row, 1, 1, 3);
+}
+
+void PaperForm::keepIn(FormDraft& draft) {
+  draft.add(m_size->objectName(), *m_size);
+  for (std::size_t i = 0; i < m_margins.size(); ++i)
+    draft.add(QStringLiteral("margin %1").arg(i), *m_margins[i]);
 }
 
 ReportPaper PaperForm::paper() const {

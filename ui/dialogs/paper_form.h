@@ -11,6 +11,8 @@ class QLabel;
 
 namespace alidade::ui {
 
+class FormDraft;
+
 /// Entries for paper and margins.
 class PaperForm : public QWidget {
   Q_OBJECT
@@ -19,6 +21,8 @@ class PaperForm : public QWidget {
   explicit PaperForm(const ReportPaper& paper, QWidget* parent = nullptr);
 
   ReportPaper paper() const;
+  /// What is chosen is kept as it is, until the form is handed in.
+  void keepIn(FormDraft& draft);
   /// Below the others, in line with them.
   void addRow(QLabel* label, QWidget* entry);
 

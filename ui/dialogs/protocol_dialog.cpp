@@ -14,6 +14,7 @@
 
 #include "core/session/entry.h"
 #include "core/session/row_fields.h"
+#include "ui/recovery/form_draft.h"
 #include "ui/text/entry_text.h"
 
 namespace alidade::ui {
@@ -90,7 +91,24 @@ ProtocolDialog::ProtocolDialog(const SightingProtocol& protocol, CircleUnit unit
   for (QCheckBox* box : {m_zeroFaces, m_zerosAfter})
     connect(box, &QCheckBox::toggled, this, &ProtocolDialog::check);
   connect(m_rounds, &QSpinBox::valueChanged, this, &ProtocolDialog::check);
+  keepDraft();
   check();
+}
+
+/// What an ended program left half typed stands there instead, and is told of.
+void ProtocolDialog::keepDraft() {
+  m_draft = new FormDraft(QStringLiteral("protocol"), {}, this);
+  m_draft->add(QStringLiteral("name"), *m_name);
+  m_draft->add(QStringLiteral("places"), *m_places);
+  m_draft->add(QStringLiteral("turn"), *m_turn);
+  m_draft->add(QStringLiteral("rounds"), *m_rounds);
+  m_draft->add(QStringLiteral("way"), *m_way);
+  m_draft->add(QStringLiteral("faces"), *m_faces);
+  m_draft->add(QStringLiteral("positions"), *m_positions);
+  m_draft->add(QStringLiteral("slider"), *m_slider);
+  m_draft->add(QStringLiteral("zero faces"), *m_zeroFaces);
+  m_draft->add(QStringLiteral("zeros after"), *m_zerosAfter);
+  m_draft->finishWith(*this);
 }
 
 void ProtocolDialog::show(const SightingProtocol& protocol) {
@@ -166,9 +184,11 @@ void ProtocolDialog::check() {
   const std::size_t count = own ? sightingCount(*own) : 0;
   const bool isTooMuch = count > mostSightings;
   m_buttons->button(QDialogButtonBox::Ok)->setEnabled(own && !isTooMuch);
-  m_remark->setText(!own        ? tr("Type the places as angles with blanks between them: 10 20 30.5 40")
-                    : isTooMuch ? tr("%1 sightings are more than a protocol holds.").arg(count)
-                                : tr("%1 sightings").arg(count));
+  const QString lead =
+      m_draft->isRestored() ? tr("As it was typed when the program ended.") + u' ' : QString();
+  m_remark->setText(lead + (!own ? tr("Type the places as angles with blanks between them: 10 20 30.5 40")
+                            : isTooMuch ? tr("%1 sightings are more than a protocol holds.").arg(count)
+                                        : tr("%1 sightings").arg(count)));
 }
 
 }  // namespace alidade::ui

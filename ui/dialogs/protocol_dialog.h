@@ -15,6 +15,8 @@ class QSpinBox;
 
 namespace alidade::ui {
 
+class FormDraft;
+
 /// A protocol in a form: alike in all positions. What is finer goes through a file.
 class ProtocolDialog : public QDialog {
   Q_OBJECT
@@ -28,6 +30,7 @@ class ProtocolDialog : public QDialog {
 
  private:
   void show(const SightingProtocol& protocol);
+  void keepDraft();
   void check();
   std::optional<std::vector<ProtocolPlace>> places() const;
 
@@ -39,6 +42,7 @@ class ProtocolDialog : public QDialog {
   QCheckBox *m_slider, *m_zeroFaces, *m_zerosAfter;
   QLabel* m_remark;
   QDialogButtonBox* m_buttons;
+  FormDraft* m_draft = nullptr;
 };
 
 }  // namespace alidade::ui

@@ -16,6 +16,7 @@
 #include "ui/dialogs/paper_form.h"
 #include "ui/dialogs/plain_label.h"
 #include "ui/language/languages.h"
+#include "ui/recovery/form_draft.h"
 #include "ui/report/report_logo.h"
 #include "ui/settings/theme.h"
 #include "ui/settings/window_font.h"
@@ -54,10 +55,21 @@ ReportDialog::ReportDialog(const ReportQuestion& question, QWidget* parent)
   layout->addWidget(createLacks());
   layout->addLayout(columns, 1);
   layout->addWidget(createButtons());
+  keepDraft();
   // Of its own accord a dialog opens as high as it would be with every sentence on few lines.
   layout->activate();
   const int width = std::max(byFont(640), minimumSizeHint().width());
   resize(width, std::max(sizeHint().height(), layout->totalHeightForWidth(width)));
+}
+
+void ReportDialog::keepDraft() {
+  auto* draft = new FormDraft(QStringLiteral("report"), {}, this);
+  for (const ReportPartInfo& info : allReportParts())
+    if (const auto box = m_parts.find(info.part); box != m_parts.end() && box->second->isEnabled())
+      draft->add(box->second->objectName(), *box->second);
+  draft->add(m_session->objectName(), *m_session);
+  m_paper->keepIn(*draft);
+  draft->finishWith(*this);
 }
 
 /// What it cannot say, before anything can be chosen.

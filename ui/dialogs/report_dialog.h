@@ -43,6 +43,7 @@ class ReportDialog : public QDialog {
   void addLanguage();
   QWidget* createLogo();
   QWidget* createButtons();
+  void keepDraft();
   QWidget* createHistory();
   void setSeriesFolder(const QString& folder);
   void chooseLogo();

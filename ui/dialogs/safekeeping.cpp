@@ -14,6 +14,7 @@
 #include "ui/dialogs/dialogs.h"
 #include "ui/dialogs/file_flow.h"
 #include "ui/document/session_document.h"
+#include "ui/recovery/drafts.h"
 #include "ui/recovery/half_typed_record.h"
 #include "ui/settings/theme.h"
 #include "ui/text/encoded_path.h"
@@ -80,10 +81,28 @@ Safekeeping::Safekeeping(SessionDocument& document, FileFlow& files, Dialogs& di
   m_trouble->setObjectName(QStringLiteral("safekeeping trouble"));
   m_trouble->setTextFormat(Qt::PlainText);
   m_trouble->hide();
-  connect(&m_keeper, &RecoveryKeeper::troubled, this, &Safekeeping::showTrouble);
+  drafts().keepIn(folder);
+  const auto follow = [this](QString Safekeeping::*trouble) {
+    return [this, trouble](const QString& sentence) {
+      this->*trouble = sentence;
+      showTrouble();
+    };
+  };
+  connect(&m_keeper, &RecoveryKeeper::troubled, this, follow(&Safekeeping::m_recordTrouble));
+  connect(&drafts(), &Drafts::troubled, this, follow(&Safekeeping::m_draftsTrouble));
 }
 
-void Safekeeping::showTrouble(const QString& sentence) {
+Safekeeping::~Safekeeping() {
+  drafts().keepIn({});
+}
+
+void Safekeeping::keepNow() {
+  m_keeper.keepNow();
+  drafts().keepNow();
+}
+
+void Safekeeping::showTrouble() {
+  const QString& sentence = m_recordTrouble.isEmpty() ? m_draftsTrouble : m_recordTrouble;
   QPalette colored = m_trouble->parentWidget() ? m_trouble->parentWidget()->palette() : m_trouble->palette();
   colored.setColor(QPalette::WindowText, stateColor(colored, State::Bad));
   m_trouble->setPalette(colored);

@@ -17,19 +17,20 @@ class FileFlow;
 class SessionDocument;
 
 /// Keeps unsaved changes of the session at work in a folder, and offers those that crashed windows left
-/// there.
+/// there. What is typed into forms that no session holds is kept beside them, as long as this lives.
 class Safekeeping : public QObject {
   Q_OBJECT
 
  public:
   Safekeeping(SessionDocument& document, FileFlow& files, Dialogs& dialogs, const QString& folder,
               QObject* parent = nullptr);
+  ~Safekeeping() override;
 
   /// Asks about everything left behind. What differs from its file in nothing is cleared away unasked, and
   /// what is put off stays. Answers with how many were asked about.
   int offer();
   /// The process is about to end: what is unsaved or half typed is kept before this returns.
-  void keepNow() { m_keeper.keepNow(); }
+  void keepNow();
   /// The window is left properly.
   void finish() { m_keeper.finish(); }
   /// Shown as long as unsaved changes cannot be kept, and says why; for the status bar, which owns it.
@@ -49,13 +50,14 @@ class Safekeeping : public QObject {
 
   std::vector<Left> leftBehind();
   bool recover(Left& left);
-  void showTrouble(const QString& sentence);
+  void showTrouble();
 
   SessionDocument& m_document;
   FileFlow& m_files;
   Dialogs& m_dialogs;
   QString m_folder;
   RecoveryKeeper m_keeper;
+  QString m_recordTrouble, m_draftsTrouble;  ///< why it cannot be kept; empty: it can
   QLabel* m_trouble;
 };
 

@@ -26,6 +26,7 @@
 #include "ui/import/import_preview.h"
 #include "ui/import/import_zeros.h"
 #include "ui/jobs/failed_job.h"
+#include "ui/recovery/form_draft.h"
 #include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/visible_text.h"
@@ -52,6 +53,13 @@ Session withoutBlankRows(Session session) {
   return session;
 }
 
+/// By which the same files are known again.
+QString digestsOf(const std::vector<ImportSource>& sources) {
+  QStringList digests;
+  for (const ImportSource& source : sources) digests.append(qText(source.sha256));
+  return digests.join(u' ');
+}
+
 QString counted(std::size_t count, const QString& one, const QString& many) {
   return count == 1 ? one : many.arg(qText(limits::asCount(count)));
 }
@@ -61,6 +69,7 @@ QString counted(std::size_t count, const QString& one, const QString& many) {
 ImportPage::ImportPage(ImportRequest request, QWidget* parent)
     : QDialog(parent),
       m_request(std::move(request)),
+      m_draft(new FormDraft(QStringLiteral("import"), digestsOf(m_request.sources), this)),
       m_hasReadings(hasReadings(*m_request.session)),
       m_choice(proposedChoice(m_request.sources)) {
   setWindowTitle(tr("Import readings"));
@@ -82,6 +91,8 @@ ImportPage::ImportPage(ImportRequest request, QWidget* parent)
   m_files->focusOpenChoice();
   showLayout();
   read();
+  m_draft->add(m_zeroPoint->objectName(), *m_zeroPoint);
+  m_draft->finishWith(*this);
 }
 
 ImportPage::~ImportPage() = default;
@@ -105,7 +116,7 @@ QWidget* ImportPage::createLayoutBox() {
 QWidget* ImportPage::createZeroBox() {
   auto* box = new QGroupBox(tr("Pointing zeros"));
   auto* layout = new QVBoxLayout(box);
-  m_zeros = new ImportZeros;
+  m_zeros = new ImportZeros(*m_draft);
   layout->addWidget(m_zeros);
   auto* named = new QHBoxLayout;
   m_zeroPoint = new QLineEdit;

@@ -18,6 +18,7 @@ class QTableView;
 
 namespace alidade::ui {
 
+class FormDraft;
 class ImportFiles;
 class ImportLayout;
 class ImportPreview;
@@ -80,6 +81,7 @@ class ImportPage : public QDialog {
   bool asksUnit(std::size_t source) const;
 
   ImportRequest m_request;
+  FormDraft* m_draft;
   bool m_hasReadings;  ///< of the session at work
   ImportChoice m_choice;
   std::set<std::string> m_remembered;  ///< signatures

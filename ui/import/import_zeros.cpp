@@ -8,6 +8,7 @@
 
 #include "core/session/entry.h"
 #include "core/session/row_fields.h"
+#include "ui/recovery/form_draft.h"
 #include "ui/settings/theme.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/position_text.h"
@@ -15,7 +16,7 @@
 
 namespace alidade::ui {
 
-ImportZeros::ImportZeros() : m_grid(new QGridLayout(this)) {
+ImportZeros::ImportZeros(FormDraft& draft) : m_draft(draft), m_grid(new QGridLayout(this)) {
   m_grid->setContentsMargins(0, 0, 0, 0);
   m_grid->setColumnStretch(1, 1);
   m_grid->setColumnStretch(2, 1);
@@ -37,6 +38,7 @@ ImportZeros::Row& ImportZeros::rowOf(const QString& name) {
       check();
       emit typed();
     });
+    m_draft.add(line->objectName(), *line);
     return line;
   };
   m_grid->addWidget(label, at, 0);

@@ -13,13 +13,16 @@ class QLineEdit;
 
 namespace alidade::ui {
 
+class FormDraft;
+
 /// The pointing zeros of the positions that an import fills: as the files or the session have them, else to
 /// be typed.
 class ImportZeros : public QWidget {
   Q_OBJECT
 
  public:
-  ImportZeros();
+  /// `draft` keeps what is typed, until the import is done or given up.
+  explicit ImportZeros(FormDraft& draft);
 
   /// Null: nothing can be imported.
   void show(const Import* import);
@@ -44,6 +47,7 @@ class ImportZeros : public QWidget {
   void mark(QLineEdit& edit, const std::string& problem, const QString& name);
   std::string entered(const QLineEdit& edit) const;
 
+  FormDraft& m_draft;
   QGridLayout* m_grid;
   std::map<QString, Row> m_rows;  ///< by the name of the position
   VerticalCircle m_circle = VerticalCircle::Zenith;

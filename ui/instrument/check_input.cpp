@@ -13,6 +13,7 @@
 #include "ui/dialogs/dialogs.h"
 #include "ui/dialogs/in_background.h"
 #include "ui/import/import_source.h"
+#include "ui/instrument/check_rows_draft.h"
 #include "ui/instrument/check_rows_table.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/visible_text.h"
@@ -43,7 +44,7 @@ std::optional<double> statedOf(const QDoubleSpinBox& box) {
 CheckInput::CheckInput(Dialogs& dialogs, QWidget* parent)
     : QWidget(parent), m_dialogs(dialogs), m_tabs(new QTabWidget), m_table(new CheckRowsTable) {
   m_tabs->addTab(createFiles(), tr("&Files"));
-  m_tabs->addTab(m_table, tr("&Rows Typed"));
+  m_tabs->addTab(createRows(), tr("&Rows Typed"));
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(m_tabs, 1);
@@ -53,6 +54,7 @@ CheckInput::CheckInput(Dialogs& dialogs, QWidget* parent)
     connect(box, &QDoubleSpinBox::valueChanged, this, &CheckInput::changed);
   for (QComboBox* box : {m_unit, m_circle})
     connect(box, &QComboBox::currentIndexChanged, this, &CheckInput::changed);
+  if (!m_table->rows().isBlank()) m_tabs->setCurrentIndex(1);
   showButtons();
 }
 
@@ -75,6 +77,21 @@ QWidget* CheckInput::createFiles() {
   connect(m_remove, &QPushButton::clicked, this, &CheckInput::removeFiles);
   connect(m_list, &QListWidget::itemSelectionChanged, this, &CheckInput::showButtons);
   return files;
+}
+
+/// Those that an earlier window kept stand there again.
+QWidget* CheckInput::createRows() {
+  new CheckRowsDraft(*m_table);
+  m_clear = new QPushButton;
+  m_clear->setObjectName(QStringLiteral("clear check rows"));
+  m_clear->setToolTip(tr("Until they are cleared the rows stay, also over the end of the program"));
+  auto* rows = new QWidget;
+  auto* layout = new QHBoxLayout(rows);
+  layout->addWidget(m_table, 1);
+  layout->addWidget(m_clear, 0, Qt::AlignTop);
+  connect(m_clear, &QPushButton::clicked, this, &CheckInput::clearRows);
+  connect(&m_table->rows(), &CheckRowsModel::edited, this, &CheckInput::showButtons);
+  return rows;
 }
 
 QWidget* CheckInput::createForm() {
@@ -133,8 +150,22 @@ void CheckInput::removeFiles() {
   emit changed();
 }
 
+/// Or brings them back.
+void CheckInput::clearRows() {
+  m_table->commitOpenEditor();
+  CheckRowsModel& rows = m_table->rows();
+  const ReadingBlock before = rows.block();
+  rows.restore(m_cleared);
+  m_cleared = before;
+  showButtons();
+}
+
 void CheckInput::showButtons() {
   m_remove->setEnabled(!m_list->selectedItems().isEmpty());
+  const bool isBlank = m_table->rows().isBlank();
+  if (!isBlank) m_cleared.clear();
+  m_clear->setText(isBlank && !m_cleared.isEmpty() ? tr("Bring &Back") : tr("C&lear"));
+  m_clear->setEnabled(!isBlank || !m_cleared.isEmpty());
 }
 
 bool CheckInput::hasFiles() const {

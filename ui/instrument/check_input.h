@@ -2,6 +2,7 @@
 
 #include <QWidget>
 
+#include "ui/commands/reading_block.h"
 #include "ui/jobs/instrument_job.h"
 
 class QComboBox;
@@ -35,9 +36,11 @@ class CheckInput : public QWidget {
 
  private:
   QWidget* createFiles();
+  QWidget* createRows();
   QWidget* createForm();
   void chooseFiles();
   void removeFiles();
+  void clearRows();
   void showButtons();
 
   struct OpenFile {
@@ -49,8 +52,9 @@ class CheckInput : public QWidget {
   std::vector<OpenFile> m_files;
   QTabWidget* m_tabs;
   QListWidget* m_list;
-  QPushButton *m_add, *m_remove;
+  QPushButton *m_add, *m_remove, *m_clear;
   CheckRowsTable* m_table;
+  ReadingBlock m_cleared;  ///< rows taken away last, as long as no other is typed
   QDoubleSpinBox *m_sigmaDirection, *m_sigmaVertical;
   QComboBox *m_unit, *m_circle;
 };

@@ -107,6 +107,20 @@ void CheckRowsModel::clear(const QModelIndexList& cells) {
   emit edited();
 }
 
+ReadingBlock CheckRowsModel::block() const {
+  return ReadingBlock(m_rows.begin(), m_rows.end() - 1);
+}
+
+void CheckRowsModel::restore(const ReadingBlock& block) {
+  beginResetModel();
+  m_rows.clear();
+  for (int row = 0; row < block.size(); ++row)
+    for (int column = 0; column < block[row].size(); ++column) put(row, column, block[row][column]);
+  tidy();
+  endResetModel();
+  emit edited();
+}
+
 int CheckRowsModel::rowCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
 }

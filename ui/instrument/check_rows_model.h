@@ -22,6 +22,8 @@ class CheckRowsModel : public QAbstractTableModel {
   /// What they hold, in turn, and that no row names them.
   static TableLayout layout();
 
+  /// Is nothing typed?
+  bool isBlank() const { return m_rows.size() == 1; }
   /// Is there no row to be evaluated?
   bool isEmpty() const { return countOfUse() == 0; }
   std::string csv() const;  ///< line by line the rows, without one at the end that is still being typed
@@ -30,6 +32,10 @@ class CheckRowsModel : public QAbstractTableModel {
   /// where the names say.
   void paste(const ReadingBlock& block, int row, int column);
   void clear(const QModelIndexList& cells);  ///< rows that are empty then go
+
+  ReadingBlock block() const;  ///< all rows but the empty one at the end
+  /// All rows as `block` had them.
+  void restore(const ReadingBlock& block);
 
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;

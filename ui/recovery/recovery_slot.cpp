@@ -10,10 +10,14 @@ namespace alidade::ui {
 
 namespace {
 
-const QString suffix = QStringLiteral(".unsaved"), lockSuffix = QStringLiteral(".lock");
+const QString lockSuffix = QStringLiteral(".lock");
+
+QString suffixOf(RecoverySlot::Kind kind) {
+  return kind == RecoverySlot::Kind::Session ? QStringLiteral(".unsaved") : QStringLiteral(".drafts");
+}
 
 /// Locks of windows that were killed while they had nothing to keep.
-void clearStaleLocks(const QDir& folder) {
+void clearStaleLocks(const QDir& folder, const QString& suffix) {
   for (const QString& name : folder.entryList({u'*' + suffix + lockSuffix}, QDir::Files)) {
     const QString path = folder.filePath(name);
     if (QFile::exists(path.chopped(lockSuffix.size()))) continue;
@@ -30,20 +34,21 @@ RecoverySlot::RecoverySlot(const QString& path) : m_path(path), m_lock(path + lo
   m_lock.setStaleLockTime(0);
 }
 
-std::unique_ptr<RecoverySlot> RecoverySlot::create(const QString& folder) {
+std::unique_ptr<RecoverySlot> RecoverySlot::create(const QString& folder, Kind kind) {
   makePrivateFolder(folder);
   const QDir dir(folder);
-  clearStaleLocks(dir);
+  const QString suffix = suffixOf(kind);
+  clearStaleLocks(dir, suffix);
   const QString name = QUuid::createUuid().toString(QUuid::WithoutBraces) + suffix;
   auto slot = std::unique_ptr<RecoverySlot>(new RecoverySlot(dir.filePath(name)));
   slot->m_lock.tryLock(0);
   return slot;
 }
 
-std::vector<std::unique_ptr<RecoverySlot>> RecoverySlot::leftBehind(const QString& folder) {
+std::vector<std::unique_ptr<RecoverySlot>> RecoverySlot::leftBehind(const QString& folder, Kind kind) {
   const QDir dir(folder);
   std::vector<std::unique_ptr<RecoverySlot>> found;
-  for (const QString& name : dir.entryList({u'*' + suffix}, QDir::Files, QDir::Name)) {
+  for (const QString& name : dir.entryList({u'*' + suffixOf(kind)}, QDir::Files, QDir::Name)) {
     auto slot = std::unique_ptr<RecoverySlot>(new RecoverySlot(dir.filePath(name)));
     if (slot->m_lock.tryLock(0) && QFile::exists(slot->m_path)) found.push_back(std::move(slot));
   }

@@ -12,10 +12,17 @@ namespace alidade::ui {
 /// start finds the record.
 class RecoverySlot {
  public:
+  enum class Kind {
+    Session,  ///< a record of unsaved changes
+    Drafts,   ///< what is typed into forms that no session holds
+  };
+
   /// A fresh one. The folder is made where it is missing, and private.
-  static std::unique_ptr<RecoverySlot> create(const QString& folder);
-  /// Those with a record that no living window holds, now held by the caller. In the order of their names.
-  static std::vector<std::unique_ptr<RecoverySlot>> leftBehind(const QString& folder);
+  static std::unique_ptr<RecoverySlot> create(const QString& folder, Kind kind = Kind::Session);
+  /// Those of the kind with a record that no living window holds, now held by the caller. In the order of
+  /// their names.
+  static std::vector<std::unique_ptr<RecoverySlot>> leftBehind(const QString& folder,
+                                                               Kind kind = Kind::Session);
 
   QString path() const { return m_path; }  ///< of the record
   QString typedPath() const;               ///< of what is half typed
