@@ -75,6 +75,10 @@ Value valueOf(const Block& block) {
   return value;
 }
 
+bool isCircleValue(const Value& value) {
+  return value.type == "Hz" || (value.type.size() == 2 && value.type[0] == 'V');
+}
+
 /// Goes through a file line by line.
 class M5Reader {
  public:
@@ -105,7 +109,7 @@ class M5Reader {
     std::vector<Value> values;
     for (std::size_t i = 2; i < std::min<std::size_t>(blocks.size(), 5); ++i)
       values.push_back(valueOf(blocks[i]));
-    if (blocks.size() > 5 && trimmed(blocks[5].text) == "e")
+    if (blocks.size() > 5 && trimmed(blocks[5].text) == "e" && std::ranges::any_of(values, isCircleValue))
       return m_book.refuse(line.number, blocks[5].column,
                            Phrase::of("is marked with e, an error of the instrument: measure it again"));
     if (blocks[1].text.starts_with("PI")) {
@@ -172,8 +176,7 @@ class M5Reader {
     takePoint(block, sighting);
     bool isSighting = false;
     for (const Value& value : values) {
-      const bool isVertical = value.type.size() == 2 && value.type[0] == 'V';
-      if (value.type == "Hz" || isVertical) {
+      if (isCircleValue(value)) {
         isSighting = true;
         if (!takeAngle(value, line, sighting)) return;
       }
