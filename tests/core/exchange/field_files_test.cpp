@@ -98,7 +98,7 @@ TEST(FieldFiles, TellOfAHeading) {
 
 TEST(FieldFiles, PassOverWhatTransmissionsAdd) {
   const ReadFile read = readFile("gsi-transmission.gsi");
-  EXPECT_THAT(read.rows, ElementsAre("1 69.444393750° 88.987500000°", "2 70.000000000° 89.000000000°"));
+  EXPECT_THAT(read.rows, ElementsAre("1 69.444393750° 88.987500000°", "2 69.999997500° 88.999998750°"));
   EXPECT_THAT(read.remarks, Contains(HasSubstr("the text “4F”, no GSI word")));
 }
 
@@ -127,7 +127,7 @@ TEST(FieldFiles, TellStations) {
 TEST(FieldFiles, TellOfABacksightToPointZero) {
   const ReadFile read = readFile("m5-backsight-0.m5");
   EXPECT_THAT(read.rows, ElementsAre("1 107.1250gon 98.4730gon"));
-  EXPECT_EQ(read.session.positions.at(0).pointingZero.horizontal, "101.1250gon");
+  EXPECT_EQ(read.session.positions.at(0).zero.horizontal, "101.1250gon");
   EXPECT_THAT(read.remarks, Contains(HasSubstr("taken as the pointing zero: 1, first in line 2")));
 }
 

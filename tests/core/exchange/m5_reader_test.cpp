@@ -120,21 +120,20 @@ TEST(M5Reader, FollowsTheHeadingAndTheMarks) {
 TEST(M5Reader, CarriesSixtySecondsAndMinutes) {
   const Recording recording =
       readM5(sighting("1", "107.1260", "88.4730", "DMS") + sighting("2", "108.0120", "88.5960", "DMS") +
-             sighting("3", "359.5960", "89.1260.5", "DMS") + sighting("4", "359.5960", "89.60125", "DMS") +
+             sighting("3", "359.5960", "89.1250", "DMS") + sighting("4", "359.5960", "89.60125", "DMS") +
              sighting("5", "360.0000", "88.1361", "DMS") + sighting("6", "400.0000", "360", "gon"));
-  ASSERT_EQ(recording.sightings.size(), 5u);
+  EXPECT_THAT(recording.problems, IsEmpty());
+  ASSERT_EQ(recording.sightings.size(), 6u);
   EXPECT_EQ(recording.sightings[0].row.horizontal, "107 13 00");
   EXPECT_EQ(recording.sightings[0].row.vertical, "88 47 30");
   EXPECT_EQ(recording.sightings[1].row.vertical, "89 00 00");
   EXPECT_EQ(recording.sightings[2].row.horizontal, "0 00 00");
-  EXPECT_EQ(recording.sightings[2].row.vertical, "90 00 12.5");
-  EXPECT_EQ(recording.sightings[3].row.horizontal, "0 00 00");
-  EXPECT_FALSE(parseAngle(recording.sightings[3].row.vertical)) << "61 seconds are none";
-  EXPECT_EQ(recording.sightings[4].row.horizontal, "0.0000gon");
-  EXPECT_EQ(recording.sightings[4].row.vertical, "360gon") << "three quarters of the way in gon";
-  ASSERT_EQ(recording.problems.size(), 1u) << "two points are no number";
-  EXPECT_EQ(recording.problems[0].line, 3u);
-  EXPECT_THAT(recording.unused, Contains(HasSubstr("next minute or degree: 4, first in line 1")));
+  EXPECT_EQ(recording.sightings[3].row.vertical, "90 00 12.5");
+  EXPECT_EQ(recording.sightings[4].row.horizontal, "0 00 00") << "a full turn";
+  EXPECT_FALSE(parseAngle(recording.sightings[4].row.vertical)) << "61 seconds are none";
+  EXPECT_EQ(recording.sightings[5].row.horizontal, "0.0000gon");
+  EXPECT_EQ(recording.sightings[5].row.vertical, "360gon") << "no full turn in gon";
+  EXPECT_THAT(recording.unused, Contains(HasSubstr("next minute or degree: 5, first in line 1")));
 }
 
 TEST(M5Reader, TellsStationsByTheirPrograms) {

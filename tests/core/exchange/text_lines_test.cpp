@@ -45,7 +45,7 @@ TEST(Utf8Text, ReadsWhatSpreadsheetsWrite) {
 }
 
 TEST(TextLines, EndAtTheEndOfADosFile) {
-  TextLines lines("a\nb\x1Ac\nd");
+  TextLines lines("a\nb\x1Az\nd");
   EXPECT_EQ(lines.next()->text, "a");
   EXPECT_EQ(lines.next()->text, "b");
   EXPECT_FALSE(lines.next());
