@@ -118,14 +118,17 @@ std::optional<GsiPoint> gsiPoint(const GsiWord& word) {
 
 std::variant<ExactAngle, LineProblem> gsiExactAngle(const GsiWord& word, std::size_t line,
                                                     std::optional<GsiPoint> point) {
-  constexpr std::size_t minutesAndSeconds = 4, mostDigits = 15;
+  constexpr std::size_t minutesAndSeconds = 4, mostDigits = 15, narrow = 8;
   const auto refuse = [&](const std::string& why) {
     return LineProblem{line, word.column, gsiWordName(word.index) + " " + quotation(word.data) + " " + why};
   };
-  if (!word.isWhole)
-    return refuse(
-        Phrase::of("has neither 8 nor 16 characters: transfer the file anew, or mend or delete the line"));
   const bool isWritten = hasPoint(word.data);
+  if (!word.isWhole && !isWritten)
+    return refuse(
+        characterCount(word.data) == narrow
+            ? Phrase::of("has 8 characters, and a block that starts with * has 16: transfer the file anew")
+            : Phrase::of(
+                  "has neither 8 nor 16 characters: transfer the file anew, or mend or delete the line"));
   const auto number = numberOf(word.data, word.unit == '5' ? behindMil : behindDegrees);
   if (!number) return refuse(Phrase::of("is not made of digits: transfer the file anew"));
   const std::size_t decimals = number->decimals.size();

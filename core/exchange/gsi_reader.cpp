@@ -119,8 +119,13 @@ class GsiReader {
 
   void noteWidths(const std::vector<GsiWord>& words, std::size_t line) {
     for (const GsiWord& word : words)
-      if (!word.isWhole && word.index != horizontalIndex && word.index != verticalIndex)
-        m_book.note(oddWidths, line);
+      if (!word.isWhole && isText(word.index)) m_book.note(oddWidths, line);
+  }
+
+  /// Point, instrument, station, date, code and remark, which are taken as they stand.
+  static bool isText(int index) {
+    return (index >= pointIndex && index <= dateIndex) || index == codeIndex || index == codeNumberIndex ||
+           (index >= 71 && index <= 79);
   }
 
   /// Coordinates of a station, or the height of the instrument.
@@ -233,8 +238,9 @@ class GsiReader {
 
   /// The slope distance where both are there.
   void takeDistance(const GsiWord& word, std::size_t line, RecordedSighting& sighting) {
+    if (!word.isWhole) return m_book.setAside(gsiWordName(word.index), line);
     m_book.setBeside(gsiWordName(word.index), line);
-    const auto metres = word.isWhole ? gsiMetres(word) : std::nullopt;
+    const auto metres = gsiMetres(word);
     const bool isSlope = word.index == slopeIndex;
     if (!metres || !(*metres > 0) || (!isSlope && sighting.distanceM > 0)) return;
     sighting.distanceM = *metres;

@@ -76,32 +76,62 @@ bool isWidth(const Widths& widths, std::string_view data, bool isMarked) {
   return is(longData) || (!isMarked && is(shortData));
 }
 
+/// A check sum such as *5A that ends a line.
+bool isCheckSum(std::string_view text) {
+  constexpr std::size_t shortest = 3, longest = 5;
+  while (!text.empty() && isGsiBlank(text.back())) text.remove_suffix(1);
+  return text.size() >= shortest && text.size() <= longest && text[0] == '*' &&
+         text.find_first_not_of("0123456789ABCDEFabcdef", 1) == std::string_view::npos;
+}
+
+/// A comma or semicolon that some programs write between words and behind the last.
+bool isSeparator(std::string_view text) {
+  if (text.empty() || (text[0] != ',' && text[0] != ';')) return false;
+  text.remove_prefix(1);
+  text.remove_prefix(blanksAt(text));
+  return text.empty() || beginsWord(text);
+}
+
+/// May a word of the right width end here?
+bool mayEndWord(std::string_view text, std::size_t at) {
+  const std::string_view rest = text.substr(at);
+  if (rest.empty() || isGsiBlank(rest[0])) return true;
+  const bool isFull = at > 0 && !isGsiBlank(text[at - 1]);
+  return isFull && (beginsWord(rest) || isSeparator(rest) || isCheckSum(rest));
+}
+
 /// Where the data of a word ends, in bytes.
 struct DataEnd {
   std::size_t at = 0;
   bool isWhole = false;
 };
 
-/// Best at a width of the format with a word or nothing behind, else at such a width, else before the next
-/// word.
+/// At the first blank before a word or the end.
+std::size_t endBeforeWord(std::string_view text) {
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const bool isFirstBlank = isGsiBlank(text[at]) && (at == 0 || !isGsiBlank(text[at - 1]));
+    if (isFirstBlank && isBeforeWord(text.substr(at))) return at;
+  }
+  return text.size();
+}
+
+/// Best at a width of the format with a word or nothing behind, else at such a width; another word ends it in
+/// any case.
 DataEnd dataEnd(std::string_view text, bool isMarked) {
+  constexpr std::size_t widest = longData + 1;
   Widths widths;
-  std::optional<std::size_t> whole, torn;
-  for (std::size_t at = 0;; at = widths.bytes) {
-    if (at == text.size() || isGsiBlank(text[at])) {
-      const bool isFirstBlank = at == 0 || !isGsiBlank(text[at - 1]);
-      const bool hasWidth = isWidth(widths, text.substr(0, at), isMarked);
-      if ((hasWidth || isFirstBlank) && isBeforeWord(text.substr(at))) {
-        if (hasWidth) return {at, true};
-        if (!torn) torn = at;
-      }
-      if (hasWidth && !whole) whole = at;
-      if (at == text.size() || (torn && widths.characters > 2 * longData)) break;
+  std::optional<std::size_t> whole;
+  for (std::size_t at = 0; widths.characters <= widest; at = widths.bytes) {
+    const bool isBlank = at < text.size() && isGsiBlank(text[at]);
+    if (isWidth(widths, text.substr(0, at), isMarked) && mayEndWord(text, at)) {
+      if (!isBlank || isBeforeWord(text.substr(at))) return {at, true};
+      if (!whole) whole = at;
     }
+    if (at == text.size() || (isBlank && beginsWord(text.substr(at + 1)))) break;
     widths.add(firstCharacter(text.substr(at)));
   }
   if (whole) return {*whole, true};
-  return {torn.value_or(text.size()), false};
+  return {endBeforeWord(text), false};
 }
 
 /// The first two digits, or three where the third is of the index: 331, but 110001 and 21.102.
@@ -184,17 +214,18 @@ GsiWord GsiBlocks::takeWord() {
                      .isWhole = end.isWhole,
                      .isNumbered = std::all_of(m_rest.begin() + 2, m_rest.begin() + 6, isDigit)};
   skip(dataAt + end.at);
+  skip(isSeparator(m_rest) ? 1 : 0);
   skipBlanks();
   return word;
 }
 
 GsiWord GsiBlocks::takeTorn() {
-  const DataEnd end = dataEnd(m_rest, true);
-  std::string_view text = m_rest.substr(0, end.at);
+  const std::size_t end = endBeforeWord(m_rest);
+  std::string_view text = m_rest.substr(0, end);
   GsiWord word{.data = text, .column = m_column, .isWhole = false};
   if (text.starts_with('*')) text.remove_prefix(1);
   if (isNearlyWord(text)) word.index = (text[0] - '0') * 10 + (text[1] - '0');
-  skip(end.at);
+  skip(end);
   skipBlanks();
   return word;
 }

@@ -62,11 +62,18 @@ bool isPointOrText(const Block& block) {
   return block.text.starts_with("PI") || block.text.starts_with("TI") || block.text.starts_with("TO");
 }
 
+/// Some programs write Hz and V1 in other capitals.
+std::string typeOf(std::string_view written) {
+  const std::string large = upperCase(std::string(written));
+  if (large == "HZ") return "Hz";
+  return large == "V1" || large == "V3" ? large : std::string(written);
+}
+
 /// Instruments number by types what they are, and name by others what they measured.
 Value valueOf(const Block& block) {
   const std::vector<Block> words = wordsIn(block);
   if (words.empty()) return {.type = {}, .number = {}, .unit = {}, .column = block.column};
-  Value value{.type = std::string(words[0].text), .number = {}, .unit = {}, .column = block.column};
+  Value value{.type = typeOf(words[0].text), .number = {}, .unit = {}, .column = block.column};
   if (words.size() < 2) return value;
   value.column = words[1].column;
   const std::size_t last = words.size() > 2 ? words.size() - 1 : words.size();

@@ -55,10 +55,15 @@ std::string Recognised::signature() const {
 
 namespace {
 
-/// Behind a heading, where a number in a table may begin as a word does.
+/// A number in a table may begin as a word does; a line of a listing may have something before its words.
 bool isSoundGsi(std::string_view line) {
+  constexpr int horizontal = 21, vertical = 22;
   const auto block = GsiBlocks({.number = 0, .text = line}).next();
-  return block && !block->words.empty() && block->words.front().isWhole;
+  if (!block || block->words.empty()) return false;
+  const auto isCircle = [](const GsiWord& word) {
+    return word.isWhole && (word.index == horizontal || word.index == vertical);
+  };
+  return block->torn.empty() ? block->words.front().isWhole : std::ranges::any_of(block->words, isCircle);
 }
 
 /// As an instrument's file, where the line begins one; `text` is the file's beginning.
@@ -69,7 +74,7 @@ std::optional<Recognised> recogniseInstrument(std::string_view line, std::string
   if (looksLikeM5(line))
     return ofInstrument(FileFormat::M5, "Trimble M5", Phrase::of("its lines begin with For M5"),
                         readM5(text));
-  if (looksLikeGsi(line))
+  if (looksLikeGsi(line) || isSoundGsi(line))
     return ofInstrument(FileFormat::Gsi, "Leica GSI",
                         Phrase::of("its lines are made of words such as 21.102+17920860"), readGsi(text));
   return std::nullopt;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/phrase.h"
+#include "core/base/typed_text.h"
 #include "core/base/utf8.h"
 #include "core/base/visible_text.h"
 #include "core/exchange/exact_angle.h"
@@ -51,6 +52,29 @@ bool areAllDigits(std::string_view text) {
   return text.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
+/// The ways in which programs count the columns of characters beyond ASCII.
+enum class Counted { Characters, Cells, Bytes };
+
+std::size_t columnsBeyondOne(const Utf8Character& character, Counted counted) {
+  constexpr char32_t firstOfEastAsia = 0x2E80;
+  if (counted == Counted::Bytes) return character.length - 1;
+  return counted == Counted::Cells && character.code >= firstOfEastAsia ? 1 : 0;
+}
+
+/// The line with one character for each column: blanks behind a word make up for its wide characters.
+std::string aligned(std::string_view line, Counted counted) {
+  std::string text;
+  std::size_t behind = 0;
+  while (!line.empty()) {
+    const Utf8Character character = firstCharacter(line);
+    if (line[0] == ' ') text.append(std::exchange(behind, 0), ' ');
+    behind += columnsBeyondOne(character, counted);
+    text += line.substr(0, character.length);
+    line.remove_prefix(character.length);
+  }
+  return text;
+}
+
 /// What stands there, without blanks around; lines may be cut behind their last sign.
 std::string fieldOf(std::string_view line, Columns columns) {
   const auto skip = [](std::string_view& rest, std::size_t count) {
@@ -62,6 +86,12 @@ std::string fieldOf(std::string_view line, Columns columns) {
   };
   skip(line, columns.first - 1);
   return trimmed(skip(line, columns.last - columns.first + 1));
+}
+
+/// Does a number stand there that does not begin before?
+bool isNumberAt(std::string_view line, Columns at) {
+  const std::string before = fieldOf(line, {at.first - 1, at.first - 1}), number = fieldOf(line, at);
+  return (before.empty() || !isDigit(before[0])) && exactAngle(number, "deg");
 }
 
 /// Goes through a file record by record.
@@ -112,6 +142,15 @@ class SdrReader {
     if (type == "09") return readObservation(line, from);
     if (type == "13") return from == "TS" ? void() : readNote(line);  // the time
     readUnused(line, type, from);
+  }
+
+  /// As the numbers behind the names show; as it is where they do not.
+  static std::string inColumns(std::string_view line, const SightingColumns& at) {
+    for (const Counted counted : {Counted::Characters, Counted::Cells, Counted::Bytes}) {
+      std::string text = aligned(line, counted);
+      if (isNumberAt(text, at.vertical) && isNumberAt(text, at.horizontal)) return text;
+    }
+    return std::string(line);
   }
 
   /// Of SDR33, unless the heading says otherwise and the line is too short for it.
@@ -178,7 +217,7 @@ class SdrReader {
     if (circle == "1" || circle == "2") m_isElevation = circle == "2";
   }
 
-  void readObservation(const TextLine& line, std::string_view from) {
+  void readObservation(TextLine line, std::string_view from) {
     if (from == "MC") {
       if (m_firstMean == 0) m_firstMean = line.number;
       return m_book.setAside(Phrase::of("a corrected mean, no reading of circles (09MC)"), line.number);
@@ -186,6 +225,9 @@ class SdrReader {
     if (!isRaw(from))
       return m_book.setAside(Phrase::of("an observation that is not raw (09%1)", from), line.number);
     const SightingColumns at = columns(line);
+    const bool isAscii = std::ranges::none_of(line.text, [](char c) { return (c & 0x80) != 0; });
+    const std::string text = isAscii ? std::string() : inColumns(line.text, at);
+    if (!isAscii) line.text = text;
     RecordedSighting sighting;
     sighting.line = line.number;
     sighting.enter(rowField(&Reading::point), fieldOf(line.text, at.point),

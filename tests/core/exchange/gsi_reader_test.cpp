@@ -122,7 +122,7 @@ std::vector<std::string> verticalsOf(const Recording& recording) {
 TEST(GsiReader, TellsOfWordsAndLinesThatNobodyNeeds) {
   const Recording recording =
       readGsi("Job ARC7, 22.05.2026\n110001+00000001" + point +
-              " 86..+00300000 87..10+0015 4F\n"
+              " 86..+00300000 87..10+0015 71....+WIND 4F\n"
               "*110002+000000000000000P 84.+0000 21.322+0000000001250000 331.28+0000000000012345 "
               "22.322+0000000009820000\n-- page 2 --\n21 March\n");
   EXPECT_THAT(recording.problems, IsEmpty());
@@ -223,6 +223,20 @@ TEST(GsiReader, ReadsAWrittenDecimalSign) {
   EXPECT_THAT(horizontals, ElementsAre("0°00'23.40\"", "107°12'23.4\"", "119.12345gon", "90.000000000°"));
   EXPECT_THAT(verticalsOf(recording),
               ElementsAre("88°47'31.50\"", "88°48'00.0\"", "88.79167°", "88°16'49.5\""));
+}
+
+TEST(GsiReader, ReadsWhatProgramsMakeOfBlocks) {
+  const std::string first = "110001+00000001", hz = "21.102+11912345", v = "22.102+09823456";
+  for (const std::string& text : {first + "," + hz + "," + v, first + hz + v, first + "\t" + hz + "\t\t" + v,
+                                  "12: " + first + " " + hz + " " + v, first + " " + hz + " " + v + "*5A",
+                                  first + " " + hz + " " + v + " 1234", first + ";" + hz + ";" + v + ";"}) {
+    const Recording recording = readGsi(text);
+    EXPECT_THAT(recording.problems, IsEmpty()) << text;
+    ASSERT_EQ(recording.sightings.size(), 1u) << text;
+    EXPECT_EQ(recording.sightings[0].row.horizontal, "119.12345gon");
+    EXPECT_EQ(recording.sightings[0].row.vertical, "98.23456gon");
+    EXPECT_EQ(recording.sightings[0].row.point, "1");
+  }
 }
 
 TEST(GsiReader, StopsAtTheEndOfADosFile) {

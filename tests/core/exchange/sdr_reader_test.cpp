@@ -159,6 +159,22 @@ TEST(SdrReader, TellsOfRecordsThatNobodyNeeds) {
     EXPECT_THAT(recording.unused, Contains(HasSubstr(told)));
 }
 
+// Columns of names beyond ASCII: characters of Latin-1, bytes of GB 18030 (two for a character), bytes of
+// UTF-8.
+TEST(SdrReader, FindsTheColumnsBehindNamesOfAnyEncoding) {
+  const std::string before = heading("SDR33", "111111") + "09F1" + filled("K1", 16),
+                    behind =
+                        filled("", 16) + filled("90.12345678", 16) + filled("332.5", 16) + filled("Höhe", 18);
+  for (const std::string& name : {"BÖDEN" + std::string(11, ' '), "点位1" + std::string(11, ' '),
+                                  "BÖDEN" + std::string(10, ' '), "点位1" + std::string(9, ' ')}) {
+    const Recording recording = readSdr(before + name + behind + "\n");
+    ASSERT_EQ(recording.sightings.size(), 1u) << name;
+    EXPECT_EQ(recording.sightings[0].row.vertical, "90.12345678°") << name;
+    EXPECT_EQ(recording.sightings[0].row.horizontal, "332.5°");
+    EXPECT_EQ(recording.sightings[0].row.point, name.substr(0, name.find(' ')));
+  }
+}
+
 TEST(SdrReader, AsksForRawObservations) {
   const Recording recording =
       readSdr(heading("SDR33", "111111") + record("09MC", {"S", "9", "1", "90.0", "332.5"}));
