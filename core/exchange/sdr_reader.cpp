@@ -53,12 +53,12 @@ bool areAllDigits(std::string_view text) {
 }
 
 /// The ways in which programs count the columns of characters beyond ASCII.
-enum class Counted { Characters, Cells, Bytes };
+enum class Counted { Characters, WideAsTwo, Bytes };
 
 std::size_t columnsBeyondOne(const Utf8Character& character, Counted counted) {
   constexpr char32_t firstOfEastAsia = 0x2E80;
   if (counted == Counted::Bytes) return character.length - 1;
-  return counted == Counted::Cells && character.code >= firstOfEastAsia ? 1 : 0;
+  return counted == Counted::WideAsTwo && character.code >= firstOfEastAsia ? 1 : 0;
 }
 
 /// The line with one character for each column: blanks behind a word make up for its wide characters.
@@ -146,7 +146,7 @@ class SdrReader {
 
   /// As the numbers behind the names show; as it is where they do not.
   static std::string inColumns(std::string_view line, const SightingColumns& at) {
-    for (const Counted counted : {Counted::Characters, Counted::Cells, Counted::Bytes}) {
+    for (const Counted counted : {Counted::Characters, Counted::WideAsTwo, Counted::Bytes}) {
       std::string text = aligned(line, counted);
       if (isNumberAt(text, at.vertical) && isNumberAt(text, at.horizontal)) return text;
     }
