@@ -84,18 +84,15 @@ std::optional<ExactAngle> inUnit(const std::string& plain, const std::string& un
 }  // namespace
 
 bool SexagesimalParts::carry() {
-  constexpr unsigned long long whole = 60;
-  const bool isMinute = seconds == whole;
-  if (isMinute) {
-    seconds = 0;
-    ++minutes;
-  }
-  const bool isDegree = minutes == whole;
-  if (isDegree) {
-    minutes = 0;
-    ++degrees;
-  }
-  return isMinute || isDegree;
+  const auto carryInto = [](unsigned long long& part, unsigned long long& next) {
+    constexpr unsigned long long whole = 60;
+    if (part != whole) return false;
+    part = 0;
+    ++next;
+    return true;
+  };
+  const bool isDegree = carryInto(minutes, degrees), isMinute = carryInto(seconds, minutes);
+  return carryInto(minutes, degrees) || isMinute || isDegree;
 }
 
 void SexagesimalParts::wrapFullTurn() {

@@ -86,7 +86,8 @@ class GsiReader {
   static std::optional<LineProblem> tornProblem(const GsiBlock& block, std::size_t line) {
     const bool isSighting = wordOf(block.words, horizontalIndex) || wordOf(block.words, verticalIndex);
     for (const GsiWord& word : block.torn) {
-      const bool isCircle = word.index == horizontalIndex || word.index == verticalIndex;
+      const bool isCircle = word.index == horizontalIndex || word.index == verticalIndex ||
+                            (wordOf(block.words, pointIndex) && isCutCircle(word.data));
       if (isCircle || (isSighting && word.index == pointIndex) || isTornMark(word))
         return LineProblem{
             line, word.column,
@@ -95,6 +96,13 @@ class GsiReader {
                        quotation(word.data))};
     }
     return std::nullopt;
+  }
+
+  /// The beginning of a word of a circle, where a file was cut: "21.3".
+  static bool isCutCircle(std::string_view text) {
+    constexpr std::size_t ofWord = 7;
+    return text.size() < ofWord && (text.starts_with("21.") || text.starts_with("22.")) &&
+           text.find_first_not_of("0123456789.+-") == std::string_view::npos;
   }
 
   /// A code that would say how the axis stood, or the like.

@@ -115,10 +115,19 @@ std::size_t endBeforeWord(std::string_view text) {
   return text.size();
 }
 
+/// Nearly all words: as many characters of ASCII without a blank as the format has.
+bool isPlainWord(std::string_view text, std::size_t width) {
+  if (text.size() < width || (text.size() > width && text[width] != ' ')) return false;
+  return std::all_of(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(width),
+                     [](char c) { return c > ' ' && c <= '~'; });
+}
+
 /// Best at a width of the format with a word or nothing behind, else at such a width; another word ends it in
 /// any case.
 DataEnd dataEnd(std::string_view text, bool isMarked) {
   constexpr std::size_t widest = longData + 1;
+  const std::size_t width = isMarked ? longData : shortData;
+  if (isPlainWord(text, width) && isBeforeWord(text.substr(width))) return {width, true};
   Widths widths;
   std::optional<std::size_t> whole;
   for (std::size_t at = 0; widths.characters <= widest; at = widths.bytes) {

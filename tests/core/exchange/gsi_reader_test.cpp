@@ -146,6 +146,7 @@ TEST(GsiReader, RefusesALineWhereWhatIsNeededIsTorn) {
               HasSubstr("column 33: “22..+08816490”"));
   EXPECT_THAT(problem("110001+00000001 21.320+34152240 22.324+08816490"), HasSubstr("no unit of an angle"));
   EXPECT_THAT(problem("11001+00000001" + point), HasSubstr("“11001+00000001” is no GSI word"));
+  EXPECT_THAT(problem("110001+00000001 21.3"), HasSubstr("“21.3” is no GSI word")) << "a line that was cut";
   EXPECT_THAT(problem("41...+00000180"), HasSubstr("“41...+00000180” is no GSI word")) << "an axis";
   EXPECT_THAT(problem("110001+00000001" + point + " 21.324+34152240"), HasSubstr("second reading"));
   EXPECT_THAT(problem("110001+00000001 21.324+3415-240 22.324+08816490"), HasSubstr("not made of digits"));
@@ -154,13 +155,16 @@ TEST(GsiReader, RefusesALineWhereWhatIsNeededIsTorn) {
 TEST(GsiReader, CarriesSixtySecondsAndTellsHowMany) {
   const Recording recording = readGsi(
       "110001+00000001 21.324+10712600 22.324+08847300\n110002+00000002 21.324+35959600 "
-      "22.324+08859600\n110003+00000003 21.324+10860000 22.324+08861000\n");
-  ASSERT_EQ(recording.sightings.size(), 3u);
+      "22.324+08859600\n110003+00000003 21.324+10860000 22.324+08861000\n"
+      "110004+00000004 21.324+10760600 22.324+08800000\n");
+  ASSERT_EQ(recording.sightings.size(), 4u);
+  EXPECT_EQ(recording.sightings[3].row.horizontal, "108°01'00.0\"");
   EXPECT_EQ(recording.sightings[0].row.horizontal, "107°13'00.0\"");
   EXPECT_EQ(recording.sightings[1].row.horizontal, "0°00'00.0\"");
   EXPECT_EQ(recording.sightings[2].row.horizontal, "109°00'00.0\"");
-  EXPECT_THAT(verticalsOf(recording), ElementsAre("88°47'30.0\"", "89°00'00.0\"", "88°61'00.0\""));
-  EXPECT_THAT(recording.unused, ElementsAre(HasSubstr("next minute or degree: 4, first in line 1")));
+  EXPECT_THAT(verticalsOf(recording),
+              ElementsAre("88°47'30.0\"", "89°00'00.0\"", "88°61'00.0\"", "88°00'00.0\""));
+  EXPECT_THAT(recording.unused, ElementsAre(HasSubstr("next minute or degree: 5, first in line 1")));
 }
 
 TEST(GsiReader, ReadsEveryBlockOfALine) {
