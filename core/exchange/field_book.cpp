@@ -66,6 +66,19 @@ void FieldBook::setAside(const std::string& what, std::size_t line) {
   count(m_unused, what, line);
 }
 
+void FieldBook::setAsideLine(std::string_view text, std::size_t line) {
+  const bool isQuoted = ++m_quotedLines <= mostQuoted;
+  setAside(isQuoted ? Phrase::of("the line %1", quotation(text)) : Phrase::of("a further line of no format"),
+           line);
+}
+
+void FieldBook::setAsidePart(std::string_view text, std::size_t line) {
+  const bool isQuoted = ++m_quotedParts <= mostQuoted;
+  setAside(isQuoted ? Phrase::of("the text %1, no GSI word,", quotation(text))
+                    : Phrase::of("a further text that is no GSI word"),
+           line);
+}
+
 void FieldBook::beginStation(const std::string& name, std::size_t line) {
   setBeside(Phrase::of("the station %1", quotation(name)), line);
   m_station = m_recording.stationNamed(name);

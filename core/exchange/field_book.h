@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <map>
 #include <string>
+#include <string_view>
 
 #include "core/exchange/exact_angle.h"
 #include "core/exchange/field_mark.h"
@@ -30,6 +31,10 @@ class FieldBook {
   void refuse(std::size_t line, std::size_t column, const std::string& what);
   /// A session has no place for it; told once for each kind.
   void setAside(const std::string& what, std::size_t line);
+  /// A line that is none of the format. The first few are quoted; the others are counted.
+  void setAsideLine(std::string_view text, std::size_t line);
+  /// Likewise a part of a line.
+  void setAsidePart(std::string_view text, std::size_t line);
   /// Likewise, though the check of an instrument has one.
   void setBeside(const std::string& what, std::size_t line) { count(m_beside, what, line); }
   /// What follows was sighted from there.
@@ -54,7 +59,10 @@ class FieldBook {
   static void count(Uses& uses, const std::string& what, std::size_t line);
   static std::string sentence(const std::string& what, const Unused& unused);
 
+  static constexpr std::size_t mostQuoted = 3;
+
   std::string m_zeroPoint;
+  std::size_t m_quotedLines = 0, m_quotedParts = 0;
   std::string m_axis, m_round;
   bool m_zeroComes = false;
   Uses m_unused, m_beside;

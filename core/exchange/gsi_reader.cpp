@@ -76,10 +76,10 @@ class GsiReader {
 
   /// What is no word, and nobody needs: a heading, a check sum.
   void setAsideText(const GsiWord& word, const TextLine& line) {
-    const std::string shown = quotation(word.data);
-    m_book.setAside(trimmed(line.text) == word.data ? Phrase::of("the line %1", shown)
-                                                    : Phrase::of("the text %1, no GSI word,", shown),
-                    line.number);
+    if (trimmed(line.text) == word.data)
+      m_book.setAsideLine(word.data, line.number);
+    else
+      m_book.setAsidePart(word.data, line.number);
   }
 
   /// Why a block cannot be used without a word that is torn.

@@ -138,7 +138,7 @@ class M5Reader {
     const bool isSighting =
         line.text.find("|Hz") != std::string_view::npos || line.text.find("|V1") != std::string_view::npos;
     if (isSighting) return refuseLine(line);
-    m_book.setAside(Phrase::of("the line %1", quotation(line.text)), line.number);
+    m_book.setAsideLine(line.text, line.number);
   }
 
   /// A text that is no mark is of what follows, such as the programs of the instrument: adjustments hold

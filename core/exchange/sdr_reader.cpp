@@ -135,7 +135,7 @@ class SdrReader {
     const std::string_view type = line.text.substr(0, 2),
                            from = line.text.substr(std::min<std::size_t>(line.text.size(), 2), 2);
     if (type == "00") return readHeading(line);
-    if (!m_hasHeading) return m_book.setAside(Phrase::of("the line %1", quotation(plain)), line.number);
+    if (!m_hasHeading) return m_book.setAsideLine(plain, line.number);
     if (!m_unit) return;  // the heading could not be read, and said so
     if (type == "01") return readInstrument(line);
     if (type == "02") return takeStation(fieldOf(line.text, columns(line).station), line.number);
@@ -182,7 +182,7 @@ class SdrReader {
     } else if (areAllDigits(type)) {
       m_book.setAside(Phrase::of("a record of the unknown type %1", quotation(type)), line.number);
     } else {
-      m_book.setAside(Phrase::of("the line %1", quotation(line.text)), line.number);
+      m_book.setAsideLine(line.text, line.number);
     }
   }
 

@@ -134,6 +134,17 @@ TEST(GsiReader, TellsOfWordsAndLinesThatNobodyNeeds) {
     EXPECT_THAT(recording.unused, Contains(HasSubstr(told)));
 }
 
+TEST(GsiReader, QuotesTheFirstLinesOfNoUseAndCountsTheOthers) {
+  std::string text = "110001+00000001" + point + "\n";
+  for (int i = 0; i < 50; ++i) text += "page " + std::to_string(i) + "\n";
+  const Recording recording = readGsi(text);
+  EXPECT_THAT(recording.problems, IsEmpty());
+  EXPECT_EQ(recording.unused.size(), 4u);
+  EXPECT_THAT(recording.unused, Contains("the line “page 2” is not used: line 4"));
+  EXPECT_THAT(recording.unused,
+              Contains("a further line of no format is not used: 47 times, first in line 5"));
+}
+
 TEST(GsiReader, RefusesALineWhereWhatIsNeededIsTorn) {
   const auto problem = [](const std::string& text) {
     const Recording recording = readGsi(text + "\n110009+00000009" + point);
