@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <string_view>
 
 #include "core/base/typed_text.h"
 #include "core/exchange/recording.h"
@@ -13,7 +14,7 @@ namespace {
 
 /// Digits with at most one point; nothing larger or finer than any circle reads.
 bool isCircleNumber(const std::string& number) {
-  constexpr std::size_t most = 12;
+  constexpr std::size_t most = 15;
   const auto digits = std::count_if(number.begin(), number.end(), isDigit);
   const auto points = std::count(number.begin(), number.end(), '.');
   return digits > 0 && points <= 1 && static_cast<std::size_t>(digits) <= most &&
@@ -34,9 +35,73 @@ std::string milInDegrees(const std::string& number) {
   return digits.substr(0, digits.size() - decimals) + "." + digits.substr(digits.size() - decimals) + "°";
 }
 
+/// `number` with 0 for its whole part where it is exactly `turn`.
+std::string withoutFullTurn(const std::string& number, std::string_view turn) {
+  const std::size_t first = std::min(number.find_first_not_of('0'), number.size());
+  const std::size_t point = std::min(number.find('.'), number.size());
+  if (first > point || number.substr(first, point - first) != turn) return number;
+  const bool isWhole = number.find_first_not_of("0.", point) == std::string::npos;
+  return isWhole ? "0" + number.substr(point) : number;
+}
+
+std::string twoDigits(unsigned long long number) {
+  return (number < 10 ? "0" : "") + std::to_string(number);
+}
+
+/// 89.1413 is 89°14'13".
+SexagesimalParts partsOf(const std::string& number) {
+  constexpr std::size_t minuteAndSecond = 4;
+  const std::size_t point = std::min(number.find('.'), number.size());
+  std::string decimals = point < number.size() ? number.substr(point + 1) : std::string();
+  decimals.resize(std::max(decimals.size(), minuteAndSecond), '0');
+  return {.degrees = std::stoull(number.substr(0, point)),
+          .minutes = std::stoull(decimals.substr(0, 2)),
+          .seconds = std::stoull(decimals.substr(2, 2)),
+          .decimals = decimals.substr(minuteAndSecond)};
+}
+
+ExactAngle fromDms(const std::string& number) {
+  SexagesimalParts parts = partsOf(number);
+  ExactAngle angle;
+  angle.isCarried = parts.carry();
+  parts.wrapFullTurn();
+  angle.text =
+      std::to_string(parts.degrees) + " " + twoDigits(parts.minutes) + " " + twoDigits(parts.seconds);
+  if (!parts.decimals.empty()) angle.text += "." + parts.decimals;
+  return angle;
+}
+
+/// Of a number without a sign.
+std::optional<ExactAngle> inUnit(const std::string& plain, const std::string& unit) {
+  if (unit == "GON" || unit == "GRD")
+    return ExactAngle{withUnit(withoutFullTurn(plain, "400"), AngleUnit::Gon)};
+  if (unit == "DEG") return ExactAngle{withUnit(withoutFullTurn(plain, "360"), AngleUnit::Degrees)};
+  if (unit == "DMS") return fromDms(plain);
+  if (unit == "MIL") return ExactAngle{milInDegrees(withoutFullTurn(plain, "6400"))};
+  return std::nullopt;
+}
+
 }  // namespace
 
-std::optional<std::string> exactAngle(const std::string& number, const std::string& unit) {
+bool SexagesimalParts::carry() {
+  const auto carryInto = [](unsigned long long& part, unsigned long long& next) {
+    constexpr unsigned long long whole = 60;
+    if (part != whole) return false;
+    part = 0;
+    ++next;
+    return true;
+  };
+  const bool isDegree = carryInto(minutes, degrees), isMinute = carryInto(seconds, minutes);
+  return carryInto(minutes, degrees) || isMinute || isDegree;
+}
+
+void SexagesimalParts::wrapFullTurn() {
+  constexpr unsigned long long turn = 360;
+  const bool isWhole = minutes == 0 && seconds == 0 && decimals.find_first_not_of('0') == std::string::npos;
+  if (degrees == turn && isWhole) degrees = 0;
+}
+
+std::optional<ExactAngle> exactAngle(const std::string& number, const std::string& unit) {
   std::string sign, plain = number;
   if (!plain.empty() && (plain[0] == '-' || plain[0] == '+')) {
     if (plain[0] == '-') sign = "-";
@@ -44,13 +109,11 @@ std::optional<std::string> exactAngle(const std::string& number, const std::stri
   }
   std::replace(plain.begin(), plain.end(), ',', '.');
   if (plain.ends_with('.')) plain.pop_back();
+  if (plain.starts_with('.')) plain.insert(0, "0");
   if (!isCircleNumber(plain)) return std::nullopt;
-  const std::string name = upperCase(unit);
-  if (name == "GON" || name == "GRD") return sign + withUnit(plain, AngleUnit::Gon);
-  if (name == "DEG") return sign + withUnit(plain, AngleUnit::Degrees);
-  if (name == "DMS") return sign + withUnit(plain, AngleUnit::Dms);
-  if (name == "MIL") return sign + milInDegrees(plain);
-  return std::nullopt;
+  std::optional<ExactAngle> angle = inUnit(plain, upperCase(unit));
+  if (angle) angle->text.insert(0, sign);
+  return angle;
 }
 
 }  // namespace alidade

@@ -8,6 +8,13 @@
 
 namespace alidade {
 
+namespace {
+
+constexpr const char* carriedAngles = PHRASE_LATER(
+    "Phrase", "angles with 60 seconds or minutes, read as the next minute or degree: %1, first in line %2");
+
+}  // namespace
+
 void FieldBook::take(const FieldMark& mark) {
   switch (mark.kind) {
     case FieldMark::Kind::Axis:
@@ -22,7 +29,7 @@ void FieldBook::take(const FieldMark& mark) {
   }
 }
 
-void FieldBook::add(RecordedSighting sighting) {
+bool FieldBook::add(RecordedSighting sighting) {
   sighting.axis.text = m_axis;
   sighting.row.round = m_round;
   sighting.station = m_station;
@@ -30,7 +37,25 @@ void FieldBook::add(RecordedSighting sighting) {
   sighting.isZero =
       m_zeroComes || (m_zeroPoint.empty() ? name == "0" || name == "ZERO" : name == m_zeroPoint);
   m_zeroComes = false;
+  m_isStationUsed = true;
   m_recording.sightings.push_back(std::move(sighting));
+  return m_recording.sightings.back().isZero;
+}
+
+void FieldBook::enter(RecordedSighting& sighting, const RowField& circle, ExactAngle angle,
+                      std::size_t column) {
+  if (angle.isCarried) note(carriedAngles, sighting.line);
+  sighting.enter(circle, std::move(angle.text), column);
+}
+
+void FieldBook::note(const char* sentence, std::size_t line) {
+  Unused& use = m_notes[sentence];
+  if (use.count++ == 0) use.firstLine = line;
+}
+
+void FieldBook::setAsideTail(const TextLines& lines) {
+  if (const auto line = lines.tailLine())
+    setAside(Phrase::of("what stands behind the end of the file (^Z)"), *line);
 }
 
 void FieldBook::refuse(std::size_t line, std::size_t column, const std::string& what) {
@@ -41,9 +66,23 @@ void FieldBook::setAside(const std::string& what, std::size_t line) {
   count(m_unused, what, line);
 }
 
+void FieldBook::setAsideLine(std::string_view text, std::size_t line) {
+  const bool isQuoted = ++m_quotedLines <= mostQuoted;
+  setAside(isQuoted ? Phrase::of("the line %1", quotation(text)) : Phrase::of("a further line of no format"),
+           line);
+}
+
+void FieldBook::setAsidePart(std::string_view text, std::size_t line) {
+  const bool isQuoted = ++m_quotedParts <= mostQuoted;
+  setAside(isQuoted ? Phrase::of("the text %1, no GSI word,", quotation(text))
+                    : Phrase::of("a further text that is no GSI word"),
+           line);
+}
+
 void FieldBook::beginStation(const std::string& name, std::size_t line) {
   setBeside(Phrase::of("the station %1", quotation(name)), line);
   m_station = m_recording.stationNamed(name);
+  m_isStationUsed = false;
 }
 
 void FieldBook::count(Uses& uses, const std::string& what, std::size_t line) {
@@ -75,6 +114,8 @@ std::string FieldBook::sentence(const std::string& what, const Unused& unused) {
 
 Recording FieldBook::finish(const std::string& format) {
   m_recording.format = format;
+  for (const auto& [what, use] : m_notes)
+    m_recording.unused.push_back(Phrase::of(what, use.count, use.firstLine));
   for (const auto& [what, use] : m_unused) m_recording.unused.push_back(sentence(what, use));
   for (const auto& [what, use] : m_beside) m_recording.unusedBySession.push_back(sentence(what, use));
   return std::move(m_recording);

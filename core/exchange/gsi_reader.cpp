@@ -1,12 +1,15 @@
 #include "core/exchange/gsi_reader.h"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "core/base/phrase.h"
 #include "core/base/typed_text.h"
 #include "core/base/visible_text.h"
 #include "core/exchange/field_book.h"
 #include "core/exchange/gsi_word.h"
+#include "core/exchange/words.h"
 
 namespace alidade {
 
@@ -15,6 +18,13 @@ namespace {
 constexpr int pointIndex = 11, serialIndex = 12, typeIndex = 13, dateIndex = 17, horizontalIndex = 21,
               stationIndex = 16, verticalIndex = 22, slopeIndex = 31, horizontalDistanceIndex = 32,
               codeIndex = 41, codeNumberIndex = 42;
+
+constexpr const char* keyedIn =
+    PHRASE_LATER("Phrase", "angles keyed in by hand, not measured: %1, first in line %2");
+constexpr const char* workedOut = PHRASE_LATER(
+    "Phrase", "angles that a program of the instrument worked out, not measured: %1, first in line %2");
+constexpr const char* oddWidths = PHRASE_LATER(
+    "Phrase", "words with neither 8 nor 16 characters, taken as they stand: %1, first in line %2");
 
 const GsiWord* wordOf(const std::vector<GsiWord>& words, int index) {
   const auto found =
@@ -42,6 +52,7 @@ class GsiReader {
       readLine(*line);
       if (m_book.isFull(line->number)) break;
     }
+    m_book.setAsideTail(lines);
     return m_book.finish(wide ? "GSI-16" : "GSI-8");
   }
 
@@ -51,20 +62,78 @@ class GsiReader {
     if (first == std::string_view::npos) return;
     if (std::string_view("#@?%").find(line.text[first]) != std::string_view::npos)
       return m_book.setAside(Phrase::of("the line %1", quotation(line.text.substr(first))), line.number);
-    const auto parsed = gsiWords(line);
-    if (const auto* problem = std::get_if<LineProblem>(&parsed))
-      return m_book.refuse(problem->line, problem->column, problem->what);
-    const auto& words = std::get<std::vector<GsiWord>>(parsed);
-    if (wordOf(words, codeIndex)) {
-      readCode(words, line.number);
-    } else if (wordOf(words, horizontalIndex) || wordOf(words, verticalIndex)) {
-      readSighting(words, line.number);
-    } else {
-      const GsiWord* point = tellsStation(words) ? wordOf(words, pointIndex) : nullptr;
-      if (point) m_book.beginStation(gsiText(*point), line.number);
-      for (const GsiWord& word : words)
-        if (&word != point) readHeading(word, line.number);
+    GsiBlocks blocks(line);
+    while (const auto block = blocks.next()) {
+      if (const auto problem = tornProblem(*block, line.number)) {
+        m_book.refuse(problem->line, problem->column, problem->what);
+      } else {
+        for (const GsiWord& word : block->torn) setAsideText(word, line);
+        readBlock(block->words, line.number);
+      }
+      if (m_book.isFull(line.number)) return;
     }
+  }
+
+  /// What is no word, and nobody needs: a heading, a check sum.
+  void setAsideText(const GsiWord& word, const TextLine& line) {
+    if (trimmed(line.text) == word.data)
+      m_book.setAsideLine(word.data, line.number);
+    else
+      m_book.setAsidePart(word.data, line.number);
+  }
+
+  /// Why a block cannot be used without a word that is torn.
+  static std::optional<LineProblem> tornProblem(const GsiBlock& block, std::size_t line) {
+    const bool isSighting = wordOf(block.words, horizontalIndex) || wordOf(block.words, verticalIndex);
+    for (const GsiWord& word : block.torn) {
+      const bool isCircle = word.index == horizontalIndex || word.index == verticalIndex ||
+                            (wordOf(block.words, pointIndex) && isCutCircle(word.data));
+      if (isCircle || (isSighting && word.index == pointIndex) || isTornMark(word))
+        return LineProblem{
+            line, word.column,
+            Phrase::of("%1 is no GSI word such as 21.102+17920860: transfer the file anew, or mend "
+                       "or delete the line",
+                       quotation(word.data))};
+    }
+    return std::nullopt;
+  }
+
+  /// The beginning of a word of a circle, where a file was cut: "21.3".
+  static bool isCutCircle(std::string_view text) {
+    constexpr std::size_t ofWord = 7;
+    return text.size() < ofWord && (text.starts_with("21.") || text.starts_with("22.")) &&
+           text.find_first_not_of("0123456789.+-") == std::string_view::npos;
+  }
+
+  /// A code that would say how the axis stood, or the like.
+  static bool isTornMark(const GsiWord& word) {
+    const std::size_t sign = word.data.find('+');
+    if (word.index != codeIndex || sign == std::string_view::npos) return false;
+    const std::string text = gsiText({.data = word.data.substr(sign + 1)});
+    return fieldMark(text) || stationMark(text);
+  }
+
+  void readBlock(const std::vector<GsiWord>& words, std::size_t line) {
+    const bool isSighting = wordOf(words, horizontalIndex) || wordOf(words, verticalIndex);
+    noteWidths(words, line);
+    if (wordOf(words, codeIndex)) readCode(words, line, isSighting);
+    if (isSighting) return readSighting(words, line);
+    if (wordOf(words, codeIndex)) return;
+    const GsiWord* point = tellsStation(words) ? wordOf(words, pointIndex) : nullptr;
+    if (point) m_book.beginStation(gsiText(*point), line);
+    for (const GsiWord& word : words)
+      if (&word != point) readHeading(word, line);
+  }
+
+  void noteWidths(const std::vector<GsiWord>& words, std::size_t line) {
+    for (const GsiWord& word : words)
+      if (!word.isWhole && isText(word.index)) m_book.note(oddWidths, line);
+  }
+
+  /// Point, instrument, station, date, code and remark, which are taken as they stand.
+  static bool isText(int index) {
+    return (index >= pointIndex && index <= dateIndex) || index == codeIndex || index == codeNumberIndex ||
+           (index >= 71 && index <= 79);
   }
 
   /// Coordinates of a station, or the height of the instrument.
@@ -74,17 +143,27 @@ class GsiReader {
     });
   }
 
-  void readCode(const std::vector<GsiWord>& words, std::size_t line) {
+  void readCode(const std::vector<GsiWord>& words, std::size_t line, bool isSighting) {
     const std::string code = gsiText(*wordOf(words, codeIndex));
     const GsiWord* more = wordOf(words, codeNumberIndex);
     const std::string further = more ? gsiText(*more) : std::string();
-    if (const auto station = stationMark(code, further)) return m_book.beginStation(*station, line);
+    if (const auto station = stationOf(code, further)) return m_book.beginStation(*station, line);
     const auto mark = fieldMark(code, further);
     if (!mark) return m_book.setAside(Phrase::of("the code block %1", quotation(code)), line);
     m_book.take(*mark);
+    if (isSighting) return;
     for (const GsiWord& word : words)
-      if (word.index != codeIndex && word.index != codeNumberIndex)
-        m_book.setAside(gsiWordName(word.index), line);
+      if (!isOfCode(word)) m_book.setAside(gsiWordName(word.index), line);
+  }
+
+  static bool isOfCode(const GsiWord& word) {
+    return word.index == codeIndex || word.index == codeNumberIndex;
+  }
+
+  /// Total stations begin one with the code 21, and older ones with 2; its name is the first information.
+  static std::optional<std::string> stationOf(const std::string& code, const std::string& further) {
+    const bool isSetUp = (code == "21" || code == "2") && !further.empty();
+    return isSetUp ? std::optional(further) : stationMark(code, further);
   }
 
   void readHeading(const GsiWord& word, std::size_t line) {
@@ -109,17 +188,20 @@ class GsiReader {
     RecordedSighting sighting;
     sighting.line = line;
     bool point = false;
+    std::optional<GsiPoint> sign;
+    for (const GsiWord& word : words)
+      if (!sign && circleOf(word)) sign = gsiPoint(word);
     for (const GsiWord& word : words) {
       if (word.index == pointIndex && !point) {
         sighting.enter(rowField(&Reading::point), gsiText(word), word.column);
         point = true;
-      } else if (const RowField* circle = circleOf(word); circle && sighting.columnOf(*circle) == 0) {
-        if (!takeAngle(word, line, *circle, sighting)) return;
+      } else if (const RowField* circle = circleOf(word)) {
+        if (!takeAngle(word, sign, *circle, sighting)) return;
       } else if (word.index >= 71 && word.index <= 79) {
         addNote(sighting.row.note, gsiText(word));
       } else if (word.index == slopeIndex || word.index == horizontalDistanceIndex) {
         takeDistance(word, line, sighting);
-      } else {
+      } else if (!isOfCode(word)) {
         readHeading(word, line);
       }
     }
@@ -130,7 +212,15 @@ class GsiReader {
           hasHorizontal ? Phrase::of("has no vertical circle (word 22): add the word or delete the line")
                         : Phrase::of("has no horizontal circle (word 21): add the word or delete the line"));
     }
+    noteInput(words, line);
     m_book.add(std::move(sighting));
+  }
+
+  /// Angles that were not measured are told of.
+  void noteInput(const std::vector<GsiWord>& words, std::size_t line) {
+    for (const GsiWord& word : words)
+      if (circleOf(word) && (word.input == '1' || word.input == '4'))
+        m_book.note(word.input == '1' ? keyedIn : workedOut, line);
   }
 
   /// The circle that a word is of; null where it is of none.
@@ -139,18 +229,24 @@ class GsiReader {
     return word.index == verticalIndex ? &rowField(&Reading::vertical) : nullptr;
   }
 
-  bool takeAngle(const GsiWord& word, std::size_t line, const RowField& circle, RecordedSighting& sighting) {
-    const auto angle = gsiAngle(word, line);
+  bool takeAngle(const GsiWord& word, std::optional<GsiPoint> sign, const RowField& circle,
+                 RecordedSighting& sighting) {
+    auto angle = gsiExactAngle(word, sighting.line, sign);
+    if (sighting.columnOf(circle) > 0)
+      angle =
+          LineProblem{sighting.line, word.column,
+                      Phrase::of("is a second reading of its circle in one block: delete one of the two")};
     if (const auto* problem = std::get_if<LineProblem>(&angle)) {
       m_book.refuse(problem->line, problem->column, problem->what);
       return false;
     }
-    sighting.enter(circle, std::get<std::string>(angle), word.column);
+    m_book.enter(sighting, circle, std::get<ExactAngle>(std::move(angle)), word.column);
     return true;
   }
 
   /// The slope distance where both are there.
   void takeDistance(const GsiWord& word, std::size_t line, RecordedSighting& sighting) {
+    if (!word.isWhole) return m_book.setAside(gsiWordName(word.index), line);
     m_book.setBeside(gsiWordName(word.index), line);
     const auto metres = gsiMetres(word);
     const bool isSlope = word.index == slopeIndex;

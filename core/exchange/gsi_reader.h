@@ -17,12 +17,16 @@ namespace alidade {
 ///   code ROUND2, or ROUND and 2        the following sightings are of that round
 ///   code ZERO                          the next sighting is of the pointing zero
 ///   point 0 or ZERO, or `zeroPoint`    the sighting is of the pointing zero
-///   code STATION 5, STN, STANDPOINT    the following sightings were taken from that station
+///   code STATION 5, STN, STANDPOINT    the following sightings were taken from that station; likewise code
+///                                      21 or 2, which instruments write, with the name in word 42
 ///
 /// A block without angles that has a station's coordinates or the instrument's height (84-86, 88) tells the
 /// station by its point, word 16 by itself. Stations and distances (31, 32) are of no use to a session.
 ///
-/// POS and POSITION mean AXIS too; capitals do not matter.
+/// POS and POSITION mean AXIS too; capitals do not matter. A code in the block of a sighting is of it and of
+/// what follows. Words that are torn or unknown and that nobody needs are listed in `unused`, as are lines
+/// without any; a line is refused where a circle, the point or a mark is torn. Told is how many angles were
+/// keyed in (position 5 of their word) or had 60 seconds.
 Recording readGsi(std::string_view text, const std::string& zeroPoint = {});
 
 }  // namespace alidade

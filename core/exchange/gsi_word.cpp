@@ -8,6 +8,7 @@
 #include "core/base/limits.h"
 #include "core/base/phrase.h"
 #include "core/base/typed_text.h"
+#include "core/base/utf8.h"
 #include "core/base/visible_text.h"
 
 namespace alidade {
@@ -15,7 +16,14 @@ namespace alidade {
 namespace {
 
 constexpr std::size_t dataAt = 7, shortData = 8, longData = 16;
-constexpr std::uint64_t mostUnits = 1'000'000'000;  // 9 digits: ten times what any circle reads
+
+bool isGsiBlank(char c) {
+  return c == ' ' || c == '\t';
+}
+
+std::size_t blanksAt(std::string_view text) {
+  return std::min(text.find_first_not_of(" \t"), text.size());
+}
 
 bool isInformation(char c) {
   return isDigit(c) || c == '.';
@@ -26,29 +34,122 @@ bool beginsWord(std::string_view text) {
          std::all_of(text.begin() + 2, text.begin() + 6, isInformation) && (text[6] == '+' || text[6] == '-');
 }
 
-bool endsAt(std::string_view text, std::size_t at) {
-  return text.size() == at || (text.size() > at && (text[at] == ' ' || text[at] == '\t'));
+/// Two digits, a third or a point, and a sign not far behind: what was to be a word, no date.
+bool isNearlyWord(std::string_view text) {
+  constexpr std::size_t farthestSign = 9;
+  const std::size_t sign = text.find_first_of("+-");
+  return sign > 2 && sign <= farthestSign && isDigit(text[0]) && isDigit(text[1]) && isInformation(text[2]);
 }
 
-/// How many characters of data the word at the start of `text` has; 0 where neither width fits.
-std::size_t dataWidth(std::string_view text, bool marked) {
-  if (!marked && endsAt(text, dataAt + shortData)) return shortData;
-  return endsAt(text, dataAt + longData) ? longData : 0;
+/// Behind what is to be the end of a word: nothing, a word or the * of a block.
+bool isBeforeWord(std::string_view text) {
+  text.remove_prefix(blanksAt(text));
+  if (text.starts_with('*')) text.remove_prefix(1);
+  return text.empty() || beginsWord(text);
 }
 
-std::string padded(std::uint64_t number, std::size_t width) {
-  const std::string digits = std::to_string(number);
-  return std::string(width > digits.size() ? width - digits.size() : 0, '0') + digits;
+/// A number with a decimal sign, for which there is a character more.
+bool hasWrittenPoint(std::string_view data) {
+  return data.find_first_of(".,") != std::string_view::npos &&
+         std::all_of(data.begin(), data.end(),
+                     [](char c) { return isDigit(c) || c == '.' || c == ',' || c == ' '; });
 }
 
-std::string withDecimals(std::uint64_t units, std::uint64_t perWhole, std::size_t decimals) {
-  return std::to_string(units / perWhole) + "." + padded(units % perWhole, decimals);
+/// The width of data in each way that programs count it.
+struct Widths {
+  std::size_t characters = 0, bytes = 0, cells = 0;
+
+  void add(const Utf8Character& character) {
+    constexpr char32_t firstOfEastAsia = 0x2E80;
+    ++characters;
+    bytes += character.length;
+    cells += character.code >= firstOfEastAsia && character.code != 0xFFFD ? 2 : 1;
+  }
+  bool areOne(std::size_t width) const { return characters == width || bytes == width || cells == width; }
+};
+
+bool isWidth(const Widths& widths, std::string_view data, bool isMarked) {
+  const std::size_t more = hasWrittenPoint(data) ? 1 : 0;
+  const auto is = [&](std::size_t width) {
+    return widths.areOne(width) || (more && widths.areOne(width + 1));
+  };
+  return is(longData) || (!isMarked && is(shortData));
 }
 
-std::string sexagesimal(std::uint64_t units) {
-  const std::uint64_t tenths = units % 1000;
-  return std::to_string(units / 100'000) + "°" + padded(units / 1000 % 100, 2) + "'" +
-         padded(tenths / 10, 2) + "." + std::to_string(tenths % 10) + "\"";
+/// A check sum such as *5A that ends a line.
+bool isCheckSum(std::string_view text) {
+  constexpr std::size_t shortest = 3, longest = 5;
+  while (!text.empty() && isGsiBlank(text.back())) text.remove_suffix(1);
+  return text.size() >= shortest && text.size() <= longest && text[0] == '*' &&
+         text.find_first_not_of("0123456789ABCDEFabcdef", 1) == std::string_view::npos;
+}
+
+/// A comma or semicolon that some programs write between words and behind the last.
+bool isSeparator(std::string_view text) {
+  if (text.empty() || (text[0] != ',' && text[0] != ';')) return false;
+  text.remove_prefix(1);
+  text.remove_prefix(blanksAt(text));
+  return text.empty() || beginsWord(text);
+}
+
+/// May a word of the right width end here?
+bool mayEndWord(std::string_view text, std::size_t at) {
+  const std::string_view rest = text.substr(at);
+  if (rest.empty() || isGsiBlank(rest[0])) return true;
+  const bool isFull = at > 0 && !isGsiBlank(text[at - 1]);
+  return isFull && (beginsWord(rest) || isSeparator(rest) || isCheckSum(rest));
+}
+
+/// Where the data of a word ends, in bytes.
+struct DataEnd {
+  std::size_t at = 0;
+  bool isWhole = false;
+};
+
+/// At the first blank before a word or the end.
+std::size_t endBeforeWord(std::string_view text) {
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const bool isFirstBlank = isGsiBlank(text[at]) && (at == 0 || !isGsiBlank(text[at - 1]));
+    if (isFirstBlank && isBeforeWord(text.substr(at))) return at;
+  }
+  return text.size();
+}
+
+/// Nearly all words: as many characters of ASCII without a blank as the format has.
+bool isPlainWord(std::string_view text, std::size_t width) {
+  if (text.size() < width || (text.size() > width && text[width] != ' ')) return false;
+  return std::all_of(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(width),
+                     [](char c) { return c > ' ' && c <= '~'; });
+}
+
+/// Best at a width of the format with a word or nothing behind, else at such a width; another word ends it in
+/// any case.
+DataEnd dataEnd(std::string_view text, bool isMarked) {
+  constexpr std::size_t widest = longData + 1;
+  const std::size_t width = isMarked ? longData : shortData;
+  if (isPlainWord(text, width) && isBeforeWord(text.substr(width))) return {width, true};
+  Widths widths;
+  std::optional<std::size_t> whole;
+  for (std::size_t at = 0; widths.characters <= widest; at = widths.bytes) {
+    const bool isBlank = at < text.size() && isGsiBlank(text[at]);
+    if (isWidth(widths, text.substr(0, at), isMarked) && mayEndWord(text, at)) {
+      if (!isBlank || isBeforeWord(text.substr(at))) return {at, true};
+      if (!whole) whole = at;
+    }
+    if (at == text.size() || (isBlank && beginsWord(text.substr(at + 1)))) break;
+    widths.add(firstCharacter(text.substr(at)));
+  }
+  if (whole) return {*whole, true};
+  return {endBeforeWord(text), false};
+}
+
+/// The first two digits, or three where the third is of the index: 331, but 110001 and 21.102.
+int indexOfWord(std::string_view text) {
+  constexpr int staff = 33;
+  const auto digit = [&text](std::size_t at) { return text[at] - '0'; };
+  const int index = digit(0) * 10 + digit(1);
+  if (index == 11 || index == 41 || !isDigit(text[2])) return index;
+  return text[2] != '0' || index == staff ? index * 10 + digit(2) : index;
 }
 
 constexpr std::array<std::pair<int, const char*>, 26> wordNames = {{
@@ -83,49 +184,136 @@ constexpr std::array<std::pair<int, const char*>, 26> wordNames = {{
 }  // namespace
 
 bool looksLikeGsi(std::string_view line) {
-  line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+  line.remove_prefix(blanksAt(line));
   if (line.starts_with('*')) line.remove_prefix(1);
   return beginsWord(line);
 }
 
+GsiBlocks::GsiBlocks(const TextLine& line) : m_rest(line.text) {
+  skipBlanks();
+}
+
+void GsiBlocks::skip(std::size_t count) {
+  count = std::min(count, m_rest.size());
+  m_column += characterCount(m_rest.substr(0, count));
+  m_rest.remove_prefix(count);
+}
+
+void GsiBlocks::skipBlanks() {
+  skip(blanksAt(m_rest));
+}
+
+/// The mark of a wide block, where a word comes behind it.
+bool GsiBlocks::takeStar() {
+  if (!m_rest.starts_with('*')) return false;
+  const std::size_t behind = 1 + blanksAt(m_rest.substr(1));
+  if (!beginsWord(m_rest.substr(behind))) return false;
+  skip(behind);
+  return m_isMarked = true;
+}
+
+GsiWord GsiBlocks::takeWord() {
+  const DataEnd end = dataEnd(m_rest.substr(dataAt), m_isMarked);
+  const GsiWord word{.index = indexOfWord(m_rest),
+                     .unit = m_rest[5],
+                     .sign = m_rest[6],
+                     .data = m_rest.substr(dataAt, end.at),
+                     .column = m_column,
+                     .input = m_rest[4],
+                     .isWhole = end.isWhole,
+                     .isNumbered = std::all_of(m_rest.begin() + 2, m_rest.begin() + 6, isDigit)};
+  skip(dataAt + end.at);
+  skip(isSeparator(m_rest) ? 1 : 0);
+  skipBlanks();
+  return word;
+}
+
+GsiWord GsiBlocks::takeTorn() {
+  const std::size_t end = endBeforeWord(m_rest);
+  std::string_view text = m_rest.substr(0, end);
+  GsiWord word{.data = text, .column = m_column, .isWhole = false};
+  if (text.starts_with('*')) text.remove_prefix(1);
+  if (isNearlyWord(text)) word.index = (text[0] - '0') * 10 + (text[1] - '0');
+  skip(end);
+  skipBlanks();
+  return word;
+}
+
+bool GsiBlocks::beginsBlock(const GsiBlock& block) const {
+  constexpr int point = 11, code = 41;
+  const auto has = [&block](auto what) { return std::ranges::any_of(block.words, what); };
+  const auto isPoint = [](const GsiWord& word) { return word.index == point; };
+  const auto isCodeBlock = [](const GsiWord& word) { return word.index == code && word.isNumbered; };
+  const int index = indexOfWord(m_rest);
+  if (index == point) return has(isPoint) || has(isCodeBlock);
+  const bool isNumbered = std::all_of(m_rest.begin() + 2, m_rest.begin() + 6, isDigit);
+  return index == code && isNumbered && !block.words.empty();
+}
+
+std::optional<GsiBlock> GsiBlocks::next() {
+  GsiBlock block;
+  while (!m_rest.empty() && block.words.size() + block.torn.size() < limits::mostColumns) {
+    if (!m_hasStar && takeStar()) {
+      m_hasStar = true;
+      if (!block.words.empty()) return block;
+    } else if (!beginsWord(m_rest)) {
+      block.torn.push_back(takeTorn());
+    } else if (!m_hasStar && beginsBlock(block)) {
+      return block;
+    } else {
+      m_hasStar = false;
+      block.words.push_back(takeWord());
+    }
+  }
+  if (block.words.empty() && block.torn.empty()) return std::nullopt;
+  return block;
+}
+
+namespace {
+
+std::string whyTorn(const GsiWord& word, bool isMarked) {
+  if (!isMarked)
+    return Phrase::of(
+        "%1 has neither 8 nor 16 characters of data: transfer the file anew, or mend or delete the line",
+        quotation(word.data));
+  return Phrase::of(
+      "%1 has neither 8 nor 16 characters of data, and a block that starts with * has 16: transfer the file "
+      "anew, or mend or delete the line",
+      quotation(word.data));
+}
+
+std::string whyNoWord(std::string_view text) {
+  const std::string_view first = text.substr(0, text.find_first_of(" \t"));
+  return Phrase::of(
+      "%1 is no GSI word such as 21.102+17920860: transfer the file anew, or mend or delete the line",
+      quotation(first));
+}
+
+/// The first of what is not sound in a block.
+std::optional<LineProblem> firstTorn(const GsiBlock& block, const TextLine& line) {
+  std::optional<LineProblem> first;
+  const auto take = [&](const GsiWord& word, const std::string& what) {
+    if (!first || word.column < first->column) first = LineProblem{line.number, word.column, what};
+  };
+  const bool isMarked = line.text.substr(blanksAt(line.text)).starts_with('*');
+  for (const GsiWord& word : block.torn) take(word, whyNoWord(word.data));
+  for (const GsiWord& word : block.words)
+    if (!word.isWhole) take(word, whyTorn(word, isMarked));
+  return first;
+}
+
+}  // namespace
+
 std::variant<std::vector<GsiWord>, LineProblem> gsiWords(const TextLine& line) {
   std::vector<GsiWord> words;
-  std::string_view rest = line.text;
-  std::size_t column = 1;
-  const auto skip = [&](std::size_t count) {
-    count = std::min(count, rest.size());
-    column += characterCount(rest.substr(0, count));
-    rest.remove_prefix(count);
-  };
-  skip(std::min(rest.find_first_not_of(" \t"), rest.size()));
-  const bool marked = rest.starts_with('*');
-  if (marked) skip(1);
-  while (!rest.empty() || (marked && words.empty())) {
-    const std::string shown = quotation(rest.substr(0, std::min(rest.find_first_of(" \t"), rest.size())));
-    if (!beginsWord(rest))
+  GsiBlocks blocks(line);
+  while (const auto block = blocks.next()) {
+    if (auto problem = firstTorn(*block, line)) return *std::move(problem);
+    words.insert(words.end(), block->words.begin(), block->words.end());
+    if (words.size() >= limits::mostColumns)
       return LineProblem{
-          line.number, column,
-          Phrase::of("%1 is no GSI word such as 21.102+17920860: transfer the file anew, or mend "
-                     "or delete the line",
-                     shown)};
-    const std::size_t width = dataWidth(rest, marked);
-    if (width == 0)
-      return LineProblem{
-          line.number, column,
-          marked ? Phrase::of("%1 has neither 8 nor 16 characters of data, and a block that starts "
-                              "with * has 16: transfer the file anew, or mend or delete the line",
-                              shown)
-                 : Phrase::of("%1 has neither 8 nor 16 characters of data: transfer the file anew, "
-                              "or mend or delete the line",
-                              shown)};
-    if (words.size() == limits::mostColumns)
-      return LineProblem{
-          line.number, column,
+          line.number, words.back().column,
           Phrase::of("has more than %1 words: transfer the file anew", limits::asCount(limits::mostColumns))};
-    words.push_back(
-        {(rest[0] - '0') * 10 + (rest[1] - '0'), rest[5], rest[6], rest.substr(dataAt, width), column});
-    skip(dataAt + width);
-    skip(std::min(rest.find_first_not_of(" \t"), rest.size()));
   }
   return words;
 }
@@ -135,34 +323,6 @@ std::string gsiText(const GsiWord& word) {
   while (!data.empty() && data.back() == ' ') data.remove_suffix(1);
   while (data.size() > 1 && (data.front() == '0' || data.front() == ' ')) data.remove_prefix(1);
   return data == " " ? std::string() : std::string(data);
-}
-
-std::variant<std::string, LineProblem> gsiAngle(const GsiWord& word, std::size_t line) {
-  const auto refuse = [&](const std::string& why) {
-    return LineProblem{line, word.column, gsiWordName(word.index) + " " + quotation(word.data) + " " + why};
-  };
-  std::uint64_t units = 0;
-  const char* end = word.data.data() + word.data.size();
-  const auto [stop, error] = std::from_chars(word.data.data(), end, units);
-  if (error != std::errc() || stop != end)
-    return refuse(Phrase::of("is not made of digits: transfer the file anew"));
-  if (units >= mostUnits) return refuse(Phrase::of("is larger than a circle: transfer the file anew"));
-  const std::string sign = word.sign == '-' ? "-" : "";
-  switch (word.unit) {
-    case '2':
-      return sign + withDecimals(units, 100'000, 5) + "gon";
-    case '3':
-      return sign + withDecimals(units, 100'000, 5) + "°";
-    case '4':
-      return sign + sexagesimal(units);
-    case '5':  // 10⁻⁴ mil, 6400 to a turn: 5625·10⁻⁹ degrees
-      return sign + withDecimals(units * 5625, 1'000'000'000, 9) + "°";
-    default:
-      return refuse(
-          Phrase::of("has no unit of an angle: position 6 of the word is “%1”, and 2 is gon, 3 decimal "
-                     "degrees, 4 degrees minutes seconds, 5 mil",
-                     std::string(1, word.unit)));
-  }
 }
 
 std::optional<double> gsiMetres(const GsiWord& word) {

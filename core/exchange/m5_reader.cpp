@@ -19,6 +19,10 @@ namespace {
 
 constexpr std::size_t pointWidth = 12;
 
+constexpr const char* backsightZero = PHRASE_LATER("Phrase",
+                                                   "sightings of a point 0 when the station was set up (KN "
+                                                   "STAT), taken as the pointing zero: %1, first in line %2");
+
 struct Block {
   std::string_view text;
   std::size_t column = 0;
@@ -53,17 +57,33 @@ std::vector<Block> wordsIn(const Block& block) {
   return words;
 }
 
+/// A point or a text, where a line has no address.
+bool isPointOrText(const Block& block) {
+  return block.text.starts_with("PI") || block.text.starts_with("TI") || block.text.starts_with("TO");
+}
+
+/// Some programs write Hz and V1 in other capitals.
+std::string typeOf(std::string_view written) {
+  const std::string large = upperCase(std::string(written));
+  if (large == "HZ") return "Hz";
+  return large == "V1" || large == "V3" ? large : std::string(written);
+}
+
 /// Instruments number by types what they are, and name by others what they measured.
 Value valueOf(const Block& block) {
   const std::vector<Block> words = wordsIn(block);
   if (words.empty()) return {.type = {}, .number = {}, .unit = {}, .column = block.column};
-  Value value{.type = std::string(words[0].text), .number = {}, .unit = {}, .column = block.column};
+  Value value{.type = typeOf(words[0].text), .number = {}, .unit = {}, .column = block.column};
   if (words.size() < 2) return value;
   value.column = words[1].column;
   const std::size_t last = words.size() > 2 ? words.size() - 1 : words.size();
   for (std::size_t i = 1; i < last; ++i) value.number += (i > 1 ? " " : "") + std::string(words[i].text);
   if (last < words.size()) value.unit = std::string(words[last].text);
   return value;
+}
+
+bool isCircleValue(const Value& value) {
+  return value.type == "Hz" || (value.type.size() == 2 && value.type[0] == 'V');
 }
 
 /// Goes through a file line by line.
@@ -77,6 +97,7 @@ class M5Reader {
       readLine(*line);
       if (m_book.isFull(line->number)) break;
     }
+    m_book.setAsideTail(lines);
     return m_book.finish("M5");
   }
 
@@ -86,26 +107,38 @@ class M5Reader {
     if (first == std::string_view::npos || line.text.substr(first).starts_with("END")) return;
     if (std::string_view("!#").find(line.text[first]) != std::string_view::npos)
       return m_book.setAside(Phrase::of("the line %1", quotation(line.text.substr(first))), line.number);
-    constexpr std::size_t fewest = 4;  // format, address, text, one number
-    const std::vector<Block> blocks = blocksOf(line.text);
-    if (!looksLikeM5(line.text) || blocks.size() < fewest)
-      return m_book.refuse(
-          line.number, 0,
-          Phrase::of("%1 is no line such as For M5|Adr …|PI1 …|Hz …: transfer the file anew, or "
-                     "mend or delete the line",
-                     quotation(line.text)));
-    const std::string_view kind = blocks[2].text.substr(0, 2);
+    if (!looksLikeM5(line.text)) return readOther(line);
+    constexpr std::size_t fewest = 3;  // format, text, one number
+    std::vector<Block> blocks = blocksOf(line.text);
+    const bool hasAddress = blocks.size() > 1 && !isPointOrText(blocks[1]);
+    if (hasAddress) blocks.erase(blocks.begin() + 1);
+    if (blocks.size() < fewest) return refuseLine(line);
     std::vector<Value> values;
-    for (std::size_t i = 3; i < std::min<std::size_t>(blocks.size(), 6); ++i)
+    for (std::size_t i = 2; i < std::min<std::size_t>(blocks.size(), 5); ++i)
       values.push_back(valueOf(blocks[i]));
-    if (blocks.size() > 6 && trimmed(blocks[6].text) == "e")
-      return m_book.refuse(line.number, blocks[6].column,
+    if (blocks.size() > 5 && trimmed(blocks[5].text) == "e" && std::ranges::any_of(values, isCircleValue))
+      return m_book.refuse(line.number, blocks[5].column,
                            Phrase::of("is marked with e, an error of the instrument: measure it again"));
-    if (kind == "PI") {
-      readPoint(blocks[2], values, line.number);
+    if (blocks[1].text.starts_with("PI")) {
+      readPoint(blocks[1], values, line.number);
     } else {
-      readText(blocks[2], values, line.number);
+      readText(blocks[1], values, line.number);
     }
+  }
+
+  void refuseLine(const TextLine& line) {
+    m_book.refuse(line.number, 0,
+                  Phrase::of("%1 is no line such as For M5|Adr …|PI1 …|Hz …: transfer the file anew, or "
+                             "mend or delete the line",
+                             quotation(line.text)));
+  }
+
+  /// A line without the mark of the format: what was to be a sighting cannot be done without.
+  void readOther(const TextLine& line) {
+    const bool isSighting =
+        line.text.find("|Hz") != std::string_view::npos || line.text.find("|V1") != std::string_view::npos;
+    if (isSighting) return refuseLine(line);
+    m_book.setAsideLine(line.text, line.number);
   }
 
   /// A text that is no mark is of what follows, such as the programs of the instrument: adjustments hold
@@ -124,8 +157,15 @@ class M5Reader {
     }
     if (text.empty() || isHeading) return;
     if (const auto mark = fieldMark(text)) return m_book.take(*mark);
+    if (const auto station = stationMark(text)) return m_book.beginStation(*station, line);
+    m_isSetUp = isSetUp(text);
+    if (m_isSetUp) return m_book.beginStation(text + " " + std::to_string(++m_setUps), line);
     m_book.setAside(Phrase::of("the text %1", quotation(text)), line);
   }
+
+  /// The programs that stand the instrument up, with their sightings of known points: KN STAT, UN STAT. EL
+  /// STAT gives the station that stands its height.
+  static bool isSetUp(std::string_view text) { return text.ends_with(" STAT") && !text.starts_with("EL "); }
 
   /// 01 and 02 have no unit: `M3 5"DR` is one name.
   static std::string nameOf(const Value& value) {
@@ -143,13 +183,12 @@ class M5Reader {
     takePoint(block, sighting);
     bool isSighting = false;
     for (const Value& value : values) {
-      const bool isVertical = value.type.size() == 2 && value.type[0] == 'V';
-      if (value.type == "Hz" || isVertical) {
+      if (isCircleValue(value)) {
         isSighting = true;
         if (!takeAngle(value, line, sighting)) return;
       }
     }
-    if (!isSighting) return m_book.setAside(Phrase::of("a line without angles"), line);
+    if (!isSighting) return readPointAlone(sighting, line);
     const bool hasHorizontal = sighting.columnOf(rowField(&Reading::horizontal)) > 0;
     if (!hasHorizontal || sighting.columnOf(rowField(&Reading::vertical)) == 0)
       return m_book.refuse(
@@ -162,7 +201,16 @@ class M5Reader {
     for (const Value& value : values)
       if (value.type == "SD" || value.type == "HD" || value.type == "D")
         m_book.setAside(Phrase::of("distance"), line);
-    m_book.add(std::move(sighting));
+    const bool isNamed = upperCase(sighting.row.point) == "0";
+    if (m_book.add(std::move(sighting)) && isNamed && m_isSetUp) m_book.note(backsightZero, line);
+  }
+
+  /// The code S is that of the station; a program names it before its sightings.
+  void readPointAlone(const RecordedSighting& point, std::size_t line) {
+    const std::string& note = point.row.note;
+    const bool isStation = note == "S" || note.ends_with(" S");
+    if (isStation && !m_book.isStationUsed()) return m_book.beginStation(point.row.point, line);
+    m_book.setAside(Phrase::of("a line without angles"), line);
   }
 
   void takePoint(const Block& block, RecordedSighting& sighting) const {
@@ -212,11 +260,13 @@ class M5Reader {
                        value.type));
       circleKind = own;
     }
-    sighting.enter(circle, *angle, value.column);
+    m_book.enter(sighting, circle, *angle, value.column);
     return true;
   }
 
   FieldBook m_book;
+  bool m_isSetUp = false;                     ///< in a program that stands the instrument up
+  std::size_t m_setUps = 0;                   ///< such programs
   std::optional<std::size_t> m_placeOfPoint;  ///< in the text of a point, from 0
 };
 

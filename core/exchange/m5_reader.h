@@ -22,7 +22,9 @@ bool looksLikeM5(std::string_view line);
 /// Where a line of the heading says in 22 where the point stands, its 12 characters are the point, else the
 /// last word; what stands before it becomes the note. 01 and 02 are the instrument. Texts say what code
 /// blocks say in GSI (gsi_reader.h), and points 0 and ZERO, or `zeroPoint`, are the pointing zero. The face
-/// is not in the file. What a session has no place for is listed in `unused`.
+/// is not in the file. A text such as KN STAT, with which the instrument was stood up, begins a station, and
+/// a point of the code S before its sightings names it. What a session has no place for is listed in
+/// `unused`. A line may have no address.
 Recording readM5(std::string_view text, const std::string& zeroPoint = {});
 
 }  // namespace alidade

@@ -1,6 +1,8 @@
 #include "core/exchange/recognise.h"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "core/base/phrase.h"
 #include "core/exchange/gsi_reader.h"
@@ -51,29 +53,53 @@ std::string Recognised::signature() const {
   return text;
 }
 
+namespace {
+
+/// A number in a table may begin as a word does; a line of a listing may have something before its words.
+bool isSoundGsi(std::string_view line) {
+  constexpr int horizontal = 21, vertical = 22;
+  const auto block = GsiBlocks({.number = 0, .text = line}).next();
+  if (!block || block->words.empty()) return false;
+  const auto isCircle = [](const GsiWord& word) {
+    return word.isWhole && (word.index == horizontal || word.index == vertical);
+  };
+  return block->torn.empty() ? block->words.front().isWhole : std::ranges::any_of(block->words, isCircle);
+}
+
+/// As an instrument's file, where the line begins one; `text` is the file's beginning.
+std::optional<Recognised> recogniseInstrument(std::string_view line, std::string_view text) {
+  if (looksLikeSdr(line))
+    return ofInstrument(FileFormat::Sdr, "Sokkia SDR",
+                        Phrase::of("it begins with the heading of a Sokkia SDR file"), readSdr(text));
+  if (looksLikeM5(line))
+    return ofInstrument(FileFormat::M5, "Trimble M5", Phrase::of("its lines begin with For M5"),
+                        readM5(text));
+  if (looksLikeGsi(line) || isSoundGsi(line))
+    return ofInstrument(FileFormat::Gsi, "Leica GSI",
+                        Phrase::of("its lines are made of words such as 21.102+17920860"), readGsi(text));
+  return std::nullopt;
+}
+
+}  // namespace
+
 Result<Recognised> recognise(std::string_view text) {
+  constexpr std::size_t mostHeadings = 20;  // lines that somebody wrote above those of an instrument
   const std::string_view beginning = beginningOf(text);
   TextLines lines(beginning);
+  std::size_t headings = 0;
   while (const auto next = lines.next()) {
-    const TextLine& line = *next;
-    const std::size_t first = line.text.find_first_not_of(" \t\x02");
+    const std::string_view line = next->text;
+    const std::size_t first = line.find_first_not_of(" \t\x02");
     if (first == std::string_view::npos ||
-        std::string_view("#@?%!").find(line.text[first]) != std::string_view::npos)
+        std::string_view("#@?%!").find(line[first]) != std::string_view::npos)
       continue;
-    if (line.text[first] == '{')
+    if (line[first] == '{' && headings == 0)
       return Problem{Phrase::of("is no file of readings but JSON: open it as a session")};
-    if (looksLikeSdr(line.text.substr(first)))
-      return ofInstrument(FileFormat::Sdr, "Sokkia SDR",
-                          Phrase::of("it begins with the heading of a Sokkia SDR file"), readSdr(beginning));
-    if (looksLikeM5(line.text))
-      return ofInstrument(FileFormat::M5, "Trimble M5", Phrase::of("its lines begin with For M5"),
-                          readM5(beginning));
-    if (looksLikeGsi(line.text))
-      return ofInstrument(FileFormat::Gsi, "Leica GSI",
-                          Phrase::of("its lines are made of words such as 21.102+17920860"),
-                          readGsi(beginning));
-    return recogniseTable(beginning);
+    if (headings == 0 || !looksLikeGsi(line) || isSoundGsi(line))
+      if (auto found = recogniseInstrument(line.substr(first), beginning)) return *std::move(found);
+    if (++headings == mostHeadings) break;
   }
+  if (headings > 0) return recogniseTable(beginning);
   return Problem{Phrase::of("holds no readings: choose a file of an instrument (GSI, M5, SDR) or a table")};
 }
 

@@ -59,7 +59,8 @@ struct Recording {
   std::string verticalCircle;         ///< "zenith", "elevation", or empty where the file does not say
   bool tellsTurns = false;            ///< the file says which position at its axis a row is of
   std::vector<LineProblem> problems;  ///< lines that cannot be read; nothing of them is in `sightings`
-  std::vector<std::string> unused;    ///< a sentence for each kind of thing a session has no place for
+  /// A sentence for each kind of thing that a session has no place for, or that was read in a way of its own.
+  std::vector<std::string> unused;
   /// Likewise of stations and distances, which the check of an instrument has a place for.
   std::vector<std::string> unusedBySession;
   std::vector<LineProblem> distanceProblems;  ///< distances that cannot be read; the rest of the line stands

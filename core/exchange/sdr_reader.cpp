@@ -1,10 +1,12 @@
 #include "core/exchange/sdr_reader.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <utility>
 
 #include "core/base/phrase.h"
+#include "core/base/typed_text.h"
 #include "core/base/utf8.h"
 #include "core/base/visible_text.h"
 #include "core/exchange/exact_angle.h"
@@ -22,11 +24,56 @@ struct Columns {
 };
 
 struct SightingColumns {
-  Columns point, vertical, horizontal, note;
+  Columns station, point, vertical, horizontal, note;
 };
 
-constexpr SightingColumns columnsOf33{{21, 36}, {53, 68}, {69, 84}, {85, 100}};
-constexpr SightingColumns columnsOf2x{{9, 12}, {23, 32}, {33, 42}, {43, 58}};
+constexpr SightingColumns columnsOf33{{5, 20}, {21, 36}, {53, 68}, {69, 84}, {85, 100}};
+constexpr SightingColumns columnsOf2x{{5, 8}, {9, 12}, {23, 32}, {33, 42}, {43, 58}};
+
+/// Types of records that are of no use, and what they are; those of target height, atmosphere, scale,
+/// bearing to a station and job are told of by nobody.
+struct UnusedRecord {
+  std::string_view type;
+  const char* what;
+};
+constexpr UnusedRecord unusedRecords[] = {
+    {"03", nullptr},
+    {"04", PHRASE_LATER("Phrase", "the collimation of the instrument (04)")},
+    {"05", nullptr},
+    {"06", nullptr},
+    {"07", nullptr},
+    {"08", PHRASE_LATER("Phrase", "a record of coordinates (08)")},
+    {"10", nullptr},
+    {"11", PHRASE_LATER("Phrase", "a reduced observation (11)")},
+    {"12", PHRASE_LATER("Phrase", "a record of a set (12)")},
+};
+
+bool areAllDigits(std::string_view text) {
+  return text.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+/// The ways in which programs count the columns of characters beyond ASCII.
+enum class Counted { Characters, WideAsTwo, Bytes };
+
+std::size_t columnsBeyondOne(const Utf8Character& character, Counted counted) {
+  constexpr char32_t firstOfEastAsia = 0x2E80;
+  if (counted == Counted::Bytes) return character.length - 1;
+  return counted == Counted::WideAsTwo && character.code >= firstOfEastAsia ? 1 : 0;
+}
+
+/// The line with one character for each column: blanks behind a word make up for its wide characters.
+std::string aligned(std::string_view line, Counted counted) {
+  std::string text;
+  std::size_t behind = 0;
+  while (!line.empty()) {
+    const Utf8Character character = firstCharacter(line);
+    if (line[0] == ' ') text.append(std::exchange(behind, 0), ' ');
+    behind += columnsBeyondOne(character, counted);
+    text += line.substr(0, character.length);
+    line.remove_prefix(character.length);
+  }
+  return text;
+}
 
 /// What stands there, without blanks around; lines may be cut behind their last sign.
 std::string fieldOf(std::string_view line, Columns columns) {
@@ -41,6 +88,12 @@ std::string fieldOf(std::string_view line, Columns columns) {
   return trimmed(skip(line, columns.last - columns.first + 1));
 }
 
+/// Does a number stand there that does not begin before?
+bool isNumberAt(std::string_view line, Columns at) {
+  const std::string before = fieldOf(line, {at.first - 1, at.first - 1}), number = fieldOf(line, at);
+  return (before.empty() || !isDigit(before[0])) && exactAngle(number, "deg");
+}
+
 /// Goes through a file record by record.
 class SdrReader {
  public:
@@ -52,6 +105,8 @@ class SdrReader {
       readRecord(*line);
       if (m_book.isFull(line->number)) break;
     }
+    m_book.setAsideTail(lines);
+    refuseMeansAlone();
     return m_book.finish(m_is33 ? "SDR33" : "SDR2x");
   }
 
@@ -61,31 +116,79 @@ class SdrReader {
     m_book.refuse(line.number, std::min(column, characterCount(line.text) + 1), what);
   }
 
+  /// Means with corrections are no readings of circles.
+  void refuseMeansAlone() {
+    const Recording& recording = m_book.recording();
+    if (m_firstMean == 0 || !recording.sightings.empty() || !recording.problems.empty()) return;
+    m_book.refuse(m_firstMean, 0,
+                  Phrase::of("is a corrected mean (09MC), and the file holds nothing else: send the "
+                             "observations raw (09F1, 09F2)"));
+  }
+
   void readRecord(TextLine line) {
     constexpr char begins = '\x02', ends = '\x03';  // of a transmission
+    constexpr std::size_t longestCheckSum = 5;
     if (line.text.starts_with(begins)) line.text.remove_prefix(1);
-    if (line.text.find_first_not_of(" \t") == std::string_view::npos || line.text[0] == ends) return;
+    const std::string plain = trimmed(line.text);
+    if (plain.empty() || line.text[0] == ends) return;
+    if (areAllDigits(plain) && plain.size() <= longestCheckSum) return;
     const std::string_view type = line.text.substr(0, 2),
                            from = line.text.substr(std::min<std::size_t>(line.text.size(), 2), 2);
     if (type == "00") return readHeading(line);
+    if (!m_hasHeading) return m_book.setAsideLine(plain, line.number);
     if (!m_unit) return;  // the heading could not be read, and said so
     if (type == "01") return readInstrument(line);
+    if (type == "02") return takeStation(fieldOf(line.text, columns(line).station), line.number);
     if (type == "09") return readObservation(line, from);
     if (type == "13") return from == "TS" ? void() : readNote(line);  // the time
-    if (type == "08") return m_book.setAside(Phrase::of("a record of coordinates (08)"), line.number);
-    if (type == "02" && m_hasStation)
-      return m_book.setAside(Phrase::of("another record of a station (02)"), line.number);
-    m_hasStation = m_hasStation || type == "02";
-    constexpr std::string_view passed = "02 03 05 06 07 10 11 12";  // station, target, program's own
-    if (type.size() == 2 && passed.find(type) != std::string_view::npos) return;
-    m_book.refuse(
-        line.number, 0,
-        Phrase::of("%1 is no record of an SDR file: transfer the file anew, or mend or delete the line",
-                   quotation(line.text)));
+    readUnused(line, type, from);
+  }
+
+  /// As the numbers behind the names show; as it is where they do not.
+  static std::string inColumns(std::string_view line, const SightingColumns& at) {
+    for (const Counted counted : {Counted::Characters, Counted::WideAsTwo, Counted::Bytes}) {
+      std::string text = aligned(line, counted);
+      if (isNumberAt(text, at.vertical) && isNumberAt(text, at.horizontal)) return text;
+    }
+    return std::string(line);
+  }
+
+  /// Of SDR33, unless the heading says otherwise and the line is too short for it.
+  SightingColumns columns(const TextLine& line) const {
+    const bool isLong = characterCount(line.text) >= columnsOf33.horizontal.first;
+    return m_is33 || isLong ? columnsOf33 : columnsOf2x;
+  }
+
+  void takeStation(const std::string& name, std::size_t line) {
+    if (name.empty() || name == m_station) return;
+    m_station = name;
+    m_book.beginStation(name, line);
+  }
+
+  static bool isRaw(std::string_view from) { return from == "F1" || from == "F2" || from == "MD"; }
+
+  /// Deleted and undocumented records, and lines that are no records.
+  void readUnused(const TextLine& line, std::string_view type, std::string_view from) {
+    const auto* const known = std::ranges::find(unusedRecords, type, &UnusedRecord::type);
+    if (known != std::end(unusedRecords)) {
+      if (known->what) m_book.setAside(Phrase::of(known->what), line.number);
+    } else if (type == "DD") {
+      m_book.setAside(Phrase::of("a deleted record"), line.number);
+    } else if (isRaw(from) && !areAllDigits(type)) {
+      m_book.refuse(
+          line.number, 0,
+          Phrase::of("%1 is no record of an SDR file: transfer the file anew, or mend or delete the line",
+                     quotation(line.text)));
+    } else if (areAllDigits(type)) {
+      m_book.setAside(Phrase::of("a record of the unknown type %1", quotation(type)), line.number);
+    } else {
+      m_book.setAsideLine(line.text, line.number);
+    }
   }
 
   void readHeading(const TextLine& line) {
-    m_is33 = fieldOf(line.text, {5, 20}).starts_with("SDR33");
+    m_hasHeading = true;
+    m_is33 = fieldOf(line.text, {5, 20}).starts_with("SDR3");
     m_unit.reset();
     m_isElevation.reset();
     const std::string unit = fieldOf(line.text, {41, 41}), direction = fieldOf(line.text, {46, 46});
@@ -114,12 +217,17 @@ class SdrReader {
     if (circle == "1" || circle == "2") m_isElevation = circle == "2";
   }
 
-  void readObservation(const TextLine& line, std::string_view from) {
-    if (from == "MC")
+  void readObservation(TextLine line, std::string_view from) {
+    if (from == "MC") {
+      if (m_firstMean == 0) m_firstMean = line.number;
       return m_book.setAside(Phrase::of("a corrected mean, no reading of circles (09MC)"), line.number);
-    if (from != "F1" && from != "F2" && from != "MD")
+    }
+    if (!isRaw(from))
       return m_book.setAside(Phrase::of("an observation that is not raw (09%1)", from), line.number);
-    const SightingColumns& at = m_is33 ? columnsOf33 : columnsOf2x;
+    const SightingColumns at = columns(line);
+    const bool isAscii = std::ranges::none_of(line.text, [](char c) { return (c & 0x80) != 0; });
+    const std::string text = isAscii ? std::string() : inColumns(line.text, at);
+    if (!isAscii) line.text = text;
     RecordedSighting sighting;
     sighting.line = line.number;
     sighting.enter(rowField(&Reading::point), fieldOf(line.text, at.point),
@@ -129,13 +237,14 @@ class SdrReader {
     if (!takeAngle(line, at.horizontal, rowField(&Reading::horizontal), sighting)) return;
     if (!takeAngle(line, at.vertical, rowField(&Reading::vertical), sighting)) return;
     if (!takeCircle(line.number)) return;
+    takeStation(fieldOf(line.text, at.station), line.number);
     m_book.add(std::move(sighting));
   }
 
-  bool takeAngle(const TextLine& line, Columns columns, const RowField& circle, RecordedSighting& sighting) {
-    const std::string number = fieldOf(line.text, columns);
+  bool takeAngle(const TextLine& line, Columns at, const RowField& circle, RecordedSighting& sighting) {
+    const std::string number = fieldOf(line.text, at);
     if (number.empty()) {
-      refuse(line, columns.first,
+      refuse(line, at.first,
              circle.text == &Reading::horizontal
                  ? Phrase::of("has no horizontal reading: delete the line, or sight the point again")
                  : Phrase::of("has no vertical reading: delete the line, or sight the point again"));
@@ -143,12 +252,12 @@ class SdrReader {
     }
     const auto angle = exactAngle(number, *m_unit);
     if (!angle) {
-      refuse(line, columns.first,
+      refuse(line, at.first,
              Phrase::of("%1 is no number: transfer the file anew, or mend or delete the line",
                         quotation(number)));
       return false;
     }
-    sighting.enter(circle, *angle, columns.first);
+    m_book.enter(sighting, circle, *angle, at.first);
     return true;
   }
 
@@ -175,7 +284,9 @@ class SdrReader {
   }
 
   FieldBook m_book;
-  bool m_is33 = true, m_hasStation = false;
+  bool m_is33 = true, m_hasHeading = false;
+  std::string m_station;              ///< that stands
+  std::size_t m_firstMean = 0;        ///< line of the first 09MC; 0: there is none
   std::optional<std::string> m_unit;  ///< of the job; absent where it is none that is read
   std::optional<bool> m_isElevation;  ///< the vertical circle; absent where the job does not say
 };

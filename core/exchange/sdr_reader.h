@@ -16,13 +16,16 @@ bool looksLikeSdr(std::string_view line);
 ///
 ///   00    version 5-20; unit of angles 41: 1 degrees, with decimals, 2 gon; direction 46: 1 to the right
 ///   01    instrument 6-21, serial number 22-27; vertical circle 51: 1 zenith, 2 horizon
+///   02    station 5-20 (5-8)
 ///   09F1, 09F2, 09MD   a sighting in face 1, in face 2, with several distances; columns of SDR33 (SDR2x)
-///         point 21-36 (9-12), vertical 53-68 (23-32), horizontal 69-84 (33-42), note 85-100 (43-58)
+///         station 5-20 (5-8), point 21-36 (9-12), vertical 53-68 (23-32), horizontal 69-84 (33-42), note
+///         85-100 (43-58)
 ///   13    a note, which says what code blocks say in GSI (gsi_reader.h)
 ///
 /// Points 0 and ZERO, or `zeroPoint`, are the pointing zero. Records 09MC hold means with corrections and
-/// azimuths, no readings of circles: they are listed in `unused`, as all that a session has no place for.
-/// Mils are refused: descriptions differ on their number in the heading.
+/// azimuths, no readings of circles: they are listed in `unused`, as all that a session has no place for,
+/// such as deleted records (DD) and unknown ones; a file with nothing else is refused. Mils are refused:
+/// descriptions differ on their number in the heading.
 Recording readSdr(std::string_view text, const std::string& zeroPoint = {});
 
 }  // namespace alidade

@@ -2,60 +2,68 @@
 
 #include <algorithm>
 
-#include "core/base/limits.h"
 #include "core/base/phrase.h"
 #include "core/base/utf8.h"
+#include "core/exchange/text_encoding.h"
 
 namespace alidade {
 
 namespace {
 
-/// The signs of Windows-1252 that occur in angles and are not those of Latin-1; others of that range are
-/// shown as �.
-const char* windowsSign(unsigned char byte) {
-  switch (byte) {
-    case 0x85:
-      return "…";
-    case 0x91:
-      return "‘";
-    case 0x92:
-      return "’";
-    case 0x93:
-      return "“";
-    case 0x94:
-      return "”";
-    case 0x96:
-      return "–";
-    case 0x97:
-      return "—";
-    default:
-      return "\uFFFD";
-  }
+constexpr char endOfFile = '\x1A';
+
+bool isControl(char c) {
+  constexpr unsigned char firstPrinting = 0x20, deletion = 0x7F;
+  const auto byte = static_cast<unsigned char>(c);
+  return (byte < firstPrinting && c != '\t' && c != '\r' && c != '\n') || byte == deletion;
 }
 
-Result<std::string> fromWindows(std::string_view bytes) {
-  std::string text;
-  for (const char c : bytes) {
-    if (text.size() > limits::mostBytes) return limits::tooManyBytes();
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x80) {
-      text += c;
-    } else if (byte < 0xA0) {
-      text += windowsSign(byte);
-    } else {
-      text += static_cast<char>(0xC0u | (byte >> 6u));
-      text += static_cast<char>(0x80u | (byte & 0x3Fu));
-    }
+bool isBesideText(char c) {
+  return isControl(c) || c == ' ' || c == '\t' || c == '\r' || c == '\n';
+}
+
+/// Does NUL only fill up, at the end of something? Within a word it is of a file that is no text.
+bool isFilling(std::string_view text) {
+  for (std::size_t at = text.find('\0'); at != std::string_view::npos; at = text.find('\0', at)) {
+    const std::size_t end = std::min(text.find_first_not_of('\0', at), text.size());
+    const bool isInside =
+        at > 0 && end < text.size() && !isBesideText(text[at - 1]) && !isBesideText(text[end]);
+    if (isInside) return false;
+    at = end;
   }
-  return text;
+  return true;
+}
+
+/// Control characters are left out at the beginning of a line, else blanks.
+std::string withoutControls(std::string_view text) {
+  std::string plain;
+  plain.reserve(text.size());
+  for (const char c : text) {
+    const bool isBeginning = plain.empty() || plain.back() == '\n' || plain.back() == '\r';
+    if (!isControl(c))
+      plain += c;
+    else if (!isBeginning)
+      plain += ' ';
+  }
+  return plain;
+}
+
+bool hasControls(std::string_view text) {
+  return std::any_of(text.begin(), text.end(), isControl);
 }
 
 }  // namespace
 
 std::optional<TextLine> TextLines::next() {
   if (m_rest.empty()) return std::nullopt;
-  const std::size_t end = std::min(m_rest.find_first_of("\r\n"), m_rest.size());
+  static constexpr std::string_view ends = "\r\n\x1A";
+  const std::size_t end = std::min(m_rest.find_first_of(ends), m_rest.size());
   const TextLine line{++m_number, m_rest.substr(0, end)};
+  if (end < m_rest.size() && m_rest[end] == endOfFile) {
+    m_rest = {};
+    m_tailLine = m_number;
+    return line.text.empty() ? std::nullopt : std::optional(line);
+  }
   const bool two = m_rest.substr(end, 2) == "\r\n";
   m_rest.remove_prefix(std::min(m_rest.size(), end + (two ? 2 : 1)));
   return line;
@@ -68,12 +76,21 @@ std::size_t characterCount(std::string_view text) {
 }
 
 Result<std::string> utf8Text(std::string_view bytes) {
-  if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"))
-    return Problem{Phrase::of("is UTF-16: save it as UTF-8 text")};
-  if (bytes.find('\0') != std::string_view::npos)
-    return Problem{Phrase::of("is no text: choose a GSI file, or a table saved as CSV")};
-  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
-  return firstIllFormedByte(bytes) ? fromWindows(bytes) : std::string(bytes);
+  // What stands behind ^Z was in memory by chance: it says nothing of the encoding.
+  const std::size_t end = isUtf16(bytes) ? bytes.size() : std::min(bytes.find(endOfFile), bytes.size());
+  Result<std::string> decoded = decodedText(bytes.substr(0, end));
+  if (!decoded) return decoded;
+  std::string text = *std::move(decoded);
+  const std::size_t endOfText = std::min(text.find(endOfFile), text.size());
+  const auto tells = [](std::string_view tail) {
+    return !std::all_of(tail.begin(), tail.end(), isBesideText);
+  };
+  const bool hasTail = tells(bytes.substr(end)) || tells(std::string_view(text).substr(endOfText));
+  text.resize(endOfText);
+  if (!isFilling(text)) return Problem{Phrase::of("is no text: choose a GSI file, or a table saved as CSV")};
+  if (hasControls(text)) text = withoutControls(text);
+  if (hasTail) text += endOfFile;
+  return text;
 }
 
 }  // namespace alidade

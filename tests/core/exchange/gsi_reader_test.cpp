@@ -86,7 +86,7 @@ TEST(GsiReader, ListsWhatItDoesNotUse) {
 
 TEST(GsiReader, NamesLinesThatCannotBeRead) {
   const Recording recording =
-      readGsi("110001+00000001" + point + "\n\n110002+00000002 21.324+34152240\nwhat\n");
+      readGsi("110001+00000001" + point + "\n\n110002+00000002 21.324+34152240\n21.3o4+34152240\n");
   EXPECT_EQ(recording.sightings.size(), 1u);
   ASSERT_EQ(recording.problems.size(), 2u);
   EXPECT_EQ(recording.problems[0].line, 3u);
@@ -111,6 +111,153 @@ TEST(GsiReader, KeepsStationsAndDistancesForTheCheckOfAnInstrument) {
   EXPECT_EQ(recording.sightings[2].station, 3u);
   EXPECT_THAT(recording.unusedBySession, Contains(HasSubstr("the station “7” is not used: line 1")));
   EXPECT_THAT(recording.unusedBySession, Contains(HasSubstr("slope distance is not used: line 2")));
+}
+
+std::vector<std::string> verticalsOf(const Recording& recording) {
+  std::vector<std::string> angles;
+  for (const RecordedSighting& sighting : recording.sightings) angles.push_back(sighting.row.vertical);
+  return angles;
+}
+
+TEST(GsiReader, TellsOfWordsAndLinesThatNobodyNeeds) {
+  const Recording recording =
+      readGsi("Job ARC7, 22.05.2026\n110001+00000001" + point +
+              " 86..+00300000 87..10+0015 71....+WIND 4F\n"
+              "*110002+000000000000000P 84.+0000 21.322+0000000001250000 331.28+0000000000012345 "
+              "22.322+0000000009820000\n-- page 2 --\n21 March\n");
+  EXPECT_THAT(recording.problems, IsEmpty());
+  EXPECT_THAT(verticalsOf(recording), ElementsAre("88°16'49.0\"", "98.20000gon"));
+  for (const std::string told :
+       {"the line “Job ARC7, 22.05.2026” is not used: line 1", "the text “86..+00300000”, no GSI word",
+        "reflector height is not used: line 2", "the text “84.+0000”", "word 331", "the line “-- page 2 --”",
+        "the line “21 March”", "neither 8 nor 16 characters, taken as they stand: 1, first in line 2"})
+    EXPECT_THAT(recording.unused, Contains(HasSubstr(told)));
+}
+
+TEST(GsiReader, QuotesTheFirstLinesOfNoUseAndCountsTheOthers) {
+  std::string text = "110001+00000001" + point + "\n";
+  for (int i = 0; i < 50; ++i) text += "page " + std::to_string(i) + "\n";
+  const Recording recording = readGsi(text);
+  EXPECT_THAT(recording.problems, IsEmpty());
+  EXPECT_EQ(recording.unused.size(), 4u);
+  EXPECT_THAT(recording.unused, Contains("the line “page 2” is not used: line 4"));
+  EXPECT_THAT(recording.unused,
+              Contains("a further line of no format is not used: 47 times, first in line 5"));
+}
+
+TEST(GsiReader, RefusesALineWhereWhatIsNeededIsTorn) {
+  const auto problem = [](const std::string& text) {
+    const Recording recording = readGsi(text + "\n110009+00000009" + point);
+    EXPECT_EQ(recording.sightings.size(), 1u) << text;
+    return recording.problems.empty() ? std::string() : recording.problems.front().text();
+  };
+  EXPECT_THAT(problem("110001+00000001 21.324+341522 22.324+08816490"),
+              HasSubstr("line 1, column 17: horizontal circle “341522” has neither 8 nor 16"));
+  EXPECT_THAT(problem("110001+00000001 21.324+34152240 22..+08816490"),
+              HasSubstr("column 33: “22..+08816490”"));
+  EXPECT_THAT(problem("110001+00000001 21.320+34152240 22.324+08816490"), HasSubstr("no unit of an angle"));
+  EXPECT_THAT(problem("11001+00000001" + point), HasSubstr("“11001+00000001” is no GSI word"));
+  EXPECT_THAT(problem("110001+00000001 21.3"), HasSubstr("“21.3” is no GSI word")) << "a line that was cut";
+  EXPECT_THAT(problem("41...+00000180"), HasSubstr("“41...+00000180” is no GSI word")) << "an axis";
+  EXPECT_THAT(problem("110001+00000001" + point + " 21.324+34152240"), HasSubstr("second reading"));
+  EXPECT_THAT(problem("110001+00000001 21.324+3415-240 22.324+08816490"), HasSubstr("not made of digits"));
+}
+
+TEST(GsiReader, CarriesSixtySecondsAndTellsHowMany) {
+  const Recording recording = readGsi(
+      "110001+00000001 21.324+10712600 22.324+08847300\n110002+00000002 21.324+35959600 "
+      "22.324+08859600\n110003+00000003 21.324+10860000 22.324+08861000\n"
+      "110004+00000004 21.324+10760600 22.324+08800000\n");
+  ASSERT_EQ(recording.sightings.size(), 4u);
+  EXPECT_EQ(recording.sightings[3].row.horizontal, "108°01'00.0\"");
+  EXPECT_EQ(recording.sightings[0].row.horizontal, "107°13'00.0\"");
+  EXPECT_EQ(recording.sightings[1].row.horizontal, "0°00'00.0\"");
+  EXPECT_EQ(recording.sightings[2].row.horizontal, "109°00'00.0\"");
+  EXPECT_THAT(verticalsOf(recording),
+              ElementsAre("88°47'30.0\"", "89°00'00.0\"", "88°61'00.0\"", "88°00'00.0\""));
+  EXPECT_THAT(recording.unused, ElementsAre(HasSubstr("next minute or degree: 5, first in line 1")));
+}
+
+TEST(GsiReader, ReadsEveryBlockOfALine) {
+  const Recording recording =
+      readGsi("110001+00000001" + point + " 110002+00000002" + point + " 410003+0AXIS180 110004+00000001" +
+              point + "\n*110005+0000000000000002 21.322+0000000001250000 22.322+0000000009820000 " +
+              "*110006+0000000000000003 22.322+0000000009820000 21.322+0000000001250000\n21.102+10000000 " +
+              "22.102+09823456 110007+00000007\n410008+0000ZERO 110009+00000009" + point);
+  EXPECT_THAT(recording.problems, IsEmpty());
+  std::vector<std::string> points, axes;
+  for (const RecordedSighting& sighting : recording.sightings) {
+    points.push_back(sighting.row.point);
+    axes.push_back(sighting.axis.text);
+  }
+  EXPECT_THAT(points, ElementsAre("1", "2", "1", "2", "3", "7", "9"));
+  EXPECT_THAT(axes, ElementsAre("", "", "180", "180", "180", "180", "180"));
+  EXPECT_TRUE(recording.sightings.back().isZero);
+  EXPECT_FALSE(recording.sightings.front().isZero);
+}
+
+TEST(GsiReader, TakesACodeInABlockForItsSighting) {
+  const Recording recording =
+      readGsi("110001+00000001" + point + " 41....+0000ZERO\n110002+00000002" + point);
+  ASSERT_EQ(recording.sightings.size(), 2u);
+  EXPECT_TRUE(recording.sightings[0].isZero);
+  EXPECT_FALSE(recording.sightings[1].isZero);
+}
+
+TEST(GsiReader, KnowsStationsByTheCodesOfInstruments) {
+  const Recording recording =
+      readGsi("410001+00000021 42....+000000K1 43....+00001500\n110002+00000001" + point +
+              "\n410003+00000002 42....+00000100\n110004+00000001" + point +
+              "\n410005+00000003 42....+00001546\n110006+00000001" + point + "\n410007+00000021\n");
+  EXPECT_THAT(recording.stations, ElementsAre("", "K1", "100"));
+  ASSERT_EQ(recording.sightings.size(), 3u);
+  EXPECT_EQ(recording.sightings[0].station, 1u);
+  EXPECT_EQ(recording.sightings[2].station, 2u) << "code 3 is the height of the target";
+}
+
+TEST(GsiReader, TellsWhatWasNotMeasured) {
+  const Recording recording = readGsi(
+      "110001+00000001 21.102+11912345 22.112+09823456\n110002+00000002 21.112+11912345 "
+      "22.142+09823456\n110003+00000003 21.322+11912345 22.332+09823456\n");
+  EXPECT_EQ(recording.sightings.size(), 3u);
+  EXPECT_THAT(recording.unused, Contains("angles keyed in by hand, not measured: 2, first in line 1"));
+  EXPECT_THAT(recording.unused, Contains(HasSubstr("worked out, not measured: 1, first in line 2")));
+}
+
+// 0°00'23.40" beside a zenith angle that shows where the sign stands; 107.12234 has it behind the degrees.
+TEST(GsiReader, ReadsAWrittenDecimalSign) {
+  const Recording recording = readGsi(
+      "*110001+0000000000000001 21.324+00000000000023.40 22.324+00000000884731.50\n"
+      "*110002+0000000000000002 21.324+00000000107.12234 22.324+00000000088.47600\n"
+      "*110003+0000000000000003 21.322+00000000119.12345 22.323+00000000088.79167\n"
+      "110004+00000004 21.325+1600,0000 22.324+881649.5\n");
+  EXPECT_THAT(recording.problems, IsEmpty());
+  ASSERT_EQ(recording.sightings.size(), 4u);
+  std::vector<std::string> horizontals;
+  for (const RecordedSighting& sighting : recording.sightings) horizontals.push_back(sighting.row.horizontal);
+  EXPECT_THAT(horizontals, ElementsAre("0°00'23.40\"", "107°12'23.4\"", "119.12345gon", "90.000000000°"));
+  EXPECT_THAT(verticalsOf(recording),
+              ElementsAre("88°47'31.50\"", "88°48'00.0\"", "88.79167°", "88°16'49.5\""));
+}
+
+TEST(GsiReader, ReadsWhatProgramsMakeOfBlocks) {
+  const std::string first = "110001+00000001", hz = "21.102+11912345", v = "22.102+09823456";
+  for (const std::string& text : {first + "," + hz + "," + v, first + hz + v, first + "\t" + hz + "\t\t" + v,
+                                  "12: " + first + " " + hz + " " + v, first + " " + hz + " " + v + "*5A",
+                                  first + " " + hz + " " + v + " 1234", first + ";" + hz + ";" + v + ";"}) {
+    const Recording recording = readGsi(text);
+    EXPECT_THAT(recording.problems, IsEmpty()) << text;
+    ASSERT_EQ(recording.sightings.size(), 1u) << text;
+    EXPECT_EQ(recording.sightings[0].row.horizontal, "119.12345gon");
+    EXPECT_EQ(recording.sightings[0].row.vertical, "98.23456gon");
+    EXPECT_EQ(recording.sightings[0].row.point, "1");
+  }
+}
+
+TEST(GsiReader, StopsAtTheEndOfADosFile) {
+  const std::string line = "110001+00000001" + point + "\r\n";
+  EXPECT_THAT(readGsi(line + "\x1A").unused, Contains(HasSubstr("behind the end of the file (^Z)")));
+  EXPECT_EQ(readGsi(line + "\x1A" + line).sightings.size(), 1u);
 }
 
 }  // namespace

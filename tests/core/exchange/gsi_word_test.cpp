@@ -107,6 +107,37 @@ TEST(GsiWord, NamesWhereABlockIsBroken) {
   EXPECT_EQ(problemOf("*").line, 7u) << "a star alone";
 }
 
+// The names are BÖDEN1Ä, 点位7 and ÄB: a program counts characters of the file, which were bytes.
+TEST(GsiWord, CountsWidthsInCharactersOfTheFile) {
+  const std::string circle = " 21.322+0000000011912345";
+  for (const std::string name :
+       {"000000000BÖDEN1Ä", "00000000BÖDEN1Ä", "0000000BÖDEN1Ä", "00000000000点位7", "0000000000000点位7"}) {
+    std::string line = "*110001+";
+    line += name;
+    const auto words = gsiWords({1, line + circle});
+    const bool isWhole = std::holds_alternative<std::vector<GsiWord>>(words);
+    EXPECT_EQ(isWhole, name != "00000000BÖDEN1Ä") << name;
+  }
+  EXPECT_EQ(gsiText(wordsOf("110001+00000ÄB7 21.102+11912345")[0]), "ÄB7");
+  EXPECT_EQ(gsiText(wordsOf("110001+000ÄB  7 21.102+11912345")[0]), "ÄB  7");
+}
+
+TEST(GsiWord, ReadsAFullTurnAsZero) {
+  EXPECT_EQ(angleOf("21.102+40000000"), "0.00000gon");
+  EXPECT_EQ(angleOf("21.103+36000000"), "0.00000°");
+  EXPECT_EQ(angleOf("21.104+36000000"), "0°00'00.0\"");
+  EXPECT_EQ(angleOf("21.105+64000000"), "0.000000000°");
+  EXPECT_EQ(angleOf("21.102+40000001"), "400.00001gon") << "beyond it the rules of entries tell of it";
+}
+
+TEST(GsiWord, KnowsIndicesOfThreeDigits) {
+  const auto words =
+      wordsOf("110001+00000001 331.28+00012345 330.08+00012345 21.102+11912345 573..8+00000001");
+  std::vector<int> indices;
+  for (const GsiWord& word : words) indices.push_back(word.index);
+  EXPECT_THAT(indices, ::testing::ElementsAre(11, 331, 330, 21, 573));
+}
+
 TEST(GsiWord, KnowsAGsiLine) {
   EXPECT_TRUE(looksLikeGsi("110001+00000001 21"));
   EXPECT_TRUE(looksLikeGsi("  *41....+0000000000000180"));

@@ -67,7 +67,7 @@ TEST(M5Reader, ReadsSightingsInEveryUnit) {
   EXPECT_EQ(recording.sightings[1].row.horizontal, "7 54 39");
   EXPECT_EQ(recording.sightings[1].row.vertical, "89 14 13");
   EXPECT_EQ(recording.sightings[2].row.vertical, "88.280278°");
-  EXPECT_DOUBLE_EQ(parseAngle(recording.sightings[3].row.horizontal)->degrees(), 360);
+  EXPECT_DOUBLE_EQ(parseAngle(recording.sightings[3].row.horizontal)->degrees(), 0) << "a full turn";
   EXPECT_DOUBLE_EQ(parseAngle(recording.sightings[3].row.vertical)->degrees(), 90);
   EXPECT_EQ(recording.sightings[3].row.point, "4");
   EXPECT_EQ(recording.sightings[3].line, 4u);
@@ -114,6 +114,59 @@ TEST(M5Reader, FollowsTheHeadingAndTheMarks) {
   EXPECT_EQ(recording.sightings[1].row.round, "2");
   EXPECT_EQ(recording.sightings[1].row.point, "A 12") << "from column 16 of the text on";
   EXPECT_EQ(recording.sightings[1].row.note, "note      CODE1");
+}
+
+// 59.96″ rounded to whole seconds.
+TEST(M5Reader, CarriesSixtySecondsAndMinutes) {
+  const Recording recording =
+      readM5(sighting("1", "107.1260", "88.4730", "DMS") + sighting("2", "108.0120", "88.5960", "DMS") +
+             sighting("3", "359.5960", "89.1250", "DMS") + sighting("4", "359.5960", "89.60125", "DMS") +
+             sighting("5", "360.0000", "88.1361", "DMS") + sighting("6", "400.0000", "360", "gon"));
+  EXPECT_THAT(recording.problems, IsEmpty());
+  ASSERT_EQ(recording.sightings.size(), 6u);
+  EXPECT_EQ(recording.sightings[0].row.horizontal, "107 13 00");
+  EXPECT_EQ(recording.sightings[0].row.vertical, "88 47 30");
+  EXPECT_EQ(recording.sightings[1].row.vertical, "89 00 00");
+  EXPECT_EQ(recording.sightings[2].row.horizontal, "0 00 00");
+  EXPECT_EQ(recording.sightings[3].row.vertical, "90 00 12.5");
+  EXPECT_EQ(recording.sightings[4].row.horizontal, "0 00 00") << "a full turn";
+  EXPECT_FALSE(parseAngle(recording.sightings[4].row.vertical)) << "61 seconds are none";
+  EXPECT_EQ(recording.sightings[5].row.horizontal, "0.0000gon");
+  EXPECT_EQ(recording.sightings[5].row.vertical, "360gon") << "no full turn in gon";
+  EXPECT_THAT(recording.unused, Contains(HasSubstr("next minute or degree: 5, first in line 1")));
+}
+
+TEST(M5Reader, TellsStationsByTheirPrograms) {
+  const std::string none = nothing + nothing + nothing,
+                    angles = nothing + number("Hz", "1.0", "gon") + number("V1", "100", "gon");
+  const Recording recording =
+      readM5(line(1, "TI", "KN STAT", none) +
+             line(2, "PI1", "          S               A",
+                  number("Y", "0.000", "m") + number("X", "0.000", "m") + nothing) +
+             line(3, "PI1", "          A               0", angles) + line(4, "TI", "POLAR", none) +
+             sighting("7", "1.0", "100", "gon") + line(5, "TI", "UN STAT", none) +
+             sighting("7", "51.0", "100", "gon") + line(6, "TI", "EL STAT", none) +
+             line(7, "PI1", "          S               A", none) + sighting("7", "51.0", "100", "gon") +
+             line(8, "TI", "STATION 5", none) + sighting("7", "52.0", "100", "gon"));
+  EXPECT_THAT(recording.problems, IsEmpty());
+  EXPECT_THAT(recording.stations, ElementsAre("", "KN STAT 1", "A", "UN STAT 2", "5"));
+  std::vector<std::size_t> stations;
+  for (const RecordedSighting& each : recording.sightings) stations.push_back(each.station);
+  EXPECT_THAT(stations, ElementsAre(2u, 2u, 3u, 3u, 4u));
+  EXPECT_TRUE(recording.sightings[0].isZero);
+  EXPECT_THAT(recording.unused, Contains(HasSubstr("taken as the pointing zero: 1, first in line 3")));
+}
+
+TEST(M5Reader, TellsOfLinesThatNobodyNeeds) {
+  const std::string bare = sighting("7", "1.0", "100", "gon").substr(17);  // without its address
+  const Recording recording =
+      readM5("Field book of 5 March\n" + sighting("1", "1.0", "100", "gon") + "For M5|" + bare +
+             line(2, "TI", "POLAR", nothing + nothing + nothing, 'e') + "END\n12345\n");
+  EXPECT_THAT(recording.problems, IsEmpty());
+  ASSERT_EQ(recording.sightings.size(), 2u);
+  EXPECT_EQ(recording.sightings[1].row.point, "7");
+  EXPECT_THAT(recording.unused, Contains(HasSubstr("the line “Field book of 5 March”")));
+  EXPECT_EQ(readM5(bare).problems.size(), 1u) << "a sighting without the mark of the format";
 }
 
 TEST(M5Reader, TakesHeightAnglesForAnElevationCircle) {

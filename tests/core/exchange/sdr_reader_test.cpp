@@ -101,7 +101,9 @@ TEST(SdrReader, SaysWhatIsNoReadingOfACircle) {
   EXPECT_EQ(recording.sightings.size(), 1u);
   EXPECT_THAT(recording.unused, Contains(HasSubstr("09MC")));
   EXPECT_THAT(recording.unused, Contains(HasSubstr("coordinates (08)")));
-  EXPECT_THAT(recording.unused, Contains(HasSubstr("another record of a station (02) is not used: line 5")));
+  EXPECT_THAT(recording.stations, ::testing::ElementsAre("", "S", "T"));
+  EXPECT_EQ(recording.sightings.at(0).station, 2u);
+  EXPECT_THAT(recording.unusedBySession, Contains("the station “T” is not used: line 5"));
 }
 
 TEST(SdrReader, NamesRecordsThatCannotBeRead) {
@@ -118,9 +120,67 @@ TEST(SdrReader, NamesRecordsThatCannotBeRead) {
               HasSubstr("line 2, column 53: has no vertical reading"));
   EXPECT_THAT(problem(begin + record("09F1", {"S", "9", "", "90.0", "33x.5"})),
               HasSubstr("“33x.5” is no number"));
-  EXPECT_THAT(problem(begin + "what\n"), HasSubstr("is no record"));
+  EXPECT_THAT(problem(begin + record("O9F1", {"S", "9", "", "90.0", "332.5"})), HasSubstr("is no record"));
   EXPECT_THAT(problem(begin + instrument('1') + sound + begin + instrument('2')), HasSubstr("other kind"));
   EXPECT_EQ(readSdr(heading("SDR33", "311111") + sound).sightings.size(), 0u) << "a job in mils is not read";
+}
+
+TEST(SdrReader, FollowsTheStationOfEachObservation) {
+  const auto stations = [](const Recording& recording) {
+    std::vector<std::string> names;
+    for (const RecordedSighting& sighting : recording.sightings)
+      names.push_back(recording.stations.at(sighting.station));
+    return names;
+  };
+  const Recording recording = readSdr(
+      heading("SDR33", "111111") + record("02TP", {"K1"}) + record("09F1", {"K1", "9", "", "90.0", "332.5"}) +
+      record("09F1", {"K2", "9", "", "90.0", "2.5"}) + record("09F1", {"", "9", "", "90.0", "2.5"}));
+  EXPECT_THAT(stations(recording), ::testing::ElementsAre("K1", "K2", "K2"));
+  EXPECT_THAT(recording.unusedBySession, Contains("the station “K1” is not used: line 2"));
+  const Recording older =
+      readSdr(heading("SDR20 V03-05", "211111") + shortRecord("0001", "1001", "", "100.5", "10") +
+              shortRecord("0002", "1001", "", "100.5", "360.5"));
+  EXPECT_THAT(stations(older), ::testing::ElementsAre("0001", "0002"));
+}
+
+TEST(SdrReader, TellsOfRecordsThatNobodyNeeds) {
+  const Recording recording =
+      readSdr("Job ARC7\n" + heading("SDR33", "111111") + record("DD09F1", {"S", "8", "", "90.0", "1.5"}) +
+              record("04NM", {"0.0005", "-0.0008"}) + "66ZZ something\n" + "what\n" +
+              record("09ZZ", {"S", "9", "", "90.0", "332.5"}) + record("12NM", {"S"}) +
+              record("09MC", {"S", "9", "1", "90.0", "332.5"}) +
+              record("09F1", {"S", "9", "", "90.0", "360.00000000"}) + "\x03\n09436\n4711\n");
+  EXPECT_THAT(recording.problems, IsEmpty());
+  ASSERT_EQ(recording.sightings.size(), 1u);
+  EXPECT_EQ(recording.sightings[0].row.horizontal, "0.00000000°") << "a full turn";
+  for (const std::string told :
+       {"the line “Job ARC7”", "a deleted record is not used: line 3", "collimation of the instrument (04)",
+        "unknown type “66”", "the line “what”", "not raw (09ZZ)", "a set (12)", "(09MC)"})
+    EXPECT_THAT(recording.unused, Contains(HasSubstr(told)));
+}
+
+// Columns of names beyond ASCII: characters of Latin-1, bytes of GB 18030 (two for a character), bytes of
+// UTF-8.
+TEST(SdrReader, FindsTheColumnsBehindNamesOfAnyEncoding) {
+  const std::string before = heading("SDR33", "111111") + "09F1" + filled("K1", 16),
+                    behind =
+                        filled("", 16) + filled("90.12345678", 16) + filled("332.5", 16) + filled("Höhe", 18);
+  for (const std::string& name : {"BÖDEN" + std::string(11, ' '), "点位1" + std::string(11, ' '),
+                                  "BÖDEN" + std::string(10, ' '), "点位1" + std::string(9, ' ')}) {
+    const Recording recording = readSdr(before + name + behind + "\n");
+    ASSERT_EQ(recording.sightings.size(), 1u) << name;
+    EXPECT_EQ(recording.sightings[0].row.vertical, "90.12345678°") << name;
+    EXPECT_EQ(recording.sightings[0].row.horizontal, "332.5°");
+    EXPECT_EQ(recording.sightings[0].row.point, name.substr(0, name.find(' ')));
+  }
+}
+
+TEST(SdrReader, AsksForRawObservations) {
+  const Recording recording =
+      readSdr(heading("SDR33", "111111") + record("09MC", {"S", "9", "1", "90.0", "332.5"}));
+  ASSERT_EQ(recording.problems.size(), 1u);
+  EXPECT_THAT(recording.problems[0].text(), HasSubstr("line 2: is a corrected mean (09MC)"));
+  EXPECT_THAT(recording.problems[0].text(), HasSubstr("send the observations raw"));
 }
 
 TEST(SdrReader, ReadsLinesThatWereCutAndSurvivesAnyCut) {
