@@ -1,0 +1,238 @@
+#include "core/exchange/file_format.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "core/base/phrase.h"
+#include "core/exchange/content_lines.h"
+#include "core/exchange/field_formats.h"
+#include "core/exchange/foreign_files.h"
+#include "core/exchange/gsi_reader.h"
+#include "core/exchange/gsi_word.h"
+#include "core/exchange/jobxml_reader.h"
+#include "core/exchange/landxml_reader.h"
+#include "core/exchange/m5_reader.h"
+#include "core/exchange/sdr_reader.h"
+#include "core/exchange/text_lines.h"
+#include "core/exchange/words.h"
+#include "core/exchange/zeiss_r_reader.h"
+
+namespace alidade {
+
+namespace {
+
+/// Lines before the first of an instrument: a title that somebody or a program wrote.
+constexpr std::size_t mostTitleLines = 4;
+
+/// One of the first lines is of the instrument; behind a title only lines that no table has.
+template <bool (*looksLikeLine)(std::string_view)>
+bool beginsWithLines(std::string_view beginning) {
+  const auto lines = contentLines(beginning, mostTitleLines + 1);
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    if (looksLikeLine(withoutIndent(lines[i])) &&
+        (i == 0 || lines[i].find_first_of(",;\t") == std::string_view::npos))
+      return true;
+  return false;
+}
+
+/// The text begins with the brand, as its own word, whatever follows.
+bool beginsWithBrand(std::string_view beginning, std::string_view brand) {
+  const auto lines = contentLines(beginning, 1);
+  if (lines.empty()) return false;
+  const std::string first = upperCase(std::string(withoutIndent(lines[0]).substr(0, brand.size() + 1)));
+  return first.starts_with(brand) && (first.size() == brand.size() || first.back() == ' ');
+}
+
+constexpr const char* exportReadings = PHRASE_LATER(
+    "Phrase",
+    "is a file of the format %1, which is not read here: export GSI, SDR, JobXML or a table (CSV) instead");
+constexpr const char* saveAsCsv = PHRASE_LATER(
+    "Phrase",
+    "is a file of the format %1, which is not read here: save its table as CSV and choose that file");
+constexpr const char* holdsNoReadings =
+    PHRASE_LATER("Phrase",
+                 "is a file of the format %1, which holds no readings of circles: choose the file of the "
+                 "instrument (GSI, SDR, M5, JobXML, LandXML) or a table (CSV)");
+constexpr const char* isJson =
+    PHRASE_LATER("Phrase", "is no file of readings but JSON: open it as a session");
+
+FileFormat readable(FileFormat format) {
+  return format;
+}
+
+/// A format that is recognised, named and refused.
+FileFormat named(std::string_view id, std::string_view name, std::vector<std::string_view> suffixes,
+                 bool (*looksLike)(std::string_view), const char* refusal) {
+  FileFormat format{.id = id, .name = name, .suffixes = std::move(suffixes), .looksLike = looksLike};
+  format.refusal = refusal;
+  return format;
+}
+
+FileFormat binary(std::string_view id, std::string_view name, std::vector<std::string_view> suffixes,
+                  bool (*looksLike)(std::string_view), const char* refusal) {
+  FileFormat format = named(id, name, std::move(suffixes), looksLike, refusal);
+  format.isBinary = true;
+  return format;
+}
+
+std::vector<FileFormat> allFormats() {
+  return {
+      readable({.id = "gsi",
+                .name = "Leica GSI",
+                .suffixes = {"gsi"},
+                .looksLike = beginsWithLines<looksLikeGsi>,
+                .read = readGsi,
+                .kinds = "Leica GSI-8 and GSI-16",
+                .reason = PHRASE_LATER("Phrase", "its lines are made of words such as 21.102+17920860")}),
+      readable({.id = "m5",
+                .name = "Trimble M5",
+                .suffixes = {"m5", "rec", "dat"},
+                .looksLike = beginsWithLines<looksLikeM5>,
+                .read = readM5,
+                .kinds = "Zeiss and Trimble M5",
+                .reason = PHRASE_LATER("Phrase", "its lines begin with For M5")}),
+      readable({.id = "sdr",
+                .name = "Sokkia SDR",
+                .suffixes = {"sdr"},
+                .looksLike = beginsWithLines<looksLikeSdr>,
+                .read = readSdr,
+                .kinds = "Sokkia SDR33 and SDR2x",
+                .reason = PHRASE_LATER("Phrase", "it begins with the heading of a Sokkia SDR file")}),
+      readable({.id = "zeiss-r",
+                .name = "Zeiss R4/R5",
+                .suffixes = {"r4", "r5"},
+                .looksLike = beginsWithLines<looksLikeZeissR>,
+                .read = readZeissR,
+                .kinds = "Zeiss R4 and R5",
+                .reason = PHRASE_LATER("Phrase", "its lines begin with For R4 or For R5")}),
+      readable({.id = "jobxml",
+                .name = "Trimble JobXML",
+                .suffixes = {"jxl", "xml"},
+                .looksLike = looksLikeJobXml,
+                .read = readJobXml,
+                .kinds = "Trimble JobXML",
+                .reason = PHRASE_LATER("Phrase", "its outermost element is JOBFile")}),
+      readable({.id = "landxml",
+                .name = "LandXML",
+                .suffixes = {"xml"},
+                .looksLike = looksLikeLandXml,
+                .read = readLandXml,
+                .kinds = "LandXML (HeXML)",
+                .reason = PHRASE_LATER("Phrase", "its outermost element is LandXML")}),
+
+      named("nikon-raw", "Nikon RAW", {"raw", "nik"}, looksLikeNikonRaw, exportReadings),
+      named("rw5", "Carlson RW5 / TDS RAW", {"rw5"}, looksLikeRw5, exportReadings),
+      named("gts-6", "Topcon GTS-6", {"gt6", "gts"}, looksLikeGts6, exportReadings),
+      named("gts-7", "Topcon GTS-7 / South / FOIF RAW", {"gt7"}, looksLikeGts7, exportReadings),
+      named("geodimeter", "Geodimeter (ARE, JOB)", {"are", "job", "obs"}, looksLikeGeodimeter,
+            exportReadings),
+      named("rec500", "Zeiss REC500", {}, looksLikeRec500, exportReadings),
+      named("trimble-dc", "Trimble DC", {"dc"}, looksLikeTrimbleDc, exportReadings),
+      named("idex", "Leica IDEX", {"idx"}, looksLikeIdex, exportReadings),
+      named("gnss", "RINEX / NMEA (GNSS)", {"obs", "nmea"}, looksLikeGnss, holdsNoReadings),
+      named(
+          "foif", "FOIF", {}, [](std::string_view text) { return beginsWithBrand(text, "FOIF"); },
+          exportReadings),
+      named(
+          "kern", "Kern", {}, [](std::string_view text) { return beginsWithBrand(text, "KERN"); },
+          exportReadings),
+      named("dxf", "DXF (CAD)", {"dxf"}, looksLikeDxf, holdsNoReadings),
+      named("rtf", "RTF", {"rtf"}, looksLikeRtf, saveAsCsv),
+      named("html", "HTML", {"html", "htm"}, looksLikeHtml, saveAsCsv),
+      named("postscript", "PostScript", {"ps"}, looksLikePostScript, saveAsCsv),
+      named("xml", "XML", {}, looksLikeOtherXml, exportReadings),
+      named("json", "JSON", {"json"}, looksLikeJson, isJson),
+
+      binary("pdf", "PDF", {"pdf"}, looksLikePdf, saveAsCsv),
+      binary("xlsx", "Excel, Word (XLSX, DOCX)", {"xlsx", "docx"}, looksLikeExcel, saveAsCsv),
+      binary("ods", "OpenDocument (ODS, ODT)", {"ods", "odt"}, looksLikeOpenDocument, saveAsCsv),
+      binary("zip", "ZIP archive", {"zip", "gz", "7z", "rar"}, looksLikeArchive,
+             PHRASE_LATER("Phrase", "is a file of the format %1: unpack it and choose the file in it")),
+      binary("xls", "Excel, Word (XLS, DOC)", {"xls", "doc"}, looksLikeOldOffice, saveAsCsv),
+      binary("database", "SQLite, Access (database)", {"sqlite", "mdb"}, looksLikeDatabase, exportReadings),
+      binary("image", "PNG, JPEG, TIFF (image)", {"png", "jpg", "jpeg", "tif", "tiff"}, looksLikeImage,
+             holdsNoReadings),
+      binary("dwg", "DWG (CAD)", {"dwg"}, looksLikeDrawing, holdsNoReadings),
+      binary("crd", "Carlson CRD", {"crd"}, looksLikeCarlsonCrd, holdsNoReadings),
+      binary("dbx", "Leica DBX", {"dbx", "xcf"}, looksLikeNothing, exportReadings),
+  };
+}
+
+constexpr std::size_t bytesOfMark = 4096;
+
+bool hasSuffix(std::string_view fileName, const FileFormat& format) {
+  const std::size_t dot = fileName.rfind('.');
+  if (dot == std::string_view::npos) return false;
+  const std::string suffix = lowerCase(std::string(fileName.substr(dot + 1)));
+  return std::ranges::find(format.suffixes, suffix) != format.suffixes.end();
+}
+
+const FileFormat* formatOfBytes(std::string_view bytes, std::string_view fileName) {
+  const std::string_view head = bytes.substr(0, std::min(bytes.size(), bytesOfMark));
+  const bool isUtf16 = head.starts_with("\xFF\xFE") || head.starts_with("\xFE\xFF");
+  const bool isText = isUtf16 || head.find('\0') == std::string_view::npos;
+  const auto formats = fileFormats();
+  const auto found = std::ranges::find_if(formats, [&](const FileFormat& format) {
+    return format.isBinary && (format.looksLike(head) || (!isText && hasSuffix(fileName, format)));
+  });
+  return found == formats.end() ? nullptr : &*found;
+}
+
+std::vector<std::string_view> namesOf(bool areRead) {
+  std::vector<std::string_view> names;
+  for (const FileFormat& format : fileFormats())
+    if ((format.read != nullptr) == areRead) names.push_back(format.name);
+  return names;
+}
+
+}  // namespace
+
+std::span<const FileFormat> fileFormats() {
+  static const std::vector<FileFormat> formats = allFormats();
+  return formats;
+}
+
+const FileFormat* formatOfText(std::string_view beginning) {
+  const auto formats = fileFormats();
+  const auto found = std::ranges::find_if(formats, [beginning](const FileFormat& format) {
+    return !format.isBinary && format.looksLike(beginning);
+  });
+  return found == formats.end() ? nullptr : &*found;
+}
+
+Problem notRead(const FileFormat& format) {
+  return Problem{Phrase::of(format.refusal, format.name)};
+}
+
+Result<std::string> readingsText(std::string_view bytes, std::string_view fileName) {
+  if (const FileFormat* format = formatOfBytes(bytes, fileName)) return notRead(*format);
+  return utf8Text(bytes);
+}
+
+std::string readableKinds() {
+  std::string kinds;
+  for (const FileFormat& format : fileFormats())
+    if (format.read) kinds += std::string(format.kinds) + ", ";
+  return kinds + "and tables";
+}
+
+std::vector<std::string_view> readableFormats() {
+  return namesOf(true);
+}
+
+std::vector<std::string_view> namedFormats() {
+  return namesOf(false);
+}
+
+std::vector<std::string_view> readingsSuffixes() {
+  std::vector<std::string_view> suffixes;
+  const auto add = [&suffixes](std::string_view suffix) {
+    if (std::ranges::find(suffixes, suffix) == suffixes.end()) suffixes.push_back(suffix);
+  };
+  for (const FileFormat& format : fileFormats())
+    if (format.read) std::ranges::for_each(format.suffixes, add);
+  for (const std::string_view suffix : {"csv", "tsv", "txt"}) add(suffix);
+  return suffixes;
+}
+
+}  // namespace alidade
