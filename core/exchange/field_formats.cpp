@@ -102,8 +102,12 @@ bool looksLikeNikonRaw(std::string_view beginning) {
 
 bool looksLikeRw5(std::string_view beginning) {
   return std::ranges::any_of(contentLines(beginning), [](std::string_view indented) {
-    return beginsWithOne(withoutIndent(indented), {"JB,NM", "MO,AD", "OC,OP", "BK,OP", "SS,OP", "TR,OP",
-                                                   "BD,OP", "BR,OP", "FD,OP", "FR,OP", "LS,HI", "GPS,PN"});
+    const std::string_view line = withoutIndent(indented);
+    constexpr std::size_t mark = 5;  // LS,HI
+    const bool hasNumber = line.size() > mark && isDigit(line[mark]);
+    return beginsWithOne(line, {"JB,NM", "OC,OP", "BK,OP", "SS,OP", "TR,OP", "BD,OP", "BR,OP", "FD,OP",
+                                "FR,OP", "GPS,PN"}) ||
+           (hasNumber && beginsWithOne(line, {"MO,AD", "LS,HI"}));
   });
 }
 
@@ -145,8 +149,10 @@ bool looksLikeTrimbleDc(std::string_view beginning) {
   const Lines lines = contentLines(beginning, 1);
   if (lines.empty() || isSeparated(lines[0])) return false;
   const std::string_view line = withoutIndent(lines[0]);
-  constexpr std::size_t shortest = 20;
-  return line.size() >= shortest && beginsWithOne(line, {"00NM", "10NM", "E0NM"});
+  constexpr std::size_t shortest = 20, name = 4;
+  if (line.size() < shortest) return false;
+  if (line.starts_with("00NM")) return isLetter(line[name]) && line.find(':') != std::string_view::npos;
+  return beginsWithOne(line, {"10NM", "E0NM"}) && line.find('.') == std::string_view::npos;
 }
 
 bool looksLikeIdex(std::string_view beginning) {
@@ -157,7 +163,7 @@ bool looksLikeIdex(std::string_view beginning) {
     return content.substr(0, content.find_first_of(" \t"));
   };
   return wordOf(lines[0]) == "HEADER" && std::ranges::any_of(lines, [&wordOf](std::string_view line) {
-           return isOneOf(wordOf(line), {"VERSION", "SYSTEM", "UNITS", "PROJECT", "DATABASE"});
+           return isOneOf(wordOf(line), {"VERSION", "SYSTEM", "UNITS"});
          });
 }
 

@@ -12,6 +12,7 @@
 #include "core/exchange/jobxml_reader.h"
 #include "core/exchange/landxml_reader.h"
 #include "core/exchange/m5_reader.h"
+#include "core/exchange/recognise_table.h"
 #include "core/exchange/sdr_reader.h"
 #include "core/exchange/text_lines.h"
 #include "core/exchange/words.h"
@@ -35,12 +36,13 @@ bool beginsWithLines(std::string_view beginning) {
   return false;
 }
 
-/// The text begins with the brand, as its own word, whatever follows.
+/// The text begins with the brand, as its own word, and holds no table of readings.
 bool beginsWithBrand(std::string_view beginning, std::string_view brand) {
   const auto lines = contentLines(beginning, 1);
   if (lines.empty()) return false;
   const std::string first = upperCase(std::string(withoutIndent(lines[0]).substr(0, brand.size() + 1)));
-  return first.starts_with(brand) && (first.size() == brand.size() || first.back() == ' ');
+  return first.starts_with(brand) && (first.size() == brand.size() || first.back() == ' ') &&
+         !hasCircles(recogniseTable(beginning).table);
 }
 
 constexpr const char* exportReadings = PHRASE_LATER(
@@ -55,10 +57,6 @@ constexpr const char* holdsNoReadings =
                  "instrument (GSI, SDR, M5, JobXML, LandXML) or a table (CSV)");
 constexpr const char* isJson =
     PHRASE_LATER("Phrase", "is no file of readings but JSON: open it as a session");
-
-FileFormat readable(FileFormat format) {
-  return format;
-}
 
 /// A format that is recognised, named and refused.
 FileFormat named(std::string_view id, std::string_view name, std::vector<std::string_view> suffixes,
@@ -75,50 +73,55 @@ FileFormat binary(std::string_view id, std::string_view name, std::vector<std::s
   return format;
 }
 
+FileFormat holdingSession(FileFormat format) {
+  format.mayHoldSession = true;
+  return format;
+}
+
 std::vector<FileFormat> allFormats() {
   return {
-      readable({.id = "gsi",
-                .name = "Leica GSI",
-                .suffixes = {"gsi"},
-                .looksLike = beginsWithLines<looksLikeGsi>,
-                .read = readGsi,
-                .kinds = "Leica GSI-8 and GSI-16",
-                .reason = PHRASE_LATER("Phrase", "its lines are made of words such as 21.102+17920860")}),
-      readable({.id = "m5",
-                .name = "Trimble M5",
-                .suffixes = {"m5", "rec", "dat"},
-                .looksLike = beginsWithLines<looksLikeM5>,
-                .read = readM5,
-                .kinds = "Zeiss and Trimble M5",
-                .reason = PHRASE_LATER("Phrase", "its lines begin with For M5")}),
-      readable({.id = "sdr",
-                .name = "Sokkia SDR",
-                .suffixes = {"sdr"},
-                .looksLike = beginsWithLines<looksLikeSdr>,
-                .read = readSdr,
-                .kinds = "Sokkia SDR33 and SDR2x",
-                .reason = PHRASE_LATER("Phrase", "it begins with the heading of a Sokkia SDR file")}),
-      readable({.id = "zeiss-r",
-                .name = "Zeiss R4/R5",
-                .suffixes = {"r4", "r5"},
-                .looksLike = beginsWithLines<looksLikeZeissR>,
-                .read = readZeissR,
-                .kinds = "Zeiss R4 and R5",
-                .reason = PHRASE_LATER("Phrase", "its lines begin with For R4 or For R5")}),
-      readable({.id = "jobxml",
-                .name = "Trimble JobXML",
-                .suffixes = {"jxl", "xml"},
-                .looksLike = looksLikeJobXml,
-                .read = readJobXml,
-                .kinds = "Trimble JobXML",
-                .reason = PHRASE_LATER("Phrase", "its outermost element is JOBFile")}),
-      readable({.id = "landxml",
-                .name = "LandXML",
-                .suffixes = {"xml"},
-                .looksLike = looksLikeLandXml,
-                .read = readLandXml,
-                .kinds = "LandXML (HeXML)",
-                .reason = PHRASE_LATER("Phrase", "its outermost element is LandXML")}),
+      {.id = "gsi",
+       .name = "Leica GSI",
+       .suffixes = {"gsi"},
+       .looksLike = beginsWithLines<looksLikeGsi>,
+       .read = readGsi,
+       .kinds = "Leica GSI-8 and GSI-16",
+       .reason = PHRASE_LATER("Phrase", "its lines are made of words such as 21.102+17920860")},
+      {.id = "m5",
+       .name = "Trimble M5",
+       .suffixes = {"m5", "rec", "dat"},
+       .looksLike = beginsWithLines<looksLikeM5>,
+       .read = readM5,
+       .kinds = "Zeiss and Trimble M5",
+       .reason = PHRASE_LATER("Phrase", "its lines begin with For M5")},
+      {.id = "sdr",
+       .name = "Sokkia SDR",
+       .suffixes = {"sdr"},
+       .looksLike = beginsWithLines<looksLikeSdr>,
+       .read = readSdr,
+       .kinds = "Sokkia SDR33 and SDR2x",
+       .reason = PHRASE_LATER("Phrase", "it begins with the heading of a Sokkia SDR file")},
+      {.id = "zeiss-r",
+       .name = "Zeiss R4/R5",
+       .suffixes = {"r4", "r5"},
+       .looksLike = beginsWithLines<looksLikeZeissR>,
+       .read = readZeissR,
+       .kinds = "Zeiss R4 and R5",
+       .reason = PHRASE_LATER("Phrase", "its lines begin with For R4 or For R5")},
+      {.id = "jobxml",
+       .name = "Trimble JobXML",
+       .suffixes = {"jxl", "xml"},
+       .looksLike = looksLikeJobXml,
+       .read = readJobXml,
+       .kinds = "Trimble JobXML",
+       .reason = PHRASE_LATER("Phrase", "its outermost element is JOBFile")},
+      {.id = "landxml",
+       .name = "LandXML",
+       .suffixes = {"xml"},
+       .looksLike = looksLikeLandXml,
+       .read = readLandXml,
+       .kinds = "LandXML (HeXML)",
+       .reason = PHRASE_LATER("Phrase", "its outermost element is LandXML")},
 
       named("nikon-raw", "Nikon RAW", {"raw", "nik"}, looksLikeNikonRaw, exportReadings),
       named("rw5", "Carlson RW5 / TDS RAW", {"rw5"}, looksLikeRw5, exportReadings),
@@ -141,9 +144,9 @@ std::vector<FileFormat> allFormats() {
       named("html", "HTML", {"html", "htm"}, looksLikeHtml, saveAsCsv),
       named("postscript", "PostScript", {"ps"}, looksLikePostScript, saveAsCsv),
       named("xml", "XML", {}, looksLikeOtherXml, exportReadings),
-      named("json", "JSON", {"json"}, looksLikeJson, isJson),
+      holdingSession(named("json", "JSON", {"json"}, looksLikeJson, isJson)),
 
-      binary("pdf", "PDF", {"pdf"}, looksLikePdf, saveAsCsv),
+      holdingSession(binary("pdf", "PDF", {"pdf"}, looksLikePdf, saveAsCsv)),
       binary("xlsx", "Excel, Word (XLSX, DOCX)", {"xlsx", "docx"}, looksLikeExcel, saveAsCsv),
       binary("ods", "OpenDocument (ODS, ODT)", {"ods", "odt"}, looksLikeOpenDocument, saveAsCsv),
       binary("zip", "ZIP archive", {"zip", "gz", "7z", "rar"}, looksLikeArchive,
@@ -160,11 +163,14 @@ std::vector<FileFormat> allFormats() {
 
 constexpr std::size_t bytesOfMark = 4096;
 
-bool hasSuffix(std::string_view fileName, const FileFormat& format) {
-  const std::size_t dot = fileName.rfind('.');
-  if (dot == std::string_view::npos) return false;
-  const std::string suffix = lowerCase(std::string(fileName.substr(dot + 1)));
+bool isSuffixOf(const std::string& suffix, const FileFormat& format) {
   return std::ranges::find(format.suffixes, suffix) != format.suffixes.end();
+}
+
+/// In lower case, without its point; empty where there is none.
+std::string suffixOf(std::string_view fileName) {
+  const std::size_t dot = fileName.rfind('.');
+  return dot == std::string_view::npos ? std::string() : lowerCase(std::string(fileName.substr(dot + 1)));
 }
 
 const FileFormat* formatOfBytes(std::string_view bytes, std::string_view fileName) {
@@ -173,7 +179,7 @@ const FileFormat* formatOfBytes(std::string_view bytes, std::string_view fileNam
   const bool isText = isUtf16 || head.find('\0') == std::string_view::npos;
   const auto formats = fileFormats();
   const auto found = std::ranges::find_if(formats, [&](const FileFormat& format) {
-    return format.isBinary && (format.looksLike(head) || (!isText && hasSuffix(fileName, format)));
+    return format.isBinary && (format.looksLike(head) || (!isText && isSuffixOf(suffixOf(fileName), format)));
   });
   return found == formats.end() ? nullptr : &*found;
 }
@@ -233,6 +239,15 @@ std::vector<std::string_view> readingsSuffixes() {
     if (format.read) std::ranges::for_each(format.suffixes, add);
   for (const std::string_view suffix : {"csv", "tsv", "txt"}) add(suffix);
   return suffixes;
+}
+
+bool isImportedSuffix(std::string_view suffix) {
+  const std::string lower = lowerCase(std::string(suffix));
+  const auto read = readingsSuffixes();
+  return std::ranges::find(read, lower) != read.end() ||
+         std::ranges::any_of(fileFormats(), [&lower](const FileFormat& format) {
+           return !format.mayHoldSession && isSuffixOf(lower, format);
+         });
 }
 
 }  // namespace alidade

@@ -27,6 +27,7 @@ struct FileFormat {
   const char* reason = nullptr;   ///< of a format that is read: why a file is taken for it
   const char* refusal = nullptr;  ///< else, with %1 for `name`: that it is not read, and what to do instead
   bool isBinary = false;          ///< its files are no text
+  bool mayHoldSession = false;    ///< what is opened by such a name is looked into for a session
 };
 
 /// All formats but tables, in the order in which they are looked for. A file that is none of them is a table.
@@ -51,5 +52,9 @@ std::vector<std::string_view> namedFormats();
 
 /// Suffixes of files of readings, tables too; lower case, without a point, each once.
 std::vector<std::string_view> readingsSuffixes();
+
+/// Is a file of this suffix (of any case) one of readings, or of a format that is named and refused? Then
+/// opening it means importing it, or being told why not.
+bool isImportedSuffix(std::string_view suffix);
 
 }  // namespace alidade

@@ -29,7 +29,7 @@ class JobXmlReader {
     }
     if (const auto& problem = m_file.problem()) {
       m_book.refuse(problem->line, problem->column, problem->what);
-    } else if (m_book.recording().sightings.empty() && m_book.recording().problems.empty()) {
+    } else if (m_file.root() && m_book.recording().sightings.empty() && m_book.recording().problems.empty()) {
       m_book.refuse(
           1, 0,
           Phrase::of("the Trimble JobXML file holds no readings of circles in its field book: export "

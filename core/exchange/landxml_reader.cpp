@@ -57,7 +57,7 @@ class LandXmlReader {
     }
     if (const auto& problem = m_file.problem()) {
       m_book.refuse(problem->line, problem->column, problem->what);
-    } else if (m_book.recording().sightings.empty() && m_book.recording().problems.empty()) {
+    } else if (m_file.root() && m_book.recording().sightings.empty() && m_book.recording().problems.empty()) {
       m_book.refuse(1, 0,
                     Phrase::of("the LandXML file holds no raw observations with both circles: export the "
                                "observations as they were read (RawObservation), or GSI or a table (CSV)"));

@@ -15,8 +15,8 @@ namespace alidade {
 
 namespace {
 
-/// Marks that begin an element or an attribute, of which each takes up to 64 bytes of memory.
-constexpr std::size_t mostMarks = 16'000'000;
+/// Marks that begin or end an element or an attribute, of which each takes up to 64 bytes of memory.
+constexpr std::size_t mostMarks = 8'000'000;
 
 bool hasTooManyMarks(std::string_view text) {
   const auto marks = std::ranges::count_if(text, [](char c) { return c == '<' || c == '='; });
@@ -76,6 +76,7 @@ constexpr double fullCircle = 360, rounding = 1e-9;
 
 XmlFile::XmlFile(std::string_view text)
     : m_document(std::make_unique<pugi::xml_document>()), m_lineStarts(lineStartsOf(text)) {
+  if (text.empty()) return;
   if (hasTooManyMarks(text)) {
     m_problem = {1, 0,
                  Phrase::of("has more than %1 elements and attributes: export the job in parts",
@@ -87,8 +88,8 @@ XmlFile::XmlFile(std::string_view text)
   const pugi::xml_parse_result read =
       m_document->load_buffer(text.data(), text.size(), options, pugi::encoding_utf8);
   if (read) return;
-  const std::size_t offset = std::min(static_cast<std::size_t>(std::max<std::ptrdiff_t>(read.offset, 0)),
-                                      text.empty() ? 0 : text.size() - 1);
+  const std::size_t offset =
+      std::min(static_cast<std::size_t>(std::max<std::ptrdiff_t>(read.offset, 0)), text.size() - 1);
   m_problem = {lineAt(offset), 0,
                Phrase::of("the elements of the XML file are broken off or do not close: export it again")};
 }

@@ -66,7 +66,7 @@ Result<std::vector<ImportSource>> textSource(const QString& name, const std::str
 }
 
 bool isReadingsFile(const QString& path) {
-  return suffixes().contains(QFileInfo(path).suffix(), Qt::CaseInsensitive);
+  return isImportedSuffix(QFileInfo(path).suffix().toStdString());
 }
 
 QString readingsPatterns() {
