@@ -13,22 +13,22 @@ namespace alidade {
 
 namespace {
 
-using Lines = std::vector<std::string_view>;
+using FieldLines = std::vector<std::string_view>;
 
-bool isLetter(char c) {
+bool isLatinLetter(char c) {
   return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
 }
 
-bool isSeparated(std::string_view line) {
+bool hasSeparator(std::string_view line) {
   return line.find_first_of(",;\t") != std::string_view::npos;
 }
 
-bool beginsWithOne(std::string_view line, std::initializer_list<std::string_view> beginnings) {
+bool beginsWithMark(std::string_view line, std::initializer_list<std::string_view> beginnings) {
   return std::ranges::any_of(beginnings, [line](std::string_view begin) { return line.starts_with(begin); });
 }
 
 /// 9:30:11 or 09:30:11.
-bool isTimeOfDay(std::string_view text) {
+bool isClockTime(std::string_view text) {
   const auto parts = partsOf(text, ':');
   return parts.size() == 3 && std::ranges::all_of(parts, [](std::string_view part) {
            return !part.empty() && part.size() <= 2 && std::ranges::all_of(part, isDigit);
@@ -38,7 +38,7 @@ bool isTimeOfDay(std::string_view text) {
 bool isNikonSighting(std::string_view line) {
   const auto fields = partsOf(line, ',');
   return isOneOf(fields[0], {"SS", "F1", "F2", "CP", "SO"}) && fields.size() >= 7 &&
-         std::ranges::any_of(fields, isTimeOfDay);
+         std::ranges::any_of(fields, isClockTime);
 }
 
 /// The word that a line of GTS-7 begins with, where values parted by commas or one value follow its blanks.
@@ -91,8 +91,8 @@ bool looksLikeNikonRaw(std::string_view beginning) {
   for (const std::string_view indented : contentLines(beginning)) {
     const std::string_view line = withoutIndent(indented);
     if (line.starts_with("CO,Nikon")) return true;
-    comments +=
-        line.size() > 3 && line.starts_with("CO,") && isLetter(line[3]) && partsOf(line, ',').size() == 2;
+    comments += line.size() > 3 && line.starts_with("CO,") && isLatinLetter(line[3]) &&
+                partsOf(line, ',').size() == 2;
     constexpr std::size_t leastOfStation = 7;
     hasStation = hasStation || (line.starts_with("ST,") && partsOf(line, ',').size() >= leastOfStation);
     hasSighting = hasSighting || isNikonSighting(line);
@@ -105,14 +105,14 @@ bool looksLikeRw5(std::string_view beginning) {
     const std::string_view line = withoutIndent(indented);
     constexpr std::size_t mark = 5;  // LS,HI
     const bool hasNumber = line.size() > mark && isDigit(line[mark]);
-    return beginsWithOne(line, {"JB,NM", "OC,OP", "BK,OP", "SS,OP", "TR,OP", "BD,OP", "BR,OP", "FD,OP",
-                                "FR,OP", "GPS,PN"}) ||
-           (hasNumber && beginsWithOne(line, {"MO,AD", "LS,HI"}));
+    return beginsWithMark(line, {"JB,NM", "OC,OP", "BK,OP", "SS,OP", "TR,OP", "BD,OP", "BR,OP", "FD,OP",
+                                 "FR,OP", "GPS,PN"}) ||
+           (hasNumber && beginsWithMark(line, {"MO,AD", "LS,HI"}));
   });
 }
 
 bool looksLikeGts6(std::string_view beginning) {
-  const Lines lines = contentLines(beginning, 1);
+  const FieldLines lines = contentLines(beginning, 1);
   if (lines.empty()) return false;
   const std::string_view line = withoutIndent(lines[0]);
   return line.starts_with("_'") || line.find("_ ?+") != std::string_view::npos;
@@ -135,7 +135,7 @@ bool looksLikeGts7(std::string_view beginning) {
 }
 
 bool looksLikeGeodimeter(std::string_view beginning) {
-  const Lines lines = contentLines(beginning);
+  const FieldLines lines = contentLines(beginning);
   std::size_t values = 0;
   for (const std::string_view line : lines) {
     const std::size_t count = labelledValues(withoutIndent(line));
@@ -146,18 +146,18 @@ bool looksLikeGeodimeter(std::string_view beginning) {
 }
 
 bool looksLikeTrimbleDc(std::string_view beginning) {
-  const Lines lines = contentLines(beginning, 1);
-  if (lines.empty() || isSeparated(lines[0])) return false;
+  const FieldLines lines = contentLines(beginning, 1);
+  if (lines.empty() || hasSeparator(lines[0])) return false;
   const std::string_view line = withoutIndent(lines[0]);
   constexpr std::size_t shortest = 20, name = 4;
   if (line.size() < shortest) return false;
-  if (line.starts_with("00NM")) return isLetter(line[name]) && line.find(':') != std::string_view::npos;
-  return beginsWithOne(line, {"10NM", "E0NM"}) && line.find('.') == std::string_view::npos;
+  if (line.starts_with("00NM")) return isLatinLetter(line[name]) && line.find(':') != std::string_view::npos;
+  return beginsWithMark(line, {"10NM", "E0NM"}) && line.find('.') == std::string_view::npos;
 }
 
 bool looksLikeIdex(std::string_view beginning) {
-  const Lines lines = contentLines(beginning);
-  if (lines.empty() || isSeparated(lines[0])) return false;
+  const FieldLines lines = contentLines(beginning);
+  if (lines.empty() || hasSeparator(lines[0])) return false;
   const auto wordOf = [](std::string_view line) {
     const std::string_view content = withoutIndent(line);
     return content.substr(0, content.find_first_of(" \t"));
@@ -168,18 +168,18 @@ bool looksLikeIdex(std::string_view beginning) {
 }
 
 bool looksLikeRec500(std::string_view beginning) {
-  const Lines lines = contentLines(beginning);
+  const FieldLines lines = contentLines(beginning);
   return lines.size() >= 2 && hasRec500Address(lines[0]) && hasRec500Address(lines[1]) &&
          std::ranges::any_of(
              lines, [](std::string_view line) { return hasRec500Address(line) && hasRec500Value(line); });
 }
 
 bool looksLikeGnss(std::string_view beginning) {
-  const Lines lines = contentLines(beginning, 1);
+  const FieldLines lines = contentLines(beginning, 1);
   if (lines.empty()) return false;
   const std::string_view line = withoutIndent(lines[0]);
   return line.find("RINEX VERSION / TYPE") != std::string_view::npos ||
-         beginsWithOne(line, {"$GP", "$GN", "$GL", "$GA", "$GB"});
+         beginsWithMark(line, {"$GP", "$GN", "$GL", "$GA", "$GB"});
 }
 
 }  // namespace alidade

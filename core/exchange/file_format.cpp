@@ -59,16 +59,16 @@ constexpr const char* isJson =
     PHRASE_LATER("Phrase", "is no file of readings but JSON: open it as a session");
 
 /// A format that is recognised, named and refused.
-FileFormat named(std::string_view id, std::string_view name, std::vector<std::string_view> suffixes,
-                 bool (*looksLike)(std::string_view), const char* refusal) {
+FileFormat namedOnly(std::string_view id, std::string_view name, std::vector<std::string_view> suffixes,
+                     bool (*looksLike)(std::string_view), const char* refusal) {
   FileFormat format{.id = id, .name = name, .suffixes = std::move(suffixes), .looksLike = looksLike};
   format.refusal = refusal;
   return format;
 }
 
-FileFormat binary(std::string_view id, std::string_view name, std::vector<std::string_view> suffixes,
-                  bool (*looksLike)(std::string_view), const char* refusal) {
-  FileFormat format = named(id, name, std::move(suffixes), looksLike, refusal);
+FileFormat namedBinary(std::string_view id, std::string_view name, std::vector<std::string_view> suffixes,
+                       bool (*looksLike)(std::string_view), const char* refusal) {
+  FileFormat format = namedOnly(id, name, std::move(suffixes), looksLike, refusal);
   format.isBinary = true;
   return format;
 }
@@ -123,41 +123,42 @@ std::vector<FileFormat> allFormats() {
        .kinds = "LandXML (HeXML)",
        .reason = PHRASE_LATER("Phrase", "its outermost element is LandXML")},
 
-      named("nikon-raw", "Nikon RAW", {"raw", "nik"}, looksLikeNikonRaw, exportReadings),
-      named("rw5", "Carlson RW5 / TDS RAW", {"rw5"}, looksLikeRw5, exportReadings),
-      named("gts-6", "Topcon GTS-6", {"gt6", "gts"}, looksLikeGts6, exportReadings),
-      named("gts-7", "Topcon GTS-7 / South / FOIF RAW", {"gt7"}, looksLikeGts7, exportReadings),
-      named("geodimeter", "Geodimeter (ARE, JOB)", {"are", "job", "obs"}, looksLikeGeodimeter,
-            exportReadings),
-      named("rec500", "Zeiss REC500", {}, looksLikeRec500, exportReadings),
-      named("trimble-dc", "Trimble DC", {"dc"}, looksLikeTrimbleDc, exportReadings),
-      named("idex", "Leica IDEX", {"idx"}, looksLikeIdex, exportReadings),
-      named("gnss", "RINEX / NMEA (GNSS)", {"obs", "nmea"}, looksLikeGnss, holdsNoReadings),
-      named(
+      namedOnly("nikon-raw", "Nikon RAW", {"raw", "nik"}, looksLikeNikonRaw, exportReadings),
+      namedOnly("rw5", "Carlson RW5 / TDS RAW", {"rw5"}, looksLikeRw5, exportReadings),
+      namedOnly("gts-6", "Topcon GTS-6", {"gt6", "gts"}, looksLikeGts6, exportReadings),
+      namedOnly("gts-7", "Topcon GTS-7 / South / FOIF RAW", {"gt7"}, looksLikeGts7, exportReadings),
+      namedOnly("geodimeter", "Geodimeter (ARE, JOB)", {"are", "job", "obs"}, looksLikeGeodimeter,
+                exportReadings),
+      namedOnly("rec500", "Zeiss REC500", {}, looksLikeRec500, exportReadings),
+      namedOnly("trimble-dc", "Trimble DC", {"dc"}, looksLikeTrimbleDc, exportReadings),
+      namedOnly("idex", "Leica IDEX", {"idx"}, looksLikeIdex, exportReadings),
+      namedOnly("gnss", "RINEX / NMEA (GNSS)", {"obs", "nmea"}, looksLikeGnss, holdsNoReadings),
+      namedOnly(
           "foif", "FOIF", {}, [](std::string_view text) { return beginsWithBrand(text, "FOIF"); },
           exportReadings),
-      named(
+      namedOnly(
           "kern", "Kern", {}, [](std::string_view text) { return beginsWithBrand(text, "KERN"); },
           exportReadings),
-      named("dxf", "DXF (CAD)", {"dxf"}, looksLikeDxf, holdsNoReadings),
-      named("rtf", "RTF", {"rtf"}, looksLikeRtf, saveAsCsv),
-      named("html", "HTML", {"html", "htm"}, looksLikeHtml, saveAsCsv),
-      named("postscript", "PostScript", {"ps"}, looksLikePostScript, saveAsCsv),
-      named("xml", "XML", {}, looksLikeOtherXml, exportReadings),
-      holdingSession(named("json", "JSON", {"json"}, looksLikeJson, isJson)),
+      namedOnly("dxf", "DXF (CAD)", {"dxf"}, looksLikeDxf, holdsNoReadings),
+      namedOnly("rtf", "RTF", {"rtf"}, looksLikeRtf, saveAsCsv),
+      namedOnly("html", "HTML", {"html", "htm"}, looksLikeHtml, saveAsCsv),
+      namedOnly("postscript", "PostScript", {"ps"}, looksLikePostScript, saveAsCsv),
+      namedOnly("xml", "XML", {}, looksLikeOtherXml, exportReadings),
+      holdingSession(namedOnly("json", "JSON", {"json"}, looksLikeJson, isJson)),
 
-      holdingSession(binary("pdf", "PDF", {"pdf"}, looksLikePdf, saveAsCsv)),
-      binary("xlsx", "Excel, Word (XLSX, DOCX)", {"xlsx", "docx"}, looksLikeExcel, saveAsCsv),
-      binary("ods", "OpenDocument (ODS, ODT)", {"ods", "odt"}, looksLikeOpenDocument, saveAsCsv),
-      binary("zip", "ZIP archive", {"zip", "gz", "7z", "rar"}, looksLikeArchive,
-             PHRASE_LATER("Phrase", "is a file of the format %1: unpack it and choose the file in it")),
-      binary("xls", "Excel, Word (XLS, DOC)", {"xls", "doc"}, looksLikeOldOffice, saveAsCsv),
-      binary("database", "SQLite, Access (database)", {"sqlite", "mdb"}, looksLikeDatabase, exportReadings),
-      binary("image", "PNG, JPEG, TIFF (image)", {"png", "jpg", "jpeg", "tif", "tiff"}, looksLikeImage,
-             holdsNoReadings),
-      binary("dwg", "DWG (CAD)", {"dwg"}, looksLikeDrawing, holdsNoReadings),
-      binary("crd", "Carlson CRD", {"crd"}, looksLikeCarlsonCrd, holdsNoReadings),
-      binary("dbx", "Leica DBX", {"dbx", "xcf"}, looksLikeNothing, exportReadings),
+      holdingSession(namedBinary("pdf", "PDF", {"pdf"}, looksLikePdf, saveAsCsv)),
+      namedBinary("xlsx", "Excel, Word (XLSX, DOCX)", {"xlsx", "docx"}, looksLikeExcel, saveAsCsv),
+      namedBinary("ods", "OpenDocument (ODS, ODT)", {"ods", "odt"}, looksLikeOpenDocument, saveAsCsv),
+      namedBinary("zip", "ZIP archive", {"zip", "gz", "7z", "rar"}, looksLikeArchive,
+                  PHRASE_LATER("Phrase", "is a file of the format %1: unpack it and choose the file in it")),
+      namedBinary("xls", "Excel, Word (XLS, DOC)", {"xls", "doc"}, looksLikeOldOffice, saveAsCsv),
+      namedBinary("database", "SQLite, Access (database)", {"sqlite", "mdb"}, looksLikeDatabase,
+                  exportReadings),
+      namedBinary("image", "PNG, JPEG, TIFF (image)", {"png", "jpg", "jpeg", "tif", "tiff"}, looksLikeImage,
+                  holdsNoReadings),
+      namedBinary("dwg", "DWG (CAD)", {"dwg"}, looksLikeDrawing, holdsNoReadings),
+      namedBinary("crd", "Carlson CRD", {"crd"}, looksLikeCarlsonCrd, holdsNoReadings),
+      namedBinary("dbx", "Leica DBX", {"dbx", "xcf"}, looksLikeNothing, exportReadings),
   };
 }
 
@@ -168,7 +169,7 @@ bool isSuffixOf(const std::string& suffix, const FileFormat& format) {
 }
 
 /// In lower case, without its point; empty where there is none.
-std::string suffixOf(std::string_view fileName) {
+std::string fileSuffixOf(std::string_view fileName) {
   const std::size_t dot = fileName.rfind('.');
   return dot == std::string_view::npos ? std::string() : lowerCase(std::string(fileName.substr(dot + 1)));
 }
@@ -179,12 +180,13 @@ const FileFormat* formatOfBytes(std::string_view bytes, std::string_view fileNam
   const bool isText = isUtf16 || head.find('\0') == std::string_view::npos;
   const auto formats = fileFormats();
   const auto found = std::ranges::find_if(formats, [&](const FileFormat& format) {
-    return format.isBinary && (format.looksLike(head) || (!isText && isSuffixOf(suffixOf(fileName), format)));
+    return format.isBinary &&
+           (format.looksLike(head) || (!isText && isSuffixOf(fileSuffixOf(fileName), format)));
   });
   return found == formats.end() ? nullptr : &*found;
 }
 
-std::vector<std::string_view> namesOf(bool areRead) {
+std::vector<std::string_view> formatNamesOf(bool areRead) {
   std::vector<std::string_view> names;
   for (const FileFormat& format : fileFormats())
     if ((format.read != nullptr) == areRead) names.push_back(format.name);
@@ -223,11 +225,11 @@ std::string readableKinds() {
 }
 
 std::vector<std::string_view> readableFormats() {
-  return namesOf(true);
+  return formatNamesOf(true);
 }
 
 std::vector<std::string_view> namedFormats() {
-  return namesOf(false);
+  return formatNamesOf(false);
 }
 
 std::vector<std::string_view> readingsSuffixes() {

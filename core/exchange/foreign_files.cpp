@@ -17,7 +17,7 @@ bool startsWithOneOf(std::string_view bytes, std::initializer_list<std::string_v
   return std::ranges::any_of(marks, [bytes](std::string_view mark) { return bytes.starts_with(mark); });
 }
 
-bool holds(std::string_view bytes, std::string_view part) {
+bool holdsPart(std::string_view bytes, std::string_view part) {
   return bytes.find(part) != std::string_view::npos;
 }
 
@@ -25,7 +25,7 @@ bool isZip(std::string_view bytes) {
   return startsWithOneOf(bytes, {"PK\x03\x04"sv, "PK\x05\x06"sv});
 }
 
-std::string_view withoutBlanks(std::string_view text) {
+std::string_view withoutBlanksBefore(std::string_view text) {
   text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
   return text;
 }
@@ -33,7 +33,8 @@ std::string_view withoutBlanks(std::string_view text) {
 /// Behind the next `end`; empty where there is none.
 std::string_view behind(std::string_view text, std::string_view end) {
   const std::size_t at = text.find(end);
-  return at == std::string_view::npos ? std::string_view() : withoutBlanks(text.substr(at + end.size()));
+  return at == std::string_view::npos ? std::string_view()
+                                      : withoutBlanksBefore(text.substr(at + end.size()));
 }
 
 /// Behind a document type, whose inner part may hold brackets.
@@ -43,7 +44,7 @@ std::string_view behindDocumentType(std::string_view text) {
   return hasInner ? behind(behind(text, "]"), ">") : behind(text, ">");
 }
 
-bool isNameSign(char c) {
+bool isXmlNameSign(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' ||
          c == '.' || c == ':' || static_cast<unsigned char>(c) >= 0x80;
 }
@@ -55,11 +56,11 @@ bool looksLikePdf(std::string_view bytes) {
 }
 
 bool looksLikeExcel(std::string_view bytes) {
-  return isZip(bytes) && (holds(bytes, "xl/") || holds(bytes, "[Content_Types].xml"));
+  return isZip(bytes) && (holdsPart(bytes, "xl/") || holdsPart(bytes, "[Content_Types].xml"));
 }
 
 bool looksLikeOpenDocument(std::string_view bytes) {
-  return isZip(bytes) && holds(bytes, "application/vnd.oasis.opendocument");
+  return isZip(bytes) && holdsPart(bytes, "application/vnd.oasis.opendocument");
 }
 
 bool looksLikeArchive(std::string_view bytes) {
@@ -78,17 +79,18 @@ bool looksLikeImage(std::string_view bytes) {
   const std::string_view head = bytes.substr(0, std::min<std::size_t>(bytes.size(), 16));
   return startsWithOneOf(bytes,
                          {"\x89PNG"sv, "\xFF\xD8\xFF"sv, "GIF87a"sv, "GIF89a"sv, "II*\0"sv, "MM\0*"sv}) ||
-         (head.starts_with("RIFF") && holds(head, "WEBP")) ||
-         (head.starts_with("BM") && holds(head, "\0\0"sv)) ||
+         (head.starts_with("RIFF") && holdsPart(head, "WEBP")) ||
+         (head.starts_with("BM") && holdsPart(head, "\0\0"sv)) ||
          (head.size() > 8 && head.substr(4, 4) == "ftyp");
 }
 
 bool looksLikeDrawing(std::string_view bytes) {
-  return bytes.starts_with("AC10") && holds(bytes.substr(0, std::min<std::size_t>(bytes.size(), 16)), "\0"sv);
+  return bytes.starts_with("AC10") &&
+         holdsPart(bytes.substr(0, std::min<std::size_t>(bytes.size(), 16)), "\0"sv);
 }
 
 bool looksLikeCarlsonCrd(std::string_view bytes) {
-  return holds(bytes.substr(0, std::min<std::size_t>(bytes.size(), 64)), "CRD Format");
+  return holdsPart(bytes.substr(0, std::min<std::size_t>(bytes.size(), 64)), "CRD Format");
 }
 
 bool looksLikeNothing(std::string_view) {
@@ -106,11 +108,11 @@ bool looksLikeDxf(std::string_view text) {
 }
 
 bool looksLikeRtf(std::string_view text) {
-  return withoutBlanks(text).starts_with("{\\rtf");
+  return withoutBlanksBefore(text).starts_with("{\\rtf");
 }
 
 bool looksLikeHtml(std::string_view text) {
-  const std::string_view content = withoutBlanks(text);
+  const std::string_view content = withoutBlanksBefore(text);
   constexpr std::size_t longestMark = 14;
   const std::string mark = lowerCase(std::string(content.substr(0, std::min(content.size(), longestMark))));
   return mark.starts_with("<!doctype html") || lowerCase(std::string(xmlRootName(text))) == "html" ||
@@ -119,28 +121,28 @@ bool looksLikeHtml(std::string_view text) {
 
 bool looksLikeOtherXml(std::string_view text) {
   return !xmlRootName(text).empty() &&
-         (withoutBlanks(text).starts_with("<?xml") || holds(text, "</") || holds(text, "/>"));
+         (withoutBlanksBefore(text).starts_with("<?xml") || holdsPart(text, "</") || holdsPart(text, "/>"));
 }
 
 bool looksLikeJson(std::string_view text) {
-  const std::string_view content = withoutBlanks(text);
+  const std::string_view content = withoutBlanksBefore(text);
   if (content.starts_with('{')) return true;
-  return content.starts_with('[') && startsWithOneOf(withoutBlanks(content.substr(1)), {"{", "["});
+  return content.starts_with('[') && startsWithOneOf(withoutBlanksBefore(content.substr(1)), {"{", "["});
 }
 
 bool looksLikePostScript(std::string_view text) {
-  return withoutBlanks(text).starts_with("%!PS");
+  return withoutBlanksBefore(text).starts_with("%!PS");
 }
 
 std::string_view xmlRootName(std::string_view text) {
-  text = withoutBlanks(text);
+  text = withoutBlanksBefore(text);
   while (text.starts_with("<?") || text.starts_with("<!"))
     text = text.starts_with("<?")     ? behind(text, "?>")
            : text.starts_with("<!--") ? behind(text, "-->")
                                       : behindDocumentType(text);
   if (!text.starts_with('<')) return {};
   text.remove_prefix(1);
-  const auto end = std::ranges::find_if_not(text, isNameSign);
+  const auto end = std::ranges::find_if_not(text, isXmlNameSign);
   const std::string_view name = text.substr(0, static_cast<std::size_t>(end - text.begin()));
   const bool isName =
       !name.empty() && !(name[0] >= '0' && name[0] <= '9') && name[0] != '-' && name[0] != '.';

@@ -34,7 +34,7 @@ std::vector<std::size_t> lineStartsOf(std::string_view text) {
 }
 
 /// Digits with the point moved by an exponent.
-std::string shifted(const std::string& digits, std::ptrdiff_t whole) {
+std::string withPointAt(const std::string& digits, std::ptrdiff_t whole) {
   const auto size = static_cast<std::ptrdiff_t>(digits.size());
   if (whole <= 0) return "0." + std::string(static_cast<std::size_t>(-whole), '0') + digits;
   if (whole >= size) return digits + std::string(static_cast<std::size_t>(whole - size), '0');
@@ -43,7 +43,7 @@ std::string shifted(const std::string& digits, std::ptrdiff_t whole) {
 }
 
 /// `107 59 60.0` as `108 00 00.0`: sixty seconds are the next minute.
-std::string carried(const std::string& parts) {
+std::string withSixtiesCarried(const std::string& parts) {
   const std::size_t first = parts.find(' '), second = parts.find(' ', first + 1);
   int degrees = *parseWhole(parts.substr(0, first));
   int minutes = *parseWhole(parts.substr(first + 1, second - first - 1));
@@ -61,16 +61,16 @@ std::string carried(const std::string& parts) {
 }
 
 /// In a notation of `parseAngle`; absent where it is no reading of a circle.
-std::optional<std::string> circleText(const std::string& number, AngleUnit unit) {
+std::optional<std::string> xmlCircleText(const std::string& number, AngleUnit unit) {
   const auto plain = plainNumber(number);
   if (!plain || plain->starts_with('-')) return std::nullopt;
   constexpr std::size_t longestWhole = 4;
   if (std::min(plain->find('.'), plain->size()) > longestWhole) return std::nullopt;
   const std::string text = withUnit(*plain, unit);
-  return unit == AngleUnit::Dms ? carried(text) : text;
+  return unit == AngleUnit::Dms ? withSixtiesCarried(text) : text;
 }
 
-constexpr double fullCircle = 360, rounding = 1e-9;
+constexpr double fullXmlCircle = 360, xmlRounding = 1e-9;
 
 }  // namespace
 
@@ -149,7 +149,7 @@ std::optional<std::string> plainNumber(std::string_view text) {
     return std::nullopt;
   if (mark == std::string_view::npos && point > 0 && point + 1 != number.size())
     return sign + std::string(number);
-  return sign + shifted(digits, static_cast<std::ptrdiff_t>(point) + exponent);
+  return sign + withPointAt(digits, static_cast<std::ptrdiff_t>(point) + exponent);
 }
 
 std::string dateOfTime(std::string_view time) {
@@ -164,18 +164,18 @@ std::optional<std::string> enterCircles(const XmlCircles& circles, RecordedSight
   double vertical = 0;
   for (const auto& [field, number] : {std::pair(&Reading::horizontal, &circles.horizontal),
                                       std::pair(&Reading::vertical, &circles.vertical)}) {
-    const auto text = circleText(*number, circles.unit);
+    const auto text = xmlCircleText(*number, circles.unit);
     const Result<Angle> angle = text ? parseAngle(*text) : Result<Angle>(Problem{});
-    if (!angle || angle->degrees() > fullCircle + rounding)
+    if (!angle || angle->degrees() > fullXmlCircle + xmlRounding)
       return Phrase::of(
           "%1 is no reading of a circle in the unit of the file: export the file again, or "
           "delete the observation",
           quotation(*number));
-    const bool isFull = angle->degrees() >= fullCircle - rounding / 1000;
+    const bool isFull = angle->degrees() >= fullXmlCircle - xmlRounding / 1000;
     sighting.enter(rowField(field), isFull ? "0°" : *text, 0);
     vertical = angle->degrees();
   }
-  const bool isSecondFace = vertical > fullCircle / 2;
+  const bool isSecondFace = vertical > fullXmlCircle / 2;
   if (!circles.face.empty() && (circles.face == "2") != isSecondFace && vertical > 0)
     return Phrase::of(
         "is of face %1, yet its vertical reading %2 is of the other face, so the readings were "
