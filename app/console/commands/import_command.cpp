@@ -31,8 +31,10 @@ namespace alidade::console {
 namespace {
 
 constexpr const char* aboutMarks =
-    "How the file of an instrument tells more than angles, in GSI by code blocks, in M5 by texts, in SDR by\n"
-    "notes:  0 or 180 (or AXIS0, AXIS180) is the position of the axis for what follows, ROUND2 the round;\n"
+    "How the file of an instrument tells more than angles, in GSI by code blocks, in M5 and R4/R5 by texts, "
+    "in\n"
+    "SDR, JobXML and LandXML by notes:  0 or 180 (or AXIS0, AXIS180) is the position of the axis for what "
+    "follows, ROUND2 the round;\n"
     "point 0 or ZERO, or what follows ZERO, is the pointing zero. A CSV table begins with the names of its "
     "columns:\n";
 
