@@ -22,18 +22,23 @@ namespace alidade {
 
 namespace {
 
-/// Lines before the first of an instrument: a title that somebody or a program wrote.
-constexpr std::size_t mostTitleLines = 4;
+/// Lines before the first of an instrument: titles that somebody or a program wrote.
+constexpr std::size_t mostTitleLines = 19;
 
-/// One of the first lines is of the instrument; behind a title only lines that no table has.
-template <bool (*looksLikeLine)(std::string_view)>
+using IsLine = bool (*)(std::string_view);
+
+/// The first line that holds something is of the instrument, or one below a title is beyond doubt.
+template <IsLine isFirst, IsLine isBelowTitle>
 bool beginsWithLines(std::string_view beginning) {
   const auto lines = contentLines(beginning, mostTitleLines + 1);
-  for (std::size_t i = 0; i < lines.size(); ++i)
-    if (looksLikeLine(withoutIndent(lines[i])) &&
-        (i == 0 || lines[i].find_first_of(",;\t") == std::string_view::npos))
-      return true;
-  return false;
+  return !lines.empty() && (isFirst(withoutIndent(lines[0])) ||
+                            std::any_of(lines.begin() + 1, lines.end(),
+                                        [](auto line) { return isBelowTitle(withoutIndent(line)); }));
+}
+
+/// A number in a table may begin as a word of GSI does, so no line with a separator counts.
+bool isGsiBelowTitle(std::string_view line) {
+  return looksLikeGsi(line) && line.find_first_of(",;\t") == std::string_view::npos;
 }
 
 /// The text begins with the brand, as its own word, and holds no table of readings.
@@ -83,28 +88,28 @@ std::vector<FileFormat> allFormats() {
       {.id = "gsi",
        .name = "Leica GSI",
        .suffixes = {"gsi"},
-       .looksLike = beginsWithLines<looksLikeGsi>,
+       .looksLike = beginsWithLines<looksLikeGsi, isGsiBelowTitle>,
        .read = readGsi,
        .kinds = "Leica GSI-8 and GSI-16",
        .reason = PHRASE_LATER("Phrase", "its lines are made of words such as 21.102+17920860")},
       {.id = "m5",
        .name = "Trimble M5",
        .suffixes = {"m5", "rec", "dat"},
-       .looksLike = beginsWithLines<looksLikeM5>,
+       .looksLike = beginsWithLines<looksLikeM5, looksLikeM5>,
        .read = readM5,
        .kinds = "Zeiss and Trimble M5",
        .reason = PHRASE_LATER("Phrase", "its lines begin with For M5")},
       {.id = "sdr",
        .name = "Sokkia SDR",
        .suffixes = {"sdr"},
-       .looksLike = beginsWithLines<looksLikeSdr>,
+       .looksLike = beginsWithLines<looksLikeSdr, looksLikeSdr>,
        .read = readSdr,
        .kinds = "Sokkia SDR33 and SDR2x",
        .reason = PHRASE_LATER("Phrase", "it begins with the heading of a Sokkia SDR file")},
       {.id = "zeiss-r",
        .name = "Zeiss R4/R5",
        .suffixes = {"r4", "r5"},
-       .looksLike = beginsWithLines<looksLikeZeissR>,
+       .looksLike = beginsWithLines<looksLikeZeissR, looksLikeZeissR>,
        .read = readZeissR,
        .kinds = "Zeiss R4 and R5",
        .reason = PHRASE_LATER("Phrase", "its lines begin with For R4 or For R5")},
