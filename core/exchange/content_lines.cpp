@@ -24,7 +24,7 @@ std::vector<std::string_view> contentLines(std::string_view text, std::size_t mo
   return found;
 }
 
-std::vector<std::string_view> partsOf(std::string_view line, char separator) {
+std::vector<std::string_view> separatedParts(std::string_view line, char separator) {
   std::vector<std::string_view> parts;
   for (;;) {
     const std::string_view part = line.substr(0, line.find(separator));

@@ -14,6 +14,6 @@ std::vector<std::string_view> contentLines(std::string_view text, std::size_t mo
 std::string_view withoutIndent(std::string_view line);
 
 /// The parts between the separators, as they stand; at least one.
-std::vector<std::string_view> partsOf(std::string_view line, char separator);
+std::vector<std::string_view> separatedParts(std::string_view line, char separator);
 
 }  // namespace alidade

@@ -29,14 +29,14 @@ bool beginsWithMark(std::string_view line, std::initializer_list<std::string_vie
 
 /// 9:30:11 or 09:30:11.
 bool isClockTime(std::string_view text) {
-  const auto parts = partsOf(text, ':');
+  const auto parts = separatedParts(text, ':');
   return parts.size() == 3 && std::ranges::all_of(parts, [](std::string_view part) {
            return !part.empty() && part.size() <= 2 && std::ranges::all_of(part, isDigit);
          });
 }
 
 bool isNikonSighting(std::string_view line) {
-  const auto fields = partsOf(line, ',');
+  const auto fields = separatedParts(line, ',');
   return isOneOf(fields[0], {"SS", "F1", "F2", "CP", "SO"}) && fields.size() >= 7 &&
          std::ranges::any_of(fields, isClockTime);
 }
@@ -55,7 +55,7 @@ std::string_view gts7Word(std::string_view line) {
 /// How many values such as 7=107.1225 a line is made of; 0 where it is made of anything else.
 std::size_t labelledValues(std::string_view line) {
   std::size_t count = 0;
-  for (const std::string_view part : partsOf(line, ',')) {
+  for (const std::string_view part : separatedParts(line, ',')) {
     const std::string item = trimmed(part);
     const std::size_t sign = item.find('=');
     constexpr std::size_t longestLabel = 3;
@@ -92,9 +92,10 @@ bool looksLikeNikonRaw(std::string_view beginning) {
     const std::string_view line = withoutIndent(indented);
     if (line.starts_with("CO,Nikon")) return true;
     comments += line.size() > 3 && line.starts_with("CO,") && isLatinLetter(line[3]) &&
-                partsOf(line, ',').size() == 2;
+                separatedParts(line, ',').size() == 2;
     constexpr std::size_t leastOfStation = 7;
-    hasStation = hasStation || (line.starts_with("ST,") && partsOf(line, ',').size() >= leastOfStation);
+    hasStation =
+        hasStation || (line.starts_with("ST,") && separatedParts(line, ',').size() >= leastOfStation);
     hasSighting = hasSighting || isNikonSighting(line);
   }
   return hasSighting && (hasStation || comments >= 2);

@@ -54,7 +54,7 @@ class ZeissRReader {
     if (content.empty() || content.starts_with("END") || content[0] == '\x1A') return;
     if (!looksLikeZeissR(content))
       return m_book.setAside(Phrase::of("the line %1", quotation(content)), line.number);
-    std::vector<std::string_view> blocks = partsOf(content, '|');
+    std::vector<std::string_view> blocks = separatedParts(content, '|');
     m_isR5 = m_isR5 || content[5] == '5';
     blocks.erase(blocks.begin());
     if (trimmed(blocks[0]).starts_with("Adr")) blocks.erase(blocks.begin());
