@@ -62,7 +62,7 @@ std::string withSixtiesCarried(const std::string& parts) {
 
 /// In a notation of `parseAngle`; absent where it is no reading of a circle.
 std::optional<std::string> xmlCircleText(const std::string& number, AngleUnit unit) {
-  const auto plain = plainNumber(number);
+  const auto plain = plainXmlNumber(number);
   if (!plain || plain->starts_with('-')) return std::nullopt;
   constexpr std::size_t longestWhole = 4;
   if (std::min(plain->find('.'), plain->size()) > longestWhole) return std::nullopt;
@@ -126,7 +126,7 @@ std::string xmlValue(const pugi::xml_node& element, const char* name) {
   return trimmed(element.attribute(name).value());
 }
 
-std::optional<std::string> plainNumber(std::string_view text) {
+std::optional<std::string> plainXmlNumber(std::string_view text) {
   std::string sign;
   if (text.starts_with('+') || text.starts_with('-')) {
     if (text[0] == '-') sign = "-";

@@ -53,7 +53,7 @@ std::string xmlValue(const pugi::xml_node& element, const char* name);
 
 /// A number of XML Schema (double) in plain digits, every one kept: `4.5e-05` as `0.000045`. Absent where it
 /// is none, or has more digits than any reading.
-std::optional<std::string> plainNumber(std::string_view text);
+std::optional<std::string> plainXmlNumber(std::string_view text);
 
 /// Year-month-day of a time such as 2025-04-22T15:10:05; empty where it is none.
 std::string dateOfTime(std::string_view time);

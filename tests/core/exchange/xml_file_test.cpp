@@ -11,19 +11,19 @@ using ::testing::Eq;
 using ::testing::IsEmpty;
 using ::testing::Optional;
 
-TEST(PlainNumber, KeepsEveryDigit) {
-  EXPECT_THAT(plainNumber("223.05664937315"), Optional(Eq("223.05664937315")));
-  EXPECT_THAT(plainNumber("+10.50"), Optional(Eq("10.50")));
-  EXPECT_THAT(plainNumber("90"), Optional(Eq("90")));
-  EXPECT_THAT(plainNumber("90."), Optional(Eq("90")));
-  EXPECT_THAT(plainNumber(".5"), Optional(Eq("0.5")));
-  EXPECT_THAT(plainNumber("-0.25"), Optional(Eq("-0.25")));
-  EXPECT_THAT(plainNumber("4.5e-05"), Optional(Eq("0.000045")));
-  EXPECT_THAT(plainNumber("1.2345E2"), Optional(Eq("123.45")));
-  EXPECT_THAT(plainNumber("1.5e+2"), Optional(Eq("150")));
+TEST(PlainXmlNumber, KeepsEveryDigit) {
+  EXPECT_THAT(plainXmlNumber("223.05664937315"), Optional(Eq("223.05664937315")));
+  EXPECT_THAT(plainXmlNumber("+10.50"), Optional(Eq("10.50")));
+  EXPECT_THAT(plainXmlNumber("90"), Optional(Eq("90")));
+  EXPECT_THAT(plainXmlNumber("90."), Optional(Eq("90")));
+  EXPECT_THAT(plainXmlNumber(".5"), Optional(Eq("0.5")));
+  EXPECT_THAT(plainXmlNumber("-0.25"), Optional(Eq("-0.25")));
+  EXPECT_THAT(plainXmlNumber("4.5e-05"), Optional(Eq("0.000045")));
+  EXPECT_THAT(plainXmlNumber("1.2345E2"), Optional(Eq("123.45")));
+  EXPECT_THAT(plainXmlNumber("1.5e+2"), Optional(Eq("150")));
   for (const char* text : {"", "-", ".", "1,5", "1e", "1e99", "INF", "NaN", "1.2.3", "0x10", "1 2"})
-    EXPECT_EQ(plainNumber(text), std::nullopt) << text;
-  EXPECT_EQ(plainNumber(std::string(60, '1')), std::nullopt);
+    EXPECT_EQ(plainXmlNumber(text), std::nullopt) << text;
+  EXPECT_EQ(plainXmlNumber(std::string(60, '1')), std::nullopt);
 }
 
 TEST(DateOfTime, TakesTheDay) {
