@@ -58,10 +58,9 @@ std::size_t labelledValues(std::string_view line) {
   for (const std::string_view part : separatedParts(line, ',')) {
     const std::string item = trimmed(part);
     const std::size_t sign = item.find('=');
+    const std::string label = sign == std::string::npos ? std::string() : trimmed(item.substr(0, sign));
     constexpr std::size_t longestLabel = 3;
-    if (sign == std::string::npos || sign == 0 || sign > longestLabel ||
-        !std::all_of(item.begin(), item.begin() + static_cast<std::ptrdiff_t>(sign), isDigit))
-      return 0;
+    if (label.empty() || label.size() > longestLabel || !std::ranges::all_of(label, isDigit)) return 0;
     ++count;
   }
   return count;
@@ -90,7 +89,8 @@ bool looksLikeNikonRaw(std::string_view beginning) {
   bool hasStation = false, hasSighting = false;
   for (const std::string_view indented : contentLines(beginning)) {
     const std::string_view line = withoutIndent(indented);
-    if (line.starts_with("CO,Nikon")) return true;
+    constexpr std::string_view heading = "CO,NIKON";
+    if (upperCase(std::string(line.substr(0, heading.size()))) == heading) return true;
     comments += line.size() > 3 && line.starts_with("CO,") && isLatinLetter(line[3]) &&
                 separatedParts(line, ',').size() == 2;
     constexpr std::size_t leastOfStation = 7;
@@ -150,9 +150,11 @@ bool looksLikeTrimbleDc(std::string_view beginning) {
   const FieldLines lines = contentLines(beginning, 1);
   if (lines.empty() || hasSeparator(lines[0])) return false;
   const std::string_view line = withoutIndent(lines[0]);
-  constexpr std::size_t shortest = 20, name = 4;
+  constexpr std::size_t shortest = 12, name = 4;
   if (line.size() < shortest) return false;
-  if (line.starts_with("00NM")) return isLatinLetter(line[name]) && line.find(':') != std::string_view::npos;
+  if (line.starts_with("00NM"))
+    return isLatinLetter(line[name]) && (line.find(':') != std::string_view::npos ||
+                                         beginsWithMark(line.substr(name), {"SC V", "SCV", "DC10", "DC7"}));
   return beginsWithMark(line, {"10NM", "E0NM"}) && line.find('.') == std::string_view::npos;
 }
 
@@ -173,6 +175,15 @@ bool looksLikeRec500(std::string_view beginning) {
   return lines.size() >= 2 && hasRec500Address(lines[0]) && hasRec500Address(lines[1]) &&
          std::ranges::any_of(
              lines, [](std::string_view line) { return hasRec500Address(line) && hasRec500Value(line); });
+}
+
+bool looksLikeOtherZeiss(std::string_view beginning) {
+  const FieldLines lines = contentLines(beginning, 1);
+  if (lines.empty()) return false;
+  const std::string_view line = withoutIndent(lines[0]);
+  constexpr std::size_t longestMark = 7;
+  const std::size_t bar = line.find('|');
+  return beginsWithMark(line, {"For ", "For_"}) && bar > 4 && bar <= longestMark;
 }
 
 bool looksLikeGnss(std::string_view beginning) {

@@ -24,6 +24,8 @@ bool looksLikeTrimbleDc(std::string_view beginning);
 bool looksLikeIdex(std::string_view beginning);
 /// `   0005 INPUT … th       1.500 ih        0.000`: an address, 27 characters, values without units.
 bool looksLikeRec500(std::string_view beginning);
+/// `For XX|…`: a relative of M5, R4 and R5.
+bool looksLikeOtherZeiss(std::string_view beginning);
 /// `RINEX VERSION / TYPE`, `$GPGGA,…`: files of satellite receivers.
 bool looksLikeGnss(std::string_view beginning);
 

@@ -135,6 +135,7 @@ std::vector<FileFormat> allFormats() {
       namedOnly("geodimeter", "Geodimeter (ARE, JOB)", {"are", "job", "obs"}, looksLikeGeodimeter,
                 exportReadings),
       namedOnly("rec500", "Zeiss REC500", {}, looksLikeRec500, exportReadings),
+      namedOnly("zeiss-rec", "Zeiss Rec (For …)", {}, looksLikeOtherZeiss, exportReadings),
       namedOnly("trimble-dc", "Trimble DC", {"dc"}, looksLikeTrimbleDc, exportReadings),
       namedOnly("idex", "Leica IDEX", {"idx"}, looksLikeIdex, exportReadings),
       namedOnly("gnss", "RINEX / NMEA (GNSS)", {"obs", "nmea"}, looksLikeGnss, holdsNoReadings),
@@ -143,6 +144,9 @@ std::vector<FileFormat> allFormats() {
           exportReadings),
       namedOnly(
           "kern", "Kern", {}, [](std::string_view text) { return beginsWithBrand(text, "KERN"); },
+          exportReadings),
+      namedOnly(
+          "crd-text", "CRD", {}, [](std::string_view text) { return beginsWithBrand(text, "CRD"); },
           exportReadings),
       namedOnly("dxf", "DXF (CAD)", {"dxf"}, looksLikeDxf, holdsNoReadings),
       namedOnly("rtf", "RTF", {"rtf"}, looksLikeRtf, saveAsCsv),

@@ -70,6 +70,7 @@ class LandXmlReader {
     const pugi::xml_node system = units.first_child();
     const std::string angular = xmlValue(system, "angularUnit");
     const auto unit = landXmlUnit(angular);
+    m_hasUnit = !angular.empty();
     m_metres = metresOf(xmlValue(system, "linearUnit"));
     if (unit) {
       m_unit = *unit;
@@ -154,13 +155,21 @@ class LandXmlReader {
     sighting.line = m_line;
     sighting.row.point = pointOf(observation);
     sighting.row.note = xmlValue(observation, "desc");
-    if (const auto problem = enterCircles(circles, sighting)) return m_book.refuse(m_line, 0, *problem);
+    if (const auto problem = enterCircles(circles, sighting))
+      return m_book.refuse(m_line, 0, m_hasUnit ? *problem : withoutUnit(circles));
     takeDistance(observation, sighting);
     const std::string own = xmlValue(observation, "setupID");
     takeStation(own.empty() ? groupSetUp : own);
     std::string& date = m_book.recording().measuredOn;
     if (date.empty()) date = dateOfTime(xmlValue(observation, "timeStamp"));
     m_book.add(std::move(sighting));
+  }
+
+  static std::string withoutUnit(const XmlCircles& circles) {
+    return Phrase::of(
+        "%1 and %2 are no readings of circles in radians, the unit of a LandXML file that names "
+        "none: export the file with its unit of angles (angularUnit)",
+        quotation(circles.horizontal), quotation(circles.vertical));
   }
 
   std::string pointOf(const pugi::xml_node& observation) const {
@@ -196,6 +205,7 @@ class LandXmlReader {
   XmlFile m_file;
   FieldBook m_book;
   AngleUnit m_unit = AngleUnit::Radians;
+  bool m_hasUnit = false;                         ///< else the schema's default holds
   double m_metres = 1;                            ///< to the file's unit of length; 0: of an unknown one
   std::map<std::string, std::string> m_points;    ///< oID by name
   std::map<std::string, std::string> m_stations;  ///< names by the IDs of the set-ups

@@ -106,6 +106,14 @@ TEST(FileFormats, LeaveTablesThatResembleThemTables) {
     EXPECT_EQ(idOfFormatOf(table), "table") << table;
 }
 
+TEST(FileFormats, AreKnownInTheirVariants) {
+  EXPECT_EQ(idOfFormatOf("co,nikon raw data format V2.00\nCO,A\n"), "nikon-raw");
+  EXPECT_EQ(idOfFormatOf("50 =ARC7\n5 =1\n7 =107.1223\n"), "geodimeter");
+  EXPECT_EQ(idOfFormatOf("00NMDC10 V7.50\n10NMARC7\n"), "trimble-dc");
+  EXPECT_EQ(idOfFormatOf("For E |Adr 0001|PI 1|\n"), "zeiss-rec");
+  EXPECT_EQ(idOfFormatOf("CRD\n1 100.0 200.0\n"), "crd-text");
+}
+
 TEST(FileFormats, AreFoundBelowATitle) {
   const std::string gsi = "110001+00000001 21.324+34152240 22.324+08816490\n";
   EXPECT_EQ(idOfFormatOf("Job ARC7, exported 5 March\n" + gsi), "gsi");

@@ -71,7 +71,7 @@ TEST(LandXml, ReadsEveryUnitOfItsSchema) {
 
 TEST(LandXml, RefusesWhatItsUnitCannotBe) {
   EXPECT_THAT(landXmlCircles("", "107.1225", "98.473"),
-              ElementsAre(HasSubstr("no reading of a circle in the unit")));
+              ElementsAre(HasSubstr("no readings of circles in radians, the unit of a LandXML file")));
   EXPECT_THAT(landXmlCircles("angularUnit=\"mil\"", "1", "2"),
               ElementsAre(HasSubstr("“mil” is no unit of angles")));
   EXPECT_THAT(landXmlCircles("angularUnit=\"decimal dd.mm.ss\"", "107.6123", "88.4731"),
