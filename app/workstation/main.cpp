@@ -190,7 +190,7 @@ int run(int argc, char** argv) {
       QStringLiteral("ID"));
   parser.addOption(language);
   parser.addPositionalArgument(QStringLiteral("FILE"),
-                               QStringLiteral("Session to open, or GSI or CSV file to import."),
+                               QStringLiteral("Session to open, or file of readings to import."),
                                QStringLiteral("[FILE]"));
   if (!parser.parse(QApplication::arguments())) return badCall(parser.errorText());
   if (parser.isSet(help)) parser.showHelp();

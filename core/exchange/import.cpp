@@ -9,11 +9,8 @@
 #include "core/base/visible_text.h"
 #include "core/exchange/assembly.h"
 #include "core/exchange/csv_reader.h"
-#include "core/exchange/gsi_reader.h"
-#include "core/exchange/m5_reader.h"
+#include "core/exchange/file_format.h"
 #include "core/exchange/recognise.h"
-#include "core/exchange/sdr_reader.h"
-#include "core/exchange/text_lines.h"
 #include "core/exchange/words.h"
 
 namespace alidade {
@@ -30,22 +27,14 @@ TableLayout asNamed(const Recognised& recognised, AngleUnit unit) {
   return layout;
 }
 
+/// A layout that somebody chose holds for what looks to be none of the formats that are read.
 Result<Recording> readRecording(const ReadingsFile& file, const ImportOptions& options) {
-  const Result<std::string> text = utf8Text(file.bytes);
+  const Result<std::string> text = readingsText(file.bytes, file.name);
   if (!text) return text.problem();
   const Result<Recognised> recognised = recognise(*text);
-  if (!recognised) return recognised.problem();
-  switch (recognised->format) {
-    case FileFormat::Gsi:
-      return readGsi(*text, options.zeroPoint);
-    case FileFormat::M5:
-      return readM5(*text, options.zeroPoint);
-    case FileFormat::Sdr:
-      return readSdr(*text, options.zeroPoint);
-    case FileFormat::Table:
-      break;
-  }
-  return readTable(*text, file.table.value_or(asNamed(*recognised, options.unit)), options.zeroPoint);
+  if (!recognised && !file.table) return recognised.problem();
+  if (recognised && !recognised->isTable()) return recognised->format->read(*text, options.zeroPoint);
+  return readTable(*text, file.table ? *file.table : asNamed(*recognised, options.unit), options.zeroPoint);
 }
 
 /// Of no use, and no word of it would be said: everything would stand at 0°.

@@ -45,8 +45,8 @@ struct ImportedRows {
 /// A session made of files of readings, or one with their readings added.
 struct Import {
   Session session;
-  std::string format;    ///< "GSI-8", "GSI-16", "M5", "SDR33", "SDR2x" or "CSV"; of several files
-                         ///< all that there are
+  std::string format;    ///< as the readers call it: "GSI-8", "SDR33", "JobXML", "CSV"; of several
+                         ///< files all that there are
   std::size_t rows = 0;  ///< of readings that came, excluded ones too
   std::vector<LineProblem> problems;  ///< in the order of the files and lines. Entries that mean nothing are
                                       ///< in the session as they stand; lines that cannot be read are not
@@ -59,15 +59,15 @@ struct Import {
 inline constexpr const char* putAtZero =
     PHRASE_LATER("Phrase", "nothing in the file says how the axis stood: all its readings are put at 0°");
 
-/// Readings of a theodolite, from the bytes of GSI, M5 and SDR files (gsi_reader.h, m5_reader.h,
-/// sdr_reader.h) and tables (csv_reader.h); the content tells which. Sightings of the pointing zero become
+/// Readings of a theodolite, from the bytes of files of instruments (file_format.h) and tables
+/// (csv_reader.h); the content tells which. Sightings of the pointing zero become
 /// the zero of their position, several of them as the mean of their face 1 equivalents; a zero that `base`
 /// has already stays. Where a file does not say, the face follows from the vertical circle, the round from
 /// how often point and face came before in this position (rounds that the file states are passed over), the
 /// axis from `turnedAtLine`, else it is 0°. Positions are in the order 0°, 180°, as a session has them read;
 /// where `base` has readings, its positions and rows stay, and what comes goes behind them. Point names that
-/// are no whole numbers are numbered, the name kept in the note. Fails on what is no text, is a session, or
-/// holds no readings, and on vertical circles of two kinds.
+/// are no whole numbers are numbered, the name kept in the note. Fails on what is no text, is of a
+/// format that is not read, or holds no readings, and on vertical circles of two kinds.
 Result<Import> importReadings(const std::vector<ReadingsFile>& files, const ImportOptions& options = {});
 
 /// The same of a single file, `turnedAtLine` as in the options.

@@ -54,7 +54,6 @@ class TableRecognition {
   explicit TableRecognition(std::string_view text) : m_text(text) {}
 
   Recognised recognise() {
-    m_found.format = FileFormat::Table;
     m_found.name = "Table";
     chooseSeparator();
     m_rows = rowsOf(m_text, m_found.table.separator);

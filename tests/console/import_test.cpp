@@ -102,6 +102,30 @@ TEST_F(ImportTest, RefusesWhatCannotBeDone) {
               HasSubstr("cannot be written"));
 }
 
+TEST_F(ImportTest, NamesFormatsThatAreNotRead) {
+  for (const auto& [file, name] :
+       {std::pair("survce.rw5", "Carlson RW5"), std::pair("nikon.raw", "Nikon RAW"),
+        std::pair("table.xlsx", "XLSX"), std::pair("job.dbx", "Leica DBX")}) {
+    const std::string path = std::string(ALIDADE_REFERENCE_DIR "/import/named/") + file;
+    for (const ProgramRun& run : {import(path), alidadeCli({"instrument", path})}) {
+      expectRefusal(run);
+      EXPECT_THAT(run.err, HasSubstr("is a file of the format "));
+      EXPECT_THAT(run.err, HasSubstr(name));
+    }
+  }
+  EXPECT_FALSE(std::filesystem::exists(session));
+}
+
+TEST_F(ImportTest, ReadsTheFormatsThatItsHelpLists) {
+  for (const char* command : {"import", "instrument"})
+    EXPECT_THAT(alidadeCli({command, "--help"}).out,
+                HasSubstr("Trimble JobXML, LandXML (HeXML), and tables."));
+  const ProgramRun run = import(ALIDADE_REFERENCE_DIR "/import/read/access.jxl");
+  EXPECT_EQ(run.exitCode, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("3 rows from JobXML"));
+  EXPECT_THAT(run.err, HasSubstr("a mean of observations (MeanTurnedAngle) is not used: line 34"));
+}
+
 TEST_F(ImportTest, NeverWritesOverTheFileItReads) {
   const std::string csv = folder.file("a.csv", "Hz,V\n341°,88°\n");
   const std::string sameFile = (folder.path() / "." / "a.csv").string();

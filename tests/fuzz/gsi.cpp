@@ -1,7 +1,4 @@
-#include "core/exchange/gsi_reader.h"
-
-#include "core/exchange/m5_reader.h"
-#include "core/exchange/sdr_reader.h"
+#include "core/exchange/file_format.h"
 #include "core/exchange/text_lines.h"
 #include "tests/fuzz/imported.h"
 #include "tests/fuzz/targets.h"
@@ -9,11 +6,9 @@
 namespace alidade::fuzz {
 
 void throwGsi(std::string_view bytes) {
-  if (const Result<std::string> text = utf8Text(bytes)) checkPlaces(readGsi(*text), *text);
-  if (const Result<std::string> text = utf8Text(bytes)) {
-    checkPlaces(readM5(*text), *text);
-    checkPlaces(readSdr(*text), *text);
-  }
+  if (const Result<std::string> text = utf8Text(bytes))
+    for (const FileFormat& format : fileFormats())
+      if (format.read) checkPlaces(format.read(*text, {}), *text);
   importBytes(bytes, {});
   importBytes(bytes, {.zeroPoint = "100", .turnedAtLine = 3});
 }

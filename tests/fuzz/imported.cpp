@@ -43,7 +43,7 @@ void importBytes(std::string_view bytes, const ImportOptions& options) {
   const std::string text = *utf8Text(bytes);
   const std::vector<TextLine> lines = linesOf(text);
   for (const LineProblem& problem : import->problems) checkPlace(problem, lines);
-  require(import->rows <= text.size(), "more rows than characters");
+  require(import->rows <= text.size(), "more rows than characters");  // elements of XML may share a line
   const std::string file = writeSession(import->session);
   const Result<Session> again = readSession(file);
   require(static_cast<bool>(again), "an imported session that cannot be read");

@@ -48,7 +48,7 @@ ImportChoice proposedChoice(const std::vector<ImportSource>& sources) {
       file.axis = axis;
     }
     choice.files.push_back(file);
-    if (source.recognised.format == FileFormat::Table)
+    if (source.recognised.isTable())
       choice.layouts.emplace(source.recognised.signature(), source.recognised.table);
   }
   return choice;

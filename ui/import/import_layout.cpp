@@ -124,7 +124,7 @@ void ImportLayout::show(const ImportSource& source, const TableLayout& layout, b
   QString text = capitalised(reasons.join(QStringLiteral("; "))) + u'.';
   if (isRemembered) text += u' ' + tr("Below it stands as you took such a file the last time.");
   m_reasons->setText(text);
-  const bool isTable = source.recognised.format == FileFormat::Table;
+  const bool isTable = source.recognised.isTable();
   m_table->setVisible(isTable);
   m_unit->setCurrentIndex(m_unit->findData(static_cast<int>(layout.unit)));
   m_decimalSign->setCurrentIndex(m_decimalSign->findData(static_cast<int>(layout.decimalSign)));

@@ -6,7 +6,7 @@
 
 #include "core/base/file_bytes.h"
 #include "core/base/sha256.h"
-#include "core/exchange/text_lines.h"
+#include "core/exchange/file_format.h"
 #include "ui/text/encoded_path.h"
 #include "ui/text/visible_text.h"
 
@@ -18,10 +18,10 @@ struct SourceText {
   Q_DECLARE_TR_FUNCTIONS(SourceText)
 };
 
-const QStringList& suffixes() {
-  static const QStringList all = {QStringLiteral("gsi"), QStringLiteral("m5"),  QStringLiteral("rec"),
-                                  QStringLiteral("sdr"), QStringLiteral("dat"), QStringLiteral("csv"),
-                                  QStringLiteral("tsv"), QStringLiteral("txt")};
+QStringList suffixes() {
+  QStringList all;
+  for (const std::string_view suffix : readingsSuffixes())
+    all << QString::fromUtf8(suffix.data(), static_cast<qsizetype>(suffix.size()));
   return all;
 }
 
@@ -32,7 +32,7 @@ Problem refusal(const QString& name, const Problem& why) {
 }
 
 Result<ImportSource> sourceOf(const QString& name, const QString& title, std::string bytes) {
-  const Result<std::string> text = utf8Text(bytes);
+  const Result<std::string> text = readingsText(bytes, name.toStdString());
   if (!text) return refusal(name, text.problem());
   Result<Recognised> recognised = recognise(*text);
   if (!recognised) return refusal(name, recognised.problem());
@@ -66,7 +66,7 @@ Result<std::vector<ImportSource>> textSource(const QString& name, const std::str
 }
 
 bool isReadingsFile(const QString& path) {
-  return suffixes().contains(QFileInfo(path).suffix(), Qt::CaseInsensitive);
+  return isImportedSuffix(QFileInfo(path).suffix().toStdString());
 }
 
 QString readingsPatterns() {

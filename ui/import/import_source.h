@@ -24,7 +24,7 @@ struct ImportSource {
 Result<std::vector<ImportSource>> readSources(const QStringList& paths);
 Result<std::vector<ImportSource>> textSource(const QString& name, const std::string& text);
 
-/// Is this the name of a file of readings: .gsi, .m5, .sdr, .csv, …?
+/// Is this the name of a file of readings, or of one whose format is named and refused?
 bool isReadingsFile(const QString& path);
 
 /// The patterns of such names, as a file dialog takes them: `*.gsi *.GSI …`.

@@ -10,6 +10,7 @@
 
 #include "app/console/channels.h"
 #include "app/console/commands/option_checks.h"
+#include "app/console/format_texts.h"
 #include "app/console/output_file.h"
 #include "app/console/session_input.h"
 #include "core/base/file_bytes.h"
@@ -29,11 +30,11 @@ namespace alidade::console {
 
 namespace {
 
-constexpr const char* aboutInstruments =
-    "Read are Leica GSI-8 and GSI-16, Zeiss and Trimble M5, Sokkia SDR33 and SDR2x, and tables; the content\n"
-    "tells which.\n"
-    "How the file of an instrument tells more than angles, in GSI by code blocks, in M5 by texts, in SDR by\n"
-    "notes:  0 or 180 (or AXIS0, AXIS180) is the position of the axis for what follows, ROUND2 the round;\n"
+constexpr const char* aboutMarks =
+    "How the file of an instrument tells more than angles, in GSI by code blocks, in M5 and R4/R5 by texts, "
+    "in\n"
+    "SDR, JobXML and LandXML by notes:  0 or 180 (or AXIS0, AXIS180) is the position of the axis for what "
+    "follows, ROUND2 the round;\n"
     "point 0 or ZERO, or what follows ZERO, is the pointing zero. A CSV table begins with the names of its "
     "columns:\n";
 
@@ -46,7 +47,7 @@ constexpr const char* aboutCsv =
 std::string about() {
   std::string columns = "axis";
   for (const RowField& field : rowFields) columns += ", " + std::string(field.key);
-  return aboutInstruments + columns + ";\n" + aboutCsv;
+  return readableFormatsSentence() + "The content tells which.\n" + aboutMarks + columns + ";\n" + aboutCsv;
 }
 
 /// The entry of an option in the field of the session it is for.
@@ -128,7 +129,7 @@ Result<std::string> entryFor(const char* option, const std::vector<std::string>&
 std::optional<TableLayout> layoutOf(const ImportRequest& request, std::string_view bytes) {
   if (request.columns.empty() && !request.headRows && request.decimalSign.empty()) return std::nullopt;
   TableLayout layout;
-  const Result<std::string> text = utf8Text(bytes);
+  const Result<std::string> text = readingsText(bytes);
   if (const auto recognised = text ? recognise(*text) : Result<Recognised>(text.problem())) {
     layout.separator = recognised->table.separator;
     layout.headRows = recognised->table.headRows;
@@ -213,7 +214,7 @@ std::string columnCheck(const std::string& key) {
 
 void addImportCommand(CLI::App& app, ImportRequest& request) {
   CLI::App* import = app.add_subcommand(
-      "import", "A session from files of readings: Leica GSI, Trimble M5, Sokkia SDR, or tables (CSV).");
+      "import", "A session from files of readings: " + formatNames() + " or tables (CSV).");
   import->add_option("FILE", request.files, "Files to read, in the order taken; - reads standard input")
       ->required();
   import->add_option("--out", request.out, "Session file to write (*.alidade)")->required();

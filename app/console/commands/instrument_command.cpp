@@ -5,6 +5,7 @@
 
 #include "app/console/channels.h"
 #include "app/console/commands/option_checks.h"
+#include "app/console/format_texts.h"
 #include "app/console/instrument_text.h"
 #include "core/base/file_bytes.h"
 #include "core/base/visible_text.h"
@@ -17,15 +18,11 @@ namespace alidade::console {
 namespace {
 
 constexpr const char* aboutInstrumentFiles =
-    "Read are Leica GSI-8 and GSI-16, Zeiss and Trimble M5, Sokkia SDR33 and SDR2x, and tables whose first "
-    "row\n"
-    "names the columns: horizontal, vertical and target, and perhaps station, round, face and distance (m). "
-    "A file\n"
-    "is a station unless it names stations, in GSI by a code block STATION 5, word 16 or a block with 84-86 "
-    "or 88.\n"
-    "Rounds follow from targets that come again. --sigma is what is stated of a direction and a zenith "
-    "angle\n"
-    "observed once in both faces, as in a data sheet after ISO 17123-3.";
+    "The first row of a table names the columns: horizontal, vertical and target, and perhaps station, round,\n"
+    "face and distance (m). A file is a station unless it names stations, in GSI by a code block STATION 5,\n"
+    "word 16 or a block with 84-86 or 88. Rounds follow from targets that come again. --sigma is what is\n"
+    "stated of a direction and a zenith angle observed once in both faces, as in a data sheet after\n"
+    "ISO 17123-3.";
 
 AngleUnit unitNamed(const std::string& name) {
   if (name == "gon") return AngleUnit::Gon;
@@ -44,7 +41,9 @@ void addInstrumentCommand(CLI::App& app, InstrumentRequest& request) {
   CLI::App* instrument = app.add_subcommand(
       "instrument",
       "Field check of a theodolite after ISO 17123-3, from rounds in two faces to several targets.");
-  instrument->add_option("FILE", request.files, "Files of readings, GSI or CSV; - reads standard input")
+  instrument
+      ->add_option("FILE", request.files,
+                   "Files of readings, of instruments or tables; - reads standard input")
       ->required();
   constexpr double leastSigma = 1e-6, mostSigma = 3600;
   instrument->add_option("--sigma", request.sigma, "Stated σ that s is tested against, arcsec")
@@ -61,7 +60,7 @@ void addInstrumentCommand(CLI::App& app, InstrumentRequest& request) {
   instrument->add_option("--vertical-circle", request.verticalCircle, "zenith or elevation; else as read")
       ->check(CLI::IsMember({"zenith", "elevation"}));
   instrument->add_flag("--json", request.json, "Print one JSON document");
-  instrument->footer(aboutInstrumentFiles);
+  instrument->footer(readableFormatsSentence() + aboutInstrumentFiles);
 }
 
 Result<InstrumentAnswer> runInstrument(const InstrumentRequest& request) {

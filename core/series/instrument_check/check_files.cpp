@@ -15,12 +15,9 @@
 #include "core/base/phrase.h"
 #include "core/base/visible_text.h"
 #include "core/exchange/csv_reader.h"
+#include "core/exchange/file_format.h"
 #include "core/exchange/grouped_problems.h"
-#include "core/exchange/gsi_reader.h"
-#include "core/exchange/m5_reader.h"
 #include "core/exchange/recognise.h"
-#include "core/exchange/sdr_reader.h"
-#include "core/exchange/text_lines.h"
 #include "core/exchange/words.h"
 #include "core/session/face.h"
 #include "core/session/row_fields.h"
@@ -149,21 +146,12 @@ class CheckFiles {
   }
 
   Result<Recording> readRecording() {
-    const Result<std::string> text = utf8Text(m_files[m_file].bytes);
+    const Result<std::string> text = readingsText(m_files[m_file].bytes, m_files[m_file].name);
     if (!text) return text.problem();
     if (m_files[m_file].table) return readTableOf(*text, *m_files[m_file].table);
     const Result<Recognised> recognised = recognise(*text);
     if (!recognised) return recognised.problem();
-    switch (recognised->format) {
-      case FileFormat::Gsi:
-        return readGsi(*text);
-      case FileFormat::M5:
-        return readM5(*text);
-      case FileFormat::Sdr:
-        return readSdr(*text);
-      case FileFormat::Table:
-        break;
-    }
+    if (!recognised->isTable()) return recognised->format->read(*text, {});
     return readTableOf(*text, layoutOf(*recognised, m_options.unit));
   }
 

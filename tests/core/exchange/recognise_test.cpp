@@ -19,11 +19,11 @@ Recognised found(const std::string& text) {
 }
 
 TEST(Recognise, TellsTheFormatsByTheirLines) {
-  EXPECT_EQ(found("# transferred\n110001+00000001 21.324+34152240 22.324+08816490\n").format,
-            FileFormat::Gsi);
-  EXPECT_EQ(found("! made by\nFor M5|Adr 00001|TI  START |\n").format, FileFormat::M5);
-  EXPECT_EQ(found("00NMSDR33 V04-04.02     04-Oct-26 10:00 111111\n").format, FileFormat::Sdr);
-  EXPECT_EQ(found("\n\nHz;V\n1;2\n").format, FileFormat::Table);
+  EXPECT_EQ(found("# transferred\n110001+00000001 21.324+34152240 22.324+08816490\n").name, "Leica GSI");
+  EXPECT_EQ(found("! made by\nFor M5|Adr 00001|TI  START |\n").name, "Trimble M5");
+  EXPECT_EQ(found("00NMSDR33 V04-04.02     04-Oct-26 10:00 111111\n").name, "Sokkia SDR");
+  EXPECT_FALSE(found("00NMSDR33 V04-04.02     04-Oct-26 10:00 111111\n").isTable());
+  EXPECT_TRUE(found("\n\nHz;V\n1;2\n").isTable());
   EXPECT_FALSE(recognise("{\"format\": 1}"));
   EXPECT_FALSE(recognise(" \n# nothing\n"));
 }

@@ -1,0 +1,227 @@
+#include "core/exchange/landxml_reader.h"
+
+#include <map>
+#include <numbers>
+#include <optional>
+#include <pugixml.hpp>
+#include <utility>
+
+#include "core/base/number_text.h"
+#include "core/base/phrase.h"
+#include "core/base/visible_text.h"
+#include "core/exchange/field_book.h"
+#include "core/exchange/foreign_files.h"
+#include "core/exchange/words.h"
+#include "core/exchange/xml_file.h"
+
+namespace alidade {
+
+namespace {
+
+std::optional<AngleUnit> landXmlUnit(const std::string& name) {
+  const std::string unit = lowerCase(name);
+  if (unit.empty() || unit == "radians") return AngleUnit::Radians;
+  if (unit == "grads") return AngleUnit::Gon;
+  if (unit == "decimal degrees") return AngleUnit::Degrees;
+  if (unit == "decimal dd.mm.ss") return AngleUnit::Dms;
+  return std::nullopt;
+}
+
+/// To one of the schema's units of length; 0 where it is none of them.
+double metresOf(const std::string& name) {
+  static const std::map<std::string, double> units{{"", 1},
+                                                   {"meter", 1},
+                                                   {"millimeter", 1e-3},
+                                                   {"centimeter", 1e-2},
+                                                   {"kilometer", 1e3},
+                                                   {"foot", 0.3048},
+                                                   {"ussurveyfoot", 1200.0 / 3937},
+                                                   {"inch", 0.0254},
+                                                   {"mile", 1609.344}};
+  const auto unit = units.find(lowerCase(name));
+  return unit == units.end() ? 0 : unit->second;
+}
+
+/// Goes through the surveys of a file.
+class LandXmlReader {
+ public:
+  LandXmlReader(std::string_view text, const std::string& zeroPoint) : m_file(text), m_book(zeroPoint) {}
+
+  Recording read() {
+    m_book.recording().verticalCircle = "zenith";
+    const pugi::xml_node root = m_file.root();
+    if (takeUnits(xmlChild(root, "Units"))) {
+      takePoints(xmlChild(root, "CgPoints"));
+      for (const pugi::xml_node survey : root.children())
+        if (xmlName(survey) == "Survey") readSurvey(survey);
+    }
+    if (const auto& problem = m_file.problem()) {
+      m_book.refuse(problem->line, problem->column, problem->what);
+    } else if (m_file.root() && m_book.recording().sightings.empty() && m_book.recording().problems.empty()) {
+      m_book.refuse(1, 0,
+                    Phrase::of("the LandXML file holds no raw observations with both circles: export the "
+                               "observations as they were read (RawObservation), or GSI or a table (CSV)"));
+    }
+    return m_book.finish("LandXML");
+  }
+
+ private:
+  bool takeUnits(const pugi::xml_node& units) {
+    const pugi::xml_node system = units.first_child();
+    const std::string angular = xmlValue(system, "angularUnit");
+    const auto unit = landXmlUnit(angular);
+    m_hasUnit = !angular.empty();
+    m_metres = metresOf(xmlValue(system, "linearUnit"));
+    if (unit) {
+      m_unit = *unit;
+      return true;
+    }
+    m_book.refuse(m_file.lineOf(system ? system : m_file.root()), 0,
+                  Phrase::of("%1 is no unit of angles of LandXML (radians, grads, decimal degrees, decimal "
+                             "dd.mm.ss): export the file in one of them",
+                             quotation(angular)));
+    return false;
+  }
+
+  /// What people call the points that observations refer to.
+  void takePoints(const pugi::xml_node& points) {
+    for (const pugi::xml_node point : points.children()) {
+      const std::string name = xmlValue(point, "name"), id = xmlValue(point, "oID");
+      if (!name.empty() && !id.empty()) m_points.emplace(name, id);
+    }
+  }
+
+  void readSurvey(const pugi::xml_node& survey) {
+    takePoints(xmlChild(survey, "CgPoints"));
+    readInstrument(xmlChild(xmlChild(survey, "Equipment"), "InstrumentDetails"));
+    for (const pugi::xml_node setUp : survey.children())
+      if (xmlName(setUp) == "InstrumentSetup") nameStation(setUp);
+    for (const pugi::xml_node part : survey.children()) {
+      if (xmlName(part) == "InstrumentSetup") readObservations(part, xmlValue(part, "id"));
+      if (xmlName(part) == "ObservationGroup") readObservations(part, xmlValue(part, "setupID"));
+      if (xmlName(part) == "FieldNote") readNote(part);
+    }
+  }
+
+  void readInstrument(const pugi::xml_node& details) {
+    const std::string name = trimmed(xmlValue(details, "manufacturer") + " " + xmlValue(details, "model")),
+                      serial = xmlValue(details, "serialNumber"), what = Phrase::of("instrument");
+    const std::size_t line = details ? m_file.lineOf(details) : 1;
+    if (!name.empty()) m_book.keep(m_book.recording().instrumentName, name, what, line);
+    if (!serial.empty()) m_book.keep(m_book.recording().instrumentSerial, serial, what, line);
+  }
+
+  /// A point may be set up on again, with another orientation of the circle.
+  void nameStation(const pugi::xml_node& setUp) {
+    std::string name = xmlValue(setUp, "stationName");
+    const int uses = ++m_setUps[name];
+    if (uses > 1) name += " (" + std::to_string(uses) + ")";
+    m_stations[xmlValue(setUp, "id")] = name;
+  }
+
+  void readObservations(const pugi::xml_node& group, const std::string& setUp) {
+    readInstrument(xmlChild(group, "InstrumentDetails"));
+    for (const pugi::xml_node part : group.children()) {
+      const std::string_view kind = xmlName(part);
+      m_line = m_file.lineOf(part);
+      if (m_book.isFull(m_line)) return;
+      if (kind == "RawObservation") readObservation(part, setUp);
+      if (kind == "ReducedObservation")
+        m_book.setAside(Phrase::of("a reduced observation, no reading of circles"), m_line);
+      if (kind == "FieldNote") readNote(part);
+    }
+  }
+
+  void readNote(const pugi::xml_node& part) {
+    const std::string note = trimmed(part.text().get());
+    if (const auto mark = fieldMark(note)) return m_book.take(*mark);
+    if (!note.empty()) m_book.setAside(Phrase::of("the note %1", quotation(note)), m_file.lineOf(part));
+  }
+
+  void readObservation(const pugi::xml_node& observation, const std::string& groupSetUp) {
+    const auto isTrue = [&observation](const char* name) {
+      return isOneOf(lowerCase(xmlValue(observation, name)), {"true", "1"});
+    };
+    if (isTrue("unused") || lowerCase(xmlValue(observation, "status")) == "deleted")
+      return m_book.setAside(Phrase::of("a deleted observation"), m_line);
+    const std::string direct = xmlValue(observation, "directFace");
+    XmlCircles circles{.horizontal = xmlValue(observation, "horizAngle"),
+                       .vertical = xmlValue(observation, "zenithAngle"),
+                       .unit = m_unit};
+    if (circles.horizontal.empty() || circles.vertical.empty())
+      return m_book.setAside(Phrase::of("an observation without one of the circles"), m_line);
+    if (!direct.empty()) circles.face = isTrue("directFace") ? "1" : "2";
+    RecordedSighting sighting;
+    sighting.line = m_line;
+    sighting.row.point = pointOf(observation);
+    sighting.row.note = xmlValue(observation, "desc");
+    if (const auto problem = enterCircles(circles, sighting))
+      return m_book.refuse(m_line, 0, m_hasUnit ? *problem : withoutUnit(circles));
+    takeDistance(observation, sighting);
+    const std::string own = xmlValue(observation, "setupID");
+    takeStation(own.empty() ? groupSetUp : own);
+    std::string& date = m_book.recording().measuredOn;
+    if (date.empty()) date = dateOfTime(xmlValue(observation, "timeStamp"));
+    m_book.add(std::move(sighting));
+  }
+
+  static std::string withoutUnit(const XmlCircles& circles) {
+    return Phrase::of(
+        "%1 and %2 are no readings of circles in radians, the unit of a LandXML file that names "
+        "none: export the file with its unit of angles (angularUnit)",
+        quotation(circles.horizontal), quotation(circles.vertical));
+  }
+
+  std::string pointOf(const pugi::xml_node& observation) const {
+    const pugi::xml_node target = xmlChild(observation, "TargetPoint");
+    if (std::string name = xmlValue(target, "name"); !name.empty()) return name;
+    std::string reference = xmlValue(target, "pntRef");
+    if (reference.empty()) reference = xmlValue(observation, "targetPntRef");
+    if (const auto point = m_points.find(reference); point != m_points.end()) return point->second;
+    if (!reference.empty()) return reference;
+    const std::string id = xmlValue(observation, "targetID");
+    return id.empty() ? xmlValue(target, "desc") : id;
+  }
+
+  void takeDistance(const pugi::xml_node& observation, RecordedSighting& sighting) {
+    for (const bool isHorizontal : {false, true}) {
+      const Result<double> distance =
+          parseNumber(xmlValue(observation, isHorizontal ? "horizDistance" : "slopeDistance"));
+      if (!distance || !(*distance * m_metres > 0)) continue;
+      sighting.distanceM = *distance * m_metres;
+      sighting.isDistanceHorizontal = isHorizontal;
+      return m_book.setBeside(isHorizontal ? Phrase::of("horizontal distance") : Phrase::of("slope distance"),
+                              m_line);
+    }
+  }
+
+  void takeStation(const std::string& setUp) {
+    const auto station = m_stations.find(setUp);
+    if (station == m_stations.end() || station->second == m_station) return;
+    m_station = station->second;
+    m_book.beginStation(m_station, m_line);
+  }
+
+  XmlFile m_file;
+  FieldBook m_book;
+  AngleUnit m_unit = AngleUnit::Radians;
+  bool m_hasUnit = false;                         ///< else the schema's default holds
+  double m_metres = 1;                            ///< to the file's unit of length; 0: of an unknown one
+  std::map<std::string, std::string> m_points;    ///< oID by name
+  std::map<std::string, std::string> m_stations;  ///< names by the IDs of the set-ups
+  std::map<std::string, int> m_setUps;            ///< how often each point was set up on
+  std::string m_station;
+  std::size_t m_line = 1;
+};
+
+}  // namespace
+
+bool looksLikeLandXml(std::string_view beginning) {
+  return xmlRootName(beginning) == "LandXML";
+}
+
+Recording readLandXml(std::string_view text, const std::string& zeroPoint) {
+  return LandXmlReader(text, zeroPoint).read();
+}
+
+}  // namespace alidade
