@@ -10,6 +10,7 @@
 #include "core/base/limits.h"
 #include "core/base/number_text.h"
 #include "core/base/phrase.h"
+#include "core/base/typed_text.h"
 #include "core/base/visible_text.h"
 #include "core/exchange/csv_table.h"
 #include "core/exchange/csv_text.h"
@@ -36,6 +37,12 @@ std::optional<bool> flagOf(const std::string& text) {
 std::string axisTextOf(const std::string& text) {
   constexpr std::string_view degree = "°";
   return text.ends_with(degree) ? text.substr(0, text.size() - degree.size()) : text;
+}
+
+/// A number of an input method as plain digits: １２ as 12. Names stay.
+std::string plainNumber(std::string text) {
+  const bool isPlain = std::ranges::all_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+  return !isPlain && parseWhole(text) ? plainSigns(text) : text;
 }
 
 /// What the vertical readings tell of their circle where no heading does.
@@ -173,6 +180,7 @@ class CsvReader {
       if (const auto why = readCell(m_plan.columns[i], cell, sighting))
         return refuse(row.line, cell.column, *why);
     }
+    if (row.cells.size() > m_plan.columns.size() && isRestOfNote(row)) takeRestOfNote(row, sighting);
     sighting.isZero = lowerCase(sighting.row.point) == m_zeroPoint;
     addSightings(row, sighting);
   }
@@ -211,11 +219,25 @@ class CsvReader {
     for (std::size_t i = m_plan.columns.size(); i < row.cells.size(); ++i) {
       const std::string& text = row.cells[i].text;
       if (text.empty()) continue;
+      if (isRestOfNote(row)) return nullptr;
       if (hasAnyDigit(text)) return &row.cells[i];
       m_counts.add(FileCounts::Kind::Beyond, row.line);
       return nullptr;
     }
     return nullptr;
+  }
+
+  /// Of a table parted by blanks whose last column holds notes: what stands behind a text goes on with it.
+  bool isRestOfNote(const CsvRow& row) const {
+    const std::size_t last = m_plan.columns.size() - 1;
+    const auto& column = m_plan.columns[last].column;
+    return m_layout.separator == ' ' && column && column->isOf(&Reading::note) && last < row.cells.size() &&
+           !hasAnyDigit(row.cells[last].text);
+  }
+
+  void takeRestOfNote(const CsvRow& row, RecordedSighting& sighting) const {
+    for (std::size_t i = m_plan.columns.size(); i < row.cells.size(); ++i)
+      if (!row.cells[i].text.empty()) sighting.row.note += " " + row.cells[i].text;
   }
 
   /// One of each face that has a reading in the row.
@@ -299,7 +321,7 @@ class CsvReader {
     } else if (!field) {
       sighting.axis = {axisTextOf(fromPlainCell(cell.text)), cell.column};
     } else if (field->text) {
-      const std::string text = fromPlainCell(cell.text);
+      const std::string text = plainNumber(fromPlainCell(cell.text));
       sighting.enter(*field, field->text == &Reading::face ? m_faces.of(text) : text, cell.column);
     } else {
       const auto flag = flagOf(cell.text);

@@ -50,11 +50,30 @@ std::size_t usualWidth(const std::vector<TableCells>& rows) {
   return 2 * most > all ? width : 0;
 }
 
-/// The cells of the first row that names both circles; 0 where none does.
-std::size_t widthOfNames(const std::vector<TableCells>& rows) {
-  for (std::size_t i = 0; i < std::min(rows.size(), mostTitleRows); ++i)
-    if (nameCircles(rows[i])) return rows[i].size();
-  return 0;
+/// How well readings stand below the names that name their circles.
+struct NamesFit {
+  bool areNamed = false;  ///< a row names both circles
+  bool fits = false;      ///< most rows of readings have angles there
+};
+
+NamesFit fitOfNames(const std::vector<TableCells>& rows) {
+  for (std::size_t i = 0; i < std::min(rows.size(), mostTitleRows); ++i) {
+    if (!nameCircles(rows[i])) continue;
+    std::size_t all = 0, good = 0;
+    for (std::size_t j = i + 1; j < rows.size(); ++j) {
+      if (std::ranges::count_if(rows[j], mayBeAngle) < 2) continue;
+      ++all;
+      const auto isSound = [&](std::size_t k) {
+        const auto column = columnName(rows[i][k]).column;
+        return !column || !column->isCircle() || (k < rows[j].size() && mayBeAngle(rows[j][k]));
+      };
+      bool areSound = true;
+      for (std::size_t k = 0; k < rows[i].size(); ++k) areSound = areSound && isSound(k);
+      good += areSound ? 1 : 0;
+    }
+    return {.areNamed = true, .fits = all > 0 && 2 * good > all};
+  }
+  return {};
 }
 
 /// Recognises a table in the rows at its beginning.
@@ -98,16 +117,17 @@ class TableRecognition {
   /// A blank or `wideBlanks`, whichever fits the names and the readings; 0 where commas do.
   char blankSeparator() const {
     const std::vector<TableCells> byCommas = rowsOf(m_text, ',');
-    if (widthOfNames(byCommas) > 0) return '\0';
+    if (fitOfNames(byCommas).areNamed) return '\0';
     char best = '\0';
     std::size_t most = 0;
     for (const char separator : {' ', wideBlanks}) {
       const std::vector<TableCells> rows = rowsOf(m_text, separator);
-      const std::size_t width = usualWidth(rows), names = widthOfNames(rows);
-      const bool fits = width > 1 && (names == 0 || names == width);
+      const NamesFit names = fitOfNames(rows);
+      const bool fits = names.areNamed ? names.fits : usualWidth(rows) > 1;
       const std::size_t angles = wholeAngles(rows);
-      const bool isBetter = angles > wholeAngles(byCommas) || names > 0 || usualWidth(byCommas) == 0;
-      if (!fits || !isBetter || (best && angles <= most)) continue;
+      const bool isBetter = angles > wholeAngles(byCommas) || names.areNamed || usualWidth(byCommas) == 0;
+      const bool isBest = !best || angles > most || (names.areNamed && angles == most);
+      if (!fits || !isBetter || !isBest) continue;
       best = separator;
       most = angles;
     }

@@ -27,7 +27,8 @@ struct TableLayout {
   std::vector<std::string> columns = {};
   AngleUnit unit = AngleUnit::Unstated;           ///< of plain numbers in columns whose name has none
   DecimalSign decimalSign = DecimalSign::Either;  ///< of angles
-  bool needsVertical = true;     ///< false: a table of directions alone is read, its vertical readings empty
+  bool needsVertical = true;  ///< false: a table of directions alone is read, its vertical readings empty
+  bool needsCircles = true;   ///< false: columns without any circle are taken, too; of rows that are pasted
   bool seriesIsStation = false;  ///< a column `series` tells stations apart where there are rounds besides
 
   bool operator==(const TableLayout&) const = default;

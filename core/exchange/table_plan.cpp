@@ -269,7 +269,8 @@ class TablePlanner {
 
   void findMissing() {
     for (const RowField& field : rowFields) {
-      const bool isNeeded = field.remedy && (field.text != &Reading::vertical || m_layout.needsVertical);
+      const bool isNeeded = field.remedy && m_layout.needsCircles &&
+                            (field.text != &Reading::vertical || m_layout.needsVertical);
       if (!isNeeded || hasAngle(field.key)) continue;
       refuse(PlannedAngle::none, Phrase::of("no column is named “%1”: begin with a row of names such as "
                                             "axis;point;face;horizontal;vertical",

@@ -27,17 +27,16 @@ std::vector<std::string> FileCounts::sentences() const {
   std::vector<std::string> sentences;
   const auto& [carried, full, beyond] = m_counts;
   if (carried.count > 0)
-    sentences.push_back(
-        Phrase::of("minutes or seconds of 60 are taken as the next degree or minute: %1 values, the "
-                   "first in line %2",
-                   carried.count, carried.firstLine));
+    sentences.push_back(Phrase::of(
+        "minutes or seconds of 60 carry to the next degree or minute: %1 in all, the first in line %2",
+        carried.count, carried.firstLine));
   if (full.count > 0)
     sentences.push_back(
-        Phrase::of("a full circle is taken as the zero of the circle: %1 values, the first in line %2",
+        Phrase::of("a full circle is taken as the zero of the circle: %1 in all, the first in line %2",
                    full.count, full.firstLine));
   if (beyond.count > 0)
     sentences.push_back(
-        Phrase::of("texts beyond the last named column are not used: %1 rows, the first is line %2",
+        Phrase::of("texts beyond the last named column are not used: %1 in all, the first in line %2",
                    beyond.count, beyond.firstLine));
   return sentences;
 }
