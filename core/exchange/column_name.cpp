@@ -104,7 +104,10 @@ class NameReader {
     }
     takeParts();
     m_name.isUnderstood = !m_words.empty() && !m_isStrange;
-    if (m_isStrange) m_name.column.reset();
+    if (m_isStrange) {
+      m_name.column.reset();
+      m_name.face = 0;
+    }
     return std::move(m_name);
   }
 

@@ -161,7 +161,13 @@ class CsvReader {
   }
 
   void readRow(const CsvRow& row) {
-    if (const auto kind = unreadKind(row)) return m_unread.add(*kind, row.line);
+    if (const auto kind = unreadKind(row)) {
+      if (*kind == UnreadRows::Kind::NoReading && namesOthers(row))
+        return refuse(
+            row.line, 0,
+            Phrase::of("the columns are named anew and otherwise: put what follows into a file of its own"));
+      return m_unread.add(*kind, row.line);
+    }
     if (const CsvCell* cell = cellBeyond(row))
       return refuse(
           row.line, cell->column,
@@ -197,6 +203,13 @@ class CsvReader {
       return std::ranges::equal(names, row.cells, {}, {}, &CsvCell::text);
     });
     return isHeading ? Kind::HeadingAgain : Kind::NoReading;
+  }
+
+  /// Does a row without a reading name both circles? It then is the heading of another table.
+  static bool namesOthers(const CsvRow& row) {
+    TableCells cells;
+    for (const CsvCell& cell : row.cells) cells.push_back(cell.text);
+    return nameCircles(cells);
   }
 
   /// Its first cell with a text, its point or its face says so.

@@ -8,6 +8,7 @@
 #include "core/base/number_text.h"
 #include "core/exchange/folded_text.h"
 #include "core/exchange/heading_words.h"
+#include "core/exchange/unread_rows.h"
 #include "core/exchange/words.h"
 
 namespace alidade {
@@ -60,9 +61,9 @@ bool isRowBelowNames(const TableCells& cells) {
   bool isAny = false;
   for (const std::string& cell : cells) {
     if (cell.empty()) continue;
-    const bool isFace = columnName(cell).face > 0;
-    if (!isFace && isNumberOrAngle(cell)) return false;
     const ColumnName name = columnName(cell);
+    const bool isFace = name.face > 0;
+    if (isNumberOrAngle(cell) || (!isFace && hasAnyDigit(cell))) return false;
     const bool isUnit =
         name.isUnderstood && !name.column && (name.isPart || name.unit != AngleUnit::Unstated);
     const bool isBelow = isUnit || isFace || partAlone(cell);
