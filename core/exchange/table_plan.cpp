@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/phrase.h"
+#include "core/base/typed_text.h"
 #include "core/base/visible_text.h"
 #include "core/exchange/circle_numbers.h"
 #include "core/exchange/table_headings.h"
@@ -24,6 +25,12 @@ bool isDegreesOfCircle(const ColumnName& name) {
 TableColumn wholeOf(TableColumn column) {
   column.part = AnglePart::Degrees;
   return column;
+}
+
+bool holdsDegreeSign(const std::vector<TableCells>& rows, std::size_t column) {
+  return std::ranges::any_of(rows, [column](const TableCells& row) {
+    return column < row.size() && plainSigns(row[column]).find("°") != std::string::npos;
+  });
 }
 
 /// Makes the plan of one table.
@@ -117,7 +124,8 @@ class TablePlanner {
     if (!isDegreesOfCircle(first)) return;
     const auto isSame = [&](std::size_t i) {
       if (i >= m_headings.width() || i >= columns.size()) return false;
-      return m_headings.isBlank(i) || (columns[i].column == first.column && columns[i].face == first.face);
+      return m_headings.isBlank(i) ||
+             (columns[i].column == first.column && m_plan.names[i] == m_plan.names[at]);
     };
     std::size_t same = 1;
     while (same < 3 && isSame(at + same)) ++same;
@@ -358,7 +366,9 @@ std::size_t joinableAt(const std::vector<TableCells>& rows, std::size_t column) 
   constexpr double turn = 360;
   const ColumnNumbers degrees = numbersIn(rows, column), minutes = numbersIn(rows, column + 1);
   const bool areDegrees = degrees.areWhole && degrees.areWithin(-turn, turn);
-  if (!areDegrees || !minutes.areWithin(-minutesInDegree, minutesInDegree)) return 0;
+  if (!areDegrees || holdsDegreeSign(rows, column + 1) ||
+      !minutes.areWithin(-minutesInDegree, minutesInDegree))
+    return 0;
   if (!minutes.areWhole) return 2;
   return numbersIn(rows, column + 2).areWithin(-minutesInDegree, minutesInDegree) ? 3 : 2;
 }
