@@ -90,6 +90,8 @@ class PartsJoiner {
         return Problem{Phrase::of("%1 lacks one of its parts: fill in 0 where there are none", told())};
       if (!part) return Problem{Phrase::of("%1 is not an angle: type an angle such as 341°52'24\"", told())};
       m_parts[i] = *part;
+      if (i == 1 && m_count == 3 && m_cells[2].empty() && !part->isWhole())
+        m_count = 2;  // minutes have decimals
       if (i + 1 < m_count) dropNoughts(m_parts[i].digits);
       if (i + 1 < m_count && !m_parts[i].isWhole())
         return Problem{

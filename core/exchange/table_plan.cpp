@@ -8,6 +8,7 @@
 #include "core/base/typed_text.h"
 #include "core/base/visible_text.h"
 #include "core/exchange/circle_numbers.h"
+#include "core/exchange/heading_words.h"
 #include "core/exchange/table_headings.h"
 #include "core/exchange/words.h"
 
@@ -57,6 +58,7 @@ class TablePlanner {
     if (!m_plan.problem) makeAngles();
     if (!m_plan.problem) findMissing();
     if (!m_plan.problem) findLostParts();
+    if (!m_plan.problem) findLostSigns();
     if (!m_plan.problem) takeGrad();
     return std::move(m_plan);
   }
@@ -250,6 +252,9 @@ class TablePlanner {
                                "their columns, such as Hz deg, Hz min, Hz sec",
                                m_plan.nameOf(column)));
     if (!angle.isJoined()) return;
+    const std::vector<std::string> words = headingWords(m_plan.names[degrees]);
+    const bool isLetter = !words.empty() && words.back() == "g";  // of grados, beside minutes and seconds
+    if (isLetter && angle.unit == AngleUnit::Gon && hasSexagesimal(angle)) angle.unit = AngleUnit::Degrees;
     const bool isGon = angle.unit == AngleUnit::Gon ||
                        (angle.unit == AngleUnit::Unstated && m_layout.unit == AngleUnit::Gon);
     const bool isOther =
@@ -302,6 +307,27 @@ class TablePlanner {
                        "such as Hz deg, Hz min, Hz sec, or choose what each holds",
                        m_plan.nameOf(at), m_plan.nameOf(i)));
       }
+    }
+  }
+
+  /// A column of signs, which angles beside it would lose.
+  void findLostSigns() {
+    for (std::size_t i = 0; i < m_plan.columns.size(); ++i) {
+      if (m_plan.columns[i].column) continue;
+      const auto words = headingWords(m_plan.names[i]);
+      const bool isCalledSign = std::ranges::any_of(words, [](const std::string& word) {
+        return isOneOf(word, {"sign", "vorzeichen", "vorz", "符", "号", "signo", "signe", "знак"});
+      });
+      bool areSigns = true, hasMinus = false, hasPlus = false;
+      for (const TableCells& row : m_rows) {
+        const std::string cell = i < row.size() ? plainSigns(row[i]) : std::string();
+        areSigns = areSigns && isOneOf(cell, {"", "+", "-"});
+        hasMinus = hasMinus || cell == "-";
+        hasPlus = hasPlus || cell == "+";
+      }
+      if (areSigns && hasMinus && (hasPlus || isCalledSign))
+        return refuse(i, Phrase::of("%1 holds signs, which no angle would have: put them before the degrees",
+                                    m_plan.nameOf(i)));
     }
   }
 

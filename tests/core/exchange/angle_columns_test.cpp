@@ -115,6 +115,18 @@ TEST(AngleColumns, HaveOneSign) {
   EXPECT_EQ(recording.verticalCircle, "elevation") << "no zenith circle reads so";
 }
 
+TEST(AngleColumns, LoseNoSign) {
+  EXPECT_THAT(joinedOf("Pt;Hz d;Hz m;V sign;V d;V m\n1;17;41;-;0;12\n"), HasSubstr("“V sign” holds signs"));
+  EXPECT_THAT(joinedOf("Pt;Hz d;Hz m;x;V d;V m\n1;17;41;-;0;12\n2;17;41;+;0;12\n"),
+              HasSubstr("“x” holds signs"));
+  EXPECT_EQ(joinedOf("Pt;Hz d;Hz m;x;V d;V m\n1;17;41;-;0;12\n"), "17 41 / 0 12") << "nothing is known of x";
+}
+
+TEST(AngleColumns, MayHaveTheirSecondsInTheMinutes) {
+  EXPECT_EQ(joinedOf("Pt;Hz d;Hz m;Hz s;V d;V m;V s\n1;17;41.5;;86;12;7\n"), "17 41.5 / 86 12 07");
+  EXPECT_EQ(joinedOf("Punto;Hz G;Hz M;Hz S;V G;V M;V S\n1;17;41;33;86;12;7\n"), "17 41 33 / 86 12 07");
+}
+
 TEST(AngleColumns, MayBeGon) {
   EXPECT_EQ(joinedOf("Pt;Hz g;Hz c;Hz cc;V g;V c;V cc\n1;219;12;34;98;3;5.5\n"), "219.1234gon / 98.03055gon");
 }
