@@ -19,6 +19,12 @@ std::string withoutMark(const std::string& cell) {
   return text;
 }
 
+bool holdsDegreeSign(const std::vector<TableCells>& rows, std::size_t column) {
+  return std::ranges::any_of(rows, [column](const TableCells& row) {
+    return column < row.size() && plainSigns(row[column]).find("°") != std::string::npos;
+  });
+}
+
 }  // namespace
 
 bool ColumnNumbers::areWithin(double low, double high) const {
@@ -53,6 +59,17 @@ AngleUnit unitByNumbers(const std::vector<double>& all, const std::vector<double
   const double fromGon = spreadAround(vertical, 100), fromDegrees = spreadAround(vertical, 90);
   if (fromGon < fromDegrees / 2) return AngleUnit::Gon;
   return fromDegrees < fromGon / 2 ? AngleUnit::Degrees : AngleUnit::Unstated;
+}
+
+std::size_t joinableAt(const std::vector<TableCells>& rows, std::size_t column) {
+  constexpr double turn = 360, minutesInDegree = 60;
+  const ColumnNumbers degrees = numbersIn(rows, column), minutes = numbersIn(rows, column + 1);
+  const bool areDegrees = degrees.areWhole && degrees.areWithin(-turn, turn);
+  if (!areDegrees || holdsDegreeSign(rows, column + 1) ||
+      !minutes.areWithin(-minutesInDegree, minutesInDegree))
+    return 0;
+  if (!minutes.areWhole) return 2;
+  return numbersIn(rows, column + 2).areWithin(-minutesInDegree, minutesInDegree) ? 3 : 2;
 }
 
 }  // namespace alidade

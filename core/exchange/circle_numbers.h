@@ -25,4 +25,8 @@ double spreadAround(const std::vector<double>& vertical, double horizon);
 /// `all` are of both circles. Unstated where they do not tell.
 AngleUnit unitByNumbers(const std::vector<double>& all, const std::vector<double>& vertical);
 
+/// Columns side by side whose numbers are degrees, minutes and perhaps seconds: `count` is 2, 3, or 0 for
+/// none.
+std::size_t joinableAt(const std::vector<TableCells>& rows, std::size_t column);
+
 }  // namespace alidade

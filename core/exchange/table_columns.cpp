@@ -8,6 +8,7 @@
 
 #include "core/base/angle_text.h"
 #include "core/base/number_text.h"
+#include "core/exchange/circle_numbers.h"
 
 namespace alidade {
 

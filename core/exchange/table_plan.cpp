@@ -28,12 +28,6 @@ TableColumn wholeOf(TableColumn column) {
   return column;
 }
 
-bool holdsDegreeSign(const std::vector<TableCells>& rows, std::size_t column) {
-  return std::ranges::any_of(rows, [column](const TableCells& row) {
-    return column < row.size() && plainSigns(row[column]).find("°") != std::string::npos;
-  });
-}
-
 /// Makes the plan of one table.
 class TablePlanner {
  public:
@@ -386,17 +380,6 @@ std::string TablePlan::nameOf(std::size_t column) const {
 TablePlan planTable(const std::vector<TableCells>& head, const std::vector<TableCells>& sample,
                     const TableLayout& layout) {
   return TablePlanner(head, sample, layout).plan();
-}
-
-std::size_t joinableAt(const std::vector<TableCells>& rows, std::size_t column) {
-  constexpr double turn = 360;
-  const ColumnNumbers degrees = numbersIn(rows, column), minutes = numbersIn(rows, column + 1);
-  const bool areDegrees = degrees.areWhole && degrees.areWithin(-turn, turn);
-  if (!areDegrees || holdsDegreeSign(rows, column + 1) ||
-      !minutes.areWithin(-minutesInDegree, minutesInDegree))
-    return 0;
-  if (!minutes.areWhole) return 2;
-  return numbersIn(rows, column + 2).areWithin(-minutesInDegree, minutesInDegree) ? 3 : 2;
 }
 
 }  // namespace alidade

@@ -52,8 +52,4 @@ TablePlan planTable(const std::vector<TableCells>& head, const std::vector<Table
 /// Does the row stand below names, and tell units, parts of angles or faces: `;[gon];[gon]`, `;deg;min;sec`?
 bool isRowBelowNames(const TableCells& cells);
 
-/// Columns side by side whose numbers are degrees, minutes and perhaps seconds: `count` is 2, 3, or 0 for
-/// none.
-std::size_t joinableAt(const std::vector<TableCells>& rows, std::size_t column);
-
 }  // namespace alidade
