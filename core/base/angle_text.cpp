@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/base/number_text.h"
@@ -53,10 +54,19 @@ Parts split(std::string_view text, char separator) {
   }
 }
 
+/// Degrees, minutes and seconds in Chinese as their signs: 107度12分23秒 as 107°12'23".
+std::string withMarks(std::string text) {
+  for (const auto& [word, sign] : {std::pair("度", degreeSign), std::pair("分", std::string_view("'")),
+                                   std::pair("秒", std::string_view("\""))})
+    for (auto at = text.find(word); at != std::string::npos; at = text.find(word, at + sign.size()))
+      text.replace(at, std::string_view(word).size(), sign);
+  return text;
+}
+
 /// One typed angle on its way to a value. `typed` is for the sentences, `body` what follows the sign.
 class AngleReader {
  public:
-  explicit AngleReader(std::string_view typed) : m_typed(typed), m_body(plainSigns(typed)) {
+  explicit AngleReader(std::string_view typed) : m_typed(typed), m_body(withMarks(plainSigns(typed))) {
     if (!m_body.empty() && (m_body[0] == '-' || m_body[0] == '+')) {
       m_negative = m_body[0] == '-';
       m_body = trimmed(std::string_view(m_body).substr(1));
@@ -71,6 +81,7 @@ class AngleReader {
     if (endsWithLetters(m_body, "g")) return readUnit(1, &Angle::fromGon);
     if (m_body.find(degreeSign) != std::string::npos) return readSigned();
     if (m_body.find_first_of("'\"") != std::string::npos) {
+      if (hasForeignDigits(m_typed)) return notAnAngle();
       return Problem{Phrase::of("%1 has no degrees: type them too, such as 0°52'24\"", quoted())};
     }
     if (isDecimal(m_body)) return readBare();
@@ -80,6 +91,8 @@ class AngleReader {
  private:
   std::string quoted() const { return quotation(m_typed); }
   Problem notAnAngle() const {
+    if (hasForeignDigits(m_typed))
+      return {Phrase::of("%1 has digits of another script: type the digits 0 to 9", quoted())};
     return {Phrase::of("%1 is not an angle: type an angle such as 341°52'24\"", quoted())};
   }
   Problem tooLarge() const {

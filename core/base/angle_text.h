@@ -11,7 +11,9 @@ namespace alidade {
 /// Reads an angle as people write and type it. Accepted, with an optional sign (+, - or −) in front and a
 /// point or comma as decimal sign, and blanks anywhere between the parts:
 ///
-///   341°52'24"  341°52′24.5″  341°52'  341°         with signs: ° or º; ' ′ ’; " ″ ” or two primes
+///   341°52'24"  341°52′24.5″  341°52'  341°         with signs: ° or º ˚ ◦ ∘ ⁰; ' ′ ’ ´ ` ʹ; " ″ ” “ ʺ or
+///   two
+///                                                     primes; also 341度52分24秒
 ///   341 52 24   341-52-24.5   341:52:24   341/52/24  341.52.24  parts parted by one kind of separator
 ///   341 52                                            degrees and minutes
 ///   3415224   3415224.5   881649                      5 to 7 digits run together, as on a number pad
@@ -20,8 +22,9 @@ namespace alidade {
 ///   379.859gon   379.859g                             gon
 ///
 /// Minutes and seconds lie in [0, 60); only the last part may have decimals. A bare decimal such as
-/// `341.5224` is refused: it may mean degrees or degrees.minutes-seconds. The value is not wrapped and its
-/// range is not checked.
+/// `341.5224` is refused: it may mean degrees or degrees.minutes-seconds. Fullwidth digits and signs of input
+/// methods are read as their ASCII forms; digits of other scripts are refused. The value is not wrapped and
+/// its range is not checked.
 Result<Angle> parseAngle(std::string_view text);
 
 enum class AngleSigns {

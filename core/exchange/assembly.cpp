@@ -223,9 +223,23 @@ class Assembly {
     for (const RowField& field : rowFields) {
       const bool isNameOfZero = sighting.isZero && field.text == &Reading::point;
       if (!field.text || isNameOfZero) continue;
-      if (const auto problem = entryProblem(field, sighting.row.*field.text, m_circle))
+      const std::string& text = sighting.row.*field.text;
+      if (const auto problem = isAngle(field) ? gonWithoutUnit(text) : std::nullopt)
         report(sighting, sighting.columnOf(field), field.key, *problem);
+      else if (const auto rule = entryProblem(field, text, m_circle))
+        report(sighting, sighting.columnOf(field), field.key, *rule);
     }
+  }
+
+  /// A plain number that no degrees reach.
+  static std::optional<Problem> gonWithoutUnit(const std::string& text) {
+    constexpr double turn = 360, turnInGon = 400;
+    const Result<double> number = text.size() > 3 ? parseNumber(text) : Result<double>(Problem{});
+    if (!number || *number <= turn || *number > turnInGon) return std::nullopt;
+    return Problem{Phrase::of(
+        "%1 can only be gon, as degrees end at 360: name the unit in the heading, such as Hz [gon], "
+        "or choose gon as the unit (--unit gon)",
+        quotation(text))};
   }
 
   /// The position of that axis, made where there is none, and those before it.
@@ -358,6 +372,8 @@ class Assembly {
         ImportedRows& rows = origins.back();
         ++rows.count;
         ++row;
+        const bool isSameLine = !rows.lines.empty() && rows.lines.back().second == line;  // of both faces
+        if (isSameLine) continue;
         if (!rows.lines.empty() && rows.lines.back().second + 1 == line)
           rows.lines.back().second = line;
         else

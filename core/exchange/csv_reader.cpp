@@ -1,21 +1,66 @@
 #include "core/exchange/csv_reader.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "core/base/angle_text.h"
 #include "core/base/limits.h"
 #include "core/base/number_text.h"
 #include "core/base/phrase.h"
+#include "core/base/typed_text.h"
 #include "core/base/visible_text.h"
 #include "core/exchange/csv_table.h"
 #include "core/exchange/csv_text.h"
+#include "core/exchange/table_beginning.h"
+#include "core/exchange/table_faces.h"
+#include "core/exchange/table_plan.h"
+#include "core/exchange/table_row.h"
+#include "core/exchange/unread_rows.h"
 #include "core/exchange/words.h"
 
 namespace alidade {
 
 namespace {
+
+/// Whether a row is excluded, as its cell says.
+std::optional<bool> flagOf(const std::string& text) {
+  const std::string flag = lowerCase(text);
+  if (isOneOf(flag, {"1", "yes", "true", "x", "ja", "wahr", "是", "sí", "si", "oui", "да"})) return true;
+  if (isOneOf(flag, {"0", "no", "false", "nein", "falsch", "否", "non", "нет"})) return false;
+  return std::nullopt;
+}
+
+/// "180°" as "180".
+std::string axisTextOf(const std::string& text) {
+  constexpr std::string_view degree = "°";
+  return text.ends_with(degree) ? text.substr(0, text.size() - degree.size()) : text;
+}
+
+/// A number of an input method as plain digits: １２ as 12. Names stay.
+std::string plainNumber(std::string text) {
+  const bool isPlain = std::ranges::all_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+  return !isPlain && parseWhole(text) ? plainSigns(text) : text;
+}
+
+/// What the vertical readings tell of their circle where no heading does.
+class CircleKind {
+ public:
+  void take(const std::string& text) {
+    const Result<Angle> angle = parseAngle(text);
+    if (!angle) return;
+    constexpr double farFromHorizon = 60;
+    m_isNegative = m_isNegative || angle->degrees() < 0;
+    m_isNearHorizon = m_isNearHorizon && std::abs(angle->degrees()) < farFromHorizon;
+  }
+  /// No zenith circle reads so.
+  bool isElevation() const { return m_isNegative && m_isNearHorizon; }
+
+ private:
+  bool m_isNegative = false, m_isNearHorizon = true;
+};
 
 /// Goes through a table row by row.
 class CsvReader {
@@ -27,20 +72,14 @@ class CsvReader {
 
   Recording read(std::string_view text) {
     m_recording.format = "CSV";
-    CsvTable table = m_layout.separator ? CsvTable(text, m_layout.separator) : CsvTable(text);
+    if (!makePlan(text)) return std::move(m_recording);
+    CsvTable table = tableOf(text, m_layout.separator);
     std::size_t rows = 0;
-    if (m_layout.headRows == 0 && !takeColumns(CsvRow{.line = 1, .isRemark = false, .cells = {}}))
-      return std::move(m_recording);
     while (const auto row = table.next()) {
-      if (row->isRemark) {
+      if (row->isRemark)
         takeRemark(*row);
-      } else if (++rows < m_layout.headRows) {
-        continue;
-      } else if (rows == m_layout.headRows) {
-        if (!takeColumns(*row)) return std::move(m_recording);
-      } else {
+      else if (++rows > m_layout.headRows + m_plan.rowsBelow)
         readRow(*row);
-      }
       if (m_recording.problems.size() >= limits::mostProblems) break;
     }
     if (const auto& problem = table.problem()) {
@@ -48,12 +87,7 @@ class CsvReader {
       m_recording.problems = {*problem};
       return std::move(m_recording);
     }
-    if (m_columns.empty()) return std::move(m_recording);
-    m_recording.unused = unusedSentences(false);
-    m_recording.unusedBySession = unusedSentences(true);
-    for (const CsvRow& row : m_earlyRemarks)
-      if (holdsReading(row)) tellOfRemark(row.line);
-    for (const std::size_t line : m_remarksWithReading) tellOfRemark(line);
+    tell();
     return std::move(m_recording);
   }
 
@@ -62,117 +96,227 @@ class CsvReader {
     m_recording.problems.push_back({line, column, what});
   }
 
-  /// Before the columns are known it waits; a thousand are more than any heading has.
-  void takeRemark(const CsvRow& row) {
-    constexpr std::size_t mostEarly = 1000;
-    if (m_columns.empty()) {
-      if (m_earlyRemarks.size() < mostEarly) m_earlyRemarks.push_back(row);
-    } else if (holdsReading(row)) {
-      m_remarksWithReading.push_back(row.line);
+  /// False where the table cannot be read at all.
+  bool makePlan(std::string_view text) {
+    const TableBeginning beginning = beginningOfTable(text, m_layout.separator, m_layout.headRows);
+    if (beginning.problem) {
+      m_recording.problems = {*beginning.problem};
+      return false;
+    }
+    const bool isNamed = !beginning.head.empty() || !m_layout.columns.empty();
+    if (!isNamed && m_layout.headRows > 0) return false;
+    m_plan = planTable(beginning.head, beginning.sample, m_layout);
+    if (m_plan.problem) {
+      const auto& cells = beginning.nameColumns;
+      refuse(std::max<std::size_t>(beginning.nameLine, 1),
+             m_plan.problemColumn < cells.size() ? cells[m_plan.problemColumn] : 0, *m_plan.problem);
+      return false;
+    }
+    m_recording.verticalCircle = m_plan.verticalCircle;
+    m_unusedCells.resize(m_plan.columns.size());
+    takeFaceWords(beginning.sample);
+    return true;
+  }
+
+  void takeFaceWords(const std::vector<TableCells>& sample) {
+    for (std::size_t i = 0; i < m_plan.columns.size(); ++i) {
+      const ColumnName& name = m_plan.columns[i];
+      if (!name.column || !name.column->isOf(&Reading::face)) continue;
+      std::vector<std::string> cells;
+      for (const TableCells& row : sample)
+        if (i < row.size()) cells.push_back(row[i]);
+      m_faces = FaceWords(cells, name.isSpanish);
     }
   }
 
-  void tellOfRemark(std::size_t line) {
-    m_recording.unused.push_back(
-        Phrase::of("line %1 begins with # and is not used, though it holds a reading", line));
+  void takeRemark(const CsvRow& row) {
+    if (holdsReading(row)) m_remarksWithReading.push_back(row.line);
+  }
+
+  /// What was not used, and what was taken how.
+  void tell() {
+    std::vector<std::string>& unused = m_recording.unused;
+    unused = unusedSentences(false);
+    m_recording.unusedBySession = unusedSentences(true);
+    for (const std::string& sentence : m_unread.sentences()) unused.push_back(sentence);
+    for (const std::string& sentence : m_counts.sentences()) unused.push_back(sentence);
+    if (m_recording.verticalCircle.empty() && m_circleKind.isElevation()) {
+      m_recording.verticalCircle = "elevation";
+      unused.push_back(Phrase::of("the vertical readings are taken for elevations, as some are negative"));
+    }
+    for (const std::size_t line : m_remarksWithReading)
+      unused.push_back(Phrase::of("line %1 begins with # and is not used, though it holds a reading", line));
   }
 
   /// Values of the columns that are told of.
   std::vector<std::string> unusedSentences(bool isBySession) const {
     std::vector<std::string> sentences;
     for (std::size_t i = 0; i < m_unusedCells.size(); ++i)
-      if (m_unusedCells[i] > 0 && m_columns[i].column.has_value() == isBySession)
+      if (m_unusedCells[i] > 0 && m_plan.columns[i].column.has_value() == isBySession)
         sentences.push_back(
             m_unusedCells[i] == 1
-                ? Phrase::of("the column %1 is not used: 1 value", nameOf(i))
-                : Phrase::of("the column %1 is not used: %2 values", nameOf(i), m_unusedCells[i]));
+                ? Phrase::of("the column %1 is not used: 1 value", m_plan.nameOf(i))
+                : Phrase::of("the column %1 is not used: %2 values", m_plan.nameOf(i), m_unusedCells[i]));
     return sentences;
   }
 
-  bool has(TableColumn column) const {
-    return std::any_of(m_columns.begin(), m_columns.end(),
-                       [column](const ColumnName& name) { return name.column == column; });
+  void readRow(const CsvRow& row) {
+    if (const auto kind = unreadKind(row)) {
+      if (*kind == UnreadRows::Kind::NoReading && namesOthers(row))
+        return refuse(
+            row.line, 0,
+            Phrase::of("the columns are named anew and otherwise: put what follows into a file of its own"));
+      return m_unread.add(*kind, row.line);
+    }
+    if (const CsvCell* cell = cellBeyond(row))
+      return refuse(
+          row.line, cell->column,
+          Phrase::of("%1 stands beyond the last named column: name its column, or put double quotes "
+                     "around the entry that holds a separator",
+                     quotation(cell->text)));
+    RecordedSighting sighting;
+    sighting.line = row.line;
+    for (std::size_t i = 0; i < std::min(row.cells.size(), m_plan.columns.size()); ++i) {
+      const CsvCell& cell = row.cells[i];
+      const auto& column = m_plan.columns[i].column;
+      if (cell.text.empty()) continue;
+      if (!column || !column->isOfSession()) ++m_unusedCells[i];
+      const bool isAngleCell = column && column->field && isAngle(*column->field);
+      if (!column || isAngleCell) continue;
+      if (const auto why = readCell(m_plan.columns[i], cell, sighting))
+        return refuse(row.line, cell.column, *why);
+    }
+    if (row.cells.size() > m_plan.columns.size() && isRestOfNote(row)) takeRestOfNote(row, sighting);
+    sighting.isZero = lowerCase(sighting.row.point) == m_zeroPoint;
+    addSightings(row, sighting);
   }
 
-  std::string nameOf(std::size_t column) const {
-    const bool isNamed = column < m_names.size() && !m_names[column].empty();
-    return isNamed ? quotation(m_names[column]) : std::to_string(column + 1);
+  /// Of a row that is none of readings.
+  std::optional<UnreadRows::Kind> unreadKind(const CsvRow& row) const {
+    using Kind = UnreadRows::Kind;
+    if (isOfMean(row)) return Kind::Mean;
+    for (const PlannedAngle& angle : m_plan.angles)
+      for (const std::size_t at : angle.at)
+        if (angle.field->remedy && at < row.cells.size() && hasAnyDigit(row.cells[at].text))
+          return std::nullopt;
+    const bool isHeading = std::ranges::any_of(m_plan.headings, [&row](const TableCells& names) {
+      return std::ranges::equal(names, row.cells, {}, {}, &CsvCell::text);
+    });
+    return isHeading ? Kind::HeadingAgain : Kind::NoReading;
   }
 
-  /// What the names say, unless the layout says it.
-  bool takeColumns(const CsvRow& names) {
-    const std::size_t count =
-        m_layout.columns.empty() ? names.cells.size() : std::max(m_layout.columns.size(), names.cells.size());
-    for (std::size_t i = 0; i < count; ++i) {
-      const CsvCell cell = i < names.cells.size() ? names.cells[i] : CsvCell{};
-      ColumnName name = columnName(cell.text);
-      if (!m_layout.columns.empty())
-        name.column = i < m_layout.columns.size() ? tableColumn(m_layout.columns[i]) : std::nullopt;
-      if (name.column && !name.column->isOfSession() && has(*name.column)) name.column.reset();
-      if (name.column && has(*name.column)) {
-        refuse(names.line, cell.column,
-               Phrase::of("%1 is a second column for “%2”: rename or remove one of the two",
-                          cell.text.empty() ? Phrase::of("column %1", i + 1) : quotation(cell.text),
-                          name.column->key()));
-        return false;
+  /// Does a row without a reading name both circles? It then is the heading of another table.
+  static bool namesOthers(const CsvRow& row) {
+    TableCells cells;
+    for (const CsvCell& cell : row.cells) cells.push_back(cell.text);
+    return nameCircles(cells);
+  }
+
+  /// Its first cell with a text, its point or its face says so.
+  bool isOfMean(const CsvRow& row) const {
+    bool isFirst = true;
+    for (std::size_t i = 0; i < std::min(row.cells.size(), m_plan.columns.size()); ++i) {
+      const std::string& text = row.cells[i].text;
+      const auto& column = m_plan.columns[i].column;
+      if (text.empty()) continue;
+      const bool isName = column && (column->isOf(&Reading::point) || column->isOf(&Reading::face) ||
+                                     column->isOf(&Reading::round));
+      if ((isFirst || isName) && namesMean(text)) return true;
+      isFirst = false;
+    }
+    return false;
+  }
+
+  /// A cell that no name stands for; a remark behind the last column is none.
+  const CsvCell* cellBeyond(const CsvRow& row) {
+    for (std::size_t i = m_plan.columns.size(); i < row.cells.size(); ++i) {
+      const std::string& text = row.cells[i].text;
+      if (text.empty()) continue;
+      if (isRestOfNote(row)) return nullptr;
+      if (hasAnyDigit(text)) return &row.cells[i];
+      m_counts.add(FileCounts::Kind::Beyond, row.line);
+      return nullptr;
+    }
+    return nullptr;
+  }
+
+  /// Of a table parted by blanks whose last column holds notes: what stands behind a text goes on with it.
+  bool isRestOfNote(const CsvRow& row) const {
+    const std::size_t last = m_plan.columns.size() - 1;
+    const auto& column = m_plan.columns[last].column;
+    return m_layout.separator == ' ' && column && column->isOf(&Reading::note) && last < row.cells.size() &&
+           !hasAnyDigit(row.cells[last].text);
+  }
+
+  void takeRestOfNote(const CsvRow& row, RecordedSighting& sighting) const {
+    for (std::size_t i = m_plan.columns.size(); i < row.cells.size(); ++i)
+      if (!row.cells[i].text.empty()) sighting.row.note += " " + row.cells[i].text;
+  }
+
+  /// One of each face that has a reading in the row.
+  void addSightings(const CsvRow& row, const RecordedSighting& common) {
+    const int faces = m_plan.hasBothFaces ? 2 : 1;
+    for (int face = 1; face <= faces; ++face) {
+      RecordedSighting sighting = common;
+      const int told = m_plan.hasBothFaces ? face : m_plan.face;
+      if (told > 0 && (m_plan.hasBothFaces || sighting.row.face.empty()))
+        sighting.row.face = std::to_string(told);
+      bool isAny = !m_plan.hasBothFaces;
+      for (const PlannedAngle& angle : m_plan.angles) {
+        if (m_plan.hasBothFaces && angle.field->remedy && angle.isFaceTwo != (face == 2)) continue;
+        const Result<bool> isRead = readAngle(angle, row, sighting);
+        if (!isRead) return refuse(row.line, columnOf(angle, row), isRead.problem().what);
+        isAny = isAny || (*isRead && angle.field->remedy);
       }
-      const bool isCircle = name.column && name.column->field == &rowField(&Reading::vertical);
-      if (isCircle && !name.verticalCircle.empty()) m_recording.verticalCircle = name.verticalCircle;
-      m_names.push_back(cell.text);
-      m_columns.push_back(std::move(name));
+      if (isAny) m_recording.sightings.push_back(std::move(sighting));
     }
-    m_unusedCells.resize(m_columns.size());
-    return hasCircles(names.line);
   }
 
-  bool hasCircles(std::size_t line) {
-    for (const RowField& field : rowFields) {
-      if (!field.remedy || has({&field})) continue;
-      refuse(line, 0,
-             Phrase::of("no column is named “%1”: begin with a row of names such as "
-                        "axis;point;face;horizontal;vertical",
-                        field.key));
-      return false;
-    }
+  static std::size_t columnOf(const PlannedAngle& angle, const CsvRow& row) {
+    return angle.at[0] < row.cells.size() ? row.cells[angle.at[0]].column : 0;
+  }
+
+  /// True where the row has it.
+  Result<bool> readAngle(const PlannedAngle& angle, const CsvRow& row, RecordedSighting& sighting) {
+    if (const auto problem = otherSignIn(angle, row)) return *problem;
+    Result<FileAngle> read = angleIn(angle, cellTexts(angle, row), m_layout.unit);
+    if (!read) return read.problem();
+    if (read->text.empty()) return false;
+    if (read->isCarried) m_counts.add(FileCounts::Kind::Carried, row.line);
+    if (read->isFullCircle) m_counts.add(FileCounts::Kind::FullCircle, row.line);
+    if (angle.field->text == &Reading::vertical) m_circleKind.take(read->text);
+    sighting.enter(*angle.field, std::move(read->text), columnOf(angle, row));
     return true;
   }
 
-  void readRow(const CsvRow& row) {
-    RecordedSighting sighting;
-    sighting.line = row.line;
-    for (std::size_t i = 0; i < row.cells.size(); ++i) {
-      const CsvCell& cell = row.cells[i];
-      if (cell.text.empty()) continue;
-      if (i >= m_columns.size())
-        return refuse(
-            row.line, cell.column,
-            Phrase::of("%1 stands beyond the last named column: name its column, or put double quotes "
-                       "around the entry that holds a separator",
-                       quotation(cell.text)));
-      if (!m_columns[i].column || !m_columns[i].column->isOfSession()) ++m_unusedCells[i];
-      if (!m_columns[i].column) continue;
-      if (const auto why = readCell(m_columns[i], cell, sighting)) return refuse(row.line, cell.column, *why);
-    }
-    sighting.isZero = lowerCase(sighting.row.point) == m_zeroPoint;
-    m_recording.sightings.push_back(std::move(sighting));
+  static std::array<std::string, 3> cellTexts(const PlannedAngle& angle, const CsvRow& row) {
+    std::array<std::string, 3> texts;
+    for (std::size_t part = 0; part < texts.size(); ++part)
+      if (angle.at[part] < row.cells.size()) texts[part] = fromPlainCell(row.cells[angle.at[part]].text);
+    return texts;
+  }
+
+  std::optional<Problem> otherSignIn(const PlannedAngle& angle, const CsvRow& row) const {
+    if (m_layout.decimalSign == DecimalSign::Either) return std::nullopt;
+    const char other = m_layout.decimalSign == DecimalSign::Point ? ',' : '.';
+    for (const std::size_t at : angle.at)
+      if (at < row.cells.size() && row.cells[at].text.find(other) != std::string::npos)
+        return Problem{
+            Phrase::of("%1 has another decimal sign than the one that was stated: choose either of them",
+                       quotation(row.cells[at].text))};
+    return std::nullopt;
   }
 
   /// Of a row that was set aside: are both circles read in it?
   bool holdsReading(const CsvRow& row) const {
-    const auto isReadable = [&](std::size_t i) {
-      return static_cast<bool>(parseAngle(withUnit(row.cells[i].text, unitOf(m_columns[i]))));
-    };
-    int circles = 0;
-    for (std::size_t i = 0; i < std::min(row.cells.size(), m_columns.size()); ++i) {
-      const auto column = m_columns[i].column;
-      const bool isCircle = column && column->field && column->field->remedy;
-      if (isCircle && isReadable(i)) ++circles;
+    std::size_t circles = 0, read = 0;
+    for (const PlannedAngle& angle : m_plan.angles) {
+      if (!angle.field->remedy || angle.isFaceTwo) continue;
+      ++circles;
+      const Result<FileAngle> text = angleIn(angle, cellTexts(angle, row), m_layout.unit);
+      read += text && parseAngle(text->text) ? 1 : 0;
     }
-    return circles == 2;
-  }
-
-  AngleUnit unitOf(const ColumnName& column) const {
-    return column.unit == AngleUnit::Unstated ? m_layout.unit : column.unit;
+    return circles > 0 && read == circles;
   }
 
   /// Why the cell cannot be used.
@@ -188,12 +332,10 @@ class CsvReader {
       sighting.time = *turn;
       m_recording.tellsTurns = true;
     } else if (!field) {
-      sighting.axis = {axisOf(fromPlainCell(cell.text)), cell.column};
+      sighting.axis = {axisTextOf(fromPlainCell(cell.text)), cell.column};
     } else if (field->text) {
-      if (isAngle(*field) && cell.text.find(otherSign()) != std::string::npos)
-        return Phrase::of("%1 has another decimal sign than the one that was stated: choose either of them",
-                          quotation(cell.text));
-      sighting.enter(*field, textOf(*field, unitOf(column), fromPlainCell(cell.text)), cell.column);
+      const std::string text = plainNumber(fromPlainCell(cell.text));
+      sighting.enter(*field, field->text == &Reading::face ? m_faces.of(text) : text, cell.column);
     } else {
       const auto flag = flagOf(cell.text);
       if (!flag) return Phrase::of("%1 is neither yes nor no: type one of them", quotation(cell.text));
@@ -220,51 +362,23 @@ class CsvReader {
     }
   }
 
-  /// The decimal sign that is not to be; where either may be, none.
-  char otherSign() const {
-    if (m_layout.decimalSign == DecimalSign::Point) return ',';
-    return m_layout.decimalSign == DecimalSign::Comma ? '.' : '\0';
-  }
-
-  static std::string textOf(const RowField& field, AngleUnit unit, const std::string& cell) {
-    if (isAngle(field)) return withUnit(cell, unit);
-    return field.text == &Reading::face ? faceOf(cell) : cell;
-  }
-
-  /// "180°" as "180".
-  static std::string axisOf(const std::string& text) {
-    constexpr std::string_view degree = "°";
-    return text.ends_with(degree) ? text.substr(0, text.size() - degree.size()) : text;
-  }
-
-  static std::optional<bool> flagOf(const std::string& text) {
-    const std::string flag = lowerCase(text);
-    if (isOneOf(flag, {"1", "yes", "true", "x"})) return true;
-    if (isOneOf(flag, {"0", "no", "false"})) return false;
-    return std::nullopt;
-  }
-
-  static std::string faceOf(const std::string& text) {
-    const std::string face = lowerCase(text);
-    if (isOneOf(face, {"i", "l", "left", "f1", "cl"})) return "1";
-    if (isOneOf(face, {"ii", "r", "right", "f2", "cr"})) return "2";
-    return text;
-  }
-
   const TableLayout& m_layout;
   std::string m_zeroPoint;
-  std::vector<std::string> m_names;  ///< in the file
-  std::vector<ColumnName> m_columns;
+  TablePlan m_plan;
+  FaceWords m_faces;
   std::vector<std::size_t> m_unusedCells;
-  std::vector<CsvRow> m_earlyRemarks;             ///< before the row of names
-  std::vector<std::size_t> m_remarksWithReading;  ///< lines of those after it
+  UnreadRows m_unread;
+  FileCounts m_counts;
+  CircleKind m_circleKind;
+  std::vector<std::size_t> m_remarksWithReading;  ///< their lines
   Recording m_recording;
 };
 
 }  // namespace
 
 Recording readTable(std::string_view text, const TableLayout& layout, const std::string& zeroPoint) {
-  return CsvReader(layout, zeroPoint).read(text);
+  const auto plain = withPlainSeparators(text);
+  return CsvReader(layout, zeroPoint).read(plain ? std::string_view(*plain) : text);
 }
 
 Recording readCsv(std::string_view text, AngleUnit unit, const std::string& zeroPoint) {

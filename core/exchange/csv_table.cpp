@@ -5,6 +5,7 @@
 
 #include "core/base/limits.h"
 #include "core/base/phrase.h"
+#include "core/exchange/table_layout.h"
 #include "core/exchange/text_lines.h"
 #include "core/exchange/words.h"
 
@@ -21,15 +22,41 @@ bool isComment(std::string_view line) {
          std::string_view(";,\t").find(line[1]) == std::string_view::npos;
 }
 
-char separatorOf(std::string_view text) {
+/// The first line that is no remark; empty where there is none.
+std::string_view firstLineOf(std::string_view text) {
   TextLines lines(text);
-  while (const auto line = lines.next()) {
-    if (line->text.find_first_not_of(blanks) == std::string_view::npos || isComment(line->text)) continue;
-    for (const char separator : {'\t', ';'})
-      if (line->text.find(separator) != std::string_view::npos) return separator;
-    break;
-  }
+  while (const auto line = lines.next())
+    if (line->text.find_first_not_of(blanks) != std::string_view::npos && !isComment(line->text))
+      return line->text;
+  return {};
+}
+
+char separatorOf(std::string_view text) {
+  const std::string_view line = firstLineOf(text);
+  for (const char separator : {'\t', ';', '|'})
+    if (line.find(separator) != std::string_view::npos) return separator;
   return ',';
+}
+
+/// Are all cells of the line, cut at each separator, signs of degrees, minutes and seconds or empty, and one
+/// a double quote alone? This is a sign then, and begins no quoted cell.
+bool areAngleSigns(std::string_view line, char separator) {
+  bool isAnyQuote = false;
+  while (true) {
+    const std::size_t end = std::min(line.find(separator), line.size());
+    const std::string cell = trimmed(line.substr(0, end));
+    if (!isOneOf(cell,
+                 {"", "°", "º", "'", "′", "\"", "″", "''", "[°]", "[']", "[\"]", "(°)", "(')", "(\")", "-"}))
+      return false;
+    isAnyQuote = isAnyQuote || cell == "\"";
+    if (end == line.size()) return isAnyQuote;
+    line.remove_prefix(end + 1);
+  }
+}
+
+void replaceAll(std::string& text, std::string_view what, std::string_view with) {
+  for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + with.size()))
+    text.replace(at, what.size(), with);
 }
 
 bool isEmpty(const CsvRow& row) {
@@ -40,6 +67,18 @@ bool isEmpty(const CsvRow& row) {
 }  // namespace
 
 CsvTable::CsvTable(std::string_view text) : CsvTable(text, separatorOf(text)) {}
+
+std::optional<std::string> withPlainSeparators(std::string_view text) {
+  const std::string_view line = firstLineOf(text);
+  if (line.find_first_of("\t;|,") != std::string_view::npos) return std::nullopt;
+  for (const auto& [wide, plain] : {std::pair("；", ";"), std::pair("，", ",")})
+    if (line.find(wide) != std::string_view::npos) {
+      std::string changed(text);
+      replaceAll(changed, wide, plain);
+      return changed;
+    }
+  return std::nullopt;
+}
 
 std::optional<CsvRow> CsvTable::next() {
   while (m_at < m_text.size() && !m_problem) {
@@ -54,6 +93,11 @@ std::optional<CsvRow> CsvTable::next() {
 }
 
 bool CsvTable::readRow(CsvRow& row) {
+  constexpr std::size_t mostHeadings = 50;
+  const bool mayBeHeading = m_rows < mostHeadings;
+  m_hasSigns = mayBeHeading && areAngleSigns(restOfLine(), m_separator);
+  m_isHeading =
+      mayBeHeading && areBlanks() && restOfLine().find_first_of("0123456789") == std::string_view::npos;
   do {
     if (isFull(row) || !readCell(row)) return false;
   } while (goOn());
@@ -97,7 +141,7 @@ std::string_view CsvTable::restOfLine() const {
 }
 
 void CsvTable::skipBlanks() {
-  while (!atEnd() && (m_text[m_at] != m_separator || m_separator == ' ') &&
+  while (!atEnd() && (m_text[m_at] != m_separator || areBlanks()) &&
          blanks.find(m_text[m_at]) != std::string_view::npos)
     ++m_at;
 }
@@ -109,13 +153,18 @@ bool CsvTable::goOn() {
   return false;
 }
 
+/// A blank or a tab, and of `wideBlanks` a blank that another follows. In a heading the unit is of the name:
+/// Hz [gon].
 bool CsvTable::isSeparator(char c) const {
-  return c == m_separator || (m_separator == ' ' && c == '\t');
+  if (m_isHeading && c == ' ' && m_at + 1 < m_text.size() && isOneOf(m_text.substr(m_at + 1, 1), {"[", "("}))
+    return false;
+  if (m_separator != wideBlanks) return c == m_separator || (m_separator == ' ' && c == '\t');
+  return c == '\t' || (c == ' ' && m_at + 1 < m_text.size() && blanks.find(m_text[m_at + 1]) != blanks.npos);
 }
 
 /// Blanks at the end of a line part nothing.
 bool CsvTable::passSeparator() {
-  if (m_separator != ' ') {
+  if (!areBlanks()) {
     ++m_at;
     return true;
   }
@@ -136,7 +185,7 @@ bool CsvTable::readCell(CsvRow& row) {
   skipBlanks();
   CsvCell cell{{}, column()};
   const bool isInRowsLine = m_line == row.line;
-  if (m_at < m_text.size() && m_text[m_at] == '"') {
+  if (m_at < m_text.size() && m_text[m_at] == '"' && !m_hasSigns) {
     const LineProblem open{
         m_line, cell.column,
         Phrase::of("the double quote is never closed: close it, or write the cell without it")};

@@ -21,13 +21,14 @@ struct CsvRow {
   std::vector<CsvCell> cells;
 };
 
-/// Takes a table apart row by row (RFC 4180): cells are parted by tabs, semicolons or commas, whichever of
+/// Takes a table apart row by row (RFC 4180): cells are parted by tabs, semicolons, | or commas, whichever of
 /// these stands in the first row (in this order), or by `separator`, where a blank stands for any number of
-/// blanks and tabs; a cell that begins with a double quote ends at the next
-/// single one and may hold anything, a quote inside doubled. Quotes elsewhere are the seconds of angles and
-/// stay. Rows without any content are left out; lines that begin with # (and are not a first column of that
-/// name) are remarks, taken apart without it. Ends early, with a problem, on a quote left open, but in a
-/// remark, and beyond the limits of rows and columns.
+/// blanks and tabs, and `wideBlanks` for two and more (table_layout.h); a cell that begins with a double
+/// quote ends at the next single one and may hold anything, a quote inside doubled. Quotes elsewhere are the
+/// seconds of angles and stay, and so they do in a row of the signs ° ' " alone. Rows without any content are
+/// left out; lines that begin with # (and are not a first column of that name) are remarks, taken apart
+/// without it. Ends early, with a problem, on a quote left open, but in a remark, and beyond the limits of
+/// rows and columns.
 class CsvTable {
  public:
   explicit CsvTable(std::string_view text);
@@ -44,6 +45,7 @@ class CsvTable {
   bool isFull(const CsvRow& row);
   bool goOn();
   bool isSeparator(char c) const;
+  bool areBlanks() const { return m_separator == ' ' || m_separator == '\v'; }
   bool passSeparator();
   void passLineEnd();
   void skipBlanks();
@@ -56,7 +58,12 @@ class CsvTable {
   std::size_t m_at = 0, m_line = 1;
   std::size_t m_counted = 0, m_column = 1;
   std::size_t m_rows = 0;
+  bool m_hasSigns = false;   ///< the row is one of signs of angles
+  bool m_isHeading = false;  ///< the row stands among the first, is parted by blanks and holds no digit
   std::optional<LineProblem> m_problem;
 };
+
+/// The text with the separators of an input method, ； or ，, as ; and ,, where its first row has no others.
+std::optional<std::string> withPlainSeparators(std::string_view text);
 
 }  // namespace alidade

@@ -2,50 +2,78 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "core/base/angle_text.h"
 #include "core/base/limits.h"
 #include "core/base/number_text.h"
 #include "core/base/phrase.h"
+#include "core/exchange/circle_numbers.h"
 #include "core/exchange/csv_table.h"
+#include "core/exchange/table_beginning.h"
+#include "core/exchange/table_columns.h"
+#include "core/exchange/table_plan.h"
 #include "core/exchange/text_lines.h"
 
 namespace alidade {
 
 namespace {
 
-constexpr std::size_t mostRowsLookedAt = 200, mostTitleRows = 20;
+constexpr std::size_t mostTitleRows = 20;
 
-using Cells = std::vector<std::string>;
+std::vector<TableCells> rowsOf(std::string_view text, char separator) {
+  return beginningOfTable(text, separator, 0).sample;
+}
 
-std::vector<Cells> rowsOf(std::string_view text, char separator) {
-  CsvTable table = separator ? CsvTable(text, separator) : CsvTable(text);
-  std::vector<Cells> rows;
-  while (const auto row = table.next()) {
-    if (row->isRemark) continue;
-    Cells cells;
-    for (const CsvCell& cell : row->cells) cells.push_back(cell.text);
-    rows.push_back(std::move(cells));
-    if (rows.size() == mostRowsLookedAt) break;
+/// Cells that are angles with decimals or signs, so cut.
+std::size_t wholeAngles(const std::vector<TableCells>& rows) {
+  std::size_t count = 0;
+  for (const TableCells& row : rows)
+    for (const std::string& cell : row) count += hasDecimals(cell) && mayBeAngle(cell) ? 1 : 0;
+  return count;
+}
+
+/// How many cells most rows of readings have; 0 where hardly any two have as many.
+std::size_t usualWidth(const std::vector<TableCells>& rows) {
+  std::map<std::size_t, std::size_t> counts;
+  std::size_t all = 0, most = 0, width = 0;
+  for (const TableCells& row : rows) {
+    if (std::ranges::count_if(row, mayBeAngle) < 2) continue;
+    ++all;
+    if (++counts[row.size()] <= most) continue;
+    most = counts[row.size()];
+    width = row.size();
   }
-  return rows;
+  return 2 * most > all ? width : 0;
 }
 
-bool isNumberCell(const std::string& cell) {
-  return static_cast<bool>(parseNumber(cell));
-}
+/// How well readings stand below the names that name their circles.
+struct NamesFit {
+  bool areNamed = false;  ///< a row names both circles
+  bool fits = false;      ///< most rows of readings have angles there
+};
 
-/// Could it be a reading of a circle, once its unit is known?
-bool mayBeAngle(const std::string& cell) {
-  constexpr double beyond = 400;
-  if (const auto number = parseNumber(cell)) return std::abs(*number) < beyond;
-  return static_cast<bool>(parseAngle(cell));
-}
-
-bool hasDecimals(const std::string& cell) {
-  return cell.find_first_of(".,") != std::string::npos || (!isNumberCell(cell) && parseAngle(cell));
+NamesFit fitOfNames(const std::vector<TableCells>& rows) {
+  for (std::size_t i = 0; i < std::min(rows.size(), mostTitleRows); ++i) {
+    if (!nameCircles(rows[i])) continue;
+    std::size_t all = 0, good = 0;
+    for (std::size_t j = i + 1; j < rows.size(); ++j) {
+      if (std::ranges::count_if(rows[j], mayBeAngle) < 2) continue;
+      ++all;
+      const auto isSound = [&](std::size_t k) {
+        const auto column = columnName(rows[i][k]).column;
+        return !column || !column->isCircle() || (k < rows[j].size() && mayBeAngle(rows[j][k]));
+      };
+      bool areSound = true;
+      for (std::size_t k = 0; k < rows[i].size(); ++k) areSound = areSound && isSound(k);
+      good += areSound ? 1 : 0;
+    }
+    return {.areNamed = true, .fits = all > 0 && 2 * good > all};
+  }
+  return {};
 }
 
 /// Recognises a table in the rows at its beginning.
@@ -59,6 +87,7 @@ class TableRecognition {
     m_rows = rowsOf(m_text, m_found.table.separator);
     chooseHead();
     chooseColumns();
+    findJoinable();
     chooseDecimalSign();
     chooseUnit();
     const auto& columns = m_found.table.columns;
@@ -69,26 +98,39 @@ class TableRecognition {
  private:
   void reason(const std::string& sentence) { m_found.reasons.push_back(sentence); }
 
-  /// Tabs and semicolons part cells wherever they stand; commas and blanks only where every row has as many.
+  /// Tabs, semicolons and | part cells wherever they stand; commas and blanks only where rows have as many.
   void chooseSeparator() {
-    const auto evenColumns = [&](char separator) -> std::size_t {
-      const std::vector<Cells> rows = rowsOf(m_text, separator);
-      std::set<std::size_t> counts;
-      for (std::size_t i = rows.size() / 2; i < rows.size(); ++i) counts.insert(rows[i].size());
-      return counts.size() == 1 ? *counts.begin() : 0;
-    };
     const std::string_view line = firstLine();
-    for (const char separator : {'\t', ';'})
-      if (line.find(separator) != std::string_view::npos || evenColumns(separator) > 1) {
+    for (const char separator : {'\t', ';', '|'})
+      if (line.find(separator) != std::string_view::npos || usualWidth(rowsOf(m_text, separator)) > 1) {
         m_found.table.separator = separator;
-        return reason(separator == '\t' ? Phrase::of("tabs part the columns")
-                                        : Phrase::of("semicolons part the columns"));
+        return reason(separator == '\t'  ? Phrase::of("tabs part the columns")
+                      : separator == ';' ? Phrase::of("semicolons part the columns")
+                                         : Phrase::of("upright lines part the columns"));
       }
-    const bool isNamed = areColumnNames(firstRow(','));
-    const std::size_t byBlanks = evenColumns(' ');
-    const bool areBlanks = !isNamed && byBlanks > 1 && wholeAngles(' ') > wholeAngles(',');
-    m_found.table.separator = areBlanks ? ' ' : ',';
-    reason(areBlanks ? Phrase::of("blanks part the columns") : Phrase::of("commas part the columns"));
+    const char blank = blankSeparator();
+    m_found.table.separator = blank ? blank : ',';
+    reason(blank ? Phrase::of("blanks part the columns") : Phrase::of("commas part the columns"));
+  }
+
+  /// A blank or `wideBlanks`, whichever fits the names and the readings; 0 where commas do.
+  char blankSeparator() const {
+    const std::vector<TableCells> byCommas = rowsOf(m_text, ',');
+    if (fitOfNames(byCommas).areNamed) return '\0';
+    char best = '\0';
+    std::size_t most = 0;
+    for (const char separator : {' ', wideBlanks}) {
+      const std::vector<TableCells> rows = rowsOf(m_text, separator);
+      const NamesFit names = fitOfNames(rows);
+      const bool fits = names.areNamed ? names.fits : usualWidth(rows) > 1;
+      const std::size_t angles = wholeAngles(rows);
+      const bool isBetter = angles > wholeAngles(byCommas) || names.areNamed || usualWidth(byCommas) == 0;
+      const bool isBest = !best || angles > most || (names.areNamed && angles == most);
+      if (!fits || !isBetter || !isBest) continue;
+      best = separator;
+      most = angles;
+    }
+    return best;
   }
 
   std::string_view firstLine() const {
@@ -100,39 +142,21 @@ class TableRecognition {
     return {};
   }
 
-  Cells firstRow(char separator) const {
-    const std::vector<Cells> rows = rowsOf(m_text, separator);
-    return rows.empty() ? Cells() : rows.front();
-  }
-
-  /// Cells that are angles with decimals or signs, so cut.
-  std::size_t wholeAngles(char separator) const {
-    std::size_t count = 0;
-    for (const Cells& row : rowsOf(m_text, separator))
-      for (const std::string& cell : row) count += hasDecimals(cell) && mayBeAngle(cell) ? 1 : 0;
-    return count;
-  }
-
-  static bool holdsReading(const Cells& row) {
-    return std::count_if(row.begin(), row.end(), mayBeAngle) >= 2;
-  }
+  static bool holdsReading(const TableCells& row) { return std::ranges::count_if(row, mayBeAngle) >= 2; }
 
   /// The names stand in the last row that has some before the readings; above them there may be a title.
   void chooseHead() {
     std::size_t first = 0;
-    while (first < std::min(m_rows.size(), mostTitleRows) && !holdsReading(m_rows[first])) {
-      if (namesCircles(m_rows[first])) {
-        ++first;
-        break;
-      }
-      ++first;
-    }
+    while (first < std::min(m_rows.size(), mostTitleRows) && !holdsReading(m_rows[first]))
+      if (nameCircles(m_rows[first++])) break;
+    const bool areBelow = first > 0 && first < m_rows.size() && nameCircles(m_rows[first - 1]) &&
+                          !isRowBelowNames(m_rows[first]) && areColumnNames(m_rows[first]);
+    if (areBelow) ++first;  // the row of circles stands above that of their parts
     if (first == mostTitleRows || first == m_rows.size()) {
       const bool isNamed = !m_rows.empty() && first > 0 && areColumnNames(m_rows[first - 1]);
       if (!isNamed) first = std::min<std::size_t>(1, m_rows.size());
     }
     m_found.table.headRows = first;
-    if (first > 0 && !m_rows.empty()) m_found.titles = m_rows[first - 1];
     if (first == 0) {
       reason(Phrase::of("no row names the columns"));
     } else {
@@ -141,79 +165,44 @@ class TableRecognition {
     }
   }
 
-  static bool namesCircles(const Cells& row) {
-    int circles = 0;
-    for (const std::string& cell : row) {
-      const auto column = columnName(cell).column;
-      circles += column && column->field && column->field->remedy ? 1 : 0;
-    }
-    return circles >= 2;
-  }
-
   std::size_t width() const {
-    std::size_t widest = m_found.titles.size();
-    for (const Cells& row : m_rows) widest = std::max(widest, row.size());
+    std::size_t widest = m_plan.columns.size();
+    for (const TableCells& row : m_readings) widest = std::max(widest, row.size());
     return std::min(widest, limits::mostColumns);
   }
 
   void chooseColumns() {
+    const auto end = m_rows.begin() + static_cast<std::ptrdiff_t>(m_found.table.headRows);
+    const std::vector<TableCells> head(m_rows.begin(), end), sample(end, m_rows.end());
+    TableLayout layout;
+    layout.needsVertical = false;
+    m_plan = planTable(head, sample, layout);
+    m_readings.assign(sample.begin() + static_cast<std::ptrdiff_t>(m_plan.rowsBelow), sample.end());
+    if (!head.empty()) m_found.titles = m_plan.names;
     std::vector<std::string>& columns = m_found.table.columns;
     columns.assign(width(), {});
     std::set<std::string> taken;
-    for (std::size_t i = 0; i < m_found.titles.size(); ++i)
-      if (const auto column = columnName(m_found.titles[i]).column)
-        if (taken.insert(std::string(column->key())).second) columns[i] = std::string(column->key());
-    if (!hasCircles(m_found.table) && m_found.table.headRows == 0) guessColumns();
+    for (std::size_t i = 0; i < m_plan.columns.size(); ++i)
+      if (const auto& column = m_plan.columns[i].column)
+        if (taken.insert(column->key()).second) columns[i] = column->key();
+    if (hasCircles(m_found.table) || m_found.table.headRows > 0) return;
+    if (guessColumns(m_readings, columns))
+      reason(Phrase::of("the columns are guessed from what stands in them: check them"));
   }
 
-  /// Without names: the last two columns that hold angles with decimals are the circles, horizontal first; a
-  /// column of 0 and 180 before them is the axis, one of 1 and 2 the face, another of whole numbers the
-  /// point.
-  void guessColumns() {
-    std::vector<std::string>& columns = m_found.table.columns;
-    std::vector<std::size_t> angles;
-    for (std::size_t i = 0; i < columns.size(); ++i)
-      if (share(i, [](const std::string& cell) { return hasDecimals(cell) && mayBeAngle(cell); }) > 0.5)
-        angles.push_back(i);
-    if (angles.size() < 2) return;
-    columns[angles[0]] = "horizontal";
-    columns[angles[1]] = "vertical";
-    if (angles.size() > 2) columns[angles[2]] = "slider";
-    for (std::size_t i = 0; i < angles[0]; ++i) {
-      const std::set<std::string> values = valuesOf(i);
-      const auto areOf = [&values](const std::set<std::string>& allowed) {
-        return !values.empty() && std::includes(allowed.begin(), allowed.end(), values.begin(), values.end());
-      };
-      const auto isFree = [&columns](const char* key) {
-        return std::find(columns.begin(), columns.end(), key) == columns.end();
-      };
-      if (areOf({"0", "180"}) && isFree("axis") && values.contains("180")) {
-        columns[i] = "axis";
-      } else if (areOf({"1", "2"}) && i > 0 && isFree("face")) {
-        columns[i] = "face";
-      } else if (isFree("point")) {
-        columns[i] = "point";
+  void findJoinable() {
+    for (std::size_t i = 0; i + 1 < m_found.table.columns.size(); ++i)
+      if (const std::size_t count = joinableAt(m_readings, i); count > 0) {
+        m_found.joinable.push_back({i, 2});
+        if (count == 3) m_found.joinable.push_back({i, 3});
       }
-    }
-    reason(Phrase::of("the columns are guessed from what stands in them: check them"));
-  }
-
-  template <typename Is>
-  double share(std::size_t column, Is is) const {
-    std::size_t count = 0, all = 0;
-    for (std::size_t i = m_found.table.headRows; i < m_rows.size(); ++i) {
-      if (column >= m_rows[i].size() || m_rows[i][column].empty()) continue;
-      ++all;
-      count += is(m_rows[i][column]) ? 1 : 0;
-    }
-    return all == 0 ? 0 : static_cast<double>(count) / static_cast<double>(all);
-  }
-
-  std::set<std::string> valuesOf(std::size_t column) const {
-    std::set<std::string> values;
-    for (std::size_t i = m_found.table.headRows; i < m_rows.size(); ++i)
-      if (column < m_rows[i].size()) values.insert(m_rows[i][column]);
-    return values;
+    for (const auto& joined : joinedColumns(m_found.table.columns))
+      if (std::ranges::find(m_found.joinable, joined) == m_found.joinable.end())
+        m_found.joinable.push_back(joined);
+    std::ranges::sort(m_found.joinable, {},
+                      [](const JoinableColumns& j) { return std::pair(j.first, j.count); });
+    if (!joinedColumns(m_found.table.columns).empty())
+      reason(Phrase::of("degrees, minutes and seconds stand in columns of their own"));
   }
 
   std::optional<std::size_t> columnOf(std::string_view key) const {
@@ -223,15 +212,20 @@ class TableRecognition {
     return static_cast<std::size_t>(found - columns.begin());
   }
 
+  bool anyCellHas(std::size_t column, char sign) const {
+    return std::ranges::any_of(m_readings, [&](const TableCells& row) {
+      return column < row.size() && row[column].find(sign) != std::string::npos;
+    });
+  }
+
   void chooseDecimalSign() {
     bool hasPoint = false, hasComma = false;
-    for (const char* key : {"horizontal", "vertical", "slider"})
-      if (const auto column = columnOf(key)) {
-        hasPoint =
-            hasPoint || share(*column, [](const auto& cell) { return cell.find('.') != cell.npos; }) > 0;
-        hasComma =
-            hasComma || share(*column, [](const auto& cell) { return cell.find(',') != cell.npos; }) > 0;
-      }
+    for (std::size_t i = 0; i < m_found.table.columns.size(); ++i) {
+      const auto column = tableColumn(m_found.table.columns[i]);
+      if (!column || !column->field || !isAngle(*column->field)) continue;
+      hasPoint = hasPoint || anyCellHas(i, '.');
+      hasComma = hasComma || anyCellHas(i, ',');
+    }
     if (hasPoint == hasComma) return;
     m_found.table.decimalSign = hasComma ? DecimalSign::Comma : DecimalSign::Point;
     reason(hasComma ? Phrase::of("decimals stand behind a comma")
@@ -242,14 +236,13 @@ class TableRecognition {
   std::vector<double> plainOf(std::string_view key) const {
     std::vector<double> numbers;
     const auto column = columnOf(key);
-    if (!column) return numbers;
-    const bool isNamed =
-        *column < m_found.titles.size() && columnName(m_found.titles[*column]).unit != AngleUnit::Unstated;
-    if (isNamed) return numbers;
-    for (std::size_t i = m_found.table.headRows; i < m_rows.size(); ++i) {
-      if (*column >= m_rows[i].size()) continue;
-      const std::string& cell = m_rows[i][*column];
-      if (const auto number = parseNumber(cell); number && !parseAngle(cell)) numbers.push_back(*number);
+    if (!column || columnOf(std::string(key) + "_minutes")) return numbers;
+    for (const PlannedAngle& angle : m_plan.angles)
+      if (angle.at[0] == *column && angle.unit != AngleUnit::Unstated) return numbers;
+    for (const TableCells& row : m_readings) {
+      if (*column >= row.size()) continue;
+      if (const auto number = parseNumber(row[*column]); number && !parseAngle(row[*column]))
+        numbers.push_back(*number);
     }
     return numbers;
   }
@@ -262,23 +255,20 @@ class TableRecognition {
     all.insert(all.end(), vertical.begin(), vertical.end());
     if (all.empty()) return;
     m_found.asksUnit = true;
-    const auto largest = std::max_element(all.begin(), all.end());
-    if (*largest >= 360) {
-      m_found.table.unit = AngleUnit::Gon;
-      return reason(Phrase::of("gon, as %1 is more than 360", fixedText(*largest, 4)));
-    }
+    const double largest = *std::max_element(all.begin(), all.end());
+    constexpr double turn = 360;
+    const AngleUnit unit = unitByNumbers(all, vertical);
     const bool mayBeDms = std::all_of(all.begin(), all.end(), isSexagesimal);
-    const double fromGon = spreadAround(vertical, 100), fromDegrees = spreadAround(vertical, 90);
-    if (!vertical.empty() && fromGon < fromDegrees / 2) {
-      m_found.table.unit = AngleUnit::Gon;
-      return reason(Phrase::of("gon, as the vertical readings lie around 100 or 300: check it"));
-    }
-    if (!vertical.empty() && fromDegrees < fromGon / 2 && !mayBeDms) {
-      m_found.table.unit = AngleUnit::Degrees;
-      return reason(Phrase::of(
+    if (unit == AngleUnit::Unstated || (unit == AngleUnit::Degrees && mayBeDms)) return;
+    m_found.table.unit = unit;
+    if (largest >= turn)
+      reason(Phrase::of("gon, as %1 is more than 360", fixedText(largest, 4)));
+    else if (unit == AngleUnit::Gon)
+      reason(Phrase::of("gon, as the vertical readings lie around 100 or 300: check it"));
+    else
+      reason(Phrase::of(
           "decimal degrees, as the vertical readings lie around 90 or 270 and hold more than 59 where "
           "minutes would stand: check it"));
-    }
   }
 
   static bool isSexagesimal(double number) {
@@ -288,23 +278,17 @@ class TableRecognition {
     return whole < 60 && seconds < 60 - rounding;
   }
 
-  /// How far the mean distance of the readings from the horizon is, were it there in either face.
-  static double spreadAround(const std::vector<double>& vertical, double horizon) {
-    double sum = 0;
-    for (const double number : vertical)
-      sum += std::min(std::abs(number - horizon), std::abs(number - 3 * horizon));
-    return vertical.empty() ? 0 : sum / static_cast<double>(vertical.size());
-  }
-
   std::string_view m_text;
-  std::vector<Cells> m_rows;
+  std::vector<TableCells> m_rows, m_readings;
+  TablePlan m_plan;
   Recognised m_found;
 };
 
 }  // namespace
 
 Recognised recogniseTable(std::string_view beginning) {
-  return TableRecognition(beginning).recognise();
+  const auto plain = withPlainSeparators(beginning);
+  return TableRecognition(plain ? std::string_view(*plain) : beginning).recognise();
 }
 
 }  // namespace alidade

@@ -47,52 +47,27 @@ struct RowField {
   bool Reading::*flag = nullptr;  ///< null for a text
   RowRule rule;                   ///< of the text
   const char* remedy = nullptr;   ///< where a file lacks the field, for `Phrase::of`; null: it may be absent
-  /// Words that name its column in a table, in small letters, with a blank between them.
-  std::string_view headings;
 };
 
 /// In the order in which the session file has them.
 inline constexpr std::array rowFields{
-    RowField{.key = "point",
-             .text = &Reading::point,
-             .rule = pointRule,
-             .headings = "point points pt ptno target #"},
-    RowField{
-        .key = "round", .text = &Reading::round, .rule = roundRule, .headings = "round rounds set series"},
-    RowField{.key = "face", .text = &Reading::face, .rule = faceRule, .headings = "face side lage"},
+    RowField{.key = "point", .text = &Reading::point, .rule = pointRule},
+    RowField{.key = "round", .text = &Reading::round, .rule = roundRule},
+    RowField{.key = "face", .text = &Reading::face, .rule = faceRule},
     RowField{.key = "horizontal",
              .text = &Reading::horizontal,
              .rule = horizontalRule,
-             .remedy = PHRASE_LATER("Phrase", "add the reading of the horizontal circle"),
-             .headings = "horizontal hz h ha hor alpha α direction"},
+             .remedy = PHRASE_LATER("Phrase", "add the reading of the horizontal circle")},
     RowField{.key = "vertical",
              .text = &Reading::vertical,
              .rule = verticalRule,
-             .remedy = PHRASE_LATER("Phrase", "add the reading of the vertical circle"),
-             .headings = "vertical v va vert beta β zenith zenithdistance elevation"},
-    RowField{
-        .key = "slider", .text = &Reading::slider, .rule = sliderRule, .headings = "slider s coordinate"},
-    RowField{.key = "tilt_cross_arcsec",
-             .text = &Reading::tiltCrossArcsec,
-             .rule = TiltRule(),
-             .headings = "tilt_cross_arcsec crosstilt crossincline"},
-    RowField{.key = "tilt_length_arcsec",
-             .text = &Reading::tiltLengthArcsec,
-             .rule = TiltRule(),
-             .headings = "tilt_length_arcsec lengthtilt lengthincline"},
-    RowField{.key = "corrections",
-             .text = &Reading::corrections,
-             .rule = CorrectionsRule(),
-             .headings = "corrections"},
-    RowField{.key = "excluded",
-             .text = nullptr,
-             .flag = &Reading::excluded,
-             .rule = FreeText(),
-             .headings = "excluded exclude skip"},
-    RowField{.key = "note",
-             .text = &Reading::note,
-             .rule = FreeText(),
-             .headings = "note notes remark remarks comment comments"},
+             .remedy = PHRASE_LATER("Phrase", "add the reading of the vertical circle")},
+    RowField{.key = "slider", .text = &Reading::slider, .rule = sliderRule},
+    RowField{.key = "tilt_cross_arcsec", .text = &Reading::tiltCrossArcsec, .rule = TiltRule()},
+    RowField{.key = "tilt_length_arcsec", .text = &Reading::tiltLengthArcsec, .rule = TiltRule()},
+    RowField{.key = "corrections", .text = &Reading::corrections, .rule = CorrectionsRule()},
+    RowField{.key = "excluded", .text = nullptr, .flag = &Reading::excluded, .rule = FreeText()},
+    RowField{.key = "note", .text = &Reading::note, .rule = FreeText()},
 };
 
 constexpr const RowField& rowField(std::string Reading::*text) {

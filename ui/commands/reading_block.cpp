@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "core/exchange/table_layout.h"
+#include "core/exchange/joined_table.h"
 
 namespace alidade::ui {
 
@@ -35,37 +35,36 @@ QString usedText(const QString& excluded) {
 }  // namespace
 
 std::optional<NamedBlock> namedBlock(const ReadingBlock& block) {
-  if (block.size() < 2) return std::nullopt;
-  std::vector<std::string> names;
-  for (const QString& cell : block.first()) names.push_back(cell.toStdString());
-  if (!areColumnNames(names)) return std::nullopt;
+  std::vector<TableCells> rows;
+  for (const QStringList& cells : block) {
+    rows.emplace_back();
+    for (const QString& cell : cells) rows.back().push_back(cell.toStdString());
+  }
+  const auto table = joinedTable(rows);
+  if (!table) return std::nullopt;
   NamedBlock named;
-  std::vector<std::pair<qsizetype, ColumnName>> taken;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const ColumnName name = columnName(names[i]);
-    const RowField* field = name.column ? name.column->field : nullptr;
-    const auto column =
-        field && field->flag ? ReadingColumn::Used : readingColumn(field ? std::string(field->key) : "");
-    const bool isNew =
-        field && std::find(named.columns.begin(), named.columns.end(), column) == named.columns.end();
-    if (isNew) {
-      named.columns.push_back(column);
-      taken.emplace_back(static_cast<qsizetype>(i), name);
-    } else if (!names[i].empty()) {
-      named.unplaced.append(block.first()[static_cast<qsizetype>(i)]);
+  if (!*table) {
+    named.problem = QString::fromStdString(table->problem().what);
+    return named;
+  }
+  const JoinedTable& joined = **table;
+  for (const std::string& name : joined.unplaced) named.unplaced.append(QString::fromStdString(name));
+  std::vector<std::size_t> taken;
+  for (std::size_t i = 0; i < joined.columns.size(); ++i) {
+    const RowField* field = joined.columns[i].field;
+    if (!field) {
+      named.unplaced.append(QString::fromStdString(joined.names[i]));
+      continue;
     }
+    named.columns.push_back(field->flag ? ReadingColumn::Used : readingColumn(std::string(field->key)));
+    taken.push_back(i);
   }
   if (taken.empty()) return std::nullopt;
-  for (const QStringList& cells : block.mid(1)) {
+  for (const TableCells& cells : joined.rows) {
     QStringList row;
-    for (const auto& [at, name] : taken) {
-      const QString cell = cells.value(at);
-      if (name.column->field->flag)
-        row.append(usedText(cell));
-      else
-        row.append(isAngle(*name.column->field)
-                       ? QString::fromStdString(withUnit(cell.toStdString(), name.unit))
-                       : cell);
+    for (const std::size_t i : taken) {
+      const QString cell = QString::fromStdString(cells[i]);
+      row.append(joined.columns[i].field->flag ? usedText(cell) : cell);
     }
     named.rows.append(row);
   }

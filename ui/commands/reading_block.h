@@ -18,11 +18,13 @@ using ReadingBlock = QVector<QStringList>;
 /// are dropped, blanks around cells trimmed.
 ReadingBlock parseBlock(const QString& text);
 
-/// A block whose first row named its columns.
+/// A block whose first row named its columns. Degrees, minutes and seconds in columns of their own are
+/// joined; both faces in one row are rows of their own.
 struct NamedBlock {
   ReadingBlock rows;                   ///< without the names; plain numbers with the unit of their column
   std::vector<ReadingColumn> columns;  ///< what the cells of each row are, in turn
   QStringList unplaced;                ///< names of columns that a position has none for
+  QString problem;                     ///< why nothing of it can be taken; else empty
 };
 
 /// Absent where the first row names no columns (`areColumnNames`), or stands alone.

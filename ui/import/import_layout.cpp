@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSpinBox>
+#include <QStringList>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -21,6 +22,48 @@ QLabel* labelFor(const QString& text, QWidget* field) {
   auto* label = new QLabel(text);
   label->setBuddy(field);
   return label;
+}
+
+using Columns = std::vector<std::size_t>;
+
+QString dataOf(const Columns& columns) {
+  QStringList numbers;
+  for (const std::size_t column : columns) numbers.append(QString::number(column));
+  return numbers.join(u',');
+}
+
+Columns columnsOf(const QString& data) {
+  Columns columns;
+  for (const QString& number : data.split(u',', Qt::SkipEmptyParts)) columns.push_back(number.toULongLong());
+  return columns;
+}
+
+/// Those of an angle in several columns: "horizontal", "horizontal_minutes".
+std::string partKey(const std::string& key, std::size_t part) {
+  auto column = tableColumn(key);
+  if (column) column->part = static_cast<AnglePart>(part);
+  return column ? column->key() : key;
+}
+
+bool isOfAngle(const std::string& key) {
+  const auto column = tableColumn(key);
+  return column && column->field && isAngle(*column->field);
+}
+
+/// The columns that hold what the key names; empty where none does.
+Columns heldBy(const TableLayout& layout, const std::string& key) {
+  Columns held;
+  for (std::size_t part = 0; part < (isOfAngle(key) ? 3U : 1U); ++part) {
+    const auto found = std::ranges::find(layout.columns, partKey(key, part));
+    if (found == layout.columns.end()) break;
+    held.push_back(static_cast<std::size_t>(found - layout.columns.begin()));
+  }
+  return held;
+}
+
+void put(TableLayout& layout, const std::string& key, const Columns& columns) {
+  for (std::size_t part = 0; part < columns.size(); ++part)
+    layout.columns.at(columns[part]) = partKey(key, part);
 }
 
 /// As wide as there is room: three stand in a row.
@@ -53,6 +96,8 @@ ImportLayout::ImportLayout()
   addRole(*grid, "horizontal", tr("&Horizontal:"));
   addRole(*grid, "vertical", tr("&Vertical:"));
   addRole(*grid, "slider", tr("&Slider:"));
+  addRole(*grid, "horizontal_2", tr("Horizontal, &2nd face:"));
+  addRole(*grid, "vertical_2", tr("Vertical, 2nd fa&ce:"));
   addRole(*grid, "excluded", tr("E&xcluded:"));
   addRole(*grid, "note", tr("&Note:"));
   for (const int column : {1, 3, 5}) grid->setColumnStretch(column, 1);
@@ -94,26 +139,57 @@ void ImportLayout::addRole(QGridLayout& grid, const std::string& key, const QStr
   box->setObjectName(QStringLiteral("import ") + qText(key));
   narrow(*box);
   const int at = static_cast<int>(m_roles.size());
-  grid.addWidget(labelFor(label, box), rolesAt + at / across, 2 * (at % across));
+  QLabel* name = labelFor(label, box);
+  grid.addWidget(name, rolesAt + at / across, 2 * (at % across));
   grid.addWidget(box, rolesAt + at / across, 2 * (at % across) + 1);
-  m_roles.push_back({key, box});
+  m_roles.push_back({key, name, box});
   connect(box, &QComboBox::currentIndexChanged, this, &ImportLayout::take);
 }
 
 void ImportLayout::fillColumns(const ImportSource& source) {
-  const std::vector<std::string>& titles = source.recognised.titles;
   for (const Role& role : m_roles) {
-    role.column->clear();
-    role.column->addItem(tr("none"), -1);
-    for (std::size_t i = 0; i < m_layout.columns.size(); ++i) {
-      const QString number = QString::number(i + 1);
-      const bool isNamed = i < titles.size() && !titles[i].empty();
-      role.column->addItem(
-          isNamed ? number + QStringLiteral(": ") + shortLine(titles[i], 40) : tr("column %1").arg(number),
-          static_cast<int>(i));
-      if (m_layout.columns[i] == role.key) role.column->setCurrentIndex(role.column->count() - 1);
+    fillRole(role, source);
+    const bool isOfFaceTwo = role.key.ends_with("_2");
+    role.label->setVisible(!isOfFaceTwo || !heldBy(m_layout, role.key).empty());
+    role.column->setVisible(!isOfFaceTwo || !heldBy(m_layout, role.key).empty());
+  }
+}
+
+/// Each column, and of angles those that make one together.
+void ImportLayout::fillRole(const Role& role, const ImportSource& source) const {
+  role.column->clear();
+  role.column->addItem(tr("none"), QString());
+  const Columns held = heldBy(m_layout, role.key);
+  for (std::size_t i = 0; i < m_layout.columns.size(); ++i) {
+    addChoice(role, source, {i});
+    if (!isOfAngle(role.key)) continue;
+    for (const JoinableColumns& joinable : source.recognised.joinable) {
+      if (joinable.first != i || i + joinable.count > m_layout.columns.size()) continue;
+      Columns columns;
+      for (std::size_t k = 0; k < joinable.count; ++k) columns.push_back(i + k);
+      addChoice(role, source, columns);
     }
   }
+  if (role.column->findData(dataOf(held)) < 0) addChoice(role, source, held);
+  role.column->setCurrentIndex(role.column->findData(dataOf(held)));
+}
+
+/// `2: Hz`, `2–4: Hz deg, Hz min, Hz sec`, `column 2`.
+void ImportLayout::addChoice(const Role& role, const ImportSource& source, const Columns& columns) const {
+  const std::vector<std::string>& titles = source.recognised.titles;
+  QStringList names, numbers;
+  for (const std::size_t i : columns) {
+    numbers.append(QString::number(i + 1));
+    if (i < titles.size() && !titles[i].empty()) names.append(QString::fromStdString(titles[i]));
+  }
+  const bool areInTurn = columns.size() > 1 && columns.back() - columns.front() + 1 == columns.size();
+  const QString number =
+      areInTurn ? numbers.first() + QStringLiteral("–") + numbers.last() : numbers.join(u'+');
+  const QString unnamed = columns.size() > 1 ? tr("columns %1").arg(number) : tr("column %1").arg(number);
+  const QString text = names.isEmpty()
+                           ? unnamed
+                           : number + QStringLiteral(": ") + shortLine(names.join(QStringLiteral(", ")), 40);
+  role.column->addItem(text, dataOf(columns));
 }
 
 void ImportLayout::show(const ImportSource& source, const TableLayout& layout, bool isRemembered) {
@@ -141,18 +217,19 @@ void ImportLayout::take() {
   layout.decimalSign = static_cast<DecimalSign>(m_decimalSign->currentData().toInt());
   layout.headRows = static_cast<std::size_t>(m_headRows->value());
   std::fill(layout.columns.begin(), layout.columns.end(), std::string());
-  const auto put = [&layout](const Role& role) {
-    const int column = role.column->currentData().toInt();
-    if (column >= 0) layout.columns[static_cast<std::size_t>(column)] = role.key;
+  const auto choose = [&layout](const Role& role) {
+    put(layout, role.key, columnsOf(role.column->currentData().toString()));
   };
-  for (const Role& role : m_roles) put(role);
+  for (const Role& role : m_roles) choose(role);
   for (const Role& role : m_roles)
-    if (role.column == sender()) put(role);
+    if (role.column == sender()) choose(role);
   m_isFilling = true;
   for (const Role& role : m_roles) {
-    const auto found = std::find(layout.columns.begin(), layout.columns.end(), role.key);
-    const bool isThere = found != layout.columns.end();
-    role.column->setCurrentIndex(isThere ? static_cast<int>(found - layout.columns.begin()) + 1 : 0);
+    const Columns chosen = columnsOf(role.column->currentData().toString());
+    if (heldBy(layout, role.key) == chosen) continue;
+    for (std::size_t part = 0; part < chosen.size(); ++part)  // another took a part of it
+      if (layout.columns[chosen[part]] == partKey(role.key, part)) layout.columns[chosen[part]].clear();
+    role.column->setCurrentIndex(0);
   }
   m_isFilling = false;
   if (layout == m_layout) return;

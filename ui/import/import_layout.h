@@ -12,7 +12,9 @@ class QSpinBox;
 
 namespace alidade::ui {
 
-/// How a table is taken: unit, decimal sign, rows before the readings, and what each column holds.
+/// How a table is taken: unit, decimal sign, rows before the readings, and what each column holds. An angle
+/// may stand in several columns, as its degrees, minutes and seconds: where the numbers or names allow it,
+/// they are one choice.
 class ImportLayout : public QWidget {
   Q_OBJECT
 
@@ -29,12 +31,15 @@ class ImportLayout : public QWidget {
  private:
   struct Role {
     std::string key;
-    QComboBox* column;
+    QLabel* label;
+    QComboBox* column;  ///< its data: the columns, from 0, with commas between them
   };
 
   QWidget* createForm();
   void addRole(QGridLayout& grid, const std::string& key, const QString& label);
   void fillColumns(const ImportSource& source);
+  void fillRole(const Role& role, const ImportSource& source) const;
+  void addChoice(const Role& role, const ImportSource& source, const std::vector<std::size_t>& columns) const;
   void take();
 
   QLabel* m_reasons;

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <random>
+#include <string>
 #include <vector>
 
 namespace alidade {
@@ -179,6 +180,43 @@ TEST(AngleText, WhatIsPrintedReadsBackWithinHalfAUnitOfTheLastPlace) {
     const double halfUnit = 0.5 * std::pow(10, -decimals);
     const double roundingOfDoubles = 2e-9;  // arcseconds, of 400° in double precision
     ASSERT_LE(std::abs(back->arcseconds() - angle.arcseconds()), halfUnit + roundingOfDoubles) << text;
+  }
+}
+
+TEST(ParseAngle, ReadsSignsOfKeyboardsAndInputMethods) {
+  constexpr double rounding = 1e-12;
+  for (const char* text :
+       {"107°12´23´´", "107◦12′23″", "107∘12′23″", "107⁰12`23``", "107º12‘23‘‘", "107°12ʹ23ʺ",
+        "107度12分23秒", "１０７°１２′２３″", "１０７　１２　２３", "107：12：23", "107°12’23“"}) {
+    const Result<Angle> angle = parseAngle(text);
+    ASSERT_TRUE(angle) << text << ": " << angle.problem().what;
+    EXPECT_NEAR(angle->degrees(), dms(107, 12, 23), rounding) << text;
+  }
+  EXPECT_NEAR(parseAngle("–0°12′30″")->degrees(), -dms(0, 12, 30), rounding);
+  EXPECT_NEAR(parseAngle("１０７，５°")->degrees(), 107.5, rounding);
+}
+
+TEST(ParseAngle, RefusesDigitsOfOtherScripts) {
+  for (const char* text : {"١٠٧ ١٢ ٢٣", "१०७°", "107°١٢'"})
+    EXPECT_THAT(parseAngle(text).problem().what, HasSubstr("has digits of another script")) << text;
+}
+
+// Other signs for the same say the same.
+TEST(ParseAngle, ReadsEachSignAlike) {
+  const std::vector<std::vector<std::string>> signs{{"°", "º", "˚", "◦", "∘", "⁰", "度"},
+                                                    {"'", "′", "’", "´", "`", "ʹ", "‘", "＇", "分"},
+                                                    {"\"", "″", "”", "“", "ʺ", "''", "´´", "＂", "秒"},
+                                                    {"-", "−", "–", "－"}};
+  std::mt19937 random(11);
+  const auto any = [&random](const std::vector<std::string>& all) { return all[random() % all.size()]; };
+  for (int i = 0; i < 2000; ++i) {
+    const std::string d = std::to_string(random() % 360), m = std::to_string(random() % 60),
+                      s = std::to_string(random() % 60) + "." + std::to_string(random() % 10);
+    const std::string plain = "-" + d + "°" + m + "'" + s + "\"";
+    const std::string typed = any(signs[3]) + d + any(signs[0]) + m + any(signs[1]) + s + any(signs[2]);
+    const Result<Angle> angle = parseAngle(typed);
+    ASSERT_TRUE(angle) << typed << ": " << angle.problem().what;
+    EXPECT_EQ(angle->radians(), parseAngle(plain)->radians()) << typed;
   }
 }
 

@@ -258,6 +258,10 @@ void ReadingsTable::paste() {
     corner = m_model.index(std::min(corner.row(), range.top()), std::min(corner.column(), range.left()));
   const auto firstRow = static_cast<std::size_t>(corner.isValid() ? corner.row() : m_model.readingCount());
   if (const auto named = namedBlock(block)) {
+    if (!named->problem.isEmpty()) {
+      emit remark(tr("The clipboard was not pasted: %1.").arg(visibleLine(named->problem)));
+      return;
+    }
     m_editor.paste(named->rows, firstRow, named->columns);
     if (!named->unplaced.isEmpty())
       emit remark(tr("Columns of the clipboard that were not pasted: %1.")

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/exchange/table_plan.h"
+
+namespace alidade {
+
+/// The headings of a table in one row: what stands above several columns is put before each of theirs, and
+/// units and parts below behind it. `Horizontal` over `deg`, `min`, `sec` becomes `Horizontal deg`,
+/// `Horizontal min`, ….
+class TableHeadings {
+ public:
+  /// As `planTable`.
+  TableHeadings(const std::vector<TableCells>& head, const std::vector<TableCells>& sample);
+
+  std::size_t rowsBelow() const { return m_rowsBelow; }
+  const std::vector<TableCells>& rows() const { return m_levels; }
+  /// What the file calls the column, for sentences.
+  std::string told(std::size_t column) const;
+  /// What the heading says, all rows together.
+  ColumnName nameOf(std::size_t column) const;
+  std::size_t width() const { return m_width; }
+  /// No row says anything of it.
+  bool isBlank(std::size_t column) const;
+
+ private:
+  struct Run {
+    std::size_t first = 0, count = 0;
+  };
+
+  void findLevels(const std::vector<TableCells>& head, const std::vector<TableCells>& sample);
+  void findRuns();
+  std::string cell(std::size_t level, std::size_t column) const;
+  std::string lowest(std::size_t column, std::size_t from) const;
+  std::string spanned(std::size_t level, std::size_t column) const;
+  bool mayInherit(std::size_t column, std::size_t from) const;
+
+  std::vector<TableCells> m_levels;
+  std::vector<Run> m_runs;  ///< of degrees, minutes, seconds side by side that name no circle
+  bool m_hasUpper = false;
+  std::size_t m_rowsBelow = 0, m_width = 0;
+};
+
+}  // namespace alidade
