@@ -18,6 +18,7 @@ struct InstrumentRecord {
   std::string date = {};                            ///< on which all of it was found; required
   // Empty: not stated.
   std::string sigmaHorizontalArcsec = {}, sigmaVerticalArcsec = {}, sigmaZeroArcsec = {};
+  LineOfSight lineOfSight = {};
   std::vector<KnownSize> known = {};
   JsonOrigin origin = {};
 

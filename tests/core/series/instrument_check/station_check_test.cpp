@@ -99,9 +99,9 @@ TEST(StationCheck, AgreesWithPlainLoops) {
 TEST(StationCheck, FindsTheErrorsOfAnInstrumentWithoutNoise) {
   const StationCheck check = checkOf(
       simulatedRounds({.collimation = 12, .tilt = 20, .index = -7.5}, {{0, 0}, {120, 30}, {240, -20}}, 3, 1));
-  ASSERT_TRUE(check.tilt);
-  EXPECT_NEAR(check.tilt->collimation, 12, 1e-6);
-  EXPECT_NEAR(check.tilt->other, 20, 1e-6);
+  ASSERT_TRUE(check.causes.tilt);
+  EXPECT_NEAR(check.causes.tilt->collimation, 12, 1e-6);
+  EXPECT_NEAR(check.causes.tilt->other, 20, 1e-6);
   EXPECT_NEAR(check.index.value, -7.5, 1e-6);
   EXPECT_NEAR(check.direction.s(), 0, 1e-6);
 }
@@ -110,11 +110,12 @@ TEST(StationCheck, TellsALineOfSightOffTheAxisFromCollimation) {
   // 0.5 mm at 2.4 m are 43″.
   const std::vector<Target> room{{0, 0, 2.4}, {70, 0, 5}, {150, 0, 12}, {260, 0, 30}};
   const StationCheck check = checkOf(simulatedRounds({.collimation = 5, .eccentricityMm = 0.5}, room, 3, 1));
-  ASSERT_TRUE(check.eccentricity);
-  EXPECT_NEAR(check.eccentricity->other, 0.5, 1e-7);
-  EXPECT_NEAR(check.eccentricity->collimation, 5, 1e-6);
+  ASSERT_TRUE(check.causes.lineOfSight);
+  EXPECT_NEAR(check.causes.lineOfSight->other, 0.5, 1e-7);
+  EXPECT_NEAR(check.causes.lineOfSight->collimation, 5, 1e-6);
   EXPECT_NEAR(check.perTarget[0].collimation, 5 + 42.97, 0.01);
-  EXPECT_FALSE(checkOf(simulatedRounds({.collimation = 5}, {{0, 0, 9}, {70, 0, 9.2}}, 3, 1)).eccentricity)
+  EXPECT_FALSE(
+      checkOf(simulatedRounds({.collimation = 5}, {{0, 0, 9}, {70, 0, 9.2}}, 3, 1)).causes.lineOfSight)
       << "two percent of distance are no spread";
 }
 
@@ -170,10 +171,11 @@ TEST(StationCheck, StatesItsUncertaintyAsItIs) {
     };
     collimation += holds(plain.collimation.value, plain.collimation.u, plain.collimation.dof, 6);
     index += holds(plain.index.value, plain.index.u, plain.index.dof, 4);
-    eccentricity += holds(plain.eccentricity->other, plain.eccentricity->uOther, plain.eccentricity->dof, 0);
+    eccentricity += holds(plain.causes.lineOfSight->other, plain.causes.lineOfSight->uOther,
+                          plain.causes.lineOfSight->dof, 0);
     const StationCheck tilted = checkOf(simulatedRounds(
         {.collimation = 6, .tilt = 15, .noise = noise, .circleStepDeg = 61}, targets, 4, seed));
-    tilt += holds(tilted.tilt->other, tilted.tilt->uOther, tilted.tilt->dof, 15);
+    tilt += holds(tilted.causes.tilt->other, tilted.causes.tilt->uOther, tilted.causes.tilt->dof, 15);
     ofDirections += plain.direction.s() * plain.direction.s() / draws;
     ofVerticals += plain.vertical.s() * plain.vertical.s() / draws;
   }
