@@ -11,6 +11,7 @@
 #include "core/base/threads.h"
 #include "core/session/compensator.h"
 #include "core/session/entry.h"
+#include "core/session/instrument_record.h"
 #include "core/session/position_examiner.h"
 #include "core/session/problem_reporter.h"
 #include "core/session/row_order.h"
@@ -23,16 +24,26 @@ struct KnownOffset {
   double millimetres, sigma, correlation;
 };
 
+/// Mechanics keep the line of sight within 0.1 mm of the axis (1σ). The collimation of a check at other
+/// distances may hold as much; any other source is believed to state that of these distances.
+KnownOffset offsetBeside(const KnownNumber& collimation) {
+  constexpr double plausible = 0.1;
+  const bool isChecked = collimation.from.find(fromInstrumentCheck) != std::string::npos;
+  return {0, isChecked ? plausible : 0, 0};
+}
+
 /// c + e/D, in arcseconds, with u² = u_c² + (u_e/D)² + 2 ρ u_c u_e/D. D in mm.
 KnownNumber atDistance(KnownNumber collimation, const KnownOffset& offset, double distance) {
+  if (offset.millimetres == 0 && offset.sigma == 0) return collimation;
   const double perMillimetre = Angle::fromRadians(1 / distance).arcseconds();
   const double change = offset.millimetres * perMillimetre, u = offset.sigma * perMillimetre;
   collimation.value += change;
   collimation.sigma = std::sqrt(std::max(
       0.0, collimation.sigma * collimation.sigma + u * u + 2 * offset.correlation * collimation.sigma * u));
   if (!collimation.from.empty()) collimation.from += "; ";
-  collimation.from += "line of sight off by " + shortestText(offset.millimetres) + " mm at " +
-                      shortestText(std::round(distance)) + " mm added";
+  collimation.from += "line of sight off by " + shortestText(offset.millimetres) + " ± " +
+                      shortestText(offset.sigma) + " mm at " + shortestText(std::round(distance)) +
+                      " mm added";
   return collimation;
 }
 
@@ -194,10 +205,11 @@ class Examiner : private ProblemReporter {
     const auto sigma = number("instrument.sigma_line_of_sight_mm", entered.sigmaMm);
     const auto correlation = number("instrument.line_of_sight_correlation", entered.correlation);
     const double distance = std::hypot(m_measurement.distance, m_measurement.nominalRadius);
-    if (!offset || !*offset || !sigma || !correlation || !(distance > 0)) return;
+    if (!offset || !sigma || !correlation || !(distance > 0)) return;
     for (KnownNumber& known : m_measurement.known)
       if (known.effect == "collimation" && known.unit == "arcsec")
-        known = atDistance(known, {**offset, **sigma, **correlation}, distance);
+        known = atDistance(
+            known, *offset ? KnownOffset{**offset, **sigma, **correlation} : offsetBeside(known), distance);
   }
 
   /// Positions at once where they are long; what is wrong with them, in the order of the file.

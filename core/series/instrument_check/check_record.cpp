@@ -44,7 +44,7 @@ InstrumentRecord checkedRecord(const InstrumentCheck& check, const std::string& 
                             .value = shortestText(rounded(mean.value)),
                             .sigma = shortestText(std::max(rounded(mean.u), leastU)),
                             .unit = "arcsec",
-                            .from = "instrument check after ISO 17123-3",
+                            .from = std::string(fromInstrumentCheck),
                             .date = date});
   };
   addKnown("collimation", check.collimation);

@@ -14,12 +14,12 @@ namespace {
 /// Least squares of half differences of the faces: c, then the causes asked for.
 class FaceFit {
  public:
-  FaceFit(const std::vector<FaceDifference>& differences, bool ofTilt, bool ofDistance)
+  FaceFit(const std::vector<HalfDifference>& differences, bool ofTilt, bool ofDistance)
       : m_ofTilt(ofTilt), m_ofDistance(ofDistance) {
     const Eigen::Index unknowns = 1 + (ofTilt ? 1 : 0) + (ofDistance ? 1 : 0);
     m_normal = Eigen::MatrixXd::Zero(unknowns, unknowns);
     m_right = Eigen::VectorXd::Zero(unknowns);
-    for (const FaceDifference& difference : differences) add(difference);
+    for (const HalfDifference& difference : differences) add(difference);
   }
 
   /// False where the unknowns cannot be told apart, or no degree of freedom is left.
@@ -43,7 +43,7 @@ class FaceFit {
   TwoCauses lineOfSight() const { return with(m_right.size() - 1); }
 
  private:
-  void add(const FaceDifference& difference) {
+  void add(const HalfDifference& difference) {
     const double cosine = std::cos(difference.elevation);
     Eigen::VectorXd factors(m_right.size());
     factors(0) = 1 / cosine;
@@ -90,7 +90,7 @@ bool isStated(const TwoCauses& cause, double plausible) {
 /// Chooses the causes that are stated.
 class FaceSeparation {
  public:
-  explicit FaceSeparation(const std::vector<FaceDifference>& differences) : m_differences(differences) {}
+  explicit FaceSeparation(const std::vector<HalfDifference>& differences) : m_differences(differences) {}
 
   FaceCauses separate(bool ofTilt, bool ofDistance) {
     if (ofTilt && ofDistance)
@@ -156,7 +156,7 @@ class FaceSeparation {
       tryDistance();
   }
 
-  const std::vector<FaceDifference>& m_differences;
+  const std::vector<HalfDifference>& m_differences;
   FaceCauses m_causes;
 };
 
@@ -168,7 +168,7 @@ double twoSidedStudent(double value, double u, double dof) {
   return lower ? 2 * *lower : std::numeric_limits<double>::quiet_NaN();
 }
 
-FaceCauses separateFaceCauses(const std::vector<FaceDifference>& differences, bool ofTilt, bool ofDistance) {
+FaceCauses separateFaceCauses(const std::vector<HalfDifference>& differences, bool ofTilt, bool ofDistance) {
   return FaceSeparation(differences).separate(ofTilt, ofDistance);
 }
 

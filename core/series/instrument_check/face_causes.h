@@ -36,7 +36,7 @@ double twoSidedStudent(double value, double u, double dof);
 
 /// Half the difference of the faces at one target: h = c/cos e + i tan e + e_s/(D cos e), e_s being the
 /// offset of the line of sight from the vertical axis.
-struct FaceDifference {
+struct HalfDifference {
   double arcsec;     ///< h
   double elevation;  ///< e, rad
   double distanceM;  ///< D, along the line of sight
@@ -57,6 +57,6 @@ struct FaceCauses {
 /// A cause is stated where a plausible size of it would show (by three standard uncertainties, or by what is
 /// significant at 95 % where that is more), or where it is itself significant at 95 %. `ofTilt`,
 /// `ofDistance`: elevations and distances differ enough to look for it.
-FaceCauses separateFaceCauses(const std::vector<FaceDifference>& differences, bool ofTilt, bool ofDistance);
+FaceCauses separateFaceCauses(const std::vector<HalfDifference>& differences, bool ofTilt, bool ofDistance);
 
 }  // namespace alidade

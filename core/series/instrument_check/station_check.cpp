@@ -243,7 +243,7 @@ class StationEvaluation {
     constexpr double leastDegrees = 0.5, leastRatio = 1.1;
     const bool hasTilt = m_check.highestDeg - m_check.lowestDeg > leastDegrees;
     const bool hasDistance = m_check.nearestM > 0 && m_check.farthestM > leastRatio * m_check.nearestM;
-    std::vector<FaceDifference> differences;
+    std::vector<HalfDifference> differences;
     for (std::size_t j = 0; j < rounds(); ++j)
       for (std::size_t k = 0; k < targets(); ++k)
         differences.push_back({pair(j, k).halfDirection.arcseconds(), pair(j, k).elevation.radians(),

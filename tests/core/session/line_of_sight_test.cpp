@@ -45,7 +45,7 @@ TEST(LineOfSight, AddsToTheKnownCollimationAtTheDistanceOfTheSlider) {
   EXPECT_NEAR(known->value, 8 + 0.117 * perMillimetre, 1e-6) << "17.65″";
   const double u = 0.0025 * perMillimetre;
   EXPECT_NEAR(known->sigma, std::sqrt(0.15 * 0.15 + u * u - 2 * 0.7 * 0.15 * u), 1e-9);
-  EXPECT_THAT(known->from, HasSubstr("line of sight off by 0.117 mm at 2500 mm added"));
+  EXPECT_THAT(known->from, HasSubstr("line of sight off by 0.117 ± 0.0025 mm at 2500 mm added"));
 }
 
 TEST(LineOfSight, IsTakenAndReplacedWithItsCollimation) {
@@ -58,7 +58,21 @@ TEST(LineOfSight, IsTakenAndReplacedWithItsCollimation) {
   old.lineOfSight = {};
   ASSERT_FALSE(takeRecord(session, old, "old.alidade-instrument"));
   EXPECT_EQ(session.instrument.lineOfSight, LineOfSight()) << "its collimation has e/D in it";
-  EXPECT_NEAR(collimationOf(examine(session))->value, 8, 1e-12);
+  const Examined examined = examine(session);
+  ASSERT_TRUE(collimationOf(examined));
+  EXPECT_NEAR(collimationOf(examined)->value, 8, 1e-12);
+}
+
+TEST(LineOfSight, ThatNoCheckStatedMakesItsCollimationUncertain) {
+  Session session = sessionAt("2400", "700");
+  InstrumentRecord record = recordWithOffset();
+  record.lineOfSight = {};
+  record.known.front().from = fromInstrumentCheck;
+  ASSERT_FALSE(takeRecord(session, record, "t.alidade-instrument"));
+  const Examined examined = examine(session);
+  ASSERT_TRUE(collimationOf(examined));
+  EXPECT_NEAR(collimationOf(examined)->value, 8, 1e-12);
+  EXPECT_NEAR(collimationOf(examined)->sigma, std::hypot(0.15, 0.1 * 206264.80625 / 2500), 1e-9) << "8.25″";
 }
 
 TEST(LineOfSight, StandsInARecordByTheNamesOfItsMembers) {
