@@ -111,7 +111,7 @@ struct NamedRecord {
 /// too much on the horizontal circle and face 2 as much too little, D along the line of sight: at one
 /// distance that is a collimation of e/D, which adds to the known collimation.
 struct LineOfSight {
-  std::string offsetMm = {};     ///< e; empty: not known, taken as 0
+  std::string offsetMm = {};     ///< e; empty: not known
   std::string sigmaMm = {};      ///< its standard uncertainty; empty: 0
   std::string correlation = {};  ///< with the known collimation, −1 … 1; empty: 0
 

@@ -131,6 +131,37 @@ TEST(StationCheck, FollowsTheCourseOverTheRounds) {
   EXPECT_FALSE(set.orientationSlope);
 }
 
+/// ISO 17123-3 tests each circle by itself: what the other one reads changes nothing.
+TEST(StationCheck, EvaluatesEachCircleByItself) {
+  const std::vector<Target> level{{10, 0}, {95, 0}, {200, 0}, {290, 0}};
+  CheckReadings readings = simulatedRounds({.collimation = 5, .index = -3, .noise = 1}, level, 4, 8);
+  const StationCheck both = checkOf(readings);
+  readings.circles = CheckCircles::HorizontalOnly;
+  const StationCheck directions = checkOf(readings);
+  EXPECT_EQ(directions.direction.s(), both.direction.s());
+  EXPECT_NEAR(directions.collimation.value, both.collimation.value, 1e-6) << "level targets: cos e is 1";
+  EXPECT_TRUE(std::isnan(directions.vertical.s()));
+  EXPECT_TRUE(std::isnan(directions.index.value));
+  readings.circles = CheckCircles::VerticalOnly;
+  const StationCheck zeniths = checkOf(readings);
+  EXPECT_EQ(zeniths.vertical.s(), both.vertical.s());
+  EXPECT_EQ(zeniths.index.value, both.index.value);
+  EXPECT_TRUE(std::isnan(zeniths.direction.s()));
+  EXPECT_TRUE(std::isnan(zeniths.collimation.value));
+}
+
+/// Two targets, near and steep against far and level: a tilt of 140″ would show as the offset of 0.12 mm
+/// does.
+TEST(StationCheck, StatesTheMoreUsualOfTwoCausesThatLookAlike) {
+  const StationCheck check = checkOf(simulatedRounds(
+      {.collimation = 8, .eccentricityMm = 0.117, .noise = 0.5}, {{20, 4, 2.4}, {140, 0, 60}}, 8, 4));
+  EXPECT_TRUE(check.causes.isEither);
+  EXPECT_FALSE(check.causes.tilt);
+  ASSERT_TRUE(check.causes.lineOfSight);
+  EXPECT_NEAR(check.causes.lineOfSight->other, 0.117, 4 * check.causes.lineOfSight->uOther);
+  EXPECT_NEAR(check.collimation.value, 8, 4 * check.collimation.u);
+}
+
 TEST(StationCheck, HasNoScatterWhereNothingRepeats) {
   const StationCheck oneRound = checkOf(simulatedRounds({.collimation = 3, .noise = 1}, fourTargets, 1, 5));
   EXPECT_EQ(oneRound.direction.dof, 0);
