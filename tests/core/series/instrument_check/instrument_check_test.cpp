@@ -90,8 +90,10 @@ TEST(InstrumentCheck, SeldomTellsSamplesOfOneKindApart) {
 }
 
 TEST(InstrumentCheck, SaysWhatItFinds) {
-  EXPECT_THAT(sentences(checkInstrument({station("P", {.tilt = 60, .noise = 0.5}, 4, 1)})),
-              HasSubstr("The trunnion axis is tilted by 6"));
+  const InstrumentCheck tilted = checkInstrument({station("P", {.tilt = 60, .noise = 0.5}, 4, 1)});
+  ASSERT_TRUE(tilted.tilt);
+  EXPECT_NEAR(tilted.tilt->value, 60, 3 * tilted.tilt->u);
+  EXPECT_THAT(sentences(tilted), HasSubstr("The trunnion axis is tilted by 59.30″ ± 0.81″"));
   EXPECT_THAT(sentences(checkInstrument({station("P", {.eccentricityMm = 1, .noise = 0.5}, 6, 1)})),
               HasSubstr("goes with 1/D"));
   EXPECT_THAT(sentences(checkInstrument({station("P", {.index = 30, .noise = 0.5}, 3, 1)})),
