@@ -8,7 +8,6 @@
 #include "core/base/list_text.h"
 #include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
-#include "core/base/statistics.h"
 #include "core/base/visible_text.h"
 
 namespace alidade {
@@ -152,11 +151,11 @@ class StationFindings {
   void tellIndex() {
     const PairMean& index = m_station.index;
     if (!(index.u > 0)) return;
-    const auto lower = studentLowerTail(-std::abs(index.value / index.u), index.dof);
-    if (lower && 2 * *lower < levelOfTests)
+    const double p = twoSidedStudent(index.value, index.u, index.dof);
+    if (p < levelOfTests)
       add(Severity::Note, Phrase::of("The index of %1 differs from zero by more than its scatter (%2): "
                                      "readings in one face need it.",
-                                     withU(index.value, index.u, "″"), probability(2 * *lower)));
+                                     withU(index.value, index.u, "″"), probability(p)));
   }
 
   void tellTilt() {

@@ -163,7 +163,7 @@ class FaceSeparation {
 }  // namespace
 
 double twoSidedStudent(double value, double u, double dof) {
-  if (value == 0 && u == 0) return 1;
+  if (std::abs(value) < roundingArcsec) return 1;
   const auto lower = studentLowerTail(-std::abs(value / u), dof);
   return lower ? 2 * *lower : std::numeric_limits<double>::quiet_NaN();
 }

@@ -9,6 +9,9 @@ namespace alidade {
 /// What chance alone seldom exceeds, in all tests of the check: 95 %, as the standard has it.
 inline constexpr double levelOfTests = 0.05;
 
+/// What rounding alone leaves of angles in arcseconds: below it a value is 0, however well it is determined.
+inline constexpr double roundingArcsec = 1e-6;
+
 /// Trunnion tilt (arcsec) and offset of the line of sight (mm) of a plausible size.
 inline constexpr double plausibleTilt = 30, plausibleOffset = 0.5;
 

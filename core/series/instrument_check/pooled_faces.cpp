@@ -51,7 +51,7 @@ std::optional<NumbersTogether> putTogether(const std::vector<StationNumbers>& st
   all.cofactors = weights.inverse();
   all.values = all.cofactors * weighted;
   if (all.dof > 0) all.variance = squares / all.dof;
-  if (stations.size() == 1 || !(all.variance > 0)) return all;
+  if (stations.size() == 1 || !(all.variance > square(roundingArcsec))) return all;
   double between = 0;
   for (const StationNumbers& station : stations) {
     const Eigen::VectorXd off = station.values - all.values;

@@ -203,8 +203,9 @@ class StationEvaluation {
     const double dofBetween = static_cast<double>(targets()) - 1,
                  dofWithin = static_cast<double>(targets() * (rounds() - 1));
     const double variance = within / dofWithin;
-    m_check.targetsDifferP =
-        variance > 0 ? fUpperTail(between / variance, dofBetween, dofWithin).value_or(unknown) : unknown;
+    m_check.targetsDifferP = variance > square(roundingArcsec)
+                                 ? fUpperTail(between / variance, dofBetween, dofWithin).value_or(unknown)
+                                 : unknown;
   }
 
   double elevationDeg(std::size_t target) const {
